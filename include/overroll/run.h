@@ -341,7 +341,7 @@ OVR_API ovr_sweep_state ovr_sweep_state_of(const ovr_study *study, size_t k);
 
 /* First line of the message of a failure, or "". */
 OVR_API void ovr_sweep_message(const ovr_study *study, size_t k, char *text,
-                               size_t room);
+                               size_t capacity);
 
 enum { OVR_SWEEP_MOST_WORKERS = 1024 };
 

@@ -334,8 +334,8 @@ typedef struct ovr_observable {
     ovr_axes axes;
     size_t offset; /* of a number: in ovr_observation */
     /* The values of a field now, at all nodes (half nodes: one less); where
-     * they lie already, or in `room` for as many values. */
-    const double *(*field)(const ovr_simulation *sim, double *room);
+     * they lie already, or in `workspace` for as many values. */
+    const double *(*field)(const ovr_simulation *sim, double *workspace);
     unsigned needs;    /* physics without which it is not known; 0: none */
     const char *label; /* of its line in reports; NULL: it has none */
     const char *note;  /* behind the number there; or NULL */

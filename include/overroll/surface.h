@@ -86,7 +86,7 @@ OVR_API const char *ovr_shape_name(int shape);
 
 /* Says in words which keys a shape takes: "needs depth, width; ..."; returns
  * the length that the text needs, as snprintf does. */
-OVR_API int ovr_shape_takes(int shape, char *text, size_t room);
+OVR_API int ovr_shape_takes(int shape, char *text, size_t capacity);
 
 /* The width of a shape at half its height or depth, over its width; an indent
  * without shoulders; NAN: it has no width. */

@@ -70,7 +70,7 @@ static size_t aligned(size_t bytes)
 }
 
 /* Large pieces have a block of their own, behind the newest, in which small
- * ones still find room. */
+ * ones still find space. */
 static void add_to_list(ovr_arena *arena, struct ovr_arena_block *block)
 {
     struct ovr_arena_block *newest = arena->blocks;

@@ -214,8 +214,8 @@ const char *ovr_unit_name(size_t k, const char **si)
 
 static const struct unit *find_unit(const char *name)
 {
-    char room[16];
-    ovr_line u = ovr_spelled((ovr_line){name, strlen(name), 0}, room);
+    char buffer[16];
+    ovr_line u = ovr_spelled((ovr_line){name, strlen(name), 0}, buffer);
     for (int i = 0; i < UNITS; i++)
         if (strlen(units[i].name) == u.size &&
             ovr_line_starts(u, units[i].name))
@@ -237,8 +237,8 @@ double ovr_unit_value(const char *unit, ovr_dimension dimension)
 
 double ovr_length_unit(ovr_line piece, bool bracketed)
 {
-    char room[16];
-    piece = ovr_spelled(piece, room);
+    char buffer[16];
+    piece = ovr_spelled(piece, buffer);
     if (piece.size == 1 && piece.text[0] != 'm')
         return 0; /* M is mega */
     if (bracketed && ovr_line_is(piece, "in"))
@@ -286,7 +286,7 @@ static const char *with_ending(const char *unit, const char *const *names,
 
 /* " did you mean 'MPa'?" and the unit; or nothing, and NULL. */
 static const char *put_hint(const char *unit, ovr_dimension dimension,
-                            char *hint, size_t room)
+                            char *hint, size_t capacity)
 {
     const char *names[UNITS], *meant;
     size_t n = 0;
@@ -298,7 +298,7 @@ static const char *put_hint(const char *unit, ovr_dimension dimension,
         meant = with_ending(unit, names, n);
     *hint = '\0';
     if (meant)
-        snprintf(hint, room, " did you mean '%s'?", meant);
+        snprintf(hint, capacity, " did you mean '%s'?", meant);
     return meant;
 }
 

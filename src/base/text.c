@@ -247,21 +247,21 @@ static size_t micro(ovr_line piece)
     return ovr_line_starts(piece, "\xB5") ? 1 : 0;
 }
 
-ovr_line ovr_spelled(ovr_line unit, char room[16])
+ovr_line ovr_spelled(ovr_line unit, char buffer[16])
 {
     size_t sign = micro(unit), rest = unit.size - sign;
     if (!sign || rest >= 15)
         return unit;
-    room[0] = 'u';
-    memcpy(room + 1, unit.text + sign, rest);
-    return (ovr_line){room, rest + 1, unit.number};
+    buffer[0] = 'u';
+    memcpy(buffer + 1, unit.text + sign, rest);
+    return (ovr_line){buffer, rest + 1, unit.number};
 }
 
 ovr_quoted ovr_quote(ovr_line piece)
 {
     ovr_quoted quoted;
-    size_t room = sizeof quoted.text - 4, used = 0;
-    while (piece.size && used < room) {
+    size_t capacity = sizeof quoted.text - 4, used = 0;
+    while (piece.size && used < capacity) {
         size_t sign = micro(piece), taken = sign ? sign : 1;
         char c = sign ? 'u' : piece.text[0];
         quoted.text[used++] = c >= 32 && c < 127 ? c : '?';

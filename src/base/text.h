@@ -57,8 +57,8 @@ bool ovr_is_missing(ovr_line piece);
 /* "an" before a word that begins with a vowel, else "a". */
 const char *ovr_article(const char *word);
 
-/* "\302\265m" (of any encoding) becomes "um", in `room`. */
-ovr_line ovr_spelled(ovr_line unit, char room[16]);
+/* "\302\265m" (of any encoding) becomes "um", in `buffer`. */
+ovr_line ovr_spelled(ovr_line unit, char buffer[16]);
 
 /* A piece fit for a message: printable ASCII, shortened, NUL-ended. */
 typedef struct ovr_quoted {

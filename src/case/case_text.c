@@ -12,13 +12,13 @@
 
 typedef struct growing {
     char *text;
-    size_t length, room;
+    size_t length, capacity;
 } growing;
 
 static void put(growing *g, const char *text, size_t length)
 {
-    if (g->length + length + 1 > g->room)
-        return; /* cannot be: the room is counted before */
+    if (g->length + length + 1 > g->capacity)
+        return; /* cannot be: the space is counted before */
     memcpy(g->text + g->length, text, length);
     g->length += length;
     g->text[g->length] = '\0';
@@ -105,24 +105,24 @@ static void put_new_sections(growing *g, const ovr_case *c)
         }
 }
 
-static size_t room_needed(const ovr_case *c)
+static size_t capacity_needed(const ovr_case *c)
 {
-    size_t room = (c->source ? strlen(c->source) : 0) + 2;
+    size_t capacity = (c->source ? strlen(c->source) : 0) + 2;
     for (const ovr_block *b = c->blocks; b; b = b->next) {
-        room += 2 * OVR_NAME_MOST;
+        capacity += 2 * OVR_NAME_MOST;
         for (size_t k = 0; k < b->count; k++)
             if (is_later(&b->slots[k]))
-                room += OVR_NAME_MOST + strlen(b->slots[k].text) + 8;
+                capacity += OVR_NAME_MOST + strlen(b->slots[k].text) + 8;
     }
-    return room;
+    return capacity;
 }
 
 const char *ovr_case_text(ovr_case *c, ovr_error *err)
 {
     if (!c)
         return ovr_null(err, __func__);
-    growing g = {NULL, 0, room_needed(c)};
-    g.text = ovr_arena_take(&c->arena, g.room, 1, err);
+    growing g = {NULL, 0, capacity_needed(c)};
+    g.text = ovr_arena_take(&c->arena, g.capacity, 1, err);
     if (!g.text)
         return NULL;
     if (c->source)

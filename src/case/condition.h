@@ -11,16 +11,16 @@ enum { OVR_CONDITION_MOST = 256 };
 
 /* The text up to a separator, which moves on behind it; false at its end. */
 bool ovr_condition_next(const char **text, const char *separator, char *piece,
-                        size_t room);
+                        size_t capacity);
 
 /* Puts more behind a text. */
-void ovr_condition_add(char *text, size_t room, const char *format, ...)
+void ovr_condition_add(char *text, size_t capacity, const char *format, ...)
     OVR_PRINTF(3, 4);
 
 /* "[heat] model = lobatto or history = ramp, step or sine", behind a text. */
-void ovr_condition_text(const char *condition, char *text, size_t room);
+void ovr_condition_text(const char *condition, char *text, size_t capacity);
 
 /* All conditions of a row in words; "" for none. */
-void ovr_when_text(const ovr_parameter *row, char *text, size_t room);
+void ovr_when_text(const ovr_parameter *row, char *text, size_t capacity);
 
 #endif

@@ -131,7 +131,7 @@ static loads loads_of_passes(const ovr_setup *s)
 typedef struct moments {
     const ovr_setup *setup;
     loads loads;
-    double width, behind; /* room behind the contact, b, for jumps */
+    double width, behind; /* space behind the contact, b, for jumps */
     int last;             /* of its looks */
     bool convected; /* curvature that varies is convected with the material */
     bool strict;    /* films vary, and are compared with each other */
@@ -258,8 +258,8 @@ typedef struct extent {
     double inlet, outlet;
 } extent;
 
-/* A moment, the share of the film that its inlet may cost, and the room that it
- * wants behind, in half widths of its own. */
+/* A moment, the share of the film that its inlet may cost, and the space that
+ * it wants behind, in half widths of its own. */
 typedef struct wish {
     ovr_instant at;
     double loss, outlet;

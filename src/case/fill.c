@@ -97,14 +97,14 @@ static const char *full_path(ovr_resolved *r, const ovr_slot *slot,
                              ovr_error *err)
 {
     const char *folder = r->c->directory;
-    size_t room;
+    size_t capacity;
     char *path;
     if (!folder || slot->text[0] == '/' || slot->line == 0)
         return ovr_arena_text(&r->arena, slot->text, err);
-    room = strlen(folder) + strlen(slot->text) + 2;
-    path = ovr_arena_take(&r->arena, room, 1, err);
+    capacity = strlen(folder) + strlen(slot->text) + 2;
+    path = ovr_arena_take(&r->arena, capacity, 1, err);
     if (path)
-        snprintf(path, room, "%s/%s", folder, slot->text);
+        snprintf(path, capacity, "%s/%s", folder, slot->text);
     return path;
 }
 

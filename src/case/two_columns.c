@@ -13,7 +13,7 @@ enum { ROWS_MOST = 1000000, LINE_MOST = 256 };
 typedef struct reading {
     ovr_two_columns *to;
     const char *file;
-    size_t room;
+    size_t capacity;
     bool headed;  /* its header was read */
     bool swapped; /* the second column comes first */
     int decimals; /* of the second, the most of all rows */
@@ -23,9 +23,9 @@ typedef struct reading {
 static ovr_status grow(reading *r, ovr_error *err)
 {
     ovr_two_columns *c = r->to;
-    size_t room = r->room ? 2 * r->room : 256;
-    double *x = ovr_arena_take(r->arena, room, sizeof *x, err);
-    double *y = ovr_arena_take(r->arena, room, sizeof *y, err);
+    size_t capacity = r->capacity ? 2 * r->capacity : 256;
+    double *x = ovr_arena_take(r->arena, capacity, sizeof *x, err);
+    double *y = ovr_arena_take(r->arena, capacity, sizeof *y, err);
     if (!x || !y)
         return OVR_NO_MEMORY;
     if (c->count) {
@@ -34,7 +34,7 @@ static ovr_status grow(reading *r, ovr_error *err)
     }
     c->x = x;
     c->y = y;
-    r->room = room;
+    r->capacity = capacity;
     return OVR_OK;
 }
 
@@ -59,12 +59,12 @@ static int decimals_of(const char *text)
 /* ------------------------------------------------------------------ header */
 
 /* The next word of a header: blanks, brackets and separators part them. */
-static bool next_word(const char **at, char *word, size_t room)
+static bool next_word(const char **at, char *word, size_t capacity)
 {
     static const char *const parting = " \t,;()[]#=_:\r\n";
     *at += strspn(*at, parting);
     size_t length = strcspn(*at, parting);
-    snprintf(word, room, "%.*s", (int)length, *at);
+    snprintf(word, capacity, "%.*s", (int)length, *at);
     *at += length;
     return length > 0;
 }
@@ -145,7 +145,7 @@ static ovr_status read_line(reading *r, long line, char *text, ovr_error *err)
     if (c->count == ROWS_MOST)
         return ovr_fail_at(err, OVR_BAD_INPUT, r->file, line,
                            "more than %d points", ROWS_MOST);
-    if (c->count == r->room && grow(r, err))
+    if (c->count == r->capacity && grow(r, err))
         return OVR_NO_MEMORY;
     if (decimals_of(second) > r->decimals)
         r->decimals = decimals_of(second);

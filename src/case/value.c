@@ -27,12 +27,12 @@ static const char *nearest_word(const ovr_word *words, const char *text)
     return ovr_suggest(text, names, n);
 }
 
-static void list_words(const ovr_word *words, char *list, size_t room)
+static void list_words(const ovr_word *words, char *list, size_t capacity)
 {
     size_t used = 0;
     list[0] = '\0';
-    for (; words && words->name && used < room; words++)
-        used += (size_t)snprintf(list + used, room - used, "%s%s",
+    for (; words && words->name && used < capacity; words++)
+        used += (size_t)snprintf(list + used, capacity - used, "%s%s",
                                  used ? ", " : "", words->name);
 }
 
@@ -55,13 +55,13 @@ static ovr_status unknown_word(const ovr_parameter *row, const char *text,
 /* ---------------------------------------------------------------- numbers */
 
 /* 1000000 as such, not as 1e+06. */
-static void put_limit(char *text, size_t room, double limit)
+static void put_limit(char *text, size_t capacity, double limit)
 {
     bool whole = limit == floor(limit) && fabs(limit) < 1e10;
-    snprintf(text, room, whole ? "%.0f" : "%g", limit);
+    snprintf(text, capacity, whole ? "%.0f" : "%g", limit);
 }
 
-static void put_range(const ovr_parameter *row, char *text, size_t room)
+static void put_range(const ovr_parameter *row, char *text, size_t capacity)
 {
     char least[32], most[32], words[200];
     const char *unit = row->hertzian ? ovr_hertzian_name(row->hertzian)
@@ -69,23 +69,23 @@ static void put_range(const ovr_parameter *row, char *text, size_t room)
     put_limit(least, sizeof least, row->least);
     put_limit(most, sizeof most, row->most);
     list_words(row->words, words, sizeof words);
-    snprintf(text, room, "%s%s %s %s%s%s%s%s", row->above ? "above " : "",
+    snprintf(text, capacity, "%s%s %s %s%s%s%s%s", row->above ? "above " : "",
              least, row->above ? "and at most" : "to", most, *unit ? " " : "",
              unit, *words ? ", or " : "", words);
 }
 
 /* Says for messages what a value may be. */
-static void put_allowed(const ovr_parameter *row, char *text, size_t room)
+static void put_allowed(const ovr_parameter *row, char *text, size_t capacity)
 {
     switch (row->kind) {
     case OVR_NUMBER:
     case OVR_INTEGER:
-    case OVR_NUMBERS: put_range(row, text, room); break;
+    case OVR_NUMBERS: put_range(row, text, capacity); break;
     case OVR_CHOICE:
-    case OVR_WORDS: list_words(row->words, text, room); break;
-    case OVR_FLAG: snprintf(text, room, "yes, no"); break;
-    case OVR_TEXT: snprintf(text, room, "any text"); break;
-    case OVR_PATH: snprintf(text, room, "the path of a file"); break;
+    case OVR_WORDS: list_words(row->words, text, capacity); break;
+    case OVR_FLAG: snprintf(text, capacity, "yes, no"); break;
+    case OVR_TEXT: snprintf(text, capacity, "any text"); break;
+    case OVR_PATH: snprintf(text, capacity, "the path of a file"); break;
     }
 }
 
@@ -116,7 +116,7 @@ static ovr_status check_sign(const ovr_parameter *row, double number,
 
 /* "0.6 b" is the number that 0.6 is. */
 static const char *without_hertzian(const ovr_parameter *row, const char *text,
-                                    char *room, size_t size)
+                                    char *buffer, size_t size)
 {
     const char *unit = ovr_hertzian_name(row->hertzian), *at = text;
     double value;
@@ -126,8 +126,8 @@ static const char *without_hertzian(const ovr_parameter *row, const char *text,
     at += strspn(at, " \t");
     if (strcmp(at, unit) != 0 || number >= size)
         return text;
-    snprintf(room, size, "%.*s", (int)number, text);
-    return room;
+    snprintf(buffer, size, "%.*s", (int)number, text);
+    return buffer;
 }
 
 static ovr_status read_quantity(const ovr_parameter *row, const char *text,
@@ -188,12 +188,12 @@ static size_t count_items(const char *text)
 
 /* Copies the next item, blanks around it cut off, and moves on. */
 static void next_item(const char **text, const char *stops, char *item,
-                      size_t room)
+                      size_t capacity)
 {
     size_t length = strcspn(*text, stops);
     ovr_line line = ovr_trim((ovr_line){*text, length, 0});
     *text += length + ((*text)[length] != '\0');
-    snprintf(item, room, "%.*s", (int)line.size, line.text);
+    snprintf(item, capacity, "%.*s", (int)line.size, line.text);
 }
 
 static ovr_status read_list(const ovr_parameter *row, const char *text,

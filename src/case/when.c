@@ -95,10 +95,10 @@ static bool any_holds(const ovr_case *c, const ovr_block *block,
 
 /* The first condition that does not hold; false: all do. */
 static bool first_failing(const ovr_case *c, const ovr_block *block,
-                          const char *when, char *condition, size_t room,
+                          const char *when, char *condition, size_t capacity,
                           bool *off)
 {
-    while (when && ovr_condition_next(&when, "; ", condition, room))
+    while (when && ovr_condition_next(&when, "; ", condition, capacity))
         if (!any_holds(c, block, condition, off))
             return true;
     return false;
@@ -128,14 +128,14 @@ bool ovr_key_applies(const ovr_case *c, const ovr_block *block,
 /* "has no effect with history = constant; it needs history = ramp or step",
  * "has no effect beside [contact] modulus without [stress]" */
 static void put_idle(const ovr_case *c, const ovr_block *block,
-                     const char *condition, char *text, size_t room)
+                     const char *condition, char *text, size_t capacity)
 {
     alternative a = take_apart(c, block, condition);
     bool one = !strstr(condition, " or "), other = a.section != block->section;
     text[0] = '\0';
-    ovr_condition_add(text, room, "has no effect");
+    ovr_condition_add(text, capacity, "has no effect");
     if (a.absent)
-        ovr_condition_add(text, room, " beside %s%s%s%s", other ? "[" : "",
+        ovr_condition_add(text, capacity, " beside %s%s%s%s", other ? "[" : "",
                           other ? a.section->name : "", other ? "] " : "",
                           a.slot->key);
     if (a.absent && !one)
@@ -143,12 +143,12 @@ static void put_idle(const ovr_case *c, const ovr_block *block,
     if (a.absent && one)
         return;
     if (one && *a.rest && a.slot->text)
-        ovr_condition_add(text, room, " with %s%s%s%s = %.40s; it needs ",
+        ovr_condition_add(text, capacity, " with %s%s%s%s = %.40s; it needs ",
                           other ? "[" : "", other ? a.section->name : "",
                           other ? "] " : "", a.slot->key, a.slot->text);
     else
-        ovr_condition_add(text, room, " without ");
-    ovr_condition_text(condition, text, room);
+        ovr_condition_add(text, capacity, " without ");
+    ovr_condition_text(condition, text, capacity);
 }
 
 bool ovr_key_idle(const ovr_case *c, const ovr_block *block,

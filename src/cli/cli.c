@@ -189,11 +189,11 @@ static int check_count(const cli_call *call)
 int cli_parse(cli_call *call, const cli_verb *verb, int argc, char **argv)
 {
     bool options = true;
-    size_t room = (size_t)argc + 1;
+    size_t capacity = (size_t)argc + 1;
     memset(call, 0, sizeof *call);
     call->verb = verb;
-    call->argument = calloc(room, sizeof *call->argument);
-    call->given = calloc(room, sizeof *call->given);
+    call->argument = calloc(capacity, sizeof *call->argument);
+    call->given = calloc(capacity, sizeof *call->given);
     if (!call->argument || !call->given) {
         fputs("overroll: out of memory\n", stderr);
         return CLI_FAILED;

@@ -11,13 +11,13 @@
 #include "cli/signals.h"
 #include "cli/watch.h"
 
-enum { ROOM = 600 };
+enum { CAPACITY = 600 };
 
 /* The question as it was asked, taken apart. */
 typedef struct question {
-    char words[ROOM]; /* all of them, blanks between */
+    char words[CAPACITY]; /* all of them, blanks between */
     const char *which;
-    char key[ROOM], low[ROOM], high[ROOM], condition[ROOM];
+    char key[CAPACITY], low[CAPACITY], high[CAPACITY], condition[CAPACITY];
 } question;
 
 /* The words between two marks of the question, without outer blanks. */
@@ -36,10 +36,10 @@ static bool join_words(const cli_call *call, char *words)
 {
     size_t used = 0;
     words[0] = '\0';
-    for (int k = 1; k < call->arguments && used < ROOM; k++)
-        used += (size_t)snprintf(words + used, ROOM - used, "%s%s",
+    for (int k = 1; k < call->arguments && used < CAPACITY; k++)
+        used += (size_t)snprintf(words + used, CAPACITY - used, "%s%s",
                                  k > 1 ? " " : "", call->argument[k]);
-    return used < ROOM;
+    return used < CAPACITY;
 }
 
 static bool parse(question *q)

@@ -58,13 +58,14 @@ static int list_topics(const cli_call *call)
 
 /* ------------------------------------------------------------- parameters */
 
-static void describe_range(const ovr_parameter_info *p, char *text, size_t room)
+static void describe_range(const ovr_parameter_info *p, char *text,
+                           size_t capacity)
 {
     const char *unit = *p->bare ? p->bare : "";
     char si[16] = "";
     if (!*p->bare && *p->units)
         snprintf(si, sizeof si, " %.*s", (int)strcspn(p->units, ","), p->units);
-    snprintf(text, room, "%s%s%g to %g%s%s%s", p->type,
+    snprintf(text, capacity, "%s%s%g to %g%s%s%s", p->type,
              p->above ? " above " : " ", p->least, p->most, si,
              *unit ? " " : "", unit);
 }
@@ -81,16 +82,16 @@ static void put_choices(const ovr_parameter_info *p)
 
 /* Describes the width of a feature: what each shape has at half its height. */
 static void describe_widths(const ovr_parameter_info *p, char *text,
-                            size_t room)
+                            size_t capacity)
 {
     size_t used = 0;
     text[0] = '\0';
     if (strcmp(p->section, "feature") != 0 || strcmp(p->key, "width") != 0)
         return;
-    used = (size_t)snprintf(text, room, "width_half over width:");
-    for (int k = 0; ovr_shape_name(k) && used < room; k++)
+    used = (size_t)snprintf(text, capacity, "width_half over width:");
+    for (int k = 0; ovr_shape_name(k) && used < capacity; k++)
         if (isfinite(ovr_shape_width_half(k)))
-            used += (size_t)snprintf(text + used, room - used, "%s %s %.4g",
+            used += (size_t)snprintf(text + used, capacity - used, "%s %s %.4g",
                                      strchr(text, '.') ? "," : "",
                                      ovr_shape_name(k),
                                      ovr_shape_width_half(k));

@@ -464,12 +464,12 @@ static char *find_line(char *text, const char *section, const char *key,
 }
 
 /* "feature.dent.depth=..." is of [feature dent]; where the key begins. */
-static const char *split(const char *setting, char *section, size_t room)
+static const char *split(const char *setting, char *section, size_t capacity)
 {
     const char *dot = strcspn(setting, "=") + setting;
     while (dot > setting && *dot != '.')
         dot--;
-    snprintf(section, room, "%.*s", (int)(dot - setting), setting);
+    snprintf(section, capacity, "%.*s", (int)(dot - setting), setting);
     char *inner = strchr(section, '.');
     if (inner)
         *inner = ' ';

@@ -13,10 +13,11 @@ static char *name_beside(const char *path)
 {
     const char *slash = strrchr(path, '/');
     size_t folder = slash ? (size_t)(slash - path) + 1 : 0;
-    size_t room = strlen(path) + sizeof "..part";
-    char *part = malloc(room);
+    size_t capacity = strlen(path) + sizeof "..part";
+    char *part = malloc(capacity);
     if (part)
-        snprintf(part, room, "%.*s.%s.part", (int)folder, path, path + folder);
+        snprintf(part, capacity, "%.*s.%s.part", (int)folder, path,
+                 path + folder);
     return part;
 }
 

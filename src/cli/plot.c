@@ -205,14 +205,14 @@ static int take_figure(const cli_call *call, ovr_figure_options *f)
 }
 
 /* "study" of "studies/study.ini" */
-static const char *name_of(const char *path, char *room, size_t size)
+static const char *name_of(const char *path, char *buffer, size_t size)
 {
     const char *slash = strrchr(path, '/');
-    snprintf(room, size, "%s", slash ? slash + 1 : path);
-    char *dot = strrchr(room, '.');
-    if (dot && dot > room)
+    snprintf(buffer, size, "%s", slash ? slash + 1 : path);
+    char *dot = strrchr(buffer, '.');
+    if (dot && dot > buffer)
         *dot = '\0';
-    return room;
+    return buffer;
 }
 
 /* Said of a result file they would be passed over. */

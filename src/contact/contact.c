@@ -349,7 +349,7 @@ ovr_status ovr_contact_resolve(const ovr_conditions *given,
     ovr_conditions own;
     ovr_contact made;
     if (OVR_TAKE(ovr_conditions, &own, given, err) ||
-        ovr_room(contact, "ovr_contact", err) || resolve(&own, &made, err))
+        ovr_fillable(contact, "ovr_contact", err) || resolve(&own, &made, err))
         return OVR_BAD_INPUT;
     *contact = made;
     return OVR_OK;

@@ -97,7 +97,7 @@ static ovr_status check_form(const ovr_history_form *form, ovr_error *err)
 
 /* ------------------------------------------------------------- creation */
 
-/* Bytes a point takes inside GSL's Steffen state, with room to spare. */
+/* Bytes a point takes inside GSL's Steffen state, with space to spare. */
 enum { GSL_BYTES_A_POINT = 8 * sizeof(double) };
 
 static ovr_status probe_memory(const ovr_history *history, ovr_error *err)

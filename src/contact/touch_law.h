@@ -44,7 +44,7 @@ void ovr_touch_law_at(const void *law, double H, double *A, double *slope);
 /* The share of the surface that is in contact at H. */
 double ovr_touch_law_area(const ovr_touch_law *law, double H);
 
-/* Room for n points. */
+/* Space for n points. */
 ovr_status ovr_touch_table_take(ovr_touch_table *table, size_t n,
                                 ovr_arena *arena, ovr_error *err);
 

@@ -269,7 +269,7 @@ ovr_element_moment ovr_bearing_contact(const ovr_bearing *bearing, double load)
 }
 
 size_t ovr_bearing_passes(const ovr_bearing *bearing, double phase,
-                          double least, size_t room, double *angle,
+                          double least, size_t capacity, double *angle,
                           double *load)
 {
     if (!bearing || !angle || !load)
@@ -283,7 +283,7 @@ size_t ovr_bearing_passes(const ovr_bearing *bearing, double phase,
             largest = fmax(largest,
                            carried(bearing, displaced(bearing, psi), psi));
     }
-    for (int j = -reach; j <= reach && count < room; j++) {
+    for (int j = -reach; j <= reach && count < capacity; j++) {
         double psi = phase + j * step, Q;
         if (!(cos(psi) > 0 || step == 0) || fabs(psi) >= pi)
             continue;

@@ -118,10 +118,10 @@ static double degrees(double angle)
     return angle * 180 / pi;
 }
 
-/* The room that there is at an angle until the follower cannot follow: of a
+/* The space that there is at an angle until the follower cannot follow: of a
  * flat one the cam's radius of curvature; of a roller what its pitch curve's is
  * above its own, where it is not hollow. */
-static double room_at(const ovr_cam *cam, double angle)
+static double clearance_at(const ovr_cam *cam, double angle)
 {
     const ovr_cam_form *f = &cam->form;
     double lift[3];
@@ -136,20 +136,20 @@ static double room_at(const ovr_cam *cam, double angle)
 static ovr_status check_shape(const ovr_cam *cam, double angle, ovr_error *err)
 {
     const ovr_cam_form *f = &cam->form;
-    double room = room_at(cam, angle);
-    if (room > 0)
+    double clearance = clearance_at(cam, angle);
+    if (clearance > 0)
         return OVR_OK;
     if (f->follower == OVR_FOLLOWER_FLAT)
         return ovr_fail_about(err, "base_radius",
                               "the cam is concave at %.3g deg: rho = %.3g mm; "
                               "a flat follower cannot follow: base_radius at "
                               "least %.4g mm",
-                              degrees(angle), 1e3 * room,
-                              1e3 * (f->base_radius - room) * 1.001);
+                              degrees(angle), 1e3 * clearance,
+                              1e3 * (f->base_radius - clearance) * 1.001);
     return ovr_fail_about(err, "roller_radius",
                           "undercut at %.3g deg: the pitch curve's radius "
                           "%.3g mm is within the roller's %.3g mm",
-                          degrees(angle), 1e3 * (room + f->roller_radius),
+                          degrees(angle), 1e3 * (clearance + f->roller_radius),
                           1e3 * f->roller_radius);
 }
 
@@ -184,8 +184,8 @@ static double reversal_between(const ovr_cam *cam, double low, double high)
 static void find_reversals(ovr_cam *cam)
 {
     ovr_cam_event *e = &cam->event;
-    size_t room = sizeof e->reversal / sizeof *e->reversal;
-    for (int k = 0; k < LOOKS && e->reversals < room; k++)
+    size_t capacity = sizeof e->reversal / sizeof *e->reversal;
+    for (int k = 0; k < LOOKS && e->reversals < capacity; k++)
         if (mean_speed(cam, look(e, k)) * mean_speed(cam, look(e, k + 1)) < 0)
             e->reversal[e->reversals++] = reversal_between(cam, look(e, k),
                                                            look(e, k + 1));
@@ -195,12 +195,12 @@ static ovr_status check_event(ovr_cam *cam, ovr_error *err)
 {
     ovr_cam_event *e = &cam->event;
     double gone[2] = {NAN, NAN}, highest = -1, tightest = e->from;
-    double least = room_at(cam, e->from);
+    double least = clearance_at(cam, e->from);
     e->least_force = INFINITY;
     for (int k = 0; k <= LOOKS; k++) {
-        double room = room_at(cam, look(e, k));
-        if (room < least) {
-            least = room;
+        double clearance = clearance_at(cam, look(e, k));
+        if (clearance < least) {
+            least = clearance;
             tightest = look(e, k);
         }
     }

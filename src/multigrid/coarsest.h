@@ -26,7 +26,7 @@ int ovr_newton_levels(const ovr_hierarchy *grids);
 ovr_status ovr_newton_prepare(ovr_hierarchy *grids, ovr_arena *arena,
                               ovr_error *err);
 
-/* Room for the deformation's kernel of n nodes. */
+/* Space for the deformation's kernel of n nodes. */
 double *ovr_newton_kernel(size_t n, ovr_arena *arena, ovr_error *err);
 
 /* The deformation's kernel of those levels, once their grids are known. */

@@ -60,7 +60,7 @@ ovr_status ovr_composite_prepare(ovr_composite *c, ovr_hierarchy *grids,
     if (ovr_patch_base(grids, &c->part[0], arena, err))
         return OVR_NO_MEMORY;
     for (int k = 0; k < 2; k++)
-        if (!(c->room[k] = ovr_field(arena, n + OVR_MOST_LANES, err)))
+        if (!(c->workspace[k] = ovr_field(arena, n + OVR_MOST_LANES, err)))
             return OVR_NO_MEMORY;
     if (count_bytes(c, most, patches, &c->size, err))
         return OVR_NO_MEMORY;
@@ -155,7 +155,7 @@ static void restrict_gap(ovr_composite *c, ovr_patch *patch, ovr_patch *parent)
 {
     const ovr_hierarchy *grids = c->grids;
     size_t first = patch->level->grid.first, n = patch->level->grid.n;
-    double *gap = c->room[0], *H = c->room[1];
+    double *gap = c->workspace[0], *H = c->workspace[1];
     for (size_t I = 0; I < parent->level->grid.n; I++)
         gap[I] = parent->rigid[I] - parent->detail_w[I];
     ovr_level_read(grids, patch->level, patch->level->f.H, H);
@@ -199,7 +199,7 @@ static void restrict_sides(ovr_composite *c, ovr_patch *patch,
     const ovr_hierarchy *grids = c->grids;
     ovr_level *level = parent->level;
     size_t begin = ovr_patch_begin(patch), end = ovr_patch_end(patch);
-    double *r = c->room[0], *F = c->room[1];
+    double *r = c->workspace[0], *F = c->workspace[1];
     ovr_level_clear(level, level->f.F);
     ovr_level_residual(grids, level); /* -N' */
     ovr_level_read(grids, level, level->f.r, F);
@@ -304,7 +304,7 @@ static double imbalance(const ovr_composite *c, int k)
 {
     const ovr_patch *part = &c->part[k];
     double D = part->level->grid.D, half = 0.5 / (D * D), sum = 0;
-    double *r = c->room[0];
+    double *r = c->workspace[0];
     ovr_level_read(c->grids, part->level, part->level->f.r, r);
     for (size_t i = part->from; i <= part->to; i++) {
         double outflow = half * ovr_patch_outflow(part, i) * part->P[i];

@@ -42,7 +42,7 @@ typedef struct ovr_composite {
     int patches;                /* beside the base */
     ovr_patch part[OVR_LEVELS]; /* 0: the base; each the next one's parent */
     double force;               /* target load */
-    double *room[2];            /* for the nodes of any part */
+    double *workspace[2];       /* for the nodes of any part */
     /* Memory of patches, taken anew for each solution. */
     ovr_arena memory;
     char *chunk;

@@ -83,7 +83,7 @@ void ovr_content_by_pressure(const ovr_hierarchy *grids, ovr_level *level)
 }
 
 /* What lies behind the last node, and no row asks for: what flows there, as far
- * as it has room. */
+ * as it has space. */
 static void extend_content(const ovr_level *level)
 {
     size_t last = level->grid.n - 1;

@@ -101,7 +101,7 @@ ovr_status ovr_mlmi_plan(ovr_mlmi *plan, size_t n, int order, int range,
  * range. */
 void ovr_mlmi_fill(ovr_mlmi *plan, double D, const ovr_mlmi *like);
 
-/* An array for P or w of a plan: in lanes for any machine, with room for its
+/* An array for P or w of a plan: in lanes for any machine, with space for its
  * halos. */
 double *ovr_mlmi_field(const ovr_mlmi *plan, ovr_arena *arena, ovr_error *err);
 

@@ -167,9 +167,9 @@ static void take_off_below(double *A, size_t stride, size_t m, size_t c,
         take_off(A + i * stride, 1, top, stride, inverse, PANEL, c, m);
 }
 
-/* Whole vectors reach into the room behind b, where the infinite numbers of a
+/* Whole vectors reach into the space behind b, where the infinite numbers of a
  * solve that failed would spoil all later ones: 0 inf is none. */
-static void clear_room(double *A, size_t stride, size_t m)
+static void clear_workspace(double *A, size_t stride, size_t m)
 {
     size_t end = (m + VEC) / VEC * VEC;
     for (size_t i = 0; i < m; i++)
@@ -181,12 +181,12 @@ static void clear_room(double *A, size_t stride, size_t m)
  * x of A x = b by Gaussian elimination.  The pivot of a row is its diagonal or
  * a much larger value, so that it is found, and columns are exchanged, without
  * walking down columns.  A has m rows of `stride` values, at least m + 8: b in
- * column m, then room for whole vectors and, behind b, for the exchanges.  x
- * has room for m + 8 values.  False when A is singular.
+ * column m, then space for whole vectors and, behind b, for the exchanges.  x
+ * has space for m + 8 values.  False when A is singular.
  */
 bool OVR_KERNEL(dense_solve)(size_t m, size_t stride, double *A, double *x)
 {
-    clear_room(A, stride, m);
+    clear_workspace(A, stride, m);
     for (size_t c = 0; c < m; c += PANEL) {
         size_t width = m - c < PANEL ? m - c : PANEL;
         double inverse[PANEL];

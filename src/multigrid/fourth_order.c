@@ -20,13 +20,13 @@ static ovr_level *finest_of(const ovr_hierarchy *grids)
 ovr_status ovr_correction_prepare(ovr_hierarchy *grids, ovr_correction *c,
                                   ovr_arena *arena, ovr_error *err)
 {
-    size_t room = finest_of(grids)->grid.n + OVR_MOST_LANES;
+    size_t capacity = finest_of(grids)->grid.n + OVR_MOST_LANES;
     double **const all[] = {&c->F, &c->gap, &c->mask, &c->gap_only};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        if (!(*all[k] = ovr_field(arena, room, err)))
+        if (!(*all[k] = ovr_field(arena, capacity, err)))
             return OVR_NO_MEMORY;
     for (size_t k = 0; ovr_flow_thins(&grids->fluid) && k < 7; k++)
-        if (!(c->work[k] = ovr_field(arena, room, err)))
+        if (!(c->work[k] = ovr_field(arena, capacity, err)))
             return OVR_NO_MEMORY;
     return OVR_OK;
 }

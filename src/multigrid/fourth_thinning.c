@@ -51,13 +51,13 @@ static double flux_of_second(const ovr_fluid *fluid, double D, const double *P,
 
 /* The content as it counts where a film with temperatures slides (fields.h). */
 static void drag(const ovr_hierarchy *grids, const ovr_level *level, double *q,
-                 double *room)
+                 double *workspace)
 {
     if (!level->f.drag)
         return;
-    ovr_level_read(grids, level, level->f.drag, room);
+    ovr_level_read(grids, level, level->f.drag, workspace);
     for (size_t i = 0; i < level->grid.n; i++)
-        q[i] *= room[i];
+        q[i] *= workspace[i];
 }
 
 void ovr_fourth_thinning(const ovr_hierarchy *grids, const ovr_level *level,

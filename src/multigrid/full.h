@@ -55,7 +55,7 @@ typedef struct ovr_full {
     void (*watch)(void *data, const ovr_level *level, ovr_full_event event,
                   const ovr_full_status *status);
     void *data;
-    double *saved; /* room for a field of the finest size */
+    double *saved; /* space for a field of the finest size */
 } ovr_full;
 
 /* Cycles on a level whose film and residual are up to date, to its tolerance;

@@ -10,17 +10,17 @@
 #include "multigrid/tripoles.h"
 
 /* Nodes of the lanes and beyond, for any machine's kernels. */
-static size_t room_of(const ovr_level *level)
+static size_t capacity_of(const ovr_level *level)
 {
     return level->grid.n + OVR_MOST_LANES;
 }
 
-/* Arrays of `room` values, to where the pointers point. */
-static ovr_status take(double **const to[], size_t count, size_t room,
+/* Arrays of `capacity` values, to where the pointers point. */
+static ovr_status take(double **const to[], size_t count, size_t capacity,
                        ovr_arena *arena, ovr_error *err)
 {
     for (size_t k = 0; k < count; k++)
-        if (!(*to[k] = ovr_field(arena, room, err)))
+        if (!(*to[k] = ovr_field(arena, capacity, err)))
             return OVR_NO_MEMORY;
     return OVR_OK;
 }
@@ -63,19 +63,19 @@ static ovr_status take_fields(const ovr_hierarchy *grids, ovr_level *level,
             continue;
         level->f.all[k] = memory == OVR_WIDE
                               ? ovr_mlmi_field(&level->mlmi, arena, err)
-                              : ovr_field(arena, room_of(level), err);
+                              : ovr_field(arena, capacity_of(level), err);
         if (!level->f.all[k])
             return OVR_NO_MEMORY;
     }
     return take_sets(&level->f, level->grid.n, grids->content, arena, err);
 }
 
-static ovr_status take_band(ovr_band *band, size_t room, ovr_arena *arena,
+static ovr_status take_band(ovr_band *band, size_t capacity, ovr_arena *arena,
                             ovr_error *err)
 {
     double **const all[] = {&band->b[0], &band->b[1], &band->b[2],
                             &band->b[3], &band->b[4], &band->delta};
-    return take(all, sizeof all / sizeof *all, room, arena, err);
+    return take(all, sizeof all / sizeof *all, capacity, arena, err);
 }
 
 static ovr_status take_natural(ovr_hierarchy *grids, size_t n, ovr_arena *arena,
@@ -143,8 +143,8 @@ ovr_status ovr_hierarchy_build(ovr_hierarchy *grids, int coarsest, int finest,
     for (int l = coarsest; l <= finest; l++)
         if (build_level(grids, l, order[l], range[l], arena, err))
             return OVR_NO_MEMORY;
-    size_t room = room_of(&grids->level[finest]);
-    if (take_band(&grids->band, room, arena, err) ||
+    size_t capacity = capacity_of(&grids->level[finest]);
+    if (take_band(&grids->band, capacity, arena, err) ||
         take_natural(grids, grids->level[grids->ordered].grid.n, arena, err))
         return OVR_NO_MEMORY;
     double end = fmax(fmax(-X_a, X_b) / 4, 1);
@@ -210,7 +210,7 @@ static ovr_status take_newton(ovr_hierarchy *grids, ovr_arena *arena,
     ovr_level *finest = &grids->level[grids->finest];
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         if (!finest->f.all[k] && has(grids, ovr_field_rows[k].memory, true) &&
-            !(finest->f.all[k] = ovr_field(arena, room_of(finest), err)))
+            !(finest->f.all[k] = ovr_field(arena, capacity_of(finest), err)))
             return OVR_NO_MEMORY;
     if (grids->ordered == grids->finest)
         return OVR_OK;
@@ -229,7 +229,7 @@ ovr_status ovr_hierarchy_touch(ovr_hierarchy *grids, ovr_arena *arena,
         return OVR_NO_MEMORY;
     touch->lift = ovr_field(arena, n, err);
     if (touch->lift)
-        touch->gap = ovr_field(arena, room_of(&grids->level[grids->finest]),
+        touch->gap = ovr_field(arena, capacity_of(&grids->level[grids->finest]),
                                err);
     touch->kernel = touch->gap ? ovr_newton_kernel(n, arena, err) : NULL;
     touch->dry = touch->kernel ? ovr_set(arena, n, err) : NULL;
@@ -245,13 +245,13 @@ ovr_status ovr_hierarchy_touch(ovr_hierarchy *grids, ovr_arena *arena,
 
 /* Takes memory for what rows read at half nodes where E is more than a sum
  * (reynolds_row.h). */
-static ovr_status take_through(ovr_fields *f, size_t room, ovr_arena *arena,
+static ovr_status take_through(ovr_fields *f, size_t capacity, ovr_arena *arena,
                                ovr_error *err)
 {
     if (f->tangent)
         return OVR_OK;
-    f->tangent = ovr_field(arena, room, err);
-    f->by_eps = ovr_field(arena, room, err);
+    f->tangent = ovr_field(arena, capacity, err);
+    f->by_eps = ovr_field(arena, capacity, err);
     return f->tangent && f->by_eps ? OVR_OK : OVR_NO_MEMORY;
 }
 
@@ -261,8 +261,8 @@ ovr_status ovr_hierarchy_factor(ovr_hierarchy *grids,
 {
     grids->fluid.factor = factor;
     for (int l = grids->coarsest; l <= grids->finest; l++)
-        if (take_through(&grids->level[l].f, room_of(&grids->level[l]), arena,
-                         err))
+        if (take_through(&grids->level[l].f, capacity_of(&grids->level[l]),
+                         arena, err))
             return OVR_NO_MEMORY;
     return take_through(&grids->natural, grids->level[grids->ordered].grid.n,
                         arena, err);

@@ -34,7 +34,7 @@ typedef struct ovr_influence {
     int parts;
 } ovr_influence;
 
-/* Another part of R; false: there is no room for it. */
+/* Another part of R; false: there is no space for it. */
 bool ovr_influence_add(ovr_influence *influence, ovr_influence_part part);
 
 /* The influence of a node on one d meshes away: dw_i/dP_j; R alone. */

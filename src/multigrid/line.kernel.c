@@ -62,7 +62,8 @@ static inline void distributed(const line *l, bool transient, stretch where,
     }
 }
 
-/* Column d = -3, which the band has no room for, by delta_{i-3} = 2 delta_{i-2}
+/* Column d = -3, which the band has no space for, by delta_{i-3} = 2
+ * delta_{i-2}
  * - delta_{i-1} (line.h). */
 static inline void fold(const line *l, const row_weights *c, stretch where,
                         ptrdiff_t J, vec b[5])

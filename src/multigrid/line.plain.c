@@ -28,7 +28,7 @@ static double given(double share, const ovr_shares *shares, const ovr_fields *f,
     return gives ? share : 0;
 }
 
-/* Column d = -3 of row i, which the band has no room for, by delta_{i-3} =
+/* Column d = -3 of row i, which the band has no space for, by delta_{i-3} =
  * 2 delta_{i-2} - delta_{i-1} (line.h). */
 static void fold(const ovr_weights *w, const ovr_fields *f, ptrdiff_t i,
                  double plus, const ovr_band *band)

@@ -107,7 +107,7 @@ typedef struct ovr_swept {
 
 /* Gives the share of the past in a step of dT, without the q of now, from Psi_m
  * and q before: (h - T_bulk)/N of solids.h; and q before, carried along and
- * spread. `room` is of n, `fields` of n OVR_SWEPT. */
+ * spread. `workspace` is of n, `fields` of n OVR_SWEPT. */
 struct ovr_kernels;
 typedef struct ovr_modes_look {
     const struct ovr_kernels *run;
@@ -116,7 +116,7 @@ typedef struct ovr_modes_look {
     double dT;
     double more[2]; /* of an own step under layers (simulation/solids.h) */
     const double *weight, *psi, *q;
-    double *room, *fields, *past, *before;
+    double *workspace, *fields, *past, *before;
 } ovr_modes_look;
 void ovr_modes_past(const ovr_modes_look *look);
 

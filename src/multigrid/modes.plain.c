@@ -256,8 +256,9 @@ void ovr_modes_past(const ovr_modes_look *l)
     const ovr_spread *s = l->spread;
     double own = s->on ? 0 : 2.0 / 3 * sqrt(l->dT) * (1 + l->more[1]);
     ovr_swept set = {.c = {0}};
-    l->run->sum_modes(l->departures->n, l->weight, l->psi, own, l->q, l->room);
-    l->run->carry_along(l->departures, l->room, l->past);
+    l->run->sum_modes(l->departures->n, l->weight, l->psi, own, l->q,
+                      l->workspace);
+    l->run->carry_along(l->departures, l->workspace, l->past);
     l->run->carry_along(l->departures, l->q, l->before);
     if (!s->on)
         return;

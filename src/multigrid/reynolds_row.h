@@ -111,13 +111,13 @@ static inline num row_outflow(const ovr_fields *f, bool stored, num half,
 
 /*
  * True if a node is held dry: P = 0, and the row does not want it to rise.
- * With room for rounding, which is some 1e-16 of the row's largest term, a0 q:
- * on coarse grids the residual of a dry node is nothing else, and its sign
- * would pick wet or dry at random (1e-14 to 1e-10 all work).  A coarse grid
- * solved twice (W) moves a node at the film's end to and fro for 1e-7 of it:
- * there 1e-6 hold it in a steady film, and the finest grid has the last word.
- * The outflow d_i P_i is no measure of it: far out, where eps/D^2 is 1e10, it
- * would hold hundreds of nodes that all want to rise.
+ * With allowance for rounding, which is some 1e-16 of the row's largest term,
+ * a0 q: on coarse grids the residual of a dry node is nothing else, and its
+ * sign would pick wet or dry at random (1e-14 to 1e-10 all work).  A coarse
+ * grid solved twice (W) moves a node at the film's end to and fro for 1e-7 of
+ * it: there 1e-6 hold it in a steady film, and the finest grid has the last
+ * word. The outflow d_i P_i is no measure of it: far out, where eps/D^2 is
+ * 1e10, it would hold hundreds of nodes that all want to rise.
  */
 static inline truth row_holds(const ovr_fields *f, num r, num hold, ptrdiff_t J)
 {

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-/* EXITS patches reach to behind the rupture: they have room for a way there of
+/* EXITS patches reach to behind the rupture: they have space for a way there of
  * EXIT_LENGTH from the spike, and go BEYOND meshes further. */
 #define EXIT_LENGTH 0.8
 enum { EXITS = 3, BEYOND = 12 };
@@ -55,7 +55,7 @@ typedef struct window {
     size_t first, meshes;
 } window;
 
-/* About X, the first patches to behind the rupture; no meshes: no room. */
+/* About X, the first patches to behind the rupture; no meshes: no space. */
 static window lay(const ovr_composite *c, const ovr_spike_search *how, double X)
 {
     const ovr_patch *parent = &c->part[c->patches];
@@ -72,10 +72,11 @@ static window lay(const ovr_composite *c, const ovr_spike_search *how, double X)
     left = fmax(left - OVR_PATCH_EDGE / 2., least);
     right = fmin(right + OVR_PATCH_EDGE / 2., most);
     double units = ceil((right - left) / OVR_PATCH_UNIT);
-    double room = floor((most - left) / OVR_PATCH_UNIT);
+    double margin = floor((most - left) / OVR_PATCH_UNIT);
     double taken = (double)ovr_spike_most(k, how->half,
                                           &c->part[0].level->grid);
-    units = fmin(fmin(units, room), floor((taken - 1) / (2 * OVR_PATCH_UNIT)));
+    units = fmin(fmin(units, margin),
+                 floor((taken - 1) / (2 * OVR_PATCH_UNIT)));
     if (!(units * OVR_PATCH_UNIT >= OVR_PATCH_LEAST))
         return (window){0, 0};
     return (window){(size_t)left, (size_t)units * OVR_PATCH_UNIT};

@@ -35,9 +35,9 @@ void ovr_touch_deform(const ovr_hierarchy *grids, const ovr_level *level)
 static void repeat(const ovr_hierarchy *grids, const ovr_level *level,
                    double *values)
 {
-    double *room = grids->scratch[0];
-    ovr_level_read(grids, level, values, room);
-    ovr_level_write(grids, level, room, values);
+    double *workspace = grids->scratch[0];
+    ovr_level_read(grids, level, values, workspace);
+    ovr_level_write(grids, level, workspace, values);
 }
 
 const double *ovr_touch_gap(const ovr_hierarchy *grids, const ovr_level *level)
@@ -149,12 +149,12 @@ void ovr_touch_open(ovr_hierarchy *grids, const ovr_level *level,
 static const double *given_way(const ovr_hierarchy *grids,
                                const ovr_level *level, const double *dP)
 {
-    double *w = level->f.w, *room = grids->scratch[0];
+    double *w = level->f.w, *workspace = grids->scratch[0];
     ovr_level_write(grids, level, dP, level->pressed);
     ovr_influence_deform(&grids->influence, grids->kernels, &level->lanes,
                          &level->mlmi, level->pressed, w);
-    ovr_level_read(grids, level, w, room);
-    return room;
+    ovr_level_read(grids, level, w, workspace);
+    return workspace;
 }
 
 bool ovr_touch_close(const ovr_hierarchy *grids, const ovr_level *level,

@@ -222,9 +222,9 @@ ovr_status ovr_depth_field_make(ovr_depth_field *f, const ovr_stored *run,
     f->range.residual_z = f->residual_z;
     f->range.residual_s = f->residual_s;
     f->range.layer_residual = f->coated.residual;
-    size_t room = f->nodes > info->nodes ? f->nodes : info->nodes;
-    f->P = ovr_arena_take(arena, room, sizeof *f->P, err);
-    f->Q = ovr_arena_take(arena, room, sizeof *f->Q, err);
+    size_t capacity = f->nodes > info->nodes ? f->nodes : info->nodes;
+    f->P = ovr_arena_take(arena, capacity, sizeof *f->P, err);
+    f->Q = ovr_arena_take(arena, capacity, sizeof *f->Q, err);
     f->cells = ovr_arena_take(arena, (size_t)OVR_CELLS_X * OVR_CELLS_Z,
                               sizeof *f->cells, err);
     if (!f->P || !f->Q || !f->cells)
@@ -307,16 +307,17 @@ static double drawn_depth(const ovr_depth_field *f, double z, double factor)
 
 /* Contours every 0.1 or 0.2, and where the smooth contact has its largest. */
 static void put_contours(const ovr_depth_field *f, ovr_image *image, char *thin,
-                         char *bold, size_t room)
+                         char *bold, size_t capacity)
 {
     bool both = image->from < 0;
     double step = f->high > 0.6 ? 0.2 : 0.1;
     size_t used = 0;
     for (int k = both ? -6 : 1; k <= 12; k++)
         if (k != 0 && fabs(k * step) <= f->high)
-            used += (size_t)snprintf(thin + used, room - used, "%s%.9g",
+            used += (size_t)snprintf(thin + used, capacity - used, "%s%.9g",
                                      used ? " " : "", k * step);
-    snprintf(bold, room, both ? "%.9g -%.9g" : "%.9g", f->smooth, f->smooth);
+    snprintf(bold, capacity, both ? "%.9g -%.9g" : "%.9g", f->smooth,
+             f->smooth);
     image->contours = thin;
     image->bold_contours = bold;
 }
@@ -371,9 +372,9 @@ static void turn_over(double *cells)
 }
 
 /* "largest shear / p_h", "von mises / p_h" */
-static void put_label(const ovr_depth_field *f, char *label, size_t room)
+static void put_label(const ovr_depth_field *f, char *label, size_t capacity)
 {
-    snprintf(label, room, "%s / p_h",
+    snprintf(label, capacity, "%s / p_h",
              f->which == OVR_STRESS_MAX_SHEAR ? "largest shear" : f->name);
     for (char *c = label; *c; c++)
         if (*c == '_' && c[1] != 'h')
@@ -395,16 +396,16 @@ static ovr_image image_of(const ovr_depth_field *f, double worst,
     return image;
 }
 
-/* The axes; `x` and `room` for the depth's label live as long. */
-static void set_axes(const ovr_depth_field *f, const ovr_axis *x, char *room,
+/* The axes; `x` and `buffer` for the depth's label live as long. */
+static void set_axes(const ovr_depth_field *f, const ovr_axis *x, char *buffer,
                      size_t size, ovr_panel *panel)
 {
     double top = f->logarithmic ? f->mesh : 0;
-    snprintf(room, size, "%s  [%s]",
+    snprintf(buffer, size, "%s  [%s]",
              f->logarithmic ? "log_{10} depth" : "depth",
              *x->unit ? x->unit : "b");
     panel->x_label = x->label;
-    panel->y_label = room;
+    panel->y_label = buffer;
     panel->x_from = f->x_from * x->factor;
     panel->x_to = f->x_to * x->factor;
     panel->y_from = drawn_depth(f, f->z_to, x->factor);
@@ -418,10 +419,10 @@ ovr_status ovr_depth_field_panel(ovr_depth_field *f,
                                  ovr_panel *panel, ovr_arena *arena,
                                  ovr_error *err)
 {
-    enum { ROOM = 400 };
+    enum { CAPACITY = 400 };
     char *label = ovr_arena_take(arena, 80, 1, err);
     char *depth = ovr_arena_take(arena, 80, 1, err);
-    char *levels = ovr_arena_take(arena, 2 * ROOM, 1, err);
+    char *levels = ovr_arena_take(arena, 2 * CAPACITY, 1, err);
     double *points = ovr_arena_take(arena, 6 + 4 * OVR_LAYERS_MOST,
                                     sizeof *points, err);
     ovr_axis x;
@@ -434,7 +435,7 @@ ovr_status ovr_depth_field_panel(ovr_depth_field *f,
     set_axes(f, &x, depth, 80, panel);
     put_label(f, label, 80);
     panel->image = image_of(f, worst->value, label);
-    put_contours(f, &panel->image, levels, levels + ROOM, ROOM);
+    put_contours(f, &panel->image, levels, levels + CAPACITY, CAPACITY);
     add_line(panel, points + 2, drawn_depth(f, f->least, x.factor),
              OVR_MARK_DOTTED, series, &panel->count);
     for (int j = 0; j < f->coated.body.layers; j++) {

@@ -31,7 +31,7 @@ typedef struct ovr_depth_field {
     double traction;   /* Q over the stored shear stress; 0: there is none */
     const char *shear; /* its name in the file */
     double *P, *Q;
-    double *even; /* room for loads on nodes at one distance, where those of
+    double *even; /* space for loads on nodes at one distance, where those of
                      the file are at several; else NULL */
     size_t nodes; /* of P and Q then */
     bool logarithmic;

@@ -250,8 +250,9 @@ static ovr_status draw(drawing *d)
 {
     const ovr_figure_options *o = d->o;
     ovr_panel panel[4];
-    size_t room = (size_t)GROUPS * 5 + OVR_SAMPLE_LIMITS, count = d->rows;
-    ovr_series *steps = ovr_arena_take(d->arena, room, sizeof *steps, d->err);
+    size_t capacity = (size_t)GROUPS * 5 + OVR_SAMPLE_LIMITS, count = d->rows;
+    ovr_series *steps = ovr_arena_take(d->arena, capacity, sizeof *steps,
+                                       d->err);
     ovr_series *rises = ovr_arena_take(d->arena, d->rows, sizeof *rises,
                                        d->err);
     double most = 0;

@@ -27,7 +27,7 @@ typedef struct sketch {
 /* -------------------------------------------------------------- what is in it
  */
 
-static ovr_series *room_for_series(sketch *s, ovr_panel *panel)
+static ovr_series *space_for_series(sketch *s, ovr_panel *panel)
 {
     panel->series = ovr_arena_take(s->arena, MOST_SERIES, sizeof(ovr_series),
                                    s->err);
@@ -54,7 +54,7 @@ static ovr_panel *drawing_panel(sketch *s)
     ovr_panel *panel = &s->to->panel[s->to->panels++];
     *panel = (ovr_panel){
         .x_label = "mm", .y_label = "mm", .equal = true, .height = 2.6};
-    return room_for_series(s, panel) ? panel : NULL;
+    return space_for_series(s, panel) ? panel : NULL;
 }
 
 static ovr_panel *history_panel(sketch *s, const char *x_label,
@@ -67,7 +67,7 @@ static ovr_panel *history_panel(sketch *s, const char *x_label,
                          .x_to = till,
                          .y_from = NAN,
                          .y_to = NAN};
-    return room_for_series(s, panel) ? panel : NULL;
+    return space_for_series(s, panel) ? panel : NULL;
 }
 
 /* A curve over the moments. */
@@ -79,7 +79,7 @@ static void add_history(sketch *s, ovr_panel *panel, size_t n,
             .label = label, .n = n, .x = s->at, .y = value, .colour = colour});
 }
 
-/* The ends of the panel's values, 0 among them, with a little room. */
+/* The ends of the panel's values, 0 among them, with a little space. */
 static void set_range(ovr_panel *panel)
 {
     double low = 0, high = 0;
@@ -92,9 +92,9 @@ static void set_range(ovr_panel *panel)
                 high = fmax(high, v);
             }
         }
-    double room = 0.06 * (high - low);
-    panel->y_from = low < 0 ? low - room : 0;
-    panel->y_to = high + room;
+    double margin = 0.06 * (high - low);
+    panel->y_from = low < 0 ? low - margin : 0;
+    panel->y_to = high + margin;
 }
 
 /* Upright dotted lines at marked moments. */
@@ -183,7 +183,7 @@ static void add_course(sketch *s, const course *c, const char *const of[2])
     add_film(s, c->axis, c->from, c->till, c->mark, c->marks);
 }
 
-static bool take_room(sketch *s, size_t n)
+static bool take_workspace(sketch *s, size_t n)
 {
     s->at = ovr_arena_take(s->arena, 7 * n, sizeof *s->at, s->err);
     for (size_t k = 0; s->at && k < 4; k++)
@@ -554,7 +554,8 @@ ovr_status ovr_element_draw(const ovr_setup *setup, const ovr_stored *run,
         return ovr_fail(err, OVR_BAD_INPUT,
                         "an element is drawn of cases with [gear], [cam] or "
                         "[roller_bearing]");
-    if (take_room(&s, ovr_setup_bearing(setup) ? OVR_ROLLERS_MAX : LOOKS + 1)) {
+    if (take_workspace(&s, ovr_setup_bearing(setup) ? OVR_ROLLERS_MAX
+                                                    : LOOKS + 1)) {
         if (ovr_setup_gear(setup))
             draw_gear(&s);
         else if (ovr_setup_cam(setup))

@@ -46,7 +46,7 @@ ovr_status ovr_draw_element(const ovr_drawing *drawing, ovr_chart *chart,
 typedef struct ovr_outline {
     ovr_arena *arena;
     double *x, *y;
-    size_t n, room;
+    size_t n, capacity;
     bool failed;
 } ovr_outline;
 

@@ -120,11 +120,11 @@ static ovr_status add_columns(const ovr_drawing *drawing, const column *columns,
 static ovr_chart chart_of(const ovr_drawing *drawing, const ovr_panel *panels,
                           size_t rows, ovr_error *err)
 {
-    enum { ROOM = 240 };
+    enum { CAPACITY = 240 };
     const ovr_picture_options *o = drawing->options;
-    char *heading = ovr_arena_take(drawing->arena, ROOM, 1, err);
+    char *heading = ovr_arena_take(drawing->arena, CAPACITY, 1, err);
     if (heading)
-        ovr_heading(drawing->runs, drawing->count, heading, ROOM);
+        ovr_heading(drawing->runs, drawing->count, heading, CAPACITY);
     return (ovr_chart){
         .subtitle = heading,
         .title = ovr_stored_title(drawing->runs, drawing->count, o->title),
@@ -220,14 +220,14 @@ static ovr_status add_roughness(const ovr_drawing *drawing,
     ovr_series *series = ovr_arena_take(drawing->arena, 1, sizeof *series, err);
     ovr_status status = S && series ? roughness_there(drawing, S, err)
                                     : OVR_NO_MEMORY;
-    double factor = film->series->factor, low = 0, high = 0, room;
+    double factor = film->series->factor, low = 0, high = 0, margin;
     for (size_t k = 0; status == OVR_OK && k < run->info->snapshots; k++) {
         low = fmin(low, S[k]);
         high = fmax(high, S[k]);
     }
     if (status != OVR_OK)
         return status;
-    room = fmax(0.12 * (high - low), 1e-3 * film->y_to / factor);
+    margin = fmax(0.12 * (high - low), 1e-3 * film->y_to / factor);
     *series = (ovr_series){.label = whose(drawing, err),
                            .n = run->info->snapshots,
                            .x = run->times,
@@ -236,15 +236,15 @@ static ovr_status add_roughness(const ovr_drawing *drawing,
                            .factor = factor,
                            .mark = OVR_MARK_AREA,
                            .colour = OVR_STEEL,
-                           .base = (low - room) * factor,
+                           .base = (low - margin) * factor,
                            .width = 1.5};
     *panel = *film;
     panel->series = series;
     panel->count = 1;
     panel->note = NULL;
     panel->ground = false;
-    panel->y_from = (low - room) * factor;
-    panel->y_to = (high + room) * factor;
+    panel->y_from = (low - margin) * factor;
+    panel->y_to = (high + margin) * factor;
     panel->height = 0.6;
     return OVR_OK;
 }

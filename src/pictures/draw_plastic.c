@@ -40,9 +40,9 @@ static void find_range(yielded *y)
             low = fmin(low, y->xi[i % y->points]);
             high = fmax(high, y->xi[i % y->points]);
         }
-    double room = fmax(high - low, 0.2);
-    y->from = fmax(y->xi[0], low - room);
-    y->to = fmin(y->xi[y->points - 1], high + room);
+    double margin = fmax(high - low, 0.2);
+    y->from = fmax(y->xi[0], low - margin);
+    y->to = fmin(y->xi[y->points - 1], high + margin);
     if (!(high >= low)) {
         y->from = y->xi[0];
         y->to = y->xi[y->points - 1];

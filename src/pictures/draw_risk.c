@@ -162,18 +162,18 @@ static double largest_smooth(const history *h)
 static ovr_status add_marks(const history *h, ovr_panel *panel,
                             ovr_series *series, ovr_error *err)
 {
-    enum { ROOM = 120 };
+    enum { CAPACITY = 120 };
     double *mark = ovr_arena_take(h->s->arena, 2, sizeof *mark, err);
-    char *thin = ovr_arena_take(h->s->arena, 2 * ROOM, 1, err);
+    char *thin = ovr_arena_take(h->s->arena, 2 * CAPACITY, 1, err);
     size_t used = 0;
     if (!mark || !thin)
         return OVR_NO_MEMORY;
     for (int k = 1; k <= 10 && k <= 10 * panel->image.to; k++)
-        used += (size_t)snprintf(thin + used, ROOM - used, "%s%g",
+        used += (size_t)snprintf(thin + used, CAPACITY - used, "%s%g",
                                  used ? " " : "", 0.1 * k);
-    snprintf(thin + ROOM, ROOM, "%.9g", largest_smooth(h));
+    snprintf(thin + CAPACITY, CAPACITY, "%.9g", largest_smooth(h));
     panel->image.contours = thin;
-    panel->image.bold_contours = thin + ROOM;
+    panel->image.bold_contours = thin + CAPACITY;
     mark[0] = h->worst_xi;
     mark[1] = log10(h->worst_z);
     *series = (ovr_series){.n = 1,
@@ -228,14 +228,14 @@ static ovr_status line_panel(const history *h, const char *label,
         return OVR_NO_MEMORY;
     for (size_t k = 0; k < h->points; k++)
         low = fmin(low, y[k]), high = fmax(high, y[k]);
-    double room = 0.1 * fmax(high - low, 1e-12);
+    double margin = 0.1 * fmax(high - low, 1e-12);
     *panel = (ovr_panel){
         .x_label = "place in the material, b (trailing side at the left)",
         .y_label = label,
         .x_from = h->xi[0],
         .x_to = h->xi[h->points - 1],
-        .y_from = low - room,
-        .y_to = high + room,
+        .y_from = low - margin,
+        .y_to = high + margin,
         .height = 0.7,
         .count = 1,
         .series = series};
@@ -244,7 +244,7 @@ static ovr_status line_panel(const history *h, const char *label,
                              .y = y,
                              .mark = mark,
                              .colour = OVR_STEEL,
-                             .base = low - room};
+                             .base = low - margin};
     return OVR_OK;
 }
 

@@ -29,22 +29,22 @@ ovr_outline ovr_outline_make(ovr_arena *arena)
 
 static bool grow(ovr_outline *to)
 {
-    size_t room = to->room ? 2 * to->room : 512;
-    double *x = ovr_arena_take(to->arena, room, sizeof *x, NULL);
-    double *y = ovr_arena_take(to->arena, room, sizeof *y, NULL);
+    size_t capacity = to->capacity ? 2 * to->capacity : 512;
+    double *x = ovr_arena_take(to->arena, capacity, sizeof *x, NULL);
+    double *y = ovr_arena_take(to->arena, capacity, sizeof *y, NULL);
     if (!x || !y)
         return false;
     for (size_t k = 0; k < to->n; k++)
         x[k] = to->x[k], y[k] = to->y[k];
     to->x = x;
     to->y = y;
-    to->room = room;
+    to->capacity = capacity;
     return true;
 }
 
 void ovr_outline_add(ovr_outline *to, double x, double y)
 {
-    if (to->failed || (to->n == to->room && !grow(to))) {
+    if (to->failed || (to->n == to->capacity && !grow(to))) {
         to->failed = true;
         return;
     }

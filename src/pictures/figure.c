@@ -139,20 +139,20 @@ static const ovr_table_column *next_key(const figure *f, bool numeric,
 
 /* Lists for messages what there is: names of columns, and of zips for keys. */
 static const char *list(const ovr_table *t, bool varied, char *text,
-                        size_t room)
+                        size_t capacity)
 {
     const ovr_table_column *c;
     const char *zip = NULL;
     size_t used = 0;
     *text = '\0';
-    for (size_t k = 0; (c = ovr_table_at(t, k)) && used + 160 < room; k++) {
+    for (size_t k = 0; (c = ovr_table_at(t, k)) && used + 160 < capacity; k++) {
         if (c->varied != varied || strcmp(c->name, "task") == 0 ||
             strcmp(c->name, "name") == 0 || strcmp(c->name, "status") == 0)
             continue;
-        used += (size_t)snprintf(text + used, room - used, "%s%.60s",
+        used += (size_t)snprintf(text + used, capacity - used, "%s%.60s",
                                  used ? ", " : "", c->name);
         if (c->zip && *c->zip && (!zip || strcmp(c->zip, zip) != 0))
-            used += (size_t)snprintf(text + used, room - used, ", %.60s",
+            used += (size_t)snprintf(text + used, capacity - used, ", %.60s",
                                      zip = c->zip);
     }
     return text;
@@ -309,13 +309,13 @@ static ovr_status take_samples(figure *f, ovr_error *err)
 /* ------------------------------------------------------------------- axes */
 
 /* A name for gnuplot's enhanced text: nothing in it means anything. */
-static void put_plain(char *to, size_t room, const char *name, size_t size)
+static void put_plain(char *to, size_t capacity, const char *name, size_t size)
 {
     size_t used = strlen(to);
-    for (size_t i = 0; i < size && used + 5 < room; i++) {
+    for (size_t i = 0; i < size && used + 5 < capacity; i++) {
         char c = name[i];
         if (c == '_')
-            used += (size_t)snprintf(to + used, room - used, "\\_");
+            used += (size_t)snprintf(to + used, capacity - used, "\\_");
         else if ((c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
                  (c >= 'A' && c <= 'Z') || strchr(" .-/%", c) ||
                  (unsigned char)c >= 0x80)
@@ -415,21 +415,21 @@ static void make_axes(figure *f)
 
 /* "Rq = 0.05 µm, level = 8": what a group has. */
 static void name_group(const figure *f, const groups *g, size_t which,
-                       char *text, size_t room)
+                       char *text, size_t capacity)
 {
     size_t used = 0, row = g->row[which];
     *text = '\0';
-    for (size_t k = 0; k < g->keys && used + 140 < room; k++) {
+    for (size_t k = 0; k < g->keys && used + 140 < capacity; k++) {
         const ovr_table_column *c = g->key[k];
         axis a = axis_of(f, c, fabs(c->number[row]));
-        used += (size_t)snprintf(text + used, room - used,
+        used += (size_t)snprintf(text + used, capacity - used,
                                  "%s%.60s = ", used ? ", " : "", c->name);
         if (isfinite(c->number[row]))
-            used += (size_t)snprintf(text + used, room - used, "%.6g%s%.20s",
-                                     c->number[row] * a.factor,
+            used += (size_t)snprintf(text + used, capacity - used,
+                                     "%.6g%s%.20s", c->number[row] * a.factor,
                                      *a.unit ? " " : "", a.unit);
         else
-            used += (size_t)snprintf(text + used, room - used, "%.60s",
+            used += (size_t)snprintf(text + used, capacity - used, "%.60s",
                                      c->text ? c->text[row] : "?");
     }
 }
@@ -491,14 +491,14 @@ static ovr_status add_line(figure *f, size_t first, size_t end,
 
 /* Names the keys that the band is over: those that nothing else tells
  * apart. */
-static void name_band(const figure *f, char *text, size_t room)
+static void name_band(const figure *f, char *text, size_t capacity)
 {
     const ovr_table_column *c;
-    size_t used = (size_t)snprintf(text, room, "band: least to most of");
+    size_t used = (size_t)snprintf(text, capacity, "band: least to most of");
     bool any = false;
-    for (size_t k = 0; (c = ovr_table_at(f->t, k)) && used + 70 < room; k++)
+    for (size_t k = 0; (c = ovr_table_at(f->t, k)) && used + 70 < capacity; k++)
         if (c->varied && !is_told(f, c)) {
-            used += (size_t)snprintf(text + used, room - used, "%s %.60s",
+            used += (size_t)snprintf(text + used, capacity - used, "%s %.60s",
                                      any ? "," : "", c->name);
             any = true;
         }
@@ -635,9 +635,9 @@ static size_t count_bins(const figure *f, size_t panel, ovr_panel *to)
             width = fmin(width,
                          (s[n - 1].y - s->y) / ceil(2 * cbrt((double)n)));
     }
-    double room = high > low ? 0 : fmax(0.01 * fabs(low), 1e-12);
-    to->x_from = (low - room) * f->y_axis.factor;
-    to->x_to = (high + room) * f->y_axis.factor;
+    double margin = high > low ? 0 : fmax(0.01 * fabs(low), 1e-12);
+    to->x_from = (low - margin) * f->y_axis.factor;
+    to->x_to = (high + margin) * f->y_axis.factor;
     return (size_t)fmax(1, fmin(ceil((high - low) / width - 1e-9), 200));
 }
 
@@ -667,19 +667,19 @@ static ovr_status draw_bins(figure *f, size_t panel, ovr_panel *to,
 
 /* ----------------------------------------------------------------- figure */
 
-/* The axis goes from the minimum to the maximum, with a little room beside. */
+/* The axis goes from the minimum to the maximum, with a little space beside. */
 static void spread(double low, double high, bool logarithmic, double *from,
                    double *to)
 {
-    double room = 0.04 * (high - low);
+    double margin = 0.04 * (high - low);
     *from = *to = NAN;
     if (logarithmic && low > 0 && high > low) {
-        room = pow(high / low, 0.04);
-        *from = low / room;
-        *to = high * room;
+        margin = pow(high / low, 0.04);
+        *from = low / margin;
+        *to = high * margin;
     } else if (!logarithmic && high > low) {
-        *from = low - room;
-        *to = high + room;
+        *from = low - margin;
+        *to = high + margin;
     }
 }
 

@@ -136,22 +136,22 @@ static ovr_status choose(const ovr_drawing *drawing, double *times,
                          const char **about, size_t *count, ovr_error *err)
 {
     size_t fit = OVR_SHOTS / drawing->count, n = 0;
-    size_t room = fit < 1 ? 1 : fit < CHOSEN ? fit : CHOSEN;
+    size_t capacity = fit < 1 ? 1 : fit < CHOSEN ? fit : CHOSEN;
     extremes e;
     ovr_status status = look_through(drawing, times, &e, err);
     if (status != OVR_OK)
         return status;
     put_among(times, e.T_P, e.T_P);
     put_among(times, e.T_H, e.T_P);
-    if (room < CHOSEN) { /* the extremes alone, as far as there is room */
+    if (capacity < CHOSEN) { /* the extremes alone, as far as there is space */
         times[0] = isnan(e.T_P) ? e.T_H : e.T_P;
         times[1] = isnan(e.T_H) ? e.T_P : e.T_H;
         for (int j = 0; j < 2; j++)
             if (isnan(times[j]))
                 times[j] = times[CHOSEN - 1];
     }
-    qsort(times, room, sizeof *times, in_time);
-    for (size_t k = 0; k < room; k++) {
+    qsort(times, capacity, sizeof *times, in_time);
+    for (size_t k = 0; k < capacity; k++) {
         if (n > 0 && times[k] == times[n - 1])
             continue;
         times[n] = times[k];

@@ -33,7 +33,7 @@ static double GPa_of(const ovr_result_info *i)
 
 /* All runs have this in common. */
 void ovr_heading(const ovr_stored *runs, size_t count, char *heading,
-                 size_t room)
+                 size_t capacity)
 {
     static const struct {
         const char *format;
@@ -48,12 +48,12 @@ void ovr_heading(const ovr_stored *runs, size_t count, char *heading,
         bool common = isfinite(value);
         for (size_t j = 1; j < count; j++)
             common &= parts[k].of(runs[j].info) == value;
-        if (!common || used + 60 > room)
+        if (!common || used + 60 > capacity)
             continue;
-        used += (size_t)snprintf(heading + used, room - used, "%s",
+        used += (size_t)snprintf(heading + used, capacity - used, "%s",
                                  used ? ",  " : "");
-        used += (size_t)snprintf(heading + used, room - used, parts[k].format,
-                                 value);
+        used += (size_t)snprintf(heading + used, capacity - used,
+                                 parts[k].format, value);
     }
 }
 
@@ -128,7 +128,7 @@ static ovr_series hertz(const ovr_snapshot_style *look, const ovr_shot *shot)
                         .width = 1.4};
 }
 
-/* Room between the film's zero and the roughness, and below it. */
+/* Space between the film's zero and the roughness, and below it. */
 static double gap(const ovr_snapshot_style *look)
 {
     return 0.1 * look->H_to;

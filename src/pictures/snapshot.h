@@ -44,7 +44,7 @@ ovr_curve_style ovr_curve_style_of(size_t k);
 
 /* M, L and ph, as far as all runs have the same, as enhanced text. */
 void ovr_heading(const ovr_stored *runs, size_t count, char *heading,
-                 size_t room);
+                 size_t capacity);
 
 /* Memory of a chart of up to OVR_SHOTS shots. */
 typedef struct ovr_snapshot_chart {

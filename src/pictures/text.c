@@ -9,23 +9,23 @@
 
 #include "overroll/text.h"
 
-enum { FIRST_ROOM = 4096, LONGEST = 400 };
+enum { FIRST_CAPACITY = 4096, LONGEST = 400 };
 
 ovr_text ovr_text_make(ovr_arena *arena)
 {
     return (ovr_text){.arena = arena};
 }
 
-/* Makes room for `bytes` more; false when there is none. */
+/* Makes space for `bytes` more; false when there is none. */
 static bool grow(ovr_text *t, size_t bytes)
 {
-    size_t room = t->room ? t->room : FIRST_ROOM;
+    size_t capacity = t->capacity ? t->capacity : FIRST_CAPACITY;
     char *data;
-    if (t->failed || bytes <= t->room - t->length)
+    if (t->failed || bytes <= t->capacity - t->length)
         return !t->failed;
-    while (room - t->length < bytes)
-        room *= 2;
-    data = ovr_arena_take(t->arena, room, 1, &t->why);
+    while (capacity - t->length < bytes)
+        capacity *= 2;
+    data = ovr_arena_take(t->arena, capacity, 1, &t->why);
     if (!data) {
         t->failed = true;
         return false;
@@ -33,7 +33,7 @@ static bool grow(ovr_text *t, size_t bytes)
     if (t->length)
         memcpy(data, t->data, t->length);
     t->data = data;
-    t->room = room;
+    t->capacity = capacity;
     return true;
 }
 

@@ -14,7 +14,7 @@
 typedef struct ovr_text {
     ovr_arena *arena;
     char *data; /* not NUL-terminated */
-    size_t length, room;
+    size_t length, capacity;
     bool failed;
     ovr_error why;
 } ovr_text;

@@ -122,9 +122,9 @@ static ovr_status take_scratch(ovr_writer *w, ovr_error *err)
                                      err);
     w->pending_value = ovr_arena_take(a, OVR_ROW_CHUNK * w->file.columns,
                                       sizeof *w->pending_value, err);
-    w->room = ovr_arena_take(a, w->n, sizeof *w->room, err);
-    return w->pending_step && w->pending_value && w->room ? OVR_OK
-                                                          : OVR_NO_MEMORY;
+    w->workspace = ovr_arena_take(a, w->n, sizeof *w->workspace, err);
+    return w->pending_step && w->pending_value && w->workspace ? OVR_OK
+                                                               : OVR_NO_MEMORY;
 }
 
 static ovr_status take_names(ovr_writer *w, ovr_error *err)
@@ -206,7 +206,7 @@ static void release(ovr_writer *w)
  * much as it needs for a file is asked for, and given back, before it is. */
 enum { HDF5_MEMORY = 4 << 20 };
 
-static ovr_status room_for_hdf5(const ovr_allocator *allocator, ovr_error *err)
+static ovr_status space_for_hdf5(const ovr_allocator *allocator, ovr_error *err)
 {
     ovr_arena probe = ovr_arena_make(allocator);
     bool enough = ovr_arena_take(&probe, HDF5_MEMORY, 1, err) != NULL;
@@ -223,7 +223,7 @@ static ovr_writer *begin(const ovr_write_options *options,
     ovr_contact of;
     if (!OVR_TAKE(ovr_write_options, &known, options, err) &&
         !OVR_TAKE(ovr_contact, &of, contact, err) &&
-        room_for_hdf5(&arena.allocator, err) == OVR_OK)
+        space_for_hdf5(&arena.allocator, err) == OVR_OK)
         w = ovr_arena_take(&arena, 1, sizeof *w, err);
     if (!w)
         return NULL;

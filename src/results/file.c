@@ -347,7 +347,7 @@ static bool mark(ovr_store *s, const char *reason)
 }
 
 /* After a failed write the file is as its last flush left it; what was written
- * behind that has been given back, so that there may be room for the word
+ * behind that has been given back, so that there may be space for the word
  * that tells it from a run that goes on, and for the reason.  If not, "running"
  * stays. */
 static void mark_failed(ovr_file *f)

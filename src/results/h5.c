@@ -92,7 +92,7 @@ static hid_t open_attribute(hid_t object, const char *name)
 }
 
 /* Texts of any length lie in heaps.  HDF5 makes a new heap, and the file 4 kB
- * longer, unless it has one with room in mind: that of the old text, once
+ * longer, unless it has one with space in mind: that of the old text, once
  * read. */
 bool ovr_h5_change_string(hid_t object, const char *name, const char *text)
 {

@@ -92,22 +92,23 @@ static size_t least(uint64_t a, uint64_t b)
  * file has grown since. */
 static bool is_kept(const ovr_kept *k, uint64_t number)
 {
-    return number / 8 < k->room && k->pages[number / 8] >> number % 8 & 1;
+    return number / 8 < k->capacity && k->pages[number / 8] >> number % 8 & 1;
 }
 
 static int note_kept(ovr_store *s, uint64_t number)
 {
     ovr_kept *k = &s->kept;
-    if (number / 8 >= k->room) {
-        size_t room = 2 * (size_t)(number / 8) + 64;
-        unsigned char *more = ovr_arena_take(s->changed.arena, room, 1, NULL);
+    if (number / 8 >= k->capacity) {
+        size_t capacity = 2 * (size_t)(number / 8) + 64;
+        unsigned char *more = ovr_arena_take(s->changed.arena, capacity, 1,
+                                             NULL);
         if (!more)
             return ENOMEM;
-        memset(more, 0, room);
-        if (k->room)
-            memcpy(more, k->pages, k->room);
+        memset(more, 0, capacity);
+        if (k->capacity)
+            memcpy(more, k->pages, k->capacity);
         k->pages = more;
-        k->room = room;
+        k->capacity = capacity;
     }
     k->pages[number / 8] |= (unsigned char)(1u << number % 8);
     return 0;
@@ -135,7 +136,7 @@ static size_t entries(const ovr_store *s)
     return s->changed.count + (size_t)(end > first ? end - first : 0);
 }
 
-static int make_room(const ovr_store *s, addition *a)
+static int reserve(const ovr_store *s, addition *a)
 {
     size_t record = sizeof(ovr_journal_record);
     size_t pages = s->changed.count * (record + OVR_PAGE);
@@ -246,7 +247,7 @@ int ovr_journal_write(ovr_store *s)
     addition a = {.arena = ovr_arena_make(NULL)};
     int error = s->kept.begun ? 0 : begin(s);
     if (error == 0)
-        error = make_room(s, &a);
+        error = reserve(s, &a);
     if (error == 0)
         error = keep_pages(s, &a);
     if (error == 0)

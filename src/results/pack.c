@@ -105,9 +105,9 @@ unsigned char *ovr_unpack(const unsigned char *chunk, size_t bytes,
     size_t target = count * size;
     unsigned char *packed = ovr_arena_take(arena, target, 1, NULL);
     unsigned char *values = ovr_arena_take(arena, target, 1, NULL);
-    bool room = packed && values;
-    *starved = *starved || !room;
-    if (!room)
+    bool capacity = packed && values;
+    *starved = *starved || !capacity;
+    if (!capacity)
         return NULL;
     if (left_out & 2 && bytes == target)
         memcpy(packed, chunk, target);

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-enum { FIRST_ROOM = 64 };
+enum { FIRST_CAPACITY = 64 };
 
 void ovr_pages_init(ovr_pages *p, ovr_arena *arena)
 {
@@ -34,22 +34,22 @@ ovr_page *ovr_pages_find(const ovr_pages *p, uint64_t number)
 }
 
 /* Twice the list, and as many new pages in one piece. */
-static bool make_room(ovr_pages *p)
+static bool reserve(ovr_pages *p)
 {
-    size_t more = p->room ? p->room : FIRST_ROOM;
-    ovr_page *list = ovr_arena_take(p->arena, p->room + more, sizeof *list,
+    size_t more = p->capacity ? p->capacity : FIRST_CAPACITY;
+    ovr_page *list = ovr_arena_take(p->arena, p->capacity + more, sizeof *list,
                                     NULL);
     unsigned char *data = ovr_arena_take(p->arena, 2 * more, OVR_PAGE, NULL);
     if (!list || !data)
         return false;
-    if (p->room)
-        memcpy(list, p->page, p->room * sizeof *list);
+    if (p->capacity)
+        memcpy(list, p->page, p->capacity * sizeof *list);
     for (size_t k = 0; k < more; k++) {
-        list[p->room + k].data = data + 2 * k * OVR_PAGE;
-        list[p->room + k].was = data + (2 * k + 1) * OVR_PAGE;
+        list[p->capacity + k].data = data + 2 * k * OVR_PAGE;
+        list[p->capacity + k].was = data + (2 * k + 1) * OVR_PAGE;
     }
     p->page = list;
-    p->room += more;
+    p->capacity += more;
     return true;
 }
 
@@ -57,7 +57,7 @@ ovr_page *ovr_pages_add(ovr_pages *p, uint64_t number)
 {
     size_t at = place_of(p, number);
     ovr_page added;
-    if (p->count == p->room && !make_room(p))
+    if (p->count == p->capacity && !reserve(p))
         return NULL;
     added = p->page[p->count];
     added.number = number;

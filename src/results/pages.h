@@ -19,7 +19,7 @@ typedef struct ovr_page {
 
 typedef struct ovr_pages {
     ovr_page *page; /* `count` in use; those behind keep their memory */
-    size_t count, room;
+    size_t count, capacity;
     ovr_arena *arena;
 } ovr_pages;
 

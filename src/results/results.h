@@ -35,12 +35,12 @@ typedef struct ovr_write_options {
 
 /* A frame is what a writer records.  `field` is asked at snapshots only, for
  * the fields that are stored: values as in ovr_observable, where they lie or in
- * `room`. */
+ * `workspace`. */
 typedef struct ovr_frame {
     const ovr_state *state;
     const ovr_observation *seen;
     const double *(*field)(const void *source, const ovr_observable *which,
-                           double *room);
+                           double *workspace);
     const void *source;
     const ovr_statistics *total; /* extremes of the run; or NULL */
 } ovr_frame;

@@ -18,7 +18,7 @@ void ovr_writer_fill(const ovr_writer *w, const ovr_frame *frame,
 {
     for (size_t f = 0; f < w->file.fields; f++) {
         const ovr_observable *which = w->file.which[f];
-        const double *from = frame->field(frame->source, which, w->room);
+        const double *from = frame->field(frame->source, which, w->workspace);
         double factor = ovr_factor(&w->scales, which->kind);
         size_t element = ovr_file_element(&w->file, which);
         for (size_t k = 0; k < w->nodes; k++, rows += element) {

@@ -213,8 +213,8 @@ void ovr_store_keep(ovr_store *s, uint64_t number)
     k->number = number;
     k->length = k->summed = s->committed = s->length;
     k->begun = false;
-    if (k->room)
-        memset(k->pages, 0, k->room);
+    if (k->capacity)
+        memset(k->pages, 0, k->capacity);
 }
 
 /* --------------------------------------------------------- start and end */

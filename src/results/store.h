@@ -49,7 +49,7 @@
 
 #include "results/pages.h"
 
-/* Room for the date of creation. */
+/* Space for the date of creation. */
 enum { OVR_STORE_NAME = 32 };
 
 /* Kept since the last checkpoint. */
@@ -61,7 +61,7 @@ typedef struct ovr_kept {
     uint64_t salt, end;      /* of the journal, and where it ends */
     uint64_t summed;         /* bytes whose checksums are in its states */
     unsigned char *pages;    /* a bit each: is in the journal */
-    size_t room;             /* bytes of those */
+    size_t capacity;         /* bytes of those */
 } ovr_kept;
 
 typedef struct ovr_store {

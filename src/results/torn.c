@@ -22,22 +22,22 @@ typedef struct promise {
 
 typedef struct promises {
     promise *list;
-    size_t count, room;
+    size_t count, capacity;
     uint64_t states, length, length_before; /* of the last state, and before */
     ovr_arena *arena;
 } promises;
 
 static bool add(promises *p, ovr_journal_entry entry, uint64_t state)
 {
-    if (p->count == p->room) {
-        size_t room = 2 * p->room + 256;
-        promise *more = ovr_arena_take(p->arena, room, sizeof *more, NULL);
+    if (p->count == p->capacity) {
+        size_t capacity = 2 * p->capacity + 256;
+        promise *more = ovr_arena_take(p->arena, capacity, sizeof *more, NULL);
         if (!more)
             return false;
         if (p->count)
             memcpy(more, p->list, p->count * sizeof *more);
         p->list = more;
-        p->room = room;
+        p->capacity = capacity;
     }
     p->list[p->count++] = (promise){entry, state};
     return true;

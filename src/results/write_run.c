@@ -7,9 +7,9 @@
 #include "simulation/simulation.h"
 
 static const double *field_of(const void *sim, const ovr_observable *which,
-                              double *room)
+                              double *workspace)
 {
-    return which->field(sim, room);
+    return which->field(sim, workspace);
 }
 
 static ovr_frame frame_of(ovr_writer *w)

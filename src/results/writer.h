@@ -18,7 +18,7 @@ struct ovr_writer {
     ovr_schedule schedule;
     size_t n;            /* nodes of the run */
     size_t first, nodes; /* the stored ones: first + k * stride */
-    double *room;        /* for a field on its way */
+    double *workspace;   /* for a field on its way */
 
     /* the solver's side */
     ovr_queue queue;

@@ -28,34 +28,36 @@ static bool read_relation(const char **text, int *sense)
 }
 
 /* The number of runs in SI that a quantity in Hertzian units has beside it,
- * into `room`; false: none. */
-static bool twin_of(const char *quantity, char room[OVR_QUANTITY_ROOM])
+ * into `buffer`; false: none. */
+static bool twin_of(const char *quantity, char buffer[OVR_QUANTITY_CAPACITY])
 {
     const ovr_observable *o;
     ovr_extreme e;
-    *room = '\0';
+    *buffer = '\0';
     for (size_t k = 0; (o = ovr_observable_at(k)); k++)
         if (o->key && o->key_si && !strcmp(o->key, quantity))
-            snprintf(room, OVR_QUANTITY_ROOM, "%s", o->key_si);
-    for (size_t k = 0; !*room && ovr_extreme_at(k, &e); k++)
+            snprintf(buffer, OVR_QUANTITY_CAPACITY, "%s", o->key_si);
+    for (size_t k = 0; !*buffer && ovr_extreme_at(k, &e); k++)
         if (!strcmp(e.key, quantity))
-            snprintf(room, OVR_QUANTITY_ROOM, "%s", e.key_si);
-    return *room;
+            snprintf(buffer, OVR_QUANTITY_CAPACITY, "%s", e.key_si);
+    return *buffer;
 }
 
 const char *ovr_quantity_bare(const char *quantity,
-                              char room[OVR_QUANTITY_ROOM])
+                              char buffer[OVR_QUANTITY_CAPACITY])
 {
     const ovr_observable *o;
     ovr_extreme e;
-    snprintf(room, OVR_QUANTITY_ROOM, "%.*s", OVR_QUANTITY_ROOM - 1, quantity);
+    snprintf(buffer, OVR_QUANTITY_CAPACITY, "%.*s", OVR_QUANTITY_CAPACITY - 1,
+             quantity);
     for (size_t k = 0; (o = ovr_observable_at(k)); k++)
         if (o->key && o->key_si && !strcmp(o->key_si, quantity))
-            return snprintf(room, OVR_QUANTITY_ROOM, "%s", o->key), room;
+            return snprintf(buffer, OVR_QUANTITY_CAPACITY, "%s", o->key),
+                   buffer;
     for (size_t k = 0; ovr_extreme_at(k, &e); k++)
         if (*e.key_si && !strcmp(e.key_si, quantity))
-            return snprintf(room, OVR_QUANTITY_ROOM, "%s", e.key), room;
-    return room;
+            return snprintf(buffer, OVR_QUANTITY_CAPACITY, "%s", e.key), buffer;
+    return buffer;
 }
 
 /* "N/m" stands as "_N_per_m" at the end of a key, "1/Pa" as "_per_Pa". */
@@ -77,7 +79,7 @@ static ovr_status take_target(ovr_comparison *c, const char *text,
                               ovr_arena *arena, ovr_error *err)
 {
     const char *at = text, *si;
-    char twin[OVR_QUANTITY_ROOM];
+    char twin[OVR_QUANTITY_CAPACITY];
     ovr_quantity q;
     ovr_dimension dimension;
     if (!ovr_read_number(&at, &c->target))

@@ -6,7 +6,7 @@
 
 #include "base/arena.h"
 
-enum { OVR_QUANTITY_ROOM = 80 };
+enum { OVR_QUANTITY_CAPACITY = 80 };
 
 typedef struct ovr_comparison {
     const char *quantity; /* the one in SI where the target has a unit */
@@ -17,9 +17,9 @@ typedef struct ovr_comparison {
 ovr_status ovr_comparison_read(const char *text, ovr_comparison *c,
                                ovr_arena *arena, ovr_error *err);
 
-/* The number in Hertzian units that one in SI is beside, in `room`; itself
+/* The number in Hertzian units that one in SI is beside, in `buffer`; itself
  * where there is none. */
 const char *ovr_quantity_bare(const char *quantity,
-                              char room[OVR_QUANTITY_ROOM]);
+                              char buffer[OVR_QUANTITY_CAPACITY]);
 
 #endif

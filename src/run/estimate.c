@@ -313,12 +313,12 @@ static void warn(ovr_run *run, const ovr_run_error *e, int level)
     ovr_run_message(run, OVR_SAY_WARNING, text);
 }
 
-const char *ovr_run_where(const ovr_run *run, char room[40])
+const char *ovr_run_where(const ovr_run *run, char buffer[40])
 {
-    *room = '\0';
+    *buffer = '\0';
     if (run->passes)
-        snprintf(room, 40, "pass %d: ", run->info.pass);
-    return room;
+        snprintf(buffer, 40, "pass %d: ", run->info.pass);
+    return buffer;
 }
 
 /* The levels below, as far as they can be solved. */

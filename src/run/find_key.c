@@ -23,7 +23,7 @@
 enum {
     MOST = 2 * OVR_SEARCH_MOST,
     NAMES = 400,
-    TEXT_ROOM = 1000,
+    TEXT_CAPACITY = 1000,
     QUESTION_MOST = 1 << 20
 };
 
@@ -40,7 +40,7 @@ struct ovr_find {
     ovr_trial answer;
     bool answered;
     ovr_find_table table;
-    char message[TEXT_ROOM];
+    char message[TEXT_CAPACITY];
 };
 
 /* Notes what is to be known beside the answer: said, and kept in its
@@ -319,10 +319,10 @@ static ovr_trial_plan plan_of(const ovr_find *f)
 }
 
 /* Writes as few digits as give the number back. */
-static void put_exact(char *text, size_t room, double x)
+static void put_exact(char *text, size_t capacity, double x)
 {
     for (int digits = 6; digits <= 17; digits++) {
-        snprintf(text, room, "%.*g", digits, x);
+        snprintf(text, capacity, "%.*g", digits, x);
         if (strtod(text, NULL) == x)
             return;
     }
@@ -333,8 +333,8 @@ static void put_exact(char *text, size_t room, double x)
 static const char *result_path(ovr_find *f, double x, ovr_error *err)
 {
     const char *dot = strrchr(f->info.key, '.');
-    size_t room = strlen(f->how.results) + 300;
-    char *path = ovr_arena_take(&f->arena, room, 1, err);
+    size_t capacity = strlen(f->how.results) + 300;
+    char *path = ovr_arena_take(&f->arena, capacity, 1, err);
     char unit[80], number[40];
     if (!path)
         return NULL;
@@ -343,7 +343,7 @@ static const char *result_path(ovr_find *f, double x, ovr_error *err)
     for (char *c = unit; *c; c++)
         if (strchr("/ .*^", *c))
             *c = '~';
-    snprintf(path, room, "%s/%.60s=%s%s%s.h5", f->how.results,
+    snprintf(path, capacity, "%s/%.60s=%s%s%s.h5", f->how.results,
              dot ? dot + 1 : f->info.key, number, unit, f->variant);
     return path;
 }
@@ -553,7 +553,7 @@ static ovr_status run_answer(ovr_find *f, ovr_error *err)
 {
     ovr_find_info *i = &f->info;
     ovr_trial_plan plan = plan_of(f);
-    char key[160], bare[OVR_QUANTITY_ROOM];
+    char key[160], bare[OVR_QUANTITY_CAPACITY];
     ovr_trials *t;
     plan.estimate = !i->exact;
     t = trials_at(f, 1, &i->value, &plan, err);
@@ -675,10 +675,10 @@ static char *question_of(ovr_find *f, ovr_error *err)
 {
     const ovr_find_options *o = &f->how;
     const char *text = ovr_case_text(f->base, err);
-    size_t room = (text ? strlen(text) : 0) + 2000;
-    char *all = text ? ovr_arena_take(&f->arena, room, 1, err) : NULL;
+    size_t capacity = (text ? strlen(text) : 0) + 2000;
+    char *all = text ? ovr_arena_take(&f->arena, capacity, 1, err) : NULL;
     if (all)
-        snprintf(all, room,
+        snprintf(all, capacity,
                  "%s# find %.20s %.300s between %.100s and %.100s so that "
                  "%.400s%s\n",
                  text, o->which ? o->which : "", o->key, o->low, o->high,
@@ -690,15 +690,15 @@ static char *question_of(ovr_find *f, ovr_error *err)
 static ovr_status open_results(ovr_find *f, ovr_error *err)
 {
     const char *folder = f->how.results;
-    size_t room = strlen(folder) + 40;
-    char *path = ovr_arena_take(&f->arena, room, 1, err);
-    char *table = ovr_arena_take(&f->arena, room, 1, err);
+    size_t capacity = strlen(folder) + 40;
+    char *path = ovr_arena_take(&f->arena, capacity, 1, err);
+    char *table = ovr_arena_take(&f->arena, capacity, 1, err);
     char *asked = path && table ? question_of(f, err) : NULL;
     const char *found = NULL;
     if (!asked)
         return OVR_NO_MEMORY;
-    snprintf(path, room, "%s/question.ini", folder);
-    snprintf(table, room, "%s/find.csv", folder);
+    snprintf(path, capacity, "%s/question.ini", folder);
+    snprintf(table, capacity, "%s/find.csv", folder);
     if (mkdir(folder, 0777) != 0 && errno != EEXIST)
         return ovr_fail_about(err, "results", "%s: cannot be made: %s", folder,
                               strerror(errno));

@@ -27,8 +27,8 @@ struct ovr_run {
     bool restored;            /* the state is a checkpoint's: no steady start */
     ovr_case_value *recorded; /* of a resumed run: what its file says */
     size_t recorded_count;
-    const char **warning; /* room for so many */
-    size_t warnings_room;
+    const char **warning; /* space for so many */
+    size_t warnings_capacity;
     ovr_run_errors error;
     ovr_rough_film foreseen;
     ovr_run_info info;
@@ -54,7 +54,7 @@ ovr_status ovr_run_once(ovr_run *run, ovr_error *err);
 ovr_status ovr_run_estimate(ovr_run *run, ovr_error *err);
 
 /* "pass 2: " before what is said of it, where there are several. */
-const char *ovr_run_where(const ovr_run *run, char room[40]);
+const char *ovr_run_where(const ovr_run *run, char buffer[40]);
 
 /* Passes on what is said of a run, and keeps the first warnings. */
 ovr_listener ovr_run_message;

@@ -7,12 +7,12 @@
 #include "run/internal.h"
 #include "run/review.h"
 
-/* Room for twice as many; those that memory is lacking for are still said. */
-static bool has_room(ovr_run *run)
+/* Space for twice as many; those that memory is lacking for are still said. */
+static bool has_space(ovr_run *run)
 {
     size_t count = (size_t)run->info.warnings;
     const char **more;
-    if (count < run->warnings_room)
+    if (count < run->warnings_capacity)
         return true;
     more = ovr_arena_take(&run->arena, 2 * count + 8, sizeof *more, NULL);
     for (size_t k = 0; more && k < count; k++)
@@ -20,14 +20,15 @@ static bool has_room(ovr_run *run)
     if (!more)
         return false;
     run->warning = more;
-    run->warnings_room = 2 * count + 8;
+    run->warnings_capacity = 2 * count + 8;
     run->info.warning = more;
     return true;
 }
 
 static void keep(ovr_run *run, const char *text)
 {
-    char *copy = has_room(run) ? ovr_arena_text(&run->arena, text, NULL) : NULL;
+    char *copy = has_space(run) ? ovr_arena_text(&run->arena, text, NULL)
+                                : NULL;
     if (copy)
         run->warning[run->info.warnings++] = copy;
 }

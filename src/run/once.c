@@ -123,13 +123,13 @@ static size_t count_snapshots(const char *path)
 static const char *warnings_text(ovr_run *run)
 {
     const ovr_run_info *info = &run->info;
-    size_t room = 1, used = 0;
+    size_t capacity = 1, used = 0;
     char *text;
     for (int k = 0; k < info->warnings; k++)
-        room += strlen(info->warning[k]) + 1;
-    text = ovr_arena_take(&run->arena, room, 1, NULL);
+        capacity += strlen(info->warning[k]) + 1;
+    text = ovr_arena_take(&run->arena, capacity, 1, NULL);
     for (int k = 0; text && k < info->warnings; k++)
-        used += (size_t)snprintf(text + used, room - used, "%s%s",
+        used += (size_t)snprintf(text + used, capacity - used, "%s%s",
                                  k ? "\n" : "", info->warning[k]);
     return text;
 }

@@ -21,19 +21,19 @@
 #include "run/run.h"
 #include "surface/surfaces.h"
 
-enum { NAME_ROOM = 128, TIMES_MOST = 100000 };
+enum { NAME_CAPACITY = 128, TIMES_MOST = 100000 };
 
 /* ------------------------------------------------------------- can it be */
 
-static void folder_of(const char *path, char *folder, size_t room)
+static void folder_of(const char *path, char *folder, size_t capacity)
 {
     const char *slash = strrchr(path, '/');
     size_t length = slash ? (size_t)(slash - path) : 0;
-    snprintf(folder, room, "%.*s", (int)length, path);
+    snprintf(folder, capacity, "%.*s", (int)length, path);
     if (!slash)
-        snprintf(folder, room, ".");
+        snprintf(folder, capacity, ".");
     else if (slash == path)
-        snprintf(folder, room, "/");
+        snprintf(folder, capacity, "/");
 }
 
 static bool same_file(const char *one, const char *other)
@@ -106,7 +106,7 @@ ovr_status ovr_output_check(const char *path, const ovr_case *c, bool force,
 
 static const char *full_name(const ovr_case_entry *entry, ovr_arena *arena)
 {
-    char name[NAME_ROOM];
+    char name[NAME_CAPACITY];
     if (entry->name)
         snprintf(name, sizeof name, "%s %s.%s", entry->section, entry->name,
                  entry->key);

@@ -13,13 +13,13 @@
 const char *ovr_passes_file_of(ovr_run *run, int pass, ovr_error *err)
 {
     const char *path = run->passes->path, *dot = strrchr(path, '.');
-    size_t stem, room = strlen(path) + 16;
-    char *name = ovr_arena_take(&run->arena, room, 1, err);
+    size_t stem, capacity = strlen(path) + 16;
+    char *name = ovr_arena_take(&run->arena, capacity, 1, err);
     if (!dot || strchr(dot, '/'))
         dot = path + strlen(path);
     stem = (size_t)(dot - path);
     if (name)
-        snprintf(name, room, "%.*s-%d%s", (int)stem, path, pass, dot);
+        snprintf(name, capacity, "%.*s-%d%s", (int)stem, path, pass, dot);
     return name;
 }
 

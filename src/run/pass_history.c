@@ -32,8 +32,8 @@ ovr_pass_history ovr_pass_history_make(const ovr_allocator *allocator)
     return h;
 }
 
-/* Room for so many rows; the rows of before are kept. */
-static ovr_status make_room(ovr_pass_history *h, size_t rows, ovr_error *err)
+/* Space for so many rows; the rows of before are kept. */
+static ovr_status reserve(ovr_pass_history *h, size_t rows, ovr_error *err)
 {
     for (int k = 0; k < OVR_SEEN_MOST; k++) {
         double *of = h->which[k]
@@ -47,7 +47,7 @@ static ovr_status make_room(ovr_pass_history *h, size_t rows, ovr_error *err)
             memcpy(of, h->of[k], h->n * sizeof *of);
         h->of[k] = of;
     }
-    h->room = rows;
+    h->capacity = rows;
     return OVR_OK;
 }
 
@@ -84,7 +84,7 @@ ovr_status ovr_pass_history_read(ovr_pass_history *h, ovr_result *result,
         ovr_fail(err, OVR_BAD_INPUT, "has no row of its history");
         return OVR_BAD_INPUT;
     }
-    status = make_room(h, rows, err);
+    status = reserve(h, rows, err);
     for (int k = 0; !status && k < OVR_SEEN_MOST; k++)
         status = read_column(h, k, rows, result, err);
     h->n = status ? 0 : rows;
@@ -97,7 +97,7 @@ static ovr_status take_down(void *data, const ovr_simulation *sim,
     enum { FIRST = 256 };
     ovr_pass_history *h = data;
     const ovr_observation *seen = ovr_simulation_observation(sim);
-    if (h->n == h->room && make_room(h, h->n ? 2 * h->n : FIRST, err))
+    if (h->n == h->capacity && reserve(h, h->n ? 2 * h->n : FIRST, err))
         return OVR_NO_MEMORY;
     for (int k = 0; k < OVR_SEEN_MOST; k++)
         if (h->which[k])

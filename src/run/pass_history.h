@@ -25,7 +25,7 @@ enum { OVR_SEEN_MOST = OVR_PASS_QUANTITIES + OVR_PASS_MOST };
  * those of columns beside the quantities are empty. */
 typedef struct ovr_pass_history {
     ovr_arena arena;
-    size_t n, room;
+    size_t n, capacity;
     double *of[OVR_SEEN_MOST];
     const ovr_observable *which[OVR_SEEN_MOST]; /* NULL: empty */
 } ovr_pass_history;

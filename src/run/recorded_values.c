@@ -13,7 +13,7 @@
 #include "contact/film_formula.h"
 #include "run/internal.h"
 
-enum { NAME_ROOM = 512 };
+enum { NAME_CAPACITY = 512 };
 
 /* What the program did before it had a key. */
 static const struct {
@@ -89,12 +89,12 @@ static const char *recorded(const ovr_restart_info *of, const char *name,
                                                        : in_list(of, name);
     for (size_t k = 0; !text && k < sizeof sections / sizeof *sections; k++) {
         size_t length = strlen(sections[k].now);
-        char before[NAME_ROOM];
+        char before[NAME_CAPACITY];
         if (strncmp(name, sections[k].now, length) != 0)
             continue;
-        int room = snprintf(before, sizeof before, "%s%s", sections[k].before,
-                            name + length);
-        text = room < NAME_ROOM ? in_list(of, before) : NULL;
+        int capacity = snprintf(before, sizeof before, "%s%s",
+                                sections[k].before, name + length);
+        text = capacity < NAME_CAPACITY ? in_list(of, before) : NULL;
     }
     if (!text && former)
         text = in_list(of, former);
@@ -105,9 +105,9 @@ static const char *recorded(const ovr_restart_info *of, const char *name,
 }
 
 static void put_name(const ovr_case_entry *e, const char *key,
-                     char name[NAME_ROOM])
+                     char name[NAME_CAPACITY])
 {
-    snprintf(name, NAME_ROOM, e->name ? "%s %s.%s" : "%s%s.%s", e->section,
+    snprintf(name, NAME_CAPACITY, e->name ? "%s %s.%s" : "%s%s.%s", e->section,
              e->name ? e->name : "", key);
 }
 
@@ -117,7 +117,7 @@ ovr_status ovr_recorded_values(ovr_case *c, const ovr_restart_info *of,
     for (size_t k = 0; k < ovr_case_entries(c); k++) {
         ovr_case_entry e = ovr_case_entry_at(c, k);
         const char *old = ovr_parameter_row(e.parameter, NULL)->once;
-        char name[NAME_ROOM], former[NAME_ROOM];
+        char name[NAME_CAPACITY], former[NAME_CAPACITY];
         if (e.given)
             continue;
         put_name(&e, e.key, name);

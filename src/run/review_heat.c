@@ -163,11 +163,12 @@ static double flux_at_entry(ovr_run *run, int k, bool at_outlet)
 {
     static const char *const names[2] = {"heat_flux_1", "heat_flux_2"};
     size_t n = ovr_simulation_state(run->sim)->n, near = 1 + n / 100;
-    double *room = ovr_arena_take(&run->arena, n, sizeof *room, NULL), most = 0;
+    double *workspace = ovr_arena_take(&run->arena, n, sizeof *workspace, NULL),
+           most = 0;
     const double *q;
-    if (!room)
+    if (!workspace)
         return 0;
-    q = ovr_observable_field(names[k])->field(run->sim, room);
+    q = ovr_observable_field(names[k])->field(run->sim, workspace);
     for (size_t i = 0; i < n; i++)
         most = fmax(most, fabs(q[i]));
     return most > 0 ? fabs(q[at_outlet ? n - 1 - near : near]) / most : 0;

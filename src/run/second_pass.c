@@ -27,8 +27,8 @@ typedef struct pass {
     /* one depth */
     ovr_stress *stress;
     long first; /* point k is at xi = (first + k) 2^c D */
-    size_t points, room;
-    float *path, *hydro; /* `room` values of each point */
+    size_t points, capacity;
+    float *path, *hydro; /* `capacity` values of each point */
     size_t *count;
 } pass;
 
@@ -42,11 +42,12 @@ static double hydrostatic(const pass *p, double h)
 static void keep(pass *p, size_t k, const ovr_stress_row *row, size_t i)
 {
     size_t n = p->count[k];
-    if (n == p->room)
+    if (n == p->capacity)
         return;
-    p->path[2 * (k * p->room + n)] = row->shear[2 * i];
-    p->path[2 * (k * p->room + n) + 1] = row->shear[2 * i + 1];
-    p->hydro[k * p->room + n] = (float)hydrostatic(p, (double)row->mean[2 * i]);
+    p->path[2 * (k * p->capacity + n)] = row->shear[2 * i];
+    p->path[2 * (k * p->capacity + n) + 1] = row->shear[2 * i + 1];
+    p->hydro[k * p->capacity + n] = (float)hydrostatic(
+        p, (double)row->mean[2 * i]);
     p->count[k]++;
 }
 
@@ -140,17 +141,18 @@ static ovr_status make_depth(pass *p, double z, ovr_arena *arena,
         shortest = 1e-9; /* points may stay, or come again */
     p->first = (long)floor(range->from / row.step) - 1;
     p->points = (size_t)((long)ceil(range->to / row.step) + 2 - p->first);
-    p->room = 3 * row.count + 8 +
-              (size_t)fmin(2 * range->reach / shortest, (double)p->snapshots);
-    p->path = ovr_arena_take(arena, 2 * p->points * p->room, sizeof *p->path,
-                             err);
-    p->hydro = ovr_arena_take(arena, p->points * p->room, sizeof *p->hydro,
+    p->capacity = 3 * row.count + 8 +
+                  (size_t)fmin(2 * range->reach / shortest,
+                               (double)p->snapshots);
+    p->path = ovr_arena_take(arena, 2 * p->points * p->capacity,
+                             sizeof *p->path, err);
+    p->hydro = ovr_arena_take(arena, p->points * p->capacity, sizeof *p->hydro,
                               err);
     p->count = ovr_arena_take(arena, p->points, sizeof *p->count, err);
     if (!p->path || !p->hydro || !p->count)
         return OVR_NO_MEMORY;
     for (size_t k = 0; k < p->points; k++) { /* before all: no load */
-        p->hydro[k * p->room] = (float)hydrostatic(p, 0);
+        p->hydro[k * p->capacity] = (float)hydrostatic(p, 0);
         p->count[k] = 1;
     }
     return OVR_OK;
@@ -178,15 +180,15 @@ static void spread(const pass *p, const ovr_material *m, double alpha,
 {
     double step = ovr_stress_at(p->stress, 0).step;
     for (size_t k = 0; k < p->points; k++)
-        p->hydro[k * p->room] = (float)ovr_dang_van(
-            p->count[k], p->path + 2 * k * p->room, p->hydro + k * p->room,
-            alpha);
+        p->hydro[k * p->capacity] = (float)ovr_dang_van(
+            p->count[k], p->path + 2 * k * p->capacity,
+            p->hydro + k * p->capacity, alpha);
     for (size_t i = 0; i < m->points; i++) {
         double at = (m->start + (double)i * m->step) / step - (double)p->first;
         size_t k = (size_t)fmax(at, 1);
         k = k + 3 > p->points ? p->points - 3 : k;
-        to[i] = (float)ovr_cubic(p->hydro + k * p->room, (ptrdiff_t)p->room,
-                                 at - (double)k);
+        to[i] = (float)ovr_cubic(p->hydro + k * p->capacity,
+                                 (ptrdiff_t)p->capacity, at - (double)k);
     }
 }
 

@@ -34,7 +34,7 @@ typedef struct run_stress {
     ovr_stress_report *report[SURFACES];
     ovr_writer *writer;
     ovr_second_pass second;
-    double *P;                   /* room for all that the solids feel */
+    double *P;                   /* space for all that the solids feel */
     double *Q[SURFACES];         /* of the last moment; NULL: none */
     ovr_stress *field[SURFACES]; /* NULL: no fields are stored */
     shown shown[SURFACES];

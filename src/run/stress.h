@@ -55,11 +55,11 @@ double ovr_material_histories_memory(const ovr_setup *setup);
 /* ---------------------------------------------------------------- traction */
 
 /* Q of a moment at the plan's nodes: of the state, or of snapshot k of a file.
- * NULL where the plan is without; `room` has a value for each node. */
+ * NULL where the plan is without; `workspace` has a value for each node. */
 const double *ovr_traction_now(const ovr_stress_plan *plan,
-                               const ovr_simulation *sim, double *room);
+                               const ovr_simulation *sim, double *workspace);
 ovr_status ovr_traction_stored(const ovr_stress_plan *plan, ovr_result *result,
-                               size_t k, double *room, ovr_error *err);
+                               size_t k, double *workspace, ovr_error *err);
 bool ovr_traction_is_stored(const ovr_stress_plan *plan,
                             const ovr_result *result);
 

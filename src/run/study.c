@@ -392,7 +392,7 @@ ovr_status ovr_study_output_set(ovr_study *s, const char *folder,
 }
 
 void ovr_study_file(const ovr_study *s, size_t task, const char *ending,
-                    char *path, size_t room)
+                    char *path, size_t capacity)
 {
-    snprintf(path, room, "%s/%s%s", s->output, s->name[task], ending);
+    snprintf(path, capacity, "%s/%s%s", s->output, s->name[task], ending);
 }

@@ -97,7 +97,7 @@ const char *ovr_study_value(const ovr_study *s, const ovr_study_key *key,
 
 /* A path in the folder of the results: NAME of the task, then `ending`. */
 void ovr_study_file(const ovr_study *s, size_t task, const char *ending,
-                    char *path, size_t room);
+                    char *path, size_t capacity);
 
 /* A setting or a key of [random], and after all lines the values of its keys,
  * as one zip behind all others. */

@@ -53,10 +53,10 @@ static const char *short_name(const ovr_study *s, const char *where)
 }
 
 /* Keeps what is safe in a file name; blanks go, the rest becomes '~'. */
-static size_t put_safe(char *to, size_t room, const char *text)
+static size_t put_safe(char *to, size_t capacity, const char *text)
 {
     size_t n = 0;
-    for (; *text && n + 1 < room; text++) {
+    for (; *text && n + 1 < capacity; text++) {
         bool plain = strchr("+-.=_", *text) || (*text >= '0' && *text <= '9') ||
                      (*text >= 'A' && *text <= 'Z') ||
                      (*text >= 'a' && *text <= 'z');
@@ -228,10 +228,10 @@ char *ovr_study_text(const ovr_study *s, ovr_case *c, ovr_arena *arena,
 {
     const ovr_study_find *f = &s->find;
     const char *text = ovr_case_text(c, err);
-    size_t room = (text ? strlen(text) : 0) + 2000;
-    char *all = text ? ovr_arena_take(arena, room, 1, err) : NULL;
+    size_t capacity = (text ? strlen(text) : 0) + 2000;
+    char *all = text ? ovr_arena_take(arena, capacity, 1, err) : NULL;
     if (all && f->key)
-        snprintf(all, room,
+        snprintf(all, capacity,
                  "%s# find %.200s %.300s between %.100s and %.100s so that "
                  "%.400s, to %g\n",
                  text, f->which ? f->which : "", f->key, f->low, f->high,

@@ -15,7 +15,7 @@
 #include "overroll/text.h"
 #include "run/sweep_table.h"
 
-enum { QUANTITIES = 32, NAME_ROOM = 400 };
+enum { QUANTITIES = 32, NAME_CAPACITY = 400 };
 
 struct ovr_sample {
     ovr_arena arena;
@@ -79,7 +79,7 @@ static ovr_status no_quantity(const sampling *w, const char *name)
 static ovr_status take_asked(sampling *w, const char *names)
 {
     while (*names) {
-        char name[NAME_ROOM];
+        char name[NAME_CAPACITY];
         size_t size = strcspn(names, ",");
         ovr_line one = {names, size, 0};
         one = ovr_trim(one);

@@ -8,15 +8,15 @@
 #include "base/text.h"
 #include "run/study.h"
 
-enum { VALUE_ROOM = 200 };
+enum { VALUE_CAPACITY = 200 };
 
 /* Copies from..end without outer blanks. */
 static char *trimmed(const char *from, const char *end, ovr_arena *arena,
                      ovr_error *err)
 {
-    char text[VALUE_ROOM];
+    char text[VALUE_CAPACITY];
     ovr_line line = ovr_trim((ovr_line){from, (size_t)(end - from), 0});
-    if (!line.size || line.size >= VALUE_ROOM) {
+    if (!line.size || line.size >= VALUE_CAPACITY) {
         ovr_fail(err, OVR_BAD_INPUT,
                  line.size ? "a value is too long"
                            : "a value of the list is missing");
@@ -61,13 +61,15 @@ typedef struct range {
 } range;
 
 /* "0.1 um": the number, and the unit as it stands. */
-static bool read_end(const char *text, double *number, char *unit, size_t room)
+static bool read_end(const char *text, double *number, char *unit,
+                     size_t capacity)
 {
     text += strspn(text, " \t");
     if (!ovr_read_number(&text, number))
         return false;
     text += strspn(text, " \t");
-    return snprintf(unit, room, "%s%s", *text ? " " : "", text) < (int)room;
+    return snprintf(unit, capacity, "%s%s", *text ? " " : "", text) <
+           (int)capacity;
 }
 
 static void copy_trimmed(char *to, const char *from, const char *end)
@@ -78,15 +80,15 @@ static void copy_trimmed(char *to, const char *from, const char *end)
 }
 
 /* "A to B in N" taken apart. */
-static bool split_range(const char *text, char *from, char *to, size_t room,
+static bool split_range(const char *text, char *from, char *to, size_t capacity,
                         size_t *count)
 {
     const char *middle = strstr(text, " to ");
     const char *last = middle ? strstr(middle + 4, " in ") : NULL;
     char *end;
     unsigned long n;
-    if (!last || (size_t)(middle - text) >= room ||
-        (size_t)(last - middle - 4) >= room)
+    if (!last || (size_t)(middle - text) >= capacity ||
+        (size_t)(last - middle - 4) >= capacity)
         return false;
     copy_trimmed(from, text, middle);
     copy_trimmed(to, middle + 4, last);

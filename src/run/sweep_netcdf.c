@@ -25,22 +25,22 @@ static const char *unit_of(const char *name)
 
 /* Tells what a key of the summaries means, as far as the lists say. */
 static void explain(const ovr_sweep_table *t, const char *key, char *text,
-                    size_t room)
+                    size_t capacity)
 {
     ovr_extreme e;
     const ovr_observable *o;
     bool run = false;
     for (size_t k = 0; k < t->columns; k++)
         run = run || !strcmp(t->column[k].name, "T_end");
-    snprintf(text, room, "%s", key);
+    snprintf(text, capacity, "%s", key);
     for (size_t k = 0; ovr_extreme_at(k, &e); k++)
         if (!strcmp(e.key, key) || !strcmp(e.key_si, key))
-            snprintf(text, room, "%s", e.long_name);
+            snprintf(text, capacity, "%s", e.long_name);
     for (size_t k = 0; (o = ovr_observable_at(k)); k++)
         if ((o->key && !strcmp(o->key, key)) ||
             (o->key_si && !strcmp(o->key_si, key)))
-            snprintf(text, room, "%s%s", run ? "at the end of the run: " : "",
-                     o->long_name);
+            snprintf(text, capacity, "%s%s",
+                     run ? "at the end of the run: " : "", o->long_name);
 }
 
 static bool put_values(const ovr_sweep_table *t, const ovr_flat *rows,

@@ -13,7 +13,7 @@
 #include "results/results.h"
 #include "run/run.h"
 
-enum { PATH_ROOM = 4400 };
+enum { PATH_CAPACITY = 4400 };
 
 /* -------------------------------------------------------------- summaries */
 
@@ -26,7 +26,7 @@ static double *new_numbers(ovr_sweep_table *t, ovr_error *err)
     return values;
 }
 
-/* The column of this name, made when it is new; NULL: no room. */
+/* The column of this name, made when it is new; NULL: no space. */
 static ovr_sweep_column *column_of(ovr_sweep_table *t, const char *name,
                                    ovr_error *err)
 {
@@ -45,13 +45,14 @@ static ovr_sweep_column *column_of(ovr_sweep_table *t, const char *name,
 
 /* `  "key": value,` of our own JSON, not of objects inside: the number, NAN for
  * null; false for what is no number. */
-static bool read_pair(const char *line, char *key, size_t room, double *value)
+static bool read_pair(const char *line, char *key, size_t capacity,
+                      double *value)
 {
     const char *from = line + 2, *end, *text;
     if (strncmp(line, "  \"", 3) != 0 || !(end = strchr(from + 1, '"')) ||
         strncmp(end, "\": ", 3) != 0)
         return false;
-    snprintf(key, room, "%.*s", (int)(end - from - 1), from + 1);
+    snprintf(key, capacity, "%.*s", (int)(end - from - 1), from + 1);
     text = end + 3;
     *value = NAN;
     if (!strncmp(text, "null", 4))
@@ -73,7 +74,7 @@ static void take_number(ovr_sweep_table *t, size_t task, const char *name,
 /* Reads from the result file; false: there is none, or none with a summary. */
 static bool read_result(ovr_sweep_table *t, size_t task, ovr_error *err)
 {
-    char path[PATH_ROOM];
+    char path[PATH_CAPACITY];
     ovr_result *result;
     const ovr_group_attribute *line;
     size_t count = 0;
@@ -97,7 +98,7 @@ static bool read_result(ovr_sweep_table *t, size_t task, ovr_error *err)
  * that older versions ran. */
 static void read_json(ovr_sweep_table *t, size_t task, ovr_error *err)
 {
-    char path[PATH_ROOM], line[512], key[64];
+    char path[PATH_CAPACITY], line[512], key[64];
     double value;
     FILE *from;
     ovr_study_file(t->s, task, ".json", path, sizeof path);
@@ -275,7 +276,7 @@ static void put_heads(const ovr_sweep_table *t, FILE *to, bool manifest)
 static void put_file(const ovr_sweep_table *t, size_t task, const char *ending,
                      FILE *to)
 {
-    char path[PATH_ROOM];
+    char path[PATH_CAPACITY];
     fputc(',', to);
     ovr_study_file(t->s, task, ending, path, sizeof path);
     if (access(path, F_OK) == 0)
@@ -316,7 +317,7 @@ static void put_row(const ovr_sweep_table *t, size_t i, FILE *to, bool manifest)
 ovr_status ovr_sweep_write_csv(const ovr_sweep_table *t, const char *path,
                                bool manifest, ovr_error *err)
 {
-    char part[PATH_ROOM + 32];
+    char part[PATH_CAPACITY + 32];
     FILE *to;
     bool good;
     snprintf(part, sizeof part, "%s.%ld.part", path, (long)getpid());

@@ -15,7 +15,7 @@
 #include "run/internal.h"
 #include "run/run.h"
 
-enum { PATH_ROOM = 4400 };
+enum { PATH_CAPACITY = 4400 };
 
 const char *ovr_sweep_state_name(ovr_sweep_state state)
 {
@@ -39,14 +39,14 @@ bool ovr_sweep_is_due(const ovr_sweep_options *how, ovr_sweep_state state)
 
 static bool exists(const ovr_study *s, size_t task, const char *ending)
 {
-    char path[PATH_ROOM];
+    char path[PATH_CAPACITY];
     ovr_study_file(s, task, ending, path, sizeof path);
     return access(path, F_OK) == 0;
 }
 
 static void discard(const ovr_study *s, size_t task, const char *ending)
 {
-    char path[PATH_ROOM];
+    char path[PATH_CAPACITY];
     ovr_study_file(s, task, ending, path, sizeof path);
     unlink(path);
 }
@@ -56,7 +56,7 @@ static void discard(const ovr_study *s, size_t task, const char *ending)
 static int open_file(const ovr_study *s, size_t task, const char *ending,
                      int how)
 {
-    char path[PATH_ROOM];
+    char path[PATH_CAPACITY];
     ovr_study_file(s, task, ending, path, sizeof path);
     return open(path, how | O_NOFOLLOW, 0666);
 }
@@ -111,18 +111,19 @@ ovr_sweep_state ovr_sweep_state_of(const ovr_study *s, size_t task)
     return state;
 }
 
-void ovr_sweep_message(const ovr_study *s, size_t task, char *text, size_t room)
+void ovr_sweep_message(const ovr_study *s, size_t task, char *text,
+                       size_t capacity)
 {
     if (!s || !text)
         return;
-    char path[PATH_ROOM];
+    char path[PATH_CAPACITY];
     FILE *from;
     text[0] = '\0';
     ovr_study_file(s, task, ".failed", path, sizeof path);
     from = fopen(path, "r");
     if (!from)
         return;
-    if (!fgets(text, (int)room, from))
+    if (!fgets(text, (int)capacity, from))
         text[0] = '\0';
     text[strcspn(text, "\n")] = '\0';
     fclose(from);
@@ -133,7 +134,7 @@ void ovr_sweep_message(const ovr_study *s, size_t task, char *text, size_t room)
 static void mark_failed(const ovr_study *s, size_t task, const char *message,
                         int code)
 {
-    char path[PATH_ROOM];
+    char path[PATH_CAPACITY];
     FILE *to;
     ovr_study_file(s, task, ".failed", path, sizeof path);
     unlink(path);
@@ -159,7 +160,7 @@ void ovr_task_died(const ovr_study *s, size_t task, int number)
 static ovr_status keep_summary(const ovr_study *s, size_t task, FILE *summary,
                                ovr_error *err)
 {
-    char part[PATH_ROOM], path[PATH_ROOM];
+    char part[PATH_CAPACITY], path[PATH_CAPACITY];
     bool whole = fflush(summary) == 0 && !ferror(summary) &&
                  fsync(fileno(summary)) == 0;
     ovr_study_file(s, task, ".json.part", part, sizeof part);
@@ -247,7 +248,7 @@ static void start_afresh(const ovr_study *s, size_t task)
 
 static ovr_run *begin(working *w, ovr_case *c, bool resume, ovr_error *err)
 {
-    char path[PATH_ROOM];
+    char path[PATH_CAPACITY];
     ovr_run_options how = w->run;
     how.output = w->s->results ? path : NULL;
     how.force = how.from_start = resume; /* the file is the sweep's own */
@@ -308,7 +309,7 @@ static void find_case(working *w, ovr_case *c, ovr_error *err)
 {
     const ovr_study_find *asked = &w->s->find;
     ovr_find_options how = {0};
-    char path[PATH_ROOM];
+    char path[PATH_CAPACITY];
     ovr_study_file(w->s, w->task, ".find.csv", path, sizeof path);
     how.key = asked->key;
     how.low = asked->low;

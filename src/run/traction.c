@@ -25,14 +25,14 @@ static const char *name_of(const ovr_stress_plan *plan)
 }
 
 const double *ovr_traction_now(const ovr_stress_plan *plan,
-                               const ovr_simulation *sim, double *room)
+                               const ovr_simulation *sim, double *workspace)
 {
     const ovr_observable *shear = ovr_observable_field(name_of(plan));
     size_t last = plan->options.nodes - 1;
-    double before, *Q = room;
+    double before, *Q = workspace;
     if (!plan->options.traction)
         return NULL;
-    const double *tau = shear->field(sim, room); /* may lie in room */
+    const double *tau = shear->field(sim, workspace); /* may lie in workspace */
     before = tau[0];
     for (size_t i = 0; i <= last; i++) {
         double behind = i < last ? tau[i] : before;
@@ -43,15 +43,15 @@ const double *ovr_traction_now(const ovr_stress_plan *plan,
 }
 
 ovr_status ovr_traction_stored(const ovr_stress_plan *plan, ovr_result *result,
-                               size_t k, double *room, ovr_error *err)
+                               size_t k, double *workspace, ovr_error *err)
 {
     ovr_status status;
     if (!plan->options.traction)
         return OVR_OK;
-    status = ovr_result_snapshot(result, name_of(plan), k, OVR_HERTZIAN, room,
-                                 err);
+    status = ovr_result_snapshot(result, name_of(plan), k, OVR_HERTZIAN,
+                                 workspace, err);
     for (size_t i = 0; !status && i < plan->options.nodes; i++)
-        room[i] *= plan->traction;
+        workspace[i] *= plan->traction;
     return status;
 }
 

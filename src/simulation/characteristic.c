@@ -47,11 +47,11 @@ bool ovr_inflow_reaches(const ovr_simulation *sim, double travel)
     return fabs(travel) / ovr_mesh(sim) < OVR_GHOSTS - POINTS;
 }
 
-/* The pressure that the solids feel, from the inlet on; room is where q will
- * be. */
+/* The pressure that the solids feel, from the inlet on; workspace is where q
+ * will be. */
 static const double *pressure_of(const ovr_simulation *sim, int past, bool back)
 {
-    double *room = sim->inflow.extended + OVR_GHOSTS;
+    double *workspace = sim->inflow.extended + OVR_GHOSTS;
     const double *P = sim->past.P[past];
     const double *borne = past ? sim->borne_before[past - 1] : sim->borne;
     size_t n = sim->now.n;
@@ -59,9 +59,9 @@ static const double *pressure_of(const ovr_simulation *sim, int past, bool back)
         return P;
     for (size_t i = 0; i < n; i++) {
         size_t from = back ? n - 1 - i : i;
-        room[i] = P[from] + (borne ? borne[from] : 0);
+        workspace[i] = P[from] + (borne ? borne[from] : 0);
     }
-    return room;
+    return workspace;
 }
 
 /* q at the ghosts nearest the inlet, which is on the right where `back`,

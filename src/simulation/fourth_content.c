@@ -10,8 +10,8 @@
 ovr_status ovr_fourth_content_take(ovr_simulation *sim, ovr_fourth_content *of,
                                    ovr_error *err)
 {
-    double **const all[] = {&of->mask, &of->flux,    &of->excess,
-                            &of->bend, &of->room[0], &of->room[1]};
+    double **const all[] = {&of->mask, &of->flux,         &of->excess,
+                            &of->bend, &of->workspace[0], &of->workspace[1]};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (!(*all[k] = ovr_arena_take(&sim->arena, sim->finest->grid.n,
                                        sizeof(double), err)))
@@ -35,8 +35,8 @@ static double beginning(const ovr_solution *s, size_t first)
     if (first <= 1)
         return -INFINITY;
     double before = first > 2 ? s->q[first - 2] : 0;
-    double room = s->H[first - 1] - before;
-    double part = room > 0 ? (s->q[first - 1] - before) / room : 1;
+    double margin = s->H[first - 1] - before;
+    double part = margin > 0 ? (s->q[first - 1] - before) / margin : 1;
     return (double)first - 0.5 - fmin(fmax(part, 0), 1);
 }
 
@@ -95,9 +95,9 @@ static const double *flows(ovr_simulation *sim, ovr_fourth_content *of,
     ovr_nodes_read(sim, sim->finest, sim->grids.band.b[1], of->flux);
     for (size_t i = 0; i + 1 < s->n; i++) {
         double twice = s->flow ? s->flow[i] : s->eps[i] + s->eps[i + 1];
-        of->room[0][i] = twice * (s->P[i + 1] - s->P[i]) / (2 * s->D);
+        of->workspace[0][i] = twice * (s->P[i + 1] - s->P[i]) / (2 * s->D);
     }
-    *second = of->room[0];
+    *second = of->workspace[0];
     return of->flux;
 }
 
@@ -149,26 +149,26 @@ void ovr_fourth_content_third(ovr_simulation *sim, ovr_fourth_content *of,
     double h[3] = {dT, dT, dT};
     for (int k = 1; k < 3; k++)
         h[k] = past[k] < past[k - 1] ? past[k - 1] - past[k] : h[k - 1];
-    bend(sim, of, came, h, of->room[0]);
-    ovr_carriage_move(sim, T, of->room[0], of->room[1]);
+    bend(sim, of, came, h, of->workspace[0]);
+    ovr_carriage_move(sim, T, of->workspace[0], of->workspace[1]);
     for (size_t i = 0; i < sim->now.n; i++)
-        third[i] = (of->bend[i] - of->room[1][i]) / (h[0] + h[1] + h[2]);
+        third[i] = (of->bend[i] - of->workspace[1][i]) / (h[0] + h[1] + h[2]);
 }
 
 void ovr_fourth_content_begin(ovr_simulation *sim, ovr_fourth_content *of,
                               double dT, double *third)
 {
-    const double *const came[2] = {of->room[0], of->room[1]};
+    const double *const came[2] = {of->workspace[0], of->workspace[1]};
     const double h[2] = {dT, dT};
     double T = sim->past.T[0] + dT, a = ovr_travel_since(sim, 0, T);
     size_t unknown = OVR_FOURTH_MARGIN + 2 * (size_t)ceil(a / ovr_mesh(sim)) +
                      4;
     fade(sim, of->mask);
-    ovr_carriage_move(sim, T, sim->now.q, of->room[0]);
-    ovr_carriage_move(sim, T, of->room[0], of->room[1]);
+    ovr_carriage_move(sim, T, sim->now.q, of->workspace[0]);
+    ovr_carriage_move(sim, T, of->workspace[0], of->workspace[1]);
     bend(sim, of, came, h, third);
     memset(of->bend, 0, unknown * sizeof *of->bend);
-    ovr_carriage_move(sim, T, of->bend, of->room[0]);
+    ovr_carriage_move(sim, T, of->bend, of->workspace[0]);
     for (size_t i = 0; i < sim->now.n; i++)
-        third[i] = (of->bend[i] - of->room[0][i]) / (3 * dT);
+        third[i] = (of->bend[i] - of->workspace[0][i]) / (3 * dT);
 }

@@ -27,7 +27,7 @@
 typedef struct ovr_fourth_content {
     double *mask, *flux, *excess; /* m, f, phi */
     double *bend;                 /* G */
-    double *room[2];
+    double *workspace[2];
 } ovr_fourth_content;
 
 ovr_status ovr_fourth_content_take(ovr_simulation *sim, ovr_fourth_content *of,

@@ -75,12 +75,13 @@ void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o)
 
 /* t -+ H P_X/2 */
 const double *ovr_wall_stress(const ovr_simulation *sim, int surface,
-                              double *room)
+                              double *workspace)
 {
     const double *X = sim->now.X, *P = sim->now.P, *H = sim->now.H;
     double side = surface == 1 ? -0.25 : 0.25;
     for (size_t i = 0; i + 1 < sim->now.n; i++)
-        room[i] = sim->stress[i] + side * (H[i] + H[i + 1]) *
-                                       (P[i + 1] - P[i]) / (X[i + 1] - X[i]);
-    return room;
+        workspace[i] = sim->stress[i] + side * (H[i] + H[i + 1]) *
+                                            (P[i + 1] - P[i]) /
+                                            (X[i + 1] - X[i]);
+    return workspace;
 }

@@ -41,14 +41,14 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
             return OVR_NO_MEMORY;
     for (int l = sim->grids.coarsest; l <= sim->grids.finest; l++) {
         ovr_level *level = &sim->grids.level[l];
-        size_t room = level->grid.n + OVR_MOST_LANES;
-        level->f.th = ovr_field(&sim->arena, room, err);
-        level->f.shift = ovr_field(&sim->arena, room, err);
-        level->f.drag = ovr_field(&sim->arena, room, err);
+        size_t capacity = level->grid.n + OVR_MOST_LANES;
+        level->f.th = ovr_field(&sim->arena, capacity, err);
+        level->f.shift = ovr_field(&sim->arena, capacity, err);
+        level->f.drag = ovr_field(&sim->arena, capacity, err);
         if (!level->f.th || !level->f.shift || !level->f.drag)
             return OVR_NO_MEMORY;
         if (h->numbers.density_expands) {
-            level->f.swell = ovr_field(&sim->arena, room, err);
+            level->f.swell = ovr_field(&sim->arena, capacity, err);
             if (!level->f.swell)
                 return OVR_NO_MEMORY;
         }
@@ -276,24 +276,24 @@ static const double *rises(const ovr_heated *h, ovr_heat_place place)
 }
 
 const double *ovr_heat_temperature(const ovr_simulation *sim,
-                                   ovr_heat_place place, double *room)
+                                   ovr_heat_place place, double *workspace)
 {
     const ovr_heated *h = sim->heated;
     const double *T = h ? rises(h, place) : NULL;
     for (size_t i = 0; i < sim->now.n; i++)
-        room[i] = h ? h->numbers.T0 + T[i] : NAN;
-    return room;
+        workspace[i] = h ? h->numbers.T0 + T[i] : NAN;
+    return workspace;
 }
 
 const double *ovr_heat_flux(const ovr_simulation *sim, int surface,
-                            double *room)
+                            double *workspace)
 {
     const ovr_heated *h = sim->heated;
     for (size_t i = 0; i < sim->now.n; i++)
-        room[i] = h ? h->q[surface - 1][i] * h->numbers.conduction /
-                          h->numbers.theta
-                    : NAN;
-    return room;
+        workspace[i] = h ? h->q[surface - 1][i] * h->numbers.conduction /
+                               h->numbers.theta
+                         : NAN;
+    return workspace;
 }
 
 /* ----------------------------------------------------------------- physics */

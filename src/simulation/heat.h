@@ -102,8 +102,8 @@ typedef enum ovr_heat_place {
     OVR_HEAT_MEAN
 } ovr_heat_place;
 const double *ovr_heat_temperature(const ovr_simulation *sim,
-                                   ovr_heat_place place, double *room);
+                                   ovr_heat_place place, double *workspace);
 const double *ovr_heat_flux(const ovr_simulation *sim, int surface,
-                            double *room);
+                            double *workspace);
 
 #endif

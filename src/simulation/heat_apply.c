@@ -22,7 +22,7 @@ static void restrict_all(ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
     const double *const from[] = {h->th, h->shift, h->drag, h->swell};
-    double *room = sim->scratch[0];
+    double *workspace = sim->scratch[0];
     for (int l = sim->grids.finest; l >= sim->grids.coarsest; l--) {
         ovr_level *level = &sim->grids.level[l];
         double *const to[] = {level->f.th, level->f.shift, level->f.drag,
@@ -30,8 +30,8 @@ static void restrict_all(ovr_simulation *sim)
         size_t every = (size_t)1 << (sim->grids.finest - l);
         for (int k = 0; k < 4 && to[k]; k++) {
             for (size_t i = 0; i < level->grid.n; i++)
-                room[i] = from[k][i * every];
-            ovr_nodes_write(sim, level, room, to[k]);
+                workspace[i] = from[k][i * every];
+            ovr_nodes_write(sim, level, workspace, to[k]);
         }
     }
 }

@@ -80,7 +80,8 @@ static void solve(int n, least *l, double *g)
     }
 }
 
-/* Room for this iteration before the others; that of the last is used again. */
+/* Space for this iteration before the others; that of the last is used again.
+ */
 static void keep(ovr_heat_outer *t, int points)
 {
     const int last = OVR_OUTER_KEPT - 1;

@@ -54,8 +54,8 @@ ovr_status ovr_heat_surface_take(ovr_simulation *sim, int k, ovr_error *err)
     set_rates(sim, k);
     s->beyond = (size_t)fmin(ovr_solid_beyond(heat, k, u, D) / D, (double)n);
     N = n + 2 * s->beyond;
-    for (int a = 0; a < OVR_HEAT_ROOMS; a++)
-        if (take(sim, &s->room[a], N, err))
+    for (int a = 0; a < OVR_HEAT_WORKSPACES; a++)
+        if (take(sim, &s->workspace[a], N, err))
             return OVR_NO_MEMORY;
     for (int b = 0; b < banks_of(sim, k); b++)
         if (take(sim, &s->psi[b], N * OVR_MODES, err))
@@ -91,7 +91,7 @@ void ovr_heat_surface_reset(ovr_simulation *sim, int k)
 static ovr_status visit_nodes(ovr_simulation *sim, int k, int m,
                               ovr_visit *visit, void *context, ovr_error *err)
 {
-    double *mode = sim->heated->steps->surface[k].room[0];
+    double *mode = sim->heated->steps->surface[k].workspace[0];
     double *psi = ovr_heat_surface_modes(sim, k, m / OVR_MODES) + m % OVR_MODES;
     size_t n = sim->now.n;
     char name[40];
@@ -180,13 +180,13 @@ void ovr_heat_surface_step(ovr_simulation *sim, int k, double dT, double meshes)
 
 /* Counts with the nodes beyond both ends, where there are none. */
 static const double *longer(const ovr_simulation *sim, ovr_heat_surface *s,
-                            const double *q, double *room)
+                            const double *q, double *workspace)
 {
     size_t n = sim->now.n, beyond = s->beyond;
-    memset(room, 0, beyond * sizeof *room);
-    memcpy(room + beyond, q, n * sizeof *room);
-    memset(room + beyond + n, 0, beyond * sizeof *room);
-    return room;
+    memset(workspace, 0, beyond * sizeof *workspace);
+    memcpy(workspace + beyond, q, n * sizeof *workspace);
+    memset(workspace + beyond + n, 0, beyond * sizeof *workspace);
+    return workspace;
 }
 
 static ovr_departures departures_of(const ovr_simulation *sim,
@@ -207,7 +207,7 @@ static void look_at(ovr_simulation *sim, ovr_heat_surface *s, int bank,
                                  .weight = s->memory.weight + bank * OVR_MODES,
                                  .psi = s->psi[bank],
                                  .q = q,
-                                 .room = s->room[2],
+                                 .workspace = s->workspace[2],
                                  .fields = s->next,
                                  .past = past,
                                  .before = before};
@@ -219,9 +219,9 @@ static void look_at(ovr_simulation *sim, ovr_heat_surface *s, int bank,
 static const double *look(ovr_simulation *sim, ovr_heat_surface *s,
                           const double *q)
 {
-    double *past = s->room[1];
+    double *past = s->workspace[1];
     size_t N = sim->now.n + 2 * s->beyond;
-    look_at(sim, s, 0, longer(sim, s, q, s->room[0]), past, s->before);
+    look_at(sim, s, 0, longer(sim, s, q, s->workspace[0]), past, s->before);
     if (s->memory.banks > 1) {
         look_at(sim, s, 1, s->none, s->bank, s->unused);
         for (size_t i = 0; i < N; i++)
@@ -241,7 +241,7 @@ void ovr_heat_surface_remember(ovr_simulation *sim, int k, const double *q)
     ovr_heat_surface *s = &sim->heated->steps->surface[k];
     const ovr_departures departures = departures_of(sim, s);
     const ovr_memory *m = &s->memory;
-    longer(sim, s, q, s->room[0]);
+    longer(sim, s, q, s->workspace[0]);
     for (int b = 0; b < m->banks; b++) {
         double *psi = s->psi[b];
         const ovr_modes_step step = {.departures = &departures,
@@ -249,7 +249,7 @@ void ovr_heat_surface_remember(ovr_simulation *sim, int k, const double *q)
                                      .fade = m->fade + b * OVR_MODES,
                                      .now = m->now + b * OVR_MODES,
                                      .before = m->before + b * OVR_MODES,
-                                     .q = s->room[0],
+                                     .q = s->workspace[0],
                                      .q_before = s->before};
         sim->grids.kernels->step_modes(&step, psi, s->next);
         s->psi[b] = s->next;
@@ -285,11 +285,11 @@ void ovr_heat_surface_steady(ovr_simulation *sim, int k)
     const ovr_heated *h = sim->heated;
     ovr_heat_surface *s = &h->steps->surface[k];
     double D = ovr_mesh(sim), u = h->u1 - k * h->V;
-    longer(sim, s, h->q[k], s->room[0]);
+    longer(sim, s, h->q[k], s->workspace[0]);
     for (int b = 0; b < banks_of(sim, k); b++)
         ovr_modes_steady(sim->now.n + 2 * s->beyond, D, h->numbers.diffusion[k],
                          h->way[k] * fabs(u), h->memory[k].rate + b * OVR_MODES,
-                         s->room[0], s->psi[b]);
+                         s->workspace[0], s->psi[b]);
     ovr_heat_surface_step(sim, k, D, u);
     put_along(sim, k, look(sim, s, h->q[k]));
 }

@@ -29,7 +29,7 @@
 #include "multigrid/modes.h"
 #include "simulation/heat.h"
 
-enum { OVR_HEAT_ROOMS = 3 };
+enum { OVR_HEAT_WORKSPACES = 3 };
 
 typedef struct ovr_heat_surface {
     size_t beyond;          /* nodes beyond each end that it remembers too */
@@ -40,7 +40,7 @@ typedef struct ovr_heat_surface {
     double meshes;          /* that it moves in the step */
     ovr_spread spread[OVR_BANKS]; /* in it */
     double *before; /* q of the step before, carried along and spread */
-    double *next, *room[OVR_HEAT_ROOMS];
+    double *next, *workspace[OVR_HEAT_WORKSPACES];
     double *none, *bank, *unused; /* of the second bank: no q; what it says */
 } ovr_heat_surface;
 

@@ -201,8 +201,8 @@ void ovr_surface_heights(const ovr_simulation *sim, double T, size_t n,
                          const double *X, double *S);
 
 /* The pressure that the solids feel: the film's, where there is none other;
- * else in `room`. */
-const double *ovr_solid_pressure(const ovr_simulation *sim, double *room);
+ * else in `workspace`. */
+const double *ovr_solid_pressure(const ovr_simulation *sim, double *workspace);
 
 /* True if there is anything but the smooth surfaces. */
 bool ovr_has_heights(const ovr_simulation *sim);
@@ -375,7 +375,7 @@ double ovr_sliding(const ovr_simulation *sim, double T);
  * powers; shear stress in the film at a surface, at half nodes. */
 void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o);
 const double *ovr_wall_stress(const ovr_simulation *sim, int surface,
-                              double *room);
+                              double *workspace);
 
 /* Pressure, H0, gap and film of the last time reached. */
 void ovr_simulation_step_back(ovr_simulation *sim);

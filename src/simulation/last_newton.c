@@ -22,7 +22,7 @@ static void bears_nothing(const void *law, double H, double *A, double *slope)
     *A = *slope = 0;
 }
 
-/* Films by Reynolds on one grid, and room. */
+/* Films by Reynolds on one grid, and workspace. */
 static bool can(ovr_simulation *sim)
 {
     ovr_hierarchy *grids = &sim->grids;

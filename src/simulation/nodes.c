@@ -31,14 +31,14 @@ double ovr_integral(const ovr_simulation *sim, const double *f)
     return sim->grids.kernels->gain(sim->now.n, sim->now.weights, f, NULL);
 }
 
-const double *ovr_solid_pressure(const ovr_simulation *sim, double *room)
+const double *ovr_solid_pressure(const ovr_simulation *sim, double *workspace)
 {
     const double *P = sim->now.P;
     if (!sim->borne)
         return P;
-    ovr_nodes_read(sim, sim->finest, sim->finest->borne, room);
-    sim->grids.kernels->combine(sim->now.n, 1, room, 1, P, room);
-    return room;
+    ovr_nodes_read(sim, sim->finest, sim->finest->borne, workspace);
+    sim->grids.kernels->combine(sim->now.n, 1, workspace, 1, P, workspace);
+    return workspace;
 }
 
 void ovr_simulation_read(ovr_simulation *sim)

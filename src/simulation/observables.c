@@ -14,126 +14,133 @@
 
 /* ----------------------------------------------------------------- fields */
 
-static const double *pressure(const ovr_simulation *sim, double *room)
+static const double *pressure(const ovr_simulation *sim, double *workspace)
 {
-    (void)room;
+    (void)workspace;
     return sim->now.P;
 }
 
-static const double *film_thickness(const ovr_simulation *sim, double *room)
+static const double *film_thickness(const ovr_simulation *sim,
+                                    double *workspace)
 {
-    (void)room;
+    (void)workspace;
     return sim->now.H;
 }
 
-static const double *roughness(const ovr_simulation *sim, double *room)
+static const double *roughness(const ovr_simulation *sim, double *workspace)
 {
-    (void)room;
+    (void)workspace;
     return sim->S;
 }
 
-static const double *density(const ovr_simulation *sim, double *room)
+static const double *density(const ovr_simulation *sim, double *workspace)
 {
     for (size_t i = 0; i < sim->state.n; i++)
-        room[i] = ovr_density(&sim->lubricant, sim->now.P[i]);
-    return room;
+        workspace[i] = ovr_density(&sim->lubricant, sim->now.P[i]);
+    return workspace;
 }
 
-static const double *viscosity(const ovr_simulation *sim, double *room)
+static const double *viscosity(const ovr_simulation *sim, double *workspace)
 {
     for (size_t i = 0; i < sim->state.n; i++)
-        room[i] = ovr_viscosity(&sim->lubricant, sim->now.P[i]);
-    return room;
+        workspace[i] = ovr_viscosity(&sim->lubricant, sim->now.P[i]);
+    return workspace;
 }
 
-static const double *cavitated(const ovr_simulation *sim, double *room)
+static const double *cavitated(const ovr_simulation *sim, double *workspace)
 {
     for (size_t i = 0; i < sim->state.n; i++)
-        room[i] = sim->now.P[i] <= 0;
-    return room;
+        workspace[i] = sim->now.P[i] <= 0;
+    return workspace;
 }
 
 /* The density is that of the oil's temperature where P = 0. */
-static const double *filling(const ovr_simulation *sim, double *room)
+static const double *filling(const ovr_simulation *sim, double *workspace)
 {
     for (size_t i = 0; i < sim->state.n; i++) {
         double thinner = 1, lighter = 1;
         OVR_EACH_PHYSICS(sim, p, oil)
             p->is->oil(sim, p->own, i, &thinner, &lighter);
         double full = lighter * sim->now.H[i];
-        room[i] = sim->now.P[i] > 0 ? 1 : sim->now.q[i] / full;
+        workspace[i] = sim->now.P[i] > 0 ? 1 : sim->now.q[i] / full;
     }
-    return room;
+    return workspace;
 }
 
-static const double *contact_pressure(const ovr_simulation *sim, double *room)
+static const double *contact_pressure(const ovr_simulation *sim,
+                                      double *workspace)
 {
     const double *borne = sim->finest->borne;
-    memset(room, 0, sim->state.n * sizeof *room);
+    memset(workspace, 0, sim->state.n * sizeof *workspace);
     if (borne)
-        ovr_nodes_read(sim, sim->finest, borne, room);
-    return room;
+        ovr_nodes_read(sim, sim->finest, borne, workspace);
+    return workspace;
 }
 
 /* `pressure` by the name that it has beside contact_pressure. */
-static const double *fluid_pressure(const ovr_simulation *sim, double *room)
+static const double *fluid_pressure(const ovr_simulation *sim,
+                                    double *workspace)
 {
-    (void)room;
+    (void)workspace;
     return sim->now.P;
 }
 
-static const double *oil_content(const ovr_simulation *sim, double *room)
+static const double *oil_content(const ovr_simulation *sim, double *workspace)
 {
-    (void)room;
+    (void)workspace;
     return sim->now.q;
 }
 
-static const double *mass_flow(const ovr_simulation *sim, double *room)
+static const double *mass_flow(const ovr_simulation *sim, double *workspace)
 {
     double Cu = ovr_history_value(sim->speed, sim->state.T);
     for (size_t i = 0; i + 1 < sim->state.n; i++)
-        room[i] = ovr_flux(sim, Cu, i);
-    return room;
+        workspace[i] = ovr_flux(sim, Cu, i);
+    return workspace;
 }
 
-static const double *shear_stress_1(const ovr_simulation *sim, double *room)
+static const double *shear_stress_1(const ovr_simulation *sim,
+                                    double *workspace)
 {
-    return ovr_wall_stress(sim, 1, room);
+    return ovr_wall_stress(sim, 1, workspace);
 }
 
-static const double *shear_stress_2(const ovr_simulation *sim, double *room)
+static const double *shear_stress_2(const ovr_simulation *sim,
+                                    double *workspace)
 {
-    return ovr_wall_stress(sim, 2, room);
+    return ovr_wall_stress(sim, 2, workspace);
 }
 
-static const double *temperature_1(const ovr_simulation *sim, double *room)
+static const double *temperature_1(const ovr_simulation *sim, double *workspace)
 {
-    return ovr_heat_temperature(sim, OVR_HEAT_SURFACE_1, room);
+    return ovr_heat_temperature(sim, OVR_HEAT_SURFACE_1, workspace);
 }
 
-static const double *temperature_2(const ovr_simulation *sim, double *room)
+static const double *temperature_2(const ovr_simulation *sim, double *workspace)
 {
-    return ovr_heat_temperature(sim, OVR_HEAT_SURFACE_2, room);
+    return ovr_heat_temperature(sim, OVR_HEAT_SURFACE_2, workspace);
 }
 
-static const double *temperature_mean(const ovr_simulation *sim, double *room)
+static const double *temperature_mean(const ovr_simulation *sim,
+                                      double *workspace)
 {
-    return ovr_heat_temperature(sim, OVR_HEAT_MEAN, room);
+    return ovr_heat_temperature(sim, OVR_HEAT_MEAN, workspace);
 }
 
-static const double *temperature_middle(const ovr_simulation *sim, double *room)
+static const double *temperature_middle(const ovr_simulation *sim,
+                                        double *workspace)
 {
-    return ovr_heat_temperature(sim, OVR_HEAT_MIDDLE, room);
+    return ovr_heat_temperature(sim, OVR_HEAT_MIDDLE, workspace);
 }
 
-static const double *heat_flux_1(const ovr_simulation *sim, double *room)
+static const double *heat_flux_1(const ovr_simulation *sim, double *workspace)
 {
-    return ovr_heat_flux(sim, 1, room);
+    return ovr_heat_flux(sim, 1, workspace);
 }
 
-static const double *heat_flux_2(const ovr_simulation *sim, double *room)
+static const double *heat_flux_2(const ovr_simulation *sim, double *workspace)
 {
-    return ovr_heat_flux(sim, 2, room);
+    return ovr_heat_flux(sim, 2, workspace);
 }
 
 /* ------------------------------------------------------------------- list */

@@ -215,7 +215,7 @@ static void finish(ovr_simulation *sim, void *own, const ovr_full *how,
     ovr_composite_begin(&r->composite, sim->target.force);
     if (ovr_spike_solve(&r->composite, &search, &r->found, &outcome->cycles,
                         &err))
-        outcome->defect.imbalance = INFINITY; /* cannot be: it has its room */
+        outcome->defect.imbalance = INFINITY; /* cannot be: it has its space */
     else
         outcome->defect = r->found.defect;
     read_leaves(sim, r);
@@ -231,7 +231,7 @@ static void review(const ovr_simulation *sim, const void *own,
     char text[200];
     if (o->refined_level == target->level)
         snprintf(text, sizeof text,
-                 "refine: there is no room for a patch about X = %.4g on this "
+                 "refine: there is no space for a patch about X = %.4g on this "
                  "domain and level; outlet farther out or a higher level gives "
                  "it",
                  isfinite(o->X_spike) ? o->X_spike : o->X_cavitation);

@@ -29,7 +29,7 @@ ovr_status ovr_wear_take(ovr_wear *wear, const ovr_boundary_form *given,
             return OVR_NO_MEMORY;
         wear->pair.z[k] = wear->now.z[k];
     }
-    if (ovr_rough_pair_room(&wear->pair, &wear->bears.table, arena, err))
+    if (ovr_rough_pair_reserve(&wear->pair, &wear->bears.table, arena, err))
         return OVR_NO_MEMORY;
     wear->w = ovr_arena_take(arena, wear->pair.points, sizeof *wear->w, err);
     return wear->w ? OVR_OK : OVR_NO_MEMORY;
@@ -45,11 +45,11 @@ static void copy(const ovr_wear *wear, ovr_worn *to, const ovr_worn *from)
     }
 }
 
-/* The table keeps its room; without a law for the new heights the last one
+/* The table keeps its space; without a law for the new heights the last one
  * stays. */
 static void find_law(ovr_wear *wear)
 {
-    ovr_arena none = ovr_arena_make(NULL); /* there is room */
+    ovr_arena none = ovr_arena_make(NULL); /* there is space */
     ovr_error err = {0};
     if (ovr_rough_pair_law(&wear->pair, &wear->bears.table, &none, &err))
         wear->lost = true;
@@ -164,7 +164,7 @@ ovr_core ovr_wear_core(const ovr_wear *wear, int surface, bool given)
 {
     const double *z = given ? wear->given->pair.z[surface]
                             : wear->now.z[surface];
-    ovr_height *heights = (ovr_height *)wear->pair.room; /* between laws */
+    ovr_height *heights = (ovr_height *)wear->pair.workspace; /* between laws */
     if (!z)
         return (ovr_core){NAN, NAN, NAN, NAN, NAN};
     for (size_t i = 0; i < wear->pair.n; i++)

@@ -6,9 +6,9 @@
 
 #include <math.h>
 
-/* Nodes that a shift may need beyond the last one asked for, and the least room
- * for the seam of the lags. */
-enum { SHIFT_ROOM = 2 << (OVR_STRESS_LEVELS - 1), LEAST_SEAM = 128 };
+/* Nodes that a shift may need beyond the last one asked for, and the least
+ * space for the seam of the lags. */
+enum { SHIFT_CAPACITY = 2 << (OVR_STRESS_LEVELS - 1), LEAST_SEAM = 128 };
 
 ovr_stress_options ovr_stress_options_default(void)
 {
@@ -73,15 +73,15 @@ int ovr_depth_level(const ovr_stress_options *o, double z)
 
 size_t ovr_stress_nodes(const ovr_stress_options *o)
 {
-    return (size_t)ceil((o->to - o->from) / o->mesh) + SHIFT_ROOM + 2;
+    return (size_t)ceil((o->to - o->from) / o->mesh) + SHIFT_CAPACITY + 2;
 }
 
-size_t ovr_stress_room(const ovr_stress_options *o)
+size_t ovr_stress_capacity(const ovr_stress_options *o)
 {
-    size_t room = 256, target = o->nodes + ovr_stress_nodes(o) + LEAST_SEAM;
-    while (room < target)
-        room *= 2;
-    return room;
+    size_t capacity = 256, target = o->nodes + ovr_stress_nodes(o) + LEAST_SEAM;
+    while (capacity < target)
+        capacity *= 2;
+    return capacity;
 }
 
 ovr_status ovr_stress_check(const ovr_stress_options *o, ovr_error *err)

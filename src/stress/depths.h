@@ -21,10 +21,10 @@ size_t ovr_depths(const ovr_stress_options *options, double *z);
 int ovr_depth_level(const ovr_stress_options *options, double z);
 
 /* Nodes of the fields on the mesh, those that a shift may need included; and
- * the room of the transforms: a power of two that holds them, the pressure and
+ * the space of the transforms: a power of two that holds them, the pressure and
  * a seam. */
 size_t ovr_stress_nodes(const ovr_stress_options *options);
-size_t ovr_stress_room(const ovr_stress_options *options);
+size_t ovr_stress_capacity(const ovr_stress_options *options);
 
 /* Everything in range? */
 ovr_status ovr_stress_check(const ovr_stress_options *options, ovr_error *err);

@@ -6,7 +6,7 @@
  *
  * is a convolution on the mesh: one transform of P forward, a product for each
  * field and depth, one back.  The kernels are sampled, not given by their
- * Fourier transform: with room for every lag there is no image of the
+ * Fourier transform: with space for every lag there is no image of the
  * periodic continuation and no question of the mean.  What lies deep is
  * smooth: of a field whose nodes may be 2^c D apart (depths.h) only the first
  * N/2^(c+1) waves are transformed, in a transform of N/2^c values, which are
@@ -59,13 +59,13 @@ static ovr_status keep_spectrum(ovr_stress *s, size_t bins, ovr_bins *kept,
  * field. */
 static double seamed(const ovr_stress *s, const double *lag, size_t k)
 {
-    size_t before = s->room - s->seam;
+    size_t before = s->capacity - s->seam;
     if (k < before)
         return lag[k];
     double t = ((double)(k - before) + 0.5) / (double)s->seam;
     double first = pow(sin(two_pi / 4 * t), 2);
     return (1 - first) * lag[k] +
-           first * lag[(ptrdiff_t)k - (ptrdiff_t)s->room];
+           first * lag[(ptrdiff_t)k - (ptrdiff_t)s->capacity];
 }
 
 /* The three kernels of a density on a line of lags: lag[0 ... 2], one behind
@@ -83,18 +83,18 @@ static void evaluate(double z, bool traction, size_t lags,
     }
 }
 
-/* Room for what layers add: of four times the length, so that it has died away
+/* Space for what layers add: of four times the length, so that it has died away
  * where it begins anew. */
 enum { WIDER = 4 };
-typedef struct layer_room {
+typedef struct layer_capacity {
     size_t n;
     fftw_complex *bins[3];
     double *values;
     fftw_plan plan;
-} layer_room;
+} layer_capacity;
 
-static ovr_status take_layer_room(ovr_arena *scratch, size_t N, layer_room *r,
-                                  ovr_error *err)
+static ovr_status take_layer_capacity(ovr_arena *scratch, size_t N,
+                                      layer_capacity *r, ovr_error *err)
 {
     r->n = WIDER * N;
     for (int w = 0; w < 3; w++) {
@@ -112,7 +112,7 @@ static ovr_status take_layer_room(ovr_arena *scratch, size_t N, layer_room *r,
 /* Adds what layers make of the lags at a depth. */
 static void add_layers(const ovr_stress *s, const ovr_depth *depth,
                        bool traction, long first, size_t lags, double *lag,
-                       const layer_room *r)
+                       const layer_capacity *r)
 {
     const ovr_stress_options *o = &s->options;
     double D = o->mesh;
@@ -141,10 +141,10 @@ static void add_layers(const ovr_stress *s, const ovr_depth *depth,
  * before the first; lag k stands at index k - nodes + 1. */
 static ovr_status tabulate(ovr_stress *s, const ovr_depth *depth, bool traction,
                            long first, const ovr_potential *line, double *lag,
-                           const layer_room *layers, ovr_depth_table *table,
+                           const layer_capacity *layers, ovr_depth_table *table,
                            ovr_error *err)
 {
-    size_t N = s->room, before = s->options.nodes - 1, lags = N + s->seam;
+    size_t N = s->capacity, before = s->options.nodes - 1, lags = N + s->seam;
     ovr_bins *kept[] = {&table->h, &table->d, &table->tau};
     evaluate(depth->z, traction, lags, line, lag);
     if (layers->plan)
@@ -164,12 +164,12 @@ static ovr_status tabulate_all(ovr_stress *s, ovr_arena *scratch,
                                ovr_error *err)
 {
     const ovr_stress_options *o = &s->options;
-    size_t lags = s->room + s->seam;
+    size_t lags = s->capacity + s->seam;
     ovr_potential *line = ovr_arena_take(scratch, lags, sizeof *line, err);
     double *lag = ovr_arena_take(scratch, 3 * lags, sizeof *lag, err);
-    layer_room layers = {.plan = NULL};
+    layer_capacity layers = {.plan = NULL};
     if (!line || !lag ||
-        (o->layers && take_layer_room(scratch, s->room, &layers, err)))
+        (o->layers && take_layer_capacity(scratch, s->capacity, &layers, err)))
         return OVR_NO_MEMORY;
     long first = lround((s->start - o->inlet) / o->mesh) -
                  (long)(o->nodes - 1 + s->seam);
@@ -194,7 +194,7 @@ static ovr_status take_depth(ovr_stress *s, size_t j, ovr_error *err)
     ovr_depth *depth = &s->depth[j];
     depth->z = s->z[j];
     depth->level = ovr_depth_level(&s->options, depth->z);
-    size_t n = s->room >> depth->level;
+    size_t n = s->capacity >> depth->level;
     depth->bins = n / 2;
     depth->shear = ovr_arena_take(&s->arena, 2 * n, sizeof(float), err);
     if (!depth->shear)
@@ -214,7 +214,7 @@ static ovr_status take_depth(ovr_stress *s, size_t j, ovr_error *err)
 static bool take_arrays(ovr_stress *s, ovr_error *err)
 {
     ovr_fourier *f = &s->fourier;
-    size_t N = s->room;
+    size_t N = s->capacity;
     f->N = N;
     f->real = ovr_arena_take(&s->arena, N, sizeof *f->real, err);
     f->spectrum = ovr_arena_take(&s->arena, N / 2 + 1, sizeof *f->spectrum,
@@ -238,10 +238,10 @@ static ovr_status prepare(ovr_stress *s, size_t depths, const double *z,
                           ovr_error *err)
 {
     const ovr_stress_options *o = &s->options;
-    s->room = ovr_stress_room(o);
+    s->capacity = ovr_stress_capacity(o);
     s->depths = z ? depths : ovr_depths(o, NULL);
     s->start = o->inlet + ceil((o->from - o->inlet) / o->mesh - 1e-9) * o->mesh;
-    s->seam = s->room - o->nodes - ovr_stress_nodes(o);
+    s->seam = s->capacity - o->nodes - ovr_stress_nodes(o);
     s->loops = ovr_stress_loops_choose(NULL);
     if (!take_arrays(s, err))
         return OVR_NO_MEMORY;
@@ -302,7 +302,8 @@ double ovr_stress_memory(const ovr_stress_options *given)
     if (OVR_TAKE(ovr_stress_options, o, given, NULL) ||
         ovr_stress_check(o, NULL))
         return NAN;
-    double N = (double)ovr_stress_room(o), bytes = N * (8 + 8 + 8 + 8 + 8 + 8);
+    double N = (double)ovr_stress_capacity(o),
+           bytes = N * (8 + 8 + 8 + 8 + 8 + 8);
     size_t depths = ovr_depths(o, NULL);
     double least = o->depth_min > 0 ? o->depth_min : 4 * o->mesh;
     for (size_t j = 0; j < depths; j++) {
@@ -382,7 +383,7 @@ static void spread(ovr_stress *s, const ovr_depth *depth, size_t n,
 static void solve_pair(ovr_stress *s, const ovr_depth *depth, int level,
                        const ovr_load_bins load[2], float *to)
 {
-    spread(s, depth, s->room >> level, load, s->loads);
+    spread(s, depth, s->capacity >> level, load, s->loads);
     ovr_fourier_back(&s->fourier, level, to);
 }
 
@@ -460,8 +461,9 @@ ovr_status ovr_stress_at_every_node(ovr_stress *s, size_t j,
         return ovr_fail_null(err, __func__);
     const ovr_depth *depth = &s->depth[j];
     for (size_t k = 0; k < 2 && depth->level > 0; k++)
-        if (!s->fine[k] && !(s->fine[k] = ovr_arena_take(&s->arena, 2 * s->room,
-                                                         sizeof(float), err)))
+        if (!s->fine[k] &&
+            !(s->fine[k] = ovr_arena_take(&s->arena, 2 * s->capacity,
+                                          sizeof(float), err)))
             return OVR_NO_MEMORY;
     if (depth->level > 0) {
         solve_shear(s, depth, 0, s->fine[0]);

@@ -29,10 +29,10 @@ struct ovr_stress {
     ovr_stress_options options;
     const ovr_stress_loops *loops;
     ovr_fourier fourier;
-    double start; /* X of the first node of the fields */
-    double shift; /* of the last solve, D */
-    size_t room;  /* N */
-    size_t seam;  /* lags that no field needs */
+    double start;    /* X of the first node of the fields */
+    double shift;    /* of the last solve, D */
+    size_t capacity; /* N */
+    size_t seam;     /* lags that no field needs */
     size_t depths;
     double *z;
     ovr_depth *depth;

@@ -6,7 +6,7 @@
  * Of a run with fatigue (1.5 um dent, level 6, all that is written included)
  * FFTW takes 9 % of the instructions: transforms of our own that cost nothing
  * at all would make it 1.1 times faster, not the 1.3 that would be worth their
- * room here.
+ * space here.
  *
  * Plans are FFTW_ESTIMATE, chosen without measuring, so that equal inputs give
  * equal bits in every run; FFTW's planner is not reentrant, so that making and

@@ -83,19 +83,19 @@ static size_t values_of_all(const ovr_material_history *p)
 }
 
 /* Nodes of a moment, or points of a level. */
-static size_t scratch_room(const ovr_material_history *p)
+static size_t scratch_workspace(const ovr_material_history *p)
 {
     size_t points = p->grid[p->finest].points;
-    return points > p->stress->room ? points : p->stress->room;
+    return points > p->stress->capacity ? points : p->stress->capacity;
 }
 
 static bool take_scratch(ovr_material_history *p, ovr_error *err)
 {
-    size_t room = scratch_room(p);
+    size_t capacity = scratch_workspace(p);
     float **scratch[] = {&p->d,        &p->tau,       &p->h,
                          &p->in_plane, &p->von_mises, &p->tresca};
     for (size_t k = 0; k < sizeof scratch / sizeof *scratch; k++) {
-        *scratch[k] = ovr_arena_take(&p->arena, room, sizeof(float), err);
+        *scratch[k] = ovr_arena_take(&p->arena, capacity, sizeof(float), err);
         if (!*scratch[k])
             return false;
     }
@@ -230,7 +230,7 @@ double ovr_material_history_memory(const ovr_stress_options *given,
         check(o, range, NULL))
         return NAN;
     double least = o->depth_min > 0 ? o->depth_min : 4 * o->mesh;
-    double scratch = (double)ovr_stress_room(o);
+    double scratch = (double)ovr_stress_capacity(o);
     for (size_t j = 0; j < ovr_depths(o, NULL); j++) {
         double z = least * exp2((double)j / o->per_octave);
         double step = ldexp(o->mesh, ovr_depth_level(o, z));

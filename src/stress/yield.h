@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Room for sums of nodes + 1 pressures, the first of them 0. */
+/* Space for sums of nodes + 1 pressures, the first of them 0. */
 typedef struct ovr_pressure_sums {
     size_t nodes;
     double *sum;

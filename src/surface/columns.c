@@ -68,10 +68,11 @@ typedef struct wanting {
     int count;
 } wanting;
 
-static void join(char *text, size_t room, const char *between, const char *more)
+static void join(char *text, size_t capacity, const char *between,
+                 const char *more)
 {
     size_t used = strlen(text);
-    snprintf(text + used, room - used, "%s%s", used ? between : "", more);
+    snprintf(text + used, capacity - used, "%s%s", used ? between : "", more);
 }
 
 static void want(wanting *w, const char *what, const char *key,

@@ -10,8 +10,8 @@ ovr_status ovr_dry_contact_take(ovr_dry_contact *of, size_t n, ovr_arena *arena,
                                 ovr_error *err)
 {
     of->n = n;
-    of->room = ovr_arena_take(arena, 3 * n, sizeof *of->room, err);
-    return of->room ? OVR_OK : OVR_NO_MEMORY;
+    of->workspace = ovr_arena_take(arena, 3 * n, sizeof *of->workspace, err);
+    return of->workspace ? OVR_OK : OVR_NO_MEMORY;
 }
 
 /* w of p; its mean is nothing. */
@@ -143,7 +143,7 @@ ovr_dry_state ovr_dry_contact_solve(const ovr_dry_contact *of, const double *z,
     enum { MOST = 2000 };
     const double enough = of->enough > 0 ? of->enough : 1e-9;
     size_t n = of->n;
-    search s = {of->room, of->room + n, of->room + 2 * n, 0};
+    search s = {of->workspace, of->workspace + n, of->workspace + 2 * n, 0};
     ovr_dry_state state = {0};
     bool begins = true;
     scale_to(n, p, mean);

@@ -22,7 +22,7 @@ typedef struct ovr_dry_contact {
     double modulus; /* E* */
     double enough;  /* gaps and pressures exclude each other to this, over the
                        range of heights; 0: 1e-9 */
-    double *room;   /* 3 n */
+    double *workspace; /* 3 n */
 } ovr_dry_contact;
 
 /* Memory for n nodes. */

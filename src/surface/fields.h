@@ -19,7 +19,7 @@ typedef struct ovr_layout {
 } ovr_layout;
 
 ovr_layout ovr_layout_of(ovr_line line);
-/* false: more fields than there is room for. */
+/* false: more fields than there is space for. */
 bool ovr_split(ovr_line line, char separator, ovr_fields *fields);
 /* All fields are numbers or missing values, at least one is a number. */
 bool ovr_all_numbers(const ovr_fields *fields, bool comma);

@@ -160,15 +160,15 @@ static double ratio(const ovr_profile *p)
 /* "circle of radius 12.7 mm, a crown": R = ell/(e K), in R where only b and
  * b^2/R are known. */
 static void name_circle(const ovr_profile *p, const circle *o, char *text,
-                        size_t room)
+                        size_t capacity)
 {
     const char *shape = o->K > 0 ? "a hollow" : "a crown";
     double along = p->view.scaled_x ? p->b : 1;
     if (o->e > 0)
-        snprintf(text, room, "circle of radius %s, %s,",
+        snprintf(text, capacity, "circle of radius %s, %s,",
                  ovr_metres(along / fabs(o->e * o->K)).text, shape);
     else
-        snprintf(text, room, "circle of radius %.4g R, %s,", 1 / fabs(o->K),
+        snprintf(text, capacity, "circle of radius %.4g R, %s,", 1 / fabs(o->K),
                  shape);
 }
 
@@ -176,19 +176,19 @@ enum { CIRCLE = -1 };
 
 /* Subtracts a polynomial of the degree, or the circle; `text` names it. */
 static void take(const ovr_profile *p, int degree, size_t n, double *z,
-                 double *work, char *text, size_t room)
+                 double *work, char *text, size_t capacity)
 {
     if (degree == CIRCLE) {
         circle o = fit_circle(n, p->x, z, ratio(p));
         subtract_circle(&o, n, p->x, z);
-        name_circle(p, &o, text, room);
+        name_circle(p, &o, text, capacity);
         return;
     }
     ovr_level(n, p->x, z, degree, work);
     if (degree < 2)
-        snprintf(text, room, "%s", degree ? "line" : "mean");
+        snprintf(text, capacity, "%s", degree ? "line" : "mean");
     else
-        snprintf(text, room, "polynomial of degree %d", degree);
+        snprintf(text, capacity, "polynomial of degree %d", degree);
 }
 
 static double root_mean_square(size_t n, const double *x, const double *z)

@@ -86,7 +86,7 @@ const ovr_profile_view *ovr_profile_look(const ovr_profile *profile)
     return !profile ? NULL : &profile->view;
 }
 
-ovr_status ovr_profile_room(ovr_profile *profile, size_t n, ovr_error *err)
+ovr_status ovr_profile_reserve(ovr_profile *profile, size_t n, ovr_error *err)
 {
     if (n > OVR_POINTS_MAX)
         return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
@@ -99,13 +99,13 @@ ovr_status ovr_profile_room(ovr_profile *profile, size_t n, ovr_error *err)
 
 void ovr_profile_note(ovr_profile *profile, const char *format, ...)
 {
-    size_t used = strlen(profile->notes), room = OVR_NOTES_SIZE - used;
+    size_t used = strlen(profile->notes), capacity = OVR_NOTES_SIZE - used;
     va_list args;
     int length;
     va_start(args, format);
-    length = vsnprintf(profile->notes + used, room, format, args);
+    length = vsnprintf(profile->notes + used, capacity, format, args);
     va_end(args);
-    if (length >= 0 && (size_t)length + 2 <= room)
+    if (length >= 0 && (size_t)length + 2 <= capacity)
         memcpy(profile->notes + used + length, "\n", 2);
     else
         profile->notes[used] = 0;
@@ -246,7 +246,7 @@ ovr_profile *ovr_profile_create(size_t n, const double *x, const double *z,
         return NULL;
     profile->view.scaled_x = profile->view.scaled_z = scaled;
     profile->view.format = "memory";
-    if (!ovr_profile_room(profile, n, err)) {
+    if (!ovr_profile_reserve(profile, n, err)) {
         memcpy(profile->x, x, n * sizeof *x);
         memcpy(profile->z, z, n * sizeof *z);
         if (!ovr_profile_finish(profile, n, err))

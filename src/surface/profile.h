@@ -31,10 +31,10 @@ typedef ovr_status ovr_reader(ovr_profile *profile,
                               ovr_bytes content, ovr_error *err);
 ovr_reader ovr_read_text, ovr_read_sdf, ovr_read_smd, ovr_read_x3p;
 
-/* An empty profile, and room for n points. */
+/* An empty profile, and space for n points. */
 ovr_profile *ovr_profile_new(const char *file, const ovr_allocator *allocator,
                              ovr_error *err);
-ovr_status ovr_profile_room(ovr_profile *profile, size_t n, ovr_error *err);
+ovr_status ovr_profile_reserve(ovr_profile *profile, size_t n, ovr_error *err);
 
 /* One more line of notes; what does not fit any more is left out. */
 void ovr_profile_note(ovr_profile *profile, const char *format, ...)

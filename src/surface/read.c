@@ -17,17 +17,17 @@
 /* ----------------------------------------------------------- the content */
 
 /* Up to one byte more than may be: that it is there is enough to know. */
-static ovr_status grow(ovr_arena *arena, char **data, size_t *room,
+static ovr_status grow(ovr_arena *arena, char **data, size_t *capacity,
                        ovr_error *err)
 {
     const size_t most = (size_t)OVR_CONTENT_MAX + 1;
-    size_t wider = 4 * *room < OVR_CONTENT_MAX ? 4 * *room : most;
+    size_t wider = 4 * *capacity < OVR_CONTENT_MAX ? 4 * *capacity : most;
     char *moved = ovr_arena_take(arena, wider, 1, err);
     if (!moved)
         return OVR_NO_MEMORY;
-    memcpy(moved, *data, *room);
+    memcpy(moved, *data, *capacity);
     *data = moved;
-    *room = wider;
+    *capacity = wider;
     return OVR_OK;
 }
 
@@ -35,15 +35,15 @@ static ovr_status grow(ovr_arena *arena, char **data, size_t *room,
 static ovr_status read_all(gzFile in, const char *file, ovr_arena *arena,
                            ovr_bytes *content, ovr_error *err)
 {
-    size_t room = 1 << 16, size = 0;
-    char *data = ovr_arena_take(arena, room, 1, err);
+    size_t capacity = 1 << 16, size = 0;
+    char *data = ovr_arena_take(arena, capacity, 1, err);
     int got = 1, code;
     if (!data)
         return OVR_NO_MEMORY;
     while (got > 0) {
-        if (size == room && grow(arena, &data, &room, err))
+        if (size == capacity && grow(arena, &data, &capacity, err))
             return OVR_NO_MEMORY;
-        got = gzread(in, data + size, (unsigned)(room - size));
+        got = gzread(in, data + size, (unsigned)(capacity - size));
         size += got > 0 ? (size_t)got : 0;
         if (size > OVR_CONTENT_MAX)
             return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,

@@ -55,7 +55,7 @@ static ovr_status start(ovr_profile *p, const ovr_profile_source *source,
         status = ovr_profile_choose_line(p, source, (size_t)h->profiles, line,
                                          err);
     if (!status)
-        status = ovr_profile_room(p, (size_t)h->points, err);
+        status = ovr_profile_reserve(p, (size_t)h->points, err);
     if (!status)
         ovr_profile_regular(p, (size_t)h->points, 0, h->x_scale);
     return status;

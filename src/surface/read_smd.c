@@ -165,7 +165,7 @@ ovr_status ovr_read_smd(ovr_profile *profile, const ovr_profile_source *source,
     status = ovr_profile_choose_line(profile, source,
                                      y.given ? (size_t)y.count : 1, &line, err);
     if (!status)
-        status = ovr_profile_room(profile, n, err);
+        status = ovr_profile_reserve(profile, n, err);
     if (!status)
         status = read_numbers(profile, part, before, line * n, n, err);
     if (status)

@@ -154,7 +154,7 @@ static ovr_status read_rows(ovr_text_table *t, size_t *n, ovr_error *err)
     ovr_line line;
     ovr_status status;
     *n = count_rows(t);
-    status = ovr_profile_room(t->profile, *n, err);
+    status = ovr_profile_reserve(t->profile, *n, err);
     if (status)
         return status;
     t->number = ovr_arena_take(&t->profile->arena, *n, sizeof(long), err);

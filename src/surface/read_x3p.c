@@ -300,7 +300,7 @@ static ovr_status read_package(package *k, const ovr_profile_source *source,
     if (!status)
         status = ovr_profile_choose_line(p, source, lines, &line, err);
     if (!status)
-        status = ovr_profile_room(p, n, err);
+        status = ovr_profile_reserve(p, n, err);
     if (!status)
         status = *x->data ? read_binary(k, x, n, lines, line, err)
                           : read_inline(k, x, n, lines, line, err);

@@ -290,15 +290,16 @@ static void press(ovr_rough_pair *pair, const ovr_dry_contact *dry, int k,
     }
 }
 
-ovr_status ovr_rough_pair_room(ovr_rough_pair *pair, ovr_touch_table *t,
-                               ovr_arena *arena, ovr_error *err)
+ovr_status ovr_rough_pair_reserve(ovr_rough_pair *pair, ovr_touch_table *t,
+                                  ovr_arena *arena, ovr_error *err)
 {
     if (pair->p)
         return OVR_OK;
     pair->points = A_DECADE * DECADES + A_DECADE / 2;
     pair->p = ovr_arena_take(arena, pair->points, sizeof *pair->p, err);
-    pair->room = ovr_arena_take(arena, 5 * pair->n, sizeof *pair->room, err);
-    if (!pair->p || !pair->room ||
+    pair->workspace = ovr_arena_take(arena, 5 * pair->n,
+                                     sizeof *pair->workspace, err);
+    if (!pair->p || !pair->workspace ||
         ovr_touch_table_take(t, pair->points, arena, err))
         return OVR_NO_MEMORY;
     for (int k = 0; k < 2; k++) {
@@ -344,14 +345,14 @@ ovr_status ovr_rough_pair_law(ovr_rough_pair *pair, ovr_touch_table *t,
                               ovr_arena *arena, ovr_error *err)
 {
     size_t lightest = 0;
-    ovr_status status = ovr_rough_pair_room(pair, t, arena, err);
+    ovr_status status = ovr_rough_pair_reserve(pair, t, arena, err);
     if (status)
         return status;
     const ovr_dry_contact dry = {.n = pair->n,
                                  .length = pair->length,
                                  .modulus = pair->modulus,
                                  .enough = 1e-6,
-                                 .room = pair->room + 2 * pair->n};
+                                 .workspace = pair->workspace + 2 * pair->n};
     measure(pair);
     if (!(pair->slope > 0))
         return ovr_fail(err, OVR_BAD_INPUT, "the profiles are smooth");
@@ -360,7 +361,7 @@ ovr_status ovr_rough_pair_law(ovr_rough_pair *pair, ovr_touch_table *t,
         pair->p[j] = pair->modulus * pair->slope *
                      pow(10, (double)j / A_DECADE - DECADES);
     for (int k = 0; k < places_of(pair); k++)
-        press(pair, &dry, k, pair->room, t, &lightest);
+        press(pair, &dry, k, pair->workspace, t, &lightest);
     if (2 * lightest > pair->points)
         return ovr_fail(err, OVR_NOT_CONVERGED,
                         "the dry contact of the profiles was not found below "

@@ -38,7 +38,7 @@ typedef struct ovr_rough_pair {
     size_t points;
     double *p;           /* rising */
     double *pressure[2]; /* P_sj, j by j; NULL: smooth */
-    double *room;        /* 5 n */
+    double *workspace;   /* 5 n */
 } ovr_rough_pair;
 
 /* Takes features that are profiles or random roughness, one a surface and at
@@ -60,11 +60,11 @@ ovr_status ovr_rough_pair_take(ovr_rough_pair *pair, size_t n, double length,
                                const double *const z[2], ovr_arena *arena,
                                ovr_error *err);
 
-/* Room for its laws and their table, unless it has it. */
-ovr_status ovr_rough_pair_room(ovr_rough_pair *pair, ovr_touch_table *table,
-                               ovr_arena *arena, ovr_error *err);
+/* Space for its laws and their table, unless it has it. */
+ovr_status ovr_rough_pair_reserve(ovr_rough_pair *pair, ovr_touch_table *table,
+                                  ovr_arena *arena, ovr_error *err);
 
-/* The law of its heights as they are; takes room where there is none. */
+/* The law of its heights as they are; takes space where there is none. */
 ovr_status ovr_rough_pair_law(ovr_rough_pair *pair, ovr_touch_table *table,
                               ovr_arena *arena, ovr_error *err);
 

@@ -218,33 +218,34 @@ static ovr_status check_size(const ovr_feature_form *form,
 
 /* "depth or height", with what stands between two. */
 static const char *names_of(unsigned set, const char *between, char *text,
-                            size_t room)
+                            size_t capacity)
 {
     size_t used = 0;
     text[0] = 0;
     for (int k = 0; k < SIZES; k++)
-        if (set >> k & 1 && used < room) {
-            int more = snprintf(text + used, room - used, "%s%s",
+        if (set >> k & 1 && used < capacity) {
+            int more = snprintf(text + used, capacity - used, "%s%s",
                                 used ? between : "", sizes[k].name);
-            used += more > 0 ? (size_t)more : room;
+            used += more > 0 ? (size_t)more : capacity;
         }
     return text;
 }
 
 /* Parts of a list, those that are there. */
-static void join(char *text, size_t room, const char *const *part, size_t parts)
+static void join(char *text, size_t capacity, const char *const *part,
+                 size_t parts)
 {
     size_t used = 0;
     text[0] = 0;
     for (size_t k = 0; k < parts; k++)
-        if (part[k] && *part[k] && used < room) {
-            int more = snprintf(text + used, room - used, "%s%s",
+        if (part[k] && *part[k] && used < capacity) {
+            int more = snprintf(text + used, capacity - used, "%s%s",
                                 used ? ", " : "", part[k]);
-            used += more > 0 ? (size_t)more : room;
+            used += more > 0 ? (size_t)more : capacity;
         }
 }
 
-int ovr_shape_takes(int shape, char *text, size_t room)
+int ovr_shape_takes(int shape, char *text, size_t capacity)
 {
     if (!text)
         return 0;
@@ -261,11 +262,11 @@ int ovr_shape_takes(int shape, char *text, size_t room)
     names_of(allowed & ~edge, ", ", sizes_of, sizeof sizes_of);
     names_of(allowed & edge, " or ", flank, sizeof flank);
     join(may, sizeof may, (const char *[]){sizes_of, flank}, 2);
-    int used = snprintf(text, room, "needs %s%s%s", needed,
+    int used = snprintf(text, capacity, "needs %s%s%s", needed,
                         *may ? "; may have " : "", may);
     if (!(rule->needed & SET(width)))
         return used;
-    size_t left = (size_t)used < room ? room - (size_t)used : 0;
+    size_t left = (size_t)used < capacity ? capacity - (size_t)used : 0;
     return used + snprintf(left ? text + used : NULL, left,
                            ".  Instead of width: %s; at half its depth it is "
                            "%.3g of its width",
@@ -476,7 +477,7 @@ static ovr_status check_proportions(const ovr_feature *f, ovr_error *err)
     if (f->shape == OVR_CHIRP && 2 * f->flank > f->length)
         return ovr_fail_about(
             err, "length",
-            "feature '%s': length = %g leaves no room for its two "
+            "feature '%s': length = %g leaves no space for its two "
             "flanks of %g",
             f->name, f->length, f->flank);
     return OVR_OK;

@@ -223,7 +223,7 @@ static ovr_status check(random_surface *s, ovr_error *err)
     return OVR_OK;
 }
 
-static ovr_status make_room(random_surface *s, ovr_arena *arena, ovr_error *err)
+static ovr_status reserve(random_surface *s, ovr_arena *arena, ovr_error *err)
 {
     s->waves = (size_t)(s->form->length / s->shortest * (1 + 1e-12));
     for (s->n = 16; s->n < 8 * s->waves;)
@@ -242,7 +242,7 @@ static ovr_status hand_over(const random_surface *s, ovr_profile *p,
                             ovr_error *err)
 {
     size_t n = s->n + 1;
-    ovr_status status = ovr_profile_room(p, n, err);
+    ovr_status status = ovr_profile_reserve(p, n, err);
     if (status)
         return status;
     ovr_profile_regular(p, n, 0, s->form->length / (double)s->n);
@@ -262,7 +262,7 @@ static ovr_status synthesize(random_surface *s, ovr_profile *p, ovr_error *err)
 {
     double skewness, kurtosis;
     ovr_arena work = ovr_arena_make(&p->arena.allocator);
-    ovr_status status = make_room(s, &work, err);
+    ovr_status status = reserve(s, &work, err);
     if (!status)
         status = draw(s, &work, err);
     if (!status) {

@@ -22,7 +22,7 @@ typedef struct reading {
     char text[TEXT];
     size_t used;
     bool too_long;
-    size_t room; /* for inline data */
+    size_t capacity; /* for inline data */
     const char *wrong;
     long line;
 } reading;
@@ -53,9 +53,9 @@ static double number_of(reading *r, ovr_line text)
     return value;
 }
 
-static void copy_text(reading *r, ovr_line text, char *into, size_t room)
+static void copy_text(reading *r, ovr_line text, char *into, size_t capacity)
 {
-    if (text.size + 1 > room) {
+    if (text.size + 1 > capacity) {
         wrong(r, "the text is too long");
         return;
     }
@@ -80,7 +80,7 @@ static void end_axis(reading *r, ovr_x3p_axis *a, const char *name,
 static void end_datum(reading *r, ovr_line text)
 {
     ovr_x3p *x = r->x3p;
-    if (text.size + 1 > r->room - x->datum_size) {
+    if (text.size + 1 > r->capacity - x->datum_size) {
         wrong(r, "a Datum holds numbers only"); /* letters grow as UTF-8 */
         return;
     }
@@ -199,7 +199,7 @@ static ovr_status run(reading *r, ovr_bytes xml, const char *file,
 ovr_status ovr_x3p_parse(ovr_bytes xml, const char *file, ovr_arena *arena,
                          ovr_x3p *x3p, ovr_error *err)
 {
-    reading r = {.x3p = x3p, .room = xml.size + 1};
+    reading r = {.x3p = x3p, .capacity = xml.size + 1};
     ovr_status status;
     for (int k = 0; k < 3; k++)
         x3p->axis[k].increment = 1;

@@ -98,17 +98,17 @@ static const char *before(void)
 
 /* Of a case: what the way adds to it. */
 static void write_case(const question *q, way w, int level, char *text,
-                       size_t room)
+                       size_t capacity)
 {
-    int n = snprintf(text, room,
+    int n = snprintf(text, capacity,
                      "%s[domain]\ninlet = -4\noutlet = 1.5\nlevel = %d\n",
                      q->text, level);
     char *rest = text + n;
-    room -= (size_t)n;
+    capacity -= (size_t)n;
     if (w == ONE_MESH)
-        snprintf(rest, room, "[time]\nstep = grid\n");
+        snprintf(rest, capacity, "[time]\nstep = grid\n");
     else if (w == BEFORE && !before())
-        snprintf(rest, room,
+        snprintf(rest, capacity,
                  "order = 2\nfaces = arithmetic\n"
                  "[time]\nstep = grid\nscheme = upstream2\n");
 }
@@ -138,12 +138,12 @@ static void read_series(const char *path, test_series *s)
 }
 
 /* The folder's profile, as the case names it. */
-static void link_profile(const char *folder, char *path, size_t room)
+static void link_profile(const char *folder, char *path, size_t capacity)
 {
     char here[400], target[450];
     assert_non_null(getcwd(here, sizeof here));
     snprintf(target, sizeof target, "%s/profiles/ground.csv", here);
-    snprintf(path, room, "%s/ground.csv", folder);
+    snprintf(path, capacity, "%s/ground.csv", folder);
     assert_int_equal(symlink(target, path), 0);
 }
 

@@ -311,10 +311,10 @@ static void release(film *f)
     ovr_case_free(f->c);
 }
 
-static void write_case(char *text, size_t room, double M, double L, int level,
-                       const char *scale, const char *more)
+static void write_case(char *text, size_t capacity, double M, double L,
+                       int level, const char *scale, const char *more)
 {
-    snprintf(text, room,
+    snprintf(text, capacity,
              "[contact]\nM = %g\nL = %g\n%s%s\n[domain]\nlevel = %d\n"
              "inlet = -4\noutlet = 1.5\n[body 1]\nmodulus = 200 GPa\n[body "
              "2]\nmodulus = 200 GPa\n%s",
@@ -364,12 +364,12 @@ static void rest_by_waves(const ovr_layered body[2], const ovr_state *s,
 }
 
 static void put_coating(const char *name, const ovr_layered *body, char *text,
-                        size_t room)
+                        size_t capacity)
 {
     if (!body->layers)
         return;
     size_t used = strlen(text);
-    snprintf(text + used, room - used,
+    snprintf(text + used, capacity - used,
              "[coating %s]\nthickness = %.17g\nmodulus = %.17g GPa\npoisson = "
              "%g\n",
              name, body->thickness[0], 200 * body->layer[0].modulus,

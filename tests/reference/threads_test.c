@@ -23,11 +23,11 @@ typedef struct one_run {
     double H_min, T_H_min;
 } one_run;
 
-static void make_text(const one_run *r, char *text, size_t room)
+static void make_text(const one_run *r, char *text, size_t capacity)
 {
     static const char *const schemes[] = {"upstream1", "upstream2",
                                           "characteristic"};
-    snprintf(text, room,
+    snprintf(text, capacity,
              "[contact]\nM = %d\nL = %d\nslide_to_roll = %g\n"
              "[domain]\nlevel = 5\n[time]\nend = 0.5\nscheme = %s\n"
              "[feature ground]\nshape = roughness\nRq = 0.01\nlength = 3\n"

@@ -21,11 +21,11 @@ typedef struct row {
 
 /* ------------------------------------------------------------ good values */
 
-enum { NODES = 113, ROOM = 1 << 16 };
+enum { NODES = 113, CAPACITY = 1 << 16 };
 
 static void *fresh(void)
 {
-    return calloc(ROOM, 1);
+    return calloc(CAPACITY, 1);
 }
 
 static void *copied(const void *value, size_t size)

@@ -13,7 +13,7 @@ static test_series finest, steps_of_mesh, adaptive; /* large */
 
 /* The case without its steps. */
 static void make_case(uint64_t *state, int level, const char *scheme,
-                      char *text, size_t room)
+                      char *text, size_t capacity)
 {
     double D = 5.5 / (7 << level), M = 10 * pow(10, test_random(state, 0, 1));
     double L = test_random(state, 4, 12);
@@ -22,7 +22,7 @@ static void make_case(uint64_t *state, int level, const char *scheme,
                                                  : test_random(state, -1, 1.6);
     double depth = ovr_film_central_moes(M, L) * test_random(state, 0.1, 0.6);
     double start = -4.2 - width, end = (1.2 - start) / (1 + slip / 2) + 0.5;
-    snprintf(text, room,
+    snprintf(text, capacity,
              "[contact]\nM = %.6g\nL = %.6g\nslide_to_roll = %.6g\n"
              "[domain]\ninlet = -4\nlevel = %d\n[feature d]\nshape = dent\n"
              "width = %.6g\ndepth = %.6g\nstart = %.6g\n"

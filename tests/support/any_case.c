@@ -11,12 +11,12 @@
 #include "simulation/simulation.h"
 #include "test.h"
 
-enum { MOST_KEYS = 12, ROOM = 200, MOST_STEPS = 40 };
+enum { MOST_KEYS = 12, CAPACITY = 200, MOST_STEPS = 40 };
 
 typedef struct draw {
     uint64_t state;
     char base[800];
-    char key[MOST_KEYS][ROOM], value[MOST_KEYS][ROOM];
+    char key[MOST_KEYS][CAPACITY], value[MOST_KEYS][CAPACITY];
     int keys;
 } draw;
 
@@ -106,7 +106,7 @@ static void put_number(draw *d, const ovr_parameter *p, char *text)
     double value = number_of(d, p);
     if (p->kind == OVR_INTEGER)
         value = floor(fmin(value + test_random(&d->state, 0, 9), 50));
-    snprintf(text, ROOM, "%.6g%s%s", value, bare ? "" : " ",
+    snprintf(text, CAPACITY, "%.6g%s%s", value, bare ? "" : " ",
              bare ? "" : ovr_unit_si(p->dimension));
 }
 
@@ -115,7 +115,7 @@ static void put_numbers(draw *d, const ovr_parameter *p, char *text)
     int count = (int)test_random(&d->state, 1, 5);
     text[0] = 0;
     for (int k = 0; k < count; k++) {
-        char one[ROOM / 5];
+        char one[CAPACITY / 5];
         put_number(d, p, one);
         strcat(strcat(text, k ? ", " : ""), one);
     }
@@ -128,14 +128,15 @@ static void value_of(draw *d, const ovr_parameter *p, char *text)
         words++;
     if (words &&
         (p->kind == OVR_CHOICE || p->kind == OVR_WORDS || chance(d, 0.3)))
-        snprintf(text, ROOM, "%s",
+        snprintf(text, CAPACITY, "%s",
                  p->words[(int)test_random(&d->state, 0, words)].name);
     else if (p->kind == OVR_FLAG)
-        snprintf(text, ROOM, "%s", chance(d, 0.5) ? "yes" : "no");
+        snprintf(text, CAPACITY, "%s", chance(d, 0.5) ? "yes" : "no");
     else if (p->kind == OVR_TEXT)
-        snprintf(text, ROOM, "a survey, 1 um");
+        snprintf(text, CAPACITY, "a survey, 1 um");
     else if (p->kind == OVR_PATH)
-        snprintf(text, ROOM, "%s", files[(int)test_random(&d->state, 0, 3)]);
+        snprintf(text, CAPACITY, "%s",
+                 files[(int)test_random(&d->state, 0, 3)]);
     else if (p->kind == OVR_NUMBERS)
         put_numbers(d, p, text);
     else
@@ -163,7 +164,7 @@ static void add_key(draw *d)
     if (is_left_out(p, section->name))
         return;
     value_of(d, p, d->value[d->keys]);
-    snprintf(d->key[d->keys], ROOM, section->named ? "%s %s.%s" : "%s%s.%s",
+    snprintf(d->key[d->keys], CAPACITY, section->named ? "%s %s.%s" : "%s%s.%s",
              section->name, section->named ? "f" : "", p->key);
     d->keys++;
     ovr_case *c = make(d, &err);
@@ -285,8 +286,8 @@ static double film_on(const draw *d, const char *level, int *order,
         ovr_case_free(c);
         c = NULL;
     }
-    budget room = {(size_t)1 << 30};
-    const ovr_allocator within = {take_within, give_back, &room};
+    budget capacity = {(size_t)1 << 30};
+    const ovr_allocator within = {take_within, give_back, &capacity};
     ovr_run *run = c ? ovr_run_create(c, &how, &within, &err) : NULL;
     if (run && !ovr_run_go(run, &err)) {
         const ovr_run_info *about = ovr_run_about(run);
@@ -332,8 +333,8 @@ static int try(const draw *d, int *solved)
     how.data = &w;
     how.stop = stop;
     how.say = listen;
-    budget room = {(size_t)1 << 30};
-    const ovr_allocator within = {take_within, give_back, &room};
+    budget capacity = {(size_t)1 << 30};
+    const ovr_allocator within = {take_within, give_back, &capacity};
     ovr_run *run = c ? ovr_run_create(c, &how, &within, &err) : NULL;
     int wrong = 0;
     if (run) {

@@ -16,10 +16,10 @@ static double spread(uint64_t *seed, double least, double most)
 }
 
 static size_t put_layer(uint64_t *seed, const char *name, char *text,
-                        size_t room)
+                        size_t capacity)
 {
     double t = spread(seed, 0.003, 1), E = spread(seed, 0.01, 5);
-    return (size_t)snprintf(text, room,
+    return (size_t)snprintf(text, capacity,
                             "[coating %s]\nthickness = %.6g\nmodulus = %.6g "
                             "GPa\npoisson = %.3f\n",
                             name, t, 200 * E, test_random(seed, 0.1, 0.49));
@@ -27,20 +27,20 @@ static size_t put_layer(uint64_t *seed, const char *name, char *text,
 
 /* Layers of 0.01 to 5 times the modulus, 0.003 to 1 b thick, every third of
  * them on another one, every third on both bodies. */
-static void put_layers(uint64_t *seed, char *text, size_t room)
+static void put_layers(uint64_t *seed, char *text, size_t capacity)
 {
-    size_t used = put_layer(seed, "1", text, room);
+    size_t used = put_layer(seed, "1", text, capacity);
     if (test_random(seed, 0, 3) < 1)
-        used += put_layer(seed, "1b", text + used, room - used);
+        used += put_layer(seed, "1b", text + used, capacity - used);
     if (test_random(seed, 0, 3) < 1)
-        put_layer(seed, "2", text + used, room - used);
+        put_layer(seed, "2", text + used, capacity - used);
 }
 
 /* ph of 0.1 GPa, so that strains are small with any of these. */
 static void put_contact(double M, double L, double slide, int order, char *text,
-                        size_t room)
+                        size_t capacity)
 {
-    snprintf(text, room,
+    snprintf(text, capacity,
              "[contact]\nM = %.6g\nL = %.6g\nhertz_pressure = 0.1 GPa\n"
              "slide_to_roll = %g\n[domain]\nlevel = 7\norder = %d\n"
              "[body 1]\nmodulus = 200 GPa\n[body 2]\nmodulus = 200 GPa\n",

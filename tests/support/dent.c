@@ -7,7 +7,7 @@
 #include <string.h>
 
 static const double *field_of(const void *source, const ovr_observable *which,
-                              double *room)
+                              double *workspace)
 {
     const test_dent *d = source;
     const struct {
@@ -20,8 +20,8 @@ static const double *field_of(const void *source, const ovr_observable *which,
         if (strcmp(which->name, field[k].name) == 0)
             return field[k].values;
     for (size_t i = 0; i < d->n; i++)
-        room[i] = d->P[i] <= 0;
-    return room;
+        workspace[i] = d->P[i] <= 0;
+    return workspace;
 }
 
 void test_dent_init(test_dent *d, size_t n, double dT)

@@ -9,12 +9,12 @@
 #include "overroll/run.h"
 #include "test.h"
 
-enum { STEPS = 60, MOST = 2 * (STEPS + 1), ROOM = 4000 };
+enum { STEPS = 60, MOST = 2 * (STEPS + 1), CAPACITY = 4000 };
 
 typedef struct text {
     uint64_t state;
     int length;
-    char all[ROOM];
+    char all[CAPACITY];
 } text;
 
 __attribute__((format(printf, 2, 3))) static void add(text *t,
@@ -22,10 +22,10 @@ __attribute__((format(printf, 2, 3))) static void add(text *t,
 {
     va_list values;
     va_start(values, words);
-    t->length += vsnprintf(t->all + t->length, ROOM - (size_t)t->length, words,
-                           values);
+    t->length += vsnprintf(t->all + t->length, CAPACITY - (size_t)t->length,
+                           words, values);
     va_end(values);
-    assert_true(t->length < ROOM);
+    assert_true(t->length < CAPACITY);
 }
 
 static double between(text *t, double low, double high)
@@ -207,7 +207,7 @@ static bool try(text *t, const char *folder, worst *w)
     static seen near, far;
     domain d, wide;
     ovr_error err = {0};
-    char words[ROOM + 300];
+    char words[CAPACITY + 300];
     if (!solve(t->all, &near, &d, folder, false, &err))
         return false;
     int level = level_of(d.outlet - d.inlet);

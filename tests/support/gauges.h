@@ -45,7 +45,7 @@ typedef struct gauge_text {
     bool backwards;
 } gauge_text;
 
-/* Each returns the bytes written to `out` (GAUGE_BYTES of room). */
+/* Each returns the bytes written to `out` (GAUGE_BYTES of space). */
 size_t gauge_as_text(const gauge *g, const gauge_text *how, char *out);
 /* type: 0..7 as in SDF; *step is the height of one unit. */
 size_t gauge_as_sdf_text(const gauge *g, char *out);

@@ -104,10 +104,10 @@ static void bad_value(const ovr_parameter_info *p, const char *value)
 
 /* The value in the SI unit, where a unit must be. */
 static void put_number(const ovr_parameter_info *p, double value, char *number,
-                       size_t room)
+                       size_t capacity)
 {
     bool unit = *p->units && !*p->bare;
-    snprintf(number, room, "%.17g%s%.*s", value, unit ? " " : "",
+    snprintf(number, capacity, "%.17g%s%.*s", value, unit ? " " : "",
              unit ? (int)strcspn(p->units, ",") : 0, p->units);
 }
 

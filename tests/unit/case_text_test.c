@@ -10,7 +10,7 @@
 
 #include "overroll/case.h"
 
-enum { TRIES = 120, ROOM = 400 };
+enum { TRIES = 120, CAPACITY = 400 };
 
 static uint64_t seed = 15;
 
@@ -27,7 +27,7 @@ static bool of_type(const ovr_parameter_info *p, const char *type)
 static void add(char *text, const char *more)
 {
     size_t used = strlen(text);
-    snprintf(text + used, ROOM - used, "%s", more);
+    snprintf(text + used, CAPACITY - used, "%s", more);
 }
 
 /* A number within the range, long or short, with its unit. */
@@ -135,7 +135,7 @@ static bool try_setting(const ovr_parameter_info *p, const char *value)
 static bool try_line(const ovr_parameter_info *p, const char *value)
 {
     ovr_error err = {0};
-    char text[ROOM + 200];
+    char text[CAPACITY + 200];
     ovr_case *c;
     snprintf(text, sizeof text, "[%s%s]\n%s = %s\n[time]\n", p->section,
              test_block_name(p->section), p->key, value);
@@ -159,7 +159,7 @@ static void what_is_accepted_survives(void **state)
         ovr_parameter_info p = ovr_parameter_at(k);
         int taken = 0;
         for (int i = 0; i < TRIES; i++) {
-            char value[ROOM] = "";
+            char value[CAPACITY] = "";
             if (i % 2)
                 put_right(&p, value);
             if (i % 4 != 1)

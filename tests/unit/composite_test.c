@@ -94,7 +94,8 @@ static double hat(double x, void *d)
 static void kernel_is_a_hats(void **state)
 {
     const double at[] = {0, 0.5, 1, 1.5, 2, 3.25, 7, 7.9999, 8, 30, 400};
-    gsl_integration_workspace *room = gsl_integration_workspace_alloc(1000);
+    gsl_integration_workspace *workspace = gsl_integration_workspace_alloc(
+        1000);
     (void)state;
     for (size_t k = 0; k < sizeof at / sizeof *at; k++) {
         double d = at[k], D = 0.01, sum, off;
@@ -103,12 +104,12 @@ static void kernel_is_a_hats(void **state)
         size_t count = d > 0 ? 4 : 3;
         if (d == 0)
             points[2] = 1;
-        gsl_integration_qagp(&f, points, count, 1e-13, 1e-12, 1000, room, &sum,
-                             &off);
+        gsl_integration_qagp(&f, points, count, 1e-13, 1e-12, 1000, workspace,
+                             &sum, &off);
         CHECK_NEAR(ovr_deformation_linear(d, D),
                    D * (sum + log(D)) / acos(-1.0), 1e-11 * D);
     }
-    gsl_integration_workspace_free(room);
+    gsl_integration_workspace_free(workspace);
 }
 
 /* -------------------------------------------------------------------- film */

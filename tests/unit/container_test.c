@@ -275,7 +275,7 @@ static void make_filtered(hid_t file, const char *name)
 }
 
 /* A header that cannot grow where it is goes on elsewhere, and HDF5 moves a
- * message there to make room: attributes are listed as they were made. */
+ * message there to make space: attributes are listed as they were made. */
 static void lists_attributes_in_order(void **state)
 {
     const char *path = test_path(*state, "order.h5");

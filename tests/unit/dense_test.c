@@ -27,7 +27,7 @@ static double size_of(size_t m, const double *x)
 
 /* What an elimination leaves of the matrix it was given, at every size about
  * that of a panel, with rows that need exchanging; and beside the plain one, as
- * well as the matrix knows x.  The room behind b may hold anything. */
+ * well as the matrix knows x.  The space behind b may hold anything. */
 static void dense_solver_solves(void **state)
 {
     static double A[MOST * STRIDE], plain[MOST];

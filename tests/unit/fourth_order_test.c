@@ -199,11 +199,12 @@ static double deformation(double X)
 {
     enum { SIZE = 200 };
     double points[3] = {-1, X, 1}, value, error;
-    gsl_integration_workspace *room = gsl_integration_workspace_alloc(SIZE);
+    gsl_integration_workspace *workspace = gsl_integration_workspace_alloc(
+        SIZE);
     gsl_function f = {weighted, &X};
-    gsl_integration_qagp(&f, points, 3, 1e-13, 1e-13, SIZE, room, &value,
+    gsl_integration_qagp(&f, points, 3, 1e-13, 1e-13, SIZE, workspace, &value,
                          &error);
-    gsl_integration_workspace_free(room);
+    gsl_integration_workspace_free(workspace);
     return value / 3.14159265358979323846;
 }
 

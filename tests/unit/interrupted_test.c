@@ -45,11 +45,11 @@ static ovr_status look(void *data, const ovr_simulation *sim, ovr_error *err)
     return OVR_OK;
 }
 
-static void add(char *to, size_t room, const char *text)
+static void add(char *to, size_t capacity, const char *text)
 {
     size_t used = strlen(to);
-    assert_true(used + strlen(text) + 2 < room);
-    snprintf(to + used, room - used, "%s\n", text);
+    assert_true(used + strlen(text) + 2 < capacity);
+    snprintf(to + used, capacity - used, "%s\n", text);
 }
 
 static void take(void *data, const ovr_summary_line *line)

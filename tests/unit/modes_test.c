@@ -91,7 +91,7 @@ static void begin_steady(surface *s)
 /* T in q b/k, N = sqrt(kappa/pi) at um = 1, a step on; the largest. */
 static double look(surface *s)
 {
-    static double room[MOST], fields[MOST * OVR_SWEPT];
+    static double workspace[MOST], fields[MOST * OVR_SWEPT];
     const ovr_modes_look l = {.run = ovr_kernels_choose(NULL),
                               .departures = &s->departures,
                               .spread = &s->spread,
@@ -99,7 +99,7 @@ static double look(surface *s)
                               .weight = s->memory.weight,
                               .psi = s->psi,
                               .q = s->q,
-                              .room = room,
+                              .workspace = workspace,
                               .fields = fields,
                               .past = s->T,
                               .before = s->before};

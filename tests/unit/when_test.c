@@ -266,7 +266,7 @@ static void histories_of_steady_contacts_are_said(void **state)
     assert_int_equal(h.warnings, 0);
 }
 
-/* A steady solution has no room for what passes. */
+/* A steady solution has no space for what passes. */
 static void features_left_out_are_said(void **state)
 {
     heard h = review("[contact]\nM = 20\nL = 10\n[domain]\nlevel = 8\n"

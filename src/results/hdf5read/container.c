@@ -220,18 +220,19 @@ bool ovr_object_items(ovr_source *source, uint64_t object, unsigned target,
                       ovr_items *items)
 {
     unsigned info = target == OVR_ITEM_LINK ? LINK_INFO : ATTRIBUTE_INFO, kind;
-    size_t room = count_messages(source, object, target), count = 0;
+    size_t capacity = count_messages(source, object, target), count = 0;
     ovr_items apart = {NULL, NULL, 0};
     ovr_piece body;
     header h;
-    items->item = ovr_arena_take(source->arena, room, sizeof body, NULL);
-    items->order = ovr_arena_take(source->arena, room, sizeof room, NULL);
+    items->item = ovr_arena_take(source->arena, capacity, sizeof body, NULL);
+    items->order = ovr_arena_take(source->arena, capacity, sizeof capacity,
+                                  NULL);
     source->starved = source->starved || !items->item || !items->order;
     if (!items->item || !items->order)
         return false;
     open_header(&h, source, object);
     while (next_message(&h, &kind, &body))
-        if (kind == target && count < room) {
+        if (kind == target && count < capacity) {
             items->order[count] = h.ordered ? h.order : count;
             items->item[count++] = body;
         } else if (kind == info && !stored_apart(source, info, body, &apart))

@@ -14,7 +14,7 @@ enum { ADDRESS = 8 };
 
 /* ------------------------------------------------------------------ B-tree */
 
-enum { ID_ROOM = 8, DEEPEST = 6, MOST_NODES = 1024 };
+enum { ID_CAPACITY = 8, DEEPEST = 6, MOST_NODES = 1024 };
 
 /* Lists names of objects in a heap. */
 typedef struct tree {
@@ -23,7 +23,7 @@ typedef struct tree {
     size_t id_at, id_size;      /* in a record */
     size_t count_size;          /* of the number of records of a node ... */
     size_t total_size[DEEPEST]; /* ... and of those at and below that depth */
-    unsigned char *id;          /* ID_ROOM bytes each */
+    unsigned char *id;          /* ID_CAPACITY bytes each */
     size_t count, most, nodes;
 } tree;
 
@@ -63,7 +63,8 @@ static bool add_records(tree *t, ovr_piece *node, uint64_t count)
         ovr_piece record = ovr_cut(node, t->record);
         if (t->count == t->most || !record.good)
             return false;
-        memcpy(t->id + ID_ROOM * t->count++, record.at + t->id_at, t->id_size);
+        memcpy(t->id + ID_CAPACITY * t->count++, record.at + t->id_at,
+               t->id_size);
     }
     return node->good;
 }
@@ -116,7 +117,7 @@ static bool list(tree *t, uint64_t at)
     if (!find_form(t, kind) || depth >= DEEPEST || all > OVR_MOST_ITEMS)
         return false;
     t->most = (size_t)all;
-    t->id = ovr_arena_take(t->source->arena, t->most, ID_ROOM, NULL);
+    t->id = ovr_arena_take(t->source->arena, t->most, ID_CAPACITY, NULL);
     t->source->starved = t->source->starved || !t->id;
     find_sizes(t);
     return t->id &&
@@ -179,7 +180,7 @@ static bool open_heap(heap *h)
     return b.good && !filters && power_of_two(h->width) && h->width <= 64 &&
            power_of_two(h->start) && power_of_two(h->largest) &&
            h->start <= h->largest && h->largest <= 1u << 20 && bits <= 40 &&
-           h->rows <= 40 && h->id_size <= ID_ROOM &&
+           h->rows <= 40 && h->id_size <= ID_CAPACITY &&
            1 + h->offset_size + h->length_size <= h->id_size;
 }
 
@@ -303,7 +304,7 @@ bool ovr_heap_items(ovr_source *source, uint64_t at, uint64_t tree_at,
     if (!items->item)
         return false;
     for (; items->count < t.count; items->count++)
-        if (!find_object(&h, t.id + ID_ROOM * items->count,
+        if (!find_object(&h, t.id + ID_CAPACITY * items->count,
                          &items->item[items->count]))
             return false;
     return true;
