@@ -4,12 +4,12 @@
 #define OVERROLL_OVERROLL_H
 
 #include "overroll/case.h"
+#include "overroll/conflicts.h"
 #include "overroll/contact.h"
 #include "overroll/elements.h"
 #include "overroll/error.h"
 #include "overroll/heat.h"
 #include "overroll/memory.h"
-#include "overroll/parts.h"
 #include "overroll/pictures.h"
 #include "overroll/profile.h"
 #include "overroll/questions.h"

@@ -112,7 +112,7 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
     if (!status)
         status = ovr_resolve_plastic(r, err);
     if (!status)
-        status = ovr_resolve_parts(r, err);
+        status = ovr_resolve_conflicts(r, err);
     if (!status)
         status = ovr_resolve_plastic_time(r, err);
     if (!status)

@@ -121,8 +121,8 @@ ovr_status ovr_resolve_features(ovr_resolved *r, ovr_error *err);
 /* [output], once heat and cavitation are known. */
 ovr_status ovr_resolve_output(ovr_resolved *r, ovr_error *err);
 
-/* Refuses parts of the case that do not go together. */
-ovr_status ovr_resolve_parts(const ovr_resolved *r, ovr_error *err);
+/* Refuses features of the case that do not go together. */
+ovr_status ovr_resolve_conflicts(const ovr_resolved *r, ovr_error *err);
 
 ovr_status ovr_symmetric_domain(ovr_resolved *r, bool inlet, bool outlet,
                                 ovr_error *err);

@@ -45,10 +45,10 @@ static int list_topics(const cli_call *call)
         printf("  %s\n", ovr_section_name(k));
         put_wrapped(ovr_section_help(k));
     }
-    puts("\noverroll help units    how numbers and units are written\n"
-         "overroll help pairs    what does not go together, and why\n"
-         "overroll help KEY      one key of the case file\n"
-         "overroll help SHAPE    a shape of feature: what it needs\n");
+    puts("\noverroll help units      how numbers and units are written\n"
+         "overroll help conflicts  what does not go together, and why\n"
+         "overroll help KEY        one key of the case file\n"
+         "overroll help SHAPE      a shape of feature: what it needs\n");
     printf("And on");
     for (size_t k = 0; cli_topic_name(k); k++)
         printf("%s %s", k ? "," : "", cli_topic_name(k));
@@ -300,7 +300,7 @@ static int roff(void)
                 roff_parameter(&p);
         }
     }
-    cli_roff_pairs();
+    cli_roff_conflicts();
     return CLI_DONE;
 }
 
@@ -369,8 +369,8 @@ static int run(cli_call *call)
         cli_print_help(verb, stdout);
     else if (!strcmp(topic, "units"))
         cli_help_units();
-    else if (!strcmp(topic, "pairs"))
-        return cli_help_pairs();
+    else if (!strcmp(topic, "conflicts") || !strcmp(topic, "pairs"))
+        return cli_help_conflicts();
     else if (!help_section(topic) && !cli_help_topic(topic) &&
              !help_shape(topic) && !help_key(topic))
         return no_topic(call, topic);

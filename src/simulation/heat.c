@@ -2,9 +2,9 @@
 /* Heat in a steady contact (equations in heat.h). */
 #include "base/given.h"
 #include "base/larger.h"
+#include "simulation/conflicts.h"
 #include "simulation/heat_in_time.h"
 #include "simulation/heat_outer.h"
-#include "simulation/parts.h"
 #include "simulation/physics.h"
 #include "simulation/quantity_row.h"
 #include "simulation/steady.h"
@@ -23,8 +23,9 @@ enum { CROSS_FILM_MIN = 5 };
 
 static ovr_status check(const ovr_simulation *sim, ovr_error *err)
 {
-    return ovr_parts_check(
-        ovr_parts_of(&sim->options) | ovr_part_bit(OVR_PART_HEAT, true), err);
+    return ovr_conflict_check(ovr_model_features_of(&sim->options) |
+                                  ovr_model_feature_bit(OVR_MODEL_HEAT, true),
+                              err);
 }
 
 static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
@@ -79,7 +80,7 @@ static ovr_status take_heat(ovr_simulation *sim, const void *form, void **own,
     if (take_arrays(sim, h, err))
         return OVR_NO_MEMORY;
     *own = sim->heated = h;
-    sim->parts |= ovr_part_bit(OVR_PART_HEAT, true);
+    sim->features |= ovr_model_feature_bit(OVR_MODEL_HEAT, true);
     if (ovr_heat_film_take(sim, err) || ovr_heat_outer_take(sim, err) ||
         ovr_heat_steps_take(sim, err))
         return OVR_NO_MEMORY;

@@ -131,7 +131,8 @@ struct ovr_simulation {
     bool grown;        /* by it features grow (growth.c) */
     ovr_target target; /* the steady start */
     int order;         /* reached by it */
-    unsigned parts;    /* parts.h, of physics that the options do not know */
+    unsigned
+        features; /* conflicts.h, of physics that the options do not know */
     double largest_error; /* adaptive: a step with more is not accepted */
     double *S_past;       /* surface one step ago */
     double *stress;       /* mean over the film, at half nodes */

@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "contact/contact.h"
 #include "contact/reversal.h"
-#include "simulation/parts.h"
+#include "simulation/conflicts.h"
 #include "simulation/physics.h"
 
 static bool always(const ovr_options *o)
@@ -77,9 +77,10 @@ static ovr_status check(const ovr_simulation *sim, const void *own,
     (void)own;
     if (!ovr_history_reverses(sim->speed))
         return OVR_OK;
-    if (ovr_parts_check(ovr_parts_of(&sim->options) | sim->parts |
-                            ovr_part_bit(OVR_PART_REVERSAL, true),
-                        err))
+    if (ovr_conflict_check(ovr_model_features_of(&sim->options) |
+                               sim->features |
+                               ovr_model_feature_bit(OVR_MODEL_REVERSAL, true),
+                           err))
         return OVR_BAD_INPUT;
     if (fabs(X_a + X_b) > 1e-12 * X_b)
         return ovr_fail_about(err, "outlet",

@@ -7,9 +7,9 @@
 #include "contact/contact.h"
 #include "contact/film_formula.h"
 #include "contact/starvation.h"
+#include "simulation/conflicts.h"
 #include "simulation/internal.h"
 #include "simulation/limits.h"
-#include "simulation/parts.h"
 #include "simulation/refined.h"
 #include "simulation/simulation.h"
 
@@ -211,7 +211,7 @@ static bool corrects(const ovr_options *o)
     if (o->cavitation == OVR_CAVITATION_CONSERVING &&
         o->scheme != OVR_CHARACTERISTIC)
         return false;
-    return !ovr_parts_conflict(ovr_parts_of(&with));
+    return !ovr_conflict_among(ovr_model_features_of(&with));
 }
 
 static ovr_status check_order(const ovr_options *o, ovr_error *err)
@@ -269,7 +269,8 @@ ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,
 {
     ovr_options_domain(contact, o);
     if (check_numbers(o, err) || check(o, err) || check_order(o, err) ||
-        ovr_parts_check(ovr_parts_of(o), err) || check_refine(o, err))
+        ovr_conflict_check(ovr_model_features_of(o), err) ||
+        check_refine(o, err))
         return OVR_BAD_INPUT;
     if (!o->order)
         o->order = corrects(o) ? 4 : 2;

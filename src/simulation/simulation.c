@@ -9,7 +9,7 @@
 #include "multigrid/field.h"
 #include "multigrid/hybrid.h"
 #include "multigrid/line.h"
-#include "simulation/parts.h"
+#include "simulation/conflicts.h"
 #include "simulation/physics.h"
 
 static ovr_status take_fields(ovr_simulation *sim, ovr_error *err)
@@ -149,9 +149,10 @@ ovr_simulation *ovr_simulation_create(const ovr_contact *contact,
         return NULL;
     if (ovr_options_resolve(&of, &resolved, err))
         return NULL;
-    if (ovr_parts_check(
-            ovr_parts_of(&resolved) |
-                ovr_part_bit(OVR_PART_FLOW_LAW, oil.rheology != OVR_NEWTONIAN),
+    if (ovr_conflict_check(
+            ovr_model_features_of(&resolved) |
+                ovr_model_feature_bit(OVR_MODEL_FLOW_LAW,
+                                      oil.rheology != OVR_NEWTONIAN),
             err))
         return NULL;
     sim = set_up(ovr_arena_make(allocator), &of, &oil, &resolved, err);

@@ -17,8 +17,8 @@
 #include "base/given.h"
 #include "contact/contact.h"
 #include "multigrid/touching.h"
+#include "simulation/conflicts.h"
 #include "simulation/mirror.h"
-#include "simulation/parts.h"
 #include "simulation/physics.h"
 #include "simulation/step_cycles.h"
 
@@ -268,9 +268,9 @@ static bool departures_are_there(const ovr_simulation *sim, double dT)
 
 static ovr_status check(const ovr_simulation *sim, double dT, ovr_error *err)
 {
-    if (ovr_parts_check(ovr_parts_of(&sim->options) |
-                            ovr_part_bit(OVR_PART_TIME, true),
-                        err))
+    if (ovr_conflict_check(ovr_model_features_of(&sim->options) |
+                               ovr_model_feature_bit(OVR_MODEL_TIME, true),
+                           err))
         return OVR_BAD_INPUT;
     if (!sim->started)
         return ovr_fail(err, OVR_BAD_INPUT,

@@ -12,7 +12,7 @@
 #include "support/test.h"
 
 #include "overroll/overroll.h"
-#include "simulation/parts.h"
+#include "simulation/conflicts.h"
 
 /* A rolling steel contact with some sliding; 20 steps of one mesh. */
 static const char *const base[] = {"contact.load=60 kN/m",
@@ -37,75 +37,75 @@ enum { SETTINGS = 11 };
 
 /* How a case turns a part on; some parts have several ways. */
 static const struct way {
-    ovr_part part;
+    ovr_model_feature part;
     const char *set[SETTINGS];
 } ways[] = {
-    {OVR_PART_TIME, {"time.end=0.58"}},
-    {OVR_PART_UPSTREAM1, {"time.scheme=upstream1"}},
-    {OVR_PART_UPSTREAM2, {"time.scheme=upstream2"}},
-    {OVR_PART_CHARACTERISTIC, {"time.scheme=characteristic"}},
-    {OVR_PART_ORDER_2, {"domain.order=2"}},
-    {OVR_PART_ORDER_4, {"domain.order=4"}},
-    {OVR_PART_PAPER_SMOOTHER, {"paper.smoother=hybrid"}},
-    {OVR_PART_PAPER_BALANCE, {"paper.paper_balance=yes"}},
-    {OVR_PART_FIXED_CYCLES, {"solver.stop=fixed", "paper.cycles=20"}},
-    {OVR_PART_ADAPTIVE, {"time.step=adaptive"}},
-    {OVR_PART_LOAD,
+    {OVR_MODEL_TIME, {"time.end=0.58"}},
+    {OVR_MODEL_UPSTREAM1, {"time.scheme=upstream1"}},
+    {OVR_MODEL_UPSTREAM2, {"time.scheme=upstream2"}},
+    {OVR_MODEL_CHARACTERISTIC, {"time.scheme=characteristic"}},
+    {OVR_MODEL_ORDER_2, {"domain.order=2"}},
+    {OVR_MODEL_ORDER_4, {"domain.order=4"}},
+    {OVR_MODEL_PAPER_SMOOTHER, {"paper.smoother=hybrid"}},
+    {OVR_MODEL_PAPER_BALANCE, {"paper.paper_balance=yes"}},
+    {OVR_MODEL_FIXED_CYCLES, {"solver.stop=fixed", "paper.cycles=20"}},
+    {OVR_MODEL_ADAPTIVE, {"time.step=adaptive"}},
+    {OVR_MODEL_LOAD,
      {"load.history=ramp", "load.from=1", "load.to=1.1", "load.duration=0.5"}},
-    {OVR_PART_SPEED,
+    {OVR_MODEL_SPEED,
      {"speed.history=ramp", "speed.from=1", "speed.to=0.9",
       "speed.duration=0.5"}},
-    {OVR_PART_REVERSAL,
+    {OVR_MODEL_REVERSAL,
      {"speed.history=ramp", "speed.from=0.2", "speed.to=-0.2",
       "speed.duration=0.5"}},
-    {OVR_PART_SLIDING,
+    {OVR_MODEL_SLIDING,
      {"sliding.history=ramp", "sliding.to=0.2", "sliding.duration=0.5"}},
-    {OVR_PART_RADIUS,
+    {OVR_MODEL_RADIUS,
      {"radius.history=ramp", "radius.to=1.01", "radius.duration=1"}},
-    {OVR_PART_FLOW_LAW,
+    {OVR_MODEL_FLOW_LAW,
      {"lubricant.rheology=eyring", "lubricant.eyring_stress=5 MPa"}},
-    {OVR_PART_FLOW_LAW,
+    {OVR_MODEL_FLOW_LAW,
      {"lubricant.rheology=carreau", "lubricant.carreau_stress=5 MPa",
       "lubricant.carreau_n=0.5", "lubricant.limiting_shear=0.06"}},
-    {OVR_PART_HEAT, {"heat.model=lobatto", "heat.temperature=60 degC"}},
-    {OVR_PART_CONSERVING, {"cavitation.model=conserving"}},
-    {OVR_PART_SUPPLY,
+    {OVR_MODEL_HEAT, {"heat.model=lobatto", "heat.temperature=60 degC"}},
+    {OVR_MODEL_CONSERVING, {"cavitation.model=conserving"}},
+    {OVR_MODEL_SUPPLY,
      {"cavitation.model=conserving", "supply.model=film",
       "supply.thickness_1=1.5 um", "supply.thickness_2=1.5 um",
       "supply.history=ramp", "supply.to=0.9", "supply.duration=0.5"}},
-    {OVR_PART_PASSES,
+    {OVR_MODEL_PASSES,
      {"cavitation.model=conserving", "passes.number=2", "passes.loss=0.1"}},
-    {OVR_PART_STRESS, {"stress.surface=both"}},
-    {OVR_PART_FATIGUE,
+    {OVR_MODEL_STRESS, {"stress.surface=both"}},
+    {OVR_MODEL_FATIGUE,
      {"stress.surface=1", "fatigue.criterion=circle", "fatigue.alpha=0.3"}},
-    {OVR_PART_PLASTIC,
+    {OVR_MODEL_PLASTIC,
      {"stress.surface=1", "plastic.surface=1", "plastic.hardening=kinematic",
       "plastic.yield=0.45 GPa", "plastic.modulus=5 GPa", "plastic.layers=8",
       "plastic.depth_max=0.9"}},
-    {OVR_PART_PATCHES, {"domain.refine=spike", "domain.level=6"}},
-    {OVR_PART_COATING,
+    {OVR_MODEL_PATCHES, {"domain.refine=spike", "domain.level=6"}},
+    {OVR_MODEL_COATING,
      {"coating 1.thickness=60 um", "coating 1.modulus=206 GPa",
       "coating 1.conductivity=2 W/m.K", "coating 1.heat_capacity=1000 J/kg.K",
       "coating 1.density=2000 kg/m3"}},
-    {OVR_PART_OTHER_MODULI,
+    {OVR_MODEL_OTHER_MODULI,
      {"coating 1.thickness=3 um", "coating 1.modulus=100 GPa",
       "coating 1.conductivity=2 W/m.K", "coating 1.heat_capacity=1000 J/kg.K",
       "coating 1.density=2000 kg/m3", "coating 2.thickness=20 um",
       "coating 2.modulus=20 GPa", "coating 2.conductivity=20 W/m.K",
       "coating 2.heat_capacity=500 J/kg.K", "coating 2.density=5000 kg/m3"}},
-    {OVR_PART_BOUNDARY,
+    {OVR_MODEL_BOUNDARY,
      {"boundary.law=exponential", "boundary.Rq=150 nm", "boundary.slope=0.03",
       "boundary.layer=3 nm", "boundary.friction=0.11",
       "boundary.of=unresolved"}},
-    {OVR_PART_MEAN_FILM,
+    {OVR_MODEL_MEAN_FILM,
      {"boundary.law=exponential", "boundary.Rq=150 nm", "boundary.slope=0.03",
       "boundary.of=all"}},
-    {OVR_PART_WEAR,
+    {OVR_MODEL_WEAR,
      {"boundary.law=profile", "feature rough.shape=roughness",
       "feature rough.Rq=150 nm", "feature rough.length=4",
       "boundary.wear_1=1e-7 mm3/Nm", "boundary.passes=8000",
       "boundary.jump=1000"}},
-    {OVR_PART_ROUGHNESS,
+    {OVR_MODEL_ROUGHNESS,
      {"feature rough.shape=roughness", "feature rough.Rq=10 nm",
       "feature rough.length=4", "feature rough.start=-5"}},
 };
@@ -113,9 +113,9 @@ enum { WAYS = sizeof ways / sizeof *ways };
 
 static bool in_time(const struct way *w)
 {
-    return w->part != OVR_PART_WEAR && w->part != OVR_PART_PATCHES &&
-           w->part != OVR_PART_PAPER_SMOOTHER &&
-           w->part != OVR_PART_PAPER_BALANCE;
+    return w->part != OVR_MODEL_WEAR && w->part != OVR_MODEL_PATCHES &&
+           w->part != OVR_MODEL_PAPER_SMOOTHER &&
+           w->part != OVR_MODEL_PAPER_BALANCE;
 }
 
 static void set(ovr_case *c, const char *const *settings, size_t count)
@@ -240,24 +240,26 @@ static void check_resumed(ovr_case *c, const char *path, const ending *whole)
 /* -------------------------------------------------------------------- walk */
 
 /* What a part is nothing without. */
-static ovr_part underneath(ovr_part part)
+static ovr_model_feature underneath(ovr_model_feature part)
 {
-    if (part == OVR_PART_SUPPLY || part == OVR_PART_PASSES)
-        return OVR_PART_CONSERVING;
-    if (part == OVR_PART_MEAN_FILM || part == OVR_PART_WEAR)
-        return OVR_PART_BOUNDARY;
-    return part == OVR_PART_FATIGUE ? OVR_PART_STRESS : part;
+    if (part == OVR_MODEL_SUPPLY || part == OVR_MODEL_PASSES)
+        return OVR_MODEL_CONSERVING;
+    if (part == OVR_MODEL_MEAN_FILM || part == OVR_MODEL_WEAR)
+        return OVR_MODEL_BOUNDARY;
+    return part == OVR_MODEL_FATIGUE ? OVR_MODEL_STRESS : part;
 }
 
-static const ovr_refusal *together(ovr_part a, ovr_part b)
+static const ovr_conflict *together(ovr_model_feature a, ovr_model_feature b)
 {
-    return ovr_parts_conflict(ovr_part_bit(a, true) | ovr_part_bit(b, true));
+    return ovr_conflict_among(ovr_model_feature_bit(a, true) |
+                              ovr_model_feature_bit(b, true));
 }
 
 /* NULL: both work. */
-static const ovr_refusal *refused(const struct way *a, const struct way *b)
+static const ovr_conflict *refused(const struct way *a, const struct way *b)
 {
-    ovr_part parts[4] = {a->part, b->part, OVR_PART_TIME, OVR_PART_TIME};
+    ovr_model_feature parts[4] = {a->part, b->part, OVR_MODEL_TIME,
+                                  OVR_MODEL_TIME};
     size_t n = 2;
     if (in_time(a) && in_time(b))
         n = 3;
@@ -265,7 +267,8 @@ static const ovr_refusal *refused(const struct way *a, const struct way *b)
         for (size_t j = 0; j < i; j++)
             if (together(parts[i], parts[j]))
                 return together(parts[i], parts[j]);
-    const ovr_part under[2] = {underneath(parts[0]), underneath(parts[1])};
+    const ovr_model_feature under[2] = {underneath(parts[0]),
+                                        underneath(parts[1])};
     for (size_t i = 0; i < 2; i++)
         if (together(under[i], parts[1 - i]))
             return together(under[i], parts[1 - i]);
@@ -277,22 +280,22 @@ static const ovr_refusal *refused(const struct way *a, const struct way *b)
 /* Another value of the same key would only replace the first. */
 static bool exclude_each_other(const struct way *a, const struct way *b)
 {
-    ovr_part_info one = ovr_part_at((int)a->part),
-                  other = ovr_part_at((int)b->part);
+    ovr_model_feature_info one = ovr_model_feature_at((int)a->part),
+                           other = ovr_model_feature_at((int)b->part);
     bool same = !strcmp(one.section, other.section);
-    if (a->part == OVR_PART_WEAR || b->part == OVR_PART_WEAR)
+    if (a->part == OVR_MODEL_WEAR || b->part == OVR_MODEL_WEAR)
         return same; /* it has a law of its own */
     return same && !strcmp(one.key, other.key);
 }
 
-static void check_refused(ovr_case *c, const ovr_refusal *why)
+static void check_refused(ovr_case *c, const ovr_conflict *why)
 {
     ovr_error err = {0};
     ovr_setup *setup = ovr_case_resolve(c, NULL, &err);
     assert_null(setup);
     CHECK_ERROR(&err, OVR_BAD_INPUT, "does not go with");
     assert_non_null(strstr(err.message, why->instead));
-    assert_string_equal(err.about, ovr_part_at(why->part).key);
+    assert_string_equal(err.about, ovr_model_feature_at(why->feature).key);
 }
 
 static void check_works(ovr_case *c, const char *path, bool marches)
@@ -327,13 +330,14 @@ void test_walk_pairs(const char *folder, int every)
     for (int a = 0; a < WAYS; a++)
         for (int b = 0; b < a; b++) {
             const struct way *one = &ways[a], *other = &ways[b];
-            const ovr_refusal *why = refused(one, other);
+            const ovr_conflict *why = refused(one, other);
             if (exclude_each_other(one, other))
                 continue;
             bool marches = !why && pairs % every == 0;
             ovr_case *c = combine(one, other);
-            print_message("%s, %s%s\n", ovr_part_at((int)one->part).name,
-                          ovr_part_at((int)other->part).name,
+            print_message("%s, %s%s\n",
+                          ovr_model_feature_at((int)one->part).name,
+                          ovr_model_feature_at((int)other->part).name,
                           why       ? ": refused"
                           : marches ? ": marches"
                                     : "");

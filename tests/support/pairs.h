@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Every two parts that a case is put together from (overroll/parts.h), in a
+/* Every two parts that a case is put together from (overroll/conflicts.h), in a
  * small case: refused as the table says, or at work. */
 #ifndef TESTS_SUPPORT_PAIRS_H
 #define TESTS_SUPPORT_PAIRS_H

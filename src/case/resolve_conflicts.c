@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Refuses the parts of a case that do not go together: of those that are
+/* Refuses the features of a case that do not go together: of those that are
  * written, as what is not gives way. */
 #include <math.h>
 #include <stdio.h>
@@ -7,7 +7,7 @@
 #include "case/coats.h"
 #include "case/resolve.h"
 #include "contact/reversal.h"
-#include "simulation/parts.h"
+#include "simulation/conflicts.h"
 
 bool ovr_runs_in(const ovr_resolved *r)
 {
@@ -15,9 +15,9 @@ bool ovr_runs_in(const ovr_resolved *r)
            ovr_slot_of(r, "boundary", "passes")->number > 0;
 }
 
-static bool is_given(const ovr_resolved *r, int part)
+static bool is_given(const ovr_resolved *r, int feature)
 {
-    ovr_part_info info = ovr_part_at(part);
+    ovr_model_feature_info info = ovr_model_feature_at(feature);
     return ovr_slot_of(r, info.section, info.key)->given;
 }
 
@@ -54,38 +54,40 @@ static bool yields_below_others(const ovr_resolved *r)
 static unsigned written(const ovr_resolved *r)
 {
     const ovr_setup *s = &r->setup;
-    const bool by_setup[] = {OVR_PART_ROWS(BY_SETUP)};
-    unsigned by_options = ovr_parts_of(&r->values.options), on = 0;
-    for (int part = 0; part < OVR_PARTS; part++)
-        if (by_setup[part] || (by_options >> part & 1 && is_given(r, part)))
-            on |= 1U << part;
+    const bool by_setup[] = {OVR_MODEL_FEATURE_ROWS(BY_SETUP)};
+    unsigned by_options = ovr_model_features_of(&r->values.options), on = 0;
+    for (int feature = 0; feature < OVR_MODEL_FEATURES; feature++)
+        if (by_setup[feature] ||
+            (by_options >> feature & 1 && is_given(r, feature)))
+            on |= 1U << feature;
     return on;
 }
 
 /* "[heat] model = lobatto". */
-static void put_name(const ovr_resolved *r, int part, size_t size, char text[])
+static void put_name(const ovr_resolved *r, int feature, size_t size,
+                     char text[])
 {
-    ovr_part_info info = ovr_part_at(part);
+    ovr_model_feature_info info = ovr_model_feature_at(feature);
     const ovr_slot *slot = ovr_slot_of(r, info.section, info.key);
-    if (slot->given && part != OVR_PART_REVERSAL)
+    if (slot->given && feature != OVR_MODEL_REVERSAL)
         snprintf(text, size, "[%s] %s = %s", info.section, info.key,
                  slot->text);
     else
         snprintf(text, size, "%s", info.name);
 }
 
-ovr_status ovr_resolve_parts(const ovr_resolved *r, ovr_error *err)
+ovr_status ovr_resolve_conflicts(const ovr_resolved *r, ovr_error *err)
 {
-    const ovr_refusal *refusal = ovr_parts_conflict(written(r));
+    const ovr_conflict *conflict = ovr_conflict_among(written(r));
     const ovr_slot *slot;
-    ovr_part_info part;
+    ovr_model_feature_info feature;
     char beside[100];
-    if (!refusal)
+    if (!conflict)
         return OVR_OK;
-    part = ovr_part_at(refusal->part);
-    slot = ovr_slot_of(r, part.section, part.key);
-    put_name(r, refusal->beside, sizeof beside, beside);
+    feature = ovr_model_feature_at(conflict->feature);
+    slot = ovr_slot_of(r, feature.section, feature.key);
+    put_name(r, conflict->other, sizeof beside, beside);
     return ovr_fail_slot(err, slot, "%s does not go with %s; %s does",
-                         slot->given ? slot->text : part.name, beside,
-                         refusal->instead);
+                         slot->given ? slot->text : feature.name, beside,
+                         conflict->instead);
 }

@@ -1,0 +1,40 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The features of the model that a simulation is put together from, and the
+ * conflicts between two of them, which are refused.  Every other pair works: it
+ * marches, is resumed to the same bits and keeps mass and load
+ * (tests/cli/pairs_slow_test.c walks them all).
+ */
+#ifndef OVERROLL_CONFLICTS_H
+#define OVERROLL_CONFLICTS_H
+
+#include <stdbool.h>
+
+#include "overroll/error.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* One feature, where a case has it: "heat", "heat", "model". */
+typedef struct ovr_model_feature_info {
+    const char *name, *section, *key;
+    bool whole; /* its section is there or not, whatever it holds */
+} ovr_model_feature_info;
+
+/* Two features that do not go together. */
+typedef struct ovr_conflict {
+    int feature, other;  /* numbers of features */
+    const char *instead; /* what goes in place of `feature` */
+    const char *why;
+} ovr_conflict;
+
+/* The k-th of them; NULL behind the last. */
+OVR_API const ovr_conflict *ovr_conflict_at(size_t k);
+OVR_API ovr_model_feature_info ovr_model_feature_at(int feature);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,105 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The features of a model, and refusing what does not go together
+ * (overroll/conflicts.h). */
+#ifndef OVR_SIMULATION_CONFLICTS_H
+#define OVR_SIMULATION_CONFLICTS_H
+
+#include <stdbool.h>
+
+#include "overroll/conflicts.h"
+#include "overroll/simulation.h"
+
+/*
+ * A feature in a row: its name and what people call it, where a case has it and
+ * whether as a whole section, and when it is on: by the options `o` of a
+ * simulation, which count in a case where their key is written, or by the setup
+ * `s` of the case `r` (case/resolve_conflicts.c).
+ */
+#define OVR_MODEL_FEATURE_ROWS(FEATURE)                                        \
+    FEATURE(TIME, "a run in time", "time", "end", true, false,                 \
+            s->transient &&                                                    \
+                (!ovr_runs_in(r) || ovr_slot_of(r, "time", "end")->given))     \
+    FEATURE(UPSTREAM1, "scheme upstream1", "time", "scheme", false,            \
+            o->scheme == OVR_UPSTREAM1, false)                                 \
+    FEATURE(UPSTREAM2, "scheme upstream2", "time", "scheme", false,            \
+            o->scheme == OVR_UPSTREAM2, false)                                 \
+    FEATURE(CHARACTERISTIC, "scheme characteristic", "time", "scheme", false,  \
+            o->scheme == OVR_CHARACTERISTIC, false)                            \
+    FEATURE(ORDER_2, "order 2", "domain", "order", false, o->order == 2,       \
+            false)                                                             \
+    FEATURE(ORDER_4, "order 4", "domain", "order", false, o->order == 4,       \
+            false)                                                             \
+    FEATURE(PAPER_SMOOTHER, "a smoother of the paper", "paper", "smoother",    \
+            false, o->smoother != OVR_LINE, false)                             \
+    FEATURE(PAPER_BALANCE, "the paper's balance", "paper", "paper_balance",    \
+            false, o->paper_balance, false)                                    \
+    FEATURE(FIXED_CYCLES, "a fixed number of cycles", "solver", "stop", false, \
+            o->stop == OVR_STOP_FIXED, false)                                  \
+    FEATURE(ADAPTIVE, "adaptive steps", "time", "step", false, false,          \
+            s->march->adaptive)                                                \
+    FEATURE(LOAD, "a history of load", "load", "history", false, false,        \
+            s->load != NULL)                                                   \
+    FEATURE(SPEED, "a history of speed", "speed", "history", false, false,     \
+            s->speed != NULL)                                                  \
+    FEATURE(REVERSAL, "a speed that reverses", "speed", "history", false,      \
+            false, ovr_history_reverses(s->speed))                             \
+    FEATURE(SLIDING, "a history of sliding", "sliding", "history", false,      \
+            false, s->sliding != NULL)                                         \
+    FEATURE(RADIUS, "a history of the radius", "radius", "history", false,     \
+            false, s->radius != NULL)                                          \
+    FEATURE(FLOW_LAW, "a flow law", "lubricant", "rheology", false, false,     \
+            s->lubricant->rheology != OVR_NEWTONIAN)                           \
+    FEATURE(HEAT, "heat", "heat", "model", false, false, s->heat != NULL)      \
+    FEATURE(CONSERVING, "cavitation that conserves oil", "cavitation",         \
+            "model", false, o->cavitation == OVR_CAVITATION_CONSERVING, false) \
+    FEATURE(SUPPLY, "a supply that is a film", "supply", "model", false,       \
+            false, s->supply->film)                                            \
+    FEATURE(PASSES, "several passes", "passes", "number", false, false,        \
+            s->passes->number > 1)                                             \
+    FEATURE(STRESS, "stresses", "stress", "surface", true, false,              \
+            s->stress->surfaces != 0)                                          \
+    FEATURE(FATIGUE, "fatigue", "fatigue", "criterion", false, false,          \
+            s->stress->fatigue)                                                \
+    FEATURE(PLASTIC, "a body that yields", "plastic", "surface", true, false,  \
+            r->values.plastic.surfaces != 0)                                   \
+    FEATURE(PATCHES, "patches", "domain", "refine", false,                     \
+            o->refine != OVR_REFINE_NONE, false)                               \
+    FEATURE(COATING, "a coating", "coating", "thickness", true, false,         \
+            ovr_case_find_block(r->c, "coating", NULL) != NULL)                \
+    FEATURE(OTHER_MODULI, "a layer of other moduli on that body", "coating",   \
+            "modulus", false, false, yields_below_others(r))                   \
+    FEATURE(BOUNDARY, "surfaces that touch", "boundary", "law", true, false,   \
+            ovr_case_find_block(r->c, "boundary", NULL) &&                     \
+                ovr_slot_of(r, "boundary", "law")->given)                      \
+    FEATURE(MEAN_FILM, "a law of all roughness", "boundary", "of", false,      \
+            false,                                                             \
+            ovr_case_find_block(r->c, "boundary", NULL) &&                     \
+                ovr_slot_of(r, "boundary", "law")->given &&                    \
+                ovr_slot_of(r, "boundary", "of")->number == 0)                 \
+    FEATURE(WEAR, "running-in", "boundary", "passes", false, false,            \
+            ovr_runs_in(r))                                                    \
+    FEATURE(ROUGHNESS, "roughness on the mesh", "feature", "shape", false,     \
+            false, has_roughness(r))
+
+#define OVR_MODEL_NUMBER(NAME, words, section, key, whole, options, setup)     \
+    OVR_MODEL_##NAME,
+typedef enum ovr_model_feature {
+    OVR_MODEL_FEATURE_ROWS(OVR_MODEL_NUMBER) OVR_MODEL_FEATURES
+} ovr_model_feature;
+#undef OVR_MODEL_NUMBER
+
+static inline unsigned ovr_model_feature_bit(ovr_model_feature feature, bool on)
+{
+    return on ? 1U << feature : 0;
+}
+
+/* Those of the options; order 4 where it is written. */
+unsigned ovr_model_features_of(const ovr_options *o);
+
+/* The first pair of the table of which both are on, or NULL. */
+const ovr_conflict *ovr_conflict_among(unsigned on);
+
+/* Fails with it, about its key. */
+ovr_status ovr_conflict_check(unsigned on, ovr_error *err);
+
+#endif
