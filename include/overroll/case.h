@@ -180,7 +180,9 @@ typedef struct ovr_stress_setup {
 typedef enum ovr_accuracy {
     OVR_ACCURACY_H_CEN,
     OVR_ACCURACY_H_MIN,
-    OVR_ACCURACY_FEATURES /* of what the features do to the film */
+    OVR_ACCURACY_FEATURES, /* of what the features do to the film */
+    OVR_ACCURACY_ALL       /* of both films and of the friction; in a run the
+                              root mean square over time */
 } ovr_accuracy;
 
 /* The film that arrives: layers on the surfaces, in b^2/R, times its history;
@@ -235,8 +237,10 @@ typedef struct ovr_setup {
     const ovr_heat *heat;   /* NULL: none */
     double bearable;        /* pressure that the material bears, Pa */
     ovr_accuracy accuracy_of;
-    double accuracy; /* asked for: options->level is 0 until it is chosen by
-                        ovr_setup_prepare; 0: the level was given */
+    double accuracy; /* asked for: options->level is 0 or below until it is
+                        chosen by ovr_setup_prepare; 0: the level was given */
+    bool confirm;    /* the errors of the level chosen are estimated after the
+                        run: level = auto */
     double expected; /* relative error of accuracy_of on this mesh, as far as
                         it is known before anything is solved; by
                         ovr_setup_prepare */

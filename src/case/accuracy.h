@@ -5,9 +5,10 @@
 
 #include "overroll/case.h"
 
-/* Relative, of setup->accuracy_of, by the mesh alone; by the features on it,
- * which must have been made. */
+/* Relative, of setup->accuracy_of: by the mesh alone; with the features on it,
+ * which must have been made, and the step; `arriving` is the film that arrives
+ * on the surfaces, infinite where they are flooded. */
 double ovr_expected_of_mesh(const ovr_setup *setup);
-double ovr_expected_of_features(const ovr_setup *setup);
+double ovr_expected(const ovr_setup *setup, double arriving);
 
 #endif

@@ -41,7 +41,7 @@ static ovr_status check_solver(const ovr_resolved *r, ovr_error *err)
         const ovr_slot *slot = ovr_slot_of(r, "paper", key);
         return ovr_fail_slot(err, slot, "%s must be even", slot->text);
     }
-    if (o->level && o->coarsest_level > o->level)
+    if (o->level > 0 && o->coarsest_level > o->level)
         return ovr_fail_slot(err, ovr_slot_of(r, "solver", "coarsest_level"),
                              "%d must not be above the level "
                              "%d",
@@ -66,7 +66,8 @@ ovr_status ovr_resolve_options(ovr_resolved *r, ovr_error *err)
     status = resolve_level(r, err);
     if (!status)
         status = check_solver(r, err);
+    r->setup.confirm = r->values.options.level == OVR_GRID_AUTO;
     r->setup.accuracy_of = (ovr_accuracy)r->values.accuracy_of;
-    r->setup.accuracy = r->values.options.level ? 0 : r->values.accuracy;
+    r->setup.accuracy = r->setup.confirm ? r->values.accuracy : 0;
     return status;
 }

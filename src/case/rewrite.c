@@ -26,6 +26,9 @@ static const changed_default changed_defaults[] = {
      "it follows the load: pressures of contacts above 2.25 times their "
      "nominal "
      "load were up to 1.6 times too large"},
+    {"0.3.0", "domain", "level", "8", "time.end",
+     "the first on which both films and the friction are expected to be right "
+     "to 1e-3, mostly 6 or 7: a third to a tenth of the time"},
     {"0.3.0", "domain", "faces", "arithmetic", NULL,
      "central film at level 8: off by 2.5e-4 before, 5e-5 today (M = 20, "
      "L = 10)"},

@@ -10,6 +10,9 @@
 #include "overroll/case.h"
 #include "overroll/elements.h"
 
+/* Levels that are chosen (case/setup.c). */
+enum { OVR_GRID_AUTO = 0, OVR_GRID_USUAL = -1, OVR_USUAL_LEVEL = 8 };
+
 /* A change of load or speed. */
 typedef struct ovr_change {
     int history; /* ovr_history_kind */

@@ -157,6 +157,13 @@ static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
     return ovr_fail_in(err, r->c, of_paper ? paper : domain, solver, &why);
 }
 
+/* The film that arrives at T = 0. */
+static double first_arriving(const ovr_setup *s)
+{
+    double film = s->supply && s->supply->film ? ovr_setup_arriving(s, 0) : 0;
+    return film > 0 ? film : INFINITY;
+}
+
 /* Makes the grid on the level of the options. */
 static ovr_status make_grid(ovr_resolved *r, bool usual,
                             const ovr_allocator *allocator, ovr_error *err)
@@ -165,9 +172,23 @@ static ovr_status make_grid(ovr_resolved *r, bool usual,
     if (resolve_options(r, err) || check_memory(r, err))
         return err ? err->status : OVR_BAD_INPUT;
     ovr_status status = place_surfaces(r, usual, allocator, err);
-    if (!status)
-        s->expected = ovr_expected_of_mesh(s) + ovr_expected_of_features(s);
+    if (!status) {
+        ovr_resolve_step(r);
+        s->expected = ovr_expected(s, first_arriving(s));
+    }
     return status;
+}
+
+/* A steady contact takes no time; of a run the errors that most users would not
+ * see in a film or a friction. */
+static void usual_level(ovr_setup *s)
+{
+    static const double unseen = 1e-3;
+    if (s->options->level != OVR_GRID_USUAL)
+        return;
+    s->options->level = s->transient ? OVR_GRID_AUTO : OVR_USUAL_LEVEL;
+    s->accuracy_of = OVR_ACCURACY_ALL;
+    s->accuracy = s->transient ? unseen : 0;
 }
 
 /* The first level on which the error to be expected is the one asked for; of
@@ -175,21 +196,22 @@ static ovr_status make_grid(ovr_resolved *r, bool usual,
 static ovr_status choose_level(ovr_resolved *r, bool usual,
                                const ovr_allocator *allocator, ovr_error *err)
 {
-    enum { LEAST = 4, MOST = 14 };
+    enum { LEAST = 4, MOST = 14, MOST_USUAL = OVR_USUAL_LEVEL };
     ovr_setup *s = &r->setup;
     const ovr_options target = *s->options;
     ovr_status status = OVR_OK;
     int least = target.refine ? OVR_LEAST_REFINED : LEAST;
+    int most = s->confirm ? MOST : MOST_USUAL;
     int level = target.coarsest_level > least ? target.coarsest_level : least;
     s->expected = INFINITY;
-    for (; !status && s->expected > s->accuracy && level <= MOST; level++) {
+    for (; !status && s->expected > s->accuracy && level <= most; level++) {
         double inlet = s->options->inlet;
         *s->options = target;
         s->options->inlet = inlet;
         s->options->level = level;
         status = resolve_options(r, err);
         measure(s);
-        if (!status && (level == MOST || ovr_expected_of_mesh(s) < s->accuracy))
+        if (!status && (level == most || ovr_expected_of_mesh(s) < s->accuracy))
             status = make_grid(r, usual, allocator, err);
     }
     return status;
@@ -212,12 +234,11 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
         ovr_symmetric_domain(r, inlet, outlet, err) ||
         ovr_setup_curvature(r, err))
         return OVR_BAD_INPUT;
+    usual_level(setup);
     status = setup->options->level ? make_grid(r, usual, allocator, err)
                                    : choose_level(r, usual, allocator, err);
-    if (!status) {
-        ovr_resolve_step(r);
+    if (!status)
         status = ovr_resolve_end(r, err);
-    }
     if (!status)
         status = ovr_resolve_on_mesh(r, err);
     if (!status)

@@ -259,7 +259,8 @@ static void say_bodies(const ovr_told *to, const ovr_setup *setup)
 static void say_grid(const ovr_told *to, const ovr_setup *setup,
                      const ovr_cost *cost)
 {
-    const char *const of[] = {"H_cen", "H_min", "what the features do"};
+    const char *const of[] = {"H_cen", "H_min", "what the features do",
+                              "both films and the friction"};
     const ovr_options *o = setup->options;
     ovr_tell(to, "grid", "level %d, %.0f nodes, mesh D = %.6g%s, X = %g to %g",
              o->level, cost->nodes, cost->mesh,
@@ -275,6 +276,10 @@ static void say_grid(const ovr_told *to, const ovr_setup *setup,
                  o->refine_change);
     ovr_tell(to, "error of discretization", "%.1g of %s is to be expected",
              setup->expected, of[setup->accuracy_of]);
+    if (setup->accuracy > 0)
+        ovr_tell(to, "level", "%d is the first on which that is below %g%s",
+                 o->level, setup->accuracy,
+                 setup->confirm ? ", confirmed after the run" : "");
 }
 
 /* Its length, and where the program chose it, why. */

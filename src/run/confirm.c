@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * A level chosen before the run is confirmed after it, by the estimate of the
- * discretization error.  A mesh that did worse is said, with the level that
- * would do if the error fell as D^2.
+ * discretization error, of the films where friction counts too, as that is not
+ * estimated.  A mesh that did worse is said, with the level that would do if
+ * the error fell as D^2.
  */
 #include <math.h>
 #include <stdio.h>
@@ -10,18 +11,27 @@
 
 #include "run/internal.h"
 
-static const char *const names[] = {"H_cen", "H_min", "what the features do"};
+static const char *const names[] = {"H_cen", "H_min", "what the features do",
+                                    "both films"};
 
-static double relative_error(const ovr_run *run)
+/* Infinite where it was not estimated. */
+static double error_of(const ovr_run_errors *e, const char *key)
 {
-    const ovr_run_errors *e = &run->error;
-    const char *key = run->setup->accuracy_of == OVR_ACCURACY_H_CEN ? "H_cen"
-                      : run->info.transient ? "H_min_overall"
-                                            : "H_min";
     for (size_t k = 0; k < e->count; k++)
         if (!strcmp(e->of[k].key, key))
             return e->of[k].error / fabs(e->of[k].value[0]);
     return INFINITY;
+}
+
+static double relative_error(const ovr_run *run)
+{
+    const ovr_run_errors *e = &run->error;
+    ovr_accuracy of = run->setup->accuracy_of;
+    double central = error_of(e, "H_cen");
+    double least = error_of(e, run->info.transient ? "H_min_overall" : "H_min");
+    if (of != OVR_ACCURACY_ALL)
+        return of == OVR_ACCURACY_H_CEN ? central : least;
+    return isnan(central + least) ? NAN : fmax(central, least);
 }
 
 static void doubt(ovr_run *run, const char *why)

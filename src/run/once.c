@@ -40,7 +40,7 @@ static ovr_status look(void *data, const ovr_simulation *sim, ovr_error *err)
 static bool estimates(const ovr_run *run)
 {
     bool complete = run->resumed && !run->writer;
-    return run->how.estimate_error || (run->setup->accuracy > 0 && !complete);
+    return run->how.estimate_error || (run->setup->confirm && !complete);
 }
 
 /* The coarser levels have passes of their own, which no file keeps. */
@@ -207,7 +207,7 @@ static ovr_status estimate(ovr_run *run, ovr_error *err)
         say_strains_are_lost(run);
         return OVR_OK;
     }
-    if (run->setup->accuracy > 0)
+    if (run->setup->confirm)
         return ovr_run_confirm(run, err);
     if (run->passes)
         return estimate_pass(run, err);

@@ -262,9 +262,10 @@ static void say_level(const ovr_review *r)
     if (s->accuracy > 0 && s->expected > s->accuracy)
         ovr_review_say(
             r, OVR_SAY_WARNING,
-            "level = auto takes level %d at most, on which an error of %.2g is "
+            "level = %s takes level %d at most, on which an error of %.2g is "
             "to be expected, not of %.2g",
-            s->options->level, s->expected, s->accuracy);
+            s->confirm ? "auto" : "usual", s->options->level, s->expected,
+            s->accuracy);
 }
 
 static void before(const ovr_review *r, bool transient)

@@ -13,6 +13,12 @@ static void errors_are_asked_for(void **state)
     test_levels_in_time(7, 1);
 }
 
+static void usual_levels_do(void **state)
+{
+    (void)state;
+    test_levels_usual(30, 5);
+}
+
 static double expected(const char *text, int *level)
 {
     ovr_error err = {0};
@@ -67,6 +73,7 @@ int main(void)
         cmocka_unit_test(errors_are_asked_for),
         cmocka_unit_test(narrow_features_take_finer_levels),
         cmocka_unit_test(given_levels_stay),
+        cmocka_unit_test(usual_levels_do),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -21,6 +21,7 @@ static const ovr_word refines[] = {
 static const ovr_word accuracies[] = {{"H_cen", OVR_ACCURACY_H_CEN},
                                       {"H_min", OVR_ACCURACY_H_MIN},
                                       {"features", OVR_ACCURACY_FEATURES},
+                                      {"all", OVR_ACCURACY_ALL},
                                       {NULL, 0}};
 static const ovr_word cycles[] = {{"V", 1}, {"W", 2}, {NULL, 0}};
 static const ovr_word stops[] = {{"negligible", OVR_STOP_NEGLIGIBLE},
@@ -28,6 +29,8 @@ static const ovr_word stops[] = {{"negligible", OVR_STOP_NEGLIGIBLE},
                                  {"fixed", OVR_STOP_FIXED},
                                  {NULL, 0}};
 static const ovr_word ends[] = {{"usual", 0}, {"auto", NAN}, {NULL, 0}};
+static const ovr_word levels[] = {
+    {"usual", OVR_GRID_USUAL}, {"auto", OVR_GRID_AUTO}, {NULL, 0}};
 static const ovr_word auto_zero[] = {{"auto", 0}, {NULL, 0}};
 
 static const ovr_parameter domain_keys[] = {
@@ -41,16 +44,18 @@ static const ovr_parameter domain_keys[] = {
      "X of the last node; usual: 1.5, of the largest load and radius in run "
      "and passes, or where the film ends later, and up to 4.5 where they jump; "
      "auto: twice where a rigid film ends, if that is farther"},
-    {"level", WHOLE_OR(auto_zero, 1, OVR_LEVELS - 1), "8", AT(options.level),
+    {"level", WHOLE_OR(levels, 1, OVR_LEVELS - 1), "usual", AT(options.level),
      true, ALWAYS,
-     "finest grid: 7 2^level + 1 nodes; auto: what brings accuracy_of to "
-     "accuracy, 14 at most"},
+     "finest grid: 7 2^level + 1 nodes; usual: 8 of a steady contact, in time "
+     "the first on which central and smallest film and friction are expected "
+     "to be right to 1e-3, 8 at most; auto: the first that brings accuracy_of "
+     "to accuracy, 14 at most, of which the films are confirmed after the run"},
     {"accuracy", PLAIN(1e-9, 0.5), "1e-3", AT(accuracy), true, "level = auto",
      "relative error of discretization, the target"},
-    {"accuracy_of", CHOICE(accuracies), "H_cen", AT(accuracy_of), true,
+    {"accuracy_of", CHOICE(accuracies), "all", AT(accuracy_of), true,
      "level = auto",
-     "of the central film, of the smallest, or of what "
-     "the features do to the film"},
+     "of the central film, of the smallest, of both and the friction, or of "
+     "what the features do to the film"},
     {"nodes", WHOLE(15, (7 << (OVR_LEVELS - 1)) + 1), NULL, AT(nodes), true,
      ALWAYS, "instead of level: 7 2^k + 1"},
     {"order", CHOICE(orders), "auto", AT(options.order), true, ALWAYS,
