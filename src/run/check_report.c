@@ -276,7 +276,7 @@ static void say_grid(const ovr_told *to, const ovr_setup *setup,
                  o->refine_change);
     ovr_tell(to, "error of discretization", "%.1g of %s is to be expected",
              setup->expected, of[setup->accuracy_of]);
-    if (setup->accuracy > 0)
+    if (setup->expected <= setup->accuracy)
         ovr_tell(to, "level", "%d is the first on which that is below %g%s",
                  o->level, setup->accuracy,
                  setup->confirm ? ", confirmed after the run" : "");

@@ -80,13 +80,22 @@ contains err 'nothing passes'
 # A level that is chosen, and what it is to reach
 expect 0 "$OVERROLL" check a.ini --level auto
 contains out '^# grid +level 7, '
-contains out '^# error of discretization +[0-9.e-]* of H_cen is to be expected'
+contains out '^# error of discretization +[0-9.e-]* of both films and the friction is to be expected'
 contains out '^# feature scratch: .*, on [0-9.]* nodes$'
 expect 0 "$OVERROLL" check --M 20 --L 10 --level auto --json \
-    --set domain.accuracy=1e-5
+    --set domain.accuracy=1e-5 --set domain.accuracy_of=H_cen
 contains out '"level": 8'
 expect 0 "$OVERROLL" check --M 900 --L 2 --level auto --set domain.accuracy=1e-8
 contains err 'level = auto takes level 14 at most, on which an error of '
+# The usual one: 8 of a steady contact, in time the first that does
+expect 0 "$OVERROLL" check --M 20 --L 10
+contains out '^# grid +level 8, '
+expect 0 "$OVERROLL" check --M 20 --L 10 --set time.end=4
+contains out '^# grid +level 6, '
+contains out '^# level +6 is the first on which that is below 0.001$'
+expect 0 "$OVERROLL" check --M 1000 --L 14 --set time.end=4
+contains out '^# grid +level 8, '
+contains err 'level = usual takes level 8 at most, on which an error of '
 
 expect 0 "$OVERROLL" help
 contains out '^  check '
