@@ -80,7 +80,7 @@ contains err 'nothing passes'
 # A level that is chosen, and what it is to reach
 expect 0 "$OVERROLL" check a.ini --level auto
 contains out '^# grid +level 7, '
-contains out '^# error of discretization +[0-9.e-]* of both films and the friction is to be expected'
+contains out '^# error of discretization +[0-9.e-]* of both films and the fric'
 contains out '^# feature scratch: .*, on [0-9.]* nodes$'
 expect 0 "$OVERROLL" check --M 20 --L 10 --level auto --json \
     --set domain.accuracy=1e-5 --set domain.accuracy_of=H_cen

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "case/parameters.h"
+#include "case/settings.h"
 #include "contact/contact.h"
 #include "overroll/overroll.h"
 
@@ -422,11 +423,12 @@ static void defaults_are_the_librarys(void **state)
     ovr_setup *s = resolved(moes, &c);
     ovr_options o = test_options(), *t;
     (void)state;
+    assert_int_equal(s->options->level, o.level); /* a steady contact's */
     done(c, s);
     c = ovr_case_read_text(moes, "t.ini", NULL, NULL, NULL);
     s = ovr_case_resolve(c, NULL, NULL); /* automatic ones still automatic */
     t = s->options;
-    assert_int_equal(t->level, o.level);
+    assert_int_equal(t->level, OVR_GRID_USUAL);
     assert_int_equal(t->coarsest_level, o.coarsest_level);
     assert_int_equal(t->scheme, o.scheme);
     assert_int_equal(t->smoother, o.smoother);
