@@ -67,7 +67,8 @@ static ovr_status take_section(ovr_entries *e, ovr_entry *entry, ovr_error *err)
 {
     char *line = e->copy, *end = strchr(line, ']');
     if (!end || end[1])
-        return fail(e, "a section is [name] and nothing else on its line", err);
+        return fail(e, "a section must be [name] with nothing else on its line",
+                    err);
     entry->section = trimmed(line + 1, (size_t)(end - line) - 1);
     e->inside = true;
     return OVR_OK;

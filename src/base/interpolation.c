@@ -32,7 +32,8 @@ gsl_interp *ovr_interpolation(const gsl_interp_type *type, size_t n,
     if (made)
         gsl_interp_free(made);
     if (code == GSL_ENOMEM)
-        ovr_fail(err, OVR_NO_MEMORY, "out of memory: interpolation");
+        ovr_fail(err, OVR_NO_MEMORY,
+                 "out of memory: the interpolation has no table");
     else
         ovr_fail(err, OVR_BAD_INPUT, "interpolation of %zu points: %s", n,
                  gsl_strerror(code));

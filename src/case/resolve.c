@@ -29,7 +29,7 @@ static ovr_status check_twice(const ovr_resolved *r, const char *key,
     if (!one->given || !other->given)
         return OVR_OK;
     return ovr_fail_slot(err, other,
-                         "is given in [contact] too: leave one out");
+                         "is given in [contact] too: give it in one place");
 }
 
 static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)

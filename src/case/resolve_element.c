@@ -55,9 +55,10 @@ static ovr_status check_one(const ovr_resolved *r, const ovr_block *block,
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         const ovr_block *other = ovr_block_of(r, names[k]);
         if (other != block && speaks(other))
-            return ovr_fail_at(err, OVR_BAD_INPUT, r->c->name, other->line,
-                               "[%s] and [%s]: one element at most",
-                               block->section->name, other->section->name);
+            return ovr_fail_at(
+                err, OVR_BAD_INPUT, r->c->name, other->line,
+                "[%s] and [%s] are both there: a case has one element at most",
+                block->section->name, other->section->name);
     }
     return OVR_OK;
 }
@@ -265,15 +266,14 @@ static ovr_status time_of(const char *text, double way, double *t,
     ovr_error why = {0};
     ovr_quantity q;
     if (ovr_quantity_read(text, OVR_DURATION, false, &q, &why))
-        return ovr_fail(
-            err, OVR_BAD_INPUT,
-            "--at %s: a station (A to E of gears, nose of cams), an "
-            "angle of the cam or a time: %s",
-            text, why.message);
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "--at %s: must be a station (A to E of gears, nose of "
+                        "cams), an angle of the cam or a time: %s",
+                        text, why.message);
     if (!(q.value >= 0 && q.value <= way))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "--at %s: the way goes from 0 to %.4g ms", text,
-                        1e3 * way);
+                        "--at %s: must lie within the way, from 0 to %.4g ms",
+                        text, 1e3 * way);
     *t = q.value;
     return OVR_OK;
 }
@@ -319,9 +319,10 @@ static ovr_status stand_cam(ovr_resolved *r, ovr_element_moment *m,
     else if (time_of(at, event->duration, &t, err))
         return OVR_BAD_INPUT;
     if (!(t >= 0 && t <= event->duration))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "--at %s: the event goes from %.4g to %.4g deg", at,
-                        event->from * 180 / PI, event->to * 180 / PI);
+        return ovr_fail(
+            err, OVR_BAD_INPUT,
+            "--at %s: must lie within the event, from %.4g to %.4g deg", at,
+            event->from * 180 / PI, event->to * 180 / PI);
     *m = ovr_cam_at(r->element.cam, t);
     if (m->u1 + m->u2 < 0) {
         m->u1 = -m->u1;
@@ -435,7 +436,8 @@ ovr_status ovr_resolve_element(ovr_resolved *r, ovr_error *err)
     bool moves = block && strcmp(block->section->name, "roller_bearing") != 0;
     if (r->c->standing && *r->c->standing && !moves)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "--at %s: is of cases with [gear] or [cam]",
+                        "--at %s: only cases with [gear] or [cam] have "
+                        "stations: leave it out",
                         r->c->standing);
     if (!block)
         return OVR_OK;

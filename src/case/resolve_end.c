@@ -38,7 +38,7 @@ static ovr_status wait_for(const ovr_setup *s, const ovr_slot *end, size_t k,
         return OVR_OK;
     }
     if (!isfinite(f.behind) || !isfinite(f.ahead) || !isfinite(f.last))
-        return refuse(end, &f, "is endless", err);
+        return refuse(end, &f, "is endless and never leaves", err);
     times = ovr_surfaces_times(s->surfaces, k, o->inlet, o->outlet, LATEST);
     if (!isfinite(times.leaves))
         return refuse(end, &f, "never leaves", err);

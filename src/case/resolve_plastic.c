@@ -44,7 +44,9 @@ static ovr_status read_swift(const ovr_resolved *r, ovr_hardening *h,
         text += length + !last;
     }
     if (value[0].unit && !isfinite(r->contact.ph))
-        return ovr_fail_slot(err, slot, "ph is not known: give B over ph");
+        return ovr_fail_slot(err, slot,
+                             "B in pascals needs ph, which is not known: give "
+                             "B as a number over ph");
     h->strength = value[0].unit ? value[0].value / r->contact.ph
                                 : value[0].value;
     h->offset = value[1].value;

@@ -14,11 +14,11 @@ ovr_status ovr_symmetric_domain(ovr_resolved *r, bool inlet, bool outlet,
     if (!ovr_history_reverses(r->setup.speed))
         return OVR_OK;
     if (outlet && o->outlet != -o->inlet)
-        return ovr_fail_slot(err, ovr_slot_of(r, "domain", "outlet"),
-                             "%g: where [speed] reverses inlet and outlet "
-                             "trade places: leave it out, or give inlet and "
-                             "outlet of the same size, %g",
-                             o->outlet, far);
+        return ovr_fail_slot(
+            err, ovr_slot_of(r, "domain", "outlet"),
+            "%g: inlet and outlet trade places where [speed] reverses: leave "
+            "it out, or give both the same size, %g",
+            o->outlet, far);
     o->inlet = -far;
     o->outlet = far;
     return OVR_OK;

@@ -42,14 +42,16 @@ static ovr_status check_motion(const ovr_resolved *r, ovr_error *err)
         if (!(r->values.stress.surfaces >> k & 1) || ratio[k] != 0)
             continue;
         if (slot->given)
-            return ovr_fail_slot(err, slot,
-                                 "surface %d stands still: its "
-                                 "material does not pass the contact",
-                                 k + 1);
-        return ovr_fail_at(err, OVR_BAD_INPUT, r->c->name, stress->line,
-                           "[stress]: surface %d stands still: its material "
-                           "does not pass the contact",
-                           k + 1);
+            return ovr_fail_slot(
+                err, slot,
+                "surface %d stands still, so its material does not pass the "
+                "contact: choose the other surface",
+                k + 1);
+        return ovr_fail_at(
+            err, OVR_BAD_INPUT, r->c->name, stress->line,
+            "[stress]: surface %d stands still, so its material does not pass "
+            "the contact: choose the other surface",
+            k + 1);
     }
     return OVR_OK;
 }
@@ -68,7 +70,9 @@ static ovr_status check_depths(const ovr_two_columns *c, const char *file,
                                bool limits, ovr_error *err)
 {
     if (!c->count)
-        return ovr_fail_at(err, OVR_BAD_INPUT, file, 0, "has no points");
+        return ovr_fail_at(
+            err, OVR_BAD_INPUT, file, 0,
+            "has no points: it needs at least one line of depth and value");
     for (size_t k = 0; k < c->count; k++)
         if ((limits && !(c->y[k] > 0)) || !(c->x[k] >= 0) ||
             (k && !(c->x[k] > c->x[k - 1])))

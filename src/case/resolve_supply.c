@@ -55,12 +55,14 @@ static ovr_status check_bodies(const ovr_resolved *r, ovr_error *err)
     for (int k = 0; k < 2; k++)
         if (recovery->given && p->again & 1 << k && !(speed[k] > 0))
             return ovr_fail_slot(err, recovery,
-                                 "surface %d does not move: no time goes by",
+                                 "surface %d does not move, so no time passes "
+                                 "on it between passes: leave recovery out",
                                  k + 1);
     if (p->loads.count && p->loads.count != (size_t)p->number)
-        return ovr_fail_slot(err, ovr_slot_of(r, "passes", "loads"),
-                             "%zu loads for %d passes: one for each",
-                             p->loads.count, p->number);
+        return ovr_fail_slot(
+            err, ovr_slot_of(r, "passes", "loads"),
+            "%zu loads are given for %d passes: each pass needs one",
+            p->loads.count, p->number);
     return OVR_OK;
 }
 
@@ -79,10 +81,11 @@ static ovr_status check_passes(const ovr_resolved *r, ovr_error *err)
         return ovr_fail_slot(err, ovr_slot_of(r, "passes", "side_flow"),
                              "loss is given too: leave one out");
     if (!(left > 0))
-        return ovr_fail_slot(err, ovr_slot_of(r, "passes", "split"),
-                             "%g leaves all oil on a surface that does not "
-                             "carry it off",
-                             p->split);
+        return ovr_fail_slot(
+            err, ovr_slot_of(r, "passes", "split"),
+            "%g leaves all oil on a surface that stands still and carries none "
+            "off: choose a share between 0 and 1",
+            p->split);
     return check_bodies(r, err);
 }
 

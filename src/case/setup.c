@@ -42,8 +42,8 @@ static ovr_status check_memory(const ovr_resolved *r, ovr_error *err)
     while (fits.level > 1 && ovr_simulation_memory(&fits) > here)
         fits.level--;
     return ovr_fail_slot(err, slot,
-                         "%s takes about %.1f GB of memory, of which this "
-                         "machine can spare %.1f GB; level %d fits",
+                         "%s takes about %.1f GB of memory, and this machine "
+                         "can spare %.1f GB: level %d fits",
                          slot->text, target / 1e9, here / 1e9, fits.level);
 }
 

@@ -144,7 +144,8 @@ static ovr_status read_line(reading *r, long line, char *text, ovr_error *err)
                            c->most, c->of);
     if (c->count == ROWS_MOST)
         return ovr_fail_at(err, OVR_BAD_INPUT, r->file, line,
-                           "more than %d points", ROWS_MOST);
+                           "has more than %d points, which is the maximum",
+                           ROWS_MOST);
     if (c->count == r->capacity && grow(r, err))
         return OVR_NO_MEMORY;
     if (decimals_of(second) > r->decimals)

@@ -159,8 +159,8 @@ static ovr_status check_position(const job *j, const char *text,
         return ovr_fail(j->err, OVR_BAD_INPUT, "--at %s", why.message);
     if (!(*X >= x[0] && *X <= x[j->about->nodes - 1]))
         return ovr_fail(j->err, OVR_BAD_INPUT,
-                        "--at %s: a position in b from %g to %g", text, x[0],
-                        x[j->about->nodes - 1]);
+                        "--at %s: must be a position in b from %g to %g", text,
+                        x[0], x[j->about->nodes - 1]);
     return OVR_OK;
 }
 
@@ -402,9 +402,10 @@ static int read_choices(job *j)
     int k = unit ? choice(unit, units) : 0;
     int f = form_name ? choice(form_name, forms) : 0;
     if (k < 0)
-        return cli_usage(j->call, "--units %s: stored, hertzian or si", unit);
+        return cli_usage(j->call, "--units %s: must be stored, hertzian or si",
+                         unit);
     if (f < 0)
-        return cli_usage(j->call, "--format %s: csv, gnuplot or matlab",
+        return cli_usage(j->call, "--format %s: must be csv, gnuplot or matlab",
                          form_name);
     if (cli_flag(j->call, "long") && cli_flag(j->call, "wide"))
         return cli_usage(j->call, "--long and --wide exclude each other");
@@ -430,7 +431,8 @@ static int write_passes(job *j, const ovr_table *passes)
     cli_output out;
     int code;
     if (j->units != OVR_AS_STORED)
-        return cli_usage(j->call, "the rows of passes are as they are stored");
+        return cli_usage(j->call, "the rows of passes are exported as they are "
+                                  "stored: leave this option out");
     code = cli_output_open(j->call, cli_value(j->call, "o"), &out);
     if (code != CLI_DONE)
         return code;

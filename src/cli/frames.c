@@ -64,7 +64,8 @@ static int take_options(const cli_call *call, ovr_frames_options *o,
     look->log_depth = cli_value(call, "depth") &&
                       strcmp(cli_value(call, "depth"), "log") == 0;
     if (!code && !o->folder && !o->movie)
-        code = cli_usage(call, "where to? -o DIR or --movie NAME.mp4");
+        code = cli_usage(call,
+                         "no output is named: give -o DIR or --movie NAME.mp4");
     if (!code && o->scripts && !o->folder)
         code = cli_usage(call, "--script needs a folder: -o DIR");
     if (!code)

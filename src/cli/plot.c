@@ -66,9 +66,9 @@ static int take_depth(const cli_call *call, ovr_picture_options *o)
     const char *surface = cli_value(call, "surface");
     const char *depth = cli_value(call, "depth");
     if (surface && strcmp(surface, "1") != 0 && strcmp(surface, "2") != 0)
-        return cli_usage(call, "--surface '%s': 1 or 2", surface);
+        return cli_usage(call, "--surface '%s': must be 1 or 2", surface);
     if (depth && strcmp(depth, "log") != 0 && strcmp(depth, "linear") != 0)
-        return cli_usage(call, "--depth '%s': linear or log", depth);
+        return cli_usage(call, "--depth '%s': must be linear or log", depth);
     o->surface = surface && *surface == '2' ? 2 : 1;
     o->log_depth = depth && *depth == 'l' && depth[1] == 'o';
     return CLI_DONE;
@@ -198,7 +198,7 @@ static int take_figure(const cli_call *call, ovr_figure_options *f)
     if (f->panels && !strcmp(f->panels, "none"))
         f->panels = "";
     if (log && strspn(log, "xy") != strlen(log))
-        return cli_usage(call, "--log %s: x, y or xy", log);
+        return cli_usage(call, "--log %s: must be x, y or xy", log);
     f->log_x = log && strchr(log, 'x');
     f->log_y = log && strchr(log, 'y');
     return code;
@@ -222,7 +222,8 @@ static int refuse_study_options(const cli_call *call)
     for (int k = 0; k < 4; k++)
         if (cli_value(call, names[k]))
             return cli_usage(call,
-                             "--%s is of studies: %s is the result of one run",
+                             "--%s draws studies, and %s is the result of one "
+                             "run: give STUDY.ini or its table",
                              names[k], call->argument[0]);
     return CLI_DONE;
 }
@@ -233,7 +234,8 @@ static int draw_distribution(const cli_call *call, const ovr_figure_options *f)
     ovr_error err = {0};
     int code = CLI_DONE;
     if (!ends_with(call->argument[0], ".ini"))
-        return cli_usage(call, "--kind distribution is of STUDY.ini");
+        return cli_usage(call,
+                         "--kind distribution draws a study: give STUDY.ini");
     ovr_study *study = ovr_study_read(call->argument[0], NULL, &err);
     if (!study || ovr_figure_distribution(study, f, NULL, &err))
         code = cli_fail(&err);
@@ -252,7 +254,7 @@ static int draw_study(const cli_call *call)
     ovr_table *table;
     int code = take_figure(call, &f);
     if (!code && call->arguments > 1)
-        code = cli_usage(call, "one study at a time");
+        code = cli_usage(call, "a picture shows one study: give one");
     if (code)
         return code;
     if (!f.title)
@@ -287,7 +289,7 @@ static int draw_element(const cli_call *call, ovr_picture_options *o)
     ovr_error err = {0};
     int code = cli_picture_options(call, o);
     if (!code && call->arguments > 1)
-        code = cli_usage(call, "one case at a time");
+        code = cli_usage(call, "a picture shows one case: give one");
     if (code)
         return code;
     ovr_case *c = ovr_case_read(call->argument[0], NULL, &err);
@@ -309,7 +311,7 @@ static int run(cli_call *call)
     int code;
     o.path = cli_value(call, "o");
     if (!o.path)
-        return cli_usage(call, "where to? -o PICTURE.png");
+        return cli_usage(call, "no output is named: give -o PICTURE.png");
     o.script = cli_value(call, "script");
     if (of_element(call))
         return draw_element(call, &o);

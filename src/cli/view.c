@@ -26,7 +26,7 @@ static int run(cli_call *call)
     o.title = cli_value(call, "title");
     o.names = cli_result_names(call, names);
     if (!o.path)
-        return cli_usage(call, "where to? -o PAGE.html");
+        return cli_usage(call, "no output is named: give -o PAGE.html");
     code = cli_open_results(call, results);
     if (code)
         return code;

@@ -35,7 +35,8 @@ static ovr_status viscosity(const ovr_heat_form *form, const ovr_lubricant *oil,
                               "temperature = %g K: must be above 138 K",
                               form->temperature);
     if (isnan(form->S0) == isnan(form->beta))
-        return ovr_fail_about(err, "beta", "give S0 or beta, one of them");
+        return ovr_fail_about(err, "beta",
+                              "S0 and beta say the same: give one of them");
     if (!roelands && isnan(form->beta))
         return ovr_fail_about(err, "S0",
                               "S0 belongs to Roelands' law: give beta, the "

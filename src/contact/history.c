@@ -58,7 +58,9 @@ static ovr_status check_table(const ovr_history_form *form, ovr_error *err)
     for (size_t i = 0; i < form->points; i++) {
         if (!isfinite(form->T[i]) || !isfinite(form->value[i]))
             return ovr_fail_about(err, "file",
-                                  "table: point %zu is not a number", i + 1);
+                                  "table: point %zu is not a number: times and "
+                                  "values must be finite",
+                                  i + 1);
         if (i && !(form->T[i] > form->T[i - 1]))
             return ovr_fail_about(err, "file",
                                   "table: times must increase: point %zu at %g "

@@ -179,9 +179,9 @@ static ovr_status check_sheet(const ovr_oil *oil, ovr_error *err)
     if (all_given(needs, 3, "the viscosity from a data sheet", err))
         return OVR_BAD_INPUT;
     if (isnan(oil->nu_100) == isnan(oil->viscosity_index))
-        return ovr_fail_about(err, "viscosity_index",
-                              "viscosity_100 or viscosity_index: give one of "
-                              "them");
+        return ovr_fail_about(
+            err, "viscosity_index",
+            "viscosity_100 and viscosity_index say the same: give one of them");
     return OVR_OK;
 }
 

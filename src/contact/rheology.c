@@ -59,7 +59,9 @@ static ovr_status check_form(const ovr_contact *contact,
         return ovr_fail_about(err, "limiting_shear",
                               "needs b/R: give modulus or G");
     if (form->rheology > OVR_EYRING && !form->law)
-        return ovr_fail_about(err, "rheology", "needs its ovr_flow_law");
+        return ovr_fail_about(
+            err, "rheology",
+            "rheology needs the ovr_flow_law that was made of it: give one");
     return OVR_OK;
 }
 

@@ -107,7 +107,7 @@ static ovr_status check_form(const ovr_bearing_form *f, ovr_error *err)
         return ovr_fail_about(err, "rollers", "rollers = %d: must be 3 to %d",
                               f->rollers, OVR_ROLLERS_MAX);
     if (f->contact != 1 && f->contact != 2)
-        return ovr_fail_about(err, "contact", "contact: inner or outer");
+        return ovr_fail_about(err, "contact", "contact must be inner or outer");
     if (!isfinite(f->clearance) || !isfinite(f->angle))
         return ovr_fail_about(err, "clearance", "clearance: must be finite");
     if (!(fabs(f->slip) < 2))

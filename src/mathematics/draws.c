@@ -85,8 +85,8 @@ static ovr_status fill_sobol(const ovr_sampling *how, const char *const *key,
     void *state;
     if (count > OVR_SOBOL_MOST)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%zu random keys: the points of Sobol' have %d "
-                        "dimensions; design = lhs",
+                        "%zu keys are random, and the points of Sobol' have %d "
+                        "dimensions at most: take design = lhs",
                         count, OVR_SOBOL_MOST);
     /* gsl_qrng_alloc is not called: it ends the program where memory ends. */
     state = ovr_arena_take(arena, 1, sobol->state_size((unsigned)count), err);

@@ -73,7 +73,9 @@ static ovr_status evaluate(searching *w, size_t n, const double *s, double *q)
     double x[OVR_SEARCH_MOST] = {0};
     ovr_status status;
     if (w->count + n > OVR_SEARCH_MOST)
-        return ovr_fail(w->err, OVR_BAD_INPUT, "more than %d evaluations",
+        return ovr_fail(w->err, OVR_BAD_INPUT,
+                        "the search took more than %d evaluations without an "
+                        "end: give narrower ends or a larger tolerance",
                         OVR_SEARCH_MOST);
     for (size_t k = 0; k < n; k++) {
         x[k] = back(w, s[k]);

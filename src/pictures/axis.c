@@ -83,14 +83,15 @@ ovr_status ovr_axis_make(ovr_unit_kind kind, ovr_result *result,
     double scale = scale_of(info, kind);
     const quantity *q = find(kind);
     if (!q)
-        return ovr_fail(err, OVR_BAD_INPUT, "a quantity of unknown kind");
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "the quantity is of an unknown kind and has no axis");
     *axis = q->hertzian;
     if (units == OVR_HERTZIAN || (units == OVR_AS_STORED && !info->physical))
         return OVR_OK;
     if (!(scale > 0 && isfinite(scale)))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "SI units: the contact was given without physical "
-                        "scales");
+                        "SI units are not known: the contact was given without "
+                        "physical scales; take Hertzian ones");
     *axis = with_unit(q, scale, largest);
     return OVR_OK;
 }

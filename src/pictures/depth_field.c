@@ -195,7 +195,9 @@ ovr_status ovr_depth_field_make(ovr_depth_field *f, const ovr_stored *run,
     if (find_field(f, field, err))
         return OVR_BAD_INPUT;
     if (!run->pressure || info->nodes < 3)
-        return ovr_fail(err, OVR_BAD_INPUT, "the file holds no pressure");
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "the file holds no pressure: run the case with "
+                        "pressure among [output] fields");
     read_body(f, surface, arena);
     if (choose_nodes(f, arena, err))
         return OVR_NO_MEMORY;

@@ -552,8 +552,8 @@ ovr_status ovr_element_draw(const ovr_setup *setup, const ovr_stored *run,
     if (!ovr_setup_gear(setup) && !ovr_setup_cam(setup) &&
         !ovr_setup_bearing(setup))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "an element is drawn of cases with [gear], [cam] or "
-                        "[roller_bearing]");
+                        "only cases with [gear], [cam] or [roller_bearing] "
+                        "have an element to draw");
     if (take_workspace(&s, ovr_setup_bearing(setup) ? OVR_ROLLERS_MAX
                                                     : LOOKS + 1)) {
         if (ovr_setup_gear(setup))
@@ -606,7 +606,7 @@ ovr_status ovr_draw_element(const ovr_drawing *drawing, ovr_chart *chart,
         return OVR_NO_MEMORY;
     if (drawing->count > 1)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "an element is drawn of one result at a time");
+                        "an element is drawn of one result: give one");
     ovr_setup *setup = ovr_stored_setup(drawing->runs, &c, err);
     if (!setup)
         return OVR_BAD_INPUT;

@@ -94,7 +94,7 @@ ovr_status ovr_draw_stress(const ovr_drawing *drawing, ovr_chart *chart,
     ovr_status status;
     if (drawing->count > 1)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "a picture of stresses shows one result");
+                        "a picture of stresses shows one result: give one");
     if (drawing->runs->info->snapshots < 1)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: holds no snapshot",
                         drawing->runs->name);

@@ -221,10 +221,13 @@ static ovr_status choose_x(figure *f, ovr_error *err)
         return no_column(f, x, true, err);
     if (!f->x)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "the study varies no key with numbers");
+                        "the study varies no key with numbers: there is "
+                        "nothing to draw against");
     if (!is_numeric(f->t, f->x))
-        return ovr_fail(err, OVR_BAD_INPUT, "'%.60s' is not a key of numbers",
-                        f->x->name);
+        return ovr_fail(
+            err, OVR_BAD_INPUT,
+            "the values of '%.60s' are not numbers: choose another key",
+            f->x->name);
     return OVR_OK;
 }
 

@@ -89,7 +89,7 @@ static ovr_status find_field(studio *s, ovr_error *err)
         return OVR_OK;
     if (s->count > 1)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "a picture of stresses shows one result");
+                        "a picture of stresses shows one result: give one");
     status = ovr_depth_field_make(&s->field, s->runs, look->field,
                                   look->log_depth,
                                   look->surface ? look->surface : 1,
@@ -188,7 +188,7 @@ static ovr_status open_folder(studio *s, bool *keep, ovr_error *err)
     ovr_status status;
     *keep = false;
     if (strlen(s->folder) > OVR_PATH_SIZE - 64)
-        return ovr_fail(err, OVR_BAD_INPUT, "%.60s...: too long a name",
+        return ovr_fail(err, OVR_BAD_INPUT, "%.60s...: the name is too long",
                         s->folder);
     if (mkdir(s->folder, 0777) != 0 && errno != EEXIST)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be created: %s",
@@ -343,7 +343,7 @@ static ovr_status check_form(studio *s, ovr_error *err)
             break;
     if (s->form > OVR_FORM_PDF)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "frames are png, svg or pdf, not '%s'", form);
+                        "frames must be png, svg or pdf, not '%s'", form);
     if (!s->o->folder && !s->o->movie)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "frames need a folder or a movie to go to");

@@ -45,7 +45,7 @@ static ovr_status name_beside(char *name, const char *path, const char *suffix,
     if (length > 0 && length < OVR_PATH_SIZE)
         return OVR_OK;
     name[0] = '\0';
-    return ovr_fail(err, OVR_BAD_INPUT, "%.60s...: too long a name", path);
+    return ovr_fail(err, OVR_BAD_INPUT, "%.60s...: the name is too long", path);
 }
 
 /* A new, empty file of this name and of our own: a link that somebody has put

@@ -294,7 +294,8 @@ ovr_status ovr_draw_map(const ovr_drawing *drawing, ovr_chart *chart,
     ovr_panel *panel = ovr_arena_take(drawing->arena, 1, sizeof *panel, err);
     ovr_status status = panel ? OVR_OK : OVR_NO_MEMORY;
     if (status == OVR_OK && drawing->count > 1)
-        status = ovr_fail(err, OVR_BAD_INPUT, "a map shows one result");
+        status = ovr_fail(err, OVR_BAD_INPUT,
+                          "a map shows one result: give one");
     if (status == OVR_OK && run->info->snapshots < 2)
         status = ovr_fail(err, OVR_BAD_INPUT,
                           "a map needs two snapshots at least");

@@ -47,12 +47,13 @@ static ovr_status choose(curves *of, const ovr_figure_options *o,
     of->share = ovr_table_named(of->t, "contact_share");
     if (!of->mu || !of->film || !of->share)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "no contact_share and mu_film in it: its case has no "
-                        "[boundary]");
+                        "the table has no contact_share and mu_film: its case "
+                        "needs [boundary]");
     if (o->by && *o->by)
         of->by = ovr_table_named(of->t, o->by);
     if (o->by && *o->by && !of->by)
-        return ovr_fail(err, OVR_BAD_INPUT, "no column '%s'", o->by);
+        return ovr_fail(err, OVR_BAD_INPUT, "the table has no column '%s'",
+                        o->by);
     for (size_t k = 0; !o->by && !of->by && (c = ovr_table_at(of->t, k)); k++)
         if (c->varied && c != of->speed)
             of->by = c;
@@ -87,10 +88,10 @@ static ovr_status find_lines(curves *of, ovr_error *err)
         if (l < of->lines)
             continue;
         if (l == LINES)
-            return ovr_fail(err, OVR_BAD_INPUT,
-                            "%s has more than %d values: --lines none, or "
-                            "another key",
-                            of->by->name, LINES);
+            return ovr_fail(
+                err, OVR_BAD_INPUT,
+                "%s has more than %d values: take --lines none, or another key",
+                of->by->name, LINES);
         of->row[of->lines++] = i;
         if (!of->by)
             continue;

@@ -60,14 +60,19 @@ static ovr_status check_names(const ovr_write_options *o, ovr_error *err)
 static ovr_status check_options(const ovr_write_options *o, ovr_error *err)
 {
     if (!o->path || !o->path[0])
-        return ovr_fail(err, OVR_BAD_INPUT, "the result file has no name");
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "the result file has no name: give it a path");
     if (o->deflate < 0 || o->deflate > 9)
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: deflate level %d; 0 to 9",
-                        o->path, o->deflate);
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: the deflate level %d must be 0 to 9", o->path,
+                        o->deflate);
     if (o->stride < 1)
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: stride 0; 1 or more", o->path);
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: the stride is 0 and must be 1 or more", o->path);
     if (ovr_layout_fields(o->fields, NULL) == 0)
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: no field to store", o->path);
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: there is no field to store: name one at least",
+                        o->path);
     return check_names(o, err);
 }
 

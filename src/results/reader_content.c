@@ -295,7 +295,8 @@ ovr_status ovr_reader_not_ours(ovr_result *r, ovr_error *err)
                         "info' names",
                         r->path);
     return ovr_fail(err, OVR_BAD_INPUT,
-                    "%s: an HDF5 file, but not a result of overroll", r->path);
+                    "%s: is an HDF5 file, but not a result of overroll",
+                    r->path);
 }
 
 static ovr_status check_format(ovr_result *r, ovr_error *err)
@@ -305,8 +306,8 @@ static ovr_status check_format(ovr_result *r, ovr_error *err)
         return ovr_reader_not_ours(r, err);
     if (r->version != 1 && r->version != OVR_FORMAT_VERSION)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: written in format version %g; this program reads "
-                        "versions 1 to %d",
+                        "%s: is written in format version %g, and this program "
+                        "reads versions 1 to %d",
                         r->path, r->version, OVR_FORMAT_VERSION);
     return OVR_OK;
 }

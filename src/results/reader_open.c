@@ -72,12 +72,12 @@ ovr_status ovr_reader_file(ovr_result *r, int lock, ovr_error *err)
     case OVR_FOUND_CONTAINER: return OVR_OK;
     case OVR_FOUND_OTHER_HDF5: return ovr_reader_not_ours(r, err);
     case OVR_FOUND_TRUNCATED:
-        return ovr_fail(err, OVR_IO, "%s: a truncated or damaged HDF5 file",
+        return ovr_fail(err, OVR_IO, "%s: is a truncated or damaged HDF5 file",
                         r->path);
     case OVR_FOUND_NO_MEMORY:
         return ovr_fail(err, OVR_NO_MEMORY, "%s: out of memory", r->path);
     default:
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: not an HDF5 file", r->path);
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: is not an HDF5 file", r->path);
     }
 }
 

@@ -265,7 +265,8 @@ ovr_status ovr_store_create(ovr_store *s, bool force, ovr_error *err)
     bool there = stat(s->path, &about) == 0;
     ovr_status status;
     if (there && !S_ISREG(about.st_mode))
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: is not a file", s->path);
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: is not an ordinary file",
+                        s->path);
     if (there && !force)
         return in_the_way(s, err);
     status = take_lock(s, err);

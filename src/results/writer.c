@@ -139,7 +139,8 @@ static ovr_status check_frame(const ovr_writer *w, const ovr_frame *frame,
                               ovr_error *err)
 {
     if (frame->state->n != w->n)
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: made for %zu nodes, not %zu",
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: was made for %zu nodes, not for %zu",
                         w->options.path, w->n, frame->state->n);
     return OVR_OK;
 }

@@ -121,11 +121,12 @@ ovr_status ovr_run_go(ovr_run *run, ovr_error *err)
     ovr_status status;
     err = err ? err : &unasked;
     if (run->gone)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        run->going ? "the run is under way: nobody whom it "
-                                     "calls may start it"
-                                   : "the run was made: another one is needed "
-                                     "for it to go again");
+        return ovr_fail(
+            err, OVR_BAD_INPUT,
+            run->going
+                ? "the run is under way, and functions that it calls must not "
+                  "start it"
+                : "the run has been made: make another one to run again");
     run->going = run->gone = true;
     status = run->passes ? ovr_passes_go(run, err) : ovr_run_once(run, err);
     run->going = false;

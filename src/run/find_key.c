@@ -212,10 +212,10 @@ static ovr_status no_quantity(const char *quantity, const names *n,
 {
     const char *meant = ovr_suggest(quantity, n->name, n->count);
     if (!meant)
-        return ovr_fail_about(err, "condition", "%s: no number of this run",
+        return ovr_fail_about(err, "condition", "%s: is no number of this run",
                               quantity);
     ovr_fail_about(err, "condition",
-                   "%s: no number of this run; did you mean %s?", quantity,
+                   "%s: is no number of this run; did you mean %s?", quantity,
                    meant);
     return OVR_BAD_INPUT;
 }
@@ -290,7 +290,10 @@ static ovr_status keep(ovr_find *f, double x, const ovr_trial *t,
     double level = ovr_trial_number(t, "level", NULL);
     double marked = ovr_trial_number(t, "steps_marked", NULL);
     if (f->info.evaluations == MOST)
-        return ovr_fail(err, OVR_BAD_INPUT, "more than %d evaluations", MOST);
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "the search took more than %d evaluations without an "
+                        "end: give narrower ends or a larger tolerance",
+                        MOST);
     *e = (ovr_find_evaluation){.value = x, .quantity = NAN};
     e->message = "";
     if (t->failed)
@@ -659,7 +662,7 @@ static ovr_status take_options(ovr_find *f, const ovr_find_options *options,
         return OVR_BAD_INPUT;
     if (!o->key || !o->low || !o->high || !o->condition)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "find: key, low, high and condition are needed");
+                        "find needs a key, both ends and a condition");
     if (o->tolerance != 0 && !(o->tolerance >= 1e-9 && o->tolerance <= 0.5))
         return ovr_fail_about(err, "tolerance",
                               "tolerance: must be 1e-9 to 0.5");

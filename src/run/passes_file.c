@@ -178,7 +178,8 @@ ovr_case *ovr_passes_case(const char *path, const ovr_allocator *allocator,
                                  t.folder && *t.folder ? t.folder : NULL,
                                  allocator, err);
     else
-        ovr_fail(err, OVR_BAD_INPUT, "%s: is no file of passes", path);
+        ovr_fail(err, OVR_BAD_INPUT, "%s: is not a file of several passes",
+                 path);
     ovr_arena_release(&arena);
     return c;
 }

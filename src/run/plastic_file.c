@@ -220,11 +220,11 @@ static ovr_status check_file(ovr_result *result, const char *file,
     ovr_arena_release(&arena);
     if (same)
         return OVR_OK;
-    return ovr_fail_about(err, "initial",
-                          "%s: its window or layers are others; the same level "
-                          "and the same [plastic] window, layers and depth_max "
-                          "go on",
-                          file);
+    return ovr_fail_about(
+        err, "initial",
+        "%s: its window or layers are others: give the same level and the same "
+        "[plastic] window, layers and depth_max",
+        file);
 }
 
 ovr_status ovr_plastic_read(const char *file, const ovr_plastic *p,

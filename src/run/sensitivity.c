@@ -102,7 +102,8 @@ static ovr_status take_asked(working *w, ovr_line asked)
         return add_key(w, &e);
     }
     return ovr_fail_about(w->err, "sensitivity",
-                          "%.*s: no key of this case; they are section.key",
+                          "%.*s: is no key of this case; keys are section.key, "
+                          "such as contact.load",
                           (int)asked.size, asked.text);
 }
 
@@ -125,8 +126,8 @@ static ovr_status take_keys(working *w)
     }
     if (!status && !w->keys)
         status = ovr_fail_about(w->err, "sensitivity",
-                                "no number of the contact is given that could "
-                                "be varied");
+                                "the case gives no number of the contact that "
+                                "could be varied: name keys");
     return status;
 }
 
@@ -350,7 +351,8 @@ static ovr_status take_level(working *w)
     w->level = level > 2 ? (int)level : 0;
     if (w->how.estimate && !w->level)
         return ovr_fail_about(w->err, "level",
-                              "one level coarser: give a level above 2");
+                              "the level has no coarser one to compare with: "
+                              "give a level above 2");
     return OVR_OK;
 }
 

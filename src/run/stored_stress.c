@@ -42,7 +42,9 @@ static ovr_status read_axes(stored *f, ovr_arena *arena, ovr_error *err)
         return OVR_NO_MEMORY;
     if (f->nodes < 3 || f->snapshots < 1)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: holds no snapshot of the pressure", f->path);
+                        "%s: holds no snapshot of the pressure: run the case "
+                        "with pressure among [output] fields",
+                        f->path);
     if (ovr_result_x(f->result, OVR_HERTZIAN, f->x, err) ||
         ovr_result_times(f->result, OVR_HERTZIAN, f->T, err))
         return OVR_BAD_INPUT;

@@ -328,7 +328,9 @@ static ovr_status restored(void *own, double T, ovr_error *err)
     const run_stress *s = own;
     if (s->before != T)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "the checkpoint at T = %g holds no stresses", T);
+                        "the checkpoint at T = %g holds no stresses: run the "
+                        "case again from its start",
+                        T);
     return OVR_OK;
 }
 

@@ -209,7 +209,8 @@ static ovr_status take_limit(reading *r, const char *key, const char *value)
     if (s->limits == OVR_STUDY_MOST_LIMITS)
         return fail(r, "'%.60s' is one limit too many: at most 16", key);
     if (!sign && strncmp(value, "at ", 3) != 0)
-        return fail(r, "'%.100s': a limit is >= or <= a value", key);
+        return fail(
+            r, "'%.100s' must be QUANTITY >= VALUE or QUANTITY <= VALUE", key);
     if (ovr_comparison_read(text, &s->limit[s->limits], &s->arena, &why))
         return fail(r, "%.300s", why.message);
     s->limits++;
@@ -279,8 +280,10 @@ static ovr_status set_strides(ovr_study *s, ovr_error *err)
             continue;
         tasks *= k->count;
         if (tasks > OVR_STUDY_MOST_TASKS)
-            return ovr_fail(err, OVR_BAD_INPUT, "%s: more than a million cases",
-                            s->path);
+            return ovr_fail(
+                err, OVR_BAD_INPUT,
+                "%s: has more than a million cases: give fewer values",
+                s->path);
     }
     s->tasks = tasks;
     return OVR_OK;

@@ -353,7 +353,9 @@ static ovr_status read_rows(ovr_study *s, const ovr_study_chance *c,
     }
     return to->count ? OVR_OK
                      : ovr_fail_at(err, OVR_BAD_INPUT, s->path, c->line,
-                                   "%.200s is empty", path);
+                                   "%.200s is empty: it needs a line of names "
+                                   "and rows of numbers",
+                                   path);
 }
 
 /* ------------------------------------------------------------------ drawing */

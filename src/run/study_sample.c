@@ -71,8 +71,8 @@ static ovr_status no_quantity(const sampling *w, const char *name)
                         "no case has finished yet: 'overroll sweep' runs them");
     if (!meant)
         return ovr_fail(w->err, OVR_BAD_INPUT, "no quantity '%.60s'", name);
-    ovr_fail(w->err, OVR_BAD_INPUT, "no quantity '%.60s'; did you mean '%s'?",
-             name, meant);
+    ovr_fail(w->err, OVR_BAD_INPUT,
+             "there is no quantity '%.60s'; did you mean '%s'?", name, meant);
     return OVR_BAD_INPUT;
 }
 
@@ -358,9 +358,10 @@ ovr_sample *ovr_study_sample(const ovr_study *study, const char *quantities,
     if (to)
         to->arena = arena;
     if (!status && !ovr_study_random(study))
-        status = ovr_fail(err, OVR_BAD_INPUT,
-                          "%s: has no [random]: statistics are of draws",
-                          study->path);
+        status = ovr_fail(
+            err, OVR_BAD_INPUT,
+            "%s: has no [random], and statistics are those of draws",
+            study->path);
     if (!status && !(status = ovr_sweep_gather(study, t, err))) {
         status = quantities ? take_asked(&w, quantities) : take_usual(&w);
         if (!status)

@@ -100,7 +100,9 @@ static ovr_status run(sweeping *w, ovr_error *err)
         return ovr_fail(err, OVR_IO,
                         "overroll sweep: no worker could be started: %s",
                         strerror(errno));
-    return stopped ? ovr_fail(err, OVR_STOPPED, "stopped with cases left")
+    return stopped ? ovr_fail(err, OVR_STOPPED,
+                              "the sweep was stopped with cases left; the same "
+                              "command goes on")
                    : OVR_OK;
 }
 

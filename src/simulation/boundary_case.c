@@ -149,11 +149,11 @@ static ovr_status resolve_summits(const ovr_physics_case *of,
                               "surfaces together, above 0");
     if (!(f->summits > 0 && f->sharpness > 0))
         return ovr_fail_about(err, f->summits > 0 ? "sharpness" : "summits",
-                              "law = greenwood-tripp needs it above 0");
+                              "law = greenwood-tripp needs a value above 0");
     if (!(kappa > 0))
         return ovr_fail_about(err, "law",
                               "greenwood-tripp becomes a pressure by the "
-                              "modulus, which is not known");
+                              "modulus, which is not known: give it");
     return ovr_touch_greenwood_tripp(&f->bears.table, f->Rq, f->summits,
                                      f->sharpness, 2 / kappa, of->arena, err);
 }
@@ -175,7 +175,7 @@ static ovr_status take_points(const ovr_physics_case *of,
                                k + 1);
     if (c->count < 2)
         return ovr_fail_at(err, OVR_BAD_INPUT, f->file, 0,
-                           "has %zu points: two are the least", c->count);
+                           "has %zu points and needs two at least", c->count);
     if (ovr_touch_table_take(t, c->count, of->arena, err))
         return OVR_NO_MEMORY;
     for (size_t k = 0; k < c->count; k++) {
@@ -196,7 +196,8 @@ static ovr_status resolve_table(const ovr_physics_case *of,
                              .of = {OVR_LENGTH, OVR_PRESSURE},
                              .example = "gap [nm], pressure [MPa]"};
     if (!f->file)
-        return ovr_fail_about(err, "file", "law = table needs file");
+        return ovr_fail_about(err, "file",
+                              "law = table needs a file of gaps and pressures");
     if (!(of->contact->height > 0 && of->contact->ph > 0))
         return ovr_fail_about(err, "file",
                               "a table in metres and pascals needs a physical "
@@ -253,7 +254,8 @@ static ovr_status resolve_layer(ovr_boundary_form *f, ovr_error *err)
 {
     if (f->law == OVR_BOUNDARY_LAYER && !(f->layer > 0))
         return ovr_fail_about(err, "layer",
-                              "law = layer needs layer, its film, above 0");
+                              "law = layer needs the film that the layer bears "
+                              "at, layer, above 0");
     if (!(f->layer_decay > 0))
         f->layer_decay = f->layer / 3;
     f->bears.layer = f->layer;
@@ -298,9 +300,9 @@ static ovr_status resolve_factor(const ovr_physics_case *of,
                               "a flow factor needs Rq, of both surfaces "
                               "together, above 0");
     if (f->ridges && of->options->faces != OVR_FACES_GAP)
-        return ovr_fail_about(err, "flow_factor",
-                              "a flow factor is one of half nodes: [domain] "
-                              "faces = gap");
+        return ovr_fail_about(
+            err, "flow_factor",
+            "a flow factor acts at half nodes: it needs [domain] faces = gap");
     return OVR_OK;
 }
 
@@ -315,16 +317,20 @@ static ovr_status resolve_wear(const ovr_physics_case *of,
                                     "wear needs passes, like passes = 1e6")
                    : OVR_OK;
     if (f->unresolved)
-        return ovr_fail_about(err, "passes",
-                              "running-in is of all roughness: of = all");
+        return ovr_fail_about(
+            err, "passes",
+            "running-in needs all of the roughness in the law: of = all");
     if (!(of->contact->ph > 0 && of->contact->kappa > 0))
         return ovr_fail_about(err, "passes",
                               "wear needs a physical contact: radius and "
                               "modulus beside alpha");
     for (int k = 0; k < 2; k++)
         if (f->wear[k] > 0 && !(fabs(u[k]) > 1e-9))
-            return ovr_fail_about(err, k ? "wear_2" : "wear_1",
-                                  "surface %d stands: it has no passes", k + 1);
+            return ovr_fail_about(
+                err, k ? "wear_2" : "wear_1",
+                "surface %d stands still, so nothing passes over it and it has "
+                "no wear to be given by passes",
+                k + 1);
     return OVR_OK;
 }
 

@@ -168,7 +168,8 @@ static ovr_status check_even(const char *key, int value, int least, int most,
 static ovr_status check(const ovr_options *o, ovr_error *err)
 {
     if (!ovr_scheme_record(o->scheme))
-        return ovr_fail_about(err, "scheme", "there is no scheme %d",
+        return ovr_fail_about(err, "scheme",
+                              "scheme %d: there is none of this number",
                               (int)o->scheme);
     if (o->level < 1 || o->level >= OVR_LEVELS)
         return ovr_fail_about(err, "level", "level %d: 1 to %d are possible",

@@ -119,8 +119,10 @@ static ovr_status add(ovr_simulation *sim, const ovr_physics *physics,
     }
     at = place_for(sim, physics);
     if (!at)
-        return ovr_fail(err, OVR_BAD_INPUT, "%d physics are the most",
-                        OVR_MOST_PHYSICS);
+        return ovr_fail(
+            err, OVR_BAD_INPUT,
+            "more physics are on than the %d that a simulation can hold",
+            OVR_MOST_PHYSICS);
     *at = (ovr_present){physics, own};
     if (physics->influence)
         physics->influence(sim, own, &sim->grids.influence);

@@ -273,8 +273,9 @@ static ovr_status check(const ovr_simulation *sim, double dT, ovr_error *err)
                            err))
         return OVR_BAD_INPUT;
     if (!sim->started)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "a step needs a converged steady start first");
+        return ovr_fail(
+            err, OVR_BAD_INPUT,
+            "a step needs a converged steady start: call that first");
     if (!(dT > 0) || !isfinite(dT))
         return ovr_fail(err, OVR_BAD_INPUT, "time step %g: must be positive",
                         dT);

@@ -90,20 +90,23 @@ ovr_status ovr_stress_check(const ovr_stress_options *o, ovr_error *err)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "stresses need a mesh and 2 to 2^26 nodes");
     if (!(o->to > o->from) || (o->to - o->from) / o->mesh > 1u << 26)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "stresses from X = %g to %g: no such range", o->from,
-                        o->to);
+        return ovr_fail(
+            err, OVR_BAD_INPUT,
+            "stresses from X = %g to %g: the first must be below the second",
+            o->from, o->to);
     if (!(least(o) >= 0.5 * o->mesh * (1 - 1e-9)))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "depth_min = %g is less than half a mesh, %g",
-                        o->depth_min, o->mesh / 2);
+        return ovr_fail(
+            err, OVR_BAD_INPUT,
+            "depth_min = %g is less than half a mesh: must be at least %g",
+            o->depth_min, o->mesh / 2);
     if (!(o->depth_max >= least(o)) || !(o->depth_max <= 1000))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "depth_max = %g: between depth_min, %g, and 1000",
-                        o->depth_max, least(o));
+        return ovr_fail(
+            err, OVR_BAD_INPUT,
+            "depth_max = %g: must be between depth_min, %g, and 1000",
+            o->depth_max, least(o));
     if (!(o->per_octave >= 1 && o->per_octave <= 100))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "depths_per_octave = %g: between 1 and 100",
+                        "depths_per_octave = %g: must be between 1 and 100",
                         o->per_octave);
     return OVR_OK;
 }

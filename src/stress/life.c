@@ -213,7 +213,7 @@ ovr_status ovr_life(const ovr_life_options *options, const ovr_material *m,
     if (o->limits && !(o->limit_z && o->limit_A))
         return ovr_fail_null(err, __func__);
     if (m->depths < 1 || m->depths > MOST_DEPTHS)
-        return ovr_fail(err, OVR_BAD_INPUT, "%zu depths: 1 to %d are possible",
+        return ovr_fail(err, OVR_BAD_INPUT, "%zu depths: must be 1 to %d",
                         m->depths, MOST_DEPTHS);
     size_t from = first_counted(o, m);
     made = (ovr_life_result){.least_depth = m->z[from]};

@@ -150,9 +150,10 @@ static ovr_status check(const ovr_stress_options *o,
 {
     if (!(range->to > range->from) ||
         (range->to - range->from) / o->mesh > 1 << 26)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "material from %g to %g: no such range", range->from,
-                        range->to);
+        return ovr_fail(
+            err, OVR_BAD_INPUT,
+            "material from %g to %g: the first must be below the second",
+            range->from, range->to);
     if (!(range->reach > 0) || range->reach > o->to || range->reach > -o->from)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "paths within |X| <= %g need fields from %g to %g",

@@ -162,8 +162,9 @@ static ovr_status cut_ends(ovr_profile *p, size_t *n, ovr_error *err)
     while (last > first && isnan(p->z[last - 1]))
         last--;
     if (last - first < 2)
-        return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "fewer than two heights are left");
+        return ovr_fail_at(
+            err, OVR_BAD_INPUT, p->file, 0,
+            "fewer than two heights are left: condition less away");
     keep(p, first, last - first);
     if (last - first < *n)
         ovr_profile_note(p, "%zu points without height cut off at the ends",

@@ -25,8 +25,8 @@ static ovr_status check(const ovr_layer *l, const char *file, ovr_error *err)
     for (size_t i = 0; i < l->n; i++)
         if (!(l->z[i] >= 0) || !isfinite(l->z[i]))
             return ovr_fail(err, OVR_BAD_INPUT,
-                            "'%s': thickness %g at x = %g; 0 or more, without "
-                            "gaps",
+                            "'%s': the thickness %g at x = %g must be 0 or "
+                            "more, without gaps",
                             file, l->z[i], l->x[i]);
     return OVR_OK;
 }

@@ -45,7 +45,7 @@ static ovr_profile *read(const ovr_feature_form *form, const ovr_contact *c,
     ovr_profile_source source;
     ovr_profile *p;
     if (!form->source) {
-        ovr_fail(err, OVR_BAD_INPUT, "a profile needs its file");
+        ovr_fail(err, OVR_BAD_INPUT, "a profile needs its file: give file");
         return NULL;
     }
     if (OVR_TAKE(ovr_profile_source, &source, form->source, err))

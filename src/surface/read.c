@@ -180,7 +180,7 @@ ovr_profile *ovr_profile_read(const ovr_profile_source *source,
     if (OVR_TAKE(ovr_profile_source, &own, source, err))
         return NULL;
     if (!own.file || !*own.file)
-        ovr_fail(err, OVR_BAD_INPUT, "a profile needs its file");
+        ovr_fail(err, OVR_BAD_INPUT, "a profile needs its file: give file");
     else if (!load(own.file, &arena, &content, err))
         profile = parse(&own, content, allocator, err);
     ovr_arena_release(&arena);

@@ -56,8 +56,8 @@ static ovr_status find_data(ovr_text_table *t, ovr_error *err)
     for (before = lines; ovr_next_line(&lines, &line); before = lines) {
         if (memchr(line.text, 0, line.size))
             return fail(t, line.number, err,
-                        "a NUL byte: this is not a text file, nor SDF, SMD or "
-                        "X3P");
+                        "holds a NUL byte: this is not a text file, nor SDF, "
+                        "SMD or X3P");
         if (!is_row(line, &t->layout, &fields))
             continue;
         if (isnan(t->counted) && is_count(lines, &fields)) {
@@ -141,7 +141,8 @@ static ovr_status read_row(ovr_text_table *t, ovr_line line, size_t i,
     ovr_status status;
     t->number[i] = line.number;
     if (!ovr_split(line, t->layout.separator, &fields))
-        return fail(t, line.number, err, "more than 64 columns");
+        return fail(t, line.number, err,
+                    "has more than 64 columns, which is all that are read");
     status = read_cell(t, &fields, t->z, true, line.number, &p->z[i], err);
     if (!status && t->x >= 0)
         status = read_cell(t, &fields, t->x, false, line.number, &p->x[i], err);

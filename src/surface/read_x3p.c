@@ -73,10 +73,10 @@ static ovr_status unpack(package *k, zip_uint64_t index, const char *name,
     char *data, behind;
     if (zip_stat_index(k->zip, index, 0, &about) != 0 ||
         !(about.valid & ZIP_STAT_SIZE) || about.size > most)
-        return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
-                           "'%s' in it is larger than the %zu bytes that are "
-                           "read",
-                           name, most);
+        return ovr_fail_at(
+            err, OVR_BAD_INPUT, file, 0,
+            "'%s' in it is larger than the %zu bytes that are read at most",
+            name, most);
     data = ovr_arena_take(&k->arena, (size_t)about.size, 1, err);
     if (!data)
         return OVR_NO_MEMORY;
@@ -291,7 +291,7 @@ static ovr_status read_package(package *k, const ovr_profile_source *source,
     ovr_status status;
     if (!find_main(k, &index))
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "a ZIP without main.xml: not X3P");
+                           "is a ZIP without main.xml, and so not X3P");
     status = unpack(k, index, "main.xml", OVR_CONTENT_MAX / 4, &xml, err);
     if (!status)
         status = ovr_x3p_parse(xml, p->file, &k->arena, x, err);

@@ -355,7 +355,9 @@ ovr_status ovr_rough_pair_law(ovr_rough_pair *pair, ovr_touch_table *t,
                                  .workspace = pair->workspace + 2 * pair->n};
     measure(pair);
     if (!(pair->slope > 0))
-        return ovr_fail(err, OVR_BAD_INPUT, "the profiles are smooth");
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "the profiles are smooth: a law of roughness needs "
+                        "heights that vary");
     clear(pair, t);
     for (size_t j = 0; j < pair->points; j++)
         pair->p[j] = pair->modulus * pair->slope *

@@ -175,7 +175,7 @@ static void XMLCALL on_doctype(void *data, const XML_Char *name,
                                int internal)
 {
     (void)name, (void)system, (void)public, (void)internal;
-    wrong(data, "a document type does not belong into X3P");
+    wrong(data, "a document type does not belong in X3P");
 }
 
 static ovr_status run(reading *r, ovr_bytes xml, const char *file,

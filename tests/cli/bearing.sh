@@ -121,7 +121,7 @@ expect 0 "$OVERROLL" export three.h5
 cmp -s out three.csv || fail 'resumed it is another run'
 
 # What does not go together
-refuses 'loads: 2 loads for 3 passes' check plain.ini --set passes.loads=1,2
+refuses 'loads: 2 loads are given for 3' check plain.ini --set passes.loads=1,2
 sed '/^spacing/d' plain.ini >near.ini
 refuses 'recovery: needs spacing' check near.ini
 refuses 'recovery: surface 1 does not move' check plain.ini \

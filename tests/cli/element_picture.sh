@@ -115,12 +115,12 @@ table 'where a point of the raceway meets one' | awk '
 
 expect 0 "$OVERROLL" init roller --set domain.level=5 --set time.end=0.5 \
     -o other.ini
-refuses 'an element is drawn of cases with' \
+refuses 'only cases with' \
     plot other.ini --kind element -o no.png
 expect 0 "$OVERROLL" run other.ini -q -o other.h5
-refuses 'an element is drawn of cases with' \
+refuses 'only cases with' \
     plot other.h5 --kind element -o no.png
-refuses 'one result at a time' plot gear.h5 other.h5 --kind element -o no.png
+refuses 'of one result: give one' plot gear.h5 other.h5 --kind element -o no.png
 expect 0 "$OVERROLL" view other.h5 -o other.html
 grep -q '"element":{' other.html && fail 'an element on the page of none'
 exit 0

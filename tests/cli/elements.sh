@@ -224,9 +224,9 @@ awk -v a="$pitch" -v b="$(value min_film_m)" \
     'BEGIN { exit !((a / b - 1) ^ 2 < 1e-14) }' || fail 'not the pitch point'
 expect 0 "$OVERROLL" steady cam.ini --at '12 deg' --json
 refuses 'a station .A to E' steady gear.ini --at Z
-refuses 'the way goes from 0 to 1.635 ms' steady gear.ini --at 2ms
-refuses 'the event goes from 0 to 30 deg' steady cam.ini --at '40 deg'
-refuses 'is of cases with .gear. or .cam.' steady bearing.ini --at A
+refuses 'must lie within the way, from 0 to 1.635 ms' steady gear.ini --at 2ms
+refuses 'within the event, from 0 to 30 deg' steady cam.ini --at '40 deg'
+refuses 'only cases with .gear. or .cam.' steady bearing.ini --at A
 
 # ---------------------------------------------------------------- warnings
 

@@ -174,7 +174,7 @@ H='so that H_min_overall'
 {
     asks 'no number of this run; did you mean H_min_overall' \
         $depth 0.01 and 0.5 so that H_min_overal is 0.05
-    asks 'T_max_rise: no number of this run' \
+    asks 'T_max_rise: is no number of this run' \
         $depth 0.01 and 0.5 so that T_max_rise is 4
     asks 'largest .*say at most or at least' dent.ini largest \
         feature.dent.depth between 0.1 and 0.5 $H is 0.05

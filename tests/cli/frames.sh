@@ -72,8 +72,8 @@ expect 0 "$OVERROLL" plot dent.h5 --kind map --field viscosity -o eta.svg
 contains eta.svg 'viscosity.*eta0'
 refuses "no map of 'density'" plot dent.h5 --kind map --field density -o n.png
 refuses "kind 'maps'" plot dent.h5 --kind maps -o map.png
-refuses 'where to' plot dent.h5
-refuses 'where to' frames dent.h5
+refuses 'no output is named' plot dent.h5
+refuses 'no output is named' frames dent.h5
 refuses 'no snapshot between' frames dent.h5 -o none --time 100:
 refuses "size '1x1'" plot dent.h5 -o x.png --size 1x1
 refuses 'a range such as' plot dent.h5 -o x.png --x 1:-1

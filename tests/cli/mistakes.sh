@@ -77,7 +77,7 @@ refuses "no field 'presure'; did you mean 'pressure'" \
     export none.h5 --field presure --all
 refuses "no map of 'presure'.*did you mean 'pressure'" \
     plot none.h5 --kind map --field presure -o none.svg
-refuses 'quantity is of studies' plot none.h5 --quantity H_min -o none.svg
+refuses 'quantity draws studies' plot none.h5 --quantity H_min -o none.svg
 # Words that are neither command nor key
 for topic in friction Hertz rpm torque study film life grease units dent; do
     expect 0 "$OVERROLL" help $topic

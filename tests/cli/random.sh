@@ -101,7 +101,7 @@ if command -v gnuplot >/dev/null; then
     contains d.svg 'load, rho \+0.9'
     contains d.svg 'share of the variance'
     contains d.dat '^1\.1(0*1)? 0'
-    refuses 'is of STUDY.ini' plot table.csv --kind distribution -o e.svg
+    refuses 'draws a study: give' plot table.csv --kind distribution -o e.svg
     refuses 'd.svg' plot lognormal.ini --kind distribution -o d.svg
 fi
 
@@ -278,4 +278,4 @@ wrong 'shape' 'draws = 16\nfeature.a.shape = normal 1 sd 2\n'
 wrong "has no column 'w'" \
     'draws = 16\n[random file measured.csv]\ncontact.load = column w\n'
 wrong 'must be .random. or' 'draws = 16\n[random numbers]\n'
-wrong 'a limit is >= or <=' "draws = 16\n${load}[limits]\nH_min = 3\n"
+wrong 'must be QUANTITY >= VALUE or' "draws = 16\n${load}[limits]\nH_min = 3\n"

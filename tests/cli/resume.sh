@@ -33,7 +33,7 @@ cp short.h5 kept.h5 && cp short.h5.restart kept.h5.restart
 
 # What it refuses
 refuses '^nowhere.h5: No such file' resume nowhere.h5
-refuses '^dent.ini: not an HDF5 file' resume dent.ini
+refuses '^dent.ini: is not an HDF5 file' resume dent.ini
 refuses "'contact.M' was '20' and is now '21'" \
     resume short.h5 --set contact.M=21
 refuses "'feature dent.depth' was '0.1' and is now '0.2'" \
@@ -109,5 +109,5 @@ start = -2
 END
 expect 0 "$OVERROLL" run profile.ini -o p.h5 -q
 printf 'x_um,z_um\n0,0\n100,0\n200,-0.3\n300,0\n400,0\n' >p.csv
-refuses "has a profile's file changed" resume p.h5 --set time.end=4
+refuses "give the profile's file as it was" resume p.h5 --set time.end=4
 exit 0

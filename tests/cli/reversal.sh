@@ -56,7 +56,7 @@ contains out '"inlet": -4,'
 contains out '"outlet": 4,'
 expect 0 "$OVERROLL" check cam.ini --json --set domain.inlet=-5
 contains out '"outlet": 5,'
-refuses "outlet: 1.5: where .speed. reverses inlet and outlet trade places" \
+refuses "outlet: 1.5: inlet and outlet trade places where .speed." \
     run cam.ini -o no.h5 --set domain.outlet=1.5
 
 # What it does not go with

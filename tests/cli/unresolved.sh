@@ -78,5 +78,5 @@ awk -v share="$share" 'BEGIN { exit !(share >= 0 && share < 0.9) }' ||
     fail "share $share"
 refuses 'the mesh has all of the profiles' check un.ini --level 11
 expect 0 "$OVERROLL" check un.ini --level 11 --set 'boundary.layer=3 nm'
-refuses 'running-in is of all roughness' check un.ini \
+refuses 'running-in needs all of the roughness' check un.ini \
     --set 'boundary.wear_1=1e-8 mm3/Nm' --set boundary.passes=1000

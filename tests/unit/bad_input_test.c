@@ -445,7 +445,7 @@ static void memory_is_estimated_first(void **state)
     if (s)
         assert_int_equal(ovr_setup_prepare(s, &hook, &err), OVR_BAD_INPUT);
     CHECK_ERROR(&err, OVR_BAD_INPUT, "t.ini:5: level: ");
-    CHECK_ERROR(&err, OVR_BAD_INPUT, " GB of memory, of which this machine ");
+    CHECK_ERROR(&err, OVR_BAD_INPUT, " GB of memory, and this machine ");
     assert_true(largest < 1000000);
     ovr_setup_free(s);
     ovr_case_free(c);

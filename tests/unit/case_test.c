@@ -220,8 +220,8 @@ static void bad_text_is_refused(void **state)
     refused("[contact]\nM\n", "t.ini:2: must be 'key = value'");
     refused("[contact]\n= 3\n", "t.ini:2: a key is missing");
     refused("[contact]\nM =\n", "t.ini:2: M: the value is missing");
-    refused("[contact\n", "t.ini:1: a section is [name]");
-    refused("[contact] M = 3\n", "t.ini:1: a section is [name]");
+    refused("[contact\n", "t.ini:1: a section must be [name]");
+    refused("[contact] M = 3\n", "t.ini:1: a section must be [name]");
     refused("[feature]\n", "needs a name");
     refused("[contact two]\n", "unknown section");
     refused("[feature a]\nshape = dent\n[feature a]\n",

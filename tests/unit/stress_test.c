@@ -524,7 +524,7 @@ static void nonsense_is_refused(void **state)
     refuses(o, "depths_per_octave");
     o = level8();
     o.to = o.from;
-    refuses(o, "no such range");
+    refuses(o, "must be below the second");
     o = level8();
     o.mesh = 0;
     refuses(o, "mesh");
