@@ -43,8 +43,8 @@ typedef struct ovr_parameter_info {
     const char *bare;    /* what a number without a unit is in: "b", "b^2/R",
                             "b/um"; "" when there is no such thing */
     const char *initial; /* default as in a case file, or NULL */
-    double least, most;  /* allowed, in SI or bare; NAN: not a number */
-    bool above;          /* `least` itself is not allowed */
+    double minimum, maximum; /* allowed, in SI or bare; NAN: not a number */
+    bool above;              /* `minimum` itself is not allowed */
     const char *choices[24]; /* words allowed, ends with NULL */
     bool physics;            /* another value is another solution */
     const char *help;
@@ -259,13 +259,13 @@ typedef struct ovr_station {
     double flash;              /* K, after Blok with OVR_STATION_FRICTION */
 } ovr_station;
 #define OVR_STATION_FRICTION 0.05
-enum { OVR_STATIONS_MOST = 64 };
+enum { OVR_STATIONS_MAX = 64 };
 
 /* Fills in the moments in the order of time (of rollers: from below the load
- * on), at most OVR_STATIONS_MOST; returns how many there are: 0 without an
+ * on), at most OVR_STATIONS_MAX; returns how many there are: 0 without an
  * element. */
 OVR_API size_t ovr_setup_stations(const ovr_setup *setup,
-                                  ovr_station station[OVR_STATIONS_MOST]);
+                                  ovr_station station[OVR_STATIONS_MAX]);
 
 /* Fails with OVR_BAD_INPUT naming file, line and key; nothing of the size of
  * the grid is allocated. */

@@ -151,7 +151,7 @@ typedef struct ovr_cam_event {
     size_t reversals;    /* where the mean speed passes zero, at most 16 */
     double reversal[16]; /* their angles */
     bool jumps;          /* the law's acceleration jumps at its ends */
-    double least_force;  /* N */
+    double min_force;    /* N */
 } ovr_cam_event;
 
 /* -------------------------------------------------------------- bearings */

@@ -40,8 +40,8 @@ typedef struct ovr_heat {
     double theta, conduction; /* Theta, Kf */
     double solid[2];          /* N_k with um */
     double peclet[2];
-    double least_peclet; /* of a steady solution's march along x; 0.1 */
-    double expansion;    /* 1/K; 0 of an incompressible oil */
+    double min_peclet; /* of a steady solution's march along x; 0.1 */
+    double expansion;  /* 1/K; 0 of an incompressible oil */
     bool density_expands;
     double S0, C, beta;  /* C = 0: not Roelands */
     double A;            /* 5.9e8 Pa/ph: oil expands by `expansion` times f =

@@ -135,7 +135,7 @@ OVR_API ovr_status ovr_profile_condition(ovr_profile *profile,
  */
 typedef struct ovr_profile_numbers {
     size_t n;
-    double length, spacing, spacing_least, spacing_most;
+    double length, spacing, spacing_min, spacing_max;
     char kind;      /* 'P' or 'R': a is Pa or Ra, and so on */
     int sections;   /* section lengths: P one, R up to five */
     double section; /* the length of one */
@@ -168,9 +168,9 @@ typedef struct ovr_profile_wave {
     double part;       /* of the variance */
 } ovr_profile_wave;
 
-/* Finds up to `most` waves above 0.1 % of the variance, strongest first;
+/* Finds up to `maximum` waves above 0.1 % of the variance, strongest first;
  * *found says how many. */
-OVR_API ovr_status ovr_profile_waves(const ovr_profile *profile, size_t most,
+OVR_API ovr_status ovr_profile_waves(const ovr_profile *profile, size_t maximum,
                                      ovr_profile_wave *waves, size_t *found,
                                      ovr_error *err);
 
@@ -186,10 +186,10 @@ typedef struct ovr_dry_point {
     double pressure, gap, area;
 } ovr_dry_point;
 
-/* Up to `most` points, the lightest first; *found says how many. */
-OVR_API ovr_status ovr_profile_contact(const ovr_profile *profile, size_t most,
-                                       ovr_dry_point *points, size_t *found,
-                                       ovr_error *err);
+/* Up to `maximum` points, the lightest first; *found says how many. */
+OVR_API ovr_status ovr_profile_contact(const ovr_profile *profile,
+                                       size_t maximum, ovr_dry_point *points,
+                                       size_t *found, ovr_error *err);
 
 /* A length as people write it: "12 um", "0.3 b", "5".  `scaled` is the unit of
  * a dimensionless one, "b" or "b^2/R"; the message does not name what it is

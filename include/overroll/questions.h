@@ -182,7 +182,7 @@ typedef struct ovr_sample_row {
     const char *quantity;
     size_t draws, finished, failed, marked;
     size_t known; /* finished, with a number: what follows is of these */
-    int order[2], level[2]; /* least and most of their solutions */
+    int order[2], level[2]; /* minimum and maximum of their solutions */
     double mean, sd;
     double error;  /* standard error of the mean; NAN: the design tells none */
     double factor; /* of that for 95 % */

@@ -20,7 +20,7 @@ extern "C" {
 
 /* ---------------------------------------------------------------- writer */
 
-enum { OVR_MOST_RANK = 4 }; /* dimensions of what is in a file */
+enum { OVR_MAX_RANK = 4 }; /* dimensions of what is in a file */
 
 /* The fields of a snapshot unless others are asked for, as bits: pressure, film
  * thickness and roughness. */
@@ -88,7 +88,7 @@ typedef struct ovr_group_axis {
 typedef struct ovr_group_array {
     const char *name, *long_name;
     ovr_unit_kind kind;
-    int rank, along[OVR_MOST_RANK];
+    int rank, along[OVR_MAX_RANK];
     const unsigned char *flags;
     const float *singles;
     const double *doubles;
@@ -147,7 +147,7 @@ typedef struct ovr_variable {
     ovr_unit_kind kind; /* OVR_KINDS: one that this version does not know */
     const char *path;   /* "pressure", "history/load" */
     int rank;           /* numbers of dimensions, and their lengths; */
-    size_t shape[OVR_MOST_RANK]; /* first those rows that are complete */
+    size_t shape[OVR_MAX_RANK]; /* first those rows that are complete */
 } ovr_variable;
 
 /* A variable by its path; NULL: there is none. */

@@ -277,8 +277,8 @@ ovr_stored_stress_report(const ovr_stored_stress *stress, int surface);
 
 /* The least depth of the histories that a prepared setup asks for; refused
  * where its steps cannot give the depths.  NAN: it asks for none. */
-OVR_API ovr_status ovr_setup_stress_depth(const ovr_setup *setup, double *least,
-                                          ovr_error *err);
+OVR_API ovr_status ovr_setup_stress_depth(const ovr_setup *setup,
+                                          double *minimum, ovr_error *err);
 
 /* A prepared setup is described before it is solved by lines of a summary: its
  * contact, films by formula, features, grid and cost.  `live`: bytes that the
@@ -343,7 +343,7 @@ OVR_API ovr_sweep_state ovr_sweep_state_of(const ovr_study *study, size_t k);
 OVR_API void ovr_sweep_message(const ovr_study *study, size_t k, char *text,
                                size_t capacity);
 
-enum { OVR_SWEEP_MOST_WORKERS = 1024 };
+enum { OVR_SWEEP_MAX_WORKERS = 1024 };
 
 /* Every case is run by a process of its own, forked here, whose standard
  * output and error are its NAME.log: the callbacks of `run` and `report` are

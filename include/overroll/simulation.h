@@ -150,9 +150,9 @@ OVR_API void ovr_simulation_standing(ovr_simulation *sim, ovr_heights *standing,
 /* Solves the steady problem at T = 0 (surface and histories as they are
  * there) by full multigrid; also the start of every run.  A contact at rest
  * has no film and one without load no end of it: a run from rest or from no
- * load starts from the steady film of OVR_LEAST_START of the nominal speed or
+ * load starts from the steady film of OVR_MIN_START of the nominal speed or
  * load, and takes the histories as they are from there on. */
-#define OVR_LEAST_START 0.01
+#define OVR_MIN_START 0.01
 OVR_API ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err);
 
 /* One implicit step of length dT > 0.  A step that does not converge is tried

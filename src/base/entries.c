@@ -9,11 +9,11 @@
 #include "base/text.h"
 
 ovr_status ovr_entries_open(ovr_entries *e, const char *text, const char *file,
-                            size_t most, ovr_arena *arena, ovr_error *err)
+                            size_t maximum, ovr_arena *arena, ovr_error *err)
 {
-    char *copy = ovr_arena_take(arena, most + 1, 1, err);
+    char *copy = ovr_arena_take(arena, maximum + 1, 1, err);
     bool marked = !strncmp(text, "\357\273\277", 3); /* byte order mark */
-    *e = (ovr_entries){file, text + 3 * marked, 0, most, copy, false};
+    *e = (ovr_entries){file, text + 3 * marked, 0, maximum, copy, false};
     return copy ? OVR_OK : OVR_NO_MEMORY;
 }
 
@@ -45,10 +45,10 @@ static ovr_status next_line(ovr_entries *e, ovr_error *err)
             return fail(e, "is not text: it holds control characters", err);
     line.size = without_comment(line.text, line.size);
     line = ovr_trim(line);
-    if (line.size > e->most)
+    if (line.size > e->maximum)
         return ovr_fail_at(err, OVR_BAD_INPUT, e->file, e->line,
                            "the line is too long: at most %zu characters",
-                           e->most);
+                           e->maximum);
     memcpy(e->copy, line.text, line.size);
     e->copy[line.size] = '\0';
     return OVR_OK;
@@ -104,12 +104,12 @@ ovr_status ovr_entries_next(ovr_entries *e, ovr_entry *entry, ovr_error *err)
     return status;
 }
 
-ovr_status ovr_text_file(const char *path, const char *what, size_t most,
+ovr_status ovr_text_file(const char *path, const char *what, size_t maximum,
                          ovr_arena *arena, const char **text, ovr_error *err)
 {
-    char *content = ovr_arena_take(arena, most + 2, 1, err);
+    char *content = ovr_arena_take(arena, maximum + 2, 1, err);
     FILE *file = content ? fopen(path, "rb") : NULL;
-    size_t got = file ? fread(content, 1, most + 1, file) : 0;
+    size_t got = file ? fread(content, 1, maximum + 1, file) : 0;
     bool broken = !file || ferror(file);
     if (!content)
         return OVR_NO_MEMORY;
@@ -121,10 +121,10 @@ ovr_status ovr_text_file(const char *path, const char *what, size_t most,
     if (broken)
         return OVR_BAD_INPUT;
     *text = content;
-    if (got > most)
+    if (got > maximum)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%s: is longer than a %s may be (%zu bytes)", path,
-                        what, most);
+                        what, maximum);
     if (strlen(content) != got)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%s: is not a %s file: it is not text", path, what);

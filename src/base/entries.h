@@ -25,20 +25,20 @@ typedef struct ovr_entries {
     const char *file; /* in messages */
     const char *at;   /* next line */
     long line;        /* the one read last */
-    size_t most;      /* characters a line */
+    size_t maximum;   /* characters a line */
     char *copy;       /* of that line */
     bool inside;      /* a section */
 } ovr_entries;
 
 ovr_status ovr_entries_open(ovr_entries *e, const char *text, const char *file,
-                            size_t most, ovr_arena *arena, ovr_error *err);
+                            size_t maximum, ovr_arena *arena, ovr_error *err);
 
 /* The next section or key, valid until the one after it. */
 ovr_status ovr_entries_next(ovr_entries *e, ovr_entry *entry, ovr_error *err);
 
 /* A whole file of text of at most so many bytes; `what` ("case") stands in
  * messages. */
-ovr_status ovr_text_file(const char *path, const char *what, size_t most,
+ovr_status ovr_text_file(const char *path, const char *what, size_t maximum,
                          ovr_arena *arena, const char **text, ovr_error *err);
 
 #endif

@@ -44,8 +44,8 @@ typedef struct ovr_parameter {
     ovr_kind kind;
     ovr_dimension dimension; /* of numbers */
     ovr_hertzian hertzian;
-    double least, most; /* SI or bare */
-    bool above;         /* `least` itself is refused */
+    double minimum, maximum; /* SI or bare */
+    bool above;              /* `minimum` itself is refused */
     const ovr_word *words;
     const char *initial; /* NULL: not given */
     size_t place;        /* in the form that its section fills */

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Short forms for rows of parameters (base/parameter.h): each stands for kind,
- * dimension, unit of a bare number, least and most, whether the least itself is
- * refused, and words.  Words are designated, for compilers take it then that a
- * row leaves out on purpose what it has not: a former name (`once`).  Included
- * only by files that hold rows.
+ * dimension, unit of a bare number, minimum and maximum, whether the smallest
+ * itself is refused, and words.  Words are designated, for compilers take it
+ * then that a row leaves out on purpose what it has not: a former name
+ * (`once`).  Included only by files that hold rows.
  */
 #ifndef OVR_BASE_ROWS_H
 #define OVR_BASE_ROWS_H
@@ -13,35 +13,42 @@
 
 #include "base/parameter.h"
 
-#define PLAIN(least, most)                                                     \
-    OVR_NUMBER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, .words = NULL
-#define PLAIN_OR(list, least, most)                                            \
-    OVR_NUMBER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, .words = list
-#define POSITIVE(most)                                                         \
-    OVR_NUMBER, OVR_PURE, OVR_NOT_HERTZIAN, 0, most, true, .words = NULL
-#define WITH_UNIT(dimension, least, most)                                      \
-    OVR_NUMBER, dimension, OVR_NOT_HERTZIAN, least, most, false, .words = NULL
-#define LENGTH(least, most)                                                    \
-    OVR_NUMBER, OVR_LENGTH, OVR_IN_B, least, most, false, .words = NULL
-#define LENGTH_OR(list, least, most)                                           \
-    OVR_NUMBER, OVR_LENGTH, OVR_IN_B, least, most, false, .words = list
+#define PLAIN(minimum, maximum)                                                \
+    OVR_NUMBER, OVR_PURE, OVR_NOT_HERTZIAN, minimum, maximum, false,           \
+        .words = NULL
+#define PLAIN_OR(list, minimum, maximum)                                       \
+    OVR_NUMBER, OVR_PURE, OVR_NOT_HERTZIAN, minimum, maximum, false,           \
+        .words = list
+#define POSITIVE(maximum)                                                      \
+    OVR_NUMBER, OVR_PURE, OVR_NOT_HERTZIAN, 0, maximum, true, .words = NULL
+#define WITH_UNIT(dimension, minimum, maximum)                                 \
+    OVR_NUMBER, dimension, OVR_NOT_HERTZIAN, minimum, maximum, false,          \
+        .words = NULL
+#define LENGTH(minimum, maximum)                                               \
+    OVR_NUMBER, OVR_LENGTH, OVR_IN_B, minimum, maximum, false, .words = NULL
+#define LENGTH_OR(list, minimum, maximum)                                      \
+    OVR_NUMBER, OVR_LENGTH, OVR_IN_B, minimum, maximum, false, .words = list
 #define SIZE OVR_NUMBER, OVR_LENGTH, OVR_IN_B, 1e-6, 1e4, false, .words = NULL
 #define HEIGHT                                                                 \
     OVR_NUMBER, OVR_LENGTH, OVR_IN_HEIGHT, 0, 1e3, false, .words = NULL
 #define SHIFT                                                                  \
     OVR_NUMBER, OVR_LENGTH, OVR_IN_HEIGHT, -1e3, 1e3, false, .words = NULL
-#define TIME(least, most)                                                      \
-    OVR_NUMBER, OVR_DURATION, OVR_IN_TIME, least, most, false, .words = NULL
-#define SPAN(list, most)                                                       \
-    OVR_NUMBER, OVR_DURATION, OVR_IN_TIME, 1e-6, most, false, .words = list
-#define STRESS(list, least, most)                                              \
-    OVR_NUMBER, OVR_PRESSURE, OVR_IN_PRESSURE, least, most, false, .words = list
-#define AREA_OR(list, most)                                                    \
-    OVR_NUMBER, OVR_AREA, OVR_IN_AREA, 0, most, false, .words = list
-#define WHOLE(least, most)                                                     \
-    OVR_INTEGER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, .words = NULL
-#define WHOLE_OR(list, least, most)                                            \
-    OVR_INTEGER, OVR_PURE, OVR_NOT_HERTZIAN, least, most, false, .words = list
+#define TIME(minimum, maximum)                                                 \
+    OVR_NUMBER, OVR_DURATION, OVR_IN_TIME, minimum, maximum, false,            \
+        .words = NULL
+#define SPAN(list, maximum)                                                    \
+    OVR_NUMBER, OVR_DURATION, OVR_IN_TIME, 1e-6, maximum, false, .words = list
+#define STRESS(list, minimum, maximum)                                         \
+    OVR_NUMBER, OVR_PRESSURE, OVR_IN_PRESSURE, minimum, maximum, false,        \
+        .words = list
+#define AREA_OR(list, maximum)                                                 \
+    OVR_NUMBER, OVR_AREA, OVR_IN_AREA, 0, maximum, false, .words = list
+#define WHOLE(minimum, maximum)                                                \
+    OVR_INTEGER, OVR_PURE, OVR_NOT_HERTZIAN, minimum, maximum, false,          \
+        .words = NULL
+#define WHOLE_OR(list, minimum, maximum)                                       \
+    OVR_INTEGER, OVR_PURE, OVR_NOT_HERTZIAN, minimum, maximum, false,          \
+        .words = list
 #define CHOICE(list)                                                           \
     OVR_CHOICE, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, .words = list
 #define WORDS(list)                                                            \
@@ -52,8 +59,8 @@
     OVR_TEXT, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, .words = NULL
 #define PATH                                                                   \
     OVR_PATH, OVR_PURE, OVR_NOT_HERTZIAN, NAN, NAN, false, .words = NULL
-#define LIST(dimension, hertzian, least, most, list)                           \
-    OVR_NUMBERS, dimension, hertzian, least, most, false, .words = list
+#define LIST(dimension, hertzian, minimum, maximum, list)                      \
+    OVR_NUMBERS, dimension, hertzian, minimum, maximum, false, .words = list
 
 /* The key has an effect whatever the others are. */
 #define ALWAYS NULL

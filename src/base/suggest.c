@@ -15,7 +15,7 @@ static char lower(char c)
     return (char)(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
 }
 
-static size_t least(size_t a, size_t b)
+static size_t minimum(size_t a, size_t b)
 {
     return a < b ? a : b;
 }
@@ -33,10 +33,11 @@ static size_t distance(const char *a, const char *b)
         now[0] = i;
         for (size_t j = 1; j <= lb; j++) {
             bool same = lower(a[i - 1]) == lower(b[j - 1]);
-            now[j] = least(last[j - 1] + !same, least(last[j], now[j - 1]) + 1);
+            now[j] = minimum(last[j - 1] + !same,
+                             minimum(last[j], now[j - 1]) + 1);
             if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) &&
                 lower(a[i - 2]) == lower(b[j - 1]))
-                now[j] = least(now[j], before[j - 2] + 1);
+                now[j] = minimum(now[j], before[j - 2] + 1);
         }
     }
     return rows[la % 3][lb];

@@ -60,21 +60,21 @@ static double of_film(const ovr_setup *s, double M, double L, double mesh)
     double k = fmin(L * L / 225, 1) * fmin(sqrt(M / 25), 1);
     double spike = k * pow(x, 1.3), l = fmin(L, 25) / 17;
     bool likely = s->accuracy_of == OVR_ACCURACY_ALL;
-    bool least = likely || s->accuracy_of == OVR_ACCURACY_H_MIN;
+    bool minimum = likely || s->accuracy_of == OVR_ACCURACY_H_MIN;
     int order = order_of(s);
     if (order == 4 && likely)
         return x * x * (0.035 + (1.5 + 7 * l * l * l * l) * x);
     if (order == 4)
         return x * x * (0.035 + 0.2 * x * x) +
-               (least ? 0.4 * spike + 2 * x * x * x : 0);
-    return order == 2 ? 1.5 * x * x + (least ? 0.55 * spike : 0) : 0.6 * x;
+               (minimum ? 0.4 * spike + 2 * x * x * x : 0);
+    return order == 2 ? 1.5 * x * x + (minimum ? 0.55 * spike : 0) : 0.6 * x;
 }
 
 /* The contact at a time, and its curvature over the nominal one. */
 static ovr_instant instant(const ovr_setup *s, double T, double *curvature)
 {
-    double w = fmax(ovr_history_value(s->load, T), OVR_LEAST_START);
-    double u = fmax(fabs(ovr_history_value(s->speed, T)), OVR_LEAST_START);
+    double w = fmax(ovr_history_value(s->load, T), OVR_MIN_START);
+    double u = fmax(fabs(ovr_history_value(s->speed, T)), OVR_MIN_START);
     *curvature = 1 / ovr_history_value(s->radius, T);
     return ovr_instant_of(s->contact, w, u, *curvature);
 }
@@ -84,15 +84,15 @@ enum { LOOKS = 64 };
 /* The largest over the run counts, where the radius varies. */
 static double largest_of_film(const ovr_setup *s)
 {
-    double most = of_film(s, s->contact->M, s->contact->L, s->mesh);
+    double maximum = of_film(s, s->contact->M, s->contact->L, s->mesh);
     if (!s->transient || !ovr_history_varies(s->radius))
-        return most;
+        return maximum;
     for (int k = 0; k <= LOOKS; k++) {
         double c;
         ovr_instant at = instant(s, ovr_setup_end(s) * k / LOOKS, &c);
-        most = fmax(most, of_film(s, at.M, at.L, s->mesh / at.s));
+        maximum = fmax(maximum, of_film(s, at.M, at.L, s->mesh / at.s));
     }
-    return most;
+    return maximum;
 }
 
 /* The root mean square over a run, relative to its mean film in units of the

@@ -93,11 +93,11 @@ static bool is_shape(const char *word)
 
 static ovr_status no_section(const char *header, ovr_error *err)
 {
-    enum { MOST = 64 };
-    const char *names[MOST], *meant;
+    enum { MAX = 64 };
+    const char *names[MAX], *meant;
     size_t n = 0, length = strcspn(header, " \t."), used = 0;
-    char word[OVR_NAME_MOST + 1], there[400] = "";
-    for (; n < MOST && ovr_section_row(n); n++) {
+    char word[OVR_NAME_MAX + 1], there[400] = "";
+    for (; n < MAX && ovr_section_row(n); n++) {
         const ovr_section *s = ovr_section_row(n);
         names[n] = s->name;
         if (used < sizeof there)
@@ -120,12 +120,12 @@ static ovr_status no_section(const char *header, ovr_error *err)
     meant = ovr_suggest(word, names, n);
     if (meant) {
         ovr_fail(err, OVR_BAD_INPUT,
-                 "unknown section [%.*s]; did you mean [%s]?", OVR_NAME_MOST,
+                 "unknown section [%.*s]; did you mean [%s]?", OVR_NAME_MAX,
                  header, meant);
         return ovr_fail_meant(err, OVR_BAD_INPUT, meant);
     }
     return ovr_fail(err, OVR_BAD_INPUT, "unknown section [%.*s]; there are %s",
-                    OVR_NAME_MOST, header, there);
+                    OVR_NAME_MAX, header, there);
 }
 
 /* A name that survives being written as [section NAME]. */
@@ -144,11 +144,11 @@ const ovr_section *ovr_section_parse(const char *header, const char **name,
 {
     const ovr_section *section;
     size_t length = strcspn(header, " \t.");
-    char word[OVR_NAME_MOST + 1];
-    if (strlen(header) > OVR_NAME_MOST) {
+    char word[OVR_NAME_MAX + 1];
+    if (strlen(header) > OVR_NAME_MAX) {
         ovr_fail(err, OVR_BAD_INPUT,
                  "section name [%.20s...] is longer than %d characters", header,
-                 OVR_NAME_MOST);
+                 OVR_NAME_MAX);
         return NULL;
     }
     memcpy(word, header, length);

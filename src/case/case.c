@@ -27,7 +27,7 @@ static place find_place(ovr_case *c, const char *where, ovr_error *err)
     const ovr_section *named, *section;
     ovr_block *block;
     place at = {0};
-    char header[OVR_NAME_MOST + 2];
+    char header[OVR_NAME_MAX + 2];
     if (!point || point == where || !point[1]) {
         ovr_fail(err, OVR_BAD_INPUT,
                  "'%.60s' must be section.key, such as contact.M", where);
@@ -82,7 +82,7 @@ ovr_status ovr_case_set(ovr_case *c, const char *where, const char *value,
     ovr_slot fresh;
     if (!at.slot)
         return ovr_fail_from(err, &why, origin, 0);
-    if (strlen(value) > OVR_LINE_MOST - OVR_NAME_MOST)
+    if (strlen(value) > OVR_LINE_MAX - OVR_NAME_MAX)
         return ovr_fail_about(err, row->key, "%s: %s: the value is too long",
                               origin, row->key);
     if (!survives(value))
@@ -114,7 +114,7 @@ ovr_status ovr_case_assign(ovr_case *c, const char *assignment,
     if (!assignment)
         return ovr_fail_null(err, __func__);
     const char *equals = strchr(assignment, '=');
-    char where[2 * OVR_NAME_MOST + 2], value[OVR_LINE_MOST + 1];
+    char where[2 * OVR_NAME_MAX + 2], value[OVR_LINE_MAX + 1];
     ovr_line left, right;
     if (!equals)
         equals = assignment;

@@ -11,7 +11,7 @@
 #include "case/parameters.h"
 #include "overroll/case.h"
 
-enum { OVR_NAME_MOST = 48, OVR_LINE_MOST = 190, OVR_CASE_MOST = 1 << 20 };
+enum { OVR_NAME_MAX = 48, OVR_LINE_MAX = 190, OVR_CASE_MAX = 1 << 20 };
 
 typedef struct ovr_slot {
     const char *key;

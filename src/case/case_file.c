@@ -42,10 +42,10 @@ static ovr_status take_value(ovr_case *c, const ovr_entry *entry,
     const ovr_parameter *row;
     ovr_slot *slot;
     ovr_status status;
-    if (strlen(entry->key) > OVR_NAME_MOST)
+    if (strlen(entry->key) > OVR_NAME_MAX)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "the key is too long: at most %d characters",
-                        OVR_NAME_MOST);
+                        OVR_NAME_MAX);
     slot = ovr_block_slot(home, entry->key, &row, err);
     if (!slot)
         return OVR_BAD_INPUT;
@@ -70,8 +70,8 @@ static ovr_status parse(ovr_case *c, ovr_error *err)
     ovr_entries all;
     ovr_entry entry;
     ovr_block *block = NULL;
-    ovr_status status = ovr_entries_open(&all, c->source, c->name,
-                                         OVR_LINE_MOST, &c->arena, err);
+    ovr_status status = ovr_entries_open(&all, c->source, c->name, OVR_LINE_MAX,
+                                         &c->arena, err);
     while (!status && !(status = ovr_entries_next(&all, &entry, err)) &&
            entry.line) {
         ovr_error why = {0};
@@ -148,7 +148,7 @@ ovr_case *ovr_case_read(const char *path, const ovr_allocator *allocator,
     const char *text;
     ovr_case *c = NULL;
     if (folder && !refuse_result(path, err) &&
-        !ovr_text_file(path, "case", OVR_CASE_MOST, &scratch, &text, err)) {
+        !ovr_text_file(path, "case", OVR_CASE_MAX, &scratch, &text, err)) {
         char *slash = strrchr(folder, '/');
         if (slash)
             slash[slash == folder] = '\0';

@@ -109,10 +109,10 @@ static size_t capacity_needed(const ovr_case *c)
 {
     size_t capacity = (c->source ? strlen(c->source) : 0) + 2;
     for (const ovr_block *b = c->blocks; b; b = b->next) {
-        capacity += 2 * OVR_NAME_MOST;
+        capacity += 2 * OVR_NAME_MAX;
         for (size_t k = 0; k < b->count; k++)
             if (is_later(&b->slots[k]))
-                capacity += OVR_NAME_MOST + strlen(b->slots[k].text) + 8;
+                capacity += OVR_NAME_MAX + strlen(b->slots[k].text) + 8;
     }
     return capacity;
 }

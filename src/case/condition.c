@@ -31,7 +31,7 @@ void ovr_condition_add(char *text, size_t capacity, const char *format, ...)
 /* "ramp | step | sine" as "ramp, step or sine". */
 static void put_words(const char *words, char *text, size_t capacity)
 {
-    char word[OVR_CONDITION_MOST];
+    char word[OVR_CONDITION_MAX];
     for (int k = 0; ovr_condition_next(&words, " | ", word, sizeof word); k++)
         ovr_condition_add(text, capacity, "%s%s",
                           !k       ? ""
@@ -61,7 +61,7 @@ static void put_alternative(const char *from, char *text, size_t capacity)
 
 void ovr_condition_text(const char *condition, char *text, size_t capacity)
 {
-    char from[OVR_CONDITION_MOST];
+    char from[OVR_CONDITION_MAX];
     for (int k = 0; ovr_condition_next(&condition, " or ", from, sizeof from);
          k++) {
         bool absent = !strncmp(from, "no ", 3);
@@ -85,7 +85,7 @@ static void put_shapes(const char *size, char *text, size_t capacity)
 void ovr_when_text(const ovr_parameter *row, char *text, size_t capacity)
 {
     const char *when = row->when ? row->when : "";
-    char condition[OVR_CONDITION_MOST], shapes[OVR_CONDITION_MOST] = "";
+    char condition[OVR_CONDITION_MAX], shapes[OVR_CONDITION_MAX] = "";
     text[0] = '\0';
     if (!strcmp(when, OVR_BY_SHAPE)) {
         const char *of = ovr_size_of_what(row->key);

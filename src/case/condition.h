@@ -7,7 +7,7 @@
 #include "base/parameter.h"
 #include "overroll/error.h"
 
-enum { OVR_CONDITION_MOST = 256 };
+enum { OVR_CONDITION_MAX = 256 };
 
 /* The text up to a separator, which moves on behind it; false at its end. */
 bool ovr_condition_next(const char **text, const char *separator, char *piece,

@@ -109,7 +109,7 @@ static bool jolts(const ovr_setup *s, double far)
 
 /* Loads of a pass over that of the pass which this setup is of. */
 typedef struct loads {
-    double least, most;
+    double minimum, maximum;
 } loads;
 
 static loads loads_of_passes(const ovr_setup *s)
@@ -120,8 +120,8 @@ static loads loads_of_passes(const ovr_setup *s)
     loads all = {1, 1};
     for (size_t k = 0; k < given->count; k++) {
         double other = given->values[k] / now;
-        all.least = k ? fmin(all.least, other) : other;
-        all.most = k ? fmax(all.most, other) : other;
+        all.minimum = k ? fmin(all.minimum, other) : other;
+        all.maximum = k ? fmax(all.maximum, other) : other;
     }
     return all;
 }
@@ -151,8 +151,8 @@ static ovr_instant instant_of(const moments *m, int k, double load)
 {
     const ovr_setup *s = m->setup;
     double T = look(m, k);
-    double w = fmax(load * ovr_history_value(s->load, T), OVR_LEAST_START);
-    double u = fmax(fabs(ovr_history_value(s->speed, T)), OVR_LEAST_START);
+    double w = fmax(load * ovr_history_value(s->load, T), OVR_MIN_START);
+    double u = fmax(fabs(ovr_history_value(s->speed, T)), OVR_MIN_START);
     return ovr_instant_of(s->contact, w, u,
                           1 / ovr_history_value(s->radius, T));
 }
@@ -168,7 +168,7 @@ static double squared_width(const ovr_setup *s, double T)
 static double jump_of(const ovr_setup *s)
 {
     const double moment = 0.035, fall = 0.7;
-    double end = ovr_setup_end(s), most = 0, jump = 0, last;
+    double end = ovr_setup_end(s), maximum = 0, jump = 0, last;
     if (!s->transient || !isfinite(end) ||
         !(ovr_history_varies(s->load) || ovr_history_varies(s->radius)))
         return 0;
@@ -176,11 +176,11 @@ static double jump_of(const ovr_setup *s)
     last = squared_width(s, 0);
     for (int k = 1; k <= count; k++) {
         double now = squared_width(s, end * k / count), change = now - last;
-        most = fmax(most, fmax(now, last));
+        maximum = fmax(maximum, fmax(now, last));
         jump = fmax(jump, change > 0 ? change : -fall * change);
         last = now;
     }
-    return most > 0 ? jump / most : 0;
+    return maximum > 0 ? jump / maximum : 0;
 }
 
 /* X of the outlet, in the largest half width, that a jump wants: the surfaces
@@ -204,7 +204,7 @@ static moments moments_of(const ovr_setup *s)
         m.strict = m.last && !ovr_history_reverses(s->speed);
     }
     for (int k = 0; k <= m.last; k++)
-        m.width = fmax(m.width, instant_of(&m, k, m.loads.most).s);
+        m.width = fmax(m.width, instant_of(&m, k, m.loads.maximum).s);
     m.behind = m.width * outlet_of_jump(jump_of(s));
     return m;
 }
@@ -241,7 +241,7 @@ static double lost_by_change(const moments *m, int k, double load, double X_a)
 {
     const ovr_setup *s = m->setup;
     double T = look(m, k), R = ovr_history_value(s->radius, T), part = 1;
-    double u = fmax(fabs(ovr_history_value(s->speed, T)), OVR_LEAST_START);
+    double u = fmax(fabs(ovr_history_value(s->speed, T)), OVR_MIN_START);
     double width = load * ovr_history_slope(s->load, T) * R; /* of s^2 */
     double more = 1 + 0.9 * R * fabs(width) / (u * fabs(X_a));
     if (!varies_in_radius(s))
@@ -271,11 +271,11 @@ static double widened(const moments *m, int k, double load, const wish *w,
 {
     const double step = 1.05, farthest = 4;
     double s = w->at.s, M = w->at.M, L = w->at.L;
-    double X_a = fmin(inlet, s * OVR_NEAREST_INLET), least;
+    double X_a = fmin(inlet, s * OVR_NEAREST_INLET), minimum;
     if (ovr_inlet_loss(M, L, X_a / s) > w->loss)
         X_a = s * ovr_inlet_of_loss(M, L, w->loss, OVR_NEAREST_INLET);
-    least = farthest * X_a;
-    while (m->strict && X_a > least &&
+    minimum = farthest * X_a;
+    while (m->strict && X_a > minimum &&
            lost_by_change(m, k, load, X_a) * ovr_inlet_loss(M, L, X_a / s) >
                1.001 * w->loss)
         X_a *= step;
@@ -299,7 +299,7 @@ static extent domain_of(const moments *m, extent e,
                         wish (*wish_of)(const moments *, const ovr_instant *))
 {
     for (int k = 0; k <= 2 * m->last + 1; k++) {
-        double load = k % 2 ? m->loads.most : m->loads.least;
+        double load = k % 2 ? m->loads.maximum : m->loads.minimum;
         ovr_instant at = instant_of(m, k / 2, load);
         wish w = wish_of(m, &at);
         e.inlet = widened(m, k / 2, load, &w, e.inlet);
@@ -359,7 +359,7 @@ ovr_domain_needs ovr_setup_needs(const ovr_setup *s)
                               .outlet = usual.outlet,
                               .varies = m.last > 0};
     for (int k = 0; k <= 2 * m.last + 1; k++) {
-        double load = k % 2 ? m.loads.most : m.loads.least;
+        double load = k % 2 ? m.loads.maximum : m.loads.minimum;
         ovr_instant at = instant_of(&m, k / 2, load);
         double X_a = fmin(s->options->inlet / at.s, -1);
         needs.loss = fmax(needs.loss, ovr_inlet_loss(at.M, at.L, X_a));

@@ -26,7 +26,7 @@ typedef struct ovr_resolved {
     ovr_march march;
     ovr_flow_law *flow_law;
     ovr_supply_setup supply;
-    ovr_resolved_physics physics[OVR_MOST_PHYSICS]; /* as in the list */
+    ovr_resolved_physics physics[OVR_MAX_PHYSICS]; /* as in the list */
     size_t features; /* all there are, on the mesh (the setup's) or not */
     const ovr_feature_form *const *feature;
     struct {

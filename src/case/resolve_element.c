@@ -340,7 +340,7 @@ static ovr_status resolve_gear(ovr_resolved *r, const ovr_block *block,
     fill_shifts(form);
     if (form->sharing == OVR_SHARING_TABLE) {
         ovr_two_columns table = {
-            .name = {"way", "share"}, .most = 1, .of = "", .unit = {1, 1}};
+            .name = {"way", "share"}, .maximum = 1, .of = "", .unit = {1, 1}};
         status = read_table(r, block, e->sharing_file, &table, err);
         form->shares = table.count;
         form->way = table.x;
@@ -381,8 +381,8 @@ static ovr_status resolve_cam(ovr_resolved *r, const ovr_block *block,
     ovr_status status = check_loaded_twice(r, "cam", err);
     if (!status && e->cam.law == OVR_CAM_TABLE) {
         ovr_two_columns table = {.name = {"angle", "lift"},
-                                 .least = -1e6,
-                                 .most = 1e6,
+                                 .minimum = -1e6,
+                                 .maximum = 1e6,
                                  .of = " mm",
                                  .unit = {PI / 180, 1e-3}};
         status = read_table(r, block, e->lift_file, &table, err);
@@ -474,7 +474,7 @@ typedef struct moments {
 static void order_times(moments *m, double begin, double end,
                         const double *corner, size_t corners)
 {
-    double least = 1e-7 * (end - begin);
+    double minimum = 1e-7 * (end - begin);
     for (int k = 0; k <= UNIFORM; k++)
         m->t[m->count++] = begin + (end - begin) * k / UNIFORM;
     for (size_t k = 0; k < corners; k++)
@@ -483,7 +483,7 @@ static void order_times(moments *m, double begin, double end,
     gsl_sort(m->t, 1, m->count);
     size_t kept = 1;
     for (size_t k = 1; k < m->count; k++)
-        if (m->t[k] - m->t[kept - 1] > least)
+        if (m->t[k] - m->t[kept - 1] > minimum)
             m->t[kept++] = m->t[k];
     m->t[kept - 1] = end;
     m->count = kept;

@@ -37,8 +37,8 @@ static ovr_status load_table(ovr_resolved *r, const ovr_block *block,
 {
     const ovr_parameter *to = ovr_parameter_find(block->section, "to");
     ovr_two_columns p = {.name = {"time", "value"},
-                         .least = to->least,
-                         .most = to->most,
+                         .minimum = to->minimum,
+                         .maximum = to->maximum,
                          .of = " (of the nominal one)",
                          .unit = {1, 1}};
     ovr_status status;

@@ -41,7 +41,7 @@ static ovr_status resolve_radius(ovr_resolved *r,
 static void take_running_in(ovr_resolved *r)
 {
     r->setup.transient = true;
-    r->march.end = OVR_WEAR_STEP * OVR_WEAR_MOST;
+    r->march.end = OVR_WEAR_STEP * OVR_WEAR_MAX;
     r->march.dT = r->values.step = OVR_WEAR_STEP;
     if (r->values.scheme < 0)
         r->values.scheme = OVR_UPSTREAM1;

@@ -58,7 +58,7 @@ static void write_line(const lines *to, const char *format, ...)
     OVR_PRINTF(2, 3);
 static void write_line(const lines *to, const char *format, ...)
 {
-    char text[2 * OVR_LINE_MOST + 600];
+    char text[2 * OVR_LINE_MAX + 600];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(text, sizeof text, format, arguments);

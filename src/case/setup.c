@@ -196,22 +196,24 @@ static void usual_level(ovr_setup *s)
 static ovr_status choose_level(ovr_resolved *r, bool usual,
                                const ovr_allocator *allocator, ovr_error *err)
 {
-    enum { LEAST = 4, MOST = 14, MOST_USUAL = OVR_USUAL_LEVEL };
+    enum { MIN = 4, MAX = 14, MAX_USUAL = OVR_USUAL_LEVEL };
     ovr_setup *s = &r->setup;
     const ovr_options target = *s->options;
     ovr_status status = OVR_OK;
-    int least = target.refine ? OVR_LEAST_REFINED : LEAST;
-    int most = s->confirm ? MOST : MOST_USUAL;
-    int level = target.coarsest_level > least ? target.coarsest_level : least;
+    int minimum = target.refine ? OVR_MIN_REFINED : MIN;
+    int maximum = s->confirm ? MAX : MAX_USUAL;
+    int level = target.coarsest_level > minimum ? target.coarsest_level
+                                                : minimum;
     s->expected = INFINITY;
-    for (; !status && s->expected > s->accuracy && level <= most; level++) {
+    for (; !status && s->expected > s->accuracy && level <= maximum; level++) {
         double inlet = s->options->inlet;
         *s->options = target;
         s->options->inlet = inlet;
         s->options->level = level;
         status = resolve_options(r, err);
         measure(s);
-        if (!status && (level == most || ovr_expected_of_mesh(s) < s->accuracy))
+        if (!status &&
+            (level == maximum || ovr_expected_of_mesh(s) < s->accuracy))
             status = make_grid(r, usual, allocator, err);
     }
     return status;
@@ -251,9 +253,9 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
  * slides. */
 double ovr_setup_arriving(const ovr_setup *s, double T)
 {
-    static const double least = 1e-3;
+    static const double minimum = 1e-3;
     const double ratio[2] = {s->contact->u1_ratio, s->contact->u2_ratio};
-    double Cu = fmax(ovr_history_value(s->speed, T), least), both = 0;
+    double Cu = fmax(ovr_history_value(s->speed, T), minimum), both = 0;
     for (int k = 0; k < 2; k++) {
         const ovr_layer *layer = s->supply->layer[k];
         double way = layer ? ovr_surface_way(s->speed, s->sliding, ratio[k],

@@ -52,7 +52,7 @@ static void evaluate(const ovr_resolved *r, ovr_station *s)
 
 static void add(listing *l, const char *name, ovr_element_moment moment)
 {
-    if (l->count == OVR_STATIONS_MOST)
+    if (l->count == OVR_STATIONS_MAX)
         return;
     ovr_station *s = &l->station[l->count++];
     *s = (ovr_station){.moment = moment, .T = NAN};
@@ -126,7 +126,7 @@ static int by_time(const void *a, const void *b)
 }
 
 size_t ovr_setup_stations(const ovr_setup *setup,
-                          ovr_station station[OVR_STATIONS_MOST])
+                          ovr_station station[OVR_STATIONS_MAX])
 {
     const ovr_resolved *r = (const ovr_resolved *)setup;
     listing l = {.r = r, .station = station};

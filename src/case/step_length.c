@@ -28,17 +28,17 @@ enum { LONG_STEP = 2, LOOKS = 64, INSTANTS = 1 << 14 };
 /* The largest M that the run goes through. */
 static double heaviest(const ovr_setup *s)
 {
-    double most = s->contact->M, end = ovr_setup_end(s);
+    double maximum = s->contact->M, end = ovr_setup_end(s);
     if (!ovr_setup_varies(s) || !isfinite(end))
-        return most;
+        return maximum;
     for (int k = 0; k <= LOOKS; k++) {
         double T = end * k / LOOKS;
-        double w = fmax(ovr_history_value(s->load, T), OVR_LEAST_START);
-        double u = fmax(fabs(ovr_history_value(s->speed, T)), OVR_LEAST_START);
+        double w = fmax(ovr_history_value(s->load, T), OVR_MIN_START);
+        double u = fmax(fabs(ovr_history_value(s->speed, T)), OVR_MIN_START);
         double c = 1 / ovr_history_value(s->radius, T);
-        most = fmax(most, ovr_instant_of(s->contact, w, u, c).M);
+        maximum = fmax(maximum, ovr_instant_of(s->contact, w, u, c).M);
     }
-    return most;
+    return maximum;
 }
 
 static bool has_narrow(const ovr_setup *s)
@@ -58,12 +58,12 @@ static bool has_narrow(const ovr_setup *s)
  */
 static bool swings(const ovr_history *history, double end, double h)
 {
-    const double most = 1e-3;
+    const double maximum = 1e-3;
     double before = ovr_history_value(history, 0), now = before;
     double count = isfinite(end) ? fmin(ceil(end / h), INSTANTS) : 0;
     for (int k = 1; k <= (int)count; k++) {
         double next = ovr_history_value(history, k * h);
-        if (fabs(next - 2 * now + before) > most)
+        if (fabs(next - 2 * now + before) > maximum)
             return true;
         before = now;
         now = next;
@@ -87,12 +87,12 @@ static bool tables_swing(const ovr_resolved *r)
 }
 
 /* True if it changes within so little time that steps see few moments of it. */
-static bool is_quick(const ovr_change *c, double least)
+static bool is_quick(const ovr_change *c, double minimum)
 {
     switch (c->history) {
     case OVR_HISTORY_STEP: return true;
-    case OVR_HISTORY_RAMP: return c->duration < least;
-    case OVR_HISTORY_SINE: return c->period < least;
+    case OVR_HISTORY_RAMP: return c->duration < minimum;
+    case OVR_HISTORY_SINE: return c->period < minimum;
     default: return false;
     }
 }

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { ROWS_MOST = 1000000, LINE_MOST = 256 };
+enum { ROWS_MAX = 1000000, LINE_MAX = 256 };
 
 typedef struct reading {
     ovr_two_columns *to;
@@ -138,14 +138,15 @@ static ovr_status read_line(reading *r, long line, char *text, ovr_error *err)
         return ovr_fail_at(err, OVR_BAD_INPUT, r->file, line,
                            "must be two numbers, %s and %s",
                            c->name[r->swapped], c->name[!r->swapped]);
-    if (c->least < c->most && (pair[1] < c->least || pair[1] > c->most))
+    if (c->minimum < c->maximum &&
+        (pair[1] < c->minimum || pair[1] > c->maximum))
         return ovr_fail_at(err, OVR_BAD_INPUT, r->file, line,
-                           "value %g must be %g to %g%s", pair[1], c->least,
-                           c->most, c->of);
-    if (c->count == ROWS_MOST)
+                           "value %g must be %g to %g%s", pair[1], c->minimum,
+                           c->maximum, c->of);
+    if (c->count == ROWS_MAX)
         return ovr_fail_at(err, OVR_BAD_INPUT, r->file, line,
                            "has more than %d points, which is the maximum",
-                           ROWS_MOST);
+                           ROWS_MAX);
     if (c->count == r->capacity && grow(r, err))
         return OVR_NO_MEMORY;
     if (decimals_of(second) > r->decimals)
@@ -165,7 +166,7 @@ ovr_status ovr_two_columns_read(ovr_two_columns *columns, const char *file,
                  .arena = arena};
     FILE *in = fopen(file, "r");
     ovr_status status = OVR_OK;
-    char text[LINE_MOST];
+    char text[LINE_MAX];
     if (!in)
         return ovr_fail_slot(err, slot, "cannot read '%s': %s", file,
                              strerror(errno));

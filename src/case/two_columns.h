@@ -11,10 +11,10 @@
 #include "case/case.h"
 
 typedef struct ovr_two_columns {
-    const char *name[2]; /* "time", "value" */
-    double least, most;  /* of the second, as it is written; 0, 0: any */
-    const char *of;      /* what its range is told in, behind it: "" */
-    double unit[2];      /* that the numbers are multiplied by */
+    const char *name[2];     /* "time", "value" */
+    double minimum, maximum; /* of the second, as it is written; 0, 0: any */
+    const char *of;          /* what its range is told in, behind it: "" */
+    double unit[2];          /* that the numbers are multiplied by */
     /* The dimensions of the header's units, and a unit that would do; OVR_PURE,
      * NULL: there is no header. */
     ovr_dimension header[2];

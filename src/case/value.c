@@ -63,15 +63,15 @@ static void put_limit(char *text, size_t capacity, double limit)
 
 static void put_range(const ovr_parameter *row, char *text, size_t capacity)
 {
-    char least[32], most[32], words[200];
+    char minimum[32], maximum[32], words[200];
     const char *unit = row->hertzian ? ovr_hertzian_name(row->hertzian)
                                      : ovr_unit_si(row->dimension);
-    put_limit(least, sizeof least, row->least);
-    put_limit(most, sizeof most, row->most);
+    put_limit(minimum, sizeof minimum, row->minimum);
+    put_limit(maximum, sizeof maximum, row->maximum);
     list_words(row->words, words, sizeof words);
     snprintf(text, capacity, "%s%s %s %s%s%s%s%s", row->above ? "above " : "",
-             least, row->above ? "and at most" : "to", most, *unit ? " " : "",
-             unit, *words ? ", or " : "", words);
+             minimum, row->above ? "and at most" : "to", maximum,
+             *unit ? " " : "", unit, *words ? ", or " : "", words);
 }
 
 /* Says for messages what a value may be. */
@@ -92,9 +92,10 @@ static void put_allowed(const ovr_parameter *row, char *text, size_t capacity)
 ovr_status ovr_range_check(const ovr_parameter *row, double number,
                            const char *text, ovr_error *err)
 {
-    bool low = row->above ? !(number > row->least) : !(number >= row->least);
+    bool low = row->above ? !(number > row->minimum)
+                          : !(number >= row->minimum);
     char range[300];
-    if (!low && number <= row->most)
+    if (!low && number <= row->maximum)
         return OVR_OK;
     put_range(row, range, sizeof range);
     return ovr_fail(err, OVR_BAD_INPUT, "%s must be %s", text, range);
@@ -105,10 +106,10 @@ ovr_status ovr_range_check(const ovr_parameter *row, double number,
 static ovr_status check_sign(const ovr_parameter *row, double number,
                              const char *text, ovr_error *err)
 {
-    bool wrong = (row->least > 0 && number <= 0) ||
-                 (row->least == 0 && number < 0) ||
-                 (row->above && row->least == 0 && number == 0) ||
-                 (row->most < 0 && number >= 0);
+    bool wrong = (row->minimum > 0 && number <= 0) ||
+                 (row->minimum == 0 && number < 0) ||
+                 (row->above && row->minimum == 0 && number == 0) ||
+                 (row->maximum < 0 && number >= 0);
     if (wrong)
         return ovr_range_check(row, number, text, err);
     return OVR_OK;
@@ -207,7 +208,7 @@ static ovr_status read_list(const ovr_parameter *row, const char *text,
         return OVR_OK;
     for (size_t i = 0; i < n; i++) {
         ovr_quantity quantity;
-        char item[OVR_LINE_MOST + 2];
+        char item[OVR_LINE_MAX + 2];
         next_item(&text, ",", item, sizeof item);
         if (read_quantity(row, item, &quantity, err))
             return OVR_BAD_INPUT;
@@ -228,7 +229,7 @@ static ovr_status read_words(const ovr_parameter *row, const char *text,
                              ovr_slot *slot, ovr_error *err)
 {
     while (*text) {
-        char item[OVR_LINE_MOST + 2];
+        char item[OVR_LINE_MAX + 2];
         const ovr_word *word;
         next_item(&text, ", \t", item, sizeof item);
         if (!item[0])

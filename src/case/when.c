@@ -26,7 +26,7 @@ static alternative take_section(const ovr_case *c, const ovr_block *own,
                                 const char *text)
 {
     static const ovr_slot there = {.given = true}, missing = {.number = NAN};
-    char name[OVR_NAME_MOST];
+    char name[OVR_NAME_MAX];
     snprintf(name, sizeof name, "%.*s", (int)strcspn(text + 1, "]"), text + 1);
     const ovr_block *block = ovr_case_find_block(c, name, NULL);
     return (alternative){.section = own->section,
@@ -44,7 +44,7 @@ static alternative take_apart(const ovr_case *c, const ovr_block *own,
     const ovr_block *block = own;
     alternative a = {.absent = !strncmp(text, "no ", 3)};
     const char *where = text + 3 * a.absent;
-    char name[2 * OVR_NAME_MOST], *key = name;
+    char name[2 * OVR_NAME_MAX], *key = name;
     size_t length = strcspn(where, " ");
     snprintf(name, sizeof name, "%.*s", (int)length, where);
     a.rest = where + length + strspn(where + length, " ");
@@ -60,7 +60,7 @@ static alternative take_apart(const ovr_case *c, const ovr_block *own,
 
 static bool is_one_of(const char *text, const char *words)
 {
-    char word[OVR_NAME_MOST];
+    char word[OVR_NAME_MAX];
     while (ovr_condition_next(&words, " | ", word, sizeof word))
         if (!strcmp(word, text))
             return true;
@@ -81,7 +81,7 @@ static bool holds(const alternative *a)
 static bool any_holds(const ovr_case *c, const ovr_block *block,
                       const char *condition, bool *off)
 {
-    char text[OVR_CONDITION_MOST];
+    char text[OVR_CONDITION_MAX];
     *off = false;
     while (ovr_condition_next(&condition, " or ", text, sizeof text)) {
         alternative a = take_apart(c, block, text);
@@ -107,7 +107,7 @@ static bool first_failing(const ovr_case *c, const ovr_block *block,
 bool ovr_conditions_hold(const ovr_case *c, const ovr_block *block,
                          const char *when)
 {
-    char condition[OVR_CONDITION_MOST];
+    char condition[OVR_CONDITION_MAX];
     bool off;
     return !first_failing(c, block, when, condition, sizeof condition, &off);
 }
@@ -155,7 +155,7 @@ bool ovr_key_idle(const ovr_case *c, const ovr_block *block,
                   const ovr_slot *slot, ovr_idle *idle)
 {
     const ovr_parameter *row = &block->section->rows[slot - block->slots];
-    char condition[OVR_CONDITION_MOST];
+    char condition[OVR_CONDITION_MAX];
     bool off;
     if (!slot->given || !first_failing(c, block, conditions_of(row), condition,
                                        sizeof condition, &off))

@@ -221,7 +221,7 @@ const cli_verb cli_check = {
             "and every\nparameter with its value; what is printed is itself a "
             "case.",
     .options = options,
-    .least = 0,
-    .most = 1,
+    .minimum = 0,
+    .maximum = 1,
     .run = run,
 };

@@ -175,13 +175,13 @@ static int check_count(const cli_call *call)
     const cli_verb *verb = call->verb;
     if (cli_flag(call, "help"))
         return CLI_DONE;
-    if (call->arguments < verb->least)
+    if (call->arguments < verb->minimum)
         return cli_usage(call, "%s is missing; usage: overroll %s %s",
                          call->arguments ? "an argument" : "what to work on",
                          verb->name, verb->arguments);
-    if (call->arguments > verb->most)
+    if (call->arguments > verb->maximum)
         return cli_usage(call, "unexpected '%s'; usage: overroll %s %s",
-                         call->argument[verb->most], verb->name,
+                         call->argument[verb->maximum], verb->name,
                          verb->arguments);
     return CLI_DONE;
 }

@@ -48,7 +48,7 @@ typedef struct cli_verb {
     const char *summary;   /* one line */
     const char *help;      /* paragraphs for `overroll help NAME`, or NULL */
     const cli_option *options; /* ends with name NULL; may be NULL */
-    int least, most;           /* positional arguments */
+    int minimum, maximum;      /* positional arguments */
     int (*run)(cli_call *call);
     bool steady; /* does not march: signals end it, and what has not converged
                     has failed */

@@ -55,11 +55,11 @@ static const ovr_variable *target_field(const job *j, size_t k)
 
 static ovr_status no_field(const job *j, const char *name)
 {
-    enum { MOST = 64 };
-    const char *names[MOST], *meant;
+    enum { MAX = 64 };
+    const char *names[MAX], *meant;
     char there[700] = "";
     size_t used = 0, n = 0;
-    for (; n < MOST && n < ovr_result_fields(j->result); n++) {
+    for (; n < MAX && n < ovr_result_fields(j->result); n++) {
         names[n] = ovr_result_field(j->result, n)->name;
         if (used < sizeof there)
             used += (size_t)snprintf(there + used, sizeof there - used, "%s%s",
@@ -496,7 +496,7 @@ const cli_verb cli_export = {
     .help = "Without a choice of snapshots: the history, one row a time step.\n"
             "Of the file of several passes: one row a pass.",
     .options = options,
-    .least = 1,
-    .most = 1,
+    .minimum = 1,
+    .maximum = 1,
     .run = run,
 };

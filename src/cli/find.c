@@ -276,7 +276,7 @@ const cli_verb cli_find = {
         "  overroll find dent.ini largest contact.load between 50 and 500 kN/m "
         "\\\n      so that P_max_overall at most 2 GPa",
     .options = options,
-    .least = 2,
-    .most = 40,
+    .minimum = 2,
+    .maximum = 40,
     .run = run,
 };

@@ -36,16 +36,16 @@ static bool watch(void *data, size_t done, size_t count)
     return cli_signal() == 0;
 }
 
-static int take_count(const cli_call *call, const char *name, double most,
+static int take_count(const cli_call *call, const char *name, double maximum,
                       double *value)
 {
     const char *text = cli_value(call, name);
-    if (text && (!ovr_bare_number(text, value) || *value < 1 || *value > most ||
-                 *value != floor(*value)))
+    if (text && (!ovr_bare_number(text, value) || *value < 1 ||
+                 *value > maximum || *value != floor(*value)))
         return cli_usage(call,
                          "--%s '%s': a whole number from 1 to %g is "
                          "needed",
-                         name, text, most);
+                         name, text, maximum);
     return CLI_DONE;
 }
 
@@ -146,7 +146,7 @@ const cli_verb cli_frames = {
         "A second call draws what is missing. --movie needs no DIR and then\n"
         "leaves no frames behind. Several results are laid over each other.",
     .options = options,
-    .least = 1,
-    .most = CLI_RESULTS,
+    .minimum = 1,
+    .maximum = CLI_RESULTS,
     .run = run,
 };

@@ -66,7 +66,7 @@ static void describe_range(const ovr_parameter_info *p, char *text,
     if (!*p->bare && *p->units)
         snprintf(si, sizeof si, " %.*s", (int)strcspn(p->units, ","), p->units);
     snprintf(text, capacity, "%s%s%g to %g%s%s%s", p->type,
-             p->above ? " above " : " ", p->least, p->most, si,
+             p->above ? " above " : " ", p->minimum, p->maximum, si,
              *unit ? " " : "", unit);
 }
 
@@ -108,7 +108,7 @@ static void put_parameter(const ovr_parameter_info *p)
     describe_widths(p, text, sizeof text);
     if (*text)
         put_wrapped(text);
-    if (!isnan(p->least)) {
+    if (!isnan(p->minimum)) {
         describe_range(p, text, sizeof text);
         put_wrapped(text);
     } else if (!p->choices[0]) {
@@ -215,7 +215,7 @@ static void roff_parameter(const ovr_parameter_info *p)
     describe_widths(p, text, sizeof text);
     if (*text)
         printf("%s.\n", text);
-    if (!isnan(p->least)) {
+    if (!isnan(p->minimum)) {
         describe_range(p, text, sizeof text);
         printf("A ");
         put_roff(text);
@@ -224,7 +224,7 @@ static void roff_parameter(const ovr_parameter_info *p)
         printf("A value: %s.\n", p->type);
     }
     if (p->choices[0])
-        puts(isnan(p->least) ? "One of" : "Or");
+        puts(isnan(p->minimum) ? "One of" : "Or");
     for (int i = 0; p->choices[i]; i++) {
         printf(".BR ");
         put_roff(p->choices[i]);
@@ -388,7 +388,7 @@ const cli_verb cli_help = {
     .arguments = "[TOPIC]",
     .summary = "explain a command, a section or a key of the case",
     .options = options,
-    .least = 0,
-    .most = 1,
+    .minimum = 0,
+    .maximum = 1,
     .run = run,
 };

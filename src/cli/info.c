@@ -12,7 +12,7 @@
 
 /* Smallest and largest value of a column of the history, and when. */
 typedef struct extremes {
-    double least, T_least, most, T_most;
+    double minimum, T_min, maximum, T_max;
 } extremes;
 
 typedef struct report {
@@ -30,13 +30,13 @@ static extremes find_extremes(const report *r)
         double value = r->column[k];
         if (isnan(value))
             continue;
-        if (!(value >= e.least)) {
-            e.least = value;
-            e.T_least = r->T[k];
+        if (!(value >= e.minimum)) {
+            e.minimum = value;
+            e.T_min = r->T[k];
         }
-        if (!(value <= e.most)) {
-            e.most = value;
-            e.T_most = r->T[k];
+        if (!(value <= e.maximum)) {
+            e.maximum = value;
+            e.T_max = r->T[k];
         }
     }
     return e;
@@ -156,8 +156,8 @@ static void print_extremes(report *r)
             !take(r, v->name, OVR_AS_STORED))
             continue;
         e = find_extremes(r);
-        printf("%-26s %13.6g %9.4g %13.6g %9.4g  %s\n", v->name, e.least,
-               e.T_least * ms, e.most, e.T_most * ms, v->unit);
+        printf("%-26s %13.6g %9.4g %13.6g %9.4g  %s\n", v->name, e.minimum,
+               e.T_min * ms, e.maximum, e.T_max * ms, v->unit);
     }
 }
 
@@ -228,10 +228,10 @@ static void json_extremes(json_writer *j, report *r)
             continue;
         e = find_extremes(r);
         json_open(j, v->name);
-        json_number(j, "min", e.least);
-        json_number(j, "T_min", e.T_least);
-        json_number(j, "max", e.most);
-        json_number(j, "T_max", e.T_most);
+        json_number(j, "min", e.minimum);
+        json_number(j, "T_min", e.T_min);
+        json_number(j, "max", e.maximum);
+        json_number(j, "T_max", e.T_max);
         json_close(j);
     }
     json_close(j);
@@ -310,7 +310,7 @@ const cli_verb cli_info = {
             "being written. With -v the case is "
             "printed too.\nThe table is in the file's units, --json is "
             "dimensionless.",
-    .least = 1,
-    .most = 1,
+    .minimum = 1,
+    .maximum = 1,
     .run = run,
 };

@@ -592,7 +592,7 @@ const cli_verb cli_init = {
         "little oil), discs (a twin-disc\nmachine), hot (the same with heat).\n"
         "--set puts a value in: init gear --set gear.module=3mm.",
     .options = options,
-    .least = 0,
-    .most = 1,
+    .minimum = 0,
+    .maximum = 1,
     .run = run,
 };

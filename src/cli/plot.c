@@ -363,7 +363,7 @@ const cli_verb cli_plot = {
         "distribution, a study with [random] gives histogram, distribution\n"
         "and the effect of each input.",
     .options = options,
-    .least = 1,
-    .most = CLI_RESULTS,
+    .minimum = 1,
+    .maximum = CLI_RESULTS,
     .run = run,
 };

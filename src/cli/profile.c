@@ -196,6 +196,6 @@ const cli_verb cli_profile = {
             "A LENGTH has its unit, like '80 um' or '0.3 b'; a bare number is "
             "taken for a profile in b alone.",
     .options = options,
-    .least = 1,
-    .most = 1,
+    .minimum = 1,
+    .maximum = 1,
     .run = run};

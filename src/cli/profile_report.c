@@ -57,8 +57,8 @@ static void print_points(const profile_report *r)
         printf("spacing    %s, equal\n", along(r, n->spacing));
     else
         printf("spacing    %s in the mean, from %s to %s\n",
-               along(r, n->spacing), along(r, n->spacing_least),
-               along(r, n->spacing_most));
+               along(r, n->spacing), along(r, n->spacing_min),
+               along(r, n->spacing_max));
     printf("gaps       %zu heights missing, %zu filled\n", r->missing,
            v->filled);
 }
@@ -317,8 +317,8 @@ void profile_print_json(const profile_report *r)
     json_flag(&json, "uniform", r->view->uniform);
     put(&json, r, "length", n->length, false);
     put(&json, r, "spacing", n->spacing, false);
-    put(&json, r, "spacing_least", n->spacing_least, false);
-    put(&json, r, "spacing_most", n->spacing_most, false);
+    put(&json, r, "spacing_least", n->spacing_min, false);
+    put(&json, r, "spacing_most", n->spacing_max, false);
     put(&json, r, "lambda_c", r->view->lambda_c, false);
     json_number(&json, "lambda_c_suggested_m", profile_cutoff(r));
     json_integer(&json, "sections", r->filtered.sections);

@@ -38,7 +38,7 @@ const cli_verb cli_resume = {
             "--set may change\ntime.end and what is stored ([output]), not "
             "what is solved.  A complete file is\nnot touched.",
     .options = options,
-    .least = 1,
-    .most = 1,
+    .minimum = 1,
+    .maximum = 1,
     .run = run,
 };

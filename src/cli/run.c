@@ -46,7 +46,7 @@ const cli_verb cli_run = {
         "SIGHUP\nfinish the "
         "step and close the file.",
     .options = options,
-    .least = 1,
-    .most = 1,
+    .minimum = 1,
+    .maximum = 1,
     .run = run,
 };

@@ -67,7 +67,7 @@ enum { COLUMNS = sizeof columns / sizeof *columns };
 
 void cli_put_stations(const ovr_setup *setup)
 {
-    ovr_station station[OVR_STATIONS_MOST];
+    ovr_station station[OVR_STATIONS_MAX];
     size_t n = ovr_setup_stations(setup, station);
     if (!n)
         return;
@@ -93,7 +93,7 @@ void cli_put_stations(const ovr_setup *setup)
 
 void cli_json_stations(json_writer *json, const ovr_setup *setup)
 {
-    ovr_station station[OVR_STATIONS_MOST];
+    ovr_station station[OVR_STATIONS_MAX];
     size_t n = ovr_setup_stations(setup, station);
     if (!n)
         return;

@@ -42,8 +42,8 @@ const cli_verb cli_steady = {
     .help = "Solves the steady contact of the case (its [time] and the growth "
             "of its\nfeatures do not count), or of --M and --L without a case.",
     .options = options,
-    .least = 0,
-    .most = 1,
+    .minimum = 0,
+    .maximum = 1,
     .run = run,
     .steady = true,
 };

@@ -48,7 +48,7 @@ const cli_verb cli_stress = {
             "stored moments cannot give are\nrefused, with the `every` that "
             "would do.",
     .options = options,
-    .least = 1,
-    .most = 1,
+    .minimum = 1,
+    .maximum = 1,
     .run = run,
 };

@@ -254,8 +254,8 @@ static int run_task(sweeping *w, size_t task)
 /* ---------------------------------------------------------------- options */
 
 /* A whole number from 1 to most; 0 after having said why not. */
-static size_t count_option(const cli_call *call, const char *name, size_t most,
-                           size_t otherwise)
+static size_t count_option(const cli_call *call, const char *name,
+                           size_t maximum, size_t otherwise)
 {
     const char *text = cli_value(call, name);
     char *end;
@@ -263,10 +263,10 @@ static size_t count_option(const cli_call *call, const char *name, size_t most,
     if (!text)
         return otherwise;
     n = strtoul(text, &end, 10);
-    if (*text >= '0' && *text <= '9' && !*end && n >= 1 && n <= most)
+    if (*text >= '0' && *text <= '9' && !*end && n >= 1 && n <= maximum)
         return n;
     cli_usage(call, "%s%s %s: a whole number from 1 to %zu is needed",
-              name[1] ? "--" : "-", name, text, most);
+              name[1] ? "--" : "-", name, text, maximum);
     return 0;
 }
 
@@ -274,7 +274,7 @@ static int do_what_is_asked(sweeping *w)
 {
     const cli_call *call = w->call;
     size_t cases = ovr_study_cases(w->s), task;
-    w->how.workers = (int)count_option(call, "j", OVR_SWEEP_MOST_WORKERS, 0);
+    w->how.workers = (int)count_option(call, "j", OVR_SWEEP_MAX_WORKERS, 0);
     task = count_option(call, "task", cases, cases);
     if ((cli_flag(call, "j") && !w->how.workers) || !task)
         return CLI_USAGE;
@@ -341,7 +341,7 @@ const cli_verb cli_sweep = {
         "each case.  --collect\nruns nothing.  The study is described in "
         "overroll-study(5).",
     .options = options,
-    .least = 1,
-    .most = 1,
+    .minimum = 1,
+    .maximum = 1,
     .run = run,
 };

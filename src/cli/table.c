@@ -8,8 +8,8 @@ double *cli_table_add(cli_table *t, const char *name, const char *unit,
                       ovr_error *err)
 {
     cli_column *c = &t->column[t->columns];
-    if (t->columns == CLI_MOST_COLUMNS) {
-        ovr_fail(err, OVR_BAD_INPUT, "more than %d columns", CLI_MOST_COLUMNS);
+    if (t->columns == CLI_MAX_COLUMNS) {
+        ovr_fail(err, OVR_BAD_INPUT, "more than %d columns", CLI_MAX_COLUMNS);
         return NULL;
     }
     snprintf(c->name, sizeof c->name, "%s", name);

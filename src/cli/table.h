@@ -15,7 +15,7 @@
 
 #include "overroll/error.h"
 
-enum { CLI_MOST_COLUMNS = 256 };
+enum { CLI_MAX_COLUMNS = 256 };
 
 typedef enum cli_table_form { CLI_CSV, CLI_GNUPLOT, CLI_MATLAB } cli_table_form;
 
@@ -27,7 +27,7 @@ typedef struct cli_column {
 
 /* All zero: empty. */
 typedef struct cli_table {
-    cli_column column[CLI_MOST_COLUMNS];
+    cli_column column[CLI_MAX_COLUMNS];
     size_t columns, rows;
 } cli_table;
 

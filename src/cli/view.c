@@ -45,7 +45,7 @@ const cli_verb cli_view = {
     .help = "The page holds everything it needs: no network, nothing to\n"
             "install. Two files are played side by side.",
     .options = options,
-    .least = 1,
-    .most = 2,
+    .minimum = 1,
+    .maximum = 2,
     .run = run,
 };

@@ -278,12 +278,12 @@ static ovr_status check_range(const ovr_contact *to, bool physical,
                               ovr_error *err)
 {
     const char *from = physical ? " (from the physical conditions)" : "";
-    if (!(to->M >= OVR_M_LEAST && to->M <= OVR_M_MOST))
+    if (!(to->M >= OVR_M_MIN && to->M <= OVR_M_MAX))
         return ovr_fail_about(err, "M", "M = %g%s: must be %g to %g", to->M,
-                              from, OVR_M_LEAST, OVR_M_MOST);
-    if (!(to->L >= 0 && to->L <= OVR_L_MOST))
+                              from, OVR_M_MIN, OVR_M_MAX);
+    if (!(to->L >= 0 && to->L <= OVR_L_MAX))
         return ovr_fail_about(err, "L", "L = %g%s: must be 0 to %g", to->L,
-                              from, OVR_L_MOST);
+                              from, OVR_L_MAX);
     if (isinf(to->b) || isinf(to->ph) || isinf(to->um) || isinf(to->load) ||
         to->b <= 0 || to->ph <= 0 || to->um <= 0 || to->load <= 0)
         return refuse(err, "radius",

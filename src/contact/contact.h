@@ -7,12 +7,12 @@
 
 /* Beyond these a number is a slip of the pen, not a contact: for programs and
  * for the keys of a case alike. */
-#define OVR_M_LEAST 1e-3
-#define OVR_M_MOST 1e6
-#define OVR_L_MOST 1e3
-#define OVR_CARREAU_N_LEAST 0.05
-#define OVR_CARREAU_A_LEAST 0.1
-#define OVR_CARREAU_A_MOST 10.0
+#define OVR_M_MIN 1e-3
+#define OVR_M_MAX 1e6
+#define OVR_L_MAX 1e3
+#define OVR_CARREAU_N_MIN 0.05
+#define OVR_CARREAU_A_MIN 0.1
+#define OVR_CARREAU_A_MAX 10.0
 
 /* A flow law: its stress in Pa, or as a number, the other one NAN. */
 typedef struct ovr_flow_form {

@@ -7,8 +7,8 @@ double ovr_flow_factor_at(const ovr_flow_factor *f, double h, double *slope)
 {
     static const double C[] = {0, 0.9, 1.48, 0.87};
     static const double r[] = {0, 0.56, 0.42, 1.5};
-    static const double least[] = {0, 0.5, 1, 0.5};
-    double x = h / f->sigma, held = fmax(x, least[f->ridges]), part;
+    static const double minimum[] = {0, 0.5, 1, 0.5};
+    double x = h / f->sigma, held = fmax(x, minimum[f->ridges]), part;
     *slope = 0;
     if (f->ridges == OVR_RIDGES_NONE)
         return 1;

@@ -11,7 +11,7 @@
 #include "base/given.h"
 #include "contact/contact.h"
 
-static const double LEAST = OVR_CURVE_LEAST, STEP = OVR_CURVE_STEP;
+static const double MIN = OVR_CURVE_MIN, STEP = OVR_CURVE_STEP;
 enum { GAUSS = 64, POINTS = OVR_CURVE_POINTS };
 
 /* The B-splines: nodes a unit of asinh; intervals; coefficients a row, one more
@@ -66,7 +66,7 @@ static double by_points(const ovr_flow_form *form, double u)
 static void make_curve(const ovr_flow_form *form, ovr_curve *f)
 {
     for (int k = 0; k < POINTS; k++) {
-        double u = LEAST + STEP * k;
+        double u = MIN + STEP * k;
         f->value[k] = form->rheology == OVR_CARREAU_STRESS ? by_stress(form, u)
                       : form->rheology == OVR_CARREAU      ? by_rate(form, u)
                                                            : by_points(form, u);
@@ -80,7 +80,7 @@ static void make_curve(const ovr_flow_form *form, ovr_curve *f)
 /* Needs x >= 0. */
 static double curve_at(const ovr_curve *f, double x, double *by_x)
 {
-    double place = (log(x) - LEAST) / STEP;
+    double place = (log(x) - MIN) / STEP;
     if (!(place > 0)) {
         *by_x = 1;
         return x;
@@ -317,14 +317,14 @@ static ovr_status check_form(const ovr_flow_form *form, ovr_error *err)
     if (form->rheology != OVR_CARREAU && form->rheology != OVR_CARREAU_STRESS)
         return ovr_fail_about(err, "rheology",
                               "Newton's and Eyring's laws have no table");
-    if (!(form->n >= OVR_CARREAU_N_LEAST && form->n <= 1))
+    if (!(form->n >= OVR_CARREAU_N_MIN && form->n <= 1))
         return ovr_fail_about(err, "carreau_n",
                               "carreau_n = %g: must be %g to 1", form->n,
-                              OVR_CARREAU_N_LEAST);
-    if (!(form->a >= OVR_CARREAU_A_LEAST && form->a <= OVR_CARREAU_A_MOST))
+                              OVR_CARREAU_N_MIN);
+    if (!(form->a >= OVR_CARREAU_A_MIN && form->a <= OVR_CARREAU_A_MAX))
         return ovr_fail_about(err, "carreau_a",
                               "carreau_a = %g: must be %g to %g", form->a,
-                              OVR_CARREAU_A_LEAST, OVR_CARREAU_A_MOST);
+                              OVR_CARREAU_A_MIN, OVR_CARREAU_A_MAX);
     return OVR_OK;
 }
 

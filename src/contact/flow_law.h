@@ -33,12 +33,12 @@ enum {
 };
 
 /* The last 1 + s_N and 1 + g within. */
-#define OVR_LAW_MOST_SLIDE 0x1.fffffffffffffp29
-#define OVR_LAW_MOST_GRADIENT 0x1.fffffffffffffp7
+#define OVR_LAW_MAX_SLIDE 0x1.fffffffffffffp29
+#define OVR_LAW_MAX_GRADIENT 0x1.fffffffffffffp7
 
 /* f itself: ln f and d ln f/d ln x at ln x = LEAST + STEP k, cubic between them
  * (error below 1e-8); Newtonian below, a power beyond. */
-#define OVR_CURVE_LEAST (-13.8)
+#define OVR_CURVE_MIN (-13.8)
 #define OVR_CURVE_STEP 0.02
 enum { OVR_CURVE_POINTS = 2073 };
 

@@ -61,7 +61,7 @@ static void make_numbers(const ovr_heat_form *form, const ovr_contact *c,
     heat->expansion = compressible ? form->expansion : 0;
     heat->A = 5.9e8 / c->ph;
     heat->density_expands = compressible && form->density_expands;
-    heat->least_peclet = 0.1;
+    heat->min_peclet = 0.1;
     for (int k = 0; k < 2; k++) {
         const ovr_thermal *body = &form->body[k];
         double stored = body->density * body->heat_capacity;

@@ -32,7 +32,7 @@ struct ovr_history {
     gsl_interp *interp; /* table only */
     double *T, *value;
     double *integral; /* table only: from the first point to each */
-    double least;     /* of all values before they are scaled */
+    double minimum;   /* of all values before they are scaled */
     double scale;     /* on all values */
     ovr_arena arena;
 };
@@ -146,19 +146,19 @@ static ovr_status make_table(ovr_history *history, const ovr_history_form *form,
     return OVR_OK;
 }
 
-static double table_least(const ovr_history *history)
+static double table_min(const ovr_history *history)
 {
-    double least = history->value[0];
+    double minimum = history->value[0];
     for (size_t i = 1; i < history->form.points; i++)
-        least = fmin(least, history->value[i]);
-    return least;
+        minimum = fmin(minimum, history->value[i]);
+    return minimum;
 }
 
-static double least(const ovr_history *history)
+static double minimum(const ovr_history *history)
 {
     const ovr_history_form *form = &history->form;
     switch (form->kind) {
-    case OVR_HISTORY_TABLE: return table_least(history);
+    case OVR_HISTORY_TABLE: return table_min(history);
     case OVR_HISTORY_SINE: return form->mean - fabs(form->amplitude);
     case OVR_HISTORY_RAMP:
     case OVR_HISTORY_STEP: return fmin(form->from, form->to);
@@ -186,7 +186,7 @@ ovr_history *ovr_history_create(const ovr_history_form *given,
         ovr_history_free(history);
         return NULL;
     }
-    history->least = least(history);
+    history->minimum = minimum(history);
     return history;
 }
 
@@ -290,14 +290,14 @@ bool ovr_history_varies(const ovr_history *history)
     return history && history->form.kind != OVR_HISTORY_CONSTANT;
 }
 
-double ovr_history_least(const ovr_history *history)
+double ovr_history_min(const ovr_history *history)
 {
-    return history ? history->scale * history->least : 1;
+    return history ? history->scale * history->minimum : 1;
 }
 
 bool ovr_history_reverses(const ovr_history *history)
 {
-    return ovr_history_least(history) < 0;
+    return ovr_history_min(history) < 0;
 }
 
 bool ovr_history_begins_backward(const ovr_history *history)

@@ -52,7 +52,7 @@ static matrix add_layer(matrix S, ovr_elastic of, double kt, matrix *reflection)
 }
 
 void ovr_layered_reflections(const ovr_layered *body, double k,
-                             double to[OVR_LAYERS_MOST + 1][4])
+                             double to[OVR_LAYERS_MAX + 1][4])
 {
     matrix S = times(displaced(body->below, -1), inverse(T1)), R;
     for (int j = body->layers - 1; j >= 0; j--) {
@@ -104,8 +104,8 @@ enum { SAMPLES = 200 };
 
 typedef struct fit {
     double k[SAMPLES], A[SAMPLES];
-    double column[OVR_IMAGES_MOST][SAMPLES]; /* the last is the right side */
-    double diagonal[OVR_IMAGES_MOST];
+    double column[OVR_IMAGES_MAX][SAMPLES]; /* the last is the right side */
+    double diagonal[OVR_IMAGES_MAX];
 } fit;
 
 /* The thinnest layer, and all layers of the body that has more. */
@@ -162,7 +162,7 @@ static void reflect(fit *f, int c, int last)
 /* Weights of n images whose depths stand; the first is what the sum leaves. */
 static void weigh(fit *f, int n, ovr_images *to)
 {
-    double all = 1 - to->top, size[OVR_IMAGES_MOST];
+    double all = 1 - to->top, size[OVR_IMAGES_MAX];
     for (int i = 0; i < SAMPLES; i++) {
         double first = exp(-f->k[i] * to->depth[0]);
         for (int m = 1; m < n; m++)
@@ -210,13 +210,13 @@ double ovr_images_softness(const ovr_images *images, double k)
 static double error_of(const ovr_images *images, const fit *f,
                        const ovr_layered body[2])
 {
-    double most = 0;
+    double maximum = 0;
     for (int i = 0; i + 1 < SAMPLES; i++) {
         double k = sqrt(f->k[i] * f->k[i + 1]);
         double A = ovr_layers_softness(body, k);
-        most = fmax(most, fabs(ovr_images_softness(images, k) / A - 1));
+        maximum = fmax(maximum, fabs(ovr_images_softness(images, k) / A - 1));
     }
-    return most;
+    return maximum;
 }
 
 /* Half-spaces of other moduli than the substrates': no image, but A(0) = 1 is
@@ -231,7 +231,7 @@ static bool is_flat(const ovr_images *images, const fit *f)
 
 void ovr_images_fit(const ovr_layered body[2], ovr_images *images)
 {
-    static const int counts[] = {24, 32, 40, 48, 56, OVR_IMAGES_MOST};
+    static const int counts[] = {24, 32, 40, 48, 56, OVR_IMAGES_MAX};
     double thin, total, best = INFINITY;
     ovr_images with;
     fit f;
@@ -259,10 +259,10 @@ void ovr_images_fit(const ovr_layered body[2], ovr_images *images)
 
 /* ------------------------------------------------------------ dry contact */
 
-enum { MOST = 48 };
+enum { MAX = 48 };
 
 typedef struct system {
-    double row[MOST][MOST + 1];
+    double row[MAX][MAX + 1];
 } system;
 
 /* The slopes of all pressures at s; the deeper an image, the sooner its powers
@@ -270,8 +270,8 @@ typedef struct system {
 static void slopes(const ovr_images *images, double a, double s, int n,
                    double row[])
 {
-    double u[OVR_IMAGES_MOST], v[OVR_IMAGES_MOST];
-    double c[OVR_IMAGES_MOST], d[OVR_IMAGES_MOST];
+    double u[OVR_IMAGES_MAX], v[OVR_IMAGES_MAX];
+    double c[OVR_IMAGES_MAX], d[OVR_IMAGES_MAX];
     double angle = acos(s);
     int left = images->count;
     for (int m = 0; m < left; m++) {
@@ -300,7 +300,7 @@ static void slopes(const ovr_images *images, double a, double s, int n,
 /* Gauss with pivots; the solution in the last column. */
 static void eliminate(system *of, int n)
 {
-    double(*row)[MOST + 1] = of->row;
+    double(*row)[MAX + 1] = of->row;
     for (int c = 0; c < n; c++) {
         int p = c;
         for (int i = c + 1; i < n; i++)
@@ -328,7 +328,7 @@ ovr_layered_hertz ovr_images_dry(const ovr_images *images, double a)
 {
     const double pi = acos(-1.0);
     double thin = images->count ? images->depth[0] / 0.3 : a, middle = 0;
-    int n = 12 + (int)fmin(4 * a / thin, MOST - 12);
+    int n = 12 + (int)fmin(4 * a / thin, MAX - 12);
     system of = {.row = {{0}}};
     for (int i = 0; i < n; i++) {
         double s = cos((2 * i + 1) * pi / (4 * n));

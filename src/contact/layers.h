@@ -37,7 +37,7 @@
 
 #include "overroll/heat.h"
 
-enum { OVR_LAYERS_MOST = 6, OVR_IMAGES_MOST = 64 };
+enum { OVR_LAYERS_MAX = 6, OVR_IMAGES_MAX = 64 };
 
 typedef struct ovr_elastic {
     double modulus, poisson;
@@ -46,19 +46,19 @@ typedef struct ovr_elastic {
 /* A body: layers from the surface down, and what is below them. */
 typedef struct ovr_layered {
     int layers;
-    double thickness[OVR_LAYERS_MOST];
-    ovr_elastic layer[OVR_LAYERS_MOST], below;
-    double yield[OVR_LAYERS_MOST]; /* of each layer, ph; 0: not told */
+    double thickness[OVR_LAYERS_MAX];
+    ovr_elastic layer[OVR_LAYERS_MAX], below;
+    double yield[OVR_LAYERS_MAX]; /* of each layer, ph; 0: not told */
     /* Hertzian pressure of each one's fatigue limit, ph; 0: not told */
-    double limit[OVR_LAYERS_MOST];
+    double limit[OVR_LAYERS_MAX];
     /* shear that the interface below each bears, ph; 0: not told */
-    double strength[OVR_LAYERS_MOST];
+    double strength[OVR_LAYERS_MAX];
 } ovr_layered;
 
 /* Writes R at the top of each layer into `to`, by rows; below the layers R is
  * 0. */
 void ovr_layered_reflections(const ovr_layered *body, double k,
-                             double to[OVR_LAYERS_MOST + 1][4]);
+                             double to[OVR_LAYERS_MAX + 1][4]);
 
 /* A(k) of both. */
 double ovr_layers_softness(const ovr_layered body[2], double k);
@@ -67,7 +67,7 @@ double ovr_layers_softness(const ovr_layered body[2], double k);
 typedef struct ovr_images {
     int count;
     double top; /* A_top */
-    double weight[OVR_IMAGES_MOST], depth[OVR_IMAGES_MOST];
+    double weight[OVR_IMAGES_MAX], depth[OVR_IMAGES_MAX];
     double error; /* largest relative one of A(k) */
 } ovr_images;
 
@@ -77,7 +77,7 @@ typedef struct ovr_images {
  * and largest pressure, and the largest strain of a layer. */
 typedef struct ovr_coated {
     ovr_layered body;
-    double residual[2 * OVR_LAYERS_MOST];
+    double residual[2 * OVR_LAYERS_MAX];
     ovr_images images;
     double stiffness, width, pressure, strain;
 } ovr_coated;
@@ -113,8 +113,8 @@ ovr_layered_hertz ovr_images_dry(const ovr_images *images, double a);
  */
 typedef struct ovr_warmed {
     int layers;
-    double effusivity[OVR_LAYERS_MOST + 1]; /* the last: of what is below */
-    double tau[OVR_LAYERS_MOST];
+    double effusivity[OVR_LAYERS_MAX + 1]; /* the last: of what is below */
+    double tau[OVR_LAYERS_MAX];
 } ovr_warmed;
 
 /* Takes thicknesses in m; tau comes in s. */

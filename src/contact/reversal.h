@@ -6,7 +6,7 @@
 #include "overroll/contact.h"
 
 /* The least value that it ever takes. */
-double ovr_history_least(const ovr_history *history);
+double ovr_history_min(const ovr_history *history);
 
 /* True if it is ever below zero. */
 bool ovr_history_reverses(const ovr_history *history);

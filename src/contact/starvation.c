@@ -73,12 +73,12 @@ double ovr_inlet_uncertainty(double M)
 
 /* Far out the loss falls as a power of X_a: the line through two points in
  * logarithms, from both sides, and every third time the middle. */
-double ovr_inlet_of_loss(double M, double L, double loss, double least)
+double ovr_inlet_of_loss(double M, double L, double loss, double minimum)
 {
-    double near = log(-least), far, above, below;
-    above = log(ovr_inlet_loss(M, L, least) / loss);
+    double near = log(-minimum), far, above, below;
+    above = log(ovr_inlet_loss(M, L, minimum) / loss);
     if (above <= 0)
-        return least;
+        return minimum;
     for (far = near + 0.5;; far += 0.5) {
         below = log(ovr_inlet_loss(M, L, -exp(far)) / loss);
         if (below <= 0)

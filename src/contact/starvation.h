@@ -29,8 +29,8 @@ double ovr_inlet_loss(double M, double L, double X_a);
 /* It costs so many times that at most, where that is half a per cent. */
 double ovr_inlet_uncertainty(double M);
 
-/* The X_a that costs this share, but not beyond `least` (-2, say). */
-double ovr_inlet_of_loss(double M, double L, double loss, double least);
+/* The X_a that costs this share, but not beyond `minimum` (-2, say). */
+double ovr_inlet_of_loss(double M, double L, double loss, double minimum);
 
 /* No steady film ends farther out than this X. */
 double ovr_film_end_bound(double M, double L);

@@ -22,14 +22,14 @@ static double exponential_at(const ovr_touch_law *law, double H, double *slope)
  * gap below zero on the way to a solution is pressed open. */
 static double layer_at(const ovr_touch_law *law, double H, double *slope)
 {
-    const double least = 1e-3;
-    double d = law->layer_decay, x = fmax(H / d, least);
+    const double minimum = 1e-3;
+    double d = law->layer_decay, x = fmax(H / d, minimum);
     if (law->layer / d - x < LOWEST)
         return *slope = 0;
     double e = exp(law->layer / d), rest = expm1(fmin(x, 500));
     double A = e / rest;
     *slope = A * (1 + 1 / rest) / d;
-    return A + *slope * fmax(least * d - H, 0);
+    return A + *slope * fmax(minimum * d - H, 0);
 }
 
 /* ------------------------------------------------------------------- tables

@@ -16,7 +16,7 @@
 
 #include "contact/oil.h"
 
-static const double CELSIUS = 273.15, MM2 = 1e-6, MOST = 2000; /* mm2/s */
+static const double CELSIUS = 273.15, MM2 = 1e-6, MAX = 2000; /* mm2/s */
 
 static double w_of(double nu)
 {
@@ -69,7 +69,7 @@ double ovr_viscosity_index(double nu_40, double nu_100)
 /* The index rises with Y at a given U: bisection. */
 double ovr_viscosity_at_100(double nu_40, double index)
 {
-    double low = 2 * MM2, high = fmin(nu_40, MOST * MM2) * (1 - 1e-9);
+    double low = 2 * MM2, high = fmin(nu_40, MAX * MM2) * (1 - 1e-9);
     if (!(high > low) || !(ovr_viscosity_index(nu_40, low) <= index) ||
         !(ovr_viscosity_index(nu_40, high) >= index))
         return NAN;

@@ -269,7 +269,7 @@ ovr_element_moment ovr_bearing_contact(const ovr_bearing *bearing, double load)
 }
 
 size_t ovr_bearing_passes(const ovr_bearing *bearing, double phase,
-                          double least, size_t capacity, double *angle,
+                          double minimum, size_t capacity, double *angle,
                           double *load)
 {
     if (!bearing || !angle || !load)
@@ -288,7 +288,7 @@ size_t ovr_bearing_passes(const ovr_bearing *bearing, double phase,
         if (!(cos(psi) > 0 || step == 0) || fabs(psi) >= pi)
             continue;
         Q = carried(bearing, displaced(bearing, psi), psi);
-        if (Q <= 0 || Q < least * largest)
+        if (Q <= 0 || Q < minimum * largest)
             continue;
         angle[count] = psi;
         load[count++] = Q;

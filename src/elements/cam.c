@@ -195,12 +195,12 @@ static ovr_status check_event(ovr_cam *cam, ovr_error *err)
 {
     ovr_cam_event *e = &cam->event;
     double gone[2] = {NAN, NAN}, highest = -1, tightest = e->from;
-    double least = clearance_at(cam, e->from);
-    e->least_force = INFINITY;
+    double minimum = clearance_at(cam, e->from);
+    e->min_force = INFINITY;
     for (int k = 0; k <= LOOKS; k++) {
         double clearance = clearance_at(cam, look(e, k));
-        if (clearance < least) {
-            least = clearance;
+        if (clearance < minimum) {
+            minimum = clearance;
             tightest = look(e, k);
         }
     }
@@ -211,7 +211,7 @@ static ovr_status check_event(ovr_cam *cam, ovr_error *err)
         double lift[3], now, angle = look(e, k);
         ovr_lift_at(&cam->form, cam->bending, angle, lift);
         now = force(&cam->form, lift);
-        e->least_force = fmin(e->least_force, now);
+        e->min_force = fmin(e->min_force, now);
         if (lift[0] > highest) {
             highest = lift[0];
             e->nose = angle;
@@ -227,7 +227,7 @@ static ovr_status check_event(ovr_cam *cam, ovr_error *err)
                           "the follower leaves the cam at %.3g to %.3g deg: "
                           "the least force is %.3g N: more preload or spring, "
                           "less speed",
-                          degrees(gone[0]), degrees(gone[1]), e->least_force);
+                          degrees(gone[0]), degrees(gone[1]), e->min_force);
 }
 
 static ovr_status make_event(ovr_cam *cam, ovr_error *err)

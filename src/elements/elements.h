@@ -66,10 +66,10 @@ ovr_element_moment ovr_bearing_contact(const ovr_bearing *bearing, double load);
 /* The rollers that one point of the raceway meets in one crossing of the load
  * zone, one of them at the angle `phase` from the load: at most `capacity`
  * angles and loads (N), in the order in which they come; returns how many there
- * are. Loads below `least` times the largest are left out.  Of a ring that
+ * are. Loads below `minimum` times the largest are left out.  Of a ring that
  * stands still, one: it is met by every roller alike. */
 size_t ovr_bearing_passes(const ovr_bearing *bearing, double phase,
-                          double least, size_t capacity, double *angle,
+                          double minimum, size_t capacity, double *angle,
                           double *load);
 
 #endif

@@ -309,8 +309,8 @@ static bool runs(const ovr_gear *gear, double t)
     const ovr_gear_form *f = &gear->form;
     const ovr_gear_geometry *g = &gear->g;
     double xi = xi_at(gear, t), whole = g->transverse_force / f->face;
-    double R1 = g->R1_A + xi * g->base_pitch, least = f->min_radius * g->line;
-    if (f->teeth_2 > 0 && (R1 < least || g->line - R1 < least))
+    double R1 = g->R1_A + xi * g->base_pitch, minimum = f->min_radius * g->line;
+    if (f->teeth_2 > 0 && (R1 < minimum || g->line - R1 < minimum))
         return false;
     return ovr_gear_load(f, g, xi) > f->min_share * whole;
 }

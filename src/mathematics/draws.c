@@ -80,14 +80,14 @@ static ovr_status fill_sobol(const ovr_sampling *how, const char *const *key,
                              size_t count, double *u, ovr_arena *arena,
                              ovr_error *err)
 {
-    double point[OVR_SOBOL_MOST] = {0};
+    double point[OVR_SOBOL_MAX] = {0};
     const gsl_qrng_type *sobol = gsl_qrng_sobol;
     void *state;
-    if (count > OVR_SOBOL_MOST)
+    if (count > OVR_SOBOL_MAX)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%zu keys are random, and the points of Sobol' have %d "
                         "dimensions at most: take design = lhs",
-                        count, OVR_SOBOL_MOST);
+                        count, OVR_SOBOL_MAX);
     /* gsl_qrng_alloc is not called: it ends the program where memory ends. */
     state = ovr_arena_take(arena, 1, sobol->state_size((unsigned)count), err);
     if (!state)

@@ -23,7 +23,7 @@
 
 typedef enum ovr_design { OVR_PLAIN, OVR_LHS, OVR_SOBOL } ovr_design;
 
-enum { OVR_SOBOL_MOST = 40 }; /* dimensions that GSL has */
+enum { OVR_SOBOL_MAX = 40 }; /* dimensions that GSL has */
 
 typedef struct ovr_sampling {
     ovr_design design;

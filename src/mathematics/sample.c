@@ -23,16 +23,16 @@ double ovr_quantile(const double *sorted, size_t n, double p)
 
 double ovr_quantile_ranks(size_t n, double p, size_t *l, size_t *u)
 {
-    unsigned most = (unsigned)n;
+    unsigned maximum = (unsigned)n;
     double below, above;
     *l = 0;
     *u = n + 1;
-    while (*l < n && gsl_cdf_binomial_P((unsigned)*l, p, most) <= TAIL)
+    while (*l < n && gsl_cdf_binomial_P((unsigned)*l, p, maximum) <= TAIL)
         ++*l;
-    while (*u > 1 && gsl_cdf_binomial_Q((unsigned)*u - 2, p, most) <= TAIL)
+    while (*u > 1 && gsl_cdf_binomial_Q((unsigned)*u - 2, p, maximum) <= TAIL)
         --*u;
-    below = *l ? gsl_cdf_binomial_P((unsigned)*l - 1, p, most) : 0;
-    above = *u <= n ? gsl_cdf_binomial_Q((unsigned)*u - 1, p, most) : 0;
+    below = *l ? gsl_cdf_binomial_P((unsigned)*l - 1, p, maximum) : 0;
+    above = *u <= n ? gsl_cdf_binomial_Q((unsigned)*u - 1, p, maximum) : 0;
     return 1 - below - above;
 }
 

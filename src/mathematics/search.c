@@ -16,7 +16,7 @@ typedef struct searching {
     const ovr_search *p;
     ovr_search_result *r;
     bool geometric;
-    point known[OVR_SEARCH_MOST]; /* in the order of their evaluation */
+    point known[OVR_SEARCH_MAX]; /* in the order of their evaluation */
     size_t count;
     ovr_error *err;
 } searching;
@@ -70,13 +70,13 @@ static bool side(const searching *w, double q)
 
 static ovr_status evaluate(searching *w, size_t n, const double *s, double *q)
 {
-    double x[OVR_SEARCH_MOST] = {0};
+    double x[OVR_SEARCH_MAX] = {0};
     ovr_status status;
-    if (w->count + n > OVR_SEARCH_MOST)
+    if (w->count + n > OVR_SEARCH_MAX)
         return ovr_fail(w->err, OVR_BAD_INPUT,
                         "the search took more than %d evaluations without an "
                         "end: give narrower ends or a larger tolerance",
-                        OVR_SEARCH_MOST);
+                        OVR_SEARCH_MAX);
     for (size_t k = 0; k < n; k++) {
         x[k] = back(w, s[k]);
         q[k] = NAN;
@@ -92,7 +92,7 @@ static ovr_status evaluate(searching *w, size_t n, const double *s, double *q)
 static ovr_status scan(searching *w, point *to, size_t n)
 {
     double a = along(w, w->p->from), b = along(w, w->p->to);
-    double s[OVR_SEARCH_MOST], q[OVR_SEARCH_MOST];
+    double s[OVR_SEARCH_MAX], q[OVR_SEARCH_MAX];
     ovr_status status;
     for (size_t k = 0; k < n; k++)
         s[k] = k + 1 == n ? b : a + (b - a) * (double)k / (double)(n - 1);
@@ -108,13 +108,13 @@ static void judge(searching *w, const point *p, size_t n)
 {
     ovr_search_result *r = w->r;
     double last = NAN, up = 0, down = 0, first = NAN;
-    r->least = INFINITY;
-    r->most = -INFINITY;
+    r->minimum = INFINITY;
+    r->maximum = -INFINITY;
     for (size_t k = 0; k < n; k++) {
         if (isnan(p[k].q))
             continue;
-        r->least = fmin(r->least, p[k].q);
-        r->most = fmax(r->most, p[k].q);
+        r->minimum = fmin(r->minimum, p[k].q);
+        r->maximum = fmax(r->maximum, p[k].q);
         up = fmax(up, p[k].q - last); /* NAN before the first: no change */
         down = fmax(down, last - p[k].q);
         first = isnan(last) ? p[k].q : first;
@@ -123,7 +123,7 @@ static void judge(searching *w, const point *p, size_t n)
         last = p[k].q;
     }
     r->rises = last > first;
-    r->monotone = fmin(up, down) <= 1e-4 * (r->most - r->least);
+    r->monotone = fmin(up, down) <= 1e-4 * (r->maximum - r->minimum);
 }
 
 /* ------------------------------------------------------------------ bracket */
@@ -190,7 +190,7 @@ static bracket outermost(searching *w, const bracket *changes, size_t count)
 static ovr_status find_bracket(searching *w, const point *p, size_t n,
                                bracket *found)
 {
-    bracket changes[OVR_SEARCH_MOST];
+    bracket changes[OVR_SEARCH_MAX];
     size_t count = list_changes(w, p, n, changes), first = 0, last = n - 1;
     ovr_status status = OVR_OK;
     found->found = false;
@@ -290,7 +290,7 @@ static size_t list_about(const searching *w, double s0, double half, point *to)
 /* Slope and scatter by what is known about s0; false: too little. */
 static bool judge_about(searching *w, double s0)
 {
-    point p[OVR_SEARCH_MOST];
+    point p[OVR_SEARCH_MAX];
     double half = distance(w, s0, sqrt(w->p->tolerance));
     size_t n = list_about(w, s0, half, p);
     if (n < ABOUT)
@@ -309,7 +309,7 @@ static ovr_status probe(searching *w, double s0)
 {
     static const double at[] = {1, -1, 0.5, -0.5, 0.75, -0.75, 0.25};
     double half = distance(w, s0, sqrt(w->p->tolerance)), s[ABOUT], q[ABOUT];
-    point p[OVR_SEARCH_MOST];
+    point p[OVR_SEARCH_MAX];
     size_t known = list_about(w, s0, half, p), n = 0;
     for (size_t k = 0; k < sizeof at / sizeof *at && known + n < ABOUT; k++) {
         double x = s0 + at[k] * half;
@@ -434,7 +434,7 @@ ovr_status ovr_search_run(const ovr_search *search, ovr_search_result *result,
                           ovr_error *err)
 {
     searching w = {.p = search, .r = result, .err = err};
-    point points[OVR_SEARCH_MOST / 2];
+    point points[OVR_SEARCH_MAX / 2];
     size_t n = search->scan ? search->scan : OVR_SEARCH_SCAN;
     bracket in = {.found = false};
     ovr_status status;
@@ -448,7 +448,7 @@ ovr_status ovr_search_run(const ovr_search *search, ovr_search_result *result,
                                   .from = NAN,
                                   .to = NAN};
     w.geometric = is_geometric(search->from, search->to);
-    n = n > OVR_SEARCH_MOST / 2 ? OVR_SEARCH_MOST / 2 : n < 2 ? 2 : n;
+    n = n > OVR_SEARCH_MAX / 2 ? OVR_SEARCH_MAX / 2 : n < 2 ? 2 : n;
     status = scan(&w, points, n);
     if (status)
         return status;

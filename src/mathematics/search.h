@@ -20,7 +20,7 @@
 
 #include "overroll/error.h"
 
-enum { OVR_SEARCH_PLACES = 16, OVR_SEARCH_SCAN = 5, OVR_SEARCH_MOST = 1024 };
+enum { OVR_SEARCH_PLACES = 16, OVR_SEARCH_SCAN = 5, OVR_SEARCH_MAX = 1024 };
 
 typedef struct ovr_search {
     double from, to; /* from < to, both finite */
@@ -55,9 +55,9 @@ typedef struct ovr_search_result {
     bool scatters;          /* by more than the tolerance: stopped there */
     bool monotone;          /* as far as the scan tells */
     bool rises;
-    double least, most; /* values of the scan */
-    double from, to;    /* where there are values */
-    size_t places;      /* brackets that the scan saw */
+    double minimum, maximum; /* values of the scan */
+    double from, to;         /* where there are values */
+    size_t places;           /* brackets that the scan saw */
     double place[OVR_SEARCH_PLACES][2];
 } ovr_search_result;
 

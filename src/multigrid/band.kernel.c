@@ -223,7 +223,7 @@ static void backward(const ovr_band *band, ptrdiff_t S, const reduced *in)
 
 /* Rows on both sides of the meetings: the last HALF of each partition and the
  * first HALF of the next, in the element of the former. */
-enum { HALF = 24, LEAST = 4 * HALF, FINE = 4096 };
+enum { HALF = 24, MIN = 4 * HALF, FINE = 4096 };
 typedef struct window {
     vec b[5][2 * HALF], d[2 * HALF];
 } window;
@@ -271,7 +271,7 @@ static void solve_window(const ovr_band *band, ptrdiff_t S, const window *w)
 void OVR_KERNEL(band_solve)(const ovr_lanes *g, const ovr_band *band)
 {
     ptrdiff_t S = (ptrdiff_t)g->S;
-    bool again = S >= LEAST && (double)S * band->reach >= FINE;
+    bool again = S >= MIN && (double)S * band->reach >= FINE;
     reduced system;
     window meetings;
     if (again)

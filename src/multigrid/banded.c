@@ -21,14 +21,14 @@ static double *at(const ovr_banded *A, size_t i, size_t j)
     return A->row + i * OVR_BAND_WIDTH + j + OVR_BAND - i;
 }
 
-static size_t least(size_t a, size_t b)
+static size_t minimum(size_t a, size_t b)
 {
     return a < b ? a : b;
 }
 
 static size_t largest_in(const ovr_banded *A, size_t n, size_t c)
 {
-    size_t best = c, end = least(n, c + OVR_BAND + 1);
+    size_t best = c, end = minimum(n, c + OVR_BAND + 1);
     for (size_t i = c + 1; i < end; i++)
         if (fabs(*at(A, i, c)) > fabs(*at(A, best, c)))
             best = i;
@@ -49,8 +49,8 @@ static void exchange(const ovr_banded *A, size_t c, size_t other, size_t count)
 bool ovr_banded_factor(ovr_banded *A, size_t n)
 {
     for (size_t c = 0; c < n; c++) {
-        size_t end = least(n, c + OVR_BAND + 1);
-        size_t count = least(n - c, 2 * OVR_BAND + 1);
+        size_t end = minimum(n, c + OVR_BAND + 1);
+        size_t count = minimum(n - c, 2 * OVR_BAND + 1);
         size_t best = A->pivot[c] = largest_in(A, n, c);
         if (best != c)
             exchange(A, c, best, count);
@@ -70,7 +70,7 @@ bool ovr_banded_factor(ovr_banded *A, size_t n)
 void ovr_banded_solve(const ovr_banded *A, size_t n, double *x)
 {
     for (size_t c = 0; c < n; c++) {
-        size_t end = least(n, c + OVR_BAND + 1), best = A->pivot[c];
+        size_t end = minimum(n, c + OVR_BAND + 1), best = A->pivot[c];
         double value = x[best];
         x[best] = x[c];
         x[c] = value;
@@ -79,7 +79,7 @@ void ovr_banded_solve(const ovr_banded *A, size_t n, double *x)
     }
     for (size_t i = n; i-- > 0;) {
         const double *row = at(A, i, i);
-        size_t count = least(n - i, 2 * OVR_BAND + 1);
+        size_t count = minimum(n - i, 2 * OVR_BAND + 1);
         for (size_t j = 1; j < count; j++)
             x[i] -= row[j] * x[i + j];
         x[i] /= row[0];

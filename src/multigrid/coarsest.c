@@ -32,8 +32,8 @@ static size_t stride_of(size_t n)
 int ovr_newton_levels(const ovr_hierarchy *grids)
 {
     int levels = grids->finest - grids->coarsest + 1;
-    int most = grids->content ? 3 : 2;
-    return levels < most ? levels : most;
+    int maximum = grids->content ? 3 : 2;
+    return levels < maximum ? levels : maximum;
 }
 
 ovr_status ovr_newton_prepare(ovr_hierarchy *grids, ovr_arena *arena,
@@ -251,14 +251,14 @@ static void advance_touching(ovr_hierarchy *grids, ovr_level *level,
     const double worse = 30;
     const ovr_touch *touch = &grids->touch;
     double H0 = grids->H0, part = 1;
-    double most = worse * fmax(ovr_level_imbalance(grids, level), 1);
+    double maximum = worse * fmax(ovr_level_imbalance(grids, level), 1);
     ovr_touch_limit(touch, level->grid.n, limit);
     for (int k = 0; k < PARTS; k++, part /= 4) {
         grids->H0 = H0 + part * touch->step[level->grid.n];
         ovr_touch_advance(grids, level, f, part);
         ovr_level_properties(grids, level);
         ovr_level_residual(grids, level);
-        if (ovr_level_imbalance(grids, level) < most)
+        if (ovr_level_imbalance(grids, level) < maximum)
             return;
     }
 }

@@ -26,7 +26,7 @@ static void to_chunk(void *context, void *memory)
 
 /* Counts the memory of patches of so many nodes; most are as large as the one
  * before. */
-static ovr_status count_bytes(const ovr_composite *c, const size_t *most,
+static ovr_status count_bytes(const ovr_composite *c, const size_t *maximum,
                               int patches, size_t *bytes, ovr_error *err)
 {
     ovr_patch patch, parent;
@@ -37,10 +37,10 @@ static ovr_status count_bytes(const ovr_composite *c, const size_t *most,
     *bytes = 0;
     for (int k = 0; k < patches && !status; k++) {
         ovr_arena arena = ovr_arena_counting();
-        wide.grid.n = most[k] + 2;
-        if (k == 0 || most[k] != most[k - 1]) {
+        wide.grid.n = maximum[k] + 2;
+        if (k == 0 || maximum[k] != maximum[k - 1]) {
             status = ovr_patch_build(c->grids, &patch, &parent, 1,
-                                     (most[k] - 1) / 2, &arena, err);
+                                     (maximum[k] - 1) / 2, &arena, err);
             one = arena.bytes;
             ovr_arena_release(&arena);
         }
@@ -50,19 +50,19 @@ static ovr_status count_bytes(const ovr_composite *c, const size_t *most,
 }
 
 ovr_status ovr_composite_prepare(ovr_composite *c, ovr_hierarchy *grids,
-                                 const size_t *most, int patches,
+                                 const size_t *maximum, int patches,
                                  ovr_arena *arena, ovr_error *err)
 {
     size_t n = grids->level[grids->finest].grid.n;
     for (int k = 0; k < patches; k++)
-        n = most[k] > n ? most[k] : n;
+        n = maximum[k] > n ? maximum[k] : n;
     c->grids = grids;
     if (ovr_patch_base(grids, &c->part[0], arena, err))
         return OVR_NO_MEMORY;
     for (int k = 0; k < 2; k++)
-        if (!(c->workspace[k] = ovr_field(arena, n + OVR_MOST_LANES, err)))
+        if (!(c->workspace[k] = ovr_field(arena, n + OVR_MAX_LANES, err)))
             return OVR_NO_MEMORY;
-    if (count_bytes(c, most, patches, &c->size, err))
+    if (count_bytes(c, maximum, patches, &c->size, err))
         return OVR_NO_MEMORY;
     c->size += (size_t)64 * 1024 * (size_t)(patches + 1);
     c->chunk = ovr_arena_take(arena, c->size, 1, err);

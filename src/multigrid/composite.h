@@ -52,7 +52,7 @@ typedef struct ovr_composite {
 /* Memory for `patches` patches of so many nodes at most, none with more than
  * the hierarchy's finest grid. */
 ovr_status ovr_composite_prepare(ovr_composite *c, ovr_hierarchy *grids,
-                                 const size_t *most, int patches,
+                                 const size_t *maximum, int patches,
                                  ovr_arena *arena, ovr_error *err);
 
 /* No patches: the base alone, solved, its gap and F those of the solution. */

@@ -146,10 +146,10 @@ static double newtonian(const ovr_cross_film *a, const ovr_sheet *sheet,
 static double eyring(const ovr_cross_film *a, const ovr_sheet *sheet, double Y,
                      const double *r, double *rate)
 {
-    const double most = 200; /* in powers of e */
+    const double maximum = 200; /* in powers of e */
     double g = sheet->H * sheet->P_X / (2 * sheet->Sigma0), A = 0, B = 0;
     double b = -sheet->V * Y / sheet->Sigma0, square, root, sinh_a, cosh_a;
-    g = ovr_larger(-most, ovr_smaller(most, g));
+    g = ovr_larger(-maximum, ovr_smaller(maximum, g));
     for (int j = 0; j < a->n; j++) {
         A += a->w[j] * r[j] * cosh(g * a->s[j]);
         B += a->w[j] * r[j] * sinh(g * a->s[j]);
@@ -249,7 +249,8 @@ void ovr_cross_film_flow_of(const ovr_cross_film *a, const ovr_heat *heat,
                             const ovr_sheet *sheet, const double *T,
                             ovr_cross_film_flow *flow)
 {
-    double r[OVR_CROSS_FILM_MAX] = {0}, rate[OVR_CROSS_FILM_MAX] = {0}, most, Y;
+    double r[OVR_CROSS_FILM_MAX] = {0}, rate[OVR_CROSS_FILM_MAX] = {0}, maximum,
+           Y;
     double G = sheet->H * sheet->P_X / 2;
     for (int j = 0; j < a->n; j++)
         flow->beta[j] = ovr_expansion(heat, sheet->P, T[j]);
@@ -262,9 +263,9 @@ void ovr_cross_film_flow_of(const ovr_cross_film *a, const ovr_heat *heat,
     Y = sheet->lambda * exp(flow->log_eta) / (12 * sheet->H);
     flow->even = uniform(a, sheet, Y, flow->m[0]);
     flow->t = stressed(a, sheet, Y, r, flow->m, rate);
-    most = ovr_larger(sheet->limit - fabs(G), 0);
-    flow->t = ovr_larger(-most, ovr_smaller(most, flow->t));
-    flow->even = ovr_larger(-most, ovr_smaller(most, flow->even));
+    maximum = ovr_larger(sheet->limit - fabs(G), 0);
+    flow->t = ovr_larger(-maximum, ovr_smaller(maximum, flow->t));
+    flow->even = ovr_larger(-maximum, ovr_smaller(maximum, flow->even));
     for (int j = 0; j < a->n; j++) {
         flow->heating[j] = (flow->t + G * a->s[j]) * rate[j];
         flow->u[j] = sheet->u1;

@@ -147,7 +147,7 @@ typedef struct ovr_columns {
     /* a step dT from T at the departure points with P_T (NULL: 0), between
      * surfaces of which (h - T_bulk)/N is `past` */
     double dT;
-    double least_u; /* steady: a node is entered from the one upstream, with
+    double min_u;   /* steady: a node is entered from the one upstream, with
                      * at least this speed (plain only); 0: in time */
     bool both_ways; /* steady: layers that move against x from the next node */
     bool back;      /* steady: all from the next node, at -u */

@@ -88,14 +88,14 @@ typedef struct nodes {
     vec mean, x, level, steep;       /* T_m; x, l there; L */
 } nodes;
 
-static INLINE vec bounded_by(vec x, vec most)
+static INLINE vec bounded_by(vec x, vec maximum)
 {
-    return larger(smaller(x, most), -most);
+    return larger(smaller(x, maximum), -maximum);
 }
 
-static INLINE vec bounded(vec x, double most)
+static INLINE vec bounded(vec x, double maximum)
 {
-    return bounded_by(x, all(most));
+    return bounded_by(x, all(maximum));
 }
 
 static INLINE vec magnitude(vec x)
@@ -198,7 +198,7 @@ static vec curve_at(const shared *s, vec x, vec *by_x)
 {
     const ovr_curve *f = &s->c.law->f;
     vec y = larger(magnitude(x), all(1e-300));
-    vec place = scaled_log2(&s->curve, y) - OVR_CURVE_LEAST / OVR_CURVE_STEP;
+    vec place = scaled_log2(&s->curve, y) - OVR_CURVE_MIN / OVR_CURVE_STEP;
     vec in = smaller(larger(place, all(0)), all(OVR_CURVE_POINTS - 1.5));
     cell k = whole_part(in);
     vec t = place - from_whole(k), low = gather(f->value, k);
@@ -373,12 +373,12 @@ static INLINE void flow(const shared *s, int n, bool by_power, int law,
     vec t = law == 2   ? law_flow(s, v, rate)
             : law == 1 ? eyring_flow(s, n, v, rate)
                        : newtonian(s, n, v, rate);
-    vec most = larger(c->limit * P - magnitude(v->G), all(0));
+    vec maximum = larger(c->limit * P - magnitude(v->G), all(0));
     if (c->even) {
-        vec even = bounded_by(uniform(s, n, v, law), most);
+        vec even = bounded_by(uniform(s, n, v, law), maximum);
         store(c->even + i, choose(P > 0, even, all(0)));
     }
-    t = bounded_by(t, most);
+    t = bounded_by(t, maximum);
     t = choose(P > 0, t, all(0));
     store_flow(s, n, v, t, rate, i);
     store_stress(s, by_power, v, t, i);

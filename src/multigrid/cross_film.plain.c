@@ -110,17 +110,17 @@ static size_t upstream(const ovr_columns *c, int j, size_t i)
 
 double ovr_column_departure(const ovr_columns *c, int j, size_t i)
 {
-    size_t from = c->least_u > 0 ? upstream(c, j, i) : i;
+    size_t from = c->min_u > 0 ? upstream(c, j, i) : i;
     return from < c->n ? c->departure[j][from] : 0;
 }
 
 double ovr_column_travel(const ovr_columns *c, int j, size_t i)
 {
     double u = c->back ? -c->u[j][i] : c->u[j][i];
-    if (!(c->least_u > 0))
+    if (!(c->min_u > 0))
         return c->dT;
     return (i ? c->X[i] - c->X[i - 1] : c->X[1] - c->X[0]) /
-           ovr_larger(c->both_ways ? fabs(u) : u, c->least_u);
+           ovr_larger(c->both_ways ? fabs(u) : u, c->min_u);
 }
 
 void ovr_column_heat(const ovr_columns *c, size_t i)

@@ -100,7 +100,7 @@ void ovr_mlmi_choose(double target, int *order, int *range)
 }
 
 /* The kernel of one grid at whole distances, as far as its corrections ask. */
-enum { FARTHEST = 4 * OVR_MLMI_MOST };
+enum { FARTHEST = 4 * OVR_MLMI_MAX };
 
 typedef struct sampled {
     double at[FARTHEST];
@@ -162,7 +162,7 @@ static int depth_of(size_t n, ptrdiff_t range)
 {
     int depth = 0;
     while ((n >> depth) > DENSE_NODES &&
-           (ptrdiff_t)((n - 1) / OVR_MOST_LANES >> depth) >= range &&
+           (ptrdiff_t)((n - 1) / OVR_MAX_LANES >> depth) >= range &&
            depth < OVR_MLMI_DEPTH)
         depth++;
     return depth;
@@ -179,22 +179,22 @@ static void count_ghosts(const ovr_mlmi *plan, const ovr_mlmi_grid *fine,
 }
 
 /* Nodes that the lanes hold, for whatever number of lanes. */
-static size_t most_nodes(const ovr_mlmi *plan)
+static size_t max_nodes(const ovr_mlmi *plan)
 {
-    size_t most = 0;
-    for (size_t lanes = 1; lanes <= OVR_MOST_LANES; lanes *= 2) {
+    size_t maximum = 0;
+    for (size_t lanes = 1; lanes <= OVR_MAX_LANES; lanes *= 2) {
         size_t nodes = lanes * ovr_mlmi_lane(plan, lanes);
-        most = nodes > most ? nodes : most;
+        maximum = nodes > maximum ? nodes : maximum;
     }
-    return most;
+    return maximum;
 }
 
 /* An array of a grid after `coarsenings`. */
 static double *take(const ovr_mlmi *plan, int coarsenings, ovr_arena *arena,
                     ovr_error *err)
 {
-    size_t nodes = most_nodes(plan) >> coarsenings;
-    size_t pad = (size_t)plan->pad * OVR_MOST_LANES - OVR_FIELD_PAD;
+    size_t nodes = max_nodes(plan) >> coarsenings;
+    size_t pad = (size_t)plan->pad * OVR_MAX_LANES - OVR_FIELD_PAD;
     double *all = ovr_field(arena, nodes + 2 * pad, err);
     return all ? all + pad : NULL;
 }
@@ -210,11 +210,11 @@ static ovr_status take_grids(ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
     plan->grid[0].right = 2;
     for (int s = 0; s <= plan->depth; s++) {
         ovr_mlmi_grid *grid = &plan->grid[s];
-        grid->near_even = ovr_arena_take(arena, 3 * OVR_MLMI_MOST + 1,
+        grid->near_even = ovr_arena_take(arena, 3 * OVR_MLMI_MAX + 1,
                                          sizeof *grid->near_even, err);
         if (!grid->near_even)
             return OVR_NO_MEMORY;
-        grid->near_odd = grid->near_even + OVR_MLMI_MOST;
+        grid->near_odd = grid->near_even + OVR_MLMI_MAX;
         if (s) {
             count_ghosts(plan, &plan->grid[s - 1], grid);
             grid->u = take(plan, s, arena, err);
@@ -230,7 +230,7 @@ static ovr_status take_grids(ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
 static size_t dense_nodes(const ovr_mlmi *plan)
 {
     const ovr_mlmi_grid *last = &plan->grid[plan->depth];
-    return (most_nodes(plan) >> plan->depth) +
+    return (max_nodes(plan) >> plan->depth) +
            (size_t)(last->left + last->right);
 }
 

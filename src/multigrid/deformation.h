@@ -36,7 +36,7 @@
 #include "base/arena.h"
 
 /* BLOCK: vectors that the kernel makes in one go, at most */
-enum { OVR_MLMI_DEPTH = 24, OVR_MLMI_MOST = 16, OVR_MLMI_BLOCK = 8 };
+enum { OVR_MLMI_DEPTH = 24, OVR_MLMI_MAX = 16, OVR_MLMI_BLOCK = 8 };
 
 /* A part of the influence beside the logarithm: dw_i/dP_j of nodes X apart on a
  * mesh D, smooth beyond the range of the corrections; where the pressure is
@@ -62,7 +62,7 @@ typedef struct ovr_mlmi_grid {
     double *u;             /* transfers of P */
     double *out;           /* results */
     ptrdiff_t left, right; /* ghost nodes before the first and from the last */
-    double *near_even;     /* OVR_MLMI_MOST, of odd distances 1, 3, ... */
+    double *near_even;     /* OVR_MLMI_MAX, of odd distances 1, 3, ... */
     double *near_odd;      /* twice that and 1, of distances 0, 1, ..., m */
 } ovr_mlmi_grid;
 
@@ -72,11 +72,11 @@ typedef struct ovr_mlmi {
     const ovr_influence_part *part; /* beside the logarithm, as well */
     int parts;
     double D;
-    ptrdiff_t half_order;         /* p/2 */
-    ptrdiff_t range;              /* m */
-    int depth;                    /* coarsenings */
-    ptrdiff_t pad;                /* vectors before and after P and w */
-    double weight[OVR_MLMI_MOST]; /* interpolation from +-1, +-3, ... */
+    ptrdiff_t half_order;        /* p/2 */
+    ptrdiff_t range;             /* m */
+    int depth;                   /* coarsenings */
+    ptrdiff_t pad;               /* vectors before and after P and w */
+    double weight[OVR_MLMI_MAX]; /* interpolation from +-1, +-3, ... */
     ovr_mlmi_grid grid[OVR_MLMI_DEPTH + 1];
     double *kernel;           /* of the dense sum, D/pi (f + ln D) */
     double *natural, *result; /* the coarsest grid in order */
@@ -92,7 +92,7 @@ static inline size_t ovr_mlmi_lane(const ovr_mlmi *plan, size_t lanes)
 }
 
 /* Memory of a plan for n nodes, order p (even, 2..16) and range m (even, up to
- * 2 OVR_MLMI_MOST). */
+ * 2 OVR_MLMI_MAX). */
 ovr_status ovr_mlmi_plan(ovr_mlmi *plan, size_t n, int order, int range,
                          ovr_arena *arena, ovr_error *err);
 

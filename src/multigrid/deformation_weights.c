@@ -23,8 +23,8 @@
 enum { POINTS = 120, ITERATIONS = 60 };
 
 typedef struct fit {
-    long double column[OVR_MLMI_MOST][POINTS]; /* the last is ln x */
-    long double q[OVR_MLMI_MOST][POINTS];
+    long double column[OVR_MLMI_MAX][POINTS]; /* the last is ln x */
+    long double q[OVR_MLMI_MAX][POINTS];
     long double lambda[POINTS], importance[POINTS];
 } fit;
 
@@ -64,7 +64,7 @@ static long double dot(const fit *f, const long double *a, const long double *b)
 static void least_squares(fit *f, size_t unknowns, long double solution[])
 {
     long double(*q)[POINTS] = f->q;
-    long double R[OVR_MLMI_MOST][OVR_MLMI_MOST] = {{0}};
+    long double R[OVR_MLMI_MAX][OVR_MLMI_MAX] = {{0}};
     for (size_t c = 0; c <= unknowns; c++) {
         for (size_t j = 0; j < POINTS; j++)
             q[c][j] = f->column[c][j];
@@ -115,7 +115,7 @@ static void level_errors(fit *f, size_t unknowns)
 
 void ovr_mlmi_fit_weights(size_t h, size_t range, double weight[])
 {
-    long double w[OVR_MLMI_MOST], first = 0.5L;
+    long double w[OVR_MLMI_MAX], first = 0.5L;
     fit f;
     if (range < 2 * h || h < 2 || h > 6) {
         lagrange(h, weight);

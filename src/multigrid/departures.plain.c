@@ -20,8 +20,8 @@ static double value(size_t n, const double *v, ptrdiff_t i, double meshes)
 /* No departure point is farther away than this many domains. */
 static double bounded(size_t n, double meshes)
 {
-    double most = 2 * (double)n;
-    return fmax(-most, fmin(meshes, most));
+    double maximum = 2 * (double)n;
+    return fmax(-maximum, fmin(meshes, maximum));
 }
 
 ovr_departures ovr_departures_of(size_t n, double meshes)

@@ -23,9 +23,10 @@ enum { OVR_FIELD_PAD = 64, OVR_FIELD_PAGE = 512 };
 static inline double *ovr_field(ovr_arena *arena, size_t n, ovr_error *err)
 {
     bool large = n > 2 * OVR_FIELD_PAGE;
-    size_t quarter = OVR_FIELD_PAGE / 4, least = n + 2 * OVR_FIELD_PAD;
-    size_t capacity = large ? least + OVR_FIELD_PAGE
-                            : (least + quarter - 1) / quarter * quarter + 3 * 8;
+    size_t quarter = OVR_FIELD_PAGE / 4, minimum = n + 2 * OVR_FIELD_PAD;
+    size_t capacity = large
+                          ? minimum + OVR_FIELD_PAGE
+                          : (minimum + quarter - 1) / quarter * quarter + 3 * 8;
     size_t target = arena->pieces * 11 * 8, page = OVR_FIELD_PAGE;
     double *all = ovr_arena_take(arena, capacity, sizeof(double), err);
     if (!all)

@@ -70,11 +70,11 @@ static void eliminate(const film *f, const stretch *s)
     }
 }
 
-static void put_in(const film *f, const stretch *s, double most)
+static void put_in(const film *f, const stretch *s, double maximum)
 {
     double *P = f->level->f.P, next = value(f, P, s->last + s->out);
     for (ptrdiff_t i = s->last; i != s->first - s->out; i -= s->out) {
-        next = fmin(most, fmax(0, (f->b[i] + f->U[i] * next) / f->G[i]));
+        next = fmin(maximum, fmax(0, (f->b[i] + f->U[i] * next) / f->G[i]));
         P[ovr_lanes_place(&f->level->lanes, (size_t)i)] = next;
     }
 }
@@ -87,10 +87,10 @@ static ptrdiff_t rigid_from(const film *f, ptrdiff_t out)
     enum { STIFF = 1000 }; /* 10 to 1e5 all work */
     const ovr_level *l = f->level;
     double D = l->grid.D;
-    double least = STIFF * l->weights.a[0] * fabs(l->k[0]) * 2 * D * D;
+    double minimum = STIFF * l->weights.a[0] * fabs(l->k[0]) * 2 * D * D;
     ptrdiff_t last = (ptrdiff_t)l->grid.n - 1, i = out > 0 ? last : 0;
     for (ptrdiff_t in = i - out; in > 0 && in < last; in -= out) {
-        if (!(value(f, l->f.eps, in) > least))
+        if (!(value(f, l->f.eps, in) > minimum))
             break;
         i = in;
     }
@@ -135,13 +135,13 @@ static bool move_rigid(const film *f)
 static void extend(const film *f, ptrdiff_t first)
 {
     enum { REACH = 32 };
-    const double most = 0.05;
+    const double maximum = 0.05;
     stretch s = {first, first, 1};
     ptrdiff_t end = (ptrdiff_t)f->level->grid.n - 2;
     while (s.last < end && s.last < first - 1 + REACH && !is_wet(f, s.last + 1))
         s.last++;
     eliminate(f, &s);
-    put_in(f, &s, most);
+    put_in(f, &s, maximum);
 }
 
 /* True if a film ends before node i, which is dry and wants to rise. */

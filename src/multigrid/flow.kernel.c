@@ -40,10 +40,10 @@ static INLINE half sums_at(const ovr_fields *f, bool gap, double slide,
 static INLINE half half_at(const ovr_fields *f, bool gap, double slide, vec B,
                            ptrdiff_t J)
 {
-    const double least = 1e-290; /* its root is W where all else vanishes */
+    const double minimum = 1e-290; /* its root is W where all else vanishes */
     half h = sums_at(f, gap, slide, J);
     h.bc = B * h.c;
-    vec square = fused(h.eps, h.eps, fused(h.bc, h.bc, all(least)));
+    vec square = fused(h.eps, h.eps, fused(h.bc, h.bc, all(minimum)));
     h.inv_W = inverse_root(square);
     h.W = square * h.inv_W;
     return h;

@@ -68,10 +68,10 @@ typedef struct value {
 static value value_at(const double *table, double s_N, double g)
 {
     /* no film that was given up, crossed or without numbers, leads outside */
-    double x = fmin(1 + fmax(s_N, 0), OVR_LAW_MOST_SLIDE);
-    double y = fmin(1 + fabs(g), OVR_LAW_MOST_GRADIENT);
+    double x = fmin(1 + fmax(s_N, 0), OVR_LAW_MAX_SLIDE);
+    double y = fmin(1 + fabs(g), OVR_LAW_MAX_GRADIENT);
     part s = part_of(x), along = part_of(y);
-    double beyond = fmax(s_N / (OVR_LAW_MOST_SLIDE - 1), 1);
+    double beyond = fmax(s_N / (OVR_LAW_MAX_SLIDE - 1), 1);
     value v = {.s = x - 1, .g = y - 1, .beyond = beyond};
     for (int m = 0; m < 2; m++)
         for (int l = 0; l < 2; l++) {

@@ -67,8 +67,8 @@ typedef struct law_value {
 static inline law_value law_at(const double *table, vec s_N, vec g)
 {
     /* no film that was given up, crossed or without numbers, leads outside */
-    vec x = smaller(larger(s_N, all(0)) + 1, all(OVR_LAW_MOST_SLIDE));
-    vec y = smaller(larger(g, -g) + 1, all(OVR_LAW_MOST_GRADIENT));
+    vec x = smaller(larger(s_N, all(0)) + 1, all(OVR_LAW_MAX_SLIDE));
+    vec y = smaller(larger(g, -g) + 1, all(OVR_LAW_MAX_GRADIENT));
     law_cell by_s = law_cell_of(x), by_g = law_cell_of(y);
     uvec row = (by_s.number << 5) + by_s.number + by_g.number;
     vec along[2], rise[2], slope[2], cross_film[2];
@@ -86,7 +86,7 @@ static inline law_value law_at(const double *table, vec s_N, vec g)
         law_sum(by_s.b, slope[0], cross_film[0], slope[1], cross_film[1]),
         x - 1,
         y - 1,
-        larger(s_N * (1 / (OVR_LAW_MOST_SLIDE - 1)), all(1))};
+        larger(s_N * (1 / (OVR_LAW_MAX_SLIDE - 1)), all(1))};
 }
 
 /* e^value; beyond the last s_N a power of it. */

@@ -20,7 +20,7 @@ static ovr_level *finest_of(const ovr_hierarchy *grids)
 ovr_status ovr_correction_prepare(ovr_hierarchy *grids, ovr_correction *c,
                                   ovr_arena *arena, ovr_error *err)
 {
-    size_t capacity = finest_of(grids)->grid.n + OVR_MOST_LANES;
+    size_t capacity = finest_of(grids)->grid.n + OVR_MAX_LANES;
     double **const all[] = {&c->F, &c->gap, &c->mask, &c->gap_only};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (!(*all[k] = ovr_field(arena, capacity, err)))
@@ -112,7 +112,7 @@ bool ovr_fourth_solve(ovr_hierarchy *grids, const ovr_correction *c,
     ovr_full own = *how;
     own.cycling.attached = &attached;
     own.fixed = false;
-    own.least_cycles = 2;
+    own.min_cycles = 2;
     own.trial = TRIES;
     memcpy(begin(level, c->gap_only), begin(level, level->f.gap),
            length(level) * sizeof(double));

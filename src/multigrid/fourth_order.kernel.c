@@ -25,10 +25,10 @@ void OVR_KERNEL(fourth_mask)(const ovr_lanes *g, double *P, double *mask)
 {
     repeat_ends(P, (ptrdiff_t)g->S, REACH);
     for (ptrdiff_t J = 0; J < (ptrdiff_t)g->S; J++) {
-        vec least = at(P, J - REACH);
+        vec minimum = at(P, J - REACH);
         for (ptrdiff_t d = 1 - REACH; d <= REACH; d++)
-            least = smaller(least, at(P, J + d));
-        put(mask, J, choose(inside(g, J) & (least > 0), all(1), all(0)));
+            minimum = smaller(minimum, at(P, J + d));
+        put(mask, J, choose(inside(g, J) & (minimum > 0), all(1), all(0)));
     }
 }
 

@@ -32,9 +32,9 @@ typedef struct slid {
 /* phi_i + phi_{i+1} of the half node's mean phi = eps/H^3 (faces.h). */
 static inline vec phi_at(const ovr_sheared *f, vec H, vec G, size_t i)
 {
-    const vec least = all(1e-290);
-    vec a = larger(load(f->eps + i) / (H * H * H), least);
-    vec b = larger(load(f->eps + i + 1) / (G * G * G), least);
+    const vec minimum = all(1e-290);
+    vec a = larger(load(f->eps + i) / (H * H * H), minimum);
+    vec b = larger(load(f->eps + i + 1) / (G * G * G), minimum);
     ivec filled = smaller(load(f->P + i), load(f->P + i + 1)) > 0;
     return choose(filled, 2 * face_root(a) * face_root(b), a + b);
 }
@@ -135,14 +135,15 @@ double OVR_KERNEL(limit_stress)(const ovr_sheared *f, double limit, double *t)
         size_t i = start_of(k, f->n - 1);
         vec dX = step_at(f->X, i), P = pair_at(f->P, i), stress = load(t + i);
         vec slope = 0.25 * pair_at(f->H, i) * step_at(f->P, i) / dX;
-        vec most = larger(all(0.5 * limit) * P - larger(slope, -slope), all(0));
+        vec maximum = larger(all(0.5 * limit) * P - larger(slope, -slope),
+                             all(0));
         ivec fresh = new_elements(k, f->n - 1);
-        ivec cut = larger(stress, -stress) > most;
+        ivec cut = larger(stress, -stress) > maximum;
         P *= dX;
         load_all += choose(fresh, P, all(0));
         load_cut += choose(fresh & cut, P, all(0));
         /* what overlaps is cut already, and counts no more */
-        store(t + i, smaller(larger(stress, -most), most));
+        store(t + i, smaller(larger(stress, -maximum), maximum));
     }
     double whole = sum_of_lanes(load_all);
     return whole > 0 ? sum_of_lanes(load_cut) / whole : 0;

@@ -65,11 +65,11 @@ double ovr_limit_stress_plain(const ovr_sheared *f, double limit, double *t)
     double all = 0, cut = 0;
     for (size_t i = 0; i + 1 < f->n; i++) {
         double P = (f->P[i] + f->P[i + 1]) / 2;
-        double most = fmax(limit * P - fabs(slope(f, i)), 0);
+        double maximum = fmax(limit * P - fabs(slope(f, i)), 0);
         double carried = P * (f->X[i + 1] - f->X[i]);
         all += carried;
-        cut += fabs(t[i]) > most ? carried : 0;
-        t[i] = fmax(-most, fmin(most, t[i]));
+        cut += fabs(t[i]) > maximum ? carried : 0;
+        t[i] = fmax(-maximum, fmin(maximum, t[i]));
     }
     return all > 0 ? cut / all : 0;
 }

@@ -167,13 +167,13 @@ static ovr_full_status cycle_until_done(const nested *a, ovr_level *level)
     enum { ON_THE_WAY = 20 };
     const ovr_full *how = a->how;
     bool finest = level->number == a->grids->finest;
-    int most = finest || how->fixed ? how->most_cycles : ON_THE_WAY;
+    int maximum = finest || how->fixed ? how->max_cycles : ON_THE_WAY;
     ovr_full_status c = {.defect = ovr_cycle_defect(a->grids, level)};
     progress trial = {INFINITY, c.defect.imbalance};
     bool gained = true;
-    while (c.cycles < most && c.defect.imbalance < 1e6 && gained) {
+    while (c.cycles < maximum && c.defect.imbalance < 1e6 && gained) {
         double before = c.defect.imbalance;
-        if (!how->fixed && c.cycles >= how->least_cycles &&
+        if (!how->fixed && c.cycles >= how->min_cycles &&
             is_done(a, level, c.defect))
             break;
         report(a, level, OVR_FULL_CYCLES, &c);
@@ -272,9 +272,9 @@ static ovr_defect thin_out(const nested *a, ovr_level *level, ovr_fluid fluid,
  * its film must be thicker than D^1.5 or so (measured), and Newton converge. */
 static double solve_easy_load(const nested *a, ovr_level *level)
 {
-    const double least = 1e-3;
+    const double minimum = 1e-3;
     double fraction = 1;
-    while (fraction > least &&
+    while (fraction > minimum &&
            ovr_target_film(a->target, fraction) < pow(level->grid.D, 1.5))
         fraction *= 0.9;
     for (;; fraction *= 0.7) {
@@ -284,7 +284,7 @@ static double solve_easy_load(const nested *a, ovr_level *level)
         ovr_defect d = solve_coarsest(a, level);
         if (thins(a) && !a->how->thin_last && ovr_below(d, 1e-4))
             d = thin_out(a, level, fluid, true);
-        if (ovr_below(d, 1e-4) || fraction < least)
+        if (ovr_below(d, 1e-4) || fraction < minimum)
             return fraction;
     }
 }

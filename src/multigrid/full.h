@@ -43,11 +43,11 @@ typedef struct ovr_full {
     ovr_cycling cycling;
     double load_factor; /* largest step of the continuation in load */
     double mesh;        /* of its level: D over H^(2/3), the inlet's rise */
-    bool fixed;         /* `most_cycles` on every level, no fewer */
+    bool fixed;         /* `max_cycles` on every level, no fewer */
     bool thin_last;     /* Newtonian up to the finest level, and only there
                            stress by stress down to that of the flow law */
-    int most_cycles;    /* on the finest level */
-    int least_cycles;   /* before a level may be done */
+    int max_cycles;     /* on the finest level */
+    int min_cycles;     /* before a level may be done */
     int trial; /* so many cycles have to gain a third: the largest R of them
                   below 2/3 of that of as many before; 0: they need not */
     /* where a level of this film at X = 0 is done */

@@ -12,7 +12,7 @@
 /* Nodes of the lanes and beyond, for any machine's kernels. */
 static size_t capacity_of(const ovr_level *level)
 {
-    return level->grid.n + OVR_MOST_LANES;
+    return level->grid.n + OVR_MAX_LANES;
 }
 
 /* Arrays of `capacity` values, to where the pointers point. */

@@ -84,7 +84,7 @@ static void fill_octave(const ovr_image_sum *sum, double first, double *c)
 static double tabled(const ovr_image_sum *sum, double X)
 {
     int octave;
-    double s = 4 * frexp(X / sum->least, &octave) - 3; /* -1 to 1 */
+    double s = 4 * frexp(X / sum->minimum, &octave) - 3; /* -1 to 1 */
     const double *c = sum->octave[octave - 1];
     double u = 0, v = 0;
     for (int j = OVR_IMAGE_DEGREE - 1; j > 0; j--) {
@@ -97,8 +97,8 @@ static double tabled(const ovr_image_sum *sum, double X)
 
 static bool in_table(const ovr_image_sum *sum, double X, double D)
 {
-    return X >= 64 * D && X - D >= sum->least &&
-           X + D < ldexp(sum->least, sum->octaves);
+    return X >= 64 * D && X - D >= sum->minimum &&
+           X + D < ldexp(sum->minimum, sum->octaves);
 }
 
 static double far(const ovr_image_sum *sum, double X, double D, bool linear)
@@ -150,16 +150,17 @@ ovr_influence_part ovr_image_part(const ovr_image_sum *sum)
 }
 
 void ovr_image_sum_make(ovr_image_sum *sum, const ovr_images *images,
-                        double stiffness, double unit, double least,
-                        double most)
+                        double stiffness, double unit, double minimum,
+                        double maximum)
 {
     sum->images = *images;
     ovr_images_scale(&sum->images, stiffness, unit);
-    sum->least = least;
+    sum->minimum = minimum;
     sum->octaves = 0;
     while (images->count && sum->octaves < OVR_IMAGE_OCTAVES &&
-           ldexp(least, sum->octaves) < most) {
-        fill_octave(sum, ldexp(least, sum->octaves), sum->octave[sum->octaves]);
+           ldexp(minimum, sum->octaves) < maximum) {
+        fill_octave(sum, ldexp(minimum, sum->octaves),
+                    sum->octave[sum->octaves]);
         sum->octaves++;
     }
 }

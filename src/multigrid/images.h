@@ -30,16 +30,16 @@ enum { OVR_IMAGE_OCTAVES = 20, OVR_IMAGE_DEGREE = 20 };
 
 typedef struct ovr_image_sum {
     ovr_images images; /* weights in the contact's scaling, depths in b */
-    double least;      /* of the table, which is of all images but ln|X| */
+    double minimum;    /* of the table, which is of all images but ln|X| */
     int octaves;
     double octave[OVR_IMAGE_OCTAVES][OVR_IMAGE_DEGREE];
 } ovr_image_sum;
 
 /* Makes the sum of images in units of the bodies: A times the stiffness, depths
- * times b; the table from `least` to `most`. */
+ * times b; the table from `minimum` to `maximum`. */
 void ovr_image_sum_make(ovr_image_sum *sum, const ovr_images *images,
-                        double stiffness, double unit, double least,
-                        double most);
+                        double stiffness, double unit, double minimum,
+                        double maximum);
 
 ovr_influence_part ovr_image_part(const ovr_image_sum *sum);
 

@@ -23,7 +23,7 @@ double ovr_influence_at(const ovr_influence *influence, double d, double D)
 
 void ovr_influence_band(const ovr_influence *influence, double D, double k[6])
 {
-    static const double least[] = {0, 0.05, 0.3, 0.5, 0.6};
+    static const double minimum[] = {0, 0.05, 0.3, 0.5, 0.6};
     double g[5];
     for (int d = 0; d < 6; d++)
         k[d] = ovr_influence_at(influence, d, D);
@@ -32,7 +32,7 @@ void ovr_influence_band(const ovr_influence *influence, double D, double k[6])
     for (int d = 0; d < 5; d++) {
         g[d] = k[d + 1] - k[d];
         if (d)
-            g[d] = fmax(g[d], least[d] * g[d - 1]);
+            g[d] = fmax(g[d], minimum[d] * g[d - 1]);
     }
     for (int d = 0; d < 5; d++)
         k[d + 1] = k[d] + g[d];
@@ -51,13 +51,13 @@ static double local_of(const ovr_influence_part *part, double D, bool linear)
 {
     enum { WAVES = 40 };
     const double pi = acos(-1.0);
-    double most = part->wave(part->data, 2 * pi * WAVES / D), sum = 0;
+    double maximum = part->wave(part->data, 2 * pi * WAVES / D), sum = 0;
     for (int n = 1; n < WAVES; n++) {
         double sign = linear || n % 2 ? 1 : -1;
         double A = part->wave(part->data, 2 * pi * n / D);
-        sum += sign * (A - most) / ((double)n * n * n);
+        sum += sign * (A - maximum) / ((double)n * n * n);
     }
-    return most * (linear ? OVR_FOURTH_LINEAR : OVR_FOURTH_LOCAL) +
+    return maximum * (linear ? OVR_FOURTH_LINEAR : OVR_FOURTH_LOCAL) +
            sum / ((linear ? 4 : 2) * pi * pi * pi);
 }
 

@@ -193,7 +193,7 @@ enum { OVR_FOURTH_MARGIN = 8 };
     K(void, sweep_fields, (size_t n, const struct ovr_swept *set, double *v)) \
     K(void, step_modes, (const struct ovr_modes_step *w, const double *psi, \
                          double *to)) \
-    K(double, deviation, (size_t n, const double e[3], double most, \
+    K(double, deviation, (size_t n, const double e[3], double maximum, \
                           const double *weights, const double *P, \
                           const double *q, double *const past[3])) \
     K(void, dense_row, (size_t n, const double c[4], const double *k, \

@@ -33,8 +33,8 @@ typedef struct ovr_lanes {
 } ovr_lanes;
 
 /* OVR_HALO: vectors of a field's halo that are kept up to date on both sides.
- * OVR_MOST_LANES: of any machine. */
-enum { OVR_HALO = 2, OVR_MOST_LANES = 8 };
+ * OVR_MAX_LANES: of any machine. */
+enum { OVR_HALO = 2, OVR_MAX_LANES = 8 };
 
 /* The place of node i. */
 static inline size_t ovr_lanes_place(const ovr_lanes *lanes, size_t i)

@@ -15,7 +15,7 @@ static ovr_status take(ovr_patch *p, ovr_arena *arena, ovr_error *err)
                             &p->w,       &p->entry,   &p->rigid,   &p->F,
                             &p->g,       &p->outer_w, &p->outer_P, &p->detail,
                             &p->detail_w};
-    size_t capacity = p->level->grid.n + OVR_MOST_LANES;
+    size_t capacity = p->level->grid.n + OVR_MAX_LANES;
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (!(*all[k] = ovr_field(arena, capacity, err)))
             return OVR_NO_MEMORY;

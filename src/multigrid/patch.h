@@ -22,8 +22,8 @@ enum {
     OVR_PATCH_EDGE = 2,    /* fine meshes from the array's end to J* */
     OVR_PATCH_UNIT = 8,    /* parent meshes: lanes without a rest */
     OVR_PATCH_MARGIN = 16, /* parent nodes to the parent's own end */
-    OVR_PATCH_LEAST = 40, /* parent meshes: fewer leave no space for the next */
-    OVR_FILM_NEAR = 18    /* parent nodes on each side that make a middle */
+    OVR_PATCH_MIN = 40, /* parent meshes: fewer leave no space for the next */
+    OVR_FILM_NEAR = 18  /* parent nodes on each side that make a middle */
 };
 
 typedef struct ovr_patch {

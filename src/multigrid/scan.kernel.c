@@ -6,12 +6,12 @@
 #include "multigrid/kernels.h"
 #include "multigrid/vector.h"
 
-static inline double least_lane(vec x)
+static inline double min_lane(vec x)
 {
-    double least = x[0];
+    double minimum = x[0];
     for (int l = 1; l < VEC; l++)
-        least = x[l] < least ? x[l] : least;
-    return least;
+        minimum = x[l] < minimum ? x[l] : minimum;
+    return minimum;
 }
 
 /* Index of the first smallest of sign x. */
@@ -21,8 +21,8 @@ size_t OVR_KERNEL(extreme)(size_t n, double sign, const double *x)
     size_t i = 0;
     for (size_t k = VEC; k < n; k += VEC)
         best = smaller(best, sign * load(x + start_of(k, n)));
-    double least = least_lane(best);
-    while (i + 1 < n && !(sign * x[i] <= least))
+    double minimum = min_lane(best);
+    while (i + 1 < n && !(sign * x[i] <= minimum))
         i++;
     return i;
 }
@@ -39,13 +39,13 @@ bool OVR_KERNEL(positive)(size_t n, const double *x)
 /* max |a - b| */
 double OVR_KERNEL(difference)(size_t n, const double *a, const double *b)
 {
-    vec most = all(0);
+    vec maximum = all(0);
     for (size_t k = 0; k < n; k += VEC) {
         size_t i = start_of(k, n);
         vec d = load(a + i) - load(b + i);
-        most = larger(larger(d, -d), most);
+        maximum = larger(larger(d, -d), maximum);
     }
-    return -least_lane(-most);
+    return -min_lane(-maximum);
 }
 
 /* Counts those of x_1..x_{n-2} that are above the one before and not below the
@@ -112,7 +112,7 @@ double OVR_KERNEL(flow_size)(size_t n, double Cu, const double *X,
 }
 
 /* Integral of |q - sum_k e_k past_k| over wet nodes where q < most. */
-double OVR_KERNEL(deviation)(size_t n, const double e[3], double most,
+double OVR_KERNEL(deviation)(size_t n, const double e[3], double maximum,
                              const double *weights, const double *P,
                              const double *q, double *const past[3])
 {
@@ -123,7 +123,7 @@ double OVR_KERNEL(deviation)(size_t n, const double e[3], double most,
         for (size_t m = 0; m < 3; m++)
             off = less(off, all(e[m]), load(past[m] + i));
         off = choose(off < 0, -off, off);
-        ivec wet = (load(P + i) > 0) & (film < most) & new_elements(k, n);
+        ivec wet = (load(P + i) > 0) & (film < maximum) & new_elements(k, n);
         sum += choose(wet, load(weights + i) * off, all(0));
     }
     return sum_of_lanes(sum);

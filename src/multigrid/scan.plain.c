@@ -23,10 +23,10 @@ bool ovr_positive_plain(size_t n, const double *x)
 
 double ovr_difference_plain(size_t n, const double *a, const double *b)
 {
-    double most = 0;
+    double maximum = 0;
     for (size_t i = 0; i < n; i++)
-        most = fmax(most, fabs(a[i] - b[i]));
-    return most;
+        maximum = fmax(maximum, fabs(a[i] - b[i]));
+    return maximum;
 }
 
 double ovr_gain_plain(size_t n, const double *weights, const double *a,
@@ -77,13 +77,13 @@ double ovr_flow_size_plain(size_t n, double Cu, const double *X,
     return sum;
 }
 
-double ovr_deviation_plain(size_t n, const double e[3], double most,
+double ovr_deviation_plain(size_t n, const double e[3], double maximum,
                            const double *weights, const double *P,
                            const double *q, double *const past[3])
 {
     double sum = 0;
     for (size_t i = 0; i < n; i++)
-        if (P[i] > 0 && q[i] < most) {
+        if (P[i] > 0 && q[i] < maximum) {
             double off = q[i];
             for (int k = 0; k < 3; k++)
                 off -= e[k] * past[k][i];

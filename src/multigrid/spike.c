@@ -8,7 +8,7 @@
 #define EXIT_LENGTH 0.8
 enum { EXITS = 3, BEYOND = 12 };
 
-size_t ovr_spike_most(int k, double half, const ovr_grid *base)
+size_t ovr_spike_max(int k, double half, const ovr_grid *base)
 {
     double meshes = 2 * half + 3 * OVR_PATCH_UNIT;
     if (k <= EXITS)
@@ -61,23 +61,22 @@ static window lay(const ovr_composite *c, const ovr_spike_search *how, double X)
     const ovr_patch *parent = &c->part[c->patches];
     const ovr_grid *grid = &parent->level->grid;
     int k = c->patches + 1;
-    double least = OVR_PATCH_MARGIN + (parent->opens ? OVR_PATCH_EDGE : 0);
-    double most = (double)grid->n - 1 - OVR_PATCH_MARGIN -
-                  (parent->closes ? OVR_PATCH_EDGE : 0);
+    double minimum = OVR_PATCH_MARGIN + (parent->opens ? OVR_PATCH_EDGE : 0);
+    double maximum = (double)grid->n - 1 - OVR_PATCH_MARGIN -
+                     (parent->closes ? OVR_PATCH_EDGE : 0);
     double at = (X - grid->X_a) / grid->D, left = floor(at) - how->half;
     double right = ceil(at) + how->half, exit = rupture(&c->part[0]);
     if (k <= EXITS)
         right = fmax(right, ceil((exit - grid->X_a) / grid->D) +
                                 BEYOND * (EXITS + 1 - k));
-    left = fmax(left - OVR_PATCH_EDGE / 2., least);
-    right = fmin(right + OVR_PATCH_EDGE / 2., most);
+    left = fmax(left - OVR_PATCH_EDGE / 2., minimum);
+    right = fmin(right + OVR_PATCH_EDGE / 2., maximum);
     double units = ceil((right - left) / OVR_PATCH_UNIT);
-    double margin = floor((most - left) / OVR_PATCH_UNIT);
-    double taken = (double)ovr_spike_most(k, how->half,
-                                          &c->part[0].level->grid);
+    double margin = floor((maximum - left) / OVR_PATCH_UNIT);
+    double taken = (double)ovr_spike_max(k, how->half, &c->part[0].level->grid);
     units = fmin(fmin(units, margin),
                  floor((taken - 1) / (2 * OVR_PATCH_UNIT)));
-    if (!(units * OVR_PATCH_UNIT >= OVR_PATCH_LEAST))
+    if (!(units * OVR_PATCH_UNIT >= OVR_PATCH_MIN))
         return (window){0, 0};
     return (window){(size_t)left, (size_t)units * OVR_PATCH_UNIT};
 }
@@ -124,7 +123,7 @@ static void finish(ovr_composite *c, const ovr_spike_search *how,
                    ovr_spike_found *found, int *cycles)
 {
     found->defect = ovr_composite_defect(c);
-    for (int k = 0; k < how->most_cycles; k++) {
+    for (int k = 0; k < how->max_cycles; k++) {
         if (ovr_below(found->defect, how->tolerance) ||
             !(found->defect.imbalance < 1e6))
             break;

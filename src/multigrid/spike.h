@@ -22,7 +22,7 @@ typedef struct ovr_spike_search {
     double change;    /* relative, of the height; 0: on to that level */
     double half;      /* meshes of the parent to each side */
     double tolerance; /* on the residual of the leaves */
-    int most_cycles;  /* at the end */
+    int max_cycles;   /* at the end */
     bool fourth;      /* the base's solution is of fourth order */
     /* X^2/2 - S at the n nodes X */
     void (*rigid)(void *data, size_t n, const double *X, double *gap);
@@ -38,7 +38,7 @@ typedef struct ovr_spike_found {
 } ovr_spike_found;
 
 /* Nodes of the k-th patch at most (k = 1, 2, ...) over a base. */
-size_t ovr_spike_most(int k, double half, const ovr_grid *base);
+size_t ovr_spike_max(int k, double half, const ovr_grid *base);
 
 /* From the base as it is; adds to the number of cycles. */
 ovr_status ovr_spike_solve(ovr_composite *c, const ovr_spike_search *how,

@@ -73,7 +73,7 @@ static double outflow(const ovr_level *level, const double *flow, ptrdiff_t i)
 
 static void find(const ovr_hierarchy *grids, const ovr_level *level, spots *s)
 {
-    const double least = 0.1; /* of p_h */
+    const double minimum = 0.1; /* of p_h */
     double *r = grids->band.b[0], *flow = grids->band.b[1];
     double stiff = level->weights.a[0] * fabs(level->k[0]);
     ptrdiff_t edge = HALF + MARGIN + 1, n = (ptrdiff_t)level->grid.n;
@@ -83,8 +83,8 @@ static void find(const ovr_hierarchy *grids, const ovr_level *level, spots *s)
     for (ptrdiff_t i = edge; i < n - edge; i++) {
         double usual = 0.5 * (r[i - ASIDE] + r[i + ASIDE]);
         double lacks = fabs(r[i] - usual);
-        if (lacks > least * stiff &&
-            lacks > least * (stiff + outflow(level, flow, i)))
+        if (lacks > minimum * stiff &&
+            lacks > minimum * (stiff + outflow(level, flow, i)))
             take_in(s, i, lacks / (stiff + outflow(level, flow, i)));
     }
 }

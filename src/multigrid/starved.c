@@ -42,7 +42,7 @@ ovr_defect ovr_content_cycles(ovr_hierarchy *grids, const ovr_full *how,
     ovr_level_refresh(grids, level);
     d = ovr_cycle_defect(grids, level);
     before = d.imbalance;
-    for (int k = 0; k < how->most_cycles && d.imbalance < 1e6; k++) {
+    for (int k = 0; k < how->max_cycles && d.imbalance < 1e6; k++) {
         if (ovr_below(d, how->tolerance(how->data, level, d.centre)))
             break;
         if (k % PATIENCE == PATIENCE - 1) {
@@ -192,8 +192,8 @@ static bool step(ovr_hierarchy *grids, ovr_level *level, double limit,
 static bool travel(ovr_hierarchy *grids, ovr_level *level, double limit,
                    double *q, double target, double factor)
 {
-    const double least = 0.98;
-    while (*q != target && factor < least) {
+    const double minimum = 0.98;
+    while (*q != target && factor < minimum) {
         double next = target < *q ? fmax(target, factor * *q)
                                   : fmin(target, *q / factor);
         if (step(grids, level, limit, *q, next))
@@ -298,13 +298,13 @@ static void put_back(ovr_hierarchy *grids, ovr_level *level, const double *P,
 static ovr_defect approach(ovr_hierarchy *grids, const ovr_full *how,
                            double target, double flow, int *cycles)
 {
-    const double from = 0.9, beyond = 1.0025, most = 0.25, least = 0.01;
+    const double from = 0.9, beyond = 1.0025, maximum = 0.25, minimum = 0.01;
     ovr_level *level = &grids->level[grids->finest];
-    double q = from * target, part = most;
+    double q = from * target, part = maximum;
     ovr_defect d = nested(grids, how, q, flow, cycles);
     if (!is_solved(how, level, d))
         return d;
-    while (q < target && part > least) {
+    while (q < target && part > minimum) {
         double next = fmin(target, q + part * (beyond * flow - q));
         double H0 = grids->H0;
         ovr_level_read(grids, level, level->f.P, how->saved);
@@ -312,7 +312,7 @@ static ovr_defect approach(ovr_hierarchy *grids, const ovr_full *how,
         d = ovr_content_cycles(grids, how, level, cycles);
         if (is_solved(how, level, d)) {
             q = next;
-            part = fmin(1.5 * part, most);
+            part = fmin(1.5 * part, maximum);
             continue;
         }
         put_back(grids, level, how->saved, H0, q);

@@ -18,7 +18,7 @@ static void law_at(const ovr_hierarchy *grids, double H, double *A, double *g)
     touch->at(touch->law, H, A, g);
     *A *= touch->share;
     *g *= touch->share;
-    if (!(*A >= OVR_TOUCH_LEAST))
+    if (!(*A >= OVR_TOUCH_MIN))
         *A = *g = 0;
 }
 
@@ -128,7 +128,7 @@ static void open_about(const ovr_touch *touch, size_t n, size_t i, size_t reach)
 void ovr_touch_open(ovr_hierarchy *grids, const ovr_level *level,
                     const ovr_fields *f)
 {
-    enum { PATIENCE = 2, MOST = 7 };
+    enum { PATIENCE = 2, MAX = 7 };
     ovr_touch *touch = &grids->touch;
     size_t n = level->grid.n;
     bool any = false;
@@ -139,7 +139,7 @@ void ovr_touch_open(ovr_hierarchy *grids, const ovr_level *level,
         any |= rises;
         if (rises && touch->rising >= PATIENCE)
             open_about(touch, n, i,
-                       (size_t)1 << (doublings < MOST ? doublings : MOST));
+                       (size_t)1 << (doublings < MAX ? doublings : MAX));
     }
     touch->rising = any ? touch->rising + 1 : 0;
 }
@@ -193,13 +193,13 @@ ovr_newton_row ovr_touch_dry_row(const ovr_hierarchy *grids,
 /* The film nearest to H that a step may make of the film it was made for. */
 static double allowed(const ovr_touch *touch, size_t i, double was, double H)
 {
-    const double least = 0.05, doubled = log(2), thin = 0.2, thick = 5;
+    const double minimum = 0.05, doubled = log(2), thin = 0.2, thick = 5;
     double A = touch->A[i], bottom = thin * was;
     if (!(was > 0))
         return H;
     if (touch->g[i] > 0)
         bottom = fmax(bottom,
-                      was - fmax(doubled, log(least / A)) * A / touch->g[i]);
+                      was - fmax(doubled, log(minimum / A)) * A / touch->g[i]);
     return fmin(fmax(H, bottom), thick * was);
 }
 

@@ -43,7 +43,7 @@
 #include "multigrid/tripoles.h"
 
 /* Pressures below this are none: an exponential never ends. */
-#define OVR_TOUCH_LEAST 1e-9
+#define OVR_TOUCH_MIN 1e-9
 
 /* The deformation of a level by the whole pressure; P_f and what is borne
  * beside it by the film that this makes. */

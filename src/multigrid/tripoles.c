@@ -27,15 +27,16 @@ ovr_status ovr_tripoles_take(ovr_tripoles *t, size_t n, ovr_arena *arena,
 
 static void proportion(ovr_newton_row *row, double k0)
 {
-    double most = 0;
+    double maximum = 0;
     for (int m = 0; m < 4; m++)
-        most = fmax(most, fmax(fabs(row->local[m]), fabs(row->e[m] * k0)));
-    for (int m = 0; m < 4 && most > 0; m++) {
-        row->e[m] /= most;
-        row->local[m] /= most;
+        maximum = fmax(maximum,
+                       fmax(fabs(row->local[m]), fabs(row->e[m] * k0)));
+    for (int m = 0; m < 4 && maximum > 0; m++) {
+        row->e[m] /= maximum;
+        row->local[m] /= maximum;
     }
-    if (most > 0)
-        row->r /= most;
+    if (maximum > 0)
+        row->r /= maximum;
 }
 
 /* The influence of a tripole, d meshes away. */

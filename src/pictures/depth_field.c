@@ -17,7 +17,7 @@
 #include "stress/layered.h"
 #include "stress/stress.h"
 
-static const double least_meshes = 8, deepest = 2.5, shown = 1.5;
+static const double min_meshes = 8, deepest = 2.5, shown = 1.5;
 
 /* ------------------------------------------------------------------- making */
 
@@ -141,7 +141,7 @@ static ovr_stress_extreme find_worst(const ovr_depth_field *f)
     ovr_stress_extreme worst = {0, 0, 0, 0};
     for (size_t j = 0; j < ovr_stress_depths(f->stress, NULL); j++) {
         ovr_stress_row row = ovr_stress_at(f->stress, j);
-        if (row.z < f->least * (1 - 1e-9))
+        if (row.z < f->minimum * (1 - 1e-9))
             continue;
         for (size_t i = 0; i < row.count; i++) {
             double v = value_at(f, &row, i);
@@ -170,17 +170,17 @@ ovr_status ovr_depth_field_solve(ovr_depth_field *f, size_t k,
 static ovr_status look_through(ovr_depth_field *f, ovr_error *err)
 {
     const ovr_result_info *info = f->run->info;
-    double most = 0;
+    double maximum = 0;
     size_t step = 1 + info->snapshots / 64;
     for (size_t k = 0; k < info->snapshots; k += step) {
         ovr_stress_extreme e;
         if (ovr_depth_field_solve(f, k, &e, err))
             return OVR_BAD_INPUT;
-        most = fmax(most, fabs(e.value));
+        maximum = fmax(maximum, fabs(e.value));
         if (k == 0)
             f->smooth = fabs(e.value);
     }
-    f->high = ceil(20 * fmin(most, 2 * f->smooth)) / 20;
+    f->high = ceil(20 * fmin(maximum, 2 * f->smooth)) / 20;
     return OVR_OK;
 }
 
@@ -201,7 +201,7 @@ ovr_status ovr_depth_field_make(ovr_depth_field *f, const ovr_stored *run,
     read_body(f, surface, arena);
     if (choose_nodes(f, arena, err))
         return OVR_NO_MEMORY;
-    f->least = least_meshes * f->mesh;
+    f->minimum = min_meshes * f->mesh;
     f->x_from = isnan(x_from) ? -1.5 : x_from;
     f->x_to = isnan(x_to) ? 1.5 : x_to;
     f->z_to = logarithmic ? deepest : shown;
@@ -425,7 +425,7 @@ ovr_status ovr_depth_field_panel(ovr_depth_field *f,
     char *label = ovr_arena_take(arena, 80, 1, err);
     char *depth = ovr_arena_take(arena, 80, 1, err);
     char *levels = ovr_arena_take(arena, 2 * CAPACITY, 1, err);
-    double *points = ovr_arena_take(arena, 6 + 4 * OVR_LAYERS_MOST,
+    double *points = ovr_arena_take(arena, 6 + 4 * OVR_LAYERS_MAX,
                                     sizeof *points, err);
     ovr_axis x;
     if (!label || !depth || !levels || !points ||
@@ -438,7 +438,7 @@ ovr_status ovr_depth_field_panel(ovr_depth_field *f,
     put_label(f, label, 80);
     panel->image = image_of(f, worst->value, label);
     put_contours(f, &panel->image, levels, levels + CAPACITY, CAPACITY);
-    add_line(panel, points + 2, drawn_depth(f, f->least, x.factor),
+    add_line(panel, points + 2, drawn_depth(f, f->minimum, x.factor),
              OVR_MARK_DOTTED, series, &panel->count);
     for (int j = 0; j < f->coated.body.layers; j++) {
         double z = ovr_layered_bottom(&f->coated.body, j);

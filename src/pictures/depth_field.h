@@ -14,7 +14,7 @@ enum { OVR_CELLS_X = 360, OVR_CELLS_Z = 160 };
 
 /* The curves of a panel: its mark, where its mesh begins to be seen,
  * interfaces. */
-enum { OVR_DEPTH_SERIES = 2 + OVR_LAYERS_MOST };
+enum { OVR_DEPTH_SERIES = 2 + OVR_LAYERS_MAX };
 
 /* One scale and one depth axis for a whole run. */
 typedef struct ovr_depth_field {
@@ -35,10 +35,10 @@ typedef struct ovr_depth_field {
                      the file are at several; else NULL */
     size_t nodes; /* of P and Q then */
     bool logarithmic;
-    double mesh, least; /* D; largest values are looked for from here down */
+    double mesh, minimum; /* D; largest values are looked for from here down */
     double x_from, x_to, z_to;
     double high;   /* end of the colours; `low` its negative or 0 */
-    double smooth; /* largest of the first snapshot, from `least` down */
+    double smooth; /* largest of the first snapshot, from `minimum` down */
     double *cells; /* OVR_CELLS_Z rows, from the surface down */
 } ovr_depth_field;
 
@@ -49,7 +49,7 @@ ovr_status ovr_depth_field_make(ovr_depth_field *f, const ovr_stored *run,
                                 ovr_arena *arena, ovr_error *err);
 void ovr_depth_field_free(ovr_depth_field *f);
 
-/* The field of snapshot k, and its largest value from `least` down. */
+/* The field of snapshot k, and its largest value from `minimum` down. */
 ovr_status ovr_depth_field_solve(ovr_depth_field *f, size_t k,
                                  ovr_stress_extreme *worst, ovr_error *err);
 

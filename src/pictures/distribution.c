@@ -120,7 +120,7 @@ static int colour(size_t k)
 
 /* Steps of a histogram in % of the draws, and the empirical distribution. */
 static ovr_status add_group(drawing *d, size_t group, ovr_series *steps,
-                            ovr_series *rises, double *most)
+                            ovr_series *rises, double *maximum)
 {
     size_t n, bins, i = 0;
     double *v = sorted_values(d, group, &n);
@@ -139,7 +139,7 @@ static ovr_status add_group(drawing *d, size_t group, ovr_series *steps,
             count++;
         x[2 * b] = end - width, x[2 * b + 1] = end;
         y[2 * b] = y[2 * b + 1] = 100 * count / (double)n;
-        *most = fmax(*most, y[2 * b]);
+        *maximum = fmax(*maximum, y[2 * b]);
     }
     for (size_t k = 0; k < n; k++) {
         at[2 * k] = at[2 * k + 1] = v[k];
@@ -255,13 +255,13 @@ static ovr_status draw(drawing *d)
                                        d->err);
     ovr_series *rises = ovr_arena_take(d->arena, d->rows, sizeof *rises,
                                        d->err);
-    double most = 0;
+    double maximum = 0;
     ovr_status status = steps && rises ? OVR_OK : OVR_NO_MEMORY;
     choose_axis(d);
     d->low = INFINITY;
     d->high = -INFINITY;
     for (size_t k = 0; !status && k < d->rows; k++)
-        status = add_group(d, k, &steps[k], &rises[k], &most);
+        status = add_group(d, k, &steps[k], &rises[k], &maximum);
     for (size_t k = 0; !status && k < d->rows; k++)
         status = add_uprights(d, k, steps, &count);
     if (status)
@@ -273,7 +273,7 @@ static ovr_status draw(drawing *d)
                                .x_from = d->low - margin,
                                .x_to = d->high + margin,
                                .y_from = 0,
-                               .y_to = k ? 100 : 1.08 * most};
+                               .y_to = k ? 100 : 1.08 * maximum};
     panel[0].series = steps;
     panel[0].count = count;
     panel[1].series = rises;

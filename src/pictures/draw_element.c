@@ -10,7 +10,7 @@
 #include "case/setup.h"
 #include "elements/elements.h"
 
-enum { LOOKS = 800, MOST_SERIES = 12, NAME = 160 };
+enum { LOOKS = 800, MAX_SERIES = 12, NAME = 160 };
 
 static const double pi = 3.14159265358979323846;
 
@@ -29,14 +29,14 @@ typedef struct sketch {
 
 static ovr_series *space_for_series(sketch *s, ovr_panel *panel)
 {
-    panel->series = ovr_arena_take(s->arena, MOST_SERIES, sizeof(ovr_series),
+    panel->series = ovr_arena_take(s->arena, MAX_SERIES, sizeof(ovr_series),
                                    s->err);
     return (ovr_series *)panel->series;
 }
 
 static void add(ovr_panel *panel, ovr_series series)
 {
-    if (panel->series && panel->count < MOST_SERIES)
+    if (panel->series && panel->count < MAX_SERIES)
         ((ovr_series *)panel->series)[panel->count++] = series;
 }
 

@@ -123,7 +123,7 @@ static ovr_status map_panel(const yielded *y, const double *v, bool signs,
 {
     double *cells = ovr_arena_take(y->of->arena, (size_t)CELLS_X * CELLS_Z,
                                    sizeof *cells, err);
-    double most = 0;
+    double maximum = 0;
     if (!cells)
         return OVR_NO_MEMORY;
     *panel = (ovr_panel){.x_label = place,
@@ -141,14 +141,14 @@ static ovr_status map_panel(const yielded *y, const double *v, bool signs,
                                            ((double)r + 0.5) / CELLS_Z;
             double *cell = &cells[r * CELLS_X + c];
             *cell = at_cell(y, v, xi, pow(10, z));
-            most = fmax(most, fabs(*cell));
+            maximum = fmax(maximum, fabs(*cell));
         }
-    most = most > 0 ? most : 1;
+    maximum = maximum > 0 ? maximum : 1;
     panel->image = (ovr_image){.nx = CELLS_X,
                                .ny = CELLS_Z,
                                .values = cells,
-                               .from = signs ? -most : 0,
-                               .to = most,
+                               .from = signs ? -maximum : 0,
+                               .to = maximum,
                                .label = label};
     return OVR_OK;
 }

@@ -24,7 +24,7 @@ typedef struct history {
     double *z, *xi, *R, *smooth, *risk, *length, *S;
     bool life;
     double risk_smooth; /* NAN: not known */
-    double least, worst, worst_xi, worst_z;
+    double minimum, worst, worst_xi, worst_z;
     char name[64];
 } history;
 
@@ -50,11 +50,11 @@ static void read_case(history *h, const double *A)
                                        &err);
     ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
 
-    h->least = 8 * (h->s->runs->x[1] - h->s->runs->x[0]);
+    h->minimum = 8 * (h->s->runs->x[1] - h->s->runs->x[0]);
     if (setup && !ovr_setup_prepare(setup, NULL, &err)) {
         ovr_life_options life = *setup->stress->life;
         double z;
-        h->least = fmax(8 * setup->mesh, life.least_depth);
+        h->minimum = fmax(8 * setup->mesh, life.least_depth);
         life.limit = setup->stress->limit_pressure *
                      ovr_hertz_criterion(
                          setup->stress->criterion, setup->stress->alpha,
@@ -62,7 +62,7 @@ static void read_case(history *h, const double *A)
         double *i = A ? ovr_arena_take(h->s->arena, h->depths, sizeof *i, NULL)
                       : NULL;
         size_t from = 0;
-        while (from + 1 < h->depths && h->z[from] < h->least * (1 - 1e-9))
+        while (from + 1 < h->depths && h->z[from] < h->minimum * (1 - 1e-9))
             from++;
         if (i) {
             ovr_risk(&life, h->depths, h->z, A, i);
@@ -89,7 +89,7 @@ static void find_worst(history *h)
 {
     for (size_t j = 0; j < h->depths; j++)
         for (size_t k = 0; k < h->points; k++)
-            if (h->z[j] >= h->least * (1 - 1e-9) &&
+            if (h->z[j] >= h->minimum * (1 - 1e-9) &&
                 h->R[j * h->points + k] > h->worst) {
                 h->worst = h->R[j * h->points + k];
                 h->worst_xi = h->xi[k];
@@ -152,10 +152,11 @@ static double at_cell(const history *h, double xi, double z)
 
 static double largest_smooth(const history *h)
 {
-    double most = 0;
+    double maximum = 0;
     for (size_t j = 0; j < h->depths; j++)
-        most = fmax(most, h->z[j] >= h->least * (1 - 1e-9) ? h->smooth[j] : 0);
-    return most;
+        maximum = fmax(maximum,
+                       h->z[j] >= h->minimum * (1 - 1e-9) ? h->smooth[j] : 0);
+    return maximum;
 }
 
 /* Contours every 0.1, the smooth contact's largest, a cross at the worst. */
@@ -290,7 +291,7 @@ ovr_status ovr_draw_risk(const ovr_drawing *drawing, ovr_chart *chart,
         note, 200,
         "worst R %.3g p_h at %.3g b, %.3g b deep; smooth %.3g; from %.3g b "
         "down",
-        h.worst, h.worst_xi, h.worst_z, largest_smooth(&h), h.least);
+        h.worst, h.worst_xi, h.worst_z, largest_smooth(&h), h.minimum);
     *chart = (ovr_chart){.title = ovr_stored_title(drawing->runs, 1, o->title),
                          .subtitle = note,
                          .width = o->width > 0 ? o->width : 1280,

@@ -10,14 +10,14 @@
 /* The snapshot whose field has the largest value, where none is asked for. */
 static ovr_status find_worst(ovr_depth_field *f, size_t *worst, ovr_error *err)
 {
-    double most = -1;
+    double maximum = -1;
     for (size_t k = 0; k < f->run->info->snapshots; k++) {
         ovr_stress_extreme e;
         if (ovr_depth_field_solve(f, k, &e, err))
             return OVR_BAD_INPUT;
         double v = fabs(e.value);
-        if (v > most)
-            most = v, *worst = k;
+        if (v > maximum)
+            maximum = v, *worst = k;
     }
     return OVR_OK;
 }

@@ -251,7 +251,7 @@ static ovr_status choose_columns(figure *f, ovr_error *err)
 
 /* --------------------------------------------------------------- samples */
 
-static ovr_status find_group(groups *g, size_t row, size_t most,
+static ovr_status find_group(groups *g, size_t row, size_t maximum,
                              const char *what, size_t *which, ovr_error *err)
 {
     for (*which = 0; *which < g->count; ++*which) {
@@ -261,11 +261,11 @@ static ovr_status find_group(groups *g, size_t row, size_t most,
         if (all)
             return OVR_OK;
     }
-    if (g->count == most)
+    if (g->count == maximum)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "'%.60s' has more than %zu values: too many %s; "
                         "--against, --lines and --panels choose keys",
-                        g->key[g->keys - 1]->name, most, what);
+                        g->key[g->keys - 1]->name, maximum, what);
     g->row[g->count++] = row;
     return OVR_OK;
 }
@@ -407,13 +407,13 @@ static axis axis_of(const figure *f, const ovr_table_column *c, double largest)
 
 static void make_axes(figure *f)
 {
-    double most_x = 0, most_y = 0;
+    double max_x = 0, max_y = 0;
     for (size_t i = 0; i < f->samples; i++) {
-        most_x = fmax(most_x, fabs(f->sample[i].x));
-        most_y = fmax(most_y, fabs(f->sample[i].y));
+        max_x = fmax(max_x, fabs(f->sample[i].x));
+        max_y = fmax(max_y, fabs(f->sample[i].y));
     }
-    f->x_axis = axis_of(f, f->x, most_x);
-    f->y_axis = axis_of(f, f->y, most_y);
+    f->x_axis = axis_of(f, f->x, max_x);
+    f->y_axis = axis_of(f, f->y, max_y);
 }
 
 /* "Rq = 0.05 µm, level = 8": what a group has. */
@@ -567,16 +567,16 @@ static ovr_status add_bins(figure *f, const sample *s, size_t n, size_t bins,
     double *x = ovr_arena_take(f->arena, 4 * bins + 14, sizeof *x, err);
     if (!x)
         return OVR_NO_MEMORY;
-    double *y = x + 2 * bins + 1, *line = y + 2 * bins + 1, most = 0;
+    double *y = x + 2 * bins + 1, *line = y + 2 * bins + 1, maximum = 0;
     for (size_t b = 0, i = 0; b < bins; b++) {
         double end = low + width * (double)(b + 1), count = 0;
         for (; i < n && (s[i].y * f->y_axis.factor < end || b + 1 == bins); i++)
             count++;
         x[2 * b] = end - width, x[2 * b + 1] = end;
         y[2 * b] = y[2 * b + 1] = 100 * count / (double)n;
-        most = fmax(most, y[2 * b]);
+        maximum = fmax(maximum, y[2 * b]);
     }
-    f->y_to = fmax(f->y_to, 1.08 * most);
+    f->y_to = fmax(f->y_to, 1.08 * maximum);
     series[0] = (ovr_series){.n = 2 * bins,
                              .x = x,
                              .y = y,

@@ -113,10 +113,10 @@ static void find_range(const map *m, double *low, double *high)
 
 static double largest(const map *m)
 {
-    double most = -INFINITY;
+    double maximum = -INFINITY;
     for (size_t c = 0; c < (size_t)CELLS_T * CELLS_X; c++)
-        most = fmax(most, m->values[c]);
-    return most;
+        maximum = fmax(maximum, m->values[c]);
+    return maximum;
 }
 
 /* A spike one cell wide would take all colours but the darkest: where only

@@ -14,10 +14,10 @@ typedef struct line {
 
 static double largest(const ovr_table *t, const ovr_table_column *c)
 {
-    double most = 0;
+    double maximum = 0;
     for (size_t i = 0; i < ovr_table_rows(t); i++)
-        most = fmax(most, fabs(c->number[i])); /* passes over NAN */
-    return most;
+        maximum = fmax(maximum, fabs(c->number[i])); /* passes over NAN */
+    return maximum;
 }
 
 /* Lines with their points; the axis by the first. */
@@ -55,14 +55,14 @@ static ovr_status add_lines(const ovr_table *t, const line *lines, size_t count,
     return OVR_OK;
 }
 
-/* Nothing passed: the least film is the mean one. */
+/* Nothing passed: the smallest film is the mean one. */
 static bool is_steady(const ovr_table *t)
 {
-    const ovr_table_column *least = ovr_table_named(
+    const ovr_table_column *minimum = ovr_table_named(
         t, "least_central_film_thickness");
     const ovr_table_column *mean = ovr_table_named(t, "central_film_thickness");
-    for (size_t i = 0; least && mean && i < ovr_table_rows(t); i++)
-        if (least->number[i] < (1 - 1e-6) * mean->number[i])
+    for (size_t i = 0; minimum && mean && i < ovr_table_rows(t); i++)
+        if (minimum->number[i] < (1 - 1e-6) * mean->number[i])
             return false;
     return true;
 }

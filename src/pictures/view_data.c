@@ -17,7 +17,7 @@
 
 /* A page holds at most so much: beyond it nodes and snapshots are left out,
  * evenly. */
-enum { MOST_NODES = 4000, MOST_STEPS = 4000, MOST_VALUES = 4000000 };
+enum { MAX_NODES = 4000, MAX_STEPS = 4000, MAX_VALUES = 4000000 };
 
 typedef struct writer {
     const char *stress; /* field asked for, or NULL */
@@ -191,7 +191,7 @@ static ovr_status put_history(writer *w, ovr_error *err)
                    {"H_min", "min_film_thickness", '<'},
                    {"H_cen", "central_film_thickness", '.'},
                    {"P_max", "max_pressure", '>'}};
-    size_t n = w->run->info->steps, bucket = n / MOST_STEPS + 1;
+    size_t n = w->run->info->steps, bucket = n / MAX_STEPS + 1;
     ovr_text_put(w->to, "\"history\":{");
     for (int k = 0; n > 0 && k < 4; k++) {
         double *v = ovr_stored_history(w->run, columns[k].name, 1, w->arena,
@@ -263,9 +263,9 @@ static void put_about(writer *w)
 static void choose(writer *w)
 {
     const ovr_result_info *i = w->run->info;
-    w->stride = (i->nodes - 1) / MOST_NODES + 1;
+    w->stride = (i->nodes - 1) / MAX_NODES + 1;
     w->nodes = (i->nodes - 1) / w->stride + 1;
-    w->every = w->nodes * i->snapshots / MOST_VALUES + 1;
+    w->every = w->nodes * i->snapshots / MAX_VALUES + 1;
     w->shots = (i->snapshots - 1) / w->every + 1;
 }
 

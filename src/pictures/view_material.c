@@ -15,7 +15,7 @@
 #include "results/results.h"
 #include "surface/surfaces.h"
 
-enum { ROWS = 40, MOST_COLUMNS = 400 };
+enum { ROWS = 40, MAX_COLUMNS = 400 };
 
 typedef struct material {
     const ovr_stored *run;
@@ -128,7 +128,7 @@ ovr_status ovr_view_material(ovr_text *to, const ovr_stored *run, size_t shots,
         return OVR_NO_MEMORY;
     if (!find_group(&m) || !find_places(&m, shots, every, at))
         return OVR_OK;
-    m.columns = m.points > MOST_COLUMNS ? MOST_COLUMNS : m.points;
+    m.columns = m.points > MAX_COLUMNS ? MAX_COLUMNS : m.points;
     m.z = read_rows(&m, "depth", 1, m.depths, err);
     m.xi = read_rows(&m, "material", 1, m.points, err);
     m.cell = ovr_arena_take(arena, ROWS * m.columns, sizeof *m.cell, err);

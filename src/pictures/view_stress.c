@@ -13,8 +13,8 @@
 #include "pictures/pack_levels.h"
 #include "stress/layered.h"
 
-enum { ROWS = 40, MOST_COLUMNS = 180, LEAST_COLUMNS = 60 };
-enum { MOST_VALUES = 2000000, STEPS = 1000 };
+enum { ROWS = 40, MAX_COLUMNS = 180, MIN_COLUMNS = 60 };
+enum { MAX_VALUES = 2000000, STEPS = 1000 };
 
 static const double DEEPEST = 2.5;
 
@@ -28,10 +28,10 @@ typedef struct sheet {
 
 static ovr_status prepare(sheet *s, ovr_arena *arena, ovr_error *err)
 {
-    size_t most = MOST_VALUES / ROWS / s->shots;
-    s->columns = most > MOST_COLUMNS    ? MOST_COLUMNS
-                 : most < LEAST_COLUMNS ? LEAST_COLUMNS
-                                        : most;
+    size_t maximum = MAX_VALUES / ROWS / s->shots;
+    s->columns = maximum > MAX_COLUMNS   ? MAX_COLUMNS
+                 : maximum < MIN_COLUMNS ? MIN_COLUMNS
+                                         : maximum;
     for (int r = 0; r < ROWS; r++)
         s->z[r] = s->field.mesh *
                   pow(DEEPEST / s->field.mesh, (double)r / (ROWS - 1));
@@ -67,7 +67,7 @@ static ovr_status fill(sheet *s, size_t shot, ovr_error *err)
 /* Depths of the interfaces, where the body has layers. */
 static void put_layers(ovr_text *to, const ovr_layered *body)
 {
-    double bottom[OVR_LAYERS_MOST];
+    double bottom[OVR_LAYERS_MAX];
     for (int j = 0; j < body->layers; j++)
         bottom[j] = ovr_layered_bottom(body, j);
     if (body->layers)
@@ -87,7 +87,7 @@ static ovr_status put(ovr_text *to, const sheet *s, ovr_arena *arena,
                    "\"smooth\":%.17g,\"least\":%.17g,",
                    f->name, s->columns, ROWS, f->x_from, f->x_to,
                    both || pressed ? -f->high : 0, pressed ? 0 : f->high,
-                   f->smooth, f->least);
+                   f->smooth, f->minimum);
     ovr_text_doubles(to, "z", s->z, ROWS);
     ovr_text_doubles(to, "worst", s->worst, 3 * s->shots);
     put_layers(to, &f->coated.body);

@@ -32,8 +32,8 @@ long ovr_write_every(const ovr_write_options *o, double end, double dT,
     size_t stored = nodes / (o->stride ? o->stride : 1) + 1;
     double row = (double)stored * (double)ovr_layout_fields(o->fields, NULL) *
                  (o->single ? 4 : 8);
-    double most = fmin(250, fmax(50, 64e6 / row));
-    double every = ceil(end / dT / most);
+    double maximum = fmin(250, fmax(50, 64e6 / row));
+    double every = ceil(end / dT / maximum);
     return every >= 1 && every < 1e9 ? (long)every : 1;
 }
 

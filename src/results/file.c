@@ -26,7 +26,7 @@ static ovr_status write_failed(ovr_file *f, ovr_error *err)
 static void forget_ids(ovr_file *f)
 {
     f->file = f->time = f->step = -1;
-    for (size_t k = 0; k < OVR_FIELDS_MOST; k++)
+    for (size_t k = 0; k < OVR_FIELDS_MAX; k++)
         f->field[k] = -1;
     for (size_t c = 0; c < f->columns; c++)
         f->column[c] = -1;

@@ -28,10 +28,10 @@ enum { OVR_DATE_SIZE = 32 };
 typedef struct ovr_file {
     ovr_store store;
     hid_t file;
-    hid_t time, field[OVR_FIELDS_MOST];
+    hid_t time, field[OVR_FIELDS_MAX];
     hid_t step, *column;
     size_t fields, columns;
-    const ovr_observable *which[OVR_FIELDS_MOST], **row; /* the same order */
+    const ovr_observable *which[OVR_FIELDS_MAX], **row; /* the same order */
     size_t nodes, element; /* of one field of one snapshot */
     int deflate;
     char created[OVR_DATE_SIZE]; /* its date_created, when it was there */

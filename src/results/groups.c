@@ -162,15 +162,15 @@ static bool set_attribute(hid_t group, const ovr_group_attribute *a)
 static bool fill_group(const ovr_writer *w, hid_t group, const ovr_group *g,
                        ovr_arena *arena)
 {
-    hid_t axis[OVR_MOST_RANK] = {-1, -1, -1, -1};
-    bool ok = group >= 0 && g->axes <= OVR_MOST_RANK;
+    hid_t axis[OVR_MAX_RANK] = {-1, -1, -1, -1};
+    bool ok = group >= 0 && g->axes <= OVR_MAX_RANK;
     for (size_t k = 0; ok && k < g->axes; k++)
         ok = (axis[k] = make_axis(w, group, &g->axis[k], arena)) >= 0;
     for (size_t k = 0; ok && k < g->arrays; k++)
         ok = make_array(w, group, g, &g->array[k], axis, arena);
     for (size_t k = 0; ok && k < g->attributes; k++)
         ok = set_attribute(group, &g->attribute[k]);
-    for (size_t k = 0; k < OVR_MOST_RANK; k++)
+    for (size_t k = 0; k < OVR_MAX_RANK; k++)
         if (axis[k] >= 0)
             ovr_h5_drop(axis[k]);
     return ok;
@@ -216,7 +216,7 @@ static bool write_row(hid_t group, const char *name, hsize_t k, hid_t type,
                       const void *values)
 {
     hid_t set = H5Dopen2(group, name, H5P_DEFAULT), space = -1, memory = -1;
-    hsize_t shape[OVR_MOST_RANK], at[OVR_MOST_RANK] = {k};
+    hsize_t shape[OVR_MAX_RANK], at[OVR_MAX_RANK] = {k};
     bool ok = set >= 0;
     if (ok) {
         space = H5Dget_space(set);

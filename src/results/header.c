@@ -69,7 +69,7 @@ static void set_fill(hid_t creation, hid_t type)
 static hid_t dataset_creation(const dataset *d)
 {
     hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
-    hsize_t chunk[OVR_MOST_RANK];
+    hsize_t chunk[OVR_MAX_RANK];
     memcpy(chunk, d->shape, sizeof chunk);
     chunk[0] = d->rows;
     H5Pset_attr_creation_order(creation,
@@ -86,11 +86,11 @@ static hid_t dataset_creation(const dataset *d)
 
 static hid_t dataset_space(const dataset *d)
 {
-    hsize_t most[OVR_MOST_RANK];
-    memcpy(most, d->shape, sizeof most);
+    hsize_t maximum[OVR_MAX_RANK];
+    memcpy(maximum, d->shape, sizeof maximum);
     if (d->rows)
-        most[0] = H5S_UNLIMITED;
-    return H5Screate_simple(d->rank, d->shape, most);
+        maximum[0] = H5S_UNLIMITED;
+    return H5Screate_simple(d->rank, d->shape, maximum);
 }
 
 /* What is per unit width has the width, where it is known. */

@@ -13,8 +13,8 @@ typedef struct ovr_new_dataset {
     hid_t type;
     hsize_t rows; /* in a chunk; 0: nothing is unlimited */
     int rank;
-    hsize_t shape[OVR_MOST_RANK]; /* 0: unlimited */
-    hid_t along[OVR_MOST_RANK];
+    hsize_t shape[OVR_MAX_RANK]; /* 0: unlimited */
+    hid_t along[OVR_MAX_RANK];
     int deflate;
 } ovr_new_dataset;
 

@@ -83,7 +83,7 @@ static int begin(ovr_store *s)
     return error;
 }
 
-static size_t least(uint64_t a, uint64_t b)
+static size_t minimum(uint64_t a, uint64_t b)
 {
     return (size_t)(a < b ? a : b);
 }
@@ -162,7 +162,7 @@ static void end_record(const ovr_store *s, addition *a, uint64_t kind,
 /* What was not kept yet is in the file as the checkpoint had it. */
 static int keep_page(ovr_store *s, addition *a, const ovr_page *page)
 {
-    size_t bytes = least(OVR_PAGE, s->kept.length - page->number * OVR_PAGE);
+    size_t bytes = minimum(OVR_PAGE, s->kept.length - page->number * OVR_PAGE);
     int error = note_kept(s, page->number);
     memcpy(a->data + a->bytes + sizeof(ovr_journal_record), page->was, bytes);
     if (error == 0)
@@ -187,7 +187,7 @@ static int keep_pages(ovr_store *s, addition *a)
 static void name_page(const ovr_store *s, addition *a, uint64_t page,
                       const unsigned char *now)
 {
-    size_t bytes = least(OVR_PAGE, s->length - page * OVR_PAGE);
+    size_t bytes = minimum(OVR_PAGE, s->length - page * OVR_PAGE);
     ovr_journal_entry e = {page, (uint32_t)bytes,
                            (uint32_t)checksum(0, now, bytes)};
     memcpy(a->data + a->bytes + sizeof(ovr_journal_record) + a->state, &e,
@@ -203,11 +203,11 @@ static int name_new_pages(ovr_store *s, addition *a)
     uint64_t page = s->kept.summed / OVR_PAGE, end = pages_of(s->length);
     while (page < end) {
         uint64_t at = page * OVR_PAGE, left = end - page;
-        if (!ovr_store_read(s, at, least(sizeof now, s->length - at), now))
+        if (!ovr_store_read(s, at, minimum(sizeof now, s->length - at), now))
             return s->failed;
-        for (size_t k = 0; k < least(MANY, left); k++)
+        for (size_t k = 0; k < minimum(MANY, left); k++)
             name_page(s, a, page + k, now + k * OVR_PAGE);
-        page += least(MANY, left);
+        page += minimum(MANY, left);
     }
     return 0;
 }

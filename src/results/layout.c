@@ -41,7 +41,7 @@ unsigned ovr_field_bit(const char *name)
 {
     if (!name)
         return 0;
-    const ovr_observable *row[OVR_FIELDS_MOST];
+    const ovr_observable *row[OVR_FIELDS_MAX];
     size_t count = ovr_layout_fields(~0u, row);
     for (size_t k = 0; k < count; k++)
         if (strcmp(row[k]->name, name) == 0)

@@ -11,7 +11,7 @@
 #include "overroll/results.h"
 
 /* Version 1, of overroll 0.1.0, names no kinds. */
-enum { OVR_FORMAT_VERSION = 2, OVR_FIELDS_MOST = 32 };
+enum { OVR_FORMAT_VERSION = 2, OVR_FIELDS_MAX = 32 };
 
 /* The columns of the history where these physics are on, or the fields of a
  * set of them, in the order in which they are written: how many; into `rows`,

@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* Far more than a file has; groups in groups: stress/surface_1. */
-enum { MOST_VARIABLES = 512, MOST_GROUPS = 32, DEEPEST = 2 };
+enum { MAX_VARIABLES = 512, MAX_GROUPS = 32, DEEPEST = 2 };
 
 /* ------------------------------------------------------------- datasets */
 
@@ -144,7 +144,7 @@ static ovr_status take_group(ovr_result *r, uint64_t group, const char *name,
         snprintf(path, sizeof path, "%s%s%s", name, *name ? "/" : "",
                  links[k].name);
         if (ovr_container_dataset(&r->container, object, &set)) {
-            if (r->variables == MOST_VARIABLES)
+            if (r->variables == MAX_VARIABLES)
                 return damaged(r, "too many variables", err);
             describe(r, object, path, &set);
             continue;
@@ -152,7 +152,7 @@ static ovr_status take_group(ovr_result *r, uint64_t group, const char *name,
         switch (ovr_container_object(&r->container, object)) {
         case OVR_OBJECT_TEXTS: break;
         case OVR_OBJECT_GROUP:
-            if (depth < DEEPEST && r->groups++ < MOST_GROUPS)
+            if (depth < DEEPEST && r->groups++ < MAX_GROUPS)
                 status = take_group(r, object, path, depth + 1, err);
             break;
         default:
@@ -167,10 +167,10 @@ static ovr_status take_variables(ovr_result *r, ovr_error *err)
 {
     ovr_arena *a = &r->arena;
     if (!r->variable) {
-        r->variable = ovr_arena_take(a, MOST_VARIABLES, sizeof *r->variable,
+        r->variable = ovr_arena_take(a, MAX_VARIABLES, sizeof *r->variable,
                                      err);
-        r->field = ovr_arena_take(a, MOST_VARIABLES, sizeof *r->field, err);
-        r->column = ovr_arena_take(a, MOST_VARIABLES, sizeof *r->column, err);
+        r->field = ovr_arena_take(a, MAX_VARIABLES, sizeof *r->field, err);
+        r->column = ovr_arena_take(a, MAX_VARIABLES, sizeof *r->column, err);
     }
     if (!r->variable || !r->field || !r->column)
         return OVR_NO_MEMORY;
@@ -206,7 +206,7 @@ static ovr_status open_axes(ovr_result *r, ovr_error *err)
     return OVR_OK;
 }
 
-static void least(size_t *count, size_t rows)
+static void minimum(size_t *count, size_t rows)
 {
     if (rows < *count)
         *count = rows;
@@ -222,11 +222,11 @@ static void sort_variables(ovr_result *r)
         const ovr_variable *v = &r->variable[k];
         if (v->name == v->path && v->rank == 2 &&
             v->shape[1] == r->info.nodes) {
-            least(&r->info.snapshots, v->shape[0]);
+            minimum(&r->info.snapshots, v->shape[0]);
             r->field[r->fields++] = v;
         } else if (v->rank == 1 && v->name == v->path + strlen(history) &&
                    strncmp(v->path, history, strlen(history)) == 0) {
-            least(&r->info.steps, v->shape[0]);
+            minimum(&r->info.steps, v->shape[0]);
             r->column[r->columns++] = v;
         }
     }
@@ -246,9 +246,9 @@ static ovr_status open_lists(ovr_result *r, ovr_error *err)
         if (r->variable[k].path == r->time->path ||
             (r->variable[k].name == r->variable[k].path &&
              r->variable[k].rank > 1))
-            least(&r->variable[k].shape[0], r->info.snapshots);
+            minimum(&r->variable[k].shape[0], r->info.snapshots);
         else if (strncmp(r->variable[k].path, "history/", 8) == 0)
-            least(&r->variable[k].shape[0], r->info.steps);
+            minimum(&r->variable[k].shape[0], r->info.steps);
     return OVR_OK;
 }
 

@@ -102,12 +102,12 @@ static ovr_status open_once(ovr_result *r, int lock, ovr_error *err)
 
 bool ovr_reader_again(const ovr_result *r, int attempt, bool locked)
 {
-    enum { MOST = 4 };
+    enum { MAX = 4 };
     struct timespec wait = {0, 1000000L << attempt};
     char journal[4096];
     bool written = locked || (journal_name(r->path, journal, sizeof journal) &&
                               access(journal, F_OK) == 0);
-    if (!written || attempt >= MOST)
+    if (!written || attempt >= MAX)
         return false;
     nanosleep(&wait, NULL);
     return true;

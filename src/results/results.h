@@ -21,7 +21,7 @@ typedef struct ovr_write_options {
     double x_from, x_to;        /* window in X; NAN: the whole domain */
     size_t stride;              /* every so many nodes; 1 */
     int deflate;                /* 0 (no filters) to 9; 1 */
-    double flush_interval;      /* s between flushes at the least; 0.5 */
+    double flush_interval;      /* s between flushes at least; 0.5 */
     double checkpoint_interval; /* s; <= 0: none on the way; 30 */
     bool no_thread;             /* compress and write in the caller's thread */
     double end;                 /* when the run will end, b/um; NAN unknown */

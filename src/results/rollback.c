@@ -12,7 +12,7 @@
 /* The date stands among the headers, at the file's beginning. */
 static bool stands_in(int file, const char *created, ovr_arena *arena)
 {
-    enum { MOST = 1 << 20 };
+    enum { MAX = 1 << 20 };
     size_t length = strnlen(created, OVR_STORE_NAME), bytes;
     struct stat about;
     char *data;
@@ -20,7 +20,7 @@ static bool stands_in(int file, const char *created, ovr_arena *arena)
         return true;
     if (fstat(file, &about) != 0)
         return false;
-    bytes = about.st_size < MOST ? (size_t)about.st_size : MOST;
+    bytes = about.st_size < MAX ? (size_t)about.st_size : MAX;
     data = ovr_arena_take(arena, bytes + 1, 1, NULL);
     if (!data || ovr_read_all(file, data, bytes, 0) != 0)
         return false;

@@ -51,12 +51,12 @@ void ovr_store_fail(ovr_store *s)
 
 /* ------------------------------------------------------- reading, writing */
 
-static uint64_t least(uint64_t a, uint64_t b)
+static uint64_t minimum(uint64_t a, uint64_t b)
 {
     return a < b ? a : b;
 }
 
-static uint64_t most(uint64_t a, uint64_t b)
+static uint64_t maximum(uint64_t a, uint64_t b)
 {
     return a > b ? a : b;
 }
@@ -108,7 +108,7 @@ void ovr_store_write(ovr_store *s, uint64_t at, size_t bytes, const void *from)
 {
     const unsigned char *next = from;
     uint64_t guard = ovr_store_guarded(s);
-    size_t below = at < guard ? (size_t)least(bytes, guard - at) : 0;
+    size_t below = at < guard ? (size_t)minimum(bytes, guard - at) : 0;
     if (at + bytes > s->length)
         s->length = at + bytes;
     change_pages(s, at, below, next);
@@ -135,7 +135,7 @@ static int apply_page(const ovr_store *s, const ovr_page *page)
     if (at >= s->committed)
         return 0;
     return ovr_write_all(s->fd, page->data,
-                         (size_t)least(OVR_PAGE, s->committed - at), at);
+                         (size_t)minimum(OVR_PAGE, s->committed - at), at);
 }
 
 /* Page 0 is the first in the list and written last. */
@@ -150,7 +150,7 @@ static int apply_pages(const ovr_store *s)
 /* What lies behind the end goes, but nothing that the checkpoint had. */
 static int cut_tail(ovr_store *s)
 {
-    uint64_t to = most(s->length, s->kept.length);
+    uint64_t to = maximum(s->length, s->kept.length);
     if (to >= s->on_disk)
         return 0;
     if (ftruncate(s->fd, (off_t)to) != 0)
@@ -195,7 +195,7 @@ ovr_status ovr_store_commit(ovr_store *s, ovr_error *err)
     if (!ovr_store_note(s, error))
         return ovr_store_failure(s, err);
     ovr_pages_clear(&s->changed);
-    s->committed = most(s->length, s->kept.length);
+    s->committed = maximum(s->length, s->kept.length);
     return OVR_OK;
 }
 

@@ -5,7 +5,7 @@
 #include "base/disk.h"
 #include "results/store.h"
 
-static uint64_t least(uint64_t a, uint64_t b)
+static uint64_t minimum(uint64_t a, uint64_t b)
 {
     return a < b ? a : b;
 }
@@ -24,7 +24,7 @@ uint64_t ovr_store_guarded(const ovr_store *s)
 
 size_t ovr_in_page(uint64_t at, uint64_t bytes)
 {
-    return (size_t)least(bytes, OVR_PAGE - at % OVR_PAGE);
+    return (size_t)minimum(bytes, OVR_PAGE - at % OVR_PAGE);
 }
 
 bool ovr_store_read(ovr_store *s, uint64_t at, size_t bytes, void *to)
@@ -38,7 +38,7 @@ bool ovr_store_read(ovr_store *s, uint64_t at, size_t bytes, void *to)
         uint64_t guard = ovr_store_guarded(s);
         if (page && at < guard)
             memcpy(next, page->data + at % OVR_PAGE,
-                   (size_t)least(n, guard - at));
+                   (size_t)minimum(n, guard - at));
         at += n;
         next += n;
         bytes -= n;

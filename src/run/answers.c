@@ -207,11 +207,11 @@ static void tell(page *p)
 
 /* ------------------------------------------------------------ from a run */
 
-enum { MOST = 256 };
+enum { MAX = 256 };
 
 typedef struct numbers {
     size_t count;
-    ovr_group_attribute of[MOST];
+    ovr_group_attribute of[MAX];
 } numbers;
 
 /* These keys of a summary are asked for here. */
@@ -256,7 +256,7 @@ static void collect(void *data, const ovr_summary_line *line)
 {
     numbers *n = data;
     for (size_t k = 0; k < sizeof asked / sizeof *asked; k++)
-        if (line->form != OVR_SUMMARY_TEXT && n->count < MOST &&
+        if (line->form != OVR_SUMMARY_TEXT && n->count < MAX &&
             !strcmp(line->key, asked[k]))
             n->of[n->count++] = (ovr_group_attribute){asked[k], NULL,
                                                       line->number};

@@ -241,11 +241,11 @@ static void say_bodies(const ovr_told *to, const ovr_setup *setup)
     const ovr_passes_setup *p = setup->passes;
     const ovr_contact *c = setup->contact;
     const double speed = p->again == 2 ? c->u2_ratio : c->u1_ratio;
-    double way = p->spacing / speed, most = 0;
+    double way = p->spacing / speed, maximum = 0;
     for (size_t k = 0; k < p->loads.count; k++)
-        most = fmax(most, p->loads.values[k]);
-    if (most > 0)
-        ovr_tell(to, "load zone", "%.4g of the nominal load at most", most);
+        maximum = fmax(maximum, p->loads.values[k]);
+    if (maximum > 0)
+        ovr_tell(to, "load zone", "%.4g of the nominal load at most", maximum);
     if (isfinite(way))
         ovr_tell(to, "rolling bodies", "%.4g%s behind each other, %s",
                  p->spacing, in_metres(p->spacing, c->b).text,

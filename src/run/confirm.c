@@ -28,10 +28,11 @@ static double relative_error(const ovr_run *run)
     const ovr_run_errors *e = &run->error;
     ovr_accuracy of = run->setup->accuracy_of;
     double central = error_of(e, "H_cen");
-    double least = error_of(e, run->info.transient ? "H_min_overall" : "H_min");
+    double minimum = error_of(e,
+                              run->info.transient ? "H_min_overall" : "H_min");
     if (of != OVR_ACCURACY_ALL)
-        return of == OVR_ACCURACY_H_CEN ? central : least;
-    return isnan(central + least) ? NAN : fmax(central, least);
+        return of == OVR_ACCURACY_H_CEN ? central : minimum;
+    return isnan(central + minimum) ? NAN : fmax(central, minimum);
 }
 
 static void doubt(ovr_run *run, const char *why)

@@ -43,7 +43,7 @@
 /* Relative differences that are of the solver's tolerances, not of the mesh;
  * such that need not fall. */
 static const double NEGLIGIBLE = 1e-6, SMALL = 3e-4;
-static const double LEAST_ORDER = 0.75, SAFETY = 1.25;
+static const double MIN_ORDER = 0.75, SAFETY = 1.25;
 static const double PEAK_ORDER = 0.5;
 /* of films of fourth order: d2 over the value, d1 over d2 */
 static const double NEAR = 0.1, NEARER = 0.4;
@@ -175,7 +175,7 @@ typedef struct measure {
 static bool falls(const measure *m, double d1, double d2, bool turns)
 {
     double q = log2(d2 / d1);
-    return !turns && q >= LEAST_ORDER && q <= fmax(m->order, 2) + 1;
+    return !turns && q >= MIN_ORDER && q <= fmax(m->order, 2) + 1;
 }
 
 /* Not in a known order, and yet near enough. */
@@ -190,13 +190,14 @@ static ovr_run_error judge(const char *key, ovr_unit_kind kind,
 {
     ovr_run_error e = {key, kind, {v[0], v[1], v[2]}, NAN, NAN, true};
     bool film = kind != OVR_KIND_PRESSURE;
-    double size = fabs(v[0]), least = NEGLIGIBLE * size, q = fmin(m->order, 1);
+    double size = fabs(v[0]), minimum = NEGLIGIBLE * size,
+           q = fmin(m->order, 1);
     double d1 = fabs(v[0] - v[1]), d2 = fabs(v[1] - v[2]), d = d1;
     bool turns = (v[0] - v[1]) * (v[1] - v[2]) < 0;
     if (isnan(d2))
         e.converges = film || !m->in_time;
     else {
-        e.order = d1 > least && d2 > least ? log2(d2 / d1) : NAN;
+        e.order = d1 > minimum && d2 > minimum ? log2(d2 / d1) : NAN;
         e.converges = fmax(d1, d2) <= SMALL * size || falls(m, d1, d2, turns);
         q = isnan(e.order) ? m->order : fmax(0.5, fmin(m->order, e.order));
         d = fmax(d1, d2 * exp2(-m->order));
@@ -204,7 +205,7 @@ static ovr_run_error judge(const char *key, ovr_unit_kind kind,
     if (!film && m->in_time)
         q = PEAK_ORDER;
     if (e.converges)
-        e.error = m->safety * d / (exp2(q) - 1) + least;
+        e.error = m->safety * d / (exp2(q) - 1) + minimum;
     else if (film && is_near(m, size, d1, d2)) {
         e.converges = true;
         e.error = m->safety * d2;

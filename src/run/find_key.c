@@ -21,10 +21,10 @@
 #include "run/trials.h"
 
 enum {
-    MOST = 2 * OVR_SEARCH_MOST,
+    MAX = 2 * OVR_SEARCH_MAX,
     NAMES = 400,
     TEXT_CAPACITY = 1000,
-    QUESTION_MOST = 1 << 20
+    QUESTION_MAX = 1 << 20
 };
 
 struct ovr_find {
@@ -289,11 +289,11 @@ static ovr_status keep(ovr_find *f, double x, const ovr_trial *t,
     double order = ovr_trial_number(t, "order", NULL);
     double level = ovr_trial_number(t, "level", NULL);
     double marked = ovr_trial_number(t, "steps_marked", NULL);
-    if (f->info.evaluations == MOST)
+    if (f->info.evaluations == MAX)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "the search took more than %d evaluations without an "
                         "end: give narrower ends or a larger tolerance",
-                        MOST);
+                        MAX);
     *e = (ovr_find_evaluation){.value = x, .quantity = NAN};
     e->message = "";
     if (t->failed)
@@ -355,8 +355,8 @@ static const char *result_path(ovr_find *f, double x, ovr_error *err)
 static ovr_trials *trials_at(ovr_find *f, size_t n, const double *x,
                              const ovr_trial_plan *as_planned, ovr_error *err)
 {
-    ovr_case *cases[OVR_SEARCH_MOST] = {NULL};
-    const char *files[OVR_SEARCH_MOST];
+    ovr_case *cases[OVR_SEARCH_MAX] = {NULL};
+    const char *files[OVR_SEARCH_MAX];
     ovr_trial_plan with_files = *as_planned, *plan = &with_files;
     ovr_trials *t = NULL;
     size_t made = 0;
@@ -388,7 +388,7 @@ static ovr_status evaluate(void *data, size_t n, const double *x, double *q,
 {
     ovr_find *f = data;
     const ovr_trial_plan plan = plan_of(f);
-    double missing[OVR_SEARCH_MOST];
+    double missing[OVR_SEARCH_MAX];
     size_t count = 0;
     ovr_status status = OVR_OK;
     for (size_t k = 0; k < n; k++)
@@ -427,19 +427,19 @@ static ovr_status fail_missed(const ovr_find *f, const ovr_search_result *r,
                               ovr_error *err)
 {
     const ovr_find_info *i = &f->info;
-    bool above = i->target > r->most, up = above == r->rises;
+    bool above = i->target > r->maximum, up = above == r->rises;
     const char *failure = first_failure(f);
     char beyond[200] = "";
-    if (r->monotone && (above || i->target < r->least))
+    if (r->monotone && (above || i->target < r->minimum))
         snprintf(beyond, sizeof beyond, "; it %s with %s: go %s %g%s",
                  r->rises ? "rises" : "falls", i->key, up ? "beyond" : "below",
                  up ? r->to : r->from, f->suffix);
     return ovr_fail(err, OVR_BAD_INPUT,
                     "%s is %.6g to %.6g between %g and %g%s: %.6g is not among "
                     "them%s%s%.300s",
-                    i->quantity, r->least, r->most, r->from, r->to, f->suffix,
-                    i->target, beyond, *failure ? "; runs failed: " : "",
-                    failure);
+                    i->quantity, r->minimum, r->maximum, r->from, r->to,
+                    f->suffix, i->target, beyond,
+                    *failure ? "; runs failed: " : "", failure);
 }
 
 static ovr_status fail_several(const ovr_find *f, const ovr_search_result *r,
@@ -579,13 +579,13 @@ static ovr_status run_answer(ovr_find *f, ovr_error *err)
 /* True if the solutions have different orders. */
 static bool orders_differ(const ovr_find *f)
 {
-    int least = 1000, most = 0;
+    int minimum = 1000, maximum = 0;
     for (size_t k = 0; k < f->info.evaluations; k++)
         if (!isnan(f->made[k].quantity) && f->made[k].order) {
-            least = f->made[k].order < least ? f->made[k].order : least;
-            most = f->made[k].order > most ? f->made[k].order : most;
+            minimum = f->made[k].order < minimum ? f->made[k].order : minimum;
+            maximum = f->made[k].order > maximum ? f->made[k].order : maximum;
         }
-    return least < most;
+    return minimum < maximum;
 }
 
 /* All of order 2 from here on; what is so already stays. */
@@ -706,7 +706,7 @@ static ovr_status open_results(ovr_find *f, ovr_error *err)
         return ovr_fail_about(err, "results", "%s: cannot be made: %s", folder,
                               strerror(errno));
     if (access(path, F_OK) == 0) {
-        if (ovr_text_file(path, "question", QUESTION_MOST, &f->arena, &found,
+        if (ovr_text_file(path, "question", QUESTION_MAX, &f->arena, &found,
                           err))
             return OVR_BAD_INPUT;
         if (strcmp(found, asked) != 0)
@@ -742,7 +742,7 @@ static ovr_status prepare(ovr_find *f, ovr_case *c,
     i->which = f->how.which;
     if (status)
         return status;
-    f->made = ovr_arena_take(&f->arena, MOST, sizeof *f->made, err);
+    f->made = ovr_arena_take(&f->arena, MAX, sizeof *f->made, err);
     f->base = f->made ? ovr_case_apart(c, err) : NULL;
     if (!f->base)
         return OVR_NO_MEMORY;
@@ -754,7 +754,7 @@ static ovr_status prepare(ovr_find *f, ovr_case *c,
     if (!f->how.table)
         return OVR_OK;
     status = ovr_find_table_open(&f->table, f->how.table, f->how.go_on, f->made,
-                                 MOST, &i->evaluations, &f->arena, err);
+                                 MAX, &i->evaluations, &f->arena, err);
     for (size_t k = 0; k < i->evaluations; k++)
         i->marked = i->marked || f->made[k].marked > 0;
     return status;

@@ -66,7 +66,7 @@ static ovr_status cannot(const ovr_find_table *t, ovr_status status,
 }
 
 /* The whole rows of a file; what stands behind them is cut off. */
-static size_t read_rows(FILE *from, ovr_find_evaluation *made, size_t most,
+static size_t read_rows(FILE *from, ovr_find_evaluation *made, size_t maximum,
                         ovr_arena *arena)
 {
     char line[2048];
@@ -74,7 +74,7 @@ static size_t read_rows(FILE *from, ovr_find_evaluation *made, size_t most,
     long end = 0;
     if (fgets(line, sizeof line, from) && !strcmp(line, heads)) {
         end = ftell(from);
-        while (count < most && fgets(line, sizeof line, from) &&
+        while (count < maximum && fgets(line, sizeof line, from) &&
                read_row(line, &made[count], arena)) {
             count++;
             end = ftell(from);
@@ -89,14 +89,14 @@ static size_t read_rows(FILE *from, ovr_find_evaluation *made, size_t most,
 
 ovr_status ovr_find_table_open(ovr_find_table *table, const char *path,
                                bool go_on, ovr_find_evaluation *made,
-                               size_t most, size_t *count, ovr_arena *arena,
+                               size_t maximum, size_t *count, ovr_arena *arena,
                                ovr_error *err)
 {
     *count = 0;
     table->path = path;
     table->file = go_on ? fopen(path, "r+") : NULL;
     if (table->file) {
-        *count = read_rows(table->file, made, most, arena);
+        *count = read_rows(table->file, made, maximum, arena);
     } else {
         table->file = fopen(path, "w");
         if (table->file)

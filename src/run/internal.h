@@ -19,7 +19,7 @@ struct ovr_run {
     ovr_setup *setup;
     ovr_simulation *sim;
     ovr_writer *writer; /* NULL: nothing is stored */
-    ovr_accompanied company[OVR_MOST_PHYSICS + 1];
+    ovr_accompanied company[OVR_MAX_PHYSICS + 1];
     ovr_restart *restart;     /* of a run resumed */
     ovr_passes *passes;       /* NULL: one */
     bool resumed;             /* the case is its own */

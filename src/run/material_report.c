@@ -48,7 +48,7 @@ static bool copy_material(ovr_stress_report *r, ovr_arena *arena,
     return true;
 }
 
-/* The largest circle of complete points from the least depth down. */
+/* The largest circle of complete points from the smallest depth down. */
 static void find_worst(ovr_stress_report *r)
 {
     const ovr_material *m = &r->material;
@@ -152,9 +152,9 @@ static ovr_status find_life(const ovr_setup *setup, ovr_stress_report *r,
  * law has left what oils do (Newtonian, at large sliding and pressure). */
 static bool is_beyond(const ovr_stress_report *r)
 {
-    const double most = 1e3;
-    return !(r->max_shear.value < most && r->von_mises.value < most &&
-             r->R_max < most);
+    const double maximum = 1e3;
+    return !(r->max_shear.value < maximum && r->von_mises.value < maximum &&
+             r->R_max < maximum);
 }
 
 static const ovr_stress_extreme none = {NAN, NAN, NAN, NAN};
@@ -197,13 +197,14 @@ static double layer_amplitude(const ovr_layered *layers, int layer,
                               const ovr_stress_report *r)
 {
     const ovr_material *m = &r->material;
-    double most = 0;
+    double maximum = 0;
     for (size_t j = 0; j < m->depths; j++)
         for (size_t k = 0;
              ovr_layered_at(layers, m->z[j]) == layer && k < m->points; k++)
             if (m->complete[k])
-                most = fmax(most, (double)r->amplitude[j * m->points + k]);
-    return most;
+                maximum = fmax(maximum,
+                               (double)r->amplitude[j * m->points + k]);
+    return maximum;
 }
 
 /* The share of layers' own limits that is used: the amplitude over that of a
@@ -226,7 +227,7 @@ static void find_layer_fatigue(const ovr_setup *setup,
     }
 }
 
-/* Points beyond yield: how many of those from the least depth down, and how
+/* Points beyond yield: how many of those from the smallest depth down, and how
  * deep any are. */
 static void count_yielding(ovr_stress_report *r)
 {

@@ -215,16 +215,16 @@ static ovr_status estimate(ovr_run *run, ovr_error *err)
 }
 
 /* What is called converged carries its load; a tolerance of one's own may not
- * see to that.  A start without load has that of OVR_LEAST_START. */
+ * see to that.  A start without load has that of OVR_MIN_START. */
 static bool carries_load(ovr_run *run)
 {
-    const double most = 1e-4;
+    const double maximum = 1e-4;
     double error = ovr_simulation_statistics(run->sim)->extreme.load_error;
     double ratio = ovr_simulation_observation(run->sim)->load_ratio;
     char text[OVR_MESSAGE_SIZE];
-    bool unloaded = ovr_history_value(run->setup->load, 0) < OVR_LEAST_START;
-    double given = unloaded ? OVR_LEAST_START : 0;
-    if (!(fabs(error) > given + most * fmax(1, ratio)))
+    bool unloaded = ovr_history_value(run->setup->load, 0) < OVR_MIN_START;
+    double given = unloaded ? OVR_MIN_START : 0;
+    if (!(fabs(error) > given + maximum * fmax(1, ratio)))
         return true;
     snprintf(text, sizeof text,
              "the load is off by %.2g of the nominal one: this is not called "

@@ -21,7 +21,7 @@
 #include "run/run.h"
 #include "surface/surfaces.h"
 
-enum { NAME_CAPACITY = 128, TIMES_MOST = 100000 };
+enum { NAME_CAPACITY = 128, TIMES_MAX = 100000 };
 
 /* ------------------------------------------------------------- can it be */
 
@@ -124,7 +124,7 @@ ovr_case_value *ovr_run_values(const ovr_case *c, ovr_arena *arena,
     for (size_t k = 0; values && k < all; k++) {
         ovr_case_entry entry = ovr_case_entry_at(c, k);
         ovr_parameter_info info = ovr_parameter_at(entry.parameter);
-        bool number = isfinite(info.least) && isfinite(entry.number);
+        bool number = isfinite(info.minimum) && isfinite(entry.number);
         if (!entry.text)
             continue;
         values[n] = (ovr_case_value){.name = full_name(&entry, arena),
@@ -148,7 +148,7 @@ typedef struct moments {
 
 static void add_moment(moments *m, double T)
 {
-    if (m->count < TIMES_MOST && isfinite(T))
+    if (m->count < TIMES_MAX && isfinite(T))
         m->T[m->count++] = T;
 }
 
@@ -172,7 +172,7 @@ static double *make_times(const ovr_setup *setup, ovr_arena *arena,
                           size_t *count)
 {
     const ovr_output *out = setup->output;
-    moments m = {0, ovr_arena_take(arena, TIMES_MOST, sizeof *m.T, NULL)};
+    moments m = {0, ovr_arena_take(arena, TIMES_MAX, sizeof *m.T, NULL)};
     for (size_t i = 0; m.T && i < out->at.count; i++)
         add_moment(&m, out->at.values[i]);
     for (size_t i = 0; m.T && i < out->feature_at.count; i++)

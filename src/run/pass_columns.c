@@ -13,7 +13,7 @@ static const ovr_pass_column beside[OVR_PASS_BESIDE] = {
         {"central_film_thickness_error",
          "estimated error of discretization of the mean central film",
          OVR_KIND_HEIGHT, NULL, 0},
-    [OVR_PASS_LEAST_ERROR] =
+    [OVR_PASS_MIN_ERROR] =
         {"min_film_thickness_error",
          "estimated error of discretization of the smallest film",
          OVR_KIND_HEIGHT, NULL, 0},

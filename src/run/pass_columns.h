@@ -6,14 +6,14 @@
 
 #include "overroll/simulation.h"
 
-enum { OVR_PASS_MOST = 64 };
+enum { OVR_PASS_MAX = 64 };
 
 /* Those beside the quantities, by their numbers. */
 typedef enum ovr_pass_beside {
     OVR_PASS_LOST,
     OVR_PASS_STEPS,
     OVR_PASS_FILM_ERROR, /* from here on where they are known */
-    OVR_PASS_LEAST_ERROR,
+    OVR_PASS_MIN_ERROR,
     OVR_PASS_PRESSURE_ERROR,
     OVR_PASS_MENISCUS_ERROR,
     OVR_PASS_LENGTH, /* of the stresses below a surface */

@@ -25,7 +25,7 @@ const char *ovr_passes_file_of(ovr_run *run, int pass, ovr_error *err)
 
 static void blank(ovr_pass_row *row)
 {
-    for (size_t k = 0; k < OVR_PASS_MOST; k++)
+    for (size_t k = 0; k < OVR_PASS_MAX; k++)
         row->value[k] = NAN;
     row->status = "waiting";
 }
@@ -141,13 +141,13 @@ ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err)
 /* ----------------------------------------------------------------- at rest */
 
 static bool is_near(const ovr_run *run, int pass, const char *column,
-                    double most)
+                    double maximum)
 {
     size_t k = ovr_pass_column_named(column);
     const ovr_passes *p = run->passes;
     double now = p->row[pass - 1].value[k];
     double before = p->row[pass - 2].value[k];
-    return isnan(now) || fabs(now - before) <= most * fabs(now);
+    return isnan(now) || fabs(now - before) <= maximum * fabs(now);
 }
 
 /* True if bodies that yield have shaken down, by what is left of the shoulders

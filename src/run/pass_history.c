@@ -35,7 +35,7 @@ ovr_pass_history ovr_pass_history_make(const ovr_allocator *allocator)
 /* Space for so many rows; the rows of before are kept. */
 static ovr_status reserve(ovr_pass_history *h, size_t rows, ovr_error *err)
 {
-    for (int k = 0; k < OVR_SEEN_MOST; k++) {
+    for (int k = 0; k < OVR_SEEN_MAX; k++) {
         double *of = h->which[k]
                          ? ovr_arena_take(&h->arena, rows, sizeof *of, err)
                          : NULL;
@@ -87,7 +87,7 @@ ovr_status ovr_pass_history_read(ovr_pass_history *h, ovr_result *result,
         return OVR_BAD_INPUT;
     }
     status = reserve(h, rows, err);
-    for (int k = 0; !status && k < OVR_SEEN_MOST; k++)
+    for (int k = 0; !status && k < OVR_SEEN_MAX; k++)
         status = read_column(h, k, rows, result, err);
     h->n = status ? 0 : rows;
     return status;
@@ -101,7 +101,7 @@ static ovr_status take_down(void *data, const ovr_simulation *sim,
     const ovr_observation *seen = ovr_simulation_observation(sim);
     if (h->n == h->capacity && reserve(h, h->n ? 2 * h->n : FIRST, err))
         return OVR_NO_MEMORY;
-    for (int k = 0; k < OVR_SEEN_MOST; k++)
+    for (int k = 0; k < OVR_SEEN_MAX; k++)
         if (h->which[k])
             h->of[k][h->n] = ovr_observable_value(h->which[k], seen);
     h->n++;

@@ -19,15 +19,15 @@ typedef enum ovr_pass_quantity {
     OVR_PASS_QUANTITIES
 } ovr_pass_quantity;
 
-enum { OVR_SEEN_MOST = OVR_PASS_QUANTITIES + OVR_PASS_MOST };
+enum { OVR_SEEN_MAX = OVR_PASS_QUANTITIES + OVR_PASS_MAX };
 
 /* Behind the ones above the quantity of each column, OVR_PASS_QUANTITIES + k;
  * those of columns beside the quantities are empty. */
 typedef struct ovr_pass_history {
     ovr_arena arena;
     size_t n, capacity;
-    double *of[OVR_SEEN_MOST];
-    const ovr_observable *which[OVR_SEEN_MOST]; /* NULL: empty */
+    double *of[OVR_SEEN_MAX];
+    const ovr_observable *which[OVR_SEEN_MAX]; /* NULL: empty */
 } ovr_pass_history;
 
 /* Empty; ovr_arena_release(&h.arena) frees it. */

@@ -125,11 +125,11 @@ static double mean(const ovr_pass_history *h, const double *v)
 
 static double extreme(const ovr_pass_history *h, const double *v, double sign)
 {
-    double most = NAN;
+    double maximum = NAN;
     for (size_t j = 0; j < h->n; j++)
-        if (!(sign * v[j] <= sign * most) && isfinite(v[j]))
-            most = v[j];
-    return most;
+        if (!(sign * v[j] <= sign * maximum) && isfinite(v[j]))
+            maximum = v[j];
+    return maximum;
 }
 
 static double over_pass(const ovr_pass_history *h, const double *v,
@@ -211,9 +211,9 @@ static void read_summary(ovr_result *result, ovr_pass_row *row)
         const char *key;
         ovr_pass_beside to;
     } of[] = {{"H_cen_mean_error", OVR_PASS_FILM_ERROR},
-              {"H_min_error", OVR_PASS_LEAST_ERROR},
+              {"H_min_error", OVR_PASS_MIN_ERROR},
               {"P_max_error", OVR_PASS_PRESSURE_ERROR},
-              {"H_min_overall_error", OVR_PASS_LEAST_ERROR},
+              {"H_min_overall_error", OVR_PASS_MIN_ERROR},
               {"P_max_overall_error", OVR_PASS_PRESSURE_ERROR},
               {"X_meniscus_mean_error", OVR_PASS_MENISCUS_ERROR},
               {"equivalent_length", OVR_PASS_LENGTH},

@@ -15,9 +15,9 @@
 #include "surface/layer.h"
 
 typedef struct ovr_pass_row {
-    double value[OVR_PASS_MOST]; /* by columns, dimensionless; NAN: not known
-                                  */
-    const char *status;          /* of its file; "waiting": none yet */
+    double value[OVR_PASS_MAX]; /* by columns, dimensionless; NAN: not known
+                                 */
+    const char *status;         /* of its file; "waiting": none yet */
 } ovr_pass_row;
 
 /* The two layers as they come to the next pass, and the oil in the inlet

@@ -35,7 +35,7 @@ static const double reach = 2;
 
 /* ------------------------------------------------------------------ window */
 
-static const double margin = 1, least_window = 3, most_points = 65536;
+static const double margin = 1, min_window = 3, max_points = 65536;
 
 static ovr_status make_plan(const ovr_setup *setup, int k,
                             ovr_plastic_plan *plan, ovr_error *err)
@@ -50,17 +50,17 @@ static ovr_status make_plan(const ovr_setup *setup, int k,
         from = how->from;
         to = how->to;
     }
-    double middle = (from + to) / 2, length = fmax(to - from, least_window);
+    double middle = (from + to) / 2, length = fmax(to - from, min_window);
     double D = setup->mesh;
     plan->points = 256;
     while ((double)plan->points * D < length &&
-           (double)plan->points < most_points)
+           (double)plan->points < max_points)
         plan->points *= 2;
     if ((double)plan->points * D < length)
         return ovr_fail_about(err, "window",
                               "a window of %.3g b has more than %.0f points on "
                               "this mesh: give [plastic] window FROM, TO",
-                              length, most_points);
+                              length, max_points);
     plan->mesh = D;
     plan->layers = (size_t)fmax(1, fmin(how->layers, floor(how->depth / D)));
     plan->first = (round(middle / D) - 0.5 * (double)plan->points) * D;
@@ -202,7 +202,7 @@ static void go_back(ovr_plastic *p, int k, bool profile)
 static ovr_status make_ready(ovr_plastic *p, const ovr_simulation *sim,
                              ovr_error *err)
 {
-    p->P = ovr_arena_take(&p->arena, sim->most, sizeof *p->P, err);
+    p->P = ovr_arena_take(&p->arena, sim->maximum, sizeof *p->P, err);
     if (!p->P)
         return OVR_NO_MEMORY;
     for (int k = 0; k < BODIES; k++) {
@@ -299,20 +299,20 @@ static ovr_status load_layer(const ovr_yielding_body *b, size_t j, place at,
  * stress above P_max, and so no von Mises stress above
  * P_max sqrt(3/pi^2 + (1 - 2 nu)^2); to a residual stress it adds its
  * own von Mises stress at most. */
-static bool yields_by(const ovr_plastic *p, int k, double most)
+static bool yields_by(const ovr_plastic *p, int k, double maximum)
 {
     const ovr_yielding_body *b = &p->body[k];
     double nu = b->plan.range.poisson, pi = acos(-1.0);
     double bound = sqrt(3 / (pi * pi) + (1 - 2 * nu) * (1 - 2 * nu));
-    return b->Q || most * bound > ovr_yielding_reserve(b->y);
+    return b->Q || maximum * bound > ovr_yielding_reserve(b->y);
 }
 
 static double largest(const ovr_plastic *p, size_t n)
 {
-    double most = 0;
+    double maximum = 0;
     for (size_t i = 0; i < n; i++)
-        most = p->P[i] > most ? p->P[i] : most;
-    return most;
+        maximum = p->P[i] > maximum ? p->P[i] : maximum;
+    return maximum;
 }
 
 /* Lets the body flow under the pressure of the time T. */
@@ -444,7 +444,7 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
         ovr_yielding_body *b = &p->body[k];
         if (b->Q)
             ovr_traction_now(&b->plan, sim, b->Q);
-        o->plastic_strain = fmax(o->plastic_strain, ovr_plastic_most(p, b));
+        o->plastic_strain = fmax(o->plastic_strain, ovr_plastic_max(p, b));
         o->profile_change = fmax(o->profile_change, ovr_plastic_deepest(b));
         if (!isnan(o->shoulder_leading))
             continue;
@@ -484,13 +484,13 @@ static void review(const ovr_simulation *sim, const void *own,
     (void)sim;
     EACH_BODY(p, k)
     {
-        double most = ovr_plastic_most(p, &p->body[k]);
-        if (!isnan(p->how->body[k].strain) && most > small) {
+        double maximum = ovr_plastic_max(p, &p->body[k]);
+        if (!isnan(p->how->body[k].strain) && maximum > small) {
             snprintf(text, sizeof text,
                      "plastic strain of surface %d reaches %.2g %%, the model "
                      "is of small strains: shoulder heights are trusted, the "
                      "strain itself is not",
-                     k + 1, 100 * most);
+                     k + 1, 100 * maximum);
             say(data, true, text);
         }
         if (!(p->body[k].left > enough))

@@ -53,7 +53,7 @@ double ovr_plastic_shoulder(const ovr_yielding_body *b, int side, bool yielded);
 
 /* Largest plastic strain, NAN where its unit is not known; how far the profile
  * went down at most. */
-double ovr_plastic_most(const ovr_plastic *p, const ovr_yielding_body *b);
+double ovr_plastic_max(const ovr_plastic *p, const ovr_yielding_body *b);
 double ovr_plastic_deepest(const ovr_yielding_body *b);
 
 /* Stores into the group plastic/surface_N of the file, and reads from one. */

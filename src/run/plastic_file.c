@@ -85,7 +85,7 @@ static void add_attributes(storage *s, const ovr_plastic *p,
     add_number(s, "depth_max", p->how->depth);
     add_number(s, "work", b->work);
     add_number(s, "beyond_yield_left", b->left);
-    add_number(s, "plastic_strain_max", ovr_plastic_most(p, b));
+    add_number(s, "plastic_strain_max", ovr_plastic_max(p, b));
     add_number(s, "profile_change_max", ovr_plastic_deepest(b));
     add_number(s, "shoulder_before_leading", ovr_plastic_shoulder(b, 1, false));
     add_number(s, "shoulder_before_trailing",

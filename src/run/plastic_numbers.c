@@ -11,32 +11,33 @@ static double larger(double a, double b)
     return a > b ? a : b;
 }
 
-double ovr_plastic_most(const ovr_plastic *p, const ovr_yielding_body *b)
+double ovr_plastic_max(const ovr_plastic *p, const ovr_yielding_body *b)
 {
-    double most = 0;
+    double maximum = 0;
     for (size_t j = 0; j < b->layers; j++)
         for (size_t i = 0; i < b->points; i++)
-            most = larger(
-                most,
+            maximum = larger(
+                maximum,
                 b->kept[(OVR_PLASTIC_STATE * (j + 1) - 1) * b->points + i]);
-    return most * p->how->body[b == p->body ? 0 : 1].strain;
+    return maximum * p->how->body[b == p->body ? 0 : 1].strain;
 }
 
 double ovr_plastic_deepest(const ovr_yielding_body *b)
 {
-    double most = 0;
+    double maximum = 0;
     for (size_t i = 0; i < b->points; i++)
-        most = larger(most, b->shown[i]);
-    return most;
+        maximum = larger(maximum, b->shown[i]);
+    return maximum;
 }
 
 double ovr_plastic_shoulder(const ovr_yielding_body *b, int side, bool yielded)
 {
-    double most = -INFINITY, way = b->plan.direction < 0 ? -1 : 1;
+    double maximum = -INFINITY, way = b->plan.direction < 0 ? -1 : 1;
     for (size_t i = 0; i < b->points; i++) {
         double xi = b->first + (double)i * b->mesh;
         if (xi * way * side >= 0)
-            most = larger(most, b->shape[i] - (yielded ? b->shown[i] : 0));
+            maximum = larger(maximum,
+                             b->shape[i] - (yielded ? b->shown[i] : 0));
     }
-    return most;
+    return maximum;
 }

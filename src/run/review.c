@@ -101,18 +101,18 @@ static void say_idle(const ovr_review *r)
 /* A run from rest or from no load starts a little above either. */
 static void warn_of_start(const ovr_review *r)
 {
-    if (fabs(ovr_history_value(r->setup->speed, 0)) < OVR_LEAST_START)
+    if (fabs(ovr_history_value(r->setup->speed, 0)) < OVR_MIN_START)
         ovr_review_say(
             r, OVR_SAY_WARNING,
             "the run starts from rest, where there is no film: the film at T "
             "= 0 is that of %g of the nominal speed",
-            OVR_LEAST_START);
-    if (ovr_history_value(r->setup->load, 0) < OVR_LEAST_START)
+            OVR_MIN_START);
+    if (ovr_history_value(r->setup->load, 0) < OVR_MIN_START)
         ovr_review_say(
             r, OVR_SAY_WARNING,
             "the run starts without load, where the film has no bound: the "
             "film at T = 0 is that of %g of the nominal load",
-            OVR_LEAST_START);
+            OVR_MIN_START);
 }
 
 /* Upstream schemes smear out what moves on few nodes; below so many a width

@@ -14,13 +14,14 @@
 static void warn_of_order(const ovr_review *r, const ovr_simulation *sim)
 {
     const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);
-    int most = r->setup->options->max_cycles;
+    int maximum = r->setup->options->max_cycles;
     if (ovr_setup_corrected(r->setup))
         ovr_review_say(
             r, OVR_SAY_WARNING,
             "the solution is of second order: the corrections of fourth order "
             "did not converge on this mesh%s; level = %d would do",
-            most ? " in the max_cycles given" : "", ovr_level_resolving(sim));
+            maximum ? " in the max_cycles given" : "",
+            ovr_level_resolving(sim));
     else if (ovr_block_get(domain, "order")->given)
         ovr_review_say(
             r, OVR_SAY_WARNING,

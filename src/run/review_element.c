@@ -51,21 +51,21 @@ static void review_end(const ovr_setup *setup, ovr_listener *say, void *data)
 /* Reviews the film of the fit, where that is smallest. */
 static void review_film(const ovr_setup *setup, ovr_listener *say, void *data)
 {
-    ovr_station station[OVR_STATIONS_MOST];
-    size_t n = ovr_setup_stations(setup, station), least = 0;
+    ovr_station station[OVR_STATIONS_MAX];
+    size_t n = ovr_setup_stations(setup, station), minimum = 0;
     double Rq = setup->surfaces ? ovr_surfaces_roughness(setup->surfaces) *
                                       setup->contact->height
                                 : 0;
     char text[OVR_MESSAGE_SIZE];
     for (size_t k = 1; k < n; k++)
-        if (station[k].minimum < station[least].minimum)
-            least = k;
-    if (n == 0 || !(station[least].minimum < Rq))
+        if (station[k].minimum < station[minimum].minimum)
+            minimum = k;
+    if (n == 0 || !(station[minimum].minimum < Rq))
         return;
     snprintf(text, sizeof text,
              "at %s the smallest film is %.3g um by the fit, below the "
              "roughness of both surfaces, Rq = %.3g um: they would touch there",
-             station[least].name, 1e6 * station[least].minimum, 1e6 * Rq);
+             station[minimum].name, 1e6 * station[minimum].minimum, 1e6 * Rq);
     say(data, OVR_SAY_WARNING, text);
 }
 
@@ -90,10 +90,10 @@ void ovr_review_element_after(const ovr_setup *setup,
         return;
     const double way[] = {g->R1_B, g->R1_D};
     double t = g->begin + total->when.P_max * setup->contact->time;
-    double v = g->base_1 * g->omega_1, most = f->blend * g->base_pitch;
+    double v = g->base_1 * g->omega_1, maximum = f->blend * g->base_pitch;
     for (int k = 0; k < 2; k++) {
         double off = fabs(t - ovr_gear_time(gear, way[k])) * v;
-        if (!(off <= most))
+        if (!(off <= maximum))
             continue;
         snprintf(
             text, sizeof text,
@@ -101,7 +101,7 @@ void ovr_review_element_after(const ovr_setup *setup,
             "the load comes on or leaves within %.2g mm: it is made by how "
             "suddenly it does ([gear] blend), more than by the contact",
             1e-9 * total->extreme.P_max * setup->contact->ph, 1e3 * off,
-            "BD"[k], 1e3 * most);
+            "BD"[k], 1e3 * maximum);
         say(data, OVR_SAY_WARNING, text);
         return;
     }

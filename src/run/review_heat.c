@@ -24,19 +24,19 @@ static double speed_of(const ovr_setup *s, int k, double T)
 /* A surface that is slow at the start, or for some time. */
 typedef struct slowness {
     double Pe, u, T; /* the least of the start, or of all times; when */
-    double lasts;    /* so long it is below the least that is modelled */
+    double lasts;    /* so long it is below the smallest that is modelled */
 } slowness;
 
 static slowness find_slowness(const ovr_setup *s, int k)
 {
     const int times = 500;
-    const double least = s->heat->least_peclet, kappa = s->heat->diffusion[k];
+    const double minimum = s->heat->min_peclet, kappa = s->heat->diffusion[k];
     double end = s->transient && isfinite(s->march->end) ? s->march->end : 0;
     slowness slow = {.Pe = INFINITY};
     for (int i = 0; i <= (end > 0 ? times : 0); i++) {
         double T = end * i / times, u = speed_of(s, k, T);
         double Pe = fabs(u) / kappa;
-        if (Pe < least)
+        if (Pe < minimum)
             slow.lasts += end / times;
         if (Pe < slow.Pe)
             slow = (slowness){Pe, u, T, slow.lasts};
@@ -50,23 +50,24 @@ static void review_slip(const ovr_setup *s, ovr_listener *listener, void *data)
 {
     const int times = 500;
     const double much = 3;
-    double end = isfinite(s->march->end) ? s->march->end : 0, most = 0, T = 0;
+    double end = isfinite(s->march->end) ? s->march->end : 0, maximum = 0,
+           T = 0;
     char text[OVR_MESSAGE_SIZE];
     for (int i = 0; i <= times; i++) {
         double at = end * i / times;
         double slip = fabs(speed_of(s, 0, at) - speed_of(s, 1, at));
-        if (slip > most) {
-            most = slip;
+        if (slip > maximum) {
+            maximum = slip;
             T = at;
         }
     }
-    if (!(most > much))
+    if (!(maximum > much))
         return;
     snprintf(text, sizeof text,
              "heat: the surfaces slide by %.3g um at T = %.4g: beyond %g um "
              "temperatures may swing from step to step; compare with steps of "
              "half the length",
-             most, T, much);
+             maximum, T, much);
     listener(data, OVR_SAY_WARNING, text);
 }
 
@@ -80,7 +81,7 @@ static void review_speed(const ovr_setup *s, int k, ovr_listener *listener,
     slowness slow = find_slowness(s, k);
     double reach = ovr_solid_reach(s->heat, k, slow.u);
     char text[OVR_MESSAGE_SIZE], when[40] = "";
-    if (!(slow.Pe < s->heat->least_peclet) ||
+    if (!(slow.Pe < s->heat->min_peclet) ||
         (slow.T > 0 && slow.lasts < passing))
         return;
     if (slow.T > 0)
@@ -114,10 +115,10 @@ static void foresee(const ovr_setup *setup, ovr_listener *listener, void *data)
 /* Laws of viscosity and temperature are measured over some hundred kelvins. */
 static void warn_of_rise(ovr_run *run)
 {
-    const double most = 100;
+    const double maximum = 100;
     double rise = ovr_simulation_statistics(run->sim)->extreme.T_max_rise;
     char text[OVR_MESSAGE_SIZE];
-    if (!(rise > most))
+    if (!(rise > maximum))
         return;
     snprintf(text, sizeof text,
              "heat: the film is up to %.3g K hotter than the supply, further "
@@ -164,26 +165,26 @@ static double flux_at_entry(ovr_run *run, int k, bool at_outlet)
     static const char *const names[2] = {"heat_flux_1", "heat_flux_2"};
     size_t n = ovr_simulation_state(run->sim)->n, near = 1 + n / 100;
     double *workspace = ovr_arena_take(&run->arena, n, sizeof *workspace, NULL),
-           most = 0;
+           maximum = 0;
     const double *q;
     if (!workspace)
         return 0;
     q = ovr_observable_field(names[k])->field(run->sim, workspace);
     for (size_t i = 0; i < n; i++)
-        most = fmax(most, fabs(q[i]));
-    return most > 0 ? fabs(q[at_outlet ? n - 1 - near : near]) / most : 0;
+        maximum = fmax(maximum, fabs(q[i]));
+    return maximum > 0 ? fabs(q[at_outlet ? n - 1 - near : near]) / maximum : 0;
 }
 
 static void warn_of_domain(ovr_run *run)
 {
-    const double most = 0.05;
+    const double maximum = 0.05;
     double T = ovr_simulation_state(run->sim)->T;
     char text[OVR_MESSAGE_SIZE];
     for (int k = 0; k < 2; k++) {
         bool at_outlet = speed_of(run->setup, k, T) < 0;
         const char *end = at_outlet ? "outlet" : "inlet";
         double share = flux_at_entry(run, k, at_outlet);
-        if (!(share > most))
+        if (!(share > maximum))
             continue;
         snprintf(
             text, sizeof text,

@@ -6,20 +6,20 @@
 
 typedef struct usual {
     const char *what, *unit;
-    double value, scale; /* of the unit */
-    double least, most;  /* in it */
+    double value, scale;     /* of the unit */
+    double minimum, maximum; /* in it */
 } usual;
 
 static void judge(const usual *u, ovr_listener *say, void *data)
 {
     double value = u->value / u->scale;
     char text[OVR_MESSAGE_SIZE];
-    if (!isfinite(value) || (value >= u->least && value <= u->most))
+    if (!isfinite(value) || (value >= u->minimum && value <= u->maximum))
         return;
     snprintf(text, sizeof text,
              "%s %.4g %s: usual are %g to %g %s; is the unit the one that was "
              "meant?",
-             u->what, value, u->unit, u->least, u->most, u->unit);
+             u->what, value, u->unit, u->minimum, u->maximum, u->unit);
     say(data, OVR_SAY_WARNING, text);
 }
 

@@ -32,7 +32,7 @@ typedef struct rolled {
 
 static const double LEAD = 8; /* b; more than the inlet's length */
 static const double AT_EXIT = 0.75;
-enum { MOST = 1 << 17, LEAST_IN_WINDOW = 64 };
+enum { MAX = 1 << 17, MIN_IN_WINDOW = 64 };
 
 static bool slides(const ovr_setup *s)
 {
@@ -78,9 +78,9 @@ static ovr_status lay_out(const ovr_setup *s, ovr_arena *arena, rolled *r,
 {
     double way = speed(s) * s->march->end, from = -OVR_ROUGH_WINDOW - LEAD;
     double length = way + 2 * OVR_ROUGH_WINDOW + 2 * LEAD;
-    r->step = fmin(s->mesh, OVR_ROUGH_WINDOW / LEAST_IN_WINDOW);
-    if (length > MOST * r->step)
-        length = MOST * r->step;
+    r->step = fmin(s->mesh, OVR_ROUGH_WINDOW / MIN_IN_WINDOW);
+    if (length > MAX * r->step)
+        length = MAX * r->step;
     for (r->n = 64; (double)r->n * r->step < length;)
         r->n *= 2;
     r->X = ovr_arena_take(arena, r->n, sizeof *r->X, err);
@@ -99,23 +99,23 @@ static ovr_status lay_out(const ovr_setup *s, ovr_arena *arena, rolled *r,
 static double largest_Rq(const rolled *r)
 {
     size_t width = (size_t)(2 * OVR_ROUGH_WINDOW / r->step);
-    double sum = 0, squares = 0, most = 0, n = (double)width;
+    double sum = 0, squares = 0, maximum = 0, n = (double)width;
     for (size_t i = r->first; i < r->end; i++) {
         double in = r->z[i], out = i < r->first + width ? 0 : r->z[i - width];
         sum += in - out;
         squares += in * in - out * out;
         if (i + 1 >= r->first + width)
-            most = fmax(most, squares / n - sum / n * (sum / n));
+            maximum = fmax(maximum, squares / n - sum / n * (sum / n));
     }
-    return sqrt(most);
+    return sqrt(maximum);
 }
 
 static double highest(const rolled *r)
 {
-    double most = 0;
+    double maximum = 0;
     for (size_t i = r->first; i < r->end; i++)
-        most = fmax(most, r->z[i]);
-    return most;
+        maximum = fmax(maximum, r->z[i]);
+    return maximum;
 }
 
 static const char *reservation(const ovr_setup *s, const ovr_rough_film *film)

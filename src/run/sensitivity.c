@@ -196,13 +196,13 @@ static ovr_trials *run_all(working *w)
 
 static bool orders_differ(const ovr_trials *t)
 {
-    double least = INFINITY, most = 0;
+    double minimum = INFINITY, maximum = 0;
     for (size_t k = 0; k < ovr_trials_count(t); k++) {
         double order = ovr_trial_number(ovr_trials_at(t, k), "order", NULL);
-        least = fmin(least, order); /* NAN: passed over */
-        most = fmax(most, order);
+        minimum = fmin(minimum, order); /* NAN: passed over */
+        maximum = fmax(maximum, order);
     }
-    return least < most;
+    return minimum < maximum;
 }
 
 /* All of one order: where automatic ones differ, of the second. */

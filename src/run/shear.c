@@ -19,7 +19,7 @@ void ovr_run_shear(ovr_run *run)
     const ovr_state *state = ovr_simulation_state(run->sim);
     const char *const names[2] = {"shear_stress_1", "shear_stress_2"};
     double *shear[2], kappa = run->setup->contact->kappa;
-    double most = 0, count = 0, beyond = 0;
+    double maximum = 0, count = 0, beyond = 0;
     for (int k = 0; k < 2; k++) {
         shear[k] = ovr_arena_take(&run->arena, state->n, sizeof(double), NULL);
         if (!shear[k])
@@ -33,9 +33,9 @@ void ovr_run_shear(ovr_run *run)
             continue;
         count++;
         beyond += t > CARRIED * P;
-        most = fmax(most, t / P);
+        maximum = fmax(maximum, t / P);
     }
-    run->info.shear_over_pressure = isnan(kappa) ? NAN : most;
+    run->info.shear_over_pressure = isnan(kappa) ? NAN : maximum;
     run->info.unbearable_share = isnan(kappa) || count == 0 ? NAN
                                                             : beyond / count;
 }

@@ -504,14 +504,14 @@ static void tell(const ovr_physics_case *of, const void *form,
     const ovr_setup *setup = form;
     const ovr_stress_setup *s = setup->stress;
     char text[160];
-    double least;
+    double minimum;
     (void)of;
-    if (ovr_setup_stress_depth(setup, &least, NULL))
+    if (ovr_setup_stress_depth(setup, &minimum, NULL))
         return;
     snprintf(text, sizeof text,
              "Z = %.4g to %.4g, %g an octave; %.3g MB, as long as the run "
              "again",
-             least, s->depth_max, s->per_octave, memory(setup) / 1e6);
+             minimum, s->depth_max, s->per_octave, memory(setup) / 1e6);
     line(data, "stresses below", text);
     snprintf(text, sizeof text, "%s%s",
              s->traction ? "the film's shear stress" : "none: ",

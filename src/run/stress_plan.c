@@ -188,12 +188,12 @@ ovr_status ovr_stress_planned(const ovr_setup *setup, int surface, double inlet,
                        &why);
 }
 
-ovr_status ovr_setup_stress_depth(const ovr_setup *setup, double *least,
+ovr_status ovr_setup_stress_depth(const ovr_setup *setup, double *minimum,
                                   ovr_error *err)
 {
-    if (!setup || !least)
+    if (!setup || !minimum)
         return ovr_fail_null(err, __func__);
-    *least = NAN;
+    *minimum = NAN;
     for (int k = 1; k <= 2; k++) {
         ovr_stress_plan plan;
         if (!(setup->stress->surfaces >> (k - 1) & 1))
@@ -201,7 +201,7 @@ ovr_status ovr_setup_stress_depth(const ovr_setup *setup, double *least,
         if (ovr_stress_planned(setup, k, setup->options->inlet, setup->mesh,
                                setup->nodes, 1, &plan, err))
             return OVR_BAD_INPUT;
-        *least = plan.options.depth_min;
+        *minimum = plan.options.depth_min;
     }
     return OVR_OK;
 }

@@ -13,7 +13,7 @@
 #include "case/parameters.h"
 #include "overroll/text.h"
 
-enum { LINE_MOST = 65534, STUDY_MOST = 1 << 22 };
+enum { LINE_MAX = 65534, STUDY_MAX = 1 << 22 };
 
 enum section { NO_SECTION, STUDY, SET, PRODUCT, ZIP, FIND, RANDOM, LIMITS };
 
@@ -127,7 +127,7 @@ static ovr_status take_values(reading *r, const char *key, const char *value)
     ovr_study *s = r->s;
     ovr_study_key *k = &s->key[s->keys];
     ovr_error why = {0};
-    if (s->keys == OVR_STUDY_MOST_KEYS)
+    if (s->keys == OVR_STUDY_MAX_KEYS)
         return fail(r, "'%.60s' is one key too many: at most 64", key);
     for (size_t i = 0; i < s->keys; i++)
         if (!strcmp(s->key[i].where, key))
@@ -206,7 +206,7 @@ static ovr_status take_limit(reading *r, const char *key, const char *value)
     size_t size = strlen(key);
     bool sign = size && strchr("<>", key[size - 1]);
     snprintf(text, sizeof text, "%.180s%s %.180s", key, sign ? "=" : "", value);
-    if (s->limits == OVR_STUDY_MOST_LIMITS)
+    if (s->limits == OVR_STUDY_MAX_LIMITS)
         return fail(r, "'%.60s' is one limit too many: at most 16", key);
     if (!sign && strncmp(value, "at ", 3) != 0)
         return fail(
@@ -241,10 +241,10 @@ static ovr_status read_lines(reading *r)
     ovr_entries all;
     ovr_entry entry;
     const char *text;
-    ovr_status status = ovr_text_file(s->path, "study", STUDY_MOST, &s->arena,
+    ovr_status status = ovr_text_file(s->path, "study", STUDY_MAX, &s->arena,
                                       &text, r->err);
     if (!status)
-        status = ovr_entries_open(&all, text, s->path, LINE_MOST, &s->arena,
+        status = ovr_entries_open(&all, text, s->path, LINE_MAX, &s->arena,
                                   r->err);
     while (!status && !(status = ovr_entries_next(&all, &entry, r->err)) &&
            entry.line)
@@ -279,7 +279,7 @@ static ovr_status set_strides(ovr_study *s, ovr_error *err)
         if (with_next)
             continue;
         tasks *= k->count;
-        if (tasks > OVR_STUDY_MOST_TASKS)
+        if (tasks > OVR_STUDY_MAX_TASKS)
             return ovr_fail(
                 err, OVR_BAD_INPUT,
                 "%s: has more than a million cases: give fewer values",

@@ -34,9 +34,9 @@
 #include "run/comparison.h"
 
 enum {
-    OVR_STUDY_MOST_KEYS = 64,
-    OVR_STUDY_MOST_TASKS = 1000000,
-    OVR_STUDY_MOST_LIMITS = 16
+    OVR_STUDY_MAX_KEYS = 64,
+    OVR_STUDY_MAX_TASKS = 1000000,
+    OVR_STUDY_MAX_LIMITS = 16
 };
 
 /* One parameter: the value in task i is value[(i / stride) % count]. */
@@ -72,7 +72,7 @@ typedef struct ovr_study_chances {
     ovr_sampling how; /* draws 0: nothing is random */
     bool grows;       /* shifts were given or are used */
     long line;
-    ovr_study_chance key[OVR_STUDY_MOST_KEYS];
+    ovr_study_chance key[OVR_STUDY_MAX_KEYS];
     size_t keys;
 } ovr_study_chances;
 
@@ -83,11 +83,11 @@ struct ovr_study {
     const char *case_path; /* NULL: an empty case */
     const char *output;    /* folder of the results */
     bool results;          /* a result file for each case */
-    ovr_study_key key[OVR_STUDY_MOST_KEYS];
+    ovr_study_key key[OVR_STUDY_MAX_KEYS];
     size_t keys, tasks;
     ovr_study_find find;
     ovr_study_chances random;
-    ovr_comparison limit[OVR_STUDY_MOST_LIMITS];
+    ovr_comparison limit[OVR_STUDY_MAX_LIMITS];
     size_t limits;
     char **name; /* of each task: "depth=0.1_slide_to_roll=0.5" */
 };

@@ -10,7 +10,7 @@
 #include "run/run.h"
 #include "run/study.h"
 
-enum { NAME_MOST = 120 };
+enum { NAME_MAX = 120 };
 
 const char *ovr_study_value(const ovr_study *s, const ovr_study_key *key,
                             size_t task)
@@ -89,9 +89,9 @@ static char *task_name(ovr_study *s, size_t task, ovr_error *err)
                  ovr_study_value(s, &s->key[i], task));
         n += put_safe(name + n, sizeof name - n, part);
     }
-    if (n > NAME_MOST) {
-        snprintf(name + NAME_MOST - 9, 10, "-%08x", hash(name));
-        n = NAME_MOST;
+    if (n > NAME_MAX) {
+        snprintf(name + NAME_MAX - 9, 10, "-%08x", hash(name));
+        n = NAME_MAX;
     }
     if (s->random.how.draws)
         snprintf(name + n, sizeof name - n, "%sdraw-%04zu", n ? "_" : "",

@@ -13,7 +13,7 @@
 #include "overroll/text.h"
 #include "run/study.h"
 
-enum { SHIFTS = 8, CELL = 200, LINES_MOST = 1 << 24 };
+enum { SHIFTS = 8, CELL = 200, LINES_MAX = 1 << 24 };
 
 /* ---------------------------------------------------------------- settings */
 
@@ -23,11 +23,11 @@ static ovr_status fail(const ovr_study *s, long line, const char *what,
     return ovr_fail_at(err, OVR_BAD_INPUT, s->path, line, what, about);
 }
 
-static bool read_count(const char *text, double most, double *count)
+static bool read_count(const char *text, double maximum, double *count)
 {
     const char *at = text;
     return ovr_read_number(&at, count) && !*at && *count == floor(*count) &&
-           *count >= 0 && *count <= most;
+           *count >= 0 && *count <= maximum;
 }
 
 static ovr_status take_setting(ovr_study *s, const char *key, const char *value,
@@ -40,7 +40,7 @@ static ovr_status take_setting(ovr_study *s, const char *key, const char *value,
     double count;
     if (!strcmp(key, "draws")) {
         s->random.line = line;
-        if (!read_count(value, OVR_STUDY_MOST_TASKS, &count) || count < 8)
+        if (!read_count(value, OVR_STUDY_MAX_TASKS, &count) || count < 8)
             return fail(s, line,
                         "draws: '%.40s' must be a whole number from 8 "
                         "to 1000000",
@@ -95,7 +95,7 @@ ovr_status ovr_study_take_random(ovr_study *s, const char *key,
     }
     if (!strchr(key, '.') && !file)
         return take_setting(s, key, value, line, err);
-    if (r->keys == OVR_STUDY_MOST_KEYS)
+    if (r->keys == OVR_STUDY_MAX_KEYS)
         return fail(s, line, "'%.60s' is one key too many: at most 64", key,
                     err);
     ovr_study_chance *c = &r->key[r->keys++];
@@ -320,7 +320,7 @@ static ovr_status read_rows(ovr_study *s, const ovr_study_chance *c,
     char cell[CELL], whole[CELL + 48], unit[40] = "";
     int column = -1;
     size_t lines = 1;
-    ovr_status status = ovr_text_file(path, name ? "table" : "list", LINES_MOST,
+    ovr_status status = ovr_text_file(path, name ? "table" : "list", LINES_MAX,
                                       &s->arena, &text, err);
     if (status)
         return status;
@@ -371,7 +371,7 @@ static const char *dimension_of(const ovr_study_chance *c)
 }
 
 typedef struct dimensions {
-    const char *name[OVR_STUDY_MOST_KEYS];
+    const char *name[OVR_STUDY_MAX_KEYS];
     size_t count;
     double *u;
 } dimensions;
@@ -501,7 +501,7 @@ ovr_status ovr_study_draw_all(ovr_study *s, int zip, ovr_error *err)
         const ovr_study_chance *c = &r->key[n];
         const char *name = dimension_of(c);
         ovr_study_key *k = &s->key[s->keys];
-        if (s->keys == OVR_STUDY_MOST_KEYS)
+        if (s->keys == OVR_STUDY_MAX_KEYS)
             return fail(s, c->line, "'%.60s' is one key too many: at most 64",
                         c->where, err);
         for (size_t i = 0; i < s->keys; i++)

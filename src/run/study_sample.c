@@ -62,7 +62,7 @@ static bool add_quantity(sampling *w, const char *name)
 
 static ovr_status no_quantity(const sampling *w, const char *name)
 {
-    const char *names[OVR_SWEEP_MOST_NUMBERS], *meant;
+    const char *names[OVR_SWEEP_MAX_NUMBERS], *meant;
     for (size_t k = 0; k < w->t->columns; k++)
         names[k] = w->t->column[k].name;
     meant = ovr_suggest(name, names, w->t->columns);

@@ -15,12 +15,12 @@
 #include "results/hdf5read/hdf5read.h"
 #include "run/sweep_table.h"
 
-enum { MOST_COLUMNS = 256, MOST_BYTES = 1 << 26 };
+enum { MAX_COLUMNS = 256, MAX_BYTES = 1 << 26 };
 
 struct ovr_table {
     ovr_arena arena;
     size_t rows, columns;
-    ovr_table_column column[MOST_COLUMNS];
+    ovr_table_column column[MAX_COLUMNS];
 };
 
 static ovr_table *new_table(ovr_error *err)
@@ -177,7 +177,7 @@ static ovr_status read_heads(ovr_table *t, char **at, const char *path,
                              ovr_error *err)
 {
     bool last = false, varied = false;
-    while (!last && t->columns < MOST_COLUMNS) {
+    while (!last && t->columns < MAX_COLUMNS) {
         ovr_table_column *c = &t->column[t->columns++];
         double *number = ovr_arena_take(&t->arena, t->rows, sizeof *number,
                                         err);
@@ -224,7 +224,7 @@ static ovr_table *read_csv(const char *path, ovr_error *err)
     ovr_table *t = new_table(err);
     const char *text = NULL;
     char *at;
-    ovr_status status = t ? ovr_text_file(path, "table", MOST_BYTES, &t->arena,
+    ovr_status status = t ? ovr_text_file(path, "table", MAX_BYTES, &t->arena,
                                           &text, err)
                           : OVR_NO_MEMORY;
     if (!status) {
@@ -306,7 +306,7 @@ static bool take_variables(ovr_table *t, ovr_container *c)
     bool passes = find_axis(c, "pass", &axis);
     bool good = passes || find_axis(c, "case", &axis);
     ovr_link *links = good ? ovr_container_links(c, c->root, &count) : NULL;
-    if (!links || count > MOST_COLUMNS)
+    if (!links || count > MAX_COLUMNS)
         return false;
     t->rows = (size_t)axis.shape[0];
     for (size_t k = 0; good && k < count; k++)

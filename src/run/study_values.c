@@ -96,7 +96,7 @@ static bool split_range(const char *text, char *from, char *to, size_t capacity,
     n = strtoul(last, &end, 10);
     *count = n;
     return *last >= '0' && *last <= '9' && !*end && n > 1 &&
-           n <= OVR_STUDY_MOST_TASKS;
+           n <= OVR_STUDY_MAX_TASKS;
 }
 
 static ovr_status parse_range(const char *text, range *r, ovr_error *err)
@@ -155,8 +155,7 @@ static bool is_count(const char *text, range *r)
     if (end == text || strncmp(end, "..", 2) != 0)
         return false;
     to = strtol(second, &end, 10);
-    if (end == second || *end || to <= from ||
-        to - from >= OVR_STUDY_MOST_TASKS)
+    if (end == second || *end || to <= from || to - from >= OVR_STUDY_MAX_TASKS)
         return false;
     *r = (range){(double)from, (double)to, "", (size_t)(to - from) + 1, false};
     return true;

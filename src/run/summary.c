@@ -433,12 +433,12 @@ void ovr_run_summary(const ovr_run_info *s, ovr_summary_taker *take, void *data)
 
 /* ------------------------------------------------------------ in its file */
 
-enum { MOST_LINES = 256 };
+enum { MAX_LINES = 256 };
 
 typedef struct kept {
     ovr_arena *arena;
     size_t count;
-    ovr_group_attribute line[MOST_LINES];
+    ovr_group_attribute line[MAX_LINES];
 } kept;
 
 /* Numbers that are known alone; how many snapshots there are and how long it
@@ -449,7 +449,7 @@ static void keep(void *data, const ovr_summary_line *line)
     const char *key;
     if (line->form == OVR_SUMMARY_TEXT || !isfinite(line->number) ||
         !strcmp(line->key, "snapshots") || !strcmp(line->key, "seconds") ||
-        k->count == MOST_LINES)
+        k->count == MAX_LINES)
         return;
     key = ovr_arena_text(k->arena, line->key, NULL);
     if (key)

@@ -86,7 +86,7 @@ static void take_options(sweeping *w, const ovr_sweep_options *options)
 static int workers_of(const sweeping *w)
 {
     int n = w->how.workers > 0 ? w->how.workers : ovr_processors();
-    n = n < 1 ? 1 : n > OVR_SWEEP_MOST_WORKERS ? OVR_SWEEP_MOST_WORKERS : n;
+    n = n < 1 ? 1 : n > OVR_SWEEP_MAX_WORKERS ? OVR_SWEEP_MAX_WORKERS : n;
     return (int)((size_t)n < w->tasks ? (size_t)n : w->tasks);
 }
 

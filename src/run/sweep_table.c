@@ -34,7 +34,7 @@ static ovr_sweep_column *column_of(ovr_sweep_table *t, const char *name,
     for (size_t i = 0; i < t->columns; i++)
         if (!strcmp(t->column[i].name, name))
             return &t->column[i];
-    if (t->columns == OVR_SWEEP_MOST_NUMBERS)
+    if (t->columns == OVR_SWEEP_MAX_NUMBERS)
         return NULL;
     c = &t->column[t->columns];
     snprintf(c->name, sizeof c->name, "%.47s", name);
@@ -147,7 +147,7 @@ static void take_value(ovr_sweep_values *v, const ovr_case *c, size_t task)
             continue;
         info = ovr_parameter_at(e.parameter);
         v->number[task] = e.number;
-        v->numeric = v->numeric && isfinite(info.least) && isfinite(e.number);
+        v->numeric = v->numeric && isfinite(info.minimum) && isfinite(e.number);
         if (e.unit)
             v->unit = e.unit;
         return;
@@ -237,11 +237,11 @@ static bool is_main(const ovr_sweep_table *t, const char *name)
                                         "min_film_m",      "H_cen",
                                         "central_film_m",  "P_max",
                                         "max_pressure_Pa"};
-    size_t most = sizeof names / sizeof names[0];
+    size_t maximum = sizeof names / sizeof names[0];
     for (size_t i = 0; i < t->columns; i++)
         if (!strcmp(t->column[i].name, "P_max_overall"))
-            most -= 6;
-    for (size_t i = 0; i < most; i++)
+            maximum -= 6;
+    for (size_t i = 0; i < maximum; i++)
         if (!strcmp(names[i], name))
             return true;
     return false;

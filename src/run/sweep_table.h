@@ -5,7 +5,7 @@
 
 #include "run/study.h"
 
-enum { OVR_SWEEP_MOST_NUMBERS = 192 };
+enum { OVR_SWEEP_MAX_NUMBERS = 192 };
 
 /* A column of numbers: a key of the summaries. */
 typedef struct ovr_sweep_column {
@@ -26,9 +26,9 @@ typedef struct ovr_sweep_table {
     const ovr_study *s;
     ovr_sweep_state *state;
     size_t count[OVR_SWEEP_STATES];
-    ovr_sweep_values values[OVR_STUDY_MOST_KEYS];
+    ovr_sweep_values values[OVR_STUDY_MAX_KEYS];
     size_t keys;
-    ovr_sweep_column column[OVR_SWEEP_MOST_NUMBERS];
+    ovr_sweep_column column[OVR_SWEEP_MAX_NUMBERS];
     size_t columns;
 } ovr_sweep_table;
 

@@ -257,14 +257,14 @@ static bool stop_all(void *data)
 static ovr_status by_processes(ovr_trials *t, ovr_error *err)
 {
     size_t *task = ovr_arena_take(&t->arena, t->count, sizeof *task, err);
-    int most = (size_t)t->plan.workers < t->count ? t->plan.workers
-                                                  : (int)t->count;
+    int maximum = (size_t)t->plan.workers < t->count ? t->plan.workers
+                                                     : (int)t->count;
     if (!task)
         return OVR_NO_MEMORY;
     for (size_t k = 0; k < t->count; k++)
         task[k] = k;
-    ovr_pool_job job = {t->count, task,     most, work, ended,
-                        tick,     stop_all, t,    NULL};
+    ovr_pool_job job = {t->count, task,     maximum, work, ended,
+                        tick,     stop_all, t,       NULL};
     int code = ovr_pool_run(&job);
     if (code < 0)
         return ovr_fail(err, OVR_IO, "no process could be started: %s",

@@ -443,21 +443,21 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
 {
     const double touches = 1e-3;
     boundary *b = own;
-    double borne = 0, area = 0, most = 0, least = NAN;
+    double borne = 0, area = 0, maximum = 0, minimum = NAN;
     size_t n = is_apart(sim, b) ? 0 : sim->now.n;
     read_borne(sim, b);
     for (size_t i = 0; i < n; i++) {
         double w = sim->now.weights[i], A = b->A[i];
         borne += w * A;
         area += w * ovr_touch_law_area(b->law, sim->now.H[i]);
-        most = fmax(most, A);
+        maximum = fmax(maximum, A);
         if (A > touches)
-            least = fmin(least, sim->now.H[i]);
+            minimum = fmin(minimum, sim->now.H[i]);
     }
     o->more[SHARE] = o->load > 0 ? borne / o->load : NAN;
     o->more[AREA] = area;
-    o->more[A_MAX] = most;
-    o->more[H_CONTACT] = least;
+    o->more[A_MAX] = maximum;
+    o->more[H_CONTACT] = minimum;
     observe_wear(b, o);
     o->more[ESTIMATE] = b->given->estimate;
     o->more[LAMBDA] = b->given->factor.sigma > 0

@@ -165,7 +165,7 @@ static ovr_status take_points(const ovr_physics_case *of,
                               ovr_boundary_form *f, ovr_error *err)
 {
     ovr_touch_table *t = &f->bears.table;
-    double most, slope;
+    double maximum, slope;
     for (size_t k = 0; k < c->count; k++)
         if (!(c->y[k] > 0) ||
             (k && !(c->x[k] > c->x[k - 1] && c->y[k] < c->y[k - 1])))
@@ -183,9 +183,9 @@ static ovr_status take_points(const ovr_physics_case *of,
         t->ln_A[k] = log(c->y[k] / of->contact->ph);
     }
     ovr_touch_table_slopes(t);
-    ovr_touch_law_at(&f->bears, 0, &most, &slope);
+    ovr_touch_law_at(&f->bears, 0, &maximum, &slope);
     for (size_t k = 0; k < c->count; k++)
-        t->area[k] = fmin(1, 0.95 * exp(t->ln_A[k]) / most);
+        t->area[k] = fmin(1, 0.95 * exp(t->ln_A[k]) / maximum);
     return OVR_OK;
 }
 
@@ -512,7 +512,7 @@ static void tell_friction(const ovr_physics_case *of,
                           const double share[3], ovr_physics_line *line,
                           void *data)
 {
-    double least[3] = {NAN, NAN, NAN}, most[3] = {NAN, NAN, NAN};
+    double minimum[3] = {NAN, NAN, NAN}, maximum[3] = {NAN, NAN, NAN};
     bool known = of->lubricant->rheology != OVR_NEWTONIAN &&
                  of->contact->kappa > 0;
     char text[240];
@@ -521,20 +521,21 @@ static void tell_friction(const ovr_physics_case *of,
         const double part[3] = {f->friction * share[k], film,
                                 f->friction * share[k] + film};
         for (int j = 0; j < 3; j++) {
-            least[j] = fmin(least[j], part[j]);
-            most[j] = fmax(most[j], part[j]);
+            minimum[j] = fmin(minimum[j], part[j]);
+            maximum[j] = fmax(maximum[j], part[j]);
         }
     }
     if (known)
         snprintf(text, sizeof text,
                  "%.2g to %.2g by these shares: boundary friction %.2g to "
                  "%.2g, the film's %.2g to %.2g at the supply's temperature",
-                 least[2], most[2], least[0], most[0], least[1], most[1]);
+                 minimum[2], maximum[2], minimum[0], maximum[0], minimum[1],
+                 maximum[1]);
     else
         snprintf(text, sizeof text,
                  "boundary friction %.2g to %.2g by these shares, beside the "
                  "film's, which needs a flow law",
-                 least[0], most[0]);
+                 minimum[0], maximum[0]);
     line(data, "  mu", text);
 }
 

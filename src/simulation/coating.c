@@ -19,8 +19,8 @@
 
 /* Beyond these layers are not calculated: the images do not meet A(k); a layer
  * that no mesh sees; a contact much wider than its scale; large strains. */
-static const double FIT_MOST = 1e-5, MESH_LEAST = 0.02, WIDTH_MOST = 3,
-                    STRAIN_MOST = 0.1;
+static const double FIT_MAX = 1e-5, MESH_MIN = 0.02, WIDTH_MAX = 3,
+                    STRAIN_MAX = 0.1;
 
 typedef struct coat {
     int material;
@@ -34,8 +34,8 @@ typedef struct coat {
 } coat;
 
 typedef struct coating_form {
-    bool there[2][OVR_LAYERS_MOST];
-    coat coat[2][OVR_LAYERS_MOST];
+    bool there[2][OVR_LAYERS_MAX];
+    coat coat[2][OVR_LAYERS_MAX];
     ovr_layered body[2]; /* lengths in the first thickness */
     ovr_images images;
     ovr_warmed warmed[2]; /* times in b/um */
@@ -119,14 +119,14 @@ static ovr_status block(void *form, const char *name, void **into,
     int body = name[0] - '1';
     int layer = name[0] && name[1] ? name[1] - 'a' : 0;
     bool known = (body == 0 || body == 1) && layer >= 0 &&
-                 layer < OVR_LAYERS_MOST && (!name[1] || layer > 0) &&
+                 layer < OVR_LAYERS_MAX && (!name[1] || layer > 0) &&
                  !(name[1] && name[2]);
     if (!known)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "[coating %.20s]: the layers of body 1 are [coating "
                         "1], [coating 1b] to [coating 1%c], from the surface "
                         "down; those of body 2 alike",
-                        name, 'a' + OVR_LAYERS_MOST - 1);
+                        name, 'a' + OVR_LAYERS_MAX - 1);
     f->there[body][layer] = true;
     f->coat[body][layer] = (coat){.thickness = NAN,
                                   .modulus = NAN,
@@ -139,7 +139,7 @@ static ovr_status block(void *form, const char *name, void **into,
 /* "1", "1b"; static, for an error is about it. */
 static const char *name_of(int body, int layer)
 {
-    static const char *const names[2][OVR_LAYERS_MOST] = {
+    static const char *const names[2][OVR_LAYERS_MAX] = {
         {"1", "1b", "1c", "1d", "1e", "1f"},
         {"2", "2b", "2c", "2d", "2e", "2f"}};
     return names[body][layer];
@@ -168,7 +168,7 @@ static void complete(coat *c)
 static void complete_all(coating_form *f)
 {
     for (int k = 0; k < 2; k++)
-        for (int j = 0; j < OVR_LAYERS_MOST; j++)
+        for (int j = 0; j < OVR_LAYERS_MAX; j++)
             if (f->there[k][j])
                 complete(&f->coat[k][j]);
 }
@@ -195,7 +195,7 @@ static ovr_status check_case(const ovr_physics_case *of, coating_form *f,
 {
     complete_all(f);
     for (int k = 0; k < 2; k++)
-        for (int j = 0; j < OVR_LAYERS_MOST; j++)
+        for (int j = 0; j < OVR_LAYERS_MAX; j++)
             if (f->there[k][j] && check_layer(f, k, j, err))
                 return OVR_BAD_INPUT;
     for (int k = 0; k < 2; k++)
@@ -219,7 +219,7 @@ static bool lay(const ovr_physics_case *of, coating_form *f)
     for (int k = 0; k < 2; k++) {
         const ovr_physics_body *body = &of->body[k];
         now[k].below = (ovr_elastic){body->modulus, body->poisson};
-        for (int j = 0; j < OVR_LAYERS_MOST && f->there[k][j]; j++) {
+        for (int j = 0; j < OVR_LAYERS_MAX && f->there[k][j]; j++) {
             const coat *c = &f->coat[k][j];
             now[k].thickness[j] = c->thickness / f->unit;
             now[k].layer[j] = (ovr_elastic){c->modulus, c->poisson};
@@ -255,7 +255,7 @@ static ovr_status stiffness(const ovr_physics_case *of, void *form,
     other = lay(of, f);
     if (other)
         ovr_images_fit(f->body, &f->images);
-    if (f->images.error > FIT_MOST)
+    if (f->images.error > FIT_MAX)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "[coating]: images meet the compliance of these layers "
                         "to %.1g only: moduli or thicknesses differ too much "
@@ -283,8 +283,8 @@ static ovr_status warm(const ovr_physics_case *of, coating_form *f,
                        ovr_error *err)
 {
     for (int k = 0; k < 2; k++) {
-        ovr_thermal all[OVR_LAYERS_MOST];
-        double thickness[OVR_LAYERS_MOST];
+        ovr_thermal all[OVR_LAYERS_MAX];
+        double thickness[OVR_LAYERS_MAX];
         int layers = f->body[k].layers;
         for (int j = 0; j < layers; j++) {
             const ovr_thermal *of_layer = &f->coat[k][j].thermal;
@@ -308,23 +308,23 @@ static ovr_status warm(const ovr_physics_case *of, coating_form *f,
 
 static double largest_strain(const ovr_physics_case *of, const coating_form *f)
 {
-    double most = 0;
+    double maximum = 0;
     for (int k = 0; k < 2; k++)
         for (int j = 0; j < f->body[k].layers; j++)
-            most = fmax(most, strain(of, f, k, j));
-    return most;
+            maximum = fmax(maximum, strain(of, f, k, j));
+    return maximum;
 }
 
 static void measure(const ovr_physics_case *of, coating_form *f)
 {
-    double most = largest_strain(of, f);
+    double maximum = largest_strain(of, f);
     for (int k = 0; k < 2; k++) {
         f->coated[k] = (ovr_coated){.body = f->body[k],
                                     .images = f->images,
                                     .stiffness = f->stiffness,
                                     .width = f->width,
                                     .pressure = f->pressure,
-                                    .strain = most};
+                                    .strain = maximum};
         ovr_images_scale(&f->coated[k].images, f->stiffness, f->unit);
         for (int j = 0; j < f->body[k].layers; j++) {
             f->coated[k].body.thickness[j] = f->coat[k][j].thickness;
@@ -351,10 +351,10 @@ static void refine_coarsest(const ovr_physics_case *of, const coating_form *f)
     const double like_a_plate = 3, highly_loaded = 90;
     ovr_options *o = of->options;
     int finer = of->contact->M >= highly_loaded ? 6 : 5;
-    double most = 0;
+    double maximum = 0;
     for (double k = 1e-2; k < 1e2; k *= 1.3)
-        most = fmax(most, ovr_images_softness(&f->images, k));
-    if (most > like_a_plate * f->images.top && !o->coarsest_level)
+        maximum = fmax(maximum, ovr_images_softness(&f->images, k));
+    if (maximum > like_a_plate * f->images.top && !o->coarsest_level)
         o->coarsest_level = o->level && o->level < finer ? o->level : finer;
 }
 
@@ -369,13 +369,13 @@ static ovr_status resolve(const ovr_physics_case *of, void *form, bool *on,
     measure(of, f);
     if (of->heat && warm(of, f, err))
         return OVR_BAD_INPUT;
-    if (f->width > WIDTH_MOST)
+    if (f->width > WIDTH_MAX)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "[coating]: the contact is %.3g times as wide as that "
                         "of the substrates, by which [contact] scale = "
                         "substrate measures it: scale = dry does",
                         f->width);
-    if (of->contact->kappa / 4 > STRAIN_MOST)
+    if (of->contact->kappa / 4 > STRAIN_MAX)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "[coating]: ph is %.2g of the modulus E': strains are "
                         "not small, and no film is calculated for them",
@@ -402,7 +402,7 @@ static void tell_layer(const ovr_physics_case *of, const coating_form *f, int k,
     if (o->level > 0 && o->outlet > o->inlet)
         used += (size_t)snprintf(text + used, sizeof text - used,
                                  ", %.3g meshes", t / D);
-    if (strain(of, f, k, j) > STRAIN_MOST)
+    if (strain(of, f, k, j) > STRAIN_MAX)
         snprintf(text + used, sizeof text - used,
                  "; strains of %.2g are not small", strain(of, f, k, j));
     line(data, name, text);
@@ -481,7 +481,7 @@ static ovr_status check(const ovr_simulation *sim, const void *own,
     double D = ovr_mesh(sim);
     for (int k = 0; k < 2; k++)
         for (int j = 0; j < f->body[k].layers; j++)
-            if (f->coat[k][j].thickness < MESH_LEAST * D)
+            if (f->coat[k][j].thickness < MESH_MIN * D)
                 return ovr_fail(err, OVR_BAD_INPUT,
                                 "[coating %s] is %.2g meshes thick: no level "
                                 "that is calculated sees it; leave it out, or "

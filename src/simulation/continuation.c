@@ -92,13 +92,13 @@ static path begin(ovr_simulation *sim)
 bool ovr_step_continued(ovr_simulation *sim, const ovr_cycling *cycle,
                         ovr_outcome *outcome)
 {
-    enum { MOST = 400, A_POINT = 10, THE_LAST = 40 };
-    const double least = 1. / 256, loose = 1e-3, hopeless = 1e5;
-    int most = outcome->cycles + MOST;
+    enum { MAX = 400, A_POINT = 10, THE_LAST = 40 };
+    const double minimum = 1. / 256, loose = 1e-3, hopeless = 1e5;
+    int maximum = outcome->cycles + MAX;
     bool failed = false;
     double ds = 0.25;
     path p = begin(sim);
-    while (p.at < 1 && ds >= least && outcome->cycles < most) {
+    while (p.at < 1 && ds >= minimum && outcome->cycles < maximum) {
         double s = fmin(1, p.at + ds);
         ovr_step_cycling how = {*cycle, false, s < 1 ? A_POINT : THE_LAST,
                                 hopeless, s < 1 ? loose : 0};

@@ -54,13 +54,13 @@ double ovr_quadratic_extrapolation(const ovr_past *past, double h, double e[3])
 static double deviation(ovr_simulation *sim, double h, const double e[3])
 {
     const double thickest = 3, once[3] = {1, 0, 0};
-    double most = thickest * ovr_value_at(&sim->now, sim->now.H, 0);
+    double maximum = thickest * ovr_value_at(&sim->now, sim->now.H, 0);
     double *predicted = NULL;
     if (sim->scheme->characteristic)
         predicted = ovr_inflow_prediction(sim, sim->past.T[0] + h, e);
     double *const moved[3] = {predicted, predicted, predicted};
     return sim->grids.kernels->deviation(
-        sim->now.n, predicted ? once : e, most, sim->now.weights, sim->now.P,
+        sim->now.n, predicted ? once : e, maximum, sim->now.weights, sim->now.P,
         sim->now.q, predicted ? moved : sim->past.q);
 }
 

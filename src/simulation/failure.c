@@ -40,9 +40,10 @@ bool ovr_surfaces_apart(const ovr_simulation *sim)
 
 bool ovr_below_rounding(const ovr_simulation *sim, const ovr_defect *defect)
 {
-    double least = ovr_negligible_tolerance(sim, ovr_mesh(sim), defect->centre);
-    return sim->options.tolerance > 0 && sim->options.tolerance < least &&
-           ovr_below(*defect, least);
+    double minimum = ovr_negligible_tolerance(sim, ovr_mesh(sim),
+                                              defect->centre);
+    return sim->options.tolerance > 0 && sim->options.tolerance < minimum &&
+           ovr_below(*defect, minimum);
 }
 
 static ovr_status rounding(const ovr_simulation *sim, const ovr_defect *defect,

@@ -205,7 +205,7 @@ static ovr_defect solve_and_correct(ovr_simulation *sim, const fourth *f,
 {
     const ovr_correction *c = &f->correction;
     ovr_full last = *how;
-    last.most_cycles = ovr_steady_most_cycles(sim, 200);
+    last.max_cycles = ovr_steady_max_cycles(sim, 200);
     ovr_defect d = film(sim, how, cycles);
     if (sim->order != 4 ||
         !ovr_below(d, first_tolerance(sim, sim->finest, d.centre)))
@@ -467,7 +467,7 @@ static void begin(ovr_simulation *sim, void *own)
     for (size_t i = 2; i < f->n; i++)
         f->constant[i] = f->F[i] +
                          Cu * (1.5 * q[i] - 2 * q[i - 1] + 0.5 * q[i - 2]) / D;
-    evaluate(sim, f, 0, D / fmax(Cu, OVR_LEAST_START), f->mask);
+    evaluate(sim, f, 0, D / fmax(Cu, OVR_MIN_START), f->mask);
     for (size_t i = 2; i < f->n; i++)
         f->constant[i] -= f->F[i];
 }

@@ -113,11 +113,11 @@ void ovr_fourth_content_evaluate(ovr_simulation *sim, ovr_fourth_content *of,
     fade(sim, of->mask);
     memset(phi, 0, n * sizeof *phi);
     for (size_t i = OVR_FOURTH_MARGIN; i + OVR_FOURTH_MARGIN < n; i++) {
-        double least = fmin(m[i], m[i + 1]);
+        double minimum = fmin(m[i], m[i + 1]);
         double wedge = (3 * q[i + 1] - 5 * q[i] + q[i - 1] + q[i - 2]) / 12;
         double pressed = (26 * f[i] - f[i + 1] - f[i - 1]) / 24 - second[i];
-        if (least > 0)
-            phi[i] = least * (pressed - Cu * wedge);
+        if (minimum > 0)
+            phi[i] = minimum * (pressed - Cu * wedge);
     }
     F[0] = 0;
     for (size_t i = 1; i < n; i++)

@@ -96,7 +96,7 @@ static void settle_ends(const settling *s)
 
 /* Cycles on a step's equations, whose residual need not fall below a share of
  * what it begins with: what is left is made up for by the next step. */
-static bool relaxed(settling *s, const ovr_cycling *cycling, int most)
+static bool relaxed(settling *s, const ovr_cycling *cycling, int maximum)
 {
     const double share = 0.02, hopeless = 1e6, load_share = 0.1, load = 1e-6;
     ovr_hierarchy *grids = &s->sim->grids;
@@ -112,7 +112,7 @@ static bool relaxed(settling *s, const ovr_cycling *cycling, int most)
         else if (d.imbalance < enough &&
                  d.load < fmax(load, load_share * d.imbalance))
             return true;
-        if (!(d.imbalance < hopeless) || k == most ||
+        if (!(d.imbalance < hopeless) || k == maximum ||
             ovr_hierarchy_stops(grids))
             return false;
         ovr_cycle(grids, finest, *cycling);
@@ -127,7 +127,7 @@ static bool relaxed(settling *s, const ovr_cycling *cycling, int most)
 static bool stepped(settling *s)
 {
     static const struct {
-        int sweeps, most;
+        int sweeps, maximum;
         double limit, correction;
     } ways[] = {{1, 15, 0.2, 1}, {2, 40, 0.05, 1}, {2, 40, 0.05, 0.5}};
     for (int k = 0; k < 3; k++) {
@@ -138,7 +138,7 @@ static bool stepped(settling *s)
         go_back(s);
         set_gap(s, s->t + s->dt);
         set_equations(s, s->dt);
-        if (relaxed(s, &c, ways[k].most))
+        if (relaxed(s, &c, ways[k].maximum))
             return true;
     }
     return false;
@@ -157,13 +157,13 @@ static ovr_defect steady_defect(const settling *s)
 /* Steps until the film is the steady one, or no step is found. */
 static ovr_defect settle(settling *s)
 {
-    enum { MOST = 60000, QUICK = 6 };
-    const double D = ovr_mesh(s->sim), longer = 1.5, least = D / 512;
+    enum { MAX = 60000, QUICK = 6 };
+    const double D = ovr_mesh(s->sim), longer = 1.5, minimum = D / 512;
     ovr_defect d = {.imbalance = INFINITY};
     s->tolerance = s->how->tolerance(s->how->data, s->sim->finest,
                                      s->sim->observation.H_cen);
     keep(s);
-    while (s->cycles < MOST && s->dt >= least &&
+    while (s->cycles < MAX && s->dt >= minimum &&
            !ovr_hierarchy_stops(&s->sim->grids)) {
         int before = s->cycles;
         if (!stepped(s)) {

@@ -33,7 +33,7 @@ typedef struct term {
     int ago, shifts; /* of a past P: its age in steps; S how many times */
 } term;
 
-enum { MOST_TERMS = 8 };
+enum { MAX_TERMS = 8 };
 
 /* Steps from one look at all formulas to the next: a look costs as much as half
  * a cycle, and the nearest stays so for long. */
@@ -41,7 +41,7 @@ enum { LEARN_EVERY = 4 };
 
 typedef struct formula {
     size_t count;
-    term term[MOST_TERMS]; /* the first is P[0] as it is */
+    term term[MAX_TERMS]; /* the first is P[0] as it is */
     double H0[4];
     double meshes; /* that S shifts by */
     bool two_terms;
@@ -123,8 +123,8 @@ static void extrapolate(const ovr_simulation *sim, const formula *how,
                         ptrdiff_t margin, double *const past[OVR_PAST],
                         double *guess)
 {
-    const double *from[MOST_TERMS];
-    double weight[MOST_TERMS];
+    const double *from[MAX_TERMS];
+    double weight[MAX_TERMS];
     for (size_t k = 0; k < how->count; k++) {
         const term *t = &how->term[k];
         from[k] = past[t->ago] + margin - t->shifts * (ptrdiff_t)how->meshes;

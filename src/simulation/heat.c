@@ -42,7 +42,7 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
             return OVR_NO_MEMORY;
     for (int l = sim->grids.coarsest; l <= sim->grids.finest; l++) {
         ovr_level *level = &sim->grids.level[l];
-        size_t capacity = level->grid.n + OVR_MOST_LANES;
+        size_t capacity = level->grid.n + OVR_MAX_LANES;
         level->f.th = ovr_field(&sim->arena, capacity, err);
         level->f.shift = ovr_field(&sim->arena, capacity, err);
         level->f.drag = ovr_field(&sim->arena, capacity, err);
@@ -170,14 +170,14 @@ static void observe_temperatures(const ovr_simulation *sim, ovr_observation *o)
 static double last_cross_film(const ovr_simulation *sim, double rise)
 {
     const ovr_heated *h = sim->heated;
-    double most = 0;
+    double maximum = 0;
     for (size_t i = 0; i < sim->now.n; i++) {
         double a = 0;
         for (int j = 0; j < h->cross_film.n; j++)
             a += h->cross_film.last[j] * h->T[j][i];
-        most = ovr_larger(most, fabs(a));
+        maximum = ovr_larger(maximum, fabs(a));
     }
-    return rise > 0 ? most / rise : 0;
+    return rise > 0 ? maximum / rise : 0;
 }
 
 /* True if temperatures across the film ask for more points than 5: by x of

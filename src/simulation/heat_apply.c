@@ -116,13 +116,13 @@ void ovr_heat_apply(ovr_simulation *sim)
  * the first are those of an isothermal film, which may be absurd. */
 double ovr_heat_relax(ovr_simulation *sim, double share)
 {
-    const double most = 0.5, least = 10;
+    const double maximum = 0.5, minimum = 10;
     ovr_heated *h = sim->heated;
     double change = 0, rise = 1e-300;
     for (int j = 0; j < h->cross_film.n; j++)
         for (size_t i = 0; i < sim->now.n; i++) {
             double d = h->T[j][i] - h->used[j][i];
-            double limit = most * fabs(h->used[j][i]) + least;
+            double limit = maximum * fabs(h->used[j][i]) + minimum;
             change = ovr_larger(change, fabs(d));
             rise = ovr_larger(rise, fabs(h->T[j][i]));
             h->used[j][i] += ovr_larger(-limit, ovr_smaller(share * d, limit));

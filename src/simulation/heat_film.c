@@ -38,13 +38,13 @@ ovr_status ovr_heat_film_take(ovr_simulation *sim, ovr_error *err)
  * outer iterations of film and heat go round for ever between two of them. */
 static double let_through(const ovr_simulation *sim, size_t wet)
 {
-    const double least = 0.5, most = 1.5;
+    const double minimum = 0.5, maximum = 1.5;
     const ovr_heated *h = sim->heated;
     double q = sim->now.q[wet], Cu = h->u1 - h->V / 2, flow;
-    if (wet == 0 || wet + 1 == sim->now.n || !(fabs(Cu) > OVR_LEAST_START))
+    if (wet == 0 || wet + 1 == sim->now.n || !(fabs(Cu) > OVR_MIN_START))
         return q;
     flow = ovr_flux(sim, Cu, sim->backward ? wet - 1 : wet) / Cu;
-    return ovr_larger(least * q, ovr_smaller(flow, most * q));
+    return ovr_larger(minimum * q, ovr_smaller(flow, maximum * q));
 }
 
 /* Thickness and content of what is there. */

@@ -97,7 +97,7 @@ void ovr_heat_begin(ovr_simulation *sim)
     ovr_heat_steps *s = sim->heated->steps;
     s->trying = false;
     s->dT = s->stored = 0;
-    s->most_balanced = sim->heated->balanced;
+    s->max_balanced = sim->heated->balanced;
     memset(s->P_T, 0, sim->now.n * sizeof *s->P_T);
     for (int j = 0; j < sim->heated->cross_film.n; j++)
         memset(s->change[j], 0, sim->now.n * sizeof *s->change[j]);
@@ -161,13 +161,13 @@ static void hold_film(ovr_simulation *sim)
     const double *before = sim->past.q[0];
     ovr_solution *now = &sim->now;
     for (size_t i = 1; i + 1 < now->n; i++) {
-        double least = share *
-                       ovr_smaller(before[i],
-                                   ovr_smaller(before[i - 1], before[i + 1]));
-        if (!(now->P[i] > 0) || now->q[i] >= least)
+        double minimum = share *
+                         ovr_smaller(before[i],
+                                     ovr_smaller(before[i - 1], before[i + 1]));
+        if (!(now->P[i] > 0) || now->q[i] >= minimum)
             continue;
-        now->H[i] = now->H[i] != 0 ? least * now->H[i] / now->q[i] : least;
-        now->q[i] = least;
+        now->H[i] = now->H[i] != 0 ? minimum * now->H[i] / now->q[i] : minimum;
+        now->q[i] = minimum;
     }
 }
 
@@ -203,7 +203,7 @@ static void pass(ovr_simulation *sim)
     ovr_columns *c = &h->film;
     ovr_heat_film(sim);
     c->dT = s->dT;
-    c->least_u = 0;
+    c->min_u = 0;
     c->P_T = s->P_T;
     c->mean = h->mean;
     for (int j = 0; j < h->cross_film.n; j++) {
@@ -225,13 +225,14 @@ static void pass(ovr_simulation *sim)
 static double lag(const ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
-    double most = 0;
+    double maximum = 0;
     for (int j = 0; j < h->cross_film.n; j++)
         for (size_t i = 0; i < sim->now.n; i++)
             if (sim->now.P[i] > PRESSED)
-                most = ovr_larger(most, h->film.fall[i] *
-                                            fabs(h->T[j][i] - h->used[j][i]));
-    return most;
+                maximum = ovr_larger(maximum,
+                                     h->film.fall[i] *
+                                         fabs(h->T[j][i] - h->used[j][i]));
+    return maximum;
 }
 
 /* Temperatures of the step, by the film as it is. */
@@ -262,14 +263,14 @@ static void apply(ovr_simulation *sim)
 /* Temperatures used go on as temperatures went in the step before. */
 static void foresee(ovr_simulation *sim)
 {
-    const double most = 0.15;
+    const double maximum = 0.15;
     ovr_heated *h = sim->heated;
     double old = sim->past.dT, factor = old > 0 ? h->steps->dT / old : 0;
     for (int j = 0; j < h->cross_film.n; j++)
         for (size_t i = 0; i < sim->now.n; i++) {
             double change = factor * h->steps->change[j][i];
             double fall = h->film.fall[i] * fabs(change);
-            h->used[j][i] += fall > most ? change * most / fall : change;
+            h->used[j][i] += fall > maximum ? change * maximum / fall : change;
         }
 }
 
@@ -318,7 +319,7 @@ static bool pressed_otherwise(const ovr_simulation *sim)
         power += now->weights[i] * now->H[i] *
                  fabs((now->P[i] - before[i]) / s->dT - s->P_T[i]) *
                  expansion_at(&h->numbers, now->P[i]);
-    return h->numbers.T0 * power > share * s->most_balanced;
+    return h->numbers.T0 * power > share * s->max_balanced;
 }
 
 void ovr_heat_taken(ovr_simulation *sim)
@@ -354,9 +355,9 @@ bool ovr_heat_lags(ovr_simulation *sim)
     const ovr_observation *o = &sim->observation;
     ovr_heat_steps *s = sim->heated->steps;
     double left = fabs(o->energy_defect) * sim->heated->balanced;
-    s->most_balanced = ovr_larger(s->most_balanced, sim->heated->balanced);
+    s->max_balanced = ovr_larger(s->max_balanced, sim->heated->balanced);
     return s->lag > far ||
-           (left > open * s->most_balanced && !load_jumped(sim, o->T));
+           (left > open * s->max_balanced && !load_jumped(sim, o->T));
 }
 
 /* -------------------------------------------------------------------- saved */
@@ -387,8 +388,8 @@ ovr_status ovr_heat_visit(ovr_simulation *sim, ovr_visit *visit, void *context,
         status = visit(context, "heat_stored", &h->steps->stored,
                        sizeof h->steps->stored, err);
     if (!status)
-        status = visit(context, "heat_most_balanced", &h->steps->most_balanced,
-                       sizeof h->steps->most_balanced, err);
+        status = visit(context, "heat_most_balanced", &h->steps->max_balanced,
+                       sizeof h->steps->max_balanced, err);
     if (!status)
         status = visit_array(sim, "pressing", 1, h->steps->P_T, visit, context,
                              err);

@@ -79,12 +79,12 @@ typedef struct ovr_heat_steps {
     double *change[OVR_CROSS_FILM_MAX]; /* of T, in the last step taken */
     double *kept[OVR_HEAT_KEPT];        /* of the last time reached */
     ovr_heat_surface surface[2];
-    double *F;            /* history term of Reynolds' equation */
-    double *P_T;          /* that the step was heated by */
-    double lag;           /* gamma |T - T_used|, at most */
-    int passes;           /* that this try may still make */
-    double most_balanced; /* of ovr_heated in this run */
-    double stored;        /* power that the oil took up in the step */
+    double *F;           /* history term of Reynolds' equation */
+    double *P_T;         /* that the step was heated by */
+    double lag;          /* gamma |T - T_used|, at most */
+    int passes;          /* that this try may still make */
+    double max_balanced; /* of ovr_heated in this run */
+    double stored;       /* power that the oil took up in the step */
 } ovr_heat_steps;
 
 /* Memory for them, with the rates of the surfaces' memories. */

@@ -5,7 +5,7 @@
 
 #include "simulation/heat_in_time.h"
 
-static const double LEAST_SPEED = 0.02;
+static const double MIN_SPEED = 0.02;
 
 /* Speeds of the surfaces at T = 0, and their memories from node to node. */
 void ovr_heat_march_begin(ovr_simulation *sim)
@@ -15,8 +15,8 @@ void ovr_heat_march_begin(ovr_simulation *sim)
     ovr_heat_speeds(sim, 0);
     for (int k = 0; k < 2; k++) {
         double u = h->u1 - k * h->V;
-        double least = h->numbers.least_peclet * h->numbers.diffusion[k];
-        h->speed[k] = fmax(fabs(u), fmax(least, LEAST_SPEED));
+        double minimum = h->numbers.min_peclet * h->numbers.diffusion[k];
+        h->speed[k] = fmax(fabs(u), fmax(minimum, MIN_SPEED));
         h->way[k] = u < 0 || (!(u > 0) && sim->backward) ? -1 : 1;
         ovr_memory_fit(D / h->speed[k],
                        fmax(h->longest[k], length / h->speed[k]),
@@ -32,7 +32,7 @@ static bool opposed(const ovr_heated *h)
 /* A march carries this from node to node. */
 typedef struct march {
     int way; /* along x, or against it */
-    double psi[2][OVR_MOST_MODES], q[2];
+    double psi[2][OVR_MAX_MODES], q[2];
 } march;
 
 /* A surface that moves the other way brings along what the last march found. */
@@ -82,7 +82,7 @@ void ovr_heat_march_columns(ovr_simulation *sim)
     ovr_heated *h = sim->heated;
     ovr_columns *c = &h->film;
     c->P_T = NULL;
-    c->least_u = LEAST_SPEED;
+    c->min_u = MIN_SPEED;
     c->both_ways = opposed(h);
     c->back = !opposed(h) && h->way[0] < 0;
     c->mean = h->mean;

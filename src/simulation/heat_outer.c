@@ -36,11 +36,11 @@ void ovr_heat_outer_begin(ovr_simulation *sim)
 /* ------------------------------------------------------ Anderson's method */
 
 /* Normal equations of the g; A is symmetric. */
-typedef struct least {
+typedef struct minimum {
     double A[OVR_OUTER_KEPT][OVR_OUTER_KEPT], b[OVR_OUTER_KEPT];
-} least;
+} minimum;
 
-static void add_node(const ovr_heated *h, size_t i, least *l)
+static void add_node(const ovr_heated *h, size_t i, minimum *l)
 {
     const ovr_heat_outer *t = h->outer;
     for (int j = 0; j < h->cross_film.n; j++) {
@@ -56,9 +56,9 @@ static void add_node(const ovr_heated *h, size_t i, least *l)
 
 /* Solves by Cholesky's method; what is nearly dependent on iterations after it
  * is left out. */
-static void solve(int n, least *l, double *g)
+static void solve(int n, minimum *l, double *g)
 {
-    const double least_part = 1e-10;
+    const double min_part = 1e-10;
     for (int k = 0; k < n; k++) {
         double whole = l->A[k][k];
         for (int m = 0; m <= k; m++) {
@@ -67,7 +67,7 @@ static void solve(int n, least *l, double *g)
             if (m < k)
                 l->A[k][m] = l->A[m][m] > 0 ? l->A[k][m] / l->A[m][m] : 0;
         }
-        l->A[k][k] = l->A[k][k] > least_part * whole ? sqrt(l->A[k][k]) : 0;
+        l->A[k][k] = l->A[k][k] > min_part * whole ? sqrt(l->A[k][k]) : 0;
         g[k] = l->b[k];
         for (int m = 0; m < k; m++)
             g[k] -= l->A[k][m] * g[m];
@@ -101,14 +101,14 @@ static void keep(ovr_heat_outer *t, int points)
 /* Keeps this iteration and makes the next u of it and of those before. */
 static void move(ovr_heated *h, size_t n, const double *g)
 {
-    const double most = 0.5, few = 10;
+    const double maximum = 0.5, few = 10;
     ovr_heat_outer *t = h->outer;
     int before = t->kept;
     keep(t, h->cross_film.n);
     for (int j = 0; j < h->cross_film.n; j++)
         for (size_t i = 0; i < n; i++) {
             double u = h->used[j][i], r = h->T[j][i] - u, step = t->w * r;
-            double limit = most * fabs(u) + few;
+            double limit = maximum * fabs(u) + few;
             for (int k = 0; k < before; k++) {
                 int at = (k + 1) % OVR_OUTER_KEPT; /* where it is now */
                 step += g[k] *
@@ -135,12 +135,12 @@ static double largest_rest(const ovr_heated *h, size_t n)
 
 double ovr_heat_iterate(ovr_simulation *sim)
 {
-    const double small = 0.1, grows = 2, lower = 0.7, least_w = 0.1;
+    const double small = 0.1, grows = 2, lower = 0.7, min_w = 0.1;
     ovr_heated *h = sim->heated;
     ovr_heat_outer *t = h->outer;
     double change = largest_rest(h, sim->now.n), g[OVR_OUTER_KEPT] = {0};
-    least l = {0};
-    if (!t->kept && change > t->change && t->w > least_w)
+    minimum l = {0};
+    if (!t->kept && change > t->change && t->w > min_w)
         t->w *= lower;
     if (change > small || change > grows * t->change)
         t->kept = 0;

@@ -266,7 +266,7 @@ static void put_along(ovr_simulation *sim, int k, const double *past)
     const ovr_heat_surface *s = &h->steps->surface[k];
     const ovr_memory *march = &h->memory[k];
     const double *q = h->q[k];
-    double psi[OVR_MOST_MODES] = {0}, before = 0;
+    double psi[OVR_MAX_MODES] = {0}, before = 0;
     double own = 4.0 / 3 *
                  (sqrt(s->memory.dT) * (1 + s->memory.more[0]) -
                   sqrt(march->dT) * (1 + march->more[0]));

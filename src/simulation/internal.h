@@ -87,7 +87,7 @@ typedef struct ovr_arrival {
 
 /* A physics (physics.h) of a simulation; is NULL behind the last. */
 typedef struct ovr_physics ovr_physics;
-enum { OVR_MOST_PHYSICS = 16 };
+enum { OVR_MAX_PHYSICS = 16 };
 typedef struct ovr_present {
     const ovr_physics *is;
     void *own;
@@ -96,8 +96,8 @@ typedef struct ovr_present {
 struct ovr_simulation {
     ovr_arena arena;
     const ovr_physics *const *list; /* all there are, NULL behind the last */
-    ovr_present physics[OVR_MOST_PHYSICS + 1]; /* those that are on */
-    ovr_attached ends;                         /* of cycles: the physics' */
+    ovr_present physics[OVR_MAX_PHYSICS + 1]; /* those that are on */
+    ovr_attached ends;                        /* of cycles: the physics' */
     ovr_contact contact;
     ovr_lubricant lubricant;
     ovr_options options;
@@ -139,7 +139,7 @@ struct ovr_simulation {
     /* beside the film's pressure, one, two and three steps ago; or NULL */
     double *borne, *borne_before[2];
     struct ovr_heated *heated; /* temperatures (heat.h), or NULL */
-    size_t most;               /* nodes that a solution may have */
+    size_t maximum;            /* nodes that a solution may have */
 
     double *saved; /* a P to go back to: steady, of the level below */
     double *saved_before, *lacking; /* continuation.c */
@@ -190,7 +190,8 @@ void ovr_whole_domain(ovr_simulation *sim);
 double ovr_integral(const ovr_simulation *sim, const double *f);
 
 /* Tolerances on R for a mesh size D and a film H: a fraction of the
- * discretization error, and the least that the residual's rounding allows. */
+ * discretization error, and the smallest that the residual's rounding allows.
+ */
 double ovr_truncation_tolerance(const ovr_simulation *sim, double D, double H);
 double ovr_negligible_tolerance(const ovr_simulation *sim, double D, double H);
 
@@ -216,8 +217,8 @@ ovr_smooth ovr_simulation_smooth(const ovr_simulation *sim, double T);
 ovr_status ovr_smooth_check(const ovr_simulation *sim, double T,
                             ovr_error *err);
 
-/* Load, speed and radius of the steady start, at least the least share of load
- * and speed; films that are foreseen go by them. */
+/* Load, speed and radius of the steady start, at least the smallest share of
+ * load and speed; films that are foreseen go by them. */
 void ovr_steady_conditions(ovr_simulation *sim);
 
 /* Keeps records of full multigrid (refinement.c). */

@@ -7,21 +7,21 @@
 #include "multigrid/deformation.h"
 
 enum {
-    OVR_SWEEPS_MOST = 100,
-    OVR_MAX_CYCLES_MOST = 100000,
-    OVR_CYCLES_MOST = 1000,
-    OVR_ORDER_LEAST = 4, /* of the transfers of MLMI */
-    OVR_ORDER_MOST = OVR_MLMI_MOST,
-    OVR_RANGE_LEAST = 2, /* of their corrections, in meshes */
-    OVR_RANGE_MOST = 2 * OVR_MLMI_MOST
+    OVR_SWEEPS_MAX = 100,
+    OVR_MAX_CYCLES_MAX = 100000,
+    OVR_CYCLES_MAX = 1000,
+    OVR_ORDER_MIN = 4, /* of the transfers of MLMI */
+    OVR_ORDER_MAX = OVR_MLMI_MAX,
+    OVR_RANGE_MIN = 2, /* of their corrections, in meshes */
+    OVR_RANGE_MAX = 2 * OVR_MLMI_MAX
 };
 
-#define OVR_TOLERANCE_MOST 1.0
+#define OVR_TOLERANCE_MAX 1.0
 
 /* Under-relaxation of the paper's smoothers. */
-#define OVR_SEIDEL_LEAST 0.5
-#define OVR_SEIDEL_MOST 1.0
-#define OVR_DIPOLE_LEAST 0.3
-#define OVR_DIPOLE_MOST 0.6
+#define OVR_SEIDEL_MIN 0.5
+#define OVR_SEIDEL_MAX 1.0
+#define OVR_DIPOLE_MIN 0.3
+#define OVR_DIPOLE_MAX 0.6
 
 #endif

@@ -24,7 +24,7 @@ enum { STILL = 20 };
 
 /* Adaptive steps in mesh sizes: shorter ones gain nothing beside the errors of
  * the mesh, longer ones may step over what comes in. */
-static const double least_step = 1. / 8, largest_step = 8;
+static const double min_step = 1. / 8, largest_step = 8;
 
 static ovr_status observe(const ovr_simulation *sim, const ovr_march *march,
                           ovr_error *err)
@@ -41,15 +41,15 @@ static ovr_status observe(const ovr_simulation *sim, const ovr_march *march,
 static double next_time(const ovr_simulation *sim, const ovr_march *march,
                         double dT)
 {
-    double T = sim->state.T, least = 1e-6 * dT, next = T + dT;
+    double T = sim->state.T, minimum = 1e-6 * dT, next = T + dT;
     if (!march->adaptive)
         next = (floor(T / dT + 1e-6) + 1) * dT;
-    else if (next > march->end - least)
+    else if (next > march->end - minimum)
         next = march->end;
     for (size_t k = 0; k < march->count; k++) {
         const ovr_observer *o = &march->observers[k];
-        double asked = o->next_time ? o->next_time(o->data, T + least) : next;
-        if (asked > T + least && asked < next - least)
+        double asked = o->next_time ? o->next_time(o->data, T + minimum) : next;
+        if (asked > T + minimum && asked < next - minimum)
             next = asked;
     }
     return next;
@@ -70,7 +70,7 @@ static double regulated(const ovr_simulation *sim, const ovr_march *march,
         power -= fmax(1, ceil(log2(ratio) / order - 0.3));
     else if (ratio < 0.7 * exp2(-order))
         power++;
-    return fmin(largest_step * D, fmax(least_step * D, exp2(power) * D));
+    return fmin(largest_step * D, fmax(min_step * D, exp2(power) * D));
 }
 
 /* Shorter steps until one is taken; at the shortest any error will do. */
@@ -81,7 +81,7 @@ static ovr_status adaptive_step(ovr_simulation *sim, const ovr_march *march,
     double dT = sim->past.dT_next > 0 ? sim->past.dT_next : ovr_mesh(sim);
     for (bool taken = false; !taken;) {
         double next = next_time(sim, march, dT), step = next - sim->state.T;
-        bool shortest = step <= 1.01 * least_step * ovr_mesh(sim);
+        bool shortest = step <= 1.01 * min_step * ovr_mesh(sim);
         sim->largest_error = shortest ? DBL_MAX : 3 * target;
         ovr_status status = ovr_simulation_attempt(sim, next, &taken, &error,
                                                    err);

@@ -56,8 +56,8 @@ double ovr_truncation_tolerance(const ovr_simulation *sim, double D, double H)
 {
     double meshes = D / (5.5 / 1792);
     double target = fmin(1e-4 * meshes * meshes, OVR_ACCEPTABLE);
-    double least = ovr_negligible_tolerance(sim, D, H);
-    return target > least ? target : least;
+    double minimum = ovr_negligible_tolerance(sim, D, H);
+    return target > minimum ? target : minimum;
 }
 
 void ovr_options_mlmi(const ovr_options *options, int level, int *order,
@@ -126,28 +126,29 @@ static ovr_status check_numbers(const ovr_options *o, ovr_error *err)
 {
     const struct {
         const char *key;
-        int value, least, most;
+        int value, minimum, maximum;
     } whole[] = {
         {"scheme", (int)o->scheme, 0, OVR_CHARACTERISTIC},
         {"smoother", (int)o->smoother, 0, OVR_DIPOLE},
         {"stop", (int)o->stop, 0, OVR_STOP_FIXED},
         {"cavitation", (int)o->cavitation, 0, OVR_CAVITATION_CONSERVING},
         {"cycle_index", o->cycle_index, 0, 8},
-        {"sweeps_before", o->sweeps_before, 0, OVR_SWEEPS_MOST},
-        {"sweeps_after", o->sweeps_after, 0, OVR_SWEEPS_MOST},
-        {"max_cycles", o->max_cycles, 0, OVR_MAX_CYCLES_MOST},
-        {"cycles", o->cycles, 1, OVR_CYCLES_MOST}};
+        {"sweeps_before", o->sweeps_before, 0, OVR_SWEEPS_MAX},
+        {"sweeps_after", o->sweeps_after, 0, OVR_SWEEPS_MAX},
+        {"max_cycles", o->max_cycles, 0, OVR_MAX_CYCLES_MAX},
+        {"cycles", o->cycles, 1, OVR_CYCLES_MAX}};
     for (size_t k = 0; k < sizeof whole / sizeof *whole; k++)
-        if (whole[k].value < whole[k].least || whole[k].value > whole[k].most)
+        if (whole[k].value < whole[k].minimum ||
+            whole[k].value > whole[k].maximum)
             return ovr_fail_about(
                 err, whole[k].key, "%s %d: %d to %d are possible", whole[k].key,
-                whole[k].value, whole[k].least, whole[k].most);
-    if (!(o->tolerance >= 0 && o->tolerance <= OVR_TOLERANCE_MOST))
+                whole[k].value, whole[k].minimum, whole[k].maximum);
+    if (!(o->tolerance >= 0 && o->tolerance <= OVR_TOLERANCE_MAX))
         return ovr_fail_about(
             err, "tolerance",
             "tolerance %g: above 0 and at most %g, or 0, which "
             "means automatic",
-            o->tolerance, OVR_TOLERANCE_MOST);
+            o->tolerance, OVR_TOLERANCE_MAX);
     if (isnan(o->switch_value))
         return ovr_fail_about(err, "switch_value",
                               "switch_value is not a number");
@@ -155,14 +156,14 @@ static ovr_status check_numbers(const ovr_options *o, ovr_error *err)
 }
 
 /* Even, or 0: automatic. */
-static ovr_status check_even(const char *key, int value, int least, int most,
-                             ovr_error *err)
+static ovr_status check_even(const char *key, int value, int minimum,
+                             int maximum, ovr_error *err)
 {
-    if (!value || (value % 2 == 0 && value >= least && value <= most))
+    if (!value || (value % 2 == 0 && value >= minimum && value <= maximum))
         return OVR_OK;
     return ovr_fail_about(err, key,
                           "%s %d: even numbers from %d to %d are possible", key,
-                          value, least, most);
+                          value, minimum, maximum);
 }
 
 static ovr_status check(const ovr_options *o, ovr_error *err)
@@ -179,21 +180,21 @@ static ovr_status check(const ovr_options *o, ovr_error *err)
             err, "coarsest_level",
             "coarsest level %d: 1 to the level (%d) is possible",
             o->coarsest_level, o->level);
-    if (check_even("mlmi_order", o->mlmi_order, OVR_ORDER_LEAST, OVR_ORDER_MOST,
+    if (check_even("mlmi_order", o->mlmi_order, OVR_ORDER_MIN, OVR_ORDER_MAX,
                    err) ||
-        check_even("mlmi_range", o->mlmi_range, OVR_RANGE_LEAST, OVR_RANGE_MOST,
+        check_even("mlmi_range", o->mlmi_range, OVR_RANGE_MIN, OVR_RANGE_MAX,
                    err))
         return OVR_BAD_INPUT;
-    bool seidel = o->relax_seidel >= OVR_SEIDEL_LEAST &&
-                  o->relax_seidel <= OVR_SEIDEL_MOST;
-    if (!seidel || !(o->relax_dipole >= OVR_DIPOLE_LEAST &&
-                     o->relax_dipole <= OVR_DIPOLE_MOST))
+    bool seidel = o->relax_seidel >= OVR_SEIDEL_MIN &&
+                  o->relax_seidel <= OVR_SEIDEL_MAX;
+    if (!seidel || !(o->relax_dipole >= OVR_DIPOLE_MIN &&
+                     o->relax_dipole <= OVR_DIPOLE_MAX))
         return ovr_fail_about(
             err, seidel ? "relax_dipole" : "relax_seidel",
             "under-relaxation %g and %g: %g to %g (Gauss-Seidel) "
             "and %g to %g (dipole) are possible",
-            o->relax_seidel, o->relax_dipole, OVR_SEIDEL_LEAST, OVR_SEIDEL_MOST,
-            OVR_DIPOLE_LEAST, OVR_DIPOLE_MOST);
+            o->relax_seidel, o->relax_dipole, OVR_SEIDEL_MIN, OVR_SEIDEL_MAX,
+            OVR_DIPOLE_MIN, OVR_DIPOLE_MAX);
     if (!(o->inlet < -1 && o->outlet > 1 && isfinite(o->inlet) &&
           isfinite(o->outlet)))
         return ovr_fail_about(
@@ -225,16 +226,16 @@ static ovr_status check_order(const ovr_options *o, ovr_error *err)
 
 static ovr_status check_refine_level(const ovr_options *o, ovr_error *err)
 {
-    if (o->level < OVR_LEAST_REFINED || o->level >= OVR_MOST_REFINED)
-        return ovr_fail_about(
-            err, "level", "level %d: refine goes with levels %d to %d",
-            o->level, OVR_LEAST_REFINED, OVR_MOST_REFINED - 1);
+    if (o->level < OVR_MIN_REFINED || o->level >= OVR_MAX_REFINED)
+        return ovr_fail_about(err, "level",
+                              "level %d: refine goes with levels %d to %d",
+                              o->level, OVR_MIN_REFINED, OVR_MAX_REFINED - 1);
     if (o->refine_level &&
-        (o->refine_level <= o->level || o->refine_level > OVR_MOST_REFINED))
+        (o->refine_level <= o->level || o->refine_level > OVR_MAX_REFINED))
         return ovr_fail_about(err, "refine_level",
                               "refine_level %d: above the level, %d, and %d at "
                               "most",
-                              o->refine_level, o->level, OVR_MOST_REFINED);
+                              o->refine_level, o->level, OVR_MAX_REFINED);
     if (!(o->refine_change >= 0 && o->refine_change < 1))
         return ovr_fail_about(err, "refine_change",
                               "refine_change %g: above 0 and below 1, or 0, "

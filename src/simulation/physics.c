@@ -25,7 +25,7 @@ static ovr_present *place_for(ovr_simulation *sim, const ovr_physics *physics)
         return &all[at];
     for (last = at; all[last].is;)
         last++;
-    if (last == OVR_MOST_PHYSICS)
+    if (last == OVR_MAX_PHYSICS)
         return NULL;
     for (; last > at; last--)
         all[last] = all[last - 1];
@@ -101,8 +101,8 @@ ovr_status ovr_physics_take_borne(ovr_simulation *sim, ovr_error *err)
     double **const all[] = {&sim->borne, &sim->borne_before[0],
                             &sim->borne_before[1]};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        if (!(*all[k] = ovr_arena_take(&sim->arena, sim->most, sizeof **all[k],
-                                       err)))
+        if (!(*all[k] = ovr_arena_take(&sim->arena, sim->maximum,
+                                       sizeof **all[k], err)))
             return OVR_NO_MEMORY;
     return OVR_OK;
 }
@@ -122,7 +122,7 @@ static ovr_status add(ovr_simulation *sim, const ovr_physics *physics,
         return ovr_fail(
             err, OVR_BAD_INPUT,
             "more physics are on than the %d that a simulation can hold",
-            OVR_MOST_PHYSICS);
+            OVR_MAX_PHYSICS);
     *at = (ovr_present){physics, own};
     if (physics->influence)
         physics->influence(sim, own, &sim->grids.influence);

@@ -348,7 +348,7 @@ extern const ovr_physics ovr_physics_heat, ovr_physics_stress;
 
 /* The last of them that has it, or none (is NULL). */
 #define OVR_LAST_PHYSICS(sim, p, function)                                     \
-    const ovr_present *p = &(sim)->physics[OVR_MOST_PHYSICS];                  \
+    const ovr_present *p = &(sim)->physics[OVR_MAX_PHYSICS];                   \
     OVR_EACH_PHYSICS(sim, each_##p, function)                                  \
     p = each_##p
 

@@ -40,24 +40,24 @@ static void prepare(ovr_hierarchy *grids)
 static ovr_status take(ovr_simulation *sim, const void *form, void **own,
                        ovr_error *err)
 {
-    size_t most[OVR_LEVELS], n = sim->finest->grid.n;
+    size_t maximum[OVR_LEVELS], n = sim->finest->grid.n;
     int patches = last_level(&sim->options) - sim->options.level;
     ovr_refined *r = ovr_arena_take(&sim->arena, 1, sizeof *r, err);
     (void)form;
     if (!r)
         return OVR_NO_MEMORY;
     *own = r;
-    r->most = n;
+    r->maximum = n;
     for (int k = 0; k < patches; k++) {
-        most[k] = ovr_spike_most(k + 1, half_width(sim), &sim->finest->grid);
-        r->most += most[k];
+        maximum[k] = ovr_spike_max(k + 1, half_width(sim), &sim->finest->grid);
+        r->maximum += maximum[k];
     }
-    sim->most = r->most;
-    r->X = ovr_arena_take(&sim->arena, r->most, sizeof *r->X, err);
+    sim->maximum = r->maximum;
+    r->X = ovr_arena_take(&sim->arena, r->maximum, sizeof *r->X, err);
     r->whole = ovr_arena_take(&sim->arena, n, sizeof *r->whole, err);
     if (!r->X || !r->whole)
         return OVR_NO_MEMORY;
-    return ovr_composite_prepare(&r->composite, &sim->grids, most, patches,
+    return ovr_composite_prepare(&r->composite, &sim->grids, maximum, patches,
                                  &sim->arena, err);
 }
 
@@ -208,7 +208,7 @@ static void finish(ovr_simulation *sim, void *own, const ovr_full *how,
         .half = half_width(sim),
         .tolerance = ovr_negligible_tolerance(sim, ovr_mesh(sim),
                                               outcome->defect.centre),
-        .most_cycles = how->most_cycles,
+        .max_cycles = how->max_cycles,
         .fourth = sim->order == 4,
         .rigid = rigid,
         .data = sim};

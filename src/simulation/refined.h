@@ -9,13 +9,13 @@
 
 /* Patches need a grid that has nodes for the first of them, and memory for the
  * last. */
-enum { OVR_LEAST_REFINED = 6, OVR_MOST_REFINED = 22 };
+enum { OVR_MIN_REFINED = 6, OVR_MAX_REFINED = 22 };
 
 typedef struct ovr_refined {
     ovr_composite composite;
-    size_t most;   /* leaves */
-    double *X;     /* of the leaves */
-    double *whole; /* weights of the whole domain's nodes */
+    size_t maximum; /* leaves */
+    double *X;      /* of the leaves */
+    double *whole;  /* weights of the whole domain's nodes */
     ovr_spike_found found;
 } ovr_refined;
 

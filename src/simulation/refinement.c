@@ -22,11 +22,11 @@ static double distance(const ovr_level *level, const double *a, size_t stride,
 
 static double smallest(const double *H, size_t n)
 {
-    double least = H[1];
+    double minimum = H[1];
     for (size_t i = 2; i + 1 < n; i++)
-        if (H[i] < least)
-            least = H[i];
-    return least;
+        if (H[i] < minimum)
+            minimum = H[i];
+    return minimum;
 }
 
 static void note(ovr_simulation *sim, const ovr_level *level,

@@ -100,10 +100,10 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
     sim->now.X = sim->finest->grid.X;
     for (int k = 0; k < 2; k++)
         sim->scratch[k] = grids->scratch[k];
-    sim->most = sim->now.n;
+    sim->maximum = sim->now.n;
     if (ovr_physics_choose(sim, err))
         return OVR_NO_MEMORY;
-    sim->now.n = sim->most;
+    sim->now.n = sim->maximum;
     ovr_status status = take_arrays(sim, err);
     sim->now.n = sim->finest->grid.n;
     return status;

@@ -15,26 +15,26 @@ bool ovr_solid_conducts(const ovr_heat *numbers, int k, double u)
 
 double ovr_solid_reach(const ovr_heat *numbers, int k, double u)
 {
-    const double wide = 100, most = 1e5; /* b; b/um */
+    const double wide = 100, maximum = 1e5; /* b; b/um */
     double kappa = numbers->diffusion[k];
     if (!ovr_solid_conducts(numbers, k, u))
         return 0;
-    return fmin(most, fmin(20 * kappa / (u * u), wide * wide / kappa));
+    return fmin(maximum, fmin(20 * kappa / (u * u), wide * wide / kappa));
 }
 
 double ovr_solid_beyond(const ovr_heat *numbers, int k, double u, double D)
 {
-    const double most = 2;
+    const double maximum = 2;
     double kappa = numbers->diffusion[k], step = 4 * sqrt(kappa * D) + 4 * D;
     if (!ovr_solid_conducts(numbers, k, u))
         return step;
-    return step + fmin(most, 2 * kappa / fabs(u));
+    return step + fmin(maximum, 2 * kappa / fabs(u));
 }
 
 enum { SAMPLES = 400 };
 
 typedef struct fit {
-    long double matrix[SAMPLES][OVR_MOST_MODES], right[SAMPLES];
+    long double matrix[SAMPLES][OVR_MAX_MODES], right[SAMPLES];
     int modes;
 } fit;
 
@@ -137,7 +137,7 @@ static int modes_alive(const ovr_memory *memory, double dT)
 /* Least squares by modified Gram and Schmidt. */
 static void solve(fit *f, int modes, double weight[])
 {
-    long double part[OVR_MOST_MODES][OVR_MOST_MODES + 1];
+    long double part[OVR_MAX_MODES][OVR_MAX_MODES + 1];
     for (int m = 0; m < modes; m++)
         orthogonalize(f, m, part[m]);
     for (int m = modes - 1; m >= 0; m--) {
@@ -150,22 +150,22 @@ static void solve(fit *f, int modes, double weight[])
 
 double ovr_memory_error(const ovr_memory *memory, double longest)
 {
-    double most = 0;
+    double maximum = 0;
     for (int k = 0; k <= 1000; k++) {
         double past = memory->dT * (pow(longest / memory->dT, k / 1000.) - 1);
         double sum = 0;
         for (int m = 0; m < modes_of(memory); m++)
             sum += memory->weight[m] * exp(-memory->rate[m] * past);
-        most = fmax(most, fabs(sqrt(memory->dT + past) * sum /
-                                   warmth(memory, memory->dT + past) -
-                               1));
+        maximum = fmax(maximum, fabs(sqrt(memory->dT + past) * sum /
+                                         warmth(memory, memory->dT + past) -
+                                     1));
     }
-    return most;
+    return maximum;
 }
 
 void ovr_memory_fit(double dT, double longest, ovr_memory *memory)
 {
-    double weight[OVR_MOST_MODES] = {0};
+    double weight[OVR_MAX_MODES] = {0};
     fit f;
     fill(&f, memory, dT, longest);
     solve(&f, modes_alive(memory, dT), weight);

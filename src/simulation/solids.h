@@ -46,7 +46,7 @@ typedef struct ovr_warmth {
 } ovr_warmth;
 
 /* Modes stand in banks of OVR_MODES: one of a half-space, two under layers. */
-enum { OVR_BANKS = 2, OVR_MOST_MODES = OVR_BANKS * OVR_MODES };
+enum { OVR_BANKS = 2, OVR_MAX_MODES = OVR_BANKS * OVR_MODES };
 
 /* The kernel for one length of step. */
 typedef struct ovr_memory {
@@ -54,9 +54,9 @@ typedef struct ovr_memory {
     int banks;
     ovr_warmth warmth; /* at is NULL: 1 */
     double more[2];    /* by which 4/3 and 2/3 sqrt(dT) are larger, relative */
-    double rate[OVR_MOST_MODES], weight[OVR_MOST_MODES]; /* s_m; w_m e^-x */
-    double fade[OVR_MOST_MODES];                         /* e^-x */
-    double now[OVR_MOST_MODES], before[OVR_MOST_MODES];  /* a, b */
+    double rate[OVR_MAX_MODES], weight[OVR_MAX_MODES]; /* s_m; w_m e^-x */
+    double fade[OVR_MAX_MODES];                        /* e^-x */
+    double now[OVR_MAX_MODES], before[OVR_MAX_MODES];  /* a, b */
 } ovr_memory;
 
 /* True if heat along surface k counts at u, over um; how long, over b/um, it

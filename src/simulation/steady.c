@@ -77,8 +77,8 @@ static ovr_full full_of(ovr_simulation *sim, const strategy *how)
                       .mesh = how->mesh,
                       .fixed = fixed,
                       .thin_last = thin_last(sim, how),
-                      .most_cycles = fixed ? o->cycles
-                                           : ovr_steady_most_cycles(sim, 60),
+                      .max_cycles = fixed ? o->cycles
+                                          : ovr_steady_max_cycles(sim, 60),
                       .tolerance = ovr_steady_tolerance,
                       .watch = ovr_refinement_watch,
                       .data = sim,
@@ -119,10 +119,10 @@ static void begin_history(ovr_simulation *sim)
 
 void ovr_steady_conditions(ovr_simulation *sim)
 {
-    const double least = OVR_LEAST_START;
+    const double minimum = OVR_MIN_START;
     ovr_target *target = &sim->target;
-    target->Cw = fmax(ovr_history_value(sim->load, 0), least);
-    target->Cu = fmax(fabs(ovr_history_value(sim->speed, 0)), least);
+    target->Cw = fmax(ovr_history_value(sim->load, 0), minimum);
+    target->Cu = fmax(fabs(ovr_history_value(sim->speed, 0)), minimum);
     target->c = 1 / ovr_history_value(sim->radius, 0);
     target->force = OVR_NOMINAL_LOAD * target->Cw;
 }

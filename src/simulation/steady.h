@@ -11,7 +11,7 @@
 double ovr_steady_tolerance(const void *data, const ovr_level *level, double H);
 
 /* The number of cycles given, else that. */
-int ovr_steady_most_cycles(const ovr_simulation *sim, int unless_given);
+int ovr_steady_max_cycles(const ovr_simulation *sim, int unless_given);
 
 /* Full multigrid, or what the attempt has in its place, for the finest gap as
  * it is. */

@@ -35,7 +35,7 @@ double ovr_steady_tolerance(const void *data, const ovr_level *level, double H)
                 ovr_negligible_tolerance(sim, ovr_grid_mesh(&level->grid), H));
 }
 
-int ovr_steady_most_cycles(const ovr_simulation *sim, int unless_given)
+int ovr_steady_max_cycles(const ovr_simulation *sim, int unless_given)
 {
     return sim->options.max_cycles ? sim->options.max_cycles : unless_given;
 }

@@ -25,7 +25,7 @@
 /* An attempt tries so hard. */
 typedef struct attempt {
     bool extrapolate;
-    int sweeps, newton_steps, finer_bottom, most_cycles;
+    int sweeps, newton_steps, finer_bottom, max_cycles;
     double limit, newton_limit, correction;
     bool continued; /* from the last solution, by continuation */
     bool newton;    /* by Newton's method on the finest grid */
@@ -47,7 +47,7 @@ enum { ATTEMPTS = sizeof attempts / sizeof *attempts };
  * own, which Eyring's sinh may throw far out and which then comes back (of 100
  * pairs of ground surfaces 60 steps find all but a few films). */
 static const struct {
-    int most_cycles;
+    int max_cycles;
     double newton_limit, hopeless;
 } touching = {60, 1, 1e15};
 
@@ -67,7 +67,7 @@ static ovr_cycling cycling_of(const ovr_simulation *sim, const attempt *how)
 
 static bool is_borne(double A)
 {
-    return A > OVR_TOUCH_LEAST;
+    return A > OVR_TOUCH_MIN;
 }
 
 /* True if surfaces that may touch bore nothing in the step before. */
@@ -103,9 +103,9 @@ static bool try_with(ovr_simulation *sim, double dT, const attempt *how,
         return ovr_step_continued(sim, &c, outcome);
     if (how->newton)
         return ovr_step_newton(sim, &c, outcome);
-    ovr_step_cycling cycling = {c, close, how->most_cycles, 1e6, 0};
+    ovr_step_cycling cycling = {c, close, how->max_cycles, 1e6, 0};
     if (sim->grids.touch.at) {
-        cycling.most = touching.most_cycles;
+        cycling.maximum = touching.max_cycles;
         cycling.hopeless = touching.hopeless;
     }
     return ovr_step_cycles(sim, cycling, outcome);

@@ -19,19 +19,19 @@ static double tolerance_of(const ovr_simulation *sim, bool relaxed)
     double D = ovr_mesh(sim), H = sim->observation.H_cen;
     double share = relaxed ? 0.05 : 0.15;
     double tolerance = share * ovr_truncation_tolerance(sim, D, H);
-    double least = ovr_negligible_tolerance(sim, D, H);
+    double minimum = ovr_negligible_tolerance(sim, D, H);
     if (sim->options.tolerance > 0)
         return sim->options.tolerance;
-    return tolerance > least ? tolerance : least;
+    return tolerance > minimum ? tolerance : minimum;
 }
 
 /* Allows a share of the nominal load, or of the load where that is larger: half
  * of what a run may be off by (overroll(1)). */
 static bool carries(const ovr_simulation *sim, const ovr_defect *defect)
 {
-    const double most = 5e-5;
+    const double maximum = 5e-5;
     double ratio = sim->finest->force / OVR_NOMINAL_LOAD;
-    return defect->load * fmin(ratio, 1) <= most;
+    return defect->load * fmin(ratio, 1) <= maximum;
 }
 
 /*
@@ -43,11 +43,11 @@ static bool carries(const ovr_simulation *sim, const ovr_defect *defect)
  */
 static double tolerance_by_guess(const ovr_simulation *sim, double guess)
 {
-    const double share = 1e-4, most = 300, on_any_mesh = 1e-3;
+    const double share = 1e-4, maximum = 300, on_any_mesh = 1e-3;
     if (sim->options.tolerance > 0)
         return 0;
     return fmin(fmin(share * guess, on_any_mesh),
-                most * tolerance_of(sim, true));
+                maximum * tolerance_of(sim, true));
 }
 
 /* Where a guess is far off, or the first cycle has left it so. */
@@ -86,7 +86,7 @@ bool ovr_step_cycles(ovr_simulation *sim, ovr_step_cycling how,
         solved = cycle && carries(sim, &outcome->defect) &&
                  ovr_below(outcome->defect,
                            target > how.tolerance ? target : how.tolerance);
-        if (solved || cycle == how.most ||
+        if (solved || cycle == how.maximum ||
             !(outcome->defect.imbalance < how.hopeless))
             break;
         c.sweeps_after = how.close && cycle < SHORT_CYCLES ? 0 : after;

@@ -9,7 +9,7 @@
 typedef struct ovr_step_cycling {
     ovr_cycling cycle;
     bool close; /* the first cycles do without the relaxation after them */
-    int most;
+    int maximum;
     double hopeless;  /* R from which no cycle helps */
     double tolerance; /* a looser one than the step's own; or 0 */
 } ovr_step_cycling;

@@ -295,8 +295,8 @@ static void unknown(ovr_observation *o)
 /* Estimates by the film formula, in units of the nominal contact. */
 static double formula(const ovr_simulation *sim, double T)
 {
-    double Cw = fmax(ovr_history_value(sim->load, T), OVR_LEAST_START);
-    double Cu = fmax(fabs(ovr_history_value(sim->speed, T)), OVR_LEAST_START);
+    double Cw = fmax(ovr_history_value(sim->load, T), OVR_MIN_START);
+    double Cu = fmax(fabs(ovr_history_value(sim->speed, T)), OVR_MIN_START);
     ovr_instant at = ovr_instant_of(&sim->contact, Cw, Cu,
                                     1 / ovr_history_value(sim->radius, T));
     return Cw * ovr_film_central_moes(at.M, at.L);
@@ -306,11 +306,11 @@ static double formula(const ovr_simulation *sim, double T)
  * solved; NAN: the surfaces hardly move, and nothing is drawn in. */
 static double flooded_since(const ovr_simulation *sim, double T)
 {
-    const double least = 0.01;
+    const double minimum = 0.01;
     if (!ovr_history_varies(sim->load) && !ovr_history_varies(sim->speed) &&
         !ovr_history_varies(sim->radius))
         return 1;
-    return fabs(ovr_history_value(sim->speed, T)) < least
+    return fabs(ovr_history_value(sim->speed, T)) < minimum
                ? NAN
                : formula(sim, T) / formula(sim, 0);
 }

@@ -94,9 +94,9 @@ static double passes_of(const ovr_wear *wear)
 {
     double left = wear->given->passes - wear->before.passes;
     double deepest = ovr_rough_pair_deepest(&wear->pair, wear->c, wear->w);
-    double most = LARGEST_JUMP * wear->given->pair.Rq;
+    double maximum = LARGEST_JUMP * wear->given->pair.Rq;
     double jump = wear->given->jump > 0 ? wear->given->jump
-                  : deepest > 0         ? most / deepest
+                  : deepest > 0         ? maximum / deepest
                                         : INFINITY;
     return fmin(left, jump);
 }

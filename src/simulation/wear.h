@@ -19,7 +19,7 @@
 
 /* A step, b/um; at most so many of them. */
 #define OVR_WEAR_STEP 1e3
-enum { OVR_WEAR_MOST = 4000 };
+enum { OVR_WEAR_MAX = 4000 };
 
 /* The wear so far: of the state that was reached last, or of the step that is
  * under way. */

@@ -98,8 +98,8 @@ static ovr_circle of_three(const float *a, const float *b, const float *c)
     double cc = cx * cx + cy * cy;
     if (fabs(area) <= 1e-14 * (bb + cc)) {
         ovr_circle ab = of_two(a, b), ac = of_two(a, c), bc = of_two(b, c);
-        ovr_circle most = ab.radius > ac.radius ? ab : ac;
-        return bc.radius > most.radius ? bc : most;
+        ovr_circle maximum = ab.radius > ac.radius ? ab : ac;
+        return bc.radius > maximum.radius ? bc : maximum;
     }
     double x = (cy * bb - by * cc) / area, y = (bx * cc - cx * bb) / area;
     return (ovr_circle){a[0] + x, a[1] + y, hypot(x, y)};
@@ -139,13 +139,13 @@ ovr_circle ovr_smallest_circle(size_t n, const float *points)
     c = (ovr_circle){points[0], points[1], 0};
     for (int round = 0; round < ROUNDS; round++) {
         size_t farthest = 0;
-        double most = 0;
+        double maximum = 0;
         for (size_t k = 0; k < n; k++) {
             double r = hypot(points[2 * k] - c.d, points[2 * k + 1] - c.tau);
-            if (r > most)
-                most = r, farthest = k;
+            if (r > maximum)
+                maximum = r, farthest = k;
         }
-        if (most <= c.radius * (1 + 1e-12))
+        if (maximum <= c.radius * (1 + 1e-12))
             return c;
         rim[2 * count] = points[2 * farthest];
         rim[2 * count + 1] = points[2 * farthest + 1];
@@ -165,10 +165,10 @@ double ovr_dang_van(size_t n, const float *points, const float *hydrostatic,
     if (!points || !hydrostatic)
         return NAN;
     ovr_circle c = ovr_smallest_circle(n, points);
-    double most = -INFINITY;
+    double maximum = -INFINITY;
     for (size_t k = 0; k < n; k++) {
         double r = hypot(points[2 * k] - c.d, points[2 * k + 1] - c.tau);
-        most = fmax(most, r + alpha * hydrostatic[k]);
+        maximum = fmax(maximum, r + alpha * hydrostatic[k]);
     }
-    return most;
+    return maximum;
 }

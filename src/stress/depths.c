@@ -8,7 +8,7 @@
 
 /* Nodes that a shift may need beyond the last one asked for, and the least
  * space for the seam of the lags. */
-enum { SHIFT_CAPACITY = 2 << (OVR_STRESS_LEVELS - 1), LEAST_SEAM = 128 };
+enum { SHIFT_CAPACITY = 2 << (OVR_STRESS_LEVELS - 1), MIN_SEAM = 128 };
 
 ovr_stress_options ovr_stress_options_default(void)
 {
@@ -20,7 +20,7 @@ ovr_stress_options ovr_stress_options_default(void)
     return defaults;
 }
 
-static double least(const ovr_stress_options *o)
+static double minimum(const ovr_stress_options *o)
 {
     return o->depth_min > 0 ? o->depth_min : 4 * o->mesh;
 }
@@ -30,7 +30,7 @@ static size_t put_depth(const ovr_stress_options *o, double depth, size_t count,
                         double *z)
 {
     size_t j = count;
-    if (depth <= least(o) || depth >= o->depth_max)
+    if (depth <= minimum(o) || depth >= o->depth_max)
         return count;
     for (; z && j > 0 && z[j - 1] > depth; j--)
         z[j] = z[j - 1];
@@ -58,10 +58,10 @@ static size_t put_layers(const ovr_stress_options *o, size_t count, double *z)
 
 size_t ovr_depths(const ovr_stress_options *o, double *z)
 {
-    double octaves = log2(o->depth_max / least(o));
+    double octaves = log2(o->depth_max / minimum(o));
     size_t count = 1 + (size_t)floor(octaves * o->per_octave + 1e-9);
     for (size_t j = 0; z && j < count; j++)
-        z[j] = least(o) * exp2((double)j / o->per_octave);
+        z[j] = minimum(o) * exp2((double)j / o->per_octave);
     return put_layers(o, count, z);
 }
 
@@ -78,7 +78,7 @@ size_t ovr_stress_nodes(const ovr_stress_options *o)
 
 size_t ovr_stress_capacity(const ovr_stress_options *o)
 {
-    size_t capacity = 256, target = o->nodes + ovr_stress_nodes(o) + LEAST_SEAM;
+    size_t capacity = 256, target = o->nodes + ovr_stress_nodes(o) + MIN_SEAM;
     while (capacity < target)
         capacity *= 2;
     return capacity;
@@ -94,16 +94,16 @@ ovr_status ovr_stress_check(const ovr_stress_options *o, ovr_error *err)
             err, OVR_BAD_INPUT,
             "stresses from X = %g to %g: the first must be below the second",
             o->from, o->to);
-    if (!(least(o) >= 0.5 * o->mesh * (1 - 1e-9)))
+    if (!(minimum(o) >= 0.5 * o->mesh * (1 - 1e-9)))
         return ovr_fail(
             err, OVR_BAD_INPUT,
             "depth_min = %g is less than half a mesh: must be at least %g",
             o->depth_min, o->mesh / 2);
-    if (!(o->depth_max >= least(o)) || !(o->depth_max <= 1000))
+    if (!(o->depth_max >= minimum(o)) || !(o->depth_max <= 1000))
         return ovr_fail(
             err, OVR_BAD_INPUT,
             "depth_max = %g: must be between depth_min, %g, and 1000",
-            o->depth_max, least(o));
+            o->depth_max, minimum(o));
     if (!(o->per_octave >= 1 && o->per_octave <= 100))
         return ovr_fail(err, OVR_BAD_INPUT,
                         "depths_per_octave = %g: must be between 1 and 100",

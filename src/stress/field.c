@@ -305,9 +305,9 @@ double ovr_stress_memory(const ovr_stress_options *given)
     double N = (double)ovr_stress_capacity(o),
            bytes = N * (8 + 8 + 8 + 8 + 8 + 8);
     size_t depths = ovr_depths(o, NULL);
-    double least = o->depth_min > 0 ? o->depth_min : 4 * o->mesh;
+    double minimum = o->depth_min > 0 ? o->depth_min : 4 * o->mesh;
     for (size_t j = 0; j < depths; j++) {
-        double z = least * exp2((double)j / o->per_octave);
+        double z = minimum * exp2((double)j / o->per_octave);
         double n = ldexp(N, -ovr_depth_level(o, z));
         bytes += n * (8 + 8) + (o->traction ? 2 : 1) * 3 * 4 * n;
     }

@@ -63,8 +63,8 @@ bool ovr_near_yield(const ovr_hardening *h, ovr_strained e, ovr_stressed s,
                     double share)
 {
     ovr_stressed by;
-    double square = driving(h, e, s, &by), least = share * h->yield, slope;
-    if (square < least * least)
+    double square = driving(h, e, s, &by), minimum = share * h->yield, slope;
+    if (square < minimum * minimum)
         return false;
     return sqrt(square) > share * ovr_yield_stress(h, e.all, &slope);
 }
@@ -72,14 +72,14 @@ bool ovr_near_yield(const ovr_hardening *h, ovr_strained e, ovr_stressed s,
 double ovr_plastic_flow(const ovr_hardening *h, double poisson, ovr_stressed s,
                         ovr_strained *e, double *work)
 {
-    const double least = 1e-6;
+    const double minimum = 1e-6;
     ovr_stressed by;
     double slope, square = driving(h, *e, s, &by);
     if (!(square > h->yield * h->yield)) /* below what flow only raises */
         return 0;
     double Y = ovr_yield_stress(h, e->all, &slope);
     double mises = sqrt(square), f = mises - Y;
-    if (!(f > least * Y))
+    if (!(f > minimum * Y))
         return 0;
     double flow = f / (1.5 * (1 - poisson) + slope + along_strain(h));
     double part = 1.5 * flow / mises;

@@ -74,11 +74,11 @@ static double maximum(curve *f, const void *data, double a, double b,
                       double *where)
 {
     enum { SCAN = 64 };
-    double step = (b - a) / SCAN, best = a, most = f(data, a);
+    double step = (b - a) / SCAN, best = a, maximum = f(data, a);
     for (int k = 1; k <= SCAN; k++) {
         double value = f(data, a + k * step);
-        if (value > most)
-            most = value, best = a + k * step;
+        if (value > maximum)
+            maximum = value, best = a + k * step;
     }
     return golden(f, data, fmax(a, best - step), fmin(b, best + step), where);
 }

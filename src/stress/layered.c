@@ -68,7 +68,7 @@ static void coefficients(const double f[2], const double R[4], double c[4])
 void ovr_layered_wave(const ovr_layered *body, double k, double z, bool q,
                       double f[3])
 {
-    double R[OVR_LAYERS_MOST + 1][4] = {{0}}, c[4], at[3];
+    double R[OVR_LAYERS_MAX + 1][4] = {{0}}, c[4], at[3];
     double top[2] = {q ? 0 : 1, q ? 1 : 0}, above = 0;
     int last = ovr_layered_at(body, z), j = 0;
     f[0] = f[1] = f[2] = 0;
@@ -201,8 +201,8 @@ void ovr_layered_bin(const ovr_layered_depth *of, size_t m, size_t N, double x,
     if (ovr_layered_at(of->body, of->z) == 0)
         slowest = 2 * of->body->thickness[0] - of->z;
     slowest = fmin(slowest, of->a);
-    int most = (int)fmin(GONE / (slowest * whole) + 1, 50);
-    for (int l = -most; l <= most; l++)
+    int maximum = (int)fmin(GONE / (slowest * whole) + 1, 50);
+    for (int l = -maximum; l <= maximum; l++)
         if (fabs(k + l * whole) * slowest < GONE)
             add_wave(of, k + l * whole, 1 / (double)N, sum);
     for (int w = 0; w < 3; w++) {

@@ -26,7 +26,7 @@
 #include "stress/by_depth.h"
 #include "stress/stress.h"
 
-enum { PARTS = 5, MOST_DEPTHS = 1024 };
+enum { PARTS = 5, MAX_DEPTHS = 1024 };
 
 /* Gauss's points and weights on (0, 1). */
 static const double gauss_at[PARTS] = {0.046910077030668004,
@@ -48,7 +48,7 @@ ovr_life_options ovr_life_options_default(void)
  * there. */
 typedef struct interval {
     double width, weight[PARTS];
-    double limit[PARTS], least_limit;
+    double limit[PARTS], min_limit;
 } interval;
 
 static double limit_at(const ovr_life_options *o, double z)
@@ -64,12 +64,12 @@ static void find_intervals(const ovr_life_options *o, size_t depths,
     for (size_t j = 0; j + 1 < depths; j++) {
         double width = log(z[j + 1] / z[j]), start = pow(z[j], power);
         of[j].width = width;
-        of[j].least_limit = INFINITY;
+        of[j].min_limit = INFINITY;
         for (int k = 0; k < PARTS; k++) {
             of[j].weight[k] = gauss_weight[k] * width * start *
                               exp(power * width * gauss_at[k]);
             of[j].limit[k] = limit_at(o, z[j] * exp(width * gauss_at[k]));
-            of[j].least_limit = fmin(of[j].least_limit, of[j].limit[k]);
+            of[j].min_limit = fmin(of[j].min_limit, of[j].limit[k]);
         }
     }
 }
@@ -100,7 +100,7 @@ static double of_interval(const ovr_life_options *o, size_t n,
 {
     double width = of[j].width, sum = 0;
     double m0 = slope(n, of, A, j) * width, m1 = slope(n, of, A, j + 1) * width;
-    if (fmax(A[j], A[j + 1]) <= of[j].least_limit)
+    if (fmax(A[j], A[j + 1]) <= of[j].min_limit)
         return 0;
     for (int k = 0; k < PARTS; k++) {
         double t = gauss_at[k], s = 1 - t;
@@ -129,8 +129,8 @@ void ovr_risk(const ovr_life_options *options, size_t depths, const double *z,
     if (!z || !A || !risk)
         return;
     ovr_life_options own;
-    interval of[MOST_DEPTHS];
-    if (depths > MOST_DEPTHS ||
+    interval of[MAX_DEPTHS];
+    if (depths > MAX_DEPTHS ||
         OVR_TAKE(ovr_life_options, &own, options, NULL) ||
         (own.limits && !(own.limit_z && own.limit_A))) {
         for (size_t j = 0; j < depths; j++)
@@ -199,10 +199,10 @@ ovr_status ovr_life(const ovr_life_options *options, const ovr_material *m,
                     const float *A, const double *smooth, double *risk,
                     double *length, ovr_life_result *result, ovr_error *err)
 {
-    double column[MOST_DEPTHS] = {0}, i[MOST_DEPTHS] = {0};
-    double i_0[MOST_DEPTHS] = {0};
-    double lambda[MOST_DEPTHS] = {0};
-    interval of[MOST_DEPTHS];
+    double column[MAX_DEPTHS] = {0}, i[MAX_DEPTHS] = {0};
+    double i_0[MAX_DEPTHS] = {0};
+    double lambda[MAX_DEPTHS] = {0};
+    interval of[MAX_DEPTHS];
     ovr_life_options own, *o = &own;
     ovr_life_result made;
     if (OVR_TAKE(ovr_life_options, o, options, err) ||
@@ -212,9 +212,9 @@ ovr_status ovr_life(const ovr_life_options *options, const ovr_material *m,
         return ovr_fail_null(err, __func__);
     if (o->limits && !(o->limit_z && o->limit_A))
         return ovr_fail_null(err, __func__);
-    if (m->depths < 1 || m->depths > MOST_DEPTHS)
+    if (m->depths < 1 || m->depths > MAX_DEPTHS)
         return ovr_fail(err, OVR_BAD_INPUT, "%zu depths: must be 1 to %d",
-                        m->depths, MOST_DEPTHS);
+                        m->depths, MAX_DEPTHS);
     size_t from = first_counted(o, m);
     made = (ovr_life_result){.least_depth = m->z[from]};
     find_intervals(o, m->depths, m->z, of);

@@ -170,15 +170,15 @@ static void lower(size_t n, const float *restrict v, float *restrict low)
 static float largest(size_t n, const float *restrict v)
 {
     enum { WIDE = 16 };
-    float most[WIDE] = {0}, all = 0;
+    float maximum[WIDE] = {0}, all = 0;
     size_t i = 0;
     for (; i + WIDE <= n; i += WIDE)
         for (size_t l = 0; l < WIDE; l++)
-            most[l] = v[i + l] > most[l] ? v[i + l] : most[l];
+            maximum[l] = v[i + l] > maximum[l] ? v[i + l] : maximum[l];
     for (; i < n; i++)
         all = v[i] > all ? v[i] : all;
     for (size_t l = 0; l < WIDE; l++)
-        all = most[l] > all ? most[l] : all;
+        all = maximum[l] > all ? maximum[l] : all;
     return all;
 }
 

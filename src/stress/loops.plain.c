@@ -80,10 +80,10 @@ static void lower(size_t n, const float *v, float *low)
 
 static float largest(size_t n, const float *v)
 {
-    float most = 0;
+    float maximum = 0;
     for (size_t i = 0; i < n; i++)
-        most = fmaxf(most, v[i]);
-    return most;
+        maximum = fmaxf(maximum, v[i]);
+    return maximum;
 }
 
 static void circles(size_t n, const float *rows, size_t pitch, float *radius)

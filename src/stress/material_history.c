@@ -78,14 +78,14 @@ static void note_extreme(const ovr_stress_loops *loops, size_t n,
                          const float *v, const ovr_stress_row *row,
                          size_t first, double T, ovr_stress_extreme *extreme)
 {
-    double most = loops->largest(n, v);
-    if (!(most > extreme->value))
+    double maximum = loops->largest(n, v);
+    if (!(maximum > extreme->value))
         return;
     size_t i = 0;
-    while (i + 1 < n && (double)v[i] < most)
+    while (i + 1 < n && (double)v[i] < maximum)
         i++;
     double X = row->start + (double)(first + i) * row->step;
-    *extreme = (ovr_stress_extreme){most, X, row->z, T};
+    *extreme = (ovr_stress_extreme){maximum, X, row->z, T};
 }
 
 typedef enum noted { SHEAR, ACROSS, ALONG } noted;
@@ -194,8 +194,8 @@ static void follow_depth(ovr_material_history *p, size_t depth, place at,
     note_extremes(p, &row, first, n, T);
     long k = (long)first + point_at(p, row.level, at);
     long skip = k < 0 ? -k : 0;
-    long most = (long)p->grid[row.level].points - (k + skip);
-    long count = (long)n - skip < most ? (long)n - skip : most;
+    long maximum = (long)p->grid[row.level].points - (k + skip);
+    long count = (long)n - skip < maximum ? (long)n - skip : maximum;
     if (count > 0)
         widen(p, depth, (size_t)skip, (size_t)(k + skip), (size_t)count);
 }
@@ -394,7 +394,7 @@ static ovr_stress_extreme root(ovr_stress_extreme of_square)
 ovr_layer_extremes ovr_material_history_layers(const ovr_material_history *p)
 {
     ovr_layer_extremes of = p->layers;
-    for (int j = 0; j < OVR_LAYERS_MOST; j++)
+    for (int j = 0; j < OVR_LAYERS_MAX; j++)
         of.von_mises[j] = root(of.von_mises[j]);
     return of;
 }

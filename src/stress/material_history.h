@@ -23,8 +23,8 @@ enum {
 /* The extremes of layers over a run: the largest von Mises stress of each,
  * shear and tension on interfaces, tension along the surface. */
 typedef struct ovr_layer_extremes {
-    ovr_stress_extreme von_mises[OVR_LAYERS_MOST];
-    ovr_stress_extreme shear[OVR_LAYERS_MOST]; /* below each */
+    ovr_stress_extreme von_mises[OVR_LAYERS_MAX];
+    ovr_stress_extreme shear[OVR_LAYERS_MAX]; /* below each */
     ovr_stress_extreme tension, surface;
 } ovr_layer_extremes;
 
@@ -47,8 +47,8 @@ struct ovr_material_history {
     ovr_stress *stress;
     ovr_material_range range;
     /* of each layer, and of the body below them */
-    ovr_state_constants constants[OVR_LAYERS_MOST + 1];
-    float rest[OVR_LAYERS_MOST + 1][OVR_ROWS]; /* of material before all */
+    ovr_state_constants constants[OVR_LAYERS_MAX + 1];
+    float rest[OVR_LAYERS_MAX + 1][OVR_ROWS]; /* of material before all */
     ovr_material_grid grid[OVR_STRESS_LEVELS];
     int finest; /* level of the shallowest depth */
     long first; /* finest material points, without margins */

@@ -230,10 +230,10 @@ double ovr_material_history_memory(const ovr_stress_options *given,
     if (isnan(bytes) || take(given, given_range, o, range, NULL) ||
         check(o, range, NULL))
         return NAN;
-    double least = o->depth_min > 0 ? o->depth_min : 4 * o->mesh;
+    double minimum = o->depth_min > 0 ? o->depth_min : 4 * o->mesh;
     double scratch = (double)ovr_stress_capacity(o);
     for (size_t j = 0; j < ovr_depths(o, NULL); j++) {
-        double z = least * exp2((double)j / o->per_octave);
+        double z = minimum * exp2((double)j / o->per_octave);
         double step = ldexp(o->mesh, ovr_depth_level(o, z));
         double points = (range->to - range->from) / step + 3;
         bytes += 4 * OVR_ROWS * points;

@@ -6,7 +6,7 @@
  * phi = u . s, u = (-sin 2 phi, cos 2 phi): half the extent along it is the
  * amplitude on that plane and on the one across.  tau_xz itself is exact,
  * planes are 5.6 degrees apart, and the amplitude on the worst of them is low
- * by 0.5 % at the most, as is the circle's radius (circle.c).
+ * by 0.5 % at most, as is the circle's radius (circle.c).
  */
 #include <math.h>
 

@@ -152,7 +152,7 @@ ovr_status ovr_material_history_amplitude(const ovr_material_history *history,
 void ovr_risk(const ovr_life_options *options, size_t depths, const double *z,
               const double *A, double *risk);
 
-/* risk[points]: from the least depth down; length[depths]: the equivalent
+/* risk[points]: from the smallest depth down; length[depths]: the equivalent
  * length lambda = int (i - i_0) dxi / i_0 counted from z[j] down.  Either may
  * be NULL. */
 ovr_status ovr_life(const ovr_life_options *options,

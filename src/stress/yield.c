@@ -14,7 +14,7 @@
  *
  * all three of one width.  Sums of P from the left give each mean at once;
  * widths are thirds of an octave, places a sixteenth of the width apart.  What
- * is narrower than `least` is left to the mesh.
+ * is narrower than `minimum` is left to the mesh.
  */
 #include <math.h>
 
@@ -70,8 +70,8 @@ static void look_at_width(const ovr_pressure_sums *s, long width, long first,
     }
 }
 
-bool ovr_strip_find(ovr_pressure_sums *s, const double *P, double least,
-                    double most, ovr_strip *worst)
+bool ovr_strip_find(ovr_pressure_sums *s, const double *P, double minimum,
+                    double maximum, ovr_strip *worst)
 {
     double old = worst->excess;
     long n = (long)s->nodes, first = 0, last = n - 1;
@@ -83,7 +83,8 @@ bool ovr_strip_find(ovr_pressure_sums *s, const double *P, double least,
         last--;
     for (long i = 0; i < n; i++)
         s->sum[i + 1] = s->sum[i] + P[i];
-    for (double w = fmax(least, 1); w <= most; w *= exp2(1 / widths_of_octave))
+    for (double w = fmax(minimum, 1); w <= maximum;
+         w *= exp2(1 / widths_of_octave))
         look_at_width(s, lround(w), first, last, worst);
     return worst->excess > old;
 }

@@ -18,9 +18,9 @@ typedef struct ovr_strip {
     double excess, middle, width;
 } ovr_strip;
 
-/* Puts the strip of `least` to `most` nodes with the largest excess where that
- * is above the one of *worst; whether it is. */
-bool ovr_strip_find(ovr_pressure_sums *s, const double *P, double least,
-                    double most, ovr_strip *worst);
+/* Puts the strip of `minimum` to `maximum` nodes with the largest excess where
+ * that is above the one of *worst; whether it is. */
+bool ovr_strip_find(ovr_pressure_sums *s, const double *P, double minimum,
+                    double maximum, ovr_strip *worst);
 
 #endif

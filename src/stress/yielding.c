@@ -262,8 +262,8 @@ static void solve_wave(ovr_yielding *y, size_t m, size_t layers)
     memset(y->sum, 0, 2 * rows * sizeof *y->sum);
     for (size_t j = 0; j < o->layers; j++) {
         size_t n = PARTS * (reach[2 * j + 1] - reach[2 * j]);
-        size_t at = PARTS * (size_t)reach[2 * j], most = PARTS * layers;
-        size_t some = at >= most ? 0 : at + n > most ? most - at : n;
+        size_t at = PARTS * (size_t)reach[2 * j], maximum = PARTS * layers;
+        size_t some = at >= maximum ? 0 : at + n > maximum ? maximum - at : n;
         for (size_t c = 0; y->strained[j] && c < PARTS; c++) {
             const double *e = y->e[(PARTS * j + c) * y->waves + m];
             double a = c == 2 ? -e[1] : e[0], b = c == 2 ? e[0] : e[1];
@@ -362,15 +362,15 @@ double ovr_yielding_reserve(ovr_yielding *y)
 {
     if (y->reserve_known)
         return y->reserve;
-    double most = -INFINITY;
+    double maximum = -INFINITY;
     for (size_t j = 0; j < y->options.layers; j++)
         for (size_t i = 0; i < y->options.points; i++) {
             double f = ovr_beyond_yield(&y->options.hardening,
                                         ovr_yielding_strain(y, j, i),
                                         ovr_yielding_residual(y, j, i));
-            most = f > most ? f : most;
+            maximum = f > maximum ? f : maximum;
         }
-    y->reserve = -most;
+    y->reserve = -maximum;
     y->reserve_known = true;
     return y->reserve;
 }
@@ -398,7 +398,7 @@ static bool flow_layer(ovr_yielding *y, size_t j, ovr_flowed *flowed)
         to[2 * n + i] = e.xz;
         to[3 * n + i] = e.all;
         flowed->left = fmax(flowed->left, f / Y);
-        flowed->most = fmax(flowed->most, flow);
+        flowed->maximum = fmax(flowed->maximum, flow);
         flowed->points += flowed->iterations == 0;
         any = true;
     }

@@ -53,7 +53,7 @@ typedef struct ovr_flowed {
     int iterations; /* that flowed; 0: nothing did */
     size_t points;  /* that flowed in the first of them */
     double left;    /* f/Y before the last, at most */
-    double most;    /* largest flow of a point, p_h/E* */
+    double maximum; /* largest flow of a point, p_h/E* */
     double work;    /* b^2 p_h^2/E* along the line */
 } ovr_flowed;
 ovr_flowed ovr_yielding_flow(ovr_yielding *y);

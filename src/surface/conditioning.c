@@ -177,7 +177,7 @@ static ovr_status close_gaps(ovr_profile *p, const ovr_conditioning *how,
                              size_t *n, ovr_error *err)
 {
     size_t missing = count_missing(*n, p->z), filled;
-    double length, where, most = how->max_gap;
+    double length, where, maximum = how->max_gap;
     if (!missing)
         return OVR_OK;
     if ((double)missing > how->max_missing * (double)*n)
@@ -189,16 +189,17 @@ static ovr_status close_gaps(ovr_profile *p, const ovr_conditioning *how,
                         how->max_missing));
     if (cut_ends(p, n, err))
         return OVR_BAD_INPUT;
-    if (isnan(most))
-        most = 0.05 * (p->x[*n - 1] - p->x[0]);
+    if (isnan(maximum))
+        maximum = 0.05 * (p->x[*n - 1] - p->x[0]);
     ovr_longest_gap(*n, p->x, p->z, &length, &where);
-    if (length > most)
+    if (length > maximum)
         return ovr_about(
             err, "max_gap",
             ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
                         "a gap of %s at x = %s is longer than %s = %s%s",
                         ovr_along(p, length).text, ovr_along(p, where).text,
-                        ovr_named(p, "max_gap").text, ovr_along(p, most).text,
+                        ovr_named(p, "max_gap").text,
+                        ovr_along(p, maximum).text,
                         isnan(how->max_gap) ? ", 5 % of the length" : ""));
     filled = ovr_fill_gaps(*n, p->x, p->z);
     p->view.filled += filled;

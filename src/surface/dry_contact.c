@@ -140,14 +140,14 @@ static double judge(const ovr_dry_contact *of, const double *z, const double *p,
 ovr_dry_state ovr_dry_contact_solve(const ovr_dry_contact *of, const double *z,
                                     double mean, double *p)
 {
-    enum { MOST = 2000 };
+    enum { MAX = 2000 };
     const double enough = of->enough > 0 ? of->enough : 1e-9;
     size_t n = of->n;
     search s = {of->workspace, of->workspace + n, of->workspace + 2 * n, 0};
     ovr_dry_state state = {0};
     bool begins = true;
     scale_to(n, p, mean);
-    for (; state.steps < MOST; state.steps++) {
+    for (; state.steps < MAX; state.steps++) {
         find_gap(of, z, p, s.gap);
         state.found = judge(of, z, p, s.gap, &state) < enough;
         if (state.found)

@@ -15,10 +15,10 @@ size_t ovr_surfaces_count(const ovr_surfaces *surfaces)
 
 static double amplitude(const ovr_feature *f)
 {
-    double most = fmax(fabs(f->A), f->shoulder);
+    double maximum = fmax(fabs(f->A), f->shoulder);
     for (size_t i = 0; f->table && i < f->table->n; i++)
-        most = fmax(most, fabs(f->table->z[i]));
-    return most;
+        maximum = fmax(maximum, fabs(f->table->z[i]));
+    return maximum;
 }
 
 static double roughness(const ovr_feature *f)
@@ -90,12 +90,12 @@ double ovr_surfaces_speed(const ovr_surfaces *surfaces)
 {
     if (!surfaces)
         return NAN;
-    double most = -1, speed = NAN;
+    double maximum = -1, speed = NAN;
     if (surfaces->sliding) /* not one */
         return NAN;
     for (const ovr_placed_feature *l = surfaces->first; l; l = l->next)
-        if (slope(&l->feature) > most) {
-            most = slope(&l->feature);
+        if (slope(&l->feature) > maximum) {
+            maximum = slope(&l->feature);
             speed = l->feature.ratio;
         }
     return speed;

@@ -33,10 +33,10 @@ static double wandering_time_of(const ovr_surfaces *surfaces,
                                 double until)
 {
     const double step = 0.05;
-    enum { MOST = 100000 };
+    enum { MAX = 100000 };
     bool above = ovr_feature_moved(surfaces, f, after) > far;
     double low = after;
-    for (int k = 0; k < MOST && low < until; k++) {
+    for (int k = 0; k < MAX && low < until; k++) {
         double high = fmin(low + step, until);
         if ((ovr_feature_moved(surfaces, f, high) > far) == above) {
             low = high;

@@ -38,7 +38,7 @@ bool ovr_split(ovr_line line, char separator, ovr_fields *fields)
     for (;; p++) {
         if (p < end && !is_separator(*p, separator))
             continue;
-        if (fields->count == OVR_FIELDS_MAX)
+        if (fields->count == OVR_HEADER_FIELDS_MAX)
             return false;
         fields->field[fields->count++] = ovr_trim(
             (ovr_line){from, (size_t)(p - from), line.number});
@@ -257,7 +257,7 @@ static bool read_statement(ovr_header *header, ovr_line line)
 static void read_words(ovr_header *header, ovr_line line)
 {
     size_t units = 0, axes = 0;
-    ovr_column found[OVR_FIELDS_MAX];
+    ovr_column found[OVR_HEADER_FIELDS_MAX];
     words w = {line, line.text};
     ovr_line word;
     double number;

@@ -5,12 +5,12 @@
 
 #include "base/text.h"
 
-enum { OVR_FIELDS_MAX = 64 };
+enum { OVR_HEADER_FIELDS_MAX = 64 };
 
 typedef struct ovr_fields {
     size_t count;
     bool open; /* the line ended with a separator: one more, empty */
-    ovr_line field[OVR_FIELDS_MAX];
+    ovr_line field[OVR_HEADER_FIELDS_MAX];
 } ovr_fields;
 
 typedef struct ovr_layout {
@@ -35,7 +35,7 @@ typedef struct ovr_column {
 
 typedef struct ovr_header {
     size_t columns;
-    ovr_column column[OVR_FIELDS_MAX];
+    ovr_column column[OVR_HEADER_FIELDS_MAX];
     bool stated; /* of a single column: by "unit = um", not only named */
     double spacing, spacing_metres; /* "spacing = 0.5 um"; 0: not said */
 } ovr_header;

@@ -230,10 +230,10 @@ static void take_auto(ovr_profile *p, size_t n, double *work, double *kept,
 
 static double largest(size_t n, const double *z)
 {
-    double most = 0;
+    double maximum = 0;
     for (size_t i = 0; i < n; i++)
-        most = fmax(most, fabs(z[i]));
-    return most;
+        maximum = fmax(maximum, fabs(z[i]));
+    return maximum;
 }
 
 static ovr_status choose(ovr_profile *p, size_t n, double *work, double dust,

@@ -20,8 +20,8 @@
 static ovr_status grow(ovr_arena *arena, char **data, size_t *capacity,
                        ovr_error *err)
 {
-    const size_t most = (size_t)OVR_CONTENT_MAX + 1;
-    size_t wider = 4 * *capacity < OVR_CONTENT_MAX ? 4 * *capacity : most;
+    const size_t maximum = (size_t)OVR_CONTENT_MAX + 1;
+    size_t wider = 4 * *capacity < OVR_CONTENT_MAX ? 4 * *capacity : maximum;
     char *moved = ovr_arena_take(arena, wider, 1, err);
     if (!moved)
         return OVR_NO_MEMORY;

@@ -75,7 +75,7 @@ static ovr_status read_header(const char *file, ovr_lines *lines, axis *x,
 static ovr_status check(const char *file, const axis *x, const axis *y,
                         const axis *z, ovr_error *err)
 {
-    double most = OVR_POINTS_MAX, lines = y->given ? y->count : 1;
+    double maximum = OVR_POINTS_MAX, lines = y->given ? y->count : 1;
     if (!x->given || !z->given)
         return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
                            "SMD header: the axes CX and CZ are needed");
@@ -83,10 +83,11 @@ static ovr_status check(const char *file, const axis *x, const axis *y,
         return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
                            "SMD header: CX must be incremental (I) and CZ "
                            "absolute (A), nothing else is read");
-    if (!(x->count >= 2 && x->count <= most) || !(lines >= 1 && lines <= most))
+    if (!(x->count >= 2 && x->count <= maximum) ||
+        !(lines >= 1 && lines <= maximum))
         return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
                            "SMD header: %g x %g points must be from 2 to %g",
-                           x->count, lines, most);
+                           x->count, lines, maximum);
     if (!(x->increment * x->scale > 0))
         return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
                            "SMD header: the increment of CX must be positive");

@@ -61,10 +61,10 @@ static bool find_main(package *k, zip_uint64_t *index)
     return false;
 }
 
-/* Sizes in a ZIP's directory are only promises: `most` bounds what is taken
+/* Sizes in a ZIP's directory are only promises: `maximum` bounds what is taken
  * and the content must be as long as it says. */
 static ovr_status unpack(package *k, zip_uint64_t index, const char *name,
-                         size_t most, ovr_bytes *out, ovr_error *err)
+                         size_t maximum, ovr_bytes *out, ovr_error *err)
 {
     const char *file = k->profile->file;
     zip_stat_t about;
@@ -72,11 +72,11 @@ static ovr_status unpack(package *k, zip_uint64_t index, const char *name,
     zip_int64_t got;
     char *data, behind;
     if (zip_stat_index(k->zip, index, 0, &about) != 0 ||
-        !(about.valid & ZIP_STAT_SIZE) || about.size > most)
+        !(about.valid & ZIP_STAT_SIZE) || about.size > maximum)
         return ovr_fail_at(
             err, OVR_BAD_INPUT, file, 0,
             "'%s' in it is larger than the %zu bytes that are read at most",
-            name, most);
+            name, maximum);
     data = ovr_arena_take(&k->arena, (size_t)about.size, 1, err);
     if (!data)
         return OVR_NO_MEMORY;

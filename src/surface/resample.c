@@ -3,7 +3,7 @@
  * Anti-aliasing and band-limited interpolation of a profile.
  *
  *   1. Points at unequal distances go through GSL's natural spline to equal
- *      distances d (the mean distance, or the least if that is not below 1/8
+ *      distances d (the mean distance, or the smallest if that is not below 1/8
  *      of it).
  *   2. A windowed sinc gives the profile at any place,
  *          z(s) = sum_j z_j w_j / sum_j w_j,
@@ -44,10 +44,10 @@ typedef struct series {
 
 static double equal_distance(size_t n, const double *x)
 {
-    double mean = (x[n - 1] - x[0]) / (double)(n - 1), least = mean;
+    double mean = (x[n - 1] - x[0]) / (double)(n - 1), minimum = mean;
     for (size_t i = 1; i < n; i++)
-        least = fmin(least, x[i] - x[i - 1]);
-    return least > 0.98 * mean ? mean : fmax(least, mean / 8);
+        minimum = fmin(minimum, x[i] - x[i - 1]);
+    return minimum > 0.98 * mean ? mean : fmax(minimum, mean / 8);
 }
 
 static ovr_status make_equal(size_t n, const double *x, const double *z,
@@ -151,16 +151,16 @@ static double part_lost(const series *s)
 static ovr_status check_ends(const ovr_ends *ends, double length, double *taper,
                              ovr_error *err)
 {
-    double most = length / 2;
+    double maximum = length / 2;
     *taper = isnan(ends->taper) ? 0.05 * length : ends->taper;
-    if (*taper >= 0 && *taper <= most)
+    if (*taper >= 0 && *taper <= maximum)
         return OVR_OK;
     return ovr_about(
         err, "taper",
         ovr_fail(err, OVR_BAD_INPUT,
                  "taper = %g b must be between 0 and half the profile's "
                  "length, %g b",
-                 *taper, most));
+                 *taper, maximum));
 }
 
 /* One period ends where its blended beginning starts. */

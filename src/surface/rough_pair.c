@@ -11,7 +11,7 @@
 #include "surface/profile.h"
 #include "surface/resample.h"
 
-enum { LEAST = 256, MOST = 2048, PLACES = 6, A_DECADE = 4, DECADES = 5 };
+enum { MIN = 256, MAX = 2048, PLACES = 6, A_DECADE = 4, DECADES = 5 };
 
 /* ------------------------------------------------------------------ heights
  */
@@ -70,11 +70,11 @@ static void make_alike(source s[2], ovr_rough_pair *pair)
 
 static size_t nodes_of(const source s[2])
 {
-    size_t most = LEAST, n = LEAST;
+    size_t maximum = MIN, n = MIN;
     for (int k = 0; k < 2; k++)
-        if (s[k].profile && s[k].profile->view.n > most)
-            most = s[k].profile->view.n;
-    while (n < most && n < MOST)
+        if (s[k].profile && s[k].profile->view.n > maximum)
+            maximum = s[k].profile->view.n;
+    while (n < maximum && n < MAX)
         n *= 2;
     return n;
 }
@@ -122,8 +122,8 @@ static void shorten_to(source *s, double mesh)
     ovr_profile *p = s->profile;
     size_t n = p->view.n;
     double spacing = length_of(p) / (double)(n - 1);
-    double most = fmax(spacing, mesh / 8) * MOST;
-    while (p->view.n > 2 && length_of(p) > most)
+    double maximum = fmax(spacing, mesh / 8) * MAX;
+    while (p->view.n > 2 && length_of(p) > maximum)
         p->view.n--;
     if (p->view.n < n)
         s->ends.closed = false;
@@ -145,7 +145,7 @@ static ovr_status make(ovr_rough_pair *pair,
         }
     if (!status) {
         make_alike(s, pair);
-        pair->n = left_by > 0 ? MOST : nodes_of(s);
+        pair->n = left_by > 0 ? MAX : nodes_of(s);
     }
     for (int k = 0; !status && k < 2; k++) {
         if (!s[k].profile)
@@ -272,7 +272,7 @@ static void put_pressures(ovr_rough_pair *pair, size_t j, size_t shift,
 /* All pressures of a place, from the highest down; *least rises to the first
  * below which they are not all found. */
 static void press(ovr_rough_pair *pair, const ovr_dry_contact *dry, int k,
-                  double *z, ovr_touch_table *t, size_t *least)
+                  double *z, ovr_touch_table *t, size_t *minimum)
 {
     size_t n = pair->n, shift = place(pair, k);
     double part = 1. / places_of(pair), *p = z + n;
@@ -282,8 +282,8 @@ static void press(ovr_rough_pair *pair, const ovr_dry_contact *dry, int k,
     for (size_t j = pair->points; j-- > 0;) {
         size_t i = pair->points - 1 - j; /* the gap rises */
         ovr_dry_state s = ovr_dry_contact_solve(dry, z, pair->p[j], p);
-        if (!s.found && j >= *least)
-            *least = j + 1;
+        if (!s.found && j >= *minimum)
+            *minimum = j + 1;
         t->H[i] += part * s.gap;
         t->area[i] += part * s.area;
         put_pressures(pair, j, shift, part, p);
@@ -329,10 +329,10 @@ static void clear(ovr_rough_pair *pair, ovr_touch_table *t)
 static void shorten(const ovr_rough_pair *pair, size_t lightest,
                     ovr_touch_table *t)
 {
-    const double least = 1e-3 * pair->Rq;
+    const double minimum = 1e-3 * pair->Rq;
     size_t kept = 0;
     for (size_t i = 0; i + lightest < pair->points; i++) {
-        if (t->H[i] < least || (kept && !(t->H[i] > t->H[kept - 1])))
+        if (t->H[i] < minimum || (kept && !(t->H[i] > t->H[kept - 1])))
             continue;
         t->H[kept] = t->H[i];
         t->area[kept] = t->area[i];
@@ -374,7 +374,7 @@ ovr_status ovr_rough_pair_law(ovr_rough_pair *pair, ovr_touch_table *t,
     return OVR_OK;
 }
 
-ovr_status ovr_profile_contact(const ovr_profile *profile, size_t most,
+ovr_status ovr_profile_contact(const ovr_profile *profile, size_t maximum,
                                ovr_dry_point *points, size_t *found,
                                ovr_error *err)
 {
@@ -387,7 +387,7 @@ ovr_status ovr_profile_contact(const ovr_profile *profile, size_t most,
     if (!status)
         status = ovr_rough_pair_law(&pair, &t, &arena, err);
     *found = 0;
-    for (size_t k = t.n; !status && k-- > 0 && *found < most;)
+    for (size_t k = t.n; !status && k-- > 0 && *found < maximum;)
         points[(*found)++] = (ovr_dry_point){exp(t.ln_A[k]), t.H[k], t.area[k]};
     ovr_arena_release(&arena);
     return status;
@@ -436,9 +436,9 @@ void ovr_rough_pair_wear(ovr_rough_pair *pair, const double c[2],
 double ovr_rough_pair_deepest(const ovr_rough_pair *pair, const double c[2],
                               const double *w)
 {
-    double most = 0;
+    double maximum = 0;
     for (int k = 0; k < 2; k++)
         for (size_t i = 0; pair->z[k] && c[k] > 0 && i < pair->n; i++)
-            most = fmax(most, c[k] * depth(pair, k, w, i));
-    return most;
+            maximum = fmax(maximum, c[k] * depth(pair, k, w, i));
+    return maximum;
 }

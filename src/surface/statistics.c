@@ -31,11 +31,11 @@ static void measure_lengths(const ovr_profile *p, ovr_profile_numbers *r)
     size_t n = r->n = p->view.n;
     r->length = p->x[n - 1] - p->x[0];
     r->spacing = r->length / (double)(n - 1);
-    r->spacing_least = r->spacing_most = p->x[1] - p->x[0];
+    r->spacing_min = r->spacing_max = p->x[1] - p->x[0];
     for (size_t i = 1; i < n; i++) {
         double d = p->x[i] - p->x[i - 1];
-        r->spacing_least = fmin(r->spacing_least, d);
-        r->spacing_most = fmax(r->spacing_most, d);
+        r->spacing_min = fmin(r->spacing_min, d);
+        r->spacing_max = fmax(r->spacing_max, d);
     }
 }
 
@@ -251,7 +251,7 @@ static ovr_profile_wave wave_at(const spectrum *s, size_t k, double total)
                               sqrt(sum * 32 / 3) / (double)s->n, sum / total};
 }
 
-ovr_status ovr_profile_waves(const ovr_profile *profile, size_t most,
+ovr_status ovr_profile_waves(const ovr_profile *profile, size_t maximum,
                              ovr_profile_wave *waves, size_t *found,
                              ovr_error *err)
 {
@@ -266,7 +266,7 @@ ovr_status ovr_profile_waves(const ovr_profile *profile, size_t most,
         status = transform(profile, &s, &arena, err);
     for (size_t k = 1; !status && k < s.n / 2; k++)
         total += s.power[k];
-    while (!status && *found < most && total > 0) {
+    while (!status && *found < maximum && total > 0) {
         size_t k = strongest(&s);
         if (!k || s.power[k] < 1e-3 * total)
             break; /* none, or less than a tenth of a percent */

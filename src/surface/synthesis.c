@@ -29,7 +29,7 @@
 #include "base/given.h"
 #include "surface/profile.h"
 
-enum { MOST = 1 << 20, ITERATIONS = 25 };
+enum { MAX = 1 << 20, ITERATIONS = 25 };
 
 typedef struct random_surface {
     const ovr_roughness *form;
@@ -213,7 +213,7 @@ static ovr_status check(random_surface *s, ovr_error *err)
         return bad(err, "rolloff", s->longest, "positive");
     if (!(s->correlation > 0))
         return bad(err, "correlation", s->correlation, "positive");
-    if (!(s->shortest > f->length * 8 / MOST && s->shortest <= f->length))
+    if (!(s->shortest > f->length * 8 / MAX && s->shortest <= f->length))
         return bad(err, "shortest", s->shortest,
                    "at most the length and above 1/131072 of it");
     if (f->seed < 0)

@@ -45,21 +45,21 @@ double bench_median(size_t count, double values[])
     return values[count / 2];
 }
 
-void bench_measure(size_t count, bench_work work[], double least, int rounds)
+void bench_measure(size_t count, bench_work work[], double minimum, int rounds)
 {
-    enum { MOST = 101 };
-    double *seconds = calloc(count * MOST, sizeof *seconds);
+    enum { MAX = 101 };
+    double *seconds = calloc(count * MAX, sizeof *seconds);
     long *calls = calloc(count, sizeof *calls);
     for (size_t k = 0; k < count; k++) {
         double once = timed(&work[k], 1);
-        calls[k] = once > 0 && once < least ? (long)(least / once) + 1 : 1;
+        calls[k] = once > 0 && once < minimum ? (long)(minimum / once) + 1 : 1;
     }
-    rounds = rounds < MOST ? rounds : MOST;
+    rounds = rounds < MAX ? rounds : MAX;
     for (int r = 0; r < rounds; r++)
         for (size_t k = 0; k < count; k++)
-            seconds[k * MOST + (size_t)r] = timed(&work[k], calls[k]);
+            seconds[k * MAX + (size_t)r] = timed(&work[k], calls[k]);
     for (size_t k = 0; k < count; k++)
-        work[k].seconds = bench_median((size_t)rounds, seconds + k * MOST);
+        work[k].seconds = bench_median((size_t)rounds, seconds + k * MAX);
     free(seconds);
     free(calls);
 }

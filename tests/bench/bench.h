@@ -22,8 +22,8 @@ typedef struct bench_work {
 /* Sorts the values. */
 double bench_median(size_t count, double values[]);
 
-/* Every round runs each piece of work for `least` seconds or once. */
-void bench_measure(size_t count, bench_work work[], double least, int rounds);
+/* Every round runs each piece of work for `minimum` seconds or once. */
+void bench_measure(size_t count, bench_work work[], double minimum, int rounds);
 
 /* JSON: one document, written to the path that the program was given. */
 void bench_open(int argc, char *argv[]);

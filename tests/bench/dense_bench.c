@@ -24,13 +24,13 @@ static void solve(void *sim)
 #include <lapacke.h>
 void openblas_set_num_threads(int);
 
-enum { MOST = 1800 };
+enum { MAX = 1800 };
 static int newton_steps;
 
 /* Rows of the kernel are columns of LAPACK: the transposed system. */
 static bool by_lapack(size_t m, size_t stride, double *A, double *x)
 {
-    static lapack_int pivots[MOST];
+    static lapack_int pivots[MAX];
     lapack_int n = (lapack_int)m, lda = (lapack_int)stride;
     for (size_t i = 0; i < m; i++)
         x[i] = A[i * stride + m];

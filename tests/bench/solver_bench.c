@@ -108,11 +108,11 @@ static void measure_level(timed *t, int k)
             solve(sim[s]);
     }
     /* long enough that each finds its arrays in the cache again */
-    double least = level < 14 ? 2e-3 : level < 16 ? 5e-3 : 20e-3;
+    double minimum = level < 14 ? 2e-3 : level < 16 ? 5e-3 : 20e-3;
     if (fft)
-        bench_measure(works, work, least, level < 14 ? 15 : 5);
+        bench_measure(works, work, minimum, level < 14 ? 15 : 5);
     else
-        bench_measure(works - 1, work + 1, least, 3);
+        bench_measure(works - 1, work + 1, minimum, 3);
     t->n[k] = (double)n;
     t->fft[k] = fft ? work[0].seconds : NAN;
     works = 1;

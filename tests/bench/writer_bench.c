@@ -30,7 +30,7 @@ typedef struct variant {
     bool write, single, no_thread;
     int deflate;
     bool checkpoints;      /* so often */
-    double wall, own, all; /* s, the least so far */
+    double wall, own, all; /* s, the smallest so far */
     long bytes;
 } variant;
 
@@ -129,10 +129,10 @@ static void march(const variant *v, const ovr_contact *contact,
         die(&err);
 }
 
-static void keep_least(double *least, double value)
+static void keep_min(double *minimum, double value)
 {
-    if (*least == 0 || value < *least)
-        *least = value;
+    if (*minimum == 0 || value < *minimum)
+        *minimum = value;
 }
 
 static void measure(variant *v, const char *path)
@@ -144,9 +144,9 @@ static void measure(variant *v, const char *path)
     double all = seconds(CLOCK_PROCESS_CPUTIME_ID);
     FILE *file;
     march(v, &contact, sim, path);
-    keep_least(&v->wall, seconds(CLOCK_MONOTONIC) - wall);
-    keep_least(&v->own, seconds(CLOCK_THREAD_CPUTIME_ID) - own);
-    keep_least(&v->all, seconds(CLOCK_PROCESS_CPUTIME_ID) - all);
+    keep_min(&v->wall, seconds(CLOCK_MONOTONIC) - wall);
+    keep_min(&v->own, seconds(CLOCK_THREAD_CPUTIME_ID) - own);
+    keep_min(&v->all, seconds(CLOCK_PROCESS_CPUTIME_ID) - all);
     file = v->write ? fopen(path, "rb") : NULL;
     if (file && fseek(file, 0, SEEK_END) == 0)
         v->bytes = ftell(file);

@@ -6,20 +6,20 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-enum { MOST = 1 << 20 };
+enum { MAX = 1 << 20 };
 
 int main(int argc, char **argv)
 {
     for (int k = 1; k < argc; k++) {
         FILE *in = fopen(argv[k], "rb");
-        uint8_t *data = malloc(MOST);
+        uint8_t *data = malloc(MAX);
         uint8_t *exact;
         size_t size;
         if (!in || !data) {
             fprintf(stderr, "%s: cannot be read\n", argv[k]);
             return 1;
         }
-        size = fread(data, 1, MOST, in);
+        size = fread(data, 1, MAX, in);
         fclose(in);
         exact = realloc(data, size ? size : 1); /* a step too far shows */
         LLVMFuzzerTestOneInput(exact, size);

@@ -19,15 +19,15 @@
 /* Of any rank, in any group: what says that it is not too large. */
 static void read_all(ovr_result *r)
 {
-    enum { MOST = 1 << 20 };
+    enum { MAX = 1 << 20 };
     ovr_error err = {0};
     const ovr_variable *v;
-    double *values = malloc(MOST * sizeof *values);
+    double *values = malloc(MAX * sizeof *values);
     for (size_t k = 0; values && (v = ovr_result_variable(r, k)); k++) {
         size_t count = v->rank == 1 ? v->shape[0] : 1;
         for (int d = 1; d < v->rank; d++)
             count *= v->shape[d];
-        if (count <= MOST)
+        if (count <= MAX)
             ovr_result_read(r, v->path, 0, OVR_AS_STORED, values, &err);
     }
     free(values);

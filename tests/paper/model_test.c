@@ -168,10 +168,10 @@ static void add_power(const grid *g, double *power)
  * many random errors. */
 static double smoothing_rate(const model *m, grid *g)
 {
-    enum { TRIALS = 60, MOST = 512 };
-    double before[MOST] = {0}, after[MOST] = {0}, worst = 0;
+    enum { TRIALS = 60, MAX = 512 };
+    double before[MAX] = {0}, after[MAX] = {0}, worst = 0;
     uint64_t state = 5;
-    assert_true(g->n <= MOST);
+    assert_true(g->n <= MAX);
     for (int t = 0; t < TRIALS; t++) {
         random_error(g, &state);
         add_power(g, before);

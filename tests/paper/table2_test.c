@@ -64,10 +64,10 @@ static void check_row(int level, const test_solution *s, int order)
 /* All rows are printed before any is judged. */
 static void table(int order, ovr_smoother smoother)
 {
-    enum { MOST = 20 };
-    test_solution row[MOST + 1];
+    enum { MAX = 20 };
+    test_solution row[MAX + 1];
     int last = test_levels(10);
-    assert_true(last <= MOST);
+    assert_true(last <= MAX);
     header(order, smoother);
     for (int level = EXACT_FIRST; level <= last; level++) {
         row[level] = solve(level, order, smoother);

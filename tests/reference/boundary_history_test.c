@@ -202,12 +202,12 @@ static void after_a_reversal_it_is_the_steady_film(void **state)
         assign(c, "time.end=20");
         run = gone(c);
         const ovr_observation *o = end_of(run);
-        double most = ovr_simulation_statistics(ovr_run_about(run)->sim)
-                          ->extreme.more[SHARE];
+        double maximum = ovr_simulation_statistics(ovr_run_about(run)->sim)
+                             ->extreme.more[SHARE];
         print_message("%s: share %.4f at most, %.6f at the end, %.6f steady\n",
-                      turns ? "turned" : "from rest", most, o->more[SHARE],
+                      turns ? "turned" : "from rest", maximum, o->more[SHARE],
                       share);
-        assert_true(most > 1.2 * share);
+        assert_true(maximum > 1.2 * share);
         CHECK_CLOSE(o->more[SHARE], share, 1e-4);
         CHECK_CLOSE(o->H_cen, H, 1e-5);
         ovr_run_free(run);

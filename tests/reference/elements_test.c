@@ -571,8 +571,8 @@ static void many_rollers_are_the_integral(void **state)
         form.speed_inner = 10;
         form.clearance = 2 * d * (1 - 2 * eps);
         form.stiffness = 1e9;
-        double most = form.stiffness * pow(d - form.clearance / 2, 10.0 / 9);
-        form.load = form.rollers * most * truth_load_integral[k][1];
+        double maximum = form.stiffness * pow(d - form.clearance / 2, 10.0 / 9);
+        form.load = form.rollers * maximum * truth_load_integral[k][1];
         ovr_bearing *made = bearing(&form);
         CHECK_CLOSE(ovr_bearing_of(made)->displacement, d, 2e-5);
         ovr_bearing_free(made);

@@ -86,7 +86,7 @@ static double dent(int level, ovr_faces faces)
     ovr_error err = {0};
     test_feature rolls = {'l', -0.1, 0.5, -4.36, 1, 0};
     ovr_options o = test_options();
-    double least = INFINITY;
+    double minimum = INFINITY;
     o.level = level;
     o.faces = faces;
     o.scheme = OVR_CHARACTERISTIC;
@@ -97,17 +97,17 @@ static double dent(int level, ovr_faces faces)
         double D = ovr_simulation_state(sim)->D;
         CHECK_OK(ovr_simulation_step(sim, D, &err), &err);
         assert_false(ovr_simulation_observation(sim)->marked);
-        least = fmin(least, ovr_simulation_observation(sim)->H_min);
+        minimum = fmin(minimum, ovr_simulation_observation(sim)->H_min);
         T += D;
     }
     ovr_simulation_free(sim);
-    return least;
+    return minimum;
 }
 
 /* Ten times as exact at least; the limit is known to some 1e-5. */
 static void rolling_dents_are_more_exact(void **state)
 {
-    const double most[] = {1e-4, 5e-5, 2e-5};
+    const double maximum[] = {1e-4, 5e-5, 2e-5};
     double a[3];
     (void)state;
     for (int k = 0; k < 3; k++)
@@ -117,7 +117,7 @@ static void rolling_dents_are_more_exact(void **state)
         double f = dent(7 + k, OVR_FACES_GAP) / limit - 1;
         a[k] = a[k] / limit - 1;
         print_message("dent, level %d: %+.1e (%+.1e)\n", 7 + k, f, a[k]);
-        assert_true(fabs(f) < most[k] && fabs(f) < fabs(a[k]) / 10);
+        assert_true(fabs(f) < maximum[k] && fabs(f) < fabs(a[k]) / 10);
     }
 }
 

@@ -34,8 +34,8 @@ static ovr_simulation *contact(double S, double spreads, int level)
 static double kernel(double Pe, double from, double D)
 {
     enum { PARTS = 64 };
-    double sum = 0, most = fmax(fabs(from), fabs(from + D));
-    bool near = most < 1.5 * D;
+    double sum = 0, maximum = fmax(fabs(from), fabs(from + D));
+    bool near = maximum < 1.5 * D;
     for (int k = 0; k < PARTS; k++) {
         double s = from + (k + 0.5) * D / PARTS, x = fabs(Pe * s) / 2;
         sum += exp(Pe * s / 2) * gsl_sf_bessel_K0(x);
@@ -53,7 +53,7 @@ static double kernel(double Pe, double from, double D)
 static double full(const ovr_simulation *sim, int k)
 {
     const ovr_heated *h = sim->heated;
-    double D = ovr_simulation_state(sim)->D, u = h->u1 - k * h->V, most = 0;
+    double D = ovr_simulation_state(sim)->D, u = h->u1 - k * h->V, maximum = 0;
     double kappa = h->numbers.diffusion[k], Pe = u / kappa;
     size_t n = sim->now.n;
     double *half = calloc(2 * n, sizeof *half); /* between half nodes */
@@ -64,10 +64,10 @@ static double full(const ovr_simulation *sim, int k)
         double T = 0;
         for (size_t j = 0; j < n; j++) /* half the cell on either side */
             T += h->q[k][j] * (half[n + i - j] + half[n + i - j - 1]) / 2;
-        most = fmax(most, T);
+        maximum = fmax(maximum, T);
     }
     free(half);
-    return most / PI * h->numbers.solid[k] / sqrt(kappa / PI) +
+    return maximum / PI * h->numbers.solid[k] / sqrt(kappa / PI) +
            h->numbers.bulk[k];
 }
 

@@ -91,8 +91,8 @@ static double apart(int layers, const double *tau, const double *effusivity,
 {
     static column c;
     const double end = 4, N = 1 / sqrt(acos(-1));
-    double thickness[2], k[2], rho_c[2], psi[OVR_MOST_MODES] = {0};
-    double worst = 0, most = 0, q = flux(0);
+    double thickness[2], k[2], rho_c[2], psi[OVR_MAX_MODES] = {0};
+    double worst = 0, maximum = 0, q = flux(0);
     ovr_warmed w = {.layers = layers};
     for (int j = 0; j < layers; j++) { /* of alike diffusivity */
         w.tau[j] = tau[j];
@@ -115,10 +115,10 @@ static double apart(int layers, const double *tau, const double *effusivity,
                         4. / 3 * (1 + m.more[0]) * sqrt(dT) * now);
         ovr_memory_step(&m, q, now, psi);
         worst = fmax(worst, fabs(T - truth));
-        most = fmax(most, truth);
+        maximum = fmax(maximum, truth);
         q = now;
     }
-    return worst / most;
+    return worst / maximum;
 }
 
 /* Bad and good conductors on the body, from layers that a step sees through to

@@ -245,7 +245,7 @@ static void sums(void **state)
             ovr_arena arena = ovr_arena_make(NULL);
             const ovr_kernels *run = ovr_kernels_choose("plain");
             ovr_mlmi plan = {0};
-            double P[N], most = 0;
+            double P[N], maximum = 0;
             make(E[e], 0.4, t[k] * D, D, &l);
             CHECK_OK(ovr_mlmi_plan(&plan, N, 12, 16, &arena, &err), &err);
             plan.part = l.influence.part;
@@ -265,9 +265,9 @@ static void sums(void **state)
                 double w = 0;
                 for (int j = 0; j < N; j++)
                     w += ovr_influence_at(&l.influence, i - j, D) * P[j];
-                most = fmax(most, fabs(w - out[i]));
+                maximum = fmax(maximum, fabs(w - out[i]));
             }
-            CHECK_NEAR(most, 0, 1e-6);
+            CHECK_NEAR(maximum, 0, 1e-6);
             ovr_arena_release(&arena);
         }
 }
@@ -384,7 +384,7 @@ static ovr_layered one_layer(double t, double E, double nu)
 static const ovr_layered none = {0, {0}, {{0, 0}}, {1, 0.3}, {0}, {0}, {0}};
 
 static void check_film(const char *scale, double M, double L, ovr_layered first,
-                       ovr_layered second, double most)
+                       ovr_layered second, double maximum)
 {
     char text[800], more[400] = "";
     const ovr_layered body[2] = {first, second};
@@ -407,7 +407,7 @@ static void check_film(const char *scale, double M, double L, ovr_layered first,
         double X = s->X[at[i]];
         for (size_t j = 0; j < n; j++)
             w[i] += ovr_deformation_linear((double)at[i] - (double)j, D) * P[j];
-        CHECK_NEAR(s->H[at[i]], s->H0 + 0.5 * X * X - e * w[i], most);
+        CHECK_NEAR(s->H[at[i]], s->H0 + 0.5 * X * X - e * w[i], maximum);
     }
     free(P);
     release(&f);

@@ -100,7 +100,7 @@ static double highest(const test_grid *g)
     return P[i] - slope * slope / (2 * bend);
 }
 
-/* From grid to grid by four, three at the least where nodes are taken one by
+/* From grid to grid by four, three at least where nodes are taken one by
  * one. */
 static void second_order(const double *error, int grids, const char *what)
 {
@@ -329,9 +329,9 @@ static double half_of(const test_grid *g)
  * closes. */
 static double squeeze(size_t n, const double *oil, double *closes)
 {
-    enum { MOST = 401 };
-    double q1[MOST], q2[MOST], dT = 1 / (double)(n - 1), error = 0;
-    bool dry[MOST] = {false};
+    enum { MAX = 401 };
+    double q1[MAX], q2[MAX], dT = 1 / (double)(n - 1), error = 0;
+    bool dry[MAX] = {false};
     test_grid g = rigid(n, 0, dT, 0, plates);
     g.weights.a[0] = g.weights.first[0] = 18 / dT;
     g.weights.time = -12 / dT;

@@ -5,11 +5,11 @@
 #include "support/sliding.h"
 #include "support/test.h"
 
-static void costs(const test_rough_slide *one, double most)
+static void costs(const test_rough_slide *one, double maximum)
 {
     test_slides all = {0};
     test_slides_rough(&all, one);
-    assert_true(all.mean <= most);
+    assert_true(all.mean <= maximum);
     assert_true(1000 * (all.retries - 1) <= all.steps);
 }
 

@@ -145,15 +145,15 @@ static void dent(const oil_law *law, double share, bool balanced)
     ovr_simulation_supply(sim, constant, &q, 0);
     ovr_simulation_surface(sim, test_feature_heights, &d);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
-    double before = stored(s), least = INFINITY;
+    double before = stored(s), minimum = INFINITY;
     for (int k = 0; k < 320; k++) {
         CHECK_OK(ovr_simulation_step(sim, s->D, &err), &err);
         assert_true(o->converged);
         assert_true(fabs(o->mass_defect) < 1e-3);
         flow += s->D * (o->inflow - o->outflow);
-        least = fmin(least, o->H_cen);
+        minimum = fmin(minimum, o->H_cen);
     }
-    assert_true(least < 0.95 * share * solve(law, LEVEL, NULL).H_cen);
+    assert_true(minimum < 0.95 * share * solve(law, LEVEL, NULL).H_cen);
     if (balanced)
         CHECK_NEAR(flow, stored(s) - before, 1e-4 * q);
     ovr_simulation_free(sim);

@@ -11,12 +11,12 @@
 #include "simulation/simulation.h"
 #include "test.h"
 
-enum { MOST_KEYS = 12, CAPACITY = 200, MOST_STEPS = 40 };
+enum { MAX_KEYS = 12, CAPACITY = 200, MAX_STEPS = 40 };
 
 typedef struct draw {
     uint64_t state;
     char base[800];
-    char key[MOST_KEYS][CAPACITY], value[MOST_KEYS][CAPACITY];
+    char key[MAX_KEYS][CAPACITY], value[MAX_KEYS][CAPACITY];
     int keys;
 } draw;
 
@@ -89,14 +89,14 @@ static void write_files(void)
 static double number_of(draw *d, const ovr_parameter *p)
 {
     bool bare = p->dimension == OVR_PURE || p->hertzian != OVR_NOT_HERTZIAN;
-    double low = fmax(p->least, p->least < 0 ? -3 : 1e-3);
-    double high = fmin(p->most, 3);
+    double low = fmax(p->minimum, p->minimum < 0 ? -3 : 1e-3);
+    double high = fmin(p->maximum, 3);
     if (!strcmp(p->key, "tolerance") || !strcmp(p->key, "accuracy"))
-        return between(d, fmax(p->least, 1e-10), fmin(p->most, 0.1));
+        return between(d, fmax(p->minimum, 1e-10), fmin(p->maximum, 0.1));
     if (chance(d, 0.2))
-        return chance(d, 0.5) ? p->least : fmin(p->most, 1e6);
+        return chance(d, 0.5) ? p->minimum : fmin(p->maximum, 1e6);
     if (!bare) /* an SI unit is no measure of what is usual */
-        return between(d, fmax(p->least, 1e-12), fmin(p->most, 1e12));
+        return between(d, fmax(p->minimum, 1e-12), fmin(p->maximum, 1e12));
     return test_random(&d->state, low, fmax(low, high));
 }
 
@@ -188,7 +188,7 @@ typedef struct watch {
 
 static bool stop(void *data)
 {
-    return ++((watch *)data)->steps > MOST_STEPS;
+    return ++((watch *)data)->steps > MAX_STEPS;
 }
 
 static bool has_word(const char *text)
@@ -363,7 +363,7 @@ void test_any_case_survey(uint64_t seed, int runs)
         static draw d;
         d = (draw){.state = seed + (uint64_t)k};
         contact(&d);
-        for (int tries = 0; tries < 40 && d.keys < MOST_KEYS; tries++)
+        for (int tries = 0; tries < 40 && d.keys < MAX_KEYS; tries++)
             add_key(&d);
         if (getenv("OVERROLL_RUNS"))
             print_message("  seed %llu\n",

@@ -10,9 +10,9 @@
 #include "overroll/simulation.h"
 #include "support/test.h"
 
-static double spread(uint64_t *seed, double least, double most)
+static double spread(uint64_t *seed, double minimum, double maximum)
 {
-    return least * pow(most / least, test_random(seed, 0, 1));
+    return minimum * pow(maximum / minimum, test_random(seed, 0, 1));
 }
 
 static size_t put_layer(uint64_t *seed, const char *name, char *text,
@@ -80,7 +80,7 @@ static void release(solved *s)
 void test_coated_steady(int contacts)
 {
     uint64_t seed = 20;
-    int many = 0, most = 0;
+    int many = 0, maximum = 0;
     for (int k = 0; k < contacts; k++) {
         char text[1200];
         double M = spread(&seed, 5, 200), L = test_random(&seed, 0, 12);
@@ -88,13 +88,13 @@ void test_coated_steady(int contacts)
         put_layers(&seed, text + strlen(text), sizeof text - strlen(text));
         solved s = make(text);
         int cycles = ovr_simulation_observation(s.sim)->cycles;
-        most = cycles > most ? cycles : most;
+        maximum = cycles > maximum ? cycles : maximum;
         many += cycles >= 120;
         release(&s);
     }
     print_message("%d contacts, at most %d cycles, %d above 120\n", contacts,
-                  most, many);
-    assert_true(many <= contacts / 100 && most < 150);
+                  maximum, many);
+    assert_true(many <= contacts / 100 && maximum < 150);
 }
 
 /* Cycles a step of a dent that goes through. */

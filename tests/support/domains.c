@@ -9,7 +9,7 @@
 #include "overroll/run.h"
 #include "test.h"
 
-enum { STEPS = 60, MOST = 2 * (STEPS + 1), CAPACITY = 4000 };
+enum { STEPS = 60, MAX = 2 * (STEPS + 1), CAPACITY = 4000 };
 
 typedef struct text {
     uint64_t state;
@@ -111,7 +111,7 @@ static void draw(text *t, uint64_t seed, bool jumps, const char *folder)
 typedef struct seen {
     int count;
     long halved;
-    double T[MOST], H_cen[MOST], P_max[MOST];
+    double T[MAX], H_cen[MAX], P_max[MAX];
 } seen;
 
 static ovr_status observe(void *data, const ovr_simulation *sim, ovr_error *err)
@@ -119,7 +119,7 @@ static ovr_status observe(void *data, const ovr_simulation *sim, ovr_error *err)
     seen *s = data;
     const ovr_observation *o = ovr_simulation_observation(sim);
     (void)err;
-    assert_true(s->count < MOST);
+    assert_true(s->count < MAX);
     s->T[s->count] = ovr_simulation_state(sim)->T;
     s->H_cen[s->count] = o->H_cen;
     s->P_max[s->count++] = o->P_max;
@@ -172,10 +172,10 @@ typedef struct worst {
 
 static double largest(const seen *s)
 {
-    double most = 0;
+    double maximum = 0;
     for (int k = 0; k < s->count; k++)
-        most = fmax(most, s->P_max[k]);
-    return most;
+        maximum = fmax(maximum, s->P_max[k]);
+    return maximum;
 }
 
 /* A film that a jump of speed lets break off, nearly, is compared with a fifth

@@ -163,12 +163,12 @@ static void put_f32(buffer *b, double value)
 
 static double largest(const gauge *g)
 {
-    double most = 0;
+    double maximum = 0;
     for (size_t k = 0; k < g->lines; k++)
         for (size_t i = 0; i < g->n; i++)
-            if (fabs(g->z[k][i]) > most)
-                most = fabs(g->z[k][i]);
-    return most;
+            if (fabs(g->z[k][i]) > maximum)
+                maximum = fabs(g->z[k][i]);
+    return maximum;
 }
 
 /* Heights are about zero: unsigned types get them shifted by half their

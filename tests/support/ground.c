@@ -181,9 +181,9 @@ test_ground_tally test_ground_survey(uint64_t seed, int runs, double from,
         double each = (double)g.cycles / fmax(g.steps, 1);
         print(k, &g);
         all.broken += g.status != OVR_OK;
-        all.most_cycles = fmax(all.most_cycles, each);
-        if (g.retries > all.most_retries)
-            all.most_retries = g.retries;
+        all.max_cycles = fmax(all.max_cycles, each);
+        if (g.retries > all.max_retries)
+            all.max_retries = g.retries;
         steps += g.steps;
         cycles += g.cycles;
     }
@@ -192,6 +192,6 @@ test_ground_tally test_ground_survey(uint64_t seed, int runs, double from,
                   "nm: %d of %d break off; %.2f steps of Newton's method a "
                   "time step, %.2f in the worst run\n",
                   (int)seed, level, from, to, layer, all.broken, runs,
-                  all.cycles, all.most_cycles);
+                  all.cycles, all.max_cycles);
     return all;
 }

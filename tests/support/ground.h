@@ -39,10 +39,10 @@ test_ground test_ground_touching(uint64_t seed, double from, double to,
 
 /* What becomes of many of them, printed run by run. */
 typedef struct test_ground_tally {
-    int broken;         /* off before their end */
-    int most_retries;   /* of a run */
-    double cycles;      /* Newton's steps a time step, the mean of all */
-    double most_cycles; /* of a run, the mean of its steps */
+    int broken;        /* off before their end */
+    int max_retries;   /* of a run */
+    double cycles;     /* Newton's steps a time step, the mean of all */
+    double max_cycles; /* of a run, the mean of its steps */
 } test_ground_tally;
 test_ground_tally test_ground_survey(uint64_t seed, int runs, double from,
                                      double to, int level, double layer);

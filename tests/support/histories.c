@@ -155,7 +155,7 @@ static void march(const run *r, ovr_simulation *sim, bool check,
         stopped = ovr_simulation_step(sim, dT, &err) || o->marked;
         if (stopped)
             continue;
-        all->most = o->cycles > all->most ? o->cycles : all->most;
+        all->maximum = o->cycles > all->maximum ? o->cycles : all->maximum;
         keep(&p, s, dT);
     }
     if (stopped) {
@@ -201,7 +201,8 @@ test_histories test_histories_run(uint64_t seed, long runs, bool check)
                   "step (at most %ld), %ld retries, %ld halved, %ld refused "
                   "(%ld touch), %ld of them missed\n",
                   all.runs, again, all.steps,
-                  (double)all.cycles / (double)all.steps, all.most, all.retries,
-                  all.substeps, all.refused, all.touching, all.missed);
+                  (double)all.cycles / (double)all.steps, all.maximum,
+                  all.retries, all.substeps, all.refused, all.touching,
+                  all.missed);
     return all;
 }

@@ -8,7 +8,7 @@
 
 typedef struct test_histories {
     long runs, steps, cycles, retries, substeps, marked;
-    long most; /* cycles of a step */
+    long maximum; /* cycles of a step */
     long refused, touching;
     long missed; /* refused or marked, where the dense Newton converges */
 } test_histories;

@@ -10,11 +10,11 @@
 #include "overroll/run.h"
 #include "test.h"
 
-enum { MOST = 40000 };
+enum { MAX = 40000 };
 
 typedef struct seen {
     size_t count;
-    double T[MOST], H_cen[MOST], least[MOST], mu[MOST], H_min;
+    double T[MAX], H_cen[MAX], minimum[MAX], mu[MAX], H_min;
     int level;
     double mesh;
     bool told; /* that the accuracy was not reached */
@@ -28,10 +28,10 @@ static ovr_status watch(void *data, const ovr_simulation *sim, ovr_error *err)
     const ovr_observation *o = ovr_simulation_observation(sim);
     (void)data;
     (void)err;
-    if (watched->count < MOST) {
+    if (watched->count < MAX) {
         watched->T[watched->count] = o->T;
         watched->H_cen[watched->count] = o->H_cen;
-        watched->least[watched->count] = o->H_min_located;
+        watched->minimum[watched->count] = o->H_min_located;
         watched->mu[watched->count++] = o->mu_slide;
     }
     return OVR_OK;
@@ -127,16 +127,16 @@ void test_levels_steady(uint64_t seed, int cases)
         double M = 5 * pow(200, test_random(&state, 0, 1));
         double L = test_random(&state, 1, 15);
         double target = pow(10, test_random(&state, -4, -2));
-        bool least = test_random(&state, 0, 1) < 0.4;
-        if (least)
+        bool minimum = test_random(&state, 0, 1) < 0.4;
+        if (minimum)
             target *= 5;
         snprintf(text, sizeof text,
                  "[contact]\nM = %.6g\nL = %.6g\n[domain]\naccuracy = %.3g\n"
                  "accuracy_of = %s\n",
-                 M, L, target, least ? "H_min" : "H_cen");
+                 M, L, target, minimum ? "H_min" : "H_cen");
         refine(text, "auto");
         judge(seed, k, target,
-              least ? fabs(here.H_min / finer.H_min - 1) : error_of_centre(),
+              minimum ? fabs(here.H_min / finer.H_min - 1) : error_of_centre(),
               &missed);
     }
     assert_true(10 * missed <= cases);
@@ -211,15 +211,15 @@ void test_levels_usual(uint64_t seed, int cases)
                      0.1 + 0.4 * height, width);
         refine(text, "usual");
         double H_cen = error_of_centre();
-        double H_min = error_of(here.least, finer.least);
+        double H_min = error_of(here.minimum, finer.minimum);
         double mu = error_of(here.mu, finer.mu);
-        double most = fmax(fmax(H_cen, H_min), mu);
+        double maximum = fmax(fmax(H_cen, H_min), mu);
         printf("  %2d: level %d, H_cen %.1e, H_min %.1e, mu %.1e\n", k,
                here.level, H_cen, H_min, mu);
-        beyond += most > 1e-3;
-        if (most > 4e-3)
+        beyond += maximum > 1e-3;
+        if (maximum > 4e-3)
             fail_msg("seed %llu, case %d: %.2g", (unsigned long long)seed, k,
-                     most);
+                     maximum);
     }
     assert_true(5 * beyond <= cases);
 }

@@ -203,7 +203,7 @@ static double newton_step(dense *d, gsl_matrix *J, gsl_vector *x,
 }
 
 /* The last step's change. */
-static double solve(dense *d, int most)
+static double solve(dense *d, int maximum)
 {
     size_t m = d->n - 1;
     gsl_matrix *J = gsl_matrix_alloc(m, m);
@@ -211,7 +211,7 @@ static double solve(dense *d, int most)
     gsl_permutation *p = gsl_permutation_alloc(m);
     double *r = take(m), *moved = take(m), change = 1;
     int step = 0;
-    while (change > 1e-9 && step++ < most)
+    while (change > 1e-9 && step++ < maximum)
         change = newton_step(d, J, x, p, r, moved);
     film(d);
     free(r);
@@ -227,7 +227,7 @@ void dense_solve(dense *d)
     CHECK_NEAR(solve(d, 100), 0, 1e-9);
 }
 
-bool dense_converges(dense *d, int most)
+bool dense_converges(dense *d, int maximum)
 {
-    return solve(d, most) <= 1e-9;
+    return solve(d, maximum) <= 1e-9;
 }

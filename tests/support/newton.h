@@ -43,6 +43,6 @@ void dense_surface(dense *d, const double *S);
 void dense_solve(dense *d);
 
 /* Whether so many steps of it are enough. */
-bool dense_converges(dense *d, int most);
+bool dense_converges(dense *d, int maximum);
 
 #endif

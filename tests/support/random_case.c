@@ -84,8 +84,8 @@ static void roughness(test_random_case *d, int surface, double H, double D)
 }
 
 /* [load], [speed] or [sliding] about `mean`: ramp, sine or step. */
-static void history(test_random_case *d, const char *section, double least,
-                    double most, double swing)
+static void history(test_random_case *d, const char *section, double minimum,
+                    double maximum, double swing)
 {
     int kind = (int)draw(d, 0, 3);
     say(d, "[%s]\n", section);
@@ -94,8 +94,8 @@ static void history(test_random_case *d, const char *section, double least,
             draw(d, 0, swing), draw(d, 1, 4));
     else
         say(d, "history = %s\nto = %.6g\nstart = %.6g\n%s",
-            kind == 1 ? "ramp" : "step", draw(d, least, most), draw(d, 0.2, 2),
-            kind == 1 ? "duration = 1\n" : "");
+            kind == 1 ? "ramp" : "step", draw(d, minimum, maximum),
+            draw(d, 0.2, 2), kind == 1 ? "duration = 1\n" : "");
 }
 
 static double mesh(int level)

@@ -33,14 +33,14 @@ static ovr_statistics counts_of(const char *text)
 static int count(test_slides *all, const ovr_statistics *s)
 {
     double cycles = (double)s->cycles / (double)s->steps;
-    int most = cycles > all->largest;
+    int maximum = cycles > all->largest;
     all->runs++;
     all->mean += (cycles - all->mean) / all->runs;
-    if (most)
+    if (maximum)
         all->largest = cycles;
     all->steps += s->steps;
     all->retries += s->retries;
-    return most;
+    return maximum;
 }
 
 void test_slides_add(test_slides *all, const test_slide *one)

@@ -73,10 +73,10 @@ static double supply(void *data, double T)
 
 static void heights(void *data, double T, size_t n, const double *X, double *S)
 {
-    enum { MOST = 4096 };
+    enum { MAX = 4096 };
     const scene *s = data;
-    double one[MOST];
-    assert_true(n <= MOST);
+    double one[MAX];
+    assert_true(n <= MAX);
     for (size_t i = 0; i < n; i++)
         S[i] = 0;
     for (int k = 0; k < FEATURES; k++) {
@@ -101,7 +101,7 @@ static void make_scene(scene *s, uint64_t *seed, test_flooded f, double u)
     s->q[1] = ramp ? f.flow * end : s->q[0];
     s->wave = pick(seed, 0, 1) < 0.3 ? pick(seed, 0, 0.8) : 0;
     s->period = pick(seed, 0.5, 3);
-    double least = fmin(fmin(s->q[0], s->q[1]) / f.flow, 1);
+    double minimum = fmin(fmin(s->q[0], s->q[1]) / f.flow, 1);
     s->feature[0] = (test_feature){'l',
                                    -pick(seed, 0, 1.5) * f.film,
                                    pick(seed, 0.3, 1),
@@ -109,27 +109,27 @@ static void make_scene(scene *s, uint64_t *seed, test_flooded f, double u)
                                    u,
                                    0};
     s->feature[1] = (test_feature){'l',
-                                   pick(seed, 0, 0.7) * f.film * least,
+                                   pick(seed, 0, 0.7) * f.film * minimum,
                                    pick(seed, 0.3, 1),
                                    pick(seed, -4, -2),
                                    u,
                                    0};
     bool waves = pick(seed, 0, 1) < 0.3;
-    s->feature[2] = (test_feature){
-        'w',
-        waves ? pick(seed, 0, 0.5) * f.film * least : 0,
-        pick(seed, 0.3, 1),
-        0,
-        u,
-        1};
+    s->feature[2] = (test_feature){'w',
+                                   waves ? pick(seed, 0, 0.5) * f.film * minimum
+                                         : 0,
+                                   pick(seed, 0.3, 1),
+                                   0,
+                                   u,
+                                   1};
 }
 
-static ovr_history *sine(uint64_t *seed, double most)
+static ovr_history *sine(uint64_t *seed, double maximum)
 {
     ovr_history_form form = ovr_history_form_default();
     bool varies = pick(seed, 0, 1) < 0.3;
     form.kind = OVR_HISTORY_SINE;
-    form.amplitude = pick(seed, 0, most);
+    form.amplitude = pick(seed, 0, maximum);
     form.period = pick(seed, 0.5, 3);
     return varies ? ovr_history_create(&form, NULL, NULL) : NULL;
 }

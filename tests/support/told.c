@@ -101,7 +101,8 @@ void test_told_case(const char *text, int level, int finer)
     assert_int_equal(t.low, 0);
 }
 
-int test_told_survey(uint64_t seed, int cases, int level, int finer, int most)
+int test_told_survey(uint64_t seed, int cases, int level, int finer,
+                     int maximum)
 {
     static test_random_case d;
     tally t = {0};
@@ -115,7 +116,7 @@ int test_told_survey(uint64_t seed, int cases, int level, int finer, int most)
                   (unsigned long long)seed, t.cases, t.failed, t.low, t.told,
                   t.numbers);
     assert_int_equal(t.cases, cases);
-    assert_true(t.low <= most);
+    assert_true(t.low <= maximum);
     assert_true(3 * t.told >= t.numbers);
     return t.low;
 }

@@ -7,10 +7,11 @@
 
 /* `cases` of mixed physics (random_case.h) from a seed on, at a level, with
  * --estimate-error; the truth is of `finer` levels more, at the same time.  At
- * most `most` cases may tell of films or pressures less than half of the true
- * error, and a third of all these must be told at all; printed.  Returns how
- * many told less. */
-int test_told_survey(uint64_t seed, int cases, int level, int finer, int most);
+ * most `maximum` cases may tell of films or pressures less than half of the
+ * true error, and a third of all these must be told at all; printed.  Returns
+ * how many told less. */
+int test_told_survey(uint64_t seed, int cases, int level, int finer,
+                     int maximum);
 
 /* One case: none of its errors is told below half of the true one. */
 void test_told_case(const char *text, int level, int finer);

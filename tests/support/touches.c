@@ -9,9 +9,9 @@
 #include "test.h"
 
 typedef struct tally {
-    int runs, failed, most;
+    int runs, failed, maximum;
     long cycles;
-    double least, largest; /* shares */
+    double minimum, largest; /* shares */
 } tally;
 
 static double logarithmic(uint64_t *state, double low, double high)
@@ -50,8 +50,8 @@ static void try(tally *t, uint64_t seed)
     t->runs++;
     t->failed += failed;
     t->cycles += o->cycles;
-    t->most = o->cycles > t->most ? o->cycles : t->most;
-    t->least = fmin(t->least, o->more[SHARE]);
+    t->maximum = o->cycles > t->maximum ? o->cycles : t->maximum;
+    t->minimum = fmin(t->minimum, o->more[SHARE]);
     t->largest = fmax(t->largest, o->more[SHARE]);
     if (failed)
         print_message("    seed %llu: %s\n%s\n", (unsigned long long)seed,
@@ -65,13 +65,13 @@ static void try(tally *t, uint64_t seed)
 void test_touches_survey(uint64_t seed, int runs)
 {
     enum { ATTEMPT = 60 };
-    tally t = {.least = 1};
+    tally t = {.minimum = 1};
     for (int k = 0; k < runs; k++)
         try(&t, seed + (uint64_t)k);
     print_message("    seeds %llu on: %d runs, %d failed; shares %.5f to %.5f; "
                   "%.1f steps of Newton's method each, %d at most\n",
-                  (unsigned long long)seed, t.runs, t.failed, t.least,
-                  t.largest, (double)t.cycles / t.runs, t.most);
+                  (unsigned long long)seed, t.runs, t.failed, t.minimum,
+                  t.largest, (double)t.cycles / t.runs, t.maximum);
     assert_int_equal(t.failed, 0);
     assert_true(2 * t.cycles <= (long)ATTEMPT * t.runs);
 }

@@ -48,16 +48,16 @@ static bool shows(const char *message, const char *format, double number)
 static bool says_what_is_allowed(const ovr_parameter_info *p,
                                  const char *message)
 {
-    bool range = shows(message, "%.0f", p->most) ||
-                 shows(message, "%g", p->most);
+    bool range = shows(message, "%.0f", p->maximum) ||
+                 shows(message, "%g", p->maximum);
     if (is_text(p))
         return strstr(message, "; allowed: ") != NULL;
     if (of_type(p, "yes or no"))
         return strstr(message, "yes") && strstr(message, "no");
-    for (size_t k = 0; isnan(p->least) && p->choices[k]; k++)
+    for (size_t k = 0; isnan(p->minimum) && p->choices[k]; k++)
         if (!strstr(message, p->choices[k]))
             return false;
-    return isnan(p->least) || range ||
+    return isnan(p->minimum) || range ||
            (*p->units && strstr(message, p->units)) ||
            strstr(message, "without a unit");
 }
@@ -117,8 +117,8 @@ static void number(const ovr_parameter_info *p, double value)
 {
     char with_unit[80];
     ovr_error err = {0};
-    bool inside = (p->above ? value > p->least : value >= p->least) &&
-                  value <= p->most;
+    bool inside = (p->above ? value > p->minimum : value >= p->minimum) &&
+                  value <= p->maximum;
     bool whole = of_type(p, "whole number") && value != floor(value);
     ovr_case *c;
     put_number(p, value, with_unit, sizeof with_unit);
@@ -157,9 +157,9 @@ static void every_parameter_refuses_nonsense(void **state)
         for (size_t i = 0; !is_text(&p) && i < sizeof words / sizeof *words;
              i++)
             bad_value(&p, words[i]);
-        if (isnan(p.least))
+        if (isnan(p.minimum))
             continue;
-        assert_true(p.least <= p.most);
+        assert_true(p.minimum <= p.maximum);
         if (*p.units && !*p.bare)
             bad_value(&p, "1"); /* a unit is needed */
         bad_value(&p, *p.units && strstr(p.units, "m/s") ? "1 Pa" : "1 m/s");
@@ -173,9 +173,9 @@ static const char *some_value(const ovr_parameter_info *p)
     static char value[80];
     if (p->initial)
         return p->initial;
-    if (isnan(p->least))
+    if (isnan(p->minimum))
         return p->choices[0] ? p->choices[0] : "yes";
-    put_number(p, p->least > 1 || p->most < 1 ? p->most : 1, value,
+    put_number(p, p->minimum > 1 || p->maximum < 1 ? p->maximum : 1, value,
                sizeof value);
     return value;
 }
@@ -432,7 +432,7 @@ static void memory_is_estimated_first(void **state)
                   (double)sysconf(_SC_PAGE_SIZE);
     ovr_error err = {0};
     (void)state;
-    o.level = (int)level.most;
+    o.level = (int)level.maximum;
     if (ovr_simulation_memory(&o) < 0.8 * here)
         skip();
     snprintf(text, sizeof text,

@@ -34,9 +34,9 @@ static void add(char *text, const char *more)
 static void put_number(const ovr_parameter_info *p, char *text)
 {
     static const char *const forms[] = {"%.3g", "%.17g", "%.60f", "%g"};
-    double least = fmax(p->least, -1e3);
-    double most = fmin(p->most, fmax(1e3, 2 * least));
-    double value = least + (most - least) * test_random(&seed, 0, 1);
+    double minimum = fmax(p->minimum, -1e3);
+    double maximum = fmin(p->maximum, fmax(1e3, 2 * minimum));
+    double value = minimum + (maximum - minimum) * test_random(&seed, 0, 1);
     char number[120];
     if (of_type(p, "whole"))
         value = floor(value);
@@ -72,7 +72,7 @@ static void put_right(const ovr_parameter_info *p, char *text)
     int items = of_type(p, "numbers") ? below(12) + 1 : 1;
     if (of_type(p, "text") || of_type(p, "path"))
         add(text, below(2) ? "\"dent 3.h5\"" : "it's; all");
-    else if (isnan(p->least) || (p->choices[0] && below(2)))
+    else if (isnan(p->minimum) || (p->choices[0] && below(2)))
         put_word(p, text);
     else
         for (int k = 0; k < items; k++) {

@@ -15,7 +15,7 @@
 #include "support/test.h"
 
 enum {
-    MOST = 70,
+    MAX = 70,
     IN = 2 * OVR_CROSS_FILM_MAX + 8,
     OUT = 4 * OVR_CROSS_FILM_MAX + 8
 };
@@ -26,7 +26,7 @@ typedef struct films {
     ovr_cross_film cross_film;
     ovr_heat heat;
     ovr_columns c;
-    double in[IN][MOST], out[OUT][MOST];
+    double in[IN][MAX], out[OUT][MAX];
     int count;
 } films;
 
@@ -102,11 +102,11 @@ static void fill(films *f, size_t n, int points, uint64_t *seed)
 static void agree(const films *here, const films *plain, double tolerance)
 {
     for (int k = 0; k < here->count; k++) {
-        double most = 0;
+        double maximum = 0;
         for (size_t i = 1; i < plain->c.n; i++)
-            most = fmax(most, fabs(plain->out[k][i]));
+            maximum = fmax(maximum, fabs(plain->out[k][i]));
         for (size_t i = 1; i < plain->c.n; i++) {
-            double size = fabs(plain->out[k][i]) + 1e-6 * most;
+            double size = fabs(plain->out[k][i]) + 1e-6 * maximum;
             CHECK_NEAR(here->out[k][i], plain->out[k][i], tolerance * size);
         }
     }
@@ -277,15 +277,15 @@ static void couette_heats(void **state)
         run->heat_cross_film(&f.c);
         for (size_t i = 1; i + 1 < 57; i++) {
             double eta = exp(f.c.log_eta[i]), V = f.c.V;
-            double most = f.heat.theta * f.c.lambda * eta * V * V /
-                          (96 * f.heat.conduction);
+            double maximum = f.heat.theta * f.c.lambda * eta * V * V /
+                             (96 * f.heat.conduction);
             CHECK_NEAR(f.c.t[i], -f.c.lambda * eta * V / (12 * f.c.H[i]),
                        1e-9 * fabs(f.c.t[i]));
             CHECK_NEAR(f.c.even[i], f.c.t[i], 1e-12 * fabs(f.c.t[i]));
             for (int j = 0; j < f.cross_film.n; j++) {
-                double s = f.cross_film.s[j], T = most * (1 - s * s);
+                double s = f.cross_film.s[j], T = maximum * (1 - s * s);
                 CHECK_NEAR(f.c.T[j][i] - f.c.T[0][i], T,
-                           1e-9 * (most + fabs(f.c.T[0][i])));
+                           1e-9 * (maximum + fabs(f.c.T[0][i])));
             }
         }
     }
@@ -348,24 +348,24 @@ static void swapped_films_mirror(void **state)
 /* What surfaces and film carry along, by any number of meshes. */
 static void departures_agree(void **state)
 {
-    double v[MOST], u[MOST], plain[MOST], here[MOST];
+    double v[MAX], u[MAX], plain[MAX], here[MAX];
     uint64_t seed = 13;
     const ovr_kernels *run, *by_nodes = test_kernels(0);
     (void)state;
     for (int k = 1; (run = test_kernels(k)); k++)
         for (double meshes = -90; meshes < 90; meshes += 3.3) {
-            const ovr_departures departures = ovr_departures_of(MOST, meshes);
-            for (size_t i = 0; i < MOST; i++) {
+            const ovr_departures departures = ovr_departures_of(MAX, meshes);
+            for (size_t i = 0; i < MAX; i++) {
                 v[i] = test_random(&seed, -1, 2);
                 u[i] = test_random(&seed, -0.5, 2);
             }
             by_nodes->carry_along(&departures, v, plain);
             run->carry_along(&departures, v, here);
-            for (size_t i = 0; i < MOST; i++)
+            for (size_t i = 0; i < MAX; i++)
                 CHECK_NEAR(here[i], plain[i], 1e-14);
-            by_nodes->film_departures(MOST, meshes / 4, u, v, plain);
-            run->film_departures(MOST, meshes / 4, u, v, here);
-            for (size_t i = 0; i < MOST; i++)
+            by_nodes->film_departures(MAX, meshes / 4, u, v, plain);
+            run->film_departures(MAX, meshes / 4, u, v, here);
+            for (size_t i = 0; i < MAX; i++)
                 CHECK_NEAR(here[i], plain[i], 1e-12);
         }
 }
@@ -383,11 +383,11 @@ static void half_of_barus(const ovr_law *law, const ovr_law_nodes *nodes)
 static void viscosities_agree(void **state)
 {
     static const ovr_law own = {half_of_barus};
-    double P[MOST], H[MOST], plain[MOST], here[MOST];
+    double P[MAX], H[MAX], plain[MAX], here[MAX];
     uint64_t seed = 12;
     const ovr_kernels *run;
     (void)state;
-    for (size_t i = 0; i < MOST; i++) {
+    for (size_t i = 0; i < MAX; i++) {
         P[i] = fmax(0, test_random(&seed, -0.2, 1.5));
         H[i] = test_random(&seed, 0.1, 1);
     }
@@ -398,13 +398,13 @@ static void viscosities_agree(void **state)
             fluid.lubricant.viscosity_law = OVR_BARUS;
         if (law == 2)
             fluid.law = &own;
-        test_kernels(0)->log_viscosity(MOST, &fluid, P, H, plain);
-        for (size_t i = 0; law < 2 && i < MOST; i++)
+        test_kernels(0)->log_viscosity(MAX, &fluid, P, H, plain);
+        for (size_t i = 0; law < 2 && i < MAX; i++)
             CHECK_NEAR(plain[i], log(ovr_viscosity(&fluid.lubricant, P[i])),
                        1e-12 * (1 + fabs(plain[i])));
         for (int k = 1; (run = test_kernels(k)); k++) {
-            run->log_viscosity(MOST, &fluid, P, H, here);
-            for (size_t i = 0; i < MOST; i++)
+            run->log_viscosity(MAX, &fluid, P, H, here);
+            for (size_t i = 0; i < MAX; i++)
                 CHECK_NEAR(here[i], plain[i], 1e-12 * (1 + fabs(plain[i])));
         }
     }
@@ -414,13 +414,13 @@ static void viscosities_agree(void **state)
 static void fill_at(films *f, double T, const double *P)
 {
     uint64_t seed = 11;
-    fill(f, MOST, 5, &seed);
+    fill(f, MAX, 5, &seed);
     f->heat.density_expands = true;
     f->heat.A = 0.59;
     f->heat.expansion = 6.5e-4;
     f->heat.theta = 1e9 / (870 * 2000.0); /* ph = 1 GPa */
     f->heat.T0 = 353;
-    for (size_t i = 0; i < MOST; i++) {
+    for (size_t i = 0; i < MAX; i++) {
         f->in[1][i] = P[i];
         for (int j = 0; j < 5; j++)
             f->in[8 + j][i] = f->in[8 + OVR_CROSS_FILM_MAX + j][i] = T;
@@ -434,10 +434,10 @@ static void pressed_oil_gets_denser(void **state)
     static films f;
     ovr_lubricant dh = {.density_law = OVR_DOWSON_HIGGINSON, .A = 0.59};
     const double h = 1e-4, T = 50;
-    double P[MOST];
+    double P[MAX];
     (void)state;
-    for (size_t i = 0; i < MOST; i++)
-        P[i] = 5.0 * (double)(i + 1) / MOST;
+    for (size_t i = 0; i < MAX; i++)
+        P[i] = 5.0 * (double)(i + 1) / MAX;
     fill_at(&f, T, P);
     for (int k = 0; test_kernels(k); k++) {
         test_kernels(k)->flow_cross_film(&f.c);
@@ -459,7 +459,7 @@ static void expand(const ovr_kernels *run, double T, const double *P, double *v,
                    double *beta)
 {
     static films f;
-    double pressed[MOST];
+    double pressed[MAX];
     ovr_lubricant dh = {.density_law = OVR_DOWSON_HIGGINSON, .A = 0.59};
     fill_at(&f, T, P);
     f.heat.conduction = 1e-20;
@@ -468,10 +468,10 @@ static void expand(const ovr_kernels *run, double T, const double *P, double *v,
     f.c.Sigma0 = INFINITY;
     f.c.lambda = 1e30; /* what P_X does to the film */
     f.c.P_T = pressed;
-    for (size_t i = 0; i < MOST; i++)
+    for (size_t i = 0; i < MAX; i++)
         pressed[i] = 1e-3;
     make(run, &f);
-    for (size_t i = 1; i + 1 < MOST; i++) {
+    for (size_t i = 1; i + 1 < MAX; i++) {
         v[i] = 1 / (ovr_density(&dh, P[i]) * f.c.swell[i]);
         beta[i] = (f.c.mean[i] - T) * f.c.q[i] /
                   (f.heat.theta * f.c.H[i] * f.c.dT * pressed[i] *
@@ -481,33 +481,34 @@ static void expand(const ovr_kernels *run, double T, const double *P, double *v,
 
 /* Oil is pressed at T1, warmed, relieved at T2 and cooled: heat, T v beta dP
  * along the two isotherms, is work, P dv around.  Both per density and ph. */
-static void a_cycle_closes(const ovr_kernels *run, double most)
+static void a_cycle_closes(const ovr_kernels *run, double maximum)
 {
-    enum { INTERVALS = MOST - 4 };
-    double P[MOST], v[2][MOST], beta[2][MOST], heat = 0, work = 0;
+    enum { INTERVALS = MAX - 4 };
+    double P[MAX], v[2][MAX], beta[2][MAX], heat = 0, work = 0;
     const double T[2] = {0, 50};
-    for (size_t i = 0; i < MOST; i++)
-        P[i] = fmax(most * ((double)i - 1) / INTERVALS, 1e-12);
+    for (size_t i = 0; i < MAX; i++)
+        P[i] = fmax(maximum * ((double)i - 1) / INTERVALS, 1e-12);
     for (int k = 0; k < 2; k++)
         expand(run, T[k], P, v[k], beta[k]);
     for (size_t i = 1; i <= 1 + INTERVALS; i++) {
         double w = i == 1 || i == 1 + INTERVALS ? 1 : i % 2 ? 2 : 4;
-        double dP = w / 3 * most / INTERVALS; /* Simpson's rule */
+        double dP = w / 3 * maximum / INTERVALS; /* Simpson's rule */
         heat += dP * ((353 + T[1]) * v[1][i] * beta[1][i] -
                       (353 + T[0]) * v[0][i] * beta[0][i]);
         work += dP * (v[1][i] - v[0][i]);
     }
-    print_message("cycle to %g GPa: heat over work %.8f\n", most, heat / work);
+    print_message("cycle to %g GPa: heat over work %.8f\n", maximum,
+                  heat / work);
     CHECK_CLOSE(heat / work, 1, 1e-6);
 }
 
 static void closed_cycles_close(void **state)
 {
-    static const double most[] = {0.5, 1, 2};
+    static const double maximum[] = {0.5, 1, 2};
     (void)state;
     for (int k = 0; test_kernels(k); k++)
         for (int m = 0; m < 3; m++)
-            a_cycle_closes(test_kernels(k), most[m]);
+            a_cycle_closes(test_kernels(k), maximum[m]);
 }
 
 int main(void)

@@ -29,8 +29,8 @@ static ovr_simulation *uniform(int level)
     ovr_options o = test_options();
     ovr_error err = {0};
     o.level = level;
-    o.mlmi_order = OVR_MLMI_MOST;
-    o.mlmi_range = 2 * OVR_MLMI_MOST;
+    o.mlmi_order = OVR_MLMI_MAX;
+    o.mlmi_range = 2 * OVR_MLMI_MAX;
     ovr_simulation *sim = test_simulation(20, 10, &o);
     go_linear(sim);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
@@ -42,14 +42,14 @@ static solved composite_of(ovr_simulation *sim, int level, int patches)
 {
     ovr_error err = {0};
     solved s = {.sim = sim, .arena = ovr_arena_make(NULL)};
-    size_t most[OVR_LEVELS];
+    size_t maximum[OVR_LEVELS];
     for (int k = 0; k < patches; k++)
-        most[k] = sim->finest->grid.n;
+        maximum[k] = sim->finest->grid.n;
     sim->grids.finest = level;
     s.c = ovr_arena_take(&s.arena, 1, sizeof *s.c, &err);
     assert_non_null(s.c);
-    CHECK_OK(ovr_composite_prepare(s.c, &s.sim->grids, most, patches, &s.arena,
-                                   &err),
+    CHECK_OK(ovr_composite_prepare(s.c, &s.sim->grids, maximum, patches,
+                                   &s.arena, &err),
              &err);
     ovr_composite_begin(s.c, OVR_NOMINAL_LOAD);
     return s;
@@ -159,7 +159,7 @@ static long double piece(long double X, size_t j)
 
 static double film_error(const solved *s)
 {
-    double most = 0;
+    double maximum = 0;
     now.n = 0;
     gather(s, 0, 0, s->c->part[0].level->grid.n - 1);
     for (size_t i = 0; i < now.n; i += 7) {
@@ -168,9 +168,9 @@ static double film_error(const solved *s)
             w += piece(X, j);
         w /= acosl(-1.0L);
         double off = (double)(s->sim->grids.H0 + X * X / 2 - w - now.H[i]);
-        most = fmax(most, fabs(off));
+        maximum = fmax(maximum, fabs(off));
     }
-    return most;
+    return maximum;
 }
 
 /* Windows about the spike, each in the middle of the one before. */
@@ -215,7 +215,7 @@ static void whole_patch_is_the_uniform_grid(void **state)
     ovr_simulation *fine = uniform(LEVEL + 1), *sim = uniform(LEVEL + 1);
     ovr_cycling how = ovr_simulation_cycling(sim, 0);
     size_t n = fine->finest->grid.n;
-    double most = 0;
+    double maximum = 0;
     (void)state;
     ovr_full_prepare(&sim->grids, OVR_NOMINAL_LOAD);
     ovr_level_refresh(&sim->grids, &sim->grids.level[LEVEL]);
@@ -228,8 +228,8 @@ static void whole_patch_is_the_uniform_grid(void **state)
     }
     ovr_simulation_read(fine);
     for (size_t i = 0; i < n; i++)
-        most = fmax(most, fabs(s.c->part[1].P[i] - fine->now.P[i]));
-    CHECK_NEAR(most, 0, 1e-10);
+        maximum = fmax(maximum, fabs(s.c->part[1].P[i] - fine->now.P[i]));
+    CHECK_NEAR(maximum, 0, 1e-10);
     CHECK_NEAR(s.sim->grids.H0, fine->grids.H0, 1e-10);
     ovr_simulation_free(fine);
     release(s);
@@ -269,7 +269,7 @@ static void spike_is_resolved(void **state)
     const ovr_spike_search target = {.level = 14,
                                      .half = 24,
                                      .tolerance = 1e-8,
-                                     .most_cycles = 20,
+                                     .max_cycles = 20,
                                      .rigid = rigid};
     ovr_spike_search how = target;
     ovr_error err = {0};

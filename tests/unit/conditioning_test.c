@@ -10,8 +10,8 @@
 #include "overroll/overroll.h"
 #include "surface/profile.h"
 
-enum { MOST = 4001 };
-static double x[MOST], z[MOST];
+enum { MAX = 4001 };
+static double x[MAX], z[MAX];
 static const double PI = 3.14159265358979323846;
 
 static void lay_out(size_t n, double length, uint64_t *seed)

@@ -44,11 +44,11 @@ static void make_rows(hid_t file, const char *name, size_t rows, bool column,
                       hid_t type, hsize_t chunk, bool packed)
 {
     size_t width = column ? 1 : NODES;
-    hsize_t now[2] = {rows, width}, most[2] = {H5S_UNLIMITED, width};
+    hsize_t now[2] = {rows, width}, maximum[2] = {H5S_UNLIMITED, width};
     hsize_t part[2] = {chunk, width};
     double *values = calloc(rows * width + 1, sizeof *values);
     hid_t how = H5Pcreate(H5P_DATASET_CREATE);
-    hid_t space = H5Screate_simple(column ? 1 : 2, now, most), set;
+    hid_t space = H5Screate_simple(column ? 1 : 2, now, maximum), set;
     H5Pset_chunk(how, column ? 1 : 2, part);
     if (packed) {
         H5Pset_shuffle(how);
@@ -421,15 +421,15 @@ static bool read_all(const char *path)
     ovr_error err = {0};
     ovr_result *r = ovr_result_open(path, NULL, &err);
     const ovr_result_info *about = r ? ovr_result_about(r) : NULL;
-    size_t most;
+    size_t maximum;
     double *values;
     bool good = r != NULL;
     if (!r) {
         CHECK_ERROR(&err, OVR_BAD_INPUT, "bad.h5");
         return false;
     }
-    most = about->nodes + about->steps + about->snapshots;
-    values = malloc(most * sizeof *values);
+    maximum = about->nodes + about->steps + about->snapshots;
+    values = malloc(maximum * sizeof *values);
     for (size_t k = 0; k < about->snapshots; k++)
         for (size_t f = 0; f < ovr_result_fields(r); f++)
             good = !ovr_result_snapshot(r, ovr_result_field(r, f)->name, k,

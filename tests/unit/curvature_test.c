@@ -219,8 +219,8 @@ static void scaled_histories(void **state)
             CHECK_NEAR(ovr_history_slope(half[k], T),
                        0.5 * ovr_history_slope(plain[k], T), 1e-14);
         }
-        CHECK_NEAR(ovr_history_least(half[k]),
-                   0.5 * ovr_history_least(plain[k]), 1e-15);
+        CHECK_NEAR(ovr_history_min(half[k]), 0.5 * ovr_history_min(plain[k]),
+                   1e-15);
         assert_true(ovr_history_varies(half[k]) ==
                     ovr_history_varies(plain[k]));
         ovr_history_free(plain[k]);

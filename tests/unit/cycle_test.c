@@ -9,11 +9,11 @@
 #include "simulation/internal.h"
 #include "support/contact.h"
 
-enum { LEVEL = 6, MOST = 64 };
+enum { LEVEL = 6, MAX = 64 };
 
 typedef struct watcher {
-    int count, level[MOST];
-    ovr_cycle_end end[MOST];
+    int count, level[MAX];
+    ovr_cycle_end end[MAX];
     bool changes;
     double *shift; /* of the finest gap, in lanes */
 } watcher;

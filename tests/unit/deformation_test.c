@@ -207,7 +207,7 @@ static void table_is_the_fit(void **state)
 {
     (void)state;
     for (double target = 1e-6; target > 1e-11; target /= 2) {
-        double table[OVR_MLMI_MOST], fit[OVR_MLMI_MOST];
+        double table[OVR_MLMI_MAX], fit[OVR_MLMI_MAX];
         int order, range;
         ovr_mlmi_choose(target, &order, &range);
         ovr_mlmi_weights((size_t)order / 2, (size_t)range, table);

@@ -6,11 +6,11 @@
 #include "support/kernels.h"
 #include "support/test.h"
 
-enum { MOST = 67, STRIDE = 80 };
+enum { MAX = 67, STRIDE = 80 };
 
 static double *solution(const ovr_kernels *run, size_t m, const double *A)
 {
-    static double copy[MOST * STRIDE], x[MOST + 8];
+    static double copy[MAX * STRIDE], x[MAX + 8];
     memcpy(copy, A, sizeof copy);
     assert_true(run->dense_solve(m, STRIDE, copy, x));
     return x;
@@ -30,13 +30,13 @@ static double size_of(size_t m, const double *x)
  * well as the matrix knows x.  The space behind b may hold anything. */
 static void dense_solver_solves(void **state)
 {
-    static double A[MOST * STRIDE], plain[MOST];
+    static double A[MAX * STRIDE], plain[MAX];
     const ovr_kernels *run;
     uint64_t seed = 12;
     (void)state;
     for (int k = 0; (run = test_kernels(k)); k++)
-        for (size_t m = 1; m <= MOST; m++) {
-            for (size_t i = 0; i < MOST * STRIDE; i++)
+        for (size_t m = 1; m <= MAX; m++) {
+            for (size_t i = 0; i < MAX * STRIDE; i++)
                 A[i] = i % STRIDE > m ? NAN : test_random(&seed, -1, 1);
             memcpy(plain, solution(test_kernels(0), m, A), sizeof plain);
             const double *x = solution(run, m, A);
@@ -68,7 +68,7 @@ static void rows_agree(void **state)
 {
     const double c[4] = {0.3, -2, 5, 0.7};
     const ovr_kernels *run, *plain = test_kernels(0);
-    double k[MOST + 16], row[MOST + 8], expected[MOST + 8];
+    double k[MAX + 16], row[MAX + 8], expected[MAX + 8];
     uint64_t seed = 13;
     (void)state;
     memset(k, 0, sizeof k);
@@ -76,10 +76,10 @@ static void rows_agree(void **state)
     plain->dense_row(6, c, k + 1, row);
     assert_memory_equal(row, ((double[]){0, c[0], c[1], c[2], c[3], 0}),
                         6 * sizeof *row);
-    for (size_t j = 0; j < MOST + 16; j++)
+    for (size_t j = 0; j < MAX + 16; j++)
         k[j] = test_random(&seed, -1, 1);
     for (int set = 1; (run = test_kernels(set)); set++)
-        for (size_t n = 1; n <= MOST; n++) {
+        for (size_t n = 1; n <= MAX; n++) {
             plain->dense_row(n, c, k + 1, expected);
             run->dense_row(n, c, k + 1, row);
             for (size_t j = 0; j < n; j++)

@@ -6,9 +6,9 @@
 
 #include "surface/dry_contact.h"
 
-enum { MOST = 512 };
+enum { MAX = 512 };
 static const double PI = 3.14159265358979323846;
-static double z[MOST], p[MOST];
+static double z[MAX], p[MAX];
 static ovr_arena arena;
 
 static ovr_dry_contact begin(size_t n, double length, double modulus)
@@ -28,20 +28,20 @@ static ovr_dry_contact begin(size_t n, double length, double modulus)
 static void sine_touches_as_westergaard_says(void **state)
 {
     const double a = 3, l = 0.7, E = 5, full = PI * E * a / l;
-    ovr_dry_contact of = begin(MOST, l, E);
+    ovr_dry_contact of = begin(MAX, l, E);
     (void)state;
-    for (size_t i = 0; i < MOST; i++)
-        z[i] = a * cos(2 * PI * (double)i / MOST);
+    for (size_t i = 0; i < MAX; i++)
+        z[i] = a * cos(2 * PI * (double)i / MAX);
     for (double part = 0.05; part < 1; part += 0.1) {
         ovr_dry_state s = ovr_dry_contact_solve(&of, z, part * full, p);
         assert_true(s.found);
-        CHECK_NEAR(s.area, 2 / PI * asin(sqrt(part)), 2. / MOST);
+        CHECK_NEAR(s.area, 2 / PI * asin(sqrt(part)), 2. / MAX);
     }
     ovr_dry_state s = ovr_dry_contact_solve(&of, z, 1.5 * full, p);
     assert_true(s.found);
     CHECK_CLOSE(s.area, 1, 1e-12);
     CHECK_NEAR(s.gap, 0, 1e-8);
-    for (size_t i = 0; i < MOST; i++)
+    for (size_t i = 0; i < MAX; i++)
         CHECK_NEAR(p[i], full * (1.5 + z[i] / a), 1e-6 * full);
     ovr_arena_release(&arena);
 }
@@ -82,19 +82,19 @@ static void pressures_and_gaps_exclude_each_other(void **state)
     }
     for (double mean = 30; mean > 1e-3; mean /= 4) {
         ovr_dry_state s = ovr_dry_contact_solve(&of, z, mean, p);
-        double sum = 0, gaps = 0, least = INFINITY, gap[N];
+        double sum = 0, gaps = 0, minimum = INFINITY, gap[N];
         assert_true(s.found);
         for (size_t i = 0; i < N; i++) {
             gap[i] = -z[i];
             for (size_t j = 0; j < N; j++)
                 gap[i] += k[i > j ? i - j : j - i] * p[j];
-            least = fmin(least, gap[i]);
+            minimum = fmin(minimum, gap[i]);
         }
         for (size_t i = 0; i < N; i++) {
             assert_true(p[i] >= 0);
-            assert_true(p[i] == 0 || gap[i] - least < 1e-7);
+            assert_true(p[i] == 0 || gap[i] - minimum < 1e-7);
             sum += p[i] / N;
-            gaps += (gap[i] - least) / N;
+            gaps += (gap[i] - minimum) / N;
         }
         CHECK_CLOSE(sum, mean, 1e-12);
         CHECK_NEAR(s.gap, gaps, 1e-7);

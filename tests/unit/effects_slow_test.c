@@ -133,7 +133,7 @@ static const char *value_of(const ovr_parameter_info *p, size_t k,
     static const double tried[] = {0.05, 1, 1e-6, 2, 0.1, 0.5, 0.3, 3,
                                    4,    8, 0.9,  9, -1,  20,  1.1};
     enum { TRIED = sizeof tried / sizeof *tried, ENDS = 3 };
-    bool number = isfinite(p->least);
+    bool number = isfinite(p->minimum);
     size_t words = 0;
     while (p->choices[words])
         words++;
@@ -142,11 +142,13 @@ static const char *value_of(const ovr_parameter_info *p, size_t k,
     k -= words;
     if (!number)
         return words || k > 1 ? NULL : k ? "yes" : "no";
-    double v = k < TRIED ? tried[k] : NAN, least = p->least, most = p->most;
+    double v = k < TRIED ? tried[k] : NAN, minimum = p->minimum,
+           maximum = p->maximum;
     for (size_t e = 0; e < ENDS && k >= TRIED; e++)
         if (k == TRIED + e)
-            v = least > 0 ? least * pow(most / least, 0.25 * (double)(e + 1))
-                          : least + (most - least) * 0.25 * (double)(e + 1);
+            v = minimum > 0
+                    ? minimum * pow(maximum / minimum, 0.25 * (double)(e + 1))
+                    : minimum + (maximum - minimum) * 0.25 * (double)(e + 1);
     if (k >= TRIED + ENDS)
         return NULL;
     const char *unit = *p->units && !*p->bare ? p->units : "";

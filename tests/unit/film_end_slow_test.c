@@ -43,7 +43,7 @@ static ovr_history_form sine(double amplitude, double period)
     return form;
 }
 
-static void run(const swing *w, double most_cycles, long most_retries)
+static void run(const swing *w, double max_cycles, long max_retries)
 {
     ovr_error err = {0};
     ovr_history *load = made(w->load);
@@ -60,8 +60,8 @@ static void run(const swing *w, double most_cycles, long most_retries)
                     (double)(end.steps - start.steps);
     print_message("M = %g: %.2f cycles a step, %ld retries\n", w->M, cycles,
                   end.retries - start.retries);
-    assert_true(cycles < most_cycles);
-    assert_true(end.retries - start.retries <= most_retries);
+    assert_true(cycles < max_cycles);
+    assert_true(end.retries - start.retries <= max_retries);
     assert_int_equal(end.marked, 0);
     ovr_simulation_free(sim);
     ovr_history_free(load);

@@ -11,7 +11,7 @@
 #include "support/kernels.h"
 #include "support/test.h"
 
-enum { N = 1600, PAD = 4 * OVR_MOST_LANES };
+enum { N = 1600, PAD = 4 * OVR_MAX_LANES };
 
 typedef struct oil {
     ovr_arena arena;
@@ -33,13 +33,13 @@ static oil make(void)
     return o;
 }
 
-/* An oil at 0.2 to 3 GPa, z up to `most_z`, and a film. */
-static void fill(oil *o, uint64_t *seed, double most_z)
+/* An oil at 0.2 to 3 GPa, z up to `max_z`, and a film. */
+static void fill(oil *o, uint64_t *seed, double max_z)
 {
     double ph = test_random(seed, 0.2, 3);
     o->fluid = (ovr_fluid){{OVR_ROELANDS, OVR_DOWSON_HIGGINSON,
                             .alphabar = test_random(seed, 8, 30) * ph,
-                            .z = test_random(seed, 0.2, most_z),
+                            .z = test_random(seed, 0.2, max_z),
                             .P0 = 0.198 / ph, .A = 0.59 / ph},
                            .lambda = test_random(seed, 1e-3, 1)};
     for (int i = 0; i < N; i++) {

@@ -7,11 +7,11 @@
 #include "support/kernels.h"
 #include "support/test.h"
 
-enum { MOST = 90 };
+enum { MAX = 90 };
 
 /* Films with dry nodes among them. */
 typedef struct film {
-    double X[MOST], P[MOST], H[MOST], q[MOST], eps[MOST], flow[MOST];
+    double X[MAX], P[MAX], H[MAX], q[MAX], eps[MAX], flow[MAX];
 } film;
 
 static ovr_sheared make(film *f, size_t n, uint64_t *seed)
@@ -31,7 +31,7 @@ static void compare(const ovr_kernels *run, const ovr_sheared *f,
                     const ovr_fluid *fluid)
 {
     const ovr_kernels *plain = test_kernels(0);
-    double t[MOST], expected[MOST], limit = 0.7;
+    double t[MAX], expected[MAX], limit = 0.7;
     plain->mean_stress(f, fluid, expected);
     run->mean_stress(f, fluid, t);
     for (size_t i = 0; i + 1 < f->n; i++)
@@ -56,7 +56,7 @@ static void kernels_agree(void **state)
     (void)state;
     assert_non_null(law);
     for (int k = 1; (run = test_kernels(k)); k++)
-        for (size_t n = 13; n < MOST; n++) {
+        for (size_t n = 13; n < MAX; n++) {
             film f;
             ovr_sheared sheared = make(&f, n, &seed);
             ovr_fluid fluid = {.sliding = test_random(&seed, -3, 3),
@@ -108,7 +108,7 @@ static void plain_by_hand(void **state)
  * exactly. */
 static void slopes_slide_by_their_mean(void **state)
 {
-    const double V = 2, ends[] = {0.02, 0.999}, most[] = {0.06, 1e-9};
+    const double V = 2, ends[] = {0.02, 0.999}, maximum[] = {0.06, 1e-9};
     const ovr_fluid fluid = {.sliding = V, .by_gap = true};
     (void)state;
     for (int k = 0; k < 2; k++) {
@@ -116,7 +116,7 @@ static void slopes_slide_by_their_mean(void **state)
         double q[] = {1, G}, eps[] = {1, G * G * G};
         const ovr_sheared f = {2, X, P, H, q, eps, NULL};
         test_kernels(0)->mean_stress(&f, &fluid, &t);
-        CHECK_CLOSE(t, -V / 12 * log(G) / (G - 1), most[k]);
+        CHECK_CLOSE(t, -V / 12 * log(G) / (G - 1), maximum[k]);
     }
 }
 
@@ -133,19 +133,19 @@ static void overlapping_films_have_stresses(void **state)
     for (int k = 0; (run = test_kernels(k)); k++)
         for (int kind = 0; kind < 2; kind++) {
             film f;
-            double t[MOST];
-            ovr_sheared sheared = make(&f, MOST, &seed);
+            double t[MAX];
+            ovr_sheared sheared = make(&f, MAX, &seed);
             ovr_fluid fluid = {.sliding = 1, .by_gap = true};
             fluid.lubricant.rheology = kind ? OVR_CARREAU : OVR_EYRING;
             fluid.lubricant.flow_law = law;
             fluid.lubricant.Sigma0 = 0.3;
-            for (int i = 0; i < MOST; i += 3) {
+            for (int i = 0; i < MAX; i += 3) {
                 f.H[i] = -f.H[i];
                 f.q[i] = -f.q[i];
                 f.eps[i] = -f.eps[i];
             }
             run->mean_stress(&sheared, &fluid, t);
-            for (int i = 0; i + 1 < MOST; i++)
+            for (int i = 0; i + 1 < MAX; i++)
                 assert_true(isfinite(t[i]));
         }
     ovr_flow_law_free(law);

@@ -12,8 +12,8 @@
 /* Every set against the plain sum, dry nodes and partial vectors included. */
 static void weighted_sum_where_wet(void **state)
 {
-    enum { MOST = 41, TERMS = 5 };
-    double past[TERMS][MOST], weight[TERMS], P[MOST + 1], plain[MOST];
+    enum { MAX = 41, TERMS = 5 };
+    double past[TERMS][MAX], weight[TERMS], P[MAX + 1], plain[MAX];
     const double *from[TERMS];
     const ovr_kernels *run;
     uint64_t seed = 5;
@@ -21,12 +21,12 @@ static void weighted_sum_where_wet(void **state)
     for (size_t k = 0; k < TERMS; k++) {
         from[k] = past[k];
         weight[k] = test_random(&seed, -4, 4);
-        for (size_t i = 0; i < MOST; i++)
+        for (size_t i = 0; i < MAX; i++)
             past[k][i] = fmax(test_random(&seed, -0.5, 1), 0);
     }
-    test_kernels(0)->extrapolate(MOST, TERMS, weight, from, plain);
+    test_kernels(0)->extrapolate(MAX, TERMS, weight, from, plain);
     for (int set = 0; (run = test_kernels(set)); set++)
-        for (size_t n = 8; n <= MOST; n++) {
+        for (size_t n = 8; n <= MAX; n++) {
             P[n] = 77;
             run->extrapolate(n, TERMS, weight, from, P);
             assert_true(P[n] == 77);
@@ -38,19 +38,19 @@ static void weighted_sum_where_wet(void **state)
 /* The same of what moves by a part of a mesh. */
 static void carried_where_wet(void **state)
 {
-    enum { MOST = 41 };
-    double past[3][MOST + 3], P[MOST + 1], plain[MOST];
+    enum { MAX = 41 };
+    double past[3][MAX + 3], P[MAX + 1], plain[MAX];
     const double *const from[] = {past[0], past[1], past[2]};
     const double c[] = {-0.0455, 0.3315, 0.7735, -0.0595};
     const ovr_kernels *run;
     uint64_t seed = 6;
     (void)state;
     for (size_t k = 0; k < 3; k++)
-        for (size_t i = 0; i < MOST + 3; i++)
+        for (size_t i = 0; i < MAX + 3; i++)
             past[k][i] = fmax(test_random(&seed, -0.5, 1), 0);
-    test_kernels(0)->carry(MOST, c, from, plain);
+    test_kernels(0)->carry(MAX, c, from, plain);
     for (int set = 0; (run = test_kernels(set)); set++)
-        for (size_t n = 8; n <= MOST; n++) {
+        for (size_t n = 8; n <= MAX; n++) {
             P[n] = 77;
             run->carry(n, c, from, P);
             assert_true(P[n] == 77);

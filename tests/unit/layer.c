@@ -180,10 +180,10 @@ static void before_back(ovr_simulation *sim, void *own)
 
 static double deepest(const ovr_simulation *sim, const layer *l)
 {
-    double most = 0;
+    double maximum = 0;
     for (size_t i = 0; i < sim->now.n; i++)
-        most = fmax(most, l->worn[i]);
-    return most;
+        maximum = fmax(maximum, l->worn[i]);
+    return maximum;
 }
 
 /* ----------------------------------------------------------------- observed */

@@ -442,16 +442,17 @@ static void residual_stresses_are_added(void **state)
     CHECK_CLOSE(R[1], R[0], 1e-6);
     CHECK_NEAR(hydro[1] - hydro[0], -0.2 / 3, 1e-6);
     /* at x = 0, z = 0.5 by hand */
-    double most = 0;
+    double maximum = 0;
     for (double x = -3; x < 3; x += D / 2) {
         ovr_in_plane s = ovr_hertz_stress(1, 0, x, 0.5);
         double sx = s.d - s.h - 0.1, sz = -s.d - s.h, sy = -0.6 * s.h - 0.1;
-        most = fmax(most, sqrt(((sx - sz) * (sx - sz) + (sz - sy) * (sz - sy) +
-                                (sy - sx) * (sy - sx)) /
-                                   2 +
-                               3 * s.tau * s.tau));
+        maximum = fmax(maximum,
+                       sqrt(((sx - sz) * (sx - sz) + (sz - sy) * (sz - sy) +
+                             (sy - sx) * (sy - sx)) /
+                                2 +
+                            3 * s.tau * s.tau));
     }
-    CHECK_NEAR(mises[1], most, 1e-4);
+    CHECK_NEAR(mises[1], maximum, 1e-4);
     assert_true(mises[1] < mises[0]);
 }
 
@@ -461,10 +462,10 @@ static void residual_stresses_are_added(void **state)
 /* R(z) by closed form, on the program's own depths. */
 static double hertz_amplitude(double z)
 {
-    double most = 0;
+    double maximum = 0;
     for (double x = 0.8; x < 2.5; x += 1e-5 + 1e-4 * z)
-        most = fmax(most, fabs(ovr_hertz_stress(1, 0, x, z).tau));
-    return most;
+        maximum = fmax(maximum, fabs(ovr_hertz_stress(1, 0, x, z).tau));
+    return maximum;
 }
 
 static size_t closed_form(double *z, double *A)

@@ -15,8 +15,8 @@
 #include "surface/profile.h"
 #include "surface/surfaces.h"
 
-enum { MOST = 20001, N = 897 };
-static double x[MOST], z[MOST], X[N], S[N];
+enum { MAX = 20001, N = 897 };
+static double x[MAX], z[MAX], X[N], S[N];
 static const double PI = 3.14159265358979323846;
 static const double D = 5.5 / (N - 1);
 static const char *path;
@@ -98,7 +98,7 @@ static double error_of(double wavelength, double spacing, bool uniform,
     uint64_t seed = 7;
     double worst = 0;
     ovr_feature_form form = on_grid();
-    assert_true(n <= MOST);
+    assert_true(n <= MAX);
     for (size_t i = 0; i < n; i++) {
         double jitter = uniform ? 0 : test_random(&seed, -0.3, 0.3);
         x[i] = ((double)i + jitter) * spacing;
@@ -158,10 +158,10 @@ static void metres_become_hertzian_units(void **state)
 
 static double steepest(void)
 {
-    double most = 0;
+    double maximum = 0;
     for (int i = 1; i < N; i++)
-        most = fmax(most, fabs(S[i] - S[i - 1]) / D);
-    return most;
+        maximum = fmax(maximum, fabs(S[i] - S[i - 1]) / D);
+    return maximum;
 }
 
 /* A plateau enters without a step. */

@@ -50,7 +50,7 @@ static double flux(form s, double X)
 
 /* ----------------------------------------------------------- the surface */
 
-enum { MOST = 1409 };
+enum { MAX = 1409 };
 
 typedef struct surface {
     size_t n;
@@ -58,7 +58,7 @@ typedef struct surface {
     ovr_memory memory;
     ovr_departures departures;
     ovr_spread spread;
-    double q[MOST], before[MOST], psi[MOST * OVR_MODES], T[MOST];
+    double q[MAX], before[MAX], psi[MAX * OVR_MODES], T[MAX];
 } surface;
 
 /* From X0 to X1 in steps of dT, cold. */
@@ -91,7 +91,7 @@ static void begin_steady(surface *s)
 /* T in q b/k, N = sqrt(kappa/pi) at um = 1, a step on; the largest. */
 static double look(surface *s)
 {
-    static double workspace[MOST], fields[MOST * OVR_SWEPT];
+    static double workspace[MAX], fields[MAX * OVR_SWEPT];
     const ovr_modes_look l = {.run = ovr_kernels_choose(NULL),
                               .departures = &s->departures,
                               .spread = &s->spread,
@@ -103,13 +103,13 @@ static double look(surface *s)
                               .fields = fields,
                               .past = s->T,
                               .before = s->before};
-    double most = 0, N = sqrt(s->kappa / PI);
+    double maximum = 0, N = sqrt(s->kappa / PI);
     ovr_modes_past(&l);
     for (size_t i = 0; i < s->n; i++) {
         s->T[i] = N * (s->T[i] + 4. / 3 * sqrt(s->dT) * s->q[i]);
-        most = fmax(most, s->T[i]);
+        maximum = fmax(maximum, s->T[i]);
     }
-    return most;
+    return maximum;
 }
 
 static ovr_modes_step step_of(const surface *s)
@@ -125,7 +125,7 @@ static ovr_modes_step step_of(const surface *s)
 
 static double step(surface *s)
 {
-    static double next[MOST * OVR_MODES];
+    static double next[MAX * OVR_MODES];
     double T = look(s);
     const ovr_modes_step w = step_of(s);
     ovr_kernels_choose(NULL)->step_modes(&w, s->psi, next);
@@ -275,7 +275,7 @@ static void ends_are_not_felt(void **state)
 static void sweeps_invert(void **state)
 {
     static surface s;
-    static double v[MOST], w[MOST];
+    static double v[MAX], w[MAX];
     (void)state;
     make(&s, ELLIPTIC, 0.7, 1, -4, 1.5, 1. / 64, 1. / 50);
     double r = s.kappa * s.dT / (s.D * s.D);
@@ -300,7 +300,7 @@ static void sweeps_invert(void **state)
 static void kernels_agree(void **state)
 {
     static surface s;
-    static double plain[MOST * OVR_MODES], here[MOST * OVR_MODES];
+    static double plain[MAX * OVR_MODES], here[MAX * OVR_MODES];
     const ovr_kernels *by_nodes = test_kernels(0), *other;
     uint64_t seed = 3;
     (void)state;

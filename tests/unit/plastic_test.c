@@ -177,13 +177,13 @@ static void spectrum(void **state)
             for (int p = 0; p < q; p++)
                 CHECK_NEAR(A[p][q], A[q][p], 1e-8);
         eigenvalues(A);
-        double least = 0, most = -1;
+        double minimum = 0, maximum = -1;
         for (int p = 0; p < SIZE; p++) {
-            least = fmin(least, A[p][p]);
-            most = fmax(most, A[p][p]);
+            minimum = fmin(minimum, A[p][p]);
+            maximum = fmax(maximum, A[p][p]);
         }
-        assert_true(least >= -(1 - nu) - 1e-8);
-        assert_true(most < 0);
+        assert_true(minimum >= -(1 - nu) - 1e-8);
+        assert_true(maximum < 0);
     }
 }
 

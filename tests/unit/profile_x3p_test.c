@@ -216,17 +216,17 @@ static void member_names_are_no_paths(void **state)
 /* Deflate makes 64 kB of 64 MB of spaces. */
 static void bombs_are_refused(void **state)
 {
-    enum { MOST = 1 << 26 };
+    enum { MAX = 1 << 26 };
     const char *path = test_path(*state, "b.x3p");
     zip_t *zip = zip_open(path, ZIP_CREATE | ZIP_TRUNCATE, NULL);
     ovr_profile_source source = ovr_profile_source_default();
     ovr_error err = {0};
     test_faults count;
-    char *spaces = malloc(MOST + 1);
+    char *spaces = malloc(MAX + 1);
     zip_int64_t index;
-    memset(spaces, ' ', MOST + 1);
+    memset(spaces, ' ', MAX + 1);
     index = zip_file_add(zip, "main.xml",
-                         zip_source_buffer(zip, spaces, MOST + 1, 0), 0);
+                         zip_source_buffer(zip, spaces, MAX + 1, 0), 0);
     assert_true(index >= 0);
     zip_set_file_compression(zip, (zip_uint64_t)index, ZIP_CM_DEFLATE, 1);
     assert_int_equal(zip_close(zip), 0);
@@ -234,7 +234,7 @@ static void bombs_are_refused(void **state)
     source.file = path;
     assert_null(ovr_profile_read(&source, &count.hook, &err));
     CHECK_ERROR(&err, OVR_BAD_INPUT, "larger than the 67108864 bytes");
-    assert_true(count.bytes < MOST / 8);
+    assert_true(count.bytes < MAX / 8);
     assert_int_equal(count.live, 0);
     free(spaces);
 }

@@ -20,7 +20,7 @@
 #include "support/contact.h"
 #include "support/copied.h"
 
-enum { MOST = 20, STEPS = 10 };
+enum { MAX = 20, STEPS = 10 };
 static const double enough = 1e-8;
 
 /* All that the history depends on is written out. */
@@ -75,14 +75,14 @@ static double solved(ovr_scheme scheme, ovr_simulation *before, double dT,
 
 /* Residuals above 1e-8, to two digits, one for each cycle. */
 static void history(ovr_scheme scheme, ovr_simulation *before, double dT,
-                    char text[8 * MOST])
+                    char text[8 * MAX])
 {
     double tolerance = 0.999;
     size_t used = 0;
-    for (int k = 0; k < MOST && tolerance > enough; k++) {
+    for (int k = 0; k < MAX && tolerance > enough; k++) {
         double residual = solved(scheme, before, dT, tolerance);
         if (residual > enough)
-            used += (size_t)snprintf(text + used, 8 * MOST - used, "%s%.1e",
+            used += (size_t)snprintf(text + used, 8 * MAX - used, "%s%.1e",
                                      k ? " " : "", residual);
         tolerance = 0.999 * residual;
     }
@@ -105,7 +105,7 @@ static bool alike(const char *is, const char *was)
 static void compare(ovr_scheme scheme, ovr_simulation *before, double dT,
                     const char *was)
 {
-    char is[8 * MOST] = "";
+    char is[8 * MAX] = "";
     history(scheme, before, dT, is);
     if (!alike(is, was))
         fail_msg("residuals were\n    %s\nand are\n    %s", was, is);

@@ -104,16 +104,16 @@ static void volume_is_kept(void **state)
         before[k] = sum_of(pair.z[k]);
     for (size_t i = 0; i < N; i++)
         high = fmax(high, pair.z[0][i]);
-    double deepest = ovr_rough_pair_deepest(&pair, c, w), most = 0;
+    double deepest = ovr_rough_pair_deepest(&pair, c, w), maximum = 0;
     ovr_rough_pair_wear(&pair, c, w);
     for (int k = 0; k < 2; k++)
         CHECK_NEAR(before[k] - sum_of(pair.z[k]), c[k] * borne * pair.length,
                    1e-15);
     for (size_t i = 0; i < N; i++) {
-        most = fmax(most, one[i] - pair.z[0][i]);
+        maximum = fmax(maximum, one[i] - pair.z[0][i]);
         assert_true(pair.z[0][i] < high);
     }
-    CHECK_CLOSE(most, deepest, 1e-9);
+    CHECK_CLOSE(maximum, deepest, 1e-9);
     ovr_arena_release(&arena);
 }
 

@@ -6,12 +6,12 @@
 #include "support/kernels.h"
 #include "support/test.h"
 
-enum { MOST = 120 };
+enum { MAX = 120 };
 
 /* Arrays with a few equal values, some of them zero. */
 typedef struct arrays {
     size_t n;
-    double P[MOST], q[MOST], eps[MOST], X[MOST], past[3][MOST];
+    double P[MAX], q[MAX], eps[MAX], X[MAX], past[3][MAX];
 } arrays;
 
 static arrays make(size_t n, uint64_t *seed)
@@ -77,7 +77,7 @@ static void scans_agree(void **state)
     uint64_t seed = 5;
     (void)state;
     for (int k = 1; (run = test_kernels(k)); k++)
-        for (size_t n = 13; n < MOST; n++) {
+        for (size_t n = 13; n < MAX; n++) {
             arrays a = make(n, &seed);
             check_extremes(run, &a);
             check_peaks(run, &a);

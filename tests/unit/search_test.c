@@ -122,7 +122,7 @@ static void several(void **state)
     search.target = 2;
     r = find(search, hump, &s);
     assert_int_equal(r.end, OVR_SEARCH_MISSED);
-    assert_true(r.least == 0 && r.most == 1);
+    assert_true(r.minimum == 0 && r.maximum == 1);
 }
 
 static double fails_above(double x)

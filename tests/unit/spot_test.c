@@ -75,10 +75,10 @@ static size_t flank(const solved *s)
 /* The largest distance from the solution, of P. */
 static double off(const solved *s)
 {
-    double most = 0;
+    double maximum = 0;
     for (size_t i = 0; i < s->n - 1; i++)
-        most = fmax(most, fabs(*node(s, i) - s->P[i]));
-    return most;
+        maximum = fmax(maximum, fabs(*node(s, i) - s->P[i]));
+    return maximum;
 }
 
 /* Newton's method in windows stops at steps of 0.03, whose squares are 1e-3;

@@ -76,7 +76,7 @@ static void sliding_contacts_have_their_closed_form(void **state)
 /* The largest Tresca stress and where, from half a mesh down. */
 static double largest(ovr_stress *s, double mu, double *z)
 {
-    double most = 0;
+    double maximum = 0;
     hertz(-4, mu);
     ovr_stress_solve(s, P, Q, 0, OVR_STRESS_ALL_LEVELS);
     for (size_t j = 0; j < ovr_stress_depths(s, NULL); j++) {
@@ -85,11 +85,11 @@ static double largest(ovr_stress *s, double mu, double *z)
             double v = ovr_stress_value(OVR_STRESS_TRESCA, value(&row, i), 0.3,
                                         0, 0);
             double X = row.start + (double)i * row.step;
-            if (fabs(X) < 0.9 && v > most)
-                most = v, *z = row.z;
+            if (fabs(X) < 0.9 && v > maximum)
+                maximum = v, *z = row.z;
         }
     }
-    return most;
+    return maximum;
 }
 
 /* The largest shear stress comes to the surface where the friction exceeds a

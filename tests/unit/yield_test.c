@@ -33,13 +33,13 @@ static double node(size_t i)
     return INLET + (OUTLET - INLET) * (double)i / (NODES - 1);
 }
 
-static ovr_strip worst_of(const double *P, double least, double most)
+static ovr_strip worst_of(const double *P, double minimum, double maximum)
 {
     static double sums[NODES + 1];
     double D = node(1) - node(0);
     ovr_pressure_sums s = {NODES, sums};
     ovr_strip worst = {0};
-    ovr_strip_find(&s, P, least / D, most / D, &worst);
+    ovr_strip_find(&s, P, minimum / D, maximum / D, &worst);
     worst.middle = INLET + worst.middle * D;
     worst.width *= D;
     return worst;

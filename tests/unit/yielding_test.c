@@ -50,7 +50,7 @@ static rolled roll(double ratio, int passes)
     ovr_yielding *y = make(4, 1, LAYERS, edge, (ovr_hardening){.yield = Y}, 40,
                            1e-6);
     for (int pass = 1; pass <= passes; pass++) {
-        double before[LAYERS], most = 0;
+        double before[LAYERS], maximum = 0;
         for (size_t j = 0; j < LAYERS; j++)
             before[j] = ovr_yielding_strain(y, j, 1).all;
         for (double x = -5; x <= 5; x += stride) {
@@ -61,10 +61,11 @@ static rolled roll(double ratio, int passes)
             assert_true(ovr_yielding_flow(y).work >= 0);
         }
         for (size_t j = 0; j < LAYERS; j++)
-            most = fmax(most, ovr_yielding_strain(y, j, 1).all - before[j]);
-        r.last = most;
+            maximum = fmax(maximum,
+                           ovr_yielding_strain(y, j, 1).all - before[j]);
+        r.last = maximum;
         if (pass == 1)
-            r.first = most;
+            r.first = maximum;
     }
     for (size_t j = 0; j < LAYERS; j++) {
         ovr_stressed s = ovr_yielding_residual(y, j, 2);
@@ -166,13 +167,13 @@ static ovr_yielding *pressed(double p, double x0, ovr_hardening h, int times,
     return y;
 }
 
-static double most_flowed(const ovr_yielding *y)
+static double max_flowed(const ovr_yielding *y)
 {
-    double most = 0;
+    double maximum = 0;
     for (size_t j = 0; j < DEPTHS; j++)
         for (size_t i = 0; i < POINTS; i++)
-            most = fmax(most, ovr_yielding_strain(y, j, i).all);
-    return most;
+            maximum = fmax(maximum, ovr_yielding_strain(y, j, i).all);
+    return maximum;
 }
 
 /* First yield at 1.70 Y, collapse at 2.97 Y: below it a body that does not
@@ -190,10 +191,10 @@ static void strip(void **state)
     const double p[] = {2.5, 3.3};
     for (int k = 0; k < 2; k++) {
         ovr_yielding *y = pressed(p[k], 0, perfect, 300, &flowed);
-        some[k] = most_flowed(y);
+        some[k] = max_flowed(y);
         ovr_yielding_free(y);
         y = pressed(p[k], 0, perfect, 600, &flowed);
-        many[k] = most_flowed(y);
+        many[k] = max_flowed(y);
         ovr_yielding_free(y);
     }
     assert_true(many[0] < 1.05 * some[0]);

@@ -57,7 +57,7 @@ static int ascending(const void *a, const void *b)
 }
 
 /* Median and largest error in per cent. */
-static void judge(const quantity *q, double *median, double *most)
+static void judge(const quantity *q, double *median, double *maximum)
 {
     double error[COUNT] = {0};
     for (size_t k = 0; k < n; k++)
@@ -67,9 +67,9 @@ static void judge(const quantity *q, double *median, double *most)
                         1);
     qsort(error, n, sizeof *error, ascending);
     *median = error[n / 2];
-    *most = error[n - 1];
+    *maximum = error[n - 1];
     print_message("# %s film, %zu contacts: median %.2f %%, largest %.2f %%\n",
-                  q->name, n, *median, *most);
+                  q->name, n, *median, *maximum);
 }
 
 /* Root of the mean square of the residuals of the fit made anew. */
@@ -115,20 +115,20 @@ static double norm(quantity *q)
 static void central_film(void **state)
 {
     quantity q = {"central", &ovr_central_film, true};
-    double median, most;
+    double median, maximum;
     (void)state;
-    judge(&q, &median, &most);
-    assert_true(median < 0.25 && most < 2.6);
+    judge(&q, &median, &maximum);
+    assert_true(median < 0.25 && maximum < 2.6);
     assert_true(norm(&q) < 1.1 * refit(&q));
 }
 
 static void minimum_film(void **state)
 {
     quantity q = {"minimum", &ovr_minimum_film, false};
-    double median, most;
+    double median, maximum;
     (void)state;
-    judge(&q, &median, &most);
-    assert_true(median < 0.29 && most < 1.7);
+    judge(&q, &median, &maximum);
+    assert_true(median < 0.29 && maximum < 1.7);
     assert_true(norm(&q) < 1.1 * refit(&q));
 }
 

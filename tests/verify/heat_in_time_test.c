@@ -13,7 +13,7 @@
 
 typedef struct total {
     long runs, failed, marked, cycles, steps, retries;
-    double least_rise, most_rise, most_defect;
+    double min_rise, max_rise, max_defect;
 } total;
 
 /* Uniform in ln M, L and the slip, of those that are drawn the first with a
@@ -40,9 +40,9 @@ static void take(total *t, const ovr_simulation *sim, const ovr_error *err)
     t->cycles += s->cycles;
     t->steps += s->steps;
     t->retries += s->retries;
-    t->least_rise = fmin(t->least_rise, s->extreme.T_max_rise);
-    t->most_rise = fmax(t->most_rise, s->extreme.T_max_rise);
-    t->most_defect = fmax(t->most_defect, fabs(s->extreme.energy_defect));
+    t->min_rise = fmin(t->min_rise, s->extreme.T_max_rise);
+    t->max_rise = fmax(t->max_rise, s->extreme.T_max_rise);
+    t->max_defect = fmax(t->max_defect, fabs(s->extreme.energy_defect));
 }
 
 /* One run of 400 steps of two meshes. */
@@ -91,7 +91,7 @@ static void random_runs_go_through(void **state)
 {
     const char *told = getenv("OVERROLL_RUNS");
     long runs = told ? strtol(told, NULL, 10) : 100;
-    total t = {.least_rise = INFINITY};
+    total t = {.min_rise = INFINITY};
     uint64_t seed = 20261122;
     (void)state;
     print_message("    seed %llu\n", (unsigned long long)seed);
@@ -100,8 +100,8 @@ static void random_runs_go_through(void **state)
     print_message("    %ld runs, %ld failed, %ld with marked steps; rises of "
                   "%.3g to %.3g K, defect of energy up to %.2g; %.2f cycles a "
                   "step, %ld retries in %ld steps\n",
-                  t.runs, t.failed, t.marked, t.least_rise, t.most_rise,
-                  t.most_defect, (double)t.cycles / (double)t.steps, t.retries,
+                  t.runs, t.failed, t.marked, t.min_rise, t.max_rise,
+                  t.max_defect, (double)t.cycles / (double)t.steps, t.retries,
                   t.steps);
     assert_int_equal(t.failed, 0);
     assert_true(100 * t.marked <= 3 * t.runs);

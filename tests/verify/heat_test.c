@@ -8,9 +8,9 @@
 #include "support/test.h"
 
 typedef struct total {
-    int runs, failed, most_cycles;
+    int runs, failed, max_cycles;
     long cycles;
-    double most_rise, most_defect;
+    double max_rise, max_defect;
 } total;
 
 /* Uniform in ln M, L and the slip, of those that are drawn the first within
@@ -36,7 +36,7 @@ static void solve(const test_hot *hot, int level, total *t)
     const ovr_observation *o = ovr_simulation_observation(sim);
     t->runs++;
     t->cycles += o->cycles;
-    t->most_cycles = o->cycles > t->most_cycles ? o->cycles : t->most_cycles;
+    t->max_cycles = o->cycles > t->max_cycles ? o->cycles : t->max_cycles;
     if (status) {
         const ovr_contact *c = &hot->contact;
         t->failed++;
@@ -44,8 +44,8 @@ static void solve(const test_hot *hot, int level, total *t)
                       c->M, c->L, 1e-9 * c->ph, c->u1_ratio - c->u2_ratio,
                       hot->oil.Sigma0, err.message);
     } else {
-        t->most_rise = fmax(t->most_rise, o->T_max_rise);
-        t->most_defect = fmax(t->most_defect, fabs(o->energy_defect));
+        t->max_rise = fmax(t->max_rise, o->T_max_rise);
+        t->max_defect = fmax(t->max_defect, fabs(o->energy_defect));
     }
     ovr_simulation_free(sim);
 }
@@ -61,8 +61,8 @@ static void survey(const char *what, double high, bool newtonian, int runs)
     print_message("    %s, seed %llu: %d contacts, %d fail; %.1f cycles, %d at "
                   "most; %.0f K, defect %.1e at most\n",
                   what, (unsigned long long)first, t.runs, t.failed,
-                  (double)t.cycles / t.runs, t.most_cycles, t.most_rise,
-                  t.most_defect);
+                  (double)t.cycles / t.runs, t.max_cycles, t.max_rise,
+                  t.max_defect);
     assert_int_equal(t.failed, 0);
 }
 

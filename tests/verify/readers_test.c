@@ -26,7 +26,7 @@
 
 #include "overroll/results.h"
 
-enum { READERS = 24, TIMES = 5, MOST = 4096 };
+enum { READERS = 24, TIMES = 5, MAX = 4096 };
 
 static const char case_text[] =
     "[contact]\nM = 20\nL = 10\n[domain]\nlevel = 8\n[time]\nend = 6\n"
@@ -43,11 +43,11 @@ static double now(void)
 /* One look; false: it failed.  `rows` and `ended` tell what was seen. */
 static bool look(const char *path, size_t *rows, bool *ended)
 {
-    static double values[MOST];
+    static double values[MAX];
     ovr_error err = {0};
     ovr_result *r = ovr_result_open(path, NULL, &err);
     const ovr_result_info *about = r ? ovr_result_about(r) : NULL;
-    bool good = about && about->nodes <= MOST && about->snapshots >= *rows;
+    bool good = about && about->nodes <= MAX && about->snapshots >= *rows;
     if (good) {
         *rows = about->snapshots;
         *ended = strcmp(about->status, "running") != 0;
@@ -55,7 +55,7 @@ static bool look(const char *path, size_t *rows, bool *ended)
     if (good && *rows)
         good = ovr_result_snapshot(r, "pressure", *rows - 1, OVR_AS_STORED,
                                    values, &err) == OVR_OK;
-    if (good && about->steps <= MOST)
+    if (good && about->steps <= MAX)
         good = ovr_result_history(r, "time", OVR_AS_STORED, values, &err) ==
                OVR_OK;
     if (!good)

@@ -28,10 +28,10 @@
 #include <unistd.h>
 
 enum { CREATE = 1, OPEN, CLOSE, WRITE, CUT, SYNC, SYNC_NAMES, RENAME, UNLINK };
-enum { MOST = 1024 };
+enum { MAX = 1024 };
 
 static pthread_mutex_t one_at_a_time = PTHREAD_MUTEX_INITIALIZER;
-static unsigned char watched[MOST]; /* 1: a file, 2: a folder */
+static unsigned char watched[MAX]; /* 1: a file, 2: a folder */
 static int out = -1;
 static long operations, last; /* to be killed at; 0: never */
 
@@ -82,7 +82,7 @@ static int is_ours(const char *path)
 
 static int is_watched(int fd)
 {
-    return fd >= 0 && fd < MOST ? watched[fd] : 0;
+    return fd >= 0 && fd < MAX ? watched[fd] : 0;
 }
 
 static int open_any(const char *path, int flags, int mode)
@@ -91,7 +91,7 @@ static int open_any(const char *path, int flags, int mode)
     struct stat about;
     pthread_mutex_lock(&one_at_a_time);
     fd = real_open(path, flags, mode);
-    if (fd >= 0 && fd < MOST) {
+    if (fd >= 0 && fd < MAX) {
         watched[fd] = (unsigned char)(ours && (flags & O_ACCMODE) != O_RDONLY);
         if (watched[fd])
             note(there ? OPEN : CREATE, fd, flags & O_TRUNC ? 1 : 0, path,
@@ -130,7 +130,7 @@ int close(int fd)
     pthread_mutex_lock(&one_at_a_time);
     if (is_watched(fd) == 1)
         note(CLOSE, fd, 0, NULL, 0);
-    if (fd >= 0 && fd < MOST)
+    if (fd >= 0 && fd < MAX)
         watched[fd] = 0;
     result = real(fd);
     pthread_mutex_unlock(&one_at_a_time);

@@ -17,7 +17,7 @@ typedef struct errors {
     double thinner, thicker; /* than foreseen, over the smooth film */
 } errors;
 
-static void compare(uint64_t seed, double slide, errors *most)
+static void compare(uint64_t seed, double slide, errors *maximum)
 {
     test_rough r = test_rough_run(seed, slide, 8);
     double ratio = r.film_Rq / r.said.film_Rq;
@@ -28,34 +28,34 @@ static void compare(uint64_t seed, double slide, errors *most)
                   "%.4g (%+.3f of the smooth)\n",
                   (int)seed, r.M, r.L, slide, r.said.Rq, r.film_Rq,
                   r.said.film_Rq, ratio, r.H_min, r.said.H_min, film);
-    most->Rq = fmax(most->Rq, fabs(ratio - 1));
-    most->H_min = fmax(most->H_min, fabs(film));
-    most->low = fmin(most->low, ratio);
-    most->high = fmax(most->high, ratio);
-    most->thinner = fmax(most->thinner, -film);
-    most->thicker = fmax(most->thicker, film);
+    maximum->Rq = fmax(maximum->Rq, fabs(ratio - 1));
+    maximum->H_min = fmax(maximum->H_min, fabs(film));
+    maximum->low = fmin(maximum->low, ratio);
+    maximum->high = fmax(maximum->high, ratio);
+    maximum->thinner = fmax(maximum->thinner, -film);
+    maximum->thicker = fmax(maximum->thicker, film);
 }
 
-static void survey(uint64_t seed, int count, double slide, errors *most)
+static void survey(uint64_t seed, int count, double slide, errors *maximum)
 {
-    *most = (errors){.low = INFINITY};
+    *maximum = (errors){.low = INFINITY};
     for (int k = 0; k < count; k++)
-        compare(seed + (uint64_t)k, slide, most);
+        compare(seed + (uint64_t)k, slide, maximum);
     print_message("# seeds %d on, %d surfaces, slide-to-roll ratio %g: Rq to "
                   "%.3f (ratio %.2f to %.2f), smallest film to %.3f of the "
                   "smooth one\n",
-                  (int)seed, count, slide, most->Rq, most->low, most->high,
-                  most->H_min);
+                  (int)seed, count, slide, maximum->Rq, maximum->low,
+                  maximum->high, maximum->H_min);
 }
 
 /* The errors stated. */
 static void rolling(void **state)
 {
-    errors most;
+    errors maximum;
     (void)state;
-    survey(101, 20, 0, &most);
-    assert_true(most.Rq < 0.12);
-    assert_true(most.H_min < 0.12);
+    survey(101, 20, 0, &maximum);
+    assert_true(maximum.Rq < 0.12);
+    assert_true(maximum.H_min < 0.12);
 }
 
 /* What is said of sliding. */
@@ -64,10 +64,10 @@ static void sliding(void **state)
     static const double slide[] = {-1, -0.5, 0.5, 1};
     (void)state;
     for (int k = 0; k < 4; k++) {
-        errors most;
-        survey(201, 5, slide[k], &most);
-        assert_true(most.low > 0.78 && most.high < 1.22);
-        assert_true(most.thinner < 0.025 && most.thicker < 0.22);
+        errors maximum;
+        survey(201, 5, slide[k], &maximum);
+        assert_true(maximum.low > 0.78 && maximum.high < 1.22);
+        assert_true(maximum.thinner < 0.025 && maximum.thicker < 0.22);
     }
 }
 

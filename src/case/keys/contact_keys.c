@@ -19,9 +19,9 @@ static const ovr_word no_yield[] = {{"none", 0}, {NULL, 0}};
 static const ovr_word flat[] = {{"flat", INFINITY}, {NULL, 0}};
 
 static const ovr_parameter contact_keys[] = {
-    {"M", PLAIN(OVR_M_LEAST, OVR_M_MOST), NULL, AT(contact.M), true, ALWAYS,
+    {"M", PLAIN(OVR_M_MIN, OVR_M_MAX), NULL, AT(contact.M), true, ALWAYS,
      "Moes load parameter W/sqrt(2U)"},
-    {"L", PLAIN(0, OVR_L_MOST), NULL, AT(contact.L), true, ALWAYS,
+    {"L", PLAIN(0, OVR_L_MAX), NULL, AT(contact.L), true, ALWAYS,
      "Moes material parameter G (2U)^(1/4); 0: isoviscous, incompressible"},
     {"lambda", PLAIN(1e-12, 1e7), NULL, AT(contact.lambda), true, ALWAYS,
      "3 pi^2/(8 M^2), with alphabar instead of M and L"},

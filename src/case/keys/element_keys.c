@@ -6,8 +6,8 @@
 #define GEAR(field) AT(element.gear.field)
 #define CAM(field) AT(element.cam.field)
 #define BEARING(field) AT(element.bearing.field)
-#define OF_LENGTH(least, most) WITH_UNIT(OVR_LENGTH, least, most)
-#define OF_ANGLE(least, most) WITH_UNIT(OVR_ANGLE, least, most)
+#define OF_LENGTH(minimum, maximum) WITH_UNIT(OVR_LENGTH, minimum, maximum)
+#define OF_ANGLE(minimum, maximum) WITH_UNIT(OVR_ANGLE, minimum, maximum)
 #define TURNING WITH_UNIT(OVR_ROTATION, -1e6, 1e6)
 #define DEGREES(n) ((n)*0.017453292519943295)
 

@@ -44,13 +44,13 @@ extern const ovr_word ovr_history_words[], ovr_time_unit_words[];
 #define IN_CHANGE(base, field) ((base) + offsetof(ovr_change, field))
 
 /* clang-format off */
-#define HISTORY(base, initial, least, most, swing, when)                      \
+#define HISTORY(base, initial, low, high, swing, when)                        \
     {"history", CHOICE(ovr_history_words), "constant",                        \
      IN_CHANGE(base, history), true, when,                                    \
      "how it changes in time, relative to nominal"},                          \
-    {"from", PLAIN(least, most), initial, IN_CHANGE(base, from), true,        \
+    {"from", PLAIN(low, high), initial, IN_CHANGE(base, from), true,          \
      "history = ramp | step", "value up to the start"},                       \
-    {"to", PLAIN(least, most), initial, IN_CHANGE(base, to), true,            \
+    {"to", PLAIN(low, high), initial, IN_CHANGE(base, to), true,              \
      "history = ramp | step", "value at the end"},                            \
     {"start", TIME(-1e6, 1e6), "0", IN_CHANGE(base, start), true,             \
      "history = ramp | step | sine", "time at which the change begins"},      \

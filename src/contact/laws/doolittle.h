@@ -19,26 +19,26 @@
 typedef struct doolittle {
     tait volume;
     double R0, slope, stiffness, start; /* B R0; and over ln 2; /(1 - R0) */
-    double least;                       /* of v - R0 */
+    double minimum;                     /* of v - R0 */
 } doolittle;
 
 static inline void doolittle_make(const ovr_lubricant *oil, doolittle *law)
 {
-    const double inv_ln2 = 0x1.71547652b82fep0, most = 650;
+    const double inv_ln2 = 0x1.71547652b82fep0, maximum = 650;
     double BR0 = oil->doolittle_B * oil->doolittle_R0;
     tait_make(oil, &law->volume);
     law->R0 = oil->doolittle_R0;
     law->slope = BR0;
     law->stiffness = inv_ln2 * BR0;
     law->start = law->stiffness / (1 - law->R0);
-    law->least = 1 / (most / BR0 + 1 / (1 - law->R0));
+    law->minimum = 1 / (maximum / BR0 + 1 / (1 - law->R0));
 }
 
 /* log2(1/eta), and the slope of ln eta. */
 static inline num doolittle_fluidity(const doolittle *law, num P, num *slope)
 {
     num loss, v = tait_volume(&law->volume, P, &loss);
-    num inverse = 1 / larger(v - law->R0, all(law->least));
+    num inverse = 1 / larger(v - law->R0, all(law->minimum));
     *slope = law->slope * inverse * inverse * loss;
     return law->start - law->stiffness * inverse;
 }

@@ -12,15 +12,15 @@
 
 #include <math.h>
 
-enum { CELLS = 1024, MOST = 100000 };
-static const double FIRST_MOST = 1e6; /* Pa: what counts as ambient */
+enum { CELLS = 1024, MAX = 100000 };
+static const double FIRST_MAX = 1e6; /* Pa: what counts as ambient */
 
 static ovr_status check_points(size_t n, const double *p, const double *value,
                                ovr_error *err)
 {
-    if (n < 2 || n > MOST)
+    if (n < 2 || n > MAX)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "the table has %zu points; needs 2 to %d", n, MOST);
+                        "the table has %zu points; needs 2 to %d", n, MAX);
     for (size_t i = 0; i < n; i++) {
         if (!(isfinite(p[i]) && value[i] > 0 && isfinite(value[i])))
             return ovr_fail(err, OVR_BAD_INPUT,
@@ -35,7 +35,7 @@ static ovr_status check_points(size_t n, const double *p, const double *value,
                             "with pressure",
                             i + 1, value[i], value[i - 1]);
     }
-    if (p[0] >= 0 && p[0] <= FIRST_MOST)
+    if (p[0] >= 0 && p[0] <= FIRST_MAX)
         return OVR_OK;
     return ovr_fail(err, OVR_BAD_INPUT,
                     "the first pressure, %g Pa, must be ambient: 0 to 1 MPa",

@@ -24,7 +24,7 @@ typedef struct yasutomi {
     double A2, b1, b2, C2;
     double above, rise;        /* T - Tg0; A1 A2 */
     double slope, stiffness;   /* ln 10 C1 C2; the same over ln 2 */
-    double start, least;       /* stiffness/(C2 + u0); of C2 + u */
+    double start, minimum;     /* stiffness/(C2 + u0); of C2 + u */
     log_table glass, fraction; /* A1 ln x; b2 log2 x */
     exp_table power;
 } yasutomi;
@@ -32,7 +32,7 @@ typedef struct yasutomi {
 static inline void yasutomi_make(const ovr_lubricant *oil, yasutomi *law)
 {
     const double ln2 = 0x1.62e42fefa39efp-1, inv_ln2 = 0x1.71547652b82fep0;
-    const double ln10 = 0x1.26bb1bbb55516p+1, most = 650;
+    const double ln10 = 0x1.26bb1bbb55516p+1, maximum = 650;
     const ovr_yasutomi *y = &oil->yasutomi;
     *law = (yasutomi){.A2 = y->A2,
                       .b1 = y->b1,
@@ -43,7 +43,7 @@ static inline void yasutomi_make(const ovr_lubricant *oil, yasutomi *law)
     law->slope = ln10 * y->C1 * y->C2;
     law->stiffness = inv_ln2 * law->slope;
     law->start = law->stiffness / (y->C2 + law->above);
-    law->least = law->slope / (most + law->slope / (y->C2 + law->above));
+    law->minimum = law->slope / (maximum + law->slope / (y->C2 + law->above));
     make_log_table(ln2 * y->A1, &law->glass);
     make_log_table(y->b2, &law->fraction);
     make_exp_table(1, &law->power);
@@ -56,7 +56,7 @@ static inline num yasutomi_fluidity(const yasutomi *law, num P, num *slope)
     num F = scaled_exp2(&law->power, scaled_log2(&law->fraction, b));
     num u = (law->above - scaled_log2(&law->glass, a)) * F;
     num du = law->rise / a * F - law->b1 * law->b2 / b * u;
-    num inverse = 1 / larger(law->C2 + u, all(law->least));
+    num inverse = 1 / larger(law->C2 + u, all(law->minimum));
     *slope = law->slope * inverse * inverse * du;
     return law->start - law->stiffness * inverse;
 }

@@ -72,7 +72,7 @@ ovr_found ovr_container_open(ovr_container *c, int fd, ovr_arena *arena)
 
 /* ------------------------------------------------------- headers of objects */
 
-enum { MOST_BLOCKS = 32 };
+enum { MAX_BLOCKS = 32 };
 
 /* A walk through the messages of a header and the blocks it goes on in. */
 typedef struct header {
@@ -82,7 +82,7 @@ typedef struct header {
     bool ordered; /* messages are numbered */
     size_t order; /* of the last one, among those of its kind */
     bool damaged;
-    uint64_t at[MOST_BLOCKS], size[MOST_BLOCKS];
+    uint64_t at[MAX_BLOCKS], size[MAX_BLOCKS];
     size_t blocks, read;
 } header;
 
@@ -101,20 +101,20 @@ static void open_first(header *h, uint64_t at)
  * follows. */
 static void open_header(header *h, ovr_source *source, uint64_t at)
 {
-    enum { LEAST = 6, MOST = LEAST + 16 + 4 + 8 };
+    enum { MIN = 6, MAX = MIN + 16 + 4 + 8 };
     ovr_piece b;
     uint64_t left = at < source->bytes ? source->bytes - at : 0, flags, size;
     size_t prefix;
     *h = (header){.source = source, .damaged = true};
-    if (!ovr_load(source, at, left < MOST ? left : MOST, &b) ||
-        b.left < LEAST || memcmp(b.at, "OHDR\2", 5) != 0) {
+    if (!ovr_load(source, at, left < MAX ? left : MAX, &b) || b.left < MIN ||
+        memcmp(b.at, "OHDR\2", 5) != 0) {
         open_first(h, at);
         return;
     }
     ovr_cut(&b, 5);
     flags = ovr_take(&b, 1);
-    prefix = LEAST + (flags & 0x20 ? 16u : 0u) + (flags & 0x10 ? 4u : 0u);
-    ovr_cut(&b, prefix - LEAST);
+    prefix = MIN + (flags & 0x20 ? 16u : 0u) + (flags & 0x10 ? 4u : 0u);
+    ovr_cut(&b, prefix - MIN);
     size = ovr_take(&b, (size_t)1 << (flags & 3));
     prefix += (size_t)1 << (flags & 3);
     if (!b.good || size > source->bytes ||
@@ -141,7 +141,7 @@ static bool next_block(header *h)
 static void note_block(header *h, ovr_piece message)
 {
     uint64_t at = ovr_take(&message, 8), size = ovr_take(&message, 8);
-    h->damaged = !message.good || h->blocks == MOST_BLOCKS;
+    h->damaged = !message.good || h->blocks == MAX_BLOCKS;
     if (h->damaged)
         return;
     h->at[h->blocks] = at;
@@ -152,15 +152,15 @@ static void note_block(header *h, ovr_piece message)
  * stand elsewhere, are damage too: the writer makes none. */
 static bool next_message(header *h, unsigned *kind, ovr_piece *body)
 {
-    size_t least = h->first ? 8 : h->ordered ? 6 : 4;
-    while (!h->damaged && (h->block.left >= least || next_block(h))) {
+    size_t minimum = h->first ? 8 : h->ordered ? 6 : 4;
+    while (!h->damaged && (h->block.left >= minimum || next_block(h))) {
         uint64_t size, flags;
-        if (h->block.left < least)
+        if (h->block.left < minimum)
             continue;
         *kind = (unsigned)ovr_take(&h->block, h->first ? 2 : 1);
         size = ovr_take(&h->block, 2);
         flags = ovr_take(&h->block, 1);
-        h->order = (size_t)ovr_take(&h->block, least - (h->first ? 5 : 4));
+        h->order = (size_t)ovr_take(&h->block, minimum - (h->first ? 5 : 4));
         *body = ovr_cut(&h->block, size);
         h->damaged = !body->good || flags & 0x02;
         if (!h->damaged && *kind == CONTINUATION)

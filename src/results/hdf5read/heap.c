@@ -14,7 +14,7 @@ enum { ADDRESS = 8 };
 
 /* ------------------------------------------------------------------ B-tree */
 
-enum { ID_CAPACITY = 8, DEEPEST = 6, MOST_NODES = 1024 };
+enum { ID_CAPACITY = 8, DEEPEST = 6, MAX_NODES = 1024 };
 
 /* Lists names of objects in a heap. */
 typedef struct tree {
@@ -24,14 +24,14 @@ typedef struct tree {
     size_t count_size;          /* of the number of records of a node ... */
     size_t total_size[DEEPEST]; /* ... and of those at and below that depth */
     unsigned char *id;          /* ID_CAPACITY bytes each */
-    size_t count, most, nodes;
+    size_t count, maximum, nodes;
 } tree;
 
-/* The number of bytes that hold numbers up to `most`. */
-static size_t bytes_for(uint64_t most)
+/* The number of bytes that hold numbers up to `maximum`. */
+static size_t bytes_for(uint64_t maximum)
 {
     size_t bytes = 1;
-    while (most >>= 8)
+    while (maximum >>= 8)
         bytes++;
     return bytes;
 }
@@ -48,10 +48,10 @@ static void find_sizes(tree *t)
     t->count_size = bytes_for(all);
     t->total_size[0] = 0;
     for (size_t d = 1; d < DEEPEST; d++) {
-        uint64_t pointer = pointer_size(t, d), most = 0;
+        uint64_t pointer = pointer_size(t, d), maximum = 0;
         if (t->node > frame + pointer)
-            most = (t->node - frame - pointer) / (t->record + pointer);
-        all = (most + 1) * all + most;
+            maximum = (t->node - frame - pointer) / (t->record + pointer);
+        all = (maximum + 1) * all + maximum;
         t->total_size[d] = bytes_for(all);
     }
 }
@@ -61,7 +61,7 @@ static bool add_records(tree *t, ovr_piece *node, uint64_t count)
 {
     for (uint64_t k = 0; k < count && node->good; k++) {
         ovr_piece record = ovr_cut(node, t->record);
-        if (t->count == t->most || !record.good)
+        if (t->count == t->maximum || !record.good)
             return false;
         memcpy(t->id + ID_CAPACITY * t->count++, record.at + t->id_at,
                t->id_size);
@@ -75,7 +75,7 @@ static bool add_node(tree *t, uint64_t at, uint64_t count, size_t depth)
     uint64_t used = 10 + count * t->record + (depth ? count + 1 : 0) * pointer;
     ovr_piece node;
     bool good;
-    if (++t->nodes > MOST_NODES || used > t->node ||
+    if (++t->nodes > MAX_NODES || used > t->node ||
         !ovr_load_block(t->source, at, used, depth ? "BTIN" : "BTLF", &node))
         return false;
     ovr_take(&node, 2); /* version, kind */
@@ -114,10 +114,10 @@ static bool list(tree *t, uint64_t at)
     root = ovr_take(&b, ADDRESS);
     count = ovr_take(&b, 2);
     all = ovr_take(&b, 8);
-    if (!find_form(t, kind) || depth >= DEEPEST || all > OVR_MOST_ITEMS)
+    if (!find_form(t, kind) || depth >= DEEPEST || all > OVR_MAX_ITEMS)
         return false;
-    t->most = (size_t)all;
-    t->id = ovr_arena_take(t->source->arena, t->most, ID_CAPACITY, NULL);
+    t->maximum = (size_t)all;
+    t->id = ovr_arena_take(t->source->arena, t->maximum, ID_CAPACITY, NULL);
     t->source->starved = t->source->starved || !t->id;
     find_sizes(t);
     return t->id &&

@@ -10,7 +10,7 @@
 #include "results/hdf5read/blocks.h"
 
 /* No group or object has more links or attributes than this. */
-enum { OVR_MOST_ITEMS = 4096 };
+enum { OVR_MAX_ITEMS = 4096 };
 
 typedef struct ovr_items {
     ovr_piece *item;

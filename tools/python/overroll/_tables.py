@@ -54,7 +54,7 @@ def parameters() -> tuple[Parameter, ...]:
         choices = [text(c) for c in p.choices if c != ffi.NULL]
         table.append(Parameter(
             text(p.section), text(p.key), text(p.type), text(p.units),
-            text(p.bare), text(p.initial), p.least, p.most, tuple(choices),
+            text(p.bare), text(p.initial), p.minimum, p.maximum, tuple(choices),
             text(p.help), named[text(p.section)]))
     return tuple(table)
 
