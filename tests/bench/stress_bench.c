@@ -30,8 +30,8 @@ static void convolve(void *data)
     stage *s = data;
     fftw_execute(s->forward);
     fftw_execute(s->back);
-    for (size_t k = 0; k < s->workspace; k++)
-        s->values[k] /= (double)s->workspace;
+    for (size_t k = 0; k < s->capacity; k++)
+        s->values[k] /= (double)s->capacity;
 }
 
 static void solve(void *data)
@@ -64,10 +64,10 @@ static void open_stage(stage *s, int level, bool traction)
     s->history = ovr_material_history_create(&o, &range, NULL, &err);
     s->P = calloc(n, sizeof *s->P);
     s->Q = traction ? calloc(n, sizeof *s->Q) : NULL;
-    for (s->workspace = 256; s->workspace < 9 * (n - 1) / 4; s->workspace *= 2)
+    for (s->capacity = 256; s->capacity < 9 * (n - 1) / 4; s->capacity *= 2)
         ;
-    s->values = fftw_malloc(s->workspace * sizeof *s->values);
-    s->spectrum = fftw_malloc((s->workspace / 2 + 1) * sizeof *s->spectrum);
+    s->values = fftw_malloc(s->capacity * sizeof *s->values);
+    s->spectrum = fftw_malloc((s->capacity / 2 + 1) * sizeof *s->spectrum);
     if (!s->stress || !s->history || !s->P || (traction && !s->Q) ||
         !s->values || !s->spectrum) {
         fprintf(stderr, "no memory\n");
@@ -79,11 +79,11 @@ static void open_stage(stage *s, int level, bool traction)
         if (s->Q)
             s->Q[i] = 0.05 * s->P[i];
     }
-    s->forward = fftw_plan_dft_r2c_1d((int)s->workspace, s->values, s->spectrum,
+    s->forward = fftw_plan_dft_r2c_1d((int)s->capacity, s->values, s->spectrum,
                                       FFTW_ESTIMATE);
-    s->back = fftw_plan_dft_c2r_1d((int)s->workspace, s->spectrum, s->values,
+    s->back = fftw_plan_dft_c2r_1d((int)s->capacity, s->spectrum, s->values,
                                    FFTW_ESTIMATE);
-    memset(s->values, 0, s->workspace * sizeof *s->values);
+    memset(s->values, 0, s->capacity * sizeof *s->values);
 }
 
 static void close_stage(stage *s)
