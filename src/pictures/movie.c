@@ -21,7 +21,8 @@ static const struct form {
 } forms[] = {
     {".mp4",
      "mp4",
-     {"-vf", EVEN, "-c:v", "libx264", "-crf", "18", "-movflags", "+faststart"}},
+     {"-vf", EVEN, "-c:v", "libx264", "-preset", "veryfast", "-crf", "18",
+      "-movflags", "+faststart"}},
     {".webm",
      "webm",
      {"-vf", EVEN, "-c:v", "libvpx-vp9", "-crf", "28", "-b:v", "0", "-row-mt",

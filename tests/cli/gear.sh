@@ -87,7 +87,8 @@ awk '{ exit !($1 - 6.8404 < 1e-3 && 6.8404 - $1 < 1e-3 &&
 # The film alone, smooth, flooded and isothermal, on a domain of its own.
 smooth() {
     sed '/^\[heat\]/,/^temperature/d; /^\[cavitation\]/,$d
-        s/^level = .*/level = 5/' "$TOP/tools/examples/gear.ini"
+        s/^level = .*/level = 5\n[time]\nscheme = upstream2/' \
+        "$TOP/tools/examples/gear.ini"
 }
 smooth >new.ini
 {
