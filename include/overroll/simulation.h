@@ -236,7 +236,7 @@ typedef struct ovr_observation {
     int maxima;      /* maxima of P that stand out so */
     bool converged;  /* R and load below tolerance */
     bool marked;     /* accepted above tolerance, or with other temperatures */
-    /* oil conserved; without it NAN */
+    /* mass-conserving cavitation; without it NAN */
     double supply;            /* q that arrives at the inlet */
     double meniscus;          /* X where the film begins; NAN: flooded */
     double starvation_factor; /* H_cen over that of the flooded contact under
@@ -296,7 +296,7 @@ typedef enum ovr_axes {
 
 /* Physics that a quantity belongs to, as bits. */
 enum {
-    OVR_PHYSICS_CONTENT = 1,   /* oil is conserved */
+    OVR_PHYSICS_CONTENT = 1,   /* mass-conserving cavitation */
     OVR_PHYSICS_HEAT = 2,      /* there are temperatures */
     OVR_PHYSICS_REFINED = 4,   /* there are patches of finer mesh */
     OVR_PHYSICS_FEATURES = 8,  /* there is something on the surfaces */

@@ -43,7 +43,8 @@ static const changed_default changed_defaults[] = {
      "load.history = ramp | step | sine | table or speed.history = ramp | step "
      "| sine | table or radius.history = ramp | step | sine | table or "
      "cavitation.model = conserving or heat.model = lobatto",
-     "the characteristic scheme under histories and with conserved oil too: "
+     "the characteristic scheme under histories and with mass-conserving "
+     "cavitation too: "
      "film under a ramp of load off by 1.3e-3 before, 7e-6 today, starved in "
      "a dent 6e-3 and 3e-4 (level 7)"},
 };

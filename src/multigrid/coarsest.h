@@ -18,8 +18,8 @@
 
 #include "multigrid/hierarchy.h"
 
-/* The number of coarsest levels that it solves: two, of conserved oil three
- * (the supply is reduced there). */
+/* The number of coarsest levels that it solves: two, of mass-conserving
+ * cavitation three (the supply is reduced there). */
 int ovr_newton_levels(const ovr_hierarchy *grids);
 
 /* Memory for steps on them. */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Oil conserved: the film that ruptures, carries what is left of it, and
- * closes again (Jakobsson, Floberg and Olsson).
+ * Mass-conserving cavitation: the film that ruptures, carries what is left of
+ * it, and closes again (Jakobsson, Floberg and Olsson).
  *
  *     d/dX(eps dP/dX) - Cu dq/dX - dq/dT = 0,   q = theta rho H,
  *     P >= 0,   0 <= theta <= 1,   P (1 - theta) = 0

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Oil conserved: states, residual, line relaxation and what goes to coarser
- * grids (equations in content.h). */
+/* Mass-conserving cavitation: states, residual, line relaxation and what goes
+ * to coarser grids (equations in content.h). */
 #include "multigrid/content.h"
 #include "multigrid/vector.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Oil conserved (equations in content.h). */
+/* Mass-conserving cavitation (equations in content.h). */
 #include <math.h>
 #include <string.h>
 

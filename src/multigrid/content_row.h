@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A row where oil is conserved (content.h): the row of reynolds_row.h with
- * weights by what is limited, over `num` too. */
+/* A row where cavitation is mass-conserving (content.h): the row of
+ * reynolds_row.h with weights by what is limited, over `num` too. */
 #ifndef OVR_MULTIGRID_CONTENT_ROW_H
 #define OVR_MULTIGRID_CONTENT_ROW_H
 

@@ -9,7 +9,7 @@
  *              GAP: where means at half nodes go by the gap (faces.h);
  *              LAW: where there is a flow law; FLOW, SENSITIVE: as LANES,
  *              NEWTON where there is one or the other;
- *              CONTENT: where oil is conserved (content.h) alone
+ *              CONTENT: where cavitation is mass-conserving (content.h) alone
  *     ordered  read node by node too, by what does not run in lanes
  *     carried  full multigrid brings it down to all levels by full weighting
  *     shown    of the finest level: part of the solution, read after a solve
@@ -69,9 +69,9 @@ typedef struct ovr_fields {
      * rho H^2 counts where the film slides (flow.h); swell: by which density is
      * less, or NULL. */
     double *th, *shift, *drag, *swell;
-    /* Known where oil is conserved (content.h): dried in this sweep; outflow,
-     * time derivative limited; wet columns that share with the node before,
-     * after them. */
+    /* Known where cavitation is mass-conserving (content.h): dried in this
+     * sweep; outflow, time derivative limited; wet columns that share with the
+     * node before, after them. */
     unsigned char *dried, *limited, *spent, *left, *right;
 } ovr_fields;
 

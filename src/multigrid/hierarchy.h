@@ -35,8 +35,9 @@ typedef struct ovr_level {
     ovr_shares shares; /* of a distributed change */
     ovr_weights weights;
     ovr_mlmi mlmi;
-    /* where oil is conserved (content.h): its right-hand sides are its own,
-     * no coarser grid's; its inlet is closed; weights of row 1 when open */
+    /* where cavitation is mass-conserving (content.h): its right-hand sides are
+     * its own, no coarser grid's; its inlet is closed; weights of row 1 when
+     * open */
     bool leads, closed;
     double opened[3];
     /* pressure that the solids feel beside the film's, what it presses them in;
@@ -48,7 +49,8 @@ typedef struct ovr_newton {
     double *matrix, *change; /* with the right-hand side; the solution */
     double *kernel[3];       /* K/pi of the coarsest levels */
     int levels;              /* of those, how many */
-    /* oil conserved, in the order of the nodes: 1 where wet, else 0 */
+    /* mass-conserving cavitation, in the order of the nodes: 1 where wet, else
+     * 0 */
     double *wet;
 } ovr_newton;
 
@@ -85,8 +87,8 @@ typedef struct ovr_hierarchy {
     ovr_operator op;
     double H0;
     int ordered; /* the finest level that is not relaxed in lanes */
-    /* oil is conserved (content.h): asked for when it was built, at the moment;
-     * what arrives is given, and inlets may be closed */
+    /* mass-conserving cavitation (content.h): asked for when it was built, at
+     * the moment; what arrives is given, and inlets may be closed */
     bool content, conserving, supplied;
     ovr_influence influence;
 

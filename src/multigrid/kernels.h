@@ -47,7 +47,8 @@ typedef struct ovr_weights {
     double first[3]; /* in row 1 */
     double half;     /* 1/(2 D^2) */
     double hold;     /* r over q by which a dry node stays dry */
-    /* where oil is conserved (content.h): what limits change, inflow */
+    /* where cavitation is mass-conserving (content.h): what limits change,
+     * inflow */
     double closed[3]; /* in row 1 of a closed inlet */
     double out, time, source;
 } ovr_weights;
@@ -137,7 +138,7 @@ enum { OVR_FOURTH_MARGIN = 8 };
     K(void, correct, (const ovr_lanes *coarse, const ovr_lanes *fine, \
                       double factor, const double *Pc, const double *entry, \
                       const ovr_fields *f)) \
-    /* oil conserved, see content.h */ \
+    /* mass-conserving cavitation, see content.h */ \
     K(void, content_settle, (const ovr_lanes *g, const ovr_weights *w, \
                              bool limits, const ovr_fields *f)) \
     K(void, content_residual, (const ovr_lanes *g, const ovr_weights *w, \

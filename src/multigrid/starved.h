@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The steady contact with oil conserved (content.h).
+ * The steady contact with mass-conserving cavitation (content.h).
  *
  * Flooded: the pressure is that of the Reynolds equation, and all that flows
  * goes on behind the film.  Starved: the supply is reduced from the flooded

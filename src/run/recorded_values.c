@@ -51,7 +51,7 @@ static bool was_auto(const ovr_restart_info *of, const char *name)
     return is_in_list(of, name, "auto") && !in_list(of, "domain.faces");
 }
 
-/* `auto` chose second order then, with heat or conserved oil. */
+/* `auto` chose second order then, with heat or mass-conserving cavitation. */
 static const char *order_once(const ovr_restart_info *of)
 {
     if (was_auto(of, "domain.order") &&
@@ -62,7 +62,7 @@ static const char *order_once(const ovr_restart_info *of)
 }
 
 /* The scheme that `auto` chose then had separate terms under histories, with
- * heat or conserved oil. */
+ * heat or mass-conserving cavitation. */
 static const char *scheme_once(const ovr_restart_info *of)
 {
     static const char *const histories[] = {

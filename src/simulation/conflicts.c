@@ -22,7 +22,7 @@ static const char one_grid[] =
     "surfaces that touch are solved by Newton's method on the finest grid";
 static const char kinks[] = "the law of touching surfaces kinks at the rupture";
 static const char two_unknowns[] =
-    "a dry node where surfaces touch has a filling and a pressure";
+    "a dry node where surfaces touch has a film fraction and a pressure";
 
 static const char stays[] = "running-in is of a contact that stays as it is";
 static const char long_steps[] =
@@ -64,7 +64,7 @@ static const ovr_conflict conflicts[] = {
     {OVR_MODEL_PAPER_SMOOTHER, OVR_MODEL_TIME, "line", in_time},
     {OVR_MODEL_PAPER_BALANCE, OVR_MODEL_TIME, "no", in_time},
     {OVR_MODEL_CONSERVING, OVR_MODEL_REVERSAL, "reynolds",
-     "conserved oil keeps its inlet on the left"},
+     "mass-conserving cavitation keeps its inlet on the left"},
     {OVR_MODEL_TIME, OVR_MODEL_PATCHES, "a steady contact, without [time],",
      "what moves would leave them"},
     {OVR_MODEL_UPSTREAM1, OVR_MODEL_PATCHES, "upstream2", base_row},

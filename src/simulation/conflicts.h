@@ -50,8 +50,8 @@
     FEATURE(FLOW_LAW, "a flow law", "lubricant", "rheology", false, false,     \
             s->lubricant->rheology != OVR_NEWTONIAN)                           \
     FEATURE(HEAT, "heat", "heat", "model", false, false, s->heat != NULL)      \
-    FEATURE(CONSERVING, "cavitation that conserves oil", "cavitation",         \
-            "model", false, o->cavitation == OVR_CAVITATION_CONSERVING, false) \
+    FEATURE(CONSERVING, "mass-conserving cavitation", "cavitation", "model",   \
+            false, o->cavitation == OVR_CAVITATION_CONSERVING, false)          \
     FEATURE(SUPPLY, "a supply that is a film", "supply", "model", false,       \
             false, s->supply->film)                                            \
     FEATURE(PASSES, "several passes", "passes", "number", false, false,        \

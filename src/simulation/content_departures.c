@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Conserved oil along the characteristic (multigrid/content.h has it with a
- * wedge).  No content flows but with the characteristic, so that the history
- * term of content_history.c is of what comes to a node, a = travel in the step:
+ * Mass-conserving cavitation along the characteristic (multigrid/content.h has
+ * it with a wedge).  No content flows but with the characteristic, so that the
+ * history term of content_history.c is of what comes to a node, a = travel in
+ * the step:
  *
  *     A_i = (1 + kappa) q_i - kappa q^k(X_i - a),   B_i = B(X_i - a),
  *     B(X) = (1 + b2) q^k(X) - b2 q^{k-1}(X - a_old),

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The history term where oil is conserved (multigrid/content.h), with s =
- * dT/dT_old, kappa = s/(1 + s), b2 = s^2/(1 + s):
+ * The history term where cavitation is mass-conserving (multigrid/content.h),
+ * with s = dT/dT_old, kappa = s/(1 + s), b2 = s^2/(1 + s):
  *
  *     F = -(B + kappa q^k)/dT,   B = (1 + b2) q^k - b2 q^{k-1},
  *     where the node was dry  B = max(B, q^k/2)

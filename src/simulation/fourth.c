@@ -62,7 +62,7 @@ typedef struct fourth {
      * where R is left out; R of a step of rest_dT */
     int rests;
     double *start, *constant, *mask, *rest, rest_dT;
-    ovr_fourth_content content; /* where oil is conserved */
+    ovr_fourth_content content; /* where cavitation is mass-conserving */
 } fourth;
 
 static bool chosen(const ovr_options *o)
@@ -233,8 +233,7 @@ static ovr_defect solve_corrected(ovr_simulation *sim, const fourth *f,
     return fall_back(sim, f, how, &second, cycles);
 }
 
-/* ----------------------------------------------------- steady, oil conserved
- */
+/* ---------------------------------------------- steady and mass-conserving */
 
 static void evaluate_content(ovr_simulation *sim, fourth *f)
 {

@@ -4,8 +4,8 @@
  * in it, with viscosities by the temperatures `used`.
  *
  * Where the film has ruptured, what is left of it fills less than the gap:
- * what the last wet node upstream lets through, or, where oil is conserved,
- * what there is.
+ * what the last wet node upstream lets through, or, where cavitation is
+ * mass-conserving, what there is.
  */
 #ifndef OVR_SIMULATION_HEAT_FILM_H
 #define OVR_SIMULATION_HEAT_FILM_H

@@ -272,16 +272,16 @@ void ovr_time_derivative(ovr_simulation *sim, double dT);
 /* Sets F, to which what belongs to no scheme is added. */
 void ovr_history_term(ovr_simulation *sim, double *F);
 
-/* True if oil is conserved (multigrid/content.h). */
+/* True if cavitation is mass-conserving (multigrid/content.h). */
 bool ovr_conserves(const ovr_simulation *sim);
 
-/* The steady film where oil is conserved, corrected where that applies; one
- * without corrections again. */
+/* The steady film where cavitation is mass-conserving, corrected where that
+ * applies; one without corrections again. */
 ovr_defect ovr_fourth_conserved(ovr_simulation *sim, const ovr_full *how,
                                 ovr_defect solved, int *cycles);
 void ovr_fourth_leave(ovr_simulation *sim);
 
-/* The history term where oil is conserved (content_history.c). */
+/* The history term where cavitation is mass-conserving (content_history.c). */
 void ovr_content_history(ovr_simulation *sim, double dT, const double c[2]);
 
 /* The same along the characteristic (content_departures.c): memory, the history

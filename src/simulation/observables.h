@@ -27,8 +27,10 @@
         "temperature in the middle of the film")                               \
     ROW(heat_flux_1, HEAT, NODES, "heat flux into surface 1")                  \
     ROW(heat_flux_2, HEAT, NODES, "heat flux into surface 2")                  \
-    ROW(filling, NUMBER, NODES, "share of the gap that is full of oil")        \
-    ROW(oil_content, HEIGHT, NODES, "oil rho H theta over ambient density")    \
+    ROW(filling, NUMBER, NODES,                                                \
+        "film fraction, the share of the gap that is full of oil")             \
+    ROW(oil_content, HEIGHT, NODES,                                            \
+        "film content, rho H theta over ambient density")                      \
     ROW(contact_pressure, PRESSURE, NODES,                                     \
         "pressure that surfaces bear where they touch, beside the oil's")      \
     ROW(fluid_pressure, PRESSURE, NODES,                                       \

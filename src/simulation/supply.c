@@ -395,7 +395,7 @@ static void tell(const ovr_physics_case *of, const void *form,
                  ovr_physics_line *line, void *data)
 {
     (void)of, (void)form;
-    line(data, "oil conserved",
+    line(data, "cavities",
          "in cavities it moves at the mean speed; an infinitely long contact "
          "passes all that arrives");
 }

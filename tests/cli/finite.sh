@@ -85,7 +85,7 @@ if grep -q '"converged": true' out; then
     is "$(value residual) < 1e-2 && $(value load_error_max)^2 < 1e-8"
 fi
 
-# Load that falls to a thousandth, oil conserved: 1.11 of dry gaps were oil
+# Load that falls to a thousandth, mass conserved: 1.11 of dry gaps were oil
 cat >content.ini <<'END'
 [contact]
 M = 3.24727

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Oil conserved, against an independent solution, against the Reynolds
- * equation where the contact is flooded, and against its own identity. */
+/* Mass-conserving cavitation, against an independent solution, against the
+ * Reynolds equation where the contact is flooded, and against its own identity.
+ */
 #include <math.h>
 #include <string.h>
 

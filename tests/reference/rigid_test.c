@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Oil conserved in rigid gaps, whose solutions are known by quadrature: a
- * parabolic gap whose film ruptures and forms again, a starved roller, plates
- * that are squeezed and drawn apart.  The plain kernels alone, on a gap that
- * nothing deforms: rupture, meniscus and what a cavity holds are of second
- * order.
+ * Mass-conserving cavitation in rigid gaps, whose solutions are known by
+ * quadrature: a parabolic gap whose film ruptures and forms again, a starved
+ * roller, plates that are squeezed and drawn apart.  The plain kernels alone,
+ * on a gap that nothing deforms: rupture, meniscus and what a cavity holds are
+ * of second order.
  */
 #include <math.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Conserved oil with the first-order scheme, and with a film that shears thin:
- * what holds of any of them, and where they meet what is known. */
+/* Mass-conserving cavitation with the first-order scheme, and with a film that
+ * shears thin: what holds of any of them, and where they meet what is known. */
 #include <math.h>
 
 #include "contact/contact.h"

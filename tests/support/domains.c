@@ -103,8 +103,8 @@ static void draw(text *t, uint64_t seed, bool jumps, const char *folder)
         add_history(t, (way){"load", sqrt(5), 0.6}, true, folder);
     }
     add_history(t, (way){"speed", 3, 0.6}, false, folder);
-    if (!passes &&
-        !jumps) /* oil conserved from a start that changes takes short steps */
+    if (!passes && !jumps) /* mass-conserving cavitation from a start that
+                              changes takes short steps */
         add_history(t, (way){"radius", 1.4, 3}, false, folder);
 }
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Loads that jump where oil is conserved, drawn at random. */
+/* Loads that jump where cavitation is mass-conserving, drawn at random. */
 #ifndef TESTS_SUPPORT_JUMPS_H
 #define TESTS_SUPPORT_JUMPS_H
 
@@ -7,13 +7,13 @@
 
 /* `runs` of 0.8 b/um from a seed on; printed, with the cases that fail.  From
  * each seed: M 5 to 200 (logarithmic), L 2.5 to 14, of those with 0.4 to 2 GPa,
- * level 6 to 8, steps of half a mesh to four; oil conserved, of which 0.3 to
- * 1.2 of the flow arrives that a flooded film takes; the load jumps once by
- * half or less, up or down; SRR -2 to 2, flow laws (1/2) and heat (0.3); dents,
- * bumps, ridges and roughness on half of them.  No step may fail but
- * where surfaces touch, and none may be marked but for the heat of a
- * jump, late in that step and the two after it (heat_in_time.c says so); a
- * start that is not found is no jump, and rare. */
+ * level 6 to 8, steps of half a mesh to four; mass-conserving cavitation, of
+ * which 0.3 to 1.2 of the flow arrives that a flooded film takes; the load
+ * jumps once by half or less, up or down; SRR -2 to 2, flow laws (1/2) and heat
+ * (0.3); dents, bumps, ridges and roughness on half of them.  No step may fail
+ * but where surfaces touch, and none may be marked but for the heat of a jump,
+ * late in that step and the two after it (heat_in_time.c says so); a start that
+ * is not found is no jump, and rare. */
 void test_jumps_survey(uint64_t seed, int runs);
 
 #endif

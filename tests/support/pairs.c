@@ -173,9 +173,9 @@ static void check_same(const ending *a, const ending *b)
     assert_memory_equal(a->H, b->H, a->n * sizeof *a->H);
 }
 
-/* Oil conserved: by the fluxes' own identity, of which a step may leave the
- * residual that its tolerance allows; else to the discretization
- * of this coarse mesh, of first or second order. */
+/* Mass-conserving cavitation: by the fluxes' own identity, of which a step may
+ * leave the residual that its tolerance allows; else to the discretization of
+ * this coarse mesh, of first or second order. */
 static void check_kept(const ovr_run *run)
 {
     const ovr_run_info *info = ovr_run_about(run);

@@ -17,8 +17,8 @@ void test_thinning_case(test_random_case *d, uint64_t seed, int level);
 /* All at once (mixed.h). */
 void test_mixed_case(test_random_case *d, uint64_t seed, int level);
 
-/* A load that jumps once where oil is conserved (jumps.h): of the flooded flow
- * this share arrives, which the text does not say. */
+/* A load that jumps once where cavitation is mass-conserving (jumps.h): of the
+ * flooded flow this share arrives, which the text does not say. */
 void test_jump_case(test_random_case *d, uint64_t seed, double *share);
 
 /* The flow law by points, thinning.csv, that they may name. */

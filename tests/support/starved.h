@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random starved contacts: surveys of what conserved oil does to the solver. */
+/* Random starved contacts: surveys of what mass-conserving cavitation does to
+ * the solver. */
 #ifndef TESTS_SUPPORT_STARVED_H
 #define TESTS_SUPPORT_STARVED_H
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Oil conserved (content.h): the kernels of every instruction set against the
- * plain ones, and the plain ones against derivatives taken numerically. */
+/* Mass-conserving cavitation (content.h): the kernels of every instruction set
+ * against the plain ones, and the plain ones against derivatives taken
+ * numerically. */
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* 200 loads that jump where oil is conserved (support/jumps.h). */
+/* 200 loads that jump where cavitation is mass-conserving (support/jumps.h). */
 #include <stdlib.h>
 
 #include "support/jumps.h"

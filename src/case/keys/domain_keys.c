@@ -62,8 +62,8 @@ static const ovr_parameter domain_keys[] = {
      "of the steady solution and of a run: 4 corrects film, Poiseuille flow "
      "and wedge on the finest grid, anew after each step along the "
      "characteristic (with upstream2 a run keeps those of its start, while "
-     "load, speed and radius are constant and oil is not conserved); auto: 4 "
-     "where it applies"},
+     "load, speed and radius are constant and cavitation is not "
+     "mass-conserving); auto: 4 where it applies"},
     {"faces", CHOICE(faces), "gap", AT(options.faces), true, ALWAYS,
      "mean of rho H^3/eta between two nodes: by the gap, harmonic in H^3, or "
      "of both as it is, as in the paper, which leaks through what is narrower "

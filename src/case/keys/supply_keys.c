@@ -15,8 +15,10 @@ static const ovr_word endless_oil[] = {{"endless", INFINITY}, {NULL, 0}};
 static const ovr_parameter cavitation_keys[] = {
     {"model", CHOICE(cavitations), "reynolds", AT(options.cavitation), true,
      ALWAYS,
-     "reynolds: a gap without pressure counts as full; conserving: it holds "
-     "the oil that came; order 4 is along the characteristic only"},
+     "reynolds: a gap without pressure counts as full; conserving: it is "
+     "mass-conserving (Elrod-Adams, JFO) and holds the oil that came; order 4 "
+     "is "
+     "along the characteristic only"},
 };
 
 const ovr_section ovr_cavitation_section = {
