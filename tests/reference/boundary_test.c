@@ -493,7 +493,7 @@ static void what_has_no_answer_is_refused(void **state)
     c = begin(gear);
     assign(c, "contact.mean_speed=3 m/s");
     assign(c, "boundary.law=layer");
-    check_refused(c, "needs layer");
+    check_refused(c, "needs the film that the layer bears at, layer");
     c = begin(newtonian);
     assign(c, "boundary.law=exponential");
     assign(c, "boundary.Rq=194 nm");
