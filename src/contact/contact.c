@@ -320,29 +320,6 @@ static ovr_status resolve(const ovr_conditions *given, ovr_contact *contact,
     return OVR_OK;
 }
 
-ovr_contact ovr_contact_default(void)
-{
-    const ovr_contact defaults = {.M = NAN,
-                                  .L = NAN,
-                                  .lambda = NAN,
-                                  .alphabar = NAN,
-                                  .u1_ratio = 1,
-                                  .u2_ratio = 1,
-                                  .ph = NAN,
-                                  .b = NAN,
-                                  .height = NAN,
-                                  .time = NAN,
-                                  .kappa = NAN,
-                                  .load = NAN,
-                                  .radius = NAN,
-                                  .modulus = NAN,
-                                  .viscosity = NAN,
-                                  .alpha = NAN,
-                                  .um = NAN,
-                                  .width = NAN};
-    return defaults;
-}
-
 ovr_status ovr_contact_resolve(const ovr_conditions *given,
                                ovr_contact *contact, ovr_error *err)
 {

@@ -81,9 +81,6 @@ double ovr_surface_speed(const ovr_history *speed, const ovr_history *sliding,
 double ovr_surface_way(const ovr_history *speed, const ovr_history *sliding,
                        double ratio, int surface, double T);
 
-/* All fields NAN but the two ratios, which are 1. */
-ovr_contact ovr_contact_default(void);
-
 /* Value 1 at all times. */
 ovr_history_form ovr_history_form_default(void);
 ovr_flow_form ovr_flow_form_default(void);

@@ -152,7 +152,7 @@ static void long_waves_are_no_roughness(void **state)
  * out of it; that on the mesh is less. */
 static void grid_takes_nothing_from_it(void **state)
 {
-    ovr_contact contact = ovr_contact_default();
+    const ovr_contact contact = {.u1_ratio = 1, .u2_ratio = 1};
     ovr_roughness rough = good();
     ovr_feature_form form = ovr_feature_form_default();
     double Rq[2], on_mesh[2];
@@ -160,7 +160,6 @@ static void grid_takes_nothing_from_it(void **state)
     (void)state;
     form.shape = OVR_ROUGHNESS, form.roughness = &rough, form.start = -1;
     form.name = "rough";
-    contact.u1_ratio = contact.u2_ratio = 1;
     for (int k = 0; k < 2; k++) {
         ovr_surfaces *s = ovr_surfaces_create(&contact, NULL, k ? 0.3 : 0.01,
                                               NULL, &err);
