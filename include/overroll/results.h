@@ -164,11 +164,11 @@ OVR_API ovr_status ovr_result_number(const ovr_result *result,
 OVR_API bool ovr_bare_number(const char *text, double *value);
 
 /* The fields of each snapshot ("pressure", ...) and the columns of the
- * history ("time", "min_film_thickness", ...): the count, and the k-th. */
+ * history ("time", "min_film_thickness", ...): the count, and the k-th; NULL
+ * past the end. */
 OVR_API size_t ovr_result_fields(const ovr_result *result);
 OVR_API const ovr_variable *ovr_result_field(const ovr_result *result,
                                              size_t k);
-OVR_API size_t ovr_result_columns(const ovr_result *result);
 OVR_API const ovr_variable *ovr_result_column(const ovr_result *result,
                                               size_t k);
 

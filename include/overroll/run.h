@@ -412,6 +412,16 @@ OVR_API void ovr_table_free(ovr_table *table);
 OVR_API size_t ovr_table_rows(const ovr_table *table);
 OVR_API const ovr_table_column *ovr_table_at(const ovr_table *table, size_t k);
 
+/* A column of several passes that people read; these go from left to right. */
+typedef struct ovr_pass_head {
+    const char *text;           /* short */
+    const ovr_table_column *of; /* NULL: not known of these passes */
+} ovr_pass_head;
+
+/* false past the end. */
+OVR_API bool ovr_table_pass_head(const ovr_table *table, size_t k,
+                                 ovr_pass_head *to);
+
 #ifdef __cplusplus
 }
 #endif

@@ -350,6 +350,14 @@ typedef struct ovr_observable {
                           0.3.0; NULL: its key */
     bool steady;       /* these are told of a steady solution too */
     unsigned pass;     /* columns in the file of several passes */
+    /* Its place from the left in the table of passes that people read, 0: none,
+     * the short name there, and the physics without which it is left out. */
+    int pass_place;
+    const char *pass_head;
+    unsigned pass_with;
+    /* The sum over a run, of a count or a flag: its JSON key and its label in
+     * what is told of a file; NULL: not told. */
+    const char *total_key, *total_label;
 } ovr_observable;
 
 /* NULL past the end. */

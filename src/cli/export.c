@@ -103,9 +103,9 @@ static ovr_status add_snapshot(job *j, size_t k)
 
 static ovr_status add_history(job *j)
 {
+    const ovr_variable *v;
     j->table->rows = j->about->steps;
-    for (size_t k = 0; k < ovr_result_columns(j->result); k++) {
-        const ovr_variable *v = ovr_result_column(j->result, k);
+    for (size_t k = 0; (v = ovr_result_column(j->result, k)); k++) {
         double *values = add_column(j, v->name, v);
         if (!values ||
             ovr_result_history(j->result, v->name, j->units, values, j->err))

@@ -123,6 +123,7 @@ static void print_contact(const ovr_result_info *a)
 static void print_sizes(report *r)
 {
     const ovr_result_info *a = r->about;
+    const ovr_observable *of;
     printf("nodes      %zu\nfields    ", a->nodes);
     for (size_t k = 0; k < ovr_result_fields(r->result); k++)
         printf(" %s [%s]", ovr_result_field(r->result, k)->name,
@@ -136,10 +137,10 @@ static void print_sizes(report *r)
         printf(", t = %.4g to %.4g ms", r->T[0] * a->time * 1e3,
                last_time(r) * a->time * 1e3);
     printf("\nsize       %.3g MB\n", r->bytes / 1e6);
-    if (take(r, "cycles", OVR_AS_STORED))
-        printf("cycles     %.0f\n", sum(r));
-    if (take(r, "marked", OVR_AS_STORED))
-        printf("marked     %.0f steps\n", sum(r));
+    for (size_t k = 0; (of = ovr_observable_at(k)); k++)
+        if (of->total_label && take(r, of->name, OVR_AS_STORED))
+            printf("%-10s %.0f%s\n", of->total_label, sum(r),
+                   of->kind == OVR_KIND_FLAG ? " steps" : "");
 }
 
 static void print_extremes(report *r)
@@ -149,8 +150,8 @@ static void print_extremes(report *r)
     const char *at = about->physical ? "at t, ms" : "at T";
     printf("\n%-26s %13s %9s %13s %9s  %s\n", "", "least", at, "most", at,
            "unit");
-    for (size_t k = 0; k < ovr_result_columns(r->result); k++) {
-        const ovr_variable *v = ovr_result_column(r->result, k);
+    const ovr_variable *v;
+    for (size_t k = 0; (v = ovr_result_column(r->result, k)); k++) {
         extremes e;
         if (!strcmp(v->name, "step") || !strcmp(v->name, "time") ||
             !take(r, v->name, OVR_AS_STORED))
@@ -221,8 +222,8 @@ static void json_sizes(json_writer *j, const report *r)
 static void json_extremes(json_writer *j, report *r)
 {
     json_open(j, "extremes");
-    for (size_t k = 0; k < ovr_result_columns(r->result); k++) {
-        const ovr_variable *v = ovr_result_column(r->result, k);
+    const ovr_variable *v;
+    for (size_t k = 0; (v = ovr_result_column(r->result, k)); k++) {
         extremes e;
         if (!strcmp(v->name, "step") || !take(r, v->name, OVR_HERTZIAN))
             continue;
@@ -240,6 +241,7 @@ static void json_extremes(json_writer *j, report *r)
 static void print_json(report *r)
 {
     const ovr_result_info *a = r->about;
+    const ovr_observable *of;
     json_writer j = json_begin(stdout);
     json_text(&j, "file", r->path);
     json_text(&j, "title", a->title);
@@ -251,10 +253,9 @@ static void print_json(report *r)
     json_number(&j, "seconds", a->seconds);
     json_contact(&j, a);
     json_sizes(&j, r);
-    if (take(r, "cycles", OVR_AS_STORED))
-        json_integer(&j, "cycles_total", (long long)sum(r));
-    if (take(r, "marked", OVR_AS_STORED))
-        json_integer(&j, "steps_marked", (long long)sum(r));
+    for (size_t k = 0; (of = ovr_observable_at(k)); k++)
+        if (of->total_key && take(r, of->name, OVR_AS_STORED))
+            json_integer(&j, of->total_key, (long long)sum(r));
     json_extremes(&j, r);
     json_text(&j, "case", a->case_text);
     json_end(&j);

@@ -37,34 +37,19 @@ static void put_text(const ovr_table_column *c, size_t row)
 
 static void print_table(const char *path, const ovr_table *t)
 {
-    static const char *const shown[] = {
-        "central_film_thickness", "least_central_film_thickness",
-        "min_film_thickness",     "meniscus",
-        "supply_ratio",           "oil_lost",
-        "max_pressure",           "shoulder_height_leading",
-        "profile_change",         "shoulder_height_trailing",
-        "plastic_strain",         "equivalent_length"};
-    static const char *const heads[] = {
-        "central",  "least",   "minimum", "meniscus", "supply", "lost",
-        "pressure", "leading", "change",  "trailing", "strain", "length"};
-    enum { OF_OIL = 6, SHOWN = sizeof shown / sizeof *shown };
-    const ovr_table_column *of[SHOWN];
-    bool yields = named(t, "plastic_strain");
-    int all = yields ? SHOWN : OF_OIL;
+    ovr_pass_head head;
     printf("%s: %zu passes\n\n%4s", path, ovr_table_rows(t), "pass");
-    for (int k = 0; k < all; k++) {
-        of[k] = named(t, shown[k]);
-        printf(" %11s", heads[k]);
-    }
+    for (size_t k = 0; ovr_table_pass_head(t, k, &head); k++)
+        printf(" %11s", head.text);
     printf("  file\n%4s", "");
-    for (int k = 0; k < all; k++)
-        printf(" %11s", of[k] && *of[k]->unit ? of[k]->unit : "1");
+    for (size_t k = 0; ovr_table_pass_head(t, k, &head); k++)
+        printf(" %11s", head.of && *head.of->unit ? head.of->unit : "1");
     putchar('\n');
     for (size_t i = 0; i < ovr_table_rows(t); i++) {
         printf("%4zu", i + 1);
-        for (int k = 0; k < all; k++)
-            if (of[k] && isfinite(of[k]->number[i]))
-                printf(" %11.5g", of[k]->number[i]);
+        for (size_t k = 0; ovr_table_pass_head(t, k, &head); k++)
+            if (head.of && isfinite(head.of->number[i]))
+                printf(" %11.5g", head.of->number[i]);
             else
                 printf(" %11s", "-");
         fputs("  ", stdout);

@@ -40,13 +40,6 @@ const ovr_variable *ovr_result_field(const ovr_result *r, size_t k)
     return k < r->fields ? r->field[k] : NULL;
 }
 
-size_t ovr_result_columns(const ovr_result *r)
-{
-    if (!r)
-        return 0;
-    return r->columns;
-}
-
 const ovr_variable *ovr_result_variable(const ovr_result *r, size_t k)
 {
     if (!r)

@@ -28,6 +28,11 @@ typedef struct ovr_pass_column {
     ovr_unit_kind kind;
     const ovr_observable *of; /* NULL: none of the quantities */
     unsigned how;             /* of that: one of OVR_PASS_MEAN, ... */
+    /* Its place in the table that people read, 0: none, its head there and the
+     * physics without which it is left out, as rows of quantities have them. */
+    int place;
+    const char *head;
+    unsigned with;
 } ovr_pass_column;
 
 /* Column k: first the OVR_PASS_BESIDE, then those of the quantities.  false

@@ -44,5 +44,8 @@
 #define MEAN_LABEL(text) .mean_label = (text)
 #define STEADY_TOO .steady = true
 #define PASS(column) .pass = OVR_PASS_##column
+#define PASS_HEAD(place, text) .pass_place = (place), .pass_head = (text)
+#define PASS_WITH(physics) .pass_with = OVR_PHYSICS_##physics
+#define TOTAL(key, text) .total_key = (key), .total_label = (text)
 
 #endif

@@ -69,7 +69,7 @@ static void read_history(ovr_result *r, const ovr_result_info *about)
     size_t rows = about->steps > about->snapshots ? about->steps
                                                   : about->snapshots;
     double *values = malloc((rows + 1) * sizeof *values);
-    for (size_t k = 0; values && k < ovr_result_columns(r); k++)
+    for (size_t k = 0; values && ovr_result_column(r, k); k++)
         ovr_result_history(r, ovr_result_column(r, k)->name, OVR_SI, values,
                            &err);
     if (values)

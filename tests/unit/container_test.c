@@ -421,6 +421,7 @@ static bool read_all(const char *path)
     ovr_error err = {0};
     ovr_result *r = ovr_result_open(path, NULL, &err);
     const ovr_result_info *about = r ? ovr_result_about(r) : NULL;
+    const ovr_variable *column;
     size_t maximum;
     double *values;
     bool good = r != NULL;
@@ -435,9 +436,9 @@ static bool read_all(const char *path)
             good = !ovr_result_snapshot(r, ovr_result_field(r, f)->name, k,
                                         OVR_AS_STORED, values, &err) &&
                    good;
-    for (size_t k = 0; k < ovr_result_columns(r); k++)
-        good = !ovr_result_history(r, ovr_result_column(r, k)->name,
-                                   OVR_AS_STORED, values, &err) &&
+    for (size_t k = 0; (column = ovr_result_column(r, k)); k++)
+        good = !ovr_result_history(r, column->name, OVR_AS_STORED, values,
+                                   &err) &&
                good;
     good = !ovr_result_x(r, OVR_AS_STORED, values, &err) && good;
     free(values);
