@@ -9,7 +9,7 @@
 #ifndef OVR_PICTURES_CHART_H
 #define OVR_PICTURES_CHART_H
 
-#include "pictures/text.h"
+#include "pictures/growing_text.h"
 
 typedef enum ovr_mark {
     OVR_MARK_LINE,

@@ -6,8 +6,8 @@
 #ifndef OVR_PICTURES_GNUPLOT_H
 #define OVR_PICTURES_GNUPLOT_H
 
+#include "pictures/growing_text.h"
 #include "pictures/process.h"
-#include "pictures/text.h"
 
 enum { OVR_PATH_SIZE = 4096 };
 

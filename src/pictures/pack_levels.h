@@ -15,7 +15,7 @@
 
 #include <stdint.h>
 
-#include "pictures/text.h"
+#include "pictures/growing_text.h"
 
 enum { OVR_PACKED_LEVELS = 16384 };
 

@@ -3,8 +3,8 @@
 #ifndef OVR_PICTURES_VIEW_MATERIAL_H
 #define OVR_PICTURES_VIEW_MATERIAL_H
 
+#include "pictures/growing_text.h"
 #include "pictures/stored.h"
-#include "pictures/text.h"
 
 /* Adds `"material":{...},` of the first body that yielded, as the run left it,
  * with the place of its reference at each of `shots` snapshots, each `every`-th

@@ -3,8 +3,8 @@
 #ifndef OVR_PICTURES_VIEW_STRESS_H
 #define OVR_PICTURES_VIEW_STRESS_H
 
+#include "pictures/growing_text.h"
 #include "pictures/stored.h"
-#include "pictures/text.h"
 
 /* Adds `"stress":{...},` of `shots` snapshots, each `every`-th of the run;
  * `field` NULL: max_shear. */

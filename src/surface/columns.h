@@ -4,8 +4,8 @@
 #define OVR_SURFACE_COLUMNS_H
 
 #include "base/quantity.h"
-#include "surface/fields.h"
 #include "surface/profile.h"
+#include "surface/table_line.h"
 
 typedef struct ovr_text_table {
     ovr_profile *profile;

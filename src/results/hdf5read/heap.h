@@ -7,7 +7,7 @@
 #ifndef OVR_HDF5READ_HEAP_H
 #define OVR_HDF5READ_HEAP_H
 
-#include "results/hdf5read/blocks.h"
+#include "results/hdf5read/pieces.h"
 
 /* No group or object has more links or attributes than this. */
 enum { OVR_MAX_ITEMS = 4096 };

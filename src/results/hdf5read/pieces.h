@@ -3,8 +3,8 @@
  * Pieces of a file that nobody vouches for: what is read lies inside the file,
  * what is taken from it lies inside the piece.
  */
-#ifndef OVR_HDF5READ_BLOCKS_H
-#define OVR_HDF5READ_BLOCKS_H
+#ifndef OVR_HDF5READ_PIECES_H
+#define OVR_HDF5READ_PIECES_H
 
 #include "results/hdf5read/hdf5read.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "surface/fields.h"
+#include "surface/table_line.h"
 #include "base/quantity.h"
 
 #include <string.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "results/hdf5read/blocks.h"
+#include "results/hdf5read/pieces.h"
 
 #include <string.h>
 

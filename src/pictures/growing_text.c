@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "pictures/text.h"
+#include "pictures/growing_text.h"
 
 #include <errno.h>
 #include <stdarg.h>

@@ -3,8 +3,8 @@
  * A text that grows, in an arena.  A failed allocation is remembered, and
  * what follows is dropped: ask once, at the end, with ovr_text_status.
  */
-#ifndef OVR_PICTURES_TEXT_H
-#define OVR_PICTURES_TEXT_H
+#ifndef OVR_PICTURES_GROWING_TEXT_H
+#define OVR_PICTURES_GROWING_TEXT_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A line of a table cut into fields, and what a table's header says. */
-#ifndef OVR_SURFACE_FIELDS_H
-#define OVR_SURFACE_FIELDS_H
+#ifndef OVR_SURFACE_TABLE_LINE_H
+#define OVR_SURFACE_TABLE_LINE_H
 
 #include "base/text.h"
 
