@@ -62,9 +62,12 @@ typedef struct ovr_parameter {
  * or section.key:
  *     "history = ramp | step"   its value is one of these words,
  *     "every > 0"               its number is above this one,
+ *     "helix_angle == 0"        it is this one, "!= 0": another,
  *     "time.end"                it is given,
  *     "no refine_level"         it is not given,
  *     "[stress]"                that section is there.
+ * "history = ramp => from or to" asks for what is behind the arrow only where
+ * what is before it holds.
  * Of a size of a feature its shape decides, in surface/shape.c, where it is
  * refused too.
  */

@@ -53,7 +53,11 @@ static void put_alternative(const char *from, char *text, size_t capacity)
         ovr_condition_add(text, capacity, "%.*s", (int)key, from);
     if (*rest == '>')
         ovr_condition_add(text, capacity, " above%s", rest + 1);
-    if (*rest == '=') {
+    else if (*rest == '!')
+        ovr_condition_add(text, capacity, " other than%s", rest + 2);
+    else if (!strncmp(rest, "==", 2))
+        ovr_condition_add(text, capacity, " =%s", rest + 2);
+    else if (*rest == '=') {
         ovr_condition_add(text, capacity, " = ");
         put_words(rest + 2, text, capacity);
     }
@@ -95,7 +99,14 @@ void ovr_when_text(const ovr_parameter *row, char *text, size_t capacity)
         when = shapes;
     }
     while (ovr_condition_next(&when, "; ", condition, sizeof condition)) {
+        char *arrow = strstr(condition, OVR_ONLY_WHERE);
+        const char *part = arrow ? arrow + strlen(OVR_ONLY_WHERE) : condition;
         ovr_condition_add(text, capacity, "%s", *text ? " and " : "");
+        ovr_condition_text(part, text, capacity);
+        if (!arrow)
+            continue;
+        *arrow = '\0';
+        ovr_condition_add(text, capacity, " where ");
         ovr_condition_text(condition, text, capacity);
     }
 }

@@ -9,6 +9,9 @@
 
 enum { OVR_CONDITION_MAX = 256 };
 
+/* Stands between where a condition is asked for and what it asks for. */
+#define OVR_ONLY_WHERE " => "
+
 /* The text up to a separator, which moves on behind it; false at its end. */
 bool ovr_condition_next(const char **text, const char *separator, char *piece,
                         size_t capacity);

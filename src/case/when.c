@@ -71,6 +71,10 @@ static bool holds(const alternative *a)
 {
     if (*a->rest == '>')
         return a->slot->number > strtod(a->rest + 1, NULL);
+    if (!strncmp(a->rest, "==", 2))
+        return a->slot->number == strtod(a->rest + 2, NULL);
+    if (*a->rest == '!')
+        return a->slot->number != strtod(a->rest + 2, NULL);
     if (*a->rest == '=')
         return a->slot->text && is_one_of(a->slot->text, a->rest + 2);
     return a->slot->given != a->absent;
@@ -93,14 +97,34 @@ static bool any_holds(const ovr_case *c, const ovr_block *block,
     return false;
 }
 
+/* Returns what a condition asks for: of "A => B" only B, where A holds; NULL:
+ * nothing. */
+static const char *asked(const ovr_case *c, const ovr_block *block,
+                         const char *condition)
+{
+    const char *arrow = strstr(condition, OVR_ONLY_WHERE);
+    char where[OVR_CONDITION_MAX];
+    bool off;
+    if (!arrow)
+        return condition;
+    snprintf(where, sizeof where, "%.*s", (int)(arrow - condition), condition);
+    return any_holds(c, block, where, &off) ? arrow + strlen(OVR_ONLY_WHERE)
+                                            : NULL;
+}
+
 /* The first condition that does not hold; false: all do. */
 static bool first_failing(const ovr_case *c, const ovr_block *block,
                           const char *when, char *condition, size_t capacity,
                           bool *off)
 {
-    while (when && ovr_condition_next(&when, "; ", condition, capacity))
-        if (!any_holds(c, block, condition, off))
-            return true;
+    char whole[OVR_CONDITION_MAX];
+    while (when && ovr_condition_next(&when, "; ", whole, sizeof whole)) {
+        const char *part = asked(c, block, whole);
+        if (!part || any_holds(c, block, part, off))
+            continue;
+        snprintf(condition, capacity, "%s", part);
+        return true;
+    }
     return false;
 }
 

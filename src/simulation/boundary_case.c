@@ -51,7 +51,7 @@ static const ovr_parameter keys[] = {
      "exponential, of Rq and slope; greenwood-tripp, of summits; a table; each "
      "with a layer beside it; or a layer alone"},
     {"of", CHOICE(of_what), "all", offsetof(ovr_boundary_form, unresolved),
-     true, "law",
+     true, "law; of = unresolved => [feature]",
      "all: of all roughness, none of which is on the mesh, so that H is the "
      "mean film; unresolved: of what is finer than the roughness on the mesh"},
     {"flow_factor", CHOICE(factors), "none",

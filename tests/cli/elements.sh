@@ -114,7 +114,8 @@ for kind in gear cam; do
     no $kind 'says it: leave radius out' 'body 1.radius=8 mm'
     no $kind "says it: leave load out" 'contact.load=100 kN/m'
     for of in load speed sliding radius radius_1; do
-        no $kind "says how $of changes: leave \\[$of\\] out" "$of.history=sine"
+        no $kind "says how $of changes: leave \\[$of\\] out" \
+            "$of.history=sine" "$of.amplitude=0.1"
     done
 done
 no gear 'leave hertz_pressure out' 'contact.hertz_pressure=1 GPa'
@@ -191,7 +192,8 @@ without bearing inner
 no less 'inner or pitch: one of them is needed'
 no bearing 'turn as one' 'roller_bearing.speed_outer=1000 rpm'
 no bearing 'both 0' 'roller_bearing.speed_inner=0 rpm'
-no bearing 'says it: leave spacing out' passes.spacing=9
+no bearing 'says it: leave spacing out' passes.spacing=9 \
+    passes.recovery=1
 no bearing 'says it: leave loads out' passes.loads=1,2
 no bearing 'meets 3 rollers' passes.number=7
 no bearing 'take zone' roller_bearing.passes=turns

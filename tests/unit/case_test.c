@@ -263,7 +263,8 @@ static void contradictions_name_their_line(void **state)
     refused(join(moes, "[domain]\noutlet = 0.5\n"), "t.ini:5: outlet");
     refused(join(moes, "[load]\nto = 2\n"),
             "t.ini:5: to: has no effect with history = constant");
-    refused(join(moes, "[load]\nhistory = sine\n"), "t.ini:5: history: sine");
+    refused(join(moes, "[load]\nhistory = sine\namplitude = 1\n"),
+            "t.ini:5: history: sine");
     refused(join(moes, "[load]\nhistory = table\nfile = nowhere\n"),
             "t.ini:6: file: cannot read");
     refused(join(moes, "[paper]\nmlmi_order = 5\n"), "t.ini:5: mlmi_order");

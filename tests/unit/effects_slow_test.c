@@ -24,32 +24,68 @@
     "[time]\nend = 0.2\n[feature d]\nshape = indent\ndepth = 0.2 um\n"         \
     "width = 0.5\nstart = -0.5\n"
 
+#define GEAR                                                                   \
+    "[contact]\nmodulus = 226 GPa\n[lubricant]\nviscosity = 40 mPa.s\n"        \
+    "alpha = 17 1/GPa\n[domain]\nlevel = 4\n[gear]\nteeth_1 = 25\n"            \
+    "teeth_2 = 57\nmodule = 2.5 mm\nface = 20 mm\nspeed = 3000 rpm\n"          \
+    "torque = 80 N.m\n"
+
 static const struct {
     const char *name, *text;
+    const char *only; /* keys of this section; NULL: all */
 } cases[] = {
-    {"steady", CONTACT},
-    {"numbers", "[contact]\nM = 20\nL = 10\n[domain]\nlevel = 4\n"},
-    {"indent", CONTACT INDENT},
-    {"stress", CONTACT INDENT "[stress]\nsurface = 1\n"
-                              "[fatigue]\nlimit_pressure = none\n"},
-    {"heat", CONTACT THINS INDENT "[heat]\nmodel = lobatto\n"
-                                  "temperature = 80 degC\n"},
-    {"ramp", CONTACT INDENT "[load]\nhistory = ramp\nto = 1.2\n"
-                            "duration = 0.1\n"},
-    {"touching", CONTACT THINS "[boundary]\nlaw = exponential\nRq = 0.3 um\n"
-                               "slope = 0.1\nfriction = 0.1\n"},
+    {"steady", CONTACT, NULL},
+    {"numbers", "[contact]\nM = 20\nL = 10\n[domain]\nlevel = 4\n", NULL},
+    {"indent", CONTACT INDENT, NULL},
+    {"stress",
+     CONTACT INDENT "[stress]\nsurface = 1\n"
+                    "[fatigue]\nlimit_pressure = none\n",
+     NULL},
+    {"heat",
+     CONTACT THINS INDENT "[heat]\nmodel = lobatto\n"
+                          "temperature = 80 degC\n",
+     NULL},
+    {"ramp",
+     CONTACT INDENT "[load]\nhistory = ramp\nto = 1.2\n"
+                    "duration = 0.1\n",
+     NULL},
+    {"touching",
+     CONTACT THINS "[boundary]\nlaw = exponential\nRq = 0.3 um\n"
+                   "slope = 0.1\nfriction = 0.1\n",
+     NULL},
+    {"film",
+     CONTACT "[cavitation]\nmodel = conserving\n[supply]\nmodel = film\n"
+             "thickness_1 = 0.05\nthickness_2 = 0.05\n",
+     "supply"},
+    {"passes",
+     CONTACT INDENT "[cavitation]\nmodel = conserving\n"
+                    "[passes]\nnumber = 3\nloss = 0.1\n[output]\nfile = p.h5\n",
+     "passes"},
+    {"recovering",
+     CONTACT INDENT "[cavitation]\nmodel = conserving\n"
+                    "[passes]\nnumber = 3\nloss = 0.1\nspacing = 10\n"
+                    "recovery = 100\n[output]\nfile = p.h5\n",
+     "passes"},
+    {"spur", GEAR, "gear"},
+    {"relieved", GEAR "sharing = stiffness\nrelief_1 = 20 um\n", "gear"},
+    {"helical", GEAR "helix_angle = 20 deg\n", "gear"},
 };
 
 /* Taken in silence, and why: what they set is of files that none of these runs
  * writes; comes later than their ends (a steady film, the whole material
- * history of the indent, its yielding); is of finer grids; or is a history that
- * goes from 1 to 1 as long as nothing else is given of it. */
-static const char *const later[] = {
-    "output.",           "stress.every",     "stress.fields",
-    "time.until_steady", "fatigue.alpha",    "fatigue.weibull",
-    "fatigue.raceway",   "plastic.",         "paper.mlmi_",
-    "load.history",      "speed.history",    "sliding.history",
-    "radius.history",    "radius_1.history", NULL};
+ * history of the indent, its yielding, layers that are not even); or is of
+ * finer grids. */
+static const char *const later[] = {"output.",
+                                    "stress.every",
+                                    "stress.fields",
+                                    "time.until_steady",
+                                    "fatigue.alpha",
+                                    "fatigue.weibull",
+                                    "fatigue.raceway",
+                                    "plastic.",
+                                    "paper.mlmi_",
+                                    "passes.again",
+                                    NULL};
 
 static bool is_later(const char *where)
 {
@@ -103,7 +139,7 @@ static void take_answer(void *data, const char *name, const char *text)
 static bool run(ovr_case *c, told *t)
 {
     ovr_error err = {0};
-    ovr_run_options how = {.say = hear, .data = t};
+    ovr_run_options how = {.say = hear, .data = t, .force = true};
     *t = (told){.sum = UINT64_C(14695981039346656037)};
     ovr_run *r = ovr_run_create(c, &how, NULL, &err);
     bool good = r && !ovr_run_go(r, &err);
@@ -151,12 +187,39 @@ static const char *value_of(const ovr_parameter_info *p, size_t k,
                     : minimum + (maximum - minimum) * 0.25 * (double)(e + 1);
     if (k >= TRIED + ENDS)
         return NULL;
+    for (size_t i = 0; i < TRIED && k >= TRIED; i++)
+        if (fabs(v - tried[i]) < 1e-9 * fabs(v)) /* no value twice */
+            v *= 1.02;
     const char *unit = *p->units && !*p->bare ? p->units : "";
     snprintf(text, 80, "%.6g %.*s", v, (int)strcspn(unit, ", "), unit);
     return text;
 }
 
-/* Whether a key is taken in silence, and nothing comes of it. */
+static bool is_pair(const ovr_parameter_info *p)
+{
+    bool flag = p->initial &&
+                (!strcmp(p->initial, "no") || !strcmp(p->initial, "yes"));
+    return flag || (p->initial && p->choices[1] && !p->choices[2]);
+}
+
+static bool is_given(const char *source, const char *where)
+{
+    ovr_error err = {0};
+    ovr_case *c = ovr_case_read_text(source, "t.ini", NULL, NULL, &err);
+    bool given = false;
+    for (size_t k = 0; k < ovr_case_entries(c) && !given; k++) {
+        ovr_case_entry e = ovr_case_entry_at(c, k);
+        char name[120];
+        snprintf(name, sizeof name, "%s%s%s.%s", e.section, e.name ? "." : "",
+                 e.name ? e.name : "", e.key);
+        given = e.given && !strcmp(name, where);
+    }
+    ovr_case_free(c);
+    return given;
+}
+
+/* Whether a key is taken in silence, and nothing comes of it.  Of two words one
+ * is the default, which counts too. */
 static bool is_idle(const char *source, const ovr_parameter_info *p,
                     const told *base)
 {
@@ -168,6 +231,7 @@ static bool is_idle(const char *source, const ovr_parameter_info *p,
              p->key);
     if (is_later(where))
         return false;
+    same = is_pair(p) && !is_given(source, where);
     for (size_t k = 0; same < 5 && (value = value_of(p, k, text)); k++) {
         ovr_error err = {0};
         told now;
@@ -205,6 +269,8 @@ static void keys_have_effects_or_are_refused(void **state)
         ovr_case_free(c);
         for (size_t i = 0; i < ovr_parameter_count(); i++) {
             ovr_parameter_info p = ovr_parameter_at(i);
+            if (cases[k].only && strcmp(p.section, cases[k].only) != 0)
+                continue;
             if (!is_idle(cases[k].text, &p, &base))
                 continue;
             fprintf(stderr, "%s: [%s] %s is taken and has no effect\n",

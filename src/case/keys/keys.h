@@ -43,6 +43,10 @@ extern const ovr_word ovr_history_words[], ovr_time_unit_words[];
 
 #define IN_CHANGE(base, field) ((base) + offsetof(ovr_change, field))
 
+/* A history that changes has something to change by. */
+#define CHANGES                                                                \
+    "history = ramp | step => from or to; history = sine => amplitude"
+
 /* clang-format off */
 #define HISTORY(base, initial, low, high, swing, when)                        \
     {"history", CHOICE(ovr_history_words), "constant",                        \

@@ -42,7 +42,7 @@ static const ovr_parameter supply_keys[] = {
      "model = film",
      "oil in the inlet reservoir at the start, where the contact is "
      "flooded then"},
-    HISTORY(AT(supply), "1", 0, 100, 1, "model = film"),
+    HISTORY(AT(supply), "1", 0, 100, 1, "model = film; " CHANGES),
 };
 
 const ovr_section ovr_supply_section = {
@@ -68,7 +68,7 @@ static const ovr_parameter passes_keys[] = {
      "number > 1 or roller_bearing.passes",
      "thickness that comes to each surface between two passes"},
     {"spacing", LENGTH(1e-3, 1e9), NULL, AT(passes.spacing), true,
-     "number > 1 or roller_bearing.passes",
+     "number > 1 or roller_bearing.passes; recovery",
      "from one rolling body to the next, along the surfaces"},
     {"recovery", OVR_NUMBER, OVR_DURATION, OVR_IN_TIME, 1e-6, 1e12, false,
      .words = NULL, NULL, AT(passes.recovery), true,

@@ -51,7 +51,7 @@ const ovr_section ovr_time_section = {
     "the run in time, and the scheme (of steady cases too)", ROWS(time_keys)};
 
 static const ovr_parameter load_keys[] = {
-    HISTORY(AT(load), "1", 0, 100, 1, ALWAYS),
+    HISTORY(AT(load), "1", 0, 100, 1, CHANGES),
 };
 
 const ovr_section ovr_load_section = {
@@ -59,7 +59,7 @@ const ovr_section ovr_load_section = {
     ROWS(load_keys)};
 
 static const ovr_parameter speed_keys[] = {
-    HISTORY(AT(speed), "1", -100, 100, 100, ALWAYS),
+    HISTORY(AT(speed), "1", -100, 100, 100, CHANGES " or mean"),
     {"mean", PLAIN(-100, 100), "1", IN_CHANGE(AT(speed), mean), true,
      "history = sine", "what it swings about; 0: it goes to and fro"},
 };
@@ -69,7 +69,7 @@ const ovr_section ovr_speed_section = {
     "mean speed against time, relative to that of [contact]", ROWS(speed_keys)};
 
 static const ovr_parameter sliding_keys[] = {
-    HISTORY(AT(sliding), NULL, -1e3, 1e3, 1e3, ALWAYS),
+    HISTORY(AT(sliding), NULL, -1e3, 1e3, 1e3, CHANGES),
 };
 
 const ovr_section ovr_sliding_section = {
@@ -80,7 +80,7 @@ const ovr_section ovr_sliding_section = {
     ROWS(sliding_keys)};
 
 static const ovr_parameter radius_keys[] = {
-    HISTORY(AT(radius), "1", 0.01, 100, 0.99, ALWAYS),
+    HISTORY(AT(radius), "1", 0.01, 100, 0.99, CHANGES),
     {"curvature", CHOICE(curvatures), "auto", AT(curvature), true,
      "history = ramp | sine | step | table",
      "imposed, or rides: convected with the material that comes by, as on "
@@ -95,7 +95,7 @@ const ovr_section ovr_radius_section = {
     ROWS(radius_keys)};
 
 static const ovr_parameter radius_1_keys[] = {
-    HISTORY(AT(radius_1), "1", -1e3, 1e3, 1e3, ALWAYS),
+    HISTORY(AT(radius_1), "1", -1e3, 1e3, 1e3, CHANGES),
 };
 
 const ovr_section ovr_radius_1_section = {
