@@ -1,19 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll check CASE: what a case means, nothing solved. */
-#include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cli/case_args.h"
+#include "cli/case_print.h"
 #include "cli/report.h"
 #include "cli/stations.h"
 
-static void hear_json(void *data, ovr_say kind, const char *text)
-{
-    if (kind == OVR_SAY_WARNING)
-        json_text(data, NULL, text);
-}
+/* ----------------------------------------------------------------- memory */
 
 /* Memory that counts itself: each piece is behind its size. */
 enum { HEAD = sizeof(max_align_t) };
@@ -39,53 +35,6 @@ static void give(void *live, void *memory)
 
 /* ------------------------------------------------------------------ table */
 
-static void put_header(const ovr_case_entry *entry)
-{
-    if (entry->name)
-        printf("\n[%s %s]\n", entry->section, entry->name);
-    else
-        printf("\n[%s]\n", entry->section);
-}
-
-static bool has_nodes(const ovr_case *c)
-{
-    for (size_t k = 0; k < ovr_case_entries(c); k++) {
-        ovr_case_entry entry = ovr_case_entry_at(c, k);
-        if (!strcmp(entry.key, "nodes"))
-            return entry.given;
-    }
-    return false;
-}
-
-/* The default level does not count beside nodes. */
-static bool is_shown(const ovr_case *c, const ovr_setup *setup,
-                     const ovr_case_entry *entry)
-{
-    if (!entry->text || (!entry->given && !entry->applies) ||
-        (!strcmp(entry->section, "stress") && !setup->stress->surfaces) ||
-        (!strcmp(entry->section, "fatigue") && !setup->stress->fatigue))
-        return false;
-    return entry->given || strcmp(entry->section, "domain") != 0 ||
-           strcmp(entry->key, "level") != 0 || !has_nodes(c);
-}
-
-/* The whole case: reading what is printed gives the same case. */
-static void put_parameters(const ovr_case *c, const ovr_setup *setup)
-{
-    const char *section = "", *name = NULL;
-    for (size_t k = 0; k < ovr_case_entries(c); k++) {
-        ovr_case_entry entry = ovr_case_entry_at(c, k);
-        if (!is_shown(c, setup, &entry))
-            continue;
-        if (strcmp(section, entry.section) != 0 || name != entry.name)
-            put_header(&entry);
-        section = entry.section;
-        name = entry.name;
-        printf("%s = %s%s\n", entry.key, entry.text,
-               entry.given ? "" : "    # default");
-    }
-}
-
 /* Comments of a case. */
 static void put_comment(void *data, const ovr_summary_line *line)
 {
@@ -108,25 +57,10 @@ static void put_line(void *data, const char *name, const char *text)
 
 /* ------------------------------------------------------------------- JSON */
 
-static void json_parameters(json_writer *json, const ovr_case *c)
+static void hear_json(void *data, ovr_say kind, const char *text)
 {
-    json_open_array(json, "parameters");
-    for (size_t k = 0; k < ovr_case_entries(c); k++) {
-        ovr_case_entry entry = ovr_case_entry_at(c, k);
-        if (!entry.text)
-            continue;
-        json_open(json, NULL);
-        json_text(json, "section", entry.section);
-        if (entry.name)
-            json_text(json, "name", entry.name);
-        json_text(json, "key", entry.key);
-        json_text(json, "text", entry.text);
-        json_number(json, "value", entry.number);
-        json_text(json, "unit", entry.unit);
-        json_flag(json, "given", entry.given);
-        json_close(json);
-    }
-    json_close_array(json);
+    if (kind == OVR_SAY_WARNING)
+        json_text(data, NULL, text);
 }
 
 static ovr_status report_json(const ovr_case *c, const ovr_setup *setup,
@@ -138,7 +72,7 @@ static ovr_status report_json(const ovr_case *c, const ovr_setup *setup,
     json_open_array(&json, "warnings");
     ovr_setup_review(setup, hear_json, &json);
     json_close_array(&json);
-    json_parameters(&json, c);
+    cli_json_case(&json, c);
     json_end(&json);
     return status;
 }
@@ -154,7 +88,7 @@ static ovr_status report(const cli_call *call, const ovr_case *c,
         return status;
     cli_put_stations(setup);
     ovr_setup_tell(setup, put_line, NULL);
-    put_parameters(c, setup);
+    cli_put_case(c, setup);
     return OVR_OK;
 }
 
