@@ -72,7 +72,8 @@ expect 0 "$OVERROLL" resume e.h5
 contains err 'nothing to do'
 expect 2 "$OVERROLL" check e.ini --set 'feature it.copies=endless'
 contains err "e.ini:7: end: auto: feature 'it' is endless"
-expect 2 "$OVERROLL" check e.ini --set load.history=sine --set load.period=1
+expect 2 "$OVERROLL" check e.ini --set load.history=sine --set load.period=1 \
+    --set load.amplitude=0.1
 contains err 'e.ini:7: end: auto: the history of \[load\] never ends'
 expect 2 "$OVERROLL" check --M 20 --L 10 --set time.end=auto
 contains err 'nothing passes'
