@@ -74,18 +74,17 @@ static double mean_wavelength(const ovr_table *t)
     return slope > 0 ? 6.283185307179586 * sqrt(height / slope) : INFINITY;
 }
 
-static void describe(ovr_profile *p, const ovr_table *t, double mesh,
-                     double lost)
+static void describe(ovr_profile *p, const ovr_table *t, double mesh)
 {
     const char *ends = !t->endless ? "blended into the smooth surface"
                                    : "goes on without end";
-    if (lost < 1e-6)
+    if (t->lost < 1e-6)
         ovr_profile_note(p, "on the grid: nothing filtered out; %s", ends);
     else
         ovr_profile_note(p,
                          "on the grid: wavelengths above %.3g b, %.2g %% of "
                          "the variance filtered out; %s",
-                         2 * mesh, 100 * lost, ends);
+                         2 * mesh, 100 * t->lost, ends);
 }
 
 static void set_extents(ovr_feature *f, const ovr_table *t)
@@ -134,7 +133,6 @@ static ovr_status fit(ovr_feature *f, const ovr_feature_form *form,
     ovr_table *table = ovr_arena_take(arena, 1, sizeof *table, err);
     ovr_conditioning how = ovr_conditioning_default();
     bool random = form->shape == OVR_ROUGHNESS;
-    double lost = 0;
     ovr_status status = table ? OVR_OK : OVR_NO_MEMORY;
     if (!status && form->conditioning)
         status = OVR_TAKE(ovr_conditioning, &how, form->conditioning, err);
@@ -142,12 +140,12 @@ static ovr_status fit(ovr_feature *f, const ovr_feature_form *form,
     if (!status) {
         f->local_Rq = ovr_local_roughness(p->view.n, p->x, p->z,
                                           OVR_CONTACT_WIDTH);
-        status = ovr_resample(p->view.n, p->x, p->z, mesh, &ends, table, arena,
-                              &lost, err);
+        ovr_points points = {p->view.n, p->x, p->z};
+        status = ovr_resample(&points, mesh, &ends, table, arena, err);
     }
     if (status)
         return status;
-    describe(p, table, mesh, lost);
+    describe(p, table, mesh);
     set_extents(f, table);
     f->assumed = ovr_arena_text(arena, p->notes, err);
     return f->assumed ? OVR_OK : OVR_NO_MEMORY;

@@ -16,7 +16,7 @@ ovr_status ovr_table_prepare(ovr_table *table, ovr_arena *arena, ovr_error *err)
         return OVR_NO_MEMORY;
     for (size_t i = 0; i < n; i++)
         x[i] = (double)i;
-    status = ovr_spline_second(n, x, table->z, table->endless,
+    status = ovr_spline_second(&(ovr_points){n, x, table->z}, table->endless,
                                &arena->allocator, table->c, err);
     for (size_t i = 0; i < n; i++)
         table->c[i] /= 6; /* x in units of h already */

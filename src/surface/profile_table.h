@@ -25,6 +25,7 @@ typedef struct ovr_table {
     bool endless; /* again and again behind its leading end */
     bool both;    /* endless ahead of it too */
     double fade;  /* endless, not both: blended in over this distance */
+    double lost;  /* part of the variance of its profile that is not in it */
 } ovr_table;
 
 /* Finds c from n, h, z and endless. */

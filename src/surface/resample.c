@@ -28,7 +28,6 @@
 #include "surface/conditioning.h"
 #include "surface/feature.h"
 #include "surface/profile.h"
-#include "surface/spline.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -50,10 +49,15 @@ static double equal_distance(size_t n, const double *x)
     return minimum > 0.98 * mean ? mean : fmax(minimum, mean / 8);
 }
 
-static ovr_status make_equal(size_t n, const double *x, const double *z,
-                             series *s, ovr_arena *arena, ovr_error *err)
+static double length_of(const ovr_points *p)
 {
-    double length = x[n - 1] - x[0], d = equal_distance(n, x);
+    return p->x[p->n - 1] - p->x[0];
+}
+
+static ovr_status make_equal(const ovr_points *p, series *s, ovr_arena *arena,
+                             ovr_error *err)
+{
+    double length = length_of(p), d = equal_distance(p->n, p->x);
     size_t m = (size_t)ceil(length / d - 1e-6) + 1;
     double *at = ovr_arena_take(arena, m, sizeof *at, err);
     double *out = ovr_arena_take(arena, m, sizeof *out, err);
@@ -63,8 +67,8 @@ static ovr_status make_equal(size_t n, const double *x, const double *z,
     s->d = length / (double)(m - 1);
     s->z = out;
     for (size_t k = 0; k < m; k++)
-        at[k] = x[0] + length * (double)k / (double)(m - 1);
-    return ovr_spline_resample(n, x, z, m, at, &arena->allocator, out, err);
+        at[k] = p->x[0] + length * (double)k / (double)(m - 1);
+    return ovr_spline_resample(p, m, at, &arena->allocator, out, err);
 }
 
 /* ---------------------------------------------------------------- 2. sinc */
@@ -225,19 +229,19 @@ static ovr_status check_length(double length, double mesh, ovr_error *err)
                     length, mesh);
 }
 
-ovr_status ovr_resample(size_t n, const double *x, const double *z, double mesh,
+ovr_status ovr_resample(const ovr_points *profile, double mesh,
                         const ovr_ends *ends, ovr_table *table,
-                        ovr_arena *arena, double *lost, ovr_error *err)
+                        ovr_arena *arena, ovr_error *err)
 {
     ovr_arena scratch = ovr_arena_make(&arena->allocator);
     series s = {0};
-    ovr_status status = check_length(x[n - 1] - x[0], mesh, err);
+    ovr_status status = check_length(length_of(profile), mesh, err);
     if (!status)
-        status = make_equal(n, x, z, &s, &scratch, err);
+        status = make_equal(profile, &s, &scratch, err);
     if (!status) {
         s.closed = ends->closed;
         choose_band(&s, mesh);
-        *lost = part_lost(&s);
+        table->lost = part_lost(&s);
         status = tabulate(&s, ends, mesh, table, arena, err);
     }
     ovr_arena_release(&scratch);

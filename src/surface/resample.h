@@ -5,6 +5,7 @@
 
 #include "overroll/profile.h"
 #include "surface/profile_table.h"
+#include "surface/spline.h"
 
 /* The ways to treat the ends and what is beyond them. */
 typedef struct ovr_ends {
@@ -14,10 +15,10 @@ typedef struct ovr_ends {
     bool closed; /* its last point is its first: periodic without blending */
 } ovr_ends;
 
-/* Fills the table from n points, without what a grid of mesh D cannot carry
- * (wavelengths below 2 D); `lost` is that part of the variance. */
-ovr_status ovr_resample(size_t n, const double *x, const double *z, double mesh,
+/* Fills the table from the points of a profile, without what a grid of mesh D
+ * cannot carry (wavelengths below 2 D). */
+ovr_status ovr_resample(const ovr_points *profile, double mesh,
                         const ovr_ends *ends, ovr_table *table,
-                        ovr_arena *arena, double *lost, ovr_error *err);
+                        ovr_arena *arena, ovr_error *err);
 
 #endif

@@ -86,9 +86,9 @@ static ovr_status add(const source *s, double mesh, double part,
     const ovr_profile *p = s->profile;
     ovr_arena scratch = ovr_arena_make(&p->arena.allocator);
     ovr_table table = {0};
-    double lost;
-    ovr_status status = ovr_resample(p->view.n, p->x, p->z, mesh, &s->ends,
-                                     &table, &scratch, &lost, err);
+    ovr_points points = {p->view.n, p->x, p->z};
+    ovr_status status = ovr_resample(&points, mesh, &s->ends, &table, &scratch,
+                                     err);
     if (!status && part > 0)
         pair->length = ovr_table_length(&table);
     for (size_t i = 0; !status && i < pair->n; i++)

@@ -5,13 +5,13 @@
 
 #include "base/interpolation.h"
 
-static ovr_status check(size_t n, const double *x, const double *y,
-                        ovr_error *err)
+static ovr_status check(const ovr_points *of, ovr_error *err)
 {
-    if (n < 2)
+    const double *x = of->x, *y = of->y;
+    if (of->n < 2)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "a spline needs two points, there are %zu", n);
-    for (size_t i = 0; i < n; i++)
+                        "a spline needs two points, there are %zu", of->n);
+    for (size_t i = 0; i < of->n; i++)
         if (!isfinite(x[i]) || !isfinite(y[i]) || (i && !(x[i] > x[i - 1])))
             return ovr_fail(err, OVR_BAD_INPUT,
                             "a spline needs finite points with increasing x; "
@@ -39,47 +39,49 @@ static const gsl_interp_type *kind(size_t n, bool periodic)
     return periodic ? gsl_interp_cspline_periodic : gsl_interp_cspline;
 }
 
-static ovr_status make(size_t n, const double *x, const double *y,
-                       bool periodic, const ovr_allocator *allocator,
-                       gsl_interp **spline, ovr_error *err)
+static ovr_status make(const ovr_points *of, bool periodic,
+                       const ovr_allocator *allocator, gsl_interp **spline,
+                       ovr_error *err)
 {
-    ovr_status status = check(n, x, y, err);
+    ovr_status status = check(of, err);
     if (!status)
-        status = enough_memory(n, allocator, err);
+        status = enough_memory(of->n, allocator, err);
     if (status)
         return status;
-    *spline = ovr_interpolation(kind(n, periodic), n, x, y, err);
+    *spline = ovr_interpolation(kind(of->n, periodic), of->n, of->x, of->y,
+                                err);
     return *spline ? OVR_OK : OVR_NO_MEMORY;
 }
 
-ovr_status ovr_spline_second(size_t n, const double *x, const double *y,
-                             bool periodic, const ovr_allocator *allocator,
-                             double *y2, ovr_error *err)
+ovr_status ovr_spline_second(const ovr_points *of, bool periodic,
+                             const ovr_allocator *allocator, double *y2,
+                             ovr_error *err)
 {
     gsl_interp *spline = NULL;
     gsl_interp_accel near = {0};
-    ovr_status status = make(n, x, y, periodic, allocator, &spline, err);
+    ovr_status status = make(of, periodic, allocator, &spline, err);
     if (status)
         return status;
-    for (size_t i = 0; i < n; i++)
-        y2[i] = n < 3 ? 0 : gsl_interp_eval_deriv2(spline, x, y, x[i], &near);
+    for (size_t i = 0; i < of->n; i++)
+        y2[i] = of->n < 3 ? 0
+                          : gsl_interp_eval_deriv2(spline, of->x, of->y,
+                                                   of->x[i], &near);
     gsl_interp_free(spline);
     return OVR_OK;
 }
 
-ovr_status ovr_spline_resample(size_t n, const double *x, const double *y,
-                               size_t m, const double *at,
+ovr_status ovr_spline_resample(const ovr_points *of, size_t m, const double *at,
                                const ovr_allocator *allocator, double *out,
                                ovr_error *err)
 {
     gsl_interp *spline = NULL;
     gsl_interp_accel near = {0};
-    ovr_status status = make(n, x, y, false, allocator, &spline, err);
+    ovr_status status = make(of, false, allocator, &spline, err);
     if (status)
         return status;
     for (size_t k = 0; k < m; k++) {
-        double a = fmin(fmax(at[k], x[0]), x[n - 1]);
-        out[k] = gsl_interp_eval(spline, x, y, a, &near);
+        double a = fmin(fmax(at[k], of->x[0]), of->x[of->n - 1]);
+        out[k] = gsl_interp_eval(spline, of->x, of->y, a, &near);
     }
     gsl_interp_free(spline);
     return OVR_OK;

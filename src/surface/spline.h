@@ -12,15 +12,20 @@
 
 #include "base/arena.h"
 
+/* Points along x, borrowed. */
+typedef struct ovr_points {
+    size_t n;
+    const double *x, *y;
+} ovr_points;
+
 /* y2[i] = second derivative at x[i] of the natural (periodic: y[n-1] = y[0])
  * cubic spline through n >= 2 points; x must increase and all be finite. */
-ovr_status ovr_spline_second(size_t n, const double *x, const double *y,
-                             bool periodic, const ovr_allocator *allocator,
-                             double *y2, ovr_error *err);
+ovr_status ovr_spline_second(const ovr_points *of, bool periodic,
+                             const ovr_allocator *allocator, double *y2,
+                             ovr_error *err);
 
 /* out[k] = the natural spline at at[k], held to the ends outside. */
-ovr_status ovr_spline_resample(size_t n, const double *x, const double *y,
-                               size_t m, const double *at,
+ovr_status ovr_spline_resample(const ovr_points *of, size_t m, const double *at,
                                const ovr_allocator *allocator, double *out,
                                ovr_error *err);
 

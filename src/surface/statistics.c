@@ -214,7 +214,7 @@ static ovr_status transform(const ovr_profile *p, spectrum *s, ovr_arena *arena,
     s->step = length / (double)s->n;
     for (size_t i = 0; i < s->n; i++)
         at[i] = p->x[0] + ((double)i + 0.5) * s->step;
-    status = ovr_spline_resample(points, p->x, p->z, s->n, at,
+    status = ovr_spline_resample(&(ovr_points){points, p->x, p->z}, s->n, at,
                                  &arena->allocator, z, err);
     if (status)
         return status;
