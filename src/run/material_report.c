@@ -135,8 +135,8 @@ static ovr_status find_life(const ovr_setup *setup, ovr_stress_report *r,
     r->limit = r->hertz * s->limit_pressure;
     life.limit = r->limit;
     life.least_depth = r->least_depth;
-    if (ovr_life(&life, &r->material, r->amplitude, r->amplitude_smooth,
-                 r->risk, r->length, result, err))
+    const ovr_amplitudes of = {&r->material, r->amplitude, r->amplitude_smooth};
+    if (ovr_life(&life, &of, r->risk, r->length, result, err))
         return OVR_BAD_INPUT;
     if (life.limits)
         r->limit = result->used_limit;

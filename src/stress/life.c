@@ -182,34 +182,37 @@ static void find_used(const ovr_life_options *o, const ovr_material *m,
     }
 }
 
+/* Risks are counted by this, point by point; arrays are by depth. */
+typedef struct counting {
+    interval of[MAX_DEPTHS];
+    double column[MAX_DEPTHS], i[MAX_DEPTHS]; /* of the point counted last */
+    double i_0[MAX_DEPTHS], lambda[MAX_DEPTHS];
+} counting;
+
 /* One point's amplitudes and risks, added to lambda's sums. */
-static void count_point(const ovr_life_options *o, const ovr_material *m,
-                        const interval *of, const float *A, size_t k,
-                        double *column, double *i, const double *i_0,
-                        double *length)
+static void count_point(counting *c, const ovr_life_options *o,
+                        const ovr_material *m, const float *A, size_t k)
 {
     for (size_t j = 0; j < m->depths; j++)
-        column[j] = A[j * m->points + k];
-    risk_of(o, m->depths, of, column, i);
-    for (size_t j = 0; m->complete[k] && length && j < m->depths; j++)
-        length[j] += (i[j] - i_0[j]) / i_0[j] * m->step;
+        c->column[j] = A[j * m->points + k];
+    risk_of(o, m->depths, c->of, c->column, c->i);
+    for (size_t j = 0; m->complete[k] && j < m->depths; j++)
+        c->lambda[j] += (c->i[j] - c->i_0[j]) / c->i_0[j] * m->step;
 }
 
-ovr_status ovr_life(const ovr_life_options *options, const ovr_material *m,
-                    const float *A, const double *smooth, double *risk,
-                    double *length, ovr_life_result *result, ovr_error *err)
+ovr_status ovr_life(const ovr_life_options *options, const ovr_amplitudes *of,
+                    double *risk, double *length, ovr_life_result *result,
+                    ovr_error *err)
 {
-    double column[MAX_DEPTHS] = {0}, i[MAX_DEPTHS] = {0};
-    double i_0[MAX_DEPTHS] = {0};
-    double lambda[MAX_DEPTHS] = {0};
-    interval of[MAX_DEPTHS];
+    counting c = {0};
     ovr_life_options own, *o = &own;
     ovr_life_result made;
     if (OVR_TAKE(ovr_life_options, o, options, err) ||
         ovr_fillable(result, "ovr_life_result", err))
         return OVR_BAD_INPUT;
-    if (!m || !A || !smooth)
+    if (!of || !of->material || !of->A || !of->smooth)
         return ovr_fail_null(err, __func__);
+    const ovr_material *m = of->material;
     if (o->limits && !(o->limit_z && o->limit_A))
         return ovr_fail_null(err, __func__);
     if (m->depths < 1 || m->depths > MAX_DEPTHS)
@@ -217,22 +220,22 @@ ovr_status ovr_life(const ovr_life_options *options, const ovr_material *m,
                         m->depths, MAX_DEPTHS);
     size_t from = first_counted(o, m);
     made = (ovr_life_result){.least_depth = m->z[from]};
-    find_intervals(o, m->depths, m->z, of);
-    risk_of(o, m->depths, of, smooth, i_0);
+    find_intervals(o, m->depths, m->z, c.of);
+    risk_of(o, m->depths, c.of, of->smooth, c.i_0);
     for (size_t k = 0; k < m->points; k++) {
-        count_point(o, m, of, A, k, column, i, i_0, lambda);
+        count_point(&c, o, m, of->A, k);
         made.counted += m->complete[k];
         if (risk)
-            risk[k] = i[from];
+            risk[k] = c.i[from];
     }
     for (size_t j = 0; j < m->depths; j++)
-        lambda[j] = i_0[j] > 0 ? lambda[j] : NAN;
+        c.lambda[j] = c.i_0[j] > 0 ? c.lambda[j] : NAN;
     for (size_t j = 0; length && j < m->depths; j++)
-        length[j] = lambda[j];
-    find_worst(m, A, from, &made);
-    made.smooth_risk = i_0[from];
-    made.equivalent_length = lambda[from];
-    find_used(o, m, A, from, &made);
+        length[j] = c.lambda[j];
+    find_worst(m, of->A, from, &made);
+    made.smooth_risk = c.i_0[from];
+    made.equivalent_length = c.lambda[from];
+    find_used(o, m, of->A, from, &made);
     *result = made;
     return OVR_OK;
 }

@@ -152,13 +152,19 @@ ovr_status ovr_material_history_amplitude(const ovr_material_history *history,
 void ovr_risk(const ovr_life_options *options, size_t depths, const double *z,
               const double *A, double *risk);
 
+/* Amplitudes of a material, and below a smooth contact, by depth. */
+typedef struct ovr_amplitudes {
+    const ovr_material *material;
+    const float *A;
+    const double *smooth;
+} ovr_amplitudes;
+
 /* risk[points]: from the smallest depth down; length[depths]: the equivalent
  * length lambda = int (i - i_0) dxi / i_0 counted from z[j] down.  Either may
  * be NULL. */
-ovr_status ovr_life(const ovr_life_options *options,
-                    const ovr_material *material, const float *A,
-                    const double *smooth, double *risk, double *length,
-                    ovr_life_result *result, ovr_error *err);
+ovr_status ovr_life(const ovr_life_options *options, const ovr_amplitudes *of,
+                    double *risk, double *length, ovr_life_result *result,
+                    ovr_error *err);
 
 /* Life over that of the smooth raceway of this length with so many of the
  * features: (1 + count lambda / raceway)^(-1/e). */

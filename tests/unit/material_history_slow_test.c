@@ -225,7 +225,9 @@ static ovr_life_result life_of(const ovr_material_history *p,
     CHECK_OK(ovr_material_history_amplitude(p, OVR_CRITERION_CIRCLE, 0.3, A,
                                             smooth, &err),
              &err);
-    CHECK_OK(ovr_life(life, &m, A, smooth, NULL, length, &result, &err), &err);
+    CHECK_OK(ovr_life(life, &(ovr_amplitudes){&m, A, smooth}, NULL, length,
+                      &result, &err),
+             &err);
     free(A);
     free(smooth);
     return result;

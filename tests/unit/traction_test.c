@@ -271,7 +271,8 @@ static void a_steady_contact_adds_no_risk(void **state)
         CHECK_OK(ovr_material_history_amplitude(p, OVR_CRITERION_CIRCLE, 0.3, A,
                                                 smooth, &err),
                  &err);
-        CHECK_OK(ovr_life(&life, &m, A, smooth, NULL, NULL, &result, &err),
+        CHECK_OK(ovr_life(&life, &(ovr_amplitudes){&m, A, smooth}, NULL, NULL,
+                          &result, &err),
                  &err);
         CHECK_NEAR(result.equivalent_length, 0, 1e-3);
         free(A);
