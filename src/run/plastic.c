@@ -42,8 +42,7 @@ static ovr_status make_plan(const ovr_setup *setup, int k,
 {
     const ovr_plastic_setup *how = ovr_setup_plastic(setup);
     ovr_stress_plan *s = &plan->stress;
-    if (ovr_stress_planned(setup, k + 1, setup->options->inlet, setup->mesh,
-                           setup->nodes, 1, s, err))
+    if (ovr_stress_planned(setup, k + 1, ovr_stress_sight_of(setup), s, err))
         return OVR_BAD_INPUT;
     double from = s->range.from + margin, to = s->range.to - margin;
     if (!isnan(how->from)) {

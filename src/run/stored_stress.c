@@ -111,8 +111,8 @@ static ovr_status one_surface(ovr_stored_stress *s, stored *f, int k,
     ovr_stress_plan plan;
     ovr_second_pass second = {f->path, s->setup};
     ovr_material_history *p;
-    ovr_status status = ovr_stress_planned(s->setup, k + 1, f->x[0], f->mesh,
-                                           f->nodes, s->every, &plan, err);
+    ovr_stress_sight seen = {f->x[0], f->mesh, f->nodes, s->every};
+    ovr_status status = ovr_stress_planned(s->setup, k + 1, seen, &plan, err);
     if (!status)
         status = look_for_traction(f, s->setup, &plan, err);
     if (status)

@@ -217,16 +217,15 @@ static ovr_status make_field(run_stress *s, int k,
 static ovr_status follow(run_stress *s, const ovr_state *state,
                          const ovr_allocator *allocator, ovr_error *err)
 {
-    const ovr_options *o = s->setup->options;
-    double mesh = s->setup->mesh;
+    ovr_stress_sight seen = ovr_stress_sight_of(s->setup);
+    seen.nodes = state->n;
     s->P = ovr_arena_take(&s->arena, state->n, sizeof *s->P, err);
     if (!s->P)
         return OVR_NO_MEMORY;
     for (int k = 0; k < SURFACES; k++) {
         if (!(s->setup->stress->surfaces >> k & 1))
             continue;
-        if (ovr_stress_planned(s->setup, k + 1, o->inlet, mesh, state->n, 1,
-                               &s->plan[k], err))
+        if (ovr_stress_planned(s->setup, k + 1, seen, &s->plan[k], err))
             return OVR_BAD_INPUT;
         s->follower[k] = ovr_follower_create(&s->plan[k], allocator, err);
         if (s->plan[k].options.traction)

@@ -23,13 +23,21 @@ typedef struct ovr_stress_plan {
     const char *no_traction; /* why it is left out; NULL: it is not */
 } ovr_stress_plan;
 
-/* Plans for the pressure at `nodes` nodes from `inlet`, `mesh` apart, seen
- * every so many steps.  Fails when depths are asked for that such moments
- * cannot give.
- */
-ovr_status ovr_stress_planned(const ovr_setup *setup, int surface, double inlet,
-                              double mesh, size_t nodes, double every,
-                              ovr_stress_plan *plan, ovr_error *err);
+/* The pressure is seen at nodes of one mesh size from the inlet, every so many
+ * steps. */
+typedef struct ovr_stress_sight {
+    double inlet, mesh;
+    size_t nodes;
+    double every;
+} ovr_stress_sight;
+
+/* Returns that of a run, which sees each step. */
+ovr_stress_sight ovr_stress_sight_of(const ovr_setup *setup);
+
+/* Fails when depths are asked for that such moments cannot give. */
+ovr_status ovr_stress_planned(const ovr_setup *setup, int surface,
+                              ovr_stress_sight seen, ovr_stress_plan *plan,
+                              ovr_error *err);
 
 /* Way of the plan's surface since T = 0; 1, -1, or 0 where it goes both ways;
  * whether that may be; largest speed of either surface or the film, over um. */

@@ -135,9 +135,9 @@ static void add_layers(const ovr_setup *setup, ovr_stress_plan *plan)
     plan->range.layer_residual = coated->residual;
 }
 
-static ovr_status make_plan(const ovr_setup *setup, int surface, double inlet,
-                            double mesh, size_t nodes, double every,
-                            ovr_stress_plan *plan, ovr_error *err)
+static ovr_status make_plan(const ovr_setup *setup, int surface,
+                            ovr_stress_sight seen, ovr_stress_plan *plan,
+                            ovr_error *err)
 {
     const ovr_stress_setup *s = setup->stress;
     const ovr_contact *c = setup->contact;
@@ -147,9 +147,9 @@ static ovr_status make_plan(const ovr_setup *setup, int surface, double inlet,
     plan->ratio = surface == 1 ? c->u1_ratio : c->u2_ratio;
     plan->options = ovr_stress_options_default();
     plan->range = ovr_material_range_default();
-    plan->options.mesh = mesh;
-    plan->options.inlet = inlet;
-    plan->options.nodes = nodes;
+    plan->options.mesh = seen.mesh;
+    plan->options.inlet = seen.inlet;
+    plan->options.nodes = seen.nodes;
     plan->options.depth_max = s->depth_max;
     plan->options.per_octave = s->per_octave;
     plan->options.traction = s->traction;
@@ -163,23 +163,30 @@ static ovr_status make_plan(const ovr_setup *setup, int surface, double inlet,
     plan->range.residual_z = s->residual_z;
     plan->range.residual_s = s->residual_s;
     plan->range.yield = s->yield[surface - 1];
-    if (dang_van && (double)setup->output->every > every)
-        every = (double)setup->output->every; /* its paths are stored ones */
-    plan->coarsest = setup->transient ? ovr_stress_fastest(setup) * dT * every
-                                      : 0;
+    if (dang_van && (double)setup->output->every > seen.every)
+        seen.every = (double)setup->output->every; /* paths are stored ones */
+    plan->coarsest = setup->transient
+                         ? ovr_stress_fastest(setup) * dT * seen.every
+                         : 0;
     plan->direction = ovr_stress_direction(setup, plan);
     find_material(setup, plan);
-    return find_depths(setup, every, plan, err);
+    return find_depths(setup, seen.every, plan, err);
+}
+
+ovr_stress_sight ovr_stress_sight_of(const ovr_setup *setup)
+{
+    return (ovr_stress_sight){setup->options->inlet, setup->mesh, setup->nodes,
+                              1};
 }
 
 /* An error names the line of its key. */
-ovr_status ovr_stress_planned(const ovr_setup *setup, int surface, double inlet,
-                              double mesh, size_t nodes, double every,
-                              ovr_stress_plan *plan, ovr_error *err)
+ovr_status ovr_stress_planned(const ovr_setup *setup, int surface,
+                              ovr_stress_sight seen, ovr_stress_plan *plan,
+                              ovr_error *err)
 {
     const ovr_resolved *r = (const ovr_resolved *)setup;
     ovr_error why = {0};
-    if (!make_plan(setup, surface, inlet, mesh, nodes, every, plan, &why))
+    if (!make_plan(setup, surface, seen, plan, &why))
         return OVR_OK;
     return ovr_fail_in(err, r->c, ovr_block_of(r, "stress"),
                        ovr_block_of(r, why.about && !strcmp(why.about, "step")
@@ -198,8 +205,8 @@ ovr_status ovr_setup_stress_depth(const ovr_setup *setup, double *minimum,
         ovr_stress_plan plan;
         if (!(setup->stress->surfaces >> (k - 1) & 1))
             continue;
-        if (ovr_stress_planned(setup, k, setup->options->inlet, setup->mesh,
-                               setup->nodes, 1, &plan, err))
+        if (ovr_stress_planned(setup, k, ovr_stress_sight_of(setup), &plan,
+                               err))
             return OVR_BAD_INPUT;
         *minimum = plan.options.depth_min;
     }
@@ -214,8 +221,8 @@ double ovr_material_histories_memory(const ovr_setup *setup)
     for (int k = 1; k <= 2; k++) {
         ovr_stress_plan plan;
         if (!(setup->stress->surfaces >> (k - 1) & 1) ||
-            ovr_stress_planned(setup, k, setup->options->inlet, setup->mesh,
-                               setup->nodes, 1, &plan, NULL))
+            ovr_stress_planned(setup, k, ovr_stress_sight_of(setup), &plan,
+                               NULL))
             continue;
         bytes += ovr_material_history_memory(&plan.options, &plan.range);
         /* the follower's ring */
