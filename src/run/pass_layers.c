@@ -76,17 +76,27 @@ static size_t lies(const ovr_setup *s, int k, size_t j)
     return s->passes->again & 1 << k ? j : 0;
 }
 
-/* Surface k; what is lost of it goes to lost[j], as a flow at each time. */
-static ovr_layer *make_layer(const ovr_setup *s, const ovr_pass_history *h,
-                             int k, double flooded, double *x, double *thick,
-                             double *lost, const ovr_allocator *allocator,
-                             ovr_error *err)
+/* A pass that has ended, and space for what comes of it at its times: places
+ * and thicknesses of a layer, and the flow that is lost, of both layers. */
+typedef struct ended {
+    const ovr_setup *s;
+    const ovr_pass_history *h;
+    double flooded; /* flow of a flooded contact */
+    double *x, *thick, *lost;
+} ended;
+
+/* The layer on surface k. */
+static ovr_layer *make_layer(const ended *e, int k,
+                             const ovr_allocator *allocator, ovr_error *err)
 {
     static const double apart = 1e-9;
+    const ovr_setup *s = e->s;
+    const ovr_pass_history *h = e->h;
     const ovr_contact *c = s->contact;
+    double *x = e->x, *thick = e->thick;
     const double ratio = k ? c->u2_ratio : c->u1_ratio;
     const double share = k ? 1 - s->passes->split : s->passes->split;
-    const double full = share * nominally(s, flooded);
+    const double full = share * nominally(s, e->flooded);
     size_t end = h->n, first = end;
     for (size_t j = 0; j < h->n; j++) {
         double T = h->of[OVR_SEEN_TIME][j];
@@ -98,7 +108,7 @@ static ovr_layer *make_layer(const ovr_setup *s, const ovr_pass_history *h,
             continue;
         x[--first] = place;
         thick[first] = after(s->passes, fmax(0, left), full, ratio);
-        lost[j] += fmax(0, u) * (left - thick[first]);
+        e->lost[j] += fmax(0, u) * (left - thick[first]);
     }
     if (first == end)
         x[--first] = s->options->outlet, thick[first] = 0;
@@ -181,9 +191,9 @@ ovr_status ovr_pass_end_make(const ovr_setup *s, ovr_pass_history *h,
         return OVR_NO_MEMORY;
     if (isnan(flooded))
         end->flooded = flooded_flow(h);
+    const ended e = {s, h, end->flooded, x, x + h->n + 1, lost};
     for (int k = 0; k < 2; k++)
-        end->layer[k] = make_layer(s, h, k, end->flooded, x, x + h->n + 1, lost,
-                                   allocator, err);
+        end->layer[k] = make_layer(&e, k, allocator, err);
     if (isfinite(reservoir[h->n - 1]))
         end->reservoir = reservoir[h->n - 1];
     fill_row(h, lost, &end->row);
