@@ -185,26 +185,25 @@ static ovr_status look_through(ovr_depth_field *f, ovr_error *err)
 }
 
 ovr_status ovr_depth_field_make(ovr_depth_field *f, const ovr_stored *run,
-                                const char *field, bool logarithmic,
-                                int surface, double x_from, double x_to,
-                                ovr_arena *arena, ovr_error *err)
+                                const ovr_depth_look *look, ovr_arena *arena,
+                                ovr_error *err)
 {
     const ovr_result_info *info = run->info;
     ovr_stress_options o = ovr_stress_options_default();
-    *f = (ovr_depth_field){.run = run, .logarithmic = logarithmic};
-    if (find_field(f, field, err))
+    *f = (ovr_depth_field){.run = run, .logarithmic = look->logarithmic};
+    if (find_field(f, look->field, err))
         return OVR_BAD_INPUT;
     if (!run->pressure || info->nodes < 3)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "the file holds no pressure: run the case with "
                         "pressure among [output] fields");
-    read_body(f, surface, arena);
+    read_body(f, look->surface ? look->surface : 1, arena);
     if (choose_nodes(f, arena, err))
         return OVR_NO_MEMORY;
     f->minimum = min_meshes * f->mesh;
-    f->x_from = isnan(x_from) ? -1.5 : x_from;
-    f->x_to = isnan(x_to) ? 1.5 : x_to;
-    f->z_to = logarithmic ? deepest : shown;
+    f->x_from = isnan(look->x_from) ? -1.5 : look->x_from;
+    f->x_to = isnan(look->x_to) ? 1.5 : look->x_to;
+    f->z_to = look->logarithmic ? deepest : shown;
     o.mesh = f->mesh;
     o.inlet = run->x[0];
     o.nodes = f->nodes;

@@ -42,11 +42,18 @@ typedef struct ovr_depth_field {
     double *cells; /* OVR_CELLS_Z rows, from the surface down */
 } ovr_depth_field;
 
-/* Looks through the run; `field` NULL: max_shear. */
+/* A field is looked at so. */
+typedef struct ovr_depth_look {
+    const char *field;   /* NULL: max_shear */
+    bool logarithmic;    /* depths */
+    int surface;         /* 0: the first */
+    double x_from, x_to; /* b; NAN: -1.5 and 1.5 */
+} ovr_depth_look;
+
+/* Looks through the run. */
 ovr_status ovr_depth_field_make(ovr_depth_field *f, const ovr_stored *run,
-                                const char *field, bool logarithmic,
-                                int surface, double x_from, double x_to,
-                                ovr_arena *arena, ovr_error *err);
+                                const ovr_depth_look *look, ovr_arena *arena,
+                                ovr_error *err);
 void ovr_depth_field_free(ovr_depth_field *f);
 
 /* The field of snapshot k, and its largest value from `minimum` down. */

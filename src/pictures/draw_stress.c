@@ -98,9 +98,10 @@ ovr_status ovr_draw_stress(const ovr_drawing *drawing, ovr_chart *chart,
     if (drawing->runs->info->snapshots < 1)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: holds no snapshot",
                         drawing->runs->name);
-    status = ovr_depth_field_make(&f, drawing->runs, o->field, o->log_depth,
-                                  o->surface ? o->surface : 1, o->x_from,
-                                  o->x_to, drawing->arena, err);
+    const ovr_depth_look look = {o->field, o->log_depth, o->surface, o->x_from,
+                                 o->x_to};
+    status = ovr_depth_field_make(&f, drawing->runs, &look, drawing->arena,
+                                  err);
     if (!status)
         status = draw(drawing, &f, chart, err);
     ovr_depth_field_free(&f);

@@ -90,10 +90,9 @@ static ovr_status find_field(studio *s, ovr_error *err)
     if (s->count > 1)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "a picture of stresses shows one result: give one");
-    status = ovr_depth_field_make(&s->field, s->runs, look->field,
-                                  look->log_depth,
-                                  look->surface ? look->surface : 1,
-                                  look->x_from, look->x_to, s->arena, err);
+    const ovr_depth_look below = {look->field, look->log_depth, look->surface,
+                                  look->x_from, look->x_to};
+    status = ovr_depth_field_make(&s->field, s->runs, &below, s->arena, err);
     look->x_from = s->field.x_from;
     look->x_to = s->field.x_to;
     if (look->height <= 0)

@@ -106,8 +106,8 @@ ovr_status ovr_view_stress(ovr_text *to, const ovr_stored *run,
                            ovr_arena *arena, ovr_error *err)
 {
     sheet s = {.shots = shots, .every = every};
-    ovr_status status = ovr_depth_field_make(&s.field, run, field, false, 1,
-                                             -1.8, 1.5, arena, err);
+    const ovr_depth_look look = {field, false, 1, -1.8, 1.5};
+    ovr_status status = ovr_depth_field_make(&s.field, run, &look, arena, err);
     if (!status)
         status = prepare(&s, arena, err);
     for (size_t k = 0; !status && k < shots; k++)
