@@ -109,11 +109,24 @@ static ovr_status take_layer_capacity(ovr_arena *scratch, size_t N,
     return ovr_fourier_real(r->n, r->bins[0], r->values, &r->plan, err);
 }
 
+/* A line of lags at one depth, `first` the lag that it begins with: what half
+ * space and layers make of it, three times as many values. */
+typedef struct lag_line {
+    long first;
+    size_t lags;
+    ovr_potential *potential;
+    double *value;
+    layer_capacity layers; /* with a plan where there are layers */
+} lag_line;
+
 /* Adds what layers make of the lags at a depth. */
 static void add_layers(const ovr_stress *s, const ovr_depth *depth,
-                       bool traction, long first, size_t lags, double *lag,
-                       const layer_capacity *r)
+                       bool traction, const lag_line *line)
 {
+    const layer_capacity *r = &line->layers;
+    const size_t lags = line->lags;
+    const long first = line->first;
+    double *lag = line->value;
     const ovr_stress_options *o = &s->options;
     double D = o->mesh;
     const ovr_layered_depth of = ovr_layered_depth_of(
@@ -140,17 +153,16 @@ static void add_layers(const ovr_stress *s, const ovr_depth *depth,
 /* One density's three kernels at one depth, from its line of lags, the seam's
  * before the first; lag k stands at index k - nodes + 1. */
 static ovr_status tabulate(ovr_stress *s, const ovr_depth *depth, bool traction,
-                           long first, const ovr_potential *line, double *lag,
-                           const layer_capacity *layers, ovr_depth_table *table,
+                           const lag_line *line, ovr_depth_table *table,
                            ovr_error *err)
 {
-    size_t N = s->capacity, before = s->options.nodes - 1, lags = N + s->seam;
+    size_t N = s->capacity, before = s->options.nodes - 1;
     ovr_bins *kept[] = {&table->h, &table->d, &table->tau};
-    evaluate(depth->z, traction, lags, line, lag);
-    if (layers->plan)
-        add_layers(s, depth, traction, first, lags, lag, layers);
+    evaluate(depth->z, traction, line->lags, line->potential, line->value);
+    if (line->layers.plan)
+        add_layers(s, depth, traction, line);
     for (size_t which = 0; which < 3; which++) {
-        const double *own = lag + which * lags + s->seam;
+        const double *own = line->value + which * line->lags + s->seam;
         for (size_t k = 0; k < N; k++)
             s->fourier.real[(k + N - before) % N] = seamed(s, own, k);
         ovr_status status = keep_spectrum(s, depth->bins, kept[which], err);
@@ -164,26 +176,27 @@ static ovr_status tabulate_all(ovr_stress *s, ovr_arena *scratch,
                                ovr_error *err)
 {
     const ovr_stress_options *o = &s->options;
-    size_t lags = s->capacity + s->seam;
-    ovr_potential *line = ovr_arena_take(scratch, lags, sizeof *line, err);
-    double *lag = ovr_arena_take(scratch, 3 * lags, sizeof *lag, err);
-    layer_capacity layers = {.plan = NULL};
-    if (!line || !lag ||
-        (o->layers && take_layer_capacity(scratch, s->capacity, &layers, err)))
+    lag_line line = {.lags = s->capacity + s->seam};
+    line.potential = ovr_arena_take(scratch, line.lags, sizeof *line.potential,
+                                    err);
+    line.value = ovr_arena_take(scratch, 3 * line.lags, sizeof *line.value,
+                                err);
+    if (!line.potential || !line.value ||
+        (o->layers &&
+         take_layer_capacity(scratch, s->capacity, &line.layers, err)))
         return OVR_NO_MEMORY;
-    long first = lround((s->start - o->inlet) / o->mesh) -
+    line.first = lround((s->start - o->inlet) / o->mesh) -
                  (long)(o->nodes - 1 + s->seam);
     ovr_status status = OVR_OK;
     for (size_t j = 0; !status && j < s->depths; j++) {
         ovr_depth *depth = &s->depth[j];
-        ovr_element_line(o->element, o->mesh, depth->z, first, lags, line);
-        status = tabulate(s, depth, false, first, line, lag, &layers, &depth->p,
-                          err);
+        ovr_element_line(o->element, o->mesh, depth->z, line.first, line.lags,
+                         line.potential);
+        status = tabulate(s, depth, false, &line, &depth->p, err);
         if (!status && o->traction)
-            status = tabulate(s, depth, true, first, line, lag, &layers,
-                              &depth->q, err);
+            status = tabulate(s, depth, true, &line, &depth->q, err);
     }
-    ovr_fourier_forget(layers.plan);
+    ovr_fourier_forget(line.layers.plan);
     return status;
 }
 
