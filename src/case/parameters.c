@@ -6,8 +6,10 @@
 #include "base/given.h"
 #include "case/condition.h"
 #include "case/keys/keys.h"
+#include "simulation/heat_case.h"
 #include "simulation/physics.h"
 
+/* Help and files have them in this order. */
 static const ovr_section *const sections[] = {
     &ovr_contact_section, &ovr_lubricant_section, &ovr_heat_section,
     &ovr_domain_section,  &ovr_solver_section,    &ovr_time_section,
@@ -19,15 +21,25 @@ static const ovr_section *const sections[] = {
     &ovr_gear_section,    &ovr_cam_section,       &ovr_roller_bearing_section};
 enum { SECTIONS = sizeof sections / sizeof sections[0] };
 
-/* Behind them the sections of the physics that have one. */
+static bool is_among(const ovr_section *section)
+{
+    for (size_t k = 0; k < SECTIONS; k++)
+        if (sections[k] == section)
+            return true;
+    return false;
+}
+
+/* Behind them the sections of physics that are not among them. */
 const ovr_section *ovr_section_row(size_t k)
 {
     if (k < SECTIONS)
         return sections[k];
     k -= SECTIONS;
-    for (int p = 0; ovr_physics_list[p]; p++)
-        if (ovr_physics_list[p]->section && k-- == 0)
-            return ovr_physics_list[p]->section;
+    for (int p = 0; ovr_physics_list[p]; p++) {
+        const ovr_section *own = ovr_physics_list[p]->section;
+        if (own && !is_among(own) && k-- == 0)
+            return own;
+    }
     return NULL;
 }
 

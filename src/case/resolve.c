@@ -46,10 +46,8 @@ static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)
         return OVR_BAD_INPUT;
     r->values.oil = ovr_oil_default();
     r->values.iso_vg = NAN;
-    r->values.heat = ovr_heat_form_default();
     if (ovr_section_fill(r, "contact", err) ||
-        ovr_section_fill(r, "lubricant", err) ||
-        ovr_section_fill(r, "heat", err))
+        ovr_section_fill(r, "lubricant", err))
         return OVR_BAD_INPUT;
     r->setup.bearable = r->values.bearable;
     if (ovr_resolve_element_keys(r, err) || ovr_resolve_bodies(r, err) ||
@@ -100,11 +98,10 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
     if (!status)
         status = ovr_resolve_time(r, allocator, err);
     if (!status)
-        status = ovr_resolve_heat(r, err);
-    if (!status)
         status = ovr_resolve_features(r, err);
     if (!status)
         status = ovr_resolve_physics(r, err);
+    r->setup.heat = ovr_resolved_heat(r);
     if (!status)
         status = ovr_resolve_output(r, err);
     if (!status)

@@ -21,7 +21,6 @@ typedef struct ovr_resolved {
     ovr_contact contact;
     ovr_lubricant lubricant;
     ovr_body_form body[2];
-    ovr_heat heat;
     ovr_law_table *tables[2]; /* of viscosity, of density; or NULL */
     ovr_march march;
     ovr_flow_law *flow_law;
@@ -105,8 +104,8 @@ const ovr_physics *ovr_setup_makes_nodes(const ovr_setup *setup);
 ovr_status ovr_setup_add_physics(const ovr_setup *setup, ovr_simulation *sim,
                                  ovr_error *err);
 
-/* [heat], and the options that go with it. */
-ovr_status ovr_resolve_heat(ovr_resolved *r, ovr_error *err);
+/* The numbers of heat; NULL where there is none. */
+ovr_heat *ovr_resolved_heat(const ovr_resolved *r);
 
 /* The options of the simulation, level and scheme as they are given. */
 ovr_status ovr_resolve_options(ovr_resolved *r, ovr_error *err);

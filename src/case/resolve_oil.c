@@ -57,12 +57,12 @@ ovr_status ovr_resolve_oil(ovr_resolved *r, ovr_error *err)
     ovr_oil *oil = &v->oil;
     ovr_error why = {0};
     ovr_status status = grade(r, err);
-    if (!isnan(v->heat.temperature) && !isnan(oil->temperature))
-        return ovr_fail_slot(
-            err, ovr_block_get(ovr_block_of(r, "heat"), "temperature"),
-            "is given in [lubricant] too: leave one out");
-    if (isnan(oil->temperature))
-        oil->temperature = v->heat.temperature;
+    const ovr_slot *supplied = ovr_slot_of(r, "heat", "temperature");
+    if (supplied->given && !isnan(oil->temperature))
+        return ovr_fail_slot(err, supplied,
+                             "is given in [lubricant] too: leave one out");
+    if (supplied->given)
+        oil->temperature = supplied->number;
     oil->viscosity_law = (ovr_viscosity_law)v->viscosity_law;
     oil->density_law = (ovr_density_law)v->density_law;
     oil->viscosity = v->contact.viscosity;

@@ -7,6 +7,7 @@
 #include "case/resolve.h"
 #include "case/setup.h"
 #include "case/two_columns.h"
+#include "simulation/heat_case.h"
 
 /* A physics reads its files by this: its section. */
 typedef struct reader {
@@ -31,13 +32,20 @@ static ovr_status read_columns(void *data, const char *key, const char *file,
     return status;
 }
 
+/* Physics before heat in the list want to know. */
+static bool is_heated(const ovr_resolved *r)
+{
+    return ovr_slot_of(r, "heat", "model")->number > 0;
+}
+
 static ovr_physics_case about(ovr_resolved *r)
 {
     ovr_physics_case of = {.contact = &r->contact,
                            .lubricant = &r->lubricant,
                            .options = &r->values.options,
                            .transient = r->setup.transient,
-                           .heat = r->setup.heat != NULL,
+                           .oil = &r->values.oil,
+                           .heat = is_heated(r),
                            .substrate = r->substrate,
                            .by_substrate = r->values.scale ==
                                            OVR_SCALE_SUBSTRATE,
@@ -102,7 +110,8 @@ static ovr_status resolve(ovr_resolved *r, const ovr_physics *p,
     if (fill(r, p, to, err))
         return err ? err->status : OVR_BAD_INPUT;
     if (p->resolve(&of, to->form, &to->on, &why))
-        return ovr_fail_in(err, r->c, blamed(r, p, &why), NULL, &why);
+        return ovr_fail_in(err, r->c, blamed(r, p, &why),
+                           ovr_block_of(r, "lubricant"), &why);
     return OVR_OK;
 }
 
@@ -225,6 +234,14 @@ void ovr_resolved_turn_on(ovr_resolved *r, const ovr_physics *physics,
     for (int k = 0; ovr_physics_list[k]; k++)
         if (ovr_physics_list[k] == physics)
             r->physics[k] = (ovr_resolved_physics){form, true};
+}
+
+ovr_heat *ovr_resolved_heat(const ovr_resolved *r)
+{
+    for (int k = 0; ovr_physics_list[k]; k++)
+        if (ovr_physics_list[k] == &ovr_physics_heat && r->physics[k].on)
+            return &((ovr_heat_case *)r->physics[k].form)->heat;
+    return NULL;
 }
 
 static bool is_on(const ovr_resolved *r, int k)

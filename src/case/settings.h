@@ -5,7 +5,6 @@
 
 #include "case/plastic.h"
 #include "contact/contact.h"
-#include "contact/heat_numbers.h"
 #include "contact/oil.h"
 #include "overroll/case.h"
 #include "overroll/elements.h"
@@ -57,8 +56,6 @@ typedef struct ovr_settings {
     int viscosity_law, density_law, oil_kind;
     ovr_oil oil;
     double iso_vg;
-    int heat_model; /* 0: none */
-    ovr_heat_form heat;
     const char *viscosity_file, *density_file;
     const char *limit_table, *residual_table;
     ovr_flow_form flow;

@@ -51,7 +51,9 @@ ovr_oil ovr_oil_default(void)
                                &oil.nu_40,
                                &oil.nu_100,
                                &oil.density_15,
-                               &oil.viscosity_index};
+                               &oil.viscosity_index,
+                               &oil.S0,
+                               &oil.beta};
     for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
         *numbers[i] = NAN;
     return oil;

@@ -37,6 +37,8 @@ typedef struct ovr_oil {
     double nu_40, nu_100;   /* kinematic viscosities, m2/s */
     double density_15;      /* kg/m3 at 15 degC */
     double viscosity_index; /* instead of nu_100 */
+    double S0, beta;        /* fall of viscosity with temperature: Roelands' S0;
+                               -d ln eta/dT at p = 0, 1/K */
     const ovr_law_table *viscosity_table, *density_table;
     bool mineral; /* alpha and density_15 that are not given are estimated as
                      those of a mineral oil */

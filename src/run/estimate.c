@@ -144,8 +144,9 @@ static ovr_status run_coarser(ovr_run *run, int down, level_run *r,
     ovr_simulation *coarse = NULL;
     ovr_status status = OVR_BAD_INPUT;
     if (setup) {
-        ((ovr_resolved *)setup)->heat.points = ovr_simulation_heat_points(
-            run->sim);
+        ovr_heat *heat = ovr_resolved_heat((ovr_resolved *)setup);
+        if (heat)
+            heat->points = ovr_simulation_heat_points(run->sim);
         setup->options->level = ovr_simulation_options(run->sim)->level - down;
         if (!begin(run, setup, pass, err))
             coarse = ovr_setup_simulation(setup, allocator, err);

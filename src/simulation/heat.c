@@ -3,6 +3,7 @@
 #include "base/given.h"
 #include "base/larger.h"
 #include "simulation/conflicts.h"
+#include "simulation/heat_case.h"
 #include "simulation/heat_in_time.h"
 #include "simulation/heat_outer.h"
 #include "simulation/physics.h"
@@ -516,6 +517,9 @@ static const ovr_observable quantities[] = {
 
 const ovr_physics ovr_physics_heat = {.name = "heat",
                                       .bit = OVR_PHYSICS_HEAT,
+                                      .section = &ovr_heat_section,
+                                      .form = sizeof(ovr_heat_case),
+                                      .resolve = ovr_heat_resolve,
                                       .tell = tell,
                                       .companion = &ovr_heat_companion,
                                       .take = take_heat,

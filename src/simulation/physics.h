@@ -53,7 +53,8 @@ typedef struct ovr_physics_columns {
 typedef struct ovr_physics_case {
     const ovr_contact *contact;
     const ovr_lubricant *lubricant;
-    ovr_options *options; /* which it may still choose */
+    const struct ovr_oil *oil; /* in SI */
+    ovr_options *options;      /* which it may still choose */
     bool transient;
     ovr_physics_body body[2];
     bool heat;
@@ -99,7 +100,8 @@ struct ovr_physics {
                             double *ratio, ovr_error *err);
 
     /* Resolves what the form means, in the units of the contact; whether it is
-     * on.  An error is about a key of its rows, or about a name of a block. */
+     * on.  An error is about a key of its rows or of [lubricant], or about a
+     * name of a block. */
     ovr_status (*resolve)(const ovr_physics_case *of, void *form, bool *on,
                           ovr_error *err);
 

@@ -12,7 +12,6 @@
 
 extern const ovr_section ovr_contact_section;
 extern const ovr_section ovr_lubricant_section;
-extern const ovr_section ovr_heat_section;
 extern const ovr_section ovr_domain_section;
 extern const ovr_section ovr_solver_section;
 extern const ovr_section ovr_time_section;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* [lubricant] and [heat]. */
+/* [lubricant]. */
 #include "case/keys/keys.h"
 
 #include <math.h>
@@ -19,9 +19,6 @@ static const ovr_word density_laws[] = {
     {"tait", OVR_TAIT},
     {"table", OVR_DENSITY_TABLE},
     {NULL, 0}};
-static const ovr_word heats[] = {{"none", 0}, {"lobatto", 1}, {NULL, 0}};
-static const ovr_word heat_points[] = {
-    {"auto", 0}, {"5", 5}, {"7", 7}, {NULL, 0}};
 static const ovr_word rheologies[] = {{"newtonian", OVR_NEWTONIAN},
                                       {"eyring", OVR_EYRING},
                                       {"carreau", OVR_CARREAU},
@@ -130,12 +127,12 @@ static const ovr_parameter lubricant_keys[] = {
      AT(oil.glass_viscosity), true, "viscosity_law = yasutomi",
      "viscosity at the glass transition, where viscosity is not "
      "given"},
-    {"S0", PLAIN(0, 10), NULL, AT(heat.S0), true,
+    {"S0", PLAIN(0, 10), NULL, AT(oil.S0), true,
      "heat.model = lobatto; viscosity_law = roelands",
      "Roelands: fall of viscosity with temperature, in heat; by the data "
      "sheet's "
      "two viscosities, or 1.1, unless given"},
-    {"beta", WITH_UNIT(OVR_PER_KELVIN, 0, 1), NULL, AT(heat.beta), true,
+    {"beta", WITH_UNIT(OVR_PER_KELVIN, 0, 1), NULL, AT(oil.beta), true,
      "heat.model = lobatto",
      "instead of S0, and for other laws: -d ln eta/dT at p = 0; by the data "
      "sheet's two viscosities unless given"},
@@ -145,39 +142,3 @@ const ovr_section ovr_lubricant_section = {
     "lubricant", false, NULL,
     "how viscosity and density depend on pressure; what the laws need",
     ROWS(lubricant_keys)};
-
-static const ovr_parameter heat_keys[] = {
-    {"model", CHOICE(heats), "none", AT(heat_model), true, ALWAYS,
-     "lobatto: temperatures by collocation across the film"},
-    {"points", CHOICE(heat_points), "auto", AT(heat.points), true,
-     "model = lobatto",
-     "across the film; auto: 5, or 7 where the steady start asks for them"},
-    {"temperature", WITH_UNIT(OVR_TEMPERATURE, 150, 800), NULL,
-     AT(heat.temperature), true,
-     "model = lobatto or lubricant.viscosity_40 or lubricant.iso_vg or "
-     "lubricant.viscosity_law = yasutomi",
-     "of the supplied oil, at which viscosity and alpha are given, and of the "
-     "bodies; or temperature in [lubricant]"},
-    {"temperature_1", WITH_UNIT(OVR_TEMPERATURE, 150, 800), NULL,
-     AT(heat.bulk[0]), true, "model = lobatto",
-     "of body 1 far from the contact"},
-    {"temperature_2", WITH_UNIT(OVR_TEMPERATURE, 150, 800), NULL,
-     AT(heat.bulk[1]), true, "model = lobatto",
-     "of body 2 far from the contact"},
-    {"conductivity", WITH_UNIT(OVR_CONDUCTIVITY, 1e-3, 1e3), "0.14 W/m.K",
-     AT(heat.oil.conductivity), true, "model = lobatto", "of the oil"},
-    {"heat_capacity", WITH_UNIT(OVR_HEAT_CAPACITY, 1, 1e30), "2000 J/kg.K",
-     AT(heat.oil.heat_capacity), true, "model = lobatto", "of the oil"},
-    {"density", WITH_UNIT(OVR_MASS_DENSITY, 100, 1e5), "870 kg/m3",
-     AT(heat.oil.density), true, "model = lobatto", "of the oil at p = 0"},
-    {"expansion", WITH_UNIT(OVR_PER_KELVIN, 0, 0.1), "6.5e-4 1/K",
-     AT(heat.expansion), true, "model = lobatto",
-     "of the oil by volume at p = 0, less under pressure: heats it where it is "
-     "compressed; of an incompressible oil none"},
-    {"density_expansion", FLAG, "yes", AT(heat.density_expands), true,
-     "model = lobatto", "no: density is that at the supply's temperature"},
-};
-
-const ovr_section ovr_heat_section = {"heat", false, "model",
-                                      "temperatures of film and surfaces",
-                                      ROWS(heat_keys)};
