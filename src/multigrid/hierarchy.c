@@ -128,26 +128,25 @@ void ovr_hierarchy_kernels(ovr_hierarchy *grids, const ovr_kernels *kernels)
         set_lanes(&grids->level[l], kernels);
 }
 
-ovr_status ovr_hierarchy_build(ovr_hierarchy *grids, int coarsest, int finest,
-                               double X_a, double X_b,
-                               const int order[OVR_LEVELS],
-                               const int range[OVR_LEVELS], ovr_arena *arena,
+ovr_status ovr_hierarchy_build(ovr_hierarchy *grids,
+                               const ovr_hierarchy_form *form, ovr_arena *arena,
                                ovr_error *err)
 {
+    const int coarsest = form->coarsest, finest = form->finest;
     grids->coarsest = coarsest;
     grids->finest = finest;
     grids->newton.levels = ovr_newton_levels(grids);
-    if (ovr_grid_make(&grids->level[coarsest].grid, X_a, X_b,
+    if (ovr_grid_make(&grids->level[coarsest].grid, form->X_a, form->X_b,
                       ovr_level_nodes(coarsest), arena, err))
         return OVR_NO_MEMORY;
     for (int l = coarsest; l <= finest; l++)
-        if (build_level(grids, l, order[l], range[l], arena, err))
+        if (build_level(grids, l, form->order[l], form->range[l], arena, err))
             return OVR_NO_MEMORY;
     size_t capacity = capacity_of(&grids->level[finest]);
     if (take_band(&grids->band, capacity, arena, err) ||
         take_natural(grids, grids->level[grids->ordered].grid.n, arena, err))
         return OVR_NO_MEMORY;
-    double end = fmax(fmax(-X_a, X_b) / 4, 1);
+    double end = fmax(fmax(-form->X_a, form->X_b) / 4, 1);
     grids->band.reach = end * end;
     grids->scratch[0] = grids->band.b[0];
     grids->scratch[1] = grids->band.b[1];

@@ -103,13 +103,17 @@ typedef struct ovr_hierarchy {
 /* Asks, until it is to stop. */
 bool ovr_hierarchy_stops(ovr_hierarchy *grids);
 
-/* Builds levels coarsest..finest on [X_a, X_b]; the caller has set
- * kernels, fluid and the options.  MLMI order and range by level: arrays
- * indexed by level number. */
-ovr_status ovr_hierarchy_build(ovr_hierarchy *grids, int coarsest, int finest,
-                               double X_a, double X_b,
-                               const int order[OVR_LEVELS],
-                               const int range[OVR_LEVELS], ovr_arena *arena,
+/* Levels coarsest..finest on [X_a, X_b], with MLMI's order and range on each.
+ */
+typedef struct ovr_hierarchy_form {
+    int coarsest, finest;
+    double X_a, X_b;
+    int order[OVR_LEVELS], range[OVR_LEVELS];
+} ovr_hierarchy_form;
+
+/* Builds them; the caller has set kernels, fluid and the options. */
+ovr_status ovr_hierarchy_build(ovr_hierarchy *grids,
+                               const ovr_hierarchy_form *form, ovr_arena *arena,
                                ovr_error *err);
 
 /* A level on the grid that it has: memory and lanes; its numbers, MLMI's

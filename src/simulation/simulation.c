@@ -78,9 +78,12 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
 {
     const ovr_options *o = &sim->options;
     ovr_hierarchy *grids = &sim->grids;
-    int order[OVR_LEVELS], range[OVR_LEVELS];
+    ovr_hierarchy_form form = {.coarsest = o->coarsest_level,
+                               .finest = o->level,
+                               .X_a = o->inlet,
+                               .X_b = o->outlet};
     for (int l = 0; l < OVR_LEVELS; l++)
-        ovr_options_mlmi(o, l, &order[l], &range[l]);
+        ovr_options_mlmi(o, l, &form.order[l], &form.range[l]);
     grids->kernels = ovr_kernels_choose(NULL);
     grids->fluid = (ovr_fluid){.lubricant = sim->lubricant,
                                .lambda = sim->contact.lambda,
@@ -92,8 +95,7 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
                                .fluid = grids->fluid};
     ovr_physics_prepare(sim);
     grids->ordered = ordered_level(o, grids);
-    if (ovr_hierarchy_build(grids, o->coarsest_level, o->level, o->inlet,
-                            o->outlet, order, range, &sim->arena, err))
+    if (ovr_hierarchy_build(grids, &form, &sim->arena, err))
         return OVR_NO_MEMORY;
     sim->finest = &grids->level[o->level];
     sim->now.n = sim->finest->grid.n;
