@@ -25,9 +25,6 @@ ovr_status ovr_correction_prepare(ovr_hierarchy *grids, ovr_correction *c,
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (!(*all[k] = ovr_field(arena, capacity, err)))
             return OVR_NO_MEMORY;
-    for (size_t k = 0; ovr_flow_thins(&grids->fluid) && k < 7; k++)
-        if (!(c->work[k] = ovr_field(arena, capacity, err)))
-            return OVR_NO_MEMORY;
     return OVR_OK;
 }
 
@@ -50,6 +47,7 @@ static void evaluate(const ovr_hierarchy *grids, const ovr_correction *c,
     const ptrdiff_t ends = (ptrdiff_t)level->grid.n + OVR_HALO,
                     centre = (ptrdiff_t)ceil(-level->grid.X[0] / level->grid.D);
     const ovr_fourth how = {
+        .fluid = &grids->fluid,
         .D = level->grid.D,
         .Cu = Cu,
         .first = backward ? (ptrdiff_t)level->grid.n - 1 - centre : -ends,
@@ -64,8 +62,6 @@ static void evaluate(const ovr_hierarchy *grids, const ovr_correction *c,
     if (mask)
         run->fourth_mask(&level->lanes, level->f.P, c->mask);
     run->fourth_order(&level->lanes, &how, &level->f, level->f.w);
-    if (level->f.tangent)
-        ovr_fourth_thinning(grids, level, c, Cu);
 }
 
 void ovr_fourth_evaluate(const ovr_hierarchy *grids, const ovr_correction *c,

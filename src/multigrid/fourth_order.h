@@ -31,7 +31,7 @@
  * 40 % of the mean of the two nodes that the equation of second order has
  * (faces.h): at the spike the cubic would leave a limit cycle, and so would a
  * jump to the mean.  A flow law has its own
- * (fourth_thinning.c).
+ * (fourth_thinning.h).
  *
  * Wedge, biased upstream, less the second-order one:
  *     dN -= Cu (3 q_{i+1} + 10 q_i - 18 q_{i-1} + 6 q_{i-2} - q_{i-3})/(12 D)
@@ -51,15 +51,10 @@ typedef struct ovr_correction {
     double *F, *gap;
     double *mask;     /* m */
     double *gap_only; /* the gap without correction */
-    double *work[7];  /* node by node, with a flow law */
 } ovr_correction;
 
 ovr_status ovr_correction_prepare(ovr_hierarchy *grids, ovr_correction *c,
                                   ovr_arena *arena, ovr_error *err);
-
-/* F alone, with a flow law, from film and properties as they are. */
-void ovr_fourth_thinning(const ovr_hierarchy *grids, const ovr_level *level,
-                         const ovr_correction *c, double Cu);
 
 /* F and gap of the film as it is, with the mask of its pressures: Poiseuille
  * flow and, for Cu > 0, the wedge.  The inlet is on the right where `backward`.

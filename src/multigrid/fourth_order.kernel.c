@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The corrections of fourth_order.h: logarithms of eps, fluxes at half nodes,
  * their differences, each one pass. */
+#include "multigrid/fourth_thinning.h"
 #include "multigrid/power.h"
 #include "multigrid/table.h"
 
@@ -59,17 +60,35 @@ static inline vec middle(const table16 *table, const double *log_eps,
     return choose(upstream, scaled_exp2(table, power), held);
 }
 
+/* 24 p D at i + 1/2 */
+static inline vec steepness(const ovr_fields *f, ptrdiff_t J)
+{
+    return 27 * (at(f->P, J + 1) - at(f->P, J)) -
+           (at(f->P, J + 2) - at(f->P, J - 1));
+}
+
+/* The same where the film shears thin. */
+static void thinned_fluxes(const ovr_lanes *g, const ovr_fourth *c,
+                           const ovr_fields *f)
+{
+    const ovr_fields own = *f;
+    const thinning t = thinning_of(c->fluid, c->D);
+    for (ptrdiff_t J = 1 - REACH; J < (ptrdiff_t)g->S + REACH - 2; J++) {
+        vec rise = (1. / 24) * steepness(&own, J);
+        vec flow = thinned(&t, &own, c->log_eps, rise, J);
+        put(c->flux, J, flow * ((0.5 / c->D) * rise));
+    }
+}
+
 static void fluxes(const ovr_lanes *g, const ovr_fourth *c, const ovr_fields *f)
 {
     double scale = 1 / (24 * c->D);
     table16 table;
     make_exp_table(1, &table);
     for (ptrdiff_t J = 1 - REACH; J < (ptrdiff_t)g->S + REACH - 2; J++) {
-        vec slope = 27 * (at(f->P, J + 1) - at(f->P, J)) -
-                    (at(f->P, J + 2) - at(f->P, J - 1));
         ivec i = nodes(g, J), upstream = (i >= c->first) & (i < c->behind);
         vec eps = middle(&table, c->log_eps, f, upstream, J);
-        put(c->flux, J, eps * (scale * slope));
+        put(c->flux, J, eps * (scale * steepness(f, J)));
     }
 }
 
@@ -102,7 +121,15 @@ void OVR_KERNEL(fourth_order)(const ovr_lanes *g, const ovr_fourth *c,
     if (f->flow)
         repeat_ends(f->flow, S, REACH);
     logarithms(g, f->eps, c->log_eps);
-    fluxes(g, c, f);
+    if (f->tangent) {
+        double *const more[] = {f->H, f->share, f->drag};
+        for (int k = 0; k < 3; k++)
+            if (more[k])
+                repeat_ends(more[k], S, REACH);
+        thinned_fluxes(g, c, f);
+    } else {
+        fluxes(g, c, f);
+    }
     double share = c->linear ? 1. / 12 : 1. / 24;
     for (ptrdiff_t J = 0; J < S; J++) {
         vec gap = share * second_difference(w, J) +

@@ -4,6 +4,8 @@
 
 #include "multigrid/plain.h"
 
+#include "multigrid/flow.h"
+
 /* Far enough from both ends for every stencil. */
 static bool inside(ptrdiff_t i, size_t n)
 {
@@ -39,10 +41,36 @@ static double middle(const ovr_fields *f, ptrdiff_t i, bool upstream)
     return fmin(fmax(cubic, 0.6 * mean), 1.4 * mean);
 }
 
+/* rho H, as it counts where a film with temperatures slides (fields.h). */
+static double sliding_content(const ovr_fields *f, ptrdiff_t i)
+{
+    return f->drag ? f->drag[i] * f->q[i] : f->q[i];
+}
+
+/* E at i + 1/2 where the film shears thin, from a pressure that rises by `rise`
+ * over a mesh. */
+static double thinned(const ovr_fourth *c, const ovr_fields *f, double rise,
+                      ptrdiff_t i)
+{
+    const ovr_fluid newtonian = {.by_gap = c->fluid->by_gap};
+    const double *H = f->H + i, *eps = f->eps + i;
+    const ovr_pair two = {.H = {H[0], H[1]}, .eps = {eps[0], eps[1]}};
+    double mean = ovr_flow_between(&newtonian, 1, &two);
+    double e = fmin(fmax(middle(f, i, true), 0.6 * mean), 1.4 * mean);
+    double h = (9 * (H[0] + H[1]) - H[-1] - H[2]) / 16;
+    double q = (9 * (sliding_content(f, i) + sliding_content(f, i + 1)) -
+                sliding_content(f, i - 1) - sliding_content(f, i + 2)) /
+               16;
+    const ovr_pair nodes = {{0, rise}, {h, h}, {q, q}, {e, e}};
+    return ovr_flow_between(c->fluid, c->D, &nodes);
+}
+
 static double flux(const ovr_fourth *c, const ovr_fields *f, ptrdiff_t i)
 {
     const double *P = f->P + i;
     double slope = (27 * (P[1] - P[0]) - (P[2] - P[-1])) / (24 * c->D);
+    if (f->tangent)
+        return thinned(c, f, slope * c->D, i) * slope;
     return middle(f, i, i >= c->first && i < c->behind) * slope;
 }
 

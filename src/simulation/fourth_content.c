@@ -85,13 +85,9 @@ static void fade(const ovr_simulation *sim, double *m)
 
 /* f and f2 of fourth_content.h, at half nodes. */
 static const double *flows(ovr_simulation *sim, ovr_fourth_content *of,
-                           const ovr_correction *c, const double **second)
+                           const double **second)
 {
     const ovr_solution *s = &sim->now;
-    if (sim->finest->f.tangent) {
-        *second = c->work[6];
-        return c->work[5];
-    }
     ovr_nodes_read(sim, sim->finest, sim->grids.band.b[1], of->flux);
     for (size_t i = 0; i + 1 < s->n; i++) {
         double twice = s->flow ? s->flow[i] : s->eps[i] + s->eps[i + 1];
@@ -108,7 +104,7 @@ void ovr_fourth_content_evaluate(ovr_simulation *sim, ovr_fourth_content *of,
     const double *q = sim->now.q, *m = of->mask, *second;
     size_t n = sim->now.n;
     ovr_fourth_evaluate(&sim->grids, c, 0, false);
-    const double *f = flows(sim, of, c, &second);
+    const double *f = flows(sim, of, &second);
     double *phi = of->excess;
     fade(sim, of->mask);
     memset(phi, 0, n * sizeof *phi);
