@@ -75,7 +75,7 @@ typedef struct ovr_cross_film {
 } ovr_cross_film;
 
 /* Points, weights and matrices: 5 or 7. */
-void ovr_cross_film_make(int points, ovr_cross_film *cross_film);
+void ovr_cross_film_make(int points, ovr_cross_film *a);
 
 /* The polynomial through T at other points. */
 void ovr_cross_film_move(const ovr_cross_film *from, const double *T,

@@ -39,12 +39,14 @@ ovr_departures ovr_departures_of(size_t n, double meshes)
     return f;
 }
 
-double ovr_departures_at(const ovr_departures *f, const double *v, size_t i)
+double ovr_departures_at(const ovr_departures *departures, const double *v,
+                         size_t i)
 {
-    ptrdiff_t at = (ptrdiff_t)i + f->first;
+    ptrdiff_t at = (ptrdiff_t)i + departures->first;
     double sum = 0;
     for (ptrdiff_t k = 0; k < 4; k++)
-        sum += f->c[k] * value(f->n, v, at + k, f->meshes);
+        sum += departures->c[k] *
+               value(departures->n, v, at + k, departures->meshes);
     return sum;
 }
 

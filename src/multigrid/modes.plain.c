@@ -157,17 +157,18 @@ static double value(const ovr_departures *f, const ovr_spread *s,
                : 0;
 }
 
-double ovr_mode_at(const ovr_departures *f, const ovr_spread *s,
+double ovr_mode_at(const ovr_departures *departures, const ovr_spread *s,
                    const double *psi, int m, size_t i)
 {
-    ptrdiff_t first = (ptrdiff_t)i + f->first;
-    double at = (double)i - f->meshes, last = (double)f->n - 1, sum = 0;
+    ptrdiff_t first = (ptrdiff_t)i + departures->first;
+    double at = (double)i - departures->meshes,
+           last = (double)departures->n - 1, sum = 0;
     if (s->on && at < 0)
-        return far(f, s, psi, m, 0, -at);
+        return far(departures, s, psi, m, 0, -at);
     if (s->on && at > last)
-        return far(f, s, psi, m, 1, at - last);
+        return far(departures, s, psi, m, 1, at - last);
     for (ptrdiff_t k = 0; k < 4; k++)
-        sum += f->c[k] * value(f, s, psi, m, first + k);
+        sum += departures->c[k] * value(departures, s, psi, m, first + k);
     return sum;
 }
 

@@ -215,20 +215,20 @@ static unsigned levels_due(ovr_material_history *p, double dU)
     return due;
 }
 
-void ovr_material_history_step(ovr_material_history *p, const double *P,
+void ovr_material_history_step(ovr_material_history *history, const double *P,
                                const double *Q, const ovr_moment *moment)
 {
-    if (!p || !moment)
+    if (!history || !moment)
         return;
-    note_strip(p, P, moment->T);
-    unsigned due = levels_due(p, moment->dU);
-    place at = find_place(p, moment->U);
+    note_strip(history, P, moment->T);
+    unsigned due = levels_due(history, moment->dU);
+    place at = find_place(history, moment->U);
     if (!due)
         return;
-    ovr_stress_solve(p->stress, P, Q, at.shift, due);
-    for (size_t j = 0; j < p->stress->depths; j++)
-        if (due >> p->stress->depth[j].level & 1)
-            follow_depth(p, j, at, moment->T);
+    ovr_stress_solve(history->stress, P, Q, at.shift, due);
+    for (size_t j = 0; j < history->stress->depths; j++)
+        if (due >> history->stress->depth[j].level & 1)
+            follow_depth(history, j, at, moment->T);
 }
 
 /* ------------------------------------------------------------- the closures */
@@ -363,24 +363,24 @@ static void look(ovr_material_history *p, const double *P, const double *Q,
     }
 }
 
-void ovr_material_history_begin(ovr_material_history *p, const double *P,
+void ovr_material_history_begin(ovr_material_history *history, const double *P,
                                 const double *Q, const ovr_moment *moment)
 {
-    if (!p || !P || !moment)
+    if (!history || !P || !moment)
         return;
-    note_strip(p, P, moment->T);
-    look(p, P, Q, moment);
-    close_run(p, P, Q, moment->U, moment->direction > 0, true);
-    mark(p, moment, true);
+    note_strip(history, P, moment->T);
+    look(history, P, Q, moment);
+    close_run(history, P, Q, moment->U, moment->direction > 0, true);
+    mark(history, moment, true);
 }
 
-void ovr_material_history_end(ovr_material_history *p, const double *P,
+void ovr_material_history_end(ovr_material_history *history, const double *P,
                               const double *Q, const ovr_moment *moment)
 {
-    if (!p || !P || !moment)
+    if (!history || !P || !moment)
         return;
-    close_run(p, P, Q, moment->U, moment->direction < 0, false);
-    mark(p, moment, false);
+    close_run(history, P, Q, moment->U, moment->direction < 0, false);
+    mark(history, moment, false);
 }
 
 /* ----------------------------------------------------- what is asked of it */
@@ -399,53 +399,60 @@ ovr_layer_extremes ovr_material_history_layers(const ovr_material_history *p)
     return of;
 }
 
-ovr_stress_extreme ovr_material_history_max_shear(const ovr_material_history *p)
+ovr_stress_extreme
+ovr_material_history_max_shear(const ovr_material_history *history)
 {
-    if (!p)
+    if (!history)
         return (ovr_stress_extreme){0};
-    return root(p->numbers.shear);
+    return root(history->numbers.shear);
 }
 
-ovr_stress_extreme ovr_material_history_von_mises(const ovr_material_history *p)
+ovr_stress_extreme
+ovr_material_history_von_mises(const ovr_material_history *history)
 {
-    if (!p)
+    if (!history)
         return (ovr_stress_extreme){0};
-    return root(p->numbers.von_mises);
+    return root(history->numbers.von_mises);
 }
 
-ovr_stress_extreme ovr_material_history_strip(const ovr_material_history *p)
+ovr_stress_extreme
+ovr_material_history_strip(const ovr_material_history *history)
 {
-    if (!p || !p->sums.sum)
+    if (!history || !history->sums.sum)
         return (ovr_stress_extreme){NAN, NAN, NAN, NAN};
-    return p->strip;
+    return history->strip;
 }
 
-double ovr_material_history_widest(const ovr_material_history *p)
+double ovr_material_history_widest(const ovr_material_history *history)
 {
-    if (!p)
+    if (!history)
         return NAN;
-    return p->numbers.widest;
+    return history->numbers.widest;
 }
 
-ovr_material ovr_material_history_points(const ovr_material_history *p)
+ovr_material ovr_material_history_points(const ovr_material_history *history)
 {
-    if (!p)
+    if (!history)
         return (ovr_material){0};
-    double step = ldexp(p->stress->options.mesh, p->finest);
-    return (ovr_material){p->points, p->stress->depths, (double)p->first * step,
-                          step,      p->stress->z,      p->complete};
+    double step = ldexp(history->stress->options.mesh, history->finest);
+    return (ovr_material){history->points,
+                          history->stress->depths,
+                          (double)history->first * step,
+                          step,
+                          history->stress->z,
+                          history->complete};
 }
 
-double ovr_material_history_reference(const ovr_material_history *p)
+double ovr_material_history_reference(const ovr_material_history *history)
 {
-    return p->range.reference;
+    return history->range.reference;
 }
 
-size_t ovr_material_history_state(ovr_material_history *p,
+size_t ovr_material_history_state(ovr_material_history *history,
                                   const ovr_memory_piece **pieces)
 {
-    if (!p || !pieces)
+    if (!history || !pieces)
         return 0;
-    *pieces = p->piece;
-    return p->pieces;
+    *pieces = history->piece;
+    return history->pieces;
 }

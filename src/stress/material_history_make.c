@@ -212,12 +212,12 @@ ovr_material_history_create(const ovr_stress_options *given,
     return p;
 }
 
-void ovr_material_history_free(ovr_material_history *p)
+void ovr_material_history_free(ovr_material_history *history)
 {
-    if (!p)
+    if (!history)
         return;
-    ovr_stress_free(p->stress);
-    ovr_arena arena = p->arena;
+    ovr_stress_free(history->stress);
+    ovr_arena arena = history->arena;
     ovr_arena_release(&arena);
 }
 

@@ -101,17 +101,18 @@ static void measure_depth(const ovr_material_history *p, ovr_measure which,
         to[k] = (float)between(p, nodes, c, k, which == OVR_MEASURE_ANGLE);
 }
 
-void ovr_material_history_measure(const ovr_material_history *p,
+void ovr_material_history_measure(const ovr_material_history *history,
                                   ovr_measure which, float *to, double *smooth)
 {
-    if (!p)
+    if (!history)
         return;
-    for (size_t j = 0; j < p->stress->depths; j++) {
+    for (size_t j = 0; j < history->stress->depths; j++) {
         if (to)
-            measure_depth(p, which, j, p->in_plane, to + j * p->points);
+            measure_depth(history, which, j, history->in_plane,
+                          to + j * history->points);
         if (smooth)
-            smooth[j] = measure(p, which, j,
-                                (path){p->smooth + j * OVR_ROWS, 1});
+            smooth[j] = measure(history, which, j,
+                                (path){history->smooth + j * OVR_ROWS, 1});
     }
 }
 
@@ -151,20 +152,20 @@ static void add_tension(const ovr_material_history *p, double alpha, float *A,
     }
 }
 
-ovr_status ovr_material_history_amplitude(const ovr_material_history *p,
+ovr_status ovr_material_history_amplitude(const ovr_material_history *history,
                                           ovr_criterion criterion, double alpha,
                                           float *A, double *smooth,
                                           ovr_error *err)
 {
-    if (!p || !A || !smooth)
+    if (!history || !A || !smooth)
         return ovr_fail_null(err, __func__);
     if (isnan(alpha))
         return ovr_fail(err, OVR_BAD_INPUT, "alpha must be a number");
     if (criterion == OVR_CRITERION_DANG_VAN)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "Dang Van's criterion needs whole paths, not extents");
-    ovr_material_history_measure(p, measure_of(criterion), A, smooth);
+    ovr_material_history_measure(history, measure_of(criterion), A, smooth);
     if (criterion == OVR_CRITERION_CIRCLE && alpha > 0)
-        add_tension(p, alpha, A, smooth);
+        add_tension(history, alpha, A, smooth);
     return OVR_OK;
 }

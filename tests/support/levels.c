@@ -170,13 +170,15 @@ void test_levels_in_time(uint64_t seed, int cases)
     assert_true(10 * missed <= cases);
 }
 
+#define STARVED                                                                \
+    "[cavitation]\nmodel = conserving\n[supply]\nmodel = film\n"               \
+    "thickness_1 = 0.15 um\nthickness_2 = 0.15 um\n"
+
 void test_levels_usual(uint64_t seed, int cases)
 {
     static const char *const kinds[] = {
         "", "[load]\nhistory = ramp\nto = 1.4\nstart = 1\nduration = 2\n",
-        "[cavitation]\nmodel = conserving\n[supply]\nmodel = film\n"
-        "thickness_1 = 0.15 um\nthickness_2 = 0.15 um\n",
-        "[heat]\nmodel = lobatto\ntemperature = 60 degC\n", ""};
+        STARVED, "[heat]\nmodel = lobatto\ntemperature = 60 degC\n", ""};
     enum { KINDS = sizeof kinds / sizeof *kinds, GROUND = KINDS - 1 };
     uint64_t state = seed;
     int beyond = 0;
