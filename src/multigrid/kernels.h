@@ -169,6 +169,8 @@ enum { OVR_FOURTH_MARGIN = 8 };
     K(double, gain, (size_t n, const double *weights, const double *a, \
                      const double *b)) \
     K(int, peaks, (size_t n, const double *x, size_t *last)) \
+    K(void, film_sums, (size_t n, const double *weights, const double *q, \
+                        const double *H, double sums[5])) \
     K(double, mean_flow, (size_t n, const double u[2], const double *X, \
                           const double *P, const double *q, \
                           const double *eps, const double *flow)) \

@@ -143,3 +143,31 @@ double OVR_KERNEL(gain)(size_t n, const double *weights, const double *a,
         sum += weights[i] * (b ? a[i] - b[i] : a[i]);
     return sum;
 }
+
+/* Sums from which the film's mean and roughness follow, in one pass, any n: of
+ * the weights w, of w H, w q/H, w (q - q_0) and w (q - q_0)^2. */
+void OVR_KERNEL(film_sums)(size_t n, const double *weights, const double *q,
+                           const double *H, double sums[5])
+{
+    vec part[5] = {all(0), all(0), all(0), all(0), all(0)};
+    size_t i = 0;
+    for (; i + VEC <= n; i += VEC) {
+        vec w = load(weights + i), content = load(q + i), film = load(H + i);
+        vec off = content - q[0], moment = w * off;
+        part[0] += w;
+        part[1] = fused(w, film, part[1]);
+        part[2] += w * content / film;
+        part[3] += moment;
+        part[4] = fused(moment, off, part[4]);
+    }
+    for (int k = 0; k < 5; k++)
+        sums[k] = sum_of_lanes(part[k]);
+    for (; i < n; i++) {
+        double w = weights[i], off = q[i] - q[0];
+        sums[0] += w;
+        sums[1] += w * H[i];
+        sums[2] += w * q[i] / H[i];
+        sums[3] += w * off;
+        sums[4] += w * off * off;
+    }
+}

@@ -91,3 +91,18 @@ double ovr_deviation_plain(size_t n, const double e[3], double maximum,
         }
     return sum;
 }
+
+void ovr_film_sums_plain(size_t n, const double *weights, const double *q,
+                         const double *H, double sums[5])
+{
+    for (int k = 0; k < 5; k++)
+        sums[k] = 0;
+    for (size_t i = 0; i < n; i++) {
+        double w = weights[i], off = q[i] - q[0];
+        sums[0] += w;
+        sums[1] += w * H[i];
+        sums[2] += w * q[i] / H[i];
+        sums[3] += w * off;
+        sums[4] += w * off * off;
+    }
+}

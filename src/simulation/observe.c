@@ -22,31 +22,18 @@ static inside nodes_inside(const ovr_solution *now, double window)
     return in;
 }
 
-/* The root mean square of rho H, which neither compresses nor flows there, in
- * the window about its mean, over the mean density. */
-static double film_roughness(const ovr_solution *now, inside in)
+/* The film's mean in the window; and the root mean square of rho H, which
+ * neither compresses nor flows there, about its mean, over the mean density. */
+static double mean_film(const ovr_simulation *sim, inside in, double *roughness)
 {
-    double width = 0, content = 0, squares = 0, density = 0, mean;
-    for (size_t i = in.first; i < in.behind; i++) {
-        double w = now->weights[i], q = now->q[i];
-        width += w;
-        content += w * q;
-        density += w * q / now->H[i];
-    }
-    mean = content / width;
-    for (size_t i = in.first; i < in.behind; i++)
-        squares += now->weights[i] * (now->q[i] - mean) * (now->q[i] - mean);
-    return sqrt(squares * width) / density;
-}
-
-static double mean_film(const ovr_solution *now, inside in)
-{
-    double width = 0, sum = 0;
-    for (size_t i = in.first; i < in.behind; i++) {
-        width += now->weights[i];
-        sum += now->weights[i] * now->H[i];
-    }
-    return sum / width;
+    enum { WIDTH, FILM, DENSITY, CONTENT, SQUARES, SUMS };
+    const ovr_solution *now = &sim->now;
+    double sum[SUMS];
+    sim->grids.kernels->film_sums(in.behind - in.first, now->weights + in.first,
+                                  now->q + in.first, now->H + in.first, sum);
+    double squares = sum[SQUARES] * sum[WIDTH] - sum[CONTENT] * sum[CONTENT];
+    *roughness = sqrt(fmax(squares, 0)) / sum[DENSITY];
+    return sum[FILM] / sum[WIDTH];
 }
 
 /* Less than that of the nominal contact where the contact is narrower. */
@@ -67,8 +54,9 @@ static void observe_film(const ovr_simulation *sim, ovr_observation *o)
     o->X_min = sim->now.X[low];
     o->X_min_located = ovr_vertex(sim->now.X, H, low, &o->H_min_located);
     o->H_cen = ovr_value_at(&sim->now, H, 0);
-    o->film_Rq = sim->heights ? film_roughness(&sim->now, in) : NAN;
-    o->H_mean = mean_film(&sim->now, in);
+    o->H_mean = mean_film(sim, in, &o->film_Rq);
+    if (!sim->heights)
+        o->film_Rq = NAN;
     o->lambda_ratio = sim->roughness > 0 ? o->H_mean / sim->roughness : NAN;
     o->H0 = sim->grids.H0;
 }

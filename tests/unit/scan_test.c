@@ -71,6 +71,29 @@ static void check_means(const ovr_kernels *run, arrays *a)
                1e-13 * (double)n);
 }
 
+static void check_film_sums(const ovr_kernels *run, const arrays *a)
+{
+    const ovr_kernels *plain = test_kernels(0);
+    double sums[5], expected[5];
+    for (size_t n = 0; n <= a->n; n += a->n - 5 > n ? 5 : 1) {
+        run->film_sums(n, a->eps, a->q, a->past[0], sums);
+        plain->film_sums(n, a->eps, a->q, a->past[0], expected);
+        for (int k = 0; k < 5; k++)
+            CHECK_NEAR(sums[k], expected[k], 1e-13 * (double)(n + 1));
+    }
+}
+
+/* Content 2, 4, 6, films 1, 2, 4, weights 1/2, 1, 1/2. */
+static void film_sums_by_hand(void **state)
+{
+    const double w[] = {0.5, 1, 0.5}, q[] = {2, 4, 6}, H[] = {1, 2, 4};
+    double sums[5];
+    (void)state;
+    test_kernels(0)->film_sums(3, w, q, H, sums);
+    assert_true(sums[0] == 2 && sums[1] == 4.5 && sums[2] == 3.75);
+    assert_true(sums[3] == 4 && sums[4] == 12);
+}
+
 static void scans_agree(void **state)
 {
     const ovr_kernels *run;
@@ -82,6 +105,7 @@ static void scans_agree(void **state)
             check_extremes(run, &a);
             check_peaks(run, &a);
             check_means(run, &a);
+            check_film_sums(run, &a);
         }
 }
 
@@ -161,6 +185,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(scans_agree),
+        cmocka_unit_test(film_sums_by_hand),
         cmocka_unit_test(plain_scans_by_hand),
         cmocka_unit_test(one_bad_node_is_found),
         cmocka_unit_test(dry_has_no_means),
