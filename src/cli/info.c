@@ -270,9 +270,11 @@ static ovr_status read_times(report *r, ovr_error *err)
     r->bytes = stat(r->path, &about) == 0 ? (double)about.st_size : NAN;
     r->T = calloc(steps + 1, sizeof *r->T);
     r->column = calloc(steps + 1, sizeof *r->column);
-    if (!r->T || !r->column)
-        return ovr_fail(err, OVR_NO_MEMORY,
-                        "out of memory: a history of %zu steps", steps);
+    if (!r->T || !r->column) {
+        ovr_fail(err, OVR_NO_MEMORY, "out of memory: a history of %zu steps",
+                 steps);
+        return OVR_NO_MEMORY;
+    }
     return ovr_result_history(r->result, "time", OVR_HERTZIAN, r->T, err);
 }
 

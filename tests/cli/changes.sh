@@ -5,17 +5,17 @@
 . "$TOP/tests/support/cli.sh"
 
 page=$TOP/src/case/overroll-changes.7
-grep -v '^#' "$TOP/tests/cli/stopped/keys-0.2.0.txt" >then
-[ "$(wc -l <then)" -gt 250 ] || fail "keys of 0.2.0 are lost"
+grep -v '^#' "$TOP/tests/cli/stopped/keys-0.2.0.txt" >keys.txt
+[ "$(wc -l <keys.txt)" -gt 250 ] || fail "keys of 0.2.0 are lost"
 
 # SECTION.KEY DEFAULT of today, in the words of help
-for section in $(sed 's/\..*//' then | sort -u); do
+for section in $(sed 's/\..*//' keys.txt | sort -u); do
     "$OVERROLL" help "$section" |
         sed -n -E "s/^  ([A-Za-z][A-Za-z0-9_]*) +\((.*)\)$/$section.\1 \2/p
             s/^  ([A-Za-z][A-Za-z0-9_]*) *$/$section.\1 -/p"
 done | sort >now
 
-sort then | while read -r key value; do
+sort keys.txt | while read -r key value; do
     today=$(sed -n "s/^$key //p" now)
     [ "$today" = "$value" ] && continue
     section=${key%.*} name=${key#*.}
