@@ -311,13 +311,17 @@ static double beside(const ovr_setup *setup)
     return bytes;
 }
 
-double ovr_setup_seconds_beside(const ovr_setup *setup)
+double ovr_setup_seconds_beside(const ovr_setup *setup, double node_steps)
 {
     const ovr_resolved *r = (const ovr_resolved *)setup;
     double seconds = 0;
     for (int k = 0; setup->nodes && ovr_physics_list[k]; k++)
-        if (r->physics[k].on && ovr_physics_list[k]->seconds)
-            seconds += ovr_physics_list[k]->seconds(r->physics[k].form);
+        if (is_on(r, k)) {
+            const ovr_physics *is = ovr_physics_list[k];
+            seconds += node_steps * is->node_seconds;
+            if (r->physics[k].on && is->seconds)
+                seconds += is->seconds(r->physics[k].form);
+        }
     return seconds;
 }
 

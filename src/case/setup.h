@@ -25,7 +25,8 @@ unsigned ovr_setup_physics(const ovr_setup *setup);
  * address. */
 double ovr_setup_memory(const ovr_setup *setup);
 
-/* Seconds that its physics take a pass beside the cycles, about. */
-double ovr_setup_seconds_beside(const ovr_setup *setup);
+/* Seconds that its physics take a pass beside the film, about, for so many
+ * nodes times steps. */
+double ovr_setup_seconds_beside(const ovr_setup *setup, double node_steps);
 
 #endif

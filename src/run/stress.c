@@ -525,6 +525,7 @@ static void tell(const ovr_physics_case *of, const void *form,
 }
 
 const ovr_physics ovr_physics_stress = {.name = "stresses",
+                                        .node_seconds = 2.5e-7,
                                         .tell = tell,
                                         .memory = memory,
                                         .companion = &companion};

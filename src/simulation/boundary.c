@@ -527,6 +527,7 @@ static unsigned bits(const void *form)
 }
 
 const ovr_physics ovr_physics_boundary = {.name = "surfaces that touch",
+                                          .node_seconds = 8e-7,
                                           .bit = OVR_PHYSICS_BOUNDARY,
                                           .section = &ovr_boundary_section,
                                           .form = sizeof(ovr_boundary_form),

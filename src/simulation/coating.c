@@ -491,6 +491,7 @@ static ovr_status check(const ovr_simulation *sim, const void *own,
 }
 
 const ovr_physics ovr_physics_coating = {.name = "layers on the bodies",
+                                         .node_seconds = 5e-8,
                                          .section = &section,
                                          .form = sizeof(coating_form),
                                          .block = block,

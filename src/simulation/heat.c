@@ -516,6 +516,7 @@ static const ovr_observable quantities[] = {
          STEADY_TOO)};
 
 const ovr_physics ovr_physics_heat = {.name = "heat",
+                                      .node_seconds = 5e-7,
                                       .bit = OVR_PHYSICS_HEAT,
                                       .section = &ovr_heat_section,
                                       .form = sizeof(ovr_heat_case),

@@ -127,7 +127,9 @@ struct ovr_physics {
      */
     double (*memory)(const void *form);
 
-    /* Seconds of one core that a pass takes beside the simulation's, about. */
+    /* Seconds of one core that a node takes more in a step with it, and those
+     * that a pass takes beside, about. */
+    double node_seconds;
     double (*seconds)(const void *form);
 
     /* A companion goes along with a run and writes into its file

@@ -444,6 +444,7 @@ static const ovr_observable quantities[] = {
         "film")};
 
 const ovr_physics ovr_physics_conserving = {.name = "oil conserved",
+                                            .node_seconds = 1e-7,
                                             .bit = OVR_PHYSICS_CONTENT,
                                             .tell = tell,
                                             .companion = &ovr_supply_companion,

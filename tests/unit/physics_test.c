@@ -319,13 +319,20 @@ static void check_counts_it(void **state)
     assert_non_null(strstr(said, "# layer on body 1"));
     assert_non_null(strstr(said, "[layer]\ncompliance = 0.5"));
     free(said);
-    said = RUN(*state, "check", "soft.ini", "--json", "--level", "12");
+    said = RUN(*state, "check", "soft.ini", "--json", "--level", "12", "--set",
+               "time.end=1");
     double bytes = number(said, "memory_bytes");
+    double seconds = number(said, "estimated_seconds");
+    double node_steps = n * number(said, "steps");
     free(said);
     said = RUN(*state, "check", "soft.ini", "--json", "--level", "12", "--set",
-               "layer.compliance=0");
+               "time.end=1", "--set", "layer.compliance=0");
     bytes -= number(said, "memory_bytes");
+    seconds -= number(said, "estimated_seconds");
     free(said);
+    /* a steady start takes some steps more */
+    assert_true(seconds >= test_layer.node_seconds * node_steps);
+    assert_true(seconds < 2 * test_layer.node_seconds * node_steps);
     /* what is worn twice; what is borne, there and one to three steps ago, and
      * pressed */
     assert_true(bytes >= 7 * n * sizeof(double));
