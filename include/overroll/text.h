@@ -11,9 +11,9 @@
 extern "C" {
 #endif
 
-/* Did you mean ...: the nearest of `n` names to a mistyped one, or NULL when
- * none is near: at most a third of the letters wrong (capital letters do not
- * count as wrong). */
+/* Did you mean ...: the nearest of `n` names to a mistyped one, with at most a
+ * third of the letters wrong (capital letters do not count as wrong); else the
+ * first of which it is a word, as vg of iso_vg; or NULL. */
 OVR_API const char *ovr_suggest(const char *wrong, const char *const *names,
                                 size_t n);
 

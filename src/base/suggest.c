@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Optimal string alignment distance (insert, delete, replace, swap of
- * neighbours), three rows of its table at a time.
+ * neighbours), three rows of its table at a time; where no name is near, one of
+ * which what was written is a word.
  */
 #include "overroll/text.h"
 
@@ -43,6 +44,26 @@ static size_t distance(const char *a, const char *b)
     return rows[la % 3][lb];
 }
 
+/* True if `word` is one of the words, between underscores, of `name`. */
+static bool has_word(const char *name, const char *word)
+{
+    size_t length = strlen(word);
+    for (const char *at = name; (at = strstr(at, word)); at++)
+        if ((at == name || at[-1] == '_') && (!at[length] || at[length] == '_'))
+            return true;
+    return false;
+}
+
+/* The first name of which what was written is a word. */
+static const char *with_word(const char *wrong, const char *const *names,
+                             size_t n)
+{
+    for (size_t i = 0; *wrong && i < n; i++)
+        if (has_word(names[i], wrong))
+            return names[i];
+    return NULL;
+}
+
 const char *ovr_suggest(const char *wrong, const char *const *names, size_t n)
 {
     if (!wrong || !names)
@@ -56,5 +77,5 @@ const char *ovr_suggest(const char *wrong, const char *const *names, size_t n)
             nearest = names[i];
         }
     }
-    return nearest;
+    return nearest ? nearest : with_word(wrong, names, n);
 }

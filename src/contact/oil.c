@@ -180,7 +180,11 @@ static ovr_status check_sheet(const ovr_oil *oil, ovr_error *err)
                               "degC: leave one or the other out");
     if (all_given(needs, 3, "the viscosity from a data sheet", err))
         return OVR_BAD_INPUT;
-    if (isnan(oil->nu_100) == isnan(oil->viscosity_index))
+    if (isnan(oil->nu_100) && isnan(oil->viscosity_index))
+        return ovr_fail_about(err, "viscosity_index",
+                              "the viscosity from a data sheet needs "
+                              "viscosity_index, or viscosity_100");
+    if (!isnan(oil->nu_100) && !isnan(oil->viscosity_index))
         return ovr_fail_about(
             err, "viscosity_index",
             "viscosity_100 and viscosity_index say the same: give one of them");

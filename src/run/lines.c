@@ -132,8 +132,10 @@ static ovr_piece in_si(double value, ovr_unit_kind kind,
 void ovr_words_place(ovr_words *to, const char *name, double value,
                      ovr_unit_kind kind, const ovr_contact *contact)
 {
-    ovr_piece si = in_si(value, kind, contact);
-    ovr_words_add(to, "%s = %.4g", name, value);
+    const double rounding = 1e-12; /* of a node's place at X = 0 */
+    double shown = fabs(value) < rounding ? 0 : value;
+    ovr_piece si = in_si(shown, kind, contact);
+    ovr_words_add(to, "%s = %.4g", name, shown);
     if (*si.text)
         ovr_words_add(to, " (%s)", si.text);
 }

@@ -117,12 +117,15 @@ static void locale_does_not_matter(void **state)
 
 static void near_names_are_suggested(void **state)
 {
-    static const char *const names[] = {"viscosity", "alpha", "p0", "z"};
+    static const char *const names[] = {"viscosity", "alpha", "p0",
+                                        "viscosity_law"};
     (void)state;
     assert_string_equal(ovr_suggest("viscocity", names, 4), "viscosity");
     assert_string_equal(ovr_suggest("VISCOSITY", names, 4), "viscosity");
     assert_string_equal(ovr_suggest("aplha", names, 4), "alpha");
     assert_null(ovr_suggest("temperature", names, 4));
+    assert_string_equal(ovr_suggest("law", names, 4), "viscosity_law");
+    assert_null(ovr_suggest("la", names, 4));
     assert_null(ovr_suggest("", names, 4));
 }
 
