@@ -52,7 +52,9 @@ ovr_status ovr_passes_begin(ovr_run *run, ovr_error *err)
     if (!run->info.output)
         return ovr_fail_about(err, "number",
                               "several passes need a result file: -o OUT.h5, "
-                              "or file in [output]");
+                              "or file in [output]; of find: --results FOLDER; "
+                              "of a study: results = yes; --sensitivity has "
+                              "none, a study of the key's values does");
     status = make(run, run->info.output, err);
     if (!status)
         status = ovr_passes_make_rows(run, run->setup->passes->number, err);
