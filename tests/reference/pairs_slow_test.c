@@ -9,9 +9,17 @@ static void pairs_work_or_are_refused(void **state)
     test_walk_pairs(*state, 10);
 }
 
+static void elements_work_or_refuse(void **state)
+{
+    test_walk_elements(*state, 10);
+}
+
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test_setup_teardown(
-        pairs_work_or_are_refused, test_make_folder, test_remove_folder)};
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test_setup_teardown(pairs_work_or_are_refused,
+                                        test_make_folder, test_remove_folder),
+        cmocka_unit_test_setup_teardown(elements_work_or_refuse,
+                                        test_make_folder, test_remove_folder)};
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

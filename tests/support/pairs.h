@@ -9,4 +9,7 @@
  * and load.  Prints what was walked; files go to `folder`. */
 void test_walk_pairs(const char *folder, int every);
 
+/* The same of each part with a gear, a cam and a bearing. */
+void test_walk_elements(const char *folder, int every);
+
 #endif
