@@ -50,15 +50,15 @@ def between(s, at):
 
 def cubic(X, values, x):
     """Through the four nodes about x, of even mesh; 0 before the first node,
-    the last value behind the last."""
+    the last value behind the last.  Each row of values at its row of x."""
     D, n = X[1] - X[0], len(X)
     i = np.clip(((x - X[0]) / D).astype(int), 1, n - 3)
     t = (x - X[i]) / D
-    y = (-t * (t - 1) * (t - 2) / 6 * values[i - 1] +
-         (t + 1) * (t - 1) * (t - 2) / 2 * values[i] -
-         (t + 1) * t * (t - 2) / 2 * values[i + 1] +
-         (t + 1) * t * (t - 1) / 6 * values[i + 2])
-    return np.where(x <= X[0], 0, np.where(x >= X[-1], values[-1], y))
+    a, b, c, d = (np.take_along_axis(values, i + k, axis=-1)
+                  for k in (-1, 0, 1, 2))
+    y = (-t * (t - 1) * (t - 2) / 6 * a + (t + 1) * (t - 1) * (t - 2) / 2 * b -
+         (t + 1) * t * (t - 2) / 2 * c + (t + 1) * t * (t - 1) / 6 * d)
+    return np.where(x <= X[0], 0, np.where(x >= X[-1], values[..., -1:], y))
 
 
 class Physical:
@@ -145,12 +145,17 @@ class Hot(Model):
     def ln_eta(self, P):
         return self.log_eta(P, self.Tm)
 
-    def slides(self, r, b, g):
-        """a of: the mean of r sinh(a + g s) is b."""
-        half = WEIGHTS[:, None] / 2
-        most = np.abs(g.real)                # of both sums e^most is left out
-        up = (half * r * np.exp(g * POINTS[:, None] - most)).sum(axis=0)
-        down = (half * r * np.exp(-g * POINTS[:, None] - most)).sum(axis=0)
+    @staticmethod
+    def bent(g):
+        """exp(g s) over the largest of them, and the logarithm of that."""
+        most = np.abs(g.real)
+        return np.exp(g * POINTS[:, None] - most), most
+
+    @staticmethod
+    def slides(r, b, e, most):
+        """a of: the mean of r sinh(a + g s) is b; e, most: of g."""
+        w = WEIGHTS[:, None] / 2 * r
+        up, down = (w * e).sum(axis=0), (w * e[::-1]).sum(axis=0)
         b = b * np.exp(-most)
         return np.log((b + np.sqrt(b * b + up * down)) / up)
 
@@ -173,11 +178,14 @@ class Hot(Model):
         m0, m1 = (half * r).sum(axis=0), (half * r * s).sum(axis=0)
         if self.c.get("dowson"):
             psi = 3 * ((half * r * s * s).sum(axis=0) - m1 * m1 / m0)
-            even = (half * np.cosh(g * s)).sum(axis=0)
-            odd = 3 * (half * s * np.sinh(g * s)).sum(axis=0) / g
+            sinh = np.sinh(g * s[24:])
+            even = 2 * (half[24:] * np.sqrt(1 + sinh * sinh)).sum(axis=0)
+            odd = 6 * (half[24:] * s[24:] * sinh).sum(axis=0) / g
             return eps * psi * odd * np.sqrt(1 + (b / (m0 * even))**2)
-        a = self.slides(r, b, g)
-        flow = (half * s * r * np.sinh(a + g * s)).sum(axis=0)
+        e, most = self.bent(g)
+        a = self.slides(r, b, e, most)
+        sinh = (np.exp(a + most) * e - np.exp(most - a) * e[::-1]) / 2
+        flow = (half * s * r * sinh).sum(axis=0)
         return eps * 3 * (flow - b * m1 / m0) / g
 
     def wedge(self, q, dry, Cu, T):
@@ -187,7 +195,7 @@ class Hot(Model):
         """|mu_slide|, int t dX over the load."""
         _, r, b = self.faces(P, H, self.V(T))
         g = (H[:-1] + H[1:]) / 2 * np.diff(P) / self.D / (2 * self.Sigma0)
-        t = self.Sigma0 * self.slides(r, b, g)
+        t = self.Sigma0 * self.slides(r, b, *self.bent(g))
         held = (P[:-1] > 0) | (P[1:] > 0)
         return abs(self.D * t[held].sum()) / \
             (math.pi / 2 * self.load.at(T)) * self.p.kappa
@@ -202,7 +210,7 @@ class Hot(Model):
         P_X[P <= 0] = 0
         Y = self.lam * np.exp(self.ln_eta(P)) / (12 * H)
         g = H * P_X / 2 / self.Sigma0
-        a = self.slides(self.r, -V * Y / self.Sigma0, g)
+        a = self.slides(self.r, -V * Y / self.Sigma0, *self.bent(g))
         x = a + g * self.s[:, None]
         r = np.exp(self.log_eta(P, self.Tm) - self.log_eta(P, self.T))
         u_z = self.Sigma0 * r * np.sinh(x) / Y
@@ -301,16 +309,14 @@ class Hot(Model):
         steps = len(self.history)
         count = steps + int((self.X[-1] - self.X[0]) / (v * dT)) + 2
         w = self.kept(k, count, dT)
-        whole = np.zeros(self.n)
-        for l in range(1, count + 1):
-            q = self.history[max(steps - l, 0)][k]
-            whole += w[l] * cubic(self.X, q, self.X - v * l * dT)
-        return self.p.N[k] * whole
+        ago = np.arange(1, count + 1)
+        q = np.array([self.history[l][k] for l in np.maximum(steps - ago, 0)])
+        came = cubic(self.X, q, self.X - v * dT * ago[:, None])
+        return self.p.N[k] * (w[1:] @ came)
 
     def step_heat(self, P, q, P_T, old, past, T, dT):
         A, b, u, H = self.columns(P, q, P_T, self.speed.at(T), self.V(T))
-        foot = np.array([cubic(self.X, old[j], self.X - u[j] * dT)
-                         for j in range(17)])
+        foot = cubic(self.X, old, self.X - u * dT)
         A += (q / dT)[:, None, None] * np.eye(17)
         b += (q / dT * foot).T
         self.walls(A, b, H, past,

@@ -170,6 +170,7 @@ class Metal:
         out = np.zeros((len(self.depth), self.columns, 3))
         jump = np.diff(np.concatenate([[0], P, [0]]))   # at the strips' edges
         edges = np.concatenate([X - D / 2, [X[-1] + D / 2]])
+        edges, jump = edges[jump != 0], jump[jump != 0]
         for s in (-g, g):
             x = (self.mid + s * self.h + at)[None, :, None] - edges
             for t in (-g, g):

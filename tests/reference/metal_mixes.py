@@ -49,6 +49,7 @@ class Yielding(Model):
     def __init__(self, case, metals):
         super().__init__(case)
         self.metals = metals
+        self.found = None    # T and the gap then, as the metals are now
 
     def at(self, surface, T):
         """Where the material's origin is, its first feature's centre."""
@@ -58,12 +59,15 @@ class Yielding(Model):
         return start + self.speed.way(T) + sign * self.slid(T)
 
     def gap(self, T):
-        gap = super().gap(T)
-        for surface, metal in self.metals.items():
-            gap += metal.sinking(self.X - self.at(surface, T))
-        return gap
+        if not self.found or self.found[0] != T:
+            gap = super().gap(T)
+            for surface, metal in self.metals.items():
+                gap += metal.sinking(self.X - self.at(surface, T))
+            self.found = T, gap
+        return self.found[1]
 
     def flow(self, P, T):
+        self.found = None
         return max(metal.flow(P, self.X, self.at(surface, T))
                    for surface, metal in self.metals.items())
 

@@ -22,6 +22,7 @@ import math
 import numpy as np
 
 POINTS, WEIGHTS = np.polynomial.legendre.leggauss(48)
+ABOVE, ABOVE_WEIGHTS = POINTS[24:], WEIGHTS[24:]    # of what is even
 
 
 def smoothstep(y):
@@ -247,8 +248,9 @@ class Model:
         over = np.where(g == 0, 1, g)
         if self.carreau:
             return eps * self.thinning(c / eps, over)
-        even = np.cosh(g[:, None] * POINTS) @ WEIGHTS / 2
-        odd = np.sinh(over[:, None] * POINTS) @ (WEIGHTS * POINTS) * 1.5
+        sinh = np.sinh(g[:, None] * ABOVE)
+        even = np.sqrt(1 + sinh * sinh) @ ABOVE_WEIGHTS
+        odd = sinh @ (ABOVE_WEIGHTS * ABOVE) * 3
         odd = np.where(g == 0, 1, odd / over)
         return odd * np.sqrt(eps**2 + (c / even)**2)
 
@@ -256,25 +258,24 @@ class Model:
         """E/eps of gamma = x (1 + x^2)^((1/n - 1)/2): the mean stress a that
         makes the film slide so, then what flows, both by quadrature."""
         power = (1 / self.carreau[1] - 1) / 2
-
-        def law(x):
-            return x * (1 + x * x)**power
-
-        def slope(x):
-            return (1 + x * x)**power * (1 + 2 * power * x * x / (1 + x * x))
         half = WEIGHTS / 2
-        # convex: from above, downward
+
+        def step(a, g, slid):
+            x = a[:, None] + g[:, None] * POINTS
+            thin = (1 + x * x)**power
+            slope = thin * (1 + 2 * power * x * x / (1 + x * x))
+            return ((x * thin) @ half - slid) / (slope @ half)
+        # convex: from above, downward; then what complex steps add
         a = np.minimum(slid.real, slid.real**self.carreau[1]) + np.abs(g.real)
-        for turn in range(80):
-            if turn == 76:
-                a = a + 0j * slid
-            x = a[:, None] + g[:, None] * POINTS if turn >= 76 else \
-                a[:, None] + g.real[:, None] * POINTS
-            wanted = slid if turn >= 76 else slid.real
-            a = a - (law(x) @ half - wanted) / (slope(x) @ half)
+        for _ in range(76):
+            change = step(a, g.real, slid.real)
+            a = a - change
+            if (np.abs(change) <= 1e-15 * np.abs(a)).all():
+                break
+        for _ in range(2):
+            a = a - step(a, g, slid)
         x = a[:, None] + g[:, None] * POINTS
-        flows = law(x) @ (1.5 * WEIGHTS * POINTS) / g
-        return flows if np.iscomplexobj(slid + g) else flows.real
+        return (x * (1 + x * x)**power) @ (1.5 * WEIGHTS * POINTS) / g
 
     # ---------------------------------------------------------- equations
 
@@ -319,13 +320,19 @@ class Model:
             B = np.where(dry1 & (B < q1 / 2), q1 / 2, B)
         return ((A - B) / dT)[1:-1]
 
-    def rows(self, P, H, q, dry, T, past, step):
+    def flux(self, P, H, T):
+        """What pressure drives, at the half nodes."""
         flux = self.conductances(P, H, self.V(T)) * np.diff(P) / self.D
-        if self.closed:
-            flux = np.concatenate([[0], flux[1:]])
-        return ((flux[1:] - flux[:-1] -
-                 self.wedge(q, dry, self.speed.at(T), T)) / self.D -
+        return np.concatenate([[0], flux[1:]]) if self.closed else flux
+
+    def carried(self, q, dry, T, past, step):
+        """What the surfaces bring and what is stored, taken from a row."""
+        return (self.wedge(q, dry, self.speed.at(T), T) / self.D +
                 self.stored(q, past, step, dry))
+
+    def rows(self, P, H, q, dry, T, past, step):
+        return (np.diff(self.flux(P, H, T)) / self.D -
+                self.carried(q, dry, T, past, step))
 
     def touching(self, H):
         if not self.wall:
@@ -367,30 +374,36 @@ class Model:
         return np.concatenate(out + [[load]])
 
     def matrix(self, u, T, past, step):
-        """By complex steps in P, H and q, of every fifth node at once."""
+        """By complex steps: the flux, by P and H of every second node at once,
+        each between two half nodes; what is carried, by q of every fifth."""
         n, m, h = self.n, self.n - 2, 1e-200
         P, bears, H, q, lack = self.state(u, T)
         dry = lack > 0
         dry[0] = self.closed
-        by = {}
-        for name in "PHq":
-            J = np.zeros((m, n))
-            for colour in range(5):
-                v = {"P": P.astype(complex), "H": H.astype(complex),
-                     "q": q.astype(complex)}
-                v[name][colour::5] += 1j * h
-                d = self.rows(v["P"], v["H"], v["q"], dry, T, past,
-                              step).imag / h
-                i = np.arange(1, n - 1)
-                j = i - 2 + (colour - i + 2) % 5     # of this colour, near i
-                there = (j >= 0) & (j < n)
-                J[(i - 1)[there], j[there]] = d[there]
-            by[name] = J
+        by = {name: np.zeros((m, n)) for name in "PHq"}
+        i = np.arange(1, n - 1)
+        for name in "PH":
+            left, right = np.zeros(n - 1), np.zeros(n - 1)
+            for colour in range(2):
+                v = {"P": P.astype(complex), "H": H.astype(complex)}
+                v[name][colour::2] += 1j * h
+                d = self.flux(v["P"], v["H"], T).imag / h / self.D
+                left[colour::2] = d[colour::2]
+                right[1 - colour::2] = d[1 - colour::2]
+            J = by[name]
+            J[i - 1, i - 1] = -left[:-1]
+            J[i - 1, i] = left[1:] - right[:-1]
+            J[i - 1, i + 1] = right[1:]
+        for colour in range(5):
+            v = q.astype(complex)
+            v[colour::5] += 1j * h
+            d = -self.carried(v, dry, T, past, step).imag / h
+            j = i - 2 + (colour - i + 2) % 5         # of this colour, near i
+            there = (j >= 0) & (j < n)
+            by["q"][(i - 1)[there], j[there]] = d[there]
         rho1 = self.rho(P + 1j * h).imag / h
         rho = self.rho(P)
         wet = u[:m] > 0
-        to_lack = np.zeros((n, m))
-        to_lack[1:-1] = np.diag(-(~wet).astype(float))
         own = np.ones(n)
         if self.closed:
             own[0] = 0                            # q there is given
@@ -408,9 +421,9 @@ class Model:
         Jx = (by["P"] + by["q"] * (own * rho1 * H))[:, 1:-1] * wet + \
             film(-K * wet)
         if self.conserving:
-            Jx -= by["q"] @ to_lack
+            Jx += by["q"][:, 1:-1] * ~wet
         else:
-            Jx += to_lack[1:-1]
+            Jx -= np.diag((~wet).astype(float))
         J0 = film(np.ones((n, 1)))
         if not self.wall:
             last = np.concatenate([-self.D * wet, [0]])
