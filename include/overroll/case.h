@@ -185,18 +185,6 @@ typedef enum ovr_accuracy {
                               root mean square over time */
 } ovr_accuracy;
 
-/* The film that arrives: layers on the surfaces, in b^2/R, times its history;
- * oil in the inlet reservoir at the start, in b^3/R. */
-struct ovr_layer;
-typedef struct ovr_supply_setup {
-    bool film;                  /* else flooded */
-    struct ovr_layer *layer[2]; /* along the surfaces; NULL: constant */
-    double thickness[2], reservoir;
-    ovr_history *history; /* NULL: constant */
-    double start; /* rho H that the steady start takes; NAN: what arrives then
-                   */
-} ovr_supply_setup;
-
 /* Layers of oil change between two passes by these rules; in b^2/R. */
 typedef struct ovr_passes_setup {
     int number;       /* 1: the ordinary run */
@@ -225,7 +213,6 @@ typedef struct ovr_setup {
     bool convected;            /* the curvature, by ovr_setup_prepare */
     bool transient;            /* has an end of time */
     ovr_march *march;          /* without observer */
-    const ovr_supply_setup *supply;
     const ovr_passes_setup *passes;
     const ovr_output *output;
     const ovr_stress_setup *stress;
@@ -234,7 +221,6 @@ typedef struct ovr_setup {
     size_t nodes;           /* the three below by ovr_setup_prepare */
     double mesh;            /* D */
     ovr_surfaces *surfaces; /* NULL: smooth */
-    const ovr_heat *heat;   /* NULL: none */
     double bearable;        /* pressure that the material bears, Pa */
     ovr_accuracy accuracy_of;
     double accuracy; /* asked for: options->level is 0 or below until it is

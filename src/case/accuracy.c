@@ -163,7 +163,7 @@ static double of_features(const ovr_setup *s, double arriving)
 
 double ovr_expected(const ovr_setup *s, double arriving)
 {
-    double warming = s->transient && s->heat ? 0.05 * ovr_setup_step(s) : 0;
+    double warming = s->transient ? ovr_setup_lag(s) * ovr_setup_step(s) : 0;
     if (s->accuracy_of != OVR_ACCURACY_ALL)
         return largest_of_film(s) + of_features(s, arriving);
     return fmax(mean_of_film(s) + of_features(s, arriving) + warming,

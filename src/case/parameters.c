@@ -6,65 +6,85 @@
 #include "base/given.h"
 #include "case/condition.h"
 #include "case/keys/keys.h"
-#include "simulation/heat_case.h"
 #include "simulation/physics.h"
 
 /* Help and files have them in this order. */
 static const ovr_section *const sections[] = {
-    &ovr_contact_section, &ovr_lubricant_section, &ovr_heat_section,
-    &ovr_domain_section,  &ovr_solver_section,    &ovr_time_section,
-    &ovr_load_section,    &ovr_speed_section,     &ovr_sliding_section,
-    &ovr_radius_section,  &ovr_radius_1_section,  &ovr_cavitation_section,
-    &ovr_supply_section,  &ovr_passes_section,    &ovr_feature_section,
-    &ovr_output_section,  &ovr_paper_section,     &ovr_stress_section,
-    &ovr_fatigue_section, &ovr_plastic_section,   &ovr_body_section,
-    &ovr_gear_section,    &ovr_cam_section,       &ovr_roller_bearing_section};
+    &ovr_contact_section,  &ovr_lubricant_section, &ovr_domain_section,
+    &ovr_solver_section,   &ovr_time_section,      &ovr_load_section,
+    &ovr_speed_section,    &ovr_sliding_section,   &ovr_radius_section,
+    &ovr_radius_1_section, &ovr_passes_section,    &ovr_feature_section,
+    &ovr_output_section,   &ovr_paper_section,     &ovr_stress_section,
+    &ovr_fatigue_section,  &ovr_plastic_section,   &ovr_body_section,
+    &ovr_gear_section,     &ovr_cam_section,       &ovr_roller_bearing_section};
 enum { SECTIONS = sizeof sections / sizeof sections[0] };
 
-static bool is_among(const ovr_section *section)
+/* Goes through all there are: behind each of the case those of the physics that
+ * say so, behind all those that say nothing. */
+typedef struct walk {
+    size_t at;   /* in the table; SECTIONS: behind it */
+    bool inside; /* it has been met, and those behind it come */
+    const ovr_physics *const *physics;
+    size_t own; /* of that physics */
+} walk;
+
+static bool stands_here(const ovr_physics *p, const walk *w)
 {
-    for (size_t k = 0; k < SECTIONS; k++)
-        if (sections[k] == section)
-            return true;
-    return false;
+    if (w->at == SECTIONS)
+        return !p->behind;
+    return p->behind && !strcmp(p->behind, sections[w->at]->name);
 }
 
-/* Behind them the sections of physics that are not among them. */
-const ovr_section *ovr_section_row(size_t k)
+/* The next; NULL behind the last. */
+static const ovr_section *next(walk *w)
 {
-    if (k < SECTIONS)
-        return sections[k];
-    k -= SECTIONS;
-    for (int p = 0; ovr_physics_list[p]; p++) {
-        const ovr_section *own = ovr_physics_list[p]->section;
-        if (own && !is_among(own) && k-- == 0)
-            return own;
+    for (; w->at <= SECTIONS; w->at++, w->inside = false) {
+        if (!w->inside) {
+            w->inside = true;
+            w->physics = ovr_physics_list;
+            w->own = 0;
+            if (w->at < SECTIONS)
+                return sections[w->at];
+        }
+        for (; *w->physics; w->physics++, w->own = 0)
+            if (w->own < (*w->physics)->sections && stands_here(*w->physics, w))
+                return &(*w->physics)->section[w->own++];
     }
     return NULL;
 }
 
+const ovr_section *ovr_section_row(size_t k)
+{
+    walk w = {0};
+    while (k-- > 0 && next(&w))
+        continue;
+    return next(&w);
+}
+
 const ovr_section *ovr_section_find(const char *name)
 {
+    walk w = {0};
     const ovr_section *s;
-    for (size_t k = 0; (s = ovr_section_row(k)); k++)
-        if (!strcmp(s->name, name))
-            break;
+    while ((s = next(&w)) && strcmp(s->name, name) != 0)
+        continue;
     return s;
 }
 
 size_t ovr_section_first(const ovr_section *section)
 {
+    walk w = {0};
     const ovr_section *s;
     size_t n = 0;
-    for (size_t k = 0; (s = ovr_section_row(k)) && s != section; k++)
+    while ((s = next(&w)) && s != section)
         n += s->count;
     return n;
 }
 
 const ovr_parameter *ovr_parameter_row(size_t k, const ovr_section **section)
 {
+    walk w = {0};
     const ovr_section *s;
-    for (size_t j = 0; (s = ovr_section_row(j)); j++) {
+    while ((s = next(&w))) {
         if (k < s->count) {
             if (section)
                 *section = s;
@@ -109,10 +129,7 @@ const ovr_parameter *ovr_parameter_find(const ovr_section *section,
 
 size_t ovr_parameter_count(void)
 {
-    size_t n = 0;
-    for (size_t k = 0; ovr_section_row(k); k++)
-        n += ovr_section_row(k)->count;
-    return n;
+    return ovr_section_first(NULL);
 }
 
 const char *ovr_section_name(size_t k)

@@ -13,7 +13,6 @@
 #include "contact/flow_law.h"
 #include "contact/heat_numbers.h"
 #include "contact/oil.h"
-#include "surface/layer.h"
 #include "surface/surfaces.h"
 
 static const double ALPHA_PAPER = 1.7e-8; /* 1/Pa */
@@ -84,7 +83,6 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
     r->setup.lubricant = &r->lubricant;
     r->setup.options = &r->values.options;
     r->setup.march = &r->march;
-    r->setup.supply = &r->supply;
     r->setup.passes = &r->values.passes;
     r->setup.output = &r->values.output;
     r->setup.stress = &r->values.stress;
@@ -92,16 +90,15 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
     if (!status)
         status = resolve_contact(r, err);
     if (!status)
-        status = ovr_resolve_flow(r, allocator, err);
+        status = ovr_resolve_flow(r, err);
     if (!status)
         status = ovr_resolve_options(r, err);
     if (!status)
-        status = ovr_resolve_time(r, allocator, err);
+        status = ovr_resolve_time(r, err);
     if (!status)
         status = ovr_resolve_features(r, err);
     if (!status)
         status = ovr_resolve_physics(r, err);
-    r->setup.heat = ovr_resolved_heat(r);
     if (!status)
         status = ovr_resolve_output(r, err);
     if (!status)
@@ -130,9 +127,7 @@ void ovr_setup_free(ovr_setup *setup)
     ovr_history_free(setup->speed);
     ovr_history_free(setup->sliding);
     ovr_flow_law_free(((ovr_resolved *)setup)->flow_law);
-    ovr_history_free(setup->supply->history);
-    for (int k = 0; k < 2; k++)
-        ovr_layer_free(setup->supply->layer[k]);
+    ovr_resolved_drop((ovr_resolved *)setup);
     for (int k = 0; k < 2; k++)
         ovr_law_table_free(((ovr_resolved *)setup)->tables[k]);
     ovr_resolved_element_free((ovr_resolved *)setup);

@@ -24,7 +24,6 @@ typedef struct ovr_resolved {
     ovr_law_table *tables[2]; /* of viscosity, of density; or NULL */
     ovr_march march;
     ovr_flow_law *flow_law;
-    ovr_supply_setup supply;
     ovr_resolved_physics physics[OVR_MAX_PHYSICS]; /* as in the list */
     size_t features; /* all there are, on the mesh (the setup's) or not */
     const ovr_feature_form *const *feature;
@@ -85,8 +84,9 @@ ovr_status ovr_resolve_oil(ovr_resolved *r, ovr_error *err);
  * with the modulus that follows. */
 ovr_status ovr_resolve_stiffness(ovr_resolved *r, ovr_error *err);
 
-/* The physics that have sections of their own; one whose keys stand
- * elsewhere. */
+/* Fills the forms of the physics that have sections, once the contact is known;
+ * resolves them; turns on one whose keys stand elsewhere. */
+ovr_status ovr_resolve_forms(ovr_resolved *r, ovr_error *err);
 ovr_status ovr_resolve_physics(ovr_resolved *r, ovr_error *err);
 
 /* Tells the physics the mesh that was found. */
@@ -104,15 +104,26 @@ const ovr_physics *ovr_setup_makes_nodes(const ovr_setup *setup);
 ovr_status ovr_setup_add_physics(const ovr_setup *setup, ovr_simulation *sim,
                                  ovr_error *err);
 
-/* The numbers of heat; NULL where there is none. */
-ovr_heat *ovr_resolved_heat(const ovr_resolved *r);
+/* These ask the physics that are on: for the features of the model that they
+ * turn on (simulation/conflicts.h); for the fields that they store beside the
+ * usual ones; why steps are one mesh for them, or NULL; for the film that
+ * arrives at T = 0, INFINITY: as much as the contact takes. */
+unsigned ovr_resolved_features(const ovr_resolved *r);
+unsigned ovr_resolved_fields(const ovr_resolved *r);
+const char *ovr_resolved_one_mesh(const ovr_resolved *r);
+double ovr_resolved_arrives(const ovr_resolved *r);
+
+/* Frees what their forms hold. */
+void ovr_resolved_drop(ovr_resolved *r);
+
+/* Gives a simulation with its histories what they say beside the options. */
+void ovr_setup_equip(const ovr_setup *setup, ovr_simulation *sim);
 
 /* The options of the simulation, level and scheme as they are given. */
 ovr_status ovr_resolve_options(ovr_resolved *r, ovr_error *err);
 
 /* [time], the histories, and the scheme that goes with them. */
-ovr_status ovr_resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
-                            ovr_error *err);
+ovr_status ovr_resolve_time(ovr_resolved *r, ovr_error *err);
 
 /* Forms of the features. */
 ovr_status ovr_resolve_features(ovr_resolved *r, ovr_error *err);
@@ -126,9 +137,8 @@ ovr_status ovr_resolve_conflicts(const ovr_resolved *r, ovr_error *err);
 ovr_status ovr_symmetric_domain(ovr_resolved *r, bool inlet, bool outlet,
                                 ovr_error *err);
 
-/* [cavitation], [supply] and [passes]. */
-ovr_status ovr_resolve_supply(ovr_resolved *r, const ovr_allocator *allocator,
-                              ovr_error *err);
+/* [passes]. */
+ovr_status ovr_resolve_passes(ovr_resolved *r, ovr_error *err);
 
 /* [stress] and [fatigue]. */
 ovr_status ovr_resolve_stress(ovr_resolved *r, ovr_error *err);
@@ -144,13 +154,11 @@ void ovr_resolve_step(ovr_resolved *r);
 ovr_status ovr_resolve_end(ovr_resolved *r, ovr_error *err);
 
 /* The flow law of [lubricant], for a contact that is resolved. */
-ovr_status ovr_resolve_flow(ovr_resolved *r, const ovr_allocator *allocator,
-                            ovr_error *err);
+ovr_status ovr_resolve_flow(ovr_resolved *r, ovr_error *err);
 
 /* A history from [load] or [speed]; *history NULL when it is constant. */
 ovr_status ovr_resolve_history(ovr_resolved *r, const char *section,
-                               const ovr_change *change,
-                               const ovr_allocator *allocator,
-                               ovr_history **history, ovr_error *err);
+                               const ovr_change *change, ovr_history **history,
+                               ovr_error *err);
 
 #endif

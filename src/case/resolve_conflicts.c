@@ -55,7 +55,8 @@ static unsigned written(const ovr_resolved *r)
 {
     const ovr_setup *s = &r->setup;
     const bool by_setup[] = {OVR_MODEL_FEATURE_ROWS(BY_SETUP)};
-    unsigned by_options = ovr_model_features_of(&r->values.options), on = 0;
+    unsigned by_options = ovr_model_features_of(&r->values.options);
+    unsigned on = ovr_resolved_features(r);
     for (int feature = 0; feature < OVR_MODEL_FEATURES; feature++)
         if (by_setup[feature] ||
             (by_options >> feature & 1 && is_given(r, feature)))

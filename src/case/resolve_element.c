@@ -539,17 +539,25 @@ static void take_moments(const ovr_resolved *r, moments *m)
     }
 }
 
-static ovr_status make_history(const moments *m, const double *value,
-                               const ovr_allocator *allocator,
-                               ovr_history **history, ovr_error *err)
+static ovr_status make_histories(ovr_resolved *r, const moments *m,
+                                 ovr_error *err)
 {
+    ovr_setup *s = &r->setup;
+    const double *const value[] = {m->load, m->speed, m->sliding, m->radius,
+                                   m->radius_1};
+    ovr_history **const to[] = {&s->load, &s->speed, &s->sliding, &s->radius,
+                                &s->radius_1};
     ovr_history_form form = ovr_history_form_default();
     form.kind = OVR_HISTORY_TABLE;
     form.points = m->count;
     form.T = m->T;
-    form.value = value;
-    *history = ovr_history_create(&form, allocator, err);
-    return *history ? OVR_OK : OVR_BAD_INPUT;
+    for (size_t k = 0; k < sizeof to / sizeof *to; k++) {
+        form.value = value[k];
+        *to[k] = ovr_history_create(&form, &r->arena.allocator, err);
+        if (!*to[k])
+            return err ? err->status : OVR_BAD_INPUT;
+    }
+    return OVR_OK;
 }
 
 /* The run goes to the end of the way unless it is told to end before. */
@@ -568,11 +576,8 @@ static ovr_status end_of_way(ovr_resolved *r, double end, ovr_error *err)
     return OVR_OK;
 }
 
-ovr_status ovr_resolve_element_histories(ovr_resolved *r,
-                                         const ovr_allocator *allocator,
-                                         ovr_error *err)
+ovr_status ovr_resolve_element_histories(ovr_resolved *r, ovr_error *err)
 {
-    ovr_setup *s = &r->setup;
     if (!ovr_element_moves(r))
         return OVR_OK;
     moments *m = ovr_arena_take(&r->arena, 1, sizeof *m, err);
@@ -582,13 +587,8 @@ ovr_status ovr_resolve_element_histories(ovr_resolved *r,
     /* Where the law's curvature jumps, no material can carry it along. */
     if (r->element.cam && ovr_cam_of(r->element.cam)->jumps)
         r->values.curvature = OVR_CURVATURE_IMPOSED;
-    if (make_history(m, m->load, allocator, &s->load, err) ||
-        make_history(m, m->speed, allocator, &s->speed, err) ||
-        make_history(m, m->sliding, allocator, &s->sliding, err) ||
-        make_history(m, m->radius, allocator, &s->radius, err) ||
-        make_history(m, m->radius_1, allocator, &s->radius_1, err))
-        return err ? err->status : OVR_BAD_INPUT;
-    return end_of_way(r, m->T[m->count - 1], err);
+    ovr_status status = make_histories(r, m, err);
+    return status ? status : end_of_way(r, m->T[m->count - 1], err);
 }
 
 /* ------------------------------------------------------------------ passes */

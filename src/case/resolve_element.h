@@ -16,9 +16,7 @@ ovr_status ovr_resolve_element(ovr_resolved *r, ovr_error *err);
 
 /* Its histories of load, speed, sliding and radii, once the contact is there.
  */
-ovr_status ovr_resolve_element_histories(ovr_resolved *r,
-                                         const ovr_allocator *allocator,
-                                         ovr_error *err);
+ovr_status ovr_resolve_element_histories(ovr_resolved *r, ovr_error *err);
 
 /* The passes of a bearing's rollers, before those of the case are checked. */
 ovr_status ovr_resolve_element_passes(ovr_resolved *r, ovr_error *err);

@@ -36,8 +36,7 @@ static ovr_status table(ovr_resolved *r, ovr_error *err)
     return OVR_OK;
 }
 
-ovr_status ovr_resolve_flow(ovr_resolved *r, const ovr_allocator *allocator,
-                            ovr_error *err)
+ovr_status ovr_resolve_flow(ovr_resolved *r, ovr_error *err)
 {
     ovr_flow_form *form = &r->values.flow;
     const ovr_block *block = ovr_block_of(r, "lubricant");
@@ -51,7 +50,8 @@ ovr_status ovr_resolve_flow(ovr_resolved *r, const ovr_allocator *allocator,
     if (form->rheology == OVR_FLOW_TABLE && table(r, err))
         return err ? err->status : OVR_BAD_INPUT;
     if (form->rheology > OVR_EYRING) {
-        form->law = r->flow_law = ovr_flow_law_create(form, allocator, &why);
+        form->law = r->flow_law = ovr_flow_law_create(form, &r->arena.allocator,
+                                                      &why);
         if (!form->law)
             return ovr_fail_in(err, r->c, block, NULL, &why);
     }

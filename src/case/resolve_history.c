@@ -67,9 +67,8 @@ static void of_sliding(const ovr_resolved *r, ovr_history_form *form)
 }
 
 ovr_status ovr_resolve_history(ovr_resolved *r, const char *section,
-                               const ovr_change *change,
-                               const ovr_allocator *allocator,
-                               ovr_history **history, ovr_error *err)
+                               const ovr_change *change, ovr_history **history,
+                               ovr_error *err)
 {
     const ovr_block *block = ovr_case_find_block(r->c, section, NULL);
     ovr_history_form form = ovr_history_form_default();
@@ -94,6 +93,6 @@ ovr_status ovr_resolve_history(ovr_resolved *r, const char *section,
         if (status)
             return status;
     }
-    *history = ovr_history_create(&form, allocator, &why);
+    *history = ovr_history_create(&form, &r->arena.allocator, &why);
     return *history ? OVR_OK : ovr_fail_in(err, r->c, block, NULL, &why);
 }

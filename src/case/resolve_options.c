@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* [domain], [solver], [paper] and the numbers of [time], [cavitation], [supply]
- * and [passes]: the options of a simulation. */
+/* [domain], [solver], [paper] and the numbers of [time] and [passes]: the
+ * options of a simulation. */
 #include <math.h>
 
 #include "case/resolve.h"
@@ -55,15 +55,15 @@ ovr_status ovr_resolve_options(ovr_resolved *r, ovr_error *err)
     r->values.options = ovr_options_default();
     if (ovr_section_fill(r, "domain", err) ||
         ovr_section_fill(r, "solver", err) ||
-        ovr_section_fill(r, "paper", err) || ovr_section_fill(r, "time", err) ||
-        ovr_section_fill(r, "cavitation", err) ||
-        ovr_section_fill(r, "supply", err))
+        ovr_section_fill(r, "paper", err) || ovr_section_fill(r, "time", err))
         return OVR_BAD_INPUT;
     r->values.passes.side_flow = NAN;
     r->values.passes.spacing = r->values.passes.recovery = NAN;
     if (ovr_section_fill(r, "passes", err))
         return OVR_BAD_INPUT;
-    status = resolve_level(r, err);
+    status = ovr_resolve_forms(r, err);
+    if (!status)
+        status = resolve_level(r, err);
     if (!status)
         status = check_solver(r, err);
     r->setup.confirm = r->values.options.level == OVR_GRID_AUTO;

@@ -3,24 +3,6 @@
 #include <math.h>
 
 #include "case/resolve.h"
-#include "case/setup.h"
-#include "results/results.h"
-
-/* The fields that the physics that is on adds where none are given. */
-static unsigned fields_of_physics(const ovr_resolved *r)
-{
-    unsigned fields = 0;
-    if (r->values.options.cavitation == OVR_CAVITATION_CONSERVING)
-        fields |= ovr_field_bit("filling") | ovr_field_bit("oil_content");
-    if (r->setup.heat)
-        fields |= ovr_field_bit("temperature_1") |
-                  ovr_field_bit("temperature_2") |
-                  ovr_field_bit("temperature_middle");
-    if (ovr_setup_physics(&r->setup) & OVR_PHYSICS_BOUNDARY)
-        fields |= ovr_field_bit("contact_pressure") |
-                  ovr_field_bit("fluid_pressure");
-    return fields;
-}
 
 ovr_status ovr_resolve_output(ovr_resolved *r, ovr_error *err)
 {
@@ -29,7 +11,7 @@ ovr_status ovr_resolve_output(ovr_resolved *r, ovr_error *err)
     if (ovr_section_fill(r, "output", err))
         return OVR_BAD_INPUT;
     if (!ovr_slot_of(r, "output", "fields")->given)
-        out->fields |= fields_of_physics(r);
+        out->fields |= ovr_resolved_fields(r);
     out->every = r->values.every;
     out->single = r->values.precision == 1;
     if (out->from >= out->to)

@@ -2,40 +2,79 @@
 /* The physics of a case (simulation/physics.h): their sections fill their
  * forms, and what those mean says which are on. */
 #include <math.h>
+#include <string.h>
 
+#include "base/error.h"
 #include "case/coats.h"
+#include "case/condition.h"
 #include "case/resolve.h"
 #include "case/setup.h"
 #include "case/two_columns.h"
-#include "simulation/heat_case.h"
+#include "results/results.h"
 
-/* A physics reads its files by this: its section. */
-typedef struct reader {
+/* A physics asks the case by this. */
+typedef struct asker {
     ovr_resolved *r;
     const ovr_physics *physics;
-} reader;
+    bool placed; /* an error says where */
+} asker;
+
+/* The slot of a key of one of its sections. */
+static const ovr_slot *own_slot(const asker *a, const char *key)
+{
+    const ovr_section *of = a->physics->section;
+    while (!ovr_parameter_find(of, key))
+        of++;
+    return ovr_slot_of(a->r, of->name, key);
+}
 
 static ovr_status read_columns(void *data, const char *key, const char *file,
                                ovr_physics_columns *to, ovr_error *err)
 {
-    const reader *from = data;
-    const ovr_block *block = ovr_block_of(from->r,
-                                          from->physics->section->name);
+    asker *a = data;
     ovr_two_columns c = {.name = {to->name[0], to->name[1]},
                          .header = {to->of[0], to->of[1]},
                          .example = to->example};
-    ovr_status status = ovr_two_columns_read(
-        &c, file, ovr_block_get(block, key), &from->r->arena, err);
+    ovr_status status = ovr_two_columns_read(&c, file, own_slot(a, key),
+                                             &a->r->arena, err);
     to->count = c.count;
     to->x = c.x;
     to->y = c.y;
+    a->placed = status != OVR_OK;
     return status;
 }
 
-/* Physics before heat in the list want to know. */
-static bool is_heated(const ovr_resolved *r)
+static bool is_given(void *data, const char *section, const char *key)
 {
-    return ovr_slot_of(r, "heat", "model")->number > 0;
+    const ovr_resolved *r = ((asker *)data)->r;
+    return key ? ovr_slot_of(r, section, key)->given
+               : ovr_block_is_there(ovr_block_of(r, section));
+}
+
+static ovr_status make_history(void *data, const char *section,
+                               const ovr_change *change, ovr_history **history,
+                               ovr_error *err)
+{
+    asker *a = data;
+    ovr_status status = ovr_resolve_history(a->r, section, change, history,
+                                            err);
+    a->placed = status != OVR_OK;
+    return status;
+}
+
+/* Those that a key switches on: known before any is resolved. */
+static unsigned switched_on(const ovr_resolved *r)
+{
+    unsigned bits = 0;
+    for (int k = 0; ovr_physics_list[k]; k++) {
+        const ovr_physics *p = ovr_physics_list[k];
+        for (size_t j = 0; j < p->sections; j++) {
+            const ovr_section *s = &p->section[j];
+            if (s->on && ovr_slot_of(r, s->name, s->on)->number > 0)
+                bits |= p->bit;
+        }
+    }
+    return bits;
 }
 
 static ovr_physics_case about(ovr_resolved *r)
@@ -44,8 +83,10 @@ static ovr_physics_case about(ovr_resolved *r)
                            .lubricant = &r->lubricant,
                            .options = &r->values.options,
                            .transient = r->setup.transient,
+                           .speed = r->setup.speed,
+                           .sliding = r->setup.sliding,
                            .oil = &r->values.oil,
-                           .heat = is_heated(r),
+                           .physics = switched_on(r),
                            .substrate = r->substrate,
                            .by_substrate = r->values.scale ==
                                            OVR_SCALE_SUBSTRATE,
@@ -58,15 +99,37 @@ static ovr_physics_case about(ovr_resolved *r)
     return of;
 }
 
-/* The block that an error is about: by its name, or the section's. */
-static const ovr_block *blamed(const ovr_resolved *r, const ovr_physics *p,
-                               const ovr_error *why)
+static const ovr_section *section_named(const ovr_physics *p, const char *name,
+                                        size_t length)
 {
-    const ovr_block *named = p->section->named && why->about
-                                 ? ovr_case_find_block(r->c, p->section->name,
-                                                       why->about)
-                                 : NULL;
-    return named ? named : ovr_block_of(r, p->section->name);
+    for (size_t j = 0; j < p->sections; j++)
+        if (strlen(p->section[j].name) == length &&
+            !strncmp(p->section[j].name, name, length))
+            return &p->section[j];
+    return NULL;
+}
+
+/* Puts the place of what an error is about before it: of "section.key", of a
+ * section, of a block by its name, of a key of the first section or of
+ * [lubricant]. */
+static ovr_status fail(const ovr_resolved *r, const ovr_physics *p,
+                       ovr_error *why, ovr_error *err)
+{
+    const char *about = why->about ? why->about : "";
+    size_t length = strcspn(about, ".");
+    const ovr_section *of = section_named(p, about, length);
+    const ovr_block *block = of ? ovr_block_of(r, of->name) : NULL;
+    if (of)
+        why->about = about[length] ? about + length + 1 : NULL;
+    if (of && why->about) {
+        const ovr_slot *slot = ovr_block_get(block, why->about);
+        return ovr_fail_from(err, why, slot->file, slot->line);
+    }
+    if (!block && p->section->named && why->about)
+        block = ovr_case_find_block(r->c, p->section->name, about);
+    if (!block)
+        block = ovr_block_of(r, p->section->name);
+    return ovr_fail_in(err, r->c, block, ovr_block_of(r, "lubricant"), why);
 }
 
 /* All blocks of a section with names, each to its place in the form. */
@@ -86,33 +149,49 @@ static ovr_status fill_named(ovr_resolved *r, const ovr_physics *p, void *form,
     return OVR_OK;
 }
 
-static ovr_status fill(ovr_resolved *r, const ovr_physics *p,
-                       ovr_resolved_physics *to, ovr_error *err)
+static ovr_status fill(ovr_resolved *r, int k, ovr_error *err)
 {
-    if (!to->form)
-        to->form = ovr_arena_take(&r->arena, 1, p->form, err);
-    if (!to->form)
+    const ovr_physics *p = ovr_physics_list[k];
+    void **form = &r->physics[k].form;
+    ovr_status status = OVR_OK;
+    if (!*form)
+        *form = ovr_arena_take(&r->arena, 1, p->form, err);
+    if (!*form)
         return OVR_NO_MEMORY;
-    return p->section->named
-               ? fill_named(r, p, to->form, err)
-               : ovr_block_fill(r, ovr_block_of(r, p->section->name), to->form,
+    if (p->section->named)
+        return fill_named(r, p, *form, err);
+    for (size_t j = 0; !status && j < p->sections; j++)
+        status = ovr_block_fill(r, ovr_block_of(r, p->section[j].name), *form,
                                 err);
+    return status;
 }
 
-static ovr_status resolve(ovr_resolved *r, const ovr_physics *p,
-                          ovr_resolved_physics *to, ovr_error *err)
+ovr_status ovr_resolve_forms(ovr_resolved *r, ovr_error *err)
 {
-    reader from = {r, p};
+    for (int k = 0; ovr_physics_list[k]; k++) {
+        const ovr_physics *p = ovr_physics_list[k];
+        if (p->sections && fill(r, k, err))
+            return err ? err->status : OVR_BAD_INPUT;
+        if (p->choose)
+            p->choose(r->physics[k].form, &r->values.options);
+    }
+    return OVR_OK;
+}
+
+static ovr_status resolve(ovr_resolved *r, int k, ovr_error *err)
+{
+    const ovr_physics *p = ovr_physics_list[k];
+    asker by = {.r = r, .physics = p};
     ovr_physics_case of = about(r);
     ovr_error why = {0};
     of.read = read_columns;
-    of.data = &from;
-    if (fill(r, p, to, err))
-        return err ? err->status : OVR_BAD_INPUT;
-    if (p->resolve(&of, to->form, &to->on, &why))
-        return ovr_fail_in(err, r->c, blamed(r, p, &why),
-                           ovr_block_of(r, "lubricant"), &why);
-    return OVR_OK;
+    of.given = is_given;
+    of.history = make_history;
+    of.data = &by;
+    if (!p->resolve(&of, r->physics[k].form, &r->physics[k].on, &why))
+        return OVR_OK;
+    return by.placed ? ovr_fail_from(err, &why, NULL, 0)
+                     : fail(r, p, &why, err);
 }
 
 /* ------------------------------------------------------------ how stiff it is
@@ -130,11 +209,11 @@ static ovr_status stiffness_off(ovr_resolved *r, int k, double log_E,
     if (ovr_contact_resolve(given, &r->contact, &why))
         return ovr_fail_in(err, r->c, ovr_block_of(r, "contact"),
                            ovr_block_of(r, "lubricant"), &why);
-    if (fill(r, p, &r->physics[k], err))
+    if (fill(r, k, err))
         return err ? err->status : OVR_BAD_INPUT;
     const ovr_physics_case of = about(r);
     if (p->stiffness(&of, r->physics[k].form, &ratio, &why))
-        return ovr_fail_in(err, r->c, blamed(r, p, &why), NULL, &why);
+        return fail(r, p, &why, err);
     *off = log(ratio * r->substrate) - log_E;
     return OVR_OK;
 }
@@ -210,8 +289,8 @@ ovr_status ovr_resolve_physics(ovr_resolved *r, ovr_error *err)
 {
     ovr_status status = OVR_OK;
     for (int k = 0; !status && ovr_physics_list[k]; k++)
-        if (ovr_physics_list[k]->section)
-            status = resolve(r, ovr_physics_list[k], &r->physics[k], err);
+        if (ovr_physics_list[k]->sections)
+            status = resolve(r, k, err);
     return status ? status : choose_features(r, err);
 }
 
@@ -223,7 +302,7 @@ ovr_status ovr_resolve_on_mesh(ovr_resolved *r, ovr_error *err)
         ovr_error why = {0};
         if (r->physics[k].on && p->on_mesh &&
             p->on_mesh(&of, r->physics[k].form, r->setup.mesh, &why))
-            return ovr_fail_in(err, r->c, blamed(r, p, &why), NULL, &why);
+            return fail(r, p, &why, err);
     }
     return OVR_OK;
 }
@@ -234,14 +313,6 @@ void ovr_resolved_turn_on(ovr_resolved *r, const ovr_physics *physics,
     for (int k = 0; ovr_physics_list[k]; k++)
         if (ovr_physics_list[k] == physics)
             r->physics[k] = (ovr_resolved_physics){form, true};
-}
-
-ovr_heat *ovr_resolved_heat(const ovr_resolved *r)
-{
-    for (int k = 0; ovr_physics_list[k]; k++)
-        if (ovr_physics_list[k] == &ovr_physics_heat && r->physics[k].on)
-            return &((ovr_heat_case *)r->physics[k].form)->heat;
-    return NULL;
 }
 
 static bool is_on(const ovr_resolved *r, int k)
@@ -287,6 +358,15 @@ const ovr_coated *ovr_setup_layers(const ovr_setup *setup, int body)
     return layers;
 }
 
+void *ovr_setup_form(const ovr_setup *setup, const ovr_physics *physics)
+{
+    const ovr_resolved *r = (const ovr_resolved *)setup;
+    int k = 0;
+    while (ovr_physics_list[k] && ovr_physics_list[k] != physics)
+        k++;
+    return r->physics[k].form;
+}
+
 bool ovr_setup_has(const ovr_setup *setup, int k)
 {
     return is_on((const ovr_resolved *)setup, k);
@@ -323,6 +403,71 @@ double ovr_setup_seconds_beside(const ovr_setup *setup, double node_steps)
                 seconds += is->seconds(r->physics[k].form);
         }
     return seconds;
+}
+
+unsigned ovr_resolved_features(const ovr_resolved *r)
+{
+    unsigned on = 0;
+    for (int k = 0; ovr_physics_list[k]; k++)
+        if (ovr_physics_list[k]->features && is_on(r, k))
+            on |= ovr_physics_list[k]->features(r->physics[k].form);
+    return on;
+}
+
+unsigned ovr_resolved_fields(const ovr_resolved *r)
+{
+    char name[OVR_CONDITION_MAX];
+    unsigned fields = 0;
+    for (int k = 0; ovr_physics_list[k]; k++) {
+        const ovr_physics *p = ovr_physics_list[k];
+        const char *all = p->fields && is_on(r, k)
+                              ? p->fields(r->physics[k].form)
+                              : NULL;
+        while (all && ovr_condition_next(&all, ", ", name, sizeof name))
+            fields |= ovr_field_bit(name);
+    }
+    return fields;
+}
+
+const char *ovr_resolved_one_mesh(const ovr_resolved *r)
+{
+    const char *why = NULL;
+    for (int k = 0; !why && ovr_physics_list[k]; k++)
+        why = is_on(r, k) ? ovr_physics_list[k]->one_mesh : NULL;
+    return why;
+}
+
+double ovr_setup_lag(const ovr_setup *setup)
+{
+    const ovr_resolved *r = (const ovr_resolved *)setup;
+    double lag = 0;
+    for (int k = 0; ovr_physics_list[k]; k++)
+        lag += is_on(r, k) ? ovr_physics_list[k]->lag : 0;
+    return lag;
+}
+
+double ovr_resolved_arrives(const ovr_resolved *r)
+{
+    double film = INFINITY;
+    for (int k = 0; ovr_physics_list[k]; k++)
+        if (is_on(r, k) && ovr_physics_list[k]->arrives)
+            film = fmin(film, ovr_physics_list[k]->arrives(r->physics[k].form));
+    return film;
+}
+
+void ovr_resolved_drop(ovr_resolved *r)
+{
+    for (int k = 0; ovr_physics_list[k]; k++)
+        if (r->physics[k].form && ovr_physics_list[k]->drop)
+            ovr_physics_list[k]->drop(r->physics[k].form);
+}
+
+void ovr_setup_equip(const ovr_setup *setup, ovr_simulation *sim)
+{
+    const ovr_resolved *r = (const ovr_resolved *)setup;
+    for (int k = 0; ovr_physics_list[k]; k++)
+        if (is_on(r, k) && ovr_physics_list[k]->equip)
+            ovr_physics_list[k]->equip(sim, r->physics[k].form);
 }
 
 double ovr_setup_memory(const ovr_setup *setup)

@@ -21,19 +21,16 @@ static ovr_scheme choose_scheme(const ovr_resolved *r)
     return grid ? OVR_CHARACTERISTIC : OVR_UPSTREAM2;
 }
 
-static ovr_status resolve_radius(ovr_resolved *r,
-                                 const ovr_allocator *allocator, ovr_error *err)
+static ovr_status resolve_radius(ovr_resolved *r, ovr_error *err)
 {
     ovr_settings *v = &r->values;
     ovr_setup *s = &r->setup;
     if (ovr_section_fill(r, "radius", err) ||
         ovr_section_fill(r, "radius_1", err))
         return OVR_BAD_INPUT;
-    if (ovr_resolve_history(r, "radius", &v->radius, allocator, &s->radius,
-                            err))
+    if (ovr_resolve_history(r, "radius", &v->radius, &s->radius, err))
         return err ? err->status : OVR_BAD_INPUT;
-    return ovr_resolve_history(r, "radius_1", &v->radius_1, allocator,
-                               &s->radius_1, err);
+    return ovr_resolve_history(r, "radius_1", &v->radius_1, &s->radius_1, err);
 }
 
 /* Running-in of surfaces that wear goes in long steps of a time of its own
@@ -47,8 +44,7 @@ static void take_running_in(ovr_resolved *r)
         r->values.scheme = OVR_UPSTREAM1;
 }
 
-ovr_status ovr_resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
-                            ovr_error *err)
+ovr_status ovr_resolve_time(ovr_resolved *r, ovr_error *err)
 {
     ovr_settings *v = &r->values;
     ovr_setup *s = &r->setup;
@@ -63,20 +59,19 @@ ovr_status ovr_resolve_time(ovr_resolved *r, const ovr_allocator *allocator,
         take_running_in(r);
     if (ovr_section_fill(r, "load", err) || ovr_section_fill(r, "speed", err))
         return OVR_BAD_INPUT;
-    if (ovr_resolve_history(r, "load", &v->load, allocator, &s->load, err))
+    if (ovr_resolve_history(r, "load", &v->load, &s->load, err))
         return err ? err->status : OVR_BAD_INPUT;
-    if (ovr_resolve_history(r, "speed", &v->speed, allocator, &s->speed, err))
+    if (ovr_resolve_history(r, "speed", &v->speed, &s->speed, err))
         return err ? err->status : OVR_BAD_INPUT;
     v->sliding.from = v->sliding.to = NAN;
     if (ovr_section_fill(r, "sliding", err))
         return OVR_BAD_INPUT;
-    if (ovr_resolve_history(r, "sliding", &v->sliding, allocator, &s->sliding,
-                            err))
+    if (ovr_resolve_history(r, "sliding", &v->sliding, &s->sliding, err))
         return err ? err->status : OVR_BAD_INPUT;
-    if (resolve_radius(r, allocator, err))
+    if (resolve_radius(r, err))
         return err ? err->status : OVR_BAD_INPUT;
-    if (ovr_resolve_element_histories(r, allocator, err))
+    if (ovr_resolve_element_histories(r, err))
         return err ? err->status : OVR_BAD_INPUT;
     s->options->scheme = choose_scheme(r);
-    return ovr_resolve_supply(r, allocator, err);
+    return ovr_resolve_passes(r, err);
 }

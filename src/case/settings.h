@@ -4,6 +4,7 @@
 #define OVR_CASE_SETTINGS_H
 
 #include "case/plastic.h"
+#include "contact/change.h"
 #include "contact/contact.h"
 #include "contact/oil.h"
 #include "overroll/case.h"
@@ -11,14 +12,6 @@
 
 /* Levels that are chosen (case/setup.c). */
 enum { OVR_GRID_AUTO = 0, OVR_GRID_USUAL = -1, OVR_USUAL_LEVEL = 8 };
-
-/* A change of load or speed. */
-typedef struct ovr_change {
-    int history; /* ovr_history_kind */
-    double from, to, start, duration, amplitude, period, mean;
-    const char *file;
-    int time_unit;
-} ovr_change;
 
 /* Every value of a feature; the form points to the rest. */
 typedef struct ovr_feature_settings {
@@ -69,11 +62,8 @@ typedef struct ovr_settings {
     int accuracy_of;
     double end, step, error;
     bool until_steady;
-    ovr_change load, speed, sliding, radius, radius_1, supply;
-    int curvature;    /* of [radius], see below */
-    int supply_model; /* 0: flooded, 1: film */
-    double thickness[2], reservoir;
-    const char *layer_file[2];
+    ovr_change load, speed, sliding, radius, radius_1;
+    int curvature; /* of [radius], see below */
     ovr_passes_setup passes;
     ovr_output output;
     int every, precision;

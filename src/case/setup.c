@@ -15,7 +15,6 @@
 #include "simulation/internal.h"
 #include "simulation/refined.h"
 #include "simulation/simulation.h"
-#include "surface/layer.h"
 #include "surface/surfaces.h"
 
 static double memory_here(void)
@@ -157,13 +156,6 @@ static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
     return ovr_fail_in(err, r->c, of_paper ? paper : domain, solver, &why);
 }
 
-/* The film that arrives at T = 0. */
-static double first_arriving(const ovr_setup *s)
-{
-    double film = s->supply && s->supply->film ? ovr_setup_arriving(s, 0) : 0;
-    return film > 0 ? film : INFINITY;
-}
-
 /* Makes the grid on the level of the options. */
 static ovr_status make_grid(ovr_resolved *r, bool usual,
                             const ovr_allocator *allocator, ovr_error *err)
@@ -174,7 +166,7 @@ static ovr_status make_grid(ovr_resolved *r, bool usual,
     ovr_status status = place_surfaces(r, usual, allocator, err);
     if (!status) {
         ovr_resolve_step(r);
-        s->expected = ovr_expected(s, first_arriving(s));
+        s->expected = ovr_expected(s, ovr_resolved_arrives(r));
     }
     return status;
 }
@@ -248,64 +240,6 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
     return status;
 }
 
-/* The oil that arrives at P = 0, by both surfaces; a layer goes by as fast as
- * its surface moves.  A mean speed near zero brings nothing, whatever
- * slides. */
-double ovr_setup_arriving(const ovr_setup *s, double T)
-{
-    static const double minimum = 1e-3;
-    const double ratio[2] = {s->contact->u1_ratio, s->contact->u2_ratio};
-    double Cu = fmax(ovr_history_value(s->speed, T), minimum), both = 0;
-    for (int k = 0; k < 2; k++) {
-        const ovr_layer *layer = s->supply->layer[k];
-        double way = layer ? ovr_surface_way(s->speed, s->sliding, ratio[k],
-                                             k + 1, T)
-                           : 0;
-        double h = layer ? ovr_layer_thickness(layer, way)
-                         : s->supply->thickness[k];
-        double u = s->sliding ? ovr_surface_speed(s->speed, s->sliding,
-                                                  ratio[k], k + 1, T) /
-                                    Cu
-                              : ratio[k];
-        both += fmax(0, u) * h;
-    }
-    return both * ovr_history_value(s->supply->history, T);
-}
-
-/* Gives before T = 0 what the steady start takes. */
-static double arriving(void *data, double T)
-{
-    const ovr_setup *s = data;
-    return T <= 0 && isfinite(s->supply->start) ? s->supply->start
-                                                : ovr_setup_arriving(s, T);
-}
-
-/* The oil that lies on the surfaces between inlet and outlet at T = 0, as
- * supply. */
-static double lying(const ovr_setup *s)
-{
-    const double ratio[2] = {s->contact->u1_ratio, s->contact->u2_ratio};
-    double length = s->options->outlet - s->options->inlet, both = 0;
-    for (int k = 0; k < 2; k++)
-        both += fmax(0, ratio[k]) *
-                ovr_layer_mean(s->supply->layer[k], 0, length);
-    return both;
-}
-
-void ovr_setup_feed(ovr_setup *setup, ovr_layer *layer[2], double reservoir)
-{
-    ovr_supply_setup *supply = &((ovr_resolved *)setup)->supply;
-    ovr_history_free(supply->history);
-    supply->history = NULL;
-    supply->film = true;
-    supply->reservoir = reservoir;
-    for (int k = 0; k < 2; k++) {
-        ovr_layer_free(supply->layer[k]);
-        supply->layer[k] = layer[k];
-    }
-    supply->start = lying(setup);
-}
-
 ovr_status ovr_setup_load(ovr_setup *setup, int pass,
                           const ovr_allocator *allocator, ovr_error *err)
 {
@@ -340,8 +274,7 @@ ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
     ovr_simulation_sliding(sim, setup->sliding);
     ovr_simulation_radius(sim, setup->radius, setup->radius_1,
                           setup->convected);
-    if (setup->supply->film)
-        ovr_simulation_supply(sim, arriving, setup, setup->supply->reservoir);
+    ovr_setup_equip(setup, sim);
     if (setup->surfaces) {
         ovr_simulation_surface(sim, ovr_surfaces_heights, setup->surfaces);
         ovr_simulation_moving(sim, ovr_surfaces_speed(setup->surfaces));

@@ -17,6 +17,11 @@ double ovr_setup_step(const ovr_setup *setup);
  * NULL: it is longer, or given. */
 const char *ovr_setup_step_reason(const ovr_setup *setup);
 
+/* The form of a physics of the list, resolved whether that is on or not; NULL:
+ * it has none. */
+struct ovr_physics;
+void *ovr_setup_form(const ovr_setup *setup, const struct ovr_physics *physics);
+
 /* The physics of its runs, as bits: quantities that need others are none of
  * theirs. */
 unsigned ovr_setup_physics(const ovr_setup *setup);
@@ -24,6 +29,9 @@ unsigned ovr_setup_physics(const ovr_setup *setup);
 /* Memory that its simulation takes, bytes; INFINITY: more than this process may
  * address. */
 double ovr_setup_memory(const ovr_setup *setup);
+
+/* The relative error that they add to the film per b/um of step, in a run. */
+double ovr_setup_lag(const ovr_setup *setup);
 
 /* Seconds that its physics take a pass beside the film, about, for so many
  * nodes times steps. */

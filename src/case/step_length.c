@@ -116,8 +116,8 @@ static const char *reason_of(const ovr_resolved *r)
         return "as upstream schemes take it";
     if (!ovr_setup_corrected(s))
         return "without corrections of fourth order";
-    if (s->options->cavitation == OVR_CAVITATION_CONSERVING)
-        return "as menisci move";
+    if (ovr_resolved_one_mesh(r))
+        return ovr_resolved_one_mesh(r);
     if (r->values.plastic.surfaces)
         return "as strains grow from step to step";
     if (s->mesh > COARSE)

@@ -16,6 +16,7 @@
 
 #include "case/resolve.h"
 #include "elements/elements.h"
+#include "run/forms.h"
 #include "run/internal.h"
 #include "run/lines.h"
 
@@ -158,7 +159,7 @@ void ovr_element_summary(const ovr_run_info *run, ovr_summary_taker *take,
         put_cam(&a);
     if (r->element.bearing)
         put_bearing(&a);
-    if (run->setup->heat &&
+    if (ovr_setup_heat(run->setup) &&
         (r->element.gear || r->element.cam || r->element.bearing))
-        put(&a, "T_supply_K", run->setup->heat->T0);
+        put(&a, "T_supply_K", ovr_setup_heat(run->setup)->T0);
 }

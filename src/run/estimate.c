@@ -34,6 +34,7 @@
 #include "case/feed.h"
 #include "case/resolve.h"
 #include "case/setup.h"
+#include "run/forms.h"
 #include "run/internal.h"
 #include "run/pass_series.h"
 #include "simulation/internal.h"
@@ -144,7 +145,7 @@ static ovr_status run_coarser(ovr_run *run, int down, level_run *r,
     ovr_simulation *coarse = NULL;
     ovr_status status = OVR_BAD_INPUT;
     if (setup) {
-        ovr_heat *heat = ovr_resolved_heat((ovr_resolved *)setup);
+        ovr_heat *heat = ovr_setup_heat(setup);
         if (heat)
             heat->points = ovr_simulation_heat_points(run->sim);
         setup->options->level = ovr_simulation_options(run->sim)->level - down;

@@ -7,6 +7,7 @@
 #include "case/feed.h"
 #include "case/plastic.h"
 #include "results/results.h"
+#include "run/forms.h"
 #include "run/pass_series.h"
 
 /* OUT.h5 -> OUT-3.h5. */
@@ -105,7 +106,8 @@ ovr_status ovr_passes_learn(ovr_run *run, int pass, ovr_pass_end *end,
 static void feed(const ovr_run *run, const char *file, ovr_pass_end *end)
 {
     if (ovr_setup_carries_oil(run->setup)) {
-        ovr_setup_feed(run->setup, end->layer, end->reservoir);
+        ovr_supply_feed(ovr_setup_supply(run->setup), end->layer,
+                        end->reservoir);
         end->layer[0] = end->layer[1] = NULL;
     }
     ovr_setup_go_on(run->setup, file);
@@ -164,7 +166,8 @@ bool ovr_passes_at_rest(const ovr_run *run, int pass)
 void ovr_pass_level_feed(ovr_pass_level *of, ovr_setup *setup)
 {
     if (of->end.layer[0])
-        ovr_setup_feed(setup, of->end.layer, of->end.reservoir);
+        ovr_supply_feed(ovr_setup_supply(setup), of->end.layer,
+                        of->end.reservoir);
     of->end.layer[0] = of->end.layer[1] = NULL;
 }
 

@@ -30,6 +30,7 @@
 
 #include "contact/contact.h"
 #include "results/results.h"
+#include "run/forms.h"
 #include "run/pass_series.h"
 
 /* ------------------------------------------------------------------ layers */
@@ -186,7 +187,7 @@ ovr_status ovr_pass_end_make(const ovr_setup *s, ovr_pass_history *h,
     double *x = ovr_arena_take(&h->arena, 3 * h->n + 2, sizeof *x, err);
     double *lost = x ? x + 2 * h->n + 2 : NULL;
     *end = (ovr_pass_end){.flooded = flooded,
-                          .reservoir = s->supply->reservoir};
+                          .reservoir = ovr_setup_supply(s)->reservoir};
     if (!x)
         return OVR_NO_MEMORY;
     if (isnan(flooded))

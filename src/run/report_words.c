@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "run/report_words.h"
+#include "run/forms.h"
 #include "simulation/simulation.h"
 
 #include <math.h>
@@ -92,7 +93,7 @@ ovr_words ovr_words_of(const ovr_observable *row, const ovr_run_info *s)
 
 bool ovr_absurd_friction(const ovr_run_info *s)
 {
-    return s->unbearable_share > 0 && !s->setup->heat &&
+    return s->unbearable_share > 0 && !ovr_setup_heat(s->setup) &&
            s->setup->lubricant->rheology == OVR_NEWTONIAN;
 }
 
@@ -176,7 +177,7 @@ static void say_heat(const ovr_told *to, const ovr_run_info *s)
     const double zero = 273.15; /* degC in K */
     const ovr_observation *o = ovr_simulation_observation(s->sim);
     ovr_words w = {""};
-    if (!s->setup->heat)
+    if (!ovr_setup_heat(s->setup))
         return;
     ovr_words_place(&w, " at X", o->X_T_film_max, OVR_KIND_LENGTH,
                     s->setup->contact);

@@ -4,6 +4,7 @@
 
 #include "case/domain.h"
 #include "case/resolve.h"
+#include "run/forms.h"
 #include "run/internal.h"
 #include "run/review.h"
 #include "run/review_element.h"
@@ -109,7 +110,7 @@ void ovr_run_review_after(ovr_run *run)
     if (*strategy)
         ovr_review_say(&r, OVR_SAY_NOTE,
                        "the steady solution took another way: %s", strategy);
-    if (state->n && H_cen > 0 && r.setup->supply->film &&
+    if (state->n && H_cen > 0 && ovr_setup_supply(r.setup)->film &&
         isnan(ovr_simulation_observation(sim)->meniscus) &&
         ((const ovr_resolved *)r.setup)->inlet_kept >= 0)
         ovr_review_inlet(&r, state, H_cen);

@@ -6,6 +6,7 @@
 #include "case/domain.h"
 #include "case/resolve.h"
 #include "contact/starvation.h"
+#include "run/forms.h"
 #include "run/review.h"
 
 /* "some 0.54 %": the loss is a fit to those up to a fifth. */
@@ -71,7 +72,8 @@ static void say_usual_inlet(const ovr_review *r, const ovr_domain_needs *needs)
 static void warn_of_near_inlet(const ovr_review *r,
                                const ovr_domain_needs *needs)
 {
-    if (!r->setup->supply->film && needs->loss > 1.01 * OVR_USUAL_LOSS)
+    if (!ovr_setup_supply(r->setup)->film &&
+        needs->loss > 1.01 * OVR_USUAL_LOSS)
         ovr_review_say(
             r, OVR_SAY_WARNING,
             "the inlet is numerically starved: X = %.4g is so near that it "

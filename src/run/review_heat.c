@@ -8,6 +8,7 @@
 
 #include "case/resolve.h"
 #include "contact/contact.h"
+#include "run/forms.h"
 #include "run/internal.h"
 #include "simulation/simulation.h"
 #include "simulation/solids.h"
@@ -30,7 +31,8 @@ typedef struct slowness {
 static slowness find_slowness(const ovr_setup *s, int k)
 {
     const int times = 500;
-    const double minimum = s->heat->min_peclet, kappa = s->heat->diffusion[k];
+    const ovr_heat *heat = ovr_setup_heat(s);
+    const double minimum = heat->min_peclet, kappa = heat->diffusion[k];
     double end = s->transient && isfinite(s->march->end) ? s->march->end : 0;
     slowness slow = {.Pe = INFINITY};
     for (int i = 0; i <= (end > 0 ? times : 0); i++) {
@@ -77,12 +79,12 @@ static void review_speed(const ovr_setup *s, int k, ovr_listener *listener,
                          void *data)
 {
     const double passing = 1, second = s->contact->b / s->contact->um;
-    const double kappa = s->heat->diffusion[k] * s->contact->um * s->contact->b;
+    const ovr_heat *heat = ovr_setup_heat(s);
+    const double kappa = heat->diffusion[k] * s->contact->um * s->contact->b;
     slowness slow = find_slowness(s, k);
-    double reach = ovr_solid_reach(s->heat, k, slow.u);
+    double reach = ovr_solid_reach(heat, k, slow.u);
     char text[OVR_MESSAGE_SIZE], when[40] = "";
-    if (!(slow.Pe < s->heat->min_peclet) ||
-        (slow.T > 0 && slow.lasts < passing))
+    if (!(slow.Pe < heat->min_peclet) || (slow.T > 0 && slow.lasts < passing))
         return;
     if (slow.T > 0)
         snprintf(when, sizeof when, " at T = %.4g", slow.T);

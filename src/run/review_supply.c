@@ -3,10 +3,10 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "case/feed.h"
 #include "contact/contact.h"
 #include "contact/film_formula.h"
 #include "run/companion.h"
+#include "run/forms.h"
 #include "simulation/physics.h"
 
 /* The formulas are not better; incompressible oil flows as its film is thick.
@@ -29,10 +29,11 @@ static double flooded(const ovr_setup *s)
 static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
 {
     char text[240];
+    const ovr_supply_case *supply = ovr_setup_supply(setup);
     double arrives, taken = flooded(setup);
-    if (!setup->supply->film || isinf(setup->supply->reservoir))
+    if (!supply->film || isinf(supply->reservoir))
         return;
-    arrives = ovr_setup_arriving(setup, 0);
+    arrives = ovr_supply_arriving(supply, 0);
     if (!(arrives > SURE * taken))
         return;
     snprintf(text, sizeof text,

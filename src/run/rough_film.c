@@ -18,6 +18,7 @@
 #include "contact/contact.h"
 #include "contact/film_formula.h"
 #include "overroll/run.h"
+#include "run/forms.h"
 #include "run/run.h"
 #include "surface/amplitude.h"
 #include "surface/surfaces.h"
@@ -64,7 +65,7 @@ static const char *refusal(const ovr_setup *s)
         return "the surfaces slide, and both are rough";
     if (!(speed(s) > 0))
         return "the rough surface does not move with the film";
-    if (s->supply->film)
+    if (ovr_setup_supply(s)->film)
         return "it holds for a flooded inlet";
     if (!(c->M >= 20 && c->M <= 400 && c->L >= 4 && c->L <= 14))
         return "the formula holds for 20 <= M <= 400, 4 <= L <= 14";

@@ -9,6 +9,7 @@
 #include "case/plastic.h"
 #include "case/setup.h"
 #include "results/results.h"
+#include "run/forms.h"
 #include "run/internal.h"
 #include "run/lines.h"
 #include "run/report_words.h"
@@ -366,7 +367,7 @@ static void put_options(const ovr_told *to, const ovr_run_info *s)
     ovr_put_text(to, "smoother", ovr_smoother_name(options->smoother));
     ovr_put_number(to, "inlet", options->inlet);
     ovr_put_number(to, "outlet", options->outlet);
-    if (s->setup->heat)
+    if (ovr_setup_heat(s->setup))
         ovr_put_count(to, "heat_points", ovr_simulation_heat_points(s->sim));
 }
 

@@ -526,14 +526,23 @@ static unsigned bits(const void *form)
     return f->passes > 0 ? OVR_PHYSICS_WEAR : 0;
 }
 
+/* They are fields of each snapshot (observables.h). */
+static const char *fields(const void *form)
+{
+    (void)form;
+    return "contact_pressure, fluid_pressure";
+}
+
 const ovr_physics ovr_physics_boundary = {.name = "surfaces that touch",
                                           .node_seconds = 8e-7,
                                           .bit = OVR_PHYSICS_BOUNDARY,
                                           .section = &ovr_boundary_section,
+                                          .sections = 1,
                                           .form = sizeof(ovr_boundary_form),
                                           .resolve = ovr_boundary_resolve,
                                           .on_mesh = ovr_boundary_on_mesh,
                                           .bits = bits,
+                                          .fields = fields,
                                           .keeps = ovr_boundary_keeps,
                                           .companion = &ovr_wear_companion,
                                           .tell = ovr_boundary_tell,

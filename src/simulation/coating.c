@@ -367,7 +367,7 @@ static ovr_status resolve(const ovr_physics_case *of, void *form, bool *on,
         return OVR_OK;
     complete_all(f);
     measure(of, f);
-    if (of->heat && warm(of, f, err))
+    if (of->physics & OVR_PHYSICS_HEAT && warm(of, f, err))
         return OVR_BAD_INPUT;
     if (f->width > WIDTH_MAX)
         return ovr_fail(err, OVR_BAD_INPUT,
@@ -493,6 +493,7 @@ static ovr_status check(const ovr_simulation *sim, const void *own,
 const ovr_physics ovr_physics_coating = {.name = "layers on the bodies",
                                          .node_seconds = 5e-8,
                                          .section = &section,
+                                         .sections = 1,
                                          .form = sizeof(coating_form),
                                          .block = block,
                                          .stiffness = stiffness,

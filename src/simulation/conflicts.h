@@ -12,8 +12,9 @@
 /*
  * A feature in a row: its name and what people call it, where a case has it and
  * whether as a whole section, and when it is on: by the options `o` of a
- * simulation, which count in a case where their key is written, or by the setup
- * `s` of the case `r` (case/resolve_conflicts.c).
+ * simulation, which count in a case where their key is written, by the setup
+ * `s` of the case `r` (case/resolve_conflicts.c), or by the physics that it
+ * belongs to (`features` in physics.h).
  */
 #define OVR_MODEL_FEATURE_ROWS(FEATURE)                                        \
     FEATURE(TIME, "a run in time", "time", "end", true, false,                 \
@@ -49,11 +50,11 @@
             false, s->radius != NULL)                                          \
     FEATURE(FLOW_LAW, "a flow law", "lubricant", "rheology", false, false,     \
             s->lubricant->rheology != OVR_NEWTONIAN)                           \
-    FEATURE(HEAT, "heat", "heat", "model", false, false, s->heat != NULL)      \
+    FEATURE(HEAT, "heat", "heat", "model", false, false, false)                \
     FEATURE(CONSERVING, "mass-conserving cavitation", "cavitation", "model",   \
             false, o->cavitation == OVR_CAVITATION_CONSERVING, false)          \
     FEATURE(SUPPLY, "a supply that is a film", "supply", "model", false,       \
-            false, s->supply->film)                                            \
+            false, false)                                                      \
     FEATURE(PASSES, "several passes", "passes", "number", false, false,        \
             s->passes->number > 1)                                             \
     FEATURE(STRESS, "stresses", "stress", "surface", true, false,              \

@@ -515,12 +515,30 @@ static const ovr_observable quantities[] = {
          OF_MAGNITUDE("energy_defect_max"), SAVED_AS("largest_energy_defect"),
          STEADY_TOO)};
 
+static unsigned features(const void *form)
+{
+    (void)form;
+    return ovr_model_feature_bit(OVR_MODEL_HEAT, true);
+}
+
+/* They are fields of each snapshot (observables.h). */
+static const char *fields(const void *form)
+{
+    (void)form;
+    return "temperature_1, temperature_2, temperature_middle";
+}
+
 const ovr_physics ovr_physics_heat = {.name = "heat",
                                       .node_seconds = 5e-7,
                                       .bit = OVR_PHYSICS_HEAT,
                                       .section = &ovr_heat_section,
+                                      .sections = 1,
+                                      .behind = "lubricant",
                                       .form = sizeof(ovr_heat_case),
                                       .resolve = ovr_heat_resolve,
+                                      .features = features,
+                                      .fields = fields,
+                                      .lag = 0.05,
                                       .tell = tell,
                                       .companion = &ovr_heat_companion,
                                       .take = take_heat,

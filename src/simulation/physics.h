@@ -9,9 +9,9 @@
  * on, in the order of the list, and calls no function of the others.  `own` is
  * what the physics has made for itself in this simulation.
  *
- *     a case      section, form, block, stiffness, resolve, bits, keeps,
- *                 layers, tell
- *     creation    chosen, prepare, take, influence, warmth; release
+ *     a case      section, form, block, choose, stiffness, resolve, bits,
+ *                 features, fields, keeps, layers, tell; drop
+ *     creation    chosen, prepare, take, influence, warmth, equip; release
  *     steady      forget, solve, complete, couple, proceed, finish, begin
  *     a step      check, before_step, operate, history, sides, step, attempt,
  *                 anew, the ends of its cycles, taken, over; or step_back
@@ -48,6 +48,8 @@ typedef struct ovr_physics_columns {
     double *x, *y;
 } ovr_physics_columns;
 
+struct ovr_change; /* of a section that is a history */
+
 /* A physics is resolved with this: the contact and what is known of the run.
  */
 typedef struct ovr_physics_case {
@@ -56,17 +58,26 @@ typedef struct ovr_physics_case {
     const struct ovr_oil *oil; /* in SI */
     ovr_options *options;      /* which it may still choose */
     bool transient;
+    const ovr_history *speed, *sliding; /* NULL: constant */
     ovr_physics_body body[2];
-    bool heat;
+    unsigned physics;  /* bits of those that a key switches on */
     double substrate;  /* E' of the bodies as they are given, Pa */
     bool by_substrate; /* b and ph are those of the bodies without layers */
     ovr_arena *arena;  /* lives as long as the form */
     size_t features;   /* of both surfaces, on the mesh or not */
     const struct ovr_feature_form *const *feature;
 
-    /* Reads the file that a key of the physics' section names. */
+    /* Reads the file that a key of the physics' sections names. */
     ovr_status (*read)(void *data, const char *key, const char *file,
                        ovr_physics_columns *columns, ovr_error *err);
+
+    /* True if a section stands in the case; if a key of it is given. */
+    bool (*given)(void *data, const char *section, const char *key);
+
+    /* Makes the history of a section; NULL where it is constant. */
+    ovr_status (*history)(void *data, const char *section,
+                          const struct ovr_change *change,
+                          ovr_history **history, ovr_error *err);
     void *data;
 } ovr_physics_case;
 
@@ -82,10 +93,17 @@ struct ovr_physics {
 
     /* ------------------------------------------------------------- the case */
 
-    /* A section whose rows fill the form, of so many bytes, which begins as
-     * zeros; NULL: its keys stand elsewhere, or it has none. */
+    /* Sections whose rows fill the form, of so many bytes, which begins as
+     * zeros; none: its keys are options of any simulation, or it has none.
+     * Help and files have them behind the case's section of that name; NULL:
+     * behind all. */
     const ovr_section *section;
-    size_t form;
+    size_t sections, form;
+    const char *behind;
+
+    /* Puts what the form chooses into the options, before the rest is
+     * resolved. */
+    void (*choose)(const void *form, ovr_options *options);
 
     /* Finds in a section with names where in the form goes what a block of this
      * name says, with what holds where it says nothing. */
@@ -100,8 +118,8 @@ struct ovr_physics {
                             double *ratio, ovr_error *err);
 
     /* Resolves what the form means, in the units of the contact; whether it is
-     * on.  An error is about a key of its rows or of [lubricant], or about a
-     * name of a block. */
+     * on.  An error is about a key of its rows or of [lubricant], about a name
+     * of a block, about a section, or about "section.key". */
     ovr_status (*resolve)(const ovr_physics_case *of, void *form, bool *on,
                           ovr_error *err);
 
@@ -110,8 +128,26 @@ struct ovr_physics {
     ovr_status (*on_mesh)(const ovr_physics_case *of, void *form, double mesh,
                           ovr_error *err);
 
+    /* Frees what the form holds that is no memory of the arena. */
+    void (*drop)(void *form);
+
     /* Bits beside its own, by what the form says. */
     unsigned (*bits)(const void *form);
+
+    /* Features of the model (conflicts.h) that the form turns on. */
+    unsigned (*features)(const void *form);
+
+    /* The film that arrives at T = 0; INFINITY: as much as is taken. */
+    double (*arrives)(const void *form);
+
+    /* Fields that a file has beside the usual ones, ", " between them. */
+    const char *(*fields)(const void *form);
+
+    /* Why a step of a run is one mesh by itself; NULL: it may be longer. */
+    const char *one_mesh;
+
+    /* The relative error that it adds to a film per b/um of step, in a run. */
+    double lag;
 
     /* True if it has a feature for itself, which is then not on the mesh. */
     bool (*keeps)(const void *form, const struct ovr_feature_form *feature);
@@ -153,6 +189,10 @@ struct ovr_physics {
      * options have chosen. */
     ovr_status (*take)(ovr_simulation *sim, const void *form, void **own,
                        ovr_error *err);
+
+    /* Gives it what the form says beside the options, once its histories are
+     * in place. */
+    void (*equip)(ovr_simulation *sim, void *form);
 
     /* Frees what is not of the simulation's memory. */
     void (*release)(void *own);

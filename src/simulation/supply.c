@@ -19,6 +19,7 @@
 #include "simulation/physics.h"
 #include "simulation/quantity_row.h"
 #include "simulation/simulation.h"
+#include "simulation/supply_case.h"
 
 void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply, void *data,
                            double reservoir)
@@ -400,6 +401,20 @@ static void tell(const ovr_physics_case *of, const void *form,
          "passes all that arrives");
 }
 
+/* Gives before T = 0 what the steady start takes. */
+static double arriving(void *data, double T)
+{
+    const ovr_supply_case *s = data;
+    return T <= 0 && isfinite(s->start) ? s->start : ovr_supply_arriving(s, T);
+}
+
+static void equip(ovr_simulation *sim, void *form)
+{
+    const ovr_supply_case *s = form;
+    if (s->film)
+        ovr_simulation_supply(sim, arriving, form, s->reservoir);
+}
+
 static void prepare(ovr_hierarchy *grids)
 {
     grids->content = true;
@@ -443,9 +458,28 @@ static const ovr_observable quantities[] = {
         "inflow - outflow - stored change of the scheme, over the central "
         "film")};
 
+/* They are fields of each snapshot (observables.h). */
+static const char *fields(const void *form)
+{
+    (void)form;
+    return "filling, oil_content";
+}
+
 const ovr_physics ovr_physics_conserving = {.name = "oil conserved",
                                             .node_seconds = 1e-7,
                                             .bit = OVR_PHYSICS_CONTENT,
+                                            .section = ovr_supply_sections,
+                                            .sections = 2,
+                                            .behind = "radius_1",
+                                            .form = sizeof(ovr_supply_case),
+                                            .choose = ovr_supply_choose,
+                                            .resolve = ovr_supply_resolve,
+                                            .drop = ovr_supply_drop,
+                                            .features = ovr_supply_features,
+                                            .fields = fields,
+                                            .one_mesh = "as menisci move",
+                                            .arrives = ovr_supply_arrives,
+                                            .equip = equip,
                                             .tell = tell,
                                             .companion = &ovr_supply_companion,
                                             .review = review,

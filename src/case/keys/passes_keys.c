@@ -1,55 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* [cavitation], [supply] and [passes]. */
+/* [passes]: of no physics, for oil and strains go from one to the next, and a
+ * bearing says how many there are. */
 #include "case/keys/keys.h"
 
 #include <math.h>
 
 static const ovr_word agains[] = {{"both", 3}, {"1", 1}, {"2", 2}, {NULL, 0}};
-static const ovr_word cavitations[] = {
-    {"reynolds", OVR_CAVITATION_REYNOLDS},
-    {"conserving", OVR_CAVITATION_CONSERVING},
-    {NULL, 0}};
-static const ovr_word supplies[] = {{"flooded", 0}, {"film", 1}, {NULL, 0}};
-static const ovr_word endless_oil[] = {{"endless", INFINITY}, {NULL, 0}};
-
-static const ovr_parameter cavitation_keys[] = {
-    {"model", CHOICE(cavitations), "reynolds", AT(options.cavitation), true,
-     ALWAYS,
-     "reynolds: a gap without pressure counts as full; conserving: it is "
-     "mass-conserving (Elrod-Adams, JFO) and holds the oil that came; order 4 "
-     "is "
-     "along the characteristic only"},
-};
-
-const ovr_section ovr_cavitation_section = {
-    "cavitation", false, NULL, "what becomes of the film behind its rupture",
-    ROWS(cavitation_keys)};
-
-static const ovr_parameter supply_keys[] = {
-    {"model", CHOICE(supplies), "flooded", AT(supply_model), true, ALWAYS,
-     "flooded, or the film that arrives on the surfaces; needs model = "
-     "conserving"},
-    {"thickness_1", HEIGHT, "0", AT(thickness[0]), true, "model = film",
-     "film on surface 1 as it arrives"},
-    {"thickness_2", HEIGHT, "0", AT(thickness[1]), true, "model = film",
-     "film on surface 2 as it arrives"},
-    {"profile_1", PATH, NULL, AT(layer_file[0]), true, "model = film",
-     "file of thickness along surface 1, whose largest x arrives at T = 0, "
-     "instead of thickness_1"},
-    {"profile_2", PATH, NULL, AT(layer_file[1]), true, "model = film",
-     "the same of surface 2"},
-    {"waiting", AREA_OR(endless_oil, 1e9), "0.1", AT(reservoir), true,
-     "model = film",
-     "oil in the inlet reservoir at the start, where the contact is "
-     "flooded then"},
-    HISTORY(AT(supply), "1", 0, 100, 1, "model = film; " CHANGES),
-};
-
-const ovr_section ovr_supply_section = {
-    "supply", false, "model",
-    "the oil that arrives; its history is relative to the thicknesses",
-    ROWS(supply_keys)};
-
 static const ovr_parameter passes_keys[] = {
     {"number", WHOLE(1, 100000), "1", AT(passes.number), false, ALWAYS,
      "how often the surfaces pass, each time with the oil that lies on them "

@@ -1,0 +1,42 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The keys of a section that is a history, [load] or [supply] say; included
+ * only by files that hold rows. */
+#ifndef OVR_CONTACT_HISTORY_KEYS_H
+#define OVR_CONTACT_HISTORY_KEYS_H
+
+#include "base/rows.h"
+#include "contact/change.h"
+
+extern const ovr_word ovr_history_words[], ovr_time_unit_words[];
+
+#define IN_CHANGE(base, field) ((base) + offsetof(ovr_change, field))
+
+/* A history that changes has something to change by. */
+#define CHANGES                                                                \
+    "history = ramp | step => from or to; history = sine => amplitude"
+
+/* clang-format off */
+#define HISTORY(base, initial, low, high, swing, when)                        \
+    {"history", CHOICE(ovr_history_words), "constant",                        \
+     IN_CHANGE(base, history), true, when,                                    \
+     "how it changes in time, relative to nominal"},                          \
+    {"from", PLAIN(low, high), initial, IN_CHANGE(base, from), true,          \
+     "history = ramp | step", "value up to the start"},                       \
+    {"to", PLAIN(low, high), initial, IN_CHANGE(base, to), true,              \
+     "history = ramp | step", "value at the end"},                            \
+    {"start", TIME(-1e6, 1e6), "0", IN_CHANGE(base, start), true,             \
+     "history = ramp | step | sine", "time at which the change begins"},      \
+    {"duration", TIME(0, 1e6), "0", IN_CHANGE(base, duration), true,          \
+     "history = ramp", "how long it takes (quintic smoothstep)"},             \
+    {"amplitude", PLAIN(-(swing), swing), "0", IN_CHANGE(base, amplitude),    \
+     true, "history = sine",                                                  \
+     "amplitude about 1, of the sliding about slide_to_roll"},                \
+    {"period", SPAN(NULL, 1e6), NULL, IN_CHANGE(base, period), true,          \
+     "history = sine", "period"},                                             \
+    {"file", PATH, NULL, IN_CHANGE(base, file), true, "history = table",      \
+     "text file of two columns, time and value"},                             \
+    {"time_unit", CHOICE(ovr_time_unit_words), "b/um",                        \
+     IN_CHANGE(base, time_unit), true, "history = table", "unit of its times"}
+/* clang-format on */
+
+#endif
