@@ -12,6 +12,7 @@ export OVERROLL PYTHONDONTWRITEBYTECODE=1
 expect 0 "$TOP/tools/validation/run" --fast .
 contains out '^[0-9]+ published numbers .* 0 not\.'
 contains validation.md '^\| Martin, M = 0\.05.* \| 48\.952 \| 48\.9'
+contains validation.md 'Murch and Wilson, L = 2.86, from memory: not counted'
 contains validation.html '<svg '
 ! grep -E '(src|href)=' validation.html || fail 'the page needs other files'
 expect 0 python3 - "$TOP/tools/validation" <<'END'

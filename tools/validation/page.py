@@ -34,7 +34,8 @@ HEADS = ["", "published", "overroll", "difference", "may be", "why"]
 
 
 def cells(row):
-    return [row.what, f"{row.published:.5g}", f"{row.ours:.5g}",
+    memory = ", from memory: not counted" if row.remembered else ""
+    return [row.what + memory, f"{row.published:.5g}", f"{row.ours:.5g}",
             difference(row), band(row), row.why]
 
 
@@ -130,7 +131,8 @@ def svg(figure):
 
 
 def counted(sections):
-    rows = [row for section in sections for row in section.rows]
+    rows = [row for section in sections for row in section.rows
+            if not row.remembered]
     outside = sum(not row.inside for row in rows)
     return (f"{len(rows)} published numbers beside overroll's, "
             f"{len(rows) - outside} of them as near as they may be expected "
