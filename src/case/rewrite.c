@@ -12,6 +12,7 @@
 
 #include "base/given.h"
 #include "case/case.h"
+#include "contact/reversal.h"
 
 /* A default that is another one today. */
 typedef struct changed_default {
@@ -98,12 +99,24 @@ static size_t put_moved(const lines *to, const ovr_block *b, bool count_only)
     return moved;
 }
 
+/* Where speed reverses the domain has always ended as far away as it begins.
+ * Of a case that is refused today nothing is known. */
+static bool reverses(const ovr_case *c)
+{
+    ovr_error err = {0};
+    ovr_setup *setup = ovr_case_resolve(c, NULL, &err);
+    bool is_so = setup && ovr_history_reverses(setup->speed);
+    ovr_setup_free(setup);
+    return is_so;
+}
+
 static bool is_changed(const ovr_case *c, const ovr_block *b,
                        const changed_default *d)
 {
     return !strcmp(d->section, b->section->name) &&
            !ovr_block_get(b, d->key)->given &&
-           (!d->when || ovr_conditions_hold(c, b, d->when));
+           (!d->when || ovr_conditions_hold(c, b, d->when)) &&
+           (strcmp(d->key, "outlet") != 0 || !reverses(c));
 }
 
 /* Defaults of the section that have changed. */

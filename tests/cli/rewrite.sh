@@ -64,3 +64,24 @@ awk -v n="$now" -v t="$then" -v f="$truth" 'BEGIN {
 expect 2 "$OVERROLL" check --rewrite
 contains err "needs a case"
 expect 2 "$OVERROLL" check --rewrite --json old.ini
+
+# Where speed reverses the domain ended as it does today, and a default of then
+# would be refused.
+cat >cam.ini <<'END'
+[contact]
+M = 20
+L = 10
+[domain]
+level = 5
+[time]
+end = 2
+[speed]
+history = ramp
+from = 1
+to = -1
+duration = 2
+END
+expect 0 "$OVERROLL" check --rewrite cam.ini
+! grep -q outlet out || fail "a domain of another end: $(cat out)"
+sed 's/^# \(.*\)    # was the default.*/\1/' out >then.ini
+expect 0 "$OVERROLL" check then.ini
