@@ -13,7 +13,8 @@
 enum { OVR_BAND = 8, OVR_BAND_WIDTH = 3 * OVR_BAND + 1 };
 
 typedef struct ovr_banded {
-    double *row;    /* A_ij at i WIDTH + j - i + BAND; then the upper factor */
+    double *row; /* A_ij at i WIDTH + j - i + BAND; then the upper factor, with
+                    the inverse of its diagonal */
     double *factor; /* BAND of each column, those of the lower one */
     size_t *pivot;
 } ovr_banded;

@@ -22,11 +22,14 @@ double OVR_KERNEL(sum)(const ovr_lanes *g, const double *x)
     return sum_of_lanes((part[0] + part[1]) + (part[2] + part[3]));
 }
 
-/* result = a x + b y */
-void OVR_KERNEL(combine)(size_t n, double a, const double *restrict x, double b,
-                         const double *restrict y, double *restrict result)
+/* result = a x + b y, which may be the place of either; any n */
+void OVR_KERNEL(combine)(size_t n, double a, const double *x, double b,
+                         const double *y, double *result)
 {
-    for (size_t i = 0; i < n; i++)
+    size_t i = 0;
+    for (; i + VEC <= n; i += VEC)
+        store(result + i, a * load(x + i) + b * load(y + i));
+    for (; i < n; i++)
         result[i] = a * x[i] + b * y[i];
 }
 

@@ -130,18 +130,17 @@ static void multiply(const ovr_hierarchy *grids, const ovr_level *level,
     v[n - 2] = level->grid.D * sum;
 }
 
-static double product(const double *a, const double *b, size_t n)
+static double product(const ovr_kernels *run, const double *a, const double *b,
+                      size_t n)
 {
-    double sum = 0;
-    for (size_t i = 0; i < n; i++)
-        sum += a[i] * b[i];
-    return sum;
+    return run->gain(n, a, b, NULL);
 }
 
-static void add(double *a, double share, const double *b, size_t n)
+/* a += share b */
+static void add(const ovr_kernels *run, double *a, double share,
+                const double *b, size_t n)
 {
-    for (size_t i = 0; i < n; i++)
-        a[i] += share * b[i];
+    run->combine(n, 1, a, share, b, a);
 }
 
 static void scale(double *a, double by, size_t n)
@@ -177,6 +176,7 @@ static int grow(const ovr_hierarchy *grids, const ovr_level *level,
                 ovr_tripoles *t, double *step, double *g)
 {
     const double enough = 1e-4, some = 0.5;
+    const ovr_kernels *run = grids->kernels;
     double cosine[OVR_TRIPOLE_PRODUCTS], sine[OVR_TRIPOLE_PRODUCTS];
     size_t n = level->grid.n, m = size_of(n);
     double first = fabs(g[0]);
@@ -187,10 +187,10 @@ static int grow(const ovr_hierarchy *grids, const ovr_level *level,
         multiply(grids, level, t, step, next);
         for (int j = 0; j <= k; j++) {
             const double *other = t->basis + (size_t)j * m;
-            column[j] = product(next, other, m);
-            add(next, -column[j], other, m);
+            column[j] = product(run, next, other, m);
+            add(run, next, -column[j], other, m);
         }
-        column[k + 1] = length = sqrt(product(next, next, m));
+        column[k + 1] = length = sqrt(product(run, next, next, m));
         if (!isfinite(length))
             return 0;
         rotate(column, k, cosine, sine, g);
@@ -203,7 +203,8 @@ static int grow(const ovr_hierarchy *grids, const ovr_level *level,
 }
 
 /* The sum of basis vectors that the triangle says. */
-static void combine(ovr_tripoles *t, size_t m, int count, double *g)
+static void combine(const ovr_kernels *run, ovr_tripoles *t, size_t m,
+                    int count, double *g)
 {
     for (int k = count; k-- > 0;) {
         for (int j = k + 1; j < count; j++)
@@ -212,7 +213,7 @@ static void combine(ovr_tripoles *t, size_t m, int count, double *g)
     }
     scale(t->basis, g[0], m);
     for (int k = 1; k < count; k++)
-        add(t->basis, g[k], t->basis + (size_t)k * m, m);
+        add(run, t->basis, g[k], t->basis + (size_t)k * m, m);
 }
 
 bool ovr_tripoles_solve(const ovr_hierarchy *grids, const ovr_level *level,
@@ -230,7 +231,7 @@ bool ovr_tripoles_solve(const ovr_hierarchy *grids, const ovr_level *level,
     if (!factor(t, n, kernel))
         return false;
     border(t, n);
-    g[0] = sqrt(product(v, v, m));
+    g[0] = sqrt(product(grids->kernels, v, v, m));
     if (!isfinite(g[0]))
         return false;
     if (g[0] == 0) {
@@ -241,7 +242,7 @@ bool ovr_tripoles_solve(const ovr_hierarchy *grids, const ovr_level *level,
     count = grow(grids, level, t, step, g);
     if (!count)
         return false;
-    combine(t, m, count, g);
+    combine(grids->kernels, t, m, count, g);
     precondition(t, n, level->grid.D, t->basis, step);
     return true;
 }
