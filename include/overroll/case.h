@@ -155,27 +155,6 @@ typedef struct ovr_output {
     double checkpoint; /* s of wall-clock time */
 } ovr_output;
 
-/* The settings of [stress] and [fatigue]: lengths in b, stresses in p_h. */
-typedef struct ovr_stress_setup {
-    unsigned surfaces; /* 1, 2, 3: both; 0: no stresses are asked for */
-    double poisson[2];
-    double depth_min, depth_max, per_octave; /* depth_min 0: 4 D */
-    long every;                              /* snapshots; 0: no fields */
-    unsigned fields; /* bits in the order of the parameter's choices */
-    double from, to; /* about the first feature's centre; NAN: about all */
-    bool fatigue;
-    ovr_criterion criterion;
-    double alpha, limit_pressure; /* 0: none */
-    const ovr_life_options *life; /* its limit follows from limit_pressure */
-    double raceway, count;        /* raceway 0: not given */
-    double residual_x, residual_y;
-    size_t residuals; /* by depth in place of both: depths, stresses */
-    const double *residual_z, *residual_s;
-    bool traction;           /* the film's shear stress is a load too */
-    const char *no_traction; /* why not; NULL where it is */
-    double yield[2];         /* of each body, von Mises, p_h; 0: not told */
-} ovr_stress_setup;
-
 /* The quantity whose error level = auto brings down. */
 typedef enum ovr_accuracy {
     OVR_ACCURACY_H_CEN,
@@ -215,7 +194,6 @@ typedef struct ovr_setup {
     ovr_march *march;          /* without observer */
     const ovr_passes_setup *passes;
     const ovr_output *output;
-    const ovr_stress_setup *stress;
     size_t features;
     const ovr_feature_form *const *feature;
     size_t nodes;           /* the three below by ovr_setup_prepare */

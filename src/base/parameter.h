@@ -82,6 +82,7 @@ typedef struct ovr_section {
     const char *help;
     const ovr_parameter *rows;
     size_t count;
+    bool whole; /* nothing of it counts unless it stands in the case */
 } ovr_section;
 
 #endif

@@ -66,6 +66,6 @@
 #define ALWAYS NULL
 
 /* The rows of a section, and how many there are. */
-#define ROWS(table) (table), sizeof(table) / sizeof *(table)
+#define ROWS(table) .rows = (table), .count = sizeof(table) / sizeof *(table)
 
 #endif

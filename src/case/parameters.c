@@ -14,8 +14,7 @@ static const ovr_section *const sections[] = {
     &ovr_solver_section,   &ovr_time_section,      &ovr_load_section,
     &ovr_speed_section,    &ovr_sliding_section,   &ovr_radius_section,
     &ovr_radius_1_section, &ovr_passes_section,    &ovr_feature_section,
-    &ovr_output_section,   &ovr_paper_section,     &ovr_stress_section,
-    &ovr_fatigue_section,  &ovr_plastic_section,   &ovr_body_section,
+    &ovr_output_section,   &ovr_paper_section,     &ovr_body_section,
     &ovr_gear_section,     &ovr_cam_section,       &ovr_roller_bearing_section};
 enum { SECTIONS = sizeof sections / sizeof sections[0] };
 

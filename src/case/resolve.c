@@ -85,7 +85,6 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
     r->setup.march = &r->march;
     r->setup.passes = &r->values.passes;
     r->setup.output = &r->values.output;
-    r->setup.stress = &r->values.stress;
     status = ovr_case_check_idle(c, err);
     if (!status)
         status = resolve_contact(r, err);
@@ -98,17 +97,13 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
     if (!status)
         status = ovr_resolve_features(r, err);
     if (!status)
+        status = ovr_resolve_yield(r, err);
+    if (!status)
         status = ovr_resolve_physics(r, err);
     if (!status)
         status = ovr_resolve_output(r, err);
     if (!status)
-        status = ovr_resolve_stress(r, err);
-    if (!status)
-        status = ovr_resolve_plastic(r, err);
-    if (!status)
         status = ovr_resolve_conflicts(r, err);
-    if (!status)
-        status = ovr_resolve_plastic_time(r, err);
     if (!status)
         return &r->setup;
     ovr_setup_free(&r->setup);

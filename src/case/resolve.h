@@ -85,14 +85,12 @@ ovr_status ovr_resolve_oil(ovr_resolved *r, ovr_error *err);
 ovr_status ovr_resolve_stiffness(ovr_resolved *r, ovr_error *err);
 
 /* Fills the forms of the physics that have sections, once the contact is known;
- * resolves them; turns on one whose keys stand elsewhere. */
+ * resolves them. */
 ovr_status ovr_resolve_forms(ovr_resolved *r, ovr_error *err);
 ovr_status ovr_resolve_physics(ovr_resolved *r, ovr_error *err);
 
 /* Tells the physics the mesh that was found. */
 ovr_status ovr_resolve_on_mesh(ovr_resolved *r, ovr_error *err);
-void ovr_resolved_turn_on(ovr_resolved *r, const ovr_physics *physics,
-                          void *form);
 
 /* True if the k-th physics of the list is on, turned on or chosen by the
  * options; that which makes the nodes of the solution, known once it is solved,
@@ -139,13 +137,6 @@ ovr_status ovr_symmetric_domain(ovr_resolved *r, bool inlet, bool outlet,
 
 /* [passes]. */
 ovr_status ovr_resolve_passes(ovr_resolved *r, ovr_error *err);
-
-/* [stress] and [fatigue]. */
-ovr_status ovr_resolve_stress(ovr_resolved *r, ovr_error *err);
-
-/* [plastic], once [stress] is known; it wants a run in time. */
-ovr_status ovr_resolve_plastic(ovr_resolved *r, ovr_error *err);
-ovr_status ovr_resolve_plastic_time(const ovr_resolved *r, ovr_error *err);
 
 /* step = auto, the surfaces being made. */
 void ovr_resolve_step(ovr_resolved *r);

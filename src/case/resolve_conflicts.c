@@ -4,7 +4,6 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "case/coats.h"
 #include "case/resolve.h"
 #include "contact/reversal.h"
 #include "simulation/conflicts.h"
@@ -28,23 +27,6 @@ static bool has_roughness(const ovr_resolved *r)
         if (r->setup.feature[k]->shape == OVR_PROFILE ||
             r->setup.feature[k]->shape == OVR_ROUGHNESS)
             return true;
-    return false;
-}
-
-/* True if a body that yields has a layer of other moduli than its own. */
-static bool yields_below_others(const ovr_resolved *r)
-{
-    const double same = 1e-9;
-    for (int k = 0; k < 2; k++) {
-        const ovr_coated *on = ovr_setup_layers(&r->setup, k);
-        if (!on || !(r->values.plastic.surfaces >> k & 1))
-            continue;
-        const ovr_elastic *below = &on->body.below;
-        for (int j = 0; j < on->body.layers; j++)
-            if (fabs(on->body.layer[j].modulus / below->modulus - 1) > same ||
-                fabs(on->body.layer[j].poisson - below->poisson) > same)
-                return true;
-    }
     return false;
 }
 

@@ -10,13 +10,13 @@
 #include "case/resolve.h"
 #include "case/setup.h"
 #include "case/two_columns.h"
+#include "elements/elements.h"
 #include "results/results.h"
 
 /* A physics asks the case by this. */
 typedef struct asker {
     ovr_resolved *r;
     const ovr_physics *physics;
-    bool placed; /* an error says where */
 } asker;
 
 /* The slot of a key of one of its sections. */
@@ -31,7 +31,7 @@ static const ovr_slot *own_slot(const asker *a, const char *key)
 static ovr_status read_columns(void *data, const char *key, const char *file,
                                ovr_physics_columns *to, ovr_error *err)
 {
-    asker *a = data;
+    const asker *a = data;
     ovr_two_columns c = {.name = {to->name[0], to->name[1]},
                          .header = {to->of[0], to->of[1]},
                          .example = to->example};
@@ -40,7 +40,8 @@ static ovr_status read_columns(void *data, const char *key, const char *file,
     to->count = c.count;
     to->x = c.x;
     to->y = c.y;
-    a->placed = status != OVR_OK;
+    if (status)
+        err->about = OVR_SAYS_WHERE;
     return status;
 }
 
@@ -55,10 +56,11 @@ static ovr_status make_history(void *data, const char *section,
                                const ovr_change *change, ovr_history **history,
                                ovr_error *err)
 {
-    asker *a = data;
+    const asker *a = data;
     ovr_status status = ovr_resolve_history(a->r, section, change, history,
                                             err);
-    a->placed = status != OVR_OK;
+    if (status)
+        err->about = OVR_SAYS_WHERE;
     return status;
 }
 
@@ -79,23 +81,29 @@ static unsigned switched_on(const ovr_resolved *r)
 
 static ovr_physics_case about(ovr_resolved *r)
 {
-    ovr_physics_case of = {.contact = &r->contact,
-                           .lubricant = &r->lubricant,
-                           .options = &r->values.options,
-                           .transient = r->setup.transient,
-                           .speed = r->setup.speed,
-                           .sliding = r->setup.sliding,
-                           .oil = &r->values.oil,
-                           .physics = switched_on(r),
-                           .substrate = r->substrate,
-                           .by_substrate = r->values.scale ==
-                                           OVR_SCALE_SUBSTRATE,
-                           .arena = &r->arena,
-                           .features = r->features,
-                           .feature = r->feature};
+    const ovr_bearing_geometry *g = ovr_bearing_of(r->element.bearing);
+    ovr_physics_case of = {
+        .setup = &r->setup,
+        .contact = &r->contact,
+        .lubricant = &r->lubricant,
+        .options = &r->values.options,
+        .passes = &r->values.passes,
+        .transient = r->setup.transient,
+        .speed = r->setup.speed,
+        .sliding = r->setup.sliding,
+        .oil = &r->values.oil,
+        .raceway = g ? g->spacing * r->values.element.bearing.rollers /
+                           r->contact.b
+                     : NAN,
+        .physics = switched_on(r),
+        .substrate = r->substrate,
+        .by_substrate = r->values.scale == OVR_SCALE_SUBSTRATE,
+        .arena = &r->arena,
+        .features = r->features,
+        .feature = r->feature};
     for (int k = 0; k < 2; k++)
         of.body[k] = (ovr_physics_body){r->body[k].modulus, r->body[k].poisson,
-                                        r->body[k].thermal};
+                                        r->body[k].yield, r->body[k].thermal};
     return of;
 }
 
@@ -117,6 +125,8 @@ static ovr_status fail(const ovr_resolved *r, const ovr_physics *p,
 {
     const char *about = why->about ? why->about : "";
     size_t length = strcspn(about, ".");
+    if (why->about && !strcmp(why->about, OVR_SAYS_WHERE))
+        return ovr_fail_from(err, why, NULL, 0);
     const ovr_section *of = section_named(p, about, length);
     const ovr_block *block = of ? ovr_block_of(r, of->name) : NULL;
     if (of)
@@ -160,9 +170,11 @@ static ovr_status fill(ovr_resolved *r, int k, ovr_error *err)
         return OVR_NO_MEMORY;
     if (p->section->named)
         return fill_named(r, p, *form, err);
-    for (size_t j = 0; !status && j < p->sections; j++)
-        status = ovr_block_fill(r, ovr_block_of(r, p->section[j].name), *form,
-                                err);
+    for (size_t j = 0; !status && j < p->sections; j++) {
+        const ovr_block *block = ovr_block_of(r, p->section[j].name);
+        if (!p->section[j].whole || ovr_block_is_there(block))
+            status = ovr_block_fill(r, block, *form, err);
+    }
     return status;
 }
 
@@ -181,7 +193,7 @@ ovr_status ovr_resolve_forms(ovr_resolved *r, ovr_error *err)
 static ovr_status resolve(ovr_resolved *r, int k, ovr_error *err)
 {
     const ovr_physics *p = ovr_physics_list[k];
-    asker by = {.r = r, .physics = p};
+    asker by = {r, p};
     ovr_physics_case of = about(r);
     ovr_error why = {0};
     of.read = read_columns;
@@ -190,8 +202,7 @@ static ovr_status resolve(ovr_resolved *r, int k, ovr_error *err)
     of.data = &by;
     if (!p->resolve(&of, r->physics[k].form, &r->physics[k].on, &why))
         return OVR_OK;
-    return by.placed ? ovr_fail_from(err, &why, NULL, 0)
-                     : fail(r, p, &why, err);
+    return fail(r, p, &why, err);
 }
 
 /* ------------------------------------------------------------ how stiff it is
@@ -307,14 +318,6 @@ ovr_status ovr_resolve_on_mesh(ovr_resolved *r, ovr_error *err)
     return OVR_OK;
 }
 
-void ovr_resolved_turn_on(ovr_resolved *r, const ovr_physics *physics,
-                          void *form)
-{
-    for (int k = 0; ovr_physics_list[k]; k++)
-        if (ovr_physics_list[k] == physics)
-            r->physics[k] = (ovr_resolved_physics){form, true};
-}
-
 static bool is_on(const ovr_resolved *r, int k)
 {
     const ovr_physics *p = ovr_physics_list[k];
@@ -358,13 +361,13 @@ const ovr_coated *ovr_setup_layers(const ovr_setup *setup, int body)
     return layers;
 }
 
-void *ovr_setup_form(const ovr_setup *setup, const ovr_physics *physics)
+void *ovr_setup_form(const ovr_setup *setup, const char *section)
 {
     const ovr_resolved *r = (const ovr_resolved *)setup;
-    int k = 0;
-    while (ovr_physics_list[k] && ovr_physics_list[k] != physics)
-        k++;
-    return r->physics[k].form;
+    for (int k = 0; ovr_physics_list[k]; k++)
+        if (section_named(ovr_physics_list[k], section, strlen(section)))
+            return r->physics[k].form;
+    return NULL;
 }
 
 bool ovr_setup_has(const ovr_setup *setup, int k)

@@ -3,7 +3,6 @@
 #ifndef OVR_CASE_SETTINGS_H
 #define OVR_CASE_SETTINGS_H
 
-#include "case/plastic.h"
 #include "contact/change.h"
 #include "contact/contact.h"
 #include "contact/oil.h"
@@ -67,11 +66,6 @@ typedef struct ovr_settings {
     ovr_passes_setup passes;
     ovr_output output;
     int every, precision;
-    ovr_stress_setup stress;
-    ovr_life_options life;
-    int stress_surface, stress_every, stress_traction, criterion;
-    ovr_list window;
-    ovr_plastic_setup plastic;
     ovr_element_settings element;
 } ovr_settings;
 
@@ -80,9 +74,6 @@ enum { OVR_SCALE_DRY, OVR_SCALE_SUBSTRATE };
 
 /* Values of [radius] curvature. */
 enum { OVR_CURVATURE_AUTO, OVR_CURVATURE_CONVECTED, OVR_CURVATURE_IMPOSED };
-
-/* Values of [stress] traction. */
-enum { OVR_TRACTION_NO, OVR_TRACTION_YES, OVR_TRACTION_AUTO };
 
 /* Materials are called by name in [body 1] and [body 2]; values and sources in
  * resolve_bodies.c. */

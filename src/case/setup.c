@@ -244,8 +244,6 @@ ovr_status ovr_setup_load(ovr_setup *setup, int pass,
                           const ovr_allocator *allocator, ovr_error *err)
 {
     const ovr_list *loads = &setup->passes->loads;
-    ovr_plastic_setup *plastic = &((ovr_resolved *)setup)->values.plastic;
-    plastic->rests = plastic->elastic && pass == 1;
     if ((size_t)pass > loads->count)
         return OVR_OK;
     double load = loads->values[pass - 1];

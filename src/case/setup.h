@@ -17,10 +17,9 @@ double ovr_setup_step(const ovr_setup *setup);
  * NULL: it is longer, or given. */
 const char *ovr_setup_step_reason(const ovr_setup *setup);
 
-/* The form of a physics of the list, resolved whether that is on or not; NULL:
- * it has none. */
-struct ovr_physics;
-void *ovr_setup_form(const ovr_setup *setup, const struct ovr_physics *physics);
+/* The form of the physics that has a section, resolved whether that is on or
+ * not; NULL: none has it. */
+void *ovr_setup_form(const ovr_setup *setup, const char *section);
 
 /* The physics of its runs, as bits: quantities that need others are none of
  * theirs. */

@@ -118,8 +118,6 @@ static const char *reason_of(const ovr_resolved *r)
         return "without corrections of fourth order";
     if (ovr_resolved_one_mesh(r))
         return ovr_resolved_one_mesh(r);
-    if (r->values.plastic.surfaces)
-        return "as strains grow from step to step";
     if (s->mesh > COARSE)
         return "on a mesh above 0.01 b";
     if (changes_quickly(r))

@@ -146,7 +146,8 @@ static const char *conditions_of(const ovr_parameter *row)
 bool ovr_key_applies(const ovr_case *c, const ovr_block *block,
                      const ovr_parameter *row)
 {
-    return ovr_conditions_hold(c, block, conditions_of(row));
+    return (!block->section->whole || ovr_block_is_there(block)) &&
+           ovr_conditions_hold(c, block, conditions_of(row));
 }
 
 /* "has no effect with history = constant; it needs history = ramp or step",

@@ -25,23 +25,20 @@ static bool has_nodes(const ovr_case *c)
 }
 
 /* The default level does not count beside nodes. */
-static bool is_shown(const ovr_case *c, const ovr_setup *setup,
-                     const ovr_case_entry *entry)
+static bool is_shown(const ovr_case *c, const ovr_case_entry *entry)
 {
-    if (!entry->text || (!entry->given && !entry->applies) ||
-        (!strcmp(entry->section, "stress") && !setup->stress->surfaces) ||
-        (!strcmp(entry->section, "fatigue") && !setup->stress->fatigue))
+    if (!entry->text || (!entry->given && !entry->applies))
         return false;
     return entry->given || strcmp(entry->section, "domain") != 0 ||
            strcmp(entry->key, "level") != 0 || !has_nodes(c);
 }
 
-void cli_put_case(const ovr_case *c, const ovr_setup *setup)
+void cli_put_case(const ovr_case *c)
 {
     const char *section = "", *name = NULL;
     for (size_t k = 0; k < ovr_case_entries(c); k++) {
         ovr_case_entry entry = ovr_case_entry_at(c, k);
-        if (!is_shown(c, setup, &entry))
+        if (!is_shown(c, &entry))
             continue;
         if (strcmp(section, entry.section) != 0 || name != entry.name)
             put_header(&entry);

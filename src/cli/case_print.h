@@ -7,7 +7,7 @@
 #include "cli/json.h"
 
 /* Prints it as a case: whoever reads that reads the same case. */
-void cli_put_case(const ovr_case *c, const ovr_setup *setup);
+void cli_put_case(const ovr_case *c);
 
 /* Puts its `parameters`, with what their values mean. */
 void cli_json_case(json_writer *json, const ovr_case *c);

@@ -88,7 +88,7 @@ static ovr_status report(const cli_call *call, const ovr_case *c,
         return status;
     cli_put_stations(setup);
     ovr_setup_tell(setup, put_line, NULL);
-    cli_put_case(c, setup);
+    cli_put_case(c);
     return OVR_OK;
 }
 

@@ -14,6 +14,7 @@
 #include "case/case.h"
 #include "case/coats.h"
 #include "pictures/axis.h"
+#include "run/forms.h"
 #include "stress/layered.h"
 #include "stress/stress.h"
 
@@ -48,12 +49,12 @@ static void read_body(ovr_depth_field *f, int surface, ovr_arena *arena)
         const ovr_coated *coated = ovr_setup_layers(setup, surface - 1);
         if (coated)
             f->coated = *coated;
-        f->poisson = setup->stress->poisson[surface - 1];
-        f->residual_x = setup->stress->residual_x;
-        f->residual_y = setup->stress->residual_y;
-        take_residuals(f, setup->stress, arena);
+        f->poisson = ovr_setup_stress(setup)->poisson[surface - 1];
+        f->residual_x = ovr_setup_stress(setup)->residual_x;
+        f->residual_y = ovr_setup_stress(setup)->residual_y;
+        take_residuals(f, ovr_setup_stress(setup), arena);
         f->shear = surface == 1 ? "shear_stress_1" : "shear_stress_2";
-        if (setup->stress->traction &&
+        if (ovr_setup_stress(setup)->traction &&
             ovr_result_find(f->run->result, f->shear))
             f->traction = surface == 1 ? setup->contact->kappa
                                        : -setup->contact->kappa;

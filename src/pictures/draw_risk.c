@@ -12,6 +12,7 @@
 #include "overroll/case.h"
 #include "pictures/picture.h"
 #include "results/results.h"
+#include "run/forms.h"
 #include "stress/stress.h"
 #include "surface/surfaces.h"
 
@@ -52,13 +53,14 @@ static void read_case(history *h, const double *A)
 
     h->minimum = 8 * (h->s->runs->x[1] - h->s->runs->x[0]);
     if (setup && !ovr_setup_prepare(setup, NULL, &err)) {
-        ovr_life_options life = *setup->stress->life;
+        ovr_life_options life = ovr_setup_stress(setup)->life;
         double z;
         h->minimum = fmax(8 * setup->mesh, life.least_depth);
-        life.limit = setup->stress->limit_pressure *
+        life.limit = ovr_setup_stress(setup)->limit_pressure *
                      ovr_hertz_criterion(
-                         setup->stress->criterion, setup->stress->alpha,
-                         setup->stress->poisson[h->surface - 1], &z);
+                         ovr_setup_stress(setup)->criterion,
+                         ovr_setup_stress(setup)->alpha,
+                         ovr_setup_stress(setup)->poisson[h->surface - 1], &z);
         double *i = A ? ovr_arena_take(h->s->arena, h->depths, sizeof *i, NULL)
                       : NULL;
         size_t from = 0;

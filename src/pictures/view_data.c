@@ -13,6 +13,7 @@
 #include "pictures/view_element.h"
 #include "pictures/view_material.h"
 #include "pictures/view_stress.h"
+#include "run/forms.h"
 #include "run/run.h"
 
 /* A page holds at most so much: beyond it nodes and snapshots are left out,
@@ -276,7 +277,7 @@ static bool has_stress(const ovr_stored *run)
     ovr_case *c = ovr_case_read_stored(run->info->case_text, "case", NULL, NULL,
                                        &err);
     ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
-    bool asked = setup && setup->stress->surfaces && run->pressure;
+    bool asked = setup && ovr_setup_stress(setup)->surfaces && run->pressure;
     ovr_setup_free(setup);
     ovr_case_free(c);
     return asked;

@@ -31,7 +31,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "case/feed.h"
 #include "case/resolve.h"
 #include "case/setup.h"
 #include "run/forms.h"
@@ -124,7 +123,7 @@ static ovr_status begin(const ovr_run *run, ovr_setup *setup,
 {
     const ovr_allocator *allocator = &run->arena.allocator;
     ovr_status status =
-        pass ? ovr_setup_load(setup, run->passes->now, allocator, err) : OVR_OK;
+        pass ? ovr_setup_pass(setup, run->passes->now, allocator, err) : OVR_OK;
     if (!status)
         status = ovr_setup_prepare(setup, allocator, err);
     if (!status)

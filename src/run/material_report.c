@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "results/results.h"
+#include "run/forms.h"
 #include "run/stress.h"
 #include "stress/layered.h"
 #include "stress/material_history.h"
@@ -96,7 +97,7 @@ static ovr_status find_amplitude(const ovr_setup *setup,
                                  ovr_stress_paths *paths, void *data,
                                  ovr_stress_report *r, ovr_error *err)
 {
-    const ovr_stress_setup *s = setup->stress;
+    const ovr_stress_setup *s = ovr_setup_stress(setup);
     combine(s, r);
     if (s->criterion != OVR_CRITERION_DANG_VAN)
         return OVR_OK;
@@ -127,8 +128,8 @@ static double length_error(const ovr_stress_report *r)
 static ovr_status find_life(const ovr_setup *setup, ovr_stress_report *r,
                             ovr_life_result *result, ovr_error *err)
 {
-    const ovr_stress_setup *s = setup->stress;
-    ovr_life_options life = *s->life;
+    const ovr_stress_setup *s = ovr_setup_stress(setup);
+    ovr_life_options life = s->life;
     double z;
     r->hertz = ovr_hertz_criterion(s->criterion, s->alpha,
                                    s->poisson[r->surface - 1], &z);
@@ -214,7 +215,7 @@ static void find_layer_fatigue(const ovr_setup *setup,
                                ovr_stress_report *r)
 {
     const ovr_layered *layers = plan->options.layers;
-    const ovr_stress_setup *s = setup->stress;
+    const ovr_stress_setup *s = ovr_setup_stress(setup);
     if (isnan(r->layer_von_mises.value))
         return;
     for (int j = 0; j < layers->layers; j++) {
@@ -302,7 +303,7 @@ ovr_stress_report *ovr_stress_report_make(const ovr_setup *setup,
     r->life = life;
     r->surface = plan->surface;
     r->feature = plan->feature;
-    r->fatigue = setup->stress->fatigue;
+    r->fatigue = ovr_setup_stress(setup)->fatigue;
     r->direction = plan->direction;
     r->traction = plan->options.traction;
     r->no_traction = plan->no_traction;
@@ -436,7 +437,7 @@ static void add_layers(storage *s, const ovr_stress_report *r)
 static void add_attributes(storage *s, const ovr_setup *setup,
                            const ovr_stress_report *r)
 {
-    const ovr_stress_setup *o = setup->stress;
+    const ovr_stress_setup *o = ovr_setup_stress(setup);
     add_text(s, "moving_with", r->surface == 1 ? "surface 1" : "surface 2");
     add_text(s, "reference", r->feature ? r->feature : "");
     add_number(s, "poisson", o->poisson[r->surface - 1]);
@@ -468,9 +469,9 @@ static void add_attributes(storage *s, const ovr_setup *setup,
     add_number(s, "alpha", o->alpha);
     add_number(s, "limit", r->limit);
     add_number(s, "limit_pressure", o->limit_pressure);
-    add_number(s, "exponent", o->life->exponent);
-    add_number(s, "depth_exponent", o->life->depth_exponent);
-    add_number(s, "weibull", o->life->weibull);
+    add_number(s, "exponent", o->life.exponent);
+    add_number(s, "depth_exponent", o->life.depth_exponent);
+    add_number(s, "weibull", o->life.weibull);
     add_number(s, "risk_smooth", r->life->smooth_risk);
     add_number(s, "worst_amplitude", r->life->worst_amplitude);
     add_number(s, "worst_xi", r->life->worst_xi);

@@ -7,6 +7,7 @@
 #include "case/resolve.h"
 #include "contact/contact.h"
 #include "results/results.h"
+#include "run/forms.h"
 #include "run/internal.h"
 #include "run/pass_series.h"
 #include "simulation/internal.h"

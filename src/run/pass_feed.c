@@ -4,8 +4,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "case/feed.h"
-#include "case/plastic.h"
 #include "results/results.h"
 #include "run/forms.h"
 #include "run/pass_series.h"
@@ -67,13 +65,13 @@ static void tell(ovr_run *run)
  */
 static double life_together(const ovr_run *run, int passes)
 {
-    const ovr_stress_setup *s = run->setup->stress;
+    const ovr_stress_setup *s = ovr_setup_stress(run->setup);
     double smooth = 0, real = 0;
     if (!(s->raceway > 0) || s->surfaces == 3)
         return NAN;
     for (int k = 0; k < passes; k++) {
         const double *v = run->passes->row[k].value;
-        double part = pow(v[OVR_PASS_RISK], 1 / s->life->weibull);
+        double part = pow(v[OVR_PASS_RISK], 1 / s->life.weibull);
         smooth += part;
         real += part / v[OVR_PASS_RATIO];
     }
@@ -102,15 +100,17 @@ ovr_status ovr_passes_learn(ovr_run *run, int pass, ovr_pass_end *end,
     return OVR_OK;
 }
 
-/* Layers of oil, unless each begins flooded; strains. */
+/* Layers of oil, but where passes are those of [plastic] alone; strains. */
 static void feed(const ovr_run *run, const char *file, ovr_pass_end *end)
 {
-    if (ovr_setup_carries_oil(run->setup)) {
+    ovr_plastic_setup *plastic = ovr_setup_plastic(run->setup);
+    if (!plastic || !plastic->flooded) {
         ovr_supply_feed(ovr_setup_supply(run->setup), end->layer,
                         end->reservoir);
         end->layer[0] = end->layer[1] = NULL;
     }
-    ovr_setup_go_on(run->setup, file);
+    if (plastic)
+        plastic->initial = file;
 }
 
 ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err)
@@ -118,7 +118,7 @@ ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err)
     ovr_passes *p = run->passes;
     ovr_pass_end end;
     const ovr_allocator *allocator = &run->arena.allocator;
-    ovr_status status = ovr_setup_load(run->setup, p->now, allocator, err);
+    ovr_status status = ovr_setup_pass(run->setup, p->now, allocator, err);
     if (!status)
         status = ovr_setup_prepare(run->setup, allocator, err);
     if (!status && !p->file)

@@ -7,8 +7,8 @@
 #include <unistd.h>
 
 #include "base/error.h"
-#include "case/plastic.h"
 #include "results/results.h"
+#include "run/forms.h"
 
 static ovr_status make(ovr_run *run, const char *path, ovr_error *err)
 {

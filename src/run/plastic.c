@@ -19,14 +19,13 @@
 #include "base/error.h"
 #include "case/setup.h"
 #include "run/companion.h"
+#include "run/forms.h"
 #include "run/plastic.h"
 #include "simulation/quantity_row.h"
 #include "stress/cubic.h"
 #include "stress/field.h"
 #include "stress/stress.h"
 #include "surface/surfaces.h"
-
-extern const ovr_physics ovr_physics_plastic;
 
 enum { BODIES = 2, STATE = OVR_PLASTIC_STATE };
 
@@ -562,8 +561,8 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
     if (!p)
         return OVR_NO_MEMORY;
     p->arena = ovr_arena_make(&sim->arena.allocator);
-    p->setup = form;
-    p->how = ovr_setup_plastic(form);
+    p->how = form;
+    p->setup = p->how->setup;
     *own = p;
     if (sim->arena.blank || !p->setup->nodes) /* it is counted alone */
         return OVR_OK;
@@ -593,10 +592,11 @@ static double memory_of(const ovr_setup *setup, int k)
 
 static double memory(const void *form)
 {
+    const ovr_plastic_setup *how = form;
     double bytes = 0;
     for (int k = 0; k < BODIES; k++)
-        if (ovr_setup_plastic(form)->surfaces >> k & 1)
-            bytes += memory_of(form, k);
+        if (how->surfaces >> k & 1)
+            bytes += memory_of(how->setup, k);
     return bytes;
 }
 
@@ -613,8 +613,8 @@ static double iteration_seconds(const ovr_plastic_plan *plan)
 static double seconds(const void *form)
 {
     const double flowing = 0.06, fields = 2e-4, tables = 60;
-    const ovr_setup *setup = form;
-    const ovr_plastic_setup *how = ovr_setup_plastic(form);
+    const ovr_plastic_setup *how = form;
+    const ovr_setup *setup = how->setup;
     double all = 0, dT = ovr_setup_step(setup);
     ovr_plastic_plan plan;
     for (int k = 0; k < BODIES; k++) {
@@ -634,7 +634,7 @@ static void tell_body(const ovr_setup *setup, int k, ovr_physics_line *line,
 {
     const ovr_plastic_setup *how = ovr_setup_plastic(setup);
     double Y = how->body[k].hardening.yield, ph = setup->contact->ph * 1e-6;
-    double nu = setup->stress->poisson[k];
+    double nu = ovr_setup_stress(setup)->poisson[k];
     char text[240], megapascals[40] = "", strain[40] = "not known";
     ovr_plastic_plan plan;
     if (isfinite(ph))
@@ -662,10 +662,11 @@ static void tell_body(const ovr_setup *setup, int k, ovr_physics_line *line,
 static void tell(const ovr_physics_case *of, const void *form,
                  ovr_physics_line *line, void *data)
 {
+    const ovr_plastic_setup *how = form;
     (void)of;
     for (int k = 0; k < BODIES; k++)
-        if (ovr_setup_plastic(form)->surfaces >> k & 1)
-            tell_body(form, k, line, data);
+        if (how->surfaces >> k & 1)
+            tell_body(how->setup, k, line, data);
 }
 
 /* --------------------------------------------------------------- companion */
@@ -726,6 +727,15 @@ static const ovr_companion companion = {
 
 const ovr_physics ovr_physics_plastic = {.name = "a body that yields",
                                          .bit = OVR_PHYSICS_PLASTIC,
+                                         .section = &ovr_plastic_section,
+                                         .sections = 1,
+                                         .behind = "paper",
+                                         .form = sizeof(ovr_plastic_setup),
+                                         .resolve = ovr_plastic_resolve,
+                                         .on_mesh = ovr_plastic_on_mesh,
+                                         .features = ovr_plastic_features,
+                                         .one_mesh = "as strains grow from "
+                                                     "step to step",
                                          .tell = tell,
                                          .memory = memory,
                                          .seconds = seconds,

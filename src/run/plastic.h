@@ -4,8 +4,8 @@
 #define OVR_RUN_PLASTIC_H
 
 #include "base/arena.h"
-#include "case/plastic.h"
 #include "overroll/run.h"
+#include "run/plastic_case.h"
 #include "run/stress.h"
 #include "simulation/physics.h"
 #include "stress/yielding.h"

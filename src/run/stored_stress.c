@@ -8,6 +8,7 @@
 #include "base/given.h"
 #include "case/resolve.h"
 #include "case/setup.h"
+#include "run/forms.h"
 #include "run/stress.h"
 #include "stress/stress.h"
 
@@ -91,10 +92,9 @@ static ovr_status follow(stored *f, const ovr_setup *setup,
 static ovr_status look_for_traction(const stored *f, const ovr_setup *setup,
                                     ovr_stress_plan *plan, ovr_error *err)
 {
-    const ovr_resolved *r = (const ovr_resolved *)setup;
     if (!plan->options.traction || ovr_traction_is_stored(plan, f->result))
         return OVR_OK;
-    if (r->values.stress_traction == OVR_TRACTION_YES)
+    if (ovr_setup_stress(setup)->loads == OVR_TRACTION_YES)
         return ovr_fail_about(err, "traction",
                               "traction = yes: %s holds no shear_stress_%d; a "
                               "run stores it by [output] fields",
@@ -139,7 +139,7 @@ static ovr_status read_case(ovr_stored_stress *s, const stored *f,
     if (!s->c || (change && change(data, s->c, err)))
         return OVR_BAD_INPUT;
     s->setup = ovr_case_resolve(s->c, NULL, err);
-    if (s->setup && !s->setup->stress->surfaces) {
+    if (s->setup && !ovr_setup_stress(s->setup)->surfaces) {
         ovr_setup_free(s->setup);
         s->setup = NULL;
         if (ovr_case_set(s->c, "stress.surface", "1", "overroll stress", err))
@@ -165,7 +165,7 @@ static ovr_status work(ovr_stored_stress *s, stored *f,
     dT = ovr_setup_step(s->setup);
     s->every = f->longest > 0 ? f->longest / dT : 1;
     for (int k = 0; !status && k < 2; k++)
-        if (s->setup->stress->surfaces >> k & 1)
+        if (ovr_setup_stress(s->setup)->surfaces >> k & 1)
             status = one_surface(s, f, k, err);
     return status;
 }

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "results/results.h"
 #include "run/companion.h"
+#include "run/forms.h"
 #include "simulation/physics.h"
 #include "stress/layered.h"
 #include "stress/stress.h"
@@ -108,7 +109,7 @@ static void name_fields(const run_stress *s, shown *f)
         "largest shear stress on any plane",
         "hydrostatic stress"};
     for (int a = 0; a < FIELDS; a++) {
-        if (!(s->setup->stress->fields >> a & 1))
+        if (!(ovr_setup_stress(s->setup)->fields >> a & 1))
             continue;
         f->which[f->group.arrays] = a;
         f->array[f->group.arrays++] = (ovr_group_array){
@@ -143,8 +144,8 @@ static ovr_status open_fields(run_stress *s, int surface, ovr_error *err)
                            f->axis,
                            f->array,
                            f->attribute};
-    f->attribute[0] = (ovr_group_attribute){"poisson", NULL,
-                                            s->setup->stress->poisson[surface]};
+    f->attribute[0] = (ovr_group_attribute){
+        "poisson", NULL, ovr_setup_stress(s->setup)->poisson[surface]};
     f->attribute[1] = (ovr_group_attribute){
         "traction", NULL, s->plan[surface].options.traction ? 1 : 0};
     const ovr_layered *layers = s->plan[surface].options.layers;
@@ -223,7 +224,7 @@ static ovr_status follow(run_stress *s, const ovr_state *state,
     if (!s->P)
         return OVR_NO_MEMORY;
     for (int k = 0; k < SURFACES; k++) {
-        if (!(s->setup->stress->surfaces >> k & 1))
+        if (!(ovr_setup_stress(s->setup)->surfaces >> k & 1))
             continue;
         if (ovr_stress_planned(s->setup, k + 1, seen, &s->plan[k], err))
             return OVR_BAD_INPUT;
@@ -232,7 +233,8 @@ static ovr_status follow(run_stress *s, const ovr_state *state,
             s->Q[k] = ovr_arena_take(&s->arena, state->n, sizeof(double), err);
         if (!s->follower[k] || (s->plan[k].options.traction && !s->Q[k]))
             return OVR_NO_MEMORY;
-        if (s->setup->stress->every && make_field(s, k, allocator, err))
+        if (ovr_setup_stress(s->setup)->every &&
+            make_field(s, k, allocator, err))
             return OVR_NO_MEMORY;
     }
     return OVR_OK;
@@ -242,7 +244,7 @@ static ovr_status follow(run_stress *s, const ovr_state *state,
 static ovr_status check_second_pass(const ovr_setup *setup, const char *output,
                                     ovr_error *err)
 {
-    const ovr_stress_setup *s = setup->stress;
+    const ovr_stress_setup *s = ovr_setup_stress(setup);
     const ovr_output *o = setup->output;
     if (!s->fatigue || s->criterion != OVR_CRITERION_DANG_VAN)
         return OVR_OK;
@@ -356,7 +358,8 @@ static ovr_status observe(void *data, const ovr_simulation *sim, ovr_error *err)
     if (!(s->field[0] || s->field[1]) || !s->writer ||
         !ovr_writer_stores(s->writer, state->step, state->T))
         return OVR_OK;
-    bool due = fmod(s->snapshots, (double)s->setup->stress->every) == 0;
+    bool due = fmod(s->snapshots, (double)ovr_setup_stress(s->setup)->every) ==
+               0;
     s->snapshots++;
     return due ? store_fields(s, P, state->T, err) : OVR_OK;
 }
@@ -443,26 +446,26 @@ static const ovr_companion companion = {.make = make,
 
 static double memory(const void *form)
 {
-    return ovr_material_histories_memory(form);
+    return ovr_material_histories_memory(
+        ((const ovr_stress_setup *)form)->setup);
 }
 
 static void tell_limit(const ovr_setup *setup, int k, ovr_physics_line *line,
                        void *data)
 {
-    const ovr_stress_setup *s = setup->stress;
+    const ovr_stress_setup *s = ovr_setup_stress(setup);
     double ph = setup->contact->ph * 1e-6, z;
     double hertz = ovr_hertz_criterion(s->criterion, s->alpha, s->poisson[k],
                                        &z);
     char text[160], megapascals[40] = "";
-    if (s->life->limits) {
+    if (s->life.limits) {
         snprintf(text, sizeof text,
                  "%s: limit by depth, %.4g MPa at %.3g um to %.4g MPa at %.3g "
                  "um; smooth %.4g ph at Z = %.3g",
-                 ovr_criterion_name(s->criterion), s->life->limit_A[0] * ph,
-                 s->life->limit_z[0] * setup->contact->b * 1e6,
-                 s->life->limit_A[s->life->limits - 1] * ph,
-                 s->life->limit_z[s->life->limits - 1] * setup->contact->b *
-                     1e6,
+                 ovr_criterion_name(s->criterion), s->life.limit_A[0] * ph,
+                 s->life.limit_z[0] * setup->contact->b * 1e6,
+                 s->life.limit_A[s->life.limits - 1] * ph,
+                 s->life.limit_z[s->life.limits - 1] * setup->contact->b * 1e6,
                  hertz, z);
         line(data, "fatigue", text);
         return;
@@ -481,8 +484,9 @@ static void tell_limit(const ovr_setup *setup, int k, ovr_physics_line *line,
 static void tell_yield(const ovr_setup *setup, int k, ovr_physics_line *line,
                        void *data)
 {
-    double Y = setup->stress->yield[k], ph = setup->contact->ph * 1e-6;
-    double first = ovr_first_yield(setup->stress->poisson[k]) * Y;
+    double Y = ovr_setup_stress(setup)->yield[k],
+           ph = setup->contact->ph * 1e-6;
+    double first = ovr_first_yield(ovr_setup_stress(setup)->poisson[k]) * Y;
     double shakedown = ovr_shakedown_limit() * Y;
     char text[200], megapascals[80] = "";
     if (isfinite(ph))
@@ -500,8 +504,8 @@ static void tell_yield(const ovr_setup *setup, int k, ovr_physics_line *line,
 static void tell(const ovr_physics_case *of, const void *form,
                  ovr_physics_line *line, void *data)
 {
-    const ovr_setup *setup = form;
-    const ovr_stress_setup *s = setup->stress;
+    const ovr_stress_setup *s = form;
+    const ovr_setup *setup = s->setup;
     char text[160];
     double minimum;
     (void)of;
@@ -510,7 +514,7 @@ static void tell(const ovr_physics_case *of, const void *form,
     snprintf(text, sizeof text,
              "Z = %.4g to %.4g, %g an octave; %.3g MB, as long as the run "
              "again",
-             minimum, s->depth_max, s->per_octave, memory(setup) / 1e6);
+             minimum, s->depth_max, s->per_octave, memory(s) / 1e6);
     line(data, "stresses below", text);
     snprintf(text, sizeof text, "%s%s",
              s->traction ? "the film's shear stress" : "none: ",
@@ -525,6 +529,13 @@ static void tell(const ovr_physics_case *of, const void *form,
 }
 
 const ovr_physics ovr_physics_stress = {.name = "stresses",
+                                        .section = ovr_stress_sections,
+                                        .sections = 2,
+                                        .behind = "paper",
+                                        .form = sizeof(ovr_stress_setup),
+                                        .resolve = ovr_stress_resolve,
+                                        .features = ovr_stress_features,
+                                        .fields = ovr_stress_fields,
                                         .node_seconds = 2.5e-7,
                                         .tell = tell,
                                         .memory = memory,

@@ -9,6 +9,7 @@
 #include "case/resolve.h"
 #include "case/setup.h"
 #include "contact/contact.h"
+#include "run/forms.h"
 #include "run/stress.h"
 #include "stress/layered.h"
 #include "stress/stress.h"
@@ -55,9 +56,9 @@ static void find_material(const ovr_setup *setup, ovr_stress_plan *plan)
         low = high = plan->range.reference;
     plan->range.from = low - plan->range.reference - 2;
     plan->range.to = high - plan->range.reference + 2;
-    if (!isnan(setup->stress->from)) {
-        plan->range.from = setup->stress->from;
-        plan->range.to = setup->stress->to;
+    if (!isnan(ovr_setup_stress(setup)->from)) {
+        plan->range.from = ovr_setup_stress(setup)->from;
+        plan->range.to = ovr_setup_stress(setup)->to;
     }
 }
 
@@ -104,7 +105,7 @@ static double below_layers(const ovr_stress_plan *plan)
 static ovr_status find_depths(const ovr_setup *setup, double every,
                               ovr_stress_plan *plan, ovr_error *err)
 {
-    const ovr_stress_setup *s = setup->stress;
+    const ovr_stress_setup *s = ovr_setup_stress(setup);
     double D = plan->options.mesh, possible = WAY_OF_DEPTH * plan->coarsest;
     double allowed = possible * (1 - 1e-6);
     plan->options.depth_min = s->depth_min;
@@ -114,11 +115,11 @@ static ovr_status find_depths(const ovr_setup *setup, double every,
         return refuse(setup, "depth_min", s->depth_min, plan, every, err);
     if (!(s->depth_min > 0))
         plan->options.depth_min = fmax(MESHES_OF_DEPTH * D, possible);
-    plan->range.least_depth = s->life->least_depth;
-    if (s->life->least_depth > 0 && s->life->least_depth < allowed)
-        return refuse(setup, "least_depth", s->life->least_depth, plan, every,
+    plan->range.least_depth = s->life.least_depth;
+    if (s->life.least_depth > 0 && s->life.least_depth < allowed)
+        return refuse(setup, "least_depth", s->life.least_depth, plan, every,
                       err);
-    if (!(s->life->least_depth > 0))
+    if (!(s->life.least_depth > 0))
         plan->range.least_depth = fmax(fmax(MESHES_OF_LIFE * D, possible),
                                        plan->options.depth_min);
     plan->range.least_depth = fmax(plan->range.least_depth, below_layers(plan));
@@ -139,7 +140,7 @@ static ovr_status make_plan(const ovr_setup *setup, int surface,
                             ovr_stress_sight seen, ovr_stress_plan *plan,
                             ovr_error *err)
 {
-    const ovr_stress_setup *s = setup->stress;
+    const ovr_stress_setup *s = ovr_setup_stress(setup);
     const ovr_contact *c = setup->contact;
     double dT = ovr_setup_step(setup);
     bool dang_van = s->fatigue && s->criterion == OVR_CRITERION_DANG_VAN;
@@ -203,7 +204,7 @@ ovr_status ovr_setup_stress_depth(const ovr_setup *setup, double *minimum,
     *minimum = NAN;
     for (int k = 1; k <= 2; k++) {
         ovr_stress_plan plan;
-        if (!(setup->stress->surfaces >> (k - 1) & 1))
+        if (!(ovr_setup_stress(setup)->surfaces >> (k - 1) & 1))
             continue;
         if (ovr_stress_planned(setup, k, ovr_stress_sight_of(setup), &plan,
                                err))
@@ -220,7 +221,7 @@ double ovr_material_histories_memory(const ovr_setup *setup)
     double bytes = 0;
     for (int k = 1; k <= 2; k++) {
         ovr_stress_plan plan;
-        if (!(setup->stress->surfaces >> (k - 1) & 1) ||
+        if (!(ovr_setup_stress(setup)->surfaces >> (k - 1) & 1) ||
             ovr_stress_planned(setup, k, ovr_stress_sight_of(setup), &plan,
                                NULL))
             continue;

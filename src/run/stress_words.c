@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "run/stress_words.h"
+#include "run/forms.h"
 #include "stress/stress.h"
 
 #include <math.h>
@@ -114,7 +115,7 @@ static void say_life(const ovr_told *to, const ovr_stress_report *r,
     ovr_tell(to, "",
              "exponents %.4g, %.4g, %.4g and limit are conventions; elastic, a "
              "groove",
-             s->life->exponent, s->life->depth_exponent, s->life->weibull);
+             s->life.exponent, s->life.depth_exponent, s->life.weibull);
 }
 
 /* What counts is how deep the material yields, not how far above Y its largest
@@ -212,7 +213,7 @@ void ovr_say_stress(const ovr_told *to, const ovr_stress_report *r,
              r->traction ? "the film's shear stress" : "none: ",
              r->traction ? "" : r->no_traction);
     if (r->fatigue)
-        say_life(to, r, setup->stress);
+        say_life(to, r, ovr_setup_stress(setup));
     if (!isnan(r->yield))
         say_yield(to, r, setup);
     else if (r->von_mises.value * ph > YIELD)

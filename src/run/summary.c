@@ -6,7 +6,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "case/plastic.h"
 #include "case/setup.h"
 #include "results/results.h"
 #include "run/forms.h"
@@ -247,7 +246,8 @@ static void put_place(const ovr_told *to, const char *name,
 static void put_life(const ovr_told *to, const ovr_stress_report *r,
                      const ovr_setup *setup)
 {
-    ovr_put_text(to, "criterion", ovr_criterion_name(setup->stress->criterion));
+    ovr_put_text(to, "criterion",
+                 ovr_criterion_name(ovr_setup_stress(setup)->criterion));
     ovr_put_number(to, "limit", r->limit);
     ovr_put_both(to, "equivalent_length", "equivalent_length_m",
                  r->life->equivalent_length, setup->contact->b);

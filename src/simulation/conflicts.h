@@ -57,18 +57,16 @@
             false, false)                                                      \
     FEATURE(PASSES, "several passes", "passes", "number", false, false,        \
             s->passes->number > 1)                                             \
-    FEATURE(STRESS, "stresses", "stress", "surface", true, false,              \
-            s->stress->surfaces != 0)                                          \
-    FEATURE(FATIGUE, "fatigue", "fatigue", "criterion", false, false,          \
-            s->stress->fatigue)                                                \
+    FEATURE(STRESS, "stresses", "stress", "surface", true, false, false)       \
+    FEATURE(FATIGUE, "fatigue", "fatigue", "criterion", false, false, false)   \
     FEATURE(PLASTIC, "a body that yields", "plastic", "surface", true, false,  \
-            r->values.plastic.surfaces != 0)                                   \
+            false)                                                             \
     FEATURE(PATCHES, "patches", "domain", "refine", false,                     \
             o->refine != OVR_REFINE_NONE, false)                               \
     FEATURE(COATING, "a coating", "coating", "thickness", true, false,         \
             ovr_case_find_block(r->c, "coating", NULL) != NULL)                \
     FEATURE(OTHER_MODULI, "a layer of other moduli on that body", "coating",   \
-            "modulus", false, false, yields_below_others(r))                   \
+            "modulus", false, false, false)                                    \
     FEATURE(BOUNDARY, "surfaces that touch", "boundary", "law", true, false,   \
             ovr_case_find_block(r->c, "boundary", NULL) &&                     \
                 ovr_slot_of(r, "boundary", "law")->given)                      \

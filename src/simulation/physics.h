@@ -32,9 +32,13 @@
 #include "simulation/internal.h"
 #include "simulation/solids.h"
 
+/* An error that begins with its place is about this. */
+#define OVR_SAYS_WHERE ""
+
 /* A body, NAN what is not known of it. */
 typedef struct ovr_physics_body {
     double modulus, poisson;
+    double yield; /* Mises, p_h; 0: none */
     ovr_thermal thermal;
 } ovr_physics_body;
 
@@ -53,13 +57,16 @@ struct ovr_change; /* of a section that is a history */
 /* A physics is resolved with this: the contact and what is known of the run.
  */
 typedef struct ovr_physics_case {
+    const struct ovr_setup *setup; /* of which the floors above know */
     const ovr_contact *contact;
     const ovr_lubricant *lubricant;
-    const struct ovr_oil *oil; /* in SI */
-    ovr_options *options;      /* which it may still choose */
+    const struct ovr_oil *oil;       /* in SI */
+    ovr_options *options;            /* which it may still choose */
+    struct ovr_passes_setup *passes; /* likewise */
     bool transient;
     const ovr_history *speed, *sliding; /* NULL: constant */
     ovr_physics_body body[2];
+    double raceway;    /* circumference of a bearing's, b; NAN: there is none */
     unsigned physics;  /* bits of those that a key switches on */
     double substrate;  /* E' of the bodies as they are given, Pa */
     bool by_substrate; /* b and ph are those of the bodies without layers */
@@ -119,7 +126,7 @@ struct ovr_physics {
 
     /* Resolves what the form means, in the units of the contact; whether it is
      * on.  An error is about a key of its rows or of [lubricant], about a name
-     * of a block, about a section, or about "section.key". */
+     * of a block, about a section, about "section.key", or OVR_SAYS_WHERE. */
     ovr_status (*resolve)(const ovr_physics_case *of, void *form, bool *on,
                           ovr_error *err);
 
@@ -379,8 +386,7 @@ extern const struct ovr_companion ovr_heat_companion, ovr_supply_companion,
  * a program may be linked with a list of its own. */
 extern const ovr_physics *const ovr_physics_list[];
 
-/* Those whose keys stand elsewhere in the case; their forms are an ovr_heat and
- * the ovr_setup. */
+/* The form of the first begins as an ovr_heat. */
 extern const ovr_physics ovr_physics_heat, ovr_physics_stress;
 
 /* NOLINTBEGIN(bugprone-macro-parentheses): names of variables and members */

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A case's [plastic] comes to this. */
-#ifndef OVR_CASE_PLASTIC_H
-#define OVR_CASE_PLASTIC_H
+/* A case says this of bodies that yield (plastic.c). */
+#ifndef OVR_RUN_PLASTIC_CASE_H
+#define OVR_RUN_PLASTIC_CASE_H
 
 #include "overroll/case.h"
+#include "simulation/physics.h"
 #include "stress/hardening.h"
 
 /* A body that yields. */
@@ -14,7 +15,8 @@ typedef struct ovr_plastic_body {
 } ovr_plastic_body;
 
 typedef struct ovr_plastic_setup {
-    unsigned surfaces; /* as bits; 0: none */
+    const ovr_setup *setup;
+    int surfaces; /* as bits; 0: none */
     ovr_plastic_body body[2];
     int hardening;  /* ovr_hardening_law */
     double yield;   /* as given, p_h; NAN: that of the body, or by swift */
@@ -32,10 +34,16 @@ typedef struct ovr_plastic_setup {
     bool elastic; /* nothing yields in the first pass, to compare with */
     bool rests;   /* this is that pass */
     bool flooded; /* passes are its own: no oil goes from one to the next */
-    int surface;  /* as given */
 } ovr_plastic_setup;
 
-/* NULL: nothing yields. */
-const ovr_plastic_setup *ovr_setup_plastic(const ovr_setup *setup);
+extern const ovr_physics ovr_physics_plastic;
+extern const ovr_section ovr_plastic_section;
+
+/* These are functions of a physics (simulation/physics.h). */
+ovr_status ovr_plastic_resolve(const ovr_physics_case *of, void *form, bool *on,
+                               ovr_error *err);
+ovr_status ovr_plastic_on_mesh(const ovr_physics_case *of, void *form,
+                               double mesh, ovr_error *err);
+unsigned ovr_plastic_features(const void *form);
 
 #endif
