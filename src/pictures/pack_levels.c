@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "pictures/pack_levels.h"
 
+#include <libdeflate.h>
 #include <math.h>
-#include <zlib.h>
 
 ovr_levels ovr_levels_even(double low, double high)
 {
@@ -39,19 +39,26 @@ static void take_differences(uint16_t *level, size_t n, size_t rows)
 ovr_status ovr_pack_levels(ovr_text *to, uint16_t *level, size_t n, size_t rows,
                            ovr_arena *arena, ovr_error *err)
 {
+    enum { LEVEL = 6 };
     size_t count = n * rows;
-    uLongf packed = compressBound((uLong)(2 * count));
+    struct libdeflate_compressor *deflate = libdeflate_alloc_compressor(LEVEL);
+    size_t bound = libdeflate_zlib_compress_bound(deflate, 2 * count);
     unsigned char *planes = ovr_arena_take(arena, 2 * count, 1, err);
-    unsigned char *small = ovr_arena_take(arena, packed, 1, err);
-    if (!planes || !small)
+    unsigned char *small = ovr_arena_take(arena, bound, 1, err);
+    if (!deflate)
+        return ovr_fail(err, OVR_NO_MEMORY, "out of memory (compression)");
+    if (!planes || !small) {
+        libdeflate_free_compressor(deflate);
         return OVR_NO_MEMORY;
+    }
     take_differences(level, n, rows);
     for (size_t i = 0; i < count; i++) {
         planes[i] = (unsigned char)(level[i] & 0xff);
         planes[count + i] = (unsigned char)(level[i] >> 8);
     }
-    if (compress2(small, &packed, planes, (uLong)(2 * count), 6) != Z_OK)
-        return ovr_fail(err, OVR_NO_MEMORY, "out of memory (compression)");
+    size_t packed = libdeflate_zlib_compress(deflate, planes, 2 * count, small,
+                                             bound);
+    libdeflate_free_compressor(deflate);
     ovr_text_base64(to, small, packed);
     return ovr_text_status(to, err);
 }

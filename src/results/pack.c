@@ -4,22 +4,6 @@
 #include <limits.h>
 #include <string.h>
 
-#define ZLIB_CONST /* what is unpacked is not changed */
-#include <zlib.h>
-
-/* Gives memory to zlib, which unpacks. */
-static voidpf take(voidpf arena, uInt items, uInt size)
-{
-    return ovr_arena_take(arena, items, size, NULL);
-}
-
-/* The arena frees everything at once. */
-static void keep(voidpf arena, voidpf memory)
-{
-    (void)arena;
-    (void)memory;
-}
-
 ovr_status ovr_packer_prepare(ovr_packer *packer, size_t bytes, int level,
                               ovr_arena *arena, ovr_error *err)
 {
@@ -70,24 +54,18 @@ void ovr_packer_release(ovr_packer *packer)
     packer->deflate = NULL;
 }
 
+/* Unpacks a chunk that holds so many bytes and no others. */
 static bool inflate_all(const unsigned char *chunk, size_t bytes,
-                        unsigned char *to, size_t target, ovr_arena *arena,
-                        bool *starved)
+                        unsigned char *to, size_t target, bool *starved)
 {
-    z_stream stream = {.zalloc = take, .zfree = keep, .opaque = arena};
-    bool whole = false;
-    if (bytes > UINT_MAX || target > UINT_MAX)
-        return false;
-    if (inflateInit(&stream) != Z_OK) {
+    struct libdeflate_decompressor *inflate = libdeflate_alloc_decompressor();
+    if (!inflate) {
         *starved = true;
         return false;
     }
-    stream.next_in = chunk;
-    stream.avail_in = (uInt)bytes;
-    stream.next_out = to;
-    stream.avail_out = (uInt)target;
-    whole = inflate(&stream, Z_FINISH) == Z_STREAM_END && !stream.avail_out;
-    inflateEnd(&stream);
+    bool whole = libdeflate_zlib_decompress(inflate, chunk, bytes, to, target,
+                                            NULL) == LIBDEFLATE_SUCCESS;
+    libdeflate_free_decompressor(inflate);
     return whole;
 }
 
@@ -113,7 +91,7 @@ unsigned char *ovr_unpack(const unsigned char *chunk, size_t bytes,
     if (left_out & 2 && bytes == target)
         memcpy(packed, chunk, target);
     else if (left_out & 2 ||
-             !inflate_all(chunk, bytes, packed, target, arena, starved))
+             !inflate_all(chunk, bytes, packed, target, starved))
         return NULL;
     if (left_out & 1)
         return packed;

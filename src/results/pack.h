@@ -31,9 +31,10 @@ size_t ovr_pack(ovr_packer *packer, const void *values, size_t count,
 
 void ovr_packer_release(ovr_packer *packer);
 
-/* The other way: `count` elements of `size` bytes, from the arena, or NULL when
- * the chunk holds anything else (or no memory: `starved`).  `left_out` has the
- * bits of filters that were not applied: 1 shuffle, 2 deflate. */
+/* The other way: `count` elements of `size` bytes, from the arena (but for what
+ * libdeflate takes while it unpacks, some 12 KB), or NULL when the chunk holds
+ * anything else (or no memory: `starved`).  `left_out` has the bits of filters
+ * that were not applied: 1 shuffle, 2 deflate. */
 unsigned char *ovr_unpack(const unsigned char *chunk, size_t bytes,
                           unsigned left_out, size_t count, size_t size,
                           ovr_arena *arena, bool *starved);

@@ -97,16 +97,20 @@ static bool any_nan(const double *values, size_t count)
     return false;
 }
 
+/* Where each dataset is was seen when the file was opened; should somebody have
+ * gone on with the file since, it is looked up again. */
 static bool read_once(ovr_result *r, const part *what, double *values)
 {
-    ovr_dataset set;
-    bool ok = ovr_reader_dataset(r, what->variable->path, &set) &&
+    ovr_dataset set = r->set[what->variable - r->variable];
+    bool held = r->sets_hold;
+    bool ok = (held || ovr_reader_dataset(r, what->variable->path, &set)) &&
               ovr_container_values(&r->container, &set, what->row, what->count,
                                    values) &&
               (what->may_be_nan || !any_nan(values, what->count)) &&
               !r->container.source.starved;
     ovr_arena_release(&r->work);
-    return ok;
+    r->sets_hold = held && ok;
+    return ok || (held && read_once(r, what, values));
 }
 
 /* While a writer is there, the file is longer at the next read, and may have

@@ -16,6 +16,8 @@ struct ovr_result {
     ovr_container container;
     ovr_result_info info;
     ovr_variable *variable; /* all */
+    ovr_dataset *set; /* where each is, in the file that was opened first */
+    bool sets_hold;   /* that file is still open */
     const ovr_variable *x, *time, **field, **column;
     size_t variables, fields, columns, groups;
     double version; /* of the file's format */

@@ -118,7 +118,7 @@ static void describe(ovr_result *r, uint64_t object, const char *path,
     v->rank = set->rank;
     for (int k = 0; k < set->rank; k++)
         v->shape[k] = (size_t)set->shape[k];
-    r->variables++;
+    r->set[r->variables++] = *set;
 }
 
 static ovr_status damaged(const ovr_result *r, const char *what, ovr_error *err)
@@ -169,12 +169,14 @@ static ovr_status take_variables(ovr_result *r, ovr_error *err)
     if (!r->variable) {
         r->variable = ovr_arena_take(a, MAX_VARIABLES, sizeof *r->variable,
                                      err);
+        r->set = ovr_arena_take(a, MAX_VARIABLES, sizeof *r->set, err);
         r->field = ovr_arena_take(a, MAX_VARIABLES, sizeof *r->field, err);
         r->column = ovr_arena_take(a, MAX_VARIABLES, sizeof *r->column, err);
     }
-    if (!r->variable || !r->field || !r->column)
+    if (!r->variable || !r->set || !r->field || !r->column)
         return OVR_NO_MEMORY;
     r->variables = r->fields = r->columns = r->groups = 0;
+    r->sets_hold = true;
     return take_group(r, r->container.root, "", 0, err);
 }
 

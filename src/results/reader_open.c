@@ -86,6 +86,7 @@ void ovr_reader_close_file(ovr_result *r)
     if (r->fd >= 0)
         close(r->fd);
     r->fd = -1;
+    r->sets_hold = false;
     ovr_arena_release(&r->work);
 }
 
