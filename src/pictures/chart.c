@@ -12,8 +12,8 @@
 #include <string.h>
 #include <strings.h>
 
-static const char *const forms[] = {"png", "svg", "pdf"};
-static const char *const marks[] = {
+const char *const ovr_form_names[] = {"png", "svg", "pdf"};
+const char *const ovr_mark_names[] = {
     [OVR_MARK_LINE] = "line",     [OVR_MARK_DASHED] = "dashed",
     [OVR_MARK_DOTTED] = "dotted", [OVR_MARK_POINTS] = "points",
     [OVR_MARK_CROSS] = "cross",   [OVR_MARK_BAND] = "band",
@@ -22,9 +22,9 @@ static const char *const marks[] = {
 ovr_status ovr_form_of(const char *path, ovr_form *form, ovr_error *err)
 {
     size_t length = strlen(path);
-    for (int k = 0; k < 3; k++)
+    for (int k = 0; k < OVR_FORMS; k++)
         if (length > 4 && path[length - 4] == '.' &&
-            strcasecmp(path + length - 3, forms[k]) == 0) {
+            strcasecmp(path + length - 3, ovr_form_names[k]) == 0) {
             *form = (ovr_form)k;
             return OVR_OK;
         }
@@ -121,7 +121,8 @@ static void put_member(ovr_text *to, const member *m, const void *from)
         break;
     case FLAG: ovr_text_put(to, *(const bool *)at ? "1" : "0"); break;
     case MARK:
-        ovr_text_gnuplot(to, marks[*(const ovr_mark *)(const void *)at]);
+        ovr_text_gnuplot(to,
+                         ovr_mark_names[*(const ovr_mark *)(const void *)at]);
         break;
     case COLOUR: /* gnuplot counts words from one */
         ovr_text_print(to, "%d", *(const int *)(const void *)at + 1);
@@ -171,8 +172,8 @@ void ovr_chart_settings(const ovr_chart *chart, ovr_form form, ovr_text *to)
 {
     size_t panels = panels_of(chart);
     ovr_text_print(to, "kind = '%s'\nform = '%s'\nwidth = %d\nheight = %d\n",
-                   chart->kind ? chart->kind : "", forms[form], chart->width,
-                   chart->height);
+                   chart->kind ? chart->kind : "", ovr_form_names[form],
+                   chart->width, chart->height);
     ovr_text_put(to, "title = ");
     ovr_text_gnuplot(to, chart->title ? chart->title : "");
     ovr_text_put(to, "\nsubtitle = ");
@@ -198,16 +199,25 @@ static double factor_of(double factor)
     return factor != 0 ? factor : 1;
 }
 
+double ovr_series_x(const ovr_series *s, size_t i)
+{
+    return s->x[i] * factor_of(s->x_factor);
+}
+
+double ovr_series_y(const ovr_series *s, size_t i)
+{
+    return s->y[i] * factor_of(s->factor) + s->shift;
+}
+
 static void put_series(const ovr_series *s, const char *digits, ovr_text *to)
 {
-    double factor = factor_of(s->factor);
     for (size_t i = 0; i < s->n; i++) {
-        put_number(to, digits, s->x[i] * factor_of(s->x_factor));
+        put_number(to, digits, ovr_series_x(s, i));
         ovr_text_put(to, " ");
-        put_number(to, digits, s->y[i] * factor + s->shift);
+        put_number(to, digits, ovr_series_y(s, i));
         if (s->mark == OVR_MARK_BAND) {
             ovr_text_put(to, " ");
-            put_number(to, digits, s->to[i] * factor + s->shift);
+            put_number(to, digits, s->to[i] * factor_of(s->factor) + s->shift);
         }
         ovr_text_put(to, "\n");
     }

@@ -21,6 +21,9 @@ typedef enum ovr_mark {
     OVR_MARK_AREA  /* a line with the colour, faint, down to `base` */
 } ovr_mark;
 
+/* Their names, as templates and pages have them: "line". */
+extern const char *const ovr_mark_names[];
+
 enum {
     OVR_BLUE,
     OVR_AMBER,
@@ -84,7 +87,19 @@ typedef struct ovr_chart {
     const ovr_panel *panel; /* row by row */
 } ovr_chart;
 
-typedef enum ovr_form { OVR_FORM_PNG, OVR_FORM_SVG, OVR_FORM_PDF } ovr_form;
+/* x and y of point i as they are drawn. */
+double ovr_series_x(const ovr_series *series, size_t i);
+double ovr_series_y(const ovr_series *series, size_t i);
+
+typedef enum ovr_form {
+    OVR_FORM_PNG,
+    OVR_FORM_SVG,
+    OVR_FORM_PDF,
+    OVR_FORMS
+} ovr_form;
+
+/* Their names, which suffixes are too: "png". */
+extern const char *const ovr_form_names[];
 
 /* The form that a path's suffix names. */
 ovr_status ovr_form_of(const char *path, ovr_form *form, ovr_error *err);

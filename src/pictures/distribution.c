@@ -12,7 +12,6 @@
 #include <gsl/gsl_sort.h>
 
 #include "base/given.h"
-#include "base/plain.h"
 #include "overroll/questions.h"
 #include "pictures/picture.h"
 
@@ -248,7 +247,6 @@ static ovr_status add_inputs(drawing *d, ovr_panel *tornado, ovr_panel *shares)
 
 static ovr_status draw(drawing *d)
 {
-    const ovr_figure_options *o = d->o;
     ovr_panel panel[4];
     size_t capacity = (size_t)GROUPS * 5 + OVR_SAMPLE_LIMITS, count = d->rows;
     ovr_series *steps = ovr_arena_take(d->arena, capacity, sizeof *steps,
@@ -286,15 +284,30 @@ static ovr_status draw(drawing *d)
     panel[3].x_to = 1;
     status = add_inputs(d, &panel[2], &panel[3]);
     ovr_chart chart = {.kind = "distribution",
-                       .title = o->title ? o->title : "",
-                       .width = o->width > 0 ? o->width : 1280,
-                       .height = o->height > 0 ? o->height : 800,
+                       .width = 1280,
+                       .height = 800,
                        .rows = panel[2].count ? 2 : 1,
                        .columns = 2,
                        .panel = panel};
-    return status ? status
-                  : ovr_chart_draw(&chart, o->template_path, o->path, o->script,
-                                   d->arena, d->err);
+    return status ? status : ovr_figure_draw(&chart, d->o, d->arena, d->err);
+}
+
+static ovr_status draw_study(const void *study, const ovr_figure_options *o,
+                             ovr_arena *arena, ovr_error *err)
+{
+    ovr_table *table = NULL;
+    ovr_sample *sample = ovr_study_sample(study, o->y, err);
+    drawing d = {.o = o, .sample = sample, .arena = arena, .err = err};
+    ovr_status status = OVR_OK;
+    if (!sample || !(table = ovr_study_table(study, err)))
+        status = OVR_BAD_INPUT;
+    if (!status)
+        status = choose_rows(&d, table);
+    if (!status)
+        status = draw(&d);
+    ovr_sample_free(sample);
+    ovr_table_free(table);
+    return status;
 }
 
 ovr_status ovr_figure_distribution(const ovr_study *study,
@@ -304,29 +317,5 @@ ovr_status ovr_figure_distribution(const ovr_study *study,
 {
     if (!study)
         return ovr_fail_null(err, __func__);
-    ovr_figure_options own;
-    if (OVR_TAKE(ovr_figure_options, &own, given, err))
-        return OVR_BAD_INPUT;
-    locale_t before = ovr_plain_begin();
-    ovr_arena arena = ovr_arena_make(allocator);
-    drawing d = {.o = &own, .arena = &arena, .err = err};
-    ovr_sample *sample = NULL;
-    ovr_table *table = NULL;
-    ovr_form form;
-    ovr_status status = ovr_may_create(own.path, own.force, err);
-    if (!status)
-        status = ovr_form_of(own.path, &form, err);
-    if (!status && (!(sample = ovr_study_sample(study, own.y, err)) ||
-                    !(table = ovr_study_table(study, err))))
-        status = OVR_BAD_INPUT;
-    d.sample = sample;
-    if (!status)
-        status = choose_rows(&d, table);
-    if (!status)
-        status = draw(&d);
-    ovr_sample_free(sample);
-    ovr_table_free(table);
-    ovr_arena_release(&arena);
-    ovr_plain_end(before);
-    return status;
+    return ovr_figure_of(study, given, allocator, draw_study, err);
 }

@@ -85,8 +85,7 @@ static void set_range(ovr_panel *panel)
     double low = 0, high = 0;
     for (size_t k = 0; k < panel->count; k++)
         for (size_t i = 0; i < panel->series[k].n; i++) {
-            double factor = panel->series[k].factor;
-            double v = panel->series[k].y[i] * (factor != 0 ? factor : 1);
+            double v = ovr_series_y(&panel->series[k], i);
             if (isfinite(v) && panel->series[k].mark != OVR_MARK_DOTTED) {
                 low = fmin(low, v);
                 high = fmax(high, v);
@@ -604,9 +603,6 @@ ovr_status ovr_draw_element(const ovr_drawing *drawing, ovr_chart *chart,
     ovr_case *c;
     if (!figure)
         return OVR_NO_MEMORY;
-    if (drawing->count > 1)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "an element is drawn of one result: give one");
     ovr_setup *setup = ovr_stored_setup(drawing->runs, &c, err);
     if (!setup)
         return OVR_BAD_INPUT;

@@ -117,23 +117,16 @@ static ovr_status add_columns(const ovr_drawing *drawing, const column *columns,
     return status;
 }
 
-static ovr_chart chart_of(const ovr_drawing *drawing, const ovr_panel *panels,
-                          size_t rows, ovr_error *err)
+static void fill(const ovr_drawing *drawing, const ovr_panel *panels,
+                 size_t rows, ovr_chart *chart, ovr_error *err)
 {
     enum { CAPACITY = 240 };
-    const ovr_picture_options *o = drawing->options;
     char *heading = ovr_arena_take(drawing->arena, CAPACITY, 1, err);
     if (heading)
         ovr_heading(drawing->runs, drawing->count, heading, CAPACITY);
-    return (ovr_chart){
-        .subtitle = heading,
-        .title = ovr_stored_title(drawing->runs, drawing->count, o->title),
-        .width = o->width > 0 ? o->width : 1280,
-        .height = o->height > 0 ? o->height : 720,
-        .rows = rows,
-        .columns = 1,
-        .share_x = true,
-        .panel = panels};
+    chart->subtitle = heading;
+    chart->rows = rows;
+    chart->panel = panels;
 }
 
 /* One result: both films in a panel; several: each in its own. */
@@ -162,7 +155,7 @@ ovr_status ovr_draw_history(const ovr_drawing *drawing, ovr_chart *chart,
          k++)
         panel[k].y_to = drawing->options->H_to * panel[k].series[0].factor;
     if (status == OVR_OK)
-        *chart = chart_of(drawing, panel, films + 1, err);
+        fill(drawing, panel, films + 1, chart, err);
     return status;
 }
 
@@ -266,6 +259,6 @@ ovr_status ovr_draw_trace(const ovr_drawing *drawing, ovr_chart *chart,
     if (status == OVR_OK && rough)
         status = add_roughness(drawing, &panel[0], &panel[1], err);
     if (status == OVR_OK)
-        *chart = chart_of(drawing, panel, rough ? 2 : 1, err);
+        fill(drawing, panel, rough ? 2 : 1, chart, err);
     return status;
 }

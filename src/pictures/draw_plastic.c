@@ -172,13 +172,8 @@ ovr_status ovr_draw_plastic(const ovr_drawing *drawing, ovr_chart *chart,
                   "residual {/Symbol s}_x / {/:Italic p}_h", &panel[2], err))
         return OVR_BAD_INPUT;
     snprintf(note, NOTE, "plastic strain up to %.3g", panel[1].image.to);
-    *chart = (ovr_chart){.title = ovr_stored_title(drawing->runs, 1, o->title),
-                         .subtitle = note,
-                         .width = o->width > 0 ? o->width : 1280,
-                         .height = o->height > 0 ? o->height : 1000,
-                         .rows = PANELS,
-                         .columns = 1,
-                         .share_x = true,
-                         .panel = panel};
+    chart->subtitle = note;
+    chart->rows = PANELS;
+    chart->panel = panel;
     return OVR_OK;
 }

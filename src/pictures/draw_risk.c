@@ -294,14 +294,9 @@ ovr_status ovr_draw_risk(const ovr_drawing *drawing, ovr_chart *chart,
         "worst R %.3g p_h at %.3g b, %.3g b deep; smooth %.3g; from %.3g b "
         "down",
         h.worst, h.worst_xi, h.worst_z, largest_smooth(&h), h.minimum);
-    *chart = (ovr_chart){.title = ovr_stored_title(drawing->runs, 1, o->title),
-                         .subtitle = note,
-                         .width = o->width > 0 ? o->width : 1280,
-                         .height = o->height > 0 ? o->height : 960,
-                         .rows = rows,
-                         .columns = 1,
-                         .share_x = true,
-                         .panel = panel};
+    chart->subtitle = note;
+    chart->rows = rows;
+    chart->panel = panel;
     return OVR_OK;
 }
 
@@ -373,13 +368,7 @@ ovr_status ovr_draw_depth(const ovr_drawing *drawing, ovr_chart *chart,
     double *worst = worst_at_depths(&h, err);
     if (!worst)
         return OVR_NO_MEMORY;
-    size_t rows = depth_panels(&h, worst, series, panel);
-    *chart = (ovr_chart){.title = ovr_stored_title(drawing->runs, 1, o->title),
-                         .width = o->width > 0 ? o->width : 1280,
-                         .height = o->height > 0 ? o->height : 800,
-                         .rows = rows,
-                         .columns = 1,
-                         .share_x = true,
-                         .panel = panel};
+    chart->rows = depth_panels(&h, worst, series, panel);
+    chart->panel = panel;
     return OVR_OK;
 }

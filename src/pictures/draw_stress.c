@@ -81,8 +81,8 @@ static ovr_status draw(const ovr_drawing *drawing, ovr_depth_field *f,
     ovr_snapshot_draw(to, look, shot, 1, 1, NULL);
     if (ovr_stress_panel_add(f, shot, look, to, drawing->arena, err))
         return OVR_BAD_INPUT;
+    to->chart.height = chart->height;
     *chart = to->chart;
-    chart->height = o->height > 0 ? o->height : 960;
     return OVR_OK;
 }
 
@@ -92,9 +92,6 @@ ovr_status ovr_draw_stress(const ovr_drawing *drawing, ovr_chart *chart,
     const ovr_picture_options *o = drawing->options;
     ovr_depth_field f;
     ovr_status status;
-    if (drawing->count > 1)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "a picture of stresses shows one result: give one");
     if (drawing->runs->info->snapshots < 1)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: holds no snapshot",
                         drawing->runs->name);

@@ -729,20 +729,14 @@ static ovr_status draw_panels(figure *f, ovr_panel *panel, ovr_error *err)
 
 static ovr_status draw(figure *f, ovr_error *err)
 {
-    const ovr_figure_options *o = f->o;
     size_t n = f->panels.count;
     size_t columns = n < 4 ? n : n == 4 ? 2 : n < 7 ? 3 : 4;
     size_t rows = (n + columns - 1) / columns;
     ovr_panel *panel = ovr_arena_take(f->arena, rows * columns, sizeof *panel,
                                       err);
     ovr_chart chart = {.kind = "study",
-                       .title = o->title,
-                       .width = o->width > 0 ? o->width
-                                : n > 1      ? 1280
-                                             : 960,
-                       .height = o->height > 0 ? o->height
-                                 : n > 1       ? 860
-                                               : 640,
+                       .width = n > 1 ? 1280 : 960,
+                       .height = n > 1 ? 860 : 640,
                        .rows = rows,
                        .columns = columns,
                        .share_x = !is_seed(f->x),
@@ -751,13 +745,11 @@ static ovr_status draw(figure *f, ovr_error *err)
     make_axes(f);
     if (!panel || draw_panels(f, panel, err))
         return OVR_NO_MEMORY;
-    return ovr_chart_draw(&chart, o->template_path, o->path, o->script,
-                          f->arena, err);
+    return ovr_figure_draw(&chart, f->o, f->arena, err);
 }
 
-static ovr_status draw_table(const ovr_table *table,
-                             const ovr_figure_options *o, ovr_arena *arena,
-                             ovr_error *err)
+static ovr_status draw_table(const void *table, const ovr_figure_options *o,
+                             ovr_arena *arena, ovr_error *err)
 {
     figure f = {.o = o, .t = table, .arena = arena};
     ovr_status status = choose_columns(&f, err);

@@ -119,8 +119,6 @@ static ovr_status find_ranges(studio *s, ovr_error *err)
 
 /* ----------------------------------------------------------------- folder */
 
-static const char *const suffixes[] = {"png", "svg", "pdf"};
-
 static void name_frame(const studio *s, size_t i, const char *suffix,
                        char *path)
 {
@@ -136,7 +134,7 @@ static void describe(const studio *s, ovr_text *to)
     ovr_text_put(to, "Frames drawn by overroll; with these settings unchanged "
                      "the ones that exist are kept.\n");
     ovr_text_print(to, "size %dx%d %s\n", o->width, o->height,
-                   suffixes[s->form]);
+                   ovr_form_names[s->form]);
     ovr_text_print(to, "axes %.9g %s, %.9g %s, %.9g %s, %.9g %s\n", l->x.factor,
                    l->x.plain, l->P.factor, l->P.plain, l->H.factor, l->H.plain,
                    l->T.factor, l->T.plain);
@@ -193,7 +191,7 @@ static ovr_status open_folder(studio *s, bool *keep, ovr_error *err)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be created: %s",
                         s->folder, strerror(errno));
     snprintf(path, sizeof path, "%s/frames.txt", s->folder);
-    name_frame(s, 0, suffixes[s->form], first);
+    name_frame(s, 0, ovr_form_names[s->form], first);
     describe(s, &text);
     status = ovr_text_status(&text, err);
     if (status == OVR_OK && same_file(path, &text))
@@ -238,7 +236,7 @@ static ovr_status ask_frame(studio *s, size_t i, ovr_error *err)
     ovr_status status = read_frame(s, i, err);
     if (status != OVR_OK)
         return status;
-    name_frame(s, i, suffixes[s->form], path);
+    name_frame(s, i, ovr_form_names[s->form], path);
     name_frame(s, i, "gp", script);
     ovr_snapshot_draw(s->chart, &s->look, s->shots, 1, s->count, NULL);
     s->chart->chart.kind = s->below ? "stress" : "snapshot";
@@ -265,7 +263,7 @@ static ovr_status finish_frame(studio *s, size_t i, ovr_error *err)
 {
     char path[OVR_PATH_SIZE];
     ovr_status status = ovr_gnuplot_wait(worker_of(s, i), err);
-    name_frame(s, i, suffixes[s->form], path);
+    name_frame(s, i, ovr_form_names[s->form], path);
     if (status == OVR_OK && s->movie.path)
         status = ovr_movie_add(&s->movie, path, err);
     if (s->temporary[0])
@@ -286,7 +284,7 @@ static ovr_status draw_all(studio *s, bool keep, ovr_error *err)
             status = finish_frame(s, i - s->workers, err);
         if (status != OVR_OK || i >= s->n)
             continue;
-        name_frame(s, i, suffixes[s->form], path);
+        name_frame(s, i, ovr_form_names[s->form], path);
         if (keep && access(path, F_OK) == 0)
             s->made->kept++;
         else
@@ -326,7 +324,7 @@ static void clear_up(studio *s)
     if (!s->temporary[0])
         return;
     for (size_t i = 0; i < s->n; i++) {
-        name_frame(s, i, suffixes[s->form], path);
+        name_frame(s, i, ovr_form_names[s->form], path);
         unlink(path);
     }
     rmdir(s->temporary);
@@ -337,10 +335,10 @@ static void clear_up(studio *s)
 static ovr_status check_form(studio *s, ovr_error *err)
 {
     const char *form = s->o->form ? s->o->form : "png";
-    for (s->form = OVR_FORM_PNG; s->form <= OVR_FORM_PDF; s->form++)
-        if (strcmp(form, suffixes[s->form]) == 0)
+    for (s->form = OVR_FORM_PNG; s->form < OVR_FORMS; s->form++)
+        if (strcmp(form, ovr_form_names[s->form]) == 0)
             break;
-    if (s->form > OVR_FORM_PDF)
+    if (s->form == OVR_FORMS)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "frames must be png, svg or pdf, not '%s'", form);
     if (!s->o->folder && !s->o->movie)

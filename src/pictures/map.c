@@ -293,9 +293,6 @@ ovr_status ovr_draw_map(const ovr_drawing *drawing, ovr_chart *chart,
     map m = {.run = run, .field = o->field ? o->field : "film_thickness"};
     ovr_panel *panel = ovr_arena_take(drawing->arena, 1, sizeof *panel, err);
     ovr_status status = panel ? OVR_OK : OVR_NO_MEMORY;
-    if (status == OVR_OK && drawing->count > 1)
-        status = ovr_fail(err, OVR_BAD_INPUT,
-                          "a map shows one result: give one");
     if (status == OVR_OK && run->info->snapshots < 2)
         status = ovr_fail(err, OVR_BAD_INPUT,
                           "a map needs two snapshots at least");
@@ -311,12 +308,8 @@ ovr_status ovr_draw_map(const ovr_drawing *drawing, ovr_chart *chart,
         status = make_panel(drawing, &m, panel, err);
     if (status == OVR_OK)
         status = add_meniscus(drawing, &m, panel, err);
-    if (status == OVR_OK)
-        *chart = (ovr_chart){.title = ovr_stored_title(run, 1, o->title),
-                             .width = o->width > 0 ? o->width : 1280,
-                             .height = o->height > 0 ? o->height : 800,
-                             .rows = 1,
-                             .columns = 1,
-                             .panel = panel};
+    chart->rows = 1;
+    chart->share_x = false;
+    chart->panel = panel;
     return status;
 }

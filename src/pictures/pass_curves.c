@@ -67,9 +67,10 @@ static bool is_steady(const ovr_table *t)
     return true;
 }
 
-static ovr_status draw(const ovr_table *t, const ovr_figure_options *o,
+static ovr_status draw(const void *table, const ovr_figure_options *o,
                        ovr_arena *arena, ovr_error *err)
 {
+    const ovr_table *t = table;
     static const line films[] = {
         {"central_film_thickness", "central film, mean", OVR_AMBER},
         {"min_film_thickness", "minimum film", OVR_BLUE},
@@ -86,9 +87,8 @@ static ovr_status draw(const ovr_table *t, const ovr_figure_options *o,
                                .y_from = k ? NAN : 0,
                                .y_to = NAN};
     ovr_chart chart = {.kind = "passes",
-                       .title = o->title ? o->title : "",
-                       .width = o->width > 0 ? o->width : 960,
-                       .height = o->height > 0 ? o->height : 720,
+                       .width = 960,
+                       .height = 720,
                        .rows = 2,
                        .columns = 1,
                        .share_x = true,
@@ -98,9 +98,7 @@ static ovr_status draw(const ovr_table *t, const ovr_figure_options *o,
     if (!status)
         status = add_lines(t, menisci, 1, OVR_KIND_LENGTH, &panel[1], arena,
                            err);
-    return status ? status
-                  : ovr_chart_draw(&chart, o->template_path, o->path, o->script,
-                                   arena, err);
+    return status ? status : ovr_figure_draw(&chart, o, arena, err);
 }
 
 ovr_status ovr_figure_passes(const ovr_table *passes,

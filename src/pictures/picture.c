@@ -129,18 +129,19 @@ void ovr_chart_script(const ovr_chart *chart, const ovr_text *template,
     ovr_text_add(to, template->data, template->length);
 }
 
-ovr_status ovr_chart_draw(const ovr_chart *chart, const char *template_path,
-                          const char *path, const char *script,
+ovr_status ovr_chart_draw(const ovr_chart *chart, const ovr_target *to,
                           ovr_arena *arena, ovr_error *err)
 {
     ovr_text text = ovr_text_make(arena), template = ovr_text_make(arena);
     ovr_gnuplot *gnuplot = ovr_arena_take(arena, 1, sizeof *gnuplot, err);
     ovr_form form;
-    ovr_status status = gnuplot ? ovr_form_of(path, &form, err) : OVR_NO_MEMORY;
+    ovr_status status = gnuplot ? ovr_form_of(to->path, &form, err)
+                                : OVR_NO_MEMORY;
     if (!status)
-        status = ovr_template_read(template_path, &template, err);
-    if (!status && script)
-        status = ovr_chart_write(chart, &template, path, script, arena, err);
+        status = ovr_template_read(to->template_path, &template, err);
+    if (!status && to->script)
+        status = ovr_chart_write(chart, &template, to->path, to->script, arena,
+                                 err);
     if (!status) {
         ovr_chart_script(chart, &template, form, &text);
         status = ovr_text_status(&text, err);
@@ -149,7 +150,7 @@ ovr_status ovr_chart_draw(const ovr_chart *chart, const char *template_path,
         status = ovr_gnuplot_start(gnuplot, err);
     if (status)
         return status;
-    status = ovr_gnuplot_ask(gnuplot, &text, path, err);
+    status = ovr_gnuplot_ask(gnuplot, &text, to->path, err);
     if (!status)
         status = ovr_gnuplot_wait(gnuplot, err);
     ovr_gnuplot_stop(gnuplot);
@@ -158,30 +159,50 @@ ovr_status ovr_chart_draw(const ovr_chart *chart, const char *template_path,
 
 /* ---------------------------------------------------------------- picture */
 
-typedef ovr_status draw_kind(const ovr_drawing *drawing, ovr_chart *chart,
-                             ovr_error *err);
+/* A kind: how it is drawn, of one result alone or of several, and its usual
+ * size. */
+typedef struct maker {
+    const char *name;
+    ovr_status (*draw)(const ovr_drawing *drawing, ovr_chart *chart,
+                       ovr_error *err);
+    const char *alone; /* says so; NULL: of several too */
+    int height;
+} maker;
+
+static const maker makers[] = {
+    [OVR_PICTURE_SNAPSHOT] = {"snapshot", ovr_draw_snapshots, NULL, 720},
+    [OVR_PICTURE_HISTORY] = {"history", ovr_draw_history, NULL, 720},
+    [OVR_PICTURE_MAP] = {"map", ovr_draw_map, "a map shows one result", 800},
+    [OVR_PICTURE_TRACE] = {"trace", ovr_draw_trace, NULL, 720},
+    [OVR_PICTURE_STRESS] = {"stress", ovr_draw_stress,
+                            "a picture of stresses shows one result", 960},
+    [OVR_PICTURE_RISK] = {"risk", ovr_draw_risk,
+                          "a picture of risk shows one result", 960},
+    [OVR_PICTURE_DEPTH] = {"depth", ovr_draw_depth,
+                           "a picture over depth shows one result", 800},
+    [OVR_PICTURE_ELEMENT] = {"element", ovr_draw_element,
+                             "an element is drawn of one result", 0},
+    [OVR_PICTURE_PLASTIC] = {"plastic", ovr_draw_plastic,
+                             "a picture of what yields shows one result",
+                             1000}};
 
 static ovr_status draw(const ovr_drawing *drawing, ovr_error *err)
 {
-    static const struct {
-        const char *name;
-        draw_kind *draw;
-    } kinds[] = {[OVR_PICTURE_SNAPSHOT] = {"snapshot", ovr_draw_snapshots},
-                 [OVR_PICTURE_HISTORY] = {"history", ovr_draw_history},
-                 [OVR_PICTURE_MAP] = {"map", ovr_draw_map},
-                 [OVR_PICTURE_TRACE] = {"trace", ovr_draw_trace},
-                 [OVR_PICTURE_STRESS] = {"stress", ovr_draw_stress},
-                 [OVR_PICTURE_RISK] = {"risk", ovr_draw_risk},
-                 [OVR_PICTURE_DEPTH] = {"depth", ovr_draw_depth},
-                 [OVR_PICTURE_ELEMENT] = {"element", ovr_draw_element},
-                 [OVR_PICTURE_PLASTIC] = {"plastic", ovr_draw_plastic}};
     const ovr_picture_options *o = drawing->options;
-    ovr_chart chart;
-    ovr_status status = kinds[o->kind].draw(drawing, &chart, err);
-    chart.kind = kinds[o->kind].name;
+    const maker *by = &makers[o->kind];
+    const ovr_target target = {o->path, o->script, o->template_path};
+    ovr_chart chart = {
+        .title = ovr_stored_title(drawing->runs, drawing->count, o->title),
+        .width = o->width > 0 ? o->width : 1280,
+        .height = o->height > 0 ? o->height : by->height,
+        .columns = 1,
+        .share_x = true};
+    if (by->alone && drawing->count > 1)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: give one", by->alone);
+    ovr_status status = by->draw(drawing, &chart, err);
+    chart.kind = by->name;
     if (status == OVR_OK)
-        status = ovr_chart_draw(&chart, o->template_path, o->path, o->script,
-                                drawing->arena, err);
+        status = ovr_chart_draw(&chart, &target, drawing->arena, err);
     return status;
 }
 
@@ -257,9 +278,9 @@ ovr_status ovr_picture_element(const ovr_setup *setup,
     if (!status)
         status = ovr_element_draw(setup, NULL, &arena, &figure, err);
     if (!status) {
+        const ovr_target target = {o->path, o->script, o->template_path};
         ovr_chart chart = ovr_element_chart(&figure, o);
-        status = ovr_chart_draw(&chart, o->template_path, o->path, o->script,
-                                &arena, err);
+        status = ovr_chart_draw(&chart, &target, &arena, err);
     }
     ovr_arena_release(&arena);
     ovr_plain_end(before);
@@ -279,9 +300,8 @@ const ovr_table_column *ovr_table_named(const ovr_table *t, const char *name)
     return c;
 }
 
-ovr_status ovr_figure_of(const ovr_table *table,
-                         const ovr_figure_options *given,
-                         const ovr_allocator *allocator, ovr_table_draw *how,
+ovr_status ovr_figure_of(const void *of, const ovr_figure_options *given,
+                         const ovr_allocator *allocator, ovr_figure_maker *how,
                          ovr_error *err)
 {
     ovr_figure_options own;
@@ -294,8 +314,20 @@ ovr_status ovr_figure_of(const ovr_table *table,
     if (!status)
         status = ovr_form_of(own.path, &form, err);
     if (!status)
-        status = how(table, &own, &arena, err);
+        status = how(of, &own, &arena, err);
     ovr_arena_release(&arena);
     ovr_plain_end(before);
     return status;
+}
+
+ovr_status ovr_figure_draw(ovr_chart *chart, const ovr_figure_options *o,
+                           ovr_arena *arena, ovr_error *err)
+{
+    const ovr_target target = {o->path, o->script, o->template_path};
+    chart->title = o->title;
+    if (o->width > 0)
+        chart->width = o->width;
+    if (o->height > 0)
+        chart->height = o->height;
+    return ovr_chart_draw(chart, &target, arena, err);
 }

@@ -41,10 +41,13 @@ ovr_status ovr_draw_map(const ovr_drawing *drawing, ovr_chart *chart,
 /* Appends the template of a path; NULL: the one that is built in. */
 ovr_status ovr_template_read(const char *path, ovr_text *to, ovr_error *err);
 
-/* Draws a chart to a path by the template of that path (may be NULL); when
- * `script` is not NULL, writes it there too, with the data beside it. */
-ovr_status ovr_chart_draw(const ovr_chart *chart, const char *template_path,
-                          const char *path, const char *script,
+/* Where a chart goes: a picture by the template of a path (NULL: the one that
+ * is built in) and, unless NULL, the script, with the data beside it. */
+typedef struct ovr_target {
+    const char *path, *script, *template_path;
+} ovr_target;
+
+ovr_status ovr_chart_draw(const ovr_chart *chart, const ovr_target *target,
                           ovr_arena *arena, ovr_error *err);
 
 /* Appends the script that draws it, the data within. */
@@ -60,14 +63,17 @@ ovr_status ovr_chart_write(const ovr_chart *chart, const ovr_text *template,
 /* Refuses to replace a file unless forced. */
 ovr_status ovr_may_create(const char *path, bool force, ovr_error *err);
 
-/* A picture of a table, by what draws it with its options filled. */
-typedef ovr_status ovr_table_draw(const ovr_table *table,
-                                  const ovr_figure_options *o, ovr_arena *arena,
-                                  ovr_error *err);
-ovr_status ovr_figure_of(const ovr_table *table,
-                         const ovr_figure_options *given,
-                         const ovr_allocator *allocator, ovr_table_draw *how,
+/* A picture of a table or a study, by what draws that with its options
+ * filled. */
+typedef ovr_status ovr_figure_maker(const void *of, const ovr_figure_options *o,
+                                    ovr_arena *arena, ovr_error *err);
+ovr_status ovr_figure_of(const void *of, const ovr_figure_options *given,
+                         const ovr_allocator *allocator, ovr_figure_maker *how,
                          ovr_error *err);
+
+/* Draws its chart, whose size and title the options may give. */
+ovr_status ovr_figure_draw(ovr_chart *chart, const ovr_figure_options *options,
+                           ovr_arena *arena, ovr_error *err);
 
 /* A column by its name, or the end of it behind a dot; or NULL. */
 const ovr_table_column *ovr_table_named(const ovr_table *table,

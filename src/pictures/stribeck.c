@@ -166,18 +166,16 @@ static ovr_status draw_curves(const curves *of, const ovr_figure_options *o,
         panel[k].log_x = true;
     }
     ovr_chart chart = {.kind = "stribeck",
-                       .title = o->title ? o->title : "",
-                       .width = o->width > 0 ? o->width : 960,
-                       .height = o->height > 0 ? o->height : 760,
+                       .width = 960,
+                       .height = 760,
                        .rows = 2,
                        .columns = 1,
                        .share_x = true,
                        .panel = panel};
-    return ovr_chart_draw(&chart, o->template_path, o->path, o->script, arena,
-                          err);
+    return ovr_figure_draw(&chart, o, arena, err);
 }
 
-static ovr_status draw(const ovr_table *table, const ovr_figure_options *o,
+static ovr_status draw(const void *table, const ovr_figure_options *o,
                        ovr_arena *arena, ovr_error *err)
 {
     curves of = {.t = table};

@@ -7,30 +7,20 @@
 #include "pictures/draw_element.h"
 #include "pictures/pack_levels.h"
 
-static double factor_of(double factor)
-{
-    return factor != 0 ? factor : 1;
-}
-
 /* Labels and letters are ours: nothing in them ends a string. */
 static void put_curve(ovr_text *to, const ovr_series *s, ovr_arena *arena)
 {
-    static const char *const marks[] = {
-        [OVR_MARK_LINE] = "line",     [OVR_MARK_DASHED] = "dashed",
-        [OVR_MARK_DOTTED] = "dotted", [OVR_MARK_POINTS] = "points",
-        [OVR_MARK_CROSS] = "cross",   [OVR_MARK_BAND] = "band",
-        [OVR_MARK_AREA] = "area"};
     double *xy = ovr_arena_take(arena, 2 * s->n, sizeof *xy, NULL);
     if (!xy)
         return;
     for (size_t i = 0; i < s->n; i++) {
-        xy[i] = s->x[i] * factor_of(s->x_factor);
-        xy[s->n + i] = s->y[i] * factor_of(s->factor);
+        xy[i] = ovr_series_x(s, i);
+        xy[s->n + i] = ovr_series_y(s, i);
     }
     ovr_text_print(to,
                    "{\"label\":\"%s\",\"mark\":\"%s\",\"letters\":\"%s\","
                    "\"colour\":%d,\"width\":%.3g,",
-                   s->label ? s->label : "", marks[s->mark],
+                   s->label ? s->label : "", ovr_mark_names[s->mark],
                    s->letters ? s->letters : "", s->colour,
                    s->width > 0 ? s->width : 2);
     ovr_text_doubles(to, "x", xy, s->n);
