@@ -22,8 +22,7 @@ static const double min_meshes = 8, deepest = 2.5, shown = 1.5;
 
 /* ------------------------------------------------------------------- making */
 
-/* Takes what the run's own case says of the body. */
-/* The table of the case, which ends with its setup. */
+/* Copies the table of the case, which ends with its setup. */
 static void take_residuals(ovr_depth_field *f, const ovr_stress_setup *s,
                            ovr_arena *arena)
 {
@@ -38,12 +37,11 @@ static void take_residuals(ovr_depth_field *f, const ovr_stress_setup *s,
     f->residual_s = z + n;
 }
 
+/* Takes what the run's own case says of the body. */
 static void read_body(ovr_depth_field *f, int surface, ovr_arena *arena)
 {
-    ovr_error err = {0};
-    ovr_case *c = ovr_case_read_stored(f->run->info->case_text, "case", NULL,
-                                       NULL, &err);
-    ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
+    ovr_case *c;
+    ovr_setup *setup = ovr_stored_setup(f->run, &c, NULL);
     f->poisson = 0.3;
     if (setup) {
         const ovr_coated *coated = ovr_setup_layers(setup, surface - 1);

@@ -569,18 +569,6 @@ ovr_status ovr_element_draw(const ovr_setup *setup, const ovr_stored *run,
     return own.status;
 }
 
-ovr_setup *ovr_stored_setup(const ovr_stored *run, ovr_case **c, ovr_error *err)
-{
-    ovr_setup *setup;
-    *c = ovr_case_read_stored(run->info->case_text, "case", NULL, NULL, err);
-    setup = *c ? ovr_case_resolve(*c, NULL, err) : NULL;
-    if (!setup) {
-        ovr_case_free(*c);
-        *c = NULL;
-    }
-    return setup;
-}
-
 ovr_chart ovr_element_chart(const ovr_element_figure *figure,
                             const ovr_picture_options *o)
 {

@@ -32,11 +32,6 @@ ovr_status ovr_element_draw(const ovr_setup *setup, const ovr_stored *run,
 ovr_chart ovr_element_chart(const ovr_element_figure *figure,
                             const ovr_picture_options *options);
 
-/* The setup of the case that a result holds, to be freed by the two; NULL with
- * *err filled. */
-ovr_setup *ovr_stored_setup(const ovr_stored *run, ovr_case **c,
-                            ovr_error *err);
-
 ovr_status ovr_draw_element(const ovr_drawing *drawing, ovr_chart *chart,
                             ovr_error *err);
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "pictures/stored.h"
+#include "case/case.h"
 #include "results/results.h"
 
 #include <math.h>
@@ -104,6 +105,18 @@ ovr_status ovr_stored_need_snapshots(const ovr_stored *run, ovr_error *err)
                     "%s: holds no snapshot; its history of %zu steps can be "
                     "drawn and exported",
                     run->name, run->info->steps);
+}
+
+ovr_setup *ovr_stored_setup(const ovr_stored *run, ovr_case **c, ovr_error *err)
+{
+    ovr_setup *setup;
+    *c = ovr_case_read_stored(run->info->case_text, "case", NULL, NULL, err);
+    setup = *c ? ovr_case_resolve(*c, NULL, err) : NULL;
+    if (!setup) {
+        ovr_case_free(*c);
+        *c = NULL;
+    }
+    return setup;
 }
 
 /* ------------------------------------------------------------ common units */

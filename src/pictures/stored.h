@@ -8,6 +8,7 @@
 #define OVR_PICTURES_STORED_H
 
 #include "base/arena.h"
+#include "overroll/case.h"
 #include "overroll/results.h"
 
 typedef struct ovr_stored {
@@ -52,6 +53,11 @@ void ovr_stored_relate(ovr_stored *runs, size_t count, ovr_units units);
 
 /* The run has scales of its own, unlike the first's. */
 bool ovr_stored_differs(const ovr_stored *run);
+
+/* The setup of the case that a result holds, to be freed by the two; NULL with
+ * *err filled. */
+ovr_setup *ovr_stored_setup(const ovr_stored *run, ovr_case **c,
+                            ovr_error *err);
 
 /* One snapshot; a field that the file lacks is NULL, as is roughness that is
  * zero everywhere. */

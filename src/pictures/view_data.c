@@ -273,10 +273,8 @@ static void choose(writer *w)
 /* Its case asked for stresses. */
 static bool has_stress(const ovr_stored *run)
 {
-    ovr_error err = {0};
-    ovr_case *c = ovr_case_read_stored(run->info->case_text, "case", NULL, NULL,
-                                       &err);
-    ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
+    ovr_case *c;
+    ovr_setup *setup = ovr_stored_setup(run, &c, NULL);
     bool asked = setup && ovr_setup_stress(setup)->surfaces && run->pressure;
     ovr_setup_free(setup);
     ovr_case_free(c);
