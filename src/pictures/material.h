@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What a file holds of the material below a surface: arrays by depth and by
- * place along the surface, in the groups of [fatigue] and [plastic].
+ * A file holds arrays of the material below a surface, by depth and by place
+ * along the surface, in the groups of [fatigue] and [plastic].
  */
 #ifndef OVR_PICTURES_MATERIAL_H
 #define OVR_PICTURES_MATERIAL_H

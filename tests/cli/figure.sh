@@ -87,7 +87,7 @@ contains other.gp 'log_x.* = \[1\]'
 contains other.gp 'band: least to most of load, seed'
 refuses "no key of the study 'depth'; there are load, Rq, seed" \
     plot study.ini --against depth -o x.svg
-refuses "no quantity 'film'; there are .*H_min" \
+refuses "no quantity 'film'; .*there are .*H_min" \
     plot study.ini --quantity film -o x.svg
 refuses 'exists; --force' plot study.ini -o study.svg
 printf 'a,b\n1,2\n' >no.csv
