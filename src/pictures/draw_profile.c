@@ -34,7 +34,7 @@ ovr_status ovr_picture_profile(const ovr_profile_view *view, const char *title,
                        .rows = 1,
                        .columns = 1,
                        .panel = &panel};
-    ovr_status status = ovr_chart_draw(&chart, &(ovr_target){.path = path},
+    ovr_status status = ovr_chart_draw(&chart, &(ovr_drawn_to){.path = path},
                                        &arena, err);
     ovr_arena_release(&arena);
     return status;
@@ -109,7 +109,7 @@ static ovr_status draw_bearing(const ovr_profile_view *view, const bearing *b,
                        .rows = 1,
                        .columns = 2,
                        .panel = panel};
-    return ovr_chart_draw(&chart, &(ovr_target){.path = path}, arena, err);
+    return ovr_chart_draw(&chart, &(ovr_drawn_to){.path = path}, arena, err);
 }
 
 ovr_status ovr_picture_contact(const ovr_profile_view *view,

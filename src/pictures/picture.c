@@ -129,7 +129,7 @@ void ovr_chart_script(const ovr_chart *chart, const ovr_text *template,
     ovr_text_add(to, template->data, template->length);
 }
 
-ovr_status ovr_chart_draw(const ovr_chart *chart, const ovr_target *to,
+ovr_status ovr_chart_draw(const ovr_chart *chart, const ovr_drawn_to *to,
                           ovr_arena *arena, ovr_error *err)
 {
     ovr_text text = ovr_text_make(arena), template = ovr_text_make(arena);
@@ -190,7 +190,7 @@ static ovr_status draw(const ovr_drawing *drawing, ovr_error *err)
 {
     const ovr_picture_options *o = drawing->options;
     const maker *by = &makers[o->kind];
-    const ovr_target target = {o->path, o->script, o->template_path};
+    const ovr_drawn_to target = {o->path, o->script, o->template_path};
     ovr_chart chart = {
         .title = ovr_stored_title(drawing->runs, drawing->count, o->title),
         .width = o->width > 0 ? o->width : 1280,
@@ -278,7 +278,7 @@ ovr_status ovr_picture_element(const ovr_setup *setup,
     if (!status)
         status = ovr_element_draw(setup, NULL, &arena, &figure, err);
     if (!status) {
-        const ovr_target target = {o->path, o->script, o->template_path};
+        const ovr_drawn_to target = {o->path, o->script, o->template_path};
         ovr_chart chart = ovr_element_chart(&figure, o);
         status = ovr_chart_draw(&chart, &target, &arena, err);
     }
@@ -323,7 +323,7 @@ ovr_status ovr_figure_of(const void *of, const ovr_figure_options *given,
 ovr_status ovr_figure_draw(ovr_chart *chart, const ovr_figure_options *o,
                            ovr_arena *arena, ovr_error *err)
 {
-    const ovr_target target = {o->path, o->script, o->template_path};
+    const ovr_drawn_to target = {o->path, o->script, o->template_path};
     chart->title = o->title;
     if (o->width > 0)
         chart->width = o->width;

@@ -41,13 +41,13 @@ ovr_status ovr_draw_map(const ovr_drawing *drawing, ovr_chart *chart,
 /* Appends the template of a path; NULL: the one that is built in. */
 ovr_status ovr_template_read(const char *path, ovr_text *to, ovr_error *err);
 
-/* Where a chart goes: a picture by the template of a path (NULL: the one that
- * is built in) and, unless NULL, the script, with the data beside it. */
-typedef struct ovr_target {
+/* A chart goes to a picture, by the template of a path (NULL: the one that is
+ * built in), and, unless NULL, to a script, with the data beside it. */
+typedef struct ovr_drawn_to {
     const char *path, *script, *template_path;
-} ovr_target;
+} ovr_drawn_to;
 
-ovr_status ovr_chart_draw(const ovr_chart *chart, const ovr_target *target,
+ovr_status ovr_chart_draw(const ovr_chart *chart, const ovr_drawn_to *target,
                           ovr_arena *arena, ovr_error *err);
 
 /* Appends the script that draws it, the data within. */
