@@ -229,11 +229,12 @@ static ovr_status filter(ovr_profile *p, const ovr_conditioning *how, size_t n,
                          double *work, ovr_error *err)
 {
     double *mean = ovr_arena_take(&p->arena, n, sizeof *mean, err);
+    const ovr_points points = {n, p->x, p->z};
     bool uniform = p->view.uniform;
     if (!mean)
         return OVR_NO_MEMORY;
     if (!isnan(how->lambda_c)) {
-        ovr_gaussian(n, p->x, p->z, how->lambda_c, uniform, mean, work);
+        ovr_gaussian(&points, how->lambda_c, uniform, mean, work);
         for (size_t i = 0; i < n; i++)
             p->z[i] -= mean[i];
         ovr_profile_note(p, "Gaussian filter lambda_c = %s (high-pass)",
@@ -241,7 +242,7 @@ static ovr_status filter(ovr_profile *p, const ovr_conditioning *how, size_t n,
         p->view.lambda_c = how->lambda_c;
     }
     if (!isnan(how->lambda_s)) {
-        ovr_gaussian(n, p->x, p->z, how->lambda_s, uniform, mean, work);
+        ovr_gaussian(&points, how->lambda_s, uniform, mean, work);
         memcpy(p->z, mean, n * sizeof *mean);
         ovr_profile_note(p, "Gaussian filter lambda_s = %s (low-pass)",
                          ovr_along(p, how->lambda_s).text);

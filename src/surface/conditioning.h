@@ -10,6 +10,7 @@
 #include <stddef.h>
 
 #include "base/arena.h"
+#include "surface/spline.h"
 
 /* Subtracts the least-squares polynomial of the degree (0: mean, 1: line),
  * each point weighted by the length it stands for.  `work` holds 3 n. */
@@ -21,8 +22,8 @@ void ovr_level_ends(size_t n, const double *x, double *z);
 
 /* Mean line of the Gaussian filter of cut-off lambda (ISO 16610-21), into
  * `mean`; `uniform` x make it quicker.  `work` holds 2 n. */
-void ovr_gaussian(size_t n, const double *x, const double *z, double lambda,
-                  bool uniform, double *mean, double *work);
+void ovr_gaussian(const ovr_points *of, double lambda, bool uniform,
+                  double *mean, double *work);
 
 /* Marks as NAN what lies further than `limit` robust standard deviations from
  * the median of its 11 neighbours; returns how many.  `work` holds 2 n. */

@@ -132,10 +132,11 @@ static double weight(double d)
     return exp(-DECAY * d * d);
 }
 
-void ovr_gaussian(size_t n, const double *x, const double *z, double lambda,
-                  bool uniform, double *mean, double *work)
+void ovr_gaussian(const ovr_points *of, double lambda, bool uniform,
+                  double *mean, double *work)
 {
-    size_t first = 0, last = 0;
+    const double *x = of->x, *z = of->y;
+    size_t n = of->n, first = 0, last = 0;
     double *share = work, *kernel = work + n;
     for (size_t i = 0; i < n; i++) {
         share[i] = ovr_share(n, x, i);

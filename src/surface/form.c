@@ -55,14 +55,15 @@ static bool on_circle(const circle *o, double x, double *z, double by[3])
 
 /* Sum of squares left by the circle, and the normal equations of the next
  * step; INFINITY: it does not reach over the trace. */
-static double normal(const circle *o, size_t n, const double *x,
-                     const double *z, double A[3][3], double g[3])
+static double normal(const circle *o, const ovr_points *of, double A[3][3],
+                     double g[3])
 {
+    const double *x = of->x, *z = of->y;
     double sum = 0;
     memset(A, 0, 9 * sizeof(double));
     memset(g, 0, 3 * sizeof(double));
-    for (size_t i = 0; i < n; i++) {
-        double w = ovr_share(n, x, i), at, by[3], r;
+    for (size_t i = 0; i < of->n; i++) {
+        double w = ovr_share(of->n, x, i), at, by[3], r;
         if (!on_circle(o, x[i] - o->middle, &at, by))
             return INFINITY;
         r = z[i] - at;
@@ -109,16 +110,15 @@ static circle moved(const circle *o, const double d[3], double by)
 }
 
 /* One step, halved until it leaves less; false: no step does. */
-static bool improve(circle *o, size_t n, const double *x, const double *z,
-                    double *left)
+static bool improve(circle *o, const ovr_points *of, double *left)
 {
     double A[3][3], g[3], d[3], unused[3][3], aside[3];
-    normal(o, n, x, z, A, g);
+    normal(o, of, A, g);
     if (!solve(A, g, d))
         return false;
     for (double by = 1; by > 1e-3; by /= 2) {
         circle next = moved(o, d, by);
-        double sum = normal(&next, n, x, z, unused, aside);
+        double sum = normal(&next, of, unused, aside);
         if (sum < *left) {
             bool gained = *left - sum > 1e-14 * *left;
             *o = next;
@@ -129,11 +129,11 @@ static bool improve(circle *o, size_t n, const double *x, const double *z,
     return false;
 }
 
-static circle fit_circle(size_t n, const double *x, const double *z, double e)
+static circle fit_circle(const ovr_points *of, double e)
 {
-    circle o = {0, 0, 0, (x[0] + x[n - 1]) / 2, e};
-    double A[3][3], g[3], left = normal(&o, n, x, z, A, g);
-    for (int step = 0; step < 100 && improve(&o, n, x, z, &left);)
+    circle o = {0, 0, 0, (of->x[0] + of->x[of->n - 1]) / 2, e};
+    double A[3][3], g[3], left = normal(&o, of, A, g);
+    for (int step = 0; step < 100 && improve(&o, of, &left);)
         step++;
     return o;
 }
@@ -172,23 +172,31 @@ static void name_circle(const ovr_profile *p, const circle *o, char *text,
                  shape);
 }
 
-enum { CIRCLE = -1 };
+enum { CIRCLE = -1, FORM_NAME = 80 };
 
-/* Subtracts a polynomial of the degree, or the circle; `text` names it. */
-static void take(const ovr_profile *p, int degree, size_t n, double *z,
-                 double *work, char *text, size_t capacity)
+/* The first n points of a profile; `work` holds 3 n. */
+typedef struct trace {
+    ovr_profile *p;
+    size_t n;
+    double *work;
+} trace;
+
+/* Subtracts a polynomial of the degree, or the circle, from heights z of the
+ * trace; `text` names it. */
+static void take(const trace *t, int degree, double *z, char text[FORM_NAME])
 {
+    const double *x = t->p->x;
     if (degree == CIRCLE) {
-        circle o = fit_circle(n, p->x, z, ratio(p));
-        subtract_circle(&o, n, p->x, z);
-        name_circle(p, &o, text, capacity);
+        circle o = fit_circle(&(ovr_points){t->n, x, z}, ratio(t->p));
+        subtract_circle(&o, t->n, x, z);
+        name_circle(t->p, &o, text, FORM_NAME);
         return;
     }
-    ovr_level(n, p->x, z, degree, work);
+    ovr_level(t->n, x, z, degree, t->work);
     if (degree < 2)
-        snprintf(text, capacity, "%s", degree ? "line" : "mean");
+        snprintf(text, FORM_NAME, "%s", degree ? "line" : "mean");
     else
-        snprintf(text, capacity, "polynomial of degree %d", degree);
+        snprintf(text, FORM_NAME, "polynomial of degree %d", degree);
 }
 
 static double root_mean_square(size_t n, const double *x, const double *z)
@@ -201,31 +209,35 @@ static double root_mean_square(size_t n, const double *x, const double *z)
     return sqrt(sum);
 }
 
-/* `work` holds 3 n, `kept` and `tried` n each. */
-static void take_auto(ovr_profile *p, size_t n, double *work, double *kept,
-                      double *tried, double dust)
+static ovr_status take_auto(const trace *t, double dust, ovr_error *err)
 {
     static const int degrees[] = {CIRCLE, 4, 6};
-    char best[80], other[80];
+    ovr_profile *p = t->p;
+    char best[FORM_NAME], other[FORM_NAME];
     double line, left;
-    memcpy(kept, p->z, n * sizeof *kept);
-    take(p, 1, n, p->z, work, best, sizeof best);
-    line = left = root_mean_square(n, p->x, p->z);
+    double *kept = ovr_arena_take(&p->arena, t->n, 2 * sizeof *kept, err);
+    double *tried = kept + t->n;
+    if (!kept)
+        return OVR_NO_MEMORY;
+    memcpy(kept, p->z, t->n * sizeof *kept);
+    take(t, 1, p->z, best);
+    line = left = root_mean_square(t->n, p->x, p->z);
     for (size_t k = 0; k < 3 && left > dust; k++) {
         double now;
-        memcpy(tried, kept, n * sizeof *tried);
-        take(p, degrees[k], n, tried, work, other, sizeof other);
-        now = root_mean_square(n, p->x, tried);
+        memcpy(tried, kept, t->n * sizeof *tried);
+        take(t, degrees[k], tried, other);
+        now = root_mean_square(t->n, p->x, tried);
         if (!(now < left / 2))
             continue;
         left = now;
-        memcpy(p->z, tried, n * sizeof *tried);
+        memcpy(p->z, tried, t->n * sizeof *tried);
         memcpy(best, other, sizeof best);
     }
     ovr_profile_note(p,
                      "levelled (auto): %s subtracted; it leaves Pq %s, a "
                      "line %s",
                      best, ovr_across(p, left).text, ovr_across(p, line).text);
+    return OVR_OK;
 }
 
 static double largest(size_t n, const double *z)
@@ -236,31 +248,10 @@ static double largest(size_t n, const double *z)
     return maximum;
 }
 
-static ovr_status choose(ovr_profile *p, size_t n, double *work, double dust,
-                         ovr_error *err)
-{
-    double *kept = ovr_arena_take(&p->arena, n, 2 * sizeof *kept, err);
-    if (!kept)
-        return OVR_NO_MEMORY;
-    take_auto(p, n, work, kept, kept + n, dust);
-    return OVR_OK;
-}
-
-static void take_one(ovr_profile *p, const ovr_conditioning *how, size_t n,
-                     double *work)
-{
-    int degree = how->level == OVR_LEVEL_MEAN     ? 0
-                 : how->level == OVR_LEVEL_LINE   ? 1
-                 : how->level == OVR_LEVEL_CIRCLE ? CIRCLE
-                                                  : how->degree;
-    char text[80];
-    take(p, degree, n, p->z, work, text, sizeof text);
-    ovr_profile_note(p, "levelled: %s subtracted", text);
-}
-
 ovr_status ovr_take_form(ovr_profile *p, const ovr_conditioning *how, size_t n,
                          double *work, ovr_error *err)
 {
+    const trace t = {p, n, work};
     double dust = 1e-14 * largest(n, p->z); /* rounding, no roughness */
     ovr_status status = OVR_OK;
     if (how->level == OVR_LEVEL_NONE)
@@ -269,9 +260,16 @@ ovr_status ovr_take_form(ovr_profile *p, const ovr_conditioning *how, size_t n,
         ovr_level_ends(n, p->x, p->z);
         ovr_profile_note(p, "levelled: line through its ends subtracted");
     } else if (how->level == OVR_LEVEL_AUTO) {
-        status = choose(p, n, work, dust, err);
+        status = take_auto(&t, dust, err);
     } else {
-        take_one(p, how, n, work);
+        char text[FORM_NAME];
+        take(&t,
+             how->level == OVR_LEVEL_MEAN     ? 0
+             : how->level == OVR_LEVEL_LINE   ? 1
+             : how->level == OVR_LEVEL_CIRCLE ? CIRCLE
+                                              : how->degree,
+             p->z, text);
+        ovr_profile_note(p, "levelled: %s subtracted", text);
     }
     if (!status && largest(n, p->z) < dust)
         memset(p->z, 0, n * sizeof *p->z);

@@ -55,26 +55,30 @@ static ovr_status read_axis(const char *file, ovr_line line, axis *a,
     return OVR_OK;
 }
 
-static ovr_status read_header(const char *file, ovr_lines *lines, axis *x,
-                              axis *y, axis *z, ovr_error *err)
+typedef struct axes {
+    axis x, y, z;
+} axes;
+
+static ovr_status read_header(const char *file, ovr_lines *lines, axes *to,
+                              ovr_error *err)
 {
     ovr_line line;
     ovr_status status = OVR_OK;
     while (!status && ovr_next_line(lines, &line)) {
         line = ovr_trim(line);
         if (ovr_line_starts(line, "CX"))
-            status = read_axis(file, line, x, err);
+            status = read_axis(file, line, &to->x, err);
         else if (ovr_line_starts(line, "CY"))
-            status = read_axis(file, line, y, err);
+            status = read_axis(file, line, &to->y, err);
         else if (ovr_line_starts(line, "CZ"))
-            status = read_axis(file, line, z, err);
+            status = read_axis(file, line, &to->z, err);
     }
     return status;
 }
 
-static ovr_status check(const char *file, const axis *x, const axis *y,
-                        const axis *z, ovr_error *err)
+static ovr_status check(const char *file, const axes *of, ovr_error *err)
 {
+    const axis *x = &of->x, *y = &of->y, *z = &of->z;
     double maximum = OVR_POINTS_MAX, lines = y->given ? y->count : 1;
     if (!x->given || !z->given)
         return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
@@ -117,19 +121,19 @@ static bool record(ovr_bytes content, int k, ovr_bytes *found, long *line)
     }
 }
 
-static ovr_status read_numbers(ovr_profile *p, ovr_bytes numbers, long before,
-                               size_t first, size_t n, ovr_error *err)
+/* The n heights from the first on. */
+static ovr_status read_numbers(ovr_profile *p, ovr_lines lines, size_t first,
+                               size_t n, ovr_error *err)
 {
-    ovr_lines lines = ovr_lines_of(numbers);
     ovr_line line, word;
     size_t k = 0;
     while (k < first + n && ovr_next_line(&lines, &line)) {
         while (k < first + n && ovr_next_piece(&line, &word)) {
             double value = NAN;
             if (!ovr_number(word, false, &value) && !ovr_is_missing(word))
-                return ovr_fail_at(
-                    err, OVR_BAD_INPUT, p->file, before + line.number,
-                    "'%s' where a height is needed", ovr_quote(word).text);
+                return ovr_fail_at(err, OVR_BAD_INPUT, p->file, line.number,
+                                   "'%s' where a height is needed",
+                                   ovr_quote(word).text);
             if (k >= first)
                 p->z[k - first] = value;
             k++;
@@ -137,45 +141,48 @@ static ovr_status read_numbers(ovr_profile *p, ovr_bytes numbers, long before,
     }
     if (k == first + n)
         return OVR_OK;
-    return ovr_fail_at(err, OVR_BAD_INPUT, p->file, before + lines.number,
+    return ovr_fail_at(err, OVR_BAD_INPUT, p->file, lines.number,
                        "the heights end after %zu, before %zu", k, first + n);
 }
 
 ovr_status ovr_read_smd(ovr_profile *profile, const ovr_profile_source *source,
                         ovr_bytes content, ovr_error *err)
 {
-    axis x = {0}, y = {0}, z = {0};
+    axes of = {0};
+    const axis *x = &of.x, *y = &of.y, *z = &of.z;
     ovr_bytes part;
-    ovr_lines header;
+    ovr_lines header, numbers;
     size_t n, line = 0;
     long before;
     ovr_status status;
     profile->view.format = "SMD";
     record(content, 0, &part, &before);
     header = ovr_lines_of(part);
-    status = read_header(profile->file, &header, &x, &y, &z, err);
+    status = read_header(profile->file, &header, &of, err);
     if (!status)
-        status = check(profile->file, &x, &y, &z, err);
+        status = check(profile->file, &of, err);
     if (status)
         return status;
     if (!record(content, 2, &part, &before))
         return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, before,
                            "cut off: the third record, the heights, is "
                            "missing");
-    n = (size_t)x.count;
-    status = ovr_profile_choose_line(profile, source,
-                                     y.given ? (size_t)y.count : 1, &line, err);
+    n = (size_t)x->count;
+    numbers = ovr_lines_of(part);
+    numbers.number = before;
+    status = ovr_profile_choose_line(
+        profile, source, y->given ? (size_t)y->count : 1, &line, err);
     if (!status)
         status = ovr_profile_reserve(profile, n, err);
     if (!status)
-        status = read_numbers(profile, part, before, line * n, n, err);
+        status = read_numbers(profile, numbers, line * n, n, err);
     if (status)
         return status;
-    ovr_profile_regular(profile, n, 0, x.increment * x.scale * x.metres);
+    ovr_profile_regular(profile, n, 0, x->increment * x->scale * x->metres);
     for (size_t i = 0; i < n; i++)
-        profile->z[i] *= z.scale * z.metres;
+        profile->z[i] *= z->scale * z->metres;
     ovr_profile_note(profile, "spacing %s, heights times %s",
-                     ovr_metres(x.increment * x.scale * x.metres).text,
-                     ovr_metres(z.scale * z.metres).text);
+                     ovr_metres(x->increment * x->scale * x->metres).text,
+                     ovr_metres(z->scale * z->metres).text);
     return ovr_profile_finish(profile, n, err);
 }

@@ -109,24 +109,25 @@ static size_t count_rows(const ovr_text_table *t)
     return n;
 }
 
+/* Heights may be missing, x not. */
 static ovr_status read_cell(const ovr_text_table *t, const ovr_fields *fields,
-                            int column, bool may_miss, long line, double *value,
+                            long line, bool height, double *value,
                             ovr_error *err)
 {
-    size_t k = (size_t)column;
+    size_t k = (size_t)(height ? t->z : t->x);
     if (k >= fields->count) {
-        if (k == fields->count && fields->open && may_miss) {
+        if (k == fields->count && fields->open && height) {
             *value = NAN;
             return OVR_OK;
         }
         return ovr_fail_at(err, OVR_BAD_INPUT, t->profile->file, line,
-                           "%zu columns where column %d is needed",
-                           fields->count, column + 1);
+                           "%zu columns where column %zu is needed",
+                           fields->count, k + 1);
     }
     if (ovr_number(fields->field[k], t->layout.comma, value))
         return OVR_OK;
     *value = NAN;
-    if (may_miss && ovr_is_missing(fields->field[k]))
+    if (height && ovr_is_missing(fields->field[k]))
         return OVR_OK;
     return ovr_fail_at(err, OVR_BAD_INPUT, t->profile->file, line,
                        "'%s' where a number is needed",
@@ -143,9 +144,9 @@ static ovr_status read_row(ovr_text_table *t, ovr_line line, size_t i,
     if (!ovr_split(line, t->layout.separator, &fields))
         return fail(t, line.number, err,
                     "has more than 64 columns, which is all that are read");
-    status = read_cell(t, &fields, t->z, true, line.number, &p->z[i], err);
+    status = read_cell(t, &fields, line.number, true, &p->z[i], err);
     if (!status && t->x >= 0)
-        status = read_cell(t, &fields, t->x, false, line.number, &p->x[i], err);
+        status = read_cell(t, &fields, line.number, false, &p->x[i], err);
     return status;
 }
 

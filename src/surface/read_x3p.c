@@ -20,6 +20,8 @@ typedef struct package {
     ovr_profile *profile;
     char folder[256]; /* in front of main.xml */
     ovr_arena arena;  /* for what is unpacked */
+    ovr_x3p x;
+    size_t n, lines, line; /* points of a line; the line that is read */
 } package;
 
 /* --------------------------------------------------------------- the ZIP */
@@ -61,11 +63,13 @@ static bool find_main(package *k, zip_uint64_t *index)
     return false;
 }
 
-/* Sizes in a ZIP's directory are only promises: `maximum` bounds what is taken
- * and the content must be as long as it says. */
+/* Sizes in a ZIP's directory are only promises: what is taken is bounded, and
+ * the content must be as long as it says. */
 static ovr_status unpack(package *k, zip_uint64_t index, const char *name,
-                         size_t maximum, ovr_bytes *out, ovr_error *err)
+                         ovr_bytes *out, ovr_error *err)
 {
+    const size_t maximum = strcmp(name, "main.xml") ? OVR_CONTENT_MAX
+                                                    : OVR_CONTENT_MAX / 4;
     const char *file = k->profile->file;
     zip_stat_t about;
     zip_file_t *in;
@@ -109,15 +113,15 @@ static ovr_status unpack_named(package *k, const char *link, ovr_bytes *out,
                            "main.xml needs '%s', which is not in it",
                            ovr_quote((ovr_line){link, size, 0}).text);
     return unpack(k, (zip_uint64_t)index,
-                  ovr_quote((ovr_line){link, size, 0}).text, OVR_CONTENT_MAX,
-                  out, err);
+                  ovr_quote((ovr_line){link, size, 0}).text, out, err);
 }
 
 /* ------------------------------------------------------- what is announced */
 
-static ovr_status check(const ovr_x3p *x, const char *file, size_t *n,
-                        size_t *lines, ovr_error *err)
+static ovr_status check(package *k, ovr_error *err)
 {
+    const char *file = k->profile->file;
+    const ovr_x3p *x = &k->x;
     const ovr_x3p_axis *cx = &x->axis[0], *cz = &x->axis[2];
     double points = x->list > 0 ? x->list : x->size[0], rows = 1;
     if (x->list <= 0 && x->size[1] > 1)
@@ -141,8 +145,8 @@ static ovr_status check(const ovr_x3p *x, const char *file, size_t *n,
                            "%g x %g x %g points: one layer of 2 to %d points "
                            "is read",
                            points, rows, x->size[2], OVR_POINTS_MAX);
-    *n = (size_t)points;
-    *lines = (size_t)rows;
+    k->n = (size_t)points;
+    k->lines = (size_t)rows;
     return OVR_OK;
 }
 
@@ -169,10 +173,11 @@ static double coordinate(const ovr_x3p_axis *a, double stored)
 
 /* -------------------------------------------------------------- the points */
 
-static ovr_status read_binary(package *k, const ovr_x3p *x, size_t n,
-                              size_t lines, size_t line, ovr_error *err)
+static ovr_status read_binary(package *k, ovr_error *err)
 {
     ovr_profile *p = k->profile;
+    const ovr_x3p *x = &k->x;
+    const size_t n = k->n, all = n * k->lines;
     ovr_binary type[3] = {OVR_BINARY_U8, OVR_BINARY_U8, OVR_BINARY_U8};
     size_t place[3] = {0}, stride = 0;
     ovr_bytes data;
@@ -189,13 +194,13 @@ static ovr_status read_binary(package *k, const ovr_x3p *x, size_t n,
     status = unpack_named(k, x->data, &data, err);
     if (status)
         return status;
-    if (!stride || data.size / stride < n * lines)
+    if (!stride || data.size / stride < all)
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
                            "the points are cut off at offset %zu: %zu of %zu "
                            "bytes each are announced",
-                           data.size, n * lines, stride);
+                           data.size, all, stride);
     for (size_t i = 0; i < n; i++) {
-        const char *at = data.data + (line * n + i) * stride;
+        const char *at = data.data + (k->line * n + i) * stride;
         if (is_stored(x, 0))
             p->x[i] = ovr_binary_value(at + place[0], type[0]);
         p->z[i] = ovr_binary_value(at + place[2], type[2]);
@@ -226,41 +231,40 @@ static ovr_status read_datum(const ovr_profile *p, const ovr_x3p *x,
     return OVR_OK;
 }
 
-static ovr_status read_inline(package *k, const ovr_x3p *x, size_t n,
-                              size_t lines, size_t line, ovr_error *err)
+static ovr_status read_inline(package *k, ovr_error *err)
 {
+    const ovr_x3p *x = &k->x;
     const char *text = x->datum;
     ovr_status status = OVR_OK;
-    if (x->datums < n * lines)
+    if (x->datums < k->n * k->lines)
         return ovr_fail_at(err, OVR_BAD_INPUT, k->profile->file, 0,
                            "the DataList ends after %zu points; %zu are "
                            "announced",
-                           x->datums, n * lines);
-    for (size_t skip = line * n; skip; skip--)
+                           x->datums, k->n * k->lines);
+    for (size_t skip = k->line * k->n; skip; skip--)
         text += strlen(text) + 1;
-    for (size_t i = 0; i < n && !status; i++) {
+    for (size_t i = 0; i < k->n && !status; i++) {
         status = read_datum(k->profile, x, text, i, err);
         text += strlen(text) + 1;
     }
     return status;
 }
 
-static ovr_status apply_mask(package *k, const ovr_x3p *x, size_t n,
-                             size_t lines, size_t line, ovr_error *err)
+static ovr_status apply_mask(package *k, ovr_error *err)
 {
     ovr_bytes mask;
     ovr_status status;
-    if (!*x->valid)
+    if (!*k->x.valid)
         return OVR_OK;
-    status = unpack_named(k, x->valid, &mask, err);
+    status = unpack_named(k, k->x.valid, &mask, err);
     if (status)
         return status;
-    if (mask.size < (n * lines + 7) / 8)
+    if (mask.size < (k->n * k->lines + 7) / 8)
         return ovr_fail_at(err, OVR_BAD_INPUT, k->profile->file, 0,
                            "the mask of valid points is cut off at offset %zu",
                            mask.size);
-    for (size_t i = 0; i < n; i++) {
-        size_t bit = line * n + i;
+    for (size_t i = 0; i < k->n; i++) {
+        size_t bit = k->line * k->n + i;
         if (!((unsigned char)mask.data[bit / 8] >> bit % 8 & 1))
             k->profile->z[i] = NAN;
     }
@@ -282,44 +286,41 @@ static ovr_status place_points(ovr_profile *p, const ovr_x3p *x, size_t n,
 }
 
 static ovr_status read_package(package *k, const ovr_profile_source *source,
-                               ovr_x3p *x, ovr_error *err)
+                               ovr_error *err)
 {
     ovr_profile *p = k->profile;
     zip_uint64_t index;
     ovr_bytes xml;
-    size_t n = 0, lines = 0, line = 0;
     ovr_status status;
     if (!find_main(k, &index))
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
                            "is a ZIP without main.xml, and so not X3P");
-    status = unpack(k, index, "main.xml", OVR_CONTENT_MAX / 4, &xml, err);
+    status = unpack(k, index, "main.xml", &xml, err);
     if (!status)
-        status = ovr_x3p_parse(xml, p->file, &k->arena, x, err);
+        status = ovr_x3p_parse(xml, p->file, &k->arena, &k->x, err);
     if (!status)
-        status = check(x, p->file, &n, &lines, err);
+        status = check(k, err);
     if (!status)
-        status = ovr_profile_choose_line(p, source, lines, &line, err);
+        status = ovr_profile_choose_line(p, source, k->lines, &k->line, err);
     if (!status)
-        status = ovr_profile_reserve(p, n, err);
+        status = ovr_profile_reserve(p, k->n, err);
     if (!status)
-        status = *x->data ? read_binary(k, x, n, lines, line, err)
-                          : read_inline(k, x, n, lines, line, err);
+        status = *k->x.data ? read_binary(k, err) : read_inline(k, err);
     if (!status)
-        status = apply_mask(k, x, n, lines, line, err);
-    return status ? status : place_points(p, x, n, err);
+        status = apply_mask(k, err);
+    return status ? status : place_points(p, &k->x, k->n, err);
 }
 
 ovr_status ovr_read_x3p(ovr_profile *profile, const ovr_profile_source *source,
                         ovr_bytes content, ovr_error *err)
 {
     package k = {.profile = profile};
-    ovr_x3p x = {0};
     ovr_status status;
     profile->view.format = "X3P";
     k.arena = ovr_arena_make(&profile->arena.allocator);
     status = open_zip(&k, content, err);
     if (!status) {
-        status = read_package(&k, source, &x, err);
+        status = read_package(&k, source, err);
         zip_discard(k.zip);
     }
     ovr_arena_release(&k.arena);
