@@ -42,6 +42,7 @@ typedef struct ovr_resolved {
     const char
         *step_reason; /* of step = auto, why a step is one mesh; or NULL */
     double pass_load; /* by which a pass's load was scaled; 0: by nothing */
+    bool ran;         /* by a physics, which sets end and steps of the run */
     bool recorded;    /* its domain is that of a file resumed */
     ovr_arena arena;
 } ovr_resolved;
@@ -50,9 +51,6 @@ typedef struct ovr_resolved {
 const ovr_block *ovr_block_of(const ovr_resolved *r, const char *section);
 const ovr_slot *ovr_slot_of(const ovr_resolved *r, const char *section,
                             const char *key);
-
-/* True if surfaces that touch run in: they wear. */
-bool ovr_runs_in(const ovr_resolved *r);
 
 /* Puts the values of a block into the struct its rows point into, physical
  * numbers scaled by the contact. */
@@ -87,6 +85,10 @@ ovr_status ovr_resolve_stiffness(ovr_resolved *r, ovr_error *err);
 /* Fills the forms of the physics that have sections, once the contact is known;
  * resolves them. */
 ovr_status ovr_resolve_forms(ovr_resolved *r, ovr_error *err);
+
+/* Takes end and steps of a run that a physics makes by itself; false: none
+ * does. */
+bool ovr_resolved_march(ovr_resolved *r);
 ovr_status ovr_resolve_physics(ovr_resolved *r, ovr_error *err);
 
 /* Tells the physics the mesh that was found. */

@@ -8,12 +8,6 @@
 #include "contact/reversal.h"
 #include "simulation/conflicts.h"
 
-bool ovr_runs_in(const ovr_resolved *r)
-{
-    return ovr_case_find_block(r->c, "boundary", NULL) &&
-           ovr_slot_of(r, "boundary", "passes")->number > 0;
-}
-
 static bool is_given(const ovr_resolved *r, int feature)
 {
     ovr_model_feature_info info = ovr_model_feature_at(feature);

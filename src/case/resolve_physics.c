@@ -190,6 +190,16 @@ ovr_status ovr_resolve_forms(ovr_resolved *r, ovr_error *err)
     return OVR_OK;
 }
 
+bool ovr_resolved_march(ovr_resolved *r)
+{
+    bool makes = false;
+    for (int k = 0; ovr_physics_list[k]; k++)
+        if (r->physics[k].form && ovr_physics_list[k]->march)
+            makes |= ovr_physics_list[k]->march(r->physics[k].form, &r->march,
+                                                &r->values.scheme);
+    return makes;
+}
+
 static ovr_status resolve(ovr_resolved *r, int k, ovr_error *err)
 {
     const ovr_physics *p = ovr_physics_list[k];

@@ -4,7 +4,6 @@
 
 #include "case/domain.h"
 #include "case/resolve_element.h"
-#include "simulation/wear.h"
 
 /* Steps of whole meshes along the characteristic carry what moves without
  * error, and there corrections of fourth order follow histories; with others
@@ -33,17 +32,6 @@ static ovr_status resolve_radius(ovr_resolved *r, ovr_error *err)
     return ovr_resolve_history(r, "radius_1", &v->radius_1, &s->radius_1, err);
 }
 
-/* Running-in of surfaces that wear goes in long steps of a time of its own
- * (simulation/wear.h). */
-static void take_running_in(ovr_resolved *r)
-{
-    r->setup.transient = true;
-    r->march.end = OVR_WEAR_STEP * OVR_WEAR_MAX;
-    r->march.dT = r->values.step = OVR_WEAR_STEP;
-    if (r->values.scheme < 0)
-        r->values.scheme = OVR_UPSTREAM1;
-}
-
 ovr_status ovr_resolve_time(ovr_resolved *r, ovr_error *err)
 {
     ovr_settings *v = &r->values;
@@ -55,8 +43,11 @@ ovr_status ovr_resolve_time(ovr_resolved *r, ovr_error *err)
     r->march.dT = fmax(v->step, 0); /* of auto: once the mesh is known */
     r->march.error = v->error;
     r->march.until_steady = v->until_steady && s->transient;
-    if (ovr_runs_in(r) && !r->c->standing)
-        take_running_in(r);
+    r->ran = !r->c->standing && ovr_resolved_march(r);
+    if (r->ran) {
+        s->transient = true;
+        v->step = r->march.dT;
+    }
     if (ovr_section_fill(r, "load", err) || ovr_section_fill(r, "speed", err))
         return OVR_BAD_INPUT;
     if (ovr_resolve_history(r, "load", &v->load, &s->load, err))

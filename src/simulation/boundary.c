@@ -20,6 +20,7 @@
 #include "multigrid/friction.h"
 #include "multigrid/touching.h"
 #include "simulation/boundary.h"
+#include "simulation/conflicts.h"
 #include "simulation/mirror.h"
 #include "simulation/quantity_row.h"
 #include "simulation/steady.h"
@@ -526,6 +527,27 @@ static unsigned bits(const void *form)
     return f->passes > 0 ? OVR_PHYSICS_WEAR : 0;
 }
 
+static unsigned features(const void *form)
+{
+    const ovr_boundary_form *f = form;
+    return ovr_model_feature_bit(OVR_MODEL_BOUNDARY, true) |
+           ovr_model_feature_bit(OVR_MODEL_MEAN_FILM, !f->unresolved) |
+           ovr_model_feature_bit(OVR_MODEL_WEAR, f->passes > 0);
+}
+
+/* Running-in of surfaces that wear goes in long steps of a time of its own
+ * (wear.h). */
+static bool march_for(const void *form, ovr_march *march, int *scheme)
+{
+    if (!(((const ovr_boundary_form *)form)->passes > 0))
+        return false;
+    march->end = OVR_WEAR_STEP * OVR_WEAR_MAX;
+    march->dT = OVR_WEAR_STEP;
+    if (*scheme < 0)
+        *scheme = OVR_UPSTREAM1;
+    return true;
+}
+
 /* They are fields of each snapshot (observables.h). */
 static const char *fields(const void *form)
 {
@@ -542,6 +564,8 @@ const ovr_physics ovr_physics_boundary = {.name = "surfaces that touch",
                                           .resolve = ovr_boundary_resolve,
                                           .on_mesh = ovr_boundary_on_mesh,
                                           .bits = bits,
+                                          .march = march_for,
+                                          .features = features,
                                           .fields = fields,
                                           .keeps = ovr_boundary_keeps,
                                           .companion = &ovr_wear_companion,

@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "base/rows.h"
 #include "multigrid/images.h"
+#include "simulation/conflicts.h"
 #include "simulation/physics.h"
 
 /* Beyond these layers are not calculated: the images do not meet A(k); a layer
@@ -490,6 +491,12 @@ static ovr_status check(const ovr_simulation *sim, const void *own,
     return OVR_OK;
 }
 
+static unsigned features(const void *form)
+{
+    (void)form;
+    return ovr_model_feature_bit(OVR_MODEL_COATING, true);
+}
+
 const ovr_physics ovr_physics_coating = {.name = "layers on the bodies",
                                          .node_seconds = 5e-8,
                                          .section = &section,
@@ -498,6 +505,7 @@ const ovr_physics ovr_physics_coating = {.name = "layers on the bodies",
                                          .block = block,
                                          .stiffness = stiffness,
                                          .resolve = resolve,
+                                         .features = features,
                                          .layers = layers,
                                          .companion = &ovr_coating_companion,
                                          .tell = tell,

@@ -18,8 +18,7 @@
  */
 #define OVR_MODEL_FEATURE_ROWS(FEATURE)                                        \
     FEATURE(TIME, "a run in time", "time", "end", true, false,                 \
-            s->transient &&                                                    \
-                (!ovr_runs_in(r) || ovr_slot_of(r, "time", "end")->given))     \
+            s->transient && (!r->ran || ovr_slot_of(r, "time", "end")->given)) \
     FEATURE(UPSTREAM1, "scheme upstream1", "time", "scheme", false,            \
             o->scheme == OVR_UPSTREAM1, false)                                 \
     FEATURE(UPSTREAM2, "scheme upstream2", "time", "scheme", false,            \
@@ -63,20 +62,14 @@
             false)                                                             \
     FEATURE(PATCHES, "patches", "domain", "refine", false,                     \
             o->refine != OVR_REFINE_NONE, false)                               \
-    FEATURE(COATING, "a coating", "coating", "thickness", true, false,         \
-            ovr_case_find_block(r->c, "coating", NULL) != NULL)                \
+    FEATURE(COATING, "a coating", "coating", "thickness", true, false, false)  \
     FEATURE(OTHER_MODULI, "a layer of other moduli on that body", "coating",   \
             "modulus", false, false, false)                                    \
     FEATURE(BOUNDARY, "surfaces that touch", "boundary", "law", true, false,   \
-            ovr_case_find_block(r->c, "boundary", NULL) &&                     \
-                ovr_slot_of(r, "boundary", "law")->given)                      \
+            false)                                                             \
     FEATURE(MEAN_FILM, "a law of all roughness", "boundary", "of", false,      \
-            false,                                                             \
-            ovr_case_find_block(r->c, "boundary", NULL) &&                     \
-                ovr_slot_of(r, "boundary", "law")->given &&                    \
-                ovr_slot_of(r, "boundary", "of")->number == 0)                 \
-    FEATURE(WEAR, "running-in", "boundary", "passes", false, false,            \
-            ovr_runs_in(r))                                                    \
+            false, false)                                                      \
+    FEATURE(WEAR, "running-in", "boundary", "passes", false, false, false)     \
     FEATURE(ROUGHNESS, "roughness on the mesh", "feature", "shape", false,     \
             false, has_roughness(r))
 

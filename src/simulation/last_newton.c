@@ -27,7 +27,7 @@ static bool can(ovr_simulation *sim)
 {
     ovr_hierarchy *grids = &sim->grids;
     return sim->options.smoother == OVR_LINE && !grids->touch.at &&
-           !ovr_conserves(sim) && !sim->finest->borne &&
+           !grids->content && !sim->finest->borne &&
            !sim->options.paper_balance;
 }
 

@@ -9,8 +9,8 @@
  * on, in the order of the list, and calls no function of the others.  `own` is
  * what the physics has made for itself in this simulation.
  *
- *     a case      section, form, block, choose, stiffness, resolve, bits,
- *                 features, fields, keeps, layers, tell; drop
+ *     a case      section, form, block, choose, march, stiffness, resolve,
+ *                 bits, features, fields, keeps, layers, tell; drop
  *     creation    chosen, prepare, take, influence, warmth, equip; release
  *     steady      forget, solve, complete, couple, proceed, finish, begin
  *     a step      check, before_step, operate, history, sides, step, attempt,
@@ -140,6 +140,10 @@ struct ovr_physics {
 
     /* Bits beside its own, by what the form says. */
     unsigned (*bits)(const void *form);
+
+    /* Sets end and step of a run that it makes by itself, in place of [time],
+     * and its scheme where that is below 0; false: it makes none. */
+    bool (*march)(const void *form, ovr_march *march, int *scheme);
 
     /* Features of the model (conflicts.h) that the form turns on. */
     unsigned (*features)(const void *form);
