@@ -8,13 +8,12 @@
 #include "base/error.h"
 #include "base/text.h"
 
-ovr_status ovr_entries_open(ovr_entries *e, const char *text, const char *file,
-                            size_t maximum, ovr_arena *arena, ovr_error *err)
+ovr_status ovr_entries_open(ovr_entries *e, ovr_arena *arena, ovr_error *err)
 {
-    char *copy = ovr_arena_take(arena, maximum + 1, 1, err);
-    bool marked = !strncmp(text, "\357\273\277", 3); /* byte order mark */
-    *e = (ovr_entries){file, text + 3 * marked, 0, maximum, copy, false};
-    return copy ? OVR_OK : OVR_NO_MEMORY;
+    bool marked = !strncmp(e->at, "\357\273\277", 3); /* byte order mark */
+    e->at += 3 * marked;
+    e->copy = ovr_arena_take(arena, e->maximum + 1, 1, err);
+    return e->copy ? OVR_OK : OVR_NO_MEMORY;
 }
 
 static ovr_status fail(const ovr_entries *e, const char *what, ovr_error *err)
@@ -104,29 +103,30 @@ ovr_status ovr_entries_next(ovr_entries *e, ovr_entry *entry, ovr_error *err)
     return status;
 }
 
-ovr_status ovr_text_file(const char *path, const char *what, size_t maximum,
-                         ovr_arena *arena, const char **text, ovr_error *err)
+const char *ovr_text_file(const char *path, const char *what, size_t maximum,
+                          ovr_arena *arena, ovr_error *err)
 {
     char *content = ovr_arena_take(arena, maximum + 2, 1, err);
     FILE *file = content ? fopen(path, "rb") : NULL;
     size_t got = file ? fread(content, 1, maximum + 1, file) : 0;
     bool broken = !file || ferror(file);
     if (!content)
-        return OVR_NO_MEMORY;
+        return NULL;
     if (broken)
         ovr_fail(err, OVR_BAD_INPUT, "%s: cannot read the %s: %s", path, what,
                  strerror(errno));
     if (file)
         fclose(file);
     if (broken)
-        return OVR_BAD_INPUT;
-    *text = content;
+        return NULL;
+    if (got <= maximum && strlen(content) == got)
+        return content;
     if (got > maximum)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: is longer than a %s may be (%zu bytes)", path,
-                        what, maximum);
-    if (strlen(content) != got)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: is not a %s file: it is not text", path, what);
-    return OVR_OK;
+        ovr_fail(err, OVR_BAD_INPUT,
+                 "%s: is longer than a %s may be (%zu bytes)", path, what,
+                 maximum);
+    else
+        ovr_fail(err, OVR_BAD_INPUT, "%s: is not a %s file: it is not text",
+                 path, what);
+    return NULL;
 }

@@ -30,15 +30,16 @@ typedef struct ovr_entries {
     bool inside;      /* a section */
 } ovr_entries;
 
-ovr_status ovr_entries_open(ovr_entries *e, const char *text, const char *file,
-                            size_t maximum, ovr_arena *arena, ovr_error *err);
+/* Begins at `at` of `file` with lines of at most `maximum` characters, which
+ * are given. */
+ovr_status ovr_entries_open(ovr_entries *e, ovr_arena *arena, ovr_error *err);
 
 /* The next section or key, valid until the one after it. */
 ovr_status ovr_entries_next(ovr_entries *e, ovr_entry *entry, ovr_error *err);
 
 /* A whole file of text of at most so many bytes; `what` ("case") stands in
- * messages. */
-ovr_status ovr_text_file(const char *path, const char *what, size_t maximum,
-                         ovr_arena *arena, const char **text, ovr_error *err);
+ * messages.  NULL: it cannot be read. */
+const char *ovr_text_file(const char *path, const char *what, size_t maximum,
+                          ovr_arena *arena, ovr_error *err);
 
 #endif

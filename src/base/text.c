@@ -32,41 +32,39 @@ static size_t put_utf8(char *out, unsigned c)
     return 3;
 }
 
-static ovr_status from_utf16(ovr_bytes content, bool big, const char *file,
-                             ovr_arena *arena, ovr_bytes *decoded,
-                             ovr_error *err)
+static ovr_status from_utf16(ovr_bytes *content, bool big, const char *file,
+                             ovr_arena *arena, ovr_error *err)
 {
-    size_t units = (content.size - 2) / 2, used = 0;
-    const unsigned char *in = (const unsigned char *)content.data + 2;
+    size_t units = (content->size - 2) / 2, used = 0;
+    const unsigned char *in = (const unsigned char *)content->data + 2;
     char *out = ovr_arena_take(arena, units, 3, err);
     if (!out)
         return OVR_NO_MEMORY;
-    if (content.size % 2)
+    if (content->size % 2)
         return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
                            "UTF-16 text of an odd number of bytes (%zu): the "
                            "file is cut off",
-                           content.size);
+                           content->size);
     for (size_t i = 0; i < units; i++)
         used += put_utf8(out + used, unit16(in + 2 * i, big));
-    *decoded = (ovr_bytes){out, used};
+    *content = (ovr_bytes){out, used};
     return OVR_OK;
 }
 
-ovr_status ovr_decode(ovr_bytes content, const char *file, ovr_arena *arena,
-                      ovr_bytes *decoded, const char **encoding, ovr_error *err)
+ovr_status ovr_decode(ovr_bytes *content, const char *file, ovr_arena *arena,
+                      const char **encoding, ovr_error *err)
 {
-    const unsigned char *p = (const unsigned char *)content.data;
-    *decoded = content;
+    const unsigned char *p = (const unsigned char *)content->data;
     *encoding = "";
-    if (content.size >= 2 &&
+    if (content->size >= 2 &&
         ((p[0] == 0xFF && p[1] == 0xFE) || (p[0] == 0xFE && p[1] == 0xFF))) {
         *encoding = "UTF-16";
-        return from_utf16(content, p[0] == 0xFE, file, arena, decoded, err);
+        return from_utf16(content, p[0] == 0xFE, file, arena, err);
     }
-    if (content.size >= 3 && p[0] == 0xEF && p[1] == 0xBB && p[2] == 0xBF) {
+    if (content->size >= 3 && p[0] == 0xEF && p[1] == 0xBB && p[2] == 0xBF) {
         *encoding = "UTF-8 with mark";
-        decoded->data += 3;
-        decoded->size -= 3;
+        content->data += 3;
+        content->size -= 3;
     }
     return OVR_OK;
 }

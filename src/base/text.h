@@ -28,10 +28,9 @@ typedef struct ovr_lines {
 } ovr_lines;
 
 /* UTF-16 with a byte order mark becomes UTF-8 (in `arena`); a UTF-8 mark is
- * skipped; anything else is as it is. */
-ovr_status ovr_decode(ovr_bytes content, const char *file, ovr_arena *arena,
-                      ovr_bytes *decoded, const char **encoding,
-                      ovr_error *err);
+ * skipped; anything else stays as it is. */
+ovr_status ovr_decode(ovr_bytes *content, const char *file, ovr_arena *arena,
+                      const char **encoding, ovr_error *err);
 
 /* Lines end with LF, CR LF, CR CR LF or CR. */
 ovr_lines ovr_lines_of(ovr_bytes content);

@@ -67,11 +67,11 @@ static ovr_status take_value(ovr_case *c, const ovr_entry *entry,
 
 static ovr_status parse(ovr_case *c, ovr_error *err)
 {
-    ovr_entries all;
+    ovr_entries all = {
+        .file = c->name, .at = c->source, .maximum = OVR_LINE_MAX};
     ovr_entry entry;
     ovr_block *block = NULL;
-    ovr_status status = ovr_entries_open(&all, c->source, c->name, OVR_LINE_MAX,
-                                         &c->arena, err);
+    ovr_status status = ovr_entries_open(&all, &c->arena, err);
     while (!status && !(status = ovr_entries_next(&all, &entry, err)) &&
            entry.line) {
         ovr_error why = {0};
@@ -148,7 +148,7 @@ ovr_case *ovr_case_read(const char *path, const ovr_allocator *allocator,
     const char *text;
     ovr_case *c = NULL;
     if (folder && !refuse_result(path, err) &&
-        !ovr_text_file(path, "case", OVR_CASE_MAX, &scratch, &text, err)) {
+        (text = ovr_text_file(path, "case", OVR_CASE_MAX, &scratch, err))) {
         char *slash = strrchr(folder, '/');
         if (slash)
             slash[slash == folder] = '\0';

@@ -371,8 +371,9 @@ ovr_domain_needs ovr_setup_needs(const ovr_setup *s)
 
 /* An end that was given, inside the dry contact where it is widest. */
 static ovr_status refuse(const ovr_resolved *r, const char *key, double end,
-                         double width, double enough, ovr_error *err)
+                         double enough, ovr_error *err)
 {
+    double width = r->half_width;
     const ovr_slot *slot = ovr_slot_of(r, "domain", key);
     if (!slot->given || slot->word || r->recorded || fabs(end) > width)
         return OVR_OK;
@@ -396,8 +397,8 @@ ovr_status ovr_setup_domain(ovr_resolved *r, ovr_error *err)
         o->inlet = isnan(o->inlet) ? automatic.inlet : usual.inlet;
     if (o->outlet == 0 || isnan(o->outlet))
         o->outlet = isnan(o->outlet) ? automatic.outlet : usual.outlet;
-    if (refuse(r, "inlet", o->inlet, m.width, usual.inlet, err) ||
-        refuse(r, "outlet", o->outlet, m.width, usual.outlet, err))
+    if (refuse(r, "inlet", o->inlet, usual.inlet, err) ||
+        refuse(r, "outlet", o->outlet, usual.outlet, err))
         return OVR_BAD_INPUT;
     return OVR_OK;
 }

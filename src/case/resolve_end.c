@@ -46,19 +46,26 @@ static ovr_status wait_for(const ovr_setup *s, const ovr_slot *end, size_t k,
     return OVR_OK;
 }
 
-static ovr_status wait_for_history(const ovr_resolved *r, const char *section,
-                                   const ovr_history *history,
-                                   const ovr_slot *end, double *T,
-                                   ovr_error *err)
+static ovr_status wait_for_histories(const ovr_setup *s, const ovr_slot *end,
+                                     double *T, ovr_error *err)
 {
-    double over = ovr_history_end(history);
-    (void)r;
-    if (!isfinite(over))
-        return ovr_fail_slot(err, end,
-                             "auto: the history of [%s] never ends; give a "
-                             "time instead",
-                             section);
-    *T = fmax(*T, over);
+    const struct {
+        const char *section;
+        const ovr_history *is;
+    } all[] = {{"load", s->load},
+               {"speed", s->speed},
+               {"sliding", s->sliding},
+               {"radius", s->radius},
+               {"radius_1", s->radius_1}};
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++) {
+        double over = ovr_history_end(all[k].is);
+        if (!isfinite(over))
+            return ovr_fail_slot(err, end,
+                                 "auto: the history of [%s] never ends; give a "
+                                 "time instead",
+                                 all[k].section);
+        *T = fmax(*T, over);
+    }
     return OVR_OK;
 }
 
@@ -74,15 +81,7 @@ ovr_status ovr_resolve_end(ovr_resolved *r, ovr_error *err)
     for (size_t k = 0; !status && k < n; k++)
         status = wait_for(s, end, k, &T, err);
     if (!status)
-        status = wait_for_history(r, "load", s->load, end, &T, err);
-    if (!status)
-        status = wait_for_history(r, "speed", s->speed, end, &T, err);
-    if (!status)
-        status = wait_for_history(r, "sliding", s->sliding, end, &T, err);
-    if (!status)
-        status = wait_for_history(r, "radius", s->radius, end, &T, err);
-    if (!status)
-        status = wait_for_history(r, "radius_1", s->radius_1, end, &T, err);
+        status = wait_for_histories(s, end, &T, err);
     if (!status && !(T > 0))
         status = ovr_fail_slot(err, end,
                                "auto: nothing passes and nothing changes; "

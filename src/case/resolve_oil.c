@@ -29,8 +29,8 @@ static ovr_status read_table(ovr_resolved *r, const char *key, const char *file,
         err);
     if (status)
         return status;
-    r->tables[what] = ovr_law_table_create(what, c.count, c.x, c.y,
-                                           &r->arena.allocator, &why);
+    const ovr_law_points points = {what, c.count, c.x, c.y};
+    r->tables[what] = ovr_law_table_create(&points, &r->arena.allocator, &why);
     return r->tables[what] ? OVR_OK : ovr_fail_from(err, &why, file, 0);
 }
 

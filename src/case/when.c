@@ -112,17 +112,22 @@ static const char *asked(const ovr_case *c, const ovr_block *block,
                                             : NULL;
 }
 
-/* The first condition that does not hold; false: all do. */
+/* A condition that does not hold. */
+typedef struct failing {
+    char condition[OVR_CONDITION_MAX];
+    bool off; /* it is about the switch of a section */
+} failing;
+
+/* The first of them; false: all hold. */
 static bool first_failing(const ovr_case *c, const ovr_block *block,
-                          const char *when, char *condition, size_t capacity,
-                          bool *off)
+                          const char *when, failing *first)
 {
     char whole[OVR_CONDITION_MAX];
     while (when && ovr_condition_next(&when, "; ", whole, sizeof whole)) {
         const char *part = asked(c, block, whole);
-        if (!part || any_holds(c, block, part, off))
+        if (!part || any_holds(c, block, part, &first->off))
             continue;
-        snprintf(condition, capacity, "%s", part);
+        snprintf(first->condition, sizeof first->condition, "%s", part);
         return true;
     }
     return false;
@@ -131,9 +136,8 @@ static bool first_failing(const ovr_case *c, const ovr_block *block,
 bool ovr_conditions_hold(const ovr_case *c, const ovr_block *block,
                          const char *when)
 {
-    char condition[OVR_CONDITION_MAX];
-    bool off;
-    return !first_failing(c, block, when, condition, sizeof condition, &off);
+    failing first;
+    return !first_failing(c, block, when, &first);
 }
 
 /* The shape's own table knows which sizes it has, and refuses the others. */
@@ -180,13 +184,11 @@ bool ovr_key_idle(const ovr_case *c, const ovr_block *block,
                   const ovr_slot *slot, ovr_idle *idle)
 {
     const ovr_parameter *row = &block->section->rows[slot - block->slots];
-    char condition[OVR_CONDITION_MAX];
-    bool off;
-    if (!slot->given || !first_failing(c, block, conditions_of(row), condition,
-                                       sizeof condition, &off))
+    failing first;
+    if (!slot->given || !first_failing(c, block, conditions_of(row), &first))
         return false;
-    idle->said = off || slot->stored;
-    put_idle(c, block, condition, idle->text, sizeof idle->text);
+    idle->said = first.off || slot->stored;
+    put_idle(c, block, first.condition, idle->text, sizeof idle->text);
     return true;
 }
 

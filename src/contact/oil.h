@@ -44,12 +44,18 @@ typedef struct ovr_oil {
                      those of a mineral oil */
 } ovr_oil;
 
-/* Makes a table from n >= 2 points: p in Pa, increasing, the first from 0 to 1
+/* Points that a law was measured at. */
+typedef struct ovr_law_points {
+    ovr_table_of of;
+    size_t n;
+    const double *p, *value;
+} ovr_law_points;
+
+/* Makes a table from n >= 2 of them: p in Pa, increasing, the first from 0 to 1
  * MPa; values positive, none below the one before.  Between the points ln(eta),
  * or rho, follows Steffen's monotone spline over p, sampled at 1024 meshes;
  * beyond the ends it goes straight on. */
-ovr_law_table *ovr_law_table_create(ovr_table_of what, size_t n,
-                                    const double *p, const double *value,
+ovr_law_table *ovr_law_table_create(const ovr_law_points *points,
                                     const ovr_allocator *allocator,
                                     ovr_error *err);
 void ovr_law_table_free(ovr_law_table *table);

@@ -76,47 +76,47 @@ static double inside(double u)
     return u < 0x1p-54 ? 0x1p-54 : u > 1 - 0x1p-53 ? 1 - 0x1p-53 : u;
 }
 
-static ovr_status fill_sobol(const ovr_sampling *how, const char *const *key,
-                             size_t count, double *u, ovr_arena *arena,
-                             ovr_error *err)
+static ovr_status fill_sobol(const ovr_sampling *how, double *u,
+                             ovr_arena *arena, ovr_error *err)
 {
+    unsigned count = (unsigned)how->keys;
     double point[OVR_SOBOL_MAX] = {0};
     const gsl_qrng_type *sobol = gsl_qrng_sobol;
     void *state;
     if (count > OVR_SOBOL_MAX)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%zu keys are random, and the points of Sobol' have %d "
+                        "%u keys are random, and the points of Sobol' have %d "
                         "dimensions at most: take design = lhs",
                         count, OVR_SOBOL_MAX);
     /* gsl_qrng_alloc is not called: it ends the program where memory ends. */
-    state = ovr_arena_take(arena, 1, sobol->state_size((unsigned)count), err);
+    state = ovr_arena_take(arena, 1, sobol->state_size(count), err);
     if (!state)
         return OVR_NO_MEMORY;
-    sobol->init_state(state, (unsigned)count);
+    sobol->init_state(state, count);
     for (size_t i = 0; i < how->draws; i++) {
         size_t replicate = i % how->shifts;
         if (i >= how->shifts && replicate == 0)
-            sobol->get(state, (unsigned)count, point);
+            sobol->get(state, count, point);
         for (size_t k = 0; k < count; k++) {
-            double shift = ovr_uniform_at(how->seed, stream_of(key[k], "shift"),
-                                          replicate);
+            double shift = ovr_uniform_at(
+                how->seed, stream_of(how->key[k], "shift"), replicate);
             u[k * how->draws + i] = inside(fmod(point[k] + shift, 1));
         }
     }
     return OVR_OK;
 }
 
-ovr_status ovr_draws(const ovr_sampling *how, const char *const *key,
-                     size_t count, double *u, ovr_arena *arena, ovr_error *err)
+ovr_status ovr_draws(const ovr_sampling *how, double *u, ovr_arena *arena,
+                     ovr_error *err)
 {
     ovr_status status = OVR_OK;
-    if (how->design == OVR_SOBOL && count)
-        return fill_sobol(how, key, count, u, arena, err);
-    for (size_t k = 0; !status && k < count; k++)
+    if (how->design == OVR_SOBOL && how->keys)
+        return fill_sobol(how, u, arena, err);
+    for (size_t k = 0; !status && k < how->keys; k++)
         if (how->design == OVR_LHS)
-            status = fill_lhs(how, key[k], u + k * how->draws, arena, err);
+            status = fill_lhs(how, how->key[k], u + k * how->draws, arena, err);
         else
-            fill_plain(how, key[k], u + k * how->draws);
+            fill_plain(how, how->key[k], u + k * how->draws);
     return status;
 }
 

@@ -29,6 +29,8 @@ typedef struct ovr_sampling {
     ovr_design design;
     uint64_t seed;
     size_t draws;
+    const char *const *key; /* a dimension each */
+    size_t keys;
     size_t shifts; /* of sobol; draw i is point i/shifts of replicate i%shifts:
                       a sample grows without changing what is there */
 } ovr_sampling;
@@ -39,9 +41,9 @@ uint64_t ovr_text_hash(const char *text);
 /* The i-th number of (0, 1) of a stream. */
 double ovr_uniform_at(uint64_t seed, uint64_t stream, uint64_t i);
 
-/* u[k * draws + i] for keys k < count: the design's dimension k. */
-ovr_status ovr_draws(const ovr_sampling *how, const char *const *key,
-                     size_t count, double *u, ovr_arena *arena, ovr_error *err);
+/* u[k * draws + i] for each key k: the design's dimension k. */
+ovr_status ovr_draws(const ovr_sampling *how, double *u, ovr_arena *arena,
+                     ovr_error *err);
 
 /* ---------------------------------------------------------- distributions */
 

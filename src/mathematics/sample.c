@@ -143,16 +143,17 @@ double ovr_first_order(const double *x, const double *y, size_t n,
                 (between - noise * (double)(bins - 1) / (double)n) / variance);
 }
 
-void ovr_bin_ends(const double *x, const double *y, size_t n, ovr_arena *arena,
-                  double *lowest, double *highest)
+ovr_interval ovr_bin_ends(const double *x, const double *y, size_t n,
+                          ovr_arena *arena)
 {
     const pair *p = n > 3 ? sorted_pairs(x, y, n, arena) : NULL;
+    ovr_interval ends = {NAN, NAN};
     double variance;
-    *lowest = *highest = NAN;
-    if (!p)
-        return;
-    look_into(p, n, 0, lowest, &variance);
-    look_into(p, n, bins_of(n) - 1, highest, &variance);
+    if (p) {
+        look_into(p, n, 0, &ends.low, &variance);
+        look_into(p, n, bins_of(n) - 1, &ends.high, &variance);
+    }
+    return ends;
 }
 
 double ovr_rank_correlation(const double *x, const double *y, size_t n,

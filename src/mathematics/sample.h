@@ -40,8 +40,8 @@ double ovr_first_order(const double *x, const double *y, size_t n,
                        ovr_arena *arena);
 
 /* The bins' means in the lowest and the highest. */
-void ovr_bin_ends(const double *x, const double *y, size_t n, ovr_arena *arena,
-                  double *lowest, double *highest);
+ovr_interval ovr_bin_ends(const double *x, const double *y, size_t n,
+                          ovr_arena *arena);
 
 /* Spearman's rank correlation. */
 double ovr_rank_correlation(const double *x, const double *y, size_t n,

@@ -246,8 +246,11 @@ static ovr_status around(searching *w, bracket *in, double bad, int *attempts)
 
 /* A least-squares parabola in s - s0, by orthogonal steps of Gauss: its slope
  * at s0, and the scatter of n values about it with n - 3 degrees of freedom. */
-static void parabola(const point *p, size_t n, double s0, double half,
-                     double *slope, double *scatter)
+typedef struct fitted {
+    double slope, scatter;
+} fitted;
+
+static fitted parabola(const point *p, size_t n, double s0, double half)
 {
     double A[3][4] = {{0}}, c[3], sum = 0;
     for (size_t k = 0; k < n; k++) {
@@ -272,8 +275,7 @@ static void parabola(const point *p, size_t n, double s0, double half,
         double t = (p[k].s - s0) / half;
         sum += pow(p[k].q - p[0].q - (c[0] + t * (c[1] + t * c[2])), 2);
     }
-    *slope = c[1] / half;
-    *scatter = sqrt(sum / (double)(n - 3));
+    return (fitted){c[1] / half, sqrt(sum / (double)(n - 3))};
 }
 
 /* Values within sqrt(tolerance) of s0: there a parabola misses any smooth
@@ -295,7 +297,9 @@ static bool judge_about(searching *w, double s0)
     size_t n = list_about(w, s0, half, p);
     if (n < ABOUT)
         return false;
-    parabola(p, n, s0, half, &w->r->slope, &w->r->scatter);
+    fitted found = parabola(p, n, s0, half);
+    w->r->slope = found.slope;
+    w->r->scatter = found.scatter;
     w->r->scatters = !w->p->exact &&
                      w->r->scatter >
                          fabs(w->r->slope) * distance(w, s0, w->p->tolerance);

@@ -706,8 +706,8 @@ static ovr_status open_results(ovr_find *f, ovr_error *err)
         return ovr_fail_about(err, "results", "%s: cannot be made: %s", folder,
                               strerror(errno));
     if (access(path, F_OK) == 0) {
-        if (ovr_text_file(path, "question", QUESTION_MAX, &f->arena, &found,
-                          err))
+        found = ovr_text_file(path, "question", QUESTION_MAX, &f->arena, err);
+        if (!found)
             return OVR_BAD_INPUT;
         if (strcmp(found, asked) != 0)
             return ovr_fail_about(err, "results",

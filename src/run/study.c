@@ -238,14 +238,13 @@ static ovr_status take_entry(reading *r, const ovr_entry *entry)
 static ovr_status read_lines(reading *r)
 {
     ovr_study *s = r->s;
-    ovr_entries all;
     ovr_entry entry;
-    const char *text;
-    ovr_status status = ovr_text_file(s->path, "study", STUDY_MAX, &s->arena,
-                                      &text, r->err);
-    if (!status)
-        status = ovr_entries_open(&all, text, s->path, LINE_MAX, &s->arena,
-                                  r->err);
+    ovr_entries all = {
+        .file = s->path,
+        .at = ovr_text_file(s->path, "study", STUDY_MAX, &s->arena, r->err),
+        .maximum = LINE_MAX};
+    ovr_status status = all.at ? ovr_entries_open(&all, &s->arena, r->err)
+                               : r->err->status;
     while (!status && !(status = ovr_entries_next(&all, &entry, r->err)) &&
            entry.line)
         status = take_entry(r, &entry);

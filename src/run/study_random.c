@@ -320,10 +320,10 @@ static ovr_status read_rows(ovr_study *s, const ovr_study_chance *c,
     char cell[CELL], whole[CELL + 48], unit[40] = "";
     int column = -1;
     size_t lines = 1;
-    ovr_status status = ovr_text_file(path, name ? "table" : "list", LINES_MAX,
-                                      &s->arena, &text, err);
-    if (status)
-        return status;
+    text = ovr_text_file(path, name ? "table" : "list", LINES_MAX, &s->arena,
+                         err);
+    if (!text)
+        return err->status;
     for (at = text; *at; at++)
         lines += *at == '\n';
     to->cell = ovr_arena_take(&s->arena, lines, sizeof *to->cell, err);
@@ -397,7 +397,10 @@ static ovr_status make_dimensions(ovr_study *s, dimensions *d, ovr_error *err)
                           err);
     if (!d->u)
         return OVR_NO_MEMORY;
-    if (ovr_draws(&r->how, d->name, d->count, d->u, &s->arena, &why))
+    ovr_sampling how = r->how;
+    how.key = d->name;
+    how.keys = d->count;
+    if (ovr_draws(&how, d->u, &s->arena, &why))
         return ovr_fail_at(err, why.status, s->path, r->line, "%s",
                            why.message);
     return OVR_OK;

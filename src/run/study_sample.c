@@ -272,7 +272,9 @@ static ovr_status take_inputs(sampling *w, size_t from, const double *value,
         i = ovr_bootstrap(ovr_rank_correlation, x, y, n, &arena.allocator);
         in->rho_low = i.low;
         in->rho_high = i.high;
-        ovr_bin_ends(x, y, n, &arena, &in->lowest, &in->highest);
+        i = ovr_bin_ends(x, y, n, &arena);
+        in->lowest = i.low;
+        in->highest = i.high;
         r->inputs += in->key != NULL;
     }
     ovr_arena_release(&arena);

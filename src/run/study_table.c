@@ -222,11 +222,10 @@ static void read_rows(ovr_table *t, char *at)
 static ovr_table *read_csv(const char *path, ovr_error *err)
 {
     ovr_table *t = new_table(err);
-    const char *text = NULL;
+    const char *text =
+        t ? ovr_text_file(path, "table", MAX_BYTES, &t->arena, err) : NULL;
     char *at;
-    ovr_status status = t ? ovr_text_file(path, "table", MAX_BYTES, &t->arena,
-                                          &text, err)
-                          : OVR_NO_MEMORY;
+    ovr_status status = text ? OVR_OK : OVR_BAD_INPUT;
     if (!status) {
         at = ovr_arena_text(&t->arena, text, err);
         t->rows = count_lines(text);

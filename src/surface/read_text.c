@@ -240,10 +240,11 @@ static ovr_status make_points(ovr_text_table *t, ovr_error *err)
 ovr_status ovr_read_text(ovr_profile *profile, const ovr_profile_source *source,
                          ovr_bytes content, ovr_error *err)
 {
-    ovr_text_table t = {.profile = profile, .source = source};
-    const char *encoding = "";
-    ovr_status status = ovr_decode(content, profile->file, &profile->arena,
-                                   &t.content, &encoding, err);
+    ovr_text_table t = {
+        .profile = profile, .source = source, .content = content};
+    const char *encoding;
+    ovr_status status = ovr_decode(&t.content, profile->file, &profile->arena,
+                                   &encoding, err);
     profile->view.format = "text";
     if (!status)
         status = find_data(&t, err);

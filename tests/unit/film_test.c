@@ -245,8 +245,10 @@ static void laws_in_one_stage(void **state)
     static const double p[] = {0, 2e9};
     static const double eta[] = {0.01, 1e6}, rho[] = {850, 1100};
     ovr_law_table *table[] = {
-        ovr_law_table_create(OVR_TABLE_OF_VISCOSITY, 2, p, eta, NULL, NULL),
-        ovr_law_table_create(OVR_TABLE_OF_DENSITY, 2, p, rho, NULL, NULL)};
+        ovr_law_table_create(
+            &(ovr_law_points){OVR_TABLE_OF_VISCOSITY, 2, p, eta}, NULL, NULL),
+        ovr_law_table_create(&(ovr_law_points){OVR_TABLE_OF_DENSITY, 2, p, rho},
+                             NULL, NULL)};
     const ovr_law_table *tables[] = {table[0], table[1]};
     oil o = make();
     uint64_t seed = 24;

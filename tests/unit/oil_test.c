@@ -142,9 +142,10 @@ static const double table_rho[POINTS] = {850, 860, 876,  890, 915,
 static ovr_law_table *a_table(ovr_table_of what)
 {
     ovr_error err = {0};
-    ovr_law_table *table = ovr_law_table_create(
-        what, POINTS, table_p,
-        what == OVR_TABLE_OF_VISCOSITY ? table_eta : table_rho, NULL, &err);
+    const ovr_law_points points = {what, POINTS, table_p,
+                                   what == OVR_TABLE_OF_VISCOSITY ? table_eta
+                                                                  : table_rho};
+    ovr_law_table *table = ovr_law_table_create(&points, NULL, &err);
     if (!table)
         fail_msg("%s", err.message);
     return table;
@@ -201,8 +202,8 @@ static void a_table_of_a_law_is_the_law(void **state)
         p[i] = 1.2e9 * i / (FINE - 1);
         eta[i] = 0.01 * ovr_viscosity(&by_d, p[i] / 1e9);
     }
-    table = ovr_law_table_create(OVR_TABLE_OF_VISCOSITY, FINE, p, eta, NULL,
-                                 NULL);
+    table = ovr_law_table_create(
+        &(ovr_law_points){OVR_TABLE_OF_VISCOSITY, FINE, p, eta}, NULL, NULL);
     assert_non_null(table);
     t.viscosity_table = table;
     by_t = scaled(&t);
@@ -216,8 +217,8 @@ static void bad_table(size_t n, double p0, double p1, double v1)
 {
     const double p[] = {p0, p1, 1e9}, v[] = {1, v1, 3};
     ovr_error err = {0};
-    assert_null(
-        ovr_law_table_create(OVR_TABLE_OF_VISCOSITY, n, p, v, NULL, &err));
+    assert_null(ovr_law_table_create(
+        &(ovr_law_points){OVR_TABLE_OF_VISCOSITY, n, p, v}, NULL, &err));
     assert_int_equal(err.status, OVR_BAD_INPUT);
 }
 

@@ -73,10 +73,10 @@ static void take(ovr_design design, size_t draws, size_t shifts, uint64_t seed,
                  double *u)
 {
     static const char *const keys[] = {"a.b", "a.c", "d.e"};
-    const ovr_sampling how = {design, seed, draws, shifts};
+    const ovr_sampling how = {design, seed, draws, keys, 3, shifts};
     ovr_arena arena = ovr_arena_make(NULL);
     ovr_error err = {0};
-    CHECK_OK(ovr_draws(&how, keys, 3, u, &arena, &err), &err);
+    CHECK_OK(ovr_draws(&how, u, &arena, &err), &err);
     ovr_arena_release(&arena);
 }
 

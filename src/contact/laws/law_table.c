@@ -118,40 +118,41 @@ static void fill(ovr_law_table *t, ovr_table_of what, spline *c)
     t->slope[t->cells + 1] = t->slope[t->cells];
 }
 
-static ovr_status make(ovr_law_table *t, ovr_table_of what, size_t n,
-                       const double *p, const double *value, ovr_error *err)
+static ovr_status make(ovr_law_table *t, const ovr_law_points *of,
+                       ovr_error *err)
 {
+    size_t n = of->n;
     double *y = ovr_arena_take(&t->arena, n, sizeof *y, err);
     double *m = ovr_arena_take(&t->arena, n, sizeof *m, err);
     t->cells = CELLS;
-    t->mesh = p[n - 1] / CELLS;
+    t->mesh = of->p[n - 1] / CELLS;
     t->value = ovr_arena_take(&t->arena, CELLS + 2, sizeof *y, err);
     t->slope = ovr_arena_take(&t->arena, CELLS + 2, sizeof *y, err);
     if (!y || !m || !t->value || !t->slope)
         return OVR_NO_MEMORY;
     for (size_t i = 0; i < n; i++)
-        y[i] = what == OVR_TABLE_OF_VISCOSITY ? log(value[i]) : value[i];
-    make_slopes(n, p, y, m);
-    fill(t, what, &(spline){n, 0, p, y, m});
+        y[i] = of->of == OVR_TABLE_OF_VISCOSITY ? log(of->value[i])
+                                                : of->value[i];
+    make_slopes(n, of->p, y, m);
+    fill(t, of->of, &(spline){n, 0, of->p, y, m});
     return OVR_OK;
 }
 
-ovr_law_table *ovr_law_table_create(ovr_table_of what, size_t n,
-                                    const double *p, const double *value,
+ovr_law_table *ovr_law_table_create(const ovr_law_points *points,
                                     const ovr_allocator *allocator,
                                     ovr_error *err)
 {
-    if (!p || !value)
+    if (!points || !points->p || !points->value)
         return ovr_null(err, __func__);
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_law_table *table;
-    if (check_points(n, p, value, err))
+    if (check_points(points->n, points->p, points->value, err))
         return NULL;
     table = ovr_arena_take(&arena, 1, sizeof *table, err);
     if (!table)
         return NULL;
     table->arena = arena;
-    if (!make(table, what, n, p, value, err))
+    if (!make(table, points, err))
         return table;
     ovr_law_table_free(table);
     return NULL;
