@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "contact/film_formula.h"
+#include "overroll/overroll.h"
 #include "support/test.h"
 
 static const double pi = 3.14159265358979323846;
@@ -194,4 +195,36 @@ test_ground_tally test_ground_survey(uint64_t seed, int runs, double from,
                   (int)seed, level, from, to, layer, all.broken, runs,
                   all.cycles, all.max_cycles);
     return all;
+}
+
+double test_ground_share(double amplitude, double decay, int level)
+{
+    enum { SHARE = 0 };
+    char text[1000];
+    ovr_error err = {0};
+    ovr_run_options how = {0};
+    snprintf(text, sizeof text,
+             "[contact]\nhertz_pressure = 1 GPa\nradius = 6.84 mm\n"
+             "modulus = 227 GPa\nmean_speed = 3.22 m/s\nslide_to_roll = 0.3\n"
+             "viscosity = 10 mPa.s\nalpha = 20 1/GPa\n"
+             "[lubricant]\nrheology = eyring\neyring_stress = 5 MPa\n"
+             "[domain]\ninlet = -3\noutlet = 2\nlevel = %d\n"
+             "[time]\nend = 4.6\nscheme = characteristic\nstep = grid\n"
+             "[boundary]\nof = unresolved\nlaw = exponential\n"
+             "amplitude = %g\ndecay = %g nm\n"
+             "[feature f1]\nshape = roughness\nRq = 137 nm\nlength = 8\n"
+             "shortest = 0.15\nrolloff = 1\nseed = 1\nstart = inlet\n"
+             "[feature f2]\nshape = roughness\nsurface = 2\nRq = 137 nm\n"
+             "length = 8\nshortest = 0.15\nrolloff = 1\nseed = 2\n"
+             "start = inlet\n",
+             level, amplitude, decay);
+    ovr_case *c = ovr_case_read_text(text, "case", NULL, NULL, &err);
+    ovr_run *run = c ? ovr_run_create(c, &how, NULL, &err) : NULL;
+    CHECK_OK(run ? OVR_OK : err.status, &err);
+    CHECK_OK(ovr_run_go(run, &err), &err);
+    double share =
+        ovr_simulation_statistics(ovr_run_about(run)->sim)->mean.more[SHARE];
+    ovr_run_free(run);
+    ovr_case_free(c);
+    return share;
 }

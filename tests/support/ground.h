@@ -47,4 +47,9 @@ typedef struct test_ground_tally {
 test_ground_tally test_ground_survey(uint64_t seed, int runs, double from,
                                      double to, int level, double layer);
 
+/* The mean of the contact share of a run of lambda 1, a film of 194 nm over
+ * surfaces of 137 nm each, waves of 0.15 to 1 b, by amplitude exp(-h/decay);
+ * nm. */
+double test_ground_share(double amplitude, double decay, int level);
+
 #endif

@@ -3,29 +3,37 @@
  * 100 random pairs of ground surfaces (support/ground.h) by Eyring's law, one
  * in five hot, that touch through a layer of 3 nm, at each of lambda 0.7 to 3
  * and 0.3 to 0.7, level 7.  Of the former none breaks off, of the latter five
- * at most.
+ * at most.  And the share of one pair on three levels.
  */
 #include "support/ground.h"
 #include "support/test.h"
 
-static void thick_films_go_through(void **state)
+TEST(thick_films_go_through)
 {
-    (void)state;
     test_ground_tally t = test_ground_survey(33100, 100, 0.7, 3, 7, 3);
     assert_int_equal(t.broken, 0);
     assert_true(t.cycles <= 4);
 }
 
-static void thin_films_go_through(void **state)
+TEST(thin_films_go_through)
 {
-    (void)state;
     test_ground_tally t = test_ground_survey(33100, 100, 0.3, 0.7, 7, 3);
     assert_true(t.broken <= 5);
 }
 
-int main(void)
+/* exp((60 nm - h)/20 nm) falls by e over more than a mesh changes the film;
+ * what 20 nm and 5 nm make of it is printed beside. */
+TEST(share_is_that_of_any_level)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(thick_films_go_through),
-                                       cmocka_unit_test(thin_films_go_through)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    double share[3], thin[2];
+    for (int k = 0; k < 3; k++)
+        share[k] = test_ground_share(20.0855, 20, 7 + k);
+    for (int k = 0; k < 2; k++)
+        thin[k] = test_ground_share(54.6, 5, 7 + k);
+    print_message("60/20 nm: %.5f %.5f %.5f on levels 7, 8, 9; 20/5 nm: %.3g "
+                  "%.3g on levels 7, 8\n",
+                  share[0], share[1], share[2], thin[0], thin[1]);
+    assert_true(share[2] > 1e-3);
+    CHECK_CLOSE(share[0], share[2], 0.05);
+    CHECK_CLOSE(share[1], share[2], 0.05);
 }
