@@ -55,10 +55,16 @@ SOVER   := $(if $(filter 0,$(MAJOR)),0.$(MINOR),$(MAJOR))
 # are errors (CI).  Each has a build folder of its own.
 ifeq ($(SAN),1)
 override BUILD := $(BUILD)-san
-# -O1: instrumented code is compiled in two thirds of the time.  Two instruction
-# sets, that of vectors of four among them: the third is the same source.
+# -O1 -g1: instrumented code is compiled in half of the time, and its traces
+# have lines.  Two instruction sets, that of vectors of four among them: the
+# third is the same source.
 KIND := -fsanitize=address,undefined -fno-sanitize-recover=all \
-        -fno-omit-frame-pointer -O1 -DOVR_NO_AVX512
+        -fno-omit-frame-pointer -O1 -g1 -DOVR_NO_AVX512
+# In kernels these are four fifths of the compiler's time (36 s for 8 of
+# line.kernel.c), and find nothing that the address sanitizer does not where it
+# is read or written: a NULL, a pointer that leaves its array.  Their plain
+# twins are checked by all.
+KERNEL_KIND := -fno-sanitize=null,alignment,pointer-overflow,object-size
 endif
 ifeq ($(TSAN),1)
 override BUILD := $(BUILD)-tsan
@@ -105,7 +111,7 @@ endif
 # Kernels (*.kernel.c) are compiled once for each instruction set; the program
 # picks one when it starts.
 # Hints that clang cannot follow everywhere are no mistakes.
-KERNEL_CFLAGS := $(if $(SAN),-O1,-O3) -fno-trapping-math -Wno-pass-failed
+KERNEL_CFLAGS := $(if $(SAN),-O1,-O3) -fno-trapping-math -Wno-pass-failed$(KERNEL_KIND:%= %)
 ISAS := base $(if $(filter x86_64%,$(MACHINE)),avx2 $(if $(filter 1,$(SAN)),,avx512))
 ISA_base   :=
 ISA_avx2   := -mavx2 -mfma
@@ -170,10 +176,17 @@ $(COMPLETION): src/cli/overroll.bash $(PROGRAM)
 	$(Q)sed -e '/^ *# OPTIONS:/{r $@.options' -e 'd' -e '}' \
 	  -e '/^ *# KEYS:/{r $@.keys' -e 'd' -e '}' $< > $@
 
+# PATHS=1: gcc follows the paths through each file of the library and the
+# program as it compiles it, into the same code; `make lint` need not again.
 $(BUILD)/%.o: %.c $(BUILD)/flags
 	$(call say,CC    $<)
 	@mkdir -p $(@D)
-	$(Q)$(COMPILE) -MMD -MP -c -o $@ $<
+	$(Q)$(COMPILE) $(PATHS_FLAG) -MMD -MP -c -o $@ $<
+	$(if $(PATHS_FLAG),@touch $(BUILD)/$*.analyzed)
+ifdef PATHS
+$(filter-out %.base.o %.avx2.o %.avx512.o %/page.o,$(LIBOBJ)) $(CLIOBJ): \
+  PATHS_FLAG := -fanalyzer
+endif
 
 # What gnuplot runs and the page of `overroll view` as arrays; the page's style
 # and script go into its text where they are named.
@@ -227,12 +240,13 @@ $(PROGRAM) $(LIB) $(SHARED): $(BUILD)/parts
 # run; tests/verify is for `make verify` alone.
 NOT_TESTS := tests/support/% tests/verify/% tests/bench/% tests/fuzz/%
 # Instrumented, these scripts take two fifths of the time.  What long runs call
-# is in the tests of its parts, and of the form of sources and their symbols
-# sanitizers know nothing: they stay out where both are asked.
-SLOW      := $(if $(FAST),%_slow_test.c %_slow.sh $(if $(SAN),\
+# is in the tests of its parts, and of sources and their symbols sanitizers know
+# nothing: they stay out where both are asked.
+SLOW      := $(if $(FAST),%_slow_test.c %_slow.sh $(if $(SAN),tests/source/% \
                $(addprefix tests/,cli/stress.sh cli/faults.sh cli/readme.sh \
                  cli/passes.sh cli/sweep.sh cli/kills.sh pictures/view.sh \
-                 pictures/site.sh source/form.sh source/circles.sh)))
+                 pictures/site.sh reference/heat_order.sh reference/steps.sh \
+                 reference/elements_marched.sh)))
 TESTSRC   := $(wildcard tests/*/*_test.c)
 CHECKSRC  := $(filter-out $(NOT_TESTS) $(SLOW),$(TESTSRC))
 CHECKSH   := $(filter-out $(NOT_TESTS) $(SLOW),$(wildcard tests/*/*.sh))
@@ -248,7 +262,8 @@ endif
 endif
 VERIFYSRC := $(wildcard tests/verify/*_test.c)
 VERIFYSH  := $(wildcard tests/verify/*.sh)
-SUPPORT   := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/support/*.c))
+SUPPORT   := $(patsubst %.c,$(BUILD)/%.o,\
+               $(filter-out %/main.c,$(wildcard tests/support/*.c)))
 TESTBIN   := $(TESTSRC:%.c=$(BUILD)/%)
 # With a list of physics of its own.
 ALONE_TESTS := tests/unit/physics_test.c
@@ -271,47 +286,40 @@ TESTENV = OVERROLL='$(abspath $(PROGRAM))' BUILD='$(abspath $(BUILD))' \
 
 $(BUILD)/tests/%.o: OVR_CFLAGS += -Itests
 
-# All tests are one program, linked once: main() of tests/KIND/NAME.c is called
-# tests_KIND_NAME there, and a test is a name of the program.  Those that link
-# another part of the library than it has are programs of their own.
+# All tests are one program, linked once, and a test is a name of it.  Those that
+# link another part of the library than it has are programs of their own.
 ALONE     := $(filter $(ALONE_TESTS),$(TESTSRC))
 TOGETHER  := $(filter-out $(ALONE),$(TESTSRC))
 TESTNAMES := $(TOGETHER:%.c=%)
-$(TESTNAMES:%=$(BUILD)/%.o): CPPFLAGS += -Dmain=$(subst /,_,$*)
-$(BUILD)/tests/tests.c: $(BUILD)/tests/names
-	@{ $(foreach t,$(TESTNAMES),echo 'int $(subst /,_,$(t))(void);';) \
-	  echo '#define TESTS \'; \
-	  $(foreach t,$(TESTNAMES),\
-	    echo '    {"$(t:tests/%=%)", $(subst /,_,$(t))}, \';) \
-	  echo; echo '#include "support/main.h"'; } > $@
+TESTMAIN  := $(BUILD)/tests/support/main.o $(SUPPORT)
 $(BUILD)/tests/names: FORCE
 	@mkdir -p $(@D)
 	@echo '$(TESTNAMES)' | cmp -s - $@ || echo '$(TESTNAMES)' > $@
-$(BUILD)/tests/tests.o: $(BUILD)/tests/tests.c tests/support/main.h
-	$(Q)$(COMPILE) -c -o $@ $<
-$(BUILD)/tests/tests: $(BUILD)/tests/tests.o $(TESTNAMES:%=$(BUILD)/%.o) \
-  $(SUPPORT) $(LIB)
+$(BUILD)/tests/tests: $(TESTNAMES:%=$(BUILD)/%.o) $(TESTMAIN) $(LIB) \
+  $(BUILD)/tests/names
 	$(call say,LINK  $@)
-	$(Q)$(LINK) -o $@ $^ $(OVR_LIBS) -lcmocka
+	$(Q)$(LINK) -o $@ $(filter-out %/names,$^) $(OVR_LIBS) -lcmocka
 $(TESTNAMES:%=$(BUILD)/%): $(BUILD)/%: $(BUILD)/tests/tests
 	@mkdir -p $(@D)
 	@ln -sf ../tests $@
-$(ALONE:%.c=$(BUILD)/%): %: %.o $(SUPPORT) $(LIB)
+$(ALONE:%.c=$(BUILD)/%): %: %.o $(TESTMAIN) $(LIB)
 	$(call say,LINK  $@)
 	$(Q)$(LINK) -o $@ $^ $(OVR_LIBS) -lcmocka
 # One of them without the others, for who works on it.
-$(TESTNAMES:%=$(BUILD)/one/%): $(BUILD)/one/%: $(BUILD)/%.o $(SUPPORT) $(LIB)
+$(TESTNAMES:%=$(BUILD)/one/%): $(BUILD)/one/%: $(BUILD)/%.o $(TESTMAIN) $(LIB)
 	@mkdir -p $(@D)
-	$(Q)$(LINK) -Wl,--defsym=main=$(subst /,_,$*) -o $@ $^ $(OVR_LIBS) -lcmocka
+	$(Q)$(LINK) -o $@ $^ $(OVR_LIBS) -lcmocka
 
 # tests/fuzz/NAME_fuzz.c: a target of libFuzzer, whose corpus is in
-# tests/fuzz/corpus/NAME.  NAME_replay takes files instead of making inputs up.
+# tests/fuzz/corpus/NAME.  `replay NAME` takes files instead of making inputs
+# up; it holds all targets, each under another name.
 FUZZERS := $(patsubst tests/fuzz/%_fuzz.c,%,$(wildcard tests/fuzz/*_fuzz.c))
-REPLAYS := $(FUZZERS:%=$(BUILD)/tests/fuzz/%_replay)
 FUZZBIN := $(FUZZERS:%=$(BUILD)/tests/fuzz/%_fuzz)
-$(REPLAYS): %_replay: %_fuzz.o $(BUILD)/tests/fuzz/replay.o $(LIB)
-	$(call say,LINK  $@)
-	$(Q)$(LINK) -o $@ $^ $(OVR_LIBS)
+REPLAY  := $(BUILD)/tests/fuzz/replay
+REPLAYED := $(FUZZERS:%=$(BUILD)/tests/fuzz/%_replay.o)
+$(REPLAYED): %_replay.o: %_fuzz.o
+	$(Q)objcopy --redefine-sym LLVMFuzzerTestOneInput=replay_$(*F) $< $@
+$(BUILD)/tests/fuzz/replay.o: CPPFLAGS += '-DTARGETS=${FUZZERS:%=TARGET(%)}'
 $(FUZZBIN): %: %.o $(LIB)
 	$(call say,LINK  $@)
 	$(Q)$(LINK) -fsanitize=fuzzer -o $@ $^ $(OVR_LIBS)
@@ -321,9 +329,11 @@ COMMAND := $(filter-out %/main.o,$(CLIOBJ)) $(BUILD)/tests/fuzz/main.o
 $(BUILD)/tests/fuzz/main.o: $(BUILD)/src/cli/main.o
 	@mkdir -p $(@D)
 	$(Q)objcopy --redefine-sym main=overroll_main $< $@
-$(BUILD)/tests/fuzz/command_replay $(BUILD)/tests/fuzz/command_fuzz: $(COMMAND)
-$(BUILD)/tests/fuzz/command_replay $(BUILD)/tests/fuzz/command_fuzz: \
-  OVR_LIBS := $(LIB) $(OVR_LIBS)
+$(REPLAY): $(BUILD)/tests/fuzz/replay.o $(REPLAYED) $(COMMAND) $(LIB)
+	$(call say,LINK  $@)
+	$(Q)$(LINK) -o $@ $^ $(OVR_LIBS)
+$(BUILD)/tests/fuzz/command_fuzz: $(COMMAND)
+$(BUILD)/tests/fuzz/command_fuzz: OVR_LIBS := $(LIB) $(OVR_LIBS)
 $(BUILD)/tests/unit/physics_test: $(BUILD)/tests/unit/layer.o $(COMMAND)
 $(BUILD)/tests/unit/physics_test: OVR_LIBS := $(LIB) $(OVR_LIBS)
 
@@ -336,7 +346,7 @@ fuzz: ## fuzz every target (FUZZ_SECONDS=600 each, FUZZERS="a b")
 	@for t in $(FUZZERS); do \
 	  tests/fuzz/run $(BUILD)-fuzz $$t $(FUZZ_SECONDS) || exit 1; done
 
-tests: $(TESTBIN) $(REPLAYS) all ## compile the tests
+tests: $(TESTBIN) $(REPLAY) all ## compile the tests
 
 need-cmocka:
 	@$(PKG_CONFIG) --exists cmocka || \
@@ -344,11 +354,16 @@ need-cmocka:
 
 # The program of a test that runs without the others.
 one = $(BUILD)/$(if $(filter $(1),$(TESTNAMES)),one/)$(1)
-check: need-cmocka all $(LOCALE) $(REPLAYS) \
-  $(if $(ONLY),$(foreach t,$(CHECKSRC:%.c=%),$(call one,$(t))),$(CHECKSRC:%.c=$(BUILD)/%)) ## run the tests (FAST=1, SAN=1, ONLY="unit/% ...")
-	@$(TESTENV) tests/support/run -j $(JOBS) -o $(BUILD)/check \
-	  $(if $(ONLY),$(foreach t,$(CHECKSRC:%.c=%),$(call one,$(t))),$(CHECKSRC:%.c=$(BUILD)/%)) \
-	  $(CHECKSH)
+CHECKS := $(if $(ONLY),$(foreach t,$(CHECKSRC:%.c=%),$(call one,$(t))),\
+            $(CHECKSRC:%.c=$(BUILD)/%))
+CHECK_REPLAY := $(if $(filter %/corpus.sh,$(CHECKSH)),$(REPLAY))
+# What loads a shared library cannot load an instrumented one.
+CHECK_PARTS  := $(PROGRAM) $(LIB) $(if $(KIND),,$(SHARED)) $(CASE_PAGE) $(COMPLETION)
+check: need-cmocka $(CHECK_PARTS) $(LOCALE) $(CHECKS) $(CHECK_REPLAY) ## run the tests (FAST=1, SAN=1, ONLY="unit/% ...")
+	@$(TESTENV) tests/support/run -j $(JOBS) -o $(BUILD)/check $(CHECKS) $(CHECKSH)
+
+foretell: ## how many tests there are, and how long they will take
+	@tests/support/run -n -j $(JOBS) -o $(BUILD)/check $(CHECKS) $(CHECKSH)
 
 verify: need-cmocka all $(LOCALE) $(VERIFYSRC:%.c=$(BUILD)/%) ## what takes longer
 	@mkdir -p $(BUILD)/verify
@@ -360,7 +375,7 @@ HOURS ?= 24
 soak: $(PROGRAM) ## random cases for HOURS=24 of CPU (JOBS, SEED=...)
 	@OVERROLL='$(PROGRAM)' tests/soak/run $(BUILD)/soak $(HOURS) $(JOBS) $(SEED)
 
-tests/unit/corpus.run: $(REPLAYS)
+tests/unit/corpus.run: $(REPLAY)
 
 # A single test: make tests/unit/arena_test.run
 %.run: need-cmocka $(LOCALE)
@@ -587,7 +602,7 @@ help: ## this list
 	@sed -n 's/^\([a-z-]*\):[^#]*## \(.*\)/  \1\t\2/p' Makefile | expand -t 18
 
 FORCE:
-.PHONY: all program tests check fuzz verify soak coverage demo pictures paper validation html bench \
+.PHONY: all program tests check foretell fuzz verify soak coverage demo pictures paper validation html bench \
   format lint lint-format lint-tidy lint-cppcheck lint-analyzer lint-shell need-lint need-cmocka \
   install install-python uninstall deb clean help FORCE
 .SECONDARY:

@@ -1,16 +1,40 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Feeds files to a target of libFuzzer, without libFuzzer. */
+/*
+ * Feeds files to a target of libFuzzer, without libFuzzer.  Every target is in
+ * here under a name of its own, replay_NAME; the Makefile defines TARGETS, a
+ * TARGET(NAME) each.
+ */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
-int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
+#define TARGET(name) int replay_##name(const uint8_t *data, size_t size);
+TARGETS
+#undef TARGET
 
 enum { MAX = 1 << 20 };
 
+typedef int target(const uint8_t *data, size_t size);
+
+static target *target_named(const char *name)
+{
+#define TARGET(target_name)                                                    \
+    if (!strcmp(name, #target_name))                                           \
+        return replay_##target_name;
+    TARGETS
+#undef TARGET
+    return NULL;
+}
+
 int main(int argc, char **argv)
 {
-    for (int k = 1; k < argc; k++) {
+    target *take = argc > 1 ? target_named(argv[1]) : NULL;
+    if (!take) {
+        fprintf(stderr, "usage: replay TARGET FILE...\n");
+        return 2;
+    }
+    for (int k = 2; k < argc; k++) {
         FILE *in = fopen(argv[k], "rb");
         uint8_t *data = malloc(MAX);
         uint8_t *exact;
@@ -22,9 +46,9 @@ int main(int argc, char **argv)
         size = fread(data, 1, MAX, in);
         fclose(in);
         exact = realloc(data, size ? size : 1); /* a step too far shows */
-        LLVMFuzzerTestOneInput(exact, size);
+        take(exact, size);
         free(exact);
     }
-    printf("%d inputs\n", argc - 1);
+    printf("%s: %d inputs\n", argv[1], argc - 2);
     return 0;
 }

@@ -20,11 +20,10 @@ static ovr_options automatic(int level)
     return o;
 }
 
-static void test_sample(void **state)
+TEST(test_sample)
 {
     const double ML[][2] = {{5, 0},   {5, 15},   {20, 10},  {50, 15},
                             {100, 0}, {200, 10}, {1000, 0}, {1000, 15}};
-    (void)state;
     for (size_t k = 0; k < sizeof ML / sizeof *ML; k++)
         for (int hybrid = 0; hybrid < 2; hybrid++) {
             ovr_options o = automatic(10);
@@ -38,9 +37,8 @@ static void test_sample(void **state)
         }
 }
 
-static void test_film(void **state)
+TEST(test_film)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof truth_steady_rows / sizeof *truth_steady_rows;
          k += 4) {
         const truth_steady *e = &truth_steady_rows[k];
@@ -55,11 +53,10 @@ static void test_film(void **state)
 
 /* Moes' film number times M goes to 2.4476 (Martin, Guembel); the automatic
  * inlet loses a thousandth of it. */
-static void test_rigid_limit(void **state)
+TEST(test_rigid_limit)
 {
     const double limit = 2.4476, moes = 8 / acos(-1.0);
     double before = 1e9;
-    (void)state;
     print_message("\n|| rigid, isoviscous: H_min (Moes) M against 2.4476\n"
                   "| M | inlet | H_min M |\n|--:|--:|--:|\n");
     for (double M = 3; M > 5e-3; M *= 0.3162278) {
@@ -75,10 +72,9 @@ static void test_rigid_limit(void **state)
 }
 
 /* The film does not depend on the automatic inlet. */
-static void test_inlet(void **state)
+TEST(test_inlet)
 {
     const double ML[][2] = {{0.1, 0}, {1, 0}, {1, 5}, {5, 0}, {5, 10}, {20, 5}};
-    (void)state;
     for (size_t k = 0; k < sizeof ML / sizeof *ML; k++) {
         ovr_options o = automatic(11);
         test_solution near = test_steady(ML[k][0], ML[k][1], &o);
@@ -93,10 +89,9 @@ static void test_inlet(void **state)
 
 /* stop = truncation: the algebraic error is a fraction of the discretization
  * error, in fewer cycles. */
-static void test_truncation(void **state)
+TEST(test_truncation)
 {
     const double ML[][2] = {{5, 10}, {20, 10}, {100, 5}};
-    (void)state;
     for (size_t k = 0; k < sizeof ML / sizeof *ML; k++)
         for (int order = 1; order <= 2; order++) {
             ovr_options o = test_options();
@@ -111,14 +106,4 @@ static void test_truncation(void **state)
             assert_true(s.finest.algebraic < 0.1 * s.finest.difference);
             CHECK_CLOSE(s.o.H_cen, exact.o.H_cen, 1e-5);
         }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_sample),      cmocka_unit_test(test_film),
-        cmocka_unit_test(test_rigid_limit), cmocka_unit_test(test_inlet),
-        cmocka_unit_test(test_truncation),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

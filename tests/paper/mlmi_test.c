@@ -38,10 +38,9 @@ static void print_row(int level, size_t k, const test_solution *s,
                   s->o.H0 - automatic->o.H0, s->status ? "not converged" : "");
 }
 
-static void test_orders(void **state)
+TEST(test_orders)
 {
     int last = test_levels(8) < 14 ? test_levels(8) : 14;
-    (void)state;
     print_message("\n|| MLMI order p, range m: change of the solution\n"
                   "| level | p | m | H_m | P_s | H0 | |\n"
                   "|--:|--:|--:|--:|--:|--:|:--|\n");
@@ -58,10 +57,4 @@ static void test_orders(void **state)
             CHECK_NEAR(s.o.P_spike, automatic.o.P_spike, 1e-3);
         }
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_orders)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -272,9 +272,8 @@ static double measured(double of(const model *, grid *), double ratio,
 
 /* "The lower limit of the stability range is approximately eps/D = 0.01":
  * that is eps/D^2 = 0.8 at level 6; here it lies between 0.5 and 8. */
-static void test_gauss_seidel_stability(void **state)
+TEST(test_gauss_seidel_stability)
 {
-    (void)state;
     for (double ratio = 8; ratio < 1e4; ratio *= 4)
         assert_true(measured(growth, ratio, true, 1) < 1.001);
     for (double ratio = 0.5; ratio > 1e-4; ratio /= 4)
@@ -282,9 +281,8 @@ static void test_gauss_seidel_stability(void **state)
 }
 
 /* Unstable for large eps, unless under-relaxed by 0.6. */
-static void test_dipole_stability(void **state)
+TEST(test_dipole_stability)
 {
-    (void)state;
     assert_true(measured(growth, 100, false, 1) > 1.2);
     assert_true(measured(growth, 1, false, 1) > 1.2);
     assert_true(measured(growth, 0, false, 1) < 1.001);
@@ -292,11 +290,10 @@ static void test_dipole_stability(void **state)
         assert_true(measured(growth, ratio, false, 0.6) < 1.001);
 }
 
-static void test_smoothing_rates(void **state)
+TEST(test_smoothing_rates)
 {
     double seidel = measured(smoothing_rate, 1e4, true, 1);
     double dipole = measured(smoothing_rate, 0, false, 0.5);
-    (void)state;
     print_message("# smoothing rates: Gauss-Seidel %.2f (paper 0.5), dipole "
                   "%.2f (paper 0.4)\n",
                   seidel, dipole);
@@ -323,9 +320,8 @@ static double varying_factor(int finest, int index)
 
 /* One order of magnitude a cycle, the paper says of V(2,2) and W(2,2): true of
  * W; V gets half of it. */
-static void test_hybrid_cycles(void **state)
+TEST(test_hybrid_cycles)
 {
-    (void)state;
     for (int finest = 7; finest <= 9; finest++) {
         double V = varying_factor(finest, 1), W = varying_factor(finest, 2);
         print_message("# level %d: factor %.2f per V(2,2), %.2f per W(2,2)\n",
@@ -333,15 +329,4 @@ static void test_hybrid_cycles(void **state)
         assert_true(V < 0.4);
         assert_true(W < 0.16);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_gauss_seidel_stability),
-        cmocka_unit_test(test_dipole_stability),
-        cmocka_unit_test(test_smoothing_rates),
-        cmocka_unit_test(test_hybrid_cycles),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

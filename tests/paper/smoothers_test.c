@@ -30,14 +30,13 @@ static void print_solution(const test_solution *s)
                       1e3 * s->seconds);
 }
 
-static void test_table(void **state)
+TEST(test_table)
 {
     const double ML[][2] = {{5, 2.5},  {5, 10},   {10, 10},  {20, 2.5},
                             {20, 10},  {50, 10},  {100, 5},  {200, 8},
                             {500, 10}, {1000, 5}, {1000, 15}};
     const size_t cases = sizeof ML / sizeof *ML;
     int last = test_levels(8) < 12 ? test_levels(8) : 12;
-    (void)state;
     print_message("\n|| line V(1,1) and hybrid V(2,2)\n"
                   "| M | L | level | line: cycles | factor | ms | hybrid: "
                   "cycles | factor | ms |\n"
@@ -64,11 +63,10 @@ static void test_table(void **state)
 /* The paper's parts alone: Gauss-Seidel where eps/D^2 is large everywhere (low
  * load, fine grid), the dipole with its under-relaxation converges anywhere,
  * slowly; neither ends without saying so. */
-static void test_parts_alone(void **state)
+TEST(test_parts_alone)
 {
     test_solution seidel = solve(5, 0, 8, OVR_GAUSS_SEIDEL);
     test_solution dipole = solve(20, 10, 7, OVR_DIPOLE);
-    (void)state;
     print_message("# Gauss-Seidel alone, M = 5, L = 0, level 8: %s, R %.1e, "
                   "%d cycles\n",
                   ovr_status_name(seidel.status), seidel.o.residual,
@@ -81,11 +79,10 @@ static void test_parts_alone(void **state)
     assert_true(dipole.status == OVR_OK || dipole.status == OVR_NOT_CONVERGED);
 }
 
-static void test_ranges(void **state)
+TEST(test_ranges)
 {
     const double wrong[][2] = {{0.4, 0.5}, {1.1, 0.5}, {0.8, 0.2}, {0.8, 0.7}};
     test_contact c = test_contact_make(20, 10);
-    (void)state;
     for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
         ovr_options o = test_options();
         ovr_error err = {0};
@@ -95,12 +92,4 @@ static void test_ranges(void **state)
             ovr_simulation_create(&c.contact, &c.lubricant, &o, NULL, &err));
         CHECK_ERROR(&err, OVR_BAD_INPUT, "under-relaxation");
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_table),
-                                       cmocka_unit_test(test_parts_alone),
-                                       cmocka_unit_test(test_ranges)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

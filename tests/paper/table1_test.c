@@ -82,23 +82,20 @@ static void table(bool paper)
     }
 }
 
-static void test_paper(void **state)
+TEST(test_paper)
 {
-    (void)state;
     table(true);
 }
 
-static void test_line(void **state)
+TEST(test_line)
 {
-    (void)state;
     table(false);
 }
 
 /* What 2 W cycles leave is far below the discretization error, and so the
  * film is that of the exact discrete solution. */
-static void test_two_w_suffice(void **state)
+TEST(test_two_w_suffice)
 {
-    (void)state;
     for (int level = 7; level <= 9; level++) {
         ovr_options o = fixed(level, 2, true);
         test_solution s = test_steady(20, 10, &o);
@@ -112,10 +109,9 @@ static void test_two_w_suffice(void **state)
 
 /* On fine grids too W cycles leave less than V cycles do: coarse grids are
  * solved twice. */
-static void test_two_w_leave_less(void **state)
+TEST(test_two_w_leave_less)
 {
     double left[2];
-    (void)state;
     for (int index = 1; index <= 2; index++) {
         ovr_options o = fixed(13, index, false);
         test_solution s = test_steady(20, 10, &o);
@@ -127,26 +123,13 @@ static void test_two_w_leave_less(void **state)
 }
 
 /* Low loads: 2 V cycles are enough, as the paper says. */
-static void test_two_v_at_low_load(void **state)
+TEST(test_two_v_at_low_load)
 {
     const double ML[][2] = {{5, 2.5}, {5, 10}, {10, 2.5}, {10, 10}};
-    (void)state;
     for (size_t k = 0; k < sizeof ML / sizeof *ML; k++) {
         ovr_options o = fixed(9, 1, true);
         test_solution s = test_steady(ML[k][0], ML[k][1], &o);
         CHECK_OK(s.status, NULL);
         assert_true(s.finest.algebraic < 0.5 * s.finest.difference);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_paper),
-        cmocka_unit_test(test_line),
-        cmocka_unit_test(test_two_w_suffice),
-        cmocka_unit_test(test_two_w_leave_less),
-        cmocka_unit_test(test_two_v_at_low_load),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -77,35 +77,30 @@ static void table(int order, ovr_smoother smoother)
         check_row(level, &row[level], order);
 }
 
-static void test_line_1(void **state)
+TEST(test_line_1)
 {
-    (void)state;
     table(1, OVR_LINE);
 }
 
-static void test_line_2(void **state)
+TEST(test_line_2)
 {
-    (void)state;
     table(2, OVR_LINE);
 }
 
-static void test_hybrid_1(void **state)
+TEST(test_hybrid_1)
 {
-    (void)state;
     table(1, OVR_HYBRID);
 }
 
-static void test_hybrid_2(void **state)
+TEST(test_hybrid_2)
 {
-    (void)state;
     table(2, OVR_HYBRID);
 }
 
 /* Nodal values are right far beyond the band: every digit that the reference
  * has, where the tolerance is negligible. */
-static void test_digits(void **state)
+TEST(test_digits)
 {
-    (void)state;
     for (int order = 1; order <= 2; order++)
         for (int level = 6; level <= 10; level++) {
             test_solution s = solve(level, order, OVR_LINE);
@@ -114,14 +109,4 @@ static void test_digits(void **state)
             CHECK_NEAR(s.o.H_cen, exact_row(order, level)->H_cen, 3e-8);
             CHECK_NEAR(s.o.H0, exact_row(order, level)->H0, 3e-8);
         }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_line_1),   cmocka_unit_test(test_line_2),
-        cmocka_unit_test(test_hybrid_1), cmocka_unit_test(test_hybrid_2),
-        cmocka_unit_test(test_digits),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -72,7 +72,7 @@ static void check_svg(const char *path)
     free(data);
 }
 
-static void draws_every_kind(void **state)
+TEST_IN_FOLDER(draws_every_kind)
 {
     const char *path = test_path(*state, "made.h5");
     const char *picture = test_path(*state, "picture.png");
@@ -95,7 +95,7 @@ static void draws_every_kind(void **state)
     ovr_result_close(r);
 }
 
-static void draws_every_form(void **state)
+TEST_IN_FOLDER(draws_every_form)
 {
     const char *path = test_path(*state, "made.h5");
     const char *svg = test_path(*state, "picture.svg");
@@ -121,7 +121,7 @@ static void draws_every_form(void **state)
 }
 
 /* Runs in the folder, so that what a script may create lands there. */
-static void keeps_foreign_text_inert(void **state)
+TEST_IN_FOLDER(keeps_foreign_text_inert)
 {
     static const char *const stolen[] = {"stolen1", "stolen2", "stolen3",
                                          "stolen4", "stolen5"};
@@ -162,7 +162,7 @@ static const char *line_after(const char *text, const char *start)
     return strchr(at, '\n') + 1;
 }
 
-static void writes_the_data_beside(void **state)
+TEST_IN_FOLDER(writes_the_data_beside)
 {
     const char *path = test_path(*state, "made.h5");
     const char *picture = test_path(*state, "p.png");
@@ -194,7 +194,7 @@ static void writes_the_data_beside(void **state)
     ovr_result_close(r);
 }
 
-static void refuses_clearly(void **state)
+TEST_IN_FOLDER(refuses_clearly)
 {
     const char *path = test_path(*state, "made.h5");
     ovr_picture_options o = ovr_picture_options_default();
@@ -237,7 +237,7 @@ static ovr_status with_allocator(void *data, const ovr_allocator *allocator,
     return OVR_OK;
 }
 
-static void survives_failing_allocations(void **state)
+TEST_IN_FOLDER(survives_failing_allocations)
 {
     const char *path = test_path(*state, "made.h5");
     char *found = strdup(getenv("PATH"));
@@ -262,7 +262,7 @@ static ovr_status view_with(void *data, const ovr_allocator *allocator,
     return ovr_view(&r, 1, &o, allocator, err);
 }
 
-static void page_survives_failing_allocations(void **state)
+TEST_IN_FOLDER(page_survives_failing_allocations)
 {
     char *here = getcwd(NULL, 0);
     ovr_result *r;
@@ -295,7 +295,7 @@ static ovr_status frames_with(void *data, const ovr_allocator *allocator,
     return OVR_OK;
 }
 
-static void frames_survive_failing_allocations(void **state)
+TEST_IN_FOLDER(frames_survive_failing_allocations)
 {
     char *here = getcwd(NULL, 0), *found = strdup(getenv("PATH"));
     ovr_result *r;
@@ -318,7 +318,7 @@ static bool stop_at_five(void *data, size_t done, size_t count)
 }
 
 /* Stopped, then resumed: each frame is drawn once. */
-static void frames_go_on(void **state)
+TEST_IN_FOLDER(frames_go_on)
 {
     const char *path = test_path(*state, "made.h5");
     ovr_frames_options o = {0};
@@ -356,23 +356,10 @@ static void frames_go_on(void **state)
     ovr_result_close(r);
 }
 
-#define TEST(name)                                                             \
-    cmocka_unit_test_setup_teardown(name, test_make_folder, test_remove_folder)
-
-int main(void)
+static int gnuplot_is_there(void **state)
 {
-    const struct CMUnitTest tests[] = {TEST(draws_every_kind),
-                                       TEST(draws_every_form),
-                                       TEST(keeps_foreign_text_inert),
-                                       TEST(writes_the_data_beside),
-                                       TEST(refuses_clearly),
-                                       TEST(survives_failing_allocations),
-                                       TEST(page_survives_failing_allocations),
-                                       TEST(frames_survive_failing_allocations),
-                                       TEST(frames_go_on)};
-    if (system("gnuplot --version >/dev/null 2>&1") != 0) {
-        print_message("no gnuplot\n");
-        return 77;
-    }
-    return cmocka_run_group_tests(tests, NULL, NULL);
+    (void)state;
+    return system("gnuplot --version >/dev/null 2>&1");
 }
+
+TEST_GROUP(gnuplot_is_there, NULL)

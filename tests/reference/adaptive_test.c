@@ -5,19 +5,10 @@
 #include "../support/adaptive.h"
 #include "../support/test.h"
 
-static void dents(void **state)
+TEST(dents)
 {
     test_adaptive all = test_adaptive_cases(20261122, 3, 5, "upstream2");
-    (void)state;
     assert_true(all.worst < 10);
     all = test_adaptive_cases(20261122, 2, 5, "characteristic");
     assert_true(all.worst < 10);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(dents),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

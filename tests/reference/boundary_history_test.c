@@ -132,7 +132,7 @@ static const ovr_observation *end_of(const ovr_run *run)
 /* By a soft law and by a stiff one.  At the last node, where A is not zero, the
  * truth has half a weight of it, the program none: what is allowed beside 1e-8
  * is that node's A, by the gap of dry bodies 0.36 and what the law adds. */
-static void at_rest_metal_bears_all(void **state)
+TEST(at_rest_metal_bears_all)
 {
     static const struct {
         const char *decay;
@@ -141,7 +141,6 @@ static void at_rest_metal_bears_all(void **state)
                0.0024836008987852987, 0.9515414618212708, 3.9e-4},
               {"boundary.decay=0.02", -0.5825764670328836,
                0.0003995540592388602, 0.9802205290775604, 0}};
-    (void)state;
     for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
         ovr_case *c = begin(rest);
         assign(c, of[k].decay);
@@ -162,10 +161,9 @@ static void at_rest_metal_bears_all(void **state)
 
 /* After a stop what the film bears is squeezed out: metal bears more and more,
  * and nothing of it is lost. */
-static void a_stop_squeezes_the_film_out(void **state)
+TEST(a_stop_squeezes_the_film_out)
 {
     double last = 0;
-    (void)state;
     for (int k = 0; k < 3; k++) {
         static const char *const ends[] = {"time.end=4", "time.end=12",
                                            "time.end=36"};
@@ -187,9 +185,8 @@ static void a_stop_squeezes_the_film_out(void **state)
 
 /* Started from rest, or turned, the film becomes the steady one, after a turn
  * its mirror image. */
-static void after_a_reversal_it_is_the_steady_film(void **state)
+TEST(after_a_reversal_it_is_the_steady_film)
 {
-    (void)state;
     ovr_run *run = gone(begin(ground));
     double share = end_of(run)->more[SHARE], H = end_of(run)->H_cen;
     ovr_run_free(run);
@@ -229,9 +226,8 @@ static void go_through(const char *const *settings, const char *name)
     ovr_run_free(run);
 }
 
-static void cams_and_gears_go_through(void **state)
+TEST(cams_and_gears_go_through)
 {
-    (void)state;
     go_through(cam, "cam");
     go_through(gear, "gear");
 }
@@ -269,12 +265,11 @@ static double film_over(const ovr_run *run, double Rq)
 
 /* What breaks off says its lambda, down to which it would hold, and what the
  * mean film makes of it. */
-static void what_breaks_off_says_what_holds(void **state)
+TEST(what_breaks_off_says_what_holds)
 {
     ovr_error err = {0};
     ovr_run_options how = {0};
     double lambda = NAN;
-    (void)state;
     ovr_case *c = begin(sealed);
     assign(c, "boundary.law=layer");
     ovr_run *run = ovr_run_create(c, &how, NULL, &err);
@@ -291,15 +286,4 @@ static void what_breaks_off_says_what_holds(void **state)
     assert_non_null(strstr(err.message, "of = all"));
     ovr_run_free(run);
     ovr_case_free(c);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(at_rest_metal_bears_all),
-        cmocka_unit_test(a_stop_squeezes_the_film_out),
-        cmocka_unit_test(after_a_reversal_it_is_the_steady_film),
-        cmocka_unit_test(cams_and_gears_go_through),
-        cmocka_unit_test(what_breaks_off_says_what_holds)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -129,7 +129,7 @@ static void bears(ovr_case *c, double amplitude, double decay)
 /* At its last node, where A is A(H) and not zero, the truth has half a weight
  * of it, the program none: what is allowed beside 1e-8 is that node's A, some
  * 0.3 long of it pressing from there. */
-static void films_are_those_of_the_dense_newton(void **state)
+TEST(films_are_those_of_the_dense_newton)
 {
     static const struct {
         double M, L, s;
@@ -147,7 +147,6 @@ static void films_are_those_of_the_dense_newton(void **state)
                0.07200559119284872, 7e-4},
               {50, 10, 0.012, 7, -0.5632758996973974, 0.027529062043276015,
                0.10064704662698547, 0}};
-    (void)state;
     for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
         ovr_case *c = by_moes(of[k].M, of[k].L, of[k].level);
         double D = 5.5 / (7 << of[k].level), end = of[k].at_end * D;
@@ -172,12 +171,11 @@ static void put_wave(ovr_case *c, double amplitude)
 }
 
 /* Waves that stand in the contact, a crest at X = 0. */
-static void standing_waves_are_those_of_the_dense_newton(void **state)
+TEST(standing_waves_are_those_of_the_dense_newton)
 {
     static const double of[][4] = {
         {0.05, -0.5112078327275613, 0.05557424626283938, 0.04095970848015097},
         {0.1, -0.5042865262088885, 0.04464866001993048, 0.061058162322976416}};
-    (void)state;
     for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
         ovr_case *c = by_moes(20, 10, 6);
         bears(c, 1, 0.02);
@@ -193,7 +191,7 @@ static void standing_waves_are_those_of_the_dense_newton(void **state)
  * by slip, on its way and after 102 steps dT = D.  What is left is how the two
  * continue the film before the inlet; the truth's solves it to 1e-10, at the
  * first step it is 4e-8. */
-static void films_in_time_are_those_of_the_dense_newton(void **state)
+TEST(films_in_time_are_those_of_the_dense_newton)
 {
     static const struct {
         double amplitude, slide, end, H0, H_min, share;
@@ -207,7 +205,6 @@ static void films_in_time_are_those_of_the_dense_newton(void **state)
                0.049905753828227296, 0.02057691685369753},
               {0.06, 0.5, 2.504464286, -0.4890709228354468, 0.0571637279755794,
                0.01561286572274158}};
-    (void)state;
     for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
         ovr_case *c = by_moes(20, 10, 5);
         bears(c, 1, 0.02);
@@ -230,11 +227,10 @@ static void films_in_time_are_those_of_the_dense_newton(void **state)
 }
 
 /* The mesh is read off the shares alone, to levels that have no full matrix. */
-static void share_is_of_second_order(void **state)
+TEST(share_is_of_second_order)
 {
     enum { LEVELS = 5 };
     double share[LEVELS];
-    (void)state;
     for (int l = 0; l < LEVELS; l++) {
         ovr_case *c = by_moes(20, 10, 5 + l);
         bears(c, 1, 0.042);
@@ -249,10 +245,9 @@ static void share_is_of_second_order(void **state)
 
 /* Summits that reach a sixth of the film bear nothing; an amplitude of zero is
  * no law at all. */
-static void thick_films_do_not_know_of_it(void **state)
+TEST(thick_films_do_not_know_of_it)
 {
     touching none = solved(by_moes(20, 10, 6)), thick;
-    (void)state;
     ovr_case *c = by_moes(20, 10, 6);
     bears(c, 1, 0.084 / 6 / 2.15);
     thick = solved(c);
@@ -265,12 +260,11 @@ static void thick_films_do_not_know_of_it(void **state)
 }
 
 /* From a film to bodies that touch dry: Stribeck's curve. */
-static void contact_takes_over_as_it_slows(void **state)
+TEST(contact_takes_over_as_it_slows)
 {
     static const double speed[] = {30, 10, 3, 1, 0.3, 0.1, 0.03, 0.01};
     enum { SPEEDS = sizeof speed / sizeof *speed };
     touching last = {0};
-    (void)state;
     for (int k = 0; k < SPEEDS; k++) {
         ovr_case *c = begin(gear);
         assignf(c, "contact.mean_speed=%g m/s", speed[k]);
@@ -293,7 +287,7 @@ static void contact_takes_over_as_it_slows(void **state)
 
 /* With temperatures: what summits drag warms film and bodies, and all of it is
  * found again. */
-static void energy_closes_with_what_summits_drag(void **state)
+TEST(energy_closes_with_what_summits_drag)
 {
     static const char *const warm[] = {"contact.load=60 kN/m",
                                        "contact.radius=10 mm",
@@ -312,7 +306,6 @@ static void energy_closes_with_what_summits_drag(void **state)
                                        NULL};
     ovr_error err = {0};
     double flow[2];
-    (void)state;
     for (int k = 0; k < 2; k++) {
         ovr_case *c = begin(warm);
         assign(c, k ? "boundary.friction=0.11" : "boundary.friction=0");
@@ -338,9 +331,8 @@ static void energy_closes_with_what_summits_drag(void **state)
 }
 
 /* A layer of a few nm has a pole at no gap: the film stays open. */
-static void layer_keeps_the_film_open(void **state)
+TEST(layer_keeps_the_film_open)
 {
-    (void)state;
     ovr_case *c = begin(gear);
     assign(c, "contact.mean_speed=5 mm/s");
     assign(c, "boundary.law=layer");
@@ -351,12 +343,11 @@ static void layer_keeps_the_film_open(void **state)
 }
 
 /* A table of what an exponential bears, in nm and MPa, is that exponential. */
-static void table_is_the_law_that_it_was_made_of(void **state)
+TEST(table_is_the_law_that_it_was_made_of)
 {
     touching t[2];
     char path[] = "/tmp/overroll-table-XXXXXX";
     FILE *f = fdopen(mkstemp(path), "w");
-    (void)state;
     assert_non_null(f);
     fputs("gap [nm], pressure [MPa]\n", f);
     for (double gap = 0; gap < 900; gap += 45)
@@ -385,7 +376,7 @@ static void table_is_the_law_that_it_was_made_of(void **state)
 /* The usual constants of summits carry 1.9 % at W 1e-4, U 1e-11, G 4500, s/R
  * 2e-5: by the dense Newton, of which two digits are known, and not what
  * oil it had beside G. */
-static void summits_carry_little(void **state)
+TEST(summits_carry_little)
 {
     static const char *const by_W_U_G[] = {"contact.load=226 kN/m",
                                            "contact.radius=10 mm",
@@ -396,7 +387,6 @@ static void summits_carry_little(void **state)
                                            "domain.level=6",
                                            "domain.order=2",
                                            NULL};
-    (void)state;
     ovr_case *c = begin(by_W_U_G);
     assign(c, "boundary.law=greenwood-tripp");
     assign(c, "boundary.Rq=200 nm");
@@ -419,10 +409,9 @@ static void put_roughness(ovr_case *c, int surface)
  * exponential of their Rq and slope, 0.0184 by their spectrum, off by 0.2 Rq in
  * the gap: by exp(0.2 2.15) = 1.5 in what is borne; none of them is on the
  * mesh. */
-static void profiles_bear_as_they_do_dry(void **state)
+TEST(profiles_bear_as_they_do_dry)
 {
     touching t[2];
-    (void)state;
     for (int k = 0; k < 2; k++) {
         ovr_case *c = begin(gear);
         assign(c, "contact.mean_speed=3.22 m/s");
@@ -445,7 +434,7 @@ static void profiles_bear_as_they_do_dry(void **state)
  * dense Newton: H_cen of smooth surfaces times 1.052, 1.203, 1.457, shares
  * 0.177, 0.127, 0.073 for none, isotropic roughness and ridges across, of an
  * oil that is about this one: quotients to 3 %. */
-static void flow_factors_make_the_film_thicker(void **state)
+TEST(flow_factors_make_the_film_thicker)
 {
     static const struct {
         const char *name;
@@ -454,7 +443,6 @@ static void flow_factors_make_the_film_thicker(void **state)
               {"isotropic", 1.203, 0.127},
               {"transverse", 1.457, 0.073}};
     touching t[3];
-    (void)state;
     for (int k = 0; k < 3; k++) {
         ovr_case *c = begin(gear);
         assign(c, "domain.level=6");
@@ -480,9 +468,8 @@ static void check_refused(ovr_case *c, const char *words)
     ovr_case_free(c);
 }
 
-static void what_has_no_answer_is_refused(void **state)
+TEST(what_has_no_answer_is_refused)
 {
-    (void)state;
     ovr_case *c = begin(gear);
     assign(c, "boundary.law=exponential");
     check_refused(c, "mean_speed");
@@ -517,23 +504,4 @@ static void what_has_no_answer_is_refused(void **state)
     assign(c, "boundary.slope=0.03");
     put_roughness(c, 1);
     check_refused(c, "unresolved");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(films_are_those_of_the_dense_newton),
-        cmocka_unit_test(standing_waves_are_those_of_the_dense_newton),
-        cmocka_unit_test(films_in_time_are_those_of_the_dense_newton),
-        cmocka_unit_test(share_is_of_second_order),
-        cmocka_unit_test(thick_films_do_not_know_of_it),
-        cmocka_unit_test(contact_takes_over_as_it_slows),
-        cmocka_unit_test(energy_closes_with_what_summits_drag),
-        cmocka_unit_test(layer_keeps_the_film_open),
-        cmocka_unit_test(table_is_the_law_that_it_was_made_of),
-        cmocka_unit_test(summits_carry_little),
-        cmocka_unit_test(profiles_bear_as_they_do_dry),
-        cmocka_unit_test(flow_factors_make_the_film_thicker),
-        cmocka_unit_test(what_has_no_answer_is_refused)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

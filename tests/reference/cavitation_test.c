@@ -38,9 +38,8 @@ static void node_is(const ovr_state *s, const cavity_node *truth)
     CHECK_NEAR(s->q[truth->i], truth->q, 1e-7);
 }
 
-static void steady_contacts(void **state)
+TEST(steady_contacts)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof cavity_steadies / sizeof *cavity_steadies;
          k++) {
         const cavity_steady *truth = &cavity_steadies[k];
@@ -66,9 +65,8 @@ static void steady_contacts(void **state)
 
 /* What is flooded has the pressure of the Reynolds equation; what arrives
  * beyond what it takes makes no difference. */
-static void flooded_is_reynolds(void **state)
+TEST(flooded_is_reynolds)
 {
-    (void)state;
     for (int level = 5; level < 7; level++) {
         double supply[] = {0, 0.3};
         ovr_error err = {0};
@@ -119,9 +117,8 @@ static void follow(const cavity_run *truth)
     ovr_simulation_free(sim);
 }
 
-static void starved_dents(void **state)
+TEST(starved_dents)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof cavity_runs / sizeof *cavity_runs; k++)
         follow(&cavity_runs[k]);
 }
@@ -149,7 +146,7 @@ static double waving(void *data, double T)
     return 0.08 + 0.06 * cos(3 * T);
 }
 
-static void oil_is_conserved(void **state)
+TEST(oil_is_conserved)
 {
     enum { STEPS = 300, N = 7 * 64 + 1 };
     double supply = 1, before[N], total, first, out = 0, left = 1e-12;
@@ -158,7 +155,6 @@ static void oil_is_conserved(void **state)
     ovr_simulation *sim = made(6, 1e-9, &supply);
     const ovr_state *s = ovr_simulation_state(sim);
     const ovr_observation *o = ovr_simulation_observation(sim);
-    (void)state;
     ovr_simulation_supply(sim, waving, NULL, 0.01);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     first = stored(s, s->q) + o->oil_reservoir;
@@ -213,7 +209,7 @@ static void take_over(times *t, const ovr_state *s, double dT)
 
 /* The mass defect of a step is its algebraic residual, whatever its length, and
  * while the entrainment stops: content never falls below nothing. */
-static void steps_of_any_length(void **state)
+TEST(steps_of_any_length)
 {
     enum { STEPS = 200 };
     static times t;
@@ -225,7 +221,6 @@ static void steps_of_any_length(void **state)
     ovr_simulation *sim = made(6, 1e-7, &supply);
     const ovr_state *s = ovr_simulation_state(sim);
     const ovr_observation *o = ovr_simulation_observation(sim);
-    (void)state;
     form.kind = OVR_HISTORY_SINE;
     form.amplitude = 1;
     form.period = 2.5;
@@ -253,16 +248,4 @@ static void steps_of_any_length(void **state)
     assert_true(slowest < 0.01);
     ovr_simulation_free(sim);
     ovr_history_free(speed);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(steady_contacts),
-        cmocka_unit_test(flooded_is_reynolds),
-        cmocka_unit_test(starved_dents),
-        cmocka_unit_test(oil_is_conserved),
-        cmocka_unit_test(steps_of_any_length),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -4,21 +4,12 @@
 #include "support/coated.h"
 #include "support/test.h"
 
-static void steady(void **state)
+TEST(steady)
 {
-    (void)state;
     test_coated_steady(30);
 }
 
-static void dents(void **state)
+TEST(dents)
 {
-    (void)state;
     test_coated_dents(4, 4);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(steady),
-                                       cmocka_unit_test(dents)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

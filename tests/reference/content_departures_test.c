@@ -60,7 +60,7 @@ static double starving(void *data, double T)
     return 0.03 + 0.01 * cos(3 * T);
 }
 
-static void what_arrives_stays_or_leaves(void **state)
+TEST(what_arrives_stays_or_leaves)
 {
     enum { STEPS = 300 };
     double before[N], first, out = 0, left = 1e-12, last = starving(NULL, 0);
@@ -69,7 +69,6 @@ static void what_arrives_stays_or_leaves(void **state)
     const ovr_state *s = ovr_simulation_state(sim);
     const ovr_observation *o = ovr_simulation_observation(sim);
     test_feature dent = {'l', -0.05, 0.5, -4.6, 1, 0};
-    (void)state;
     ovr_simulation_supply(sim, starving, NULL, 0);
     ovr_simulation_surface(sim, test_feature_heights, &dent);
     ovr_simulation_moving(sim, 1);
@@ -132,7 +131,7 @@ static void take_over(times *t, const ovr_simulation *sim, double dT)
  * wherever its departure points, while the entrainment stops, with the inlet
  * closed and open, but for steps in which it turns; content never falls below
  * nothing. */
-static void steps_of_any_length(void **state)
+TEST(steps_of_any_length)
 {
     enum { STEPS = 300 };
     static times t;
@@ -145,7 +144,6 @@ static void steps_of_any_length(void **state)
     ovr_simulation *sim = made(OVR_CHARACTERISTIC, LEVEL, 1e-7);
     const ovr_state *s = ovr_simulation_state(sim);
     const ovr_observation *o = ovr_simulation_observation(sim);
-    (void)state;
     form.kind = OVR_HISTORY_SINE;
     form.amplitude = 1;
     form.period = 2.5;
@@ -191,7 +189,7 @@ static double in_waves(void *data, double T)
     return 0.1 + 0.08 * cos(0.8 * T);
 }
 
-static void reservoir_oil_is_counted(void **state)
+TEST(reservoir_oil_is_counted)
 {
     enum { STEPS = 1000 };
     double came = 0, taken = 0;
@@ -201,7 +199,6 @@ static void reservoir_oil_is_counted(void **state)
     ovr_simulation *sim = made(OVR_CHARACTERISTIC, 5, 1e-7);
     const ovr_state *s = ovr_simulation_state(sim);
     const ovr_observation *o = ovr_simulation_observation(sim);
-    (void)state;
     ovr_simulation_supply(sim, in_waves, NULL, 0.01);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     for (int k = 0; k < STEPS; k++) {
@@ -222,9 +219,8 @@ static void reservoir_oil_is_counted(void **state)
 
 /* Before the film, where nothing presses, a supply passes as it arrived, in
  * steps of one and of several meshes. */
-static void carried_exactly(void **state)
+TEST(carried_exactly)
 {
-    (void)state;
     for (int meshes = 1; meshes < 4; meshes++) {
         ovr_error err = {0};
         ovr_simulation *sim = made(OVR_CHARACTERISTIC, LEVEL, 0);
@@ -262,10 +258,9 @@ static double carried_error(int level)
     return sum;
 }
 
-static void carried_between_nodes(void **state)
+TEST(carried_between_nodes)
 {
     double coarse = carried_error(5), fine = carried_error(6);
-    (void)state;
     print_message("carried wave: %.2g, %.2g of 0.01\n", coarse, fine);
     assert_true(fine < coarse / 3);
     assert_true(fine < 1e-4);
@@ -327,10 +322,9 @@ static errors against(const series *coarse, const series *fine, int share)
 }
 
 /* Both schemes go to one limit, and this one is nearer to it by far. */
-static void a_starved_dent(void **state)
+TEST(a_starved_dent)
 {
     static series fine, along, upstream, finer;
-    (void)state;
     follow(OVR_CHARACTERISTIC, 8, &fine);
     follow(OVR_CHARACTERISTIC, 6, &along);
     follow(OVR_UPSTREAM2, 6, &upstream);
@@ -341,17 +335,4 @@ static void a_starved_dent(void **state)
                   e.H_cen, e.H_min, u.H_cen, u.H_min, v.H_cen, v.H_min);
     assert_true(e.H_cen < u.H_cen / 5 && e.H_min < u.H_min / 3);
     assert_true(v.H_cen < u.H_cen / 2 && v.H_min < u.H_min / 2);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_arrives_stays_or_leaves),
-        cmocka_unit_test(steps_of_any_length),
-        cmocka_unit_test(reservoir_oil_is_counted),
-        cmocka_unit_test(carried_exactly),
-        cmocka_unit_test(carried_between_nodes),
-        cmocka_unit_test(a_starved_dent),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,16 +3,8 @@
 #include "../support/domains.h"
 #include "../support/test.h"
 
-static void chosen_domains_are_wide_enough(void **state)
+TEST(chosen_domains_are_wide_enough)
 {
-    (void)state;
     test_domains_survey(28000, 10, false);
     test_domains_survey(281000, 10, true);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(chosen_domains_are_wide_enough)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

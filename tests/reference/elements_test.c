@@ -91,9 +91,8 @@ static void check_loads(const ovr_gear_form *form, const ovr_gear_geometry *g,
                    p[9] * whole, same * whole);
 }
 
-static void gears_are_those_of_another_program(void **state)
+TEST(gears_are_those_of_another_program)
 {
-    (void)state;
     for (size_t k = 0; k < COUNT(truth_gears); k++) {
         const truth_gear *truth = &truth_gears[k];
         ovr_gear_form form = given_gear(truth);
@@ -118,9 +117,8 @@ static void gears_are_those_of_another_program(void **state)
 
 /* The pitch point does not slide, curvatures and radii add up, whatever the
  * pair. */
-static void gears_keep_their_identities(void **state)
+TEST(gears_keep_their_identities)
 {
-    (void)state;
     for (size_t k = 0; k < COUNT(truth_gears); k++) {
         ovr_gear_form form = given_gear(&truth_gears[k]);
         ovr_gear *made = gear(&form);
@@ -144,11 +142,10 @@ static void gears_keep_their_identities(void **state)
 
 /* Shares of all pairs that touch add up to the whole load, by every rule, but
  * for the blend's own reach about B and D. */
-static void shares_add_up(void **state)
+TEST(shares_add_up)
 {
     const ovr_gear_sharing rules[] = {OVR_SHARING_RULE, OVR_SHARING_ELASTIC,
                                       OVR_SHARING_STIFFNESS};
-    (void)state;
     for (size_t r = 0; r < COUNT(rules); r++) {
         ovr_gear_form form = given_gear(&truth_gears[0]);
         form.sharing = rules[r];
@@ -170,12 +167,11 @@ static void shares_add_up(void **state)
 /* At one moment, the contact lines of all pairs carry F_n together: the sum
  * over slices of the face, each of which meets the pairs a little later than
  * the one before. */
-static void helical_lines_carry_the_load(void **state)
+TEST(helical_lines_carry_the_load)
 {
     enum { ACROSS = 2000 };
     ovr_gear_form form = given_gear(&truth_gears[2]);
     double sum = 0, along = 0, whole = 0;
-    (void)state;
     assert_true(form.helix_angle > 0);
     for (int i = 0; i < ACROSS; i++) {
         form.slice = (i + 0.5) / ACROSS;
@@ -200,9 +196,8 @@ static void helical_lines_carry_the_load(void **state)
 
 /* Gear 1 and 2 exchanged, and which of them drives: the same contact with its
  * surfaces exchanged. */
-static void a_mirrored_pair_is_the_same(void **state)
+TEST(a_mirrored_pair_is_the_same)
 {
-    (void)state;
     for (size_t k = 0; k < COUNT(truth_gears); k++) {
         ovr_gear_form form = given_gear(&truth_gears[k]), other = form;
         if (form.teeth_2 < 0)
@@ -234,12 +229,11 @@ static void a_mirrored_pair_is_the_same(void **state)
 
 /* The radius of curvature is that of the involute drawn point by point: the
  * string's length is the arc it has left. */
-static void radii_are_those_of_involutes(void **state)
+TEST(radii_are_those_of_involutes)
 {
     ovr_gear_form form = given_gear(&truth_gears[0]);
     ovr_gear *made = gear(&form);
     const ovr_gear_geometry *g = ovr_gear_of(made);
-    (void)state;
     for (int i = 1; i < 20; i++) {
         ovr_element_moment m = ovr_gear_at(made, g->duration * i / 20);
         double x[3], y[3], roll = m.R_1 / g->base_1, step = 1e-3 * roll;
@@ -267,11 +261,10 @@ static void refused_gear(const ovr_gear_form *form, const char *about,
     assert_string_equal(err.about, about);
 }
 
-static void impossible_gears_are_refused(void **state)
+TEST(impossible_gears_are_refused)
 {
     const ovr_gear_form good = given_gear(&truth_gears[0]);
     ovr_gear_form form = good;
-    (void)state;
     form.module = NAN;
     refused_gear(&form, "module", "must be positive");
     form = good;
@@ -312,13 +305,12 @@ static void impossible_gears_are_refused(void **state)
     refused_gear(&form, "sharing", "helical");
 }
 
-static void flash_temperatures_follow_blok(void **state)
+TEST(flash_temperatures_follow_blok)
 {
     enum { STEPS = 400000 };
     const ovr_element_moment m = {
         .u1 = 3, .u2 = 2, .load = 1e5, .R = 0.01, .R_1 = 0.02, .R_2 = 0.02};
     double b = 1e-4, mu = 0.05, B = 1.2e4, largest = 0;
-    (void)state;
     /* A half-elliptic source of the heat Q = mu w |u1 - u2| moves over a half
      * space: T(x) = (1/(B sqrt(pi u))) times the integral of q over the root
      * of the way since; both surfaces share it so that B sqrt(u) adds up. */
@@ -383,9 +375,8 @@ static void check_cam_point(const ovr_cam *made, const truth_cam *truth,
     CHECK_CLOSE(m.load, p[8], same);
 }
 
-static void cams_are_those_of_another_program(void **state)
+TEST(cams_are_those_of_another_program)
 {
-    (void)state;
     for (size_t k = 0; k < COUNT(truth_cams); k++) {
         const truth_cam *truth = &truth_cams[k];
         ovr_cam_form form = given_cam(truth);
@@ -402,13 +393,12 @@ static void cams_are_those_of_another_program(void **state)
 
 /* An eccentric circle under a flat follower: s = d (1 + cos), whose curvature
  * is that of the circle everywhere; as a table of exact numbers. */
-static void a_circle_is_a_circle(void **state)
+TEST(a_circle_is_a_circle)
 {
     enum { POINTS = 721 };
     const double r = 0.03, d = 0.006;
     double angle[POINTS], height[POINTS];
     ovr_cam_form form = given_cam(&truth_cams[0]);
-    (void)state;
     for (int k = 0; k < POINTS; k++) {
         angle[k] = 2 * pi * k / (POINTS - 1);
         height[k] = d * (1 - cos(angle[k]));
@@ -442,14 +432,13 @@ static void refused_cam(const ovr_cam_form *form, const char *about,
     assert_string_equal(err.about, about);
 }
 
-static void impossible_cams_are_refused(void **state)
+TEST(impossible_cams_are_refused)
 {
     enum { POINTS = 121 };
     double angle[POINTS], height[POINTS];
     const ovr_cam_form flat = given_cam(&truth_cams[0]);
     const ovr_cam_form roller = given_cam(&truth_cams[1]);
     ovr_cam_form form = flat;
-    (void)state;
     form.base_radius = 0.005;
     refused_cam(&form, "base_radius", "a flat follower cannot follow");
     form = roller;
@@ -524,9 +513,8 @@ static void check_passes(const ovr_bearing *made, const truth_raceway *truth)
     }
 }
 
-static void bearings_are_those_of_another_program(void **state)
+TEST(bearings_are_those_of_another_program)
 {
-    (void)state;
     for (size_t k = 0; k < COUNT(truth_bearings); k++) {
         const truth_bearing *truth = &truth_bearings[k];
         for (int contact = 1; contact <= 2; contact++) {
@@ -558,9 +546,8 @@ static void bearings_are_those_of_another_program(void **state)
 
 /* With very many rollers the sum is Stribeck's load integral:
  * F = n Q_max J_r(eps), eps = (1 - clearance/(2 d))/2. */
-static void many_rollers_are_the_integral(void **state)
+TEST(many_rollers_are_the_integral)
 {
-    (void)state;
     for (size_t k = 0; k < COUNT(truth_load_integral); k++) {
         double eps = truth_load_integral[k][0], d = 1e-5;
         ovr_bearing_form form = ovr_bearing_form_default();
@@ -588,11 +575,10 @@ static void refused_bearing(const ovr_bearing_form *form, const char *about,
     assert_string_equal(err.about, about);
 }
 
-static void impossible_bearings_are_refused(void **state)
+TEST(impossible_bearings_are_refused)
 {
     const ovr_bearing_form good = given_bearing(&truth_bearings[0], 1);
     ovr_bearing_form form = good;
-    (void)state;
     form.roller = 0.02;
     form.inner = NAN;
     form.pitch = 0.065;
@@ -613,7 +599,7 @@ static void impossible_bearings_are_refused(void **state)
 
 /* The run follows the element by splines through 1601 times and the corners:
  * overroll-case(5) tells how well. */
-static void splines_follow_the_element(void **state)
+TEST(splines_follow_the_element)
 {
     static const char text[] =
         "[contact]\nmodulus = 226 GPa\n[gear]\nmodule = 3 mm\nteeth_1 = 20\n"
@@ -624,7 +610,6 @@ static void splines_follow_the_element(void **state)
     ovr_error err = {0};
     ovr_case *c = ovr_case_read_text(text, "gear", NULL, NULL, &err);
     ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
-    (void)state;
     CHECK_OK(err.status, &err);
     if (!setup) /* which the check has seen to */
         return;
@@ -646,26 +631,4 @@ static void splines_follow_the_element(void **state)
     CHECK_NEAR(load, 0, 1e-4);
     ovr_setup_free(setup);
     ovr_case_free(c);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(gears_are_those_of_another_program),
-        cmocka_unit_test(gears_keep_their_identities),
-        cmocka_unit_test(shares_add_up),
-        cmocka_unit_test(helical_lines_carry_the_load),
-        cmocka_unit_test(a_mirrored_pair_is_the_same),
-        cmocka_unit_test(radii_are_those_of_involutes),
-        cmocka_unit_test(impossible_gears_are_refused),
-        cmocka_unit_test(flash_temperatures_follow_blok),
-        cmocka_unit_test(cams_are_those_of_another_program),
-        cmocka_unit_test(a_circle_is_a_circle),
-        cmocka_unit_test(impossible_cams_are_refused),
-        cmocka_unit_test(bearings_are_those_of_another_program),
-        cmocka_unit_test(many_rollers_are_the_integral),
-        cmocka_unit_test(impossible_bearings_are_refused),
-        cmocka_unit_test(splines_follow_the_element),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

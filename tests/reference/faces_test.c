@@ -38,7 +38,7 @@ static double beyond(double coarse, double fine)
  * fewer cycles.  What is allowed are the errors of a first program, whose limit
  * was level 11 of the arithmetic mean: known to 5e-7 M.  H_min is that of a
  * node. */
-static void smooth_films_are_more_exact(void **state)
+TEST(smooth_films_are_more_exact)
 {
     static const struct {
         double M, L, H_cen[4], H_min[4];
@@ -54,7 +54,6 @@ static void smooth_films_are_more_exact(void **state)
                14,
                {2.3e-2, 5.8e-3, 1.4e-3, 3.5e-4},
                {4.3e-2, 2.4e-2, 1.1e-2, 6e-3}}};
-    (void)state;
     for (size_t c = 0; c < sizeof of / sizeof *of; c++) {
         double M = of[c].M, L = of[c].L;
         films a[2];
@@ -105,11 +104,10 @@ static double dent(int level, ovr_faces faces)
 }
 
 /* Ten times as exact at least; the limit is known to some 1e-5. */
-static void rolling_dents_are_more_exact(void **state)
+TEST(rolling_dents_are_more_exact)
 {
     const double maximum[] = {1e-4, 5e-5, 2e-5};
     double a[3];
-    (void)state;
     for (int k = 0; k < 3; k++)
         a[k] = dent(7 + k, OVR_FACES_ARITHMETIC);
     double limit = beyond(a[1], a[2]);
@@ -119,12 +117,4 @@ static void rolling_dents_are_more_exact(void **state)
         print_message("dent, level %d: %+.1e (%+.1e)\n", 7 + k, f, a[k]);
         assert_true(fabs(f) < maximum[k] && fabs(f) < fabs(a[k]) / 10);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(smooth_films_are_more_exact),
-        cmocka_unit_test(rolling_dents_are_more_exact)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -10,12 +10,11 @@
 
 enum { COUNT = 26 };
 
-static void fitted_films_are_the_solved_ones(void **state)
+TEST(fitted_films_are_the_solved_ones)
 {
     test_film film[COUNT];
     size_t n = test_films(COUNT, 9, film);
     double central = 0, minimum = 0;
-    (void)state;
     assert_true(n >= COUNT - 1);
     for (size_t k = 0; k < n; k++) {
         test_film *f = &film[k];
@@ -28,19 +27,9 @@ static void fitted_films_are_the_solved_ones(void **state)
     assert_true(central < 0.026 && minimum < 0.017);
 }
 
-static void none_is_given_outside_of_the_survey(void **state)
+TEST(none_is_given_outside_of_the_survey)
 {
-    (void)state;
     assert_true(isnan(ovr_film_fitted(1.9, 5, 1.2).central));
     assert_true(isnan(ovr_film_fitted(20, 0, 1).minimum));
     assert_true(isnan(ovr_film_fitted(20, 26, 1).minimum));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(fitted_films_are_the_solved_ones),
-        cmocka_unit_test(none_is_given_outside_of_the_survey),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -50,11 +50,10 @@ static int by_size(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-static void limit_of_second_order_is_met(void **state)
+TEST(limit_of_second_order_is_met)
 {
     double H_cen[CASES], H_min[CASES], second[CASES];
     uint64_t seed = SEED;
-    (void)state;
     for (int k = 0; k < CASES; k++) {
         double M = 5 * pow(40, test_random(&seed, 0, 1));
         double L = test_random(&seed, 2.5, 14);
@@ -86,11 +85,10 @@ static double error_at(int order, int level, double limit)
 
 /* H_cen at M = 50, L = 5, whose spike is low: four times better a level by
  * the second order, more than eight times by the fourth. */
-static void order_is_shown_level_by_level(void **state)
+TEST(order_is_shown_level_by_level)
 {
     double limit = solved(50, 5, 4, 10).H_cen;
     double second = error_at(2, 6, limit), fourth = error_at(4, 6, limit);
-    (void)state;
     for (int level = 7; level <= 8; level++) {
         double finer = error_at(2, level, limit);
         assert_true(second > 3.5 * finer && second < 4.5 * finer);
@@ -104,16 +102,14 @@ static void order_is_shown_level_by_level(void **state)
 }
 
 /* The mask set again by every correction leaves a limit cycle here. */
-static void frozen_mask_ends_a_limit_cycle(void **state)
+TEST(frozen_mask_ends_a_limit_cycle)
 {
-    (void)state;
     assert_true(solved(843.279, 4.2251, 4, 9).residual < 1e-6);
 }
 
 /* A tenth of tests/verify/fourth_order_test.c. */
-static void none_falls_back_by_accident(void **state)
+TEST(none_falls_back_by_accident)
 {
-    (void)state;
     test_order_survey(1, 100);
     test_order_survey(2, 100);
     test_order_survey_eyring(3, 30);
@@ -127,10 +123,9 @@ static void refused(const ovr_options *o)
     CHECK_ERROR(&err, OVR_BAD_INPUT, "order");
 }
 
-static void only_where_it_applies(void **state)
+TEST(only_where_it_applies)
 {
     ovr_options o = options_of(4, 5);
-    (void)state;
     o.scheme = OVR_UPSTREAM1;
     refused(&o);
     o = options_of(4, 5);
@@ -185,11 +180,10 @@ static void march(ovr_simulation *sim, int steps)
 }
 
 /* A run in which nothing happens stays where it is. */
-static void nothing_happens(void **state)
+TEST(nothing_happens)
 {
     ovr_simulation *sim = simulation(NULL, NULL, 6);
     double H = ovr_simulation_observation(sim)->H_cen;
-    (void)state;
     march(sim, 40);
     CHECK_CLOSE(ovr_simulation_observation(sim)->H_cen, H, 1e-8);
     ovr_simulation_free(sim);
@@ -198,11 +192,10 @@ static void nothing_happens(void **state)
 /* A feature that grows in place ends in the steady solution, but for what third
  * differences along the characteristic leave of the wedge: an error of third
  * order. */
-static void comes_to_rest_in_the_steady_solution(void **state)
+TEST(comes_to_rest_in_the_steady_solution)
 {
     int grown = 1;
     double off[2];
-    (void)state;
     ovr_simulation *sim = simulation(standing, &grown, 9);
     double limit = ovr_simulation_observation(sim)->H_cen;
     ovr_simulation_free(sim);
@@ -250,10 +243,9 @@ static void film_in_a_ramp(int level, bool of_load, double H[3])
  * within 1e-4 and 2e-5 of level 9's on levels 6 and 7, where second order is
  * off by 4e-3 and 1e-3 (and order four was, whose corrections were the
  * start's). */
-static void follows_histories(void **state)
+TEST(follows_histories)
 {
     static const double bound[] = {1e-4, 2e-5};
-    (void)state;
     for (int of_load = 0; of_load < 2; of_load++) {
         double limit[3], H[3];
         film_in_a_ramp(9, of_load, limit);
@@ -267,19 +259,4 @@ static void follows_histories(void **state)
             }
         }
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(limit_of_second_order_is_met),
-        cmocka_unit_test(order_is_shown_level_by_level),
-        cmocka_unit_test(frozen_mask_ends_a_limit_cycle),
-        cmocka_unit_test(none_falls_back_by_accident),
-        cmocka_unit_test(only_where_it_applies),
-        cmocka_unit_test(follows_histories),
-        cmocka_unit_test(nothing_happens),
-        cmocka_unit_test(comes_to_rest_in_the_steady_solution),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -54,11 +54,10 @@ static ovr_observation by_table(int level, double S, ovr_flow_form form)
 
 /* The truth's integrals are by quadrature at every node; ours by a table with
  * an error of 1e-4 in the mean, 1e-3 at most. */
-static void carreau_truth_is_met(void **state)
+TEST(carreau_truth_is_met)
 {
     const size_t count = sizeof truth_carreaus / sizeof *truth_carreaus;
     double worst = 0;
-    (void)state;
     for (size_t k = 0; k < count; k++) {
         const truth_carreau *t = &truth_carreaus[k];
         ovr_flow_form form = ovr_flow_form_default();
@@ -76,12 +75,11 @@ static void carreau_truth_is_met(void **state)
 }
 
 /* Points of Carreau's curve are nearly that; its scale is any. */
-static void points_are_a_law(void **state)
+TEST(points_are_a_law)
 {
     enum { N = 120 };
     double rate[N], shear[N];
     ovr_flow_form carreau = ovr_flow_form_default(), points = carreau;
-    (void)state;
     carreau.rheology = OVR_CARREAU_STRESS;
     carreau.number = 0.334;
     for (int k = 0; k < N; k++) {
@@ -130,9 +128,8 @@ static ovr_observation solved(double M, double L, int level, double S)
     return thinning(M, L, level, S, INFINITY);
 }
 
-static void steady_truth_is_met(void **state)
+TEST(steady_truth_is_met)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof truth_frictions / sizeof *truth_frictions;
          k++) {
         const truth_friction *t = &truth_frictions[k];
@@ -171,18 +168,16 @@ static void dent_is_met(double tolerance, double close)
     ovr_simulation_free(sim);
 }
 
-static void transient_truth_is_met(void **state)
+TEST(transient_truth_is_met)
 {
-    (void)state;
     dent_is_met(1e-8, 1e-6);
     dent_is_met(0, 1e-5); /* as it comes */
 }
 
 /* Where nothing is as steep as a Newtonian spike. */
-static void sliding_friction_is_of_second_order(void **state)
+TEST(sliding_friction_is_of_second_order)
 {
     double F[3];
-    (void)state;
     for (int k = 0; k < 3; k++)
         F[k] = thinning(20, 10, 6 + k, 0.5, 0.3338).F_slide;
     double ratio = (F[1] - F[0]) / (F[2] - F[1]);
@@ -190,11 +185,10 @@ static void sliding_friction_is_of_second_order(void **state)
     assert_true(ratio > 2.8 && ratio < 5.5);
 }
 
-static void without_bound_it_is_newtonian(void **state)
+TEST(without_bound_it_is_newtonian)
 {
     ovr_observation a = solved(20, 10, 6, 0.5);
     ovr_observation b = thinning(20, 10, 6, 0.5, 1e15);
-    (void)state;
     CHECK_CLOSE(b.H_cen, a.H_cen, 1e-12);
     CHECK_CLOSE(b.H_min, a.H_min, 1e-12);
     CHECK_CLOSE(b.F_slide, a.F_slide, 1e-9);
@@ -202,10 +196,9 @@ static void without_bound_it_is_newtonian(void **state)
 
 /* 2 F_roll = int (eps/rho) P_X^2 dX, which is what the surfaces put in and what
  * the film dissipates, to second order where there is no spike. */
-static void steady_power_is_dissipated(void **state)
+TEST(steady_power_is_dissipated)
 {
     double off[3];
-    (void)state;
     for (int k = 0; k < 3; k++) {
         ovr_observation o = solved(5, 5, 6 + k, 0);
         CHECK_NEAR(o.power_in, 2 * o.F_roll, 1e-14);
@@ -220,10 +213,9 @@ static void steady_power_is_dissipated(void **state)
 
 /* Where nothing is steep; the sliding part of a Newtonian film goes with the
  * viscosity at the spike, which grows with every level. */
-static void rolling_friction_is_of_second_order(void **state)
+TEST(rolling_friction_is_of_second_order)
 {
     double F[3];
-    (void)state;
     for (int k = 0; k < 3; k++)
         F[k] = solved(5, 5, 6 + k, 0).F_roll;
     double ratio = (F[1] - F[0]) / (F[2] - F[1]);
@@ -232,11 +224,10 @@ static void rolling_friction_is_of_second_order(void **state)
 }
 
 /* Surfaces exchanged: forces exchanged; no sliding: only the rolling part. */
-static void signs_follow_the_surfaces(void **state)
+TEST(signs_follow_the_surfaces)
 {
     ovr_observation a = solved(10, 5, 5, 0.4), b = solved(10, 5, 5, -0.4);
     ovr_observation none = solved(10, 5, 5, 0);
-    (void)state;
     assert_true(a.F_1 < 0 && a.F_2 > 0 && a.F_roll > 0);
     assert_true(a.F_slide == -b.F_slide && a.F_1 == b.F_2);
     assert_true(none.F_slide == 0 && none.F_1 == -none.F_roll &&
@@ -244,12 +235,11 @@ static void signs_follow_the_surfaces(void **state)
 }
 
 /* mu = kappa F over the load, with kappa = 4 alphabar/G. */
-static void coefficients_need_the_ratio(void **state)
+TEST(coefficients_need_the_ratio)
 {
     ovr_conditions given = ovr_conditions_default();
     ovr_contact contact;
     ovr_error err = {0};
-    (void)state;
     assert_true(isnan(solved(5, 5, 4, 0.4).mu_1));
     given.M = 20;
     given.L = 10;
@@ -268,7 +258,7 @@ static void coefficients_need_the_ratio(void **state)
 /* Sliding that swings through zero by a history: friction is odd in it, the
  * film even; a feature on surface 1 is where the integral of 1 + V/2 takes it.
  */
-static void sliding_changes_sign(void **state)
+TEST(sliding_changes_sign)
 {
     ovr_error err = {0};
     ovr_history_form form = ovr_history_form_default();
@@ -280,7 +270,6 @@ static void sliding_changes_sign(void **state)
     ovr_simulation *sim = made(20, 10, 6, 0, 0.334, 1e-8);
     const ovr_observation *o = ovr_simulation_observation(sim);
     double first[3] = {0};
-    (void)state;
     ovr_simulation_sliding(sim, V);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     assert_true(o->F_slide == 0 && o->sliding == 0);
@@ -306,7 +295,7 @@ static void sliding_changes_sign(void **state)
 }
 
 /* A history of the constant value is none: the same bits. */
-static void constant_sliding_is_that_of_the_contact(void **state)
+TEST(constant_sliding_is_that_of_the_contact)
 {
     ovr_error err = {0};
     ovr_history_form form = ovr_history_form_default();
@@ -314,7 +303,6 @@ static void constant_sliding_is_that_of_the_contact(void **state)
     form.from = form.to = 3; /* opposite surfaces */
     ovr_history *V = ovr_history_create(&form, NULL, &err);
     double F[2][2];
-    (void)state;
     for (int k = 0; k < 2; k++) {
         ovr_simulation *sim = made(20, 10, 6, k ? 0.1 : 3, 0.334, 0);
         if (k)
@@ -332,11 +320,10 @@ static void constant_sliding_is_that_of_the_contact(void **state)
 /* Order 4 on level 6 where second order goes: levels 7 and 8 of the truth,
  * extrapolated (which is good to some 1e-5).  Level 6 of second order is off by
  * 2e-3 to 5e-3. */
-static void fourth_order_is_where_second_goes(void **state)
+TEST(fourth_order_is_where_second_goes)
 {
     const size_t count = sizeof truth_frictions / sizeof *truth_frictions;
     int compared = 0;
-    (void)state;
     for (size_t k = 0; k < count; k++) {
         const truth_friction *a = &truth_frictions[k], *b = a;
         if (a->M != 20 || a->level != 7 || a->Sigma0 != 0.3338)
@@ -371,10 +358,9 @@ static void fourth_order_is_where_second_goes(void **state)
 }
 
 /* The paper's smoother comes to the same film. */
-static void smoothers_agree(void **state)
+TEST(smoothers_agree)
 {
     ovr_observation o[2];
-    (void)state;
     for (int k = 0; k < 2; k++) {
         test_contact c = test_contact_make(20, 10);
         ovr_options options = test_options();
@@ -401,10 +387,9 @@ static void smoothers_agree(void **state)
 
 /* Beyond SRR 2 the surfaces run against each other: a bump on the one that
  * comes back, seen with the surfaces exchanged. */
-static void opposite_surfaces_are_exchanged(void **state)
+TEST(opposite_surfaces_are_exchanged)
 {
     ovr_observation last[2];
-    (void)state;
     for (int k = 0; k < 2; k++) {
         double S = k ? 3 : -3;
         test_feature bump = {'l', 0.03, 0.5, 1.2, -0.5, 0};
@@ -423,25 +408,4 @@ static void opposite_surfaces_are_exchanged(void **state)
     assert_true(last[0].H_cen == last[1].H_cen);
     assert_true(last[0].F_1 == last[1].F_2 && last[0].F_2 == last[1].F_1);
     assert_true(last[0].F_slide == -last[1].F_slide && last[0].F_slide > 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(steady_truth_is_met),
-        cmocka_unit_test(carreau_truth_is_met),
-        cmocka_unit_test(points_are_a_law),
-        cmocka_unit_test(transient_truth_is_met),
-        cmocka_unit_test(sliding_friction_is_of_second_order),
-        cmocka_unit_test(without_bound_it_is_newtonian),
-        cmocka_unit_test(steady_power_is_dissipated),
-        cmocka_unit_test(rolling_friction_is_of_second_order),
-        cmocka_unit_test(sliding_changes_sign),
-        cmocka_unit_test(fourth_order_is_where_second_goes),
-        cmocka_unit_test(smoothers_agree),
-        cmocka_unit_test(opposite_surfaces_are_exchanged),
-        cmocka_unit_test(constant_sliding_is_that_of_the_contact),
-        cmocka_unit_test(signs_follow_the_surfaces),
-        cmocka_unit_test(coefficients_need_the_ratio)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

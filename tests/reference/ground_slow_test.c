@@ -14,11 +14,10 @@ static void goes_through(uint64_t seed, double from, double to)
     assert_true(g.H_min > 0);
 }
 
-static void ground_pairs_go_through(void **state)
+TEST(ground_pairs_go_through)
 {
     static const uint64_t thick[] = {31003, 31019, 31027, 31036};
     static const uint64_t thin[] = {32000, 32005, 32019, 32022};
-    (void)state;
     for (int k = 0; k < 4; k++) {
         goes_through(thick[k], 1, 3);
         goes_through(thin[k], 0.3, 1);
@@ -27,16 +26,7 @@ static void ground_pairs_go_through(void **state)
 
 /* A film by Eyring's law that cycles do not find, and Newton's method with
  * films of their own does. */
-static void newton_goes_through(void **state)
+TEST(newton_goes_through)
 {
-    (void)state;
     goes_through(32003, 0.3, 1);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ground_pairs_go_through),
-        cmocka_unit_test(newton_goes_through)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -72,10 +72,9 @@ static void apart(double M, double L, double S, int level, double off[2])
 }
 
 /* The steady one is found to 3e-5. */
-static void long_runs_end_steady(void **state)
+TEST(long_runs_end_steady)
 {
     double off[2], finer[2];
-    (void)state;
     apart(50, 14, -0.4, 5, off);
     assert_true(off[0] < 1e-3 && off[1] < 5e-3);
     apart(20, 10, 0.5, 5, off);
@@ -118,10 +117,9 @@ static double defect(double steps, double *temperature)
 
 /* The film as it ends a step differs from that which was heated in it by what
  * changed in between. */
-static void energy_is_conserved(void **state)
+TEST(energy_is_conserved)
 {
     double T[3], off[3];
-    (void)state;
     for (int k = 0; k < 3; k++)
         off[k] = defect(4. / (1 << k), &T[k]);
     print_message("steps of 4 D, 2 D, D: defect %.2e %.2e %.2e, T %.4f %.4f "
@@ -137,14 +135,13 @@ static void energy_is_conserved(void **state)
 
 /* A dent on the one surface, then on the other that moves as fast: friction
  * turns its sign, temperatures change places. */
-static void surfaces_swapped(void **state)
+TEST(surfaces_swapped)
 {
     test_hot hot[2] = {test_hot_make(20, 10, 0.8, 5e6, NULL),
                        test_hot_make(20, 10, -0.8, 5e6, NULL)};
     test_feature f = {'l', -0.05, 0.5, -2, 1.4, 0};
     ovr_simulation *sim[2];
     const ovr_observation *a, *b;
-    (void)state;
     for (int k = 0; k < 2; k++) {
         sim[k] = with_dent(&hot[k], 5, &f);
         for (int n = 0; n < 60; n++)
@@ -167,13 +164,12 @@ static void surfaces_swapped(void **state)
 /* ---------------------------------------------------------------- schemes */
 
 /* Along the characteristic the film is another discretization of the same. */
-static void schemes_agree(void **state)
+TEST(schemes_agree)
 {
     static const ovr_scheme schemes[] = {OVR_UPSTREAM2, OVR_CHARACTERISTIC};
     test_hot hot = test_hot_make(20, 10, 0.8, 5e6, NULL);
     test_feature f = {'l', -0.05, 1, -2, 1.4, 0};
     ovr_observation seen[2];
-    (void)state;
     for (int k = 0; k < 2; k++) {
         ovr_options options = test_options();
         options.level = 6;
@@ -197,12 +193,11 @@ static void schemes_agree(void **state)
 
 /* Oil that is conserved in cavities leaves a flooded film and its temperatures
  * as they are, and is conserved with heat. */
-static void conserved_oil(void **state)
+TEST(conserved_oil)
 {
     test_hot hot = test_hot_make(20, 10, 0.8, 5e6, NULL);
     test_feature f = {'l', -0.05, 1, -2, 1.4, 0};
     ovr_observation seen[2];
-    (void)state;
     for (int k = 0; k < 2; k++) {
         ovr_options options = test_options();
         options.level = 5;
@@ -227,13 +222,12 @@ static void conserved_oil(void **state)
 
 /* -------------------------------------------------------------- isothermal */
 
-static void isothermal_limit(void **state)
+TEST(isothermal_limit)
 {
     ovr_heat_form form = test_heat_form();
     test_feature f = {'l', -0.05, 0.5, -2, 1.25, 0};
     ovr_options options = test_options();
     ovr_error err = {0};
-    (void)state;
     form.oil.heat_capacity = 1e30;
     test_hot hot = test_hot_make(20, 10, 0.5, 5e6, &form);
     ovr_simulation *sim = with_dent(&hot, 5, &f);
@@ -274,13 +268,12 @@ static void same_bits(ovr_simulation *a, ovr_simulation *b)
                             n * sizeof(double));
 }
 
-static void goes_on_alike(void **state)
+TEST(goes_on_alike)
 {
     test_hot hot = test_hot_make(20, 10, 0.5, 5e6, NULL);
     test_feature f = {'l', -0.05, 0.5, -2, 1.25, 0};
     ovr_simulation *sim = with_dent(&hot, 5, &f);
     ovr_simulation *other = test_hot_simulation(&hot, 5);
-    (void)state;
     for (int k = 0; k < 40; k++)
         step(sim, D_of(sim) * (k % 7 ? 1 : 0.5));
     ovr_simulation_surface(other, test_feature_heights, &f);
@@ -294,18 +287,4 @@ static void goes_on_alike(void **state)
     }
     ovr_simulation_free(sim);
     ovr_simulation_free(other);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(long_runs_end_steady),
-        cmocka_unit_test(energy_is_conserved),
-        cmocka_unit_test(surfaces_swapped),
-        cmocka_unit_test(schemes_agree),
-        cmocka_unit_test(conserved_oil),
-        cmocka_unit_test(isothermal_limit),
-        cmocka_unit_test(goes_on_alike),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -58,11 +58,10 @@ static ending contact(bool hot, double supply)
 
 /* The hot inlet lets less through than the cold one: what lies between floods
  * it, less starves it, and comes through whole. */
-static void supply_between_cold_and_hot(void **state)
+TEST(supply_between_cold_and_hot)
 {
     ending cold = contact(false, 0), hot = contact(true, 0);
     double taken = hot.o.outflow, cold_taken = cold.o.outflow;
-    (void)state;
     print_message("the cold contact takes %.6f, the hot one %.6f\n", cold_taken,
                   taken);
     assert_true(cold_taken > 1.05 * taken);
@@ -83,7 +82,7 @@ static void supply_between_cold_and_hot(void **state)
 /* Smooth surfaces, Newtonian oil 270 to 300 K hotter than it came: a pressure
  * that a guess makes up heats the oil, and the next one is worse.  Nothing here
  * presses the film by more than the load does. */
-static void hot_film_stays(void **state)
+TEST(hot_film_stays)
 {
     ending end = run_to_end(
         "[contact]\nradius = 12.7 mm\nviscosity = 8.9152 mPa.s\nM = 9.36\n"
@@ -95,7 +94,6 @@ static void hot_film_stays(void **state)
         "[load]\nhistory = ramp\nto = 1.4\nstart = 1\nduration = 1\n"
         "[sliding]\nhistory = sine\namplitude = 0.363\nperiod = 1.52\n",
         false);
-    (void)state;
     print_message("P_max %.4f, %.1f K, %ld retries, %.2f cycles a step\n",
                   end.o.P_max, end.o.T_max_rise, end.s.retries,
                   (double)end.s.cycles / (double)end.s.steps);
@@ -103,12 +101,4 @@ static void hot_film_stays(void **state)
     assert_true(end.o.T_max_rise < 350);
     assert_int_equal(end.s.retries, 0);
     assert_int_equal(end.s.marked, 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(supply_between_cold_and_hot),
-        cmocka_unit_test(hot_film_stays)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

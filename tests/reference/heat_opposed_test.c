@@ -44,20 +44,18 @@ static void stays(double M, double L, double S)
     ovr_simulation_free(sim);
 }
 
-static void steady_contacts_stay(void **state)
+TEST(steady_contacts_stay)
 {
-    (void)state;
     stays(12, 8, 3);
     stays(20, 10, 2.5);
 }
 
 /* The two surfaces swapped mirror everything. */
-static void surfaces_swapped(void **state)
+TEST(surfaces_swapped)
 {
     ovr_simulation *sim = solved(12, 8, 4, 5), *swapped = solved(12, 8, -4, 5);
     const ovr_observation *a = ovr_simulation_observation(sim);
     const ovr_observation *b = ovr_simulation_observation(swapped);
-    (void)state;
     CHECK_CLOSE(b->H_cen, a->H_cen, 1e-9);
     CHECK_CLOSE(b->F_slide, -a->F_slide, 1e-8);
     CHECK_CLOSE(b->F_1, a->F_2, 1e-8);
@@ -70,12 +68,11 @@ static void surfaces_swapped(void **state)
 
 /* Beside the contact each surface is the colder one where it comes in, with
  * what hot oil has given it and what has come along it from the contact. */
-static void each_comes_in_colder(void **state)
+TEST(each_comes_in_colder)
 {
     ovr_simulation *sim = solved(12, 8, 4, 5);
     const ovr_heated *h = sim->heated;
     size_t n = sim->now.n, in = 0, out;
-    (void)state;
     while (sim->now.X[in] < -1.2)
         in++;
     out = in;
@@ -88,14 +85,4 @@ static void each_comes_in_colder(void **state)
     assert_true(h->T[0][in] < 0.6 * h->T[last][in]);
     assert_true(h->T[last][out] < 0.7 * h->T[0][out]);
     ovr_simulation_free(sim);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(steady_contacts_stay),
-        cmocka_unit_test(surfaces_swapped),
-        cmocka_unit_test(each_comes_in_colder),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -59,13 +59,12 @@ static void check_mirror(const ovr_observation *a, const ovr_observation *b)
 }
 
 /* The same the other way round. */
-static void mirror_runs_agree(void **state)
+TEST(mirror_runs_agree)
 {
     ovr_history *there = ramp(1, -1, 1.2), *back = ramp(-1, 1, 1.2);
     ovr_simulation *one = begin(0.5, 6, there), *two = begin(0.5, 6, back);
     const ovr_observation *a = ovr_simulation_observation(one);
     const ovr_observation *b = ovr_simulation_observation(two);
-    (void)state;
     check_mirror(a, b);
     while (a->T < 2) {
         step(one);
@@ -81,12 +80,11 @@ static void mirror_runs_agree(void **state)
 }
 
 /* Long after the turn it is the start's mirror image, which was marched. */
-static void comes_to_rest_as_it_began(void **state)
+TEST(comes_to_rest_as_it_began)
 {
     ovr_history *there = ramp(1, -1, 1);
     ovr_simulation *sim = begin(0.5, 5, there);
     const ovr_observation *o = ovr_simulation_observation(sim), first = *o;
-    (void)state;
     while (o->T < 14)
         step(sim);
     print_message("film %.1e, rises %.1e %.1e %.1e, friction %.1e off\n",
@@ -103,12 +101,4 @@ static void comes_to_rest_as_it_began(void **state)
     CHECK_NEAR(o->X_T_film_max, -first.X_T_film_max, 0.1);
     ovr_simulation_free(sim);
     ovr_history_free(there);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(mirror_runs_agree),
-        cmocka_unit_test(comes_to_rest_as_it_began)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -71,10 +71,9 @@ static double full(const ovr_simulation *sim, int k)
            h->numbers.bulk[k];
 }
 
-static void as_the_full_solution(void **state)
+TEST(as_the_full_solution)
 {
     static const double spreads[] = {0.5, 2, 6, 15};
-    (void)state;
     for (int a = 0; a < 4; a++)
         for (double S = 0.5; S < 4; S += 2.5) {
             ovr_simulation *sim = contact(S, spreads[a], 7);
@@ -115,9 +114,8 @@ static void stays(double S, double spreads, double film, double T)
     ovr_simulation_free(sim);
 }
 
-static void constant_conditions_stay(void **state)
+TEST(constant_conditions_stay)
 {
-    (void)state;
     stays(0.5, 0.5, 1e-5, 1e-3);
     stays(0.5, 1.5, 1e-5, 1e-3);
     stays(0.5, 7, 1e-5, 5e-3); /* Pe 0.4 and 0.24 */
@@ -127,13 +125,4 @@ static void constant_conditions_stay(void **state)
     stays(3, 1, 1e-4, 1e-3);
     stays(3, 4, 1e-4, 1e-3);
     stays(2, 1, 1e-4, 1e-2); /* surface 2 stands still */
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(as_the_full_solution),
-        cmocka_unit_test(constant_conditions_stay),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -107,9 +107,8 @@ static double nodal_mu(const ovr_simulation *sim)
     return -sim->contact.kappa * F / OVR_NOMINAL_LOAD;
 }
 
-static void numbers_of_heat(void **state)
+TEST(numbers_of_heat)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof truths / sizeof *truths; k++) {
         const struct truth *t = &truths[k];
         ovr_heat_form f = test_heat_form();
@@ -121,9 +120,8 @@ static void numbers_of_heat(void **state)
     }
 }
 
-static void steady_against_truth(void **state)
+TEST(steady_against_truth)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof truths / sizeof *truths; k++) {
         const struct truth *t = &truths[k];
         ovr_heat_form f = test_heat_form();
@@ -185,9 +183,8 @@ static void check_change(const char *what, double now, double before,
     CHECK_NEAR(change, target, 3e-4 + 0.1 * fabs(target));
 }
 
-static void pressed_oil_expands_less(void **state)
+TEST(pressed_oil_expands_less)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof truths / sizeof *truths; k++) {
         const struct truth *t = &truths[k];
         const struct change *c = changes;
@@ -226,10 +223,9 @@ static const struct changed {
     {"F", 6, 0.027369, 0.06763, 35.3567, 29.6887, 20.7573, 21.728},
 };
 
-static void slow_surfaces_and_expansion(void **state)
+TEST(slow_surfaces_and_expansion)
 {
     ovr_heat_form f = test_heat_form();
-    (void)state;
     for (size_t k = 0; k < sizeof changed / sizeof *changed; k++) {
         const struct changed *t = &changed[k];
         const struct truth *of = truths;
@@ -294,13 +290,12 @@ static void compare(const ovr_simulation *a, const ovr_simulation *b,
 
 /* Carreau's law of n = 1 is Newton's, in both forms, to what is left of the
  * turns, which end at changes of 3e-5. */
-static void carreau_of_one_is_newtonian(void **state)
+TEST(carreau_of_one_is_newtonian)
 {
     const struct truth *t = &truths[0];
     ovr_heat_form f = test_heat_form();
     test_hot cold = hot_contact(t, &f);
     ovr_simulation *newtonian = solved(&cold, 5);
-    (void)state;
     for (int rate = 0; rate < 2; rate++) {
         ovr_flow_form form = carreau(rate ? OVR_CARREAU : OVR_CARREAU_STRESS,
                                      1);
@@ -314,7 +309,7 @@ static void carreau_of_one_is_newtonian(void **state)
 }
 
 /* Points of Eyring's law are Eyring's, to the mean error of the table. */
-static void points_of_eyring(void **state)
+TEST(points_of_eyring)
 {
     enum { POINTS = 600 };
     static double rate[POINTS], shear[POINTS];
@@ -324,7 +319,6 @@ static void points_of_eyring(void **state)
     ovr_flow_form form = ovr_flow_form_default();
     ovr_simulation *eyring = solved(&c, 5), *sim;
     double tau0 = t->tau0 * 1e6, eta = 0.038; /* any: f is of eta gamma/tau0 */
-    (void)state;
     for (int k = 0; k < POINTS; k++) {
         double x = 0.01 * exp(7.8 * k / (POINTS - 1)); /* to 24 */
         shear[k] = tau0 * x, rate[k] = tau0 / eta * sinh(x);
@@ -356,13 +350,12 @@ static void mirrored(const test_hot *c, const test_hot *d)
     ovr_simulation_free(mirror);
 }
 
-static void surfaces_swapped(void **state)
+TEST(surfaces_swapped)
 {
     const struct truth *t = &truths[3];
     struct truth other = *t;
     ovr_heat_form f = test_heat_form();
     ovr_flow_form law = carreau(OVR_CARREAU, 0.35);
-    (void)state;
     other.S = -t->S;
     for (int k = 0; k < 2; k++) {
         test_hot c = k ? with_law(t, &f, &law) : hot_contact(t, &f);
@@ -397,11 +390,10 @@ static void is_cold(const test_hot *c)
     ovr_simulation_free(cold);
 }
 
-static void isothermal_limit(void **state)
+TEST(isothermal_limit)
 {
     const struct truth *t = &truths[3];
     ovr_heat_form f = test_heat_form();
-    (void)state;
     f.oil.heat_capacity = 1e30;
     test_hot c = hot_contact(t, &f);
     is_cold(&c);
@@ -418,11 +410,10 @@ static void isothermal_limit(void **state)
 
 /* Oil that expands is lighter where it is hot: the inlet lets the same mass
  * through, so that the film is the thicker. */
-static void density_expands(void **state)
+TEST(density_expands)
 {
     const struct truth *t = &truths[4];
     double H[2], T = 0, expansion = 0;
-    (void)state;
     for (int k = 0; k < 2; k++) {
         ovr_heat_form f = test_heat_form();
         f.density_expands = k;
@@ -444,10 +435,9 @@ static void density_expands(void **state)
 
 /* Oil that cannot be pressed together is not heated by it: between surfaces
  * that roll alone nothing but its own flow warms it. */
-static void incompressible_oil_is_not_heated(void **state)
+TEST(incompressible_oil_is_not_heated)
 {
     double T[2];
-    (void)state;
     for (int k = 0; k < 2; k++) {
         ovr_heat_form f = test_heat_form();
         ovr_error err = {0};
@@ -466,12 +456,11 @@ static void incompressible_oil_is_not_heated(void **state)
 
 /* Seven points are nearer to the full solution (15 across, with cross flow)
  * than five: the hottest film of the fast contact with the largest load. */
-static void seven_points_check_five(void **state)
+TEST(seven_points_check_five)
 {
     const struct truth *t = &truths[6];
     const double full = 34.24531516915363;
     double off[2];
-    (void)state;
     for (int k = 0; k < 2; k++) {
         ovr_heat_form f = test_heat_form();
         f.points = k ? 7 : 5;
@@ -487,13 +476,12 @@ static void seven_points_check_five(void **state)
 
 /* Fourth order is the library's choice with heat too; one that is written
  * stays. */
-static void order_left_to_the_library(void **state)
+TEST(order_left_to_the_library)
 {
     ovr_heat_form f = test_heat_form();
     test_hot c = hot_contact(&truths[3], &f);
     ovr_options options = ovr_options_default();
     ovr_error err = {0};
-    (void)state;
     options.level = 5;
     options.order = 2;
     ovr_simulation *sim = ovr_simulation_create(&c.contact, &c.oil, &options,
@@ -527,9 +515,8 @@ static double hot_film(const test_hot *c, int level, int order)
 
 /* Against what two levels of second order tend to; the turns end at 3e-5 of the
  * largest rise. */
-static void fourth_order_with_heat(void **state)
+TEST(fourth_order_with_heat)
 {
-    (void)state;
     for (size_t k = 0; k < 2; k++) {
         ovr_heat_form f = test_heat_form();
         f.points = 5;
@@ -549,13 +536,12 @@ static void fourth_order_with_heat(void **state)
 /* Points that nobody asked for: those of a solution with 7 where 5 would be
  * 2 % off in friction and more in the film, and 5 where these are good enough.
  */
-static void points_by_the_steady_start(void **state)
+TEST(points_by_the_steady_start)
 {
     static const struct {
         double S;
         int points;
     } rows[] = {{0.002, 5}, {0.1, 7}, {1, 7}};
-    (void)state;
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
         ovr_observation by[3];
         double last[3];
@@ -589,12 +575,11 @@ static void points_by_the_steady_start(void **state)
 
 /* The film ends a node later from some contact of this row on: none between is
  * without a solution because what the last wet node lets through jumps. */
-static void the_end_moves_on(void **state)
+TEST(the_end_moves_on)
 {
     enum { CONTACTS = 21 };
     double first = NAN;
     int ends = 0;
-    (void)state;
     for (int k = 0; k < CONTACTS; k++) {
         test_hot c = test_hot_make(31.17, 9.862 + 0.001 * k, -1.37, 6.37e6,
                                    NULL);
@@ -606,26 +591,4 @@ static void the_end_moves_on(void **state)
         ovr_simulation_free(sim);
     }
     assert_true(ends >= 2);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(numbers_of_heat),
-        cmocka_unit_test(order_left_to_the_library),
-        cmocka_unit_test(fourth_order_with_heat),
-        cmocka_unit_test(steady_against_truth),
-        cmocka_unit_test(pressed_oil_expands_less),
-        cmocka_unit_test(slow_surfaces_and_expansion),
-        cmocka_unit_test(surfaces_swapped),
-        cmocka_unit_test(carreau_of_one_is_newtonian),
-        cmocka_unit_test(points_of_eyring),
-        cmocka_unit_test(isothermal_limit),
-        cmocka_unit_test(density_expands),
-        cmocka_unit_test(incompressible_oil_is_not_heated),
-        cmocka_unit_test(seven_points_check_five),
-        cmocka_unit_test(points_by_the_steady_start),
-        cmocka_unit_test(the_end_moves_on),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

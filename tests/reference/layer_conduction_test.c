@@ -123,9 +123,8 @@ static double apart(int layers, const double *tau, const double *effusivity,
 
 /* Bad and good conductors on the body, from layers that a step sees through to
  * such that the body is hardly felt. */
-static void one_layer(void **state)
+TEST(one_layer)
 {
-    (void)state;
     for (double tau = 2e-4; tau < 3; tau *= 4)
         for (double e = 0.12; e < 5; e *= 5) {
             double off = apart(1, &tau, &e, 0.02);
@@ -135,18 +134,10 @@ static void one_layer(void **state)
 }
 
 /* DLC on an interlayer on steel, and the other way round. */
-static void two_layers(void **state)
+TEST(two_layers)
 {
     const double tau[] = {0.004, 0.02}, e[] = {0.12, 0.5},
                  turned[] = {0.5, 0.12};
-    (void)state;
     CHECK_NEAR(apart(2, tau, e, 0.02), 0, 1e-3);
     CHECK_NEAR(apart(2, tau, turned, 0.02), 0, 1e-3);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(one_layer),
-                                       cmocka_unit_test(two_layers)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -32,9 +32,8 @@ static void bodies_of(const layers_truth *t, ovr_layered body[2])
     body[1].below = (ovr_elastic){t->other[0], t->other[1]};
 }
 
-static void softness(void **state)
+TEST(softness)
 {
-    (void)state;
     for (int c = 0; c < CASES; c++) {
         const layers_truth *t = &truth_cases[c];
         ovr_layered body[2];
@@ -47,9 +46,8 @@ static void softness(void **state)
 
 /* By the images, which say how well they fit; and what is near a node and far
  * from one, of a mesh that is nothing. */
-static void kernel(void **state)
+TEST(kernel)
 {
-    (void)state;
     for (int c = 0; c < CASES; c++) {
         const layers_truth *t = &truth_cases[c];
         ovr_layered body[2];
@@ -70,9 +68,8 @@ static void kernel(void **state)
     }
 }
 
-static void dry_contact(void **state)
+TEST(dry_contact)
 {
-    (void)state;
     for (int c = 0; c < CASES; c++) {
         const layers_truth *t = &truth_cases[c];
         ovr_layered body[2];
@@ -89,13 +86,12 @@ static void dry_contact(void **state)
 }
 
 /* Different layers on both bodies. */
-static void dry_contact_of_two(void **state)
+TEST(dry_contact_of_two)
 {
     const ovr_layered body[2] = {
         {1, {0.1}, {{0.5, 0.3}}, {1, 0.3}, {0}, {0}, {0}},
         {1, {0.05}, {{2, 0.25}}, {1, 0.3}, {0}, {0}, {0}}};
     ovr_images images;
-    (void)state;
     ovr_images_fit(body, &images);
     double a = ovr_images_half_width(&images, 1);
     CHECK_CLOSE(a, 1.0228925262612, 1e-6);
@@ -105,10 +101,9 @@ static void dry_contact_of_two(void **state)
 /* A layer on what is 1e5 times stiffer, and so the other body; thin ones give
  * way as their own limits say, w = 2/3 m a^3/(t R), to the first order in t/a,
  * and half the thickness halves what is missing. */
-static void rigid_base(void **state)
+TEST(rigid_base)
 {
     const double E = 1e5;
-    (void)state;
     for (size_t k = 0; k < sizeof truth_rigid / sizeof *truth_rigid; k++) {
         double nu = truth_rigid[k].nu, a = truth_rigid[k].a_over_t;
         ovr_layered body[2] = {{1, {1}, {{1, nu}}, {E, 0.3}, {0}, {0}, {0}},
@@ -137,9 +132,8 @@ static double over_thin_limit(double nu, double a)
     return load / (2. / 3 * m * a * a * a);
 }
 
-static void thin_limit(void **state)
+TEST(thin_limit)
 {
-    (void)state;
     double ten = over_thin_limit(0.3, 10) - 1,
            twenty = over_thin_limit(0.3, 20) - 1;
     CHECK_NEAR(twenty, 0, 0.02);
@@ -148,7 +142,7 @@ static void thin_limit(void **state)
 
 /* The layer's moduli are the substrate's: no image, and in no number but
  * rounding. */
-static void nothing_of_nothing(void **state)
+TEST(nothing_of_nothing)
 {
     const ovr_layered body[2] = {
         {3,
@@ -160,7 +154,6 @@ static void nothing_of_nothing(void **state)
          {0}},
         {1, {0.02}, {{2.5, 0.22}}, {2.5, 0.22}, {0}, {0}, {0}}};
     ovr_images images;
-    (void)state;
     ovr_images_fit(body, &images);
     assert_int_equal(images.count, 0);
     CHECK_NEAR(images.top, 1, 1e-15);
@@ -205,12 +198,11 @@ static double weighed(double s, void *data)
 }
 
 /* At a node, beside it, by the series, by the table. */
-static void influence_by_quadrature(void **state)
+TEST(influence_by_quadrature)
 {
     static const double at[] = {0, 1, 2, 5, 9, 20, 63, 64, 100, 333};
     const double D = 0.01;
     layered l;
-    (void)state;
     make(0.05, 0.4, 0.05, D, &l);
     gsl_integration_workspace *w = gsl_integration_workspace_alloc(2000);
     for (int linear = 0; linear < 2; linear++)
@@ -231,13 +223,12 @@ static void influence_by_quadrature(void **state)
 
 /* MLMI of a rough pressure against the sum, for soft and stiff layers from a
  * third of a mesh to many. */
-static void sums(void **state)
+TEST(sums)
 {
     static const double E[] = {0.0146, 0.1, 0.5, 5}, t[] = {0.3, 3, 30, 300};
     enum { N = 449 };
     const double D = 5.5 / (N - 1);
     uint64_t seed = 11;
-    (void)state;
     for (size_t e = 0; e < 4; e++)
         for (size_t k = 0; k < 4; k++) {
             layered l;
@@ -413,9 +404,8 @@ static void check_film(const char *scale, double M, double L, ovr_layered first,
     release(&f);
 }
 
-static void film_of_the_waves(void **state)
+TEST(film_of_the_waves)
 {
-    (void)state;
     check_film("substrate", 20, 10, one_layer(0.05, 0.5, 0.3), none, 2e-6);
     check_film("substrate", 20, 10, one_layer(0.1, 5, 0.3), none, 2e-6);
     check_film("substrate", 20, 10, one_layer(0.1, 0.5, 0.3),
@@ -439,11 +429,10 @@ static double central(double M, double L, int level, const char *scale,
 
 /* A layer of the substrate's moduli, whatever else is solved otherwise with
  * it; one that is nearly nothing; both bodies nothing but layer. */
-static void limits(void **state)
+TEST(limits)
 {
     const char *plain = "[paper]\nmlmi_order = 12\nmlmi_range = 16\n";
     double bare = central(20, 10, 7, "dry", plain);
-    (void)state;
     CHECK_CLOSE(central(20, 10, 7, "dry",
                         "[coating 1]\nthickness = 0.1\nmodulus = 200 GPa\n"
                         "[coating 1b]\nthickness = 0.2\nmodulus = 200 GPa\n"
@@ -460,12 +449,11 @@ static void limits(void **state)
 
 /* Corrected with the layers' own constant; of second order they differ by
  * some 1e-3. */
-static void fourth_order(void **state)
+TEST(fourth_order)
 {
     const char *layer = "[coating 1]\nthickness = 0.5\nmodulus = 2.92 GPa\n"
                         "poisson = 0.4\n";
     const char *hard = "[coating 1]\nthickness = 0.017\nmodulus = 1000 GPa\n";
-    (void)state;
     CHECK_CLOSE(central(20, 2, 7, "dry", layer),
                 central(20, 2, 9, "dry", layer), 1e-5);
     CHECK_CLOSE(central(50, 10, 8, "dry", hard),
@@ -474,9 +462,8 @@ static void fourth_order(void **state)
 
 /* Films of the same equations with another program's images and, on every
  * grid, MLMI of order 10 alone, which is off by 2e-5 of w for a soft layer. */
-static void films(void **state)
+TEST(films)
 {
-    (void)state;
     CHECK_CLOSE(central(20, 10, 8, "substrate",
                         "[coating 1]\nthickness = 0.05\nmodulus = 100 GPa\n"),
                 0.08373309779498081, 1e-6);
@@ -504,10 +491,9 @@ static ovr_observation observed(double M, double L, const char *scale,
 }
 
 /* Highly loaded, a contact is the dry one, but for what the film takes. */
-static void nearly_dry(void **state)
+TEST(nearly_dry)
 {
     const layers_truth *t = &truth_cases[3];
-    (void)state;
     assert_string_equal(t->name, "liner");
     double at_100 = t->P0 - observed(100, 2, "dry", 8, liner).P_max;
     double at_400 = t->P0 - observed(400, 2, "dry", 8, liner).P_max;
@@ -517,11 +503,10 @@ static void nearly_dry(void **state)
 
 /* The line smoother's band is cured for layers; that of the paper knows no
  * band, and solves the same equations of second order. */
-static void by_another_smoother(void **state)
+TEST(by_another_smoother)
 {
     static const char *const name[] = {"line", "hybrid"};
     double H[2], P[2];
-    (void)state;
     for (int k = 0; k < 2; k++) {
         char more[400];
         snprintf(more, sizeof more,
@@ -539,11 +524,10 @@ static void by_another_smoother(void **state)
 
 /* Patches about the spike, of second order, beside the uniform grid of the
  * finest of them. */
-static void patches(void **state)
+TEST(patches)
 {
     const char *layer = "[coating 1]\nthickness = 0.017\nmodulus = 1000 GPa\n";
     char more[400];
-    (void)state;
     snprintf(more, sizeof more,
              "%s[domain]\nrefine = spike\nrefine_level = 14\n", layer);
     ovr_observation patched = observed(20, 10, "substrate", 8, more);
@@ -558,7 +542,7 @@ static void patches(void **state)
 
 /* M(t) over that of the layer itself, by the series of one layer; DLC and TiN
  * of 3 um on steel. */
-static void warmth(void **state)
+TEST(warmth)
 {
     static const struct {
         double k, rho_c, t, M;
@@ -572,7 +556,6 @@ static void warmth(void **state)
                  {20, 3.12e6, 1e-5, 0.6368907062089288},
                  {20, 3.12e6, 7.08e-5, 0.6121323411765089}};
     const ovr_thermal steel = {46, 1000, 3666};
-    (void)state;
     for (size_t i = 0; i < sizeof truth / sizeof *truth; i++) {
         const ovr_thermal one = {truth[i].k, 1000, truth[i].rho_c / 1000};
         const ovr_thermal three[] = {one, one, one};
@@ -592,9 +575,8 @@ static double warmed_at(const void *data, double t)
 
 /* The modes against M(t)/sqrt(t), of thin layers that a step sees through and
  * of thick ones. */
-static void memory_of_layers(void **state)
+TEST(memory_of_layers)
 {
-    (void)state;
     for (double tau = 1e-3; tau < 4; tau *= 3)
         for (double dT = 0.003; dT < 0.05; dT *= 3) {
             ovr_warmed w = {1, {1732, 12986}, {tau}};
@@ -638,10 +620,9 @@ static heated hot(const char *bodies, const char *coating)
 
 /* A layer of the body's own constants is none; one that no heat passes in time
  * is the body; one between is between, and the film the more sheared thin. */
-static void hot_layers(void **state)
+TEST(hot_layers)
 {
     heated bare = hot(STEEL, ""), all = hot(STEEL CARBON, "");
-    (void)state;
     heated same = hot(STEEL, "[coating 1]\nthickness = 3 um\n" STEEL SAME
                              "[coating 2]\nthickness = 20 um\n" STEEL SAME);
     CHECK_CLOSE(same.rise, bare.rise, 1e-4);
@@ -655,30 +636,4 @@ static void hot_layers(void **state)
     assert_true(thin.rise > 2 * bare.rise && thin.rise < all.rise);
     assert_true(fabs(thin.mu) < 0.95 * fabs(bare.mu) &&
                 fabs(thin.mu) > fabs(all.mu));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(softness),
-        cmocka_unit_test(kernel),
-        cmocka_unit_test(dry_contact),
-        cmocka_unit_test(dry_contact_of_two),
-        cmocka_unit_test(rigid_base),
-        cmocka_unit_test(thin_limit),
-        cmocka_unit_test(nothing_of_nothing),
-        cmocka_unit_test(influence_by_quadrature),
-        cmocka_unit_test(sums),
-        cmocka_unit_test(film_of_the_waves),
-        cmocka_unit_test(limits),
-        cmocka_unit_test(fourth_order),
-        cmocka_unit_test(films),
-        cmocka_unit_test(nearly_dry),
-        cmocka_unit_test(by_another_smoother),
-        cmocka_unit_test(patches),
-        cmocka_unit_test(warmth),
-        cmocka_unit_test(memory_of_layers),
-        cmocka_unit_test(hot_layers),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -62,7 +62,7 @@ static double film_after_ramp(ovr_scheme scheme, double meshes)
 }
 
 /* Differences between dT, dT/2 and dT/4 fall by 2^order. */
-static void time_schemes_have_their_order(void **state)
+TEST(time_schemes_have_their_order)
 {
     const struct {
         ovr_scheme scheme;
@@ -70,7 +70,6 @@ static void time_schemes_have_their_order(void **state)
     } cases[] = {{OVR_UPSTREAM1, 1, 1},
                  {OVR_UPSTREAM2, 1, 2},
                  {OVR_CHARACTERISTIC, 4, 2}};
-    (void)state;
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         double dT = cases[k].coarse;
         double a = film_after_ramp(cases[k].scheme, dT);
@@ -84,12 +83,11 @@ static void time_schemes_have_their_order(void **state)
 /* Long steps are stable and their error is that of second order: measured at
  * dT = D, times (dT/D)^2.  Along the characteristic all of the transport is in
  * the time step, and it is larger. */
-static void any_step_from_a_quarter_to_eight_meshes(void **state)
+TEST(any_step_from_a_quarter_to_eight_meshes)
 {
     const ovr_scheme scheme[] = {OVR_UPSTREAM2, OVR_CHARACTERISTIC};
     const double meshes[] = {0.25, 0.8, 1, 2.5, 8, 16};
     const double error[] = {4e-4, 1.2e-3};
-    (void)state;
     double fine = film_after_ramp(OVR_UPSTREAM2, 0.25);
     for (size_t s = 0; s < 2; s++)
         for (size_t k = 0; k < sizeof meshes / sizeof *meshes; k++)
@@ -99,10 +97,9 @@ static void any_step_from_a_quarter_to_eight_meshes(void **state)
 
 /* A change of step keeps second order: alternating steps are as good as equal
  * ones of the same mean, to a factor. */
-static void steps_may_change(void **state)
+TEST(steps_may_change)
 {
     double D = 5.5 / 448, film[2], fine = film_after_ramp(OVR_UPSTREAM2, 0.25);
-    (void)state;
     for (int k = 0; k < 2; k++) {
         ovr_error err;
         ovr_history *load = ramp(1, 1.2, 1);
@@ -121,12 +118,11 @@ static void steps_may_change(void **state)
     CHECK_CLOSE(film[1], fine, 5e-4);
 }
 
-static void adaptive_steps_keep_the_error(void **state)
+TEST(adaptive_steps_keep_the_error)
 {
     ovr_history *load = ramp(1, 1.2, 2);
     double film[3];
     long steps[3];
-    (void)state;
     for (int k = 0; k < 3; k++) {
         ovr_simulation *sim = started(7, OVR_UPSTREAM2, 1e-6, NULL, load, NULL);
         ovr_march march = {
@@ -168,9 +164,8 @@ static ovr_status count_hits(void *data, const ovr_simulation *sim,
     return OVR_OK;
 }
 
-static void times_are_hit_exactly(void **state)
+TEST(times_are_hit_exactly)
 {
-    (void)state;
     for (int adaptive = 0; adaptive < 2; adaptive++) {
         asked a = {0, 0};
         ovr_simulation *sim = started(6, OVR_UPSTREAM2, 0, NULL, NULL, NULL);
@@ -184,11 +179,10 @@ static void times_are_hit_exactly(void **state)
 }
 
 /* Standing roughness: the run ends at the steady rough solution. */
-static void standing_dent_ends_steady(void **state)
+TEST(standing_dent_ends_steady)
 {
     test_feature dent = {'s', -0.06, 0.5, 0.2, 0, 1};
     const ovr_scheme scheme[] = {OVR_UPSTREAM2, OVR_UPSTREAM1};
-    (void)state;
     for (int s = 0; s < 2; s++) {
         ovr_error err;
         ovr_simulation *sim = started(7, scheme[s], 0, &dent, NULL, NULL);
@@ -211,11 +205,10 @@ static void standing_dent_ends_steady(void **state)
 
 /* Speed down to nothing leaves a film that is squeezed, mass kept; starting
  * from rest ends at the nominal steady film. */
-static void stops_and_starts(void **state)
+TEST(stops_and_starts)
 {
     ovr_history *stop = ramp(1, 0, 1), *start = ramp(0, 1, 1);
     ovr_march march = {.end = 2};
-    (void)state;
     ovr_simulation *sim = started(7, OVR_UPSTREAM2, 0, NULL, NULL, stop);
     double moving = ovr_simulation_observation(sim)->H_min;
     go(sim, &march);
@@ -233,11 +226,10 @@ static void stops_and_starts(void **state)
     ovr_history_free(start);
 }
 
-static void load_comes_at_once(void **state)
+TEST(load_comes_at_once)
 {
     ovr_history *load = ramp(0, 1, 0.1);
     ovr_march march = {.end = 6};
-    (void)state;
     ovr_simulation *sim = started(7, OVR_UPSTREAM2, 0, NULL, load, NULL);
     go(sim, &march);
     CHECK_CLOSE(ovr_simulation_observation(sim)->H_cen, 0.0841121786, 2e-3);
@@ -246,12 +238,11 @@ static void load_comes_at_once(void **state)
 }
 
 /* What is inlet before is outlet after it. */
-static void reversal_wants_a_symmetric_domain(void **state)
+TEST(reversal_wants_a_symmetric_domain)
 {
     ovr_error err;
     ovr_options o = test_options();
     ovr_history *speed = ramp(1, -1, 0.5);
-    (void)state;
     o.level = 6;
     ovr_simulation *sim = test_simulation(20, 10, &o);
     ovr_simulation_histories(sim, NULL, speed);
@@ -262,10 +253,9 @@ static void reversal_wants_a_symmetric_domain(void **state)
 }
 
 /* Inflow - outflow - stored change by quadrature: a quarter a level. */
-static void mass_balance_is_of_second_order(void **state)
+TEST(mass_balance_is_of_second_order)
 {
     double worst[2] = {0, 0};
-    (void)state;
     for (int k = 0; k < 2; k++) {
         ovr_error err;
         test_feature dent = {'s', -0.05, 1, -0.5, 1, 1};
@@ -285,12 +275,11 @@ static void mass_balance_is_of_second_order(void **state)
 
 /* Where the load varies, the inflow vanishes at times: the balance is judged
  * by the contact's own flow (by the net inflow it was 4 here). */
-static void mass_balance_stands_when_the_inflow_vanishes(void **state)
+TEST(mass_balance_stands_when_the_inflow_vanishes)
 {
     ovr_error err;
     double worst = 0;
     ovr_history_form form = ovr_history_form_default();
-    (void)state;
     form.kind = OVR_HISTORY_SINE;
     form.amplitude = 0.4;
     form.period = 5;
@@ -306,22 +295,4 @@ static void mass_balance_stands_when_the_inflow_vanishes(void **state)
     assert_true(worst > 0 && worst < 0.03);
     ovr_simulation_free(sim);
     ovr_history_free(load);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(time_schemes_have_their_order),
-        cmocka_unit_test(any_step_from_a_quarter_to_eight_meshes),
-        cmocka_unit_test(steps_may_change),
-        cmocka_unit_test(adaptive_steps_keep_the_error),
-        cmocka_unit_test(times_are_hit_exactly),
-        cmocka_unit_test(standing_dent_ends_steady),
-        cmocka_unit_test(stops_and_starts),
-        cmocka_unit_test(load_comes_at_once),
-        cmocka_unit_test(reversal_wants_a_symmetric_domain),
-        cmocka_unit_test(mass_balance_is_of_second_order),
-        cmocka_unit_test(mass_balance_stands_when_the_inflow_vanishes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -122,25 +122,14 @@ static void compare(const char *text, double start, size_t rows,
     ovr_material_history_free(p);
 }
 
-static void a_smooth_dent_does_what_the_truth_says(void **state)
+TEST(a_smooth_dent_does_what_the_truth_says)
 {
-    (void)state;
     compare(dent, -4.6, sizeof truth_dent / sizeof *truth_dent, truth_dent,
             OVR_ELEMENT_AUTO, 5e-3);
 }
 
-static void a_dent_with_shoulders_too(void **state)
+TEST(a_dent_with_shoulders_too)
 {
-    (void)state;
     compare(roller, -5, sizeof truth_roller / sizeof *truth_roller,
             truth_roller, OVR_ELEMENT_AUTO, 5e-3);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_smooth_dent_does_what_the_truth_says),
-        cmocka_unit_test(a_dent_with_shoulders_too),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -52,10 +52,9 @@ static starved starve(double M, double L, int level, double q)
 }
 
 /* Where the mesh is halved the meniscus moves by a quarter of what it did. */
-static void second_order(void **state)
+TEST(second_order)
 {
     double X[4];
-    (void)state;
     for (int l = 0; l < 4; l++)
         X[l] = starve(20, 10, 5 + l, 0.0504192).meniscus;
     for (int l = 0; l < 2; l++)
@@ -64,9 +63,8 @@ static void second_order(void **state)
 
 /* An infinitely long contact passes all that arrives: within 1e-3, by the
  * density at a pressure that hardly changes. */
-static void film_is_what_arrives(void **state)
+TEST(film_is_what_arrives)
 {
-    (void)state;
     for (int k = 1; k < 10; k += 2) {
         double film, share = 0.1 * k, flow = flow_of(20, 10, 7, &film);
         starved s = starve(20, 10, 7, share * flow);
@@ -114,11 +112,10 @@ static double grubin_inlet(double H, double lambda_alphabar)
     return low - 1;
 }
 
-static void inlet_of_ertel_and_grubin(void **state)
+TEST(inlet_of_ertel_and_grubin)
 {
     static const double M[] = {20, 50}, share[] = {0.3, 0.5, 0.7};
     const double pi = acos(-1.0), L = 10;
-    (void)state;
     for (int i = 0; i < 6; i++) {
         double m = M[i / 3], film, flow = flow_of(m, L, 9, &film);
         double both = 3 * pi * pi / (8 * m * m) * L * sqrt(m / (2 * pi));
@@ -166,23 +163,11 @@ static double amplitude_left(int level)
 }
 
 /* What the upstream wedge damps falls eightfold with the mesh. */
-static void waves_ride_in(void **state)
+TEST(waves_ride_in)
 {
     double lost[2];
-    (void)state;
     for (int l = 0; l < 2; l++)
         lost[l] = 1 - amplitude_left(6 + l);
     CHECK_NEAR(lost[0], 0.03, 0.01);
     assert_true(lost[1] < lost[0] / 4 && lost[1] > 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(second_order),
-        cmocka_unit_test(film_is_what_arrives),
-        cmocka_unit_test(inlet_of_ertel_and_grubin),
-        cmocka_unit_test(waves_ride_in),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -123,14 +123,13 @@ static double constant(void *data, double T)
     return *(double *)data;
 }
 
-static void almost_flooded(void **state)
+TEST(almost_flooded)
 {
     static starved s;
     double q = 0.99 * test_flood(50, 2.5, LEVEL).flow;
     uint64_t seed = 7;
     ovr_error err = {0};
     ovr_options o = test_options();
-    (void)state;
     o.level = LEVEL;
     o.tolerance = 1e-10;
     o.cavitation = OVR_CAVITATION_CONSERVING;
@@ -164,9 +163,8 @@ static void almost_flooded(void **state)
 }
 
 /* Where nested iteration alone failed: 2.5e5 was left of the mass balance. */
-static void on_finer_levels(void **state)
+TEST(on_finer_levels)
 {
-    (void)state;
     for (int level = 6; level <= 8; level += 2) {
         ovr_error err = {0};
         int way = 0;
@@ -174,11 +172,4 @@ static void on_finer_levels(void **state)
         CHECK_OK(status, &err);
         assert_int_equal(way, 1);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(almost_flooded),
-                                       cmocka_unit_test(on_finer_levels)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -60,10 +60,9 @@ static void start_near(dense *d, const ovr_simulation *sim)
     d->H0 = now->H0;
 }
 
-static void steady_smooth(void **state)
+TEST(steady_smooth)
 {
     const double loads[][2] = {{5, 10}, {10, 2.5}, {20, 10}, {5, 0}};
-    (void)state;
     for (int c = 0; c < 4; c++)
         for (int s = 0; s < 4; s++) {
             ovr_error err;
@@ -121,9 +120,8 @@ static void oil_of_its_own(ovr_faces faces)
     ovr_simulation_free(sim);
 }
 
-static void a_law_of_its_own(void **state)
+TEST(a_law_of_its_own)
 {
-    (void)state;
     for (int k = 0; k < 2; k++)
         oil_of_its_own(both[k]);
 }
@@ -145,9 +143,8 @@ static void steady_dent(ovr_faces faces)
     dense_free(d);
 }
 
-static void steady_with_a_dent(void **state)
+TEST(steady_with_a_dent)
 {
-    (void)state;
     for (int k = 0; k < 2; k++)
         steady_dent(both[k]);
 }
@@ -223,33 +220,17 @@ static void time_steps(ovr_scheme scheme)
         steps_of(scheme, both[k]);
 }
 
-static void backward_euler(void **state)
+TEST(backward_euler)
 {
-    (void)state;
     time_steps(OVR_UPSTREAM1);
 }
 
-static void bdf2(void **state)
+TEST(bdf2)
 {
-    (void)state;
     time_steps(OVR_UPSTREAM2);
 }
 
-static void along_the_characteristic(void **state)
+TEST(along_the_characteristic)
 {
-    (void)state;
     time_steps(OVR_CHARACTERISTIC);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(steady_smooth),
-        cmocka_unit_test(a_law_of_its_own),
-        cmocka_unit_test(steady_with_a_dent),
-        cmocka_unit_test(backward_euler),
-        cmocka_unit_test(bdf2),
-        cmocka_unit_test(along_the_characteristic),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -60,13 +60,12 @@ static void same(const ovr_simulation *a, const ovr_simulation *b, double Cw,
 /* The contact of load Cw, speed Cu, curvature c in the nominal units is that
  * of M', L' in its own: X = s X', P = sqrt(Cw c) P', H = Cw H', s =
  * sqrt(Cw/c); so are its discrete equations, mesh by mesh. */
-static void at_an_instant_it_is_another_contact(void **state)
+TEST(at_an_instant_it_is_another_contact)
 {
     static const double all[][5] = {{20, 10, 1.4, 1, 1},
                                     {20, 10, 0.6, 1.5, 0.7},
                                     {50, 5, 1.5, 0.7, 1.4},
                                     {100, 12, 0.7, 1.2, 0.8}};
-    (void)state;
     for (size_t k = 0; k < sizeof all / sizeof *all; k++) {
         double M = all[k][0], L = all[k][1], r = all[k][2];
         double Cw = all[k][3], Cu = all[k][4];
@@ -91,14 +90,13 @@ static void at_an_instant_it_is_another_contact(void **state)
 }
 
 /* A radius that is 1 changes no bit. */
-static void a_radius_of_one_is_none(void **state)
+TEST(a_radius_of_one_is_none)
 {
     static const ovr_scheme schemes[] = {OVR_UPSTREAM1, OVR_UPSTREAM2,
                                          OVR_CHARACTERISTIC};
     ovr_history *one = history(OVR_HISTORY_STEP, 1, 1);
     test_feature dent = {'l', -0.1, 0.5, -1.5, 1, 0};
     ovr_error err = {0};
-    (void)state;
     for (size_t k = 0; k < 3; k++) {
         ovr_options o = options(6, schemes[k]);
         ovr_simulation *sim[2];
@@ -159,10 +157,9 @@ static void lag(double period, bool convected, ovr_scheme scheme, int level,
 
 /* The film is off to first order in the rate, other where the curvature is
  * convected than where it is imposed. */
-static void a_slow_change_follows_the_steady_contact(void **state)
+TEST(a_slow_change_follows_the_steady_contact)
 {
     double imposed[2][2], convected[2][2];
-    (void)state;
     for (int k = 0; k < 2; k++) {
         int period = k ? 512 : 256;
         lag(period, false, OVR_UPSTREAM2, 6, imposed[k]);
@@ -179,10 +176,9 @@ static void a_slow_change_follows_the_steady_contact(void **state)
 }
 
 /* The three schemes follow it alike, to their errors. */
-static void all_schemes_follow(void **state)
+TEST(all_schemes_follow)
 {
     double of[3][2];
-    (void)state;
     for (int k = 0; k < 3; k++)
         lag(32, true, (ovr_scheme)k, 7, of[k]);
     print_message("    H_min off by %.3e %.3e %.3e\n", of[0][1], of[1][1],
@@ -192,14 +188,13 @@ static void all_schemes_follow(void **state)
 }
 
 /* A radius that is none, and a curvature that would close the gap. */
-static void what_cannot_be_is_refused(void **state)
+TEST(what_cannot_be_is_refused)
 {
     ovr_error err = {0};
     ovr_options o = options(5, OVR_UPSTREAM2);
     ovr_history *none = history(OVR_HISTORY_STEP, -1, 1);
     ovr_history *fast = history(OVR_HISTORY_SINE, 0.9, 3);
     ovr_simulation *sim = test_simulation(20, 10, &o);
-    (void)state;
     ovr_simulation_radius(sim, none, NULL, false);
     CHECK_STATUS(ovr_simulation_steady(sim, &err), OVR_BAD_INPUT, &err);
     assert_non_null(strstr(err.message, "radius ratio -1"));
@@ -212,16 +207,4 @@ static void what_cannot_be_is_refused(void **state)
     ovr_simulation_free(sim);
     ovr_history_free(none);
     ovr_history_free(fast);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(at_an_instant_it_is_another_contact),
-        cmocka_unit_test(a_radius_of_one_is_none),
-        cmocka_unit_test(a_slow_change_follows_the_steady_contact),
-        cmocka_unit_test(all_schemes_follow),
-        cmocka_unit_test(what_cannot_be_is_refused),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -148,12 +148,11 @@ static bool formed(double x, double q)
     return integral(slope, q, x, 1) < 0.25;
 }
 
-static void parabolic_gap(void **state)
+TEST(parabolic_gap)
 {
     double x_r = find(0.05, 0.6, ruptured, 0), q = parabola(x_r, 0);
     double x_f = find(x_r, 1, formed, q), p = integral(slope, q, -1, -x_r);
     double place[3], pressure[3], flow[3];
-    (void)state;
     CHECK_NEAR(x_r, 0.2499575, 1e-7);
     CHECK_NEAR(x_f, 0.4695798, 1e-7);
     for (int k = 0; k < 3; k++) {
@@ -222,9 +221,8 @@ static void starved_roller(double q, double known)
     second_order(error, 3, "meniscus");
 }
 
-static void starved_rollers(void **state)
+TEST(starved_rollers)
 {
-    (void)state;
     starved_roller(1.1, -1.131255);
     starved_roller(1.2, -2.933597);
 }
@@ -366,11 +364,10 @@ static double squeeze(size_t n, const double *oil, double *closes)
     return error;
 }
 
-static void squeezed_plates(void **state)
+TEST(squeezed_plates)
 {
     static double oil[FINE + 1];
     double close = oil_of_half(oil), error[3], closes;
-    (void)state;
     CHECK_NEAR(close, 0.70592, 2e-4);
     for (int k = 0; k < 3; k++) {
         size_t n = ((size_t)100 << k) + 1;
@@ -378,14 +375,4 @@ static void squeezed_plates(void **state)
         CHECK_NEAR(closes, close, 1.5 / (double)(n - 1));
     }
     second_order(error, 3, "oil of a half");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(parabolic_gap),
-        cmocka_unit_test(starved_rollers),
-        cmocka_unit_test(squeezed_plates),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,10 +7,9 @@
 #include "support/rough.h"
 #include "support/test.h"
 
-static void films_are_foreseen(void **state)
+TEST(films_are_foreseen)
 {
     static const uint64_t seeds[] = {101, 104};
-    (void)state;
     for (int k = 0; k < 2; k++) {
         test_rough r = test_rough_run(seeds[k], 0, 6);
         CHECK_OK(r.status, &r.err);
@@ -21,10 +20,4 @@ static void films_are_foreseen(void **state)
         assert_true(r.film_Rq < 0.8 * r.said.Rq); /* pressed flatter */
         assert_true(r.H_min < 0.95 * r.smooth);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(films_are_foreseen)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

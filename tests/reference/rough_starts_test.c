@@ -14,18 +14,10 @@ static void start(uint64_t seed, int level)
     assert_true(g.H_min > 0);
 }
 
-static void rough_starts_are_found(void **state)
+TEST(rough_starts_are_found)
 {
-    (void)state;
     for (uint64_t seed = 33050; seed < 33060; seed++)
         start(seed, 8);
     start(33060, 9);
     start(33065, 9);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rough_starts_are_found)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

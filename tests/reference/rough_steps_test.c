@@ -13,9 +13,8 @@ static void costs(const test_rough_slide *one, double maximum)
     assert_true(1000 * (all.retries - 1) <= all.steps);
 }
 
-static void both_ground(void **state)
+TEST(both_ground)
 {
-    (void)state;
     costs(
         &(test_rough_slide){
             {"ground", "ground"}, 1, 9, 1, "characteristic", 2.2},
@@ -24,30 +23,18 @@ static void both_ground(void **state)
           3);
 }
 
-static void scratches(void **state)
+TEST(scratches)
 {
-    (void)state;
     costs(
         &(test_rough_slide){
             {"scratch", "scratch"}, 1, 9, 2, "characteristic", 2.2},
         3.6);
 }
 
-static void two_kinds(void **state)
+TEST(two_kinds)
 {
-    (void)state;
     costs(
         &(test_rough_slide){
             {"ground", "honed"}, 2, 9, 2, "characteristic", 2.2},
         3.6);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(both_ground),
-        cmocka_unit_test(scratches),
-        cmocka_unit_test(two_kinds),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

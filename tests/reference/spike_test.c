@@ -6,27 +6,24 @@
 #include "support/spike.h"
 #include "support/test.h"
 
-static void as_on_a_uniform_grid(void **state)
+TEST(as_on_a_uniform_grid)
 {
-    (void)state;
     test_spike_beside_uniform(14);
 }
 
-static void a_few_contacts(void **state)
+TEST(a_few_contacts)
 {
-    (void)state;
     test_spike_survey(16, 4);
 }
 
 /* Solved anew, a simulation gives the same bits; it takes no steps. */
-static void again_the_same(void **state)
+TEST(again_the_same)
 {
     ovr_error err = {0};
     ovr_options o = test_options();
     o.refine = OVR_REFINE_SPIKE;
     o.refine_level = 12;
     ovr_simulation *sim = test_simulation(20, 10, &o);
-    (void)state;
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     ovr_observation first = *ovr_simulation_observation(sim);
     size_t n = ovr_simulation_state(sim)->n;
@@ -47,12 +44,11 @@ static void again_the_same(void **state)
 }
 
 /* A dent that stands in the contact: the patches see the surface itself. */
-static void standing_dent(void **state)
+TEST(standing_dent)
 {
     test_feature dent = {.kind = 'l', .A = -0.02, .width = 0.1, .start = 0.85};
     ovr_error err = {0};
     double H[2], P[2];
-    (void)state;
     for (int k = 0; k < 2; k++) {
         ovr_options o = test_options();
         o.level = k ? 9 : 12;
@@ -68,15 +64,4 @@ static void standing_dent(void **state)
     /* second order at level 12: 4e-6 of the film, more of sharp pressures */
     CHECK_CLOSE(H[1], H[0], 2e-4);
     CHECK_CLOSE(P[1], P[0], 5e-3);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(as_on_a_uniform_grid),
-        cmocka_unit_test(a_few_contacts),
-        cmocka_unit_test(again_the_same),
-        cmocka_unit_test(standing_dent),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -76,9 +76,8 @@ static void passes(const oil_law *law, double share)
     CHECK_NEAR(o.starvation_factor, share, 2e-3);
 }
 
-static void what_arrives_passes(void **state)
+TEST(what_arrives_passes)
 {
-    (void)state;
     for (int k = 1; k < 4; k++) {
         passes(&first, 0.25 * k);
         passes(&thin, 0.25 * k);
@@ -87,10 +86,9 @@ static void what_arrives_passes(void **state)
 
 /* The distance from the meniscus of the second-order scheme halves with the
  * mesh. */
-static void first_order(void **state)
+TEST(first_order)
 {
     double q = 0.0504192, off[3];
-    (void)state;
     for (int l = 0; l < 3; l++)
         off[l] = solve(&first, 6 + l, &q).meniscus -
                  solve(&second, 6 + l, &q).meniscus;
@@ -102,10 +100,9 @@ static void first_order(void **state)
 
 /* A flooded contact is that of the Reynolds equation, which has truths of its
  * own (friction_test). */
-static void flooded_is_reynolds(void **state)
+TEST(flooded_is_reynolds)
 {
     const oil_law *const laws[] = {&first, &thin};
-    (void)state;
     for (int k = 0; k < 2; k++) {
         oil_law plain = *laws[k];
         plain.cavitation = OVR_CAVITATION_REYNOLDS;
@@ -159,20 +156,8 @@ static void dent(const oil_law *law, double share, bool balanced)
     ovr_simulation_free(sim);
 }
 
-static void dents_pass(void **state)
+TEST(dents_pass)
 {
-    (void)state;
     dent(&first, 0.5, true);
     dent(&thin, 0.5, false);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_arrives_passes),
-        cmocka_unit_test(first_order),
-        cmocka_unit_test(flooded_is_reynolds),
-        cmocka_unit_test(dents_pass),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -29,25 +29,22 @@ static void check_row(const truth_row *row, ovr_scheme scheme)
     ovr_simulation_free(sim);
 }
 
-static void upstream1_levels_6_to_14(void **state)
+TEST(upstream1_levels_6_to_14)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof truth_wedge_1 / sizeof *truth_wedge_1; k++)
         check_row(&truth_wedge_1[k], OVR_UPSTREAM1);
 }
 
-static void upstream2_levels_6_to_14(void **state)
+TEST(upstream2_levels_6_to_14)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof truth_wedge_2 / sizeof *truth_wedge_2; k++)
         check_row(&truth_wedge_2[k], OVR_UPSTREAM2);
 }
 
 /* Level 12 is within 1e-4 (centre) and 5e-4 (minimum) of the limit. */
-static void other_loads_at_level_12(void **state)
+TEST(other_loads_at_level_12)
 {
     size_t rows = sizeof truth_steady_rows / sizeof *truth_steady_rows;
-    (void)state;
     for (size_t k = 0; k < rows; k++) {
         const truth_steady *row = &truth_steady_rows[k];
         ovr_error err;
@@ -64,12 +61,11 @@ static void other_loads_at_level_12(void **state)
 }
 
 /* Film of levels 6, 7, 8 against the limit: error ratios near 2 and 4. */
-static void converges_at_the_schemes_order(void **state)
+TEST(converges_at_the_schemes_order)
 {
     const double limit = 0.08419667638;
     const ovr_scheme scheme[] = {OVR_UPSTREAM1, OVR_UPSTREAM2};
     const double ratio[] = {2, 4};
-    (void)state;
     for (int s = 0; s < 2; s++) {
         double error[3];
         for (int k = 0; k < 3; k++) {
@@ -89,10 +85,9 @@ static void converges_at_the_schemes_order(void **state)
 
 /* stop = truncation leaves a tenth of the distance between the exact solution
  * of the level and the limit, with one cycle on each level on the way. */
-static void truncation_is_below_the_discretization_error(void **state)
+TEST(truncation_is_below_the_discretization_error)
 {
     const double limit = 0.08419667638;
-    (void)state;
     for (size_t k = 0; truth_wedge_2[k].level <= 8; k++) {
         ovr_error err;
         ovr_options o = test_options();
@@ -110,12 +105,11 @@ static void truncation_is_below_the_discretization_error(void **state)
 }
 
 /* rho H - eps dP/dX is the same at every half node of a steady film. */
-static void mass_flow_is_constant(void **state)
+TEST(mass_flow_is_constant)
 {
     ovr_error err;
     ovr_options o = test_options();
     static double flow[1793];
-    (void)state;
     ovr_simulation *sim = test_simulation(20, 10, &o);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     const ovr_state *now = ovr_simulation_state(sim);
@@ -127,12 +121,11 @@ static void mass_flow_is_constant(void **state)
 
 /* A high load has nearly the Hertzian pressure; the film in the contact is a
  * thousandth of the deformation. */
-static void high_load_is_hertzian(void **state)
+TEST(high_load_is_hertzian)
 {
     ovr_error err;
     ovr_options o = test_options();
     o.level = 10;
-    (void)state;
     ovr_simulation *sim = test_simulation(500, 8, &o);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     const ovr_state *now = ovr_simulation_state(sim);
@@ -145,27 +138,11 @@ static void high_load_is_hertzian(void **state)
 
 /* Central film within the formula's known distance (equations.md: the mass
  * flow within 3 %). */
-static void film_follows_moes(void **state)
+TEST(film_follows_moes)
 {
     size_t rows = sizeof truth_steady_rows / sizeof *truth_steady_rows;
-    (void)state;
     for (size_t k = 0; k < rows; k++)
         CHECK_CLOSE(ovr_film_central_moes(truth_steady_rows[k].M,
                                           truth_steady_rows[k].L),
                     truth_steady_rows[k].flow, 0.03);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(upstream1_levels_6_to_14),
-        cmocka_unit_test(upstream2_levels_6_to_14),
-        cmocka_unit_test(other_loads_at_level_12),
-        cmocka_unit_test(converges_at_the_schemes_order),
-        cmocka_unit_test(truncation_is_below_the_discretization_error),
-        cmocka_unit_test(mass_flow_is_constant),
-        cmocka_unit_test(high_load_is_hertzian),
-        cmocka_unit_test(film_follows_moes),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -146,17 +146,15 @@ static void compare(bool store)
     }
 }
 
-static void threads_compute_what_one_does(void **state)
+TEST(threads_compute_what_one_does)
 {
-    (void)state;
     for (int round = 0; round < ROUNDS; round++)
         compare(false);
 }
 
-static void threads_write_files(void **state)
+TEST(threads_write_files)
 {
     hbool_t safe = false;
-    (void)state;
     H5is_library_threadsafe(&safe);
     if (!safe)
         skip();
@@ -170,13 +168,4 @@ static void threads_write_files(void **state)
         ovr_result_close(result);
         remove(path);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(threads_compute_what_one_does),
-        cmocka_unit_test(threads_write_files),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -88,23 +88,13 @@ static const char swinging[] = "[contact]\n"
                                "wavelength = 0.63076\n"
                                "origin = -3.47692\n";
 
-static void chance_is_no_estimate(void **state)
+TEST(chance_is_no_estimate)
 {
-    (void)state;
     test_told_case(by_chance, 5, 3);
     test_told_case(swinging, 5, 2);
 }
 
-static void errors_are_not_told_too_small(void **state)
+TEST(errors_are_not_told_too_small)
 {
-    (void)state;
     test_told_survey(35000, 10, 5, 2, 1);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(chance_is_no_estimate),
-        cmocka_unit_test(errors_are_not_told_too_small)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

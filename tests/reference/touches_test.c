@@ -3,15 +3,7 @@
 #include "../support/test.h"
 #include "../support/touches.h"
 
-static void surfaces_that_touch_have_a_film(void **state)
+TEST(surfaces_that_touch_have_a_film)
 {
-    (void)state;
     test_touches_survey(33000, 10);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(surfaces_that_touch_have_a_film)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -137,24 +137,21 @@ static watch march(const run *r, int level, double tolerance,
     return w;
 }
 
-static void discrete_series_as_it_comes(void **state)
+TEST(discrete_series_as_it_comes)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof discrete / sizeof *discrete; k++)
         CHECK_NEAR(march(&discrete[k], 7, 0, every_16_steps).worst, 0, 2e-6);
 }
 
-static void discrete_series_to_the_digits(void **state)
+TEST(discrete_series_to_the_digits)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof discrete / sizeof *discrete; k++)
         CHECK_NEAR(march(&discrete[k], 7, 1e-8, every_16_steps).worst, 0, 1e-6);
 }
 
 /* 1 % at every time, 0.3 % in the mean. */
-static void histories_at_level_8(void **state)
+TEST(histories_at_level_8)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof converged / sizeof *converged; k++) {
         watch w = march(&converged[k], 8, 0, at_given_times);
         double count = (double)w.truth->count;
@@ -162,14 +159,4 @@ static void histories_at_level_8(void **state)
         CHECK_NEAR(w.sum_min / count, 0, 3e-3);
         CHECK_NEAR(w.sum_cen / count, 0, 3e-3);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(discrete_series_as_it_comes),
-        cmocka_unit_test(discrete_series_to_the_digits),
-        cmocka_unit_test(histories_at_level_8),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -103,9 +103,8 @@ static seen run(ovr_case *c, const char *path)
  * the profiles have lost just that, whatever the law has become.  Surface 2,
  * three times as soft, is slower by 0.85/1.15: each of its places is under load
  * for longer. */
-static void what_is_borne_is_worn(void **state)
+TEST(what_is_borne_is_worn)
 {
-    (void)state;
     ovr_case *c = begin();
     assign(c, "boundary.passes=2e5");
     assign(c, "boundary.jump=2e4");
@@ -131,10 +130,9 @@ static void what_is_borne_is_worn(void **state)
 
 /* Jumps of 2 % of Rq that are chosen go as far as a tenth of them do: of first
  * order in the jump, by which the share falls. */
-static void jumps_are_short_enough(void **state)
+TEST(jumps_are_short_enough)
 {
     double share[3];
-    (void)state;
     for (int k = 0; k < 3; k++) {
         static const char *const jump[] = {
             "boundary.jump=auto", "boundary.jump=2e3", "boundary.jump=1e3"};
@@ -152,9 +150,8 @@ static void jumps_are_short_enough(void **state)
     CHECK_CLOSE(share[1], share[2], 0.02);
 }
 
-static void it_stops_when_it_has_settled(void **state)
+TEST(it_stops_when_it_has_settled)
 {
-    (void)state;
     ovr_case *c = begin();
     assign(c, "boundary.passes=1e9");
     assign(c, "boundary.jump=1e4");
@@ -198,11 +195,10 @@ static void run_killed(ovr_case *c, const char *path)
 
 /* Killed between two jumps and resumed: the last state bit by bit; both
  * profiles before and after are in the file and beside it. */
-static void killed_runs_go_on(void **state)
+TEST(killed_runs_go_on)
 {
     char folder[] = "/tmp/overroll-wear-XXXXXX", path[100], profile[120];
     ovr_error err = {0};
-    (void)state;
     assert_non_null(mkdtemp(folder));
     snprintf(path, sizeof path, "%s/out.h5", folder);
     ovr_case *c = begin();
@@ -252,9 +248,8 @@ static void check_refused(ovr_case *c, const char *words)
     ovr_case_free(c);
 }
 
-static void what_has_no_passes_is_refused(void **state)
+TEST(what_has_no_passes_is_refused)
 {
-    (void)state;
     ovr_case *c = begin();
     check_refused(c, "needs passes");
     c = begin();
@@ -265,15 +260,4 @@ static void what_has_no_passes_is_refused(void **state)
     assign(c, "boundary.passes=10");
     assign(c, "time.end=3");
     check_refused(c, "does not go with");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_borne_is_worn),
-        cmocka_unit_test(jumps_are_short_enough),
-        cmocka_unit_test(it_stops_when_it_has_settled),
-        cmocka_unit_test(killed_runs_go_on),
-        cmocka_unit_test(what_has_no_passes_is_refused)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

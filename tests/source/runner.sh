@@ -53,3 +53,16 @@ if command -v timeout >/dev/null; then
 fi
 counts 1 '5 passed, 5 failed, 1 skipped' good bad crashing good.sh bad.sh \
     skipped.sh
+
+# How many there are and how long it will take, then one after the other.
+expect 0 "$TOP/tests/support/run" -n -j 2 -o foretold good good.sh skipped.sh
+[ "$(cat out)" = '3 tests, 2 at a time: about 6 s' ] || fail "$(cat out)"
+[ -z "$(find foretold -name '*.log')" ] || fail 'it runs what it foretells'
+expect 0 "$TOP/tests/support/run" -j 1 -o foretold good good.sh skipped.sh
+contains out '^3 tests, 1 at a time: about 12 s'
+for k in 1 2 3; do
+    contains out "^test   $k of 3 "
+done
+# The next time it is known better.
+expect 0 "$TOP/tests/support/run" -n -o foretold good good.sh skipped.sh
+contains out '^3 tests, 1 at a time: about [0-3] s'

@@ -17,6 +17,48 @@
 #include "overroll/error.h"
 #include "overroll/memory.h"
 
+/* ----------------------------------------------------------------- tests */
+
+/*
+ * TEST(what_holds) { ... } is a test of the program tests/KIND/NAME_test, which
+ * runs those of its file from the first to the last.  TEST_WITH has a setup and
+ * a teardown of cmocka's, either NULL; TEST_IN_FOLDER a new folder as *state.
+ */
+#define TEST(name) TEST_WITH(name, NULL, NULL)
+#define TEST_IN_FOLDER(name)                                                   \
+    TEST_WITH(name, test_make_folder, test_remove_folder)
+#define TEST_WITH(name, setup, teardown)                                       \
+    static void name(void **state);                                            \
+    __attribute__((constructor)) static void register_##name(void)             \
+    {                                                                          \
+        static test_listed one = {                                             \
+            .test = cmocka_unit_test_setup_teardown(name, setup, teardown),    \
+            .file = __FILE__,                                                  \
+            .line = __LINE__};                                                 \
+        test_list(&one);                                                       \
+    }                                                                          \
+    static void name(__attribute__((unused)) void **state)
+
+/* A setup and a teardown, either NULL, of all tests of a file. */
+#define TEST_GROUP(begin, end)                                                 \
+    __attribute__((constructor)) static void register_group(void)              \
+    {                                                                          \
+        static test_listed group = {                                           \
+            .begins = begin, .ends = end, .file = __FILE__, .line = __LINE__}; \
+        test_list(&group);                                                     \
+    }
+
+typedef struct test_listed {
+    struct CMUnitTest test; /* without a function: a group */
+    CMFixtureFunction begins, ends;
+    const char *file;
+    int line;
+    struct test_listed *next;
+} test_listed;
+
+/* Called before main() by what these macros make. */
+void test_list(test_listed *one);
+
 /* --------------------------------------------------------------- numbers */
 
 /* |actual - expected| <= tolerance, absolute.  A NaN is never near; equal

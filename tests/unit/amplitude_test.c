@@ -16,11 +16,10 @@ static const double pi = 3.14159265358979323846;
 /* Venner, Couhier, Lubrecht & Greenwood 1997, M = 100, L = 11.  The error that
  * amplitude.c states of the curve; where waves are shortest the program too is
  * 0.05 above their solution. */
-static void the_curve_is_that_of_the_paper(void **state)
+TEST(the_curve_is_that_of_the_paper)
 {
     static const double wave[] = {4, 2, 1, 0.5, 0.25, 0.125},
                         left[] = {0.030, 0.073, 0.183, 0.394, 0.660, 0.839};
-    (void)state;
     for (int k = 0; k < 6; k++)
         CHECK_NEAR(ovr_wave_reduction(100, 11, wave[k]), left[k],
                    k < 5 ? 0.045 : 0.07);
@@ -29,13 +28,12 @@ static void the_curve_is_that_of_the_paper(void **state)
 }
 
 /* Each by itself, whatever else is there; the mean goes. */
-static void waves_are_reduced(void **state)
+TEST(waves_are_reduced)
 {
     enum { N = 256 };
     const double step = 1. / 32; /* 8 b */
     double z[N], a = ovr_wave_reduction(50, 8, 8. / 5),
                  b = ovr_wave_reduction(50, 8, 8. / 40);
-    (void)state;
     for (int i = 0; i < N; i++)
         z[i] = 3 + 0.2 * cos(2 * pi * 5 * i / N + 1) +
                0.1 * sin(2 * pi * 40 * i / N);
@@ -74,11 +72,10 @@ static ovr_rough_film foresee(const char *more, const char *set)
 }
 
 /* The window has three waves, to a mesh of 0.006 in 1.5. */
-static void a_wave_is_foreseen(void **state)
+TEST(a_wave_is_foreseen)
 {
     double left = 0.01 * ovr_wave_reduction(50, 8, 0.5);
     ovr_rough_film film = foresee("", NULL);
-    (void)state;
     assert_null(film.why);
     assert_null(film.but);
     CHECK_CLOSE(film.Rq, 0.01 / sqrt(2), 0.01);
@@ -91,7 +88,7 @@ static void a_wave_is_foreseen(void **state)
     CHECK_CLOSE(low - film.H_min, 0.75 * left, 0.01);
 }
 
-static void what_is_not_foreseen(void **state)
+TEST(what_is_not_foreseen)
 {
     static const struct {
         const char *more, *set, *why, *but;
@@ -113,7 +110,6 @@ static void what_is_not_foreseen(void **state)
          "no waves"},
         {"", "feature.w.amplitude=0.3", NULL, "as high as"},
     };
-    (void)state;
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         ovr_rough_film film = foresee(cases[k].more, cases[k].set);
         assert_true(!cases[k].why == !film.why);
@@ -123,15 +119,4 @@ static void what_is_not_foreseen(void **state)
             assert_non_null(strstr(film.but, cases[k].but));
         assert_true(isnan(film.film_Rq) == (film.why != NULL));
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(the_curve_is_that_of_the_paper),
-        cmocka_unit_test(waves_are_reduced),
-        cmocka_unit_test(a_wave_is_foreseen),
-        cmocka_unit_test(what_is_not_foreseen),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -18,14 +18,13 @@ static bool all_bytes(const unsigned char *memory, size_t n, int value)
 
 /* Random sizes across the block size; each piece is filled with a byte of its
  * own as it comes, so that any overlap shows in the end. */
-static void pieces_are_zeroed_aligned_and_apart(void **state)
+TEST(pieces_are_zeroed_aligned_and_apart)
 {
     test_faults faults;
     ovr_arena arena;
     unsigned char *piece[PIECES];
     size_t bytes[PIECES];
     uint64_t seed = 1;
-    (void)state;
     test_faults_init(&faults);
     arena = ovr_arena_make(&faults.hook);
     for (int k = 0; k < PIECES; k++) {
@@ -44,10 +43,9 @@ static void pieces_are_zeroed_aligned_and_apart(void **state)
     assert_int_equal(faults.live, 0);
 }
 
-static void counts_what_it_asked_for(void **state)
+TEST(counts_what_it_asked_for)
 {
     ovr_arena arena = ovr_arena_make(NULL);
-    (void)state;
     assert_int_equal(arena.bytes, 0);
     assert_non_null(ovr_arena_take(&arena, 1000000, sizeof(double), NULL));
     assert_true(arena.bytes >= 8000000);
@@ -56,19 +54,17 @@ static void counts_what_it_asked_for(void **state)
     assert_int_equal(arena.bytes, 0);
 }
 
-static void nothing_is_something(void **state)
+TEST(nothing_is_something)
 {
     ovr_arena arena = ovr_arena_make(NULL);
-    (void)state;
     assert_non_null(ovr_arena_take(&arena, 0, 8, NULL));
     assert_non_null(ovr_arena_take(&arena, 8, 0, NULL));
     ovr_arena_release(&arena);
 }
 
-static void is_usable_after_release(void **state)
+TEST(is_usable_after_release)
 {
     ovr_arena arena = ovr_arena_make(NULL);
-    (void)state;
     for (int round = 0; round < 3; round++) {
         char *text = ovr_arena_text(&arena, "overroll", NULL);
         assert_string_equal(text, "overroll");
@@ -77,7 +73,7 @@ static void is_usable_after_release(void **state)
     }
 }
 
-static void refuses_sizes_that_overflow(void **state)
+TEST(refuses_sizes_that_overflow)
 {
     static const size_t target[][2] = {
         {SIZE_MAX, SIZE_MAX}, {SIZE_MAX / 2, 3},  {SIZE_MAX / 8 + 2, 8},
@@ -85,7 +81,6 @@ static void refuses_sizes_that_overflow(void **state)
     };
     test_faults faults;
     ovr_arena arena;
-    (void)state;
     test_faults_init(&faults);
     arena = ovr_arena_make(&faults.hook);
     for (size_t k = 0; k < sizeof target / sizeof *target; k++) {
@@ -112,19 +107,17 @@ static ovr_status build(void *data, const ovr_allocator *hook, ovr_error *err)
     return status;
 }
 
-static void every_allocation_may_fail(void **state)
+TEST(every_allocation_may_fail)
 {
-    (void)state;
     assert_true(test_every_allocation(build, NULL) >= 4);
 }
 
 /* After a failure the pieces taken before are whole and more can be had. */
-static void survives_a_failure(void **state)
+TEST(survives_a_failure)
 {
     test_faults faults;
     ovr_arena arena;
     char *text;
-    (void)state;
     test_faults_init(&faults);
     faults.fail = 2;
     arena = ovr_arena_make(&faults.hook);
@@ -135,18 +128,4 @@ static void survives_a_failure(void **state)
     assert_int_equal(faults.live, 2);
     ovr_arena_release(&arena);
     assert_int_equal(faults.live, 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(pieces_are_zeroed_aligned_and_apart),
-        cmocka_unit_test(counts_what_it_asked_for),
-        cmocka_unit_test(nothing_is_something),
-        cmocka_unit_test(is_usable_after_release),
-        cmocka_unit_test(refuses_sizes_that_overflow),
-        cmocka_unit_test(every_allocation_may_fail),
-        cmocka_unit_test(survives_a_failure),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -141,14 +141,13 @@ static void number(const ovr_parameter_info *p, double value)
 }
 
 /* Missing, no number, infinite, of another unit, huge, tiny, negative, zero. */
-static void every_parameter_refuses_nonsense(void **state)
+TEST(every_parameter_refuses_nonsense)
 {
     static const char *const words[] = {"nan",   "inf",     "-inf",
                                         "1e999", "quux",    "3 furlong",
                                         "1,5;2", "\303\244"};
     static const double values[] = {0,     -1,  1e300, -1e300, 1e-300,
                                     1e-20, 0.5, 1e9,   1,      -1e-9};
-    (void)state;
     for (size_t k = 0; k < ovr_parameter_count(); k++) {
         ovr_parameter_info p = ovr_parameter_at(k);
         assert_true(p.help && *p.help);
@@ -192,9 +191,8 @@ static void refused(const char *format, const ovr_parameter_info *p)
 }
 
 /* Given twice; with a letter too many; in a section that is not its own. */
-static void every_key_has_one_place(void **state)
+TEST(every_key_has_one_place)
 {
-    (void)state;
     for (size_t k = 0; k < ovr_parameter_count(); k++) {
         ovr_parameter_info p = ovr_parameter_at(k);
         const char *value = some_value(&p);
@@ -215,9 +213,8 @@ static void every_key_has_one_place(void **state)
     }
 }
 
-static void every_default_is_allowed(void **state)
+TEST(every_default_is_allowed)
 {
-    (void)state;
     for (size_t k = 0; k < ovr_parameter_count(); k++) {
         ovr_parameter_info p = ovr_parameter_at(k);
         if (!p.initial)
@@ -256,14 +253,13 @@ static const ovr_parameter_info *find(const char *section, const char *key)
 
 /* The contact of numbers with units, each line in turn left out: what is
  * missing is named by its key, unless a default takes its place. */
-static void what_is_missing_is_named(void **state)
+TEST(what_is_missing_is_named)
 {
     static const char *const lines[][2] = {
         {"load", "307 kN/m"},      {"radius", "10 mm"},
         {"modulus", "226 GPa"},    {"mean_speed", "1.3 m/s"},
         {"viscosity", "40 mPa.s"}, {"alpha", "17 1/GPa"}};
     enum { LINES = sizeof lines / sizeof *lines };
-    (void)state;
     for (int without = -1; without < LINES; without++) {
         size_t used = (size_t)snprintf(text, sizeof text, "[contact]\n");
         ovr_error err = {0};
@@ -283,11 +279,10 @@ static void what_is_missing_is_named(void **state)
 }
 
 /* From a bare shape on: what is asked for is given, until it is enough. */
-static void every_shape_asks_for_its_sizes(void **state)
+TEST(every_shape_asks_for_its_sizes)
 {
     const ovr_parameter_info shape = *find("feature", "shape");
     int asked = 0;
-    (void)state;
     for (size_t k = 0; shape.choices[k]; k++) {
         size_t used = (size_t)snprintf(text, sizeof text,
                                        "[contact]\nM = 20\nL = 10\n"
@@ -369,7 +364,7 @@ static int with(const char *section, const char *key, const char *value)
 
 /* What only shows beside other keys, or in the contact's units, or on the
  * grid, still names the line of its key. */
-static void what_is_found_late_has_its_line(void **state)
+TEST(what_is_found_late_has_its_line)
 {
     static const char *const late[][3] = {{"contact", "slide_to_roll", "1e999"},
                                           {"contact", "speed_2", "1 m/s"},
@@ -390,7 +385,6 @@ static void what_is_found_late_has_its_line(void **state)
                                           {"feature", "height", "0.1"},
                                           {"feature", "radius", "1"},
                                           {"output", "interval", "1e9 s"}};
-    (void)state;
     for (size_t k = 0; k < sizeof late / sizeof *late; k++) {
         int line = with(late[k][0], late[k][1], late[k][2]);
         char place[40];
@@ -424,7 +418,7 @@ static void give(void *context, void *memory)
 
 /* The largest level, if this machine is too small for it: what it would take
  * is said, and nothing of that size was allocated. */
-static void memory_is_estimated_first(void **state)
+TEST(memory_is_estimated_first)
 {
     const ovr_parameter_info level = *find("domain", "level");
     const ovr_allocator hook = {take, give, NULL};
@@ -432,7 +426,6 @@ static void memory_is_estimated_first(void **state)
     double here = (double)sysconf(_SC_PHYS_PAGES) *
                   (double)sysconf(_SC_PAGE_SIZE);
     ovr_error err = {0};
-    (void)state;
     o.level = (int)level.maximum;
     if (ovr_simulation_memory(&o) < 0.8 * here)
         skip();
@@ -450,18 +443,4 @@ static void memory_is_estimated_first(void **state)
     assert_true(largest < 1000000);
     ovr_setup_free(s);
     ovr_case_free(c);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(every_parameter_refuses_nonsense),
-        cmocka_unit_test(every_key_has_one_place),
-        cmocka_unit_test(every_default_is_allowed),
-        cmocka_unit_test(what_is_missing_is_named),
-        cmocka_unit_test(every_shape_asks_for_its_sizes),
-        cmocka_unit_test(what_is_found_late_has_its_line),
-        cmocka_unit_test(memory_is_estimated_first),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -18,12 +18,11 @@ static ovr_simulation *simulation(const ovr_options *options, ovr_error *err)
     return ovr_simulation_create(&contact, &oil, options, NULL, err);
 }
 
-static void test_structs_that_are_not_given(void **state)
+TEST(test_structs_that_are_not_given)
 {
     ovr_conditions given = ovr_conditions_default();
     ovr_contact contact;
     ovr_error err = {0};
-    (void)state;
     assert_null(simulation(NULL, &err));
     CHECK_ERROR(&err, OVR_BAD_INPUT, "no ovr_options is given");
     ovr_contact_resolve(NULL, &contact, &err);
@@ -53,7 +52,7 @@ static ovr_status run_again(void *data, const ovr_simulation *sim,
     return OVR_OK;
 }
 
-static void test_run_within_its_observer(void **state)
+TEST(test_run_within_its_observer)
 {
     within w = {0};
     ovr_error err = {0};
@@ -62,7 +61,6 @@ static void test_run_within_its_observer(void **state)
         "[contact]\nM = 20\nL = 10\n[domain]\nlevel = 4\n"
         "[time]\nend = 0.1\n",
         "case", NULL, NULL, &err);
-    (void)state;
     how.data = &w;
     how.observe = run_again;
     w.run = ovr_run_create(c, &how, NULL, &err);
@@ -92,14 +90,13 @@ static ovr_status step_again(void *data, const ovr_simulation *sim,
     return OVR_OK;
 }
 
-static void test_simulation_within_its_observer(void **state)
+TEST(test_simulation_within_its_observer)
 {
     within w = {0};
     ovr_error err = {0};
     ovr_options options = ovr_options_default();
     ovr_observer look = {step_again, NULL, &w};
     ovr_march march = {0};
-    (void)state;
     options.level = 4;
     w.sim = simulation(&options, &err);
     assert_non_null(w.sim);
@@ -110,14 +107,4 @@ static void test_simulation_within_its_observer(void **state)
     CHECK_OK(ovr_simulation_march(w.sim, &march, &err), &err);
     assert_true(w.refused > 2);
     ovr_simulation_free(w.sim);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_structs_that_are_not_given),
-        cmocka_unit_test(test_run_within_its_observer),
-        cmocka_unit_test(test_simulation_within_its_observer),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

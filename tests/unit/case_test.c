@@ -80,14 +80,13 @@ static void done(ovr_case *c, ovr_setup *setup)
 
 /* ---------------------------------------------------------------- reading */
 
-static void values_and_defaults(void **state)
+TEST(values_and_defaults)
 {
     ovr_case *c;
     ovr_setup *s = resolved(join(moes, "[domain]\nlevel = 9\n"
                                        "[time]\nend = 2.5\nstep = adaptive\n"
                                        "[output]\nat = 0.5, 1,2\n"),
                             &c);
-    (void)state;
     assert_true(s->contact->M == 20 && s->contact->L == 10);
     assert_int_equal(s->options->level, 9);
     assert_int_equal(s->options->scheme, OVR_UPSTREAM2);
@@ -102,14 +101,13 @@ static void values_and_defaults(void **state)
 }
 
 /* What stood in [solver] before [paper] was there, from a file and singly. */
-static void keys_that_moved(void **state)
+TEST(keys_that_moved)
 {
     static const char old[] = "[solver]\nsmoother = hybrid\ncycle = W\n"
                               "relax_dipole = 0.4\n[paper]\nswitch = 2\n";
     ovr_case *c;
     ovr_setup *s = resolved(join(moes, old), &c);
     int moved = 0;
-    (void)state;
     assert_true(
         s->options->smoother == OVR_HYBRID && s->options->cycle_index == 2 &&
         s->options->relax_dipole == 0.4 && s->options->switch_value == 2);
@@ -145,12 +143,11 @@ static void keys_that_moved(void **state)
 
 /* A key by the name that it had before: the text that a file stores has the one
  * of today once it is set anew. */
-static void keys_that_were_renamed(void **state)
+TEST(keys_that_were_renamed)
 {
     static const char old[] = "[gear]\nleast_share = 0.03\n";
     ovr_case *c = ovr_case_read_text(old, "t.ini", NULL, NULL, NULL);
     int found = 0;
-    (void)state;
     assert_non_null(c);
     for (size_t k = 0; k < ovr_case_entries(c); k++) {
         ovr_case_entry e = ovr_case_entry_at(c, k);
@@ -169,9 +166,8 @@ static void keys_that_were_renamed(void **state)
     ovr_case_free(c);
 }
 
-static void words_of_schemes(void **state)
+TEST(words_of_schemes)
 {
-    (void)state;
     for (int k = 0; ovr_scheme_name((ovr_scheme)k); k++) {
         ovr_case *c;
         char setting[64];
@@ -184,7 +180,7 @@ static void words_of_schemes(void **state)
     assert_string_equal(ovr_scheme_name(OVR_CHARACTERISTIC), "characteristic");
 }
 
-static void oddities_of_text(void **state)
+TEST(oddities_of_text)
 {
     ovr_case *c;
     ovr_setup *s = resolved("\357\273\277# with a byte order mark\r\n"
@@ -197,17 +193,15 @@ static void oddities_of_text(void **state)
                             "shape = dent\ndepth=0.1\nwidth = 1\n"
                             "start = -5",
                             &c);
-    (void)state;
     assert_true(s->contact->M == 20 && s->contact->L == 10);
     assert_int_equal(s->features, 1);
     assert_string_equal(s->feature[0]->name, "a b.c");
     done(c, s);
 }
 
-static void bad_text_is_refused(void **state)
+TEST(bad_text_is_refused)
 {
     char line[400];
-    (void)state;
     refused("[lubricant]\n\nviscocity = 1 Pa.s\n",
             "t.ini:3: unknown key 'viscocity' in [lubricant]; did you mean "
             "'viscosity'?");
@@ -243,9 +237,8 @@ static void bad_text_is_refused(void **state)
 
 /* ------------------------------------------------------------ consistency */
 
-static void contradictions_name_their_line(void **state)
+TEST(contradictions_name_their_line)
 {
-    (void)state;
     refused("", "load is missing");
     refused("[contact]\nM = 20\nL = 10\nload = 3 N/m\n", "t.ini:4: load");
     refused("[contact]\nM = -20\nL = 1\n", "t.ini:2: M: -20 must be");
@@ -281,13 +274,12 @@ static void contradictions_name_their_line(void **state)
             "t.ini:9: feature 'a': a dent has no wavelength");
 }
 
-static void physical_numbers_need_a_physical_contact(void **state)
+TEST(physical_numbers_need_a_physical_contact)
 {
     const char *dent = "[feature a]\nshape = dent\ndepth = 0.2 um\n"
                        "width = 0.5\nstart = -5\n";
     ovr_case *c;
     ovr_setup *s;
-    (void)state;
     refused(join(moes, dent), "t.ini:6: depth: 0.2 um needs a physical "
                               "contact: add radius and modulus");
     refused(join(moes, "[time]\nend = 1 ms\n"), "t.ini:5: end: 1 ms needs a");
@@ -304,12 +296,11 @@ static void physical_numbers_need_a_physical_contact(void **state)
     done(c, s);
 }
 
-static void same_contact_either_way(void **state)
+TEST(same_contact_either_way)
 {
     ovr_case *c, *d;
     ovr_setup *s = resolved(roller, &c), *t;
     const ovr_contact *a = s->contact, *b;
-    (void)state;
     snprintf(text, sizeof text,
              "[contact]\nM = %.17g\nL = %.17g\nradius = 10 mm\n"
              "modulus = 226 GPa\nviscosity = 40 mPa.s\n"
@@ -328,12 +319,11 @@ static void same_contact_either_way(void **state)
 
 /* --------------------------------------------------------------- settings */
 
-static void settings_override_the_file(void **state)
+TEST(settings_override_the_file)
 {
     ovr_error err = {0};
     ovr_case *c = ovr_case_read_text(moes, "t.ini", NULL, NULL, &err), *d;
     ovr_setup *s, *t;
-    (void)state;
     CHECK_OK(ovr_case_set(c, "contact.M", "50", "--M", &err), &err);
     CHECK_OK(ovr_case_assign(c, "feature.a.shape = bump", "--set", &err), &err);
     CHECK_OK(ovr_case_assign(c, "feature a.height=0.1", "--set", &err), &err);
@@ -356,11 +346,10 @@ static void settings_override_the_file(void **state)
     done(d, t);
 }
 
-static void bad_settings_name_their_origin(void **state)
+TEST(bad_settings_name_their_origin)
 {
     ovr_error err = {0};
     ovr_case *c = ovr_case_create(NULL, &err);
-    (void)state;
     ovr_case_set(c, "contact.M", "x", "--M", &err);
     CHECK_ERROR(&err, OVR_BAD_INPUT, "--M: 'x' is not a number");
     ovr_case_assign(c, "contact.N=3", "--set", &err);
@@ -372,13 +361,12 @@ static void bad_settings_name_their_origin(void **state)
     ovr_case_free(c);
 }
 
-static void paths_start_at_the_case(void **state)
+TEST(paths_start_at_the_case)
 {
     const char *source = join(moes, "[output]\nfile = out.h5\n");
     ovr_error err = {0};
     ovr_case *c = ovr_case_read_text(source, "d/t.ini", "d", NULL, &err);
     ovr_setup *s = ovr_case_resolve(c, NULL, &err);
-    (void)state;
     assert_string_equal(s->output->file, "d/out.h5");
     ovr_setup_free(s);
     CHECK_OK(ovr_case_set(c, "output.file", "o.h5", "--set", &err), &err);
@@ -387,7 +375,7 @@ static void paths_start_at_the_case(void **state)
     done(c, s);
 }
 
-static void load_from_a_table(void **state)
+TEST_IN_FOLDER(load_from_a_table)
 {
     const char *table = test_path(*state, "load.csv");
     const char *path = test_path(*state, "t.ini");
@@ -418,12 +406,11 @@ static void load_from_a_table(void **state)
 
 /* -------------------------------------------------- the table of parameters */
 
-static void defaults_are_the_librarys(void **state)
+TEST(defaults_are_the_librarys)
 {
     ovr_case *c;
     ovr_setup *s = resolved(moes, &c);
     ovr_options o = test_options(), *t;
-    (void)state;
     assert_int_equal(s->options->level, o.level); /* a steady contact's */
     done(c, s);
     c = ovr_case_read_text(moes, "t.ini", NULL, NULL, NULL);
@@ -458,36 +445,12 @@ static ovr_status attempt(void *source, const ovr_allocator *hook,
     return status;
 }
 
-static void every_allocation_may_fail(void **state)
+TEST(every_allocation_may_fail)
 {
     char source[2000];
-    (void)state;
     snprintf(source, sizeof source, "%s%s", roller,
              "[load]\nhistory = ramp\nto = 2\nduration = 1\n"
              "[feature a]\nshape = dent\ndepth = 1 um\nwidth = 1\nstart = -5\n"
              "[output]\nat = 1, 2\nfile = x.h5\n");
     assert_true(test_every_allocation(attempt, source) > 2);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(values_and_defaults),
-        cmocka_unit_test(keys_that_moved),
-        cmocka_unit_test(keys_that_were_renamed),
-        cmocka_unit_test(words_of_schemes),
-        cmocka_unit_test(oddities_of_text),
-        cmocka_unit_test(bad_text_is_refused),
-        cmocka_unit_test(contradictions_name_their_line),
-        cmocka_unit_test(physical_numbers_need_a_physical_contact),
-        cmocka_unit_test(same_contact_either_way),
-        cmocka_unit_test(settings_override_the_file),
-        cmocka_unit_test(bad_settings_name_their_origin),
-        cmocka_unit_test(paths_start_at_the_case),
-        cmocka_unit_test_setup_teardown(load_from_a_table, test_make_folder,
-                                        test_remove_folder),
-        cmocka_unit_test(defaults_are_the_librarys),
-        cmocka_unit_test(every_allocation_may_fail),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

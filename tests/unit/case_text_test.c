@@ -151,10 +151,9 @@ static bool try_line(const ovr_parameter_info *p, const char *value)
     return true;
 }
 
-static void what_is_accepted_survives(void **state)
+TEST(what_is_accepted_survives)
 {
     int taken_in_all = 0;
-    (void)state;
     for (size_t k = 0; k < ovr_parameter_count(); k++) {
         ovr_parameter_info p = ovr_parameter_at(k);
         int taken = 0;
@@ -175,11 +174,10 @@ static void what_is_accepted_survives(void **state)
                   ovr_parameter_count());
 }
 
-static void names_of_sections_survive(void **state)
+TEST(names_of_sections_survive)
 {
     static const char *const names[] = {"a",   "a b", "a.b", "a;b", "a]",
                                         "a#b", "a ;", "a ",  "[a",  "a\nb"};
-    (void)state;
     for (size_t k = 0; k < sizeof names / sizeof names[0]; k++) {
         ovr_error err = {0};
         ovr_case *c = ovr_case_create(NULL, &err), *d;
@@ -200,14 +198,13 @@ static void names_of_sections_survive(void **state)
 }
 
 /* Sixty digits and more than sixty characters are not cut. */
-static void long_items_are_whole(void **state)
+TEST(long_items_are_whole)
 {
     const char *item = "0.12345678901234567890123456789012345678901234567890"
                        "1234567890 ms";
     char value[150];
     ovr_error err = {0};
     ovr_case *c = ovr_case_create(NULL, &err);
-    (void)state;
     snprintf(value, sizeof value, "%s, %s", item, "1 s");
     for (size_t k = 0; k < ovr_parameter_count(); k++) {
         ovr_parameter_info p = ovr_parameter_at(k);
@@ -220,13 +217,12 @@ static void long_items_are_whole(void **state)
     ovr_case_free(c);
 }
 
-static void quotes_are_no_part_of_a_name(void **state)
+TEST(quotes_are_no_part_of_a_name)
 {
     ovr_error err = {0};
     ovr_parameter_info p = {.section = "output", .key = "file"};
     ovr_case *c = ovr_case_read_text("[output]\nfile = \"b.h5\"\n", "t.ini",
                                      NULL, NULL, &err);
-    (void)state;
     assert_non_null(c);
     assert_string_equal(entry_of(c, &p).text, "b.h5");
     CHECK_STATUS(ovr_case_set(c, "output.file", "\"b.h5", "--set", &err),
@@ -236,15 +232,4 @@ static void quotes_are_no_part_of_a_name(void **state)
                  OVR_BAD_INPUT, &err);
     CHECK_OK(ovr_case_set(c, "output.title", "a;b", "--set", &err), &err);
     ovr_case_free(c);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_is_accepted_survives),
-        cmocka_unit_test(names_of_sections_survive),
-        cmocka_unit_test(long_items_are_whole),
-        cmocka_unit_test(quotes_are_no_part_of_a_name),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -158,24 +158,21 @@ static void films_by_law(double Sigma0, const ovr_flow_law *law, uint64_t seed)
     }
 }
 
-static void newtonian_films_agree(void **state)
+TEST(newtonian_films_agree)
 {
-    (void)state;
     films_by_law(INFINITY, NULL, 5);
 }
 
-static void eyring_films_agree(void **state)
+TEST(eyring_films_agree)
 {
-    (void)state;
     films_by_law(0.05, NULL, 6);
     films_by_law(0.4, NULL, 7);
     films_by_law(1e4, NULL, 8);
 }
 
-static void films_by_table_agree(void **state)
+TEST(films_by_table_agree)
 {
     ovr_error err = {0};
-    (void)state;
     for (int rate = 0; rate < 2; rate++) {
         ovr_flow_form form = ovr_flow_form_default();
         form.rheology = rate ? OVR_CARREAU : OVR_CARREAU_STRESS;
@@ -190,12 +187,11 @@ static void films_by_table_agree(void **state)
 
 /* What slides adds up, whatever the law: u_2 = u_1 - V; the film of uniform
  * temperature has a parabola. */
-static void surfaces_move_as_told(void **state)
+TEST(surfaces_move_as_told)
 {
     static films f;
     uint64_t seed = 11;
     const ovr_kernels *run;
-    (void)state;
     for (int k = 0; (run = test_kernels(k)); k++) {
         fill(&f, 57, 5, &seed);
         f.c.Sigma0 = 0.3;
@@ -233,12 +229,11 @@ static double told(const films *f, int k, size_t i)
 
 /* Nothing slides: heat goes from the one to the other, q_1 = -q_2 = (T_2 -
  * T_1)/(H + R_1 + R_2) with the surfaces' resistances. */
-static void slab_conducts(void **state)
+TEST(slab_conducts)
 {
     static films f;
     uint64_t seed = 14;
     const ovr_kernels *run;
-    (void)state;
     for (int k = 0; (run = test_kernels(k)); k++) {
         flat(&f, k & 1 ? 7 : 5, &seed);
         f.c.V = 0;
@@ -261,12 +256,11 @@ static void slab_conducts(void **state)
 
 /* A Newtonian film that slides between surfaces of the same temperature: T =
  * T_wall + (4 zeta (1 - zeta)) Theta lambda eta V^2/(96 Kf), whatever H. */
-static void couette_heats(void **state)
+TEST(couette_heats)
 {
     static films f;
     uint64_t seed = 15;
     const ovr_kernels *run;
-    (void)state;
     for (int k = 0; (run = test_kernels(k)); k++) {
         flat(&f, k & 1 ? 7 : 5, &seed);
         f.heat.bulk[0] = f.heat.bulk[1];
@@ -317,12 +311,11 @@ static void turn_over(films *f)
 }
 
 /* The two surfaces swapped. */
-static void swapped_films_mirror(void **state)
+TEST(swapped_films_mirror)
 {
     static films f, g;
     uint64_t seed = 16;
     const ovr_kernels *run;
-    (void)state;
     for (int k = 0; (run = test_kernels(k)); k++) {
         uint64_t same = seed;
         fill(&f, 57, k & 1 ? 7 : 5, &seed);
@@ -346,12 +339,11 @@ static void swapped_films_mirror(void **state)
 }
 
 /* What surfaces and film carry along, by any number of meshes. */
-static void departures_agree(void **state)
+TEST(departures_agree)
 {
     double v[MAX], u[MAX], plain[MAX], here[MAX];
     uint64_t seed = 13;
     const ovr_kernels *run, *by_nodes = test_kernels(0);
-    (void)state;
     for (int k = 1; (run = test_kernels(k)); k++)
         for (double meshes = -90; meshes < 90; meshes += 3.3) {
             const ovr_departures departures = ovr_departures_of(MAX, meshes);
@@ -380,13 +372,12 @@ static void half_of_barus(const ovr_law *law, const ovr_law_nodes *nodes)
     }
 }
 
-static void viscosities_agree(void **state)
+TEST(viscosities_agree)
 {
     static const ovr_law own = {half_of_barus};
     double P[MAX], H[MAX], plain[MAX], here[MAX];
     uint64_t seed = 12;
     const ovr_kernels *run;
-    (void)state;
     for (size_t i = 0; i < MAX; i++) {
         P[i] = fmax(0, test_random(&seed, -0.2, 1.5));
         H[i] = test_random(&seed, 0.1, 1);
@@ -429,13 +420,12 @@ static void fill_at(films *f, double T, const double *P)
 
 /* Oil of 5 GPa and 1000 K, heated by being pressed, gets denser by it:
  * (1/rho) d rho/dP > beta dT/dP, dT/dP = Theta beta (T0 + T). */
-static void pressed_oil_gets_denser(void **state)
+TEST(pressed_oil_gets_denser)
 {
     static films f;
     ovr_lubricant dh = {.density_law = OVR_DOWSON_HIGGINSON, .A = 0.59};
     const double h = 1e-4, T = 50;
     double P[MAX];
-    (void)state;
     for (size_t i = 0; i < MAX; i++)
         P[i] = 5.0 * (double)(i + 1) / MAX;
     fill_at(&f, T, P);
@@ -502,29 +492,10 @@ static void a_cycle_closes(const ovr_kernels *run, double maximum)
     CHECK_CLOSE(heat / work, 1, 1e-6);
 }
 
-static void closed_cycles_close(void **state)
+TEST(closed_cycles_close)
 {
     static const double maximum[] = {0.5, 1, 2};
-    (void)state;
     for (int k = 0; test_kernels(k); k++)
         for (int m = 0; m < 3; m++)
             a_cycle_closes(test_kernels(k), maximum[m]);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(newtonian_films_agree),
-        cmocka_unit_test(eyring_films_agree),
-        cmocka_unit_test(films_by_table_agree),
-        cmocka_unit_test(surfaces_move_as_told),
-        cmocka_unit_test(slab_conducts),
-        cmocka_unit_test(couette_heats),
-        cmocka_unit_test(swapped_films_mirror),
-        cmocka_unit_test(pressed_oil_gets_denser),
-        cmocka_unit_test(closed_cycles_close),
-        cmocka_unit_test(departures_agree),
-        cmocka_unit_test(viscosities_agree),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

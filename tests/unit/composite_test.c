@@ -91,12 +91,11 @@ static double hat(double x, void *d)
 
 /* D (f(d) + ln D): the integral of a hat's logarithm, by quadrature; the
  * series meets the closed form. */
-static void kernel_is_a_hats(void **state)
+TEST(kernel_is_a_hats)
 {
     const double at[] = {0, 0.5, 1, 1.5, 2, 3.25, 7, 7.9999, 8, 30, 400};
     gsl_integration_workspace *workspace = gsl_integration_workspace_alloc(
         1000);
-    (void)state;
     for (size_t k = 0; k < sizeof at / sizeof *at; k++) {
         double d = at[k], D = 0.01, sum, off;
         gsl_function f = {hat, &d};
@@ -185,12 +184,11 @@ static solved nested(int patches)
 
 /* Exact but for MLMI (1e-9 of w at this order), whatever the pressures: those
  * of a cycle, and a rough disturbance of the finest patch. */
-static void film_is_that_of_all_pressures(void **state)
+TEST(film_is_that_of_all_pressures)
 {
     solved s = nested(4);
     uint64_t seed = 5;
     ovr_cycling how = ovr_simulation_cycling(s.sim, 0);
-    (void)state;
     ovr_composite_cycle(s.c, &how);
     ovr_composite_defect(s.c);
     CHECK_NEAR(film_error(&s), 0, 2e-9);
@@ -209,14 +207,13 @@ static void film_is_that_of_all_pressures(void **state)
 /* ---------------------------------------------------------------- solution */
 
 /* A patch over the whole domain is the next finer uniform grid. */
-static void whole_patch_is_the_uniform_grid(void **state)
+TEST(whole_patch_is_the_uniform_grid)
 {
     enum { LEVEL = 6 };
     ovr_simulation *fine = uniform(LEVEL + 1), *sim = uniform(LEVEL + 1);
     ovr_cycling how = ovr_simulation_cycling(sim, 0);
     size_t n = fine->finest->grid.n;
     double maximum = 0;
-    (void)state;
     ovr_full_prepare(&sim->grids, OVR_NOMINAL_LOAD);
     ovr_level_refresh(&sim->grids, &sim->grids.level[LEVEL]);
     solved s = composite_of(sim, LEVEL, 1);
@@ -237,12 +234,11 @@ static void whole_patch_is_the_uniform_grid(void **state)
 
 /* Steady: the same flow through every half node of the wet film, whichever
  * grid it lies on. */
-static void mass_passes_the_interfaces(void **state)
+TEST(mass_passes_the_interfaces)
 {
     solved s = nested(4);
     ovr_cycling how = ovr_simulation_cycling(s.sim, 0);
     const ovr_patch *base = &s.c->part[0];
-    (void)state;
     for (int k = 0; k < 20; k++)
         ovr_composite_cycle(s.c, &how);
     ovr_defect d = ovr_composite_defect(s.c);
@@ -264,7 +260,7 @@ static void mass_passes_the_interfaces(void **state)
 
 /* The spike's height goes to that of ever finer grids, at a few dozen nodes a
  * level; its place stays. */
-static void spike_is_resolved(void **state)
+TEST(spike_is_resolved)
 {
     const ovr_spike_search target = {.level = 14,
                                      .half = 24,
@@ -276,7 +272,6 @@ static void spike_is_resolved(void **state)
     ovr_spike_found found;
     int cycles = 0;
     solved s = composite_over(8, 6);
-    (void)state;
     how.cycling = ovr_simulation_cycling(s.sim, 0);
     CHECK_OK(ovr_spike_solve(s.c, &how, &found, &cycles, &err), &err);
     assert_int_equal(found.level, 14);
@@ -287,16 +282,4 @@ static void spike_is_resolved(void **state)
     CHECK_NEAR(found.X, 0.902706, 2e-5);
     assert_true(cycles < 14);
     release(s);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(kernel_is_a_hats),
-        cmocka_unit_test(film_is_that_of_all_pressures),
-        cmocka_unit_test(whole_patch_is_the_uniform_grid),
-        cmocka_unit_test(mass_passes_the_interfaces),
-        cmocka_unit_test(spike_is_resolved),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -53,10 +53,9 @@ static ovr_conditioning nothing(void)
 
 /* ---------------------------------------------------------------- levelling */
 
-static void polynomials_are_taken_off(void **state)
+TEST(polynomials_are_taken_off)
 {
     uint64_t seed = 1;
-    (void)state;
     for (int degree = 0; degree <= 8; degree++) {
         ovr_conditioning how = nothing();
         double c[9];
@@ -80,12 +79,11 @@ static void polynomials_are_taken_off(void **state)
 }
 
 /* What is left is orthogonal to what was taken off. */
-static void levelling_is_least_squares(void **state)
+TEST(levelling_is_least_squares)
 {
     uint64_t seed = 2;
     ovr_conditioning how = nothing();
     double sum = 0, slope = 0;
-    (void)state;
     how.level = OVR_LEVEL_LINE;
     lay_out(501, 1, NULL);
     for (size_t i = 0; i < 501; i++)
@@ -99,10 +97,9 @@ static void levelling_is_least_squares(void **state)
     CHECK_NEAR(slope, 0, 1e-11);
 }
 
-static void ends_make_the_datum(void **state)
+TEST(ends_make_the_datum)
 {
     ovr_conditioning how = nothing();
-    (void)state;
     how.level = OVR_LEVEL_ENDS;
     lay_out(1001, 10, NULL);
     for (size_t i = 0; i < 1001; i++) {
@@ -125,12 +122,11 @@ static void lay_arc(size_t n, double length, double radius, double top,
     }
 }
 
-static void circles_are_taken_off(void **state)
+TEST(circles_are_taken_off)
 {
     /* length, radius, top, tilt: shallow, deep, tilted */
     static const double arcs[][4] = {
         {1, 40, 0.5, 0}, {10, 5.5, 5, 0}, {4, 7, 2, 0.4}, {2, 2000, -1, 0.02}};
-    (void)state;
     for (int k = 0; k < 8; k++) {
         const double *a = arcs[k % 4];
         double sign = k < 4 ? 1 : -1;
@@ -158,12 +154,11 @@ static void circles_are_taken_off(void **state)
 
 /* What is left is orthogonal to what the three numbers of a circle change:
  * to constant, line and, for a shallow arc, parabola. */
-static void circle_is_least_squares(void **state)
+TEST(circle_is_least_squares)
 {
     uint64_t seed = 12;
     ovr_conditioning how = nothing();
     double by[3] = {0};
-    (void)state;
     how.level = OVR_LEVEL_CIRCLE;
     lay_arc(501, 1, 1e4, 0.4, 0);
     for (size_t i = 0; i < 501; i++)
@@ -181,13 +176,12 @@ static void circle_is_least_squares(void **state)
 
 /* Line, arc and a crown of the fourth power, each under roughness, and a dent
  * of a third of the trace, which is no form. */
-static void the_form_is_chosen(void **state)
+TEST(the_form_is_chosen)
 {
     static const char *const names[] = {"(auto): line", "(auto): circle",
                                         "(auto): polynomial of degree 4",
                                         "(auto): line"};
     uint64_t seed = 13;
-    (void)state;
     for (int k = 0; k < 4; k++) {
         ovr_conditioning how = nothing();
         ovr_profile *p;
@@ -211,11 +205,10 @@ static void the_form_is_chosen(void **state)
 /* ------------------------------------------------------------------ filters */
 
 /* ISO 16610-21: transmission of the mean line 2^(-(cut-off/wavelength)^2). */
-static void gaussian_transmits_as_the_standard_says(void **state)
+TEST(gaussian_transmits_as_the_standard_says)
 {
     static const double wavelengths[] = {0.5, 1, 2, 4};
     uint64_t seed = 3;
-    (void)state;
     for (int k = 0; k < 16; k++) {
         double wl = wavelengths[k % 4], expected = pow(2, -1 / (wl * wl));
         ovr_conditioning how = nothing();
@@ -234,10 +227,9 @@ static void gaussian_transmits_as_the_standard_says(void **state)
 }
 
 /* No run-out at the ends: a straight line has no roughness. */
-static void gaussian_keeps_lines_to_the_ends(void **state)
+TEST(gaussian_keeps_lines_to_the_ends)
 {
     uint64_t seed = 4;
-    (void)state;
     for (int k = 0; k < 2; k++) {
         ovr_conditioning how = nothing();
         lay_out(301, 3, k ? &seed : NULL);
@@ -252,12 +244,11 @@ static void gaussian_keeps_lines_to_the_ends(void **state)
 
 /* --------------------------------------------------------- gaps, outliers */
 
-static void gaps_are_bridged_and_limited(void **state)
+TEST(gaps_are_bridged_and_limited)
 {
     ovr_conditioning how = nothing();
     ovr_error err;
     ovr_profile *p;
-    (void)state;
     lay_out(101, 1, NULL);
     for (size_t i = 0; i < 101; i++)
         z[i] = i >= 40 && i < 44 ? NAN : 5 * x[i];
@@ -281,12 +272,11 @@ static void gaps_are_bridged_and_limited(void **state)
     ovr_profile_free(p);
 }
 
-static void missing_ends_are_cut(void **state)
+TEST(missing_ends_are_cut)
 {
     ovr_conditioning how = nothing();
     ovr_error err;
     ovr_profile *p;
-    (void)state;
     lay_out(101, 1, NULL);
     for (size_t i = 0; i < 101; i++)
         z[i] = i < 3 || i > 95 ? NAN : 1;
@@ -296,11 +286,10 @@ static void missing_ends_are_cut(void **state)
     ovr_profile_free(p);
 }
 
-static void outliers_are_found_and_replaced(void **state)
+TEST(outliers_are_found_and_replaced)
 {
     uint64_t seed = 5;
     ovr_conditioning how = nothing();
-    (void)state;
     how.outliers = 8;
     lay_out(1001, 1, NULL);
     for (size_t i = 0; i < 1001; i++)
@@ -311,13 +300,12 @@ static void outliers_are_found_and_replaced(void **state)
         CHECK_NEAR(z[i], sin(6 * x[i]), 0.03);
 }
 
-static void window_scale_and_direction(void **state)
+TEST(window_scale_and_direction)
 {
     ovr_conditioning how = nothing();
     ovr_error err;
     ovr_profile *p;
     const ovr_profile_view *v;
-    (void)state;
     lay_out(101, 1, NULL);
     for (size_t i = 0; i < 101; i++)
         z[i] = x[i] * x[i];
@@ -341,12 +329,11 @@ static void window_scale_and_direction(void **state)
     ovr_profile_free(p);
 }
 
-static void wrong_settings_are_named(void **state)
+TEST(wrong_settings_are_named)
 {
     static const char *const names[] = {"lambda_c", "lambda_s", "outliers",
                                         "max_gap",  "stretch",  "scale",
                                         "degree",   "offset",   "lambda_c"};
-    (void)state;
     lay_out(11, 1, NULL);
     for (int k = 0; k < 9; k++) {
         ovr_conditioning how = nothing();
@@ -378,12 +365,11 @@ static void wrong_settings_are_named(void **state)
 
 /* -------------------------------------------------------------- statistics */
 
-static void statistics_of_a_cosine(void **state)
+TEST(statistics_of_a_cosine)
 {
     ovr_profile *p;
     ovr_profile_numbers r;
     ovr_error err;
-    (void)state;
     lay_out(4001, 10, NULL);
     for (size_t i = 0; i < 4001; i++)
         z[i] = 3 + 2 * cos(2 * PI * x[i]);
@@ -448,10 +434,9 @@ static double gaussian(double ratio)
  * its slope, areas and ratios by quadrature of the normal distribution.  The
  * two outer points stand for half a length: 1/N of a ratio, which is 5e-4 here.
  */
-static void core_stands_between_peaks_and_valleys(void **state)
+TEST(core_stands_between_peaks_and_valleys)
 {
     ovr_profile_numbers r = of_curve(even);
-    (void)state;
     CHECK_CLOSE(r.k, 2, 5e-4);
     CHECK_NEAR(r.pk, 0, 1e-3);
     CHECK_NEAR(r.vk, 0, 1e-3);
@@ -486,10 +471,9 @@ static ovr_profile_numbers filtered(size_t n, double lambda_c)
 /* ISO 4287, 4.1.3: Rz is the mean of five sampling lengths' peak to valley.
  * Spikes narrow against lambda_c, one a section, of other heights each: the
  * sections are read off the filtered heights here by index. */
-static void Rz_is_the_mean_of_five_sampling_lengths(void **state)
+TEST(Rz_is_the_mean_of_five_sampling_lengths)
 {
     static const double tall[] = {1, 7, 3, 2, 5};
-    (void)state;
     for (size_t extra = 0; extra <= 300; extra += 300) { /* beside the five */
         size_t n = 5 * 400 + extra;
         double sum = 0, high = 0, low = 0;
@@ -522,25 +506,23 @@ static void Rz_is_the_mean_of_five_sampling_lengths(void **state)
 }
 
 /* ISO 21920-3: five of the cut-off in the length. */
-static void cutoffs_follow_from_the_length(void **state)
+TEST(cutoffs_follow_from_the_length)
 {
     static const double mm[][2] = {{40, 8},     {39, 2.5},   {4.8, 0.8},
                                    {4, 0.8},    {3.9, 0.25}, {1.25, 0.25},
                                    {0.4, 0.08}, {1000, 8}};
-    (void)state;
     for (size_t k = 0; k < sizeof mm / sizeof mm[0]; k++)
         CHECK_CLOSE(ovr_profile_cutoff(1e-3 * mm[k][0]), 1e-3 * mm[k][1],
                     1e-12);
     assert_true(isnan(ovr_profile_cutoff(0.39e-3)));
 }
 
-static void waves_are_found(void **state)
+TEST(waves_are_found)
 {
     ovr_profile *p;
     ovr_profile_wave wave[3];
     size_t found;
     ovr_error err;
-    (void)state;
     lay_out(3001, 10, NULL);
     for (size_t i = 0; i < 3001; i++)
         z[i] = 0.5 * x[i] + 2 * cos(2 * PI * x[i] / 0.731) +
@@ -554,29 +536,4 @@ static void waves_are_found(void **state)
     CHECK_CLOSE(wave[1].amplitude, 1, 0.02);
     CHECK_CLOSE(wave[0].part, 0.8, 0.02);
     ovr_profile_free(p);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(polynomials_are_taken_off),
-        cmocka_unit_test(levelling_is_least_squares),
-        cmocka_unit_test(ends_make_the_datum),
-        cmocka_unit_test(circles_are_taken_off),
-        cmocka_unit_test(circle_is_least_squares),
-        cmocka_unit_test(the_form_is_chosen),
-        cmocka_unit_test(gaussian_transmits_as_the_standard_says),
-        cmocka_unit_test(gaussian_keeps_lines_to_the_ends),
-        cmocka_unit_test(gaps_are_bridged_and_limited),
-        cmocka_unit_test(missing_ends_are_cut),
-        cmocka_unit_test(outliers_are_found_and_replaced),
-        cmocka_unit_test(window_scale_and_direction),
-        cmocka_unit_test(wrong_settings_are_named),
-        cmocka_unit_test(statistics_of_a_cosine),
-        cmocka_unit_test(core_stands_between_peaks_and_valleys),
-        cmocka_unit_test(Rz_is_the_mean_of_five_sampling_lengths),
-        cmocka_unit_test(cutoffs_follow_from_the_length),
-        cmocka_unit_test(waves_are_found),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -2,18 +2,14 @@
 /* Conditions, lubricant, film formulas and histories against independent
  * formulas and limits. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
 #include <gsl/gsl_integration.h>
 
 #include "contact/contact.h"
 #include "contact/film_formula.h"
+#include "support/test.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -57,7 +53,7 @@ static ovr_conditions roller(void)
 
 /* ----------------------------------------------------------- conditions */
 
-static void numbers_by_definition(void **state)
+TEST(numbers_by_definition)
 {
     ovr_conditions c = roller();
     ovr_contact to = resolve(c);
@@ -66,7 +62,6 @@ static void numbers_by_definition(void **state)
     double ph = 2 * c.load / (PI * b);
     double W = c.load / (c.modulus * c.radius);
     double U2 = c.viscosity * us / (c.modulus * c.radius);
-    (void)state;
     close_to(to.b, b, 1e-14);
     close_to(to.ph, ph, 1e-14);
     close_to(to.M, W / sqrt(U2), 1e-14);
@@ -81,10 +76,9 @@ static void numbers_by_definition(void **state)
     close_to(to.u2_ratio, 1.1 / 1.7, 1e-14);
 }
 
-static void numbers_agree_with_each_other(void **state)
+TEST(numbers_agree_with_each_other)
 {
     ovr_contact to = resolve(moes(20, 10));
-    (void)state;
     close_to(to.lambda, 3 * PI * PI / (8 * 400), 1e-14);
     close_to(to.alphabar, 10 * sqrt(20 / (2 * PI)), 1e-14);
     assert_true(isnan(to.ph) && isnan(to.b) && isnan(to.time));
@@ -100,11 +94,10 @@ static void same_contact(ovr_contact a, ovr_contact b, double relative)
         close_to(x[i], y[i], relative);
 }
 
-static void round_trips(void **state)
+TEST(round_trips)
 {
     ovr_contact to = resolve(roller());
     ovr_conditions c = moes(to.M, to.L);
-    (void)state;
     c.radius = to.radius;
     c.modulus = to.modulus;
     c.viscosity = to.viscosity;
@@ -134,11 +127,10 @@ static void round_trips(void **state)
     same_contact(resolve(c), to, 1e-12);
 }
 
-static void alpha_alone_sets_the_pressure(void **state)
+TEST(alpha_alone_sets_the_pressure)
 {
     ovr_conditions c = moes(20, 10);
     ovr_contact to;
-    (void)state;
     c.alpha = 1.7e-8;
     to = resolve(c);
     close_to(to.ph, to.alphabar / 1.7e-8, 1e-15);
@@ -150,10 +142,9 @@ static void alpha_alone_sets_the_pressure(void **state)
     assert_true(isnan(to.um));
 }
 
-static void isoviscous_has_no_pressure(void **state)
+TEST(isoviscous_has_no_pressure)
 {
     ovr_conditions c = moes(5, 0);
-    (void)state;
     assert_true(isnan(resolve(c).ph));
     c.alpha = 2e-8;
     assert_true(isnan(resolve(c).ph));
@@ -169,10 +160,9 @@ static void refused(ovr_conditions c, const char *begin)
         fail_msg("'%s' does not begin with '%s'", err.message, begin);
 }
 
-static void contradictions_are_named(void **state)
+TEST(contradictions_are_named)
 {
     ovr_conditions c = ovr_conditions_default();
-    (void)state;
     refused(c, "load is missing");
     refused(moes(-3, 10), "M = -3");
     refused(moes(20, NAN), "L is missing");
@@ -230,11 +220,10 @@ static ovr_lubricant oil(ovr_viscosity_law v, ovr_density_law d, double z)
     return made;
 }
 
-static void roelands_in_physical_form(void **state)
+TEST(roelands_in_physical_form)
 {
     ovr_lubricant l = oil(OVR_ROELANDS, OVR_DOWSON_HIGGINSON, NAN);
     double ph = 10 * sqrt(20 / (2 * PI)) / 1.7e-8;
-    (void)state;
     for (double P = 0; P < 3; P += 0.37) {
         double p = P * ph, p0 = 1.98e8, z = 0.68;
         close_to(ovr_viscosity(&l, P),
@@ -243,13 +232,12 @@ static void roelands_in_physical_form(void **state)
     }
 }
 
-static void laws_and_their_limits(void **state)
+TEST(laws_and_their_limits)
 {
     ovr_lubricant barus = oil(OVR_BARUS, OVR_INCOMPRESSIBLE, NAN);
     ovr_lubricant one = oil(OVR_ROELANDS, OVR_INCOMPRESSIBLE, 1);
     ovr_lubricant iso = oil(OVR_ISOVISCOUS, OVR_INCOMPRESSIBLE, NAN);
     double h = 1e-6;
-    (void)state;
     for (double P = 0; P < 2; P += 0.31) /* Roelands with z = 1 is Barus */
         close_to(ovr_viscosity(&one, P), ovr_viscosity(&barus, P), 1e-12);
     assert_true(ovr_viscosity(&iso, 1.3) == 1);
@@ -259,12 +247,11 @@ static void laws_and_their_limits(void **state)
     close_to((ovr_viscosity(&one, h) - 1) / h, one.alphabar, 1e-4);
 }
 
-static void index_by_roelands_relation(void **state)
+TEST(index_by_roelands_relation)
 {
     ovr_contact to = resolve(roller());
     ovr_lubricant l;
     ovr_error err = {0};
-    (void)state;
     assert_int_equal(ovr_lubricant_make(&to, OVR_ROELANDS, OVR_INCOMPRESSIBLE,
                                         1.96e8, NAN, &l, &err),
                      OVR_OK);
@@ -272,12 +259,11 @@ static void index_by_roelands_relation(void **state)
     close_to(l.P0, 1.96e8 / to.ph, 1e-14);
 }
 
-static void no_pressure_no_law(void **state)
+TEST(no_pressure_no_law)
 {
     ovr_contact to = resolve(moes(20, 10));
     ovr_lubricant l;
     ovr_error err = {0};
-    (void)state;
     assert_int_equal(ovr_lubricant_make(&to, OVR_ROELANDS, OVR_INCOMPRESSIBLE,
                                         NAN, NAN, &l, &err),
                      OVR_BAD_INPUT);
@@ -295,9 +281,8 @@ static void no_pressure_no_law(void **state)
 
 /* -------------------------------------------------------- film formulas */
 
-static void film_formula_limits(void **state)
+TEST(film_formula_limits)
 {
-    (void)state;
     /* far into each regime the formula is its asymptote */
     close_to(ovr_film_central_moes(0.01, 0),
              ovr_film_asymptotes_moes(0.01, 0).rigid_iso, 1e-2);
@@ -353,11 +338,10 @@ static void integral_by_quadrature(ovr_history_form form, double breaks[4])
     ovr_history_free(h);
 }
 
-static void integrals(void **state)
+TEST(integrals)
 {
     static const double T[] = {-1, 0.4, 2.5, 4}, v[] = {1, 0.3, 0, 1.7};
     ovr_history_form form = ovr_history_form_default();
-    (void)state;
     integral_by_quadrature(form, (double[]){0, 0, 0, 0});
     form.kind = OVR_HISTORY_RAMP;
     form.to = 1.2;
@@ -382,11 +366,10 @@ static void integrals(void **state)
     integral_by_quadrature(form, (double[]){-1, 0.4, 2.5, 4});
 }
 
-static void ramps_are_smooth_and_steps_jump(void **state)
+TEST(ramps_are_smooth_and_steps_jump)
 {
     ovr_history_form form = ovr_history_form_default();
     ovr_history *h;
-    (void)state;
     form.kind = OVR_HISTORY_RAMP;
     form.to = 3;
     form.duration = 2;
@@ -407,12 +390,11 @@ static void ramps_are_smooth_and_steps_jump(void **state)
     assert_true(ovr_history_integral(NULL, 4) == 4);
 }
 
-static void tables_keep_their_points_and_range(void **state)
+TEST(tables_keep_their_points_and_range)
 {
     static const double T[] = {0, 1, 1.1, 5}, v[] = {1, 0, 0, 2};
     ovr_history_form form = ovr_history_form_default();
     ovr_history *h;
-    (void)state;
     form.kind = OVR_HISTORY_TABLE;
     form.points = 4;
     form.T = T;
@@ -430,12 +412,11 @@ static void tables_keep_their_points_and_range(void **state)
     ovr_history_free(h);
 }
 
-static void bad_histories_are_refused(void **state)
+TEST(bad_histories_are_refused)
 {
     static const double T[] = {0, 1, 1}, v[] = {1, 2, NAN};
     ovr_history_form form = ovr_history_form_default();
     ovr_error err = {0};
-    (void)state;
     form.kind = OVR_HISTORY_TABLE;
     form.T = T;
     form.value = v;
@@ -474,12 +455,11 @@ static void give(void *context, void *memory)
     free(memory);
 }
 
-static void histories_survive_every_failed_allocation(void **state)
+TEST(histories_survive_every_failed_allocation)
 {
     double T[9000], v[9000];
     ovr_history_form form = ovr_history_form_default();
     int failures = 0;
-    (void)state;
     for (int i = 0; i < 9000; i++)
         T[i] = v[i] = i;
     form.kind = OVR_HISTORY_TABLE;
@@ -498,27 +478,4 @@ static void histories_survive_every_failed_allocation(void **state)
         assert_int_equal(err.status, OVR_NO_MEMORY);
     }
     assert_true(failures >= 3);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(numbers_by_definition),
-        cmocka_unit_test(numbers_agree_with_each_other),
-        cmocka_unit_test(round_trips),
-        cmocka_unit_test(alpha_alone_sets_the_pressure),
-        cmocka_unit_test(isoviscous_has_no_pressure),
-        cmocka_unit_test(contradictions_are_named),
-        cmocka_unit_test(roelands_in_physical_form),
-        cmocka_unit_test(laws_and_their_limits),
-        cmocka_unit_test(index_by_roelands_relation),
-        cmocka_unit_test(no_pressure_no_law),
-        cmocka_unit_test(film_formula_limits),
-        cmocka_unit_test(integrals),
-        cmocka_unit_test(ramps_are_smooth_and_steps_jump),
-        cmocka_unit_test(tables_keep_their_points_and_range),
-        cmocka_unit_test(bad_histories_are_refused),
-        cmocka_unit_test(histories_survive_every_failed_allocation),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -117,7 +117,7 @@ static void check_rows(look *l, const char *name, size_t rows, bool column,
 }
 
 /* Trees of one, two and three levels; every type, with filters and without. */
-static void reads_datasets(void **state)
+TEST_IN_FOLDER(reads_datasets)
 {
     const char *path = test_path(*state, "sets.h5");
     const size_t rows[] = {1, 64, 65, 300, 5000};
@@ -190,7 +190,7 @@ static void check_attributes(look *l, int count)
 }
 
 /* In the header itself, in one block of a heap, in a table of blocks. */
-static void reads_attributes(void **state)
+TEST_IN_FOLDER(reads_attributes)
 {
     const char *path = test_path(*state, "attributes.h5");
     const int count[] = {0, 1, 2, 3, 40, 200};
@@ -205,7 +205,7 @@ static void reads_attributes(void **state)
     }
 }
 
-static void lists_links_in_order(void **state)
+TEST_IN_FOLDER(lists_links_in_order)
 {
     const char *path = test_path(*state, "links.h5");
     const size_t count[] = {1, 8, 9, 200};
@@ -276,7 +276,7 @@ static void make_filtered(hid_t file, const char *name)
 
 /* A header that cannot grow where it is goes on elsewhere, and HDF5 moves a
  * message there to make space: attributes are listed as they were made. */
-static void lists_attributes_in_order(void **state)
+TEST_IN_FOLDER(lists_attributes_in_order)
 {
     const char *path = test_path(*state, "order.h5");
     enum { COUNT = 100 };
@@ -311,7 +311,7 @@ static void lists_attributes_in_order(void **state)
 
 /* Nothing of another file is read, whatever way the library HDF5 knows to name
  * one; and nothing that this program would not write. */
-static void stays_in_the_file(void **state)
+TEST_IN_FOLDER(stays_in_the_file)
 {
     const char *path = test_path(*state, "led.h5");
     const char *secret = test_path(*state, "secret.h5");
@@ -343,7 +343,7 @@ static void stays_in_the_file(void **state)
 }
 
 /* A claim of 2^40 rows and nodes, of which none is there. */
-static void believes_no_size(void **state)
+TEST_IN_FOLDER(believes_no_size)
 {
     const char *path = test_path(*state, "claims.h5");
     const hsize_t shape[2] = {(hsize_t)1 << 40, (hsize_t)1 << 40};
@@ -372,7 +372,7 @@ static void believes_no_size(void **state)
 
 /* The same bytes, asked for again and again as a made-up file might: refused
  * once they are many times those of the file, long before memory is out. */
-static void bounds_a_look(void **state)
+TEST_IN_FOLDER(bounds_a_look)
 {
     const char *path = test_path(*state, "again.h5");
     const size_t enough = (size_t)1 << 27;
@@ -448,7 +448,7 @@ static bool read_all(const char *path)
 
 /* Bytes changed all over a file, those of its structure most of all: a clean
  * error or other numbers, never a crash. */
-static void bears_changed_bytes(void **state)
+TEST_IN_FOLDER(bears_changed_bytes)
 {
     const char *whole = test_path(*state, "whole.h5");
     const char *path = test_path(*state, "bad.h5");
@@ -467,17 +467,4 @@ static void bears_changed_bytes(void **state)
     print_message("%zu of %zu changed bytes noticed\n", refused, tried);
     assert_true(refused > 0);
     free(data);
-}
-
-#define TEST(name)                                                             \
-    cmocka_unit_test_setup_teardown(name, test_make_folder, test_remove_folder)
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(reads_datasets),       TEST(reads_attributes),
-        TEST(lists_links_in_order), TEST(lists_attributes_in_order),
-        TEST(stays_in_the_file),    TEST(believes_no_size),
-        TEST(bounds_a_look),        TEST(bears_changed_bytes)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

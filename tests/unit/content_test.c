@@ -163,10 +163,9 @@ static void line_agrees(const test_grid *plain, const test_grid *b,
     same_set(plain, plain->f.dried, b, b->f.dried);
 }
 
-static void sets_agree(void **state)
+TEST(sets_agree)
 {
     const ovr_kernels *run;
-    (void)state;
     for (int k = 1; (run = test_kernels(k)); k++)
         for (int c = 0; c < 6; c++) {
             test_grid plain = filled(20 + (uint64_t)c, c & 1);
@@ -186,10 +185,9 @@ static void to_coarse(const test_grid *fine, const test_grid *coarse)
                                 &coarse->f, coarse->f.r);
 }
 
-static void transfers_agree(void **state)
+TEST(transfers_agree)
 {
     const ovr_kernels *run;
-    (void)state;
     for (int k = 1; (run = test_kernels(k)); k++) {
         test_grid plain = filled(5, true), other = test_grid_make(run, N);
         test_grid coarse = test_grid_make(test_kernels(0), N / 2 + 1);
@@ -228,13 +226,12 @@ static double fluxes(const test_grid *b, size_t i)
 
 /* Rows are differences of limited fluxes: their sum telescopes.  The weights
  * of test_grid_make have Cu = 1 and cT = 2. */
-static void rows_telescope(void **state)
+TEST(rows_telescope)
 {
     test_grid b = filled(3, true);
     const ovr_fields *f = &b.f;
     ovr_weights *w = &b.weights;
     double sum = 0, stored = 0, size = 0;
-    (void)state;
     w->first[0] = w->a[0];
     w->first[1] = -0.5 / b.D;
     f->eps[0] = -f->eps[1];
@@ -252,13 +249,12 @@ static void rows_telescope(void **state)
 
 /* Columns of dry nodes are the derivatives by q, exactly: rows are linear in
  * it as long as limits stay. */
-static void dry_columns_are_derivatives(void **state)
+TEST(dry_columns_are_derivatives)
 {
     test_grid b = filled(4, true);
     const ovr_fields *f = &b.f;
     double before[N];
     size_t tried = 0;
-    (void)state;
     evaluate(&b);
     relax(&b, &shares[1]);
     memcpy(before, f->r, sizeof before);
@@ -276,15 +272,4 @@ static void dry_columns_are_derivatives(void **state)
     }
     assert_true(tried > 50);
     ovr_arena_release(&b.arena);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sets_agree),
-        cmocka_unit_test(transfers_agree),
-        cmocka_unit_test(rows_telescope),
-        cmocka_unit_test(dry_columns_are_derivatives),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

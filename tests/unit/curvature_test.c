@@ -50,7 +50,7 @@ static void check_slope(const ovr_history *h, double T)
     CHECK_NEAR(ovr_history_slope(h, T), by_differences, 1e-7);
 }
 
-static void slopes_are_difference_quotients(void **state)
+TEST(slopes_are_difference_quotients)
 {
     ovr_history_form form = ovr_history_form_default();
     form.kind = OVR_HISTORY_RAMP;
@@ -64,7 +64,6 @@ static void slopes_are_difference_quotients(void **state)
     form.kind = OVR_HISTORY_SINE;
     ovr_history *sine = history(form), *points = table(wavy, NULL, 6);
     uint64_t seed = 1;
-    (void)state;
     for (int k = 0; k < 200; k++) {
         double T = test_random(&seed, 1.01, 5.99);
         check_slope(ramp, T);
@@ -167,11 +166,10 @@ static double gap_error(double kappa, bool convected)
 }
 
 /* The next term is X^4 (b/R)^2; without the cubic X^3 b/R is left. */
-static void the_cubic_is_that_of_involutes(void **state)
+TEST(the_cubic_is_that_of_involutes)
 {
     double with[2] = {gap_error(0.004, true), gap_error(0.002, true)};
     double without[2] = {gap_error(0.004, false), gap_error(0.002, false)};
-    (void)state;
     print_message("    b/R = .004, .002: %.2e %.2e, without the cubic %.2e "
                   "%.2e\n",
                   with[0], with[1], without[0], without[1]);
@@ -181,12 +179,11 @@ static void the_cubic_is_that_of_involutes(void **state)
 }
 
 /* Where both surfaces move alike it does not matter whose the curvature is. */
-static void in_rolling_the_share_does_not_matter(void **state)
+TEST(in_rolling_the_share_does_not_matter)
 {
     const pair p = {{2.5, 5.5}, 3.4, 1.1, 0.01};
     ovr_history *R = table(radius, &p, 50), *R1 = table(radius_1, &p, 50);
     ovr_curving both = {R, NULL, NULL, NULL, {1, 1}, true}, each = both;
-    (void)state;
     each.radius_1 = R1;
     for (double T = 0; T < 50; T += 3) {
         ovr_smooth a = ovr_smooth_of(&both, T), b = ovr_smooth_of(&each, T);
@@ -199,7 +196,7 @@ static void in_rolling_the_share_does_not_matter(void **state)
 }
 
 /* A pass of a load zone: all of a history times its load. */
-static void scaled_histories(void **state)
+TEST(scaled_histories)
 {
     ovr_history_form form = ovr_history_form_default();
     form.kind = OVR_HISTORY_SINE;
@@ -208,7 +205,6 @@ static void scaled_histories(void **state)
     ovr_history *plain[] = {NULL, history(form), table(wavy, NULL, 6)};
     ovr_history *half[] = {NULL, history(form), table(wavy, NULL, 6)};
     ovr_error err = {0};
-    (void)state;
     for (int k = 0; k < 3; k++) {
         CHECK_OK(ovr_history_scale(&half[k], 0.5, NULL, &err), &err);
         for (double T = 0; T < 7; T += 0.7) {
@@ -226,15 +222,4 @@ static void scaled_histories(void **state)
         ovr_history_free(plain[k]);
         ovr_history_free(half[k]);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(slopes_are_difference_quotients),
-        cmocka_unit_test(scaled_histories),
-        cmocka_unit_test(the_cubic_is_that_of_involutes),
-        cmocka_unit_test(in_rolling_the_share_does_not_matter),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -46,14 +46,13 @@ static ovr_simulation *solved(void)
 }
 
 /* V-cycle: down to the bottom, up again, once at the end. */
-static void ends_come_in_order(void **state)
+TEST(ends_come_in_order)
 {
     watcher w = {0};
     ovr_attached attached = {watch, &w, NULL};
     ovr_simulation *sim = solved();
     ovr_cycling how = ovr_simulation_cycling(sim, 0);
     int depth = LEVEL - how.bottom;
-    (void)state;
     how.attached = &attached;
     ovr_cycle(&sim->grids, sim->finest, how);
     assert_int_equal(w.count, 2 * depth + 1);
@@ -69,13 +68,12 @@ static void ends_come_in_order(void **state)
 }
 
 /* A cycle whose end nobody changes leaves the same bits as one alone. */
-static void watching_changes_nothing(void **state)
+TEST(watching_changes_nothing)
 {
     watcher w = {0};
     ovr_attached attached = {watch, &w, NULL};
     ovr_simulation *a = solved(), *b = solved();
     ovr_cycling how = ovr_simulation_cycling(a, 0);
-    (void)state;
     ovr_cycle(&a->grids, a->finest, how);
     how.attached = &attached;
     ovr_cycle(&b->grids, b->finest, how);
@@ -97,7 +95,7 @@ static void heights(void *data, double T, size_t n, const double *X, double *S)
 /* A gap that is changed at the end of a cycle: film and residual are those of
  * the new gap, and the cycles that follow end in the solution of a surface
  * that is formed so from the start. */
-static void what_is_attached_is_solved_for(void **state)
+TEST(what_is_attached_is_solved_for)
 {
     watcher w = {.changes = true};
     ovr_attached attached = {watch, &w, NULL};
@@ -106,7 +104,6 @@ static void what_is_attached_is_solved_for(void **state)
     ovr_cycling how = ovr_simulation_cycling(sim, 0);
     ovr_options o = *ovr_simulation_options(sim);
     ovr_simulation *formed = test_simulation(20, 10, &o);
-    (void)state;
     how.attached = &attached;
     ovr_cycle(&sim->grids, sim->finest, how);
     assert_true(ovr_cycle_defect(&sim->grids, sim->finest).imbalance > 1e-4);
@@ -124,14 +121,4 @@ static void what_is_attached_is_solved_for(void **state)
     }
     ovr_simulation_free(formed);
     ovr_simulation_free(sim);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(ends_come_in_order),
-        cmocka_unit_test(watching_changes_nothing),
-        cmocka_unit_test(what_is_attached_is_solved_for),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

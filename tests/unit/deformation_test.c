@@ -58,7 +58,7 @@ static void randomize(bench *b, uint64_t *seed)
         b->P[i] = test_random(seed, 0, 1);
 }
 
-static void agrees_with_direct_sum(void **state)
+TEST(agrees_with_direct_sum)
 {
     static const struct {
         int order, range;
@@ -67,7 +67,6 @@ static void agrees_with_direct_sum(void **state)
                  {8, 12, 1e-8},   {10, 10, 1e-8},    {10, 12, 2e-9},
                  {10, 16, 1e-10}, {12, 16, 1.5e-11}, {12, 24, 1e-12}};
     uint64_t seed = 1;
-    (void)state;
     for (size_t k = 0; k < sizeof table / sizeof *table; k++)
         for (int trial = 0; trial < 4; trial++) {
             size_t n = 100 + (size_t)test_random(&seed, 0, 1900);
@@ -81,12 +80,11 @@ static void agrees_with_direct_sum(void **state)
 }
 
 /* A rougher plan must be worse: the bounds above are not vacuous. */
-static void error_falls_with_order_and_range(void **state)
+TEST(error_falls_with_order_and_range)
 {
     uint64_t seed = 2;
     double error[3];
     const int order[] = {4, 6, 10}, range[] = {8, 16, 16};
-    (void)state;
     for (int k = 0; k < 3; k++) {
         bench b = make(1793, 5.5 / 1792, order[k], range[k]);
         randomize(&b, &seed);
@@ -98,14 +96,13 @@ static void error_falls_with_order_and_range(void **state)
     assert_true(error[2] > 0);
 }
 
-static void is_linear(void **state)
+TEST(is_linear)
 {
     uint64_t seed = 3;
     bench b = make(1793, 5.5 / 1792, 10, 16);
     double *first = malloc(b.n * sizeof *first);
     double *second = malloc(b.n * sizeof *second);
     double *kept = malloc(b.n * sizeof *kept);
-    (void)state;
     randomize(&b, &seed);
     memcpy(kept, b.P, b.n * sizeof *kept);
     apply(&b);
@@ -124,11 +121,10 @@ static void is_linear(void **state)
     ovr_arena_release(&b.arena);
 }
 
-static void impulse_gives_the_kernel(void **state)
+TEST(impulse_gives_the_kernel)
 {
     bench b = make(897, 5.5 / 896, 12, 24);
     const size_t at[] = {0, 1, 2, 447, 448, 895, 896};
-    (void)state;
     for (size_t k = 0; k < sizeof at / sizeof *at; k++) {
         memset(b.P, 0, b.n * sizeof *b.P);
         b.P[at[k]] = 1;
@@ -143,12 +139,11 @@ static void impulse_gives_the_kernel(void **state)
 
 /* A mirrored pressure gives the mirrored deformation, to the method's error:
  * on a coarse grid of even n even and odd nodes trade places. */
-static void is_symmetric(void **state)
+TEST(is_symmetric)
 {
     uint64_t seed = 4;
     bench b = make(1793, 5.5 / 1792, 10, 16),
           m = make(1793, 5.5 / 1792, 10, 16);
-    (void)state;
     randomize(&b, &seed);
     for (size_t i = 0; i < b.n; i++)
         m.P[i] = b.P[b.n - 1 - i];
@@ -161,10 +156,9 @@ static void is_symmetric(void **state)
 }
 
 /* The kernel integrates ln|x| over a mesh: far away it is D ln(dD). */
-static void kernel_is_the_integral(void **state)
+TEST(kernel_is_the_integral)
 {
     const double D = 1e-3, pi = acos(-1);
-    (void)state;
     CHECK_CLOSE(ovr_deformation_kernel(0, D), D * (log(D / 2) - 1) / pi, 1e-15);
     for (double d = 40; d < 1e7; d *= 1.7) {
         double h = 0.25 / (d * d);
@@ -178,9 +172,8 @@ static void kernel_is_the_integral(void **state)
 /* Hertz: P = sqrt(1 - X^2) makes X^2/2 + (its deformation) flat inside the
  * contact, H0 = -(1/2 ln 2 + 1/4).  The pressure's ends are square roots
  * anywhere between two nodes: the error is below 0.15 D^1.5. */
-static void flattens_the_hertzian_contact(void **state)
+TEST(flattens_the_hertzian_contact)
 {
-    (void)state;
     for (int level = 6; level < 12; level++) {
         size_t n = ((size_t)7 << level) + 1;
         double error = 0;
@@ -203,9 +196,8 @@ static void flattens_the_hertzian_contact(void **state)
 
 /* The table holds what the fit gives, whatever is chosen (a machine's long
  * double may be longer). */
-static void table_is_the_fit(void **state)
+TEST(table_is_the_fit)
 {
-    (void)state;
     for (double target = 1e-6; target > 1e-11; target /= 2) {
         double table[OVR_MLMI_MAX], fit[OVR_MLMI_MAX];
         int order, range;
@@ -215,19 +207,4 @@ static void table_is_the_fit(void **state)
         for (int k = 0; k < order / 2; k++)
             assert_true(fabs(table[k] - fit[k]) <= 1e-13);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(agrees_with_direct_sum),
-        cmocka_unit_test(error_falls_with_order_and_range),
-        cmocka_unit_test(is_linear),
-        cmocka_unit_test(impulse_gives_the_kernel),
-        cmocka_unit_test(is_symmetric),
-        cmocka_unit_test(kernel_is_the_integral),
-        cmocka_unit_test(table_is_the_fit),
-        cmocka_unit_test(flattens_the_hertzian_contact),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -28,12 +28,11 @@ static double size_of(size_t m, const double *x)
 /* What an elimination leaves of the matrix it was given, at every size about
  * that of a panel, with rows that need exchanging; and beside the plain one, as
  * well as the matrix knows x.  The space behind b may hold anything. */
-static void dense_solver_solves(void **state)
+TEST(dense_solver_solves)
 {
     static double A[MAX * STRIDE], plain[MAX];
     const ovr_kernels *run;
     uint64_t seed = 12;
-    (void)state;
     for (int k = 0; (run = test_kernels(k)); k++)
         for (size_t m = 1; m <= MAX; m++) {
             for (size_t i = 0; i < MAX * STRIDE; i++)
@@ -52,11 +51,10 @@ static void dense_solver_solves(void **state)
         }
 }
 
-static void singular_is_refused(void **state)
+TEST(singular_is_refused)
 {
     static double A[5 * STRIDE], x[5 + 8];
     const ovr_kernels *run;
-    (void)state;
     for (int k = 0; (run = test_kernels(k)); k++) {
         memset(A, 0, sizeof A);
         assert_false(run->dense_solve(5, STRIDE, A, x));
@@ -64,13 +62,12 @@ static void singular_is_refused(void **state)
 }
 
 /* Rows of any length; the plain one by what it makes of an impulse. */
-static void rows_agree(void **state)
+TEST(rows_agree)
 {
     const double c[4] = {0.3, -2, 5, 0.7};
     const ovr_kernels *run, *plain = test_kernels(0);
     double k[MAX + 16], row[MAX + 8], expected[MAX + 8];
     uint64_t seed = 13;
-    (void)state;
     memset(k, 0, sizeof k);
     k[4] = 1;
     plain->dense_row(6, c, k + 1, row);
@@ -85,14 +82,4 @@ static void rows_agree(void **state)
             for (size_t j = 0; j < n; j++)
                 CHECK_NEAR(row[j], expected[j], 1e-14);
         }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(dense_solver_solves),
-        cmocka_unit_test(singular_is_refused),
-        cmocka_unit_test(rows_agree),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -45,10 +45,9 @@ static bool run_on(const char *kernels, double M, ending *end)
     return here;
 }
 
-static void same_bits_again(void **state)
+TEST(same_bits_again)
 {
     static ending first, again;
-    (void)state;
     assert_true(run_on(NULL, 20, &first) && run_on(NULL, 20, &again));
     assert_memory_equal(&first, &again, sizeof first);
     assert_true(run_on(NULL, 100, &first) && run_on(NULL, 100, &again));
@@ -76,9 +75,8 @@ static ovr_simulation *started(void)
 
 /* A loop of one's own takes the steps of a march, adaptive ones too, and asks
  * its observers as often. */
-static void same_bits_step_by_step(void **state)
+TEST(same_bits_step_by_step)
 {
-    (void)state;
     for (int adaptive = 0; adaptive < 2; adaptive++) {
         int asked[2] = {0};
         bool more = true;
@@ -106,11 +104,10 @@ static void same_bits_step_by_step(void **state)
     }
 }
 
-static void same_numbers_on_every_instruction_set(void **state)
+TEST(same_numbers_on_every_instruction_set)
 {
     static const char *const names[] = {"plain", "avx2", "avx512"};
     static ending base, other;
-    (void)state;
     assert_true(run_on("base", 20, &base));
     for (int k = 0; k < 3; k++) {
         double worst = 0;
@@ -126,12 +123,11 @@ static void same_numbers_on_every_instruction_set(void **state)
 
 /* However the lanes cut a fine grid, the finest level takes as many cycles and
  * ends as near: what is lost where lanes meet would cost one more. */
-static void same_cycles_on_a_fine_grid(void **state)
+TEST(same_cycles_on_a_fine_grid)
 {
     static const char *const names[] = {"plain", "base", "avx2", "avx512"};
     double R[4] = {0};
     int cycles[4] = {0};
-    (void)state;
     for (int k = 0; k < 4; k++) {
         ovr_error err = {0};
         ovr_options o = test_options();
@@ -151,14 +147,4 @@ static void same_cycles_on_a_fine_grid(void **state)
         assert_int_equal(cycles[k], cycles[0]);
         CHECK_CLOSE(R[k], R[0], 0.5);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(same_bits_again),
-        cmocka_unit_test(same_bits_step_by_step),
-        cmocka_unit_test(same_numbers_on_every_instruction_set),
-        cmocka_unit_test(same_cycles_on_a_fine_grid)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

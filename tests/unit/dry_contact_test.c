@@ -25,11 +25,10 @@ static ovr_dry_contact begin(size_t n, double length, double modulus)
 /* A sine of the amplitude a and the wavelength l touches over (2/pi) asin
  * sqrt(p/p*) of it, p* = pi E* a/l, from where on it touches everywhere
  * (Westergaard, J. Appl. Mech. 6 (1939) A49): to a node on either side. */
-static void sine_touches_as_westergaard_says(void **state)
+TEST(sine_touches_as_westergaard_says)
 {
     const double a = 3, l = 0.7, E = 5, full = PI * E * a / l;
     ovr_dry_contact of = begin(MAX, l, E);
-    (void)state;
     for (size_t i = 0; i < MAX; i++)
         z[i] = a * cos(2 * PI * (double)i / MAX);
     for (double part = 0.05; part < 1; part += 0.1) {
@@ -65,14 +64,13 @@ static double next(unsigned *seed)
 
 /* What is found is what the conditions ask, which no other pressure does:
  * random waves, gaps by sums over all nodes. */
-static void pressures_and_gaps_exclude_each_other(void **state)
+TEST(pressures_and_gaps_exclude_each_other)
 {
     enum { N = 256, WAVES = 40 };
     const double l = 2, E = 2;
     static double k[N];
     ovr_dry_contact of = begin(N, l, E);
     unsigned seed = 7;
-    (void)state;
     for (size_t i = 0; i < N; i++)
         k[i] = influence(N, l, E, i);
     for (int w = 4; w < WAVES; w++) {
@@ -102,12 +100,4 @@ static void pressures_and_gaps_exclude_each_other(void **state)
                       s.gap, s.area);
     }
     ovr_arena_release(&arena);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sine_touches_as_westergaard_says),
-        cmocka_unit_test(pressures_and_gaps_exclude_each_other)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -254,10 +254,9 @@ static bool is_idle(const char *source, const ovr_parameter_info *p,
     return same > 1;
 }
 
-static void keys_have_effects_or_are_refused(void **state)
+TEST(keys_have_effects_or_are_refused)
 {
     size_t idle = 0;
-    (void)state;
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         ovr_error err = {0};
         told base;
@@ -279,11 +278,4 @@ static void keys_have_effects_or_are_refused(void **state)
         }
     }
     assert_int_equal(idle, 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(keys_have_effects_or_are_refused)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -5,20 +5,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-static void fills_status_and_message(void **state)
+TEST(fills_status_and_message)
 {
     ovr_error err = {OVR_OK, "old", .about = "key"};
-    (void)state;
     assert_int_equal(ovr_fail(&err, OVR_IO, "%s: %d", "disk", 7), OVR_IO);
     assert_int_equal(err.status, OVR_IO);
     assert_string_equal(err.message, "disk: 7");
     assert_null(err.about);
 }
 
-static void says_what_it_is_about(void **state)
+TEST(says_what_it_is_about)
 {
     ovr_error err = {0}, placed = {0};
-    (void)state;
     assert_int_equal(ovr_fail_about(&err, "depth", "depth = %d", -1),
                      OVR_BAD_INPUT);
     assert_string_equal(err.about, "depth");
@@ -33,10 +31,9 @@ static void says_what_it_is_about(void **state)
 }
 
 /* What a program needs to go to the place, and to mend it. */
-static void says_where_and_what_was_meant(void **state)
+TEST(says_where_and_what_was_meant)
 {
     ovr_error err, placed = {0};
-    (void)state;
     ovr_fail_at(&err, OVR_BAD_INPUT, "dent.ini", 12, "no 'Q'");
     assert_int_equal(ovr_fail_meant(&err, OVR_BAD_INPUT, "M"), OVR_BAD_INPUT);
     assert_int_equal(err.file, strlen("dent.ini"));
@@ -57,18 +54,16 @@ static void says_where_and_what_was_meant(void **state)
     assert_int_equal(ovr_fail_meant(NULL, OVR_IO, "M"), OVR_IO);
 }
 
-static void accepts_no_error_object(void **state)
+TEST(accepts_no_error_object)
 {
-    (void)state;
     assert_int_equal(ovr_fail(NULL, OVR_BAD_INPUT, "%d", 1), OVR_BAD_INPUT);
     assert_int_equal(ovr_fail_at(NULL, OVR_STOPPED, "a.ini", 3, "x"),
                      OVR_STOPPED);
 }
 
-static void names_file_and_line(void **state)
+TEST(names_file_and_line)
 {
     ovr_error err;
-    (void)state;
     assert_int_equal(
         ovr_fail_at(&err, OVR_BAD_INPUT, "dent.ini", 12, "key '%s'", "M"),
         OVR_BAD_INPUT);
@@ -81,14 +76,13 @@ static void names_file_and_line(void **state)
 
 /* Too long a message is cut, whole or in the file name, never overrun: the
  * guard behind it stays. */
-static void cuts_what_is_too_long(void **state)
+TEST(cuts_what_is_too_long)
 {
     struct {
         ovr_error err;
         char guard[8];
     } box;
     char text[3 * OVR_MESSAGE_SIZE];
-    (void)state;
     memset(text, 'x', sizeof text);
     text[sizeof text - 1] = '\0';
     memset(box.guard, 'g', sizeof box.guard);
@@ -102,19 +96,17 @@ static void cuts_what_is_too_long(void **state)
 }
 
 /* What a file says may hold anything: lines, escape sequences. */
-static void is_one_line_without_controls(void **state)
+TEST(is_one_line_without_controls)
 {
     ovr_error err;
-    (void)state;
     ovr_fail(&err, OVR_IO, "unknown key '%s'", "a\nb\033[2Jc\177");
     assert_string_equal(err.message, "unknown key 'a b [2Jc '");
     ovr_fail_at(&err, OVR_IO, "f\tile", 3, "no\r");
     assert_string_equal(err.message, "f ile:3: no ");
 }
 
-static void every_status_has_its_name(void **state)
+TEST(every_status_has_its_name)
 {
-    (void)state;
     for (int a = OVR_OK; a <= OVR_STOPPED; a++) {
         const char *name = ovr_status_name((ovr_status)a);
         assert_string_not_equal(name, "unknown status");
@@ -122,19 +114,4 @@ static void every_status_has_its_name(void **state)
             assert_string_not_equal(name, ovr_status_name((ovr_status)b));
     }
     assert_string_equal(ovr_status_name((ovr_status)99), "unknown status");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(fills_status_and_message),
-        cmocka_unit_test(says_what_it_is_about),
-        cmocka_unit_test(says_where_and_what_was_meant),
-        cmocka_unit_test(accepts_no_error_object),
-        cmocka_unit_test(names_file_and_line),
-        cmocka_unit_test(cuts_what_is_too_long),
-        cmocka_unit_test(is_one_line_without_controls),
-        cmocka_unit_test(every_status_has_its_name),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,10 +12,9 @@ enum { N = 400 };
 
 /* A parabola's own vertex is found; a node far from it, or a value changed by
  * more than a twentieth, is left as it is. */
-static void vertices_are_bounded(void **state)
+TEST(vertices_are_bounded)
 {
     double X[] = {0.3, 1, 2}, v[3], value;
-    (void)state;
     for (int k = 0; k < 3; k++)
         v[k] = 2 + 0.3 * (X[k] - 1.2) * (X[k] - 1.2);
     CHECK_NEAR(ovr_vertex(X, v, 1, &value), 1.2, 1e-12);
@@ -49,10 +48,9 @@ static int by_definition(const double *P, size_t *last)
     return count;
 }
 
-static void maxima_stand_out(void **state)
+TEST(maxima_stand_out)
 {
     uint64_t seed = 31;
-    (void)state;
     for (int run = 0; run < 200; run++) {
         double clean[N], noisy[N];
         size_t a = 0, b = 0, c = 0;
@@ -73,12 +71,11 @@ static void maxima_stand_out(void **state)
     }
 }
 
-static void noise_is_no_maximum(void **state)
+TEST(noise_is_no_maximum)
 {
     uint64_t seed = 32;
     double P[N];
     size_t last = 0;
-    (void)state;
     for (size_t i = 0; i < N; i++) {
         double x = 2.0 * (double)i / (N - 1) - 1;
         P[i] = sqrt(1 - x * x) + test_random(&seed, -2e-4, 2e-4);
@@ -111,35 +108,21 @@ static ovr_observation solved(double M, double L, int level, ovr_scheme scheme)
 }
 
 /* A mesh too coarse for the neck: the parabola said -0.0019. */
-static void no_film_is_negative(void **state)
+TEST(no_film_is_negative)
 {
     ovr_observation o = solved(100, 5, 3, OVR_UPSTREAM1);
-    (void)state;
     assert_true(o.H_min > 0);
     CHECK_CLOSE(o.H_min_located, o.H_min, 0.05);
     CHECK_CLOSE(o.P_max_located, o.P_max, 0.05);
 }
 
 /* Without pressure spike: 0.1.0 gave one of 1e-7. */
-static void a_spike_needs_prominence(void **state)
+TEST(a_spike_needs_prominence)
 {
     ovr_observation o = solved(5, 0, 7, OVR_UPSTREAM2);
-    (void)state;
     assert_true(isnan(o.P_spike) && isnan(o.X_spike_located));
     assert_int_equal(o.maxima, 1);
     o = solved(20, 10, 8, OVR_UPSTREAM2);
     assert_int_equal(o.maxima, 2);
     assert_true(o.P_spike > 0.3 && o.X_spike > 0.5);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(vertices_are_bounded),
-        cmocka_unit_test(maxima_stand_out),
-        cmocka_unit_test(noise_is_no_maximum),
-        cmocka_unit_test(no_film_is_negative),
-        cmocka_unit_test(a_spike_needs_prominence),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

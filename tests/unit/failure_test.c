@@ -18,14 +18,13 @@ static void has_no_such_word(const char *message)
             fail_msg("%s", message);
 }
 
-static void what_diverged_is_told_in_words(void **state)
+TEST(what_diverged_is_told_in_words)
 {
     const double ends[] = {NAN, -NAN, INFINITY, 1e-3};
     ovr_error err = {0};
     ovr_options o = test_options();
     o.level = 6;
     ovr_simulation *sim = test_simulation(20, 10, &o);
-    (void)state;
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     for (size_t k = 0; k < sizeof ends / sizeof *ends; k++)
         for (int load = 0; load < 2; load++) {
@@ -38,11 +37,4 @@ static void what_diverged_is_told_in_words(void **state)
             has_no_such_word(err.message);
         }
     ovr_simulation_free(sim);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(what_diverged_is_told_in_words)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -79,10 +79,9 @@ static ovr_history_form jump_to(double load)
 }
 
 /* Version 0.1.0 failed at steps 19, 1 and 1,434. */
-static void loads_that_failed(void **state)
+TEST(loads_that_failed)
 {
     ovr_history_form swings = sine(0.48, 1.756);
-    (void)state;
     run(&(swing){200, 10, 1.5, 0.3, jump_to(1.1), 0}, 5, 10);
     run(&(swing){200, 10, 2.5, 1.5, swings, 0}, 6.5, 3);
     run(&(swing){329, 4.9, 1.5, 4.6, swings, 0.4777}, 5.5, 3);
@@ -90,9 +89,8 @@ static void loads_that_failed(void **state)
 
 /* Within one step of a mesh: films filled to the outlet, pressures above 2
  * there.  Version 0.1.0 failed at the step. */
-static void loads_that_jump(void **state)
+TEST(loads_that_jump)
 {
-    (void)state;
     run(&(swing){50, 10, 1.5, 0.1, jump_to(2), 0}, 80, 80);
     run(&(swing){500, 10, 1.5, 0.1, jump_to(1.1), 0}, 15, 30);
     run(&(swing){200, 10, 1.5, 0.1, jump_to(1.5), 0}, 60, 60);
@@ -100,11 +98,10 @@ static void loads_that_jump(void **state)
 }
 
 /* The solution is there, and what it lacks is said. */
-static void a_tolerance_below_rounding(void **state)
+TEST(a_tolerance_below_rounding)
 {
     ovr_options o = test_options();
     ovr_error err = {0};
-    (void)state;
     o.level = 7;
     o.tolerance = 1e-15;
     ovr_simulation *sim = test_simulation(20, 10, &o);
@@ -115,12 +112,11 @@ static void a_tolerance_below_rounding(void **state)
 }
 
 /* Rounding grows with the speed, and is no reason to halve a step. */
-static void a_tolerance_below_rounding_at_speed(void **state)
+TEST(a_tolerance_below_rounding_at_speed)
 {
     ovr_history_form ramp = ovr_history_form_default(), light = ramp;
     ovr_options o = test_options();
     ovr_error err = {0};
-    (void)state;
     o.scheme = OVR_UPSTREAM2;
     o.order = 2;
     ramp.kind = OVR_HISTORY_RAMP;
@@ -146,15 +142,4 @@ static void a_tolerance_below_rounding_at_speed(void **state)
     ovr_simulation_free(sim);
     ovr_history_free(load);
     ovr_history_free(speed);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(loads_that_failed),
-        cmocka_unit_test(loads_that_jump),
-        cmocka_unit_test(a_tolerance_below_rounding),
-        cmocka_unit_test(a_tolerance_below_rounding_at_speed),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

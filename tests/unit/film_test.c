@@ -113,7 +113,7 @@ static void check_node(const oil *o, int i)
                 (double)(at.rho * h * h * h / lambda), 3 * bound);
 }
 
-static void film_follows_the_laws(void **state)
+TEST(film_follows_the_laws)
 {
     static const ovr_viscosity_law viscosity[] = {OVR_ROELANDS, OVR_BARUS,
                                                   OVR_ISOVISCOUS};
@@ -121,7 +121,6 @@ static void film_follows_the_laws(void **state)
                                               OVR_INCOMPRESSIBLE};
     oil o = make();
     uint64_t seed = 21;
-    (void)state;
     for (int turn = 0; turn < 60; turn++) {
         fill(&o, &seed, 1);
         o.fluid.lubricant.viscosity_law = viscosity[turn % 3];
@@ -134,11 +133,10 @@ static void film_follows_the_laws(void **state)
 }
 
 /* No pressure, or no effect of it: eta = 1 to the last bit. */
-static void viscosity_starts_at_one(void **state)
+TEST(viscosity_starts_at_one)
 {
     oil o = make();
     uint64_t seed = 22;
-    (void)state;
     for (int turn = 0; turn < 60; turn++) {
         fill(&o, &seed, 2);
         o.fluid.lambda = 1;
@@ -160,11 +158,10 @@ static void viscosity_starts_at_one(void **state)
 /* Pressures that no oil stands, as a solver may try them: finite numbers, and
  * never an oil that flows
  * more easily, down to where it is solid (the exponent is held). */
-static void any_pressure_gives_numbers(void **state)
+TEST(any_pressure_gives_numbers)
 {
     oil o = make();
     uint64_t seed = 23;
-    (void)state;
     for (int turn = 0; turn < 20; turn++) {
         fill(&o, &seed, 2);
         o.fluid.lubricant.viscosity_law = turn % 2 ? OVR_BARUS : OVR_ROELANDS;
@@ -240,7 +237,7 @@ static void check_direct(const oil *o, int i)
                    fabs(eps) * (1 + by_eta));
 }
 
-static void laws_in_one_stage(void **state)
+TEST(laws_in_one_stage)
 {
     static const double p[] = {0, 2e9};
     static const double eta[] = {0.01, 1e6}, rho[] = {850, 1100};
@@ -252,7 +249,6 @@ static void laws_in_one_stage(void **state)
     const ovr_law_table *tables[] = {table[0], table[1]};
     oil o = make();
     uint64_t seed = 24;
-    (void)state;
     for (int turn = 0; turn < 30; turn++) {
         fill_direct(&o, &seed, turn, p, tables);
         for (int k = 0; run(&o, k); k++)
@@ -271,14 +267,13 @@ static void laws_in_one_stage(void **state)
 
 /* With temperatures log2(1/eta) is th times the isothermal one, plus shift, and
  * its slope th times. */
-static void temperatures_shift_the_logarithm(void **state)
+TEST(temperatures_shift_the_logarithm)
 {
     ovr_error err = {0};
     oil o = make();
     uint64_t seed = 25;
     double *th = ovr_field(&o.arena, N + 2 * PAD, &err);
     double *shift = ovr_field(&o.arena, N + 2 * PAD, &err);
-    (void)state;
     fill(&o, &seed, 1);
     o.fluid.lubricant.alphabar = 10;
     for (int i = -PAD; i < N + PAD; i++) {
@@ -309,13 +304,12 @@ static void temperatures_shift_the_logarithm(void **state)
 }
 
 /* Density falls with it: rho, q and d q/dP, and eps as rho. */
-static void temperatures_swell_the_oil(void **state)
+TEST(temperatures_swell_the_oil)
 {
     ovr_error err = {0};
     oil o = make();
     uint64_t seed = 26;
     double *swell = ovr_field(&o.arena, N + 2 * PAD, &err);
-    (void)state;
     fill(&o, &seed, 1);
     for (int i = -PAD; i < N + PAD; i++)
         swell[PAD + i] = test_random(&seed, 0.9, 1.02);
@@ -333,17 +327,4 @@ static void temperatures_swell_the_oil(void **state)
                 CHECK_CLOSE(all[m][i], o.f.swell[i] * cold[m][i], 1e-13);
     }
     ovr_arena_release(&o.arena);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(film_follows_the_laws),
-        cmocka_unit_test(viscosity_starts_at_one),
-        cmocka_unit_test(any_pressure_gives_numbers),
-        cmocka_unit_test(laws_in_one_stage),
-        cmocka_unit_test(temperatures_shift_the_logarithm),
-        cmocka_unit_test(temperatures_swell_the_oil),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -51,12 +51,11 @@ static ovr_fluid eyring(double Sigma0, double sliding)
 
 /* The mean stress a is what makes half the integral of f equal to c/eps; the
  * flow is eps 3/(2 g) int s f ds. */
-static void flow_is_the_integral(void **state)
+TEST(flow_is_the_integral)
 {
     const double slides[] = {0, 1e-3, 1, 30, 3e3, 1e9};
     const double gradients[] = {1e-3, 0.2, 0.26, 1, 4, 9};
     const ovr_fluid fluid = eyring(0.3, 0.5);
-    (void)state;
     for (int i = 0; i < 6; i++)
         for (int j = 0; j < 6; j++) {
             double eps = 1e-3, c = slides[i] * eps, g = gradients[j];
@@ -71,11 +70,10 @@ static void flow_is_the_integral(void **state)
 
 /* Without a limit on Sigma0 the film is Newtonian to rounding; a lubricant
  * without a flow law is exactly. */
-static void thick_films_are_newtonian(void **state)
+TEST(thick_films_are_newtonian)
 {
     ovr_fluid fluid = eyring(1e12, 0.5), none = {.sliding = 0.5};
     ovr_pair nodes = {{0.5, 0.7}, {0.2, 0.1}, {0.25, 0.1}, {1e-3, 3e-3}};
-    (void)state;
     CHECK_CLOSE(ovr_flow_between(&fluid, 0.01, &nodes), 2e-3, 1e-14);
     fluid.lubricant.Sigma0 = INFINITY;
     CHECK_CLOSE(ovr_flow_between(&fluid, 0.01, &nodes), 2e-3, 1e-15);
@@ -154,10 +152,9 @@ static void check_slopes(const ovr_fluid *fluid)
     }
 }
 
-static void slopes_are_differences(void **state)
+TEST(slopes_are_differences)
 {
     ovr_fluid newtonian = {.by_gap = true}, thin = eyring(0.3, -0.5);
-    (void)state;
     check_slopes(&newtonian);
     check_slopes(&thin);
     thin.by_gap = true;
@@ -167,12 +164,11 @@ static void slopes_are_differences(void **state)
 /* H^3 goes from 1 to 1/8 with the same fluid: resistances 1 and 8 in line, a
  * conductance of 2/9; what slides by squares, 2/5; a wide node beside a closed
  * one lets nothing through. */
-static void gaps_are_in_line(void **state)
+TEST(gaps_are_in_line)
 {
     const double f = 1e-3, rho = 1.2;
     ovr_fluid none = {.by_gap = true}, thin = eyring(1, 12e6);
     ovr_pair nodes = {{0.5, 0.5}, {1, 0.5}, {rho, rho / 2}, {f, f / 8}};
-    (void)state;
     thin.by_gap = true;
     CHECK_CLOSE(ovr_flow_between(&none, 0.01, &nodes), f * 2 / 9, 1e-14);
     CHECK_CLOSE(ovr_flow_between(&thin, 0.01, &nodes), 1e6 * rho * 2 / 5,
@@ -196,11 +192,10 @@ static void agree(const test_grid *plain, const test_grid *other)
 }
 
 /* For gradients from those of an inlet to those that are capped. */
-static void kernels_agree(void **state)
+TEST(kernels_agree)
 {
     const double stresses[] = {1e-3, 0.05, 0.3, 10};
     const ovr_kernels *run;
-    (void)state;
     for (int k = 1; (run = test_kernels(k)); k++)
         for (int j = 0; j < 4; j++) {
             test_grid plain = test_grid_make(test_kernels(0), 225);
@@ -224,13 +219,12 @@ static void kernels_agree(void **state)
 }
 
 /* The same for a table, where it is straight beyond its end too. */
-static void tables_agree(void **state)
+TEST(tables_agree)
 {
     const double stresses[] = {1e-7, 0.01, 0.3, 10};
     const ovr_kernels *run;
     ovr_flow_form form = ovr_flow_form_default();
     ovr_error err = {0};
-    (void)state;
     form.rheology = OVR_CARREAU;
     ovr_flow_law *law = ovr_flow_law_create(&form, NULL, &err);
     CHECK_OK(err.status, &err);
@@ -258,13 +252,12 @@ static void tables_agree(void **state)
 
 /* Films that a solve has given up: crossed, or without numbers.  What comes out
  * is worth nothing, and comes out. */
-static void nonsense_stays_in_the_table(void **state)
+TEST(nonsense_stays_in_the_table)
 {
     static const double worst[] = {-1, -1e-300, 1e300, INFINITY, NAN};
     ovr_flow_form form = ovr_flow_form_default();
     ovr_error err = {0};
     const ovr_kernels *run;
-    (void)state;
     form.rheology = OVR_CARREAU;
     ovr_flow_law *law = ovr_flow_law_create(&form, NULL, &err);
     CHECK_OK(err.status, &err);
@@ -317,14 +310,13 @@ static double carreau_flow(double s_N, double g)
 }
 
 /* 400 points of the law itself; largest error and root of the mean square. */
-static void table_is_the_law(void **state)
+TEST(table_is_the_law)
 {
     ovr_fluid fluid = {.sliding = 0.5};
     ovr_flow_form form = ovr_flow_form_default();
     ovr_error err = {0};
     uint64_t seed = 20260923;
     double worst = 0, squares = 0;
-    (void)state;
     form.rheology = OVR_CARREAU_STRESS;
     ovr_flow_law *law = ovr_flow_law_create(&form, NULL, &err);
     CHECK_OK(err.status, &err);
@@ -343,18 +335,4 @@ static void table_is_the_law(void **state)
                   worst, sqrt(squares));
     assert_true(worst < 1e-3 && squares < 2e-4 * 2e-4);
     ovr_flow_law_free(law);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(flow_is_the_integral),
-        cmocka_unit_test(thick_films_are_newtonian),
-        cmocka_unit_test(slopes_are_differences),
-        cmocka_unit_test(gaps_are_in_line),
-        cmocka_unit_test(kernels_agree),
-        cmocka_unit_test(tables_agree),
-        cmocka_unit_test(nonsense_stays_in_the_table),
-        cmocka_unit_test(table_is_the_law)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

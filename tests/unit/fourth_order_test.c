@@ -247,29 +247,25 @@ static void falls(errors (*part)(const ovr_kernels *, size_t))
     }
 }
 
-static void poiseuille_upstream_is_of_fourth_order(void **state)
+TEST(poiseuille_upstream_is_of_fourth_order)
 {
-    (void)state;
     falls(by_logarithms);
     falls(by_logarithms_and_gap);
 }
 
-static void poiseuille_downstream_is_of_fourth_order(void **state)
+TEST(poiseuille_downstream_is_of_fourth_order)
 {
-    (void)state;
     falls(by_values);
     falls(by_values_and_gap);
 }
 
-static void wedge_is_of_fourth_order(void **state)
+TEST(wedge_is_of_fourth_order)
 {
-    (void)state;
     falls(wedge);
 }
 
-static void film_is_of_fourth_order(void **state)
+TEST(film_is_of_fourth_order)
 {
-    (void)state;
     falls(film);
 }
 
@@ -307,10 +303,9 @@ static void compare(const test_grid *plain, const test_grid *other)
     }
 }
 
-static void vectors_agree_with_the_plain_one(void **state)
+TEST(vectors_agree_with_the_plain_one)
 {
     const ovr_kernels *run;
-    (void)state;
     for (int k = 2; (run = test_kernels(k / 2)); k++) {
         corrected plain = {.grid = test_grid_make(test_kernels(0), N)};
         corrected other = {.grid = test_grid_make(run, N)};
@@ -330,16 +325,4 @@ static void vectors_agree_with_the_plain_one(void **state)
         ovr_arena_release(&plain.grid.arena);
         ovr_arena_release(&other.grid.arena);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(poiseuille_upstream_is_of_fourth_order),
-        cmocka_unit_test(poiseuille_downstream_is_of_fourth_order),
-        cmocka_unit_test(wedge_is_of_fourth_order),
-        cmocka_unit_test(film_is_of_fourth_order),
-        cmocka_unit_test(vectors_agree_with_the_plain_one),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

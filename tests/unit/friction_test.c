@@ -46,14 +46,13 @@ static void compare(const ovr_kernels *run, const ovr_sheared *f,
         CHECK_NEAR(t[i], expected[i], 1e-13 * (fabs(expected[i]) + 1));
 }
 
-static void kernels_agree(void **state)
+TEST(kernels_agree)
 {
     const ovr_kernels *run;
     uint64_t seed = 7;
     ovr_flow_form form = ovr_flow_form_default();
     form.rheology = OVR_CARREAU;
     ovr_flow_law *law = ovr_flow_law_create(&form, NULL, NULL);
-    (void)state;
     assert_non_null(law);
     for (int k = 1; (run = test_kernels(k)); k++)
         for (size_t n = 13; n < MAX; n++) {
@@ -77,7 +76,7 @@ static void kernels_agree(void **state)
 
 /* P = 1 - X^2 dry from 1 on, rho = 1.2, H = 0.5, eta = 1: t = -lambda V/(12 H)
  * over the wet part, int H P_X/2 = 0, int eps P_X^2/rho by midpoints. */
-static void plain_by_hand(void **state)
+TEST(plain_by_hand)
 {
     enum { N = 301 };
     static double X[N], P[N], H[N], q[N], eps[N], t[N];
@@ -85,7 +84,6 @@ static void plain_by_hand(void **state)
     const double lambda = 0.03, D = 0.01, V = -0.7;
     const ovr_fluid fluid = {.sliding = V};
     double flow = 0.5 * 0.5 * 0.5 / lambda, wet = 2;
-    (void)state;
     for (int i = 0; i < N; i++) {
         X[i] = (i - 150) * D;
         P[i] = fmax(0, 1 - X[i] * X[i]);
@@ -106,11 +104,10 @@ static void plain_by_hand(void **state)
 /* A gap that closes from 1 to 1/50 between two nodes, the same fluid all
  * along: the mean of 1/H, ln 50/(1 - 1/50), within 6 %; between near films
  * exactly. */
-static void slopes_slide_by_their_mean(void **state)
+TEST(slopes_slide_by_their_mean)
 {
     const double V = 2, ends[] = {0.02, 0.999}, maximum[] = {0.06, 1e-9};
     const ovr_fluid fluid = {.sliding = V, .by_gap = true};
-    (void)state;
     for (int k = 0; k < 2; k++) {
         double G = ends[k], X[] = {0, 1}, P[] = {1, 1}, H[] = {1, G}, t;
         double q[] = {1, G}, eps[] = {1, G * G * G};
@@ -121,14 +118,13 @@ static void slopes_slide_by_their_mean(void **state)
 }
 
 /* Films that were not solved overlap: stresses are numbers all the same. */
-static void overlapping_films_have_stresses(void **state)
+TEST(overlapping_films_have_stresses)
 {
     const ovr_kernels *run;
     uint64_t seed = 8;
     ovr_flow_form form = ovr_flow_form_default();
     form.rheology = OVR_CARREAU;
     ovr_flow_law *law = ovr_flow_law_create(&form, NULL, NULL);
-    (void)state;
     assert_non_null(law);
     for (int k = 0; (run = test_kernels(k)); k++)
         for (int kind = 0; kind < 2; kind++) {
@@ -149,14 +145,4 @@ static void overlapping_films_have_stresses(void **state)
                 assert_true(isfinite(t[i]));
         }
     ovr_flow_law_free(law);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(kernels_agree),
-        cmocka_unit_test(slopes_slide_by_their_mean),
-        cmocka_unit_test(overlapping_films_have_stresses),
-        cmocka_unit_test(plain_by_hand)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

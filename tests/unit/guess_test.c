@@ -10,14 +10,13 @@
 #include "support/test.h"
 
 /* Every set against the plain sum, dry nodes and partial vectors included. */
-static void weighted_sum_where_wet(void **state)
+TEST(weighted_sum_where_wet)
 {
     enum { MAX = 41, TERMS = 5 };
     double past[TERMS][MAX], weight[TERMS], P[MAX + 1], plain[MAX];
     const double *from[TERMS];
     const ovr_kernels *run;
     uint64_t seed = 5;
-    (void)state;
     for (size_t k = 0; k < TERMS; k++) {
         from[k] = past[k];
         weight[k] = test_random(&seed, -4, 4);
@@ -36,7 +35,7 @@ static void weighted_sum_where_wet(void **state)
 }
 
 /* The same of what moves by a part of a mesh. */
-static void carried_where_wet(void **state)
+TEST(carried_where_wet)
 {
     enum { MAX = 41 };
     double past[3][MAX + 3], P[MAX + 1], plain[MAX];
@@ -44,7 +43,6 @@ static void carried_where_wet(void **state)
     const double c[] = {-0.0455, 0.3315, 0.7735, -0.0595};
     const ovr_kernels *run;
     uint64_t seed = 6;
-    (void)state;
     for (size_t k = 0; k < 3; k++)
         for (size_t i = 0; i < MAX + 3; i++)
             past[k][i] = fmax(test_random(&seed, -0.5, 1), 0);
@@ -62,7 +60,7 @@ static void carried_where_wet(void **state)
 /* A node that is dry; halfway between nodes, 1 + 4 - 2; a cubic that would
  * leave its nodes' range; a sum that would leave that of what it is made of by
  * more than 0.1 times 2 and 0.02. */
-static void plain_carry_by_hand(void **state)
+TEST(plain_carry_by_hand)
 {
     const double half[] = {-0.0625, 0.5625, 0.5625, -0.0625};
     const double next[] = {1, 0, 0, 0};
@@ -73,7 +71,6 @@ static void plain_carry_by_hand(void **state)
     const double *const peak[] = {(double[]){4}, (double[]){0, 4, 4, 0},
                                   (double[]){0, 0, 0, 0}};
     double P[2];
-    (void)state;
     test_kernels(0)->carry(2, half, from, P);
     assert_true(P[0] == 0);
     CHECK_NEAR(P[1], 1 + 4 - 2, 1e-14);
@@ -84,11 +81,10 @@ static void plain_carry_by_hand(void **state)
 }
 
 /* A node that stays dry, one that falls dry, one that stays wet. */
-static void plain_sum_by_hand(void **state)
+TEST(plain_sum_by_hand)
 {
     const double *const from[] = {(double[]){0, 1, 3}, (double[]){5, 4, 2}};
     double P[3];
-    (void)state;
     test_kernels(0)->extrapolate(3, 2, (double[]){2, -1}, from, P);
     assert_memory_equal(P, ((double[]){0, 0, 4}), sizeof P);
 }
@@ -167,21 +163,19 @@ static double error_of(double (*P)(double, double), double meshes, bool *close)
     return worst;
 }
 
-static void exact_for_what_moves_by_a_mesh_a_step(void **state)
+TEST(exact_for_what_moves_by_a_mesh_a_step)
 {
     bool close;
-    (void)state;
     told = NAN;
     assert_true(error_of(moving, 1, &close) < 1e-13 && close);
     assert_true(error_of(standing, 0.5, &close) < 1e-13 && !close);
     assert_true(error_of(moving, 0.5, &close) > 1e-9);
 }
 
-static void exact_for_what_slides_as_told(void **state)
+TEST(exact_for_what_slides_as_told)
 {
     enum { BY_STEPS, BY_TWO, TWO_TERMS, TWO_BY_TWO, EACH_MOVES = 7 };
     bool close;
-    (void)state;
     speed = told = 0.5;
     nearest = BY_STEPS;
     assert_true(error_of(moving, 2, &close) < 1e-13 && !close);
@@ -236,11 +230,10 @@ static series roll(double tolerance)
 }
 
 /* The parabola took 1.75 cycles a step and left 3e-5. */
-static void few_cycles_and_no_loss(void **state)
+TEST(few_cycles_and_no_loss)
 {
     series quick = roll(0), exact = roll(1e-9);
     double worst = 0;
-    (void)state;
     for (int k = 0; k < STEPS; k++) {
         worst = fmax(worst, fabs(quick.H_min[k] / exact.H_min[k] - 1));
         worst = fmax(worst, fabs(quick.H_cen[k] / exact.H_cen[k] - 1));
@@ -249,18 +242,4 @@ static void few_cycles_and_no_loss(void **state)
                   (double)quick.cycles / STEPS, worst);
     assert_true(2 * quick.cycles < 3 * STEPS);
     assert_true(worst < 2e-5);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(weighted_sum_where_wet),
-        cmocka_unit_test(carried_where_wet),
-        cmocka_unit_test(plain_sum_by_hand),
-        cmocka_unit_test(plain_carry_by_hand),
-        cmocka_unit_test(exact_for_what_moves_by_a_mesh_a_step),
-        cmocka_unit_test(exact_for_what_slides_as_told),
-        cmocka_unit_test(few_cycles_and_no_loss),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -189,25 +189,16 @@ static void check_callers(const char *folder, int callers)
     assert_ptr_equal(gsl_set_error_handler(NULL), NULL);
 }
 
-static void one_thread(void **state)
+TEST_IN_FOLDER(one_thread)
 {
     check_callers(*state, 1);
 }
 
-static void two_threads(void **state)
+TEST_IN_FOLDER(two_threads)
 {
     hbool_t safe = false;
     H5is_library_threadsafe(&safe);
     if (!safe)
         skip();
     check_callers(*state, 2);
-}
-
-#define TEST(name)                                                             \
-    cmocka_unit_test_setup_teardown(name, test_make_folder, test_remove_folder)
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {TEST(one_thread), TEST(two_threads)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -20,10 +20,9 @@ static double bell(double x)
 
 /* Whole meshes exactly, parts of one by a cubic; what enters is nothing, what
  * left is as the end. */
-static void values_at_departures(void **state)
+TEST(values_at_departures)
 {
     double v[N], at[N];
-    (void)state;
     for (int i = 0; i < N; i++)
         v[i] = 1 + 1e-6 * i * i * i;
     for (double shift = -7.75; shift < 8; shift += 0.25) {
@@ -51,10 +50,9 @@ static void values_at_departures(void **state)
 }
 
 /* There and back: cubic, and no drift. */
-static void carried_far(void **state)
+TEST(carried_far)
 {
     double v[N], at[N], worst = 0;
-    (void)state;
     for (int i = 0; i < N; i++)
         v[i] = bell(i - 100);
     for (int k = 0; k < 1000; k++) {
@@ -132,10 +130,9 @@ static double under_source(double u, double dT, double dT_other)
     return worst / (2 * sqrt(fmin(T, 2 / u)));
 }
 
-static void uniform_source_in_time(void **state)
+TEST(uniform_source_in_time)
 {
     const double D = 5. / (N - 1);
-    (void)state;
     for (int k = 0; k < 4; k++) {
         static const double u[] = {1, 0.5, 1.3, 1e-9};
         double alike = under_source(u[k], D, D);
@@ -145,14 +142,4 @@ static void uniform_source_in_time(void **state)
         assert_true(alike < 1e-3);
         assert_true(other < 2e-3);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(values_at_departures),
-        cmocka_unit_test(carried_far),
-        cmocka_unit_test(uniform_source_in_time),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -13,9 +13,8 @@
 
 /* ----------------------------------------------------------------- solids */
 
-static void memory_is_one_over_sqrt(void **state)
+TEST(memory_is_one_over_sqrt)
 {
-    (void)state;
     for (double range = 100; range < 1e5; range *= 3) {
         ovr_memory m;
         ovr_memory_rates(0.01, 0.01 * range, &m);
@@ -27,10 +26,9 @@ static void memory_is_one_over_sqrt(void **state)
 
 /* Steps of other lengths than the rates were made for: a bit shorter, or
  * longer by any factor. */
-static void memory_survives_other_steps(void **state)
+TEST(memory_survives_other_steps)
 {
     ovr_memory m;
-    (void)state;
     ovr_memory_rates(0.01, 30, &m);
     for (double dT = 0.01 / 2.4; dT < 2; dT *= 1.3) {
         ovr_memory_fit(dT, 30, &m);
@@ -40,12 +38,11 @@ static void memory_survives_other_steps(void **state)
 
 /* q = 1 over -1 < X < 1, from X = -3 on in steps of D: T/N = 2 sqrt(X + 1), and
  * behind it 2 (sqrt(X + 1) - sqrt(X - 1)). */
-static void under_a_uniform_source(void **state)
+TEST(under_a_uniform_source)
 {
     const double D = 1.0 / 256;
     double psi[OVR_MODES] = {0}, before = 0, worst = 0;
     ovr_memory m;
-    (void)state;
     ovr_memory_rates(D, 6, &m);
     ovr_memory_fit(D, 6, &m);
     for (int i = -768; i <= 768; i++) {
@@ -70,12 +67,11 @@ static double source(double x, void *unused)
 
 /* How far the limit of fast motion is from Carslaw and Jaeger's full solution,
  * in its largest temperature: told, and falling. */
-static void distance_from_the_full_solution(void **state)
+TEST(distance_from_the_full_solution)
 {
     gsl_integration_workspace *w = gsl_integration_workspace_alloc(2000);
     gsl_function f = {source, NULL};
     double before = 1;
-    (void)state;
     for (double Pe = 1; Pe < 200; Pe *= 10) {
         double L = Pe / 2, largest = 0;
         for (double X = -1; X <= 1; X += 0.02) {
@@ -102,10 +98,9 @@ static const ovr_heat oil = {
 
 /* The coefficient of P_{n-1}: 1 of that polynomial, 0 of all below; moved to
  * other points a polynomial of degree 4 is the same. */
-static void last_of_legendre(void **state)
+TEST(last_of_legendre)
 {
     ovr_cross_film a, b;
-    (void)state;
     for (int points = 5; points <= 7; points += 2) {
         double of[7] = {0}, moved[7];
         ovr_cross_film_make(points, &a);
@@ -134,9 +129,8 @@ static void last_of_legendre(void **state)
 
 /* A slab between walls held at two temperatures, with uniform heating: a
  * parabola, T = T1 + (T2 - T1) z + Theta Q H z (1 - z)/(2 Kf). */
-static void slab_conduction(void **state)
+TEST(slab_conduction)
 {
-    (void)state;
     for (int points = 5; points <= 7; points += 2) {
         const ovr_sheet sheet = {.H = 0.3,
                                  .rho = 1.1,
@@ -169,7 +163,7 @@ static void slab_conduction(void **state)
 }
 
 /* Walls that take no heat: rho dT/dt = Theta tau u_z/H, all of it stays. */
-static void adiabatic_couette_heating(void **state)
+TEST(adiabatic_couette_heating)
 {
     const ovr_sheet sheet = {.H = 0.2,
                              .rho = 1.2,
@@ -183,7 +177,6 @@ static void adiabatic_couette_heating(void **state)
     double T[7] = {0}, step[7];
     ovr_cross_film a;
     ovr_cross_film_flow flow;
-    (void)state;
     ovr_cross_film_make(5, &a);
     for (int j = 0; j < 5; j++)
         step[j] = 0.01;
@@ -202,7 +195,7 @@ static void adiabatic_couette_heating(void **state)
 }
 
 /* Rows add up to the balance of energy, whatever the temperatures. */
-static void what_is_made_flows_out(void **state)
+TEST(what_is_made_flows_out)
 {
     ovr_heat hot = oil;
     const ovr_sheet sheet = {.H = 0.25,
@@ -220,7 +213,6 @@ static void what_is_made_flows_out(void **state)
     double departure[7] = {1, 2, 4, 3, 2}, T[7], step[7], made = 0, gone = 0;
     ovr_cross_film a;
     ovr_cross_film_flow flow;
-    (void)state;
     hot.C = 6, hot.S0 = 1.1, hot.expansion = 6e-4;
     ovr_cross_film_make(5, &a);
     ovr_cross_film_flow_of(&a, &hot, &sheet, departure, &flow);
@@ -238,31 +230,14 @@ static void what_is_made_flows_out(void **state)
     CHECK_CLOSE(gone, made, 1e-12);
 }
 
-static void viscosity_falls_with_temperature(void **state)
+TEST(viscosity_falls_with_temperature)
 {
     ovr_heat roelands = {.T0 = 353, .C = 6.4, .S0 = 1.1};
     ovr_heat barus = {.T0 = 353, .beta = 0.033};
-    (void)state;
     /* the slope at ambient pressure is beta = S0 C/(T0 - 138) */
     CHECK_CLOSE(-ovr_heat_log_viscosity(&roelands, 0, 1e-4) / 1e-4,
                 1.1 * 6.4 / 215, 1e-5);
     CHECK_CLOSE(ovr_heat_log_viscosity(&barus, 7, 10), 6.67, 1e-14);
     CHECK_CLOSE(ovr_heat_log_viscosity(&roelands, 12, 50),
                 18.4 * pow(265. / 215, -1.1) - 6.4, 1e-13);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(memory_is_one_over_sqrt),
-        cmocka_unit_test(memory_survives_other_steps),
-        cmocka_unit_test(under_a_uniform_source),
-        cmocka_unit_test(distance_from_the_full_solution),
-        cmocka_unit_test(last_of_legendre),
-        cmocka_unit_test(slab_conduction),
-        cmocka_unit_test(adiabatic_couette_heating),
-        cmocka_unit_test(what_is_made_flows_out),
-        cmocka_unit_test(viscosity_falls_with_temperature),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -171,14 +171,14 @@ static void same_end(const char *text, const char *folder, const long *at,
     "[feature dent]\nshape = dent\ndepth = 0.1\nwidth = 0.5\nstart = -4.6\n"
 
 /* It ends when nothing changes any more, which its last step shows. */
-static void the_last_step_of_an_automatic_end(void **state)
+TEST_IN_FOLDER(the_last_step_of_an_automatic_end)
 {
     same_end(CONTACT "[domain]\nlevel = 4\n[time]\nend = auto\n" DENT, *state,
              AT(-1, -2, -19, 3));
 }
 
 /* Nothing is kept of it, and it begins again. */
-static void stopped_before_it_begins(void **state)
+TEST_IN_FOLDER(stopped_before_it_begins)
 {
     same_end_of(false, CONTACT "[domain]\nlevel = 6\n[time]\nend = 0.1\n" DENT,
                 *state, AT(1, 4, 9));
@@ -191,7 +191,7 @@ static bool after_a_while(void *data)
     return (double)clock() / CLOCKS_PER_SEC > *(const double *)data;
 }
 
-static void a_long_start_is_stopped_at_once(void **state)
+TEST(a_long_start_is_stopped_at_once)
 {
     double when = (double)clock() / CLOCKS_PER_SEC + 1;
     ovr_error err = {0};
@@ -205,7 +205,6 @@ static void a_long_start_is_stopped_at_once(void **state)
         "case", NULL, NULL, &err);
     how.data = &when;
     how.interrupt = after_a_while;
-    (void)state;
     ovr_run *r = c ? ovr_run_create(c, &how, NULL, &err) : NULL;
     CHECK_OK(r ? OVR_OK : err.status, &err);
     CHECK_STATUS(ovr_run_go(r, &err), OVR_STOPPED, &err);
@@ -216,7 +215,7 @@ static void a_long_start_is_stopped_at_once(void **state)
 }
 
 /* On a level chosen before, which the run then shows to do worse. */
-static void warnings_of_a_chosen_level(void **state)
+TEST_IN_FOLDER(warnings_of_a_chosen_level)
 {
     same_end(CONTACT "[domain]\nlevel = auto\naccuracy = 0.004\n"
                      "accuracy_of = H_min\n[time]\nend = 1\n"
@@ -227,7 +226,7 @@ static void warnings_of_a_chosen_level(void **state)
 
 /* Too coarse for its features, with heat and pressures that steel cannot bear.
  */
-static void warnings_before_and_after(void **state)
+TEST_IN_FOLDER(warnings_before_and_after)
 {
     same_end("[contact]\nradius = 12.7 mm\nviscosity = 8.9 mPa.s\nM = 60\n"
              "L = 10\nmodulus = 226 GPa\nslide_to_roll = 1\n[domain]\n"
@@ -240,7 +239,7 @@ static void warnings_before_and_after(void **state)
 }
 
 /* Of corrections that did not converge, with the level that would do. */
-static void warnings_of_the_steady_start(void **state)
+TEST_IN_FOLDER(warnings_of_the_steady_start)
 {
     same_end("[contact]\nM = 400\nL = 6\n[domain]\nlevel = 8\norder = 4\n"
              "[solver]\nmax_cycles = 4\n[time]\nend = 0.02\n",
@@ -248,31 +247,11 @@ static void warnings_of_the_steady_start(void **state)
 }
 
 /* Stopped in each of them. */
-static void warnings_of_several_passes(void **state)
+TEST_IN_FOLDER(warnings_of_several_passes)
 {
     same_end(CONTACT "[domain]\nlevel = 4\n[time]\nend = 1\n[cavitation]\n"
                      "model = conserving\n[passes]\nnumber = 3\nloss = 0.1\n"
                      "loads = 1, 1.05, 1.1\n[feature dent]\nshape = dent\n"
                      "depth = 0.1\nwidth = 0.3\nstart = -2.5\n",
              *state, AT(2, -2, -1));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(the_last_step_of_an_automatic_end,
-                                        test_make_folder, test_remove_folder),
-        cmocka_unit_test_setup_teardown(stopped_before_it_begins,
-                                        test_make_folder, test_remove_folder),
-        cmocka_unit_test(a_long_start_is_stopped_at_once),
-        cmocka_unit_test_setup_teardown(warnings_of_a_chosen_level,
-                                        test_make_folder, test_remove_folder),
-        cmocka_unit_test_setup_teardown(warnings_before_and_after,
-                                        test_make_folder, test_remove_folder),
-        cmocka_unit_test_setup_teardown(warnings_of_the_steady_start,
-                                        test_make_folder, test_remove_folder),
-        cmocka_unit_test_setup_teardown(warnings_of_several_passes,
-                                        test_make_folder, test_remove_folder),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

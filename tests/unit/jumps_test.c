@@ -11,9 +11,8 @@
 #include "overroll/run.h"
 
 /* Without a continuation four of these twenty fail. */
-static void random_jumps_go_through(void **state)
+TEST(random_jumps_go_through)
 {
-    (void)state;
     test_jumps_survey(25165, 20);
 }
 
@@ -35,23 +34,13 @@ static ovr_status run_with(const char *text, double M, ovr_error *err)
 
 /* A jump of load by a quarter, then one of speed, in a rough, hot, shear
  * thinning film: what is found does not hang on the last digits of the case. */
-static void little_changes_change_little(void **state)
+TEST(little_changes_change_little)
 {
     static test_random_case d;
-    (void)state;
     test_write_points("thinning.csv");
     test_mixed_case(&d, 22068, 6);
     for (int k = -3; k <= 3; k++) {
         ovr_error err = {0};
         CHECK_OK(run_with(d.text, 176.339 * (1 + 1e-6 * k), &err), &err);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(random_jumps_go_through),
-        cmocka_unit_test(little_changes_change_little),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -54,11 +54,10 @@ static void on_every_set(check *agree)
 
 /* Every node where lanes.h says, what the neighbours hold in the halos, and
  * back again; lanes that divide the grid or do not. */
-static void lanes_hold_the_nodes(void **state)
+TEST(lanes_hold_the_nodes)
 {
     static const size_t nodes[] = {15, 29, 57, 113, 449};
     const ovr_kernels *run;
-    (void)state;
     for (int k = 0; (run = test_kernels(k)); k++)
         for (size_t m = 0; m < 5; m++) {
             test_grid b = test_grid_make(run, nodes[m]);
@@ -97,9 +96,8 @@ static void residual_agrees(const test_grid *plain, const test_grid *other)
         imbalance, 1e-12);
 }
 
-static void residuals_agree(void **state)
+TEST(residuals_agree)
 {
-    (void)state;
     on_every_set(residual_agrees);
 }
 
@@ -163,17 +161,15 @@ static void line_agrees(const test_grid *plain, const test_grid *other)
     }
 }
 
-static void lines_agree(void **state)
+TEST(lines_agree)
 {
-    (void)state;
     on_every_set(line_agrees);
 }
 
 /* What the solver leaves of the rows it was given. */
-static void band_solver_solves_the_band(void **state)
+TEST(band_solver_solves_the_band)
 {
     const ovr_kernels *run;
-    (void)state;
     for (int k = 0; (run = test_kernels(k)); k++) {
         test_grid plain = test_grid_make(test_kernels(0), N);
         test_grid b = test_grid_make(run, N);
@@ -199,12 +195,11 @@ static void band_solver_solves_the_band(void **state)
 }
 
 /* On a grid so fine that the rows where lanes meet are solved once more. */
-static void band_solver_solves_long_lanes(void **state)
+TEST(band_solver_solves_long_lanes)
 {
     const size_t n = ((size_t)7 << 15) + 1;
     const ovr_kernels *run;
     uint64_t seed = 14;
-    (void)state;
     test_grid plain = test_grid_make(test_kernels(0), n);
     for (int k = 0; (run = test_kernels(k)); k++) {
         test_grid w = test_grid_make(run, n);
@@ -277,11 +272,10 @@ static void transfer_agrees(const ovr_kernels *run, size_t n)
     }
 }
 
-static void transfers_agree(void **state)
+TEST(transfers_agree)
 {
     static const size_t nodes[] = {29, 57, 113, N};
     const ovr_kernels *run;
-    (void)state;
     for (int k = 1; (run = test_kernels(k)); k++)
         for (size_t m = 0; m < 4; m++)
             transfer_agrees(run, nodes[m]);
@@ -312,9 +306,8 @@ static void coarse_fields_agree(const test_grid *plain, const test_grid *other)
         CHECK_NEAR(here[i], there[i], 1e-15);
 }
 
-static void coarse_grids_agree(void **state)
+TEST(coarse_grids_agree)
 {
-    (void)state;
     on_every_set(coarse_fields_agree);
 }
 
@@ -344,10 +337,9 @@ static void sweep(const ovr_kernels *run, swept *s)
 }
 
 /* Any two of plain loops, baseline, AVX2 and AVX-512 differ by rounding. */
-static void instruction_sets_agree(void **state)
+TEST(instruction_sets_agree)
 {
     static swept s[4];
-    (void)state;
     for (int k = 0; test_kernels(k); k++) {
         sweep(test_kernels(k), &s[k]);
         for (int m = 0; m < k; m++) {
@@ -361,27 +353,10 @@ static void instruction_sets_agree(void **state)
     }
 }
 
-static void sets_are_chosen_by_name(void **state)
+TEST(sets_are_chosen_by_name)
 {
-    (void)state;
     assert_null(ovr_kernels_choose("mmx"));
     assert_non_null(ovr_kernels_choose("base"));
     assert_non_null(ovr_kernels_choose("plain"));
     assert_true(ovr_kernels_choose(NULL)->lanes > 1);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(lanes_hold_the_nodes),
-        cmocka_unit_test(residuals_agree),
-        cmocka_unit_test(lines_agree),
-        cmocka_unit_test(band_solver_solves_the_band),
-        cmocka_unit_test(band_solver_solves_long_lanes),
-        cmocka_unit_test(transfers_agree),
-        cmocka_unit_test(coarse_grids_agree),
-        cmocka_unit_test(instruction_sets_agree),
-        cmocka_unit_test(sets_are_chosen_by_name),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,16 +6,14 @@
 #include "../support/test.h"
 #include "overroll/case.h"
 
-static void errors_are_asked_for(void **state)
+TEST(errors_are_asked_for)
 {
-    (void)state;
     test_levels_steady(20261122, 10);
     test_levels_in_time(7, 1);
 }
 
-static void usual_levels_do(void **state)
+TEST(usual_levels_do)
 {
-    (void)state;
     test_levels_usual(30, 5);
 }
 
@@ -35,14 +33,13 @@ static double expected(const char *text, int *level)
     return error;
 }
 
-static void narrow_features_take_finer_levels(void **state)
+TEST(narrow_features_take_finer_levels)
 {
     const char *dent = "[contact]\nM = 20\nL = 10\n[domain]\nlevel = auto\n"
                        "%s[time]\nend = 1\nscheme = %s\n[feature d]\n"
                        "shape = dent\ndepth = 0.01\nwidth = %s\nstart = -6\n";
     char text[400];
     int wide, narrow, smeared, of_features;
-    (void)state;
     snprintf(text, sizeof text, dent, "", "characteristic", "0.5");
     assert_true(expected(text, &wide) <= 1e-3);
     snprintf(text, sizeof text, dent, "", "characteristic", "0.02");
@@ -58,22 +55,10 @@ static void narrow_features_take_finer_levels(void **state)
     assert_int_equal(smeared, 14);
 }
 
-static void given_levels_stay(void **state)
+TEST(given_levels_stay)
 {
     int level;
-    (void)state;
     assert_true(expected("[contact]\nM = 800\nL = 14\n[domain]\nlevel = 5\n",
                          &level) > 1e-2);
     assert_int_equal(level, 5);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(errors_are_asked_for),
-        cmocka_unit_test(narrow_features_take_finer_levels),
-        cmocka_unit_test(given_levels_stay),
-        cmocka_unit_test(usual_levels_do),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -83,7 +83,7 @@ static size_t look(const char *path, test_dent *d, uint64_t *seed, bool *ended)
     return rows;
 }
 
-static void never_sees_a_wrong_value(void **state)
+TEST_IN_FOLDER(never_sees_a_wrong_value)
 {
     const char *path = test_path(*state, "live.h5");
     size_t rows = 0, looks = 0, grown = 0;
@@ -110,13 +110,4 @@ static void never_sees_a_wrong_value(void **state)
     assert_true(grown > 5);
     print_message("%zu looks, %zu of them at a longer file\n", looks, grown);
     test_dent_free(&d);
-}
-
-#define TEST(name)                                                             \
-    cmocka_unit_test_setup_teardown(name, test_make_folder, test_remove_folder)
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {TEST(never_sees_a_wrong_value)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

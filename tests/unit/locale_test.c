@@ -55,7 +55,7 @@ static void write_all(const char *folder, char *content[])
         content[k] = test_read(test_path(folder, names[k]), NULL);
 }
 
-static void files_have_points(void **state)
+TEST_IN_FOLDER(files_have_points)
 {
     char *plain[FILES], *comma[FILES], half[8];
     if (system("command -v gnuplot >/dev/null")) /* NOLINT(cert-env33-c) */
@@ -75,11 +75,4 @@ static void files_have_points(void **state)
         free(plain[k]);
         free(comma[k]);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test_setup_teardown(
-        files_have_points, test_make_folder, test_remove_folder)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -35,11 +35,10 @@ static double brute(size_t n, const float *p)
     return best;
 }
 
-static void circles_are_the_smallest(void **state)
+TEST(circles_are_the_smallest)
 {
     enum { N = 24 };
     uint64_t seed = 5;
-    (void)state;
     for (int round = 0; round < 40; round++) {
         float p[2 * N];
         for (size_t k = 0; k < sizeof p / sizeof *p; k++)
@@ -54,11 +53,10 @@ static void circles_are_the_smallest(void **state)
 }
 
 /* Right, obtuse, on one line, one point, all the same. */
-static void circles_of_few_points(void **state)
+TEST(circles_of_few_points)
 {
     const float right[] = {0, 0, 4, 0, 0, 3}, line[] = {0, 0, 1, 1, 3, 3};
     const float flat[] = {0, 0, 4, 0, 2, 0.5F}, one[] = {2, 3, 2, 3, 2, 3};
-    (void)state;
     CHECK_NEAR(ovr_smallest_circle(3, right).radius, 2.5, 1e-12);
     CHECK_NEAR(ovr_smallest_circle(3, line).radius, 1.5 * sqrt(2), 1e-12);
     CHECK_NEAR(ovr_smallest_circle(3, flat).radius, 2, 1e-12);
@@ -68,11 +66,10 @@ static void circles_of_few_points(void **state)
 }
 
 /* From extents the radius is low by no more than 1 - cos(pi/32). */
-static void circles_of_extents_bound_from_below(void **state)
+TEST(circles_of_extents_bound_from_below)
 {
     enum { N = 60 };
     uint64_t seed = 9;
-    (void)state;
     for (int round = 0; round < 100; round++) {
         float p[2 * N];
         double high[OVR_HALF_DIRECTIONS], low[OVR_HALF_DIRECTIONS];
@@ -100,10 +97,9 @@ static void circles_of_extents_bound_from_below(void **state)
 
 /* ------------------------------------------------- the smooth dry contact */
 
-static void hertz_of_every_criterion(void **state)
+TEST(hertz_of_every_criterion)
 {
     double z;
-    (void)state;
     CHECK_NEAR(ovr_hertz_criterion(OVR_CRITERION_CIRCLE, 0, 0.3, &z), 0.25,
                1e-9);
     CHECK_NEAR(z, 0.5, 1e-4);
@@ -126,11 +122,10 @@ static void hertz_of_every_criterion(void **state)
 
 /* A whole path of it, to the exact circle: d of its centre is that of the
  * sample next to the largest tau, 1e-4 apart, hence 5e-6. */
-static void dang_van_of_a_path(void **state)
+TEST(dang_van_of_a_path)
 {
     enum { N = 40001 };
     float *s = calloc((size_t)2 * N, sizeof *s), *hydro = calloc(N, sizeof *s);
-    (void)state;
     assert_true(s && hydro);
     for (size_t k = 0; k < ROWS(truth_dang_van_at); k++) {
         const double *r = truth_dang_van_at[k];
@@ -235,10 +230,9 @@ static ovr_life_result life_of(const ovr_material_history *p,
 
 /* Amplitudes of a steady material history: orthogonal, circle, and what they
  * are by closed form; Hertz' own edges converge slowly (1e-3 at z = 0.05). */
-static void smooth_rolling_has_its_amplitudes(void **state)
+TEST(smooth_rolling_has_its_amplitudes)
 {
     ovr_stress_options o = level8();
-    (void)state;
     for (size_t k = 0; k < ROWS(truth_orthogonal); k++) {
         const double *r = truth_orthogonal[k];
         static double P[NODES];
@@ -264,11 +258,10 @@ static void smooth_rolling_has_its_amplitudes(void **state)
 
 /* A steady contact does no more harm than itself, rolled or slid through; the
  * ways of sliding hit the nodes nowhere twice. */
-static void a_steady_contact_adds_no_risk(void **state)
+TEST(a_steady_contact_adds_no_risk)
 {
     const double ways[] = {1, 1.15, -0.85};
     ovr_stress_options o = level8();
-    (void)state;
     for (size_t k = 0; k < sizeof ways / sizeof *ways; k++) {
         ovr_life_options life = ovr_life_options_default();
         ovr_material_range range = about(ways[k] > 0 ? -3 : 3);
@@ -283,12 +276,11 @@ static void a_steady_contact_adds_no_risk(void **state)
 }
 
 /* The same material history, another window: risk does not depend on it. */
-static void the_window_does_not_matter(void **state)
+TEST(the_window_does_not_matter)
 {
     ovr_stress_options o = level8();
     ovr_life_options life = ovr_life_options_default();
     double length[2];
-    (void)state;
     life.least_depth = 8 * D;
     for (int k = 0; k < 2; k++) {
         ovr_material_range range = about(-3);
@@ -303,12 +295,11 @@ static void the_window_does_not_matter(void **state)
 }
 
 /* Mirrored in X, rolled backward: the same history. */
-static void backward_is_the_mirror_of_forward(void **state)
+TEST(backward_is_the_mirror_of_forward)
 {
     ovr_stress_options o = level8();
     ovr_life_options life = ovr_life_options_default();
     ovr_life_result result[2];
-    (void)state;
     o.inlet = -2.75;
     life.least_depth = 8 * D;
     for (int k = 0; k < 2; k++) {
@@ -341,12 +332,11 @@ static void backward_is_the_mirror_of_forward(void **state)
 }
 
 /* More points than the fields have nodes, all of one steady contact. */
-static void windows_may_be_wider_than_the_fields(void **state)
+TEST(windows_may_be_wider_than_the_fields)
 {
     ovr_stress_options o = level8();
     static double P[NODES];
     double smooth;
-    (void)state;
     ovr_material_range range = about(0);
     ovr_moment m = {.direction = 1};
     range.from = -10, range.to = 10;
@@ -367,11 +357,10 @@ static void windows_may_be_wider_than_the_fields(void **state)
 
 /* Points whose material history the run cut while the hump was in the contact.
  */
-static void what_was_cut_is_told(void **state)
+TEST(what_was_cut_is_told)
 {
     ovr_stress_options o = level8();
     static double P[NODES];
-    (void)state;
     ovr_material_range range = about(-3);
     ovr_material_history *p = made(&o, &range);
     ovr_moment m = {.direction = 1, .dU = D};
@@ -390,7 +379,7 @@ static void what_was_cut_is_told(void **state)
 }
 
 /* A state copied in the middle goes on with the same bits. */
-static void a_copied_state_goes_on(void **state)
+TEST(a_copied_state_goes_on)
 {
     enum { STEPS = 300, HALF = 140 };
     ovr_stress_options o = level8();
@@ -399,7 +388,6 @@ static void a_copied_state_goes_on(void **state)
     ovr_material_history *p[2] = {made(&o, &range), made(&o, &range)};
     const ovr_memory_piece *a, *b;
     size_t pieces = ovr_material_history_state(p[0], &a);
-    (void)state;
     ovr_material_history_state(p[1], &b);
     for (long k = 0; k <= STEPS; k++) {
         double U = (double)k * 1.3 * D;
@@ -421,12 +409,11 @@ static void a_copied_state_goes_on(void **state)
 }
 
 /* Residual stresses leave amplitudes and move von Mises by what they are. */
-static void residual_stresses_are_added(void **state)
+TEST(residual_stresses_are_added)
 {
     ovr_stress_options o = level8();
     static double P[NODES];
     double R[2], mises[2], hydro[2];
-    (void)state;
     hertz(1, P);
     o.depth_min = o.depth_max = 0.5;
     for (int k = 0; k < 2; k++) {
@@ -480,11 +467,10 @@ static size_t closed_form(double *z, double *A)
     return n;
 }
 
-static void risk_is_the_integral(void **state)
+TEST(risk_is_the_integral)
 {
     double z[64], A[64], risk[64];
     size_t n = closed_form(z, A);
-    (void)state;
     for (size_t k = 0; k < ROWS(truth_life); k++) {
         ovr_life_options life = ovr_life_options_default();
         life.limit = truth_life[k][0];
@@ -495,12 +481,11 @@ static void risk_is_the_integral(void **state)
 }
 
 /* Load 2: p_h and b grow by sqrt 2; life falls as p_h^-8. */
-static void life_falls_with_the_eighth_power(void **state)
+TEST(life_falls_with_the_eighth_power)
 {
     double z[64], A[64], risk[64];
     size_t n = closed_form(z, A);
     ovr_life_options life = ovr_life_options_default();
-    (void)state;
     ovr_risk(&life, n, z, A, risk);
     double once = risk[0], factor = sqrt(2);
     for (size_t j = 0; j < n; j++) {
@@ -512,23 +497,21 @@ static void life_falls_with_the_eighth_power(void **state)
     CHECK_NEAR(log(lives) / log(factor), -8, 1e-6);
 }
 
-static void raceways_lose_what_features_add(void **state)
+TEST(raceways_lose_what_features_add)
 {
     ovr_life_options life = ovr_life_options_default();
-    (void)state;
     CHECK_NEAR(ovr_life_ratio(&life, 0, 100, 7), 1, 0);
     CHECK_CLOSE(ovr_life_ratio(&life, 50, 100, 2), pow(2, -8. / 9), 1e-12);
     assert_true(isnan(ovr_life_ratio(&life, -200, 100, 1)));
 }
 
 /* Below the limit there is nothing to compare with. */
-static void below_the_limit_there_is_no_length(void **state)
+TEST(below_the_limit_there_is_no_length)
 {
     ovr_stress_options o = level8();
     ovr_material_range range = about(-3);
     ovr_life_options life = ovr_life_options_default();
     double length[64];
-    (void)state;
     life.least_depth = 8 * D;
     life.limit = 0.4;
     ovr_material_history *p = made(&o, &range);
@@ -543,12 +526,11 @@ static void below_the_limit_there_is_no_length(void **state)
 /* ------------------------------------------------------------------ refusals
  */
 
-static void nonsense_is_refused(void **state)
+TEST(nonsense_is_refused)
 {
     ovr_stress_options o = level8();
     ovr_error err;
     ovr_material_range range = about(0);
-    (void)state;
     range.to = range.from;
     assert_null(ovr_material_history_create(&o, &range, NULL, &err));
     CHECK_ERROR(&err, OVR_BAD_INPUT, "must be below the second");
@@ -578,37 +560,10 @@ static ovr_status try_to_make(void *options, const ovr_allocator *hook,
     return p ? OVR_OK : err->status;
 }
 
-static void memory_may_run_out(void **state)
+TEST(memory_may_run_out)
 {
     ovr_stress_options o = level8();
-    (void)state;
     o.mesh = 5.5 / 112;
     o.nodes = 113;
     assert_true(test_every_allocation(try_to_make, &o) > 1);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(circles_are_the_smallest),
-        cmocka_unit_test(circles_of_few_points),
-        cmocka_unit_test(circles_of_extents_bound_from_below),
-        cmocka_unit_test(hertz_of_every_criterion),
-        cmocka_unit_test(dang_van_of_a_path),
-        cmocka_unit_test(smooth_rolling_has_its_amplitudes),
-        cmocka_unit_test(a_steady_contact_adds_no_risk),
-        cmocka_unit_test(the_window_does_not_matter),
-        cmocka_unit_test(backward_is_the_mirror_of_forward),
-        cmocka_unit_test(windows_may_be_wider_than_the_fields),
-        cmocka_unit_test(what_was_cut_is_told),
-        cmocka_unit_test(a_copied_state_goes_on),
-        cmocka_unit_test(residual_stresses_are_added),
-        cmocka_unit_test(risk_is_the_integral),
-        cmocka_unit_test(life_falls_with_the_eighth_power),
-        cmocka_unit_test(raceways_lose_what_features_add),
-        cmocka_unit_test(below_the_limit_there_is_no_length),
-        cmocka_unit_test(nonsense_is_refused),
-        cmocka_unit_test(memory_may_run_out),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

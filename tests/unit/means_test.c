@@ -26,7 +26,7 @@ static void dent(void *data, double T, size_t n, const double *X, double *S)
         S[i] = -0.1 * exp(-pow((X[i] + 1 - T) / 0.3, 2));
 }
 
-static void means_by_hand(void **state)
+TEST(means_by_hand)
 {
     static const double steps[] = {0.02, 0.05, 0.03, 0.04};
     test_hot hot = test_hot_make(20, 10, 0.4, 5e6, NULL);
@@ -35,7 +35,6 @@ static void means_by_hand(void **state)
     const ovr_observation *o = ovr_simulation_observation(sim);
     double H = 0, mu = 0, power = 0, rise = 0, T = 0;
     ovr_error err = {0};
-    (void)state;
     ovr_simulation_surface(sim, dent, NULL);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     CHECK_CLOSE(s->mean.H_mean, film(sim), 1e-12);
@@ -53,10 +52,4 @@ static void means_by_hand(void **state)
         CHECK_CLOSE(s->mean.T_1_max_rise, rise / T, 1e-12);
     }
     ovr_simulation_free(sim);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(means_by_hand)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

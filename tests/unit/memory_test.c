@@ -55,7 +55,7 @@ static ovr_surfaces *rough(const ovr_simulation *sim,
 }
 
 /* A rough steady solution and a run allocate nothing. */
-static void nothing_is_allocated_after_set_up(void **state)
+TEST(nothing_is_allocated_after_set_up)
 {
     static const kind kinds[] = {{6, OVR_UPSTREAM1, OVR_LINE, false},
                                  {6, OVR_CHARACTERISTIC, OVR_LINE, false},
@@ -64,7 +64,6 @@ static void nothing_is_allocated_after_set_up(void **state)
                                  {8, OVR_UPSTREAM2, OVR_LINE, true},
                                  {10, OVR_UPSTREAM2, OVR_LINE, false},
                                  {10, OVR_CHARACTERISTIC, OVR_LINE, true}};
-    (void)state;
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++) {
         ovr_error err;
         test_faults faults;
@@ -89,7 +88,7 @@ static void nothing_is_allocated_after_set_up(void **state)
 
 /* All levels and the past of a run together, as the allocator sees it; what
  * small grids take besides is the dense matrix and some pages. */
-static void a_node_takes_less_than_a_kilobyte(void **state)
+TEST(a_node_takes_less_than_a_kilobyte)
 {
     static const struct {
         ovr_scheme scheme;
@@ -99,7 +98,6 @@ static void a_node_takes_less_than_a_kilobyte(void **state)
     } kinds[] = {{OVR_UPSTREAM2, OVR_LINE, 1000, 650},
                  {OVR_CHARACTERISTIC, OVR_LINE, 1050, 650},
                  {OVR_UPSTREAM2, OVR_HYBRID, 1100, 720}};
-    (void)state;
     for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
         for (int level = 8; level <= 14; level++) {
             test_faults faults;
@@ -119,9 +117,8 @@ static void a_node_takes_less_than_a_kilobyte(void **state)
 }
 
 /* What heat takes is counted, too. */
-static void heat_is_announced(void **state)
+TEST(heat_is_announced)
 {
-    (void)state;
     for (int points = 5; points <= 7; points += 2) {
         test_faults faults;
         ovr_error err = {0};
@@ -148,10 +145,9 @@ static void heat_is_announced(void **state)
 }
 
 /* Of levels that no machine here has memory for: counted, not taken. */
-static void finer_levels_take_twice_as_much(void **state)
+TEST(finer_levels_take_twice_as_much)
 {
     double before = 0;
-    (void)state;
     for (int level = 15; level < 24; level++) {
         ovr_options options = ovr_options_default();
         options.level = level;
@@ -163,15 +159,4 @@ static void finer_levels_take_twice_as_much(void **state)
             assert_true(isfinite(bytes));
     }
     assert_true(isinf(ovr_simulation_memory(&(ovr_options){.level = 99})));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(nothing_is_allocated_after_set_up),
-        cmocka_unit_test(a_node_takes_less_than_a_kilobyte),
-        cmocka_unit_test(heat_is_announced),
-        cmocka_unit_test(finer_levels_take_twice_as_much),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -113,9 +113,8 @@ static double error_of(double wavelength, double spacing, bool uniform,
     return worst;
 }
 
-static void fine_and_coarse_profiles_meet_the_grid(void **state)
+TEST(fine_and_coarse_profiles_meet_the_grid)
 {
-    (void)state;
     /* finer than the grid (D = 0.0061): nothing that it carries is lost */
     assert_true(error_of(0.3, 0.0003, true, 0) < 1e-6);
     assert_true(error_of(4 * D, 0.0003, true, 0) < 2e-4);
@@ -129,18 +128,16 @@ static void fine_and_coarse_profiles_meet_the_grid(void **state)
 }
 
 /* A wave shorter than two meshes would come back as a long one. */
-static void short_waves_do_not_alias(void **state)
+TEST(short_waves_do_not_alias)
 {
-    (void)state;
     assert_true(error_of(0.3, 0.0004, true, 1) < 2e-4);
 }
 
 /* Physical units, moving, through the same path. */
-static void metres_become_hertzian_units(void **state)
+TEST(metres_become_hertzian_units)
 {
     ovr_feature_form form = on_grid();
     ovr_surfaces *s;
-    (void)state;
     for (size_t i = 0; i < 1001; i++) {
         x[i] = 2e-4 * 0.005 * (double)i;
         z[i] = 4e-6 * packet(0.005 * (double)i - 2.5, 0.5);
@@ -165,10 +162,9 @@ static double steepest(void)
 }
 
 /* A plateau enters without a step. */
-static void ends_are_blended(void **state)
+TEST(ends_are_blended)
 {
     ovr_feature_form form = on_grid();
-    (void)state;
     for (size_t i = 0; i < 201; i++)
         x[i] = 0.01 * (double)i, z[i] = 1;
     save(201, true);
@@ -182,9 +178,8 @@ static void ends_are_blended(void **state)
             CHECK_NEAR(S[i], 1, 1e-9);
 }
 
-static void profiles_go_on_without_end(void **state)
+TEST(profiles_go_on_without_end)
 {
-    (void)state;
     for (size_t i = 0; i < 501; i++)
         x[i] = 0.002 * (double)i, z[i] = sin(2 * PI * x[i]) + x[i];
     save(501, true);
@@ -212,10 +207,9 @@ static void profiles_go_on_without_end(void **state)
 }
 
 /* With a start, endless profiles begin there. */
-static void endless_profiles_have_a_front(void **state)
+TEST(endless_profiles_have_a_front)
 {
     ovr_feature_form form = on_grid();
-    (void)state;
     for (size_t i = 0; i < 501; i++)
         x[i] = 0.002 * (double)i, z[i] = 1;
     save(501, true);
@@ -231,7 +225,7 @@ static void endless_profiles_have_a_front(void **state)
     }
 }
 
-static void profiles_need_scales_and_places(void **state)
+TEST(profiles_need_scales_and_places)
 {
     ovr_contact c = {.M = 20,
                      .L = 10,
@@ -242,7 +236,6 @@ static void profiles_need_scales_and_places(void **state)
     ovr_feature_form form = on_grid();
     ovr_error err;
     ovr_surfaces *s = ovr_surfaces_create(&c, NULL, D, NULL, &err);
-    (void)state;
     for (size_t i = 0; i < 501; i++)
         x[i] = 0.002 * (double)i, z[i] = 1;
     save(501, false);
@@ -270,11 +263,10 @@ static ovr_status add_once(void *data, const ovr_allocator *hook,
     return status;
 }
 
-static void every_allocation_may_fail(void **state)
+TEST(every_allocation_may_fail)
 {
     ovr_feature_form form = on_grid();
     ovr_roughness roughness = ovr_roughness_default();
-    (void)state;
     for (size_t i = 0; i < 2001; i++)
         x[i] = 0.002 * (double)i + (i ? 0.0003 : 0), z[i] = sin(x[i]);
     save(2001, true);
@@ -285,17 +277,4 @@ static void every_allocation_may_fail(void **state)
     assert_true(test_every_allocation(add_once, &form) > 5);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(fine_and_coarse_profiles_meet_the_grid),
-        cmocka_unit_test(short_waves_do_not_alias),
-        cmocka_unit_test(metres_become_hertzian_units),
-        cmocka_unit_test(ends_are_blended),
-        cmocka_unit_test(profiles_go_on_without_end),
-        cmocka_unit_test(endless_profiles_have_a_front),
-        cmocka_unit_test(profiles_need_scales_and_places),
-        cmocka_unit_test(every_allocation_may_fail),
-    };
-    return cmocka_run_group_tests(tests, prepare, clear);
-}
+TEST_GROUP(prepare, clear)

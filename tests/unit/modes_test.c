@@ -145,11 +145,10 @@ static double run(surface *s, double time)
 
 /* Steady as it begins, and as it is after having moved on for so long that all
  * has changed; a surface of Pe = 100 by the march of steps alone. */
-static void moving_sources(void **state)
+TEST(moving_sources)
 {
     static surface s;
     const double D = 1. / 128;
-    (void)state;
     for (size_t k = 0; k < sizeof truths / sizeof *truths; k++) {
         const struct truth *t = &truths[k];
         double begins, stays;
@@ -193,11 +192,10 @@ static double exact(double X, double u, double kappa, double t)
 }
 
 /* Below the Peclet number of 0.1, by the same quadrature over a long time. */
-static void slower_sources(void **state)
+TEST(slower_sources)
 {
     static surface s;
     const double D = 1. / 64;
-    (void)state;
     for (double Pe = 0.05; Pe < 0.1; Pe += 0.02)
         for (double u = 0.1; u < 2; u *= 10) {
             double T = 0;
@@ -233,7 +231,7 @@ static double cold_start(double u, double kappa, double time)
 
 /* What goes on beyond the ends as if it had always been there comes back too
  * warm from there where a surface is slow. */
-static void cold_starts(void **state)
+TEST(cold_starts)
 {
     static const struct slow {
         double u, kappa, off;
@@ -241,7 +239,6 @@ static void cold_starts(void **state)
                 {1, 0.1, 5e-4},  {1.5, 0.1, 5e-4},  {1, 0.5, 5e-4},
                 {-1, 0.5, 5e-4}, {0.5, 0.5, 1e-3},  {1, 1, 1e-3},
                 {-0.6, 1, 5e-3}, {1, 2.5, 1.5e-2}};
-    (void)state;
     for (size_t k = 0; k < sizeof slow / sizeof *slow; k++)
         for (double t = 0.5; t < 40; t *= 4)
             assert_true(cold_start(slow[k].u, slow[k].kappa, t) < slow[k].off);
@@ -250,11 +247,10 @@ static void cold_starts(void **state)
 
 /* A domain that ends where nothing is taken up any more, but where it is still
  * warm, and one that goes on. */
-static void ends_are_not_felt(void **state)
+TEST(ends_are_not_felt)
 {
     static surface wide, narrow;
     const double D = 1. / 64;
-    (void)state;
     for (double u = -1; u <= 1; u += 1)
         for (double kappa = 0.1; kappa < 2; kappa *= 3) {
             make(&wide, ELLIPTIC, kappa, u, -7, 1.5, D, D);
@@ -272,11 +268,10 @@ static void ends_are_not_felt(void **state)
 }
 
 /* The sweeps are the inverse of 1 + x + x^2/2, x = r (2 - E - 1/E). */
-static void sweeps_invert(void **state)
+TEST(sweeps_invert)
 {
     static surface s;
     static double v[MAX], w[MAX];
-    (void)state;
     make(&s, ELLIPTIC, 0.7, 1, -4, 1.5, 1. / 64, 1. / 50);
     double r = s.kappa * s.dT / (s.D * s.D);
     for (int k = 0; k < OVR_MODES; k++)
@@ -297,13 +292,12 @@ static void sweeps_invert(void **state)
 
 /* --------------------------------------------------------------- kernels */
 
-static void kernels_agree(void **state)
+TEST(kernels_agree)
 {
     static surface s;
     static double plain[MAX * OVR_MODES], here[MAX * OVR_MODES];
     const ovr_kernels *by_nodes = test_kernels(0), *other;
     uint64_t seed = 3;
-    (void)state;
     for (double u = -3.3; u < 4; u += 1.1)
         for (int conducts = 0; conducts < 2; conducts++) {
             make(&s, SPIKE, conducts ? 0.4 : 0, u, -1, 1.5, 0.04, 0.05);
@@ -329,14 +323,13 @@ static void kernels_agree(void **state)
 }
 
 /* Any sweeps that are stable. */
-static void sweeps_agree(void **state)
+TEST(sweeps_agree)
 {
     enum { N = 61 };
     double start[N * OVR_SWEPT], plain[N * OVR_SWEPT], here[N * OVR_SWEPT];
     const ovr_kernels *by_nodes = test_kernels(0), *other;
     uint64_t seed = 4;
     ovr_swept set;
-    (void)state;
     for (int l = 0; l < OVR_SWEPT; l++) {
         double size = test_random(&seed, 0, 0.95);
         set.c[l] = test_random(&seed, 0, 1);
@@ -359,15 +352,4 @@ static void sweeps_agree(void **state)
         for (int i = 0; i < N * OVR_SWEPT; i++)
             CHECK_NEAR(here[i], plain[i], 1e-9);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(moving_sources), cmocka_unit_test(slower_sources),
-        cmocka_unit_test(cold_starts),    cmocka_unit_test(ends_are_not_felt),
-        cmocka_unit_test(sweeps_invert),  cmocka_unit_test(kernels_agree),
-        cmocka_unit_test(sweeps_agree),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

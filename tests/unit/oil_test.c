@@ -81,12 +81,11 @@ static long double yasutomi(const ovr_oil *oil, long double p)
                        yasutomi_exponent(&oil->yasutomi, 0));
 }
 
-static void viscosities_by_their_formulas(void **state)
+TEST(viscosities_by_their_formulas)
 {
     ovr_oil d = an_oil(OVR_DOOLITTLE, OVR_TAIT);
     ovr_oil y = an_oil(OVR_YASUTOMI, OVR_INCOMPRESSIBLE);
     ovr_lubricant by_d = scaled(&d), by_y = scaled(&y);
-    (void)state;
     for (double P = 0.01; P < 1.6; P += 0.083) {
         CHECK_CLOSE(log(ovr_viscosity(&by_d, P)),
                     (double)doolittle(&d, P * 1e9L), 1e-13);
@@ -98,12 +97,11 @@ static void viscosities_by_their_formulas(void **state)
 }
 
 /* alpha is the slope of ln eta at p = 0. */
-static void alpha_is_the_slope(void **state)
+TEST(alpha_is_the_slope)
 {
     ovr_oil d = an_oil(OVR_DOOLITTLE, OVR_TAIT);
     ovr_oil y = an_oil(OVR_YASUTOMI, OVR_INCOMPRESSIBLE);
     long double h = 1e3;
-    (void)state;
     scaled(&d);
     scaled(&y);
     CHECK_CLOSE(d.alpha,
@@ -117,10 +115,9 @@ static void alpha_is_the_slope(void **state)
 }
 
 /* At its glass transition an oil has the viscosity of a glass. */
-static void viscosity_from_the_glass(void **state)
+TEST(viscosity_from_the_glass)
 {
     ovr_oil y = an_oil(OVR_YASUTOMI, OVR_INCOMPRESSIBLE);
-    (void)state;
     y.viscosity = NAN;
     y.glass_viscosity = 1e12;
     scaled(&y);
@@ -151,13 +148,12 @@ static ovr_law_table *a_table(ovr_table_of what)
     return table;
 }
 
-static void tables_are_monotone_splines(void **state)
+TEST(tables_are_monotone_splines)
 {
     ovr_oil oil = an_oil(OVR_VISCOSITY_TABLE, OVR_DENSITY_TABLE);
     gsl_spline *spline = gsl_spline_alloc(gsl_interp_steffen, POINTS);
     double y[POINTS], end, before = 0;
     ovr_lubricant made;
-    (void)state;
     oil.viscosity_table = a_table(OVR_TABLE_OF_VISCOSITY);
     oil.density_table = a_table(OVR_TABLE_OF_DENSITY);
     made = scaled(&oil);
@@ -189,7 +185,7 @@ static void tables_are_monotone_splines(void **state)
 }
 
 /* A law that is tabulated finely comes back. */
-static void a_table_of_a_law_is_the_law(void **state)
+TEST(a_table_of_a_law_is_the_law)
 {
     enum { FINE = 400 };
     ovr_oil d = an_oil(OVR_DOOLITTLE, OVR_INCOMPRESSIBLE);
@@ -197,7 +193,6 @@ static void a_table_of_a_law_is_the_law(void **state)
     ovr_lubricant by_d = scaled(&d), by_t;
     double p[FINE], eta[FINE];
     ovr_law_table *table;
-    (void)state;
     for (int i = 0; i < FINE; i++) {
         p[i] = 1.2e9 * i / (FINE - 1);
         eta[i] = 0.01 * ovr_viscosity(&by_d, p[i] / 1e9);
@@ -222,9 +217,8 @@ static void bad_table(size_t n, double p0, double p1, double v1)
     assert_int_equal(err.status, OVR_BAD_INPUT);
 }
 
-static void bad_tables_are_refused(void **state)
+TEST(bad_tables_are_refused)
 {
-    (void)state;
     bad_table(1, 0, 1e8, 2);
     bad_table(3, 2e6, 1e8, 2); /* not ambient */
     bad_table(3, 0, 2e9, 2);   /* pressures fall */
@@ -241,12 +235,11 @@ static double fluidity(double P, void *lubricant)
     return 1 / ovr_viscosity(lubricant, P);
 }
 
-static void asymptotic_alpha_by_quadrature(void **state)
+TEST(asymptotic_alpha_by_quadrature)
 {
     static const ovr_viscosity_law laws[] = {OVR_BARUS, OVR_ROELANDS,
                                              OVR_DOOLITTLE, OVR_YASUTOMI};
     gsl_integration_workspace *w = gsl_integration_workspace_alloc(1000);
-    (void)state;
     for (int k = 0; k < 4; k++) {
         ovr_oil oil = an_oil(laws[k], OVR_INCOMPRESSIBLE);
         ovr_lubricant made;
@@ -268,9 +261,8 @@ static void asymptotic_alpha_by_quadrature(void **state)
 /* ------------------------------------------------------------ data sheets */
 
 /* The worked examples of ASTM D2270, whose L and H are of its table. */
-static void index_by_the_standard(void **state)
+TEST(index_by_the_standard)
 {
-    (void)state;
     CHECK_NEAR(ovr_viscosity_index(73.30e-6, 8.86e-6), 92.43, 0.3);
     CHECK_NEAR(ovr_viscosity_index(22.83e-6, 5.05e-6), 156.37, 0.5);
     for (double Y = 2.5; Y < 60; Y *= 1.13)
@@ -288,10 +280,9 @@ static void index_by_the_standard(void **state)
     assert_true(isnan(ovr_viscosity_index(5e-6, 1.5e-6)));
 }
 
-static void walther_by_its_points(void **state)
+TEST(walther_by_its_points)
 {
     double nu = ovr_walther(46e-6, 6.8e-6, 343.15), B;
-    (void)state;
     CHECK_CLOSE(ovr_walther(46e-6, 6.8e-6, 313.15), 46e-6, 1e-12);
     CHECK_CLOSE(ovr_walther(46e-6, 6.8e-6, 373.15), 6.8e-6, 1e-12);
     B = (log10(log10(46.7)) - log10(log10(7.5))) /
@@ -301,11 +292,10 @@ static void walther_by_its_points(void **state)
                 1e-12);
 }
 
-static void oils_say_what_they_lack(void **state)
+TEST(oils_say_what_they_lack)
 {
     ovr_oil oil = an_oil(OVR_DOOLITTLE, OVR_INCOMPRESSIBLE);
     ovr_error err = {0};
-    (void)state;
     oil.tait_K0 = NAN;
     assert_int_equal(ovr_oil_complete(&oil, &err), OVR_BAD_INPUT);
     assert_string_equal(err.about, "tait_K0");
@@ -321,21 +311,4 @@ static void oils_say_what_they_lack(void **state)
     oil.nu_40 = 46e-6;
     assert_int_equal(ovr_oil_complete(&oil, &err), OVR_BAD_INPUT);
     assert_string_equal(err.about, "temperature");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(viscosities_by_their_formulas),
-        cmocka_unit_test(alpha_is_the_slope),
-        cmocka_unit_test(viscosity_from_the_glass),
-        cmocka_unit_test(tables_are_monotone_splines),
-        cmocka_unit_test(a_table_of_a_law_is_the_law),
-        cmocka_unit_test(bad_tables_are_refused),
-        cmocka_unit_test(asymptotic_alpha_by_quadrature),
-        cmocka_unit_test(index_by_the_standard),
-        cmocka_unit_test(walther_by_its_points),
-        cmocka_unit_test(oils_say_what_they_lack),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

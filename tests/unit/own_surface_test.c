@@ -20,13 +20,12 @@ static void heights(void *calls, double T, size_t n, const double *X, double *S)
         S[i] = 0.02 * cos(X[i] - T);
 }
 
-static void a_run_is_on_the_heights_given(void **state)
+TEST(a_run_is_on_the_heights_given)
 {
     int calls[2] = {0};
     ovr_error err = {0};
     ovr_case *c = ovr_case_read_text(wave, "wave.ini", NULL, NULL, &err);
     ovr_run_options how = {0};
-    (void)state;
     how.heights = heights;
     how.data = &calls[0];
     how.estimate_error = true;
@@ -50,24 +49,14 @@ static void a_run_is_on_the_heights_given(void **state)
     ovr_run_free(run), ovr_case_free(c);
 }
 
-static void sections_that_have_names(void **state)
+TEST(sections_that_have_names)
 {
     const char *name;
     size_t k = 0;
-    (void)state;
     for (; (name = ovr_section_name(k)); k++) {
         bool named = !strcmp(name, "feature") || !strcmp(name, "body") ||
                      !strcmp(name, "coating");
         assert_int_equal(ovr_section_named(k), named);
     }
     assert_false(ovr_section_named(k));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(a_run_is_on_the_heights_given),
-        cmocka_unit_test(sections_that_have_names),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -156,12 +156,11 @@ static double wider(double c)
 /* The film is that of half-spaces, summed directly, and c P; the pressure
  * carries the load, and is lower by what the contact is wider, as far as it is
  * a semi-ellipse: with the layer it is a little towards a parabola. */
-static void layer_gives_way_where_it_is_pressed(void **state)
+TEST(layer_gives_way_where_it_is_pressed)
 {
     solution hard = solve(""), s = solve(soft);
     size_t n = s.state->n;
     double *w = malloc(n * sizeof *w);
-    (void)state;
     ovr_deformation_direct(n, s.state->D, s.state->P, w);
     for (size_t i = 0; i < n; i++) {
         double X = s.state->X[i], P = s.state->P[i];
@@ -178,13 +177,12 @@ static void layer_gives_way_where_it_is_pressed(void **state)
 /* The same over a length: a part of the influence that MLMI sums with the
  * logarithm, as exactly as that where it is some meshes of the coarsest
  * transfer long. */
-static void layer_gives_way_over_a_length(void **state)
+TEST(layer_gives_way_over_a_length)
 {
     solution s = solve("[layer]\ncompliance = 0.5\nspread = 1.5\n");
     size_t n = s.state->n;
     const double *X = s.state->X, *P = s.state->P;
     double *w = malloc(n * sizeof *w), D = s.state->D;
-    (void)state;
     ovr_deformation_direct(n, D, P, w);
     for (size_t i = 0; i < n; i++) {
         for (size_t j = 0; j < n; j++)
@@ -199,12 +197,11 @@ static void layer_gives_way_over_a_length(void **state)
 
 /* Grit bears a tenth of what the film does: both carry the load, and press the
  * bodies in. */
-static void solids_feel_all_that_is_borne(void **state)
+TEST(solids_feel_all_that_is_borne)
 {
     solution s = solve("[layer]\ncompliance = 0.1\ngrit = 0.1\n");
     size_t n = s.state->n;
     double *w = malloc(n * sizeof *w), film = 0;
-    (void)state;
     ovr_deformation_direct(n, s.state->D, s.state->P, w);
     for (size_t i = 0; i < n; i++) {
         double X = s.state->X[i], P = s.state->P[i];
@@ -219,7 +216,7 @@ static void solids_feel_all_that_is_borne(void **state)
 }
 
 /* The layer's drag warms the film, and the balance of energy closes with it. */
-static void what_it_makes_warms_the_film(void **state)
+TEST(what_it_makes_warms_the_film)
 {
     static const char hot[] =
         "alpha = 17 1/GPa\nradius = 20 mm\nmodulus = 226 GPa\n"
@@ -229,7 +226,6 @@ static void what_it_makes_warms_the_film(void **state)
         "[heat]\nmodel = lobatto\ntemperature = 60 degC\n"
         "[layer]\ncompliance = 0.1\nhysteresis = ";
     double rise[2], defect[2];
-    (void)state;
     for (int k = 0; k < 2; k++) {
         char text[1000];
         snprintf(text, sizeof text, "[contact]\n%s%g\n", hot, k * 0.02);
@@ -255,10 +251,9 @@ static int cycles_on_the_finest(const solution *s)
 /* Smoothers, coarse grids and Newton know its influence: about as many cycles
  * as without it.  (On the way up it takes more: the first guess is a contact of
  * half-spaces, whose film by the gap's mean is come to by steps in load.) */
-static void cycles_stay_as_many(void **state)
+TEST(cycles_stay_as_many)
 {
     solution hard = solve(""), s = solve(soft);
-    (void)state;
     print_message("%d cycles, without the layer %d\n", cycles_on_the_finest(&s),
                   cycles_on_the_finest(&hard));
     assert_true(cycles_on_the_finest(&hard) > 0);
@@ -269,10 +264,9 @@ static void cycles_stay_as_many(void **state)
 }
 
 /* Without slip its drag is all of the sliding force: f times the load. */
-static void drag_adds_to_friction(void **state)
+TEST(drag_adds_to_friction)
 {
     solution s = solve("[layer]\ncompliance = 0.1\nhysteresis = 0.01\n");
-    (void)state;
     CHECK_CLOSE(s.seen->F_slide, 0.01 * s.seen->load, 1e-6);
     release(&s);
 }
@@ -280,7 +274,7 @@ static void drag_adds_to_friction(void **state)
 /* ------------------------------------------------------------------- its case
  */
 
-static void keys_are_read_and_refused(void **state)
+TEST(keys_are_read_and_refused)
 {
     static const struct {
         const char *text, *what;
@@ -288,7 +282,6 @@ static void keys_are_read_and_refused(void **state)
         {"[layer]\ncompliance = -1\n", "case:8: compliance"},
         {"[layer]\nstiffness = 1\n", "case:8: unknown key"},
         {"[domain]\norder = 4\n[layer]\ncompliance = 1\n", "order = 2 does"}};
-    (void)state;
     for (size_t k = 0; k < sizeof wrong / sizeof *wrong; k++) {
         char text[1000];
         ovr_error err = {0};
@@ -303,7 +296,7 @@ static void keys_are_read_and_refused(void **state)
     }
 }
 
-static void help_explains_its_keys(void **state)
+TEST_IN_FOLDER(help_explains_its_keys)
 {
     char *said = RUN(*state, "help", "layer");
     assert_non_null(strstr(said, "compliance"));
@@ -311,7 +304,7 @@ static void help_explains_its_keys(void **state)
     free(said);
 }
 
-static void check_counts_it(void **state)
+TEST_IN_FOLDER(check_counts_it)
 {
     static const double n = 7 * 4096 + 1; /* of level 12 */
     write_case(*state, "soft.ini", soft);
@@ -349,7 +342,7 @@ static const char worn[] = "[time]\nend = 4\n"
 
 /* What is worn at the end is P's integral in time: k T P_max within the change
  * of P on the way. */
-static void wears_and_tells(void **state)
+TEST_IN_FOLDER(wears_and_tells)
 {
     write_case(*state, "worn.ini", worn);
     char *said = RUN(*state, "run", "worn.ini", "--json", "-o", "worn.h5");
@@ -383,7 +376,7 @@ static double stress_of(const char *folder, const char *grit)
 
 /* What lies below feels the grit's pressure too: a tenth more, where the shape
  * of the pressure hardly changes. */
-static void stresses_are_those_of_all_that_is_borne(void **state)
+TEST_IN_FOLDER(stresses_are_those_of_all_that_is_borne)
 {
     write_case(*state, "worn.ini", worn);
     double film = stress_of(*state, "layer.grit=0");
@@ -435,7 +428,7 @@ static bool goes_on(const char *folder)
     return found;
 }
 
-static void goes_on_where_it_was_killed(void **state)
+TEST_IN_FOLDER(goes_on_where_it_was_killed)
 {
     char text[600];
     /* Much longer than the wait: however busy the machine, some wait ends
@@ -452,27 +445,4 @@ static void goes_on_where_it_was_killed(void **state)
         free(whole);
         free(again);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(layer_gives_way_where_it_is_pressed),
-        cmocka_unit_test(layer_gives_way_over_a_length),
-        cmocka_unit_test(solids_feel_all_that_is_borne),
-        cmocka_unit_test(what_it_makes_warms_the_film),
-        cmocka_unit_test(cycles_stay_as_many),
-        cmocka_unit_test(drag_adds_to_friction),
-        cmocka_unit_test(keys_are_read_and_refused),
-        cmocka_unit_test_setup_teardown(help_explains_its_keys,
-                                        test_make_folder, test_remove_folder),
-        cmocka_unit_test_setup_teardown(check_counts_it, test_make_folder,
-                                        test_remove_folder),
-        cmocka_unit_test_setup_teardown(wears_and_tells, test_make_folder,
-                                        test_remove_folder),
-        cmocka_unit_test_setup_teardown(stresses_are_those_of_all_that_is_borne,
-                                        test_make_folder, test_remove_folder),
-        cmocka_unit_test_setup_teardown(goes_on_where_it_was_killed,
-                                        test_make_folder, test_remove_folder)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -17,11 +17,10 @@ static test_grid make(void)
 
 /* r = F - (eps P')' + q' + cT q, exactly where eps and q are linear and P is a
  * parabola; the first row's wedge is of first order. */
-static void residual_is_exact_for_a_parabola(void **state)
+TEST(residual_is_exact_for_a_parabola)
 {
     test_grid b = make();
     const ovr_fields *f = &b.f;
-    (void)state;
     for (size_t i = 0; i < N; i++) {
         double X = (double)i * b.D;
         f->P[i] = X * X, f->eps[i] = 2 + X, f->q[i] = 1 + X, f->F[i] = sin(X);
@@ -36,14 +35,13 @@ static void residual_is_exact_for_a_parabola(void **state)
 }
 
 /* A row that wants to rise; to fall, from far above and from near zero. */
-static void imbalance_by_hand(void **state)
+TEST(imbalance_by_hand)
 {
     double P[] = {0, 0, 5, 0.125, 0}, eps[] = {1, 2, 3, 4, 5};
     double r[] = {0, -7, 3, 11, 0};
     const ovr_fields f = {.P = P, .eps = eps, .r = r};
     const ovr_weights w = {.half = 0.5};
     const ovr_lanes g = {5, 4, 1};
-    (void)state;
     assert_true(test_kernels(0)->imbalance(&g, &w, &f) == 7 + 3 + 0.125 * 8);
 }
 
@@ -204,15 +202,14 @@ static void line_is_as(bool gap)
     ovr_arena_release(&work.arena);
 }
 
-static void line_is_as_defined(void **state)
+TEST(line_is_as_defined)
 {
-    (void)state;
     line_is_as(false);
     line_is_as(true);
 }
 
 /* Three wet nodes, then a dry one between wet ones. */
-static void restriction_by_hand(void **state)
+TEST(restriction_by_hand)
 {
     double P[] = {0, 1, 2, 5, 4, 0, 6, 7, 0}, H[] = {9, 8, 7, 6, 5, 4, 3, 2, 1};
     double r[] = {0, 8, 8, 8, 8, 100, 8, 8, 0};
@@ -223,7 +220,6 @@ static void restriction_by_hand(void **state)
     const double expected_P[] = {0, 2.5, 4, 6, 0},
                  expected_H[] = {9, 7, 5, 3, 1};
     const double expected_r[] = {0, 8, 6, 6, 0};
-    (void)state;
     test_kernels(0)->restrict_fields(&coarse, &fine, &f, Pc, entry, Hc, rc);
     assert_memory_equal(Pc, expected_P, sizeof Pc);
     assert_memory_equal(entry, expected_P, sizeof Pc);
@@ -233,7 +229,7 @@ static void restriction_by_hand(void **state)
 
 /* Half of a correction 0, 2, 4, -20, 0: linear between coarse nodes, nothing
  * at dry ones, no pressure below zero. */
-static void correction_by_hand(void **state)
+TEST(correction_by_hand)
 {
     double P[] = {0, 1, 2, 0, 4, 5, 6, 7, 0};
     unsigned char wet[] = {0, 1, 1, 0, 1, 1, 1, 1, 0};
@@ -241,18 +237,16 @@ static void correction_by_hand(void **state)
     const double Pc[] = {0, 3, 7, -11, 0}, entry[] = {0, 1, 3, 9, 0};
     const double expected[] = {0, 1.5, 3, 0, 6, 1, 0, 2, 0};
     const ovr_lanes fine = {9, 8, 1}, coarse = {5, 4, 1};
-    (void)state;
     test_kernels(0)->correct(&coarse, &fine, 0.5, Pc, entry, &f);
     assert_memory_equal(P, expected, sizeof P);
 }
 
-static void coarse_side_by_hand(void **state)
+TEST(coarse_side_by_hand)
 {
     double gap[] = {5, 6, 7}, r[] = {1, 2, 3}, F[3];
     const double w[] = {1, 2, 4}, residual[] = {10, 20, 40};
     const ovr_lanes g = {3, 2, 1};
     const ovr_kernels *run = test_kernels(0);
-    (void)state;
     run->coarse_gap(&g, 3, w, gap);
     run->coarse_side(&g, residual, F, r);
     assert_memory_equal(gap, ((double[]){3, 5, 8}), sizeof gap);
@@ -261,17 +255,4 @@ static void coarse_side_by_hand(void **state)
     assert_true(run->sum(&g, residual) == 70);
     run->combine(3, 2, w, -1, residual, r);
     assert_memory_equal(r, ((double[]){-8, -16, -32}), sizeof r);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(residual_is_exact_for_a_parabola),
-        cmocka_unit_test(imbalance_by_hand),
-        cmocka_unit_test(line_is_as_defined),
-        cmocka_unit_test(restriction_by_hand),
-        cmocka_unit_test(correction_by_hand),
-        cmocka_unit_test(coarse_side_by_hand),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

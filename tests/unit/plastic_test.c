@@ -52,9 +52,8 @@ static const struct {
      -0.14364756769573178},
 };
 
-static void closed_forms(void **state)
+TEST(closed_forms)
 {
-    (void)state;
     const ovr_strained_layer layer = {0.2, 0.4};
     for (size_t i = 0; i < sizeof truth / sizeof *truth; i++) {
         ovr_residual_stress s = ovr_residual_at(3, nu, layer, truth[i].e,
@@ -69,9 +68,8 @@ static void closed_forms(void **state)
 
 /* Means over a layer beside the strained one, over itself and over a part of
  * it that the strain fills, against Simpson's rule of the closed forms. */
-static void means(void **state)
+TEST(means)
 {
-    (void)state;
     const ovr_strained_layer source = {0.2, 0.4},
                              to[] = {{0, 0.2}, {0.2, 0.4}, {0.4, 0.43}};
     const ovr_plastic_strain e = {0.7, -0.4, 0.3};
@@ -97,9 +95,8 @@ static void means(void **state)
 
 /* The surface is free, and equilibrium holds: sx k + t' = 0, sz' = k t with
  * e^ikx and tau = i t, by differences of second order. */
-static void equilibrium(void **state)
+TEST(equilibrium)
 {
-    (void)state;
     const ovr_strained_layer layer = {0.1, 0.25};
     const ovr_plastic_strain e = {0.3, -0.8, 0.5};
     const double h = 1e-5, at[] = {0.03, 0.17, 0.6};
@@ -151,9 +148,8 @@ static void eigenvalues(double A[SIZE][SIZE])
 
 /* Residual stress works against the strain that makes it: symmetric, between
  * -2G = -(1 - nu) and 0. */
-static void spectrum(void **state)
+TEST(spectrum)
 {
-    (void)state;
     ovr_strained_layer layer[LAYERS];
     double z = 0, h = 0.004;
     for (int i = 0; i < LAYERS; i++, h *= 1.4) {
@@ -185,15 +181,4 @@ static void spectrum(void **state)
         assert_true(minimum >= -(1 - nu) - 1e-8);
         assert_true(maximum < 0);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(closed_forms),
-        cmocka_unit_test(means),
-        cmocka_unit_test(equilibrium),
-        cmocka_unit_test(spectrum),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

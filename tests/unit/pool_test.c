@@ -85,10 +85,9 @@ static int processes(const seen *s)
 }
 
 /* Every task once, by as many processes as there are workers. */
-static void many_by_few(void **state)
+TEST(many_by_few)
 {
     seen *s = make(-1);
-    (void)state;
     assert_int_equal(run(s), 0);
     for (int k = 0; k < TASKS; k++) {
         assert_int_equal(s->times[k], 1);
@@ -100,10 +99,9 @@ static void many_by_few(void **state)
     munmap(s, sizeof *s);
 }
 
-static void one_that_dies(void **state)
+TEST(one_that_dies)
 {
     seen *s = make(25);
-    (void)state;
     assert_int_equal(run(s), 0);
     for (int k = 0; k < TASKS; k++) {
         assert_int_equal(s->times[k], 1);
@@ -115,11 +113,10 @@ static void one_that_dies(void **state)
 }
 
 /* What is under way ends, and is told of; the rest is left. */
-static void stopped(void **state)
+TEST(stopped)
 {
     seen *s = make(-1);
     int done = 0;
-    (void)state;
     s->stop_at = 1;
     assert_int_equal(run(s), 1);
     for (int k = 0; k < TASKS; k++) {
@@ -128,12 +125,4 @@ static void stopped(void **state)
     }
     assert_true(done >= 1);
     munmap(s, sizeof *s);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(many_by_few),
-                                       cmocka_unit_test(one_that_dies),
-                                       cmocka_unit_test(stopped)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

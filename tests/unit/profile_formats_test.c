@@ -68,12 +68,11 @@ static void check_text(const gauge_text *how)
     check_bytes(gauge_as_text(&g, how, bytes), 0, 0, 0, what);
 }
 
-static void text_comes_back(void **state)
+TEST(text_comes_back)
 {
     static const char separators[] = {' ', '\t', ',', ';'};
     static const char *const newlines[] = {"\n", "\r\n", "\r\r\n", "\r"};
     uint64_t seed = 11;
-    (void)state;
     for (unsigned k = 0; k < 4 * 4 * GAUGE_ENCODINGS * 2; k++) {
         gauge_text how = {
             .separator = separators[k % 4],
@@ -88,7 +87,7 @@ static void text_comes_back(void **state)
     }
 }
 
-static void gzipped_text_comes_back(void **state)
+TEST(gzipped_text_comes_back)
 {
     const char *path = test_path(*state, "anything.dat");
     gauge_text how = {
@@ -111,7 +110,7 @@ static void gzipped_text_comes_back(void **state)
     }
 }
 
-static void saved_text_comes_back_exactly(void **state)
+TEST(saved_text_comes_back_exactly)
 {
     const char *path = test_path(*state, "saved.csv");
     ovr_profile_source source = ovr_profile_source_default();
@@ -139,11 +138,10 @@ static void saved_text_comes_back_exactly(void **state)
     }
 }
 
-static void sdf_comes_back(void **state)
+TEST(sdf_comes_back)
 {
     static const double half[] = {128, 32768, 2147483648.0, 0, 0, 0, 0, 0};
     uint64_t seed = 14;
-    (void)state;
     for (int k = 0; k < 80; k++) {
         size_t lines = (size_t)test_random(&seed, 1, 4.99), line;
         int type = k % 8;
@@ -161,17 +159,16 @@ static void sdf_comes_back(void **state)
     }
 }
 
-static void smd_comes_back(void **state)
+TEST(smd_comes_back)
 {
     uint64_t seed = 15;
-    (void)state;
     for (int k = 0; k < 20; k++) {
         gauge_make(&g, &seed, true, 1, true);
         check_bytes(gauge_as_smd(&g, bytes), 0, 0, 0, "SMD");
     }
 }
 
-static void x3p_comes_back(void **state)
+TEST(x3p_comes_back)
 {
     const char *path = test_path(*state, "it.x3p");
     uint64_t seed = 16;
@@ -228,9 +225,8 @@ static void refuse_text(const char *text, const char *word)
     refuse(text, strlen(text), word);
 }
 
-static void mistakes_in_text_are_named(void **state)
+TEST(mistakes_in_text_are_named)
 {
-    (void)state;
     refuse_text("", "empty");
     refuse_text("hello\n", "no line of numbers");
     refuse_text("x,z um\n1,2\n2,3\n", "unit_x");
@@ -248,12 +244,11 @@ static void mistakes_in_text_are_named(void **state)
     refuse("x\0um\n1,2\n", 10, "NUL");
 }
 
-static void mistakes_in_sdf_are_named(void **state)
+TEST(mistakes_in_sdf_are_named)
 {
     double step;
     uint64_t seed = 3;
     size_t size;
-    (void)state;
     refuse_text("aISO-1.0\nNumPoints = 3\n", "*");
     refuse_text("aISO-1.0\nNumPoints = 3\n*\n1 2 3\n*\n", "Xscale");
     refuse_text("aISO-1.0\nNumPoints = x\n*\n", "f.txt:2");
@@ -269,9 +264,8 @@ static void mistakes_in_sdf_are_named(void **state)
     refuse(bytes, size, "DataType = 9");
 }
 
-static void mistakes_in_smd_are_named(void **state)
+TEST(mistakes_in_smd_are_named)
 {
-    (void)state;
     refuse_text("r\nPRF 0 n\nCX I 3 mm 1 D 0.1\nCZ A 3 um 1 D\n\x03\n\x03\n"
                 "1\n2\n\x03\n9\n\x03\n",
                 "end after 2");
@@ -286,14 +280,13 @@ static void mistakes_in_smd_are_named(void **state)
 }
 
 /* Sizes of which nothing is there: refused before memory is asked for. */
-static void huge_announcements_are_refused(void **state)
+TEST(huge_announcements_are_refused)
 {
     static const char *const sdf[] = {
         "4294967297", "18446744073709551618", "1e300", "inf", "nan", "-3"};
     double step;
     uint64_t seed = 4;
     size_t size;
-    (void)state;
     for (size_t k = 0; k < sizeof sdf / sizeof *sdf; k++) {
         char text[300];
         snprintf(text, sizeof text,
@@ -323,7 +316,7 @@ static void huge_announcements_are_refused(void **state)
 }
 
 /* Members of a gzip file follow each other: a million zeros, 300 times. */
-static void bombs_are_refused(void **state)
+TEST(bombs_are_refused)
 {
     enum { PIECE = 1 << 20, PIECES = 300 };
     const char *path = test_path(*state, "bomb.gz");
@@ -352,7 +345,7 @@ static void bombs_are_refused(void **state)
 }
 
 /* Cut anywhere, a file is refused or read, never more. */
-static void cut_files_do_no_harm(void **state)
+TEST(cut_files_do_no_harm)
 {
     const char *path = test_path(*state, "cut.x3p");
     gauge_x3p how = {.type = 'D', .deflate = true, .mask = true, .folder = ""};
@@ -378,7 +371,7 @@ static void cut_files_do_no_harm(void **state)
     free(all);
 }
 
-static void missing_files_are_named(void **state)
+TEST(missing_files_are_named)
 {
     ovr_profile_source source = ovr_profile_source_default();
     ovr_error err;
@@ -407,7 +400,7 @@ static ovr_status read_once(void *data, const ovr_allocator *hook,
     return OVR_OK;
 }
 
-static void every_allocation_may_fail(void **state)
+TEST(every_allocation_may_fail)
 {
     const char *path = test_path(*state, "faults");
     gauge_text text = {
@@ -426,23 +419,4 @@ static void every_allocation_may_fail(void **state)
     assert_true(test_every_allocation(read_once, (void *)(uintptr_t)path) > 2);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(text_comes_back),
-        cmocka_unit_test(gzipped_text_comes_back),
-        cmocka_unit_test(saved_text_comes_back_exactly),
-        cmocka_unit_test(sdf_comes_back),
-        cmocka_unit_test(smd_comes_back),
-        cmocka_unit_test(x3p_comes_back),
-        cmocka_unit_test(mistakes_in_text_are_named),
-        cmocka_unit_test(mistakes_in_sdf_are_named),
-        cmocka_unit_test(mistakes_in_smd_are_named),
-        cmocka_unit_test(huge_announcements_are_refused),
-        cmocka_unit_test(bombs_are_refused),
-        cmocka_unit_test(cut_files_do_no_harm),
-        cmocka_unit_test(missing_files_are_named),
-        cmocka_unit_test(every_allocation_may_fail),
-    };
-    return cmocka_run_group_tests(tests, test_make_folder, test_remove_folder);
-}
+TEST_GROUP(test_make_folder, test_remove_folder)

@@ -57,7 +57,7 @@ static void check_note(const char *part)
         fail_msg("notes lack '%s':\n%s", part, view->notes);
 }
 
-static void headers_say_units(void **state)
+TEST_WITH(headers_say_units, begin, end)
 {
     static const char *const headers[] = {"X_(microns),Z_(nm)\n",
                                           "[um];[nm]\n",
@@ -72,7 +72,6 @@ static void headers_say_units(void **state)
                                           "made 2024\nx, z\num, nm\n",
                                           "\"x / um\",\"z / nm\"\n",
                                           "Scan 5 mm, tip 2 mm\nx um\tz nm\n"};
-    (void)state;
     for (size_t k = 0; k < sizeof headers / sizeof headers[0]; k++) {
         char text[200];
         snprintf(text, sizeof text, "%s0;0\n1,5;-3\n2;4\n", headers[k]);
@@ -82,7 +81,7 @@ static void headers_say_units(void **state)
 }
 
 /* Names end where columns or separators go on. */
-static void headers_may_be_narrower_or_wider(void **state)
+TEST_WITH(headers_may_be_narrower_or_wider, begin, end)
 {
     static const char *const texts[] = {
         "Lateral um,Raw Micrometer,\n0,1\n2,3\n",
@@ -92,7 +91,6 @@ static void headers_may_be_narrower_or_wider(void **state)
         "Lateral um,Raw Micrometer,,,\r\n0,1,9\r\n2,3,9\r\n",
         "Lateral um,Raw Micrometer,,\n0;1\n2;3\n",
         "Title,,\nLateral um,Raw Micrometer,\n,,\n0,1,,9\n2,3,,9\n"};
-    (void)state;
     for (size_t k = 0; k < sizeof texts / sizeof texts[0]; k++) {
         read_text(texts[k]);
         check_point(1, 2e-6, 3e-6);
@@ -101,7 +99,7 @@ static void headers_may_be_narrower_or_wider(void **state)
 }
 
 /* Each text, and all that must be said of it in one message. */
-static void all_that_is_missing_is_told_at_once(void **state)
+TEST_WITH(all_that_is_missing_is_told_at_once, begin, end)
 {
     static const char *const cases[][6] = {
         {"0,1\n2,3\n", "unit of x", "unit of z", "unit_x = um", "unit_z = um",
@@ -113,7 +111,6 @@ static void all_that_is_missing_is_told_at_once(void **state)
          "unknown unit 'parsec'", NULL},
         {"unit_x = cubit\nunit_z = um\n0,1\n2,3\n", "unknown unit 'cubit' of x",
          NULL}};
-    (void)state;
     for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
         ovr_error err;
         const char *text = cases[k][0];
@@ -125,16 +122,14 @@ static void all_that_is_missing_is_told_at_once(void **state)
     }
 }
 
-static void one_unit_may_stand_for_both(void **state)
+TEST_WITH(one_unit_may_stand_for_both, begin, end)
 {
-    (void)state;
     read_text("units: um\n0 1\n1 2\n");
     check_point(1, 1e-6, 2e-6);
 }
 
-static void units_of_the_caller_come_first(void **state)
+TEST_WITH(units_of_the_caller_come_first, begin, end)
 {
-    (void)state;
     source.unit_x = "mm", source.unit_z = "inch";
     read_text("x um,z um\n0,1\n1,2\n");
     check_point(1, 1e-3, 2 * 0.0254);
@@ -144,9 +139,8 @@ static void units_of_the_caller_come_first(void **state)
     check_point(1, 1, 2);
 }
 
-static void columns_are_found_and_chosen(void **state)
+TEST_WITH(columns_are_found_and_chosen, begin, end)
 {
-    (void)state;
     read_text("index,x in um,y in um\n0,5,6\n1,7,8\n");
     check_point(1, 7e-6, 8e-6);
     read_text("z um;time;x um\n6;0;5\n8;0;7\n");
@@ -156,9 +150,8 @@ static void columns_are_found_and_chosen(void **state)
     check_point(1, 8e-3, 7e-3);
 }
 
-static void one_column_takes_a_spacing(void **state)
+TEST_WITH(one_column_takes_a_spacing, begin, end)
 {
-    (void)state;
     source.spacing = 2e-6;
     read_text("height (nm)\n1\n2\n4\n");
     check_point(2, 4e-6, 4e-9);
@@ -171,18 +164,16 @@ static void one_column_takes_a_spacing(void **state)
     check_note("count line");
 }
 
-static void separators_may_trail(void **state)
+TEST_WITH(separators_may_trail, begin, end)
 {
-    (void)state;
     read_text("x um,z um,\n0,1,\n1,2,\n");
     check_point(1, 1e-6, 2e-6);
     read_text("x um;z um;\n0;1;\n1;;\n2;3;\n");
     assert_true(isnan(view->z[1]));
 }
 
-static void counts_are_not_points(void **state)
+TEST_WITH(counts_are_not_points, begin, end)
 {
-    (void)state;
     read_text("x um,z um\n3\n0,1\n1,2\n2,3\n");
     assert_int_equal(view->n, 3);
     check_note("count line says 3");
@@ -190,19 +181,17 @@ static void counts_are_not_points(void **state)
     check_note("there are 3");
 }
 
-static void missing_heights_are_marked(void **state)
+TEST_WITH(missing_heights_are_marked, begin, end)
 {
-    (void)state;
     read_text("x um,z um\n0,1\n1,NaN\n2,BAD\n3,---\n4,\n5,nan\n6,2\n");
     assert_int_equal(view->n, 7);
     assert_int_equal(view->missing, 5);
 }
 
-static void rounded_x_is_put_right(void **state)
+TEST_WITH(rounded_x_is_put_right, begin, end)
 {
     char text[4000];
     size_t used = 0;
-    (void)state;
     used += (size_t)snprintf(text, sizeof text, "x mm,z um\n");
     for (int i = 0; i < 50; i++)
         used += (size_t)snprintf(text + used, sizeof text - used, "%.3f,%d\n",
@@ -218,18 +207,16 @@ static void rounded_x_is_put_right(void **state)
     check_note("averaged");
 }
 
-static void backwards_is_turned_round(void **state)
+TEST_WITH(backwards_is_turned_round, begin, end)
 {
-    (void)state;
     read_text("x um,z um\n3,1\n1,2\n0,4\n");
     check_point(0, 0, 4e-6);
     check_point(2, 3e-6, 1e-6);
     check_note("backwards");
 }
 
-static void locale_does_not_matter(void **state)
+TEST_WITH(locale_does_not_matter, begin, end)
 {
-    (void)state;
     if (!test_decimal_comma())
         skip();
     read_text("x um,z um\n0.5,1.25\n1.5,2e0\n");
@@ -237,16 +224,15 @@ static void locale_does_not_matter(void **state)
     check_point(0, 0.5e-6, 1.25e-6);
 }
 
-static void exponents_of_fortran_too(void **state)
+TEST_WITH(exponents_of_fortran_too, begin, end)
 {
-    (void)state;
     read_text("x m z m\n 0.5D-6 +1.25E-06\n 1.5d-6 -2.e-6\n");
     check_point(0, 0.5e-6, 1.25e-6);
     check_point(1, 1.5e-6, -2e-6);
 }
 
 /* As found in the wild (an indentation in a disc; an interferometer's csv). */
-static void samples_of_real_files(void **state)
+TEST_WITH(samples_of_real_files, begin, end)
 {
     static const char wide[] = "\xFF\xFE"
                                "i\0n\0d\0e\0x\0,\0x\0 \0i\0n\0 \0"
@@ -263,7 +249,6 @@ static void samples_of_real_files(void **state)
                                "5\0,\0-\0"
                                "1\0.\0"
                                "3\0\r\0\n\0";
-    (void)state;
     read_bytes(wide, sizeof wide - 1);
     check_point(1, -98.5e-6, -1.3e-6);
     check_note("UTF-16");
@@ -290,13 +275,12 @@ static void samples_of_real_files(void **state)
 }
 
 /* Columns are those of text, which holds one line. */
-static void of_another_kind_of_file(void **state)
+TEST_WITH(of_another_kind_of_file, begin, end)
 {
     static const char text[] = "x um,z um\n1,2\n2,3\n",
                       areal[] = "aISO-1.0\nNumPoints=2\nNumProfiles=2\n"
                                 "Xscale=1e-6\nZscale=1e-6\n*\n1 2\n4 5\n*\n";
     ovr_error err = {0};
-    (void)state;
     source.line = 2;
     assert_null(ovr_profile_parse(&source, text, sizeof text - 1, NULL, &err));
     CHECK_ERROR(&err, OVR_BAD_INPUT, "line = 2: the file has line 1");
@@ -306,29 +290,4 @@ static void of_another_kind_of_file(void **state)
         ovr_profile_parse(&source, areal, sizeof areal - 1, NULL, &err));
     CHECK_ERROR(&err, OVR_BAD_INPUT,
                 "column_z: has no effect, columns are those of text");
-}
-
-#define TEST(name) cmocka_unit_test_setup_teardown(name, begin, end)
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(headers_say_units),
-        TEST(headers_may_be_narrower_or_wider),
-        TEST(all_that_is_missing_is_told_at_once),
-        TEST(one_unit_may_stand_for_both),
-        TEST(units_of_the_caller_come_first),
-        TEST(columns_are_found_and_chosen),
-        TEST(one_column_takes_a_spacing),
-        TEST(separators_may_trail),
-        TEST(counts_are_not_points),
-        TEST(missing_heights_are_marked),
-        TEST(rounded_x_is_put_right),
-        TEST(backwards_is_turned_round),
-        TEST(locale_does_not_matter),
-        TEST(exponents_of_fortran_too),
-        TEST(samples_of_real_files),
-        TEST(of_another_kind_of_file),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -76,7 +76,7 @@ static const char *joined(const char *a, const char *b)
     return text;
 }
 
-static void announcements_are_checked(void **state)
+TEST(announcements_are_checked)
 {
     const char *path = test_path(*state, "a.x3p");
     const char *both = joined(good_size, data_link);
@@ -103,7 +103,7 @@ static void announcements_are_checked(void **state)
            joined("<ListDimension>4</ListDimension>", data_link), "offset 24");
 }
 
-static void data_are_checked(void **state)
+TEST(data_are_checked)
 {
     const char *path = test_path(*state, "d.x3p");
     static const char away[] =
@@ -126,7 +126,7 @@ static void data_are_checked(void **state)
            "none of the 3");
 }
 
-static void xml_is_checked(void **state)
+TEST(xml_is_checked)
 {
     const char *path = test_path(*state, "x.x3p");
     char deep[1000] = "";
@@ -144,7 +144,7 @@ static void xml_is_checked(void **state)
 
 /* A document type is refused before an entity of it is looked at, whether it
  * grows (each of ten entities is ten of the last) or leads to another file. */
-static void entities_are_refused(void **state)
+TEST(entities_are_refused)
 {
     const char *path = test_path(*state, "e.x3p");
     char xml[2000] = "<!DOCTYPE a [<!ENTITY e0 \"ha\">";
@@ -182,7 +182,7 @@ static size_t files_in(const char *folder)
 
 /* Members are read in memory: a name that leads out of the folder is a name
  * like any other, and no file appears by it. */
-static void member_names_are_no_paths(void **state)
+TEST(member_names_are_no_paths)
 {
     char *outside = strdup(test_path(*state, "outside.bin"));
     const char *path = test_path(*state, "m.x3p");
@@ -214,7 +214,7 @@ static void member_names_are_no_paths(void **state)
 }
 
 /* Deflate makes 64 kB of 64 MB of spaces. */
-static void bombs_are_refused(void **state)
+TEST(bombs_are_refused)
 {
     enum { MAX = 1 << 26 };
     const char *path = test_path(*state, "b.x3p");
@@ -240,7 +240,7 @@ static void bombs_are_refused(void **state)
 }
 
 /* A letter may be three bytes in UTF-8 and two in the file. */
-static void inline_letters_do_not_overflow(void **state)
+TEST(inline_letters_do_not_overflow)
 {
     const char *path = test_path(*state, "w.x3p");
     enum { DATA = 200, LETTERS = 80 };
@@ -267,7 +267,7 @@ static void inline_letters_do_not_overflow(void **state)
 }
 
 /* A checksum that does not fit is damage, wherever it is. */
-static void damaged_content_is_refused(void **state)
+TEST(damaged_content_is_refused)
 {
     const char *path = test_path(*state, "c.x3p");
     char xml[2000];
@@ -295,17 +295,4 @@ static void damaged_content_is_refused(void **state)
     free(bytes);
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(announcements_are_checked),
-        cmocka_unit_test(data_are_checked),
-        cmocka_unit_test(xml_is_checked),
-        cmocka_unit_test(entities_are_refused),
-        cmocka_unit_test(member_names_are_no_paths),
-        cmocka_unit_test(bombs_are_refused),
-        cmocka_unit_test(inline_letters_do_not_overflow),
-        cmocka_unit_test(damaged_content_is_refused),
-    };
-    return cmocka_run_group_tests(tests, test_make_folder, test_remove_folder);
-}
+TEST_GROUP(test_make_folder, test_remove_folder)

@@ -36,9 +36,8 @@ static ovr_simulation *make(const ovr_options *options, ovr_error *err)
         assert_true(isinf(ovr_simulation_memory(&o)));                         \
     } while (0)
 
-static void wrong_options_are_refused(void **state)
+TEST_IN_FOLDER(wrong_options_are_refused)
 {
-    (void)state;
     REFUSED(scheme, (ovr_scheme)9, "scheme 9");
     REFUSED(scheme, (ovr_scheme)-1, "scheme -1");
     REFUSED(smoother, (ovr_smoother)4, "smoother 4");
@@ -96,11 +95,10 @@ static void solve(ovr_simulation *sim, double *P)
     memcpy(P, state->P, NODES * sizeof *P);
 }
 
-static void without_a_surface_it_is_smooth_again(void **state)
+TEST_IN_FOLDER(without_a_surface_it_is_smooth_again)
 {
     double never[NODES], again[NODES], height = 0.01;
     ovr_simulation *one = coarse(), *other = coarse();
-    (void)state;
     solve(one, never);
     ovr_simulation_surface(other, a_wave, &height);
     solve(other, again);
@@ -115,7 +113,7 @@ static void without_a_surface_it_is_smooth_again(void **state)
 
 /* -------------------------------------------------------------- attributes */
 
-static void names_of_attributes_are_there_once(void **state)
+TEST_IN_FOLDER(names_of_attributes_are_there_once)
 {
     static const char *const names[][2] = {
         {"contact.M", "contact.M"}, {"text", "b"}, {"a", "a.unit"}};
@@ -153,12 +151,11 @@ static void *work(void *data)
     return NULL;
 }
 
-static void simulations_run_in_threads_at_once(void **state)
+TEST_IN_FOLDER(simulations_run_in_threads_at_once)
 {
     enum { THREADS = 4 };
     static job alone[THREADS], at_once[THREADS];
     pthread_t thread[THREADS];
-    (void)state;
     for (int k = 0; k < THREADS; k++) {
         alone[k].height = at_once[k].height = 0.002 * k;
         work(&alone[k]);
@@ -173,7 +170,7 @@ static void simulations_run_in_threads_at_once(void **state)
 
 /* Each process goes on with its copy; a file that the parent is writing is
  * the parent's. */
-static void a_child_goes_on_with_a_copy(void **state)
+TEST_IN_FOLDER(a_child_goes_on_with_a_copy)
 {
     const char *path = test_path(*state, "b.h5");
     ovr_write_options o = ovr_write_options_default();
@@ -208,19 +205,4 @@ static void a_child_goes_on_with_a_copy(void **state)
     test_dent_free(&d);
     close(ends[0]);
     close(ends[1]);
-}
-
-#define TEST(name)                                                             \
-    cmocka_unit_test_setup_teardown(name, test_make_folder, test_remove_folder)
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(wrong_options_are_refused),
-        TEST(without_a_surface_it_is_smooth_again),
-        TEST(names_of_attributes_are_there_once),
-        TEST(simulations_run_in_threads_at_once),
-        TEST(a_child_goes_on_with_a_copy),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

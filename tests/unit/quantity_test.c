@@ -19,9 +19,8 @@ static double read_as(const char *text, ovr_dimension dimension)
     return q.value;
 }
 
-static void units_become_si(void **state)
+TEST(units_become_si)
 {
-    (void)state;
     assert_true(read_as("22 1/GPa", OVR_PER_PRESSURE) == 2.2e-8);
     assert_true(read_as("17 1/GPa", OVR_PER_PRESSURE) == 1.7e-8);
     assert_true(read_as("17GPa^-1", OVR_PER_PRESSURE) == 1.7e-8);
@@ -55,9 +54,8 @@ static void refuse(const char *text, ovr_dimension dimension, const char *says)
         fail_msg("'%s' does not say '%s'", err.message, says);
 }
 
-static void nonsense_is_refused(void **state)
+TEST(nonsense_is_refused)
 {
-    (void)state;
     refuse("", OVR_PURE, "missing");
     refuse("nan", OVR_PURE, "not a number");
     refuse("inf", OVR_PURE, "not a number");
@@ -83,19 +81,17 @@ static void nonsense_is_refused(void **state)
     refuse("40 mPas", OVR_DYNAMIC_VISCOSITY, "allowed: Pa.s, mPa.s, cP");
 }
 
-static void bare_numbers_only_where_allowed(void **state)
+TEST(bare_numbers_only_where_allowed)
 {
     ovr_quantity q;
-    (void)state;
     assert_int_equal(ovr_quantity_read("3", OVR_LENGTH, true, &q, NULL), 0);
     assert_null(q.unit);
     assert_int_equal(ovr_quantity_read("3 mm", OVR_LENGTH, true, &q, NULL), 0);
     assert_string_equal(q.unit, "mm");
 }
 
-static void every_dimension_lists_units_it_accepts(void **state)
+TEST(every_dimension_lists_units_it_accepts)
 {
-    (void)state;
     for (ovr_dimension d = OVR_LENGTH; d <= OVR_DURATION; d++) {
         char list[100];
         snprintf(list, sizeof list, "%s", ovr_units_allowed(d));
@@ -106,20 +102,18 @@ static void every_dimension_lists_units_it_accepts(void **state)
     assert_true(isnan(ovr_unit_value("mm", OVR_PRESSURE)));
 }
 
-static void locale_does_not_matter(void **state)
+TEST(locale_does_not_matter)
 {
-    (void)state;
     if (!test_decimal_comma())
         skip();
     assert_true(read_as("1.5", OVR_PURE) == 1.5);
     setlocale(LC_ALL, "C");
 }
 
-static void near_names_are_suggested(void **state)
+TEST(near_names_are_suggested)
 {
     static const char *const names[] = {"viscosity", "alpha", "p0",
                                         "viscosity_law"};
-    (void)state;
     assert_string_equal(ovr_suggest("viscocity", names, 4), "viscosity");
     assert_string_equal(ovr_suggest("VISCOSITY", names, 4), "viscosity");
     assert_string_equal(ovr_suggest("aplha", names, 4), "alpha");
@@ -127,17 +121,4 @@ static void near_names_are_suggested(void **state)
     assert_string_equal(ovr_suggest("law", names, 4), "viscosity_law");
     assert_null(ovr_suggest("la", names, 4));
     assert_null(ovr_suggest("", names, 4));
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(units_become_si),
-        cmocka_unit_test(nonsense_is_refused),
-        cmocka_unit_test(bare_numbers_only_where_allowed),
-        cmocka_unit_test(every_dimension_lists_units_it_accepts),
-        cmocka_unit_test(locale_does_not_matter),
-        cmocka_unit_test(near_names_are_suggested),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -98,14 +98,13 @@ static double power(double M, double L)
 
 /* One solution of order 2 among those of order 4: all again with order 2, so
  * that the answer is of one function. */
-static void orders_are_not_mixed(void **state)
+TEST(orders_are_not_mixed)
 {
     made_up u = {.of = power, .odd = 20};
     ovr_find *find = ask(&u, "H_cen is 0.03", NULL);
     const ovr_find_info *i = ovr_find_about(find);
     ovr_error err = {0};
     double exact = pow(0.03 / sqrt(10), -1 / 1.5);
-    (void)state;
     CHECK_OK(ovr_find_go(find, &err), &err);
     assert_true(i->pinned);
     assert_non_null(strstr(u.said, "order = 2"));
@@ -137,12 +136,11 @@ static double nothing(double M, double L)
     return NAN * M * L;
 }
 
-static void failures(void **state)
+TEST(failures)
 {
     made_up u = {.of = thin, .odd = -1};
     ovr_find *find = ask(&u, "H_cen at least 0.03", "largest");
     ovr_error err = {0};
-    (void)state;
     CHECK_OK(ovr_find_go(find, &err), &err);
     assert_non_null(strstr(ovr_find_about(find)->message, "no film at all"));
     assert_true(ovr_find_about(find)->at_value >= 0.03);
@@ -156,25 +154,23 @@ static void failures(void **state)
     ovr_find_free(find);
 }
 
-static void stopped(void **state)
+TEST(stopped)
 {
     made_up u = {.of = power, .odd = -1, .stop_after = 7};
     ovr_find *find = ask(&u, "H_cen is 0.03", NULL);
     ovr_error err = {0};
-    (void)state;
     CHECK_STATUS(ovr_find_go(find, &err), OVR_STOPPED, &err);
     assert_int_equal(ovr_find_about(find)->evaluations, 7);
     ovr_find_free(find);
 }
 
 /* Powers are found to rounding; orders are not mixed here either. */
-static void elasticities(void **state)
+TEST(elasticities)
 {
     made_up u = {.of = power, .odd = 20};
     ovr_case *c = some_case();
     ovr_sensitivity_options how = {0};
     ovr_error err = {0};
-    (void)state;
     how.data = &u;
     how.run = run;
     how.say = say;
@@ -193,12 +189,4 @@ static void elasticities(void **state)
     }
     assert_non_null(strstr(u.said, "order = 2"));
     ovr_case_free(c);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(orders_are_not_mixed), cmocka_unit_test(failures),
-        cmocka_unit_test(stopped), cmocka_unit_test(elasticities)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -111,9 +111,8 @@ static void compare(ovr_scheme scheme, ovr_simulation *before, double dT,
         fail_msg("residuals were\n    %s\nand are\n    %s", was, is);
 }
 
-static void of_a_steady_solution(void **state)
+TEST(of_a_steady_solution)
 {
-    (void)state;
     compare(OVR_UPSTREAM1, NULL, 0, "5.4e-03 1.6e-04 5.9e-06 1.6e-07");
     compare(OVR_UPSTREAM2, NULL, 0, "4.1e-03 2.5e-04 2.0e-05 1.6e-06 1.3e-07");
 }
@@ -131,7 +130,7 @@ static void of_steps(ovr_scheme scheme, const char *const was[STEPS])
     ovr_simulation_free(sim);
 }
 
-static void of_ten_steps(void **state)
+TEST(of_ten_steps)
 {
     static const char *const upstream1[STEPS] = {
         "6.0e-03 2.6e-04 1.3e-06", "2.1e-02 1.0e-04 6.8e-07",
@@ -151,15 +150,7 @@ static void of_ten_steps(void **state)
         "4.2e-01 9.7e-04 3.3e-06", "3.5e-01 4.8e-04 1.1e-06",
         "1.6e-01 1.7e-04 2.2e-07", "3.2e-02 3.5e-05 1.2e-07",
         "9.0e-03 1.8e-05 1.3e-07", "1.0e-02 1.6e-05 9.4e-08"};
-    (void)state;
     of_steps(OVR_UPSTREAM1, upstream1);
     of_steps(OVR_UPSTREAM2, upstream2);
     of_steps(OVR_CHARACTERISTIC, characteristic);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(of_a_steady_solution),
-                                       cmocka_unit_test(of_ten_steps)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -228,7 +228,7 @@ static bool was_cut(const char *path)
     return !r;
 }
 
-static void survives_kills(void **state)
+TEST_IN_FOLDER(survives_kills)
 {
     const char *whole = test_path(*state, "whole.h5");
     const char *killed = test_path(*state, "killed.h5");
@@ -250,7 +250,7 @@ static void survives_kills(void **state)
     assert_true(died_early <= (KILLS + 1) / 2);
 }
 
-static void goes_further(void **state)
+TEST_IN_FOLDER(goes_further)
 {
     const char *whole = test_path(*state, "whole.h5");
     const char *shorter = test_path(*state, "short.h5");
@@ -311,7 +311,7 @@ static ovr_status read_later(const char *path, later *l, ovr_error *err)
 
 /* A number that a checkpoint does not have is left as it was, one that nobody
  * asks for is ignored; an array must be there, and nothing is half read. */
-static void numbers_go_by_name(void **state)
+TEST_IN_FOLDER(numbers_go_by_name)
 {
     const char *path = test_path(*state, "a.h5");
     ovr_error err = {0};
@@ -352,7 +352,7 @@ static void patch(const char *path, const char *after, const void *bytes,
 }
 
 /* The program's version does not matter, the format does. */
-static void goes_by_format(void **state)
+TEST_IN_FOLDER(goes_by_format)
 {
     const char *path = test_path(*state, "a.h5");
     const uint64_t next = OVR_RESTART_FORMAT + 1;
@@ -371,7 +371,7 @@ static void goes_by_format(void **state)
 }
 
 /* What `check` says of a writer's memory is what one takes. */
-static void tells_its_memory(void **state)
+TEST_IN_FOLDER(tells_its_memory)
 {
     const ovr_write_options o = options_for(test_path(*state, "a.h5"));
     ovr_contact contact = test_contact_physical();
@@ -386,7 +386,7 @@ static void tells_its_memory(void **state)
     test_dent_free(&dent);
 }
 
-static void names_the_changed_parameter(void **state)
+TEST_IN_FOLDER(names_the_changed_parameter)
 {
     const char *path = test_path(*state, "a.h5");
     ovr_case_value changed[3];
@@ -411,7 +411,7 @@ static void names_the_changed_parameter(void **state)
     ovr_restart_close(restart);
 }
 
-static void refuses_damaged_checkpoints(void **state)
+TEST_IN_FOLDER(refuses_damaged_checkpoints)
 {
     const char *path = test_path(*state, "a.h5");
     const char *file = test_path(*state, "a.h5.restart");
@@ -437,7 +437,7 @@ static void refuses_damaged_checkpoints(void **state)
     CHECK_ERROR(&err, OVR_BAD_INPUT, "No such file");
 }
 
-static void refuses_another_layout(void **state)
+TEST_IN_FOLDER(refuses_another_layout)
 {
     const char *path = test_path(*state, "a.h5");
     ovr_write_options o = options_for(path);
@@ -528,28 +528,9 @@ static ovr_status read_with(void *folder, const ovr_allocator *hook,
     return status;
 }
 
-static void survives_failing_allocations(void **state)
+TEST_IN_FOLDER(survives_failing_allocations)
 {
     assert_true(test_every_allocation(write_with, *state) > 3);
     assert_true(test_every_allocation(resume_with, *state) > 3);
     assert_true(test_every_allocation(read_with, *state) > 0);
-}
-
-#define TEST(name)                                                             \
-    cmocka_unit_test_setup_teardown(name, test_make_folder, test_remove_folder)
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(survives_kills),
-        TEST(goes_further),
-        TEST(numbers_go_by_name),
-        TEST(goes_by_format),
-        TEST(tells_its_memory),
-        TEST(names_the_changed_parameter),
-        TEST(refuses_damaged_checkpoints),
-        TEST(refuses_another_layout),
-        TEST(survives_failing_allocations),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

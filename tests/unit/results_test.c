@@ -87,7 +87,7 @@ static void check_history(ovr_result *r, test_dent *d)
     }
 }
 
-static void returns_what_was_written(void **state)
+TEST_IN_FOLDER(returns_what_was_written)
 {
     const char *path = test_path(*state, "a.h5");
     ovr_write_options o = options_for(path);
@@ -116,7 +116,7 @@ static void returns_what_was_written(void **state)
     test_dent_free(&d);
 }
 
-static void converts_units(void **state)
+TEST_IN_FOLDER(converts_units)
 {
     const char *path = test_path(*state, "si.h5");
     ovr_write_options o = options_for(path);
@@ -141,7 +141,7 @@ static void converts_units(void **state)
     test_dent_free(&d);
 }
 
-static void refuses_si_without_scales(void **state)
+TEST_IN_FOLDER(refuses_si_without_scales)
 {
     const char *path = test_path(*state, "bare.h5");
     ovr_write_options o = options_for(path);
@@ -170,7 +170,7 @@ static void refuses_si_without_scales(void **state)
 }
 
 /* All fields, a window, every third node. */
-static void stores_what_is_chosen(void **state)
+TEST_IN_FOLDER(stores_what_is_chosen)
 {
     const char *path = test_path(*state, "chosen.h5");
     ovr_write_options o = options_for(path);
@@ -256,7 +256,7 @@ static size_t kinds_of(const char *path, ovr_unit_kind *kinds)
     return count;
 }
 
-static void knows_kinds_of_version_1(void **state)
+TEST_IN_FOLDER(knows_kinds_of_version_1)
 {
     const char *path = test_path(*state, "old.h5");
     ovr_write_options o = options_for(path);
@@ -309,7 +309,7 @@ static void add_stresses(const char *path, double values[2][3][5])
     assert_true(H5Fclose(file) >= 0);
 }
 
-static void reads_any_rank(void **state)
+TEST_IN_FOLDER(reads_any_rank)
 {
     static const char *const names[] = {"stress/surface_1/sigma_x",
                                         "stress/surface_1/plain"};
@@ -345,7 +345,7 @@ static void reads_any_rank(void **state)
     test_dent_free(&d);
 }
 
-static void lists_times(void **state)
+TEST_IN_FOLDER(lists_times)
 {
     const char *path = test_path(*state, "times.h5");
     ovr_write_options o = options_for(path);
@@ -370,7 +370,7 @@ static void lists_times(void **state)
     test_dent_free(&d);
 }
 
-static void names_the_next_time(void **state)
+TEST_IN_FOLDER(names_the_next_time)
 {
     ovr_write_options o = options_for(test_path(*state, "next.h5"));
     ovr_contact contact = test_contact_bare();
@@ -400,7 +400,7 @@ static void check_refused(const char *path, const char *part)
     CHECK_ERROR(&err, OVR_BAD_INPUT, part);
 }
 
-static void refuses_other_files(void **state)
+TEST_IN_FOLDER(refuses_other_files)
 {
     const char *path = test_path(*state, "other.h5");
     hid_t file;
@@ -414,7 +414,7 @@ static void refuses_other_files(void **state)
 
 /* Cut anywhere, a file gives a clean error (or, cut behind its last byte in
  * use, its content). */
-static void survives_truncation(void **state)
+TEST_IN_FOLDER(survives_truncation)
 {
     const char *path = test_path(*state, "whole.h5");
     const char *cut = test_path(*state, "cut.h5");
@@ -440,7 +440,7 @@ static void survives_truncation(void **state)
 
 /* A title from a stranger: nothing in it commands a terminal; the lines of the
  * case stay. */
-static void shows_no_controls(void **state)
+TEST_IN_FOLDER(shows_no_controls)
 {
     const char *path = test_path(*state, "rude.h5");
     ovr_write_options o = options_for(path);
@@ -461,7 +461,7 @@ static void shows_no_controls(void **state)
 }
 
 /* A link that somebody laid where the file grows leads nowhere. */
-static void follows_no_link_at_its_part(void **state)
+TEST_IN_FOLDER(follows_no_link_at_its_part)
 {
     const char *path = test_path(*state, "new.h5");
     const char *victim = test_path(*state, "victim");
@@ -488,12 +488,11 @@ static void follows_no_link_at_its_part(void **state)
     test_dent_free(&d);
 }
 
-static void leaves_the_callers_handler(void **state)
+TEST_IN_FOLDER(leaves_the_callers_handler)
 {
     H5E_auto2_t function, after;
     void *data, *data_after;
     ovr_error err;
-    (void)state;
     H5Eget_auto2(H5E_DEFAULT, &function, &data);
     assert_null(ovr_result_open("/nowhere/at/all.h5", NULL, &err));
     H5Eget_auto2(H5E_DEFAULT, &after, &data_after);
@@ -501,7 +500,7 @@ static void leaves_the_callers_handler(void **state)
     assert_ptr_equal(data, data_after);
 }
 
-static void keeps_existing_files(void **state)
+TEST_IN_FOLDER(keeps_existing_files)
 {
     const char *path = test_path(*state, "kept.h5");
     ovr_write_options o = options_for(path);
@@ -520,26 +519,4 @@ static void keeps_existing_files(void **state)
     assert_null(ovr_writer_create(&o, &contact, d.n, d.X, NULL, &err));
     CHECK_ERROR(&err, OVR_BAD_INPUT, "folder.h5");
     test_dent_free(&d);
-}
-
-#define TEST(name)                                                             \
-    cmocka_unit_test_setup_teardown(name, test_make_folder, test_remove_folder)
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {TEST(returns_what_was_written),
-                                       TEST(converts_units),
-                                       TEST(refuses_si_without_scales),
-                                       TEST(stores_what_is_chosen),
-                                       TEST(knows_kinds_of_version_1),
-                                       TEST(reads_any_rank),
-                                       TEST(lists_times),
-                                       TEST(names_the_next_time),
-                                       TEST(refuses_other_files),
-                                       TEST(survives_truncation),
-                                       TEST(shows_no_controls),
-                                       TEST(follows_no_link_at_its_part),
-                                       TEST(leaves_the_callers_handler),
-                                       TEST(keeps_existing_files)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -223,7 +223,7 @@ static void check_identical(const char *a, const char *b)
     free(db);
 }
 
-static void ends_the_same(void **state)
+TEST_IN_FOLDER(ends_the_same)
 {
     const char *whole = test_path(*state, "whole.h5");
     const char *parts = test_path(*state, "parts.h5");
@@ -238,7 +238,7 @@ static void ends_the_same(void **state)
 }
 
 /* Stopped in its steady start, before a step says what was stored in it. */
-static void a_hot_start_goes_on(void **state)
+TEST_IN_FOLDER(a_hot_start_goes_on)
 {
     const char *whole = test_path(*state, "whole.h5");
     const char *parts = test_path(*state, "parts.h5");
@@ -248,14 +248,4 @@ static void a_hot_start_goes_on(void **state)
     resume(parts, (bench){.hot = true, .end = end, .stop = 3});
     resume(parts, (bench){.hot = true, .end = end, .stop = NEVER});
     check_identical(whole, parts);
-}
-
-#define TEST(name)                                                             \
-    cmocka_unit_test_setup_teardown(name, test_make_folder, test_remove_folder)
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {TEST(ends_the_same),
-                                       TEST(a_hot_start_goes_on)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -26,10 +26,9 @@ static ovr_status steady(double M, double L, int level, int coarsest,
 }
 
 /* The level that the message names is enough. */
-static void thin_films_name_a_level(void **state)
+TEST(thin_films_name_a_level)
 {
     static const double contacts[][2] = {{900, 5}, {650, 0.3}};
-    (void)state;
     for (size_t k = 0; k < 2; k++) {
         ovr_error err = {0};
         double M = contacts[k][0], L = contacts[k][1];
@@ -42,9 +41,8 @@ static void thin_films_name_a_level(void **state)
 }
 
 /* Newton alone once stopped at 1e-8, above what such a grid is to reach. */
-static void one_grid_is_enough(void **state)
+TEST(one_grid_is_enough)
 {
-    (void)state;
     for (int level = 1; level <= 3; level++)
         for (double M = 0.5; M < 6; M *= 1.01) {
             ovr_error err = {0};
@@ -54,21 +52,19 @@ static void one_grid_is_enough(void **state)
 
 /* The discrete equations have solutions with a negative film; a residual that
  * adds up to less than nothing once passed for converged. */
-static void negative_film_is_no_solution(void **state)
+TEST(negative_film_is_no_solution)
 {
     ovr_error err = {0};
-    (void)state;
     CHECK_STATUS(steady(937, 1.76, 6, 6, &err), OVR_IMPOSSIBLE, &err);
 }
 
 /* Where the load was raised on the way, the levels that are told of are those
  * with all of it: each film is near the last. */
-static void levels_are_of_the_whole_load(void **state)
+TEST(levels_are_of_the_whole_load)
 {
     ovr_error err = {0};
     ovr_options o = test_options();
     int count;
-    (void)state;
     o.level = 10;
     ovr_simulation *sim = test_simulation(300, 3, &o);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
@@ -88,12 +84,11 @@ static void wall(void *data, double T, size_t n, const double *X, double *S)
 
 /* A wall grows through the film: whatever happens, no NaN, and the state of
  * before the step. */
-static void what_cannot_be_is_taken_back(void **state)
+TEST(what_cannot_be_is_taken_back)
 {
     ovr_error err = {0};
     ovr_options o = test_options();
     ovr_march march = {.end = 4};
-    (void)state;
     o.level = 5;
     ovr_simulation *sim = test_simulation(20, 10, &o);
     ovr_simulation_surface(sim, wall, NULL);
@@ -109,9 +104,8 @@ static void what_cannot_be_is_taken_back(void **state)
 }
 
 /* A small sample of make verify's mass test. */
-static void random_cases(void **state)
+TEST(random_cases)
 {
-    (void)state;
     test_statistics s = test_mass("steady", test_steady_case, 1, 40);
     assert_int_equal(s.unnamed + s.not_numbers, 0);
     s = test_mass("transient", test_transient_case, 1, 2);
@@ -146,22 +140,8 @@ static ovr_status run_with(void *folder, const ovr_allocator *hook,
     return status;
 }
 
-static void runs_survive_failing_allocations(void **state)
+TEST_IN_FOLDER(runs_survive_failing_allocations)
 {
     test_write_text(test_path(*state, "speed.txt"), "0 1\n1 1.2\n2 1\n");
     assert_true(test_every_allocation(run_with, *state) > 10);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(thin_films_name_a_level),
-        cmocka_unit_test(one_grid_is_enough),
-        cmocka_unit_test(negative_film_is_no_solution),
-        cmocka_unit_test(levels_are_of_the_whole_load),
-        cmocka_unit_test(what_cannot_be_is_taken_back),
-        cmocka_unit_test(random_cases),
-        cmocka_unit_test_setup_teardown(runs_survive_failing_allocations,
-                                        test_make_folder, test_remove_folder)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -34,10 +34,9 @@ static void waves(double *z, int from, double phase)
 
 /* A sine in b and b^2/R: full at p* = 2 pi a/l ph; the area by Westergaard, a
  * node on either side, at all pressures of the table. */
-static void law_of_a_sine_is_westergaards(void **state)
+TEST(law_of_a_sine_is_westergaards)
 {
     const double a = 0.2, full = 2 * PI * a / 3;
-    (void)state;
     for (size_t i = 0; i < N; i++)
         one[i] = 7 + a * cos(2 * PI * (double)i / N);
     take(false);
@@ -55,9 +54,8 @@ static void law_of_a_sine_is_westergaards(void **state)
 /* A decade of pressure over the slope about where self-affine profiles have
  * theirs, p/(E* slope) = 0.35 to 0.41 exp(-2 to -2.3 g), g = H/Rq, found of two
  * others by another method: the gap is off by less than 0.4 Rq. */
-static void rough_profiles_bear_exponentially(void **state)
+TEST(rough_profiles_bear_exponentially)
 {
-    (void)state;
     waves(one, 4, 1.7);
     waves(other, 4, 0.9);
     for (int both = 0; both < 2; both++) {
@@ -86,11 +84,10 @@ static double sum_of(const double *z)
 
 /* What a contact takes is what the profiles have lost, to rounding; the
  * highest peak goes first. */
-static void volume_is_kept(void **state)
+TEST(volume_is_kept)
 {
     const double c[2] = {1e-3, 3e-4};
     double A[] = {0, 1e-9, 0.003, 0.2, 0.9, 4}, borne = 0, before[2], high = 0;
-    (void)state;
     waves(one, 4, 1.7);
     waves(other, 4, 0.9);
     take(true);
@@ -120,13 +117,12 @@ static void volume_is_kept(void **state)
 /* Worn away by hand at one pressure: peaks go, what touches grows, the gap
  * closes (another program: 0.066 Rq of volume take the highest peak from 2.94
  * to 1.83 Rq, double what touches and 27 % of the gap). */
-static void running_in_takes_the_peaks(void **state)
+TEST(running_in_takes_the_peaks)
 {
     const double load = 0.03;
     double high[2] = {0, 0}, A, slope, area[2], volume = 0, Rq;
     ovr_error err = {0};
     ovr_touch_law law = {0};
-    (void)state;
     waves(one, 4, 1.7);
     take(false);
     Rq = pair.Rq;
@@ -157,14 +153,4 @@ static void running_in_takes_the_peaks(void **state)
     assert_true(area[1] > 1.3 * area[0]);
     assert_true(pair.Rq < Rq);
     ovr_arena_release(&arena);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(law_of_a_sine_is_westergaards),
-        cmocka_unit_test(rough_profiles_bear_exponentially),
-        cmocka_unit_test(volume_is_kept),
-        cmocka_unit_test(running_in_takes_the_peaks)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

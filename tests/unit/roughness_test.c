@@ -29,11 +29,10 @@ static ovr_profile *make(const ovr_roughness *form)
     return p;
 }
 
-static void numbers_are_as_asked(void **state)
+TEST(numbers_are_as_asked)
 {
     static const double skew[] = {NAN, 0, -1, 0.7, NAN};
     static const double kurt[] = {NAN, 3, 5, NAN, 2.5};
-    (void)state;
     for (int k = 0; k < 10; k++) {
         ovr_roughness form = good();
         ovr_profile_numbers r;
@@ -82,11 +81,10 @@ static double band_power(int first, int last, ovr_roughness form)
     return sum / (last - first + 1);
 }
 
-static void spectra_fall_as_asked(void **state)
+TEST(spectra_fall_as_asked)
 {
     ovr_roughness form = good();
     double low, high, slope;
-    (void)state;
     low = band_power(38, 42, form), high = band_power(152, 168, form);
     slope = log(high / low) / log(160.0 / 40);
     CHECK_NEAR(slope, -1 - 2 * 0.8, 0.35);
@@ -98,12 +96,11 @@ static void spectra_fall_as_asked(void **state)
     CHECK_NEAR(log(high / low) / log(160.0 / 40), -2, 0.35);
 }
 
-static void seeds_make_surfaces(void **state)
+TEST(seeds_make_surfaces)
 {
     ovr_roughness form = good();
     ovr_profile *p = make(&form), *q = make(&form), *other;
     const ovr_profile_view *a = ovr_profile_look(p), *b = ovr_profile_look(q);
-    (void)state;
     assert_memory_equal(a->z, b->z, a->n * sizeof(double));
     form.seed = 2;
     other = make(&form);
@@ -119,13 +116,12 @@ static void seeds_make_surfaces(void **state)
 /* Root of the mean of z^2 less the square of its mean in windows of 2, of a
  * sum of two waves: A^2/2 (1 - (sin a/a)^2), a = 2 pi/l, of each, over a length
  * that holds whole periods of both; the points stand unevenly. */
-static void long_waves_are_no_roughness(void **state)
+TEST(long_waves_are_no_roughness)
 {
     static const double l[] = {0.5, 8}, A[] = {0.3, 1};
     enum { N = 48001 };
     const double length = 240, pi = acos(-1.0);
     double *x = calloc(N, sizeof *x), *z = calloc(N, sizeof *z), target = 0;
-    (void)state;
     assert_true(x && z);
     for (size_t i = 0; i < N; i++) {
         double even = (double)i / (N - 1);
@@ -150,14 +146,13 @@ static void long_waves_are_no_roughness(void **state)
 
 /* The lambda ratio's roughness is that of the surface, whatever the grid takes
  * out of it; that on the mesh is less. */
-static void grid_takes_nothing_from_it(void **state)
+TEST(grid_takes_nothing_from_it)
 {
     const ovr_contact contact = {.u1_ratio = 1, .u2_ratio = 1};
     ovr_roughness rough = good();
     ovr_feature_form form = ovr_feature_form_default();
     double Rq[2], on_mesh[2];
     ovr_error err = {0};
-    (void)state;
     form.shape = OVR_ROUGHNESS, form.roughness = &rough, form.start = -1;
     form.name = "rough";
     for (int k = 0; k < 2; k++) {
@@ -173,11 +168,10 @@ static void grid_takes_nothing_from_it(void **state)
     assert_true(on_mesh[1] < 0.99 * on_mesh[0]);
 }
 
-static void mistakes_are_named(void **state)
+TEST(mistakes_are_named)
 {
     static const char *const names[] = {"Rq",       "length", "hurst",
                                         "shortest", "seed",   "kurtosis"};
-    (void)state;
     for (int k = 0; k < 6; k++) {
         ovr_roughness form = good();
         ovr_error err = {0};
@@ -196,17 +190,4 @@ static void mistakes_are_named(void **state)
         assert_null(ovr_profile_random(&form, NULL, &err));
         CHECK_ERROR(&err, OVR_BAD_INPUT, names[k]);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(numbers_are_as_asked),
-        cmocka_unit_test(spectra_fall_as_asked),
-        cmocka_unit_test(seeds_make_surfaces),
-        cmocka_unit_test(long_waves_are_no_roughness),
-        cmocka_unit_test(grid_takes_nothing_from_it),
-        cmocka_unit_test(mistakes_are_named),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

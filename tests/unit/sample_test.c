@@ -33,9 +33,8 @@ static const struct {
       10.230739771256241, 12.12273944336825, 12.98809291014743}},
 };
 
-static void distributions(void **state)
+TEST(distributions)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof inverses / sizeof *inverses; k++)
         for (int i = 0; i < 6; i++)
             CHECK_CLOSE(ovr_distribution_inverse(&inverses[k].d, u_of_truth[i]),
@@ -48,11 +47,10 @@ static void distributions(void **state)
 }
 
 /* The hash by its published values; the numbers by their moments. */
-static void uniform_numbers(void **state)
+TEST(uniform_numbers)
 {
     double sum = 0, squares = 0, product = 0;
     const size_t n = 100000;
-    (void)state;
     assert_true(ovr_text_hash("") == 0xcbf29ce484222325u);
     assert_true(ovr_text_hash("a") == 0xaf63dc4c8601ec8cu);
     assert_true(ovr_text_hash("foobar") == 0x85944171f73967e8u);
@@ -81,11 +79,10 @@ static void take(ovr_design design, size_t draws, size_t shifts, uint64_t seed,
 }
 
 /* Every stratum once; another seed, another sample. */
-static void latin(void **state)
+TEST(latin)
 {
     enum { N = 97 };
     double u[3 * N], other[3 * N];
-    (void)state;
     take(OVR_LHS, N, 0, 1, u);
     for (int k = 0; k < 3; k++) {
         int seen[N] = {0};
@@ -106,11 +103,10 @@ static const double points[][3] = {
     {0.125, 0.625, 0.875}, {0.1875, 0.3125, 0.3125},
 };
 
-static void sobol(void **state)
+TEST(sobol)
 {
     enum { SHIFTS = 4, N = 9 * SHIFTS };
     double u[3 * N], plain[3 * N], more[6 * N];
-    (void)state;
     take(OVR_SOBOL, N, SHIFTS, 1, u);
     for (int k = 0; k < 3; k++)
         for (int r = 0; r < SHIFTS; r++)
@@ -193,9 +189,8 @@ static const struct {
     {200, 200, 0.9817246596448638, 1.0},
 };
 
-static void intervals(void **state)
+TEST(intervals)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof ranks / sizeof *ranks; k++) {
         size_t l, u;
         double coverage = ovr_quantile_ranks(ranks[k].n, ranks[k].p, &l, &u);
@@ -218,12 +213,11 @@ static int by_size(const void *a, const void *b)
     return (p > q) - (p < q);
 }
 
-static void quantiles(void **state)
+TEST(quantiles)
 {
     double sample[] = {3, 1, 4, 1.5, 9, 2.6, 5.3};
     static const double p[] = {0.05, 0.1, 0.5, 0.9},
                         q[] = {1.15, 1.3, 3.0, 6.780000000000001};
-    (void)state;
     qsort(sample, 7, sizeof *sample, by_size);
     for (int k = 0; k < 4; k++)
         CHECK_CLOSE(ovr_quantile(sample, 7, p[k]), q[k], 1e-12);
@@ -231,13 +225,12 @@ static void quantiles(void **state)
 
 /* 1000 samples of 256: the interval of the quantile .05 holds the true one as
  * often as the binomial numbers say (.970), within four standard errors. */
-static void coverage(void **state)
+TEST(coverage)
 {
     enum { N = 256, TIMES = 1000 };
     double x[N];
     size_t l, u, held = 0;
     double nominal = ovr_quantile_ranks(N, 0.05, &l, &u);
-    (void)state;
     for (uint64_t k = 0; k < TIMES; k++) {
         ovr_interval i;
         for (size_t j = 0; j < N; j++)
@@ -301,11 +294,10 @@ static double ishigami(const double *x)
 /* Spreads of an independent program in Python, 200 repetitions at n = 1024, of
  * which these 100 differ by less than half; its bias was below .003, and what
  * is cut at 0 leans up by .4 of its spread. */
-static void first_order(void **state)
+TEST(first_order)
 {
     static const double spread[] = {.014, .023, .011, .009, .005};
     double mean[INPUTS], sd[INPUTS];
-    (void)state;
     static const double g[] = {0.7164177234431923, 0.17910443086079808,
                                0.02368323052704768, 0.007164177234431923,
                                7.164177234431924e-05};
@@ -324,13 +316,12 @@ static void first_order(void **state)
 
 /* A straight line in noise: rho of normal pairs is 6/pi asin(r/2); its
  * bootstrap interval holds it in 19 of 20 samples, give or take. */
-static void correlation(void **state)
+TEST(correlation)
 {
     enum { SAMPLES = 200, PAIRS = 100 };
     const ovr_distribution normal = {OVR_NORMAL, 0, 1, 0, -INFINITY, INFINITY};
     double x[PAIRS], y[PAIRS], rho = 6 / acos(-1) * asin(0.6 / 2), mean = 0;
     int held = 0;
-    (void)state;
     for (uint64_t t = 0; t < SAMPLES; t++) {
         ovr_arena arena = ovr_arena_make(NULL);
         ovr_interval i;
@@ -351,14 +342,13 @@ static void correlation(void **state)
 /* Of the g-function's first and third index the interval holds the true one in
  * 9 of 10 samples at least: bins that are cut at 0, and few of them, cost the
  * rest of 95 %. */
-static void indices_held(void **state)
+TEST(indices_held)
 {
     enum { DRAWS = 512, SAMPLES = 100 };
     static const double true_index[] = {0.7164177234431923,
                                         0.02368323052704768};
     static double x[5][DRAWS], y[DRAWS];
     int held[2] = {0};
-    (void)state;
     for (uint64_t t = 0; t < SAMPLES; t++) {
         for (size_t i = 0; i < DRAWS; i++) {
             double at[5];
@@ -374,15 +364,4 @@ static void indices_held(void **state)
     }
     print_message("held %d and %d of %d\n", held[0], held[1], SAMPLES);
     assert_true(held[0] >= 88 && held[1] >= 88);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(distributions), cmocka_unit_test(uniform_numbers),
-        cmocka_unit_test(latin),         cmocka_unit_test(sobol),
-        cmocka_unit_test(intervals),     cmocka_unit_test(quantiles),
-        cmocka_unit_test(coverage),      cmocka_unit_test(first_order),
-        cmocka_unit_test(correlation),   cmocka_unit_test(indices_held)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -84,21 +84,19 @@ static void check_film_sums(const ovr_kernels *run, const arrays *a)
 }
 
 /* Content 2, 4, 6, films 1, 2, 4, weights 1/2, 1, 1/2. */
-static void film_sums_by_hand(void **state)
+TEST(film_sums_by_hand)
 {
     const double w[] = {0.5, 1, 0.5}, q[] = {2, 4, 6}, H[] = {1, 2, 4};
     double sums[5];
-    (void)state;
     test_kernels(0)->film_sums(3, w, q, H, sums);
     assert_true(sums[0] == 2 && sums[1] == 4.5 && sums[2] == 3.75);
     assert_true(sums[3] == 4 && sums[4] == 12);
 }
 
-static void scans_agree(void **state)
+TEST(scans_agree)
 {
     const ovr_kernels *run;
     uint64_t seed = 5;
-    (void)state;
     for (int k = 1; (run = test_kernels(k)); k++)
         for (size_t n = 13; n < MAX; n++) {
             arrays a = make(n, &seed);
@@ -111,7 +109,7 @@ static void scans_agree(void **state)
 
 /* The plain ones by hand: equal values, a peak with a shoulder, pairs of wet
  * nodes at 1 and 2 alone (a pair at an end does not count). */
-static void plain_scans_by_hand(void **state)
+TEST(plain_scans_by_hand)
 {
     const double x[] = {3, 1, 4, 4, 1, 5, 0, 5}, y[] = {3, 2, 4, 1, 1, 5, 7, 5};
     const double P[] = {1, 2, 4, 3, 0, 1, 2}, q[] = {1, 2, 4, 8, 0, 8, 9};
@@ -124,7 +122,6 @@ static void plain_scans_by_hand(void **state)
                              (double[]){0, 0, 8, 12, 9, 4, 4}};
     const ovr_kernels *run = test_kernels(0);
     size_t last = 0;
-    (void)state;
     assert_int_equal(run->extreme(8, 1, x), 6);
     assert_int_equal(run->extreme(5, 1, x), 1);
     assert_int_equal(run->extreme(8, -1, x), 5);
@@ -147,11 +144,10 @@ static void plain_scans_by_hand(void **state)
 }
 
 /* One node among many, wherever it is. */
-static void one_bad_node_is_found(void **state)
+TEST(one_bad_node_is_found)
 {
     const double bad[] = {0, -1, NAN, -INFINITY};
     const ovr_kernels *run;
-    (void)state;
     for (int k = 0; (run = test_kernels(k)); k++)
         for (size_t n = 13; n < 40; n++) {
             double x[40];
@@ -167,28 +163,15 @@ static void one_bad_node_is_found(void **state)
 }
 
 /* Nothing wet: no mean, no division by zero. */
-static void dry_has_no_means(void **state)
+TEST(dry_has_no_means)
 {
     arrays a = {.n = 57};
     const double none[3] = {0};
     double *const past[3] = {a.past[0], a.past[1], a.past[2]};
     const ovr_kernels *run;
-    (void)state;
     for (int k = 0; (run = test_kernels(k)); k++) {
         assert_true(run->mean_flow(a.n, none, a.X, a.P, a.q, a.eps, NULL) == 0);
         assert_true(run->deviation(a.n, none, INFINITY, a.X, a.P, a.q, past) ==
                     0);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(scans_agree),
-        cmocka_unit_test(film_sums_by_hand),
-        cmocka_unit_test(plain_scans_by_hand),
-        cmocka_unit_test(one_bad_node_is_found),
-        cmocka_unit_test(dry_has_no_means),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -50,11 +50,10 @@ static double hump(double x)
     return x * (2 - x);
 }
 
-static void roots(void **state)
+TEST(roots)
 {
     const double tolerances[] = {1e-3, 1e-6, 1e-9};
     seen s;
-    (void)state;
     for (int k = 0; k < 3; k++) {
         double tolerance = tolerances[k];
         ovr_search_result r = find(
@@ -78,10 +77,9 @@ static void roots(void **state)
 }
 
 /* What is told holds, and not a step farther. */
-static void inequalities(void **state)
+TEST(inequalities)
 {
     seen s;
-    (void)state;
     for (int sense = -1; sense <= 1; sense += 2)
         for (int which = -1; which <= 1; which += 2) {
             bool possible = sense == -which; /* the cube rises */
@@ -102,12 +100,11 @@ static void inequalities(void **state)
         }
 }
 
-static void several(void **state)
+TEST(several)
 {
     seen s;
     ovr_search search = {.from = 0, .to = 2, .target = 0.6, .tolerance = 1e-6};
     ovr_search_result r = find(search, hump, &s);
-    (void)state;
     assert_int_equal(r.end, OVR_SEARCH_SEVERAL);
     assert_int_equal(r.places, 2);
     assert_false(r.monotone);
@@ -140,12 +137,11 @@ static double fails_everywhere(double x)
     return x * NAN;
 }
 
-static void missing(void **state)
+TEST(missing)
 {
     seen s;
     ovr_search search = {.from = 0.5, .to = 3, .target = 5, .tolerance = 1e-6};
     ovr_search_result r = find(search, fails_above, &s);
-    (void)state;
     assert_int_equal(r.end, OVR_SEARCH_FOUND);
     CHECK_CLOSE(r.value, cbrt(5), 1e-6);
     search.target = 10; /* above all that there is */
@@ -170,12 +166,11 @@ static double rough(double x)
     return cube(x) * (1 + 0.01 * noise);
 }
 
-static void scatter(void **state)
+TEST(scatter)
 {
     seen s;
     ovr_search search = {.from = 0.5, .to = 3, .target = 5, .tolerance = 1e-3};
     ovr_search_result r = find(search, rough, &s);
-    (void)state;
     assert_int_equal(r.end, OVR_SEARCH_FOUND);
     assert_true(r.scatters);
     assert_true(r.scatter > 0.005 && r.scatter < 0.5);
@@ -193,34 +188,22 @@ static ovr_status stops(void *data, size_t n, const double *x, double *q,
     return ovr_fail(err, OVR_STOPPED, "enough");
 }
 
-static void stopped(void **state)
+TEST(stopped)
 {
     ovr_search search = {
         .from = 0, .to = 1, .tolerance = 1e-3, .evaluate = stops};
     ovr_search_result r;
     ovr_error err = {0};
-    (void)state;
     CHECK_STATUS(ovr_search_run(&search, &r, &err), OVR_STOPPED, &err);
 }
 
 /* The scan is one batch, as wide as asked. */
-static void in_parallel(void **state)
+TEST(in_parallel)
 {
     seen s;
     ovr_search search = {
         .from = 1, .to = 2, .target = 10, .tolerance = 1e-3, .scan = 12};
-    (void)state;
     find(search, cube, &s);
     assert_int_equal(s.batches, 1);
     assert_int_equal(s.evaluations, 12);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(roots),      cmocka_unit_test(inequalities),
-        cmocka_unit_test(several),    cmocka_unit_test(missing),
-        cmocka_unit_test(scatter),    cmocka_unit_test(stopped),
-        cmocka_unit_test(in_parallel)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

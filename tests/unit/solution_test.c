@@ -13,10 +13,9 @@ static double cubic(double X)
     return 2 + X * (0.5 + X * (-1 + 3 * X));
 }
 
-static void cubics_are_exact(void **state)
+TEST(cubics_are_exact)
 {
     double f[sizeof nodes / sizeof *nodes];
-    (void)state;
     for (size_t i = 0; i < solution.n; i++)
         f[i] = cubic(nodes[i]);
     for (int k = 0; k <= 100; k++) {
@@ -27,22 +26,12 @@ static void cubics_are_exact(void **state)
         assert_true(ovr_value_at(&solution, f, nodes[i]) == f[i]);
 }
 
-static void nodes_are_found(void **state)
+TEST(nodes_are_found)
 {
-    (void)state;
     assert_int_equal(ovr_node_after(&solution, -9), 1);
     assert_int_equal(ovr_node_after(&solution, -4), 1);
     assert_int_equal(ovr_node_after(&solution, 0), 5);
     assert_int_equal(ovr_node_after(&solution, 0.5), 6);
     assert_int_equal(ovr_node_after(&solution, 9), 8);
     assert_true(ovr_spacing(&solution, 5) == 0.75);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(cubics_are_exact),
-        cmocka_unit_test(nodes_are_found),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

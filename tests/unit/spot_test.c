@@ -98,35 +98,30 @@ static void comes_back(const char *text, const char *more)
     let_go(&s);
 }
 
-static void newtonian(void **state)
+TEST(newtonian)
 {
-    (void)state;
     comes_back(contact, "");
 }
 
-static void thinning(void **state)
+TEST(thinning)
 {
-    (void)state;
     comes_back(slides, "");
 }
 
-static void hot(void **state)
+TEST(hot)
 {
-    (void)state;
     comes_back(slides, "[heat]\nmodel = lobatto\ntemperature = 60 degC\n");
 }
 
-static void conserved(void **state)
+TEST(conserved)
 {
-    (void)state;
     comes_back(contact, "[cavitation]\nmodel = conserving\n");
 }
 
 /* What is solved stays, to the bit. */
-static void leaves_solutions(void **state)
+TEST(leaves_solutions)
 {
     solved s;
-    (void)state;
     solve(&s, contact, "");
     assert_false(ovr_spots(&s.sim->grids, s.sim->finest));
     assert_true(off(&s) == 0);
@@ -134,10 +129,9 @@ static void leaves_solutions(void **state)
 }
 
 /* Neither crossed surfaces nor numbers that are none lead outside the film. */
-static void bears_nonsense(void **state)
+TEST(bears_nonsense)
 {
     static const double worst[] = {-1e3, 1e3, 1e300, INFINITY, NAN};
-    (void)state;
     for (size_t k = 0; k < sizeof worst / sizeof *worst; k++) {
         solved s;
         solve(&s, contact, "");
@@ -147,17 +141,4 @@ static void bears_nonsense(void **state)
         ovr_spots(&s.sim->grids, s.sim->finest);
         let_go(&s);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(newtonian),
-        cmocka_unit_test(thinning),
-        cmocka_unit_test(hot),
-        cmocka_unit_test(conserved),
-        cmocka_unit_test(leaves_solutions),
-        cmocka_unit_test(bears_nonsense),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

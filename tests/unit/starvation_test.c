@@ -26,12 +26,11 @@ static double integrand(double X, void *data)
     return pow(X, o->power) * g / pow(g + o->H, 3);
 }
 
-static void integrals_agree_with_adaptive_quadrature(void **state)
+TEST(integrals_agree_with_adaptive_quadrature)
 {
     const double H[] = {1e-4, 2e-3, 0.084, 1.3, 118};
     const double X[] = {1, 1.5, 4, 37};
     gsl_integration_workspace *w = gsl_integration_workspace_alloc(1000);
-    (void)state;
     for (int k = 0; k < 5; k++)
         for (int i = 0; i < 8; i++) {
             outside o = {H[k], i % 2};
@@ -47,9 +46,8 @@ static void integrals_agree_with_adaptive_quadrature(void **state)
     gsl_integration_workspace_free(w);
 }
 
-static void gap_is_that_of_hertz(void **state)
+TEST(gap_is_that_of_hertz)
 {
-    (void)state;
     for (double d = 1e-6; d < 100; d *= 3) {
         long double X = 1 + (long double)d;
         long double g = 0.5L * (X * sqrtl(X * X - 1) - acoshl(X));
@@ -77,11 +75,10 @@ static double film(double M, double L, double X_a, double X_b, double mesh)
     return H;
 }
 
-static void loss_is_known_within_half(void **state)
+TEST(loss_is_known_within_half)
 {
     const double M[] = {2, 5, 5, 10, 20, 20, 100};
     const double L[] = {10, 0, 7.5, 5, 0, 10, 5};
-    (void)state;
     for (int k = 0; k < 7; k++) {
         double mesh = M[k] < 50 ? 0.02 : 0.004, far = M[k] < 50 ? -40 : -10;
         double lost = 1 - film(M[k], L[k], -4, 1.5, mesh) /
@@ -93,10 +90,9 @@ static void loss_is_known_within_half(void **state)
     }
 }
 
-static void automatic_inlet_costs_little(void **state)
+TEST(automatic_inlet_costs_little)
 {
     const double M[] = {1, 3, 20, 200}, L[] = {10, 0, 15, 5};
-    (void)state;
     for (int k = 0; k < 4; k++) {
         double X_a = ovr_inlet_of_loss(M[k], L[k], OVR_AUTO_LOSS, -2);
         double times = M[k] < 100 ? 4 : 2, mesh = M[k] < 100 ? 0.03 : 0.003;
@@ -127,11 +123,10 @@ static double inlet_of(const char *text, double *loss)
 
 /* Against one four times as far out; 0.2.0 lost 0.69 and 0.61 % of the first
  * two. */
-static void usual_inlet_costs_half_a_per_cent_at_most(void **state)
+TEST(usual_inlet_costs_half_a_per_cent_at_most)
 {
     const double M[] = {2, 5, 1, 3, 10, 20}, L[] = {10, 14, 5, 7, 18, 15};
     const double maximum = 5e-3;
-    (void)state;
     for (int k = 0; k < 6; k++) {
         char text[80];
         double loss, X_a;
@@ -145,10 +140,9 @@ static void usual_inlet_costs_half_a_per_cent_at_most(void **state)
     }
 }
 
-static void usual_inlet_is_the_papers_or_farther_out(void **state)
+TEST(usual_inlet_is_the_papers_or_farther_out)
 {
     double loss;
-    (void)state;
     assert_true(inlet_of("[contact]\nM = 20\nL = 10\n", &loss) == -4);
     assert_true(inlet_of("[contact]\nM = 5\nL = 10\n", &loss) < -4);
     assert_true(loss < 5e-3);
@@ -157,14 +151,13 @@ static void usual_inlet_is_the_papers_or_farther_out(void **state)
 }
 
 /* A dent that starts left of -4 keeps the domain from swallowing it. */
-static void what_comes_in_keeps_the_usual_inlet(void **state)
+TEST(what_comes_in_keeps_the_usual_inlet)
 {
     const char *dent = "[contact]\nM = 3\nL = 10\n[time]\nend = 1\n"
                        "[feature d]\nshape = dent\ndepth = 0.01\nwidth = 0.2\n"
                        "start = %s\n";
     char text[300];
     double loss;
-    (void)state;
     snprintf(text, sizeof text, dent, "-4.5");
     assert_true(inlet_of(text, &loss) == -4);
     snprintf(text, sizeof text, dent, "-14.5");
@@ -173,14 +166,13 @@ static void what_comes_in_keeps_the_usual_inlet(void **state)
     assert_true(inlet_of(text, &loss) < -6);
 }
 
-static void automatic_inlet_is_that_of_the_thickest_film(void **state)
+TEST(automatic_inlet_is_that_of_the_thickest_film)
 {
     const char *text = "[contact]\nM = 20\nL = 10\n[domain]\ninlet = auto\n"
                        "[time]\nend = 4\n[speed]\nhistory = ramp\nto = %s\n"
                        "duration = 2\n";
     char one[300];
     double loss, still, faster, slower;
-    (void)state;
     snprintf(one, sizeof one, text, "1");
     still = inlet_of(one, &loss);
     CHECK_CLOSE(loss, OVR_AUTO_LOSS, 1e-5);
@@ -191,19 +183,4 @@ static void automatic_inlet_is_that_of_the_thickest_film(void **state)
     faster = inlet_of(one, &loss);
     CHECK_CLOSE(ovr_inlet_loss(10, 10 * sqrt(2), faster), OVR_AUTO_LOSS, 1e-4);
     assert_true(faster < still);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(integrals_agree_with_adaptive_quadrature),
-        cmocka_unit_test(gap_is_that_of_hertz),
-        cmocka_unit_test(loss_is_known_within_half),
-        cmocka_unit_test(automatic_inlet_costs_little),
-        cmocka_unit_test(usual_inlet_costs_half_a_per_cent_at_most),
-        cmocka_unit_test(usual_inlet_is_the_papers_or_farther_out),
-        cmocka_unit_test(what_comes_in_keeps_the_usual_inlet),
-        cmocka_unit_test(automatic_inlet_is_that_of_the_thickest_film),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

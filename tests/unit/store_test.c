@@ -81,7 +81,7 @@ static void fill_up(ovr_store *s, unsigned char *model, size_t length)
     ovr_store_write(s, from, length - from, model + from);
 }
 
-static void commits_whole_states(void **state)
+TEST_IN_FOLDER(commits_whole_states)
 {
     const char *path = test_path(*state, "a");
     unsigned char model[BYTES], before[BYTES];
@@ -177,7 +177,7 @@ static void cut_and_reopen(const char *path, double keep, double share,
     unlink(path);
 }
 
-static void goes_back_to_the_checkpoint(void **state)
+TEST_IN_FOLDER(goes_back_to_the_checkpoint)
 {
     const char *path = test_path(*state, "b");
     for (uint64_t k = 0; k < 20; k++) {
@@ -187,7 +187,7 @@ static void goes_back_to_the_checkpoint(void **state)
 }
 
 /* A checkpoint later: the journal of the one before would destroy it. */
-static void goes_back_no_further(void **state)
+TEST_IN_FOLDER(goes_back_no_further)
 {
     const char *path = test_path(*state, "f");
     unsigned char model[BYTES];
@@ -215,7 +215,7 @@ static void goes_back_no_further(void **state)
     ovr_arena_release(&arena);
 }
 
-static void ignores_the_journal_of_another_file(void **state)
+TEST_IN_FOLDER(ignores_the_journal_of_another_file)
 {
     const char *path = test_path(*state, "c");
     unsigned char model[BYTES];
@@ -238,7 +238,7 @@ static void ignores_the_journal_of_another_file(void **state)
 }
 
 /* What the first version's commit left half done is not guessed at. */
-static void refuses_a_journal_of_the_first_version(void **state)
+TEST_IN_FOLDER(refuses_a_journal_of_the_first_version)
 {
     const char *path = test_path(*state, "g");
     const char *journal = test_path(*state, "g.journal");
@@ -255,7 +255,7 @@ static void refuses_a_journal_of_the_first_version(void **state)
     ovr_arena_release(&arena);
 }
 
-static void keeps_a_second_writer_out(void **state)
+TEST_IN_FOLDER(keeps_a_second_writer_out)
 {
     const char *path = test_path(*state, "d");
     unsigned char model[BYTES];
@@ -280,7 +280,7 @@ static void keeps_a_second_writer_out(void **state)
     ovr_arena_release(&arena);
 }
 
-static void notices_a_replaced_file(void **state)
+TEST_IN_FOLDER(notices_a_replaced_file)
 {
     const char *path = test_path(*state, "e");
     unsigned char model[BYTES];
@@ -296,21 +296,4 @@ static void notices_a_replaced_file(void **state)
     ovr_store_close(&s);
     check_disk(path, (const unsigned char *)"somebody else's", 15);
     ovr_arena_release(&arena);
-}
-
-#define TEST(name)                                                             \
-    cmocka_unit_test_setup_teardown(name, test_make_folder, test_remove_folder)
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        TEST(commits_whole_states),
-        TEST(goes_back_to_the_checkpoint),
-        TEST(goes_back_no_further),
-        TEST(ignores_the_journal_of_another_file),
-        TEST(refuses_a_journal_of_the_first_version),
-        TEST(keeps_a_second_writer_out),
-        TEST(notices_a_replaced_file),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -26,9 +26,8 @@ static void check_stress(ovr_in_plane s, const double *truth, double tolerance)
 
 /* ------------------------------------------------------------ closed forms */
 
-static void hats_and_hertz_are_exact(void **state)
+TEST(hats_and_hertz_are_exact)
 {
-    (void)state;
     for (size_t k = 0; k < ROWS(truth_hat_normal); k++) {
         const double *r = truth_hat_normal[k], *q = truth_hat_shear[k];
         check_stress(ovr_element_stress(OVR_ELEMENT_HAT, 1, 1, 0, r[0], r[1]),
@@ -44,9 +43,8 @@ static void hats_and_hertz_are_exact(void **state)
 }
 
 /* Other densities' potentials give their stresses by the same equations. */
-static void equations_hold_for_other_densities(void **state)
+TEST(equations_hold_for_other_densities)
 {
-    (void)state;
     for (size_t k = 0; k < ROWS(truth_strip_normal); k++) {
         const double *r = truth_strip_normal[k], *q = truth_strip_shear[k];
         double complex w = r[0] + I * r[1], both = clog(w - 1) - clog(w + 1);
@@ -63,9 +61,8 @@ static void equations_hold_for_other_densities(void **state)
 }
 
 /* Far off an element is a point; the spline's moments vanish to the third. */
-static void elements_are_points_from_far(void **state)
+TEST(elements_are_points_from_far)
 {
-    (void)state;
     for (double x = -90; x <= 90; x += 30) {
         ovr_in_plane point = ovr_element_stress(OVR_ELEMENT_POINT, 1, 1, 1, x,
                                                 40);
@@ -99,9 +96,8 @@ static ovr_in_plane direct(ovr_element element, double D, size_t n,
 }
 
 /* Pressure linear between the nodes, as the truth summed it. */
-static void hats_sum_to_the_truth(void **state)
+TEST(hats_sum_to_the_truth)
 {
-    (void)state;
     for (size_t k = 0; k < ROWS(snapshot_linear); k++) {
         const double *r = snapshot_linear[k];
         ovr_in_plane s = direct(OVR_ELEMENT_HAT, D8, SNAPSHOT_NODES,
@@ -116,12 +112,11 @@ static double cut_cosine(double k, double x)
     return cos(k * x) * exp(-pow(x / 2.8, 6));
 }
 
-static void waves_have_their_fourier_integral(void **state)
+TEST(waves_have_their_fourier_integral)
 {
     enum { NODES = 6145 };
     static double P[NODES];
     const double D = 12. / (NODES - 1), k = 2 * pi / 0.25;
-    (void)state;
     for (size_t j = 0; j < NODES; j++)
         P[j] = cut_cosine(k, -6 + (double)j * D);
     for (size_t i = 0; i < ROWS(truth_cosine); i++) {
@@ -160,9 +155,8 @@ static double error_of(ovr_element element, int n, double z)
     return worst;
 }
 
-static void elements_have_their_order(void **state)
+TEST(elements_have_their_order)
 {
-    (void)state;
     double hats = log2(error_of(OVR_ELEMENT_HAT, 32, 0.05) /
                        error_of(OVR_ELEMENT_HAT, 64, 0.05));
     double splines = log2(error_of(OVR_ELEMENT_SPLINE, 24, 0.05) /
@@ -216,17 +210,15 @@ static ovr_in_plane field_at(double z, double X)
     return result;
 }
 
-static void fields_meet_the_truth(void **state)
+TEST(fields_meet_the_truth)
 {
-    (void)state;
     for (size_t k = 0; k < ROWS(snapshot_spline); k++) {
         const double *r = snapshot_spline[k];
         double X = -4 + r[0] * D8;
         /* floats carry 2e-7; near the surface the two splines differ where
          * the pressure has kinks */
         double tolerance = r[1] >= 9 * D8 ? 2e-6 : r[1] >= 3 * D8 ? 3e-5 : 2e-3;
-        if (r[1] >= D8 && X >= -2.6 && X <= 2.6 - 64 * D8)
-            check_stress(field_at(r[1], X), r + 2, tolerance);
+        check_stress(field_at(r[1], X), r + 2, tolerance);
     }
 }
 
@@ -258,11 +250,10 @@ static double worst_against_sums(ovr_stress *s, const double *P,
     return worst;
 }
 
-static void cut_transforms_are_the_sums(void **state)
+TEST(cut_transforms_are_the_sums)
 {
     ovr_stress_options o = level8();
     static double Q[SNAPSHOT_NODES];
-    (void)state;
     for (size_t j = 0; j < SNAPSHOT_NODES; j++)
         Q[j] = 0.1 * snapshot_pressure[j];
     ovr_stress *s = made(&o);
@@ -282,12 +273,11 @@ static void cut_transforms_are_the_sums(void **state)
 }
 
 /* Between the nodes that a deep field is kept at it is whole too. */
-static void every_node_is_the_sums(void **state)
+TEST(every_node_is_the_sums)
 {
     ovr_stress_options o = level8();
     double worst = 0;
     ovr_error err;
-    (void)state;
     ovr_stress *s = made(&o);
     ovr_stress_solve(s, snapshot_pressure, NULL, 0, OVR_STRESS_ALL_LEVELS);
     for (size_t j = 0; j < ovr_stress_depths(s, NULL); j += 2) {
@@ -320,13 +310,12 @@ static double difference(const ovr_stress *a, const ovr_stress *b,
     return worst;
 }
 
-static void a_mirrored_pressure_mirrors_the_field(void **state)
+TEST(a_mirrored_pressure_mirrors_the_field)
 {
     enum { NODES = 1665 };
     ovr_stress_options o = ovr_stress_options_default();
     static double P[NODES], back[NODES];
     uint64_t seed = 7;
-    (void)state;
     o.mesh = 2.6 / ((NODES - 1) / 2);
     o.inlet = -2.6;
     o.nodes = NODES;
@@ -344,13 +333,12 @@ static void a_mirrored_pressure_mirrors_the_field(void **state)
     ovr_stress_free(b);
 }
 
-static void fields_superpose(void **state)
+TEST(fields_superpose)
 {
     static double P[3][SNAPSHOT_NODES];
     ovr_stress_options o = level8();
     ovr_stress *s[3];
     uint64_t seed = 3;
-    (void)state;
     for (size_t j = 0; j < SNAPSHOT_NODES; j++) {
         P[0][j] = test_random(&seed, 0, 1);
         P[1][j] = snapshot_pressure[j];
@@ -375,12 +363,11 @@ static void fields_superpose(void **state)
 
 /* Equal inputs give equal bits, also of another object; and levels that are
  * not asked for keep what they hold. */
-static void bits_stay(void **state)
+TEST(bits_stay)
 {
     ovr_stress_options o = level8();
     ovr_stress *a = made(&o), *b = made(&o);
     static double none[SNAPSHOT_NODES];
-    (void)state;
     ovr_stress_solve(a, snapshot_pressure, NULL, 3.3, OVR_STRESS_ALL_LEVELS);
     ovr_stress_solve(b, none, NULL, 0, OVR_STRESS_ALL_LEVELS);
     ovr_stress_solve(b, snapshot_pressure, NULL, 3.3, 1u << 0 | 1u << 3);
@@ -461,10 +448,9 @@ static void compare_loops(const ovr_stress_loops *a, const ovr_stress_loops *b)
     compare_circles(a, b);
 }
 
-static void every_instruction_set_agrees(void **state)
+TEST(every_instruction_set_agrees)
 {
     static const char *const names[] = {"base", "avx2", "avx512"};
-    (void)state;
     for (size_t k = 0; k < 3; k++) {
         const ovr_stress_loops *loops = ovr_stress_loops_choose(names[k]);
         if (loops)
@@ -484,12 +470,11 @@ static void refuses(ovr_stress_options o, const char *part)
 }
 
 /* int (A - A_u) dz with A_u = A_0 + s z, which is a polynomial. */
-static void limits_by_depth_enter_the_risk(void **state)
+TEST(limits_by_depth_enter_the_risk)
 {
     const double at[] = {0.1, 2}, limits[] = {0.1, 0.29};
     double z[21], A[21], risk[21];
     ovr_life_options life = ovr_life_options_default();
-    (void)state;
     life.exponent = 1;
     life.depth_exponent = 0;
     life.limits = 2;
@@ -510,10 +495,9 @@ static void limits_by_depth_enter_the_risk(void **state)
     assert_true(isnan(risk[0]));
 }
 
-static void nonsense_is_refused(void **state)
+TEST(nonsense_is_refused)
 {
     ovr_stress_options o = level8();
-    (void)state;
     o.depth_min = D8 / 3;
     refuses(o, "half a mesh");
     o = level8();
@@ -538,22 +522,20 @@ static ovr_status try_to_make(void *options, const ovr_allocator *hook,
     return s ? OVR_OK : err->status;
 }
 
-static void memory_may_run_out(void **state)
+TEST(memory_may_run_out)
 {
     ovr_stress_options o = level8();
-    (void)state;
     o.mesh = 5.5 / 112;
     o.nodes = 113;
     assert_true(test_every_allocation(try_to_make, &o) > 1);
 }
 
 /* What is foretold is what is taken, to a tenth. */
-static void memory_is_foretold(void **state)
+TEST(memory_is_foretold)
 {
     ovr_stress_options o = level8();
     test_faults faults;
     ovr_error err;
-    (void)state;
     test_faults_init(&faults);
     ovr_stress *s = ovr_stress_create(&o, &faults.hook, &err);
     assert_non_null(s);
@@ -561,28 +543,4 @@ static void memory_is_foretold(void **state)
     double kept = faults.bytes - 32. * 4096;
     CHECK_CLOSE(ovr_stress_memory(&o), kept, 0.1);
     ovr_stress_free(s);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(hats_and_hertz_are_exact),
-        cmocka_unit_test(equations_hold_for_other_densities),
-        cmocka_unit_test(elements_are_points_from_far),
-        cmocka_unit_test(hats_sum_to_the_truth),
-        cmocka_unit_test(waves_have_their_fourier_integral),
-        cmocka_unit_test(elements_have_their_order),
-        cmocka_unit_test(fields_meet_the_truth),
-        cmocka_unit_test(cut_transforms_are_the_sums),
-        cmocka_unit_test(every_node_is_the_sums),
-        cmocka_unit_test(a_mirrored_pressure_mirrors_the_field),
-        cmocka_unit_test(fields_superpose),
-        cmocka_unit_test(bits_stay),
-        cmocka_unit_test(every_instruction_set_agrees),
-        cmocka_unit_test(limits_by_depth_enter_the_risk),
-        cmocka_unit_test(nonsense_is_refused),
-        cmocka_unit_test(memory_may_run_out),
-        cmocka_unit_test(memory_is_foretold),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

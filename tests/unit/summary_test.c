@@ -36,7 +36,7 @@ static void compare(void *data, const ovr_summary_line *line)
             h->matched++;
 }
 
-static void a_file_holds_its_summary(void **state)
+TEST_IN_FOLDER(a_file_holds_its_summary)
 {
     const char *path = test_path(*state, "a.h5");
     ovr_error err = {0};
@@ -102,19 +102,8 @@ static void check_study(const char *folder, const char *name, bool results)
     ovr_study_free(study);
 }
 
-static void studies_need_no_report(void **state)
+TEST_IN_FOLDER(studies_need_no_report)
 {
     check_study(*state, "with.ini", true);
     check_study(*state, "without.ini", false);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test_setup_teardown(a_file_holds_its_summary,
-                                        test_make_folder, test_remove_folder),
-        cmocka_unit_test_setup_teardown(studies_need_no_report,
-                                        test_make_folder, test_remove_folder),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -1,17 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Features against their formulas, motion, growth, repetition, errors. */
 #include <math.h>
-#include <setjmp.h>
-#include <stdarg.h>
-#include <stddef.h>
-#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include <cmocka.h>
-
 #include "contact/contact.h"
 #include "overroll/overroll.h"
+#include "support/test.h"
 #include "surface/surfaces.h"
 
 enum { N = 897 };
@@ -64,10 +59,9 @@ static double reference(double A, double w, double Xd, double x)
     return A * pow(10, -10 * xi * xi) * cos(2 * PI * xi);
 }
 
-static void dent_and_bump_follow_their_formula(void **state)
+TEST(dent_and_bump_follow_their_formula)
 {
     ovr_contact c = moes(1.3, 0.7);
-    (void)state;
     for (int bump = 0; bump < 2; bump++) {
         ovr_feature_form form = local(bump ? OVR_BUMP : OVR_DENT, 0.1, 0.5);
         ovr_surfaces *s = with(&c, NULL, &form);
@@ -82,12 +76,11 @@ static void dent_and_bump_follow_their_formula(void **state)
     }
 }
 
-static void wave_grows_and_rides(void **state)
+TEST(wave_grows_and_rides)
 {
     ovr_contact c = moes(1, 0.5);
     ovr_feature_form form = ovr_feature_form_default();
     ovr_surfaces *s;
-    (void)state;
     form.shape = OVR_WAVE, form.amplitude = 0.05, form.wavelength = 0.4;
     form.grow = 1, form.surface = 2, form.origin = 0.1;
     s = with(&c, NULL, &form);
@@ -105,14 +98,13 @@ static void wave_grows_and_rides(void **state)
 }
 
 /* Overlapping features add up, in any order, on both surfaces. */
-static void features_add_up(void **state)
+TEST(features_add_up)
 {
     ovr_contact c = moes(1, -0.2);
     ovr_feature_form a = local(OVR_DENT, 0.1, 0.5), b = a, w = a;
     ovr_surfaces *both, *one, *other;
     ovr_error err;
     static double S1[N], S2[N];
-    (void)state;
     w = ovr_feature_form_default();
     w.shape = OVR_WAVE, w.amplitude = 0.01, w.wavelength = 0.3, w.surface = 2;
     b.start = -4.2;
@@ -131,12 +123,11 @@ static void features_add_up(void **state)
     ovr_surfaces_free(both), ovr_surfaces_free(one), ovr_surfaces_free(other);
 }
 
-static void copies_follow(void **state)
+TEST(copies_follow)
 {
     ovr_contact c = moes(1, 1);
     ovr_feature_form form = local(OVR_DENT, 0.1, 0.2);
     ovr_surfaces *s;
-    (void)state;
     form.repeat = 0.7;
     for (int copies = 0; copies < 4; copies += 3) {
         form.copies = copies;
@@ -164,10 +155,9 @@ static double at(const ovr_feature_form *form, double s)
     return z;
 }
 
-static void other_shapes_have_their_heights(void **state)
+TEST(other_shapes_have_their_heights)
 {
     ovr_feature_form f = ovr_feature_form_default();
-    (void)state;
     f.name = "it", f.centre = -1;
     f.shape = OVR_STEP, f.height = 0.2, f.flank = 0.4;
     assert_true(fabs(at(&f, 0) - 0.1) < 1e-15);
@@ -189,11 +179,10 @@ static void other_shapes_have_their_heights(void **state)
     assert_true(fabs(at(&f, 0.25) + 0.15) < 1e-15);
 }
 
-static void chirp_runs_from_one_wavelength_to_the_other(void **state)
+TEST(chirp_runs_from_one_wavelength_to_the_other)
 {
     ovr_feature_form f = ovr_feature_form_default();
     double rear = -2, last = 0, periods = 0;
-    (void)state;
     f.name = "it", f.centre = -1, f.shape = OVR_CHIRP, f.amplitude = 1;
     f.length = 4, f.wavelength = 0.2, f.wavelength_end = 0.4, f.flank = 0.1;
     assert_true(at(&f, -2) == 0 && at(&f, 2) == 0);
@@ -206,12 +195,11 @@ static void chirp_runs_from_one_wavelength_to_the_other(void **state)
     assert_true(fabs(periods / 2 - 14.2) < 0.6);
 }
 
-static void places_agree(void **state)
+TEST(places_agree)
 {
     ovr_contact c = moes(1.25, 0.75);
     ovr_feature_form f = local(OVR_DENT, 0.1, 0.5);
     ovr_surfaces *s;
-    (void)state;
     f.start = NAN, f.arrival = 4;
     s = with(&c, NULL, &f);
     assert_true(fabs(ovr_surfaces_centre(s, 0, 4)) < 1e-14);
@@ -227,12 +215,11 @@ static void places_agree(void **state)
 
 /* Half of the depth is left at half the diameter, by the shape's formula; a
  * form with the diameter is the form with the width. */
-static void diameters_are_at_half_depth(void **state)
+TEST(diameters_are_at_half_depth)
 {
     const ovr_shape shapes[] = {OVR_DENT, OVR_INDENT, OVR_RIDGE, OVR_GROOVE,
                                 OVR_INDENT};
     ovr_contact c = moes(1, 1);
-    (void)state;
     for (int k = 0; k < 5; k++) {
         ovr_feature_form f = local(shapes[k], 0.1, 0.43);
         double at[2] = {-1.3}, height[2], diameter;
@@ -266,7 +253,7 @@ static void diameters_are_at_half_depth(void **state)
 /* A ball's indent: depth and crest as given, the bowl a sphere's, slope and
  * curvature continuous, and what is displaced stands in the rim (rounded off by
  * some 1 %). */
-static void a_ball_leaves_its_volume_in_the_rim(void **state)
+TEST(a_ball_leaves_its_volume_in_the_rim)
 {
     enum { POINTS = 40001 };
     static double at[POINTS], height[POINTS];
@@ -275,7 +262,6 @@ static void a_ball_leaves_its_volume_in_the_rim(void **state)
     ovr_feature_form f = local(OVR_INDENT, 0.1, 0.5);
     double below = 0, above = 0, top = 0, where = 0, kink = 0;
     ovr_surfaces *s;
-    (void)state;
     f.height = f.width = NAN, f.depth = d, f.start = 0, f.surface = 2;
     f.rim_diameter = 2 * crest;
     s = with(&c, NULL, &f);
@@ -303,10 +289,9 @@ static void a_ball_leaves_its_volume_in_the_rim(void **state)
 }
 
 /* Without a place they are just outside, on the side that they come from. */
-static void features_come_in_from_the_end(void **state)
+TEST(features_come_in_from_the_end)
 {
     ovr_contact c = moes(1.25, -0.5);
-    (void)state;
     for (int surface = 1; surface <= 2; surface++) {
         ovr_feature_form f = local(OVR_DENT, 0.1, 0.5);
         ovr_surfaces *s = ovr_surfaces_create(&c, NULL, 0.01, NULL, NULL);
@@ -328,14 +313,13 @@ static void features_come_in_from_the_end(void **state)
 }
 
 /* Under a speed that changes, features keep to their surface's way. */
-static void speed_history_moves_features(void **state)
+TEST(speed_history_moves_features)
 {
     ovr_contact c = moes(1.5, 0.5);
     ovr_feature_form f = local(OVR_DENT, 0.1, 0.5);
     ovr_history_form h = ovr_history_form_default();
     ovr_history *speed;
     ovr_surfaces *s;
-    (void)state;
     h.kind = OVR_HISTORY_RAMP, h.from = 0, h.to = 1, h.duration = 2;
     speed = ovr_history_create(&h, NULL, NULL);
     assert_non_null(speed);
@@ -348,13 +332,12 @@ static void speed_history_moves_features(void **state)
 
 /* What has gone by comes back, and goes by again; what begins backward comes
  * in on the right, and so do its copies. */
-static void features_come_back(void **state)
+TEST(features_come_back)
 {
     const double quarter = acos(0), period = 8;
     ovr_contact c = moes(1.5, 0.5);
     ovr_feature_form f = local(OVR_DENT, 0.1, 0.5);
     ovr_history_form h = ovr_history_form_default();
-    (void)state;
     h.kind = OVR_HISTORY_SINE, h.mean = 0, h.amplitude = 1, h.period = period;
     h.start = -period / 4; /* cos(2 pi T/8) */
     ovr_history *speed = ovr_history_create(&h, NULL, NULL);
@@ -399,11 +382,10 @@ static void refuse(const ovr_feature_form *form, const char *word)
     ovr_surfaces_free(s);
 }
 
-static void mistakes_are_named(void **state)
+TEST(mistakes_are_named)
 {
     const ovr_feature_form good = local(OVR_DENT, 0.1, 0.5);
     ovr_feature_form f = good;
-    (void)state;
     f.width = NAN, refuse(&f, "width"), f = good;
     f.diameter = 1, refuse(&f, "one of width"), f = good;
     f.shape = OVR_WAVE, f.depth = f.width = NAN, f.half_width = 1;
@@ -458,10 +440,9 @@ static bool is_made(const ovr_contact *c, const ovr_feature_form *form)
 
 /* The words of the manual are the rules: a feature of what a shape is said to
  * need is made, and not without the last of it. */
-static void shapes_need_what_is_said(void **state)
+TEST(shapes_need_what_is_said)
 {
     ovr_contact c = moes(1, 1);
-    (void)state;
     for (int shape = 0; shape < OVR_PROFILE; shape++) {
         char text[500], *word, *rest = text + strlen("needs ");
         ovr_feature_form form = ovr_feature_form_default();
@@ -482,23 +463,4 @@ static void shapes_need_what_is_said(void **state)
     }
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(dent_and_bump_follow_their_formula),
-        cmocka_unit_test(shapes_need_what_is_said),
-        cmocka_unit_test(wave_grows_and_rides),
-        cmocka_unit_test(features_add_up),
-        cmocka_unit_test(copies_follow),
-        cmocka_unit_test(other_shapes_have_their_heights),
-        cmocka_unit_test(chirp_runs_from_one_wavelength_to_the_other),
-        cmocka_unit_test(places_agree),
-        cmocka_unit_test(diameters_are_at_half_depth),
-        cmocka_unit_test(a_ball_leaves_its_volume_in_the_rim),
-        cmocka_unit_test(features_come_in_from_the_end),
-        cmocka_unit_test(speed_history_moves_features),
-        cmocka_unit_test(features_come_back),
-        cmocka_unit_test(mistakes_are_named),
-    };
-    return cmocka_run_group_tests(tests, grid, NULL);
-}
+TEST_GROUP(grid, NULL)

@@ -23,7 +23,7 @@ static ovr_touch_law greenwood_tripp(double sigma)
 
 /* F_5/2 as Greenwood & Tripp's table has it, to its five decimals; 83 MPa at no
  * gap with n beta sigma 0.05, sigma/beta 0.01 and E* 113 GPa. */
-static void summits_bear_what_their_table_says(void **state)
+TEST(summits_bear_what_their_table_says)
 {
     static const double of[][2] = {
         {0, 0.61664}, {0.5, 0.24040}, {1, 0.08056}, {1.5, 0.02286},
@@ -31,7 +31,6 @@ static void summits_bear_what_their_table_says(void **state)
     const double sigma = 0.02, pi = acos(-1.0);
     double scale = 16 * sqrt(2) * pi / 15 * 0.05 * 0.05 * 0.1 * 113, A, slope;
     ovr_touch_law law = greenwood_tripp(sigma);
-    (void)state;
     for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
         ovr_touch_law_at(&law, sigma * of[k][0], &A, &slope);
         CHECK_NEAR(A / scale, of[k][1], 6e-6);
@@ -44,11 +43,10 @@ static void summits_bear_what_their_table_says(void **state)
 }
 
 /* Between the points and beyond them, by differences. */
-static void slopes_are_those_of_the_pressures(void **state)
+TEST(slopes_are_those_of_the_pressures)
 {
     const double step = 1e-6;
     ovr_touch_law law = greenwood_tripp(1);
-    (void)state;
     law.layer = 0.3;
     law.layer_decay = 0.1;
     for (double H = -3.51; H < 8; H += 0.037) {
@@ -67,12 +65,11 @@ static void slopes_are_those_of_the_pressures(void **state)
 /* Points of exp(-H): the slopes are -1, and so it goes on everywhere, until
  * exp(-60), below which there is nothing; points of exp(-H^3/2) are met, and
  * nowhere does it rise. */
-static void tables_go_through_their_points(void **state)
+TEST(tables_go_through_their_points)
 {
     ovr_touch_law law = {0};
     ovr_error err = {0};
     double A, slope, last = INFINITY;
-    (void)state;
     arena = ovr_arena_make(NULL);
     CHECK_OK(ovr_touch_table_take(&law.table, 5, &arena, &err), &err);
     for (size_t k = 0; k < 5; k++) {
@@ -104,10 +101,9 @@ static void tables_go_through_their_points(void **state)
 
 /* Patir and Cheng's at lambda 3, by hand; slopes by differences; films of thick
  * gaps are those of smooth surfaces. */
-static void flow_factors_and_their_slopes(void **state)
+TEST(flow_factors_and_their_slopes)
 {
     const double step = 1e-6;
-    (void)state;
     ovr_flow_factor f = {OVR_RIDGES_ISOTROPIC, 0.5};
     double slope, one, other;
     CHECK_NEAR(ovr_flow_factor_at(&f, 1.5, &slope), 0.8323, 5e-5);
@@ -125,14 +121,4 @@ static void flow_factors_and_their_slopes(void **state)
         }
         CHECK_NEAR(ovr_flow_factor_film(&f, 100), 1, 1e-3);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(summits_bear_what_their_table_says),
-        cmocka_unit_test(slopes_are_those_of_the_pressures),
-        cmocka_unit_test(tables_go_through_their_points),
-        cmocka_unit_test(flow_factors_and_their_slopes)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -48,11 +48,10 @@ static ovr_in_plane value(const ovr_stress_row *row, size_t i)
 
 /* Its edges, square roots, converge slowly: at this level 1e-3 near the surface
  * and 4e-5 at z = 0.2 for the pressure alone. */
-static void sliding_contacts_have_their_closed_form(void **state)
+TEST(sliding_contacts_have_their_closed_form)
 {
     const double mu[] = {0.05, -0.3};
     ovr_stress_options o = level8(-4);
-    (void)state;
     ovr_stress *s = made(&o);
     for (size_t m = 0; m < 2; m++) {
         hertz(-4, mu[m]);
@@ -95,11 +94,10 @@ static double largest(ovr_stress *s, double mu, double *z)
 /* The largest shear stress comes to the surface where the friction exceeds a
  * quarter of the load (K. L. Johnson, Contact Mechanics, 1985, section 7.1),
  * and there, in the plane, it is mu everywhere under the pressure. */
-static void strong_friction_yields_at_the_surface(void **state)
+TEST(strong_friction_yields_at_the_surface)
 {
     ovr_stress_options o = level8(-4);
     double z;
-    (void)state;
     o.depth_min = D / 2;
     ovr_stress *s = made(&o);
     largest(s, 0.22, &z);
@@ -132,10 +130,9 @@ static void ragged(double inlet)
     }
 }
 
-static void a_mirrored_load_mirrors_the_field(void **state)
+TEST(a_mirrored_load_mirrors_the_field)
 {
     ovr_stress_options o = level8(-2.75);
-    (void)state;
     o.from = -2.75 + 32 * D, o.to = 2.75 - 32 * D;
     ovr_stress *a = made(&o), *b = made(&o);
     ragged(-2.75);
@@ -156,13 +153,12 @@ static void a_mirrored_load_mirrors_the_field(void **state)
 }
 
 /* (P, Q) is (P, 0) and (0, Q); a solve without Q is one with zeros. */
-static void loads_superpose(void **state)
+TEST(loads_superpose)
 {
     static const double none[NODES];
     ovr_stress_options o = level8(-4);
     const double *p[] = {P, none, P, P}, *q[] = {NULL, Q, Q, none};
     ovr_stress *s[4];
-    (void)state;
     ragged(-4);
     for (int k = 0; k < 4; k++) {
         s[k] = made(&o);
@@ -230,11 +226,10 @@ static void of_path(double mu, double z, double *radius, double *orthogonal)
     free(s);
 }
 
-static void sliding_histories_have_their_amplitudes(void **state)
+TEST(sliding_histories_have_their_amplitudes)
 {
     const double mu[] = {0.1, -0.25}, z[] = {0.2, 0.5, 1};
     ovr_stress_options o = level8(-4);
-    (void)state;
     for (size_t k = 0; k < 6; k++) {
         double R, tau, radius, orthogonal;
         o.depth_min = o.depth_max = z[k / 2];
@@ -251,11 +246,10 @@ static void sliding_histories_have_their_amplitudes(void **state)
 }
 
 /* A steady sliding contact does no more harm than itself. */
-static void a_steady_contact_adds_no_risk(void **state)
+TEST(a_steady_contact_adds_no_risk)
 {
     const double ways[] = {1.15, -0.85};
     ovr_stress_options o = level8(-4);
-    (void)state;
     hertz(-4, 0.1);
     for (size_t k = 0; k < 2; k++) {
         ovr_error err;
@@ -283,11 +277,10 @@ static void a_steady_contact_adds_no_risk(void **state)
 
 /* Traction behind a sliding contact pulls: there is tension below the surface,
  * which pressure alone never makes. */
-static void traction_pulls(void **state)
+TEST(traction_pulls)
 {
     ovr_stress_options o = level8(-4);
     double pulled, pressed;
-    (void)state;
     o.depth_min = o.depth_max = 0.2;
     hertz(-4, 0.2);
     ovr_material_history *p = rolled(&o, 0, D, 0);
@@ -299,18 +292,4 @@ static void traction_pulls(void **state)
     ovr_material_history_free(p);
     assert_true(pulled > 0.02);
     CHECK_NEAR(pressed, 0, 1e-6);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sliding_contacts_have_their_closed_form),
-        cmocka_unit_test(strong_friction_yields_at_the_surface),
-        cmocka_unit_test(a_mirrored_load_mirrors_the_field),
-        cmocka_unit_test(loads_superpose),
-        cmocka_unit_test(sliding_histories_have_their_amplitudes),
-        cmocka_unit_test(a_steady_contact_adds_no_risk),
-        cmocka_unit_test(traction_pulls),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -74,12 +74,11 @@ static void check_alternative(const ovr_section *section, const char *text,
     }
 }
 
-static void conditions_are_about_keys(void **state)
+TEST(conditions_are_about_keys)
 {
     const ovr_section *section;
     const ovr_parameter *row;
     int conditions = 0;
-    (void)state;
     for (size_t k = 0; (row = ovr_parameter_row(k, &section)); k++) {
         const char *s = row->when ? row->when : "";
         if (!strcmp(s, OVR_BY_SHAPE)) {
@@ -184,9 +183,8 @@ static const struct {
      "above 0"},
 };
 
-static void refused_with_a_sentence(void **state)
+TEST(refused_with_a_sentence)
 {
-    (void)state;
     for (size_t k = 0; k < sizeof idle / sizeof *idle; k++) {
         ovr_error err = {0};
         ovr_case *c = ovr_case_read_text(idle[k].text, "t.ini", NULL, NULL,
@@ -199,11 +197,10 @@ static void refused_with_a_sentence(void **state)
 
 /* The same stand in the files of an earlier version; what is set later is
  * looked at as ever. */
-static void taken_from_result_files(void **state)
+TEST(taken_from_result_files)
 {
     ovr_error err = {0};
     ovr_case *c;
-    (void)state;
     for (size_t k = 0; k < sizeof idle / sizeof *idle; k++) {
         c = ovr_case_read_stored(idle[k].text, "t.ini", NULL, NULL, &err);
         CHECK_OK(attempt(c, &err), &err);
@@ -246,7 +243,7 @@ static heard review(const char *text)
     return h;
 }
 
-static void noted_where_switched_off(void **state)
+TEST(noted_where_switched_off)
 {
     static const struct {
         const char *text, *note;
@@ -273,7 +270,6 @@ static void noted_where_switched_off(void **state)
          1},
         {MOES "[heat]\nmodel = none\n", "", 0},
     };
-    (void)state;
     for (size_t k = 0; k < sizeof off / sizeof *off; k++) {
         heard h = review(off[k].text);
         assert_int_equal(h.notes, off[k].notes);
@@ -283,10 +279,9 @@ static void noted_where_switched_off(void **state)
 }
 
 /* Nor for what varies. */
-static void histories_of_steady_contacts_are_said(void **state)
+TEST(histories_of_steady_contacts_are_said)
 {
     heard h = review(MOES "[load]\nhistory = ramp\nto = 2\n");
-    (void)state;
     assert_int_equal(h.warnings, 1);
     assert_non_null(strstr(h.warning, "[load] history = ramp: a steady "
                                       "solution takes its value at T = 0"));
@@ -295,12 +290,11 @@ static void histories_of_steady_contacts_are_said(void **state)
 }
 
 /* A steady solution has no space for what passes. */
-static void features_left_out_are_said(void **state)
+TEST(features_left_out_are_said)
 {
     heard h = review("[contact]\nM = 20\nL = 10\n[domain]\nlevel = 8\n"
                      "[time]\nscheme = upstream2\n[feature d]\nshape = "
                      "dent\ndepth = 0.1\nwidth = 1\n");
-    (void)state;
     assert_int_equal(h.warnings, 1);
     assert_non_null(strstr(h.warning, "'d' moves, and a steady solution leaves "
                                       "it out: an end in [time]"));
@@ -309,17 +303,4 @@ static void features_left_out_are_said(void **state)
                     "[feature e]\nshape = ridge\nheight = 0.1\nwidth = 9\n"
                     "start = 0\nsurface = 2\n");
     assert_null(strstr(h.warning, "'e'")); /* it stands still */
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(conditions_are_about_keys),
-        cmocka_unit_test(refused_with_a_sentence),
-        cmocka_unit_test(taken_from_result_files),
-        cmocka_unit_test(noted_where_switched_off),
-        cmocka_unit_test(histories_of_steady_contacts_are_said),
-        cmocka_unit_test(features_left_out_are_said),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -12,9 +12,8 @@
 static const double first_yield = 1.7936699, first_depth = 0.7043,
                     collapse = 2.9684999026134693;
 
-static void limits(void **state)
+TEST(limits)
 {
-    (void)state;
     double z;
     ovr_hertz_criterion(OVR_CRITERION_VON_MISES, 0, 0.3, &z);
     CHECK_NEAR(ovr_first_yield(0.3), first_yield, 1e-6);
@@ -46,9 +45,8 @@ static ovr_strip worst_of(const double *P, double minimum, double maximum)
 }
 
 /* What surrounds a strip adds to what it bears: only the difference counts. */
-static void strip_on_a_background(void **state)
+TEST(strip_on_a_background)
 {
-    (void)state;
     static double P[NODES];
     const double around[] = {0, 0.4, 1};
     for (int k = 0; k < 3; k++) {
@@ -64,10 +62,9 @@ static void strip_on_a_background(void **state)
 
 /* Steel flows to the side that bears less: what stands on the other one does
  * not hold a strip. */
-static void side_that_bears_less(void **state)
+TEST(side_that_bears_less)
 {
     static double P[NODES];
-    (void)state;
     for (size_t i = 0; i < NODES; i++)
         P[i] = node(i) < -1 || node(i) > 0.3 ? 0 : node(i) < 0 ? 1 : 2;
     CHECK_NEAR(worst_of(P, 0.05, 0.25).excess, 2, 1e-9);
@@ -90,9 +87,8 @@ static double hertz_excess(double from, double w)
 
 /* The smooth contact's own, by its integral: widths a third of an octave apart
  * and places a sixteenth leave 2 % at most. */
-static void smooth_contact(void **state)
+TEST(smooth_contact)
 {
-    (void)state;
     static double P[NODES];
     double exact = 0;
     for (size_t i = 0; i < NODES; i++)
@@ -108,9 +104,8 @@ static void smooth_contact(void **state)
 }
 
 /* A later pressure counts only where it is worse. */
-static void only_worse_ones(void **state)
+TEST(only_worse_ones)
 {
-    (void)state;
     static double P[NODES], sums[NODES + 1];
     ovr_pressure_sums s = {NODES, sums};
     ovr_strip worst = {.excess = 0.9};
@@ -118,13 +113,4 @@ static void only_worse_ones(void **state)
         P[i] = sqrt(fmax(0, 1 - node(i) * node(i)));
     assert_true(!ovr_strip_find(&s, P, 8, 400, &worst));
     assert_true(worst.excess == 0.9 && worst.width == 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(limits), cmocka_unit_test(strip_on_a_background),
-        cmocka_unit_test(side_that_bears_less),
-        cmocka_unit_test(smooth_contact), cmocka_unit_test(only_worse_ones)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -87,7 +87,7 @@ static rolled roll(double ratio, int passes)
 /* An independent computation's numbers: 2 % (its step of the path 0.02, layers
  * of 0.025, the same here).  Above 4 k shear that nothing holds goes on as long
  * as it is let: 40 iterations, as there. */
-static void rolling(void **state)
+TEST(rolling)
 {
     static const struct {
         double ratio, first, last, x_min, z_min, x_half, y_half;
@@ -95,7 +95,6 @@ static void rolling(void **state)
         {3.15, 0.01198, 0, -0.008439, 0.7125, 0, 0},
         {3.8, 0.446286, 0, -0.101488, 0.7875, -0.072658, -0.113954},
         {4.02, 2.087345, 0.742167, -0.149005, 0.5625, -0.131777, -0.212452}};
-    (void)state;
     for (size_t i = 0; i < 3; i++) {
         rolled r = roll(truth[i].ratio, 6);
         CHECK_NEAR(r.first, truth[i].first, 0.02 * truth[i].first);
@@ -109,9 +108,8 @@ static void rolling(void **state)
 
 /* Melan's limit of 4 k, and the residual stresses there (K. L. Johnson, Contact
  * Mechanics, 1985, section 9.2). */
-static void shakedown(void **state)
+TEST(shakedown)
 {
-    (void)state;
     rolled below = roll(3.98, 8), above = roll(4.02, 8);
     assert_true(below.first > 0.1);
     assert_true(below.last < 1e-3 * below.first);
@@ -120,9 +118,8 @@ static void shakedown(void **state)
     CHECK_NEAR(above.y_half, -0.2134, 0.03 * 0.2134);
 }
 
-static void first_yield(void **state)
+TEST(first_yield)
 {
-    (void)state;
     CHECK_NEAR(roll(3.10, 1).first, 0, 0);
     rolled r = roll(3.115, 1);
     assert_true(r.first > 0);
@@ -178,9 +175,8 @@ static double max_flowed(const ovr_yielding *y)
 
 /* First yield at 1.70 Y, collapse at 2.97 Y: below it a body that does not
  * harden comes to rest, above it flow goes on. */
-static void strip(void **state)
+TEST(strip)
 {
-    (void)state;
     const ovr_hardening perfect = {.yield = 1};
     ovr_flowed flowed;
     ovr_yielding_free(pressed(1.69, 0, perfect, 8, &flowed));
@@ -203,9 +199,8 @@ static void strip(void **state)
 
 /* What is pressed from the other side is the mirror image, to rounding of the
  * floats that the stresses are given in. */
-static void mirror(void **state)
+TEST(mirror)
 {
-    (void)state;
     const ovr_hardening h = {
         .law = OVR_HARDENS_LINEAR, .yield = 1, .modulus = 0.05};
     ovr_flowed flowed;
@@ -237,9 +232,8 @@ static void mirror(void **state)
 
 /* Strains alone make up the state: set elsewhere, all is the same, to the bit.
  */
-static void state_is_strain(void **state)
+TEST(state_is_strain)
 {
-    (void)state;
     const ovr_hardening h = {
         .law = OVR_HARDENS_KINEMATIC, .yield = 1, .modulus = 0.1};
     ovr_flowed flowed;
@@ -264,9 +258,8 @@ static void state_is_strain(void **state)
 /* ------------------------------------------------------------ at one point */
 
 /* Pure shear held to a stress: Y(e) of the flow that it takes. */
-static void hardening(void **state)
+TEST(hardening)
 {
-    (void)state;
     const ovr_hardening law[] = {
         {.law = OVR_HARDENS_LINEAR, .yield = 1, .modulus = 0.2},
         {.law = OVR_HARDENS_KINEMATIC, .yield = 1, .modulus = 0.2},
@@ -291,15 +284,4 @@ static void hardening(void **state)
         bool flows = ovr_plastic_flow(&law[k], nu, back, &e, &work) > 0;
         assert_int_equal(flows, k == 1);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(first_yield),     cmocka_unit_test(rolling),
-        cmocka_unit_test(shakedown),       cmocka_unit_test(strip),
-        cmocka_unit_test(mirror),          cmocka_unit_test(hardening),
-        cmocka_unit_test(state_is_strain),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,29 +7,18 @@
 #include "../support/adaptive.h"
 #include "../support/test.h"
 
-static void dents(void **state)
+TEST(dents)
 {
     test_adaptive all = test_adaptive_cases(1, 40, 6, "upstream2");
-    (void)state;
     assert_true(all.worst < 10);
     assert_true(all.cycles > 0 && all.cycles <= all.cycles_of_mesh);
 }
 
 /* The characteristic scheme errs less at dT = D than at any other step: what
  * rolls moves by whole nodes then. */
-static void dents_by_characteristics(void **state)
+TEST(dents_by_characteristics)
 {
     test_adaptive all = test_adaptive_cases(1, 40, 6, "characteristic");
-    (void)state;
     assert_true(all.worst < 10);
     assert_true(all.cycles <= 1.5 * all.cycles_of_mesh);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(dents),
-        cmocka_unit_test(dents_by_characteristics),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,18 +6,10 @@
 #include "../support/any_case.h"
 #include "../support/test.h"
 
-static void any_case_is_solved_or_fails_in_a_sentence(void **state)
+TEST(any_case_is_solved_or_fails_in_a_sentence)
 {
     const char *told = getenv("OVERROLL_RUNS");
     const char *from = getenv("OVERROLL_SEED");
-    (void)state;
     test_any_case_survey(from ? strtoul(from, NULL, 10) : 280000,
                          told ? atoi(told) : 1000);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(any_case_is_solved_or_fails_in_a_sentence)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -3,22 +3,13 @@
 #include "support/coated.h"
 #include "support/test.h"
 
-static void steady(void **state)
+TEST(steady)
 {
-    (void)state;
     test_coated_steady(200);
 }
 
-static void dents(void **state)
+TEST(dents)
 {
-    (void)state;
     test_coated_dents(60, 2);
     test_coated_dents(60, 4);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(steady),
-                                       cmocka_unit_test(dents)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -112,31 +112,22 @@ static double norm(quantity *q)
     return value;
 }
 
-static void central_film(void **state)
+TEST(central_film)
 {
     quantity q = {"central", &ovr_central_film, true};
     double median, maximum;
-    (void)state;
     judge(&q, &median, &maximum);
     assert_true(median < 0.25 && maximum < 2.6);
     assert_true(norm(&q) < 1.1 * refit(&q));
 }
 
-static void minimum_film(void **state)
+TEST(minimum_film)
 {
     quantity q = {"minimum", &ovr_minimum_film, false};
     double median, maximum;
-    (void)state;
     judge(&q, &median, &maximum);
     assert_true(median < 0.29 && maximum < 1.7);
     assert_true(norm(&q) < 1.1 * refit(&q));
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(central_film),
-        cmocka_unit_test(minimum_film),
-    };
-    return cmocka_run_group_tests(tests, survey, NULL);
-}
+TEST_GROUP(survey, NULL)

@@ -29,23 +29,14 @@ static int broken(uint64_t seed, double from, double to, int level)
     return ended;
 }
 
-static void thick_films_go_through(void **state)
+TEST(thick_films_go_through)
 {
-    (void)state;
     for (int level = 7; level <= 8; level++)
         assert_true(broken(31000, 1, 3, level) <= 1);
 }
 
-static void thin_films_go_through(void **state)
+TEST(thin_films_go_through)
 {
-    (void)state;
     for (int level = 7; level <= 8; level++)
         assert_true(broken(32000, 0.3, 1, level) <= 15);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(thick_films_go_through),
-                                       cmocka_unit_test(thin_films_go_through)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

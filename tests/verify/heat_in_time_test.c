@@ -87,13 +87,12 @@ static void run(uint64_t *seed, total *t)
     ovr_history_free(V);
 }
 
-static void random_runs_go_through(void **state)
+TEST(random_runs_go_through)
 {
     const char *told = getenv("OVERROLL_RUNS");
     long runs = told ? strtol(told, NULL, 10) : 100;
     total t = {.min_rise = INFINITY};
     uint64_t seed = 20261122;
-    (void)state;
     print_message("    seed %llu\n", (unsigned long long)seed);
     for (long k = 0; k < runs; k++)
         run(&seed, &t);
@@ -105,11 +104,4 @@ static void random_runs_go_through(void **state)
                   t.steps);
     assert_int_equal(t.failed, 0);
     assert_true(100 * t.marked <= 3 * t.runs);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(random_runs_go_through)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -72,23 +72,12 @@ static int runs(void)
     return told ? atoi(told) : 100;
 }
 
-static void eyring_films(void **state)
+TEST(eyring_films)
 {
-    (void)state;
     survey("Eyring, 0.4 to 2 GPa", 2e9, false, runs());
 }
 
-static void newtonian_films(void **state)
+TEST(newtonian_films)
 {
-    (void)state;
     survey("Newtonian, 0.4 to 1 GPa", 1e9, true, runs());
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(eyring_films),
-        cmocka_unit_test(newtonian_films),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -6,17 +6,10 @@
 #include "support/histories.h"
 #include "support/test.h"
 
-static void no_step_fails(void **state)
+TEST(no_step_fails)
 {
     const char *told = getenv("OVERROLL_RUNS");
     test_histories all = test_histories_run(
         20261122, told ? strtol(told, NULL, 10) : 500, true);
-    (void)state;
     assert_int_equal(all.missed, 0);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(no_step_fails)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -46,11 +46,10 @@ static double film(double M, double L, double X_a, double X_b, double *begun)
     return H;
 }
 
-static void automatic_domains(void **state)
+TEST(automatic_domains)
 {
     double worst = 0;
     int lower = 0;
-    (void)state;
     for (int i = 0; i < LOADS; i++)
         for (int j = 0; j < MATERIALS; j++) {
             double M = loads[i], L = materials[j], X[2];
@@ -71,10 +70,9 @@ static void automatic_domains(void **state)
 }
 
 /* Losses of less than 2e-5 are left out: meshes do not show them. */
-static void losses(void **state)
+TEST(losses)
 {
     double worst = 1;
-    (void)state;
     for (int i = 0; i < LOADS; i++)
         for (int j = 0; j < MATERIALS; j++) {
             double M = loads[i], L = materials[j], X[2];
@@ -90,13 +88,4 @@ static void losses(void **state)
         }
     printf("largest ratio %.3g\n", worst);
     assert_true(worst < 1.5);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(automatic_domains),
-        cmocka_unit_test(losses),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

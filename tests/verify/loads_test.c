@@ -42,21 +42,18 @@ static void matrix(ovr_smoother smoother)
     assert_int_equal(failed, 0);
 }
 
-static void test_line(void **state)
+TEST(test_line)
 {
-    (void)state;
     matrix(OVR_LINE);
 }
 
-static void test_hybrid(void **state)
+TEST(test_hybrid)
 {
-    (void)state;
     matrix(OVR_HYBRID);
 }
 
-static void test_film(void **state)
+TEST(test_film)
 {
-    (void)state;
     print_message("\n|| level 12, upstream2, [-4, 1.5]: relative errors\n"
                   "| M | L | H_min | error | H_cen | error |\n"
                   "|--:|--:|--:|--:|--:|--:|\n");
@@ -73,12 +70,4 @@ static void test_film(void **state)
         CHECK_CLOSE(s.o.H_min, e->H_m, 5e-4);
         CHECK_CLOSE(s.o.H_cen, e->H_cen, 1e-4);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(test_line),
-                                       cmocka_unit_test(test_hybrid),
-                                       cmocka_unit_test(test_film)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

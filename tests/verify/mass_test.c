@@ -20,35 +20,25 @@ static long setting(const char *name, long otherwise)
     return text ? strtol(text, NULL, 10) : otherwise;
 }
 
-static void steady(void **state)
+TEST(steady)
 {
     long count = setting("MASS_COUNT", 2000);
     test_statistics s = test_mass("steady", test_steady_case,
                                   (uint64_t)setting("MASS_FIRST", 1), count);
-    (void)state;
     assert_int_equal(s.cases, count);
     assert_int_equal(s.unnamed + s.not_numbers, 0);
     assert_int_equal(s.gave_up, s.impossible);
     assert_true((double)s.gave_up <= 0.04 * (double)count + 1);
 }
 
-static void transient(void **state)
+TEST(transient)
 {
     long count = setting("MASS_COUNT", 200);
     test_statistics s = test_mass("transient", test_transient_case,
                                   (uint64_t)setting("MASS_FIRST", 1), count);
-    (void)state;
     assert_int_equal(s.cases, count);
     assert_int_equal(s.unnamed + s.not_numbers, 0);
     assert_int_equal(s.gave_up, s.impossible);
     assert_true((double)s.gave_up <= 0.02 * (double)count);
     assert_true(s.worst_marked <= 1);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {cmocka_unit_test(steady),
-                                       cmocka_unit_test(transient)};
-    setvbuf(stdout, NULL, _IOLBF, 0);
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

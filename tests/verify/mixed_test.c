@@ -6,16 +6,8 @@
 #include "support/mixed.h"
 #include "support/test.h"
 
-static void random_runs_go_through(void **state)
+TEST(random_runs_go_through)
 {
     const char *told = getenv("OVERROLL_RUNS");
-    (void)state;
     test_mixed_survey(22000, told ? atoi(told) : 500, 6);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(random_runs_go_through)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -137,7 +137,7 @@ static double median(double *seconds)
     return seconds[TIMES / 2];
 }
 
-static void readers_and_run_live_together(void **state)
+TEST_IN_FOLDER(readers_and_run_live_together)
 {
     double alone[TIMES], beside[TIMES], read[TIMES], ratio;
     const char *folder = *state;
@@ -164,13 +164,4 @@ static void readers_and_run_live_together(void **state)
                   "%%; %d readers failed\n",
                   median(alone), 100 * (ratio - 1), failed);
     assert_int_equal(failed, 0); /* times are told: they decide nothing */
-}
-
-#define TEST(name)                                                             \
-    cmocka_unit_test_setup_teardown(name, test_make_folder, test_remove_folder)
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {TEST(readers_and_run_live_together)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -7,18 +7,17 @@
 #include "support/reversal.h"
 #include "support/test.h"
 
-static void no_step_fails(void **state)
+TEST(no_step_fails)
 {
     const char *told = getenv("OVERROLL_RUNS");
     test_reversals all = test_reversals_run(
         20261122, told ? strtol(told, NULL, 10) : 80, 20);
-    (void)state;
     assert_int_equal(all.failed, 0);
     assert_int_equal(all.marked, 0);
 }
 
 /* (M, L), features and levels of an independent solution's own check. */
-static void agrees_with_dense_newton(void **state)
+TEST(agrees_with_dense_newton)
 {
     const test_reversal cases[] = {
         {.M = 20, .L = 10, .level = 5},
@@ -27,7 +26,6 @@ static void agrees_with_dense_newton(void **state)
         {.M = 5, .L = 2.5, .level = 5},
         {.M = 20, .L = 10, .level = 6, .feature = {'l', -0.05, 0.5, -1, 1, 0}},
         {.M = 20, .L = 10, .level = 5, .feature = {'l', 0.02, 0.5, -1, 1, 0}}};
-    (void)state;
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         test_reversal r = cases[k];
         r.scheme = OVR_UPSTREAM2;
@@ -42,12 +40,4 @@ static void agrees_with_dense_newton(void **state)
         assert_true(apart.turns >= 2);
         assert_true(apart.P < 1e-6 && apart.H < 1e-6);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(agrees_with_dense_newton),
-        cmocka_unit_test(no_step_fails)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

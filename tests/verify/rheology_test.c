@@ -31,13 +31,12 @@ static ovr_simulation *eyring(double M, double L, double S, double tau0,
     return sim;
 }
 
-static void steady_contacts_converge(void **state)
+TEST(steady_contacts_converge)
 {
     static const double contact[][2] = {{5, 5},   {20, 10}, {20, 2.5},
                                         {50, 14}, {100, 5}, {200, 14}};
     static const double tau0[] = {2e6, 5e6, 15e6}, S[] = {0, 0.1, 0.5, 2};
     int ways = 0, cycles = 0;
-    (void)state;
     for (int k = 0; k < 144; k++) {
         const double *c = contact[k / 24];
         ovr_simulation *sim = eyring(c[0], c[1], S[k % 4], tau0[k / 4 % 3],
@@ -52,17 +51,8 @@ static void steady_contacts_converge(void **state)
                   ways, cycles / 144.);
 }
 
-static void random_runs_go_through(void **state)
+TEST(random_runs_go_through)
 {
     const char *told = getenv("OVERROLL_RUNS");
-    (void)state;
     test_thinning_survey(20261122, told ? atoi(told) : 200, 7);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(steady_contacts_converge),
-        cmocka_unit_test(random_runs_go_through)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

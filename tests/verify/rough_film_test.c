@@ -49,33 +49,22 @@ static void survey(uint64_t seed, int count, double slide, errors *maximum)
 }
 
 /* The errors stated. */
-static void rolling(void **state)
+TEST(rolling)
 {
     errors maximum;
-    (void)state;
     survey(101, 20, 0, &maximum);
     assert_true(maximum.Rq < 0.12);
     assert_true(maximum.H_min < 0.12);
 }
 
 /* What is said of sliding. */
-static void sliding(void **state)
+TEST(sliding)
 {
     static const double slide[] = {-1, -0.5, 0.5, 1};
-    (void)state;
     for (int k = 0; k < 4; k++) {
         errors maximum;
         survey(201, 5, slide[k], &maximum);
         assert_true(maximum.low > 0.78 && maximum.high < 1.22);
         assert_true(maximum.thinner < 0.025 && maximum.thicker < 0.22);
     }
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rolling),
-        cmocka_unit_test(sliding),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

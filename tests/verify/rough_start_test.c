@@ -28,16 +28,8 @@ static int refused(int level, uint64_t every)
     return ended;
 }
 
-static void rough_starts_are_found(void **state)
+TEST(rough_starts_are_found)
 {
-    (void)state;
     int ended = refused(8, 1) + refused(9, 5) + refused(10, 10);
     assert_true(ended <= 2);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rough_starts_are_found)};
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -31,7 +31,7 @@ static void grid(const char *scheme)
  * retry in 1,000 steps, but on level 11, where two different profiles that
  * slide past each other (SRR 2, upstream2, 2 D) take one in 13.  A third of the
  * grid on level 10, a tenth on 11. */
-static void rough(void **state)
+TEST(rough)
 {
     static const char *const on[][2] = {
         {"ground"},           {"honed"},          {"scratch"},
@@ -40,7 +40,6 @@ static void rough(void **state)
     static const double slips[] = {0.3, 1, 2};
     static const char *const schemes[] = {"upstream2", "characteristic"};
     static const int every[] = {1, 1, 3, 10};
-    (void)state;
     for (int level = 8; level <= 11; level++)
         for (int meshes = 1; meshes <= 2; meshes++) {
             test_slides all = {0};
@@ -63,24 +62,12 @@ static void rough(void **state)
         }
 }
 
-static void upstream2(void **state)
+TEST(upstream2)
 {
-    (void)state;
     grid("upstream2");
 }
 
-static void characteristic(void **state)
+TEST(characteristic)
 {
-    (void)state;
     grid("characteristic");
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(rough),
-        cmocka_unit_test(characteristic),
-        cmocka_unit_test(upstream2),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

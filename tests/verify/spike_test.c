@@ -7,15 +7,14 @@
 #include "support/spike.h"
 #include "support/test.h"
 
-static void as_on_uniform_grids(void **state)
+TEST(as_on_uniform_grids)
 {
-    (void)state;
     test_spike_beside_uniform(14);
     test_spike_beside_uniform(16);
 }
 
 /* Heights over two or three grids of the whole domain, and their scatter. */
-static void heights_at_high_loads(void **state)
+TEST(heights_at_high_loads)
 {
     const struct {
         double M, L, inlet;
@@ -24,7 +23,6 @@ static void heights_at_high_loads(void **state)
     } at[] = {{100, 10, -4, 9, 10, 20, 1e-3},
               {200, 14, -4, 9, 10, 22, 2e-3},
               {1000, 10, -2, 9, 11, 21, 1e-2}};
-    (void)state;
     for (size_t k = 0; k < sizeof at / sizeof *at; k++) {
         double low = INFINITY, high = -INFINITY;
         for (int level = at[k].first; level <= at[k].last; level++)
@@ -44,18 +42,7 @@ static void heights_at_high_loads(void **state)
     }
 }
 
-static void survey(void **state)
+TEST(survey)
 {
-    (void)state;
     test_spike_survey(169, 80);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(as_on_uniform_grids),
-        cmocka_unit_test(heights_at_high_loads),
-        cmocka_unit_test(survey),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

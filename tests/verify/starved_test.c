@@ -37,17 +37,15 @@ static void survey(int runs, int level, uint64_t seed, ovr_scheme scheme,
         retries, halved, touching, cycles);
 }
 
-static void random_runs(void **state)
+TEST(random_runs)
 {
-    (void)state;
     survey(200, 7, 1000, OVR_UPSTREAM2, 2);
     survey(200, 7, 1000, OVR_CHARACTERISTIC, 2);
     survey(200, 7, 1000, OVR_CHARACTERISTIC, 4);
 }
 
-static void random_runs_finer(void **state)
+TEST(random_runs_finer)
 {
-    (void)state;
     survey(40, 8, 2000, OVR_UPSTREAM2, 2);
     survey(40, 8, 2000, OVR_CHARACTERISTIC, 4);
 }
@@ -73,28 +71,15 @@ static void survey_steady(int level, size_t count, const double *share)
     assert_true(failed == 0);
 }
 
-static void steady_contacts(void **state)
+TEST(steady_contacts)
 {
     static const double share[] = {0.1, 0.3, 0.5, 0.7, 0.9, 0.99};
-    (void)state;
     survey_steady(8, 6, share);
 }
 
 /* Menisci far out. */
-static void nearly_flooded(void **state)
+TEST(nearly_flooded)
 {
     static const double share[] = {0.97, 0.995, 0.999};
-    (void)state;
     survey_steady(7, 3, share);
-}
-
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(steady_contacts),
-        cmocka_unit_test(nearly_flooded),
-        cmocka_unit_test(random_runs),
-        cmocka_unit_test(random_runs_finer),
-    };
-    return cmocka_run_group_tests(tests, NULL, NULL);
 }

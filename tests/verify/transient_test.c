@@ -96,11 +96,10 @@ static double amplitude_ratio(double M, double L, double wavelength, int level,
 }
 
 /* The reference's two ratios, 0.5 %, and what first order makes of them. */
-static void waviness_of_the_reference(void **state)
+TEST(waviness_of_the_reference)
 {
     const double wavelength[] = {1, 0.5}, ratio[] = {0.6041, 0.8790};
     const ovr_scheme scheme[] = {OVR_UPSTREAM2, OVR_CHARACTERISTIC};
-    (void)state;
     for (int k = 0; k < 2; k++) {
         for (int s = 0; s < 2; s++) {
             double got = amplitude_ratio(20, 10, wavelength[k], 8, scheme[s]);
@@ -115,11 +114,10 @@ static void waviness_of_the_reference(void **state)
 
 /* Master curve of Venner, Couhier, Lubrecht & Greenwood 1997, as fitted:
  * 1/(1 + 0.17 r + 0.03 r^2), r = (wl/b) M^(3/4) L^(-1/2). */
-static void waviness_beside_the_master_curve(void **state)
+TEST(waviness_beside_the_master_curve)
 {
     const double load[][2] = {{20, 10}, {100, 10}};
     FILE *file = table("waviness", "M L wavelength r ratio master upstream1");
-    (void)state;
     for (int c = 0; c < 2; c++)
         for (double wl = 0.125; wl < 4.1; wl *= 2) {
             double M = load[c][0], L = load[c][1];
@@ -167,7 +165,7 @@ static ovr_status note_peaks(void *data, const ovr_simulation *sim,
 
 /* A dent at u_s = um/2 starting at -3: it reaches X = 0 at T = 6; the film it
  * dug in the inlet near X = -1 (T = 4) is carried at um and arrives at 5. */
-static void sliding_disturbances_arrive_twice(void **state)
+TEST(sliding_disturbances_arrive_twice)
 {
     ovr_error err;
     test_feature dent = {'l', -0.05, 0.4, -3, 0.5, 0};
@@ -175,7 +173,6 @@ static void sliding_disturbances_arrive_twice(void **state)
     ovr_observer look = {note_peaks, NULL, &a};
     ovr_march march = {.end = 8, .count = 1, .observers = &look};
     bool fluid = false, own = false;
-    (void)state;
     ovr_simulation *sim = begin(20, 10, 8, OVR_UPSTREAM2, &dent, NULL);
     a.base = ovr_simulation_observation(sim)->H_cen;
     CHECK_OK(ovr_simulation_march(sim, &march, &err), &err);
@@ -285,10 +282,9 @@ static watch follow(const run *r, int level, ovr_scheme scheme)
 
 /* 1 % and 0.3 % in the mean at level 8, a quarter at level 9, or the entry's
  * own uncertainty where that is more. */
-static void histories_of_the_reference(void **state)
+TEST(histories_of_the_reference)
 {
     const ovr_scheme scheme[] = {OVR_UPSTREAM2, OVR_CHARACTERISTIC};
-    (void)state;
     for (size_t k = 0; k < sizeof runs / sizeof *runs; k++)
         for (int s = 0; s < 2; s++)
             for (int level = 8; level < 10; level++) {
@@ -315,12 +311,11 @@ static double now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static void schemes_for_their_cost(void **state)
+TEST(schemes_for_their_cost)
 {
     FILE *file = table("schemes", "scheme level mean_error seconds");
     const char *const name[] = {"upstream1", "upstream2", "characteristic"};
     double error[3][10];
-    (void)state;
     for (int s = 0; s < 3; s++)
         for (int level = 6; level < 10; level++) {
             double start = now();
@@ -343,10 +338,9 @@ static void schemes_for_their_cost(void **state)
 
 /* Film of a smooth wide dent at T = 2: differences of levels 6, 7, 8, 9 fall
  * by 2^order. */
-static void orders_in_the_mesh(void **state)
+TEST(orders_in_the_mesh)
 {
     const double target[] = {1, 2, 2};
-    (void)state;
     for (int s = 0; s < 3; s++) {
         double film[4], D0 = 5.5 / 448;
         for (int k = 0; k < 4; k++) {
@@ -401,15 +395,4 @@ static int draw_all(void **state)
     return 0;
 }
 
-int main(void)
-{
-    const struct CMUnitTest tests[] = {
-        cmocka_unit_test(waviness_of_the_reference),
-        cmocka_unit_test(waviness_beside_the_master_curve),
-        cmocka_unit_test(sliding_disturbances_arrive_twice),
-        cmocka_unit_test(histories_of_the_reference),
-        cmocka_unit_test(schemes_for_their_cost),
-        cmocka_unit_test(orders_in_the_mesh),
-    };
-    return cmocka_run_group_tests(tests, NULL, draw_all);
-}
+TEST_GROUP(NULL, draw_all)

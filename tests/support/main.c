@@ -1,0 +1,60 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The program that holds all tests: it runs those of the file by whose name it
+ * is called (build/tests/unit/arena_test), or that is its argument.
+ */
+#include "test.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static test_listed *listed;
+
+/* By file, as they are linked, and by line: compilers call them in any order.
+ */
+void test_list(test_listed *one)
+{
+    test_listed **at = &listed;
+    while (*at && strcmp((*at)->file, one->file) != 0)
+        at = &(*at)->next;
+    while (*at && !strcmp((*at)->file, one->file) && (*at)->line < one->line)
+        at = &(*at)->next;
+    one->next = *at;
+    *at = one;
+}
+
+/* "build/tests/unit/arena_test" ends in "unit/arena_test", as does
+ * "tests/unit/arena_test.c" but for its ending. */
+static bool is_of(const char *file, const char *called)
+{
+    const char *name = strstr(file, "tests/") + strlen("tests/");
+    size_t bytes = strlen(name) - strlen(".c"), all = strlen(called);
+    return all >= bytes && !strncmp(called + all - bytes, name, bytes);
+}
+
+int main(int count, char **argument)
+{
+    enum { MOST = 200 };
+    static struct CMUnitTest tests[MOST];
+    const char *called = count > 1 ? argument[1] : argument[0];
+    CMFixtureFunction begins = NULL, ends = NULL;
+    size_t found = 0;
+    for (const test_listed *t = listed; t && found < MOST; t = t->next) {
+        if (!is_of(t->file, called))
+            continue;
+        if (t->test.test_func) {
+            tests[found++] = t->test;
+        } else {
+            begins = t->begins;
+            ends = t->ends;
+        }
+    }
+    if (!found) {
+        fprintf(stderr,
+                "%s: no test of this name; usage: tests KIND/NAME_test\n",
+                called);
+        return 2;
+    }
+    setvbuf(stdout, NULL, _IOLBF, 0);
+    return _cmocka_run_group_tests("tests", tests, found, begins, ends);
+}
