@@ -31,11 +31,11 @@
     static void name(void **state);                                            \
     __attribute__((constructor)) static void register_##name(void)             \
     {                                                                          \
-        static test_listed one = {                                             \
+        static test_listed listed_##name = {                                   \
             .test = cmocka_unit_test_setup_teardown(name, setup, teardown),    \
             .file = __FILE__,                                                  \
             .line = __LINE__};                                                 \
-        test_list(&one);                                                       \
+        test_list(&listed_##name);                                             \
     }                                                                          \
     static void name(__attribute__((unused)) void **state)
 
@@ -43,9 +43,9 @@
 #define TEST_GROUP(begin, end)                                                 \
     __attribute__((constructor)) static void register_group(void)              \
     {                                                                          \
-        static test_listed group = {                                           \
+        static test_listed listed_group = {                                    \
             .begins = begin, .ends = end, .file = __FILE__, .line = __LINE__}; \
-        test_list(&group);                                                     \
+        test_list(&listed_group);                                              \
     }
 
 typedef struct test_listed {
