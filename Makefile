@@ -292,10 +292,13 @@ ALONE     := $(filter $(ALONE_TESTS),$(TESTSRC))
 TOGETHER  := $(filter-out $(ALONE),$(TESTSRC))
 TESTNAMES := $(TOGETHER:%.c=%)
 TESTMAIN  := $(BUILD)/tests/support/main.o $(SUPPORT)
+# Instrumented ones that are not run are not compiled.
+RUN_NAMES := $(if $(and $(SAN),$(filter check,$(MAKECMDGOALS))),\
+               $(filter $(CHECKSRC:%.c=%),$(TESTNAMES)),$(TESTNAMES))
 $(BUILD)/tests/names: FORCE
 	@mkdir -p $(@D)
-	@echo '$(TESTNAMES)' | cmp -s - $@ || echo '$(TESTNAMES)' > $@
-$(BUILD)/tests/tests: $(TESTNAMES:%=$(BUILD)/%.o) $(TESTMAIN) $(LIB) \
+	@echo '$(RUN_NAMES)' | cmp -s - $@ || echo '$(RUN_NAMES)' > $@
+$(BUILD)/tests/tests: $(RUN_NAMES:%=$(BUILD)/%.o) $(TESTMAIN) $(LIB) \
   $(BUILD)/tests/names
 	$(call say,LINK  $@)
 	$(Q)$(LINK) -o $@ $(filter-out %/names,$^) $(OVR_LIBS) -lcmocka
