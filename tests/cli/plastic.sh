@@ -4,40 +4,13 @@
 # shoulder down, is stored, and goes on in a later run; a run that is killed
 # goes on to the same digits; what is refused.
 . "$TOP/tests/support/cli.sh"
+. "$TOP/tests/support/indent.sh"
 need_python h5py numpy
 
-cat >dent.ini <<'END'
-[contact]
-load = 300 kN/m
-radius = 8 mm
-speed_1 = 3.0 m/s
-speed_2 = 3.0 m/s
-[body 1]
-modulus = 206 GPa
-[body 2]
-modulus = 206 GPa
-[lubricant]
-viscosity = 40 mPa.s
-alpha = 17 1/GPa
-p0 = 198 MPa
-z = 0.68
-[domain]
-level = 6
-order = 2
-[time]
-end = 3.6
-[feature dent]
-shape = indent
-depth = 1.5 um
-shoulder = 0.25 um
-width = 0.6
-start = -1.8
-[output]
-every = 100
-checkpoint = 10 ms
-[stress]
-depth_max = 0.5
-END
+{
+    indent 6 3.6 -1.8
+    printf '%s\n' 'every = 100' 'checkpoint = 10 ms' '[stress]' 'depth_max = 0.5'
+} >dent.ini
 cat >soft.ini <<'END'
 [plastic]
 hardening = linear

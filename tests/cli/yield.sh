@@ -3,39 +3,13 @@
 # Bodies that yield: what stresses and pressures are over their yield, whether
 # plastic strain matters, yields of materials, check, what is stored.
 . "$TOP/tests/support/cli.sh"
+. "$TOP/tests/support/indent.sh"
 need_python json
 
-cat >dent.ini <<'END'
-[contact]
-load = 300 kN/m
-radius = 8 mm
-speed_1 = 3.0 m/s
-speed_2 = 3.0 m/s
-[body 1]
-modulus = 206 GPa
-[body 2]
-modulus = 206 GPa
-[lubricant]
-viscosity = 40 mPa.s
-alpha = 17 1/GPa
-p0 = 198 MPa
-z = 0.68
-[domain]
-level = 8
-order = 2
-[time]
-end = 12
-[feature dent]
-shape = indent
-depth = 1.5 um
-shoulder = 0.25 um
-width = 0.6
-start = -9
-[output]
-every = 1000
-[stress]
-depth_max = 0.5
-END
+{
+    indent 8 12 -9
+    printf '%s\n' 'every = 1000' '[stress]' 'depth_max = 0.5'
+} >dent.ini
 sed -e '/^\[feature/,/^start/d' -e 's/^end = .*/end = 0.1/' \
     -e 's/^level = .*/level = 6/' -e 's/depth_max = .*/depth_max = 2/' \
     -e 's/^every = .*/every = 1/' dent.ini >smooth.ini
