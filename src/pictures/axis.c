@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "results/results.h"
+
 typedef struct quantity {
     ovr_unit_kind kind;
     ovr_axis hertzian;
@@ -34,15 +36,6 @@ static const quantity quantities[] = {
      {LENGTH(1, "s", "t"), LENGTH(1e-3, "ms", "t"), LENGTH(1e-6, "µs", "t")}},
 };
 
-static double scale_of(const ovr_result_info *info, ovr_unit_kind kind)
-{
-    const ovr_contact contact = {.b = info->b,
-                                 .ph = info->ph,
-                                 .height = info->height,
-                                 .time = info->time};
-    return ovr_kind_scale(kind, &contact);
-}
-
 static const quantity *find(ovr_unit_kind kind)
 {
     for (size_t k = 0; k < sizeof quantities / sizeof *quantities; k++)
@@ -66,6 +59,14 @@ static ovr_axis with_unit(const quantity *q, double scale, double largest)
                       q->unit[k].plain, q->unit[k].unit};
 }
 
+double ovr_axis_reach(const double *values, size_t n)
+{
+    double high = 0;
+    for (size_t i = 0; i < n; i++)
+        high = fmax(high, fabs(values[i])); /* passes over NAN */
+    return high;
+}
+
 void ovr_axis_as_is(ovr_unit_kind kind, bool si, double largest, ovr_axis *axis)
 {
     const quantity *q = find(kind);
@@ -80,7 +81,7 @@ ovr_status ovr_axis_make(ovr_unit_kind kind, ovr_result *result,
                          ovr_error *err)
 {
     const ovr_result_info *info = ovr_result_about(result);
-    double scale = scale_of(info, kind);
+    double scale = ovr_result_scale(info, kind);
     const quantity *q = find(kind);
     if (!q)
         return ovr_fail(err, OVR_BAD_INPUT,

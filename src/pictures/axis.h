@@ -24,6 +24,9 @@ ovr_status ovr_axis_make(ovr_unit_kind kind, ovr_result *result,
                          ovr_units units, double largest, ovr_axis *axis,
                          ovr_error *err);
 
+/* The largest magnitude of n numbers, those that are NAN left out. */
+double ovr_axis_reach(const double *values, size_t n);
+
 /* The same for numbers in SI, or bare ones, as they are. */
 void ovr_axis_as_is(ovr_unit_kind kind, bool si, double largest,
                     ovr_axis *axis);

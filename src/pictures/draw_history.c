@@ -16,14 +16,6 @@ typedef struct column {
     bool heads; /* of several results: names them in the legend */
 } column;
 
-static double largest(const double *values, size_t n)
-{
-    double high = 0;
-    for (size_t i = 0; i < n; i++)
-        high = fmax(high, fabs(values[i])); /* passes over NAN */
-    return high;
-}
-
 static ovr_status time_axis(const ovr_drawing *drawing, ovr_panel *panel,
                             ovr_axis *axis, ovr_error *err)
 {
@@ -98,7 +90,7 @@ static ovr_status add_columns(const ovr_drawing *drawing, const column *columns,
                       : NULL;
         if (!v)
             return err ? err->status : OVR_IO;
-        high = fmax(high, largest(v, run->info->steps));
+        high = fmax(high, ovr_axis_reach(v, run->info->steps));
         series[k] = series_of(drawing, run, c, T_factor);
         series[k].x = T;
         series[k].y = v;

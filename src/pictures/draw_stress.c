@@ -44,9 +44,6 @@ ovr_status ovr_stress_panel_add(ovr_depth_field *f, const ovr_shot *shot,
              "%s; largest %.3g at X = %.3g, Z = %.3g; smooth %.3g%s",
              to->note[0], worst.value, worst.X, worst.Z, f->smooth,
              f->traction == 0 ? "" : "; with traction");
-    for (char *c = note; *c; c++) /* a proper minus is not needed here */
-        if (*c == '\n')
-            *c = ' ';
     to->panel[0].note = note;
     return OVR_OK;
 }

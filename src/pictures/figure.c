@@ -50,12 +50,6 @@ typedef struct figure {
 
 /* --------------------------------------------------------------- columns */
 
-static bool same(const ovr_table_column *c, size_t i, size_t j)
-{
-    return c->text ? strcmp(c->text[i], c->text[j]) == 0
-                   : c->number[i] == c->number[j];
-}
-
 /* Row k of those that tell: all, or of many some, in no order that the study
  * could have. */
 static size_t some_row(const ovr_table *t, size_t k)
@@ -70,9 +64,9 @@ static bool tells(const ovr_table *t, const ovr_table_column *a,
 {
     for (size_t i = 1; i < ovr_table_rows(t) && i < ENOUGH; i++) {
         size_t row = some_row(t, i), first = 0;
-        while (a && first < i && !same(a, some_row(t, first), row))
+        while (a && first < i && !ovr_table_same(a, some_row(t, first), row))
             first++;
-        if (first < i && !same(b, some_row(t, first), row))
+        if (first < i && !ovr_table_same(b, some_row(t, first), row))
             return false;
     }
     return true;
@@ -257,7 +251,7 @@ static ovr_status find_group(groups *g, size_t row, size_t maximum,
     for (*which = 0; *which < g->count; ++*which) {
         bool all = true;
         for (size_t k = 0; all && k < g->keys; k++)
-            all = same(g->key[k], g->row[*which], row);
+            all = ovr_table_same(g->key[k], g->row[*which], row);
         if (all)
             return OVR_OK;
     }

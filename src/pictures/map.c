@@ -162,14 +162,6 @@ static ovr_status words(const ovr_drawing *drawing, const ovr_variable *v,
     return OVR_OK;
 }
 
-/* Temperatures in degC, as everywhere in pictures. */
-static void to_degrees(map *m)
-{
-    const double zero = 273.15; /* K */
-    for (size_t c = 0; c < (size_t)CELLS_T * CELLS_X; c++)
-        m->values[c] -= zero;
-}
-
 static ovr_status degrees(const ovr_drawing *drawing, const map *m,
                           ovr_axis *axis, ovr_error *err)
 {
@@ -203,8 +195,9 @@ static ovr_status make_panel(const ovr_drawing *drawing, map *m,
     double low, high, highest, reach = fmax(fabs(m->x_from), fabs(m->x_to));
     ovr_axis x, T, v;
     ovr_status status;
-    if (kind == OVR_KIND_TEMPERATURE)
-        to_degrees(m);
+    if (kind == OVR_KIND_TEMPERATURE) /* degC, as everywhere in pictures */
+        for (size_t c = 0; c < (size_t)CELLS_T * CELLS_X; c++)
+            m->values[c] -= 273.15;
     find_range(m, &low, &high);
     highest = largest(m);
     if (kind == OVR_KIND_PRESSURE)

@@ -12,14 +12,6 @@ typedef struct line {
     int colour;
 } line;
 
-static double largest(const ovr_table *t, const ovr_table_column *c)
-{
-    double maximum = 0;
-    for (size_t i = 0; i < ovr_table_rows(t); i++)
-        maximum = fmax(maximum, fabs(c->number[i])); /* passes over NAN */
-    return maximum;
-}
-
 /* Lines with their points; the axis by the first. */
 static ovr_status add_lines(const ovr_table *t, const line *lines, size_t count,
                             ovr_unit_kind kind, ovr_panel *panel,
@@ -37,7 +29,8 @@ static ovr_status add_lines(const ovr_table *t, const line *lines, size_t count,
                             "no '%s' in it: it is no file of several passes",
                             pass ? lines[k].name : "pass");
         if (k == 0)
-            ovr_axis_as_is(kind, *c->unit, largest(t, c), &axis);
+            ovr_axis_as_is(kind, *c->unit,
+                           ovr_axis_reach(c->number, ovr_table_rows(t)), &axis);
         series[k] = (ovr_series){.label = lines[k].label,
                                  .n = ovr_table_rows(t),
                                  .x = pass->number,

@@ -167,24 +167,28 @@ typedef struct maker {
                        ovr_error *err);
     const char *alone; /* says so; NULL: of several too */
     int height;
+    bool shots; /* made of snapshots: not of the history, nor of what the
+                   material went through */
 } maker;
 
 static const maker makers[] = {
-    [OVR_PICTURE_SNAPSHOT] = {"snapshot", ovr_draw_snapshots, NULL, 720},
-    [OVR_PICTURE_HISTORY] = {"history", ovr_draw_history, NULL, 720},
-    [OVR_PICTURE_MAP] = {"map", ovr_draw_map, "a map shows one result", 800},
-    [OVR_PICTURE_TRACE] = {"trace", ovr_draw_trace, NULL, 720},
+    [OVR_PICTURE_SNAPSHOT] = {"snapshot", ovr_draw_snapshots, NULL, 720, true},
+    [OVR_PICTURE_HISTORY] = {"history", ovr_draw_history, NULL, 720, false},
+    [OVR_PICTURE_MAP] = {"map", ovr_draw_map, "a map shows one result", 800,
+                         true},
+    [OVR_PICTURE_TRACE] = {"trace", ovr_draw_trace, NULL, 720, true},
     [OVR_PICTURE_STRESS] = {"stress", ovr_draw_stress,
-                            "a picture of stresses shows one result", 960},
+                            "a picture of stresses shows one result", 960,
+                            true},
     [OVR_PICTURE_RISK] = {"risk", ovr_draw_risk,
-                          "a picture of risk shows one result", 960},
+                          "a picture of risk shows one result", 960, false},
     [OVR_PICTURE_DEPTH] = {"depth", ovr_draw_depth,
-                           "a picture over depth shows one result", 800},
+                           "a picture over depth shows one result", 800, false},
     [OVR_PICTURE_ELEMENT] = {"element", ovr_draw_element,
-                             "an element is drawn of one result", 0},
+                             "an element is drawn of one result", 0, false},
     [OVR_PICTURE_PLASTIC] = {"plastic", ovr_draw_plastic,
-                             "a picture of what yields shows one result",
-                             1000}};
+                             "a picture of what yields shows one result", 1000,
+                             false}};
 
 static ovr_status draw(const ovr_drawing *drawing, ovr_error *err)
 {
@@ -206,14 +210,6 @@ static ovr_status draw(const ovr_drawing *drawing, ovr_error *err)
     return status;
 }
 
-/* The others are made of the history, or of what the material went through. */
-static bool of_snapshots(ovr_picture_kind kind)
-{
-    return kind != OVR_PICTURE_HISTORY && kind != OVR_PICTURE_RISK &&
-           kind != OVR_PICTURE_DEPTH && kind != OVR_PICTURE_ELEMENT &&
-           kind != OVR_PICTURE_PLASTIC;
-}
-
 ovr_status ovr_open_stored(ovr_result *const *results, size_t count,
                            ovr_picture_options *o, ovr_stored *runs,
                            ovr_arena *arena, ovr_error *err)
@@ -222,7 +218,7 @@ ovr_status ovr_open_stored(ovr_result *const *results, size_t count,
     for (size_t k = 0; status == OVR_OK && k < count; k++)
         status = ovr_stored_make(&runs[k], results[k],
                                  o->names ? o->names[k] : NULL, arena, err);
-    for (size_t k = 0; status == OVR_OK && k < count && of_snapshots(o->kind);
+    for (size_t k = 0; status == OVR_OK && k < count && makers[o->kind].shots;
          k++)
         status = ovr_stored_need_snapshots(&runs[k], err);
     if (status == OVR_OK)
@@ -288,6 +284,12 @@ ovr_status ovr_picture_element(const ovr_setup *setup,
 }
 
 /* --------------------------------------------------------------- of a table */
+
+bool ovr_table_same(const ovr_table_column *c, size_t i, size_t j)
+{
+    return c->text ? strcmp(c->text[i], c->text[j]) == 0
+                   : c->number[i] == c->number[j];
+}
 
 const ovr_table_column *ovr_table_named(const ovr_table *t, const char *name)
 {

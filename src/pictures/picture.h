@@ -75,6 +75,9 @@ ovr_status ovr_figure_of(const void *of, const ovr_figure_options *given,
 ovr_status ovr_figure_draw(ovr_chart *chart, const ovr_figure_options *options,
                            ovr_arena *arena, ovr_error *err);
 
+/* True if two rows of a column hold the same. */
+bool ovr_table_same(const ovr_table_column *column, size_t i, size_t j);
+
 /* A column by its name, or the end of it behind a dot; or NULL. */
 const ovr_table_column *ovr_table_named(const ovr_table *table,
                                         const char *name);

@@ -16,44 +16,30 @@ static void make_hertz(ovr_snapshot_style *look)
     }
 }
 
-static double M_of(const ovr_result_info *i)
-{
-    return i->M;
-}
-
-static double L_of(const ovr_result_info *i)
-{
-    return i->L;
-}
-
-static double GPa_of(const ovr_result_info *i)
-{
-    return i->ph * 1e-9;
-}
-
 /* All runs have this in common. */
 void ovr_heading(const ovr_stored *runs, size_t count, char *heading,
                  size_t capacity)
 {
-    static const struct {
-        const char *format;
-        double (*of)(const ovr_result_info *info);
-    } parts[] = {{"{/:Italic M} = %.4g", M_of},
-                 {"{/:Italic L} = %.4g", L_of},
-                 {"{/:Italic p}_h = %.3g GPa", GPa_of}};
+    static const char *const formats[] = {"{/:Italic M} = %.4g",
+                                          "{/:Italic L} = %.4g",
+                                          "{/:Italic p}_h = %.3g GPa"};
     size_t used = 0;
     *heading = 0;
-    for (size_t k = 0; k < sizeof parts / sizeof parts[0]; k++) {
-        double value = parts[k].of(runs->info);
-        bool common = isfinite(value);
-        for (size_t j = 1; j < count; j++)
-            common &= parts[k].of(runs[j].info) == value;
-        if (!common || used + 60 > capacity)
-            continue;
-        used += (size_t)snprintf(heading + used, capacity - used, "%s",
-                                 used ? ",  " : "");
-        used += (size_t)snprintf(heading + used, capacity - used,
-                                 parts[k].format, value);
+    for (size_t k = 0; k < sizeof formats / sizeof *formats; k++) {
+        double value = NAN;
+        bool common = true;
+        for (size_t j = 0; j < count; j++) {
+            const ovr_result_info *i = runs[j].info;
+            const double own[] = {i->M, i->L, i->ph * 1e-9};
+            common &= isfinite(own[k]) && (j == 0 || own[k] == value);
+            value = own[k];
+        }
+        if (common && used + 60 <= capacity) {
+            used += (size_t)snprintf(heading + used, capacity - used, "%s",
+                                     used ? ",  " : "");
+            used += (size_t)snprintf(heading + used, capacity - used,
+                                     formats[k], value);
+        }
     }
 }
 
@@ -271,11 +257,6 @@ static void add_temperatures(const ovr_snapshot_style *look,
     }
 }
 
-static bool is_hot(const ovr_shot *shot)
-{
-    return shot->hot[0] || shot->hot[1] || shot->hot[2];
-}
-
 /* The row of temperatures, if any shot of the column has them. */
 static void draw_temperatures(ovr_snapshot_chart *to,
                               const ovr_snapshot_style *look,
@@ -290,7 +271,7 @@ static void draw_temperatures(ovr_snapshot_chart *to,
     ovr_panel *panel = &to->panel[to->chart.rows * columns + column];
     bool any = false;
     for (size_t k = 0; k < count; k++)
-        any |= is_hot(&shot[k]);
+        any |= shot[k].hot[0] || shot[k].hot[1] || shot[k].hot[2];
     if (!any)
         return;
     *panel = panel_of(look, series, &degC, e->hot_low - margin,

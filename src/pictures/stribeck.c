@@ -60,12 +60,6 @@ static ovr_status choose(curves *of, const ovr_figure_options *o,
     return OVR_OK;
 }
 
-static bool same(const ovr_table_column *c, size_t i, size_t j)
-{
-    return c->text ? !strcmp(c->text[i], c->text[j])
-                   : c->number[i] == c->number[j];
-}
-
 /* "Rq = 50 nm". */
 static void name_line(const ovr_table_column *by, size_t row, char label[LABEL])
 {
@@ -83,7 +77,8 @@ static ovr_status find_lines(curves *of, ovr_error *err)
 {
     for (size_t i = 0; i < ovr_table_rows(of->t); i++) {
         size_t l = 0;
-        while (l < of->lines && of->by && !same(of->by, i, of->row[l]))
+        while (l < of->lines && of->by &&
+               !ovr_table_same(of->by, i, of->row[l]))
             l++;
         if (l < of->lines)
             continue;
@@ -123,7 +118,7 @@ static ovr_status draw_line(const curves *of, size_t line,
     if (!x || !y || !at)
         return OVR_NO_MEMORY;
     for (size_t i = 0; i < rows; i++)
-        if ((!of->by || same(of->by, i, of->row[line])) &&
+        if ((!of->by || ovr_table_same(of->by, i, of->row[line])) &&
             isfinite(c->number[i]) && of->speed->number[i] > 0)
             at[n++] = i;
     sort(n, at, of->speed->number);

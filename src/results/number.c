@@ -5,7 +5,7 @@
 #include "base/given.h"
 #include "base/quantity.h"
 #include "base/text.h"
-#include "overroll/results.h"
+#include "results/results.h"
 
 static ovr_dimension dimension_of(ovr_unit_kind kind)
 {
@@ -25,17 +25,21 @@ bool ovr_bare_number(const char *text, double *value)
     return ovr_read_number(&text, value) && *text == '\0';
 }
 
+double ovr_result_scale(const ovr_result_info *info, ovr_unit_kind kind)
+{
+    const ovr_contact scales = {.b = info->b,
+                                .ph = info->ph,
+                                .height = info->height,
+                                .time = info->time};
+    return ovr_kind_scale(kind, &scales);
+}
+
 ovr_status ovr_result_number(const ovr_result *result, ovr_unit_kind kind,
                              const char *text, double *value, ovr_error *err)
 {
     if (!result || !text)
         return ovr_fail_null(err, __func__);
-    const ovr_result_info *info = ovr_result_about(result);
-    const ovr_contact scales = {.b = info->b,
-                                .ph = info->ph,
-                                .height = info->height,
-                                .time = info->time};
-    double scale = ovr_kind_scale(kind, &scales);
+    double scale = ovr_result_scale(ovr_result_about(result), kind);
     ovr_quantity given;
     ovr_status status = ovr_quantity_read(text, dimension_of(kind), true,
                                           &given, err);

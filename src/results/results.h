@@ -156,6 +156,9 @@ ovr_status ovr_restart_more(ovr_restart *restart, ovr_visited *more,
 /* The k-th variable of all; NULL behind the last. */
 const ovr_variable *ovr_result_variable(const ovr_result *result, size_t k);
 
+/* Its scale of a kind of b, b^2/R, ph or b/um; NAN where it has none. */
+double ovr_result_scale(const ovr_result_info *info, ovr_unit_kind kind);
+
 /* Attributes of a group that are numbers, in their order: "summary".  Owned by
  * the result; NULL: no such group. */
 const ovr_group_attribute *
