@@ -45,35 +45,6 @@ typedef enum ovr_run_status {
     OVR_RUN_FAILED
 } ovr_run_status;
 
-/* --------------------------------------------------------------- restart */
-
-/*
- * OUT.h5.restart lies beside OUT.h5 from its first moment on and is replaced
- * whole: a checkpoint of the run, with the case it belongs to.
- *
- *     ovr_restart *restart = ovr_restart_open("OUT.h5", NULL, &err);
- *     ... case from ovr_restart_about(restart), simulation as for a new run
- *     ovr_restart_check(restart, count, values, &err);
- *     if (about->has_state) ovr_restart_load(restart, sim, &err);
- *     else                  ovr_simulation_steady(sim, &err);
- *     w = ovr_writer_resume(&options, &contact, n, X, restart, NULL, &err);
- *     ovr_writer_checkpoints(w, sim);
- *     ... march with the writer as its observer
- */
-typedef struct ovr_restart ovr_restart;
-
-typedef struct ovr_restart_info {
-    bool has_state; /* false: the run ended before its first checkpoint */
-    long step;      /* of the checkpoint, and its time */
-    double T;
-    size_t snapshots, steps; /* rows of the file at that moment */
-    double inlet, outlet;    /* of the domain; NAN: not recorded */
-    int level;               /* 0: not recorded */
-    const char *case_text, *case_path;
-    size_t value_count; /* parameters of the run; name, text, physics */
-    const ovr_case_value *values;
-} ovr_restart_info;
-
 /* A group of its own below the root, "fatigue/surface_1": what is not along
  * the nodes of the film.  Dimensionless values; the file has them in its units.
  * An axis without values is the time of rows that are appended. */

@@ -134,15 +134,10 @@ static ovr_status take_scratch(ovr_writer *w, ovr_error *err)
 
 static ovr_status take_names(ovr_writer *w, ovr_error *err)
 {
-    size_t length = strlen(w->file.store.path), size = length + 32;
-    w->options.path = w->file.store.path;
-    w->restart = ovr_arena_take(&w->arena, size, 1, err);
-    w->restart_part = ovr_arena_take(&w->arena, size, 1, err);
-    if (!w->restart || !w->restart_part)
-        return OVR_NO_MEMORY;
-    snprintf(w->restart, size, "%s.restart", w->options.path);
-    snprintf(w->restart_part, size, "%s.restart.part", w->options.path);
-    return OVR_OK;
+    const char *path = w->options.path = w->file.store.path;
+    w->restart = ovr_path_with(&w->arena, path, ".restart", err);
+    w->restart_part = ovr_path_with(&w->arena, path, ".restart.part", err);
+    return w->restart && w->restart_part ? OVR_OK : OVR_NO_MEMORY;
 }
 
 static const char *keep_text(ovr_writer *w, const char *text, bool *kept,

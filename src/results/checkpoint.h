@@ -36,6 +36,32 @@
 #define OVR_RESTART_ORDER UINT64_C(0x0102030405060708)
 enum { OVR_RESTART_MAGIC_SIZE = 16, OVR_RESTART_FORMAT = 2 };
 
+/*
+ * OUT.h5.restart lies beside OUT.h5 from its first moment on and is replaced
+ * whole: a checkpoint of the run, with the case it belongs to.
+ *
+ *     ovr_restart *restart = ovr_restart_open("OUT.h5", NULL, &err);
+ *     ... case from ovr_restart_about(restart), simulation as for a new run
+ *     if (about->has_state) ovr_restart_load(restart, sim, &err);
+ *     else                  ovr_simulation_steady(sim, &err);
+ *     w = ovr_writer_resume(&options, &contact, n, X, restart, NULL, &err);
+ *     ovr_writer_checkpoints(w, sim);
+ *     ... march with the writer as its observer
+ */
+typedef struct ovr_restart ovr_restart;
+
+typedef struct ovr_restart_info {
+    bool has_state; /* false: the run ended before its first checkpoint */
+    long step;      /* of the checkpoint, and its time */
+    double T;
+    size_t snapshots, steps; /* rows of the file at that moment */
+    double inlet, outlet;    /* of the domain; NAN: not recorded */
+    int level;               /* 0: not recorded */
+    const char *case_text, *case_path;
+    size_t value_count; /* parameters of the run; name, text, physics */
+    const ovr_case_value *values;
+} ovr_restart_info;
+
 typedef struct ovr_counts {
     int64_t step, snapshots, steps;
     int64_t stored; /* the state has its snapshot */

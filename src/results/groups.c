@@ -192,15 +192,21 @@ static bool make_group(ovr_writer *w, const ovr_group *g, bool keep)
     return ok;
 }
 
+/* Takes what is given, once the queue is empty. */
+static ovr_status begin(ovr_writer *w, const ovr_group *given, ovr_group *g,
+                        ovr_error *err)
+{
+    ovr_status status = OVR_TAKE(ovr_group, g, given, err);
+    return status ? status : ovr_queue_wait(&w->queue, err);
+}
+
 ovr_status ovr_writer_group(ovr_writer *w, const ovr_group *given, bool keep,
                             ovr_error *err)
 {
     if (!w)
         return ovr_fail_null(err, __func__);
     ovr_group g;
-    ovr_status status = OVR_TAKE(ovr_group, &g, given, err);
-    if (!status)
-        status = ovr_queue_wait(&w->queue, err);
+    ovr_status status = begin(w, given, &g, err);
     if (status)
         return status;
     ovr_h5_handler handler = ovr_h5_quiet();
@@ -265,9 +271,7 @@ ovr_status ovr_writer_append(ovr_writer *w, const ovr_group *given, size_t k,
     if (!w)
         return ovr_fail_null(err, __func__);
     ovr_group g;
-    ovr_status status = OVR_TAKE(ovr_group, &g, given, err);
-    if (!status)
-        status = ovr_queue_wait(&w->queue, err);
+    ovr_status status = begin(w, given, &g, err);
     if (status)
         return status;
     ovr_h5_handler handler = ovr_h5_quiet();

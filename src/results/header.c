@@ -211,14 +211,6 @@ static bool make_field(ovr_file *f, const ovr_scales *scales, hid_t x, size_t k)
     return f->field[k] >= 0;
 }
 
-static bool make_fields(ovr_file *f, const ovr_scales *scales, hid_t x)
-{
-    bool ok = true;
-    for (size_t k = 0; ok && k < f->fields; k++)
-        ok = make_field(f, scales, x, k);
-    return ok;
-}
-
 static bool make_column(ovr_file *f, hid_t group, const ovr_scales *scales,
                         size_t c)
 {
@@ -352,9 +344,10 @@ bool ovr_header_write(ovr_file *f, const ovr_file_plan *plan)
               make_time(f, plan->scales);
     if (ok)
         x = make_positions(f, plan);
-    ok = x >= 0 && (!plan->weights || make_weights(f, plan, x)) &&
-         make_fields(f, plan->scales, x) && make_history(f, plan->scales) &&
-         make_case(f, plan->options);
+    ok = x >= 0 && (!plan->weights || make_weights(f, plan, x));
+    for (size_t k = 0; ok && k < f->fields; k++)
+        ok = make_field(f, plan->scales, x, k);
+    ok = ok && make_history(f, plan->scales) && make_case(f, plan->options);
     ovr_h5_drop(x);
     return ok;
 }

@@ -21,7 +21,7 @@ static uint64_t checksum(uint64_t sum, const void *data, size_t bytes)
 
 /* -------------------------------------------------------------- opening */
 
-static bool same_file(int fd, const char *path)
+bool ovr_file_is_named(int fd, const char *path)
 {
     struct stat open, named;
     return fstat(fd, &open) == 0 && stat(path, &named) == 0 &&
@@ -38,7 +38,7 @@ int ovr_journal_open(ovr_store *s)
         if (fd < 0)
             return errno;
         error = ovr_lock_file(fd, false);
-        if (error != EWOULDBLOCK && same_file(fd, s->journal_path)) {
+        if (error != EWOULDBLOCK && ovr_file_is_named(fd, s->journal_path)) {
             s->journal = fd;
             ovr_commit_alive(fd);
             s->unlocked = error != 0;

@@ -49,6 +49,9 @@ typedef struct ovr_journal_entry {
 
 /* Both return 0 or an errno. */
 
+/* True if the path is a name of the open file. */
+bool ovr_file_is_named(int fd, const char *path);
+
 /* Opens (or makes) and locks it; EWOULDBLOCK: another writer has it. */
 int ovr_journal_open(ovr_store *store);
 

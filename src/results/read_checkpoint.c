@@ -13,6 +13,7 @@
 #include "overroll/version.h"
 #include "results/checkpoint.h"
 #include "results/results.h"
+#include "results/store.h"
 #include "simulation/simulation.h"
 
 struct ovr_restart {
@@ -247,17 +248,6 @@ static ovr_status check_format(const ovr_restart *r, ovr_error *err)
     return OVR_OK;
 }
 
-static char *path_of(ovr_arena *arena, const char *result_path, ovr_error *err)
-{
-    size_t length = strlen(result_path);
-    char *path = ovr_arena_take(arena, length + sizeof ".restart", 1, err);
-    if (!path)
-        return NULL;
-    memcpy(path, result_path, length);
-    memcpy(path + length, ".restart", sizeof ".restart");
-    return path;
-}
-
 ovr_restart *ovr_restart_open(const char *result_path,
                               const ovr_allocator *allocator, ovr_error *err)
 {
@@ -268,7 +258,7 @@ ovr_restart *ovr_restart_open(const char *result_path,
     if (!r)
         return NULL;
     r->arena = arena;
-    r->path = path_of(&r->arena, result_path, err);
+    r->path = ovr_path_with(&r->arena, result_path, ".restart", err);
     if (!r->path || load_file(r, err) || check_whole(r, err) ||
         take_pieces(r, err) || check_format(r, err)) {
         ovr_restart_close(r);
@@ -342,14 +332,6 @@ ovr_status ovr_values_same(size_t were, const ovr_case_value *was, size_t count,
         if (values[k].physics && !find(was, were, values[k].name))
             return differs(NULL, &values[k], err);
     return OVR_OK;
-}
-
-ovr_status ovr_restart_check(const ovr_restart *r, size_t count,
-                             const ovr_case_value *values, ovr_error *err)
-{
-    if (!r || !values)
-        return ovr_fail_null(err, __func__);
-    return ovr_values_same(r->info.value_count, r->values, count, values, err);
 }
 
 typedef struct getting {

@@ -5,6 +5,7 @@
 #define OVR_RESULTS_RESULTS_H
 
 #include "overroll/results.h"
+#include "results/checkpoint.h"
 
 /* Options of a writer: what is written, and when.  A snapshot is stored at
  * every moment that any of the three schedules names; `times` (and multiples of
@@ -106,10 +107,6 @@ ovr_restart *ovr_restart_open(const char *result_path,
                               const ovr_allocator *allocator, ovr_error *err);
 void ovr_restart_close(ovr_restart *restart);
 const ovr_restart_info *ovr_restart_about(const ovr_restart *restart);
-
-/* OVR_BAD_INPUT naming the first parameter of physics that differs. */
-ovr_status ovr_restart_check(const ovr_restart *restart, size_t count,
-                             const ovr_case_value *values, ovr_error *err);
 
 /* Puts the state into a simulation created alike. */
 ovr_status ovr_restart_load(ovr_restart *restart, ovr_simulation *sim,

@@ -23,12 +23,6 @@ static ovr_status say(const ovr_store *s, ovr_status status, int error,
     return ovr_fail(err, status, "%s: %s: %s", s->path, what, text);
 }
 
-static ovr_status busy(const ovr_store *s, ovr_error *err)
-{
-    return ovr_fail(err, OVR_BAD_INPUT, "%s: another process is writing it",
-                    s->path);
-}
-
 /* ESTALE stands for a file that is no longer the one of its name. */
 ovr_status ovr_store_failure(const ovr_store *s, ovr_error *err)
 {
@@ -129,21 +123,18 @@ void ovr_store_resize(ovr_store *s, uint64_t length)
 
 /* ----------------------------------------------------------------- commit */
 
-static int apply_page(const ovr_store *s, const ovr_page *page)
-{
-    uint64_t at = page->number * OVR_PAGE;
-    if (at >= s->committed)
-        return 0;
-    return ovr_write_all(s->fd, page->data,
-                         (size_t)minimum(OVR_PAGE, s->committed - at), at);
-}
-
 /* Page 0 is the first in the list and written last. */
 static int apply_pages(const ovr_store *s)
 {
     int error = 0;
-    for (size_t k = s->changed.count; error == 0 && k-- > 0;)
-        error = apply_page(s, &s->changed.page[k]);
+    for (size_t k = s->changed.count; error == 0 && k-- > 0;) {
+        const ovr_page *page = &s->changed.page[k];
+        uint64_t at = page->number * OVR_PAGE;
+        if (at < s->committed)
+            error = ovr_write_all(s->fd, page->data,
+                                  (size_t)minimum(OVR_PAGE, s->committed - at),
+                                  at);
+    }
     return error;
 }
 
@@ -178,13 +169,7 @@ static int commit_pages(ovr_store *s)
 /* 0, or ESTALE when the name stands for another file or for none. */
 static int check_name(const ovr_store *s)
 {
-    struct stat open, named;
-    if (!s->published)
-        return 0;
-    if (stat(s->path, &named) != 0 || fstat(s->fd, &open) != 0 ||
-        open.st_ino != named.st_ino || open.st_dev != named.st_dev)
-        return ESTALE;
-    return 0;
+    return s->published && !ovr_file_is_named(s->fd, s->path) ? ESTALE : 0;
 }
 
 ovr_status ovr_store_commit(ovr_store *s, ovr_error *err)
@@ -219,8 +204,8 @@ void ovr_store_keep(ovr_store *s, uint64_t number)
 
 /* --------------------------------------------------------- start and end */
 
-static char *join(ovr_arena *arena, const char *path, const char *ending,
-                  ovr_error *err)
+char *ovr_path_with(ovr_arena *arena, const char *path, const char *ending,
+                    ovr_error *err)
 {
     size_t length = strlen(path), more = strlen(ending) + 1;
     char *joined = ovr_arena_take(arena, length + more, 1, err);
@@ -236,9 +221,9 @@ ovr_status ovr_store_prepare(ovr_store *s, const char *path, ovr_arena *arena,
 {
     memset(s, 0, sizeof *s);
     s->fd = s->journal = -1;
-    s->path = join(arena, path, "", err);
-    s->part = join(arena, path, ".part", err);
-    s->journal_path = join(arena, path, ".journal", err);
+    s->path = ovr_path_with(arena, path, "", err);
+    s->part = ovr_path_with(arena, path, ".part", err);
+    s->journal_path = ovr_path_with(arena, path, ".journal", err);
     ovr_pages_init(&s->changed, arena);
     return s->path && s->part && s->journal_path ? OVR_OK : OVR_NO_MEMORY;
 }
@@ -247,7 +232,8 @@ static ovr_status take_lock(ovr_store *s, ovr_error *err)
 {
     int error = ovr_journal_open(s);
     if (error == EWOULDBLOCK)
-        return busy(s, err);
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: another process is writing it",
+                        s->path);
     if (error)
         return say(s, OVR_BAD_INPUT, error, "cannot be written", err);
     return OVR_OK;

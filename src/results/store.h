@@ -80,6 +80,10 @@ typedef struct ovr_store {
     ovr_pages changed;
 } ovr_store;
 
+/* PATH and an ending, in the arena; NULL with *err filled. */
+char *ovr_path_with(ovr_arena *arena, const char *path, const char *ending,
+                    ovr_error *err);
+
 /* Names, no disk touched. */
 ovr_status ovr_store_prepare(ovr_store *store, const char *path,
                              ovr_arena *arena, ovr_error *err);

@@ -36,20 +36,14 @@ static ovr_status write_pending(ovr_writer *w, ovr_error *err)
                               w->pending_value, OVR_ROW_CHUNK, err);
 }
 
-static void take_step(ovr_writer *w, const ovr_parcel *parcel, size_t r)
-{
-    const double *row = parcel->values + r * w->file.columns;
-    w->pending_step[w->pending] = parcel->step[r];
-    for (size_t c = 0; c < w->file.columns; c++)
-        w->pending_value[c * OVR_ROW_CHUNK + w->pending] = row[c];
-    w->pending++;
-}
-
 static ovr_status take_steps(ovr_writer *w, const ovr_parcel *parcel,
                              ovr_error *err)
 {
     for (size_t r = 0; r < parcel->steps; r++) {
-        take_step(w, parcel, r);
+        const double *row = parcel->values + r * w->file.columns;
+        for (size_t c = 0; c < w->file.columns; c++)
+            w->pending_value[c * OVR_ROW_CHUNK + w->pending] = row[c];
+        w->pending_step[w->pending++] = parcel->step[r];
         if (w->pending == OVR_ROW_CHUNK && write_pending(w, err) != OVR_OK)
             return OVR_IO;
     }
@@ -135,16 +129,6 @@ static bool checkpoint_due(const ovr_writer *w)
            ovr_now() - w->last_checkpoint >= interval;
 }
 
-static ovr_status check_frame(const ovr_writer *w, const ovr_frame *frame,
-                              ovr_error *err)
-{
-    if (frame->state->n != w->n)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: was made for %zu nodes, not for %zu",
-                        w->options.path, w->n, frame->state->n);
-    return OVR_OK;
-}
-
 ovr_status ovr_writer_record(ovr_writer *w, const ovr_frame *given,
                              ovr_error *err)
 {
@@ -159,8 +143,10 @@ ovr_status ovr_writer_record(ovr_writer *w, const ovr_frame *given,
     due = is_due(w, state->step, state->T);
     if (state->step <= w->last_step) /* the state a resumed run starts from */
         return OVR_OK;
-    if (due && check_frame(w, frame, err) != OVR_OK)
-        return OVR_BAD_INPUT;
+    if (due && state->n != w->n)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: was made for %zu nodes, not for %zu",
+                        w->options.path, w->n, state->n);
     ovr_writer_note(w, frame);
     if (due)
         ovr_writer_store(w, frame);

@@ -4,8 +4,8 @@
 #define OVR_RUN_INTERNAL_H
 
 #include "base/arena.h"
-#include "overroll/results.h"
 #include "overroll/run.h"
+#include "results/results.h"
 #include "run/companion.h"
 #include "run/stress.h"
 #include "simulation/physics.h"

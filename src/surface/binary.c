@@ -20,20 +20,6 @@ static uint64_t bits(const char *at, size_t bytes)
     return value;
 }
 
-static double as_f32(uint32_t pattern)
-{
-    float value;
-    memcpy(&value, &pattern, sizeof value);
-    return (double)value;
-}
-
-static double as_f64(uint64_t pattern)
-{
-    double value;
-    memcpy(&value, &pattern, sizeof value);
-    return value;
-}
-
 /* Two's complement of so many bits. */
 static double as_signed(uint64_t pattern, int width)
 {
@@ -44,9 +30,13 @@ static double as_signed(uint64_t pattern, int width)
 double ovr_binary_value(const char *at, ovr_binary type)
 {
     uint64_t pattern = bits(at, ovr_binary_size(type));
+    float single;
+    double value;
     switch (type) {
-    case OVR_BINARY_F32: return as_f32((uint32_t)pattern);
-    case OVR_BINARY_F64: return as_f64(pattern);
+    case OVR_BINARY_F32:
+        memcpy(&single, &(uint32_t){(uint32_t)pattern}, sizeof single);
+        return (double)single;
+    case OVR_BINARY_F64: memcpy(&value, &pattern, sizeof value); return value;
     case OVR_BINARY_I8: return as_signed(pattern, 8);
     case OVR_BINARY_I16: return as_signed(pattern, 16);
     case OVR_BINARY_I32: return as_signed(pattern, 32);

@@ -43,13 +43,6 @@ static double product(const basis *b, const double *x, const double *f,
     return sum;
 }
 
-static void subtract(const basis *b, const double *x, double *z, double norm)
-{
-    double c = product(b, x, z, b->p) / norm;
-    for (size_t i = 0; i < b->n; i++)
-        z[i] -= c * b->p[i];
-}
-
 /* Goes from degree k to k + 1. */
 static void raise(basis *b, const double *x, double norm, double norm_older)
 {
@@ -77,7 +70,9 @@ void ovr_level(size_t n, const double *x, double *z, int degree, double *work)
         double norm = product(&b, x, b.p, b.p);
         if (!(norm > 0))
             return;
-        subtract(&b, x, z, norm);
+        double c = product(&b, x, z, b.p) / norm;
+        for (size_t i = 0; i < n; i++)
+            z[i] -= c * b.p[i];
         raise(&b, x, norm, norm_older);
         norm_older = norm;
     }
@@ -109,15 +104,6 @@ void ovr_level_ends(size_t n, const double *x, double *z)
 typedef struct moments {
     double s0, s1, s2, t0, t1;
 } moments;
-
-static void take(moments *m, double w, double d, double z)
-{
-    m->s0 += w;
-    m->s1 += w * d;
-    m->s2 += w * d * d;
-    m->t0 += w * z;
-    m->t1 += w * d * z;
-}
 
 static double fitted(const moments *m)
 {
@@ -151,7 +137,12 @@ void ovr_gaussian(const ovr_points *of, double lambda, bool uniform,
         for (size_t j = first; j < last; j++) {
             double d = (x[j] - x[i]) / lambda;
             double w = uniform ? kernel[j > i ? j - i : i - j] : weight(d);
-            take(&m, share[j] * w, d, z[j]);
+            w *= share[j];
+            m.s0 += w;
+            m.s1 += w * d;
+            m.s2 += w * d * d;
+            m.t0 += w * z[j];
+            m.t1 += w * d * z[j];
         }
         mean[i] = fitted(&m);
     }

@@ -84,29 +84,14 @@ static void read_header(ovr_text_table *t)
 
 /* ------------------------------------------------------------- 3. the rows */
 
-static bool is_comment(ovr_line line)
-{
-    return line.size && (line.text[0] == '#' || line.text[0] == '%');
-}
-
 static bool next_row(ovr_lines *lines, ovr_line *line)
 {
     while (ovr_next_line(lines, line)) {
-        *line = (ovr_line){line->text, line->size, line->number};
-        if (ovr_trim(*line).size && !is_comment(ovr_trim(*line)))
+        const ovr_line said = ovr_trim(*line);
+        if (said.size && said.text[0] != '#' && said.text[0] != '%')
             return true;
     }
     return false;
-}
-
-static size_t count_rows(const ovr_text_table *t)
-{
-    ovr_lines lines = t->data;
-    ovr_line line;
-    size_t n = 0;
-    while (next_row(&lines, &line))
-        n++;
-    return n;
 }
 
 /* Heights may be missing, x not. */
@@ -155,7 +140,9 @@ static ovr_status read_rows(ovr_text_table *t, size_t *n, ovr_error *err)
     ovr_lines lines = t->data;
     ovr_line line;
     ovr_status status;
-    *n = count_rows(t);
+    for (*n = 0; next_row(&lines, &line);)
+        ++*n;
+    lines = t->data;
     status = ovr_profile_reserve(t->profile, *n, err);
     if (status)
         return status;

@@ -111,12 +111,6 @@ static double band_limited(const series *s, double at)
     return sum / weights;
 }
 
-static void choose_band(series *s, double mesh)
-{
-    s->fc = fmin(0.5 / s->d, 0.875 * 0.5 / mesh);
-    s->reach = s->d < mesh ? 24 * mesh : 24 * s->d;
-}
-
 static double variance(size_t n, const double *z)
 {
     double sum = 0, square = 0;
@@ -219,28 +213,22 @@ static ovr_status tabulate(const series *s, const ovr_ends *ends, double mesh,
     return ovr_table_prepare(table, arena, err);
 }
 
-static ovr_status check_length(double length, double mesh, ovr_error *err)
-{
-    if (length >= mesh)
-        return OVR_OK;
-    return ovr_fail(err, OVR_BAD_INPUT,
-                    "the profile is %g b long, less than the mesh of %g b: the "
-                    "grid carries none of it",
-                    length, mesh);
-}
-
 ovr_status ovr_resample(const ovr_points *profile, double mesh,
                         const ovr_ends *ends, ovr_table *table,
                         ovr_arena *arena, ovr_error *err)
 {
+    double length = length_of(profile);
+    if (!(length >= mesh))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "the profile is %g b long, less than the mesh of %g b: "
+                        "the grid carries none of it",
+                        length, mesh);
     ovr_arena scratch = ovr_arena_make(&arena->allocator);
-    series s = {0};
-    ovr_status status = check_length(length_of(profile), mesh, err);
-    if (!status)
-        status = make_equal(profile, &s, &scratch, err);
+    series s = {.closed = ends->closed};
+    ovr_status status = make_equal(profile, &s, &scratch, err);
     if (!status) {
-        s.closed = ends->closed;
-        choose_band(&s, mesh);
+        s.fc = fmin(0.5 / s.d, 0.875 * 0.5 / mesh);
+        s.reach = 24 * fmax(s.d, mesh);
         table->lost = part_lost(&s);
         status = tabulate(&s, ends, mesh, table, arena, err);
     }

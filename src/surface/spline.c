@@ -32,13 +32,6 @@ static ovr_status enough_memory(size_t n, const ovr_allocator *allocator,
 }
 
 /* Two points have a straight line, three or more a spline. */
-static const gsl_interp_type *kind(size_t n, bool periodic)
-{
-    if (n < 3)
-        return gsl_interp_linear;
-    return periodic ? gsl_interp_cspline_periodic : gsl_interp_cspline;
-}
-
 static ovr_status make(const ovr_points *of, bool periodic,
                        const ovr_allocator *allocator, gsl_interp **spline,
                        ovr_error *err)
@@ -48,8 +41,10 @@ static ovr_status make(const ovr_points *of, bool periodic,
         status = enough_memory(of->n, allocator, err);
     if (status)
         return status;
-    *spline = ovr_interpolation(kind(of->n, periodic), of->n, of->x, of->y,
-                                err);
+    *spline = ovr_interpolation(of->n < 3  ? gsl_interp_linear
+                                : periodic ? gsl_interp_cspline_periodic
+                                           : gsl_interp_cspline,
+                                of->n, of->x, of->y, err);
     return *spline ? OVR_OK : OVR_NO_MEMORY;
 }
 

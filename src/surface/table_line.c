@@ -306,15 +306,6 @@ static bool split_as(const ovr_header *header, ovr_line line, char separator,
     return false;
 }
 
-/* Reads the name of a single column from the line just above the data. */
-static void read_single(ovr_header *header, ovr_line line)
-{
-    if (read_statement(header, line))
-        header->stated |= header->column[0].metres > 0;
-    else if (!header->stated)
-        header->column[0] = read_field(line);
-}
-
 void ovr_header_line(ovr_header *header, ovr_line line, char separator)
 {
     ovr_fields fields;
@@ -323,8 +314,11 @@ void ovr_header_line(ovr_header *header, ovr_line line, char separator)
         line = ovr_trim((ovr_line){line.text + 1, line.size - 1, line.number});
     if (!line.size)
         return;
-    if (header->columns == 1) {
-        read_single(header, line);
+    if (header->columns == 1) { /* its name stands just above the data */
+        if (read_statement(header, line))
+            header->stated |= header->column[0].metres > 0;
+        else if (!header->stated)
+            header->column[0] = read_field(line);
     } else if (split_as(header, line, separator, &fields)) {
         for (size_t k = 0; k < header->columns && k < fields.count; k++)
             learn(&header->column[k], read_field(fields.field[k]));
