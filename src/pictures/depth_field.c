@@ -152,15 +152,14 @@ static ovr_stress_extreme find_worst(const ovr_depth_field *f)
     return worst;
 }
 
-ovr_status ovr_depth_field_solve(ovr_depth_field *f, size_t k,
-                                 ovr_stress_extreme *worst, ovr_error *err)
+ovr_status ovr_depth_field_solve(ovr_depth_field *f, size_t k, ovr_error *err)
 {
     ovr_status status = read_loads(f, k, err);
     if (status)
         return status;
     ovr_stress_solve(f->stress, f->P, f->traction == 0 ? NULL : f->Q, 0,
                      OVR_STRESS_ALL_LEVELS);
-    *worst = find_worst(f);
+    f->worst = find_worst(f);
     return OVR_OK;
 }
 
@@ -172,12 +171,11 @@ static ovr_status look_through(ovr_depth_field *f, ovr_error *err)
     double maximum = 0;
     size_t step = 1 + info->snapshots / 64;
     for (size_t k = 0; k < info->snapshots; k += step) {
-        ovr_stress_extreme e;
-        if (ovr_depth_field_solve(f, k, &e, err))
+        if (ovr_depth_field_solve(f, k, err))
             return OVR_BAD_INPUT;
-        maximum = fmax(maximum, fabs(e.value));
+        maximum = fmax(maximum, fabs(f->worst.value));
         if (k == 0)
-            f->smooth = fabs(e.value);
+            f->smooth = fabs(f->worst.value);
     }
     f->high = ceil(20 * fmin(maximum, 2 * f->smooth)) / 20;
     return OVR_OK;
@@ -322,34 +320,40 @@ static void put_contours(const ovr_depth_field *f, ovr_image *image, char *thin,
     image->bold_contours = bold;
 }
 
-static void add_mark(const ovr_panel *panel, double *point, double X, double z,
-                     ovr_series *series, size_t *count)
+/* The curves of a panel: its mark, where its mesh begins to be seen,
+ * interfaces. */
+enum { SERIES = 2 + OVR_LAYERS_MAX };
+
+static void add(ovr_panel *panel, ovr_series series)
+{
+    ((ovr_series *)panel->series)[panel->count++] = series;
+}
+
+static void add_mark(ovr_panel *panel, double *point, double X, double z)
 {
     point[0] = X;
     point[1] = z;
-    if (X < panel->x_from || X > panel->x_to)
-        return;
-    series[(*count)++] = (ovr_series){.n = 1,
-                                      .x = point,
-                                      .y = point + 1,
-                                      .mark = OVR_MARK_CROSS,
-                                      .colour = OVR_RED,
-                                      .width = 3};
+    if (X >= panel->x_from && X <= panel->x_to)
+        add(panel, (ovr_series){.n = 1,
+                                .x = point,
+                                .y = point + 1,
+                                .mark = OVR_MARK_CROSS,
+                                .colour = OVR_RED,
+                                .width = 3});
 }
 
 /* A line at a depth: dotted where the mesh begins to be seen, else at an
  * interface. */
-static void add_line(const ovr_panel *panel, double *line, double z,
-                     ovr_mark mark, ovr_series *series, size_t *count)
+static void add_line(ovr_panel *panel, double *line, double z, ovr_mark mark)
 {
     line[0] = panel->x_from, line[1] = panel->x_to;
     line[2] = line[3] = z;
-    series[(*count)++] = (ovr_series){.n = 2,
-                                      .x = line,
-                                      .y = line + 2,
-                                      .mark = mark,
-                                      .colour = OVR_WHITE,
-                                      .width = 1.2};
+    add(panel, (ovr_series){.n = 2,
+                            .x = line,
+                            .y = line + 2,
+                            .mark = mark,
+                            .colour = OVR_WHITE,
+                            .width = 1.2});
 }
 
 bool ovr_depth_field_is_pressed(const ovr_depth_field *f)
@@ -413,9 +417,7 @@ static void set_axes(const ovr_depth_field *f, const ovr_axis *x, char *buffer,
     panel->height = 1.5;
 }
 
-ovr_status ovr_depth_field_panel(ovr_depth_field *f,
-                                 const ovr_stress_extreme *worst,
-                                 ovr_units units, ovr_series *series,
+ovr_status ovr_depth_field_panel(ovr_depth_field *f, ovr_units units,
                                  ovr_panel *panel, ovr_arena *arena,
                                  ovr_error *err)
 {
@@ -425,8 +427,9 @@ ovr_status ovr_depth_field_panel(ovr_depth_field *f,
     char *levels = ovr_arena_take(arena, 2 * CAPACITY, 1, err);
     double *points = ovr_arena_take(arena, 6 + 4 * OVR_LAYERS_MAX,
                                     sizeof *points, err);
+    ovr_series *series = ovr_arena_take(arena, SERIES, sizeof *series, err);
     ovr_axis x;
-    if (!label || !depth || !levels || !points ||
+    if (!label || !depth || !levels || !points || !series ||
         ovr_axis_make(OVR_KIND_LENGTH, f->run->result, units, f->x_to, &x, err))
         return OVR_BAD_INPUT;
     fill_cells(f);
@@ -434,17 +437,17 @@ ovr_status ovr_depth_field_panel(ovr_depth_field *f,
     *panel = (ovr_panel){.series = series};
     set_axes(f, &x, depth, 80, panel);
     put_label(f, label, 80);
-    panel->image = image_of(f, worst->value, label);
+    panel->image = image_of(f, f->worst.value, label);
     put_contours(f, &panel->image, levels, levels + CAPACITY, CAPACITY);
     add_line(panel, points + 2, drawn_depth(f, f->minimum, x.factor),
-             OVR_MARK_DOTTED, series, &panel->count);
+             OVR_MARK_DOTTED);
     for (int j = 0; j < f->coated.body.layers; j++) {
         double z = ovr_layered_bottom(&f->coated.body, j);
         if (z < f->z_to && !(f->logarithmic && z < f->mesh))
             add_line(panel, points + 6 + 4 * j, drawn_depth(f, z, x.factor),
-                     OVR_MARK_LINE, series, &panel->count);
+                     OVR_MARK_LINE);
     }
-    add_mark(panel, points, worst->X * x.factor,
-             drawn_depth(f, worst->Z, x.factor), series, &panel->count);
+    add_mark(panel, points, f->worst.X * x.factor,
+             drawn_depth(f, f->worst.Z, x.factor));
     return OVR_OK;
 }

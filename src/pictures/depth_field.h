@@ -12,10 +12,6 @@
 
 enum { OVR_CELLS_X = 360, OVR_CELLS_Z = 160 };
 
-/* The curves of a panel: its mark, where its mesh begins to be seen,
- * interfaces. */
-enum { OVR_DEPTH_SERIES = 2 + OVR_LAYERS_MAX };
-
 /* One scale and one depth axis for a whole run. */
 typedef struct ovr_depth_field {
     const ovr_stored *run;
@@ -39,7 +35,8 @@ typedef struct ovr_depth_field {
     double x_from, x_to, z_to;
     double high;   /* end of the colours; `low` its negative or 0 */
     double smooth; /* largest of the first snapshot, from `minimum` down */
-    double *cells; /* OVR_CELLS_Z rows, from the surface down */
+    ovr_stress_extreme worst; /* that of the snapshot solved last */
+    double *cells;            /* OVR_CELLS_Z rows, from the surface down */
 } ovr_depth_field;
 
 /* A field is looked at so. */
@@ -57,8 +54,7 @@ ovr_status ovr_depth_field_make(ovr_depth_field *f, const ovr_stored *run,
 void ovr_depth_field_free(ovr_depth_field *f);
 
 /* The field of snapshot k, and its largest value from `minimum` down. */
-ovr_status ovr_depth_field_solve(ovr_depth_field *f, size_t k,
-                                 ovr_stress_extreme *worst, ovr_error *err);
+ovr_status ovr_depth_field_solve(ovr_depth_field *f, size_t k, ovr_error *err);
 
 /* Its value below X at a depth z, of the snapshot solved last. */
 double ovr_depth_field_at(const ovr_depth_field *f, double X, double z);
@@ -68,9 +64,7 @@ bool ovr_depth_field_is_pressed(const ovr_depth_field *f);
 
 /* The panel of the snapshot solved last: colours, contours every 0.1 ph, the
  * smooth maximum, a mark at the largest value. */
-ovr_status ovr_depth_field_panel(ovr_depth_field *f,
-                                 const ovr_stress_extreme *worst,
-                                 ovr_units units, ovr_series *series,
+ovr_status ovr_depth_field_panel(ovr_depth_field *f, ovr_units units,
                                  ovr_panel *panel, ovr_arena *arena,
                                  ovr_error *err);
 

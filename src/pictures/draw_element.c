@@ -21,11 +21,11 @@ typedef struct sketch {
     ovr_arena *arena;
     ovr_element_figure *to;
     ovr_error *err;
-    double *at, *value[4]; /* the moments: along the axis; of four panels */
+    /* The moments: along the axis; of four panels; places of the contact. */
+    double *at, *value[4], *x, *y;
 } sketch;
 
-/* -------------------------------------------------------------- what is in it
- */
+/* ----------------------------------------------------------- what is in it */
 
 static ovr_series *space_for_series(sketch *s, ovr_panel *panel)
 {
@@ -70,15 +70,6 @@ static ovr_panel *history_panel(sketch *s, const char *x_label,
     return space_for_series(s, panel) ? panel : NULL;
 }
 
-/* A curve over the moments. */
-static void add_history(sketch *s, ovr_panel *panel, size_t n,
-                        const double *value, const char *label, int colour)
-{
-    add(panel,
-        (ovr_series){
-            .label = label, .n = n, .x = s->at, .y = value, .colour = colour});
-}
-
 /* The ends of the panel's values, 0 among them, with a little space. */
 static void set_range(ovr_panel *panel)
 {
@@ -114,9 +105,16 @@ static void add_uprights(sketch *s, ovr_panel *panel, const double *at,
                             .width = 1.2});
 }
 
+/* An axis of moments, with marks on it. */
+typedef struct course {
+    const char *axis;
+    double from, till;
+    const double *mark;
+    size_t marks;
+} course;
+
 /* Smallest and central film of the run, whose time is a factor of the axis. */
-static void add_film(sketch *s, const char *x_label, double from, double till,
-                     const double *marks, size_t n)
+static void add_film(sketch *s, const course *c)
 {
     static const struct {
         const char *name, *label;
@@ -125,7 +123,7 @@ static void add_film(sketch *s, const char *x_label, double from, double till,
                  {"min_film_thickness", "smallest film", OVR_RED}};
     if (!s->run || s->run->info->steps == 0)
         return;
-    ovr_panel *panel = history_panel(s, x_label, "film (µm)", from, till);
+    ovr_panel *panel = history_panel(s, c->axis, "film (µm)", c->from, c->till);
     const ovr_result_info *info = s->run->info;
     double *T = ovr_stored_history(s->run, "time", 1, s->arena, s->err);
     if (!panel || !T)
@@ -144,25 +142,25 @@ static void add_film(sketch *s, const char *x_label, double from, double till,
                                     .colour = films[k].colour});
     }
     set_range(panel);
-    add_uprights(s, panel, marks, n);
+    add_uprights(s, panel, c->mark, c->marks);
 }
 
-/* An axis of moments, with marks on it. */
-typedef struct course {
-    const char *axis;
-    double from, till;
-    const double *mark;
-    size_t marks;
-} course;
+/* The curves over the moments that a panel has, at most two. */
+typedef struct over_moments {
+    const char *label[2]; /* NULL: one is enough */
+    int colour[2];
+} over_moments;
 
 static void add_panel(sketch *s, const course *c, const char *y_label,
-                      size_t first, size_t count, const char *const label[],
-                      const int colour[])
+                      size_t first, const over_moments *curves)
 {
     ovr_panel *panel = history_panel(s, c->axis, y_label, c->from, c->till);
-    for (size_t k = 0; panel && k < count; k++)
-        add_history(s, panel, LOOKS + 1, s->value[first + k], label[k],
-                    colour[k]);
+    for (size_t k = 0; panel && k < 2 && curves->label[k]; k++)
+        add(panel, (ovr_series){.label = curves->label[k],
+                                .n = LOOKS + 1,
+                                .x = s->at,
+                                .y = s->value[first + k],
+                                .colour = curves->colour[k]});
     if (!panel)
         return;
     set_range(panel);
@@ -173,13 +171,12 @@ static void add_panel(sketch *s, const course *c, const char *y_label,
  * are. */
 static void add_course(sketch *s, const course *c, const char *const of[2])
 {
-    add_panel(s, c, "radius {/:Italic R} (mm)", 0, 1,
-              (const char *const[]){"reduced radius"}, (const int[]){OVR_INK});
-    add_panel(s, c, "speed (m/s)", 1, 2, of,
-              (const int[]){OVR_BLUE, OVR_GREEN});
-    add_panel(s, c, "load (kN/m)", 3, 1, (const char *const[]){"load"},
-              (const int[]){OVR_VIOLET});
-    add_film(s, c->axis, c->from, c->till, c->mark, c->marks);
+    add_panel(s, c, "radius {/:Italic R} (mm)", 0,
+              &(over_moments){{"reduced radius"}, {OVR_INK}});
+    add_panel(s, c, "speed (m/s)", 1,
+              &(over_moments){{of[0], of[1]}, {OVR_BLUE, OVR_GREEN}});
+    add_panel(s, c, "load (kN/m)", 3, &(over_moments){{"load"}, {OVR_VIOLET}});
+    add_film(s, c);
 }
 
 static bool take_workspace(sketch *s, size_t n)
@@ -187,7 +184,26 @@ static bool take_workspace(sketch *s, size_t n)
     s->at = ovr_arena_take(s->arena, 7 * n, sizeof *s->at, s->err);
     for (size_t k = 0; s->at && k < 4; k++)
         s->value[k] = s->at + (k + 1) * n;
+    if (s->at) {
+        s->x = s->at + 5 * n;
+        s->y = s->at + 6 * n;
+    }
     return s->at != NULL;
+}
+
+/* Moment k, whose place has been found in m. */
+static void note_moment(sketch *s, int k, const ovr_element_moment *m)
+{
+    s->value[0][k] = 1e3 * m->R;
+    s->value[1][k] = m->u1;
+    s->value[2][k] = m->u2;
+    s->value[3][k] = 1e-3 * m->load;
+    s->x[k] *= 1e3;
+    s->y[k] *= 1e3;
+    s->to->points = (size_t)k + 1;
+    s->to->at = s->at;
+    s->to->x = s->x;
+    s->to->y = s->y;
 }
 
 static void name_it(sketch *s, const char *text)
@@ -246,7 +262,7 @@ static void draw_teeth(sketch *s, double R1)
     panel->y_to = half;
 }
 
-static void gear_moments(sketch *s, double *x, double *y)
+static void gear_moments(sketch *s)
 {
     const ovr_gear *gear = ovr_setup_gear(s->setup);
     const ovr_gear_geometry *g = ovr_gear_of(gear);
@@ -257,13 +273,8 @@ static void gear_moments(sketch *s, double *x, double *y)
         double way = t * g->base_1 * g->omega_1;
         double R1 = form->driving == 1 ? g->R1_A + way : g->R1_E - way;
         s->at[k] = 1e3 * (t - g->begin);
-        s->value[0][k] = 1e3 * m.R;
-        s->value[1][k] = m.u1;
-        s->value[2][k] = m.u2;
-        s->value[3][k] = 1e-3 * m.load;
-        ovr_gear_place(form, g, R1, &x[k], &y[k]);
-        x[k] *= 1e3;
-        y[k] *= 1e3;
+        ovr_gear_place(form, g, R1, &s->x[k], &s->y[k]);
+        note_moment(s, k, &m);
     }
 }
 
@@ -275,7 +286,6 @@ static void draw_gear(sketch *s)
     const double R1[] = {g->R1_A, g->R1_B, g->R1_C, g->R1_D, g->R1_E};
     double marks[5], end = 1e3 * (g->end - g->begin);
     char text[NAME];
-    double *x = s->value[3] + LOOKS + 1, *y = x + LOOKS + 1;
     snprintf(text, sizeof text,
              "%d and %d teeth, module %.4g mm: contact ratio %.4g",
              form->teeth_1, form->teeth_2, 1e3 * form->module,
@@ -284,14 +294,10 @@ static void draw_gear(sketch *s)
     for (int k = 0; k < 5; k++)
         marks[k] = 1e3 * (ovr_gear_time(gear, R1[k]) - g->begin);
     s->to->unit = 1e3;
-    gear_moments(s, x, y);
+    gear_moments(s);
     draw_teeth(s, g->R1_C);
     const course c = {"{/:Italic t} (ms)", 0, end, marks, 5};
     add_course(s, &c, (const char *const[]){"surface of gear 1", "of gear 2"});
-    s->to->points = LOOKS + 1;
-    s->to->at = s->at;
-    s->to->x = x;
-    s->to->y = y;
 }
 
 /* --------------------------------------------------------------------- cams */
@@ -365,7 +371,7 @@ static void draw_cam_outline(sketch *s)
     panel->y_to = 1.1e3 * size;
 }
 
-static void cam_moments(sketch *s, double *x, double *y)
+static void cam_moments(sketch *s)
 {
     const ovr_cam *cam = ovr_setup_cam(s->setup);
     const ovr_cam_form *form = ovr_cam_form_of(cam);
@@ -375,13 +381,8 @@ static void cam_moments(sketch *s, double *x, double *y)
         double angle = event->from + form->speed * t;
         ovr_element_moment m = ovr_cam_at(cam, t);
         s->at[k] = angle * 180 / pi;
-        s->value[0][k] = 1e3 * m.R;
-        s->value[1][k] = m.u1;
-        s->value[2][k] = m.u2;
-        s->value[3][k] = 1e-3 * m.load;
-        ovr_cam_place(cam, form, angle, &x[k], &y[k]);
-        x[k] *= 1e3;
-        y[k] *= 1e3;
+        ovr_cam_place(cam, form, angle, &s->x[k], &s->y[k]);
+        note_moment(s, k, &m);
     }
 }
 
@@ -392,7 +393,6 @@ static void draw_cam(sketch *s)
     const ovr_cam_event *event = ovr_cam_of(cam);
     double degree = 180 / pi, turns[16];
     double from = event->from * degree, till = event->to * degree;
-    double *x = s->value[3] + LOOKS + 1, *y = x + LOOKS + 1;
     char text[NAME];
     snprintf(text, sizeof text, "cam, %s follower: base radius %.4g mm",
              form->follower == OVR_FOLLOWER_FLAT ? "flat" : "roller",
@@ -400,7 +400,7 @@ static void draw_cam(sketch *s)
     name_it(s, text);
     for (size_t k = 0; k < event->reversals; k++)
         turns[k] = event->reversal[k] * degree;
-    cam_moments(s, x, y);
+    cam_moments(s);
     s->to->unit = form->speed * degree;
     s->to->begin = from;
     draw_cam_outline(s);
@@ -408,10 +408,6 @@ static void draw_cam(sketch *s)
                       event->reversals};
     add_course(s, &c,
                (const char *const[]){"surface of the cam", "of the follower"});
-    s->to->points = LOOKS + 1;
-    s->to->at = s->at;
-    s->to->x = x;
-    s->to->y = y;
 }
 
 /* ----------------------------------------------------------------- bearings */
@@ -454,8 +450,7 @@ static void draw_rollers(sketch *s, ovr_outline *rollers, ovr_outline *bars)
 static void draw_rings(sketch *s, const double *met, size_t count)
 {
     const ovr_bearing *bearing = ovr_setup_bearing(s->setup);
-    const ovr_bearing_form *form = ovr_bearing_form_of(
-        ovr_setup_bearing(s->setup));
+    const ovr_bearing_form *form = ovr_bearing_form_of(bearing);
     const ovr_bearing_geometry *g = ovr_bearing_of(bearing);
     ovr_panel *panel = drawing_panel(s);
     ovr_outline inner = ovr_outline_make(s->arena);
@@ -498,8 +493,7 @@ static void draw_bearing(sketch *s)
 {
     static const char *const axis = "angle from the load (degrees)";
     const ovr_bearing *bearing = ovr_setup_bearing(s->setup);
-    const ovr_bearing_form *form = ovr_bearing_form_of(
-        ovr_setup_bearing(s->setup));
+    const ovr_bearing_form *form = ovr_bearing_form_of(bearing);
     const ovr_bearing_geometry *g = ovr_bearing_of(bearing);
     double *met = s->value[0], *load = s->value[1], *stand = s->value[2];
     double degree = 180 / pi;

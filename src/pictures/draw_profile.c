@@ -42,19 +42,22 @@ ovr_status ovr_picture_profile(const ovr_profile_view *view, const char *title,
 
 /* The two panels draw these. */
 typedef struct bearing {
+    ovr_arena *arena;
+    size_t count;
     double *pressure, *gap, *area, *exponential;
 } bearing;
 
 /* The exponential of Rq and slope is that of simulation/boundary_case.c. */
-static ovr_status lay_out(const ovr_profile_numbers *n, double modulus,
-                          const ovr_dry_point *points, size_t count, bearing *b,
-                          ovr_arena *arena, ovr_error *err)
+static ovr_status lay_out(bearing *b, const ovr_profile_numbers *n,
+                          double modulus, const ovr_dry_point *points,
+                          ovr_error *err)
 {
     double **const all[] = {&b->pressure, &b->gap, &b->area, &b->exponential};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        if (!(*all[k] = ovr_arena_take(arena, count, sizeof **all[k], err)))
+        if (!(*all[k] = ovr_arena_take(b->arena, b->count, sizeof **all[k],
+                                       err)))
             return OVR_NO_MEMORY;
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < b->count; i++) {
         b->pressure[i] = points[i].pressure;
         b->gap[i] = points[i].gap;
         b->area[i] = points[i].area;
@@ -78,11 +81,11 @@ static ovr_panel logarithmic(const char *x_label, const char *y_label,
                        .series = series};
 }
 
-static ovr_status draw_bearing(const ovr_profile_view *view, const bearing *b,
-                               size_t count, const char *title,
-                               const char *path, ovr_arena *arena,
+static ovr_status draw_bearing(const bearing *b, const ovr_profile_view *view,
+                               const char *title, const char *path,
                                ovr_error *err)
 {
+    const size_t count = b->count;
     const char *pressure = view->scaled_x ? "{/:Italic p} / {/:Italic p}_h"
                                           : "{/:Italic p} / {/:Italic E}^*";
     const char *gap = view->scaled_z ? "mean gap {/:Italic R} / {/:Italic b}^2"
@@ -109,7 +112,7 @@ static ovr_status draw_bearing(const ovr_profile_view *view, const bearing *b,
                        .rows = 1,
                        .columns = 2,
                        .panel = panel};
-    return ovr_chart_draw(&chart, &(ovr_drawn_to){.path = path}, arena, err);
+    return ovr_chart_draw(&chart, &(ovr_drawn_to){.path = path}, b->arena, err);
 }
 
 ovr_status ovr_picture_contact(const ovr_profile_view *view,
@@ -121,11 +124,11 @@ ovr_status ovr_picture_contact(const ovr_profile_view *view,
     if (!view || !numbers || !points || !path)
         return ovr_fail_null(err, __func__);
     ovr_arena arena = ovr_arena_make(NULL);
-    bearing b;
-    ovr_status status = lay_out(numbers, view->scaled_x ? 2 : 1, points, count,
-                                &b, &arena, err);
+    bearing b = {.arena = &arena, .count = count};
+    ovr_status status = lay_out(&b, numbers, view->scaled_x ? 2 : 1, points,
+                                err);
     if (!status)
-        status = draw_bearing(view, &b, count, title, path, &arena, err);
+        status = draw_bearing(&b, view, title, path, err);
     ovr_arena_release(&arena);
     return status;
 }

@@ -12,10 +12,9 @@ static ovr_status find_worst(ovr_depth_field *f, size_t *worst, ovr_error *err)
 {
     double maximum = -1;
     for (size_t k = 0; k < f->run->info->snapshots; k++) {
-        ovr_stress_extreme e;
-        if (ovr_depth_field_solve(f, k, &e, err))
+        if (ovr_depth_field_solve(f, k, err))
             return OVR_BAD_INPUT;
-        double v = fabs(e.value);
+        double v = fabs(f->worst.value);
         if (v > maximum)
             maximum = v, *worst = k;
     }
@@ -29,20 +28,16 @@ ovr_status ovr_stress_panel_add(ovr_depth_field *f, const ovr_shot *shot,
 {
     enum { NOTE = 400 };
     char *note = ovr_arena_take(arena, NOTE, 1, err);
-    ovr_series *series = ovr_arena_take(arena, OVR_DEPTH_SERIES, sizeof *series,
-                                        err);
     ovr_panel *panel = &to->panel[to->chart.rows];
-    ovr_stress_extreme worst;
-    if (!note || !series)
+    if (!note)
         return OVR_NO_MEMORY;
-    if (ovr_depth_field_solve(f, shot->k, &worst, err) ||
-        ovr_depth_field_panel(f, &worst, look->options->units, series, panel,
-                              arena, err))
+    if (ovr_depth_field_solve(f, shot->k, err) ||
+        ovr_depth_field_panel(f, look->options->units, panel, arena, err))
         return OVR_BAD_INPUT;
     to->chart.rows++;
     snprintf(note, NOTE,
              "%s; largest %.3g at X = %.3g, Z = %.3g; smooth %.3g%s",
-             to->note[0], worst.value, worst.X, worst.Z, f->smooth,
+             to->note[0], f->worst.value, f->worst.X, f->worst.Z, f->smooth,
              f->traction == 0 ? "" : "; with traction");
     to->panel[0].note = note;
     return OVR_OK;

@@ -50,10 +50,9 @@ static ovr_status fill(sheet *s, size_t shot, ovr_error *err)
     ovr_depth_field *f = &s->field;
     uint16_t *level = s->level + shot * ROWS * s->columns;
     double *worst = s->worst + 3 * shot;
-    ovr_stress_extreme e;
-    if (ovr_depth_field_solve(f, shot * s->every, &e, err))
+    if (ovr_depth_field_solve(f, shot * s->every, err))
         return OVR_BAD_INPUT;
-    worst[0] = e.X, worst[1] = e.Z, worst[2] = e.value;
+    worst[0] = f->worst.X, worst[1] = f->worst.Z, worst[2] = f->worst.value;
     for (size_t r = 0; r < ROWS; r++)
         for (size_t c = 0; c < s->columns; c++) {
             double part = (double)c / (double)(s->columns - 1);
