@@ -10,23 +10,13 @@
 #include "pictures/axis.h"
 #include "pictures/pack_levels.h"
 #include "pictures/picture.h"
-#include "pictures/view_element.h"
-#include "pictures/view_material.h"
-#include "pictures/view_stress.h"
+#include "pictures/view_run.h"
 #include "run/forms.h"
 #include "run/run.h"
 
 /* A page holds at most so much: beyond it nodes and snapshots are left out,
  * evenly. */
 enum { MAX_NODES = 4000, MAX_STEPS = 4000, MAX_VALUES = 4000000 };
-
-typedef struct writer {
-    const char *stress; /* field asked for, or NULL */
-    ovr_text *to;
-    ovr_arena *arena;
-    const ovr_stored *run;
-    size_t stride, every, nodes, shots; /* what is left of the run */
-} writer;
 
 /* --------------------------------------------------------------- escaping */
 
@@ -60,7 +50,7 @@ typedef struct field {
     lie lie;
 } field;
 
-static ovr_status read_row(const writer *w, const char *name, size_t row,
+static ovr_status read_row(const ovr_view_run *w, const char *name, size_t row,
                            double *values, ovr_error *err)
 {
     ovr_status status = ovr_result_snapshot(
@@ -70,8 +60,8 @@ static ovr_status read_row(const writer *w, const char *name, size_t row,
     return status;
 }
 
-static ovr_status find_span(const writer *w, const char *name, double *values,
-                            span *s, ovr_error *err)
+static ovr_status find_span(const ovr_view_run *w, const char *name,
+                            double *values, span *s, ovr_error *err)
 {
     *s = (span){INFINITY, INFINITY, -INFINITY};
     for (size_t k = 0; k < w->shots; k++) {
@@ -88,8 +78,9 @@ static ovr_status find_span(const writer *w, const char *name, double *values,
     return OVR_OK;
 }
 
-static ovr_status put_levels(writer *w, const field *f, const ovr_levels *l,
-                             double *values, ovr_error *err)
+static ovr_status put_levels(ovr_view_run *w, const field *f,
+                             const ovr_levels *l, double *values,
+                             ovr_error *err)
 {
     uint16_t *level = ovr_arena_take(w->arena, w->nodes * w->shots,
                                      sizeof *level, err);
@@ -110,7 +101,7 @@ static ovr_status put_levels(writer *w, const field *f, const ovr_levels *l,
     return status;
 }
 
-static ovr_status put_field(writer *w, const field *f, ovr_error *err)
+static ovr_status put_field(ovr_view_run *w, const field *f, ovr_error *err)
 {
     double *values = ovr_arena_take(w->arena, w->run->info->nodes,
                                     sizeof *values, err);
@@ -130,7 +121,7 @@ static ovr_status put_field(writer *w, const field *f, ovr_error *err)
     return put_levels(w, f, &levels, values, err);
 }
 
-static ovr_status put_fields(writer *w, ovr_error *err)
+static ovr_status put_fields(ovr_view_run *w, ovr_error *err)
 {
     static const field fields[] = {
         {"P", "pressure", FROM_ZERO},
@@ -171,7 +162,7 @@ static size_t thin(double *values, size_t n, size_t bucket, char keep)
 }
 
 /* Half width and pressure of Hertz's contact, snapshot by snapshot. */
-static void put_hertz(writer *w)
+static void put_hertz(ovr_view_run *w)
 {
     double *two = ovr_arena_take(w->arena, 2 * w->shots, sizeof *two, NULL);
     if (!w->run->hertz_P || !two)
@@ -183,7 +174,7 @@ static void put_hertz(writer *w)
     ovr_text_doubles(w->to, "hertz", two, 2 * w->shots);
 }
 
-static ovr_status put_history(writer *w, ovr_error *err)
+static ovr_status put_history(ovr_view_run *w, ovr_error *err)
 {
     static const struct {
         const char *key, *name;
@@ -208,7 +199,7 @@ static ovr_status put_history(writer *w, ovr_error *err)
 
 /* ------------------------------------------------------------------ units */
 
-static ovr_status put_axes(writer *w, ovr_units units, ovr_error *err)
+static ovr_status put_axes(ovr_view_run *w, ovr_units units, ovr_error *err)
 {
     const ovr_stored *run = w->run;
     const struct {
@@ -235,7 +226,7 @@ static ovr_status put_axes(writer *w, ovr_units units, ovr_error *err)
     return OVR_OK;
 }
 
-static ovr_status put_units(writer *w, ovr_error *err)
+static ovr_status put_units(ovr_view_run *w, ovr_error *err)
 {
     const ovr_result_info *i = w->run->info;
     bool scales = i->b > 0 && i->ph > 0 && i->height > 0 && i->time > 0;
@@ -252,7 +243,7 @@ static ovr_status put_units(writer *w, ovr_error *err)
 
 /* ------------------------------------------------------------------- runs */
 
-static void put_about(writer *w)
+static void put_about(ovr_view_run *w)
 {
     const ovr_result_info *i = w->run->info;
     ovr_text_print(w->to, "\"about\":\"M = %.4g, L = %.4g", i->M, i->L);
@@ -261,7 +252,7 @@ static void put_about(writer *w)
     ovr_text_put(w->to, "\",");
 }
 
-static void choose(writer *w)
+static void choose(ovr_view_run *w)
 {
     const ovr_result_info *i = w->run->info;
     w->stride = (i->nodes - 1) / MAX_NODES + 1;
@@ -281,9 +272,9 @@ static bool has_stress(const ovr_stored *run)
     return asked;
 }
 
-static void put_answer(void *writer_, const char *name, const char *text)
+static void put_answer(void *view, const char *name, const char *text)
 {
-    writer *w = writer_;
+    ovr_view_run *w = view;
     ovr_text_put(w->to, "{");
     put_string(w->to, "name", name);
     put_string(w->to, "text", text);
@@ -291,14 +282,14 @@ static void put_answer(void *writer_, const char *name, const char *text)
 }
 
 /* Writes the numbers of a gear pair, cam or bearing. */
-static void put_answers(writer *w)
+static void put_answers(ovr_view_run *w)
 {
     ovr_text_put(w->to, "\"answers\":[");
     ovr_result_answers(w->run->result, put_answer, w);
     ovr_text_put(w->to, "0],");
 }
 
-static ovr_status put_run(writer *w, ovr_error *err)
+static ovr_status put_run(ovr_view_run *w, ovr_error *err)
 {
     double *x, *times;
     ovr_status status;
@@ -315,7 +306,7 @@ static ovr_status put_run(writer *w, ovr_error *err)
     put_string(w->to, "name", w->run->name);
     put_about(w);
     put_answers(w);
-    ovr_view_element(w->to, w->run, w->arena);
+    ovr_view_element(w);
     ovr_text_print(w->to, "\"nodes\":%zu,\"snapshots\":%zu,", w->nodes,
                    w->shots);
     ovr_text_doubles(w->to, "x", x, w->nodes);
@@ -323,11 +314,9 @@ static ovr_status put_run(writer *w, ovr_error *err)
     put_hertz(w);
     status = put_fields(w, err);
     if (status == OVR_OK && (w->stress || has_stress(w->run)))
-        status = ovr_view_stress(w->to, w->run, w->stress, w->shots, w->every,
-                                 w->arena, err);
+        status = ovr_view_stress(w, err);
     if (status == OVR_OK)
-        status = ovr_view_material(w->to, w->run, w->shots, w->every, w->arena,
-                                   err);
+        status = ovr_view_material(w, err);
     if (status == OVR_OK)
         status = put_history(w, err);
     if (status == OVR_OK)
@@ -338,7 +327,8 @@ static ovr_status put_run(writer *w, ovr_error *err)
 ovr_status ovr_view_data(ovr_text *to, const ovr_stored *runs, size_t count,
                          const char *stress, ovr_arena *arena, ovr_error *err)
 {
-    writer w = {stress, to, arena, NULL, 1, 1, 0, 0};
+    ovr_view_run w = {
+        .to = to, .arena = arena, .stress = stress, .stride = 1, .every = 1};
     ovr_status status = OVR_OK;
     ovr_text_put(to, "{\"runs\":[");
     for (size_t k = 0; status == OVR_OK && k < count; k++) {

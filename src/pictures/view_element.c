@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Panels and curves of an element's figure, as page_element.js draws them. */
-#include "pictures/view_element.h"
+#include "pictures/view_run.h"
 
 #include <math.h>
 
@@ -58,16 +58,17 @@ static void put_figure(ovr_text *to, const ovr_element_figure *f,
     ovr_text_put(to, "]},");
 }
 
-void ovr_view_element(ovr_text *to, const ovr_stored *run, ovr_arena *arena)
+void ovr_view_element(const ovr_view_run *view)
 {
+    ovr_arena *arena = view->arena;
     ovr_case *c;
     ovr_error err = {0};
     ovr_element_figure *figure = ovr_arena_take(arena, 1, sizeof *figure, NULL);
-    ovr_setup *setup = figure ? ovr_stored_setup(run, &c, &err) : NULL;
+    ovr_setup *setup = figure ? ovr_stored_setup(view->run, &c, &err) : NULL;
     if (!setup)
         return;
     if (!ovr_element_draw(setup, NULL, arena, figure, &err))
-        put_figure(to, figure, run->info->time, arena);
+        put_figure(view->to, figure, view->run->info->time, arena);
     ovr_setup_free(setup);
     ovr_case_free(c);
 }

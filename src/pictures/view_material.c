@@ -4,7 +4,7 @@
  * at places in the material and at depths that grow geometrically from the
  * first layer, and where the material is at each snapshot.
  */
-#include "pictures/view_material.h"
+#include "pictures/view_run.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -89,15 +89,17 @@ static ovr_status put_map(ovr_text *to, const material *m, size_t map,
     return OVR_OK;
 }
 
-ovr_status ovr_view_material(ovr_text *to, const ovr_stored *run, size_t shots,
-                             size_t every, ovr_arena *arena, ovr_error *err)
+ovr_status ovr_view_material(const ovr_view_run *view, ovr_error *err)
 {
-    material m = {.in = {.run = run, .arena = arena}};
+    ovr_text *to = view->to;
+    ovr_arena *arena = view->arena;
+    const size_t shots = view->shots;
+    material m = {.in = {.run = view->run, .arena = arena}};
     const ovr_material_group *in = &m.in;
     double *at = ovr_arena_take(arena, shots, sizeof *at, err);
     if (!at)
         return OVR_NO_MEMORY;
-    if (!find_group(&m) || !find_places(&m, shots, every, at))
+    if (!find_group(&m) || !find_places(&m, shots, view->every, at))
         return OVR_OK;
     m.columns = in->points > MAX_COLUMNS ? MAX_COLUMNS : in->points;
     m.cell = ovr_arena_take(arena, ROWS * m.columns, sizeof *m.cell, err);

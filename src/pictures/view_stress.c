@@ -4,7 +4,7 @@
  * at depths that grow geometrically from D, with the scale of the whole run,
  * the largest value of a smooth contact, and where the largest of each is.
  */
-#include "pictures/view_stress.h"
+#include "pictures/view_run.h"
 
 #include <math.h>
 #include <string.h>
@@ -100,19 +100,18 @@ static ovr_status put(ovr_text *to, const sheet *s, ovr_arena *arena,
     return status;
 }
 
-ovr_status ovr_view_stress(ovr_text *to, const ovr_stored *run,
-                           const char *field, size_t shots, size_t every,
-                           ovr_arena *arena, ovr_error *err)
+ovr_status ovr_view_stress(const ovr_view_run *view, ovr_error *err)
 {
-    sheet s = {.shots = shots, .every = every};
-    const ovr_depth_look look = {field, false, 1, -1.8, 1.5};
-    ovr_status status = ovr_depth_field_make(&s.field, run, &look, arena, err);
+    sheet s = {.shots = view->shots, .every = view->every};
+    const ovr_depth_look look = {view->stress, false, 1, -1.8, 1.5};
+    ovr_status status = ovr_depth_field_make(&s.field, view->run, &look,
+                                             view->arena, err);
     if (!status)
-        status = prepare(&s, arena, err);
-    for (size_t k = 0; !status && k < shots; k++)
+        status = prepare(&s, view->arena, err);
+    for (size_t k = 0; !status && k < s.shots; k++)
         status = fill(&s, k, err);
     if (!status)
-        status = put(to, &s, arena, err);
+        status = put(view->to, &s, view->arena, err);
     ovr_depth_field_free(&s.field);
     return status;
 }
