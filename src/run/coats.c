@@ -25,23 +25,10 @@ static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
     say(data, OVR_SAY_WARNING, text);
 }
 
-static ovr_status make(const ovr_setup *setup, const ovr_state *state,
-                       const char *output, const ovr_allocator *allocator,
-                       void **own, ovr_error *err)
-{
-    (void)state;
-    (void)output;
-    (void)allocator;
-    (void)err;
-    *own = (void *)coated_of(setup);
-    return OVR_OK;
-}
-
 /* A of a wave by A_top and the images: of each its weight. */
-static ovr_status open_file(void *own, ovr_writer *writer, const char *path,
-                            ovr_error *err)
+static ovr_status open_file(void *own, const ovr_run *run, ovr_error *err)
 {
-    const ovr_coated *of = own;
+    const ovr_coated *of = coated_of(run->setup);
     const ovr_images *images = &of->images;
     const ovr_group_axis depth = {"image_depth", "depth of an image",
                                   OVR_KIND_LENGTH, (size_t)images->count,
@@ -62,9 +49,9 @@ static ovr_status open_file(void *own, ovr_writer *writer, const char *path,
     const ovr_group group = {
         "coating", some,    some, sizeof about / sizeof *about,
         &depth,    &weight, about};
-    (void)path;
-    return ovr_writer_group(writer, &group, true, err);
+    (void)own;
+    return ovr_writer_group(run->writer, &group, true, err);
 }
 
-const ovr_companion ovr_coating_companion = {
-    .foresee = foresee, .make = make, .open = open_file};
+const ovr_companion ovr_coating_companion = {.foresee = foresee,
+                                             .open = open_file};

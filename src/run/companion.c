@@ -45,14 +45,12 @@ void ovr_companions_review(ovr_run *run)
 
 ovr_status ovr_companions_make(ovr_run *run, ovr_error *err)
 {
-    const ovr_allocator *allocator = &run->arena.allocator;
     ovr_accompanied *next = run->company;
     for (int k = 0; ovr_physics_list[k]; k++) {
         const ovr_companion *is = companion_of(run->setup, k);
-        if (!is->make)
+        if (!is->make && !is->open && !is->finish)
             continue;
-        if (is->make(run->setup, ovr_simulation_state(run->sim),
-                     run->info.output, allocator, &next->own, err))
+        if (is->make && is->make(run, &next->own, err))
             return err ? err->status : OVR_BAD_INPUT;
         next++->is = is;
     }
@@ -82,7 +80,7 @@ ovr_status ovr_companions_open(ovr_run *run, ovr_error *err)
     if (run->company[0].is)
         ovr_writer_more(run->writer, visit_all, run);
     EACH(run, c, open)
-        if (c->is->open(c->own, run->writer, run->info.output, err))
+        if (c->is->open(c->own, run, err))
             return err ? err->status : OVR_IO;
     return OVR_OK;
 }
@@ -90,7 +88,7 @@ ovr_status ovr_companions_open(ovr_run *run, ovr_error *err)
 void ovr_companions_told_of(ovr_run *run)
 {
     EACH(run, c, told_of)
-        c->is->told_of(c->own, run->info.output);
+        c->is->told_of(c->own, run);
 }
 
 ovr_status ovr_companions_restore(ovr_run *run, double T, ovr_error *err)
@@ -120,6 +118,6 @@ ovr_status ovr_companions_finish(ovr_run *run, ovr_error *err)
     ovr_status status = OVR_OK;
     EACH(run, c, finish)
         if (!status)
-            status = c->is->finish(c->own, run->sim, &run->info, err);
+            status = c->is->finish(c->own, run, err);
     return status;
 }

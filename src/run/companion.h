@@ -16,18 +16,14 @@ typedef struct ovr_companion {
     void (*foresee)(const ovr_setup *setup, ovr_listener *say, void *data);
     void (*review)(ovr_run *run);
 
-    /* Made for a run whose nodes are known; `output`: the path of its file, or
-     * NULL. */
-    ovr_status (*make)(const ovr_setup *setup, const ovr_state *state,
-                       const char *output, const ovr_allocator *allocator,
-                       void **own, ovr_error *err);
+    /* What it keeps for itself, of a run whose nodes are known. */
+    ovr_status (*make)(const ovr_run *run, void **own, ovr_error *err);
     void (*release)(void *own);
 
-    /* The file that it writes to; that of a complete run, which it may read
+    /* The run's file is open to be written to; it is complete, and may be read
      * once more. */
-    ovr_status (*open)(void *own, ovr_writer *writer, const char *path,
-                       ovr_error *err);
-    void (*told_of)(void *own, const char *path);
+    ovr_status (*open)(void *own, const ovr_run *run, ovr_error *err);
+    void (*told_of)(void *own, const ovr_run *run);
 
     /* Called after the steady start and each step. */
     ovr_status (*observe)(void *own, const ovr_simulation *sim, ovr_error *err);
@@ -38,8 +34,7 @@ typedef struct ovr_companion {
     ovr_status (*restored)(void *own, double T, ovr_error *err);
 
     /* The end of a run, or a stop on the way: what it has to tell. */
-    ovr_status (*finish)(void *own, const ovr_simulation *sim,
-                         ovr_run_info *info, ovr_error *err);
+    ovr_status (*finish)(void *own, ovr_run *run, ovr_error *err);
 } ovr_companion;
 
 /* One of a run; is NULL behind the last. */

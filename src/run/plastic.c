@@ -18,8 +18,8 @@
 
 #include "base/error.h"
 #include "case/setup.h"
-#include "run/companion.h"
 #include "run/forms.h"
+#include "run/internal.h"
 #include "run/plastic.h"
 #include "simulation/quantity_row.h"
 #include "stress/cubic.h"
@@ -671,59 +671,20 @@ static void tell(const ovr_physics_case *of, const void *form,
 
 /* --------------------------------------------------------------- companion */
 
-typedef struct run_plastic {
-    ovr_arena arena;
-    ovr_writer *writer;
-} run_plastic;
-
-static ovr_status make(const ovr_setup *setup, const ovr_state *state,
-                       const char *output, const ovr_allocator *allocator,
-                       void **own, ovr_error *err)
+static ovr_status finish(void *own, ovr_run *run, ovr_error *err)
 {
-    ovr_arena arena = ovr_arena_make(allocator);
-    run_plastic *r = ovr_arena_take(&arena, 1, sizeof *r, err);
-    (void)setup;
-    (void)state;
-    (void)output;
-    if (!r)
-        return OVR_NO_MEMORY;
-    r->arena = arena;
-    *own = r;
-    return OVR_OK;
-}
-
-static void let_go(void *own)
-{
-    ovr_arena arena = ((run_plastic *)own)->arena;
-    ovr_arena_release(&arena);
-}
-
-static ovr_status open_file(void *own, ovr_writer *writer, const char *path,
-                            ovr_error *err)
-{
-    (void)path;
-    (void)err;
-    ((run_plastic *)own)->writer = writer;
-    return OVR_OK;
-}
-
-static ovr_status finish(void *own, const ovr_simulation *sim,
-                         ovr_run_info *info, ovr_error *err)
-{
-    const run_plastic *r = own;
-    const ovr_plastic *p = plastic_of(sim);
-    (void)info;
+    const ovr_plastic *p = plastic_of(run->sim);
+    (void)own;
     if (!p)
         return OVR_OK;
     EACH_BODY(p, k)
     show(p, k); /* what the next pass begins with */
-    if (r->writer && ovr_plastic_store(r->writer, p, err))
+    if (run->writer && ovr_plastic_store(run->writer, p, err))
         return err->status;
     return p->how->profiles ? ovr_plastic_write_profiles(p, err) : OVR_OK;
 }
 
-static const ovr_companion companion = {
-    .make = make, .release = let_go, .open = open_file, .finish = finish};
+static const ovr_companion companion = {.finish = finish};
 
 const ovr_physics ovr_physics_plastic = {.name = "a body that yields",
                                          .bit = OVR_PHYSICS_PLASTIC,

@@ -4,8 +4,8 @@
 #include "run/stress.h"
 #include "base/error.h"
 #include "results/results.h"
-#include "run/companion.h"
 #include "run/forms.h"
+#include "run/internal.h"
 #include "simulation/physics.h"
 #include "stress/layered.h"
 #include "stress/stress.h"
@@ -282,20 +282,19 @@ static void release(void *own)
     ovr_arena_release(&arena);
 }
 
-static ovr_status make(const ovr_setup *setup, const ovr_state *state,
-                       const char *output, const ovr_allocator *allocator,
-                       void **own, ovr_error *err)
+static ovr_status make(const ovr_run *run, void **own, ovr_error *err)
 {
+    const ovr_allocator *allocator = &run->arena.allocator;
     ovr_arena arena = ovr_arena_make(allocator);
     run_stress *s = NULL;
-    ovr_status status = check_second_pass(setup, output, err);
+    ovr_status status = check_second_pass(run->setup, run->info.output, err);
     if (!status)
         s = ovr_arena_take(&arena, 1, sizeof *s, err);
     if (!s)
         return status ? status : OVR_NO_MEMORY;
     s->arena = arena;
-    s->setup = setup;
-    status = follow(s, state, allocator, err);
+    s->setup = run->setup;
+    status = follow(s, ovr_simulation_state(run->sim), allocator, err);
     if (status)
         release(s);
     else
@@ -303,21 +302,18 @@ static ovr_status make(const ovr_setup *setup, const ovr_state *state,
     return status;
 }
 
-/* Takes the path of a run that is complete, which is told of, not written
- * to. */
-static void told_of(void *own, const char *path)
+static void told_of(void *own, const ovr_run *run)
 {
     run_stress *s = own;
-    s->second = (ovr_second_pass){path, s->setup};
+    s->second = (ovr_second_pass){run->info.output, s->setup};
 }
 
-static ovr_status open_file(void *own, ovr_writer *writer, const char *path,
-                            ovr_error *err)
+static ovr_status open_file(void *own, const ovr_run *run, ovr_error *err)
 {
     run_stress *s = own;
     ovr_status status = OVR_OK;
-    s->writer = writer;
-    told_of(s, path);
+    s->writer = run->writer;
+    told_of(s, run);
     for (int k = 0; !status && k < SURFACES; k++)
         if (s->field[k])
             status = open_fields(s, k, err);
@@ -419,16 +415,15 @@ static ovr_status finish_surface(run_stress *s, int k,
 }
 
 /* Closes the material histories and writes their groups. */
-static ovr_status finish(void *own, const ovr_simulation *sim,
-                         ovr_run_info *info, ovr_error *err)
+static ovr_status finish(void *own, ovr_run *run, ovr_error *err)
 {
     run_stress *s = own;
     ovr_status status = OVR_OK;
     for (int k = 0; !status && k < SURFACES; k++)
         if (s->follower[k])
-            status = finish_surface(s, k, sim, err);
+            status = finish_surface(s, k, run->sim, err);
     for (int k = 0; k < SURFACES; k++)
-        info->stress[k] = s->report[k];
+        run->info.stress[k] = s->report[k];
     return status;
 }
 
