@@ -92,22 +92,20 @@ static void combine(const ovr_stress_setup *s, ovr_stress_report *r)
                      : 0);
 }
 
-static ovr_status find_amplitude(const ovr_setup *setup,
+static ovr_status find_amplitude(const ovr_stress_source *of,
                                  const ovr_stress_plan *plan,
-                                 ovr_stress_paths *paths, void *data,
                                  ovr_stress_report *r, ovr_error *err)
 {
-    const ovr_stress_setup *s = ovr_setup_stress(setup);
+    const ovr_stress_setup *s = ovr_setup_stress(of->setup);
     combine(s, r);
     if (s->criterion != OVR_CRITERION_DANG_VAN)
         return OVR_OK;
-    if (!paths)
+    if (!of->path)
         return ovr_fail_about(err, "criterion",
                               "criterion = dang-van goes over the stored "
                               "pressure a second time: the run needs a result "
                               "file with all its nodes");
-    return paths(data, plan, &r->material, s->alpha, r->amplitude,
-                 r->amplitude_smooth, err);
+    return ovr_stress_second_pass(of, plan, r, err);
 }
 
 /* Points at both ends of the material, a tenth of it each, see little of a
@@ -289,12 +287,12 @@ static void withhold(ovr_stress_report *r, ovr_life_result *life)
     *life = (ovr_life_result){.equivalent_length = NAN, .utilisation = NAN};
 }
 
-ovr_stress_report *ovr_stress_report_make(const ovr_setup *setup,
+ovr_stress_report *ovr_stress_report_make(const ovr_stress_source *of,
                                           const ovr_stress_plan *plan,
                                           const ovr_material_history *history,
-                                          ovr_stress_paths *paths, void *data,
                                           ovr_arena *arena, ovr_error *err)
 {
+    const ovr_setup *setup = of->setup;
     ovr_stress_report *r = ovr_arena_take(arena, 1, sizeof *r, err);
     ovr_life_result *life = ovr_arena_take(arena, 1, sizeof *life, err);
     if (!r || !life)
@@ -329,8 +327,8 @@ ovr_stress_report *ovr_stress_report_make(const ovr_setup *setup,
         r->incomplete += !r->material.complete[k];
     if (is_beyond(r))
         withhold(r, life);
-    if (r->fatigue && (find_amplitude(setup, plan, paths, data, r, err) ||
-                       find_life(setup, r, life, err)))
+    if (r->fatigue &&
+        (find_amplitude(of, plan, r, err) || find_life(setup, r, life, err)))
         return NULL;
     if (r->fatigue)
         find_layer_fatigue(setup, plan, r);

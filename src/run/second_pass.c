@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/error.h"
+#include "run/forms.h"
 #include "run/stress.h"
 #include "stress/cubic.h"
 #include "stress/layered.h"
@@ -21,6 +22,7 @@ enum { WHOLE = 32 };
 typedef struct pass {
     const ovr_setup *setup;
     const ovr_stress_plan *plan;
+    ovr_stress_report *report; /* whose amplitudes it finds */
     ovr_result *result;
     size_t snapshots;
     double *T, *P, *Q; /* T of all; one P and Q, NULL: none */
@@ -104,7 +106,7 @@ static ovr_status read_loads(pass *p, size_t k, ovr_error *err)
 }
 
 /* The steady contact at the start, from one side to the other. */
-static double smooth_value(pass *p, double alpha, ovr_arena *arena)
+static double smooth_value(pass *p, ovr_arena *arena)
 {
     ovr_stress_row row = ovr_stress_at(p->stress, 0);
     float *s = ovr_arena_take(arena, 2 * row.count + 2, sizeof *s, NULL);
@@ -119,7 +121,7 @@ static double smooth_value(pass *p, double alpha, ovr_arena *arena)
             s[2 * n + 1] = row.shear[2 * i + 1];
             hydro[n++] = (float)hydrostatic(p, (double)row.mean[2 * i]);
         }
-    return ovr_dang_van(n, s, hydro, alpha);
+    return ovr_dang_van(n, s, hydro, ovr_setup_stress(p->setup)->alpha);
 }
 
 static ovr_status make_depth(pass *p, double z, ovr_arena *arena,
@@ -158,8 +160,8 @@ static ovr_status make_depth(pass *p, double z, ovr_arena *arena,
     return OVR_OK;
 }
 
-static ovr_status follow_all(pass *p, double alpha, double *smooth,
-                             ovr_arena *arena, ovr_error *err)
+static ovr_status follow_all(pass *p, double *smooth, ovr_arena *arena,
+                             ovr_error *err)
 {
     for (size_t k = 0; k < p->snapshots; k++) {
         ovr_moment m = ovr_stress_moment(p->setup, p->plan, p->T[k], p->T[k]);
@@ -167,7 +169,7 @@ static ovr_status follow_all(pass *p, double alpha, double *smooth,
             return err ? err->status : OVR_IO;
         follow(p, &m, k == 0 ? -1 : 0);
         if (k == 0)
-            *smooth = smooth_value(p, alpha, arena);
+            *smooth = smooth_value(p, arena);
         if (k + 1 == p->snapshots)
             follow(p, &m, 1);
     }
@@ -175,14 +177,14 @@ static ovr_status follow_all(pass *p, double alpha, double *smooth,
 }
 
 /* Onto the finest points, cubic between those of the level. */
-static void spread(const pass *p, const ovr_material *m, double alpha,
-                   float *to)
+static void spread(const pass *p, float *to)
 {
+    const ovr_material *m = &p->report->material;
     double step = ovr_stress_at(p->stress, 0).step;
     for (size_t k = 0; k < p->points; k++)
         p->hydro[k * p->capacity] = (float)ovr_dang_van(
             p->count[k], p->path + 2 * k * p->capacity,
-            p->hydro + k * p->capacity, alpha);
+            p->hydro + k * p->capacity, ovr_setup_stress(p->setup)->alpha);
     for (size_t i = 0; i < m->points; i++) {
         double at = (m->start + (double)i * m->step) / step - (double)p->first;
         size_t k = (size_t)fmax(at, 1);
@@ -192,24 +194,22 @@ static void spread(const pass *p, const ovr_material *m, double alpha,
     }
 }
 
-static ovr_status one_depth(pass *p, const ovr_material *m, size_t j,
-                            double alpha, float *A, double *smooth,
-                            ovr_error *err)
+static ovr_status one_depth(pass *p, size_t j, ovr_error *err)
 {
+    const ovr_material *m = &p->report->material;
     ovr_arena arena = ovr_arena_make(NULL);
     ovr_status status = make_depth(p, m->z[j], &arena, err);
     if (!status)
-        status = follow_all(p, alpha, &smooth[j], &arena, err);
+        status = follow_all(p, &p->report->amplitude_smooth[j], &arena, err);
     if (!status)
-        spread(p, m, alpha, A + j * m->points);
+        spread(p, p->report->amplitude + j * m->points);
     ovr_stress_free(p->stress);
     p->stress = NULL;
     ovr_arena_release(&arena);
     return status;
 }
 
-static ovr_status all_depths(pass *p, const ovr_material *m, double alpha,
-                             float *A, double *smooth, ovr_error *err)
+static ovr_status all_depths(pass *p, ovr_error *err)
 {
     const ovr_result_info *info = ovr_result_about(p->result);
     ovr_status status;
@@ -224,20 +224,19 @@ static ovr_status all_depths(pass *p, const ovr_material *m, double alpha,
                               "shear_stress_%d among [output] fields",
                               p->plan->surface);
     status = ovr_result_times(p->result, OVR_HERTZIAN, p->T, err);
-    for (size_t j = 0; !status && j < m->depths; j++)
-        status = one_depth(p, m, j, alpha, A, smooth, err);
+    for (size_t j = 0; !status && j < p->report->material.depths; j++)
+        status = one_depth(p, j, err);
     return status;
 }
 
-ovr_status ovr_stress_second_pass(void *data, const ovr_stress_plan *plan,
-                                  const ovr_material *m, double alpha, float *A,
-                                  double *smooth, ovr_error *err)
+ovr_status ovr_stress_second_pass(const ovr_stress_source *of,
+                                  const ovr_stress_plan *plan,
+                                  ovr_stress_report *r, ovr_error *err)
 {
-    const ovr_second_pass *second = data;
     ovr_arena arena = ovr_arena_make(NULL);
-    pass p = {.setup = second->setup, .plan = plan};
+    pass p = {.setup = of->setup, .plan = plan, .report = r};
     ovr_status status = OVR_NO_MEMORY;
-    p.result = ovr_result_open(second->path, NULL, err);
+    p.result = ovr_result_open(of->path, NULL, err);
     if (!p.result)
         return OVR_IO;
     const ovr_result_info *info = ovr_result_about(p.result);
@@ -246,7 +245,7 @@ ovr_status ovr_stress_second_pass(void *data, const ovr_stress_plan *plan,
     if (plan->options.traction)
         p.Q = ovr_arena_take(&arena, info->nodes, sizeof *p.Q, err);
     if (p.T && p.P && (p.Q || !plan->options.traction))
-        status = all_depths(&p, m, alpha, A, smooth, err);
+        status = all_depths(&p, err);
     ovr_result_close(p.result);
     ovr_arena_release(&arena);
     return status;

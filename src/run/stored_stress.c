@@ -109,7 +109,7 @@ static ovr_status one_surface(ovr_stored_stress *s, stored *f, int k,
                               ovr_error *err)
 {
     ovr_stress_plan plan;
-    ovr_second_pass second = {f->path, s->setup};
+    const ovr_stress_source of = {s->setup, f->path};
     ovr_material_history *p;
     ovr_stress_sight seen = {f->x[0], f->mesh, f->nodes, s->every};
     ovr_status status = ovr_stress_planned(s->setup, k + 1, seen, &plan, err);
@@ -122,9 +122,7 @@ static ovr_status one_surface(ovr_stored_stress *s, stored *f, int k,
         return OVR_NO_MEMORY;
     status = follow(f, s->setup, &plan, p, err);
     if (!status)
-        s->report[k] = ovr_stress_report_make(s->setup, &plan, p,
-                                              ovr_stress_second_pass, &second,
-                                              &s->arena, err);
+        s->report[k] = ovr_stress_report_make(&of, &plan, p, &s->arena, err);
     ovr_material_history_free(p);
     return status ? status : s->report[k] ? OVR_OK : OVR_BAD_INPUT;
 }

@@ -30,11 +30,11 @@ typedef struct shown {
 typedef struct run_stress {
     ovr_arena arena;
     const ovr_setup *setup;
+    const char *path; /* of the run's file */
     ovr_stress_plan plan[SURFACES];
     ovr_follower *follower[SURFACES];
     ovr_stress_report *report[SURFACES];
     ovr_writer *writer;
-    ovr_second_pass second;
     double *P;                   /* space for all that the solids feel */
     double *Q[SURFACES];         /* of the last moment; NULL: none */
     ovr_stress *field[SURFACES]; /* NULL: no fields are stored */
@@ -304,8 +304,7 @@ static ovr_status make(const ovr_run *run, void **own, ovr_error *err)
 
 static void told_of(void *own, const ovr_run *run)
 {
-    run_stress *s = own;
-    s->second = (ovr_second_pass){run->info.output, s->setup};
+    ((run_stress *)own)->path = run->info.output;
 }
 
 static ovr_status open_file(void *own, const ovr_run *run, ovr_error *err)
@@ -401,10 +400,9 @@ static ovr_status finish_surface(run_stress *s, int k,
     if (saved) {
         ovr_material_history_end(history, ovr_solid_pressure(sim, s->P),
                                  s->Q[k], &m);
-        s->report[k] = ovr_stress_report_make(
-            s->setup, &s->plan[k], history,
-            s->second.path ? ovr_stress_second_pass : NULL, &s->second,
-            &s->arena, err);
+        const ovr_stress_source of = {s->setup, s->path};
+        s->report[k] = ovr_stress_report_make(&of, &s->plan[k], history,
+                                              &s->arena, err);
         restore(history, saved);
     }
     ovr_arena_release(&arena);

@@ -91,23 +91,23 @@ ovr_material_history *ovr_follower_wait(ovr_follower *f);
 
 /* ------------------------------------------------------------------ report */
 
-/* All that is told of a material history; its arrays are in the arena.  The
- * amplitude of Dang Van's criterion comes from `paths` (ovr_stress_paths). */
-typedef ovr_status ovr_stress_paths(void *data, const ovr_stress_plan *plan,
-                                    const ovr_material *material, double alpha,
-                                    float *A, double *smooth, ovr_error *err);
-ovr_stress_report *ovr_stress_report_make(const ovr_setup *setup,
+/* The run that a report is of, and its file, which holds the pressure of all
+ * moments; NULL: there is none. */
+typedef struct ovr_stress_source {
+    const ovr_setup *setup;
+    const char *path;
+} ovr_stress_source;
+
+/* All that is told of a material history; its arrays are in the arena. */
+ovr_stress_report *ovr_stress_report_make(const ovr_stress_source *of,
                                           const ovr_stress_plan *plan,
                                           const ovr_material_history *history,
-                                          ovr_stress_paths *paths, void *data,
                                           ovr_arena *arena, ovr_error *err);
 
-/* Dang Van's amplitudes from the file of an ovr_second_pass. */
-typedef struct ovr_second_pass {
-    const char *path;
-    const ovr_setup *setup;
-} ovr_second_pass;
-ovr_stress_paths ovr_stress_second_pass;
+/* Dang Van's amplitudes, from the pressure in the file, for a report. */
+ovr_status ovr_stress_second_pass(const ovr_stress_source *of,
+                                  const ovr_stress_plan *plan,
+                                  ovr_stress_report *r, ovr_error *err);
 
 /* The group fatigue/surface_N of the file. */
 ovr_status ovr_stress_store(ovr_writer *writer, const ovr_setup *setup,
