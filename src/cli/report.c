@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cli/report.h"
 
-#include "cli/stress_report.h"
-
 #include <math.h>
 
 /* -------------------------------------------------------------- the printer */
@@ -70,6 +68,24 @@ static void json_not_converging(json_writer *json, const ovr_run_errors *e)
     for (size_t k = 0; k < e->count; k++)
         if (!e->of[k].converges)
             json_text(json, NULL, e->of[k].key);
+    json_close_array(json);
+}
+
+void cli_json_lengths(json_writer *json,
+                      const ovr_stress_report *const report[2])
+{
+    const ovr_stress_report *a = report[0], *b = report[1], *r = a ? a : b;
+    if (a && b && b->R_max > a->R_max)
+        r = b;
+    if (!r || !r->fatigue)
+        return;
+    json_open_array(json, "equivalent_lengths");
+    for (size_t j = 0; j < r->material.depths; j++) {
+        json_open(json, NULL);
+        json_number(json, "depth", r->material.z[j]);
+        json_number(json, "equivalent_length", r->length[j]);
+        json_close(json);
+    }
     json_close_array(json);
 }
 

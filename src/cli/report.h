@@ -14,4 +14,9 @@ void cli_report_json(const ovr_run_info *s, FILE *to);
  * that is NULL, those with words as a table. */
 ovr_summary_taker cli_put_line;
 
+/* Equivalent lengths counted from each depth down, of the worse body (either
+ * may be NULL). */
+void cli_json_lengths(json_writer *json,
+                      const ovr_stress_report *const report[2]);
+
 #endif

@@ -2,7 +2,6 @@
 /* overroll stress OUT.h5: from the pressure that is stored. */
 #include "cli/case_args.h"
 #include "cli/report.h"
-#include "cli/stress_report.h"
 
 static ovr_status change(void *call, ovr_case *c, ovr_error *err)
 {

@@ -419,17 +419,13 @@ static void add_life(storage *s, const ovr_stress_report *r)
              OVR_KIND_LENGTH, DEPTH, r->length, NULL);
 }
 
-static void add_layers(storage *s, const ovr_stress_report *r)
+static void add_part(storage *s, ovr_stress_part part,
+                     const ovr_stress_report *r)
 {
-    if (isnan(r->layer_von_mises.value))
-        return;
-    add_number(s, "layer_von_mises_max", r->layer_von_mises.value);
-    add_number(s, "interface_shear_max", r->interface_shear.value);
-    add_number(s, "interface_tension_max", r->interface_tension.value);
-    add_number(s, "surface_tension_max", r->surface_tension.value);
-    add_number(s, "layer_utilisation", r->layer_utilisation);
-    add_number(s, "layer_fatigue", r->layer_fatigue);
-    add_number(s, "interface_utilisation", r->interface_utilisation);
+    const char *key;
+    double value;
+    for (size_t k = 0; (key = ovr_stress_number(part, k, r, &value)); k++)
+        add_number(s, key, value);
 }
 
 static void add_attributes(storage *s, const ovr_setup *setup,
@@ -443,21 +439,12 @@ static void add_attributes(storage *s, const ovr_setup *setup,
     add_number(s, "residual_x", o->residual_x);
     add_number(s, "residual_y", o->residual_y);
     add_number(s, "least_depth", r->least_depth);
-    add_layers(s, r);
-    if (!isnan(r->yield)) {
-        add_number(s, "yield", r->yield);
-        add_number(s, "yield_ratio_max", r->yield_ratio.value);
-        add_number(s, "yielding_share", r->yielding_share);
-        add_number(s, "yielding_depth", r->yielding_depth);
-        add_number(s, "strip_pressure_max", r->strip.value);
-        add_number(s, "ph_over_first_yield", r->of_first_yield);
-        add_number(s, "ph_over_shakedown", r->of_shakedown);
-    }
-    add_number(s, "tau_max", r->max_shear.value);
-    add_number(s, "von_mises_max", r->von_mises.value);
-    add_number(s, "R_max", r->R_max);
-    add_number(s, "xi_R_max", r->xi_R_max);
-    add_number(s, "Z_R_max", r->Z_R_max);
+    if (!isnan(r->layer_von_mises.value))
+        add_part(s, OVR_STRESS_LAYERS, r);
+    if (!isnan(r->yield))
+        add_part(s, OVR_STRESS_YIELD, r);
+    add_part(s, OVR_STRESS_BODY, r);
+    add_part(s, OVR_STRESS_CIRCLE, r);
     if (!r->fatigue)
         return;
     add_text(s, "note",

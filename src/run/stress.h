@@ -109,6 +109,19 @@ ovr_status ovr_stress_second_pass(const ovr_stress_source *of,
                                   const ovr_stress_plan *plan,
                                   ovr_stress_report *r, ovr_error *err);
 
+/* The parts of what is told of a report: of the body, of its layers, of a body
+ * that yields, of the circle round a path. */
+typedef enum ovr_stress_part {
+    OVR_STRESS_BODY,
+    OVR_STRESS_LAYERS,
+    OVR_STRESS_YIELD,
+    OVR_STRESS_CIRCLE
+} ovr_stress_part;
+
+/* Number k of a part: its key, and its value; NULL behind the last. */
+const char *ovr_stress_number(ovr_stress_part part, size_t k,
+                              const ovr_stress_report *report, double *value);
+
 /* The group fatigue/surface_N of the file. */
 ovr_status ovr_stress_store(ovr_writer *writer, const ovr_setup *setup,
                             const ovr_stress_report *report, ovr_error *err);

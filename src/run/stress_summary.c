@@ -1,0 +1,419 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The stresses below the surfaces as summaries and reports tell them, and what
+ * the group fatigue/surface_N of a file keeps of them: from one list of rows.
+ */
+#include <math.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "run/forms.h"
+#include "run/lines.h"
+#include "run/stress.h"
+#include "stress/stress.h"
+
+/* What a number is, and so what stands beside it in a summary. */
+typedef enum form {
+    NUMBER,
+    SHARE,    /* of a limit, the larger of both surfaces; NAN: it has none */
+    PRESSURE, /* in Pa too */
+    LENGTH,   /* in metres too */
+    MOMENT,   /* where and when it is, without a unit */
+    STRIP,    /* the same, its width in place of the depth */
+    STRESS,   /* where and when it is, in Pa too */
+    TENSION   /* such a stress, which may be none */
+} form;
+
+#define TOLD(part, form, key, member, label, words)                            \
+    {                                                                          \
+        OVR_STRESS_##part, form, key, offsetof(ovr_stress_report, member),     \
+            label, words                                                       \
+    }
+#define ROW(part, form, key, member) TOLD(part, form, key, member, NULL, NULL)
+static const struct row {
+    ovr_stress_part part;
+    form form;
+    const char *key;
+    size_t offset;
+    const char *label, *words; /* for people, of those told line by line */
+} rows[] = {TOLD(BODY, STRESS, "tau_max", max_shear, "largest shear", NULL),
+            TOLD(BODY, STRESS, "von_mises_max", von_mises, "von Mises", NULL),
+            TOLD(LAYERS, STRESS, "layer_von_mises_max", layer_von_mises,
+                 "von Mises in a layer", NULL),
+            TOLD(LAYERS, STRESS, "interface_shear_max", interface_shear,
+                 "shear of an interface", NULL),
+            TOLD(LAYERS, TENSION, "interface_tension_max", interface_tension,
+                 "tension across one", NULL),
+            TOLD(LAYERS, TENSION, "surface_tension_max", surface_tension,
+                 "tension at the top", NULL),
+            TOLD(LAYERS, SHARE, "layer_utilisation", layer_utilisation,
+                 "layers use", "of their own yield, at most"),
+            TOLD(LAYERS, SHARE, "layer_fatigue", layer_fatigue, "layers use",
+                 "of their own fatigue limit, at most"),
+            TOLD(LAYERS, SHARE, "interface_utilisation", interface_utilisation,
+                 "interfaces use", "of their strength, at most"),
+            ROW(YIELD, PRESSURE, "yield", yield),
+            ROW(YIELD, MOMENT, "yield_ratio_max", yield_ratio),
+            ROW(YIELD, NUMBER, "yielding_share", yielding_share),
+            ROW(YIELD, LENGTH, "yielding_depth", yielding_depth),
+            ROW(YIELD, STRIP, "strip_pressure_max", strip),
+            ROW(YIELD, NUMBER, "ph_over_first_yield", of_first_yield),
+            ROW(YIELD, NUMBER, "ph_over_shakedown", of_shakedown),
+            ROW(CIRCLE, NUMBER, "R_max", R_max),
+            ROW(CIRCLE, NUMBER, "xi_R_max", xi_R_max),
+            ROW(CIRCLE, NUMBER, "Z_R_max", Z_R_max)};
+enum { ROWS = sizeof rows / sizeof *rows };
+
+/* A number alone is the value of one without a place. */
+static ovr_stress_extreme told_by(const struct row *row,
+                                  const ovr_stress_report *r)
+{
+    ovr_stress_extreme e = {NAN, NAN, NAN, NAN};
+    memcpy(&e, (const char *)r + row->offset,
+           row->form >= MOMENT ? sizeof e : sizeof e.value);
+    return e;
+}
+
+const char *ovr_stress_number(ovr_stress_part part, size_t k,
+                              const ovr_stress_report *r, double *value)
+{
+    for (const struct row *row = rows; row < rows + ROWS; row++)
+        if (row->part == part && k-- == 0) {
+            *value = told_by(row, r).value;
+            return row->key;
+        }
+    return NULL;
+}
+
+/* ------------------------------------------------------------- for programs */
+
+static void put_named(const ovr_told *to, const char *format, const char *name,
+                      double value)
+{
+    char key[64];
+    snprintf(key, sizeof key, format, name);
+    ovr_put_number(to, key, value);
+}
+
+static void put_row(const ovr_told *to, const struct row *row,
+                    const ovr_stress_report *r, const ovr_contact *c)
+{
+    const ovr_stress_extreme e = told_by(row, r);
+    if (row->form == SHARE && isnan(e.value))
+        return;
+    ovr_put_number(to, row->key, e.value);
+    if (row->form >= MOMENT) {
+        put_named(to, "X_%s", row->key, e.X);
+        put_named(to, row->form == STRIP ? "width_%s" : "Z_%s", row->key, e.Z);
+        put_named(to, "T_%s", row->key, e.T);
+    }
+    if (row->form == PRESSURE || row->form >= STRESS)
+        put_named(to, "%s_Pa", row->key, e.value * c->ph);
+    if (row->form == LENGTH)
+        put_named(to, "%s_m", row->key, e.value * c->b);
+}
+
+static void put_part(const ovr_told *to, ovr_stress_part part,
+                     const ovr_stress_report *r, const ovr_contact *c)
+{
+    for (const struct row *row = rows; row < rows + ROWS; row++)
+        if (row->part == part)
+            put_row(to, row, r, c);
+}
+
+/* Puts the numbers of the surface whose layers bear more. */
+static void put_layers(const ovr_told *to, const ovr_stress_report *a,
+                       const ovr_stress_report *b, const ovr_contact *c)
+{
+    ovr_stress_report worse = a ? *a : *b;
+    if (a && b && !(a->layer_von_mises.value > b->layer_von_mises.value))
+        worse = isnan(b->layer_von_mises.value) ? *a : *b;
+    if (isnan(worse.layer_von_mises.value))
+        return;
+    if (a && b) {
+        worse.layer_utilisation = fmax(a->layer_utilisation,
+                                       b->layer_utilisation);
+        worse.layer_fatigue = fmax(a->layer_fatigue, b->layer_fatigue);
+        worse.interface_utilisation = fmax(a->interface_utilisation,
+                                           b->interface_utilisation);
+    }
+    put_part(to, OVR_STRESS_LAYERS, &worse, c);
+}
+
+/* Puts those of the surface that is farther beyond its yield, if either has
+ * one. */
+static void put_yield(const ovr_told *to, const ovr_stress_report *a,
+                      const ovr_stress_report *b, const ovr_contact *c)
+{
+    const ovr_stress_report *of = a ? a : b;
+    if (a && b && !(a->yield_ratio.value > b->yield_ratio.value))
+        of = isnan(b->yield) ? a : b;
+    if (isnan(of->yield))
+        return;
+    ovr_put_count(to, "surface_yield", of->surface);
+    put_part(to, OVR_STRESS_YIELD, of, c);
+}
+
+static void put_life(const ovr_told *to, const ovr_stress_report *r,
+                     const ovr_setup *setup)
+{
+    ovr_put_text(to, "criterion",
+                 ovr_criterion_name(ovr_setup_stress(setup)->criterion));
+    ovr_put_number(to, "limit", r->limit);
+    ovr_put_both(to, "equivalent_length", "equivalent_length_m",
+                 r->life->equivalent_length, setup->contact->b);
+    ovr_put_number(to, "utilisation", r->life->utilisation);
+    ovr_put_number(to, "life_ratio", r->ratio);
+    ovr_put_number(to, "risk_smooth", r->life->smooth_risk);
+}
+
+/* --------------------------------------------------------------- for people */
+
+/* Hardened bearing steel yields about here: above it an elastic stress is one
+ * that the steel does not bear. */
+static const double YIELD = 1.7e9;
+
+/* Says a stress with the words behind it. */
+static void say_stress(const ovr_told *to, const char *label, double value,
+                       double ph, const char *behind)
+{
+    ovr_words si = {""};
+    if (isfinite(ph))
+        ovr_words_add(&si, "%.4g MPa", value * ph * 1e-6);
+    ovr_tell_number(to, label, 4, value, "%s  %s", si.text, behind);
+}
+
+/* The lines of a part. */
+static void say_part(const ovr_told *to, ovr_stress_part part,
+                     const ovr_stress_report *r, double ph)
+{
+    for (const struct row *row = rows; row < rows + ROWS; row++) {
+        const ovr_stress_extreme e = told_by(row, r);
+        ovr_words at = {""};
+        if (row->part != part)
+            continue;
+        ovr_words_add(&at, "at X = %.4g, Z = %.4g, T = %.4g", e.X, e.Z, e.T);
+        if (row->form == SHARE && !isnan(e.value))
+            ovr_tell_number(to, row->label, 4, e.value, "%s", row->words);
+        else if (row->form == TENSION && !(e.value > 0))
+            ovr_tell(to, row->label, "none, it is pressed together everywhere");
+        else if (row->form != SHARE)
+            say_stress(to, row->label, e.value, ph, at.text);
+    }
+}
+
+/* The row from which at least `z` is counted. */
+static size_t row_from(const ovr_material *m, double z)
+{
+    size_t j = 0;
+    while (j + 1 < m->depths && m->z[j] < z * (1 - 1e-9))
+        j++;
+    return j;
+}
+
+static const char *side_of(const ovr_stress_report *r, double xi)
+{
+    if (!r->feature || xi == 0 || r->direction == 0)
+        return "";
+    return (xi < 0) == (r->direction > 0) ? ", trailing side"
+                                          : ", leading side";
+}
+
+static void say_circle(const ovr_told *to, const ovr_stress_report *r,
+                       double ph)
+{
+    ovr_words at = {""};
+    ovr_words_add(&at, "at xi = %.4g%s, Z = %.4g; smooth %.4g", r->xi_R_max,
+                  side_of(r, r->xi_R_max), r->Z_R_max, r->R_smooth);
+    say_stress(to, "shear circle R", r->R_max, ph, at.text);
+}
+
+static void say_lengths(const ovr_told *to, const ovr_stress_report *r)
+{
+    const ovr_material *m = &r->material;
+    const double depths[] = {r->least_depth, 0.05, 0.1};
+    ovr_words w = {""};
+    double last = 0;
+    for (size_t k = 0; k < 3; k++) {
+        size_t j = row_from(m, depths[k]);
+        if (m->z[j] <= last)
+            continue;
+        ovr_words_add(&w, "%s%.4g b from Z = %.3g", last > 0 ? ", " : "",
+                      r->length[j], m->z[j]);
+        last = m->z[j];
+    }
+    ovr_tell(to, "equivalent length", "%s down", w.text);
+}
+
+/* Features add to the risk: where it is less than the smooth contact's, what
+ * they do is lost in the error. */
+static bool has_effect(const ovr_stress_report *r)
+{
+    return !(r->life->equivalent_length < 0) && !(r->ratio > 1);
+}
+
+static void say_life(const ovr_told *to, const ovr_stress_report *r,
+                     const ovr_stress_setup *s)
+{
+    if (!has_effect(r))
+        ovr_tell(to, "equivalent length",
+                 "no effect beyond the error of the method, %.2g b from Z = "
+                 "%.3g down",
+                 fmax(r->length_error, -r->life->equivalent_length),
+                 r->least_depth);
+    else if (isfinite(r->life->equivalent_length))
+        say_lengths(to, r);
+    else
+        ovr_tell(to, "equivalent length",
+                 "none: the smooth contact stays below the limit from Z = %.3g "
+                 "down",
+                 r->least_depth);
+    if (isfinite(r->life->utilisation))
+        ovr_tell_number(to, "utilisation", 4, r->life->utilisation,
+                        "of the limit %.4g ph (%s), from Z = %.3g down; at "
+                        "Z = %.3g",
+                        r->limit, ovr_criterion_name(s->criterion),
+                        r->least_depth, r->life->used_z);
+    if (isfinite(r->ratio) && has_effect(r))
+        ovr_tell_number(to, "life", 4, r->ratio,
+                        "of the smooth raceway's, counted from Z = %.3g",
+                        r->least_depth);
+    ovr_tell(to, "",
+             "exponents %.4g, %.4g, %.4g and limit are conventions; elastic, a "
+             "groove",
+             s->life.exponent, s->life.depth_exponent, s->life.weibull);
+}
+
+/* What counts is how deep the material yields, not how far above Y its largest
+ * stress is: a skin thinner than this moves nanometres, hardened or not. */
+static const double SKIN = 0.02;
+
+static void say_whether(const ovr_told *to, const ovr_stress_report *r,
+                        bool rough)
+{
+    if (r->of_shakedown > 1)
+        ovr_tell(to, "",
+                 "plastic strain matters: the smooth contact is above its "
+                 "shakedown limit, and flows at every pass");
+    else if (r->of_first_yield > 1)
+        ovr_tell(to, "",
+                 "plastic strain matters: the smooth contact yields by itself, "
+                 "and shakes down in its first passes");
+    else if (r->yielding_depth >= SKIN)
+        ovr_tell(to, "",
+                 "plastic strain matters: the material is beyond yield down to "
+                 "Z = %.3g",
+                 r->yielding_depth);
+    else if (r->yielding_depth > 0)
+        ovr_tell(to, "",
+                 "plastic strain does not matter: only a skin of Z = %.3g is "
+                 "beyond yield",
+                 r->yielding_depth);
+    else if (rough && r->material.z[0] > SKIN)
+        ovr_tell(to, "",
+                 "plastic strain matters in a skin at most, which a finer mesh "
+                 "tells: nothing is beyond yield from Z = %.3g down",
+                 r->material.z[0]);
+    else
+        ovr_tell(to, "",
+                 "plastic strain does not matter: nothing is beyond yield from "
+                 "Z = %.3g down",
+                 r->material.z[0]);
+}
+
+static void say_yield(const ovr_told *to, const ovr_stress_report *r,
+                      const ovr_setup *setup)
+{
+    double ph = setup->contact->ph;
+    const ovr_stress_extreme *f = &r->yield_ratio, *strip = &r->strip;
+    ovr_words Y = {""};
+    ovr_words_add(&Y, "%.4g ph", r->yield);
+    if (isfinite(ph))
+        ovr_words_add(&Y, " = %.4g MPa", r->yield * ph * 1e-6);
+    ovr_tell_number(to, "beyond yield", 4, f->value,
+                    "f/Y: von Mises over Y = %s, less 1; at X = %.4g, "
+                    "Z = %.4g, T = %.4g",
+                    Y.text, f->X, f->Z, f->T);
+    ovr_tell_number(to, "yielding", 3, 100 * r->yielding_share,
+                    "%% of the material points from Z = %.4g down",
+                    r->least_depth);
+    ovr_tell_number(to, "strip of pressure", 4, strip->value,
+                    "(P - P around)/(2.97 Y), %.3g b wide at X = %.4g, "
+                    "T = %.4g",
+                    strip->Z, strip->X, strip->T);
+    ovr_tell_number(to, "smooth contact", 4, r->of_first_yield,
+                    "of the ph of first yield, %.4g of that of shakedown",
+                    r->of_shakedown);
+    say_whether(to, r, setup->features > 0);
+}
+
+static void say_surface(const ovr_told *to, const ovr_stress_report *r,
+                        const ovr_setup *setup)
+{
+    double ph = setup->contact->ph;
+    ovr_tell_title(to, "below surface %d, from Z = %.4g (%.3g meshes) down:",
+                   r->surface, r->least_depth, r->least_depth / setup->mesh);
+    if (r->none) {
+        ovr_tell(to, "stresses", "not told: %s", r->none);
+        return;
+    }
+    say_part(to, OVR_STRESS_BODY, r, ph);
+    if (!isnan(r->layer_von_mises.value))
+        say_part(to, OVR_STRESS_LAYERS, r, ph);
+    say_circle(to, r, ph);
+    ovr_tell(to, "traction", "%s%s",
+             r->traction ? "the film's shear stress" : "none: ",
+             r->traction ? "" : r->no_traction);
+    if (r->fatigue)
+        say_life(to, r, ovr_setup_stress(setup));
+    if (!isnan(r->yield))
+        say_yield(to, r, setup);
+    else if (r->von_mises.value * ph > YIELD)
+        ovr_tell(
+            to, "",
+            "von Mises above %.2g GPa is beyond yield of bearing steel: it "
+            "would flatten",
+            YIELD * 1e-9);
+    if (r->incomplete)
+        ovr_tell(to, "",
+                 "%zu of %zu material points are cut by an end of the run and "
+                 "not counted",
+                 r->incomplete, r->material.points);
+}
+
+/* -------------------------------------------------------------------- whole */
+
+void ovr_stress_summary(const ovr_stress_report *const report[2],
+                        const ovr_setup *setup, ovr_summary_taker *take,
+                        void *data)
+{
+    if (!report || !setup || !take)
+        return;
+    const ovr_told to = {take, data};
+    const ovr_contact *c = setup->contact;
+    const ovr_stress_report *a = report[0], *b = report[1];
+    const ovr_stress_report *shear = a ? a : b, *circle = shear;
+    for (int k = 0; k < 2; k++)
+        if (report[k])
+            say_surface(&to, report[k], setup);
+    if (!shear)
+        return;
+    if (a && b && b->max_shear.value > a->max_shear.value)
+        shear = b;
+    if (a && b && b->R_max > a->R_max)
+        circle = b;
+    put_part(&to, OVR_STRESS_BODY, shear, c);
+    put_layers(&to, a, b, c);
+    put_yield(&to, a, b, c);
+    ovr_put_count(&to, "surface_tau_max", shear->surface);
+    put_part(&to, OVR_STRESS_CIRCLE, circle, c);
+    ovr_put_number(&to, "R_max_Pa", circle->R_max * c->ph);
+    ovr_put_number(&to, "R_smooth", circle->R_smooth);
+    ovr_put_count(&to, "surface_R_max", circle->surface);
+    ovr_put_number(&to, "least_depth", circle->least_depth);
+    ovr_put(&to, "traction", OVR_SUMMARY_FLAG, circle->traction);
+    ovr_put_count(&to, "material_points", (double)circle->material.points);
+    ovr_put_count(&to, "material_incomplete", (double)circle->incomplete);
+    if (circle->fatigue)
+        put_life(&to, circle, setup);
+}
