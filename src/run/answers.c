@@ -210,65 +210,30 @@ static void tell(page *p)
 enum { MAX = 256 };
 
 typedef struct numbers {
+    ovr_arena arena;
     size_t count;
     ovr_group_attribute of[MAX];
 } numbers;
-
-/* These keys of a summary are asked for here. */
-static const char *const asked[] = {"H_min",
-                                    "H_min_m",
-                                    "H_min_overall_m",
-                                    "P_max_Pa",
-                                    "P_max_overall_Pa",
-                                    "lambda_ratio",
-                                    "T_max_rise",
-                                    "T_1_max_rise",
-                                    "T_2_max_rise",
-                                    "tau_max_Pa",
-                                    "von_mises_max_Pa",
-                                    "surface_tau_max",
-                                    "utilisation",
-                                    "risk_smooth",
-                                    "life_ratio",
-                                    "torque_N_m",
-                                    "speed_rpm",
-                                    "power_W",
-                                    "efficiency",
-                                    "power_loss_W",
-                                    "contact_ratio",
-                                    "way_H_min_m",
-                                    "way_P_max_m",
-                                    "overlap_ratio",
-                                    "pass",
-                                    "angle_H_min_deg",
-                                    "angle_P_max_deg",
-                                    "T_supply_K",
-                                    "bearing_load_N",
-                                    "heaviest_roller_N",
-                                    "rollers_loaded",
-                                    "unbearable_share",
-                                    "shear_over_pressure",
-                                    "lambda_ratio_at_H_min",
-                                    "life_ratio_together"};
 
 /* The texts of keys last as long as the call. */
 static void collect(void *data, const ovr_summary_line *line)
 {
     numbers *n = data;
-    for (size_t k = 0; k < sizeof asked / sizeof *asked; k++)
-        if (line->form != OVR_SUMMARY_TEXT && n->count < MAX &&
-            !strcmp(line->key, asked[k]))
-            n->of[n->count++] = (ovr_group_attribute){asked[k], NULL,
-                                                      line->number};
+    const char *key = line->form != OVR_SUMMARY_TEXT && n->count < MAX
+                          ? ovr_arena_text(&n->arena, line->key, NULL)
+                          : NULL;
+    if (key)
+        n->of[n->count++] = (ovr_group_attribute){key, NULL, line->number};
 }
 
 void ovr_run_answers(const ovr_run_info *run, ovr_answer *put, void *data)
 {
-    numbers n = {0, {{NULL, NULL, NAN}}};
     if (!run || !put)
         return;
+    numbers n = {.arena = ovr_arena_make(NULL)};
     ovr_run_summary(run, collect, &n);
     tell(&(page){.number = n.of, .count = n.count, .put = put, .data = data});
+    ovr_arena_release(&n.arena);
 }
 
 void ovr_result_answers(ovr_result *result, ovr_answer *put, void *data)

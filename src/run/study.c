@@ -34,14 +34,9 @@ static ovr_status fail(reading *r, const char *what, const char *about)
 
 /* ------------------------------------------------------------------ lines */
 
-/* A path of the study, which starts at its folder. */
 static const char *path_of(reading *r, const char *value)
 {
-    char path[4096];
-    if (value[0] == '/' || !strcmp(r->s->folder, "."))
-        return ovr_arena_text(&r->s->arena, value, r->err);
-    snprintf(path, sizeof path, "%s/%s", r->s->folder, value);
-    return ovr_arena_text(&r->s->arena, path, r->err);
+    return ovr_study_path(r->s, value, r->err);
 }
 
 /* [random], or [random file TABLE]. */
@@ -63,8 +58,8 @@ static ovr_status open_section(reading *r, const char *header)
     static const char *const names[] = {"study", "set",    "product", "zip",
                                         "find",  "random", "limits"};
     enum { NAMES = sizeof names / sizeof *names };
+    const ovr_study_words words = {"", names, NAMES, ""};
     char name[64];
-    const char *meant;
     snprintf(name, sizeof name, "%.*s", (int)strcspn(header, " \t"), header);
     for (int i = 0; i < NAMES; i++)
         if (!strcmp(name, names[i])) {
@@ -82,23 +77,13 @@ static ovr_status open_section(reading *r, const char *header)
                     "[%s] belongs in a case: this is one, not a study; "
                     "'overroll run' runs it",
                     name);
-    meant = ovr_suggest(name, names, NAMES);
-    if (meant) {
-        ovr_fail_at(r->err, OVR_BAD_INPUT, r->s->path, r->line,
-                    "unknown section '%s'; did you mean '%s'?", name, meant);
-        return ovr_fail_meant(r->err, OVR_BAD_INPUT, meant);
-    }
-    return fail(
-        r,
-        "unknown section '%s'; there are study, set, product, zip, find, "
-        "random, limits",
-        name);
+    return ovr_study_unknown(r->s, &words, name, r->line, r->err);
 }
 
 static ovr_status take_setting(reading *r, const char *key, const char *value)
 {
     static const char *const names[] = {"case", "output", "results"};
-    const char *meant;
+    const ovr_study_words words = {" in [study]", names, 3, ""};
     if (!strcmp(key, "case"))
         return (r->s->case_path = path_of(r, value)) ? OVR_OK : OVR_NO_MEMORY;
     if (!strcmp(key, "output"))
@@ -109,35 +94,19 @@ static ovr_status take_setting(reading *r, const char *key, const char *value)
                    ? OVR_OK
                    : fail(r, "results: '%.40s' must be yes or no", value);
     }
-    meant = ovr_suggest(key, names, 3);
-    if (meant) {
-        ovr_fail_at(r->err, OVR_BAD_INPUT, r->s->path, r->line,
-                    "unknown key '%.60s' in [study]; did you mean '%s'?", key,
-                    meant);
-        return ovr_fail_meant(r->err, OVR_BAD_INPUT, meant);
-    }
-    return fail(r,
-                "unknown key '%.60s' in [study]; there are case, output, "
-                "results",
-                key);
+    return ovr_study_unknown(r->s, &words, key, r->line, r->err);
 }
 
 static ovr_status take_values(reading *r, const char *key, const char *value)
 {
     ovr_study *s = r->s;
-    ovr_study_key *k = &s->key[s->keys];
+    ovr_study_key *k = ovr_study_new_key(s, key, r->line, r->err);
     ovr_error why = {0};
-    if (s->keys == OVR_STUDY_MAX_KEYS)
-        return fail(r, "'%.60s' is one key too many: at most 64", key);
-    for (size_t i = 0; i < s->keys; i++)
-        if (!strcmp(s->key[i].where, key))
-            return fail(r, "'%.60s' is given twice", key);
-    *k = (ovr_study_key){.line = r->line, .fixed = r->section == SET};
+    if (!k)
+        return OVR_BAD_INPUT;
+    k->fixed = r->section == SET;
     k->zip = r->section == ZIP ? r->zips : 0;
     k->zip_name = r->zip_name;
-    k->where = ovr_arena_text(&s->arena, key, r->err);
-    if (!k->where)
-        return OVR_NO_MEMORY;
     if (k->fixed) { /* one value, commas and all */
         k->value = ovr_arena_take(&s->arena, 1, sizeof *k->value, r->err);
         if (!k->value)
@@ -148,14 +117,13 @@ static ovr_status take_values(reading *r, const char *key, const char *value)
         return ovr_fail_at(r->err, why.status, s->path, r->line, "%s: %.800s",
                            key, why.message);
     }
-    s->keys++;
     return OVR_OK;
 }
 
 /* "A, B" */
 static ovr_status take_ends(reading *r, const char *value)
 {
-    ovr_study_find *f = &r->s->find;
+    ovr_find_options *f = &r->s->find.how;
     char **ends;
     size_t count = 0;
     ovr_error why = {0};
@@ -171,9 +139,11 @@ static ovr_status take_find(reading *r, const char *key, const char *value)
 {
     static const char *const names[] = {"key", "between", "so_that", "which",
                                         "tolerance"};
-    ovr_study_find *f = &r->s->find;
-    const char *meant, *at = value, **to = NULL;
-    f->line = r->line;
+    const ovr_study_words words = {" in [find]", names,
+                                   sizeof names / sizeof *names, ""};
+    ovr_find_options *f = &r->s->find.how;
+    const char *at = value, **to = NULL;
+    r->s->find.line = r->line;
     if (!strcmp(key, "between"))
         return take_ends(r, value);
     if (!strcmp(key, "tolerance"))
@@ -188,13 +158,7 @@ static ovr_status take_find(reading *r, const char *key, const char *value)
         return (*to = ovr_arena_text(&r->s->arena, value, r->err))
                    ? OVR_OK
                    : OVR_NO_MEMORY;
-    meant = ovr_suggest(key, names, sizeof names / sizeof *names);
-    ovr_fail_at(r->err, OVR_BAD_INPUT, r->s->path, r->line,
-                meant ? "unknown key '%.60s' in [find]; did you mean '%s'?"
-                      : "unknown key '%.60s' in [find]; there are key, "
-                        "between, so_that, which, tolerance",
-                key, meant);
-    return meant ? ovr_fail_meant(r->err, OVR_BAD_INPUT, meant) : OVR_BAD_INPUT;
+    return ovr_study_unknown(r->s, &words, key, r->line, r->err);
 }
 
 /* "min_film_m >= 0.2 um": the entry ends its key before the '='. */
@@ -227,9 +191,7 @@ static ovr_status take_entry(reading *r, const ovr_entry *entry)
     switch (r->section) {
     case STUDY: return take_setting(r, entry->key, entry->value);
     case FIND: return take_find(r, entry->key, entry->value);
-    case RANDOM:
-        return ovr_study_take_random(r->s, entry->key, entry->value, r->table,
-                                     r->line, r->err);
+    case RANDOM: return ovr_study_take_random(r->s, entry, r->table, r->err);
     case LIMITS: return take_limit(r, entry->key, entry->value);
     default: return take_values(r, entry->key, entry->value);
     }
@@ -313,10 +275,10 @@ static ovr_status set_places(ovr_study *s, ovr_error *err)
 /* All of [find] or none of it. */
 static ovr_status check_find(const ovr_study *s, ovr_error *err)
 {
-    const ovr_study_find *f = &s->find;
-    if (!f->line || (f->key && f->low && f->condition))
+    const ovr_find_options *f = &s->find.how;
+    if (!s->find.line || (f->key && f->low && f->condition))
         return OVR_OK;
-    return ovr_fail_at(err, OVR_BAD_INPUT, s->path, f->line,
+    return ovr_fail_at(err, OVR_BAD_INPUT, s->path, s->find.line,
                        "[find]: %s is missing",
                        !f->key   ? "key"
                        : !f->low ? "between"

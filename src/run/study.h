@@ -29,8 +29,9 @@
 #include <stddef.h>
 
 #include "base/arena.h"
+#include "base/entries.h"
 #include "mathematics/draws.h"
-#include "overroll/run.h"
+#include "overroll/questions.h"
 #include "run/comparison.h"
 
 enum {
@@ -55,9 +56,7 @@ typedef struct ovr_study_key {
 
 /* [find]: what each case is to find, in place of a run. */
 typedef struct ovr_study_find {
-    const char *key; /* NULL: there is none */
-    const char *low, *high, *condition, *which;
-    double tolerance;
+    ovr_find_options how; /* key NULL: there is none */
     long line;
 } ovr_study_find;
 
@@ -99,11 +98,27 @@ const char *ovr_study_value(const ovr_study *s, const ovr_study_key *key,
 void ovr_study_file(const ovr_study *s, size_t task, const char *ending,
                     char *path, size_t capacity);
 
-/* A setting or a key of [random], and after all lines the values of its keys,
- * as one zip behind all others. */
-ovr_status ovr_study_take_random(ovr_study *s, const char *key,
-                                 const char *value, const char *file, long line,
+/* A path in the study, which starts at its folder. */
+const char *ovr_study_path(ovr_study *s, const char *path, ovr_error *err);
+
+/* A key that is given for the first time. */
+ovr_study_key *ovr_study_new_key(ovr_study *s, const char *where, long line,
                                  ovr_error *err);
+
+/* The words of a section, or the sections. */
+typedef struct ovr_study_words {
+    const char *in; /* " in [find]", or "" */
+    const char *const *word;
+    size_t count;
+    const char *more; /* ", and others", or "" */
+} ovr_study_words;
+ovr_status ovr_study_unknown(const ovr_study *s, const ovr_study_words *words,
+                             const char *given, long line, ovr_error *err);
+
+/* A setting or a key of [random], and after all lines the values of its keys,
+ * as one zip behind all others; `file`: of [random file FILE], or NULL. */
+ovr_status ovr_study_take_random(ovr_study *s, const ovr_entry *entry,
+                                 const char *file, ovr_error *err);
 ovr_status ovr_study_draw_all(ovr_study *s, int zip, ovr_error *err);
 
 /* Steps of reading: names of all tasks; every value once into the base

@@ -202,31 +202,24 @@ ovr_status ovr_study_try_values(const ovr_study *s, ovr_error *err)
 /* Tries what [find] asks, of the first case. */
 ovr_status ovr_study_try_find(const ovr_study *s, ovr_error *err)
 {
-    const ovr_study_find *f = &s->find;
-    ovr_find_options how = {0};
+    const ovr_find_options *how = &s->find.how;
     ovr_error why = {0};
-    ovr_case *c = f->key ? ovr_study_case(s, 0, err) : NULL;
+    ovr_case *c = how->key ? ovr_study_case(s, 0, err) : NULL;
     ovr_find *find;
     if (!c)
-        return f->key ? OVR_BAD_INPUT : OVR_OK;
-    how.key = f->key;
-    how.low = f->low;
-    how.high = f->high;
-    how.condition = f->condition;
-    how.which = f->which;
-    how.tolerance = f->tolerance;
-    find = ovr_find_create(c, &how, &why);
+        return how->key ? OVR_BAD_INPUT : OVR_OK;
+    find = ovr_find_create(c, how, &why);
     ovr_find_free(find);
     ovr_case_free(c);
     return find ? OVR_OK
-                : ovr_fail_at(err, why.status, s->path, f->line, "%.900s",
+                : ovr_fail_at(err, why.status, s->path, s->find.line, "%.900s",
                               why.message);
 }
 
 char *ovr_study_text(const ovr_study *s, ovr_case *c, ovr_arena *arena,
                      ovr_error *err)
 {
-    const ovr_study_find *f = &s->find;
+    const ovr_find_options *f = &s->find.how;
     const char *text = ovr_case_text(c, err);
     size_t capacity = (text ? strlen(text) : 0) + 2000;
     char *all = text ? ovr_arena_take(arena, capacity, 1, err) : NULL;

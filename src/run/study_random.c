@@ -30,13 +30,16 @@ static bool read_count(const char *text, double maximum, double *count)
            *count >= 0 && *count <= maximum;
 }
 
-static ovr_status take_setting(ovr_study *s, const char *key, const char *value,
-                               long line, ovr_error *err)
+static ovr_status take_setting(ovr_study *s, const ovr_entry *entry,
+                               ovr_error *err)
 {
     static const char *const names[] = {"draws", "seed", "design", "shifts"};
     static const char *const designs[] = {"plain", "lhs", "sobol"};
+    const ovr_study_words words = {" in [random]", names, 4,
+                                   ", and keys of the case"};
+    const char *key = entry->key, *value = entry->value;
+    const long line = entry->line;
     ovr_sampling *how = &s->random.how;
-    const char *meant;
     double count;
     if (!strcmp(key, "draws")) {
         s->random.line = line;
@@ -73,34 +76,28 @@ static ovr_status take_setting(ovr_study *s, const char *key, const char *value,
     if (!strcmp(key, "design"))
         return fail(s, line, "design: '%.40s' must be plain, lhs or sobol",
                     value, err);
-    meant = ovr_suggest(key, names, 4);
-    ovr_fail_at(err, OVR_BAD_INPUT, s->path, line,
-                meant ? "unknown key '%.60s' in [random]; did you mean '%s'?"
-                      : "unknown key '%.60s' in [random]; there are draws, "
-                        "seed, design, shifts, and keys of the case",
-                key, meant);
-    return meant ? ovr_fail_meant(err, OVR_BAD_INPUT, meant) : OVR_BAD_INPUT;
+    return ovr_study_unknown(s, &words, key, line, err);
 }
 
-ovr_status ovr_study_take_random(ovr_study *s, const char *key,
-                                 const char *value, const char *file, long line,
-                                 ovr_error *err)
+ovr_status ovr_study_take_random(ovr_study *s, const ovr_entry *entry,
+                                 const char *file, ovr_error *err)
 {
     ovr_study_chances *r = &s->random;
     if (!r->line) {
-        r->line = line;
+        r->line = entry->line;
         r->how.design = OVR_SOBOL;
         r->how.seed = 1;
         r->how.shifts = SHIFTS;
     }
-    if (!strchr(key, '.') && !file)
-        return take_setting(s, key, value, line, err);
+    if (!strchr(entry->key, '.') && !file)
+        return take_setting(s, entry, err);
     if (r->keys == OVR_STUDY_MAX_KEYS)
-        return fail(s, line, "'%.60s' is one key too many: at most 64", key,
-                    err);
+        return fail(s, entry->line, "'%.60s' is one key too many: at most 64",
+                    entry->key, err);
     ovr_study_chance *c = &r->key[r->keys++];
-    *c = (ovr_study_chance){ovr_arena_text(&s->arena, key, err),
-                            ovr_arena_text(&s->arena, value, err), file, line};
+    *c = (ovr_study_chance){ovr_arena_text(&s->arena, entry->key, err),
+                            ovr_arena_text(&s->arena, entry->value, err), file,
+                            entry->line};
     return c->where && c->text ? OVR_OK : OVR_NO_MEMORY;
 }
 
@@ -253,15 +250,6 @@ typedef struct rows {
     char **cell;
     size_t count;
 } rows;
-
-static const char *in_folder(ovr_study *s, const char *name, ovr_error *err)
-{
-    char path[4096];
-    if (*name == '/' || !strcmp(s->folder, "."))
-        return name;
-    snprintf(path, sizeof path, "%s/%s", s->folder, name);
-    return ovr_arena_text(&s->arena, path, err);
-}
 
 /* The k-th cell of a line, without blanks and quotes. */
 static bool cell_of(const char *line, const char *end, int column, char *to)
@@ -427,7 +415,7 @@ static ovr_status draw_cells(ovr_study *s, const ovr_study_chance *c,
                         c->text, err);
         name = c->text + 7 + strspn(c->text + 7, " ");
     } else {
-        path = in_folder(s, c->text + 5 + strspn(c->text + 5, " "), err);
+        path = ovr_study_path(s, c->text + 5 + strspn(c->text + 5, " "), err);
     }
     if (!path || read_rows(s, c, path, name, &r, err))
         return OVR_BAD_INPUT;
@@ -503,20 +491,13 @@ ovr_status ovr_study_draw_all(ovr_study *s, int zip, ovr_error *err)
     for (size_t n = 0; !status && n < r->keys; n++) {
         const ovr_study_chance *c = &r->key[n];
         const char *name = dimension_of(c);
-        ovr_study_key *k = &s->key[s->keys];
-        if (s->keys == OVR_STUDY_MAX_KEYS)
-            return fail(s, c->line, "'%.60s' is one key too many: at most 64",
-                        c->where, err);
-        for (size_t i = 0; i < s->keys; i++)
-            if (!strcmp(s->key[i].where, c->where))
-                return fail(s, c->line, "'%.60s' is given twice", c->where,
-                            err);
-        *k = (ovr_study_key){.where = c->where,
-                             .line = c->line,
-                             .zip = zip,
-                             .zip_name = "random",
-                             .random = true,
-                             .count = r->how.draws};
+        ovr_study_key *k = ovr_study_new_key(s, c->where, c->line, err);
+        if (!k)
+            return OVR_BAD_INPUT;
+        k->zip = zip;
+        k->zip_name = "random";
+        k->random = true;
+        k->count = r->how.draws;
         k->value = ovr_arena_take(&s->arena, k->count, sizeof *k->value, err);
         status = k->value ? draw_key(s, c, k,
                                      name ? d.u + find_dimension(&d, name) *
@@ -524,7 +505,6 @@ ovr_status ovr_study_draw_all(ovr_study *s, int zip, ovr_error *err)
                                           : NULL,
                                      err)
                           : OVR_NO_MEMORY;
-        s->keys++;
     }
     return status;
 }

@@ -103,8 +103,8 @@ static ovr_status take_usual(sampling *w)
     for (size_t k = 0; k < s->limits; k++)
         if (!add_quantity(w, s->limit[k].quantity))
             return no_quantity(w, s->limit[k].quantity);
-    if (s->find.key)
-        add_quantity(w, s->find.key);
+    if (s->find.how.key)
+        add_quantity(w, s->find.how.key);
     for (size_t k = 0; k < 4 && !add_quantity(w, films[k]); k++)
         ;
     for (size_t k = 0; k < 4 && !add_quantity(w, pressures[k]); k++)

@@ -307,16 +307,9 @@ static void report_find(const working *w, const ovr_find *find,
  * on with them. */
 static void find_case(working *w, ovr_case *c, ovr_error *err)
 {
-    const ovr_study_find *asked = &w->s->find;
-    ovr_find_options how = {0};
+    ovr_find_options how = w->s->find.how;
     char path[PATH_CAPACITY];
     ovr_study_file(w->s, w->task, ".find.csv", path, sizeof path);
-    how.key = asked->key;
-    how.low = asked->low;
-    how.high = asked->high;
-    how.condition = asked->condition;
-    how.which = asked->which;
-    how.tolerance = asked->tolerance;
     how.table = path;
     how.go_on = true;
     how.data = w;
@@ -337,11 +330,11 @@ static void run_case(working *w, bool resume, int fd, ovr_error *err)
     if (c && !write_case(w->s, fd, c))
         ovr_fail(err, OVR_IO, "%s/%s.h5: its case cannot be written: %s",
                  w->s->output, w->s->name[w->task], strerror(errno));
-    else if (c && !w->s->find.key)
+    else if (c && !w->s->find.how.key)
         run = begin(w, c, resume, err);
     if (run && ovr_run_go(run, err) == OVR_OK)
         err->status = OVR_OK;
-    if (c && w->s->find.key && !err->status)
+    if (c && w->s->find.how.key && !err->status)
         find_case(w, c, err);
     else
         report(w, run, err);
