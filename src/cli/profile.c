@@ -15,12 +15,6 @@ static int check_output(const cli_call *call, const char *option)
     return CLI_DONE;
 }
 
-/* Of the profile as it is pressed. */
-static const ovr_profile_numbers *numbers_of(const profile_report *r)
-{
-    return r->filtered.kind ? &r->filtered : &r->numbers;
-}
-
 static int write_outputs(const cli_call *call, const profile_report *r)
 {
     const char *copy = cli_value(call, "convert");
@@ -29,7 +23,7 @@ static int write_outputs(const cli_call *call, const profile_report *r)
     if (copy && ovr_profile_save(r->profile, copy, &err))
         return cli_fail(&err);
     if (picture && r->points &&
-        ovr_picture_contact(r->view, numbers_of(r), r->bears, r->points,
+        ovr_picture_contact(r->view, profile_pressed(r), r->bears, r->points,
                             r->file, picture, &err))
         return cli_fail(&err);
     if (picture && !r->points &&

@@ -2,101 +2,120 @@
 #include "cli/profile_report.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 #include "cli/json.h"
 
 /* ------------------------------------------------------------------- text */
 
-/* The rows of both kinds: 'P' and 'R' go before the name. */
-typedef struct row {
-    const char *name, *meaning;
+/* What stands behind a number of a profile. */
+typedef enum behind { NOTHING, SECTIONS, SLOPE, PEAKS, VALLEYS } behind;
+
+/* The numbers of both kinds: 'P' and 'R' go before the name.  A meaning is for
+ * people. */
+#define OF(member) offsetof(ovr_profile_numbers, member)
+static const struct row {
+    const char *name;
+    size_t offset;
+    bool is_height;
+    const char *meaning;
+    behind behind;
+} rows[] = {
+    {"a", OF(a), true, "arithmetic mean height", NOTHING},
+    {"q", OF(q), true, "root mean square height", NOTHING},
+    {"z", OF(z), true, "highest peak to deepest valley", SECTIONS},
+    {"p", OF(p), true, "highest peak", SECTIONS},
+    {"v", OF(v), true, "deepest valley", SECTIONS},
+    {"t", OF(t), true, "highest peak to deepest valley of all sections",
+     NOTHING},
+    {"sk", OF(sk), false, "skewness", NOTHING},
+    {"ku", OF(ku), false, "kurtosis (3: Gaussian)", NOTHING},
+    {"dq", OF(dq), false, "root mean square slope", SLOPE},
+    {"k", OF(k), true, "depth of the core", NOTHING},
+    {"pk", OF(pk), true, "peaks above it", PEAKS},
+    {"vk", OF(vk), true, "valleys below it", VALLEYS},
+    {"mrk1", OF(mr1), false, NULL, NOTHING},
+    {"mrk2", OF(mr2), false, NULL, NOTHING},
+};
+enum { ROWS = sizeof rows / sizeof *rows };
+
+static double value_of(const struct row *row, const ovr_profile_numbers *n)
+{
     double value;
-} row;
-
-enum { HEIGHTS = 6 };
-
-static void heights(const ovr_profile_numbers *n, row rows[HEIGHTS])
-{
-    const row all[HEIGHTS] = {
-        {"a", "arithmetic mean height", n->a},
-        {"q", "root mean square height", n->q},
-        {"z", "highest peak to deepest valley", n->z},
-        {"p", "highest peak", n->p},
-        {"v", "deepest valley", n->v},
-        {"t", "highest peak to deepest valley of all sections", n->t}};
-    memcpy(rows, all, sizeof all);
+    memcpy(&value, (const char *)n + row->offset, sizeof value);
+    return value;
 }
 
-static const char *along(const profile_report *r, double value)
+static ovr_piece along(const profile_report *r, double value)
 {
-    static ovr_piece texts[4];
-    static unsigned used;
-    ovr_piece *piece = &texts[used++ % 4];
-    *piece = ovr_along(r->profile, value);
-    return piece->text;
+    return ovr_along(r->profile, value);
 }
 
-static const char *across(const profile_report *r, double value)
+static ovr_piece across(const profile_report *r, double value)
 {
-    static ovr_piece texts[4];
-    static unsigned used;
-    ovr_piece *piece = &texts[used++ % 4];
-    *piece = ovr_across(r->profile, value);
-    return piece->text;
+    return ovr_across(r->profile, value);
 }
 
 static void print_points(const profile_report *r)
 {
     const ovr_profile_view *v = r->view;
     const ovr_profile_numbers *n = &r->numbers;
-    printf("points     %zu, from x = %s to %s\n", v->n, along(r, v->x[0]),
-           along(r, v->x[v->n - 1]));
-    printf("length     %s\n", along(r, n->length));
+    printf("points     %zu, from x = %s to %s\n", v->n, along(r, v->x[0]).text,
+           along(r, v->x[v->n - 1]).text);
+    printf("length     %s\n", along(r, n->length).text);
     if (v->uniform)
-        printf("spacing    %s, equal\n", along(r, n->spacing));
+        printf("spacing    %s, equal\n", along(r, n->spacing).text);
     else
         printf("spacing    %s in the mean, from %s to %s\n",
-               along(r, n->spacing), along(r, n->spacing_min),
-               along(r, n->spacing_max));
+               along(r, n->spacing).text, along(r, n->spacing_min).text,
+               along(r, n->spacing_max).text);
     printf("gaps       %zu heights missing, %zu filled\n", r->missing,
            v->filled);
 }
 
+/* Of one section nothing is told that is of all, of a flat profile no shape. */
+static bool is_told(const struct row *row, const ovr_profile_numbers *n)
+{
+    bool of_all = row->offset == OF(t);
+    bool of_shape = row->offset == OF(sk) || row->offset == OF(ku);
+    return row->meaning && !(of_all && n->sections <= 1) &&
+           !(of_shape && !(n->q > 0));
+}
+
 static void print_kind(const profile_report *r, const ovr_profile_numbers *n)
 {
-    const char kind = n->kind;
-    const char *mean = n->sections > 1 ? " of a section, mean" : "";
-    row rows[HEIGHTS];
-    heights(n, rows);
-    for (int k = 0; k < HEIGHTS; k++)
-        if (k < HEIGHTS - 1 || n->sections > 1)
-            printf("%c%-9s %-14s %s%s\n", kind, rows[k].name,
-                   across(r, rows[k].value), rows[k].meaning,
-                   k > 1 && k < HEIGHTS - 1 ? mean : "");
-    if (n->q > 0) {
-        printf("%csk        %-14.4g skewness\n", kind, n->sk);
-        printf("%cku        %-14.4g kurtosis (3: Gaussian)\n", kind, n->ku);
+    for (const struct row *row = rows; row < rows + ROWS; row++) {
+        double value = value_of(row, n);
+        if (!is_told(row, n))
+            continue;
+        printf("%c%-9s ", n->kind, row->name);
+        if (row->is_height)
+            printf("%-14s %s", across(r, value).text, row->meaning);
+        else
+            printf("%-14.4g %s", value, row->meaning);
+        if (row->behind == SECTIONS && n->sections > 1)
+            printf(" of a section, mean");
+        else if (row->behind == SLOPE && r->view->scaled_x)
+            printf(", (b^2/R)/b");
+        else if (row->behind == PEAKS)
+            printf(", %.1f %% of the length", 100 * n->mr1);
+        else if (row->behind == VALLEYS)
+            printf(", %.1f %%", 100 * (1 - n->mr2));
+        putchar('\n');
     }
-    printf("%cdq        %-14.4g root mean square slope%s\n", kind, n->dq,
-           r->view->scaled_x ? ", (b^2/R)/b" : "");
-    printf("%ck         %-14s depth of the core\n", kind, across(r, n->k));
-    printf("%cpk        %-14s peaks above it, %.1f %% of the length\n", kind,
-           across(r, n->pk), 100 * n->mr1);
-    printf("%cvk        %-14s valleys below it, %.1f %%\n", kind,
-           across(r, n->vk), 100 * (1 - n->mr2));
 }
 
 static void print_sections(const profile_report *r)
 {
     const ovr_profile_numbers *n = &r->filtered;
     double lc = r->view->lambda_c;
-    printf("\nR-         after lambda_c = %s, ", along(r, lc));
+    printf("\nR-         after lambda_c = %s, ", along(r, lc).text);
     if (lc > n->length + n->spacing)
         printf("which is longer than the profile\n");
     else
         printf("%d section%s of %s%s\n", n->sections,
-               n->sections > 1 ? "s" : "", along(r, n->section),
+               n->sections > 1 ? "s" : "", along(r, n->section).text,
                n->sections < 5 ? "; five are usual" : "");
 }
 
@@ -156,11 +175,12 @@ static void print_waves(const profile_report *r)
     putchar('\n');
     for (size_t k = 0; k < r->waves; k++) {
         const ovr_profile_wave *w = &r->wave[k];
-        printf("           %-14s %-14s %-4.1f %%    ", along(r, w->wavelength),
-               across(r, w->amplitude), 100 * w->part);
+        printf("           %-14s %-14s %-4.1f %%    ",
+               along(r, w->wavelength).text, across(r, w->amplitude).text,
+               100 * w->part);
         if (r->contact)
             printf(" %-12.4g %s (x %.3g)", in_b(r, w->wavelength),
-                   across(r, w->amplitude * reduction(r, w->wavelength)),
+                   across(r, w->amplitude * reduction(r, w->wavelength)).text,
                    reduction(r, w->wavelength));
         putchar('\n');
     }
@@ -172,7 +192,7 @@ static double modulus(const profile_report *r)
     return r->view->scaled_x ? 2 : 1;
 }
 
-static const ovr_profile_numbers *pressed(const profile_report *r)
+const ovr_profile_numbers *profile_pressed(const profile_report *r)
 {
     return r->filtered.kind ? &r->filtered : &r->numbers;
 }
@@ -187,7 +207,7 @@ static double E_star(const profile_report *r)
 
 static void print_contact(const profile_report *r)
 {
-    const ovr_profile_numbers *n = pressed(r);
+    const ovr_profile_numbers *n = profile_pressed(r);
     double E = E_star(r);
     puts(
         "\ncontact    pressed against a smooth surface, dry, elastic, in plane "
@@ -197,8 +217,8 @@ static void print_contact(const profile_report *r)
     for (size_t k = 0; k < r->points; k += 2) {
         const ovr_dry_point *at = &r->bears[k];
         printf("           %-14.4g %-14s %-12.4g %-12.4g",
-               at->pressure / modulus(r) / n->dq, across(r, at->gap), at->area,
-               0.38 * exp(-2.15 * at->gap / n->q));
+               at->pressure / modulus(r) / n->dq, across(r, at->gap).text,
+               at->area, 0.38 * exp(-2.15 * at->gap / n->q));
         if (!isnan(E))
             printf(" %.4g MPa", at->pressure * E * 1e-6);
         putchar('\n');
@@ -233,39 +253,19 @@ static void put(json_writer *json, const profile_report *r, const char *name,
     json_number(json, key, value);
 }
 
+/* A kind that there is none of has numbers that are not known. */
 static void put_kind(json_writer *json, const profile_report *r, char kind,
                      const ovr_profile_numbers *n)
 {
-    static const ovr_profile_numbers none = {.a = NAN,
-                                             .q = NAN,
-                                             .z = NAN,
-                                             .p = NAN,
-                                             .v = NAN,
-                                             .t = NAN,
-                                             .sk = NAN,
-                                             .ku = NAN,
-                                             .dq = NAN,
-                                             .k = NAN,
-                                             .pk = NAN,
-                                             .vk = NAN,
-                                             .mr1 = NAN,
-                                             .mr2 = NAN};
-    row rows[HEIGHTS];
-    char name[8];
-    n = n->kind ? n : &none;
-    heights(n, rows);
-    for (size_t k = 0; k < HEIGHTS; k++) {
-        snprintf(name, sizeof name, "%c%s", kind, rows[k].name);
-        put(json, r, name, rows[k].value, true);
+    for (const struct row *row = rows; row < rows + ROWS; row++) {
+        double value = n->kind ? value_of(row, n) : NAN;
+        char name[8];
+        snprintf(name, sizeof name, "%c%s", kind, row->name);
+        if (row->is_height)
+            put(json, r, name, value, true);
+        else
+            json_number(json, name, value);
     }
-    json_number(json, kind == 'P' ? "Psk" : "Rsk", n->sk);
-    json_number(json, kind == 'P' ? "Pku" : "Rku", n->ku);
-    json_number(json, kind == 'P' ? "Pdq" : "Rdq", n->dq);
-    put(json, r, kind == 'P' ? "Pk" : "Rk", n->k, true);
-    put(json, r, kind == 'P' ? "Ppk" : "Rpk", n->pk, true);
-    put(json, r, kind == 'P' ? "Pvk" : "Rvk", n->vk, true);
-    json_number(json, kind == 'P' ? "Pmrk1" : "Rmrk1", n->mr1);
-    json_number(json, kind == 'P' ? "Pmrk2" : "Rmrk2", n->mr2);
 }
 
 static void put_waves(json_writer *json, const profile_report *r)

@@ -21,6 +21,9 @@ typedef struct profile_report {
     const ovr_contact *contact; /* of --case, or NULL */
 } profile_report;
 
+/* The numbers of the profile as it is pressed. */
+const ovr_profile_numbers *profile_pressed(const profile_report *report);
+
 void profile_print_text(const profile_report *report);
 void profile_print_json(const profile_report *report);
 
