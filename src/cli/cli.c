@@ -37,6 +37,12 @@ int cli_fail(const ovr_error *err)
     }
 }
 
+void cli_put_foreign(const char *text)
+{
+    for (; text && *text; text++)
+        putchar((unsigned char)*text < 0x20 || *text == 0x7f ? ' ' : *text);
+}
+
 int cli_usage(const cli_call *call, const char *format, ...)
 {
     va_list args;
@@ -68,6 +74,29 @@ const char *cli_value(const cli_call *call, const char *name)
 bool cli_flag(const cli_call *call, const char *name)
 {
     return cli_value(call, name) != NULL;
+}
+
+int cli_choice(const char *word, const char *const *words)
+{
+    for (int k = 0; words[k]; k++)
+        if (strcmp(word, words[k]) == 0)
+            return k;
+    return -1;
+}
+
+size_t cli_count(const cli_call *call, const char *name, size_t maximum,
+                 size_t otherwise)
+{
+    const char *text = cli_value(call, name);
+    if (!text)
+        return otherwise;
+    char *end;
+    long n = strtol(text, &end, 10);
+    if (!*end && end != text && n >= 1 && (size_t)n <= maximum)
+        return (size_t)n;
+    cli_usage(call, "%s%s %s: a whole number from 1 to %zu is needed",
+              name[1] ? "--" : "-", name, text, maximum);
+    return 0;
 }
 
 /* ---------------------------------------------------------------- parsing */

@@ -82,12 +82,24 @@ bool cli_flag(const cli_call *call, const char *name);
 const char *cli_value(const cli_call *call, const char *name);
 const char *cli_value_at(const cli_call *call, const char *name, int k);
 
+/* The place of a word in a list that ends with NULL; -1: it is none of them. */
+int cli_choice(const char *word, const char *const *words);
+
+/* The whole number from 1 to `maximum` that an option gives, `otherwise` where
+ * it is not given; 0 after having said what is needed. */
+size_t cli_count(const cli_call *call, const char *name, size_t maximum,
+                 size_t otherwise);
+
 /* Prints the message as one line on stderr and returns the exit code that
  * belongs to its status. */
 int cli_fail(const ovr_error *err);
 
 /* A listener (`data`: the call): notes and warnings on stderr, unless -q. */
 void cli_say(void *data, ovr_say kind, const char *text);
+
+/* Prints a text that comes from a file on stdout: no control reaches the
+ * terminal. */
+void cli_put_foreign(const char *text);
 
 /* "overroll VERB: message", exit code 2. */
 int cli_usage(const cli_call *call, const char *format, ...) OVR_PRINTF(2, 3);

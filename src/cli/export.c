@@ -193,29 +193,35 @@ static ovr_status series(job *j)
                         j->about->nodes);
     status = add_all_series(j, work, work + j->about->nodes);
     free(work);
-    if (status == OVR_OK) {
-        cli_table_heads(j->table, j->form, j->to);
-        cli_table_rows(j->table, j->form, j->to);
-    }
+    if (status == OVR_OK)
+        cli_table_print(j->table, j->form, j->to);
     return status;
+}
+
+/* The times of all snapshots, to be freed; NULL with the error filled. */
+static double *times_in(const job *j, ovr_units units)
+{
+    double *times = calloc(j->about->snapshots + 1, sizeof *times);
+    if (!times)
+        ovr_fail(j->err, OVR_NO_MEMORY, "out of memory: %zu times",
+                 j->about->snapshots);
+    else if (ovr_result_times(j->result, units, times, j->err)) {
+        free(times);
+        times = NULL;
+    }
+    return times;
 }
 
 /* Row of the snapshot that is nearest to T. */
 static ovr_status nearest(const job *j, double T, size_t *row)
 {
-    size_t count = j->about->snapshots;
-    double *times = calloc(count + 1, sizeof *times);
-    ovr_status status;
-    if (!times)
-        return ovr_fail(j->err, OVR_NO_MEMORY, "out of memory: %zu times",
-                        count);
-    status = ovr_result_times(j->result, OVR_HERTZIAN, times, j->err);
+    double *times = times_in(j, OVR_HERTZIAN);
     *row = 0;
-    for (size_t k = 1; status == OVR_OK && k < count; k++)
+    for (size_t k = 1; times && k < j->about->snapshots; k++)
         if (fabs(times[k] - T) < fabs(times[*row] - T))
             *row = k;
     free(times);
-    return status;
+    return times ? OVR_OK : j->err->status;
 }
 
 static ovr_status chosen_row(const job *j, size_t *row)
@@ -247,8 +253,7 @@ static ovr_status snapshot(job *j)
     size_t row = 0;
     if (chosen_row(j, &row) || add_snapshot(j, row))
         return j->err->status;
-    cli_table_heads(j->table, j->form, j->to);
-    cli_table_rows(j->table, j->form, j->to);
+    cli_table_print(j->table, j->form, j->to);
     return OVR_OK;
 }
 
@@ -338,15 +343,10 @@ static ovr_status wide_table(job *j, const double *times)
 
 static ovr_status all_snapshots(job *j)
 {
-    double *times = calloc(j->about->snapshots + 1, sizeof *times);
-    ovr_status status;
-    if (!times)
-        return ovr_fail(j->err, OVR_NO_MEMORY, "out of memory: %zu times",
-                        j->about->snapshots);
-    status = ovr_result_times(j->result, j->units, times, j->err);
-    if (status == OVR_OK)
-        status = cli_flag(j->call, "wide") ? wide_table(j, times)
-                                           : long_table(j, times);
+    double *times = times_in(j, j->units);
+    ovr_status status = !times                      ? j->err->status
+                        : cli_flag(j->call, "wide") ? wide_table(j, times)
+                                                    : long_table(j, times);
     free(times);
     return status;
 }
@@ -355,8 +355,7 @@ static ovr_status history(job *j)
 {
     if (add_history(j))
         return j->err->status;
-    cli_table_heads(j->table, j->form, j->to);
-    cli_table_rows(j->table, j->form, j->to);
+    cli_table_print(j->table, j->form, j->to);
     return OVR_OK;
 }
 
@@ -384,23 +383,14 @@ static ovr_status write_table(job *j)
 
 /* ---------------------------------------------------------------- command */
 
-/* Place of a word in a list that ends with NULL, or -1. */
-static int choice(const char *word, const char *const *words)
-{
-    for (int k = 0; words[k]; k++)
-        if (strcmp(word, words[k]) == 0)
-            return k;
-    return -1;
-}
-
 static int read_choices(job *j)
 {
     static const char *const units[] = {"stored", "hertzian", "si", NULL};
     static const char *const forms[] = {"csv", "gnuplot", "matlab", NULL};
     const char *unit = cli_value(j->call, "units");
     const char *form_name = cli_value(j->call, "format");
-    int k = unit ? choice(unit, units) : 0;
-    int f = form_name ? choice(form_name, forms) : 0;
+    int k = unit ? cli_choice(unit, units) : 0;
+    int f = form_name ? cli_choice(form_name, forms) : 0;
     if (k < 0)
         return cli_usage(j->call, "--units %s: must be stored, hertzian or si",
                          unit);

@@ -64,16 +64,11 @@ static bool parse(question *q)
 
 static int take_numbers(const cli_call *call, ovr_find_options *how)
 {
-    const char *workers = cli_value(call, "j");
     const char *tolerance = cli_value(call, "tolerance");
     char *end;
-    if (workers) {
-        long n = strtol(workers, &end, 10);
-        if (*end || end == workers || n < 1 || n > 64)
-            return cli_usage(
-                call, "-j %s: a whole number from 1 to 64 is needed", workers);
-        how->workers = (int)n;
-    }
+    how->workers = (int)cli_count(call, "j", 64, 1);
+    if (!how->workers)
+        return CLI_USAGE;
     if (tolerance) {
         how->tolerance = strtod(tolerance, &end);
         if (*end || end == tolerance || !(how->tolerance > 0))

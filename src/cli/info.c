@@ -162,12 +162,10 @@ static void print_extremes(report *r)
     }
 }
 
-/* Texts come from the file: no control reaches the terminal. */
 static void put_foreign(const char *before, const char *text)
 {
     fputs(before, stdout);
-    for (; text && *text; text++)
-        putchar((unsigned char)*text < 0x20 || *text == 0x7f ? ' ' : *text);
+    cli_put_foreign(text);
 }
 
 static void print_text(report *r, bool verbose)

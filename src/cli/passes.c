@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "cli/cli.h"
 #include "cli/json.h"
 
 ovr_table *cli_passes_open(const char *path)
@@ -30,9 +31,7 @@ static const ovr_table_column *named(const ovr_table *t, const char *name)
 
 static void put_text(const ovr_table_column *c, size_t row)
 {
-    const char *text = c && c->text && c->text[row] ? c->text[row] : "";
-    for (; *text; text++)
-        putchar((unsigned char)*text < 0x20 || *text == 0x7f ? ' ' : *text);
+    cli_put_foreign(c && c->text ? c->text[row] : NULL);
 }
 
 static void print_table(const char *path, const ovr_table *t)
@@ -108,10 +107,8 @@ ovr_status cli_passes_export(const ovr_table *passes, cli_table_form form,
         else if (!c->text)
             status = OVR_NO_MEMORY;
     }
-    if (!status) {
-        cli_table_heads(table, form, to);
-        cli_table_rows(table, form, to);
-    }
+    if (!status)
+        cli_table_print(table, form, to);
     cli_table_clear(table);
     free(table);
     return status;

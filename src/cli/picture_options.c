@@ -20,44 +20,46 @@ static int take_number(const cli_call *call, const ovr_result *result,
                      text);
 }
 
-/* One end of a range, which may be left out. */
-static int take_end(const cli_call *call, const ovr_result *result,
-                    ovr_unit_kind kind, const char *name, const char *text,
-                    size_t size, double *value)
+/* A range that is asked for: of a number that may have its unit. */
+typedef struct asked {
+    const cli_call *call;
+    const ovr_result *result;
+    ovr_unit_kind kind;
+    const char *name; /* of the option */
+} asked;
+
+/* One end of it, which may be left out. */
+static int take_end(const asked *of, const char *text, size_t size,
+                    double *value)
 {
     char end[64];
     ovr_error err = {0};
     if (size == 0)
         return CLI_DONE;
     snprintf(end, sizeof end, "%.*s", (int)size, text);
-    if (ovr_result_number(result, kind, end, value, &err))
-        return cli_usage(call, "--%s %s: %s", name, cli_value(call, name),
-                         err.message);
+    if (ovr_result_number(of->result, of->kind, end, value, &err))
+        return cli_usage(of->call, "--%s %s: %s", of->name,
+                         cli_value(of->call, of->name), err.message);
     return CLI_DONE;
 }
 
 /* FROM:TO, each with its unit or bare. */
-static int take_range(const cli_call *call, const ovr_result *result,
-                      ovr_unit_kind kind, const char *name, double *from,
-                      double *to)
+static int take_range(const asked *of, double *from, double *to)
 {
-    const char *text = cli_value(call, name);
+    const char *text = cli_value(of->call, of->name);
     const char *colon = text ? strchr(text, ':') : NULL;
-    int code;
+    int code = CLI_DONE;
     if (!text)
         return CLI_DONE;
-    if (!colon || strlen(text) > 60)
-        return cli_usage(call, "--%s '%s': a range such as -1.5:1 is needed",
-                         name, text);
-    code = take_end(call, result, kind, name, text, (size_t)(colon - text),
-                    from);
-    if (!code)
-        code = take_end(call, result, kind, name, colon + 1, strlen(colon + 1),
-                        to);
-    if (!code && *from >= *to)
-        code = cli_usage(call, "--%s '%s': a range such as -1.5:1 is needed",
-                         name, text);
-    return code;
+    if (colon && strlen(text) <= 60) {
+        code = take_end(of, text, (size_t)(colon - text), from);
+        if (!code)
+            code = take_end(of, colon + 1, strlen(colon + 1), to);
+        if (code || !(*from >= *to))
+            return code;
+    }
+    return cli_usage(of->call, "--%s '%s': a range such as -1.5:1 is needed",
+                     of->name, text);
 }
 
 /* WIDTHxHEIGHT */
@@ -99,11 +101,11 @@ int cli_picture_options(const cli_call *call, ovr_picture_options *o)
 int cli_picture_ranges(const cli_call *call, const ovr_result *result,
                        ovr_picture_options *o)
 {
-    int code = take_range(call, result, OVR_KIND_LENGTH, "x", &o->x_from,
-                          &o->x_to);
+    const asked x = {call, result, OVR_KIND_LENGTH, "x"};
+    const asked T = {call, result, OVR_KIND_TIME, "time"};
+    int code = take_range(&x, &o->x_from, &o->x_to);
     if (!code)
-        code = take_range(call, result, OVR_KIND_TIME, "time", &o->T_from,
-                          &o->T_to);
+        code = take_range(&T, &o->T_from, &o->T_to);
     if (!code)
         code = take_number(call, result, OVR_KIND_PRESSURE, "p-max", &o->P_to);
     if (!code)

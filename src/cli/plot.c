@@ -38,17 +38,15 @@ static const cli_option options[] = {
 
 static int take_kind(const cli_call *call, ovr_picture_options *o)
 {
-    static const char *const kinds[] = {"snapshot", "history", "map",
-                                        "trace",    "stress",  "risk",
-                                        "depth",    "element", "plastic"};
+    static const char *const kinds[] = {
+        "snapshot", "history", "map",     "trace",   "stress",
+        "risk",     "depth",   "element", "plastic", NULL};
     const char *text = cli_value(call, "kind");
-    if (!text)
+    int k = text ? cli_choice(text, kinds) : (int)o->kind;
+    if (k >= 0) {
+        o->kind = (ovr_picture_kind)k;
         return CLI_DONE;
-    for (int k = 0; k < 9; k++)
-        if (strcmp(text, kinds[k]) == 0) {
-            o->kind = (ovr_picture_kind)k;
-            return CLI_DONE;
-        }
+    }
     if (strcmp(text, "passes") == 0)
         return cli_usage(call,
                          "%s: holds one run; --kind passes draws the file of "

@@ -6,6 +6,7 @@
 
 /* A bare number only a profile in b may have. */
 typedef struct size {
+    const char *name; /* of the option */
     ovr_length length;
     bool given;
 } size;
@@ -15,7 +16,7 @@ static int take_size(const cli_call *call, const char *name, bool is_height,
 {
     const char *text = cli_value(call, name);
     ovr_error err = {0};
-    *given = (size){{OVR_LENGTH_BARE, NAN}, text != NULL};
+    *given = (size){name, {OVR_LENGTH_BARE, NAN}, text != NULL};
     if (text &&
         ovr_length_read(text, is_height ? "b^2/R" : "b", &given->length, &err))
         return cli_usage(call, "--%s %s: %s", name, text, err.message);
@@ -33,13 +34,13 @@ static int no_unit(const cli_call *call, const char *name)
 
 /* Makes of a size one in the unit of the profile; `unit` is how many metres its
  * b (or b^2/R) has, 0: nobody knows. */
-static int resolve_size(const cli_call *call, const char *name, size given,
-                        bool scaled, double unit, double *value)
+static int resolve_size(const cli_call *call, size given, bool scaled,
+                        double unit, double *value)
 {
     if (!given.given)
         return CLI_DONE;
     if (given.length.unit == OVR_LENGTH_BARE && !scaled)
-        return no_unit(call, name);
+        return no_unit(call, given.name);
     *value = given.length.value;
     if (given.length.unit == OVR_LENGTH_BARE ||
         (given.length.unit == OVR_LENGTH_SCALED) == scaled)
@@ -48,7 +49,8 @@ static int resolve_size(const cli_call *call, const char *name, size given,
         return cli_usage(call,
                          "--%s %s: the profile is in %s; give it in that unit, "
                          "or a physical --case",
-                         name, cli_value(call, name), scaled ? "b" : "metres");
+                         given.name, cli_value(call, given.name),
+                         scaled ? "b" : "metres");
     *value = scaled ? given.length.value / unit : given.length.value * unit;
     return CLI_DONE;
 }
@@ -83,18 +85,16 @@ static int take_whole(const cli_call *call, const char *name, int *value)
 static int take_level(const cli_call *call, ovr_levelling *level)
 {
     static const char *const words[] = {"none", "mean",   "line", "polynomial",
-                                        "ends", "circle", "auto"};
+                                        "ends", "circle", "auto", NULL};
     const char *text = cli_value(call, "level");
-    for (int k = 0; text && k < 7; k++)
-        if (strcmp(text, words[k]) == 0) {
-            *level = (ovr_levelling)k;
-            return CLI_DONE;
-        }
-    return text ? cli_usage(call,
-                            "--level %s: none, mean, line, polynomial, ends, "
-                            "circle or auto is needed",
-                            text)
-                : CLI_DONE;
+    int k = text ? cli_choice(text, words) : (int)*level;
+    if (k < 0)
+        return cli_usage(call,
+                         "--level %s: none, mean, line, polynomial, ends, "
+                         "circle or auto is needed",
+                         text);
+    *level = (ovr_levelling)k;
+    return CLI_DONE;
 }
 
 /* Its unit is that of x when bare: only b may be meant so. */
@@ -149,7 +149,7 @@ static int take_sizes(const cli_call *call, const ovr_profile_view *view,
         size given;
         code = take_size(call, sizes[k].name, tall, &given);
         if (!code)
-            code = resolve_size(call, sizes[k].name, given,
+            code = resolve_size(call, given,
                                 tall ? view->scaled_z : view->scaled_x,
                                 tall ? height : b, sizes[k].value);
     }

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll run CASE: from the steady start through time, stored on the way. */
-#include "cli/watch.h"
+#include "cli/run.h"
 
 #include "cli/case_args.h"
 #include "cli/sensitivity.h"
+#include "cli/watch.h"
 
-static int run(cli_call *call)
+int cli_run_case(cli_call *call)
 {
     int code;
     ovr_case *c = cli_open_case(call, &code);
@@ -14,15 +15,16 @@ static int run(cli_call *call)
     ovr_run_options how = cli_run_options(&watch);
     if (!c)
         return code;
-    if (cli_flag(call, "sensitivity")) {
-        code = cli_sensitivity(call, c, false);
-        ovr_case_free(c);
-        return code;
-    }
+    how.steady = call->verb->steady;
+    how.at = cli_value(call, "at");
     how.output = cli_value(call, "o");
     how.force = cli_flag(call, "force");
-    cli_silence_the_end();
-    code = cli_finish_run(&watch, ovr_run_create(c, &how, NULL, &err), &err);
+    if (!how.steady)
+        cli_silence_the_end();
+    code = cli_flag(call, "sensitivity")
+               ? cli_sensitivity(call, c, how.steady)
+               : cli_finish_run(&watch, ovr_run_create(c, &how, NULL, &err),
+                                &err);
     ovr_case_free(c);
     return code;
 }
@@ -48,5 +50,5 @@ const cli_verb cli_run = {
     .options = options,
     .minimum = 1,
     .maximum = 1,
-    .run = run,
+    .run = cli_run_case,
 };

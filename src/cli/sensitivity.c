@@ -3,19 +3,10 @@
 #include "cli/sensitivity.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 #include "cli/json.h"
 #include "cli/signals.h"
 #include "cli/watch.h"
-
-static void say(void *data, ovr_say kind, const char *text)
-{
-    const cli_call *call = data;
-    (void)kind;
-    if (call->verbosity >= 0)
-        fprintf(stderr, "overroll: warning: %s\n", text);
-}
 
 static void report_json(const ovr_sensitivity *found)
 {
@@ -63,21 +54,17 @@ static void report_table(const ovr_sensitivity *found)
 int cli_sensitivity(const cli_call *call, ovr_case *c, bool steady)
 {
     const char *keys = cli_value(call, "sensitivity");
-    const char *workers = cli_value(call, "j");
     ovr_sensitivity_options how = {0};
     ovr_sensitivity *found;
     ovr_error err = {0};
-    char *end = NULL;
-    long n = workers ? strtol(workers, &end, 10) : 1;
-    if (workers && (*end || end == workers || n < 1 || n > 64))
-        return cli_usage(call, "-j %s: a whole number from 1 to 64 is needed",
-                         workers);
+    how.workers = (int)cli_count(call, "j", 64, 1);
+    if (!how.workers)
+        return CLI_USAGE;
     how.keys = keys && *keys ? keys : NULL;
-    how.workers = (int)n;
     how.steady = steady;
     how.estimate = cli_flag(call, "estimate-error");
     how.data = (void *)call;
-    how.say = say;
+    how.say = cli_say;
     how.stop = cli_stop;
     cli_silence_the_end();
     cli_catch_signals();

@@ -1,29 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll steady [CASE]: one steady contact. */
 #include "cli/case_args.h"
+#include "cli/run.h"
 #include "cli/sensitivity.h"
 #include "cli/watch.h"
-
-static int run(cli_call *call)
-{
-    int code;
-    ovr_case *c = cli_open_case(call, &code);
-    ovr_error err = {0};
-    cli_watch watch = {.call = call};
-    ovr_run_options how = cli_run_options(&watch);
-    if (!c)
-        return code;
-    if (cli_flag(call, "sensitivity")) {
-        code = cli_sensitivity(call, c, true);
-        ovr_case_free(c);
-        return code;
-    }
-    how.steady = true;
-    how.at = cli_value(call, "at");
-    code = cli_finish_run(&watch, ovr_run_create(c, &how, NULL, &err), &err);
-    ovr_case_free(c);
-    return code;
-}
 
 static const cli_option options[] = {
     {"at", "STATION",
@@ -44,6 +24,6 @@ const cli_verb cli_steady = {
     .options = options,
     .minimum = 0,
     .maximum = 1,
-    .run = run,
+    .run = cli_run_case,
     .steady = true,
 };

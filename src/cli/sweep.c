@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll sweep STUDY.ini: all cases of a study, here or on other hosts. */
-#include <stdlib.h>
 #include <string.h>
 
 #include "cli/find_report.h"
@@ -253,29 +252,12 @@ static int run_task(sweeping *w, size_t task)
 
 /* ---------------------------------------------------------------- options */
 
-/* A whole number from 1 to most; 0 after having said why not. */
-static size_t count_option(const cli_call *call, const char *name,
-                           size_t maximum, size_t otherwise)
-{
-    const char *text = cli_value(call, name);
-    char *end;
-    unsigned long n;
-    if (!text)
-        return otherwise;
-    n = strtoul(text, &end, 10);
-    if (*text >= '0' && *text <= '9' && !*end && n >= 1 && n <= maximum)
-        return n;
-    cli_usage(call, "%s%s %s: a whole number from 1 to %zu is needed",
-              name[1] ? "--" : "-", name, text, maximum);
-    return 0;
-}
-
 static int do_what_is_asked(sweeping *w)
 {
     const cli_call *call = w->call;
     size_t cases = ovr_study_cases(w->s), task;
-    w->how.workers = (int)count_option(call, "j", OVR_SWEEP_MAX_WORKERS, 0);
-    task = count_option(call, "task", cases, cases);
+    w->how.workers = (int)cli_count(call, "j", OVR_SWEEP_MAX_WORKERS, 0);
+    task = cli_count(call, "task", cases, cases);
     if ((cli_flag(call, "j") && !w->how.workers) || !task)
         return CLI_USAGE;
     if (cli_flag(call, "list"))

@@ -77,3 +77,9 @@ void cli_table_rows(const cli_table *t, cli_table_form form, FILE *to)
             cli_table_number(t->column[c].values[r], form, c == 0,
                              c + 1 == t->columns, to);
 }
+
+void cli_table_print(const cli_table *t, cli_table_form form, FILE *to)
+{
+    cli_table_heads(t, form, to);
+    cli_table_rows(t, form, to);
+}

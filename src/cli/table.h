@@ -36,6 +36,7 @@ double *cli_table_add(cli_table *table, const char *name, const char *unit,
                       ovr_error *err);
 void cli_table_heads(const cli_table *table, cli_table_form form, FILE *to);
 void cli_table_rows(const cli_table *table, cli_table_form form, FILE *to);
+void cli_table_print(const cli_table *table, cli_table_form form, FILE *to);
 
 /* One name, one number, for tables that are not held: `first` and `last` of
  * their line. */
