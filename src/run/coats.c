@@ -4,6 +4,7 @@
 #include "case/coats.h"
 #include "results/results.h"
 #include "run/internal.h"
+#include "run/review.h"
 
 static const ovr_coated *coated_of(const ovr_setup *setup)
 {
@@ -15,14 +16,12 @@ static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
 {
     const double small = 0.1;
     const ovr_coated *of = coated_of(setup);
-    char text[200];
     if (!of || !(of->strain > small))
         return;
-    snprintf(text, sizeof text,
+    ovr_warn(say, data,
              "a layer is strained by some %.2g: what is calculated holds for "
              "small strains",
              of->strain);
-    say(data, OVR_SAY_WARNING, text);
 }
 
 /* A of a wave by A_top and the images: of each its weight. */

@@ -38,21 +38,17 @@ static double relative_error(const ovr_run *run)
 static void doubt(ovr_run *run, const char *why)
 {
     const ovr_setup *s = run->setup;
-    char text[OVR_MESSAGE_SIZE], where[40];
-    snprintf(
-        text, sizeof text,
-        "%slevel %d was chosen for an error of %.2g of %s, which cannot be "
+    ovr_run_warn(
+        run,
+        "level %d was chosen for an error of %.2g of %s, which cannot be "
         "confirmed: %.800s",
-        ovr_run_where(run, where), s->options->level, s->accuracy,
-        names[s->accuracy_of], why);
-    ovr_run_message(run, OVR_SAY_WARNING, text);
+        s->options->level, s->accuracy, names[s->accuracy_of], why);
 }
 
 ovr_status ovr_run_confirm(ovr_run *run, ovr_error *err)
 {
     const ovr_setup *s = run->setup;
     int level = s->options->level;
-    char text[OVR_MESSAGE_SIZE], where[40];
     ovr_error why = {0};
     ovr_status status = ovr_run_estimate(run, &why);
     if (status == OVR_STOPPED)
@@ -66,12 +62,10 @@ ovr_status ovr_run_confirm(ovr_run *run, ovr_error *err)
         doubt(run, "coarser levels do not fall to it in a known order");
     if (isnan(error) || error <= s->accuracy)
         return OVR_OK;
-    snprintf(text, sizeof text,
-             "%slevel %d was chosen for an error of %.2g of %s; the estimate "
-             "after the run is %.2g: level %d would do",
-             ovr_run_where(run, where), level, s->accuracy,
-             names[s->accuracy_of], error,
-             level + (int)ceil(log2(error / s->accuracy) / 2));
-    ovr_run_message(run, OVR_SAY_WARNING, text);
+    ovr_run_warn(run,
+                 "level %d was chosen for an error of %.2g of %s; the estimate "
+                 "after the run is %.2g: level %d would do",
+                 level, s->accuracy, names[s->accuracy_of], error,
+                 level + (int)ceil(log2(error / s->accuracy) / 2));
     return OVR_OK;
 }

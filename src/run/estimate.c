@@ -295,32 +295,21 @@ static measure measure_of(const ovr_run *run)
 
 static void warn(ovr_run *run, const ovr_run_error *e, int level)
 {
-    char text[OVR_MESSAGE_SIZE], where[40];
     if (e->converges)
         return;
-    ovr_run_where(run, where);
     if (isnan(e->value[2]))
-        snprintf(text, sizeof text,
-                 "%s%s: %.4g, %.4g at levels %d, %d, and level %d cannot be "
-                 "solved: two levels are no estimate of it",
-                 where, e->key, e->value[1], e->value[0], level - 1, level,
-                 level - 2);
+        ovr_run_warn(run,
+                     "%s: %.4g, %.4g at levels %d, %d, and level %d cannot be "
+                     "solved: two levels are no estimate of it",
+                     e->key, e->value[1], e->value[0], level - 1, level,
+                     level - 2);
     else
-        snprintf(text, sizeof text,
-                 "%s%s does not converge with the level: %.4g, %.4g, %.4g at "
-                 "levels %d, %d, %d do not fall in a known order, which is no "
-                 "estimate",
-                 where, e->key, e->value[2], e->value[1], e->value[0],
-                 level - 2, level - 1, level);
-    ovr_run_message(run, OVR_SAY_WARNING, text);
-}
-
-const char *ovr_run_where(const ovr_run *run, char buffer[40])
-{
-    *buffer = '\0';
-    if (run->passes)
-        snprintf(buffer, 40, "pass %d: ", run->info.pass);
-    return buffer;
+        ovr_run_warn(run,
+                     "%s does not converge with the level: %.4g, %.4g, %.4g at "
+                     "levels %d, %d, %d do not fall in a known order, which is "
+                     "no estimate",
+                     e->key, e->value[2], e->value[1], e->value[0], level - 2,
+                     level - 1, level);
 }
 
 /* The levels below, as far as they can be solved. */

@@ -53,8 +53,8 @@ ovr_status ovr_run_once(ovr_run *run, ovr_error *err);
 /* The discretization errors, from the same case one level coarser. */
 ovr_status ovr_run_estimate(ovr_run *run, ovr_error *err);
 
-/* "pass 2: " before what is said of it, where there are several. */
-const char *ovr_run_where(const ovr_run *run, char buffer[40]);
+/* Warns of it: "pass 2: " and so on, where there are several. */
+void ovr_run_warn(ovr_run *run, const char *format, ...) OVR_PRINTF(2, 3);
 
 /* Passes on what is said of a run, and keeps the first warnings. */
 ovr_listener ovr_run_message;

@@ -65,6 +65,30 @@ void ovr_run_recall(ovr_run *run, const char *warnings)
     }
 }
 
+void ovr_warn(ovr_listener *say, void *data, const char *format, ...)
+{
+    char text[OVR_MESSAGE_SIZE];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    if (say)
+        say(data, OVR_SAY_WARNING, text);
+}
+
+void ovr_run_warn(ovr_run *run, const char *format, ...)
+{
+    char text[OVR_MESSAGE_SIZE];
+    size_t used = 0;
+    va_list args;
+    if (run->passes)
+        used = (size_t)snprintf(text, sizeof text, "pass %d: ", run->info.pass);
+    va_start(args, format);
+    vsnprintf(text + used, sizeof text - used, format, args);
+    va_end(args);
+    ovr_run_message(run, OVR_SAY_WARNING, text);
+}
+
 void ovr_review_say(const ovr_review *r, ovr_say kind, const char *format, ...)
 {
     char text[OVR_MESSAGE_SIZE];

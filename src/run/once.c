@@ -10,6 +10,7 @@
 #include "run/forms.h"
 #include "run/internal.h"
 #include "run/pass_series.h"
+#include "run/review.h"
 #include "simulation/internal.h"
 
 double ovr_run_clock(void)
@@ -157,17 +158,14 @@ static ovr_status close_file(ovr_run *run, ovr_status status, ovr_error *err)
 /* Of several passes, those that can be had are no reason to stop. */
 static ovr_status estimate_pass(ovr_run *run, ovr_error *err)
 {
-    char text[OVR_MESSAGE_SIZE], where[40];
     ovr_error why = {0};
     if (run->passes->level[1].lost || !ovr_run_estimate(run, &why))
         return OVR_OK;
     if (why.status == OVR_STOPPED)
         return ovr_fail(err, OVR_STOPPED, "%s", why.message);
     run->passes->level[1].lost = true;
-    snprintf(text, sizeof text,
-             "%serrors cannot be estimated from here on: %.900s",
-             ovr_run_where(run, where), why.message);
-    ovr_run_message(run, OVR_SAY_WARNING, text);
+    ovr_run_warn(run, "errors cannot be estimated from here on: %.900s",
+                 why.message);
     return OVR_OK;
 }
 
@@ -222,16 +220,14 @@ static bool carries_load(ovr_run *run)
     const double maximum = 1e-4;
     double error = ovr_simulation_statistics(run->sim)->extreme.load_error;
     double ratio = ovr_simulation_observation(run->sim)->load_ratio;
-    char text[OVR_MESSAGE_SIZE];
     bool unloaded = ovr_history_value(run->setup->load, 0) < OVR_MIN_START;
     double given = unloaded ? OVR_MIN_START : 0;
     if (!(fabs(error) > given + maximum * fmax(1, ratio)))
         return true;
-    snprintf(text, sizeof text,
+    ovr_warn(ovr_run_message, run,
              "the load is off by %.2g of the nominal one: this is not called "
              "converged; a smaller tolerance in [solver] does it",
              fabs(error));
-    ovr_run_message(run, OVR_SAY_WARNING, text);
     return false;
 }
 

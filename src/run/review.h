@@ -13,6 +13,10 @@ typedef struct ovr_review {
     void *data;
 } ovr_review;
 
+/* Warns whoever listens to a run or a setup. */
+void ovr_warn(ovr_listener *say, void *data, const char *format, ...)
+    OVR_PRINTF(3, 4);
+
 void ovr_review_say(const ovr_review *r, ovr_say kind, const char *format, ...)
     OVR_PRINTF(3, 4);
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "run/review_element.h"
+#include "run/review.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -23,29 +24,25 @@ static void review_blend(const ovr_setup *setup, ovr_listener *say, void *data)
     const ovr_gear *gear = ovr_setup_gear(setup);
     const ovr_gear_form *f = ovr_gear_form_of(gear);
     const ovr_gear_geometry *g = ovr_gear_of(gear);
-    char text[OVR_MESSAGE_SIZE];
     if (!gear || !blends(f, g) || f->blend <= (g->contact_ratio - 1) / 3)
         return;
-    snprintf(
-        text, sizeof text,
+    ovr_warn(
+        say, data,
         "[gear] blend: the load comes on over %.3g base pitches, more than "
         "a third of the %.3g from A to B: shares there are the blend's",
         f->blend, g->contact_ratio - 1);
-    say(data, OVR_SAY_WARNING, text);
 }
 
 static void review_end(const ovr_setup *setup, ovr_listener *say, void *data)
 {
     const ovr_resolved *r = (const ovr_resolved *)setup;
     double way = r->element.end, end = setup->march->end;
-    char text[OVR_MESSAGE_SIZE];
     if (!(way > 0) || !setup->transient || end >= way * (1 - 1e-9))
         return;
-    snprintf(text, sizeof text,
+    ovr_warn(say, data,
              "[time] end = %.4g: the run ends on its way, which goes to %.4g "
              "(%.4g ms)",
              end, way, 1e3 * way * setup->contact->time);
-    say(data, OVR_SAY_WARNING, text);
 }
 
 /* Reviews the film of the fit, where that is smallest. */
@@ -56,17 +53,15 @@ static void review_film(const ovr_setup *setup, ovr_listener *say, void *data)
     double Rq = setup->surfaces ? ovr_surfaces_roughness(setup->surfaces) *
                                       setup->contact->height
                                 : 0;
-    char text[OVR_MESSAGE_SIZE];
     for (size_t k = 1; k < n; k++)
         if (station[k].minimum < station[minimum].minimum)
             minimum = k;
     if (n == 0 || !(station[minimum].minimum < Rq))
         return;
-    snprintf(text, sizeof text,
+    ovr_warn(say, data,
              "at %s the smallest film is %.3g um by the fit, below the "
              "roughness of both surfaces, Rq = %.3g um: they would touch there",
              station[minimum].name, 1e6 * station[minimum].minimum, 1e6 * Rq);
-    say(data, OVR_SAY_WARNING, text);
 }
 
 void ovr_review_element(const ovr_setup *setup, ovr_listener *say, void *data)
@@ -85,7 +80,6 @@ void ovr_review_element_after(const ovr_setup *setup,
     const ovr_gear *gear = ovr_setup_gear(setup);
     const ovr_gear_form *f = ovr_gear_form_of(gear);
     const ovr_gear_geometry *g = ovr_gear_of(gear);
-    char text[OVR_MESSAGE_SIZE];
     if (!gear || !say || !blends(f, g) || !setup->transient)
         return;
     const double way[] = {g->R1_B, g->R1_D};
@@ -95,14 +89,13 @@ void ovr_review_element_after(const ovr_setup *setup,
         double off = fabs(t - ovr_gear_time(gear, way[k])) * v;
         if (!(off <= maximum))
             continue;
-        snprintf(
-            text, sizeof text,
+        ovr_warn(
+            say, data,
             "the largest pressure, %.4g GPa, stands %.2g mm from %c, where "
             "the load comes on or leaves within %.2g mm: it is made by how "
             "suddenly it does ([gear] blend), more than by the contact",
             1e-9 * total->extreme.P_max * setup->contact->ph, 1e3 * off,
             "BD"[k], 1e3 * maximum);
-        say(data, OVR_SAY_WARNING, text);
         return;
     }
 }

@@ -10,6 +10,7 @@
 #include "contact/contact.h"
 #include "run/forms.h"
 #include "run/internal.h"
+#include "run/review.h"
 #include "simulation/simulation.h"
 #include "simulation/solids.h"
 
@@ -54,7 +55,6 @@ static void review_slip(const ovr_setup *s, ovr_listener *listener, void *data)
     const double much = 3;
     double end = isfinite(s->march->end) ? s->march->end : 0, maximum = 0,
            T = 0;
-    char text[OVR_MESSAGE_SIZE];
     for (int i = 0; i <= times; i++) {
         double at = end * i / times;
         double slip = fabs(speed_of(s, 0, at) - speed_of(s, 1, at));
@@ -65,12 +65,11 @@ static void review_slip(const ovr_setup *s, ovr_listener *listener, void *data)
     }
     if (!(maximum > much))
         return;
-    snprintf(text, sizeof text,
+    ovr_warn(listener, data,
              "heat: the surfaces slide by %.3g um at T = %.4g: beyond %g um "
              "temperatures may swing from step to step; compare with steps of "
              "half the length",
              maximum, T, much);
-    listener(data, OVR_SAY_WARNING, text);
 }
 
 /* Reviews surfaces where no temperature is steady, or not within what they
@@ -83,13 +82,13 @@ static void review_speed(const ovr_setup *s, int k, ovr_listener *listener,
     const double kappa = heat->diffusion[k] * s->contact->um * s->contact->b;
     slowness slow = find_slowness(s, k);
     double reach = ovr_solid_reach(heat, k, slow.u);
-    char text[OVR_MESSAGE_SIZE], when[40] = "";
+    char when[40] = "";
     if (!(slow.Pe < heat->min_peclet) || (slow.T > 0 && slow.lasts < passing))
         return;
     if (slow.T > 0)
         snprintf(when, sizeof when, " at T = %.4g", slow.T);
     if (slow.u == 0)
-        snprintf(text, sizeof text,
+        ovr_warn(listener, data,
                  "heat: surface %d stands still%s: it has no steady "
                  "temperature, but gets hotter as the logarithm of time; a "
                  "steady solution is that after %.3g s, and a contact of the "
@@ -97,13 +96,12 @@ static void review_speed(const ovr_setup *s, int k, ovr_listener *listener,
                  "for 10 mm",
                  k + 1, when, reach * second, 1e-4 / kappa);
     else
-        snprintf(text, sizeof text,
+        ovr_warn(listener, data,
                  "heat: surface %d has the Peclet number %.3g%s: it takes "
                  "%.3g s until its temperature is steady, of which it "
                  "remembers %.3g s; below 0.05 it comes out too cold",
                  k + 1, slow.Pe, when,
                  20 * kappa / pow(slow.u * s->contact->um, 2), reach * second);
-    listener(data, OVR_SAY_WARNING, text);
 }
 
 static void foresee(const ovr_setup *setup, ovr_listener *listener, void *data)
@@ -119,29 +117,25 @@ static void warn_of_rise(ovr_run *run)
 {
     const double maximum = 100;
     double rise = ovr_simulation_statistics(run->sim)->extreme.T_max_rise;
-    char text[OVR_MESSAGE_SIZE];
     if (!(rise > maximum))
         return;
-    snprintf(text, sizeof text,
+    ovr_warn(ovr_run_message, run,
              "heat: the film is up to %.3g K hotter than the supply, further "
              "than laws of viscosity are measured",
              rise);
-    ovr_run_message(run, OVR_SAY_WARNING, text);
 }
 
 static void warn_of_lag(ovr_run *run)
 {
     const ovr_statistics *s = ovr_simulation_statistics(run->sim);
-    char text[OVR_MESSAGE_SIZE];
     if (!s->lagging)
         return;
-    snprintf(text, sizeof text,
+    ovr_warn(ovr_run_message, run,
              "heat: in %ld of %ld steps temperatures are not those of the film "
              "(they lag behind it, or energy does not close to a tenth): what "
              "follows from these steps may be far off; take "
              "shorter ones, [time] step, or a finer level",
              s->lagging, s->steps);
-    ovr_run_message(run, OVR_SAY_WARNING, text);
 }
 
 /* Warns by heat.h of the simulation: friction, in percent. */
@@ -149,15 +143,13 @@ static void warn_of_points(ovr_run *run)
 {
     const ovr_statistics *s = ovr_simulation_statistics(run->sim);
     double off = 400 * s->last_cross_film * s->last_cross_film;
-    char text[OVR_MESSAGE_SIZE];
     if (!(s->last_cross_film > 0) || ovr_simulation_heat_points(run->sim) != 5)
         return;
-    snprintf(text, sizeof text,
+    ovr_warn(ovr_run_message, run,
              "heat: 5 points across the film leave friction too low by about "
              "%.1f %%, and temperatures of the surfaces off by up to twice "
              "that: take points = 7 in [heat]",
              off);
-    ovr_run_message(run, OVR_SAY_WARNING, text);
 }
 
 /* The heat flux into a surface near the end of the domain by which it comes in,
@@ -181,20 +173,18 @@ static void warn_of_domain(ovr_run *run)
 {
     const double maximum = 0.05;
     double T = ovr_simulation_state(run->sim)->T;
-    char text[OVR_MESSAGE_SIZE];
     for (int k = 0; k < 2; k++) {
         bool at_outlet = speed_of(run->setup, k, T) < 0;
         const char *end = at_outlet ? "outlet" : "inlet";
         double share = flux_at_entry(run, k, at_outlet);
         if (!(share > maximum))
             continue;
-        snprintf(
-            text, sizeof text,
+        ovr_warn(
+            ovr_run_message, run,
             "heat: the domain is too short for it to leave: surface %d "
             "comes in at the %s as if from afar, where it takes up %.0f %% "
             "of the largest heat flux; move the %s out",
             k + 1, end, 100 * share, end);
-        ovr_run_message(run, OVR_SAY_WARNING, text);
     }
 }
 

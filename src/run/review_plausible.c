@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "run/review_plausible.h"
+#include "run/review.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -13,14 +14,12 @@ typedef struct usual {
 static void judge(const usual *u, ovr_listener *say, void *data)
 {
     double value = u->value / u->scale;
-    char text[OVR_MESSAGE_SIZE];
     if (!isfinite(value) || (value >= u->minimum && value <= u->maximum))
         return;
-    snprintf(text, sizeof text,
+    ovr_warn(say, data,
              "%s %.4g %s: usual are %g to %g %s; is the unit the one that was "
              "meant?",
              u->what, value, u->unit, u->minimum, u->maximum, u->unit);
-    say(data, OVR_SAY_WARNING, text);
 }
 
 /* Rubber to tungsten carbide on diamond; wires to rolls of mills; oils from
@@ -43,7 +42,7 @@ static void review_feature(const ovr_setup *s, const ovr_feature_form *f,
                            ovr_listener *say, void *data)
 {
     const double steepest = 0.25;
-    char what[80], text[OVR_MESSAGE_SIZE];
+    char what[80];
     double size = isfinite(f->width) ? f->width : f->width_half;
     double width = size * s->contact->b;
     double depth = f->depth * s->contact->height;
@@ -51,11 +50,10 @@ static void review_feature(const ovr_setup *s, const ovr_feature_form *f,
     judge(&(usual){what, "um", width, 1e-6, 0.1, 1e5}, say, data);
     if (f->shape != OVR_INDENT || !(depth > steepest * width))
         return;
-    snprintf(text, sizeof text,
+    ovr_warn(say, data,
              "feature '%.40s': %.3g um deep and %.3g um wide: indents are less "
              "deep than a quarter of their width, 0.001 to 0.1 of it as a rule",
              f->name, depth * 1e6, width * 1e6);
-    say(data, OVR_SAY_WARNING, text);
 }
 
 void ovr_review_plausible(const ovr_setup *setup, ovr_listener *say, void *data)

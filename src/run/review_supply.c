@@ -7,6 +7,7 @@
 #include "contact/film_formula.h"
 #include "run/companion.h"
 #include "run/forms.h"
+#include "run/review.h"
 #include "simulation/physics.h"
 
 /* The formulas are not better; incompressible oil flows as its film is thick.
@@ -28,7 +29,6 @@ static double flooded(const ovr_setup *s)
 /* More than a flooded contact takes, by the film formula. */
 static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
 {
-    char text[240];
     const ovr_supply_case *supply = ovr_setup_supply(setup);
     double arrives, taken = flooded(setup);
     if (!supply->film || isinf(supply->reservoir))
@@ -36,11 +36,10 @@ static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
     arrives = ovr_supply_arriving(supply, 0);
     if (!(arrives > SURE * taken))
         return;
-    snprintf(text, sizeof text,
+    ovr_warn(say, data,
              "a film of %.3g arrives, of which the contact takes only some "
              "%.2g, being flooded then; the rest waits in the inlet reservoir",
              arrives, taken / arrives);
-    say(data, OVR_SAY_WARNING, text);
 }
 
 const ovr_companion ovr_supply_companion = {.foresee = foresee};
