@@ -74,19 +74,24 @@ static bool ends_in(const char *key, const char *si)
     return size > used && !strcmp(key + size - used, ending);
 }
 
+const char *ovr_amount_read(const char *text, double *number)
+{
+    text += strspn(text, " \t");
+    return ovr_read_number(&text, number) ? text + strspn(text, " \t") : NULL;
+}
+
 /* A unit makes the target SI, and picks the quantity that is in it. */
 static ovr_status take_target(ovr_comparison *c, const char *text,
                               ovr_arena *arena, ovr_error *err)
 {
-    const char *at = text, *si;
+    const char *at = ovr_amount_read(text, &c->target), *si;
     char twin[OVR_QUANTITY_CAPACITY];
     ovr_quantity q;
     ovr_dimension dimension;
-    if (!ovr_read_number(&at, &c->target))
+    if (!at)
         return ovr_fail_about(err, "condition",
                               "%s: '%.60s' is no number to compare with",
                               c->quantity, text);
-    at += strspn(at, " \t");
     if (!*at)
         return OVR_OK;
     dimension = ovr_unit_dimension(at);

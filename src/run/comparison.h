@@ -14,6 +14,9 @@ typedef struct ovr_comparison {
     double target;        /* SI, or bare */
 } ovr_comparison;
 
+/* "0.1 um": the number, and the unit as it stands; NULL: no number. */
+const char *ovr_amount_read(const char *text, double *number);
+
 ovr_status ovr_comparison_read(const char *text, ovr_comparison *c,
                                ovr_arena *arena, ovr_error *err);
 

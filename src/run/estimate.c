@@ -52,6 +52,7 @@ enum { LEVELS = OVR_PASS_LEVELS };
 
 /* A level's values at the time at which the finest run ended. */
 typedef struct level_run {
+    ovr_pass_level *pass; /* of several; NULL: there is one */
     bool solved;
     double end;
     ovr_observation seen;
@@ -89,15 +90,15 @@ static ovr_status may_go_on(void *data, const ovr_simulation *sim,
 
 /* The coarser run to the same time, whatever would have ended it. */
 static ovr_status solve(ovr_run *run, ovr_setup *setup, ovr_simulation *coarse,
-                        level_run *r, ovr_pass_level *pass, ovr_error *err)
+                        level_run *r, ovr_error *err)
 {
     ovr_observer observer[3] = {{keep, end_of, r}};
     ovr_simulation_stop(coarse, run->how.interrupt, run->how.data);
     ovr_march march = *setup->march;
     ovr_status status = ovr_simulation_steady(coarse, err);
     march.count = 1;
-    if (pass)
-        observer[march.count++] = ovr_pass_history_observer(&pass->seen);
+    if (r->pass)
+        observer[march.count++] = ovr_pass_history_observer(&r->pass->seen);
     observer[march.count++] = (ovr_observer){may_go_on, NULL, run};
     march.observers = observer;
     march.end = r->end;
@@ -141,6 +142,7 @@ static ovr_status run_coarser(ovr_run *run, int down, level_run *r,
     const ovr_allocator *allocator = &run->arena.allocator;
     ovr_pass_level *pass = run->passes ? &run->passes->level[down] : NULL;
     ovr_setup *setup = ovr_case_resolve(run->c, allocator, err);
+    r->pass = pass;
     ovr_simulation *coarse = NULL;
     ovr_status status = OVR_BAD_INPUT;
     if (setup) {
@@ -154,7 +156,7 @@ static ovr_status run_coarser(ovr_run *run, int down, level_run *r,
     if (coarse) {
         ovr_run_surface(run, coarse);
         r->end = ovr_simulation_state(run->sim)->T;
-        status = solve(run, setup, coarse, r, pass, err);
+        status = solve(run, setup, coarse, r, err);
     }
     if (pass && !status)
         status = ovr_pass_level_end(pass, setup, err);

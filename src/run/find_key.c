@@ -62,19 +62,6 @@ static void tell(ovr_find *f, const char *format, ...)
 
 /* ---------------------------------------------------------------- reading */
 
-/* A number and the unit behind it, as they stand. */
-static ovr_status read_end(const char *text, double *number, const char **unit,
-                           const char *key, ovr_error *err)
-{
-    const char *at = text + strspn(text, " \t");
-    if (!ovr_read_number(&at, number) || !isfinite(*number))
-        return ovr_fail_about(err, "between",
-                              "%s between '%.60s': a number is needed", key,
-                              text);
-    *unit = at + strspn(at, " \t");
-    return OVR_OK;
-}
-
 static bool row_of(const char *where, ovr_parameter_info *info)
 {
     const char *dot = strrchr(where, '.');
@@ -104,10 +91,14 @@ static ovr_status take_ends(ovr_find *f, ovr_error *err)
     if (known && strcmp(row.type, "number") != 0)
         return ovr_fail_about(err, "key", "%s is a %s, not a number",
                               f->info.key, row.type);
-    for (int k = 0; k < 2; k++)
-        if (read_end(k ? f->how.high : f->how.low, &end[k], &unit[k],
-                     f->info.key, err))
-            return OVR_BAD_INPUT;
+    for (int k = 0; k < 2; k++) {
+        const char *text = k ? f->how.high : f->how.low;
+        unit[k] = ovr_amount_read(text, &end[k]);
+        if (!unit[k] || !isfinite(end[k]))
+            return ovr_fail_about(err, "between",
+                                  "%s between '%.60s': a number is needed",
+                                  f->info.key, text);
+    }
     if (*unit[0] && strcmp(unit[0], unit[1]) != 0)
         return ovr_fail_about(err, "between",
                               "%s between %s and %s: one unit is needed",
@@ -140,17 +131,15 @@ static ovr_status try_ends(ovr_find *f, ovr_error *err)
     const double ends[] = {f->from, f->to};
     ovr_case *c = ovr_case_apart(f->base, err);
     ovr_status status = c ? OVR_OK : OVR_BAD_INPUT;
+    ovr_case_entry e;
     for (int k = 0; k < 2 && !status; k++)
         status = set_key(f, c, ends[k], err);
-    for (size_t k = 0;
-         c && !f->info.exact && !status && k < ovr_case_entries(c); k++) {
-        ovr_case_entry e = ovr_case_entry_at(c, k);
-        if (!strcmp(e.section, "domain") && !strcmp(e.key, "level") &&
-            e.applies && e.text && !strcmp(e.text, "auto"))
-            status = ovr_fail_about(err, "level",
-                                    "level = auto may differ from run to run: "
-                                    "give a level");
-    }
+    if (!status && !f->info.exact &&
+        ovr_case_entry_of(c, "domain.level", strlen("domain.level"), &e) &&
+        e.applies && e.text && !strcmp(e.text, "auto"))
+        status = ovr_fail_about(err, "level",
+                                "level = auto may differ from run to run: "
+                                "give a level");
     ovr_case_free(c);
     return status;
 }
@@ -753,8 +742,10 @@ static ovr_status prepare(ovr_find *f, ovr_case *c,
         return OVR_BAD_INPUT;
     if (!f->how.table)
         return OVR_OK;
-    status = ovr_find_table_open(&f->table, f->how.table, f->how.go_on, f->made,
-                                 MAX, &i->evaluations, &f->arena, err);
+    f->table = (ovr_find_table){
+        .path = f->how.table, .made = f->made, .maximum = MAX};
+    status = ovr_find_table_open(&f->table, f->how.go_on, &f->arena, err);
+    i->evaluations = f->table.count;
     for (size_t k = 0; k < i->evaluations; k++)
         i->marked = i->marked || f->made[k].marked > 0;
     return status;

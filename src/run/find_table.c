@@ -66,16 +66,16 @@ static ovr_status cannot(const ovr_find_table *t, ovr_status status,
 }
 
 /* The whole rows of a file; what stands behind them is cut off. */
-static size_t read_rows(FILE *from, ovr_find_evaluation *made, size_t maximum,
-                        ovr_arena *arena)
+static size_t read_rows(const ovr_find_table *t, ovr_arena *arena)
 {
+    FILE *from = t->file;
     char line[2048];
     size_t count = 0;
     long end = 0;
     if (fgets(line, sizeof line, from) && !strcmp(line, heads)) {
         end = ftell(from);
-        while (count < maximum && fgets(line, sizeof line, from) &&
-               read_row(line, &made[count], arena)) {
+        while (count < t->maximum && fgets(line, sizeof line, from) &&
+               read_row(line, &t->made[count], arena)) {
             count++;
             end = ftell(from);
         }
@@ -87,18 +87,14 @@ static size_t read_rows(FILE *from, ovr_find_evaluation *made, size_t maximum,
     return count;
 }
 
-ovr_status ovr_find_table_open(ovr_find_table *table, const char *path,
-                               bool go_on, ovr_find_evaluation *made,
-                               size_t maximum, size_t *count, ovr_arena *arena,
-                               ovr_error *err)
+ovr_status ovr_find_table_open(ovr_find_table *table, bool go_on,
+                               ovr_arena *arena, ovr_error *err)
 {
-    *count = 0;
-    table->path = path;
-    table->file = go_on ? fopen(path, "r+") : NULL;
+    table->file = go_on ? fopen(table->path, "r+") : NULL;
     if (table->file) {
-        *count = read_rows(table->file, made, maximum, arena);
+        table->count = read_rows(table, arena);
     } else {
-        table->file = fopen(path, "w");
+        table->file = fopen(table->path, "w");
         if (table->file)
             fputs(heads, table->file);
     }

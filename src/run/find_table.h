@@ -12,13 +12,13 @@
 typedef struct ovr_find_table {
     FILE *file; /* NULL: none is asked for */
     const char *path;
+    ovr_find_evaluation *made; /* space for the rows that it holds */
+    size_t maximum, count;
 } ovr_find_table;
 
 /* Makes it anew, or reads what it holds and goes on behind it. */
-ovr_status ovr_find_table_open(ovr_find_table *table, const char *path,
-                               bool go_on, ovr_find_evaluation *made,
-                               size_t maximum, size_t *count, ovr_arena *arena,
-                               ovr_error *err);
+ovr_status ovr_find_table_open(ovr_find_table *table, bool go_on,
+                               ovr_arena *arena, ovr_error *err);
 
 /* The row is on the disk when it returns. */
 ovr_status ovr_find_table_add(ovr_find_table *table,

@@ -140,11 +140,12 @@ void ovr_words_place(ovr_words *to, const char *name, double value,
         ovr_words_add(to, " (%s)", si.text);
 }
 
-ovr_words ovr_words_behind(double value, ovr_unit_kind kind, double X, double T,
-                           const char *note, const ovr_contact *contact)
+ovr_words ovr_words_behind(double value, const ovr_observable *row, double X,
+                           double T, const ovr_contact *contact)
 {
+    const char *note = row->note;
     ovr_words w = {""};
-    ovr_piece si = in_si(value, kind, contact);
+    ovr_piece si = in_si(value, row->kind, contact);
     bool placed = isfinite(X) || isfinite(T);
     ovr_words_add(&w, "%s%s", si.text,
                   *si.text && (placed || note) ? "  " : "");

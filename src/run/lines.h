@@ -52,9 +52,9 @@ void ovr_words_add(ovr_words *to, const char *format, ...) OVR_PRINTF(2, 3);
 void ovr_words_place(ovr_words *to, const char *name, double value,
                      ovr_unit_kind kind, const ovr_contact *contact);
 
-/* The words behind a number: itself in SI, where it is known; where and when
- * that is, NAN: not told; a note, or NULL. */
-ovr_words ovr_words_behind(double value, ovr_unit_kind kind, double X, double T,
-                           const char *note, const ovr_contact *contact);
+/* The words behind a number of a row: itself in SI, where it is known; where
+ * and when that is, NAN: not told; its note. */
+ovr_words ovr_words_behind(double value, const ovr_observable *row, double X,
+                           double T, const ovr_contact *contact);
 
 #endif

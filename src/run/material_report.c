@@ -357,17 +357,16 @@ static void add_map(storage *s, const char *name, const char *text,
                                                     .singles = values};
 }
 
-static void add_line(storage *s, const char *name, const char *text,
-                     ovr_unit_kind kind, int along, const double *values,
-                     const unsigned char *flags)
+static ovr_group_array *add_line(storage *s, int along, const char *name,
+                                 const char *text, ovr_unit_kind kind)
 {
-    s->array[s->group.arrays++] = (ovr_group_array){.name = name,
-                                                    .long_name = text,
-                                                    .kind = kind,
-                                                    .rank = 1,
-                                                    .along = {along},
-                                                    .doubles = values,
-                                                    .flags = flags};
+    ovr_group_array *a = &s->array[s->group.arrays++];
+    *a = (ovr_group_array){.name = name,
+                           .long_name = text,
+                           .kind = kind,
+                           .rank = 1,
+                           .along = {along}};
+    return a;
 }
 
 static void add_number(storage *s, const char *name, double value)
@@ -397,26 +396,29 @@ static void add_measures(storage *s, const ovr_stress_report *r)
         add_map(s, names[m][0], names[m][1],
                 m == OVR_MEASURE_ANGLE ? OVR_KIND_NUMBER : OVR_KIND_PRESSURE,
                 r->measure[m]);
-    add_line(s, "circle_radius_smooth",
-             "the same of the steady contact at the start", OVR_KIND_PRESSURE,
-             DEPTH, r->smooth[OVR_MEASURE_CIRCLE], NULL);
-    add_line(s, "complete", "1 where no end of the run mattered", OVR_KIND_FLAG,
-             MATERIAL, NULL, r->material.complete);
+    add_line(s, DEPTH, "circle_radius_smooth",
+             "the same of the steady contact at the start", OVR_KIND_PRESSURE)
+        ->doubles = r->smooth[OVR_MEASURE_CIRCLE];
+    add_line(s, MATERIAL, "complete", "1 where no end of the run mattered",
+             OVR_KIND_FLAG)
+        ->flags = r->material.complete;
 }
 
 static void add_life(storage *s, const ovr_stress_report *r)
 {
     add_map(s, "amplitude", "amplitude of the criterion", OVR_KIND_PRESSURE,
             r->amplitude);
-    add_line(s, "amplitude_smooth",
-             "the same of the steady contact at the start", OVR_KIND_PRESSURE,
-             DEPTH, r->amplitude_smooth, NULL);
-    add_line(s, "risk", "risk per length from the least depth down",
-             OVR_KIND_NUMBER, MATERIAL, r->risk, NULL);
-    add_line(s, "equivalent_length",
+    add_line(s, DEPTH, "amplitude_smooth",
+             "the same of the steady contact at the start", OVR_KIND_PRESSURE)
+        ->doubles = r->amplitude_smooth;
+    add_line(s, MATERIAL, "risk", "risk per length from the least depth down",
+             OVR_KIND_NUMBER)
+        ->doubles = r->risk;
+    add_line(s, DEPTH, "equivalent_length",
              "length of smooth raceway with the risk that is added, counted "
              "from this depth down",
-             OVR_KIND_LENGTH, DEPTH, r->length, NULL);
+             OVR_KIND_LENGTH)
+        ->doubles = r->length;
 }
 
 static void add_part(storage *s, ovr_stress_part part,

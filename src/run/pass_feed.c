@@ -82,8 +82,8 @@ ovr_status ovr_passes_learn(ovr_run *run, int pass, ovr_pass_end *end,
                             ovr_error *err)
 {
     ovr_passes *p = run->passes;
-    ovr_status status = ovr_pass_read(p->file[pass - 1], run->setup,
-                                      p->oil_flooded, end,
+    end->flooded = p->oil_flooded;
+    ovr_status status = ovr_pass_read(p->file[pass - 1], run->setup, end,
                                       &run->arena.allocator, err);
     if (status)
         return status;
@@ -180,9 +180,10 @@ void ovr_pass_level_begin(ovr_pass_level *of, const ovr_allocator *allocator)
 ovr_status ovr_pass_level_end(ovr_pass_level *of, const ovr_setup *setup,
                               ovr_error *err)
 {
-    double flooded = of->end.row.status ? of->end.flooded : NAN;
+    if (!of->end.row.status)
+        of->end.flooded = NAN;
     ovr_pass_end_free(&of->end);
-    ovr_status status = ovr_pass_end_make(setup, &of->seen, flooded, &of->end,
+    ovr_status status = ovr_pass_end_make(setup, &of->seen, &of->end,
                                           &of->seen.arena.allocator, err);
     of->end.row.status = "complete";
     return status;

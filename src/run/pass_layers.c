@@ -180,17 +180,17 @@ static double flooded_flow(const ovr_pass_history *h)
 }
 
 ovr_status ovr_pass_end_make(const ovr_setup *s, ovr_pass_history *h,
-                             double flooded, ovr_pass_end *end,
-                             const ovr_allocator *allocator, ovr_error *err)
+                             ovr_pass_end *end, const ovr_allocator *allocator,
+                             ovr_error *err)
 {
     const double *reservoir = h->of[OVR_SEEN_RESERVOIR];
     double *x = ovr_arena_take(&h->arena, 3 * h->n + 2, sizeof *x, err);
     double *lost = x ? x + 2 * h->n + 2 : NULL;
-    *end = (ovr_pass_end){.flooded = flooded,
+    *end = (ovr_pass_end){.flooded = end->flooded,
                           .reservoir = ovr_setup_supply(s)->reservoir};
     if (!x)
         return OVR_NO_MEMORY;
-    if (isnan(flooded))
+    if (isnan(end->flooded))
         end->flooded = flooded_flow(h);
     const ended e = {s, h, end->flooded, x, x + h->n + 1, lost};
     for (int k = 0; k < 2; k++)
@@ -240,8 +240,8 @@ static void read_summary(ovr_result *result, ovr_pass_row *row)
 }
 
 ovr_status ovr_pass_read(const char *file, const ovr_setup *setup,
-                         double flooded, ovr_pass_end *end,
-                         const ovr_allocator *allocator, ovr_error *err)
+                         ovr_pass_end *end, const ovr_allocator *allocator,
+                         ovr_error *err)
 {
     ovr_result *result = ovr_result_open(file, allocator, err);
     ovr_pass_history h = ovr_pass_history_make(allocator);
@@ -251,7 +251,7 @@ ovr_status ovr_pass_read(const char *file, const ovr_setup *setup,
     if (result && status)
         ovr_fail(err, status, "%s: %.900s", file, why.message);
     else if (result)
-        status = ovr_pass_end_make(setup, &h, flooded, end, allocator, err);
+        status = ovr_pass_end_make(setup, &h, end, allocator, err);
     if (!status)
         read_summary(result, &end->row);
     ovr_result_close(result);

@@ -30,16 +30,16 @@ typedef struct ovr_pass_end {
 } ovr_pass_end;
 
 /* Makes the end of a pass from what was seen of it, for a setup that is
- * prepared; `flooded` as the passes before know it. */
+ * prepared; `flooded` is what the passes before know. */
 ovr_status ovr_pass_end_make(const ovr_setup *setup, ovr_pass_history *h,
-                             double flooded, ovr_pass_end *end,
-                             const ovr_allocator *allocator, ovr_error *err);
+                             ovr_pass_end *end, const ovr_allocator *allocator,
+                             ovr_error *err);
 void ovr_pass_end_free(ovr_pass_end *end);
 
 /* The same from its file. */
 ovr_status ovr_pass_read(const char *file, const ovr_setup *setup,
-                         double flooded, ovr_pass_end *end,
-                         const ovr_allocator *allocator, ovr_error *err);
+                         ovr_pass_end *end, const ovr_allocator *allocator,
+                         ovr_error *err);
 
 /* A pass on a level, as the estimate of errors needs it: 0 the run's own, k
  * that of the same passes k levels coarser, fed by its own pass before. */

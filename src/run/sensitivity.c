@@ -13,6 +13,7 @@
 #include "base/given.h"
 #include "base/text.h"
 #include "case/case.h"
+#include "run/comparison.h"
 #include "run/trials.h"
 
 enum { KEYS = 64, QUANTITIES = 3, STEPS = 4, LEVELS = 2 };
@@ -35,6 +36,7 @@ typedef struct working {
     ovr_sensitivity *to;
     ovr_sensitivity_options how;
     ovr_case *base;
+    ovr_trials *trials;
     moved key[KEYS];
     size_t keys;
     int level; /* of the case; 0: not known */
@@ -65,11 +67,10 @@ static bool is_usual(const ovr_case_entry *e)
 static ovr_status add_key(working *w, const ovr_case_entry *e)
 {
     moved *m = &w->key[w->keys];
-    const char *text = e->text, *unit;
+    const char *unit = ovr_amount_read(e->text, &m->value);
     char *suffix, where[300];
-    if (w->keys == KEYS || !ovr_read_number(&text, &m->value))
+    if (w->keys == KEYS || !unit)
         return OVR_OK;
-    unit = text + strspn(text, " \t");
     suffix = ovr_arena_take(&w->to->arena, strlen(unit) + 2, 1, w->err);
     snprintf(where, sizeof where, "%s%s%s.%s", e->section, e->name ? "." : "",
              e->name ? e->name : "", e->key);
@@ -90,21 +91,18 @@ static ovr_status add_key(working *w, const ovr_case_entry *e)
 
 static ovr_status take_asked(working *w, ovr_line asked)
 {
-    for (size_t k = 0; k < ovr_case_entries(w->base); k++) {
-        ovr_case_entry e = ovr_case_entry_at(w->base, k);
-        ovr_parameter_info row = ovr_parameter_at(e.parameter);
-        if (!ovr_entry_is(&e, asked.text, asked.size))
-            continue;
-        if (!e.text || strcmp(row.type, "number") != 0 || !isfinite(e.number))
-            return ovr_fail_about(w->err, "sensitivity",
-                                  "%.*s: is not given as a number in this case",
-                                  (int)asked.size, asked.text);
-        return add_key(w, &e);
-    }
-    return ovr_fail_about(w->err, "sensitivity",
-                          "%.*s: is no key of this case; keys are section.key, "
-                          "such as contact.load",
-                          (int)asked.size, asked.text);
+    ovr_case_entry e;
+    if (!ovr_case_entry_of(w->base, asked.text, asked.size, &e))
+        return ovr_fail_about(w->err, "sensitivity",
+                              "%.*s: is no key of this case; keys are "
+                              "section.key, such as contact.load",
+                              (int)asked.size, asked.text);
+    if (!e.text || strcmp(ovr_parameter_at(e.parameter).type, "number") != 0 ||
+        !isfinite(e.number))
+        return ovr_fail_about(w->err, "sensitivity",
+                              "%.*s: is not given as a number in this case",
+                              (int)asked.size, asked.text);
+    return add_key(w, &e);
 }
 
 static ovr_status take_keys(working *w)
@@ -236,15 +234,15 @@ static double number_of(const ovr_trial *t, const char *quantity)
 }
 
 /* Takes the larger (0) or the smaller step (1). */
-static double slope(const working *w, const ovr_trials *t, size_t key,
-                    int coarser, int smaller, const char *quantity)
+static double slope(const working *w, size_t key, int coarser, int smaller,
+                    const char *quantity)
 {
     const moved *m = &w->key[key];
     double q[2], x[2];
     for (int side = 0; side < 2; side++) {
         int s = 2 * smaller + side;
-        q[side] = number_of(ovr_trials_at(t, place_of(w, key, coarser, s)),
-                            quantity);
+        size_t place = place_of(w, key, coarser, s);
+        q[side] = number_of(ovr_trials_at(w->trials, place), quantity);
         x[side] = value_at(m, s);
     }
     if (m->absolute)
@@ -252,33 +250,32 @@ static double slope(const working *w, const ovr_trials *t, size_t key,
     return log(q[0] / q[1]) / log(x[0] / x[1]);
 }
 
-static const char *failure(const working *w, const ovr_trials *t, size_t key)
+static const char *failure(const working *w, size_t key)
 {
     for (int s = 0; s < STEPS; s++) {
-        const ovr_trial *one = ovr_trials_at(t, place_of(w, key, 0, s));
+        const ovr_trial *one = ovr_trials_at(w->trials, place_of(w, key, 0, s));
         if (one->failed)
             return ovr_arena_text(&w->to->arena, one->message, NULL);
     }
     return "not known in this case";
 }
 
-static void fill_row(working *w, const ovr_trials *t, size_t key,
-                     const char *quantity)
+static void fill_row(working *w, size_t key, const char *quantity)
 {
     const moved *m = &w->key[key];
     ovr_sensitivity_row *r = &w->to->row[w->to->rows++];
-    double coarse = slope(w, t, key, 0, 0, quantity);
+    double coarse = slope(w, key, 0, 0, quantity);
     *r = (ovr_sensitivity_row){.key = m->where,
                                .quantity = quantity,
                                .unit = m->absolute ? m->suffix + !!*m->suffix
                                                    : NULL,
                                .step = m->step};
-    r->slope = slope(w, t, key, 0, 1, quantity);
+    r->slope = slope(w, key, 0, 1, quantity);
     r->doubt = fabs(r->slope - coarse);
-    r->coarser = w->how.estimate ? slope(w, t, key, 1, 1, quantity) : NAN;
+    r->coarser = w->how.estimate ? slope(w, key, 1, 1, quantity) : NAN;
     double scale = m->absolute ? 0 : 0.02;
     if (isnan(r->doubt))
-        r->why_none = failure(w, t, key);
+        r->why_none = failure(w, key);
     else if (r->doubt > scale + 0.1 * fabs(r->slope) && fabs(r->slope) > 0)
         r->why_none = "two steps disagree: it is of the mesh, refine";
     else if (isfinite(r->coarser) && fabs(r->slope) > scale &&
@@ -318,7 +315,7 @@ static ovr_status work(working *w)
     const char *quantity[QUANTITIES];
     size_t quantities;
     bool transient = false;
-    ovr_trials *t = run_alike(w);
+    ovr_trials *t = w->trials = run_alike(w);
     if (!t)
         return OVR_BAD_INPUT;
     for (size_t k = 0; k < ovr_trials_count(t); k++)
@@ -329,11 +326,11 @@ static ovr_status work(working *w)
                                 sizeof *w->to->row, w->err);
     for (size_t k = 0; w->to->row && k < w->keys; k++)
         for (size_t q = 0; q < quantities; q++)
-            fill_row(w, t, k, quantity[q]);
+            fill_row(w, k, quantity[q]);
     ovr_status status = w->to->row ? OVR_OK : OVR_NO_MEMORY;
     if (!status && !quantities)
         status = ovr_fail(w->err, OVR_NOT_CONVERGED, "all runs failed: %.600s",
-                          failure(w, t, 0));
+                          failure(w, 0));
     ovr_trials_free(t);
     return status;
 }
@@ -341,13 +338,12 @@ static ovr_status work(working *w)
 /* A level that can be one coarser. */
 static ovr_status take_level(working *w)
 {
-    double level = NAN;
-    for (size_t k = 0; k < ovr_case_entries(w->base); k++) {
-        ovr_case_entry e = ovr_case_entry_at(w->base, k);
-        if (!strcmp(e.section, "domain") && !strcmp(e.key, "level") &&
-            e.applies)
-            level = e.number;
-    }
+    ovr_case_entry e;
+    double level = ovr_case_entry_of(w->base, "domain.level",
+                                     strlen("domain.level"), &e) &&
+                           e.applies
+                       ? e.number
+                       : NAN;
     w->level = level > 2 ? (int)level : 0;
     if (w->how.estimate && !w->level)
         return ovr_fail_about(w->err, "level",

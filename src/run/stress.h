@@ -18,7 +18,8 @@ typedef struct ovr_stress_plan {
     ovr_stress_options options;
     ovr_material_range range;
     const char *feature; /* xi counts from its centre; NULL: there is none */
-    double coarsest;     /* way between two moments, as far as it is known */
+    double every;        /* steps from one moment to the next */
+    double coarsest;     /* way between the two, as far as it is known */
     double traction;     /* Q over the film's shear stress at this surface */
     const char *no_traction; /* why it is left out; NULL: it is not */
 } ovr_stress_plan;

@@ -72,12 +72,11 @@ static double round_down(double value)
 /* Moments so far apart miss depths that are asked for; said of the step of a
  * run, and of `every` where stored moments are taken. */
 static ovr_status refuse(const ovr_setup *setup, const char *key, double depth,
-                         const ovr_stress_plan *plan, double every,
-                         ovr_error *err)
+                         const ovr_stress_plan *plan, ovr_error *err)
 {
     double dT = ovr_setup_step(setup);
     double way = plan->coarsest, share = depth / WAY_OF_DEPTH / way;
-    double target = floor(share * every + 1e-9);
+    double target = floor(share * plan->every + 1e-9);
     if (target >= 1)
         return ovr_fail_about(err, key,
                               "%s = %g: the moments are %g b of way apart, "
@@ -90,7 +89,7 @@ static ovr_status refuse(const ovr_setup *setup, const char *key, double depth,
                           "step of %.3g would do",
                           dT, way, WAY_OF_DEPTH * way,
                           *key == 'l' ? "fatigue" : "stress", key, depth,
-                          round_down(share * dT * every));
+                          round_down(share * dT * plan->every));
 }
 
 /* Exponents and limits are those of the body, below its layers. */
@@ -102,23 +101,22 @@ static double below_layers(const ovr_stress_plan *plan)
                   : 0;
 }
 
-static ovr_status find_depths(const ovr_setup *setup, double every,
-                              ovr_stress_plan *plan, ovr_error *err)
+static ovr_status find_depths(const ovr_setup *setup, ovr_stress_plan *plan,
+                              ovr_error *err)
 {
     const ovr_stress_setup *s = ovr_setup_stress(setup);
     double D = plan->options.mesh, possible = WAY_OF_DEPTH * plan->coarsest;
     double allowed = possible * (1 - 1e-6);
     plan->options.depth_min = s->depth_min;
     if (s->depth_max < allowed)
-        return refuse(setup, "depth_max", s->depth_max, plan, every, err);
+        return refuse(setup, "depth_max", s->depth_max, plan, err);
     if (s->depth_min > 0 && s->depth_min < allowed)
-        return refuse(setup, "depth_min", s->depth_min, plan, every, err);
+        return refuse(setup, "depth_min", s->depth_min, plan, err);
     if (!(s->depth_min > 0))
         plan->options.depth_min = fmax(MESHES_OF_DEPTH * D, possible);
     plan->range.least_depth = s->life.least_depth;
     if (s->life.least_depth > 0 && s->life.least_depth < allowed)
-        return refuse(setup, "least_depth", s->life.least_depth, plan, every,
-                      err);
+        return refuse(setup, "least_depth", s->life.least_depth, plan, err);
     if (!(s->life.least_depth > 0))
         plan->range.least_depth = fmax(fmax(MESHES_OF_LIFE * D, possible),
                                        plan->options.depth_min);
@@ -150,6 +148,7 @@ static ovr_status make_plan(const ovr_setup *setup, int surface,
     plan->range = ovr_material_range_default();
     plan->options.mesh = seen.mesh;
     plan->options.inlet = seen.inlet;
+    plan->every = seen.every;
     plan->options.nodes = seen.nodes;
     plan->options.depth_max = s->depth_max;
     plan->options.per_octave = s->per_octave;
@@ -164,14 +163,14 @@ static ovr_status make_plan(const ovr_setup *setup, int surface,
     plan->range.residual_z = s->residual_z;
     plan->range.residual_s = s->residual_s;
     plan->range.yield = s->yield[surface - 1];
-    if (dang_van && (double)setup->output->every > seen.every)
-        seen.every = (double)setup->output->every; /* paths are stored ones */
+    if (dang_van && (double)setup->output->every > plan->every)
+        plan->every = (double)setup->output->every; /* paths are stored ones */
     plan->coarsest = setup->transient
-                         ? ovr_stress_fastest(setup) * dT * seen.every
+                         ? ovr_stress_fastest(setup) * dT * plan->every
                          : 0;
     plan->direction = ovr_stress_direction(setup, plan);
     find_material(setup, plan);
-    return find_depths(setup, seen.every, plan, err);
+    return find_depths(setup, plan, err);
 }
 
 ovr_stress_sight ovr_stress_sight_of(const ovr_setup *setup)

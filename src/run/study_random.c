@@ -112,20 +112,14 @@ typedef struct amount {
 static bool read_amount(const char *from, const char *end, amount *a)
 {
     char text[120];
-    const char *at = text;
-    size_t size = (size_t)(end - from);
-    if (size >= sizeof text)
+    ovr_line line = ovr_trim((ovr_line){from, (size_t)(end - from), 0});
+    if (end - from >= (ptrdiff_t)sizeof text)
         return false;
-    memcpy(text, from, size);
-    text[size] = '\0';
-    at += strspn(at, " \t");
-    if (!ovr_read_number(&at, &a->value))
-        return false;
-    at += strspn(at, " \t");
-    snprintf(a->unit, sizeof a->unit, "%s", at);
-    for (size_t n = strlen(a->unit); n && strchr(" \t", a->unit[n - 1]);)
-        a->unit[--n] = '\0';
-    return true;
+    snprintf(text, sizeof text, "%.*s", (int)line.size, line.text);
+    const char *unit = ovr_amount_read(text, &a->value);
+    if (unit)
+        snprintf(a->unit, sizeof a->unit, "%s", unit);
+    return unit != NULL;
 }
 
 /* Converts to the unit of another; false: they measure different things. */
@@ -163,8 +157,9 @@ static bool read_moments(const char *from, const char *end, ovr_distribution *d,
 /* "7.9 mm to 8.1 mm", or three with commas: the last unit is that of all that
  * have none. */
 static bool read_several(const char *from, const char *end, const char *mark,
-                         int count, double *to, char *unit)
+                         double *to, char *unit)
 {
+    const int count = *mark == ',' ? 3 : 2;
     amount a[3] = {{0}};
     for (int k = 0; k < count; k++) {
         const char *next = k + 1 < count ? strstr(from, mark) : end;
@@ -207,8 +202,7 @@ static bool read_distribution(const char *text, ovr_distribution *d, char *unit)
             return false;
     } else {
         bool three = d->law == OVR_TRIANGULAR;
-        if (!read_several(at, end, three ? "," : " to ", three ? 3 : 2, ends,
-                          unit))
+        if (!read_several(at, end, three ? "," : " to ", ends, unit))
             return false;
         d->a = ends[0];
         d->b = ends[1];
@@ -217,7 +211,7 @@ static bool read_distribution(const char *text, ovr_distribution *d, char *unit)
     if (!within)
         return true;
     within += 8;
-    if (!read_several(within, within + strlen(within), " to ", 2, ends, other))
+    if (!read_several(within, within + strlen(within), " to ", ends, other))
         return false;
     for (int k = 0; k < 2; k++) {
         amount a = {ends[k], ""};
@@ -245,8 +239,9 @@ static bool read_range(const char *text, double *from, double *count)
 
 /* ------------------------------------------------------------------- files */
 
-/* A column of a table with commas, or all lines of a list (column -1). */
+/* A column of a table with commas, or all lines of a list (name NULL). */
 typedef struct rows {
+    const char *path, *name;
     char **cell;
     size_t count;
 } rows;
@@ -300,10 +295,10 @@ static const char *line_end(const char *at)
     return at + strcspn(at, "\n");
 }
 
-static ovr_status read_rows(ovr_study *s, const ovr_study_chance *c,
-                            const char *path, const char *name, rows *to,
+static ovr_status read_rows(ovr_study *s, const ovr_study_chance *c, rows *to,
                             ovr_error *err)
 {
+    const char *path = to->path, *name = to->name;
     const char *text, *at, *end;
     char cell[CELL], whole[CELL + 48], unit[40] = "";
     int column = -1;
@@ -405,19 +400,18 @@ static ovr_status put_text(ovr_study *s, ovr_study_key *k, size_t i,
 static ovr_status draw_cells(ovr_study *s, const ovr_study_chance *c,
                              ovr_study_key *k, const double *u, ovr_error *err)
 {
-    const char *path = c->file, *name = NULL;
-    rows r = {NULL, 0};
+    rows r = {c->file, NULL, NULL, 0};
     if (c->file) {
         if (strncmp(c->text, "column ", 7) != 0)
             return fail(s, c->line,
                         "'%.60s' must be column NAME: keys of [random file "
                         "FILE] name its columns",
                         c->text, err);
-        name = c->text + 7 + strspn(c->text + 7, " ");
+        r.name = c->text + 7 + strspn(c->text + 7, " ");
     } else {
-        path = ovr_study_path(s, c->text + 5 + strspn(c->text + 5, " "), err);
+        r.path = ovr_study_path(s, c->text + 5 + strspn(c->text + 5, " "), err);
     }
-    if (!path || read_rows(s, c, path, name, &r, err))
+    if (!r.path || read_rows(s, c, &r, err))
         return OVR_BAD_INPUT;
     for (size_t i = 0; i < k->count; i++)
         k->value[i] = r.cell[(size_t)(u[i] * (double)r.count)];

@@ -60,16 +60,13 @@ typedef struct range {
     bool log;
 } range;
 
-/* "0.1 um": the number, and the unit as it stands. */
+/* The unit behind a number with a blank before it, or "". */
 static bool read_end(const char *text, double *number, char *unit,
                      size_t capacity)
 {
-    text += strspn(text, " \t");
-    if (!ovr_read_number(&text, number))
-        return false;
-    text += strspn(text, " \t");
-    return snprintf(unit, capacity, "%s%s", *text ? " " : "", text) <
-           (int)capacity;
+    const char *behind = ovr_amount_read(text, number);
+    return behind && snprintf(unit, capacity, "%s%s", *behind ? " " : "",
+                              behind) < (int)capacity;
 }
 
 static void copy_trimmed(char *to, const char *from, const char *end)

@@ -52,8 +52,7 @@ static void say_observed(const ovr_told *to, const ovr_observable *row,
                                                             row->place)
                           : NAN;
     ovr_words more = ovr_words_of(row, s);
-    ovr_words behind = ovr_words_behind(value, row->kind, X, NAN, row->note,
-                                        contact);
+    ovr_words behind = ovr_words_behind(value, row, X, NAN, contact);
     if (!isnan(value))
         ovr_tell_number(to, row->label, row->digits, value, "%s%s", more.text,
                         behind.text);
@@ -142,7 +141,7 @@ static void say_kept(const ovr_told *to, const ovr_extreme *e,
         at.part = OVR_KEPT_PLACE;
         X = ovr_extreme_value(&at, total);
     }
-    behind = ovr_words_behind(value, e->kind, X, T, row->note, contact);
+    behind = ovr_words_behind(value, row, X, T, contact);
     ovr_tell_number(to, label, row->digits, value, "%s", behind.text);
 }
 

@@ -12,6 +12,7 @@
 #include "case/case.h"
 #include "results/results.h"
 #include "run/run.h"
+#include "run/trials.h"
 
 enum { PATH_CAPACITY = 4400 };
 
@@ -140,19 +141,17 @@ static void drop_columns(ovr_sweep_table *t)
 
 static void take_value(ovr_sweep_values *v, const ovr_case *c, size_t task)
 {
-    for (size_t k = 0; k < ovr_case_entries(c); k++) {
-        ovr_case_entry e = ovr_case_entry_at(c, k);
-        ovr_parameter_info info;
-        if (!ovr_entry_is(&e, v->key->where, strlen(v->key->where)))
-            continue;
-        info = ovr_parameter_at(e.parameter);
-        v->number[task] = e.number;
-        v->numeric = v->numeric && isfinite(info.minimum) && isfinite(e.number);
-        if (e.unit)
-            v->unit = e.unit;
+    ovr_case_entry e;
+    if (!ovr_case_entry_of(c, v->key->where, strlen(v->key->where), &e)) {
+        v->numeric = false;
         return;
     }
-    v->numeric = false;
+    v->number[task] = e.number;
+    v->numeric = v->numeric &&
+                 isfinite(ovr_parameter_at(e.parameter).minimum) &&
+                 isfinite(e.number);
+    if (e.unit)
+        v->unit = e.unit;
 }
 
 static ovr_status take_values(ovr_sweep_table *t, ovr_error *err)

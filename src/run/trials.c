@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "base/given.h"
+#include "case/case.h"
 #include "run/pool.h"
 #include "run/run.h"
 
@@ -130,6 +131,17 @@ void ovr_trials_free(ovr_trials *trials)
     munmap(trials->trial, trials->bytes);
     arena = trials->arena;
     ovr_arena_release(&arena);
+}
+
+bool ovr_case_entry_of(const ovr_case *c, const char *where, size_t length,
+                       ovr_case_entry *e)
+{
+    for (size_t k = 0; k < ovr_case_entries(c); k++) {
+        *e = ovr_case_entry_at(c, k);
+        if (ovr_entry_is(e, where, length))
+            return true;
+    }
+    return false;
 }
 
 ovr_case *ovr_case_apart(ovr_case *c, ovr_error *err)

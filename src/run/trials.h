@@ -44,6 +44,11 @@ const ovr_trial *ovr_trials_at(const ovr_trials *trials, size_t k);
  * from one that is not known. */
 double ovr_trial_number(const ovr_trial *trial, const char *key, bool *known);
 
+/* The entry of a key, "contact.load" or "feature.dent.depth"; false: there is
+ * none. */
+bool ovr_case_entry_of(const ovr_case *c, const char *where, size_t length,
+                       ovr_case_entry *e);
+
 /* A case of its own that says the same, without a place for its results. */
 ovr_case *ovr_case_apart(ovr_case *c, ovr_error *err);
 

@@ -19,16 +19,29 @@ static double *places(ovr_run *run, const ovr_rough_pair *pair, ovr_error *err)
     return x;
 }
 
+enum { PROFILES = 4 };
+static const char *const names[PROFILES] = {
+    "profile_1_before", "profile_1_after", "profile_2_before",
+    "profile_2_after"};
+static const char *const meanings[PROFILES] = {
+    "surface 1 before it wore", "surface 1 as it is worn",
+    "surface 2 before it wore", "surface 2 as it is worn"};
+
+/* The heights of profile k; NULL: that surface is smooth. */
+static const double *heights_of(const ovr_wear *wear, int k)
+{
+    return k % 2 ? wear->now.z[k / 2] : wear->given->pair.z[k / 2];
+}
+
 /* Saves in metres, beside OUT.h5 as OUT-profile-1-before.csv. */
 static ovr_status save(const ovr_run *run, const ovr_wear *wear,
-                       const double *x, int k, bool after, ovr_error *err)
+                       const double *x, int k, ovr_error *err)
 {
     const ovr_contact *c = run->setup->contact;
     const char *output = run->info.output, *dot = strrchr(output, '.');
-    const double *z = after ? wear->now.z[k] : wear->given->pair.z[k];
     char path[4500];
-    ovr_profile *p = ovr_profile_create(wear->pair.n, x, z, false,
-                                        &run->arena.allocator, err);
+    ovr_profile *p = ovr_profile_create(wear->pair.n, x, heights_of(wear, k),
+                                        false, &run->arena.allocator, err);
     if (!p)
         return OVR_NO_MEMORY;
     for (size_t i = 0; i < wear->pair.n; i++) {
@@ -38,19 +51,11 @@ static ovr_status save(const ovr_run *run, const ovr_wear *wear,
     if (!dot || strchr(dot, '/'))
         dot = output + strlen(output);
     snprintf(path, sizeof path, "%.*s-profile-%d-%s.csv", (int)(dot - output),
-             output, k + 1, after ? "after" : "before");
+             output, k / 2 + 1, k % 2 ? "after" : "before");
     ovr_status status = ovr_profile_save(p, path, err);
     ovr_profile_free(p);
     return status;
 }
-
-enum { PROFILES = 4 };
-static const char *const names[PROFILES] = {
-    "profile_1_before", "profile_1_after", "profile_2_before",
-    "profile_2_after"};
-static const char *const meanings[PROFILES] = {
-    "surface 1 before it wore", "surface 1 as it is worn",
-    "surface 2 before it wore", "surface 2 as it is worn"};
 
 static ovr_status put_group(ovr_writer *writer, const ovr_wear *wear,
                             const double *x, ovr_error *err)
@@ -60,8 +65,7 @@ static ovr_status put_group(ovr_writer *writer, const ovr_wear *wear,
                                   OVR_KIND_LENGTH, wear->pair.n, x};
     size_t count = 0;
     for (int k = 0; k < PROFILES; k++) {
-        const double *z = k % 2 ? wear->now.z[k / 2]
-                                : wear->given->pair.z[k / 2];
+        const double *z = heights_of(wear, k);
         if (z)
             array[count++] = (ovr_group_array){.name = names[k],
                                                .long_name = meanings[k],
@@ -84,10 +88,9 @@ static ovr_status finish(void *own, ovr_run *run, ovr_error *err)
     ovr_status status = x ? OVR_OK : OVR_NO_MEMORY;
     if (!status && run->writer)
         status = put_group(run->writer, wear, x, err);
-    for (int k = 0; k < 2; k++)
-        for (int after = 0; !status && after < 2; after++)
-            if (wear->now.z[k])
-                status = save(run, wear, x, k, after, err);
+    for (int k = 0; !status && k < PROFILES; k++)
+        if (wear->now.z[k / 2])
+            status = save(run, wear, x, k, err);
     return status;
 }
 
