@@ -9,7 +9,7 @@
 
 /* ------------------------------------------------------------------- text */
 
-/* What stands behind a number of a profile. */
+/* A number of a profile may have more behind its meaning. */
 typedef enum behind { NOTHING, SECTIONS, SLOPE, PEAKS, VALLEYS } behind;
 
 /* The numbers of both kinds: 'P' and 'R' go before the name.  A meaning is for

@@ -16,7 +16,7 @@ typedef struct ovr_companion {
     void (*foresee)(const ovr_setup *setup, ovr_listener *say, void *data);
     void (*review)(ovr_run *run);
 
-    /* What it keeps for itself, of a run whose nodes are known. */
+    /* Makes what it keeps for itself, for a run whose nodes are known. */
     ovr_status (*make)(const ovr_run *run, void **own, ovr_error *err);
     void (*release)(void *own);
 

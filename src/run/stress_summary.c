@@ -12,7 +12,7 @@
 #include "run/stress.h"
 #include "stress/stress.h"
 
-/* What a number is, and so what stands beside it in a summary. */
+/* The form of a number says what stands beside it in a summary. */
 typedef enum form {
     NUMBER,
     SHARE,    /* of a limit, the larger of both surfaces; NAN: it has none */

@@ -1,0 +1,354 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Takes what a search is asked: a key, its ends, a condition on a number of the
+ * run, and the folder that holds the results of this question alone. */
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/entries.h"
+#include "base/error.h"
+#include "base/given.h"
+#include "case/parameters.h"
+#include "overroll/text.h"
+#include "run/find.h"
+
+enum { NAMES = 400, QUESTION_MAX = 1 << 20 };
+
+/* --------------------------------------------------------- key and condition
+ */
+
+static bool row_of(const char *where, ovr_parameter_info *info)
+{
+    const char *dot = strrchr(where, '.');
+    size_t section = strcspn(where, ". ");
+    for (size_t k = 0; dot && k < ovr_parameter_count(); k++) {
+        *info = ovr_parameter_at(k);
+        if (strlen(info->section) == section &&
+            !strncmp(info->section, where, section) &&
+            ovr_parameter_is(ovr_parameter_row(k, NULL), dot + 1))
+            return true;
+    }
+    return false;
+}
+
+/* The key must be one number, and take both ends. */
+static ovr_status take_ends(ovr_find *f, ovr_error *err)
+{
+    const char *unit[2];
+    double end[2];
+    ovr_parameter_info row = {.bare = ""};
+    bool known = row_of(f->info.key, &row);
+    if (known && !strcmp(row.type, "whole number"))
+        return ovr_fail_about(err, "key",
+                              "%s: whole numbers are tried one by one: use a "
+                              "study",
+                              f->info.key);
+    if (known && strcmp(row.type, "number") != 0)
+        return ovr_fail_about(err, "key", "%s is a %s, not a number",
+                              f->info.key, row.type);
+    for (int k = 0; k < 2; k++) {
+        const char *text = k ? f->how.high : f->how.low;
+        unit[k] = ovr_amount_read(text, &end[k]);
+        if (!unit[k] || !isfinite(end[k]))
+            return ovr_fail_about(err, "between",
+                                  "%s between '%.60s': a number is needed",
+                                  f->info.key, text);
+    }
+    if (*unit[0] && strcmp(unit[0], unit[1]) != 0)
+        return ovr_fail_about(err, "between",
+                              "%s between %s and %s: one unit is needed",
+                              f->info.key, f->how.low, f->how.high);
+    if (!(fabs(end[0] - end[1]) > 0))
+        return ovr_fail_about(err, "between",
+                              "%s between %s and %s: two numbers are needed",
+                              f->info.key, f->how.low, f->how.high);
+    f->from = fmin(end[0], end[1]);
+    f->to = fmax(end[0], end[1]);
+    f->info.unit = *unit[1] || !known ? unit[1] : row.bare;
+    char *suffix = ovr_arena_take(&f->arena, strlen(unit[1]) + 2, 1, err);
+    if (!suffix)
+        return OVR_NO_MEMORY;
+    if (*unit[1])
+        sprintf(suffix, " %s", unit[1]);
+    f->suffix = suffix;
+    return OVR_OK;
+}
+
+ovr_status ovr_find_set(const ovr_find *f, ovr_case *c, double x,
+                        ovr_error *err)
+{
+    char text[120];
+    snprintf(text, sizeof text, "%.17g%.60s", x, f->suffix);
+    return ovr_case_set(c, f->info.key, text, "between", err);
+}
+
+static ovr_status try_ends(ovr_find *f, ovr_error *err)
+{
+    const double ends[] = {f->from, f->to};
+    ovr_case *c = ovr_case_apart(f->base, err);
+    ovr_status status = c ? OVR_OK : OVR_BAD_INPUT;
+    ovr_case_entry e;
+    for (int k = 0; k < 2 && !status; k++)
+        status = ovr_find_set(f, c, ends[k], err);
+    if (!status && !f->info.exact &&
+        ovr_case_entry_of(c, "domain.level", strlen("domain.level"), &e) &&
+        e.applies && e.text && !strcmp(e.text, "auto"))
+        status = ovr_fail_about(err, "level",
+                                "level = auto may differ from run to run: "
+                                "give a level");
+    ovr_case_free(c);
+    return status;
+}
+
+static ovr_status take_condition(ovr_find *f, ovr_error *err)
+{
+    const char *which = f->how.which;
+    ovr_comparison said;
+    if (ovr_comparison_read(f->how.condition, &said, &f->arena, err))
+        return OVR_BAD_INPUT;
+    f->info.quantity = said.quantity;
+    f->info.sense = said.sense;
+    f->info.target = said.target;
+    if (which && strcmp(which, "largest") != 0 &&
+        strcmp(which, "smallest") != 0)
+        return ovr_fail_about(err, "which",
+                              "'%.40s' must be largest or smallest", which);
+    if (which && !said.sense)
+        return ovr_fail_about(err, "which",
+                              "the %s %s so that %s is a value: say at most or "
+                              "at least",
+                              which, f->info.key, said.quantity);
+    if (!which && said.sense)
+        return ovr_fail_about(err, "which",
+                              "%s so that %s is at most or at least a value: "
+                              "say largest or smallest",
+                              f->info.key, said.quantity);
+    return OVR_OK;
+}
+
+/* --------------------------------------------------------------- quantities */
+
+typedef struct names {
+    const char *name[NAMES];
+    size_t count;
+} names;
+
+static void add_name(names *n, const char *name)
+{
+    if (name && n->count < NAMES)
+        n->name[n->count++] = name;
+}
+
+static void add_line(void *data, const ovr_summary_line *line)
+{
+    add_name(data, line->key);
+}
+
+static bool is_there(const names *n, const char *name)
+{
+    for (size_t k = 0; k < n->count; k++)
+        if (!strcmp(n->name[k], name))
+            return true;
+    return false;
+}
+
+static ovr_status no_quantity(const char *quantity, const names *n,
+                              ovr_error *err)
+{
+    const char *meant = ovr_suggest(quantity, n->name, n->count);
+    if (!meant)
+        return ovr_fail_about(err, "condition", "%s: is no number of this run",
+                              quantity);
+    ovr_fail_about(err, "condition",
+                   "%s: is no number of this run; did you mean %s?", quantity,
+                   meant);
+    return OVR_BAD_INPUT;
+}
+
+/* Looks a quantity up among those of formulas, or one that runs are known to
+ * have; a name near to one of them is a slip, anything else the first run
+ * tells. */
+static ovr_status look_up(ovr_find *f, ovr_error *err)
+{
+    names scales = {.count = 0}, all;
+    const ovr_observable *o;
+    ovr_extreme e;
+    ovr_setup *setup = ovr_case_resolve(f->base, NULL, NULL);
+    if (setup)
+        ovr_setup_scales(setup, add_line, &scales);
+    all = scales;
+    for (size_t k = 0; (o = ovr_observable_at(k)); k++)
+        add_name(&all, o->key), add_name(&all, o->key_si);
+    for (size_t k = 0; ovr_extreme_at(k, &e); k++) {
+        add_name(&all, ovr_arena_text(&f->arena, e.key, NULL));
+        add_name(&all, ovr_arena_text(&f->arena, e.key_si, NULL));
+    }
+    f->info.exact = is_there(&scales, f->info.quantity);
+    ovr_setup_free(setup);
+    if (!is_there(&all, f->info.quantity) &&
+        ovr_suggest(f->info.quantity, all.name, all.count) &&
+        !strchr(f->info.quantity, '_'))
+        return no_quantity(f->info.quantity, &all, err);
+    return OVR_OK;
+}
+
+ovr_status ovr_find_check(ovr_find *f, const ovr_trial *t, ovr_error *err)
+{
+    names n = {.count = 0};
+    bool known;
+    double value = ovr_trial_number(t, f->info.quantity, &known);
+    f->checked = true;
+    if (known && isfinite(value))
+        return OVR_OK;
+    if (known)
+        return ovr_fail_about(err, "condition",
+                              "%s is not known in this case (null)",
+                              f->info.quantity);
+    for (size_t k = 0; k < t->lines; k++)
+        add_name(&n, t->key[k]);
+    return no_quantity(f->info.quantity, &n, err);
+}
+
+/* ------------------------------------------------------------------ making */
+
+static ovr_status take_options(ovr_find *f, const ovr_find_options *options,
+                               ovr_error *err)
+{
+    ovr_find_options *o = &f->how;
+    const char **const texts[] = {&o->key,       &o->low,   &o->high,
+                                  &o->condition, &o->which, &o->table,
+                                  &o->results};
+    if (OVR_TAKE(ovr_find_options, o, options, err))
+        return OVR_BAD_INPUT;
+    if (!o->key || !o->low || !o->high || !o->condition)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "find needs a key, both ends and a condition");
+    if (o->tolerance != 0 && !(o->tolerance >= 1e-9 && o->tolerance <= 0.5))
+        return ovr_fail_about(err, "tolerance",
+                              "tolerance: must be 1e-9 to 0.5");
+    for (size_t k = 0; k < sizeof texts / sizeof *texts; k++)
+        if (*texts[k] &&
+            !(*texts[k] = ovr_arena_text(&f->arena, *texts[k], err)))
+            return OVR_NO_MEMORY;
+    return OVR_OK;
+}
+
+/* The case and what is asked, as it lies beside the results. */
+static char *question_of(ovr_find *f, ovr_error *err)
+{
+    const ovr_find_options *o = &f->how;
+    const char *text = ovr_case_text(f->base, err);
+    size_t capacity = (text ? strlen(text) : 0) + 2000;
+    char *all = text ? ovr_arena_take(&f->arena, capacity, 1, err) : NULL;
+    if (all)
+        snprintf(all, capacity,
+                 "%s# find %.20s %.300s between %.100s and %.100s so that "
+                 "%.400s%s\n",
+                 text, o->which ? o->which : "", o->key, o->low, o->high,
+                 o->condition, o->steady ? ", steady" : "");
+    return all;
+}
+
+/* The folder of results, which holds those of one question only. */
+static ovr_status open_results(ovr_find *f, ovr_error *err)
+{
+    const char *folder = f->how.results;
+    size_t capacity = strlen(folder) + 40;
+    char *path = ovr_arena_take(&f->arena, capacity, 1, err);
+    char *table = ovr_arena_take(&f->arena, capacity, 1, err);
+    char *asked = path && table ? question_of(f, err) : NULL;
+    const char *found = NULL;
+    if (!asked)
+        return OVR_NO_MEMORY;
+    snprintf(path, capacity, "%s/question.ini", folder);
+    snprintf(table, capacity, "%s/find.csv", folder);
+    if (mkdir(folder, 0777) != 0 && errno != EEXIST)
+        return ovr_fail_about(err, "results", "%s: cannot be made: %s", folder,
+                              strerror(errno));
+    if (access(path, F_OK) == 0) {
+        found = ovr_text_file(path, "question", QUESTION_MAX, &f->arena, err);
+        if (!found)
+            return OVR_BAD_INPUT;
+        if (strcmp(found, asked) != 0)
+            return ovr_fail_about(err, "results",
+                                  "%s: holds the results of another question "
+                                  "or case (question.ini): give another folder",
+                                  folder);
+    } else {
+        FILE *to = fopen(path, "w");
+        bool good = to && fputs(asked, to) >= 0;
+        if (to && fclose(to) != 0)
+            good = false;
+        if (!good)
+            return ovr_fail_about(err, "results", "%s: cannot be written: %s",
+                                  path, strerror(errno));
+    }
+    if (!f->how.table) {
+        f->how.table = table;
+        f->how.go_on = true;
+    }
+    return OVR_OK;
+}
+
+static ovr_status prepare(ovr_find *f, ovr_case *c,
+                          const ovr_find_options *options, ovr_error *err)
+{
+    ovr_find_info *i = &f->info;
+    ovr_status status = take_options(f, options, err);
+    *i = (ovr_find_info){.message = f->message};
+    i->value = i->at_value = i->low = i->high = NAN;
+    i->slope = i->error = i->scatter = NAN;
+    i->key = f->how.key;
+    i->which = f->how.which;
+    if (status)
+        return status;
+    f->made = ovr_arena_take(&f->arena, OVR_FIND_MAX, sizeof *f->made, err);
+    f->base = f->made ? ovr_case_apart(c, err) : NULL;
+    if (!f->base)
+        return OVR_NO_MEMORY;
+    if (take_ends(f, err) || take_condition(f, err) || look_up(f, err) ||
+        try_ends(f, err))
+        return OVR_BAD_INPUT;
+    if (f->how.results && open_results(f, err))
+        return OVR_BAD_INPUT;
+    if (!f->how.table)
+        return OVR_OK;
+    f->table = (ovr_find_table){
+        .path = f->how.table, .made = f->made, .maximum = OVR_FIND_MAX};
+    status = ovr_find_table_open(&f->table, f->how.go_on, &f->arena, err);
+    i->evaluations = f->table.count;
+    for (size_t k = 0; k < i->evaluations; k++)
+        i->marked = i->marked || f->made[k].marked > 0;
+    return status;
+}
+
+ovr_find *ovr_find_create(ovr_case *c, const ovr_find_options *options,
+                          ovr_error *err)
+{
+    if (!c || !options)
+        return ovr_null(err, __func__);
+    ovr_arena arena = ovr_arena_make(NULL);
+    ovr_find *f = ovr_arena_take(&arena, 1, sizeof *f, err);
+    if (!f)
+        return NULL;
+    f->arena = arena;
+    f->table.file = NULL;
+    if (prepare(f, c, options, err)) {
+        ovr_find_free(f);
+        return NULL;
+    }
+    return f;
+}
+
+void ovr_find_free(ovr_find *find)
+{
+    if (!find)
+        return;
+    ovr_find_table_close(&find->table);
+    ovr_case_free(find->base);
+    ovr_arena arena = find->arena;
+    ovr_arena_release(&arena);
+}
