@@ -29,61 +29,7 @@
 
 enum { BODIES = 2, STATE = OVR_PLASTIC_STATE };
 
-/* Elastic stresses are looked at so far from the middle of the contact. */
-static const double reach = 2;
-
 /* ------------------------------------------------------------------ window */
-
-static const double margin = 1, min_window = 3, max_points = 65536;
-
-static ovr_status make_plan(const ovr_setup *setup, int k,
-                            ovr_plastic_plan *plan, ovr_error *err)
-{
-    const ovr_plastic_setup *how = ovr_setup_plastic(setup);
-    ovr_stress_plan *s = &plan->stress;
-    if (ovr_stress_planned(setup, k + 1, ovr_stress_sight_of(setup), s, err))
-        return OVR_BAD_INPUT;
-    double from = s->range.from + margin, to = s->range.to - margin;
-    if (!isnan(how->from)) {
-        from = how->from;
-        to = how->to;
-    }
-    double middle = (from + to) / 2, length = fmax(to - from, min_window);
-    double D = setup->mesh;
-    plan->points = 256;
-    while ((double)plan->points * D < length &&
-           (double)plan->points < max_points)
-        plan->points *= 2;
-    if ((double)plan->points * D < length)
-        return ovr_fail_about(err, "window",
-                              "a window of %.3g b has more than %.0f points on "
-                              "this mesh: give [plastic] window FROM, TO",
-                              length, max_points);
-    plan->mesh = D;
-    plan->layers = (size_t)fmax(1, fmin(how->layers, floor(how->depth / D)));
-    plan->first = (round(middle / D) - 0.5 * (double)plan->points) * D;
-    return OVR_OK;
-}
-
-static ovr_yielding_options options_of(const ovr_plastic_setup *how, int k,
-                                       const ovr_plastic_plan *plan,
-                                       const double *edge)
-{
-    return (ovr_yielding_options){.points = plan->points,
-                                  .mesh = plan->mesh,
-                                  .layers = plan->layers,
-                                  .edge = edge,
-                                  .poisson = plan->stress.range.poisson,
-                                  .hardening = how->body[k].hardening,
-                                  .iterations = how->iterations};
-}
-
-static void fill_edges(const ovr_plastic_setup *how,
-                       const ovr_plastic_plan *plan, double *edge)
-{
-    double first = fmin(plan->mesh, how->depth / (double)plan->layers);
-    ovr_yielding_layers(plan->layers, first, how->depth, edge);
-}
 
 /* Takes the features as they come to the contact, fully grown. */
 static void find_shape(const ovr_plastic *p, ovr_yielding_body *b, double *X)
@@ -109,7 +55,7 @@ static ovr_status make_body(ovr_plastic *p, int k, const ovr_simulation *sim,
     ovr_yielding_body *b = &p->body[k];
     const ovr_allocator *allocator = &sim->arena.allocator;
     ovr_plastic_plan plan;
-    if (make_plan(p->setup, k, &plan, err))
+    if (ovr_plastic_planned(p->setup, k, &plan, err))
         return OVR_BAD_INPUT;
     size_t n = plan.points, layers = plan.layers;
     b->plan = plan.stress;
@@ -130,12 +76,12 @@ static ovr_status make_body(ovr_plastic *p, int k, const ovr_simulation *sim,
     if (!b->edge || !b->z || !b->kept || !b->shown || !b->shape || !X ||
         (b->plan.options.traction && !b->Q))
         return OVR_NO_MEMORY;
-    fill_edges(p->how, &plan, b->edge);
+    ovr_plastic_edges(p->how, &plan, b->edge);
     for (size_t j = 0; j < layers; j++)
         b->z[j] = (b->edge[j] + b->edge[j + 1]) / 2;
     ovr_stress_options o = b->plan.options;
-    o.from = -reach;
-    o.to = reach;
+    o.from = -OVR_PLASTIC_REACH;
+    o.to = OVR_PLASTIC_REACH;
     o.depth_min = b->z[0];
     o.depth_max = b->z[layers - 1];
     o.layers = NULL;
@@ -143,7 +89,8 @@ static ovr_status make_body(ovr_plastic *p, int k, const ovr_simulation *sim,
     if (!b->field)
         return OVR_NO_MEMORY;
     find_shape(p, b, X);
-    const ovr_yielding_options y = options_of(p->how, k, &plan, b->edge);
+    const ovr_yielding_options y = ovr_plastic_options(p->how, k, &plan,
+                                                       b->edge);
     b->y = ovr_yielding_create(&y, allocator, err);
     return b->y ? OVR_OK : OVR_NO_MEMORY;
 }
@@ -246,7 +193,7 @@ static bool nodes_within(const ovr_yielding_body *b, const ovr_stress_row *row,
     long step = 1L << row->level, n = (long)b->points;
     long from = at.off > 0 ? (at.off + step - 1) / step : 0;
     long to = at.off + n - 1 < 0 ? -1 : (at.off + n - 1) / step;
-    long end = (long)floor((reach - row->start) / row->step);
+    long end = (long)floor((OVR_PLASTIC_REACH - row->start) / row->step);
     if (to > end)
         to = end;
     if (to > (long)row->count - 1)
@@ -320,7 +267,8 @@ static void flow(const ovr_plastic *p, int k, double T)
     place at = find_place(p, b, T);
     double X0 = b->field->start + ((double)at.off + at.shift) * b->mesh;
     bool any = false;
-    if (X0 > reach || X0 + (double)b->points * b->mesh < -reach)
+    if (X0 > OVR_PLASTIC_REACH ||
+        X0 + (double)b->points * b->mesh < -OVR_PLASTIC_REACH)
         return;
     ovr_stress_solve(b->field, p->P, b->Q, at.shift, OVR_STRESS_ALL_LEVELS);
     for (size_t j = 0; j < b->layers; j++) {
@@ -513,22 +461,22 @@ static ovr_status visit(ovr_simulation *sim, void *own, ovr_visit *look,
     ovr_plastic *p = own;
     ovr_status status = OVR_OK;
     (void)sim;
-    for (int k = 0; !status && k < BODIES; k++) {
+    EACH_BODY(p, k)
+    {
         ovr_yielding_body *b = &p->body[k];
-        if (!b->y)
-            continue;
-        status = look(context, k ? "plastic strain 2" : "plastic strain 1",
-                      b->kept, bytes_of(b), err);
-        if (!status)
-            status = look(context, k ? "plastic work 2" : "plastic work 1",
-                          &b->work, sizeof b->work, err);
-        if (!status)
-            status = look(context, k ? "plastic left 2" : "plastic left 1",
-                          &b->left, sizeof b->left, err);
-        if (!status && b->Q)
-            status = look(context,
-                          k ? "plastic traction 2" : "plastic traction 1", b->Q,
-                          b->plan.options.nodes * sizeof *b->Q, err);
+        const struct {
+            const char *what;
+            void *memory;
+            size_t bytes;
+        } parts[] = {{"strain", b->kept, bytes_of(b)},
+                     {"work", &b->work, sizeof b->work},
+                     {"left", &b->left, sizeof b->left},
+                     {"traction", b->Q, b->plan.options.nodes * sizeof *b->Q}};
+        for (int i = 0; !status && i < (b->Q ? 4 : 3); i++) {
+            char name[40];
+            snprintf(name, sizeof name, "plastic %s %d", parts[i].what, k + 1);
+            status = look(context, name, parts[i].memory, parts[i].bytes, err);
+        }
     }
     return status;
 }
@@ -572,103 +520,6 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
     return status;
 }
 
-static double memory_of(const ovr_setup *setup, int k)
-{
-    const ovr_plastic_setup *how = ovr_setup_plastic(setup);
-    ovr_arena arena = ovr_arena_make(NULL);
-    ovr_plastic_plan plan;
-    double bytes = 0;
-    double *edge = ovr_arena_take(&arena, (size_t)how->layers + 1, sizeof *edge,
-                                  NULL);
-    if (edge && !make_plan(setup, k, &plan, NULL)) {
-        fill_edges(how, &plan, edge);
-        const ovr_yielding_options o = options_of(how, k, &plan, edge);
-        bytes = ovr_yielding_memory(&o) +
-                8. * STATE * (double)(plan.points * plan.layers);
-    }
-    ovr_arena_release(&arena);
-    return bytes;
-}
-
-static double memory(const void *form)
-{
-    const ovr_plastic_setup *how = form;
-    double bytes = 0;
-    for (int k = 0; k < BODIES; k++)
-        if (how->surfaces >> k & 1)
-            bytes += memory_of(how->setup, k);
-    return bytes;
-}
-
-/* One iteration of flow and equilibrium, measured at 1024 points. */
-static double iteration_seconds(const ovr_plastic_plan *plan)
-{
-    return 2.5e-3 * (double)plan->points / 1024 *
-           pow((double)plan->layers / 24, 2);
-}
-
-/* Tables, stresses in the window while the contact is above it, and flow: of a
- * dent with shoulders in steel of .75 p_h some 6 of 100 of these steps flow,
- * four iterations each; in harder steel it is less. */
-static double seconds(const void *form)
-{
-    const double flowing = 0.06, fields = 2e-4, tables = 60;
-    const ovr_plastic_setup *how = form;
-    const ovr_setup *setup = how->setup;
-    double all = 0, dT = ovr_setup_step(setup);
-    ovr_plastic_plan plan;
-    for (int k = 0; k < BODIES; k++) {
-        if (!(how->surfaces >> k & 1) || make_plan(setup, k, &plan, NULL))
-            continue;
-        double way = (double)plan.points * plan.mesh + 2 * reach;
-        double steps = fmin(way, setup->march->end) / dT;
-        double once = iteration_seconds(&plan);
-        all += tables * once + steps * fields * (double)plan.layers / 24 +
-               steps * flowing * fmin(how->iterations, 4) * once;
-    }
-    return all;
-}
-
-static void tell_body(const ovr_setup *setup, int k, ovr_physics_line *line,
-                      void *data)
-{
-    const ovr_plastic_setup *how = ovr_setup_plastic(setup);
-    double Y = how->body[k].hardening.yield, ph = setup->contact->ph * 1e-6;
-    double nu = ovr_setup_stress(setup)->poisson[k];
-    char text[240], megapascals[40] = "", strain[40] = "not known";
-    ovr_plastic_plan plan;
-    if (isfinite(ph))
-        snprintf(megapascals, sizeof megapascals, " (%.4g MPa)", Y * ph);
-    if (isfinite(how->body[k].strain))
-        snprintf(strain, sizeof strain, "%.4g", 1 / how->body[k].strain);
-    snprintf(text, sizeof text,
-             "surface %d at Y = %.4g ph%s; smooth, first at %.4g ph, and no "
-             "shakedown above %.4g ph; E*/ph %s",
-             k + 1, Y, megapascals, ovr_first_yield(nu) * Y,
-             ovr_shakedown_limit() * Y, strain);
-    line(data, "yields", text);
-    if (!setup->nodes || make_plan(setup, k, &plan, NULL))
-        return;
-    snprintf(
-        text, sizeof text,
-        "%zu points from %.3g to %.3g b about %s, %zu layers down to %.3g "
-        "b; %.3g MB; some %.2g ms where it flows, an iteration",
-        plan.points, plan.first, plan.first + (double)plan.points * plan.mesh,
-        plan.stress.feature ? plan.stress.feature : "the middle", plan.layers,
-        how->depth, memory_of(setup, k) / 1e6, 1e3 * iteration_seconds(&plan));
-    line(data, "window", text);
-}
-
-static void tell(const ovr_physics_case *of, const void *form,
-                 ovr_physics_line *line, void *data)
-{
-    const ovr_plastic_setup *how = form;
-    (void)of;
-    for (int k = 0; k < BODIES; k++)
-        if (how->surfaces >> k & 1)
-            tell_body(how->setup, k, line, data);
-}
-
 /* --------------------------------------------------------------- companion */
 
 static ovr_status finish(void *own, ovr_run *run, ovr_error *err)
@@ -697,9 +548,9 @@ const ovr_physics ovr_physics_plastic = {.name = "a body that yields",
                                          .features = ovr_plastic_features,
                                          .one_mesh = "as strains grow from "
                                                      "step to step",
-                                         .tell = tell,
-                                         .memory = memory,
-                                         .seconds = seconds,
+                                         .tell = ovr_plastic_tell,
+                                         .memory = ovr_plastic_memory,
+                                         .seconds = ovr_plastic_seconds,
                                          .companion = &companion,
                                          .take = take,
                                          .release = release,

@@ -13,6 +13,9 @@
 /* Numbers of a material point. */
 enum { OVR_PLASTIC_STATE = 4 };
 
+/* Elastic stresses are looked at so far from the middle of the contact, b. */
+enum { OVR_PLASTIC_REACH = 2 };
+
 /* One of them; its window is material of its surface. */
 typedef struct ovr_yielding_body {
     ovr_yielding *y; /* NULL: this body does not yield */
@@ -46,6 +49,20 @@ typedef struct ovr_plastic_plan {
     size_t points, layers;
     double first, mesh;
 } ovr_plastic_plan;
+ovr_status ovr_plastic_planned(const ovr_setup *setup, int k,
+                               ovr_plastic_plan *plan, ovr_error *err);
+void ovr_plastic_edges(const ovr_plastic_setup *how,
+                       const ovr_plastic_plan *plan, double *edge);
+ovr_yielding_options ovr_plastic_options(const ovr_plastic_setup *how, int k,
+                                         const ovr_plastic_plan *plan,
+                                         const double *edge);
+
+/* The record of the physics has these of a case: memory, time, lines. */
+double ovr_plastic_memory(const void *form);
+double ovr_plastic_seconds(const void *form);
+void ovr_plastic_tell(const ovr_physics_case *of, const void *form,
+                      ovr_physics_line *line, void *data);
+
 /* Highest points of the profile as it is, before (1) or behind (-1) the middle
  * of the features, in the way that they go; as it came, without what yielded.
  */
