@@ -413,9 +413,7 @@ ovr_status ovr_find_go(ovr_find *f, ovr_error *err)
 
 const ovr_find_info *ovr_find_about(const ovr_find *find)
 {
-    if (!find)
-        return NULL;
-    return &find->info;
+    return find ? &find->info : NULL;
 }
 
 ovr_find_evaluation ovr_find_evaluation_at(const ovr_find *find, size_t k)

@@ -201,9 +201,7 @@ const ovr_stress_report *ovr_stored_stress_report(const ovr_stored_stress *s,
 
 const ovr_setup *ovr_stored_stress_setup(const ovr_stored_stress *s)
 {
-    if (!s)
-        return NULL;
-    return s->setup;
+    return s ? s->setup : NULL;
 }
 
 void ovr_stored_stress_free(ovr_stored_stress *s)

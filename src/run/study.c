@@ -326,9 +326,7 @@ void ovr_study_free(ovr_study *s)
 
 size_t ovr_study_cases(const ovr_study *s)
 {
-    if (!s)
-        return 0;
-    return s->tasks;
+    return s ? s->tasks : 0;
 }
 
 const char *ovr_study_name(const ovr_study *s, size_t k)
@@ -340,9 +338,7 @@ const char *ovr_study_name(const ovr_study *s, size_t k)
 
 const char *ovr_study_output(const ovr_study *s)
 {
-    if (!s)
-        return NULL;
-    return s->output;
+    return s ? s->output : NULL;
 }
 
 ovr_status ovr_study_output_set(ovr_study *s, const char *folder,

@@ -42,9 +42,7 @@ void ovr_table_free(ovr_table *table)
 
 size_t ovr_table_rows(const ovr_table *table)
 {
-    if (!table)
-        return 0;
-    return table->rows;
+    return table ? table->rows : 0;
 }
 
 const ovr_table_column *ovr_table_at(const ovr_table *table, size_t k)

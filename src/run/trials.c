@@ -32,9 +32,7 @@ typedef struct asking {
 
 size_t ovr_trials_count(const ovr_trials *trials)
 {
-    if (!trials)
-        return 0;
-    return trials->count;
+    return trials ? trials->count : 0;
 }
 
 ovr_case *ovr_trials_case(const ovr_trials *trials, size_t k)
