@@ -84,6 +84,15 @@ int cli_choice(const char *word, const char *const *words)
     return -1;
 }
 
+void cli_join(const char *const *words, size_t n, char *text, size_t capacity)
+{
+    size_t used = 0;
+    text[0] = '\0';
+    for (size_t k = 0; k < n && words[k] && used < capacity; k++)
+        used += (size_t)snprintf(text + used, capacity - used, "%s%s",
+                                 k ? ", " : "", words[k]);
+}
+
 size_t cli_count(const cli_call *call, const char *name, size_t maximum,
                  size_t otherwise)
 {

@@ -85,6 +85,9 @@ const char *cli_value_at(const cli_call *call, const char *name, int k);
 /* The place of a word in a list that ends with NULL; -1: it is none of them. */
 int cli_choice(const char *word, const char *const *words);
 
+/* Writes the first n words of a list, or all up to a NULL, as "a, b, c". */
+void cli_join(const char *const *words, size_t n, char *text, size_t capacity);
+
 /* The whole number from 1 to `maximum` that an option gives, `otherwise` where
  * it is not given; 0 after having said what is needed. */
 size_t cli_count(const cli_call *call, const char *name, size_t maximum,

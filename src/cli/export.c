@@ -57,14 +57,11 @@ static ovr_status no_field(const job *j, const char *name)
 {
     enum { MAX = 64 };
     const char *names[MAX], *meant;
-    char there[700] = "";
-    size_t used = 0, n = 0;
-    for (; n < MAX && n < ovr_result_fields(j->result); n++) {
+    char there[700];
+    size_t n = 0;
+    for (; n < MAX && n < ovr_result_fields(j->result); n++)
         names[n] = ovr_result_field(j->result, n)->name;
-        if (used < sizeof there)
-            used += (size_t)snprintf(there + used, sizeof there - used, "%s%s",
-                                     n ? ", " : "", names[n]);
-    }
+    cli_join(names, n, there, sizeof there);
     meant = ovr_suggest(name, names, n);
     if (meant)
         return ovr_fail(j->err, OVR_BAD_INPUT,

@@ -73,10 +73,8 @@ static void describe_range(const ovr_parameter_info *p, char *text,
 static void put_choices(const ovr_parameter_info *p)
 {
     char text[400];
-    size_t used = 0;
-    for (int i = 0; p->choices[i] && used < sizeof text; i++)
-        used += (size_t)snprintf(text + used, sizeof text - used, "%s%s",
-                                 i ? ", " : "", p->choices[i]);
+    cli_join(p->choices, sizeof p->choices / sizeof *p->choices, text,
+             sizeof text);
     put_wrapped(text);
 }
 

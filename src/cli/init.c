@@ -410,26 +410,30 @@ static void put_case(const struct kind *kind, const struct oil *oil, FILE *to)
 static const struct kind *find_kind(const cli_call *call, const char *name)
 {
     const char *names[KINDS], *meant;
+    char there[200];
     for (int i = 0; i < KINDS; i++) {
         names[i] = kinds[i].name;
         if (!strcmp(names[i], name))
             return &kinds[i];
     }
     meant = ovr_suggest(name, names, KINDS);
-    cli_usage(call,
-              "no case '%s'%s%s; there are roller, gear, cam, bearing, "
-              "indented, numbers, starved, discs, hot, coated",
-              name, meant ? "; did you mean " : "", meant ? meant : "");
+    cli_join(names, KINDS, there, sizeof there);
+    cli_usage(call, "no case '%s'%s%s; there are %s", name,
+              meant ? "; did you mean " : "", meant ? meant : "", there);
     return NULL;
 }
 
 static const struct oil *find_oil(const cli_call *call, const char *name)
 {
-    for (int i = 0; i < OILS; i++)
-        if (!strcmp(oils[i].name, name))
+    const char *names[OILS];
+    char there[200];
+    for (int i = 0; i < OILS; i++) {
+        names[i] = oils[i].name;
+        if (!strcmp(names[i], name))
             return &oils[i];
-    cli_usage(call, "no oil '%s'; there are paper, vg32, vg68, vg100, vg220",
-              name);
+    }
+    cli_join(names, OILS, there, sizeof there);
+    cli_usage(call, "no oil '%s'; there are %s", name, there);
     return NULL;
 }
 
