@@ -21,7 +21,7 @@ typedef struct ovr_stress_setup {
     ovr_list window;
     double from, to; /* about the first feature's centre; NAN: about all */
     bool fatigue;
-    int criterion;                /* ovr_criterion */
+    ovr_criterion criterion;      /* its row writes an int, as wide */
     double alpha, limit_pressure; /* 0: none */
     ovr_life_options life;        /* its limit follows from limit_pressure */
     const char *limit_table;
