@@ -358,6 +358,8 @@ typedef struct ovr_observable {
     /* The sum over a run, of a count or a flag: its JSON key and its label in
      * what is told of a file; NULL: not told. */
     const char *total_key, *total_label;
+    bool friction; /* of the film: reports leave out its extreme and mean where
+                      they are 0, or what no oil carries */
 } ovr_observable;
 
 /* NULL past the end. */

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "base/error.h"
-#include "case/coats.h"
 #include "case/condition.h"
 #include "case/resolve.h"
 #include "case/setup.h"

@@ -6,7 +6,6 @@
 #include "base/given.h"
 #include "case/accuracy.h"
 #include "case/domain.h"
-#include "case/feed.h"
 #include "case/setup.h"
 #include "contact/contact.h"
 #include "contact/reversal.h"

@@ -3,12 +3,20 @@
 #ifndef OVR_CASE_SETUP_H
 #define OVR_CASE_SETUP_H
 
+#include "contact/layers.h"
 #include "overroll/case.h"
 
 /* The gear pair, cam or bearing of a case; NULL: it has none. */
 const ovr_gear *ovr_setup_gear(const ovr_setup *setup);
 const ovr_cam *ovr_setup_cam(const ovr_setup *setup);
 const ovr_bearing *ovr_setup_bearing(const ovr_setup *setup);
+
+/* The layers on a body, 0 or 1; NULL: it has none. */
+const ovr_coated *ovr_setup_layers(const ovr_setup *setup, int body);
+
+/* Takes the place of the load: that of a pass, times its history. */
+ovr_status ovr_setup_load(ovr_setup *setup, int pass,
+                          const ovr_allocator *allocator, ovr_error *err);
 
 /* The length of its steps, b/um, where they are not adaptive. */
 double ovr_setup_step(const ovr_setup *setup);

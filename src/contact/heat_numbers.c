@@ -74,20 +74,6 @@ static void make_numbers(const ovr_heat_form *form, const ovr_contact *c,
     }
 }
 
-ovr_heat_form ovr_heat_form_default(void)
-{
-    const ovr_thermal none = {NAN, NAN, NAN};
-    const ovr_heat_form defaults = {.points = 0,
-                                    .temperature = NAN,
-                                    .bulk = {NAN, NAN},
-                                    .oil = none,
-                                    .body = {none, none},
-                                    .expansion = 0,
-                                    .S0 = NAN,
-                                    .beta = NAN};
-    return defaults;
-}
-
 ovr_status ovr_heat_make(const ovr_heat_form *form, const ovr_contact *contact,
                          const ovr_lubricant *lubricant, ovr_heat *heat,
                          ovr_error *err)

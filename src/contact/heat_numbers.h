@@ -27,7 +27,4 @@ double ovr_heat_log_viscosity(const ovr_heat *given, double log_eta, double T);
 /* -d ln eta/dT there. */
 double ovr_heat_viscosity_fall(const ovr_heat *given, double log_eta, double T);
 
-/* Points by the steady start, nothing else given. */
-ovr_heat_form ovr_heat_form_default(void);
-
 #endif

@@ -12,7 +12,7 @@
 #include <string.h>
 
 #include "case/case.h"
-#include "case/coats.h"
+#include "case/setup.h"
 #include "pictures/axis.h"
 #include "run/forms.h"
 #include "stress/layered.h"

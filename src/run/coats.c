@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tells what a run says of layers on its bodies, and what its file keeps of
  * them: the images that stood for them, and how well. */
-#include "case/coats.h"
+#include "case/setup.h"
 #include "results/results.h"
 #include "run/internal.h"
 #include "run/review.h"

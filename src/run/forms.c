@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "run/forms.h"
 
-#include "case/feed.h"
 #include "case/setup.h"
 #include "simulation/heat_case.h"
 

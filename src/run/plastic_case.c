@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "base/rows.h"
-#include "case/coats.h"
+#include "case/setup.h"
 #include "run/forms.h"
 #include "simulation/conflicts.h"
 #include "stress/stress.h"

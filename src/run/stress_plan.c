@@ -5,7 +5,6 @@
 
 #include "base/error.h"
 #include "base/given.h"
-#include "case/coats.h"
 #include "case/resolve.h"
 #include "case/setup.h"
 #include "contact/contact.h"

@@ -131,8 +131,7 @@ static void say_kept(const ovr_told *to, const ovr_extreme *e,
     ovr_words behind;
     if (!label || isnan(value) || (!mean && e->part != OVR_KEPT_EXTREME) ||
         (!s->transient && (!mean || row->label || !row->name)) ||
-        (row->offset == offsetof(ovr_observation, mu_slide) &&
-         (!(fabs(value) > 0) || ovr_absurd_friction(s))))
+        (row->friction && (!(fabs(value) > 0) || ovr_absurd_friction(s))))
         return;
     if (!mean) {
         ovr_extreme at = *e;

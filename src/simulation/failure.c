@@ -19,7 +19,7 @@ static const double resolved = 0.3, too_coarse = 0.7;
 
 static double inlet_rise(const ovr_simulation *sim)
 {
-    return pow(ovr_film_expected(sim, 1), 2. / 3);
+    return pow(ovr_target_film(&sim->target, 1), 2. / 3);
 }
 
 /* The mesh where the pressure builds up. */
@@ -70,7 +70,7 @@ static ovr_status too_thin(const ovr_simulation *sim, ovr_error *err)
                     "the film is too thin for the mesh: H = %.1e by the film "
                     "formula, so that the pressure builds up within %.1e of b, "
                     "on a mesh of %.1e; level %d resolves it",
-                    ovr_film_expected(sim, 1), rise, D,
+                    ovr_target_film(&sim->target, 1), rise, D,
                     ovr_level_resolving(sim));
 }
 
@@ -172,9 +172,4 @@ ovr_status ovr_failure_step(const ovr_simulation *sim,
                     "down to the mesh/%d: %s%s",
                     sim->state.step + 1, T, 1 << OVR_HALVINGS,
                     ending_of(&outcome->defect).words, text);
-}
-
-double ovr_film_expected(const ovr_simulation *sim, double fraction)
-{
-    return ovr_target_film(&sim->target, fraction);
 }

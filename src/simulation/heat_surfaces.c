@@ -71,7 +71,8 @@ ovr_status ovr_heat_surface_take(ovr_simulation *sim, int k, ovr_error *err)
     return OVR_OK;
 }
 
-double *ovr_heat_surface_modes(const ovr_simulation *sim, int k, int bank)
+/* Psi_m of the nodes, of a bank. */
+static double *modes_of(const ovr_simulation *sim, int k, int bank)
 {
     const ovr_heat_surface *s = &sim->heated->steps->surface[k];
     return s->psi[bank] + s->beyond * OVR_MODES;
@@ -92,7 +93,7 @@ static ovr_status visit_nodes(ovr_simulation *sim, int k, int m,
                               ovr_visit *visit, void *context, ovr_error *err)
 {
     double *mode = sim->heated->steps->surface[k].workspace[0];
-    double *psi = ovr_heat_surface_modes(sim, k, m / OVR_MODES) + m % OVR_MODES;
+    double *psi = modes_of(sim, k, m / OVR_MODES) + m % OVR_MODES;
     size_t n = sim->now.n;
     char name[40];
     for (size_t i = 0; i < n; i++)
@@ -298,6 +299,6 @@ void ovr_heat_steps_keep(const ovr_simulation *sim, int surface, size_t i,
                          const double *psi)
 {
     for (int b = 0; b < sim->heated->memory[surface].banks; b++)
-        memcpy(ovr_heat_surface_modes(sim, surface, b) + i * OVR_MODES,
-               psi + b * OVR_MODES, OVR_MODES * sizeof *psi);
+        memcpy(modes_of(sim, surface, b) + i * OVR_MODES, psi + b * OVR_MODES,
+               OVR_MODES * sizeof *psi);
 }

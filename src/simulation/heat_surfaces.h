@@ -58,9 +58,8 @@ void ovr_heat_surface_look(ovr_simulation *sim, int k, const double *q);
 /* Its modes at the end of the step that was looked back from, by q then. */
 void ovr_heat_surface_remember(ovr_simulation *sim, int k, const double *q);
 
-/* Psi_m of the nodes, of a bank; of a surface that has taken up nothing; those
- * to save, each by itself in the order of the nodes. */
-double *ovr_heat_surface_modes(const ovr_simulation *sim, int k, int bank);
+/* The modes of a surface that has taken up nothing; those to save, each by
+ * itself in the order of the nodes. */
 void ovr_heat_surface_reset(ovr_simulation *sim, int k);
 ovr_status ovr_heat_surface_visit(ovr_simulation *sim, int k, ovr_visit *visit,
                                   void *context, ovr_error *err);

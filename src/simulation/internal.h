@@ -233,9 +233,6 @@ typedef struct ovr_outcome {
     bool converged, marked;
 } ovr_outcome;
 
-/* The film formula at a fraction of the load of the start; the length over
- * which the pressure builds up before the contact. */
-double ovr_film_expected(const ovr_simulation *sim, double fraction);
 /* The mesh is too coarse for the film for any way of solving. */
 bool ovr_mesh_too_coarse(const ovr_simulation *sim);
 

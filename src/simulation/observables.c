@@ -238,7 +238,7 @@ static const ovr_observable table[] = {
            "sliding force over the load, with the sign of u1 - u2",
            OF_MAGNITUDE("mu_slide_max"), EXTREME_LABEL("sliding friction"),
            SAVED_AS("largest_sliding_friction"), MEAN("mu_slide_mean"),
-           MEAN_LABEL("mean friction")),
+           MEAN_LABEL("mean friction"), FRICTION),
     NUMBER("rolling_friction_coefficient", "mu_roll", NULL, NUMBER, mu_roll,
            "rolling force over the load"),
     NUMBER("power_in", "power_in", "power_in_W_per_m", POWER, power_in,

@@ -236,11 +236,11 @@ static ovr_status check_refine_level(const ovr_options *o, ovr_error *err)
                               "refine_level %d: above the level, %d, and %d at "
                               "most",
                               o->refine_level, o->level, OVR_MAX_REFINED);
-    if (!(o->refine_change >= 0 && o->refine_change < 1))
-        return ovr_fail_about(err, "refine_change",
-                              "refine_change %g: above 0 and below 1, or 0, "
-                              "which means 1e-3",
-                              o->refine_change);
+    if (!(o->refine_change >= 0 && o->refine_change <= OVR_REFINE_CHANGE_MAX))
+        return ovr_fail_about(
+            err, "refine_change",
+            "refine_change %g: above 0 and at most %g, or 0, which means %g",
+            o->refine_change, OVR_REFINE_CHANGE_MAX, OVR_REFINE_CHANGE);
     return OVR_OK;
 }
 

@@ -67,7 +67,9 @@ void ovr_physics_borne_back(ovr_simulation *sim)
         bear(sim, sim->borne);
 }
 
-bool ovr_physics_bear(ovr_simulation *sim)
+/* Sets the pressure that the solids feel beside the film's, by P and H of the
+ * finest level; whether there is one. */
+static bool set_borne(ovr_simulation *sim)
 {
     OVR_LAST_PHYSICS(sim, any, bear);
     double *borne = sim->scratch[0], *P = sim->now.P, *H = sim->now.H;
@@ -92,7 +94,7 @@ static bool at_end(void *data, ovr_hierarchy *grids, ovr_level *level,
     OVR_EACH_PHYSICS(sim, p, at_end)
         changed |= p->is->at_end(p->own, grids, level, end);
     if (end == OVR_AFTER_CYCLE && level == sim->finest)
-        changed |= ovr_physics_bear(sim);
+        changed |= set_borne(sim);
     return changed;
 }
 

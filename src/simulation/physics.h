@@ -415,11 +415,7 @@ ovr_status ovr_physics_choose(ovr_simulation *sim, ovr_error *err);
 ovr_status ovr_physics_add(ovr_simulation *sim, const ovr_physics *physics,
                            const void *form, ovr_error *err);
 
-/* Sets the pressure that the solids feel beside the film's, by P and H of the
- * finest level; whether there is one. */
-bool ovr_physics_bear(ovr_simulation *sim);
-
-/* Memory for that of the past. */
+/* Memory for the pressure that the solids feel beside the film's. */
 ovr_status ovr_physics_take_borne(ovr_simulation *sim, ovr_error *err);
 
 /* None of it; that of the finest level becomes the one of the last time

@@ -46,6 +46,7 @@
 #define PASS(column) .pass = OVR_PASS_##column
 #define PASS_HEAD(place, text) .pass_place = (place), .pass_head = (text)
 #define PASS_WITH(physics) .pass_with = OVR_PHYSICS_##physics
+#define FRICTION .friction = true
 #define TOTAL(key, text) .total_key = (key), .total_label = (text)
 
 #endif

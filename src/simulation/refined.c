@@ -19,7 +19,6 @@ static double half_width(const ovr_simulation *sim)
 /* Patches that go on until the spike changes little end here: uniform grids of
  * level 18 have 2 million nodes, here a level is 10 microseconds a cycle. */
 enum { LAST_LEVEL = 22 };
-static const double USUAL_CHANGE = 1e-3;
 
 static int last_level(const ovr_options *o)
 {
@@ -200,7 +199,7 @@ static void finish(ovr_simulation *sim, void *own, const ovr_full *how,
     const ovr_options *o = &sim->options;
     ovr_refined *r = own;
     ovr_error err = {0};
-    double change = o->refine_change > 0 ? o->refine_change : USUAL_CHANGE;
+    double change = o->refine_change > 0 ? o->refine_change : OVR_REFINE_CHANGE;
     const ovr_spike_search search = {
         .cycling = how->cycling,
         .level = last_level(o),

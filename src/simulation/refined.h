@@ -11,6 +11,11 @@
  * last. */
 enum { OVR_MIN_REFINED = 6, OVR_MAX_REFINED = 22 };
 
+/* The relative change of the spike by one patch more: unless it is given, and
+ * at most. */
+#define OVR_REFINE_CHANGE 1e-3
+#define OVR_REFINE_CHANGE_MAX 0.5
+
 typedef struct ovr_refined {
     ovr_composite composite;
     size_t maximum; /* leaves */

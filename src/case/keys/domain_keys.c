@@ -74,8 +74,8 @@ static const ovr_parameter domain_keys[] = {
     {"refine_level", WHOLE(OVR_MIN_REFINED + 1, OVR_MAX_REFINED), NULL,
      AT(options.refine_level), true, "refine = spike",
      "of the finest patch; else as many as refine_change takes"},
-    {"refine_change", PLAIN(1e-9, 0.5), "1e-3", AT(options.refine_change), true,
-     "refine = spike; no refine_level",
+    {"refine_change", PLAIN(1e-9, OVR_REFINE_CHANGE_MAX), "1e-3",
+     AT(options.refine_change), true, "refine = spike; no refine_level",
      "patches until two levels running change the spike's height by less"},
 };
 
