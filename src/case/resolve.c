@@ -11,7 +11,6 @@
 #include "case/resolve_element.h"
 #include "contact/contact.h"
 #include "contact/flow_law.h"
-#include "contact/heat_numbers.h"
 #include "contact/oil.h"
 #include "surface/surfaces.h"
 
