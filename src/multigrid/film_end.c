@@ -7,7 +7,7 @@
  * next node outwards. */
 typedef struct film {
     const ovr_level *level;
-    double *G, *b, *U;
+    double *G, *b, *U, *before; /* the last: P of all nodes */
 } film;
 
 /* Nodes from the film's side outwards: to the right, out = 1, or left, -1. */
@@ -115,9 +115,22 @@ static bool find_film(const film *f, ptrdiff_t out, stretch *s)
     return moves;
 }
 
+static void keep(const film *f)
+{
+    for (size_t i = 0; i < f->level->grid.n; i++)
+        f->before[i] = value(f, f->level->f.P, (ptrdiff_t)i);
+}
+
+static void put_back(const film *f)
+{
+    for (size_t i = 0; i < f->level->grid.n; i++)
+        f->level->f.P[ovr_lanes_place(&f->level->lanes, i)] = f->before[i];
+}
+
 static bool move_rigid(const film *f)
 {
     bool moved = false;
+    keep(f);
     for (ptrdiff_t out = -1; out <= 1; out += 2) {
         stretch s;
         if (!find_film(f, out, &s))
@@ -197,14 +210,30 @@ static bool outweighs(const ovr_hierarchy *grids, const film *f)
     return lack * l->grid.D > share * H * ovr_level_imbalance(grids, l);
 }
 
+/* Takes it back where R grows by it: where the film is thick all over the zone
+ * is as long as the domain, and pressures deform it after all. */
+static void try_rigid(const ovr_hierarchy *grids, ovr_level *level,
+                      const film *f)
+{
+    const double worse = 3;
+    double R = ovr_level_imbalance(grids, level);
+    if (!move_rigid(f))
+        return;
+    ovr_level_refresh(grids, level);
+    if (ovr_level_imbalance(grids, level) <= worse * R)
+        return;
+    put_back(f);
+    ovr_level_refresh(grids, level);
+}
+
 void ovr_film_ends(const ovr_hierarchy *grids, ovr_level *level)
 {
-    const film f = {level, grids->band.b[0], grids->band.b[1],
-                    grids->band.b[2]};
+    const film f = {level, grids->band.b[0], grids->band.b[1], grids->band.b[2],
+                    grids->band.b[3]};
     if (!for_free(&f, rises))
         return;
-    if (outweighs(grids, &f) && move_rigid(&f))
-        ovr_level_refresh(grids, level);
+    if (outweighs(grids, &f))
+        try_rigid(grids, level, &f);
     if (for_free(&f, extend_to))
         ovr_level_refresh(grids, level);
 }

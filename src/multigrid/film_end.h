@@ -21,7 +21,9 @@
  *    which it stays dry; patches beyond stay with the sweeps.  But only where
  *    what dry nodes lack is a tenth of R: a long zone is not quite rigid (for m
  *    meshes a0 (m D/pi)^3 must be small beside eps), and where R is something
- *    else's, a rough surface's, this solution makes it larger;
+ *    else's, a rough surface's, this solution makes it larger.  Where the film
+ *    is thick all over (M below 1) the zone is the whole domain, and what makes
+ *    R three times as large is taken back;
  *  - behind each end of a film whose next node wants to rise, for 32 dry nodes
  *    at most and P <= 0.05; wet nodes stay: their film would have to follow.
  */
