@@ -64,6 +64,29 @@ static void settle_ends(const ovr_hierarchy *grids, ovr_level *finest)
         ovr_film_ends(grids, finest);
 }
 
+/*
+ * Sweeps after the coarse correction are left out where they spoil it.  In
+ * thick films (H of 4 and more on an inlet some 30 b long, M below 1) long
+ * smooth changes of the pressure grow in a sweep, as what it leaves out of the
+ * derivatives, d eps/dH and the wedge's farthest column, is not small beside
+ * what it has: cycles with a sweep after the correction reduce R to 0.96 or
+ * make it grow, those without to 0.12.  Elsewhere R falls to a hundredth a
+ * cycle.
+ */
+typedef struct slowness {
+    double last;
+    int cycles; /* running, that were slow */
+} slowness;
+
+static bool is_spoilt(slowness *s, double R)
+{
+    const double small = 0.1, slow = 0.7;
+    bool was = R < small && R > slow * s->last;
+    s->cycles = was ? s->cycles + 1 : 0;
+    s->last = R;
+    return s->cycles >= 2;
+}
+
 /* One cycle at least: the extrapolated guess satisfies the equations to some
  * tolerance at best, and a load that ramps would drift within it. */
 bool ovr_step_cycles(ovr_simulation *sim, ovr_step_cycling how,
@@ -74,6 +97,7 @@ bool ovr_step_cycles(ovr_simulation *sim, ovr_step_cycling how,
     ovr_cycling c = how.cycle;
     bool solved;
     double loose = 0;
+    slowness slow = {.last = INFINITY};
     ovr_level_refresh(grids, sim->finest);
     settle_spots(grids, sim->finest, 2);
     settle_ends(grids, sim->finest);
@@ -89,6 +113,8 @@ bool ovr_step_cycles(ovr_simulation *sim, ovr_step_cycling how,
         if (solved || cycle == how.maximum ||
             !(outcome->defect.imbalance < how.hopeless))
             break;
+        if (is_spoilt(&slow, outcome->defect.imbalance))
+            after = 0;
         c.sweeps_after = how.close && cycle < SHORT_CYCLES ? 0 : after;
         ovr_cycle(grids, sim->finest, c);
         if (!cycle)
