@@ -13,7 +13,7 @@
  * flows out at the end of the domain by t = 6 or so, and steps that become
  * longer and longer end in the steady film, by a factor of hundreds for each of
  * the last.  A step that is not found is tried with smaller changes and half
- * corrections, then halved.
+ * corrections, then by Newton's method (last_newton.c), then halved.
  */
 #include <math.h>
 #include <string.h>
@@ -123,7 +123,22 @@ static bool relaxed(settling *s, const ovr_cycling *cycling, int maximum)
     }
 }
 
-/* A step in one of three ways, each slower and steadier. */
+/* By Newton's method on the finest grid, whose films stay above nothing. */
+static bool stepped_by_newton(settling *s)
+{
+    ovr_cycling c = s->how->cycling;
+    ovr_outcome outcome = {0};
+    c.newton_limit = 1;
+    go_back(s);
+    set_gap(s, s->t + s->dt);
+    set_equations(s, s->dt);
+    bool found = ovr_step_newton(s->sim, &c, &outcome);
+    s->cycles += outcome.cycles;
+    return found;
+}
+
+/* A step in one of three ways, each slower and steadier; then by Newton's
+ * method. */
 static bool stepped(settling *s)
 {
     static const struct {
@@ -141,7 +156,7 @@ static bool stepped(settling *s)
         if (relaxed(s, &c, ways[k].maximum))
             return true;
     }
-    return false;
+    return stepped_by_newton(s);
 }
 
 static ovr_defect steady_defect(const settling *s)
