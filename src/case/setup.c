@@ -11,6 +11,7 @@
 #include "contact/reversal.h"
 #include "contact/scaled_history.h"
 #include "contact/starvation.h"
+#include "simulation/conflicts.h"
 #include "simulation/internal.h"
 #include "simulation/refined.h"
 #include "simulation/simulation.h"
@@ -170,16 +171,27 @@ static ovr_status make_grid(ovr_resolved *r, bool usual,
     return status;
 }
 
-/* A steady contact takes no time; of a run the errors that most users would not
- * see in a film or a friction. */
-static void usual_level(ovr_setup *s)
+/* True of what takes time: a run, and surfaces that touch, whose films are
+ * solved on the finest grid alone. */
+static bool takes_time(const ovr_resolved *r)
+{
+    return r->setup.transient ||
+           ovr_resolved_features(r) &
+               ovr_model_feature_bit(OVR_MODEL_BOUNDARY, true);
+}
+
+/* Other steady contacts take none; of what does the errors that most users
+ * would not see in a film or a friction. */
+static void usual_level(ovr_resolved *r)
 {
     static const double unseen = 1e-3;
+    ovr_setup *s = &r->setup;
+    bool chosen = takes_time(r);
     if (s->options->level != OVR_GRID_USUAL)
         return;
-    s->options->level = s->transient ? OVR_GRID_AUTO : OVR_USUAL_LEVEL;
+    s->options->level = chosen ? OVR_GRID_AUTO : OVR_USUAL_LEVEL;
     s->accuracy_of = OVR_ACCURACY_ALL;
-    s->accuracy = s->transient ? unseen : 0;
+    s->accuracy = chosen ? unseen : 0;
 }
 
 /* The first level on which the error to be expected is the one asked for; of
@@ -227,7 +239,7 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
         ovr_symmetric_domain(r, inlet, outlet, err) ||
         ovr_setup_curvature(r, err))
         return OVR_BAD_INPUT;
-    usual_level(setup);
+    usual_level(r);
     status = setup->options->level ? make_grid(r, usual, allocator, err)
                                    : choose_level(r, usual, allocator, err);
     if (!status)

@@ -225,3 +225,39 @@ void test_levels_usual(uint64_t seed, int cases)
     }
     assert_true(5 * beyond <= cases);
 }
+
+void test_levels_touching(uint64_t seed, int cases)
+{
+    uint64_t state = seed;
+    int beyond = 0;
+    char text[700];
+    printf("seed %llu: p_h .5 to 1.4 GPa, um .1 to 2 m/s, Rq .05 to .3 um\n",
+           (unsigned long long)seed);
+    for (int k = 0; k < cases; k++) {
+        double p_h = test_random(&state, 0.5, 1.4);
+        double um = 0.1 * pow(20, test_random(&state, 0, 1));
+        double slip = test_random(&state, 0.05, 0.6);
+        double Rq = 0.05 * pow(6, test_random(&state, 0, 1));
+        double slope = test_random(&state, 0.02, 0.1);
+        snprintf(text, sizeof text,
+                 "[contact]\nhertz_pressure = %.4g GPa\nradius = 12 mm\n"
+                 "modulus = 226 GPa\nmean_speed = %.4g m/s\n"
+                 "slide_to_roll = %.3g\n"
+                 "[lubricant]\nviscosity = 30 mPa.s\nalpha = 18 1/GPa\n"
+                 "rheology = eyring\neyring_stress = 5 MPa\n"
+                 "limiting_shear = 0.08\n"
+                 "[boundary]\nlaw = exponential\nRq = %.3g um\n"
+                 "slope = %.3g\nfriction = 0.12\n",
+                 p_h, um, slip, Rq, slope);
+        refine(text, "usual");
+        double maximum = fmax(error_of(here.minimum, finer.minimum),
+                              error_of(here.mu, finer.mu));
+        maximum = fmax(maximum, error_of_centre());
+        printf("  %2d: level %d, %.1e\n", k, here.level, maximum);
+        beyond += maximum > 1e-3;
+        if (maximum > 2e-3)
+            fail_msg("seed %llu, case %d: %.2g", (unsigned long long)seed, k,
+                     maximum);
+    }
+    assert_true(5 * beyond <= cases);
+}

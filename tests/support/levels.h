@@ -20,4 +20,8 @@ void test_levels_in_time(uint64_t seed, int cases);
  * beyond 1e-3. */
 void test_levels_usual(uint64_t seed, int cases);
 
+/* The same of random steady contacts whose surfaces touch; fails beyond 2e-3.
+ */
+void test_levels_touching(uint64_t seed, int cases);
+
 #endif

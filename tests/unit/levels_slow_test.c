@@ -15,6 +15,7 @@ TEST(errors_are_asked_for)
 TEST(usual_levels_do)
 {
     test_levels_usual(30, 5);
+    test_levels_touching(4, 6);
 }
 
 static double expected(const char *text, int *level)

@@ -16,4 +16,5 @@ TEST(in_time)
 TEST(usual)
 {
     test_levels_usual(3, 60);
+    test_levels_touching(5, 40);
 }

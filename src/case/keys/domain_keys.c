@@ -47,7 +47,8 @@ static const ovr_parameter domain_keys[] = {
     {"level", WHOLE_OR(levels, 1, OVR_LEVELS - 1), "usual", AT(options.level),
      true, ALWAYS,
      "finest grid: 7 2^level + 1 nodes; usual: 8 of a steady contact, in time "
-     "the first on which central and smallest film and friction are expected "
+     "and with [boundary] the first on which central and smallest film and "
+     "friction are expected "
      "to be right to 1e-3, 8 at most; auto: the first that brings accuracy_of "
      "to accuracy, 14 at most, of which the films are confirmed after the run"},
     {"accuracy", PLAIN(1e-9, 0.5), "1e-3", AT(accuracy), true, "level = auto",
