@@ -41,7 +41,8 @@ killed() {
     done
     kill -9 "-$!" 2>/dev/null || fail "$name: '$*' has ended before"
     wait $! 2>/dev/null
-    while kill -0 "-$!" 2>/dev/null; do # its children have locks
+    for _ in $(seq 300); do # its children have locks until they are gone
+        kill -0 "-$!" 2>/dev/null || break
         sleep 0.01
     done
 }
