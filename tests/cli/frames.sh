@@ -66,6 +66,9 @@ refuses "is a result file, not a case: 'overroll resume'" run dent.h5
 expect 0 "$OVERROLL" plot dent.h5 dent.h5 --kind history -o two.pdf
 refuses 'exists; --force' plot dent.h5 -o two.pdf
 refuses 'a map shows one' plot dent.h5 dent.h5 --kind map -o map.png
+for kind in stress risk depth plastic element; do
+    refuses 'one result: give one' plot dent.h5 dent.h5 --kind $kind -o one.png
+done
 
 # A map of any field, its colours said in words where it has no symbol.
 expect 0 "$OVERROLL" plot dent.h5 --kind map --field viscosity -o eta.svg
