@@ -40,13 +40,15 @@ numbers() {
 }
 expect 0 "$OVERROLL" sweep study.ini -j 2 -q -o once
 numbers once >once.txt
-[ "$(grep -c ' finished ' once.txt)" -eq "$DRAWS" ] || fail "$(head -n 3 once.txt)"
+[ "$(grep -c ' finished ' once.txt)" -eq "$DRAWS" ] ||
+    fail "$(head -n 3 once.txt)"
 
 for part in $((DRAWS * 3 / 20)) $((DRAWS * 9 / 20)) $((DRAWS * 3 / 4)); do
     setsid "$OVERROLL" sweep study.ini -j 2 -q -o killed &
     sweep=$!
     tries=0
-    until [ "$(find killed -name '*.json' 2>/dev/null | wc -l)" -ge "$part" ]; do
+    until [ "$(find killed -name '*.json' 2>/dev/null |
+        wc -l)" -ge "$part" ]; do
         tries=$((tries + 1))
         [ $tries -lt 3000 ] || fail 'the sweep does not get on'
         sleep 0.02
