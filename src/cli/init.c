@@ -591,9 +591,11 @@ const cli_verb cli_init = {
     .help =
         "Kinds: roller (a dented raceway), gear (a pair of teeth by its "
         "drawing), cam\n(with a flat follower), bearing (the rollers that one "
-        "point meets), indented (a\nraceway that yields), numbers (M and L), "
-        "starved (several passes with "
-        "little oil), discs (a twin-disc\nmachine), hot (the same with heat).\n"
+        "point meets), indented (a\nraceway that yields), coated (discs of "
+        "which "
+        "one has a layer), numbers (M and\nL), starved (several passes with "
+        "little oil), discs (a twin-disc machine), hot\n(the same with "
+        "heat).\n"
         "--set puts a value in: init gear --set gear.module=3mm.",
     .options = options,
     .minimum = 0,

@@ -10,8 +10,8 @@ enum { TIMES = 8 };
 static const cli_option options[] = {
     {"o", "PICTURE", "where to: NAME.png, NAME.svg or NAME.pdf", false},
     {"kind", "KIND",
-     "snapshot (default), history, map, trace, stress, risk, depth, passes or "
-     "element; of a study stribeck",
+     "snapshot (default), history, map, trace, stress, risk, depth, plastic, "
+     "passes or element; of a study stribeck",
      false},
     {"at", "T", "snapshot: an instant, like 0.2ms or, in b/um, 1.5", true},
     {"overlay", NULL, "snapshot: all instants in one panel", false},
@@ -348,6 +348,8 @@ const cli_verb cli_plot = {
         "  risk      what the material went through, place by depth (a run "
         "with [stress])\n"
         "  depth     the same over depth, with the equivalent length\n"
+        "  plastic   the profile before and after yielding, and what is left "
+        "below\n"
         "  element   the gear pair, cam or bearing to scale, above what its\n"
         "            contact goes through; of a CASE.ini that has not run too\n"
         "  passes    film and meniscus against the number of the pass, of the "
