@@ -123,7 +123,7 @@ static bool relaxed(settling *s, const ovr_cycling *cycling, int maximum)
     }
 }
 
-/* By Newton's method on the finest grid, whose films stay above nothing. */
+/* Takes a step of the finest grid alone, whose films stay above nothing. */
 static bool stepped_by_newton(settling *s)
 {
     ovr_cycling c = s->how->cycling;
