@@ -455,30 +455,21 @@ static void review(const ovr_simulation *sim, const void *own,
 
 /* ------------------------------------------------------------------- state */
 
-static ovr_status visit(ovr_simulation *sim, void *own, ovr_visit *look,
-                        void *context, ovr_error *err)
+static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
 {
     ovr_plastic *p = own;
-    ovr_status status = OVR_OK;
     (void)sim;
     EACH_BODY(p, k)
     {
         ovr_yielding_body *b = &p->body[k];
-        const struct {
-            const char *what;
-            void *memory;
-            size_t bytes;
-        } parts[] = {{"strain", b->kept, bytes_of(b)},
-                     {"work", &b->work, sizeof b->work},
-                     {"left", &b->left, sizeof b->left},
-                     {"traction", b->Q, b->plan.options.nodes * sizeof *b->Q}};
-        for (int i = 0; !status && i < (b->Q ? 4 : 3); i++) {
-            char name[40];
-            snprintf(name, sizeof name, "plastic %s %d", parts[i].what, k + 1);
-            status = look(context, name, parts[i].memory, parts[i].bytes, err);
-        }
+        ovr_show(state, k ? "plastic strain 2" : "plastic strain 1", b->kept,
+                 bytes_of(b));
+        OVR_SHOW(state, k ? "plastic work 2" : "plastic work 1", b->work);
+        OVR_SHOW(state, k ? "plastic left 2" : "plastic left 1", b->left);
+        if (b->Q)
+            ovr_show(state, k ? "plastic traction 2" : "plastic traction 1",
+                     b->Q, b->plan.options.nodes * sizeof *b->Q);
     }
-    return status;
 }
 
 static void restored(ovr_simulation *sim, void *own)

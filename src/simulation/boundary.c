@@ -232,12 +232,12 @@ static void before_back(ovr_simulation *sim, void *own)
         ovr_wear_back(b->wear);
 }
 
-static ovr_status visit(ovr_simulation *sim, void *own, ovr_visit *show,
-                        void *context, ovr_error *err)
+static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
 {
     boundary *b = own;
     (void)sim;
-    return b->wear ? ovr_wear_visit(b->wear, show, context, err) : OVR_OK;
+    if (b->wear)
+        ovr_wear_visit(b->wear, state);
 }
 
 static void restored(ovr_simulation *sim, void *own)

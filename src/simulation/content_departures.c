@@ -272,20 +272,13 @@ void ovr_carriage_taken(ovr_simulation *sim)
     c->closed = c->closes;
 }
 
-ovr_status ovr_carriage_visit(ovr_simulation *sim, ovr_visit *show,
-                              void *context, ovr_error *err)
+void ovr_carriage_visit(ovr_simulation *sim, ovr_pieces *state)
 {
     ovr_carriage *c = &sim->arrival.carriage;
     if (!sim->scheme->characteristic)
-        return OVR_OK;
-    ovr_status status = show(context, "content_came", c->came,
-                             sim->now.n * sizeof *c->came, err);
-    if (!status)
-        status = show(context, "content_crossed", c->crossed, sizeof c->crossed,
-                      err);
-    if (!status)
-        status = show(context, "content_closed", &c->closed, sizeof c->closed,
-                      err);
-    return status ? status
-                  : show(context, "content_flow", c->flow, sizeof c->flow, err);
+        return;
+    ovr_show(state, "content_came", c->came, sim->now.n * sizeof *c->came);
+    OVR_SHOW(state, "content_crossed", c->crossed);
+    OVR_SHOW(state, "content_closed", c->closed);
+    OVR_SHOW(state, "content_flow", c->flow);
 }

@@ -569,38 +569,31 @@ static void add_gap(const ovr_simulation *sim, const void *own, double *to)
     add(sim, f->n, to, 1, f->ahead ? f->next : f->gap);
 }
 
-static ovr_status visit(ovr_simulation *sim, void *own, ovr_visit *show,
-                        void *context, ovr_error *err)
+static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
 {
     fourth *f = own;
     size_t bytes = f->n * sizeof(double);
     if (sim->order != 4)
-        return OVR_OK;
-    ovr_status status = show(context, "F_fourth", f->F, bytes, err);
-    if (!status)
-        status = show(context, "gap_fourth", f->gap, bytes, err);
-    if (!status) /* not in files of 0.2.0, whose runs go on as they began */
-        status = show(context, "follows_fourth", &f->follows, sizeof f->follows,
-                      err);
-    if (!status && f->follows)
-        status = show(context, "third_fourth", f->third, bytes, err);
-    if (!status && f->follows)
-        status = show(context, "gap_next", f->next, bytes, err);
-    if (!status && f->follows && ovr_conserves(sim))
-        status = show(context, "bend_fourth", f->content.bend, bytes, err);
-    if (!status)
-        status = show(context, "rests_fourth", &f->rests, sizeof f->rests, err);
-    if (!status && f->rests)
-        status = show(context, "rest_start", f->start, bytes, err);
-    if (!status && f->rests)
-        status = show(context, "rest_constant", f->constant, bytes, err);
-    if (!status && f->rests)
-        status = show(context, "rest_mask", f->mask, bytes, err);
-    if (!status && f->rests) /* of a step as long but for rounding */
-        status = show(context, "rest", f->rest, bytes, err);
-    if (!status && f->rests)
-        status = show(context, "rest_dT", &f->rest_dT, sizeof f->rest_dT, err);
-    return status;
+        return;
+    ovr_show(state, "F_fourth", f->F, bytes);
+    ovr_show(state, "gap_fourth", f->gap, bytes);
+    /* not in files of 0.2.0, whose runs go on as they began */
+    OVR_SHOW(state, "follows_fourth", f->follows);
+    if (f->follows) {
+        ovr_show(state, "third_fourth", f->third, bytes);
+        ovr_show(state, "gap_next", f->next, bytes);
+        if (ovr_conserves(sim))
+            ovr_show(state, "bend_fourth", f->content.bend, bytes);
+    }
+    OVR_SHOW(state, "rests_fourth", f->rests);
+    if (f->rests) {
+        ovr_show(state, "rest_start", f->start, bytes);
+        ovr_show(state, "rest_constant", f->constant, bytes);
+        ovr_show(state, "rest_mask", f->mask, bytes);
+        /* of a step as long but for rounding */
+        ovr_show(state, "rest", f->rest, bytes);
+        OVR_SHOW(state, "rest_dT", f->rest_dT);
+    }
 }
 
 const ovr_physics ovr_physics_fourth = {.name = "fourth order",

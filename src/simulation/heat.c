@@ -93,9 +93,9 @@ static ovr_status take_heat(ovr_simulation *sim, const void *form, void **own,
 /* --------------------------------------------------------- to the film */
 
 /* Isothermal again. */
-static void reset(ovr_simulation *sim)
+static void forget(ovr_simulation *sim, void *own)
 {
-    ovr_heated *h = sim->heated;
+    ovr_heated *h = own;
     if (h->chooses)
         ovr_cross_film_make(CROSS_FILM_MIN, &h->cross_film);
     ovr_heat_march_begin(sim);
@@ -119,10 +119,10 @@ static void reset(ovr_simulation *sim)
 
 /* The isothermal film's stress with the viscosities of this one, as Reynolds'
  * equation has them, and what their profile does beyond (cross_film.h). */
-static void find_stress(ovr_simulation *sim, const ovr_sheared *film,
-                        const ovr_fluid *fluid, double *t)
+static void stress(ovr_simulation *sim, void *own, const ovr_sheared *film,
+                   const ovr_fluid *fluid, double *t)
 {
-    ovr_heated *h = sim->heated;
+    ovr_heated *h = own;
     ovr_sheared dragged = *film;
     double *q = sim->scratch[0], *even = sim->scratch[1];
     for (size_t i = 0; i < sim->now.n; i++)
@@ -319,12 +319,6 @@ static void tell(const ovr_physics_case *of, const void *form,
     line(data, "viscosity and temperature", text);
 }
 
-static void forget(ovr_simulation *sim, void *own)
-{
-    (void)own;
-    reset(sim);
-}
-
 /* Goes from the film for other temperatures, until neither changes. */
 static void iterate(ovr_simulation *sim, const ovr_full *how,
                     ovr_outcome *outcome)
@@ -411,72 +405,6 @@ static void couple(ovr_simulation *sim, void *own, const ovr_full *how,
     outer(sim, how, outcome);
 }
 
-static void begin(ovr_simulation *sim, void *own)
-{
-    (void)own;
-    ovr_heat_begin(sim);
-}
-
-static void step(ovr_simulation *sim, void *own, double dT)
-{
-    (void)own;
-    ovr_heat_step(sim, dT);
-}
-
-static void attempt(ovr_simulation *sim, void *own, bool first)
-{
-    (void)own;
-    ovr_level_refresh(&sim->grids, sim->finest);
-    ovr_heat_try(sim, first);
-}
-
-static void anew(ovr_simulation *sim, void *own)
-{
-    (void)own;
-    ovr_heat_anew(sim);
-}
-
-static void taken(ovr_simulation *sim, void *own, double dT)
-{
-    (void)own, (void)dT;
-    ovr_heat_taken(sim);
-}
-
-static void step_back(ovr_simulation *sim, void *own)
-{
-    (void)own;
-    ovr_heat_step_back(sim);
-}
-
-static void stress(ovr_simulation *sim, void *own, const ovr_sheared *film,
-                   const ovr_fluid *fluid, double *t)
-{
-    (void)own;
-    find_stress(sim, film, fluid, t);
-}
-
-/* Temperatures that are not those of the film. */
-static bool marks(ovr_simulation *sim, void *own)
-{
-    bool lags = ovr_heat_lags(sim);
-    (void)own;
-    sim->statistics.lagging += lags;
-    return lags;
-}
-
-static ovr_status visit(ovr_simulation *sim, void *own, ovr_visit *show,
-                        void *context, ovr_error *err)
-{
-    (void)own;
-    return ovr_heat_visit(sim, show, context, err);
-}
-
-static void restored(ovr_simulation *sim, void *own)
-{
-    (void)own;
-    ovr_heat_restored(sim);
-}
-
 #define HEAT(name, key, si, kind, member, ...)                                 \
     OVR_NUMBER_ROW(name, key, si, kind, member, OVR_PHYSICS_HEAT, __VA_ARGS__)
 
@@ -544,12 +472,12 @@ const ovr_physics ovr_physics_heat = {.name = "heat",
                                       .take = take_heat,
                                       .forget = forget,
                                       .couple = couple,
-                                      .begin = begin,
-                                      .step = step,
-                                      .attempt = attempt,
-                                      .anew = anew,
-                                      .taken = taken,
-                                      .step_back = step_back,
+                                      .begin = ovr_heat_begin,
+                                      .step = ovr_heat_step,
+                                      .attempt = ovr_heat_try,
+                                      .anew = ovr_heat_anew,
+                                      .taken = ovr_heat_taken,
+                                      .step_back = ovr_heat_step_back,
                                       .flow = skewed,
                                       .oil = thin,
                                       .stress = stress,
@@ -558,9 +486,9 @@ const ovr_physics ovr_physics_heat = {.name = "heat",
                                       .quantities = sizeof quantities /
                                                     sizeof *quantities,
                                       .observe = observe,
-                                      .marks = marks,
-                                      .visit = visit,
-                                      .restored = restored};
+                                      .marks = ovr_heat_lags,
+                                      .visit = ovr_heat_visit,
+                                      .restored = ovr_heat_restored};
 
 ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
                                ovr_error *err)

@@ -59,7 +59,7 @@ typedef struct ovr_heated {
     double *skewed, *drag;            /* q V/2 m_1/m_0; psi_c */
     double *th, *shift, *swell;       /* in the order of the nodes */
     double V, u1;                     /* now */
-    /* by find_stress: power that is made, and of its size node by node */
+    /* by its stress: power that is made, and of its size node by node */
     double made, made_size;
     double balanced; /* power to which the observed defect is relative */
     struct ovr_heat_outer *outer; /* heat_outer.h */

@@ -92,20 +92,22 @@ static void withdraw(ovr_simulation *sim)
         memcpy(kept_of(h, k), h->steps->kept[k], sim->now.n * sizeof(double));
 }
 
-void ovr_heat_begin(ovr_simulation *sim)
+void ovr_heat_begin(ovr_simulation *sim, void *own)
 {
-    ovr_heat_steps *s = sim->heated->steps;
+    const ovr_heated *h = own;
+    ovr_heat_steps *s = h->steps;
     s->trying = false;
     s->dT = s->stored = 0;
-    s->max_balanced = sim->heated->balanced;
+    s->max_balanced = h->balanced;
     memset(s->P_T, 0, sim->now.n * sizeof *s->P_T);
-    for (int j = 0; j < sim->heated->cross_film.n; j++)
+    for (int j = 0; j < h->cross_film.n; j++)
         memset(s->change[j], 0, sim->now.n * sizeof *s->change[j]);
     keep(sim);
 }
 
-void ovr_heat_step_back(ovr_simulation *sim)
+void ovr_heat_step_back(ovr_simulation *sim, void *own)
 {
+    (void)own;
     withdraw(sim);
     ovr_heat_speeds(sim, sim->past.T[0]);
     ovr_heat_give(sim);
@@ -113,9 +115,9 @@ void ovr_heat_step_back(ovr_simulation *sim)
 
 /* ----------------------------------------------------------------- a step */
 
-void ovr_heat_step(ovr_simulation *sim, double dT)
+void ovr_heat_step(ovr_simulation *sim, void *own, double dT)
 {
-    ovr_heated *h = sim->heated;
+    ovr_heated *h = own;
     ovr_heat_steps *s = h->steps;
     double D = ovr_mesh(sim), T = sim->past.T[0];
     double way = ovr_history_integral(sim->speed, T + dT) -
@@ -274,14 +276,16 @@ static void foresee(ovr_simulation *sim)
         }
 }
 
-void ovr_heat_try(ovr_simulation *sim, bool first)
+void ovr_heat_try(ovr_simulation *sim, void *own, bool first)
 {
+    ovr_heated *h = own;
+    ovr_level_refresh(&sim->grids, sim->finest);
     withdraw(sim);
     ovr_simulation_read(sim);
     hold_guess(sim);
-    swap_trial(sim->heated);
+    swap_trial(h);
     solve(sim);
-    sim->heated->steps->passes = first ? PASSES : 1;
+    h->steps->passes = first ? PASSES : 1;
     if (first) {
         foresee(sim);
         ovr_heat_relax(sim, SHARE);
@@ -289,10 +293,10 @@ void ovr_heat_try(ovr_simulation *sim, bool first)
     apply(sim);
 }
 
-void ovr_heat_anew(ovr_simulation *sim)
+void ovr_heat_anew(ovr_simulation *sim, void *own)
 {
     const double enough = 0.15;
-    ovr_heat_steps *s = sim->heated->steps;
+    ovr_heat_steps *s = ((ovr_heated *)own)->steps;
     if (s->passes <= 1 || s->lag <= enough)
         return;
     s->passes--;
@@ -322,16 +326,18 @@ static bool pressed_otherwise(const ovr_simulation *sim)
     return h->numbers.T0 * power > share * s->max_balanced;
 }
 
-void ovr_heat_taken(ovr_simulation *sim)
+void ovr_heat_taken(ovr_simulation *sim, void *own, double dT)
 {
-    ovr_heat_steps *s = sim->heated->steps;
+    ovr_heated *h = own;
+    ovr_heat_steps *s = h->steps;
+    (void)dT;
     if (pressed_otherwise(sim))
         heat(sim);
     for (int k = 0; k < 2; k++)
-        ovr_heat_surface_remember(sim, k, sim->heated->q[k]);
-    for (int j = 0; j < sim->heated->cross_film.n; j++)
-        sim->grids.kernels->combine(sim->now.n, 1, sim->heated->T[j], -1,
-                                    s->T_before[j], s->change[j]);
+        ovr_heat_surface_remember(sim, k, h->q[k]);
+    for (int j = 0; j < h->cross_film.n; j++)
+        sim->grids.kernels->combine(sim->now.n, 1, h->T[j], -1, s->T_before[j],
+                                    s->change[j]);
     s->trying = false;
     keep(sim);
 }
@@ -349,71 +355,55 @@ static bool load_jumped(const ovr_simulation *sim, double T)
     return fabs(now - before) > much * ovr_larger(now, before);
 }
 
-bool ovr_heat_lags(ovr_simulation *sim)
+bool ovr_heat_lags(ovr_simulation *sim, void *own)
 {
     const double far = 1, open = 0.1;
     const ovr_observation *o = &sim->observation;
-    ovr_heat_steps *s = sim->heated->steps;
-    double left = fabs(o->energy_defect) * sim->heated->balanced;
-    s->max_balanced = ovr_larger(s->max_balanced, sim->heated->balanced);
-    return s->lag > far ||
-           (left > open * s->max_balanced && !load_jumped(sim, o->T));
+    const ovr_heated *h = own;
+    ovr_heat_steps *s = h->steps;
+    double left = fabs(o->energy_defect) * h->balanced;
+    s->max_balanced = ovr_larger(s->max_balanced, h->balanced);
+    bool lags = s->lag > far ||
+                (left > open * s->max_balanced && !load_jumped(sim, o->T));
+    sim->statistics.lagging += lags;
+    return lags;
 }
 
 /* -------------------------------------------------------------------- saved */
 
-static ovr_status visit_array(ovr_simulation *sim, const char *name, int number,
-                              double *values, ovr_visit *visit, void *context,
-                              ovr_error *err)
+void ovr_heat_visit(ovr_simulation *sim, void *own, ovr_pieces *state)
 {
-    char text[40];
-    snprintf(text, sizeof text, "%s_%d", name, number);
-    return visit(context, text, values, sim->now.n * sizeof *values, err);
-}
-
-ovr_status ovr_heat_visit(ovr_simulation *sim, ovr_visit *visit, void *context,
-                          ovr_error *err)
-{
-    ovr_heated *h = sim->heated;
+    ovr_heated *h = own;
     int points = h->cross_film.n;
-    ovr_status status = visit(context, "heat_points", &points, sizeof points,
-                              err);
-    if (!status && points != h->cross_film.n && !h->chooses)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "the state has %d points across the film, this run %d",
-                        points, h->cross_film.n);
+    OVR_SHOW(state, "heat_points", points);
+    if (!state->status && points != h->cross_film.n && !h->chooses)
+        state->status = ovr_fail(
+            state->err, OVR_BAD_INPUT,
+            "the state has %d points across the film, this run %d", points,
+            h->cross_film.n);
+    if (state->status)
+        return;
     if (points != h->cross_film.n)
         ovr_cross_film_make(points, &h->cross_film);
-    if (!status)
-        status = visit(context, "heat_stored", &h->steps->stored,
-                       sizeof h->steps->stored, err);
-    if (!status)
-        status = visit(context, "heat_most_balanced", &h->steps->max_balanced,
-                       sizeof h->steps->max_balanced, err);
-    if (!status)
-        status = visit_array(sim, "pressing", 1, h->steps->P_T, visit, context,
-                             err);
-    for (int j = 0; !status && j < h->cross_film.n; j++)
-        status = visit_array(sim, "temperature", j + 1, h->T[j], visit, context,
-                             err);
-    for (int j = 0; !status && j < h->cross_film.n; j++)
-        status = visit_array(sim, OVR_YOUNGER "temperature_change", j + 1,
-                             h->steps->change[j], visit, context, err);
-    for (int k = 0; !status && k < h->cross_film.n + FIELDS; k++)
-        status = visit_array(sim, "viscosity_by", k + 1, kept_of(h, k), visit,
-                             context, err);
-    for (int k = 0; !status && k < 2; k++) {
-        status = visit_array(sim, "heat_flux", k + 1, h->q[k], visit, context,
-                             err);
-        if (!status)
-            status = ovr_heat_surface_visit(sim, k, visit, context, err);
+    OVR_SHOW(state, "heat_stored", h->steps->stored);
+    OVR_SHOW(state, "heat_most_balanced", h->steps->max_balanced);
+    ovr_show_nodes(sim, state, "pressing", 1, h->steps->P_T);
+    for (int j = 0; j < points; j++)
+        ovr_show_nodes(sim, state, "temperature", j + 1, h->T[j]);
+    for (int j = 0; j < points; j++)
+        ovr_show_nodes(sim, state, OVR_YOUNGER "temperature_change", j + 1,
+                       h->steps->change[j]);
+    for (int k = 0; k < points + FIELDS; k++)
+        ovr_show_nodes(sim, state, "viscosity_by", k + 1, kept_of(h, k));
+    for (int k = 0; k < 2; k++) {
+        ovr_show_nodes(sim, state, "heat_flux", k + 1, h->q[k]);
+        ovr_heat_surface_visit(sim, k, state);
     }
-    return status;
 }
 
-void ovr_heat_restored(ovr_simulation *sim)
+void ovr_heat_restored(ovr_simulation *sim, void *own)
 {
-    ovr_heated *h = sim->heated;
+    ovr_heated *h = own;
     h->steps->trying = false;
     h->steps->dT = sim->past.dT;
     for (size_t i = 0; i < sim->now.n; i++) {

@@ -90,28 +90,29 @@ typedef struct ovr_heat_steps {
 /* Memory for them, with the rates of the surfaces' memories. */
 ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err);
 
-/* The steady solution, or a step just made, is the last time reached. */
-void ovr_heat_begin(ovr_simulation *sim);
-void ovr_heat_taken(ovr_simulation *sim);
+/* Those that follow are functions of a physics (physics.h), whose own is the
+ * ovr_heated.  The steady solution, or a step just made, is the last time
+ * reached. */
+void ovr_heat_begin(ovr_simulation *sim, void *own);
+void ovr_heat_taken(ovr_simulation *sim, void *own, double dT);
 
 /* A step of dT from there, with its history term in place; a try of it, with
  * the guess in place: temperatures, and the film by them; the same after a
  * cycle, where they lag. */
-void ovr_heat_step(ovr_simulation *sim, double dT);
-void ovr_heat_try(ovr_simulation *sim, bool first);
-void ovr_heat_anew(ovr_simulation *sim);
+void ovr_heat_step(ovr_simulation *sim, void *own, double dT);
+void ovr_heat_try(ovr_simulation *sim, void *own, bool first);
+void ovr_heat_anew(ovr_simulation *sim, void *own);
 
-/* The step that was observed last has temperatures that are not those of its
- * film. */
-bool ovr_heat_lags(ovr_simulation *sim);
+/* True if the step that was observed last has temperatures that are not those
+ * of its film. */
+bool ovr_heat_lags(ovr_simulation *sim, void *own);
 
 /* Back to the last time reached. */
-void ovr_heat_step_back(ovr_simulation *sim);
+void ovr_heat_step_back(ovr_simulation *sim, void *own);
 
 /* Arrays and numbers of the state between two steps; what follows from them,
  * once they are there. */
-ovr_status ovr_heat_visit(ovr_simulation *sim, ovr_visit *visit, void *context,
-                          ovr_error *err);
-void ovr_heat_restored(ovr_simulation *sim);
+void ovr_heat_visit(ovr_simulation *sim, void *own, ovr_pieces *state);
+void ovr_heat_restored(ovr_simulation *sim, void *own);
 
 #endif

@@ -89,58 +89,43 @@ void ovr_heat_surface_reset(ovr_simulation *sim, int k)
     memset(s->along, 0, n * sizeof *s->along);
 }
 
-static ovr_status visit_nodes(ovr_simulation *sim, int k, int m,
-                              ovr_visit *visit, void *context, ovr_error *err)
+static void visit_nodes(ovr_simulation *sim, int k, int m, ovr_pieces *state)
 {
     double *mode = sim->heated->steps->surface[k].workspace[0];
     double *psi = modes_of(sim, k, m / OVR_MODES) + m % OVR_MODES;
     size_t n = sim->now.n;
-    char name[40];
+    char name[20];
     for (size_t i = 0; i < n; i++)
         mode[i] = psi[i * OVR_MODES];
-    snprintf(name, sizeof name, "memory_%d_%d", k + 1, m + 1);
-    ovr_status status = visit(context, name, mode, n * sizeof *mode, err);
+    snprintf(name, sizeof name, "memory_%d", k + 1);
+    ovr_show_nodes(sim, state, name, m + 1, mode);
     for (size_t i = 0; i < n; i++)
         psi[i * OVR_MODES] = mode[i];
-    return status;
 }
 
 /* 0.2.0 had nothing beyond the ends, and other modes where these remember more
  * than two passages: those are not gone on from. */
-static const char *younger(const ovr_simulation *sim, int k)
-{
-    bool longer = sim->heated->longest[k] > passages(sim, speed_of(sim, k));
-    return longer ? "" : OVR_YOUNGER;
-}
-
-static ovr_status visit_ends(ovr_simulation *sim, int k, int bank,
-                             ovr_visit *visit, void *context, ovr_error *err)
+static void visit_ends(ovr_simulation *sim, int k, int bank, ovr_pieces *state)
 {
     const ovr_heat_surface *s = &sim->heated->steps->surface[k];
     double *psi = s->psi[bank];
     size_t n = sim->now.n, bytes = s->beyond * OVR_MODES * sizeof *psi;
-    const char *second = bank ? "_2" : "", *young = younger(sim, k);
+    bool longer = sim->heated->longest[k] > passages(sim, speed_of(sim, k));
+    const char *second = bank ? "_2" : "", *young = longer ? "" : OVR_YOUNGER;
     char name[40];
     snprintf(name, sizeof name, "%smemory_%d_before%s", young, k + 1, second);
-    ovr_status status = visit(context, name, psi, bytes, err);
+    ovr_show(state, name, psi, bytes);
     snprintf(name, sizeof name, "%smemory_%d_after%s", young, k + 1, second);
-    return status ? status
-                  : visit(context, name, psi + (s->beyond + n) * OVR_MODES,
-                          bytes, err);
+    ovr_show(state, name, psi + (s->beyond + n) * OVR_MODES, bytes);
 }
 
-ovr_status ovr_heat_surface_visit(ovr_simulation *sim, int k, ovr_visit *visit,
-                                  void *context, ovr_error *err)
+void ovr_heat_surface_visit(ovr_simulation *sim, int k, ovr_pieces *state)
 {
-    ovr_status status = OVR_OK;
     for (int b = 0; b < banks_of(sim, k); b++) {
-        for (int m = 0; !status && m < OVR_MODES; m++)
-            status = visit_nodes(sim, k, b * OVR_MODES + m, visit, context,
-                                 err);
-        if (!status)
-            status = visit_ends(sim, k, b, visit, context, err);
+        for (int m = 0; m < OVR_MODES; m++)
+            visit_nodes(sim, k, b * OVR_MODES + m, state);
+        visit_ends(sim, k, b, state);
     }
-    return status;
 }
 
 /* The same for steps that differ in rounding alone. */

@@ -61,8 +61,7 @@ void ovr_heat_surface_remember(ovr_simulation *sim, int k, const double *q);
 /* The modes of a surface that has taken up nothing; those to save, each by
  * itself in the order of the nodes. */
 void ovr_heat_surface_reset(ovr_simulation *sim, int k);
-ovr_status ovr_heat_surface_visit(ovr_simulation *sim, int k, ovr_visit *visit,
-                                  void *context, ovr_error *err);
+void ovr_heat_surface_visit(ovr_simulation *sim, int k, ovr_pieces *state);
 
 /* Its steady modes by the flux q, and `along` by them. */
 void ovr_heat_surface_steady(ovr_simulation *sim, int k);

@@ -281,6 +281,22 @@ void ovr_fourth_leave(ovr_simulation *sim);
 /* The history term where cavitation is mass-conserving (content_history.c). */
 void ovr_content_history(ovr_simulation *sim, double dT, const double c[2]);
 
+/* The pieces of memory that make up a state, shown one after the other by name
+ * (ovr_simulation_visit): once one of them failed no other is. */
+typedef struct ovr_pieces {
+    ovr_visit *visit;
+    void *context;
+    ovr_error *err;
+    ovr_status status;
+} ovr_pieces;
+void ovr_show(ovr_pieces *state, const char *name, void *memory, size_t bytes);
+
+/* A number; "NAME_3", an array of the solution's nodes. */
+#define OVR_SHOW(state, name, number)                                          \
+    ovr_show(state, name, &(number), sizeof(number))
+void ovr_show_nodes(const ovr_simulation *sim, ovr_pieces *state,
+                    const char *name, int number, double *values);
+
 /* The same along the characteristic (content_departures.c): memory, the history
  * term, a step that is taken, its checkpoint. */
 ovr_status ovr_carriage_take(ovr_simulation *sim, ovr_error *err);
@@ -292,8 +308,7 @@ void ovr_carriage_taken(ovr_simulation *sim);
  */
 void ovr_carriage_move(ovr_simulation *sim, double T, const double *x,
                        double *to);
-ovr_status ovr_carriage_visit(ovr_simulation *sim, ovr_visit *show,
-                              void *context, ovr_error *err);
+void ovr_carriage_visit(ovr_simulation *sim, ovr_pieces *state);
 
 /* True if only what arrives enters in the step to come; q at X_a - D, X_a - 2
  * D, ... at T, of what arrives later, written downwards from `last`. */

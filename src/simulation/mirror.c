@@ -56,12 +56,10 @@ static void taken(ovr_simulation *sim, void *own, double dT)
     keep_side(sim);
 }
 
-static ovr_status visit(ovr_simulation *sim, void *own, ovr_visit *show,
-                        void *context, ovr_error *err)
+static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
 {
-    bool *backward = &sim->past.backward;
     (void)own;
-    return show(context, "backward", backward, sizeof *backward, err);
+    OVR_SHOW(state, "backward", sim->past.backward);
 }
 
 void ovr_slide(ovr_simulation *sim, double T)

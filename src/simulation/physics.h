@@ -374,8 +374,7 @@ struct ovr_physics {
 
     /* Shows what of it makes up the state between two steps; what follows from
      * that once it is there, before step_back. */
-    ovr_status (*visit)(ovr_simulation *sim, void *own, ovr_visit *visit,
-                        void *context, ovr_error *err);
+    void (*visit)(ovr_simulation *sim, void *own, ovr_pieces *state);
     void (*restored)(ovr_simulation *sim, void *own);
 
     /* What was observed that does not follow from the state, as it was saved.

@@ -50,63 +50,51 @@ static const struct {
              PART("outlet", options.outlet),
              PART("level", options.level)};
 
-static ovr_status visit_past(ovr_simulation *sim, ovr_visit *visit,
-                             void *context, ovr_error *err)
+void ovr_show(ovr_pieces *state, const char *name, void *memory, size_t bytes)
 {
-    size_t bytes = sim->now.n * sizeof(double);
-    ovr_status status = OVR_OK;
+    if (!state->status)
+        state->status = state->visit(state->context, name, memory, bytes,
+                                     state->err);
+}
+
+void ovr_show_nodes(const ovr_simulation *sim, ovr_pieces *state,
+                    const char *name, int number, double *values)
+{
+    char text[40];
+    snprintf(text, sizeof text, "%s_%d", name, number);
+    ovr_show(state, text, values, sim->now.n * sizeof *values);
+}
+
+static void visit_past(ovr_simulation *sim, ovr_pieces *state)
+{
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
-        for (int ago = 0; !status && ago < ovr_field_rows[k].past; ago++) {
-            char name[32];
-            snprintf(name, sizeof name, "%s_%d", ovr_field_rows[k].name,
-                     ago + 1);
-            status = visit(context, name, sim->past.all[k][ago], bytes, err);
-        }
-    for (int k = 0; !status && k < OVR_GUESSES; k++) {
+        for (int ago = 0; ago < ovr_field_rows[k].past; ago++)
+            ovr_show_nodes(sim, state, ovr_field_rows[k].name, ago + 1,
+                           sim->past.all[k][ago]);
+    for (int k = 0; k < OVR_GUESSES; k++) {
         char name[32];
         snprintf(name, sizeof name, "guess_error_%d", k + 1);
-        status = visit(context, name, &sim->past.guess_error[k],
-                       sizeof sim->past.guess_error[k], err);
+        OVR_SHOW(state, name, sim->past.guess_error[k]);
     }
-    return status;
 }
 
 /* The order that the run has, which says what else it has. */
-static ovr_status visit_order(ovr_simulation *sim, ovr_visit *visit,
-                              void *context, ovr_error *err)
+static void visit_order(ovr_simulation *sim, ovr_pieces *state)
 {
-    ovr_status status = visit(context, "order", &sim->order, sizeof sim->order,
-                              err);
-    if (!status && sim->order > sim->options.order)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "the state is of a run of order %d, this one is of "
-                        "order %d",
-                        sim->order, sim->options.order);
-    return status;
+    OVR_SHOW(state, "order", sim->order);
+    if (!state->status && sim->order > sim->options.order)
+        state->status = ovr_fail(state->err, OVR_BAD_INPUT,
+                                 "the state is of a run of order %d, this one "
+                                 "is of order %d",
+                                 sim->order, sim->options.order);
 }
 
-/* Extremes and means over the run. */
-static ovr_status visit_kept(ovr_simulation *sim, ovr_visit *visit,
-                             void *context, ovr_error *err)
-{
-    ovr_status status = OVR_OK;
-    ovr_extreme e;
-    for (size_t k = 0; !status && ovr_extreme_at(k, &e); k++)
-        status = visit(context, e.saved, ovr_kept_number(&e, &sim->statistics),
-                       sizeof(double), err);
-    return status;
-}
-
-static ovr_status visit_borne(ovr_simulation *sim, ovr_visit *visit,
-                              void *context, ovr_error *err)
+static void visit_borne(ovr_simulation *sim, ovr_pieces *state)
 {
     size_t bytes = sim->now.n * sizeof *sim->borne;
-    ovr_status status = visit(context, "borne", sim->borne, bytes, err);
-    if (!status)
-        status = visit(context, "borne_1", sim->borne_before[0], bytes, err);
-    if (!status)
-        status = visit(context, "borne_2", sim->borne_before[1], bytes, err);
-    return status;
+    ovr_show(state, "borne", sim->borne, bytes);
+    ovr_show(state, "borne_1", sim->borne_before[0], bytes);
+    ovr_show(state, "borne_2", sim->borne_before[1], bytes);
 }
 
 ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
@@ -114,18 +102,22 @@ ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
 {
     if (!sim || !visit)
         return ovr_fail_null(err, __func__);
-    ovr_status status = visit_past(sim, visit, context, err);
-    if (!status)
-        status = visit_order(sim, visit, context, err);
-    if (!status && sim->borne)
-        status = visit_borne(sim, visit, context, err);
+    ovr_pieces state = {visit, context, err, OVR_OK};
+    ovr_extreme e;
+    visit_past(sim, &state);
+    visit_order(sim, &state);
+    if (sim->borne)
+        visit_borne(sim, &state);
     OVR_EACH_PHYSICS(sim, p, visit)
-        if (!status)
-            status = p->is->visit(sim, p->own, visit, context, err);
-    for (size_t k = 0; !status && k < sizeof parts / sizeof *parts; k++)
-        status = visit(context, parts[k].name, (char *)sim + parts[k].offset,
-                       parts[k].bytes, err);
-    return status ? status : visit_kept(sim, visit, context, err);
+        p->is->visit(sim, p->own, &state);
+    for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
+        ovr_show(&state, parts[k].name, (char *)sim + parts[k].offset,
+                 parts[k].bytes);
+    /* extremes and means over the run */
+    for (size_t k = 0; ovr_extreme_at(k, &e); k++)
+        ovr_show(&state, e.saved, ovr_kept_number(&e, &sim->statistics),
+                 sizeof(double));
+    return state.status;
 }
 
 /* Film and properties follow from the pressure, and what is observed from

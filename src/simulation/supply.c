@@ -335,25 +335,15 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
 
 /* --------------------------------------------------------------- checkpoint */
 
-static ovr_status visit(ovr_simulation *sim, void *own, ovr_visit *show,
-                        void *context, ovr_error *err)
+static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
 {
     ovr_arrival *a = own;
-    double *defect = &sim->observation.mass_defect;
-    ovr_status status = show(context, "oil_waiting", &a->reservoir,
-                             sizeof a->reservoir, err);
-    if (!status)
-        status = show(context, "inlet_closed", &a->closed, sizeof a->closed,
-                      err);
-    if (!status)
-        status = show(context, "flooded_film", &a->flooded, sizeof a->flooded,
-                      err);
-    if (!status)
-        status = show(context, "flooded_flow", &a->flow, sizeof a->flow, err);
-    if (!status)
-        status = ovr_carriage_visit(sim, show, context, err);
-    return status ? status
-                  : show(context, "mass_defect", defect, sizeof *defect, err);
+    OVR_SHOW(state, "oil_waiting", a->reservoir);
+    OVR_SHOW(state, "inlet_closed", a->closed);
+    OVR_SHOW(state, "flooded_film", a->flooded);
+    OVR_SHOW(state, "flooded_flow", a->flow);
+    ovr_carriage_visit(sim, state);
+    OVR_SHOW(state, "mass_defect", sim->observation.mass_defect);
 }
 
 static void restored(ovr_simulation *sim, void *own)

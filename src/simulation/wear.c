@@ -137,27 +137,18 @@ bool ovr_wear_over(const ovr_wear *wear)
            wear->before.passes >= wear->given->passes * (1 - rounding);
 }
 
-ovr_status ovr_wear_visit(ovr_wear *wear, ovr_visit *visit, void *context,
-                          ovr_error *err)
+void ovr_wear_visit(ovr_wear *wear, ovr_pieces *state)
 {
     size_t bytes = wear->pair.n * sizeof(double);
-    struct {
-        const char *name;
-        void *memory;
-        size_t bytes;
-    } all[] = {
-        {"worn_passes", &wear->before.passes, sizeof wear->before.passes},
-        {"worn_depth", wear->before.depth, sizeof wear->before.depth},
-        {"worn_share", &wear->share, sizeof wear->share},
-        {"worn_change", &wear->change, sizeof wear->change},
-        {"worn_w", wear->w, wear->pair.points * sizeof *wear->w},
-        {"worn_1", wear->before.z[0], wear->before.z[0] ? bytes : 0},
-        {"worn_2", wear->before.z[1], wear->before.z[1] ? bytes : 0}};
-    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        if (all[k].memory &&
-            visit(context, all[k].name, all[k].memory, all[k].bytes, err))
-            return err ? err->status : OVR_BAD_INPUT;
-    return OVR_OK;
+    OVR_SHOW(state, "worn_passes", wear->before.passes);
+    OVR_SHOW(state, "worn_depth", wear->before.depth);
+    OVR_SHOW(state, "worn_share", wear->share);
+    OVR_SHOW(state, "worn_change", wear->change);
+    ovr_show(state, "worn_w", wear->w, wear->pair.points * sizeof *wear->w);
+    if (wear->before.z[0])
+        ovr_show(state, "worn_1", wear->before.z[0], bytes);
+    if (wear->before.z[1])
+        ovr_show(state, "worn_2", wear->before.z[1], bytes);
 }
 
 ovr_core ovr_wear_core(const ovr_wear *wear, int surface, bool given)

@@ -60,8 +60,7 @@ void ovr_wear_back(ovr_wear *wear);
 
 bool ovr_wear_over(const ovr_wear *wear);
 
-ovr_status ovr_wear_visit(ovr_wear *wear, ovr_visit *visit, void *context,
-                          ovr_error *err);
+void ovr_wear_visit(ovr_wear *wear, ovr_pieces *state);
 
 /* Peaks above the core of a surface (Rpk) and valleys below it (Rvk), as it was
  * given or as it is now; NAN: it is smooth. */

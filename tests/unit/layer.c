@@ -216,12 +216,10 @@ static void review(const ovr_simulation *sim, const void *own,
     say(data, true, text);
 }
 
-static ovr_status visit(ovr_simulation *sim, void *own, ovr_visit *show,
-                        void *context, ovr_error *err)
+static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
 {
     const layer *l = own;
-    return show(context, "worn", l->before, sim->now.n * sizeof *l->before,
-                err);
+    ovr_show(state, "worn", l->before, sim->now.n * sizeof *l->before);
 }
 
 const ovr_physics test_layer = {.name = "a layer on body 1",
