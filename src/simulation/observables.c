@@ -14,24 +14,27 @@
 
 /* ----------------------------------------------------------------- fields */
 
-static const double *pressure(const ovr_simulation *sim, double *workspace)
-{
-    (void)workspace;
-    return sim->now.P;
-}
-
-static const double *film_thickness(const ovr_simulation *sim,
-                                    double *workspace)
-{
-    (void)workspace;
-    return sim->now.H;
-}
-
-static const double *roughness(const ovr_simulation *sim, double *workspace)
-{
-    (void)workspace;
-    return sim->S;
-}
+/* Fields that are there already, or that others find. */
+#define IS(name, values)                                                       \
+    static const double *name(const ovr_simulation *sim, double *workspace)    \
+    {                                                                          \
+        (void)workspace;                                                       \
+        return (values);                                                       \
+    }
+IS(pressure, sim->now.P)
+IS(film_thickness, sim->now.H)
+IS(roughness, sim->S)
+IS(oil_content, sim->now.q)
+/* `pressure` by the name that it has beside contact_pressure */
+IS(fluid_pressure, sim->now.P)
+IS(shear_stress_1, ovr_wall_stress(sim, 1, workspace))
+IS(shear_stress_2, ovr_wall_stress(sim, 2, workspace))
+IS(temperature_1, ovr_heat_temperature(sim, OVR_HEAT_SURFACE_1, workspace))
+IS(temperature_2, ovr_heat_temperature(sim, OVR_HEAT_SURFACE_2, workspace))
+IS(temperature_mean, ovr_heat_temperature(sim, OVR_HEAT_MEAN, workspace))
+IS(temperature_middle, ovr_heat_temperature(sim, OVR_HEAT_MIDDLE, workspace))
+IS(heat_flux_1, ovr_heat_flux(sim, 1, workspace))
+IS(heat_flux_2, ovr_heat_flux(sim, 2, workspace))
 
 static const double *density(const ovr_simulation *sim, double *workspace)
 {
@@ -77,70 +80,12 @@ static const double *contact_pressure(const ovr_simulation *sim,
     return workspace;
 }
 
-/* `pressure` by the name that it has beside contact_pressure. */
-static const double *fluid_pressure(const ovr_simulation *sim,
-                                    double *workspace)
-{
-    (void)workspace;
-    return sim->now.P;
-}
-
-static const double *oil_content(const ovr_simulation *sim, double *workspace)
-{
-    (void)workspace;
-    return sim->now.q;
-}
-
 static const double *mass_flow(const ovr_simulation *sim, double *workspace)
 {
     double Cu = ovr_history_value(sim->speed, sim->state.T);
     for (size_t i = 0; i + 1 < sim->state.n; i++)
         workspace[i] = ovr_flux(sim, Cu, i);
     return workspace;
-}
-
-static const double *shear_stress_1(const ovr_simulation *sim,
-                                    double *workspace)
-{
-    return ovr_wall_stress(sim, 1, workspace);
-}
-
-static const double *shear_stress_2(const ovr_simulation *sim,
-                                    double *workspace)
-{
-    return ovr_wall_stress(sim, 2, workspace);
-}
-
-static const double *temperature_1(const ovr_simulation *sim, double *workspace)
-{
-    return ovr_heat_temperature(sim, OVR_HEAT_SURFACE_1, workspace);
-}
-
-static const double *temperature_2(const ovr_simulation *sim, double *workspace)
-{
-    return ovr_heat_temperature(sim, OVR_HEAT_SURFACE_2, workspace);
-}
-
-static const double *temperature_mean(const ovr_simulation *sim,
-                                      double *workspace)
-{
-    return ovr_heat_temperature(sim, OVR_HEAT_MEAN, workspace);
-}
-
-static const double *temperature_middle(const ovr_simulation *sim,
-                                        double *workspace)
-{
-    return ovr_heat_temperature(sim, OVR_HEAT_MIDDLE, workspace);
-}
-
-static const double *heat_flux_1(const ovr_simulation *sim, double *workspace)
-{
-    return ovr_heat_flux(sim, 1, workspace);
-}
-
-static const double *heat_flux_2(const ovr_simulation *sim, double *workspace)
-{
-    return ovr_heat_flux(sim, 2, workspace);
 }
 
 /* ------------------------------------------------------------------- list */

@@ -80,55 +80,54 @@ void ovr_statistics_unknown(ovr_statistics *s)
 
 /* ------------------------------------------------------------------- list */
 
-/* "P_max" of "P_max_overall". */
+#define PUT(text, ...) snprintf(text, sizeof(text), __VA_ARGS__)
+
+/* The length of "P_max" in "P_max_overall". */
 static int stem(const char *key)
 {
-    static const char all[] = "_overall";
-    size_t length = strlen(key), end = strlen(all);
-    bool ends = length > end && strcmp(key + length - end, all) == 0;
-    return (int)(ends ? length - end : length);
+    const char *end = strstr(key, "_overall");
+    return (int)(end && end != key && !end[8] ? (size_t)(end - key)
+                                              : strlen(key));
 }
 
-static void name_extreme(const ovr_observable *row, ovr_extreme *to)
+/* How a part that is kept is called: its key, by that of the extreme or the
+ * mean; its name in checkpoints by the row's own, where that has one; and in
+ * words, after the quantity's or by that key. */
+static void name(const ovr_observable *row, ovr_kept_part part, ovr_extreme *to)
 {
-    static const char *const words[] = {
+    static const char *const senses[] = {
         [OVR_SMALLEST] = "smallest",
         [OVR_LARGEST] = "largest",
         [OVR_OF_MAGNITUDE] = "of largest magnitude"};
-    snprintf(to->key, sizeof to->key, "%s", row->extreme_key);
-    snprintf(to->saved, sizeof to->saved, "%s",
-             row->saved ? row->saved : to->key);
-    snprintf(to->long_name, sizeof to->long_name, "%s: %s over the run",
-             row->long_name, words[row->extreme]);
-}
-
-static void name_place(const ovr_observable *row, ovr_extreme *to)
-{
-    to->kind = OVR_KIND_LENGTH;
-    snprintf(to->key, sizeof to->key, "X_%s", row->extreme_key);
-    snprintf(to->saved, sizeof to->saved, row->saved ? "%s_place" : "X_%s",
-             row->saved ? row->saved : row->extreme_key);
-    snprintf(to->long_name, sizeof to->long_name, "where %s was",
-             row->extreme_key);
-}
-
-static void name_time(const ovr_observable *row, ovr_extreme *to)
-{
-    to->kind = OVR_KIND_TIME;
-    snprintf(to->key, sizeof to->key, "T_%.*s", stem(row->extreme_key),
-             row->extreme_key);
-    snprintf(to->saved, sizeof to->saved, row->saved ? "%s_time" : "T_%s",
-             row->saved ? row->saved : row->extreme_key);
-    snprintf(to->long_name, sizeof to->long_name, "when %s was",
-             row->extreme_key);
-}
-
-static void name_mean(const ovr_observable *row, ovr_extreme *to)
-{
-    snprintf(to->key, sizeof to->key, "%s", row->mean_key);
-    snprintf(to->saved, sizeof to->saved, "%s", row->mean_key);
-    snprintf(to->long_name, sizeof to->long_name, "%s: mean over the run",
-             row->long_name);
+    const char *key = row->extreme_key, *saved = row->saved, *suffix;
+    *to = (ovr_extreme){.kind = row->kind, .part = part, .of = row};
+    switch (part) {
+    case OVR_KEPT_EXTREME:
+        PUT(to->key, "%s", key);
+        PUT(to->saved, "%s", saved ? saved : key);
+        PUT(to->long_name, "%s: %s over the run", row->long_name,
+            senses[row->extreme]);
+        break;
+    case OVR_KEPT_PLACE:
+        to->kind = OVR_KIND_LENGTH;
+        PUT(to->key, "X_%s", key);
+        PUT(to->saved, saved ? "%s_place" : "X_%s", saved ? saved : key);
+        PUT(to->long_name, "where %s was", key);
+        break;
+    case OVR_KEPT_TIME:
+        to->kind = OVR_KIND_TIME;
+        PUT(to->key, "T_%.*s", stem(key), key);
+        PUT(to->saved, saved ? "%s_time" : "T_%s", saved ? saved : key);
+        PUT(to->long_name, "when %s was", key);
+        break;
+    case OVR_KEPT_MEAN:
+        PUT(to->key, "%s", row->mean_key);
+        PUT(to->saved, "%s", row->mean_key);
+        PUT(to->long_name, "%s: mean over the run", row->long_name);
+    }
+    suffix = ovr_kind_about(to->kind)->suffix;
+    if (*suffix)
+        PUT(to->key_si, "%s%s", to->key, suffix);
 }
 
 static bool is_kept(const ovr_observable *row, ovr_kept_part part)
@@ -138,21 +137,6 @@ static bool is_kept(const ovr_observable *row, ovr_kept_part part)
     case OVR_KEPT_MEAN: return row->mean_key != NULL;
     default: return row->extreme_key != NULL;
     }
-}
-
-static void name(const ovr_observable *row, ovr_kept_part part, ovr_extreme *to)
-{
-    static void (*const by[])(const ovr_observable *, ovr_extreme *) = {
-        [OVR_KEPT_EXTREME] = name_extreme,
-        [OVR_KEPT_PLACE] = name_place,
-        [OVR_KEPT_TIME] = name_time,
-        [OVR_KEPT_MEAN] = name_mean};
-    const char *suffix;
-    *to = (ovr_extreme){.kind = row->kind, .part = part, .of = row};
-    by[part](row, to);
-    suffix = ovr_kind_about(to->kind)->suffix;
-    if (*suffix)
-        snprintf(to->key_si, sizeof to->key_si, "%s%s", to->key, suffix);
 }
 
 bool ovr_extreme_at(size_t k, ovr_extreme *to)
