@@ -32,17 +32,12 @@ void ovr_simulation_sliding(ovr_simulation *sim, const ovr_history *sliding)
     sim->sliding = sliding;
 }
 
-static ovr_sheared film_of(const ovr_simulation *sim)
-{
-    const ovr_solution *now = &sim->now;
-    return (ovr_sheared){now->n, now->X,   now->P,   now->H,
-                         now->q, now->eps, now->flow};
-}
-
 void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o)
 {
     const ovr_kernels *run = sim->grids.kernels;
-    const ovr_sheared film = film_of(sim);
+    const ovr_solution *now = &sim->now;
+    const ovr_sheared film = {now->n, now->X,   now->P,   now->H,
+                              now->q, now->eps, now->flow};
     double V = ovr_sliding(sim, sim->state.T),
            load = OVR_NOMINAL_LOAD * o->load_ratio;
     double coefficient = load > 0 ? sim->contact.kappa / load : NAN;

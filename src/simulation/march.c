@@ -95,24 +95,6 @@ static ovr_status adaptive_step(ovr_simulation *sim, const ovr_march *march,
     return OVR_OK;
 }
 
-static ovr_status fixed_step(ovr_simulation *sim, const ovr_march *march,
-                             double dT, ovr_error *err)
-{
-    bool taken;
-    double error;
-    sim->largest_error = INFINITY;
-    return ovr_simulation_attempt(sim, next_time(sim, march, dT), &taken,
-                                  &error, err);
-}
-
-/* Counts the step just made, before anybody stores its state. */
-static void count_still(ovr_simulation *sim, const ovr_march *march)
-{
-    ovr_past *past = &sim->past;
-    double rate = march->steady_rate > 0 ? march->steady_rate : still_rate;
-    past->still = past->change <= rate * past->dT ? past->still + 1 : 0;
-}
-
 static bool has_settled(const ovr_simulation *sim, const ovr_march *march)
 {
     OVR_EACH_PHYSICS(sim, p, over)
@@ -127,24 +109,28 @@ static double step_of(const ovr_simulation *sim, const ovr_march *march)
     return march->dT > 0 ? march->dT : ovr_mesh(sim);
 }
 
-static bool arrived(const ovr_simulation *sim, const ovr_march *march)
-{
-    return !(sim->state.T < march->end - 1e-6 * step_of(sim, march));
-}
-
 static bool has_ended(const ovr_simulation *sim, const ovr_march *march)
 {
-    return sim->statistics.settled || arrived(sim, march);
+    return sim->statistics.settled ||
+           !(sim->state.T < march->end - 1e-6 * step_of(sim, march));
 }
 
 static ovr_status advance(ovr_simulation *sim, const ovr_march *march,
                           bool *more, ovr_error *err)
 {
-    double dT = step_of(sim, march);
-    ovr_status status = march->adaptive ? adaptive_step(sim, march, err)
-                                        : fixed_step(sim, march, dT, err);
+    double rate = march->steady_rate > 0 ? march->steady_rate : still_rate;
+    ovr_past *past = &sim->past;
+    ovr_status status;
+    if (march->adaptive) {
+        status = adaptive_step(sim, march, err);
+    } else {
+        double next = next_time(sim, march, step_of(sim, march)), error;
+        bool taken;
+        sim->largest_error = INFINITY;
+        status = ovr_simulation_attempt(sim, next, &taken, &error, err);
+    }
     if (!status) {
-        count_still(sim, march);
+        past->still = past->change <= rate * past->dT ? past->still + 1 : 0;
         sim->statistics.settled = has_settled(sim, march);
         status = observe(sim, march, err);
     }

@@ -39,21 +39,16 @@ static void before_start(ovr_simulation *sim, void *own)
 }
 
 /* The side of the solution becomes that of the past. */
-static void keep_side(ovr_simulation *sim)
-{
-    sim->past.backward = sim->backward;
-}
-
 static void begin(ovr_simulation *sim, void *own)
 {
     (void)own;
-    keep_side(sim);
+    sim->past.backward = sim->backward;
 }
 
 static void taken(ovr_simulation *sim, void *own, double dT)
 {
-    (void)own, (void)dT;
-    keep_side(sim);
+    (void)dT;
+    begin(sim, own);
 }
 
 static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
@@ -104,15 +99,6 @@ void ovr_mirror(size_t n, const double *from, double *to)
         to[i] = from[n - 1 - i];
 }
 
-static void mirror_in_place(size_t n, double *x)
-{
-    for (size_t i = 0; i < n / 2; i++) {
-        double left = x[i];
-        x[i] = x[n - 1 - i];
-        x[n - 1 - i] = left;
-    }
-}
-
 void ovr_nodes_read(const ovr_simulation *sim, const ovr_level *level,
                     const double *values, double *along_x)
 {
@@ -121,7 +107,11 @@ void ovr_nodes_read(const ovr_simulation *sim, const ovr_level *level,
         return;
     /* between nodes i and i + 1 */
     bool between = values == level->f.flow && values;
-    mirror_in_place(level->grid.n - between, along_x);
+    for (size_t i = 0, j = level->grid.n - 1 - between; i < j; i++, j--) {
+        double left = along_x[i];
+        along_x[i] = along_x[j];
+        along_x[j] = left;
+    }
 }
 
 void ovr_nodes_write(const ovr_simulation *sim, const ovr_level *level,

@@ -36,19 +36,13 @@ static double mean_film(const ovr_simulation *sim, inside in, double *roughness)
     return sum[FILM] / sum[WIDTH];
 }
 
-/* Less than that of the nominal contact where the contact is narrower. */
-static double rough_window(const ovr_simulation *sim)
-{
-    double T = sim->state.T;
-    double s = sqrt(ovr_history_value(sim->load, T) *
-                    ovr_history_value(sim->radius, T));
-    return OVR_ROUGH_WINDOW * fmin(1, s);
-}
-
 static void observe_film(const ovr_simulation *sim, ovr_observation *o)
 {
-    const double *H = sim->now.H;
-    const inside in = nodes_inside(&sim->now, rough_window(sim));
+    const double *H = sim->now.H, T = sim->state.T;
+    /* less than that of the nominal contact where the contact is narrower */
+    double narrower = fmin(1, sqrt(ovr_history_value(sim->load, T) *
+                                   ovr_history_value(sim->radius, T)));
+    const inside in = nodes_inside(&sim->now, OVR_ROUGH_WINDOW * narrower);
     size_t low = 1 + sim->grids.kernels->extreme(sim->now.n - 2, 1, H + 1);
     o->H_min = H[low];
     o->X_min = sim->now.X[low];

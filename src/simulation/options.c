@@ -27,13 +27,6 @@ ovr_options ovr_options_default(void)
     return defaults;
 }
 
-/* H0's error with the second-order wedge at M = 20, L = 10, measured: 2.6e-5
- * at level 8, falling as 4^-level. */
-static double discretization_error(int level)
-{
-    return 2.6e-5 * ldexp(1, 2 * (8 - level));
-}
-
 /*
  * R cannot fall below the rounding of the residual.  eps P is of the size of
  * Cu X_a^4/24 whatever the load, its second difference is divided by D^2, and R
@@ -63,7 +56,9 @@ double ovr_truncation_tolerance(const ovr_simulation *sim, double D, double H)
 void ovr_options_mlmi(const ovr_options *options, int level, int *order,
                       int *range)
 {
-    double target = 0.1 * discretization_error(level);
+    /* H0's error with the second-order wedge at M = 20, L = 10, measured:
+     * 2.6e-5 at level 8, falling as 4^-level */
+    double target = 0.1 * 2.6e-5 * ldexp(1, 2 * (8 - level));
     if (level < options->level) /* corrects finer ones, which stay as exact */
         target = 1e-6;
     else if (target > 1e-8)
@@ -77,37 +72,6 @@ void ovr_options_mlmi(const ovr_options *options, int level, int *order,
         *range = *order > 6 ? 24 : 16;
 }
 
-/* The paper's, where it costs no more than half a per cent. */
-static double usual_inlet(const ovr_contact *contact)
-{
-    double loss = OVR_USUAL_LOSS / ovr_inlet_uncertainty(contact->M);
-    return ovr_inlet_of_loss(contact->M, contact->L, loss, OVR_USUAL_INLET);
-}
-
-static double automatic_inlet(const ovr_contact *contact)
-{
-    return ovr_inlet_of_loss(contact->M, contact->L, OVR_AUTO_LOSS,
-                             OVR_NEAREST_INLET);
-}
-
-/* The paper's, where the film ends before it. */
-static double usual_outlet(const ovr_contact *contact)
-{
-    return fmax(ovr_film_end_bound(contact->M, contact->L), OVR_USUAL_OUTLET);
-}
-
-/* Twice as far as a rigid film ends, 0.475 sqrt(2 H) (Martin). */
-static double automatic_outlet(const ovr_contact *contact)
-{
-    double H = ovr_film_central_moes(contact->M, contact->L);
-    return fmax(1 + sqrt(2 * H), OVR_USUAL_OUTLET);
-}
-
-static double meshes_of(int level)
-{
-    return (double)ovr_level_nodes(level) - 1;
-}
-
 /* 57 nodes, more where the contact is loaded so highly, or the inlet so long,
  * that they would not see it: two meshes over the width of the film. */
 static int automatic_coarsest(const ovr_contact *contact, const ovr_options *o)
@@ -116,7 +80,8 @@ static int automatic_coarsest(const ovr_contact *contact, const ovr_options *o)
     double width = 2 * H > 1 ? sqrt(2 * H) : 1;
     int coarsest = contact->M >= 400 ? 5 : contact->M >= 90 ? 4 : 3;
     while (coarsest < 6 &&
-           o->outlet - o->inlet > 0.5 * width * meshes_of(coarsest))
+           o->outlet - o->inlet >
+               0.5 * width * (double)(ovr_level_nodes(coarsest) - 1))
         coarsest++;
     return coarsest < o->level ? coarsest : o->level;
 }
@@ -201,6 +166,9 @@ static ovr_status check(const ovr_options *o, ovr_error *err)
             err, o->inlet < -1 && isfinite(o->inlet) ? "outlet" : "inlet",
             "domain [%g, %g]: the contact [-1, 1] must lie inside", o->inlet,
             o->outlet);
+    if (o->order != 0 && o->order != 2 && o->order != 4)
+        return ovr_fail(err, OVR_BAD_INPUT, "order = %d: 2 or 4 are possible",
+                        o->order);
     return OVR_OK;
 }
 
@@ -216,16 +184,13 @@ static bool corrects(const ovr_options *o)
     return !ovr_conflict_among(ovr_model_features_of(&with));
 }
 
-static ovr_status check_order(const ovr_options *o, ovr_error *err)
+static ovr_status check_refine(const ovr_options *o, ovr_error *err)
 {
-    if (o->order != 0 && o->order != 2 && o->order != 4)
-        return ovr_fail(err, OVR_BAD_INPUT, "order = %d: 2 or 4 are possible",
-                        o->order);
-    return OVR_OK;
-}
-
-static ovr_status check_refine_level(const ovr_options *o, ovr_error *err)
-{
+    if (o->refine == OVR_REFINE_NONE)
+        return OVR_OK;
+    if (o->refine != OVR_REFINE_SPIKE)
+        return ovr_fail_about(err, "refine", "refine %d: 0 and 1 are possible",
+                              (int)o->refine);
     if (o->level < OVR_MIN_REFINED || o->level >= OVR_MAX_REFINED)
         return ovr_fail_about(err, "level",
                               "level %d: refine goes with levels %d to %d",
@@ -244,33 +209,29 @@ static ovr_status check_refine_level(const ovr_options *o, ovr_error *err)
     return OVR_OK;
 }
 
-static ovr_status check_refine(const ovr_options *o, ovr_error *err)
-{
-    if (o->refine == OVR_REFINE_NONE)
-        return OVR_OK;
-    if (o->refine != OVR_REFINE_SPIKE)
-        return ovr_fail_about(err, "refine", "refine %d: 0 and 1 are possible",
-                              (int)o->refine);
-    return check_refine_level(o, err);
-}
-
+/* The inlet that is usual is the paper's, where it costs no more than half a
+ * per cent, and the outlet, where the film ends before it; an automatic outlet
+ * is twice as far as a rigid film ends, 0.475 sqrt(2 H) (Martin). */
 void ovr_options_domain(const ovr_contact *contact, ovr_options *o)
 {
+    const double M = contact->M, L = contact->L;
     if (isnan(o->inlet))
-        o->inlet = automatic_inlet(contact);
+        o->inlet = ovr_inlet_of_loss(M, L, OVR_AUTO_LOSS, OVR_NEAREST_INLET);
     if (o->inlet == 0)
-        o->inlet = usual_inlet(contact);
+        o->inlet = ovr_inlet_of_loss(
+            M, L, OVR_USUAL_LOSS / ovr_inlet_uncertainty(M), OVR_USUAL_INLET);
     if (isnan(o->outlet))
-        o->outlet = automatic_outlet(contact);
+        o->outlet = fmax(1 + sqrt(2 * ovr_film_central_moes(M, L)),
+                         OVR_USUAL_OUTLET);
     if (o->outlet == 0)
-        o->outlet = usual_outlet(contact);
+        o->outlet = fmax(ovr_film_end_bound(M, L), OVR_USUAL_OUTLET);
 }
 
 ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,
                                ovr_error *err)
 {
     ovr_options_domain(contact, o);
-    if (check_numbers(o, err) || check(o, err) || check_order(o, err) ||
+    if (check_numbers(o, err) || check(o, err) ||
         ovr_conflict_check(ovr_model_features_of(o), err) ||
         check_refine(o, err))
         return OVR_BAD_INPUT;

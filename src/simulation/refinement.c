@@ -20,15 +20,6 @@ static double distance(const ovr_level *level, const double *a, size_t stride,
     return ovr_grid_distance(&level->grid, a, stride, b) / OVR_NOMINAL_LOAD;
 }
 
-static double smallest(const double *H, size_t n)
-{
-    double minimum = H[1];
-    for (size_t i = 2; i + 1 < n; i++)
-        if (H[i] < minimum)
-            minimum = H[i];
-    return minimum;
-}
-
 static void note(ovr_simulation *sim, const ovr_level *level,
                  const ovr_full_status *status)
 {
@@ -42,7 +33,8 @@ static void note(ovr_simulation *sim, const ovr_level *level,
                            .factor = status->factor,
                            .H_cen = status->defect.centre};
     ovr_level_read(&sim->grids, level, level->f.H, now);
-    to->H_min = smallest(now, level->grid.n);
+    to->H_min =
+        now[1 + sim->grids.kernels->extreme(level->grid.n - 2, 1, now + 1)];
     ovr_level_read(&sim->grids, level, level->f.P, now);
     ovr_level_read(&sim->grids, level, level->f.entry, before);
     if (status->cycles)

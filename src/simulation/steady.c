@@ -57,11 +57,6 @@ static bool thins(const ovr_simulation *sim)
     return sim->lubricant.rheology != OVR_NEWTONIAN;
 }
 
-static bool thin_last(const ovr_simulation *sim, const strategy *how)
-{
-    return thins(sim) && how->thin_last;
-}
-
 static ovr_full full_of(ovr_simulation *sim, const strategy *how)
 {
     const ovr_options *o = &sim->options;
@@ -76,7 +71,7 @@ static ovr_full full_of(ovr_simulation *sim, const strategy *how)
                       .load_factor = how->load_factor,
                       .mesh = how->mesh,
                       .fixed = fixed,
-                      .thin_last = thin_last(sim, how),
+                      .thin_last = thins(sim) && how->thin_last,
                       .max_cycles = fixed ? o->cycles
                                           : ovr_steady_max_cycles(sim, 60),
                       .tolerance = ovr_steady_tolerance,
@@ -188,19 +183,7 @@ void ovr_simulation_stop(ovr_simulation *sim, bool (*stop)(void *data),
     sim->stopping = (ovr_stopping){.asked = stop, .data = data};
 }
 
-/* Tries one strategy; returns the tolerance. */
-static double try_strategy(ovr_simulation *sim, int k, ovr_outcome *outcome)
-{
-    ovr_full how = full_of(sim, &strategies[k]);
-    sim->strategy = k;
-    sim->grown = strategies[k].grown;
-    sim->refinements = 0;
-    attempt(sim, &how, outcome);
-    outcome->converged = ovr_steady_found(sim, outcome);
-    return ovr_steady_tolerance(sim, sim->finest, outcome->defect.centre);
-}
-
-/* Tries one after the other. */
+/* Tries one after the other; returns the tolerance of the last. */
 static double search(ovr_simulation *sim, ovr_outcome *outcome)
 {
     double tolerance = 0;
@@ -211,7 +194,14 @@ static double search(ovr_simulation *sim, ovr_outcome *outcome)
             (strategies[k].grown && !sim->heights))
             continue;
         outcome->retries = tried++;
-        tolerance = try_strategy(sim, k, outcome);
+        ovr_full how = full_of(sim, &strategies[k]);
+        sim->strategy = k;
+        sim->grown = strategies[k].grown;
+        sim->refinements = 0;
+        attempt(sim, &how, outcome);
+        outcome->converged = ovr_steady_found(sim, outcome);
+        tolerance = ovr_steady_tolerance(sim, sim->finest,
+                                         outcome->defect.centre);
         if (sim->options.stop == OVR_STOP_FIXED || ovr_mesh_too_coarse(sim))
             break;
     }

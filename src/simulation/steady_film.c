@@ -62,8 +62,7 @@ ovr_defect ovr_steady_film(ovr_simulation *sim, const ovr_full *how,
 }
 
 /* A fixed number of cycles has to reach the discretization error. */
-static bool finished(const ovr_simulation *sim, const ovr_outcome *outcome,
-                     double tolerance)
+bool ovr_steady_found(const ovr_simulation *sim, const ovr_outcome *outcome)
 {
     int done = sim->refinements;
     if (!ovr_surfaces_apart(sim))
@@ -71,16 +70,7 @@ static bool finished(const ovr_simulation *sim, const ovr_outcome *outcome,
     if (sim->options.stop == OVR_STOP_FIXED && done)
         return sim->refinement[done - 1].algebraic <=
                sim->refinement[done - 1].difference;
-    return ovr_below(outcome->defect, tolerance);
-}
-
-static double tolerance_of(const ovr_simulation *sim,
-                           const ovr_outcome *outcome)
-{
-    return ovr_steady_tolerance(sim, sim->finest, outcome->defect.centre);
-}
-
-bool ovr_steady_found(const ovr_simulation *sim, const ovr_outcome *outcome)
-{
-    return finished(sim, outcome, tolerance_of(sim, outcome));
+    return ovr_below(
+        outcome->defect,
+        ovr_steady_tolerance(sim, sim->finest, outcome->defect.centre));
 }

@@ -180,13 +180,6 @@ static void note_change(ovr_simulation *sim)
     sim->past.change = sim->heights && S > P ? S : P;
 }
 
-/* A tolerance that rounding does not let R reach, which has come as far as it
- * goes. */
-static bool rounded(const ovr_simulation *sim, const ovr_outcome *outcome)
-{
-    return ovr_below_rounding(sim, &outcome->defect) && ovr_surfaces_apart(sim);
-}
-
 /* A step, in halves if it must be. */
 static bool advance(ovr_simulation *sim, double dT, int halvings,
                     ovr_outcome *outcome)
@@ -202,7 +195,10 @@ static bool advance(ovr_simulation *sim, double dT, int halvings,
             end_step(sim, dT);
             return true;
         }
-        if (rounded(sim, outcome)) {
+        /* a tolerance that rounding does not let R reach, which has come as
+         * far as it goes */
+        if (ovr_below_rounding(sim, &outcome->defect) &&
+            ovr_surfaces_apart(sim)) {
             outcome->marked = true;
             end_step(sim, dT);
             return true;
