@@ -551,9 +551,7 @@ const ovr_physics ovr_physics_plastic = {.name = "a body that yields",
                                          .heights = heights,
                                          .unknown = unknown,
                                          .observe = observe,
-                                         .quantity = quantities,
-                                         .quantities = sizeof quantities /
-                                                       sizeof *quantities,
+                                         OVR_QUANTITIES(quantities),
                                          .review = review,
                                          .visit = visit,
                                          .restored = restored};

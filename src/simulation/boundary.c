@@ -41,15 +41,11 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
                        ovr_error *err)
 {
     boundary *b = ovr_arena_take(&sim->arena, 1, sizeof *b, err);
-    size_t n = sim->finest->grid.n;
     if (!b)
         return OVR_NO_MEMORY;
     *own = b;
-    double **const all[] = {&b->A, &b->saved, &b->bears};
-    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        if (!(*all[k] = ovr_arena_take(&sim->arena, n, sizeof **all[k], err)))
-            return OVR_NO_MEMORY;
-    if (ovr_physics_take_borne(sim, err) ||
+    if (OVR_TAKE_NODES(sim, err, &b->A, &b->saved, &b->bears) ||
+        ovr_physics_take_borne(sim, err) ||
         ovr_hierarchy_touch(&sim->grids, &sim->arena, err))
         return OVR_NO_MEMORY;
     b->given = form;
@@ -179,18 +175,14 @@ static void read_borne(ovr_simulation *sim, boundary *b)
     ovr_nodes_read(sim, sim->finest, sim->finest->borne, b->A);
 }
 
-static double share_of(const ovr_simulation *sim, const boundary *b)
-{
-    double borne = 0;
-    for (size_t i = 0; i < sim->now.n; i++)
-        borne += sim->now.weights[i] * b->A[i];
-    return borne / OVR_NOMINAL_LOAD;
-}
-
 static void see(ovr_simulation *sim, boundary *b)
 {
+    double borne = 0;
     read_borne(sim, b);
-    ovr_wear_see(b->wear, sim->now.n, b->A, sim->now.weights, share_of(sim, b));
+    for (size_t i = 0; i < sim->now.n; i++)
+        borne += sim->now.weights[i] * b->A[i];
+    ovr_wear_see(b->wear, sim->now.n, b->A, sim->now.weights,
+                 borne / OVR_NOMINAL_LOAD);
 }
 
 static void begin(ovr_simulation *sim, void *own)
@@ -328,79 +320,63 @@ enum {
     VALLEYS_2
 };
 
-static const ovr_observable quantities[] = {
-    OVR_NUMBER_ROW("contact_share", "contact_share", NULL, NUMBER, more[SHARE],
-                   OVR_PHYSICS_BOUNDARY,
-                   "share of the load that surfaces bear where they touch",
-                   LABEL("contact share"), LARGEST("contact_share_max"),
-                   EXTREME_LABEL("largest contact share"),
-                   MEAN("contact_share_mean"), PASS(MEAN)),
-    OVR_NUMBER_ROW("contact_area", "contact_area", "contact_area_m", LENGTH,
-                   more[AREA], OVR_PHYSICS_BOUNDARY,
-                   "length along x that is in contact, summed over its summits",
-                   LABEL("length in contact")),
-    OVR_NUMBER_ROW("max_contact_pressure", "A_max", "max_contact_pressure_Pa",
-                   PRESSURE, more[A_MAX], OVR_PHYSICS_BOUNDARY,
-                   "largest pressure of surfaces that touch",
-                   LABEL("largest contact pressure"), LARGEST("A_max_overall"),
-                   EXTREME_LABEL("largest contact pressure")),
-    OVR_NUMBER_ROW("contact_film", "H_contact", "contact_film_m", HEIGHT,
-                   more[H_CONTACT], OVR_PHYSICS_BOUNDARY,
-                   "smallest film where surfaces touch",
-                   LABEL("film of contact")),
-    OVR_NUMBER_ROW("mu_film", "mu_film", NULL, NUMBER, more[MU_FILM],
-                   OVR_PHYSICS_BOUNDARY,
-                   "coefficient of friction of the film's share",
-                   LABEL("friction of the film"), MEAN("mu_film_mean")),
-    OVR_NUMBER_ROW("mu_boundary", "mu_boundary", NULL, NUMBER,
-                   more[MU_BOUNDARY], OVR_PHYSICS_BOUNDARY,
-                   "coefficient of friction of the surfaces' share",
-                   LABEL("boundary friction"), MEAN("mu_boundary_mean")),
-    OVR_NUMBER_ROW("contact_lambda", "contact_lambda", NULL, NUMBER,
-                   more[LAMBDA], OVR_PHYSICS_BOUNDARY,
-                   "lambda by the mean gap: central film over the Rq of both "
-                   "surfaces in the law",
-                   LABEL("lambda"), NOTE("mean gap in the centre over Rq"),
-                   MEAN("contact_lambda_mean")),
-    OVR_NUMBER_ROW("contact_share_estimate", "contact_share_estimate", NULL,
-                   NUMBER, more[ESTIMATE], OVR_PHYSICS_BOUNDARY,
-                   "contact share by the film formula of smooth surfaces, "
-                   "before anything is solved",
-                   LABEL("  as estimated")),
-    OVR_NUMBER_ROW("passes", "passes", NULL, NUMBER, more[PASSES],
-                   OVR_PHYSICS_WEAR,
-                   "passes that the surfaces have gone "
-                   "through",
-                   LABEL("passes")),
-    OVR_NUMBER_ROW("wear_1", "wear_1", "wear_1_m", HEIGHT, more[WEAR_1],
-                   OVR_PHYSICS_WEAR,
-                   "mean depth that surface 1 has lost: volume over area",
-                   LABEL("worn off surface 1")),
-    OVR_NUMBER_ROW("wear_2", "wear_2", "wear_2_m", HEIGHT, more[WEAR_2],
-                   OVR_PHYSICS_WEAR,
-                   "mean depth that surface 2 has lost: volume over area",
-                   LABEL("worn off surface 2")),
-    OVR_NUMBER_ROW("Rpk_1", "Rpk_1", "Rpk_1_m", HEIGHT, more[PEAKS_1],
-                   OVR_PHYSICS_WEAR,
-                   "height of the peaks of surface 1 above its core",
-                   LABEL("Rpk of surface 1")),
-    OVR_NUMBER_ROW("Rpk_2", "Rpk_2", "Rpk_2_m", HEIGHT, more[PEAKS_2],
-                   OVR_PHYSICS_WEAR,
-                   "height of the peaks of surface 2 above its core",
-                   LABEL("Rpk of surface 2")),
-    OVR_NUMBER_ROW("Rvk_1", "Rvk_1", "Rvk_1_m", HEIGHT, more[VALLEYS_1],
-                   OVR_PHYSICS_WEAR,
-                   "depth of the valleys of surface 1 below its core",
-                   LABEL("Rvk of surface 1")),
-    OVR_NUMBER_ROW("Rvk_2", "Rvk_2", "Rvk_2_m", HEIGHT, more[VALLEYS_2],
-                   OVR_PHYSICS_WEAR,
-                   "depth of the valleys of surface 2 below its core",
-                   LABEL("Rvk of surface 2"))};
+#define TOUCH(name, key, si, kind, place, ...)                                 \
+    OVR_NUMBER_ROW(name, key, si, kind, more[place], OVR_PHYSICS_BOUNDARY,     \
+                   __VA_ARGS__)
 
-static void unknown(ovr_observation *o)
-{
-    (void)o;
-}
+/* One that wear changes, of a surface. */
+#define WORN(name, place, text, label)                                         \
+    OVR_NUMBER_ROW(name, name, name "_m", HEIGHT, more[place],                 \
+                   OVR_PHYSICS_WEAR, text, LABEL(label))
+
+static const ovr_observable quantities[] = {
+    TOUCH("contact_share", "contact_share", NULL, NUMBER, SHARE,
+          "share of the load that surfaces bear where they touch",
+          LABEL("contact share"), LARGEST("contact_share_max"),
+          EXTREME_LABEL("largest contact share"), MEAN("contact_share_mean"),
+          PASS(MEAN)),
+    TOUCH("contact_area", "contact_area", "contact_area_m", LENGTH, AREA,
+          "length along x that is in contact, summed over its summits",
+          LABEL("length in contact")),
+    TOUCH("max_contact_pressure", "A_max", "max_contact_pressure_Pa", PRESSURE,
+          A_MAX, "largest pressure of surfaces that touch",
+          LABEL("largest contact pressure"), LARGEST("A_max_overall"),
+          EXTREME_LABEL("largest contact pressure")),
+    TOUCH("contact_film", "H_contact", "contact_film_m", HEIGHT, H_CONTACT,
+          "smallest film where surfaces touch", LABEL("film of contact")),
+    TOUCH("mu_film", "mu_film", NULL, NUMBER, MU_FILM,
+          "coefficient of friction of the film's share",
+          LABEL("friction of the film"), MEAN("mu_film_mean")),
+    TOUCH("mu_boundary", "mu_boundary", NULL, NUMBER, MU_BOUNDARY,
+          "coefficient of friction of the surfaces' share",
+          LABEL("boundary friction"), MEAN("mu_boundary_mean")),
+    TOUCH("contact_lambda", "contact_lambda", NULL, NUMBER, LAMBDA,
+          "lambda by the mean gap: central film over the Rq of both surfaces "
+          "in the law",
+          LABEL("lambda"), NOTE("mean gap in the centre over Rq"),
+          MEAN("contact_lambda_mean")),
+    TOUCH("contact_share_estimate", "contact_share_estimate", NULL, NUMBER,
+          ESTIMATE,
+          "contact share by the film formula of smooth surfaces, before "
+          "anything is solved",
+          LABEL("  as estimated")),
+    OVR_NUMBER_ROW(
+        "passes", "passes", NULL, NUMBER, more[PASSES], OVR_PHYSICS_WEAR,
+        "passes that the surfaces have gone through", LABEL("passes")),
+    WORN("wear_1", WEAR_1,
+         "mean depth that surface 1 has lost: volume over area",
+         "worn off surface 1"),
+    WORN("wear_2", WEAR_2,
+         "mean depth that surface 2 has lost: volume over area",
+         "worn off surface 2"),
+    WORN("Rpk_1", PEAKS_1, "height of the peaks of surface 1 above its core",
+         "Rpk of surface 1"),
+    WORN("Rpk_2", PEAKS_2, "height of the peaks of surface 2 above its core",
+         "Rpk of surface 2"),
+    WORN("Rvk_1", VALLEYS_1, "depth of the valleys of surface 1 below its core",
+         "Rvk of surface 1"),
+    WORN("Rvk_2", VALLEYS_2, "depth of the valleys of surface 2 below its core",
+         "Rvk of surface 2")};
 
 /* Both forces, once the film's integral has those where it is wet. */
 static void observe_friction(const ovr_simulation *sim, const boundary *b,
@@ -576,7 +552,6 @@ const ovr_physics ovr_physics_boundary = {.name = "surfaces that touch",
                                           .attempt = attempt,
                                           .friction = friction,
                                           .heat = heat,
-                                          .unknown = unknown,
                                           .begin = begin,
                                           .before_step = before_step,
                                           .taken = taken,
@@ -585,7 +560,5 @@ const ovr_physics ovr_physics_boundary = {.name = "surfaces that touch",
                                           .visit = visit,
                                           .restored = restored,
                                           .observe = observe,
-                                          .quantity = quantities,
-                                          .quantities = sizeof quantities /
-                                                        sizeof *quantities,
+                                          OVR_QUANTITIES(quantities),
                                           .review = review};

@@ -74,21 +74,14 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
                        ovr_error *err)
 {
     fourth *f = ovr_arena_take(&sim->arena, 1, sizeof *f, err);
-    size_t n = sim->finest->grid.n;
     (void)form;
     if (!f ||
         ovr_correction_prepare(&sim->grids, &f->correction, &sim->arena, err))
         return OVR_NO_MEMORY;
     *own = f;
-    f->n = n;
-    f->F = ovr_arena_take(&sim->arena, n, sizeof *f->F, err);
-    f->gap = ovr_arena_take(&sim->arena, n, sizeof *f->gap, err);
-    double **const follow[] = {&f->third,    &f->next, &f->start,
-                               &f->constant, &f->mask, &f->rest};
-    for (size_t k = 0; k < sizeof follow / sizeof *follow; k++)
-        if (!(*follow[k] = ovr_arena_take(&sim->arena, n, sizeof(double), err)))
-            return OVR_NO_MEMORY;
-    if (!f->F || !f->gap)
+    f->n = sim->finest->grid.n;
+    if (OVR_TAKE_NODES(sim, err, &f->F, &f->gap, &f->third, &f->next, &f->start,
+                       &f->constant, &f->mask, &f->rest))
         return OVR_NO_MEMORY;
     return ovr_conserves(sim) ? ovr_fourth_content_take(sim, &f->content, err)
                               : OVR_OK;

@@ -10,13 +10,8 @@
 ovr_status ovr_fourth_content_take(ovr_simulation *sim, ovr_fourth_content *of,
                                    ovr_error *err)
 {
-    double **const all[] = {&of->mask, &of->flux,         &of->excess,
-                            &of->bend, &of->workspace[0], &of->workspace[1]};
-    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        if (!(*all[k] = ovr_arena_take(&sim->arena, sim->finest->grid.n,
-                                       sizeof(double), err)))
-            return OVR_NO_MEMORY;
-    return OVR_OK;
+    return OVR_TAKE_NODES(sim, err, &of->mask, &of->flux, &of->excess,
+                          &of->bend, &of->workspace[0], &of->workspace[1]);
 }
 
 /* ------------------------------------------------------------- inside the film

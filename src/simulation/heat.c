@@ -32,14 +32,11 @@ static ovr_status check(const ovr_simulation *sim, ovr_error *err)
 static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
                               ovr_error *err)
 {
-    double **const all[] = {&h->q[0],   &h->q[1], &h->mean,  &h->t,    &h->drag,
-                            &h->skewed, &h->th,   &h->shift, &h->swell};
-    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        if (ovr_simulation_take(sim, all[k], err))
-            return OVR_NO_MEMORY;
+    if (OVR_TAKE_NODES(sim, err, &h->q[0], &h->q[1], &h->mean, &h->t, &h->drag,
+                       &h->skewed, &h->th, &h->shift, &h->swell))
+        return OVR_NO_MEMORY;
     for (int j = 0; j < h->cross_film.n; j++)
-        if (ovr_simulation_take(sim, &h->T[j], err) ||
-            ovr_simulation_take(sim, &h->used[j], err))
+        if (OVR_TAKE_NODES(sim, err, &h->T[j], &h->used[j]))
             return OVR_NO_MEMORY;
     for (int l = sim->grids.coarsest; l <= sim->grids.finest; l++) {
         ovr_level *level = &sim->grids.level[l];
@@ -138,6 +135,7 @@ static void stress(ovr_simulation *sim, void *own, const ovr_sheared *film,
         t[i] += (h->t[i] - even[i] + h->t[i + 1] - even[i + 1]) / 2;
 }
 
+/* Finds the largest value and where it is. */
 static void largest(const ovr_simulation *sim, const double *T, double *value,
                     double *X)
 {
@@ -482,9 +480,7 @@ const ovr_physics ovr_physics_heat = {.name = "heat",
                                       .oil = thin,
                                       .stress = stress,
                                       .unknown = unknown,
-                                      .quantity = quantities,
-                                      .quantities = sizeof quantities /
-                                                    sizeof *quantities,
+                                      OVR_QUANTITIES(quantities),
                                       .observe = observe,
                                       .marks = ovr_heat_lags,
                                       .visit = ovr_heat_visit,

@@ -14,22 +14,12 @@ ovr_status ovr_heat_film_take(ovr_simulation *sim, ovr_error *err)
 {
     ovr_heated *h = sim->heated;
     ovr_columns *c = &h->film;
-    double **all[3 * OVR_CROSS_FILM_MAX + 6];
-    int count = 0;
-    all[count++] = &h->log_eta;
-    all[count++] = &h->oil;
-    all[count++] = &h->content;
-    all[count++] = &c->fall;
-    for (int j = 0; j < h->cross_film.n; j++) {
-        all[count++] = &c->u[j];
-        all[count++] = &c->heating[j];
-        all[count++] = &h->departure[j];
-    }
-    for (int a = 0; a < count; a++) {
-        *all[a] = ovr_arena_take(&sim->arena, sim->now.n, sizeof **all[a], err);
-        if (!*all[a])
+    if (OVR_TAKE_NODES(sim, err, &h->log_eta, &h->oil, &h->content, &c->fall))
+        return OVR_NO_MEMORY;
+    for (int j = 0; j < h->cross_film.n; j++)
+        if (OVR_TAKE_NODES(sim, err, &c->u[j], &c->heating[j],
+                           &h->departure[j]))
             return OVR_NO_MEMORY;
-    }
     return OVR_OK;
 }
 

@@ -29,28 +29,20 @@ ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err)
 {
     ovr_heated *h = sim->heated;
     ovr_heat_steps *s = ovr_arena_take(&sim->arena, 1, sizeof *s, err);
-    int points = h->cross_film.n, count = 0;
-    double **all[3 * OVR_CROSS_FILM_MAX + 16];
     if (!s)
         return OVR_NO_MEMORY;
     h->steps = s;
-    all[count++] = &s->F;
-    all[count++] = &s->P_T;
-    for (int j = 0; j < points; j++) {
-        all[count++] = &s->T_before[j];
-        all[count++] = &s->change[j];
-    }
-    for (int j = 0; j < points + FIELDS; j++)
-        all[count++] = &s->kept[j];
-    for (int k = 0; k < 2; k++)
-        all[count++] = &s->q_before[k];
-    for (int a = 0; a < count; a++) {
-        *all[a] = ovr_arena_take(&sim->arena, sim->now.n, sizeof **all[a], err);
-        if (!*all[a])
+    if (OVR_TAKE_NODES(sim, err, &s->F, &s->P_T))
+        return OVR_NO_MEMORY;
+    for (int j = 0; j < h->cross_film.n; j++)
+        if (OVR_TAKE_NODES(sim, err, &s->T_before[j], &s->change[j]))
             return OVR_NO_MEMORY;
-    }
+    for (int j = 0; j < h->cross_film.n + FIELDS; j++)
+        if (OVR_TAKE_NODES(sim, err, &s->kept[j]))
+            return OVR_NO_MEMORY;
     for (int k = 0; k < 2; k++)
-        if (ovr_heat_surface_take(sim, k, err))
+        if (OVR_TAKE_NODES(sim, err, &s->q_before[k]) ||
+            ovr_heat_surface_take(sim, k, err))
             return OVR_NO_MEMORY;
     return OVR_OK;
 }
@@ -173,15 +165,6 @@ static void hold_film(ovr_simulation *sim)
     }
 }
 
-/* Finds how fast the guess presses the oil. */
-static void find_P_T(ovr_simulation *sim)
-{
-    const double *P = sim->now.P, *before = sim->past.P[0];
-    ovr_heat_steps *s = sim->heated->steps;
-    for (size_t i = 0; i < sim->now.n; i++)
-        s->P_T[i] = sim->past.steps ? (P[i] - before[i]) / s->dT : 0;
-}
-
 /* All nodes but the one where the film comes in, and with it surfaces as they
  * were. */
 static void solve_nodes(ovr_simulation *sim)
@@ -237,11 +220,14 @@ static double lag(const ovr_simulation *sim)
     return maximum;
 }
 
-/* Temperatures of the step, by the film as it is. */
+/* Temperatures of the step, by the film as it is and by how fast it presses
+ * the oil. */
 static void heat(ovr_simulation *sim)
 {
+    const double *P = sim->now.P, *before = sim->past.P[0];
     ovr_heat_steps *s = sim->heated->steps;
-    find_P_T(sim);
+    for (size_t i = 0; i < sim->now.n; i++)
+        s->P_T[i] = sim->past.steps ? (P[i] - before[i]) / s->dT : 0;
     pass(sim);
     s->lag = lag(sim);
     s->stored = ovr_heat_stored(sim);

@@ -55,25 +55,11 @@ static void solve_node(ovr_simulation *sim, size_t i, march *m)
     }
 }
 
-/* Both surfaces and the film: from the last node on. */
-static void all_against(ovr_simulation *sim)
+/* All nodes but one, from node i on, along x or against it. */
+static void march_from(ovr_simulation *sim, size_t i, int way)
 {
-    march m = {.way = -1};
-    for (size_t i = sim->now.n - 1; i-- > 0;)
-        solve_node(sim, i, &m);
-}
-
-static void along(ovr_simulation *sim)
-{
-    march m = {.way = 1};
-    for (size_t i = 1; i < sim->now.n; i++)
-        solve_node(sim, i, &m);
-}
-
-static void against(ovr_simulation *sim)
-{
-    march m = {.way = -1};
-    for (size_t i = sim->now.n; i-- > 1;)
+    march m = {.way = way};
+    for (size_t k = 1; k < sim->now.n; k++, i += (size_t)way)
         solve_node(sim, i, &m);
 }
 
@@ -99,14 +85,18 @@ void ovr_heat_march_columns(ovr_simulation *sim)
 void ovr_heat_march(ovr_simulation *sim)
 {
     enum { PAIRS = 2 };
+    size_t last = sim->now.n - 1;
     ovr_heat_film(sim);
     ovr_heat_march_columns(sim);
-    if (!opposed(sim->heated))
-        (sim->heated->film.back ? all_against : along)(sim);
-    for (int k = 0; opposed(sim->heated) && k < PAIRS; k++) {
-        along(sim);
-        against(sim);
-    }
+    if (opposed(sim->heated))
+        for (int k = 0; k < PAIRS; k++) {
+            march_from(sim, 1, 1);
+            march_from(sim, last, -1);
+        }
+    else if (sim->heated->film.back)
+        march_from(sim, last - 1, -1);
+    else
+        march_from(sim, 1, 1);
     for (int k = 0; k < 2; k++)
         if (ovr_solid_conducts(&sim->heated->numbers, k,
                                sim->heated->u1 - k * sim->heated->V))

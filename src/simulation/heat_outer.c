@@ -11,17 +11,13 @@ ovr_status ovr_heat_outer_take(ovr_simulation *sim, ovr_error *err)
 {
     ovr_heated *h = sim->heated;
     ovr_heat_outer *t = ovr_arena_take(&sim->arena, 1, sizeof *t, err);
-    size_t n = sim->now.n;
     if (!t)
         return OVR_NO_MEMORY;
     h->outer = t;
     for (int k = 0; k < OVR_OUTER_KEPT; k++)
-        for (int j = 0; j < h->cross_film.n; j++) {
-            t->u[k][j] = ovr_arena_take(&sim->arena, n, sizeof(double), err);
-            t->r[k][j] = ovr_arena_take(&sim->arena, n, sizeof(double), err);
-            if (!t->u[k][j] || !t->r[k][j])
+        for (int j = 0; j < h->cross_film.n; j++)
+            if (OVR_TAKE_NODES(sim, err, &t->u[k][j], &t->r[k][j]))
                 return OVR_NO_MEMORY;
-        }
     return OVR_OK;
 }
 

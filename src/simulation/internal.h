@@ -410,9 +410,12 @@ double *ovr_kept_number(const ovr_extreme *which, ovr_statistics *of);
 /* Fills the state's fields and the observation from the finest level. */
 void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome);
 
-/* A field of the finest grid's size in the simulation's memory. */
-ovr_status ovr_simulation_take(ovr_simulation *sim, double **to,
+/* Arrays of the solution's nodes in the simulation's memory, to where the
+ * pointers point; NULL behind the last. */
+ovr_status ovr_simulation_take(ovr_simulation *sim, double **const to[],
                                ovr_error *err);
+#define OVR_TAKE_NODES(sim, err, ...)                                          \
+    ovr_simulation_take(sim, (double **const[]){__VA_ARGS__, NULL}, err)
 
 static inline void ovr_swap(double **a, double **b)
 {

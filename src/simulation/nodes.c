@@ -3,10 +3,14 @@
  * integrals, the state that is shown. */
 #include "simulation/mirror.h"
 
-ovr_status ovr_simulation_take(ovr_simulation *sim, double **to, ovr_error *err)
+ovr_status ovr_simulation_take(ovr_simulation *sim, double **const to[],
+                               ovr_error *err)
 {
-    *to = ovr_arena_take(&sim->arena, sim->now.n, sizeof **to, err);
-    return *to ? OVR_OK : OVR_NO_MEMORY;
+    for (; *to; to++)
+        if (!(**to = ovr_arena_take(&sim->arena, sim->now.n, sizeof ***to,
+                                    err)))
+            return OVR_NO_MEMORY;
+    return OVR_OK;
 }
 
 void ovr_whole_domain(ovr_simulation *sim)

@@ -385,6 +385,10 @@ struct ovr_physics {
 extern const struct ovr_companion ovr_heat_companion, ovr_supply_companion,
     ovr_coating_companion, ovr_wear_companion;
 
+/* The quantities of a physics, in its record. */
+#define OVR_QUANTITIES(rows)                                                   \
+    .quantity = (rows), .quantities = sizeof(rows) / sizeof *(rows)
+
 /* All there are, NULL behind the last.  Its own object in the library, so that
  * a program may be linked with a list of its own. */
 extern const ovr_physics *const ovr_physics_list[];

@@ -269,7 +269,5 @@ const ovr_physics ovr_physics_patches = {.name = "patches (refine)",
                                          .carried = carried,
                                          .mean_flow = mean_flow,
                                          .unknown = unknown,
-                                         .quantity = quantities,
-                                         .quantities = sizeof quantities /
-                                                       sizeof *quantities,
+                                         OVR_QUANTITIES(quantities),
                                          .observe = observe};

@@ -12,29 +12,20 @@
 #include "simulation/conflicts.h"
 #include "simulation/physics.h"
 
-static ovr_status take_fields(ovr_simulation *sim, ovr_error *err)
-{
-    for (size_t k = 0; k < OVR_FIELD_COUNT; k++) {
-        if (ovr_field_rows[k].shown && sim->finest->f.all[k] &&
-            ovr_simulation_take(sim, &sim->now.all[k], err))
-            return OVR_NO_MEMORY;
-        for (int ago = 0; ago < ovr_field_rows[k].past; ago++)
-            if (ovr_simulation_take(sim, &sim->past.all[k][ago], err))
-                return OVR_NO_MEMORY;
-    }
-    return OVR_OK;
-}
-
 static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
 {
-    double **all[] = {
-        &sim->now.weights,  &sim->S,       &sim->S_past, &sim->saved,
-        &sim->saved_before, &sim->lacking, &sim->stress};
-    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        if (ovr_simulation_take(sim, all[k], err))
-            return OVR_NO_MEMORY;
-    if (take_fields(sim, err))
+    if (OVR_TAKE_NODES(sim, err, &sim->now.weights, &sim->S, &sim->S_past,
+                       &sim->saved, &sim->saved_before, &sim->lacking,
+                       &sim->stress))
         return OVR_NO_MEMORY;
+    for (size_t k = 0; k < OVR_FIELD_COUNT; k++) {
+        if (ovr_field_rows[k].shown && sim->finest->f.all[k] &&
+            OVR_TAKE_NODES(sim, err, &sim->now.all[k]))
+            return OVR_NO_MEMORY;
+        for (int ago = 0; ago < ovr_field_rows[k].past; ago++)
+            if (OVR_TAKE_NODES(sim, err, &sim->past.all[k][ago]))
+                return OVR_NO_MEMORY;
+    }
     return ovr_inflow_take(sim, err);
 }
 

@@ -240,26 +240,18 @@ static double carried(const ovr_simulation *sim, const void *own, size_t i,
 /* ----------------------------------------------------------- what is observed
  */
 
-/* The first wet node of the run of wet nodes that holds the largest P; n if
- * there is none. */
-static size_t first_wet(const ovr_simulation *sim)
+/* Where the run of wet nodes begins that holds the largest P; the cell before
+ * it is filled in part, on its downstream side: a place that goes on steadily
+ * when the film takes a node. */
+static double meniscus(const ovr_simulation *sim)
 {
     const ovr_solution *s = &sim->now;
     size_t i = sim->grids.kernels->extreme(s->n, -1, s->P);
     while (i > 0 && s->P[i - 1] > 0)
         i--;
-    return s->P[i] > 0 ? i : s->n;
-}
-
-/* The cell before it is filled in part, on its downstream side: a place that
- * goes on steadily when the film takes a node. */
-static double meniscus(const ovr_simulation *sim)
-{
-    const ovr_solution *s = &sim->now;
-    size_t i = first_wet(sim);
-    if (i <= 1 || i == s->n)
+    if (i <= 1 || !(s->P[i] > 0))
         return NAN;
-    double D = ovr_spacing(s, i - 1), before = i > 1 ? s->q[i - 2] : 0;
+    double D = ovr_spacing(s, i - 1), before = s->q[i - 2];
     double part = (s->q[i - 1] - before) / (s->H[i - 1] - before);
     return s->X[i - 1] + D / 2 - D * part;
 }
@@ -416,9 +408,8 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
     ovr_arrival *a = &sim->arrival;
     (void)form;
     *own = a;
-    a->kept = ovr_arena_take(&sim->arena, sim->finest->grid.n, sizeof *a->kept,
-                             err);
-    return a->kept ? ovr_carriage_take(sim, err) : OVR_NO_MEMORY;
+    return OVR_TAKE_NODES(sim, err, &a->kept) ? OVR_NO_MEMORY
+                                              : ovr_carriage_take(sim, err);
 }
 
 #define OIL(name, key, kind, member, ...)                                      \
@@ -489,9 +480,7 @@ const ovr_physics ovr_physics_conserving = {.name = "oil conserved",
                                             .step_back = begin_attempt,
                                             .carried = carried,
                                             .unknown = unknown,
-                                            .quantity = quantities,
-                                            .quantities = sizeof quantities /
-                                                          sizeof *quantities,
+                                            OVR_QUANTITIES(quantities),
                                             .observe = observe,
                                             .visit = visit,
                                             .restored = restored,
