@@ -90,9 +90,9 @@ static int stem(const char *key)
                                               : strlen(key));
 }
 
-/* How a part that is kept is called: its key, by that of the extreme or the
- * mean; its name in checkpoints by the row's own, where that has one; and in
- * words, after the quantity's or by that key. */
+/* Names a part that is kept: its key, by that of the extreme or the mean; its
+ * name in checkpoints by the row's own, where that has one; and in words, after
+ * the quantity's or by that key. */
 static void name(const ovr_observable *row, ovr_kept_part part, ovr_extreme *to)
 {
     static const char *const senses[] = {

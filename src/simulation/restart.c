@@ -50,21 +50,6 @@ static const struct {
              PART("outlet", options.outlet),
              PART("level", options.level)};
 
-void ovr_show(ovr_pieces *state, const char *name, void *memory, size_t bytes)
-{
-    if (!state->status)
-        state->status = state->visit(state->context, name, memory, bytes,
-                                     state->err);
-}
-
-void ovr_show_nodes(const ovr_simulation *sim, ovr_pieces *state,
-                    const char *name, int number, double *values)
-{
-    char text[40];
-    snprintf(text, sizeof text, "%s_%d", name, number);
-    ovr_show(state, text, values, sim->now.n * sizeof *values);
-}
-
 static void visit_past(ovr_simulation *sim, ovr_pieces *state)
 {
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)

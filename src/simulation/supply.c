@@ -240,9 +240,9 @@ static double carried(const ovr_simulation *sim, const void *own, size_t i,
 /* ----------------------------------------------------------- what is observed
  */
 
-/* Where the run of wet nodes begins that holds the largest P; the cell before
- * it is filled in part, on its downstream side: a place that goes on steadily
- * when the film takes a node. */
+/* The film begins with the run of wet nodes that holds the largest P; the cell
+ * before it is filled in part, on its downstream side: a place that goes on
+ * steadily when the film takes a node. */
 static double meniscus(const ovr_simulation *sim)
 {
     const ovr_solution *s = &sim->now;
