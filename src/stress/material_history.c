@@ -52,93 +52,96 @@ static place find_place(const ovr_material_history *p, double U)
     return (place){t - whole * WHOLE, (long)whole};
 }
 
-/* Nodes of a row within reach: first, and how many. */
-static size_t nodes_within(const ovr_material_history *p,
-                           const ovr_stress_row *row, size_t *first)
+/* The nodes of a row within reach, at a time: n from the first on. */
+typedef struct seen {
+    ovr_stress_row row;
+    size_t first, n;
+    double T;
+} seen;
+
+/* Finds the states of a depth's nodes by the fields solved last. */
+static seen look_at(ovr_material_history *p, size_t depth, double T)
 {
+    seen s = {.row = ovr_stress_at(p->stress, depth), .T = T};
+    const ovr_stress_row *row = &s.row;
+    const ovr_node_states to = {p->d,        p->tau,       p->h,
+                                p->in_plane, p->von_mises, p->tresca};
     double low = ceil((-p->range.reach - row->start) / row->step);
     double high = floor((p->range.reach - row->start) / row->step);
     low = fmax(low, 0);
     high = fmin(high, (double)row->count - 1);
-    *first = low > 0 ? (size_t)low : 0;
-    return high >= low ? (size_t)(high - low) + 1 : 0;
-}
-
-static void find_states(ovr_material_history *p, const ovr_stress_row *row,
-                        size_t first, size_t n)
-{
-    const ovr_node_states to = {p->d,        p->tau,       p->h,
-                                p->in_plane, p->von_mises, p->tresca};
+    s.first = low > 0 ? (size_t)low : 0;
+    s.n = high >= low ? (size_t)(high - low) + 1 : 0;
     p->stress->loops->states(
-        n, row->shear + 2 * first, row->mean + 2 * first,
+        s.n, row->shear + 2 * s.first, row->mean + 2 * s.first,
         &p->constants[ovr_material_history_layer(p, row->z)], &to);
+    return s;
 }
 
-static void note_extreme(const ovr_stress_loops *loops, size_t n,
-                         const float *v, const ovr_stress_row *row,
-                         size_t first, double T, ovr_stress_extreme *extreme)
+static double place_of(const seen *s, size_t i)
 {
-    double maximum = loops->largest(n, v);
+    return s->row.start + (double)(s->first + i) * s->row.step;
+}
+
+static void note_extreme(const ovr_stress_loops *loops, const seen *s,
+                         const float *v, ovr_stress_extreme *extreme)
+{
+    double maximum = loops->largest(s->n, v);
     if (!(maximum > extreme->value))
         return;
     size_t i = 0;
-    while (i + 1 < n && (double)v[i] < maximum)
+    while (i + 1 < s->n && (double)v[i] < maximum)
         i++;
-    double X = row->start + (double)(first + i) * row->step;
-    *extreme = (ovr_stress_extreme){maximum, X, row->z, T};
+    *extreme = (ovr_stress_extreme){maximum, place_of(s, i), s->row.z, s->T};
 }
 
 typedef enum noted { SHEAR, ACROSS, ALONG } noted;
 
 /* |tau|, sigma_z = -d - h, or sigma_x = d - h with what is there without load.
  */
-static void note_value(const ovr_material_history *p, size_t n,
-                       const ovr_stress_row *row, size_t first, double T,
+static void note_value(const ovr_material_history *p, const seen *s,
                        noted which, ovr_stress_extreme *extreme)
 {
     const ovr_state_constants *c =
-        &p->constants[ovr_material_history_layer(p, row->z)];
-    for (size_t i = 0; i < n; i++) {
+        &p->constants[ovr_material_history_layer(p, s->row.z)];
+    for (size_t i = 0; i < s->n; i++) {
         double d = (double)p->d[i], h = (double)p->h[i], value;
-        double X = row->start + (double)(first + i) * row->step;
         value = which == SHEAR    ? fabs((double)p->tau[i])
                 : which == ACROSS ? -d - h
                                   : d - h + (double)c->half + (double)c->mean;
         if (value > extreme->value)
-            *extreme = (ovr_stress_extreme){value, X, row->z, T};
+            *extreme = (ovr_stress_extreme){value, place_of(s, i), s->row.z,
+                                            s->T};
     }
 }
 
 /* Notes the extremes of the layers; below all of them the row is the body's. */
-static void note_layers(ovr_material_history *p, const ovr_stress_row *row,
-                        size_t first, size_t n, double T)
+static void note_layers(ovr_material_history *p, const seen *s)
 {
     const ovr_layered *layers = p->stress->options.layers;
     ovr_layer_extremes *of = &p->layers;
-    int layer = ovr_material_history_layer(p, row->z);
-    if (row->z == p->stress->z[0])
-        note_value(p, n, row, first, T, ALONG, &of->surface);
+    double z = s->row.z;
+    int layer = ovr_material_history_layer(p, z);
+    if (z == p->stress->z[0])
+        note_value(p, s, ALONG, &of->surface);
     if (layer == layers->layers)
         return;
-    note_extreme(p->stress->loops, n, p->von_mises, row, first, T,
-                 &of->von_mises[layer]);
-    double bottom = ovr_layered_bottom(layers, layer);
-    if (row->z < bottom * (1 - 2 * OVR_BESIDE))
+    note_extreme(p->stress->loops, s, p->von_mises, &of->von_mises[layer]);
+    if (z < ovr_layered_bottom(layers, layer) * (1 - 2 * OVR_BESIDE))
         return;
-    note_value(p, n, row, first, T, SHEAR, &of->shear[layer]);
-    note_value(p, n, row, first, T, ACROSS, &of->tension);
+    note_value(p, s, SHEAR, &of->shear[layer]);
+    note_value(p, s, ACROSS, &of->tension);
 }
 
-static void note_extremes(ovr_material_history *p, const ovr_stress_row *row,
-                          size_t first, size_t n, double T)
+static void note_extremes(ovr_material_history *p, const seen *s)
 {
     const ovr_stress_loops *loops = p->stress->loops;
     if (p->stress->options.layers)
-        note_layers(p, row, first, n, T);
-    if (row->z < p->range.least_depth * (1 - 1e-9))
+        note_layers(p, s);
+    if (s->row.z < p->range.least_depth * (1 - 1e-9))
         return;
-    note_extreme(loops, n, p->in_plane, row, first, T, &p->numbers.shear);
-    note_extreme(loops, n, p->von_mises, row, first, T, &p->numbers.von_mises);
+    note_extreme(loops, s, p->in_plane, &p->numbers.shear);
+    note_extreme(loops, s, p->von_mises, &p->numbers.von_mises);
 }
 
 /* ------------------------------------------------------ strips of pressure */
@@ -186,16 +189,14 @@ static long point_at(const ovr_material_history *p, int c, place at)
 static void follow_depth(ovr_material_history *p, size_t depth, place at,
                          double T)
 {
-    ovr_stress_row row = ovr_stress_at(p->stress, depth);
-    size_t first, n = nodes_within(p, &row, &first);
-    if (!n)
+    const seen s = look_at(p, depth, T);
+    if (!s.n)
         return;
-    find_states(p, &row, first, n);
-    note_extremes(p, &row, first, n, T);
-    long k = (long)first + point_at(p, row.level, at);
-    long skip = k < 0 ? -k : 0;
-    long maximum = (long)p->grid[row.level].points - (k + skip);
-    long count = (long)n - skip < maximum ? (long)n - skip : maximum;
+    note_extremes(p, &s);
+    long k = (long)s.first + point_at(p, s.row.level, at);
+    long skip = k < 0 ? -k : 0, n = (long)s.n - skip;
+    long maximum = (long)p->grid[s.row.level].points - (k + skip);
+    long count = n < maximum ? n : maximum;
     if (count > 0)
         widen(p, depth, (size_t)skip, (size_t)(k + skip), (size_t)count);
 }
@@ -271,60 +272,61 @@ static float run_through(float *v, size_t n, float first, bool low, bool upward)
     return carry;
 }
 
-/* Points a ... b - 1 of a row have seen what stands at v[a - k]. */
-static void take_in(const ovr_material_history *p, float *row, long a, long b,
-                    const float *v, long k, bool low)
+/* A depth's nodes as a run begins or ends: node i = 0 ... n - 1 stands at point
+ * k + i, or between it and the next.  Upward, a point takes all nodes below it,
+ * and its own; downward those above. */
+typedef struct closing {
+    size_t depth, n;
+    long k;
+    bool upward;
+} closing;
+
+/* One row of it, whose values are in v; the largest (lowest) of all. */
+static float sweep_row(const ovr_material_history *p, const closing *c, int r,
+                       float *v)
 {
     const ovr_stress_loops *loops = p->stress->loops;
-    if (a < b)
-        (low ? loops->lower : loops->raise)((size_t)(b - a), v + (a - k),
-                                            row + a);
-}
-
-/* One row of one depth: node i = 0 ... n - 1 stands at point k + i, or between
- * it and the next.  Upward, a point takes all nodes below it, and its own;
- * downward those above. */
-static float sweep_row(const ovr_material_history *p, size_t depth, int r,
-                       float *v, size_t n, long k, bool upward)
-{
-    long points = (long)p->grid[p->stress->depth[depth].level].points;
-    long first = k > 0 ? k : 0, last = k + (long)n;
-    float *row = p->row[depth] + (size_t)r * (size_t)points;
+    long points = (long)p->grid[p->stress->depth[c->depth].level].points;
+    long first = c->k > 0 ? c->k : 0, last = c->k + (long)c->n;
+    long behind = last < points ? last : points;
+    float *row = p->row[c->depth] + (size_t)r * (size_t)points;
+    int layer = ovr_material_history_layer(p, p->stress->z[c->depth]);
     bool low = is_low(r);
-    float all = run_through(
-        v, n, p->rest[ovr_material_history_layer(p, p->stress->z[depth])][r],
-        low, upward);
-    take_in(p, row, first, last < points ? last : points, v, k, low);
-    long from = upward ? (last > 0 ? last : 0) : 0, to = upward ? points : k;
+    float all = run_through(v, c->n, p->rest[layer][r], low, c->upward);
+    if (first < behind)
+        (low ? loops->lower : loops->raise)((size_t)(behind - first),
+                                            v + (first - c->k), row + first);
+    long from = c->upward ? (last > 0 ? last : 0) : 0;
+    long to = c->upward ? points : c->k;
     for (long at = from; at < to && at < points; at++)
         row[at] = beyond(row[at], all, low);
     return all;
 }
 
-/* One depth, its nodes `between` material points or on them; `keep`: the whole
- * of it is the smooth material history. */
-static void close_depth(ovr_material_history *p, size_t depth, place at,
-                        bool between, bool upward, bool keep)
+/* One depth, its nodes `between` material points or on them; at the beginning
+ * the whole of it is the smooth material history. */
+static void close_depth(ovr_material_history *p, closing c, place at,
+                        bool between, bool begin)
 {
-    ovr_stress_row row = ovr_stress_at(p->stress, depth);
-    size_t first, n = nodes_within(p, &row, &first);
-    find_states(p, &row, first, n);
-    long k = (long)first + point_at(p, row.level, at) + (between && upward);
+    const seen s = look_at(p, c.depth, 0);
+    c.n = s.n;
+    c.k = (long)s.first + point_at(p, s.row.level, at) + (between && c.upward);
     for (int r = 0; r < OVR_ROWS; r++) {
-        row_values(p, r, n, p->in_plane);
-        float all = sweep_row(p, depth, r, p->in_plane, n, k, upward);
-        float *smooth = &p->smooth[depth * OVR_ROWS + (size_t)r];
-        if (keep)
+        row_values(p, r, c.n, p->in_plane);
+        float all = sweep_row(p, &c, r, p->in_plane);
+        float *smooth = &p->smooth[c.depth * OVR_ROWS + (size_t)r];
+        if (begin)
             *smooth = beyond(*smooth, all, is_low(r));
     }
 }
 
-/* All earlier (upward: from smaller X) or later places of every point, one
- * mesh apart: level c has 2^c shifts of its own. */
+/* All earlier (from smaller X, if the material comes from there) or later
+ * places of every point, one mesh apart: level c has 2^c shifts of its own. */
 static void close_run(ovr_material_history *p, const double *P, const double *Q,
-                      double U, bool upward, bool keep)
+                      const ovr_moment *moment, bool begin)
 {
-    place at = find_place(p, U);
+    place at = find_place(p, moment->U);
+    bool upward = begin ? moment->direction > 0 : moment->direction < 0;
     for (unsigned s = 0; s < WHOLE; s++) {
         unsigned levels = 0;
         for (unsigned c = 0; c < OVR_STRESS_LEVELS; c++)
@@ -332,7 +334,8 @@ static void close_run(ovr_material_history *p, const double *P, const double *Q,
         ovr_stress_solve(p->stress, P, Q, at.shift + s, levels);
         for (size_t j = 0; j < p->stress->depths; j++)
             if (levels >> p->stress->depth[j].level & 1)
-                close_depth(p, j, at, s > 0, upward, keep);
+                close_depth(p, (closing){.depth = j, .upward = upward}, at,
+                            s > 0, begin);
     }
 }
 
@@ -356,10 +359,8 @@ static void look(ovr_material_history *p, const double *P, const double *Q,
 {
     ovr_stress_solve(p->stress, P, Q, 0, OVR_STRESS_ALL_LEVELS);
     for (size_t j = 0; j < p->stress->depths; j++) {
-        ovr_stress_row row = ovr_stress_at(p->stress, j);
-        size_t first, n = nodes_within(p, &row, &first);
-        find_states(p, &row, first, n);
-        note_extremes(p, &row, first, n, moment->T);
+        const seen s = look_at(p, j, moment->T);
+        note_extremes(p, &s);
     }
 }
 
@@ -370,7 +371,7 @@ void ovr_material_history_begin(ovr_material_history *history, const double *P,
         return;
     note_strip(history, P, moment->T);
     look(history, P, Q, moment);
-    close_run(history, P, Q, moment->U, moment->direction > 0, true);
+    close_run(history, P, Q, moment, true);
     mark(history, moment, true);
 }
 
@@ -379,7 +380,7 @@ void ovr_material_history_end(ovr_material_history *history, const double *P,
 {
     if (!history || !P || !moment)
         return;
-    close_run(history, P, Q, moment->U, moment->direction < 0, false);
+    close_run(history, P, Q, moment, false);
     mark(history, moment, false);
 }
 
