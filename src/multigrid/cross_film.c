@@ -110,17 +110,6 @@ void ovr_cross_film_move(const ovr_cross_film *from, const double *T,
 
 /* ------------------------------------------------------------------- flow */
 
-static void moments(const ovr_cross_film *a, const double *r, double m[3])
-{
-    m[0] = m[1] = m[2] = 0;
-    for (int j = 0; j < a->n; j++) {
-        double part = a->w[j] * r[j];
-        m[0] += part;
-        m[1] += part * a->s[j];
-        m[2] += part * a->s[j] * a->s[j];
-    }
-}
-
 /* A dry film: what it holds moves with the surfaces. */
 static void linear(const ovr_cross_film *a, const ovr_sheet *sheet,
                    ovr_cross_film_flow *flow)
@@ -132,23 +121,32 @@ static void linear(const ovr_cross_film *a, const ovr_sheet *sheet,
     }
 }
 
-/* Mean stress and, to `rate`, u_z of a Newtonian film; Y as in cross_film.h. */
-static double newtonian(const ovr_cross_film *a, const ovr_sheet *sheet,
-                        double Y, const double *r, const double m[3],
-                        double *rate)
+/* A wet film at the points of `a`: ratios r of fluidities there, and moments m
+ * of these; Y as in cross_film.h. */
+typedef struct wet_film {
+    const ovr_cross_film *a;
+    const ovr_sheet *sheet;
+    double Y;
+    const double *r, *m;
+} wet_film;
+
+/* Mean stress and, to `rate`, u_z of a Newtonian film. */
+static double newtonian(const wet_film *f, double *rate)
 {
-    double G = sheet->H * sheet->P_X / 2, t = (-sheet->V * Y - G * m[1]) / m[0];
-    for (int j = 0; j < a->n; j++)
-        rate[j] = r[j] * (t + G * a->s[j]) / Y;
+    double G = f->sheet->H * f->sheet->P_X / 2;
+    double t = (-f->sheet->V * f->Y - G * f->m[1]) / f->m[0];
+    for (int j = 0; j < f->a->n; j++)
+        rate[j] = f->r[j] * (t + G * f->a->s[j]) / f->Y;
     return t;
 }
 
-static double eyring(const ovr_cross_film *a, const ovr_sheet *sheet, double Y,
-                     const double *r, double *rate)
+static double eyring(const wet_film *f, double *rate)
 {
     const double maximum = 200; /* in powers of e */
-    double g = sheet->H * sheet->P_X / (2 * sheet->Sigma0), A = 0, B = 0;
-    double b = -sheet->V * Y / sheet->Sigma0, square, root, sinh_a, cosh_a;
+    const ovr_cross_film *a = f->a;
+    const double *r = f->r, Sigma0 = f->sheet->Sigma0;
+    double g = f->sheet->H * f->sheet->P_X / (2 * Sigma0), A = 0, B = 0;
+    double b = -f->sheet->V * f->Y / Sigma0, square, root, sinh_a, cosh_a;
     g = ovr_larger(-maximum, ovr_smaller(maximum, g));
     for (int j = 0; j < a->n; j++) {
         A += a->w[j] * r[j] * cosh(g * a->s[j]);
@@ -159,20 +157,20 @@ static double eyring(const ovr_cross_film *a, const ovr_sheet *sheet, double Y,
     sinh_a = (b * A - root * B) / square;
     cosh_a = (root * A - b * B) / square;
     for (int j = 0; j < a->n; j++)
-        rate[j] = sheet->Sigma0 / Y * r[j] *
+        rate[j] = Sigma0 / f->Y * r[j] *
                   (sinh_a * cosh(g * a->s[j]) + cosh_a * sinh(g * a->s[j]));
-    return sheet->Sigma0 * asinh(sinh_a);
+    return Sigma0 * asinh(sinh_a);
 }
 
 /* The film slid by mean stress a, over Y/Sigma0, and its slope by a. */
-static double slid(const ovr_cross_film *cross_film, const ovr_curve *f,
-                   const double *r, double a, double g, double *by_a)
+static double slid(const wet_film *f, double a, double g, double *by_a)
 {
     double sum = 0, slope;
     *by_a = 0;
-    for (int j = 0; j < cross_film->n; j++) {
-        double part = cross_film->w[j] * r[j];
-        sum += part * ovr_curve_at(f, a + g * cross_film->s[j], &slope);
+    for (int j = 0; j < f->a->n; j++) {
+        double part = f->a->w[j] * f->r[j];
+        sum += part *
+               ovr_curve_at(&f->sheet->law->f, a + g * f->a->s[j], &slope);
         *by_a += part * slope;
     }
     return sum;
@@ -180,17 +178,16 @@ static double slid(const ovr_cross_film *cross_film, const ovr_curve *f,
 
 /* Finds the rate by Newton's method between bounds, from the stress of a film
  * of the same mean fluidity: f(x) >= x where a film thins. */
-static double by_law(const ovr_cross_film *cross_film, const ovr_sheet *sheet,
-                     double Y, const double *r, const double m[3], double *rate)
+static double by_law(const wet_film *f, double *rate)
 {
-    const ovr_curve *f = &sheet->law->f;
+    const ovr_sheet *sheet = f->sheet;
     double g = sheet->H * sheet->P_X / (2 * sheet->Sigma0), by_a;
     g = ovr_larger(-300, ovr_smaller(300, g)); /* as far as tables go */
-    double b = -sheet->V * Y / sheet->Sigma0, uniform = fabs(b) / m[0];
+    double b = -sheet->V * f->Y / sheet->Sigma0, uniform = fabs(b) / f->m[0];
     double high = fabs(g) + uniform, low = -high;
     double a = copysign(ovr_flow_stress(sheet->law, uniform, g), b);
     for (int k = 0; k < 60 && high > low; k++) {
-        double off = slid(cross_film, f, r, a, g, &by_a) - b;
+        double off = slid(f, a, g, &by_a) - b;
         double step = off / by_a;
         *(off > 0 ? &high : &low) = a;
         a -= step;
@@ -199,70 +196,65 @@ static double by_law(const ovr_cross_film *cross_film, const ovr_sheet *sheet,
         if (!(a > low && a < high))
             a = (low + high) / 2;
     }
-    for (int j = 0; j < cross_film->n; j++)
-        rate[j] = sheet->Sigma0 / Y * r[j] *
-                  ovr_curve_at(f, a + g * cross_film->s[j], &by_a);
+    for (int j = 0; j < f->a->n; j++)
+        rate[j] = sheet->Sigma0 / f->Y * f->r[j] *
+                  ovr_curve_at(&sheet->law->f, a + g * f->a->s[j], &by_a);
     return sheet->Sigma0 * a;
 }
 
-static double stressed(const ovr_cross_film *a, const ovr_sheet *sheet,
-                       double Y, const double *r, const double m[3],
-                       double *rate)
+static double stressed(const wet_film *f, double *rate)
 {
-    if (sheet->law)
-        return by_law(a, sheet, Y, r, m, rate);
-    if (isfinite(sheet->Sigma0))
-        return eyring(a, sheet, Y, r, rate);
-    return newtonian(a, sheet, Y, r, m, rate);
+    if (f->sheet->law)
+        return by_law(f, rate);
+    if (isfinite(f->sheet->Sigma0))
+        return eyring(f, rate);
+    return newtonian(f, rate);
 }
 
 /* The stress of a film of the fluidity m_0 all over. */
-static double uniform(const ovr_cross_film *a, const ovr_sheet *sheet, double Y,
-                      double m_0)
+static double uniform(const wet_film *of)
 {
-    double r[OVR_CROSS_FILM_MAX], rate[OVR_CROSS_FILM_MAX], m[3] = {m_0, 0, 0};
-    if (sheet->V == 0)
+    double r[OVR_CROSS_FILM_MAX], rate[OVR_CROSS_FILM_MAX];
+    const double m[3] = {of->m[0], 0, 0};
+    if (of->sheet->V == 0)
         return 0;
-    for (int j = 0; j < a->n; j++)
-        r[j] = m_0;
-    return stressed(a, sheet, Y, r, m, rate);
-}
-
-/* Ratios eta(T_m)/eta(T_j): within 1e43, and eta_m below 1e130, whatever T. */
-static void ratios(const ovr_cross_film *a, const ovr_heat *heat,
-                   const ovr_sheet *sheet, const double *T,
-                   ovr_cross_film_flow *flow, double *r)
-{
-    flow->mean = 0;
-    for (int j = 0; j < a->n; j++)
-        flow->mean += a->w[j] * T[j];
-    double log_eta = ovr_heat_log_viscosity(heat, sheet->log_eta, flow->mean);
-    for (int j = 0; j < a->n; j++) {
-        double ln = log_eta -
-                    ovr_heat_log_viscosity(heat, sheet->log_eta, T[j]);
-        r[j] = exp(ovr_larger(-100, ovr_smaller(100, ln)));
-    }
-    flow->log_eta = ovr_smaller(300, log_eta);
+    for (int j = 0; j < of->a->n; j++)
+        r[j] = m[0];
+    return stressed(&(wet_film){of->a, of->sheet, of->Y, r, m}, rate);
 }
 
 void ovr_cross_film_flow_of(const ovr_cross_film *a, const ovr_heat *heat,
                             const ovr_sheet *sheet, const double *T,
                             ovr_cross_film_flow *flow)
 {
-    double r[OVR_CROSS_FILM_MAX] = {0}, rate[OVR_CROSS_FILM_MAX] = {0}, maximum,
-           Y;
-    double G = sheet->H * sheet->P_X / 2;
-    for (int j = 0; j < a->n; j++)
+    double r[OVR_CROSS_FILM_MAX] = {0}, rate[OVR_CROSS_FILM_MAX] = {0}, maximum;
+    double G = sheet->H * sheet->P_X / 2, *m = flow->m;
+    flow->mean = m[0] = m[1] = m[2] = 0;
+    for (int j = 0; j < a->n; j++) {
         flow->beta[j] = ovr_expansion(heat, sheet->P, T[j]);
-    ratios(a, heat, sheet, T, flow, r);
-    moments(a, r, flow->m);
+        flow->mean += a->w[j] * T[j];
+    }
+    /* ratios eta(T_m)/eta(T_j): within 1e43, and eta_m below 1e130, whatever
+     * T */
+    double log_eta = ovr_heat_log_viscosity(heat, sheet->log_eta, flow->mean);
+    for (int j = 0; j < a->n; j++) {
+        double ln = log_eta -
+                    ovr_heat_log_viscosity(heat, sheet->log_eta, T[j]);
+        r[j] = exp(ovr_larger(-100, ovr_smaller(100, ln)));
+        double part = a->w[j] * r[j];
+        m[0] += part;
+        m[1] += part * a->s[j];
+        m[2] += part * a->s[j] * a->s[j];
+    }
+    flow->log_eta = ovr_smaller(300, log_eta);
     if (!sheet->wet) {
         linear(a, sheet, flow);
         return;
     }
-    Y = sheet->lambda * exp(flow->log_eta) / (12 * sheet->H);
-    flow->even = uniform(a, sheet, Y, flow->m[0]);
-    flow->t = stressed(a, sheet, Y, r, flow->m, rate);
+    const wet_film film = {
+        a, sheet, sheet->lambda * exp(flow->log_eta) / (12 * sheet->H), r, m};
+    flow->even = uniform(&film);
+    flow->t = stressed(&film, rate);
     maximum = ovr_larger(sheet->limit - fabs(G), 0);
     flow->t = ovr_larger(-maximum, ovr_smaller(maximum, flow->t));
     flow->even = ovr_larger(-maximum, ovr_smaller(maximum, flow->even));
