@@ -54,19 +54,6 @@ ovr_status ovr_newton_prepare(ovr_hierarchy *grids, ovr_arena *arena,
     return newton->matrix && newton->change ? OVR_OK : OVR_NO_MEMORY;
 }
 
-/* Columns of dry nodes, whose unknown is q. */
-static void content_columns(const ovr_hierarchy *grids, const ovr_fields *f,
-                            const row_weights *c, size_t n, size_t i,
-                            double *row)
-{
-    const double *wet = grids->newton.wet;
-    for (size_t j = 0; j < n; j++)
-        row[j] *= wet[j];
-    for (size_t m = 0; m < 3 && m <= i; m++)
-        if (!f->wet[i - m])
-            row[i - m] = -c->a[m];
-}
-
 static void fill_kernel(const ovr_hierarchy *grids, const ovr_level *level,
                         double *kernel)
 {
@@ -136,12 +123,6 @@ static void full_row(const ovr_hierarchy *grids, const ovr_level *level,
     row[n + 1] = of->r;
 }
 
-static void hold(size_t n, size_t i, double *row)
-{
-    memset(row, 0, (n + 2) * sizeof *row);
-    row[i] = 1;
-}
-
 static bool is_held(const ovr_hierarchy *grids, const ovr_level *level,
                     size_t i)
 {
@@ -156,33 +137,30 @@ static void assemble(const ovr_hierarchy *grids, const ovr_level *level,
 {
     size_t n = level->grid.n, stride = stride_of(n);
     double *row = grids->newton.matrix;
+    const double *wet = grids->newton.wet; /* a dry node's unknown is q */
     for (size_t i = 0; i < n; i++, row += stride) {
         row_weights c;
         ovr_newton_row of;
         if (is_held(grids, level, i)) {
-            hold(n, i, row);
+            memset(row, 0, (n + 2) * sizeof *row);
+            row[i] = 1;
             continue;
         }
         c = weights_of(grids, level, f, i);
         of = local_row(grids, level, f, &c, i);
         full_row(grids, level, &of, i, row);
-        if (grids->conserving)
-            content_columns(grids, f, &c, n, i, row);
+        if (!grids->conserving)
+            continue;
+        for (size_t j = 0; j < n; j++)
+            row[j] *= wet[j];
+        for (size_t m = 0; m < 3 && m <= i; m++)
+            if (!f->wet[i - m])
+                row[i - m] = -c.a[m];
     }
     for (size_t j = 0; j < n; j++)
-        row[j] = level->grid.D * (grids->conserving ? grids->newton.wet[j] : 1);
+        row[j] = level->grid.D * (grids->conserving ? wet[j] : 1);
     row[n] = 0;
     row[n + 1] = level->force - ovr_level_load(grids, level);
-}
-
-static bool solve_dense(const ovr_hierarchy *grids, const ovr_level *level,
-                        const ovr_fields *f)
-{
-    const ovr_newton *newton = &grids->newton;
-    size_t n = level->grid.n;
-    assemble(grids, level, f);
-    return grids->kernels->dense_solve(n + 1, stride_of(n), newton->matrix,
-                                       newton->change);
 }
 
 /* The same system by tripoles, once for all but films whose end walks. */
@@ -201,9 +179,7 @@ static bool solve_touching(ovr_hierarchy *grids, const ovr_level *level,
                                           ? ovr_touch_dry_row(grids, level, i)
                                           : local_row(grids, level, f, &c, i);
         }
-        if (!ovr_tripoles_solve(grids, level, touch->tripoles,
-                                touch->kernel + level->grid.n + 2, missing,
-                                step))
+        if (!ovr_tripoles_solve(grids, level, missing, step))
             return false;
         if (!ovr_touch_close(grids, level, step))
             break;
@@ -282,7 +258,9 @@ bool ovr_newton_step(ovr_hierarchy *grids, ovr_level *level, double limit)
         advance_touching(grids, level, f, limit);
         return isfinite(grids->H0);
     }
-    if (!solve_dense(grids, level, f))
+    assemble(grids, level, f);
+    if (!grids->kernels->dense_solve(n + 1, stride_of(n), newton->matrix,
+                                     newton->change))
         return false;
     advance(grids, level, f, limit);
     /* in proportion where the film is thick: rigid contacts */

@@ -29,18 +29,19 @@ static void to_chunk(void *context, void *memory)
 static ovr_status count_bytes(const ovr_composite *c, const size_t *maximum,
                               int patches, size_t *bytes, ovr_error *err)
 {
-    ovr_patch patch, parent;
+    ovr_patch pair[2];
     ovr_level wide = *c->part[0].level;
     ovr_status status = OVR_OK;
     size_t one = 0;
-    parent = (ovr_patch){.level = &wide};
+    pair[0] = (ovr_patch){.level = &wide};
     *bytes = 0;
     for (int k = 0; k < patches && !status; k++) {
         ovr_arena arena = ovr_arena_counting();
         wide.grid.n = maximum[k] + 2;
         if (k == 0 || maximum[k] != maximum[k - 1]) {
-            status = ovr_patch_build(c->grids, &patch, &parent, 1,
-                                     (maximum[k] - 1) / 2, &arena, err);
+            status = ovr_patch_build(c->grids, &pair[1],
+                                     (ovr_window){1, (maximum[k] - 1) / 2},
+                                     &arena, err);
             one = arena.bytes;
             ovr_arena_release(&arena);
         }
@@ -59,10 +60,9 @@ ovr_status ovr_composite_prepare(ovr_composite *c, ovr_hierarchy *grids,
     c->grids = grids;
     if (ovr_patch_base(grids, &c->part[0], arena, err))
         return OVR_NO_MEMORY;
-    for (int k = 0; k < 2; k++)
-        if (!(c->workspace[k] = ovr_field(arena, n + OVR_MAX_LANES, err)))
-            return OVR_NO_MEMORY;
-    if (count_bytes(c, maximum, patches, &c->size, err))
+    if (OVR_TAKE_FIELDS(arena, n + OVR_MAX_LANES, err, &c->workspace[0],
+                        &c->workspace[1]) ||
+        count_bytes(c, maximum, patches, &c->size, err))
         return OVR_NO_MEMORY;
     c->size += (size_t)64 * 1024 * (size_t)(patches + 1);
     c->chunk = ovr_arena_take(arena, c->size, 1, err);
@@ -86,12 +86,11 @@ void ovr_composite_begin(ovr_composite *c, double force)
     memset(base->detail_w, 0, level->grid.n * sizeof *base->detail_w);
 }
 
-ovr_status ovr_composite_add(ovr_composite *c, size_t first, size_t meshes,
+ovr_status ovr_composite_add(ovr_composite *c, ovr_window window,
                              ovr_error *err)
 {
     ovr_patch *patch = &c->part[c->patches + 1], *parent = patch - 1;
-    if (ovr_patch_build(c->grids, patch, parent, first, meshes, &c->memory,
-                        err))
+    if (ovr_patch_build(c->grids, patch, window, &c->memory, err))
         return OVR_NO_MEMORY;
     ovr_patch_fill(c->grids, patch, parent);
     ovr_composite_film_parent(&c->film, c->grids, parent, patch->near);
@@ -219,15 +218,6 @@ static void restrict_sides(ovr_composite *c, ovr_patch *patch,
     ovr_level_write(grids, level, F, level->f.F);
 }
 
-/* Residual and phase. */
-static void settle(const ovr_composite *c, ovr_patch *part)
-{
-    if (part == c->part)
-        ovr_level_residual(c->grids, part->level);
-    else
-        ovr_patch_settle(c->grids, part);
-}
-
 /* Restricts to the parent; film and residual of the patch are up to date, then
  * those of the parent are. */
 static void restrict_to(ovr_composite *c, ovr_patch *patch, ovr_patch *parent)
@@ -243,7 +233,10 @@ static void restrict_to(ovr_composite *c, ovr_patch *patch, ovr_patch *parent)
     ovr_patch_read(grids, patch);
     ovr_patch_read(grids, parent);
     restrict_sides(c, patch, parent);
-    settle(c, parent);
+    if (parent == c->part)
+        ovr_level_residual(grids, parent->level);
+    else
+        ovr_patch_settle(grids, parent);
 }
 
 /* What the patches add is no longer the base's to carry. */

@@ -60,7 +60,7 @@ void ovr_composite_begin(ovr_composite *c, double force);
 
 /* One more patch, of a window of the last one; its rigid gap is to be filled
  * by the caller, then ovr_composite_start gives it its first solution. */
-ovr_status ovr_composite_add(ovr_composite *c, size_t first, size_t meshes,
+ovr_status ovr_composite_add(ovr_composite *c, ovr_window window,
                              ovr_error *err);
 void ovr_composite_start(ovr_composite *c);
 

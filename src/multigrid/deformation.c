@@ -85,18 +85,17 @@ void ovr_deformation_direct(size_t n, double D, const double *P, double *w)
 }
 
 /* Measured errors of the method relative to max |w| (tests/unit). */
-void ovr_mlmi_choose(double target, int *order, int *range)
+ovr_mlmi_form ovr_mlmi_choose(double target)
 {
     static const struct {
         double error;
-        int order, range;
-    } table[] = {{4e-7, 6, 10},     {3e-8, 6, 16},     {6e-9, 10, 10},
-                 {8.5e-10, 10, 12}, {1.7e-10, 10, 14}, {0, 12, 16}};
+        ovr_mlmi_form form;
+    } table[] = {{4e-7, {6, 10}},     {3e-8, {6, 16}},     {6e-9, {10, 10}},
+                 {8.5e-10, {10, 12}}, {1.7e-10, {10, 14}}, {0, {12, 16}}};
     size_t k = 0;
     while (table[k].error > target)
         k++;
-    *order = table[k].order;
-    *range = table[k].range;
+    return table[k].form;
 }
 
 /* The kernel of one grid at whole distances, as far as its corrections ask. */
@@ -247,16 +246,16 @@ static ovr_status take_dense(ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
     return OVR_OK;
 }
 
-ovr_status ovr_mlmi_plan(ovr_mlmi *plan, size_t n, int order, int range,
+ovr_status ovr_mlmi_plan(ovr_mlmi *plan, size_t n, ovr_mlmi_form form,
                          ovr_arena *arena, ovr_error *err)
 {
     plan->n = n;
     plan->linear = false;
     plan->parts = 0;
-    plan->half_order = order / 2;
-    plan->range = range;
-    plan->depth = depth_of(n, range);
-    plan->pad = 2 * (order + 4) + range + 2 * OVR_MLMI_BLOCK;
+    plan->half_order = form.order / 2;
+    plan->range = form.range;
+    plan->depth = depth_of(n, form.range);
+    plan->pad = 2 * (form.order + 4) + form.range + 2 * OVR_MLMI_BLOCK;
     if (take_grids(plan, arena, err))
         return OVR_NO_MEMORY;
     return take_dense(plan, arena, err);

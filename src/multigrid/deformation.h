@@ -91,9 +91,13 @@ static inline size_t ovr_mlmi_lane(const ovr_mlmi *plan, size_t lanes)
     return (share + unit - 1) / unit * unit;
 }
 
-/* Memory of a plan for n nodes, order p (even, 2..16) and range m (even, up to
- * 2 OVR_MLMI_MAX). */
-ovr_status ovr_mlmi_plan(ovr_mlmi *plan, size_t n, int order, int range,
+/* Order p (even, 2..16) and range m (even, up to 2 OVR_MLMI_MAX). */
+typedef struct ovr_mlmi_form {
+    int order, range;
+} ovr_mlmi_form;
+
+/* Memory of a plan for n nodes. */
+ovr_status ovr_mlmi_plan(ovr_mlmi *plan, size_t n, ovr_mlmi_form form,
                          ovr_arena *arena, ovr_error *err);
 
 /* Its numbers, for mesh size D.  The weights take a millisecond to find: those
@@ -106,7 +110,7 @@ void ovr_mlmi_fill(ovr_mlmi *plan, double D, const ovr_mlmi *like);
 double *ovr_mlmi_field(const ovr_mlmi *plan, ovr_arena *arena, ovr_error *err);
 
 /* Order and range whose error stays below `target` of |w|. */
-void ovr_mlmi_choose(double target, int *order, int *range);
+ovr_mlmi_form ovr_mlmi_choose(double target);
 
 /* K(d D)/pi, the influence of a node on one d meshes away. */
 double ovr_deformation_kernel(double d, double D);

@@ -29,8 +29,7 @@ void ovr_fas_restrict(ovr_hierarchy *grids, const ovr_level *fine,
                          coarse->f.entry, coarse->f.gap, residual);
     if (grids->conserving)
         ovr_content_restrict(grids, fine, coarse, residual);
-    ovr_influence_deform(&grids->influence, run, &coarse->lanes, &coarse->mlmi,
-                         f->P, coarse->f.w);
+    ovr_level_deform(grids, coarse, f->P, coarse->f.w);
     run->coarse_gap(&coarse->lanes, H0, coarse->f.w, coarse->f.gap);
     ovr_level_properties(grids, coarse);
     make_sides(grids, coarse, residual);

@@ -36,6 +36,18 @@ static inline double *ovr_field(ovr_arena *arena, size_t n, ovr_error *err)
     return all + OVR_FIELD_PAD;
 }
 
+/* Several of them, to where the pointers point; NULL behind the last. */
+static inline ovr_status ovr_fields_take(ovr_arena *arena, size_t n,
+                                         ovr_error *err, double **const to[])
+{
+    for (; *to; to++)
+        if (!(**to = ovr_field(arena, n, err)))
+            return OVR_NO_MEMORY;
+    return OVR_OK;
+}
+#define OVR_TAKE_FIELDS(arena, n, err, ...)                                    \
+    ovr_fields_take(arena, n, err, (double **const[]){__VA_ARGS__, NULL})
+
 /* A set of nodes (lanes.h) for any number of lanes, halos included. */
 static inline unsigned char *ovr_set(ovr_arena *arena, size_t n, ovr_error *err)
 {

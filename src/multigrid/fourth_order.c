@@ -21,11 +21,8 @@ ovr_status ovr_correction_prepare(ovr_hierarchy *grids, ovr_correction *c,
                                   ovr_arena *arena, ovr_error *err)
 {
     size_t capacity = finest_of(grids)->grid.n + OVR_MAX_LANES;
-    double **const all[] = {&c->F, &c->gap, &c->mask, &c->gap_only};
-    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        if (!(*all[k] = ovr_field(arena, capacity, err)))
-            return OVR_NO_MEMORY;
-    return OVR_OK;
+    return OVR_TAKE_FIELDS(arena, capacity, err, &c->F, &c->gap, &c->mask,
+                           &c->gap_only);
 }
 
 /* Vectors of a level and of its halo, as one array. */

@@ -3,27 +3,15 @@
 
 #include <math.h>
 
-static ovr_status take(ovr_grid *grid, ovr_arena *arena, ovr_error *err)
+ovr_status ovr_grid_refine(ovr_grid *grid, const ovr_grid *parent,
+                           ovr_window window, ovr_arena *arena, ovr_error *err)
 {
+    *grid = (ovr_grid){.n = 2 * window.meshes + 1,
+                       .D = parent->D / 2,
+                       .X_a = parent->X_a + (double)window.first * parent->D,
+                       .first = window.first};
     grid->X = ovr_arena_take(arena, grid->n, sizeof *grid->X, err);
     return grid->X ? OVR_OK : OVR_NO_MEMORY;
-}
-
-ovr_status ovr_grid_make(ovr_grid *grid, double X_a, double X_b, size_t n,
-                         ovr_arena *arena, ovr_error *err)
-{
-    *grid = (ovr_grid){.n = n, .D = (X_b - X_a) / (double)(n - 1), .X_a = X_a};
-    return take(grid, arena, err);
-}
-
-ovr_status ovr_grid_refine(ovr_grid *grid, const ovr_grid *parent, size_t first,
-                           size_t meshes, ovr_arena *arena, ovr_error *err)
-{
-    *grid = (ovr_grid){.n = 2 * meshes + 1,
-                       .D = parent->D / 2,
-                       .X_a = parent->X_a + (double)first * parent->D,
-                       .first = first};
-    return take(grid, arena, err);
 }
 
 double ovr_grid_mesh(const ovr_grid *grid)

@@ -18,12 +18,14 @@ typedef struct ovr_grid {
     size_t first; /* node of the parent where node 0 lies */
 } ovr_grid;
 
-ovr_status ovr_grid_make(ovr_grid *grid, double X_a, double X_b, size_t n,
-                         ovr_arena *arena, ovr_error *err);
+/* Part of a parent: so many meshes from its node `first` on. */
+typedef struct ovr_window {
+    size_t first, meshes;
+} ovr_window;
 
-/* The meshes of a window of the parent, from its node `first` on, halved. */
-ovr_status ovr_grid_refine(ovr_grid *grid, const ovr_grid *parent, size_t first,
-                           size_t meshes, ovr_arena *arena, ovr_error *err);
+/* The meshes of a window of the parent, halved. */
+ovr_status ovr_grid_refine(ovr_grid *grid, const ovr_grid *parent,
+                           ovr_window window, ovr_arena *arena, ovr_error *err);
 
 void ovr_grid_fill(ovr_grid *grid);
 

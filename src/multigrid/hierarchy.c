@@ -15,16 +15,6 @@ static size_t capacity_of(const ovr_level *level)
     return level->grid.n + OVR_MAX_LANES;
 }
 
-/* Arrays of `capacity` values, to where the pointers point. */
-static ovr_status take(double **const to[], size_t count, size_t capacity,
-                       ovr_arena *arena, ovr_error *err)
-{
-    for (size_t k = 0; k < count; k++)
-        if (!(*to[k] = ovr_field(arena, capacity, err)))
-            return OVR_NO_MEMORY;
-    return OVR_OK;
-}
-
 /* True if a level has the field. */
 static bool has(const ovr_hierarchy *grids, ovr_field_memory memory,
                 bool newton)
@@ -70,14 +60,6 @@ static ovr_status take_fields(const ovr_hierarchy *grids, ovr_level *level,
     return take_sets(&level->f, level->grid.n, grids->content, arena, err);
 }
 
-static ovr_status take_band(ovr_band *band, size_t capacity, ovr_arena *arena,
-                            ovr_error *err)
-{
-    double **const all[] = {&band->b[0], &band->b[1], &band->b[2],
-                            &band->b[3], &band->b[4], &band->delta};
-    return take(all, sizeof all / sizeof *all, capacity, arena, err);
-}
-
 static ovr_status take_natural(ovr_hierarchy *grids, size_t n, ovr_arena *arena,
                                ovr_error *err)
 {
@@ -98,27 +80,13 @@ static void set_lanes(ovr_level *level, const ovr_kernels *kernels)
 }
 
 ovr_status ovr_level_build(const ovr_hierarchy *grids, ovr_level *level,
-                           int order, int range, ovr_arena *arena,
-                           ovr_error *err)
+                           ovr_mlmi_form mlmi, ovr_arena *arena, ovr_error *err)
 {
-    if (ovr_mlmi_plan(&level->mlmi, level->grid.n, order, range, arena, err))
+    if (ovr_mlmi_plan(&level->mlmi, level->grid.n, mlmi, arena, err))
         return OVR_NO_MEMORY;
     level->mlmi.linear = grids->influence.linear;
     set_lanes(level, grids->kernels);
     return take_fields(grids, level, arena, err);
-}
-
-/* The next finer level, of the whole grid below. */
-static ovr_status build_level(ovr_hierarchy *grids, int number, int order,
-                              int range, ovr_arena *arena, ovr_error *err)
-{
-    ovr_level *level = &grids->level[number];
-    const ovr_grid *below = &(level - 1)->grid;
-    if (number > grids->coarsest &&
-        ovr_grid_refine(&level->grid, below, 0, below->n - 1, arena, err))
-        return OVR_NO_MEMORY;
-    level->number = number;
-    return ovr_level_build(grids, level, order, range, arena, err);
 }
 
 void ovr_hierarchy_kernels(ovr_hierarchy *grids, const ovr_kernels *kernels)
@@ -136,20 +104,32 @@ ovr_status ovr_hierarchy_build(ovr_hierarchy *grids,
     grids->coarsest = coarsest;
     grids->finest = finest;
     grids->newton.levels = ovr_newton_levels(grids);
-    if (ovr_grid_make(&grids->level[coarsest].grid, form->X_a, form->X_b,
-                      ovr_level_nodes(coarsest), arena, err))
+    ovr_grid *first = &grids->level[coarsest].grid;
+    *first = (ovr_grid){.n = ovr_level_nodes(coarsest), .X_a = form->X_a};
+    first->D = (form->X_b - form->X_a) / (double)(first->n - 1);
+    if (!(first->X = ovr_arena_take(arena, first->n, sizeof *first->X, err)))
         return OVR_NO_MEMORY;
-    for (int l = coarsest; l <= finest; l++)
-        if (build_level(grids, l, form->order[l], form->range[l], arena, err))
+    for (int l = coarsest; l <= finest; l++) {
+        ovr_level *level = &grids->level[l];
+        const ovr_grid *below = &(level - 1)->grid;
+        level->number = l;
+        if (l > coarsest &&
+            ovr_grid_refine(&level->grid, below, (ovr_window){0, below->n - 1},
+                            arena, err))
             return OVR_NO_MEMORY;
+        if (ovr_level_build(grids, level, form->mlmi[l], arena, err))
+            return OVR_NO_MEMORY;
+    }
     size_t capacity = capacity_of(&grids->level[finest]);
-    if (take_band(&grids->band, capacity, arena, err) ||
+    ovr_band *band = &grids->band;
+    if (OVR_TAKE_FIELDS(arena, capacity, err, &band->b[0], &band->b[1],
+                        &band->b[2], &band->b[3], &band->b[4], &band->delta) ||
         take_natural(grids, grids->level[grids->ordered].grid.n, arena, err))
         return OVR_NO_MEMORY;
     double end = fmax(fmax(-form->X_a, form->X_b) / 4, 1);
-    grids->band.reach = end * end;
-    grids->scratch[0] = grids->band.b[0];
-    grids->scratch[1] = grids->band.b[1];
+    band->reach = end * end;
+    grids->scratch[0] = band->b[0];
+    grids->scratch[1] = band->b[1];
     ovr_hierarchy_kernels(grids, grids->kernels);
     return ovr_newton_prepare(grids, arena, err);
 }
@@ -222,21 +202,17 @@ ovr_status ovr_hierarchy_touch(ovr_hierarchy *grids, ovr_arena *arena,
 {
     ovr_touch *touch = &grids->touch;
     size_t n = grids->level[grids->finest].grid.n;
-    double **const all[] = {&touch->A, &touch->g, &touch->whole, &touch->excess,
-                            &touch->step};
-    if (take(all, sizeof all / sizeof *all, n + 1, arena, err))
-        return OVR_NO_MEMORY;
-    touch->lift = ovr_field(arena, n, err);
-    if (touch->lift)
-        touch->gap = ovr_field(arena, capacity_of(&grids->level[grids->finest]),
-                               err);
-    touch->kernel = touch->gap ? ovr_newton_kernel(n, arena, err) : NULL;
-    touch->dry = touch->kernel ? ovr_set(arena, n, err) : NULL;
-    touch->opened = touch->dry ? ovr_set(arena, n, err) : NULL;
-    if (touch->opened)
-        touch->tripoles = ovr_arena_take(arena, 1, sizeof *touch->tripoles,
-                                         err);
-    if (!touch->tripoles || ovr_tripoles_take(touch->tripoles, n, arena, err) ||
+    size_t capacity = capacity_of(&grids->level[grids->finest]);
+    if (OVR_TAKE_FIELDS(arena, n + 1, err, &touch->A, &touch->g, &touch->whole,
+                        &touch->excess, &touch->step) ||
+        OVR_TAKE_FIELDS(arena, n, err, &touch->lift) ||
+        OVR_TAKE_FIELDS(arena, capacity, err, &touch->gap) ||
+        !(touch->kernel = ovr_newton_kernel(n, arena, err)) ||
+        !(touch->dry = ovr_set(arena, n, err)) ||
+        !(touch->opened = ovr_set(arena, n, err)) ||
+        !(touch->tripoles = ovr_arena_take(arena, 1, sizeof *touch->tripoles,
+                                           err)) ||
+        ovr_tripoles_take(touch->tripoles, n, arena, err) ||
         take_newton(grids, arena, err))
         return OVR_NO_MEMORY;
     return ovr_hierarchy_bear(grids, arena, err);

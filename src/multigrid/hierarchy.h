@@ -108,7 +108,7 @@ bool ovr_hierarchy_stops(ovr_hierarchy *grids);
 typedef struct ovr_hierarchy_form {
     int coarsest, finest;
     double X_a, X_b;
-    int order[OVR_LEVELS], range[OVR_LEVELS];
+    ovr_mlmi_form mlmi[OVR_LEVELS];
 } ovr_hierarchy_form;
 
 /* Builds them; the caller has set kernels, fluid and the options. */
@@ -119,7 +119,7 @@ ovr_status ovr_hierarchy_build(ovr_hierarchy *grids,
 /* A level on the grid that it has: memory and lanes; its numbers, MLMI's
  * weights like those of a coarser level or NULL; the equation's weights. */
 ovr_status ovr_level_build(const ovr_hierarchy *grids, ovr_level *level,
-                           int order, int range, ovr_arena *arena,
+                           ovr_mlmi_form mlmi, ovr_arena *arena,
                            ovr_error *err);
 void ovr_level_fill(const ovr_hierarchy *grids, ovr_level *level,
                     const ovr_level *like);
@@ -133,6 +133,10 @@ void ovr_hierarchy_kernels(ovr_hierarchy *grids, const ovr_kernels *kernels);
 
 /* Sets the operator and with it the weights and shares on every level. */
 void ovr_hierarchy_operator(ovr_hierarchy *grids, const ovr_operator *op);
+
+/* w for a pressure in the lanes of a level, whose halo is filled. */
+void ovr_level_deform(const ovr_hierarchy *grids, const ovr_level *level,
+                      double *P, double *w);
 
 /* Film and properties for the P a level has now; its residual and the phase
  * of its nodes; all of these. */

@@ -3,6 +3,8 @@
 
 #include <math.h>
 
+#include "multigrid/hierarchy.h"
+
 double ovr_influence_rest(const ovr_influence *influence, double d, double D)
 {
     double R = 0;
@@ -78,19 +80,15 @@ bool ovr_influence_add(ovr_influence *influence, ovr_influence_part part)
     return true;
 }
 
-/* Vectors and their halo, as one array. */
-static void give_way(const ovr_influence *influence, const ovr_kernels *run,
-                     const ovr_lanes *lanes, const double *P, double *w)
+void ovr_level_deform(const ovr_hierarchy *grids, const ovr_level *level,
+                      double *P, double *w)
 {
-    size_t halo = OVR_HALO * lanes->V, n = lanes->S * lanes->V + 2 * halo;
-    run->combine(n, 1, w - halo, -influence->compliance, P - halo, w - halo);
-}
-
-void ovr_influence_deform(const ovr_influence *influence,
-                          const ovr_kernels *run, const ovr_lanes *lanes,
-                          const ovr_mlmi *mlmi, double *P, double *w)
-{
-    run->deformation(mlmi, P, w);
-    if (influence->compliance != 0)
-        give_way(influence, run, lanes, P, w);
+    const ovr_lanes *lanes = &level->lanes;
+    double compliance = grids->influence.compliance;
+    grids->kernels->deformation(&level->mlmi, P, w);
+    if (compliance != 0) { /* vectors and their halo, as one array */
+        size_t halo = OVR_HALO * lanes->V, n = lanes->S * lanes->V + 2 * halo;
+        grids->kernels->combine(n, 1, w - halo, -compliance, P - halo,
+                                w - halo);
+    }
 }

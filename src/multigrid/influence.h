@@ -51,9 +51,4 @@ void ovr_influence_band(const ovr_influence *influence, double D, double k[6]);
 bool ovr_influence_corrected(const ovr_influence *influence);
 double ovr_influence_local(const ovr_influence *influence, double D);
 
-/* w for the P of a level, in its lanes. */
-void ovr_influence_deform(const ovr_influence *influence,
-                          const ovr_kernels *run, const ovr_lanes *lanes,
-                          const ovr_mlmi *mlmi, double *P, double *w);
-
 #endif

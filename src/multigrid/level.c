@@ -27,19 +27,12 @@ void ovr_level_properties(const ovr_hierarchy *grids, ovr_level *level)
         ovr_content_settle(grids, level);
 }
 
-static void deform(const ovr_hierarchy *grids, const ovr_level *level,
-                   double *P, double *w)
-{
-    ovr_influence_deform(&grids->influence, grids->kernels, &level->lanes,
-                         &level->mlmi, P, w);
-}
-
 void ovr_level_bear(const ovr_hierarchy *grids, const ovr_level *level,
                     const double *ordered)
 {
     ovr_level_write(grids, level, ordered, level->borne);
     if (!grids->touch.at) /* there `pressed` is the whole pressure */
-        deform(grids, level, level->borne, level->pressed);
+        ovr_level_deform(grids, level, level->borne, level->pressed);
 }
 
 /* w += what the other pressure presses in, halos included. */
@@ -56,7 +49,7 @@ void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level)
     if (grids->touch.at) {
         ovr_touch_deform(grids, level);
     } else {
-        deform(grids, level, level->f.P, level->f.w);
+        ovr_level_deform(grids, level, level->f.P, level->f.w);
         if (level->borne)
             press(grids, level);
     }

@@ -11,14 +11,11 @@
 
 static ovr_status take(ovr_patch *p, ovr_arena *arena, ovr_error *err)
 {
-    double **const all[] = {&p->P,       &p->q,       &p->eps,     &p->flow,
-                            &p->w,       &p->entry,   &p->rigid,   &p->F,
-                            &p->g,       &p->outer_w, &p->outer_P, &p->detail,
-                            &p->detail_w};
     size_t capacity = p->level->grid.n + OVR_MAX_LANES;
-    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        if (!(*all[k] = ovr_field(arena, capacity, err)))
-            return OVR_NO_MEMORY;
+    if (OVR_TAKE_FIELDS(arena, capacity, err, &p->P, &p->q, &p->eps, &p->flow,
+                        &p->w, &p->entry, &p->rigid, &p->F, &p->g, &p->outer_w,
+                        &p->outer_P, &p->detail, &p->detail_w))
+        return OVR_NO_MEMORY;
     for (int k = 0; k < 2; k++)
         if (!(p->wide[k] = ovr_mlmi_field(&p->level->mlmi, arena, err)))
             return OVR_NO_MEMORY;
@@ -35,21 +32,22 @@ ovr_status ovr_patch_base(const ovr_hierarchy *grids, ovr_patch *base,
 }
 
 ovr_status ovr_patch_build(const ovr_hierarchy *grids, ovr_patch *patch,
-                           const ovr_patch *parent, size_t first, size_t meshes,
-                           ovr_arena *arena, ovr_error *err)
+                           ovr_window window, ovr_arena *arena, ovr_error *err)
 {
-    const ovr_grid *outer = &parent->level->grid;
+    const ovr_level *parent = patch[-1].level;
+    const ovr_grid *outer = &parent->grid;
     *patch = (ovr_patch){.level = &patch->own};
     ovr_level *level = &patch->own;
-    patch->opens = first > 0;
-    patch->closes = first + meshes < outer->n - 1;
-    if (ovr_grid_refine(&level->grid, outer, first, meshes, arena, err))
+    patch->opens = window.first > 0;
+    patch->closes = window.first + window.meshes < outer->n - 1;
+    if (ovr_grid_refine(&level->grid, outer, window, arena, err))
         return OVR_NO_MEMORY;
     patch->from = patch->opens ? OVR_PATCH_EDGE + 1 : 1;
     patch->to = level->grid.n - 2 - (patch->closes ? OVR_PATCH_EDGE : 0);
-    level->number = parent->level->number + 1;
-    if (ovr_level_build(grids, level, 2 * (int)parent->level->mlmi.half_order,
-                        (int)parent->level->mlmi.range, arena, err))
+    level->number = parent->number + 1;
+    const ovr_mlmi_form mlmi = {2 * (int)parent->mlmi.half_order,
+                                (int)parent->mlmi.range};
+    if (ovr_level_build(grids, level, mlmi, arena, err))
         return OVR_NO_MEMORY;
     return take(patch, arena, err);
 }

@@ -50,10 +50,10 @@ typedef struct ovr_patch {
 ovr_status ovr_patch_base(const ovr_hierarchy *grids, ovr_patch *base,
                           ovr_arena *arena, ovr_error *err);
 
-/* A window of the parent from node `first` on: memory, and its numbers. */
+/* A window of its parent, which is the patch before it in memory: memory, and
+ * its numbers. */
 ovr_status ovr_patch_build(const ovr_hierarchy *grids, ovr_patch *patch,
-                           const ovr_patch *parent, size_t first, size_t meshes,
-                           ovr_arena *arena, ovr_error *err);
+                           ovr_window window, ovr_arena *arena, ovr_error *err);
 void ovr_patch_fill(const ovr_hierarchy *grids, ovr_patch *patch,
                     const ovr_patch *parent);
 

@@ -50,13 +50,9 @@ static double rupture(const ovr_patch *base)
     return base->level->grid.X[i + 1];
 }
 
-/* A window of a parent, in its nodes. */
-typedef struct window {
-    size_t first, meshes;
-} window;
-
 /* About X, the first patches to behind the rupture; no meshes: no space. */
-static window lay(const ovr_composite *c, const ovr_spike_search *how, double X)
+static ovr_window lay(const ovr_composite *c, const ovr_spike_search *how,
+                      double X)
 {
     const ovr_patch *parent = &c->part[c->patches];
     const ovr_grid *grid = &parent->level->grid;
@@ -77,8 +73,8 @@ static window lay(const ovr_composite *c, const ovr_spike_search *how, double X)
     units = fmin(fmin(units, margin),
                  floor((taken - 1) / (2 * OVR_PATCH_UNIT)));
     if (!(units * OVR_PATCH_UNIT >= OVR_PATCH_MIN))
-        return (window){0, 0};
-    return (window){(size_t)left, (size_t)units * OVR_PATCH_UNIT};
+        return (ovr_window){0, 0};
+    return (ovr_window){(size_t)left, (size_t)units * OVR_PATCH_UNIT};
 }
 
 static void rigid(const ovr_spike_search *how, ovr_patch *part)
@@ -87,10 +83,10 @@ static void rigid(const ovr_spike_search *how, ovr_patch *part)
     how->rigid(how->data, grid->n, grid->X, part->rigid);
 }
 
-static ovr_status add(ovr_composite *c, const ovr_spike_search *how, window w,
-                      ovr_error *err)
+static ovr_status add(ovr_composite *c, const ovr_spike_search *how,
+                      ovr_window w, ovr_error *err)
 {
-    if (ovr_composite_add(c, w.first, w.meshes, err))
+    if (ovr_composite_add(c, w, err))
         return OVR_NO_MEMORY;
     ovr_patch *patch = &c->part[c->patches];
     rigid(how, patch);
@@ -143,7 +139,7 @@ ovr_status ovr_spike_solve(ovr_composite *c, const ovr_spike_search *how,
                                .X = now.X,
                                .change = NAN};
     while (go_on(c, how, before, found, &small)) {
-        window w = lay(c, how, now.X);
+        ovr_window w = lay(c, how, now.X);
         if (!w.meshes)
             break;
         if (add(c, how, w, err))

@@ -92,15 +92,6 @@ ovr_defect ovr_flooded(ovr_hierarchy *grids, const ovr_full *how, int *cycles)
 /* ------------------------------------------------- flooded on a coarse level
  */
 
-/* Every second node. */
-static void inject(ovr_hierarchy *grids, const ovr_level *fine,
-                   ovr_level *coarse)
-{
-    for (size_t I = 0; I < coarse->grid.n; I++)
-        coarse->f.P[place(coarse, I)] = fine->f.P[place(fine, 2 * I)];
-    (void)grids;
-}
-
 static ovr_defect newton(ovr_hierarchy *grids, ovr_level *level, double limit,
                          int steps)
 {
@@ -117,7 +108,8 @@ static ovr_defect newton(ovr_hierarchy *grids, ovr_level *level, double limit,
     return d;
 }
 
-/* The level that the supply is reduced on, with its flooded solution. */
+/* The level that the supply is reduced on, with its flooded solution, from
+ * every second node of the next finer one. */
 static ovr_level *start_level(ovr_hierarchy *grids, double force, double limit)
 {
     enum { STEPS = 60 };
@@ -125,7 +117,9 @@ static ovr_level *start_level(ovr_hierarchy *grids, double force, double limit)
     int start = grids->coarsest + grids->newton.levels - 1;
     ovr_full_prepare(grids, force);
     for (; level->number > start; level--)
-        inject(grids, level, level - 1);
+        for (size_t I = 0; I < (level - 1)->grid.n; I++)
+            (level - 1)->f.P[place(level - 1, I)] =
+                level->f.P[place(level, 2 * I)];
     if (level->number == grids->finest)
         return level;
     grids->conserving = false;

@@ -27,8 +27,7 @@ void ovr_touch_deform(const ovr_hierarchy *grids, const ovr_level *level)
     double *whole = level->pressed;
     for (size_t J = 0; J < places(level); J++)
         whole[J] = level->f.P[J] + level->borne[J];
-    ovr_influence_deform(&grids->influence, grids->kernels, &level->lanes,
-                         &level->mlmi, whole, level->f.w);
+    ovr_level_deform(grids, level, whole, level->f.w);
 }
 
 /* Nodes that lanes repeat of each other get their values anew. */
@@ -151,8 +150,7 @@ static const double *given_way(const ovr_hierarchy *grids,
 {
     double *w = level->f.w, *workspace = grids->scratch[0];
     ovr_level_write(grids, level, dP, level->pressed);
-    ovr_influence_deform(&grids->influence, grids->kernels, &level->lanes,
-                         &level->mlmi, level->pressed, w);
+    ovr_level_deform(grids, level, level->pressed, w);
     ovr_level_read(grids, level, w, workspace);
     return workspace;
 }

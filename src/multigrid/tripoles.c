@@ -114,8 +114,7 @@ static void multiply(const ovr_hierarchy *grids, const ovr_level *level,
     size_t n = level->grid.n;
     double *w = t->w, sum = 0;
     ovr_level_write(grids, level, step, level->pressed);
-    ovr_influence_deform(&grids->influence, grids->kernels, &level->lanes,
-                         &level->mlmi, level->pressed, level->f.w);
+    ovr_level_deform(grids, level, level->pressed, level->f.w);
     ovr_level_read(grids, level, level->f.w, w);
     for (size_t i = 1; i + 1 < n; i++) {
         const ovr_newton_row *row = &t->row[i];
@@ -217,9 +216,10 @@ static void combine(const ovr_kernels *run, ovr_tripoles *t, size_t m,
 }
 
 bool ovr_tripoles_solve(const ovr_hierarchy *grids, const ovr_level *level,
-                        ovr_tripoles *t, const double *kernel, double missing,
-                        double *step)
+                        double missing, double *step)
 {
+    ovr_tripoles *t = grids->touch.tripoles;
+    const double *kernel = grids->touch.kernel + level->grid.n + 2; /* k(0) */
     size_t n = level->grid.n, m = size_of(n);
     double g[OVR_TRIPOLE_PRODUCTS + 1], *v = t->basis;
     int count;

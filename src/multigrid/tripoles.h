@@ -37,10 +37,10 @@ typedef struct ovr_tripoles {
 ovr_status ovr_tripoles_take(ovr_tripoles *t, size_t n, ovr_arena *arena,
                              ovr_error *err);
 
-/* The step from its rows: dP of all nodes and dH0 behind it; k at distance d is
- * kernel[d].  The level's w is not kept.  False: it was not found. */
+/* The step from the rows of those of grids->touch, and from the force that is
+ * missing: dP of all nodes and dH0 behind it.  The level's w is not kept.
+ * False: it was not found. */
 bool ovr_tripoles_solve(const ovr_hierarchy *grids, const ovr_level *level,
-                        ovr_tripoles *t, const double *kernel, double missing,
-                        double *step);
+                        double missing, double *step);
 
 #endif

@@ -173,8 +173,7 @@ ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *options,
 void ovr_options_domain(const ovr_contact *contact, ovr_options *options);
 
 /* MLMI order and range of a level. */
-void ovr_options_mlmi(const ovr_options *options, int level, int *order,
-                      int *range);
+ovr_mlmi_form ovr_options_mlmi(const ovr_options *options, int level);
 
 /* Mesh of the finest grid of the whole domain: what steps in time, guesses and
  * tolerances go by. */

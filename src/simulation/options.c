@@ -53,8 +53,7 @@ double ovr_truncation_tolerance(const ovr_simulation *sim, double D, double H)
     return target > minimum ? target : minimum;
 }
 
-void ovr_options_mlmi(const ovr_options *options, int level, int *order,
-                      int *range)
+ovr_mlmi_form ovr_options_mlmi(const ovr_options *options, int level)
 {
     /* H0's error with the second-order wedge at M = 20, L = 10, measured:
      * 2.6e-5 at level 8, falling as 4^-level */
@@ -63,13 +62,14 @@ void ovr_options_mlmi(const ovr_options *options, int level, int *order,
         target = 1e-6;
     else if (target > 1e-8)
         target = 1e-8;
-    ovr_mlmi_choose(target, order, range);
+    ovr_mlmi_form form = ovr_mlmi_choose(target);
     if (options->mlmi_order)
-        *order = options->mlmi_order;
+        form.order = options->mlmi_order;
     if (options->mlmi_range)
-        *range = options->mlmi_range;
+        form.range = options->mlmi_range;
     else if (options->mlmi_order)
-        *range = *order > 6 ? 24 : 16;
+        form.range = form.order > 6 ? 24 : 16;
+    return form;
 }
 
 /* 57 nodes, more where the contact is loaded so highly, or the inlet so long,

@@ -74,7 +74,7 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
                                .X_a = o->inlet,
                                .X_b = o->outlet};
     for (int l = 0; l < OVR_LEVELS; l++)
-        ovr_options_mlmi(o, l, &form.order[l], &form.range[l]);
+        form.mlmi[l] = ovr_options_mlmi(o, l);
     grids->kernels = ovr_kernels_choose(NULL);
     grids->fluid = (ovr_fluid){.lubricant = sim->lubricant,
                                .lambda = sim->contact.lambda,

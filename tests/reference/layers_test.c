@@ -238,7 +238,9 @@ TEST(sums)
             ovr_mlmi plan = {0};
             double P[N], maximum = 0;
             make(E[e], 0.4, t[k] * D, D, &l);
-            CHECK_OK(ovr_mlmi_plan(&plan, N, 12, 16, &arena, &err), &err);
+            CHECK_OK(
+                ovr_mlmi_plan(&plan, N, (ovr_mlmi_form){12, 16}, &arena, &err),
+                &err);
             plan.part = l.influence.part;
             plan.parts = l.influence.parts;
             ovr_mlmi_fill(&plan, D, NULL);

@@ -8,7 +8,9 @@ test_deformation test_deformation_plan(const char *kernels, size_t n, double D,
 {
     ovr_error err = {0};
     test_deformation d = {.kernels = ovr_kernels_choose(kernels)};
-    CHECK_OK(ovr_mlmi_plan(&d.plan, n, order, range, arena, &err), &err);
+    CHECK_OK(
+        ovr_mlmi_plan(&d.plan, n, (ovr_mlmi_form){order, range}, arena, &err),
+        &err);
     ovr_mlmi_fill(&d.plan, D, NULL);
     d.lanes = (ovr_lanes){n, ovr_mlmi_lane(&d.plan, d.kernels->lanes),
                           d.kernels->lanes};

@@ -74,7 +74,9 @@ test_grid test_grid_make(const ovr_kernels *run, size_t n)
                                   {1 / D + 2, -1 / D, 0},
                                   0.5 / (D * D),
                                   .closed = {0}}};
-    CHECK_OK(ovr_mlmi_plan(&grid.mlmi, n, 10, 10, &grid.arena, &err), &err);
+    CHECK_OK(ovr_mlmi_plan(&grid.mlmi, n, (ovr_mlmi_form){10, 10}, &grid.arena,
+                           &err),
+             &err);
     ovr_mlmi_fill(&grid.mlmi, D, NULL);
     grid.lanes = (ovr_lanes){n, ovr_mlmi_lane(&grid.mlmi, run->lanes),
                              run->lanes};

@@ -76,7 +76,7 @@ static void rigid(void *data, size_t n, const double *X, double *gap)
 static void add(const solved *s, size_t first, size_t meshes)
 {
     ovr_error err = {0};
-    CHECK_OK(ovr_composite_add(s->c, first, meshes, &err), &err);
+    CHECK_OK(ovr_composite_add(s->c, (ovr_window){first, meshes}, &err), &err);
     const ovr_patch *patch = &s->c->part[s->c->patches];
     rigid(NULL, patch->level->grid.n, patch->level->grid.X, patch->rigid);
     ovr_composite_start(s->c);

@@ -200,11 +200,11 @@ TEST(table_is_the_fit)
 {
     for (double target = 1e-6; target > 1e-11; target /= 2) {
         double table[OVR_MLMI_MAX], fit[OVR_MLMI_MAX];
-        int order, range;
-        ovr_mlmi_choose(target, &order, &range);
-        ovr_mlmi_weights((size_t)order / 2, (size_t)range, table);
-        ovr_mlmi_fit_weights((size_t)order / 2, (size_t)range, fit);
-        for (int k = 0; k < order / 2; k++)
+        ovr_mlmi_form form = ovr_mlmi_choose(target);
+        size_t half = (size_t)form.order / 2, range = (size_t)form.range;
+        ovr_mlmi_weights(half, range, table);
+        ovr_mlmi_fit_weights(half, range, fit);
+        for (size_t k = 0; k < half; k++)
             assert_true(fabs(table[k] - fit[k]) <= 1e-13);
     }
 }
