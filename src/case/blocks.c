@@ -24,6 +24,7 @@ static ovr_block *add_block(ovr_case *c, const ovr_section *section,
     if (!block)
         return NULL;
     block->section = section;
+    block->first = ovr_section_first(section);
     block->count = n;
     block->slots = ovr_arena_take(&c->arena, n, sizeof *block->slots, err);
     block->name = name ? ovr_arena_text(&c->arena, name, err) : NULL;

@@ -195,7 +195,7 @@ ovr_case_entry ovr_case_entry_at(const ovr_case *c, size_t k)
         entry.number = slot->number;
         if (slot->unit)
             entry.unit = ovr_unit_si(ovr_unit_dimension(slot->unit));
-        entry.parameter = ovr_section_first(b->section) + k;
+        entry.parameter = b->first + k;
         entry.applies = ovr_key_applies(c, b, row);
     }
     return entry;

@@ -32,6 +32,7 @@ typedef struct ovr_slot {
 
 typedef struct ovr_block {
     const ovr_section *section;
+    size_t first;     /* number of its first row among those of all sections */
     const char *name; /* of a feature; else NULL */
     long line;        /* of its header; 0: none */
     size_t count;     /* of slots, one a row of the section */
