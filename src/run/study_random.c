@@ -419,15 +419,17 @@ static ovr_status draw_cells(ovr_study *s, const ovr_study_chance *c,
     return OVR_OK;
 }
 
+/* `u` is NULL where the key has no dimension. */
 static ovr_status draw_key(ovr_study *s, const ovr_study_chance *c,
                            ovr_study_key *k, const double *u, ovr_error *err)
 {
     char text[120], unit[40] = "";
     const char *wrong;
     ovr_distribution d;
-    double from, count;
+    double from = NAN, count = NAN;
     ovr_status status = OVR_OK;
-    if (read_range(c->text, &from, &count)) {
+    if (!u) {
+        read_range(c->text, &from, &count);
         uint64_t stream = ovr_text_hash(c->where);
         for (size_t i = 0; !status && i < k->count; i++) {
             double drawn = ovr_uniform_at(s->random.how.seed, stream, i);
