@@ -9,7 +9,8 @@ need_python h5py numpy
 
 {
     indent 6 3.6 -1.8
-    printf '%s\n' 'every = 100' 'checkpoint = 10 ms' '[stress]' 'depth_max = 0.5'
+    printf '%s\n' 'every = 100' 'checkpoint = 10 ms' '[stress]' \
+        'depth_max = 0.5'
 } >dent.ini
 cat >soft.ini <<'END'
 [plastic]
