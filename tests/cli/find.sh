@@ -109,9 +109,9 @@ expect 0 "$OVERROLL" find dent.ini largest $ask at least 1.8 --json
 awk -v v="$(number value)" -v a="$(number at_value)" \
     'BEGIN { exit !(a >= 1.8 && v > 1.05 && v < 1.6) }' || fail "$(cat out)"
 
-# An end that cannot be run is left out, and said
+# An end that cannot be run (on level 5 it can) is left out, and said
 expect 0 "$OVERROLL" find dent.ini contact.M between 0.001 and 200 so that \
-    H_min is 0.1 --steady
+    H_min is 0.1 --steady --level 7
 contains err 'warning: below 0.02[0-9]*: the steady solution did not converge'
 
 # A run that is stopped
