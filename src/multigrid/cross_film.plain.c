@@ -82,7 +82,7 @@ void ovr_column_flow(const ovr_columns *c, size_t i)
 {
     double T[OVR_CROSS_FILM_MAX];
     ovr_sheet sheet = sheet_at(c, i);
-    ovr_cross_film_flow flow;
+    ovr_cross_film_flow flow = {0};
     for (int j = 0; j < c->cross_film->n; j++)
         T[j] = c->used[j][i];
     if (c->th)
@@ -128,7 +128,7 @@ void ovr_column_heat(const ovr_columns *c, size_t i)
     double departure[OVR_CROSS_FILM_MAX], stay[OVR_CROSS_FILM_MAX],
         T[OVR_CROSS_FILM_MAX];
     ovr_sheet sheet = sheet_at(c, i);
-    ovr_cross_film_flow flow;
+    ovr_cross_film_flow flow = {0};
     ovr_wall wall[2];
     int n = c->cross_film->n;
     double cooling = c->heat->theta * c->fall[i] / c->q[i];

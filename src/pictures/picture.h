@@ -47,7 +47,7 @@ typedef struct ovr_drawn_to {
     const char *path, *script, *template_path;
 } ovr_drawn_to;
 
-ovr_status ovr_chart_draw(const ovr_chart *chart, const ovr_drawn_to *target,
+ovr_status ovr_chart_draw(const ovr_chart *chart, const ovr_drawn_to *to,
                           ovr_arena *arena, ovr_error *err);
 
 /* Appends the script that draws it, the data within. */

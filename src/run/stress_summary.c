@@ -125,9 +125,18 @@ static void put_part(const ovr_told *to, ovr_stress_part part,
 static void put_layers(const ovr_told *to, const ovr_stress_report *a,
                        const ovr_stress_report *b, const ovr_contact *c)
 {
-    ovr_stress_report worse = a ? *a : *b;
-    if (a && b && !(a->layer_von_mises.value > b->layer_von_mises.value))
-        worse = isnan(b->layer_von_mises.value) ? *a : *b;
+    ovr_stress_report worse;
+    if (a && b)
+        worse = a->layer_von_mises.value > b->layer_von_mises.value ||
+                        isnan(b->layer_von_mises.value)
+                    ? *a
+                    : *b;
+    else if (a)
+        worse = *a;
+    else if (b)
+        worse = *b;
+    else
+        return;
     if (isnan(worse.layer_von_mises.value))
         return;
     if (a && b) {

@@ -216,9 +216,10 @@ static ovr_status take_auto(const trace *t, double dust, ovr_error *err)
     char best[FORM_NAME], other[FORM_NAME];
     double line, left;
     double *kept = ovr_arena_take(&p->arena, t->n, 2 * sizeof *kept, err);
-    double *tried = kept + t->n;
+    double *tried;
     if (!kept)
         return OVR_NO_MEMORY;
+    tried = kept + t->n;
     memcpy(kept, p->z, t->n * sizeof *kept);
     take(t, 1, p->z, best);
     line = left = root_mean_square(t->n, p->x, p->z);

@@ -56,11 +56,11 @@ static void as_study(void)
     const ovr_table_column *column;
     ovr_table *table = ovr_table_read("t.csv", &err);
     fuzz_fail_unless(table || fuzz_is_line(&err));
-    double sum = 0;
+    size_t cells = 0, known = 0;
     for (size_t k = 0; table && (column = ovr_table_at(table, k)); k++)
-        for (size_t row = 0; row < ovr_table_rows(table); row++)
-            sum += column->number[row];
-    fuzz_fail_unless(isnan(sum) || !isnan(sum)); /* every number was there */
+        for (size_t row = 0; row < ovr_table_rows(table); row++, cells++)
+            known += !isnan(column->number[row]);
+    fuzz_fail_unless(known <= cells); /* every number was there to read */
     ovr_table_free(table);
 }
 

@@ -143,7 +143,7 @@ TEST(slab_conduction)
         const ovr_wall wall[2] = {{2, 1e-12}, {5, 1e-12}};
         double T[7] = {0}, never[7];
         ovr_cross_film a;
-        ovr_cross_film_flow flow;
+        ovr_cross_film_flow flow = {0};
         ovr_cross_film_make(points, &a);
         ovr_cross_film_flow_of(&a, &oil, &sheet, T, &flow);
         for (int j = 0; j < points; j++)
@@ -176,7 +176,7 @@ TEST(adiabatic_couette_heating)
     const ovr_wall wall[2] = {{0, 1e30}, {0, 1e30}};
     double T[7] = {0}, step[7];
     ovr_cross_film a;
-    ovr_cross_film_flow flow;
+    ovr_cross_film_flow flow = {0};
     ovr_cross_film_make(5, &a);
     for (int j = 0; j < 5; j++)
         step[j] = 0.01;
@@ -212,7 +212,7 @@ TEST(what_is_made_flows_out)
     const ovr_wall wall[2] = {{3, 0.2}, {1, 0.4}};
     double departure[7] = {1, 2, 4, 3, 2}, T[7], step[7], made = 0, gone = 0;
     ovr_cross_film a;
-    ovr_cross_film_flow flow;
+    ovr_cross_film_flow flow = {0};
     hot.C = 6, hot.S0 = 1.1, hot.expansion = 6e-4;
     ovr_cross_film_make(5, &a);
     ovr_cross_film_flow_of(&a, &hot, &sheet, departure, &flow);
