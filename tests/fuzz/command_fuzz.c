@@ -4,13 +4,12 @@
  * with a code of its own.  Commands that solve are checked only, paths with a
  * slash are left out, and all happens in an empty folder.
  */
-#include <dirent.h>
-#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
+
+#include "fuzz/folder.h"
 
 /* main of the program under another name (Makefile). */
 int overroll_main(int argc, char **argv);
@@ -18,32 +17,6 @@ int overroll_main(int argc, char **argv);
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
 enum { WORDS = 40 };
-
-static char folder[] = "/tmp/overroll-fuzz-XXXXXX";
-
-/* What commands wrote goes with the folder. */
-static void leave(void)
-{
-    DIR *here = opendir(".");
-    for (struct dirent *e = here ? readdir(here) : NULL; e; e = readdir(here))
-        if (strcmp(e->d_name, ".") != 0 && strcmp(e->d_name, "..") != 0)
-            remove(e->d_name);
-    if (here)
-        closedir(here);
-    (void)!chdir("/");
-    rmdir(folder);
-}
-
-static void enter(void)
-{
-    static bool inside;
-    if (inside)
-        return;
-    if (!mkdtemp(folder) || chdir(folder) != 0)
-        abort();
-    atexit(leave);
-    inside = true;
-}
 
 static int cut(char *text, char **words)
 {
@@ -77,7 +50,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         free(text);
         return 0;
     }
-    enter();
+    fuzz_enter();
     memcpy(text, data, size);
     text[size] = '\0';
     int count = cut(text, words), code;

@@ -39,15 +39,21 @@ static inline void fuzz_leave(void)
     rmdir(fuzz_folder);
 }
 
-/* From the first file on the process is in the folder. */
-static inline void fuzz_put(const char *name, const void *data, size_t size)
+/* From the first call on the process is in the folder, and what was written
+ * there goes with it. */
+static inline void fuzz_enter(void)
 {
     static bool inside;
-    if (!inside) {
-        fuzz_fail_unless(mkdtemp(fuzz_folder) && chdir(fuzz_folder) == 0);
-        atexit(fuzz_leave);
-        inside = true;
-    }
+    if (inside)
+        return;
+    fuzz_fail_unless(mkdtemp(fuzz_folder) && chdir(fuzz_folder) == 0);
+    atexit(fuzz_leave);
+    inside = true;
+}
+
+static inline void fuzz_put(const char *name, const void *data, size_t size)
+{
+    fuzz_enter();
     FILE *file = fopen(name, "wb");
     fuzz_fail_unless(file && fwrite(data, 1, size, file) == size);
     fuzz_fail_unless(fclose(file) == 0);
