@@ -239,14 +239,21 @@ $(PROGRAM) $(LIB) $(SHARED): $(BUILD)/parts
 # scripts; tests/support helps both.  Names ending in _slow stay out of a FAST
 # run; tests/verify is for `make verify` alone.
 NOT_TESTS := tests/support/% tests/verify/% tests/bench/% tests/fuzz/%
-# Instrumented, these scripts take two fifths of the time.  What long runs call
-# is in the tests of its parts, and of sources and their symbols sanitizers know
-# nothing: they stay out where both are asked.
+# Instrumented, these take half of the time.  What the scripts call is in the
+# tests of its parts, what the others solve is solved by shorter ones, and of
+# sources and their symbols sanitizers know nothing: they stay out where both are
+# asked, and run with all in verify/sanitized.sh.
 SLOW      := $(if $(FAST),%_slow_test.c %_slow.sh $(if $(SAN),tests/source/% \
                $(addprefix tests/,cli/stress.sh cli/faults.sh cli/readme.sh \
-                 cli/passes.sh cli/sweep.sh cli/kills.sh pictures/view.sh \
+                 cli/passes.sh cli/sweep.sh cli/kills.sh cli/plastic.sh \
+                 cli/find.sh cli/impossible.sh cli/random.sh cli/answers.sh \
+                 cli/hardened.sh cli/layer_yield.sh cli/yield.sh cli/layers.sh \
+                 cli/figure.sh cli/stress_traction.sh pictures/view.sh \
                  pictures/site.sh reference/heat_order.sh reference/steps.sh \
-                 reference/elements_marched.sh)))
+                 reference/elements_marched.sh reference/rough_steps_test.c \
+                 reference/rough_starts_test.c reference/faces_test.c \
+                 reference/boundary_history_test.c reference/wear_test.c \
+                 reference/reversal_test.c paper/loads_test.c)))
 TESTSRC   := $(wildcard tests/*/*_test.c)
 CHECKSRC  := $(filter-out $(NOT_TESTS) $(SLOW),$(TESTSRC))
 CHECKSH   := $(filter-out $(NOT_TESTS) $(SLOW),$(wildcard tests/*/*.sh))

@@ -142,7 +142,7 @@ static INLINE nodes temperatures(const shared *s, int n, bool by_power,
     return v;
 }
 
-/* Mean stress and u_z, as in across.c. */
+/* Mean stress and u_z, as the plain twin in cross_film.c has them. */
 static INLINE vec newtonian(const shared *s, int n, const nodes *v, vec *rate)
 {
     vec t = -fused(v->Y, all(s->c.V), v->G * v->m[1]) / v->m[0];

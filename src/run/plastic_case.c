@@ -217,19 +217,6 @@ ovr_status ovr_plastic_on_mesh(const ovr_physics_case *of, void *form,
                                 "goes through its history: give [time] an end");
 }
 
-static ovr_status resolve_window(ovr_plastic_setup *p, ovr_error *err)
-{
-    p->from = p->to = NAN;
-    if (!p->window.count)
-        return OVR_OK;
-    if (p->window.count != 2 || !(p->window.values[0] < p->window.values[1]))
-        return ovr_fail_about(err, "plastic.window",
-                              "window: must be FROM, TO with FROM below TO");
-    p->from = p->window.values[0];
-    p->to = p->window.values[1];
-    return OVR_OK;
-}
-
 /* Its passes are those of the case, or more. */
 static ovr_status resolve_passes(ovr_plastic_setup *p, ovr_passes_setup *passes,
                                  ovr_error *err)
@@ -256,7 +243,9 @@ ovr_status ovr_plastic_resolve(const ovr_physics_case *of, void *form, bool *on,
     p->setup = of->setup;
     if (!p->surfaces)
         p->surfaces = 1;
-    if (resolve_window(p, err) || check_run(p, err))
+    if (ovr_window_resolve(&p->window, "plastic.window", &p->from, &p->to,
+                           err) ||
+        check_run(p, err))
         return OVR_BAD_INPUT;
     for (int k = 0; k < 2; k++) {
         if (!(p->surfaces >> k & 1))

@@ -113,16 +113,17 @@ const ovr_section ovr_stress_sections[2] = {
      .help = "what they do to the material; needs [stress]",
      ROWS(fatigue_keys)}};
 
-static ovr_status resolve_window(ovr_stress_setup *s, ovr_error *err)
+ovr_status ovr_window_resolve(const ovr_list *window, const char *about,
+                              double *from, double *to, ovr_error *err)
 {
-    s->from = s->to = NAN;
-    if (!s->window.count)
+    *from = *to = NAN;
+    if (!window->count)
         return OVR_OK;
-    if (s->window.count != 2 || !(s->window.values[0] < s->window.values[1]))
-        return ovr_fail_about(err, "stress.window",
+    if (window->count != 2 || !(window->values[0] < window->values[1]))
+        return ovr_fail_about(err, about,
                               "window: must be FROM, TO with FROM below TO");
-    s->from = s->window.values[0];
-    s->to = s->window.values[1];
+    *from = window->values[0];
+    *to = window->values[1];
     return OVR_OK;
 }
 
@@ -273,7 +274,8 @@ ovr_status ovr_stress_resolve(const ovr_physics_case *of, void *form, bool *on,
             s->surfaces = 1;
         s->no_traction = no_traction(of, s->loads);
         s->traction = !s->no_traction;
-        if (resolve_window(s, err))
+        if (ovr_window_resolve(&s->window, "stress.window", &s->from, &s->to,
+                               err))
             return OVR_BAD_INPUT;
         if (!s->traction && s->loads == OVR_TRACTION_YES)
             return ovr_fail_about(err, "stress.traction", "traction: %s",

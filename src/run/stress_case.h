@@ -38,6 +38,10 @@ typedef struct ovr_stress_setup {
 
 extern const ovr_section ovr_stress_sections[2];
 
+/* The ends of a window that the key `about` gives; NAN where it gives none. */
+ovr_status ovr_window_resolve(const ovr_list *window, const char *about,
+                              double *from, double *to, ovr_error *err);
+
 /* These are functions of a physics (simulation/physics.h). */
 ovr_status ovr_stress_resolve(const ovr_physics_case *of, void *form, bool *on,
                               ovr_error *err);

@@ -1,9 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every write, and every read, of a run fails in turn: a code of the program's
-# own and one line each time; what is left is whole, or known as cut (a disk
-# that fails for good within a commit), and resume ends it as if nothing had
-# happened.  Short transfers and a failing fsync likewise.
+# One write in eleven, and one read, of a run fails in turn (each of them:
+# verify/io_faults.sh): a code of the program's own and one line each time; what
+# is left is whole, or known as cut (a disk that fails for good within a
+# commit), and resume ends it as if nothing had happened.  Short transfers and a
+# failing fsync likewise.
 . "$TOP/tests/support/faults.sh"
 make_faults
 make_dent
@@ -54,17 +55,17 @@ reads=$(asked 3)
 [ "$writes" -gt 20 ] && [ "$reads" -gt 20 ] || fail "counts: $(cat counts)"
 k=0
 while [ $k -lt "$writes" ]; do
-    k=$((k + ${STRIDE:-7}))
+    k=$((k + ${STRIDE:-11}))
     faulty FAULT_WRITE=$k FAULT_ERRNO=28
 done
 k=1
 while [ $k -lt "$writes" ]; do
-    k=$((k + ${STRIDE:-7}))
+    k=$((k + ${STRIDE:-11}))
     faulty FAULT_WRITE=$k FAULT_ERRNO=5
 done
 k=0
 while [ $k -lt "$reads" ]; do
-    k=$((k + ${STRIDE:-7}))
+    k=$((k + ${STRIDE:-11}))
     faulty FAULT_READ=$k
 done
 echo "$writes writes, $reads reads"

@@ -10,7 +10,7 @@
 
 #include "overroll/case.h"
 
-enum { TRIES = 120, CAPACITY = 400 };
+enum { TRIES = 60, CAPACITY = 400 };
 
 static uint64_t seed = 15;
 

@@ -162,13 +162,16 @@ static const char *name_of(const char *section)
                                                                      : "";
 }
 
-/* The k-th value to try; NULL behind the last. */
+/* The k-th value to try; NULL behind the last.  Two from the middle of the
+ * range come first: an answer is soonest there, where a bare 1 Pa of shear
+ * stress is beyond every film. */
 static const char *value_of(const ovr_parameter_info *p, size_t k,
                             char text[80])
 {
     static const double tried[] = {0.05, 1, 1e-6, 2, 0.1, 0.5, 0.3, 3,
                                    4,    8, 0.9,  9, -1,  20,  1.1};
-    enum { TRIED = sizeof tried / sizeof *tried, ENDS = 3 };
+    static const double within[] = {0.5, 0.75, 0.25};
+    enum { TRIED = sizeof tried / sizeof *tried, FIRST = 2 };
     bool number = isfinite(p->minimum);
     size_t words = 0;
     while (p->choices[words])
@@ -178,16 +181,17 @@ static const char *value_of(const ovr_parameter_info *p, size_t k,
     k -= words;
     if (!number)
         return words || k > 1 ? NULL : k ? "yes" : "no";
-    double v = k < TRIED ? tried[k] : NAN, minimum = p->minimum,
-           maximum = p->maximum;
-    for (size_t e = 0; e < ENDS && k >= TRIED; e++)
-        if (k == TRIED + e)
-            v = minimum > 0
-                    ? minimum * pow(maximum / minimum, 0.25 * (double)(e + 1))
-                    : minimum + (maximum - minimum) * 0.25 * (double)(e + 1);
-    if (k >= TRIED + ENDS)
+    if (k > FIRST + TRIED)
         return NULL;
-    for (size_t i = 0; i < TRIED && k >= TRIED; i++)
+    double v, minimum = p->minimum, maximum = p->maximum;
+    bool inside = k < FIRST || k == FIRST + TRIED;
+    double part = within[k < FIRST ? k : FIRST];
+    if (!inside)
+        v = tried[k - FIRST];
+    else
+        v = minimum > 0 ? minimum * pow(maximum / minimum, part)
+                        : minimum + (maximum - minimum) * part;
+    for (size_t i = 0; i < TRIED && inside; i++)
         if (fabs(v - tried[i]) < 1e-9 * fabs(v)) /* no value twice */
             v *= 1.02;
     const char *unit = *p->units && !*p->bare ? p->units : "";
@@ -232,7 +236,7 @@ static bool is_idle(const char *source, const ovr_parameter_info *p,
     if (is_later(where))
         return false;
     same = is_pair(p) && !is_given(source, where);
-    for (size_t k = 0; same < 5 && (value = value_of(p, k, text)); k++) {
+    for (size_t k = 0; same < 6 && (value = value_of(p, k, text)); k++) {
         ovr_error err = {0};
         told now;
         if (p->initial && !strcmp(value, p->initial))
