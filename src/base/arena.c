@@ -135,6 +135,7 @@ void ovr_arena_release(ovr_arena *arena)
     ovr_arena emptied = *arena;
     arena->blocks = NULL;
     arena->bytes = arena->pieces = 0;
+    arena->releases++;
     while (block) {
         struct ovr_arena_block *older = block->older;
         emptied.allocator.release(emptied.allocator.context, block);

@@ -21,6 +21,7 @@ typedef struct ovr_arena {
     struct ovr_arena_block *blocks; /* newest first */
     size_t bytes;                   /* asked of the allocator in all */
     size_t pieces;                  /* handed out */
+    size_t releases;                /* how often it was emptied */
     bool blank;                     /* what the allocator gives is zero */
 } ovr_arena;
 

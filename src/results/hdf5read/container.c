@@ -65,7 +65,8 @@ ovr_found ovr_container_open(ovr_container *c, int fd, ovr_arena *arena)
     memset(c, 0, sizeof *c);
     if (fstat(fd, &about) != 0 || about.st_size < 0)
         return OVR_FOUND_NO_HDF5;
-    c->source = (ovr_source){fd, (uint64_t)about.st_size, arena, false};
+    c->source = (ovr_source){
+        .fd = fd, .bytes = (uint64_t)about.st_size, .arena = arena};
     found = read_superblock(c);
     return c->source.starved ? OVR_FOUND_NO_MEMORY : found;
 }

@@ -31,6 +31,8 @@ typedef struct ovr_source {
     uint64_t bytes; /* pieces end there */
     ovr_arena *arena;
     bool starved;
+    struct ovr_kept_block *kept; /* blocks of metadata that were read */
+    size_t kept_since;           /* `releases` of the arena that they are in */
 } ovr_source;
 
 typedef struct ovr_container {

@@ -57,16 +57,52 @@ bool ovr_load(ovr_source *s, uint64_t at, uint64_t size, ovr_piece *out)
     return true;
 }
 
+/* A block that was read and whose checksum holds: an object's header is asked
+ * for as often as it has attributes. */
+enum { KEPT_BLOCKS = 64 };
+struct ovr_kept_block {
+    uint64_t at;
+    ovr_piece whole; /* of no bytes: none is kept here */
+};
+
+/* The place of a block among those that are kept; NULL: there is no memory.
+ * They go with the arena's other pieces. */
+static struct ovr_kept_block *place_of(ovr_source *s, uint64_t at)
+{
+    if (!s->kept || s->kept_since != s->arena->releases) {
+        s->kept = ovr_arena_take(s->arena, KEPT_BLOCKS, sizeof *s->kept, NULL);
+        s->kept_since = s->arena->releases;
+    }
+    /* Multiplied by 2^64 over the golden ratio, neighbours are far apart. */
+    return s->kept ? &s->kept[at * UINT64_C(0x9e3779b97f4a7c15) >> 58] : NULL;
+}
+
+enum { LETTERS = 4, SUM = 4 };
+
+/* A whole block, letters and checksum included. */
+static bool load_whole(ovr_source *s, uint64_t at, uint64_t size,
+                       ovr_piece *whole)
+{
+    struct ovr_kept_block *place = place_of(s, at);
+    ovr_piece sum;
+    if (place && place->at == at && place->whole.left == size) {
+        *whole = place->whole;
+        return true;
+    }
+    if (size < LETTERS + SUM || !ovr_load(s, at, size, whole))
+        return false;
+    sum = (ovr_piece){whole->at + whole->left - SUM, SUM, true};
+    if (!ovr_checksum_holds(whole->at, whole->left - SUM, ovr_take(&sum, SUM)))
+        return false;
+    if (place)
+        *place = (struct ovr_kept_block){at, *whole};
+    return true;
+}
+
 bool ovr_load_block(ovr_source *s, uint64_t at, uint64_t size,
                     const char *letters, ovr_piece *out)
 {
-    enum { LETTERS = 4, SUM = 4 };
-    ovr_piece sum;
-    if (size < LETTERS + SUM || !ovr_load(s, at, size, out) ||
-        memcmp(out->at, letters, LETTERS) != 0)
-        return false;
-    sum = (ovr_piece){out->at + out->left - SUM, SUM, true};
-    if (!ovr_checksum_holds(out->at, out->left - SUM, ovr_take(&sum, SUM)))
+    if (!load_whole(s, at, size, out) || memcmp(out->at, letters, LETTERS) != 0)
         return false;
     out->at += LETTERS;
     out->left -= LETTERS + SUM;
