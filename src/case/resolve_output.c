@@ -2,7 +2,30 @@
 /* [output]. */
 #include <math.h>
 
+#include "case/condition.h"
 #include "case/resolve.h"
+
+/* Fields that have no values are refused; where the section of their physics
+ * stands in the case, but off, the rest is stored, which a note says: a study
+ * may turn it on and off. */
+static ovr_status leave_out(ovr_resolved *r, const ovr_slot *slot,
+                            ovr_error *err)
+{
+    ovr_output *out = &r->values.output;
+    char name[OVR_CONDITION_MAX];
+    const char *section = NULL;
+    unsigned none = ovr_resolved_no_fields(r, out->fields, name, &section);
+    if (!none || slot->stored)
+        return OVR_OK;
+    if (none == out->fields ||
+        !ovr_block_is_there(ovr_case_find_block(r->c, section, NULL)))
+        return ovr_fail_slot(err, slot,
+                             "%s has no values without [%s]: leave it out",
+                             name, section);
+    out->fields &= ~none;
+    out->left_out = none;
+    return OVR_OK;
+}
 
 ovr_status ovr_resolve_output(ovr_resolved *r, ovr_error *err)
 {
@@ -10,8 +33,11 @@ ovr_status ovr_resolve_output(ovr_resolved *r, ovr_error *err)
     out->from = out->to = NAN;
     if (ovr_section_fill(r, "output", err))
         return OVR_BAD_INPUT;
-    if (!ovr_slot_of(r, "output", "fields")->given)
+    const ovr_slot *fields = ovr_slot_of(r, "output", "fields");
+    if (!fields->given)
         out->fields |= ovr_resolved_fields(r);
+    else if (leave_out(r, fields, err))
+        return OVR_BAD_INPUT;
     out->every = r->values.every;
     out->single = r->values.precision == 1;
     if (out->from >= out->to)

@@ -441,6 +441,26 @@ unsigned ovr_resolved_fields(const ovr_resolved *r)
     return fields;
 }
 
+unsigned ovr_resolved_no_fields(const ovr_resolved *r, unsigned fields,
+                                char *name, const char **section)
+{
+    unsigned none = 0;
+    for (int k = 0; ovr_physics_list[k]; k++) {
+        const ovr_physics *p = ovr_physics_list[k];
+        const char *all = is_on(r, k) ? NULL : p->own_fields;
+        char one[OVR_CONDITION_MAX];
+        while (all && ovr_condition_next(&all, ", ", one, sizeof one)) {
+            unsigned bit = fields & ovr_field_bit(one);
+            if (bit && !none) {
+                memcpy(name, one, sizeof one);
+                *section = p->section->name;
+            }
+            none |= bit;
+        }
+    }
+    return none;
+}
+
 const char *ovr_resolved_one_mesh(const ovr_resolved *r)
 {
     const char *why = NULL;

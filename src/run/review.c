@@ -98,6 +98,14 @@ static void say_idle(const ovr_review *r)
         }
 }
 
+static void say_left_out(const ovr_review *r)
+{
+    if (r->setup->output->left_out)
+        ovr_review_say(r, OVR_SAY_NOTE,
+                       "fields: temperatures and fluxes are not stored: [heat] "
+                       "is off");
+}
+
 /* A run from rest or from no load starts a little above either. */
 static void warn_of_start(const ovr_review *r)
 {
@@ -275,6 +283,7 @@ static void before(const ovr_review *r, bool transient)
     ovr_review_plausible(r->setup, r->say, r->data);
     ovr_review_element(r->setup, r->say, r->data);
     say_idle(r);
+    say_left_out(r);
     warn_of_start(r);
     warn_of_sliding(r);
     ovr_review_domain(r);

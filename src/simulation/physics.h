@@ -154,6 +154,9 @@ struct ovr_physics {
     /* Fields that a file has beside the usual ones, ", " between them. */
     const char *(*fields)(const void *form);
 
+    /* Fields that have no values without it, ", " between them; NULL: none. */
+    const char *own_fields;
+
     /* Why a step of a run is one mesh by itself; NULL: it may be longer. */
     const char *one_mesh;
 

@@ -174,3 +174,24 @@ for verb in steady run; do
     expect 1 "$OVERROLL" $verb thin.ini
     contains err 'the film is too thin for the mesh'
 done
+
+# Temperatures where nothing has them: not stored where heat is off, refused
+# where the case does not know of it.
+cat >cold.ini <<'END'
+[contact]
+M = 20
+L = 10
+[domain]
+level = 4
+[time]
+end = 0.1
+[output]
+fields = pressure, temperature_1
+END
+expect 2 "$OVERROLL" run cold.ini -o cold.h5
+contains err '^cold.ini:9: fields: temperature_1 has no values without \[heat\]'
+expect 0 "$OVERROLL" run cold.ini -o cold.h5 --set heat.model=none
+contains err 'temperatures and fluxes are not stored: \[heat\] is off'
+expect 0 "$OVERROLL" export cold.h5 --at 0
+contains out 'pressure'
+! grep -q temperature out || fail "$(head -1 out)"
