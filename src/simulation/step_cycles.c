@@ -71,7 +71,7 @@ static void settle_ends(const ovr_hierarchy *grids, ovr_level *finest)
  * derivatives, d eps/dH and the wedge's farthest column, is not small beside
  * what it has: cycles with a sweep after the correction reduce R to 0.96 or
  * make it grow, those without to 0.12.  Elsewhere R falls to a hundredth a
- * cycle.
+ * cycle.  Where R is above 10, spikes settle that are slow without it.
  */
 typedef struct slowness {
     double last;
@@ -80,7 +80,7 @@ typedef struct slowness {
 
 static bool is_spoilt(slowness *s, double R)
 {
-    const double small = 0.1, slow = 0.7;
+    const double small = 10, slow = 0.7;
     bool was = R < small && R > slow * s->last;
     s->cycles = was ? s->cycles + 1 : 0;
     s->last = R;
