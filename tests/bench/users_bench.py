@@ -130,8 +130,8 @@ CASES = {  # text, levels, the truth above the last of them
         "[supply]\nmodel = film\nthickness_1 = 0.15 um\n"
         "thickness_2 = 0.15 um\n[time]\nend = 5\n", range(5, 9), 2),
     "gear": (GEAR + OIL, range(5, 9), 1),
-    # On level 9 a turn takes minutes, on level 11 more than a quarter hour.
-    "cam": (CAM + OIL, range(7, 9), 1),
+    # A turn on level 10 takes a minute or two.
+    "cam": (CAM + OIL, range(7, 10), 1),
     "bearing": (BEARING + OIL, range(5, 9), 1),
     "coated, dent": (
         STEEL.format(slip=0.2).replace("modulus = 226 GPa\n", "") + DENT +

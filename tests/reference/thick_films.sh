@@ -38,4 +38,5 @@ number() {
 }
 steps=$(number steps) cycles=$(number cycles_total) retries=$(number retries)
 echo "$steps steps, $cycles cycles, $retries retries"
-[ "$retries" -eq 0 ] && [ "$cycles" -le $((10 * steps)) ] && [ "$steps" -gt 500 ]
+[ "$steps" -gt 500 ] || fail "too few steps"
+[ "$retries" -eq 0 ] && [ "$cycles" -le $((10 * steps)) ]
