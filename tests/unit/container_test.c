@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "results/hdf5read/hdf5read.h"
+#include "results/hdf5read/pieces.h"
 #include "results/results.h"
 #include "support/dent.h"
 
@@ -367,6 +368,30 @@ TEST_IN_FOLDER(believes_no_size)
     assert_false(ovr_container_dataset(&l.c, object, &set));
     assert_true(ovr_container_find(&l.c, l.c.root, "two", &object));
     assert_false(ovr_container_dataset(&l.c, object, &set));
+    close_file(&l);
+}
+
+/* A block that is said to lie at 0 and to have no bytes is none, before others
+ * were read and after; one that was read is there again by its address, but
+ * neither by another length nor by other letters. */
+TEST_IN_FOLDER(takes_no_empty_block)
+{
+    const char *path = test_path(*state, "blocks.h5");
+    enum { SIZE = 48 };
+    ovr_piece first, again;
+    look l;
+    H5Fclose(make_file(path));
+    assert_int_equal(open_file(&l, path), OVR_FOUND_CONTAINER);
+    for (int k = 0; k < 2; k++) {
+        assert_false(ovr_load_block(&l.c.source, 0, 0, "OHDR", &again));
+        assert_false(ovr_load_block(&l.c.source, 0, 4, "\211HDF", &again));
+        assert_true(ovr_load_block(&l.c.source, 0, SIZE, "\211HDF", &first));
+        assert_true(ovr_load_block(&l.c.source, 0, SIZE, "\211HDF", &again));
+        assert_ptr_equal(first.at, again.at);
+        assert_false(
+            ovr_load_block(&l.c.source, 0, SIZE - 1, "\211HDF", &again));
+        assert_false(ovr_load_block(&l.c.source, 0, SIZE, "OHDR", &again));
+    }
     close_file(&l);
 }
 

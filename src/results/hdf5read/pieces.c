@@ -83,13 +83,15 @@ enum { LETTERS = 4, SUM = 4 };
 static bool load_whole(ovr_source *s, uint64_t at, uint64_t size,
                        ovr_piece *whole)
 {
-    struct ovr_kept_block *place = place_of(s, at);
     ovr_piece sum;
+    if (size < LETTERS + SUM)
+        return false;
+    struct ovr_kept_block *place = place_of(s, at);
     if (place && place->at == at && place->whole.left == size) {
         *whole = place->whole;
         return true;
     }
-    if (size < LETTERS + SUM || !ovr_load(s, at, size, whole))
+    if (!ovr_load(s, at, size, whole))
         return false;
     sum = (ovr_piece){whole->at + whole->left - SUM, SUM, true};
     if (!ovr_checksum_holds(whole->at, whole->left - SUM, ovr_take(&sum, SUM)))
