@@ -17,13 +17,15 @@ rm -rf "$machine"/var/lib/apt/lists/*
 cp /etc/resolv.conf "$machine/etc/resolv.conf"
 git clone -q "$TOP" "$machine/overroll" || fail "cannot clone"
 
-# there COMMAND: runs it in the sources on that machine, whose /proc goes with
-# the command.
+# there COMMAND: runs it in the sources on that machine, whose /proc and shared
+# memory go with the command.
 there() {
     # shellcheck disable=SC2016 # expanded there
     env -i HOME=/root TERM=dumb PATH=/usr/sbin:/usr/bin:/sbin:/bin \
         unshare --mount --propagation private sh -ec \
-        'mount -t proc proc "$0/proc"; exec chroot "$0" sh -c "$1"' \
+        'mount -t proc proc "$0/proc"; mkdir -p "$0/dev/shm"
+        mount -t tmpfs -o mode=1777 tmpfs "$0/dev/shm"
+        exec chroot "$0" sh -c "$1"' \
         "$machine" "cd /overroll && $1"
 }
 
