@@ -80,8 +80,8 @@ typedef struct slowness {
 
 static bool is_spoilt(slowness *s, double R)
 {
-    const double small = 10, slow = 0.7;
-    bool was = R < small && R > slow * s->last;
+    const double spiky = 10, slow = 0.7;
+    bool was = R < spiky && R > slow * s->last;
     s->cycles = was ? s->cycles + 1 : 0;
     s->last = R;
     return s->cycles >= 2;
