@@ -148,7 +148,6 @@ typedef struct ovr_output {
     ovr_list at;         /* given times */
     ovr_list feature_at; /* X at which features' centres are stored */
     unsigned fields;     /* bits in the order of the parameter's choices */
-    unsigned left_out;   /* of those asked for: no physics gives them values */
     bool single;         /* f32 */
     double from, to;     /* window in X; NAN: the whole domain */
     int stride;

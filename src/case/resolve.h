@@ -111,10 +111,9 @@ ovr_status ovr_setup_add_physics(const ovr_setup *setup, ovr_simulation *sim,
 unsigned ovr_resolved_features(const ovr_resolved *r);
 unsigned ovr_resolved_fields(const ovr_resolved *r);
 
-/* Those of `fields` that have no values, as a physics is off: the first by
- * `name` (OVR_CONDITION_MAX), and the section that would turn it on. */
-unsigned ovr_resolved_no_fields(const ovr_resolved *r, unsigned fields,
-                                char *name, const char **section);
+/* Fields that [output] asks for and that have no values, as a physics is off:
+ * the first such. */
+unsigned ovr_resolved_no_fields(const ovr_resolved *r, const ovr_physics **off);
 const char *ovr_resolved_one_mesh(const ovr_resolved *r);
 double ovr_resolved_arrives(const ovr_resolved *r);
 

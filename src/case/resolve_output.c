@@ -2,8 +2,9 @@
 /* [output]. */
 #include <math.h>
 
-#include "case/condition.h"
 #include "case/resolve.h"
+#include "results/layout.h"
+#include "simulation/physics.h"
 
 /* Fields that have no values are refused; where the section of their physics
  * stands in the case, but off, the rest is stored, which a note says: a study
@@ -12,18 +13,19 @@ static ovr_status leave_out(ovr_resolved *r, const ovr_slot *slot,
                             ovr_error *err)
 {
     ovr_output *out = &r->values.output;
-    char name[OVR_CONDITION_MAX];
-    const char *section = NULL;
-    unsigned none = ovr_resolved_no_fields(r, out->fields, name, &section);
+    const ovr_physics *off = NULL;
+    unsigned none = ovr_resolved_no_fields(r, &off);
     if (!none || slot->stored)
         return OVR_OK;
+    const char *section = off->section->name;
+    const ovr_observable *row[OVR_FIELDS_MAX];
+    ovr_layout_fields(none, row);
     if (none == out->fields ||
         !ovr_block_is_there(ovr_case_find_block(r->c, section, NULL)))
         return ovr_fail_slot(err, slot,
                              "%s has no values without [%s]: leave it out",
-                             name, section);
+                             row[0]->name, section);
     out->fields &= ~none;
-    out->left_out = none;
     return OVR_OK;
 }
 

@@ -426,37 +426,35 @@ unsigned ovr_resolved_features(const ovr_resolved *r)
     return on;
 }
 
-unsigned ovr_resolved_fields(const ovr_resolved *r)
+/* Bits of the fields that `names` has, ", " between them; NULL: none. */
+static unsigned bits_of(const char *names)
 {
     char name[OVR_CONDITION_MAX];
     unsigned fields = 0;
-    for (int k = 0; ovr_physics_list[k]; k++) {
-        const ovr_physics *p = ovr_physics_list[k];
-        const char *all = p->fields && is_on(r, k)
-                              ? p->fields(r->physics[k].form)
-                              : NULL;
-        while (all && ovr_condition_next(&all, ", ", name, sizeof name))
-            fields |= ovr_field_bit(name);
-    }
+    while (names && ovr_condition_next(&names, ", ", name, sizeof name))
+        fields |= ovr_field_bit(name);
     return fields;
 }
 
-unsigned ovr_resolved_no_fields(const ovr_resolved *r, unsigned fields,
-                                char *name, const char **section)
+unsigned ovr_resolved_fields(const ovr_resolved *r)
 {
-    unsigned none = 0;
+    unsigned fields = 0;
+    for (int k = 0; ovr_physics_list[k]; k++)
+        if (ovr_physics_list[k]->fields && is_on(r, k))
+            fields |= bits_of(ovr_physics_list[k]->fields(r->physics[k].form));
+    return fields;
+}
+
+unsigned ovr_resolved_no_fields(const ovr_resolved *r, const ovr_physics **off)
+{
+    unsigned asked = ovr_slot_of(r, "output", "fields")->bits, none = 0;
     for (int k = 0; ovr_physics_list[k]; k++) {
         const ovr_physics *p = ovr_physics_list[k];
-        const char *all = is_on(r, k) ? NULL : p->own_fields;
-        char one[OVR_CONDITION_MAX];
-        while (all && ovr_condition_next(&all, ", ", one, sizeof one)) {
-            unsigned bit = fields & ovr_field_bit(one);
-            if (bit && !none) {
-                memcpy(name, one, sizeof one);
-                *section = p->section->name;
-            }
-            none |= bit;
-        }
+        const ovr_own_fields *its = is_on(r, k) ? NULL : p->own_fields;
+        unsigned own = asked & bits_of(its ? its->names : NULL);
+        if (own && !none)
+            *off = p;
+        none |= own;
     }
     return none;
 }

@@ -98,12 +98,16 @@ static void say_idle(const ovr_review *r)
         }
 }
 
+/* Fields that were asked for and are not stored. */
 static void say_left_out(const ovr_review *r)
 {
-    if (r->setup->output->left_out)
+    const ovr_physics *off = NULL;
+    unsigned none = ovr_resolved_no_fields((const ovr_resolved *)r->setup,
+                                           &off);
+    if (none & ~r->setup->output->fields)
         ovr_review_say(r, OVR_SAY_NOTE,
-                       "fields: temperatures and fluxes are not stored: [heat] "
-                       "is off");
+                       "fields: %s are not stored: [%s] is off",
+                       off->own_fields->are, off->section->name);
 }
 
 /* A run from rest or from no load starts a little above either. */

@@ -454,9 +454,10 @@ static const char *fields(const void *form)
     return "temperature_1, temperature_2, temperature_middle";
 }
 
-static const char own_fields[] =
+static const ovr_own_fields own_fields = {
+    "temperatures and fluxes",
     "temperature_1, temperature_2, temperature_mean, temperature_middle, "
-    "heat_flux_1, heat_flux_2";
+    "heat_flux_1, heat_flux_2"};
 
 const ovr_physics ovr_physics_heat = {.name = "heat",
                                       .node_seconds = 5e-7,
@@ -468,7 +469,7 @@ const ovr_physics ovr_physics_heat = {.name = "heat",
                                       .resolve = ovr_heat_resolve,
                                       .features = features,
                                       .fields = fields,
-                                      .own_fields = own_fields,
+                                      .own_fields = &own_fields,
                                       .lag = 0.05,
                                       .tell = tell,
                                       .companion = &ovr_heat_companion,

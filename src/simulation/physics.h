@@ -94,6 +94,11 @@ typedef void ovr_physics_line(void *data, const char *name, const char *text);
 /* Takes what is said of a run beside its result. */
 typedef void ovr_physics_say(void *data, bool warning, const char *text);
 
+/* Fields in words, and by their names, ", " between them. */
+typedef struct ovr_own_fields {
+    const char *are, *names;
+} ovr_own_fields;
+
 struct ovr_physics {
     const char *name;
     unsigned bit; /* of the quantities that need it; 0: they need nothing */
@@ -154,8 +159,8 @@ struct ovr_physics {
     /* Fields that a file has beside the usual ones, ", " between them. */
     const char *(*fields)(const void *form);
 
-    /* Fields that have no values without it, ", " between them; NULL: none. */
-    const char *own_fields;
+    /* Fields that have no values without it; NULL: none. */
+    const ovr_own_fields *own_fields;
 
     /* Why a step of a run is one mesh by itself; NULL: it may be longer. */
     const char *one_mesh;
