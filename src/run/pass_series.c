@@ -95,17 +95,19 @@ static ovr_status next(ovr_run *run, ovr_error *err)
     return status ? status : ovr_output_open(run, err);
 }
 
-/* The row of a pass that ended, and the file of all. */
+/* The row of a pass that ended. */
 static ovr_status end_pass(ovr_run *run, ovr_error *err)
 {
-    ovr_passes *p = run->passes;
     ovr_pass_end end;
-    ovr_status status = ovr_passes_learn(run, p->now, &end, err);
-    if (status)
-        return status;
-    ovr_pass_end_free(&end);
-    p->converged = p->converged && run->info.converged;
-    return OVR_OK;
+    ovr_status status = ovr_passes_learn(run, run->passes->now, &end, err);
+    if (!status)
+        ovr_pass_end_free(&end);
+    return status;
+}
+
+static ovr_status write_rows(ovr_run *run, const char *how, ovr_error *err)
+{
+    return run->passes->whole ? OVR_OK : ovr_passes_write(run, how, err);
 }
 
 ovr_status ovr_passes_go(ovr_run *run, ovr_error *err)
@@ -114,9 +116,10 @@ ovr_status ovr_passes_go(ovr_run *run, ovr_error *err)
     ovr_passes *p = run->passes;
     ovr_status status = OVR_OK;
     for (bool more = true; !status && more;) {
-        status = ovr_passes_write(run, "running", err);
+        status = write_rows(run, "running", err);
         if (!status)
             status = ovr_run_once(run, err);
+        p->converged = p->converged && (status || run->info.converged);
         if (!status)
             status = end_pass(run, err);
         run->info.shaken_down = !status && ovr_passes_at_rest(run, p->now);
@@ -130,7 +133,7 @@ ovr_status ovr_passes_go(ovr_run *run, ovr_error *err)
     ovr_error late = {0};
     if (status)
         p->row[p->now - 1].status = how;
-    if (run->setup && ovr_passes_write(run, how, &late) && !status) {
+    if (run->setup && write_rows(run, how, &late) && !status) {
         *err = late;
         status = late.status;
     }
@@ -140,9 +143,9 @@ ovr_status ovr_passes_go(ovr_run *run, ovr_error *err)
 
 /* ---------------------------------------------------------------- resuming */
 
-/* Tells the run as a whole of the passes before. */
-static void recall(ovr_run *run, ovr_result *result)
+static void recall(ovr_run *run, const char *path)
 {
+    ovr_result *result = ovr_result_open(path, NULL, NULL);
     size_t count = 0;
     const ovr_group_attribute *line = ovr_result_attributes(result, "summary",
                                                             &count);
@@ -152,19 +155,25 @@ static void recall(ovr_run *run, ovr_result *result)
         if (strcmp(line[k].name, "steps_marked") == 0)
             run->info.marked += (long)line[k].number;
     }
-    ovr_run_recall(run, ovr_result_about(result)->warnings);
+    if (result)
+        ovr_run_recall(run, ovr_result_about(result)->warnings);
+    ovr_result_close(result);
 }
 
-/* True if the pass is complete, and then its share in what is told of all. */
-static bool take_complete(ovr_run *run, const char *path)
+void ovr_passes_recall(ovr_run *run)
+{
+    if (run->passes->before)
+        recall(run, run->passes->before);
+    run->passes->before = NULL;
+}
+
+static bool is_complete(const char *path)
 {
     ovr_result *result = access(path, F_OK) == 0
                              ? ovr_result_open(path, NULL, NULL)
                              : NULL;
     bool complete = result &&
                     strcmp(ovr_result_about(result)->status, "complete") == 0;
-    if (complete)
-        recall(run, result);
     ovr_result_close(result);
     return complete;
 }
@@ -179,8 +188,10 @@ ovr_status ovr_passes_reopen(ovr_run *run, const char *path, ovr_error *err)
         file = ovr_passes_file_of(run, run->passes->now, err);
         if (!file)
             return OVR_NO_MEMORY;
-        if (!take_complete(run, file))
+        if (!is_complete(file))
             break;
+        ovr_passes_recall(run);
+        run->passes->before = file;
     }
     run->info.output = file;
     run->how.force = true;
@@ -195,4 +206,14 @@ ovr_status ovr_passes_finish(ovr_run *run, int last, ovr_error *err)
         status = end_pass(run, err);
     run->passes->rows = last;
     return status ? status : ovr_passes_write(run, "complete", err);
+}
+
+ovr_status ovr_passes_go_back(ovr_run *run, int last, ovr_error *err)
+{
+    forget(run);
+    run->passes->now = last;
+    run->passes->whole = true;
+    run->passes->before = NULL;
+    run->info.output = ovr_passes_file_of(run, last, err);
+    return run->info.output ? OVR_OK : OVR_NO_MEMORY;
 }

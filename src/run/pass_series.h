@@ -58,6 +58,8 @@ struct ovr_passes {
     ovr_pass_row *row;
     double oil_flooded; /* flow of the flooded contact; NAN: not known yet */
     bool converged;     /* all so far */
+    bool whole;         /* the file of all has every row: it stays as it is */
+    const char *before; /* of a resumed one: complete, and not told of yet */
     ovr_pass_level level[OVR_PASS_LEVELS];
 };
 
@@ -98,8 +100,13 @@ ovr_status ovr_passes_go(ovr_run *run, ovr_error *err);
  * complete. */
 ovr_status ovr_passes_reopen(ovr_run *run, const char *path, ovr_error *err);
 
-/* The rows of all passes, whose files are complete, into the file of them. */
+/* Tells the run as a whole of the passes before this one. */
+void ovr_passes_recall(ovr_run *run);
+
+/* The rows of all passes, whose files are complete, into the file of them; then
+ * the run is that of the last one. */
 ovr_status ovr_passes_finish(ovr_run *run, int last, ovr_error *err);
+ovr_status ovr_passes_go_back(ovr_run *run, int last, ovr_error *err);
 
 /* True if bodies that yield have shaken down with this pass. */
 bool ovr_passes_at_rest(const ovr_run *run, int pass);

@@ -97,6 +97,8 @@ static void report_state(ovr_run *run, bool done)
     if (run->writer && ovr_writer_repaired(run->writer))
         say(run, "its last write was cut: it is as its last checkpoint left it "
                  "again");
+    if (done && run->passes)
+        return;
     if (done)
         say(run, "is complete: nothing to do");
     else if (run->restored)
@@ -161,18 +163,26 @@ static ovr_status prepare(ovr_run *run, const char *path, ovr_error *err)
 }
 
 /* Each pass has its file, but one that was killed as the last of them ended
- * may not have its row yet. */
+ * may not have its row yet.  What is told of the run is the last one's, if its
+ * checkpoint is there. */
 static ovr_status all_are_there(ovr_run *run, int last, ovr_error *err)
 {
     const char *path = run->passes->path;
     bool whole = ovr_passes_file_complete(path);
     if (!whole && ovr_passes_finish(run, last, err))
         return OVR_BAD_INPUT;
+    ovr_case_free(run->c);
+    run->c = NULL;
+    if (ovr_passes_go_back(run, last, err))
+        return OVR_BAD_INPUT;
     ovr_fail(err, OVR_OK,
              whole ? "%s: is complete: nothing to do"
                    : "%s: its passes are complete; the last row was written",
              path);
-    return OVR_BAD_INPUT;
+    if (!has_checkpoint(run->info.output))
+        return OVR_BAD_INPUT;
+    ovr_run_message(run, OVR_SAY_FILE, err->message);
+    return prepare(run, run->info.output, err);
 }
 
 /* A pass that has no file yet. */
@@ -192,6 +202,7 @@ static ovr_status begin_pass(ovr_run *run, ovr_error *err)
         return OVR_BAD_INPUT;
     if (ovr_passes_at_rest(run, p->now - 1))
         return all_are_there(run, p->now - 1, err);
+    ovr_passes_recall(run);
     return ovr_output_open(run, err);
 }
 
@@ -200,9 +211,10 @@ static ovr_status prepare_passes(ovr_run *run, const char *path, ovr_error *err)
 {
     if (ovr_passes_reopen(run, path, err))
         return OVR_BAD_INPUT;
-    return has_checkpoint(run->info.output)
-               ? prepare(run, run->info.output, err)
-               : begin_pass(run, err);
+    if (!has_checkpoint(run->info.output))
+        return begin_pass(run, err);
+    ovr_passes_recall(run);
+    return prepare(run, run->info.output, err);
 }
 
 ovr_run *ovr_run_resume(const char *path, const ovr_run_options *options,
