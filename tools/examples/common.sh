@@ -17,9 +17,14 @@ run_study() {
         --collect "$out/$name.csv" -q
 }
 
-# column NAME: its number in the table of the study.
+# column NAME: its number in the table of the study, by its name without unit.
 column() {
-    head -n 1 "$out/$name.csv" | tr ',' '\n' | grep -nx "$1" | cut -d: -f1
+    found=$(head -n 1 "$out/$name.csv" | tr ',' '\n' | sed 's/ \[.*\]$//' |
+        grep -nxF "$1") || {
+        echo "$name: no column '$1' in $out/$name.csv" >&2
+        return 1
+    }
+    echo "${found%%:*}"
 }
 
 # picture WxH: gnuplot commands on standard input, the look before them.
