@@ -6,7 +6,8 @@ own; what it shares is the rule that a step's film is solved with the surface
 that the film of the step before left.  It has
 
   - rectangles of bilinear displacement, a plastic strain each, in a block that
-    is periodic along x and held far below, no Green's function; its stiffness
+    is periodic along x and held far below: in 12 b where a bump flows, in the
+    period that overroll has where the smooth contact does; no Green's function; its stiffness
     is solved for each wave that the mesh has;
   - elastic stresses of strips of uniform pressure (K. L. Johnson, Contact
     Mechanics, 2.5), as means of an element by Gauss's points;
@@ -22,12 +23,14 @@ import numpy as np
 
 
 def layers(first, growth, strained, bottom):
-    """Depths of the edges, and how many layers may be strained."""
+    """Depths of the edges, and how many layers may be strained: those down to
+    `strained`."""
     z, h = [0.0], first
     while z[-1] < strained:
         z.append(z[-1] + h)
         h *= growth
     count = len(z) - 1
+    z = [edge * strained / z[-1] for edge in z]
     while z[-1] < bottom:
         z.append(z[-1] + h)
         h *= 1.2
@@ -143,16 +146,26 @@ def strip(x, z):
 
 
 class Metal:
-    """A window of elements that moves with surface `surface` of a case."""
+    """Elements about h wide that move with a surface: where a bump is, within
+    `half_width` of the material's origin, or, where all that rolls flows, in
+    the whole of overroll's window, which is a period there: `window` is its
+    left end, its right end, and where nothing sinks."""
 
-    def __init__(self, nu, law, h, first, growth, half_width, depth,
-                 period=12.0, softness=0.25):
+    def __init__(self, nu, law, h, first, growth, depth, half_width=None,
+                 window=None, softness=0.25):
         z, strained = layers(first, growth, depth, 10.0)
+        period = window[1] - window[0] if window else 12.0
         cells = 2 * round(period / h / 2)
+        if window:
+            h, n = period / cells, cells
+            self.left, self.far = window[0], window[2]
+        else:
+            n = 2 * round(half_width / h)
+            self.left = -(n / 2 + 0.37) * h        # no node of the film
+            self.far = self.left + cells * h / 2
+        self.bounded = bool(window)
         self.block = Block(nu, h, cells, z, strained)
-        self.law, self.softness = law, softness
-        n = self.columns = 2 * round(half_width / h)
-        self.left = -(n / 2 + 0.37) * h            # no node of the film
+        self.law, self.softness, self.columns = law, softness, n
         self.mid = self.left + (np.arange(n) + 0.5) * h
         self.h, self.nu = h, nu
         self.thick = np.diff(z)[:strained]
@@ -288,17 +301,19 @@ class Metal:
     # -------------------------------------------------------------- surface
 
     def sinking(self, xi):
-        """By how much the gap grows at places of the material, far from the
-        strains by nothing."""
+        """By how much the gap grows at places of the material: by nothing at
+        `far`, and beside a window."""
         N, h = self.block.cells, self.h
         rows = self.e.shape[0]
         hat = np.fft.rfft(self.e, N, axis=1).transpose(1, 0, 2)
-        w = (self.block.sinks * hat.reshape(-1, 3 * rows)).sum(axis=1) / N
-        w[1:] *= 2
-        w[-1] = 0
+        waves = (self.block.sinks * hat.reshape(-1, 3 * rows)).sum(axis=1) / N
+        waves[1:] *= 2
+        waves[-1] = 0
         k = 2 * np.pi * np.arange(N // 2 + 1) / (N * h)
-        far = self.left + N * h / 2
+        xi = np.asarray(xi) - self.left
 
         def at(x):
-            return (np.exp(1j * np.outer(x - self.left, k)) @ w).real
-        return self.softness * (at(np.asarray(xi)) - at(np.array([far]))[0])
+            return (np.exp(1j * np.outer(x, k)) @ waves).real
+        w = self.softness * (at(xi) - at(np.array([self.far - self.left])))
+        beside = (xi < 0) | (xi >= N * h)
+        return np.where(beside, 0, w) if self.bounded else w

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Two of four fixed mixes of bodies that yield with other physics, against an
+# Two of five fixed mixes of bodies that yield with other physics, against an
 # independent model: see metal_mixes.py, metal.py (all: verify/mixes.sh).
 . "$TOP/tests/support/cli.sh"
 need_python numpy h5py
