@@ -7,8 +7,8 @@ that the film of the step before left.  It has
 
   - rectangles of bilinear displacement, a plastic strain each, in a block that
     is periodic along x and held far below: in 12 b where a bump flows, in the
-    period that overroll has where the smooth contact does; no Green's function; its stiffness
-    is solved for each wave that the mesh has;
+    period that overroll has where the smooth contact does; no Green's function;
+    its stiffness is solved for each wave that the mesh has;
   - elastic stresses of strips of uniform pressure (K. L. Johnson, Contact
     Mechanics, 2.5), as means of an element by Gauss's points;
   - backward Euler steps of von Mises's flow, all elements at once by Newton's
