@@ -10,8 +10,9 @@ ph, of H over H, or over H_cen where H is less, of the coefficient of friction,
 and of the temperatures of film and surfaces under pressure (above 0.05 ph, for
 oil that flows back and out of the inlet both only guess at) over the largest
 rise, or over 5 K where that is less (a film that hardly slides is warmed and
-cooled by how it is compressed, within a few nodes); but not in the first steps, for their start differs by how a steady film's
-temperatures are found (overroll: to first order in D, the model: to second).
+cooled by how it is compressed, within a few nodes); but not in the first steps,
+for their start differs by how a steady film's temperatures are found (overroll:
+to first order in D, the model: to second).
 
 The model's film is exact.  What is left is of first order in D and dT (feet,
 lag, a steady start whose oil does not flow back: on level 5 half of level 4's),
