@@ -15,8 +15,8 @@ same to what stopping leaves.  For the whole run are told, of the finer model,
     cumulative  of all that has flowed, in the mean square over its own
     residual_x, _y  of residual stresses, likewise
 
-(metal as the last film met it; maps from 2 D down: at a surface above steep strains no mesh of these resolves
-them) and what the two models differ by, which is the most that is allowed.
+(metal as the last film met it; maps from 2 D down: at a surface above steep
+strains no mesh of these resolves them) and what the two models differ by, which is the most that is allowed.
 Errors are of second order in the mesh and the layers, but of constants of their
 own: of such an error e D^2 the models differ by 1.5 e D^2, of which the finer
 one has 0.5 and overroll, whose layers are a mesh thick, about e D^2.
@@ -252,8 +252,8 @@ FIXED = {
 
 
 def drawn(seed):
-    """A mix at random.  Three in four have bumps that flow and a smooth contact,
-    from 0.56 p_h on, that does not: elements are where the bump is."""
+    """A mix at random.  Three in four have bumps that flow and a smooth
+    contact, from 0.56 p_h on, that does not: elements are where the bump is."""
     r = random.Random(seed)
 
     def ramp(low, high, first=1.0):
