@@ -16,7 +16,8 @@ same to what stopping leaves.  For the whole run are told, of the finer model,
     residual_x, _y  of residual stresses, likewise
 
 (metal as the last film met it; maps from 2 D down: at a surface above steep
-strains no mesh of these resolves them) and what the two models differ by, which is the most that is allowed.
+strains no mesh of these resolves them) and what the two models differ by, which
+is the most that is allowed.
 Errors are of second order in the mesh and the layers, but of constants of their
 own: of such an error e D^2 the models differ by 1.5 e D^2, of which the finer
 one has 0.5 and overroll, whose layers are a mesh thick, about e D^2.
