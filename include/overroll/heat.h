@@ -47,6 +47,8 @@ typedef struct ovr_heat {
     double A;            /* 5.9e8 Pa/ph: oil expands by `expansion` times f =
                             A^2/((A + P)(A + 1.34 P)); 0: the same at all P */
     double diffusion[2]; /* k_k/(rho_k c_k um b): along surface k; 0: none */
+    double slowest[2];   /* least |u_k|/um, of the contact or, of a case, of its
+                            run: the slower, the longer it remembers heat */
 } ovr_heat;
 
 #ifdef __cplusplus

@@ -88,6 +88,7 @@ static ovr_physics_case about(ovr_resolved *r)
         .options = &r->values.options,
         .passes = &r->values.passes,
         .transient = r->setup.transient,
+        .end = r->setup.transient && isfinite(r->march.end) ? r->march.end : 0,
         .speed = r->setup.speed,
         .sliding = r->setup.sliding,
         .oil = &r->values.oil,

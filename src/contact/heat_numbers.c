@@ -71,6 +71,7 @@ static void make_numbers(const ovr_heat_form *form, const ovr_contact *c,
                          sqrt(PI * body->conductivity * stored * c->um);
         heat->peclet[k] = fabs(u[k]) * c->b * stored / body->conductivity;
         heat->diffusion[k] = body->conductivity / (stored * c->um * c->b);
+        heat->slowest[k] = fabs(u[k]) / c->um;
     }
 }
 

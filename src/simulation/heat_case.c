@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "base/rows.h"
+#include "contact/contact.h"
 #include "contact/oil.h"
 
 static const double S0_USUAL = 1.1; /* of mineral oils */
@@ -77,6 +78,29 @@ static void complete(const ovr_physics_case *of, ovr_heat_form *form)
         form->S0 = S0_USUAL;
 }
 
+static double speed_at(const ovr_physics_case *of, int k, double T)
+{
+    double Cu = ovr_history_value(of->speed, T);
+    double V = of->sliding
+                   ? ovr_history_value(of->sliding, T)
+                   : Cu * (of->contact->u1_ratio - of->contact->u2_ratio);
+    return Cu + (k ? -V : V) / 2;
+}
+
+static void find_slowest(const ovr_physics_case *of, ovr_heat *heat)
+{
+    const int times = 500;
+    for (int k = 0; (of->speed || of->sliding) && k < 2; k++) {
+        double before = 0;
+        for (int i = 0; i <= (of->end > 0 ? times : 0); i++) {
+            double u = speed_at(of, k, of->end * i / times);
+            bool turns = u * before < 0;
+            heat->slowest[k] = turns ? 0 : fmin(heat->slowest[k], fabs(u));
+            before = u;
+        }
+    }
+}
+
 ovr_status ovr_heat_resolve(const ovr_physics_case *of, void *form, bool *on,
                             ovr_error *err)
 {
@@ -91,5 +115,9 @@ ovr_status ovr_heat_resolve(const ovr_physics_case *of, void *form, bool *on,
         if (h->given.bulk[k] == 0)
             h->given.bulk[k] = NAN;
     }
-    return ovr_heat_make(&h->given, of->contact, of->lubricant, &h->heat, err);
+    ovr_status status = ovr_heat_make(&h->given, of->contact, of->lubricant,
+                                      &h->heat, err);
+    if (!status)
+        find_slowest(of, &h->heat);
+    return status;
 }

@@ -7,6 +7,15 @@
 
 static const double MIN_SPEED = 0.02;
 
+/* A surface that hardly moves is marched at its smallest Peclet number: faster,
+ * it would remember less than it does of long waves, and marches would not
+ * contract. */
+double ovr_heat_march_speed(const ovr_heat *numbers, int k, double u)
+{
+    double minimum = numbers->min_peclet * numbers->diffusion[k];
+    return fmax(fabs(u), minimum > 0 ? minimum : MIN_SPEED);
+}
+
 /* Speeds of the surfaces at T = 0, and their memories from node to node. */
 void ovr_heat_march_begin(ovr_simulation *sim)
 {
@@ -15,8 +24,7 @@ void ovr_heat_march_begin(ovr_simulation *sim)
     ovr_heat_speeds(sim, 0);
     for (int k = 0; k < 2; k++) {
         double u = h->u1 - k * h->V;
-        double minimum = h->numbers.min_peclet * h->numbers.diffusion[k];
-        h->speed[k] = fmax(fabs(u), fmax(minimum, MIN_SPEED));
+        h->speed[k] = ovr_heat_march_speed(&h->numbers, k, u);
         h->way[k] = u < 0 || (!(u > 0) && sim->backward) ? -1 : 1;
         ovr_memory_fit(D / h->speed[k],
                        fmax(h->longest[k], length / h->speed[k]),

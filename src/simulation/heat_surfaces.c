@@ -26,11 +26,24 @@ static double passages(const ovr_simulation *sim, double u)
     return 2 * length / fmax(fabs(u), 0.1);
 }
 
+/* So long as two passages take, heat flows along the slowest surface, and a
+ * steady march looks back (heat_march.c): beyond its rates no memory is fitted.
+ */
+static double longest(const ovr_simulation *sim, int k)
+{
+    const ovr_heat *numbers = &sim->heated->numbers;
+    double slowest = numbers->slowest[k], maximum = 1e5;
+    double length = (double)(sim->now.n - 1) * ovr_mesh(sim);
+    double march = length / ovr_heat_march_speed(numbers, k, slowest);
+    return fmax(fmax(passages(sim, speed_of(sim, k)), fmin(march, maximum)),
+                ovr_solid_reach(numbers, k, slowest));
+}
+
 static void set_rates(ovr_simulation *sim, int k)
 {
     ovr_heated *h = sim->heated;
-    double D = ovr_mesh(sim), u = speed_of(sim, k);
-    h->longest[k] = fmax(passages(sim, u), ovr_solid_reach(&h->numbers, k, u));
+    double D = ovr_mesh(sim);
+    h->longest[k] = longest(sim, k);
     ovr_warmth warmth = {NULL, NULL};
     ovr_memory_rates(D / 8, h->longest[k], &h->memory[k]);
     OVR_EACH_PHYSICS(sim, p, warmth)

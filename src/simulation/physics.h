@@ -64,6 +64,7 @@ typedef struct ovr_physics_case {
     ovr_options *options;            /* which it may still choose */
     struct ovr_passes_setup *passes; /* likewise */
     bool transient;
+    double end;                         /* of a run that has one; else 0 */
     const ovr_history *speed, *sliding; /* NULL: constant */
     ovr_physics_body body[2];
     double raceway;    /* circumference of a bearing's, b; NAN: there is none */
