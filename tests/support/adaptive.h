@@ -7,8 +7,9 @@
 
 typedef struct test_adaptive {
     double worst; /* error of H_cen, rms in time, over the asked for one */
-    double cycles, cycles_of_mesh; /* of all runs at the error of those of
-                                      dT = D, and of these */
+    double cycles, cycles_of_mesh; /* of runs at the error of those of dT = D,
+                                      and of these */
+    int compared;                  /* where that lies between errors found */
 } test_adaptive;
 
 /* So many cases: M = 10 to 100, L = 4 to 12, 12 nodes a width or more, rolling
