@@ -7,15 +7,6 @@
 
 static const double MIN_SPEED = 0.02;
 
-/* A surface that hardly moves is marched at its smallest Peclet number: faster,
- * it would remember less than it does of long waves, and marches would not
- * contract. */
-double ovr_heat_march_speed(const ovr_heat *numbers, int k, double u)
-{
-    double minimum = numbers->min_peclet * numbers->diffusion[k];
-    return fmax(fabs(u), minimum > 0 ? minimum : MIN_SPEED);
-}
-
 /* Speeds of the surfaces at T = 0, and their memories from node to node. */
 void ovr_heat_march_begin(ovr_simulation *sim)
 {

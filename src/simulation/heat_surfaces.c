@@ -26,6 +26,15 @@ static double passages(const ovr_simulation *sim, double u)
     return 2 * length / fmax(fabs(u), 0.1);
 }
 
+/* A surface that hardly moves is marched at its smallest Peclet number: faster,
+ * it would remember less than it does of long waves, and marches would not
+ * contract. */
+double ovr_heat_march_speed(const ovr_heat *numbers, int k, double u)
+{
+    double minimum = numbers->min_peclet * numbers->diffusion[k];
+    return fmax(fabs(u), minimum > 0 ? minimum : 0.02);
+}
+
 /* So long as two passages take, heat flows along the slowest surface, and a
  * steady march looks back (heat_march.c): beyond its rates no memory is fitted.
  */

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Hot contacts one surface of which stands still, or nearly: its heat flows along
-# it alone, both ways, and from all of the domain.  Thick films at high speeds
+# Hot contacts one surface of which stands still, or nearly: its heat flows
+# along it alone, both ways, and from all of the domain.  Thick films at high speeds
 # have long inlets and little conduction along x, where marches that remembered
 # less than the surface did not contract (temperatures of 1e17 K).
 #
