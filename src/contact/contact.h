@@ -91,6 +91,14 @@ double ovr_density(const ovr_lubricant *lubricant, double P);
 /* Value at T (a NULL history is 1). */
 double ovr_history_value(const ovr_history *history, double T);
 
+/* The slip u_1 - u_2 and the speed of surface k (0 or 1) at T, over the
+ * contact's um.  Without a history of the slip it is the contact's, as the
+ * speed grows. */
+double ovr_slip_at(const ovr_contact *c, const ovr_history *speed,
+                   const ovr_history *sliding, double T);
+double ovr_speed_at(const ovr_contact *c, const ovr_history *speed,
+                    const ovr_history *sliding, int k, double T);
+
 /* True if its value is ever another than at T = 0. */
 bool ovr_history_varies(const ovr_history *history);
 

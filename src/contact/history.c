@@ -285,6 +285,21 @@ double ovr_history_value(const ovr_history *history, double T)
     return isnan(T) ? history->scale : history->scale * unscaled(history, T);
 }
 
+double ovr_slip_at(const ovr_contact *c, const ovr_history *speed,
+                   const ovr_history *sliding, double T)
+{
+    if (sliding)
+        return ovr_history_value(sliding, T);
+    return ovr_history_value(speed, T) * (c->u1_ratio - c->u2_ratio);
+}
+
+double ovr_speed_at(const ovr_contact *c, const ovr_history *speed,
+                    const ovr_history *sliding, int k, double T)
+{
+    double V = ovr_slip_at(c, speed, sliding, T);
+    return ovr_history_value(speed, T) + (k ? -V : V) / 2;
+}
+
 bool ovr_history_varies(const ovr_history *history)
 {
     return history && history->form.kind != OVR_HISTORY_CONSTANT;

@@ -189,8 +189,16 @@ ovr_status ovr_pass_level_end(ovr_pass_level *of, const ovr_setup *setup,
     return status;
 }
 
+void ovr_passes_close(ovr_passes *passes)
+{
+    ovr_result_close(passes->before);
+    passes->before = NULL;
+}
+
 void ovr_passes_free(ovr_passes *passes)
 {
+    if (passes)
+        ovr_passes_close(passes);
     for (int k = 0; passes && k < OVR_PASS_LEVELS; k++) {
         ovr_pass_end_free(&passes->level[k].end);
         ovr_arena_release(&passes->level[k].seen.arena);

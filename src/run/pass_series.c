@@ -143,9 +143,8 @@ ovr_status ovr_passes_go(ovr_run *run, ovr_error *err)
 
 /* ---------------------------------------------------------------- resuming */
 
-static void recall(ovr_run *run, const char *path)
+static void recall(ovr_run *run, ovr_result *result)
 {
-    ovr_result *result = ovr_result_open(path, NULL, NULL);
     size_t count = 0;
     const ovr_group_attribute *line = ovr_result_attributes(result, "summary",
                                                             &count);
@@ -155,27 +154,26 @@ static void recall(ovr_run *run, const char *path)
         if (strcmp(line[k].name, "steps_marked") == 0)
             run->info.marked += (long)line[k].number;
     }
-    if (result)
-        ovr_run_recall(run, ovr_result_about(result)->warnings);
-    ovr_result_close(result);
+    ovr_run_recall(run, ovr_result_about(result)->warnings);
 }
 
 void ovr_passes_recall(ovr_run *run)
 {
     if (run->passes->before)
         recall(run, run->passes->before);
-    run->passes->before = NULL;
+    ovr_passes_close(run->passes);
 }
 
-static bool is_complete(const char *path)
+/* NULL: there is none, or it is not complete. */
+static ovr_result *open_complete(const char *path)
 {
     ovr_result *result = access(path, F_OK) == 0
                              ? ovr_result_open(path, NULL, NULL)
                              : NULL;
-    bool complete = result &&
-                    strcmp(ovr_result_about(result)->status, "complete") == 0;
+    if (result && strcmp(ovr_result_about(result)->status, "complete") == 0)
+        return result;
     ovr_result_close(result);
-    return complete;
+    return NULL;
 }
 
 ovr_status ovr_passes_reopen(ovr_run *run, const char *path, ovr_error *err)
@@ -188,10 +186,11 @@ ovr_status ovr_passes_reopen(ovr_run *run, const char *path, ovr_error *err)
         file = ovr_passes_file_of(run, run->passes->now, err);
         if (!file)
             return OVR_NO_MEMORY;
-        if (!is_complete(file))
+        ovr_result *complete = open_complete(file);
+        if (!complete)
             break;
         ovr_passes_recall(run);
-        run->passes->before = file;
+        run->passes->before = complete;
     }
     run->info.output = file;
     run->how.force = true;
@@ -213,7 +212,7 @@ ovr_status ovr_passes_go_back(ovr_run *run, int last, ovr_error *err)
     forget(run);
     run->passes->now = last;
     run->passes->whole = true;
-    run->passes->before = NULL;
+    ovr_passes_close(run->passes);
     run->info.output = ovr_passes_file_of(run, last, err);
     return run->info.output ? OVR_OK : OVR_NO_MEMORY;
 }

@@ -59,7 +59,7 @@ struct ovr_passes {
     double oil_flooded; /* flow of the flooded contact; NAN: not known yet */
     bool converged;     /* all so far */
     bool whole;         /* the file of all has every row: it stays as it is */
-    const char *before; /* of a resumed one: complete, and not told of yet */
+    struct ovr_result *before; /* of a resumed one: complete, not told of yet */
     ovr_pass_level level[OVR_PASS_LEVELS];
 };
 
@@ -100,8 +100,10 @@ ovr_status ovr_passes_go(ovr_run *run, ovr_error *err);
  * complete. */
 ovr_status ovr_passes_reopen(ovr_run *run, const char *path, ovr_error *err);
 
-/* Tells the run as a whole of the passes before this one. */
+/* Tells the run as a whole of the pass before this one, whose file is closed
+ * then; closes it. */
 void ovr_passes_recall(ovr_run *run);
+void ovr_passes_close(ovr_passes *passes);
 
 /* The rows of all passes, whose files are complete, into the file of them; then
  * the run is that of the last one. */

@@ -97,7 +97,7 @@ static void report_state(ovr_run *run, bool done)
     if (run->writer && ovr_writer_repaired(run->writer))
         say(run, "its last write was cut: it is as its last checkpoint left it "
                  "again");
-    if (done && run->passes)
+    if (done && run->passes) /* it was said of all of them */
         return;
     if (done)
         say(run, "is complete: nothing to do");

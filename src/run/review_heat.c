@@ -17,10 +17,7 @@
 /* u_k/um0 at T. */
 static double speed_of(const ovr_setup *s, int k, double T)
 {
-    double Cu = ovr_history_value(s->speed, T);
-    double V = s->sliding ? ovr_history_value(s->sliding, T)
-                          : Cu * (s->contact->u1_ratio - s->contact->u2_ratio);
-    return Cu + (k ? -V : V) / 2;
+    return ovr_speed_at(s->contact, s->speed, s->sliding, k, T);
 }
 
 /* A surface that is slow at the start, or for some time. */

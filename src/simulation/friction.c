@@ -19,10 +19,7 @@
 
 double ovr_sliding(const ovr_simulation *sim, double T)
 {
-    if (sim->sliding)
-        return ovr_history_value(sim->sliding, T);
-    return ovr_history_value(sim->speed, T) *
-           (sim->contact.u1_ratio - sim->contact.u2_ratio);
+    return ovr_slip_at(&sim->contact, sim->speed, sim->sliding, T);
 }
 
 void ovr_simulation_sliding(ovr_simulation *sim, const ovr_history *sliding)

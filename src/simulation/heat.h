@@ -74,9 +74,6 @@ typedef struct ovr_heated {
 /* Speeds of the surfaces at T = 0, and their memories from node to node. */
 void ovr_heat_march_begin(ovr_simulation *sim);
 
-/* |u|/um by which surface k is marched when it moves by u. */
-double ovr_heat_march_speed(const ovr_heat *numbers, int k, double u);
-
 /* The film's columns are those of a steady film, entered from node to node:
  * before the first march too, as a solve may be given up before it. */
 void ovr_heat_march_columns(ovr_simulation *sim);

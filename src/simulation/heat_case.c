@@ -78,22 +78,15 @@ static void complete(const ovr_physics_case *of, ovr_heat_form *form)
         form->S0 = S0_USUAL;
 }
 
-static double speed_at(const ovr_physics_case *of, int k, double T)
-{
-    double Cu = ovr_history_value(of->speed, T);
-    double V = of->sliding
-                   ? ovr_history_value(of->sliding, T)
-                   : Cu * (of->contact->u1_ratio - of->contact->u2_ratio);
-    return Cu + (k ? -V : V) / 2;
-}
-
+/* Finds the slowest moments of the run where its speeds change. */
 static void find_slowest(const ovr_physics_case *of, ovr_heat *heat)
 {
     const int times = 500;
     for (int k = 0; (of->speed || of->sliding) && k < 2; k++) {
         double before = 0;
         for (int i = 0; i <= (of->end > 0 ? times : 0); i++) {
-            double u = speed_at(of, k, of->end * i / times);
+            double u = ovr_speed_at(of->contact, of->speed, of->sliding, k,
+                                    of->end * i / times);
             bool turns = u * before < 0;
             heat->slowest[k] = turns ? 0 : fmin(heat->slowest[k], fabs(u));
             before = u;

@@ -15,7 +15,7 @@ void ovr_heat_march_begin(ovr_simulation *sim)
     ovr_heat_speeds(sim, 0);
     for (int k = 0; k < 2; k++) {
         double u = h->u1 - k * h->V;
-        h->speed[k] = ovr_heat_march_speed(&h->numbers, k, u);
+        h->speed[k] = ovr_solid_march_speed(&h->numbers, k, u);
         h->way[k] = u < 0 || (!(u > 0) && sim->backward) ? -1 : 1;
         ovr_memory_fit(D / h->speed[k],
                        fmax(h->longest[k], length / h->speed[k]),

@@ -26,25 +26,16 @@ static double passages(const ovr_simulation *sim, double u)
     return 2 * length / fmax(fabs(u), 0.1);
 }
 
-/* A surface that hardly moves is marched at its smallest Peclet number: faster,
- * it would remember less than it does of long waves, and marches would not
- * contract. */
-double ovr_heat_march_speed(const ovr_heat *numbers, int k, double u)
-{
-    double minimum = numbers->min_peclet * numbers->diffusion[k];
-    return fmax(fabs(u), minimum > 0 ? minimum : 0.02);
-}
-
-/* So long as two passages take, heat flows along the slowest surface, and a
- * steady march looks back (heat_march.c): beyond its rates no memory is fitted.
- */
+/* Covers two passages, heat that flows along the slowest surface and what a
+ * steady march looks back on (heat_march.c): no memory is fitted beyond its
+ * rates. */
 static double longest(const ovr_simulation *sim, int k)
 {
     const ovr_heat *numbers = &sim->heated->numbers;
-    double slowest = numbers->slowest[k], maximum = 1e5;
+    double slowest = numbers->slowest[k];
     double length = (double)(sim->now.n - 1) * ovr_mesh(sim);
-    double march = length / ovr_heat_march_speed(numbers, k, slowest);
-    return fmax(fmax(passages(sim, speed_of(sim, k)), fmin(march, maximum)),
+    double march = length / ovr_solid_march_speed(numbers, k, slowest);
+    return fmax(fmax(passages(sim, speed_of(sim, k)), fmin(march, OVR_OLDEST)),
                 ovr_solid_reach(numbers, k, slowest));
 }
 

@@ -14,8 +14,8 @@
  *
  * A steady film is marched along x (heat_march.c), which knows upstream alone:
  * without heat along x, at a Peclet number of at least 0.1 and at no other
- * floor (ovr_heat_march_speed).  What T/N lacks by that for the last q is added
- * to the next march:
+ * floor (ovr_solid_march_speed).  What T/N lacks by that for the last q is
+ * added to the next march:
  *
  *     along = K q - K_march q
  *

@@ -15,11 +15,18 @@ bool ovr_solid_conducts(const ovr_heat *numbers, int k, double u)
 
 double ovr_solid_reach(const ovr_heat *numbers, int k, double u)
 {
-    const double wide = 100, maximum = 1e5; /* b; b/um */
+    const double wide = 100; /* b */
     double kappa = numbers->diffusion[k];
     if (!ovr_solid_conducts(numbers, k, u))
         return 0;
-    return fmin(maximum, fmin(20 * kappa / (u * u), wide * wide / kappa));
+    return fmin(OVR_OLDEST, fmin(20 * kappa / (u * u), wide * wide / kappa));
+}
+
+double ovr_solid_march_speed(const ovr_heat *numbers, int k, double u)
+{
+    const double without = 0.02; /* no heat flows along it */
+    double minimum = numbers->min_peclet * numbers->diffusion[k];
+    return fmax(fabs(u), minimum > 0 ? minimum : without);
 }
 
 double ovr_solid_beyond(const ovr_heat *numbers, int k, double u, double D)

@@ -62,9 +62,15 @@ typedef struct ovr_memory {
 /* True if heat along surface k counts at u, over um; how long, over b/um, it
  * remembers for that: until 20 kappa/u^2, when no more of it is felt, but not
  * longer than heat takes to spread by 100 b and to leave a line contact, nor
- * than 1e5. */
+ * than OVR_OLDEST. */
+enum { OVR_OLDEST = 100000 };
 bool ovr_solid_conducts(const ovr_heat *numbers, int k, double u);
 double ovr_solid_reach(const ovr_heat *numbers, int k, double u);
+
+/* |u|/um by which a steady march takes surface k along when it moves by u: no
+ * slower than its smallest Peclet number, and no faster, for it would remember
+ * less than the surface does of long waves, and marches would not contract. */
+double ovr_solid_march_speed(const ovr_heat *numbers, int k, double u);
 
 /* The distance, over b, that it remembers beyond the domain, on a mesh of D:
  * four times the length sqrt(kappa D) by which heat spreads in a step of D, and

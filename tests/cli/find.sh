@@ -5,10 +5,6 @@
 # and resumed.
 . "$TOP/tests/support/cli.sh"
 
-# number KEY: of the JSON in `out`.
-number() {
-    sed -n "s/^  \"$1\": \([-0-9.e+]*\),*\$/\1/p" out
-}
 # close A B TOLERANCE: relative.
 close() {
     awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN {

@@ -27,9 +27,6 @@ level = 5
 file = hot.h5
 fields = pressure, temperature_1, temperature_2, temperature_mean
 END
-number() {
-    sed -n "s/^  \"$1\": \([-0-9.e+]*\),*\$/\1/p" out
-}
 expect 0 "$OVERROLL" check hot.ini
 contains out '^# heat +Theta = .*; 5 or 7 points across'
 contains out '^# surfaces +Peclet '

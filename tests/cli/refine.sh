@@ -4,9 +4,6 @@
 # with.
 . "$TOP/tests/support/cli.sh"
 
-number() {
-    sed -n "s/^  \"$1\": \([-0-9.e+]*\),*\$/\1/p" out
-}
 # near NAME WANTED SHARE: a number of the JSON in `out`.
 near() {
     awk -v x="$(number "$1")" -v w="$2" -v e="$3" \

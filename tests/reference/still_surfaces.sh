@@ -1,9 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Hot contacts one surface of which stands still, or nearly: its heat flows
-# along it alone, both ways, and from all of the domain.  Thick films at high speeds
-# have long inlets and little conduction along x, where marches that remembered
-# less than the surface did not contract (temperatures of 1e17 K).
+# along it alone, both ways, and from all of the domain.  Thick films at high
+# speeds have long inlets and little conduction along x, where marches that
+# remembered less than the surface did not contract (temperatures of 1e17 K).
 #
 #   - what stands still is what hardly moves, without and with a coating;
 #   - so does a coated, hot cam from its base circle on, at all speeds;
@@ -43,9 +43,6 @@ speed_2 = 0 m/s
 END
 cat plain.ini coating >coated.ini
 
-number() { # KEY
-    sed -n "s/^  \"$1\": \([-0-9.e+]*\),*\$/\1/p" out | head -n 1
-}
 # What hardly moves takes heat along by u T_x beside kappa T_xx: u/kappa b, some
 # 1e-4 of it at a Peclet number of 1e-4.
 for case in plain coated; do

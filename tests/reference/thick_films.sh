@@ -33,9 +33,6 @@ step = adaptive
 end = 4.5 ms
 END
 expect 0 "$OVERROLL" run cam.ini -o cam.h5 -q --json
-number() {
-    sed -n "s/^  \"$1\": \([0-9]*\),*\$/\1/p" out
-}
 steps=$(number steps) cycles=$(number cycles_total) retries=$(number retries)
 echo "$steps steps, $cycles cycles, $retries retries"
 [ "$steps" -gt 500 ] || fail "too few steps"

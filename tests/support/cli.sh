@@ -49,6 +49,11 @@ expect() {
     fail "exit code $code, wanted $wanted"
 }
 
+# number KEY [FILE]: of the JSON in `out` or that file, of its outermost keys.
+number() {
+    sed -n "s/^  \"$1\": \([-0-9.e+]*\),*\$/\1/p" "${2:-out}"
+}
+
 # begins FILE: waits until the run in the background has stored steps in it, and
 # so listens to signals.
 begins() {

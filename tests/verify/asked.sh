@@ -6,10 +6,6 @@
 . "$TOP/tests/support/cli.sh"
 need setsid
 
-# number KEY FILE: of a summary.
-number() {
-    sed -n "s/^  \"$1\": \([-0-9.e+]*\),*\$/\1/p" "$2"
-}
 # holds EXPRESSION NAME=VALUE...: of awk.
 holds() {
     expression=$1

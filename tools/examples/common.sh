@@ -17,7 +17,8 @@ run_study() {
         --collect "$out/$name.csv" -q
 }
 
-# column NAME: its number in the table of the study, by its name without unit.
+# column NAME: its number in the table of the study, or in the history of the
+# run, by its name without unit.
 column() {
     found=$(head -n 1 "$out/$name.csv" | tr ',' '\n' | sed 's/ \[.*\]$//' |
         grep -nxF "$1") || {
