@@ -57,6 +57,7 @@ typedef struct ovr_heated {
     double *mean;                     /* T_m of T */
     double *t;                        /* mean stress at the nodes */
     double *skewed, *drag;            /* q V/2 m_1/m_0; psi_c */
+    double *skewed_q;                 /* the q of skewed */
     double *th, *shift, *swell;       /* in the order of the nodes */
     double V, u1;                     /* now */
     /* by its stress: power that is made, and of its size node by node */
@@ -89,6 +90,9 @@ double ovr_heat_relax(ovr_simulation *sim, double share);
  * read last; what was found last. */
 void ovr_heat_apply(ovr_simulation *sim);
 void ovr_heat_give(ovr_simulation *sim);
+
+/* The same skew of the flow, of the content of the film that was read last. */
+void ovr_heat_follow(ovr_simulation *sim);
 
 /* Takes V and u1 of the time T. */
 void ovr_heat_speeds(ovr_simulation *sim, double T);

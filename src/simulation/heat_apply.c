@@ -109,7 +109,20 @@ void ovr_heat_apply(ovr_simulation *sim)
     ovr_heat_film_fields(sim);
     if (ovr_conserves(sim))
         fade(sim, h->skewed);
+    memcpy(h->skewed_q, sim->now.q, sim->now.n * sizeof *h->skewed_q);
     ovr_heat_give(sim);
+}
+
+void ovr_heat_follow(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    const double *q = sim->now.q;
+    for (size_t i = 0; i < sim->now.n; i++)
+        if (q[i] > 0 && h->skewed_q[i] > 0) {
+            h->skewed[i] *= q[i] / h->skewed_q[i];
+            h->skewed_q[i] = q[i];
+        }
+    put_skewed(sim);
 }
 
 /* No temperature moves on by more than this share of itself and some kelvins:

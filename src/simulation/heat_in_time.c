@@ -18,8 +18,8 @@ static const double SHARE = 0.5;
  * without being of account. */
 static const double PRESSED = 0.1;
 
-/* Passes over a step's temperatures, at most. */
-enum { PASSES = 7 };
+/* Passes over a step's temperatures, at most, after the first. */
+enum { PASSES = 6 };
 
 enum { FIELDS = OVR_HEAT_KEPT - OVR_CROSS_FILM_MAX };
 
@@ -32,7 +32,7 @@ ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err)
     if (!s)
         return OVR_NO_MEMORY;
     h->steps = s;
-    if (OVR_TAKE_NODES(sim, err, &s->F, &s->P_T))
+    if (OVR_TAKE_NODES(sim, err, &s->F, &s->P_T, &s->heated_P))
         return OVR_NO_MEMORY;
     for (int j = 0; j < h->cross_film.n; j++)
         if (OVR_TAKE_NODES(sim, err, &s->T_before[j], &s->change[j]))
@@ -237,12 +237,15 @@ static void heat(ovr_simulation *sim)
 static void solve(ovr_simulation *sim)
 {
     hold_film(sim);
+    memcpy(sim->heated->steps->heated_P, sim->now.P,
+           sim->now.n * sizeof *sim->now.P);
     heat(sim);
 }
 
-/* The film by the temperatures `used`. */
+/* The film by temperatures that go half the way to those found. */
 static void apply(ovr_simulation *sim)
 {
+    ovr_heat_relax(sim, SHARE);
     ovr_heat_apply(sim);
     ovr_level_properties(&sim->grids, sim->finest);
     ovr_level_residual(&sim->grids, sim->finest);
@@ -265,33 +268,40 @@ static void foresee(ovr_simulation *sim)
 void ovr_heat_try(ovr_simulation *sim, void *own, bool first)
 {
     ovr_heated *h = own;
+    (void)first;
     ovr_level_refresh(&sim->grids, sim->finest);
     withdraw(sim);
     ovr_simulation_read(sim);
     hold_guess(sim);
     swap_trial(h);
+    h->steps->passes = PASSES;
     solve(sim);
-    h->steps->passes = first ? PASSES : 1;
-    if (first) {
-        foresee(sim);
-        ovr_heat_relax(sim, SHARE);
-    }
+    foresee(sim);
     apply(sim);
+}
+
+/* True of a film whose viscosities lag behind it, or that a cycle has moved
+ * away from the film which was heated. */
+static bool is_otherwise(const ovr_simulation *sim)
+{
+    const double enough = 0.15, far = 3e-4 /* ph */;
+    const ovr_heat_steps *s = sim->heated->steps;
+    return s->lag > enough || sim->grids.kernels->difference(
+                                  sim->now.n, sim->now.P, s->heated_P) > far;
 }
 
 void ovr_heat_anew(ovr_simulation *sim, void *own)
 {
-    const double enough = 0.15;
     ovr_heat_steps *s = ((ovr_heated *)own)->steps;
-    if (s->passes <= 1 || s->lag <= enough)
-        return;
-    s->passes--;
     ovr_simulation_read(sim);
-    solve(sim);
-    if (s->lag <= enough)
+    if (s->passes > 0 && is_otherwise(sim)) {
+        s->passes--;
+        solve(sim);
+        apply(sim);
         return;
-    ovr_heat_relax(sim, SHARE);
-    apply(sim);
+    }
+    ovr_heat_follow(sim);
+    ovr_level_residual(&sim->grids, sim->finest);
 }
 
 /* True of a film that ended far from the guess that was heated: oil was

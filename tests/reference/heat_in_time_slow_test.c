@@ -4,11 +4,13 @@
  * scheme, surfaces may be swapped, a film that cannot be heated is isothermal,
  * a run that was interrupted goes on alike. */
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "contact/contact.h"
 #include "contact/heat_numbers.h"
+#include "overroll/overroll.h"
 #include "simulation/heat_in_time.h"
 #include "simulation/simulation.h"
 #include "support/contact.h"
@@ -115,8 +117,9 @@ static double defect(double steps, double *temperature)
     return sqrt(sum / count);
 }
 
-/* The film as it ends a step differs from that which was heated in it by what
- * changed in between. */
+/* The film as it ends a step is that which was heated in it, to 3e-4 ph: of oil
+ * that is pressed so by b/um/30 a thousandth of all power.  (Of the guess alone
+ * it is off by O(dT): 1.6e-3 in steps of 4 D.) */
 TEST(energy_is_conserved)
 {
     double T[3], off[3];
@@ -125,10 +128,62 @@ TEST(energy_is_conserved)
     print_message("steps of 4 D, 2 D, D: defect %.2e %.2e %.2e, T %.4f %.4f "
                   "%.4f\n",
                   off[0], off[1], off[2], T[0], T[1], T[2]);
-    assert_true(off[0] < 2e-3);
-    for (int k = 0; k < 2; k++)
-        assert_true(off[k + 1] < 0.6 * off[k]);
+    for (int k = 0; k < 3; k++)
+        assert_true(off[k] < 1e-4);
     assert_true(fabs(T[2] / T[1] - 1) < 0.03);
+}
+
+/* -------------------------------------------------------------- stability */
+
+/* A contact at 1.65 GPa whose flow is skewed by half of it stays the steady one
+ * that it is: waves of some meshes in the pressure doubled from step to step
+ * where the skewed flow was that of the guess, up to a fifth of ph. */
+static void stays(int level)
+{
+    char text[700];
+    ovr_error err = {0};
+    snprintf(text, sizeof text,
+             "[contact]\nradius = 12.7 mm\nM = 115.1\nL = 6.572\n"
+             "modulus = 226 GPa\nslide_to_roll = 1.77\n"
+             "[lubricant]\nviscosity = 8.915 mPa.s\nalpha = 17 1/GPa\n"
+             "p0 = 198 MPa\nz = 0.68\nrheology = carreau\n"
+             "carreau_form = stress\ncarreau_n = 0.642\n"
+             "carreau_stress = 2.975 MPa\n"
+             "[heat]\nmodel = lobatto\npoints = 5\ntemperature = 80 degC\n"
+             "[domain]\nlevel = %d\ninlet = -4\noutlet = 1.5\n"
+             "[time]\nend = 1\nscheme = characteristic\n",
+             level);
+    ovr_case *c = ovr_case_read_text(text, "case", NULL, NULL, &err);
+    ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
+    ovr_simulation *sim = setup ? ovr_setup_simulation(setup, NULL, &err)
+                                : NULL;
+    CHECK_OK(sim ? OVR_OK : OVR_BAD_INPUT, &err);
+    const ovr_observation *o = ovr_simulation_observation(sim);
+    steady(sim);
+    double P = o->P_max, H = o->H_min, T = o->T_max_rise, off = 0, left = 0;
+    while (o->T < 1) {
+        step(sim, D_of(sim));
+        off = fmax(off, fabs(o->P_max / P - 1));
+        off = fmax(off, fabs(o->H_min / H - 1));
+        off = fmax(off, fabs(o->T_max_rise / T - 1));
+        left = fmax(left, fabs(o->energy_defect));
+    }
+    const ovr_statistics *all = ovr_simulation_statistics(sim);
+    print_message("level %d: P, H or T moved by %.1e, energy closes to %.1e; "
+                  "%.2f cycles a step\n",
+                  level, off, left, (double)all->cycles / (double)all->steps);
+    assert_true(off < 3e-3);
+    assert_true(left < 1e-4);
+    assert_int_equal(all->retries, 0);
+    ovr_simulation_free(sim);
+    ovr_setup_free(setup);
+    ovr_case_free(c);
+}
+
+TEST(sliding_films_stay_steady)
+{
+    for (int level = 6; level <= 8; level++)
+        stays(level);
 }
 
 /* ---------------------------------------------------------------- mirrors */
