@@ -33,7 +33,7 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
                               ovr_error *err)
 {
     if (OVR_TAKE_NODES(sim, err, &h->q[0], &h->q[1], &h->mean, &h->t, &h->drag,
-                       &h->skewed, &h->skewed_q, &h->th, &h->shift, &h->swell))
+                       &h->skewed, &h->skew, &h->th, &h->shift, &h->swell))
         return OVR_NO_MEMORY;
     for (int j = 0; j < h->cross_film.n; j++)
         if (OVR_TAKE_NODES(sim, err, &h->T[j], &h->used[j]))

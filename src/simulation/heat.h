@@ -57,7 +57,7 @@ typedef struct ovr_heated {
     double *mean;                     /* T_m of T */
     double *t;                        /* mean stress at the nodes */
     double *skewed, *drag;            /* q V/2 m_1/m_0; psi_c */
-    double *skewed_q;                 /* the q of skewed */
+    double *skew;                     /* V/2 m_1/m_0, of skewed */
     double *th, *shift, *swell;       /* in the order of the nodes */
     double V, u1;                     /* now */
     /* by its stress: power that is made, and of its size node by node */
@@ -91,7 +91,11 @@ double ovr_heat_relax(ovr_simulation *sim, double share);
 void ovr_heat_apply(ovr_simulation *sim);
 void ovr_heat_give(ovr_simulation *sim);
 
-/* The same skew of the flow, of the content of the film that was read last. */
+/*
+ * The same skew of the flow, of the content of the film that was read last.
+ * Where the film is stiff q + D q' is given, with the content q' of D q: q
+ * answers by -D, and 1/(1 + D) of the change finds both at once.
+ */
 void ovr_heat_follow(ovr_simulation *sim);
 
 /* Takes V and u1 of the time T. */

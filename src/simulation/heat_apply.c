@@ -109,7 +109,8 @@ void ovr_heat_apply(ovr_simulation *sim)
     ovr_heat_film_fields(sim);
     if (ovr_conserves(sim))
         fade(sim, h->skewed);
-    memcpy(h->skewed_q, sim->now.q, sim->now.n * sizeof *h->skewed_q);
+    for (size_t i = 0; i < sim->now.n; i++)
+        h->skew[i] = sim->now.q[i] > 0 ? h->skewed[i] / sim->now.q[i] : 0;
     ovr_heat_give(sim);
 }
 
@@ -118,10 +119,9 @@ void ovr_heat_follow(ovr_simulation *sim)
     ovr_heated *h = sim->heated;
     const double *q = sim->now.q;
     for (size_t i = 0; i < sim->now.n; i++)
-        if (q[i] > 0 && h->skewed_q[i] > 0) {
-            h->skewed[i] *= q[i] / h->skewed_q[i];
-            h->skewed_q[i] = q[i];
-        }
+        if (q[i] > 0)
+            h->skewed[i] += (h->skew[i] * q[i] - h->skewed[i]) /
+                            (1 + ovr_larger(h->skew[i], 0));
     put_skewed(sim);
 }
 

@@ -18,8 +18,9 @@ static const double SHARE = 0.5;
  * without being of account. */
 static const double PRESSED = 0.1;
 
-/* Passes over a step's temperatures, at most, after the first. */
-enum { PASSES = 6 };
+/* Passes over a step's temperatures after the first, at most; those of them
+ * that a pressure which moved is enough for. */
+enum { PASSES = 6, MOVED = 2 };
 
 enum { FIELDS = OVR_HEAT_KEPT - OVR_CROSS_FILM_MAX };
 
@@ -286,8 +287,9 @@ static bool is_otherwise(const ovr_simulation *sim)
 {
     const double enough = 0.15, far = 3e-4 /* ph */;
     const ovr_heat_steps *s = sim->heated->steps;
-    return s->lag > enough || sim->grids.kernels->difference(
-                                  sim->now.n, sim->now.P, s->heated_P) > far;
+    return s->lag > enough || (s->passes > PASSES - MOVED &&
+                               sim->grids.kernels->difference(
+                                   sim->now.n, sim->now.P, s->heated_P) > far);
 }
 
 void ovr_heat_anew(ovr_simulation *sim, void *own)
