@@ -54,7 +54,7 @@
  * an explicit step in both otherwise: the guess, extrapolated, is off by three
  * times what alternates from step to step, D was up to a half at a slip of
  * 1.77, and a steady contact of 1.65 GPa left its pressure by a factor of 2 to
- * 5 a step until it had 2.4 GPa.  It stays now to 1e-3, and of 500 runs at
+ * 5 a step until it had 2.4 GPa.  It stays now to 1e-4, and of 500 runs at
  * random none breaks off (2 did).  What is extrapolated well, as smooth films
  * are, costs one solve a step; steps where the load jumps take half of the
  * cycles, rough hot films a quarter more.  (Six times, rough films take half as
