@@ -126,7 +126,9 @@ void ovr_cross_film_solve(const ovr_cross_film *a, const ovr_heat *heat,
  * that a step cannot overshoot:
  *
  *     tau u_z <- tau u_z (1 - gamma (T - T_used))
- *     gamma = -(d ln eta/dT) tanh(a)/a,  a = |t|/Sigma0
+ *     gamma = -(d ln eta/dT) tanh(a)/a,  a = |t|/Sigma0,
+ *
+ * by Eyring's law, f/(a f') for tanh(a)/a by any other.
  */
 typedef struct ovr_columns {
     const ovr_cross_film *cross_film;

@@ -305,10 +305,14 @@ static INLINE vec uniform(const shared *s, int n, const nodes *v, int law)
 
 /* -------------------------------------------------------------- what it is */
 
-/* gamma over -d ln eta/dT: tanh(a)/a */
-static INLINE vec softer(const shared *s, vec t)
+/* gamma over -d ln eta/dT: tanh(a)/a by Eyring's law, f/(a f') by any other */
+static INLINE vec softer(const shared *s, int law, vec t)
 {
     vec a = magnitude(t) / s->c.Sigma0;
+    if (law == 2) {
+        vec by_a, f = curve_at(s, a, &by_a);
+        return choose(a > 1e-3, f / (a * by_a), all(1));
+    }
     vec up = scaled_exp2(&s->growth, smaller(2 * INV_LN2 * a, all(100)));
     return choose(a > 1e-3, (up - 1) / ((up + 1) * a), all(1));
 }
@@ -331,14 +335,14 @@ static INLINE void store_fields(const shared *s, bool by_power, const nodes *v,
 }
 
 /* Stress and gamma. */
-static INLINE void store_stress(const shared *s, bool by_power, const nodes *v,
-                                vec t, size_t i)
+static INLINE void store_stress(const shared *s, bool by_power, int law,
+                                const nodes *v, vec t, size_t i)
 {
     vec fall = all(s->heat.beta);
     if (by_power)
         fall = (s->heat.S0 * LN2 * s->inv_above) * v->steep * v->level / v->x;
     store(s->c.t + i, t);
-    store(s->c.fall + i, fall * softer(s, t));
+    store(s->c.fall + i, fall * softer(s, law, t));
 }
 
 /* Velocities and heating, of a wet film; else what there is moves with the
@@ -381,7 +385,7 @@ static INLINE void flow(const shared *s, int n, bool by_power, int law,
     t = bounded_by(t, maximum);
     t = choose(P > 0, t, all(0));
     store_flow(s, n, v, t, rate, i);
-    store_stress(s, by_power, v, t, i);
+    store_stress(s, by_power, law, v, t, i);
 }
 
 static INLINE void columns(const shared *s, int n, bool by_power, int law)

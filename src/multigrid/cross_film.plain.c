@@ -5,6 +5,7 @@
 #include "multigrid/plain.h"
 
 #include "base/larger.h"
+#include "contact/flow_law.h"
 #include "contact/heat_numbers.h"
 #include "contact/laws/fluid.h"
 #include "contact/laws/law.h"
@@ -57,9 +58,13 @@ static ovr_sheet sheet_at(const ovr_columns *c, size_t i)
 static double fall(const ovr_columns *c, double log_eta,
                    const ovr_cross_film_flow *flow)
 {
-    double a = fabs(flow->t) / c->Sigma0;
-    return ovr_heat_viscosity_fall(c->heat, log_eta, flow->mean) *
-           (a > 1e-3 ? tanh(a) / a : 1);
+    double a = fabs(flow->t) / c->Sigma0, softer = 1, by_a;
+    if (a > 1e-3 && c->law) {
+        double f = ovr_curve_at(&c->law->f, a, &by_a);
+        softer = f / (a * by_a);
+    } else if (a > 1e-3)
+        softer = tanh(a) / a;
+    return ovr_heat_viscosity_fall(c->heat, log_eta, flow->mean) * softer;
 }
 
 /* Stores what Reynolds' equation needs. */
