@@ -1,0 +1,9 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* 50 smooth contacts under constant conditions (support/stays.h). */
+#include "support/stays.h"
+#include "support/test.h"
+
+TEST(steady_contacts_stay)
+{
+    test_stays_survey(371000, 50);
+}
