@@ -43,6 +43,10 @@
 #include "simulation/heat_film.h"
 #include "simulation/solids.h"
 
+/* p_h: where less presses the film it ends, and there temperatures may swing
+ * without being of account. */
+#define OVR_HEAT_PRESSED 0.1
+
 typedef struct ovr_heated {
     ovr_heat numbers;
     bool chooses; /* 5 points or 7 */

@@ -14,10 +14,6 @@
 /* Viscosities take this share of the change of temperatures in a step. */
 static const double SHARE = 0.5;
 
-/* p_h: where less presses the film it ends, and there temperatures may swing
- * without being of account. */
-static const double PRESSED = 0.1;
-
 /* Passes over a step's temperatures after the first, at most; those of them
  * that a pressure which moved is enough for. */
 enum { PASSES = 6, MOVED = 2 };
@@ -214,7 +210,7 @@ static double lag(const ovr_simulation *sim)
     double maximum = 0;
     for (int j = 0; j < h->cross_film.n; j++)
         for (size_t i = 0; i < sim->now.n; i++)
-            if (sim->now.P[i] > PRESSED)
+            if (sim->now.P[i] > OVR_HEAT_PRESSED)
                 maximum = ovr_larger(maximum,
                                      h->film.fall[i] *
                                          fabs(h->T[j][i] - h->used[j][i]));

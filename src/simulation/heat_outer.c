@@ -118,13 +118,15 @@ static void move(ovr_heated *h, size_t n, const double *g)
 
 /* ---------------------------------------------------- an outer iteration */
 
-static double largest_rest(const ovr_heated *h, size_t n)
+static double largest_rest(const ovr_simulation *sim)
 {
+    const ovr_heated *h = sim->heated;
     double rest = 0, rise = 1e-300;
     for (int j = 0; j < h->cross_film.n; j++)
-        for (size_t i = 0; i < n; i++) {
-            rest = ovr_larger(rest, fabs(h->T[j][i] - h->used[j][i]));
+        for (size_t i = 0; i < sim->now.n; i++) {
             rise = ovr_larger(rise, fabs(h->T[j][i]));
+            if (sim->now.P[i] > OVR_HEAT_PRESSED)
+                rest = ovr_larger(rest, fabs(h->T[j][i] - h->used[j][i]));
         }
     return rest / rise;
 }
@@ -134,7 +136,7 @@ double ovr_heat_iterate(ovr_simulation *sim)
     const double small = 0.1, grows = 2, lower = 0.7, min_w = 0.1;
     ovr_heated *h = sim->heated;
     ovr_heat_outer *t = h->outer;
-    double change = largest_rest(h, sim->now.n), g[OVR_OUTER_KEPT] = {0};
+    double change = largest_rest(sim), g[OVR_OUTER_KEPT] = {0};
     minimum l = {0};
     if (!t->kept && change > t->change && t->w > min_w)
         t->w *= lower;
@@ -142,7 +144,8 @@ double ovr_heat_iterate(ovr_simulation *sim)
         t->kept = 0;
     t->change = change;
     for (size_t i = 0; t->kept && i < sim->now.n; i++)
-        add_node(h, i, &l);
+        if (sim->now.P[i] > OVR_HEAT_PRESSED)
+            add_node(h, i, &l);
     solve(t->kept, &l, g);
     move(h, sim->now.n, g);
     return change;

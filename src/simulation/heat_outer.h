@@ -21,6 +21,11 @@
  * 10 K an iteration: the first are those of an isothermal film, which may be
  * absurd.
  *
+ * Rests count where the film is pressed: its last node may be wet in one turn
+ * and dry in the next, for ever, which at 1e-5 of p_h held the rest at 1e-3 of
+ * the rise: one in eight contacts whose surfaces move against each other had no
+ * solution so.
+ *
  * Two iterations kept are as good as five: 12 Newtonian contacts of up to 1 GPa
  * took 1695 and 1671 cycles, and without them 2 did not end in 100 iterations.
  *
