@@ -33,7 +33,7 @@
  *     shift = (1 - th) C/ln 2 + log2 psi_e      Roelands
  *     shift = beta T_m/ln 2 + log2 psi_e, th = 1    others
  *     rho <- rho swell, where density expands (cross_film.h)
- *     F = wedge of q D, at um = 1: of q (V/2) m_1/m_0
+ *     F = wedge of q D, at um = 1: of q (V/2) m_1/m_0, but waves of few meshes
  *
  * go down to all grids by injection, F to the finest alone.
  */
