@@ -44,31 +44,6 @@ static slowness find_slowness(const ovr_setup *s, int k)
     return slow;
 }
 
-/* Viscosities follow temperatures a step behind: where surfaces slide very
- * fast that makes what they carry along hotter still. */
-static void review_slip(const ovr_setup *s, ovr_listener *listener, void *data)
-{
-    const int times = 500;
-    const double much = 3;
-    double end = isfinite(s->march->end) ? s->march->end : 0, maximum = 0,
-           T = 0;
-    for (int i = 0; i <= times; i++) {
-        double at = end * i / times;
-        double slip = fabs(speed_of(s, 0, at) - speed_of(s, 1, at));
-        if (slip > maximum) {
-            maximum = slip;
-            T = at;
-        }
-    }
-    if (!(maximum > much))
-        return;
-    ovr_warn(listener, data,
-             "heat: the surfaces slide by %.3g um at T = %.4g: beyond %g um "
-             "temperatures may swing from step to step; compare with steps of "
-             "half the length",
-             maximum, T, much);
-}
-
 /* Reviews surfaces where no temperature is steady, or not within what they
  * remember; one that turns round is not slow for long. */
 static void review_speed(const ovr_setup *s, int k, ovr_listener *listener,
@@ -105,8 +80,6 @@ static void foresee(const ovr_setup *setup, ovr_listener *listener, void *data)
 {
     for (int k = 0; k < 2; k++)
         review_speed(setup, k, listener, data);
-    if (setup->transient)
-        review_slip(setup, listener, data);
 }
 
 /* Laws of viscosity and temperature are measured over some hundred kelvins. */
