@@ -43,10 +43,6 @@
 #include "simulation/heat_film.h"
 #include "simulation/solids.h"
 
-/* p_h: where less presses the film it ends, and there temperatures may swing
- * without being of account. */
-#define OVR_HEAT_PRESSED 0.1
-
 typedef struct ovr_heated {
     ovr_heat numbers;
     bool chooses; /* 5 points or 7 */
@@ -101,6 +97,10 @@ void ovr_heat_give(ovr_simulation *sim);
  * answers by -D, and 1/(1 + D) of the change finds both at once.
  */
 void ovr_heat_follow(ovr_simulation *sim);
+
+/* Where less presses the film it ends, and there temperatures may swing without
+ * being of account: 0.1 of p_h, or of the largest P where that is less. */
+double ovr_heat_pressed(const ovr_simulation *sim);
 
 /* Takes V and u1 of the time T. */
 void ovr_heat_speeds(ovr_simulation *sim, double T);

@@ -163,6 +163,13 @@ void ovr_heat_follow(ovr_simulation *sim)
     put_skewed(sim);
 }
 
+double ovr_heat_pressed(const ovr_simulation *sim)
+{
+    const double share = 0.1, *P = sim->now.P;
+    return share *
+           ovr_smaller(1, P[sim->grids.kernels->extreme(sim->now.n, -1, P)]);
+}
+
 /* No temperature moves on by more than this share of itself and some kelvins:
  * the first are those of an isothermal film, which may be absurd. */
 double ovr_heat_relax(ovr_simulation *sim, double share)

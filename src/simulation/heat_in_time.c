@@ -207,10 +207,10 @@ static void pass(ovr_simulation *sim)
 static double lag(const ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
-    double maximum = 0;
+    double maximum = 0, pressed = ovr_heat_pressed(sim);
     for (int j = 0; j < h->cross_film.n; j++)
         for (size_t i = 0; i < sim->now.n; i++)
-            if (sim->now.P[i] > OVR_HEAT_PRESSED)
+            if (sim->now.P[i] > pressed)
                 maximum = ovr_larger(maximum,
                                      h->film.fall[i] *
                                          fabs(h->T[j][i] - h->used[j][i]));

@@ -121,11 +121,11 @@ static void move(ovr_heated *h, size_t n, const double *g)
 static double largest_rest(const ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
-    double rest = 0, rise = 1e-300;
+    double rest = 0, rise = 1e-300, pressed = ovr_heat_pressed(sim);
     for (int j = 0; j < h->cross_film.n; j++)
         for (size_t i = 0; i < sim->now.n; i++) {
             rise = ovr_larger(rise, fabs(h->T[j][i]));
-            if (sim->now.P[i] > OVR_HEAT_PRESSED)
+            if (sim->now.P[i] > pressed)
                 rest = ovr_larger(rest, fabs(h->T[j][i] - h->used[j][i]));
         }
     return rest / rise;
@@ -136,7 +136,8 @@ double ovr_heat_iterate(ovr_simulation *sim)
     const double small = 0.1, grows = 2, lower = 0.7, min_w = 0.1;
     ovr_heated *h = sim->heated;
     ovr_heat_outer *t = h->outer;
-    double change = largest_rest(sim), g[OVR_OUTER_KEPT] = {0};
+    double change = largest_rest(sim), pressed = ovr_heat_pressed(sim);
+    double g[OVR_OUTER_KEPT] = {0};
     minimum l = {0};
     if (!t->kept && change > t->change && t->w > min_w)
         t->w *= lower;
@@ -144,7 +145,7 @@ double ovr_heat_iterate(ovr_simulation *sim)
         t->kept = 0;
     t->change = change;
     for (size_t i = 0; t->kept && i < sim->now.n; i++)
-        if (sim->now.P[i] > OVR_HEAT_PRESSED)
+        if (sim->now.P[i] > pressed)
             add_node(h, i, &l);
     solve(t->kept, &l, g);
     move(h, sim->now.n, g);
