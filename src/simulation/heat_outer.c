@@ -50,6 +50,17 @@ static void add_node(const ovr_heated *h, size_t i, minimum *l)
     }
 }
 
+/* Of the nodes where rests count. */
+static minimum equations(const ovr_simulation *sim)
+{
+    const double pressed = ovr_heat_pressed(sim);
+    minimum l = {.b = {0}};
+    for (size_t i = 0; i < sim->now.n; i++)
+        if (sim->now.P[i] > pressed)
+            add_node(sim->heated, i, &l);
+    return l;
+}
+
 /* Solves by Cholesky's method; what is nearly dependent on iterations after it
  * is left out. */
 static void solve(int n, minimum *l, double *g)
@@ -136,18 +147,16 @@ double ovr_heat_iterate(ovr_simulation *sim)
     const double small = 0.1, grows = 2, lower = 0.7, min_w = 0.1;
     ovr_heated *h = sim->heated;
     ovr_heat_outer *t = h->outer;
-    double change = largest_rest(sim), pressed = ovr_heat_pressed(sim);
-    double g[OVR_OUTER_KEPT] = {0};
-    minimum l = {0};
+    double change = largest_rest(sim), g[OVR_OUTER_KEPT] = {0};
     if (!t->kept && change > t->change && t->w > min_w)
         t->w *= lower;
     if (change > small || change > grows * t->change)
         t->kept = 0;
     t->change = change;
-    for (size_t i = 0; t->kept && i < sim->now.n; i++)
-        if (sim->now.P[i] > pressed)
-            add_node(h, i, &l);
-    solve(t->kept, &l, g);
+    if (t->kept) {
+        minimum l = equations(sim);
+        solve(t->kept, &l, g);
+    }
     move(h, sim->now.n, g);
     return change;
 }
