@@ -98,8 +98,9 @@ void ovr_heat_give(ovr_simulation *sim);
  */
 void ovr_heat_follow(ovr_simulation *sim);
 
-/* Where less presses the film it ends, and there temperatures may swing without
- * being of account: 0.1 of p_h, or of the largest P where that is less. */
+/* The pressure below which a film ends, and where temperatures may swing
+ * without being of account: 0.1 of p_h, or of the largest P where that is less.
+ */
 double ovr_heat_pressed(const ovr_simulation *sim);
 
 /* Takes V and u1 of the time T. */

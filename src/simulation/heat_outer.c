@@ -50,7 +50,7 @@ static void add_node(const ovr_heated *h, size_t i, minimum *l)
     }
 }
 
-/* Of the nodes where rests count. */
+/* Those of the nodes where rests count. */
 static minimum equations(const ovr_simulation *sim)
 {
     const double pressed = ovr_heat_pressed(sim);
