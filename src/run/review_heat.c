@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tells where the model of heat ends: surfaces that never get a steady
- * temperature, or slide too fast for the steps, before a run; films hotter than
- * what laws are measured for and domains that cut off what is warm, after it.
- */
+ * temperature, before a run; films hotter than what laws are measured for and
+ * domains that cut off what is warm, after it. */
 #include <math.h>
 #include <stdio.h>
 

@@ -82,9 +82,8 @@ void ovr_heat_march_columns(ovr_simulation *sim);
 /* Temperatures of the film that was read last, with viscosities by `used`. */
 void ovr_heat_march(ovr_simulation *sim);
 
-/* Moves `used` on by this share of the change; the largest change over the
- * largest rise. */
-double ovr_heat_relax(ovr_simulation *sim, double share);
+/* Moves `used` on by this share of the change. */
+void ovr_heat_relax(ovr_simulation *sim, double share);
 
 /* Gives film and finest F of all grids what `used` means for the film that was
  * read last; what was found last. */

@@ -172,18 +172,14 @@ double ovr_heat_pressed(const ovr_simulation *sim)
 
 /* No temperature moves on by more than this share of itself and some kelvins:
  * the first are those of an isothermal film, which may be absurd. */
-double ovr_heat_relax(ovr_simulation *sim, double share)
+void ovr_heat_relax(ovr_simulation *sim, double share)
 {
     const double maximum = 0.5, minimum = 10;
     ovr_heated *h = sim->heated;
-    double change = 0, rise = 1e-300;
     for (int j = 0; j < h->cross_film.n; j++)
         for (size_t i = 0; i < sim->now.n; i++) {
             double d = h->T[j][i] - h->used[j][i];
             double limit = maximum * fabs(h->used[j][i]) + minimum;
-            change = ovr_larger(change, fabs(d));
-            rise = ovr_larger(rise, fabs(h->T[j][i]));
             h->used[j][i] += ovr_larger(-limit, ovr_smaller(share * d, limit));
         }
-    return change / rise;
 }

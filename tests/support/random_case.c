@@ -233,3 +233,59 @@ void test_jump_case(test_random_case *d, uint64_t seed, double *share)
     if (chance(d, 0.5))
         surfaces(d, H, mesh(level));
 }
+
+static double logarithmic(test_random_case *d, double low, double high)
+{
+    return low * pow(high / low, draw(d, 0, 1));
+}
+
+static double slip(test_random_case *d)
+{
+    static const double low[] = {0, 0, 0.3, 1.5, 2},
+                        high[] = {0, 0.3, 1.9, 2, 3};
+    int k = (int)draw(d, 0, 6) % 5;
+    double S = draw(d, low[k], high[k]);
+    return draw(d, 0, 2) < 1 ? S : -S;
+}
+
+static void flow_law(test_random_case *d)
+{
+    int k = (int)draw(d, 0, 4);
+    if (k == 1 || k == 2) {
+        say(d, "rheology = eyring\neyring_stress = %.6g MPa\n",
+            logarithmic(d, 2, 20));
+    } else if (k == 3) {
+        say(d, "rheology = carreau\ncarreau_form = stress\n");
+        say(d, "carreau_n = %.6g\n", draw(d, 0.3, 0.8));
+        say(d, "carreau_stress = %.6g MPa\n", logarithmic(d, 0.5, 8));
+    }
+    if (draw(d, 0, 4) < 1)
+        say(d, "limiting_shear = %.6g\n", draw(d, 0.03, 0.1));
+}
+
+void test_stays_case(test_random_case *d, uint64_t seed)
+{
+    *d = (test_random_case){.state = seed};
+    say(d, "[contact]\nmodulus = 226 GPa\n");
+    say(d, "hertz_pressure = %.6g GPa\n", draw(d, 0.4, 2));
+    say(d, "radius = %.6g mm\n", logarithmic(d, 3, 30));
+    say(d, "mean_speed = %.6g m/s\n", logarithmic(d, 0.1, 20));
+    say(d, "slide_to_roll = %.6g\n", slip(d));
+    say(d, "[lubricant]\nviscosity = %.6g mPa.s\n", logarithmic(d, 3, 100));
+    say(d, "alpha = %.6g 1/GPa\n", draw(d, 12, 24));
+    flow_law(d);
+    say(d, "[domain]\nlevel = %d\n", draw(d, 0, 3) < 1 ? 6 : 7);
+    say(d, "[time]\nend = 3\nscheme = %s\n",
+        draw(d, 0, 3) < 1 ? "upstream2" : "characteristic");
+    if (draw(d, 0, 4) >= 1)
+        say(d, "[heat]\nmodel = lobatto\ntemperature = %.6g degC\n",
+            draw(d, 20, 120));
+    if (draw(d, 0, 5) >= 2)
+        return;
+    say(d, "[cavitation]\nmodel = conserving\n");
+    if (draw(d, 0, 5) >= 2)
+        return;
+    say(d, "[supply]\nmodel = film\nthickness_1 = %.6g um\n",
+        logarithmic(d, 0.025, 1));
+    say(d, "thickness_2 = %.6g um\n", logarithmic(d, 0.025, 1));
+}

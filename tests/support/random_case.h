@@ -21,6 +21,9 @@ void test_mixed_case(test_random_case *d, uint64_t seed, int level);
  * flooded flow this share arrives, which the text does not say. */
 void test_jump_case(test_random_case *d, uint64_t seed, double *share);
 
+/* A smooth contact under constant conditions (stays.h). */
+void test_stays_case(test_random_case *d, uint64_t seed);
+
 /* The flow law by points, thinning.csv, that they may name. */
 void test_write_points(const char *path);
 

@@ -2,8 +2,6 @@
 #include "stays.h"
 
 #include <math.h>
-#include <stdio.h>
-#include <string.h>
 
 #include "overroll/case.h"
 #include "random_case.h"
@@ -15,97 +13,6 @@ typedef struct tally {
     long steps, cycles, retries;
     double most; /* that a run moved by */
 } tally;
-
-typedef struct text {
-    char of[1200];
-    size_t used;
-    uint64_t state;
-} text;
-
-static double uniform(text *t, double from, double to)
-{
-    return test_random(&t->state, from, to);
-}
-
-static double logarithmic(text *t, double from, double to)
-{
-    return from * pow(to / from, uniform(t, 0, 1));
-}
-
-static bool one_in(text *t, double n)
-{
-    return uniform(t, 0, n) < 1;
-}
-
-static void line(text *t, const char *key, double value, const char *unit)
-{
-    t->used += (size_t)snprintf(t->of + t->used, sizeof t->of - t->used,
-                                "%s = %.6g%s%s\n", key, value, *unit ? " " : "",
-                                unit);
-    assert_true(t->used < sizeof t->of);
-}
-
-static void words(text *t, const char *lines)
-{
-    t->used += (size_t)snprintf(t->of + t->used, sizeof t->of - t->used, "%s",
-                                lines);
-    assert_true(t->used < sizeof t->of);
-}
-
-static double slip(text *t)
-{
-    static const double from[] = {0, 0, 0.3, 1.5, 2},
-                        to[] = {0, 0.3, 1.9, 2, 3};
-    int k = (int)uniform(t, 0, 6) % 5;
-    double S = uniform(t, from[k], to[k]);
-    return one_in(t, 2) ? S : -S;
-}
-
-static void flow_law(text *t)
-{
-    int k = (int)uniform(t, 0, 4);
-    if (k == 1 || k == 2) {
-        words(t, "rheology = eyring\n");
-        line(t, "eyring_stress", logarithmic(t, 2, 20), "MPa");
-    } else if (k == 3) {
-        words(t, "rheology = carreau\ncarreau_form = stress\n");
-        line(t, "carreau_n", uniform(t, 0.3, 0.8), "");
-        line(t, "carreau_stress", logarithmic(t, 0.5, 8), "MPa");
-    }
-    if (one_in(t, 4))
-        line(t, "limiting_shear", uniform(t, 0.03, 0.1), "");
-}
-
-static void draw(text *t, uint64_t seed)
-{
-    *t = (text){.state = seed};
-    words(t, "[contact]\nmodulus = 226 GPa\n");
-    line(t, "hertz_pressure", uniform(t, 0.4, 2), "GPa");
-    line(t, "radius", logarithmic(t, 3, 30), "mm");
-    line(t, "mean_speed", logarithmic(t, 0.1, 20), "m/s");
-    line(t, "slide_to_roll", slip(t), "");
-    words(t, "[lubricant]\n");
-    line(t, "viscosity", logarithmic(t, 3, 100), "mPa.s");
-    line(t, "alpha", uniform(t, 12, 24), "1/GPa");
-    flow_law(t);
-    words(t, "[domain]\n");
-    line(t, "level", one_in(t, 3) ? 6 : 7, "");
-    words(t, "[time]\nend = 3\n");
-    words(t,
-          one_in(t, 3) ? "scheme = upstream2\n" : "scheme = characteristic\n");
-    if (!one_in(t, 4)) {
-        words(t, "[heat]\nmodel = lobatto\n");
-        line(t, "temperature", uniform(t, 20, 120), "degC");
-    }
-    if (uniform(t, 0, 5) < 2) {
-        words(t, "[cavitation]\nmodel = conserving\n");
-        if (uniform(t, 0, 5) < 2) {
-            words(t, "[supply]\nmodel = film\n");
-            line(t, "thickness_1", logarithmic(t, 0.025, 1), "um");
-            line(t, "thickness_2", logarithmic(t, 0.025, 1), "um");
-        }
-    }
-}
 
 typedef struct extreme {
     double low, high;
@@ -147,11 +54,11 @@ static ovr_status march(ovr_simulation *sim, const ovr_march *march,
 static void try(tally *t, uint64_t seed)
 {
     const double much = 3e-3;
-    static text drawn;
+    static test_random_case drawn;
     double moved = 0;
     ovr_error err = {0};
-    draw(&drawn, seed);
-    ovr_case *c = ovr_case_read_text(drawn.of, "case", NULL, NULL, &err);
+    test_stays_case(&drawn, seed);
+    ovr_case *c = ovr_case_read_text(drawn.text, "case", NULL, NULL, &err);
     ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
     CHECK_OK(setup ? OVR_OK : err.status, &err);
     ovr_simulation *sim = ovr_setup_simulation(setup, NULL, &err);
@@ -173,7 +80,8 @@ static void try(tally *t, uint64_t seed)
     if (status || moved > much || s->marked)
         print_message("    seed %llu: moved %.1e, %ld marked%s%s\n%s",
                       (unsigned long long)seed, moved, s->marked,
-                      status ? ": " : "", status ? err.message : "", drawn.of);
+                      status ? ": " : "", status ? err.message : "",
+                      drawn.text);
     ovr_simulation_free(sim);
     ovr_setup_free(setup);
     ovr_case_free(c);
