@@ -110,8 +110,10 @@ endif
 
 # Kernels (*.kernel.c) are compiled once for each instruction set; the program
 # picks one when it starts.
-# Hints that clang cannot follow everywhere are no mistakes.
-KERNEL_CFLAGS := $(if $(SAN),-O1,-O3) -fno-trapping-math -Wno-pass-failed$(KERNEL_KIND:%= %)
+# -Wno-pass-failed: clang may ignore an unrolling hint.  -g1: full debug
+# information of unrolled loops takes half of the compile time of a kernel.
+KERNEL_CFLAGS := $(if $(SAN),-O1,-O3) $(if $(filter -g%,$(CFLAGS)),-g1) \
+                 -fno-trapping-math -Wno-pass-failed$(KERNEL_KIND:%= %)
 ISAS := base $(if $(filter x86_64%,$(MACHINE)),avx2 $(if $(filter 1,$(SAN)),,avx512))
 ISA_base   :=
 ISA_avx2   := -mavx2 -mfma
