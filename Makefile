@@ -301,8 +301,8 @@ ALONE     := $(filter $(ALONE_TESTS),$(TESTSRC))
 TOGETHER  := $(filter-out $(ALONE),$(TESTSRC))
 TESTNAMES := $(TOGETHER:%.c=%)
 TESTMAIN  := $(BUILD)/tests/support/main.o $(SUPPORT)
-# Instrumented ones that are not run are not compiled.
-RUN_NAMES := $(if $(and $(SAN),$(filter check,$(MAKECMDGOALS))),\
+# With ONLY= or SAN=1, tests that are not run are not compiled.
+RUN_NAMES := $(if $(and $(ONLY)$(SAN),$(filter check,$(MAKECMDGOALS))),\
                $(filter $(CHECKSRC:%.c=%),$(TESTNAMES)),$(TESTNAMES))
 $(BUILD)/tests/names: FORCE
 	@mkdir -p $(@D)
@@ -366,8 +366,7 @@ need-cmocka:
 
 # The program of a test that runs without the others.
 one = $(BUILD)/$(if $(filter $(1),$(TESTNAMES)),one/)$(1)
-CHECKS := $(if $(ONLY),$(foreach t,$(CHECKSRC:%.c=%),$(call one,$(t))),\
-            $(CHECKSRC:%.c=$(BUILD)/%))
+CHECKS := $(CHECKSRC:%.c=$(BUILD)/%)
 CHECK_REPLAY := $(if $(filter %/corpus.sh,$(CHECKSH)),$(REPLAY))
 # What loads a shared library cannot load an instrumented one.
 CHECK_PARTS  := $(PROGRAM) $(LIB) $(if $(KIND),,$(SHARED)) $(CASE_PAGE) $(COMPLETION)
