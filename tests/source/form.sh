@@ -18,26 +18,26 @@ for file in *; do
         ;;
     esac
 done
-for file in src/*/*.[ch] src/*/*/*.[ch] include/overroll/*.h \
+# Bytes beyond ASCII make a line longer than it looks: awk counts bytes.
+find src/*/*.[ch] src/*/*/*.[ch] include/overroll/*.h \
     tests/*/*.[ch] tests/*/*.sh tests/support/run tests/soak/run \
     tools/* tools/examples/* .ci/run Makefile \
     tests/python/*.py tests/bench/*.py tests/verify/*.py \
     tests/reference/*.py tools/python/*.py \
-    tools/python/*/*.py; do
-    [ -f "$file" ] || continue
-    head -n 2 "$file" | grep -q 'SPDX-License-Identifier: GPL-3.0-or-later' || {
-        echo "$file: no SPDX line"
-        status=1
+    tools/python/*/*.py -maxdepth 0 -type f -print0 | xargs -0 awk '
+    FNR == 1 { done(); file = FILENAME; licensed = 0 }
+    FNR <= 2 && /SPDX-License-Identifier: GPL-3\.0-or-later/ { licensed = 1 }
+    file == "Makefile" { next }
+    { gsub(/[\200-\277]/, "") }
+    length > 80 { print file ":" FNR ": wider than 80"; bad = 1 }
+    /\t/        { print file ":" FNR ": a tab"; bad = 1 }
+    / $/        { print file ":" FNR ": blanks at the end"; bad = 1 }
+    function done() {
+        if (file == "" || licensed) return
+        print file ": no SPDX line"
+        bad = 1
     }
-    [ "$file" != Makefile ] || continue
-    # Bytes beyond ASCII make a line longer than it looks: awk counts bytes.
-    awk -v file="$file" '
-        { gsub(/[\200-\277]/, "") }
-        length > 80 { print file ":" NR ": wider than 80"; bad = 1 }
-        /\t/        { print file ":" NR ": a tab"; bad = 1 }
-        / $/        { print file ":" NR ": blanks at the end"; bad = 1 }
-        END { exit bad }' "$file" || status=1
-done
+    END { done(); exit bad }' || status=1
 # Functions, their median length, and the longest.
 awk 'FNR == 1 { open = 0 }
     /^[A-Za-z_]/ { head = FNR; name = $0 }
