@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "stress/fourier.h"
 
-#include <pthread.h>
-
-static pthread_mutex_t planning = PTHREAD_MUTEX_INITIALIZER;
+#include "mathematics/transform.h"
 
 static bool plan_all(ovr_fourier *f)
 {
@@ -20,9 +18,9 @@ static bool plan_all(ovr_fourier *f)
 
 ovr_status ovr_fourier_plan(ovr_fourier *f, ovr_error *err)
 {
-    pthread_mutex_lock(&planning);
+    ovr_planning_begin();
     bool whole = plan_all(f);
-    pthread_mutex_unlock(&planning);
+    ovr_planning_end();
     if (!whole)
         return ovr_fail(err, OVR_NO_MEMORY, "no memory to plan transforms");
     return OVR_OK;
@@ -31,9 +29,9 @@ ovr_status ovr_fourier_plan(ovr_fourier *f, ovr_error *err)
 ovr_status ovr_fourier_real(size_t n, fftw_complex *bins, double *values,
                             fftw_plan *plan, ovr_error *err)
 {
-    pthread_mutex_lock(&planning);
+    ovr_planning_begin();
     *plan = fftw_plan_dft_c2r_1d((int)n, bins, values, FFTW_ESTIMATE);
-    pthread_mutex_unlock(&planning);
+    ovr_planning_end();
     return *plan ? OVR_OK
                  : ovr_fail(err, OVR_NO_MEMORY, "no memory to plan transforms");
 }
@@ -41,9 +39,9 @@ ovr_status ovr_fourier_real(size_t n, fftw_complex *bins, double *values,
 ovr_status ovr_fourier_bins(size_t n, double *values, fftw_complex *bins,
                             fftw_plan *plan, ovr_error *err)
 {
-    pthread_mutex_lock(&planning);
+    ovr_planning_begin();
     *plan = fftw_plan_dft_r2c_1d((int)n, values, bins, FFTW_ESTIMATE);
-    pthread_mutex_unlock(&planning);
+    ovr_planning_end();
     return *plan ? OVR_OK
                  : ovr_fail(err, OVR_NO_MEMORY, "no memory to plan transforms");
 }
@@ -52,20 +50,20 @@ void ovr_fourier_forget(fftw_plan plan)
 {
     if (!plan)
         return;
-    pthread_mutex_lock(&planning);
+    ovr_planning_begin();
     fftw_destroy_plan(plan);
-    pthread_mutex_unlock(&planning);
+    ovr_planning_end();
 }
 
 void ovr_fourier_drop(ovr_fourier *f)
 {
-    pthread_mutex_lock(&planning);
+    ovr_planning_begin();
     if (f->forward)
         fftw_destroy_plan(f->forward);
     for (int c = 0; c < OVR_STRESS_LEVELS; c++)
         if (f->back[c])
             fftwf_destroy_plan(f->back[c]);
-    pthread_mutex_unlock(&planning);
+    ovr_planning_end();
 }
 
 void ovr_fourier_back(ovr_fourier *f, int c, float *values)

@@ -9,8 +9,8 @@
  * space here.
  *
  * Plans are FFTW_ESTIMATE, chosen without measuring, so that equal inputs give
- * equal bits in every run; FFTW's planner is not reentrant, so that making and
- * freeing them stands under one lock.
+ * equal bits in every run; they are made and freed under the lock of
+ * mathematics/transform.h.
  */
 #ifndef OVR_STRESS_FOURIER_H
 #define OVR_STRESS_FOURIER_H
