@@ -125,7 +125,7 @@ LINK    = $(CC) $(CFLAGS) $(KIND) $(LDFLAGS)
 # ---------------------------------------------------------- library, program
 
 # A floor may have folders of its own, one deep.
-FLOORS  := base mathematics contact elements surface multigrid stress simulation \
+FLOORS  := base mathematics contact elements surface multigrid strip stress simulation \
            results case run pictures
 KERNELS := $(wildcard src/*/*.kernel.c src/*/*/*.kernel.c)
 LIBSRC  := $(filter-out $(KERNELS),\

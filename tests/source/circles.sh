@@ -4,8 +4,8 @@
 # objects and the symbols that they define and want, tsort finds an order.
 . "$TOP/tests/support/cli.sh"
 command -v nm >/dev/null || skip 'no nm'
-for floor in base mathematics contact surface multigrid stress simulation \
-    results case elements run pictures cli; do
+for floor in base mathematics contact surface multigrid strip stress \
+    simulation results case elements run pictures cli; do
     for file in "$TOP/src/$floor"/*.c; do
         name=$(basename "$file" .c)
         [ -e "$BUILD/src/$floor/$name.o" ] || continue # a kernel

@@ -1,0 +1,121 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Steady solution of the strip by nested iteration.  The coarsest grid is
+ * solved by Newton's method from Hertz's pressure.  Each finer grid starts from
+ * the pressure of the one before, interpolated by cubics in the film and
+ * linearly at its ends.
+ *
+ * Two V(1,1) cycles a level leave a fifth of the discretization error at M = 5
+ * and
+ * 20.  M = 100 needs three.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "contact/film_formula.h"
+#include "strip/kernels.h"
+
+static void begin_level(ovr_strip *strip, const ovr_strip_full *how,
+                        ovr_strip_level *level)
+{
+    const ovr_strip_grid *g = &level->grid;
+    how->gap(how->data, how->T, g, 0, g->n, level->f.gap);
+    memset(level->f.F, 0, ovr_strip_size(g) * sizeof *level->f.F);
+    level->force = how->force;
+    ovr_strip_refresh(strip, level);
+}
+
+/* Hertz's semi-ellipse, H0 from the film formula above the rigid approach of
+ * the dry contact. */
+static void hertzian_start(ovr_strip *strip, const ovr_strip_full *how)
+{
+    const ovr_strip_level *level = &strip->level[0];
+    const ovr_strip_grid *g = &level->grid;
+    for (size_t i = 0; i < g->n; i++) {
+        double X = g->X_a + (double)i * g->D;
+        bool inside = i && i + 1 < g->n && X * X < 1;
+        for (size_t j = 0; j < g->lines; j++)
+            level->f.P[ovr_strip_row(g, i) + j] = inside ? sqrt(1 - X * X) : 0;
+    }
+    strip->H0 = ovr_film_central_moes(how->M, how->L) - 0.5966;
+}
+
+static bool solve_coarsest(ovr_strip *strip)
+{
+    enum { STEPS = 60 };
+    const double enough = 1e-9;
+    double change = 1;
+    for (int step = 0; step < STEPS && change > enough; step++) {
+        change = ovr_strip_newton(strip, true);
+        if (change < 0)
+            return false;
+    }
+    return change < 1e-3;
+}
+
+/* The value midway between b and c. */
+static double midway(double a, double b, double c, double d)
+{
+    if (a > 0 && b > 0 && c > 0 && d > 0)
+        return fmax(0, (9 * (b + c) - a - d) / 16);
+    return 0.5 * (b + c);
+}
+
+/* Interpolates one row across: f has 2 lines values. */
+static void refine_row(const ovr_strip_grid *coarse, const double *c, double *f)
+{
+    for (ptrdiff_t j = 0; j < (ptrdiff_t)coarse->lines; j++) {
+        f[2 * j] = c[j];
+        f[2 * j + 1] = midway(c[j - 1], c[j], c[j + 1], c[j + 2]);
+    }
+}
+
+static void interpolate(ovr_strip *strip, ovr_strip_level *coarse,
+                        ovr_strip_level *fine)
+{
+    const ovr_strip_grid *g = &coarse->grid, *h = &fine->grid;
+    double *P = fine->f.P;
+    strip->run->wrap(g, coarse->f.P);
+    for (size_t i = 0; i < g->n; i++)
+        refine_row(g, coarse->f.P + ovr_strip_row(g, i),
+                   P + ovr_strip_row(h, 2 * i));
+    for (size_t i = 0; i + 1 < g->n; i++) {
+        const double *b = P + ovr_strip_row(h, 2 * i);
+        const double *c = b + 2 * h->stride;
+        const double *a = i ? b - 2 * h->stride : b;
+        const double *d = i + 2 < g->n ? c + 2 * h->stride : c;
+        double *middle = P + ovr_strip_row(h, 2 * i + 1);
+        for (size_t j = 0; j < h->lines; j++)
+            middle[j] = midway(i ? a[j] : 0, b[j], c[j],
+                               i + 2 < g->n ? d[j] : 0);
+    }
+}
+
+ovr_strip_defect ovr_strip_solve(ovr_strip *strip, const ovr_strip_full *how,
+                                 int *cycles)
+{
+    ovr_strip_defect d = {INFINITY, INFINITY, 0};
+    *cycles = 0;
+    ovr_strip_wedge(strip, 1, 0);
+    hertzian_start(strip, how);
+    begin_level(strip, how, &strip->level[0]);
+    if (!solve_coarsest(strip))
+        return d;
+    d = ovr_strip_defect_of(strip, &strip->level[0]);
+    for (int l = 1; l <= strip->finest; l++) {
+        ovr_strip_level *level = &strip->level[l];
+        int most = l < strip->finest ? how->cycles : how->max_cycles;
+        interpolate(strip, level - 1, level);
+        begin_level(strip, how, level);
+        *cycles = 0;
+        do {
+            ovr_strip_cycle(strip, l, &how->cycling);
+            ++*cycles;
+            d = ovr_strip_defect_of(strip, level);
+        } while (*cycles < most && d.imbalance < 1e6 &&
+                 !(l == strip->finest && ovr_strip_below(d, how->tolerance)));
+        if (!(d.imbalance < 1e6))
+            break;
+    }
+    return d;
+}

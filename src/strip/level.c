@@ -1,0 +1,232 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include <math.h>
+#include <string.h>
+
+#include "multigrid/field.h"
+#include "strip/kernels.h"
+
+static ovr_status take_fields(ovr_strip_level *level, ovr_arena *arena,
+                              ovr_error *err)
+{
+    const size_t count = sizeof level->f.all / sizeof *level->f.all;
+    size_t n = ovr_strip_size(&level->grid) + OVR_STRIP_HALO;
+    for (size_t k = 0; k < count; k++) {
+        double *all = ovr_field(arena, n, err);
+        if (!all)
+            return OVR_NO_MEMORY;
+        level->f.all[k] = all + OVR_STRIP_HALO;
+    }
+    return OVR_OK;
+}
+
+/* Elements of a row with its halos: whole cache lines. */
+static size_t stride_of(size_t lines)
+{
+    return (lines + 7) / 8 * 8 + 2 * OVR_STRIP_HALO;
+}
+
+static ovr_status make_grids(ovr_strip *strip, const ovr_strip_shape *shape,
+                             ovr_error *err)
+{
+    size_t n = shape->n, lines = shape->lines;
+    int halvings = 0;
+    while (n > shape->coarsest && n % 2 && n > 9 && lines % 2 == 0 &&
+           lines > 4) {
+        n = (n + 1) / 2;
+        lines /= 2;
+        halvings++;
+    }
+    if (n < 9 || lines < 4 || halvings >= OVR_STRIP_LEVELS)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "a strip of %zu x %zu nodes has no coarse grid",
+                        shape->n, shape->lines);
+    strip->finest = halvings;
+    for (int l = 0; l <= halvings; l++) {
+        ovr_strip_level *level = &strip->level[l];
+        level->number = l;
+        level->grid = (ovr_strip_grid){
+            .n = ((n - 1) << l) + 1,
+            .lines = lines << l,
+            .stride = stride_of(lines << l),
+            .X_a = shape->X_a,
+            .D = (shape->X_b - shape->X_a) / (double)((n - 1) << l),
+            .Dy = shape->width / (double)(lines << l)};
+    }
+    return OVR_OK;
+}
+
+/* Allocates the arrays of Newton's method on the coarsest grid. */
+static ovr_status take_coarsest(ovr_strip *strip, ovr_arena *arena,
+                                ovr_error *err)
+{
+    const ovr_strip_grid *g = &strip->level[0].grid;
+    size_t most = (g->n - 2) * g->lines + 1;
+    strip->influence = ovr_field(arena, g->n * (2 * g->lines + 8), err);
+    strip->deps_dH = ovr_field(arena, ovr_strip_size(g) + OVR_STRIP_HALO, err);
+    strip->matrix = ovr_field(arena, most * (most + 16), err);
+    strip->solution = ovr_field(arena, 2 * most + 32, err);
+    strip->unknown = ovr_arena_take(arena, most, sizeof *strip->unknown, err);
+    if (!strip->influence || !strip->deps_dH || !strip->matrix ||
+        !strip->solution || !strip->unknown)
+        return OVR_NO_MEMORY;
+    strip->deps_dH += OVR_STRIP_HALO;
+    return OVR_OK;
+}
+
+ovr_status ovr_strip_create(ovr_strip *strip, const ovr_strip_shape *shape,
+                            const ovr_kernels *kernels, ovr_arena *arena,
+                            ovr_error *err)
+{
+    ovr_status status = make_grids(strip, shape, err);
+    if (status)
+        return status;
+    strip->kernels = kernels;
+    strip->run = ovr_strip_kernels_of(kernels);
+    const ovr_strip_grid *finest = &strip->level[strip->finest].grid;
+    strip->spectrum = ovr_arena_take(arena, ovr_strip_spectrum_size(finest),
+                                     sizeof *strip->spectrum, err);
+    size_t work = ovr_strip_work(finest);
+    size_t newton = ovr_strip_size(&strip->level[0].grid);
+    strip->work = ovr_field(arena, work > newton ? work : newton, err);
+    if (!strip->spectrum || !strip->work)
+        return OVR_NO_MEMORY;
+    status = take_coarsest(strip, arena, err);
+    for (int l = 0; l <= strip->finest && !status; l++) {
+        ovr_strip_level *level = &strip->level[l];
+        status = take_fields(level, arena, err);
+        if (!status)
+            status = ovr_strip_elastic_create(
+                &level->elastic, &level->grid, level, strip->spectrum,
+                l ? NULL : strip->influence, arena, err);
+    }
+    return status;
+}
+
+void ovr_strip_release(ovr_strip *strip)
+{
+    for (int l = 0; l <= strip->finest; l++)
+        ovr_strip_elastic_release(&strip->level[l].elastic);
+}
+
+static void set_weights(ovr_strip_level *level, double speed, double time)
+{
+    double D = level->grid.D;
+    ovr_strip_weights *w = &level->weights;
+    *w = (ovr_strip_weights){
+        {1.5 * speed / D + time, -2 * speed / D, 0.5 * speed / D},
+        {speed / D + time, -speed / D, 0}};
+}
+
+void ovr_strip_wedge(ovr_strip *strip, double speed, double time)
+{
+    for (int l = 0; l <= strip->finest; l++)
+        set_weights(&strip->level[l], speed, time);
+}
+
+void ovr_strip_characteristic(ovr_strip *strip, double time)
+{
+    for (int l = 0; l <= strip->finest; l++)
+        set_weights(&strip->level[l], 0, time);
+}
+
+void ovr_strip_properties(ovr_strip *strip, ovr_strip_level *level)
+{
+    const ovr_strip_grid *g = &level->grid;
+    const ovr_strip_fields *f = &level->f;
+    const size_t first = OVR_STRIP_HALO;
+    size_t V = strip->kernels->lanes;
+    const ovr_lanes all = {
+        .n = ovr_strip_size(g), .S = ovr_strip_size(g) / V, .V = V};
+    strip->run->wrap(g, f->P);
+    strip->run->wrap(g, f->w);
+    strip->run->wrap(g, f->gap);
+    /* Rows with their halos are one array of nodes to the film. */
+    const ovr_fields film = {.P = f->P - first,
+                             .H = f->H - first,
+                             .rho = f->rho - first,
+                             .dq = f->dq - first,
+                             .eps = f->eps - first,
+                             .deps = f->deps - first,
+                             .q = f->q - first,
+                             .deps_dH = level->number ? NULL
+                                                      : strip->deps_dH - first};
+    strip->kernels->film(&strip->fluid, strip->H0, &all, f->gap - first,
+                         f->w - first, &film);
+    strip->run->faces(g, strip->logarithmic, f, strip->work);
+}
+
+void ovr_strip_refresh(ovr_strip *strip, ovr_strip_level *level)
+{
+    ovr_strip_deform(strip, level, level->f.P, level->f.w);
+    ovr_strip_properties(strip, level);
+}
+
+double ovr_strip_load(const ovr_strip *strip, const ovr_strip_level *level)
+{
+    const ovr_strip_grid *g = &level->grid;
+    return strip->run->sum(g, level->f.P) * g->D / (double)g->lines;
+}
+
+double ovr_strip_centre(const ovr_strip_level *level, const double *H)
+{
+    const ovr_strip_grid *g = &level->grid;
+    double x = -g->X_a / g->D;
+    size_t i = x < 1 ? 1 : (size_t)x;
+    if (i + 3 > g->n)
+        i = g->n - 3;
+    double u = x - (double)i, sum = 0;
+    const double c[4] = {-u * (u - 1) * (u - 2) / 6,
+                         (u + 1) * (u - 1) * (u - 2) / 2,
+                         -(u + 1) * u * (u - 2) / 2, (u + 1) * u * (u - 1) / 6};
+    for (size_t j = 0; j < g->lines; j++)
+        for (size_t m = 0; m < 4; m++)
+            sum += c[m] * H[ovr_strip_row(g, i - 1 + m) + j];
+    return sum / (double)g->lines;
+}
+
+ovr_strip_defect ovr_strip_defect_of(const ovr_strip *strip,
+                                     const ovr_strip_level *level)
+{
+    const ovr_strip_grid *g = &level->grid;
+    ovr_strip_defect d = {.centre = ovr_strip_centre(level, level->f.H)};
+    strip->run->residual(g, &level->weights, &level->f);
+    d.imbalance = strip->run->imbalance(g, &level->f) * g->D /
+                  ((double)g->lines * d.centre);
+    d.load = fabs(level->force - ovr_strip_load(strip, level)) / level->force;
+    return d;
+}
+
+bool ovr_strip_below(ovr_strip_defect d, double tolerance)
+{
+    return d.imbalance >= 0 && d.imbalance <= tolerance &&
+           d.load <= 10 * tolerance && d.centre > 0;
+}
+
+ovr_strip_cycling ovr_strip_steady(void)
+{
+    return (ovr_strip_cycling){.smoothing = {.to_left = 0.5,
+                                             .to_side = 0.25,
+                                             .whole = 0.8,
+                                             .plain = 0.8,
+                                             .limit = 0.1,
+                                             .tau = 2,
+                                             .along = 1,
+                                             .across = 1,
+                                             .end_sweeps = 8,
+                                             .end_share = 30},
+                               .sweeps_before = 1,
+                               .sweeps_after = 1,
+                               .newton_steps = 1,
+                               .correction = 1};
+}
+
+ovr_strip_cycling ovr_strip_transient(void)
+{
+    ovr_strip_cycling how = ovr_strip_steady();
+    how.smoothing.to_left = how.smoothing.to_right = 0.25;
+    how.smoothing.plain = 0.7;
+    how.smoothing.limit = 0.5;
+    how.smoothing.tau = 6;
+    how.smoothing.end_share = 300;
+    return how;
+}

@@ -1,0 +1,260 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The strip: a line contact whose film also varies across rolling, periodic in
+ * Y over the width W.
+ *
+ *     d/dX(eps dP/dX) + d/dY(eps dP/dY) - d(rho H)/dX - d(rho H)/dT = 0
+ *     H = H0 + gap - w,   w = -(1/2 pi) int int P/r dX' dY'
+ *     (1/W) int int P dX dY = force,   P >= 0
+ *
+ * The scales are those of the line contact (reynolds.h).  Lengths are in b,
+ * films in b^2/R and pressures in p_h.  The nominal load has force = pi/2.
+ * Rolling and sliding are along X only.  Without variation across the strip is
+ * a line contact.
+ *
+ * Grid: nodes X_i = X_a + i D, i = 0..n-1, and lines Y_j = j Dy, j =
+ * 0..lines-1. Dy = W/lines.  There is no pressure at i = 0 and n-1.  Nodes of a
+ * row have the same X, nodes of a line the same Y coordinate.
+ *
+ * Memory: element (i, j) of a field is at i stride + j.  The lines of a row are
+ * contiguous, so that vectors extend across lines and stencils along X are
+ * whole vectors.  OVR_STRIP_HALO elements on both sides of a row repeat the
+ * period.
+ *
+ * Solver: FAS multigrid (cycle.c) with distributive relaxation of lines
+ * (relax.kernel.c) and projected sweeps at the ends of the film
+ * (ends.kernel.c). The deformation is computed by FFT (elastic.c).  The
+ * coarsest grid is solved by Newton's method (coarsest.c).  Steady films are
+ * found by nested iteration (full.c).  march.c computes time steps.
+ */
+#ifndef OVR_STRIP_STRIP_H
+#define OVR_STRIP_STRIP_H
+
+#include <fftw3.h>
+
+#include "base/arena.h"
+#include "multigrid/kernels.h"
+#include "overroll/error.h"
+#include "overroll/memory.h"
+
+enum { OVR_STRIP_HALO = 8, OVR_STRIP_LEVELS = 12, OVR_STRIP_NEAR = 8 };
+
+typedef struct ovr_strip_grid {
+    size_t n;      /* nodes along X */
+    size_t lines;  /* nodes along Y in a period */
+    size_t stride; /* elements from a row to the next */
+    double X_a, D, Dy;
+} ovr_strip_grid;
+
+/* The first place of a row. */
+static inline size_t ovr_strip_row(const ovr_strip_grid *g, size_t i)
+{
+    return i * g->stride;
+}
+
+/* Elements of a field from its first place to the end of its last row. */
+static inline size_t ovr_strip_size(const ovr_strip_grid *g)
+{
+    return g->n * g->stride;
+}
+
+/*
+ * Fields of a level.  Flow through the half nodes i + 1/2 and j + 1/2, divided
+ * by the square of the mesh size:
+ *     flow = E (P_{i+1} - P_i),  d flow/dP_i = -before,  d flow/dP_{i+1} =
+ * after
+ */
+#define OVR_STRIP_FIELDS(FIELD)                                                \
+    FIELD(P)     /* pressure */                                                \
+    FIELD(H)     /* film thickness */                                          \
+    FIELD(gap)   /* undeformed gap; of coarse grids H - H0 + w at entry */     \
+    FIELD(w)     /* deformation, H = H0 + gap - w */                           \
+    FIELD(rho)   /* density */                                                 \
+    FIELD(q)     /* rho H */                                                   \
+    FIELD(dq)    /* dq/dP at fixed H */                                        \
+    FIELD(eps)   /* rho H^3/(eta lambda) */                                    \
+    FIELD(deps)  /* d eps/dP at fixed H */                                     \
+    FIELD(F)     /* right-hand side */                                         \
+    FIELD(r)     /* residual F - N */                                          \
+    FIELD(entry) /* P when the cycle came to this level */                     \
+    FIELD(along) /* E at i + 1/2 */                                            \
+    FIELD(along_before)                                                        \
+    FIELD(along_after)                                                         \
+    FIELD(across) /* E at j + 1/2 */                                           \
+    FIELD(across_before)                                                       \
+    FIELD(across_after)                                                        \
+    FIELD(moves)  /* 1 for unknowns of a sweep, 0 for nodes held at P = 0 */   \
+    FIELD(share)  /* s of relax.kernel.c, 0..1 */                              \
+    FIELD(delta)  /* change of the line solve */                               \
+    FIELD(spread) /* s delta */
+#define OVR_STRIP_FIELD_POINTER(name) double *restrict name;
+#define OVR_STRIP_FIELD_COUNT(name) +1
+
+typedef struct ovr_strip_fields {
+    union {
+        struct {
+            OVR_STRIP_FIELDS(OVR_STRIP_FIELD_POINTER)
+        };
+        double *all[OVR_STRIP_FIELDS(OVR_STRIP_FIELD_COUNT)];
+    };
+} ovr_strip_fields;
+
+/* Weights of q_i, q_{i-1}, q_{i-2} in a row of the equation; those of row 1. */
+typedef struct ovr_strip_weights {
+    double a[3], first[3];
+} ovr_strip_weights;
+
+/* Elastic sums of one grid (elastic.c). */
+typedef struct ovr_strip_elastic {
+    size_t n, lines, stride;
+    size_t modes;  /* lines/2 + 1 */
+    size_t length; /* of transforms along X, 2 (n - 1) */
+    double *table; /* n x modes: the influence's transform, which is even */
+    fftw_complex *spectrum; /* length x modes; shared between the grids */
+    fftw_plan to_modes, to_waves, from_waves, from_modes;
+} ovr_strip_elastic;
+
+typedef struct ovr_strip_level {
+    int number; /* 0: the coarsest */
+    ovr_strip_grid grid;
+    ovr_strip_fields f;
+    ovr_strip_weights weights;
+    double force; /* target of D/lines sum P */
+    ovr_strip_elastic elastic;
+    /* dH/dP at 0.. rows and 0, 1 lines away */
+    double near[2][OVR_STRIP_NEAR];
+} ovr_strip_level;
+
+/* Numbers of the relaxation (relax.kernel.c, ends.kernel.c). */
+typedef struct ovr_strip_smoothing {
+    double to_left, to_right, to_side; /* parts of a distributed change */
+    double whole, plain;               /* damping where s is 1, 0 */
+    double limit;                      /* of a change of P */
+    double tau, along, across;         /* where s turns from 1 to 0 */
+    bool zebra;
+    int end_sweeps;   /* double sweeps at the film's ends */
+    double end_share; /* of nodes whose flow exceeds so many a0 rho k(0,0) */
+} ovr_strip_smoothing;
+
+typedef struct ovr_strip_cycling {
+    ovr_strip_smoothing smoothing;
+    int sweeps_before, sweeps_after;
+    int newton_steps;
+    double correction; /* factor of the finest grid's corrections */
+} ovr_strip_cycling;
+
+struct ovr_strip_kernels;
+
+/* Dimensions of a strip. */
+typedef struct ovr_strip_shape {
+    size_t n, lines; /* of the finest grid */
+    size_t coarsest; /* nodes along X of the coarsest, at most */
+    double X_a, X_b, width;
+} ovr_strip_shape;
+
+typedef struct ovr_strip {
+    int finest;
+    ovr_strip_level level[OVR_STRIP_LEVELS];
+    const ovr_kernels *kernels;
+    const struct ovr_strip_kernels *run;
+    ovr_fluid fluid;
+    bool logarithmic; /* mean of phi at half nodes (faces.kernel.c) */
+    double H0;
+    double *work;      /* of kernels, see ovr_strip_work() */
+    double *influence; /* of the coarsest grid (coarsest.c) */
+    double *deps_dH;
+    double *matrix, *solution; /* of the coarsest grid */
+    int *unknown;
+    fftw_complex *spectrum;
+} ovr_strip;
+
+/* Deviation from a solution.  The imbalance R is the mean over all lines of
+ * D sum |residual|/H_cen.  The load is relative to the target.  The centre is
+ * the mean film thickness at X = 0. */
+typedef struct ovr_strip_defect {
+    double imbalance, load, centre;
+} ovr_strip_defect;
+
+/*
+ * Allocates all levels of a zeroed strip in the arena.  Mesh sizes and lines
+ * are halved from grid to grid.  The coarsest grid has n <= coarsest, or lines
+ * that are odd or 4.  Fails with OVR_NO_MEMORY or OVR_BAD_INPUT.  The release
+ * destroys the transforms, also after a failure.
+ */
+ovr_status ovr_strip_create(ovr_strip *strip, const ovr_strip_shape *shape,
+                            const ovr_kernels *kernels, ovr_arena *arena,
+                            ovr_error *err);
+void ovr_strip_release(ovr_strip *strip);
+
+/* Returns the default cycles of steady films and of time steps. */
+ovr_strip_cycling ovr_strip_steady(void);
+ovr_strip_cycling ovr_strip_transient(void);
+
+/* Sets the weights of the wedge of second order (upstream2) at a mean speed,
+ * its first row of first order; `time` is the weight of q_i in d/dT. */
+void ovr_strip_wedge(ovr_strip *strip, double speed, double time);
+/* Sets the weights of the characteristic scheme: a0 alone. */
+void ovr_strip_characteristic(ovr_strip *strip, double time);
+
+/* Film, properties and flow from P and H0. */
+void ovr_strip_refresh(ovr_strip *strip, ovr_strip_level *level);
+void ovr_strip_deform(ovr_strip *strip, ovr_strip_level *level, double *P,
+                      double *w);
+void ovr_strip_properties(ovr_strip *strip, ovr_strip_level *level);
+double ovr_strip_load(const ovr_strip *strip, const ovr_strip_level *level);
+double ovr_strip_centre(const ovr_strip_level *level, const double *H);
+ovr_strip_defect ovr_strip_defect_of(const ovr_strip *strip,
+                                     const ovr_strip_level *level);
+bool ovr_strip_below(ovr_strip_defect d, double tolerance);
+
+/* One relaxation; film and flow are up to date before and after. */
+void ovr_strip_relax(ovr_strip *strip, ovr_strip_level *level,
+                     const ovr_strip_smoothing *how);
+
+/* A Newton step on the coarsest grid; returns the largest change of P that it
+ * would make, or -1 if the matrix is singular.  Changes of P are limited to
+ * 0.3, if `shortened` by a shorter step. */
+double ovr_strip_newton(ovr_strip *strip, bool shortened);
+
+/* One FAS cycle from the given level down. */
+void ovr_strip_cycle(ovr_strip *strip, int number,
+                     const ovr_strip_cycling *how);
+
+/* Gap at rows i = from..from + n - 1 of a grid into `gap`, row after row. */
+typedef void ovr_strip_gap(void *data, double T, const ovr_strip_grid *grid,
+                           ptrdiff_t from, size_t n, double *gap);
+
+typedef struct ovr_strip_full {
+    ovr_strip_gap *gap;
+    void *data;
+    double T, force;
+    double M, L; /* Moes numbers, for the first guess */
+    ovr_strip_cycling cycling;
+    int cycles;       /* on each level below the finest */
+    int max_cycles;   /* on the finest */
+    double tolerance; /* of R there */
+} ovr_strip_full;
+
+/* Steady solution by nested iteration; the weights are those of
+ * ovr_strip_wedge.  Returns what is left; cycles on the finest grid in
+ * *cycles. */
+ovr_strip_defect ovr_strip_solve(ovr_strip *strip, const ovr_strip_full *how,
+                                 int *cycles);
+
+/* ------------------------------------------------------------------- Parts */
+
+ovr_status ovr_strip_elastic_create(ovr_strip_elastic *e,
+                                    const ovr_strip_grid *grid,
+                                    ovr_strip_level *near,
+                                    fftw_complex *spectrum, double *real_space,
+                                    ovr_arena *arena, ovr_error *err);
+void ovr_strip_elastic_release(ovr_strip_elastic *e);
+
+/* Computes k_q(d) for d = 0..n-1 and the wave number k.  k = 0 is the line
+ * contact. */
+void ovr_strip_influence(double k, double D, size_t n, size_t step, double *to);
+
+/* Complex elements of the spectrum that all grids of a shape share. */
+size_t ovr_strip_spectrum_size(const ovr_strip_grid *finest);
+
+#endif

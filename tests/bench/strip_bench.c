@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Times and memory of the strip from 65 x 16 to 2049 x 1024 nodes.  The case is
+ * a round dent of one film at M = 20, L = 10.  Seconds are those of nested
+ * iteration with two V(1,1) cycles a level.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <time.h>
+
+#include "bench.h"
+#include "support/strip.h"
+#include "support/test.h"
+
+enum { CYCLES = 4 };
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void measure(size_t n, size_t lines, const char *set)
+{
+    test_strip *s = test_strip_make(20, 10, test_strip_shape(n, lines), set);
+    s->bump[s->bumps++] = (test_bump){
+        .A = -0.084, .width = 0.3, .x = -0.2, .y = 1, .round = true};
+    const ovr_strip_full how = {.gap = test_strip_gap,
+                                .data = s,
+                                .force = acos(0),
+                                .M = 20,
+                                .L = 10,
+                                .cycling = ovr_strip_steady(),
+                                .cycles = 2,
+                                .max_cycles = 2};
+    int cycles;
+    double start = now(), nodes = (double)n * (double)lines;
+    ovr_strip_defect first = ovr_strip_solve(&s->strip, &how, &cycles);
+    double full = now() - start, last = 0;
+    start = now();
+    for (int c = 0; c < CYCLES; c++)
+        ovr_strip_cycle(&s->strip, s->strip.finest, &how.cycling);
+    double cycle = (now() - start) / CYCLES;
+    last = ovr_strip_defect_of(&s->strip, test_strip_finest(s)).imbalance;
+    double factor = pow(last / first.imbalance, 1. / CYCLES);
+    printf("%6s %5zu x %4zu  full %8.4f s  cycle %5.0f ns a node, factor "
+           "%.2f  %4.0f bytes a node\n",
+           set, n, lines, full, 1e9 * cycle / nodes, factor,
+           (double)s->arena.bytes / nodes);
+    bench_row();
+    bench_text("set", set);
+    bench_number("n", (double)n);
+    bench_number("lines", (double)lines);
+    bench_number("full_seconds", full);
+    bench_number("cycle_ns_per_node", 1e9 * cycle / nodes);
+    bench_number("factor", factor);
+    bench_number("bytes_per_node", (double)s->arena.bytes / nodes);
+    bench_end();
+    test_strip_free(s);
+}
+
+int main(int argc, char *argv[])
+{
+    bench_open(argc, argv);
+    bench_list("strip");
+    for (int k = 0; bench_sets[k]; k++) {
+        if (!ovr_kernels_choose(bench_sets[k]))
+            continue;
+        for (int grid = 1; grid <= 5; grid++)
+            measure(((size_t)32 << grid) + 1, (size_t)8 << grid, bench_sets[k]);
+        if (!k)
+            measure(2049, 1024, bench_sets[k]);
+    }
+    bench_end();
+    bench_close();
+    return 0;
+}
