@@ -84,6 +84,14 @@ double ovr_touch_defect(const ovr_hierarchy *grids, const ovr_level *level)
     return level->grid.D * sum;
 }
 
+double ovr_touch_oil_share(const ovr_hierarchy *grids, const ovr_level *level)
+{
+    if (!grids->touch.at || !(level->force > 0))
+        return 1;
+    return level->grid.D * grids->kernels->sum(&level->lanes, level->f.P) /
+           level->force;
+}
+
 void ovr_touch_prepare(const ovr_hierarchy *grids, const ovr_level *level,
                        const ovr_fields *f)
 {

@@ -57,6 +57,9 @@ void ovr_touch_settle(ovr_hierarchy *grids);
 /* D sum |P - A| of dry nodes, and of |lift|/H. */
 double ovr_touch_defect(const ovr_hierarchy *grids, const ovr_level *level);
 
+/* Computes the share of the load that the oil carries; 1 without a law. */
+double ovr_touch_oil_share(const ovr_hierarchy *grids, const ovr_level *level);
+
 /* Prepares for Newton's method, in the order of the nodes: A, g and the whole
  * pressure of a level whose film is up to date. */
 void ovr_touch_prepare(const ovr_hierarchy *grids, const ovr_level *level,

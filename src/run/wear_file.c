@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The file of a run keeps this of surfaces that wear: both profiles before and
- * after, in the group `wear`, and beside it as OUT-profile-1.csv and the like,
- * for `overroll profile`. */
+/* Mixed lubrication beside its numbers: a warning of weak asperity laws, and of
+ * surfaces that wear both profiles before and after, in the group `wear` of the
+ * result file and as OUT-profile-1.csv and the like, for `overroll profile`. */
 #include <stdio.h>
 #include <string.h>
 
+#include "case/setup.h"
 #include "results/results.h"
 #include "run/internal.h"
+#include "run/review.h"
+#include "simulation/boundary.h"
 #include "simulation/wear.h"
 #include "surface/profile.h"
 
@@ -94,4 +97,18 @@ static ovr_status finish(void *own, ovr_run *run, ovr_error *err)
     return status;
 }
 
-const ovr_companion ovr_wear_companion = {.finish = finish};
+static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
+{
+    const ovr_boundary_form *f = ovr_setup_form(setup, "boundary");
+    if (!f || !f->law || !ovr_boundary_is_weak(f, 1))
+        return;
+    ovr_warn(say, data,
+             "contact share and friction of thin films will be wrong: the "
+             "[boundary] law bears %.3g ph at no film, at most %.2g of the "
+             "load; films below which it bears over half of that are refused. "
+             "Use law = exponential with Rq and slope, or constants that bear "
+             "ph at no film",
+             f->at_no_film, f->share_at_no_film);
+}
+
+const ovr_companion ovr_wear_companion = {.foresee = foresee, .finish = finish};

@@ -148,10 +148,70 @@ static ovr_defect solve_from(ovr_simulation *sim, boundary *b, bool by_levels,
     return d;
 }
 
+/* The film that A(H) = P asks for, by bisection. */
+static double film_of(const ovr_touch_law *law, double P)
+{
+    double low = 0, high = 1, A, slope;
+    for (int k = 0; k < 60; k++) {
+        double H = k < 20 ? high : 0.5 * (low + high);
+        ovr_touch_law_at(law, H, &A, &slope);
+        if (A > P)
+            low = H;
+        else
+            high = H;
+        if (k < 20 && A > P)
+            high *= 2;
+    }
+    return high;
+}
+
+/* Starts from a contact that asperities carry: Hertz's pressure, a film that
+ * bears the mean of it, hardly any oil pressure. */
+static ovr_defect solve_from_dry(ovr_simulation *sim, boundary *b,
+                                 const ovr_full *how, int *cycles)
+{
+    enum { PATIENT = 200 };
+    const double mean = acos(-1.0) / 4, oil = 1e-3;
+    ovr_full patient = *how;
+    const ovr_target *target = &sim->target;
+    ovr_hierarchy *grids = &sim->grids;
+    double width = sqrt(target->Cw / target->c);
+    double root = sqrt(target->Cw * target->c);
+    ovr_simulation_gap(sim, 0);
+    ovr_full_prepare(grids, target->force);
+    grids->fluid = target->fluid;
+    ovr_touch_settle(grids);
+    grids->touch.share = 1;
+    for (size_t i = 0; i < sim->finest->grid.n; i++) {
+        double x = sim->finest->grid.X[i] / width;
+        double P = x * x < 1 ? root * sqrt(1 - x * x) : 0;
+        b->A[i] = (1 - oil) * P;
+        b->saved[i] = oil * P;
+    }
+    grids->H0 = film_of(b->law, mean * root) +
+                target->Cw * (-0.5966 + 0.5 * log(width));
+    ovr_level_bear(grids, sim->finest, b->A);
+    ovr_level_write(grids, sim->finest, b->saved, sim->finest->f.P);
+    if (!how->fixed && !sim->options.max_cycles)
+        patient.max_cycles = PATIENT;
+    return ovr_steady_cycles(sim, &patient, cycles);
+}
+
+/* Above this share of the load on asperities, estimated, the film of surfaces
+ * apart is no start. */
+static const double mostly_dry = 0.9;
+
 static ovr_defect solve(ovr_simulation *sim, void *own, const ovr_full *how,
                         int *cycles)
 {
-    ovr_defect d = solve_from(sim, own, true, how, cycles);
+    const boundary *b = own;
+    ovr_defect d = {.imbalance = INFINITY};
+    if (b->given->estimate > mostly_dry && !b->given->unresolved) {
+        d = solve_from_dry(sim, own, how, cycles);
+        if (ovr_below(d, 1e-4))
+            return d;
+    }
+    d = solve_from(sim, own, true, how, cycles);
     if (d.imbalance == INFINITY)
         d = solve_from(sim, own, false, how, cycles);
     return d;
@@ -473,6 +533,46 @@ static void review_wear(const ovr_simulation *sim, const ovr_wear *wear,
     }
 }
 
+/*
+ * A weak law (it bears less than the Hertzian pressure at no film) is exhausted
+ * where the thinnest film bears more than half of what no film would.  Below
+ * that, A(H) no longer rises as the load asks for: the oil carries the rest on
+ * a film that asperities should keep open, and the contact share of a Stribeck
+ * curve ends in a plateau that only follows from the law's constants.
+ */
+static bool is_exhausted(const ovr_simulation *sim, const void *own)
+{
+    const double used_up = 0.5;
+    const boundary *b = own;
+    double A, slope, load = sim->observation.load_ratio;
+    size_t low = sim->grids.kernels->extreme(sim->now.n, 1, sim->now.H);
+    if (!ovr_boundary_is_weak(b->given, load))
+        return false;
+    ovr_touch_law_at(b->law, sim->now.H[low], &A, &slope);
+    return A > used_up * b->given->at_no_film;
+}
+
+static bool marks(ovr_simulation *sim, void *own)
+{
+    return is_exhausted(sim, own);
+}
+
+static ovr_status refuse(const ovr_simulation *sim, const void *own,
+                         ovr_error *err)
+{
+    const boundary *b = own;
+    if (!is_exhausted(sim, own))
+        return OVR_OK;
+    return ovr_fail(err, OVR_IMPOSSIBLE,
+                    "the asperity law is exhausted: with a minimum film "
+                    "thickness H = %.3g it bears over half of the %.3g ph that "
+                    "it bears at no film, which is less than the contact "
+                    "pressure; contact share and friction would be wrong. Use "
+                    "[boundary] law = exponential with Rq and slope, or "
+                    "constants that bear ph at no film",
+                    sim->observation.H_min, b->given->at_no_film);
+}
+
 static void review(const ovr_simulation *sim, const void *own,
                    ovr_physics_say *say, void *data)
 {
@@ -493,6 +593,11 @@ static void review(const ovr_simulation *sim, const void *own,
         say(data, false,
             "friction is not known where surfaces touch, until [boundary] "
             "friction says what theirs is");
+    if (sim->state.step > 0 && is_exhausted(sim, b))
+        say(data, true,
+            "the asperity law is exhausted at the end of the run: contact "
+            "share and friction are wrong where steps are marked as not "
+            "converged; use [boundary] law = exponential with Rq and slope");
     if (b->wear && sim->state.step > 0)
         review_wear(sim, b->wear, say, data);
 }
@@ -560,5 +665,7 @@ const ovr_physics ovr_physics_boundary = {.name = "surfaces that touch",
                                           .visit = visit,
                                           .restored = restored,
                                           .observe = observe,
+                                          .marks = marks,
+                                          .refuse = refuse,
                                           OVR_QUANTITIES(quantities),
                                           .review = review};

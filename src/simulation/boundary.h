@@ -33,6 +33,9 @@ typedef struct ovr_boundary_form {
     double settled;            /* change of the share that ends it; 0: none */
     ovr_flow_factor factor;    /* of a mean film */
     double estimate;           /* of the share, before it is solved */
+    double at_no_film;         /* pressure that the mean film's law bears at
+                                  H = 0, in ph; INFINITY: any */
+    double share_at_no_film;   /* largest share of the load it can bear */
     ovr_rough_pair pair;       /* of profiles */
     ovr_touch_law bears;       /* what all this comes to */
 } ovr_boundary_form;
@@ -47,6 +50,10 @@ ovr_status ovr_boundary_on_mesh(const ovr_physics_case *of, void *form,
 bool ovr_boundary_keeps(const void *form, const ovr_feature_form *feature);
 void ovr_boundary_tell(const ovr_physics_case *of, const void *form,
                        ovr_physics_line *line, void *data);
+
+/* True if the law bears clearly less than the Hertzian pressure at no film, at
+ * a load relative to the nominal one. */
+bool ovr_boundary_is_weak(const ovr_boundary_form *f, double load);
 
 /* Says what to do where the roughness S on the mesh was too much for a film H
  * under a law: its lambda, down to which such pairs hold, and what the mean

@@ -450,6 +450,25 @@ static double film_friction(const ovr_physics_case *of,
            acos(-1.0);
 }
 
+bool ovr_boundary_is_weak(const ovr_boundary_form *f, double load)
+{
+    const double enough = 0.9; /* bears 0.96 of the load */
+    return f->at_no_film < enough * sqrt(load);
+}
+
+/* A law of what is finer than the mesh has to bear what single crests bear,
+ * which is not compared with the Hertzian pressure. */
+static void find_strength(ovr_boundary_form *f)
+{
+    double slope;
+    f->at_no_film = INFINITY;
+    f->share_at_no_film = 1;
+    if (f->unresolved)
+        return;
+    ovr_touch_law_at(&f->bears, 0, &f->at_no_film, &slope);
+    f->share_at_no_film = share_of(&f->bears, 0);
+}
+
 ovr_status ovr_boundary_resolve(const ovr_physics_case *of, void *form,
                                 bool *on, ovr_error *err)
 {
@@ -475,6 +494,7 @@ ovr_status ovr_boundary_resolve(const ovr_physics_case *of, void *form,
     if (resolve_factor(of, f, err) || resolve_wear(of, f, err))
         return OVR_BAD_INPUT;
     f->estimate = share_with(f, smooth_film(of), f->factor.ridges);
+    find_strength(f);
     resolve_options(of, f);
     return OVR_OK;
 }

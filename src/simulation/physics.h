@@ -370,6 +370,11 @@ struct ovr_physics {
      * belong together. */
     bool (*marks)(ovr_simulation *sim, void *own);
 
+    /* Fails if the steady solution, converged and observed, is outside what
+     * the model holds for. */
+    ovr_status (*refuse)(const ovr_simulation *sim, const void *own,
+                         ovr_error *err);
+
     /* Numbers a step that are its own: rows behind those of the film
      * (observables.h), of members of ovr_observation or of its `more`. */
     const ovr_observable *quantity;

@@ -227,9 +227,14 @@ static ovr_status solve_steady(ovr_simulation *sim, ovr_error *err)
     ovr_observe(sim, 0, &outcome);
     begin_history(sim);
     sim->started = outcome.converged;
-    return outcome.converged
-               ? OVR_OK
-               : ovr_failure_steady(sim, &outcome, tolerance, err);
+    if (!outcome.converged)
+        return ovr_failure_steady(sim, &outcome, tolerance, err);
+    OVR_EACH_PHYSICS(sim, p, refuse)
+        if (p->is->refuse(sim, p->own, err)) {
+            sim->started = sim->observation.converged = false;
+            return err->status;
+        }
+    return OVR_OK;
 }
 
 ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)

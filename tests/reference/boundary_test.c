@@ -14,6 +14,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include <gsl/gsl_linalg.h>
+
 #include "support/test.h"
 
 #include "overroll/overroll.h"
@@ -283,6 +285,152 @@ TEST(contact_takes_over_as_it_slows)
     }
     assert_true(last.share > 0.99);
     CHECK_NEAR(fabs(last.mu), 0.11, 1e-3);
+}
+
+/* A user's own numbers: 200 kN/m, Rq 0.4 um. */
+static const char *const users[] = {
+    "contact.load=200 kN/m",     "contact.radius=10 mm",
+    "contact.modulus=226 GPa",   "contact.viscosity=80 mPa.s",
+    "contact.alpha=20 1/GPa",    "contact.slide_to_roll=0.2",
+    "lubricant.rheology=eyring", "lubricant.eyring_stress=5 MPa",
+    "boundary.law=exponential",  "boundary.Rq=0.4 um",
+    "boundary.friction=0.11",    NULL};
+
+/* The integral of ln|x| from a to b. */
+static double logarithm_between(double a, double b)
+{
+    double at_a = a == 0 ? 0 : a * log(fabs(a)) - a;
+    double at_b = b == 0 ? 0 : b * log(fabs(b)) - b;
+    return at_b - at_a;
+}
+
+/*
+ * Central gap of the dry contact P = a exp(-H/s) of two bodies, integral of P =
+ * pi/2, without any oil: collocation with constant pressures and Newton's
+ * method for the gaps, written down here from
+ *     H = H0 + X^2/2 - (1/pi) int P ln|X - X'| dX'.
+ */
+static double dry_gap(double a, double s)
+{
+    enum { STEPS = 200 };
+    const size_t N = 201;
+    const double pi = acos(-1.0), end = 3, D = 2 * end / (double)N;
+    double *H = malloc(N * sizeof *H), H0 = -0.55, central, change = 1;
+    gsl_matrix *J = gsl_matrix_alloc(N + 1, N + 1);
+    gsl_vector *r = gsl_vector_alloc(N + 1);
+    gsl_permutation *p = gsl_permutation_alloc(N + 1);
+    assert_non_null(H);
+    for (size_t i = 0; i < N; i++) {
+        double X = -end + ((double)i + 0.5) * D;
+        double P = sqrt(fmax(1 - X * X, 1e-2));
+        H[i] = s * log(a / P) + fmax(0, X * X - 1) / 4;
+    }
+    for (int step = 0; step < STEPS && change > 1e-10; step++) {
+        double force = 0;
+        int sign;
+        for (size_t i = 0; i < N; i++) {
+            double X = -end + ((double)i + 0.5) * D, sum = 0;
+            for (size_t j = 0; j < N; j++) {
+                double away = ((double)j - (double)i) * D;
+                double k = -logarithm_between(away - D / 2, away + D / 2) / pi;
+                double P = a * exp(-H[j] / s);
+                sum += k * P;
+                gsl_matrix_set(J, i, j, (i == j) + k * P / s);
+            }
+            gsl_matrix_set(J, i, N, -1);
+            gsl_vector_set(r, i, H0 + X * X / 2 + sum - H[i]);
+            gsl_matrix_set(J, N, i, -D * a * exp(-H[i] / s) / s);
+            force += D * a * exp(-H[i] / s);
+        }
+        gsl_matrix_set(J, N, N, 0);
+        gsl_vector_set(r, N, pi / 2 - force);
+        gsl_linalg_LU_decomp(J, p, &sign);
+        gsl_linalg_LU_svx(J, p, r);
+        change = 0;
+        for (size_t i = 0; i < N; i++)
+            change = fmax(change, fabs(gsl_vector_get(r, i)));
+        for (size_t i = 0; i < N; i++)
+            H[i] += gsl_vector_get(r, i) * fmin(1, s / change);
+        H0 += gsl_vector_get(r, N) * fmin(1, s / change);
+    }
+    assert_true(change <= 1e-10);
+    central = H[N / 2];
+    free(H);
+    gsl_matrix_free(J);
+    gsl_vector_free(r);
+    gsl_permutation_free(p);
+    return central;
+}
+
+static touching of_user(double slope, double speed)
+{
+    ovr_case *c = begin(users);
+    assignf(c, "boundary.slope=%g", slope);
+    assignf(c, "contact.mean_speed=%g m/s", speed);
+    return solved(c);
+}
+
+/*
+ * At low speed the oil carries a thousandth of the load and less, R ends where
+ * the rounding of pressures is, and the film is that of the dry contact.  There
+ * the oil's share goes with the speed (its pressure is that of a gap that it
+ * does not change), and all of it stays between both limits.  lambda and ph: b
+ * = sqrt(8 w R/(pi E')), s = Rq/2.15 in b^2/R, a = 0.38 (E'/2) slope/ph.
+ */
+TEST(slow_films_are_those_of_the_dry_contact)
+{
+    static const double slope[] = {0.03, 0.05, 0.08, 0.1, 0.15};
+    const double E = 226e9, b2_R = 8 * 200e3 / (acos(-1.0) * E);
+    const double ph = sqrt(200e3 * E / (2 * acos(-1.0) * 0.01));
+    for (size_t k = 0; k < sizeof slope / sizeof *slope; k++) {
+        double a = 0.38 * E / 2 * slope[k] / ph;
+        double dry = dry_gap(a, 0.4e-6 / 2.15 / b2_R);
+        touching slow = of_user(slope[k], 1e-4), middle, fast;
+        middle = of_user(slope[k], 0.01);
+        fast = of_user(slope[k], 0.1);
+        print_message("slope %g: dry %.5f, slow %.5f, shares %.2e %.2e %.2e of "
+                      "oil, %d cycles\n",
+                      slope[k], dry, slow.H_cen, 1 - slow.share,
+                      1 - middle.share, 1 - fast.share, slow.cycles);
+        CHECK_NEAR(slow.H_cen / dry, 1, 1e-3);
+        CHECK_NEAR(fabs(slow.mu), 0.11, 1e-4);
+        CHECK_NEAR((1 - middle.share) / (1 - slow.share) / 100, 1, 0.2);
+        assert_true(slow.share > middle.share && middle.share > fast.share);
+        assert_true(slow.H_cen < middle.H_cen && middle.H_cen < fast.H_cen);
+        assert_true(slow.cycles < 120 && middle.cycles < 120);
+    }
+}
+
+/* A law that bears 0.097 ph at no film is warned of before the run; as long as
+ * the film is thick it has an answer, and where the film is as thin as half of
+ * that asks for none, so that no curve ends in the law's plateau. */
+static void keep_warning(void *data, ovr_say kind, const char *text)
+{
+    if (kind == OVR_SAY_WARNING && strstr(text, "ph at no film"))
+        (*(int *)data)++;
+}
+
+TEST(weak_laws_have_no_answer_for_thin_films)
+{
+    static const double speed[] = {2, 0.002};
+    ovr_error err = {0};
+    for (int k = 0; k < 2; k++) {
+        int warned = 0;
+        ovr_run_options how = {.say = keep_warning, .data = &warned};
+        ovr_case *c = begin(users);
+        assign(c, "boundary.law=greenwood-tripp");
+        assign(c, "domain.level=6");
+        assignf(c, "contact.mean_speed=%g m/s", speed[k]);
+        ovr_run *run = ovr_run_create(c, &how, NULL, &err);
+        CHECK_OK(run ? OVR_OK : err.status, &err);
+        ovr_status status = ovr_run_go(run, &err);
+        assert_int_equal(warned, 1);
+        assert_int_equal(status, k ? OVR_IMPOSSIBLE : OVR_OK);
+        if (k)
+            assert_non_null(strstr(err.message, "asperity law is exhausted"));
+        ovr_run_free(run);
+        ovr_case_free(c);
+    }
 }
 
 /* With temperatures: what summits drag warms film and bodies, and all of it is

@@ -3,6 +3,8 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 
 #include "contact/film_formula.h"
 #include "overroll/run.h"
@@ -34,6 +36,24 @@ static void write_case(char *text, size_t size, uint64_t seed)
              M, L, M < 60 ? 5 : 6, a1, decay);
 }
 
+/* A law that bears a1 < 0.9 at no film, and over half of it by the thinnest:
+ * solved, but withheld. */
+static bool withheld(const ovr_case *c, const ovr_observation *o,
+                     const ovr_error *err)
+{
+    ovr_case_entry e;
+    double a1 = 0, decay = 0;
+    for (size_t k = 0; k < ovr_case_entries(c); k++) {
+        e = ovr_case_entry_at(c, k);
+        if (!strcmp(e.key, "amplitude"))
+            a1 = strtod(e.text, NULL);
+        if (!strcmp(e.key, "decay"))
+            decay = strtod(e.text, NULL);
+    }
+    return err->status == OVR_IMPOSSIBLE && a1 < 0.9 &&
+           exp(-o->H_min / decay) > 0.5;
+}
+
 static void try(tally *t, uint64_t seed)
 {
     enum { SHARE = 0 };
@@ -46,7 +66,7 @@ static void try(tally *t, uint64_t seed)
     ovr_run_go(run, &err);
     const ovr_observation *o = ovr_simulation_observation(
         ovr_run_about(run)->sim);
-    bool failed = err.status || !o->converged;
+    bool failed = (err.status || !o->converged) && !withheld(c, o, &err);
     t->runs++;
     t->failed += failed;
     t->cycles += o->cycles;
