@@ -1,0 +1,395 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A time step of the strip: right side, guess, attempts.
+ *
+ * Guesses are formulas in E and S (guess.c).  E is one step back.  S is a shift
+ * by the distance that a feature moves in a step.
+ *
+ *     (1 - E) P = 0
+ *     (1 - E)^3 P = 0
+ *     (1 - E)^2 (1 - S E)^2 P = 0
+ *     (1 - E) (1 - S E) P = 0
+ *     (1 - E) (1 - S E)^2 P = 0
+ *
+ * After each step the distance of all guesses from the solution is computed.
+ * The next step starts from the formula with the smallest mean distance.
+ *
+ * Attempts: no single way to couple lines is best for all films.  Zebra needs
+ * half the cycles of Jacobi for rough sliding at M = 20, but stalls at M = 5.
+ * The later attempts start from the last film.
+ */
+#include "strip/march.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "multigrid/field.h"
+#include "strip/kernels.h"
+
+typedef struct term {
+    double weight;
+    int ago, shifts;
+} term;
+
+enum { MAX_TERMS = 8, MAX_ROWS = 4 * MAX_TERMS };
+
+typedef struct formula {
+    size_t needs, count; /* times known */
+    term term[MAX_TERMS];
+    double H0[OVR_STRIP_PAST];
+} formula;
+
+static const formula formulas[OVR_STRIP_GUESSES] = {
+    {1, 1, {{1, 0, 0}}, {1}},
+    {3, 3, {{3, 0, 0}, {-3, 1, 0}, {1, 2, 0}}, {3, -3, 1}},
+    {4,
+     8,
+     {{2, 0, 0},
+      {2, 0, 1},
+      {-1, 1, 0},
+      {-4, 1, 1},
+      {-1, 1, 2},
+      {2, 2, 1},
+      {2, 2, 2},
+      {-1, 3, 2}},
+     {4, -6, 4, -1}},
+    {2, 3, {{1, 0, 0}, {1, 0, 1}, {-1, 1, 1}}, {2, -1}},
+    {3,
+     5,
+     {{1, 0, 0}, {2, 0, 1}, {-2, 1, 1}, {-1, 1, 2}, {1, 2, 2}},
+     {3, -3, 1}},
+};
+
+ovr_status ovr_strip_march_create(ovr_strip_march *march, ovr_strip *strip,
+                                  double longest, ovr_arena *arena,
+                                  ovr_error *err)
+{
+    const ovr_strip_grid *g = &strip->level[strip->finest].grid;
+    size_t n = ovr_strip_size(g) + OVR_STRIP_HALO;
+    *march = (ovr_strip_march){.strip = strip, .speed = 1, .carried = NAN};
+    march->ghosts = (size_t)ceil(2 * longest) + 2;
+    for (size_t k = 0; k < OVR_STRIP_PAST; k++) {
+        march->P[k] = ovr_field(arena, n, err);
+        if (!march->P[k])
+            return OVR_NO_MEMORY;
+        march->P[k] += OVR_STRIP_HALO;
+    }
+    for (size_t k = 0; k < 2; k++) {
+        march->q[k] = ovr_field(arena, n + march->ghosts * g->stride, err);
+        if (!march->q[k])
+            return OVR_NO_MEMORY;
+        march->q[k] += OVR_STRIP_HALO;
+    }
+    return OVR_OK;
+}
+
+static ovr_strip_level *finest_of(const ovr_strip_march *march)
+{
+    return &march->strip->level[march->strip->finest];
+}
+
+/* Computes q of all rows at the time T, including those upstream of the inlet.
+ */
+static void keep_content(ovr_strip_march *march, double T, double *q)
+{
+    const ovr_strip_level *level = finest_of(march);
+    const ovr_strip_grid *g = &level->grid;
+    const ovr_strip_fields *f = &level->f;
+    const size_t s = g->stride, ghosts = march->ghosts;
+    march->gap(march->data, T, g, -(ptrdiff_t)ghosts, ghosts, q);
+    for (size_t i = 0; i < ghosts; i++)
+        for (size_t j = 0; j < g->lines; j++) {
+            double x = (double)i - (double)ghosts, e[3];
+            for (size_t k = 0; k < 3; k++)
+                e[k] = f->H[k * s + j] - f->gap[k * s + j];
+            q[i * s + j] += e[0] + x * (e[1] - e[0]) +
+                            0.5 * x * (x - 1) * (e[2] - 2 * e[1] + e[0]);
+        }
+    memcpy(q + ghosts * s, f->q, ovr_strip_size(g) * sizeof *q);
+}
+
+static void keep_pressure(ovr_strip_march *march, double *P)
+{
+    const ovr_strip_level *level = finest_of(march);
+    memcpy(P, level->f.P, ovr_strip_size(&level->grid) * sizeof *P);
+}
+
+void ovr_strip_march_begin(ovr_strip_march *march, double T)
+{
+    march->known = 1;
+    march->formula = 0;
+    for (size_t k = 0; k < OVR_STRIP_GUESSES; k++)
+        march->nearness[k] = 0;
+    for (size_t k = 0; k < OVR_STRIP_PAST; k++) {
+        keep_pressure(march, march->P[k]);
+        march->H0[k] = march->strip->H0;
+    }
+    for (size_t k = 0; k <= OVR_STRIP_PAST; k++)
+        march->T[k] = T;
+    for (size_t k = 0; k < 2; k++)
+        keep_content(march, T, march->q[k]);
+}
+
+/* Rows and weights of a sum. */
+typedef struct rows {
+    size_t count;
+    double weight[MAX_ROWS];
+    const double *from[MAX_ROWS];
+} rows;
+
+/* Adds weight times the value at i - shift rows of x, whose rows are first ..
+ * first + n - 1; beyond them it is 0. */
+static void add_shifted(rows *sum, const ovr_strip_grid *g, const double *x,
+                        ptrdiff_t first, size_t n, ptrdiff_t i, double shift,
+                        double weight)
+{
+    double place = floor((double)i - shift), u = (double)i - shift - place;
+    ptrdiff_t base = (ptrdiff_t)place - first, end = (ptrdiff_t)n;
+    bool whole = u < 1e-9 || u > 1 - 1e-9;
+    base += u > 1 - 1e-9;
+    double c[4] = {-u * (u - 1) * (u - 2) / 6, (u + 1) * (u - 1) * (u - 2) / 2,
+                   -(u + 1) * u * (u - 2) / 2, (u + 1) * u * (u - 1) / 6};
+    if (!whole && (base < 1 || base + 2 >= end)) {
+        c[0] = c[3] = 0;
+        c[1] = 1 - u;
+        c[2] = u;
+    }
+    for (ptrdiff_t k = 0; k < 4; k++) {
+        ptrdiff_t row = base + k - 1;
+        double part = whole ? k == 1 : c[k];
+        if (part == 0 || row < 0 || row >= end)
+            continue;
+        sum->weight[sum->count] = weight * part;
+        sum->from[sum->count++] = x + (size_t)row * g->stride;
+    }
+}
+
+/* Weights of BDF2. */
+static void weigh(const ovr_strip_march *march, double a[3])
+{
+    double t1 = march->next - march->T[0], before = march->T[0] - march->T[1];
+    double r = before > 0 ? t1 / before : 1;
+    a[0] = (1 + 2 * r) / (1 + r) / t1;
+    a[1] = -(1 + r) / t1;
+    a[2] = r * r / (1 + r) / t1;
+}
+
+static void make_side(const ovr_strip_march *march)
+{
+    const ovr_strip_level *level = finest_of(march);
+    const ovr_strip_grid *g = &level->grid;
+    const ptrdiff_t first = -(ptrdiff_t)march->ghosts;
+    const size_t n = g->n + march->ghosts;
+    double a[3], t1 = march->next - march->T[0];
+    double t2 = march->next - march->T[1];
+    if (!(march->T[0] > march->T[1]))
+        t2 = 2 * t1;
+    double moved = march->characteristic ? 1 / g->D : 0;
+    weigh(march, a);
+    for (size_t i = 1; i + 1 < g->n; i++) {
+        rows sum = {0};
+        add_shifted(&sum, g, march->q[0], first, n, (ptrdiff_t)i, t1 * moved,
+                    a[1]);
+        add_shifted(&sum, g, march->q[1], first, n, (ptrdiff_t)i, t2 * moved,
+                    a[2]);
+        march->strip->run->blend(g->lines, sum.count, sum.weight, sum.from,
+                                 level->f.F + ovr_strip_row(g, i));
+    }
+    if (march->characteristic)
+        ovr_strip_characteristic(march->strip, a[0]);
+    else
+        ovr_strip_wedge(march->strip, march->speed, a[0]);
+}
+
+static bool can_guess(const ovr_strip_march *march, int k)
+{
+    const formula *f = &formulas[k];
+    bool shifts = false;
+    for (size_t t = 0; t < f->count; t++)
+        shifts = shifts || f->term[t].shifts;
+    return march->known >= f->needs && (!shifts || isfinite(march->carried));
+}
+
+static void guess_pressure(const ovr_strip_march *march, int k, double *P)
+{
+    const formula *f = &formulas[k];
+    const ovr_strip_grid *g = &finest_of(march)->grid;
+    double way = march->carried * (march->next - march->T[0]) / g->D;
+    memset(P, 0, g->lines * sizeof *P);
+    memset(P + ovr_strip_row(g, g->n - 1), 0, g->lines * sizeof *P);
+    for (size_t i = 1; i + 1 < g->n; i++) {
+        rows sum = {0};
+        for (size_t t = 0; t < f->count; t++)
+            add_shifted(&sum, g, march->P[f->term[t].ago], 0, g->n,
+                        (ptrdiff_t)i,
+                        f->term[t].shifts ? f->term[t].shifts * way : 0,
+                        f->term[t].weight);
+        size_t row = ovr_strip_row(g, i);
+        march->strip->run->blend(g->lines, sum.count, sum.weight, sum.from,
+                                 P + row);
+        march->strip->run->hold(g->lines, march->P[0] + row, P + row);
+    }
+}
+
+/* Checks that all known steps are equal, as the formulas assume. */
+static bool steps_are_equal(const ovr_strip_march *march)
+{
+    double step = march->next - march->T[0];
+    for (size_t k = 0; k + 1 < march->known && k + 1 < OVR_STRIP_PAST; k++)
+        if (fabs(march->T[k] - march->T[k + 1] - step) > 1e-6 * step)
+            return false;
+    return true;
+}
+
+static void make_guess(ovr_strip_march *march)
+{
+    int k = march->formula;
+    if (!can_guess(march, k) || !steps_are_equal(march))
+        k = 0;
+    guess_pressure(march, k, finest_of(march)->f.P);
+    march->strip->H0 = 0;
+    for (size_t t = 0; t < OVR_STRIP_PAST; t++)
+        march->strip->H0 += formulas[k].H0[t] * march->H0[t];
+}
+
+static void learn(ovr_strip_march *march)
+{
+    const ovr_strip_level *level = finest_of(march);
+    const double forgets = 0.7;
+    double best = INFINITY;
+    if (!steps_are_equal(march))
+        return;
+    march->formula = 0;
+    for (int k = 0; k < OVR_STRIP_GUESSES; k++) {
+        if (!can_guess(march, k))
+            continue;
+        /* The finest grid's entry is not used in a cycle. */
+        guess_pressure(march, k, level->f.entry);
+        double apart = march->strip->run->distance(&level->grid, level->f.entry,
+                                                   level->f.P);
+        double *near = &march->nearness[k];
+        *near = *near > 0 ? forgets * *near + (1 - forgets) * apart : apart;
+        if (*near < best) {
+            best = *near;
+            march->formula = k;
+        }
+    }
+}
+
+/* Settings of the attempts after the first. */
+typedef struct setting {
+    int zebra; /* -1: the other way to couple lines */
+    int sweeps, cycles;
+    double correction, limit, plain;
+    bool afresh; /* from the last film */
+} setting;
+
+static const setting settings[OVR_STRIP_ATTEMPTS] = {
+    {0, 1, 25, 1, 0.5, 0.7, false},
+    {-1, 1, 25, 1, 0.5, 0.7, true},
+    {0, 2, 40, 0.7, 0.5, 0.7, true},
+    {0, 2, 40, 0.5, 0.2, 0.7, true},
+    {0, 3, 80, 0.3, 0.1, 0.5, true}};
+
+static ovr_strip_cycling cycling_of(const ovr_strip_march *march, int attempt)
+{
+    const setting *s = &settings[attempt];
+    ovr_strip_cycling how = ovr_strip_transient();
+    bool zebra = attempt == 0 ? march->coupling
+                              : s->zebra < 0 && !march->coupling;
+    how.smoothing.zebra = zebra;
+    how.smoothing.plain = zebra ? 1 : s->plain;
+    if (zebra)
+        how.smoothing.whole = 0.8;
+    how.smoothing.limit = s->limit;
+    how.correction = s->correction;
+    how.sweeps_before = how.sweeps_after = s->sweeps;
+    return how;
+}
+
+static void restore(ovr_strip_march *march)
+{
+    const ovr_strip_level *level = finest_of(march);
+    memcpy(level->f.P, march->P[0],
+           ovr_strip_size(&level->grid) * sizeof *level->f.P);
+    march->strip->H0 = march->H0[0];
+}
+
+/* Cycles until R is below the tolerance; false if they do not get there. */
+static bool cycle_until(ovr_strip_march *march, int attempt,
+                        ovr_strip_step *step)
+{
+    const double hopeless = 1e7;
+    const ovr_strip_cycling how = cycling_of(march, attempt);
+    ovr_strip_level *level = finest_of(march);
+    double R = ovr_strip_defect_of(march->strip, level).imbalance, before = R;
+    for (int c = 1; c <= settings[attempt].cycles; c++) {
+        ovr_strip_cycle(march->strip, march->strip->finest, &how);
+        step->cycles++;
+        ovr_strip_defect d = ovr_strip_defect_of(march->strip, level);
+        step->imbalance = R = d.imbalance;
+        if (ovr_strip_below(d, march->tolerance))
+            return true;
+        if (!(R < hopeless))
+            return false;
+        /* Eight cycles that gain less than a third lead nowhere. */
+        if (c % 8 == 0) {
+            if (R > before * 2 / 3)
+                return false;
+            before = R;
+        }
+    }
+    return false;
+}
+
+ovr_strip_step ovr_strip_march_attempt(ovr_strip_march *march, double next)
+{
+    ovr_strip_step step = {0};
+    ovr_strip_level *level = finest_of(march);
+    march->next = next;
+    march->gap(march->data, next, &level->grid, 0, level->grid.n, level->f.gap);
+    make_side(march);
+    level->force = march->force;
+    make_guess(march);
+    while (!step.solved && step.attempts < OVR_STRIP_ATTEMPTS) {
+        if (settings[step.attempts].afresh)
+            restore(march);
+        ovr_strip_refresh(march->strip, level);
+        step.solved = cycle_until(march, step.attempts, &step);
+        step.attempts++;
+    }
+    if (step.solved && step.attempts == 2)
+        march->coupling = !march->coupling;
+    return step;
+}
+
+void ovr_strip_march_accept(ovr_strip_march *march)
+{
+    const size_t last = OVR_STRIP_PAST - 1;
+    double *P = march->P[last], *q = march->q[1];
+    learn(march);
+    for (size_t k = last; k > 0; k--) {
+        march->P[k] = march->P[k - 1];
+        march->H0[k] = march->H0[k - 1];
+    }
+    for (size_t k = OVR_STRIP_PAST; k > 0; k--)
+        march->T[k] = march->T[k - 1];
+    march->T[0] = march->next;
+    march->P[0] = P;
+    march->H0[0] = march->strip->H0;
+    march->q[1] = march->q[0];
+    march->q[0] = q;
+    keep_pressure(march, P);
+    keep_content(march, march->next, q);
+    if (march->known < OVR_STRIP_PAST)
+        march->known++;
+}
+
+void ovr_strip_march_back(ovr_strip_march *march)
+{
+    ovr_strip_level *level = finest_of(march);
+    restore(march);
+    march->gap(march->data, march->T[0], &level->grid, 0, level->grid.n,
+               level->f.gap);
+    ovr_strip_refresh(march->strip, level);
+}

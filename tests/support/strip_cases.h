@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Random strips, and counts of the steps that solved them. */
+#ifndef TESTS_SUPPORT_STRIP_CASES_H
+#define TESTS_SUPPORT_STRIP_CASES_H
+
+#include "strip.h"
+#include "strip/march.h"
+
+/* A march from the strip's film, tolerance R. */
+void test_strip_march(test_strip *s, ovr_strip_march *march, double tolerance);
+
+typedef struct strip_survey {
+    int cases, unsolved_steady;
+    long steps, cycles, retries, flagged, broken;
+} strip_survey;
+
+/* Solves the case of a seed on n nodes and prints a line about it. */
+void strip_survey_add(strip_survey *found, unsigned seed, size_t n);
+
+/* All steady films are solved, one step in 1000 is flagged at most, and there
+ * is one retry in 100 steps on average. */
+void strip_survey_check(const strip_survey *found);
+
+#endif
