@@ -287,6 +287,12 @@ ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
     if (setup->surfaces) {
         ovr_simulation_surface(sim, ovr_surfaces_heights, setup->surfaces);
         ovr_simulation_moving(sim, ovr_surfaces_speed(setup->surfaces));
+        ovr_simulation_sides(
+            sim,
+            ovr_surfaces_has(setup->surfaces, 1) ? ovr_surfaces_heights_1
+                                                 : NULL,
+            ovr_surfaces_has(setup->surfaces, 2) ? ovr_surfaces_heights_2
+                                                 : NULL);
         sim->roughness = ovr_surfaces_roughness(setup->surfaces);
     }
     if (setup->transient)

@@ -343,14 +343,16 @@ static double sunk_at(const ovr_yielding_body *b, long i, double t)
     return ovr_cubic(v + 1, 1, t);
 }
 
-static void heights(const ovr_simulation *sim, const void *own, double T,
-                    size_t n, const double *X, double *S)
+static void heights(const ovr_simulation *sim, const void *own, int surface,
+                    double T, size_t n, const double *X, double *S)
 {
     const ovr_plastic *p = own;
     (void)sim;
     EACH_BODY(p, k)
     {
         const ovr_yielding_body *b = &p->body[k];
+        if (surface && surface != k + 1)
+            continue;
         double X0 = b->plan.range.reference + b->first +
                     ovr_stress_way(p->setup, &b->plan, T);
         for (size_t i = 0; i < n; i++) {

@@ -15,6 +15,7 @@ void ovr_run_surface(const ovr_run *run, ovr_simulation *sim)
         return;
     ovr_simulation_surface(sim, run->how.heights, run->how.data);
     ovr_simulation_moving(sim, NAN);
+    ovr_simulation_sides(sim, NULL, NULL);
 }
 
 ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)

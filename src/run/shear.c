@@ -17,18 +17,12 @@ static const double CARRIED = 0.1, CARRIES = 0.2;
 void ovr_run_shear(ovr_run *run)
 {
     const ovr_state *state = ovr_simulation_state(run->sim);
-    const char *const names[2] = {"shear_stress_1", "shear_stress_2"};
-    double *shear[2], kappa = run->setup->contact->kappa;
+    const double *stress = ovr_film_stress(run->sim);
+    double kappa = run->setup->contact->kappa;
     double maximum = 0, count = 0, beyond = 0;
-    for (int k = 0; k < 2; k++) {
-        shear[k] = ovr_arena_take(&run->arena, state->n, sizeof(double), NULL);
-        if (!shear[k])
-            return;
-        ovr_observable_field(names[k])->field(run->sim, shear[k]);
-    }
     for (size_t i = 0; i + 1 < state->n; i++) {
         double P = (state->P[i] + state->P[i + 1]) / 2;
-        double t = kappa * fabs(shear[0][i] + shear[1][i]) / 2;
+        double t = kappa * fabs(stress[i]);
         if (P < CARRIES)
             continue;
         count++;

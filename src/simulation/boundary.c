@@ -44,7 +44,8 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
     if (!b)
         return OVR_NO_MEMORY;
     *own = b;
-    if (OVR_TAKE_NODES(sim, err, &b->A, &b->saved, &b->bears) ||
+    if (OVR_TAKE_NODES(sim, err, &b->A, &b->saved, &b->bears,
+                       &sim->film_stress) ||
         ovr_physics_take_borne(sim, err) ||
         ovr_hierarchy_touch(&sim->grids, &sim->arena, err))
         return OVR_NO_MEMORY;
@@ -443,20 +444,15 @@ static void observe_friction(const ovr_simulation *sim, const boundary *b,
                              ovr_observation *o)
 {
     const double *X = sim->now.X;
-    double load = OVR_NOMINAL_LOAD * o->load_ratio, V = o->sliding, drag = 0;
+    double load = OVR_NOMINAL_LOAD * o->load_ratio, drag = 0;
     double coefficient = load > 0 ? sim->contact.kappa / load : NAN;
     for (size_t i = 0; i + 1 < sim->now.n && o->more[A_MAX] > 0; i++)
         drag += drag_at(sim, b, i) * (X[i + 1] - X[i]);
     o->more[MU_FILM] = coefficient * fabs(o->F_slide - b->wet_force);
     o->more[MU_BOUNDARY] = coefficient * fabs(drag);
     o->F_slide += drag - b->wet_force;
-    o->F_1 = o->F_slide - o->F_roll;
-    o->F_2 = -o->F_slide - o->F_roll;
-    o->mu_1 = coefficient * o->F_1;
-    o->mu_2 = coefficient * o->F_2;
-    o->mu_slide = copysign(coefficient * o->F_slide, V);
-    o->power_in -= V * (drag - b->wet_force);
-    o->power_dissipated -= V * (drag - b->wet_force);
+    o->power_dissipated -= o->sliding * (drag - b->wet_force);
+    ovr_friction_forces(sim, o);
     if (isnan(b->given->friction))
         o->more[MU_BOUNDARY] = o->mu_1 = o->mu_2 = o->mu_slide = NAN;
 }

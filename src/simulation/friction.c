@@ -1,19 +1,36 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Friction as it is observed (equations in multigrid/friction.h).
+ * Friction forces and powers (multigrid/friction.h: F_slide, F_roll in the
+ * domain).  Units ph b^2/R and um ph b^2/R, u1, u2 = Cu +- V/2.
  *
- *     u1, u2 = Cu +- V/2, V = (u1 - u2)/um0
- *     mu = kappa F/int P dX,  kappa = b/R
- *     put in      -(F_1 u1 + F_2 u2) = -V F_slide + 2 Cu F_roll
- *     dissipated  -V F_slide + int (eps/rho) P_X^2 dX
+ * Force on surface k: shear stress and pressure on the slopes of its features,
+ *     F_1 = F_slide - F_roll + G_1,   F_2 = -F_slide - F_roll + G_2
+ *     G_k = int P dS_k/dX dX,   P that the solids bear, S_k outward
+ *     mu_k = kappa F_k/int P dX,  kappa = b/R
+ *     put in      -(F_1 u1 + F_2 u2) = -V F_slide + 2 Cu F_roll - sum u_k G_k
+ *     dissipated  -V F_slide + int (Cu H - Q) P_X dX,  Q the volume flow
  *
- * The load is the asked for one, Cw pi/2.  The rolling friction is the small
- * difference of two large forces: it comes from its own integral.  In a steady
- * film both powers are equal; else compression and squeeze stand between.
+ * Curvature and elastic deformation have no G: pressure on a cylinder acts
+ * through its axis, and int P dw/dX = 0 by symmetry of the elastic influence.
+ * What stands between both powers: overroll-theory(7).
+ *
+ * Beyond the inlet X_a of a flooded contact, where P is so small that viscosity
+ * and density are those of P = 0,
+ *     P_X = (Cu H - M)/E,  M the mass flow, E = H^3/lambda or of the flow law
+ *     H(X) = H(X_a) + h(X) - h(X_a),  h the gap beside a dry contact,
+ *     h = Cw (x sqrt(x^2 - 1) - arcosh x)/2,  x = |X|/s, s = sqrt(Cw/c)
+ *     dissipated there  int (Cu H - M) P_X dX = 2 Cu times its part of F_roll
+ * The part of F_roll is int H P_X/2 less M P(X_a)/(2 Cu): so much less does the
+ * film in the domain roll where it begins with P(X_a) in place of 0.  Gauss's
+ * quadrature in X_a/X, of 8 points: 1e-6 of it.  The film is thinner than one
+ * with that pressure, which changes F_roll by ovr_inlet_rolling_loss.
  */
 #include <math.h>
+#include <string.h>
 
 #include "contact/contact.h"
+#include "contact/starvation.h"
+#include "multigrid/flow.h"
 #include "simulation/physics.h"
 #include "simulation/simulation.h"
 
@@ -29,15 +46,173 @@ void ovr_simulation_sliding(ovr_simulation *sim, const ovr_history *sliding)
     sim->sliding = sliding;
 }
 
+/* ---------------------------------------------------- slopes of features */
+
+/* dS/dX at an inner node: of fourth order where nodes are equally spaced. */
+static double slope_at(const ovr_solution *now, const double *S, size_t i)
+{
+    const double even = 1e-6, *X = now->X;
+    double left = X[i] - X[i - 1], right = X[i + 1] - X[i];
+    bool inside = i > 1 && i + 2 < now->n;
+    if (inside && fabs(X[i + 2] - X[i - 2] - 4 * left) < even * left &&
+        fabs(right - left) < even * left)
+        return (8 * (S[i + 1] - S[i - 1]) - (S[i + 2] - S[i - 2])) /
+               (12 * left);
+    return ((S[i + 1] - S[i]) * left / right +
+            (S[i] - S[i - 1]) * right / left) /
+           (left + right);
+}
+
+/* int P S_X dX */
+static double slope_force(const ovr_solution *now, const double *P,
+                          const double *S)
+{
+    double sum = 0;
+    for (size_t i = 1; i + 1 < now->n; i++)
+        if (P[i] > 0)
+            sum += now->weights[i] * P[i] * slope_at(now, S, i);
+    return sum;
+}
+
+static void observe_slopes(ovr_simulation *sim, ovr_observation *o)
+{
+    double *S = sim->scratch[0], *G[2] = {&o->F_slope_1, &o->F_slope_2};
+    if (!ovr_has_heights(sim))
+        return;
+    const double *P = ovr_solid_pressure(sim, sim->scratch[1]);
+    for (int k = 0; k < 2; k++)
+        if (ovr_heights_of(sim, k + 1, S))
+            *G[k] = slope_force(&sim->now, P, S);
+}
+
+/* ------------------------------------------------------ beyond the inlet */
+
+/* The gap beside a dry contact of the load and curvature at T, over that at
+ * its edge. */
+typedef struct dry_gap {
+    double load, s;
+} dry_gap;
+
+static double dry_gap_at(const dry_gap *gap, double X)
+{
+    double x = fmax(fabs(X) / gap->s, 1);
+    return gap->load * (x * sqrt(x * x - 1) - acosh(x)) / 2;
+}
+
+/* P_X where the film H is driven by the wedge Cu H - M at P = 0. */
+static double gradient_at(const ovr_fluid *fluid, double H, double wedge)
+{
+    const double dX = 1;
+    double eps = ovr_flow(fluid, 0, H), P_X = wedge / eps;
+    ovr_pair nodes = {.H = {H, H}, .q = {H, H}, .eps = {eps, eps}};
+    if (!ovr_flow_thins(fluid))
+        return P_X;
+    nodes.P[1] = P_X * dX;
+    return wedge / ovr_flow_between(fluid, dX, &nodes);
+}
+
+/* What is dissipated beyond the inlet of a film that begins at the node `first`
+ * with the mass flow M; divided by 2 Cu it is the part of F_roll. */
+static double beyond_inlet(const ovr_simulation *sim, const ovr_fluid *fluid,
+                           size_t first, double M)
+{
+    enum { POINTS = 4 };
+    static const double point[POINTS] = {0.18343464249564980,
+                                         0.52553240991632899,
+                                         0.79666647741362674,
+                                         0.96028985649753623},
+                        weight[POINTS] = {
+                            0.36268378337836198, 0.31370664587788729,
+                            0.22238103445337447, 0.10122853629037626};
+    double T = sim->state.T, Cu = ovr_history_value(sim->speed, T);
+    double Cw = ovr_history_value(sim->load, T), sum = 0;
+    dry_gap gap = {Cw, sqrt(Cw * ovr_history_value(sim->radius, T))};
+    double X_a = sim->now.X[first];
+    double H = sim->now.H[first] - dry_gap_at(&gap, X_a);
+    for (int k = 0; k < 2 * POINTS; k++) {
+        double side = k < POINTS ? 1 : -1;
+        double xi = (1 + side * point[k % POINTS]) / 2, X = X_a / xi;
+        double film = H + dry_gap_at(&gap, X), wedge = Cu * film - M;
+        sum += weight[k % POINTS] / 2 * wedge *
+               gradient_at(fluid, film, wedge) * fabs(X_a) / (xi * xi);
+    }
+    return sum;
+}
+
+/* What the film in the domain lacks of its rolling friction; conditions that
+ * do not change keep the number. */
+static double rolling_loss(ovr_simulation *sim, const ovr_instant *at,
+                           double X_a)
+{
+    const double near = OVR_NEAREST_INLET;
+    ovr_inlet_share *kept = &sim->inlet_share;
+    double X = fmin(-fabs(X_a) / at->s, near);
+    if (kept->M != at->M || kept->L != at->L || kept->X != X)
+        *kept = (ovr_inlet_share){at->M, at->L, X,
+                                  ovr_inlet_rolling_loss(at->M, at->L, X)};
+    return kept->loss;
+}
+
+/* Power of rolling that the film in the domain, of the friction F_roll, does
+ * not have.  Nothing is beyond an inlet that is starved, or of surfaces that
+ * hardly move. */
+static double inlet_power(ovr_simulation *sim, const ovr_fluid *fluid,
+                          double Cu, double F_roll)
+{
+    const ovr_solution *now = &sim->now;
+    size_t last = now->n - 1, first = sim->backward ? last : 0;
+    size_t half = sim->backward ? last - 1 : 0;
+    size_t inside = sim->backward ? last - 1 : 1;
+    double T = sim->state.T, Cw = ovr_history_value(sim->load, T);
+    if (!(now->P[inside] > 0) || sim->finest->closed ||
+        !(Cw >= OVR_MIN_START) || !(fabs(Cu) >= OVR_MIN_START) ||
+        (Cu < 0) != sim->backward)
+        return 0;
+    double M = ovr_flux(sim, Cu, half), most = 0.5 * fabs(Cu) * now->H[first];
+    double power = beyond_inlet(sim, fluid, first, fmax(-most, fmin(M, most)));
+    ovr_instant at = ovr_instant_of(&sim->contact, Cw, fabs(Cu),
+                                    1 / ovr_history_value(sim->radius, T));
+    return power +
+           rolling_loss(sim, &at, now->X[first]) * (2 * Cu * F_roll + power);
+}
+
+/* -------------------------------------------------------------- observed */
+
+/* What the skewed flow (heat.c) and the like do beyond Poiseuille's. */
+static double dissipated_beside(const ovr_simulation *sim)
+{
+    const ovr_solution *now = &sim->now;
+    OVR_LAST_PHYSICS(sim, beside, flow);
+    double sum = 0;
+    for (size_t i = 0; beside->is && i + 1 < now->n; i++)
+        if (now->P[i] > 0 || now->P[i + 1] > 0)
+            sum -= ovr_flow_beside(sim, i, true) * (now->P[i + 1] - now->P[i]) *
+                   (now->H[i] + now->H[i + 1]) / (now->q[i] + now->q[i + 1]);
+    return sum;
+}
+
+void ovr_friction_forces(const ovr_simulation *sim, ovr_observation *o)
+{
+    double V = o->sliding, load = OVR_NOMINAL_LOAD * o->load_ratio;
+    double coefficient = load > 0 ? sim->contact.kappa / load : NAN;
+    o->F_1 = o->F_slide - o->F_roll + o->F_slope_1;
+    o->F_2 = -o->F_slide - o->F_roll + o->F_slope_2;
+    o->mu_1 = coefficient * o->F_1;
+    o->mu_2 = coefficient * o->F_2;
+    o->mu_slide = copysign(coefficient * o->F_slide, V);
+    o->mu_roll = coefficient * o->F_roll;
+    o->power_in = 2 * o->speed_ratio * o->F_roll - V * o->F_slide -
+                  (o->speed_ratio + V / 2) * o->F_slope_1 -
+                  (o->speed_ratio - V / 2) * o->F_slope_2;
+}
+
 void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o)
 {
     const ovr_kernels *run = sim->grids.kernels;
     const ovr_solution *now = &sim->now;
     const ovr_sheared film = {now->n, now->X,   now->P,   now->H,
                               now->q, now->eps, now->flow};
-    double V = ovr_sliding(sim, sim->state.T),
-           load = OVR_NOMINAL_LOAD * o->load_ratio;
-    double coefficient = load > 0 ? sim->contact.kappa / load : NAN;
+    double V = ovr_sliding(sim, sim->state.T), Cu = o->speed_ratio;
     ovr_fluid fluid = sim->grids.fluid;
     OVR_LAST_PHYSICS(sim, own, stress);
     fluid.sliding = V;
@@ -50,19 +225,24 @@ void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o)
         o->limiting_share = run->limit_stress(
             &film, sim->lubricant.limiting_shear / sim->contact.kappa,
             sim->stress);
+    if (sim->film_stress)
+        memcpy(sim->film_stress, sim->stress,
+               now->n * sizeof *sim->film_stress);
     OVR_EACH_PHYSICS(sim, p, friction)
         p->is->friction(sim, p->own, sim->stress);
     ovr_friction f = run->friction(&film, sim->stress);
+    double inlet = inlet_power(sim, &fluid, Cu, f.roll);
+    observe_slopes(sim, o);
     o->F_slide = f.slide;
-    o->F_roll = f.roll;
-    o->F_1 = f.slide - f.roll;
-    o->F_2 = -f.slide - f.roll;
-    o->mu_1 = coefficient * o->F_1;
-    o->mu_2 = coefficient * o->F_2;
-    o->mu_slide = copysign(coefficient * f.slide, V);
-    o->mu_roll = coefficient * f.roll;
-    o->power_in = 2 * o->speed_ratio * f.roll - V * f.slide;
-    o->power_dissipated = f.poiseuille - V * f.slide;
+    o->F_roll = f.roll + (inlet != 0 ? inlet / (2 * Cu) : 0);
+    o->power_dissipated = f.poiseuille + inlet + dissipated_beside(sim) -
+                          V * f.slide;
+    ovr_friction_forces(sim, o);
+}
+
+const double *ovr_film_stress(const ovr_simulation *sim)
+{
+    return sim->film_stress ? sim->film_stress : sim->stress;
 }
 
 /* t -+ H P_X/2 */

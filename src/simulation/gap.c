@@ -7,6 +7,7 @@
 #include "contact/contact.h"
 #include "simulation/mirror.h"
 #include "simulation/physics.h"
+#include "simulation/simulation.h"
 
 double ovr_mesh(const ovr_simulation *sim)
 {
@@ -51,7 +52,33 @@ void ovr_surface_heights(const ovr_simulation *sim, double T, size_t n,
     else
         memset(S, 0, n * sizeof *S);
     OVR_EACH_PHYSICS(sim, p, heights)
-        p->is->heights(sim, p->own, T, n, X, S);
+        p->is->heights(sim, p->own, 0, T, n, X, S);
+}
+
+/* Features whose surface is not known are all on one. */
+static ovr_heights *features_of(const ovr_simulation *sim, int surface)
+{
+    const ovr_contact *c = &sim->contact;
+    if (!sim->heights || sim->sides[0] || sim->sides[1])
+        return sim->heights ? sim->sides[surface - 1] : NULL;
+    bool second = fabs(sim->moving - c->u2_ratio) <
+                  fabs(sim->moving - c->u1_ratio);
+    return second == (surface == 2) ? sim->heights : NULL;
+}
+
+bool ovr_heights_of(const ovr_simulation *sim, int surface, double *S)
+{
+    ovr_heights *features = features_of(sim, surface);
+    OVR_LAST_PHYSICS(sim, adds, heights);
+    const double *X = sim->now.X, T = sim->state.T;
+    size_t n = sim->now.n;
+    if (features)
+        features(sim->heights_data, T, n, X, S);
+    else
+        memset(S, 0, n * sizeof *S);
+    OVR_EACH_PHYSICS(sim, p, heights)
+        p->is->heights(sim, p->own, surface, T, n, X, S);
+    return features || adds->is;
 }
 
 bool ovr_has_heights(const ovr_simulation *sim)

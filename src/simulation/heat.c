@@ -14,6 +14,7 @@
 #include <stdio.h>
 
 #include "contact/contact.h"
+#include "contact/heat_numbers.h"
 #include "multigrid/field.h"
 #include "multigrid/flow.h"
 #include "simulation/simulation.h"
@@ -294,6 +295,21 @@ const double *ovr_heat_flux(const ovr_simulation *sim, int surface,
                                h->numbers.theta
                          : NAN;
     return workspace;
+}
+
+void ovr_heat_thin(const ovr_simulation *sim, double *viscosity)
+{
+    const ovr_heated *h = sim->heated;
+    for (size_t i = 0; h && i < sim->now.n; i++)
+        viscosity[i] = exp(
+            ovr_heat_log_viscosity(&h->numbers, log(viscosity[i]), h->mean[i]));
+}
+
+void ovr_heat_expand(const ovr_simulation *sim, double *density)
+{
+    const ovr_heated *h = sim->heated;
+    for (size_t i = 0; h && i < sim->now.n; i++)
+        density[i] *= h->swell[i];
 }
 
 /* ----------------------------------------------------------------- physics */

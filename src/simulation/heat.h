@@ -118,4 +118,10 @@ const double *ovr_heat_temperature(const ovr_simulation *sim,
 const double *ovr_heat_flux(const ovr_simulation *sim, int surface,
                             double *workspace);
 
+/* Converts the oil's viscosity and density at the nodes, given at T0 and the
+ * pressure of the node, to the film's mean temperature; without heat they are
+ * left as they are.  The density is the one by which rho H is made. */
+void ovr_heat_thin(const ovr_simulation *sim, double *viscosity);
+void ovr_heat_expand(const ovr_simulation *sim, double *density);
+
 #endif

@@ -93,6 +93,12 @@ typedef struct ovr_present {
     void *own;
 } ovr_present;
 
+/* What the domain's inlet costs of the rolling friction (contact/starvation.h),
+ * at the conditions of the last observation. */
+typedef struct ovr_inlet_share {
+    double M, L, X, loss;
+} ovr_inlet_share;
+
 struct ovr_simulation {
     ovr_arena arena;
     const ovr_physics *const *list; /* all there are, NULL behind the last */
@@ -107,6 +113,7 @@ struct ovr_simulation {
 
     ovr_heights *heights;
     void *heights_data;
+    ovr_heights *sides[2]; /* parts on the surfaces; both NULL: not known */
     ovr_heights *standing; /* of what stands still, or NULL */
     void *standing_data;
     bool standing_given;
@@ -136,6 +143,8 @@ struct ovr_simulation {
     double largest_error; /* adaptive: a step with more is not accepted */
     double *S_past;       /* surface one step ago */
     double *stress;       /* mean over the film, at half nodes */
+    ovr_inlet_share inlet_share;
+    double *film_stress; /* that of the oil alone, where it differs; NULL */
     /* beside the film's pressure, one, two and three steps ago; or NULL */
     double *borne, *borne_before[2];
     struct ovr_heated *heated; /* temperatures (heat.h), or NULL */
@@ -200,6 +209,10 @@ ovr_cycling ovr_simulation_cycling(const ovr_simulation *sim, int finer_bottom);
 /* Height of what is on both surfaces at T: features, and what physics add. */
 void ovr_surface_heights(const ovr_simulation *sim, double T, size_t n,
                          const double *X, double *S);
+
+/* Computes the heights that move with surface 1 or 2, at the nodes and the time
+ * of S; false: there are none. */
+bool ovr_heights_of(const ovr_simulation *sim, int surface, double *S);
 
 /* The pressure that the solids feel: the film's, where there is none other;
  * else in `workspace`. */
@@ -387,6 +400,9 @@ double ovr_sliding(const ovr_simulation *sim, double T);
 /* Friction of the film that was read last (friction.c), its coefficients and
  * powers; shear stress in the film at a surface, at half nodes. */
 void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o);
+
+/* Fills in what follows from F_slide, F_roll and the forces on slopes. */
+void ovr_friction_forces(const ovr_simulation *sim, ovr_observation *o);
 const double *ovr_wall_stress(const ovr_simulation *sim, int surface,
                               double *workspace);
 

@@ -40,6 +40,7 @@ static const double *density(const ovr_simulation *sim, double *workspace)
 {
     for (size_t i = 0; i < sim->state.n; i++)
         workspace[i] = ovr_density(&sim->lubricant, sim->now.P[i]);
+    ovr_heat_expand(sim, workspace);
     return workspace;
 }
 
@@ -47,6 +48,7 @@ static const double *viscosity(const ovr_simulation *sim, double *workspace)
 {
     for (size_t i = 0; i < sim->state.n; i++)
         workspace[i] = ovr_viscosity(&sim->lubricant, sim->now.P[i]);
+    ovr_heat_thin(sim, workspace);
     return workspace;
 }
 
@@ -175,6 +177,12 @@ static const ovr_observable table[] = {
            "sliding part: on surface 1 along x, on surface 2 against it"),
     NUMBER("rolling_force", "F_roll", "F_roll_N_per_m", FORCE, F_roll,
            "rolling part: on both surfaces against x"),
+    ROUGH("slope_force_1", "F_slope_1", "F_slope_1_N_per_m", FORCE, F_slope_1,
+          "force on surface 1 along x of pressure on the slopes of its "
+          "features; part of F_1"),
+    ROUGH("slope_force_2", "F_slope_2", "F_slope_2_N_per_m", FORCE, F_slope_2,
+          "force on surface 2 along x of pressure on the slopes of its "
+          "features; part of F_2"),
     NUMBER("friction_coefficient_1", "mu_1", NULL, NUMBER, mu_1,
            "friction force on surface 1 over the load"),
     NUMBER("friction_coefficient_2", "mu_2", NULL, NUMBER, mu_2,

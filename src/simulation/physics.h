@@ -317,10 +317,11 @@ struct ovr_physics {
     /* ----------------------------------------------------------- the equation
      */
 
-    /* Adds to the heights of the surfaces at any X, outward positive: the gap
-     * is that of the smooth surfaces less these. */
-    void (*heights)(const ovr_simulation *sim, const void *own, double T,
-                    size_t n, const double *X, double *S);
+    /* Adds to the heights of surface 1 or 2, or of both (0), at any X, outward
+     * positive: the gap is that of the smooth surfaces less these.  Heights
+     * of a surface move with it; others belong to both alone. */
+    void (*heights)(const ovr_simulation *sim, const void *own, int surface,
+                    double T, size_t n, const double *X, double *S);
 
     /* Adds to the discrete gap at the nodes. */
     void (*gap)(const ovr_simulation *sim, const void *own, double *gap);

@@ -191,6 +191,15 @@ const ovr_options *ovr_simulation_options(const ovr_simulation *sim)
     return !sim ? NULL : &sim->options;
 }
 
+void ovr_simulation_sides(ovr_simulation *sim, ovr_heights *heights_1,
+                          ovr_heights *heights_2)
+{
+    if (!sim)
+        return;
+    sim->sides[0] = heights_1;
+    sim->sides[1] = heights_2;
+}
+
 void ovr_simulation_surface(ovr_simulation *sim, ovr_heights *heights,
                             void *data)
 {

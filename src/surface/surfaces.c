@@ -245,20 +245,47 @@ static void add_feature(const ovr_feature *f, double factor, double centre,
         ovr_shape_add(f, factor, centre - k * p, n, X, S);
 }
 
-void ovr_surfaces_heights(void *data, double T, size_t n, const double *X,
-                          double *S)
+/* Computes S of surface 1 or 2, or of both (0). */
+static void heights_of(const ovr_surfaces *surfaces, int surface, double T,
+                       size_t n, const double *X, double *S)
 {
-    if (!data || !S)
-        return;
-    const ovr_surfaces *surfaces = data;
     for (size_t i = 0; i < n; i++)
         S[i] = 0;
     for (const ovr_placed_feature *l = surfaces->first; l && n; l = l->next) {
         double factor = grown(&l->feature, T);
-        if (factor > 0)
+        if (factor > 0 && (!surface || l->feature.surface == surface))
             add_feature(&l->feature, factor,
                         ovr_feature_centre(surfaces, &l->feature, T), n, X, S);
     }
+}
+
+void ovr_surfaces_heights(void *data, double T, size_t n, const double *X,
+                          double *S)
+{
+    if (data && S)
+        heights_of(data, 0, T, n, X, S);
+}
+
+void ovr_surfaces_heights_1(void *data, double T, size_t n, const double *X,
+                            double *S)
+{
+    if (data && S)
+        heights_of(data, 1, T, n, X, S);
+}
+
+void ovr_surfaces_heights_2(void *data, double T, size_t n, const double *X,
+                            double *S)
+{
+    if (data && S)
+        heights_of(data, 2, T, n, X, S);
+}
+
+bool ovr_surfaces_has(const ovr_surfaces *surfaces, int surface)
+{
+    for (const ovr_placed_feature *l = surfaces->first; l; l = l->next)
+        if (l->feature.surface == surface)
+            return true;
+    return false;
 }
 
 void ovr_surfaces_standing(void *data, double T, size_t n, const double *X,

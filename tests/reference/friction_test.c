@@ -38,7 +38,18 @@ static ovr_simulation *made(double M, double L, int level, double S,
     return with_law(M, L, level, S, &form, tolerance);
 }
 
-static ovr_observation by_table(int level, double S, ovr_flow_form form)
+/* F_roll of the truths, which ends at the inlet: integral of H P_X/2. */
+static double rolling_inside(const ovr_simulation *sim)
+{
+    const ovr_state *s = ovr_simulation_state(sim);
+    double sum = 0;
+    for (size_t i = 0; i + 1 < s->n; i++)
+        sum += (s->H[i] + s->H[i + 1]) / 4 * (s->P[i + 1] - s->P[i]);
+    return sum;
+}
+
+static ovr_observation by_table(int level, double S, ovr_flow_form form,
+                                double *rolling)
 {
     ovr_error err = {0};
     ovr_flow_law *law = ovr_flow_law_create(&form, NULL, &err);
@@ -47,6 +58,7 @@ static ovr_observation by_table(int level, double S, ovr_flow_form form)
     ovr_simulation *sim = with_law(20, 10, level, S, &form, 0);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     ovr_observation o = *ovr_simulation_observation(sim);
+    *rolling = rolling_inside(sim);
     ovr_simulation_free(sim);
     ovr_flow_law_free(law);
     return o;
@@ -64,11 +76,12 @@ TEST(carreau_truth_is_met)
         form.rheology = t->rheology;
         form.number = t->Sigma0;
         form.n = t->n;
-        ovr_observation o = by_table(t->level, t->S, form);
+        double rolling;
+        ovr_observation o = by_table(t->level, t->S, form, &rolling);
         CHECK_CLOSE(o.H_cen, t->H_cen, 2e-3);
         CHECK_CLOSE(o.H_min, t->H_m, 2e-3);
         CHECK_NEAR(o.F_slide, t->F_slide, 2e-3 * fabs(t->F_slide));
-        CHECK_CLOSE(o.F_roll, t->F_roll, 2e-3);
+        CHECK_CLOSE(rolling, t->F_roll, 2e-3);
         worst = fmax(worst, fabs(o.H_cen / t->H_cen - 1));
     }
     print_message("    largest difference of H_cen %.1e\n", worst);
@@ -101,7 +114,8 @@ TEST(points_are_a_law)
     ovr_simulation *sim = with_law(20, 10, 6, 0.5, &points, 0);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     const ovr_observation *o = ovr_simulation_observation(sim);
-    ovr_observation expected = by_table(6, 0.5, carreau);
+    double rolling;
+    ovr_observation expected = by_table(6, 0.5, carreau, &rolling);
     CHECK_CLOSE(o->H_cen, expected.H_cen, 1e-3);
     CHECK_CLOSE(o->F_slide, expected.F_slide, 2e-3);
     ovr_simulation_free(sim);
@@ -111,16 +125,24 @@ TEST(points_are_a_law)
     assert_null(ovr_flow_law_create(&points, NULL, &err));
 }
 
-static ovr_observation thinning(double M, double L, int level, double S,
-                                double Sigma0)
+static ovr_observation thinning_inside(double M, double L, int level, double S,
+                                       double Sigma0, double *rolling)
 {
     ovr_simulation *sim = made(M, L, level, S, Sigma0, 0);
     ovr_error err = {0};
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     ovr_observation seen = *ovr_simulation_observation(sim);
     assert_string_equal(ovr_simulation_strategy(sim), "");
+    *rolling = rolling_inside(sim);
     ovr_simulation_free(sim);
     return seen;
+}
+
+static ovr_observation thinning(double M, double L, int level, double S,
+                                double Sigma0)
+{
+    double rolling;
+    return thinning_inside(M, L, level, S, Sigma0, &rolling);
 }
 
 static ovr_observation solved(double M, double L, int level, double S)
@@ -133,12 +155,14 @@ TEST(steady_truth_is_met)
     for (size_t k = 0; k < sizeof truth_frictions / sizeof *truth_frictions;
          k++) {
         const truth_friction *t = &truth_frictions[k];
-        ovr_observation o = thinning(t->M, t->L, t->level, t->S, t->Sigma0);
+        double rolling;
+        ovr_observation o = thinning_inside(t->M, t->L, t->level, t->S,
+                                            t->Sigma0, &rolling);
         CHECK_CLOSE(o.H_cen, t->H_cen, 1e-6);
         CHECK_CLOSE(o.H_min, t->H_m, 1e-6);
         CHECK_NEAR(o.F_slide, t->F_slide, 1e-6 * fabs(t->F_slide));
-        CHECK_CLOSE(o.F_roll, t->F_roll, 1e-6);
-        CHECK_CLOSE(o.F_1 + o.F_2, -2 * t->F_roll, 1e-6);
+        CHECK_CLOSE(rolling, t->F_roll, 1e-6);
+        CHECK_CLOSE(o.F_1 + o.F_2, -2 * o.F_roll, 1e-9);
     }
 }
 
@@ -161,7 +185,7 @@ static void dent_is_met(double tolerance, double close)
         CHECK_CLOSE(o->H_cen, t->H_cen, close);
         CHECK_CLOSE(o->H_min_located, t->H_min, close);
         CHECK_CLOSE(o->F_slide, t->F_slide, close);
-        CHECK_NEAR(o->F_roll, t->F_roll, 0.02 * close);
+        CHECK_NEAR(rolling_inside(sim), t->F_roll, 0.02 * close);
         t++;
     }
     assert_int_equal(ovr_simulation_statistics(sim)->marked, 0);
@@ -396,6 +420,7 @@ TEST(opposite_surfaces_are_exchanged)
         ovr_simulation *sim = made(20, 10, 6, S, 0.334, 0);
         ovr_error err = {0};
         ovr_simulation_surface(sim, test_feature_heights, &bump);
+        ovr_simulation_moving(sim, bump.u);
         CHECK_OK(ovr_simulation_steady(sim, &err), &err);
         double smooth = ovr_simulation_observation(sim)->H_cen;
         for (int step = 0; step < 200; step++)

@@ -118,14 +118,15 @@ static void bear(const ovr_simulation *sim, const void *own, const double *P,
         borne[i] += grit * P[i];
 }
 
-/* Linear between the nodes, nothing beyond them. */
-static void heights(const ovr_simulation *sim, const void *own, double T,
-                    size_t n, const double *X, double *S)
+/* Linear between the nodes, nothing beyond them; it wears where it is in the
+ * contact, and moves with neither surface. */
+static void heights(const ovr_simulation *sim, const void *own, int surface,
+                    double T, size_t n, const double *X, double *S)
 {
     const double *worn = ((const layer *)own)->worn;
     const ovr_solution *now = &sim->now;
     (void)T;
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; !surface && i < n; i++) {
         size_t after = ovr_node_after(now, X[i]);
         double part = (X[i] - now->X[after - 1]) / ovr_spacing(now, after);
         if (part >= 0 && part <= 1)
