@@ -125,6 +125,9 @@ typedef struct ovr_stress_report {
     double least_depth; /* what follows is counted from here down */
     ovr_stress_extreme max_shear, von_mises;   /* in space and time */
     double R_max, xi_R_max, Z_R_max, R_smooth; /* radius of the circle */
+    /* Depth above which stresses follow the height of a pressure spike that the
+     * mesh does not resolve; 0: the mesh resolves the maximum pressure. */
+    double unresolved_depth;
     float *measure[OVR_MEASURES];
     double *smooth[OVR_MEASURES];
     bool fatigue; /* what follows is there */

@@ -198,6 +198,8 @@ typedef struct ovr_observation {
     double P_cen;   /* the same for pressure */
     double P_max, X_P_max; /* nodal */
     double P_max_located, X_P_max_located;
+    bool P_max_resolved; /* false: more than a third of P_max is lost, on
+                            average, two nodes away from it */
     double P_spike, X_spike; /* nodal; the last maximum at X > 0 that stands
                                 more than 1e-3 above the lowest P between it
                                 and the maximum before it; NAN: none */
@@ -381,6 +383,7 @@ typedef struct ovr_statistics {
     double last_cross_film; /* heat: largest Legendre coefficient of the highest
                            degree across, over the rise; 0: less than 0.05 */
     double averaged;        /* until when there are means */
+    bool P_max_unresolved;  /* the extreme of P_max was not P_max_resolved */
     ovr_observation extreme, where, when, mean;
     double
         H_mean_at_H_min; /* the film in |X| < 3/4 when H_min_located was least

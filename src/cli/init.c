@@ -26,12 +26,16 @@ enum { OILS = sizeof oils / sizeof oils[0] };
 
 /* ------------------------------------------------------------------ cases */
 
-/* Surfaces that slide shear an oil thin, and no oil bears more than some share
- * of the pressure: without these its friction would be that of no oil. */
+/* A shear-thinning lubricant: the pressure of a Newtonian film at a surface
+ * feature grows without limit on finer meshes, and its friction in a sliding
+ * contact is one that no lubricant reaches. */
 #define THINS                                                                  \
     "rheology = eyring            # thins where it is sheared\n"               \
     "eyring_stress = 5 MPa\n"                                                  \
     "limiting_shear = 0.08        # most shear stress over pressure\n"
+#define THINS_BY_NUMBER                                                        \
+    "rheology = eyring            # thins where it is sheared\n"               \
+    "eyring_number = 0.2          # Eyring stress divided by ph b/R\n"
 
 static const char roller[] =
     "# Roller bearing: a small dent with shoulders on the ring rolls through.\n"
@@ -376,18 +380,19 @@ static const char indented_end[] =
 
 static const struct kind {
     const char *name, *head, *tail;
-    bool physical, slides;
+    bool physical;
+    const char *flow; /* lines of the rheology; NULL: Newtonian, or in head */
 } kinds[] = {
-    {"roller", roller, roller_end, true, false},
-    {"gear", gear, gear_end, true, true},
-    {"cam", cam, cam_end, true, true},
-    {"bearing", bearing, bearing_end, true, false},
-    {"indented", roller, indented_end, true, false},
-    {"numbers", numbers, numbers_end, false, false},
-    {"starved", starved, starved_end, true, false},
-    {"discs", discs, NULL, true, true}, /* with oils of their own */
-    {"hot", traction_hot, NULL, true, true},
-    {"coated", coated, NULL, true, true},
+    {"roller", roller, roller_end, true, THINS},
+    {"gear", gear, gear_end, true, THINS},
+    {"cam", cam, cam_end, true, THINS},
+    {"bearing", bearing, bearing_end, true, THINS},
+    {"indented", roller, indented_end, true, THINS},
+    {"numbers", numbers, numbers_end, false, THINS_BY_NUMBER},
+    {"starved", starved, starved_end, true, NULL},
+    {"discs", discs, NULL, true, NULL}, /* with oils of their own */
+    {"hot", traction_hot, NULL, true, NULL},
+    {"coated", coated, NULL, true, NULL},
 };
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
@@ -402,8 +407,8 @@ static void put_case(const struct kind *kind, const struct oil *oil, FILE *to)
     if (kind->physical)
         fprintf(to, "viscosity = %s\n", oil->viscosity);
     fprintf(to, "alpha = %s\np0 = 198 MPa\nz = 0.68\n", oil->alpha);
-    if (kind->slides)
-        fputs(THINS, to);
+    if (kind->flow)
+        fputs(kind->flow, to);
     fputs(kind->tail, to);
 }
 

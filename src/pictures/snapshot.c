@@ -41,6 +41,12 @@ void ovr_heading(const ovr_stored *runs, size_t count, char *heading,
                                      formats[k], value);
         }
     }
+    for (size_t j = 0; j < count; j++)
+        if (runs[j].unresolved && used + 60 <= capacity) {
+            snprintf(heading + used, capacity - used,
+                     "%smaximum pressure not resolved", used ? ",  " : "");
+            break;
+        }
 }
 
 ovr_status ovr_snapshot_style_make(ovr_snapshot_style *look,

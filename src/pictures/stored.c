@@ -84,6 +84,8 @@ ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
     if (status == OVR_OK)
         status = ovr_result_times(result, OVR_HERTZIAN, run->times, err);
     if (status == OVR_OK)
+        status = ovr_result_unresolved(result, arena, &run->unresolved, err);
+    if (status == OVR_OK)
         find_hertz(run, arena);
     return status;
 }

@@ -20,6 +20,7 @@ typedef struct ovr_stored {
      * nominal one's; NULL: it is that */
     double *hertz_width, *hertz_P;
     bool film, pressure, roughness, filling, touches;
+    bool unresolved; /* the mesh does not resolve the largest pressure */
     bool hot[3]; /* temperatures of surface 1, surface 2, middle of the film */
     struct {
         double x, film, pressure, time;

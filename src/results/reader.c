@@ -225,3 +225,28 @@ ovr_status ovr_result_history(ovr_result *r, const char *name, ovr_units units,
     what.may_be_nan = strcmp(name, "time") != 0;
     return read_values(r, &what, units, values, err);
 }
+
+ovr_status ovr_result_unresolved(ovr_result *r, ovr_arena *arena,
+                                 bool *unresolved, ovr_error *err)
+{
+    const char *const names[] = {"max_pressure", "max_pressure_resolved"};
+    double *column[2];
+    size_t steps = r->info.steps, most = 0;
+    *unresolved = false;
+    if (!find(r->column, r->columns, names[1]))
+        return OVR_OK;
+    for (int k = 0; k < 2; k++) {
+        column[k] = ovr_arena_take(arena, steps + 1, sizeof(double), err);
+        if (!column[k])
+            return OVR_NO_MEMORY;
+        ovr_status status = ovr_result_history(r, names[k], OVR_HERTZIAN,
+                                               column[k], err);
+        if (status)
+            return status;
+    }
+    for (size_t k = 1; k < steps; k++)
+        if (column[0][k] > column[0][most])
+            most = k;
+    *unresolved = steps > 0 && column[1][most] == 0;
+    return OVR_OK;
+}

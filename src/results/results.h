@@ -166,6 +166,12 @@ ovr_result_attributes(ovr_result *result, const char *path, size_t *count);
 ovr_status ovr_result_read(ovr_result *result, const char *path, size_t row,
                            ovr_units units, double *values, ovr_error *err);
 
+/* Reads whether the history marks its largest pressure as one that the mesh
+ * does not resolve; files of versions before 0.4.0 mark none.  `arena` holds
+ * two columns meanwhile. */
+ovr_status ovr_result_unresolved(ovr_result *result, ovr_arena *arena,
+                                 bool *unresolved, ovr_error *err);
+
 ovr_write_options ovr_write_options_default(void);
 
 #endif

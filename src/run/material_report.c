@@ -282,6 +282,19 @@ static void withhold(ovr_stress_report *r, ovr_life_result *life)
     *life = (ovr_life_result){.equivalent_length = NAN, .utilisation = NAN};
 }
 
+/* Depth in mesh sizes D above which an unresolved pressure spike changes the
+ * stresses.  The load that the mesh misses, spread over about D, makes a stress
+ * in proportion to D/z at the depth z (line load on a half plane): below 16 D
+ * it is less than a twentieth of the spike's height. */
+static const double SPIKE_DEPTH = 16;
+
+/* A maximum at the least depth is one of the chosen depths only. */
+static double unresolved_depth(const ovr_stress_source *of, double least)
+{
+    double spike = SPIKE_DEPTH * of->setup->mesh;
+    return of->unresolved ? fmax(spike, (1 + 1e-6) * least) : 0;
+}
+
 ovr_stress_report *ovr_stress_report_make(const ovr_stress_source *of,
                                           const ovr_stress_plan *plan,
                                           const ovr_material_history *history,
@@ -308,6 +321,7 @@ ovr_stress_report *ovr_stress_report_make(const ovr_stress_source *of,
     if (ovr_material_history_widest(history) * 4 > r->least_depth * (1 + 1e-6))
         r->least_depth = 4 * ovr_material_history_widest(
                                  history); /* adaptive steps */
+    r->unresolved_depth = unresolved_depth(of, r->least_depth);
     if (!take_arrays(r, arena, err))
         return NULL;
     for (int m = 0; m < OVR_MEASURES; m++)

@@ -6,6 +6,7 @@
 #include "case/resolve.h"
 #include "run/forms.h"
 #include "run/internal.h"
+#include "run/lines.h"
 #include "run/review.h"
 #include "run/review_element.h"
 #include "simulation/simulation.h"
@@ -45,6 +46,31 @@ static void warn_of_pressure(const ovr_review *r, const ovr_statistics *total)
             total->when.P_max, bearable * 1e-9);
 }
 
+/* The pressure of a Newtonian film at a surface feature, or in the spike at the
+ * outlet, grows with the logarithm of the mesh size. */
+static void warn_of_spike(const ovr_review *r, const ovr_statistics *total)
+{
+    bool thins = r->setup->lubricant->rheology != OVR_NEWTONIAN;
+    ovr_words remedy = {""};
+    if (!total->P_max_unresolved)
+        return;
+    if (!thins)
+        ovr_words_add(&remedy, "set lubricant.rheology = eyring, as lubricants "
+                               "shear-thin at such pressure gradients, or ");
+    ovr_words_add(&remedy, "use a finer mesh (domain.level = %d)",
+                  r->setup->options->level + 1);
+    ovr_review_say(
+        r, OVR_SAY_WARNING,
+        "the maximum pressure %.4g p_h at X = %.4g, T = %.4g is not resolved, "
+        "nor are stresses close to the surface: the pressure spike there is "
+        "two mesh sizes wide%s; %s",
+        total->extreme.P_max, total->where.P_max, total->when.P_max,
+        thins ? ""
+              : ", and its height grows on finer meshes without limit "
+                "because the lubricant is Newtonian",
+        remedy.text);
+}
+
 static void warn_of_roughness(const ovr_review *r, const ovr_statistics *total)
 {
     double Rq = r->setup->surfaces ? ovr_surfaces_roughness(r->setup->surfaces)
@@ -75,6 +101,7 @@ static void warn_of_extremes(const ovr_review *r, const ovr_statistics *total)
     if (!(total->extreme.H_min_located > 0)) /* nothing was solved */
         return;
     warn_of_pressure(r, total);
+    warn_of_spike(r, total);
     warn_of_roughness(r, total);
     warn_of_cycles(r, total);
 }

@@ -8,6 +8,7 @@
 #include "base/given.h"
 #include "case/resolve.h"
 #include "case/setup.h"
+#include "results/results.h"
 #include "run/forms.h"
 #include "run/stress.h"
 #include "stress/stress.h"
@@ -28,6 +29,7 @@ typedef struct stored {
     size_t nodes, snapshots;
     double *x, *T, *P, *Q;
     double mesh, longest;
+    bool unresolved;
 } stored;
 
 static ovr_status read_axes(stored *f, ovr_arena *arena, ovr_error *err)
@@ -46,6 +48,8 @@ static ovr_status read_axes(stored *f, ovr_arena *arena, ovr_error *err)
                         "%s: holds no snapshot of the pressure: run the case "
                         "with pressure among [output] fields",
                         f->path);
+    if (ovr_result_unresolved(f->result, arena, &f->unresolved, err))
+        return OVR_BAD_INPUT;
     if (ovr_result_x(f->result, OVR_HERTZIAN, f->x, err) ||
         ovr_result_times(f->result, OVR_HERTZIAN, f->T, err))
         return OVR_BAD_INPUT;
@@ -109,7 +113,7 @@ static ovr_status one_surface(ovr_stored_stress *s, stored *f, int k,
                               ovr_error *err)
 {
     ovr_stress_plan plan;
-    const ovr_stress_source of = {s->setup, f->path};
+    const ovr_stress_source of = {s->setup, f->path, f->unresolved};
     ovr_material_history *p;
     ovr_stress_sight seen = {f->x[0], f->mesh, f->nodes, s->every};
     ovr_status status = ovr_stress_planned(s->setup, k + 1, seen, &plan, err);

@@ -400,7 +400,9 @@ static ovr_status finish_surface(run_stress *s, int k,
     if (saved) {
         ovr_material_history_end(history, ovr_solid_pressure(sim, s->P),
                                  s->Q[k], &m);
-        const ovr_stress_source of = {s->setup, s->path};
+        const ovr_stress_source of = {
+            s->setup, s->path,
+            ovr_simulation_statistics(sim)->P_max_unresolved};
         s->report[k] = ovr_stress_report_make(&of, &s->plan[k], history,
                                               &s->arena, err);
         restore(history, saved);

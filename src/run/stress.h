@@ -97,6 +97,7 @@ ovr_material_history *ovr_follower_wait(ovr_follower *f);
 typedef struct ovr_stress_source {
     const ovr_setup *setup;
     const char *path;
+    bool unresolved; /* the mesh does not resolve the maximum pressure */
 } ovr_stress_source;
 
 /* All that is told of a material history; its arrays are in the arena. */

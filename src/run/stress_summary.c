@@ -95,6 +95,14 @@ static void put_named(const ovr_told *to, const char *format, const char *name,
     ovr_put_number(to, key, value);
 }
 
+static void put_resolved(const ovr_told *to, const char *key, double Z,
+                         const ovr_stress_report *r)
+{
+    char name[64];
+    snprintf(name, sizeof name, "%s_resolved", key);
+    ovr_put(to, name, OVR_SUMMARY_FLAG, !(Z < r->unresolved_depth));
+}
+
 static void put_row(const ovr_told *to, const struct row *row,
                     const ovr_stress_report *r, const ovr_contact *c)
 {
@@ -107,6 +115,8 @@ static void put_row(const ovr_told *to, const struct row *row,
         put_named(to, row->form == STRIP ? "width_%s" : "Z_%s", row->key, e.Z);
         put_named(to, "T_%s", row->key, e.T);
     }
+    if (row->form >= STRESS)
+        put_resolved(to, row->key, e.Z, r);
     if (row->form == PRESSURE || row->form >= STRESS)
         put_named(to, "%s_Pa", row->key, e.value * c->ph);
     if (row->form == LENGTH)
@@ -201,7 +211,8 @@ static void say_part(const ovr_told *to, ovr_stress_part part,
         ovr_words at = {""};
         if (row->part != part)
             continue;
-        ovr_words_add(&at, "at X = %.4g, Z = %.4g, T = %.4g", e.X, e.Z, e.T);
+        ovr_words_add(&at, "at X = %.4g, Z = %.4g, T = %.4g%s", e.X, e.Z, e.T,
+                      e.Z < r->unresolved_depth ? "; not resolved" : "");
         if (row->form == SHARE && !isnan(e.value))
             ovr_tell_number(to, row->label, 4, e.value, "%s", row->words);
         else if (row->form == TENSION && !(e.value > 0))
@@ -232,8 +243,9 @@ static void say_circle(const ovr_told *to, const ovr_stress_report *r,
                        double ph)
 {
     ovr_words at = {""};
-    ovr_words_add(&at, "at xi = %.4g%s, Z = %.4g; smooth %.4g", r->xi_R_max,
-                  side_of(r, r->xi_R_max), r->Z_R_max, r->R_smooth);
+    ovr_words_add(&at, "at xi = %.4g%s, Z = %.4g; smooth %.4g%s", r->xi_R_max,
+                  side_of(r, r->xi_R_max), r->Z_R_max, r->R_smooth,
+                  r->Z_R_max < r->unresolved_depth ? "; not resolved" : "");
     say_stress(to, "shear circle R", r->R_max, ph, at.text);
 }
 
@@ -417,6 +429,7 @@ void ovr_stress_summary(const ovr_stress_report *const report[2],
     ovr_put_count(&to, "surface_tau_max", shear->surface);
     put_part(&to, OVR_STRESS_CIRCLE, circle, c);
     ovr_put_number(&to, "R_max_Pa", circle->R_max * c->ph);
+    put_resolved(&to, "R_max", circle->Z_R_max, circle);
     ovr_put_number(&to, "R_smooth", circle->R_smooth);
     ovr_put_count(&to, "surface_R_max", circle->surface);
     ovr_put_number(&to, "least_depth", circle->least_depth);

@@ -41,6 +41,14 @@ static void say_foreseen(const ovr_told *to, const ovr_rough_film *film)
                         film->but ? film->but : "");
 }
 
+/* Returns the remark on a maximum pressure that the mesh does not resolve. */
+static const char *unresolved(const ovr_observable *row, bool resolved)
+{
+    return row->offset == offsetof(ovr_observation, P_max) && !resolved
+               ? "  not resolved"
+               : "";
+}
+
 /* Its line in reports, where it has one and is known. */
 static void say_observed(const ovr_told *to, const ovr_observable *row,
                          const ovr_run_info *s)
@@ -54,8 +62,8 @@ static void say_observed(const ovr_told *to, const ovr_observable *row,
     ovr_words more = ovr_words_of(row, s);
     ovr_words behind = ovr_words_behind(value, row, X, NAN, contact);
     if (!isnan(value))
-        ovr_tell_number(to, row->label, row->digits, value, "%s%s", more.text,
-                        behind.text);
+        ovr_tell_number(to, row->label, row->digits, value, "%s%s%s", more.text,
+                        behind.text, unresolved(row, o->P_max_resolved));
 }
 
 /* All quantities, as they are at the end. */
@@ -141,7 +149,8 @@ static void say_kept(const ovr_told *to, const ovr_extreme *e,
         X = ovr_extreme_value(&at, total);
     }
     behind = ovr_words_behind(value, row, X, T, contact);
-    ovr_tell_number(to, label, row->digits, value, "%s", behind.text);
+    ovr_tell_number(to, label, row->digits, value, "%s%s", behind.text,
+                    unresolved(row, mean || !total->P_max_unresolved));
 }
 
 /* Extremes and means over the whole run. */
@@ -264,6 +273,8 @@ void ovr_run_report(const ovr_run_info *s, ovr_summary_taker *take, void *data)
     ovr_put_text(&to, "way", ovr_simulation_strategy(s->sim));
     ovr_put_contact(&to, s->setup->contact, false);
     put_options(&to, s);
+    ovr_put(&to, "P_max_resolved", OVR_SUMMARY_FLAG,
+            !ovr_simulation_statistics(s->sim)->P_max_unresolved);
     ovr_put_number(&to, "shear_over_pressure", s->shear_over_pressure);
     ovr_put_number(&to, "unbearable_share", s->unbearable_share);
     if (s->passes)

@@ -18,6 +18,13 @@ double ovr_vertex(const double *X, const double *v, size_t i, double *value)
     return X[i] + shift;
 }
 
+bool ovr_maximum_is_resolved(size_t n, const double *v, size_t i)
+{
+    double left = i > 1 ? v[i - 2] : v[0];
+    double right = i + 2 < n ? v[i + 2] : v[n - 1];
+    return !((left + right) / 2 < 2.0 / 3 * v[i]);
+}
+
 int ovr_prominent_maxima(size_t n, const double *P, size_t *last)
 {
     double low = P[0]; /* lowest since the last that stood out */

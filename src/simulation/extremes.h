@@ -4,6 +4,7 @@
 #ifndef OVR_SIMULATION_EXTREMES_H
 #define OVR_SIMULATION_EXTREMES_H
 
+#include <stdbool.h>
 #include <stddef.h>
 
 /* A maximum stands out when it is more than this above the lowest value
@@ -15,6 +16,12 @@
  * would be further than a mesh away, or differ from the node by more than 5 %
  * of the node's value, the mesh does not carry it: the node itself. */
 double ovr_vertex(const double *X, const double *v, size_t i, double *value);
+
+/* Returns whether the mesh resolves the maximum of v at node i: on average, the
+ * values two nodes away are at least two thirds of it.  The pressure of a
+ * Newtonian film at a surface feature is singular like the logarithm of the
+ * distance; there, the ratio is about a half on any mesh. */
+bool ovr_maximum_is_resolved(size_t n, const double *v, size_t i);
 
 /* The number of maxima that stand out; *last is the last of them.  Of those
  * that do not stand out from each other the highest is taken. */

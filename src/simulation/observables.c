@@ -132,6 +132,8 @@ static const ovr_observable table[] = {
            PASS_HEAD(6, "pressure"), PASS_WITH(PLASTIC)),
     NUMBER("x_max_pressure", "X_P_max", NULL, LENGTH, X_P_max,
            "where the pressure is largest"),
+    NUMBER("max_pressure_resolved", NULL, NULL, FLAG, P_max_resolved,
+           "1 where the mesh resolves the maximum pressure"),
     NUMBER(NULL, "P_max_located", NULL, PRESSURE, P_max_located,
            "maximum pressure, located between nodes"),
     NUMBER(NULL, "X_P_max_located", NULL, LENGTH, X_P_max_located,

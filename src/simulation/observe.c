@@ -100,6 +100,7 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
     o->P_max = P[high];
     o->X_P_max = sim->now.X[high];
     o->X_P_max_located = ovr_vertex(sim->now.X, P, high, &o->P_max_located);
+    o->P_max_resolved = ovr_maximum_is_resolved(n, P, high);
     o->P_cen = ovr_value_at(&sim->now, P, 0);
     o->maxima = maxima;
     o->X_cavitation = sim->now.X[film_end(sim)];

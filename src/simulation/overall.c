@@ -69,6 +69,8 @@ void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
     s->averaged = o->T;
     if (s->when.H_min_located == o->T)
         s->H_mean_at_H_min = o->H_mean;
+    if (s->when.P_max == o->T)
+        s->P_max_unresolved = !o->P_max_resolved;
 }
 
 void ovr_statistics_unknown(ovr_statistics *s)

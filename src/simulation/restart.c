@@ -43,6 +43,7 @@ static const struct {
              PART("total_lagging", statistics.lagging),
              PART("last_across", statistics.last_cross_film),
              PART("mean_until", statistics.averaged),
+             PART("unresolved_pressure", statistics.P_max_unresolved),
              PART("mean_film_at_least", statistics.H_mean_at_H_min),
              PART("settled", statistics.settled),
              PART("strategy", strategy),

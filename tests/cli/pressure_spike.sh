@@ -1,0 +1,81 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A maximum pressure in a spike two mesh sizes wide is marked as not resolved in
+# the report, JSON, the file, pictures and stresses.  The pressure of a
+# Newtonian film at a dent is singular like the logarithm of the distance: the
+# maximum grows on every level.  With Eyring's law it converges.
+. "$TOP/tests/support/cli.sh"
+need_python h5py numpy
+
+expect 0 "$OVERROLL" init roller -o roller.ini
+grep -v '^rheology\|^eyring\|^limiting' roller.ini >newton.ini
+
+for level in 6 7 8; do
+    expect 0 "$OVERROLL" run newton.ini --level $level --json \
+        -o newton.h5 --force
+    contains out '"P_max_resolved": false'
+    contains err 'warning: the maximum pressure .* is not resolved.*rheology'
+    number P_max_overall >newton.$level
+done
+expect 0 "$OVERROLL" run newton.ini --level 7
+contains out 'largest pressure.*not resolved'
+
+for level in 8 9; do
+    expect 0 "$OVERROLL" run roller.ini --level $level --json \
+        -o roller.h5 --force
+    contains out '"P_max_resolved": true'
+    ! grep -q 'not resolved' err || fail "the Eyring film is marked"
+    number P_max_overall >eyring.$level
+done
+
+# The flag follows from the nodes of the largest snapshot, and the logarithm: a
+# constant step of the maximum from level to level, against a few per cent.
+"$PYTHON" - <<'END' || fail "the maxima"
+def read(name):
+    return float(open(name).read())
+a, b, c = (read("newton.%d" % l) for l in (6, 7, 8))
+assert b - a > 0.3 and c - b > 0.3, (a, b, c)
+assert abs((c - b) / (b - a) - 1) < 0.2, (a, b, c)
+d, e = read("eyring.8"), read("eyring.9")
+assert abs(e / d - 1) < 0.03, (d, e)
+END
+
+expect 0 "$OVERROLL" run newton.ini --level 7 -q -o newton.h5 --force \
+    --set output.every=1 --set stress.surface=1
+"$PYTHON" - <<'END' || fail "the file"
+import h5py, numpy
+f = h5py.File("newton.h5", "r")
+P, flag = f["pressure"][...], f["history/max_pressure_resolved"][...]
+for k in range(len(P)):
+    i = P[k].argmax()
+    resolved = (P[k, i - 2] + P[k, i + 2]) / 2 >= 2 / 3 * P[k, i]
+    assert flag[k] == resolved, k
+assert flag[0] == 1 and flag[P.max(axis=1).argmax()] == 0
+assert f["summary"].attrs["P_max_resolved"] == 0
+END
+
+# Stresses nearer to the surface than eight mesh sizes, in the run and after it
+expect 0 "$OVERROLL" run newton.ini --level 6 -q --json --set output.every=1 \
+    --set stress.surface=1 --set feature.dent.depth=1.5um -o again.h5 --force
+contains out '"von_mises_max_resolved": false'
+expect 0 "$OVERROLL" stress again.h5
+contains out 'von Mises.*not resolved'
+
+# A resumed run knows it, too: its largest pressure is from before the stop.
+expect 0 "$OVERROLL" run newton.ini --level 6 -q -o half.h5 --set time.end=11
+expect 0 "$OVERROLL" resume half.h5 --set time.end=13 -q --json
+contains out '"P_max_resolved": false'
+
+# Pictures
+expect 0 "$OVERROLL" view newton.h5 -o newton.html
+contains newton.html 'maximum pressure not resolved'
+if command -v gnuplot >/dev/null; then
+    expect 0 "$OVERROLL" plot newton.h5 --kind history -o newton.svg
+    contains newton.svg 'maximum pressure not resolved'
+fi
+
+# A load ramp of a Newtonian film on a wave; every kind with features thins
+for kind in roller gear bearing indented numbers; do
+    expect 0 "$OVERROLL" init $kind
+    contains out '^rheology = eyring'
+done
