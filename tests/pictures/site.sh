@@ -13,7 +13,7 @@ cp "$TOP/tools/pictures/gear.png" build/examples/ground.png
 export OVERROLL PYTHONDONTWRITEBYTECODE=1
 expect 0 python3 "$TOP/tools/site/run" --no-examples --fast build
 for page in index manual overroll.1 overroll-case.5 overroll-theory.7 gallery \
-    validation proofs paper changelog contributing; do
+    validation proofs accuracy speed paper changelog contributing; do
     [ -s build/html/$page.html ] || fail "no page $page"
 done
 contains build/html/index.html 'Venner'

@@ -290,7 +290,8 @@ VERBS = re.compile(
     r"yields?|flows?|sums?|says?|tells?|sees?|fails?|remains?|see|resumes?|"
     r"accepts?|names?|replaces?|lists?|asks?|plays?|includes?|costs?|"
     r"compares?|measures?|explains?|describes?|overrides?|picks?|marches|"
-    r"leads?|selects?|stores?|models?|heat|go|grow|enter|come|run|give|take|"
+    r"leads?|selects?|stores?|models?|consists?|downloads?|assumes?|"
+    r"provides?|treat|heat|go|grow|enter|come|run|give|take|"
     r"need|have|keep|draw|say|read|write|solve|rides?|spreads?|hold|use|make|"
     r"follow|share|split|break|converge|diverge|combine|appear|begin|work)\b",
     re.I)

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# README's study as README's array job of a real Slurm, on one node that is
-# started and stopped here: cancelled half-way, submitted again, collected, it
-# makes the table that `sweep -j 2` makes.
+# README's study as the array job of overroll-study(5) on a real Slurm with one
+# node, started and stopped here: the job is cancelled half-way and submitted
+# again; the collected table equals that of `sweep -j 2`.
 . "$TOP/tests/support/cli.sh"
 need slurmctld slurmd sbatch munged
 [ "$(id -u)" -eq 0 ] || skip 'Slurm is started as root only'
@@ -84,11 +84,10 @@ PATH=$here/bin:$PATH
 sed -n '/^```sh$/,/^```$/p' "$TOP/README.md" | grep -v '^```' >tour
 grep -q '^overroll sweep study.ini -j 2$' tour ||
     fail 'README has another study'
-# The files that its study needs, by its own lines; finer, so that the cases
-# take long enough to be cancelled.
+# Its case and study, on a finer grid, so that the cases take long enough to be
+# cancelled.
 for folder in alone cluster; do
-    (cd $folder && sed -n '/^cp .* mine.csv$/,/^END/p' "$here/tour" |
-        grep -v '^overroll' | sh -eu &&
+    (cd $folder && overroll init roller -o roller.ini -q &&
         sed -n '/^cat >study.ini/,/^END/p' "$here/tour" |
         sed "s/^domain.level = .*/domain.level = ${LEVEL:-8}/" | sh -eu) ||
         fail "README's study cannot be made"
@@ -98,8 +97,9 @@ expect 0 overroll sweep study.ini -j 2 -q
 expect 0 overroll sweep study.ini --collect table.csv -q
 
 cd "$here/cluster" || exit 1
-sed -n '/^#!\/bin\/bash$/,/^```$/p' "$TOP/README.md" | grep -v '^```' >job
-grep -q '^#SBATCH .*--array=1-8' job || fail "README's array job: $(cat job)"
+sed -n '/^\.\\" slurm$/,/^\.EE/p' "$TOP/src/run/overroll-study.5" |
+    grep -v '^\.' | sed 's/\\-/-/g' >job
+grep -q '^#SBATCH .*--array=1-8' job || fail "the array job: $(cat job)"
 
 finished() {
     find study -name '*.json' 2>/dev/null | wc -l
