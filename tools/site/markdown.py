@@ -45,7 +45,9 @@ def inline(text, link):
 
 
 def cells(line):
-    return [cell.strip() for cell in line.strip().strip("|").split("|")]
+    """The cells of a row; \\| is a bar inside a cell."""
+    parts = re.split(r"(?<!\\)\|", line.strip().strip("|"))
+    return [cell.strip().replace("\\|", "|") for cell in parts]
 
 
 def table(lines, link):
