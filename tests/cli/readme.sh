@@ -33,7 +33,7 @@ if (need_python xarray netCDF4 pandas); then
         grep -v '^\.' >read.py
     expect 0 "$PYTHON" read.py
     contains out 'depth +load +H_min_overall +P_max_overall'
-    contains out '^8 +0\.0000004 +300000 '
+    contains out '^8 +4\.0+e-07 +300000\.0 '
 fi
 
 for link in $(sed -n 's/.*](\([^):#]*\)).*/\1/p' "$TOP/README.md" \
