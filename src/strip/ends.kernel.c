@@ -59,6 +59,24 @@ static size_t find_rows(const ovr_strip_grid *g, const double *P, double *dry,
     return found;
 }
 
+/* Derivatives of the four flows by the pressure difference, phi frozen. */
+typedef struct tangents {
+    vec west, east, south, north;
+} tangents;
+
+static inline tangents tangents_at(const ovr_strip_fields *f, size_t k,
+                                   size_t s)
+{
+    const double *b = f->along_before, *a = f->along_after;
+    tangents t = {.west = 0.5 * (load(b + k - s) + load(a + k - s)),
+                  .east = 0.5 * (load(b + k) + load(a + k))};
+    b = f->across_before;
+    a = f->across_after;
+    t.south = 0.5 * (load(b + k - 1) + load(a + k - 1));
+    t.north = 0.5 * (load(b + k) + load(a + k));
+    return t;
+}
+
 /* The right side of row i into delta, the inverse diagonal into spread, 0 where
  * the node stays. */
 static void freeze(const ovr_strip_grid *g, const double a[3], size_t i,
@@ -68,13 +86,22 @@ static void freeze(const ovr_strip_grid *g, const double a[3], size_t i,
     const size_t s = g->stride, far = i >= 2 ? 2 * s : s;
     for (size_t j = 0; j < g->lines; j += VEC) {
         size_t k = ovr_strip_row(g, i) + j;
-        vec out = load(f->along + k - s) + load(f->along + k) +
-                  load(f->across + k - 1) + load(f->across + k);
+        tangents t = tangents_at(f, k, s);
+        vec out = t.west + t.east + t.south + t.north;
         vec dq = a[0] * load(f->dq + k);
         vec right = fused(dq, load(f->P + k), -load(f->F + k));
         right = less(right, all(a[0]), load(f->q + k));
         right = less(right, all(a[1]), load(f->q + k - s));
         right = less(right, all(a[2]), load(f->q + k - far));
+        vec P = load(f->P + k);
+        right = fused(load(f->along + k - s) - t.west, load(f->P + k - s) - P,
+                      right);
+        right = fused(load(f->along + k) - t.east, load(f->P + k + s) - P,
+                      right);
+        right = fused(load(f->across + k - 1) - t.south, load(f->P + k - 1) - P,
+                      right);
+        right = fused(load(f->across + k) - t.north, load(f->P + k + 1) - P,
+                      right);
         ivec part = out > how->end_share * a[0] * k00 * load(f->rho + k);
         store(f->delta + k, right);
         store(f->spread + k, choose(part, 1 / (out + dq), all(0)));
@@ -101,11 +128,11 @@ static void sweep_row(const ovr_strip_grid *g, const ovr_strip_fields *f,
             const size_t k = row + j;
             double *P = f->P + k;
             vec p = load(P), inverse = load(f->spread + k);
-            vec v = fused(load(f->along + k - s), load(P - s),
-                          load(f->delta + k));
-            v = fused(load(f->along + k), load(P + s), v);
-            v = fused(load(f->across + k - 1), load(P - 1), v);
-            v = fused(load(f->across + k), load(P + 1), v);
+            tangents t = tangents_at(f, k, s);
+            vec v = fused(t.west, load(P - s), load(f->delta + k));
+            v = fused(t.east, load(P + s), v);
+            v = fused(t.south, load(P - 1), v);
+            v = fused(t.north, load(P + 1), v);
             v = larger(all(0), fused(all(relaxed), less(-p, -v, inverse), p));
             ivec moves = (inverse > 0) & (colour ? odd : ~odd) &
                          lines_before(j, g->lines);

@@ -16,12 +16,18 @@
  * e^7 in a mesh size.  There the arithmetic mean is too large by the factor
  * (d/2)/tanh(d/2), d = ln(phi_b/phi_a).
  *
+ * A film with a flow law has the E of thinning.h at this eps, with derivatives
+ * by the chain rule.
+ *
  * For |d| < 0.1 the quotient of the means is the series of tanh(d/2)/(d/2) to
  * the sixth power (error 1e-12).  In a_ab films below 1e-6 are replaced by
  * 1e-6.
  */
+#include <math.h>
+
 #include "multigrid/power.h"
 #include "strip/kernels.h"
+#include "strip/thinning.h"
 
 /* Values of a node that its four half nodes use. */
 typedef struct node {
@@ -81,64 +87,182 @@ static inline vec mean_of(node a, node b)
     return choose(near, 0.5 * (a.phi + b.phi) * series, far);
 }
 
-/* E, -d flow/dP_a and d flow/dP_b between nodes whose P differs by dP. */
-static inline void put_face(node a, node b, bool logarithmic, double scale,
-                            vec dP, double *E, double *before, double *after)
+/* Arguments of a pass over a grid. */
+typedef struct faces {
+    const ovr_strip_grid *g;
+    ovr_strip_fields f;
+    log_table log;
+    thinning law;
+} faces;
+
+/* A half node: the nodes on both sides, mesh size, gradients of P, and the
+ * direction of the flow. */
+typedef struct face {
+    node a, b;
+    size_t at_a, at_b;
+    double mesh;
+    vec along, across;
+} face;
+
+/* Arrays of a half node's flow. */
+typedef struct stored {
+    double *E, *before, *after, *by_a, *by_b;
+} stored;
+
+static inline vec film_at(const faces *p, size_t k)
 {
-    vec gap = 2 * scale / (a.g + b.g);
-    if (logarithmic) {
-        store(E, mean_of(a, b) * gap);
-        store(before, a.phi * gap);
-        store(after, b.phi * gap);
-        return;
-    }
-    vec here = 0.5 * (a.phi + b.phi) * gap, half = 0.5 * gap * dP;
-    store(E, here);
-    store(before, less(here, a.slope, half));
-    store(after, fused(b.slope, half, here));
+    return larger(load(p->f.H + k), all(1e-6));
 }
 
-static INLINE void all_faces(const ovr_strip_grid *g, bool logarithmic,
-                             const ovr_strip_fields *own, double *work)
+/* Derivatives of a flow by both films, from those of E by eps, c and H. */
+static inline void put_by_film(const faces *p, const face *h, vec dP, vec eps,
+                               const thinned *flow, vec c, size_t k,
+                               const stored *to)
 {
-    const ovr_strip_fields f = *own;
-    const double along = 1 / (g->D * g->D), across = 1 / (g->Dy * g->Dy);
+    vec H = film_at(p, h->at_a), G = film_at(p, h->at_b);
+    vec share = 3 / (h->a.g + h->b.g), a2 = H * H, b2 = G * G;
+    vec slides = 2 * flow->by_c * c / (a2 + b2);
+    vec bends = (flow->T - flow->E) / (H + G);
+    vec by_a = flow->by_eps * (share * h->a.g) / H + slides * b2 / H + bends;
+    vec by_b = flow->by_eps * (share * h->b.g) / G + slides * a2 / G + bends;
+    (void)eps;
+    store(to->by_a + k, dP * by_a);
+    store(to->by_b + k, dP * by_b);
+}
+
+/* Stores the flow of a half node at k, by the law of thinning.h if it thins. */
+static INLINE void put_face(const faces *p, bool logarithmic, bool thins,
+                            bool across, const face *h, size_t k,
+                            const stored *to)
+{
+    const double scale = 1 / (h->mesh * h->mesh);
+    vec dP = load(p->f.P + h->at_b) - load(p->f.P + h->at_a);
+    vec gap = 2 / (h->a.g + h->b.g), eps, before, after, c = all(0);
+    if (logarithmic) {
+        eps = mean_of(h->a, h->b) * gap;
+        before = h->a.phi * gap;
+        after = h->b.phi * gap;
+    } else {
+        vec half = 0.5 * gap * dP;
+        eps = 0.5 * (h->a.phi + h->b.phi) * gap;
+        before = less(eps, h->a.slope, half);
+        after = fused(h->b.slope, half, eps);
+    }
+    thinned flow = {eps, eps, eps, all(0)};
+    if (thins) {
+        vec H = film_at(p, h->at_a), G = film_at(p, h->at_b);
+        vec a2 = H * H, b2 = G * G, films = p->law.gradient * (H + G);
+        c = p->law.slide *
+            (load(p->f.rho + h->at_a) + load(p->f.rho + h->at_b)) *
+            (a2 * b2 / (a2 + b2));
+        flow = thinned_flow(&p->law, across, eps, c, films * h->along,
+                            films * h->across);
+        vec share = flow.by_eps / larger(eps, all(1e-280));
+        before = fused(share, before - eps, flow.T);
+        after = fused(share, after - eps, flow.T);
+    }
+    store(to->E + k, scale * flow.E);
+    store(to->before + k, scale * before);
+    store(to->after + k, scale * after);
+    if (to->by_a)
+        put_by_film(p, h, scale * dP, eps, &flow, c, k, to);
+}
+
+/* Central difference of P across at a node. */
+static inline vec slope_across(const faces *p, size_t k)
+{
+    return (load(p->f.P + k + 1) - load(p->f.P + k - 1)) / (2 * p->g->Dy);
+}
+
+static inline vec slope_along(const faces *p, size_t k)
+{
+    const size_t s = p->g->stride;
+    return (load(p->f.P + k + s) - load(p->f.P + k - s)) / (2 * p->g->D);
+}
+
+static INLINE void face_along(const faces *p, bool logarithmic, bool thins,
+                              size_t k, face *h)
+{
+    const ovr_strip_fields *f = &p->f;
+    const stored to = {f->along, f->along_before, f->along_after,
+                       f->along_by_film[0], f->along_by_film[1]};
+    h->at_a = k;
+    h->at_b = k + p->g->stride;
+    h->mesh = p->g->D;
+    if (thins) {
+        h->along = (load(f->P + h->at_b) - load(f->P + k)) / p->g->D;
+        h->across = 0.5 * (slope_across(p, k) + slope_across(p, h->at_b));
+    }
+    put_face(p, logarithmic, thins, false, h, k, &to);
+}
+
+static INLINE void face_across(const faces *p, bool logarithmic, bool thins,
+                               size_t k, face *h)
+{
+    const ovr_strip_fields *f = &p->f;
+    const stored to = {f->across, f->across_before, f->across_after,
+                       f->across_by_film[0], f->across_by_film[1]};
+    h->at_a = k;
+    h->at_b = k + 1;
+    h->mesh = p->g->Dy;
+    if (thins) {
+        h->across = (load(f->P + k + 1) - load(f->P + k)) / p->g->Dy;
+        h->along = 0.5 * (slope_along(p, k) + slope_along(p, k + 1));
+    }
+    put_face(p, logarithmic, thins, true, h, k, &to);
+}
+
+static INLINE void all_faces(const faces *p, bool logarithmic, bool thins,
+                             double *work)
+{
+    const ovr_strip_grid *g = p->g;
     const size_t first = OVR_STRIP_HALO, s = g->stride;
     const size_t end = first + (g->lines + VEC - 1) / VEC * VEC;
     double *here = work, *next = work + ROWS * s;
-    log_table log;
-    make_log_table(0x1.62e42fefa39efp-1, &log);
     for (size_t i = 0; i < g->n; i++) {
         /* Elements from the halo before line 0 on. */
         size_t row = ovr_strip_row(g, i) - first;
         for (size_t j = 0; j < end + VEC && j < s; j += VEC) {
-            keep(g, logarithmic, node_at(&f, &log, logarithmic, row + j), j,
-                 next);
-            if (!i)
+            keep(g, logarithmic, node_at(&p->f, &p->log, logarithmic, row + j),
+                 j, next);
+            if (!i || j < first || j >= end)
                 continue;
-            size_t before = row - s + j;
-            put_face(kept(g, logarithmic, j, here),
-                     kept(g, logarithmic, j, next), logarithmic, along,
-                     load(f.P + row + j) - load(f.P + before), f.along + before,
-                     f.along_before + before, f.along_after + before);
+            face h = {.a = kept(g, logarithmic, j, here),
+                      .b = kept(g, logarithmic, j, next)};
+            face_along(p, logarithmic, thins, row - s + j, &h);
         }
-        for (size_t j = first - VEC; j < end; j += VEC)
-            put_face(kept(g, logarithmic, j, next),
-                     kept(g, logarithmic, j + 1, next), logarithmic, across,
-                     load(f.P + row + j + 1) - load(f.P + row + j),
-                     f.across + row + j, f.across_before + row + j,
-                     f.across_after + row + j);
+        /* No row of the equation uses the flow across at the ends. */
+        for (size_t j = first - VEC; i && i + 1 < g->n && j < end; j += VEC) {
+            face h = {.a = kept(g, logarithmic, j, next),
+                      .b = kept(g, logarithmic, j + 1, next)};
+            face_across(p, logarithmic, thins, row + j, &h);
+        }
         double *t = here;
         here = next;
         next = t;
     }
 }
 
-void OVR_STRIP_KERNEL(faces)(const ovr_strip_grid *g, bool logarithmic,
-                             const ovr_strip_fields *f, double *work)
+void OVR_STRIP_KERNEL(faces)(const ovr_strip_grid *g, const ovr_fluid *fluid,
+                             bool logarithmic, const ovr_strip_fields *f,
+                             double *work)
 {
-    if (logarithmic)
-        all_faces(g, true, f, work);
+    const double Sigma0 = fluid->lubricant.Sigma0;
+    const bool thins = fluid->lubricant.rheology != OVR_NEWTONIAN;
+    faces p = {.g = g, .f = *f};
+    make_log_table(0x1.62e42fefa39efp-1, &p.log);
+    if (thins) {
+        p.law.slide = fabs(fluid->sliding) / (12 * Sigma0);
+        p.law.gradient = 1 / (4 * Sigma0);
+        p.law.log = p.log;
+        make_exp_table(1, &p.law.exp);
+    }
+    if (logarithmic && thins)
+        all_faces(&p, true, true, work);
+    else if (logarithmic)
+        all_faces(&p, true, false, work);
+    else if (thins)
+        all_faces(&p, false, true, work);
     else
-        all_faces(g, false, f, work);
+        all_faces(&p, false, false, work);
 }

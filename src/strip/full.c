@@ -40,7 +40,7 @@ static void hertzian_start(ovr_strip *strip, const ovr_strip_full *how)
     strip->H0 = ovr_film_central_moes(how->M, how->L) - 0.5966;
 }
 
-static bool solve_coarsest(ovr_strip *strip)
+static bool iterate(ovr_strip *strip)
 {
     enum { STEPS = 60 };
     const double enough = 1e-9;
@@ -51,6 +51,20 @@ static bool solve_coarsest(ovr_strip *strip)
             return false;
     }
     return change < 1e-3;
+}
+
+/* A film with a flow law starts from the Newtonian one. */
+static bool solve_coarsest(ovr_strip *strip)
+{
+    const ovr_rheology law = strip->fluid.lubricant.rheology;
+    strip->fluid.lubricant.rheology = OVR_NEWTONIAN;
+    ovr_strip_refresh(strip, &strip->level[0]);
+    bool found = iterate(strip);
+    strip->fluid.lubricant.rheology = law;
+    if (law == OVR_NEWTONIAN || !found)
+        return found;
+    ovr_strip_refresh(strip, &strip->level[0]);
+    return iterate(strip);
 }
 
 /* The value midway between b and c. */

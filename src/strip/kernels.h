@@ -14,8 +14,9 @@
     /* Repeats the period beyond both ends of every row. */ \
     K(void, wrap, (const ovr_strip_grid *g, double *x)) \
     /* Computes the flow at half nodes. */ \
-    K(void, faces, (const ovr_strip_grid *g, bool logarithmic, \
-                    const ovr_strip_fields *f, double *work)) \
+    K(void, faces, (const ovr_strip_grid *g, const ovr_fluid *fluid, \
+                    bool logarithmic, const ovr_strip_fields *f, \
+                    double *work)) \
     K(void, residual, (const ovr_strip_grid *g, const ovr_strip_weights *w, \
                        const ovr_strip_fields *f)) \
     /* Computes the residual, `moves` and `share`. */ \

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "multigrid/field.h"
+#include "multigrid/flow.h"
 #include "strip/kernels.h"
 
 static ovr_status take_fields(ovr_strip_level *level, ovr_arena *arena,
@@ -70,6 +71,15 @@ static ovr_status take_coarsest(ovr_strip *strip, ovr_arena *arena,
         !strip->solution || !strip->unknown)
         return OVR_NO_MEMORY;
     strip->deps_dH += OVR_STRIP_HALO;
+    ovr_strip_fields *f = &strip->level[0].f;
+    double **const by_film[] = {&f->along_by_film[0], &f->along_by_film[1],
+                                &f->across_by_film[0], &f->across_by_film[1]};
+    for (size_t k = 0; k < 4; k++) {
+        double *all = ovr_field(arena, ovr_strip_size(g) + OVR_STRIP_HALO, err);
+        if (!all)
+            return OVR_NO_MEMORY;
+        *by_film[k] = all + OVR_STRIP_HALO;
+    }
     return OVR_OK;
 }
 
@@ -152,7 +162,7 @@ void ovr_strip_properties(ovr_strip *strip, ovr_strip_level *level)
                                                       : strip->deps_dH - first};
     strip->kernels->film(&strip->fluid, strip->H0, &all, f->gap - first,
                          f->w - first, &film);
-    strip->run->faces(g, strip->logarithmic, f, strip->work);
+    strip->run->faces(g, &strip->fluid, strip->logarithmic, f, strip->work);
 }
 
 void ovr_strip_refresh(ovr_strip *strip, ovr_strip_level *level)
@@ -202,31 +212,40 @@ bool ovr_strip_below(ovr_strip_defect d, double tolerance)
            d.load <= 10 * tolerance && d.centre > 0;
 }
 
-ovr_strip_cycling ovr_strip_steady(void)
+ovr_strip_cycling ovr_strip_steady(const ovr_fluid *fluid)
 {
-    return (ovr_strip_cycling){.smoothing = {.to_left = 0.5,
-                                             .to_side = 0.25,
-                                             .whole = 0.8,
-                                             .plain = 0.8,
-                                             .limit = 0.1,
-                                             .tau = 2,
-                                             .along = 1,
-                                             .across = 1,
-                                             .end_sweeps = 8,
-                                             .end_share = 30},
-                               .sweeps_before = 1,
-                               .sweeps_after = 1,
-                               .newton_steps = 1,
-                               .correction = 1};
+    ovr_strip_cycling how = {.smoothing = {.to_left = 0.5,
+                                           .to_side = 0.25,
+                                           .whole = 0.8,
+                                           .plain = 0.8,
+                                           .limit = 0.1,
+                                           .tau = 2,
+                                           .along = 1,
+                                           .across = 1,
+                                           .end_sweeps = 8,
+                                           .end_share = 30},
+                             .sweeps_before = 1,
+                             .sweeps_after = 1,
+                             .newton_steps = 1,
+                             .correction = 1};
+    /* Sliding makes the flow along X large in the whole contact.  The lines
+     * solve it exactly, so that it is no reason to change nodes one by one. */
+    if (ovr_flow_thins(fluid)) {
+        how.smoothing.tau = 3;
+        how.smoothing.along = 0.2;
+    }
+    return how;
 }
 
-ovr_strip_cycling ovr_strip_transient(void)
+ovr_strip_cycling ovr_strip_transient(const ovr_fluid *fluid)
 {
-    ovr_strip_cycling how = ovr_strip_steady();
+    ovr_strip_cycling how = ovr_strip_steady(fluid);
     how.smoothing.to_left = how.smoothing.to_right = 0.25;
     how.smoothing.plain = 0.7;
     how.smoothing.limit = 0.5;
     how.smoothing.tau = 6;
     how.smoothing.end_share = 300;
+    if (ovr_flow_thins(fluid))
+        how.smoothing.along = 0;
     return how;
 }

@@ -294,7 +294,7 @@ static const setting settings[OVR_STRIP_ATTEMPTS] = {
 static ovr_strip_cycling cycling_of(const ovr_strip_march *march, int attempt)
 {
     const setting *s = &settings[attempt];
-    ovr_strip_cycling how = ovr_strip_transient();
+    ovr_strip_cycling how = ovr_strip_transient(&march->strip->fluid);
     bool zebra = attempt == 0 ? march->coupling
                               : s->zebra < 0 && !march->coupling;
     how.smoothing.zebra = zebra;

@@ -97,6 +97,8 @@ typedef struct ovr_strip_fields {
         };
         double *all[OVR_STRIP_FIELDS(OVR_STRIP_FIELD_COUNT)];
     };
+    /* Derivatives by both films on the coarsest grid, otherwise NULL */
+    double *along_by_film[2], *across_by_film[2];
 } ovr_strip_fields;
 
 /* Weights of q_i, q_{i-1}, q_{i-2} in a row of the equation; those of row 1. */
@@ -186,9 +188,9 @@ ovr_status ovr_strip_create(ovr_strip *strip, const ovr_strip_shape *shape,
                             ovr_error *err);
 void ovr_strip_release(ovr_strip *strip);
 
-/* Returns the default cycles of steady films and of time steps. */
-ovr_strip_cycling ovr_strip_steady(void);
-ovr_strip_cycling ovr_strip_transient(void);
+/* Returns the default cycles of steady films and of time steps with a fluid. */
+ovr_strip_cycling ovr_strip_steady(const ovr_fluid *fluid);
+ovr_strip_cycling ovr_strip_transient(const ovr_fluid *fluid);
 
 /* Sets the weights of the wedge of second order (upstream2) at a mean speed,
  * its first row of first order; `time` is the weight of q_i in d/dT. */

@@ -31,7 +31,7 @@ static void measure(size_t n, size_t lines, const char *set)
                                 .force = acos(0),
                                 .M = 20,
                                 .L = 10,
-                                .cycling = ovr_strip_steady(),
+                                .cycling = ovr_strip_steady(&s->strip.fluid),
                                 .cycles = 2,
                                 .max_cycles = 2};
     int cycles;

@@ -4,6 +4,7 @@
  * dense Newton solutions and values of another program.  Also tests the order
  * of the error and symmetries.
  */
+#include <gsl/gsl_integration.h>
 #include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <stdlib.h>
@@ -59,6 +60,45 @@ TEST(uniform_strip_is_the_line_contact)
     }
 }
 
+/* An Eyring film that slides, by closed integrals in the line contact. */
+TEST(uniform_thinning_strip_is_the_line_contact)
+{
+    enum { LEVEL = 5, N = (7 << LEVEL) + 1 };
+    static const double laws[][2] = {{0.334, 0.5}, {0.1335, 1}};
+    for (size_t k = 0; k < 2; k++) {
+        double apart[2], Sigma0 = laws[k][0], SRR = laws[k][1];
+        ovr_error err = {0};
+        test_contact c = test_contact_make(20, 10);
+        c.contact.u1_ratio = 1 + SRR / 2;
+        c.contact.u2_ratio = 1 - SRR / 2;
+        c.lubricant.rheology = OVR_EYRING;
+        c.lubricant.Sigma0 = Sigma0;
+        ovr_options o = test_options();
+        o.faces = OVR_FACES_GAP;
+        o.level = LEVEL;
+        o.tolerance = 1e-10;
+        o.mlmi_order = 12;
+        o.mlmi_range = 24;
+        ovr_simulation *line = ovr_simulation_create(&c.contact, &c.lubricant,
+                                                     &o, NULL, &err);
+        assert_non_null(line);
+        CHECK_OK(ovr_simulation_steady(line, &err), &err);
+        for (int logarithmic = 0; logarithmic < 2; logarithmic++) {
+            ovr_strip_shape shape = test_strip_shape(N, 56);
+            shape.coarsest = 29;
+            test_strip *s = test_strip_make(20, 10, shape, NULL);
+            s->strip.logarithmic = logarithmic;
+            s->strip.fluid.lubricant = c.lubricant;
+            s->strip.fluid.sliding = SRR;
+            test_strip_solve(s, 1e-10);
+            apart[logarithmic] = distance(s, ovr_simulation_state(line));
+            test_strip_free(s);
+        }
+        CHECK_NEAR(fmin(apart[0], apart[1]), 0, 2e-8);
+        ovr_simulation_free(line);
+    }
+}
+
 /* ------------------------------------------------------------ Dense Newton */
 
 /* The discrete equations of a strip written down once more, node by node. */
@@ -67,7 +107,8 @@ typedef struct dense {
     size_t n, lines;
     double D, Dy, H0;
     bool logarithmic;
-    double *k; /* n x lines */
+    double Sigma0, slide; /* of the law of Eyring, or 0 */
+    double *k;            /* n x lines */
     double *gap, *P, *H, *q, *phi;
 } dense;
 
@@ -101,6 +142,10 @@ static dense dense_make(const test_strip *s)
                .Dy = g->Dy,
                .H0 = s->strip.H0,
                .logarithmic = s->strip.logarithmic};
+    if (s->strip.fluid.lubricant.rheology != OVR_NEWTONIAN) {
+        d.Sigma0 = s->strip.fluid.lubricant.Sigma0;
+        d.slide = fabs(s->strip.fluid.sliding) / (12 * d.Sigma0);
+    }
     size_t all = d.n * d.lines, modes = d.lines / 2 + 1;
     double **to[] = {&d.k, &d.gap, &d.P, &d.H, &d.q, &d.phi};
     for (size_t k = 0; k < sizeof to / sizeof *to; k++)
@@ -152,14 +197,73 @@ static void film(dense *d)
     }
 }
 
-/* Flow from a to b, times the distance. */
-static double flow(const dense *d, size_t a, size_t b)
+/* E/eps of Eyring's law by Gauss points and Newton's method for the mean
+ * stress. The gradients are those along X and across. */
+static double thinned(double s_N, double gx, double gy, bool across)
 {
-    double A = pow(d->H[a], 3), B = pow(d->H[b], 3);
+    enum { POINTS = 24 };
+    gsl_integration_glfixed_table *rule = gsl_integration_glfixed_table_alloc(
+        POINTS);
+    double place[POINTS], weight[POINTS];
+    for (size_t k = 0; k < POINTS; k++)
+        gsl_integration_glfixed_point(-1, 1, k, &place[k], &weight[k], rule);
+    gsl_integration_glfixed_table_free(rule);
+    double ax = asinh(s_N), ay = 0, flow = 0;
+    for (int step = 0; step < 60; step++) {
+        double F[2] = {-s_N, 0}, D[3] = {0, 0, 0};
+        flow = 0;
+        for (int k = 0; k < POINTS; k++) {
+            double s = place[k], w = 0.5 * weight[k];
+            double tx = ax + s * gx, ty = ay + s * gy, t = hypot(tx, ty);
+            double f = t > 1e-6 ? sinh(t) / t : 1;
+            double c = t > 1e-4 ? (cosh(t) - f) / (t * t) : 1. / 3;
+            F[0] += w * f * tx;
+            F[1] += w * f * ty;
+            D[0] += w * (f + c * tx * tx);
+            D[1] += w * c * tx * ty;
+            D[2] += w * (f + c * ty * ty);
+            flow += w * s * f * (across ? ty : tx);
+        }
+        double det = D[0] * D[2] - D[1] * D[1];
+        double dx = -(D[2] * F[0] - D[1] * F[1]) / det;
+        double dy = -(D[0] * F[1] - D[1] * F[0]) / det;
+        ax += fmax(-1, fmin(1, dx));
+        ay += fmax(-1, fmin(1, dy));
+        if (fabs(dx) + fabs(dy) < 1e-11)
+            break;
+    }
+    return 3 * flow / (across ? gy : gx);
+}
+
+/* Central difference of P across or along at node k. */
+static double slope(const dense *d, size_t k, bool across)
+{
+    size_t m = d->lines, i = k / m, j = k % m;
+    if (across)
+        return (d->P[i * m + (j + 1) % m] - d->P[i * m + (j + m - 1) % m]) /
+               (2 * d->Dy);
+    return (d->P[k + m] - d->P[k - m]) / (2 * d->D);
+}
+
+/* Flow from a to b, times the distance. */
+static double flow(const dense *d, size_t a, size_t b, bool across)
+{
+    double H = d->H[a], G = d->H[b], A = pow(H, 3), B = pow(G, 3);
     double f = d->phi[a], g = d->phi[b], mean = 0.5 * (f + g);
     if (d->logarithmic && fabs(f - g) > 1e-7 * f)
         mean = (f - g) / log(f / g);
-    return mean * 2 / (1 / A + 1 / B) * (d->P[a] - d->P[b]);
+    double eps = mean * 2 / (1 / A + 1 / B), dP = d->P[b] - d->P[a];
+    if (!(d->Sigma0 > 0))
+        return -eps * dP;
+    double films = (H + G) / (4 * d->Sigma0);
+    double own = films * dP / (across ? d->Dy : d->D);
+    double other = 0.5 * films * (slope(d, a, !across) + slope(d, b, !across));
+    double c = d->slide * (d->q[a] / H + d->q[b] / G) * H * H * G * G /
+               (H * H + G * G);
+    own = fmax(fabs(own), 1e-4);
+    return -eps * dP *
+           thinned(c / eps, across ? fabs(other) : own,
+                   across ? own : fabs(other), across);
 }
 
 /* Flow in less flow out of node (i, j). */
@@ -167,9 +271,10 @@ static double equation(const dense *d, size_t i, size_t j)
 {
     const size_t m = d->lines, k = i * m + j;
     const double *q = d->q;
-    double along = (flow(d, k - m, k) - flow(d, k, k + m)) / (d->D * d->D);
-    double across = (flow(d, i * m + (j + m - 1) % m, k) -
-                     flow(d, k, i * m + (j + 1) % m)) /
+    double along = (flow(d, k - m, k, false) - flow(d, k, k + m, false)) /
+                   (d->D * d->D);
+    double across = (flow(d, i * m + (j + m - 1) % m, k, true) -
+                     flow(d, k, i * m + (j + 1) % m, true)) /
                     (d->Dy * d->Dy);
     double wedge = i == 1 ? q[k] - q[k - m]
                           : 1.5 * q[k] - 2 * q[k - m] + 0.5 * q[k - 2 * m];
@@ -265,30 +370,55 @@ static void solve_dense(dense *d)
 static const test_bump dent = {
     .A = -0.08, .width = 0.3, .x = -0.2, .y = 1, .round = true};
 
+/* Largest distances of H0, H and P. */
+static void compare_dense(const test_strip *s, double tolerance)
+{
+    dense d = dense_make(s);
+    solve_dense(&d);
+    CHECK_NEAR(s->strip.H0, d.H0, tolerance);
+    const ovr_strip_fields *f = &test_strip_finest(s)->f;
+    for (size_t i = 0; i < d.n; i++)
+        for (size_t j = 0; j < d.lines; j++) {
+            CHECK_NEAR(test_strip_at(s, f->P, i, j), d.P[i * d.lines + j],
+                       tolerance);
+            CHECK_NEAR(test_strip_at(s, f->H, i, j), d.H[i * d.lines + j],
+                       tolerance);
+        }
+    dense_free(&d);
+}
+
+static test_strip *coarse_dent(bool logarithmic)
+{
+    ovr_strip_shape shape = test_strip_shape(33, 8);
+    shape.coarsest = 17;
+    test_strip *s = test_strip_make(8, 6, shape, NULL);
+    s->bump[s->bumps++] = dent;
+    s->strip.logarithmic = logarithmic;
+    return s;
+}
+
 TEST(round_dent_agrees_with_dense_newton)
 {
     for (int logarithmic = 0; logarithmic < 2; logarithmic++) {
-        ovr_strip_shape shape = test_strip_shape(33, 8);
-        shape.coarsest = 17;
-        test_strip *s = test_strip_make(8, 6, shape, NULL);
-        s->bump[s->bumps++] = dent;
-        s->strip.logarithmic = logarithmic;
+        test_strip *s = coarse_dent(logarithmic);
         test_strip_solve(s, 1e-11);
         assert_int_equal(s->strip.finest, 1);
-        dense d = dense_make(s);
-        solve_dense(&d);
-        CHECK_NEAR(s->strip.H0, d.H0, 1e-10);
-        const ovr_strip_fields *f = &test_strip_finest(s)->f;
-        for (size_t i = 0; i < d.n; i++)
-            for (size_t j = 0; j < d.lines; j++) {
-                CHECK_NEAR(test_strip_at(s, f->P, i, j), d.P[i * d.lines + j],
-                           1e-10);
-                CHECK_NEAR(test_strip_at(s, f->H, i, j), d.H[i * d.lines + j],
-                           1e-10);
-            }
-        dense_free(&d);
+        compare_dense(s, 1e-10);
         test_strip_free(s);
     }
+}
+
+/* Five points across the film: 1e-6 of E at these gradients, and of P where it
+ * is steep. */
+TEST(shear_thinning_dent_agrees_with_dense_newton)
+{
+    test_strip *s = coarse_dent(true);
+    s->strip.fluid.lubricant.rheology = OVR_EYRING;
+    s->strip.fluid.lubricant.Sigma0 = 0.6;
+    s->strip.fluid.sliding = 0.5;
+    test_strip_solve(s, 1e-10);
+    compare_dense(s, 1e-5);
+    test_strip_free(s);
 }
 
 /* A dense Newton solution of another program: 65 x 16 nodes. */

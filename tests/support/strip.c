@@ -108,7 +108,7 @@ void test_strip_solve(test_strip *s, double tolerance)
                                 .force = acos(0),
                                 .M = s->M,
                                 .L = s->L,
-                                .cycling = ovr_strip_steady(),
+                                .cycling = ovr_strip_steady(&s->strip.fluid),
                                 .cycles = 2,
                                 .max_cycles = 40,
                                 .tolerance = tolerance};

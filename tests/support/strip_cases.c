@@ -122,7 +122,7 @@ void strip_survey_add(strip_survey *found, unsigned seed, size_t n)
                                 .force = acos(0),
                                 .M = M,
                                 .L = L,
-                                .cycling = ovr_strip_steady(),
+                                .cycling = ovr_strip_steady(&s->strip.fluid),
                                 .cycles = 3,
                                 .max_cycles = 40,
                                 .tolerance = 1e-4};

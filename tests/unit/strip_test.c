@@ -136,7 +136,7 @@ TEST(solution_stays_in_a_cycle)
                                         NULL);
         s->bump[s->bumps++] = dent;
         test_strip_solve(s, 1e-11);
-        ovr_strip_cycling how = ovr_strip_steady();
+        ovr_strip_cycling how = ovr_strip_steady(&s->strip.fluid);
         how.smoothing.zebra = zebra;
         double H0 = s->strip.H0;
         ovr_strip_cycle(&s->strip, s->strip.finest, &how);

@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Flow of an Eyring film at a half node.  Pressure gradients are along and
+ * across rolling, sliding is along.  Stresses are in units of Sigma0, s = -1..1
+ * is the place across the film.
+ *
+ *     tau(s) = a + s G,   G = H grad P/(2 Sigma0),   F(t) = sinh(t)/t
+ *     <F(|tau|) tau> = (c/eps, 0),   c = |V| rho H^2/(12 Sigma0)
+ *     flow_k = E_k dP/dX_k,   E_k = eps (3/g_k) <s F tau_k>
+ *     D = d(F tau)/d tau,   K_m = <s^m D>,   v = K_0^-1 K_1 e_k
+ *     T_k = d flow_k/d grad_k = 3 eps (K_2 - K_1 K_0^-1 K_1)_kk
+ *     dE_k/dc = 3 v_x/g_k,    eps dE_k/d eps = E_k - c dE_k/dc
+ *
+ * The brackets are means over the film by five Gauss points.  The mean stress a
+ * is a guess, exact without a gradient across.  Its derivative corrects the
+ * flow to second order.  The error of E is 1e-7 where |G| < 0.3, 1e-4 where |G|
+ * < 1 and one per cent at |G| = 3.
+ *
+ * Gradients are limited to twelve.  The viscosity occurs
+ * in eps only, so that no quotient overflows.
+ *
+ * Source: Conry, Wang and Cusano, J. Tribol. 109 (1987) 648, for flow along X.
+ */
+#ifndef OVR_STRIP_THINNING_H
+#define OVR_STRIP_THINNING_H
+
+#include "multigrid/power.h"
+
+typedef struct thinning {
+    double slide;    /* |V|/(12 Sigma0) */
+    double gradient; /* 1/(4 Sigma0) */
+    log_table log;
+    exp_table exp;
+} thinning;
+
+/* E, T, eps dE/d eps and dE/dc. */
+typedef struct thinned {
+    vec E, T, by_eps, by_c;
+} thinned;
+
+static inline vec natural_log(const thinning *law, vec x)
+{
+    return scaled_log2(&law->log, x);
+}
+
+static inline vec exponential(const thinning *law, vec x)
+{
+    return scaled_exp2(&law->exp, 0x1.71547652b82fep0 * x);
+}
+
+/* g/sinh g of a positive g. */
+static inline vec sine_quotient(const thinning *law, vec g)
+{
+    vec e = exponential(law, g);
+    return choose(g > 1e-2, 2 * g / (e - 1 / e), 1 - (1. / 6) * g * g);
+}
+
+/* The Langevin function coth g - 1/g. */
+static inline vec langevin(const thinning *law, vec g)
+{
+    vec e = exponential(law, 2 * g), h = larger(g, all(1e-4));
+    vec far = (e + 1) / larger(e - 1, all(1e-4)) - 1 / h;
+    return choose(g > 0.1, far, g * (1. / 3 - (1. / 45) * g * g));
+}
+
+static inline vec held_gradient(vec g)
+{
+    return smaller(larger(g, -g), all(12));
+}
+
+/* Flow along X, or across. */
+static INLINE thinned thinned_flow(const thinning *law, bool across, vec eps,
+                                   vec c, vec gx, vec gy)
+{
+    static const double place[] = {0.90617984593866396, 0.53846931010568311, 0,
+                                   -0.53846931010568311, -0.90617984593866396};
+    static const double weight[] = {0.1184634425280945, 0.23931433524968324,
+                                    0.28444444444444444, 0.23931433524968324,
+                                    0.1184634425280945};
+    eps = larger(eps, all(1e-280));
+    gx = held_gradient(gx);
+    gy = held_gradient(gy);
+    if (across)
+        gy = larger(gy, all(1e-4));
+    else
+        gx = larger(gx, all(1e-4));
+    /* Guess of the mean stress: the linear response to sliding along and across
+     * the gradient. */
+    vec square = gx * gx + gy * gy + 1e-12, g = square * inverse_root(square);
+    vec along = gx * gx / square;
+    vec series = 1. / 600 + square * (1. / 17000);
+    vec side = 1 / (1 + square * (1. / 18 + square * series));
+    vec cb = c * (sine_quotient(law, g) * along + side * (1 - along));
+    vec root = eps * eps + cb * cb + 1e-290;
+    vec w = cb + root * inverse_root(root);
+    vec a0 = natural_log(law, w / eps), ax = a0;
+    vec ay = -gy * langevin(law, gx) * ax * inverse_root(9 + ax * ax);
+    vec back = eps * (eps / w);
+    vec F0 = all(0), F1 = all(0), J = all(0), kxx = all(0), kxy = all(0);
+    vec kyy = all(0), lxx = all(0), lxy = all(0), lyy = all(0), mm = all(0);
+    UNROLL
+    for (int k = 0; k < 5; k++) {
+        vec tx = fused(all(place[k]), gx, ax),
+            ty = fused(all(place[k]), gy, ay);
+        vec t2 = tx * tx + ty * ty + 1e-8, it = inverse_root(t2);
+        vec e = exponential(law, fused(t2, it, -a0));
+        vec p = 0.5 * w * e, q = 0.5 * back / e, F = (p - q) * it;
+        vec D = ((p + q) - F) * it * it;
+        vec ux = F * tx, uy = F * ty;
+        vec dxx = fused(D * tx, tx, F), dxy = D * tx * ty;
+        vec dyy = fused(D * ty, ty, F);
+        double first = weight[k] * place[k], second = first * place[k];
+        F0 += weight[k] * ux;
+        F1 += weight[k] * uy;
+        kxx += weight[k] * dxx;
+        kxy += weight[k] * dxy;
+        kyy += weight[k] * dyy;
+        lxx += first * dxx;
+        lxy += first * dxy;
+        lyy += first * dyy;
+        J += first * (across ? uy : ux);
+        mm += second * (across ? dyy : dxx);
+    }
+    vec inverse = 1 / (kxx * kyy - kxy * kxy);
+    vec bx = across ? lxy : lxx, by = across ? lyy : lxy;
+    vec vx = (kyy * bx - kxy * by) * inverse;
+    vec vy = (kxx * by - kxy * bx) * inverse;
+    J += vx * (c - F0) - vy * F1;
+    vec third = 3 / (across ? gy : gx);
+    thinned f = {
+        .E = J * third, .T = 3 * (mm - vx * bx - vy * by), .by_c = vx * third};
+    f.by_eps = f.E - c * f.by_c;
+    return f;
+}
+
+#endif
