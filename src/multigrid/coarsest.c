@@ -155,7 +155,7 @@ static void assemble(const ovr_hierarchy *grids, const ovr_level *level,
             row[j] *= wet[j];
         for (size_t m = 0; m < 3 && m <= i; m++)
             if (!f->wet[i - m])
-                row[i - m] = -c.a[m];
+                row[i - m] = -row_content_weight(f, &c, (int)m, (ptrdiff_t)i);
     }
     for (size_t j = 0; j < n; j++)
         row[j] = level->grid.D * (grids->conserving ? wet[j] : 1);

@@ -80,9 +80,11 @@ void OVR_KERNEL(content_settle)(const ovr_lanes *g, const ovr_weights *w,
 }
 
 static INLINE void residual_vector(const ovr_weights *w, const ovr_fields *f,
-                                   const row_weights *free, ptrdiff_t J)
+                                   const row_weights *free, row_kind kind,
+                                   ptrdiff_t J)
 {
     row_weights c = row_limited(f, w, free, J);
+    c.kind = kind; /* a constant for the compiler after the copy too */
     put(f->r, J, row_content_residual(f, &c, J));
 }
 
@@ -90,10 +92,10 @@ static INLINE void residual_vectors(const ovr_weights *w, const ovr_fields *f,
                                     row_kind kind, ptrdiff_t S)
 {
     row_weights first = row_first(w, kind), rest = row_inner(w, kind);
-    residual_vector(w, f, &rest, 0);
-    residual_vector(w, f, &first, 1);
+    residual_vector(w, f, &rest, kind, 0);
+    residual_vector(w, f, &first, kind, 1);
     for (ptrdiff_t J = 2; J < S; J++)
-        residual_vector(w, f, &rest, J);
+        residual_vector(w, f, &rest, kind, J);
 }
 
 /* r in rows 1..n-2, zero at both ends. */
@@ -102,7 +104,11 @@ void OVR_KERNEL(content_residual)(const ovr_lanes *g, const ovr_weights *w,
 {
     const ovr_fields own = *f;
     ptrdiff_t S = (ptrdiff_t)g->S;
-    if (own.flow) /* whatever made it */
+    if (own.skew && own.flow) /* whatever made it */
+        residual_vectors(w, &own, ROW_GAP | ROW_SKEWED, S);
+    else if (own.skew)
+        residual_vectors(w, &own, ROW_SUMS | ROW_SKEWED, S);
+    else if (own.flow)
         residual_vectors(w, &own, ROW_GAP, S);
     else
         residual_vectors(w, &own, ROW_SUMS, S);
@@ -196,20 +202,22 @@ static inline void fold(const line *l, const row_weights *c, ptrdiff_t J,
 {
     ivec pairs = in_set(l->f.right, J - 3) & in_set(l->f.wet, J - 1);
     vec plus = within_set(pairs, all(l->shares.plus));
-    vec cut = plus * c->a[2] * at(l->f.dq, J - 2);
+    vec cut = plus * row_wedge_by_pressure(&l->f, c, 2, J);
     b[0] -= 2 * cut;
     b[1] += cut;
 }
 
 static INLINE void assemble_vector(const line *l, const row_weights *free,
-                                   bool transient, ptrdiff_t J)
+                                   row_kind kind, bool transient, ptrdiff_t J)
 {
     const ovr_band *band = &l->band;
     row_weights c = row_limited(&l->f, &l->w, free, J);
+    c.kind = kind;
     vec A[7], b[5];
     derivatives(l, &c, J, A);
     for (ptrdiff_t d = 0; d < 5; d++) {
-        vec dry = d < 3 ? -c.a[2 - d] : all(0);
+        vec dry = d < 3 ? -row_content_weight(&l->f, &c, 2 - (int)d, J)
+                        : all(0);
         b[d] = choose(in_set(l->f.wet, J + d - 2),
                       wet_column(l, transient, d, J, A), dry);
     }
@@ -225,15 +233,24 @@ static INLINE void assemble(const line *l, ptrdiff_t S, row_kind kind,
 {
     row_weights first = row_first(&l->w, kind);
     row_weights rest = row_inner(&l->w, kind);
-    assemble_vector(l, &rest, transient, 0);
-    assemble_vector(l, &first, transient, 1);
+    assemble_vector(l, &rest, kind, transient, 0);
+    assemble_vector(l, &first, kind, transient, 1);
     for (ptrdiff_t J = 2; J < S; J++)
-        assemble_vector(l, &rest, transient, J);
+        assemble_vector(l, &rest, kind, transient, J);
+}
+
+/* Rows of a film with temperatures, compiled once for all kinds. */
+static __attribute__((noinline)) void
+assemble_skewed(const line *l, ptrdiff_t S, row_kind kind, bool transient)
+{
+    assemble(l, S, kind | ROW_SKEWED, transient);
 }
 
 static INLINE void assemble_kind(const line *l, ptrdiff_t S, bool transient)
 {
-    switch (row_kind_of(&l->f)) {
+    row_kind kind = row_kind_of(&l->f);
+    switch (kind) {
+    default: assemble_skewed(l, S, kind, transient); break;
     case ROW_SUMS: assemble(l, S, ROW_SUMS, transient); break;
     case ROW_GAP: assemble(l, S, ROW_GAP, transient); break;
     case ROW_THINS: assemble(l, S, ROW_THINS, transient); break;

@@ -85,7 +85,7 @@ static void row_of_band(const row_weights *c, const double A[7],
         ptrdiff_t j = i + d - 2;
         double minus = f->left[j] ? s->minus : 0;
         double plus = f->right[j] ? s->plus : 0;
-        double dry = d < 3 ? -c->a[2 - d] : 0;
+        double dry = d < 3 ? -row_content_weight(f, c, 2 - (int)d, i) : 0;
         double wet = A[d + 1] + minus * A[d] + plus * A[d + 2];
         band->b[d][i] = f->wet[j] ? wet : dry;
     }
@@ -97,7 +97,7 @@ static void fold(const row_weights *c, double plus, const ovr_fields *f,
 {
     if (!f->right[i - 3] || !f->wet[i - 1])
         return;
-    double cut = plus * c->a[2] * f->dq[i - 2];
+    double cut = plus * row_wedge_by_pressure(f, c, 2, i);
     band->b[0][i] -= 2 * cut;
     band->b[1][i] += cut;
 }

@@ -57,7 +57,7 @@ static inline void row_content_by_film(const ovr_fields *f,
                                        num e[3])
 {
     for (int m = 0; m < 3; m++)
-        e[2 - m] = c->a[m] *
+        e[2 - m] = row_content_weight(f, c, m, J) *
                    within_set(in_set(f->wet, J - m), at(f->rho, J - m));
 }
 

@@ -256,6 +256,7 @@ void ovr_cross_film_flow_of(const ovr_cross_film *a, const ovr_heat *heat,
     flow->even = uniform(&film);
     flow->t = stressed(&film, rate);
     maximum = ovr_larger(sheet->limit - fabs(G), 0);
+    flow->limited = fabs(flow->t) > maximum;
     flow->t = ovr_larger(-maximum, ovr_smaller(maximum, flow->t));
     flow->even = ovr_larger(-maximum, ovr_smaller(maximum, flow->even));
     for (int j = 0; j < a->n; j++) {

@@ -97,6 +97,7 @@ typedef struct ovr_cross_film_flow {
     double m[3], mean;                  /* m_k; T_m */
     double log_eta;                     /* at T_m */
     double t;                           /* mean shear stress */
+    bool limited;                       /* t is at its limit */
     double even;                        /* that of a uniform film */
     double u[OVR_CROSS_FILM_MAX];       /* velocity */
     double heating[OVR_CROSS_FILM_MAX]; /* tau u_z */
@@ -128,14 +129,16 @@ void ovr_cross_film_solve(const ovr_cross_film *a, const ovr_heat *heat,
  *     tau u_z <- tau u_z (1 - gamma (T - T_used))
  *     gamma = -(d ln eta/dT) tanh(a)/a,  a = |t|/Sigma0,
  *
- * by Eyring's law, f/(a f') for tanh(a)/a by any other.
+ * by Eyring's law, f/(a f') for tanh(a)/a by any other.  Where the stress is at
+ * its limit the power does not depend on the viscosity: gamma = 0.
  */
 typedef struct ovr_columns {
     const ovr_cross_film *cross_film;
     const ovr_heat *heat;
     size_t n;
     double lambda, V, u1, Sigma0;
-    double limit; /* of |t| + |G_P|, over P */
+    double limit;      /* of |t| + |G_P|, over P */
+    bool always_falls; /* gamma as if no stress were limited */
     const ovr_flow_law *law;
     const double *X, *P, *H, *q;            /* the oil's H: q = rho H */
     const double *log_eta;                  /* at T0 */

@@ -336,13 +336,13 @@ static INLINE void store_fields(const shared *s, bool by_power, const nodes *v,
 
 /* Stress and gamma. */
 static INLINE void store_stress(const shared *s, bool by_power, int law,
-                                const nodes *v, vec t, size_t i)
+                                const nodes *v, vec t, ivec limited, size_t i)
 {
     vec fall = all(s->heat.beta);
     if (by_power)
         fall = (s->heat.S0 * LN2 * s->inv_above) * v->steep * v->level / v->x;
     store(s->c.t + i, t);
-    store(s->c.fall + i, fall * softer(s, law, t));
+    store(s->c.fall + i, choose(limited, all(0), fall * softer(s, law, t)));
 }
 
 /* Velocities and heating, of a wet film; else what there is moves with the
@@ -382,10 +382,12 @@ static INLINE void flow(const shared *s, int n, bool by_power, int law,
         vec even = bounded_by(uniform(s, n, v, law), maximum);
         store(c->even + i, choose(P > 0, even, all(0)));
     }
+    ivec limited = magnitude(t) > maximum;
+    limited &= c->always_falls ? P < P : P > 0;
     t = bounded_by(t, maximum);
     t = choose(P > 0, t, all(0));
     store_flow(s, n, v, t, rate, i);
-    store_stress(s, by_power, law, v, t, i);
+    store_stress(s, by_power, law, v, t, limited, i);
 }
 
 static INLINE void columns(const shared *s, int n, bool by_power, int law)

@@ -59,6 +59,8 @@ static double fall(const ovr_columns *c, double log_eta,
                    const ovr_cross_film_flow *flow)
 {
     double a = fabs(flow->t) / c->Sigma0, softer = 1, by_a;
+    if (flow->limited && !c->always_falls)
+        return 0;
     if (a > 1e-3 && c->law) {
         double f = ovr_curve_at(&c->law->f, a, &by_a);
         softer = f / (a * by_a);

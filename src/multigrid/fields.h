@@ -9,7 +9,8 @@
  *              GAP: where means at half nodes go by the gap (faces.h);
  *              LAW: where there is a flow law; FLOW, SENSITIVE: as LANES,
  *              NEWTON where there is one or the other;
- *              CONTENT: where cavitation is mass-conserving (content.h) alone
+ *              CONTENT: where cavitation is mass-conserving (content.h) alone;
+ *              SKEWED: in a film with temperatures alone
  *     ordered  read node by node too, by what does not run in lanes
  *     carried  full multigrid brings it down to all levels by full weighting
  *     shown    of the finest level: part of the solution, read after a solve
@@ -44,6 +45,8 @@
     FIELD(by_eps,  LAW,    1, 0, 0, 0, 0) /* dE/d eps */ \
     FIELD(by_left, SENSITIVE, 1, 0, 0, 0, 0) /* 2 dE/dH_i at fixed P */ \
     FIELD(by_right, SENSITIVE, 1, 0, 0, 0, 0) /* 2 dE/dH_{i+1} */ \
+    FIELD(skew,    SKEWED, 1, 0, 0, 0, 0) /* s_0 of reynolds_row.h */ \
+    FIELD(skew_by_P, SKEWED, 1, 0, 0, 0, 0) /* s_1 of reynolds_row.h */ \
     FIELD(full,    CONTENT, 0, 0, 0, 0, 0) /* rho H, of a gap full of oil */ \
     FIELD(kept,    CONTENT, 0, 0, 0, 0, 0) /* kappa q^{k-1}/dT (content.h) */
 #define OVR_FIELD_INDEX(name, ...) OVR_FIELD_##name,
@@ -83,7 +86,8 @@ typedef enum ovr_field_memory {
     OVR_LAW,
     OVR_FLOW,
     OVR_SENSITIVE,
-    OVR_CONTENT
+    OVR_CONTENT,
+    OVR_SKEWED
 } ovr_field_memory;
 
 typedef struct ovr_field_row {

@@ -41,6 +41,21 @@ static double flow_before(const film *f, ptrdiff_t i)
     return value(f, x->eps, i - 1) + value(f, x->eps, i);
 }
 
+/* Weight a_m of row i times d q/dP of node i - m at fixed film, with the flow
+ * that temperatures skew (reynolds_row.h). */
+static double wedge_by_pressure(const film *f, int m, ptrdiff_t i)
+{
+    const ovr_weights *w = &f->level->weights;
+    const ovr_fields *x = &f->level->f;
+    double dq = value(f, x->dq, i - m);
+    if (!x->skew)
+        return w->a[m] * dq;
+    double s_1 = value(f, x->skew_by_P, i - m);
+    double s = value(f, x->skew, i - m) + s_1 * value(f, x->P, i - m);
+    return (w->a[m] + w->skew[m] * s) * dq +
+           w->skew[m] * s_1 * value(f, x->q, i - m);
+}
+
 /* Row i; returns the coefficient of its neighbour inwards. */
 static double row_of(const film *f, ptrdiff_t i, ptrdiff_t out)
 {
@@ -48,8 +63,8 @@ static double row_of(const film *f, ptrdiff_t i, ptrdiff_t out)
     const ovr_fields *x = &f->level->f;
     double before = w->half * flow_before(f, i);
     double after = w->half * flow_before(f, i + 1);
-    double L = before - w->a[1] * value(f, x->dq, i - 1);
-    f->G[i] = before + after + w->a[0] * value(f, x->dq, i);
+    double L = before - wedge_by_pressure(f, 1, i);
+    f->G[i] = before + after + wedge_by_pressure(f, 0, i);
     f->b[i] = -value(f, x->r, i) + f->G[i] * value(f, x->P, i) -
               L * value(f, x->P, i - 1) - after * value(f, x->P, i + 1);
     f->U[i] = out > 0 ? after : L;

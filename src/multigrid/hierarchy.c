@@ -28,6 +28,7 @@ static bool has(const ovr_hierarchy *grids, ovr_field_memory memory,
     case OVR_FLOW: return gap || thins;
     case OVR_SENSITIVE: return newton && (gap || thins);
     case OVR_CONTENT: return grids->content;
+    case OVR_SKEWED: return grids->skewed;
     default: return true;
     }
 }
@@ -156,7 +157,12 @@ void ovr_hierarchy_fill(ovr_hierarchy *grids)
 
 void ovr_level_operator(const ovr_operator *op, ovr_level *level)
 {
+    const ovr_weights before = level->weights;
     level->weights = ovr_reynolds_weights(op, level->grid.D);
+    for (int m = 0; m < 3; m++) {
+        level->weights.skew[m] = before.skew[m];
+        level->weights.skew_first[m] = before.skew_first[m];
+    }
     level->shares = ovr_reynolds_shares(op, level->grid.D);
     level->closed = false;
     memcpy(level->opened, level->weights.first, sizeof level->opened);
@@ -228,6 +234,36 @@ static ovr_status take_through(ovr_fields *f, size_t capacity, ovr_arena *arena,
     f->tangent = ovr_field(arena, capacity, err);
     f->by_eps = ovr_field(arena, capacity, err);
     return f->tangent && f->by_eps ? OVR_OK : OVR_NO_MEMORY;
+}
+
+static ovr_status take_skew(ovr_fields *f, size_t n, ovr_arena *arena,
+                            ovr_error *err)
+{
+    if (!f->skew)
+        f->skew = ovr_field(arena, n, err);
+    if (!f->skew_by_P)
+        f->skew_by_P = ovr_field(arena, n, err);
+    return f->skew && f->skew_by_P ? OVR_OK : OVR_NO_MEMORY;
+}
+
+ovr_status ovr_hierarchy_skew(ovr_hierarchy *grids, bool second_order,
+                              ovr_arena *arena, ovr_error *err)
+{
+    ovr_operator wedge = {.speed = 1};
+    ovr_reynolds_wedge(&wedge, second_order, 1);
+    grids->skewed = true;
+    for (int l = grids->coarsest; l <= grids->finest; l++) {
+        ovr_level *level = &grids->level[l];
+        const ovr_weights w = ovr_reynolds_weights(&wedge, level->grid.D);
+        for (int m = 0; m < 3; m++) {
+            level->weights.skew[m] = w.a[m];
+            level->weights.skew_first[m] = w.first[m];
+        }
+        if (take_skew(&level->f, capacity_of(level), arena, err))
+            return OVR_NO_MEMORY;
+    }
+    return take_skew(&grids->natural, grids->level[grids->ordered].grid.n,
+                     arena, err);
 }
 
 ovr_status ovr_hierarchy_factor(ovr_hierarchy *grids,

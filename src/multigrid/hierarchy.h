@@ -90,6 +90,7 @@ typedef struct ovr_hierarchy {
     /* mass-conserving cavitation (content.h): asked for when it was built, at
      * the moment; what arrives is given, and inlets may be closed */
     bool content, conserving, supplied;
+    bool skewed; /* temperatures skew the flow: fields skew and skew_by_P */
     ovr_influence influence;
 
     ovr_band band;      /* work arrays of the finest size */
@@ -151,6 +152,11 @@ void ovr_level_refresh(const ovr_hierarchy *grids, ovr_level *level);
  * that coarser levels need not know of it. */
 ovr_status ovr_hierarchy_bear(ovr_hierarchy *grids, ovr_arena *arena,
                               ovr_error *err);
+
+/* Allocates the skew of the flow by temperatures (reynolds_row.h) on all levels
+ * and sets the weights of its wedge. */
+ovr_status ovr_hierarchy_skew(ovr_hierarchy *grids, bool second_order,
+                              ovr_arena *arena, ovr_error *err);
 
 /* The flow factor of rough surfaces, and memory for it where means go by the
  * gap (flow.h). */

@@ -71,7 +71,7 @@ static inline void fold(const line *l, const row_weights *c, stretch where,
     vec plus = all(l->shares.plus);
     if (where == LEFT_END && J < EDGE)
         plus = with_first(plus, 0);
-    vec cut = plus * c->a[2] * at(l->f.dq, J - 2);
+    vec cut = plus * row_wedge_by_pressure(&l->f, c, 2, J);
     b[0] -= 2 * cut;
     b[1] += cut;
 }
@@ -99,10 +99,14 @@ static inline void hold_dry(const line *l, bool transient, stretch where,
         b[d] = choose(dry, held[d], b[d]);
 }
 
-static INLINE void assemble_vector(const line *l, const row_weights *c,
-                                   bool transient, stretch where, ptrdiff_t J)
+/* `kind` is a constant for the compiler, which that in `weights` is not. */
+static INLINE void assemble_vector(const line *l, const row_weights *weights,
+                                   row_kind kind, bool transient, stretch where,
+                                   ptrdiff_t J)
 {
     const ovr_band *band = &l->band;
+    row_weights own = *weights, *c = &own;
+    own.kind = kind;
     ivec held = in_set(l->f.held, J);
     vec A[7], b[5];
     derivatives(l, c, J, A);
@@ -139,20 +143,30 @@ static INLINE void assemble(const line *l, const ovr_lanes *g,
 {
     ptrdiff_t S = (ptrdiff_t)g->S, edge = S < EDGE ? S : EDGE;
     row_weights first = row_first(w, kind), rest = row_inner(w, kind);
-    assemble_vector(l, &rest, transient, LEFT_END, 0);
-    assemble_vector(l, &first, transient, LEFT_END, 1);
+    assemble_vector(l, &rest, kind, transient, LEFT_END, 0);
+    assemble_vector(l, &first, kind, transient, LEFT_END, 1);
     for (ptrdiff_t J = 2; J < edge; J++)
-        assemble_vector(l, &rest, transient, LEFT_END, J);
+        assemble_vector(l, &rest, kind, transient, LEFT_END, J);
     for (ptrdiff_t J = edge; J < S; J++)
-        assemble_vector(l, &rest, transient, INSIDE, J);
+        assemble_vector(l, &rest, kind, transient, INSIDE, J);
     if (transient)
         end_column(l, g, &rest);
+}
+
+/* Rows of a film with temperatures, compiled once for all kinds. */
+static __attribute__((noinline)) void
+assemble_skewed(const line *l, const ovr_lanes *g, const ovr_weights *w,
+                bool transient, row_kind kind)
+{
+    assemble(l, g, w, transient, kind | ROW_SKEWED);
 }
 
 static INLINE void assemble_kind(const line *l, const ovr_lanes *g,
                                  const ovr_weights *w, bool transient)
 {
-    switch (row_kind_of(&l->f)) {
+    row_kind kind = row_kind_of(&l->f);
+    switch (kind) {
+    default: assemble_skewed(l, g, w, transient, kind); break;
     case ROW_SUMS: assemble(l, g, w, transient, ROW_SUMS); break;
     case ROW_GAP: assemble(l, g, w, transient, ROW_GAP); break;
     case ROW_THINS: assemble(l, g, w, transient, ROW_THINS); break;

@@ -33,7 +33,8 @@ static double given(double share, const ovr_shares *shares, const ovr_fields *f,
 static void fold(const ovr_weights *w, const ovr_fields *f, ptrdiff_t i,
                  double plus, const ovr_band *band)
 {
-    double cut = plus * w->a[2] * f->dq[i - 2];
+    row_weights c = row_inner(w, row_kind_of(f));
+    double cut = plus * row_wedge_by_pressure(f, &c, 2, i);
     band->b[0][i] -= 2 * cut;
     band->b[1][i] += cut;
 }

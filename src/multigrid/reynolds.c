@@ -17,6 +17,7 @@ ovr_weights ovr_reynolds_weights(const ovr_operator *op, double D)
         double cT = m == 0 ? op->cT : 0;
         w.a[m] = op->w[m] / D + cT;
         w.first[m] = m < 2 ? op->w_first[m] / D + cT : 0;
+        w.skew[m] = w.skew_first[m] = 0;
     }
     w.half = 0.5 / (D * D);
     w.hold = 1e-12 * w.a[0];

@@ -12,6 +12,11 @@
  * law (flow.h), it stands for before and after; below, eps'_k counts by its
  * share in the half node, and with a flow law the sums become 2 T and eps'_k
  * counts by the R of the half node besides.
+ * In a film with temperatures a wedge of the flow that they skew (heat.h) is
+ * added, with the weights b of a wedge at speed 1:
+ *     N <- N - sum_m b_m (s q)_{i-m},  s = s_0 + s_1 P
+ * A term -a_m q_{i-m} becomes -(a_m + b_m s) q, and below a_m rho' H becomes
+ * (a_m + b_m s) rho' H + b_m s_1 q.
  *
  * dN_i/dP_{i+d} at fixed film, eps' = d eps/dP:
  *     d = -2:  -a2 rho'_{i-2} H_{i-2}
@@ -37,17 +42,21 @@ typedef enum row_kind {
     ROW_SUMS = 0,  /* nothing: sums of eps */
     ROW_GAP = 1,   /* shares by the gap, 2 E */
     ROW_THINS = 2, /* what a flow law makes of it: 2 E, 2 T, R */
-    ROW_GAP_THINS = 3
+    ROW_GAP_THINS = 3,
+    ROW_STORED = 3, /* bits: 2 E of half nodes is stored */
+    ROW_SKEWED = 4  /* and temperatures skew the flow */
 } row_kind;
 
 static inline row_kind row_kind_of(const ovr_fields *f)
 {
-    return (f->share ? ROW_GAP : 0) | (f->tangent ? ROW_THINS : 0);
+    return (f->share ? ROW_GAP : 0) | (f->tangent ? ROW_THINS : 0) |
+           (f->skew ? ROW_SKEWED : 0);
 }
 
-/* The weights of a row: of q_i, q_{i-1}, q_{i-2}, and 1/(2 D^2). */
+/* The weights of a row: of q_i, q_{i-1}, q_{i-2}, and 1/(2 D^2); b of the
+ * skewed flow. */
 typedef struct row_weights {
-    num a[3], half, hold;
+    num a[3], half, hold, b[3];
     row_kind kind;
 } row_weights;
 
@@ -56,6 +65,7 @@ static inline row_weights row_inner(const ovr_weights *w, row_kind kind)
     return (row_weights){{all(w->a[0]), all(w->a[1]), all(w->a[2])},
                          all(w->half),
                          all(w->hold),
+                         {all(w->skew[0]), all(w->skew[1]), all(w->skew[2])},
                          kind};
 }
 
@@ -64,8 +74,10 @@ static inline row_weights row_inner(const ovr_weights *w, row_kind kind)
 static inline row_weights row_first(const ovr_weights *w, row_kind kind)
 {
     row_weights c = row_inner(w, kind);
-    for (int m = 0; m < 3; m++)
+    for (int m = 0; m < 3; m++) {
         c.a[m] = with_first(c.a[m], w->first[m]);
+        c.b[m] = with_first(c.b[m], w->skew_first[m]);
+    }
     return c;
 }
 
@@ -90,14 +102,36 @@ static inline row_faces row_faces_at(const ovr_fields *f, bool stored,
     return s;
 }
 
+/* a_m + b_m s of node J - m: what the row takes of its content. */
+static inline num row_content_weight(const ovr_fields *f, const row_weights *c,
+                                     int m, ptrdiff_t J)
+{
+    if (!(c->kind & ROW_SKEWED))
+        return c->a[m];
+    num s = fused(at(f->skew_by_P, J - m), at(f->P, J - m), at(f->skew, J - m));
+    return fused(c->b[m], s, c->a[m]);
+}
+
+/* -dN_i/dP_{i-m} of the wedge at fixed film */
+static inline num row_wedge_by_pressure(const ovr_fields *f,
+                                        const row_weights *c, int m,
+                                        ptrdiff_t J)
+{
+    num content = row_content_weight(f, c, m, J) * at(f->dq, J - m);
+    if (!(c->kind & ROW_SKEWED))
+        return content;
+    return fused(c->b[m] * at(f->skew_by_P, J - m), at(f->q, J - m), content);
+}
+
 /* r = F - N */
 static inline num row_residual(const ovr_fields *f, const row_weights *c,
                                ptrdiff_t J)
 {
-    row_faces s = row_faces_at(f, c->kind, J);
+    row_faces s = row_faces_at(f, c->kind & ROW_STORED, J);
     num N = c->half * (s.before * s.up + s.after * s.down) -
-            c->a[0] * at(f->q, J) - c->a[1] * at(f->q, J - 1) -
-            c->a[2] * at(f->q, J - 2);
+            row_content_weight(f, c, 0, J) * at(f->q, J) -
+            row_content_weight(f, c, 1, J) * at(f->q, J - 1) -
+            row_content_weight(f, c, 2, J) * at(f->q, J - 2);
     return at(f->F, J) - N;
 }
 
@@ -130,15 +164,15 @@ static inline void row_by_film(const ovr_fields *f, const row_weights *c,
                                ptrdiff_t J, num e[3])
 {
     for (int m = 0; m < 3; m++)
-        e[2 - m] = c->a[m] * at(f->rho, J - m);
+        e[2 - m] = row_content_weight(f, c, m, J) * at(f->rho, J - m);
 }
 
 /* e[m + 2], m = -2..1, takes d eps/dH in. */
 static inline void row_flow_by_film(const ovr_fields *f, const row_weights *c,
                                     ptrdiff_t J, num e[4])
 {
-    row_faces s = row_faces_at(f, c->kind, J);
-    if (c->kind) {
+    row_faces s = row_faces_at(f, c->kind & ROW_STORED, J);
+    if (c->kind & ROW_STORED) {
         e[1] = less(e[1], c->half * at(f->by_left, J - 1), s.up);
         e[2] = less(
             e[2], c->half,
@@ -178,12 +212,12 @@ static INLINE void row_by_stored(const ovr_fields *f, const row_weights *c,
         down_here = right * down;
         down = (2 - right) * down;
     }
-    A[0] = less(A[0], c->a[2], at(f->dq, J - 2));
+    A[0] = less(A[0], row_content_weight(f, c, 2, J), at(f->dq, J - 2));
     A[1] = less(fused(c->half, fused(at(f->deps, J - 1), up, before), A[1]),
-                c->a[1], at(f->dq, J - 1));
+                row_content_weight(f, c, 1, J), at(f->dq, J - 1));
     A[2] = less(less(A[2], c->half,
                      less(before + after, at(f->deps, J), up_here + down_here)),
-                c->a[0], at(f->dq, J));
+                row_content_weight(f, c, 0, J), at(f->dq, J));
     A[3] = fused(c->half, fused(at(f->deps, J + 1), down, after), A[3]);
 }
 
@@ -191,17 +225,20 @@ static INLINE void row_by_stored(const ovr_fields *f, const row_weights *c,
 static INLINE void row_by_pressure(const ovr_fields *f, const row_weights *c,
                                    ptrdiff_t J, num A[4])
 {
-    if (c->kind) {
+    for (int m = 0; c->kind & ROW_SKEWED && m < 3; m++)
+        A[2 - m] = less(A[2 - m], c->b[m] * at(f->skew_by_P, J - m),
+                        at(f->q, J - m));
+    if (c->kind & ROW_STORED) {
         row_by_stored(f, c, J, A);
         return;
     }
     row_faces s = row_faces_at(f, false, J);
-    A[0] = less(A[0], c->a[2], at(f->dq, J - 2));
+    A[0] = less(A[0], row_content_weight(f, c, 2, J), at(f->dq, J - 2));
     A[1] = less(fused(c->half, fused(at(f->deps, J - 1), s.up, s.before), A[1]),
-                c->a[1], at(f->dq, J - 1));
+                row_content_weight(f, c, 1, J), at(f->dq, J - 1));
     A[2] = less(less(A[2], c->half,
                      less(s.before + s.after, at(f->deps, J), s.up + s.down)),
-                c->a[0], at(f->dq, J));
+                row_content_weight(f, c, 0, J), at(f->dq, J));
     A[3] = fused(c->half, fused(at(f->deps, J + 1), s.down, s.after), A[3]);
 }
 

@@ -121,6 +121,10 @@ static void enter(window *w, const ovr_level *level, ptrdiff_t first)
     read_nodes(level, f->P, first, w->f.P);
     read_nodes(level, f->F, first, w->f.F);
     read_nodes(level, f->H, first, w->gap);
+    if (f->skew) {
+        read_nodes(level, f->skew, first, w->f.skew);
+        read_nodes(level, f->skew_by_P, first, w->f.skew_by_P);
+    }
     for (size_t k = 0; k < HEATED; k++)
         if (heat[k]) {
             *own[k] = w->heat[k];

@@ -6,15 +6,19 @@
 #include "simulation/heat_case.h"
 #include "simulation/heat_in_time.h"
 #include "simulation/heat_outer.h"
+#include "simulation/heat_skew.h"
+#include "simulation/mirror.h"
 #include "simulation/physics.h"
 #include "simulation/quantity_row.h"
 #include "simulation/steady.h"
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "contact/contact.h"
 #include "contact/heat_numbers.h"
+#include "multigrid/content.h"
 #include "multigrid/field.h"
 #include "multigrid/flow.h"
 #include "simulation/simulation.h"
@@ -34,7 +38,7 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
                               ovr_error *err)
 {
     if (OVR_TAKE_NODES(sim, err, &h->q[0], &h->q[1], &h->mean, &h->t, &h->drag,
-                       &h->skewed, &h->skew, &h->th, &h->shift, &h->swell))
+                       &h->th, &h->shift, &h->swell, &h->start_P, &h->start_q))
         return OVR_NO_MEMORY;
     for (int j = 0; j < h->cross_film.n; j++)
         if (OVR_TAKE_NODES(sim, err, &h->T[j], &h->used[j]))
@@ -80,8 +84,8 @@ static ovr_status take_heat(ovr_simulation *sim, const void *form, void **own,
         return OVR_NO_MEMORY;
     *own = sim->heated = h;
     sim->features |= ovr_model_feature_bit(OVR_MODEL_HEAT, true);
-    if (ovr_heat_film_take(sim, err) || ovr_heat_outer_take(sim, err) ||
-        ovr_heat_steps_take(sim, err))
+    if (ovr_heat_skew_take(sim, err) || ovr_heat_film_take(sim, err) ||
+        ovr_heat_outer_take(sim, err) || ovr_heat_steps_take(sim, err))
         return OVR_NO_MEMORY;
     if (h->chooses)
         ovr_cross_film_make(CROSS_FILM_MIN, &h->cross_film);
@@ -100,11 +104,13 @@ static void forget(ovr_simulation *sim, void *own)
     ovr_heat_march_columns(sim);
     h->steps->trying = false;
     h->steps->dT = 0;
+    h->skew_share = 1;
+    ovr_heat_skew_forget(sim);
     for (int k = 0; k < 2; k++)
         ovr_heat_surface_reset(sim, k);
     for (size_t i = 0; i < sim->now.n; i++) {
         h->th[i] = 1;
-        h->shift[i] = h->skewed[i] = 0;
+        h->shift[i] = 0;
         h->drag[i] = h->swell[i] = 1;
         for (int j = 0; j < h->cross_film.n; j++)
             h->T[j][i] = h->used[j][i] = 0;
@@ -333,44 +339,143 @@ static void tell(const ovr_physics_case *of, const void *form,
     line(data, "viscosity and temperature", text);
 }
 
-/* Goes from the film for other temperatures, until neither changes. */
-static void iterate(ovr_simulation *sim, const ovr_full *how,
+/* ------------------------------------------------- film and heat in turn */
+
+static void keep_start(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    memcpy(h->start_P, sim->now.P, sim->now.n * sizeof *h->start_P);
+    memcpy(h->start_q, sim->now.q, sim->now.n * sizeof *h->start_q);
+    h->start_H0 = sim->grids.H0;
+}
+
+static void renew(ovr_simulation *sim)
+{
+    OVR_EACH_PHYSICS(sim, p, renew)
+        p->is->renew(sim, p->own);
+}
+
+/* The isothermal film that temperatures began from, without temperatures. */
+static void return_to_start(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    const ovr_cross_film points = h->cross_film;
+    ovr_level *level = sim->finest;
+    ovr_nodes_write(sim, level, h->start_P, level->f.P);
+    sim->grids.H0 = h->start_H0;
+    if (ovr_conserves(sim)) {
+        ovr_nodes_write(sim, level, h->start_q, level->f.q);
+        ovr_content_wet(level, h->start_P);
+        ovr_content_mark(level, level->f.wet, 0, !level->closed);
+    }
+    forget(sim, h);
+    h->cross_film = points;
+    /* corrections of fourth order: those of the gap follow from P, those of the
+     * flow from the film with the former */
+    for (int pass = 0; pass < 2; pass++) {
+        ovr_level_refresh(&sim->grids, level);
+        ovr_simulation_read(sim);
+        renew(sim);
+    }
+    ovr_level_refresh(&sim->grids, level);
+    ovr_simulation_read(sim);
+}
+
+/* True if the cycles ended with a film, solved or nearly so. */
+static bool is_film(const ovr_outcome *outcome)
+{
+    const double imbalance = 1e-3, load = 1e-2;
+    const ovr_defect *d = &outcome->defect;
+    return d->imbalance >= 0 && d->imbalance < imbalance && d->load < load &&
+           d->centre > 0;
+}
+
+/* The skewed flow is added by quarters, each when temperatures have calmed;
+ * returns true if one was added. */
+static bool add_skew(ovr_heated *h, double change)
+{
+    const double calm = 0.1, part = 0.25;
+    if (h->skew_share >= 1 || !(change < calm))
+        return false;
+    h->skew_share += part;
+    ovr_heat_outer_forget(h->outer);
+    return true;
+}
+
+/* True if corrections follow the temperatures: as long as these change by more
+ * than this, or the result depends on the path.  Later the two could go round
+ * for ever. */
+static bool are_renewed(int iteration, double change)
+{
+    enum { ALWAYS = 30 };
+    const double settled = 1e-3;
+    return iteration < ALWAYS || change > settled;
+}
+
+/* Solves for temperatures and for the film in turn, until neither changes.
+ * `slowly`: the skewed flow is added bit by bit, and what is made falls where
+ * the stress is limited, too. */
+static void iterate(ovr_simulation *sim, const ovr_full *how, bool slowly,
                     ovr_outcome *outcome)
 {
-    enum { ITERATIONS = 200, RENEWED = 30 };
-    const double enough = 3e-5;
+    enum { ITERATIONS = 200, MAX_LOST = 8 };
+    const double enough = 3e-5, far = 0.1;
+    ovr_heated *h = sim->heated;
     double change = INFINITY;
+    int lost = 0; /* cycles in a row that ended without a film */
     ovr_heat_outer_begin(sim);
+    h->skew_share = slowly ? 0 : 1;
+    h->always_falls = slowly && isfinite(h->Sigma0);
     for (int k = 0; k < ITERATIONS && !(change < enough); k++) {
         ovr_heat_march(sim);
         change = ovr_heat_iterate(sim);
-        if (k < RENEWED) /* for ever they could go round with the outer
-                            iterations */
-            OVR_EACH_PHYSICS(sim, p, renew)
-                p->is->renew(sim, p->own);
+        if (add_skew(h, change))
+            change = 1;
+        if (are_renewed(k, change))
+            renew(sim);
         ovr_heat_apply(sim);
         outcome->defect = ovr_steady_cycles(sim, how, &outcome->cycles);
         ovr_simulation_read(sim);
-        if (!(outcome->defect.imbalance < 1e6) ||
+        lost = is_film(outcome) ? 0 : lost + 1;
+        if (lost == MAX_LOST || !(outcome->defect.imbalance < 1e6) ||
             ovr_hierarchy_stops(&sim->grids))
             break;
     }
-    if (!(change < enough))
+    ovr_heat_skew_follow(sim);
+    h->strayed = !is_film(outcome) || change > far;
+    h->always_falls = false;
+    if (!(change < enough) || h->skew_share < 1)
         outcome->defect.imbalance = ovr_larger(outcome->defect.imbalance,
                                                change);
+}
+
+/* From the start again, where the iterations left it for good. */
+static void iterate_again(ovr_simulation *sim, const ovr_full *how,
+                          ovr_outcome *outcome)
+{
+    bool strayed = sim->heated->strayed;
+    if (strayed)
+        return_to_start(sim);
+    iterate(sim, how, strayed, outcome);
 }
 
 static void outer(ovr_simulation *sim, const ovr_full *how,
                   ovr_outcome *outcome)
 {
     bool others = false;
-    iterate(sim, how, outcome);
-    if (ovr_steady_found(sim, outcome))
+    keep_start(sim);
+    iterate(sim, how, false, outcome);
+    if (ovr_steady_found(sim, outcome) || ovr_hierarchy_stops(&sim->grids))
         return;
+    if (sim->heated->strayed) {
+        iterate_again(sim, how, outcome);
+        if (ovr_steady_found(sim, outcome))
+            return;
+    }
     OVR_EACH_PHYSICS(sim, p, give_up)
         others |= p->is->give_up(sim, p->own);
     if (others)
-        iterate(sim, how, outcome);
+        iterate_again(sim, how, outcome);
 }
 
 /* The same temperatures at more points. */

@@ -33,9 +33,9 @@
  *     shift = (1 - th) C/ln 2 + log2 psi_e      Roelands
  *     shift = beta T_m/ln 2 + log2 psi_e, th = 1    others
  *     rho <- rho swell, where density expands (cross_film.h)
- *     F = wedge of q D, at um = 1: of q (V/2) m_1/m_0, but waves of few meshes
  *
- * go down to all grids by injection, F to the finest alone.
+ * and the flow that temperatures skew (heat_skew.h) go down to all grids by
+ * injection.
  */
 #ifndef OVR_SIMULATION_HEAT_H
 #define OVR_SIMULATION_HEAT_H
@@ -56,10 +56,15 @@ typedef struct ovr_heated {
     double *q[2];                     /* T_zeta/H into the surfaces */
     double *mean;                     /* T_m of T */
     double *t;                        /* mean stress at the nodes */
-    double *skewed, *drag;            /* q V/2 m_1/m_0; psi_c */
-    double *skew;                     /* V/2 m_1/m_0, of skewed */
-    double *th, *shift, *swell;       /* in the order of the nodes */
-    double V, u1;                     /* now */
+    double *drag;                     /* psi_c */
+    double *skewed;                   /* q s (heat_skew.h) */
+    double *skew, *skew_by_P;         /* s_0 and s_1 of s = s_0 + s_1 P */
+    double skew_share;                /* of s that counts in a steady solve */
+    bool always_falls;                /* as in cross_film.h */
+    double *start_P, *start_q, start_H0; /* the film without temperatures */
+    bool strayed; /* iterations ended without a film, or far from calm */
+    double *th, *shift, *swell; /* in the order of the nodes */
+    double V, u1;               /* now */
     /* by its stress: power that is made, and of its size node by node */
     double made, made_size;
     double balanced; /* power to which the observed defect is relative */
@@ -89,13 +94,6 @@ void ovr_heat_relax(ovr_simulation *sim, double share);
  * read last; what was found last. */
 void ovr_heat_apply(ovr_simulation *sim);
 void ovr_heat_give(ovr_simulation *sim);
-
-/*
- * The same skew of the flow, of the content of the film that was read last.
- * Where the film is stiff q + D q' is given, with the content q' of D q: q
- * answers by -D, and 1/(1 + D) of the change finds both at once.
- */
-void ovr_heat_follow(ovr_simulation *sim);
 
 /* The pressure below which a film ends, and where temperatures may swing
  * without being of account: 0.1 of p_h, or of the largest P where that is less.

@@ -8,6 +8,7 @@
 #include "base/larger.h"
 #include "multigrid/expansion.h"
 #include "simulation/heat.h"
+#include "simulation/heat_skew.h"
 #include "simulation/physics.h"
 
 ovr_status ovr_heat_film_take(ovr_simulation *sim, ovr_error *err)
@@ -78,6 +79,7 @@ static void begin(ovr_simulation *sim)
     c->u1 = h->u1;
     c->Sigma0 = h->Sigma0;
     c->limit = h->limit;
+    c->always_falls = h->always_falls;
     c->law = oil->rheology > OVR_EYRING ? oil->flow_law : NULL;
     c->X = now->X;
     c->P = now->P;
@@ -108,11 +110,30 @@ static void add_power(ovr_simulation *sim)
             h->film.heating[j][i] += power[i];
 }
 
+/* The last wet node flows and is heated by the share of its mesh that the film
+ * covers, and as a dry one by the rest (heat_skew.h). */
+static void cover_end(const ovr_simulation *sim)
+{
+    const ovr_heated *h = sim->heated;
+    ptrdiff_t last;
+    double share = ovr_heat_film_end(sim, &last);
+    if (share < 0)
+        return;
+    for (int j = 0; j < h->cross_film.n; j++) {
+        double dry = h->u1 - h->V * (1 + h->cross_film.s[j]) / 2;
+        double *u = h->film.u[j] + last;
+        *u = dry + share * (*u - dry);
+        h->film.heating[j][last] *= share;
+    }
+}
+
 void ovr_heat_film(ovr_simulation *sim)
 {
     begin(sim);
     fill_oil(sim);
     sim->grids.kernels->flow_cross_film(&sim->heated->film);
+    if (ovr_heat_opposed(sim) && !ovr_conserves(sim))
+        cover_end(sim);
     add_power(sim);
 }
 

@@ -9,6 +9,7 @@
 #include "base/larger.h"
 #include "contact/contact.h"
 #include "multigrid/expansion.h"
+#include "simulation/heat_skew.h"
 #include "simulation/mirror.h"
 
 /* Viscosities take this share of the change of temperatures in a step. */
@@ -18,7 +19,9 @@ static const double SHARE = 0.5;
  * that a pressure which moved is enough for. */
 enum { PASSES = 6, MOVED = 2 };
 
-enum { FIELDS = OVR_HEAT_KEPT - OVR_CROSS_FILM_MAX };
+/* What is kept in addition to temperatures; the first of it are in checkpoints
+ * of 0.3.0. */
+enum { FIELDS = OVR_HEAT_KEPT - OVR_CROSS_FILM_MAX, FIRST_FIELDS = 5 };
 
 /* --------------------------------------------------------------- creation */
 
@@ -49,7 +52,8 @@ ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err)
 /* The memory that is `kept`, by number. */
 static double *kept_of(const ovr_heated *h, int k)
 {
-    double *const fields[] = {h->th, h->shift, h->drag, h->skewed, h->swell};
+    double *const fields[] = {h->th,    h->shift, h->drag,     h->skewed,
+                              h->swell, h->skew,  h->skew_by_P};
     return k < h->cross_film.n ? h->used[k] : fields[k - h->cross_film.n];
 }
 
@@ -300,8 +304,8 @@ void ovr_heat_anew(ovr_simulation *sim, void *own)
         apply(sim);
         return;
     }
-    ovr_heat_follow(sim);
-    ovr_level_residual(&sim->grids, sim->finest);
+    if (ovr_heat_skew_follow(sim))
+        ovr_level_residual(&sim->grids, sim->finest);
 }
 
 /* True of a film that ended far from the guess that was heated: oil was
@@ -389,8 +393,11 @@ void ovr_heat_visit(ovr_simulation *sim, void *own, ovr_pieces *state)
     for (int j = 0; j < points; j++)
         ovr_show_nodes(sim, state, OVR_YOUNGER "temperature_change", j + 1,
                        h->steps->change[j]);
-    for (int k = 0; k < points + FIELDS; k++)
+    for (int k = 0; k < points + FIRST_FIELDS; k++)
         ovr_show_nodes(sim, state, "viscosity_by", k + 1, kept_of(h, k));
+    for (int k = FIRST_FIELDS; k < FIELDS; k++)
+        ovr_show_nodes(sim, state, OVR_YOUNGER "skew", k - FIRST_FIELDS + 1,
+                       kept_of(h, points + k));
     for (int k = 0; k < 2; k++) {
         ovr_show_nodes(sim, state, "heat_flux", k + 1, h->q[k]);
         ovr_heat_surface_visit(sim, k, state);
@@ -402,6 +409,7 @@ void ovr_heat_restored(ovr_simulation *sim, void *own)
     ovr_heated *h = own;
     h->steps->trying = false;
     h->steps->dT = sim->past.dT;
+    h->skew_share = 1;
     for (size_t i = 0; i < sim->now.n; i++) {
         h->mean[i] = 0;
         for (int j = 0; j < h->cross_film.n; j++)

@@ -84,8 +84,8 @@
 #include "simulation/heat.h"
 #include "simulation/heat_surfaces.h"
 
-/* The temperatures used, th, shift, drag, skewed, swell. */
-enum { OVR_HEAT_KEPT = OVR_CROSS_FILM_MAX + 5 };
+/* The temperatures used, th, shift, drag, skewed, swell, skew, skew_by_P. */
+enum { OVR_HEAT_KEPT = OVR_CROSS_FILM_MAX + 7 };
 
 typedef struct ovr_heat_steps {
     double dT;

@@ -5,7 +5,10 @@
 
 #include "simulation/heat_in_time.h"
 
-static const double MIN_SPEED = 0.02;
+/* Layers between surfaces that move in opposite directions stand still
+ * somewhere; a speed that jumps from one sign's smallest to the other's would
+ * keep the iterations from ending. */
+static const double MIN_SPEED = 0.02, MIN_SPEED_OPPOSED = 1e-9;
 
 /* Speeds of the surfaces at T = 0, and their memories from node to node. */
 void ovr_heat_march_begin(ovr_simulation *sim)
@@ -67,7 +70,7 @@ void ovr_heat_march_columns(ovr_simulation *sim)
     ovr_heated *h = sim->heated;
     ovr_columns *c = &h->film;
     c->P_T = NULL;
-    c->min_u = MIN_SPEED;
+    c->min_u = opposed(h) ? MIN_SPEED_OPPOSED : MIN_SPEED;
     c->both_ways = opposed(h);
     c->back = !opposed(h) && h->way[0] < 0;
     c->mean = h->mean;

@@ -6,6 +6,7 @@
 
 #include "base/larger.h"
 #include "simulation/heat.h"
+#include "simulation/heat_skew.h"
 
 ovr_status ovr_heat_outer_take(ovr_simulation *sim, ovr_error *err)
 {
@@ -26,7 +27,13 @@ void ovr_heat_outer_begin(ovr_simulation *sim)
     ovr_heat_outer *t = sim->heated->outer;
     t->kept = 0;
     t->w = fabs(sim->heated->V) < 1 ? 0.6 : 0.35;
+    t->small = ovr_heat_opposed(sim) ? 0.03 : 0.1;
     t->change = INFINITY;
+}
+
+void ovr_heat_outer_forget(ovr_heat_outer *outer)
+{
+    outer->kept = 0;
 }
 
 /* ------------------------------------------------------ Anderson's method */
@@ -144,13 +151,13 @@ static double largest_rest(const ovr_simulation *sim)
 
 double ovr_heat_iterate(ovr_simulation *sim)
 {
-    const double small = 0.1, grows = 2, lower = 0.7, min_w = 0.1;
+    const double grows = 2, lower = 0.7, min_w = 0.1;
     ovr_heated *h = sim->heated;
     ovr_heat_outer *t = h->outer;
     double change = largest_rest(sim), g[OVR_OUTER_KEPT] = {0};
     if (!t->kept && change > t->change && t->w > min_w)
         t->w *= lower;
-    if (change > small || change > grows * t->change)
+    if (change > t->small || change > grows * t->change)
         t->kept = 0;
     t->change = change;
     if (t->kept) {

@@ -9,9 +9,9 @@
  * films that slide fast need a hundred outer iterations and more, in which the
  * rest falls by a tenth an iteration: it heats less where it is hotter, and
  * each place heats what comes after it.  Where the rest is small (0.1 of the
- * rise) the last iterations, u_j and r_j, help, with the g_j that make r + sum
- * g_j (r_j - r) the smallest (Anderson's method, for a linear T the same as
- * GMRES):
+ * rise, 0.03 where surfaces move in opposite directions) the last iterations,
+ * u_j and r_j, help, with the g_j that make r + sum g_j (r_j - r) the smallest
+ * (Anderson's method, for a linear T the same as GMRES):
  *
  *     u <- u + sum g_j (u_j - u) + w (r + sum g_j (r_j - r))
  *
@@ -45,13 +45,17 @@ typedef struct ovr_heat_outer {
     double *u[OVR_OUTER_KEPT][OVR_CROSS_FILM_MAX];
     double *r[OVR_OUTER_KEPT][OVR_CROSS_FILM_MAX];
     int kept;         /* of them */
+    double small;     /* the change below which they help */
     double w, change; /* the rest of the last over the largest rise */
 } ovr_heat_outer;
 
 ovr_status ovr_heat_outer_take(ovr_simulation *sim, ovr_error *err);
 
-/* Forgets all iterations. */
+/* Begins with no iteration before. */
 void ovr_heat_outer_begin(ovr_simulation *sim);
+
+/* Forgets all iterations: what they converge to has changed. */
+void ovr_heat_outer_forget(ovr_heat_outer *outer);
 
 /* Moves `used` on by the T that was found by it; the largest rest over the
  * largest rise. */

@@ -40,9 +40,11 @@ static void take_fields(test_grid *grid)
 {
     double *band[BAND];
     ovr_error err = {0};
-    for (int k = 0; k < OVR_FIELD_COUNT; k++)
-        if (!at_half_nodes(ovr_field_rows[k].memory))
+    for (int k = 0; k < OVR_FIELD_COUNT; k++) {
+        ovr_field_memory memory = ovr_field_rows[k].memory;
+        if (!at_half_nodes(memory) && memory != OVR_SKEWED)
             grid->f.all[k] = take(grid);
+    }
     ovr_fields *f = &grid->f;
     unsigned char **const sets[] = {&f->wet,   &f->held, &f->dried, &f->limited,
                                     &f->spent, &f->left, &f->right};
@@ -89,9 +91,11 @@ test_grid test_grid_make(const ovr_kernels *run, size_t n)
 /* Those at half nodes, but the ones for this alone. */
 static void take_half_nodes(test_grid *grid, ovr_field_memory without)
 {
-    for (int k = 0; k < OVR_FIELD_COUNT; k++)
-        if (!grid->f.all[k] && ovr_field_rows[k].memory != without)
+    for (int k = 0; k < OVR_FIELD_COUNT; k++) {
+        ovr_field_memory memory = ovr_field_rows[k].memory;
+        if (!grid->f.all[k] && at_half_nodes(memory) && memory != without)
             grid->f.all[k] = take(grid);
+    }
 }
 
 void test_grid_gap(test_grid *grid)
@@ -106,6 +110,17 @@ void test_grid_thin(test_grid *grid, double Sigma0, double sliding)
     grid->fluid.lubricant.rheology = OVR_EYRING;
     grid->fluid.lubricant.Sigma0 = Sigma0;
     grid->fluid.sliding = sliding;
+}
+
+void test_grid_skew(test_grid *grid)
+{
+    static const double b[] = {1.5, -2, 0.5}, first[] = {1, -1, 0};
+    grid->f.skew = take(grid);
+    grid->f.skew_by_P = take(grid);
+    for (int m = 0; m < 3; m++) {
+        grid->weights.skew[m] = b[m] / grid->D;
+        grid->weights.skew_first[m] = first[m] / grid->D;
+    }
 }
 
 void test_grid_film(const test_grid *grid, const ovr_fields *f)
@@ -127,6 +142,10 @@ void test_grid_fill(const test_grid *grid, uint64_t seed)
                        test_random(&seed, 0, 0.001);
         grid->w[i] = 0;
         f->F[i] = test_random(&seed, -1, 1);
+    }
+    for (size_t i = 0; f->skew && i < n; i++) {
+        f->skew[i] = test_random(&seed, -0.9, 2);
+        f->skew_by_P[i] = test_random(&seed, 0, 0.5);
     }
     f->P[0] = f->P[n - 1] = 0;
     test_grid_film(grid, f);

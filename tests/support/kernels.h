@@ -35,6 +35,9 @@ void test_grid_gap(test_grid *grid);
 /* Gives it a flow law, Eyring's. */
 void test_grid_thin(test_grid *grid, double Sigma0, double sliding);
 
+/* Gives it a flow that temperatures skew. */
+void test_grid_skew(test_grid *grid);
+
 /* Film and properties, what stands at half nodes too, of its gap, deformation
  * and the pressure of the fields. */
 void test_grid_film(const test_grid *grid, const ovr_fields *f);

@@ -59,11 +59,13 @@ static void compare(const test_grid *b, const double *x, const double *plain,
 
 /* Holes in the film, on the kink and of all contents; the inlet closed or
  * open. */
-static test_grid filled(uint64_t seed, bool closed)
+static test_grid filled(uint64_t seed, bool closed, bool skewed)
 {
     test_grid b = test_grid_make(test_kernels(0), N);
     const ovr_fields *f = &b.f;
     ovr_weights *w = &b.weights;
+    if (skewed)
+        test_grid_skew(&b);
     test_grid_fill(&b, seed);
     memcpy(f->full, f->q, N * sizeof *f->q);
     w->out = 1 / b.D;
@@ -167,13 +169,16 @@ TEST(sets_agree)
 {
     const ovr_kernels *run;
     for (int k = 1; (run = test_kernels(k)); k++)
-        for (int c = 0; c < 6; c++) {
-            test_grid plain = filled(20 + (uint64_t)c, c & 1);
+        for (int c = 0; c < 12; c++) {
+            bool skewed = c >= 6;
+            test_grid plain = filled(20 + (uint64_t)c, c & 1, skewed);
             test_grid other = test_grid_make(run, N);
+            if (skewed)
+                test_grid_skew(&other);
             other.weights = plain.weights;
             copy(&plain, &other);
             residual_agrees(&plain, &other);
-            line_agrees(&plain, &other, &shares[c / 2]);
+            line_agrees(&plain, &other, &shares[c % 6 / 2]);
             ovr_arena_release(&plain.arena);
             ovr_arena_release(&other.arena);
         }
@@ -189,7 +194,8 @@ TEST(transfers_agree)
 {
     const ovr_kernels *run;
     for (int k = 1; (run = test_kernels(k)); k++) {
-        test_grid plain = filled(5, true), other = test_grid_make(run, N);
+        test_grid plain = filled(5, true, false),
+                  other = test_grid_make(run, N);
         test_grid coarse = test_grid_make(test_kernels(0), N / 2 + 1);
         test_grid there = test_grid_make(run, N / 2 + 1);
         other.weights = plain.weights;
@@ -228,7 +234,7 @@ static double fluxes(const test_grid *b, size_t i)
  * of test_grid_make have Cu = 1 and cT = 2. */
 TEST(rows_telescope)
 {
-    test_grid b = filled(3, true);
+    test_grid b = filled(3, true, false);
     const ovr_fields *f = &b.f;
     ovr_weights *w = &b.weights;
     double sum = 0, stored = 0, size = 0;
@@ -251,7 +257,7 @@ TEST(rows_telescope)
  * it as long as limits stay. */
 TEST(dry_columns_are_derivatives)
 {
-    test_grid b = filled(4, true);
+    test_grid b = filled(4, true, false);
     const ovr_fields *f = &b.f;
     double before[N];
     size_t tried = 0;

@@ -22,17 +22,23 @@ static void compare(const test_grid *of, const double *x, const double *plain,
 
 typedef void check(const test_grid *plain, const test_grid *other);
 
-static void on_set(const ovr_kernels *run, bool gap, bool thin, check *agree)
+enum { GAP = 1, THIN = 2, SKEW = 4, KINDS = 8 };
+
+static void on_set(const ovr_kernels *run, int kind, check *agree)
 {
     test_grid plain = test_grid_make(test_kernels(0), N);
     test_grid other = test_grid_make(run, N);
-    if (gap) {
+    if (kind & GAP) {
         test_grid_gap(&plain);
         test_grid_gap(&other);
     }
-    if (thin) {
+    if (kind & THIN) {
         test_grid_thin(&plain, 0.2, 0.4);
         test_grid_thin(&other, 0.2, 0.4);
+    }
+    if (kind & SKEW) {
+        test_grid_skew(&plain);
+        test_grid_skew(&other);
     }
     test_grid_fill(&plain, 9);
     test_grid_copy(&plain, &other);
@@ -42,13 +48,13 @@ static void on_set(const ovr_kernels *run, bool gap, bool thin, check *agree)
 }
 
 /* The check on every set of vectors, from filled fields, with means of either
- * kind, without and with a flow law. */
+ * kind, without and with a flow law and a skewed flow. */
 static void on_every_set(check *agree)
 {
     const ovr_kernels *run;
     for (int k = 1; (run = test_kernels(k)); k++) {
-        for (int kind = 0; kind < 4; kind++)
-            on_set(run, kind & 1, kind & 2, agree);
+        for (int kind = 0; kind < KINDS; kind++)
+            on_set(run, kind, agree);
     }
 }
 

@@ -112,7 +112,11 @@ static double lost(const test_grid *b, const test_grid *work,
         memcpy(work->f.P, b->f.P, N * sizeof(double));
         work->f.P[i - 2] += sign * step;
         b->run->film(&b->fluid, 0, &b->lanes, b->gap, b->w, &work->f);
-        by_P -= sign * b->weights.a[2] * work->f.q[i - 2] / (2 * step);
+        double a = b->weights.a[2];
+        if (b->f.skew)
+            a += b->weights.skew[2] *
+                 (b->f.skew[i - 2] + b->f.skew_by_P[i - 2] * work->f.P[i - 2]);
+        by_P -= sign * a * work->f.q[i - 2] / (2 * step);
     }
     return by_P * share(b, s->plus, s->transient, i - 3);
 }
@@ -169,8 +173,8 @@ static void check_change(const test_grid *b, const ovr_shares *s, double limit,
 }
 
 /* The rows of the system and the use of its solution, with means between nodes
- * by the gap or arithmetic. */
-static void line_is_as(bool gap)
+ * by the gap or arithmetic, with a flow that temperatures skew or without. */
+static void line_is_as(bool gap, bool skewed)
 {
     static const ovr_shares shares[] = {
         {-1, 0, false}, {-0.7, -0.3, true}, {-0.5, -0.5, true}};
@@ -179,6 +183,11 @@ static void line_is_as(bool gap)
     if (gap) {
         test_grid_gap(&b);
         test_grid_gap(&work);
+    }
+    if (skewed) {
+        test_grid_skew(&b);
+        work.f.skew = b.f.skew;
+        work.f.skew_by_P = b.f.skew_by_P;
     }
     for (const ovr_shares *s = shares; s < shares + 3; s++) {
         int dry = 0;
@@ -204,8 +213,8 @@ static void line_is_as(bool gap)
 
 TEST(line_is_as_defined)
 {
-    line_is_as(false);
-    line_is_as(true);
+    for (int kind = 0; kind < 4; kind++)
+        line_is_as(kind & 1, kind & 2);
 }
 
 /* Three wet nodes, then a dry one between wet ones. */
