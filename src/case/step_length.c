@@ -6,8 +6,10 @@
  * and speed), and cost .6 of steps of one.  They lose more where the film's
  * inlet is short beside the mesh (M = 100: H_cen a factor 6 to 9), where a
  * feature is narrow or a change quick (they pass in few steps), where a
- * meniscus moves (a starved dent: a factor 3), and where no correction takes
- * the wedge of the step away: there a step is a mesh.  So it is on coarse
+ * meniscus moves (a starved dent: a factor 3), in hot contacts whose surfaces
+ * move in opposite directions (S = -4, 1.45 GPa, level 7: H_cen of a steady
+ * contact off by 1.2e-3), and where no correction takes the wedge of the step
+ * away: there a step is a mesh.  So it is on coarse
  * meshes, whose runs take no time.  Steps of four meshes have the errors of two
  * a level coarser, which cost .6 of them (overroll-theory(7), Time).
  */
@@ -18,6 +20,7 @@
 #include "case/setup.h"
 #include "contact/contact.h"
 #include "contact/curvature.h"
+#include "simulation/conflicts.h"
 #include "surface/surfaces.h"
 
 static const double HEAVY = 100;   /* M from which on inlets are short */
@@ -108,6 +111,25 @@ static bool changes_quickly(const ovr_resolved *r)
     return quick;
 }
 
+/* True if the film has temperatures and surfaces that ever move in opposite
+ * directions. */
+static bool has_hot_opposed(const ovr_resolved *r)
+{
+    const ovr_setup *s = &r->setup;
+    double end = ovr_setup_end(s);
+    bool varies = ovr_setup_varies(s) && isfinite(end);
+    if (!(ovr_resolved_features(r) &
+          ovr_model_feature_bit(OVR_MODEL_HEAT, true)))
+        return false;
+    for (int k = 0; k <= (varies ? LOOKS : 0); k++) {
+        double T = varies ? end * k / LOOKS : 0;
+        double Cu = fabs(ovr_history_value(s->speed, T));
+        if (fabs(ovr_slip_at(s->contact, s->speed, s->sliding, T)) > 2 * Cu)
+            return true;
+    }
+    return false;
+}
+
 /* Why a step is one mesh; NULL: it may be longer. */
 static const char *reason_of(const ovr_resolved *r)
 {
@@ -122,6 +144,8 @@ static const char *reason_of(const ovr_resolved *r)
         return "on a mesh above 0.01 b";
     if (changes_quickly(r))
         return "for a change within 30 meshes";
+    if (has_hot_opposed(r))
+        return "for hot surfaces that move in opposite directions";
     if (heaviest(s) >= HEAVY)
         return "for M of 100 and more";
     return has_narrow(s) ? "for a feature narrower than 30 meshes" : NULL;

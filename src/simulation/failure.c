@@ -13,6 +13,7 @@
 
 #include "contact/film_formula.h"
 #include "simulation/boundary.h"
+#include "simulation/heat.h"
 #include "simulation/internal.h"
 
 static const double resolved = 0.3, too_coarse = 0.7;
@@ -126,6 +127,21 @@ static ending ending_of(const ovr_defect *d)
     return e;
 }
 
+/* The isothermal film was found, but not the temperatures. */
+static ovr_status too_hot(const ovr_simulation *sim, const ovr_outcome *outcome,
+                          ovr_error *err)
+{
+    return ovr_fail(
+        err, OVR_NOT_CONVERGED,
+        "the steady film was found without heat, but not with it: after %d "
+        "cycles in %d ways temperatures still change by %.1e of the largest "
+        "rise (target %.0e), relative mass-flow imbalance %.1e; less sliding, "
+        "a "
+        "finer level or an oil with a limiting shear stress may help",
+        outcome->cycles, outcome->retries + 1, sim->heated->change,
+        OVR_HEAT_CHANGE, outcome->defect.imbalance);
+}
+
 ovr_status ovr_failure_steady(const ovr_simulation *sim,
                               const ovr_outcome *outcome, double tolerance,
                               ovr_error *err)
@@ -137,6 +153,8 @@ ovr_status ovr_failure_steady(const ovr_simulation *sim,
         return rounding(sim, &outcome->defect, err);
     if (inlet_mesh(sim) > resolved * inlet_rise(sim))
         return too_thin(sim, err);
+    if (sim->heated && sim->heated->cycles > 0)
+        return too_hot(sim, outcome, err);
     if (surfaces_overlap(sim, &outcome->defect))
         return touching(sim, 0, err);
     return ovr_fail(err, OVR_NOT_CONVERGED,

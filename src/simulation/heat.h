@@ -62,7 +62,9 @@ typedef struct ovr_heated {
     double skew_share;                /* of s that counts in a steady solve */
     bool always_falls;                /* as in cross_film.h */
     double *start_P, *start_q, start_H0; /* the film without temperatures */
-    bool strayed; /* iterations ended without a film, or far from calm */
+    bool strayed;  /* iterations ended without a film, or far from calm */
+    int cycles;    /* of a steady start, in all tries */
+    double change; /* of temperatures at the end of the last, over the rise */
     double *th, *shift, *swell; /* in the order of the nodes */
     double V, u1;               /* now */
     /* by its stress: power that is made, and of its size node by node */
@@ -99,6 +101,18 @@ void ovr_heat_give(ovr_simulation *sim);
  * without being of account: 0.1 of p_h, or of the largest P where that is less.
  */
 double ovr_heat_pressed(const ovr_simulation *sim);
+
+/* The change of temperatures between film and heat, over the largest rise, at
+ * which a steady start ends. */
+#define OVR_HEAT_CHANGE 3e-5
+
+/* Bounds a temperature rise of an iteration that has gone astray, so that what
+ * follows, and what is printed of a failure, are numbers. */
+double ovr_heat_bounded(const ovr_heated *heated, double rise);
+
+/* True if a steady start has used up the cycles that it may take
+ * (heat.c). */
+bool ovr_heat_exhausted(const ovr_simulation *sim);
 
 /* Takes V and u1 of the time T. */
 void ovr_heat_speeds(ovr_simulation *sim, double T);

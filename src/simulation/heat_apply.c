@@ -56,6 +56,13 @@ double ovr_heat_pressed(const ovr_simulation *sim)
            ovr_smaller(1, P[sim->grids.kernels->extreme(sim->now.n, -1, P)]);
 }
 
+double ovr_heat_bounded(const ovr_heated *heated, double rise)
+{
+    const double hottest = 5000 /* K */;
+    const double coldest = (OVR_ROELANDS_T - heated->numbers.T0) / 2;
+    return ovr_larger(coldest, ovr_smaller(rise, hottest));
+}
+
 /* No temperature moves on by more than this share of itself and some kelvins:
  * the first are those of an isothermal film, which may be absurd. */
 void ovr_heat_relax(ovr_simulation *sim, double share)

@@ -47,6 +47,8 @@ static void solve_node(ovr_simulation *sim, size_t i, march *m)
             s[k].past[i] = ovr_memory_past(&h->memory[k], m->psi[k], m->q[k]) +
                            s[k].along[i];
     ovr_column_heat(&h->film, i);
+    for (int j = 0; j < h->cross_film.n; j++)
+        h->T[j][i] = ovr_heat_bounded(h, h->T[j][i]);
     for (int k = 0; k < 2; k++) {
         double q = h->q[k][i];
         if (h->way[k] != m->way)

@@ -130,7 +130,8 @@ static void move(ovr_heated *h, size_t n, const double *g)
             }
             t->u[0][j][i] = u;
             t->r[0][j][i] = r;
-            h->used[j][i] = u + ovr_larger(-limit, ovr_smaller(step, limit));
+            step = ovr_larger(-limit, ovr_smaller(step, limit));
+            h->used[j][i] = ovr_heat_bounded(h, u + step);
         }
 }
 

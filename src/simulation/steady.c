@@ -8,6 +8,7 @@
 
 #include "base/given.h"
 #include "contact/contact.h"
+#include "simulation/heat.h"
 #include "simulation/mirror.h"
 #include "simulation/physics.h"
 #include "simulation/simulation.h"
@@ -188,7 +189,7 @@ static double search(ovr_simulation *sim, ovr_outcome *outcome)
 {
     double tolerance = 0;
     for (int k = 0, tried = 0; k < STRATEGIES && !outcome->converged; k++) {
-        if (ovr_hierarchy_stops(&sim->grids))
+        if (ovr_hierarchy_stops(&sim->grids) || ovr_heat_exhausted(sim))
             break;
         if ((strategies[k].flow_law && !thins(sim)) ||
             (strategies[k].grown && !sim->heights))

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "contact/film_formula.h"
 #include "overroll/case.h"
@@ -288,4 +289,59 @@ void test_stays_case(test_random_case *d, uint64_t seed)
     say(d, "[supply]\nmodel = film\nthickness_1 = %.6g um\n",
         logarithmic(d, 0.025, 1));
     say(d, "thickness_2 = %.6g um\n", logarithmic(d, 0.025, 1));
+}
+
+/* ---------------------------------------------------- hot contacts that slide
+ */
+
+/* One of the words of rheology in the table of keys, none more often. */
+static const char *any_flow_law(test_random_case *d)
+{
+    for (size_t k = 0; k < ovr_parameter_count(); k++) {
+        ovr_parameter_info key = ovr_parameter_at(k);
+        size_t words = 0;
+        if (strcmp(key.section, "lubricant") || strcmp(key.key, "rheology"))
+            continue;
+        while (key.choices[words])
+            words++;
+        return key.choices[(size_t)draw(d, 0, (double)words)];
+    }
+    assert_true(false);
+    return NULL;
+}
+
+static void any_rheology(test_random_case *d)
+{
+    const char *law = any_flow_law(d);
+    say(d, "rheology = %s\n", law);
+    if (!strcmp(law, "eyring"))
+        say(d, "eyring_stress = %.6g MPa\n", logarithmic(d, 2, 20));
+    else if (!strcmp(law, "carreau"))
+        say(d,
+            "carreau_form = %s\ncarreau_n = %.6g\ncarreau_stress = %.6g MPa\n",
+            chance(d, 0.5) ? "rate" : "stress", draw(d, 0.3, 0.8),
+            logarithmic(d, 0.5, 8));
+    else if (!strcmp(law, "table"))
+        say(d, "rheology_file = thinning.csv\n");
+    if (chance(d, 0.4))
+        say(d, "limiting_shear = %.6g\n", draw(d, 0.03, 0.1));
+}
+
+void test_hot_start_case(test_random_case *d, uint64_t seed)
+{
+    begin(d, seed);
+    double S = draw(d, 2, 6);
+    say(d, "[contact]\nmodulus = 226 GPa\n");
+    say(d, "hertz_pressure = %.6g GPa\n", draw(d, 0.4, 1.6));
+    say(d, "radius = %.6g mm\n", logarithmic(d, 3, 30));
+    say(d, "mean_speed = %.6g m/s\n", logarithmic(d, 0.5, 20));
+    say(d, "slide_to_roll = %.6g\n", chance(d, 0.5) ? S : -S);
+    say(d, "[lubricant]\nviscosity = %.6g mPa.s\n", logarithmic(d, 3, 100));
+    say(d, "alpha = %.6g 1/GPa\n", draw(d, 12, 24));
+    any_rheology(d);
+    say(d, "[heat]\nmodel = lobatto\ntemperature = %.6g degC\n",
+        draw(d, 20, 120));
+    if (chance(d, 0.2))
+        say(d, "[cavitation]\nmodel = conserving\n");
+    say(d, "[domain]\nlevel = %d\n", (int)draw(d, 6, 10));
 }

@@ -24,6 +24,9 @@ void test_jump_case(test_random_case *d, uint64_t seed, double *share);
 /* A smooth contact under constant conditions (stays.h). */
 void test_stays_case(test_random_case *d, uint64_t seed);
 
+/* A hot contact that slides fast (hot_starts.h). */
+void test_hot_start_case(test_random_case *d, uint64_t seed);
+
 /* The flow law by points, thinning.csv, that they may name. */
 void test_write_points(const char *path);
 

@@ -1,0 +1,74 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "hot_starts.h"
+
+#include <math.h>
+
+#include "overroll/case.h"
+#include "random_case.h"
+#include "simulation/simulation.h"
+#include "test.h"
+
+typedef struct tally {
+    int runs, failed, max_failed_cycles, coarse;
+    long cycles; /* of those found */
+    double max_defect, max_rise;
+} tally;
+
+static void count(tally *t, const ovr_simulation *sim, ovr_status status)
+{
+    const ovr_observation *o = ovr_simulation_observation(sim);
+    t->runs++;
+    if (!status) {
+        t->cycles += o->cycles;
+        t->max_defect = fmax(t->max_defect, fabs(o->energy_defect));
+    } else {
+        t->failed++;
+        if (o->cycles > t->max_failed_cycles)
+            t->max_failed_cycles = o->cycles;
+    }
+    t->max_rise = fmax(t->max_rise, o->T_max_rise);
+}
+
+static void solve(tally *t, uint64_t seed)
+{
+    static test_random_case drawn;
+    ovr_error err = {0};
+    test_hot_start_case(&drawn, seed);
+    ovr_case *c = ovr_case_read_text(drawn.text, "case", NULL, NULL, &err);
+    ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
+    CHECK_OK(setup ? OVR_OK : err.status, &err);
+    ovr_simulation *sim = ovr_setup_simulation(setup, NULL, &err);
+    assert_non_null(sim);
+    ovr_status status = ovr_simulation_steady(sim, &err);
+    if (status == OVR_IMPOSSIBLE) /* the mesh is too coarse for the film */
+        t->coarse++;
+    else
+        count(t, sim, status);
+    if (status)
+        print_message("    seed %llu: %s\n%s", (unsigned long long)seed,
+                      err.message, drawn.text);
+    ovr_simulation_free(sim);
+    ovr_setup_free(setup);
+    ovr_case_free(c);
+}
+
+void test_hot_starts_survey(uint64_t seed, int runs)
+{
+    const double hottest = 5000; /* K, of what is printed of a failure */
+    tally t = {0};
+    test_write_points("thinning.csv");
+    for (uint64_t k = 0; t.runs < runs; k++)
+        solve(&t, seed + k);
+    double mean = (double)t.cycles / fmax(t.runs - t.failed, 1);
+    print_message(
+        "    seeds %llu on: %d contacts, %d fail (%d cycles at most), "
+        "%.0f cycles in the mean; %.1e energy defect, %.0f K at most; "
+        "%d on too coarse a mesh\n",
+        (unsigned long long)seed, t.runs, t.failed, t.max_failed_cycles, mean,
+        t.max_defect, t.max_rise, t.coarse);
+    assert_true(100 * t.failed <= 3 * runs || t.failed <= runs / 33 + 1);
+    assert_true(t.max_failed_cycles < 20 * mean);
+    assert_true(t.max_defect < 0.02);
+    assert_true(t.max_rise <= hottest);
+    assert_true(t.coarse < runs / 4 + 2);
+}
