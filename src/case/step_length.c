@@ -111,8 +111,8 @@ static bool changes_quickly(const ovr_resolved *r)
     return quick;
 }
 
-/* True if the film has temperatures and surfaces that ever move in opposite
- * directions. */
+/* Returns true for a hot film with surfaces that move in opposite directions at
+ * any time. */
 static bool has_hot_opposed(const ovr_resolved *r)
 {
     const ovr_setup *s = &r->setup;

@@ -84,7 +84,7 @@ static INLINE void residual_vector(const ovr_weights *w, const ovr_fields *f,
                                    ptrdiff_t J)
 {
     row_weights c = row_limited(f, w, free, J);
-    c.kind = kind; /* a constant for the compiler after the copy too */
+    c.kind = kind; /* a compile-time constant */
     put(f->r, J, row_content_residual(f, &c, J));
 }
 
@@ -239,7 +239,7 @@ static INLINE void assemble(const line *l, ptrdiff_t S, row_kind kind,
         assemble_vector(l, &rest, kind, transient, J);
 }
 
-/* Rows of a film with temperatures, compiled once for all kinds. */
+/* Assembles rows of a film with temperatures, compiled once for all kinds. */
 static __attribute__((noinline)) void
 assemble_skewed(const line *l, ptrdiff_t S, row_kind kind, bool transient)
 {

@@ -41,8 +41,7 @@ static double flow_before(const film *f, ptrdiff_t i)
     return value(f, x->eps, i - 1) + value(f, x->eps, i);
 }
 
-/* Weight a_m of row i times d q/dP of node i - m at fixed film, with the flow
- * that temperatures skew (reynolds_row.h). */
+/* Returns -dN_i/dP_{i-m} of the wedge at fixed film (reynolds_row.h). */
 static double wedge_by_pressure(const film *f, int m, ptrdiff_t i)
 {
     const ovr_weights *w = &f->level->weights;

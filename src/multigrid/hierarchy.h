@@ -90,7 +90,7 @@ typedef struct ovr_hierarchy {
     /* mass-conserving cavitation (content.h): asked for when it was built, at
      * the moment; what arrives is given, and inlets may be closed */
     bool content, conserving, supplied;
-    bool skewed; /* temperatures skew the flow: fields skew and skew_by_P */
+    bool skewed; /* fields skew and skew_by_P exist */
     ovr_influence influence;
 
     ovr_band band;      /* work arrays of the finest size */

@@ -47,8 +47,7 @@ typedef struct ovr_weights {
     double first[3]; /* in row 1 */
     double half;     /* 1/(2 D^2) */
     double hold;     /* r over q by which a dry node stays dry */
-    /* of the flow that temperatures skew, in row 1: a wedge at speed 1 in any
-     * scheme (ovr_hierarchy_skew) */
+    /* B of reynolds_row.h, in row 1 */
     double skew[3], skew_first[3];
     /* where cavitation is mass-conserving (content.h): what limits change,
      * inflow */

@@ -99,7 +99,8 @@ static inline void hold_dry(const line *l, bool transient, stretch where,
         b[d] = choose(dry, held[d], b[d]);
 }
 
-/* `kind` is a constant for the compiler, which that in `weights` is not. */
+/* Assembles vector J.  `kind` is a compile-time constant, unlike
+ * weights->kind. */
 static INLINE void assemble_vector(const line *l, const row_weights *weights,
                                    row_kind kind, bool transient, stretch where,
                                    ptrdiff_t J)
@@ -153,7 +154,7 @@ static INLINE void assemble(const line *l, const ovr_lanes *g,
         end_column(l, g, &rest);
 }
 
-/* Rows of a film with temperatures, compiled once for all kinds. */
+/* Assembles rows of a film with temperatures, compiled once for all kinds. */
 static __attribute__((noinline)) void
 assemble_skewed(const line *l, const ovr_lanes *g, const ovr_weights *w,
                 bool transient, row_kind kind)

@@ -12,11 +12,10 @@
  * law (flow.h), it stands for before and after; below, eps'_k counts by its
  * share in the half node, and with a flow law the sums become 2 T and eps'_k
  * counts by the R of the half node besides.
- * In a film with temperatures a wedge of the flow that they skew (heat.h) is
- * added, with the weights b of a wedge at speed 1:
+ * A film with temperatures has the wedge of the skewed flow (heat_skew.h), with
+ * the weights b of a wedge at speed 1,
  *     N <- N - sum_m b_m (s q)_{i-m},  s = s_0 + s_1 P
- * A term -a_m q_{i-m} becomes -(a_m + b_m s) q, and below a_m rho' H becomes
- * (a_m + b_m s) rho' H + b_m s_1 q.
+ * Its weights of q are a_m + b_m s, and dN/dP has the further terms -b_m s_1 q.
  *
  * dN_i/dP_{i+d} at fixed film, eps' = d eps/dP:
  *     d = -2:  -a2 rho'_{i-2} H_{i-2}
@@ -53,7 +52,7 @@ static inline row_kind row_kind_of(const ovr_fields *f)
            (f->skew ? ROW_SKEWED : 0);
 }
 
-/* The weights of a row: of q_i, q_{i-1}, q_{i-2}, and 1/(2 D^2); b of the
+/* The weights of a row: a of q_i, q_{i-1}, q_{i-2}, half = 1/(2 D^2), b of the
  * skewed flow. */
 typedef struct row_weights {
     num a[3], half, hold, b[3];
@@ -102,7 +101,7 @@ static inline row_faces row_faces_at(const ovr_fields *f, bool stored,
     return s;
 }
 
-/* a_m + b_m s of node J - m: what the row takes of its content. */
+/* Returns the weight a_m + b_m s of q at node J - m. */
 static inline num row_content_weight(const ovr_fields *f, const row_weights *c,
                                      int m, ptrdiff_t J)
 {
@@ -112,7 +111,7 @@ static inline num row_content_weight(const ovr_fields *f, const row_weights *c,
     return fused(c->b[m], s, c->a[m]);
 }
 
-/* -dN_i/dP_{i-m} of the wedge at fixed film */
+/* Returns -dN_i/dP_{i-m} of the wedge at fixed film. */
 static inline num row_wedge_by_pressure(const ovr_fields *f,
                                         const row_weights *c, int m,
                                         ptrdiff_t J)

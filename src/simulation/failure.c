@@ -127,7 +127,7 @@ static ending ending_of(const ovr_defect *d)
     return e;
 }
 
-/* The isothermal film was found, but not the temperatures. */
+/* Reports a start that found the isothermal film, but no temperatures. */
 static ovr_status too_hot(const ovr_simulation *sim, const ovr_outcome *outcome,
                           ovr_error *err)
 {

@@ -347,7 +347,7 @@ static void tell(const ovr_physics_case *of, const void *form,
     line(data, "viscosity and temperature", text);
 }
 
-/* ------------------------------------------------- film and heat in turn */
+/* ------------------------------------------------ Film and heat in turn */
 
 static void keep_start(ovr_simulation *sim)
 {
@@ -363,7 +363,7 @@ static void renew(ovr_simulation *sim)
         p->is->renew(sim, p->own);
 }
 
-/* The isothermal film that temperatures began from, without temperatures. */
+/* Restores the isothermal film that the iterations began with. */
 static void return_to_start(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;
@@ -378,8 +378,8 @@ static void return_to_start(ovr_simulation *sim)
     }
     forget(sim, h);
     h->cross_film = points;
-    /* corrections of fourth order: those of the gap follow from P, those of the
-     * flow from the film with the former */
+    /* Corrections of the gap follow from P, those of the flow from the film
+     * with the corrected gap. */
     for (int pass = 0; pass < 2; pass++) {
         ovr_level_refresh(&sim->grids, level);
         ovr_simulation_read(sim);
@@ -389,7 +389,7 @@ static void return_to_start(ovr_simulation *sim)
     ovr_simulation_read(sim);
 }
 
-/* True if the cycles ended with a film, solved or nearly so. */
+/* Returns true if the cycles ended near a film. */
 static bool is_film(const ovr_outcome *outcome)
 {
     const double imbalance = 1e-3, load = 1e-2;
@@ -398,8 +398,8 @@ static bool is_film(const ovr_outcome *outcome)
            d->centre > 0;
 }
 
-/* The skewed flow is added by quarters, each when temperatures have calmed;
- * returns true if one was added. */
+/* Adds a quarter of the skewed flow once temperatures have calmed.  Returns
+ * true if a quarter was added. */
 static bool add_skew(ovr_heated *h, double change)
 {
     const double calm = 0.1, part = 0.25;
@@ -411,10 +411,9 @@ static bool add_skew(ovr_heated *h, double change)
 }
 
 /*
- * A start takes some 230 cycles (100 contacts at random with slide-to-roll
- * ratios of 2 to 6), the slowest that are found 3300.  A failure therefore
- * costs less than 20 times as much as a normal start, and below a minute on any
- * mesh of less than 1e5 nodes.  Features take more.
+ * Random contacts with slide-to-roll ratios of 2 to 6 need 230 cycles in the
+ * mean and 3300 at most.  A failure costs less than 20 times the mean, and less
+ * than a minute on meshes below 1e5 nodes.  Features need more cycles.
  */
 bool ovr_heat_exhausted(const ovr_simulation *sim)
 {
@@ -423,9 +422,9 @@ bool ovr_heat_exhausted(const ovr_simulation *sim)
            sim->heated->cycles >= (sim->heights ? WITH_FEATURES : SMOOTH);
 }
 
-/* True if corrections follow the temperatures: as long as these change by more
- * than this, or the result depends on the path.  Later the two could go round
- * for ever. */
+/* Returns true if corrections of fourth order are computed again.  Frozen
+ * before the temperatures settle, they make the result depend on the path.
+ * Later they could alternate with the iterations. */
 static bool are_renewed(int iteration, double change)
 {
     enum { ALWAYS = 30 };
@@ -433,9 +432,9 @@ static bool are_renewed(int iteration, double change)
     return iteration < ALWAYS || change > settled;
 }
 
-/* Solves for temperatures and for the film in turn, until neither changes.
- * `slowly`: the skewed flow is added bit by bit, and what is made falls where
- * the stress is limited, too. */
+/* Solves for temperatures and film in turn until neither changes.  `slowly`:
+ * the skewed flow is added by quarters, and gamma is not zero where the stress
+ * is limited. */
 static void iterate(ovr_simulation *sim, const ovr_full *how, bool slowly,
                     ovr_outcome *outcome)
 {
@@ -443,7 +442,7 @@ static void iterate(ovr_simulation *sim, const ovr_full *how, bool slowly,
     const double enough = OVR_HEAT_CHANGE, far = 0.1;
     ovr_heated *h = sim->heated;
     double change = INFINITY;
-    int lost = 0; /* cycles in a row that ended without a film */
+    int lost = 0; /* solves in a row without a film */
     ovr_heat_outer_begin(sim);
     h->skew_share = slowly ? 0 : 1;
     h->always_falls = slowly && isfinite(h->Sigma0);
@@ -473,7 +472,7 @@ static void iterate(ovr_simulation *sim, const ovr_full *how, bool slowly,
                                                change);
 }
 
-/* From the start again, where the iterations left it for good. */
+/* Iterates again, from the isothermal film if the iterations left it far. */
 static void iterate_again(ovr_simulation *sim, const ovr_full *how,
                           ovr_outcome *outcome)
 {

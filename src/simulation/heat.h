@@ -59,12 +59,12 @@ typedef struct ovr_heated {
     double *drag;                     /* psi_c */
     double *skewed;                   /* q s (heat_skew.h) */
     double *skew, *skew_by_P;         /* s_0 and s_1 of s = s_0 + s_1 P */
-    double skew_share;                /* of s that counts in a steady solve */
+    double skew_share;                /* Part of s in use, below 1 on the way */
     bool always_falls;                /* as in cross_film.h */
     double *start_P, *start_q, start_H0; /* the film without temperatures */
-    bool strayed;  /* iterations ended without a film, or far from calm */
+    bool strayed;  /* iterations ended without a film or with large changes */
     int cycles;    /* of a steady start, in all tries */
-    double change; /* of temperatures at the end of the last, over the rise */
+    double change; /* last change of temperatures, relative to the rise */
     double *th, *shift, *swell; /* in the order of the nodes */
     double V, u1;               /* now */
     /* by its stress: power that is made, and of its size node by node */
@@ -102,16 +102,15 @@ void ovr_heat_give(ovr_simulation *sim);
  */
 double ovr_heat_pressed(const ovr_simulation *sim);
 
-/* The change of temperatures between film and heat, over the largest rise, at
- * which a steady start ends. */
+/* Tolerance of a steady start: change of temperatures relative to the largest
+ * rise. */
 #define OVR_HEAT_CHANGE 3e-5
 
-/* Bounds a temperature rise of an iteration that has gone astray, so that what
- * follows, and what is printed of a failure, are numbers. */
+/* Returns a temperature rise within bounds that diverging iterations and their
+ * printed results keep. */
 double ovr_heat_bounded(const ovr_heated *heated, double rise);
 
-/* True if a steady start has used up the cycles that it may take
- * (heat.c). */
+/* Returns true if a steady start has reached its limit of cycles (heat.c). */
 bool ovr_heat_exhausted(const ovr_simulation *sim);
 
 /* Takes V and u1 of the time T. */

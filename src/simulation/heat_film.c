@@ -110,8 +110,8 @@ static void add_power(ovr_simulation *sim)
             h->film.heating[j][i] += power[i];
 }
 
-/* The last wet node flows and is heated by the share of its mesh that the film
- * covers, and as a dry one by the rest (heat_skew.h). */
+/* Weights flow and heating of the last wet node by the share of its mesh
+ * downstream that contains oil (heat_skew.h). */
 static void cover_end(const ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;

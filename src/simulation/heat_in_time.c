@@ -19,8 +19,8 @@ static const double SHARE = 0.5;
  * that a pressure which moved is enough for. */
 enum { PASSES = 6, MOVED = 2 };
 
-/* What is kept in addition to temperatures; the first of it are in checkpoints
- * of 0.3.0. */
+/* Fields kept in addition to temperatures.  Checkpoints of 0.3.0 have the first
+ * five. */
 enum { FIELDS = OVR_HEAT_KEPT - OVR_CROSS_FILM_MAX, FIRST_FIELDS = 5 };
 
 /* --------------------------------------------------------------- creation */

@@ -5,9 +5,9 @@
 
 #include "simulation/heat_in_time.h"
 
-/* Layers between surfaces that move in opposite directions stand still
- * somewhere; a speed that jumps from one sign's smallest to the other's would
- * keep the iterations from ending. */
+/* Some layer between surfaces that move in opposite directions has no speed.  A
+ * jump between the two smallest speeds would keep the iterations from ending.
+ */
 static const double MIN_SPEED = 0.02, MIN_SPEED_OPPOSED = 1e-9;
 
 /* Speeds of the surfaces at T = 0, and their memories from node to node. */

@@ -45,16 +45,16 @@ typedef struct ovr_heat_outer {
     double *u[OVR_OUTER_KEPT][OVR_CROSS_FILM_MAX];
     double *r[OVR_OUTER_KEPT][OVR_CROSS_FILM_MAX];
     int kept;         /* of them */
-    double small;     /* the change below which they help */
+    double small;     /* change below which they are used */
     double w, change; /* the rest of the last over the largest rise */
 } ovr_heat_outer;
 
 ovr_status ovr_heat_outer_take(ovr_simulation *sim, ovr_error *err);
 
-/* Begins with no iteration before. */
+/* Begins without iterations. */
 void ovr_heat_outer_begin(ovr_simulation *sim);
 
-/* Forgets all iterations: what they converge to has changed. */
+/* Discards the iterations kept, after a change of the equations. */
 void ovr_heat_outer_forget(ovr_heat_outer *outer);
 
 /* Moves `used` on by the T that was found by it; the largest rest over the

@@ -39,7 +39,7 @@ void ovr_heat_skew_forget(ovr_simulation *sim)
     memset(h->skew_by_P, 0, bytes);
 }
 
-/* ------------------------------------------------------- where a film ends */
+/* ------------------------------------------------------- Where a film ends */
 
 bool ovr_heat_opposed(const ovr_simulation *sim)
 {
@@ -61,7 +61,7 @@ double ovr_heat_film_end(const ovr_simulation *sim, ptrdiff_t *last)
     return bend > P[i] ? P[i] / bend : 1;
 }
 
-/* s from 2 mesh sizes before the film's end on is that there. */
+/* Holds s constant from 2 mesh sizes before the film's end on. */
 static void hold_end(const ovr_simulation *sim, double *s)
 {
     const double before_end = 2;
@@ -103,7 +103,7 @@ static void mean(const ovr_simulation *sim, int times, double *v, double *work)
     }
 }
 
-/* 2 M^4 - M^8 */
+/* Filters by 2 M^4 - M^8. */
 static void smooth(const ovr_simulation *sim, double *s)
 {
     double *v = sim->scratch[0], *work = sim->scratch[1];
@@ -115,8 +115,8 @@ static void smooth(const ovr_simulation *sim, double *s)
         s[i] = 2 * s[i] - v[i];
 }
 
-/* ds/d ln eta over V/2 of a node at the temperatures `used`, by Roelands'
- * law. */
+/* Returns (ds/d ln eta)/(V/2) of a node at the temperatures `used`, by
+ * Roelands' law. */
 static double ratio_by_log_eta(const ovr_heated *h, size_t i)
 {
     const ovr_cross_film *a = &h->cross_film;
@@ -138,7 +138,7 @@ static double ratio_by_log_eta(const ovr_heated *h, size_t i)
     return (by[1] - m[1] / m[0] * by[0]) / m[0];
 }
 
-/* s_1, where s is of account. */
+/* Computes s_1 where s is large enough to matter. */
 static void find_slopes(ovr_simulation *sim)
 {
     const double little = 0.02, dP = 1e-6, way = sim->mirrored ? -1 : 1;
@@ -181,9 +181,9 @@ void ovr_heat_skew_find(ovr_simulation *sim)
     }
 }
 
-/* ------------------------------------------------------------ to the grids */
+/* ------------------------------------------------------------ On the grids */
 
-/* Adds what others give, and in time the past. */
+/* Computes F without the skewed flow. */
 static void sides(const ovr_simulation *sim, double *F)
 {
     const ovr_heat_steps *s = sim->heated->steps;
@@ -244,9 +244,9 @@ void ovr_heat_skew_give(ovr_simulation *sim)
     put_right_side(sim);
 }
 
-/* On the right-hand side q + s q' is given, with the content q' of s q: q
- * answers by -s where the film is stiff, and 1/(1 + s) of the change finds both
- * at once. */
+/* With the wedge of s q' on the right-hand side, a stiff film answers by a
+ * change of q that is -s times the change of q'.  A share 1/(1 + s) of the
+ * change finds both at once. */
 bool ovr_heat_skew_follow(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;

@@ -1,40 +1,39 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The flow that temperatures skew, q s with s = (V/2) m_1/m_0 (cross_film.h),
- * in Reynolds' equation.
+ * Flow skewed by temperatures in the Reynolds equation: q s with s = (V/2)
+ * m_1/m_0 (cross_film.h).
  *
- * Under the contact d/dX(q (1 + s)) is nearly zero.  With the wedge of q s on
- * the right-hand side, by the film before, a cycle makes q_n = c - s q_{n-1}:
- * it diverges for s > 1, and goes round in two films below that if s follows
- * the pressure.  The wedge of q s is therefore a part of the row, with q
- * unknown, on all grids (multigrid/reynolds_row.h):
+ * Under the contact d/dX(q (1 + s)) is nearly zero.  A wedge of q s from the
+ * film before makes a cycle compute q_n = c - s q_{n-1}.  The iteration
+ * diverges for s > 1.  It oscillates for smaller s if s depends on P.  The
+ * wedge of q s is therefore part of the row on all grids, with q unknown
+ * (multigrid/reynolds_row.h):
  *
  *     s = s_0 + s_1 P,  s_1 = max(0, ds/dP) at the temperatures `used`
  *     ds/dP = (V/2) [sum w r' zeta - (m_1/m_0) sum w r']/m_0 d ln eta/dP
  *     ln r_j = (th_m - th_j)(ln eta_0 + C),  r'_j = r_j (th_m - th_j)
  *
- * by Roelands' law; by other laws s does not depend on P.  Where s falls with P
- * an explicit s is stable.
+ * These derivatives are for Roelands' law.  With other
+ * laws s does not depend on P.  An explicit s is stable where s falls with P.
  *
- * Short waves are taken out of s, by 2 M^4 - M^8 with M the mean (1, 2, 1)/4 of
- * neighbours: of waves of 4, 8, 16 and 32 mesh sizes .12, .78, .98 and .999 are
- * left; the error is O(D^4).  s follows P at once through the viscosities, and
- * P answers to s the more the shorter a wave is.  Along the characteristic
- * nothing else damps waves of four or five mesh sizes: with them a contact at a
- * slip of 1.55 and 1.2 GPa took 31 cycles a step and reached 2.2 GPa, without
- * them 5 and 1.18 GPa.
+ * Short waves are filtered from s by 2 M^4 - M^8, where M is the mean (1, 2,
+ * 1)/4 of neighbours.  Waves of 4, 8, 16 and 32 mesh sizes keep .12, .78, .98
+ * and .999 of their amplitude, and the error is O(D^4).  The pressure answers
+ * to s the more the shorter a wave is, and s follows the pressure at once.
+ * Along the characteristic nothing else damps waves of four mesh sizes.
+ * Without the filter a contact at a slip of 1.55 and 1.2 GPa reached 2.2 GPa.
  *
- * Where surfaces move in opposite directions, surface 2 carries whatever
- * happens at the film's end upstream, and a last node that is wet in one
- * iteration and dry in the next keeps the iterations from ending.  s is then
- * constant from 2 mesh sizes before the end, x_e = x_i + D P_i/(P_{i-1} - 2
- * P_i) with i the last wet node, and the last node is heated by the share of
- * its mesh that the film covers (heat_film.c).  With mass-conserving
- * cavitation, s falls to zero over the last 0.005 p_h instead.
+ * Surfaces that move in opposite directions carry changes at the film's end
+ * upstream.  A last node that alternates between wet and dry then keeps the
+ * iterations from ending.  The ratio s is therefore constant from 2 mesh sizes
+ * before the end x_e = x_i + D P_i/(P_{i-1} - 2 P_i) on, with i the last wet
+ * node. That node is heated by the share of its mesh within the film
+ * (heat_film.c). With mass-conserving cavitation, s falls to zero over the last
+ * 0.005 p_h instead.
  *
  * Along the characteristic with the speed reversed, grids are not mirrored and
- * rows have no nodes upstream: there alone the wedge of q s remains on the
- * right-hand side, by the content of each cycle.
+ * rows have no nodes upstream.  Only there the wedge of q s is a right-hand
+ * side, computed from the content after each cycle.
  */
 #ifndef OVR_SIMULATION_HEAT_SKEW_H
 #define OVR_SIMULATION_HEAT_SKEW_H
@@ -43,10 +42,10 @@
 
 #include "simulation/internal.h"
 
-/* Takes memory for s on all grids. */
+/* Allocates s on all grids. */
 ovr_status ovr_heat_skew_take(ovr_simulation *sim, ovr_error *err);
 
-/* s = 0 */
+/* Sets s = 0. */
 void ovr_heat_skew_forget(ovr_simulation *sim);
 
 /* Computes s from (V/2) m_1/m_0 q of the film that was read last. */
@@ -59,8 +58,8 @@ void ovr_heat_skew_give(ovr_simulation *sim);
  * side changes by it. */
 bool ovr_heat_skew_follow(ovr_simulation *sim);
 
-/* Returns the share of the mesh behind the film's last wet node, *last, that
- * the film covers; a negative one if there is no such end within the grid. */
+/* Finds the last wet node.  Returns the share of the mesh downstream of it that
+ * is within the film, or -1 if no film ends inside the grid. */
 double ovr_heat_film_end(const ovr_simulation *sim, ptrdiff_t *last);
 
 /* Returns true if the surfaces move in opposite directions. */

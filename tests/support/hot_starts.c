@@ -54,7 +54,7 @@ static void solve(tally *t, uint64_t seed)
 
 void test_hot_starts_survey(uint64_t seed, int runs)
 {
-    const double hottest = 5000; /* K, of what is printed of a failure */
+    const double hottest = 5000; /* Rise in K, of failures too */
     tally t = {0};
     test_write_points("thinning.csv");
     for (uint64_t k = 0; t.runs < runs; k++)

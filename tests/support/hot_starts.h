@@ -6,11 +6,11 @@
 #include <stdint.h>
 
 /*
- * `runs` contacts from a seed on: slide-to-roll ratios of 2 to 6 in both
- * directions, all flow laws of the table of keys, with and without a limiting
- * stress and mass-conserving cavitation, levels 6 to 9.  At most 3 in 100 are
- * not found, energy closes in those found, and a failure takes no more cycles
- * than 20 times the mean of those found.
+ * Solves `runs` contacts from a seed on.  Slide-to-roll ratios are 2 to 6 in
+ * both directions, levels 6 to 9.  All flow laws of the table of keys occur,
+ * and a limiting stress and mass-conserving cavitation.  At most 3
+ * in 100 fail.  Energy closes in the others.  A failure needs less than 20
+ * times their mean number of cycles.
  */
 void test_hot_starts_survey(uint64_t seed, int runs);
 

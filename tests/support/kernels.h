@@ -35,7 +35,7 @@ void test_grid_gap(test_grid *grid);
 /* Gives it a flow law, Eyring's. */
 void test_grid_thin(test_grid *grid, double Sigma0, double sliding);
 
-/* Gives it a flow that temperatures skew. */
+/* Adds a flow skewed by temperatures. */
 void test_grid_skew(test_grid *grid);
 
 /* Film and properties, what stands at half nodes too, of its gap, deformation

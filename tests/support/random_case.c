@@ -294,7 +294,7 @@ void test_stays_case(test_random_case *d, uint64_t seed)
 /* ---------------------------------------------------- hot contacts that slide
  */
 
-/* One of the words of rheology in the table of keys, none more often. */
+/* Returns a word of rheology from the table of keys. */
 static const char *any_flow_law(test_random_case *d)
 {
     for (size_t k = 0; k < ovr_parameter_count(); k++) {
