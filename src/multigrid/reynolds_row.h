@@ -12,10 +12,9 @@
  * law (flow.h), it stands for before and after; below, eps'_k counts by its
  * share in the half node, and with a flow law the sums become 2 T and eps'_k
  * counts by the R of the half node besides.
- * A film with temperatures has the wedge of the skewed flow (heat_skew.h), with
- * the weights b of a wedge at speed 1,
+ * A hot film has a wedge of skewed flow (heat_skew.h), b at speed 1.
  *     N <- N - sum_m b_m (s q)_{i-m},  s = s_0 + s_1 P
- * Its weights of q are a_m + b_m s, and dN/dP has the further terms -b_m s_1 q.
+ * Weights of q are then a_m + b_m s.  Terms -b_m s_1 q add to dN/dP.
  *
  * dN_i/dP_{i+d} at fixed film, eps' = d eps/dP:
  *     d = -2:  -a2 rho'_{i-2} H_{i-2}

@@ -413,7 +413,7 @@ static bool add_skew(ovr_heated *h, double change)
 /*
  * Random contacts with slide-to-roll ratios of 2 to 6 need 230 cycles in the
  * mean and 3300 at most.  A failure costs less than 20 times the mean, and less
- * than a minute on meshes below 1e5 nodes.  Features need more cycles.
+ * than a minute on grids of up to 1e5 nodes.  Features need more cycles.
  */
 bool ovr_heat_exhausted(const ovr_simulation *sim)
 {

@@ -83,10 +83,9 @@ static void fade(const ovr_simulation *sim, double *s)
         s[i] *= ovr_larger(0, ovr_smaller(1, sim->now.P[i] / LOW));
 }
 
-/* ----------------------------------------------------- s of the temperatures
- */
+/* ------------------------------------------------------ Filter and slope */
 
-/* Means (1, 2, 1)/4 of neighbours, `times` in a row, those of wet nodes alone;
+/* Means (1, 2, 1)/4 of neighbours, `times` in a row, of nodes with P > 0;
  * in `v`, with a workspace. */
 static void mean(const ovr_simulation *sim, int times, double *v, double *work)
 {

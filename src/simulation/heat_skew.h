@@ -58,8 +58,8 @@ void ovr_heat_skew_give(ovr_simulation *sim);
  * side changes by it. */
 bool ovr_heat_skew_follow(ovr_simulation *sim);
 
-/* Finds the last wet node.  Returns the share of the mesh downstream of it that
- * is within the film, or -1 if no film ends inside the grid. */
+/* Finds the last node with P > 0.  Returns the share of the mesh downstream of
+ * it that is within the film, or -1 if no film ends inside the grid. */
 double ovr_heat_film_end(const ovr_simulation *sim, ptrdiff_t *last);
 
 /* Returns true if the surfaces move in opposite directions. */

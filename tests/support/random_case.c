@@ -291,8 +291,7 @@ void test_stays_case(test_random_case *d, uint64_t seed)
     say(d, "thickness_2 = %.6g um\n", logarithmic(d, 0.025, 1));
 }
 
-/* ---------------------------------------------------- hot contacts that slide
- */
+/* ---------------------------------------------- Hot contacts that slide */
 
 /* Returns a word of rheology from the table of keys. */
 static const char *any_flow_law(test_random_case *d)
