@@ -59,6 +59,7 @@ typedef struct ovr_heated {
     double *drag;                     /* psi_c */
     double *skewed;                   /* q s (heat_skew.h) */
     double *skew, *skew_by_P;         /* s_0 and s_1 of s = s_0 + s_1 P */
+    double *skewed_next, *unused;     /* s q at P + dP; outputs not needed */
     double skew_share;                /* Part of s in use, below 1 on the way */
     bool always_falls;                /* as in cross_film.h */
     double *start_P, *start_q, start_H0; /* the film without temperatures */

@@ -7,7 +7,6 @@
 
 #include "base/larger.h"
 #include "contact/contact.h"
-#include "contact/heat_numbers.h"
 #include "simulation/heat_in_time.h"
 #include "simulation/mirror.h"
 #include "simulation/physics.h"
@@ -24,7 +23,8 @@ static bool is_explicit(const ovr_simulation *sim)
 ovr_status ovr_heat_skew_take(ovr_simulation *sim, ovr_error *err)
 {
     ovr_heated *h = sim->heated;
-    if (OVR_TAKE_NODES(sim, err, &h->skewed, &h->skew, &h->skew_by_P))
+    if (OVR_TAKE_NODES(sim, err, &h->skewed, &h->skew, &h->skew_by_P,
+                       &h->skewed_next, &h->unused))
         return OVR_NO_MEMORY;
     return ovr_hierarchy_skew(&sim->grids, sim->scheme->order == 2, &sim->arena,
                               err);
@@ -114,50 +114,34 @@ static void smooth(const ovr_simulation *sim, double *s)
         s[i] = 2 * s[i] - v[i];
 }
 
-/* Returns (ds/d ln eta)/(V/2) of a node at the temperatures `used`, by
- * Roelands' law. */
-static double ratio_by_log_eta(const ovr_heated *h, size_t i)
-{
-    const ovr_cross_film *a = &h->cross_film;
-    const double C = h->numbers.C;
-    double th[OVR_CROSS_FILM_MAX], m[2] = {0}, by[2] = {0}, T = 0;
-    for (int j = 0; j < a->n; j++) {
-        T += a->w[j] * h->used[j][i];
-        th[j] = 1 + ovr_heat_log_viscosity(&h->numbers, 0, h->used[j][i]) / C;
-    }
-    double th_m = 1 + ovr_heat_log_viscosity(&h->numbers, 0, T) / C;
-    for (int j = 0; j < a->n; j++) {
-        double d = th_m - th[j], ln = d * (h->log_eta[i] + C);
-        double r = a->w[j] * exp(ovr_larger(-100, ovr_smaller(100, ln)));
-        m[0] += r;
-        m[1] += r * a->s[j];
-        by[0] += r * d;
-        by[1] += r * d * a->s[j];
-    }
-    return (by[1] - m[1] / m[0] * by[0]) / m[0];
-}
-
-/* Computes s_1 where s is large enough to matter. */
+/* Computes s_1 of the film whose s q was computed last, from s q with the
+ * viscosities at P + dP.  Slopes of small s do not matter. */
 static void find_slopes(ovr_simulation *sim)
 {
-    const double little = 0.02, dP = 1e-6, way = sim->mirrored ? -1 : 1;
+    const double little = 0.02, dP = 1e-4, way = sim->mirrored ? -1 : 1;
     const double lowest = ovr_conserves(sim) ? LOW : 0;
+    const double *q = sim->now.q;
     ovr_heated *h = sim->heated;
     size_t n = sim->now.n;
-    double *P = sim->scratch[0], *next = sim->scratch[1];
+    double *P = sim->scratch[0], *log_eta = sim->scratch[1];
     memset(h->skew_by_P, 0, n * sizeof *P);
     if (!(h->numbers.C > 0) || is_explicit(sim))
         return;
     for (size_t i = 0; i < n; i++)
         P[i] = sim->now.P[i] + dP;
     sim->grids.kernels->log_viscosity(n, &sim->grids.fluid, P, sim->now.H,
-                                      next);
+                                      log_eta);
+    ovr_columns next = h->film;
+    next.log_eta = log_eta;
+    next.skewed = h->skewed_next;
+    next.th = next.shift = next.drag = next.swell = h->unused;
+    memcpy(next.skewed, h->skewed, n * sizeof *next.skewed);
+    sim->grids.kernels->flow_cross_film(&next);
     for (size_t i = 0; i < n; i++) {
-        if (!(sim->now.P[i] > lowest) || !(fabs(h->skew[i]) > little))
-            continue;
-        double by_P = h->skew_share * h->V / 2 * ratio_by_log_eta(h, i) *
-                      (next[i] - h->log_eta[i]) / dP;
-        h->skew_by_P[i] = way * ovr_larger(0, way * by_P);
+        double rise = next.skewed[i] - h->skewed[i];
+        if (sim->now.P[i] > lowest && fabs(h->skewed[i]) > little * q[i])
+            h->skew_by_P[i] = way * h->skew_share *
+                              ovr_larger(0, way * rise / (q[i] * dP));
     }
 }
 
@@ -166,6 +150,7 @@ void ovr_heat_skew_find(ovr_simulation *sim)
     ovr_heated *h = sim->heated;
     const double *P = sim->now.P, *q = sim->now.q;
     size_t n = sim->now.n;
+    find_slopes(sim);
     for (size_t i = 0; i < n; i++)
         h->skew[i] = q[i] > 0 ? h->skew_share * h->skewed[i] / q[i] : 0;
     if (ovr_conserves(sim))
@@ -173,7 +158,6 @@ void ovr_heat_skew_find(ovr_simulation *sim)
     else if (ovr_heat_opposed(sim))
         hold_end(sim, h->skew);
     smooth(sim, h->skew);
-    find_slopes(sim);
     for (size_t i = 0; i < n; i++) {
         h->skewed[i] = h->skew[i] * q[i];
         h->skew[i] -= h->skew_by_P[i] * P[i];

@@ -10,10 +10,9 @@
  * (multigrid/reynolds_row.h):
  *
  *     s = s_0 + s_1 P,  s_1 = max(0, ds/dP) at the temperatures `used`
- *     ds/dP = (V/2) [sum w r' zeta - (m_1/m_0) sum w r']/m_0 d ln eta/dP
- *     ln r_j = (th_m - th_j)(ln eta_0 + C),  r'_j = r_j (th_m - th_j)
+ *     ds/dP = [s(ln eta_0(P + 1e-4)) - s(ln eta_0(P))]/1e-4
  *
- * These derivatives are for Roelands' law.  With other
+ * by Roelands' law, where the ratios of viscosities depend on P.  With other
  * laws s does not depend on P.  An explicit s is stable where s falls with P.
  *
  * Short waves are filtered from s by 2 M^4 - M^8, where M is the mean (1, 2,
