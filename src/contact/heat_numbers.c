@@ -34,7 +34,14 @@ static ovr_status viscosity(const ovr_heat_form *form, const ovr_lubricant *oil,
         return ovr_fail_about(err, "temperature",
                               "temperature = %g K: must be above 138 K",
                               form->temperature);
-    if (isnan(form->S0) == isnan(form->beta))
+    if (isnan(form->S0) && isnan(form->beta))
+        return ovr_fail_about(err, "beta",
+                              roelands
+                                  ? "heat needs S0 or beta: set one of them"
+                                  : "heat needs beta with this viscosity law: "
+                                    "set beta = -d ln eta/dT, for mineral oils "
+                                    "some 0.03 1/K");
+    if (!isnan(form->S0) && !isnan(form->beta))
         return ovr_fail_about(err, "beta",
                               "S0 and beta say the same: give one of them");
     if (!roelands && isnan(form->beta))

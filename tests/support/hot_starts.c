@@ -66,7 +66,7 @@ void test_hot_starts_survey(uint64_t seed, int runs)
         "%d on too coarse a mesh\n",
         (unsigned long long)seed, t.runs, t.failed, t.max_failed_cycles, mean,
         t.max_defect, t.max_rise, t.coarse);
-    assert_true(100 * t.failed <= 3 * runs || t.failed <= runs / 33 + 1);
+    assert_true(100 * t.failed < 3 * runs + 100); /* 3 of 100, 1 of 10 */
     assert_true(t.max_failed_cycles < 20 * mean);
     assert_true(t.max_defect < 0.02);
     assert_true(t.max_rise <= hottest);
