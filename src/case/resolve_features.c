@@ -34,11 +34,25 @@ static ovr_status fill_feature(ovr_resolved *r, const ovr_block *block,
     return status;
 }
 
+/* Chooses the seed of roughness without one, so that no two such features have
+ * the same heights: 1, 3, 5 ... on surface 1 and 2, 4, 6 ... on surface 2. */
+static void choose_seed(ovr_feature_settings *s, const ovr_block *block,
+                        int count[2])
+{
+    int side = s->form.surface == 2;
+    if (s->form.shape != OVR_ROUGHNESS)
+        return;
+    if (!ovr_block_get(block, "seed")->given)
+        s->roughness.seed = 2 * count[side] + side + 1;
+    count[side]++;
+}
+
 ovr_status ovr_resolve_features(ovr_resolved *r, ovr_error *err)
 {
     ovr_feature_settings *settings;
     const ovr_feature_form **form;
     size_t n = 0;
+    int rough[2] = {0, 0};
     for (const ovr_block *b = r->c->blocks; b; b = b->next)
         n += ovr_block_is_feature(b);
     settings = ovr_arena_take(&r->arena, n, sizeof *settings, err);
@@ -52,6 +66,7 @@ ovr_status ovr_resolve_features(ovr_resolved *r, ovr_error *err)
             ovr_status status = fill_feature(r, b, settings, err);
             if (status)
                 return status;
+            choose_seed(settings, b, rough);
             *form++ = &settings++->form;
         }
     return OVR_OK;

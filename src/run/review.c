@@ -175,6 +175,28 @@ static void warn_of_features(const ovr_review *r, bool transient)
             inside, options->inlet);
 }
 
+/* Features with one seed have the same heights, up to their scale. */
+static void warn_of_seeds(const ovr_review *r)
+{
+    const ovr_resolved *resolved = (const ovr_resolved *)r->setup;
+    for (size_t j = 0; j < resolved->features; j++)
+        for (size_t k = 0; k < j; k++) {
+            const ovr_feature_form *a = resolved->feature[k];
+            const ovr_feature_form *b = resolved->feature[j];
+            if (a->shape != OVR_ROUGHNESS || b->shape != OVR_ROUGHNESS ||
+                a->surface == b->surface ||
+                a->roughness->seed != b->roughness->seed)
+                continue;
+            ovr_review_say(
+                r, OVR_SAY_WARNING,
+                "surfaces 1 and 2 have the same roughness heights: features "
+                "'%s' and '%s' both have seed = %d; set feature.%s.seed to "
+                "another number or remove it",
+                a->name, b->name, a->roughness->seed, b->name);
+            return;
+        }
+}
+
 /* In a steady solution nothing passes. */
 static void warn_of_left_out(const ovr_review *r)
 {
@@ -185,9 +207,11 @@ static void warn_of_left_out(const ovr_review *r)
             continue;
         ovr_review_say(
             r, OVR_SAY_WARNING,
-            "feature '%s' moves, and a steady solution leaves it out: an end "
-            "in [time], such as end = auto, lets it pass",
-            info.name);
+            "feature '%s' moves, and a steady solution leaves it out: %s",
+            info.name,
+            r->setup->transient
+                ? "overroll run lets it pass"
+                : "an end in [time], such as end = auto, lets it pass");
     }
 }
 
@@ -293,11 +317,12 @@ static void before(const ovr_review *r, bool transient)
     ovr_review_domain(r);
     say_level(r);
     ovr_companions_foresee(r->setup, r->say, r->data);
+    warn_of_seeds(r);
     if (r->setup->surfaces)
         warn_of_features(r, transient);
-    if (r->setup->surfaces && !r->setup->transient)
+    if (r->setup->surfaces && !transient)
         warn_of_left_out(r);
-    if (!r->setup->transient)
+    if (!transient)
         warn_of_histories(r);
     if (transient)
         warn_of_time(r);

@@ -128,8 +128,11 @@ static const ovr_parameter feature_keys[] = {
      "shape = roughness", "skewness of the heights"},
     {"kurtosis", PLAIN(1, 100), NULL, IN_FEATURE(roughness.kurtosis), true,
      "shape = roughness", "kurtosis of the heights (3: Gaussian)"},
-    {"seed", WHOLE(0, 2147483647), "1", IN_FEATURE(roughness.seed), true,
-     "shape = roughness", "another seed is another surface"},
+    {"seed", WHOLE(0, 2147483647), NULL, IN_FEATURE(roughness.seed), true,
+     "shape = roughness",
+     "another seed is another surface; left out: 1, 3, 5 ... for the roughness "
+     "features of surface 1 in the order of the case, 2, 4, 6 ... of surface "
+     "2"},
 };
 
 const ovr_section ovr_feature_section = {
