@@ -285,6 +285,10 @@ static void tabulate(const double *spline, double *table)
 
 /* ----------------------------------------------------------------- public */
 
+/* Apparent viscosities that rise by less than this from point to point are
+ * equal: tables have four digits or more, each rounded. */
+static const double ROUNDED = 1e-3;
+
 static ovr_status check_points(const ovr_flow_form *form, ovr_error *err)
 {
     if (form->points < 2)
@@ -300,8 +304,8 @@ static ovr_status check_points(const ovr_flow_form *form, ovr_error *err)
                                   "point %zu: rates and stresses must be "
                                   "positive and increase",
                                   k + 1);
-        if (k &&
-            form->shear[k] / form->rate[k] > (1 + 1e-9) * before[1] / before[0])
+        if (k && form->shear[k] / form->rate[k] >
+                     (1 + ROUNDED) * before[1] / before[0])
             return ovr_fail_about(err, "rheology_file",
                                   "point %zu: the film thickens with the rate, "
                                   "laws here thin",

@@ -26,8 +26,8 @@ static double layer_at(const ovr_touch_law *law, double H, double *slope)
     double d = law->layer_decay, x = fmax(H / d, minimum);
     if (law->layer / d - x < LOWEST)
         return *slope = 0;
-    double e = exp(law->layer / d), rest = expm1(fmin(x, 500));
-    double A = e / rest;
+    double rest = expm1(fmin(x, 500));
+    double A = expm1(law->layer / d) / rest;
     *slope = A * (1 + 1 / rest) / d;
     return A + *slope * fmax(minimum * d - H, 0);
 }

@@ -5,8 +5,8 @@
  * boundary lubricant together.
  *
  *     exponential    a1 exp(-H/s)
- *     layer          e/(exp(H/d) - 1), e = exp(h/d): ph at H = h, no film below
- *                    zero
+ *     layer          (exp(h/d) - 1)/(exp(H/d) - 1): ph at H = h, no film
+ *                    below zero
  *     table          ln A over H at points, cubic between them, by its slopes
  *                    there (Hermite); beyond its ends it goes on straight
  *

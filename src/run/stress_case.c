@@ -69,7 +69,7 @@ static const ovr_parameter fatigue_keys[] = {
     {"alpha", PLAIN(0, 1), "0.3", AT(alpha), false,
      "criterion = circle | dang-van",
      "of the hydrostatic stress; circle: in tension only"},
-    {"limit_pressure", STRESS(no_limit, 0, 1e3), "1.5 GPa", AT(limit_pressure),
+    {"limit_pressure", STRESS(no_limit, 0, 1e9), "1.5 GPa", AT(limit_pressure),
      false, ALWAYS,
      "Hertz pressure of a smooth contact below which amplitudes do no harm"},
     {"limit_table", PATH, NULL, AT(limit_table), true, ALWAYS,

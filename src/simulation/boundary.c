@@ -621,7 +621,7 @@ static bool march_for(const void *form, ovr_march *march, int *scheme)
     march->end = OVR_WEAR_STEP * OVR_WEAR_MAX;
     march->dT = OVR_WEAR_STEP;
     if (*scheme < 0)
-        *scheme = OVR_UPSTREAM1;
+        *scheme = OVR_UPSTREAM2;
     return true;
 }
 

@@ -42,6 +42,19 @@ TEST(summits_bear_what_their_table_says)
     ovr_arena_release(&arena);
 }
 
+/* p_h at the film of the layer, whatever its decay. */
+TEST(layer_bears_hertz_pressure)
+{
+    const double decays[] = {0.02, 0.1, 0.3, 1};
+    for (size_t k = 0; k < sizeof decays / sizeof *decays; k++) {
+        ovr_touch_law law = {.layer = 0.3, .layer_decay = decays[k]};
+        double A, slope;
+        ovr_touch_law_at(&law, 0.3, &A, &slope);
+        CHECK_CLOSE(A, 1, 1e-12);
+        CHECK_CLOSE(slope, 1 / decays[k] / -expm1(-0.3 / decays[k]), 1e-12);
+    }
+}
+
 /* Between the points and beyond them, by differences. */
 TEST(slopes_are_those_of_the_pressures)
 {
