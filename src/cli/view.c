@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll view OUT.h5 [OTHER.h5] -o PAGE.html: a page that plays the run. */
+#include <string.h>
+
 #include "cli/picture_options.h"
 
 static const cli_option options[] = {
@@ -12,6 +14,18 @@ static const cli_option options[] = {
     {"force", NULL, "replace what exists", false},
     {NULL, NULL, NULL, false},
 };
+
+/* False for the name of a picture, film or table. */
+static bool is_page(const char *path)
+{
+    static const char *const others[] = {".png", ".svg", ".pdf", ".gif",
+                                         ".mp4", ".csv", ".json", ".txt"};
+    const char *dot = strrchr(path, '.');
+    for (size_t k = 0; dot && k < sizeof others / sizeof *others; k++)
+        if (!strcmp(dot, others[k]))
+            return false;
+    return true;
+}
 
 static int run(cli_call *call)
 {
@@ -27,6 +41,9 @@ static int run(cli_call *call)
     o.names = cli_result_names(call, names);
     if (!o.path)
         return cli_usage(call, "no output is named: give -o PAGE.html");
+    if (!is_page(o.path))
+        return cli_usage(call, "-o %s: view writes an HTML page; use NAME.html",
+                         o.path);
     code = cli_open_results(call, results);
     if (code)
         return code;

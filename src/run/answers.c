@@ -135,15 +135,19 @@ static void say_loss(page *p)
 static void say_film(page *p)
 {
     bool run = has(p, "H_min_overall_m");
-    if (!run && !has(p, "H_min_m"))
+    if (!run && !has(p, "min_film_m"))
         return; /* nothing was solved */
-    say(p, "%.4g um", 1e6 * of(p, run ? "H_min_overall_m" : "H_min_m"));
+    say(p, "%.4g um", 1e6 * of(p, run ? "H_min_overall_m" : "min_film_m"));
     say_place(p, "H_min");
     if (has(p, "lambda_ratio_at_H_min"))
         say(p, "; lambda ratio there %.3g, over the run %.3g",
             of(p, "lambda_ratio_at_H_min"), of(p, "lambda_ratio"));
     else if (has(p, "lambda_ratio"))
         say(p, "; lambda ratio %.3g", of(p, "lambda_ratio"));
+    else if (has(p, "contact_lambda_mean"))
+        say(p, "; lambda ratio %.3g", of(p, "contact_lambda_mean"));
+    else if (has(p, "contact_lambda"))
+        say(p, "; lambda ratio %.3g", of(p, "contact_lambda"));
     else
         say(p, "; smooth surfaces have no lambda ratio");
     end(p, "smallest film");
@@ -152,9 +156,10 @@ static void say_film(page *p)
 static void say_pressure(page *p)
 {
     bool run = has(p, "P_max_overall_Pa");
-    if (!run && !has(p, "P_max_Pa"))
+    if (!run && !has(p, "max_pressure_Pa"))
         return;
-    say(p, "%.4g GPa", 1e-9 * of(p, run ? "P_max_overall_Pa" : "P_max_Pa"));
+    say(p, "%.4g GPa",
+        1e-9 * of(p, run ? "P_max_overall_Pa" : "max_pressure_Pa"));
     say_place(p, "P_max");
     end(p, "largest pressure");
 }

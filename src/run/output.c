@@ -83,6 +83,20 @@ static ovr_status check_inputs(const char *path, const ovr_case *c,
                  : OVR_OK;
 }
 
+/* Returns the ending of a file that is a table, a picture, a text or a page by
+ * its name; NULL: of any other. */
+static const char *foreign_ending(const char *path)
+{
+    static const char *const endings[] = {".csv",  ".txt", ".json", ".png",
+                                          ".svg",  ".pdf", ".html", ".ini",
+                                          ".xlsx", ".mp4", ".gif"};
+    const char *dot = strrchr(path, '.');
+    for (size_t k = 0; dot && k < sizeof endings / sizeof *endings; k++)
+        if (!strcmp(dot, endings[k]))
+            return endings[k];
+    return NULL;
+}
+
 ovr_status ovr_output_check(const char *path, const ovr_case *c, bool force,
                             ovr_error *err)
 {
@@ -93,6 +107,11 @@ ovr_status ovr_output_check(const char *path, const ovr_case *c, bool force,
                         path);
     if (check_inputs(path, c, err))
         return OVR_BAD_INPUT;
+    if (foreign_ending(path))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: a result is an HDF5 file, not a %s file; use "
+                        "NAME.h5 or NAME.nc",
+                        path, foreign_ending(path));
     if (access(path, F_OK) == 0 && !force)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%s: exists already; --force replaces it", path);

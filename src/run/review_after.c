@@ -40,10 +40,12 @@ static void warn_of_pressure(const ovr_review *r, const ovr_statistics *total)
         ovr_review_say(
             r, OVR_SAY_WARNING,
             "the pressure of %.3g GPa at X = %.4g, T = %.4g is above what the "
-            "material bears (bearable_pressure = %.3g GPa): it would yield, "
-            "which is not modelled",
+            "material bears (bearable_pressure = %.3g GPa)%s",
             total->extreme.P_max * ph * 1e-9, total->where.P_max,
-            total->when.P_max, bearable * 1e-9);
+            total->when.P_max, bearable * 1e-9,
+            ovr_setup_plastic(r->setup)
+                ? ""
+                : ": it would yield, which needs [plastic]");
 }
 
 /* The pressure of a Newtonian film at a surface feature, or in the spike at the

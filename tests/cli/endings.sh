@@ -1,0 +1,75 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A result or page is refused under the name of another kind of file; the
+# warnings and answers of what a model holds name what is on.
+. "$TOP/tests/support/cli.sh"
+
+cat >dent.ini <<'END'
+[contact]
+M = 20
+L = 10
+[domain]
+level = 5
+[time]
+end = 1
+[feature dent]
+shape = dent
+depth = 0.02
+width = 0.5
+start = -4.6
+END
+for name in R.csv R.png R.html R.ini; do
+    refuses 'a result is an HDF5 file' run dent.ini -o $name
+    [ ! -e $name ] || fail "$name was written"
+done
+expect 0 "$OVERROLL" run dent.ini -o R.nc -q
+refuses 'view writes an HTML page' view R.nc -o P.png
+expect 0 "$OVERROLL" view R.nc -o P.html
+
+# steady names the moving feature that it leaves out
+expect 0 "$OVERROLL" steady dent.ini
+contains err "feature 'dent' moves, and a steady solution leaves it out"
+
+# A limit of fatigue in Pa is far above p_h in a soft contact
+cat >soft.ini <<'END'
+[contact]
+modulus = 10 MPa
+hertz_pressure = 1 MPa
+radius = 10 mm
+mean_speed = 1 m/s
+[lubricant]
+viscosity = 20 mPa.s
+viscosity_law = isoviscous
+[domain]
+level = 6
+[stress]
+surface = 1
+[fatigue]
+END
+expect 0 "$OVERROLL" check soft.ini
+
+# A table of a Carreau film rounded to four digits, Newtonian at low rates
+cat >table.ini <<'END'
+[contact]
+load = 200 kN/m
+radius = 10 mm
+modulus = 226 GPa
+viscosity = 50 mPa.s
+alpha = 19 1/GPa
+mean_speed = 3 m/s
+slide_to_roll = 0.1
+[lubricant]
+rheology = table
+rheology_file = thin.csv
+END
+{
+    echo "rate [1/s], stress [MPa]"
+    awk 'BEGIN { for (k = 0; k < 60; k++) {
+        g = 1e3 * exp(0.3 * k)
+        printf "%.4g, %.4g\n", g, 5e-5 * g / (1 + g / 1e6)^0.4 } }'
+} >thin.csv
+expect 0 "$OVERROLL" check table.ini
+# thickening by a hundredth is refused
+sed '5s/.*/3320, 0.168/' thin.csv >thick.csv
+refuses 'the film thickens' check table.ini \
+    --set lubricant.rheology_file=thick.csv
