@@ -11,7 +11,8 @@
  *     (1 - E) (1 - S E) P = 0
  *     (1 - E) (1 - S E)^2 P = 0
  *
- * After each step the distance of all guesses from the solution is computed.
+ * After every fourth step the distance of all guesses from the solution is
+ * computed.
  * The next step starts from the formula with the smallest mean distance.
  *
  * Attempts: no single way to couple lines is best for all films.  Zebra needs
@@ -117,6 +118,7 @@ static void keep_pressure(ovr_strip_march *march, double *P)
 void ovr_strip_march_begin(ovr_strip_march *march, double T)
 {
     march->known = 1;
+    march->steps = 0;
     march->formula = 0;
     for (size_t k = 0; k < OVR_STRIP_GUESSES; k++)
         march->nearness[k] = 0;
@@ -252,12 +254,17 @@ static void make_guess(ovr_strip_march *march)
         march->strip->H0 += formulas[k].H0[t] * march->H0[t];
 }
 
+/* Compares all guesses with the solution, at every fourth step and while new
+ * formulas become possible. */
 static void learn(ovr_strip_march *march)
 {
+    enum { EVERY = 4 };
     const ovr_strip_level *level = finest_of(march);
     const double forgets = 0.7;
     double best = INFINITY;
-    if (!steps_are_equal(march))
+    march->steps++;
+    if (!steps_are_equal(march) ||
+        (march->steps > OVR_STRIP_PAST + 1 && march->steps % EVERY))
         return;
     march->formula = 0;
     for (int k = 0; k < OVR_STRIP_GUESSES; k++) {

@@ -35,6 +35,7 @@ typedef struct ovr_strip_march {
     /* The past: 0 is the last time that was reached. */
     double T[OVR_STRIP_PAST + 1];
     size_t known; /* times of it that differ */
+    long steps;   /* since the begin */
     double *P[OVR_STRIP_PAST], H0[OVR_STRIP_PAST];
     double *q[2];          /* from row -ghosts on */
     size_t ghosts;         /* rows upstream of the inlet */
