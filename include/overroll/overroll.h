@@ -11,6 +11,7 @@
 #include "overroll/heat.h"
 #include "overroll/memory.h"
 #include "overroll/pictures.h"
+#include "overroll/areal.h"
 #include "overroll/profile.h"
 #include "overroll/questions.h"
 #include "overroll/results.h"

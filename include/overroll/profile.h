@@ -31,15 +31,17 @@ typedef struct ovr_profile ovr_profile;
 /* A profile as it is now; owned by it, valid until it is conditioned. */
 typedef struct ovr_profile_view {
     size_t n;
-    const double *x, *z; /* x increasing; z NAN where missing */
-    bool scaled_x;       /* x in b, else in metres */
-    bool scaled_z;       /* z in b^2/R, else in metres */
-    const char *format;  /* "text", "SDF (binary)", ... */
-    const char *notes;   /* what was assumed and done: lines ending in '\n' */
-    size_t missing;      /* samples without a height, as read */
-    size_t filled;       /* samples interpolated since */
-    bool uniform;        /* equal distances (to 1 %) */
-    double lambda_c;     /* the high-pass filter it went through; NAN: none */
+    const double *x, *z;  /* x increasing; z NAN where missing */
+    bool scaled_x;        /* x in b, else in metres */
+    bool scaled_z;        /* z in b^2/R, else in metres */
+    const char *format;   /* "text", "SDF (binary)", ... */
+    const char *notes;    /* what was assumed and done: lines ending in '\n' */
+    size_t missing;       /* samples without a height, as read */
+    size_t filled;        /* samples interpolated since */
+    bool uniform;         /* equal distances (to 1 %) */
+    double lambda_c;      /* the high-pass filter it went through; NAN: none */
+    size_t rows, columns; /* size of the areal grid of which it is a line; 0:
+                             the file holds lines only */
 } ovr_profile_view;
 
 /* The file to read, and what it may not say itself. */
@@ -51,7 +53,15 @@ typedef struct ovr_profile_source {
     bool spacing_scaled; /* spacing is in b, not metres */
     int column_x;        /* counted from 1; 0: by the header */
     int column_z;
-    int line; /* of an areal file, from 1; 0: the first, said in the notes */
+    /* The line of an areal file: at most one of the first four; default: the
+     * middle line across the lay, or the middle row if there is no lay. */
+    int row, column;  /* from 1; 0: not given */
+    double y;         /* the row nearest to this y; metres, from the first row;
+                         NAN: not given */
+    double direction; /* angle to the x axis of a line through the centre,
+                         degrees; NAN: not given */
+    double band;      /* width of the band over which heights are averaged,
+                         metres; NAN: a single line */
     bool options; /* messages name options of the program (--unit-x) in place
                      of keys of a case (unit_x) */
 } ovr_profile_source;
@@ -67,8 +77,9 @@ OVR_API ovr_profile *ovr_profile_read(const ovr_profile_source *source,
 OVR_API void ovr_profile_free(ovr_profile *profile);
 OVR_API const ovr_profile_view *ovr_profile_look(const ovr_profile *profile);
 
-/* Writes two columns "x in m, z in m" (or in b, b^2/R) of 17 digits, which
- * read back to the same numbers. */
+/* Writes X3P or SDF (binary, f64), both in metres, if the path ends in .x3p or
+ * .sdf; otherwise text: two columns "x in m, z in m" (or in b, b^2/R) of 17
+ * digits, which read back to the same numbers. */
 OVR_API ovr_status ovr_profile_save(const ovr_profile *profile,
                                     const char *path, ovr_error *err);
 

@@ -225,9 +225,18 @@ bool ovr_number(ovr_line piece, bool comma, double *value)
 
 bool ovr_is_missing(ovr_line piece)
 {
-    static const char *const words[] = {"",    "nan",  "-nan",    "+nan",
-                                        "bad", "---",  "***",     "na",
-                                        "n/a", "null", "missing", "-"};
+    static const char *const words[] = {
+        "",        "nan",      "-nan",    "+nan",    "nan(ind)", "-nan(ind)",
+        "1.#QNAN", "-1.#QNAN", "1.#IND",  "-1.#IND", "1.#INF",   "-1.#INF",
+        "1.#SNAN", "-1.#SNAN", "bad",     "na",      "n/a",      "#n/a",
+        "#na",     "#value!",  "#div/0!", "#num!",   "null",     "missing",
+        "inf",     "-inf",     "+inf",    "invalid", "none"};
+    size_t same = 0; /* "-", "--", "*****": one character again and again */
+    while (same < piece.size && piece.text[same] == piece.text[0] &&
+           (piece.text[0] == '-' || piece.text[0] == '*'))
+        same++;
+    if (same && same == piece.size)
+        return true;
     for (size_t k = 0; k < sizeof words / sizeof words[0]; k++)
         if (ovr_line_is(piece, words[k]))
             return true;

@@ -373,6 +373,27 @@ static ovr_status resolve_gear(ovr_resolved *r, const ovr_block *block,
 
 /* -------------------------------------------------------------------- cams */
 
+/* Lifts in metres or micrometres that are taken for millimetres give a contact
+ * with a plausible, wrong curvature: that of the base circle, or a sharp edge.
+ */
+static ovr_status check_lifts(const ovr_two_columns *table,
+                              const ovr_block *block, double base_radius,
+                              ovr_error *err)
+{
+    double largest = 0;
+    for (size_t k = 0; k < table->count; k++)
+        largest = fmax(largest, fabs(table->y[k]));
+    if (largest >= 1e-3 * base_radius && largest <= 10 * base_radius)
+        return OVR_OK;
+    return ovr_fail_slot(err, ovr_block_get(block, "file"),
+                         "the largest lift, %.3g mm, is %s the base radius, "
+                         "%.3g mm: the table must hold degrees and mm",
+                         1e3 * largest,
+                         largest < base_radius ? "below a thousandth of"
+                                               : "above ten times",
+                         1e3 * base_radius);
+}
+
 static ovr_status resolve_cam(ovr_resolved *r, const ovr_block *block,
                               ovr_error *err)
 {
@@ -386,6 +407,8 @@ static ovr_status resolve_cam(ovr_resolved *r, const ovr_block *block,
                                  .of = " mm",
                                  .unit = {PI / 180, 1e-3}};
         status = read_table(r, block, e->lift_file, &table, err);
+        if (!status)
+            status = check_lifts(&table, block, e->cam.base_radius, err);
         e->cam.points = table.count;
         e->cam.angle = table.x;
         e->cam.height = table.y;

@@ -117,6 +117,14 @@ static int report_on(const cli_call *call, const ovr_profile_source *source,
     r.profile = ovr_profile_read(source, NULL, &err);
     if (!r.profile)
         return cli_fail(&err);
+    if (ovr_profile_look(r.profile)->rows > 1) {
+        r.map = ovr_areal_read(source, NULL, &err);
+        if (!r.map || ovr_areal_measure(r.map, &r.areal, &err)) {
+            ovr_areal_free(r.map);
+            ovr_profile_free(r.profile);
+            return cli_fail(&err);
+        }
+    }
     if (contact && !(contact->b > 0) && !ovr_profile_look(r.profile)->scaled_x)
         code = cli_usage(call,
                          "%s has no physical scale: it needs radius and "
@@ -124,6 +132,7 @@ static int report_on(const cli_call *call, const ovr_profile_source *source,
                          cli_value(call, "case"));
     else
         code = report_profile(call, source, &r);
+    ovr_areal_free(r.map);
     ovr_profile_free(r.profile);
     return code;
 }
@@ -152,7 +161,15 @@ static const cli_option options[] = {
     {"spacing", "LENGTH", "distance of the heights of a single column", false},
     {"column-x", "N", "column of x, from 1", false},
     {"column-z", "N", "column of z, from 1", false},
-    {"line", "N", "line of an areal file, from 1", false},
+    {"row", "N", "row of an areal file, from 1; default: across its lay",
+     false},
+    {"column", "N", "column of an areal file, from 1", false},
+    {"y", "LENGTH", "row of an areal file nearest to this y", false},
+    {"direction", "DEGREES",
+     "line through the centre of an areal file, angle to its x axis", false},
+    {"band", "LENGTH", "average the heights of an areal file over this width",
+     false},
+    {"line", "N", "former name of --row", false},
     {"from", "LENGTH", "start of the part of x that is used", false},
     {"to", "LENGTH", "end of that part", false},
     {"level", "HOW",
@@ -171,7 +188,9 @@ static const cli_option options[] = {
     {"contact", NULL,
      "press it against a smooth surface, dry: pressure, gap, what touches",
      false},
-    {"convert", "OUT.csv", "write it, conditioned, as clean text", false},
+    {"convert", "OUT",
+     "write it, conditioned: X3P (.x3p), SDF (.sdf), or else as clean text",
+     false},
     {"plot", "OUT.png",
      "draw it, or what it bears with --contact (png, svg or pdf; gnuplot)",
      false},
@@ -182,13 +201,15 @@ const cli_verb cli_profile = {
     .name = "profile",
     .arguments = "FILE",
     .summary = "read a surface profile, measure, convert, plot",
-    .help = "Reads text (also gzipped), SDF, SMD and X3P files, told apart by "
-            "content, and prints what was understood, the P-parameters of "
-            "the levelled profile, its R-parameters where --lambda-c is given "
-            "(ISO 21920-2), and its strongest waves. What the file does not "
-            "say (units, spacing, columns) is asked for, not guessed.\n"
-            "A LENGTH has its unit, like '80 um' or '0.3 b'; a bare number is "
-            "taken for a profile in b alone.",
+    .help =
+        "Reads text (also gzipped), SDF, SMD, X3P, SUR, PRO and NumPy files, "
+        "recognized by their content. Prints the assumptions of the "
+        "reader, size and lay of an areal file, the P-parameters of "
+        "the levelled profile, its R-parameters where --lambda-c is given "
+        "(ISO 21920-2), and its strongest waves. What the file does not "
+        "say (units, spacing, columns) is asked for, not guessed.\n"
+        "A LENGTH has its unit, like '80 um' or '0.3 b'; a bare number is "
+        "taken for a profile in b alone.",
     .options = options,
     .minimum = 1,
     .maximum = 1,

@@ -112,6 +112,18 @@ static int take_spacing(const cli_call *call, ovr_profile_source *source)
     return CLI_DONE;
 }
 
+static int take_metres(const cli_call *call, const char *name, double *value)
+{
+    size given;
+    int code = take_size(call, name, false, &given);
+    if (code || !given.given)
+        return code;
+    if (given.length.unit != OVR_LENGTH_METRES)
+        return no_unit(call, name);
+    *value = given.length.value;
+    return CLI_DONE;
+}
+
 int profile_take_source(const cli_call *call, ovr_profile_source *source)
 {
     int code;
@@ -125,7 +137,17 @@ int profile_take_source(const cli_call *call, ovr_profile_source *source)
         code = take_whole(call, "column-x", &source->column_x);
     if (!code)
         code = take_whole(call, "column-z", &source->column_z);
-    return code ? code : take_whole(call, "line", &source->line);
+    if (!code)
+        code = take_whole(call, "line", &source->row); /* its former name */
+    if (!code)
+        code = take_whole(call, "row", &source->row);
+    if (!code)
+        code = take_whole(call, "column", &source->column);
+    if (!code)
+        code = take_number(call, "direction", &source->direction);
+    if (!code)
+        code = take_metres(call, "y", &source->y);
+    return code ? code : take_metres(call, "band", &source->band);
 }
 
 static int take_sizes(const cli_call *call, const ovr_profile_view *view,

@@ -57,6 +57,50 @@ static ovr_piece across(const profile_report *r, double value)
     return ovr_across(r->profile, value);
 }
 
+static ovr_piece map_length(const ovr_areal *map, double value)
+{
+    ovr_piece piece;
+    if (!map->scaled_x)
+        return ovr_metres(value);
+    snprintf(piece.text, sizeof piece.text, "%.4g b", value);
+    return piece;
+}
+
+static ovr_piece map_height(const ovr_areal *map, double value)
+{
+    ovr_piece piece;
+    if (!map->scaled_z)
+        return ovr_metres(value);
+    snprintf(piece.text, sizeof piece.text, "%.4g b^2/R", value);
+    return piece;
+}
+
+static void print_map(const profile_report *r)
+{
+    const ovr_areal *map = r->map;
+    const ovr_areal_numbers *n = &r->areal;
+    printf("\nareal      %zu x %zu points at %s x %s, %s x %s\n", map->nx,
+           map->ny, map_length(map, map->dx).text,
+           map_length(map, map->dy).text,
+           map_length(map, map->dx * (double)map->nx).text,
+           map_length(map, map->dy * (double)map->ny).text);
+    if (map->missing)
+        printf("           %zu heights missing\n", map->missing);
+    printf("Sa         %-14s arithmetic mean height about the mean plane\n",
+           map_height(map, n->Sa).text);
+    printf("Sq         %-14s root mean square height\n",
+           map_height(map, n->Sq).text);
+    if (!isnan(n->Str))
+        printf("Str        %s%-*.3g texture aspect ratio (1: isotropic)\n",
+               n->Str_is_bound ? "< " : "", n->Str_is_bound ? 12 : 14, n->Str);
+    if (!isnan(n->lay))
+        printf("lay        %-14.3g degrees to the x axis\n",
+               fabs(n->lay) < 5e-4 ? 0 : n->lay);
+    else
+        puts("lay        none");
+    puts("\nline");
+}
+
 static void print_points(const profile_report *r)
 {
     const ovr_profile_view *v = r->view;
@@ -89,6 +133,9 @@ static void print_kind(const profile_report *r, const ovr_profile_numbers *n)
         double value = value_of(row, n);
         if (!is_told(row, n))
             continue;
+        /* Rounding of heights of this size, or of numbers of order 1. */
+        if (fabs(value) < 1e-12 * (row->is_height ? n->t + fabs(n->mean) : 1))
+            value = 0;
         printf("%c%-9s ", n->kind, row->name);
         if (row->is_height)
             printf("%-14s %s", across(r, value).text, row->meaning);
@@ -235,6 +282,8 @@ void profile_print_text(const profile_report *r)
                note);
         note += size + (note[size] != 0);
     }
+    if (r->map)
+        print_map(r);
     print_points(r);
     print_heights(r);
     print_waves(r);
@@ -251,6 +300,23 @@ static void put(json_writer *json, const profile_report *r, const char *name,
     bool scaled = is_height ? r->view->scaled_z : r->view->scaled_x;
     snprintf(key, sizeof key, "%s%s", name, scaled ? "" : "_m");
     json_number(json, key, value);
+}
+
+static void put_map(json_writer *json, const profile_report *r)
+{
+    const ovr_areal *map = r->map;
+    json_open(json, "map");
+    json_integer(json, "columns", (long long)map->nx);
+    json_integer(json, "rows", (long long)map->ny);
+    put(json, r, "dx", map->dx, false);
+    put(json, r, "dy", map->dy, false);
+    json_integer(json, "missing", (long long)map->missing);
+    put(json, r, "Sa", r->areal.Sa, true);
+    put(json, r, "Sq", r->areal.Sq, true);
+    json_number(json, "Str", r->areal.Str);
+    json_flag(json, "Str_is_upper_bound", r->areal.Str_is_bound);
+    json_number(json, "lay_degrees", r->areal.lay);
+    json_close(json);
 }
 
 /* A kind that there is none of has numbers that are not known. */
@@ -311,6 +377,8 @@ void profile_print_json(const profile_report *r)
     json_text(&json, "file", r->file);
     json_text(&json, "format", r->view->format);
     json_text(&json, "understood", r->view->notes);
+    if (r->map)
+        put_map(&json, r);
     json_integer(&json, "points", (long long)n->n);
     json_integer(&json, "missing", (long long)r->missing);
     json_integer(&json, "filled", (long long)r->view->filled);

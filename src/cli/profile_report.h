@@ -18,6 +18,8 @@ typedef struct profile_report {
     ovr_dry_point bears[PROFILE_POINTS]; /* --contact */
     size_t points;
     size_t missing;             /* heights, as read */
+    ovr_areal *map;             /* of an areal file; NULL: it holds lines */
+    ovr_areal_numbers areal;    /* of map */
     const ovr_contact *contact; /* of --case, or NULL */
 } profile_report;
 

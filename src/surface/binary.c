@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/binary.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
@@ -49,6 +50,8 @@ double ovr_missing_as_nan(double value, int type)
     double code = type == OVR_BINARY_I8    ? -128.0
                   : type == OVR_BINARY_I16 ? -32768.0
                   : type == OVR_BINARY_I32 ? -2147483648.0
+                  : type == OVR_BINARY_F32 ? -(double)FLT_MAX
+                  : type == OVR_BINARY_F64 ? -DBL_MAX
                                            : NAN;
     return value == code ? NAN : value;
 }

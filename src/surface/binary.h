@@ -19,7 +19,8 @@ typedef enum ovr_binary {
 size_t ovr_binary_size(ovr_binary type);
 double ovr_binary_value(const char *at, ovr_binary type);
 
-/* The smallest signed integer is SDF's code for a missing height: NAN. */
+/* NAN for the code of SDF for a missing height: the lowest value of a signed
+ * type. */
 double ovr_missing_as_nan(double value, int type);
 double ovr_binary_height(const char *at, ovr_binary type);
 

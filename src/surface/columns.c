@@ -42,6 +42,7 @@ ovr_status ovr_find_columns(ovr_text_table *t, ovr_error *err)
     const ovr_profile_source *s = t->source;
     size_t columns = t->header.columns;
     t->x = column_named(t, 'x');
+    t->valid = column_named(t, 'v');
     t->z = column_named(t, 'z') >= 0 ? column_named(t, 'z')
                                      : column_named(t, 'y');
     if (columns == 1)
@@ -103,6 +104,8 @@ static void want_columns(wanting *w)
     if (t->z < 0)
         want(w, "the header does not say which column holds the heights",
              "column_z", t->x == 1 ? "1" : "2");
+    if (t->x < 0 && t->z < 0 && t->header.columns > 2)
+        want(w, "if they are rows of a map", "row", "1");
 }
 
 /* Column of the axis; where it is not known, one that has a unit or none. */
@@ -122,8 +125,7 @@ static const char *own_unit(char axis)
     return axis == 'x' ? "b" : "b^2/R";
 }
 
-/* Metres in the caller's unit (1 for b and b^2/R), 0: unknown. */
-static double caller_unit(char axis, const char *asked, bool *scaled)
+double ovr_unit_given(char axis, const char *asked, bool *scaled)
 {
     *scaled = strcmp(asked, own_unit(axis)) == 0 ||
               (axis == 'z' && strcmp(asked, "b2/R") == 0);
@@ -142,7 +144,7 @@ static void want_unit(wanting *w, char axis, const char *asked)
     char what[160];
     bool scaled;
     if (is_said(asked)) {
-        if (caller_unit(axis, asked, &scaled) > 0)
+        if (ovr_unit_given(axis, asked, &scaled) > 0)
             return;
         snprintf(what, sizeof what, "unknown unit '%.40s' of %c", asked, axis);
     } else if (said->metres > 0) {
@@ -191,7 +193,7 @@ void ovr_find_unit(ovr_text_table *t, char axis, const char *asked,
     const ovr_column *said = unit_column(t, axis);
     char key[] = {'u', 'n', 'i', 't', '_', axis, 0};
     if (is_said(asked)) {
-        *metres = caller_unit(axis, asked, scaled);
+        *metres = ovr_unit_given(axis, asked, scaled);
         ovr_profile_note(p, "%c in %s (%s)", axis, asked,
                          ovr_named(p, key).text);
         return;

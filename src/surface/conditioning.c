@@ -189,10 +189,12 @@ static ovr_status close_gaps(ovr_profile *p, const ovr_conditioning *how,
                         how->max_missing));
     if (cut_ends(p, n, err))
         return OVR_BAD_INPUT;
+    /* n points at one distance are n distances long. */
     if (isnan(maximum))
-        maximum = 0.05 * (p->x[*n - 1] - p->x[0]);
+        maximum = 0.05 * (p->x[*n - 1] - p->x[0]) * (double)*n /
+                  (double)(*n - 1);
     ovr_longest_gap(*n, p->x, p->z, &length, &where);
-    if (length > maximum)
+    if (length > maximum * (1 + 1e-9)) /* x is rounded */
         return ovr_about(
             err, "max_gap",
             ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,

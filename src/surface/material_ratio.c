@@ -119,7 +119,7 @@ ovr_core ovr_material_ratio(size_t n, ovr_height *heights)
     ovr_core core = {0};
     make_curve(n, at);
     fit(n, at, flattest(n, at), line);
-    core.k = line[0] - line[1];
+    core.k = fmax(line[0] - line[1], 0); /* rounding of a plateau */
     core.mr1 = ratio_at(n, at, line[0]);
     core.mr2 = ratio_at(n, at, line[1]);
     if (core.mr1 > 0)

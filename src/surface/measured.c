@@ -51,8 +51,11 @@ static ovr_profile *read(const ovr_feature_form *form, const ovr_contact *c,
     if (OVR_TAKE(ovr_profile_source, &source, form->source, err))
         return NULL;
     source.spacing_scaled = !(c->b > 0);
-    if (c->b > 0)
+    if (c->b > 0) {
         source.spacing *= c->b;
+        source.y *= c->b;
+        source.band *= c->b;
+    }
     p = ovr_profile_read(&source, allocator, err);
     if (p && !to_contact(p, c, err))
         return p;

@@ -3,19 +3,18 @@
 #include "surface/profile.h"
 #include "base/given.h"
 
-#include <errno.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "base/error.h"
-#include "base/plain.h"
 #include "surface/surfaces.h"
 
 ovr_profile_source ovr_profile_source_default(void)
 {
-    const ovr_profile_source defaults = {.spacing = NAN};
+    const ovr_profile_source defaults = {
+        .spacing = NAN, .y = NAN, .direction = NAN, .band = NAN};
     return defaults;
 }
 
@@ -63,6 +62,7 @@ ovr_profile *ovr_profile_new(const char *file, const ovr_allocator *allocator,
     if (!profile)
         return NULL;
     profile->arena = arena;
+    profile->map_arena = ovr_arena_make(allocator);
     profile->file = ovr_arena_text(&profile->arena, file ? file : "", err);
     profile->view.notes = profile->notes;
     profile->view.format = "";
@@ -77,6 +77,7 @@ void ovr_profile_free(ovr_profile *profile)
 {
     if (profile) {
         ovr_arena arena = profile->arena;
+        ovr_arena_release(&profile->map_arena);
         ovr_arena_release(&arena);
     }
 }
@@ -120,6 +121,8 @@ ovr_piece ovr_metres(double metres)
     double size = fabs(metres);
     int k = 0;
     ovr_piece piece;
+    if (size < 1e-15) /* far below any atom: rounding */
+        metres = size = 0;
     for (; size < 0.1 && size > 0 && k < 3; size *= 1e3, k++)
         metres *= 1e3;
     snprintf(piece.text, sizeof piece.text, "%.4g %s", metres, units[k]);
@@ -168,25 +171,41 @@ void ovr_profile_regular(ovr_profile *profile, size_t n, double first,
         profile->x[i] = first + (double)i * spacing;
 }
 
-ovr_status ovr_profile_choose_line(ovr_profile *profile,
-                                   const ovr_profile_source *source,
-                                   size_t lines, size_t *line, ovr_error *err)
+/* Values that instruments write for heights that they did not measure. */
+static bool is_code(double z)
 {
-    int asked = source->line;
-    if (asked < 0 || (asked > 0 && (size_t)asked > lines))
-        return ovr_about(err, "line",
-                         ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
-                                     "%s = %d: the file has %s%zu",
-                                     ovr_named(profile, "line").text, asked,
-                                     lines > 1 ? "the lines 1 to " : "line ",
-                                     lines));
-    *line = asked > 0 ? (size_t)asked - 1 : 0;
-    if (lines > 1 && asked)
-        ovr_profile_note(profile, "line %zu of %zu", *line + 1, lines);
-    else if (lines > 1)
-        ovr_profile_note(profile, "line %zu of %zu (%s chooses another)",
-                         *line + 1, lines, ovr_named(profile, "line").text);
-    return OVR_OK;
+    static const double codes[] = {-9999,  -99999, -999999,       -999,
+                                   -32768, -32767, 32767,         65535,
+                                   9999,   99999,  -2147483648.0, 2147483647.0};
+    for (size_t k = 0; k < sizeof codes / sizeof *codes; k++)
+        if (z == codes[k])
+            return true;
+    return fabs(z) >= 1e30;
+}
+
+void ovr_profile_drop_codes(ovr_profile *profile, double *z, size_t n)
+{
+    double low = INFINITY, high = -INFINITY, code = NAN;
+    size_t dropped = 0;
+    for (size_t i = 0; i < n; i++)
+        if (isfinite(z[i]) && !is_code(z[i])) {
+            low = fmin(low, z[i]);
+            high = fmax(high, z[i]);
+        }
+    if (low > high)
+        return;
+    for (size_t i = 0; i < n; i++)
+        if (isfinite(z[i]) && is_code(z[i]) &&
+            fmax(z[i] - high, low - z[i]) > 3 * (high - low)) {
+            code = z[i];
+            z[i] = NAN;
+            dropped++;
+        }
+    if (dropped)
+        ovr_profile_note(profile,
+                         "%zu heights of %g, far from all others, are missing "
+                         "ones",
+                         dropped, code);
 }
 
 /* Fourth powers of heights must not overflow. */
@@ -199,6 +218,41 @@ static bool is_uniform(size_t n, const double *x)
         if (fabs(x[i] - x[0] - (double)i * mean) > 0.01 * mean)
             return false;
     return true;
+}
+
+/* Lengths and heights that surface texture does not have: the unit may be that
+ * of another column or program.  Heights are taken about the line through the
+ * ends; those of a form that is part of a profile grow with its length. */
+static void question_size(ovr_profile *profile, size_t n)
+{
+    const double *x = profile->x, *z = profile->z;
+    double length = x[n - 1] - x[0], low = INFINITY, high = -INFINITY;
+    size_t first = 0, last = n - 1;
+    if (profile->questioned)
+        return;
+    profile->questioned = true;
+    while (first < n - 1 && isnan(z[first]))
+        first++;
+    while (last > first && isnan(z[last]))
+        last--;
+    for (size_t i = first; i <= last && last > first; i++) {
+        double u = (x[i] - x[first]) / (x[last] - x[first]);
+        double height = z[i] - z[first] - u * (z[last] - z[first]);
+        low = fmin(low, height);
+        high = fmax(high, height);
+    }
+    if (length > 0.25)
+        ovr_profile_note(profile,
+                         "warning: a length of %s is unusual for a profile; is "
+                         "the unit of x right (%s)?",
+                         ovr_metres(length).text,
+                         ovr_named(profile, "unit_x").text);
+    if (high - low > 1e-3 && high - low > length / 50)
+        ovr_profile_note(profile,
+                         "warning: heights over %s are unusual for roughness; "
+                         "is the unit of z right (%s)?",
+                         ovr_metres(high - low).text,
+                         ovr_named(profile, "unit_z").text);
 }
 
 ovr_status ovr_profile_finish(ovr_profile *profile, size_t n, ovr_error *err)
@@ -229,6 +283,8 @@ ovr_status ovr_profile_finish(ovr_profile *profile, size_t n, ovr_error *err)
                                "x must increase: point %zu at %s", i + 1,
                                ovr_along(profile, profile->x[i]).text);
     }
+    if (!view->scaled_x && !view->scaled_z)
+        question_size(profile, n);
     if (view->missing == n)
         return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
                            "none of the %zu points has a height", n);
@@ -254,37 +310,4 @@ ovr_profile *ovr_profile_create(size_t n, const double *x, const double *z,
     }
     ovr_profile_free(profile);
     return NULL;
-}
-
-/* ---------------------------------------------------------------- saving */
-
-static int write_points(const ovr_profile_view *view, FILE *out)
-{
-    int bad = fprintf(out, "# x in %s, z in %s\n", view->scaled_x ? "b" : "m",
-                      view->scaled_z ? "b^2/R" : "m") < 0;
-    for (size_t i = 0; i < view->n && !bad; i++)
-        bad = isnan(view->z[i])
-                  ? fprintf(out, "%.17g, NaN\n", view->x[i]) < 0
-                  : fprintf(out, "%.17g, %.17g\n", view->x[i], view->z[i]) < 0;
-    return bad;
-}
-
-ovr_status ovr_profile_save(const ovr_profile *profile, const char *path,
-                            ovr_error *err)
-{
-    if (!profile)
-        return ovr_fail_null(err, __func__);
-    FILE *out = fopen(path, "w");
-    locale_t before;
-    int bad;
-    if (!out)
-        return ovr_fail_at(err, OVR_BAD_INPUT, path, 0, "cannot be written: %s",
-                           strerror(errno));
-    before = ovr_plain_begin();
-    bad = write_points(&profile->view, out);
-    ovr_plain_end(before);
-    if (fclose(out) || bad)
-        return ovr_fail_at(err, OVR_IO, path, 0, "writing failed: %s",
-                           strerror(errno));
-    return OVR_OK;
 }

@@ -7,6 +7,7 @@
 #define OVR_SURFACE_PROFILE_H
 
 #include "base/text.h"
+#include "overroll/areal.h"
 #include "overroll/profile.h"
 
 enum {
@@ -20,16 +21,22 @@ struct ovr_profile {
     ovr_profile_view view;
     double *x, *z; /* what the view shows */
     const char *file;
-    bool options;     /* messages name options, not keys */
-    double b, height; /* metres in a b and a b^2/R of a profile in these;
-                         0: not known */
+    bool questioned;     /* its size was checked once */
+    bool options;        /* messages name options, not keys */
+    double b, height;    /* metres in a b and a b^2/R of a profile in these;
+                            0: not known */
+    ovr_areal map;       /* of an areal file, while it is read */
+    ovr_arena map_arena; /* memory of map.z */
+    double offset;       /* x of the first point of a row of the map */
+    bool map_only;       /* the caller needs the map, and no line of it */
     char notes[OVR_NOTES_SIZE];
 };
 
 typedef ovr_status ovr_reader(ovr_profile *profile,
                               const ovr_profile_source *source,
                               ovr_bytes content, ovr_error *err);
-ovr_reader ovr_read_text, ovr_read_sdf, ovr_read_smd, ovr_read_x3p;
+ovr_reader ovr_read_text, ovr_read_sdf, ovr_read_smd, ovr_read_x3p,
+    ovr_read_sur, ovr_read_npy;
 
 /* An empty profile, and space for n points. */
 ovr_profile *ovr_profile_new(const char *file, const ovr_allocator *allocator,
@@ -57,11 +64,9 @@ static inline ovr_status ovr_about(ovr_error *err, const char *key,
  * every reader and of conditioning. */
 ovr_status ovr_profile_finish(ovr_profile *profile, size_t n, ovr_error *err);
 
-/* Chooses one of an areal file's lines, from 0; without a choice the first,
- * which is said. */
-ovr_status ovr_profile_choose_line(ovr_profile *profile,
-                                   const ovr_profile_source *source,
-                                   size_t lines, size_t *line, ovr_error *err);
+/* Sets heights to NAN that are codes of instruments for missing ones (-9999,
+ * 1e30, -32768 ...) if they are far from all other heights, and adds a note. */
+void ovr_profile_drop_codes(ovr_profile *profile, double *z, size_t n);
 
 /* x_i = first + i spacing. */
 void ovr_profile_regular(ovr_profile *profile, size_t n, double first,
@@ -72,6 +77,13 @@ void ovr_profile_regular(ovr_profile *profile, size_t n, double first,
 ovr_profile *ovr_profile_parse(const ovr_profile_source *source,
                                const void *data, size_t size,
                                const ovr_allocator *allocator, ovr_error *err);
+
+/* ovr_profile_read; with `map_only` a profile whose map, of at least one row,
+ * has its heights, and no line of it was chosen. */
+ovr_profile *ovr_profile_read_file(const ovr_profile_source *source,
+                                   bool map_only,
+                                   const ovr_allocator *allocator,
+                                   ovr_error *err);
 
 ovr_profile *ovr_profile_create(size_t n, const double *x, const double *z,
                                 bool scaled, const ovr_allocator *allocator,

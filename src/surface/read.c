@@ -6,8 +6,10 @@
 #include "surface/profile.h"
 
 #include <errno.h>
+#include <math.h>
 #include <stdbool.h>
 #include <string.h>
+#include <strings.h>
 #include <zlib.h>
 
 #include "base/error.h"
@@ -101,32 +103,115 @@ static bool is_smd(ovr_bytes content)
     return cx && cz;
 }
 
+/* Formats that are not read, and what to do with them. */
+static ovr_status check_foreign(ovr_bytes content, const char *file,
+                                ovr_error *err)
+{
+    static const char csv[] = "save the sheet as CSV";
+    static const char x3p[] = "export it as X3P, SDF, SUR or text";
+    static const struct {
+        const char *magic, *ending, *name, *remedy;
+        size_t size;
+    } formats[] = {
+        {"\xD0\xCF\x11\xE0", ".xls", "an Excel workbook", csv, 4},
+        {"PK", ".xlsx", "an Excel workbook", csv, 2},
+        {"PK", ".xlsm", "an Excel workbook", csv, 2},
+        {"PK", ".ods", "a spreadsheet of OpenDocument", csv, 2},
+        {"", ".mnt", "a document of MountainsMap (MNT)", x3p, 0},
+        {"\x01\x00"
+         "Directory",
+         "", "a file of Wyko (OPD)", x3p, 11},
+        {"AliconaImaging", "", "a file of Alicona (AL3D)", x3p, 14},
+        {"PK", ".plux", "a file of Sensofar (PLUX)", x3p, 2},
+        {"", ".plu", "a file of Sensofar (PLU)", x3p, 0},
+        {"\x88\x1B\x03", "", "a file of Zygo (DAT)", x3p, 3},
+        {"VK4_", "", "a file of Keyence (VK4)", x3p, 4},
+        {"VK6", "", "a file of Keyence (VK6)", x3p, 3},
+        {"GWYP", "", "a file of Gwyddion (GWY)", x3p, 4},
+        {"\x89HDF", "", "an HDF5 file", x3p, 4},
+        {"MATLAB 5.0", "", "a MAT file of MATLAB",
+         "write it with writematrix as CSV", 10},
+        {"%PDF", "", "a PDF document", csv, 4},
+        {"\x89PNG", "", "a picture (PNG)", x3p, 4},
+        {"\xFF\xD8\xFF", "", "a picture (JPEG)", x3p, 3},
+        {"II*\0", "", "a picture (TIFF)", x3p, 4},
+        {"MM\0*", "", "a picture (TIFF)", x3p, 4},
+    };
+    size_t length = strlen(file);
+    for (size_t k = 0; k < sizeof formats / sizeof *formats; k++) {
+        size_t end = strlen(formats[k].ending);
+        bool named = end && length >= end &&
+                     !strcasecmp(file + length - end, formats[k].ending);
+        bool begins = content.size >= formats[k].size &&
+                      !memcmp(content.data, formats[k].magic, formats[k].size);
+        /* Text of this name is text. */
+        if (!formats[k].size)
+            begins = named && memchr(content.data, 0, content.size);
+        if (begins && (named || !end))
+            return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
+                               "is %s, which is not read: %s", formats[k].name,
+                               formats[k].remedy);
+    }
+    return OVR_OK;
+}
+
+static bool is_sdf(ovr_bytes content)
+{
+    static const char *const families[] = {"ISO-", "BCR-", "NIST-"};
+    if (!starts(content, "a") && !starts(content, "b"))
+        return false;
+    content.data++, content.size--;
+    for (size_t k = 0; k < sizeof families / sizeof *families; k++)
+        if (starts(content, families[k]))
+            return true;
+    return false;
+}
+
 static ovr_reader *reader_of(ovr_bytes content)
 {
     if (starts(content, "PK"))
         return ovr_read_x3p;
-    if (starts(content, "bISO-1.0") || starts(content, "aISO-1.0"))
+    if (is_sdf(content))
         return ovr_read_sdf;
+    if (starts(content, "DIGITAL SURF") || starts(content, "DSCOMPRESSED"))
+        return ovr_read_sur;
+    if (starts(content, "\x93NUMPY"))
+        return ovr_read_npy;
     return is_smd(content) ? ovr_read_smd : ovr_read_text;
 }
 
 /* ------------------------------------------------------------ both doors */
 
-/* Columns are those of text, which holds one line; others have lines. */
-static ovr_status check_idle(ovr_profile *profile,
+/* Columns can be chosen in text only. */
+static ovr_status check_idle(const ovr_profile *profile,
                              const ovr_profile_source *source, bool text,
                              ovr_error *err)
 {
-    size_t line;
     const char *key = source->column_x ? "column_x" : "column_z";
-    if (text)
-        return ovr_profile_choose_line(profile, source, 1, &line, err);
-    if (!source->column_x && !source->column_z)
+    if (text || (!source->column_x && !source->column_z))
         return OVR_OK;
     return ovr_about(err, key,
                      ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
                                  "%s: has no effect, columns are those of text",
                                  ovr_named(profile, key).text));
+}
+
+/* The choice of a line, in a file that holds a single one. */
+static ovr_status check_single(const ovr_profile *p,
+                               const ovr_profile_source *s, ovr_error *err)
+{
+    const char *key = s->row > 1             ? "row"
+                      : s->column            ? "column"
+                      : !isnan(s->y)         ? "y"
+                      : !isnan(s->direction) ? "direction"
+                      : !isnan(s->band)      ? "band"
+                                             : NULL;
+    if (p->view.rows || p->view.columns || p->map_only || !key)
+        return OVR_OK;
+    return ovr_about(err, key,
+                     ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
+                                 "%s: the file holds line 1 only",
+                                 ovr_named(p, key).text));
 }
 
 static ovr_profile *understand(ovr_profile *profile,
@@ -138,23 +223,31 @@ static ovr_profile *understand(ovr_profile *profile,
     if (content.size == 0)
         status = ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
                              "the file is empty");
-    else {
+    else
+        status = check_foreign(content, profile->file, err);
+    if (!status) {
         ovr_reader *reader = reader_of(content);
         status = check_idle(profile, source, reader == ovr_read_text, err);
         if (!status)
             status = reader(profile, source, content, err);
     }
     if (!status)
+        status = check_single(profile, source, err);
+    if (!status)
         return profile;
     ovr_profile_free(profile);
     return NULL;
 }
 
-static ovr_profile *parse(const ovr_profile_source *source, ovr_bytes content,
-                          const ovr_allocator *allocator, ovr_error *err)
+static ovr_profile *parse(const ovr_profile_source *source, bool map_only,
+                          ovr_bytes content, const ovr_allocator *allocator,
+                          ovr_error *err)
 {
     ovr_profile *profile = ovr_profile_new(source->file, allocator, err);
-    return profile ? understand(profile, source, content, err) : NULL;
+    if (!profile)
+        return NULL;
+    profile->map_only = map_only;
+    return understand(profile, source, content, err);
 }
 
 ovr_profile *ovr_profile_parse(const ovr_profile_source *source,
@@ -167,22 +260,30 @@ ovr_profile *ovr_profile_parse(const ovr_profile_source *source,
     ovr_bytes content = {data, size};
     if (OVR_TAKE(ovr_profile_source, &own, source, err))
         return NULL;
-    return parse(&own, content, allocator, err);
+    return parse(&own, false, content, allocator, err);
+}
+
+ovr_profile *ovr_profile_read_file(const ovr_profile_source *source,
+                                   bool map_only,
+                                   const ovr_allocator *allocator,
+                                   ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_profile *profile = NULL;
+    ovr_bytes content = {NULL, 0};
+    if (!source->file || !*source->file)
+        ovr_fail(err, OVR_BAD_INPUT, "a profile needs its file: give file");
+    else if (!load(source->file, &arena, &content, err))
+        profile = parse(source, map_only, content, allocator, err);
+    ovr_arena_release(&arena);
+    return profile;
 }
 
 ovr_profile *ovr_profile_read(const ovr_profile_source *source,
                               const ovr_allocator *allocator, ovr_error *err)
 {
-    ovr_arena arena = ovr_arena_make(allocator);
-    ovr_profile *profile = NULL;
-    ovr_bytes content = {NULL, 0};
     ovr_profile_source own;
     if (OVR_TAKE(ovr_profile_source, &own, source, err))
         return NULL;
-    if (!own.file || !*own.file)
-        ovr_fail(err, OVR_BAD_INPUT, "a profile needs its file: give file");
-    else if (!load(own.file, &arena, &content, err))
-        profile = parse(&own, content, allocator, err);
-    ovr_arena_release(&arena);
-    return profile;
+    return ovr_profile_read_file(&own, false, allocator, err);
 }

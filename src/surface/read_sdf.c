@@ -1,24 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * SDF, ISO 25178-71: "aISO-1.0" text and "bISO-1.0" binary.
+ * SDF, ISO 25178-71, as text ("aISO-1.0") and binary ("bISO-1.0"); dialects
+ * ISO-1.0, ISO-2.0, BCR-1.0 (EUNA 15178) and NIST-1.0.
  *
  * Binary header, 81 bytes, packed, little-endian: magic 8, ManufacID 10,
  * CreateDate 12, ModDate 12, NumPoints u16, NumProfiles u16, Xscale, Yscale,
  * Zscale, Zresolution f64, Compression, DataType, CheckType i8; then values,
- * x fastest.  z = value Zscale [m]; missing: BAD, NaN, the smallest integer.
+ * x fastest.  ISO-2.0 has both counts as u32, 85 bytes in all.
+ * z = value Zscale [m]; missing: BAD, NaN, the smallest integer, the lowest
+ * finite floating-point number.
  */
 #include <math.h>
 #include <string.h>
 
 #include "base/error.h"
 #include "base/text.h"
+#include "surface/areal.h"
 #include "surface/binary.h"
 #include "surface/profile.h"
 
-enum { HEADER = 81 };
-
 typedef struct sdf {
-    double points, profiles, x_scale, z_scale, compression, type;
+    double points, profiles, x_scale, y_scale, z_scale, compression, type;
 } sdf;
 
 static ovr_status check(const ovr_profile *p, const sdf *h, ovr_error *err)
@@ -35,7 +37,7 @@ static ovr_status check(const ovr_profile *p, const sdf *h, ovr_error *err)
         {"Xscale", "a positive length in m", h->x_scale,
          h->x_scale > 0 && h->x_scale < 1},
         {"Zscale", "a length in m", h->z_scale,
-         h->z_scale != 0 && fabs(h->z_scale) < 1},
+         h->z_scale != 0 && fabs(h->z_scale) <= 1},
         {"Compression", "0: nothing else is read", h->compression,
          h->compression == 0},
         {"DataType", "0 to 7", h->type, h->type >= 0 && h->type <= 7}};
@@ -47,69 +49,73 @@ static ovr_status check(const ovr_profile *p, const sdf *h, ovr_error *err)
     return OVR_OK;
 }
 
-static ovr_status start(ovr_profile *p, const ovr_profile_source *source,
-                        const sdf *h, size_t *line, ovr_error *err)
+/* Without a Yscale, which files of a single profile leave at 0, points are as
+ * far apart as along x. */
+static ovr_status start(ovr_profile *p, const sdf *h, ovr_error *err)
 {
     ovr_status status = check(p, h, err);
-    if (!status)
-        status = ovr_profile_choose_line(p, source, (size_t)h->profiles, line,
-                                         err);
-    if (!status)
-        status = ovr_profile_reserve(p, (size_t)h->points, err);
-    if (!status)
-        ovr_profile_regular(p, (size_t)h->points, 0, h->x_scale);
-    return status;
+    return status ? status
+                  : ovr_areal_reserve(
+                        p, (size_t)h->points, (size_t)h->profiles, h->x_scale,
+                        h->y_scale > 0 ? h->y_scale : h->x_scale, err);
 }
 
-static ovr_status finish(ovr_profile *p, const sdf *h, ovr_error *err)
+static ovr_status finish(ovr_profile *p, const ovr_profile_source *source,
+                         const sdf *h, ovr_error *err)
 {
-    size_t n = (size_t)h->points;
-    for (size_t i = 0; i < n; i++)
-        p->z[i] *= h->z_scale;
     ovr_profile_note(p, "SDF is in metres: spacing %s, heights times %s",
                      ovr_metres(h->x_scale).text, ovr_metres(h->z_scale).text);
-    return ovr_profile_finish(p, n, err);
+    return ovr_areal_finish(p, source, h->z_scale, err);
 }
 
 /* ---------------------------------------------------------------- binary */
 
+/* `magic` is the size of the dialect's name, 8, of NIST-1.0 9. */
 static ovr_status read_binary(ovr_profile *p, const ovr_profile_source *source,
-                              ovr_bytes c, ovr_error *err)
+                              ovr_bytes c, size_t magic, ovr_error *err)
 {
     static const ovr_binary types[] = {
         OVR_BINARY_U8, OVR_BINARY_U16, OVR_BINARY_U32, OVR_BINARY_F32,
         OVR_BINARY_I8, OVR_BINARY_I16, OVR_BINARY_I32, OVR_BINARY_F64};
     const char *d = c.data;
+    const bool wide = memcmp(d, "bISO-2.0", 8) == 0; /* counts of 32 bits */
+    const size_t header = magic + (wide ? 77 : 73);
+    const ovr_binary count = wide ? OVR_BINARY_U32 : OVR_BINARY_U16;
+    const char *after = d + header - 35; /* the counts */
     sdf h;
-    size_t line = 0, n, bytes;
+    size_t n, bytes;
     ovr_binary type;
     ovr_status status;
     p->view.format = "SDF (binary)";
-    if (c.size < HEADER)
+    if (c.size < header)
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "offset %zu: cut off within the SDF header of %d "
+                           "offset %zu: cut off within the SDF header of %zu "
                            "bytes",
-                           c.size, HEADER);
-    h = (sdf){ovr_binary_value(d + 42, OVR_BINARY_U16),
-              ovr_binary_value(d + 44, OVR_BINARY_U16),
-              ovr_binary_value(d + 46, OVR_BINARY_F64),
-              ovr_binary_value(d + 62, OVR_BINARY_F64),
-              ovr_binary_value(d + 78, OVR_BINARY_I8),
-              ovr_binary_value(d + 79, OVR_BINARY_I8)};
-    status = start(p, source, &h, &line, err);
+                           c.size, header);
+    h = (sdf){.points = ovr_binary_value(d + magic + 34, count),
+              .profiles = ovr_binary_value(d + magic + (wide ? 38 : 36), count),
+              .x_scale = ovr_binary_value(after, OVR_BINARY_F64),
+              .y_scale = ovr_binary_value(after + 8, OVR_BINARY_F64),
+              .z_scale = ovr_binary_value(after + 16, OVR_BINARY_F64),
+              .compression = ovr_binary_value(after + 32, OVR_BINARY_I8),
+              .type = ovr_binary_value(after + 33, OVR_BINARY_I8)};
+    status = check(p, &h, err);
     if (status)
         return status;
     n = (size_t)h.points;
     type = types[(int)h.type];
     bytes = ovr_binary_size(type);
-    if ((c.size - HEADER) / bytes / n < (size_t)h.profiles)
+    if ((c.size - header) / bytes / n < (size_t)h.profiles)
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
                            "offset %zu: cut off: %zu x %zu values of %zu bytes "
                            "are announced",
                            c.size, n, (size_t)h.profiles, bytes);
-    for (size_t i = 0; i < n; i++)
-        p->z[i] = ovr_binary_height(d + HEADER + (line * n + i) * bytes, type);
-    return finish(p, &h, err);
+    status = start(p, &h, err);
+    if (status)
+        return status;
+    for (size_t i = 0; i < n * p->map.ny; i++)
+        p->map.z[i] = ovr_binary_height(d + header + i * bytes, type);
+    return finish(p, source, &h, err);
 }
 
 /* ------------------------------------------------------------------ text */
@@ -120,10 +126,10 @@ static ovr_status read_entry(ovr_line line, const char *file, sdf *h,
     const struct {
         const char *name;
         double *value;
-    } known[] = {
-        {"NumPoints", &h->points},        {"NumProfiles", &h->profiles},
-        {"Xscale", &h->x_scale},          {"Zscale", &h->z_scale},
-        {"Compression", &h->compression}, {"DataType", &h->type}};
+    } known[] = {{"NumPoints", &h->points}, {"NumProfiles", &h->profiles},
+                 {"Xscale", &h->x_scale},   {"Yscale", &h->y_scale},
+                 {"Zscale", &h->z_scale},   {"Compression", &h->compression},
+                 {"DataType", &h->type}};
     const char *sign = line.size ? memchr(line.text, '=', line.size) : NULL;
     ovr_line name, value;
     if (!sign)
@@ -157,14 +163,14 @@ static ovr_status read_entries(ovr_lines *lines, const char *file, sdf *h,
                        "cut off: the * behind the SDF header is missing");
 }
 
-/* Heights of the chosen line out of all values, in words of any layout. */
+/* Heights in words of any layout. */
 static ovr_status read_values(ovr_profile *p, const sdf *h, ovr_lines *lines,
-                              size_t line, ovr_error *err)
+                              ovr_error *err)
 {
-    size_t n = (size_t)h->points, first = line * n, k = 0;
+    size_t n = p->map.nx * p->map.ny, k = 0;
     ovr_line text, word;
-    while (k < first + n && ovr_next_line(lines, &text)) {
-        while (k < first + n && ovr_next_piece(&text, &word)) {
+    while (k < n && ovr_next_line(lines, &text)) {
+        while (k < n && ovr_next_piece(&text, &word)) {
             double value = NAN;
             if (word.text[0] == '*')
                 goto short_of_values;
@@ -172,17 +178,22 @@ static ovr_status read_values(ovr_profile *p, const sdf *h, ovr_lines *lines,
                 return ovr_fail_at(err, OVR_BAD_INPUT, p->file, text.number,
                                    "'%s' where a height is needed",
                                    ovr_quote(word).text);
-            if (k >= first)
-                p->z[k - first] = ovr_missing_as_nan(value, (int)h->type);
-            k++;
+            p->map.z[k++] = ovr_missing_as_nan(value, (int)h->type);
         }
     }
-    if (k == first + n)
+    if (k == n)
         return OVR_OK;
 short_of_values:
     return ovr_fail_at(err, OVR_BAD_INPUT, p->file, lines->number,
-                       "the values end after %zu; %zu x %g are announced", k, n,
-                       h->profiles);
+                       "the values end after %zu; %zu x %zu are announced", k,
+                       p->map.nx, p->map.ny);
+}
+
+/* A value takes two bytes at least: announced counts are checked before memory
+ * is allocated for them. */
+static bool is_long_enough(const ovr_lines *lines, const sdf *h)
+{
+    return h->points * h->profiles <= (double)(lines->end - lines->at) / 2 + 1;
 }
 
 static ovr_status read_ascii(ovr_profile *p, const ovr_profile_source *source,
@@ -190,22 +201,47 @@ static ovr_status read_ascii(ovr_profile *p, const ovr_profile_source *source,
 {
     ovr_lines lines = ovr_lines_of(content);
     ovr_line magic;
-    sdf h = {NAN, 1, NAN, NAN, 0, 7};
-    size_t line = 0;
+    sdf h = {NAN, 1, NAN, NAN, NAN, 0, 7};
     ovr_status status;
     p->view.format = "SDF (text)";
     ovr_next_line(&lines, &magic);
     status = read_entries(&lines, p->file, &h, err);
     if (!status)
-        status = start(p, source, &h, &line, err);
+        status = check(p, &h, err);
+    if (!status && !is_long_enough(&lines, &h))
+        status = ovr_fail_at(err, OVR_BAD_INPUT, p->file, lines.number,
+                             "cut off: %g x %g values are announced", h.points,
+                             h.profiles);
     if (!status)
-        status = read_values(p, &h, &lines, line, err);
-    return status ? status : finish(p, &h, err);
+        status = start(p, &h, err);
+    if (!status)
+        status = read_values(p, &h, &lines, err);
+    return status ? status : finish(p, source, &h, err);
 }
 
 ovr_status ovr_read_sdf(ovr_profile *profile, const ovr_profile_source *source,
                         ovr_bytes content, ovr_error *err)
 {
-    return content.data[0] == 'b' ? read_binary(profile, source, content, err)
-                                  : read_ascii(profile, source, content, err);
+    static const char *const dialects[] = {"ISO-1.0", "ISO-2.0", "BCR-1.0",
+                                           "NIST-1.0"};
+    ovr_line name = {content.data, 0, 0};
+    while (name.size < content.size && name.size < 16 &&
+           (unsigned char)name.text[name.size] > ' ')
+        name.size++;
+    for (size_t k = 0; k < sizeof dialects / sizeof *dialects; k++) {
+        size_t length = strlen(dialects[k]);
+        if (content.size <= length ||
+            memcmp(content.data + 1, dialects[k], length) != 0)
+            continue;
+        /* "aISO-1.05" is another dialect; a binary header follows without a
+         * separator. */
+        if (content.data[0] == 'b')
+            return read_binary(profile, source, content, length + 1, err);
+        if (name.size == length + 1)
+            return read_ascii(profile, source, content, err);
+    }
+    return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
+                       "the SDF dialect '%s' is not read: ISO-1.0, ISO-2.0, "
+                       "BCR-1.0 and NIST-1.0 (after a or b) are",
+                       ovr_quote(name).text);
 }

@@ -15,7 +15,7 @@
 
 #include "base/error.h"
 #include "base/quantity.h"
-#include "surface/profile.h"
+#include "surface/areal.h"
 
 static const char ETX = 3;
 
@@ -121,28 +121,24 @@ static bool record(ovr_bytes content, int k, ovr_bytes *found, long *line)
     }
 }
 
-/* The n heights from the first on. */
-static ovr_status read_numbers(ovr_profile *p, ovr_lines lines, size_t first,
-                               size_t n, ovr_error *err)
+static ovr_status read_numbers(ovr_profile *p, ovr_lines lines, ovr_error *err)
 {
+    size_t n = p->map.nx * p->map.ny, k = 0;
     ovr_line line, word;
-    size_t k = 0;
-    while (k < first + n && ovr_next_line(&lines, &line)) {
-        while (k < first + n && ovr_next_piece(&line, &word)) {
+    while (k < n && ovr_next_line(&lines, &line)) {
+        while (k < n && ovr_next_piece(&line, &word)) {
             double value = NAN;
             if (!ovr_number(word, false, &value) && !ovr_is_missing(word))
                 return ovr_fail_at(err, OVR_BAD_INPUT, p->file, line.number,
                                    "'%s' where a height is needed",
                                    ovr_quote(word).text);
-            if (k >= first)
-                p->z[k - first] = value;
-            k++;
+            p->map.z[k++] = value;
         }
     }
-    if (k == first + n)
+    if (k == n)
         return OVR_OK;
     return ovr_fail_at(err, OVR_BAD_INPUT, p->file, lines.number,
-                       "the heights end after %zu, before %zu", k, first + n);
+                       "the heights end after %zu, before %zu", k, n);
 }
 
 ovr_status ovr_read_smd(ovr_profile *profile, const ovr_profile_source *source,
@@ -152,7 +148,7 @@ ovr_status ovr_read_smd(ovr_profile *profile, const ovr_profile_source *source,
     const axis *x = &of.x, *y = &of.y, *z = &of.z;
     ovr_bytes part;
     ovr_lines header, numbers;
-    size_t n, line = 0;
+    double dx, dy;
     long before;
     ovr_status status;
     profile->view.format = "SMD";
@@ -167,22 +163,25 @@ ovr_status ovr_read_smd(ovr_profile *profile, const ovr_profile_source *source,
         return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, before,
                            "cut off: the third record, the heights, is "
                            "missing");
-    n = (size_t)x->count;
     numbers = ovr_lines_of(part);
     numbers.number = before;
-    status = ovr_profile_choose_line(
-        profile, source, y->given ? (size_t)y->count : 1, &line, err);
+    dx = x->increment * x->scale * x->metres;
+    dy = y->increment * y->scale * y->metres;
+    /* A height takes two bytes at least. */
+    if (x->count * (y->given ? y->count : 1) > (double)part.size / 2 + 1)
+        return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, before,
+                           "the heights end after fewer than the %g x %g that "
+                           "are announced",
+                           x->count, y->given ? y->count : 1);
+    status = ovr_areal_reserve(profile, (size_t)x->count,
+                               y->given ? (size_t)y->count : 1, dx,
+                               dy > 0 ? dy : dx, err);
     if (!status)
-        status = ovr_profile_reserve(profile, n, err);
-    if (!status)
-        status = read_numbers(profile, numbers, line * n, n, err);
+        status = read_numbers(profile, numbers, err);
     if (status)
         return status;
-    ovr_profile_regular(profile, n, 0, x->increment * x->scale * x->metres);
-    for (size_t i = 0; i < n; i++)
-        profile->z[i] *= z->scale * z->metres;
     ovr_profile_note(profile, "spacing %s, heights times %s",
-                     ovr_metres(x->increment * x->scale * x->metres).text,
+                     ovr_metres(dx).text,
                      ovr_metres(z->scale * z->metres).text);
-    return ovr_profile_finish(profile, n, err);
+    return ovr_areal_finish(profile, source, z->scale * z->metres, err);
 }

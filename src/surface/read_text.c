@@ -25,24 +25,23 @@ static ovr_status fail(const ovr_text_table *t, long line, ovr_error *err,
 
 /* ----------------------------------------------------- 1. where data start */
 
-static bool is_row(ovr_line line, ovr_layout *layout, ovr_fields *fields)
+/* Number of columns if the line holds nothing but numbers, 0 otherwise. */
+static size_t columns_of(ovr_line line, ovr_layout *layout)
 {
     *layout = ovr_layout_of(line);
-    return ovr_split(line, layout->separator, fields) &&
-           ovr_all_numbers(fields, layout->comma);
+    return ovr_count_numbers(line, *layout);
 }
 
-/* A lone number above rows of more is how many follow. */
-static bool is_count(ovr_lines after, const ovr_fields *fields)
+/* A lone number above rows of more is the number of rows. */
+static bool is_count(ovr_lines after, size_t columns)
 {
-    ovr_fields next;
     ovr_layout layout;
     ovr_line line;
-    if (fields->count != 1)
+    if (columns != 1)
         return false;
     while (ovr_next_line(&after, &line))
         if (ovr_trim(line).size)
-            return is_row(line, &layout, &next) && next.count > 1;
+            return columns_of(line, &layout) > 1;
     return false;
 }
 
@@ -50,23 +49,25 @@ static bool is_count(ovr_lines after, const ovr_fields *fields)
 static ovr_status find_data(ovr_text_table *t, ovr_error *err)
 {
     ovr_lines lines = ovr_lines_of(t->content), before;
-    ovr_fields fields;
     ovr_line line;
+    size_t columns;
     t->counted = NAN;
     for (before = lines; ovr_next_line(&lines, &line); before = lines) {
         if (memchr(line.text, 0, line.size))
             return fail(t, line.number, err,
                         "holds a NUL byte: this is not a text file, nor SDF, "
-                        "SMD or X3P");
-        if (!is_row(line, &t->layout, &fields))
+                        "SMD, X3P, SUR or NumPy: export it in one of these "
+                        "formats");
+        columns = columns_of(line, &t->layout);
+        if (!columns)
             continue;
-        if (isnan(t->counted) && is_count(lines, &fields)) {
-            if (!ovr_number(fields.field[0], false, &t->counted))
+        if (isnan(t->counted) && is_count(lines, columns)) {
+            if (!ovr_number(ovr_trim(line), false, &t->counted))
                 t->counted = NAN;
             continue;
         }
         t->data = before;
-        t->header.columns = fields.count;
+        t->header.columns = columns;
         return OVR_OK;
     }
     return fail(t, 0, err,
@@ -84,11 +85,21 @@ static void read_header(ovr_text_table *t)
 
 /* ------------------------------------------------------------- 3. the rows */
 
-static bool next_row(ovr_lines *lines, ovr_line *line)
+/* "#N/A" in the first column does not make a comment. */
+static bool is_comment(ovr_line line)
+{
+    ovr_line piece;
+    if (line.text[0] != '#' && line.text[0] != '%')
+        return false;
+    return !ovr_next_field(&line, ovr_layout_of(line).separator, &piece) ||
+           !ovr_is_missing(piece);
+}
+
+bool ovr_next_row(ovr_lines *lines, ovr_line *line)
 {
     while (ovr_next_line(lines, line)) {
         const ovr_line said = ovr_trim(*line);
-        if (said.size && said.text[0] != '#' && said.text[0] != '%')
+        if (said.size && !is_comment(said))
             return true;
     }
     return false;
@@ -125,6 +136,7 @@ static ovr_status read_row(ovr_text_table *t, ovr_line line, size_t i,
     ovr_profile *p = t->profile;
     ovr_fields fields;
     ovr_status status;
+    double valid;
     t->number[i] = line.number;
     if (!ovr_split(line, t->layout.separator, &fields))
         return fail(t, line.number, err,
@@ -132,6 +144,10 @@ static ovr_status read_row(ovr_text_table *t, ovr_line line, size_t i,
     status = read_cell(t, &fields, line.number, true, &p->z[i], err);
     if (!status && t->x >= 0)
         status = read_cell(t, &fields, line.number, false, &p->x[i], err);
+    if (!status && t->valid >= 0 && t->valid < (int)fields.count &&
+        ovr_number(fields.field[t->valid], t->layout.comma, &valid) &&
+        valid == 0)
+        p->z[i] = NAN;
     return status;
 }
 
@@ -140,7 +156,7 @@ static ovr_status read_rows(ovr_text_table *t, size_t *n, ovr_error *err)
     ovr_lines lines = t->data;
     ovr_line line;
     ovr_status status;
-    for (*n = 0; next_row(&lines, &line);)
+    for (*n = 0; ovr_next_row(&lines, &line);)
         ++*n;
     lines = t->data;
     status = ovr_profile_reserve(t->profile, *n, err);
@@ -149,7 +165,7 @@ static ovr_status read_rows(ovr_text_table *t, size_t *n, ovr_error *err)
     t->number = ovr_arena_take(&t->profile->arena, *n, sizeof(long), err);
     if (!t->number)
         return OVR_NO_MEMORY;
-    for (size_t i = 0; i < *n && next_row(&lines, &line); i++)
+    for (size_t i = 0; i < *n && ovr_next_row(&lines, &line); i++)
         if ((status = read_row(t, line, i, err)))
             return status;
     return OVR_OK;
@@ -214,6 +230,7 @@ static ovr_status make_points(ovr_text_table *t, ovr_error *err)
     if (status)
         return status;
     drop_count(t, &n);
+    ovr_profile_drop_codes(p, p->z, n);
     status = t->x >= 0 ? ovr_put_in_order(p, &n, t->number, err)
                        : lay_out(t, n, err);
     if (status)
@@ -230,6 +247,7 @@ ovr_status ovr_read_text(ovr_profile *profile, const ovr_profile_source *source,
     ovr_text_table t = {
         .profile = profile, .source = source, .content = content};
     const char *encoding;
+    bool map;
     ovr_status status = ovr_decode(&t.content, profile->file, &profile->arena,
                                    &encoding, err);
     profile->view.format = "text";
@@ -237,14 +255,20 @@ ovr_status ovr_read_text(ovr_profile *profile, const ovr_profile_source *source,
         status = find_data(&t, err);
     if (status)
         return status;
+    if (*encoding)
+        ovr_profile_note(profile, "encoding %s", encoding);
     read_header(&t);
+    status = ovr_read_text_map(&t, &map, err);
+    if (status || map)
+        return status;
     status = ovr_find_columns(&t, err);
     if (!status)
         status = ovr_check_given(&t, err);
     if (status)
         return status;
-    if (*encoding)
-        ovr_profile_note(profile, "encoding %s", encoding);
+    if (t.valid >= 0)
+        ovr_profile_note(profile, "column %d: heights with 0 are missing",
+                         t.valid + 1);
     if (t.x >= 0)
         ovr_profile_note(profile, "column %d is x, column %d is z, of %zu%s",
                          t.x + 1, t.z + 1, t.header.columns,

@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "base/text.h"
+#include "surface/areal.h"
 #include "surface/binary.h"
 #include "surface/x3p.h"
 
@@ -21,7 +22,8 @@ typedef struct package {
     char folder[256]; /* in front of main.xml */
     ovr_arena arena;  /* for what is unpacked */
     ovr_x3p x;
-    size_t n, lines, line; /* points of a line; the line that is read */
+    size_t n, lines;     /* points of a line */
+    double *x_of, *y_of; /* stored coordinates; NULL: increments */
 } package;
 
 /* --------------------------------------------------------------- the ZIP */
@@ -173,11 +175,36 @@ static double coordinate(const ovr_x3p_axis *a, double stored)
 
 /* -------------------------------------------------------------- the points */
 
+/* Distance of rows; without one that of points. */
+static double row_distance(const ovr_x3p *x)
+{
+    const ovr_x3p_axis *cx = &x->axis[0], *cy = &x->axis[1];
+    if (cy->given && cy->kind == 'I' && cy->increment > 0)
+        return cy->increment;
+    return cx->kind == 'I' ? cx->increment : 1;
+}
+
+/* Memory for the heights, and for coordinates that are stored. */
+static ovr_status reserve(package *k, ovr_error *err)
+{
+    const ovr_x3p_axis *cx = &k->x.axis[0];
+    size_t all = k->n * k->lines;
+    if (cx->kind == 'A' &&
+        !(k->x_of = ovr_arena_take(&k->arena, all, sizeof *k->x_of, err)))
+        return OVR_NO_MEMORY;
+    if (is_stored(&k->x, 1) && k->lines > 1 &&
+        !(k->y_of = ovr_arena_take(&k->arena, all, sizeof *k->y_of, err)))
+        return OVR_NO_MEMORY;
+    return ovr_areal_reserve(k->profile, k->n, k->lines,
+                             cx->kind == 'I' ? cx->increment : 1,
+                             row_distance(&k->x), err);
+}
+
 static ovr_status read_binary(package *k, ovr_error *err)
 {
     ovr_profile *p = k->profile;
     const ovr_x3p *x = &k->x;
-    const size_t n = k->n, all = n * k->lines;
+    const size_t all = k->n * k->lines;
     ovr_binary type[3] = {OVR_BINARY_U8, OVR_BINARY_U8, OVR_BINARY_U8};
     size_t place[3] = {0}, stride = 0;
     ovr_bytes data;
@@ -199,23 +226,28 @@ static ovr_status read_binary(package *k, ovr_error *err)
                            "the points are cut off at offset %zu: %zu of %zu "
                            "bytes each are announced",
                            data.size, all, stride);
-    for (size_t i = 0; i < n; i++) {
-        const char *at = data.data + (k->line * n + i) * stride;
-        if (is_stored(x, 0))
-            p->x[i] = ovr_binary_value(at + place[0], type[0]);
-        p->z[i] = ovr_binary_value(at + place[2], type[2]);
+    status = reserve(k, err);
+    for (size_t i = 0; i < all && !status; i++) {
+        const char *at = data.data + i * stride;
+        if (k->x_of)
+            k->x_of[i] = ovr_binary_value(at + place[0], type[0]);
+        if (k->y_of)
+            k->y_of[i] = ovr_binary_value(at + place[1], type[1]);
+        p->map.z[i] = ovr_binary_value(at + place[2], type[2]);
     }
-    return OVR_OK;
+    return status;
 }
 
 /* "x;y;z" of the absolute axes; without text the point is missing. */
-static ovr_status read_datum(const ovr_profile *p, const ovr_x3p *x,
-                             const char *text, size_t i, ovr_error *err)
+static ovr_status read_datum(const package *k, const char *text, size_t i,
+                             ovr_error *err)
 {
+    const ovr_profile *p = k->profile;
+    double *const to[3] = {k->x_of, k->y_of, p->map.z};
     ovr_line piece = {text, 0, 0};
     for (int a = 0; a < 3; a++) {
-        double *value = a == 0 ? &p->x[i] : &p->z[i], number = NAN;
-        if (!is_stored(x, a))
+        double number = NAN;
+        if (!is_stored(&k->x, a))
             continue;
         piece.text = text;
         piece.size = strcspn(text, ";,");
@@ -225,8 +257,8 @@ static ovr_status read_datum(const ovr_profile *p, const ovr_x3p *x,
             return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
                                "Datum %zu: '%s' where a number is needed",
                                i + 1, ovr_quote(piece).text);
-        if (a != 1)
-            *value = number;
+        if (to[a])
+            to[a][i] = number;
     }
     return OVR_OK;
 }
@@ -241,10 +273,9 @@ static ovr_status read_inline(package *k, ovr_error *err)
                            "the DataList ends after %zu points; %zu are "
                            "announced",
                            x->datums, k->n * k->lines);
-    for (size_t skip = k->line * k->n; skip; skip--)
-        text += strlen(text) + 1;
-    for (size_t i = 0; i < k->n && !status; i++) {
-        status = read_datum(k->profile, x, text, i, err);
+    status = reserve(k, err);
+    for (size_t i = 0; i < k->n * k->lines && !status; i++) {
+        status = read_datum(k, text, i, err);
         text += strlen(text) + 1;
     }
     return status;
@@ -263,26 +294,86 @@ static ovr_status apply_mask(package *k, ovr_error *err)
         return ovr_fail_at(err, OVR_BAD_INPUT, k->profile->file, 0,
                            "the mask of valid points is cut off at offset %zu",
                            mask.size);
+    for (size_t i = 0; i < k->n * k->lines; i++)
+        if (!((unsigned char)mask.data[i / 8] >> i % 8 & 1))
+            k->profile->map.z[i] = NAN;
+    return OVR_OK;
+}
+
+/* A row, from 0, with its stored x. */
+static ovr_status place_row(package *k, size_t row, ovr_error *err)
+{
+    ovr_profile *p = k->profile;
+    const ovr_x3p_axis *cx = &k->x.axis[0], *cz = &k->x.axis[2];
+    const double *x = k->x_of + row * k->n, *z = p->map.z + row * k->n;
+    ovr_status status = ovr_profile_reserve(p, k->n, err);
+    if (status)
+        return status;
+    ovr_profile_drop_codes(p, p->map.z, k->n * k->lines);
     for (size_t i = 0; i < k->n; i++) {
-        size_t bit = k->line * k->n + i;
-        if (!((unsigned char)mask.data[bit / 8] >> bit % 8 & 1))
-            k->profile->z[i] = NAN;
+        p->x[i] = coordinate(cx, x[i]);
+        p->z[i] = coordinate(cz, z[i]);
+    }
+    if (k->lines > 1)
+        ovr_profile_note(p, "row %zu of %zu", row + 1, k->lines);
+    ovr_profile_note(p, "X3P is in metres: x as stored");
+    if (k->lines > 1)
+        p->view.columns = k->n; /* and no rows: it is not a grid */
+    return ovr_profile_finish(p, k->n, err);
+}
+
+/* Stored x of a grid must be that of the first row in every row, and equally
+ * spaced, to a tenth of the distance. */
+static ovr_status check_grid(const package *k, double *dx, ovr_error *err)
+{
+    double first = k->x_of[0], last = k->x_of[k->n - 1];
+    *dx = (last - first) / (double)(k->n - 1);
+    for (size_t i = 0; i < k->n * k->lines; i++) {
+        double right = first + (double)(i % k->n) * *dx;
+        if (!(fabs(k->x_of[i] - right) < 0.1 * fabs(*dx)))
+            return ovr_fail_at(err, OVR_BAD_INPUT, k->profile->file, 0,
+                               "x of point %zu is not that of a regular grid: "
+                               "choose a %s",
+                               i + 1, ovr_named(k->profile, "row").text);
     }
     return OVR_OK;
 }
 
-static ovr_status place_points(ovr_profile *p, const ovr_x3p *x, size_t n,
+static ovr_status place_points(package *k, const ovr_profile_source *source,
                                ovr_error *err)
 {
-    const ovr_x3p_axis *cx = &x->axis[0], *cz = &x->axis[2];
-    for (size_t i = 0; i < n; i++) {
-        double stored = cx->kind == 'I' ? (double)i : p->x[i];
-        p->x[i] = coordinate(cx, stored);
-        p->z[i] = coordinate(cz, p->z[i]);
+    ovr_profile *p = k->profile;
+    const ovr_x3p_axis *cx = &k->x.axis[0], *cy = &k->x.axis[1];
+    const ovr_x3p_axis *cz = &k->x.axis[2];
+    size_t all = k->n * k->lines;
+    double dx = p->map.dx, dy = p->map.dy;
+    if (k->x_of && k->lines == 1)
+        return place_row(k, 0, err);
+    if (k->x_of && check_grid(k, &dx, err)) {
+        /* Rows can be used as they are. */
+        if (source->row > 0 && (size_t)source->row <= k->lines && !p->map_only)
+            return place_row(k, (size_t)source->row - 1, err);
+        return OVR_BAD_INPUT;
     }
+    if (k->y_of)
+        dy = (k->y_of[all - 1] - k->y_of[0]) * cy->increment /
+             (double)(k->lines - 1);
+    if (k->x_of)
+        dx *= cx->increment;
+    if (!(fabs(dx) > 0) || !isfinite(dx) || !(fabs(dy) > 0) || !isfinite(dy))
+        return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
+                           "the distances of points, %g m and %g m, must not "
+                           "be 0",
+                           dx, dy);
+    p->map.dx = fabs(dx);
+    p->map.dy = fabs(dy);
+    ovr_profile_drop_codes(p, p->map.z, all);
+    for (size_t i = 0; i < all; i++)
+        p->map.z[i] = coordinate(cz, p->map.z[i]);
+    p->offset = cx->kind == 'I' ? cx->offset : 0;
     ovr_profile_note(p, "X3P is in metres: %s",
                      cx->kind == 'I' ? "equal distances" : "x as stored");
-    return ovr_profile_finish(p, n, err);
+    return ovr_areal_finish(p, source, 1, err);
 }
 
 static ovr_status read_package(package *k, const ovr_profile_source *source,
@@ -301,14 +392,10 @@ static ovr_status read_package(package *k, const ovr_profile_source *source,
     if (!status)
         status = check(k, err);
     if (!status)
-        status = ovr_profile_choose_line(p, source, k->lines, &k->line, err);
-    if (!status)
-        status = ovr_profile_reserve(p, k->n, err);
-    if (!status)
         status = *k->x.data ? read_binary(k, err) : read_inline(k, err);
     if (!status)
         status = apply_mask(k, err);
-    return status ? status : place_points(p, &k->x, k->n, err);
+    return status ? status : place_points(k, source, err);
 }
 
 ovr_status ovr_read_x3p(ovr_profile *profile, const ovr_profile_source *source,

@@ -11,8 +11,20 @@ static bool has(ovr_line line, char c)
     return line.size && memchr(line.text, c, line.size);
 }
 
-/* A comma is a decimal point where something else separates: always beside
- * semicolons, beside tabs when no field uses a point. */
+/* A comma within quotation marks, as in "0,5","1,2". */
+static bool has_quoted_comma(ovr_line line)
+{
+    bool inside = false;
+    for (size_t k = 0; k < line.size; k++) {
+        inside ^= line.text[k] == '"';
+        if (inside && line.text[k] == ',')
+            return true;
+    }
+    return false;
+}
+
+/* A comma is a decimal point where something else separates: always together
+ * with semicolons, with tabs when no field uses a point, and in quotes. */
 ovr_layout ovr_layout_of(ovr_line line)
 {
     line = ovr_trim(line);
@@ -20,7 +32,7 @@ ovr_layout ovr_layout_of(ovr_line line)
         return (ovr_layout){';', true};
     if (has(line, '\t'))
         return (ovr_layout){'\t', !has(line, '.')};
-    return (ovr_layout){has(line, ',') ? ',' : ' ', false};
+    return (ovr_layout){has(line, ',') ? ',' : ' ', has_quoted_comma(line)};
 }
 
 static bool is_separator(char c, char separator)
@@ -28,25 +40,47 @@ static bool is_separator(char c, char separator)
     return separator == ' ' ? c == ' ' || c == '\t' : c == separator;
 }
 
+static ovr_line unquoted(ovr_line field)
+{
+    field = ovr_trim(field);
+    if (field.size >= 2 && field.text[0] == '"' &&
+        field.text[field.size - 1] == '"')
+        field = ovr_trim(
+            (ovr_line){field.text + 1, field.size - 2, field.number});
+    return field;
+}
+
+bool ovr_next_field(ovr_line *rest, char separator, ovr_line *field)
+{
+    const char *p = rest->text, *end = p ? p + rest->size : NULL, *from = p;
+    bool quoted;
+    if (!p)
+        return false;
+    while (p < end && (*p == ' ' || (*p == '\t' && separator != '\t')))
+        p++;
+    quoted = p < end && *p == '"' && memchr(p + 1, '"', (size_t)(end - p - 1));
+    if (quoted)
+        p = (const char *)memchr(p + 1, '"', (size_t)(end - p - 1)) + 1;
+    while (p < end && !is_separator(*p, separator))
+        p++;
+    *field = unquoted((ovr_line){from, (size_t)(p - from), rest->number});
+    while (separator == ' ' && p + 1 < end && is_separator(p[1], ' '))
+        p++;
+    if (p >= end)
+        rest->text = NULL;
+    else
+        *rest = (ovr_line){p + 1, (size_t)(end - p - 1), rest->number};
+    return true;
+}
+
 bool ovr_split(ovr_line line, char separator, ovr_fields *fields)
 {
-    const char *p, *end, *from;
-    ovr_line whole = separator == ' ' ? ovr_trim(line) : line;
-    p = from = whole.text;
-    end = p + whole.size;
+    ovr_line rest = separator == ' ' ? ovr_trim(line) : line, field;
     fields->count = 0;
-    for (;; p++) {
-        if (p < end && !is_separator(*p, separator))
-            continue;
+    while (ovr_next_field(&rest, separator, &field)) {
         if (fields->count == OVR_HEADER_FIELDS_MAX)
             return false;
-        fields->field[fields->count++] = ovr_trim(
-            (ovr_line){from, (size_t)(p - from), line.number});
-        while (separator == ' ' && p + 1 < end && is_separator(p[1], ' '))
-            p++;
-        if (p >= end)
-            break;
-        from = p + 1;
+        fields->field[fields->count++] = field;
     }
     fields->open = fields->count > 1 &&
                    fields->field[fields->count - 1].size == 0;
@@ -54,16 +88,20 @@ bool ovr_split(ovr_line line, char separator, ovr_fields *fields)
     return true;
 }
 
-bool ovr_all_numbers(const ovr_fields *fields, bool comma)
+size_t ovr_count_numbers(ovr_line line, ovr_layout layout)
 {
-    size_t numbers = 0;
+    ovr_line rest = layout.separator == ' ' ? ovr_trim(line) : line, field;
+    size_t fields = 0, numbers = 0;
+    bool open = false;
     double value;
-    for (size_t k = 0; k < fields->count; k++)
-        if (ovr_number(fields->field[k], comma, &value))
+    while (ovr_next_field(&rest, layout.separator, &field)) {
+        if (ovr_number(field, layout.comma, &value))
             numbers++;
-        else if (!ovr_is_missing(fields->field[k]))
-            return false;
-    return numbers > 0;
+        else if (!ovr_is_missing(field))
+            return 0;
+        open = fields++ && !field.size;
+    }
+    return numbers ? fields - open : 0;
 }
 
 /* ----------------------------------------------------------------- words */
@@ -110,7 +148,8 @@ static char axis_of(ovr_line word)
                  {"z", 'z'},        {"height", 'z'},    {"raw", 'z'},
                  {"profile", 'z'},  {"depth", 'z'},     {"amplitude", 'z'},
                  {"heights", 'z'},  {"roughness", 'z'}, {"y", 'y'},
-                 {"y1", 'y'},       {"z1", 'z'},        {"x1", 'x'}};
+                 {"y1", 'y'},       {"z1", 'z'},        {"x1", 'x'},
+                 {"valid", 'v'},    {"validity", 'v'}};
     for (size_t k = 0; k < sizeof names / sizeof names[0]; k++)
         if (ovr_line_is(word, names[k].name))
             return names[k].axis;
@@ -164,6 +203,8 @@ static ovr_column read_field(ovr_line field)
     words w = {field, field.text};
     ovr_line word;
     double number;
+    if (ovr_line_is(field, "[1/0]") || ovr_line_is(field, "1/0"))
+        return (ovr_column){.axis = 'v', .from = field};
     while (next_word(&w, &word)) {
         double metres = ovr_length_unit(word, bracketed(&w, word));
         bool scaled = scaled_unit(&w, word);
@@ -253,6 +294,37 @@ static bool read_statement(ovr_header *header, ovr_line line)
     return s.unit || s.spacing;
 }
 
+/* Headers of maps as Gwyddion writes them: "Width: 40 um", "Height: 20 um",
+ * "Value units: m". */
+static bool read_map_size(ovr_header *header, ovr_line line)
+{
+    const struct {
+        const char *name;
+        double *metres;
+    } sizes[] = {{"Width:", &header->width},
+                 {"Height:", &header->height},
+                 {"Value units:", &header->value_metres}};
+    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
+        size_t length = strlen(sizes[k].name);
+        bool unit = sizes[k].metres == &header->value_metres;
+        double number = 1, metres;
+        ovr_line rest, word;
+        if (!ovr_line_starts(line, sizes[k].name))
+            continue;
+        rest = ovr_trim(
+            (ovr_line){line.text + length, line.size - length, line.number});
+        if (!unit && (!ovr_next_piece(&rest, &word) ||
+                      !ovr_number(word, false, &number)))
+            return false;
+        metres = ovr_length_unit(ovr_trim(rest), true);
+        if (!(metres > 0) || !(number > 0))
+            return false;
+        *sizes[k].metres = number * metres;
+        return true;
+    }
+    return false;
+}
+
 /* "x [mm]   z [um]": as many units or axes among the words as columns. */
 static void read_words(ovr_header *header, ovr_line line)
 {
@@ -313,6 +385,8 @@ void ovr_header_line(ovr_header *header, ovr_line line, char separator)
     while (line.size && line.text[0] && strchr("#%\"*", line.text[0]))
         line = ovr_trim((ovr_line){line.text + 1, line.size - 1, line.number});
     if (!line.size)
+        return;
+    if (read_map_size(header, line) || header->columns > OVR_HEADER_FIELDS_MAX)
         return;
     if (header->columns == 1) { /* its name stands just above the data */
         if (read_statement(header, line))

@@ -19,14 +19,20 @@ typedef struct ovr_layout {
 } ovr_layout;
 
 ovr_layout ovr_layout_of(ovr_line line);
+/* Takes the next field off `rest`, without quotation marks; false: none is
+ * left. `rest` begins as the whole line (trimmed for the separator ' '), with
+ * its text NULL after the last field. */
+bool ovr_next_field(ovr_line *rest, char separator, ovr_line *field);
 /* false: more fields than there is space for. */
 bool ovr_split(ovr_line line, char separator, ovr_fields *fields);
-/* All fields are numbers or missing values, at least one is a number. */
-bool ovr_all_numbers(const ovr_fields *fields, bool comma);
+/* Number of fields if all are numbers or missing values and at least one is a
+ * number; 0 otherwise.  An empty field after the last separator is not
+ * counted. */
+size_t ovr_count_numbers(ovr_line line, ovr_layout layout);
 
 /* The header says this of one column. */
 typedef struct ovr_column {
-    char axis;        /* 'x', 'y', 'z', or 0 */
+    char axis;        /* 'x', 'y', 'z', 'v' (valid), or 0 */
     bool scaled;      /* unit b (x) or b^2/R (z) */
     double metres;    /* its unit; 0: not said */
     ovr_line from;    /* where it is said, or what else is */
@@ -38,6 +44,8 @@ typedef struct ovr_header {
     ovr_column column[OVR_HEADER_FIELDS_MAX];
     bool stated; /* of a single column: by "unit = um", not only named */
     double spacing, spacing_metres; /* "spacing = 0.5 um"; 0: not said */
+    double width, height; /* "Width: 40 um": size of a map, m; 0: not stated */
+    double value_metres;  /* "Value units: m"; 0: not stated */
 } ovr_header;
 
 /* Takes in one line above the data. */

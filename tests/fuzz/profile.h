@@ -26,7 +26,7 @@ static inline ovr_profile_source fuzz_source(const uint8_t *data, size_t size)
     if (flags & 4)
         source.column_x = 1, source.column_z = 2;
     if (flags & 16)
-        source.line = (int)(flags >> 5);
+        source.row = (int)(flags >> 5);
     return source;
 }
 

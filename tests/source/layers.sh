@@ -44,6 +44,7 @@ awk -v floors="$floors" -v faces=" $faces" '
         home["error"] = home["memory"] = home["version"] = home["text"] = "base"
         home["oil"] = home["heat"] = "contact"
         home["profile"] = "surface"
+        home["areal"] = "surface"
         home["conflicts"] = "simulation"
         home["questions"] = "run"
         home["overroll"] = "cli"

@@ -78,6 +78,8 @@ def texts_of_c(path, test):
                 yield "message", line_of(strings[0]), strings[2], True
             strings = [start, start + len(token), token[1:-1]]
             continue
+        if re.match(r"/\* -{9}", token):
+            continue  # the title of a section
         words = comment_text(token)
         if "SPDX" in words or len(words.split()) < 2:
             continue
@@ -302,10 +304,13 @@ RULES["no-verb"] = (False, "a sentence in running text needs a verb",
 RULES["long"] = (False, "at most 30 words in a sentence",
                  lambda s, kind, first, own: kind != "message"
                  and len(s.split()) > 30)
+# "0: none; NAN: unknown" lists special values.
+SPECIAL = re.compile(r"(;|^|,|\.) ?(-?\d+|NAN|NULL|true|false|I|A):(?= )")
 RULES["chained"] = (
     False, "one idea in a sentence: one ; or : and two relative clauses",
     lambda s, kind, first, own:
-    len(re.findall(r"[;:](?= )", s)) >= 2 + (kind == "message") or
+    len(re.findall(r"[;:](?= )", SPECIAL.sub("", s))) >=
+    2 + (kind == "message") or
     len(re.findall(r"\b(which|that|what|whose|who|where)\b", s)) >= 4)
 RULES["lower-case"] = (
     False, "a comment on its own line begins with a capital",

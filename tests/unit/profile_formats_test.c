@@ -43,7 +43,7 @@ static ovr_profile *parse(const char *data, size_t size, int line)
     ovr_error err;
     ovr_profile *p;
     source.file = "it";
-    source.line = line;
+    source.row = line;
     p = ovr_profile_parse(&source, data, size, NULL, &err);
     if (!p)
         fail_msg("%s", err.message);
@@ -193,7 +193,7 @@ TEST(x3p_comes_back)
             how.mask = false;
         gauge_to_x3p(&g, &how, path, &step);
         source.file = path;
-        source.line = (int)lines;
+        source.row = (int)lines;
         p = ovr_profile_read(&source, NULL, &err);
         if (!p)
             fail_msg("%u: %s", k, err.message);

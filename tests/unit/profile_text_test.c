@@ -267,8 +267,8 @@ TEST_WITH(samples_of_real_files, begin, end)
               "0.98865 BAD 0.96858\n*\n< OperatorName > T < / OperatorName >\n"
               "*");
     check_point(2, 2e-6, 0.99495e-6);
-    check_note("line 1 of 2");
-    source.line = 2;
+    check_note("row 1 of 2");
+    source.row = 2;
     read_text("aISO-1.0\nNumPoints=3\nNumProfiles=2\nXscale=1e-6\n"
               "Zscale=1e-6\n*\n1 2 3\n4 5 6\n*\n");
     check_point(0, 0, 4e-6);
@@ -281,10 +281,10 @@ TEST_WITH(of_another_kind_of_file, begin, end)
                       areal[] = "aISO-1.0\nNumPoints=2\nNumProfiles=2\n"
                                 "Xscale=1e-6\nZscale=1e-6\n*\n1 2\n4 5\n*\n";
     ovr_error err = {0};
-    source.line = 2;
+    source.row = 2;
     assert_null(ovr_profile_parse(&source, text, sizeof text - 1, NULL, &err));
-    CHECK_ERROR(&err, OVR_BAD_INPUT, "line = 2: the file has line 1");
-    source.line = 0;
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "row: the file holds line 1 only");
+    source.row = 0;
     source.column_z = 2;
     assert_null(
         ovr_profile_parse(&source, areal, sizeof areal - 1, NULL, &err));

@@ -1,0 +1,30 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Grids of heights while a file is read.  A reader of an areal format calls
+ * ovr_areal_reserve, fills profile->map.z (z[j nx + i], NAN: missing), and
+ * returns ovr_areal_finish, which chooses the line that the source asks for.
+ */
+#ifndef OVR_SURFACE_AREAL_H
+#define OVR_SURFACE_AREAL_H
+
+#include "surface/profile.h"
+
+/* Allocates profile->map with nx ny heights.  Fails if dx or dy is not positive
+ * or if there are more than OVR_POINTS_MAX heights. */
+ovr_status ovr_areal_reserve(ovr_profile *profile, size_t nx, size_t ny,
+                             double dx, double dy, ovr_error *err);
+
+/* Checks that the caller states spacing and unit of heights of a file that has
+ * neither, and notes them.  *scale: the unit in metres (1 for b^2/R). */
+ovr_status ovr_areal_need_spacing(ovr_profile *profile,
+                                  const ovr_profile_source *source,
+                                  double *scale, ovr_error *err);
+
+/* Multiplies the heights by `scale` and makes a profile of the line chosen by
+ * the source.  Missing values written as numbers (-9999, 1e30 ...) are removed
+ * first.  A grid of one row is that profile. */
+ovr_status ovr_areal_finish(ovr_profile *profile,
+                            const ovr_profile_source *source, double scale,
+                            ovr_error *err);
+
+#endif

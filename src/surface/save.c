@@ -1,0 +1,243 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Writes profiles as text, SDF (bISO-1.0, heights as f64) and X3P
+ * (ISO 25178-72: main.xml, bindata/data.bin and their MD5 sums).
+ */
+#include <errno.h>
+#include <float.h>
+#include <math.h>
+#include <nettle/md5.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <strings.h>
+#include <zip.h>
+
+#include "base/error.h"
+#include "base/given.h"
+#include "base/plain.h"
+#include "surface/profile.h"
+
+static ovr_status fail_written(ovr_error *err, const char *path)
+{
+    return ovr_fail_at(err, OVR_IO, path, 0, "writing failed: %s",
+                       strerror(errno));
+}
+
+static ovr_status fail_opened(ovr_error *err, const char *path)
+{
+    return ovr_fail_at(err, OVR_BAD_INPUT, path, 0, "cannot be written: %s",
+                       strerror(errno));
+}
+
+/* -------------------------------------------------------------------- text */
+
+static int write_points(const ovr_profile_view *view, FILE *out)
+{
+    int bad = fprintf(out, "# x in %s, z in %s\n", view->scaled_x ? "b" : "m",
+                      view->scaled_z ? "b^2/R" : "m") < 0;
+    for (size_t i = 0; i < view->n && !bad; i++)
+        bad = isnan(view->z[i])
+                  ? fprintf(out, "%.17g, NaN\n", view->x[i]) < 0
+                  : fprintf(out, "%.17g, %.17g\n", view->x[i], view->z[i]) < 0;
+    return bad;
+}
+
+static ovr_status save_text(const ovr_profile *profile, const char *path,
+                            ovr_error *err)
+{
+    FILE *out = fopen(path, "w");
+    locale_t before;
+    int bad;
+    if (!out)
+        return fail_opened(err, path);
+    before = ovr_plain_begin();
+    bad = write_points(&profile->view, out);
+    ovr_plain_end(before);
+    return fclose(out) || bad ? fail_written(err, path) : OVR_OK;
+}
+
+/* ---------------------------------------------------------- little-endian */
+
+static char *put_whole(char *at, uint64_t value, size_t bytes)
+{
+    for (size_t k = 0; k < bytes; k++)
+        *at++ = (char)(value >> 8 * k & 255);
+    return at;
+}
+
+static char *put_number(char *at, double value)
+{
+    uint64_t pattern;
+    memcpy(&pattern, &value, sizeof pattern);
+    return put_whole(at, pattern, sizeof pattern);
+}
+
+/* Mean distance of the points. */
+static double spacing_of(const ovr_profile_view *v)
+{
+    return (v->x[v->n - 1] - v->x[0]) / (double)(v->n - 1);
+}
+
+/* --------------------------------------------------------------------- SDF */
+
+static ovr_status save_sdf(const ovr_profile *profile, const char *path,
+                           ovr_arena *arena, ovr_error *err)
+{
+    enum { HEADER = 81 };
+    const ovr_profile_view *v = &profile->view;
+    size_t size = HEADER + 8 * v->n;
+    char *data, *at;
+    FILE *out;
+    bool written;
+    if (!v->uniform)
+        return ovr_fail_at(err, OVR_BAD_INPUT, path, 0,
+                           "SDF holds points of equal distance only: write X3P "
+                           "or CSV");
+    if (v->n > UINT16_MAX)
+        return ovr_fail_at(err, OVR_BAD_INPUT, path, 0,
+                           "SDF holds at most %d points, there are %zu: write "
+                           "X3P or CSV",
+                           UINT16_MAX, v->n);
+    data = ovr_arena_take(arena, size, 1, err);
+    if (!data)
+        return OVR_NO_MEMORY;
+    /* Dates that are not known are zeros. */
+    memcpy(data, "bISO-1.0overroll  000000000000000000000000", 42);
+    at = put_whole(data + 42, v->n, 2);
+    at = put_whole(at, 1, 2);
+    at = put_number(at, spacing_of(v));
+    at = put_number(at, spacing_of(v));
+    at = put_number(at, 1);  /* Zscale */
+    at = put_number(at, -1); /* Zresolution: not known */
+    at = put_whole(at, 0, 1);
+    at = put_whole(at, 7, 1); /* f64 */
+    at = put_whole(at, 0, 1);
+    for (size_t i = 0; i < v->n; i++)
+        at = put_number(at, isnan(v->z[i]) ? -DBL_MAX : v->z[i]);
+    out = fopen(path, "wb");
+    if (!out)
+        return fail_opened(err, path);
+    written = fwrite(data, 1, size, out) == size;
+    return fclose(out) || !written ? fail_written(err, path) : OVR_OK;
+}
+
+/* --------------------------------------------------------------------- X3P */
+
+typedef struct digest {
+    char text[2 * MD5_DIGEST_SIZE + 1];
+} digest;
+
+static digest md5(const void *data, size_t size)
+{
+    struct md5_ctx context;
+    uint8_t sum[MD5_DIGEST_SIZE];
+    digest d;
+    md5_init(&context);
+    md5_update(&context, size, data);
+    md5_digest(&context, sizeof sum, sum);
+    for (size_t k = 0; k < sizeof sum; k++)
+        snprintf(d.text + 2 * k, 3, "%02X", sum[k]);
+    return d;
+}
+
+static int make_xml(const ovr_profile_view *v, const char *sum, char *xml,
+                    size_t size)
+{
+    char increment[120] = "";
+    locale_t before = ovr_plain_begin();
+    int length;
+    if (v->uniform)
+        snprintf(increment, sizeof increment,
+                 "<Increment>%.17g</Increment><Offset>%.17g</Offset>",
+                 spacing_of(v), v->x[0]);
+    length = snprintf(
+        xml, size,
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+        "<p:ISO5436_2 xmlns:p=\"http://www.opengps.eu/2008/ISO5436_2\">\n"
+        "<Record1><Revision>ISO5436 - 2000</Revision>"
+        "<FeatureType>PRF</FeatureType>\n<Axes>"
+        "<CX><AxisType>%c</AxisType><DataType>D</DataType>%s</CX>\n"
+        "<CY><AxisType>I</AxisType><DataType>D</DataType>"
+        "<Increment>1</Increment><Offset>0</Offset></CY>\n"
+        "<CZ><AxisType>A</AxisType><DataType>D</DataType></CZ>"
+        "</Axes></Record1>\n"
+        "<Record3><MatrixDimension><SizeX>%zu</SizeX><SizeY>1</SizeY>"
+        "<SizeZ>1</SizeZ></MatrixDimension>\n"
+        "<DataLink><PointDataLink>bindata/data.bin</PointDataLink>"
+        "<MD5ChecksumPointData>%s</MD5ChecksumPointData></DataLink></Record3>\n"
+        "<Record4><ChecksumFile>md5checksum.hex</ChecksumFile></Record4>\n"
+        "</p:ISO5436_2>\n",
+        v->uniform ? 'I' : 'A', increment, v->n, sum);
+    ovr_plain_end(before);
+    return length;
+}
+
+static bool add(zip_t *zip, const char *name, const void *data, size_t size)
+{
+    zip_source_t *source = zip_source_buffer(zip, data, size, 0);
+    if (source && zip_file_add(zip, name, source, 0) >= 0)
+        return true;
+    zip_source_free(source);
+    return false;
+}
+
+static ovr_status save_x3p(const ovr_profile *profile, const char *path,
+                           ovr_arena *arena, ovr_error *err)
+{
+    const ovr_profile_view *v = &profile->view;
+    size_t size = (v->uniform ? 8 : 16) * v->n;
+    char *data = ovr_arena_take(arena, size, 1, err), *at = data;
+    char xml[2000], sums[100];
+    int length, code = 0;
+    zip_t *zip;
+    if (!data)
+        return OVR_NO_MEMORY;
+    for (size_t i = 0; i < v->n; i++) {
+        if (!v->uniform)
+            at = put_number(at, v->x[i]);
+        at = put_number(at, v->z[i]); /* NaN: missing */
+    }
+    length = make_xml(v, md5(data, size).text, xml, sizeof xml);
+    snprintf(sums, sizeof sums, "%s *main.xml\n",
+             md5(xml, (size_t)length).text);
+    zip = zip_open(path, ZIP_CREATE | ZIP_TRUNCATE, &code);
+    if (!zip)
+        return ovr_fail_at(err, OVR_BAD_INPUT, path, 0, "cannot be written");
+    if (!add(zip, "main.xml", xml, (size_t)length) ||
+        !add(zip, "bindata/data.bin", data, size) ||
+        !add(zip, "md5checksum.hex", sums, strlen(sums)) || zip_close(zip)) {
+        ovr_fail_at(err, OVR_IO, path, 0, "writing failed: %s",
+                    zip_strerror(zip));
+        zip_discard(zip);
+        return OVR_IO;
+    }
+    return OVR_OK;
+}
+
+static bool ends_in(const char *path, const char *ending)
+{
+    size_t length = strlen(path), end = strlen(ending);
+    return length >= end && !strcasecmp(path + length - end, ending);
+}
+
+ovr_status ovr_profile_save(const ovr_profile *profile, const char *path,
+                            ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(NULL);
+    ovr_status status;
+    if (!profile || !path)
+        return ovr_fail_null(err, __func__);
+    bool x3p = ends_in(path, ".x3p"), sdf = ends_in(path, ".sdf");
+    if ((x3p || sdf) && (profile->view.scaled_x || profile->view.scaled_z))
+        return ovr_fail_at(err, OVR_BAD_INPUT, path, 0,
+                           "%s is in metres, the profile in b and b^2/R: write "
+                           "CSV",
+                           x3p ? "X3P" : "SDF");
+    status = x3p   ? save_x3p(profile, path, &arena, err)
+             : sdf ? save_sdf(profile, path, &arena, err)
+                   : save_text(profile, path, err);
+    ovr_arena_release(&arena);
+    return status;
+}
