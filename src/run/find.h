@@ -23,6 +23,7 @@ struct ovr_find {
     ovr_trial answer;
     bool answered;
     ovr_find_table table;
+    int lock; /* descriptor of the folder's lock plus one; 0: none */
     char message[OVR_FIND_TEXT];
 };
 

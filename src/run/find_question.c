@@ -2,6 +2,7 @@
 /* Takes what a search is asked: a key, its ends, a condition on a number of the
  * run, and the folder that holds the results of this question alone. */
 #include <errno.h>
+#include <fcntl.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -11,6 +12,7 @@
 #include "base/entries.h"
 #include "base/error.h"
 #include "base/given.h"
+#include "base/lock.h"
 #include "case/parameters.h"
 #include "overroll/text.h"
 #include "run/find.h"
@@ -252,6 +254,29 @@ static char *question_of(ovr_find *f, ovr_error *err)
     return all;
 }
 
+/* Keeps other processes out of the folder until the question is freed: two
+ * searches at once would continue from each other's runs, and their answers
+ * depend on which is first. */
+static ovr_status lock_folder(ovr_find *f, const char *folder, ovr_error *err)
+{
+    size_t capacity = strlen(folder) + 40;
+    char *path = ovr_arena_take(&f->arena, capacity, 1, err);
+    if (!path)
+        return OVR_NO_MEMORY;
+    snprintf(path, capacity, "%s/question.lock", folder);
+    int fd = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (fd < 0)
+        return ovr_fail_about(err, "results", "%s: cannot be written: %s", path,
+                              strerror(errno));
+    f->lock = fd + 1;
+    if (ovr_lock_file(fd, false) == EWOULDBLOCK)
+        return ovr_fail_about(err, "results",
+                              "%s: another find uses this folder; wait until "
+                              "it ends or set another folder",
+                              folder);
+    return OVR_OK;
+}
+
 /* The folder of results, which holds those of one question only. */
 static ovr_status open_results(ovr_find *f, ovr_error *err)
 {
@@ -268,6 +293,8 @@ static ovr_status open_results(ovr_find *f, ovr_error *err)
     if (mkdir(folder, 0777) != 0 && errno != EEXIST)
         return ovr_fail_about(err, "results", "%s: cannot be made: %s", folder,
                               strerror(errno));
+    if (lock_folder(f, folder, err))
+        return OVR_BAD_INPUT;
     if (access(path, F_OK) == 0) {
         found = ovr_text_file(path, "question", QUESTION_MAX, &f->arena, err);
         if (!found)
@@ -348,6 +375,8 @@ void ovr_find_free(ovr_find *find)
     if (!find)
         return;
     ovr_find_table_close(&find->table);
+    if (find->lock)
+        close(find->lock - 1);
     ovr_case_free(find->base);
     ovr_arena arena = find->arena;
     ovr_arena_release(&arena);

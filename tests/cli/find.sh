@@ -130,8 +130,12 @@ for _ in $(seq 1000); do
     [ -e kept.d/depth=0.0393597934253086.h5.restart ] && break
     sleep 0.01
 done
-kill -INT $!
-wait $!
+first=$!
+# shellcheck disable=SC2086
+refuses 'kept.d: another find uses this folder' \
+    find dent.ini $ask --level 7 --results kept.d
+kill -INT $first
+wait $first
 # shellcheck disable=SC2086
 expect 0 "$OVERROLL" find dent.ini $ask --json --level 7 --results kept.d
 sed '/seconds/d' out | cmp - alone || fail 'found in two goes it is another'
