@@ -292,7 +292,7 @@ typedef struct setting {
 } setting;
 
 static const setting settings[OVR_STRIP_ATTEMPTS] = {
-    {0, 1, 25, 1, 0.5, 0.7, false},
+    {0, 1, 30, 1, 0.5, 0.7, false},
     {-1, 1, 25, 1, 0.5, 0.7, true},
     {0, 2, 40, 0.7, 0.5, 0.7, true},
     {0, 2, 40, 0.5, 0.2, 0.7, true},
@@ -322,29 +322,48 @@ static void restore(ovr_strip_march *march)
     march->strip->H0 = march->H0[0];
 }
 
-/* Cycles until R is below the tolerance; false if they do not get there. */
+static void couple_otherwise(ovr_strip_smoothing *how)
+{
+    const double jacobi = settings[0].plain;
+    how->zebra = !how->zebra;
+    how->plain = how->zebra ? 1 : jacobi;
+}
+
+/* Cycles until R is below the tolerance; false if they do not get there.  The
+ * first attempt couples lines the other way where two cycles reduce R by less
+ * than a factor of 3, and later attempts end where eight cycles gain little. */
 static bool cycle_until(ovr_strip_march *march, int attempt,
                         ovr_strip_step *step)
 {
+    enum { PATIENCE = 4, LONG = 8 };
     const double hopeless = 1e7;
-    const ovr_strip_cycling how = cycling_of(march, attempt);
+    ovr_strip_cycling how = cycling_of(march, attempt);
     ovr_strip_level *level = finest_of(march);
-    double R = ovr_strip_defect_of(march->strip, level).imbalance, before = R;
-    for (int c = 1; c <= settings[attempt].cycles; c++) {
+    double R = ovr_strip_defect_of(march->strip, level).imbalance;
+    double last[2] = {R, R}, before = R;
+    for (int c = 1, since = 1; c <= settings[attempt].cycles; c++, since++) {
         ovr_strip_cycle(march->strip, march->strip->finest, &how);
         step->cycles++;
         ovr_strip_defect d = ovr_strip_defect_of(march->strip, level);
         step->imbalance = R = d.imbalance;
-        if (ovr_strip_below(d, march->tolerance))
+        if (ovr_strip_below(d, march->tolerance)) {
+            if (attempt < 2)
+                march->coupling = how.smoothing.zebra;
             return true;
+        }
         if (!(R < hopeless))
             return false;
-        /* Eight cycles that gain less than a third lead nowhere. */
-        if (c % 8 == 0) {
+        if (!attempt && since >= PATIENCE && R > 0.3 * last[1]) {
+            couple_otherwise(&how.smoothing);
+            since = 0;
+        }
+        if (attempt && c % LONG == 0) {
             if (R > before * 2 / 3)
                 return false;
             before = R;
         }
+        last[1] = last[0];
+        last[0] = R;
     }
     return false;
 }
@@ -365,8 +384,6 @@ ovr_strip_step ovr_strip_march_attempt(ovr_strip_march *march, double next)
         step.solved = cycle_until(march, step.attempts, &step);
         step.attempts++;
     }
-    if (step.solved && step.attempts == 2)
-        march->coupling = !march->coupling;
     return step;
 }
 
