@@ -105,6 +105,37 @@ static void interpolate(ovr_strip *strip, ovr_strip_level *coarse,
     }
 }
 
+/* Cycles on a level until done.  Where two cycles hardly reduce R, corrections
+ * into this grid are halved, or made whole again: a film whose end alternates
+ * between two places comes to rest with half of them. */
+static ovr_strip_defect cycle_until(ovr_strip *strip, const ovr_strip_full *how,
+                                    int l, int *cycles)
+{
+    enum { PATIENCE = 5 };
+    const bool finest = l == strip->finest;
+    const int most = finest ? how->max_cycles : how->cycles;
+    ovr_strip_cycling cycling = how->cycling;
+    ovr_strip_defect d = {INFINITY, INFINITY, 0};
+    double last[2] = {INFINITY, INFINITY};
+    *cycles = 0;
+    for (int since = 1; *cycles < most; since++) {
+        last[1] = last[0];
+        last[0] = d.imbalance;
+        ovr_strip_cycle(strip, l, &cycling);
+        ++*cycles;
+        d = ovr_strip_defect_of(strip, &strip->level[l]);
+        if (!(d.imbalance < 1e6) ||
+            (finest && ovr_strip_below(d, how->tolerance)))
+            break;
+        if (since > PATIENCE && d.imbalance > 0.7 * last[1]) {
+            bool whole = cycling.correction == how->cycling.correction;
+            cycling.correction = (whole ? 0.5 : 1) * how->cycling.correction;
+            since = 0;
+        }
+    }
+    return d;
+}
+
 ovr_strip_defect ovr_strip_solve(ovr_strip *strip, const ovr_strip_full *how,
                                  int *cycles)
 {
@@ -117,17 +148,9 @@ ovr_strip_defect ovr_strip_solve(ovr_strip *strip, const ovr_strip_full *how,
         return d;
     d = ovr_strip_defect_of(strip, &strip->level[0]);
     for (int l = 1; l <= strip->finest; l++) {
-        ovr_strip_level *level = &strip->level[l];
-        int most = l < strip->finest ? how->cycles : how->max_cycles;
-        interpolate(strip, level - 1, level);
-        begin_level(strip, how, level);
-        *cycles = 0;
-        do {
-            ovr_strip_cycle(strip, l, &how->cycling);
-            ++*cycles;
-            d = ovr_strip_defect_of(strip, level);
-        } while (*cycles < most && d.imbalance < 1e6 &&
-                 !(l == strip->finest && ovr_strip_below(d, how->tolerance)));
+        interpolate(strip, &strip->level[l - 1], &strip->level[l]);
+        begin_level(strip, how, &strip->level[l]);
+        d = cycle_until(strip, how, l, cycles);
         if (!(d.imbalance < 1e6))
             break;
     }
