@@ -105,9 +105,9 @@ static void interpolate(ovr_strip *strip, ovr_strip_level *coarse,
     }
 }
 
-/* Cycles on a level until done.  Where two cycles hardly reduce R, corrections
- * into this grid are halved, or made whole again: a film whose end alternates
- * between two places comes to rest with half of them. */
+/* Cycles on a level until done.  Corrections into this grid are halved, or made
+ * whole again, where two cycles hardly reduce R.  Half corrections stop the end
+ * of a film from alternating between two places. */
 static ovr_strip_defect cycle_until(ovr_strip *strip, const ovr_strip_full *how,
                                     int l, int *cycles)
 {
