@@ -51,10 +51,11 @@ typedef enum ovr_stop {
                             difference from the next coarser level */
 } ovr_stop;
 
-/* The flow between two nodes: by a mean of what resists it. */
+/* Mean of rho H^3/eta between two nodes. */
 typedef enum ovr_faces {
-    OVR_FACES_GAP,       /* harmonic in H^3, arithmetic in rho/eta */
-    OVR_FACES_ARITHMETIC /* of both nodes' rho H^3/eta: the paper's */
+    OVR_FACES_LOGARITHMIC, /* harmonic in H^3, logarithmic in 1/eta */
+    OVR_FACES_GAP,         /* harmonic in H^3, arithmetic in rho/eta: 0.3.0 */
+    OVR_FACES_ARITHMETIC   /* of both nodes' rho H^3/eta: the paper's */
 } ovr_faces;
 
 /* The model of the film behind its rupture. */

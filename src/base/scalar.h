@@ -53,6 +53,12 @@ static inline num smaller(num a, num b)
     return a < b ? a : b;
 }
 
+/* which ? a : b */
+static inline num choose(truth which, num a, num b)
+{
+    return which ? a : b;
+}
+
 /* The whole part of a number from 0 to 2^31, for elements of a table. */
 typedef size_t cell;
 

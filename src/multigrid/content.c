@@ -103,7 +103,7 @@ static void settle(const ovr_hierarchy *grids, const ovr_level *level)
 static void close_face(const ovr_level *level)
 {
     const ovr_fields *f = &level->f;
-    double *const halves[] = {f->flow, f->tangent, f->by_eps, f->by_left,
+    double *const halves[] = {f->flow, f->out_left, f->out_right, f->by_left,
                               f->by_right};
     f->eps[0] = -f->eps[ovr_lanes_place(&level->lanes, 1)];
     for (size_t k = 0; k < sizeof halves / sizeof *halves; k++)

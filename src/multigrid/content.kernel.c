@@ -105,11 +105,11 @@ void OVR_KERNEL(content_residual)(const ovr_lanes *g, const ovr_weights *w,
     const ovr_fields own = *f;
     ptrdiff_t S = (ptrdiff_t)g->S;
     if (own.skew && own.flow) /* whatever made it */
-        residual_vectors(w, &own, ROW_GAP | ROW_SKEWED, S);
+        residual_vectors(w, &own, ROW_STORED | ROW_SKEWED, S);
     else if (own.skew)
         residual_vectors(w, &own, ROW_SUMS | ROW_SKEWED, S);
     else if (own.flow)
-        residual_vectors(w, &own, ROW_GAP, S);
+        residual_vectors(w, &own, ROW_STORED, S);
     else
         residual_vectors(w, &own, ROW_SUMS, S);
     own.r[ovr_lanes_place(g, 1)] -= w->source;
@@ -249,13 +249,12 @@ assemble_skewed(const line *l, ptrdiff_t S, row_kind kind, bool transient)
 static INLINE void assemble_kind(const line *l, ptrdiff_t S, bool transient)
 {
     row_kind kind = row_kind_of(&l->f);
-    switch (kind) {
-    default: assemble_skewed(l, S, kind, transient); break;
-    case ROW_SUMS: assemble(l, S, ROW_SUMS, transient); break;
-    case ROW_GAP: assemble(l, S, ROW_GAP, transient); break;
-    case ROW_THINS: assemble(l, S, ROW_THINS, transient); break;
-    case ROW_GAP_THINS: assemble(l, S, ROW_GAP_THINS, transient); break;
-    }
+    if (kind & ROW_SKEWED)
+        assemble_skewed(l, S, kind, transient);
+    else if (kind == ROW_STORED)
+        assemble(l, S, ROW_STORED, transient);
+    else
+        assemble(l, S, ROW_SUMS, transient);
 }
 
 void OVR_KERNEL(content_assemble)(const ovr_lanes *g, const ovr_weights *w,

@@ -11,11 +11,6 @@ static inline truth in_set(const unsigned char *set, ptrdiff_t i)
 {
     return set[i] != 0;
 }
-
-static inline num choose(truth which, num a, num b)
-{
-    return which ? a : b;
-}
 #endif
 
 /* x in the nodes of a set, else 0 */

@@ -6,9 +6,9 @@
  *
  *     memory   LANES: the nodes, in lanes; WIDE: with the deformation's halos;
  *              NEWTON: on the grids that are solved by Newton's method alone;
- *              GAP: where means at half nodes go by the gap (faces.h);
- *              LAW: where there is a flow law; FLOW, SENSITIVE: as LANES,
- *              NEWTON where there is one or the other;
+ *              FLOW, SENSITIVE: as LANES, NEWTON where the flow at half nodes
+ *              is stored, with a flow law or means by the gap (faces.h);
+ *              FLUIDITY: where these means are logarithmic;
  *              CONTENT: where cavitation is mass-conserving (content.h) alone;
  *              SKEWED: in a film with temperatures alone
  *     ordered  read node by node too, by what does not run in lanes
@@ -36,13 +36,13 @@
     FIELD(q,       LANES,  1, 0, 1, 3, 0) /* rho H */ \
     FIELD(F,       LANES,  1, 0, 0, 0, 0) /* right-hand side of Reynolds' */ \
     FIELD(r,       LANES,  1, 0, 0, 0, 0) /* residual F - N */ \
+    FIELD(log_fluidity, FLUIDITY, 1, 0, 0, 0, 0) /* log2(1/eta) */ \
     FIELD(gap,     LANES,  0, 1, 0, 0, 0) /* undeformed gap (hierarchy.h) */ \
     FIELD(w,       WIDE,   0, 0, 0, 0, 0) /* deformation */ \
     FIELD(entry,   LANES,  0, 0, 0, 0, 0) /* P when the cycle came to it */ \
     FIELD(flow,    FLOW,   1, 0, 1, 0, 0) /* 2 E at i + 1/2 (flow.h) */ \
-    FIELD(share,   GAP,    1, 0, 0, 0, 0) /* p there (faces.h) */ \
-    FIELD(tangent, LAW,    1, 0, 0, 0, 0) /* 2 T there */ \
-    FIELD(by_eps,  LAW,    1, 0, 0, 0, 0) /* dE/d eps */ \
+    FIELD(out_left, FLOW,  1, 0, 0, 0, 0) /* -d(2 E dP)/dP_i, see flow.h */ \
+    FIELD(out_right, FLOW, 1, 0, 0, 0, 0) /* d(2 E dP)/dP_{i+1} */ \
     FIELD(by_left, SENSITIVE, 1, 0, 0, 0, 0) /* 2 dE/dH_i at fixed P */ \
     FIELD(by_right, SENSITIVE, 1, 0, 0, 0, 0) /* 2 dE/dH_{i+1} */ \
     FIELD(skew,    SKEWED, 1, 0, 0, 0, 0) /* s_0 of reynolds_row.h */ \
@@ -82,10 +82,9 @@ typedef enum ovr_field_memory {
     OVR_LANES,
     OVR_WIDE,
     OVR_NEWTON,
-    OVR_GAP,
-    OVR_LAW,
     OVR_FLOW,
     OVR_SENSITIVE,
+    OVR_FLUIDITY,
     OVR_CONTENT,
     OVR_SKEWED
 } ovr_field_memory;

@@ -40,7 +40,10 @@ void ovr_film_plain(const ovr_fluid *fluid, double H0, const ovr_lanes *g,
             by_pressure *= f->swell[i];
             q = rho * H;
         }
-        flow = H * H * exp2(fmax(power, -900)) / fluid->lambda;
+        power = fmax(power, -900);
+        if (f->log_fluidity)
+            f->log_fluidity[i] = power;
+        flow = H * H * exp2(power) / fluid->lambda;
         f->H[i] = H;
         f->rho[i] = rho;
         f->q[i] = q;

@@ -21,6 +21,9 @@
  *     R = dE/d eps = A eps/W
  *     dE/dH_i = R d eps/dH_i + (A B^2 c/W) dc/dH_i
  *               + (T - E)/(H_i + H_{i+1})
+ *     -d(2 E dP)/dP_i = 2 T - R dP d(2 eps)/dP_i,  dP = P_{i+1} - P_i, and
+ *      d(2 E dP)/dP_{i+1} = 2 T + R dP d(2 eps)/dP_{i+1}
+ * The last two are stored as out_left and out_right, for rows.
  *
  * A, B beyond |g| = 200 are those there.  Without T steep pressures diverge.
  * With temperatures c has psi_c rho H^2 (drag in fields.h).  Sigma0 infinite:
@@ -69,7 +72,7 @@ static inline void ovr_flow_store(const ovr_kernels *run,
                                   const ovr_fluid *fluid, double D,
                                   const ovr_lanes *g, const ovr_fields *f)
 {
-    if (f->tangent && ovr_flow_thins(fluid))
+    if (ovr_flow_thins(fluid))
         run->flow(fluid, D, g, f);
     else if (f->flow)
         run->faces(g, f);

@@ -131,19 +131,56 @@ static sum sum_of(bool gap, double power, const double *H, const double *x,
     return s;
 }
 
-static sum eps_at(const ovr_fields *f, ptrdiff_t i)
+/* The flow of eps between two nodes; its slopes by pressure and film. */
+typedef struct between {
+    double value, left, right, by_film[2];
+} between;
+
+/* h (rho_i + rho_j) times the logarithmic mean of m = eps/(rho H^3). */
+static between logarithmic(const ovr_pair *n, double d, const double slope[2])
 {
-    const double none[2] = {0};
-    return sum_of(f->share, 3, f->H + i, f->eps + i,
-                  f->deps_dH ? f->deps_dH + i : none);
+    double a = pow(face_film(n->H[0]), 3), b = pow(face_film(n->H[1]), 3);
+    double rho[2] = {n->q[0] / n->H[0], n->q[1] / n->H[1]},
+           h = 2 * a * b / (a + b);
+    double m[2] = {fmax(n->eps[0], 0) / (a * rho[0]),
+                   fmax(n->eps[1], 0) / (b * rho[1])};
+    double x = d / 2, mean = (m[0] + m[1]) / 2 * (x != 0 ? tanh(x) / x : 1);
+    double flow = h * (rho[0] + rho[1]) * mean;
+    between s = {.value = flow,
+                 .left = 2 * h * rho[0] * m[0],
+                 .right = 2 * h * rho[1] * m[1]};
+    for (int k = 0; k < 2; k++) {
+        double p = 2 * (k ? a : b) / (a + b), H = face_film(n->H[k]);
+        s.by_film[k] = p * (1.5 * flow / H + slope[k] - 3 * n->eps[k] / H);
+    }
+    return s;
 }
 
-static sum drag_at(const ovr_fields *f, ptrdiff_t i)
+static between eps_at(const ovr_fluid *fluid, const ovr_fields *f, ptrdiff_t i)
+{
+    double none[2] = {0}, *slope = f->deps_dH ? f->deps_dH + i : none;
+    if (fluid->logarithmic) {
+        const ovr_pair n = {
+            .H = {f->H[i], f->H[i + 1]},
+            .q = {f->rho[i] * f->H[i], f->rho[i + 1] * f->H[i + 1]},
+            .eps = {f->eps[i], f->eps[i + 1]}};
+        double power = f->log_fluidity[i + 1] - f->log_fluidity[i];
+        return logarithmic(&n, log(2) * power, slope);
+    }
+    sum s = sum_of(fluid->by_gap, 3, f->H + i, f->eps + i, slope);
+    double rise = f->P[i + 1] - f->P[i];
+    return (between){s.value,
+                     s.value - s.share * f->deps[i] * rise,
+                     s.value + (2 - s.share) * f->deps[i + 1] * rise,
+                     {s.by_film[0], s.by_film[1]}};
+}
+
+static sum drag_at(const ovr_fluid *fluid, const ovr_fields *f, ptrdiff_t i)
 {
     const double q[2] = {dragged(f, i), dragged(f, i + 1)};
     const double slope[2] = {2 * q[0], 2 * q[1]};
     const double drag[2] = {q[0] * f->H[i], q[1] * f->H[i + 1]};
-    return sum_of(f->share, 2, f->H + i, drag, slope);
+    return sum_of(fluid->by_gap, 2, f->H + i, drag, slope);
 }
 
 void ovr_flow_plain(const ovr_fluid *fluid, double D, const ovr_lanes *g,
@@ -153,14 +190,13 @@ void ovr_flow_plain(const ovr_fluid *fluid, double D, const ovr_lanes *g,
     double gradient = ovr_flow_gradient(fluid, D);
     for (ptrdiff_t i = 0; i + 1 < (ptrdiff_t)g->n; i++) {
         double H = f->H[i] + f->H[i + 1];
-        sum eps = eps_at(f, i), drag = drag_at(f, i);
+        between eps = eps_at(fluid, f, i);
+        sum drag = drag_at(fluid, f, i);
         half h = half_of(fluid, gradient * H * (f->P[i + 1] - f->P[i]),
                          eps.value, slide * drag.value);
         f->flow[i] = h.flow;
-        f->tangent[i] = h.tangent;
-        f->by_eps[i] = h.R;
-        if (f->share)
-            f->share[i] = eps.share;
+        f->out_left[i] = h.tangent - h.R * (eps.value - eps.left);
+        f->out_right[i] = h.tangent + h.R * (eps.right - eps.value);
         if (!f->by_left)
             continue;
         double by_g = (h.tangent - h.flow) / H, by_c = slide * h.by_c;
@@ -171,10 +207,12 @@ void ovr_flow_plain(const ovr_fluid *fluid, double D, const ovr_lanes *g,
 
 void ovr_faces_plain(const ovr_lanes *g, const ovr_fields *f)
 {
+    const ovr_fluid fluid = {.by_gap = true, .logarithmic = f->log_fluidity};
     for (ptrdiff_t i = 0; i + 1 < (ptrdiff_t)g->n; i++) {
-        sum eps = eps_at(f, i);
-        f->share[i] = eps.share;
+        between eps = eps_at(&fluid, f, i);
         f->flow[i] = eps.value;
+        f->out_left[i] = eps.left;
+        f->out_right[i] = eps.right;
         if (!f->by_left)
             continue;
         f->by_left[i] = eps.by_film[0];
@@ -185,7 +223,6 @@ void ovr_faces_plain(const ovr_lanes *g, const ovr_fields *f)
 void ovr_flow_through(const ovr_fluid *fluid, const ovr_lanes *g,
                       const ovr_fields *f)
 {
-    bool thins = ovr_flow_thins(fluid);
     bool lanes = g->V > 1; /* else there are no halos */
     ptrdiff_t V = (ptrdiff_t)g->V, first = lanes ? -OVR_HALO * V : 0;
     ptrdiff_t end = lanes ? (ptrdiff_t)g->S * V : (ptrdiff_t)g->n - 1;
@@ -193,15 +230,24 @@ void ovr_flow_through(const ovr_fluid *fluid, const ovr_lanes *g,
         double H = 0.5 * (f->H[m] + f->H[m + V]), slope, flow = f->flow[m];
         double phi = ovr_flow_factor_at(fluid->factor, H, &slope);
         f->flow[m] = phi * flow;
-        if (f->tangent) {
-            f->tangent[m] = phi * (thins ? f->tangent[m] : flow);
-            f->by_eps[m] = phi * (thins ? f->by_eps[m] : 1);
-        }
+        f->out_left[m] *= phi;
+        f->out_right[m] *= phi;
         if (f->by_left) {
             f->by_left[m] = phi * f->by_left[m] + 0.5 * slope * flow;
             f->by_right[m] = phi * f->by_right[m] + 0.5 * slope * flow;
         }
     }
+}
+
+/* ln(m_j/m_i), m = eps/(q H^2) */
+static double log_ratio(const ovr_pair *n)
+{
+    double x[2];
+    for (int k = 0; k < 2; k++) {
+        double H = face_film(n->H[k]);
+        x[k] = fmax(n->eps[k], 1e-280) / (n->q[k] * H * H);
+    }
+    return log(x[1] / x[0]);
 }
 
 double ovr_flow_between(const ovr_fluid *fluid, double dX,
@@ -210,7 +256,9 @@ double ovr_flow_between(const ovr_fluid *fluid, double dX,
     const double *H = nodes->H, *q = nodes->q, none[2] = {0};
     const double drag[2] = {q[0] * H[0], q[1] * H[1]};
     bool gap = fluid->by_gap;
-    double twice_eps = sum_of(gap, 3, H, nodes->eps, none).value;
+    double twice_eps = fluid->logarithmic
+                           ? logarithmic(nodes, log_ratio(nodes), none).value
+                           : sum_of(gap, 3, H, nodes->eps, none).value;
     double slope, phi = fluid->factor
                             ? ovr_flow_factor_at(fluid->factor,
                                                  0.5 * (H[0] + H[1]), &slope)

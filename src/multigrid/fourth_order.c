@@ -40,21 +40,25 @@ static void evaluate(const ovr_hierarchy *grids, const ovr_correction *c,
                      double Cu, bool backward, bool mask)
 {
     const ovr_kernels *run = grids->kernels;
+    const ovr_fluid *fluid = &grids->fluid;
     const ovr_level *level = finest_of(grids);
     const ptrdiff_t ends = (ptrdiff_t)level->grid.n + OVR_HALO,
                     centre = (ptrdiff_t)ceil(-level->grid.X[0] / level->grid.D);
     const ovr_fourth how = {
-        .fluid = &grids->fluid,
+        .fluid = fluid,
         .D = level->grid.D,
         .Cu = Cu,
         .first = backward ? (ptrdiff_t)level->grid.n - 1 - centre : -ends,
         .behind = backward ? ends : centre,
         .log_eps = grids->band.b[0],
         .flux = grids->band.b[1],
+        .rise = grids->band.b[2],
         .mask = c->mask,
         .F = c->F,
         .gap = c->gap,
         .linear = grids->influence.linear,
+        .reduced = fluid->logarithmic && !ovr_flow_thins(fluid) &&
+                   !fluid->law && !level->f.th,
         .local = level->local};
     if (mask)
         run->fourth_mask(&level->lanes, level->f.P, c->mask);

@@ -5,7 +5,10 @@
 #include "multigrid/power.h"
 #include "multigrid/table.h"
 
-enum { REACH = 3 }; /* nodes that a stencil takes on each side */
+enum {
+    WET = 1,  /* nodes with pressure on each side of a corrected one */
+    REACH = 3 /* nodes of a stencil on each side */
+};
 
 /* Numbers of the nodes in vector J; beyond the grid's ends they go on. */
 static inline ivec nodes(const ovr_lanes *g, ptrdiff_t J)
@@ -26,8 +29,8 @@ void OVR_KERNEL(fourth_mask)(const ovr_lanes *g, double *P, double *mask)
 {
     repeat_ends(P, (ptrdiff_t)g->S, REACH);
     for (ptrdiff_t J = 0; J < (ptrdiff_t)g->S; J++) {
-        vec minimum = at(P, J - REACH);
-        for (ptrdiff_t d = 1 - REACH; d <= REACH; d++)
+        vec minimum = at(P, J - WET);
+        for (ptrdiff_t d = 1 - WET; d <= WET; d++)
             minimum = smaller(minimum, at(P, J + d));
         put(mask, J, choose(inside(g, J) & (minimum > 0), all(1), all(0)));
     }
@@ -92,6 +95,78 @@ static void fluxes(const ovr_lanes *g, const ovr_fourth *c, const ovr_fields *f)
     }
 }
 
+/* H^3, for what divides by it */
+static inline vec cube_at(const ovr_fields *f, ptrdiff_t J)
+{
+    vec h = face_film(at(f->H, J));
+    return h * h * h;
+}
+
+/* m = eps/(rho H^3) and d ln m/dP of a node. */
+typedef struct fluidity {
+    vec m, slope;
+} fluidity;
+
+static inline fluidity fluidity_at(const ovr_fields *f, ptrdiff_t J)
+{
+    vec eps = at(f->eps, J), rho = at(f->rho, J);
+    vec h = face_film(at(f->H, J));
+    return (fluidity){eps / (rho * (h * h * h)),
+                      at(f->deps, J) / eps - at(f->dq, J) / (rho * h)};
+}
+
+/* The integral of m dP from node to node. */
+static void reduced_rises(const ovr_lanes *g, const ovr_fields *f, double *rise)
+{
+    const double ln2 = 0x1.62e42fefa39efp-1, most = 0.3;
+    fluidity left = fluidity_at(f, -REACH);
+    for (ptrdiff_t J = -REACH; J < (ptrdiff_t)g->S + REACH - 1; J++) {
+        fluidity right = fluidity_at(f, J + 1);
+        vec d = at(f->log_fluidity, J + 1) - at(f->log_fluidity, J);
+        vec dP = at(f->P, J + 1) - at(f->P, J);
+        vec bend = (1. / 12) * (right.slope - left.slope) * dP;
+        bend = larger(all(-most), smaller(all(most), bend));
+        put(rise, J, face_log_mean(left.m, right.m, ln2 * d) * dP * (1 - bend));
+        left = right;
+    }
+}
+
+/* The flux at i + 1/2 by reduced pressure: rho H^3 there times its slope. */
+static inline vec reduced_flux(const ovr_fourth *c, const ovr_fields *f,
+                               ptrdiff_t J)
+{
+    const double most = 0.4;
+    vec a = cube_at(f, J), b = cube_at(f, J + 1);
+    vec x = a * at(f->rho, J), y = b * at(f->rho, J + 1);
+    vec cubic = (1. / 16) *
+                (9 * (x + y) - cube_at(f, J - 1) * at(f->rho, J - 1) -
+                 cube_at(f, J + 2) * at(f->rho, J + 2));
+    vec mean = a * b / (a + b) * (at(f->rho, J) + at(f->rho, J + 1));
+    vec rise = at(c->rise, J);
+    vec bend = (1. / 24) * (2 * rise - at(c->rise, J - 1) - at(c->rise, J + 1));
+    vec size = most * larger(rise, -rise);
+    cubic = larger((1 - most) * mean, smaller((1 + most) * mean, cubic));
+    bend = larger(-size, smaller(size, bend));
+    return (1 / c->D) * cubic * (rise + bend);
+}
+
+/* The same by reduced pressures downstream of X = 0. */
+static void reduced_fluxes(const ovr_lanes *g, const ovr_fourth *c,
+                           const ovr_fields *f)
+{
+    double scale = 1 / (24 * c->D);
+    table16 table;
+    make_exp_table(1, &table);
+    reduced_rises(g, f, c->rise);
+    for (ptrdiff_t J = 1 - REACH; J < (ptrdiff_t)g->S + REACH - 2; J++) {
+        ivec i = nodes(g, J), upstream = (i >= c->first) & (i < c->behind);
+        vec eps = middle(&table, c->log_eps, f, upstream, J);
+        put(c->flux, J,
+            choose(upstream, eps * (scale * steepness(f, J)),
+                   reduced_flux(c, f, J)));
+    }
+}
+
 /* The equation's left-hand side of fourth order less that of second. */
 static inline vec excess(const ovr_fourth *c, const ovr_fields *f, ptrdiff_t J)
 {
@@ -115,21 +190,18 @@ void OVR_KERNEL(fourth_order)(const ovr_lanes *g, const ovr_fourth *c,
                               const ovr_fields *f, const double *w)
 {
     ptrdiff_t S = (ptrdiff_t)g->S;
-    repeat_ends(f->P, S, REACH);
-    repeat_ends(f->eps, S, REACH);
-    repeat_ends(f->q, S, REACH);
-    if (f->flow)
-        repeat_ends(f->flow, S, REACH);
+    double *const fields[] = {f->P, f->H,  f->rho,  f->eps,          f->deps,
+                              f->q, f->dq, f->flow, f->log_fluidity, f->drag};
+    for (size_t k = 0; k < sizeof fields / sizeof *fields; k++)
+        if (fields[k])
+            repeat_ends(fields[k], S, REACH);
     logarithms(g, f->eps, c->log_eps);
-    if (f->tangent) {
-        double *const more[] = {f->H, f->share, f->drag};
-        for (int k = 0; k < 3; k++)
-            if (more[k])
-                repeat_ends(more[k], S, REACH);
+    if (ovr_flow_thins(c->fluid))
         thinned_fluxes(g, c, f);
-    } else {
+    else if (c->reduced)
+        reduced_fluxes(g, c, f);
+    else
         fluxes(g, c, f);
-    }
     double share = c->linear ? 1. / 12 : 1. / 24;
     for (ptrdiff_t J = 0; J < S; J++) {
         vec gap = share * second_difference(w, J) +

@@ -16,7 +16,7 @@ void ovr_fourth_mask_plain(const ovr_lanes *g, double *P, double *mask)
 {
     for (ptrdiff_t i = 0; i < (ptrdiff_t)g->n; i++) {
         bool wet = inside(i, g->n);
-        for (ptrdiff_t d = -3; wet && d <= 3; d++)
+        for (ptrdiff_t d = -1; wet && d <= 1; d++)
             wet = P[i + d] > 0;
         mask[i] = wet;
     }
@@ -52,26 +52,63 @@ static double sliding_content(const ovr_fields *f, ptrdiff_t i)
 static double thinned(const ovr_fourth *c, const ovr_fields *f, double rise,
                       ptrdiff_t i)
 {
-    const ovr_fluid newtonian = {.by_gap = c->fluid->by_gap};
-    const double *H = f->H + i, *eps = f->eps + i;
-    const ovr_pair two = {.H = {H[0], H[1]}, .eps = {eps[0], eps[1]}};
+    const ovr_fluid newtonian = {.by_gap = c->fluid->by_gap,
+                                 .logarithmic = c->fluid->logarithmic};
+    const double *H = f->H + i, *eps = f->eps + i, *rho = f->rho + i;
+    const ovr_pair two = {.H = {H[0], H[1]},
+                          .q = {rho[0] * H[0], rho[1] * H[1]},
+                          .eps = {eps[0], eps[1]}};
     double mean = ovr_flow_between(&newtonian, 1, &two);
     double e = fmin(fmax(middle(f, i, true), 0.6 * mean), 1.4 * mean);
     double h = (9 * (H[0] + H[1]) - H[-1] - H[2]) / 16;
     double q = (9 * (sliding_content(f, i) + sliding_content(f, i + 1)) -
                 sliding_content(f, i - 1) - sliding_content(f, i + 2)) /
                16;
+    /* alike on both sides, with any mean */
     const ovr_pair nodes = {{0, rise}, {h, h}, {q, q}, {e, e}};
     return ovr_flow_between(c->fluid, c->D, &nodes);
+}
+
+/* The integral of m dP, m = eps/(rho H^3), from a node to the next. */
+static double reduced_rise(const ovr_fields *f, ptrdiff_t i)
+{
+    double m[2], slope[2], dP = f->P[i + 1] - f->P[i];
+    for (int k = 0; k < 2; k++) {
+        double H = f->H[i + k], rho = f->rho[i + k], eps = f->eps[i + k];
+        m[k] = eps / (rho * pow(H, 3));
+        slope[k] = f->deps[i + k] / eps - f->dq[i + k] / (rho * H);
+    }
+    double x = 0.5 * log(m[1] / m[0]), bend = (slope[1] - slope[0]) * dP / 12;
+    double mean = 0.5 * (m[0] + m[1]) * (x != 0 ? tanh(x) / x : 1);
+    return mean * dP * (1 - fmin(fmax(bend, -0.3), 0.3));
+}
+
+static double reduced_flux(const ovr_fourth *c, const ovr_fields *f,
+                           ptrdiff_t i)
+{
+    double x[4], rise = reduced_rise(f, i);
+    for (ptrdiff_t k = 0; k < 4; k++)
+        x[k] = f->rho[i + k - 1] * pow(f->H[i + k - 1], 3);
+    double a = pow(f->H[i], 3), b = pow(f->H[i + 1], 3);
+    double mean = a * b / (a + b) * (f->rho[i] + f->rho[i + 1]);
+    double cubic = (9 * (x[1] + x[2]) - x[0] - x[3]) / 16;
+    double bend = (2 * rise - reduced_rise(f, i - 1) - reduced_rise(f, i + 1)) /
+                  24;
+    double size = 0.4 * fabs(rise);
+    return fmin(fmax(cubic, 0.6 * mean), 1.4 * mean) *
+           (rise + fmin(fmax(bend, -size), size)) / c->D;
 }
 
 static double flux(const ovr_fourth *c, const ovr_fields *f, ptrdiff_t i)
 {
     const double *P = f->P + i;
     double slope = (27 * (P[1] - P[0]) - (P[2] - P[-1])) / (24 * c->D);
-    if (f->tangent)
+    bool upstream = i >= c->first && i < c->behind;
+    if (ovr_flow_thins(c->fluid))
         return thinned(c, f, slope * c->D, i) * slope;
-    return middle(f, i, i >= c->first && i < c->behind) * slope;
+    if (c->reduced && !upstream)
+        return reduced_flux(c, f, i);
+    return middle(f, i, upstream) * slope;
 }
 
 /* The equation's left-hand side of fourth order less that of second. */

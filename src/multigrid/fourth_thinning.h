@@ -19,6 +19,7 @@
 typedef struct thinning {
     const double *table; /* NULL: Eyring's law */
     double slide, gradient;
+    face_kind kind;
     log_table log;
     exp_table growth;
 } thinning;
@@ -26,7 +27,8 @@ typedef struct thinning {
 static inline thinning thinning_of(const ovr_fluid *fluid, double D)
 {
     thinning t = {.slide = ovr_flow_slide(fluid),
-                  .gradient = ovr_flow_gradient(fluid, D)};
+                  .gradient = ovr_flow_gradient(fluid, D),
+                  .kind = face_kind_of(fluid)};
     if (fluid->lubricant.rheology != OVR_EYRING)
         t.table = fluid->lubricant.flow_law->flow;
     make_log_table(1, &t.log);
@@ -55,8 +57,7 @@ static inline vec sliding_content(const ovr_fields *f, ptrdiff_t J)
 static inline vec twice_eps(const thinning *t, const ovr_fields *f,
                             const double *log_eps, ptrdiff_t J)
 {
-    vec eps = at(f->eps, J), next = at(f->eps, J + 1);
-    vec sum = f->share ? face_sum(at(f->share, J), eps, next) : eps + next;
+    vec sum = face_at(f, t->kind, J).flow;
     vec value = 2 * scaled_exp2(&t->growth, sixteen_at(log_eps, J));
     return smaller(larger(value, 0.6 * sum), 1.4 * sum);
 }

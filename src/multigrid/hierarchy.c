@@ -23,8 +23,7 @@ static bool has(const ovr_hierarchy *grids, ovr_field_memory memory,
     bool gap = grids->fluid.by_gap;
     switch (memory) {
     case OVR_NEWTON: return newton;
-    case OVR_GAP: return gap;
-    case OVR_LAW: return thins;
+    case OVR_FLUIDITY: return grids->fluid.logarithmic;
     case OVR_FLOW: return gap || thins;
     case OVR_SENSITIVE: return newton && (gap || thins);
     case OVR_CONTENT: return grids->content;
@@ -224,18 +223,6 @@ ovr_status ovr_hierarchy_touch(ovr_hierarchy *grids, ovr_arena *arena,
     return ovr_hierarchy_bear(grids, arena, err);
 }
 
-/* Takes memory for what rows read at half nodes where E is more than a sum
- * (reynolds_row.h). */
-static ovr_status take_through(ovr_fields *f, size_t capacity, ovr_arena *arena,
-                               ovr_error *err)
-{
-    if (f->tangent)
-        return OVR_OK;
-    f->tangent = ovr_field(arena, capacity, err);
-    f->by_eps = ovr_field(arena, capacity, err);
-    return f->tangent && f->by_eps ? OVR_OK : OVR_NO_MEMORY;
-}
-
 static ovr_status take_skew(ovr_fields *f, size_t n, ovr_arena *arena,
                             ovr_error *err)
 {
@@ -264,17 +251,4 @@ ovr_status ovr_hierarchy_skew(ovr_hierarchy *grids, bool second_order,
     }
     return take_skew(&grids->natural, grids->level[grids->ordered].grid.n,
                      arena, err);
-}
-
-ovr_status ovr_hierarchy_factor(ovr_hierarchy *grids,
-                                const struct ovr_flow_factor *factor,
-                                ovr_arena *arena, ovr_error *err)
-{
-    grids->fluid.factor = factor;
-    for (int l = grids->coarsest; l <= grids->finest; l++)
-        if (take_through(&grids->level[l].f, capacity_of(&grids->level[l]),
-                         arena, err))
-            return OVR_NO_MEMORY;
-    return take_through(&grids->natural, grids->level[grids->ordered].grid.n,
-                        arena, err);
 }

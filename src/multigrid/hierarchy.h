@@ -158,12 +158,6 @@ ovr_status ovr_hierarchy_bear(ovr_hierarchy *grids, ovr_arena *arena,
 ovr_status ovr_hierarchy_skew(ovr_hierarchy *grids, bool second_order,
                               ovr_arena *arena, ovr_error *err);
 
-/* The flow factor of rough surfaces, and memory for it where means go by the
- * gap (flow.h). */
-ovr_status ovr_hierarchy_factor(ovr_hierarchy *grids,
-                                const struct ovr_flow_factor *factor,
-                                ovr_arena *arena, ovr_error *err);
-
 /* Memory for what bears it by a law of the film; the caller sets that.  The
  * finest level is solved by Newton's method then. */
 ovr_status ovr_hierarchy_touch(ovr_hierarchy *grids, ovr_arena *arena,

@@ -34,7 +34,8 @@ typedef struct ovr_fluid {
     double lambda;
     const struct ovr_law *law; /* of viscosity, instead of the lubricant's */
     double sliding;            /* V = (u1 - u2)/um */
-    bool by_gap;               /* faces.h */
+    bool by_gap;               /* faces.h: harmonic in H^3 */
+    bool logarithmic;          /* and logarithmic in 1/eta */
     const struct ovr_flow_factor *factor; /* of rough surfaces; NULL: 1 */
 } ovr_fluid;
 
@@ -83,11 +84,12 @@ typedef struct ovr_fourth {
     double D, Cu;
     ptrdiff_t first,
         behind; /* half nodes of the inlet's side: first <= i < behind */
-    double *log_eps, *flux; /* work arrays */
-    double *mask;           /* 1 where the equation is corrected, else 0 */
-    double *F, *gap;        /* what is added to the right-hand sides */
-    bool linear;            /* pressure between nodes, else constant */
-    double local;           /* C of fourth_order.h */
+    double *log_eps, *flux, *rise; /* work arrays */
+    double *mask;    /* 1 where the equation is corrected, else 0 */
+    double *F, *gap; /* what is added to the right-hand sides */
+    bool linear;     /* pressure between nodes, else constant */
+    bool reduced;    /* Poiseuille flow behind X = 0 by reduced pressures */
+    double local;    /* C of fourth_order.h */
 } ovr_fourth;
 
 /* Nodes at both ends that are not corrected; eta(3)/(2 pi^3), the share of D

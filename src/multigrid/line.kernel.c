@@ -166,13 +166,12 @@ static INLINE void assemble_kind(const line *l, const ovr_lanes *g,
                                  const ovr_weights *w, bool transient)
 {
     row_kind kind = row_kind_of(&l->f);
-    switch (kind) {
-    default: assemble_skewed(l, g, w, transient, kind); break;
-    case ROW_SUMS: assemble(l, g, w, transient, ROW_SUMS); break;
-    case ROW_GAP: assemble(l, g, w, transient, ROW_GAP); break;
-    case ROW_THINS: assemble(l, g, w, transient, ROW_THINS); break;
-    case ROW_GAP_THINS: assemble(l, g, w, transient, ROW_GAP_THINS); break;
-    }
+    if (kind & ROW_SKEWED)
+        assemble_skewed(l, g, w, transient, kind);
+    else if (kind == ROW_STORED)
+        assemble(l, g, w, transient, ROW_STORED);
+    else
+        assemble(l, g, w, transient, ROW_SUMS);
 }
 
 void OVR_KERNEL(band_assemble)(const ovr_lanes *g, const ovr_weights *w,

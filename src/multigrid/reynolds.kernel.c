@@ -47,11 +47,11 @@ void OVR_KERNEL(residual)(const ovr_lanes *g, const ovr_weights *w,
     const ovr_fields own = *f; /* a copy that no store can change */
     ptrdiff_t S = (ptrdiff_t)g->S;
     if (own.skew && own.flow) /* whatever made it */
-        put_rows(g, w, ROW_GAP | ROW_SKEWED, &own);
+        put_rows(g, w, ROW_STORED | ROW_SKEWED, &own);
     else if (own.skew)
         put_rows(g, w, ROW_SUMS | ROW_SKEWED, &own);
     else if (own.flow)
-        put_rows(g, w, ROW_GAP, &own);
+        put_rows(g, w, ROW_STORED, &own);
     else
         put_rows(g, w, ROW_SUMS, &own);
     own.r[0] = 0;

@@ -8,10 +8,10 @@
  *     N = [before up + after down]/(2 D^2) - a0 q_i - a1 q_{i-1} - a2 q_{i-2}
  *     up = P_{i-1} - P_i       before = eps_{i-1} + eps_i
  *     down = P_{i+1} - P_i     after = eps_i + eps_{i+1}
- * Where 2 E of the half nodes is stored, by the gap (faces.h) or with a flow
- * law (flow.h), it stands for before and after; below, eps'_k counts by its
- * share in the half node, and with a flow law the sums become 2 T and eps'_k
- * counts by the R of the half node besides.
+ * Where the flow at half nodes is stored, by the gap (faces.h) or with a flow
+ * law (flow.h), 2 E stands for before and after, and below the stored
+ * derivatives of 2 E (P_{i+1} - P_i) for the terms with 1/(2 D^2): out_right of
+ * i - 1 and out_left of i are those by P_i.
  * A hot film has a wedge of skewed flow (heat_skew.h), b at speed 1.
  *     N <- N - sum_m b_m (s q)_{i-m},  s = s_0 + s_1 P
  * Weights of q are then a_m + b_m s.  Terms -b_m s_1 q add to dN/dP.
@@ -38,17 +38,13 @@
 /* Rows read this at half nodes, a constant for the compiler in kernels. */
 typedef enum row_kind {
     ROW_SUMS = 0,  /* nothing: sums of eps */
-    ROW_GAP = 1,   /* shares by the gap, 2 E */
-    ROW_THINS = 2, /* what a flow law makes of it: 2 E, 2 T, R */
-    ROW_GAP_THINS = 3,
-    ROW_STORED = 3, /* bits: 2 E of half nodes is stored */
-    ROW_SKEWED = 4  /* and temperatures skew the flow */
+    ROW_STORED = 1, /* 2 E and its derivatives */
+    ROW_SKEWED = 2  /* a bit: temperatures skew the flow */
 } row_kind;
 
 static inline row_kind row_kind_of(const ovr_fields *f)
 {
-    return (f->share ? ROW_GAP : 0) | (f->tangent ? ROW_THINS : 0) |
-           (f->skew ? ROW_SKEWED : 0);
+    return (f->flow ? ROW_STORED : ROW_SUMS) | (f->skew ? ROW_SKEWED : 0);
 }
 
 /* The weights of a row: a of q_i, q_{i-1}, q_{i-2}, half = 1/(2 D^2), b of the
@@ -194,29 +190,13 @@ static inline num row_elastic(const num e[3], const double *k, int d)
 static INLINE void row_by_stored(const ovr_fields *f, const row_weights *c,
                                  ptrdiff_t J, num A[4])
 {
-    row_faces s = row_faces_at(f, true, J);
-    num before = s.before, after = s.after, up = s.up, down = s.down;
-    num up_here = up, down_here = down;
-    if (c->kind & ROW_THINS) {
-        before = at(f->tangent, J - 1);
-        after = at(f->tangent, J);
-        up_here = up = at(f->by_eps, J - 1) * up;
-        down_here = down = at(f->by_eps, J) * down;
-    }
-    if (c->kind & ROW_GAP) {
-        num left = at(f->share, J - 1), right = at(f->share, J);
-        up_here = (2 - left) * up;
-        up = left * up;
-        down_here = right * down;
-        down = (2 - right) * down;
-    }
+    num before = at(f->out_right, J - 1), after = at(f->out_left, J);
     A[0] = less(A[0], row_content_weight(f, c, 2, J), at(f->dq, J - 2));
-    A[1] = less(fused(c->half, fused(at(f->deps, J - 1), up, before), A[1]),
+    A[1] = less(fused(c->half, at(f->out_left, J - 1), A[1]),
                 row_content_weight(f, c, 1, J), at(f->dq, J - 1));
-    A[2] = less(less(A[2], c->half,
-                     less(before + after, at(f->deps, J), up_here + down_here)),
+    A[2] = less(less(A[2], c->half, before + after),
                 row_content_weight(f, c, 0, J), at(f->dq, J));
-    A[3] = fused(c->half, fused(at(f->deps, J + 1), down, after), A[3]);
+    A[3] = fused(c->half, at(f->out_right, J), A[3]);
 }
 
 /* A[d + 2] takes in dN_i/dP_{i+d} at fixed film, d = -2..1. */

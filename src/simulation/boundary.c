@@ -50,9 +50,8 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
         ovr_hierarchy_touch(&sim->grids, &sim->arena, err))
         return OVR_NO_MEMORY;
     b->given = form;
-    if (b->given->ridges &&
-        ovr_hierarchy_factor(&sim->grids, &b->given->factor, &sim->arena, err))
-        return OVR_NO_MEMORY;
+    if (b->given->ridges)
+        sim->grids.fluid.factor = &b->given->factor;
     sim->target.fluid.factor = sim->grids.fluid.factor;
     b->law = &b->given->bears;
     if (b->given->passes > 0) {

@@ -299,10 +299,10 @@ static ovr_status resolve_factor(const ovr_physics_case *of,
         return ovr_fail_about(err, "flow_factor",
                               "a flow factor needs Rq, of both surfaces "
                               "together, above 0");
-    if (f->ridges && of->options->faces != OVR_FACES_GAP)
-        return ovr_fail_about(
-            err, "flow_factor",
-            "a flow factor acts at half nodes: it needs [domain] faces = gap");
+    if (f->ridges && of->options->faces == OVR_FACES_ARITHMETIC)
+        return ovr_fail_about(err, "flow_factor",
+                              "a flow factor acts at half nodes: it needs "
+                              "[domain] faces = logarithmic or gap");
     return OVR_OK;
 }
 

@@ -6,14 +6,17 @@
  * before it: what Poiseuille flow and film lack in space, evaluated anew after
  * each step (multigrid/fourth_order.h), and what BDF2 lacks in time along the
  * characteristic,
- *     F_i = m_i { -dN_Poiseuille + dT (dT + dT_old) q[t, t-1, t-2, t-3] },
+ *     F_i = -m_i dN_Poiseuille + dT (dT + dT_old) q[t, t-1, t-2, t-3],
  * the third divided difference of q as a particle sees it: with equal steps
  * (q - 3 q_1 + 3 q_2 - q_3)/(3 dT), the term by which BDF3 differs.  It is zero
  * for what is only carried and the steady wedge's error for what stands, at any
- * step and speed.  m_i is 1 where P > 0 at i - 3..i + 3, and fades over eight
- * nodes to the film's end, wherever that is between two nodes, so that nothing
- * jumps as the end crosses one: a spike close to it would answer each jump with
- * another.  It is 0 about ridges where a mesh halves the film.  A step that
+ * step and speed.  Poiseuille's m_i is 1 where P > 0 at i - 3..i + 3, and fades
+ * over eight nodes to the film's end, wherever that is between two nodes, so
+ * that nothing jumps as the end crosses one: a spike close to it would answer
+ * each jump with another.  The third difference and R below do not fade: the
+ * minimum film thickness lies in these last nodes, and with steps of two mesh
+ * sizes its error would be up to ten times larger.  Both are 0 about ridges
+ * where the film halves within a mesh size.  A step that
  * fails is tried again without F.  With temperatures the
  * corrections of the steady film are made anew after each of their outer
  * iterations; those that do not end so are of second order.
@@ -388,14 +391,16 @@ static double film_end(const double *P, size_t n)
     return (double)dry - 1 + (bend > last ? last / bend : 1);
 }
 
-/* Takes the share m of F and of the third difference; m where it is asked for.
- * Where the speed is reversed the film ends on the left. */
-static void fade(const ovr_simulation *sim, fourth *f, double *mask)
+/* Multiplies F by m, and keeps the third difference where the film does not
+ * jump: what a particle carries along is smooth where pressure ends.  `carried`
+ * (may be NULL) is 1 there, else -1.  Where the speed is reversed the film ends
+ * on the left. */
+static void fade(const ovr_simulation *sim, fourth *f, double *carried)
 {
     enum { WET = 3, OVER = 8 };
     const double sharp = 3.5;
     const double *P = sim->now.P, *H = sim->now.H;
-    size_t n = f->n, since = 0;
+    size_t n = f->n, wet = 0, smooth = 0;
     if (sim->backward) {
         ovr_mirror(n, P, sim->scratch[0]);
         P = sim->scratch[0];
@@ -407,18 +412,18 @@ static void fade(const ovr_simulation *sim, fourth *f, double *mask)
     for (size_t i = 0; i < n; i++) {
         bool inside = i >= OVR_FOURTH_MARGIN && i + OVR_FOURTH_MARGIN < n;
         size_t along = sim->backward ? n - 1 - i : i, ahead = i + WET;
-        bool wet = ahead < n && P[ahead] > 0;
-        since = wet && !jumps(H[ahead - 1], H[ahead]) ? since + 1 : 0;
-        bool within = inside && since > 2 * WET;
-        double m = within ? 1 : 0;
-        if (within && (double)along > fades)
+        bool jump = ahead >= n || jumps(H[ahead - 1], H[ahead]);
+        smooth = jump ? 0 : smooth + 1;
+        wet = jump || !(P[ahead] > 0) ? 0 : wet + 1;
+        bool carries = inside && smooth > 2 * WET;
+        double m = inside && wet > 2 * WET ? 1 : 0;
+        if (m > 0 && (double)along > fades)
             m = fmin(fmax((end - (double)along - sharp) / OVER, 0), 1);
-        if (m < 1) {
-            f->F[i] *= m;
-            f->third[i] *= m;
-        }
-        if (mask)
-            mask[i] = within ? m : -1;
+        f->F[i] *= m;
+        if (!carries)
+            f->third[i] = 0;
+        if (carried)
+            carried[i] = carries ? 1 : -1;
     }
 }
 

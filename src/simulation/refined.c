@@ -125,6 +125,7 @@ static void join(ovr_simulation *sim)
     const ovr_solution *now = &sim->now;
     for (size_t i = 0; now->flow && i + 1 < now->n; i++) {
         const ovr_pair nodes = {.H = {now->H[i], now->H[i + 1]},
+                                .q = {now->q[i], now->q[i + 1]},
                                 .eps = {now->eps[i], now->eps[i + 1]}};
         now->flow[i] = 2 * ovr_flow_between(&sim->grids.fluid, 1, &nodes);
     }

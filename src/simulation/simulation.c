@@ -79,7 +79,9 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
     grids->fluid = (ovr_fluid){.lubricant = sim->lubricant,
                                .lambda = sim->contact.lambda,
                                .sliding = ovr_sliding(sim, 0),
-                               .by_gap = o->faces == OVR_FACES_GAP};
+                               .by_gap = o->faces != OVR_FACES_ARITHMETIC,
+                               .logarithmic = o->faces ==
+                                              OVR_FACES_LOGARITHMIC};
     sim->target = (ovr_target){.M = sim->contact.M,
                                .L = sim->contact.L,
                                .c = 1,

@@ -32,8 +32,7 @@ static double *take(test_grid *grid)
 
 static bool at_half_nodes(ovr_field_memory memory)
 {
-    return memory == OVR_FLOW || memory == OVR_SENSITIVE || memory == OVR_LAW ||
-           memory == OVR_GAP;
+    return memory == OVR_FLOW || memory == OVR_SENSITIVE;
 }
 
 static void take_fields(test_grid *grid)
@@ -42,7 +41,8 @@ static void take_fields(test_grid *grid)
     ovr_error err = {0};
     for (int k = 0; k < OVR_FIELD_COUNT; k++) {
         ovr_field_memory memory = ovr_field_rows[k].memory;
-        if (!at_half_nodes(memory) && memory != OVR_SKEWED)
+        if (!at_half_nodes(memory) && memory != OVR_SKEWED &&
+            memory != OVR_FLUIDITY)
             grid->f.all[k] = take(grid);
     }
     ovr_fields *f = &grid->f;
@@ -88,25 +88,31 @@ test_grid test_grid_make(const ovr_kernels *run, size_t n)
     return grid;
 }
 
-/* Those at half nodes, but the ones for this alone. */
-static void take_half_nodes(test_grid *grid, ovr_field_memory without)
+static void take_half_nodes(test_grid *grid)
 {
     for (int k = 0; k < OVR_FIELD_COUNT; k++) {
         ovr_field_memory memory = ovr_field_rows[k].memory;
-        if (!grid->f.all[k] && at_half_nodes(memory) && memory != without)
+        if (!grid->f.all[k] && at_half_nodes(memory))
             grid->f.all[k] = take(grid);
     }
 }
 
 void test_grid_gap(test_grid *grid)
 {
-    take_half_nodes(grid, OVR_LAW);
+    take_half_nodes(grid);
     grid->fluid.by_gap = true;
+}
+
+void test_grid_logarithmic(test_grid *grid)
+{
+    test_grid_gap(grid);
+    grid->f.log_fluidity = take(grid);
+    grid->fluid.logarithmic = true;
 }
 
 void test_grid_thin(test_grid *grid, double Sigma0, double sliding)
 {
-    take_half_nodes(grid, OVR_GAP);
+    take_half_nodes(grid);
     grid->fluid.lubricant.rheology = OVR_EYRING;
     grid->fluid.lubricant.Sigma0 = Sigma0;
     grid->fluid.sliding = sliding;

@@ -32,6 +32,9 @@ test_grid test_grid_make(const ovr_kernels *run, size_t n);
 /* Means between nodes by the gap, else they are arithmetic. */
 void test_grid_gap(test_grid *grid);
 
+/* Means by the gap that are logarithmic in 1/eta. */
+void test_grid_logarithmic(test_grid *grid);
+
 /* Gives it a flow law, Eyring's. */
 void test_grid_thin(test_grid *grid, double Sigma0, double sliding);
 

@@ -98,11 +98,21 @@ static double eps(const dense *d, size_t i)
     return d->q[i] * d->H[i] * d->H[i] / (eta * c->contact.lambda);
 }
 
+/* (y - x)/ln(y/x), by its series where both are nearly the same */
+static double log_mean(double x, double y)
+{
+    double d = log(y / x);
+    return fabs(d) < 1e-4 ? 0.5 * (x + y) * (1 - d * d / 12) : (y - x) / d;
+}
+
 /* Between nodes i and i + 1. */
 static double conductance(const dense *d, size_t i)
 {
     double a = pow(d->H[i], 3), b = pow(d->H[i + 1], 3);
     double f = eps(d, i), g = eps(d, i + 1);
+    if (d->logarithmic)
+        return a * b / (a + b) * (d->rho[i] + d->rho[i + 1]) *
+               log_mean(f / (a * d->rho[i]), g / (b * d->rho[i + 1]));
     return d->in_line ? (f / a + g / b) / (1 / a + 1 / b) : 0.5 * (f + g);
 }
 

@@ -17,6 +17,7 @@ typedef struct dense {
     double w[3], first[2]; /* wedge weights, and in row 1 */
     double cT;             /* of q in the time derivative */
     bool in_line;          /* gaps H^3 of two nodes in line, else both meant */
+    bool logarithmic;      /* and the logarithmic mean of 1/eta */
     bool backward;         /* um < 0: the wedge from the right, times |Cu| */
     double force;          /* asked for D sum P */
     double *X, *gap, *F;   /* gap X^2/2 - S, history term */
