@@ -19,11 +19,15 @@
  *     2 E = h (rho_i + rho_j) (m_j - m_i)/d
  * The arithmetic mean exceeds it by the factor (d/2)/tanh(d/2): at the flank of
  * a pressure spike d is 1 to 7, and the minimum film thickness is ten times
- * less accurate.  Where ln m is linear in P between the nodes the flow
- * 2 E (P_j - P_i) has the derivatives
- *     -2 p eps_i by P_i,   2 (2 - p) eps_j by P_j
- * so the discrete operator is elliptic for any pressure difference.  The
- * harmonic mean of phi is not: phi falls as exp(-alpha P), and its flow as
+ * less accurate.  With s_i = (d ln m/dP)_i (P_j - P_i) the flow 2 E (P_j - P_i)
+ * has the derivatives
+ *     -[2 E - (s_i/d) (2 E - 2 p eps_i)] by P_i,
+ *       2 E - (s_j/d) (2 E - 2 (2 - p) eps_j) by P_j
+ * and where ln m is linear in P, s_i = s_j = d, these are -2 p eps_i and
+ * 2 (2 - p) eps_j: the discrete operator is elliptic for any pressure
+ * difference.  By Roelands' law s_j/d reaches 2 where the pressure falls by
+ * several p_h in a mesh size; with 1 for it corrections overshoot by as much.
+ * The harmonic mean of phi is not: phi falls as exp(-alpha P), and its flow as
  * x/(1 + e^x) from x = alpha (P_j - P_i) = 1.28 on.  In a film with
  * temperatures m is the integral across the film divided by H^3
  * (cross_film.h).  P and ln m are nearly linear in X between the nodes, so ln m
@@ -89,7 +93,7 @@ typedef struct face {
 
 /* One of the two nodes.  deps is d eps/dP. */
 typedef struct face_node {
-    num P, H, rho, eps, deps, log_fluidity;
+    num P, H, rho, eps, deps, log_fluidity, log_slope;
 } face_node;
 
 /* p of H^3 and of H^2. */
@@ -121,20 +125,35 @@ static inline face face_by_shares(num p, const face_node *i, const face_node *j)
                   .share = p};
 }
 
+/* flow - s (flow - bound)/d: the derivative of the flow by a node's pressure,
+ * bound = 2 p eps_i, s = (d ln m/dP)_i (P_j - P_i).  Not below the smaller one
+ * of both, so that the rows stay elliptic. */
+static inline num face_by_pressure(num flow, num bound, num s, num d)
+{
+    truth is_near = d * d < 1e-6;
+    num ratio = (flow - bound) / choose(is_near, all(1), d);
+    num slope = less(flow, s, choose(is_near, 0.5 * flow, ratio));
+    return larger(slope, smaller(flow, bound));
+}
+
 /* The logarithmic mean.  a b rho_i rho_j is a factor of x, y and their mean. */
 static inline face face_logarithmic(const face_node *i, const face_node *j)
 {
     const double ln2 = 0x1.62e42fefa39efp-1;
-    num h = face_film(i->H), g = face_film(j->H);
+    num h = face_film(i->H), g = face_film(j->H), rise = j->P - i->P;
     num a = h * h * h, b = g * g * g;
+    num d = ln2 * (j->log_fluidity - i->log_fluidity);
     num x = larger(i->eps, all(0)) * b * j->rho;
     num y = larger(j->eps, all(0)) * a * i->rho;
-    num mean = face_log_mean(x, y, ln2 * (j->log_fluidity - i->log_fluidity));
     num inverse = 2 / ((a + b) * i->rho * j->rho);
-    return (face){.flow = larger((i->rho + j->rho) * inverse * mean, all(0)),
-                  .left = 2 * inverse * i->rho * x,
-                  .right = 2 * inverse * j->rho * y,
-                  .share = b * inverse * i->rho * j->rho};
+    num flow = (i->rho + j->rho) * inverse * face_log_mean(x, y, d);
+    num left = 2 * inverse * i->rho * x, right = 2 * inverse * j->rho * y;
+    flow = larger(flow, all(0));
+    return (face){
+        .flow = flow,
+        .left = face_by_pressure(flow, left, rise * i->log_slope, d),
+        .right = face_by_pressure(flow, right, -rise * j->log_slope, -d),
+        .share = b * inverse * i->rho * j->rho};
 }
 
 /* The kinds of means, a constant for the compiler. */
@@ -157,6 +176,7 @@ static INLINE face_node face_node_at(const ovr_fields *f, face_kind kind,
     if (kind == FACE_LOGARITHMIC) {
         n.rho = at(f->rho, J);
         n.log_fluidity = at(f->log_fluidity, J);
+        n.log_slope = at(f->log_slope, J);
     }
     return n;
 }

@@ -37,6 +37,7 @@
     FIELD(F,       LANES,  1, 0, 0, 0, 0) /* right-hand side of Reynolds' */ \
     FIELD(r,       LANES,  1, 0, 0, 0, 0) /* residual F - N */ \
     FIELD(log_fluidity, FLUIDITY, 1, 0, 0, 0, 0) /* log2(1/eta) */ \
+    FIELD(log_slope, FLUIDITY, 1, 0, 0, 0, 0) /* d ln(1/eta)/dP */ \
     FIELD(gap,     LANES,  0, 1, 0, 0, 0) /* undeformed gap (hierarchy.h) */ \
     FIELD(w,       WIDE,   0, 0, 0, 0, 0) /* deformation */ \
     FIELD(entry,   LANES,  0, 0, 0, 0, 0) /* P when the cycle came to it */ \

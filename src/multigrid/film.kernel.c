@@ -8,7 +8,7 @@
  *     d eps/dP (H fixed) = (rho' H - q eta'/eta) H^2/(eta lambda)
  *     d eps/dH (P fixed) = (3 rho - q (d eta/dH)/eta) H^2/(eta lambda), where
  *                          it has a place
- *     log2(1/eta), where it has one
+ *     log2(1/eta) and d ln(1/eta)/dP, where they have one
  *
  * With temperatures (fields.h), which are frozen in a cycle,
  *     log2(1/eta) <- th log2(1/eta) + shift,  rho <- swell rho
@@ -138,8 +138,10 @@ static INLINE void flow(const film *c, bool other, ptrdiff_t start,
         if (f->swell)
             q = swelled(f, i);
         power = larger(power, all(-900));
-        if (f->log_fluidity)
+        if (f->log_fluidity) {
             store(f->log_fluidity + i, power);
+            store(f->log_slope + i, -slope);
+        }
         vec factor = scaled_exp2(&c->conductance, power) * (H * H);
         vec dq = less(load(f->dq + i), q, slope);
         store(f->eps + i, q * factor);

@@ -41,8 +41,10 @@ void ovr_film_plain(const ovr_fluid *fluid, double H0, const ovr_lanes *g,
             q = rho * H;
         }
         power = fmax(power, -900);
-        if (f->log_fluidity)
+        if (f->log_fluidity) {
             f->log_fluidity[i] = power;
+            f->log_slope[i] = -slope[0];
+        }
         flow = H * H * exp2(power) / fluid->lambda;
         f->H[i] = H;
         f->rho[i] = rho;

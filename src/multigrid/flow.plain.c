@@ -137,7 +137,8 @@ typedef struct between {
 } between;
 
 /* h (rho_i + rho_j) times the logarithmic mean of m = eps/(rho H^3). */
-static between logarithmic(const ovr_pair *n, double d, const double slope[2])
+static between logarithmic(const ovr_pair *n, double d, const double s[2],
+                           const double slope[2])
 {
     double a = pow(face_film(n->H[0]), 3), b = pow(face_film(n->H[1]), 3);
     double rho[2] = {n->q[0] / n->H[0], n->q[1] / n->H[1]},
@@ -146,14 +147,19 @@ static between logarithmic(const ovr_pair *n, double d, const double slope[2])
                    fmax(n->eps[1], 0) / (b * rho[1])};
     double x = d / 2, mean = (m[0] + m[1]) / 2 * (x != 0 ? tanh(x) / x : 1);
     double flow = h * (rho[0] + rho[1]) * mean;
-    between s = {.value = flow,
-                 .left = 2 * h * rho[0] * m[0],
-                 .right = 2 * h * rho[1] * m[1]};
+    double bound[2] = {2 * h * rho[0] * m[0], 2 * h * rho[1] * m[1]}, by[2];
+    for (int k = 0; k < 2; k++) {
+        double sign = k ? -1 : 1, exact = flow - s[k] * (flow - bound[k]) / d;
+        if (fabs(d) < 1e-3)
+            exact = flow - sign * s[k] * flow / 2;
+        by[k] = fmax(exact, fmin(flow, bound[k]));
+    }
+    between of = {.value = flow, .left = by[0], .right = by[1]};
     for (int k = 0; k < 2; k++) {
         double p = 2 * (k ? a : b) / (a + b), H = face_film(n->H[k]);
-        s.by_film[k] = p * (1.5 * flow / H + slope[k] - 3 * n->eps[k] / H);
+        of.by_film[k] = p * (1.5 * flow / H + slope[k] - 3 * n->eps[k] / H);
     }
-    return s;
+    return of;
 }
 
 static between eps_at(const ovr_fluid *fluid, const ovr_fields *f, ptrdiff_t i)
@@ -164,8 +170,11 @@ static between eps_at(const ovr_fluid *fluid, const ovr_fields *f, ptrdiff_t i)
             .H = {f->H[i], f->H[i + 1]},
             .q = {f->rho[i] * f->H[i], f->rho[i + 1] * f->H[i + 1]},
             .eps = {f->eps[i], f->eps[i + 1]}};
-        double power = f->log_fluidity[i + 1] - f->log_fluidity[i];
-        return logarithmic(&n, log(2) * power, slope);
+        double d = log(2) * (f->log_fluidity[i + 1] - f->log_fluidity[i]);
+        double rise = f->P[i + 1] - f->P[i];
+        const double s[2] = {f->log_slope[i] * rise,
+                             f->log_slope[i + 1] * rise};
+        return logarithmic(&n, d, s, slope);
     }
     sum s = sum_of(fluid->by_gap, 3, f->H + i, f->eps + i, slope);
     double rise = f->P[i + 1] - f->P[i];
@@ -256,9 +265,10 @@ double ovr_flow_between(const ovr_fluid *fluid, double dX,
     const double *H = nodes->H, *q = nodes->q, none[2] = {0};
     const double drag[2] = {q[0] * H[0], q[1] * H[1]};
     bool gap = fluid->by_gap;
-    double twice_eps = fluid->logarithmic
-                           ? logarithmic(nodes, log_ratio(nodes), none).value
-                           : sum_of(gap, 3, H, nodes->eps, none).value;
+    double twice_eps =
+        fluid->logarithmic
+            ? logarithmic(nodes, log_ratio(nodes), none, none).value
+            : sum_of(gap, 3, H, nodes->eps, none).value;
     double slope, phi = fluid->factor
                             ? ovr_flow_factor_at(fluid->factor,
                                                  0.5 * (H[0] + H[1]), &slope)

@@ -102,31 +102,25 @@ static inline vec cube_at(const ovr_fields *f, ptrdiff_t J)
     return h * h * h;
 }
 
-/* m = eps/(rho H^3) and d ln m/dP of a node. */
-typedef struct fluidity {
-    vec m, slope;
-} fluidity;
-
-static inline fluidity fluidity_at(const ovr_fields *f, ptrdiff_t J)
+/* m = eps/(rho H^3) */
+static inline vec fluidity_at(const ovr_fields *f, ptrdiff_t J)
 {
-    vec eps = at(f->eps, J), rho = at(f->rho, J);
-    vec h = face_film(at(f->H, J));
-    return (fluidity){eps / (rho * (h * h * h)),
-                      at(f->deps, J) / eps - at(f->dq, J) / (rho * h)};
+    return at(f->eps, J) / (at(f->rho, J) * cube_at(f, J));
 }
 
 /* The integral of m dP from node to node. */
 static void reduced_rises(const ovr_lanes *g, const ovr_fields *f, double *rise)
 {
     const double ln2 = 0x1.62e42fefa39efp-1, most = 0.3;
-    fluidity left = fluidity_at(f, -REACH);
+    vec left = fluidity_at(f, -REACH);
     for (ptrdiff_t J = -REACH; J < (ptrdiff_t)g->S + REACH - 1; J++) {
-        fluidity right = fluidity_at(f, J + 1);
+        vec right = fluidity_at(f, J + 1);
         vec d = at(f->log_fluidity, J + 1) - at(f->log_fluidity, J);
         vec dP = at(f->P, J + 1) - at(f->P, J);
-        vec bend = (1. / 12) * (right.slope - left.slope) * dP;
+        vec slopes = at(f->log_slope, J + 1) - at(f->log_slope, J);
+        vec bend = (1. / 12) * slopes * dP;
         bend = larger(all(-most), smaller(all(most), bend));
-        put(rise, J, face_log_mean(left.m, right.m, ln2 * d) * dP * (1 - bend));
+        put(rise, J, face_log_mean(left, right, ln2 * d) * dP * (1 - bend));
         left = right;
     }
 }
@@ -190,8 +184,9 @@ void OVR_KERNEL(fourth_order)(const ovr_lanes *g, const ovr_fourth *c,
                               const ovr_fields *f, const double *w)
 {
     ptrdiff_t S = (ptrdiff_t)g->S;
-    double *const fields[] = {f->P, f->H,  f->rho,  f->eps,          f->deps,
-                              f->q, f->dq, f->flow, f->log_fluidity, f->drag};
+    double *const fields[] = {
+        f->P, f->H,    f->rho,  f->eps,          f->deps,
+        f->q, f->flow, f->drag, f->log_fluidity, f->log_slope};
     for (size_t k = 0; k < sizeof fields / sizeof *fields; k++)
         if (fields[k])
             repeat_ends(fields[k], S, REACH);

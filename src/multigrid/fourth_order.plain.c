@@ -72,13 +72,11 @@ static double thinned(const ovr_fourth *c, const ovr_fields *f, double rise,
 /* The integral of m dP, m = eps/(rho H^3), from a node to the next. */
 static double reduced_rise(const ovr_fields *f, ptrdiff_t i)
 {
-    double m[2], slope[2], dP = f->P[i + 1] - f->P[i];
-    for (int k = 0; k < 2; k++) {
-        double H = f->H[i + k], rho = f->rho[i + k], eps = f->eps[i + k];
-        m[k] = eps / (rho * pow(H, 3));
-        slope[k] = f->deps[i + k] / eps - f->dq[i + k] / (rho * H);
-    }
-    double x = 0.5 * log(m[1] / m[0]), bend = (slope[1] - slope[0]) * dP / 12;
+    double m[2], dP = f->P[i + 1] - f->P[i];
+    for (int k = 0; k < 2; k++)
+        m[k] = f->eps[i + k] / (f->rho[i + k] * pow(f->H[i + k], 3));
+    double x = 0.5 * log(m[1] / m[0]),
+           bend = (f->log_slope[i + 1] - f->log_slope[i]) * dP / 12;
     double mean = 0.5 * (m[0] + m[1]) * (x != 0 ? tanh(x) / x : 1);
     return mean * dP * (1 - fmin(fmax(bend, -0.3), 0.3));
 }

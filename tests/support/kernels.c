@@ -107,6 +107,7 @@ void test_grid_logarithmic(test_grid *grid)
 {
     test_grid_gap(grid);
     grid->f.log_fluidity = take(grid);
+    grid->f.log_slope = take(grid);
     grid->fluid.logarithmic = true;
 }
 

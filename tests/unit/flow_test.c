@@ -83,7 +83,8 @@ TEST(thick_films_are_newtonian)
 /* A grid of two nodes: what the plain kernel makes of it. */
 typedef struct pair {
     double P[2], H[2], rho[2], q[2], eps[2], deps[2], deps_dH[2], out[5][2];
-    double alpha, log_fluidity[2]; /* eps falls as exp(-alpha P) */
+    double alpha, log_fluidity[2],
+        log_slope[2]; /* eps falls as exp(-alpha P) */
 } pair;
 
 static void evaluate(const ovr_fluid *fluid, pair *p)
@@ -104,10 +105,11 @@ static void evaluate(const ovr_fluid *fluid, pair *p)
         p->q[k] = p->rho[k] * p->H[k];
         p->deps[k] = -p->alpha * p->eps[k];
         p->deps_dH[k] = 3 * p->eps[k] / p->H[k];
+        p->log_slope[k] = -p->alpha;
         p->log_fluidity[k] = log2(p->eps[k] / (p->rho[k] * pow(p->H[k], 3)));
     }
     if (fluid->logarithmic)
-        f.log_fluidity = p->log_fluidity;
+        f.log_fluidity = p->log_fluidity, f.log_slope = p->log_slope;
     const ovr_lanes nodes = {2, 2, 1};
     if (ovr_flow_thins(fluid))
         test_kernels(0)->flow(fluid, 0.01, &nodes, &f);

@@ -184,15 +184,9 @@ static double flow_of(double X)
     return density(X) * pow(opening(X), 3) * fluidity_of(X);
 }
 
-static double flow_by_pressure(double X)
+static double log_slope(double X)
 {
-    double by_rho = 0.1 / density(X), by_m = -2 + 0.2 * pressure(X);
-    return flow_of(X) * (by_rho + by_m);
-}
-
-static double content_by_pressure(double X)
-{
-    return 0.1 * opening(X);
+    return -2 + 0.2 * pressure(X);
 }
 
 /* rho H^3 m dP/dX */
@@ -217,8 +211,8 @@ static errors by_reduced_pressure(const ovr_kernels *run, size_t n)
     fill(g, f->H, opening, -1, D);
     fill(g, f->rho, density, -1, D);
     fill(g, f->eps, flow_of, -1, D);
-    fill(g, f->deps, flow_by_pressure, -1, D);
-    fill(g, f->dq, content_by_pressure, -1, D);
+    fill(g, f->deps, NULL, -1, D);
+    fill(g, f->log_slope, log_slope, -1, D);
     fill(g, f->log_fluidity, log2_fluidity, -1, D);
     fill(g, f->q, NULL, -1, D);
     fill(g, g->w, NULL, -1, D);
