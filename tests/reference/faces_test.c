@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The flow between two nodes by the gap, and arithmetic: errors of second order
- * at levels 6 to 9 against the limit that the arithmetic mean's own fine levels
- * go to. */
+ * at levels 6 to 9 against the limit of the arithmetic mean's own fine levels;
+ * and by the logarithmic mean, of fourth order. */
 #include <math.h>
 #include <stdio.h>
 
@@ -24,6 +24,21 @@ static films steady(double M, double L, int level, ovr_faces faces)
     const ovr_observation *seen = ovr_simulation_observation(sim);
     assert_true(seen->converged);
     films f = {seen->H_cen, seen->H_min, seen->cycles};
+    ovr_simulation_free(sim);
+    return f;
+}
+
+/* The same with H_min by the parabola through three nodes. */
+static films located(double M, double L, int level, const ovr_options *like)
+{
+    ovr_error err = {0};
+    ovr_options o = *like;
+    o.level = level;
+    ovr_simulation *sim = test_simulation(M, L, &o);
+    CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+    const ovr_observation *seen = ovr_simulation_observation(sim);
+    assert_true(seen->converged);
+    films f = {seen->H_cen, seen->H_min_located, seen->cycles};
     ovr_simulation_free(sim);
     return f;
 }
@@ -75,6 +90,37 @@ TEST(smooth_films_are_more_exact)
             assert_true(fabs(m) < 1.05 * of[c].H_min[k] + 2 * known);
             assert_true(fabs(e) < fabs(before) / 3);
             assert_true(by_gap.cycles < both.cycles);
+        }
+    }
+}
+
+/* The minimum film thickness by the logarithmic mean, with corrections of fourth
+ * order, against the limit of the arithmetic mean's levels 11 and 12 at second
+ * order: a tenth to a half of the errors by the gap, in about as many cycles. */
+TEST(minimum_films_by_the_logarithmic_mean)
+{
+    static const struct {
+        double M, L, maximum[3]; /* at levels 6 to 8 */
+    } of[] = {{20, 10, {2e-4, 1e-4, 4e-5}}, {100, 10, {4e-3, 6e-4, 6e-4}}};
+    for (size_t c = 0; c < sizeof of / sizeof *of; c++) {
+        ovr_options o = test_options();
+        double limit[2], M = of[c].M, L = of[c].L;
+        for (int k = 0; k < 2; k++)
+            limit[k] = located(M, L, 11 + k, &o).H_min;
+        double H_min = beyond(limit[0], limit[1]);
+        o.order = 4;
+        for (int k = 0; k < 3; k++) {
+            o.faces = OVR_FACES_LOGARITHMIC;
+            films now = located(M, L, 6 + k, &o);
+            o.faces = OVR_FACES_GAP;
+            films gap = located(M, L, 6 + k, &o);
+            double e = now.H_min / H_min - 1, before = gap.H_min / H_min - 1;
+            print_message("M %g L %g level %d: H_min %+.1e (%+.1e by the gap), "
+                          "cycles %d (%d)\n",
+                          M, L, 6 + k, e, before, now.cycles, gap.cycles);
+            assert_true(fabs(e) < of[c].maximum[k]);
+            assert_true(fabs(e) < fabs(before) / 2);
+            assert_true(now.cycles <= gap.cycles + 5);
         }
     }
 }
