@@ -94,9 +94,10 @@ TEST(smooth_films_are_more_exact)
     }
 }
 
-/* The minimum film thickness by the logarithmic mean, with corrections of fourth
- * order, against the limit of the arithmetic mean's levels 11 and 12 at second
- * order: a tenth to a half of the errors by the gap, in about as many cycles. */
+/* The minimum film thickness by the logarithmic mean, with corrections of
+ * fourth order, against the limit of the arithmetic mean's levels 11 and 12 at
+ * second order: a tenth to a half of the errors by the gap, in about as many
+ * cycles. */
 TEST(minimum_films_by_the_logarithmic_mean)
 {
     static const struct {
