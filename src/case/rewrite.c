@@ -33,9 +33,6 @@ static const changed_default changed_defaults[] = {
     {"0.3.0", "domain", "faces", "arithmetic", NULL,
      "central film at level 8: off by 2.5e-4 before, 5e-5 today (M = 20, "
      "L = 10)"},
-    {"0.4.0", "domain", "faces", "gap", NULL,
-     "minimum film thickness at level 7: error of 3.1e-4 before, 5e-5 today "
-     "(M = 20, L = 10)"},
     {"0.3.0", "domain", "order", "2", "heat.model = lobatto",
      "fourth order with heat too: an Eyring film of 1.16 GPa off by 1.7e-4 "
      "before, 1e-5 today (level 7)"},

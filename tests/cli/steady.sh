@@ -83,7 +83,7 @@ done
 # The estimated discretization error is near the true one (H_cen at level 7:
 # 0.0841789 by the gap, 0.0841122 arithmetic, limit 0.0841967; by second order).
 expect 0 "$OVERROLL" steady --M 20 --L 10 --level 7 --set domain.order=2 \
-    --estimate-error --json
+    --set domain.faces=gap --estimate-error --json
 contains out '"error_level": 6'
 contains out '"H_cen_error": (1\.[6-9]|2\.[0-3])[0-9]*e-05'
 expect 0 "$OVERROLL" steady --M 20 --L 10 --level 7 --set domain.order=2 \
