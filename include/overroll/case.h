@@ -99,14 +99,6 @@ OVR_API void ovr_case_unset(ovr_case *c, const char *where);
  * directory gives this case again.  Owned by the case. */
 OVR_API const char *ovr_case_text(ovr_case *c, ovr_error *err);
 
-/* The text of a case of an earlier version in today's words, line by line: keys
- * that have moved stand where they belong, those with another name have it,
- * keys that have no effect, which are refused today, are comments with the
- * reason, and where a default has changed a comment has the value of then. */
-typedef void ovr_case_line(void *data, const char *text);
-OVR_API ovr_status ovr_case_rewrite(const ovr_case *c, ovr_case_line *put,
-                                    void *data, ovr_error *err);
-
 OVR_API const char *ovr_case_name(const ovr_case *c);
 OVR_API const char *ovr_case_directory(const ovr_case *c);
 
@@ -115,19 +107,15 @@ typedef struct ovr_case_entry {
     const char *section; /* "contact", "feature" */
     const char *name;    /* of a feature, else NULL */
     const char *key;
-    const char *text;   /* as given, else the default, else NULL */
-    bool given;         /* by the file or a setting */
-    const char *file;   /* or origin; NULL when not given */
-    long line;          /* 0: no line */
-    const char *before; /* section it was given in, to which it belonged in
-                           earlier versions; NULL: its own */
-    const char *once;   /* name it was given by, its own in earlier versions;
-                           NULL: the one of today */
-    double number;      /* SI, or bare; NAN: no number */
-    const char *unit;   /* SI unit of the number when it is physical */
-    size_t parameter;   /* its row in the table */
-    bool applies;       /* has a meaning beside the others: not that of a
-                           profile where there is none */
+    const char *text; /* as given, else the default, else NULL */
+    bool given;       /* by the file or a setting */
+    const char *file; /* or origin; NULL when not given */
+    long line;        /* 0: no line */
+    double number;    /* SI, or bare; NAN: no number */
+    const char *unit; /* SI unit of the number when it is physical */
+    size_t parameter; /* its row in the table */
+    bool applies;     /* has a meaning beside the others: not that of a
+                         profile where there is none */
 } ovr_case_entry;
 OVR_API size_t ovr_case_entries(const ovr_case *c);
 OVR_API ovr_case_entry ovr_case_entry_at(const ovr_case *c, size_t k);

@@ -52,7 +52,6 @@ typedef struct ovr_parameter {
     bool physics;        /* another value is another solution */
     const char *when;    /* it has an effect; NULL: always */
     const char *help;
-    const char *once; /* its name in earlier versions, still understood; NULL */
 } ovr_parameter;
 
 /*

@@ -205,11 +205,6 @@ void ovr_no_key(const ovr_section *section, const char *key, ovr_error *err)
                  key, section->name, section->name);
 }
 
-const char *ovr_slot_once(const ovr_parameter *row, const char *key)
-{
-    return strcmp(row->key, key) != 0 ? row->once : NULL;
-}
-
 ovr_slot *ovr_block_slot(const ovr_block *block, const char *key,
                          const ovr_parameter **row, ovr_error *err)
 {

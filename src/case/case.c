@@ -17,14 +17,12 @@
 typedef struct place {
     ovr_slot *slot; /* NULL: there is none */
     const ovr_parameter *row;
-    const char *before; /* section named, where the key no longer belongs */
-    const char *once;   /* key named, where it has another name today */
 } place;
 
 static place find_place(ovr_case *c, const char *where, ovr_error *err)
 {
     const char *point = strrchr(where, '.'), *name;
-    const ovr_section *named, *section;
+    const ovr_section *section;
     ovr_block *block;
     place at = {0};
     char header[OVR_NAME_MAX + 2];
@@ -34,10 +32,9 @@ static place find_place(ovr_case *c, const char *where, ovr_error *err)
         return at;
     }
     snprintf(header, sizeof header, "%.*s", (int)(point - where), where);
-    named = ovr_section_parse(header, &name, err);
-    if (!named)
+    section = ovr_section_parse(header, &name, err);
+    if (!section)
         return at;
-    section = ovr_section_now(named, point + 1);
     if (!ovr_parameter_find(section, point + 1)) {
         ovr_no_key(section, point + 1, err);
         return at;
@@ -45,8 +42,6 @@ static place find_place(ovr_case *c, const char *where, ovr_error *err)
     block = ovr_case_block(c, section, name, err);
     if (block)
         at.slot = ovr_block_slot(block, point + 1, &at.row, err);
-    at.before = section == named ? NULL : named->name;
-    at.once = at.slot ? ovr_slot_once(at.row, point + 1) : NULL;
     return at;
 }
 
@@ -97,8 +92,6 @@ ovr_status ovr_case_set(ovr_case *c, const char *where, const char *value,
     if (ovr_slot_read(row, value, &c->arena, &fresh, &why))
         return ovr_fail_from(err, &why, origin, 0);
     fresh.given = true;
-    fresh.before = at.before;
-    fresh.once = at.once;
     fresh.line = 0;
     fresh.file = ovr_arena_text(&c->arena, origin, err);
     if (!fresh.file)
@@ -188,8 +181,6 @@ ovr_case_entry ovr_case_entry_at(const ovr_case *c, size_t k)
         entry.key = row->key;
         entry.text = slot->text;
         entry.given = slot->given;
-        entry.before = slot->before;
-        entry.once = slot->once;
         entry.file = slot->file;
         entry.line = slot->line;
         entry.number = slot->number;
@@ -214,15 +205,9 @@ static bool is_same(const char *name, const char *where, size_t length)
 
 bool ovr_entry_is(const ovr_case_entry *entry, const char *where, size_t length)
 {
-    const ovr_parameter *row = ovr_parameter_row(entry->parameter, NULL);
-    const char *const keys[] = {entry->key, row->once};
-    for (int k = 0; k < 2 && keys[k]; k++) {
-        char name[300];
-        snprintf(name, sizeof name, "%s%s%s.%s", entry->section,
-                 entry->name ? "." : "", entry->name ? entry->name : "",
-                 keys[k]);
-        if (is_same(name, where, length))
-            return true;
-    }
-    return false;
+    char name[300];
+    snprintf(name, sizeof name, "%s%s%s.%s", entry->section,
+             entry->name ? "." : "", entry->name ? entry->name : "",
+             entry->key);
+    return is_same(name, where, length);
 }

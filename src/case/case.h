@@ -16,15 +16,13 @@ enum { OVR_NAME_MAX = 48, OVR_LINE_MAX = 190, OVR_CASE_MAX = 1 << 20 };
 typedef struct ovr_slot {
     const char *key;
     bool given;
-    bool stored;        /* by the text in a result file */
-    const char *before; /* section it was given in, where it once belonged */
-    const char *once;   /* former name that it was given by; NULL: its own */
-    const char *text;   /* as given or the default; NULL: neither */
-    const char *file;   /* or origin */
-    long line;          /* 0: not from a file */
-    long replaces;      /* line of the file that a later setting replaced */
-    double number;      /* SI or bare; of a word: what it stands for */
-    const char *unit;   /* as written; NULL: bare or a word */
+    bool stored;      /* by the text in a result file */
+    const char *text; /* as given or the default; NULL: neither */
+    const char *file; /* or origin */
+    long line;        /* 0: not from a file */
+    long replaces;    /* line of the file that a later setting replaced */
+    double number;    /* SI or bare; of a word: what it stands for */
+    const char *unit; /* as written; NULL: bare or a word */
     bool word;
     ovr_list list;
     unsigned bits;
@@ -60,11 +58,8 @@ ovr_status ovr_slot_read(const ovr_parameter *row, const char *text,
 ovr_status ovr_range_check(const ovr_parameter *row, double number,
                            const char *text, ovr_error *err);
 
-/* The former name of the row, if `key` is that; else NULL. */
-const char *ovr_slot_once(const ovr_parameter *row, const char *key);
-
 /* True if `where` names an entry: "contact.M", "feature.dent.depth" or
- * "feature dent.depth", by the name of its key or by the former one. */
+ * "feature dent.depth". */
 bool ovr_entry_is(const ovr_case_entry *entry, const char *where,
                   size_t length);
 

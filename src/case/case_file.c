@@ -25,20 +25,9 @@ static ovr_status open_section(ovr_case *c, const ovr_entry *entry,
     return OVR_OK;
 }
 
-/* The other name by which a key was given before, "" where it was the same. */
-static const char *first_name(const ovr_slot *slot, const char *key)
-{
-    const char *first = slot->once ? slot->once : slot->key;
-    return strcmp(first, key) != 0 ? first : "";
-}
-
 static ovr_status take_value(ovr_case *c, const ovr_entry *entry,
                              const ovr_block *block, ovr_error *err)
 {
-    const ovr_section *section = ovr_section_now(block->section, entry->key);
-    const ovr_block *home = section == block->section
-                                ? block
-                                : ovr_case_find_block(c, section->name, NULL);
     const ovr_parameter *row;
     ovr_slot *slot;
     ovr_status status;
@@ -46,20 +35,16 @@ static ovr_status take_value(ovr_case *c, const ovr_entry *entry,
         return ovr_fail(err, OVR_BAD_INPUT,
                         "the key is too long: at most %d characters",
                         OVR_NAME_MAX);
-    slot = ovr_block_slot(home, entry->key, &row, err);
+    slot = ovr_block_slot(block, entry->key, &row, err);
     if (!slot)
         return OVR_BAD_INPUT;
-    const char *first = first_name(slot, entry->key);
     if (slot->given)
         return ovr_fail_about(err, slot->key,
                               "'%s' is given twice in [%s] (first in line "
-                              "%ld%s%s)",
-                              entry->key, section->name, slot->line,
-                              *first ? ", as " : "", first);
+                              "%ld)",
+                              entry->key, block->section->name, slot->line);
     status = ovr_slot_read(row, entry->value, &c->arena, slot, err);
     slot->given = !status;
-    slot->once = ovr_slot_once(row, entry->key);
-    slot->before = home == block ? NULL : block->section->name;
     slot->file = c->name;
     slot->line = entry->line;
     return status;

@@ -94,32 +94,11 @@ const ovr_parameter *ovr_parameter_row(size_t k, const ovr_section **section)
     return NULL;
 }
 
-/* Sections, and where keys that they once had are now. */
-static const struct {
-    const char *before, *now;
-} moved[] = {{"solver", "paper"}};
-
-const ovr_section *ovr_section_now(const ovr_section *before, const char *key)
-{
-    for (size_t k = 0; k < sizeof moved / sizeof *moved; k++) {
-        const ovr_section *now = ovr_section_find(moved[k].now);
-        if (now && !strcmp(before->name, moved[k].before) &&
-            !ovr_parameter_find(before, key) && ovr_parameter_find(now, key))
-            return now;
-    }
-    return before;
-}
-
-bool ovr_parameter_is(const ovr_parameter *row, const char *key)
-{
-    return !strcmp(row->key, key) || (row->once && !strcmp(row->once, key));
-}
-
 const ovr_parameter *ovr_parameter_find(const ovr_section *section,
                                         const char *key)
 {
     for (size_t k = 0; k < section->count; k++)
-        if (ovr_parameter_is(&section->rows[k], key))
+        if (!strcmp(section->rows[k].key, key))
             return &section->rows[k];
     return NULL;
 }

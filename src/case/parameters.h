@@ -23,13 +23,6 @@ size_t ovr_section_first(const ovr_section *section);
 /* "b", "b^2/R", "b/um", "ph" or "". */
 const char *ovr_hertzian_name(ovr_hertzian hertzian);
 
-/* The section that a key given in a section belongs to: another one if it
- * has moved since. */
-const ovr_section *ovr_section_now(const ovr_section *before, const char *key);
-
-/* True if a key is that of a row, by its name or by its former one. */
-bool ovr_parameter_is(const ovr_parameter *row, const char *key);
-
 /* The row of a key in a section, or NULL. */
 const ovr_parameter *ovr_parameter_find(const ovr_section *section,
                                         const char *key);

@@ -92,34 +92,9 @@ static ovr_status report(const cli_call *call, const ovr_case *c,
     return OVR_OK;
 }
 
-static void put_text(void *data, const char *text)
-{
-    (void)data;
-    puts(text);
-}
-
-/* The case of an earlier version in today's words. */
-static int rewrite(const cli_call *call)
-{
-    int code;
-    ovr_error err = {0};
-    ovr_case *c;
-    if (!call->arguments)
-        return cli_usage(call, "--rewrite needs a case of an earlier version");
-    if (call->json)
-        return cli_usage(call, "--rewrite prints a case, not JSON");
-    c = cli_open_case(call, &code);
-    if (c && ovr_case_rewrite(c, put_text, NULL, &err))
-        code = cli_fail(&err);
-    ovr_case_free(c);
-    return code;
-}
-
 static int run(cli_call *call)
 {
     int code;
-    if (cli_flag(call, "rewrite"))
-        return rewrite(call);
     ovr_case *c = cli_open_case(call, &code);
     ovr_setup *setup;
     ovr_error err = {0};
@@ -141,11 +116,7 @@ static int run(cli_call *call)
     return code;
 }
 
-static const cli_option options[] = {
-    CLI_CASE_OPTIONS,
-    {"rewrite", NULL, "print a case of an earlier version in today's words",
-     false},
-    {0}};
+static const cli_option options[] = {CLI_CASE_OPTIONS, {0}};
 
 const cli_verb cli_check = {
     .name = "check",

@@ -8,8 +8,7 @@
  *           content, neither with an end
  *   end     a piece without name, holding the crc32 of all before it (64 bit)
  *
- * Pieces: "format" (a number of 64 bit; 1 where it is missing, as 0.1.0 wrote
- * none), "version" (of the program), "created" (the result file's date_created,
+ * Pieces: "format" (a number of 64 bit), "version" (of the program), "created" (the result file's date_created,
  * which ties the two together), "case path", "case text", "value +NAME" or
  * "value -NAME" (physics or not) with the parameter's text, "counts"
  * (checkpoint_counts), "base" (the checkpoint's number, 64 bit: store.h; 0

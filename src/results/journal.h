@@ -78,10 +78,6 @@ const unsigned char *ovr_journal_next(ovr_journal_walk *walk, ovr_arena *arena);
 
 /* ---- using */
 
-/* True of one of version 0.1.0, which held the new pages of a commit that was
- * cut: only that version's `resume` finishes it. */
-bool ovr_journal_is_first(int journal);
-
 /* True if the journal (of the file of that descriptor) knows a state of it, and
  * it is in none of those: see above.  Without memory it is not. */
 bool ovr_journal_torn(int journal, int file, const ovr_allocator *allocator);

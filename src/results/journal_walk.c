@@ -23,16 +23,6 @@ bool ovr_journal_first(ovr_journal_walk *w, int journal)
                crc32(0, (const void *)h, offsetof(ovr_journal_header, sum));
 }
 
-bool ovr_journal_is_first(int journal)
-{
-    char begin[sizeof OVR_JOURNAL_MAGIC - 1 + sizeof(uint64_t)];
-    const uint64_t first = 1;
-    return ovr_read_all(journal, begin, sizeof begin, 0) == 0 &&
-           memcmp(begin, OVR_JOURNAL_MAGIC, sizeof begin - sizeof first) == 0 &&
-           memcmp(begin + sizeof begin - sizeof first, &first, sizeof first) ==
-               0;
-}
-
 const unsigned char *ovr_journal_next(ovr_journal_walk *w, ovr_arena *arena)
 {
     ovr_journal_record *r = &w->record;

@@ -74,30 +74,3 @@ const char *ovr_unit(const ovr_scales *scales, ovr_unit_kind kind)
     bool si = scale == 1 || (scales->physical && isfinite(scale));
     return si ? ovr_kind_about(kind)->si : "1";
 }
-
-/* -------------------------------------------------------------- version 1 */
-
-ovr_unit_kind ovr_layout_kind_1(const char *path)
-{
-    static const char *const names[OVR_KINDS] = {
-        [OVR_KIND_COUNT] = " history/step history/pressure_maxima "
-                           "history/cycles history/retries ",
-        [OVR_KIND_FLAG] = " cavitated history/converged history/marked ",
-        [OVR_KIND_LENGTH] =
-            " x history/x_min_film_thickness history/x_max_pressure "
-            "history/x_spike history/x_cavitation ",
-        [OVR_KIND_HEIGHT] =
-            " film_thickness roughness history/min_film_thickness "
-            "history/central_film_thickness history/rigid_approach ",
-        [OVR_KIND_PRESSURE] = " pressure history/central_pressure "
-                              "history/max_pressure history/spike_pressure ",
-        [OVR_KIND_TIME] = " time history/time history/time_step ",
-        [OVR_KIND_VISCOSITY] = " viscosity ",
-        [OVR_KIND_FLOW] = " mass_flow "};
-    char word[160];
-    snprintf(word, sizeof word, " %s ", path);
-    for (ovr_unit_kind kind = OVR_KIND_COUNT; kind < OVR_KINDS; kind++)
-        if (names[kind] && strstr(names[kind], word))
-            return kind;
-    return OVR_KIND_NUMBER;
-}

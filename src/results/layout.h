@@ -10,7 +10,6 @@
 
 #include "overroll/results.h"
 
-/* Version 1, of overroll 0.1.0, names no kinds. */
 enum { OVR_FORMAT_VERSION = 2, OVR_FIELDS_MAX = 32 };
 
 /* The columns of the history where these physics are on, or the fields of a
@@ -18,9 +17,6 @@ enum { OVR_FORMAT_VERSION = 2, OVR_FIELDS_MAX = 32 };
  * unless that is NULL. */
 size_t ovr_layout_columns(unsigned physics, const ovr_observable **rows);
 size_t ovr_layout_fields(unsigned set, const ovr_observable **rows);
-
-/* The kind of a variable of a file of version 1 by its path. */
-ovr_unit_kind ovr_layout_kind_1(const char *path);
 
 typedef struct ovr_scales {
     bool physical;

@@ -27,7 +27,6 @@ struct ovr_restart {
     uint64_t number, format;
     ovr_restart_info info;
     ovr_case_value *values;
-    const char *lacks; /* the version before; NULL: nothing */
 };
 
 /* A piece in the file's memory. */
@@ -233,16 +232,24 @@ static ovr_status take_pieces(ovr_restart *r, ovr_error *err)
     return OVR_OK;
 }
 
-/* A file that another program wrote is taken by its names; only a later format
- * may mean something else by them. */
+/* Compares major and minor version: "0.4.1" continues a run of "0.4.0". */
+static bool is_same_minor(const char *version)
+{
+    const char *dot = strchr(OVERROLL_VERSION, '.');
+    size_t length = (size_t)(strchr(dot + 1, '.') - OVERROLL_VERSION) + 1;
+    return strncmp(version, OVERROLL_VERSION, length) == 0;
+}
+
+/* Another minor version may have other defaults and another state, so that the
+ * run would not continue as it began. */
 static ovr_status check_format(const ovr_restart *r, ovr_error *err)
 {
-    if (r->format > OVR_RESTART_FORMAT)
+    if (r->format > OVR_RESTART_FORMAT || !is_same_minor(r->version))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: was written by overroll %s in format %llu; this "
-                        "is %s, which reads formats up to %d",
+                        "%s: was written by overroll %s in format %llu, and "
+                        "overroll %s does not resume it; run the case again",
                         r->path, r->version, (unsigned long long)r->format,
-                        OVERROLL_VERSION, OVR_RESTART_FORMAT);
+                        OVERROLL_VERSION);
     if (r->counts.snapshots < 0 || r->counts.steps < 0)
         return refuse(r, "is damaged (negative counts)", err);
     return OVR_OK;
@@ -285,11 +292,6 @@ const ovr_restart_info *ovr_restart_about(const ovr_restart *r)
 const char *ovr_restart_created(const ovr_restart *r)
 {
     return r->created;
-}
-
-const char *ovr_restart_lacks(const ovr_restart *r)
-{
-    return r->lacks;
 }
 
 const ovr_counts *ovr_restart_counts(const ovr_restart *r)
@@ -339,8 +341,7 @@ typedef struct getting {
     bool write; /* else only look whether all fits */
 } getting;
 
-/* A number that the checkpoint does not know stays what it is, and so does an
- * array that versions before did not have (OVR_YOUNGER). */
+/* A number that the checkpoint does not know stays what it is. */
 static ovr_status get_state(void *context, const char *name, void *memory,
                             size_t bytes, ovr_error *err)
 {
@@ -349,16 +350,6 @@ static ovr_status get_state(void *context, const char *name, void *memory,
     bool found = find_state(get->restart, name, &p);
     if (!found && bytes <= sizeof(double))
         return OVR_OK;
-    if (!found && name[0] == OVR_YOUNGER[0]) {
-        get->restart->lacks = get->restart->version;
-        return OVR_OK;
-    }
-    if (!found && strcmp(get->restart->version, OVERROLL_VERSION) != 0)
-        return ovr_fail(
-            err, OVR_BAD_INPUT,
-            "%s: overroll %s, which wrote it, did not keep all that "
-            "%s goes on from (here '%s'): run the case again",
-            get->restart->path, get->restart->version, OVERROLL_VERSION, name);
     if (!found || p.bytes != bytes)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%s: does not fit this simulation (its '%s')",

@@ -92,12 +92,9 @@ static const char *or_else(const char *text, const char *other)
     return text ? text : other;
 }
 
-static ovr_unit_kind kind_of(ovr_result *r, uint64_t object, const char *path)
+static ovr_unit_kind kind_of(ovr_result *r, uint64_t object)
 {
-    const char *kind;
-    if (r->version == 1)
-        return ovr_layout_kind_1(path);
-    kind = text_of(r, object, "kind");
+    const char *kind = text_of(r, object, "kind");
     return kind ? ovr_kind_named(kind) : OVR_KIND_NUMBER;
 }
 
@@ -114,7 +111,7 @@ static void describe(ovr_result *r, uint64_t object, const char *path,
     v->long_name = or_else(text_of(r, object, "long_name"), v->name);
     v->unit = or_else(text_of(r, object, "units"), "1");
     v->scale = ovr_container_number(&r->container, object, "scale");
-    v->kind = kind_of(r, object, path);
+    v->kind = kind_of(r, object);
     v->rank = set->rank;
     for (int k = 0; k < set->rank; k++)
         v->shape[k] = (size_t)set->shape[k];
@@ -306,10 +303,10 @@ static ovr_status check_format(ovr_result *r, ovr_error *err)
     r->version = number_of(r, "format_version");
     if (isnan(r->version))
         return ovr_reader_not_ours(r, err);
-    if (r->version != 1 && r->version != OVR_FORMAT_VERSION)
+    if (r->version != OVR_FORMAT_VERSION)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%s: is written in format version %g, and this program "
-                        "reads versions 1 to %d",
+                        "reads version %d",
                         r->path, r->version, OVR_FORMAT_VERSION);
     return OVR_OK;
 }

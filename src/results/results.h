@@ -112,10 +112,6 @@ const ovr_restart_info *ovr_restart_about(const ovr_restart *restart);
 ovr_status ovr_restart_load(ovr_restart *restart, ovr_simulation *sim,
                             ovr_error *err);
 
-/* The version that wrote the loaded state, where that lacks arrays that it did
- * not have (OVR_YOUNGER); else NULL. */
-const char *ovr_restart_lacks(const ovr_restart *restart);
-
 /* The simulation whose state the writer's checkpoints hold: from now on
  * every checkpoint_interval, and at the end.  Borrowed. */
 void ovr_writer_checkpoints(ovr_writer *writer, ovr_simulation *sim);

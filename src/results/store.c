@@ -288,13 +288,6 @@ ovr_status ovr_store_open(ovr_store *s, ovr_error *err)
     status = take_lock(s, err);
     if (status != OVR_OK)
         return status;
-    if (ovr_journal_is_first(s->journal)) {
-        s->failed = ECANCELED; /* leave it as it is */
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: its last write was cut; 'overroll resume' of "
-                        "version 0.1.0 finishes it",
-                        s->path);
-    }
     error = ovr_journal_roll_back(s);
     if (error)
         return say(s, OVR_IO, error, "its last checkpoint cannot be restored",

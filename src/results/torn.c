@@ -118,7 +118,7 @@ bool ovr_journal_torn(int journal, int file, const ovr_allocator *allocator)
     ovr_arena scratch = ovr_arena_make(allocator);
     promises p = {.arena = &arena};
     ovr_journal_walk walk;
-    bool torn = ovr_journal_is_first(journal);
+    bool torn = false;
     if (ovr_journal_first(&walk, journal) && gather(&p, &walk, &scratch) &&
         p.states > 0 && p.count > 0) {
         qsort(p.list, p.count, sizeof *p.list, by_page);

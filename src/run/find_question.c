@@ -30,7 +30,7 @@ static bool row_of(const char *where, ovr_parameter_info *info)
         *info = ovr_parameter_at(k);
         if (strlen(info->section) == section &&
             !strncmp(info->section, where, section) &&
-            ovr_parameter_is(ovr_parameter_row(k, NULL), dot + 1))
+            !strcmp(info->key, dot + 1))
             return true;
     }
     return false;

@@ -96,14 +96,6 @@ ovr_status ovr_output_open(ovr_run *run, ovr_error *err);
 ovr_case_value *ovr_run_values(const ovr_case *c, ovr_arena *arena,
                                size_t *count);
 
-/* Gives the case of a resumed run what its file recorded (recorded_values.c).
- */
-ovr_status ovr_recorded_values(ovr_case *c, const ovr_restart_info *of,
-                               const char *path, ovr_error *err);
-
-/* The same for what the program chose of the domain. */
-void ovr_recorded_domain(ovr_setup *setup, const ovr_restart_info *of);
-
 /* The file of an earlier run, resumed: first what may be refused (another
  * physics), then the checkpoint's state into the simulation, then, to write,
  * the file. */

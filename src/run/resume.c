@@ -105,11 +105,6 @@ static void report_state(ovr_run *run, bool done)
         say(run, "goes on from T = %g, step %ld", state->T, state->step);
     else
         say(run, "has no checkpoint: the run begins again");
-    if (run->restored && ovr_restart_lacks(run->restart))
-        say(run,
-            "overroll %s kept less of the last step than is kept today: what "
-            "it lacks begins at zero",
-            ovr_restart_lacks(run->restart));
     if (run->restored && run->info.transient)
         run->info.fraction = state->T / run->setup->march->end;
 }
@@ -133,10 +128,7 @@ static ovr_status go_back(ovr_run *run, double complete, ovr_error *err)
 /* Before anything is changed in it. */
 static ovr_status as_recorded(ovr_run *run, ovr_error *err)
 {
-    if (run->restart &&
-        ovr_recorded_values(run->c, ovr_restart_about(run->restart),
-                            run->info.output, err))
-        return OVR_BAD_INPUT;
+    ovr_case_mark_stored(run->c);
     run->recorded = ovr_run_values(run->c, &run->arena, &run->recorded_count);
     return run->recorded ? OVR_OK
                          : ovr_fail(err, OVR_NO_MEMORY, "out of memory");

@@ -49,37 +49,6 @@ static void say_estimated(const ovr_review *r)
         1e9 * r->setup->contact->alpha);
 }
 
-/* A key given by the name that it once had. */
-static void say_renamed(const ovr_review *r, const ovr_case_entry *e)
-{
-    char line[24] = "";
-    if (e->line)
-        snprintf(line, sizeof line, ":%ld", e->line);
-    ovr_review_say(r, OVR_SAY_NOTE,
-                   "%s%s: '%s' in [%s] is called '%s' now; the old name is "
-                   "taken",
-                   e->file, line, e->once, e->section, e->key);
-}
-
-/* Keys given where they once belonged, or by a former name. */
-static void say_moved(const ovr_review *r)
-{
-    for (size_t k = 0; k < ovr_case_entries(r->c); k++) {
-        ovr_case_entry e = ovr_case_entry_at(r->c, k);
-        if (e.before && e.line)
-            ovr_review_say(r, OVR_SAY_NOTE,
-                           "%s:%ld: '%s' belongs in [%s] now, not in "
-                           "[%s]; it is taken",
-                           e.file, e.line, e.key, e.section, e.before);
-        else if (e.before)
-            ovr_review_say(r, OVR_SAY_NOTE,
-                           "%s: '%s.%s' is '%s.%s' now; it is taken", e.file,
-                           e.before, e.key, e.section, e.key);
-        else if (e.once)
-            say_renamed(r, &e);
-    }
-}
-
 /* Keys without effect that are no reason to refuse the case. */
 static void say_idle(const ovr_review *r)
 {
@@ -306,7 +275,6 @@ static void say_level(const ovr_review *r)
 
 static void before(const ovr_review *r, bool transient)
 {
-    say_moved(r);
     say_estimated(r);
     ovr_review_plausible(r->setup, r->say, r->data);
     ovr_review_element(r->setup, r->say, r->data);

@@ -18,6 +18,19 @@ void ovr_run_surface(const ovr_run *run, ovr_simulation *sim)
     ovr_simulation_sides(sim, NULL, NULL);
 }
 
+/* Replaces the domain that the case describes by the one of the checkpoint: a
+ * resumed run keeps its grid even if a changed key would choose another. */
+static void set_recorded_domain(ovr_setup *setup, const ovr_restart_info *of)
+{
+    ovr_options *o = setup->options;
+    ((ovr_resolved *)setup)->recorded = true;
+    if (!of->has_state || of->level <= 0)
+        return;
+    o->inlet = of->inlet;
+    o->outlet = of->outlet;
+    o->level = of->level;
+}
+
 ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
 {
     const ovr_allocator *allocator = &run->arena.allocator;
@@ -26,7 +39,7 @@ ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
     if (!run->setup)
         return OVR_BAD_INPUT;
     if (run->restart)
-        ovr_recorded_domain(run->setup, ovr_restart_about(run->restart));
+        set_recorded_domain(run->setup, ovr_restart_about(run->restart));
     if (run->resumed && !run->passes && run->setup->passes->number > 1)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%s: is one of several passes; 'overroll resume' goes "

@@ -575,7 +575,6 @@ static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
         return;
     ovr_show(state, "F_fourth", f->F, bytes);
     ovr_show(state, "gap_fourth", f->gap, bytes);
-    /* not in files of 0.2.0, whose runs go on as they began */
     OVR_SHOW(state, "follows_fourth", f->follows);
     if (f->follows) {
         ovr_show(state, "third_fourth", f->third, bytes);

@@ -391,7 +391,7 @@ void ovr_heat_visit(ovr_simulation *sim, void *own, ovr_pieces *state)
     for (int j = 0; j < points; j++)
         ovr_show_nodes(sim, state, "temperature", j + 1, h->T[j]);
     for (int j = 0; j < points; j++)
-        ovr_show_nodes(sim, state, OVR_YOUNGER "temperature_change", j + 1,
+        ovr_show_nodes(sim, state, "temperature_change", j + 1,
                        h->steps->change[j]);
     for (int k = 0; k < points + FIRST_FIELDS; k++)
         ovr_show_nodes(sim, state, "viscosity_by", k + 1, kept_of(h, k));

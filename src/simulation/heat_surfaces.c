@@ -116,19 +116,17 @@ static void visit_nodes(ovr_simulation *sim, int k, int m, ovr_pieces *state)
         psi[i * OVR_MODES] = mode[i];
 }
 
-/* 0.2.0 had nothing beyond the ends, and other modes where these remember more
- * than two passages: those are not gone on from. */
+/* What lies beyond the ends. */
 static void visit_ends(ovr_simulation *sim, int k, int bank, ovr_pieces *state)
 {
     const ovr_heat_surface *s = &sim->heated->steps->surface[k];
     double *psi = s->psi[bank];
     size_t n = sim->now.n, bytes = s->beyond * OVR_MODES * sizeof *psi;
-    bool longer = sim->heated->longest[k] > passages(sim, speed_of(sim, k));
-    const char *second = bank ? "_2" : "", *young = longer ? "" : OVR_YOUNGER;
+    const char *second = bank ? "_2" : "";
     char name[40];
-    snprintf(name, sizeof name, "%smemory_%d_before%s", young, k + 1, second);
+    snprintf(name, sizeof name, "memory_%d_before%s", k + 1, second);
     ovr_show(state, name, psi, bytes);
-    snprintf(name, sizeof name, "%smemory_%d_after%s", young, k + 1, second);
+    snprintf(name, sizeof name, "memory_%d_after%s", k + 1, second);
     ovr_show(state, name, psi + (s->beyond + n) * OVR_MODES, bytes);
 }
 

@@ -120,8 +120,6 @@ void ovr_simulation_restored(ovr_simulation *sim)
                                  .marked = seen.marked};
     ovr_steady_conditions(sim);
     sim->grids.fluid = sim->target.fluid;
-    if (!sim->order) /* version 0.1.0 */
-        sim->order = 2;
     OVR_EACH_PHYSICS(sim, p, restored)
         p->is->restored(sim, p->own);
     ovr_simulation_step_back(sim);

@@ -75,15 +75,11 @@ const char *ovr_simulation_strategy(const ovr_simulation *sim);
 /* A field by name, or NULL. */
 const ovr_observable *ovr_observable_field(const char *name);
 
-#define OVR_YOUNGER "+"
-
 /* Calls visit(context, name, address, size in bytes) for every piece of
  * memory that makes up the state between two steps: writing them all and
  * reading them back, by name, into a simulation created alike continues bit for
- * bit.  A number (8 bytes at most) that is not written back has its default,
- * and so has an array whose name begins with OVR_YOUNGER: versions before the
- * one that brought it did not save it.  Stops at the first status that is not
- * OVR_OK and returns it. */
+ * bit.  A number (8 bytes at most) that is not written back has its
+ * default.  Stops at the first status that is not OVR_OK and returns it. */
 ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
                                 void *context, ovr_error *err);
 /* Has to be called after a visit that wrote into the simulation. */

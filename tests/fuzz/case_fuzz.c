@@ -17,24 +17,6 @@ static void check_message(const ovr_error *err)
         abort();
 }
 
-typedef struct rewritten {
-    char *text;
-    size_t length;
-} rewritten;
-
-static void put_line(void *data, const char *line)
-{
-    rewritten *to = data;
-    size_t more = strlen(line);
-    to->text = realloc(to->text, to->length + more + 2);
-    if (!to->text)
-        abort();
-    memcpy(to->text + to->length, line, more);
-    to->length += more;
-    to->text[to->length++] = '\n';
-    to->text[to->length] = '\0';
-}
-
 static void check_again(ovr_case *c)
 {
     ovr_error err = {0};
@@ -47,21 +29,6 @@ static void check_again(ovr_case *c)
     if (!again)
         abort();
     ovr_case_free(again);
-}
-
-/* In today's words it is a case too. */
-static void check_rewritten(const ovr_case *c)
-{
-    ovr_error err = {0};
-    rewritten to = {0};
-    if (ovr_case_rewrite(c, put_line, &to, &err))
-        check_message(&err);
-    ovr_case *again = ovr_case_read_text(to.text ? to.text : "", "again", NULL,
-                                         NULL, &err);
-    if (!again)
-        abort();
-    ovr_case_free(again);
-    free(to.text);
 }
 
 /* An absolute path may be any file of this machine. */
@@ -95,7 +62,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
             check_message(&err);
     }
     if (c) {
-        check_rewritten(c);
         check_again(c);
     }
     ovr_setup_free(setup);

@@ -359,23 +359,29 @@ static void patch(const char *path, const char *after, const void *bytes,
     fclose(f);
 }
 
-/* The program's version does not matter, the format does. */
-TEST_IN_FOLDER(goes_by_format)
+/* Another patch version continues a run, another minor version or a later
+ * format does not. */
+TEST_IN_FOLDER(refuses_other_versions)
 {
     const char *path = test_path(*state, "a.h5");
     const uint64_t next = OVR_RESTART_FORMAT + 1;
-    char restart[4200];
+    char restart[4200], version[] = OVERROLL_VERSION;
     later l = {.known = 3};
     ovr_error err = {0};
     write_later(path, &l);
     snprintf(restart, sizeof restart, "%s.restart", path);
-    patch(restart, "version", "9.9", 3);
+    version[sizeof version - 2] = '9';
+    patch(restart, "version", version, sizeof version - 1);
     l.known = 0;
     CHECK_OK(read_later(path, &l, &err), &err);
     assert_true(l.known == 3);
     patch(restart, "format", &next, sizeof next);
     assert_null(ovr_restart_open(path, NULL, &err));
-    CHECK_ERROR(&err, OVR_BAD_INPUT, "9.9.0 in format 3");
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "in format 3");
+    write_later(path, &l);
+    patch(restart, "version", "9.9", 3);
+    assert_null(ovr_restart_open(path, NULL, &err));
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "written by overroll 9.9.0");
 }
 
 /* What `check` says of a writer's memory is what one takes. */

@@ -208,70 +208,24 @@ TEST_IN_FOLDER(stores_what_is_chosen)
     test_dent_free(&d);
 }
 
-/* A file as 0.1.0 made it: version 1, no kinds. */
-static herr_t forget_kind(hid_t object, const char *name,
-                          const H5O_info_t *about, void *unused)
+/* The kind of a variable that is a field is another than that of the number in
+ * the history that has its name. */
+TEST_IN_FOLDER(stores_the_kind_of_each_variable)
 {
-    (void)about;
-    (void)unused;
-    if (H5Aexists_by_name(object, name, "kind", H5P_DEFAULT) > 0)
-        H5Adelete_by_name(object, name, "kind", H5P_DEFAULT);
-    return 0;
-}
-
-static void make_version_1(const char *path)
-{
-    int version = 1;
-    hid_t file = H5Fopen(path, H5F_ACC_RDWR, H5P_DEFAULT), attribute;
-    H5Ovisit2(file, H5_INDEX_NAME, H5_ITER_INC, forget_kind, NULL,
-              H5O_INFO_BASIC);
-    attribute = H5Aopen(file, "format_version", H5P_DEFAULT);
-    assert_true(H5Awrite(attribute, H5T_NATIVE_INT, &version) >= 0);
-    H5Aclose(attribute);
-    assert_true(H5Fclose(file) >= 0);
-}
-
-/* Kinds and columns that version 1 did not have. */
-static bool of_version_1(const char *name)
-{
-    return strcmp(name, "order") != 0 && !strstr(name, "_force") &&
-           !strstr(name, "power_") && !strstr(name, "temperature") &&
-           !strstr(name, "heat_") && strcmp(name, "mean_film_thickness") != 0;
-}
-
-static size_t kinds_of(const char *path, ovr_unit_kind *kinds)
-{
+    const char *path = test_path(*state, "kinds.h5");
+    ovr_write_options o = options_for(path);
+    ovr_contact contact = test_contact_bare();
+    test_dent d;
+    test_dent_init(&d, NODES, 0);
+    o.fields = 0x7f;
+    write_run(&o, &contact, &d, 4);
     ovr_result *r = open_result(path);
-    const ovr_variable *v;
-    size_t count = 0;
-    for (size_t k = 0; (v = ovr_result_variable(r, k)); k++)
-        if (of_version_1(v->name))
-            kinds[count++] = v->kind;
     assert_int_equal(ovr_result_find(r, "mass_flow")->kind, OVR_KIND_FLOW);
     assert_int_equal(ovr_result_find(r, "history/mass_flow")->kind,
                      OVR_KIND_NUMBER);
     assert_int_equal(ovr_result_find(r, "history/rigid_approach")->kind,
                      OVR_KIND_HEIGHT);
     ovr_result_close(r);
-    return count;
-}
-
-TEST_IN_FOLDER(knows_kinds_of_version_1)
-{
-    const char *path = test_path(*state, "old.h5");
-    ovr_write_options o = options_for(path);
-    ovr_contact contact = test_contact_bare();
-    ovr_unit_kind now[64], then[64];
-    size_t count;
-    test_dent d;
-    test_dent_init(&d, NODES, 0);
-    o.fields = 0x7f;
-    write_run(&o, &contact, &d, 4);
-    count = kinds_of(path, now);
-    assert_true(count > 30 && count < 64);
-    make_version_1(path);
-    assert_int_equal(kinds_of(path, then), count);
-    assert_memory_equal(now, then, count * sizeof *now);
     test_dent_free(&d);
 }
 

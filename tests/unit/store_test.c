@@ -237,24 +237,6 @@ TEST_IN_FOLDER(ignores_the_journal_of_another_file)
     ovr_arena_release(&arena);
 }
 
-/* What the first version's commit left half done is not guessed at. */
-TEST_IN_FOLDER(refuses_a_journal_of_the_first_version)
-{
-    const char *path = test_path(*state, "g");
-    const char *journal = test_path(*state, "g.journal");
-    const char content[24] = "overroll journal\1";
-    ovr_store s;
-    ovr_arena arena;
-    test_write_text(path, "half of two");
-    test_write(journal, content, sizeof content);
-    prepare(&s, &arena, path);
-    assert_int_equal(ovr_store_open(&s, &err), OVR_BAD_INPUT);
-    CHECK_ERROR(&err, OVR_BAD_INPUT, "of version 0.1.0 finishes it");
-    ovr_store_close(&s);
-    assert_int_equal(access(journal, F_OK), 0);
-    ovr_arena_release(&arena);
-}
-
 TEST_IN_FOLDER(keeps_a_second_writer_out)
 {
     const char *path = test_path(*state, "d");

@@ -85,11 +85,9 @@ static const ovr_parameter gear_keys[] = {
      "helix_angle != 0; teeth_1",
      "where across the face; 0: the end that touches first"},
     {"min_share", PLAIN(0, 0.5), "0.02", GEAR(min_share), true, "teeth_1",
-     "the run begins and ends where the pair's share of the load passes it",
-     .once = "least_share"},
+     "the run begins and ends where the pair's share of the load passes it"},
     {"min_radius", PLAIN(0, 0.4), "0.05", GEAR(min_radius), true, "teeth_1",
-     "and where the radius of a flank passes this share of the line of action",
-     .once = "least_radius"},
+     "and where the radius of a flank passes this share of the line of action"},
 };
 
 const ovr_section ovr_gear_section = {
