@@ -10,6 +10,8 @@
 #include "base/given.h"
 #include "case/case.h"
 
+enum { COMMENT_COLUMN = 28 }; /* where a case of `overroll init` has comments */
+
 typedef struct growing {
     char *text;
     size_t length, capacity;
@@ -50,15 +52,33 @@ static void put_new(growing *g, const ovr_block *b)
             put_setting(g, b, k);
 }
 
+/* Writes a setting in place of the line `line` and keeps that line's comment in
+ * its column. */
+static void put_instead(growing *g, const ovr_block *b, size_t k,
+                        const char *line)
+{
+    const char *comment = line + strcspn(line, "#;\n");
+    size_t from = g->length;
+    put_setting(g, b, k);
+    if (*comment != '#' && *comment != ';')
+        return;
+    for (g->length--; g->length < from + COMMENT_COLUMN;)
+        put_text(g, " ");
+    put_text(g, " ");
+    put(g, comment, strcspn(comment, "\n"));
+    put_text(g, "\n");
+}
+
 /* Puts what stands in place of a line that was replaced (perhaps nothing);
  * false when the line stays. */
-static bool put_replaced(growing *g, const ovr_case *c, long line)
+static bool put_replaced(growing *g, const ovr_case *c, long line,
+                         const char *at)
 {
     for (const ovr_block *b = c->blocks; b; b = b->next)
         for (size_t k = 0; k < b->count; k++)
             if (b->slots[k].replaces == line) {
                 if (is_later(&b->slots[k]))
-                    put_setting(g, b, k);
+                    put_instead(g, b, k, at);
                 return true;
             }
     return false;
@@ -70,7 +90,7 @@ static void put_source(growing *g, const ovr_case *c)
     for (long line = 1; *at; line++) {
         size_t length = strcspn(at, "\n");
         length += at[length] == '\n';
-        if (!put_replaced(g, c, line)) {
+        if (!put_replaced(g, c, line, at)) {
             put(g, at, length);
             if (at[length - 1] != '\n')
                 put_text(g, "\n");
@@ -112,7 +132,8 @@ static size_t capacity_needed(const ovr_case *c)
         capacity += 2 * OVR_NAME_MAX;
         for (size_t k = 0; k < b->count; k++)
             if (is_later(&b->slots[k]))
-                capacity += OVR_NAME_MAX + strlen(b->slots[k].text) + 8;
+                capacity += OVR_NAME_MAX + strlen(b->slots[k].text) +
+                            COMMENT_COLUMN + 12;
     }
     return capacity;
 }

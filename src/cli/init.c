@@ -442,116 +442,31 @@ static const struct oil *find_oil(const cli_call *call, const char *name)
     return NULL;
 }
 
-/* ------------------------------------------------------------ values put in
- */
-
-/* The line of a key in its section: where it begins, or where the section ends
- * if it has no such line; NULL: there is no such section. */
-static char *find_line(char *text, const char *section, const char *key,
-                       bool *found)
-{
-    char head[90];
-    char *line, *end = NULL;
-    size_t length = strlen(key);
-    snprintf(head, sizeof head, "[%s]", section);
-    *found = false;
-    for (line = text; line && *line; line = strchr(line, '\n') + 1) {
-        if (*line == '[' && end)
-            break;
-        if (!strncmp(line, head, strlen(head)))
-            end = line;
-        else if (end && *line != '\n' && *line != '#')
-            end = line;
-        *found = end && !strncmp(line, key, length) &&
-                 !strncmp(line + length, " =", 2);
-        if (*found)
-            return line;
-        if (!strchr(line, '\n'))
-            break;
-    }
-    return end ? strchr(end, '\n') + 1 : NULL;
-}
-
-/* "feature.dent.depth=..." is of [feature dent]; where the key begins. */
-static const char *split(const char *setting, char *section, size_t capacity)
-{
-    const char *dot = strcspn(setting, "=") + setting;
-    while (dot > setting && *dot != '.')
-        dot--;
-    snprintf(section, capacity, "%.*s", (int)(dot - setting), setting);
-    char *inner = strchr(section, '.');
-    if (inner)
-        *inner = ' ';
-    return dot + 1;
-}
-
-/* Puts "section.key=value" into the text of a case: in place of the value that
- * stands there, before its comment, or as a line of its own. */
-static int put_value(cli_call *call, char **text, const char *setting)
-{
-    char section[80], key[80], line[400];
-    const char *equal = strchr(setting, '=');
-    const char *dot = strchr(setting, '.');
-    if (!equal || !dot || dot > equal)
-        return cli_usage(call, "--set %s: write section.key=value", setting);
-    const char *name = split(setting, section, sizeof section);
-    snprintf(key, sizeof key, "%.*s", (int)(equal - name), name);
-    bool found;
-    char *at = find_line(*text, section, key, &found);
-    const char *comment = NULL, *next = at;
-    if (at && found) {
-        comment = strchr(at, '#');
-        next = strchr(at, '\n') + 1;
-    }
-    if (comment && comment > next)
-        comment = NULL;
-    snprintf(line, sizeof line, "%s = %s", key, equal + 1);
-    char *made = NULL;
-    size_t bytes;
-    FILE *to = open_memstream(&made, &bytes);
-    if (!to)
-        return CLI_FAILED;
-    if (!at)
-        fprintf(to, "%s\n[%s]\n%s\n", *text, section, line);
-    else {
-        fprintf(to, "%.*s", (int)(at - *text), *text);
-        if (comment)
-            fprintf(to, "%-28s %.*s", line, (int)(next - comment), comment);
-        else
-            fprintf(to, "%s\n", line);
-        fputs(next, to);
-    }
-    if (fclose(to))
-        return CLI_FAILED;
-    free(*text);
-    *text = made;
-    return CLI_DONE;
-}
-
-/* The case with what was set in it, which is tried out first: a key that is
- * unknown or a value out of its range is told as everywhere. */
+/* Reads the template as a case and assigns the settings of --set, so that a
+ * wrong key or value is refused as in any other command.  `text` belongs to the
+ * case `c`. */
 static int make_text(cli_call *call, const struct kind *kind,
-                     const struct oil *oil, char **text)
+                     const struct oil *oil, ovr_case **c, const char **text)
 {
     ovr_error err = {0};
+    char *whole = NULL;
     size_t bytes;
+    FILE *to = open_memstream(&whole, &bytes);
+    const char *setting;
     int code = CLI_DONE;
-    FILE *to = open_memstream(text, &bytes);
     if (!to)
         return CLI_FAILED;
     put_case(kind, oil, to);
     if (fclose(to))
         return CLI_FAILED;
-    ovr_case *tried = ovr_case_create(NULL, &err);
-    const char *setting;
+    *c = ovr_case_read_text(whole, "init", NULL, NULL, &err);
+    free(whole);
     for (int k = 0;
-         !code && tried && (setting = cli_value_at(call, "set", k)) != NULL;
-         k++)
-        code = ovr_case_assign(tried, setting, "--set", &err)
-                   ? cli_fail(&err)
-                   : put_value(call, text, setting);
-    ovr_case_free(tried);
-    return code;
+         !code && *c && (setting = cli_value_at(call, "set", k)) != NULL; k++)
+        if (ovr_case_assign(*c, setting, "--set", &err))
+            code = cli_fail(&err);
+    *text = *c && !code ? ovr_case_text(*c, &err) : NULL;
+    return code || *text ? code : cli_fail(&err);
 }
 
 static int run(cli_call *call)
@@ -570,15 +485,16 @@ static int run(cli_call *call)
                   kind->name);
         return CLI_USAGE;
     }
-    char *text = NULL;
-    code = make_text(call, kind, oil, &text);
+    ovr_case *c = NULL;
+    const char *text = NULL;
+    code = make_text(call, kind, oil, &c, &text);
     if (code == CLI_DONE)
         code = cli_output_open(call, path, &out);
     if (code == CLI_DONE) {
         fputs(text, out.to);
         code = cli_output_close(&out, code);
     }
-    free(text);
+    ovr_case_free(c);
     return code;
 }
 

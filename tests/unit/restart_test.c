@@ -12,6 +12,7 @@
 #include <unistd.h>
 #include <zlib.h>
 
+#include "overroll/version.h"
 #include "results/results.h"
 #include "results/writer.h"
 #include "support/dent.h"
@@ -378,7 +379,9 @@ TEST_IN_FOLDER(refuses_other_versions)
     patch(restart, "format", &next, sizeof next);
     assert_null(ovr_restart_open(path, NULL, &err));
     CHECK_ERROR(&err, OVR_BAD_INPUT, "in format 3");
+    path = test_path(*state, "b.h5");
     write_later(path, &l);
+    snprintf(restart, sizeof restart, "%s.restart", path);
     patch(restart, "version", "9.9", 3);
     assert_null(ovr_restart_open(path, NULL, &err));
     CHECK_ERROR(&err, OVR_BAD_INPUT, "written by overroll 9.9.0");
