@@ -111,6 +111,7 @@ void *ovr_arena_take(ovr_arena *arena, size_t count, size_t size,
     if (!block || aligned(block->used) + bytes > block->size - OVERHEAD)
         block = add_block(arena, bytes);
     if (!block) {
+        arena->starved = true;
         ovr_fail(err, OVR_NO_MEMORY, "out of memory: %zu bytes needed", bytes);
         return NULL;
     }

@@ -23,6 +23,7 @@ typedef struct ovr_arena {
     size_t pieces;                  /* handed out */
     size_t releases;                /* how often it was emptied */
     bool blank;                     /* what the allocator gives is zero */
+    bool starved;                   /* an allocation has failed */
 } ovr_arena;
 
 /* An empty arena; `allocator` NULL means malloc and free. */

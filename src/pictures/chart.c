@@ -32,6 +32,48 @@ ovr_status ovr_form_of(const char *path, ovr_form *form, ovr_error *err)
                     "%s: a picture's name ends in .png, .svg or .pdf", path);
 }
 
+/* ---------------------------------------------------------------- panels */
+
+ovr_panel ovr_panel_make(const char *x_label, const char *y_label)
+{
+    return (ovr_panel){.x_label = x_label,
+                       .y_label = y_label,
+                       .x_from = NAN,
+                       .x_to = NAN,
+                       .y_from = NAN,
+                       .y_to = NAN};
+}
+
+/* The capacity is the next power of two of `count`. */
+void ovr_panel_add(ovr_panel *p, ovr_arena *arena, ovr_series series)
+{
+    size_t n = p->count;
+    ovr_series *all = (ovr_series *)p->series;
+    if ((n & (n - 1)) == 0) {
+        all = ovr_arena_take(arena, n ? 2 * n : 1, sizeof *all, NULL);
+        if (!all)
+            return;
+        if (n)
+            memcpy(all, p->series, n * sizeof *all);
+    }
+    all[n] = series;
+    p->series = all;
+    p->count++;
+}
+
+void ovr_panel_line(ovr_panel *p, ovr_arena *arena, double x0, double x1,
+                    double y0, double y1, ovr_series look)
+{
+    double *at = ovr_arena_take(arena, 4, sizeof *at, NULL);
+    if (!at)
+        return;
+    at[0] = x0, at[1] = x1, at[2] = y0, at[3] = y1;
+    look.n = look.n ? look.n : 2;
+    look.x = at;
+    look.y = at + 2;
+    ovr_panel_add(p, arena, look);
+}
+
 /* -------------------------------------------------------------- settings */
 
 /* Members that become arrays of settings, by their place in a struct. */

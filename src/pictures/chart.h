@@ -87,6 +87,18 @@ typedef struct ovr_chart {
     const ovr_panel *panel; /* row by row */
 } ovr_chart;
 
+/* Returns a panel whose axes follow from its data. */
+ovr_panel ovr_panel_make(const char *x_label, const char *y_label);
+
+/* Adds a curve.  Without memory the curve is missing and `arena->starved` is
+ * set, which drawing reports. */
+void ovr_panel_add(ovr_panel *panel, ovr_arena *arena, ovr_series series);
+
+/* Adds the line from (x0, y0) to (x1, y1) with the other members of `look`; its
+ * first point alone where look.n = 1. */
+void ovr_panel_line(ovr_panel *panel, ovr_arena *arena, double x0, double x1,
+                    double y0, double y1, ovr_series look);
+
 /* x and y of point i as they are drawn. */
 double ovr_series_x(const ovr_series *series, size_t i);
 double ovr_series_y(const ovr_series *series, size_t i);

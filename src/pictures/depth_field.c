@@ -320,40 +320,23 @@ static void put_contours(const ovr_depth_field *f, ovr_image *image, char *thin,
     image->bold_contours = bold;
 }
 
-/* The curves of a panel: its mark, where its mesh begins to be seen,
- * interfaces. */
-enum { SERIES = 2 + OVR_LAYERS_MAX };
-
-static void add(ovr_panel *panel, ovr_series series)
+static void add_mark(ovr_panel *panel, ovr_arena *arena, double X, double z)
 {
-    ((ovr_series *)panel->series)[panel->count++] = series;
-}
-
-static void add_mark(ovr_panel *panel, double *point, double X, double z)
-{
-    point[0] = X;
-    point[1] = z;
     if (X >= panel->x_from && X <= panel->x_to)
-        add(panel, (ovr_series){.n = 1,
-                                .x = point,
-                                .y = point + 1,
-                                .mark = OVR_MARK_CROSS,
-                                .colour = OVR_RED,
-                                .width = 3});
+        ovr_panel_line(
+            panel, arena, X, X, z, z,
+            (ovr_series){
+                .n = 1, .mark = OVR_MARK_CROSS, .colour = OVR_RED, .width = 3});
 }
 
 /* A line at a depth: dotted where the mesh begins to be seen, else at an
  * interface. */
-static void add_line(ovr_panel *panel, double *line, double z, ovr_mark mark)
+static void add_line(ovr_panel *panel, ovr_arena *arena, double z,
+                     ovr_mark mark)
 {
-    line[0] = panel->x_from, line[1] = panel->x_to;
-    line[2] = line[3] = z;
-    add(panel, (ovr_series){.n = 2,
-                            .x = line,
-                            .y = line + 2,
-                            .mark = mark,
-                            .colour = OVR_WHITE,
-                            .width = 1.2});
+    ovr_panel_line(
+        panel, arena, panel->x_from, panel->x_to, z, z,
+        (ovr_series){.mark = mark, .colour = OVR_WHITE, .width = 1.2});
 }
 
 bool ovr_depth_field_is_pressed(const ovr_depth_field *f)
@@ -425,29 +408,25 @@ ovr_status ovr_depth_field_panel(ovr_depth_field *f, ovr_units units,
     char *label = ovr_arena_take(arena, 80, 1, err);
     char *depth = ovr_arena_take(arena, 80, 1, err);
     char *levels = ovr_arena_take(arena, 2 * CAPACITY, 1, err);
-    double *points = ovr_arena_take(arena, 6 + 4 * OVR_LAYERS_MAX,
-                                    sizeof *points, err);
-    ovr_series *series = ovr_arena_take(arena, SERIES, sizeof *series, err);
     ovr_axis x;
-    if (!label || !depth || !levels || !points || !series ||
+    if (!label || !depth || !levels ||
         ovr_axis_make(OVR_KIND_LENGTH, f->run->result, units, f->x_to, &x, err))
         return OVR_BAD_INPUT;
     fill_cells(f);
     turn_over(f->cells);
-    *panel = (ovr_panel){.series = series};
+    *panel = (ovr_panel){0};
     set_axes(f, &x, depth, 80, panel);
     put_label(f, label, 80);
     panel->image = image_of(f, f->worst.value, label);
     put_contours(f, &panel->image, levels, levels + CAPACITY, CAPACITY);
-    add_line(panel, points + 2, drawn_depth(f, f->minimum, x.factor),
+    add_line(panel, arena, drawn_depth(f, f->minimum, x.factor),
              OVR_MARK_DOTTED);
     for (int j = 0; j < f->coated.body.layers; j++) {
         double z = ovr_layered_bottom(&f->coated.body, j);
         if (z < f->z_to && !(f->logarithmic && z < f->mesh))
-            add_line(panel, points + 6 + 4 * j, drawn_depth(f, z, x.factor),
-                     OVR_MARK_LINE);
+            add_line(panel, arena, drawn_depth(f, z, x.factor), OVR_MARK_LINE);
     }
-    add_mark(panel, points, f->worst.X * x.factor,
+    add_mark(panel, arena, f->worst.X * x.factor,
              drawn_depth(f, f->worst.Z, x.factor));
     return OVR_OK;
 }

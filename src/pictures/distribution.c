@@ -99,17 +99,6 @@ static double *sorted_values(const drawing *d, size_t group, size_t *count)
 
 /* ------------------------------------------------------------------- panels */
 
-static ovr_status add_line(const drawing *d, ovr_series *s, double x0,
-                           double x1, double y0, double y1)
-{
-    double *p = ovr_arena_take(d->arena, 4, sizeof *p, d->err);
-    if (!p)
-        return OVR_NO_MEMORY;
-    p[0] = x0, p[1] = x1, p[2] = y0, p[3] = y1;
-    *s = (ovr_series){.n = 2, .x = p, .y = p + 2};
-    return OVR_OK;
-}
-
 static const int colours[] = {OVR_BLUE,  OVR_AMBER,  OVR_GREEN, OVR_RED,
                               OVR_STEEL, OVR_VIOLET, OVR_GREY};
 static int colour(size_t k)
@@ -118,19 +107,19 @@ static int colour(size_t k)
 }
 
 /* Steps of a histogram in % of the draws, and the empirical distribution. */
-static ovr_status add_group(drawing *d, size_t group, ovr_series *steps,
-                            ovr_series *rises, double *maximum)
+static void add_group(drawing *d, size_t group, ovr_panel panel[2],
+                      double *maximum)
 {
     size_t n, bins, i = 0;
     double *v = sorted_values(d, group, &n);
     if (!v)
-        return OVR_NO_MEMORY;
+        return;
     bins = (size_t)ceil(2 * cbrt((double)n)); /* Rice */
     bins = bins > BINS ? BINS : bins;
-    double *x = ovr_arena_take(d->arena, 4 * bins + 4 * n, sizeof *x, d->err);
+    double *x = ovr_arena_take(d->arena, 4 * bins + 4 * n, sizeof *x, NULL);
     double width = (v[n - 1] - v[0]) / (double)bins;
     if (!x)
-        return OVR_NO_MEMORY;
+        return;
     double *y = x + 2 * bins, *at = y + 2 * bins, *part = at + 2 * n;
     for (size_t b = 0; b < bins; b++) {
         double end = v[0] + width * (double)(b + 1), count = 0;
@@ -145,47 +134,44 @@ static ovr_status add_group(drawing *d, size_t group, ovr_series *steps,
         part[2 * k] = 100 * (double)k / (double)n;
         part[2 * k + 1] = 100 * (double)(k + 1) / (double)n;
     }
-    const char *label = d->rows > 1 ? d->row[group]->group : NULL;
-    *steps = (ovr_series){.label = label,
-                          .n = 2 * bins,
-                          .x = x,
-                          .y = y,
-                          .colour = colour(group),
-                          .mark = d->rows > 1 ? OVR_MARK_LINE : OVR_MARK_AREA};
-    *rises = (ovr_series){
-        .n = 2 * n, .x = at, .y = part, .colour = colour(group)};
+    ovr_panel_add(
+        &panel[0], d->arena,
+        (ovr_series){.label = d->rows > 1 ? d->row[group]->group : NULL,
+                     .n = 2 * bins,
+                     .x = x,
+                     .y = y,
+                     .colour = colour(group),
+                     .mark = d->rows > 1 ? OVR_MARK_LINE : OVR_MARK_AREA});
+    ovr_panel_add(
+        &panel[1], d->arena,
+        (ovr_series){.n = 2 * n, .x = at, .y = part, .colour = colour(group)});
     d->low = fmin(d->low, v[0]);
     d->high = fmax(d->high, v[n - 1]);
-    return OVR_OK;
+}
+
+static void add_upright(drawing *d, ovr_panel *to, double at, ovr_series look)
+{
+    ovr_panel_line(to, d->arena, at, at, 0, 1e3, look);
 }
 
 /* Upright lines: quantiles of a group, dotted, the median dashed; limits. */
-static ovr_status add_uprights(drawing *d, size_t group, ovr_series *to,
-                               size_t *count)
+static void add_uprights(drawing *d, size_t group, ovr_panel *to)
 {
     static const int shown[] = {1, 3, 5}; /* 5, 50, 95 % */
     const ovr_sample_row *r = d->row[group];
-    for (int k = 0; k < 3; k++) {
-        double q = r->quantile[shown[k]] * d->factor;
-        ovr_series *s = &to[*count];
-        if (add_line(d, s, q, q, 0, 1e3))
-            return OVR_NO_MEMORY;
-        s->colour = colour(group);
-        s->mark = k == 1 ? OVR_MARK_DASHED : OVR_MARK_DOTTED;
-        s->width = 1.6;
-        ++*count;
-    }
+    for (int k = 0; k < 3; k++)
+        add_upright(
+            d, to, r->quantile[shown[k]] * d->factor,
+            (ovr_series){.colour = colour(group),
+                         .mark = k == 1 ? OVR_MARK_DASHED : OVR_MARK_DOTTED,
+                         .width = 1.6});
     for (size_t k = 0; group == 0 && k < r->limits; k++) {
         double limit = r->limit[k] * d->factor;
-        if (add_line(d, &to[*count], limit, limit, 0, 1e3))
-            return OVR_NO_MEMORY;
-        to[*count].colour = OVR_RED;
-        to[*count].label = "limit";
+        add_upright(d, to, limit,
+                    (ovr_series){.colour = OVR_RED, .label = "limit"});
         d->low = fmin(d->low, limit);
         d->high = fmax(d->high, limit);
-        ++*count;
     }
-    return OVR_OK;
 }
 
 /* Inputs of the first group in the order of their effects. */
@@ -206,90 +192,64 @@ static size_t list_inputs(const drawing *d, const ovr_sample_input **to)
     return n;
 }
 
-static ovr_status add_inputs(drawing *d, ovr_panel *tornado, ovr_panel *shares)
+static void add_inputs(drawing *d, ovr_panel *tornado, ovr_panel *shares)
 {
     const ovr_sample_input *in[INPUTS];
     size_t n = list_inputs(d, in);
-    ovr_series *bars = ovr_arena_take(d->arena, n, sizeof *bars, d->err);
-    ovr_series *marks = ovr_arena_take(d->arena, 2 * n, sizeof *marks, d->err);
-    if (!bars || !marks)
-        return OVR_NO_MEMORY;
     for (size_t k = 0; k < n; k++) {
         double y = (double)(n - k);
-        char *label = ovr_arena_take(d->arena, LABEL, 1, d->err);
-        if (!label ||
-            add_line(d, &bars[k], in[k]->lowest * d->factor,
-                     in[k]->highest * d->factor, y, y) ||
-            add_line(d, &marks[2 * k], in[k]->share_low, in[k]->share_high, y,
-                     y) ||
-            add_line(d, &marks[2 * k + 1], in[k]->share, in[k]->share, y, y))
-            return OVR_NO_MEMORY;
+        char label[LABEL];
         snprintf(label, LABEL, "%.120s, rho %+.2f", in[k]->key, in[k]->rho);
-        bars[k].label = label;
-        bars[k].width = 8;
-        bars[k].colour = marks[2 * k].colour = colour(k);
-        marks[2 * k + 1].colour = colour(k);
-        marks[2 * k + 1].mark = OVR_MARK_POINTS;
-        marks[2 * k + 1].width = 4;
+        ovr_panel_line(
+            tornado, d->arena, in[k]->lowest * d->factor,
+            in[k]->highest * d->factor, y, y,
+            (ovr_series){.label = ovr_arena_text(d->arena, label, NULL),
+                         .width = 8,
+                         .colour = colour(k)});
+        ovr_panel_line(shares, d->arena, in[k]->share_low, in[k]->share_high, y,
+                       y, (ovr_series){.colour = colour(k)});
+        ovr_panel_line(shares, d->arena, in[k]->share, in[k]->share, y, y,
+                       (ovr_series){.colour = colour(k),
+                                    .mark = OVR_MARK_POINTS,
+                                    .width = 4});
     }
-    tornado->count = n;
-    tornado->series = bars;
-    shares->count = 2 * n;
-    shares->series = marks;
-    for (int k = 0; k < 2; k++) {
-        ovr_panel *p = k ? shares : tornado;
-        p->y_from = 0.4;
-        p->y_to = (double)n + 0.6;
-        p->y_label = "";
-    }
-    return OVR_OK;
+    tornado->y_from = shares->y_from = 0.4;
+    tornado->y_to = shares->y_to = (double)n + 0.6;
+    tornado->y_label = shares->y_label = "";
 }
 
 static ovr_status draw(drawing *d)
 {
-    ovr_panel panel[4];
-    size_t capacity = (size_t)GROUPS * 5 + OVR_SAMPLE_LIMITS, count = d->rows;
-    ovr_series *steps = ovr_arena_take(d->arena, capacity, sizeof *steps,
-                                       d->err);
-    ovr_series *rises = ovr_arena_take(d->arena, d->rows, sizeof *rises,
-                                       d->err);
+    ovr_panel panel[4] = {{0}};
     double maximum = 0;
-    ovr_status status = steps && rises ? OVR_OK : OVR_NO_MEMORY;
     choose_axis(d);
     d->low = INFINITY;
     d->high = -INFINITY;
-    for (size_t k = 0; !status && k < d->rows; k++)
-        status = add_group(d, k, &steps[k], &rises[k], &maximum);
-    for (size_t k = 0; !status && k < d->rows; k++)
-        status = add_uprights(d, k, steps, &count);
-    if (status)
-        return status;
+    for (size_t k = 0; k < d->rows; k++)
+        add_group(d, k, panel, &maximum);
+    for (size_t k = 0; k < d->rows; k++)
+        add_uprights(d, k, &panel[0]);
     double margin = 0.03 * (d->high - d->low);
-    for (int k = 0; k < 4; k++)
-        panel[k] = (ovr_panel){.x_label = d->label,
-                               .y_label = "% of the draws",
-                               .x_from = d->low - margin,
-                               .x_to = d->high + margin,
-                               .y_from = 0,
-                               .y_to = k ? 100 : 1.08 * maximum};
-    panel[0].series = steps;
-    panel[0].count = count;
-    panel[1].series = rises;
-    panel[1].count = d->rows;
-    panel[1].y_label = "% below";
+    for (int k = 0; k < 4; k++) {
+        panel[k].x_label = d->label;
+        panel[k].y_label = k == 1 ? "% below" : "% of the draws";
+        panel[k].x_from = d->low - margin;
+        panel[k].x_to = d->high + margin;
+        panel[k].y_to = k ? 100 : 1.08 * maximum;
+    }
     panel[2].note = "mean where the input is lowest and highest";
     panel[3].note = "share of the variance, with 95 %";
     panel[3].x_label = "share";
     panel[3].x_from = 0;
     panel[3].x_to = 1;
-    status = add_inputs(d, &panel[2], &panel[3]);
+    add_inputs(d, &panel[2], &panel[3]);
     ovr_chart chart = {.kind = "distribution",
                        .width = 1280,
                        .height = 800,
                        .rows = panel[2].count ? 2 : 1,
                        .columns = 2,
                        .panel = panel};
-    return status ? status : ovr_figure_draw(&chart, d->o, d->arena, d->err);
+    return ovr_figure_draw(&chart, d->o, d->arena, d->err);
 }
 
 static ovr_status draw_study(const void *study, const ovr_figure_options *o,

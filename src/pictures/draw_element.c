@@ -10,7 +10,7 @@
 #include "case/setup.h"
 #include "elements/elements.h"
 
-enum { LOOKS = 800, MAX_SERIES = 12, NAME = 160 };
+enum { LOOKS = 800, NAME = 160 };
 
 static const double pi = 3.14159265358979323846;
 
@@ -27,26 +27,19 @@ typedef struct sketch {
 
 /* ----------------------------------------------------------- what is in it */
 
-static ovr_series *space_for_series(sketch *s, ovr_panel *panel)
+static void add(sketch *s, ovr_panel *panel, ovr_series series)
 {
-    panel->series = ovr_arena_take(s->arena, MAX_SERIES, sizeof(ovr_series),
-                                   s->err);
-    return (ovr_series *)panel->series;
+    ovr_panel_add(panel, s->arena, series);
 }
 
-static void add(ovr_panel *panel, ovr_series series)
-{
-    if (panel->series && panel->count < MAX_SERIES)
-        ((ovr_series *)panel->series)[panel->count++] = series;
-}
-
-static void add_outline(ovr_panel *panel, const ovr_outline *o, ovr_series look)
+static void add_outline(sketch *s, ovr_panel *panel, const ovr_outline *o,
+                        ovr_series look)
 {
     look.n = o->n;
     look.x = o->x;
     look.y = o->y;
     look.x_factor = look.factor = 1e3;
-    add(panel, look);
+    add(s, panel, look);
 }
 
 static ovr_panel *drawing_panel(sketch *s)
@@ -54,20 +47,17 @@ static ovr_panel *drawing_panel(sketch *s)
     ovr_panel *panel = &s->to->panel[s->to->panels++];
     *panel = (ovr_panel){
         .x_label = "mm", .y_label = "mm", .equal = true, .height = 2.6};
-    return space_for_series(s, panel) ? panel : NULL;
+    return panel;
 }
 
 static ovr_panel *history_panel(sketch *s, const char *x_label,
                                 const char *y_label, double from, double till)
 {
     ovr_panel *panel = &s->to->panel[s->to->panels++];
-    *panel = (ovr_panel){.x_label = x_label,
-                         .y_label = y_label,
-                         .x_from = from,
-                         .x_to = till,
-                         .y_from = NAN,
-                         .y_to = NAN};
-    return space_for_series(s, panel) ? panel : NULL;
+    *panel = ovr_panel_make(x_label, y_label);
+    panel->x_from = from;
+    panel->x_to = till;
+    return panel;
 }
 
 /* The ends of the panel's values, 0 among them, with a little space. */
@@ -97,12 +87,13 @@ static void add_uprights(sketch *s, ovr_panel *panel, const double *at,
         ovr_outline_add(&o, at[k], panel->y_to);
         ovr_outline_break(&o);
     }
-    add(panel, (ovr_series){.n = o.n,
-                            .x = o.x,
-                            .y = o.y,
-                            .mark = OVR_MARK_DOTTED,
-                            .colour = OVR_GREY,
-                            .width = 1.2});
+    add(s, panel,
+        (ovr_series){.n = o.n,
+                     .x = o.x,
+                     .y = o.y,
+                     .mark = OVR_MARK_DOTTED,
+                     .colour = OVR_GREY,
+                     .width = 1.2});
 }
 
 /* An axis of moments, with marks on it. */
@@ -126,7 +117,7 @@ static void add_film(sketch *s, const course *c)
     ovr_panel *panel = history_panel(s, c->axis, "film (µm)", c->from, c->till);
     const ovr_result_info *info = s->run->info;
     double *T = ovr_stored_history(s->run, "time", 1, s->arena, s->err);
-    if (!panel || !T)
+    if (!T)
         return;
     for (size_t k = 0; k < info->steps; k++)
         T[k] = s->to->begin + s->to->unit * T[k] * info->time;
@@ -134,12 +125,13 @@ static void add_film(sketch *s, const course *c)
         double *H = ovr_stored_history(s->run, films[k].name, 1, s->arena,
                                        s->err);
         if (H)
-            add(panel, (ovr_series){.label = films[k].label,
-                                    .n = info->steps,
-                                    .x = T,
-                                    .y = H,
-                                    .factor = 1e6 * info->height,
-                                    .colour = films[k].colour});
+            add(s, panel,
+                (ovr_series){.label = films[k].label,
+                             .n = info->steps,
+                             .x = T,
+                             .y = H,
+                             .factor = 1e6 * info->height,
+                             .colour = films[k].colour});
     }
     set_range(panel);
     add_uprights(s, panel, c->mark, c->marks);
@@ -155,14 +147,13 @@ static void add_panel(sketch *s, const course *c, const char *y_label,
                       size_t first, const over_moments *curves)
 {
     ovr_panel *panel = history_panel(s, c->axis, y_label, c->from, c->till);
-    for (size_t k = 0; panel && k < 2 && curves->label[k]; k++)
-        add(panel, (ovr_series){.label = curves->label[k],
-                                .n = LOOKS + 1,
-                                .x = s->at,
-                                .y = s->value[first + k],
-                                .colour = curves->colour[k]});
-    if (!panel)
-        return;
+    for (size_t k = 0; k < 2 && curves->label[k]; k++)
+        add(s, panel,
+            (ovr_series){.label = curves->label[k],
+                         .n = LOOKS + 1,
+                         .x = s->at,
+                         .y = s->value[first + k],
+                         .colour = curves->colour[k]});
     set_range(panel);
     add_uprights(s, panel, c->mark, c->marks);
 }
@@ -218,12 +209,10 @@ static void draw_teeth(sketch *s, double R1)
     const ovr_gear_geometry *g = ovr_gear_of(ovr_setup_gear(s->setup));
     const ovr_gear_form *form = ovr_gear_form_of(ovr_setup_gear(s->setup));
     ovr_panel *panel = drawing_panel(s);
-    if (!panel)
-        return;
     for (int gear = 1; gear <= 2; gear++) {
         ovr_outline teeth = ovr_outline_make(s->arena);
         ovr_outline_teeth(&teeth, form, g, gear, R1);
-        add_outline(panel, &teeth,
+        add_outline(s, panel, &teeth,
                     (ovr_series){.label = gear == 1 ? "gear 1" : "gear 2",
                                  .colour = gear == 1 ? OVR_BLUE : OVR_GREEN});
     }
@@ -244,13 +233,13 @@ static void draw_teeth(sketch *s, double R1)
         ovr_gear_place(form, g, marks[k], &x, &y);
         ovr_outline_add(&points, x, y);
     }
-    add_outline(panel, &line,
+    add_outline(s, panel, &line,
                 (ovr_series){.label = "line of action",
                              .mark = OVR_MARK_DOTTED,
                              .colour = OVR_GREY});
-    add_outline(panel, &path,
+    add_outline(s, panel, &path,
                 (ovr_series){.label = "path of contact", .colour = OVR_RED});
-    add_outline(panel, &points,
+    add_outline(s, panel, &points,
                 (ovr_series){.mark = OVR_MARK_POINTS,
                              .letters = "A B C D E",
                              .colour = OVR_INK,
@@ -335,8 +324,6 @@ static void draw_cam_outline(sketch *s)
     ovr_outline whole = ovr_outline_make(s->arena);
     ovr_outline part = whole, follower = whole, turns = whole;
     double x, y, size = 0;
-    if (!panel)
-        return;
     for (int k = 0; k <= LOOKS; k++) {
         double angle = event->from + 2 * pi * k / LOOKS;
         ovr_cam_place(cam, form, angle, &x, &y);
@@ -352,15 +339,15 @@ static void draw_cam_outline(sketch *s)
         ovr_outline_add(&turns, x, y);
     }
     size = fmax(size, draw_follower(s, &follower));
-    add_outline(panel, &whole,
+    add_outline(s, panel, &whole,
                 (ovr_series){.label = "cam", .colour = OVR_GREY});
     add_outline(
-        panel, &part,
+        s, panel, &part,
         (ovr_series){.label = "what runs", .colour = OVR_BLUE, .width = 3});
-    add_outline(panel, &follower,
+    add_outline(s, panel, &follower,
                 (ovr_series){.label = "follower", .colour = OVR_GREEN});
     if (event->reversals)
-        add_outline(panel, &turns,
+        add_outline(s, panel, &turns,
                     (ovr_series){.label = "mean speed reverses",
                                  .mark = OVR_MARK_POINTS,
                                  .colour = OVR_RED,
@@ -456,8 +443,6 @@ static void draw_rings(sketch *s, const double *met, size_t count)
     ovr_outline inner = ovr_outline_make(s->arena);
     ovr_outline outer = inner, rollers = inner, bars = inner, points = inner;
     double out = g->outer / 2;
-    if (!panel)
-        return;
     ovr_outline_arc(&inner, 0, 0, g->inner / 2, 0, 2 * pi);
     ovr_outline_arc(&outer, 0, 0, out, 0, 2 * pi);
     draw_rollers(s, &rollers, &bars);
@@ -465,17 +450,17 @@ static void draw_rings(sketch *s, const double *met, size_t count)
     for (size_t k = 0; k < count; k++)
         ovr_outline_add(&points, track * cos(upright(met[k])),
                         track * sin(upright(met[k])));
-    add_outline(panel, &inner,
+    add_outline(s, panel, &inner,
                 (ovr_series){.label = "raceways", .colour = OVR_STEEL});
-    add_outline(panel, &outer, (ovr_series){.colour = OVR_STEEL});
+    add_outline(s, panel, &outer, (ovr_series){.colour = OVR_STEEL});
     add_outline(
-        panel, &rollers,
+        s, panel, &rollers,
         (ovr_series){.label = "rollers", .colour = OVR_BLUE, .width = 1.4});
-    add_outline(panel, &bars,
+    add_outline(s, panel, &bars,
                 (ovr_series){.label = "load of a roller",
                              .colour = OVR_RED,
                              .width = 5});
-    add_outline(panel, &points,
+    add_outline(s, panel, &points,
                 (ovr_series){.label = "where a point of the raceway meets one",
                              .mark = OVR_MARK_POINTS,
                              .colour = OVR_AMBER,
@@ -507,8 +492,6 @@ static void draw_bearing(sketch *s)
     name_it(s, text);
     draw_rings(s, met, count);
     ovr_panel *p = history_panel(s, axis, "load of a roller (N)", -180, 180);
-    if (!p)
-        return;
     for (int k = 0; k < form->rollers; k++) {
         double angle = remainder(first + 2 * pi * k / form->rollers, 2 * pi);
         s->at[k] = angle * degree;
@@ -516,19 +499,21 @@ static void draw_bearing(sketch *s)
     }
     for (size_t k = 0; k < count; k++)
         met[k] *= degree;
-    add(p, (ovr_series){.label = "as they stand",
-                        .n = (size_t)form->rollers,
-                        .x = s->at,
-                        .y = stand,
-                        .mark = OVR_MARK_CROSS,
-                        .colour = OVR_BLUE});
-    add(p, (ovr_series){.label = "that a point of the raceway meets",
-                        .n = count,
-                        .x = met,
-                        .y = load,
-                        .mark = OVR_MARK_POINTS,
-                        .colour = OVR_AMBER,
-                        .width = 3});
+    add(s, p,
+        (ovr_series){.label = "as they stand",
+                     .n = (size_t)form->rollers,
+                     .x = s->at,
+                     .y = stand,
+                     .mark = OVR_MARK_CROSS,
+                     .colour = OVR_BLUE});
+    add(s, p,
+        (ovr_series){.label = "that a point of the raceway meets",
+                     .n = count,
+                     .x = met,
+                     .y = load,
+                     .mark = OVR_MARK_POINTS,
+                     .colour = OVR_AMBER,
+                     .width = 3});
     set_range(p);
 }
 

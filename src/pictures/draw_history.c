@@ -72,39 +72,31 @@ static ovr_status add_columns(const ovr_drawing *drawing, const column *columns,
                               size_t count, ovr_unit_kind kind, double T_factor,
                               ovr_panel *panel, ovr_error *err)
 {
-    ovr_series *series = ovr_arena_take(drawing->arena, count * drawing->count,
-                                        sizeof *series, err);
     double high = 0;
     ovr_axis y;
-    ovr_status status;
-    if (!series)
-        return OVR_NO_MEMORY;
+    panel->count = 0; /* a copy of another's */
     for (size_t k = 0; k < count * drawing->count; k++) {
         const ovr_stored *run = &drawing->runs[k % drawing->count];
         const column *c = &columns[k / drawing->count];
         double by = kind == OVR_KIND_PRESSURE ? run->by.pressure : run->by.film;
-        double *T = ovr_stored_history(run, "time", run->by.time,
-                                       drawing->arena, err);
-        double *v = T ? ovr_stored_history(run, c->name, by, drawing->arena,
-                                           err)
-                      : NULL;
-        if (!v)
+        ovr_series s = series_of(drawing, run, c, T_factor);
+        s.x = ovr_stored_history(run, "time", run->by.time, drawing->arena,
+                                 err);
+        s.y = s.x ? ovr_stored_history(run, c->name, by, drawing->arena, err)
+                  : NULL;
+        if (!s.y)
             return err ? err->status : OVR_IO;
-        high = fmax(high, ovr_axis_reach(v, run->info->steps));
-        series[k] = series_of(drawing, run, c, T_factor);
-        series[k].x = T;
-        series[k].y = v;
+        high = fmax(high, ovr_axis_reach(s.y, run->info->steps));
+        ovr_panel_add(panel, drawing->arena, s);
     }
-    status = ovr_axis_make(kind, drawing->runs->result, drawing->options->units,
-                           high, &y, err);
-    for (size_t k = 0; k < count * drawing->count; k++)
-        series[k].factor = y.factor;
+    ovr_status status = ovr_axis_make(kind, drawing->runs->result,
+                                      drawing->options->units, high, &y, err);
+    for (size_t k = 0; k < panel->count; k++)
+        ((ovr_series *)panel->series)[k].factor = y.factor;
     panel->y_label = y.label;
     panel->y_from = 0;
     panel->y_to = 1.08 * high * y.factor;
     panel->ground = true;
-    panel->series = series;
-    panel->count = count * drawing->count;
     panel->note = drawing->count > 1 && count == 1 ? columns->label : NULL;
     return status;
 }

@@ -54,32 +54,23 @@ static ovr_status read_group(yielded *y, int surface, ovr_error *err)
     return OVR_OK;
 }
 
-static ovr_status profile_panel(const yielded *y, ovr_panel *panel,
-                                ovr_error *err)
+static void profile_panel(const yielded *y, ovr_panel *panel)
 {
-    ovr_series *series = ovr_arena_take(y->in.arena, 2, sizeof *series, err);
-    if (!series)
-        return OVR_NO_MEMORY;
-    series[0] = (ovr_series){.label = "before",
-                             .n = y->in.points,
-                             .x = y->in.xi,
-                             .y = y->before,
-                             .mark = OVR_MARK_DASHED,
-                             .colour = OVR_STEEL};
-    series[1] = series[0];
-    series[1].label = "after";
-    series[1].y = y->after;
-    series[1].mark = OVR_MARK_LINE;
-    series[1].colour = OVR_RED;
-    *panel = (ovr_panel){.x_label = ovr_material_place,
-                         .y_label = "profile, b^2/R",
-                         .x_from = y->from,
-                         .x_to = y->to,
-                         .y_from = NAN,
-                         .y_to = NAN,
-                         .count = 2,
-                         .series = series};
-    return OVR_OK;
+    *panel = ovr_panel_make(ovr_material_place, "profile, b^2/R");
+    panel->x_from = y->from;
+    panel->x_to = y->to;
+    ovr_series s = {.label = "before",
+                    .n = y->in.points,
+                    .x = y->in.xi,
+                    .y = y->before,
+                    .mark = OVR_MARK_DASHED,
+                    .colour = OVR_STEEL};
+    ovr_panel_add(panel, y->in.arena, s);
+    s.label = "after";
+    s.y = y->after;
+    s.mark = OVR_MARK_LINE;
+    s.colour = OVR_RED;
+    ovr_panel_add(panel, y->in.arena, s);
 }
 
 /* The value of the layer and point that a cell lies in, over the logarithm of
@@ -129,8 +120,10 @@ ovr_status ovr_draw_plastic(const ovr_drawing *drawing, ovr_chart *chart,
         return OVR_NO_MEMORY;
     panel[1].image.label = "plastic strain";
     panel[2].image.label = "residual {/Symbol s}_x / {/:Italic p}_h";
-    if (read_group(&y, surface, err) || profile_panel(&y, &panel[0], err) ||
-        map_panel(&y, y.flowed, false, &panel[1], err) ||
+    if (read_group(&y, surface, err))
+        return OVR_BAD_INPUT;
+    profile_panel(&y, &panel[0]);
+    if (map_panel(&y, y.flowed, false, &panel[1], err) ||
         map_panel(&y, y.residual, true, &panel[2], err))
         return OVR_BAD_INPUT;
     snprintf(note, NOTE, "plastic strain up to %.3g", panel[1].image.to);

@@ -16,17 +16,11 @@ ovr_status ovr_picture_profile(const ovr_profile_view *view, const char *title,
                           .x_factor = view->scaled_x ? 1 : 1e6,
                           .factor = view->scaled_z ? 1 : 1e6,
                           .width = 1};
-    ovr_panel panel = {.x_label = view->scaled_x ? "{/:Italic x} / {/:Italic b}"
-                                                 : "{/:Italic x}  [µm]",
-                       .y_label = view->scaled_z
-                                      ? "{/:Italic z R} / {/:Italic b}^2"
-                                      : "{/:Italic z}  [µm]",
-                       .x_from = NAN,
-                       .x_to = NAN,
-                       .y_from = NAN,
-                       .y_to = NAN,
-                       .count = 1,
-                       .series = &heights};
+    ovr_panel panel = ovr_panel_make(
+        view->scaled_x ? "{/:Italic x} / {/:Italic b}" : "{/:Italic x}  [µm]",
+        view->scaled_z ? "{/:Italic z R} / {/:Italic b}^2"
+                       : "{/:Italic z}  [µm]");
+    ovr_panel_add(&panel, &arena, heights);
     ovr_chart chart = {.kind = "profile",
                        .title = title,
                        .width = 1200,
@@ -67,20 +61,6 @@ static ovr_status lay_out(bearing *b, const ovr_profile_numbers *n,
     return OVR_OK;
 }
 
-static ovr_panel logarithmic(const char *x_label, const char *y_label,
-                             size_t count, const ovr_series *series)
-{
-    return (ovr_panel){.x_label = x_label,
-                       .y_label = y_label,
-                       .x_from = NAN,
-                       .x_to = NAN,
-                       .y_from = NAN,
-                       .y_to = NAN,
-                       .log_y = true,
-                       .count = count,
-                       .series = series};
-}
-
 static ovr_status draw_bearing(const bearing *b, const ovr_profile_view *view,
                                const char *title, const char *path,
                                ovr_error *err)
@@ -95,16 +75,20 @@ static ovr_status draw_bearing(const bearing *b, const ovr_profile_view *view,
                             .x = b->gap,
                             .y = b->pressure,
                             .x_factor = view->scaled_z ? 1 : 1e9};
-    ovr_series law[] = {dry, dry};
-    const ovr_series area = {
-        .n = count, .x = b->pressure, .y = b->area, .colour = OVR_STEEL};
-    law[1].label = "exponential of Rq and slope";
-    law[1].y = b->exponential;
-    law[1].mark = OVR_MARK_DASHED;
-    law[1].colour = OVR_AMBER;
-    ovr_panel panel[] = {logarithmic(gap, pressure, 2, law),
-                         logarithmic(pressure, "part that touches", 1, &area)};
-    panel[1].log_x = true;
+    ovr_series law = dry;
+    law.label = "exponential of Rq and slope";
+    law.y = b->exponential;
+    law.mark = OVR_MARK_DASHED;
+    law.colour = OVR_AMBER;
+    ovr_panel panel[] = {ovr_panel_make(gap, pressure),
+                         ovr_panel_make(pressure, "part that touches")};
+    ovr_panel_add(&panel[0], b->arena, dry);
+    ovr_panel_add(&panel[0], b->arena, law);
+    ovr_panel_add(
+        &panel[1], b->arena,
+        (ovr_series){
+            .n = count, .x = b->pressure, .y = b->area, .colour = OVR_STEEL});
+    panel[0].log_y = panel[1].log_y = panel[1].log_x = true;
     ovr_chart chart = {.kind = "contact",
                        .title = title,
                        .width = 1200,

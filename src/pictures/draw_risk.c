@@ -138,14 +138,19 @@ static double largest_smooth(const history *h)
 }
 
 /* Contours every 0.1, the smooth contact's largest, a cross at the worst. */
-static ovr_status add_marks(const history *h, ovr_panel *panel,
-                            ovr_series *series, ovr_error *err)
+static ovr_status map_panel(const history *h, ovr_panel *panel, ovr_error *err)
 {
-    enum { CAPACITY = 120 };
-    double *mark = ovr_arena_take(h->in.arena, 2, sizeof *mark, err);
+    enum { CELLS_Z = 160, CAPACITY = 120 };
     char *thin = ovr_arena_take(h->in.arena, 2 * CAPACITY, 1, err);
     size_t used = 0;
-    if (!mark || !thin)
+    *panel = (ovr_panel){
+        .x_from = h->in.xi[0],
+        .x_to = h->in.xi[h->in.points - 1],
+        .height = 2,
+        .image = {.ny = CELLS_Z,
+                  .to = ceil(20 * fmax(h->worst, 0.25)) / 20,
+                  .label = "circle {/:Italic R} / {/:Italic p}_h"}};
+    if (!thin || ovr_material_map(&h->in, h->R, at_cell, panel, err))
         return OVR_NO_MEMORY;
     for (int k = 1; k <= 10 && k <= 10 * panel->image.to; k++)
         used += (size_t)snprintf(thin + used, CAPACITY - used, "%s%g",
@@ -153,43 +158,18 @@ static ovr_status add_marks(const history *h, ovr_panel *panel,
     snprintf(thin + CAPACITY, CAPACITY, "%.9g", largest_smooth(h));
     panel->image.contours = thin;
     panel->image.bold_contours = thin + CAPACITY;
-    mark[0] = h->worst_xi;
-    mark[1] = log10(h->worst_z);
-    *series = (ovr_series){.n = 1,
-                           .x = mark,
-                           .y = mark + 1,
-                           .mark = OVR_MARK_CROSS,
-                           .colour = OVR_RED,
-                           .width = 3};
-    panel->count = 1;
+    double x = h->worst_xi, z = log10(h->worst_z);
+    ovr_panel_line(
+        panel, h->in.arena, x, x, z, z,
+        (ovr_series){
+            .n = 1, .mark = OVR_MARK_CROSS, .colour = OVR_RED, .width = 3});
     return OVR_OK;
 }
 
-static ovr_status map_panel(const history *h, ovr_panel *panel, ovr_error *err)
+static void line_panel(const history *h, const char *label, const double *y,
+                       ovr_mark mark, ovr_panel *panel)
 {
-    enum { CELLS_Z = 160 };
-    ovr_series *series = ovr_arena_take(h->in.arena, 1, sizeof *series, err);
-    *panel = (ovr_panel){
-        .x_from = h->in.xi[0],
-        .x_to = h->in.xi[h->in.points - 1],
-        .height = 2,
-        .series = series,
-        .image = {.ny = CELLS_Z,
-                  .to = ceil(20 * fmax(h->worst, 0.25)) / 20,
-                  .label = "circle {/:Italic R} / {/:Italic p}_h"}};
-    if (!series || ovr_material_map(&h->in, h->R, at_cell, panel, err))
-        return OVR_NO_MEMORY;
-    return add_marks(h, panel, series, err);
-}
-
-static ovr_status line_panel(const history *h, const char *label,
-                             const double *y, ovr_mark mark, ovr_panel *panel,
-                             ovr_error *err)
-{
-    ovr_series *series = ovr_arena_take(h->in.arena, 2, sizeof *series, err);
     double low = INFINITY, high = -INFINITY;
-    if (!series)
-        return OVR_NO_MEMORY;
     for (size_t k = 0; k < h->in.points; k++)
         low = fmin(low, y[k]), high = fmax(high, y[k]);
     double margin = 0.1 * fmax(high - low, 1e-12);
@@ -199,35 +179,32 @@ static ovr_status line_panel(const history *h, const char *label,
                          .x_to = h->in.xi[h->in.points - 1],
                          .y_from = low - margin,
                          .y_to = high + margin,
-                         .height = 0.7,
-                         .count = 1,
-                         .series = series};
-    series[0] = (ovr_series){.n = h->in.points,
-                             .x = h->in.xi,
-                             .y = y,
-                             .mark = mark,
-                             .colour = OVR_STEEL,
-                             .base = low - margin};
-    return OVR_OK;
+                         .height = 0.7};
+    ovr_panel_add(panel, h->in.arena,
+                  (ovr_series){.n = h->in.points,
+                               .x = h->in.xi,
+                               .y = y,
+                               .mark = mark,
+                               .colour = OVR_STEEL,
+                               .base = low - margin});
 }
 
 /* i / i_0 on a logarithmic axis; nothing of it where i_0 is not known. */
 static ovr_status risk_panel(const history *h, ovr_panel *panel, ovr_error *err)
 {
     double *v = ovr_arena_take(h->in.arena, h->in.points, sizeof *v, err);
+    double low = INFINITY, high = 0;
     if (!v)
         return OVR_NO_MEMORY;
-    for (size_t k = 0; k < h->in.points; k++)
+    for (size_t k = 0; k < h->in.points; k++) {
         v[k] = fmax(h->risk[k] / h->risk_smooth, 1e-3);
-    ovr_status status = line_panel(h, "risk / smooth", v, OVR_MARK_LINE, panel,
-                                   err);
-    panel->log_y = true;
-    double low = INFINITY, high = 0;
-    for (size_t k = 0; k < h->in.points; k++)
         low = fmin(low, v[k]), high = fmax(high, v[k]);
+    }
+    line_panel(h, "risk / smooth", v, OVR_MARK_LINE, panel);
+    panel->log_y = true;
     panel->y_from = pow(10, floor(log10(low)));
     panel->y_to = pow(10, ceil(log10(fmax(high, 2))));
-    return status;
+    return OVR_OK;
 }
 
 ovr_status ovr_draw_risk(const ovr_drawing *drawing, ovr_chart *chart,
@@ -243,9 +220,8 @@ ovr_status ovr_draw_risk(const ovr_drawing *drawing, ovr_chart *chart,
         return OVR_NO_MEMORY;
     if (read_history(&h, err))
         return OVR_BAD_INPUT;
-    if (h.S && line_panel(&h, "surface, b^2/R", h.S, OVR_MARK_AREA,
-                          &panel[rows++], err))
-        return OVR_NO_MEMORY;
+    if (h.S)
+        line_panel(&h, "surface, b^2/R", h.S, OVR_MARK_AREA, &panel[rows++]);
     if (map_panel(&h, &panel[rows++], err))
         return OVR_NO_MEMORY;
     if (h.life && h.risk_smooth > 0 && risk_panel(&h, &panel[rows++], err))
@@ -263,15 +239,26 @@ ovr_status ovr_draw_risk(const ovr_drawing *drawing, ovr_chart *chart,
 
 /* ------------------------------------------------------------------- depth */
 
-static ovr_series over_depth(const history *h, const double *y,
-                             const char *label, int colour, ovr_mark mark)
+static void add_over_depth(const history *h, ovr_panel *panel, const double *y,
+                           const char *label, int colour, ovr_mark mark)
 {
-    return (ovr_series){.label = label,
-                        .n = h->in.depths,
-                        .x = h->in.z,
-                        .y = y,
-                        .colour = colour,
-                        .mark = mark};
+    ovr_panel_add(panel, h->in.arena,
+                  (ovr_series){.label = label,
+                               .n = h->in.depths,
+                               .x = h->in.z,
+                               .y = y,
+                               .colour = colour,
+                               .mark = mark});
+}
+
+static ovr_panel depth_panel(const history *h, const char *label, double from)
+{
+    ovr_panel panel = ovr_panel_make("depth / b", label);
+    panel.x_from = h->in.z[0];
+    panel.x_to = h->in.z[h->in.depths - 1];
+    panel.y_from = from;
+    panel.log_x = true;
+    return panel;
 }
 
 /* The worst circle at each depth; NULL: no memory. */
@@ -287,32 +274,19 @@ static double *worst_at_depths(const history *h, ovr_error *err)
 
 /* Circles above, equivalent lengths below, where there are any; how many. */
 static size_t depth_panels(const history *h, const double *worst,
-                           ovr_series *series, ovr_panel *panel)
+                           ovr_panel *panel)
 {
-    series[0] = over_depth(h, worst, "worst circle R / ph", OVR_RED,
-                           OVR_MARK_LINE);
-    series[1] = over_depth(h, h->smooth, "smooth contact", OVR_STEEL,
-                           OVR_MARK_DASHED);
-    panel[0] = (ovr_panel){.x_label = "depth / b",
-                           .y_label = "R / p_h",
-                           .x_from = h->in.z[0],
-                           .x_to = h->in.z[h->in.depths - 1],
-                           .y_from = 0,
-                           .y_to = NAN,
-                           .log_x = true,
-                           .count = 2,
-                           .series = series};
+    panel[0] = depth_panel(h, "R / p_h", 0);
+    add_over_depth(h, &panel[0], worst, "worst circle R / ph", OVR_RED,
+                   OVR_MARK_LINE);
+    add_over_depth(h, &panel[0], h->smooth, "smooth contact", OVR_STEEL,
+                   OVR_MARK_DASHED);
     if (!h->length || !isfinite(h->length[0]))
         return 1;
-    series[2] = over_depth(h, h->length,
-                           "equivalent length / b, counted from this depth "
-                           "down",
-                           OVR_BLUE, OVR_MARK_LINE);
-    panel[1] = panel[0];
-    panel[1].y_label = "equivalent length / b";
-    panel[1].y_from = NAN;
-    panel[1].count = 1;
-    panel[1].series = series + 2;
+    panel[1] = depth_panel(h, "equivalent length / b", NAN);
+    add_over_depth(h, &panel[1], h->length,
+                   "equivalent length / b, counted from this depth down",
+                   OVR_BLUE, OVR_MARK_LINE);
     return 2;
 }
 
@@ -323,15 +297,14 @@ ovr_status ovr_draw_depth(const ovr_drawing *drawing, ovr_chart *chart,
         .in = {.run = drawing->runs, .arena = drawing->arena},
         .surface = drawing->options->surface ? drawing->options->surface : 1};
     ovr_panel *panel = ovr_arena_take(drawing->arena, 2, sizeof *panel, err);
-    ovr_series *series = ovr_arena_take(drawing->arena, 4, sizeof *series, err);
-    if (!panel || !series)
+    if (!panel)
         return OVR_NO_MEMORY;
     if (read_history(&h, err))
         return OVR_BAD_INPUT;
     double *worst = worst_at_depths(&h, err);
     if (!worst)
         return OVR_NO_MEMORY;
-    chart->rows = depth_panels(&h, worst, series, panel);
+    chart->rows = depth_panels(&h, worst, panel);
     chart->panel = panel;
     return OVR_OK;
 }

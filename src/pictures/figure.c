@@ -449,15 +449,14 @@ static size_t end_of(const figure *f, size_t panel, size_t line, size_t *first)
 
 /* The samples first .. end-1 as points of mean, least, most: a band, a line
  * and points. */
-static ovr_status add_line(figure *f, size_t first, size_t end,
-                           ovr_curve_style as, ovr_series *series,
-                           ovr_error *err)
+static bool make_line(const figure *f, size_t first, size_t end,
+                      ovr_curve_style as, ovr_series *series)
 {
     size_t n = end - first, m = 0;
-    double *block = ovr_arena_take(f->arena, n + 1, 4 * sizeof *block, err);
+    double *block = ovr_arena_take(f->arena, n + 1, 4 * sizeof *block, NULL);
     double *x = block, *mean, *low, *high;
     if (!block)
-        return OVR_NO_MEMORY;
+        return false;
     mean = block + n, low = mean + n, high = low + n;
     for (size_t i = first, j; i < end; i = j, m++) {
         x[m] = f->sample[i].x;
@@ -473,17 +472,16 @@ static ovr_status add_line(figure *f, size_t first, size_t end,
     for (int k = 0; k < 3; k++)
         series[k] = (ovr_series){.n = m,
                                  .x = x,
-                                 .y = mean,
+                                 .y = k ? mean : low,
+                                 .to = k ? NULL : high,
                                  .x_factor = f->x_axis.factor,
                                  .factor = f->y_axis.factor,
-                                 .colour = as.colour};
-    series[0].y = low;
-    series[0].to = high;
-    series[0].mark = OVR_MARK_BAND;
-    series[1].mark = as.mark;
-    series[2].mark = OVR_MARK_POINTS;
-    series[2].width = 2.4;
-    return OVR_OK;
+                                 .colour = as.colour,
+                                 .mark = k == 0   ? OVR_MARK_BAND
+                                         : k == 1 ? as.mark
+                                                  : OVR_MARK_POINTS,
+                                 .width = k == 2 ? 2.4 : 0};
+    return true;
 }
 
 /* Names the keys that the band is over: those that nothing else tells
@@ -502,35 +500,26 @@ static void name_band(const figure *f, char *text, size_t capacity)
 }
 
 /* Bands below, lines and points above. */
-static ovr_status draw_lines(figure *f, size_t panel, ovr_panel *to,
-                             ovr_error *err)
+static void draw_lines(figure *f, size_t panel, ovr_panel *to)
 {
     size_t lines = f->lines.count, first = 0;
-    ovr_series *series = ovr_arena_take(f->arena, 3 * lines + 1, sizeof *series,
-                                        err);
-    if (!series)
-        return OVR_NO_MEMORY;
-    for (size_t k = 0; k < lines; k++) {
-        ovr_series three[3];
+    ovr_series(*three)[3] = ovr_arena_take(f->arena, lines, sizeof *three,
+                                           NULL);
+    char text[LABEL];
+    for (size_t k = 0; three && k < lines; k++) {
         size_t end = end_of(f, panel, k, &first);
-        char text[LABEL];
-        if (add_line(f, first, end, ovr_curve_style_of(k), three, err))
-            return OVR_NO_MEMORY;
-        if (f->lines.keys && panel == 0) {
-            name_group(f, &f->lines, k, text, sizeof text);
-            three[1].label = ovr_arena_text(f->arena, text, err);
-        }
-        for (size_t j = 0; j < 3; j++)
-            series[j * lines + k] = three[j];
+        if (!make_line(f, first, end, ovr_curve_style_of(k), three[k]))
+            return;
+        name_group(f, &f->lines, k, text, sizeof text);
+        if (f->lines.keys && panel == 0)
+            three[k][1].label = ovr_arena_text(f->arena, text, NULL);
     }
-    if (f->banded && panel == 0) {
-        char text[LABEL];
+    if (three && f->banded && panel == 0) {
         name_band(f, text, sizeof text);
-        series[0].label = ovr_arena_text(f->arena, text, err);
+        three[0][0].label = ovr_arena_text(f->arena, text, NULL);
     }
-    to->series = series;
-    to->count = 3 * lines;
-    return OVR_OK;
+    for (size_t j = 0; three && j < 3 * lines; j++)
+        ovr_panel_add(to, f->arena, three[j % lines][j / lines]);
 }
 
 /* ------------------------------------------------------------- histograms */
@@ -552,16 +541,14 @@ static double quantile(const sample *s, size_t n, double part)
 }
 
 /* A step for each bin, in % of the cases; then three upright lines. */
-static ovr_status add_bins(figure *f, const sample *s, size_t n, size_t bins,
-                           const ovr_panel *in, ovr_curve_style as,
-                           ovr_series *series, ovr_error *err)
+static void add_bins(figure *f, const sample *s, size_t n, size_t bins,
+                     ovr_curve_style as, const char *label, ovr_panel *to)
 {
-    static const double parts[] = {0.05, 0.5, 0.95};
-    double low = in->x_from, width = (in->x_to - low) / (double)bins;
-    double *x = ovr_arena_take(f->arena, 4 * bins + 14, sizeof *x, err);
+    double low = to->x_from, width = (to->x_to - low) / (double)bins;
+    double *x = ovr_arena_take(f->arena, 4 * bins, sizeof *x, NULL);
     if (!x)
-        return OVR_NO_MEMORY;
-    double *y = x + 2 * bins + 1, *line = y + 2 * bins + 1, maximum = 0;
+        return;
+    double *y = x + 2 * bins, maximum = 0;
     for (size_t b = 0, i = 0; b < bins; b++) {
         double end = low + width * (double)(b + 1), count = 0;
         for (; i < n && (s[i].y * f->y_axis.factor < end || b + 1 == bins); i++)
@@ -571,47 +558,48 @@ static ovr_status add_bins(figure *f, const sample *s, size_t n, size_t bins,
         maximum = fmax(maximum, y[2 * b]);
     }
     f->y_to = fmax(f->y_to, 1.08 * maximum);
-    series[0] = (ovr_series){.n = 2 * bins,
-                             .x = x,
-                             .y = y,
-                             .colour = as.colour,
-                             .mark = f->lines.count > 1 ? as.mark
-                                                        : OVR_MARK_AREA};
-    for (size_t k = 0; k < 3; k++) {
-        double *two = line + 4 * k;
-        two[0] = two[1] = quantile(s, n, parts[k]) * f->y_axis.factor;
-        two[3] = 1e3; /* beyond the axis */
-        series[1 + k] = (ovr_series){.n = 2,
-                                     .x = two,
-                                     .y = two + 2,
-                                     .colour = as.colour,
-                                     .mark = k == 1 ? OVR_MARK_DASHED
-                                                    : OVR_MARK_DOTTED,
-                                     .width = 1.6};
-    }
-    return OVR_OK;
+    ovr_panel_add(
+        to, f->arena,
+        (ovr_series){.label = label,
+                     .n = 2 * bins,
+                     .x = x,
+                     .y = y,
+                     .colour = as.colour,
+                     .mark = f->lines.count > 1 ? as.mark : OVR_MARK_AREA});
 }
 
-/* A line's quantiles: in the legend, which the first panel has or, where there
- * are several panels, in the note of each. */
-static ovr_status label_bins(const figure *f, size_t panel, size_t line,
-                             ovr_panel *to, ovr_series *four, ovr_error *err)
+static const double parts[] = {0.05, 0.5, 0.95};
+
+static void add_quantiles(const figure *f, const double q[3],
+                          ovr_curve_style as, ovr_panel *to)
+{
+    for (int k = 0; k < 3; k++)
+        ovr_panel_line(
+            to, f->arena, q[k], q[k], 0, 1e3, /* beyond the axis */
+            (ovr_series){.colour = as.colour,
+                         .mark = k == 1 ? OVR_MARK_DASHED : OVR_MARK_DOTTED,
+                         .width = 1.6});
+}
+
+/* A line's quantiles: in its label for the legend, which the first panel has
+ * or, where there are several panels, in the note of each. */
+static const char *label_of(const figure *f, size_t panel, size_t line,
+                            const double q[3], ovr_panel *to)
 {
     bool alone = f->panels.count == 1;
     char said[LABEL], name[LABEL], text[3 * LABEL];
-    snprintf(said, sizeof said, "5, 50, 95 %%: %.4g, %.4g, %.4g%s%s",
-             four[1].x[0], four[2].x[0], four[3].x[0],
-             *f->y_axis.unit ? " " : "", f->y_axis.unit);
+    snprintf(said, sizeof said, "5, 50, 95 %%: %.4g, %.4g, %.4g%s%s", q[0],
+             q[1], q[2], *f->y_axis.unit ? " " : "", f->y_axis.unit);
     name_group(f, &f->lines, line, name, sizeof name);
+    if (!alone) {
+        snprintf(text, sizeof text, "%.220s; %s", to->note, said);
+        to->note = ovr_arena_text(f->arena, text, NULL);
+    }
     snprintf(text, sizeof text, "%s%s%s", name, *name && alone ? ": " : "",
              alone ? said : "");
-    if (*text && f->sample[0].panel == panel)
-        four[0].label = ovr_arena_text(f->arena, text, err);
-    if (alone)
-        return OVR_OK;
-    snprintf(text, sizeof text, "%.220s; %s", to->note, said);
-    to->note = ovr_arena_text(f->arena, text, err);
-    return to->note ? OVR_OK : OVR_NO_MEMORY;
+    return *text && f->sample[0].panel == panel
+               ? ovr_arena_text(f->arena, text, NULL)
+               : NULL;
 }
 
 /* The panel's range, and as many bins as give the narrowest group those of
@@ -638,28 +626,21 @@ static size_t count_bins(const figure *f, size_t panel, ovr_panel *to)
     return (size_t)fmax(1, fmin(ceil((high - low) / width - 1e-9), 200));
 }
 
-static ovr_status draw_bins(figure *f, size_t panel, ovr_panel *to,
-                            ovr_error *err)
+static void draw_bins(figure *f, size_t panel, ovr_panel *to)
 {
-    size_t lines = f->lines.count, first = 0;
-    size_t bins = count_bins(f, panel, to);
-    ovr_series *series = ovr_arena_take(f->arena, 4 * lines, sizeof *series,
-                                        err);
-    if (!series)
-        return OVR_NO_MEMORY;
-    for (size_t k = 0; k < lines; k++) {
-        ovr_series *four = series + to->count;
+    size_t first = 0, bins = count_bins(f, panel, to);
+    for (size_t k = 0; k < f->lines.count; k++) {
+        const ovr_curve_style as = ovr_curve_style_of(k);
         size_t end = end_of(f, panel, k, &first), n = end - first;
+        const sample *s = f->sample + first;
+        double q[3];
         if (n == 0)
             continue;
-        if (add_bins(f, f->sample + first, n, bins, to, ovr_curve_style_of(k),
-                     four, err) ||
-            label_bins(f, panel, k, to, four, err))
-            return OVR_NO_MEMORY;
-        to->count += 4;
+        for (int j = 0; j < 3; j++)
+            q[j] = quantile(s, n, parts[j]) * f->y_axis.factor;
+        add_bins(f, s, n, bins, as, label_of(f, panel, k, q, to), to);
+        add_quantiles(f, q, as, to);
     }
-    to->series = series;
-    return OVR_OK;
 }
 
 /* ----------------------------------------------------------------- figure */
@@ -694,7 +675,7 @@ static void set_ranges(figure *f)
     spread(y_low, y_high, f->o->log_y, &f->y_from, &f->y_to);
 }
 
-static ovr_status draw_panels(figure *f, ovr_panel *panel, ovr_error *err)
+static void draw_panels(figure *f, ovr_panel *panel)
 {
     bool bins = is_seed(f->x);
     if (!bins)
@@ -705,12 +686,10 @@ static ovr_status draw_panels(figure *f, ovr_panel *panel, ovr_error *err)
         panel[k] = (ovr_panel){.x_label = bins ? f->y_axis.label
                                                : f->x_axis.label,
                                .y_label = bins ? "cases  [%]" : f->y_axis.label,
-                               .note = ovr_arena_text(f->arena, note, err),
+                               .note = ovr_arena_text(f->arena, note, NULL),
                                .log_x = f->o->log_x && !bins,
                                .log_y = f->o->log_y && !bins};
-        if (!panel[k].note ||
-            (bins ? draw_bins : draw_lines)(f, k, &panel[k], err))
-            return OVR_NO_MEMORY;
+        (bins ? draw_bins : draw_lines)(f, k, &panel[k]);
     }
     for (size_t k = 0; k < f->panels.count; k++) {
         panel[k].x_from = bins ? panel[k].x_from : f->x_from;
@@ -718,7 +697,6 @@ static ovr_status draw_panels(figure *f, ovr_panel *panel, ovr_error *err)
         panel[k].y_from = f->y_from;
         panel[k].y_to = f->y_to;
     }
-    return OVR_OK;
 }
 
 static ovr_status draw(figure *f, ovr_error *err)
@@ -736,9 +714,10 @@ static ovr_status draw(figure *f, ovr_error *err)
                        .share_x = !is_seed(f->x),
                        .share_y = true,
                        .panel = panel};
-    make_axes(f);
-    if (!panel || draw_panels(f, panel, err))
+    if (!panel)
         return OVR_NO_MEMORY;
+    make_axes(f);
+    draw_panels(f, panel);
     return ovr_figure_draw(&chart, f->o, f->arena, err);
 }
 

@@ -18,33 +18,29 @@ static ovr_status add_lines(const ovr_table *t, const line *lines, size_t count,
                             ovr_arena *arena, ovr_error *err)
 {
     const ovr_table_column *pass = ovr_table_named(t, "pass");
-    ovr_series *series = ovr_arena_take(arena, 2 * count, sizeof *series, err);
     ovr_axis axis = {0};
-    if (!series)
-        return OVR_NO_MEMORY;
-    for (size_t k = 0; k < count; k++) {
-        const ovr_table_column *c = ovr_table_named(t, lines[k].name);
+    for (size_t k = 0; k < 2 * count; k++) {
+        const line *l = &lines[k % count];
+        const ovr_table_column *c = ovr_table_named(t, l->name);
         if (!pass || !c)
             return ovr_fail(err, OVR_BAD_INPUT,
                             "no '%s' in it: it is no file of several passes",
-                            pass ? lines[k].name : "pass");
+                            pass ? l->name : "pass");
         if (k == 0)
             ovr_axis_as_is(kind, *c->unit,
                            ovr_axis_reach(c->number, ovr_table_rows(t)), &axis);
-        series[k] = (ovr_series){.label = lines[k].label,
-                                 .n = ovr_table_rows(t),
-                                 .x = pass->number,
-                                 .y = c->number,
-                                 .factor = axis.factor,
-                                 .colour = lines[k].colour};
-        series[count + k] = series[k];
-        series[count + k].label = NULL;
-        series[count + k].mark = OVR_MARK_POINTS;
-        series[count + k].width = 2.4;
+        ovr_panel_add(
+            panel, arena,
+            (ovr_series){.label = k < count ? l->label : NULL,
+                         .n = ovr_table_rows(t),
+                         .x = pass->number,
+                         .y = c->number,
+                         .factor = axis.factor,
+                         .colour = l->colour,
+                         .mark = k < count ? OVR_MARK_LINE : OVR_MARK_POINTS,
+                         .width = k < count ? 0 : 2.4});
     }
     panel->y_label = axis.label;
-    panel->count = 2 * count;
-    panel->series = series;
     return OVR_OK;
 }
 

@@ -135,8 +135,9 @@ ovr_status ovr_chart_draw(const ovr_chart *chart, const ovr_drawn_to *to,
     ovr_text text = ovr_text_make(arena), template = ovr_text_make(arena);
     ovr_gnuplot *gnuplot = ovr_arena_take(arena, 1, sizeof *gnuplot, err);
     ovr_form form;
-    ovr_status status = gnuplot ? ovr_form_of(to->path, &form, err)
-                                : OVR_NO_MEMORY;
+    ovr_status status = arena->starved
+                            ? ovr_fail(err, OVR_NO_MEMORY, "out of memory")
+                            : ovr_form_of(to->path, &form, err);
     if (!status)
         status = ovr_template_read(to->template_path, &template, err);
     if (!status && to->script)

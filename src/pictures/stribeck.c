@@ -106,17 +106,15 @@ static void sort(size_t n, size_t *at, const double *speed)
     }
 }
 
-/* A line's quantity over the speed. */
-static ovr_status draw_line(const curves *of, size_t line,
-                            const ovr_table_column *c, ovr_series *to,
-                            ovr_arena *arena, ovr_error *err)
+/* Adds a line's quantity over the speed. */
+static void add_line(const curves *of, size_t line, const ovr_table_column *c,
+                     ovr_series look, ovr_panel *to, ovr_arena *arena)
 {
     size_t rows = ovr_table_rows(of->t), n = 0;
-    double *x = ovr_arena_take(arena, rows, sizeof *x, err);
-    double *y = ovr_arena_take(arena, rows, sizeof *y, err);
-    size_t *at = ovr_arena_take(arena, rows, sizeof *at, err);
-    if (!x || !y || !at)
-        return OVR_NO_MEMORY;
+    double *x = ovr_arena_take(arena, 2 * rows, sizeof *x, NULL);
+    size_t *at = ovr_arena_take(arena, rows, sizeof *at, NULL);
+    if (!x || !at)
+        return;
     for (size_t i = 0; i < rows; i++)
         if ((!of->by || ovr_table_same(of->by, i, of->row[line])) &&
             isfinite(c->number[i]) && of->speed->number[i] > 0)
@@ -124,40 +122,33 @@ static ovr_status draw_line(const curves *of, size_t line,
     sort(n, at, of->speed->number);
     for (size_t k = 0; k < n; k++) {
         x[k] = of->speed->number[at[k]];
-        y[k] = fabs(c->number[at[k]]);
+        x[rows + k] = fabs(c->number[at[k]]);
     }
-    *to = (ovr_series){
-        .n = n, .x = x, .y = y, .colour = (int)(line % (OVR_GREY + 1))};
-    return OVR_OK;
+    look.n = n;
+    look.x = x;
+    look.y = x + rows;
+    look.colour = (int)(line % (OVR_GREY + 1));
+    ovr_panel_add(to, arena, look);
 }
 
 static ovr_status draw_curves(const curves *of, const ovr_figure_options *o,
                               ovr_arena *arena, ovr_error *err)
 {
-    ovr_series top[2 * LINES], below[LINES];
-    ovr_status status = OVR_OK;
-    for (size_t l = 0; !status && l < of->lines; l++) {
-        status = draw_line(of, l, of->mu, &top[l], arena, err);
-        if (!status)
-            status = draw_line(of, l, of->film, &top[of->lines + l], arena,
-                               err);
-        if (!status)
-            status = draw_line(of, l, of->share, &below[l], arena, err);
-        top[l].label = of->by ? of->label[l] : "friction";
-        top[of->lines + l].mark = OVR_MARK_DASHED;
-        top[of->lines + l].label = l ? NULL : "of the film alone";
+    const char *speed = "mean speed  [m/s]";
+    ovr_panel panel[] = {ovr_panel_make(speed, "coefficient of friction"),
+                         ovr_panel_make(speed, "share of the load on metal")};
+    for (size_t l = 0; l < of->lines; l++) {
+        const ovr_series mu = {.label = of->by ? of->label[l] : "friction"};
+        add_line(of, l, of->mu, mu, &panel[0], arena);
+        add_line(of, l, of->share, (ovr_series){0}, &panel[1], arena);
     }
-    if (status)
-        return status;
-    ovr_panel panel[] = {{.y_label = "coefficient of friction",
-                          .count = 2 * of->lines,
-                          .series = top},
-                         {.y_label = "share of the load on metal",
-                          .count = of->lines,
-                          .series = below}};
+    for (size_t l = 0; l < of->lines; l++) {
+        const ovr_series film = {.label = l ? NULL : "of the film alone",
+                                 .mark = OVR_MARK_DASHED};
+        add_line(of, l, of->film, film, &panel[0], arena);
+    }
     for (int k = 0; k < 2; k++) {
-        panel[k].x_label = "mean speed  [m/s]";
-        panel[k].x_from = panel[k].x_to = panel[k].y_to = NAN;
+        panel[k].y_from = 0;
         panel[k].log_x = true;
     }
     ovr_chart chart = {.kind = "stribeck",

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "base/text.h"
+#include "run/csv.h"
 
 static const char heads[] =
     "value,quantity,order,level,converged,marked,seconds,message\n";
@@ -40,19 +41,14 @@ static bool read_row(char *line, ovr_find_evaluation *e, ovr_arena *arena)
     return isfinite(e->value) && e->message;
 }
 
-static void put_number(FILE *to, double value)
-{
-    if (isfinite(value))
-        fprintf(to, "%.17g", value);
-    fputc(',', to);
-}
-
 static void put_row(FILE *to, const ovr_find_evaluation *e)
 {
-    put_number(to, e->value);
-    put_number(to, e->quantity);
-    fprintf(to, "%d,%d,%d,%ld,", e->order, e->level, e->converged, e->marked);
-    put_number(to, e->seconds);
+    ovr_csv_number(to, e->value, 17);
+    fputc(',', to);
+    ovr_csv_number(to, isfinite(e->quantity) ? e->quantity : NAN, 17);
+    fprintf(to, ",%d,%d,%d,%ld,", e->order, e->level, e->converged, e->marked);
+    ovr_csv_number(to, e->seconds, 17);
+    fputc(',', to);
     for (const char *c = e->message; *c; c++)
         fputc(*c == ',' || *c == '"' || *c == '\n' ? ';' : *c, to);
     fputc('\n', to);

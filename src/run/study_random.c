@@ -10,7 +10,9 @@
 #include "base/entries.h"
 #include "base/error.h"
 #include "base/quantity.h"
+#include "base/text.h"
 #include "overroll/text.h"
+#include "run/csv.h"
 #include "run/study.h"
 
 enum { SHIFTS = 8, CELL = 200, LINES_MAX = 1 << 24 };
@@ -246,87 +248,70 @@ typedef struct rows {
     size_t count;
 } rows;
 
-/* The k-th cell of a line, without blanks and quotes. */
-static bool cell_of(const char *line, const char *end, int column, char *to)
+/* A line of a list, which has comments, and no commas to heed. */
+static char *next_line(char **at)
 {
-    const char *at = line, *next = end;
-    for (int k = 0; column >= 0 && k <= column; k++) {
-        next = memchr(at, ',', (size_t)(end - at));
-        next = next ? next : end;
-        if (k < column && next == end)
-            return false;
-        at = k < column ? next + 1 : at;
-    }
-    while (at < next && strchr(" \t\"", *at))
-        at++;
-    while (next > at && strchr(" \t\"\r", next[-1]))
-        next--;
-    if (next - at >= CELL)
-        return false;
-    memcpy(to, at, (size_t)(next - at));
-    to[next - at] = '\0';
-    return true;
+    char *line = *at + strspn(*at, " \t"), *end = line + strcspn(line, "\n");
+    *at = end + (*end == '\n');
+    *end = '\0';
+    end = line + strcspn(line, "#\r");
+    while (end > line && strchr(" \t", end[-1]))
+        end--;
+    *end = '\0';
+    return line;
 }
 
-/* Finds the column that has this name; a unit in brackets behind it is that of
- * its numbers. */
-static int column_named(const char *line, const char *end, const char *name,
-                        char *unit)
+/* The column of this name in the head, and its unit; -1: there is none. */
+static int column_named(char **at, const char *name, const char **unit)
 {
-    char cell[CELL];
-    for (int k = 0; cell_of(line, end, k, cell); k++) {
-        char *bracket = strpbrk(cell, "[(");
-        *unit = '\0';
-        if (bracket) {
-            snprintf(unit, 40, "%.*s", (int)strcspn(bracket + 1, "])"),
-                     bracket + 1);
-            while (bracket > cell && bracket[-1] == ' ')
-                bracket--;
-            *bracket = '\0';
-        }
-        if (!strcmp(cell, name))
-            return k;
+    bool last = false;
+    int found = -1;
+    for (int k = 0; !last; k++) {
+        char *head = ovr_csv_cell(at, &last);
+        const char *its = ovr_csv_unit(head);
+        if (found < 0 && !strcmp(head, name))
+            found = k, *unit = its;
     }
-    return -1;
+    return found;
 }
 
-static const char *line_end(const char *at)
+/* The cell of a column, the rest of the line passed over; NULL: too short. */
+static char *cell_of(char **at, int column)
 {
-    return at + strcspn(at, "\n");
+    bool last = false;
+    char *cell = NULL;
+    for (int k = 0; !last; k++) {
+        char *here = ovr_csv_cell(at, &last);
+        cell = k == column ? here : cell;
+    }
+    return cell;
 }
 
 static ovr_status read_rows(ovr_study *s, const ovr_study_chance *c, rows *to,
                             ovr_error *err)
 {
-    const char *path = to->path, *name = to->name;
-    const char *text, *at, *end;
-    char cell[CELL], whole[CELL + 48], unit[40] = "";
-    int column = -1;
+    const char *path = to->path, *name = to->name, *unit = "";
+    const char *text = ovr_text_file(path, name ? "table" : "list", LINES_MAX,
+                                     &s->arena, err);
+    char *at = text ? ovr_arena_text(&s->arena, text, err) : NULL;
+    char whole[CELL + 48];
     size_t lines = 1;
-    text = ovr_text_file(path, name ? "table" : "list", LINES_MAX, &s->arena,
-                         err);
-    if (!text)
+    if (!at)
         return err->status;
-    for (at = text; *at; at++)
-        lines += *at == '\n';
+    for (const char *p = text; *p; p++)
+        lines += *p == '\n';
     to->cell = ovr_arena_take(&s->arena, lines, sizeof *to->cell, err);
     if (!to->cell)
         return OVR_NO_MEMORY;
-    at = text;
-    if (name) {
-        end = line_end(at);
-        column = column_named(at, end, name, unit);
-        if (column < 0)
-            return ovr_fail_at(err, OVR_BAD_INPUT, s->path, c->line,
-                               "%.200s has no column '%.60s'", path, name);
-        at = end + (*end == '\n');
-    }
-    for (to->count = 0; *at; at = end + (*end == '\n')) {
-        end = line_end(at);
-        if (!cell_of(at, end, column, cell))
+    const int column = name ? column_named(&at, name, &unit) : 0;
+    if (column < 0)
+        return ovr_fail_at(err, OVR_BAD_INPUT, s->path, c->line,
+                           "%.200s has no column '%.60s'", path, name);
+    while (*at) {
+        const char *cell = name ? cell_of(&at, column) : next_line(&at);
+        if (!cell || strlen(cell) >= CELL)
             return ovr_fail_at(err, OVR_BAD_INPUT, s->path, c->line,
                                "%.200s: a row is too short", path);
-        cell[name ? strlen(cell) : strcspn(cell, "#")] = '\0';
         if (!*cell)
             continue;
         snprintf(whole, sizeof whole, "%s%s%s", cell, *unit ? " " : "", unit);

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Tells what the draws of a study say: from its table, group by group. */
-#include <errno.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -13,6 +12,7 @@
 #include "mathematics/sample.h"
 #include "overroll/questions.h"
 #include "overroll/text.h"
+#include "run/csv.h"
 #include "run/sweep_table.h"
 
 enum { QUANTITIES = 32, NAME_CAPACITY = 400 };
@@ -27,8 +27,8 @@ struct ovr_sample {
 typedef struct sampling {
     ovr_sample *to;
     const ovr_study *s;
-    ovr_sweep_table *t;
-    const ovr_sweep_column *quantity[QUANTITIES];
+    const ovr_table *t;
+    const ovr_table_column *quantity[QUANTITIES];
     size_t quantities;
     ovr_error *err;
 } sampling;
@@ -40,18 +40,9 @@ bool ovr_study_random(const ovr_study *study)
 
 /* --------------------------------------------------------------- quantities */
 
-static const ovr_sweep_column *column_named(const ovr_sweep_table *t,
-                                            const char *name)
-{
-    for (size_t k = 0; k < t->columns; k++)
-        if (!strcmp(t->column[k].name, name))
-            return &t->column[k];
-    return NULL;
-}
-
 static bool add_quantity(sampling *w, const char *name)
 {
-    const ovr_sweep_column *c = column_named(w->t, name);
+    const ovr_table_column *c = ovr_table_summary(w->t, name);
     for (size_t k = 0; k < w->quantities; k++)
         if (w->quantity[k] == c)
             return true;
@@ -62,13 +53,14 @@ static bool add_quantity(sampling *w, const char *name)
 
 static ovr_status no_quantity(const sampling *w, const char *name)
 {
-    const char *names[OVR_SWEEP_MAX_NUMBERS], *meant;
-    for (size_t k = 0; k < w->t->columns; k++)
-        names[k] = w->t->column[k].name;
-    meant = ovr_suggest(name, names, w->t->columns);
-    if (!w->t->columns)
+    const char *names[OVR_TABLE_COLUMNS], *meant;
+    size_t keys = w->t->keys, count = w->t->columns - keys;
+    if (!count)
         return ovr_fail(w->err, OVR_BAD_INPUT,
                         "no case has finished yet: 'overroll sweep' runs them");
+    for (size_t k = 0; k < count; k++)
+        names[k] = w->t->column[keys + k].name;
+    meant = ovr_suggest(name, names, count);
     if (!meant)
         return ovr_fail(w->err, OVR_BAD_INPUT, "no quantity '%.60s'", name);
     ovr_fail(w->err, OVR_BAD_INPUT,
@@ -117,10 +109,10 @@ static ovr_status take_usual(sampling *w)
 static void take_range(const sampling *w, size_t from, const char *name,
                        int range[2])
 {
-    const ovr_sweep_column *c = column_named(w->t, name);
+    const ovr_table_column *c = ovr_table_summary(w->t, name);
     range[0] = range[1] = 0;
     for (size_t i = 0; c && i < w->s->random.how.draws; i++) {
-        double v = c->value[from + i];
+        double v = c->number[from + i];
         if (isnan(v))
             continue;
         if (!range[1] || (int)v < range[0])
@@ -134,20 +126,20 @@ static void take_range(const sampling *w, size_t from, const char *name,
  * steps that were are marked. */
 static bool is_number(const sampling *w, size_t task, double value)
 {
-    const ovr_sweep_column *converged = column_named(w->t, "converged");
-    const ovr_sweep_column *steps = column_named(w->t, "steps");
-    bool marched = steps && isfinite(steps->value[task]);
+    const ovr_table_column *converged = ovr_table_summary(w->t, "converged");
+    const ovr_table_column *steps = ovr_table_summary(w->t, "steps");
+    bool marched = steps && isfinite(steps->number[task]);
     return isfinite(value) &&
-           (marched || !converged || !(converged->value[task] <= 0));
+           (marched || !converged || !(converged->number[task] <= 0));
 }
 
 static void count_states(const sampling *w, size_t from, ovr_sample_row *r)
 {
-    const ovr_sweep_column *marked = column_named(w->t, "steps_marked");
+    const ovr_table_column *marked = ovr_table_summary(w->t, "steps_marked");
     for (size_t i = from; i < from + r->draws; i++) {
         r->finished += w->t->state[i] == OVR_SWEEP_FINISHED;
         r->failed += w->t->state[i] == OVR_SWEEP_FAILED;
-        r->marked += marked && marked->value[i] > 0;
+        r->marked += marked && marked->number[i] > 0;
     }
     take_range(w, from, "order", r->order);
     take_range(w, from, "level", r->level);
@@ -247,20 +239,21 @@ static ovr_status take_inputs(sampling *w, size_t from, const double *value,
     w->to->input[row] = input;
     for (size_t k = 0; x && y && input && r->known >= ENOUGH && k < w->t->keys;
          k++) {
-        const ovr_sweep_values *v = &w->t->values[k];
+        const ovr_table_column *c = &w->t->column[k];
+        const ovr_study_key *key = w->t->key[k];
         ovr_sample_input *in = &input[r->inputs];
         ovr_interval i = {NAN, NAN};
         size_t n = 0;
-        if (!v->key->random || !v->numeric || is_seed(v->key->where))
+        if (!key->random || !ovr_table_numeric(c) || is_seed(key->where))
             continue;
         for (size_t d = 0; d < r->draws; d++)
             if (isfinite(value[d])) {
-                x[n] = v->number[from + d];
+                x[n] = c->number[from + d];
                 y[n++] = value[d];
             }
         *in = (ovr_sample_input){
-            .key = ovr_arena_text(&w->to->arena, v->key->shown, w->err),
-            .related = v->key->related,
+            .key = ovr_arena_text(&w->to->arena, c->name, w->err),
+            .related = key->related,
             .share = NAN};
         if (!in->related) {
             in->share = ovr_first_order(x, y, n, &arena);
@@ -292,7 +285,7 @@ static const char *group_name(sampling *w, size_t from)
 }
 
 static ovr_status take_row(sampling *w, size_t row, size_t group,
-                           const ovr_sweep_column *of)
+                           const ovr_table_column *of)
 {
     size_t draws = w->s->random.how.draws, from = group * draws;
     ovr_arena arena = ovr_arena_make(&w->s->arena.allocator);
@@ -309,7 +302,7 @@ static ovr_status take_row(sampling *w, size_t row, size_t group,
     if (!status) {
         count_states(w, from, r);
         for (size_t i = 0; i < draws; i++) {
-            double v = of->value[from + i];
+            double v = of->number[from + i];
             value[i] = is_number(w, from + i, v) ? v : NAN;
             if (isfinite(value[i]))
                 known[r->known++] = value[i];
@@ -352,25 +345,26 @@ ovr_sample *ovr_study_sample(const ovr_study *study, const char *quantities,
 {
     if (!study)
         return ovr_null(err, __func__);
-    ovr_arena arena = ovr_arena_make(NULL), own = ovr_arena_make(NULL);
+    ovr_arena arena = ovr_arena_make(NULL);
     ovr_sample *to = ovr_arena_take(&arena, 1, sizeof *to, err);
-    ovr_sweep_table *t = ovr_arena_take(&own, 1, sizeof *t, err);
-    sampling w = {.to = to, .s = study, .t = t, .err = err};
-    ovr_status status = to && t ? OVR_OK : OVR_NO_MEMORY;
-    if (to)
-        to->arena = arena;
-    if (!status && !ovr_study_random(study))
+    if (!to)
+        return NULL;
+    to->arena = arena;
+    ovr_table *t = NULL;
+    ovr_status status = OVR_OK;
+    if (!ovr_study_random(study))
         status = ovr_fail(
             err, OVR_BAD_INPUT,
             "%s: has no [random], and statistics are those of draws",
             study->path);
-    if (!status && !(status = ovr_sweep_gather(study, t, err))) {
+    if (!status && !(t = ovr_study_table(study, err)))
+        status = OVR_NO_MEMORY;
+    sampling w = {.to = to, .s = study, .t = t, .err = err};
+    if (!status)
         status = quantities ? take_asked(&w, quantities) : take_usual(&w);
-        if (!status)
-            status = take_rows(&w);
-        ovr_sweep_table_free(t);
-    }
-    ovr_arena_release(&own);
+    if (!status)
+        status = take_rows(&w);
+    ovr_table_free(t);
     if (!status)
         return to;
     ovr_sample_free(to);
@@ -405,8 +399,7 @@ const ovr_sample_input *ovr_sample_input_at(const ovr_sample *sample,
 static void put(FILE *to, double value)
 {
     fputc(',', to);
-    if (isfinite(value))
-        fprintf(to, "%.17g", value);
+    ovr_csv_number(to, isfinite(value) ? value : NAN, 17);
 }
 
 static void put_row(const ovr_sample *s, size_t k, FILE *to)
@@ -436,14 +429,11 @@ static void put_row(const ovr_sample *s, size_t k, FILE *to)
 ovr_status ovr_sample_write(const ovr_sample *sample, const char *path,
                             ovr_error *err)
 {
-    FILE *to;
-    bool good;
     if (!sample || !path)
         return ovr_fail_null(err, __func__);
-    to = fopen(path, "w");
+    FILE *to = fopen(path, "w");
     if (!to)
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be written: %s", path,
-                        strerror(errno));
+        return ovr_csv_end(to, path, err);
     fputs("group,quantity,draws,finished,failed,marked,mean,mean_error,sd", to);
     for (int i = 0; sample->rows && i < OVR_SAMPLE_QUANTILES; i++) {
         int percent = (int)lround(100 * sample->row[0].p[i]);
@@ -456,9 +446,5 @@ ovr_status ovr_sample_write(const ovr_sample *sample, const char *path,
     fputc('\n', to);
     for (size_t k = 0; k < sample->rows; k++)
         put_row(sample, k, to);
-    good = !ferror(to);
-    good = fclose(to) == 0 && good;
-    return good ? OVR_OK
-                : ovr_fail(err, OVR_IO, "%s: cannot be written: %s", path,
-                           strerror(errno));
+    return ovr_csv_end(to, path, err);
 }

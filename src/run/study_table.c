@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The table of a study for whoever draws or reckons with it: gathered from its
- * folder, or read again from what `sweep --collect` wrote; and that of several
- * passes, read from their file. */
+/* The table of a study for whoever draws or reckons with it, read again from
+ * what `sweep --collect` wrote; and that of several passes, from their file. */
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
@@ -13,19 +12,14 @@
 #include "base/given.h"
 #include "base/text.h"
 #include "results/hdf5read/hdf5read.h"
+#include "run/csv.h"
 #include "run/sweep_table.h"
 
-enum { MAX_COLUMNS = 256, MAX_BYTES = 1 << 26 };
+enum { MAX_BYTES = 1 << 26 };
 
-struct ovr_table {
-    ovr_arena arena;
-    size_t rows, columns;
-    ovr_table_column column[MAX_COLUMNS];
-};
-
-static ovr_table *new_table(ovr_error *err)
+ovr_table *ovr_table_make(const ovr_allocator *allocator, ovr_error *err)
 {
-    ovr_arena arena = ovr_arena_make(NULL);
+    ovr_arena arena = ovr_arena_make(allocator);
     ovr_table *t = ovr_arena_take(&arena, 1, sizeof *t, err);
     if (t)
         t->arena = arena;
@@ -52,103 +46,7 @@ const ovr_table_column *ovr_table_at(const ovr_table *table, size_t k)
     return k < table->columns ? &table->column[k] : NULL;
 }
 
-/* ---------------------------------------------------------- from the study */
-
-static ovr_status add_key(ovr_table *t, const ovr_sweep_table *from,
-                          const ovr_sweep_values *v, ovr_error *err)
-{
-    ovr_table_column *c = &t->column[t->columns];
-    double *number = ovr_arena_take(&t->arena, t->rows, sizeof *number, err);
-    const char **text = ovr_arena_take(&t->arena, t->rows, sizeof *text, err);
-    if (!number || !text)
-        return OVR_NO_MEMORY;
-    for (size_t i = 0; i < t->rows; i++) {
-        number[i] = v->numeric ? v->number[i] : NAN;
-        text[i] = ovr_arena_text(&t->arena, ovr_study_value(from->s, v->key, i),
-                                 err);
-        if (!text[i])
-            return OVR_NO_MEMORY;
-    }
-    *c = (ovr_table_column){ovr_arena_text(&t->arena, v->key->shown, err),
-                            strcmp(v->unit, "1") ? v->unit : "",
-                            true,
-                            number,
-                            text,
-                            NULL};
-    if (v->key->zip)
-        c->zip = ovr_arena_text(&t->arena, v->key->zip_name, err);
-    t->columns += c->name != NULL;
-    return c->name && (c->zip || !v->key->zip) ? OVR_OK : OVR_NO_MEMORY;
-}
-
-static ovr_status add_number(ovr_table *t, const ovr_sweep_column *from,
-                             ovr_error *err)
-{
-    ovr_table_column *c = &t->column[t->columns];
-    double *number = ovr_arena_take(&t->arena, t->rows, sizeof *number, err);
-    *c = (ovr_table_column){ovr_arena_text(&t->arena, from->name, err),
-                            "",
-                            false,
-                            number,
-                            NULL,
-                            NULL};
-    if (!number || !c->name)
-        return OVR_NO_MEMORY;
-    memcpy(number, from->value, t->rows * sizeof *number);
-    t->columns++;
-    return OVR_OK;
-}
-
-ovr_table *ovr_study_table(const ovr_study *study, ovr_error *err)
-{
-    if (!study)
-        return ovr_null(err, __func__);
-    ovr_table *t = new_table(err);
-    ovr_sweep_table *from = t ? ovr_arena_take(&t->arena, 1, sizeof *from, err)
-                              : NULL;
-    ovr_status status = from ? ovr_sweep_gather(study, from, err)
-                             : OVR_NO_MEMORY;
-    if (t)
-        t->rows = study->tasks;
-    for (size_t k = 0; !status && k < from->keys; k++)
-        status = add_key(t, from, &from->values[k], err);
-    for (size_t k = 0; !status && k < from->columns; k++)
-        status = add_number(t, &from->column[k], err);
-    if (from)
-        ovr_sweep_table_free(from);
-    if (!status)
-        return t;
-    ovr_table_free(t);
-    return NULL;
-}
-
 /* ---------------------------------------------------------------- from CSV */
-
-/* The next cell at *at, ended where it stands, quotes undone; *last: it was
- * its line's last. */
-static char *next_cell(char **at, bool *last)
-{
-    char *from = *at, *to = from, *p = from;
-    bool quoted = *p == '"';
-    if (quoted)
-        p++;
-    for (; *p; p++) {
-        if (quoted && p[0] == '"' && p[1] == '"')
-            p++;
-        else if (quoted && *p == '"') {
-            quoted = false;
-            continue;
-        } else if (!quoted && (*p == ',' || *p == '\n' || *p == '\r'))
-            break;
-        *to++ = *p;
-    }
-    *last = *p != ',';
-    while (*p == '\r')
-        p++;
-    *at = *p ? p + 1 : p;
-    *to = '\0';
-    return from;
-}
 
 static size_t count_lines(const char *text)
 {
@@ -158,24 +56,12 @@ static size_t count_lines(const char *text)
     return n;
 }
 
-/* "load [N/m]": cut to the name, and the unit; "" where it has none. */
-static const char *cut_unit(char *head)
-{
-    size_t length = strlen(head);
-    char *from = strstr(head, " [");
-    if (!from || head[length - 1] != ']')
-        return "";
-    head[length - 1] = '\0';
-    *from = '\0';
-    return from + 2;
-}
-
 /* Names; the columns between `name` and `status` are the study's keys. */
 static ovr_status read_heads(ovr_table *t, char **at, const char *path,
                              ovr_error *err)
 {
     bool last = false, varied = false;
-    while (!last && t->columns < MAX_COLUMNS) {
+    while (!last && t->columns < OVR_TABLE_COLUMNS) {
         ovr_table_column *c = &t->column[t->columns++];
         double *number = ovr_arena_take(&t->arena, t->rows, sizeof *number,
                                         err);
@@ -183,8 +69,8 @@ static ovr_status read_heads(ovr_table *t, char **at, const char *path,
                                            err);
         if (!number || !text)
             return OVR_NO_MEMORY;
-        char *head = next_cell(at, &last);
-        const char *unit = cut_unit(head);
+        char *head = ovr_csv_cell(at, &last);
+        const char *unit = ovr_csv_unit(head);
         *c = (ovr_table_column){head, unit, false, number, text, NULL};
         varied = varied && strcmp(c->name, "status") != 0;
         c->varied = varied;
@@ -204,7 +90,7 @@ static void read_rows(ovr_table *t, char *at)
     for (; i < t->rows && *at; i++) {
         bool last = false;
         for (size_t k = 0; !last; k++) {
-            char *cell = next_cell(&at, &last);
+            char *cell = ovr_csv_cell(&at, &last);
             double value;
             if (k >= t->columns)
                 continue;
@@ -219,7 +105,7 @@ static void read_rows(ovr_table *t, char *at)
 
 static ovr_table *read_csv(const char *path, ovr_error *err)
 {
-    ovr_table *t = new_table(err);
+    ovr_table *t = ovr_table_make(NULL, err);
     const char *text =
         t ? ovr_text_file(path, "table", MAX_BYTES, &t->arena, err) : NULL;
     char *at;
@@ -303,7 +189,7 @@ static bool take_variables(ovr_table *t, ovr_container *c)
     bool passes = find_axis(c, "pass", &axis);
     bool good = passes || find_axis(c, "case", &axis);
     ovr_link *links = good ? ovr_container_links(c, c->root, &count) : NULL;
-    if (!links || count > MAX_COLUMNS)
+    if (!links || count > OVR_TABLE_COLUMNS)
         return false;
     t->rows = (size_t)axis.shape[0];
     for (size_t k = 0; good && k < count; k++)
@@ -317,7 +203,7 @@ static bool take_variables(ovr_table *t, ovr_container *c)
 /* Texts stay where they were read. */
 static ovr_table *read_netcdf(const char *path, ovr_error *err)
 {
-    ovr_table *t = new_table(err);
+    ovr_table *t = ovr_table_make(NULL, err);
     ovr_container c;
     int fd = t ? open(path, O_RDONLY | O_CLOEXEC) : -1;
     bool good = fd >= 0 &&

@@ -126,7 +126,7 @@ ovr_status ovr_sweep(const ovr_study *study, const ovr_sweep_options *options,
 
 /* --------------------------------------------------------------- the table */
 
-static ovr_status write_table(const ovr_sweep_table *t, const char *path,
+static ovr_status write_table(const ovr_table *t, const char *path,
                               ovr_error *err)
 {
     const char *end = strrchr(path, '.');
@@ -138,34 +138,32 @@ static ovr_status write_table(const ovr_sweep_table *t, const char *path,
                     "%s: its name must end with .csv, .nc or .h5", path);
 }
 
-static void count(const ovr_sweep_table *t, ovr_sweep_totals *totals)
+static void count(const ovr_table *t, ovr_sweep_totals *totals)
 {
-    ovr_sweep_totals all = {0};
-    memcpy(all.count, t->count, sizeof t->count);
-    for (size_t k = 0; k < t->columns; k++)
-        for (size_t i = 0; i < t->s->tasks; i++)
-            all.marked += !strcmp(t->column[k].name, "steps_marked") &&
-                          t->column[k].value[i] > 0;
-    *totals = all;
+    const ovr_table_column *marked = ovr_table_summary(t, "steps_marked");
+    *totals = (ovr_sweep_totals){0};
+    memcpy(totals->count, t->count, sizeof t->count);
+    for (size_t i = 0; marked && i < t->rows; i++)
+        totals->marked += marked->number[i] > 0;
 }
 
 ovr_status ovr_sweep_collect(const ovr_study *study, const char *path,
                              ovr_sweep_totals *totals, ovr_error *err)
 {
-    ovr_sweep_table t;
     char manifest[4400];
     ovr_status status = study ? make_folder(study->output, err)
                               : ovr_fail_null(err, __func__);
     if (status)
         return status;
+    ovr_table *t = ovr_study_table(study, err);
+    if (!t)
+        return OVR_NO_MEMORY;
     snprintf(manifest, sizeof manifest, "%s/manifest.csv", study->output);
-    status = ovr_sweep_gather(study, &t, err);
-    if (!status)
-        status = ovr_sweep_write_csv(&t, manifest, true, err);
+    status = ovr_sweep_write_csv(t, manifest, true, err);
     if (!status && path)
-        status = write_table(&t, path, err);
+        status = write_table(t, path, err);
     if (!status && totals)
-        count(&t, totals);
-    ovr_sweep_table_free(&t);
+        count(t, totals);
+    ovr_table_free(t);
     return status;
 }

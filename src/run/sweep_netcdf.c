@@ -24,14 +24,12 @@ static const char *unit_of(const char *name)
 }
 
 /* Tells what a key of the summaries means, as far as the lists say. */
-static void explain(const ovr_sweep_table *t, const char *key, char *text,
+static void explain(const ovr_table *t, const char *key, char *text,
                     size_t capacity)
 {
     ovr_extreme e;
     const ovr_observable *o;
-    bool run = false;
-    for (size_t k = 0; k < t->columns; k++)
-        run = run || !strcmp(t->column[k].name, "T_end");
+    bool run = ovr_table_summary(t, "T_end") != NULL;
     snprintf(text, capacity, "%s", key);
     for (size_t k = 0; ovr_extreme_at(k, &e); k++)
         if (!strcmp(e.key, key) || !strcmp(e.key_si, key))
@@ -43,48 +41,39 @@ static void explain(const ovr_sweep_table *t, const char *key, char *text,
                      run ? "at the end of the run: " : "", o->long_name);
 }
 
-static bool put_values(const ovr_sweep_table *t, const ovr_flat *rows,
-                       const char **texts)
+static bool put_key(const ovr_table *t, const ovr_flat *rows, size_t k)
 {
-    for (size_t k = 0; k < t->keys; k++) {
-        const ovr_sweep_values *v = &t->values[k];
-        const char *name = v->key->shown;
-        for (size_t i = 0; i < t->s->tasks; i++)
-            texts[i] = ovr_study_value(t->s, v->key, i);
-        if (v->numeric ? !ovr_flat_numbers(rows, name, v->unit, v->key->where,
-                                           v->number)
-                       : !ovr_flat_texts(rows, name, v->key->where, texts))
-            return false;
-        if (v->key->zip && !ovr_flat_note(rows, name, "zip", v->key->zip_name))
-            return false;
-    }
-    return true;
+    const ovr_table_column *c = &t->column[k];
+    const char *where = t->key[k]->where;
+    bool good = ovr_table_numeric(c)
+                    ? ovr_flat_numbers(rows, c->name, *c->unit ? c->unit : "1",
+                                       where, c->number)
+                    : ovr_flat_texts(rows, c->name, where, c->text);
+    return good && (!c->zip || ovr_flat_note(rows, c->name, "zip", c->zip));
 }
 
-static bool put_all(const ovr_sweep_table *t, const ovr_flat *rows,
-                    ovr_arena *arena)
+static bool put_all(const ovr_table *t, const ovr_flat *rows, ovr_arena *arena)
 {
-    const char **texts = ovr_arena_take(arena, t->s->tasks, sizeof *texts,
-                                        NULL);
-    bool good = texts &&
+    const char **state = ovr_arena_take(arena, t->rows, sizeof *state, NULL);
+    bool good = state &&
                 ovr_flat_texts(rows, "name", "name of the case's files",
-                               (const char *const *)t->s->name);
-    for (size_t i = 0; good && i < t->s->tasks; i++)
-        texts[i] = ovr_sweep_state_name(t->state[i]);
-    good = good &&
-           ovr_flat_texts(rows, "status", "how the case stands", texts) &&
-           put_values(t, rows, texts);
-    for (size_t k = 0; good && k < t->columns; k++) {
-        const ovr_sweep_column *c = &t->column[k];
+                               (const char *const *)t->study->name);
+    for (size_t i = 0; good && i < t->rows; i++)
+        state[i] = ovr_sweep_state_name(t->state[i]);
+    good = good && ovr_flat_texts(rows, "status", "how the case stands", state);
+    for (size_t k = 0; good && k < t->keys; k++)
+        good = put_key(t, rows, k);
+    for (size_t k = t->keys; good && k < t->columns; k++) {
+        const ovr_table_column *c = &t->column[k];
         char about[160];
         explain(t, c->name, about, sizeof about);
         good = ovr_flat_numbers(rows, c->name, unit_of(c->name), about,
-                                c->value);
+                                c->number);
     }
     return good;
 }
 
-ovr_status ovr_sweep_write_netcdf(const ovr_sweep_table *t, const char *path,
+ovr_status ovr_sweep_write_netcdf(const ovr_table *t, const char *path,
                                   ovr_error *err)
 {
     ovr_flat rows;
@@ -93,11 +82,11 @@ ovr_status ovr_sweep_write_netcdf(const ovr_sweep_table *t, const char *path,
     char part[4500];
     bool good, made;
     snprintf(part, sizeof part, "%.4400s.%ld.part", path, (long)getpid());
-    good = ovr_flat_begin(&rows, part, "case", "number of the case",
-                          t->s->tasks, &arena) &&
+    good = ovr_flat_begin(&rows, part, "case", "number of the case", t->rows,
+                          &arena) &&
            put_all(t, &rows, &arena);
     made = rows.file >= 0;
-    good = ovr_flat_end(&rows, part, t->s->path, good);
+    good = ovr_flat_end(&rows, part, t->study->path, good);
     ovr_arena_release(&arena);
     ovr_h5_restore(before);
     if (good && rename(part, path) == 0)

@@ -8,9 +8,11 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/given.h"
 #include "base/text.h"
 #include "case/case.h"
 #include "results/results.h"
+#include "run/csv.h"
 #include "run/run.h"
 #include "run/trials.h"
 
@@ -18,30 +20,39 @@ enum { PATH_CAPACITY = 4400 };
 
 /* -------------------------------------------------------------- summaries */
 
-static double *new_numbers(ovr_sweep_table *t, ovr_error *err)
+static double *new_numbers(ovr_table *t, ovr_error *err)
 {
-    double *values = ovr_arena_take(&t->arena, t->s->tasks, sizeof *values,
-                                    err);
-    for (size_t i = 0; values && i < t->s->tasks; i++)
+    double *values = ovr_arena_take(&t->arena, t->rows, sizeof *values, err);
+    for (size_t i = 0; values && i < t->rows; i++)
         values[i] = NAN;
     return values;
 }
 
-/* The column of this name, made when it is new; NULL: no space. */
-static ovr_sweep_column *column_of(ovr_sweep_table *t, const char *name,
-                                   ovr_error *err)
+const ovr_table_column *ovr_table_summary(const ovr_table *t, const char *name)
 {
-    ovr_sweep_column *c;
-    for (size_t i = 0; i < t->columns; i++)
-        if (!strcmp(t->column[i].name, name))
-            return &t->column[i];
-    if (t->columns == OVR_SWEEP_MAX_NUMBERS)
-        return NULL;
-    c = &t->column[t->columns];
-    snprintf(c->name, sizeof c->name, "%.47s", name);
-    c->value = new_numbers(t, err);
-    t->columns += c->value != NULL;
-    return c->value ? c : NULL;
+    for (size_t k = t->keys; k < t->columns; k++)
+        if (!strcmp(t->column[k].name, name))
+            return &t->column[k];
+    return NULL;
+}
+
+/* Stores a number of a task in the column `name`.  A new name adds a column, up
+ * to OVR_TABLE_COLUMNS. */
+static void take_number(ovr_table *t, size_t task, const char *name,
+                        double value, ovr_error *err)
+{
+    const ovr_table_column *c = ovr_table_summary(t, name);
+    if (!c && t->columns < OVR_TABLE_COLUMNS) {
+        double *number = new_numbers(t, err);
+        name = number ? ovr_arena_text(&t->arena, name, err) : NULL;
+        if (name)
+            c = &t->column[t->columns++];
+        if (name)
+            t->column[t->columns - 1] = (ovr_table_column){
+                .name = name, .unit = "", .number = number};
+    }
+    if (c)
+        ((double *)c->number)[task] = value;
 }
 
 /* `  "key": value,` of our own JSON, not of objects inside: the number, NAN for
@@ -64,22 +75,14 @@ static bool read_pair(const char *line, char *key, size_t capacity,
     return ovr_read_number(&text, value);
 }
 
-static void take_number(ovr_sweep_table *t, size_t task, const char *name,
-                        double value, ovr_error *err)
-{
-    ovr_sweep_column *c = column_of(t, name, err);
-    if (c)
-        c->value[task] = value;
-}
-
 /* Reads from the result file; false: there is none, or none with a summary. */
-static bool read_result(ovr_sweep_table *t, size_t task, ovr_error *err)
+static bool read_result(ovr_table *t, size_t task, ovr_error *err)
 {
     char path[PATH_CAPACITY];
     ovr_result *result;
     const ovr_group_attribute *line;
     size_t count = 0;
-    ovr_study_file(t->s, task, ".h5", path, sizeof path);
+    ovr_study_file(t->study, task, ".h5", path, sizeof path);
     result = access(path, F_OK) == 0
                  ? ovr_result_open(path, &t->arena.allocator, NULL)
                  : NULL;
@@ -95,14 +98,13 @@ static bool read_result(ovr_sweep_table *t, size_t task, ovr_error *err)
     return count > 0;
 }
 
-/* Reads from the JSON beside it, for studies without result files, and those
- * that older versions ran. */
-static void read_json(ovr_sweep_table *t, size_t task, ovr_error *err)
+/* Reads the JSON of a task, which studies without result files have. */
+static void read_json(ovr_table *t, size_t task, ovr_error *err)
 {
     char path[PATH_CAPACITY], line[512], key[64];
     double value;
     FILE *from;
-    ovr_study_file(t->s, task, ".json", path, sizeof path);
+    ovr_study_file(t->study, task, ".json", path, sizeof path);
     from = fopen(path, "r");
     while (from && fgets(line, sizeof line, from))
         if (read_pair(line, key, sizeof key, &value))
@@ -112,121 +114,136 @@ static void read_json(ovr_sweep_table *t, size_t task, ovr_error *err)
 }
 
 /* The summaries repeat some keys of the study (M, L): those give way. */
-static bool is_taken(const ovr_sweep_table *t, const char *name)
+static bool is_taken(const ovr_table *t, const char *name)
 {
     for (size_t k = 0; k < t->keys; k++)
-        if (!strcmp(t->values[k].key->shown, name))
+        if (!strcmp(t->column[k].name, name))
             return true;
     return !strcmp(name, "case") || !strcmp(name, "name") ||
            !strcmp(name, "status");
 }
 
 /* A key that no case has a number for (a text) makes no column. */
-static void drop_columns(ovr_sweep_table *t)
+static void drop_columns(ovr_table *t)
 {
-    size_t kept = 0;
-    for (size_t k = 0; k < t->columns; k++) {
+    size_t kept = t->keys;
+    for (size_t k = t->keys; k < t->columns; k++) {
         bool any = false;
         if (is_taken(t, t->column[k].name))
             continue;
-        for (size_t i = 0; i < t->s->tasks && !any; i++)
-            any = !isnan(t->column[k].value[i]);
+        for (size_t i = 0; i < t->rows && !any; i++)
+            any = !isnan(t->column[k].number[i]);
         if (any)
             t->column[kept++] = t->column[k];
     }
     t->columns = kept;
 }
 
-/* ----------------------------------------------------------------- values */
+/* ------------------------------------------------------------------- keys */
 
-static void take_value(ovr_sweep_values *v, const ovr_case *c, size_t task)
+static ovr_status add_key(ovr_table *t, const ovr_study_key *key,
+                          ovr_error *err)
 {
-    ovr_case_entry e;
-    if (!ovr_case_entry_of(c, v->key->where, strlen(v->key->where), &e)) {
-        v->numeric = false;
-        return;
+    const char **text = ovr_arena_take(&t->arena, t->rows, sizeof *text, err);
+    const ovr_table_column c = {
+        .name = ovr_arena_text(&t->arena, key->shown, err),
+        .unit = "",
+        .varied = true,
+        .number = new_numbers(t, err),
+        .text = text,
+        .zip = key->zip ? ovr_arena_text(&t->arena, key->zip_name, err) : NULL};
+    for (size_t i = 0; text && i < t->rows; i++) {
+        text[i] = ovr_arena_text(&t->arena, ovr_study_value(t->study, key, i),
+                                 err);
+        if (!text[i])
+            return OVR_NO_MEMORY;
     }
-    v->number[task] = e.number;
-    v->numeric = v->numeric &&
-                 isfinite(ovr_parameter_at(e.parameter).minimum) &&
-                 isfinite(e.number);
-    if (e.unit)
-        v->unit = e.unit;
+    if (!text || !c.name || !c.number || (key->zip && !c.zip))
+        return OVR_NO_MEMORY;
+    t->key[t->keys++] = key;
+    t->column[t->columns++] = c;
+    return OVR_OK;
 }
 
-static ovr_status take_values(ovr_sweep_table *t, ovr_error *err)
+bool ovr_table_numeric(const ovr_table_column *key)
 {
-    const ovr_study *s = t->s;
-    for (size_t k = 0; k < s->keys; k++) {
-        ovr_sweep_values *v = &t->values[t->keys];
-        if (s->key[k].fixed)
-            continue;
-        *v = (ovr_sweep_values){&s->key[k], true, "1", new_numbers(t, err)};
-        if (!v->number)
+    return !isnan(key->number[0]);
+}
+
+/* Stores the key's number in a task; returns false if its value is no number.
+ */
+static bool take_value(ovr_table *t, size_t k, const ovr_case *c, size_t task)
+{
+    const char *where = t->key[k]->where;
+    ovr_case_entry e;
+    if (!ovr_case_entry_of(c, where, strlen(where), &e))
+        return false;
+    ((double *)t->column[k].number)[task] = e.number;
+    if (e.unit && strcmp(e.unit, "1") != 0)
+        t->column[k].unit = e.unit;
+    return isfinite(ovr_parameter_at(e.parameter).minimum) &&
+           isfinite(e.number);
+}
+
+/* Adds the columns of the keys.  A key whose value is no number in some task
+ * has no numbers in any. */
+static ovr_status take_keys(ovr_table *t, ovr_error *err)
+{
+    const ovr_study *s = t->study;
+    bool none[OVR_STUDY_MAX_KEYS] = {false};
+    for (size_t k = 0; k < s->keys; k++)
+        if (!s->key[k].fixed && add_key(t, &s->key[k], err))
             return OVR_NO_MEMORY;
-        t->keys++;
-    }
-    for (size_t i = 0; i < s->tasks; i++) {
+    for (size_t i = 0; i < t->rows; i++) {
         ovr_case *c = ovr_study_case(s, i, err);
         for (size_t k = 0; c && k < t->keys; k++)
-            take_value(&t->values[k], c, i);
+            none[k] |= !take_value(t, k, c, i);
         ovr_case_free(c);
     }
+    for (size_t k = 0; k < t->keys; k++)
+        for (size_t i = 0; none[k] && i < t->rows; i++)
+            ((double *)t->column[k].number)[i] = NAN;
     return OVR_OK;
 }
 
 /* ------------------------------------------------------------------ table */
 
-ovr_status ovr_sweep_gather(const ovr_study *s, ovr_sweep_table *t,
-                            ovr_error *err)
+static ovr_status gather(ovr_table *t, ovr_error *err)
 {
-    memset(t, 0, sizeof *t);
-    t->s = s;
-    t->arena = ovr_arena_make(&s->arena.allocator);
-    t->state = ovr_arena_take(&t->arena, s->tasks, sizeof *t->state, err);
-    if (!t->state || take_values(t, err))
+    const ovr_study *s = t->study;
+    ovr_sweep_state *state = ovr_arena_take(&t->arena, s->tasks, sizeof *state,
+                                            err);
+    t->rows = s->tasks;
+    t->state = state;
+    if (!state || take_keys(t, err))
         return OVR_NO_MEMORY;
     for (size_t i = 0; i < s->tasks; i++) {
-        t->state[i] = ovr_sweep_state_of(s, i);
-        t->count[t->state[i]]++;
-        if (t->state[i] == OVR_SWEEP_FINISHED && !read_result(t, i, err))
+        state[i] = ovr_sweep_state_of(s, i);
+        t->count[state[i]]++;
+        if (state[i] == OVR_SWEEP_FINISHED && !read_result(t, i, err))
             read_json(t, i, err);
     }
     drop_columns(t);
     return OVR_OK;
 }
 
-void ovr_sweep_table_free(ovr_sweep_table *table)
+ovr_table *ovr_study_table(const ovr_study *study, ovr_error *err)
 {
-    ovr_arena_release(&table->arena);
+    if (!study)
+        return ovr_null(err, __func__);
+    ovr_table *t = ovr_table_make(&study->arena.allocator, err);
+    if (t)
+        t->study = study;
+    if (!t || !gather(t, err))
+        return t;
+    ovr_table_free(t);
+    return NULL;
 }
 
 /* -------------------------------------------------------------------- CSV */
 
-/* RFC 4180: in quotes what holds a comma or a quote. */
-static void put_text(FILE *to, const char *text)
-{
-    if (!text[strcspn(text, ",\"\n")]) {
-        fputs(text, to);
-        return;
-    }
-    fputc('"', to);
-    for (; *text; text++) {
-        if (*text == '"')
-            fputc('"', to);
-        fputc(*text, to);
-    }
-    fputc('"', to);
-}
-
-static void put_number(FILE *to, double value, int digits)
-{
-    if (!isnan(value))
-        fprintf(to, "%.*g", digits, value);
-}
-
 /* Takes what was extreme in runs in time, of steady solutions these. */
-static bool is_main(const ovr_sweep_table *t, const char *name)
+static bool is_main(const ovr_table *t, const char *name)
 {
     static const char *const names[] = {"P_max_overall",   "P_max_overall_Pa",
                                         "T_P_max",         "H_min_overall",
@@ -237,9 +254,8 @@ static bool is_main(const ovr_sweep_table *t, const char *name)
                                         "central_film_m",  "P_max",
                                         "max_pressure_Pa"};
     size_t maximum = sizeof names / sizeof names[0];
-    for (size_t i = 0; i < t->columns; i++)
-        if (!strcmp(t->column[i].name, "P_max_overall"))
-            maximum -= 6;
+    if (ovr_table_summary(t, "P_max_overall"))
+        maximum -= 6;
     for (size_t i = 0; i < maximum; i++)
         if (!strcmp(names[i], name))
             return true;
@@ -248,91 +264,89 @@ static bool is_main(const ovr_sweep_table *t, const char *name)
 
 /* Puts a key with the unit of its numbers; the manifest's values have their
  * own. */
-static void put_key(const ovr_sweep_values *v, FILE *to, bool manifest)
+static void put_key(const ovr_table_column *c, FILE *to, bool manifest)
 {
     char head[200];
-    bool pure = manifest || !v->numeric || !strcmp(v->unit, "1");
-    snprintf(head, sizeof head, "%.140s%s%s%s", v->key->shown, pure ? "" : " [",
-             pure ? "" : v->unit, pure ? "" : "]");
-    put_text(to, head);
+    bool pure = manifest || !ovr_table_numeric(c) || !*c->unit;
+    snprintf(head, sizeof head, "%.140s%s%s%s", c->name, pure ? "" : " [",
+             pure ? "" : c->unit, pure ? "" : "]");
+    ovr_csv_text(to, head);
 }
 
-static void put_heads(const ovr_sweep_table *t, FILE *to, bool manifest)
+static void put_heads(const ovr_table *t, FILE *to, bool manifest)
 {
     fputs("task,name", to);
     for (size_t k = 0; k < t->keys; k++) {
         fputc(',', to);
-        put_key(&t->values[k], to, manifest);
+        put_key(&t->column[k], to, manifest);
     }
     fputs(manifest ? ",status,output,summary" : ",status", to);
-    for (size_t k = 0; k < t->columns; k++)
+    for (size_t k = t->keys; k < t->columns; k++)
         if (!manifest || is_main(t, t->column[k].name))
             fprintf(to, ",%s", t->column[k].name);
     fputs(manifest ? ",message\n" : "\n", to);
 }
 
 /* A file of the task, when it is there. */
-static void put_file(const ovr_sweep_table *t, size_t task, const char *ending,
+static void put_file(const ovr_table *t, size_t task, const char *ending,
                      FILE *to)
 {
     char path[PATH_CAPACITY];
     fputc(',', to);
-    ovr_study_file(t->s, task, ending, path, sizeof path);
+    ovr_study_file(t->study, task, ending, path, sizeof path);
     if (access(path, F_OK) == 0)
-        put_text(to, strrchr(path, '/') + 1);
+        ovr_csv_text(to, strrchr(path, '/') + 1);
 }
 
-static void put_row(const ovr_sweep_table *t, size_t i, FILE *to, bool manifest)
+static void put_row(const ovr_table *t, size_t i, FILE *to, bool manifest)
 {
     char message[1100];
     fprintf(to, "%zu,", i + 1);
-    put_text(to, t->s->name[i]);
+    ovr_csv_text(to, t->study->name[i]);
     for (size_t k = 0; k < t->keys; k++) {
+        const ovr_table_column *c = &t->column[k];
         fputc(',', to);
-        if (manifest || !t->values[k].numeric)
-            put_text(to, ovr_study_value(t->s, t->values[k].key, i));
+        if (manifest || !ovr_table_numeric(c))
+            ovr_csv_text(to, c->text[i]);
         else
-            put_number(to, t->values[k].number[i], 17);
+            ovr_csv_number(to, c->number[i], 17);
     }
     fprintf(to, ",%s", ovr_sweep_state_name(t->state[i]));
     if (manifest) {
         put_file(t, i, ".h5", to);
         put_file(t, i, ".json", to);
     }
-    for (size_t k = 0; k < t->columns; k++)
+    for (size_t k = t->keys; k < t->columns; k++)
         if (!manifest || is_main(t, t->column[k].name)) {
             fputc(',', to);
-            put_number(to, t->column[k].value[i], manifest ? 6 : 17);
+            ovr_csv_number(to, t->column[k].number[i], manifest ? 6 : 17);
         }
     if (manifest) {
-        ovr_sweep_message(t->s, i, message, sizeof message);
+        ovr_sweep_message(t->study, i, message, sizeof message);
         fputc(',', to);
-        put_text(to, message);
+        ovr_csv_text(to, message);
     }
     fputc('\n', to);
 }
 
 /* Written beside and renamed: whoever reads it finds a whole one. */
-ovr_status ovr_sweep_write_csv(const ovr_sweep_table *t, const char *path,
+ovr_status ovr_sweep_write_csv(const ovr_table *t, const char *path,
                                bool manifest, ovr_error *err)
 {
     char part[PATH_CAPACITY + 32];
-    FILE *to;
-    bool good;
     snprintf(part, sizeof part, "%s.%ld.part", path, (long)getpid());
     unlink(part);
-    to = fopen(part, "wx"); /* follows no link that somebody has put there */
-    if (!to)
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: cannot be written: %s", path,
-                        strerror(errno));
-    put_heads(t, to, manifest);
-    for (size_t i = 0; i < t->s->tasks; i++)
-        put_row(t, i, to, manifest);
-    good = !ferror(to);
-    good = fclose(to) == 0 && good;
-    if (good && rename(part, path) == 0)
+    FILE *to = fopen(part, "wx"); /* follows no link put there by somebody */
+    if (to) {
+        put_heads(t, to, manifest);
+        for (size_t i = 0; i < t->rows; i++)
+            put_row(t, i, to, manifest);
+    }
+    ovr_status status = ovr_csv_end(to, path, err);
+    if (!status && rename(part, path) == 0)
         return OVR_OK;
     unlink(part);
-    return ovr_fail(err, OVR_IO, "%s: cannot be written: %s", path,
-                    strerror(errno));
+    return status ? status
+                  : ovr_fail(err, OVR_IO, "%s: cannot be written: %s", path,
+                             strerror(errno));
 }
