@@ -1,67 +1,268 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Makes of a case what runs: first the contact, which gives the scales, then
- * everything else in its units, each in a file of its own.
+ * From a case to everything that a run needs: first the contact, which gives
+ * the scales, then options, times, features, physics and output in its units,
+ * and the conflicts among them last.
  */
 #include "case/resolve.h"
 
 #include <math.h>
+#include <stdio.h>
 
+#include "base/error.h"
 #include "base/given.h"
 #include "case/resolve_element.h"
 #include "contact/contact.h"
 #include "contact/flow_law.h"
 #include "contact/oil.h"
+#include "contact/reversal.h"
+#include "multigrid/hierarchy.h"
+#include "results/layout.h"
+#include "simulation/conflicts.h"
+#include "simulation/physics.h"
 #include "surface/surfaces.h"
 
-static const double ALPHA_PAPER = 1.7e-8; /* 1/Pa */
+/* ------------------------------------------------------------------ options */
 
-/* ---------------------------------------------------------------- contact */
-
-/* viscosity and alpha may stand in [contact] or in [lubricant]. */
-static ovr_status check_twice(const ovr_resolved *r, const char *key,
-                              ovr_error *err)
+static int nodes_of(int level)
 {
-    const ovr_slot *one = ovr_slot_of(r, "contact", key);
-    const ovr_slot *other = ovr_slot_of(r, "lubricant", key);
-    if (!one->given || !other->given)
-        return OVR_OK;
-    return ovr_fail_slot(err, other,
-                         "is given in [contact] too: give it in one place");
+    return (int)ovr_level_nodes(level);
 }
 
-static ovr_status resolve_contact(ovr_resolved *r, ovr_error *err)
+static ovr_status resolve_level(ovr_resolved *r, ovr_error *err)
 {
-    ovr_conditions *given = &r->values.contact;
-    const ovr_block *contact = ovr_block_of(r, "contact");
-    const ovr_block *lubricant = ovr_block_of(r, "lubricant");
-    ovr_error why = {0};
-    bool numbers;
-    *given = ovr_conditions_default();
-    r->values.flow = ovr_flow_form_default();
-    r->values.carreau_stress = r->values.carreau_number = NAN;
-    if (check_twice(r, "viscosity", err) || check_twice(r, "alpha", err))
-        return OVR_BAD_INPUT;
-    r->values.oil = ovr_oil_default();
-    r->values.iso_vg = NAN;
-    if (ovr_section_fill(r, "contact", err) ||
-        ovr_section_fill(r, "lubricant", err))
-        return OVR_BAD_INPUT;
-    r->setup.bearable = r->values.bearable;
-    if (ovr_resolve_element_keys(r, err) || ovr_resolve_bodies(r, err) ||
-        ovr_resolve_element(r, err) || ovr_resolve_oil(r, err))
-        return err ? err->status : OVR_BAD_INPUT;
-    numbers = !isnan(given->M) || !isnan(given->L) || !isnan(given->lambda) ||
-              !isnan(given->alphabar);
-    if (numbers && isnan(given->alpha) && isnan(given->hertz_pressure))
-        given->alpha = ALPHA_PAPER;
-    if (ovr_contact_resolve(given, &r->contact, &why))
-        return ovr_fail_in(err, r->c, contact, lubricant, &why);
-    if (ovr_resolve_stiffness(r, err))
-        return err ? err->status : OVR_BAD_INPUT;
-    if (ovr_oil_scale(&r->values.oil, &r->contact, &r->lubricant, &why))
-        return ovr_fail_in(err, r->c, contact, lubricant, &why);
+    const ovr_slot *nodes = ovr_slot_of(r, "domain", "nodes");
+    const ovr_slot *level = ovr_slot_of(r, "domain", "level");
+    int k = 1, target = r->values.nodes;
+    if (!nodes->given)
+        return OVR_OK;
+    if (level->given)
+        return ovr_fail_slot(err, nodes, "level is given too: leave one out");
+    while (k < OVR_LEVELS - 1 && nodes_of(k) < target)
+        k++;
+    if (k > 1 && nodes_of(k) - target > target - nodes_of(k - 1))
+        k--;
+    if (nodes_of(k) != target)
+        return ovr_fail_slot(err, nodes,
+                             "%d must be 7 2^k + 1; the nearest is %d "
+                             "(level %d)",
+                             target, nodes_of(k), k);
+    r->values.options.level = k;
     return OVR_OK;
+}
+
+static ovr_status check_solver(const ovr_resolved *r, ovr_error *err)
+{
+    const ovr_options *o = &r->values.options;
+    if (o->mlmi_order % 2 || o->mlmi_range % 2) {
+        const char *key = o->mlmi_order % 2 ? "mlmi_order" : "mlmi_range";
+        const ovr_slot *slot = ovr_slot_of(r, "paper", key);
+        return ovr_fail_slot(err, slot, "%s must be even", slot->text);
+    }
+    if (o->level > 0 && o->coarsest_level > o->level)
+        return ovr_fail_slot(err, ovr_slot_of(r, "solver", "coarsest_level"),
+                             "%d must not be above the level "
+                             "%d",
+                             o->coarsest_level, o->level);
+    return OVR_OK;
+}
+
+static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
+{
+    ovr_status status;
+    r->values.options = ovr_options_default();
+    if (ovr_section_fill(r, "domain", err) ||
+        ovr_section_fill(r, "solver", err) ||
+        ovr_section_fill(r, "paper", err) || ovr_section_fill(r, "time", err))
+        return OVR_BAD_INPUT;
+    r->values.passes.side_flow = NAN;
+    r->values.passes.spacing = r->values.passes.recovery = NAN;
+    if (ovr_section_fill(r, "passes", err))
+        return OVR_BAD_INPUT;
+    status = ovr_resolve_forms(r, err);
+    if (!status)
+        status = resolve_level(r, err);
+    if (!status)
+        status = check_solver(r, err);
+    r->setup.confirm = r->values.options.level == OVR_GRID_AUTO;
+    r->setup.accuracy_of = (ovr_accuracy)r->values.accuracy_of;
+    r->setup.accuracy = r->setup.confirm ? r->values.accuracy : 0;
+    return status;
+}
+
+/* ----------------------------------------------------------------- features */
+
+static ovr_status fill_feature(ovr_resolved *r, const ovr_block *block,
+                               ovr_feature_settings *to, ovr_error *err)
+{
+    ovr_feature_form *form = &to->form;
+    ovr_status status;
+    *to = (ovr_feature_settings){.form = ovr_feature_form_default(),
+                                 .source = ovr_profile_source_default(),
+                                 .conditioning = ovr_conditioning_default(),
+                                 .roughness = ovr_roughness_default()};
+    form->name = block->name;
+    form->source = &to->source;
+    form->conditioning = &to->conditioning;
+    form->roughness = &to->roughness;
+    if (!ovr_block_get(block, "shape")->given) {
+        ovr_error why = {0};
+        ovr_fail_about(&why, "shape", "[feature %s] needs a shape",
+                       block->name);
+        return ovr_fail_in(err, r->c, block, NULL, &why);
+    }
+    status = ovr_block_fill(r, block, to, err);
+    to->source.spacing_scaled = true; /* like all lengths here: in b */
+    if (form->shape == OVR_ROUGHNESS) {
+        to->roughness.length = form->length;
+        form->length = NAN;
+    }
+    return status;
+}
+
+/* Chooses the seed of roughness without one, so that no two such features have
+ * the same heights: 1, 3, 5 ... on surface 1 and 2, 4, 6 ... on surface 2. */
+static void choose_seed(ovr_feature_settings *s, const ovr_block *block,
+                        int count[2])
+{
+    int side = s->form.surface == 2;
+    if (s->form.shape != OVR_ROUGHNESS)
+        return;
+    if (!ovr_block_get(block, "seed")->given)
+        s->roughness.seed = 2 * count[side] + side + 1;
+    count[side]++;
+}
+
+static ovr_status resolve_features(ovr_resolved *r, ovr_error *err)
+{
+    ovr_feature_settings *settings;
+    const ovr_feature_form **form;
+    size_t n = 0;
+    int rough[2] = {0, 0};
+    for (const ovr_block *b = r->c->blocks; b; b = b->next)
+        n += ovr_block_is_feature(b);
+    settings = ovr_arena_take(&r->arena, n, sizeof *settings, err);
+    form = ovr_arena_take(&r->arena, n, sizeof *form, err);
+    if (!settings || !form)
+        return OVR_NO_MEMORY;
+    r->feature = form;
+    r->features = n;
+    for (const ovr_block *b = r->c->blocks; b; b = b->next)
+        if (ovr_block_is_feature(b)) {
+            ovr_status status = fill_feature(r, b, settings, err);
+            if (status)
+                return status;
+            choose_seed(settings, b, rough);
+            *form++ = &settings++->form;
+        }
+    return OVR_OK;
+}
+
+/* ------------------------------------------------------------------- output */
+
+/* Fields that have no values are refused; where the section of their physics
+ * stands in the case, but off, the rest is stored, which a note says: a study
+ * may turn it on and off. */
+static ovr_status leave_out(ovr_resolved *r, const ovr_slot *slot,
+                            ovr_error *err)
+{
+    ovr_output *out = &r->values.output;
+    const ovr_physics *off = NULL;
+    unsigned none = ovr_resolved_no_fields(r, &off);
+    if (!none || slot->stored)
+        return OVR_OK;
+    const char *section = off->section->name;
+    const ovr_observable *row[OVR_FIELDS_MAX];
+    ovr_layout_fields(none, row);
+    if (none == out->fields ||
+        !ovr_block_is_there(ovr_case_find_block(r->c, section, NULL)))
+        return ovr_fail_slot(err, slot,
+                             "%s has no values without [%s]: leave it out",
+                             row[0]->name, section);
+    out->fields &= ~none;
+    return OVR_OK;
+}
+
+static ovr_status resolve_output(ovr_resolved *r, ovr_error *err)
+{
+    ovr_output *out = &r->values.output;
+    out->from = out->to = NAN;
+    if (ovr_section_fill(r, "output", err))
+        return OVR_BAD_INPUT;
+    const ovr_slot *fields = ovr_slot_of(r, "output", "fields");
+    if (!fields->given)
+        out->fields |= ovr_resolved_fields(r);
+    else if (leave_out(r, fields, err))
+        return OVR_BAD_INPUT;
+    out->every = r->values.every;
+    out->single = r->values.precision == 1;
+    if (out->from >= out->to)
+        return ovr_fail_slot(err, ovr_slot_of(r, "output", "from"),
+                             "%g must be below to = %g", out->from, out->to);
+    return OVR_OK;
+}
+
+/* ---------------------------------------------------------------- conflicts */
+
+static bool is_given(const ovr_resolved *r, int feature)
+{
+    ovr_model_feature_info info = ovr_model_feature_at(feature);
+    return ovr_slot_of(r, info.section, info.key)->given;
+}
+
+/* True if a feature on the mesh is rough. */
+static bool has_roughness(const ovr_resolved *r)
+{
+    for (size_t k = 0; k < r->setup.features; k++)
+        if (r->setup.feature[k]->shape == OVR_PROFILE ||
+            r->setup.feature[k]->shape == OVR_ROUGHNESS)
+            return true;
+    return false;
+}
+
+/* Those of the options count where their keys are written; stop, smoother,
+ * refine and the like are nothing unless written. */
+#define BY_SETUP(NAME, words, section, key, whole, options, setup) setup,
+static unsigned written(const ovr_resolved *r)
+{
+    const ovr_setup *s = &r->setup;
+    const bool by_setup[] = {OVR_MODEL_FEATURE_ROWS(BY_SETUP)};
+    unsigned by_options = ovr_model_features_of(&r->values.options);
+    unsigned on = ovr_resolved_features(r);
+    for (int feature = 0; feature < OVR_MODEL_FEATURES; feature++)
+        if (by_setup[feature] ||
+            (by_options >> feature & 1 && is_given(r, feature)))
+            on |= 1U << feature;
+    return on;
+}
+
+/* "[heat] model = lobatto". */
+static void put_name(const ovr_resolved *r, int feature, size_t size,
+                     char text[])
+{
+    ovr_model_feature_info info = ovr_model_feature_at(feature);
+    const ovr_slot *slot = ovr_slot_of(r, info.section, info.key);
+    if (slot->given && feature != OVR_MODEL_REVERSAL)
+        snprintf(text, size, "[%s] %s = %s", info.section, info.key,
+                 slot->text);
+    else
+        snprintf(text, size, "%s", info.name);
+}
+
+static ovr_status resolve_conflicts(const ovr_resolved *r, ovr_error *err)
+{
+    const ovr_conflict *conflict = ovr_conflict_among(written(r));
+    const ovr_slot *slot;
+    ovr_model_feature_info feature;
+    char beside[100];
+    if (!conflict)
+        return OVR_OK;
+    feature = ovr_model_feature_at(conflict->feature);
+    slot = ovr_slot_of(r, feature.section, feature.key);
+    put_name(r, conflict->other, sizeof beside, beside);
+    return ovr_fail_slot(err, slot, "%s does not go with %s; %s does",
+                         slot->given ? slot->text : feature.name, beside,
+                         conflict->instead);
 }
 
 /* -------------------------------------------------------------- all of it */
@@ -86,23 +287,23 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
     r->setup.output = &r->values.output;
     status = ovr_case_check_idle(c, err);
     if (!status)
-        status = resolve_contact(r, err);
+        status = ovr_resolve_contact(r, err);
     if (!status)
         status = ovr_resolve_flow(r, err);
     if (!status)
-        status = ovr_resolve_options(r, err);
+        status = resolve_options(r, err);
     if (!status)
         status = ovr_resolve_time(r, err);
     if (!status)
-        status = ovr_resolve_features(r, err);
+        status = resolve_features(r, err);
     if (!status)
         status = ovr_resolve_yield(r, err);
     if (!status)
         status = ovr_resolve_physics(r, err);
     if (!status)
-        status = ovr_resolve_output(r, err);
+        status = resolve_output(r, err);
     if (!status)
-        status = ovr_resolve_conflicts(r, err);
+        status = resolve_conflicts(r, err);
     if (!status)
         return &r->setup;
     ovr_setup_free(&r->setup);

@@ -67,16 +67,12 @@ ovr_status ovr_fail_in(ovr_error *err, const ovr_case *c,
                        const ovr_block *block, const ovr_block *other,
                        const ovr_error *why);
 
-/* [body 1] and [body 2], with what a material gives; and what they say of the
- * contact: its radius and modulus, speeds from rotations. */
-ovr_status ovr_resolve_bodies(ovr_resolved *r, ovr_error *err);
+/* Resolves [contact], [body 1], [body 2] and [lubricant] except its flow law:
+ * the contact, and with it the scales of all that follows. */
+ovr_status ovr_resolve_contact(ovr_resolved *r, ovr_error *err);
 
-/* Their yield, when the contact is known. */
+/* The bodies' yield strength relative to the Hertzian pressure. */
 ovr_status ovr_resolve_yield(ovr_resolved *r, ovr_error *err);
-
-/* The oil of [lubricant], its tables read: the contact's viscosity and alpha
- * where it gives them. */
-ovr_status ovr_resolve_oil(ovr_resolved *r, ovr_error *err);
 
 /* Makes the contact anew, where a physics changes how stiff the bodies are,
  * with the modulus that follows. */
@@ -123,26 +119,8 @@ void ovr_resolved_drop(ovr_resolved *r);
 /* Gives a simulation with its histories what they say beside the options. */
 void ovr_setup_equip(const ovr_setup *setup, ovr_simulation *sim);
 
-/* The options of the simulation, level and scheme as they are given. */
-ovr_status ovr_resolve_options(ovr_resolved *r, ovr_error *err);
-
 /* [time], the histories, and the scheme that goes with them. */
 ovr_status ovr_resolve_time(ovr_resolved *r, ovr_error *err);
-
-/* Forms of the features. */
-ovr_status ovr_resolve_features(ovr_resolved *r, ovr_error *err);
-
-/* [output], once heat and cavitation are known. */
-ovr_status ovr_resolve_output(ovr_resolved *r, ovr_error *err);
-
-/* Refuses features of the case that do not go together. */
-ovr_status ovr_resolve_conflicts(const ovr_resolved *r, ovr_error *err);
-
-ovr_status ovr_symmetric_domain(ovr_resolved *r, bool inlet, bool outlet,
-                                ovr_error *err);
-
-/* [passes]. */
-ovr_status ovr_resolve_passes(ovr_resolved *r, ovr_error *err);
 
 /* step = auto, the surfaces being made. */
 void ovr_resolve_step(ovr_resolved *r);
@@ -153,7 +131,8 @@ ovr_status ovr_resolve_end(ovr_resolved *r, ovr_error *err);
 /* The flow law of [lubricant], for a contact that is resolved. */
 ovr_status ovr_resolve_flow(ovr_resolved *r, ovr_error *err);
 
-/* A history from [load] or [speed]; *history NULL when it is constant. */
+/* Creates the history of a section with the keys of [load]; *history is NULL if
+ * it is constant. */
 ovr_status ovr_resolve_history(ovr_resolved *r, const char *section,
                                const ovr_change *change, ovr_history **history,
                                ovr_error *err);

@@ -76,7 +76,7 @@ enum { OVR_SCALE_DRY, OVR_SCALE_SUBSTRATE };
 enum { OVR_CURVATURE_AUTO, OVR_CURVATURE_CONVECTED, OVR_CURVATURE_IMPOSED };
 
 /* Materials are called by name in [body 1] and [body 2]; values and sources in
- * resolve_bodies.c. */
+ * resolve_contact.c. */
 typedef enum ovr_material_name {
     OVR_STEEL = 1,
     OVR_SILICON_NITRIDE,

@@ -222,6 +222,26 @@ static ovr_status choose_level(ovr_resolved *r, bool usual,
     return status;
 }
 
+/* Makes the domain symmetric if the mean speed reverses (simulation/mirror.h):
+ * inlet and outlet change places then. */
+static ovr_status make_symmetric(ovr_resolved *r, bool inlet, bool outlet,
+                                 ovr_error *err)
+{
+    ovr_options *o = r->setup.options;
+    double far = inlet ? -o->inlet : fmax(-o->inlet, o->outlet);
+    if (!ovr_history_reverses(r->setup.speed))
+        return OVR_OK;
+    if (outlet && o->outlet != -o->inlet)
+        return ovr_fail_slot(
+            err, ovr_slot_of(r, "domain", "outlet"),
+            "%g: inlet and outlet trade places where [speed] reverses: leave "
+            "it out, or give both the same size, %g",
+            o->outlet, far);
+    o->inlet = -far;
+    o->outlet = far;
+    return OVR_OK;
+}
+
 ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
                              ovr_error *err)
 {
@@ -235,8 +255,7 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
     ovr_status status;
     if (setup->nodes)
         return OVR_OK;
-    if (ovr_setup_domain(r, err) ||
-        ovr_symmetric_domain(r, inlet, outlet, err) ||
+    if (ovr_setup_domain(r, err) || make_symmetric(r, inlet, outlet, err) ||
         ovr_setup_curvature(r, err))
         return OVR_BAD_INPUT;
     usual_level(r);

@@ -13,7 +13,7 @@
  * A feature in a row: its name and what people call it, where a case has it and
  * whether as a whole section, and when it is on: by the options `o` of a
  * simulation, which count in a case where their key is written, by the setup
- * `s` of the case `r` (case/resolve_conflicts.c), or by the physics that it
+ * `s` of the case `r` (case/resolve.c), or by the physics that it
  * belongs to (`features` in physics.h).
  */
 #define OVR_MODEL_FEATURE_ROWS(FEATURE)                                        \
