@@ -12,9 +12,9 @@
 #include <stddef.h>
 
 #include "base/arena.h"
+#include "base/pack.h"
 #include "overroll/results.h"
 #include "results/layout.h"
-#include "results/pack.h"
 #include "results/results.h"
 #include "results/store.h"
 

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "results/pack.h"
+#include "base/pack.h"
 
 /* Kinds of messages. */
 enum {

@@ -3,8 +3,8 @@
  * Shuffle and deflate, as HDF5's filters of these names do them, so that a
  * chunk can be made outside HDF5 and handed over whole.
  */
-#ifndef OVR_RESULTS_PACK_H
-#define OVR_RESULTS_PACK_H
+#ifndef OVR_BASE_PACK_H
+#define OVR_BASE_PACK_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "results/pack.h"
+#include "base/pack.h"
 
 #include <limits.h>
 #include <string.h>
