@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "base/given.h"
-#include "case/condition.h"
 #include "case/keys/keys.h"
+#include "case/when.h"
 #include "simulation/physics.h"
 
 /* Help and files have them in this order. */

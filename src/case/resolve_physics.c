@@ -5,10 +5,10 @@
 #include <string.h>
 
 #include "base/error.h"
-#include "case/condition.h"
 #include "case/resolve.h"
 #include "case/setup.h"
 #include "case/two_columns.h"
+#include "case/when.h"
 #include "elements/elements.h"
 #include "results/results.h"
 

@@ -122,15 +122,10 @@ const cli_verb *cli_find_verb(const cli_verb *const *verbs, const char *name);
 /* Help of one verb: usage, summary, options. */
 void cli_print_help(const cli_verb *verb, FILE *to);
 
-/* Prints on standard output what does not go together: as a topic of help,
- * which returns CLI_DONE; as a part of overroll-case(5). */
-int cli_help_conflicts(void);
-
 /* Topics that are neither a command nor a key: their names, NULL behind the
  * last; whether there is one, printed. */
 const char *cli_topic_name(size_t k);
 bool cli_help_topic(const char *topic);
 void cli_help_units(void);
-void cli_roff_conflicts(void);
 
 #endif

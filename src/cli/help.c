@@ -9,6 +9,46 @@
 
 #include "cli/cli.h"
 
+/* "[domain] order"; of a section that is there or not, its name. */
+static void place(int feature, size_t size, char *text)
+{
+    ovr_model_feature_info info = ovr_model_feature_at(feature);
+    snprintf(text, size, "[%s]%s%s", info.section, info.whole ? "" : " ",
+             info.whole ? "" : info.key);
+}
+
+static void put_conflicts(bool roff)
+{
+    const ovr_conflict *r;
+    for (size_t k = 0; (r = ovr_conflict_at(k)); k++) {
+        char where[40];
+        place(r->feature, sizeof where, where);
+        printf(roff ? ".TP\n.B %s with %s\n%s must be %s: %s.\n"
+                    : "  %s with %s\n        %s: %s\n        since %s\n",
+               ovr_model_feature_at(r->feature).name,
+               ovr_model_feature_at(r->other).name, where, r->instead, r->why);
+    }
+}
+
+static int print_conflicts(void)
+{
+    puts("What does not go together is refused before anything is solved. "
+         "Every other\npair works; what is not written gives way by itself.\n");
+    put_conflicts(false);
+    return CLI_DONE;
+}
+
+static void print_roff_conflicts(void)
+{
+    puts(".SH WHAT GOES WITH WHAT\n"
+         "Every two features of a case work together but for these, which are "
+         "refused\nbefore anything is solved where both are written; what is "
+         "not written gives\nway.");
+    put_conflicts(true);
+}
+
+/* --------------------------------------------------------------------- help */
+
 enum { WIDTH = 78, INDENT = 17, TOPICS = 300, KEYS = 1000 };
 
 /* ------------------------------------------------------------------ lists */
@@ -298,7 +338,7 @@ static int roff(void)
                 roff_parameter(&p);
         }
     }
-    cli_roff_conflicts();
+    print_roff_conflicts();
     return CLI_DONE;
 }
 
@@ -368,7 +408,7 @@ static int run(cli_call *call)
     else if (!strcmp(topic, "units"))
         cli_help_units();
     else if (!strcmp(topic, "conflicts") || !strcmp(topic, "pairs"))
-        return cli_help_conflicts();
+        return print_conflicts();
     else if (!help_section(topic) && !cli_help_topic(topic) &&
              !help_shape(topic) && !help_key(topic))
         return no_topic(call, topic);

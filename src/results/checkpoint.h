@@ -8,16 +8,16 @@
  *           content, neither with an end
  *   end     a piece without name, holding the crc32 of all before it (64 bit)
  *
- * Pieces: "format" (a number of 64 bit), "version" (of the program), "created" (the result file's date_created,
- * which ties the two together), "case path", "case text", "value +NAME" or
- * "value -NAME" (physics or not) with the parameter's text, "counts"
- * (checkpoint_counts), "base" (the checkpoint's number, 64 bit: store.h; 0
- * where it is missing), then "state NAME" for each piece that
- * ovr_simulation_visit shows, in any order, and "state S", the surface at that
- * moment; none of these before the first checkpoint.  Who reads takes the
- * pieces by name: one that he does not know he leaves, a number (8 bytes at
- * most) that is not there keeps its value of before, and an array must be
- * there, unless its name begins with OVR_YOUNGER.
+ * Pieces: "format" (a number of 64 bit), "version" (of the program), "created"
+ * (the result file's date_created, which ties the two together), "case path",
+ * "case text", "value +NAME" or "value -NAME" (physics or not) with the
+ * parameter's text, "counts" (checkpoint_counts), "base" (the checkpoint's
+ * number, 64 bit: store.h; 0 where it is missing), then "state NAME" for each
+ * piece that ovr_simulation_visit shows, in any order, and "state S", the
+ * surface at that moment; none of these before the first checkpoint.  Who reads
+ * takes the pieces by name: one that he does not know he leaves, a number (8
+ * bytes at most) that is not there keeps its value of before, and an array must
+ * be there, unless its name begins with OVR_YOUNGER.
  *
  * It is written as OUT.h5.restart.part, synced, and renamed over the one
  * before, and the folder is synced: there is always a whole one.  What it says

@@ -28,7 +28,7 @@ void ovr_commit_alive(int journal);
 
 /* Tells a reader that has the lock whether a writer lives and does not change
  * the file now, so that this is as a commit left it.  False also where there
- * are no such locks: then the file must be looked at (torn.c). */
+ * are no such locks: then the file must be looked at (journal.c). */
 bool ovr_commit_is_settled(int journal);
 
 #endif

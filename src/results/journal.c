@@ -1,9 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Writing a journal: its form is described in journal.h. */
+/*
+ * The journal of a result file (journal.h describes its form): reading its
+ * records, writing them at a commit, going back to the last checkpoint by them,
+ * and deciding whether a file is in a state that a commit left.
+ */
 #include "results/journal.h"
 
 #include <errno.h>
 #include <fcntl.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <time.h>
@@ -13,6 +18,47 @@
 #include "base/disk.h"
 #include "base/lock.h"
 #include "results/commit_lock.h"
+
+/* ------------------------------------------------------------------ reading */
+
+bool ovr_journal_first(ovr_journal_walk *w, int journal)
+{
+    const ovr_journal_header *h = &w->header;
+    struct stat about;
+    if (fstat(journal, &about) != 0 || about.st_size < (off_t)sizeof *h ||
+        ovr_read_all(journal, &w->header, sizeof *h, 0) != 0)
+        return false;
+    w->fd = journal;
+    w->at = sizeof *h;
+    w->size = (uint64_t)about.st_size;
+    return memcmp(h->magic, OVR_JOURNAL_MAGIC, sizeof h->magic) == 0 &&
+           h->version == 2 && h->created[OVR_STORE_NAME - 1] == '\0' &&
+           h->sum ==
+               crc32(0, (const void *)h, offsetof(ovr_journal_header, sum));
+}
+
+const unsigned char *ovr_journal_next(ovr_journal_walk *w, ovr_arena *arena)
+{
+    ovr_journal_record *r = &w->record;
+    unsigned char *content;
+    uLong sum;
+    ovr_arena_release(arena);
+    if (w->size - w->at < sizeof *r ||
+        ovr_read_all(w->fd, r, sizeof *r, w->at) != 0 ||
+        r->salt != w->header.salt || r->bytes > w->size - w->at - sizeof *r)
+        return NULL;
+    content = ovr_arena_take(arena, (size_t)r->bytes + 1, 1, NULL);
+    if (!content ||
+        ovr_read_all(w->fd, content, (size_t)r->bytes, w->at + sizeof *r) != 0)
+        return NULL;
+    sum = crc32(0, (const void *)r, offsetof(ovr_journal_record, sum));
+    if (crc32(sum, content, (uInt)r->bytes) != r->sum)
+        return NULL;
+    w->at += sizeof *r + r->bytes;
+    return content;
+}
+
+/* ------------------------------------------------------------------ writing */
 
 static uint64_t checksum(uint64_t sum, const void *data, size_t bytes)
 {
@@ -256,4 +302,199 @@ int ovr_journal_write(ovr_store *s)
         error = append(s, &a);
     ovr_arena_release(&a.arena);
     return error;
+}
+
+/* ------------------------------------------------------------- rolling back */
+
+/* The date stands among the headers, at the file's beginning. */
+static bool stands_in(int file, const char *created, ovr_arena *arena)
+{
+    enum { MAX = 1 << 20 };
+    size_t length = strnlen(created, OVR_STORE_NAME), bytes;
+    struct stat about;
+    char *data;
+    if (length == 0)
+        return true;
+    if (fstat(file, &about) != 0)
+        return false;
+    bytes = about.st_size < MAX ? (size_t)about.st_size : MAX;
+    data = ovr_arena_take(arena, bytes + 1, 1, NULL);
+    if (!data || ovr_read_all(file, data, bytes, 0) != 0)
+        return false;
+    for (size_t k = 0; k + length <= bytes; k++)
+        if (data[k] == created[0] && memcmp(data + k, created, length) == 0)
+            return true;
+    return false;
+}
+
+static bool is_meant(const ovr_store *s, const ovr_journal_header *h,
+                     ovr_arena *arena)
+{
+    struct stat about;
+    bool known = s->created[0] != '\0';
+    if (known &&
+        (strcmp(s->created, h->created) != 0 || s->kept.number != h->number))
+        return false;
+    return fstat(s->fd, &about) == 0 && (uint64_t)about.st_size >= h->length &&
+           stands_in(s->fd, h->created, arena);
+}
+
+static int put_back(const ovr_store *s, ovr_journal_walk *w, ovr_arena *arena)
+{
+    const ovr_journal_record *r = &w->record;
+    const unsigned char *content;
+    int error = 0;
+    while (error == 0 && (content = ovr_journal_next(w, arena)) != NULL) {
+        uint64_t at = r->where * OVR_PAGE;
+        if (r->kind == OVR_JOURNAL_PAGE && r->bytes <= OVR_PAGE &&
+            r->where < w->header.length / OVR_PAGE + 1 &&
+            at + r->bytes <= w->header.length)
+            error = ovr_write_all(s->fd, content, (size_t)r->bytes, at);
+    }
+    if (error == 0 && ftruncate(s->fd, (off_t)w->header.length) != 0)
+        error = errno;
+    if (error == 0 && fsync(s->fd) != 0)
+        error = errno;
+    return error;
+}
+
+int ovr_journal_roll_back(ovr_store *s)
+{
+    ovr_arena arena = ovr_arena_make(&s->changed.arena->allocator);
+    ovr_journal_walk walk;
+    int error = 0;
+    if (ovr_journal_first(&walk, s->journal) &&
+        is_meant(s, &walk.header, &arena)) {
+        s->repaired = ovr_journal_torn(s->journal, s->fd,
+                                       &s->changed.arena->allocator);
+        error = put_back(s, &walk, &arena);
+        s->kept.needed = error != 0;
+        s->kept.number = walk.header.number;
+    }
+    ovr_arena_release(&arena);
+    return error;
+}
+
+/* -------------------------------------------------- recognizing a torn file */
+
+/*
+ * The journal records the checksum of each page changed since the checkpoint,
+ * state by state.  The pages of a state are the last that it names and, before
+ * them, those of the checkpoint.
+ */
+
+/* The page is this from a state on; state 0 is the checkpoint. */
+typedef struct promise {
+    ovr_journal_entry entry;
+    uint64_t state;
+} promise;
+
+typedef struct promises {
+    promise *list;
+    size_t count, capacity;
+    uint64_t states, length, length_before; /* of the last state, and before */
+    ovr_arena *arena;
+} promises;
+
+static bool add(promises *p, ovr_journal_entry entry, uint64_t state)
+{
+    if (p->count == p->capacity) {
+        size_t capacity = 2 * p->capacity + 256;
+        promise *more = ovr_arena_take(p->arena, capacity, sizeof *more, NULL);
+        if (!more)
+            return false;
+        if (p->count)
+            memcpy(more, p->list, p->count * sizeof *more);
+        p->list = more;
+        p->capacity = capacity;
+    }
+    p->list[p->count++] = (promise){entry, state};
+    return true;
+}
+
+static bool add_promised_state(promises *p, const ovr_journal_record *r,
+                               const unsigned char *content)
+{
+    ovr_journal_entry entry;
+    p->states++;
+    p->length_before = p->length;
+    p->length = r->where;
+    for (uint64_t k = 0; k + sizeof entry <= r->bytes; k += sizeof entry) {
+        memcpy(&entry, content + k, sizeof entry);
+        if (entry.bytes > OVR_PAGE || !add(p, entry, p->states))
+            return false;
+    }
+    return true;
+}
+
+static bool gather(promises *p, ovr_journal_walk *w, ovr_arena *scratch)
+{
+    const ovr_journal_record *r = &w->record;
+    const unsigned char *content;
+    bool ok = true;
+    p->length = w->header.length;
+    while (ok && (content = ovr_journal_next(w, scratch)) != NULL)
+        if (r->kind == OVR_JOURNAL_STATE) {
+            ok = add_promised_state(p, r, content);
+        } else if (r->kind == OVR_JOURNAL_PAGE && r->bytes <= OVR_PAGE) {
+            uLong sum = crc32(0, content, (uInt)r->bytes);
+            ok = add(p,
+                     (ovr_journal_entry){r->where, (uint32_t)r->bytes,
+                                         (uint32_t)sum},
+                     0);
+        }
+    return ok;
+}
+
+static int by_page(const void *a, const void *b)
+{
+    const promise *x = a, *y = b;
+    if (x->entry.page != y->entry.page)
+        return x->entry.page < y->entry.page ? -1 : 1;
+    return (x->state > y->state) - (x->state < y->state);
+}
+
+/* What lies behind a state's end is not its own. */
+static bool holds(int file, const promise *p, uint64_t length)
+{
+    unsigned char now[OVR_PAGE];
+    uint64_t at = p->entry.page * OVR_PAGE;
+    if (at + p->entry.bytes > length)
+        return true;
+    return ovr_read_all(file, now, p->entry.bytes, at) == 0 &&
+           crc32(0, now, p->entry.bytes) == p->entry.sum;
+}
+
+static bool is_state(const promises *p, int file, uint64_t state,
+                     uint64_t length)
+{
+    struct stat about;
+    if (fstat(file, &about) != 0 || (uint64_t)about.st_size < length)
+        return false;
+    for (size_t k = 0; k < p->count; k++) {
+        const promise *now = &p->list[k], *next = now + 1;
+        bool last = k + 1 == p->count || next->entry.page != now->entry.page ||
+                    next->state > state;
+        if (now->state <= state && last && !holds(file, now, length))
+            return false;
+    }
+    return true;
+}
+
+bool ovr_journal_torn(int journal, int file, const ovr_allocator *allocator)
+{
+    ovr_arena arena = ovr_arena_make(allocator);
+    ovr_arena scratch = ovr_arena_make(allocator);
+    promises p = {.arena = &arena};
+    ovr_journal_walk walk;
+    bool torn = false;
+    if (ovr_journal_first(&walk, journal) && gather(&p, &walk, &scratch) &&
+        p.states > 0 && p.count > 0) {
+        qsort(p.list, p.count, sizeof *p.list, by_page);
+        torn = !is_state(&p, file, p.states, p.length) &&
+               !is_state(&p, file, p.states - 1, p.length_before);
+    }
+    ovr_arena_release(&scratch);
+    ovr_arena_release(&arena);
+    return torn;
 }

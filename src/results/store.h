@@ -17,7 +17,7 @@
  *    superblock) last.  So whoever opens the file to write can always go back
  *    to the last checkpoint, whatever of the pages written since has reached
  *    the disk; and readers see whether a file is in a state that a commit left
- *    (torn.c).
+ *    (journal.c).
  * 3. A checkpoint syncs the file, writes and syncs the state of the run, which
  *    names the checkpoint's number, and its name; then the journal begins
  *    anew, with that number.  A journal of another number than the state has is

@@ -10,9 +10,84 @@
 #define OVR_RUN_PASS_SERIES_H
 
 #include "run/internal.h"
-#include "run/pass_columns.h"
-#include "run/pass_history.h"
 #include "surface/layer.h"
+
+/* --------------------------------------------------- columns (passes_file.c)
+ */
+
+/* The columns of the file of all passes: quantities with a PASS in their row,
+ * and after these what is known of a pass in addition. */
+enum { OVR_PASS_MAX = 64 };
+
+/* Those beside the quantities, by their numbers. */
+typedef enum ovr_pass_beside {
+    OVR_PASS_LOST,
+    OVR_PASS_STEPS,
+    OVR_PASS_FILM_ERROR, /* from here on where they are known */
+    OVR_PASS_MIN_ERROR,
+    OVR_PASS_PRESSURE_ERROR,
+    OVR_PASS_MENISCUS_ERROR,
+    OVR_PASS_LENGTH, /* of the stresses below a surface */
+    OVR_PASS_RISK,
+    OVR_PASS_RATIO,
+    OVR_PASS_TOGETHER,
+    OVR_PASS_BESIDE
+} ovr_pass_beside;
+
+typedef struct ovr_pass_column {
+    char name[64], long_name[160];
+    ovr_unit_kind kind;
+    const ovr_observable *of; /* NULL: none of the quantities */
+    unsigned how;             /* of that: one of OVR_PASS_MEAN, ... */
+    /* Its place in the table that people read, 0: none, its head there and the
+     * physics without which it is left out, as rows of quantities have them. */
+    int place;
+    const char *head;
+    unsigned with;
+} ovr_pass_column;
+
+/* Column k: first the OVR_PASS_BESIDE, then those of the quantities.  false
+ * past the end. */
+bool ovr_pass_column_at(size_t k, ovr_pass_column *to);
+
+/* Finds a column by its name, which is one of them. */
+size_t ovr_pass_column_named(const char *name);
+
+/* ---------------------------------- history at the outlet (pass_layers.c) */
+
+typedef enum ovr_pass_quantity {
+    OVR_SEEN_TIME,
+    OVR_SEEN_SUPPLY,
+    OVR_SEEN_INFLOW_RATIO,
+    OVR_SEEN_OUTFLOW,
+    OVR_SEEN_RESERVOIR,
+    OVR_SEEN_SPEED,
+    OVR_PASS_QUANTITIES
+} ovr_pass_quantity;
+
+enum { OVR_SEEN_MAX = OVR_PASS_QUANTITIES + OVR_PASS_MAX };
+
+/* Behind the ones above the quantity of each column, OVR_PASS_QUANTITIES + k;
+ * those of columns beside the quantities are empty. */
+typedef struct ovr_pass_history {
+    ovr_arena arena;
+    size_t n, capacity;
+    double *of[OVR_SEEN_MAX];
+    const ovr_observable *which[OVR_SEEN_MAX]; /* NULL: empty */
+} ovr_pass_history;
+
+/* Empty; ovr_arena_release(&h.arena) frees it. */
+ovr_pass_history ovr_pass_history_make(const ovr_allocator *allocator);
+
+/* All rows of a file. */
+ovr_status ovr_pass_history_read(ovr_pass_history *h, ovr_result *result,
+                                 ovr_error *err);
+
+/* Takes a row down at the start and at each step. */
+ovr_observer ovr_pass_history_observer(ovr_pass_history *h);
+
+/* -------------------------------------------------------------------- passes
+ */
 
 typedef struct ovr_pass_row {
     double value[OVR_PASS_MAX]; /* by columns, dimensionless; NAN: not known

@@ -13,7 +13,7 @@
 #include "overroll/questions.h"
 #include "overroll/text.h"
 #include "run/csv.h"
-#include "run/sweep_table.h"
+#include "run/study_table.h"
 
 enum { QUANTITIES = 32, NAME_CAPACITY = 400 };
 

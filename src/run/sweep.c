@@ -7,7 +7,7 @@
 
 #include "base/given.h"
 #include "base/processors.h"
-#include "run/sweep_table.h"
+#include "run/study_table.h"
 #include "run/task.h"
 
 typedef struct sweeping {

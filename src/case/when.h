@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The conditions under which a key has an effect (base/parameter.h), as text.
  */
-#ifndef OVR_CASE_CONDITION_H
-#define OVR_CASE_CONDITION_H
+#ifndef OVR_CASE_WHEN_H
+#define OVR_CASE_WHEN_H
 
 #include "base/parameter.h"
 #include "overroll/error.h"

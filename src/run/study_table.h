@@ -2,8 +2,8 @@
 /* The table of a study (overroll/run.h): a row for each task; the columns are
  * the varied keys and then the numbers of the summaries.  Files of tables are
  * read into the same type. */
-#ifndef OVR_RUN_SWEEP_TABLE_H
-#define OVR_RUN_SWEEP_TABLE_H
+#ifndef OVR_RUN_STUDY_TABLE_H
+#define OVR_RUN_STUDY_TABLE_H
 
 #include <stdio.h>
 
