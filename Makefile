@@ -269,8 +269,15 @@ ifneq ($(NO_TESTS),)
 $(error ONLY: no test is called $(NO_TESTS); names are as unit/kernels_test, cli/run, unit/%)
 endif
 endif
-VERIFYSRC := $(wildcard tests/verify/*_test.c)
-VERIFYSH  := $(wildcard tests/verify/*.sh)
+# Surveys of make check that draw more in make verify.
+SURVEYS   := $(addprefix tests/,reference/any_case_slow_test.c \
+               reference/coated_slow_test.c reference/domains_slow_test.c \
+               reference/stays_slow_test.c reference/touches_test.c \
+               reference/elements_marched.sh reference/still_surfaces.sh \
+               cli/power.sh cli/kills.sh cli/random_kills_slow.sh \
+               cli/io_faults.sh)
+VERIFYSRC := $(wildcard tests/verify/*_test.c) $(filter %.c,$(SURVEYS))
+VERIFYSH  := $(wildcard tests/verify/*.sh) $(filter %.sh,$(SURVEYS))
 SUPPORT   := $(patsubst %.c,$(BUILD)/%.o,\
                $(filter-out %/main.c,$(wildcard tests/support/*.c)))
 TESTBIN   := $(TESTSRC:%.c=$(BUILD)/%)

@@ -3,7 +3,7 @@
  * The features of the model that a simulation is put together from, and the
  * conflicts between two of them, which are refused.  Every other pair works: it
  * marches, is resumed to the same bits and keeps mass and load
- * (tests/cli/pairs_slow_test.c walks them all).
+ * (tests/verify/pairs_test.c walks them all).
  */
 #ifndef OVERROLL_CONFLICTS_H
 #define OVERROLL_CONFLICTS_H

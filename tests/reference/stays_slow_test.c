@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* 50 smooth contacts under constant conditions (support/stays.h). */
+/* Smooth contacts under constant conditions (support/stays.h). */
 #include "support/stays.h"
 #include "support/test.h"
 
 TEST(steady_contacts_stay)
 {
-    test_stays_survey(371000, 50);
+    test_stays_survey(370000, test_draws(50, 500));
 }

@@ -83,6 +83,9 @@ for n in 600 1500 3000; do
 done
 
 seed=${OVERROLL_SEED:-370} runs=${OVERROLL_RUNS:-30}
+if [ -n "${OVERROLL_VERIFY:-}" ]; then # another seed each day
+    seed=${OVERROLL_SEED:-$(date +%Y%m%d)} runs=${OVERROLL_RUNS:-300}
+fi
 echo "seed $seed: $runs contacts, one surface at 0.3 to 100 m/s, the other at"
 echo "0 to 0.03 of it either way, 5 to 400 kN/m, radii of 5 to 63 mm, 5 to 160"
 echo "mPa.s (logarithms uniform), levels 5 to 7"

@@ -2,6 +2,7 @@
 #include "support/test.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 void test_near(double actual, double expected, double tolerance, bool relative,
@@ -61,4 +62,12 @@ const char *test_block_name(const char *section)
         return " f";
     bool of_body = !strcmp(section, "body") || !strcmp(section, "coating");
     return of_body ? " 1" : "";
+}
+
+int test_draws(int few, int many)
+{
+    const char *runs = getenv("OVERROLL_RUNS");
+    if (runs)
+        return atoi(runs);
+    return getenv("OVERROLL_VERIFY") ? many : few;
 }

@@ -91,6 +91,10 @@ void test_error(const ovr_error *err, ovr_status status, const char *part,
 /* Random numbers, the same on every machine: uniform in [from, to). */
 double test_random(uint64_t *state, double from, double to);
 
+/* Returns the number of draws of a survey: `few` in make check, `many` in make
+ * verify, or the number in OVERROLL_RUNS. */
+int test_draws(int few, int many);
+
 /* " f", " 1", ...: a name for sections that need one, else "". */
 const char *test_block_name(const char *section);
 

@@ -1,9 +1,0 @@
-/* SPDX-License-Identifier: GPL-3.0-or-later */
-/* 100 steady contacts whose surfaces touch (support/touches.h). */
-#include "support/test.h"
-#include "support/touches.h"
-
-TEST(surfaces_that_touch_have_a_film)
-{
-    test_touches_survey(33000, 100);
-}
