@@ -54,7 +54,7 @@ void ovr_packer_release(ovr_packer *packer)
     packer->deflate = NULL;
 }
 
-/* Unpacks a chunk that holds so many bytes and no others. */
+/* Inflates a chunk to exactly `bytes` bytes. */
 static bool inflate_all(const unsigned char *chunk, size_t bytes,
                         unsigned char *to, size_t target, bool *starved)
 {

@@ -19,8 +19,8 @@ typedef struct ovr_packer {
     size_t bytes; /* of one chunk */
 } ovr_packer;
 
-/* The memory that packing will need comes from the arena, but for what
- * libdeflate takes (some 200 KB), which ovr_packer_release gives back. */
+/* Allocates the memory for packing from the arena, except for the 200 KB of
+ * libdeflate, which ovr_packer_release frees. */
 ovr_status ovr_packer_prepare(ovr_packer *packer, size_t bytes, int level,
                               ovr_arena *arena, ovr_error *err);
 
@@ -31,10 +31,10 @@ size_t ovr_pack(ovr_packer *packer, const void *values, size_t count,
 
 void ovr_packer_release(ovr_packer *packer);
 
-/* The other way: `count` elements of `size` bytes, from the arena (but for what
- * libdeflate takes while it unpacks, some 12 KB), or NULL when the chunk holds
- * anything else (or no memory: `starved`).  `left_out` has the bits of filters
- * that were not applied: 1 shuffle, 2 deflate. */
+/* Unpacks `count` elements of `size` bytes into memory of the arena (and some
+ * 12 KB of libdeflate's meanwhile).  Returns NULL if the chunk contains
+ * anything else, or without memory, which sets *starved.  `left_out` has the
+ * bits of filters that were not applied: 1 shuffle, 2 deflate. */
 unsigned char *ovr_unpack(const unsigned char *chunk, size_t bytes,
                           unsigned left_out, size_t count, size_t size,
                           ovr_arena *arena, bool *starved);

@@ -22,7 +22,7 @@
 #include "simulation/physics.h"
 #include "surface/surfaces.h"
 
-/* ------------------------------------------------------------------ options */
+/* ------------------------------------------------------------------ Options */
 
 static int nodes_of(int level)
 {
@@ -90,7 +90,7 @@ static ovr_status resolve_options(ovr_resolved *r, ovr_error *err)
     return status;
 }
 
-/* ----------------------------------------------------------------- features */
+/* ----------------------------------------------------------------- Features */
 
 static ovr_status fill_feature(ovr_resolved *r, const ovr_block *block,
                                ovr_feature_settings *to, ovr_error *err)
@@ -158,11 +158,11 @@ static ovr_status resolve_features(ovr_resolved *r, ovr_error *err)
     return OVR_OK;
 }
 
-/* ------------------------------------------------------------------- output */
+/* ------------------------------------------------------------------- Output */
 
-/* Fields that have no values are refused; where the section of their physics
- * stands in the case, but off, the rest is stored, which a note says: a study
- * may turn it on and off. */
+/* Refuses fields that have no values.  They are left out with a note if the
+ * case has the section of their physics, but off: a study may turn it on and
+ * off. */
 static ovr_status leave_out(ovr_resolved *r, const ovr_slot *slot,
                             ovr_error *err)
 {
@@ -202,7 +202,7 @@ static ovr_status resolve_output(ovr_resolved *r, ovr_error *err)
     return OVR_OK;
 }
 
-/* ---------------------------------------------------------------- conflicts */
+/* ---------------------------------------------------------------- Conflicts */
 
 static bool is_given(const ovr_resolved *r, int feature)
 {
@@ -265,7 +265,7 @@ static ovr_status resolve_conflicts(const ovr_resolved *r, ovr_error *err)
                          conflict->instead);
 }
 
-/* -------------------------------------------------------------- all of it */
+/* -------------------------------------------------------------- All of it */
 
 ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
                             ovr_error *err)

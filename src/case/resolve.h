@@ -100,17 +100,20 @@ const ovr_physics *ovr_setup_makes_nodes(const ovr_setup *setup);
 ovr_status ovr_setup_add_physics(const ovr_setup *setup, ovr_simulation *sim,
                                  ovr_error *err);
 
-/* These ask the physics that are on: for the features of the model that they
- * turn on (simulation/conflicts.h); for the fields that they store beside the
- * usual ones; why steps are one mesh for them, or NULL; for the film that
- * arrives at T = 0, INFINITY: as much as the contact takes. */
+/* Collected from the physics that are on: the features of the model that they
+ * turn on (simulation/conflicts.h) and the fields that they store in addition
+ * to the usual ones. */
 unsigned ovr_resolved_features(const ovr_resolved *r);
 unsigned ovr_resolved_fields(const ovr_resolved *r);
 
 /* Fields that [output] asks for and that have no values, as a physics is off:
  * the first such. */
 unsigned ovr_resolved_no_fields(const ovr_resolved *r, const ovr_physics **off);
+
+/* Returns the reason for steps of one mesh size, or NULL. */
 const char *ovr_resolved_one_mesh(const ovr_resolved *r);
+
+/* Returns the film that arrives at T = 0, INFINITY for flooded inlets. */
 double ovr_resolved_arrives(const ovr_resolved *r);
 
 /* Frees what their forms hold. */

@@ -37,7 +37,7 @@
 
 static const double ALPHA_PAPER = 1.7e-8; /* 1/Pa */
 
-/* ------------------------------------------------------------------- bodies */
+/* ------------------------------------------------------------------- Bodies */
 
 static const struct {
     double modulus, poisson, yield;
@@ -216,7 +216,7 @@ static ovr_status resolve_bodies(ovr_resolved *r, ovr_error *err)
     return spread_load(r, err);
 }
 
-/* ---------------------------------------------------------------------- oil */
+/* ---------------------------------------------------------------------- Oil */
 
 /* A file of measured values over the pressure, of the key that names it. */
 static ovr_status read_table(ovr_resolved *r, const char *key, const char *file,
@@ -243,7 +243,7 @@ static ovr_status read_table(ovr_resolved *r, const char *key, const char *file,
     return r->tables[what] ? OVR_OK : ovr_fail_from(err, &why, file, 0);
 }
 
-/* -------------------------------------------------------------------- oil */
+/* -------------------------------------------------------------------- Oil */
 
 static ovr_status grade(ovr_resolved *r, ovr_error *err)
 {
@@ -297,7 +297,7 @@ static ovr_status resolve_oil(ovr_resolved *r, ovr_error *err)
     return OVR_OK;
 }
 
-/* ----------------------------------------------------------------- flow law */
+/* ----------------------------------------------------------------- Flow law */
 
 /* The stress that scales it: where the film has thinned to 0.7 of what it was
  * (the last one if it never does), that the law's read_flow_table is fine
@@ -357,7 +357,7 @@ ovr_status ovr_resolve_flow(ovr_resolved *r, ovr_error *err)
     return OVR_OK;
 }
 
-/* ------------------------------------------------------------------ contact */
+/* ------------------------------------------------------------------ Contact */
 
 /* viscosity and alpha may stand in [contact] or in [lubricant]. */
 static ovr_status check_twice(const ovr_resolved *r, const char *key,

@@ -17,7 +17,7 @@
 #include "simulation/conflicts.h"
 #include "surface/surfaces.h"
 
-/* ---------------------------------------------------------------- histories */
+/* ---------------------------------------------------------------- Histories */
 
 static ovr_status missing(ovr_resolved *r, const ovr_block *block,
                           const char *key, ovr_error *err)
@@ -28,7 +28,7 @@ static ovr_status missing(ovr_resolved *r, const ovr_block *block,
                          key, block->section->name);
 }
 
-/* ----------------------------------------------------------------- tables */
+/* ----------------------------------------------------------------- Tables */
 
 /* b/um for one unit of the table's times. */
 static ovr_status time_unit(const ovr_resolved *r, const ovr_block *block,
@@ -66,7 +66,7 @@ static ovr_status load_table(ovr_resolved *r, const ovr_block *block,
     return status;
 }
 
-/* -------------------------------------------------------------------- all */
+/* -------------------------------------------------------------------- All */
 
 /* It begins, swings about and ends at the slide_to_roll of the contact. */
 static void of_sliding(const ovr_resolved *r, ovr_history_form *form)
@@ -109,7 +109,7 @@ ovr_status ovr_resolve_history(ovr_resolved *r, const char *section,
     return *history ? OVR_OK : ovr_fail_in(err, r->c, block, NULL, &why);
 }
 
-/* ------------------------------------------------------------------- passes */
+/* ------------------------------------------------------------------- Passes */
 
 /* Time from one rolling body to the next; a load for each of them. */
 static ovr_status check_bodies(const ovr_resolved *r, ovr_error *err)
@@ -158,11 +158,11 @@ static ovr_status resolve_passes(ovr_resolved *r, ovr_error *err)
     return check_bodies(r, err);
 }
 
-/* ---------------------------------------------------------- time and scheme */
+/* ---------------------------------------------------------- Time and scheme */
 
-/* Steps of whole meshes along the characteristic carry what moves without
- * error, and there corrections of fourth order follow histories; with others
- * the separate terms do. */
+/* Steps of whole mesh sizes along the characteristic convect features without
+ * error, and corrections of fourth order follow histories.  With other steps
+ * the separate terms are as accurate. */
 static ovr_scheme choose_scheme(const ovr_resolved *r)
 {
     const ovr_setup *s = &r->setup;
@@ -222,13 +222,13 @@ ovr_status ovr_resolve_time(ovr_resolved *r, ovr_error *err)
     return resolve_passes(r, err);
 }
 
-/* --------------------------------------------------------------- end = auto */
+/* --------------------------------------------------------------- End = auto */
 
 /*
- * The time after which nothing changes except the film, which still settles,
- * and the time for that.  A change of the film moves on at the mean speed: on a
- * fast surface it leaves the domain later than its feature, by one passage of
- * the domain at most.
+ * The end is the time after which only the film still settles, and the time for
+ * that.  A change of the film moves at the mean speed.  On a fast surface it
+ * leaves the domain later than its feature, by one passage of the domain at
+ * most.
  */
 
 static const double LATEST = 1e5; /* b/um, as of a given end */
@@ -311,7 +311,7 @@ ovr_status ovr_resolve_end(ovr_resolved *r, ovr_error *err)
     return status;
 }
 
-/* -------------------------------------------------------------- step = auto */
+/* -------------------------------------------------------------- Step = auto */
 
 /*
  * Along the characteristic, corrections of fourth order follow the solution.

@@ -14,7 +14,7 @@
 #include "case/when.h"
 #include "surface/feature.h"
 
-/* ------------------------------------------------------- conditions as text */
+/* ------------------------------------------------------- Conditions as text */
 
 bool ovr_condition_next(const char **text, const char *separator, char *piece,
                         size_t capacity)
@@ -120,7 +120,7 @@ void ovr_when_text(const ovr_parameter *row, char *text, size_t capacity)
     }
 }
 
-/* ------------------------------------------------------ keys without effect */
+/* ------------------------------------------------------ Keys without effect */
 
 /* One of the alternatives of a condition, taken apart. */
 typedef struct alternative {

@@ -47,11 +47,11 @@ static void print_roff_conflicts(void)
     put_conflicts(true);
 }
 
-/* --------------------------------------------------------------------- help */
+/* --------------------------------------------------------------------- Help */
 
 enum { WIDTH = 78, INDENT = 17, TOPICS = 300, KEYS = 1000 };
 
-/* ------------------------------------------------------------------ lists */
+/* ------------------------------------------------------------------ Lists */
 
 static void put_wrapped(const char *text)
 {
@@ -96,7 +96,7 @@ static int list_topics(const cli_call *call)
     return CLI_DONE;
 }
 
-/* ------------------------------------------------------------- parameters */
+/* ------------------------------------------------------------- Parameters */
 
 static void describe_range(const ovr_parameter_info *p, char *text,
                            size_t capacity)
@@ -228,7 +228,7 @@ static bool help_key(const char *key)
     return found;
 }
 
-/* ------------------------------------------------------------ manual page */
+/* ------------------------------------------------------------ Manual page */
 
 /* Writes roff, with what it takes for signs of its own. */
 static void put_roff(const char *text)
@@ -371,7 +371,7 @@ static int bash_keys(void)
     return CLI_DONE;
 }
 
-/* ------------------------------------------------------------------ topics */
+/* ------------------------------------------------------------------ Topics */
 
 static int no_topic(const cli_call *call, const char *topic)
 {

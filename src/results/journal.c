@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The journal of a result file (journal.h describes its form): reading its
- * records, writing them at a commit, going back to the last checkpoint by them,
- * and deciding whether a file is in a state that a commit left.
+ * The journal of a result file (journal.h describes its form).  Records are
+ * read, written at a commit and used to restore the last checkpoint.  The
+ * checksums in them decide if a file is in a state that a commit left.
  */
 #include "results/journal.h"
 
@@ -19,7 +19,7 @@
 #include "base/lock.h"
 #include "results/commit_lock.h"
 
-/* ------------------------------------------------------------------ reading */
+/* ------------------------------------------------------------------ Reading */
 
 bool ovr_journal_first(ovr_journal_walk *w, int journal)
 {
@@ -58,14 +58,14 @@ const unsigned char *ovr_journal_next(ovr_journal_walk *w, ovr_arena *arena)
     return content;
 }
 
-/* ------------------------------------------------------------------ writing */
+/* ------------------------------------------------------------------ Writing */
 
 static uint64_t checksum(uint64_t sum, const void *data, size_t bytes)
 {
     return crc32((uLong)sum, data, (uInt)bytes);
 }
 
-/* -------------------------------------------------------------- opening */
+/* -------------------------------------------------------------- Opening */
 
 bool ovr_file_is_named(int fd, const char *path)
 {
@@ -97,7 +97,7 @@ int ovr_journal_open(ovr_store *s)
     return EWOULDBLOCK;
 }
 
-/* -------------------------------------------------------------- writing */
+/* -------------------------------------------------------------- Writing */
 
 /* No two journals of a file have the same. */
 static uint64_t new_salt(void)
@@ -304,7 +304,7 @@ int ovr_journal_write(ovr_store *s)
     return error;
 }
 
-/* ------------------------------------------------------------- rolling back */
+/* ------------------------------------------------------------- Rolling back */
 
 /* The date stands among the headers, at the file's beginning. */
 static bool stands_in(int file, const char *created, ovr_arena *arena)
@@ -375,7 +375,7 @@ int ovr_journal_roll_back(ovr_store *s)
     return error;
 }
 
-/* -------------------------------------------------- recognizing a torn file */
+/* -------------------------------------------------- Recognizing a torn file */
 
 /*
  * The journal records the checksum of each page changed since the checkpoint,

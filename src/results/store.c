@@ -12,7 +12,7 @@
 #include "results/commit_lock.h"
 #include "results/journal.h"
 
-/* --------------------------------------------------------------- failures */
+/* --------------------------------------------------------------- Failures */
 
 static ovr_status say(const ovr_store *s, ovr_status status, int error,
                       const char *what, ovr_error *err)
@@ -43,7 +43,7 @@ void ovr_store_fail(ovr_store *s)
         s->failed = EIO;
 }
 
-/* ------------------------------------------------------- reading, writing */
+/* ------------------------------------------------------- Reading, writing */
 
 static uint64_t minimum(uint64_t a, uint64_t b)
 {
@@ -121,7 +121,7 @@ void ovr_store_resize(ovr_store *s, uint64_t length)
         s->on_disk = to;
 }
 
-/* ----------------------------------------------------------------- commit */
+/* ----------------------------------------------------------------- Commit */
 
 /* Page 0 is the first in the list and written last. */
 static int apply_pages(const ovr_store *s)
@@ -202,7 +202,7 @@ void ovr_store_keep(ovr_store *s, uint64_t number)
         memset(k->pages, 0, k->capacity);
 }
 
-/* --------------------------------------------------------- start and end */
+/* --------------------------------------------------------- Start and end */
 
 char *ovr_path_with(ovr_arena *arena, const char *path, const char *ending,
                     ovr_error *err)
@@ -328,7 +328,7 @@ void ovr_store_close(ovr_store *s)
     s->fd = s->journal = -1;
 }
 
-/* ------------------------------------------------------------------ reading */
+/* ------------------------------------------------------------------ Reading */
 
 bool ovr_store_note(ovr_store *s, int error)
 {

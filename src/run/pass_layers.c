@@ -33,7 +33,7 @@
 #include "run/forms.h"
 #include "run/pass_series.h"
 
-/* ---------------------------------------------------- history at the outlet */
+/* ---------------------------------------------------- History at the outlet */
 
 static const char *const names[OVR_PASS_QUANTITIES] = {
     [OVR_SEEN_TIME] = "time",
@@ -144,9 +144,9 @@ ovr_observer ovr_pass_history_observer(ovr_pass_history *h)
     return (ovr_observer){take_down, NULL, h};
 }
 
-/* ------------------------------------------------------------------- layers */
+/* ------------------------------------------------------------------- Layers */
 
-/* ------------------------------------------------------------------ layers */
+/* ------------------------------------------------------------------ Layers */
 
 /* h', where the film leaves with the flow f. */
 static double leaving(const ovr_setup *s, double T, double f)
@@ -230,7 +230,7 @@ static ovr_layer *make_layer(const ended *e, int k,
                           s->options->inlet, allocator, err);
 }
 
-/* --------------------------------------------------------------------- row */
+/* --------------------------------------------------------------------- Row */
 
 /* Mean over the time for which it is known; NAN: never. */
 static double mean(const ovr_pass_history *h, const double *v)
@@ -278,7 +278,7 @@ static void fill_row(const ovr_pass_history *h, const double *lost,
     row->value[OVR_PASS_STEPS] = (double)h->n - 1;
 }
 
-/* ------------------------------------------------------------------- whole */
+/* ------------------------------------------------------------------- Whole */
 
 /* Gives the flow of a film that arrives by its ratio, of a flooded contact what
  * leaves it. */
@@ -324,7 +324,7 @@ void ovr_pass_end_free(ovr_pass_end *end)
     end->layer[0] = end->layer[1] = NULL;
 }
 
-/* ------------------------------------------------------------- from its file
+/* ------------------------------------------------------------- From its file
  */
 
 /* Errors that were estimated for the pass, of a steady one those of its end;

@@ -10,7 +10,7 @@
 #include "results/results.h"
 #include "run/forms.h"
 
-/* ------------------------------------------------------- what a pass leaves */
+/* ------------------------------------------------------- What a pass leaves */
 
 /* OUT.h5 -> OUT-3.h5. */
 const char *ovr_passes_file_of(ovr_run *run, int pass, ovr_error *err)
@@ -144,7 +144,7 @@ ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err)
     return OVR_OK;
 }
 
-/* ----------------------------------------------------------------- at rest */
+/* ----------------------------------------------------------------- At rest */
 
 static bool is_near(const ovr_run *run, int pass, const char *column,
                     double maximum)
@@ -209,7 +209,7 @@ void ovr_passes_free(ovr_passes *passes)
     }
 }
 
-/* ----------------------------------------------- passes one after the other */
+/* ----------------------------------------------- Passes one after the other */
 
 static ovr_status make(ovr_run *run, const char *path, ovr_error *err)
 {
@@ -224,7 +224,7 @@ static ovr_status make(ovr_run *run, const char *path, ovr_error *err)
     return p->path ? OVR_OK : OVR_NO_MEMORY;
 }
 
-/* ---------------------------------------------------------------- a new run */
+/* ---------------------------------------------------------------- A new run */
 
 /* Files of passes from before, which would be resumed. */
 static ovr_status clear(ovr_run *run, ovr_error *err)
@@ -268,7 +268,7 @@ ovr_status ovr_passes_begin(ovr_run *run, ovr_error *err)
     return status ? status : ovr_output_open(run, err);
 }
 
-/* ------------------------------------------------------------- going through
+/* ------------------------------------------------------------- Going through
  */
 
 /* All of the pass that was. */
@@ -342,7 +342,7 @@ ovr_status ovr_passes_go(ovr_run *run, ovr_error *err)
     return status;
 }
 
-/* ---------------------------------------------------------------- resuming */
+/* ---------------------------------------------------------------- Resuming */
 
 static void recall(ovr_run *run, ovr_result *result)
 {

@@ -12,7 +12,7 @@
 #include "run/internal.h"
 #include "surface/layer.h"
 
-/* --------------------------------------------------- columns (passes_file.c)
+/* --------------------------------------------------- Columns (passes_file.c)
  */
 
 /* The columns of the file of all passes: quantities with a PASS in their row,
@@ -53,7 +53,7 @@ bool ovr_pass_column_at(size_t k, ovr_pass_column *to);
 /* Finds a column by its name, which is one of them. */
 size_t ovr_pass_column_named(const char *name);
 
-/* ---------------------------------- history at the outlet (pass_layers.c) */
+/* ---------------------------------- History at the outlet (pass_layers.c) */
 
 typedef enum ovr_pass_quantity {
     OVR_SEEN_TIME,
@@ -86,7 +86,7 @@ ovr_status ovr_pass_history_read(ovr_pass_history *h, ovr_result *result,
 /* Takes a row down at the start and at each step. */
 ovr_observer ovr_pass_history_observer(ovr_pass_history *h);
 
-/* -------------------------------------------------------------------- passes
+/* -------------------------------------------------------------------- Passes
  */
 
 typedef struct ovr_pass_row {

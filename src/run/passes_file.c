@@ -22,7 +22,7 @@
 #include "results/layout.h"
 #include "run/pass_series.h"
 
-/* ------------------------------------------------------------------ columns */
+/* ------------------------------------------------------------------ Columns */
 
 static const ovr_pass_column beside[OVR_PASS_BESIDE] = {
     [OVR_PASS_LOST] =
@@ -125,7 +125,7 @@ size_t ovr_pass_column_named(const char *name)
     return k;
 }
 
-/* --------------------------------------------------------- table for people */
+/* --------------------------------------------------------- Table for people */
 
 static const ovr_table_column *named(const ovr_table *t, const char *name)
 {
@@ -165,7 +165,7 @@ bool ovr_table_pass_head(const ovr_table *table, size_t k, ovr_pass_head *to)
     return false;
 }
 
-/* --------------------------------------------------------------------- file */
+/* --------------------------------------------------------------------- File */
 
 typedef struct table {
     const ovr_run *run;
@@ -269,7 +269,7 @@ ovr_status ovr_passes_write(const ovr_run *run, const char *status,
                            errno ? ": " : "", errno ? strerror(errno) : "");
 }
 
-/* ----------------------------------------------------------------- reading */
+/* ----------------------------------------------------------------- Reading */
 
 /* The file says this of itself. */
 typedef struct told {

@@ -17,7 +17,7 @@
 #include "case/parameters.h"
 #include "overroll/text.h"
 
-/* ----------------------------------------------------------- keys and words */
+/* ----------------------------------------------------------- Keys and words */
 
 const char *ovr_study_path(ovr_study *s, const char *path, ovr_error *err)
 {
@@ -65,7 +65,7 @@ ovr_study_key *ovr_study_new_key(ovr_study *s, const char *where, long line,
     return k->where ? k : NULL;
 }
 
-/* ------------------------------------------------------------------- values */
+/* ------------------------------------------------------------------- Values */
 
 enum { VALUE_CAPACITY = 200 };
 
@@ -85,7 +85,7 @@ static char *trimmed(const char *from, const char *end, ovr_arena *arena,
     return ovr_arena_text(arena, text, err);
 }
 
-/* ------------------------------------------------------------------- list */
+/* ------------------------------------------------------------------- List */
 
 static ovr_status read_list(const char *text, ovr_arena *arena, char ***values,
                             size_t *count, ovr_error *err)
@@ -110,7 +110,7 @@ static ovr_status read_list(const char *text, ovr_arena *arena, char ***values,
     return OVR_OK;
 }
 
-/* ------------------------------------------------------------------ range */
+/* ------------------------------------------------------------------ Range */
 
 typedef struct range {
     double from, to;
@@ -238,7 +238,7 @@ ovr_status ovr_study_values(const char *text, ovr_arena *arena, char ***values,
     return fill_range(&r, arena, values, count, err);
 }
 
-/* -------------------------------------------------------------------- study */
+/* -------------------------------------------------------------------- Study */
 
 enum { LINE_MAX = 65534, STUDY_MAX = 1 << 22 };
 
@@ -259,7 +259,7 @@ static ovr_status fail(reading *r, const char *what, const char *about)
     return ovr_fail_at(r->err, OVR_BAD_INPUT, r->s->path, r->line, what, about);
 }
 
-/* ------------------------------------------------------------------ lines */
+/* ------------------------------------------------------------------ Lines */
 
 static const char *path_of(reading *r, const char *value)
 {
@@ -440,7 +440,7 @@ static ovr_status read_lines(reading *r)
     return status;
 }
 
-/* ----------------------------------------------------------- combinations */
+/* ----------------------------------------------------------- Combinations */
 
 /* Keys of one zip must have as many values. */
 static ovr_status check_zips(ovr_study *s, ovr_error *err)
@@ -477,7 +477,7 @@ static ovr_status set_strides(ovr_study *s, ovr_error *err)
     return OVR_OK;
 }
 
-/* ------------------------------------------------------------------ study */
+/* ------------------------------------------------------------------ Study */
 
 /* Folder of the study, and results in a folder of its name. */
 static ovr_status set_places(ovr_study *s, ovr_error *err)

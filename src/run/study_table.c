@@ -28,7 +28,7 @@
 
 enum { PATH_CAPACITY = 4400 };
 
-/* -------------------------------------------------------------- summaries */
+/* -------------------------------------------------------------- Summaries */
 
 static double *new_numbers(ovr_table *t, ovr_error *err)
 {
@@ -149,7 +149,7 @@ static void drop_columns(ovr_table *t)
     t->columns = kept;
 }
 
-/* ------------------------------------------------------------------- keys */
+/* ------------------------------------------------------------------- Keys */
 
 static ovr_status add_key(ovr_table *t, const ovr_study_key *key,
                           ovr_error *err)
@@ -216,7 +216,7 @@ static ovr_status take_keys(ovr_table *t, ovr_error *err)
     return OVR_OK;
 }
 
-/* ------------------------------------------------------------------ table */
+/* ------------------------------------------------------------------ Table */
 
 static ovr_status gather(ovr_table *t, ovr_error *err)
 {
@@ -361,7 +361,7 @@ ovr_status ovr_sweep_write_csv(const ovr_table *t, const char *path,
                              strerror(errno));
 }
 
-/* ------------------------------------------------------------------- netCDF */
+/* ------------------------------------------------------------------- NetCDF */
 
 /* One dimension, `case`, and a variable over it for each key and number. */
 
@@ -453,7 +453,7 @@ ovr_status ovr_sweep_write_netcdf(const ovr_table *t, const char *path,
                     path);
 }
 
-/* ------------------------------------------------------------------ reading */
+/* ------------------------------------------------------------------ Reading */
 
 enum { MAX_BYTES = 1 << 26 };
 
@@ -486,7 +486,7 @@ const ovr_table_column *ovr_table_at(const ovr_table *table, size_t k)
     return k < table->columns ? &table->column[k] : NULL;
 }
 
-/* ---------------------------------------------------------------- from CSV */
+/* ---------------------------------------------------------------- From CSV */
 
 static size_t count_lines(const char *text)
 {
@@ -563,7 +563,7 @@ static ovr_table *read_csv(const char *path, ovr_error *err)
     return NULL;
 }
 
-/* ------------------------------------------------------------- from netCDF */
+/* ------------------------------------------------------------- From netCDF */
 
 /* True of a key that varied and is explained by its place in the case,
  * section.key. */

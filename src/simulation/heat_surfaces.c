@@ -116,7 +116,7 @@ static void visit_nodes(ovr_simulation *sim, int k, int m, ovr_pieces *state)
         psi[i * OVR_MODES] = mode[i];
 }
 
-/* What lies beyond the ends. */
+/* Shows the memory beyond the ends of the domain. */
 static void visit_ends(ovr_simulation *sim, int k, int bank, ovr_pieces *state)
 {
     const ovr_heat_surface *s = &sim->heated->steps->surface[k];

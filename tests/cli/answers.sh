@@ -22,6 +22,13 @@ contains out '^smallest film +0\.[0-9]+ um [0-9.]+ mm (before|behind) the pitch'
 contains out 'lambda ratio there [0-9.]+, over the run [0-9.]+'
 contains out '^largest pressure +[0-9.]+ GPa '
 
+# Steady, the film is that of the report.
+expect 0 "$OVERROLL" steady new.ini
+film=$(sed -n 's/^minimum film .* \([0-9.]* um\) .*/\1/p' out)
+[ -n "$film" ] || fail "no film: $(cat out)"
+contains out "^smallest film +$film"
+contains out '^largest pressure +[0-9.]+ GPa'
+
 cat >gear.ini <<'END'
 [contact]
 modulus = 226 GPa
