@@ -6,17 +6,16 @@
 # list of physics names from above its own folder, and their companions.
 . "$TOP/tests/support/cli.sh"
 command -v nm >/dev/null || skip 'no nm'
+# Of a kernel compiled for several instruction sets one object is enough.
 cd "$BUILD" || exit 1
-find src -name '*.o' | while read -r file; do
-    # of a kernel compiled for several instruction sets one object is enough
+for file in src/*/*.o src/*/*/*.o; do
+    source=$TOP/${file%.o}
     case $file in *.avx2.o | *.avx512.o) continue ;; esac
-    source=${file%.o}
-    [ -e "$TOP/$source.c" ] || [ -e "$TOP/${source%.base}.kernel.c" ] || continue
-    folder=$(dirname "$file")
-    nm "$file" | sed -n \
-        -e "s|^[0-9a-f]* [TDRBV] \(.*\)|\1 defined $folder|p" \
-        -e "s|^ *U \(.*\)|\1 used $folder|p"
-done >"$OLDPWD/symbols"
+    [ -e "$source.c" ] || [ -e "${source%.base}.kernel.c" ] || continue
+    echo "$file"
+done | xargs nm -A | sed -n \
+    -e 's|^\(.*\)/[^/]*:[0-9a-f]* [TDRBV] \(.*\)|\2 defined \1|p' \
+    -e 's|^\(.*\)/[^/]*: *U \(.*\)|\2 used \1|p' >"$OLDPWD/symbols"
 cd "$OLDPWD" || exit 1
 awk '
     $1 ~ /^ovr_physics_/ || $1 ~ /^ovr_.*_companion$/ { next }
