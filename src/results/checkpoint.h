@@ -17,7 +17,7 @@
  * surface at that moment; none of these before the first checkpoint.  Who reads
  * takes the pieces by name: one that he does not know he leaves, a number (8
  * bytes at most) that is not there keeps its value of before, and an array must
- * be there, unless its name begins with OVR_YOUNGER.
+ * be there.
  *
  * It is written as OUT.h5.restart.part, synced, and renamed over the one
  * before, and the folder is synced: there is always a whole one.  What it says
