@@ -396,7 +396,7 @@ void ovr_heat_visit(ovr_simulation *sim, void *own, ovr_pieces *state)
     for (int k = 0; k < points + FIRST_FIELDS; k++)
         ovr_show_nodes(sim, state, "viscosity_by", k + 1, kept_of(h, k));
     for (int k = FIRST_FIELDS; k < FIELDS; k++)
-        ovr_show_nodes(sim, state, OVR_YOUNGER "skew", k - FIRST_FIELDS + 1,
+        ovr_show_nodes(sim, state, "skew", k - FIRST_FIELDS + 1,
                        kept_of(h, points + k));
     for (int k = 0; k < 2; k++) {
         ovr_show_nodes(sim, state, "heat_flux", k + 1, h->q[k]);
