@@ -315,15 +315,15 @@ ovr_status ovr_resolve_end(ovr_resolved *r, ovr_error *err)
 
 /*
  * Along the characteristic, corrections of fourth order follow the solution.
- * Steps of two mesh sizes D then keep the central film thickness to 1e-4 and the
- * minimum to 1e-3, at 0.6 of the cost of D (rms of a run at level 7 with dents
- * 0.5 b wide and ramps).  Errors are larger with a short inlet, a narrow feature,
- * a quick change or a moving meniscus.  For M = 100 the error of H_cen grows by a
- * factor of 6 to 9, for a starved dent by 3.  In a hot contact with surfaces that
- * move in opposite directions H_cen is off by 1.2e-3 (S = -4, 1.45 GPa, level 7).
- * In these cases, without corrections, and on coarse grids the step is D.  Steps
- * of 4D have the errors of 2D on the next coarser level, at 0.6 of the cost
- * (overroll-theory(7), Time).
+ * Steps of two mesh sizes D then keep the central film thickness to 1e-4 and
+ * the minimum to 1e-3, at 0.6 of the cost of D (rms of a run at level 7 with
+ * dents 0.5 b wide and ramps).  Errors are larger with a short inlet, a
+ * narrow feature, a quick change or a moving meniscus.  For M = 100 the
+ * error of H_cen grows by a factor of 6 to 9, for a starved dent by 3.  In a
+ * hot contact with surfaces that move in opposite directions H_cen is off by
+ * 1.2e-3 (S = -4, 1.45 GPa, level 7). In these cases, without corrections,
+ * and on coarse grids the step is D.  Steps of 4D have the errors of 2D on
+ * the next coarser level, at 0.6 of the cost (overroll-theory(7), Time).
  */
 
 static const double HEAVY = 100;   /* M from which on inlets are short */

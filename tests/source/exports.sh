@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The shared library exports what the public headers declare with OVR_API, no
-# more and no less; at most 160 functions, each of them called by the program,
+# more and no less; at most 170 functions, each of them called by the program,
 # by Python or by the example of the manual; every global name of the static one
 # begins with ovr_.
 set -u
@@ -29,7 +29,7 @@ grep -v '^ovr_' global | sed 's/$/ is global without ovr_ before it/' >>wrong
 nm -D --defined-only "$SHARED" | awk '$2 == "T" { print $3 }' |
     grep -vxE '_init|_fini' >functions
 count=$(wc -l <functions)
-[ "$count" -le 160 ] || echo "$count functions are exported" >>wrong
+[ "$count" -le 170 ] || echo "$count functions are exported" >>wrong
 cat "$TOP"/src/cli/*.[ch] "$TOP"/src/*/overroll-library.3 \
     "$TOP"/tools/python/overroll/*.py >users
 while read -r name; do
