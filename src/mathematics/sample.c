@@ -121,26 +121,44 @@ static size_t look_into(const pair *p, size_t n, size_t bin, double *mean,
     return count;
 }
 
+/* The squares that a line fitted to the y of sorted pairs leaves, and its
+ * degrees of freedom; a constant is fitted where all x are equal. */
+static double residual_of_line(const pair *p, size_t count, double *freedom)
+{
+    double x = 0, y = 0, xx = 0, xy = 0, squares = 0, n = (double)count;
+    for (size_t i = 0; i < count; i++) {
+        x += p[i].x / n;
+        y += p[i].y / n;
+    }
+    for (size_t i = 0; i < count; i++) {
+        xx += (p[i].x - x) * (p[i].x - x);
+        xy += (p[i].x - x) * (p[i].y - y);
+    }
+    double slope = xx > 0 ? xy / xx : 0;
+    for (size_t i = 0; i < count; i++) {
+        double left = p[i].y - y - slope * (p[i].x - x);
+        squares += left * left;
+    }
+    *freedom += xx > 0 ? n - 2 : n - 1;
+    return squares;
+}
+
 double ovr_first_order(const double *x, const double *y, size_t n,
                        ovr_arena *arena)
 {
     const pair *p = n > 3 ? sorted_pairs(x, y, n, arena) : NULL;
-    size_t bins = bins_of(n);
-    double mean, variance, between = 0, noise = 0;
+    size_t bins = (bins_of(n) + 1) / 2;
+    double variance, left = 0, freedom = 0;
     if (!p)
         return NAN;
-    mean = gsl_stats_mean(y, 1, n);
-    variance = gsl_stats_variance_m(y, 1, n, mean);
+    variance = gsl_stats_variance(y, 1, n);
     for (size_t k = 0; k < bins; k++) {
-        double of_bin, within;
-        size_t count = look_into(p, n, k, &of_bin, &within);
-        between += (double)count * pow(of_bin - mean, 2) / (double)n;
-        noise += within / (double)bins;
+        size_t from = k * n / bins, to = (k + 1) * n / bins;
+        left += residual_of_line(p + from, to - from, &freedom);
     }
     if (!(variance > 0))
         return 0;
-    return fmax(0,
-                (between - noise * (double)(bins - 1) / (double)n) / variance);
+    return fmax(0, 1 - left / freedom / variance);
 }
 
 ovr_interval ovr_bin_ends(const double *x, const double *y, size_t n,

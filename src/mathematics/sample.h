@@ -33,9 +33,11 @@ ovr_interval ovr_proportion(size_t k, size_t n);
  * 95 % (Student). */
 double ovr_student(size_t n);
 
-/* The share of the variance of y that the input x makes by itself: x is sorted
- * into round(sqrt n) bins of equal counts, and the variance of the bins' means,
- * less the part that their noise makes, is taken over the whole; cut at 0. */
+/* The share of the variance of y that the input x makes by itself,
+ * 1 - E(var(y | x)) / var(y), cut at 0.  var(y | x) is what a line leaves that
+ * is fitted in each of round(sqrt n)/2 bins of equal counts in x, over its
+ * degrees of freedom: bins of constants count the slope within a bin as noise,
+ * and have no sample of y = x whose interval holds 1. */
 double ovr_first_order(const double *x, const double *y, size_t n,
                        ovr_arena *arena);
 
