@@ -62,6 +62,7 @@ typedef struct ovr_find_options {
     bool steady;            /* the steady contact alone */
     const char *table;      /* CSV of the evaluations, as they come; or NULL */
     bool go_on;             /* those that it holds are not run again */
+    bool force;             /* a table that is another program's is replaced */
     const char *results;    /* folder of the result files of all runs; one that
                                holds some of the same question resumes
                                them; NULL: none are written */
@@ -218,9 +219,10 @@ OVR_API const ovr_sample_row *ovr_sample_at(const ovr_sample *sample, size_t k);
 OVR_API const ovr_sample_input *ovr_sample_input_at(const ovr_sample *sample,
                                                     size_t row, size_t k);
 
-/* Writes CSV, a line for each row. */
+/* Writes CSV, a line for each row.  An existing file that is no such table is
+ * replaced with `force` only. */
 OVR_API ovr_status ovr_sample_write(const ovr_sample *sample, const char *path,
-                                    ovr_error *err);
+                                    bool force, ovr_error *err);
 
 /* True of a study with [random]. */
 OVR_API bool ovr_study_random(const ovr_study *study);

@@ -306,7 +306,7 @@ OVR_API void ovr_setup_review(const ovr_setup *setup, ovr_listener *say,
  *     ovr_sweep_options how = {0};
  *     ovr_sweep_totals totals = {0};
  *     if (study && !ovr_sweep(study, &how, &err))
- *         ovr_sweep_collect(study, "loads.csv", &totals, &err);
+ *         ovr_sweep_collect(study, "loads.csv", false, &totals, &err);
  *     ovr_study_free(study);
  */
 typedef struct ovr_study ovr_study;
@@ -355,6 +355,8 @@ typedef struct ovr_sweep_options {
     int workers; /* at once; 0: one a processor */
     bool retry;  /* failed cases again */
     bool redo;   /* all again, from their beginning */
+    bool force;  /* files of others that have the names of cases or of the
+                    manifest are replaced */
     bool one;    /* only the case `only` */
     size_t only;
     const ovr_run_options
@@ -390,9 +392,11 @@ typedef struct ovr_sweep_totals {
 } ovr_sweep_totals;
 
 /* Writes manifest.csv in the folder and, unless NULL, the table of all cases
- * to `path`, which ends with .csv, .nc or .h5. */
+ * to `path`, which ends with .csv, .nc or .h5.  Existing files that are no such
+ * tables are replaced with `force` only. */
 OVR_API ovr_status ovr_sweep_collect(const ovr_study *study, const char *path,
-                                     ovr_sweep_totals *totals, ovr_error *err);
+                                     bool force, ovr_sweep_totals *totals,
+                                     ovr_error *err);
 
 /* The table of a study's cases: its keys, then what their summaries hold. */
 typedef struct ovr_table ovr_table;

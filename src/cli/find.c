@@ -208,6 +208,7 @@ static int ask(cli_call *call, const question *q)
     how.steady = cli_flag(call, "steady");
     how.table = cli_value(call, "table");
     how.results = cli_value(call, "results");
+    how.force = cli_flag(call, "force");
     how.data = call;
     how.say = cli_say;
     how.stop = cli_stop;
@@ -250,6 +251,7 @@ static const cli_option options[] = {
      "the result files of all runs; asked again, what is there is not run "
      "again",
      false},
+    {"force", NULL, "replace a table that is another program's", false},
     CLI_CASE_OPTIONS,
     {0}};
 

@@ -94,8 +94,8 @@ static void print_list(const sweeping *w)
             fputs(" -o ", stdout);
             put_quoted(ovr_study_output(w->s));
         }
-        printf(" --task %zu%s%s\n", i + 1, w->how.retry ? " --retry" : "",
-               w->how.redo ? " --redo" : "");
+        printf(" --task %zu%s%s%s\n", i + 1, w->how.retry ? " --retry" : "",
+               w->how.redo ? " --redo" : "", w->how.force ? " --force" : "");
     }
 }
 
@@ -156,7 +156,7 @@ static int tell_sample(const sweeping *w, json_writer *json)
     ovr_sample *sample = ovr_study_sample(w->s, cli_value(w->call, "quantity"),
                                           &err);
     snprintf(path, sizeof path, "%.4300s/summary.csv", ovr_study_output(w->s));
-    if (!sample || ovr_sample_write(sample, path, &err))
+    if (!sample || ovr_sample_write(sample, path, w->how.force, &err))
         code = cli_fail(&err);
     else if (json)
         cli_json_sample(json, sample);
@@ -184,7 +184,8 @@ static int finish(sweeping *w)
 {
     ovr_sweep_totals totals = {0};
     ovr_error err = {0};
-    if (ovr_sweep_collect(w->s, cli_value(w->call, "collect"), &totals, &err))
+    if (ovr_sweep_collect(w->s, cli_value(w->call, "collect"),
+                          w->how.force, &totals, &err))
         return cli_fail(&err);
     if (w->call->json)
         report_json(w, &totals);
@@ -286,6 +287,7 @@ static int run(cli_call *call)
     w.how.run = &w.run;
     w.how.retry = cli_flag(call, "retry");
     w.how.redo = cli_flag(call, "redo");
+    w.how.force = cli_flag(call, "force");
     w.how.data = &w;
     w.how.report = report_case;
     w.how.report_find = report_found;
@@ -311,6 +313,7 @@ static const cli_option options[] = {
      false},
     {"retry", NULL, "failed cases again", false},
     {"redo", NULL, "all cases again from their beginning", false},
+    {"force", NULL, "replace files of others that are in the way", false},
     {0}};
 
 const cli_verb cli_sweep = {

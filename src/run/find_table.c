@@ -8,6 +8,7 @@
 
 #include "base/text.h"
 #include "run/csv.h"
+#include "run/internal.h"
 
 static const char heads[] =
     "value,quantity,order,level,converged,marked,seconds,message\n";
@@ -83,9 +84,11 @@ static size_t read_rows(const ovr_find_table *t, ovr_arena *arena)
     return count;
 }
 
-ovr_status ovr_find_table_open(ovr_find_table *table, bool go_on,
+ovr_status ovr_find_table_open(ovr_find_table *table, bool go_on, bool force,
                                ovr_arena *arena, ovr_error *err)
 {
+    if (!force && ovr_output_ours(table->path, heads, err))
+        return OVR_BAD_INPUT;
     table->file = go_on ? fopen(table->path, "r+") : NULL;
     if (table->file) {
         table->count = read_rows(table, arena);

@@ -17,7 +17,7 @@ typedef struct ovr_find_table {
 } ovr_find_table;
 
 /* Makes it anew, or reads what it holds and goes on behind it. */
-ovr_status ovr_find_table_open(ovr_find_table *table, bool go_on,
+ovr_status ovr_find_table_open(ovr_find_table *table, bool go_on, bool force,
                                ovr_arena *arena, ovr_error *err);
 
 /* The row is on the disk when it returns. */

@@ -88,6 +88,10 @@ void ovr_run_shear(ovr_run *run);
 ovr_status ovr_output_check(const char *path, const ovr_case *c, bool force,
                             ovr_error *err);
 
+/* Fails where `path` exists, is not empty and does not begin with `head`, as
+ * files of that kind of this program do. */
+ovr_status ovr_output_ours(const char *path, const char *head, ovr_error *err);
+
 /* The writer of a new file; its checkpoints will hold the simulation's state.
  */
 ovr_status ovr_output_open(ovr_run *run, ovr_error *err);

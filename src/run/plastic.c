@@ -528,7 +528,18 @@ static ovr_status finish(void *own, ovr_run *run, ovr_error *err)
     return p->how->profiles ? ovr_plastic_write_profiles(p, err) : OVR_OK;
 }
 
-static const ovr_companion companion = {.finish = finish};
+/* Before the solve: files of somebody else are replaced with --force only. */
+static ovr_status make_profiles(const ovr_run *run, void **own, ovr_error *err)
+{
+    const ovr_plastic *p = plastic_of(run->sim);
+    *own = NULL;
+    return p && p->how->profiles && !run->how.force && !run->restart
+               ? ovr_plastic_check_profiles(p, err)
+               : OVR_OK;
+}
+
+static const ovr_companion companion = {.make = make_profiles,
+                                        .finish = finish};
 
 const ovr_physics ovr_physics_plastic = {.name = "a body that yields",
                                          .bit = OVR_PHYSICS_PLASTIC,

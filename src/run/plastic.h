@@ -78,6 +78,7 @@ ovr_status ovr_plastic_store(ovr_writer *writer, const ovr_plastic *p,
                              ovr_error *err);
 
 /* Both profiles as files of text, of the first body that yields. */
+ovr_status ovr_plastic_check_profiles(const ovr_plastic *p, ovr_error *err);
 ovr_status ovr_plastic_write_profiles(const ovr_plastic *p, ovr_error *err);
 
 ovr_status ovr_plastic_read(const char *file, const ovr_plastic *p,

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "results/results.h"
+#include "run/internal.h"
 #include "run/plastic.h"
 
 enum { STATE = OVR_PLASTIC_STATE, STRESSES = 4, MAPS = STATE + STRESSES };
@@ -151,6 +152,30 @@ ovr_status ovr_plastic_store(ovr_writer *writer, const ovr_plastic *p,
 
 /* ---------------------------------------------------------------- profiles */
 
+static void profile_path(const ovr_plastic *p, const char *end, char *path,
+                         size_t capacity)
+{
+    snprintf(path, capacity, "%.4400s-%s.csv", p->how->profiles, end);
+}
+
+static const char *profile_head(const ovr_plastic *p)
+{
+    const ovr_contact *c = p->setup->contact;
+    return isfinite(c->b) && isfinite(c->height) ? "x [um], z [um]\n"
+                                                 : "# x in b, z in b^2/R\n";
+}
+
+ovr_status ovr_plastic_check_profiles(const ovr_plastic *p, ovr_error *err)
+{
+    char path[4500];
+    ovr_status status = OVR_OK;
+    for (int k = 0; !status && k < 2; k++) {
+        profile_path(p, k ? "after" : "before", path, sizeof path);
+        status = ovr_output_ours(path, profile_head(p), err);
+    }
+    return status;
+}
+
 /* x from the reference, in um where b is known. */
 static ovr_status write_profile(const ovr_plastic *p,
                                 const ovr_yielding_body *b, const char *end,
@@ -161,12 +186,12 @@ static ovr_status write_profile(const ovr_plastic *p,
     double length = metres ? c->b * 1e6 : 1;
     double height = metres ? c->height * 1e6 : 1;
     char path[4500];
-    snprintf(path, sizeof path, "%.4400s-%s.csv", p->how->profiles, end);
+    profile_path(p, end, path, sizeof path);
     FILE *to = fopen(path, "w");
     if (!to)
         return ovr_fail(err, OVR_IO, "%s: cannot be written: %s", path,
                         strerror(errno));
-    fputs(metres ? "x [um], z [um]\n" : "# x in b, z in b^2/R\n", to);
+    fputs(profile_head(p), to);
     for (size_t i = 0; i < b->points; i++)
         fprintf(to, "%.9g, %.9g\n", length * (b->first + (double)i * b->mesh),
                 height * (b->shape[i] - (after ? b->shown[i] : 0)));

@@ -19,6 +19,10 @@
 #include <malloc.h>
 #endif
 #include <sys/mman.h>
+#ifdef __linux__
+#include <signal.h>
+#include <sys/prctl.h>
+#endif
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -60,15 +64,27 @@ static void keep_memory(void)
 #endif
 }
 
+/* Without it a worker whose parent was killed goes on with its task for hours.
+ * SIGTERM leaves it the time for a checkpoint. */
+static void end_with(pid_t parent)
+{
+#ifdef __linux__
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+#endif
+    if (getppid() != parent) /* it died before */
+        _exit(1);
+}
+
 /* Tasks until there are no more, in the worker. */
-static void work_through(const pool *p, int slot, int to)
+static void work_through(const pool *p, int slot, int to, pid_t parent)
 {
     const ovr_pool_job *job = p->job;
     place *at = &p->board->at[slot];
     const ovr_shared shared = {&at->done, &p->board->stop};
     keep_memory();
+    end_with(parent);
     /* a signal may be the worker's alone, or come to it first */
-    while (!p->board->stop && !job->stop(job->data)) {
+    while (!p->board->stop && !job->stop(job->data) && getppid() == parent) {
         size_t next = atomic_fetch_add(&p->board->next, 1);
         if (next >= job->count)
             break;
@@ -87,7 +103,7 @@ static void work_through(const pool *p, int slot, int to)
 static int start_one(pool *p, int slot)
 {
     int ends[2];
-    pid_t process;
+    pid_t process, parent = getpid();
     if (pipe(ends) != 0)
         return -1;
     fflush(NULL);
@@ -95,7 +111,7 @@ static int start_one(pool *p, int slot)
     process = fork();
     if (process == 0) {
         close(ends[0]);
-        work_through(p, slot, ends[1]);
+        work_through(p, slot, ends[1], parent);
     }
     close(ends[1]);
     if (process < 0) {

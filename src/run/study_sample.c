@@ -13,6 +13,7 @@
 #include "overroll/questions.h"
 #include "overroll/text.h"
 #include "run/csv.h"
+#include "run/internal.h"
 #include "run/study_table.h"
 
 enum { QUANTITIES = 32, NAME_CAPACITY = 400 };
@@ -260,7 +261,7 @@ static ovr_status take_inputs(sampling *w, size_t from, const double *value,
             i = ovr_bootstrap(ovr_first_order, x, y, n, &arena.allocator);
         }
         in->share_low = i.low > 0 || isnan(i.low) ? i.low : 0;
-        in->share_high = i.high;
+        in->share_high = i.high < 1 || isnan(i.high) ? i.high : 1;
         in->rho = ovr_rank_correlation(x, y, n, &arena);
         i = ovr_bootstrap(ovr_rank_correlation, x, y, n, &arena.allocator);
         in->rho_low = i.low;
@@ -427,10 +428,12 @@ static void put_row(const ovr_sample *s, size_t k, FILE *to)
 }
 
 ovr_status ovr_sample_write(const ovr_sample *sample, const char *path,
-                            ovr_error *err)
+                            bool force, ovr_error *err)
 {
     if (!sample || !path)
         return ovr_fail_null(err, __func__);
+    if (!force && ovr_output_ours(path, "group,quantity,draws", err))
+        return OVR_BAD_INPUT;
     FILE *to = fopen(path, "w");
     if (!to)
         return ovr_csv_end(to, path, err);

@@ -430,6 +430,26 @@ static bool put_all(const ovr_table *t, const ovr_flat *rows, ovr_arena *arena)
     return good;
 }
 
+/* A table of cases has the variables `case` and `status`; a result has not. */
+ovr_status ovr_sweep_netcdf_ours(const char *path, ovr_error *err)
+{
+    ovr_h5_handler before = ovr_h5_quiet();
+    bool exists = access(path, F_OK) == 0;
+    hid_t access_list = ovr_h5_access();
+    hid_t file = exists ? H5Fopen(path, H5F_ACC_RDONLY, access_list) : -1;
+    bool ours = file >= 0 && H5Lexists(file, "case", H5P_DEFAULT) > 0 &&
+                H5Lexists(file, "status", H5P_DEFAULT) > 0;
+    if (file >= 0)
+        H5Fclose(file);
+    ovr_h5_drop(access_list);
+    ovr_h5_restore(before);
+    return ours || !exists ? OVR_OK
+                           : ovr_fail(err, OVR_BAD_INPUT,
+                                      "%s: exists and is no table of cases; "
+                                      "--force replaces it",
+                                      path);
+}
+
 ovr_status ovr_sweep_write_netcdf(const ovr_table *t, const char *path,
                                   ovr_error *err)
 {

@@ -39,6 +39,9 @@ bool ovr_table_numeric(const ovr_table_column *key);
 ovr_status ovr_sweep_write_csv(const ovr_table *table, const char *path,
                                bool manifest, ovr_error *err);
 
+/* Fails unless the HDF5 file `path` is a table of cases or does not exist. */
+ovr_status ovr_sweep_netcdf_ours(const char *path, ovr_error *err);
+
 /* Everything, as netCDF-4 over a dimension `case`. */
 ovr_status ovr_sweep_write_netcdf(const ovr_table *table, const char *path,
                                   ovr_error *err);

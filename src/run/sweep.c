@@ -7,6 +7,7 @@
 
 #include "base/given.h"
 #include "base/processors.h"
+#include "run/internal.h"
 #include "run/study_table.h"
 #include "run/task.h"
 
@@ -72,6 +73,34 @@ static ovr_status make_folder(const char *path, ovr_error *err)
                     strerror(errno));
 }
 
+static const char table_head[] = "task,name,";
+
+static void manifest_of(const ovr_study *s, char *path, size_t capacity)
+{
+    snprintf(path, capacity, "%.4300s/manifest.csv", s->output);
+}
+
+static ovr_status check_manifest(const ovr_study *s, ovr_error *err)
+{
+    char path[4400];
+    manifest_of(s, path, sizeof path);
+    return ovr_output_ours(path, table_head, err);
+}
+
+/* Before anything runs: no file of somebody else has the name of a case that
+ * is due, nor of the manifest. */
+static ovr_status check_files(const sweeping *w, ovr_error *err)
+{
+    ovr_status status = w->how.one ? OVR_OK : check_manifest(w->s, err);
+    for (size_t i = 0; !status && i < w->tasks; i++)
+        if (ovr_task_foreign(w->s, w->task[i]))
+            status = ovr_fail(err, OVR_BAD_INPUT,
+                              "%s/%s.ini: exists and is no case of this study; "
+                              "--force replaces it",
+                              w->s->output, w->s->name[w->task[i]]);
+    return status;
+}
+
 static void take_options(sweeping *w, const ovr_sweep_options *options)
 {
     w->how = (ovr_sweep_options){0};
@@ -118,6 +147,8 @@ ovr_status ovr_sweep(const ovr_study *study, const ovr_sweep_options *options,
         return status;
     w.arena = ovr_arena_make(&study->arena.allocator);
     status = list_tasks(&w, err);
+    if (!status && !w.how.force)
+        status = check_files(&w, err);
     if (!status)
         status = run(&w, err);
     ovr_arena_release(&w.arena);
@@ -126,14 +157,21 @@ ovr_status ovr_sweep(const ovr_study *study, const ovr_sweep_options *options,
 
 /* --------------------------------------------------------------- the table */
 
-static ovr_status write_table(const ovr_table *t, const char *path,
+static ovr_status write_table(const ovr_table *t, const char *path, bool force,
                               ovr_error *err)
 {
     const char *end = strrchr(path, '.');
-    if (end && !strcmp(end, ".csv"))
+    if (end && !strcmp(end, ".csv")) {
+        if (!force && ovr_output_ours(path, table_head, err))
+            return OVR_BAD_INPUT;
         return ovr_sweep_write_csv(t, path, false, err);
-    if (end && (!strcmp(end, ".nc") || !strcmp(end, ".h5")))
+    }
+    if (end && (!strcmp(end, ".nc") || !strcmp(end, ".h5"))) {
+        if (!force && (ovr_output_ours(path, "\x89HDF", err) ||
+                       ovr_sweep_netcdf_ours(path, err)))
+            return OVR_BAD_INPUT;
         return ovr_sweep_write_netcdf(t, path, err);
+    }
     return ovr_fail(err, OVR_BAD_INPUT,
                     "%s: its name must end with .csv, .nc or .h5", path);
 }
@@ -148,20 +186,23 @@ static void count(const ovr_table *t, ovr_sweep_totals *totals)
 }
 
 ovr_status ovr_sweep_collect(const ovr_study *study, const char *path,
-                             ovr_sweep_totals *totals, ovr_error *err)
+                             bool force, ovr_sweep_totals *totals,
+                             ovr_error *err)
 {
     char manifest[4400];
     ovr_status status = study ? make_folder(study->output, err)
                               : ovr_fail_null(err, __func__);
+    if (!status && !force)
+        status = check_manifest(study, err);
     if (status)
         return status;
     ovr_table *t = ovr_study_table(study, err);
     if (!t)
         return OVR_NO_MEMORY;
-    snprintf(manifest, sizeof manifest, "%s/manifest.csv", study->output);
+    manifest_of(study, manifest, sizeof manifest);
     status = ovr_sweep_write_csv(t, manifest, true, err);
     if (!status && path)
-        status = write_table(t, path, err);
+        status = write_table(t, path, force, err);
     if (!status && totals)
         count(t, totals);
     ovr_table_free(t);

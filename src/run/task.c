@@ -111,6 +111,20 @@ ovr_sweep_state ovr_sweep_state_of(const ovr_study *s, size_t task)
     return state;
 }
 
+/* A case that was written before its study changed has results beside it. */
+bool ovr_task_foreign(const ovr_study *s, size_t task)
+{
+    bool foreign = false;
+    int fd = state_by_files(s, task) == OVR_SWEEP_WAITING
+                 ? open_file(s, task, ".ini", O_RDONLY)
+                 : -1;
+    if (fd >= 0) {
+        foreign = lseek(fd, 0, SEEK_END) > 0 && !same_case(s, task, fd);
+        close(fd);
+    }
+    return foreign;
+}
+
 void ovr_sweep_message(const ovr_study *s, size_t task, char *text,
                        size_t capacity)
 {
@@ -241,7 +255,11 @@ static void start_afresh(const ovr_study *s, size_t task)
 {
     static const char *const endings[] = {".json", ".json.part",  ".failed",
                                           ".h5",   ".h5.journal", ".h5.restart",
-                                          ".log",  ".find.csv"};
+                                          ".log",  ".find.csv",
+                                          "-profile-1-before.csv",
+                                          "-profile-1-after.csv",
+                                          "-profile-2-before.csv",
+                                          "-profile-2-after.csv"};
     for (size_t i = 0; i < sizeof endings / sizeof endings[0]; i++)
         discard(s, task, endings[i]);
 }

@@ -23,4 +23,7 @@ ovr_status ovr_task_work(const ovr_study *s, size_t task,
 /* Serves the parent of a worker that died of a signal without a word. */
 void ovr_task_died(const ovr_study *s, size_t task, int number);
 
+/* True if a file of somebody else has the name of the task's case. */
+bool ovr_task_foreign(const ovr_study *s, size_t task);
+
 #endif

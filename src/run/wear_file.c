@@ -4,6 +4,7 @@
  * result file and as OUT-profile-1.csv and the like, for `overroll profile`. */
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "case/setup.h"
 #include "results/results.h"
@@ -36,12 +37,37 @@ static const double *heights_of(const ovr_wear *wear, int k)
     return k % 2 ? wear->now.z[k / 2] : wear->given->pair.z[k / 2];
 }
 
-/* Saves in metres, beside OUT.h5 as OUT-profile-1-before.csv. */
+/* OUT-profile-1-before.csv of OUT.h5 */
+static void path_of(const ovr_run *run, int k, char *path, size_t capacity)
+{
+    const char *output = run->info.output, *dot = strrchr(output, '.');
+    if (!dot || strchr(dot, '/'))
+        dot = output + strlen(output);
+    snprintf(path, capacity, "%.*s-profile-%d-%s.csv", (int)(dot - output),
+             output, k / 2 + 1, k % 2 ? "after" : "before");
+}
+
+/* Before the solve: profiles that exist are replaced with --force only. */
+static ovr_status make(const ovr_run *run, void **own, ovr_error *err)
+{
+    const ovr_wear *wear = ovr_wear_of(run->sim);
+    *own = NULL;
+    for (int k = 0; k < PROFILES && wear && run->info.output; k++) {
+        char path[4500];
+        path_of(run, k, path, sizeof path);
+        if (!run->how.force && !run->restart && wear->given->pair.z[k / 2] &&
+            access(path, F_OK) == 0)
+            return ovr_fail(err, OVR_BAD_INPUT,
+                            "%s: exists already; --force replaces it", path);
+    }
+    return OVR_OK;
+}
+
+/* Saves in metres. */
 static ovr_status save(const ovr_run *run, const ovr_wear *wear,
                        const double *x, int k, ovr_error *err)
 {
     const ovr_contact *c = run->setup->contact;
-    const char *output = run->info.output, *dot = strrchr(output, '.');
     char path[4500];
     ovr_profile *p = ovr_profile_create(wear->pair.n, x, heights_of(wear, k),
                                         false, &run->arena.allocator, err);
@@ -51,10 +77,7 @@ static ovr_status save(const ovr_run *run, const ovr_wear *wear,
         p->x[i] *= c->b;
         p->z[i] *= c->height;
     }
-    if (!dot || strchr(dot, '/'))
-        dot = output + strlen(output);
-    snprintf(path, sizeof path, "%.*s-profile-%d-%s.csv", (int)(dot - output),
-             output, k / 2 + 1, k % 2 ? "after" : "before");
+    path_of(run, k, path, sizeof path);
     ovr_status status = ovr_profile_save(p, path, err);
     ovr_profile_free(p);
     return status;
@@ -111,4 +134,5 @@ static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
              f->at_no_film, f->share_at_no_film);
 }
 
-const ovr_companion ovr_wear_companion = {.foresee = foresee, .finish = finish};
+const ovr_companion ovr_wear_companion = {
+    .foresee = foresee, .make = make, .finish = finish};

@@ -23,6 +23,27 @@ def same_file(a, b):
             assert x[name].values.tobytes() == y[name].values.tobytes(), name
 
 
+def test_what_is_no_result(dent, tmp_path):
+    (tmp_path / "table.csv").write_text("a,b\n1,2\n")
+    with pytest.raises(ovr.OverrollError, match="table.csv") as caught:
+        ovr.open(tmp_path / "table.csv")
+    assert caught.value.file == str(tmp_path / "table.csv")
+    with pytest.raises(FileNotFoundError):
+        ovr.open("none.h5")
+    ds = ovr.run(dent, output="short.h5", end=0.2)
+    for group in ("film_thickness", "no_such"):
+        with pytest.raises(ovr.BadInput, match=group):
+            ds.overroll.group(group)
+    with pytest.raises(ovr.BadInput, match="force=True replaces"):
+        ovr.run(dent, output="short.h5", end=0.2)
+    for key in ("output.title", "feature\0.depth"):
+        with pytest.raises(ovr.BadInput, match="NUL"):
+            dent[key] = "a\0b"
+    with pytest.raises(ovr.BadInput, match="between"):
+        ovr.find(dent, "contact.M", between=(10,), quantity="H_min",
+                 equals=0.1)
+
+
 def test_same_bits_as_the_program(dent, program):
     dent.save("dent.ini")
     subprocess.run([program, "run", "dent.ini", "-q", "-o", "c.h5"],

@@ -147,6 +147,9 @@ def find(case: Union[None, Case, Path], key: str, *,
     """
     _workers.check(workers)
     base = case_of(case, keys)
+    if isinstance(between, (str, bytes)) or len(between) != 2:
+        raise BadInput(f"between={between!r}: two values are needed, "
+                       "between=(A, B)", key="between")
     asked = _Asked(workers, progress)
     how = ffi.new("ovr_find_options *")
     texts = {"key": place(key), "low": value_text(between[0]),

@@ -92,7 +92,11 @@ def text(pointer: Any) -> Optional[str]:
 
 def encoded(value: Any) -> bytes:
     """A text or path for the library."""
-    return str(value).encode("utf-8", "surrogateescape")
+    found = str(value).encode("utf-8", "surrogateescape")
+    if b"\0" in found:
+        raise BadInput(f"{str(value)!r:.80}: a text or a name has no "
+                       "character NUL")
+    return found
 
 
 def new_error() -> Any:
@@ -102,7 +106,7 @@ def new_error() -> Any:
 def error_of(err: Any, status: Optional[int] = None) -> OverrollError:
     """The exception that an `ovr_error` is."""
     raw = ffi.string(err.message)
-    message = raw.decode("utf-8", "replace")
+    message = raw.decode("utf-8", "replace").replace("--force", "force=True")
     origin = raw[:err.file].decode("utf-8", "surrogateescape") or None
     key = text(err.about)
     if key is None:

@@ -6,6 +6,7 @@ there for files that it opened without us.
 """
 from __future__ import annotations
 
+import builtins
 import os
 import time
 from typing import TYPE_CHECKING, Any, Optional, Union
@@ -13,6 +14,8 @@ from typing import TYPE_CHECKING, Any, Optional, Union
 import numpy as np
 import xarray
 from xarray.backends import BackendEntrypoint
+
+from ._library import BadInput, InputOutput
 
 if TYPE_CHECKING:
     from ._pictures import Movie, Page, Picture
@@ -55,6 +58,9 @@ def _group(path: str, group: Optional[str]) -> xarray.Dataset:
     import h5py
     with h5py.File(path, "r") as file:
         at = file[group] if group else file
+        if not isinstance(at, h5py.Group):
+            raise BadInput(f"{path}: '{group}' is a variable, not a group",
+                           file=path, key="group")
         names = [name for name, v in at.items()
                  if isinstance(v, h5py.Dataset) and v.dtype.kind in "fiubO"]
         found = {name: _variable(at[name], name, path) for name in names}
@@ -77,14 +83,31 @@ def _complete(ds: xarray.Dataset) -> xarray.Dataset:
     return ds.isel({ds["time"].dims[0]: slice(int(unfinished.argmax()))})
 
 
+def _foreign(path: str) -> bool:
+    """A file that is no HDF5 file, not even one just begun."""
+    if not os.path.isfile(path):
+        return False
+    with builtins.open(path, "rb") as file:
+        head = file.read(8)
+    return head != b"" and head != b"\x89HDF\r\n\x1a\n"
+
+
 def _read(path: str, group: Optional[str], load: bool) -> xarray.Dataset:
     for attempt in range(ATTEMPTS):
         try:
             return _complete((_group if load else _lazily)(path, group))
-        except (OSError, RuntimeError, ValueError, KeyError):
+        except BadInput:
+            raise
+        except (OSError, RuntimeError, ValueError, KeyError) as error:
             # the writer was met half-way
-            if not os.path.exists(path) or attempt == ATTEMPTS - 1:
+            if not os.path.exists(path):
                 raise
+            if attempt == ATTEMPTS - 1 or _foreign(path):
+                if isinstance(error, KeyError):
+                    raise BadInput(f"{path}: has no group '{group}'",
+                                   file=path, key="group") from error
+                raise InputOutput(f"{path}: cannot be read as a result: "
+                                  f"{error}", file=path) from error
             time.sleep(PAUSE)
     raise AssertionError
 
@@ -113,8 +136,12 @@ def open(path: Path, *, group: Optional[str] = None, units: str = "stored",
 
     Raises
     ------
-    FileNotFoundError, OSError
-        There is no such file, or it is damaged.
+    FileNotFoundError
+        There is no such file.
+    InputOutput
+        It is damaged or no result; an OSError, too.
+    BadInput
+        `group` is not one of its groups.
     ValueError
         `units` is "si" and the file does not know the scales.
     """

@@ -1,0 +1,81 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Files of somebody else are replaced with --force only: tables of find and
+# sweep, the manifest, cases of draws, profiles after wear.  Workers end when
+# their parent is killed, and the study resumes.
+. "$TOP/tests/support/cli.sh"
+need_python h5py
+
+cat >contact.ini <<'END'
+[contact]
+M = 20
+L = 10
+[domain]
+level = 4
+END
+cat >study.ini <<'END'
+[study]
+case = contact.ini
+results = no
+output = d
+[random]
+draws = 8
+contact.M = uniform 15 to 25
+END
+
+# kept PATTERN FILE ARGUMENTS...: refused, and the file is as it was; replaced
+# with --force, and then without.
+kept() {
+    pattern=$1 file=$2
+    shift 2
+    printf 'my notes\n' >"$file"
+    refuses "$pattern" "$@"
+    [ "$(cat "$file")" = 'my notes' ] || fail "$file is replaced"
+    expect 0 "$OVERROLL" "$@" --force
+    ! grep -q 'my notes' "$file" || fail "$file is not replaced with --force"
+    expect 0 "$OVERROLL" "$@"
+}
+
+kept 'table.csv: exists and is not' table.csv find contact.ini \
+    contact.M between 10 and 30 so that H_min is 0.1 --table table.csv
+mkdir d
+kept 'd/draw-0003.ini: exists and is no case' d/draw-0003.ini sweep study.ini
+kept 'd/manifest.csv: exists and is not' d/manifest.csv sweep study.ini
+kept 'all.csv: exists and is not' all.csv sweep study.ini --collect all.csv
+kept 'all.nc: exists and is not' all.nc sweep study.ini --collect all.nc
+printf 'my notes\n' >d/summary.csv
+refuses 'd/summary.csv: exists and is not' sweep study.ini --statistics
+expect 0 "$OVERROLL" sweep study.ini --statistics --force
+
+# A result is an HDF5 file, but no table of cases.
+expect 0 "$OVERROLL" run contact.ini --set time.end=0.5 -q -o result.h5
+cp result.h5 before.h5
+refuses 'result.h5: exists and is no table' sweep study.ini --collect result.h5
+cmp result.h5 before.h5 || fail 'the result is replaced'
+
+# Workers of a killed parent
+cat >long.ini <<'END'
+[study]
+case = contact.ini
+output = long
+[product]
+time.end = 50000, 60000, 70000
+END
+"$OVERROLL" sweep long.ini -j 2 -q >out 2>err &
+sweep=$!
+for file in long/end=50000.h5 long/end=60000.h5; do
+    begins "$file"
+done
+workers=$(ps -o pid= --ppid $sweep)
+[ "$(echo "$workers" | wc -l)" -eq 2 ] || fail "workers: $workers"
+kill -KILL $sweep
+wait $sweep 2>/dev/null
+for worker in $workers; do
+    tries=0
+    while kill -0 "$worker" 2>/dev/null; do
+        case $(ps -o stat= -p "$worker") in Z*) break ;; esac
+        tries=$((tries + 1))
+        [ $tries -lt 100 ] || fail "worker $worker works on without a parent"
+        sleep 0.1
+    done
+done
