@@ -59,7 +59,10 @@ void ovr_surface_heights(const ovr_simulation *sim, double T, size_t n,
 static ovr_heights *features_of(const ovr_simulation *sim, int surface)
 {
     const ovr_contact *c = &sim->contact;
-    if (!sim->heights || sim->sides[0] || sim->sides[1])
+    bool known = (sim->sides[0] || sim->sides[1]) &&
+                 sim->heights == sim->sides_of &&
+                 sim->heights_data == sim->sides_data;
+    if (!sim->heights || known)
         return sim->heights ? sim->sides[surface - 1] : NULL;
     bool second = fabs(sim->moving - c->u2_ratio) <
                   fabs(sim->moving - c->u1_ratio);

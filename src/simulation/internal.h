@@ -114,6 +114,8 @@ struct ovr_simulation {
     ovr_heights *heights;
     void *heights_data;
     ovr_heights *sides[2]; /* parts on the surfaces; both NULL: not known */
+    ovr_heights *sides_of; /* the heights whose parts these are, and data */
+    void *sides_data;
     ovr_heights *standing; /* of what stands still, or NULL */
     void *standing_data;
     bool standing_given;

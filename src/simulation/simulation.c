@@ -200,6 +200,8 @@ void ovr_simulation_sides(ovr_simulation *sim, ovr_heights *heights_1,
         return;
     sim->sides[0] = heights_1;
     sim->sides[1] = heights_2;
+    sim->sides_of = sim->heights;
+    sim->sides_data = sim->heights_data;
 }
 
 void ovr_simulation_surface(ovr_simulation *sim, ovr_heights *heights,
