@@ -184,8 +184,8 @@ static int finish(sweeping *w)
 {
     ovr_sweep_totals totals = {0};
     ovr_error err = {0};
-    if (ovr_sweep_collect(w->s, cli_value(w->call, "collect"),
-                          w->how.force, &totals, &err))
+    if (ovr_sweep_collect(w->s, cli_value(w->call, "collect"), w->how.force,
+                          &totals, &err))
         return cli_fail(&err);
     if (w->call->json)
         report_json(w, &totals);

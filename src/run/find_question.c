@@ -345,7 +345,8 @@ static ovr_status prepare(ovr_find *f, ovr_case *c,
         return OVR_OK;
     f->table = (ovr_find_table){
         .path = f->how.table, .made = f->made, .maximum = OVR_FIND_MAX};
-    status = ovr_find_table_open(&f->table, f->how.go_on, f->how.force, &f->arena, err);
+    status = ovr_find_table_open(&f->table, f->how.go_on, f->how.force,
+                                 &f->arena, err);
     i->evaluations = f->table.count;
     for (size_t k = 0; k < i->evaluations; k++)
         i->marked = i->marked || f->made[k].marked > 0;

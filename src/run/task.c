@@ -253,9 +253,14 @@ static bool write_case(const ovr_study *s, int fd, ovr_case *c)
 
 static void start_afresh(const ovr_study *s, size_t task)
 {
-    static const char *const endings[] = {".json", ".json.part",  ".failed",
-                                          ".h5",   ".h5.journal", ".h5.restart",
-                                          ".log",  ".find.csv",
+    static const char *const endings[] = {".json",
+                                          ".json.part",
+                                          ".failed",
+                                          ".h5",
+                                          ".h5.journal",
+                                          ".h5.restart",
+                                          ".log",
+                                          ".find.csv",
                                           "-profile-1-before.csv",
                                           "-profile-1-after.csv",
                                           "-profile-2-before.csv",
