@@ -64,14 +64,14 @@ static void keep_memory(void)
 #endif
 }
 
-/* Without it a worker whose parent was killed goes on with its task for hours.
- * SIGTERM leaves it the time for a checkpoint. */
+/* A worker whose parent was killed would continue its task for hours.
+ * SIGTERM lets it write a checkpoint. */
 static void end_with(pid_t parent)
 {
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGTERM);
 #endif
-    if (getppid() != parent) /* it died before */
+    if (getppid() != parent) /* the parent had ended before */
         _exit(1);
 }
 
