@@ -66,6 +66,22 @@ static const char *trimmed(const char *value, ovr_arena *arena, ovr_error *err)
     return copy;
 }
 
+/* viscosity and alpha are keys of [contact] and of [lubricant]: the later
+ * setting of one replaces the other, as it replaces itself. */
+static void unset_other_name(ovr_case *c, const ovr_parameter *row)
+{
+    static const char *const sections[] = {"contact", "lubricant"};
+    const ovr_parameter *same[2];
+    char where[128];
+    for (int k = 0; k < 2; k++)
+        same[k] = ovr_parameter_find(ovr_section_find(sections[k]), row->key);
+    for (int k = 0; k < 2 && same[0] && same[1]; k++)
+        if (same[k] == row && same[0]->place == same[1]->place) {
+            snprintf(where, sizeof where, "%s.%s", sections[1 - k], row->key);
+            ovr_case_unset(c, where);
+        }
+}
+
 ovr_status ovr_case_set(ovr_case *c, const char *where, const char *value,
                         const char *origin, ovr_error *err)
 {
@@ -98,6 +114,7 @@ ovr_status ovr_case_set(ovr_case *c, const char *where, const char *value,
         return OVR_NO_MEMORY;
     fresh.replaces = at.slot->replaces ? at.slot->replaces : at.slot->line;
     *at.slot = fresh;
+    unset_other_name(c, row);
     return OVR_OK;
 }
 

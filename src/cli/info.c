@@ -171,7 +171,7 @@ static void put_foreign(const char *before, const char *text)
 static void print_text(report *r, bool verbose)
 {
     const ovr_result_info *a = r->about;
-    printf("%s", r->path);
+    put_foreign("", r->path);
     put_foreign(": ", a->title);
     put_foreign("\nstatus     ", a->status);
     if (*a->reason)

@@ -116,17 +116,30 @@ static void report_json(const sweeping *w, const ovr_sweep_totals *t)
     json_end(&json);
 }
 
+/* The first case of each kind of message, five at most. */
 static void list_state(const sweeping *w, ovr_sweep_state state)
 {
-    char text[1100];
+    enum { KINDS = 5 };
+    char text[1100], kind[KINDS][1100];
+    size_t kinds = 0, more = 0;
     for (size_t i = 0; i < ovr_study_cases(w->s); i++) {
+        size_t k = 0;
         if (ovr_sweep_state_of(w->s, i) != state)
             continue;
         ovr_sweep_message(w->s, i, text, sizeof text);
+        while (k < kinds && strcmp(kind[k], text) != 0)
+            k++;
+        if (k < kinds || kinds == KINDS) {
+            more++;
+            continue;
+        }
+        strcpy(kind[kinds++], text);
         printf("  %zu %s %s: %s\n", i + 1, ovr_sweep_state_name(state),
                ovr_study_name(w->s, i),
                state == OVR_SWEEP_FAILED ? text : "was made from another case");
     }
+    if (more)
+        printf("  and %zu more, see manifest.csv\n", more);
 }
 
 static void report_table(const sweeping *w, const ovr_sweep_totals *t)

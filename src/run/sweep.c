@@ -101,6 +101,29 @@ static ovr_status check_files(const sweeping *w, ovr_error *err)
     return status;
 }
 
+/* Fails if all draws that are due fail alike before they are solved: the
+ * message would be repeated for each. */
+static ovr_status check_cases(const sweeping *w, ovr_error *err)
+{
+    ovr_error first = {0};
+    if (w->how.one || !ovr_study_random(w->s))
+        return OVR_OK;
+    for (size_t i = 0; i < w->tasks; i++) {
+        ovr_error why = {0};
+        ovr_case *c = ovr_study_case(w->s, w->task[i], &why);
+        ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &why) : NULL;
+        bool good = setup || why.status == OVR_NO_MEMORY;
+        ovr_setup_free(setup);
+        ovr_case_free(c);
+        if (good || (i > 0 && strcmp(why.message, first.message) != 0))
+            return OVR_OK;
+        first = why;
+    }
+    return w->tasks > 1 ? ovr_fail(err, first.status, "all %zu draws: %.900s",
+                                   w->tasks, first.message)
+                        : OVR_OK;
+}
+
 static void take_options(sweeping *w, const ovr_sweep_options *options)
 {
     w->how = (ovr_sweep_options){0};
@@ -149,6 +172,8 @@ ovr_status ovr_sweep(const ovr_study *study, const ovr_sweep_options *options,
     status = list_tasks(&w, err);
     if (!status && !w.how.force)
         status = check_files(&w, err);
+    if (!status)
+        status = check_cases(&w, err);
     if (!status)
         status = run(&w, err);
     ovr_arena_release(&w.arena);

@@ -53,6 +53,49 @@ cp result.h5 before.h5
 refuses 'result.h5: exists and is no table' sweep study.ini --collect result.h5
 cmp result.h5 before.h5 || fail 'the result is replaced'
 
+# What fails in all draws alike is printed once, and nothing runs.
+cat >twice.ini <<'END'
+[study]
+case = contact.ini
+output = twice
+[random]
+draws = 8
+contact.load = uniform 300 kN/m to 400 kN/m
+END
+refuses 'all 8 draws: ' sweep twice.ini
+[ ! -e twice/draw-0001.ini ] || fail 'a case was begun'
+
+# A quantity under two names is overridden as one.
+cat >physical.ini <<'END'
+[contact]
+load = 300 kN/m
+radius = 8 mm
+modulus = 226 GPa
+mean_speed = 1 m/s
+viscosity = 40 mPa.s
+alpha = 20 1/GPa
+[domain]
+level = 4
+END
+cat >oils.ini <<'END'
+[study]
+case = physical.ini
+results = no
+output = oils
+[random]
+draws = 8
+lubricant.viscosity = uniform 30 mPa.s to 50 mPa.s
+END
+expect 0 "$OVERROLL" sweep oils.ini
+contains out '^8 cases: 8 finished'
+expect 0 "$OVERROLL" check physical.ini --set "lubricant.alpha=15 1/GPa"
+
+# Control characters in the name of a file
+strange=$(printf 'a\033[31mb.h5')
+cp result.h5 "$strange"
+expect 0 "$OVERROLL" info "$strange"
+! grep -q "$(printf '\033')" out || fail 'info prints an escape sequence'
+
 # Workers of a killed parent
 cat >long.ini <<'END'
 [study]

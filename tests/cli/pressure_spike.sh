@@ -74,7 +74,7 @@ if command -v gnuplot >/dev/null; then
     contains newton.svg 'maximum pressure not resolved'
 fi
 
-# A load ramp of a Newtonian film on a wave; every kind with features thins
+# Every kind with features has a shear-thinning oil
 for kind in roller gear bearing indented numbers; do
     expect 0 "$OVERROLL" init $kind
     contains out '^rheology = eyring'

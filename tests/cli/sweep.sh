@@ -149,6 +149,7 @@ END
 expect 1 "$OVERROLL" sweep bad.ini -j 2
 contains out '2 cases: 2 failed'
 contains out '^  1 failed M=20_lambda=1_L=5: .*lambda'
+contains out '^  and 1 more, see manifest.csv'
 contains bad/manifest.csv '^1,.*,failed,,,.*lambda'
 expect 1 "$OVERROLL" sweep bad.ini
 [ ! -s err ] || fail "failed cases ran again: $(cat err)"
