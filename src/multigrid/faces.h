@@ -200,8 +200,8 @@ static INLINE face face_at(const ovr_fields *f, face_kind kind, ptrdiff_t J)
 static inline num face_logarithmic_by_film(num flow, num p, num H, num slope,
                                            num eps)
 {
-    num inverse = 1 / face_film(H);
-    return p * fused(1.5 * flow, inverse, less(slope, 3 * eps, inverse));
+    num inverse = 1 / face_film(H), viscous = less(slope, 3 * eps, inverse);
+    return p * fused(1.5 * flow, inverse, choose(H > 0, viscous, all(0)));
 }
 
 /* Its change by the film H of x, which changes it by `slope`: by

@@ -157,7 +157,8 @@ static between logarithmic(const ovr_pair *n, double d, const double s[2],
     between of = {.value = flow, .left = by[0], .right = by[1]};
     for (int k = 0; k < 2; k++) {
         double p = 2 * (k ? a : b) / (a + b), H = face_film(n->H[k]);
-        of.by_film[k] = p * (1.5 * flow / H + slope[k] - 3 * n->eps[k] / H);
+        double viscous = n->H[k] > 0 ? slope[k] - 3 * n->eps[k] / H : 0;
+        of.by_film[k] = p * (1.5 * flow / H + viscous);
     }
     return of;
 }

@@ -202,6 +202,42 @@ TEST(logarithmic_mean_is_the_integral)
     }
 }
 
+/* A film that has crossed, as in the first steps of Newton's method, lets
+ * nothing through, whatever its size: neither the flow nor its derivatives by
+ * the film exceed those of the other node by themselves. */
+TEST(crossed_films_let_nothing_through)
+{
+    const ovr_fluid fluid = {.by_gap = true, .logarithmic = true};
+    const ovr_kernels *run;
+    for (int k = 0; (run = test_kernels(k)); k++) {
+        test_grid plain = test_grid_make(test_kernels(0), 225);
+        test_grid g = test_grid_make(run, 225);
+        test_grid_logarithmic(&plain);
+        test_grid_logarithmic(&g);
+        test_grid_fill(&plain, 9);
+        test_grid_copy(&plain, &g);
+        double *odd[] = {g.f.H, g.f.q, g.f.eps, g.f.deps};
+        for (size_t i = 20; i < 200; i += 10)
+            for (size_t m = 0; m < 4; m++)
+                odd[m][ovr_lanes_place(&g.lanes, i)] *= -1;
+        run->faces(&g.lanes, &g.f);
+        for (size_t i = 20; i < 200; i += 10)
+            for (size_t j = ovr_lanes_place(&g.lanes, i), m = 0; m < 2; m++) {
+                const double *by = m ? g.f.by_right : g.f.by_left;
+                CHECK_NEAR(g.f.flow[j], 0, 1e-80);
+                CHECK_NEAR(by[j], 0, 1e-20);
+            }
+        ovr_arena_release(&plain.arena);
+        ovr_arena_release(&g.arena);
+    }
+    pair p = {.P = {0.5, 0.6}, .H = {-0.01, 0.02}, .rho = {1, 1}, .alpha = 6};
+    for (int m = 0; m < 2; m++)
+        p.eps[m] = 1e-2 * pow(p.H[m], 3);
+    evaluate(&fluid, &p);
+    for (int m = 0; m < 5; m++)
+        CHECK_NEAR(p.out[m][0], 0, 1e-50);
+}
+
 /* H^3 goes from 1 to 1/8 with the same fluid: resistances 1 and 8 in line, a
  * conductance of 2/9; what slides by squares, 2/5; a wide node beside a closed
  * one lets nothing through. */
