@@ -19,10 +19,10 @@
  * 0.75/M times what is told, most at M = 1 where films pass from rigid to
  * elastic; 2e-2 to 1e-4 at most 1.4 times that.
  *
- * The rolling friction with the part beyond X_a (simulation/friction.c) is too
- * low by 1.15 M^2/(M^2 + 4) times the first term less 0.6 times the second:
- * with usual inlets of M = 1 to 300, L = 0 to 15, four times as far for
- * comparison, that is -3e-3 to 5e-3, of which 7e-4 are left (2e-3 below M = 3).
+ * The rolling friction with its part beyond X_a (simulation/friction.c) is too
+ * low by 1.15 M^2/(M^2 + 4) times the first term less 0.6 times the second.
+ * Compared with inlets four times as far out (M = 1 to 300, L = 0 to 15), the
+ * usual inlet changes it by -3e-3 to 5e-3.  7e-4 remain, 2e-3 below M = 3.
  */
 #include "contact/starvation.h"
 

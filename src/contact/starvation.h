@@ -26,8 +26,8 @@ double ovr_inlet_integral(double H, double d, int power);
 /* Share of the central film that a first node at X_a < -1 costs. */
 double ovr_inlet_loss(double M, double L, double X_a);
 
-/* Share of the rolling friction that such a film lacks, beside the friction
- * beyond X_a; below 0 where it has too much. */
+/* Relative loss of rolling friction that the same node causes, without the
+ * friction beyond X_a.  Negative: the friction is too large. */
 double ovr_inlet_rolling_loss(double M, double L, double X_a);
 
 /* It costs so many times that at most, where that is half a per cent. */

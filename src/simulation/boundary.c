@@ -8,9 +8,9 @@
  * Boundary friction is mu_b A over the film's own shear stress, which acts on
  * the rest of the surface:
  *     t = (1 - phi) t_film - sgn(V) mu_b A/kappa
- * Its power mu_b A |V|/kappa is made in the film of its node, from where both
- * walls take it as they take the film's; flash temperatures of single summits
- * are not in it.  Without sliding it is nothing.
+ * Its power mu_b A |V|/kappa heats the film of its node, together with the
+ * power (1 - phi) t_film V and Poiseuille's.  Flash temperatures of single
+ * summits are not included.  Without sliding boundary friction is 0.
  */
 #include <math.h>
 #include <stdio.h>
@@ -351,11 +351,16 @@ static void friction(const ovr_simulation *sim, const void *own, double *t)
     }
 }
 
-static void heat(const ovr_simulation *sim, const void *own, double *power)
+static void heat(const ovr_simulation *sim, const void *own, double *apart,
+                 double *power)
 {
     boundary *b = (boundary *)own;
     double V = fabs(ovr_sliding(sim, sim->state.T)), mu = b->given->friction;
-    if (isnan(mu) || V == 0)
+    if (V == 0 || is_apart(sim, b))
+        return;
+    for (size_t i = 0; i < sim->now.n; i++)
+        apart[i] *= 1 - ovr_touch_law_area(b->law, sim->now.H[i]);
+    if (isnan(mu))
         return;
     read_borne((ovr_simulation *)sim, b);
     for (size_t i = 0; i < sim->now.n; i++)

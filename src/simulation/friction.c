@@ -1,29 +1,31 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Friction forces and powers (multigrid/friction.h: F_slide, F_roll in the
- * domain).  Units ph b^2/R and um ph b^2/R, u1, u2 = Cu +- V/2.
+ * Friction forces (ph b^2/R) and powers (um ph b^2/R), u1, u2 = Cu +- V/2.
+ * F_slide and F_roll in the domain: multigrid/friction.h.
  *
- * Force on surface k: shear stress and pressure on the slopes of its features,
+ * Shear stress and pressure on the slopes of features act on the surfaces:
+ *
  *     F_1 = F_slide - F_roll + G_1,   F_2 = -F_slide - F_roll + G_2
  *     G_k = int P dS_k/dX dX,   P that the solids bear, S_k outward
  *     mu_k = kappa F_k/int P dX,  kappa = b/R
  *     put in      -(F_1 u1 + F_2 u2) = -V F_slide + 2 Cu F_roll - sum u_k G_k
  *     dissipated  -V F_slide + int (Cu H - Q) P_X dX,  Q the volume flow
  *
- * Curvature and elastic deformation have no G: pressure on a cylinder acts
+ * Curvature and elastic deformation have no G.  Pressure on a cylinder acts
  * through its axis, and int P dw/dX = 0 by symmetry of the elastic influence.
- * What stands between both powers: overroll-theory(7).
+ * overroll-theory(7) derives the balance of both powers.
  *
- * Beyond the inlet X_a of a flooded contact, where P is so small that viscosity
- * and density are those of P = 0,
+ * Beyond the inlet X_a of a flooded contact viscosity and density have their
+ * values at P = 0:
+ *
  *     P_X = (Cu H - M)/E,  M the mass flow, E = H^3/lambda or of the flow law
  *     H(X) = H(X_a) + h(X) - h(X_a),  h the gap beside a dry contact,
  *     h = Cw (x sqrt(x^2 - 1) - arcosh x)/2,  x = |X|/s, s = sqrt(Cw/c)
  *     dissipated there  int (Cu H - M) P_X dX = 2 Cu times its part of F_roll
- * The part of F_roll is int H P_X/2 less M P(X_a)/(2 Cu): so much less does the
- * film in the domain roll where it begins with P(X_a) in place of 0.  Gauss's
- * quadrature in X_a/X, of 8 points: 1e-6 of it.  The film is thinner than one
- * with that pressure, which changes F_roll by ovr_inlet_rolling_loss.
+ * The part of F_roll is int H P_X/2 less M P(X_a)/(2 Cu).  The second term
+ * corrects the domain, whose pressure starts at 0 instead of P(X_a).  Gauss
+ * quadrature in X_a/X with 8 points has an error of 1e-6.  The film in the
+ * domain is also too thin: ovr_inlet_rolling_loss.
  */
 #include <math.h>
 #include <string.h>
@@ -45,8 +47,6 @@ void ovr_simulation_sliding(ovr_simulation *sim, const ovr_history *sliding)
         return;
     sim->sliding = sliding;
 }
-
-/* ---------------------------------------------------- slopes of features */
 
 /* dS/dX at an inner node: of fourth order where nodes are equally spaced. */
 static double slope_at(const ovr_solution *now, const double *S, size_t i)
@@ -85,10 +85,8 @@ static void observe_slopes(ovr_simulation *sim, ovr_observation *o)
             *G[k] = slope_force(&sim->now, P, S);
 }
 
-/* ------------------------------------------------------ beyond the inlet */
-
-/* The gap beside a dry contact of the load and curvature at T, over that at
- * its edge. */
+/* Parameters of the gap outside a dry contact of the load and curvature at T.
+ */
 typedef struct dry_gap {
     double load, s;
 } dry_gap;
@@ -111,8 +109,8 @@ static double gradient_at(const ovr_fluid *fluid, double H, double wedge)
     return wedge / ovr_flow_between(fluid, dX, &nodes);
 }
 
-/* What is dissipated beyond the inlet of a film that begins at the node `first`
- * with the mass flow M; divided by 2 Cu it is the part of F_roll. */
+/* Returns the power dissipated beyond the inlet node `first` for the mass flow
+ * M.  Divided by 2 Cu it is the part of F_roll. */
 static double beyond_inlet(const ovr_simulation *sim, const ovr_fluid *fluid,
                            size_t first, double M)
 {
@@ -139,8 +137,8 @@ static double beyond_inlet(const ovr_simulation *sim, const ovr_fluid *fluid,
     return sum;
 }
 
-/* What the film in the domain lacks of its rolling friction; conditions that
- * do not change keep the number. */
+/* Returns the relative loss of rolling friction caused by the inlet, computed
+ * only if load, speed or radius have changed. */
 static double rolling_loss(ovr_simulation *sim, const ovr_instant *at,
                            double X_a)
 {
@@ -149,13 +147,12 @@ static double rolling_loss(ovr_simulation *sim, const ovr_instant *at,
     double X = fmin(-fabs(X_a) / at->s, near);
     if (kept->M != at->M || kept->L != at->L || kept->X != X)
         *kept = (ovr_inlet_share){at->M, at->L, X,
-                                  ovr_inlet_rolling_loss(at->M, at->L, X)};
+                                  ovr_inlet_rolling_loss(at->M, at->L, X), 0};
     return kept->loss;
 }
 
-/* Power of rolling that the film in the domain, of the friction F_roll, does
- * not have.  Nothing is beyond an inlet that is starved, or of surfaces that
- * hardly move. */
+/* Returns the rolling power missing in the domain, in which the rolling
+ * friction is F_roll.  0: the inlet is starved, or the surfaces hardly move. */
 static double inlet_power(ovr_simulation *sim, const ovr_fluid *fluid,
                           double Cu, double F_roll)
 {
@@ -176,9 +173,8 @@ static double inlet_power(ovr_simulation *sim, const ovr_fluid *fluid,
            rolling_loss(sim, &at, now->X[first]) * (2 * Cu * F_roll + power);
 }
 
-/* -------------------------------------------------------------- observed */
-
-/* What the skewed flow (heat.c) and the like do beyond Poiseuille's. */
+/* Returns the power dissipated by flow in addition to Poiseuille flow, for
+ * example by the skewed flow of heat.c. */
 static double dissipated_beside(const ovr_simulation *sim)
 {
     const ovr_solution *now = &sim->now;
@@ -232,6 +228,7 @@ void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o)
         p->is->friction(sim, p->own, sim->stress);
     ovr_friction f = run->friction(&film, sim->stress);
     double inlet = inlet_power(sim, &fluid, Cu, f.roll);
+    sim->inlet_share.power = inlet;
     observe_slopes(sim, o);
     o->F_slide = f.slide;
     o->F_roll = f.roll + (inlet != 0 ? inlet / (2 * Cu) : 0);

@@ -55,7 +55,8 @@ void ovr_surface_heights(const ovr_simulation *sim, double T, size_t n,
         p->is->heights(sim, p->own, 0, T, n, X, S);
 }
 
-/* Features whose surface is not known are all on one. */
+/* Returns the features of a surface; if their surface is unknown, all are on
+ * one. */
 static ovr_heights *features_of(const ovr_simulation *sim, int surface)
 {
     const ovr_contact *c = &sim->contact;

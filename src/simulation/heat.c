@@ -145,7 +145,7 @@ static void stress(ovr_simulation *sim, void *own, const ovr_sheared *film,
     ovr_heat_film(sim);
     h->film.even = NULL;
     h->film.P_T = h->steps->dT > 0 ? h->steps->P_T : NULL;
-    h->made = ovr_heat_made(sim, &h->made_size);
+    h->made = ovr_heat_made(sim);
     for (size_t i = 0; i + 1 < sim->now.n; i++)
         t[i] += (h->t[i] - even[i] + h->t[i + 1] - even[i + 1]) / 2;
 }
@@ -223,7 +223,7 @@ static double flow_into(const ovr_simulation *sim, int k)
     const ovr_heated *h = sim->heated;
     double sum = 0;
     for (size_t i = 1; i < sim->now.n; i++)
-        if (sim->now.P[i] > 0)
+        if (ovr_heat_counts(sim, i))
             sum += sim->now.weights[i] * h->q[k][i];
     return sum * h->numbers.conduction / h->numbers.theta;
 }
@@ -236,22 +236,42 @@ static void unknown(ovr_observation *o)
     o->heat_flow_1 = o->heat_flow_2 = o->energy_defect = NAN;
 }
 
+/* Returns the power that becomes heat, by forces, speeds and flow alone: in a
+ * steady film -V F_slide + 2 Cu F_roll - M int dP/rho.  In a step, where oil
+ * and solids store energy, the power dissipated.  Both without the part beyond
+ * the inlet, which heats no film in the domain. */
+static double power_of_forces(const ovr_simulation *sim,
+                              const ovr_observation *o)
+{
+    const ovr_solution *now = &sim->now;
+    double worked = 0;
+    if (sim->heated->steps->dT > 0)
+        return o->power_dissipated - sim->inlet_share.power;
+    for (size_t i = 0; i + 1 < now->n; i++)
+        if (now->P[i] > 0 || now->P[i + 1] > 0)
+            worked += (now->P[i + 1] - now->P[i]) *
+                      (now->H[i] + now->H[i + 1]) / (now->q[i] + now->q[i + 1]);
+    return 2 * o->speed_ratio * o->F_roll - o->sliding * o->F_slide -
+           sim->inlet_share.power - o->mass_flow * worked;
+}
+
 /* Largest rises, flows into the surfaces, defect of the balance. */
 static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
 {
     ovr_heated *h = own;
-    double stored;
+    double stored, taken;
     o->energy_defect = 0;
     observe_temperatures(sim, o);
     observe_points(sim, o);
     o->heat_flow_1 = flow_into(sim, 0);
     o->heat_flow_2 = flow_into(sim, 1);
     stored = h->steps->dT > 0 ? h->steps->stored : ovr_heat_stored(sim);
-    h->balanced = ovr_larger(h->made_size,
+    h->balanced = ovr_larger(h->made.size,
                              fabs(o->heat_flow_1) + fabs(o->heat_flow_2));
+    taken = stored + o->heat_flow_1 + o->heat_flow_2 - h->made.pressed;
+    h->left = h->made.sheared - taken;
     if (h->balanced > 0)
-        o->energy_defect =
-            (h->made - stored - o->heat_flow_1 - o->heat_flow_2) / h->balanced;
+        o->energy_defect = (power_of_forces(sim, o) - taken) / h->balanced;
 }
 
 /* q D at the half node i + 1/2, as F has it or between the nodes. */

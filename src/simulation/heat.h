@@ -68,14 +68,15 @@ typedef struct ovr_heated {
     double change; /* last change of temperatures, relative to the rise */
     double *th, *shift, *swell; /* in the order of the nodes */
     double V, u1;               /* now */
-    /* by its stress: power that is made, and of its size node by node */
-    double made, made_size;
+    ovr_heat_power made; /* at the last observation of stresses */
+    double left;         /* closure of the discrete balance of heat */
     double balanced; /* power to which the observed defect is relative */
     struct ovr_heat_outer *outer; /* heat_outer.h */
     struct ovr_heat_steps *steps; /* heat_in_time.h */
     double Sigma0, limit;         /* as in cross_film.h; limit over P */
     ovr_columns film;
     double *log_eta;       /* at T0 */
+    double *apart;         /* share of the surfaces that the film drags on */
     double *oil, *content; /* H and q of what is there (heat_film.h) */
     double *departure[OVR_CROSS_FILM_MAX]; /* T at those points of a step */
 } ovr_heated;
@@ -130,9 +131,8 @@ const double *ovr_heat_temperature(const ovr_simulation *sim,
 const double *ovr_heat_flux(const ovr_simulation *sim, int surface,
                             double *workspace);
 
-/* Converts the oil's viscosity and density at the nodes, given at T0 and the
- * pressure of the node, to the film's mean temperature; without heat they are
- * left as they are.  The density is the one by which rho H is made. */
+/* Converts viscosities and densities at the nodes from T0 to the film's mean
+ * temperature.  Without heat they do not change.  Density: as used in rho H. */
 void ovr_heat_thin(const ovr_simulation *sim, double *viscosity);
 void ovr_heat_expand(const ovr_simulation *sim, double *density);
 

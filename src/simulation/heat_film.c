@@ -15,7 +15,8 @@ ovr_status ovr_heat_film_take(ovr_simulation *sim, ovr_error *err)
 {
     ovr_heated *h = sim->heated;
     ovr_columns *c = &h->film;
-    if (OVR_TAKE_NODES(sim, err, &h->log_eta, &h->oil, &h->content, &c->fall))
+    if (OVR_TAKE_NODES(sim, err, &h->log_eta, &h->oil, &h->content, &h->apart,
+                       &c->fall))
         return OVR_NO_MEMORY;
     for (int j = 0; j < h->cross_film.n; j++)
         if (OVR_TAKE_NODES(sim, err, &c->u[j], &c->heating[j],
@@ -94,7 +95,21 @@ static void begin(ovr_simulation *sim)
                                       h->log_eta);
 }
 
-/* Adds the power that others make in the film, evenly across it. */
+/* Returns the share of the film's heating that is left where the film drags on
+ * a share of the surfaces: -V t is reduced, the power of Poiseuille flow is
+ * not. */
+static double share_left(const ovr_heated *h, size_t i)
+{
+    double made = 0, slides = -h->V * h->film.t[i];
+    for (int j = 0; j < h->cross_film.n; j++)
+        made += h->cross_film.w[j] * h->film.heating[j][i];
+    if (!(made > 0))
+        return 1;
+    return ovr_larger(0, 1 - (1 - h->apart[i]) * ovr_smaller(slides / made, 1));
+}
+
+/* Adds the power that other physics make in the film, evenly across it, and
+ * reduces the film's own. */
 static void add_power(ovr_simulation *sim)
 {
     OVR_LAST_PHYSICS(sim, any, heat);
@@ -102,12 +117,23 @@ static void add_power(ovr_simulation *sim)
     double *power = sim->scratch[0];
     if (!any->is)
         return;
-    memset(power, 0, sim->now.n * sizeof *power);
+    for (size_t i = 0; i < sim->now.n; i++) {
+        power[i] = 0;
+        h->apart[i] = 1;
+    }
     OVR_EACH_PHYSICS(sim, p, heat)
-        p->is->heat(sim, p->own, power);
-    for (int j = 0; j < h->cross_film.n; j++)
-        for (size_t i = 0; i < sim->now.n; i++)
-            h->film.heating[j][i] += power[i];
+        p->is->heat(sim, p->own, h->apart, power);
+    for (size_t i = 0; i < sim->now.n; i++) {
+        double share = h->apart[i] < 1 ? share_left(h, i) : 1;
+        for (int j = 0; j < h->cross_film.n; j++)
+            h->film.heating[j][i] = share * h->film.heating[j][i] + power[i];
+    }
+}
+
+bool ovr_heat_counts(const ovr_simulation *sim, size_t i)
+{
+    const ovr_columns *c = &sim->heated->film;
+    return c->P[i] > 0 || c->heating[0][i] != 0;
 }
 
 /* Weights flow and heating of the last wet node by the share of its mesh
@@ -151,29 +177,30 @@ void ovr_heat_film_fields(ovr_simulation *sim)
     sim->grids.kernels->flow_cross_film(c);
 }
 
-double ovr_heat_made(const ovr_simulation *sim, double *size)
+ovr_heat_power ovr_heat_made(const ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
     const ovr_columns *c = &h->film;
     const double *X = c->X, *P = c->P;
-    double made = 0;
-    *size = 0;
+    ovr_heat_power sum = {0};
     for (size_t i = 1; i + 1 < c->n; i++) {
         double P_X = (P[i + 1] - P[i - 1]) / (X[i + 1] - X[i - 1]);
-        double P_T = c->P_T ? c->P_T[i] : 0, part = 0;
-        double bT_f = expansion_at(&h->numbers, P[i]);
-        for (int j = 0; P[i] > 0 && j < h->cross_film.n; j++) {
+        double P_T = c->P_T ? c->P_T[i] : 0, sheared = 0, pressed = 0;
+        double bT_f = expansion_at(&h->numbers, P[i]), w = sim->now.weights[i];
+        for (int j = 0; ovr_heat_counts(sim, i) && j < h->cross_film.n; j++) {
             double beta = bT_f *
                           expansion_lightness(&h->numbers, bT_f, h->used[j][i]);
-            part += h->cross_film.w[j] *
-                    (c->heating[j][i] + beta * c->H[i] *
-                                            (h->numbers.T0 + h->T[j][i]) *
-                                            (P_T + c->u[j][i] * P_X));
+            sheared += h->cross_film.w[j] * c->heating[j][i];
+            if (P[i] > 0)
+                pressed += h->cross_film.w[j] * beta * c->H[i] *
+                           (h->numbers.T0 + h->T[j][i]) *
+                           (P_T + c->u[j][i] * P_X);
         }
-        made += sim->now.weights[i] * part;
-        *size += sim->now.weights[i] * fabs(part);
+        sum.sheared += w * sheared;
+        sum.pressed += w * pressed;
+        sum.size += w * fabs(sheared + pressed);
     }
-    return made;
+    return sum;
 }
 
 double ovr_heat_stored(const ovr_simulation *sim)
@@ -183,7 +210,7 @@ double ovr_heat_stored(const ovr_simulation *sim)
     double stored = 0;
     for (size_t i = 1; i + 1 < c->n; i++) {
         double part = 0;
-        for (int j = 0; c->P[i] > 0 && j < h->cross_film.n; j++)
+        for (int j = 0; ovr_heat_counts(sim, i) && j < h->cross_film.n; j++)
             part += h->cross_film.w[j] *
                     (h->T[j][i] - ovr_column_departure(c, j, i)) /
                     ovr_column_travel(c, j, i);

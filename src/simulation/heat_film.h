@@ -22,10 +22,19 @@ void ovr_heat_film(ovr_simulation *sim);
 /* th, shift, drag and skewed for the film. */
 void ovr_heat_film_fields(ovr_simulation *sim);
 
-/* The power made, over Theta, and the same of its size node by node; what the
- * wet film takes up from `departure` in the time dT, or steadily from node to
- * node. */
-double ovr_heat_made(const ovr_simulation *sim, double *size);
+/* True if node i counts in the balance of heat: the film is wet, or power is
+ * made where the surfaces touch. */
+bool ovr_heat_counts(const ovr_simulation *sim, size_t i);
+
+/* Powers made by friction and by heat of compression, and the sum of their
+ * absolute values at the nodes; um ph b^2/R. */
+typedef struct ovr_heat_power {
+    double sheared, pressed, size;
+} ovr_heat_power;
+ovr_heat_power ovr_heat_made(const ovr_simulation *sim);
+
+/* Power that the film takes up from `departure` in the time dT, or in a steady
+ * film from node to node. */
 double ovr_heat_stored(const ovr_simulation *sim);
 
 #endif

@@ -361,7 +361,7 @@ bool ovr_heat_lags(ovr_simulation *sim, void *own)
     const ovr_observation *o = &sim->observation;
     const ovr_heated *h = own;
     ovr_heat_steps *s = h->steps;
-    double left = fabs(o->energy_defect) * h->balanced;
+    double left = fabs(h->left);
     s->max_balanced = ovr_larger(s->max_balanced, h->balanced);
     bool lags = s->lag > far ||
                 (left > open * s->max_balanced && !load_jumped(sim, o->T));

@@ -93,10 +93,11 @@ typedef struct ovr_present {
     void *own;
 } ovr_present;
 
-/* What the domain's inlet costs of the rolling friction (contact/starvation.h),
- * at the conditions of the last observation. */
+/* Loss of rolling friction by the domain's inlet (contact/starvation.h) and its
+ * arguments at the last observation. */
 typedef struct ovr_inlet_share {
     double M, L, X, loss;
+    double power; /* rolling power missing in the domain */
 } ovr_inlet_share;
 
 struct ovr_simulation {
@@ -212,8 +213,8 @@ ovr_cycling ovr_simulation_cycling(const ovr_simulation *sim, int finer_bottom);
 void ovr_surface_heights(const ovr_simulation *sim, double T, size_t n,
                          const double *X, double *S);
 
-/* Computes the heights that move with surface 1 or 2, at the nodes and the time
- * of S; false: there are none. */
+/* Computes the heights that move with surface 1 or 2 at the nodes and at the
+ * time of S.  Returns false if it is smooth. */
 bool ovr_heights_of(const ovr_simulation *sim, int surface, double *S);
 
 /* The pressure that the solids feel: the film's, where there is none other;
@@ -403,7 +404,8 @@ double ovr_sliding(const ovr_simulation *sim, double T);
  * powers; shear stress in the film at a surface, at half nodes. */
 void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o);
 
-/* Fills in what follows from F_slide, F_roll and the forces on slopes. */
+/* Computes forces, coefficients and power_in from F_slide, F_roll and the
+ * forces on slopes. */
 void ovr_friction_forces(const ovr_simulation *sim, ovr_observation *o);
 const double *ovr_wall_stress(const ovr_simulation *sim, int surface,
                               double *workspace);

@@ -317,9 +317,9 @@ struct ovr_physics {
     /* ----------------------------------------------------------- the equation
      */
 
-    /* Adds to the heights of surface 1 or 2, or of both (0), at any X, outward
-     * positive: the gap is that of the smooth surfaces less these.  Heights
-     * of a surface move with it; others belong to both alone. */
+    /* Adds to the heights of surface 1 or 2, or to their sum (0), at any X,
+     * outward positive.  The gap is the gap of the smooth surfaces minus the
+     * sum.  Heights of a surface move with it; the sum may include others. */
     void (*heights)(const ovr_simulation *sim, const void *own, int surface,
                     double T, size_t n, const double *X, double *S);
 
@@ -360,7 +360,10 @@ struct ovr_physics {
      * b/R um ph, which heat takes up. */
     void (*friction)(const ovr_simulation *sim, const void *own, double *t);
 
-    void (*heat)(const ovr_simulation *sim, const void *own, double *power);
+    /* Reduces `apart`, the share of the surfaces that the film drags on, and
+     * adds to the power made in the film in addition, at the nodes. */
+    void (*heat)(const ovr_simulation *sim, const void *own, double *apart,
+                 double *power);
 
     /* Fills in what is observed; before that, and where the physics is off,
      * what is not known. */

@@ -48,15 +48,15 @@ void ovr_simulation_radius(ovr_simulation *sim, const ovr_history *radius,
 ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
                                ovr_error *err);
 
-/* The parts of the heights that are on surface 1 and on surface 2, with the
- * data of ovr_simulation_surface; NULL: none.  Without this call all features
- * are on the surface whose speed ovr_simulation_moving was given, on surface 1
- * if both have it or the speed is not known. */
+/* Sets the heights on surface 1 and on surface 2 (NULL: none), called with the
+ * data of ovr_simulation_surface.  Without this call all features are on one
+ * surface.  Its speed is the argument of ovr_simulation_moving; surface 1 if
+ * both have that speed or it is unknown. */
 void ovr_simulation_sides(ovr_simulation *sim, ovr_heights *heights_1,
                           ovr_heights *heights_2);
 
-/* Mean shear stress of the oil over the film at half nodes, ph b/R: where
- * surfaces touch without their friction. */
+/* Returns the oil's mean shear stress across the film at half nodes, ph b/R,
+ * without boundary friction. */
 const double *ovr_film_stress(const ovr_simulation *sim);
 
 /* Points across the film: those asked for, else 5 or, where the steady solution

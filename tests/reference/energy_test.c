@@ -12,8 +12,6 @@
 #include "support/hot.h"
 #include "support/test.h"
 
-/* ------------------------------------------------------------- hot films */
-
 static double *field(const ovr_simulation *sim, const char *name)
 {
     const ovr_observable *row = ovr_observable_field(name);
@@ -33,8 +31,7 @@ static double roelands(const test_hot *c, double P, double T)
     return exp(C * (pow(1 + P / c->oil.P0, c->oil.z) * th - 1));
 }
 
-/* Stored viscosities and densities are the oil's at the temperature that is
- * stored beside them; cold oil would be thicker by powers of ten. */
+/* Stored viscosities and densities belong to the stored mean temperature. */
 TEST(oil_is_as_hot_as_the_film)
 {
     test_hot c = test_hot_make(62, 14, 0.5, 8e6, NULL);
@@ -56,9 +53,6 @@ TEST(oil_is_as_hot_as_the_film)
     free(T);
     ovr_simulation_free(sim);
 }
-
-/* ------------------------------------------------- friction beyond the inlet
- */
 
 static ovr_simulation *steady(double M, double L, double S, double Sigma0,
                               const ovr_options *options)
@@ -127,8 +121,8 @@ static double in_domain(const ovr_solution *s)
     return sum;
 }
 
-/* The part beyond a far inlet, where the film is no longer touched by it, by
- * midpoints and the deformation of the computed pressure. */
+/* The part beyond a distant inlet: midpoint rule, with the deformation of the
+ * computed pressure. */
 TEST(beyond_the_inlet_by_quadrature)
 {
     enum { CELLS = 4000 };
@@ -154,10 +148,8 @@ TEST(beyond_the_inlet_by_quadrature)
     ovr_simulation_free(sim);
 }
 
-/* --------------------------------------------------------------- features */
-
-/* Energy of the oil that is pressed (per mass int P drho/rho^2), of the solids
- * and of the load, whose work is load times H0. */
+/* Elastic energy of the oil (per mass int P drho/rho^2) and of the solids, and
+ * the load times H0. */
 static double stored(const ovr_simulation *sim)
 {
     enum { PARTS = 64 };
@@ -181,8 +173,8 @@ typedef struct passage {
     double in, dissipated, stored, slopes;
 } passage;
 
-/* A bump on the surface of speed u comes, and is left in the contact or goes
- * through it; means over the time. */
+/* Integrals in time while a bump on the surface of speed u moves into the
+ * contact or through it. */
 static passage pass(int level, double u, double S, double until)
 {
     test_feature bump = {'l', 0.05, 1.0, -1 - 3.2 * u, u, 0};
@@ -216,8 +208,7 @@ static passage pass(int level, double u, double S, double until)
     return sum;
 }
 
-/* What a feature puts in is dissipated or stored, to second order at least.
- */
+/* Power put in by a feature is dissipated or stored, to second order. */
 static void check_passage(double u, double S, double until)
 {
     double off[3];

@@ -142,8 +142,10 @@ static void friction(const ovr_simulation *sim, const void *own, double *t)
         t[i] += hysteresis * (P[i] + P[i + 1]) / 2;
 }
 
-static void warm(const ovr_simulation *sim, const void *own, double *power)
+static void warm(const ovr_simulation *sim, const void *own, double *apart,
+                 double *power)
 {
+    (void)apart;
     double hysteresis = ((const layer *)own)->given.hysteresis;
     for (size_t i = 0; i < sim->now.n; i++)
         power[i] += hysteresis * sim->now.P[i];
