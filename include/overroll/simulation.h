@@ -219,8 +219,8 @@ typedef struct ovr_observation {
     double X_cavitation; /* first dry node behind the last wet one */
     double F_1, F_2;     /* force on each surface, along +x; ph b^2/R */
     double F_slide;      /* integral of the mean shear stress */
-    double F_roll;       /* integral of H P_X/2: against the motion of both;
-                            with the part beyond the inlet */
+    double F_roll; /* integral of H P_X/2 from before the inlet on, against
+                      the motion of both */
     double F_slope_1, F_slope_2; /* of pressure on the slopes of features */
     double mu_1, mu_2, mu_slide, mu_roll; /* over the load; NAN without b/R */
     double power_in;         /* put in by the surfaces; um ph b^2/R */

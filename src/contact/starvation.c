@@ -21,8 +21,9 @@
  *
  * The rolling friction with its part beyond X_a (simulation/friction.c) is too
  * low by 1.15 M^2/(M^2 + 4) times the first term less 0.6 times the second.
- * Compared with inlets four times as far out (M = 1 to 300, L = 0 to 15), the
- * usual inlet changes it by -3e-3 to 5e-3.  7e-4 remain, 2e-3 below M = 3.
+ * The usual inlet changes it by -3e-3 to 5e-3 (M = 1 to 300, L = 0 to 15,
+ * compared with inlets four times as far out).  An error of 7e-4 remains, of
+ * 2e-3 below M = 3.
  */
 #include "contact/starvation.h"
 

@@ -11,9 +11,10 @@
  *     put in      -(F_1 u1 + F_2 u2) = -V F_slide + 2 Cu F_roll - sum u_k G_k
  *     dissipated  -V F_slide + int (Cu H - Q) P_X dX,  Q the volume flow
  *
- * Curvature and elastic deformation have no G.  Pressure on a cylinder acts
- * through its axis, and int P dw/dX = 0 by symmetry of the elastic influence.
- * overroll-theory(7) derives the balance of both powers.
+ * Curvature has no G, since pressure on a cylinder acts through its axis.
+ * Elastic deformation w has none: int P dw/dX = 0, as the influence of a
+ * pressure is symmetric.  overroll-theory(7) derives the balance of both
+ * powers.
  *
  * Beyond the inlet X_a of a flooded contact viscosity and density have their
  * values at P = 0:

@@ -95,9 +95,10 @@ static void begin(ovr_simulation *sim)
                                       h->log_eta);
 }
 
-/* Returns the share of the film's heating that is left where the film drags on
- * a share of the surfaces: -V t is reduced, the power of Poiseuille flow is
- * not. */
+/* Returns the factor of the film's heating where the film drags on a share of
+ * the surfaces.  The power -V t is reduced, the power of Poiseuille flow is
+ * not.
+ */
 static double share_left(const ovr_heated *h, size_t i)
 {
     double made = 0, slides = -h->V * h->film.t[i];

@@ -114,7 +114,7 @@ struct ovr_simulation {
 
     ovr_heights *heights;
     void *heights_data;
-    ovr_heights *sides[2]; /* parts on the surfaces; both NULL: not known */
+    ovr_heights *sides[2]; /* heights of surface 1 and 2, or both NULL */
     ovr_heights *sides_of; /* the heights whose parts these are, and data */
     void *sides_data;
     ovr_heights *standing; /* of what stands still, or NULL */
@@ -147,7 +147,7 @@ struct ovr_simulation {
     double *S_past;       /* surface one step ago */
     double *stress;       /* mean over the film, at half nodes */
     ovr_inlet_share inlet_share;
-    double *film_stress; /* that of the oil alone, where it differs; NULL */
+    double *film_stress; /* mean shear stress of the oil alone, or NULL */
     /* beside the film's pressure, one, two and three steps ago; or NULL */
     double *borne, *borne_before[2];
     struct ovr_heated *heated; /* temperatures (heat.h), or NULL */

@@ -40,7 +40,7 @@ static void stays(double M, double L, double S)
     CHECK_CLOSE(o->T_max_rise, first.T_max_rise, 1e-3);
     CHECK_CLOSE(o->T_1_max_rise, first.T_1_max_rise, 1e-3);
     CHECK_CLOSE(o->T_2_max_rise, first.T_2_max_rise, 1e-3);
-    CHECK_NEAR(first.energy_defect, 0, 1e-3);
+    CHECK_NEAR(first.energy_defect, 0, 4e-3); /* level 5 */
     ovr_simulation_free(sim);
 }
 
