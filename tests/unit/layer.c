@@ -7,8 +7,10 @@
  *     w_i = ... - c P_i        it gives way by its compliance c where pressed,
  *                              or over a length l about it, as e^(-(X/l)^2)
  *     P + g P                  grit in it bears a share g of the film's
- * pressure t_i = ... + f P_i        it drags by its hysteresis f, and f P_i
- * gets warm by that ds/dT = k P,  S = ... - s   it is worn where it is pressed
+ *                              pressure
+ *     t_i = ... + f P_i        it drags by its hysteresis f, and is warmed by
+ *                              the power of that, -V f P_i
+ *     ds/dT = k P,  S = ... - s   it wears where it is pressed
  *
  * Its keys stand in [layer], without which it is off.  What it observes is the
  * largest s; s at the nodes is all of it that makes up the state.
@@ -142,13 +144,15 @@ static void friction(const ovr_simulation *sim, const void *own, double *t)
         t[i] += hysteresis * (P[i] + P[i + 1]) / 2;
 }
 
+/* The power of the drag where one surface slides on the other. */
 static void warm(const ovr_simulation *sim, const void *own, double *apart,
                  double *power)
 {
     (void)apart;
     double hysteresis = ((const layer *)own)->given.hysteresis;
+    double V = ovr_sliding(sim, ovr_simulation_state(sim)->T);
     for (size_t i = 0; i < sim->now.n; i++)
-        power[i] += hysteresis * sim->now.P[i];
+        power[i] -= V * hysteresis * sim->now.P[i];
 }
 
 static void forget(ovr_simulation *sim, void *own)
