@@ -51,7 +51,9 @@ static const ovr_parameter domain_keys[] = {
      "finest grid: 7 2^level + 1 nodes; usual: 8 of a steady contact, in time "
      "and with [boundary] the first on which central and smallest film and "
      "friction are expected "
-     "to be right to 1e-3, 8 at most; auto: the first that brings accuracy_of "
+     "to be right to 1e-3 (central film and friction are; the minimum film "
+     "thickness of rough surfaces is off by up to 1e-2), 8 at most; auto: the "
+     "first that brings accuracy_of "
      "to accuracy, 14 at most, of which the films are confirmed after the run"},
     {"accuracy", PLAIN(1e-9, 0.5), "1e-3", AT(accuracy), true, "level = auto",
      "relative error of discretization, the target"},
