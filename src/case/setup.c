@@ -8,6 +8,7 @@
 #include "case/domain.h"
 #include "case/setup.h"
 #include "contact/contact.h"
+#include "contact/film_formula.h"
 #include "contact/reversal.h"
 #include "contact/scaled_history.h"
 #include "contact/starvation.h"
@@ -180,6 +181,26 @@ static bool takes_time(const ovr_resolved *r)
                ovr_model_feature_bit(OVR_MODEL_BOUNDARY, true);
 }
 
+/* The first level from `least` on whose mesh resolves the inlet of the nominal
+ * contact.  Films that asperities hold open need none finer. */
+static int resolving_level(const ovr_resolved *r, int least)
+{
+    enum { MAX = 14 };
+    const ovr_setup *s = &r->setup;
+    const ovr_options *o = s->options;
+    double H = ovr_film_central_moes(s->contact->M, s->contact->L);
+    double largest = OVR_RESOLVED_RISE * pow(H, 2. / 3);
+    double length = o->outlet - o->inlet;
+    int level = least;
+    if (ovr_resolved_features(r) &
+        ovr_model_feature_bit(OVR_MODEL_BOUNDARY, true))
+        return least;
+    while (level < MAX &&
+           length / (double)(ovr_level_nodes(level) - 1) > largest)
+        level++;
+    return level;
+}
+
 /* Other steady contacts take none; of what does the errors that most users
  * would not see in a film or a friction. */
 static void usual_level(ovr_resolved *r)
@@ -189,7 +210,8 @@ static void usual_level(ovr_resolved *r)
     bool chosen = takes_time(r);
     if (s->options->level != OVR_GRID_USUAL)
         return;
-    s->options->level = chosen ? OVR_GRID_AUTO : OVR_USUAL_LEVEL;
+    s->options->level = chosen ? OVR_GRID_AUTO
+                               : resolving_level(r, OVR_USUAL_LEVEL);
     s->accuracy_of = OVR_ACCURACY_ALL;
     s->accuracy = chosen ? unseen : 0;
 }
@@ -199,12 +221,12 @@ static void usual_level(ovr_resolved *r)
 static ovr_status choose_level(ovr_resolved *r, bool usual,
                                const ovr_allocator *allocator, ovr_error *err)
 {
-    enum { MIN = 4, MAX = 14, MAX_USUAL = OVR_USUAL_LEVEL };
+    enum { MIN = 4, MAX = 14 };
     ovr_setup *s = &r->setup;
     const ovr_options target = *s->options;
     ovr_status status = OVR_OK;
     int minimum = target.refine ? OVR_MIN_REFINED : MIN;
-    int maximum = s->confirm ? MAX : MAX_USUAL;
+    int maximum = s->confirm ? MAX : resolving_level(r, OVR_USUAL_LEVEL);
     int level = target.coarsest_level > minimum ? target.coarsest_level
                                                 : minimum;
     s->expected = INFINITY;

@@ -16,6 +16,10 @@ ovr_film_asymptotes ovr_film_asymptotes_moes(double M, double L);
  * (incompressible film; Moes number times pi/(8 M)). */
 double ovr_film_central_moes(double M, double L);
 
+/* The largest mesh, relative to the length H^(2/3) over which the pressure
+ * builds up in the inlet, on which heavily loaded contacts are solved. */
+#define OVR_RESOLVED_RISE 0.2
+
 /* The program's own films of a steady flooded contact with a compressible oil
  * (Roelands' viscosity, `density` that of Dowson and Higginson at ph), fitted
  * to its solutions; NAN outside 2 <= M <= 1000, 0.3 <= L <= 25, which they

@@ -169,7 +169,21 @@ static ovr_defect steady_defect(const settling *s)
     return ovr_cycle_defect(&sim->grids, sim->finest);
 }
 
-/* Steps until the film is the steady one, or no step is found. */
+/* True if the cycles of this solve, over all calls, have cost what a minute of
+ * CPU allows.  A cycle costs its nodes, and the dense solve of n nodes on the
+ * bottom n^3/5000 of them; 1e8 take 10 to 15 s without temperatures, with
+ * temperatures up to three times as long (starts that were found took 5e7). */
+static bool is_spent(const settling *s)
+{
+    const double budget = 1e8, dense = 5e3;
+    const ovr_hierarchy *grids = &s->sim->grids;
+    double bottom = (double)grids->level[s->how->cycling.bottom].grid.n;
+    double cost = (double)s->sim->now.n + bottom * bottom * bottom / dense;
+    return (double)(s->sim->settling + s->cycles) * cost > budget;
+}
+
+/* Steps until the film is the steady one, no step is found, or too many cycles
+ * are spent. */
 static ovr_defect settle(settling *s)
 {
     enum { MAX = 60000, QUICK = 6 };
@@ -178,7 +192,7 @@ static ovr_defect settle(settling *s)
     s->tolerance = s->how->tolerance(s->how->data, s->sim->finest,
                                      s->sim->observation.H_cen);
     keep(s);
-    while (s->cycles < MAX && s->dt >= minimum &&
+    while (s->cycles < MAX && s->dt >= minimum && !is_spent(s) &&
            !ovr_hierarchy_stops(&s->sim->grids)) {
         int before = s->cycles;
         if (!stepped(s)) {
@@ -229,6 +243,7 @@ ovr_defect ovr_steady_grown(ovr_simulation *sim, const ovr_full *how,
     ovr_nodes_read(sim, sim->finest, sim->finest->f.F, s.F);
     ovr_defect d = settle(&s);
     *cycles += s.cycles;
+    sim->settling += s.cycles;
     return d;
 }
 
@@ -242,5 +257,6 @@ ovr_defect ovr_steady_settled(ovr_simulation *sim, const ovr_full *how,
     ovr_level_refresh(&sim->grids, sim->finest);
     ovr_defect d = settle(&s);
     *cycles += s.cycles;
+    sim->settling += s.cycles;
     return d;
 }

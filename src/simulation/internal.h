@@ -139,6 +139,7 @@ struct ovr_simulation {
     bool mirrored;     /* the grids hold the mirror image */
     int strategy;      /* of steady.c, by which the steady solution was found */
     bool grown;        /* by it features grow (growth.c) */
+    long settling;     /* cycles of growth.c in this steady solve */
     ovr_target target; /* the steady start */
     int order;         /* reached by it */
     unsigned

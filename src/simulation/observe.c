@@ -145,6 +145,35 @@ static double mean_flow(const ovr_simulation *sim)
                                          sim->now.flow);
 }
 
+/* True if what a failed solve left is no approximation of a film: somewhere it
+ * is not open, or R is of the size of the flow itself. */
+static bool is_meaningless(const ovr_simulation *sim,
+                           const ovr_outcome *outcome)
+{
+    if (outcome->converged || outcome->marked)
+        return false;
+    return !ovr_surfaces_apart(sim) || !(fabs(outcome->defect.imbalance) <= 1);
+}
+
+/* Replaces numbers that follow from the film by NAN. */
+static void withhold(ovr_observation *o)
+{
+    const ovr_observation given = *o;
+    const ovr_observable *row;
+    for (size_t k = 0; (row = ovr_observable_at(k)); k++)
+        if (row->axes == OVR_AT_STEPS && row->kind != OVR_KIND_COUNT &&
+            !row->field)
+            *(double *)(void *)((char *)o + row->offset) = NAN;
+    o->T = given.T;
+    o->dT = given.dT;
+    o->load_ratio = given.load_ratio;
+    o->speed_ratio = given.speed_ratio;
+    o->radius_ratio = given.radius_ratio;
+    o->sliding = given.sliding;
+    o->residual = given.residual;
+    o->H_cen = o->H_mean = o->lambda_ratio = NAN;
+}
+
 void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
 {
     ovr_observation *o = &sim->observation;
@@ -171,5 +200,7 @@ void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
     o->marked = outcome->marked;
     OVR_EACH_PHYSICS(sim, p, observe)
         p->is->observe(sim, p->own, o);
+    if (is_meaningless(sim, outcome))
+        withhold(o);
     ovr_statistics_take(&sim->statistics, o, state->step == 0);
 }

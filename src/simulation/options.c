@@ -93,12 +93,16 @@ ovr_mlmi_form ovr_options_mlmi(const ovr_options *options, int level)
 }
 
 /* 57 nodes, more where the contact is loaded so highly, or the inlet so long,
- * that they would not see it: two meshes over the width of the film. */
+ * that they would not see it: two meshes over the width of the film.  At M =
+ * 5000 (L = 5) cycles reach the solution from level 7 alone. */
 static int automatic_coarsest(const ovr_contact *contact, const ovr_options *o)
 {
     double H = ovr_film_central_moes(contact->M, contact->L);
     double width = 2 * H > 1 ? sqrt(2 * H) : 1;
-    int coarsest = contact->M >= 400 ? 5 : contact->M >= 90 ? 4 : 3;
+    int coarsest = contact->M >= 3000  ? 7
+                   : contact->M >= 400 ? 5
+                   : contact->M >= 90  ? 4
+                                       : 3;
     while (coarsest < 6 &&
            o->outlet - o->inlet >
                0.5 * width * (double)(ovr_level_nodes(coarsest) - 1))

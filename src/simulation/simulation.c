@@ -31,9 +31,11 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
 
 ovr_cycling ovr_simulation_cycling(const ovr_simulation *sim, int finer_bottom)
 {
+    enum { LARGEST = 7 }; /* on level 8 a dense solve takes a second */
     const ovr_options *o = &sim->options;
     const ovr_hierarchy *grids = &sim->grids;
-    bool finer = grids->coarsest + finer_bottom < grids->finest;
+    bool finer = grids->coarsest + finer_bottom <
+                 (grids->finest < LARGEST + 1 ? grids->finest : LARGEST + 1);
     return (ovr_cycling){
         .smoothing = {.relax = o->smoother == OVR_LINE ? ovr_relax_line
                                                        : ovr_relax_hybrid,

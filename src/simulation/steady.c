@@ -15,10 +15,10 @@
 #include "simulation/steady.h"
 
 /* A solve tries these in turn until it converges: first the ordinary; then, if
- * there are any, features that grow out of smooth surfaces; with a flow law
- * more sweeps, then the Newtonian film first; then smaller steps in load on a
- * finer level, last also a finer coarsest grid, more sweeps and stronger
- * damping. */
+ * there are any in the solution, features that grow out of smooth surfaces;
+ * with a flow law more sweeps, then the Newtonian film first; then smaller
+ * steps in load on a finer level, also with a finer coarsest grid, more sweeps
+ * and stronger damping; last, of smooth surfaces, steps in time. */
 typedef struct strategy {
     bool flow_law;      /* for flow laws alone */
     bool thin_last;     /* of these */
@@ -27,8 +27,11 @@ typedef struct strategy {
     int sweeps, newton_steps, finer_bottom;
     double limit, newton_limit; /* of changes in P */
     const char *what;
-    bool grown; /* features that grow */
+    bool grown; /* steps in time, in which features grow */
 } strategy;
+
+/* The strategy by which features grow. */
+enum { GROWTH = 1 };
 
 static const strategy strategies[] = {
     {false, false, 1.6, 0.3, 0, 1, 0, 0.1, 0.3, "", false},
@@ -43,7 +46,9 @@ static const strategy strategies[] = {
     {false, true, 1.25, 0.15, 2, 2, 1, 0.03, 0.1,
      "the load was raised in smaller steps on a finer level, with a finer "
      "coarsest grid, more sweeps and stronger damping",
-     false}};
+     false},
+    {false, false, 1.6, 0.3, 0, 1, 0, 0.1, 0.3,
+     "implicit steps in time until the film was steady", true}};
 enum { STRATEGIES = sizeof strategies / sizeof *strategies };
 
 const char *ovr_simulation_strategy(const ovr_simulation *sim)
@@ -184,15 +189,32 @@ void ovr_simulation_stop(ovr_simulation *sim, bool (*stop)(void *data),
     sim->stopping = (ovr_stopping){.asked = stop, .data = data};
 }
 
+/* True if surfaces in the steady solution have features of more than a
+ * thousandth of the film; features that move are not in it. */
+static bool has_features(ovr_simulation *sim)
+{
+    const double small = 1e-3 * ovr_target_film(&sim->target, 1);
+    if (!ovr_has_heights(sim))
+        return false;
+    ovr_simulation_gap(sim, 0);
+    for (size_t i = 0; i < sim->now.n; i++)
+        if (fabs(sim->S[i]) > small)
+            return true;
+    return false;
+}
+
 /* Tries one after the other; returns the tolerance of the last. */
 static double search(ovr_simulation *sim, ovr_outcome *outcome)
 {
+    const bool rough = has_features(sim);
     double tolerance = 0;
+    sim->settling = 0;
     for (int k = 0, tried = 0; k < STRATEGIES && !outcome->converged; k++) {
         if (ovr_hierarchy_stops(&sim->grids) || ovr_heat_exhausted(sim))
             break;
         if ((strategies[k].flow_law && !thins(sim)) ||
-            (strategies[k].grown && !sim->heights))
+            (strategies[k].grown && rough != (k == GROWTH)) ||
+            (strategies[k].grown && !rough && sim->grids.touch.at))
             continue;
         outcome->retries = tried++;
         ovr_full how = full_of(sim, &strategies[k]);
