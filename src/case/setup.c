@@ -201,6 +201,13 @@ static int resolving_level(const ovr_resolved *r, int least)
     return level;
 }
 
+/* Runs in time take a finer level than 8 only if that has no solution. */
+static int largest_usual_level(const ovr_resolved *r)
+{
+    int level = resolving_level(r, OVR_USUAL_LEVEL);
+    return level > OVR_USUAL_LEVEL + 1 ? level : OVR_USUAL_LEVEL;
+}
+
 /* Other steady contacts take none; of what does the errors that most users
  * would not see in a film or a friction. */
 static void usual_level(ovr_resolved *r)
@@ -226,7 +233,7 @@ static ovr_status choose_level(ovr_resolved *r, bool usual,
     const ovr_options target = *s->options;
     ovr_status status = OVR_OK;
     int minimum = target.refine ? OVR_MIN_REFINED : MIN;
-    int maximum = s->confirm ? MAX : resolving_level(r, OVR_USUAL_LEVEL);
+    int maximum = s->confirm ? MAX : largest_usual_level(r);
     int level = target.coarsest_level > minimum ? target.coarsest_level
                                                 : minimum;
     s->expected = INFINITY;
