@@ -48,7 +48,8 @@ static const ovr_parameter domain_keys[] = {
      "auto: twice where a rigid film ends, if that is farther"},
     {"level", WHOLE_OR(levels, 1, OVR_LEVELS - 1), "usual", AT(options.level),
      true, ALWAYS,
-     "finest grid: 7 2^level + 1 nodes; usual: 8 of a steady contact, in time "
+     "finest grid: 7 2^level + 1 nodes; usual: 8 of a steady contact (9 to 12 "
+     "above M = 700, where the inlet asks for it), in time "
      "and with [boundary] the first on which central and smallest film and "
      "friction are expected "
      "to be right to 1e-3 (central film and friction are; the minimum film "
