@@ -61,7 +61,7 @@ def text_of(case, folder):
              f"alpha = {given['alpha']!r} 1/Pa",
              f"speed_1 = {given['speed_1']!r} m/s",
              f"speed_2 = {given['speed_2']!r} m/s",
-             "[domain]", f"level = {case['level']}", "order = 2",
+             "[domain]", f"level = {case['level']}", "order = 2", "faces = gap",
              f"inlet = {INLET!r}", f"outlet = {OUTLET!r}",
              "[time]", "scheme = upstream2", f"step = {mesh(case)!r}",
              f"end = {case['end']!r}",

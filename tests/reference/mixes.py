@@ -36,7 +36,7 @@ def text_of(case, folder):
     conserving = "film" in case or case.get("conserving")
     lines = [f"[contact]\nM = {case['M']!r}\nL = {case['L']!r}",
              f"slide_to_roll = {case.get('slide', 0.0)!r}",
-             "[domain]", f"level = {case['level']}", "order = 2",
+             "[domain]", f"level = {case['level']}", "order = 2", "faces = gap",
              f"inlet = {case.get('inlet', -4.0)!r}",
              f"outlet = {case.get('outlet', 1.5)!r}",
              "[time]", f"scheme = {case.get('scheme', 'upstream2')}",

@@ -340,7 +340,7 @@ class Model:
         a1, s, h, d = self.wall
         A = a1 * np.exp(-H / s)
         if h > 0:
-            A = A + np.expm1(h / d) / np.expm1(H / d)
+            A = A + np.exp((h - H) / d) * np.expm1(-h / d) / np.expm1(-H / d)
         return A
 
     # --------------------------------------------------------------- Newton
