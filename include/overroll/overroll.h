@@ -3,6 +3,7 @@
 #ifndef OVERROLL_OVERROLL_H
 #define OVERROLL_OVERROLL_H
 
+#include "overroll/areal.h"
 #include "overroll/case.h"
 #include "overroll/conflicts.h"
 #include "overroll/contact.h"
@@ -11,7 +12,6 @@
 #include "overroll/heat.h"
 #include "overroll/memory.h"
 #include "overroll/pictures.h"
-#include "overroll/areal.h"
 #include "overroll/profile.h"
 #include "overroll/questions.h"
 #include "overroll/results.h"

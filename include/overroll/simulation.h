@@ -199,8 +199,8 @@ typedef struct ovr_observation {
     double P_cen;   /* the same for pressure */
     double P_max, X_P_max; /* nodal */
     double P_max_located, X_P_max_located;
-    bool P_max_resolved; /* false: more than a third of P_max is lost, on
-                            average, two nodes away from it */
+    bool P_max_resolved;     /* false: more than a third of P_max is lost, on
+                                average, two nodes away from it */
     double P_spike, X_spike; /* nodal; the last maximum at X > 0 that stands
                                 more than 1e-3 above the lowest P between it
                                 and the maximum before it; NAN: none */

@@ -18,7 +18,7 @@ static const cli_option options[] = {
 /* False for the name of a picture, film or table. */
 static bool is_page(const char *path)
 {
-    static const char *const others[] = {".png", ".svg", ".pdf", ".gif",
+    static const char *const others[] = {".png", ".svg", ".pdf",  ".gif",
                                          ".mp4", ".csv", ".json", ".txt"};
     const char *dot = strrchr(path, '.');
     for (size_t k = 0; dot && k < sizeof others / sizeof *others; k++)

@@ -37,7 +37,7 @@
 
 /* Rows read this at half nodes, a constant for the compiler in kernels. */
 typedef enum row_kind {
-    ROW_SUMS = 0,  /* nothing: sums of eps */
+    ROW_SUMS = 0,   /* nothing: sums of eps */
     ROW_STORED = 1, /* 2 E and its derivatives */
     ROW_SKEWED = 2  /* a bit: temperatures skew the flow */
 } row_kind;

@@ -68,8 +68,8 @@ typedef struct ovr_heated {
     double change; /* last change of temperatures, relative to the rise */
     double *th, *shift, *swell; /* in the order of the nodes */
     double V, u1;               /* now */
-    ovr_heat_power made; /* at the last observation of stresses */
-    double left;         /* closure of the discrete balance of heat */
+    ovr_heat_power made;        /* at the last observation of stresses */
+    double left;                /* closure of the discrete balance of heat */
     double balanced; /* power to which the observed defect is relative */
     struct ovr_heat_outer *outer; /* heat_outer.h */
     struct ovr_heat_steps *steps; /* heat_in_time.h */
