@@ -21,10 +21,10 @@
  * there are two levels only.  Differences that are both below 3e-4 of the value
  * need no order; nor need films of fourth order, where errors of different
  * orders cancel, when d2 is below a tenth of them and d1 below 0.4 d2: they may
- * turn or fall faster, and e is d2 then, in time with p = 2 max(d1, d2/4).
- * Narrow peaks of pressure grow, some of them on finer levels only, where
- * nothing warns of them: of maxima in time that the mesh does not resolve q is
- * 1/2, as of the height of a spike, whatever two differences show.
+ * turn or fall faster, and e is d2 then, in time max(d1, d2/4).  Narrow peaks
+ * of pressure grow, some of them on finer levels only, where nothing warns of
+ * them: of maxima in time that the mesh does not resolve q is 1/2, as of the
+ * height of a spike, whatever two differences show.
  *
  * Of several passes each level has its own: what its passes leave feeds its
  * next ones, so that the errors that oil carries from pass to pass are seen.
@@ -215,7 +215,7 @@ static ovr_run_error judge(const char *key, ovr_unit_kind kind,
         e.error = m->safety * d / (exp2(q) - 1) + minimum;
     else if (film && is_near(m, size, d1, d2)) {
         e.converges = true;
-        e.error = m->safety * (m->in_time && m->order > 1 ? d : d2);
+        e.error = m->in_time ? m->safety * d : d2;
     }
     return e;
 }
