@@ -9,10 +9,8 @@
  *     e = max(d1, d2 2^-p)/(2^min(p, q) - 1),    q no less than 1/2:
  *
  * no better than the order p of the scheme says, nor than the levels show.  In
- * time p = 2 with corrections of fourth order along the characteristic, where
- * steps and what moves are of second order, 1 otherwise, what passes being seen
- * at nodes and steps, and e is taken 1.25 times, as P. J. Roache does with
- * three grids (J. Fluids Eng. 116, 1994).
+ * time p = 1, what passes being seen at nodes and steps, and e is taken 1.25
+ * times, as P. J. Roache does with three grids (J. Fluids Eng. 116, 1994).
  *
  * Three levels are no estimate where they do not fall in a known order: d1 and
  * d2 of different sign, or q not between 3/4 and one more than the scheme's
@@ -21,10 +19,9 @@
  * there are two levels only.  Differences that are both below 3e-4 of the value
  * need no order; nor need films of fourth order, where errors of different
  * orders cancel, when d2 is below a tenth of them and d1 below 0.4 d2: they may
- * turn or fall faster, and e is d2 then, in time max(d1, d2/4).  Narrow peaks
- * of pressure grow, some of them on finer levels only, where nothing warns of
- * them: of maxima in time that the mesh does not resolve q is 1/2, as of the
- * height of a spike, whatever two differences show.
+ * turn or fall faster, and e is d2 then.  Narrow peaks of pressure grow, some
+ * of them on finer levels only, where nothing warns of them: of pressures in
+ * time q is 1/2, as of the height of a spike, whatever two differences show.
  *
  * Of several passes each level has its own: what its passes leave feeds its
  * next ones, so that the errors that oil carries from pass to pass are seen.
@@ -174,7 +171,6 @@ static ovr_status run_coarser(ovr_run *run, int down, level_run *r,
 typedef struct measure {
     double order, safety;
     bool in_time, corrected; /* a run; of fourth order */
-    bool peak; /* the maximum pressure is in a peak that is not resolved */
 } measure;
 
 /* True if differences fall in a known order; d1 and d2 of different sign have
@@ -209,13 +205,13 @@ static ovr_run_error judge(const char *key, ovr_unit_kind kind,
         q = isnan(e.order) ? m->order : fmax(0.5, fmin(m->order, e.order));
         d = fmax(d1, d2 * exp2(-m->order));
     }
-    if (!film && m->in_time && m->peak)
+    if (!film && m->in_time)
         q = PEAK_ORDER;
     if (e.converges)
         e.error = m->safety * d / (exp2(q) - 1) + minimum;
     else if (film && is_near(m, size, d1, d2)) {
         e.converges = true;
-        e.error = m->in_time ? m->safety * d : d2;
+        e.error = m->safety * d2;
     }
     return e;
 }
@@ -294,11 +290,9 @@ static measure measure_of(const ovr_run *run)
     int scheme = ovr_scheme_record(o->scheme)->order;
     int reached = ovr_simulation_order(run->sim);
     if (run->info.transient)
-        return (measure){reached == 4 && o->scheme == OVR_CHARACTERISTIC ? 2
-                                                                         : 1,
-                         SAFETY, true, reached == 4, true};
+        return (measure){1, SAFETY, true, reached == 4};
     return (measure){reached > scheme ? reached : scheme, 1, false,
-                     reached == 4, true};
+                     reached == 4};
 }
 
 static void warn(ovr_run *run, const ovr_run_error *e, int level)
@@ -357,10 +351,8 @@ ovr_status ovr_run_estimate(ovr_run *run, ovr_error *err)
     if (status)
         return status;
     errors->level = level - 1;
-    measure m = measure_of(run);
-    m.peak = !r[0].seen.P_max_resolved;
+    const measure m = measure_of(run);
     judge_end(errors, r, &m);
-    m.peak = r[0].total.P_max_unresolved;
     if (run->info.transient)
         judge_extremes(errors, r, &m, ovr_setup_physics(run->info.setup));
     if (run->passes)

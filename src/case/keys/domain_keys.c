@@ -52,9 +52,7 @@ static const ovr_parameter domain_keys[] = {
      "above M = 700, where the inlet asks for it), in time "
      "and with [boundary] the first on which central and smallest film and "
      "friction are expected "
-     "to be right to 1e-3 (central film and friction are; the minimum film "
-     "thickness of rough surfaces is off by up to 1e-2), 8 at most; auto: the "
-     "first that brings accuracy_of "
+     "to be right to 1e-3, 8 at most; auto: the first that brings accuracy_of "
      "to accuracy, 14 at most, of which the films are confirmed after the run"},
     {"accuracy", PLAIN(1e-9, 0.5), "1e-3", AT(accuracy), true, "level = auto",
      "relative error of discretization, the target"},
