@@ -14,7 +14,6 @@
 #include "case/two_columns.h"
 #include "contact/contact.h"
 #include "contact/curvature.h"
-#include "contact/film_formula.h"
 #include "simulation/conflicts.h"
 #include "surface/surfaces.h"
 
@@ -349,31 +348,6 @@ static double heaviest(const ovr_setup *s)
     return maximum;
 }
 
-/* True if moving roughness or waves are above a tenth of the film.  Errors of
- * H_min by steps of D and 2 D, beside D/4, level 7, rms over time:
- *
- *     rough surfaces that slide, Rq/H 0.03   3.3e-5   1.5e-4
- *                                     0.10   8.0e-5   3.2e-4
- *                                     0.36   1.5e-4   7.1e-4
- *     a wavy one that rolls           0.07   2.1e-5   1.5e-4
- *                                     0.21   5.2e-5   3.9e-4
- *                                     0.35   7.4e-5   5.1e-4
- *
- * and of dents 1.3e-5 and 7e-5; the mesh itself adds 2e-4 or so. */
-static bool has_rough(const ovr_setup *s)
-{
-    const double maximum = 0.1;
-    double H = ovr_film_central_moes(s->contact->M, s->contact->L);
-    double squares = 0;
-    size_t n = s->surfaces ? ovr_surfaces_count(s->surfaces) : 0;
-    for (size_t k = 0; k < n; k++) {
-        ovr_feature_info f = ovr_surfaces_info(s->surfaces, k);
-        if (f.speed != 0 || s->sliding)
-            squares += f.Rq * f.Rq;
-    }
-    return sqrt(squares) > maximum * H;
-}
-
 static bool has_narrow(const ovr_setup *s)
 {
     size_t n = s->surfaces ? ovr_surfaces_count(s->surfaces) : 0;
@@ -478,8 +452,6 @@ static const char *reason_of(const ovr_resolved *r)
         return "for hot surfaces that move in opposite directions";
     if (heaviest(s) >= HEAVY)
         return "for M of 100 and more";
-    if (has_rough(s))
-        return "for roughness above a tenth of the film";
     return has_narrow(s) ? "for a feature narrower than 30 meshes" : NULL;
 }
 
@@ -490,16 +462,6 @@ void ovr_resolve_step(ovr_resolved *r)
         return;
     r->step_reason = reason_of(r);
     r->march.dT = r->step_reason ? 0 : LONG_STEP * s->mesh;
-}
-
-void ovr_setup_step_of_order(ovr_setup *setup, int order)
-{
-    ovr_resolved *r = (ovr_resolved *)setup;
-    if (r->values.step != OVR_STEP_AUTO || r->step_reason || order == 4 ||
-        !setup->transient)
-        return;
-    r->step_reason = "as its solution is of second order";
-    r->march.dT = 0;
 }
 
 double ovr_setup_step(const ovr_setup *setup)

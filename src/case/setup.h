@@ -21,10 +21,6 @@ ovr_status ovr_setup_load(ovr_setup *setup, int pass,
 /* The length of its steps, b/um, where they are not adaptive. */
 double ovr_setup_step(const ovr_setup *setup);
 
-/* With step = auto, steps of one mesh size once the start is known to be of
- * second order: longer ones lean on corrections of fourth order. */
-void ovr_setup_step_of_order(ovr_setup *setup, int order);
-
 /* The reason, with step = auto, why a step is one mesh; why a step is one mesh;
  * NULL: it is longer, or given. */
 const char *ovr_setup_step_reason(const ovr_setup *setup);

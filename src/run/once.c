@@ -5,7 +5,6 @@
 #include <time.h>
 
 #include "case/resolve.h"
-#include "case/setup.h"
 #include "contact/contact.h"
 #include "results/results.h"
 #include "run/forms.h"
@@ -54,15 +53,12 @@ static bool passes_are_lost(const ovr_run *run)
 
 static ovr_status solve(ovr_run *run, ovr_error *err)
 {
-    ovr_march how;
+    ovr_march how = *run->setup->march;
     ovr_observer observer[5];
     ovr_status status = OVR_OK;
     ovr_simulation_stop(run->sim, run->how.interrupt, run->how.data);
     if (!run->restored)
         status = ovr_simulation_steady(run->sim, err);
-    if (!status)
-        ovr_setup_step_of_order(run->setup, ovr_simulation_order(run->sim));
-    how = *run->setup->march;
     if (!status && run->info.output && !run->writer &&
         ovr_setup_makes_nodes(run->setup))
         status = ovr_output_open(run, err);

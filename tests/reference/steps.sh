@@ -114,24 +114,6 @@ why '0.00613839, 1 mesh: for a change within 30' --set load.history=step \
     --set load.to=1.1 --set load.start=1
 why '0.00613839, 1 mesh: for a change within 30' --set load.history=sine \
     --set load.amplitude=0.1 --set load.period=0.18
-# Roughness above a tenth of the film (Rq/H = 0.14 and 0.06)
-cp dent.ini kept.ini
-cat >>dent.ini <<'END'
-[feature w]
-shape = wave
-amplitude = 0.02
-wavelength = 1
-grow = 1
-END
-why '0.00613839, 1 mesh: for roughness'
-why '0.0122768, 2 meshes$' --set feature.w.amplitude=0.0088
-mv kept.ini dent.ini
 why '0.0122768, 2 meshes$' --set load.history=ramp --set load.to=1.1 \
     --set load.duration=0.2
 why 'by the error of the steps, 0.001 is the target' --set time.step=adaptive
-
-# A start that falls back to second order is followed by steps of one mesh
-expect 0 "$OVERROLL" run dent.ini -o low.h5 --json -q --set time.end=0.25 \
-    --set solver.max_cycles=10
-contains out '"order": 2'
-contains out '"steps": 41'

@@ -28,7 +28,7 @@ static const ovr_parameter time_keys[] = {
      "without an end the case is steady"},
     {"step", SPAN(steps, 1e3), "auto", AT(step), true, IN_TIME,
      "time step, of any length in the scheme and order of the default; grid: "
-     "the mesh size; auto: twice that where it costs little accuracy (order 4 "
+     "the mesh size; auto: twice that where it costs no accuracy (order 4 "
      "along the characteristic), the mesh size otherwise; adaptive: by the "
      "scheme's own error"},
     {"scheme", CHOICE(schemes), "auto", AT(scheme), true, ALWAYS,
