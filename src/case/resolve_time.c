@@ -160,20 +160,19 @@ static ovr_status resolve_passes(ovr_resolved *r, ovr_error *err)
 
 /* ---------------------------------------------------------- Time and scheme */
 
-/* Fixed steps of any length follow the characteristic: corrections of fourth
- * order follow the solution there, and steps of whole mesh sizes carry what
- * moves without error.  Adaptive steps and those of running-in, in which the
- * film settles, take the separate terms of upstream2. */
+/* Steps of whole mesh sizes along the characteristic convect features without
+ * error, and corrections of fourth order follow histories.  With other steps
+ * the separate terms are as accurate. */
 static ovr_scheme choose_scheme(const ovr_resolved *r)
 {
     const ovr_setup *s = &r->setup;
-    bool fixed = s->transient && !s->march->adaptive && !r->ran;
+    bool grid = s->transient && !s->march->adaptive && s->march->dT == 0;
     if (r->values.scheme >= 0)
         return (ovr_scheme)r->values.scheme;
     if (!s->transient &&
         r->values.options.cavitation == OVR_CAVITATION_CONSERVING)
         return OVR_CHARACTERISTIC; /* its order is 4 */
-    return fixed ? OVR_CHARACTERISTIC : OVR_UPSTREAM2;
+    return grid ? OVR_CHARACTERISTIC : OVR_UPSTREAM2;
 }
 
 static ovr_status resolve_radius(ovr_resolved *r, ovr_error *err)

@@ -58,43 +58,6 @@ awk -F, '
         exit !(n > 400 && sqrt(c / n) < 5e-5 && sqrt(m / n) < 1e-3) }
 ' fine.csv auto.csv >said || fail "$(cat said)"
 
-# A number as the step is of the default's scheme and order (0.3.0: upstream2,
-# central film off by 5e-3): two mesh sizes give the default's film, a length
-# between one and two mesh sizes an error between the limits above.
-history number 7 --set=time.step=0.012276785714285714
-history between 7 --set=time.step=0.009207589285714286
-awk -F, '
-    FNR == 1 {
-        for (k = 1; k <= NF; k++) {
-            sub(/ .*/, "", $k)
-            at[$k] = k
-        }
-        next }
-    { c = $at["central_film_thickness"]; m = $at["min_film_thickness"] }
-    FILENAME ~ /auto/ { cen[FNR] = c; min[FNR] = m; next }
-    !(FNR in cen) { exit n = 0 }
-    { n++
-      if ((c / cen[FNR] - 1) ^ 2 > 1e-16 || (m / min[FNR] - 1) ^ 2 > 1e-16)
-          off++ }
-    END {
-        printf "%d steps, %d off\n", n, off
-        exit !(n > 400 && !off) }
-' auto.csv number.csv >said || fail "$(cat said)"
-awk -F, '
-    FNR == 1 {
-        for (k = 1; k <= NF; k++) {
-            sub(/ .*/, "", $k)
-            at[$k] = k
-        }
-        next }
-    { T = sprintf("%.5f", $at["time"]) }
-    FILENAME ~ /fine/ { cen[T] = $at["central_film_thickness"]; next }
-    T in cen { n++; c += ($at["central_film_thickness"] / cen[T] - 1) ^ 2 }
-    END {
-        printf "%d moments: rms H_cen %g\n", n, sqrt(c / n)
-        exit !(n > 200 && sqrt(c / n) < 5e-5) }
-' fine.csv between.csv >said || fail "$(cat said)"
-
 # What check says of the step
 why() {
     said=$1

@@ -27,16 +27,13 @@ static const ovr_parameter time_keys[] = {
      "load and speed do not change any more and the film is steady again; "
      "without an end the case is steady"},
     {"step", SPAN(steps, 1e3), "auto", AT(step), true, IN_TIME,
-     "time step, of any length in the scheme and order of the default; grid: "
-     "the mesh size; auto: twice that where it costs no accuracy (order 4 "
-     "along the characteristic), the mesh size otherwise; adaptive: by the "
-     "scheme's own error"},
+     "time step; grid: the mesh size; auto: twice that where it costs no "
+     "accuracy (order 4 along the characteristic), the mesh size else; "
+     "adaptive: by the scheme's own error"},
     {"scheme", CHOICE(schemes), "auto", AT(scheme), true, ALWAYS,
      "discretization in X and T: upstream1 with backward Euler, upstream2 "
      "with BDF2, or narrow second order along the characteristic; auto: "
-     "characteristic in runs with fixed steps (auto, grid or a number); "
-     "upstream2 with step = adaptive and in running-in, and in steady cases "
-     "but those with mass-conserving cavitation"},
+     "characteristic in runs with step = auto or grid; upstream2 else"},
     {"error", PLAIN(1e-9, 0.1), "1e-3", AT(error), true,
      IN_TIME "; step = adaptive",
      "relative error that the steps add to the film on its way "
