@@ -215,7 +215,8 @@ static double search(ovr_simulation *sim, ovr_outcome *outcome)
         if ((strategies[k].flow_law && !thins(sim)) ||
             (strategies[k].grown && rough != (k == GROWTH)) ||
             (strategies[k].grown && !rough &&
-             (sim->grids.touch.at || sim->options.max_cycles)))
+             (sim->grids.touch.at || sim->options.max_cycles ||
+              sim->options.tolerance > 0)))
             continue;
         outcome->retries = tried++;
         ovr_full how = full_of(sim, &strategies[k]);

@@ -30,7 +30,9 @@ kept() {
     expect 0 "$OVERROLL" export "$1" --all
     [ "$(wc -l <out)" -gt 200 ] || fail "$1: no snapshot"
     cat out >>all
-    ! grep -qiE 'inf|nan' all || fail "$1: not all are numbers"
+    # numbers of a start without a film are withheld (NaN)
+    [ "$1" = start.h5 ] || ! grep -qiE 'inf|nan' all ||
+        fail "$1: not all are numbers"
 }
 
 # A ridge that grows until the surfaces touch, amid a run that is to store

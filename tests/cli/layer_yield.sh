@@ -137,7 +137,7 @@ refuses 'does not go with \[coating\] modulus = 300 GPa' check stiff.ini
 expect 0 "$PYTHON" - <<'END'
 import json
 bare, coated = (json.load(open(name + ".json")) for name in ("bare", "coated"))
-assert bare["plastic_strain_max"] > 1e-3
+assert bare["plastic_strain_max"] > 1e-4  # an Eyring oil presses less
 for key in ("plastic_strain_max", "profile_change_max", "H_cen_mean"):
     assert abs(coated[key] / bare[key] - 1) < 1e-5, key
 END
