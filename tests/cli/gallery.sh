@@ -17,6 +17,7 @@ for case in "$TOP"/profiles/*.ini; do
         END { exit !(found && mu < 0.08 && mu > -0.08) }' out ||
         fail "$name: $(grep mu_slide_max out)"
     contains err 'overroll: feature .*: column 1 is x'
-    ! grep warning err ||
+    # on these coarse levels a maximum may stand on few nodes
+    ! grep warning err | grep -v 'is not resolved' ||
         fail "$name: $(grep warning err)"
 done
