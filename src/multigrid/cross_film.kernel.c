@@ -383,7 +383,7 @@ static INLINE void flow(const shared *s, int n, bool by_power, int law,
         store(c->even + i, choose(P > 0, even, all(0)));
     }
     ivec limited = magnitude(t) > maximum;
-    limited &= c->always_falls ? P < P : P > 0;
+    limited = c->always_falls ? (ivec){0} : limited & (P > 0);
     t = bounded_by(t, maximum);
     t = choose(P > 0, t, all(0));
     store_flow(s, n, v, t, rate, i);

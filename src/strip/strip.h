@@ -88,14 +88,16 @@ static inline size_t ovr_strip_size(const ovr_strip_grid *g)
     FIELD(delta)  /* change of the line solve */                               \
     FIELD(spread) /* s delta */
 #define OVR_STRIP_FIELD_POINTER(name) double *restrict name;
-#define OVR_STRIP_FIELD_COUNT(name) +1
+#define OVR_STRIP_FIELD_NUMBER(name) ovr_strip_field_##name,
+
+enum { OVR_STRIP_FIELDS(OVR_STRIP_FIELD_NUMBER) OVR_STRIP_FIELD_COUNT };
 
 typedef struct ovr_strip_fields {
     union {
         struct {
             OVR_STRIP_FIELDS(OVR_STRIP_FIELD_POINTER)
         };
-        double *all[OVR_STRIP_FIELDS(OVR_STRIP_FIELD_COUNT)];
+        double *all[OVR_STRIP_FIELD_COUNT];
     };
     /* Derivatives by both films on the coarsest grid, otherwise NULL */
     double *along_by_film[2], *across_by_film[2];
