@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "base/error.h"
-
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
+#include "base/error.h"
 #include "base/given.h"
 
 const char *ovr_status_name(ovr_status status)
@@ -135,4 +134,21 @@ void *ovr_null(ovr_error *err, const char *function)
 {
     ovr_fail_null(err, function);
     return NULL;
+}
+
+/* ---------------------------------------------------------------- Arguments */
+
+ovr_status ovr_given(void *to, size_t size, const void *from, const char *name,
+                     ovr_error *err)
+{
+    if (!from)
+        return ovr_fail(err, OVR_BAD_INPUT, "no %s is given", name);
+    memcpy(to, from, size);
+    return OVR_OK;
+}
+
+ovr_status ovr_fillable(const void *to, const char *name, ovr_error *err)
+{
+    return to ? OVR_OK
+              : ovr_fail(err, OVR_BAD_INPUT, "no %s to fill is given", name);
 }

@@ -8,10 +8,12 @@
  *     H = [(H_RI^(7/3) + H_EI^(7/3))^(3s/7)
  *          + (H_RP^(-7/2) + H_EP^(-7/2))^(-2s/7)]^(1/s)
  */
+#include <math.h>
+
 #include "contact/film_formula.h"
 #include "overroll/contact.h"
 
-#include <math.h>
+/* ----------------------------------------------------------------- Formulas */
 
 static double hertzian(double moes, double M)
 {
@@ -46,4 +48,60 @@ ovr_film_asymptotes ovr_film_asymptotes_moes(double M, double L)
     film.rigid_piezo = hertzian(film.rigid_piezo, M);
     film.elastic_piezo = hertzian(film.elastic_piezo, M);
     return film;
+}
+
+/* --------------------------------------------------------- Fit to solutions */
+
+/*
+ * Central and minimum film thickness with a compressible oil, fitted to this
+ * program's own solutions.  Moes' asymptotes are blended with constants a to k:
+ *
+ *     H_RI = 3/M                H_EI = a M^b
+ *     H_RP = c L^(2/3)          H_EP = d M^e L^f
+ *     iso   = (H_RI^g + H_EI^g)^(1/g)
+ *     piezo = (H_RP^-h + H_EP^-h)^(-1/h)
+ *     s     = i + j exp(-k H_EI/H_RI)
+ *     H     = (iso^s + piezo^s)^(1/s)
+ *
+ * The central film thickness is divided by the relative density at ph, since
+ * the oil from the inlet is compressed.
+ *
+ * Error over 260 contacts of 2 <= M <= 1000 and 0.3 <= L <= 25 with ph below 4
+ * GPa:
+ *     central film   median 0.21 %, largest 2.6 %
+ *     minimum film   median 0.28 %, largest 1.7 %
+ * The oils have Roelands' viscosity with z = 0.68, p0 = 198 MPa and alpha of 12
+ * to 25 1/GPa.  The solutions have order 4, level 10 and an inlet at 40 film
+ * widths.  tests/verify/film_fit_test.c repeats the survey and the fit.
+ */
+
+const ovr_film_constants ovr_central_film = {{2.691, -0.2099, 1.321, 1.254,
+                                              -0.1201, 0.7429, 2.013, 5.559,
+                                              1.434, 112.7, 3.904}};
+const ovr_film_constants ovr_minimum_film = {{2.123, -0.2092, 1.033, 0.8305,
+                                              -0.1181, 0.7566, 2.495, 4.639,
+                                              1.378, 3.281, 2.277}};
+
+double ovr_film_blend(const ovr_film_constants *constants, double M, double L)
+{
+    const double *a = constants->a;
+    double rigid_iso = 3 / M, elastic_iso = a[0] * pow(M, a[1]);
+    double rigid_piezo = a[2] * pow(L, 2. / 3);
+    double elastic_piezo = a[3] * pow(M, a[4]) * pow(L, a[5]);
+    double iso = pow(pow(rigid_iso, a[6]) + pow(elastic_iso, a[6]), 1 / a[6]);
+    double piezo = pow(pow(rigid_piezo, -a[7]) + pow(elastic_piezo, -a[7]),
+                       -1 / a[7]);
+    double s = a[8] + a[9] * exp(-a[10] * elastic_iso / rigid_iso);
+    return pow(pow(iso, s) + pow(piezo, s), 1 / s) * 3.14159265358979323846 /
+           (8 * M);
+}
+
+ovr_film_fit ovr_film_fitted(double M, double L, double density)
+{
+    ovr_film_fit fit = {NAN, NAN};
+    if (!(M >= 2 && M <= 1000 && L >= 0.3 && L <= 25))
+        return fit;
+    fit.central = ovr_film_blend(&ovr_central_film, M, L) / density;
+    fit.minimum = ovr_film_blend(&ovr_minimum_film, M, L);
+    return fit;
 }

@@ -20,13 +20,23 @@ double ovr_film_central_moes(double M, double L);
  * builds up in the inlet, on which heavily loaded contacts are solved. */
 #define OVR_RESOLVED_RISE 0.2
 
-/* The program's own films of a steady flooded contact with a compressible oil
- * (Roelands' viscosity, `density` that of Dowson and Higginson at ph), fitted
- * to its solutions; NAN outside 2 <= M <= 1000, 0.3 <= L <= 25, which they
- * cover, to 2.6 and 1.7 % (film_fit.c). */
+/* Film thickness of a steady flooded contact with a compressible oil, fitted to
+ * this program's solutions to 2.6 % (central) and 1.7 % (minimum).  `density`
+ * is the relative density at ph.  NAN outside 2 <= M <= 1000, 0.3 <= L <= 25.
+ */
 typedef struct ovr_film_fit {
     double central, minimum;
 } ovr_film_fit;
 ovr_film_fit ovr_film_fitted(double M, double L, double density);
+
+/* The constants of the fit, which tests/verify/film_fit_test.c repeats. */
+typedef struct ovr_film_constants {
+    double a[11];
+} ovr_film_constants;
+
+extern const ovr_film_constants ovr_central_film, ovr_minimum_film;
+
+/* H of these constants, the density left out. */
+double ovr_film_blend(const ovr_film_constants *constants, double M, double L);
 
 #endif

@@ -20,7 +20,6 @@
 
 #include "base/arena.h"
 #include "base/error.h"
-#include "elements/needed.h"
 
 static const double pi = 3.14159265358979323846;
 

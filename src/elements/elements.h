@@ -3,6 +3,9 @@
 #ifndef OVR_ELEMENTS_ELEMENTS_H
 #define OVR_ELEMENTS_ELEMENTS_H
 
+#include <stdbool.h>
+#include <stddef.h>
+
 #include "overroll/elements.h"
 
 /* Blok's flash temperature (K) above that of the bodies, for a half-elliptic
@@ -71,5 +74,16 @@ ovr_element_moment ovr_bearing_contact(const ovr_bearing *bearing, double load);
 size_t ovr_bearing_passes(const ovr_bearing *bearing, double phase,
                           double minimum, size_t capacity, double *angle,
                           double *load);
+
+/* A number of a form that an element cannot do without. */
+typedef struct ovr_needed {
+    const char *about; /* the member of the form */
+    double value;
+    bool zero; /* may be zero */
+} ovr_needed;
+
+/* The first of `count` numbers that is not finite, or not positive. */
+ovr_status ovr_check_needed(const ovr_needed *all, size_t count,
+                            ovr_error *err);
 
 #endif

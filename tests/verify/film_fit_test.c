@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The survey behind the fitted films, and the fit: 260 contacts (films.c) at
- * level 10; the errors that film_fit.c states; and the constants once more by
- * Levenberg and Marquardt from its own on the logarithms of the films, which
+ * level 10; the errors that film_formula.c states; and the constants once more
+ * by Levenberg and Marquardt from its own on the logarithms of the films, which
  * must not do better by a tenth.
  */
-#include "contact/film_fit.h"
+#include "contact/film_formula.h"
 
 #include <gsl/gsl_blas.h>
 #include <gsl/gsl_multifit_nlinear.h>

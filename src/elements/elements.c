@@ -1,8 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Blok's flash temperature; the formula and its source stand in the header. */
+/* Shared by gears, cams and bearings: the check of their numbers, and Blok's
+ * flash temperature, whose formula and source are in the header. */
+#include <math.h>
+
+#include "base/error.h"
 #include "elements/elements.h"
 
-#include <math.h>
+ovr_status ovr_check_needed(const ovr_needed *all, size_t count, ovr_error *err)
+{
+    for (size_t k = 0; k < count; k++)
+        if (!isfinite(all[k].value) || all[k].value < 0 ||
+            (all[k].value <= 0 && !all[k].zero))
+            return ovr_fail_about(
+                err, all[k].about, "%s: must be %s", all[k].about,
+                all[k].zero ? "zero or positive" : "positive");
+    return OVR_OK;
+}
 
 double ovr_flash_temperature(const ovr_element_moment *moment, double b,
                              double mu, double B_1, double B_2)
