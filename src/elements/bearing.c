@@ -62,9 +62,9 @@ static double resultant(const ovr_bearing *bearing, double d, double first)
     return sum;
 }
 
-/* The displacement at which the rollers, one of them at `first`, carry the
- * load: the resultant rises with it; bisection, then Newton's steps by a
- * difference would save nothing that counts. */
+/* Displacement at which the rollers, one of them at `first`, carry the load.
+ * The resultant rises with it.  Bisection: faster iterations would save nothing
+ * that counts. */
 static double displaced(const ovr_bearing *bearing, double first)
 {
     double load = bearing->form.load, low = 0;

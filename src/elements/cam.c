@@ -292,9 +292,9 @@ static double degrees(double angle)
     return angle * 180 / pi;
 }
 
-/* The space that there is at an angle until the follower cannot follow: of a
- * flat one the cam's radius of curvature; of a roller what its pitch curve's is
- * above its own, where it is not hollow. */
+/* Margin at an angle until the follower cannot follow.  Flat follower: the
+ * cam's radius of curvature.  Roller: the radius of its pitch curve less its
+ * own, where the curve is not hollow. */
 static double clearance_at(const ovr_cam *cam, double angle)
 {
     const ovr_cam_form *f = &cam->form;

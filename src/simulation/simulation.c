@@ -114,7 +114,7 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
         return OVR_NO_MEMORY;
     sim->now.n = sim->maximum;
     ovr_status status = take_arrays(sim, err);
-    /* patches have more nodes than the grids' work arrays have room for */
+    /* Patches have more nodes than the grids' work arrays have room for */
     if (!status && sim->maximum > sim->finest->grid.n)
         status = OVR_TAKE_NODES(sim, err, &sim->scratch[0], &sim->scratch[1]);
     sim->now.n = sim->finest->grid.n;

@@ -108,7 +108,8 @@ awk -v v="$(number value)" -v a="$(number at_value)" \
 # An end that cannot be run (on level 5 it can) is left out, and said
 expect 0 "$OVERROLL" find dent.ini contact.M between 0.001 and 200 so that \
     H_min is 0.1 --steady --level 7
-contains err 'warning: below 0.02[0-9]*: the (steady solution did not|surfaces touch)'
+contains err \
+    'warning: below 0.02[0-9]*: the (steady solution did not|surfaces touch)'
 
 # A run that is stopped
 "$OVERROLL" find dent.ini feature.dent.depth between 0.01 and 0.5 so that \
