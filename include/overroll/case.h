@@ -55,6 +55,10 @@ typedef struct ovr_parameter_info {
 OVR_API size_t ovr_parameter_count(void);
 OVR_API ovr_parameter_info ovr_parameter_at(size_t k);
 
+/* Returns the "section.key" that a usual symbol or name of a quantity ("E",
+ * "eta0", "SRR") stands for, or NULL if the symbol is unknown. */
+OVR_API const char *ovr_parameter_by_symbol(const char *symbol);
+
 /* Sections in order: name and a line of help, NULL behind the last; and
  * whether there may be several, each with a name of its own: [feature NAME]. */
 OVR_API const char *ovr_section_name(size_t k);

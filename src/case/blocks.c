@@ -118,7 +118,9 @@ static ovr_status no_section(const char *header, ovr_error *err)
                  word);
         return ovr_fail_meant(err, OVR_BAD_INPUT, "feature");
     }
-    meant = ovr_suggest(word, names, n);
+    meant = ovr_section_by_synonym(word);
+    if (!meant)
+        meant = ovr_suggest(word, names, n);
     if (meant) {
         ovr_fail(err, OVR_BAD_INPUT,
                  "unknown section [%.*s]; did you mean [%s]?", OVR_NAME_MAX,
@@ -178,9 +180,32 @@ const ovr_section *ovr_section_parse(const char *header, const char **name,
 
 /* ------------------------------------------------------------------ slots */
 
+/* Reports an unknown key that is a usual symbol ("E"), with the key that holds
+ * the quantity. */
+static void fail_symbol(const ovr_section *section, const char *key,
+                        const ovr_symbol *symbol, ovr_error *err)
+{
+    bool body = !strcmp(symbol->section, "body");
+    if (!strcmp(symbol->section, section->name))
+        ovr_fail(err, OVR_BAD_INPUT,
+                 "unknown key '%.48s' in [%s]; did you mean '%s' (%s)?", key,
+                 section->name, symbol->key, symbol->name);
+    else
+        ovr_fail(err, OVR_BAD_INPUT,
+                 "unknown key '%.48s' in [%s]; did you mean '%s' in [%s%s] "
+                 "(%s)%s?",
+                 key, section->name, symbol->key, symbol->section,
+                 body ? " 1" : "", symbol->name,
+                 !strcmp(symbol->key, "modulus")
+                     ? ", or 'modulus' in [contact] (reduced modulus E')"
+                     : "");
+    ovr_fail_meant(err, OVR_BAD_INPUT, symbol->key);
+}
+
 void ovr_no_key(const ovr_section *section, const char *key, ovr_error *err)
 {
     const char *names[128], *meant;
+    const ovr_symbol *symbol = ovr_symbol_find(key);
     const ovr_section *home = NULL;
     const ovr_parameter *row;
     size_t n;
@@ -190,7 +215,9 @@ void ovr_no_key(const ovr_section *section, const char *key, ovr_error *err)
     for (n = 0; (row = ovr_parameter_row(n, &home)); n++)
         if (!strcmp(row->key, key) && (!meant || strlen(key) > 1))
             break;
-    if (row)
+    if (symbol)
+        fail_symbol(section, key, symbol, err);
+    else if (row)
         ovr_fail(err, OVR_BAD_INPUT,
                  "unknown key '%.48s' in [%s]; it belongs in [%s]", key,
                  section->name, home->name);

@@ -27,4 +27,18 @@ const char *ovr_hertzian_name(ovr_hertzian hertzian);
 const ovr_parameter *ovr_parameter_find(const ovr_section *section,
                                         const char *key);
 
+/* The quantity that a usual symbol or name ("E", "entrainment_speed") means. */
+typedef struct ovr_symbol {
+    const char *section, *key;
+    const char *name; /* of the quantity */
+    const char *path; /* "section.key" */
+} ovr_symbol;
+
+/* Returns NULL if the symbol is unknown. */
+const ovr_symbol *ovr_symbol_find(const char *symbol);
+
+/* Returns the header of the section ("body 1") that `word` is another name of,
+ * or NULL. */
+const char *ovr_section_by_synonym(const char *word);
+
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The command line: options against the verb's table, messages, help. */
+/* Parses command lines by a verb's table of options; prints messages and help.
+ */
 #include "cli/cli.h"
 
 #include <stdarg.h>
@@ -9,10 +10,10 @@
 #include <unistd.h>
 
 static const cli_option common[] = {
-    {"q", NULL, "no messages but errors", false},
-    {"v", NULL, "say more", false},
+    {"q", NULL, "print no messages except errors (--quiet)", false},
+    {"v", NULL, "print more (--verbose)", false},
     {"json", NULL, "results as one JSON object", false},
-    {"help", NULL, "this help", false},
+    {"help", NULL, "print this help (-h)", false},
     {NULL, NULL, NULL, false},
 };
 
@@ -120,11 +121,21 @@ static const cli_option *find(const cli_option *options, const char *name,
     return NULL;
 }
 
+/* Other spellings of options: --output is -o, -h is --help. */
+static const char *const aliases[][2] = {
+    {"h", "help"}, {"output", "o"}, {"quiet", "q"}, {"verbose", "v"}};
+
 static const cli_option *find_option(const cli_verb *verb, const char *name,
                                      size_t length)
 {
     const cli_option *option = find(verb->options, name, length);
-    return option ? option : find(common, name, length);
+    if (!option)
+        option = find(common, name, length);
+    for (size_t k = 0; !option && k < sizeof aliases / sizeof *aliases; k++)
+        if (strlen(aliases[k][0]) == length &&
+            !strncmp(aliases[k][0], name, length))
+            return find_option(verb, aliases[k][1], strlen(aliases[k][1]));
+    return option;
 }
 
 static int unknown_option(const cli_call *call, const char *given,
@@ -215,7 +226,7 @@ static int check_count(const cli_call *call)
         return CLI_DONE;
     if (call->arguments < verb->minimum)
         return cli_usage(call, "%s is missing; usage: overroll %s %s",
-                         call->arguments ? "an argument" : "what to work on",
+                         call->arguments ? "an argument" : "the input file",
                          verb->name, verb->arguments);
     if (call->arguments > verb->maximum)
         return cli_usage(call, "unexpected '%s'; usage: overroll %s %s",

@@ -122,10 +122,18 @@ const cli_verb *cli_find_verb(const cli_verb *const *verbs, const char *name);
 /* Help of one verb: usage, summary, options. */
 void cli_print_help(const cli_verb *verb, FILE *to);
 
-/* Topics that are neither a command nor a key: their names, NULL behind the
- * last; whether there is one, printed. */
+/* Help topics that are neither a command nor a key.  The first function returns
+ * the name of topic k, or NULL after the last; the second prints a topic and
+ * returns false if there is none of that name. */
 const char *cli_topic_name(size_t k);
 bool cli_help_topic(const char *topic);
+
+/* True if two terms differ only in capitals, blanks, hyphens and underscores. */
+bool cli_same_term(const char *a, const char *b);
+
+/* Returns the topic, section, key or command that explains a usual term of the
+ * field ("SRR", "film thickness"), or NULL. */
+const char *cli_synonym(const char *term);
 void cli_help_units(void);
 
 #endif

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* overroll help [TOPIC]: commands, and what may stand in a case file. */
+/* The command overroll help [TOPIC]: the commands, and the keys of a case file.
+ */
 #include <ctype.h>
 #include <math.h>
 #include <stdio.h>
@@ -32,24 +33,24 @@ static void put_conflicts(bool roff)
 
 static int print_conflicts(void)
 {
-    puts("What does not go together is refused before anything is solved. "
-         "Every other\npair works; what is not written gives way by itself.\n");
+    puts("The following combinations are rejected before anything is solved.  "
+         "Every other\npair works; defaults adapt automatically.\n");
     put_conflicts(false);
     return CLI_DONE;
 }
 
 static void print_roff_conflicts(void)
 {
-    puts(".SH WHAT GOES WITH WHAT\n"
-         "Every two features of a case work together but for these, which are "
-         "refused\nbefore anything is solved where both are written; what is "
-         "not written gives\nway.");
+    puts(".SH COMBINATIONS\n"
+         "Any two features of a case can be combined, except the following.  "
+         "They are\nrejected before anything is solved if the case sets both; "
+         "defaults adapt\nautomatically.");
     put_conflicts(true);
 }
 
 /* --------------------------------------------------------------------- Help */
 
-enum { WIDTH = 78, INDENT = 17, TOPICS = 300, KEYS = 1000 };
+enum { WIDTH = 78, INDENT = 17, TOPICS = 1000, KEYS = 1000 };
 
 /* ------------------------------------------------------------------ Lists */
 
@@ -79,17 +80,20 @@ static int list_topics(const cli_call *call)
     for (const cli_verb *const *verb = call->verbs; *verb; verb++)
         printf("  %-9s %-26s %s\n", (*verb)->name, (*verb)->arguments,
                (*verb)->summary);
-    puts("\nCommon options: -q quiet, -v say more, --json, --help, --version\n"
+    puts("\nCommon options: -q (--quiet), -v (--verbose), --json, -h (--help), "
+         "--version\n"
          "\nSections of a case file (overroll help SECTION lists its keys):\n");
     for (size_t k = 0; ovr_section_name(k); k++) {
         printf("  %s\n", ovr_section_name(k));
         put_wrapped(ovr_section_help(k));
     }
     puts("\noverroll help units      how numbers and units are written\n"
-         "overroll help conflicts  what does not go together, and why\n"
+         "overroll help conflicts  combinations that are rejected, and why\n"
          "overroll help KEY        one key of the case file\n"
-         "overroll help SHAPE      a shape of feature: what it needs\n");
-    printf("And on");
+         "overroll help SHAPE      a shape of feature: the keys that it needs\n"
+         "overroll help TERM       a usual term or symbol: SRR, E, Rq, film "
+         "thickness ...\n");
+    printf("Other topics:");
     for (size_t k = 0; cli_topic_name(k); k++)
         printf("%s %s", k ? "," : "", cli_topic_name(k));
     puts(".");
@@ -118,7 +122,8 @@ static void put_choices(const ovr_parameter_info *p)
     put_wrapped(text);
 }
 
-/* Describes the width of a feature: what each shape has at half its height. */
+/* Describes the width of a feature by the width of each shape at half its
+ * height. */
 static void describe_widths(const ovr_parameter_info *p, char *text,
                             size_t capacity)
 {
@@ -230,7 +235,7 @@ static bool help_key(const char *key)
 
 /* ------------------------------------------------------------ Manual page */
 
-/* Writes roff, with what it takes for signs of its own. */
+/* Prints text with the special characters of roff escaped. */
 static void put_roff(const char *text)
 {
     for (; *text; text++)
@@ -373,9 +378,9 @@ static int bash_keys(void)
 
 /* ------------------------------------------------------------------ Topics */
 
-static int no_topic(const cli_call *call, const char *topic)
+/* All names that help explains: commands, sections, topics, shapes, keys. */
+static size_t list_names(const cli_call *call, const char *names[TOPICS])
 {
-    const char *names[TOPICS], *meant;
     size_t n = 0;
     for (const cli_verb *const *verb = call->verbs; *verb; verb++)
         names[n++] = (*verb)->name;
@@ -383,9 +388,54 @@ static int no_topic(const cli_call *call, const char *topic)
         names[n++] = ovr_section_name(k);
     for (size_t k = 0; cli_topic_name(k); k++)
         names[n++] = cli_topic_name(k);
+    for (int k = 0; ovr_shape_name(k); k++)
+        names[n++] = ovr_shape_name(k);
     for (size_t k = 0; k < ovr_parameter_count() && n < TOPICS; k++)
         names[n++] = ovr_parameter_at(k).key;
-    meant = ovr_suggest(topic, names, n);
+    return n;
+}
+
+/* Prints what is known under this exact name; false if nothing is. */
+static bool help_name(const cli_call *call, const char *name)
+{
+    const cli_verb *verb = cli_find_verb(call->verbs, name);
+    bool found;
+    if (verb)
+        cli_print_help(verb, stdout);
+    else if (!strcmp(name, "units"))
+        cli_help_units();
+    else if (!strcmp(name, "conflicts") || !strcmp(name, "pairs"))
+        print_conflicts();
+    else if (!help_section(name)) {
+        found = cli_help_topic(name);
+        if (found)
+            putchar('\n');
+        return help_shape(name) || found || help_key(name);
+    }
+    return true;
+}
+
+/* Prints what a synonym, a symbol or another spelling of a name stands for. */
+static bool help_synonym(const cli_call *call, const char *term)
+{
+    const char *names[TOPICS], *topic = ovr_parameter_by_symbol(term);
+    size_t n = list_names(call, names);
+    if (!topic)
+        topic = cli_synonym(term);
+    for (size_t k = 0; !topic && k < n; k++)
+        if (cli_same_term(names[k], term))
+            topic = names[k];
+    if (!topic)
+        return false;
+    if (!cli_same_term(topic, term))
+        printf("%s: see %s\n\n", term, topic);
+    return help_name(call, topic);
+}
+
+static int no_topic(const cli_call *call, const char *topic)
+{
+    const char *names[TOPICS];
+    const char *meant = ovr_suggest(topic, names, list_names(call, names));
     if (meant)
         return cli_usage(call, "no topic '%s'; did you mean '%s'?", topic,
                          meant);
@@ -394,23 +444,18 @@ static int no_topic(const cli_call *call, const char *topic)
 
 static int run(cli_call *call)
 {
-    const cli_verb *verb;
-    const char *topic = call->argument[0];
+    char topic[80] = "";
+    size_t used = 0;
+    for (int k = 0; k < call->arguments && used < sizeof topic; k++)
+        used += (size_t)snprintf(topic + used, sizeof topic - used, "%s%s",
+                                 k ? " " : "", call->argument[k]);
     if (cli_flag(call, "roff"))
         return roff();
     if (cli_flag(call, "bash"))
-        return topic && !strcmp(topic, "keys") ? bash_keys() : bash(call);
+        return !strcmp(topic, "keys") ? bash_keys() : bash(call);
     if (call->arguments == 0)
         return list_topics(call);
-    verb = cli_find_verb(call->verbs, topic);
-    if (verb)
-        cli_print_help(verb, stdout);
-    else if (!strcmp(topic, "units"))
-        cli_help_units();
-    else if (!strcmp(topic, "conflicts") || !strcmp(topic, "pairs"))
-        return print_conflicts();
-    else if (!help_section(topic) && !cli_help_topic(topic) &&
-             !help_shape(topic) && !help_key(topic))
+    if (!help_name(call, topic) && !help_synonym(call, topic))
         return no_topic(call, topic);
     return CLI_DONE;
 }
@@ -427,6 +472,6 @@ const cli_verb cli_help = {
     .summary = "explain a command, a section or a key of the case",
     .options = options,
     .minimum = 0,
-    .maximum = 1,
+    .maximum = 4,
     .run = run,
 };

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* overroll help TOPIC: words that are neither a command nor a key. */
+/* Help topics that are neither a command nor a key, and synonyms of topics. */
+#include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -10,78 +11,213 @@ static const struct {
     const char *name, *text;
 } topics[] = {
     {"friction",
-     "Friction is reported by 'steady' and 'run': mu_1 and mu_2 on the two\n"
-     "surfaces, their sliding part mu_slide and rolling part mu_roll, and the\n"
-     "forces F_1, F_2 (with [contact] width in N).  The coefficients need "
-     "b/R:\n"
-     "a modulus, or contact.G beside M and L.\n\n"
-     "A Newtonian film that slides has more friction than any oil carries.  "
-     "Give\n[lubricant] a flow law and a limit:\n"
-     "    rheology = eyring\n    eyring_stress = 5 MPa\n"
+     "'steady' and 'run' print the friction coefficients mu_1 and mu_2 of the "
+     "two\nsurfaces, their sliding part mu_slide and rolling part mu_roll, and "
+     "the\nforces F_1 and F_2 (in N with contact.width, otherwise in N/m).  "
+     "Coefficients\nneed b/R: set a modulus, or contact.G in addition to M and "
+     "L.\n\n"
+     "A sliding Newtonian film has more friction than any lubricant sustains.  "
+     "Set a\nrheological model and a limiting shear stress:\n"
+     "    [lubricant]\n    rheology = eyring\n    eyring_stress = 5 MPa\n"
      "    limiting_shear = 0.07\n"
-     "and heat, where it slides much: [heat] model = lobatto."},
-    {"Hertz",
-     "The dry contact is the scale of everything: its largest pressure\n"
-     "    ph = sqrt(w E'/(2 pi R)),\nits half width\n"
+     "and at high sliding speed also heat: [heat] model = lobatto.\n\n"
+     "The friction power loss is power_dissipated.  Gear pairs, cams and "
+     "bearings also\nprint the power loss of the element, and gear pairs the "
+     "efficiency."},
+    {"hertz",
+     "The dry (Hertzian) contact of smooth bodies is the reference of all "
+     "scales: its\nmaximum pressure\n"
+     "    p_h = sqrt(w E'/(2 pi R))\nand half width\n"
      "    b = sqrt(8 w R/(pi E')),\n"
-     "w the load per unit width, R the reduced radius, E' the reduced modulus\n"
-     "(2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2).  'overroll check' prints both.\n"
-     "hertz_pressure in [contact] may stand in place of the load."},
+     "with the load per unit width w, the reduced radius R and the reduced "
+     "modulus E'\n(2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2).  'overroll check' "
+     "prints both.\n"
+     "Set contact.hertz_pressure instead of contact.load if p_h is known."},
     {"rpm",
-     "Speeds in [contact] may be rotations, where the bodies have radii:\n"
+     "Speeds in [contact] may be rotational speeds if the bodies have radii:\n"
      "    [contact]\n    speed_1 = 1500 rpm\n    speed_2 = 1480 rpm\n"
      "    [body 1]\n    radius = 20 mm\n    [body 2]\n    radius = 25 mm\n"
-     "Their surfaces move at the angular speed times the radius."},
+     "The surface speed is the angular speed times the radius."},
     {"torque",
-     "A torque is not an output of its own: it is the friction force on a "
-     "body\ntimes its radius.  With [contact] width the forces F_1_N and F_2_N "
-     "are in\n'steady --json' and 'run --json'; without it F_1 and F_2 are in "
-     "N/m.\nThe power that is lost stands there as power_dissipated."},
+     "A friction torque is the friction force on a body times its radius.  "
+     "With\ncontact.width, 'steady --json' and 'run --json' print the forces "
+     "F_1_N and F_2_N\nin N; without it, F_1 and F_2 are in N/m.  The friction "
+     "power loss is\npower_dissipated."},
     {"study",
-     "A study is many runs of one case: a file for 'overroll sweep' that names "
-     "the\ncase and what varies.\n"
+     "A parameter study is many runs of one case.  The file for 'overroll "
+     "sweep'\nnames the case and the parameters that vary:\n"
      "    [study]\n    case = dent.ini\n    [product]\n"
      "    contact.load = 50 kN/m, 100 kN/m\n"
      "    feature.dent.depth = linear 0.1 um to 0.4 um in 4\n"
      "    feature.rough.seed = 1..8\n"
-     "Each key of [product] is an axis; those of a [zip] go together; [set] "
-     "changes\nthe case for all.  'overroll plot STUDY.ini' draws what came "
-     "out.  More in\noverroll-study(5)."},
+     "All combinations of the keys in [product] are run; the keys of a [zip] "
+     "vary\ntogether; [set] changes the case for all runs.  'overroll plot "
+     "STUDY.ini' draws\nthe results.  See overroll-study(5)."},
     {"random",
-     "Random draws are a section of a study: keys with a distribution each.\n"
+     "A random study draws keys from probability distributions:\n"
      "    [study]\n    case = dent.ini\n    [random]\n    draws = 64\n"
      "    contact.mean_speed = normal 3 m/s sd 0.3 m/s\n"
      "    feature.rough.seed = 1..64\n"
      "    [limits]\n    H_min_overall = at least 0.1 um\n"
-     "'overroll sweep STUDY.ini' runs them, with --statistics it tells means,\n"
-     "quantiles and the probability of each limit.  More in "
-     "overroll-study(5)."},
+     "'overroll sweep STUDY.ini' runs the samples; --statistics prints means, "
+     "quantiles\nand the probability of each limit.  See overroll-study(5)."},
     {"film",
-     "The film is reported as H_min (the smallest) and H_cen (at X = 0), in\n"
-     "b^2/R and, where the case is physical, in metres; H_min_overall is the "
-     "smallest\nof a whole run.  'overroll check' gives it by formulas before "
-     "anything is solved.\nWith roughness, lambda_ratio is the mean film in "
-     "|X| < 3/4, and over the run,\nover the composite Rq of both surfaces, "
-     "what is longer than "
-     "the contact left\nout; lambda_ratio_min is the smallest.  What is stored "
-     "of it: [output] fields;\n'overroll plot' draws it."},
+     "Results contain the minimum film thickness H_min and the central film "
+     "thickness\nH_cen (at X = 0), in b^2/R and, for a case with dimensions, "
+     "in metres.\nH_min_overall is the minimum over a whole run.  'overroll "
+     "check' prints\npredictions by formulas before anything is solved; "
+     "'overroll plot' draws the film\nthickness.  [output] fields selects what "
+     "is stored.  See also 'overroll help\nlambda-ratio'."},
+    {"lambda-ratio",
+     "The lambda ratio (specific film thickness) is a film thickness divided "
+     "by the\ncomposite roughness sqrt(Rq_1^2 + Rq_2^2) of both surfaces:\n"
+     "    roughness on the grid   mean film thickness in |X| < 3/4\n"
+     "    other roughness         minimum film thickness\n"
+     "Roughness on the grid is that of the features; feature waves longer than "
+     "the\ncontact are left out.  Other roughness is set by contact.Rq_1 and "
+     "contact.Rq_2\nor by boundary.Rq.  The key contact.lambda is something "
+     "else: the dimensionless\nspeed parameter of Venner, ten Napel & Bosma "
+     "(1990)."},
+    {"roughness",
+     "Roughness on the grid is a feature of the surfaces, measured or random:\n"
+     "    [feature ground]\n    surface = 1\n    shape = profile\n"
+     "    file = ground.csv\n"
+     "    [feature rough]\n    surface = 2\n    shape = roughness\n"
+     "    Rq = 0.1 um\n    length = 2 mm\n"
+     "'overroll profile FILE' prints the roughness parameters of a measured "
+     "profile.\n\n"
+     "Roughness that is not on the grid: with [boundary], asperities carry "
+     "part "
+     "of the\nload (boundary.Rq: composite root mean square roughness).  "
+     "contact.Rq_1 and\ncontact.Rq_2 only give the lambda ratio.  See also "
+     "'overroll help lambda-ratio'."},
+    {"wear",
+     "Running-in needs [boundary], constant operating conditions and a case "
+     "without\n[time]:\n"
+     "    [boundary]\n    law = profile\n    wear_1 = 1e-9 mm3/Nm\n"
+     "    wear_2 = 1e-9 mm3/Nm\n    passes = 1e6\n"
+     "wear_1 and wear_2 are Archard's wear coefficients divided by the "
+     "hardness.\nSee overroll-case(5) and tools/examples/running-in.ini."},
+    {"stribeck",
+     "A Stribeck curve is a parameter study over the speed of a case with\n"
+     "[boundary]:\n"
+     "    [study]\n    case = rollers.ini\n    [product]\n"
+     "    contact.mean_speed = log 0.01 to 100 m/s in 25\n"
+     "'overroll sweep STUDY.ini' runs it and 'overroll plot STUDY.ini' draws "
+     "it.\ntools/examples/stribeck.ini is a complete example."},
     {"life",
-     "Stresses below a surface and what they do to the material:\n"
+     "Stresses below a surface and the fatigue risk of the material:\n"
      "    [stress]\n    surface = 1\n    [fatigue]\n    criterion = circle\n"
-     "gives the risk of this material history against that of the smooth "
-     "contact, the "
-     "length of\nsmooth raceway that it is worth, and with a raceway the ratio "
-     "of lives.\n'overroll stress OUT.h5' does it again for a stored run with "
-     "other constants.\nMore in overroll-theory(7)."},
+     "The report contains the risk relative to that of the smooth contact, the "
+     "length\nof smooth raceway with the same risk and, with "
+     "fatigue.raceway, the ratio of\nlives.  'overroll stress OUT.h5' repeats "
+     "this for a stored run with other\nconstants.  See overroll-theory(7)."},
     {"grease",
-     "There is no law of grease.  What forms the film in a greased contact is "
-     "its base\noil, starved: take the base oil's viscosity and alpha, and a "
-     "supply that is a film:\n"
+     "There is no model of grease.  The film of a greased contact is formed by "
+     "the base\noil, usually starved: set the viscosity and alpha of the base "
+     "oil and a supply:\n"
      "    [cavitation]\n    model = conserving\n    [supply]\n"
      "    model = film\n    thickness_1 = 0.5 um\n"
      "    thickness_2 = 0.5 um"},
 };
 enum { COUNT = sizeof topics / sizeof *topics };
+
+/* Terms and symbols of the field, without blanks, hyphens and underscores, and
+ * the topic, section, key or command that explains each. */
+static const struct {
+    const char *term, *topic;
+} synonyms[] = {
+    {"hertzian", "hertz"},
+    {"contactpressure", "hertz"},
+    {"halfwidth", "hertz"},
+    {"ph", "hertz"},
+    {"b", "hertz"},
+    {"filmthickness", "film"},
+    {"hmin", "film"},
+    {"hcen", "film"},
+    {"hc", "film"},
+    {"minimumfilmthickness", "film"},
+    {"centralfilmthickness", "film"},
+    {"oilfilm", "film"},
+    {"lambda_ratio", "lambda-ratio"},
+    {"specificfilmthickness", "lambda-ratio"},
+    {"filmparameter", "lambda-ratio"},
+    {"rough", "roughness"},
+    {"rq", "roughness"},
+    {"ra", "roughness"},
+    {"rms", "roughness"},
+    {"sigma", "roughness"},
+    {"sq", "roughness"},
+    {"surface", "roughness"},
+    {"surfaceroughness", "roughness"},
+    {"asperity", "boundary"},
+    {"asperities", "boundary"},
+    {"mixed", "boundary"},
+    {"mixedlubrication", "boundary"},
+    {"boundarylubrication", "boundary"},
+    {"greenwoodtripp", "boundary"},
+    {"greenwoodwilliamson", "boundary"},
+    {"patircheng", "boundary.flow_factor"},
+    {"flowfactors", "boundary.flow_factor"},
+    {"stribeckcurve", "stribeck"},
+    {"runningin", "wear"},
+    {"archard", "wear"},
+    {"traction", "friction"},
+    {"frictioncoefficient", "friction"},
+    {"cof", "friction"},
+    {"mu", "friction"},
+    {"efficiency", "friction"},
+    {"losses", "friction"},
+    {"powerloss", "friction"},
+    {"fatigue", "life"},
+    {"rcf", "life"},
+    {"l10", "life"},
+    {"dangvan", "fatigue"},
+    {"subsurfacestress", "stress"},
+    {"vonmises", "stress"},
+    {"shakedown", "plastic"},
+    {"yielding", "plastic"},
+    {"plasticity", "plastic"},
+    {"movie", "frames"},
+    {"video", "frames"},
+    {"animation", "frames"},
+    {"mp4", "frames"},
+    {"gif", "frames"},
+    {"csv", "export"},
+    {"paraview", "export"},
+    {"vtk", "export"},
+    {"html", "view"},
+    {"png", "plot"},
+    {"picture", "plot"},
+    {"dlc", "coating"},
+    {"coatings", "coating"},
+    {"layer", "coating"},
+    {"thinfilm", "coating"},
+    {"bearing", "roller_bearing"},
+    {"rollerbearing", "roller_bearing"},
+    {"roller", "roller_bearing"},
+    {"gears", "gear"},
+    {"tappet", "cam"},
+    {"dent", "indent"},
+    {"indentation", "indent"},
+    {"debris", "indent"},
+    {"starvation", "supply"},
+    {"starved", "supply"},
+    {"thermal", "heat"},
+    {"temperature", "heat"},
+    {"grid", "domain"},
+    {"mesh", "domain"},
+    {"resolution", "level"},
+    {"timestep", "step"},
+    {"transient", "time"},
+    {"squeeze", "speed"},
+    {"montecarlo", "random"},
+    {"uncertainty", "random"},
+    {"doe", "study"},
+    {"parameterstudy", "study"},
+    {"optimization", "find"},
+    {"optimize", "find"},
+};
 
 const char *cli_topic_name(size_t k)
 {
@@ -98,9 +234,29 @@ bool cli_help_topic(const char *topic)
     return false;
 }
 
+bool cli_same_term(const char *a, const char *b)
+{
+    for (;; a++, b++) {
+        a += strspn(a, " -_");
+        b += strspn(b, " -_");
+        if (tolower((unsigned char)*a) != tolower((unsigned char)*b))
+            return false;
+        if (!*a)
+            return true;
+    }
+}
+
+const char *cli_synonym(const char *term)
+{
+    for (size_t k = 0; k < sizeof synonyms / sizeof *synonyms; k++)
+        if (cli_same_term(synonyms[k].term, term))
+            return synonyms[k].topic;
+    return NULL;
+}
+
 /* ------------------------------------------------------------------ units */
 
-/* Those of a quantity in a line, after its SI unit. */
+/* Prints the units of each quantity in a line, the SI unit first. */
 static void put_units(void)
 {
     const char *name, *si, *before = "";
@@ -120,20 +276,19 @@ static void put_units(void)
 void cli_help_units(void)
 {
     puts(
-        "Numbers are written with a point; a unit follows its number:\n"
+        "Numbers use a decimal point; a unit follows its number:\n"
         "    viscosity = 40 mPa.s    alpha = 22 1/GPa    depth = 1.2 um\n\n"
         "A length, height or time without a unit is in the contact's own "
         "units:\n"
-        "    lengths along x in b, heights and films in b^2/R, times in b/um,\n"
-        "    b = sqrt(8 w R/(pi E')) the half width of the dry contact, um the "
-        "mean speed;\n"
+        "    lengths along x in b, heights and film thicknesses in b^2/R, "
+        "times in b/u_m,\n"
+        "    b = sqrt(8 w R/(pi E')) the half width of the Hertzian contact,\n"
+        "    u_m the entrainment speed;\n"
         "'0.6 b' is the same as 0.6.\n"
-        "With a unit it is physical and needs a physical contact, or, beside "
-        "M and L,\n"
-        "radius and modulus (and viscosity or speeds for times).  Load, "
-        "radius, modulus,\n"
-        "viscosity, alpha, speeds and pressures always carry their unit.  "
-        "slide_to_roll\nis bare or in %.\n\n"
-        "All units, by what they measure:\n");
+        "A value with a unit needs a contact with dimensions or, with M and L, "
+        "radius and\nmodulus (for times also viscosity or speeds).  Load, "
+        "radius, modulus, viscosity,\nalpha, speeds and pressures always need "
+        "a unit.  slide_to_roll is a bare number or\nin %.\n\n"
+        "All units, by quantity:\n");
     put_units();
 }

@@ -9,6 +9,8 @@
 #include "contact/oil.h"
 
 #include <math.h>
+#include <stdio.h>
+#include <string.h>
 
 #include "base/error.h"
 #include "base/given.h"
@@ -169,25 +171,52 @@ static ovr_status by_its_law(ovr_oil *oil, ovr_error *err)
 
 /* --------------------------------------------------- from the data sheet */
 
+/* Lists in one message everything that a data sheet lacks. */
+static ovr_status check_sheet_complete(const ovr_oil *oil, ovr_error *err)
+{
+    bool index = !isnan(oil->nu_100) || !isnan(oil->viscosity_index);
+    bool slope = oil->viscosity_law == OVR_ROELANDS ||
+                 oil->viscosity_law == OVR_BARUS;
+    const struct {
+        bool lacks;
+        const char *key, *text;
+    } needs[] = {
+        {isnan(oil->temperature), "temperature", "temperature (e.g. 60 degC)"},
+        {isnan(oil->density_15), "density_15",
+         "density_15 (mineral oil: 870 kg/m3)"},
+        {isnan(oil->nu_40), "viscosity_40", "viscosity_40 or iso_vg"},
+        {!index, "viscosity_index",
+         "viscosity_index (mineral oil: 95, PAO: 140) or viscosity_100"},
+        {slope && isnan(oil->alpha) && !oil->mineral, "alpha",
+         "alpha (mineral oil: 20 1/GPa, PAO: 15 1/GPa) or oil = mineral"}};
+    const char *first = NULL;
+    char list[320] = "";
+    size_t used = 0;
+    for (size_t k = 0; k < sizeof needs / sizeof *needs; k++)
+        if (needs[k].lacks && used < sizeof list) {
+            used += (size_t)snprintf(list + used, sizeof list - used, "%s%s",
+                                     first ? "; " : "", needs[k].text);
+            first = first ? first : needs[k].key;
+        }
+    if (!first || !strcmp(first, "alpha"))
+        return OVR_OK;
+    return ovr_fail_about(err, first,
+                          "the viscosity from a data sheet needs %s", list);
+}
+
 static ovr_status check_sheet(const ovr_oil *oil, ovr_error *err)
 {
-    const need needs[] = {{"temperature", oil->temperature},
-                          {"density_15", oil->density_15},
-                          {"viscosity_40", oil->nu_40}};
     if (!isnan(oil->viscosity))
         return ovr_fail_about(err, "viscosity",
-                              "viscosity follows from those at 40 and 100 "
-                              "degC: leave one or the other out");
-    if (all_given(needs, 3, "the viscosity from a data sheet", err))
+                              "viscosity is already determined by "
+                              "viscosity_40 (or iso_vg) at the temperature; "
+                              "remove viscosity or viscosity_40");
+    if (check_sheet_complete(oil, err))
         return OVR_BAD_INPUT;
-    if (isnan(oil->nu_100) && isnan(oil->viscosity_index))
-        return ovr_fail_about(err, "viscosity_index",
-                              "the viscosity from a data sheet needs "
-                              "viscosity_index, or viscosity_100");
     if (!isnan(oil->nu_100) && !isnan(oil->viscosity_index))
-        return ovr_fail_about(
-            err, "viscosity_index",
-            "viscosity_100 and viscosity_index say the same: give one of them");
+        return ovr_fail_about(err, "viscosity_index",
+                              "viscosity_100 and viscosity_index determine "
+                              "each other; remove one of them");
     return OVR_OK;
 }
 

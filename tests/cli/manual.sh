@@ -61,6 +61,52 @@ for topic in contact lubricant domain solver time load speed feature output \
 done
 refuses "no topic 'levl'; did you mean 'level'" help levl
 
+# ... and the terms and symbols of the field, in any spelling.
+while IFS=: read -r words in; do
+    expect 0 "$OVERROLL" help "$words"
+    grep -qF "$in" out || fail "help $words without $in: $(cat out)"
+done <<E
+hertz:half width
+HERTZ:half width
+stribeck:mean_speed = log
+roughness:shape = roughness
+Rq:[boundary]
+sigma:boundary.Rq
+SRR:contact.slide_to_roll
+slide-to-roll:(u1 - u2)
+Viscosity:[lubricant]
+VI:viscosity_index
+E:Young's modulus
+eta0:lubricant.viscosity
+tau0:eyring_stress
+wear:wear_1
+film thickness:H_min
+filmthickness:H_min
+efficiency:power loss
+movie:usage: overroll frames
+csv:usage: overroll export
+dlc:[coating]
+bearing:[roller_bearing]
+E
+expect 0 "$OVERROLL" help lambda ratio
+grep -q 'composite roughness' out || fail "no lambda ratio: $(cat out)"
+expect 0 "$OVERROLL" run -h
+grep -q '^usage: overroll run' out || fail "-h: $(cat out)"
+expect 0 "$OVERROLL" init roller --output roller.ini
+[ -s roller.ini ] || fail 'init --output wrote nothing'
+
+# Usual symbols in a case lead to the keys.
+while read -r given meant; do
+    refuses "did you mean '$meant'" check roller.ini --set "$given=1"
+done <<E
+contact.E modulus' in .body 1. .Young's modulus., or 'modulus
+contact.R radius
+contact.u1 speed_1
+lubricant.tau0 eyring_stress
+E
+refuses 'did you mean .body 1.' check roller.ini --set body1.x=1
+refuses 'did you mean .lubricant.' check roller.ini --set oil.x=1
+
 cp "$TOP"/src/*/overroll*.[1357] "$page" .
 version=$(sed -n 's/.*OVERROLL_VERSION "\(.*\)"/\1/p' \
     "$TOP/include/overroll/version.h")
