@@ -128,7 +128,8 @@ void cli_print_help(const cli_verb *verb, FILE *to);
 const char *cli_topic_name(size_t k);
 bool cli_help_topic(const char *topic);
 
-/* True if two terms differ only in capitals, blanks, hyphens and underscores. */
+/* True if two terms differ at most in capitals, blanks, hyphens and
+ * underscores. */
 bool cli_same_term(const char *a, const char *b);
 
 /* Returns the topic, section, key or command that explains a usual term of the

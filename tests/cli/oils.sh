@@ -154,9 +154,11 @@ refuses 'oil = mineral needs iso_vg' check none.ini
 sed '/viscosity_index/d' mineral.ini >grade.ini
 refuses 'the viscosity from a data sheet needs viscosity_index' check grade.ini
 sed '/^temperature/d; /^oil/d; /^density/d; /^alpha/d' grade.ini >bare.ini
-refuses 'needs temperature.*density_15.*viscosity_index.*95.*alpha' check bare.ini
+refuses 'needs temperature.*density_15.*viscosity_index.*95.*alpha' \
+    check bare.ini
 printf 'viscosity_100 = 6.8 mm2/s\n' >>mineral.ini
-refuses 'viscosity_100 and viscosity_index determine each other' check mineral.ini
+refuses 'viscosity_100 and viscosity_index determine each other' \
+    check mineral.ini
 sed -i '/^viscosity_100/d' mineral.ini
 # VG 68 or 100 at 80 degC, one study: other viscosities, other alphas.
 cat >study.ini <<'END'

@@ -61,7 +61,7 @@ grep -q '"steps"' out && fail 'a steady case has steps'
 refuses '^nodir/a.h5: cannot be written: nodir: No such' \
     run dent.ini -o nodir/a.h5
 refuses 'is not the name of a file' run dent.ini -o sub/
-refuses 'what to work on is missing' run
+refuses 'the input file is missing' run
 
 # SIGINT and SIGTERM: step finished, file closed, 130 and 143
 for signal in INT TERM; do
