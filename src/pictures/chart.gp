@@ -15,7 +15,17 @@ if (!exists('letter')) letter = 20 * (width > 794 ? width / 1280. : 0.62)
 
 # --------------------------------------------------------------------- style
 scale = letter / 20.
-if (form eq 'png') {
+# gnuplot may have been built without cairo
+has(name) = strstrt(' ' . GPVAL_TERMINALS . ' ', ' ' . name . ' ') > 0
+if (form eq 'png' && !has('pngcairo')) {
+  face = sprintf('%s,%.4g', font, 10 * scale) # no expression may stand there
+  set terminal png size width,height enhanced font face linewidth scale \
+    background '#ffffff'
+}
+if (form eq 'pdf' && !has('pdfcairo')) {
+  exit error 'this gnuplot has no pdfcairo terminal: write an .svg or .png picture'
+}
+if (form eq 'png' && has('pngcairo')) {
   set terminal pngcairo size width,height enhanced \
     font sprintf('%s,%.4g', font, 13 * scale) linewidth scale \
     background '#ffffff'

@@ -207,6 +207,28 @@ expect 2 env PATH=/nowhere "$OVERROLL" plot dent.h5 -o x.png
 contains err 'gnuplot is not installed.*apt install gnuplot-nox'
 [ "$(find . -name '.*.part' | wc -l)" -eq 0 ] || fail 'parts are left'
 
+# A gnuplot built without cairo: SVG and PNG all the same, PDF is refused.
+mkdir poor
+cat >poor/gnuplot <<END
+#!/bin/sh
+while IFS= read -r line; do
+    case \$line in
+    load*) sed -i "s/GPVAL_TERMINALS/'dumb png svg'/" \
+        "\$(expr "\$line" : "load .\(.*\).\$")" ;;
+    esac
+    printf '%s\n' "\$line"
+done | $(command -v gnuplot) "\$@"
+END
+chmod +x poor/gnuplot
+for form in svg png; do
+    expect 0 env "PATH=$PWD/poor:$PATH" "$OVERROLL" plot dent.h5 \
+        -o "poor.$form"
+done
+[ "$(od -An -tx1 -N4 poor.png | tr -d ' ')" = 89504e47 ] || fail 'no PNG'
+expect 1 env "PATH=$PWD/poor:$PATH" "$OVERROLL" plot dent.h5 -o poor.pdf
+contains err 'no pdfcairo terminal: write an .svg or .png picture'
+[ -e poor.pdf ] && fail 'a PDF of nothing'
+
 refuses 'a movie.s name ends in' frames dent.h5 --movie m.avi
 command -v ffmpeg >/dev/null || { echo 'no ffmpeg: no movie tried'; exit 0; }
 for form in mp4 webm gif; do
