@@ -30,12 +30,20 @@ start = -4.9
 END
 expect 0 "$OVERROLL" run dent.ini -o dent.h5
 snippets python >read.py
-[ "$(grep -c '^import' read.py)" -eq 2 ] || fail "$(cat read.py)"
+[ "$(grep -c '^import' read.py)" -eq 3 ] || fail "$(cat read.py)"
 expect 0 "$PYTHON" read.py
 contains out 'film_thickness +\(time, x\)'
 contains out ' m at x = 0.0'
 contains out 'status: complete'
 contains out '^\[contact\]'
+contains out '^\(2, '
+if "$PYTHON" -c 'import dask' 2>/dev/null; then
+    cp dent.h5 thin.h5
+    cp dent.h5 thick.h5
+    snippets together >read.py
+    expect 0 "$PYTHON" read.py
+    contains out "^\('case', 'time', 'x'\)"
+fi
 
 mkdir bin
 ln -s "$OVERROLL" bin/overroll
