@@ -126,7 +126,7 @@ LINK    = $(CC) $(CFLAGS) $(KIND) $(LDFLAGS)
 
 # A floor may have folders of its own, one deep.
 FLOORS  := base mathematics contact elements surface multigrid strip stress simulation \
-           results case run pictures
+           results case physics run pictures
 KERNELS := $(wildcard src/*/*.kernel.c src/*/*/*.kernel.c)
 LIBSRC  := $(filter-out $(KERNELS),\
              $(wildcard $(FLOORS:%=src/%/*.c) $(FLOORS:%=src/%/*/*.c)))

@@ -65,6 +65,17 @@ OVR_API const char *ovr_section_name(size_t k);
 OVR_API bool ovr_section_named(size_t k);
 OVR_API const char *ovr_section_help(size_t k);
 
+/* ------------------------------------------------------------- listeners */
+
+typedef enum ovr_say {
+    OVR_SAY_WARNING, /* the result may not be what was meant */
+    OVR_SAY_NOTE,    /* what was assumed or done beyond the ordinary */
+    OVR_SAY_FILE     /* of the file resumed; begins with its name */
+} ovr_say;
+
+/* One line of text, without end of line. */
+typedef void ovr_listener(void *data, ovr_say kind, const char *text);
+
 /* --------------------------------------------------------------- the case */
 
 typedef struct ovr_case ovr_case;
@@ -249,6 +260,11 @@ OVR_API void ovr_setup_tell(const ovr_setup *setup, ovr_setup_line *line,
 OVR_API ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
                                              const ovr_allocator *allocator,
                                              ovr_error *err);
+
+/* The least depth of the histories that a prepared setup asks for; refused
+ * where its steps cannot give the depths.  NAN: it asks for none. */
+OVR_API ovr_status ovr_setup_stress_depth(const ovr_setup *setup,
+                                          double *minimum, ovr_error *err);
 
 #ifdef __cplusplus
 }

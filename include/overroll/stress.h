@@ -174,6 +174,65 @@ typedef struct ovr_circle {
     double d, tau, radius;
 } ovr_circle;
 
+/* ------------------------------------------------------- report on a body */
+
+/* Stresses below a surface, as a run or a stored one leaves them: lengths in
+ * b, stresses in p_h, maps value[depth * points + point]. */
+typedef struct ovr_stress_report {
+    int surface;
+    const char *feature; /* xi counts from its centre at T = 0, or NULL */
+    ovr_material material;
+    size_t incomplete; /* points whose material history an end of the run cut */
+    double least_depth; /* what follows is counted from here down */
+    ovr_stress_extreme max_shear, von_mises;   /* in space and time */
+    double R_max, xi_R_max, Z_R_max, R_smooth; /* radius of the circle */
+    /* Depth above which stresses follow the height of a pressure spike that the
+     * mesh does not resolve; 0: the mesh resolves the maximum pressure. */
+    double unresolved_depth;
+    float *measure[OVR_MEASURES];
+    double *smooth[OVR_MEASURES];
+    bool fatigue; /* what follows is there */
+    float *amplitude;
+    double *amplitude_smooth;
+    double *risk;   /* of each point */
+    double *length; /* equivalent length counted from each depth down */
+    const ovr_life_result *life;
+    double hertz;  /* the criterion in a smooth dry contact of p_h = 1 */
+    double limit;  /* p_h */
+    double ratio;  /* of lives; NAN without a raceway */
+    int direction; /* of the surface's motion, 1 or -1; 0: both ways */
+    bool traction; /* with the film's shear stress on the surface */
+    const char *no_traction; /* why without */
+    const char *none;        /* why all of its numbers are NAN; or NULL */
+    double length_error; /* of equivalent lengths: how far the risk of points
+                            at the ends of the material is from the smooth
+                            contact's, over its whole length */
+    /* Layers, NAN where there are none: von Mises stress in any of them,
+     * shear and tension on an interface, tension along the surface, at the
+     * shallowest depth. */
+    ovr_stress_extreme layer_von_mises, interface_shear, interface_tension,
+        surface_tension;
+    /* Largest von Mises stress of a layer over its own yield; NAN: no layer
+     * has one. */
+    double layer_utilisation;
+    /* Largest amplitude in a layer over that of its own limit_pressure; NAN:
+     * no layer has one. */
+    double layer_fatigue;
+    /* A body that yields at `yield`, p_h; NAN: that is not told.  Value f/Y
+     * of `yield_ratio`: the largest von Mises stress over Y, less 1; of
+     * `strip`: the largest (P - P around)/(2.97 Y), Z its width.  Share of the
+     * complete material points from least_depth down that go beyond Y; the
+     * deepest of all that do, 0: none.  p_h over that of the smooth contact's
+     * first yield, and over the limit of its shakedown. */
+    double yield;
+    ovr_stress_extreme yield_ratio, strip;
+    double yielding_share, yielding_depth;
+    double of_first_yield, of_shakedown;
+    /* Largest shear stress of an interface over its strength; NAN: none has
+     * one. */
+    double interface_utilisation;
+} ovr_stress_report;
+
 #ifdef __cplusplus
 }
 #endif

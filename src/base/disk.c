@@ -7,6 +7,8 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/error.h"
+
 int ovr_write_all(int fd, const void *from, size_t bytes, uint64_t at)
 {
     const char *next = from;
@@ -58,4 +60,22 @@ int ovr_sync_folder(const char *path)
         error = errno;
     close(fd);
     return error;
+}
+
+ovr_status ovr_file_ours(const char *path, const char *head, ovr_error *err)
+{
+    FILE *from = fopen(path, "r");
+    size_t k = 0;
+    int c = EOF;
+    if (!from)
+        return OVR_OK; /* none, or its writer fails */
+    while (head[k] && (c = getc(from)) == (unsigned char)head[k])
+        k++;
+    fclose(from);
+    if (!head[k] || (k == 0 && c == EOF))
+        return OVR_OK;
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "%s: exists and is not of overroll's making; --force "
+                    "replaces it",
+                    path);
 }

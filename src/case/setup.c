@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Makes of a resolved case a simulation with its surfaces in place. */
 #include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <unistd.h>
 
 #include "base/given.h"
@@ -348,4 +350,15 @@ ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
                                 setup->surfaces ? ovr_surfaces_standing : NULL,
                                 setup->surfaces);
     return sim;
+}
+
+void ovr_warn(ovr_listener *say, void *data, const char *format, ...)
+{
+    char text[OVR_MESSAGE_SIZE];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    if (say)
+        say(data, OVR_SAY_WARNING, text);
 }

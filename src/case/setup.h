@@ -3,6 +3,7 @@
 #ifndef OVR_CASE_SETUP_H
 #define OVR_CASE_SETUP_H
 
+#include "base/given.h"
 #include "contact/layers.h"
 #include "overroll/case.h"
 
@@ -43,5 +44,9 @@ double ovr_setup_lag(const ovr_setup *setup);
 /* Seconds that its physics take a pass beside the film, about, for so many
  * nodes times steps. */
 double ovr_setup_seconds_beside(const ovr_setup *setup, double node_steps);
+
+/* Warns whoever listens to a run or a setup. */
+void ovr_warn(ovr_listener *say, void *data, const char *format, ...)
+    OVR_PRINTF(3, 4);
 
 #endif

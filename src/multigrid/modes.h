@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Fields Psi_m of a moving surface, one for each mode m of its memory
- * (simulation/solids.h), and what a step makes of them.  They stand side by
+ * (physics/heat/solids.h), and what a step makes of them.  They stand side by
  * side, those of node i from i OVR_MODES on, so that vectors hold modes.
  *
  * A surface carries them along (departures.h), and where heat flows along it
@@ -114,7 +114,7 @@ typedef struct ovr_modes_look {
     const ovr_departures *departures;
     const ovr_spread *spread;
     double dT;
-    double more[2]; /* of an own step under layers (simulation/solids.h) */
+    double more[2]; /* of an own step under layers (physics/heat/solids.h) */
     const double *weight, *psi, *q;
     double *workspace, *fields, *past, *before;
 } ovr_modes_look;

@@ -13,8 +13,8 @@
 
 #include "case/case.h"
 #include "case/setup.h"
+#include "physics/stress/stress.h"
 #include "pictures/axis.h"
-#include "run/forms.h"
 #include "stress/layered.h"
 #include "stress/stress.h"
 

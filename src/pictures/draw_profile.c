@@ -41,7 +41,7 @@ typedef struct bearing {
     double *pressure, *gap, *area, *exponential;
 } bearing;
 
-/* The exponential of Rq and slope is that of simulation/boundary_case.c. */
+/* The exponential of Rq and slope is that of physics/mixed/keys.c. */
 static ovr_status lay_out(bearing *b, const ovr_profile_numbers *n,
                           double modulus, const ovr_dry_point *points,
                           ovr_error *err)

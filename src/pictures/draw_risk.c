@@ -10,9 +10,9 @@
 
 #include "case/case.h"
 #include "overroll/case.h"
+#include "physics/stress/stress.h"
 #include "pictures/material.h"
 #include "pictures/picture.h"
-#include "run/forms.h"
 #include "stress/stress.h"
 #include "surface/surfaces.h"
 

@@ -7,11 +7,11 @@
 #include <string.h>
 
 #include "case/case.h"
+#include "physics/stress/stress.h"
 #include "pictures/axis.h"
 #include "pictures/pack_levels.h"
 #include "pictures/picture.h"
 #include "pictures/view_run.h"
-#include "run/forms.h"
 #include "run/run.h"
 
 /* A page holds at most so much: beyond it nodes and snapshots are left out,

@@ -11,6 +11,20 @@
         if (c->is->function)
 /* NOLINTEND(bugprone-macro-parentheses) */
 
+static ovr_accompanied_run seen(ovr_run *run)
+{
+    return (ovr_accompanied_run){.setup = run->setup,
+                                 .sim = run->sim,
+                                 .arena = &run->arena,
+                                 .writer = run->writer,
+                                 .output = run->info.output,
+                                 .force = run->how.force,
+                                 .resumed = run->restart != NULL,
+                                 .stress = run->info.stress,
+                                 .say = ovr_run_message,
+                                 .listener = run};
+}
+
 static const ovr_companion *companion_of(const ovr_setup *setup, int k)
 {
     static const ovr_companion none;
@@ -35,22 +49,24 @@ static void pass_on(void *run, bool warning, const char *text)
 
 void ovr_companions_review(ovr_run *run)
 {
+    const ovr_accompanied_run as = seen(run);
     ovr_physics_review(run->sim, pass_on, run);
     for (int k = 0; ovr_physics_list[k]; k++) {
         const ovr_companion *c = companion_of(run->setup, k);
         if (c->review)
-            c->review(run);
+            c->review(&as);
     }
 }
 
 ovr_status ovr_companions_make(ovr_run *run, ovr_error *err)
 {
+    const ovr_accompanied_run as = seen(run);
     ovr_accompanied *next = run->company;
     for (int k = 0; ovr_physics_list[k]; k++) {
         const ovr_companion *is = companion_of(run->setup, k);
         if (!is->make && !is->open && !is->finish)
             continue;
-        if (is->make && is->make(run, &next->own, err))
+        if (is->make && is->make(&as, &next->own, err))
             return err ? err->status : OVR_BAD_INPUT;
         next++->is = is;
     }
@@ -77,18 +93,20 @@ static ovr_status visit_all(void *data, ovr_visit *visit, void *context,
 
 ovr_status ovr_companions_open(ovr_run *run, ovr_error *err)
 {
+    const ovr_accompanied_run as = seen(run);
     if (run->company[0].is)
         ovr_writer_more(run->writer, visit_all, run);
     EACH(run, c, open)
-        if (c->is->open(c->own, run, err))
+        if (c->is->open(c->own, &as, err))
             return err ? err->status : OVR_IO;
     return OVR_OK;
 }
 
 void ovr_companions_told_of(ovr_run *run)
 {
+    const ovr_accompanied_run as = seen(run);
     EACH(run, c, told_of)
-        c->is->told_of(c->own, run);
+        c->is->told_of(c->own, &as);
 }
 
 ovr_status ovr_companions_restore(ovr_run *run, double T, ovr_error *err)
@@ -115,9 +133,10 @@ ovr_status ovr_companions_observe(void *data, const ovr_simulation *sim,
 
 ovr_status ovr_companions_finish(ovr_run *run, ovr_error *err)
 {
+    const ovr_accompanied_run as = seen(run);
     ovr_status status = OVR_OK;
     EACH(run, c, finish)
         if (!status)
-            status = c->is->finish(c->own, run, err);
+            status = c->is->finish(c->own, &as, err);
     return status;
 }

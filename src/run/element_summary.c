@@ -16,7 +16,7 @@
 
 #include "case/resolve.h"
 #include "elements/elements.h"
-#include "run/forms.h"
+#include "physics/heat/heat.h"
 #include "run/internal.h"
 #include "run/lines.h"
 

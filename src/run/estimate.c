@@ -33,7 +33,7 @@
 
 #include "case/resolve.h"
 #include "case/setup.h"
-#include "run/forms.h"
+#include "physics/heat/heat.h"
 #include "run/internal.h"
 #include "run/pass_series.h"
 #include "simulation/internal.h"

@@ -6,6 +6,7 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "base/disk.h"
 #include "base/text.h"
 #include "run/csv.h"
 #include "run/internal.h"
@@ -87,7 +88,7 @@ static size_t read_rows(const ovr_find_table *t, ovr_arena *arena)
 ovr_status ovr_find_table_open(ovr_find_table *table, bool go_on, bool force,
                                ovr_arena *arena, ovr_error *err)
 {
-    if (!force && ovr_output_ours(table->path, heads, err))
+    if (!force && ovr_file_ours(table->path, heads, err))
         return OVR_BAD_INPUT;
     table->file = go_on ? fopen(table->path, "r+") : NULL;
     if (table->file) {

@@ -5,9 +5,9 @@
 
 #include "base/arena.h"
 #include "overroll/run.h"
+#include "physics/stress/stress.h"
 #include "results/results.h"
 #include "run/companion.h"
-#include "run/stress.h"
 #include "simulation/physics.h"
 
 typedef struct ovr_passes ovr_passes; /* pass_series.h */
@@ -87,10 +87,6 @@ void ovr_run_shear(ovr_run *run);
 /* Fails unless the file can be made; said before anything is solved. */
 ovr_status ovr_output_check(const char *path, const ovr_case *c, bool force,
                             ovr_error *err);
-
-/* Fails where `path` exists, is not empty and does not begin with `head`, as
- * files of that kind of this program do. */
-ovr_status ovr_output_ours(const char *path, const char *head, ovr_error *err);
 
 /* The writer of a new file; its checkpoints will hold the simulation's state.
  */

@@ -65,17 +65,6 @@ void ovr_run_recall(ovr_run *run, const char *warnings)
     }
 }
 
-void ovr_warn(ovr_listener *say, void *data, const char *format, ...)
-{
-    char text[OVR_MESSAGE_SIZE];
-    va_list args;
-    va_start(args, format);
-    vsnprintf(text, sizeof text, format, args);
-    va_end(args);
-    if (say)
-        say(data, OVR_SAY_WARNING, text);
-}
-
 void ovr_run_warn(ovr_run *run, const char *format, ...)
 {
     char text[OVR_MESSAGE_SIZE];

@@ -6,8 +6,8 @@
 
 #include "case/resolve.h"
 #include "contact/contact.h"
+#include "physics/plastic/plastic.h"
 #include "results/results.h"
-#include "run/forms.h"
 #include "run/internal.h"
 #include "run/pass_series.h"
 #include "run/review.h"

@@ -121,24 +121,6 @@ ovr_status ovr_output_check(const char *path, const ovr_case *c, bool force,
     return OVR_OK;
 }
 
-ovr_status ovr_output_ours(const char *path, const char *head, ovr_error *err)
-{
-    FILE *from = fopen(path, "r");
-    size_t k = 0;
-    int c = EOF;
-    if (!from)
-        return OVR_OK; /* none, or its writer says why it cannot be */
-    while (head[k] && (c = getc(from)) == (unsigned char)head[k])
-        k++;
-    fclose(from);
-    if (!head[k] || (k == 0 && c == EOF))
-        return OVR_OK;
-    return ovr_fail(err, OVR_BAD_INPUT,
-                    "%s: exists and is not of overroll's making; --force "
-                    "replaces it",
-                    path);
-}
-
 /* ------------------------------------------------------------- attributes */
 
 static const char *full_name(const ovr_case_entry *entry, ovr_arena *arena)

@@ -29,8 +29,8 @@
 #include <string.h>
 
 #include "contact/contact.h"
+#include "physics/supply/supply.h"
 #include "results/results.h"
-#include "run/forms.h"
 #include "run/pass_series.h"
 
 /* ---------------------------------------------------- History at the outlet */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "run/pass_series.h"
+#include "case/setup.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -7,8 +8,10 @@
 #include <unistd.h>
 
 #include "base/error.h"
+#include "physics/plastic/plastic.h"
+#include "physics/stress/stress.h"
+#include "physics/supply/supply.h"
 #include "results/results.h"
-#include "run/forms.h"
 
 /* ------------------------------------------------------- What a pass leaves */
 
@@ -416,4 +419,13 @@ ovr_status ovr_passes_go_back(ovr_run *run, int last, ovr_error *err)
     ovr_passes_close(run->passes);
     run->info.output = ovr_passes_file_of(run, last, err);
     return run->info.output ? OVR_OK : OVR_NO_MEMORY;
+}
+
+ovr_status ovr_setup_pass(ovr_setup *setup, int pass,
+                          const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_plastic_setup *plastic = ovr_setup_plastic(setup);
+    if (plastic)
+        plastic->rests = plastic->elastic && pass == 1;
+    return ovr_setup_load(setup, pass, allocator, err);
 }

@@ -188,4 +188,8 @@ ovr_status ovr_passes_go_back(ovr_run *run, int last, ovr_error *err);
 /* True if bodies that yield have shaken down with this pass. */
 bool ovr_passes_at_rest(const ovr_run *run, int pass);
 
+/* Takes the place of the load: that of a pass; whether bodies yield in it. */
+ovr_status ovr_setup_pass(ovr_setup *setup, int pass,
+                          const ovr_allocator *allocator, ovr_error *err);
+
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "run/report_words.h"
-#include "run/forms.h"
+#include "physics/heat/heat.h"
 #include "simulation/simulation.h"
 
 #include <math.h>

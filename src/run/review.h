@@ -4,6 +4,7 @@
 #define OVR_RUN_REVIEW_H
 
 #include "overroll/run.h"
+#include "physics/companion.h"
 #include "simulation/internal.h"
 
 typedef struct ovr_review {
@@ -12,10 +13,6 @@ typedef struct ovr_review {
     ovr_listener *say;
     void *data;
 } ovr_review;
-
-/* Warns whoever listens to a run or a setup. */
-void ovr_warn(ovr_listener *say, void *data, const char *format, ...)
-    OVR_PRINTF(3, 4);
 
 void ovr_review_say(const ovr_review *r, ovr_say kind, const char *format, ...)
     OVR_PRINTF(3, 4);

@@ -4,7 +4,8 @@
 
 #include "case/domain.h"
 #include "case/resolve.h"
-#include "run/forms.h"
+#include "physics/plastic/plastic.h"
+#include "physics/supply/supply.h"
 #include "run/internal.h"
 #include "run/lines.h"
 #include "run/review.h"

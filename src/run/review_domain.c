@@ -6,7 +6,7 @@
 #include "case/domain.h"
 #include "case/resolve.h"
 #include "contact/starvation.h"
-#include "run/forms.h"
+#include "physics/supply/supply.h"
 #include "run/review.h"
 
 /* "some 0.54 %": the loss is a fit to those up to a fifth. */

@@ -18,7 +18,7 @@
 #include "contact/contact.h"
 #include "contact/film_formula.h"
 #include "overroll/run.h"
-#include "run/forms.h"
+#include "physics/supply/supply.h"
 #include "run/run.h"
 #include "surface/amplitude.h"
 #include "surface/surfaces.h"

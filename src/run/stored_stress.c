@@ -8,9 +8,9 @@
 #include "base/given.h"
 #include "case/resolve.h"
 #include "case/setup.h"
+#include "overroll/run.h"
+#include "physics/stress/stress.h"
 #include "results/results.h"
-#include "run/forms.h"
-#include "run/stress.h"
 #include "stress/stress.h"
 
 struct ovr_stored_stress {

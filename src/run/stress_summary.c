@@ -7,83 +7,9 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "run/forms.h"
+#include "physics/stress/stress.h"
 #include "run/lines.h"
-#include "run/stress.h"
 #include "stress/stress.h"
-
-/* The form of a number says what stands beside it in a summary. */
-typedef enum form {
-    NUMBER,
-    SHARE,    /* of a limit, the larger of both surfaces; NAN: it has none */
-    PRESSURE, /* in Pa too */
-    LENGTH,   /* in metres too */
-    MOMENT,   /* where and when it is, without a unit */
-    STRIP,    /* the same, its width in place of the depth */
-    STRESS,   /* where and when it is, in Pa too */
-    TENSION   /* such a stress, which may be none */
-} form;
-
-#define TOLD(part, form, key, member, label, words)                            \
-    {                                                                          \
-        OVR_STRESS_##part, form, key, offsetof(ovr_stress_report, member),     \
-            label, words                                                       \
-    }
-#define ROW(part, form, key, member) TOLD(part, form, key, member, NULL, NULL)
-static const struct row {
-    ovr_stress_part part;
-    form form;
-    const char *key;
-    size_t offset;
-    const char *label, *words; /* for people, of those told line by line */
-} rows[] = {TOLD(BODY, STRESS, "tau_max", max_shear, "largest shear", NULL),
-            TOLD(BODY, STRESS, "von_mises_max", von_mises, "von Mises", NULL),
-            TOLD(LAYERS, STRESS, "layer_von_mises_max", layer_von_mises,
-                 "von Mises in a layer", NULL),
-            TOLD(LAYERS, STRESS, "interface_shear_max", interface_shear,
-                 "shear of an interface", NULL),
-            TOLD(LAYERS, TENSION, "interface_tension_max", interface_tension,
-                 "tension across one", NULL),
-            TOLD(LAYERS, TENSION, "surface_tension_max", surface_tension,
-                 "tension at the top", NULL),
-            TOLD(LAYERS, SHARE, "layer_utilisation", layer_utilisation,
-                 "layers use", "of their own yield, at most"),
-            TOLD(LAYERS, SHARE, "layer_fatigue", layer_fatigue, "layers use",
-                 "of their own fatigue limit, at most"),
-            TOLD(LAYERS, SHARE, "interface_utilisation", interface_utilisation,
-                 "interfaces use", "of their strength, at most"),
-            ROW(YIELD, PRESSURE, "yield", yield),
-            ROW(YIELD, MOMENT, "yield_ratio_max", yield_ratio),
-            ROW(YIELD, NUMBER, "yielding_share", yielding_share),
-            ROW(YIELD, LENGTH, "yielding_depth", yielding_depth),
-            ROW(YIELD, STRIP, "strip_pressure_max", strip),
-            ROW(YIELD, NUMBER, "ph_over_first_yield", of_first_yield),
-            ROW(YIELD, NUMBER, "ph_over_shakedown", of_shakedown),
-            ROW(CIRCLE, NUMBER, "R_max", R_max),
-            ROW(CIRCLE, NUMBER, "xi_R_max", xi_R_max),
-            ROW(CIRCLE, NUMBER, "Z_R_max", Z_R_max)};
-enum { ROWS = sizeof rows / sizeof *rows };
-
-/* A number alone is the value of one without a place. */
-static ovr_stress_extreme told_by(const struct row *row,
-                                  const ovr_stress_report *r)
-{
-    ovr_stress_extreme e = {NAN, NAN, NAN, NAN};
-    memcpy(&e, (const char *)r + row->offset,
-           row->form >= MOMENT ? sizeof e : sizeof e.value);
-    return e;
-}
-
-const char *ovr_stress_number(ovr_stress_part part, size_t k,
-                              const ovr_stress_report *r, double *value)
-{
-    for (const struct row *row = rows; row < rows + ROWS; row++)
-        if (row->part == part && k-- == 0) {
-            *value = told_by(row, r).value;
-            return row->key;
-        }
-    return NULL;
-}
 
 /* ------------------------------------------------------------- for programs */
 
@@ -103,30 +29,32 @@ static void put_resolved(const ovr_told *to, const char *key, double Z,
     ovr_put(to, name, OVR_SUMMARY_FLAG, !(Z < r->unresolved_depth));
 }
 
-static void put_row(const ovr_told *to, const struct row *row,
+static void put_row(const ovr_told *to, const ovr_stress_figure *row,
                     const ovr_stress_report *r, const ovr_contact *c)
 {
-    const ovr_stress_extreme e = told_by(row, r);
-    if (row->form == SHARE && isnan(e.value))
+    const ovr_stress_extreme e = ovr_stress_figure_of(row, r);
+    if (row->form == OVR_FIGURE_SHARE && isnan(e.value))
         return;
     ovr_put_number(to, row->key, e.value);
-    if (row->form >= MOMENT) {
+    if (row->form >= OVR_FIGURE_MOMENT) {
         put_named(to, "X_%s", row->key, e.X);
-        put_named(to, row->form == STRIP ? "width_%s" : "Z_%s", row->key, e.Z);
+        put_named(to, row->form == OVR_FIGURE_STRIP ? "width_%s" : "Z_%s",
+                  row->key, e.Z);
         put_named(to, "T_%s", row->key, e.T);
     }
-    if (row->form >= STRESS)
+    if (row->form >= OVR_FIGURE_STRESS)
         put_resolved(to, row->key, e.Z, r);
-    if (row->form == PRESSURE || row->form >= STRESS)
+    if (row->form == OVR_FIGURE_PRESSURE || row->form >= OVR_FIGURE_STRESS)
         put_named(to, "%s_Pa", row->key, e.value * c->ph);
-    if (row->form == LENGTH)
+    if (row->form == OVR_FIGURE_LENGTH)
         put_named(to, "%s_m", row->key, e.value * c->b);
 }
 
 static void put_part(const ovr_told *to, ovr_stress_part part,
                      const ovr_stress_report *r, const ovr_contact *c)
 {
-    for (const struct row *row = rows; row < rows + ROWS; row++)
+    const ovr_stress_figure *row;
+    for (size_t k = 0; (row = ovr_stress_figure_at(k)); k++)
         if (row->part == part)
             put_row(to, row, r, c);
 }
@@ -206,18 +134,19 @@ static void say_stress(const ovr_told *to, const char *label, double value,
 static void say_part(const ovr_told *to, ovr_stress_part part,
                      const ovr_stress_report *r, double ph)
 {
-    for (const struct row *row = rows; row < rows + ROWS; row++) {
-        const ovr_stress_extreme e = told_by(row, r);
+    const ovr_stress_figure *row;
+    for (size_t k = 0; (row = ovr_stress_figure_at(k)); k++) {
+        const ovr_stress_extreme e = ovr_stress_figure_of(row, r);
         ovr_words at = {""};
         if (row->part != part)
             continue;
         ovr_words_add(&at, "at X = %.4g, Z = %.4g, T = %.4g%s", e.X, e.Z, e.T,
                       e.Z < r->unresolved_depth ? "; not resolved" : "");
-        if (row->form == SHARE && !isnan(e.value))
+        if (row->form == OVR_FIGURE_SHARE && !isnan(e.value))
             ovr_tell_number(to, row->label, 4, e.value, "%s", row->words);
-        else if (row->form == TENSION && !(e.value > 0))
+        else if (row->form == OVR_FIGURE_TENSION && !(e.value > 0))
             ovr_tell(to, row->label, "none, it is pressed together everywhere");
-        else if (row->form != SHARE)
+        else if (row->form != OVR_FIGURE_SHARE)
             say_stress(to, row->label, e.value, ph, at.text);
     }
 }

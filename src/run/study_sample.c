@@ -7,6 +7,7 @@
 
 #include <gsl/gsl_sort.h>
 
+#include "base/disk.h"
 #include "base/given.h"
 #include "base/text.h"
 #include "mathematics/sample.h"
@@ -432,7 +433,7 @@ ovr_status ovr_sample_write(const ovr_sample *sample, const char *path,
 {
     if (!sample || !path)
         return ovr_fail_null(err, __func__);
-    if (!force && ovr_output_ours(path, "group,quantity,draws", err))
+    if (!force && ovr_file_ours(path, "group,quantity,draws", err))
         return OVR_BAD_INPUT;
     FILE *to = fopen(path, "w");
     if (!to)

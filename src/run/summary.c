@@ -7,8 +7,9 @@
 #include <string.h>
 
 #include "case/setup.h"
+#include "physics/heat/heat.h"
+#include "physics/plastic/plastic.h"
 #include "results/results.h"
-#include "run/forms.h"
 #include "run/internal.h"
 #include "run/lines.h"
 #include "run/report_words.h"

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/disk.h"
 #include "base/given.h"
 #include "base/processors.h"
 #include "run/internal.h"
@@ -84,7 +85,7 @@ static ovr_status check_manifest(const ovr_study *s, ovr_error *err)
 {
     char path[4400];
     manifest_of(s, path, sizeof path);
-    return ovr_output_ours(path, table_head, err);
+    return ovr_file_ours(path, table_head, err);
 }
 
 /* Before anything runs: no file of somebody else has the name of a case that
@@ -187,12 +188,12 @@ static ovr_status write_table(const ovr_table *t, const char *path, bool force,
 {
     const char *end = strrchr(path, '.');
     if (end && !strcmp(end, ".csv")) {
-        if (!force && ovr_output_ours(path, table_head, err))
+        if (!force && ovr_file_ours(path, table_head, err))
             return OVR_BAD_INPUT;
         return ovr_sweep_write_csv(t, path, false, err);
     }
     if (end && (!strcmp(end, ".nc") || !strcmp(end, ".h5"))) {
-        if (!force && (ovr_output_ours(path, "\x89HDF", err) ||
+        if (!force && (ovr_file_ours(path, "\x89HDF", err) ||
                        ovr_sweep_netcdf_ours(path, err)))
             return OVR_BAD_INPUT;
         return ovr_sweep_write_netcdf(t, path, err);

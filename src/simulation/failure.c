@@ -13,9 +13,7 @@
 #include <stdio.h>
 
 #include "contact/film_formula.h"
-#include "simulation/boundary.h"
-#include "simulation/heat.h"
-#include "simulation/internal.h"
+#include "simulation/physics.h"
 
 static const double resolved = 0.3, too_coarse = 0.7,
                     solvable = OVR_RESOLVED_RISE;
@@ -129,21 +127,6 @@ static ending ending_of(const ovr_defect *d)
     return e;
 }
 
-/* Reports a start that found the isothermal film, but no temperatures. */
-static ovr_status too_hot(const ovr_simulation *sim, const ovr_outcome *outcome,
-                          ovr_error *err)
-{
-    return ovr_fail(
-        err, OVR_NOT_CONVERGED,
-        "the steady film was found without heat, but not with it: after %d "
-        "cycles in %d ways temperatures still change by %.1e of the largest "
-        "rise (target %.0e), relative mass-flow imbalance %.1e; less sliding, "
-        "a "
-        "finer level or an oil with a limiting shear stress may help",
-        outcome->cycles, outcome->retries + 1, sim->heated->change,
-        OVR_HEAT_CHANGE, outcome->defect.imbalance);
-}
-
 ovr_status ovr_failure_steady(const ovr_simulation *sim,
                               const ovr_outcome *outcome, double tolerance,
                               ovr_error *err)
@@ -155,8 +138,9 @@ ovr_status ovr_failure_steady(const ovr_simulation *sim,
         return rounding(sim, &outcome->defect, err);
     if (inlet_mesh(sim) > resolved * inlet_rise(sim))
         return too_thin(sim, err);
-    if (sim->heated && sim->heated->cycles > 0)
-        return too_hot(sim, outcome, err);
+    OVR_EACH_PHYSICS(sim, p, explain)
+        if (p->is->explain(sim, p->own, outcome, err))
+            return OVR_NOT_CONVERGED;
     if (surfaces_overlap(sim, &outcome->defect))
         return touching(sim, 0, err);
     return ovr_fail(err, OVR_NOT_CONVERGED,
@@ -175,9 +159,8 @@ static void instead(const ovr_simulation *sim, size_t size, char *text)
 {
     double H = ovr_film_central_moes(sim->contact.M, sim->contact.L);
     text[0] = '\0';
-    if (sim->grids.touch.at && sim->heights)
-        ovr_boundary_instead(sim->grids.touch.law, H, sim->now.n, sim->now.X,
-                             sim->S, size, text);
+    OVR_EACH_PHYSICS(sim, p, advise)
+        p->is->advise(sim, H, size, text);
 }
 
 ovr_status ovr_failure_step(const ovr_simulation *sim,

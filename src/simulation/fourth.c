@@ -40,7 +40,6 @@
 #include "multigrid/content.h"
 #include "multigrid/starved.h"
 #include "simulation/fourth_content.h"
-#include "simulation/heat_in_time.h"
 #include "simulation/mirror.h"
 #include "simulation/physics.h"
 #include "simulation/simulation.h"
@@ -550,8 +549,8 @@ static void attempt(ovr_simulation *sim, void *own, bool first)
     ovr_nodes_read(sim, sim->finest, sim->finest->f.F, F);
     add_all(sim, f, -1, F);
     ovr_nodes_write(sim, sim->finest, F, sim->finest->f.F);
-    if (sim->heated) /* which adds its own to what it read */
-        add_all(sim, f, -1, sim->heated->steps->F);
+    if (sim->F_before_heat)
+        add_all(sim, f, -1, sim->F_before_heat);
 }
 
 static void before_back(ovr_simulation *sim, void *own)

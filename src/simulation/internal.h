@@ -151,8 +151,10 @@ struct ovr_simulation {
     double *film_stress; /* mean shear stress of the oil alone, or NULL */
     /* beside the film's pressure, one, two and three steps ago; or NULL */
     double *borne, *borne_before[2];
-    struct ovr_heated *heated; /* temperatures (heat.h), or NULL */
-    size_t maximum;            /* nodes that a solution may have */
+    struct ovr_heated *heated; /* temperatures (physics/heat), or NULL */
+    /* F of a step without the part that heat adds in each cycle, or NULL */
+    double *F_before_heat;
+    size_t maximum; /* nodes that a solution may have */
 
     double *saved; /* a P to go back to: steady, of the level below */
     double *saved_before, *lacking; /* continuation.c */

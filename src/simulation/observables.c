@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "contact/contact.h"
-#include "simulation/heat.h"
 #include "simulation/internal.h"
 #include "simulation/mirror.h"
 #include "simulation/observables.h"
@@ -13,6 +12,22 @@
 #include "simulation/simulation.h"
 
 /* ----------------------------------------------------------------- fields */
+
+/* Values of the physics that has the field; NAN where it is off. */
+static const double *field_of(const ovr_simulation *sim,
+                              ovr_physics_field which, double *workspace)
+{
+    OVR_LAST_PHYSICS(sim, p, field);
+    for (size_t i = 0; !p->is && i < sim->now.n; i++)
+        workspace[i] = NAN;
+    return p->is ? p->is->field(sim, p->own, which, workspace) : workspace;
+}
+
+static void warm(const ovr_simulation *sim, double *viscosity, double *density)
+{
+    OVR_EACH_PHYSICS(sim, p, warm)
+        p->is->warm(sim, p->own, viscosity, density);
+}
 
 /* Fields that are there already, or that others find. */
 #define IS(name, values)                                                       \
@@ -29,18 +44,18 @@ IS(oil_content, sim->now.q)
 IS(fluid_pressure, sim->now.P)
 IS(shear_stress_1, ovr_wall_stress(sim, 1, workspace))
 IS(shear_stress_2, ovr_wall_stress(sim, 2, workspace))
-IS(temperature_1, ovr_heat_temperature(sim, OVR_HEAT_SURFACE_1, workspace))
-IS(temperature_2, ovr_heat_temperature(sim, OVR_HEAT_SURFACE_2, workspace))
-IS(temperature_mean, ovr_heat_temperature(sim, OVR_HEAT_MEAN, workspace))
-IS(temperature_middle, ovr_heat_temperature(sim, OVR_HEAT_MIDDLE, workspace))
-IS(heat_flux_1, ovr_heat_flux(sim, 1, workspace))
-IS(heat_flux_2, ovr_heat_flux(sim, 2, workspace))
+IS(temperature_1, field_of(sim, OVR_FIELD_TEMPERATURE_1, workspace))
+IS(temperature_2, field_of(sim, OVR_FIELD_TEMPERATURE_2, workspace))
+IS(temperature_mean, field_of(sim, OVR_FIELD_TEMPERATURE_MEAN, workspace))
+IS(temperature_middle, field_of(sim, OVR_FIELD_TEMPERATURE_MIDDLE, workspace))
+IS(heat_flux_1, field_of(sim, OVR_FIELD_HEAT_FLUX_1, workspace))
+IS(heat_flux_2, field_of(sim, OVR_FIELD_HEAT_FLUX_2, workspace))
 
 static const double *density(const ovr_simulation *sim, double *workspace)
 {
     for (size_t i = 0; i < sim->state.n; i++)
         workspace[i] = ovr_density(&sim->lubricant, sim->now.P[i]);
-    ovr_heat_expand(sim, workspace);
+    warm(sim, NULL, workspace);
     return workspace;
 }
 
@@ -48,7 +63,7 @@ static const double *viscosity(const ovr_simulation *sim, double *workspace)
 {
     for (size_t i = 0; i < sim->state.n; i++)
         workspace[i] = ovr_viscosity(&sim->lubricant, sim->now.P[i]);
-    ovr_heat_thin(sim, workspace);
+    warm(sim, workspace, NULL);
     return workspace;
 }
 

@@ -2,7 +2,7 @@
 /*
  * A physics is a record of functions: what beyond Reynolds' equation, film and
  * force balance a contact has.  Steady solve, step, observation, checkpoint
- * and case go through the list of physics (physics_list.c) and name none of
+ * and case go through the list of physics (src/physics/list.c) and name none of
  * them; a new one is a file with its record and a row in that list.
  *
  * Any function may be absent.  A simulation holds those of the list that are
@@ -12,11 +12,13 @@
  *     a case      section, form, block, choose, march, stiffness, resolve,
  *                 bits, features, fields, keeps, layers, tell; drop
  *     creation    chosen, prepare, take, influence, warmth, equip; release
- *     steady      forget, solve, complete, couple, proceed, finish, begin
+ *     steady      forget, solve, complete, couple, proceed, finish, begin;
+ *                 exhausted, explain
  *     a step      check, before_step, operate, history, sides, step, attempt,
- *                 anew, the ends of its cycles, taken, over; or step_back
- *     observed    carried, flow, oil, mean_flow, stress, friction, observe,
- *                 marks
+ *                 anew, the ends of its cycles, taken, over; or step_back,
+ *                 advise
+ *     observed    carried, flow, oil, warm, field, mean_flow, stress,
+ *                 friction, observe, marks
  *     checkpoint  visit, restored
  *
  * Contributions are sums over the list: to the gap (heights, gap), to the
@@ -30,7 +32,6 @@
 #include "base/parameter.h"
 #include "overroll/heat.h"
 #include "simulation/internal.h"
-#include "simulation/solids.h"
 
 /* An error that begins with its place is about this. */
 #define OVR_SAYS_WHERE ""
@@ -51,6 +52,13 @@ typedef struct ovr_physics_columns {
     size_t count;
     double *x, *y;
 } ovr_physics_columns;
+
+/* A pulse of heat leaves a surface so much warmer than that of a half-space at
+ * t, M(t) (contact/layers.h). */
+typedef struct ovr_warmth {
+    double (*at)(const void *data, double t);
+    const void *data;
+} ovr_warmth;
 
 struct ovr_change; /* of a section that is a history */
 
@@ -94,6 +102,16 @@ typedef void ovr_physics_line(void *data, const char *name, const char *text);
 
 /* Takes what is said of a run beside its result. */
 typedef void ovr_physics_say(void *data, bool warning, const char *text);
+
+/* Fields that have no values without a physics. */
+typedef enum ovr_physics_field {
+    OVR_FIELD_TEMPERATURE_1, /* of the surfaces, K */
+    OVR_FIELD_TEMPERATURE_2,
+    OVR_FIELD_TEMPERATURE_MEAN, /* over the film */
+    OVR_FIELD_TEMPERATURE_MIDDLE,
+    OVR_FIELD_HEAT_FLUX_1, /* into the surfaces */
+    OVR_FIELD_HEAT_FLUX_2
+} ovr_physics_field;
 
 /* Fields in words, and by their names, ", " between them. */
 typedef struct ovr_own_fields {
@@ -189,7 +207,7 @@ struct ovr_physics {
     double (*seconds)(const void *form);
 
     /* A companion goes along with a run and writes into its file
-     * (run/companion.h): a physics stands on the floor that it needs. */
+     * (physics/companion.h): a physics stands on the floor that it needs. */
     const struct ovr_companion *companion;
 
     /* ------------------------------------------------------------- creation */
@@ -255,6 +273,14 @@ struct ovr_physics {
     bool (*proceed)(ovr_simulation *sim, void *own, const ovr_full *how,
                     ovr_outcome *outcome);
 
+    /* True if the steady start has used up the cycles that it may take. */
+    bool (*exhausted)(const ovr_simulation *sim, const void *own);
+
+    /* Fails with the reason why a steady start did not converge, if that lies
+     * in this physics. */
+    ovr_status (*explain)(const ovr_simulation *sim, const void *own,
+                          const ovr_outcome *outcome, ovr_error *err);
+
     /* Does what is done last. */
     void (*finish)(ovr_simulation *sim, void *own, const ovr_full *how,
                    ovr_outcome *outcome);
@@ -306,6 +332,11 @@ struct ovr_physics {
     /* The step of dT is taken, and not yet the past. */
     void (*taken)(ovr_simulation *sim, void *own, double dT);
 
+    /* A remedy for a step that did not converge, by the film of the nominal
+     * contact: text that follows the reason. */
+    void (*advise)(const ovr_simulation *sim, double H, size_t size,
+                   char *text);
+
     /* True if nothing is left that a run would be for. */
     bool (*over)(const ovr_simulation *sim, const void *own);
 
@@ -348,6 +379,15 @@ struct ovr_physics {
      * from those of its pressure and film. */
     void (*oil)(const ovr_simulation *sim, const void *own, size_t i,
                 double *eps, double *rho);
+
+    /* Viscosity or density at the nodes, of the pressure, becomes that of the
+     * temperature; either may be NULL. */
+    void (*warm)(const ovr_simulation *sim, const void *own, double *viscosity,
+                 double *density);
+
+    /* Values of a field at the nodes, in `workspace`; NULL: has none. */
+    const double *(*field)(const ovr_simulation *sim, const void *own,
+                           ovr_physics_field which, double *workspace);
 
     /* Mean mass flow of the film, in its own way. */
     double (*mean_flow)(const ovr_simulation *sim, const void *own);
@@ -400,9 +440,6 @@ struct ovr_physics {
     void (*recalled)(ovr_observation *o, const ovr_observation *saved);
 };
 
-extern const struct ovr_companion ovr_heat_companion, ovr_supply_companion,
-    ovr_coating_companion, ovr_wear_companion;
-
 /* The quantities of a physics, in its record. */
 #define OVR_QUANTITIES(rows)                                                   \
     .quantity = (rows), .quantities = sizeof(rows) / sizeof *(rows)
@@ -410,9 +447,6 @@ extern const struct ovr_companion ovr_heat_companion, ovr_supply_companion,
 /* All there are, NULL behind the last.  Its own object in the library, so that
  * a program may be linked with a list of its own. */
 extern const ovr_physics *const ovr_physics_list[];
-
-/* The form of the first begins as an ovr_heat. */
-extern const ovr_physics ovr_physics_heat, ovr_physics_stress;
 
 /* NOLINTBEGIN(bugprone-macro-parentheses): names of variables and members */
 

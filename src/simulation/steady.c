@@ -8,7 +8,6 @@
 
 #include "base/given.h"
 #include "contact/contact.h"
-#include "simulation/heat.h"
 #include "simulation/mirror.h"
 #include "simulation/physics.h"
 #include "simulation/simulation.h"
@@ -203,6 +202,14 @@ static bool has_features(ovr_simulation *sim)
     return false;
 }
 
+static bool is_exhausted(const ovr_simulation *sim)
+{
+    bool exhausted = false;
+    OVR_EACH_PHYSICS(sim, p, exhausted)
+        exhausted |= p->is->exhausted(sim, p->own);
+    return exhausted;
+}
+
 /* Tries one after the other; returns the tolerance of the last. */
 static double search(ovr_simulation *sim, ovr_outcome *outcome)
 {
@@ -210,7 +217,7 @@ static double search(ovr_simulation *sim, ovr_outcome *outcome)
     double tolerance = 0;
     sim->settling = 0;
     for (int k = 0, tried = 0; k < STRATEGIES && !outcome->converged; k++) {
-        if (ovr_hierarchy_stops(&sim->grids) || ovr_heat_exhausted(sim))
+        if (ovr_hierarchy_stops(&sim->grids) || is_exhausted(sim))
             break;
         if ((strategies[k].flow_law && !thins(sim)) ||
             (strategies[k].grown && rough != (k == GROWTH)) ||

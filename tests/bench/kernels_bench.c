@@ -15,7 +15,7 @@
 #include "bench.h"
 #include "multigrid/coarsest.h"
 #include "multigrid/departures.h"
-#include "simulation/heat_in_time.h"
+#include "physics/heat/in_time.h"
 #include "support/hot.h"
 #include "support/test.h"
 

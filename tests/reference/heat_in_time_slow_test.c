@@ -11,7 +11,7 @@
 #include "contact/contact.h"
 #include "contact/heat_numbers.h"
 #include "overroll/overroll.h"
-#include "simulation/heat_in_time.h"
+#include "physics/heat/in_time.h"
 #include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/copied.h"

@@ -3,7 +3,7 @@
  * end of its own. */
 #include <math.h>
 
-#include "simulation/heat.h"
+#include "physics/heat/heated.h"
 #include "support/contact.h"
 #include "support/hot.h"
 #include "support/test.h"

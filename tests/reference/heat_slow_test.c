@@ -6,7 +6,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "simulation/heat.h"
+#include "physics/heat/heated.h"
 #include "support/contact.h"
 #include "support/hot.h"
 #include "support/test.h"

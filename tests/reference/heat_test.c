@@ -7,7 +7,7 @@
 
 #include "contact/contact.h"
 #include "contact/heat_numbers.h"
-#include "simulation/heat.h"
+#include "physics/heat/heated.h"
 #include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/hot.h"

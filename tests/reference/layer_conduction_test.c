@@ -14,7 +14,7 @@
 #include <stdlib.h>
 
 #include "contact/layers.h"
-#include "simulation/solids.h"
+#include "physics/heat/solids.h"
 #include "support/test.h"
 
 enum { CELLS = 1200, FINE = 150, SUBSTEPS = 10 };

@@ -13,9 +13,9 @@
 #include "contact/layers.h"
 #include "multigrid/images.h"
 #include "overroll/case.h"
+#include "physics/heat/solids.h"
 #include "reference/layers_truth.h"
 #include "simulation/internal.h"
-#include "simulation/solids.h"
 
 enum { CASES = sizeof truth_cases / sizeof *truth_cases };
 static const double pi = 3.14159265358979323846;

@@ -11,8 +11,8 @@
 #include "support/test.h"
 
 #include "overroll/overroll.h"
+#include "physics/mixed/wear.h"
 #include "simulation/simulation.h"
-#include "simulation/wear.h"
 
 /* Two rough flanks at lambda 1, short of places so that laws cost little. */
 static const char *const flanks[] = {

@@ -31,7 +31,7 @@ done
 # An equation: an indented line of the opening comment with " = ".
 for path in src/contact/*.[ch] src/contact/laws/*.h src/surface/*.[ch] \
     src/multigrid/*.[ch] src/strip/*.[ch] src/simulation/*.[ch] \
-    src/stress/*.[ch]; do
+    src/stress/*.[ch] src/physics/*/*.[ch]; do
     file=${path#src/}
     awk 'FNR > 1 && /\*\// { exit }
          /^ \*     *.* = / { found = 1; exit }

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "multigrid/departures.h"
-#include "simulation/solids.h"
+#include "physics/heat/solids.h"
 #include "support/test.h"
 
 enum { N = 641 };

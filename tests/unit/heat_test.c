@@ -8,7 +8,7 @@
 
 #include "contact/heat_numbers.h"
 #include "multigrid/cross_film.h"
-#include "simulation/solids.h"
+#include "physics/heat/solids.h"
 #include "support/test.h"
 
 /* ----------------------------------------------------------------- solids */

@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "multigrid/modes.h"
-#include "simulation/solids.h"
+#include "physics/heat/solids.h"
 #include "support/kernels.h"
 #include "support/test.h"
 

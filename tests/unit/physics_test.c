@@ -23,7 +23,8 @@
 #include "simulation/simulation.h"
 
 extern const ovr_physics test_layer, ovr_physics_reversal, ovr_physics_fourth,
-    ovr_physics_conserving, ovr_physics_patches;
+    ovr_physics_heat, ovr_physics_stress, ovr_physics_conserving,
+    ovr_physics_patches;
 
 const ovr_physics *const ovr_physics_list[] = {&ovr_physics_reversal,
                                                &ovr_physics_fourth,

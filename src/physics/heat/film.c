@@ -1,0 +1,221 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The film as columns (heat_film.h). */
+#include "physics/heat/film.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/larger.h"
+#include "multigrid/expansion.h"
+#include "physics/heat/heated.h"
+#include "physics/heat/skew.h"
+#include "simulation/physics.h"
+
+ovr_status ovr_heat_film_take(ovr_simulation *sim, ovr_error *err)
+{
+    ovr_heated *h = sim->heated;
+    ovr_columns *c = &h->film;
+    if (OVR_TAKE_NODES(sim, err, &h->log_eta, &h->oil, &h->content, &h->apart,
+                       &c->fall))
+        return OVR_NO_MEMORY;
+    for (int j = 0; j < h->cross_film.n; j++)
+        if (OVR_TAKE_NODES(sim, err, &c->u[j], &c->heating[j],
+                           &h->departure[j]))
+            return OVR_NO_MEMORY;
+    return OVR_OK;
+}
+
+/* The flow from a wet node to the dry one downstream of it, over the speed: the
+ * wet node's own content would jump by O(D) with the node that is the last, and
+ * outer iterations of film and heat go round for ever between two of them. */
+static double let_through(const ovr_simulation *sim, size_t wet)
+{
+    const double minimum = 0.5, maximum = 1.5;
+    const ovr_heated *h = sim->heated;
+    double q = sim->now.q[wet], Cu = h->u1 - h->V / 2, flow;
+    if (wet == 0 || wet + 1 == sim->now.n || !(fabs(Cu) > OVR_MIN_START))
+        return q;
+    flow = ovr_flux(sim, Cu, sim->backward ? wet - 1 : wet) / Cu;
+    return ovr_larger(minimum * q, ovr_smaller(flow, maximum * q));
+}
+
+/* Thickness and content of what is there. */
+static void fill_oil(ovr_simulation *sim)
+{
+    const ovr_solution *now = &sim->now;
+    ovr_heated *h = sim->heated;
+    bool conserves = ovr_conserves(sim);
+    size_t last = now->n - 1;
+    double left = now->q[sim->backward ? last : 0];
+    for (size_t k = 0; k <= last; k++) {
+        size_t i = sim->backward ? last - k : k;
+        size_t before = sim->backward ? i + 1 : i - 1;
+        h->oil[i] = now->H[i];
+        h->content[i] = now->q[i];
+        if (now->P[i] > 0)
+            continue;
+        if (k > 0 && now->P[before] > 0)
+            left = let_through(sim, before);
+        if (conserves) /* of density 1 */
+            h->content[i] = h->oil[i] = ovr_larger(1e-6, now->q[i]);
+        else if (left < now->q[i]) {
+            h->oil[i] *= ovr_larger(1e-6, left) / now->q[i];
+            h->content[i] = ovr_larger(1e-6, left);
+        }
+    }
+}
+
+/* All but what comes out. */
+static void begin(ovr_simulation *sim)
+{
+    const ovr_solution *now = &sim->now;
+    const ovr_lubricant *oil = &sim->lubricant;
+    ovr_heated *h = sim->heated;
+    ovr_columns *c = &h->film;
+    c->cross_film = &h->cross_film;
+    c->heat = &h->numbers;
+    c->n = now->n;
+    c->lambda = sim->contact.lambda;
+    c->V = h->V;
+    c->u1 = h->u1;
+    c->Sigma0 = h->Sigma0;
+    c->limit = h->limit;
+    c->always_falls = h->always_falls;
+    c->law = oil->rheology > OVR_EYRING ? oil->flow_law : NULL;
+    c->X = now->X;
+    c->P = now->P;
+    c->H = h->oil;
+    c->q = h->content;
+    c->log_eta = h->log_eta;
+    c->t = h->t;
+    c->th = NULL;
+    for (int j = 0; j < h->cross_film.n; j++)
+        c->used[j] = h->used[j];
+    sim->grids.kernels->log_viscosity(now->n, &sim->grids.fluid, now->P, now->H,
+                                      h->log_eta);
+}
+
+/* Returns the factor of the film's heating where the film drags on a share of
+ * the surfaces.  The power -V t is reduced, the power of Poiseuille flow is
+ * not.
+ */
+static double share_left(const ovr_heated *h, size_t i)
+{
+    double made = 0, slides = -h->V * h->film.t[i];
+    for (int j = 0; j < h->cross_film.n; j++)
+        made += h->cross_film.w[j] * h->film.heating[j][i];
+    if (!(made > 0))
+        return 1;
+    return ovr_larger(0, 1 - (1 - h->apart[i]) * ovr_smaller(slides / made, 1));
+}
+
+/* Adds the power that other physics make in the film, evenly across it, and
+ * reduces the film's own. */
+static void add_power(ovr_simulation *sim)
+{
+    OVR_LAST_PHYSICS(sim, any, heat);
+    const ovr_heated *h = sim->heated;
+    double *power = sim->scratch[0];
+    if (!any->is)
+        return;
+    for (size_t i = 0; i < sim->now.n; i++) {
+        power[i] = 0;
+        h->apart[i] = 1;
+    }
+    OVR_EACH_PHYSICS(sim, p, heat)
+        p->is->heat(sim, p->own, h->apart, power);
+    for (size_t i = 0; i < sim->now.n; i++) {
+        double share = h->apart[i] < 1 ? share_left(h, i) : 1;
+        for (int j = 0; j < h->cross_film.n; j++)
+            h->film.heating[j][i] = share * h->film.heating[j][i] + power[i];
+    }
+}
+
+bool ovr_heat_counts(const ovr_simulation *sim, size_t i)
+{
+    const ovr_columns *c = &sim->heated->film;
+    return c->P[i] > 0 || c->heating[0][i] != 0;
+}
+
+/* Weights flow and heating of the last wet node by the share of its mesh
+ * downstream that contains oil (heat_skew.h). */
+static void cover_end(const ovr_simulation *sim)
+{
+    const ovr_heated *h = sim->heated;
+    ptrdiff_t last;
+    double share = ovr_heat_film_end(sim, &last);
+    if (share < 0)
+        return;
+    for (int j = 0; j < h->cross_film.n; j++) {
+        double dry = h->u1 - h->V * (1 + h->cross_film.s[j]) / 2;
+        double *u = h->film.u[j] + last;
+        *u = dry + share * (*u - dry);
+        h->film.heating[j][last] *= share;
+    }
+}
+
+void ovr_heat_film(ovr_simulation *sim)
+{
+    begin(sim);
+    fill_oil(sim);
+    sim->grids.kernels->flow_cross_film(&sim->heated->film);
+    if (ovr_heat_opposed(sim) && !ovr_conserves(sim))
+        cover_end(sim);
+    add_power(sim);
+}
+
+void ovr_heat_film_fields(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    ovr_columns *c = &h->film;
+    begin(sim);
+    c->q = sim->now.q; /* the gap's: wedges are of that */
+    c->th = h->th;
+    c->shift = h->shift;
+    c->drag = h->drag;
+    c->swell = h->swell;
+    c->skewed = h->skewed;
+    sim->grids.kernels->flow_cross_film(c);
+}
+
+ovr_heat_power ovr_heat_made(const ovr_simulation *sim)
+{
+    const ovr_heated *h = sim->heated;
+    const ovr_columns *c = &h->film;
+    const double *X = c->X, *P = c->P;
+    ovr_heat_power sum = {0};
+    for (size_t i = 1; i + 1 < c->n; i++) {
+        double P_X = (P[i + 1] - P[i - 1]) / (X[i + 1] - X[i - 1]);
+        double P_T = c->P_T ? c->P_T[i] : 0, sheared = 0, pressed = 0;
+        double bT_f = expansion_at(&h->numbers, P[i]), w = sim->now.weights[i];
+        for (int j = 0; ovr_heat_counts(sim, i) && j < h->cross_film.n; j++) {
+            double beta = bT_f *
+                          expansion_lightness(&h->numbers, bT_f, h->used[j][i]);
+            sheared += h->cross_film.w[j] * c->heating[j][i];
+            if (P[i] > 0)
+                pressed += h->cross_film.w[j] * beta * c->H[i] *
+                           (h->numbers.T0 + h->T[j][i]) *
+                           (P_T + c->u[j][i] * P_X);
+        }
+        sum.sheared += w * sheared;
+        sum.pressed += w * pressed;
+        sum.size += w * fabs(sheared + pressed);
+    }
+    return sum;
+}
+
+double ovr_heat_stored(const ovr_simulation *sim)
+{
+    const ovr_heated *h = sim->heated;
+    const ovr_columns *c = &h->film;
+    double stored = 0;
+    for (size_t i = 1; i + 1 < c->n; i++) {
+        double part = 0;
+        for (int j = 0; ovr_heat_counts(sim, i) && j < h->cross_film.n; j++)
+            part += h->cross_film.w[j] *
+                    (h->T[j][i] - ovr_column_departure(c, j, i)) /
+                    ovr_column_travel(c, j, i);
+        stored += sim->now.weights[i] * c->q[i] * part;
+    }
+    return stored / h->numbers.theta;
+}

@@ -1,0 +1,682 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Heat in a steady contact (equations in heat.h). */
+#include "physics/heat/heat.h"
+#include "base/given.h"
+#include "base/larger.h"
+#include "physics/heat/in_time.h"
+#include "physics/heat/outer.h"
+#include "physics/heat/skew.h"
+#include "simulation/conflicts.h"
+#include "simulation/mirror.h"
+#include "simulation/physics.h"
+#include "simulation/quantity_row.h"
+#include "simulation/steady.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "contact/contact.h"
+#include "contact/heat_numbers.h"
+#include "multigrid/content.h"
+#include "multigrid/field.h"
+#include "multigrid/flow.h"
+#include "simulation/simulation.h"
+
+enum { CROSS_FILM_MIN = 5 };
+
+/* --------------------------------------------------------------- creation */
+
+static ovr_status check(const ovr_simulation *sim, ovr_error *err)
+{
+    return ovr_conflict_check(ovr_model_features_of(&sim->options) |
+                                  ovr_model_feature_bit(OVR_MODEL_HEAT, true),
+                              err);
+}
+
+static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
+                              ovr_error *err)
+{
+    if (OVR_TAKE_NODES(sim, err, &h->q[0], &h->q[1], &h->mean, &h->t, &h->drag,
+                       &h->th, &h->shift, &h->swell, &h->start_P, &h->start_q))
+        return OVR_NO_MEMORY;
+    for (int j = 0; j < h->cross_film.n; j++)
+        if (OVR_TAKE_NODES(sim, err, &h->T[j], &h->used[j]))
+            return OVR_NO_MEMORY;
+    for (int l = sim->grids.coarsest; l <= sim->grids.finest; l++) {
+        ovr_level *level = &sim->grids.level[l];
+        size_t capacity = level->grid.n + OVR_MAX_LANES;
+        level->f.th = ovr_field(&sim->arena, capacity, err);
+        level->f.shift = ovr_field(&sim->arena, capacity, err);
+        level->f.drag = ovr_field(&sim->arena, capacity, err);
+        if (!level->f.th || !level->f.shift || !level->f.drag)
+            return OVR_NO_MEMORY;
+        if (h->numbers.density_expands) {
+            level->f.swell = ovr_field(&sim->arena, capacity, err);
+            if (!level->f.swell)
+                return OVR_NO_MEMORY;
+        }
+    }
+    return OVR_OK;
+}
+
+static ovr_status take_heat(ovr_simulation *sim, const void *form, void **own,
+                            ovr_error *err)
+{
+    const ovr_heat *heat = form;
+    const ovr_lubricant *oil = &sim->lubricant;
+    ovr_heated *h;
+    ovr_heat numbers;
+    if (OVR_TAKE(ovr_heat, &numbers, heat, err) || check(sim, err))
+        return OVR_BAD_INPUT;
+    h = ovr_arena_take(&sim->arena, 1, sizeof *h, err);
+    if (!h)
+        return OVR_NO_MEMORY;
+    h->numbers = numbers;
+    h->Sigma0 = oil->rheology == OVR_NEWTONIAN ? INFINITY : oil->Sigma0;
+    h->limit = oil->limiting_shear > 0
+                   ? oil->limiting_shear / sim->contact.kappa
+                   : INFINITY;
+    h->chooses = numbers.points == 0;
+    ovr_cross_film_make(h->chooses ? OVR_CROSS_FILM_MAX : numbers.points,
+                        &h->cross_film);
+    if (take_arrays(sim, h, err))
+        return OVR_NO_MEMORY;
+    *own = sim->heated = h;
+    sim->features |= ovr_model_feature_bit(OVR_MODEL_HEAT, true);
+    if (ovr_heat_skew_take(sim, err) || ovr_heat_film_take(sim, err) ||
+        ovr_heat_outer_take(sim, err) || ovr_heat_steps_take(sim, err))
+        return OVR_NO_MEMORY;
+    if (h->chooses)
+        ovr_cross_film_make(CROSS_FILM_MIN, &h->cross_film);
+    return OVR_OK;
+}
+
+/* --------------------------------------------------------- to the film */
+
+static void before_start(ovr_simulation *sim, void *own)
+{
+    ovr_heated *h = own;
+    (void)sim;
+    h->cycles = 0;
+    h->change = 0;
+}
+
+/* Isothermal again. */
+static void forget(ovr_simulation *sim, void *own)
+{
+    ovr_heated *h = own;
+    if (h->chooses)
+        ovr_cross_film_make(CROSS_FILM_MIN, &h->cross_film);
+    ovr_heat_march_begin(sim);
+    ovr_heat_march_columns(sim);
+    h->steps->trying = false;
+    h->steps->dT = 0;
+    h->skew_share = 1;
+    ovr_heat_skew_forget(sim);
+    for (int k = 0; k < 2; k++)
+        ovr_heat_surface_reset(sim, k);
+    for (size_t i = 0; i < sim->now.n; i++) {
+        h->th[i] = 1;
+        h->shift[i] = 0;
+        h->drag[i] = h->swell[i] = 1;
+        for (int j = 0; j < h->cross_film.n; j++)
+            h->T[j][i] = h->used[j][i] = 0;
+        h->q[0][i] = h->q[1][i] = 0;
+    }
+    ovr_heat_give(sim);
+}
+
+/* ------------------------------------------------------------- observed */
+
+/* The isothermal film's stress with the viscosities of this one, as Reynolds'
+ * equation has them, and what their profile does beyond (cross_film.h). */
+static void stress(ovr_simulation *sim, void *own, const ovr_sheared *film,
+                   const ovr_fluid *fluid, double *t)
+{
+    ovr_heated *h = own;
+    ovr_sheared dragged = *film;
+    double *q = sim->scratch[0], *even = sim->scratch[1];
+    for (size_t i = 0; i < sim->now.n; i++)
+        q[i] = h->drag[i] * film->q[i];
+    dragged.q = q;
+    sim->grids.kernels->mean_stress(&dragged, fluid, t);
+    h->film.even = even;
+    ovr_heat_film(sim);
+    h->film.even = NULL;
+    h->film.P_T = h->steps->dT > 0 ? h->steps->P_T : NULL;
+    h->made = ovr_heat_made(sim);
+    for (size_t i = 0; i + 1 < sim->now.n; i++)
+        t[i] += (h->t[i] - even[i] + h->t[i + 1] - even[i + 1]) / 2;
+}
+
+/* Finds the largest value and where it is. */
+static void largest(const ovr_simulation *sim, const double *T, double *value,
+                    double *X)
+{
+    for (size_t i = 0; i < sim->now.n; i++)
+        if (i == 0 || T[i] > *value) {
+            *value = T[i];
+            *X = sim->now.X[i];
+        }
+}
+
+static void observe_temperatures(const ovr_simulation *sim, ovr_observation *o)
+{
+    const ovr_heated *h = sim->heated;
+    double T0 = h->numbers.T0;
+    for (int j = 0; j < h->cross_film.n; j++) {
+        double T = NAN, X = NAN;
+        largest(sim, h->T[j], &T, &X);
+        if (!(T <= o->T_max_rise)) {
+            o->T_max_rise = T;
+            o->X_T_film_max = X;
+        }
+    }
+    largest(sim, h->T[0], &o->T_1_max_rise, &o->X_T_1_max);
+    largest(sim, h->T[h->cross_film.n - 1], &o->T_2_max_rise, &o->X_T_2_max);
+    o->T_film_max = T0 + o->T_max_rise;
+    o->T_1_max = T0 + o->T_1_max_rise;
+    o->T_2_max = T0 + o->T_2_max_rise;
+}
+
+/* x of heat.h. */
+static double last_cross_film(const ovr_simulation *sim, double rise)
+{
+    const ovr_heated *h = sim->heated;
+    double maximum = 0;
+    for (size_t i = 0; i < sim->now.n; i++) {
+        double a = 0;
+        for (int j = 0; j < h->cross_film.n; j++)
+            a += h->cross_film.last[j] * h->T[j][i];
+        maximum = ovr_larger(maximum, fabs(a));
+    }
+    return rise > 0 ? maximum / rise : 0;
+}
+
+/* True if temperatures across the film ask for more points than 5: by x of
+ * heat.h, and the largest rise. */
+static bool is_uneven(double x, double rise)
+{
+    const double much = 0.05, hot = 20; /* K */
+    return x > much && rise > hot;
+}
+
+/* The largest x of a film that is hot enough for it to matter. */
+static void observe_points(ovr_simulation *sim, const ovr_observation *o)
+{
+    ovr_statistics *s = &sim->statistics;
+    double x = last_cross_film(sim, o->T_max_rise);
+    if (is_uneven(x, o->T_max_rise))
+        s->last_cross_film = ovr_larger(s->last_cross_film, x);
+}
+
+int ovr_simulation_heat_points(const ovr_simulation *sim)
+{
+    if (!sim)
+        return 0;
+    return sim->heated ? sim->heated->cross_film.n : 0;
+}
+
+static double flow_into(const ovr_simulation *sim, int k)
+{
+    const ovr_heated *h = sim->heated;
+    double sum = 0;
+    for (size_t i = 1; i < sim->now.n; i++)
+        if (ovr_heat_counts(sim, i))
+            sum += sim->now.weights[i] * h->q[k][i];
+    return sum * h->numbers.conduction / h->numbers.theta;
+}
+
+static void unknown(ovr_observation *o)
+{
+    o->T_film_max = o->X_T_film_max = o->T_max_rise = NAN;
+    o->T_1_max = o->X_T_1_max = o->T_1_max_rise = NAN;
+    o->T_2_max = o->X_T_2_max = o->T_2_max_rise = NAN;
+    o->heat_flow_1 = o->heat_flow_2 = o->energy_defect = NAN;
+}
+
+/* Returns the power that becomes heat, by forces, speeds and flow alone: in a
+ * steady film -V F_slide + 2 Cu F_roll - M int dP/rho.  In a step, where oil
+ * and solids store energy, the power dissipated.  Both without the part beyond
+ * the inlet, which heats no film in the domain. */
+static double power_of_forces(const ovr_simulation *sim,
+                              const ovr_observation *o)
+{
+    const ovr_solution *now = &sim->now;
+    double worked = 0;
+    if (sim->heated->steps->dT > 0)
+        return o->power_dissipated - sim->inlet_share.power;
+    for (size_t i = 0; i + 1 < now->n; i++)
+        if (now->P[i] > 0 || now->P[i + 1] > 0)
+            worked += (now->P[i + 1] - now->P[i]) *
+                      (now->H[i] + now->H[i + 1]) / (now->q[i] + now->q[i + 1]);
+    return 2 * o->speed_ratio * o->F_roll - o->sliding * o->F_slide -
+           sim->inlet_share.power - o->mass_flow * worked;
+}
+
+/* Largest rises, flows into the surfaces, defect of the balance. */
+static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
+{
+    ovr_heated *h = own;
+    double stored, taken;
+    o->energy_defect = 0;
+    observe_temperatures(sim, o);
+    observe_points(sim, o);
+    o->heat_flow_1 = flow_into(sim, 0);
+    o->heat_flow_2 = flow_into(sim, 1);
+    stored = h->steps->dT > 0 ? h->steps->stored : ovr_heat_stored(sim);
+    h->balanced = ovr_larger(h->made.size,
+                             fabs(o->heat_flow_1) + fabs(o->heat_flow_2));
+    taken = stored + o->heat_flow_1 + o->heat_flow_2 - h->made.pressed;
+    h->left = h->made.sheared - taken;
+    if (h->balanced > 0)
+        o->energy_defect = (power_of_forces(sim, o) - taken) / h->balanced;
+}
+
+/* q D at the half node i + 1/2, as F has it or between the nodes. */
+static double skewed(const ovr_simulation *sim, const void *own, size_t i,
+                     bool mean)
+{
+    const double *v = ((const ovr_heated *)own)->skewed;
+    if (mean)
+        return (v[i] + v[i + 1]) / 2;
+    if (i == 0 && !sim->backward)
+        return v[0];
+    return ovr_upstream(sim, v, i);
+}
+
+/* Temperatures thin the oil at a node by this, and make its density less where
+ * it expands. */
+static void thin(const ovr_simulation *sim, const void *own, size_t i,
+                 double *eps, double *rho)
+{
+    const ovr_heated *h = own;
+    const ovr_solution *now = &sim->now;
+    *eps *= now->eps[i] / ovr_flow(&sim->grids.fluid, now->P[i], now->H[i]);
+    if (h->numbers.density_expands)
+        *rho *= h->swell[i];
+}
+
+/* Rises of a field; NULL: it is none of temperatures. */
+static const double *rises(const ovr_heated *h, ovr_physics_field which)
+{
+    switch (which) {
+    case OVR_FIELD_TEMPERATURE_1: return h->T[0];
+    case OVR_FIELD_TEMPERATURE_2: return h->T[h->cross_film.n - 1];
+    case OVR_FIELD_TEMPERATURE_MIDDLE: return h->T[h->cross_film.n / 2];
+    case OVR_FIELD_TEMPERATURE_MEAN: return h->mean;
+    default: return NULL;
+    }
+}
+
+static const double *field(const ovr_simulation *sim, const void *own,
+                           ovr_physics_field which, double *workspace)
+{
+    const ovr_heated *h = own;
+    const double *T = rises(h, which);
+    const double *q = h->q[which == OVR_FIELD_HEAT_FLUX_1 ? 0 : 1];
+    for (size_t i = 0; i < sim->now.n; i++)
+        workspace[i] = T ? h->numbers.T0 + T[i]
+                         : q[i] * h->numbers.conduction / h->numbers.theta;
+    return workspace;
+}
+
+static void warm(const ovr_simulation *sim, const void *own, double *viscosity,
+                 double *density)
+{
+    const ovr_heated *h = own;
+    for (size_t i = 0; viscosity && i < sim->now.n; i++)
+        viscosity[i] = exp(
+            ovr_heat_log_viscosity(&h->numbers, log(viscosity[i]), h->mean[i]));
+    for (size_t i = 0; density && i < sim->now.n; i++)
+        density[i] *= h->swell[i];
+}
+
+/* ----------------------------------------------------------------- physics */
+
+static void tell(const ovr_physics_case *of, const void *form,
+                 ovr_physics_line *line, void *data)
+{
+    const ovr_heat *heat = form;
+    char text[120], points[20] = "5 or 7";
+    (void)of;
+    if (heat->points)
+        snprintf(points, sizeof points, "%d", heat->points);
+    snprintf(text, sizeof text, "Theta = %.5g K, Kf = %.5g; %s points across",
+             heat->theta, heat->conduction, points);
+    line(data, "heat", text);
+    snprintf(text, sizeof text, "Peclet %.4g and %.4g", heat->peclet[0],
+             heat->peclet[1]);
+    line(data, "surfaces", text);
+    snprintf(text, sizeof text, "S0 = %.4g, beta = %.4g 1/K at p = 0", heat->S0,
+             heat->beta);
+    line(data, "viscosity and temperature", text);
+}
+
+/* ------------------------------------------------ Film and heat in turn */
+
+static void keep_start(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    memcpy(h->start_P, sim->now.P, sim->now.n * sizeof *h->start_P);
+    memcpy(h->start_q, sim->now.q, sim->now.n * sizeof *h->start_q);
+    h->start_H0 = sim->grids.H0;
+}
+
+static void renew(ovr_simulation *sim)
+{
+    OVR_EACH_PHYSICS(sim, p, renew)
+        p->is->renew(sim, p->own);
+}
+
+/* Restores the isothermal film that the iterations began with. */
+static void return_to_start(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    const ovr_cross_film points = h->cross_film;
+    ovr_level *level = sim->finest;
+    ovr_nodes_write(sim, level, h->start_P, level->f.P);
+    sim->grids.H0 = h->start_H0;
+    if (ovr_conserves(sim)) {
+        ovr_nodes_write(sim, level, h->start_q, level->f.q);
+        ovr_content_wet(level, h->start_P);
+        ovr_content_mark(level, level->f.wet, 0, !level->closed);
+    }
+    forget(sim, h);
+    h->cross_film = points;
+    /* Corrections of the gap follow from P, those of the flow from the film
+     * with the corrected gap. */
+    for (int pass = 0; pass < 2; pass++) {
+        ovr_level_refresh(&sim->grids, level);
+        ovr_simulation_read(sim);
+        renew(sim);
+    }
+    ovr_level_refresh(&sim->grids, level);
+    ovr_simulation_read(sim);
+}
+
+/* Returns true if the cycles ended near a film. */
+static bool is_film(const ovr_outcome *outcome)
+{
+    const double imbalance = 1e-3, load = 1e-2;
+    const ovr_defect *d = &outcome->defect;
+    return d->imbalance >= 0 && d->imbalance < imbalance && d->load < load &&
+           d->centre > 0;
+}
+
+/* Adds a quarter of the skewed flow once temperatures have calmed.  Returns
+ * true if a quarter was added. */
+static bool add_skew(ovr_heated *h, double change)
+{
+    const double calm = 0.1, part = 0.25;
+    if (h->skew_share >= 1 || !(change < calm))
+        return false;
+    h->skew_share += part;
+    ovr_heat_outer_forget(h->outer);
+    return true;
+}
+
+/*
+ * Random contacts with slide-to-roll ratios of 2 to 6 need 230 cycles in the
+ * mean and 3300 at most.  A failure costs less than 20 times the mean, and less
+ * than a minute on grids of up to 1e5 nodes.  Features need more cycles.
+ */
+static bool exhausted(const ovr_simulation *sim, const void *own)
+{
+    enum { SMOOTH = 4000, WITH_FEATURES = 12000 };
+    const ovr_heated *h = own;
+    return h->cycles >= (sim->heights ? WITH_FEATURES : SMOOTH);
+}
+
+/* A start that found the isothermal film, but no temperatures. */
+static ovr_status explain(const ovr_simulation *sim, const void *own,
+                          const ovr_outcome *outcome, ovr_error *err)
+{
+    const ovr_heated *h = own;
+    (void)sim;
+    if (!h->cycles)
+        return OVR_OK;
+    return ovr_fail(
+        err, OVR_NOT_CONVERGED,
+        "the steady film was found without heat, but not with it: after %d "
+        "cycles in %d ways temperatures still change by %.1e of the largest "
+        "rise (target %.0e), relative mass-flow imbalance %.1e; less sliding, "
+        "a "
+        "finer level or an oil with a limiting shear stress may help",
+        outcome->cycles, outcome->retries + 1, h->change, OVR_HEAT_CHANGE,
+        outcome->defect.imbalance);
+}
+
+/* Returns true if corrections of fourth order are computed again.  Frozen
+ * before the temperatures settle, they make the result depend on the path.
+ * Later they could alternate with the iterations. */
+static bool are_renewed(int iteration, double change)
+{
+    enum { ALWAYS = 30 };
+    const double settled = 1e-3;
+    return iteration < ALWAYS || change > settled;
+}
+
+/* Solves for temperatures and film in turn until neither changes.  `slowly`:
+ * the skewed flow is added by quarters, and gamma is not zero where the stress
+ * is limited. */
+static void iterate(ovr_simulation *sim, const ovr_full *how, bool slowly,
+                    ovr_outcome *outcome)
+{
+    enum { ITERATIONS = 200, MAX_LOST = 8 };
+    const double enough = OVR_HEAT_CHANGE, far = 0.1;
+    ovr_heated *h = sim->heated;
+    double change = INFINITY;
+    int lost = 0; /* solves in a row without a film */
+    ovr_heat_outer_begin(sim);
+    h->skew_share = slowly ? 0 : 1;
+    h->always_falls = slowly && isfinite(h->Sigma0);
+    for (int k = 0; k < ITERATIONS && !(change < enough); k++) {
+        int before = outcome->cycles;
+        ovr_heat_march(sim);
+        change = ovr_heat_iterate(sim);
+        if (add_skew(h, change))
+            change = 1;
+        if (are_renewed(k, change))
+            renew(sim);
+        ovr_heat_apply(sim);
+        outcome->defect = ovr_steady_cycles(sim, how, &outcome->cycles);
+        ovr_simulation_read(sim);
+        h->cycles += outcome->cycles - before;
+        lost = is_film(outcome) ? 0 : lost + 1;
+        if (lost == MAX_LOST || !(outcome->defect.imbalance < 1e6) ||
+            exhausted(sim, sim->heated) || ovr_hierarchy_stops(&sim->grids))
+            break;
+    }
+    h->change = change;
+    ovr_heat_skew_follow(sim);
+    h->strayed = !is_film(outcome) || change > far;
+    h->always_falls = false;
+    if (!(change < enough) || h->skew_share < 1)
+        outcome->defect.imbalance = ovr_larger(outcome->defect.imbalance,
+                                               change);
+}
+
+/* Iterates again, from the isothermal film if the iterations left it far. */
+static void iterate_again(ovr_simulation *sim, const ovr_full *how,
+                          ovr_outcome *outcome)
+{
+    bool strayed = sim->heated->strayed;
+    if (strayed)
+        return_to_start(sim);
+    iterate(sim, how, strayed, outcome);
+}
+
+static bool is_over(ovr_simulation *sim, const ovr_outcome *outcome)
+{
+    return ovr_steady_found(sim, outcome) || exhausted(sim, sim->heated) ||
+           ovr_hierarchy_stops(&sim->grids);
+}
+
+static void outer(ovr_simulation *sim, const ovr_full *how,
+                  ovr_outcome *outcome)
+{
+    bool others = false;
+    keep_start(sim);
+    iterate(sim, how, false, outcome);
+    if (is_over(sim, outcome))
+        return;
+    if (sim->heated->strayed) {
+        iterate_again(sim, how, outcome);
+        if (is_over(sim, outcome))
+            return;
+    }
+    OVR_EACH_PHYSICS(sim, p, give_up)
+        others |= p->is->give_up(sim, p->own);
+    if (others)
+        iterate_again(sim, how, outcome);
+}
+
+/* The same temperatures at more points. */
+static void refine_cross_film(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    const ovr_cross_film few = h->cross_film;
+    ovr_cross_film_make(OVR_CROSS_FILM_MAX, &h->cross_film);
+    for (int field = 0; field < 2; field++) {
+        double **v = field ? h->used : h->T;
+        for (size_t i = 0; i < sim->now.n; i++) {
+            double at[OVR_CROSS_FILM_MAX], moved[OVR_CROSS_FILM_MAX];
+            for (int j = 0; j < few.n; j++)
+                at[j] = v[j][i];
+            ovr_cross_film_move(&few, at, &h->cross_film, moved);
+            for (int j = 0; j < h->cross_film.n; j++)
+                v[j][i] = moved[j];
+        }
+    }
+}
+
+static double largest_rise(const ovr_simulation *sim)
+{
+    const ovr_heated *h = sim->heated;
+    double rise = 0;
+    for (int j = 0; j < h->cross_film.n; j++)
+        for (size_t i = 0; i < sim->now.n; i++)
+            rise = ovr_larger(rise, h->T[j][i]);
+    return rise;
+}
+
+/* Outer iterations that go round with 5 points may end with 7. */
+static void couple(ovr_simulation *sim, void *own, const ovr_full *how,
+                   ovr_outcome *outcome)
+{
+    ovr_heated *h = own;
+    double rise;
+    outer(sim, how, outcome);
+    if (!h->chooses || h->cross_film.n > CROSS_FILM_MIN ||
+        !(outcome->defect.imbalance < 1))
+        return;
+    rise = largest_rise(sim);
+    if (!is_uneven(last_cross_film(sim, rise), rise))
+        return;
+    refine_cross_film(sim);
+    outer(sim, how, outcome);
+}
+
+#define HEAT(name, key, si, kind, member, ...)                                 \
+    OVR_NUMBER_ROW(name, key, si, kind, member, OVR_PHYSICS_HEAT, __VA_ARGS__)
+
+/* The largest rise so far, over the run. */
+#define RISE(member, at, key, was, mean, ...)                                  \
+    HEAT(NULL, NULL, NULL, TEMPERATURE, member, __VA_ARGS__, LARGEST(key),     \
+         SAVED_AS(was), PLACE(at), MEAN(mean), STEADY_TOO)
+
+static const ovr_observable quantities[] = {
+    HEAT("max_film_temperature", NULL, NULL, TEMPERATURE, T_film_max,
+         "largest temperature in the film"),
+    HEAT("x_max_film_temperature", "X_T_max", NULL, LENGTH, X_T_film_max,
+         "where the film is hottest"),
+    HEAT("max_surface_temperature_1", NULL, NULL, TEMPERATURE, T_1_max,
+         "largest temperature on surface 1"),
+    HEAT("x_max_surface_temperature_1", "X_T_1_max", NULL, LENGTH, X_T_1_max,
+         "where surface 1 is hottest"),
+    HEAT("max_surface_temperature_2", NULL, NULL, TEMPERATURE, T_2_max,
+         "largest temperature on surface 2"),
+    HEAT("x_max_surface_temperature_2", "X_T_2_max", NULL, LENGTH, X_T_2_max,
+         "where surface 2 is hottest"),
+    RISE(T_max_rise, X_T_film_max, "T_max_rise", "largest_rise",
+         "T_max_rise_mean",
+         "largest rise of temperature in the film above the supply's",
+         EXTREME_LABEL("largest rise"), MEAN_LABEL("mean of the rises")),
+    RISE(T_1_max_rise, X_T_1_max, "T_1_max_rise", "largest_rise_1",
+         "T_1_max_rise_mean", "largest rise of temperature on surface 1"),
+    RISE(T_2_max_rise, X_T_2_max, "T_2_max_rise", "largest_rise_2",
+         "T_2_max_rise_mean", "largest rise of temperature on surface 2"),
+    HEAT("heat_flow_1", "heat_flow_1", "heat_flow_1_W_per_m", POWER,
+         heat_flow_1, "heat that flows into surface 1"),
+    HEAT("heat_flow_2", "heat_flow_2", "heat_flow_2_W_per_m", POWER,
+         heat_flow_2, "heat that flows into surface 2"),
+    HEAT("energy_defect", "energy_defect", NULL, NUMBER, energy_defect,
+         "heat that neither surfaces nor oil carry away, over what is made",
+         OF_MAGNITUDE("energy_defect_max"), SAVED_AS("largest_energy_defect"),
+         STEADY_TOO)};
+
+static unsigned features(const void *form)
+{
+    (void)form;
+    return ovr_model_feature_bit(OVR_MODEL_HEAT, true);
+}
+
+/* They are fields of each snapshot (observables.h). */
+static const char *fields(const void *form)
+{
+    (void)form;
+    return "temperature_1, temperature_2, temperature_middle";
+}
+
+static const ovr_own_fields own_fields = {
+    "temperatures and fluxes",
+    "temperature_1, temperature_2, temperature_mean, temperature_middle, "
+    "heat_flux_1, heat_flux_2"};
+
+const ovr_physics ovr_physics_heat = {.name = "heat",
+                                      .node_seconds = 5e-7,
+                                      .bit = OVR_PHYSICS_HEAT,
+                                      .section = &ovr_heat_section,
+                                      .sections = 1,
+                                      .behind = "lubricant",
+                                      .form = sizeof(ovr_heat_case),
+                                      .resolve = ovr_heat_resolve,
+                                      .features = features,
+                                      .fields = fields,
+                                      .own_fields = &own_fields,
+                                      .lag = 0.05,
+                                      .tell = tell,
+                                      .companion = &ovr_heat_companion,
+                                      .take = take_heat,
+                                      .before_start = before_start,
+                                      .forget = forget,
+                                      .couple = couple,
+                                      .begin = ovr_heat_begin,
+                                      .step = ovr_heat_step,
+                                      .attempt = ovr_heat_try,
+                                      .anew = ovr_heat_anew,
+                                      .taken = ovr_heat_taken,
+                                      .step_back = ovr_heat_step_back,
+                                      .flow = skewed,
+                                      .oil = thin,
+                                      .stress = stress,
+                                      .warm = warm,
+                                      .field = field,
+                                      .exhausted = exhausted,
+                                      .explain = explain,
+                                      .unknown = unknown,
+                                      OVR_QUANTITIES(quantities),
+                                      .observe = observe,
+                                      .marks = ovr_heat_lags,
+                                      .visit = ovr_heat_visit,
+                                      .restored = ovr_heat_restored};
+
+ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
+                               ovr_error *err)
+{
+    if (!sim)
+        return ovr_fail_null(err, __func__);
+    return ovr_physics_add(sim, &ovr_physics_heat, heat, err);
+}

@@ -1,0 +1,424 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Heat in time (equations in heat_in_time.h). */
+#include "physics/heat/in_time.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/larger.h"
+#include "contact/contact.h"
+#include "multigrid/expansion.h"
+#include "physics/heat/skew.h"
+#include "simulation/mirror.h"
+
+/* Viscosities take this share of the change of temperatures in a step. */
+static const double SHARE = 0.5;
+
+/* Passes over a step's temperatures after the first, at most; those of them
+ * that a pressure which moved is enough for. */
+enum { PASSES = 6, MOVED = 2 };
+
+/* Fields kept in addition to temperatures.  Checkpoints of 0.3.0 have the first
+ * five. */
+enum { FIELDS = OVR_HEAT_KEPT - OVR_CROSS_FILM_MAX, FIRST_FIELDS = 5 };
+
+/* --------------------------------------------------------------- creation */
+
+ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err)
+{
+    ovr_heated *h = sim->heated;
+    ovr_heat_steps *s = ovr_arena_take(&sim->arena, 1, sizeof *s, err);
+    if (!s)
+        return OVR_NO_MEMORY;
+    h->steps = s;
+    if (OVR_TAKE_NODES(sim, err, &s->F, &s->P_T, &s->heated_P))
+        return OVR_NO_MEMORY;
+    sim->F_before_heat = s->F;
+    for (int j = 0; j < h->cross_film.n; j++)
+        if (OVR_TAKE_NODES(sim, err, &s->T_before[j], &s->change[j]))
+            return OVR_NO_MEMORY;
+    for (int j = 0; j < h->cross_film.n + FIELDS; j++)
+        if (OVR_TAKE_NODES(sim, err, &s->kept[j]))
+            return OVR_NO_MEMORY;
+    for (int k = 0; k < 2; k++)
+        if (OVR_TAKE_NODES(sim, err, &s->q_before[k]) ||
+            ovr_heat_surface_take(sim, k, err))
+            return OVR_NO_MEMORY;
+    return OVR_OK;
+}
+
+/* ------------------------------------------------ the last time reached */
+
+/* The memory that is `kept`, by number. */
+static double *kept_of(const ovr_heated *h, int k)
+{
+    double *const fields[] = {h->th,    h->shift, h->drag,     h->skewed,
+                              h->swell, h->skew,  h->skew_by_P};
+    return k < h->cross_film.n ? h->used[k] : fields[k - h->cross_film.n];
+}
+
+static void keep(const ovr_simulation *sim)
+{
+    const ovr_heated *h = sim->heated;
+    for (int k = 0; k < h->cross_film.n + FIELDS; k++)
+        memcpy(h->steps->kept[k], kept_of(h, k), sim->now.n * sizeof(double));
+}
+
+static void swap_trial(ovr_heated *h)
+{
+    ovr_heat_steps *s = h->steps;
+    for (int j = 0; j < h->cross_film.n; j++)
+        ovr_swap(&h->T[j], &s->T_before[j]);
+    for (int k = 0; k < 2; k++)
+        ovr_swap(&h->q[k], &s->q_before[k]);
+    s->trying = !s->trying;
+}
+
+/* Temperatures and viscosities of the last time reached. */
+static void withdraw(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    if (!h->steps->trying)
+        return;
+    swap_trial(h);
+    for (int k = 0; k < h->cross_film.n + FIELDS; k++)
+        memcpy(kept_of(h, k), h->steps->kept[k], sim->now.n * sizeof(double));
+}
+
+void ovr_heat_begin(ovr_simulation *sim, void *own)
+{
+    const ovr_heated *h = own;
+    ovr_heat_steps *s = h->steps;
+    s->trying = false;
+    s->dT = s->stored = 0;
+    s->max_balanced = h->balanced;
+    memset(s->P_T, 0, sim->now.n * sizeof *s->P_T);
+    for (int j = 0; j < h->cross_film.n; j++)
+        memset(s->change[j], 0, sim->now.n * sizeof *s->change[j]);
+    keep(sim);
+}
+
+void ovr_heat_step_back(ovr_simulation *sim, void *own)
+{
+    (void)own;
+    withdraw(sim);
+    ovr_heat_speeds(sim, sim->past.T[0]);
+    ovr_heat_give(sim);
+}
+
+/* ----------------------------------------------------------------- a step */
+
+void ovr_heat_step(ovr_simulation *sim, void *own, double dT)
+{
+    ovr_heated *h = own;
+    ovr_heat_steps *s = h->steps;
+    double D = ovr_mesh(sim), T = sim->past.T[0];
+    double way = ovr_history_integral(sim->speed, T + dT) -
+                 ovr_history_integral(sim->speed, T);
+    double slip = sim->sliding
+                      ? ovr_history_integral(sim->sliding, T + dT) -
+                            ovr_history_integral(sim->sliding, T)
+                      : way * (sim->contact.u1_ratio - sim->contact.u2_ratio);
+    withdraw(sim);
+    s->dT = dT;
+    ovr_heat_speeds(sim, T + dT);
+    for (int k = 0; k < 2; k++) {
+        ovr_heat_surface_step(sim, k, dT, (way + (k ? -slip : slip) / 2) / D);
+        ovr_heat_surface_look(sim, k, h->q[k]);
+    }
+    ovr_nodes_read(sim, sim->finest, sim->finest->f.F, s->F);
+}
+
+/* No further from the last P than it may have come: as it moved there and
+ * beside it in the step before, and some. */
+static void hold_guess(ovr_simulation *sim)
+{
+    const double share = 0.05, low = 0.01 /* ph */, again = 0.7;
+    const double *P1 = sim->past.P[0], *P2 = sim->past.P[1];
+    double *P = sim->now.P, before = 0, here = fabs(P1[0] - P2[0]);
+    size_t n = sim->now.n;
+    for (size_t i = 0; sim->past.steps && i < n; i++) {
+        double after = i + 1 < n ? fabs(P1[i + 1] - P2[i + 1]) : 0;
+        double change = before > here ? before : here;
+        change = after > change ? after : change;
+        double far = share * (P1[i] + low) + again * change, d = P[i] - P1[i];
+        P[i] = P1[i] + (d > far ? far : d < -far ? -far : d);
+        before = here;
+        here = after;
+    }
+}
+
+/* No thinner than half of what was there or beside it: a guess that is none
+ * may have no film left, and such a one would heat the oil without bounds. */
+static void hold_film(ovr_simulation *sim)
+{
+    const double share = 0.5;
+    const double *before = sim->past.q[0];
+    ovr_solution *now = &sim->now;
+    for (size_t i = 1; i + 1 < now->n; i++) {
+        double minimum = share *
+                         ovr_smaller(before[i],
+                                     ovr_smaller(before[i - 1], before[i + 1]));
+        if (!(now->P[i] > 0) || now->q[i] >= minimum)
+            continue;
+        now->H[i] = now->H[i] != 0 ? minimum * now->H[i] / now->q[i] : minimum;
+        now->q[i] = minimum;
+    }
+}
+
+/* All nodes but the one where the film comes in, and with it surfaces as they
+ * were. */
+static void solve_nodes(ovr_simulation *sim)
+{
+    ovr_heated *h = sim->heated;
+    size_t entry = sim->backward ? sim->now.n - 1 : 0;
+    sim->grids.kernels->heat_cross_film(&h->film);
+    if (sim->backward)
+        ovr_column_heat(&h->film, 0);
+    h->mean[entry] = h->q[0][entry] = h->q[1][entry] = 0;
+    for (int j = 0; j < h->cross_film.n; j++)
+        h->T[j][entry] = 0;
+}
+
+/* Temperatures by the flow that those `used` give. */
+static void pass(ovr_simulation *sim)
+{
+    const ovr_kernels *run = sim->grids.kernels;
+    ovr_heated *h = sim->heated;
+    ovr_heat_steps *s = h->steps;
+    ovr_columns *c = &h->film;
+    ovr_heat_film(sim);
+    c->dT = s->dT;
+    c->min_u = 0;
+    c->P_T = s->P_T;
+    c->mean = h->mean;
+    for (int j = 0; j < h->cross_film.n; j++) {
+        run->film_departures(c->n, s->dT / ovr_mesh(sim), c->u[j],
+                             s->T_before[j], h->departure[j]);
+        c->departure[j] = h->departure[j];
+        c->T[j] = h->T[j];
+    }
+    for (int k = 0; k < 2; k++) {
+        c->past[k] = s->surface[k].past;
+        c->into[k] = h->q[k];
+        c->resistance[k] = h->numbers.solid[k] * 4 / 3 * sqrt(s->dT) *
+                           (1 + s->surface[k].memory.more[0]);
+    }
+    solve_nodes(sim);
+}
+
+/* The largest change of ln of what is made by T instead of `used`. */
+static double lag(const ovr_simulation *sim)
+{
+    const ovr_heated *h = sim->heated;
+    double maximum = 0, pressed = ovr_heat_pressed(sim);
+    for (int j = 0; j < h->cross_film.n; j++)
+        for (size_t i = 0; i < sim->now.n; i++)
+            if (sim->now.P[i] > pressed)
+                maximum = ovr_larger(maximum,
+                                     h->film.fall[i] *
+                                         fabs(h->T[j][i] - h->used[j][i]));
+    return maximum;
+}
+
+/* Temperatures of the step, by the film as it is and by how fast it presses
+ * the oil. */
+static void heat(ovr_simulation *sim)
+{
+    const double *P = sim->now.P, *before = sim->past.P[0];
+    ovr_heat_steps *s = sim->heated->steps;
+    for (size_t i = 0; i < sim->now.n; i++)
+        s->P_T[i] = sim->past.steps ? (P[i] - before[i]) / s->dT : 0;
+    pass(sim);
+    s->lag = lag(sim);
+    s->stored = ovr_heat_stored(sim);
+}
+
+/* Solves for the temperatures by a guess. */
+static void solve(ovr_simulation *sim)
+{
+    hold_film(sim);
+    memcpy(sim->heated->steps->heated_P, sim->now.P,
+           sim->now.n * sizeof *sim->now.P);
+    heat(sim);
+}
+
+/* The film by temperatures that go half the way to those found. */
+static void apply(ovr_simulation *sim)
+{
+    ovr_heat_relax(sim, SHARE);
+    ovr_heat_apply(sim);
+    ovr_level_properties(&sim->grids, sim->finest);
+    ovr_level_residual(&sim->grids, sim->finest);
+}
+
+/* Temperatures used go on as temperatures went in the step before. */
+static void foresee(ovr_simulation *sim)
+{
+    const double maximum = 0.15;
+    ovr_heated *h = sim->heated;
+    double old = sim->past.dT, factor = old > 0 ? h->steps->dT / old : 0;
+    for (int j = 0; j < h->cross_film.n; j++)
+        for (size_t i = 0; i < sim->now.n; i++) {
+            double change = factor * h->steps->change[j][i];
+            double fall = h->film.fall[i] * fabs(change);
+            h->used[j][i] += fall > maximum ? change * maximum / fall : change;
+        }
+}
+
+void ovr_heat_try(ovr_simulation *sim, void *own, bool first)
+{
+    ovr_heated *h = own;
+    (void)first;
+    ovr_level_refresh(&sim->grids, sim->finest);
+    withdraw(sim);
+    ovr_simulation_read(sim);
+    hold_guess(sim);
+    swap_trial(h);
+    h->steps->passes = PASSES;
+    solve(sim);
+    foresee(sim);
+    apply(sim);
+}
+
+/* True of a film whose viscosities lag behind it, or that a cycle has moved
+ * away from the film which was heated. */
+static bool is_otherwise(const ovr_simulation *sim)
+{
+    const double enough = 0.15, far = 3e-4 /* ph */;
+    const ovr_heat_steps *s = sim->heated->steps;
+    return s->lag > enough || (s->passes > PASSES - MOVED &&
+                               sim->grids.kernels->difference(
+                                   sim->now.n, sim->now.P, s->heated_P) > far);
+}
+
+void ovr_heat_anew(ovr_simulation *sim, void *own)
+{
+    ovr_heat_steps *s = ((ovr_heated *)own)->steps;
+    if (!s->trying) /* cycles of a steady film that settles (growth.c) */
+        return;
+    ovr_simulation_read(sim);
+    if (s->passes > 0 && is_otherwise(sim)) {
+        s->passes--;
+        solve(sim);
+        apply(sim);
+        return;
+    }
+    if (ovr_heat_skew_follow(sim))
+        ovr_level_residual(&sim->grids, sim->finest);
+}
+
+/* True of a film that ended far from the guess that was heated: oil was
+ * pressed, and so heated, by this share of all power more or less than it
+ * should. */
+static bool pressed_otherwise(const ovr_simulation *sim)
+{
+    const double share = 0.02;
+    const ovr_heated *h = sim->heated;
+    const ovr_heat_steps *s = h->steps;
+    const ovr_solution *now = &sim->now;
+    const double *before = sim->past.P[0];
+    double power = 0;
+    for (size_t i = 1; sim->past.steps && i + 1 < now->n; i++)
+        power += now->weights[i] * now->H[i] *
+                 fabs((now->P[i] - before[i]) / s->dT - s->P_T[i]) *
+                 expansion_at(&h->numbers, now->P[i]);
+    return h->numbers.T0 * power > share * s->max_balanced;
+}
+
+void ovr_heat_taken(ovr_simulation *sim, void *own, double dT)
+{
+    ovr_heated *h = own;
+    ovr_heat_steps *s = h->steps;
+    (void)dT;
+    if (pressed_otherwise(sim))
+        heat(sim);
+    for (int k = 0; k < 2; k++)
+        ovr_heat_surface_remember(sim, k, h->q[k]);
+    for (int j = 0; j < h->cross_film.n; j++)
+        sim->grids.kernels->combine(sim->now.n, 1, h->T[j], -1, s->T_before[j],
+                                    s->change[j]);
+    s->trying = false;
+    keep(sim);
+}
+
+/* -------------------------------------------------------------------- marks */
+
+/* True if the load jumped in the last quarter of b/um, or five steps: what the
+ * load then pressed is heated late and by another pressure. */
+static bool load_jumped(const ovr_simulation *sim, double T)
+{
+    const double while_after = 0.25, steps = 5, much = 0.01;
+    double since = T - ovr_larger(while_after, steps * sim->past.dT);
+    double before = ovr_history_value(sim->load, ovr_larger(since, 0));
+    double now = ovr_history_value(sim->load, T);
+    return fabs(now - before) > much * ovr_larger(now, before);
+}
+
+bool ovr_heat_lags(ovr_simulation *sim, void *own)
+{
+    const double far = 1, open = 0.1;
+    const ovr_observation *o = &sim->observation;
+    const ovr_heated *h = own;
+    ovr_heat_steps *s = h->steps;
+    double left = fabs(h->left);
+    s->max_balanced = ovr_larger(s->max_balanced, h->balanced);
+    bool lags = s->lag > far ||
+                (left > open * s->max_balanced && !load_jumped(sim, o->T));
+    sim->statistics.lagging += lags;
+    return lags;
+}
+
+/* -------------------------------------------------------------------- saved */
+
+void ovr_heat_visit(ovr_simulation *sim, void *own, ovr_pieces *state)
+{
+    ovr_heated *h = own;
+    int points = h->cross_film.n;
+    OVR_SHOW(state, "heat_points", points);
+    if (!state->status && points != h->cross_film.n && !h->chooses)
+        state->status = ovr_fail(
+            state->err, OVR_BAD_INPUT,
+            "the state has %d points across the film, this run %d", points,
+            h->cross_film.n);
+    if (state->status)
+        return;
+    if (points != h->cross_film.n)
+        ovr_cross_film_make(points, &h->cross_film);
+    OVR_SHOW(state, "heat_stored", h->steps->stored);
+    OVR_SHOW(state, "heat_most_balanced", h->steps->max_balanced);
+    ovr_show_nodes(sim, state, "pressing", 1, h->steps->P_T);
+    for (int j = 0; j < points; j++)
+        ovr_show_nodes(sim, state, "temperature", j + 1, h->T[j]);
+    for (int j = 0; j < points; j++)
+        ovr_show_nodes(sim, state, "temperature_change", j + 1,
+                       h->steps->change[j]);
+    for (int k = 0; k < points + FIRST_FIELDS; k++)
+        ovr_show_nodes(sim, state, "viscosity_by", k + 1, kept_of(h, k));
+    for (int k = FIRST_FIELDS; k < FIELDS; k++)
+        ovr_show_nodes(sim, state, "skew", k - FIRST_FIELDS + 1,
+                       kept_of(h, points + k));
+    for (int k = 0; k < 2; k++) {
+        ovr_show_nodes(sim, state, "heat_flux", k + 1, h->q[k]);
+        ovr_heat_surface_visit(sim, k, state);
+    }
+}
+
+void ovr_heat_restored(ovr_simulation *sim, void *own)
+{
+    ovr_heated *h = own;
+    h->steps->trying = false;
+    h->steps->dT = sim->past.dT;
+    h->skew_share = 1;
+    for (size_t i = 0; i < sim->now.n; i++) {
+        h->mean[i] = 0;
+        for (int j = 0; j < h->cross_film.n; j++)
+            h->mean[i] += h->cross_film.w[j] * h->T[j][i];
+    }
+    if (!(h->steps->dT > 0)) { /* the steady start */
+        ovr_heat_march_begin(sim);
+        ovr_heat_march_columns(sim);
+    }
+    keep(sim);
+}

@@ -1,0 +1,170 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Tells where the model of heat ends: surfaces that never get a steady
+ * temperature, before a run; films hotter than what laws are measured for and
+ * domains that cut off what is warm, after it. */
+#include <math.h>
+#include <stdio.h>
+
+#include "case/resolve.h"
+#include "contact/contact.h"
+#include "physics/companion.h"
+#include "physics/heat/heat.h"
+#include "physics/heat/solids.h"
+#include "simulation/simulation.h"
+
+/* u_k/um0 at T. */
+static double speed_of(const ovr_setup *s, int k, double T)
+{
+    return ovr_speed_at(s->contact, s->speed, s->sliding, k, T);
+}
+
+/* A surface that is slow at the start, or for some time. */
+typedef struct slowness {
+    double Pe, u, T; /* the least of the start, or of all times; when */
+    double lasts;    /* so long it is below the smallest that is modelled */
+} slowness;
+
+static slowness find_slowness(const ovr_setup *s, int k)
+{
+    const int times = 500;
+    const ovr_heat *heat = ovr_setup_heat(s);
+    const double minimum = heat->min_peclet, kappa = heat->diffusion[k];
+    double end = s->transient && isfinite(s->march->end) ? s->march->end : 0;
+    slowness slow = {.Pe = INFINITY};
+    for (int i = 0; i <= (end > 0 ? times : 0); i++) {
+        double T = end * i / times, u = speed_of(s, k, T);
+        double Pe = fabs(u) / kappa;
+        if (Pe < minimum)
+            slow.lasts += end / times;
+        if (Pe < slow.Pe)
+            slow = (slowness){Pe, u, T, slow.lasts};
+    }
+    return slow;
+}
+
+/* Reviews surfaces where no temperature is steady, or not within what they
+ * remember; one that turns round is not slow for long. */
+static void review_speed(const ovr_setup *s, int k, ovr_listener *listener,
+                         void *data)
+{
+    const double passing = 1, second = s->contact->b / s->contact->um;
+    const ovr_heat *heat = ovr_setup_heat(s);
+    const double kappa = heat->diffusion[k] * s->contact->um * s->contact->b;
+    slowness slow = find_slowness(s, k);
+    double reach = ovr_solid_reach(heat, k, slow.u);
+    char when[40] = "";
+    if (!(slow.Pe < heat->min_peclet) || (slow.T > 0 && slow.lasts < passing))
+        return;
+    if (slow.T > 0)
+        snprintf(when, sizeof when, " at T = %.4g", slow.T);
+    if (slow.u == 0)
+        ovr_warn(listener, data,
+                 "heat: surface %d stands still%s: it has no steady "
+                 "temperature, but gets hotter as the logarithm of time; a "
+                 "steady solution is that after %.3g s, and a contact of the "
+                 "width w is as hot as it gets after about w^2/kappa, %.3g s "
+                 "for 10 mm",
+                 k + 1, when, reach * second, 1e-4 / kappa);
+    else
+        ovr_warn(listener, data,
+                 "heat: surface %d has the Peclet number %.3g%s: it takes "
+                 "%.3g s until its temperature is steady, of which it "
+                 "remembers %.3g s; below 0.05 it comes out too cold",
+                 k + 1, slow.Pe, when,
+                 20 * kappa / pow(slow.u * s->contact->um, 2), reach * second);
+}
+
+static void foresee(const ovr_setup *setup, ovr_listener *listener, void *data)
+{
+    for (int k = 0; k < 2; k++)
+        review_speed(setup, k, listener, data);
+}
+
+/* Laws of viscosity and temperature are measured over some hundred kelvins. */
+static void warn_of_rise(const ovr_accompanied_run *run)
+{
+    const double maximum = 100;
+    double rise = ovr_simulation_statistics(run->sim)->extreme.T_max_rise;
+    if (!(rise > maximum))
+        return;
+    ovr_warn(run->say, run->listener,
+             "heat: the film is up to %.3g K hotter than the supply, further "
+             "than laws of viscosity are measured",
+             rise);
+}
+
+static void warn_of_lag(const ovr_accompanied_run *run)
+{
+    const ovr_statistics *s = ovr_simulation_statistics(run->sim);
+    if (!s->lagging)
+        return;
+    ovr_warn(run->say, run->listener,
+             "heat: in %ld of %ld steps temperatures are not those of the film "
+             "(they lag behind it, or energy does not close to a tenth): what "
+             "follows from these steps may be far off; take "
+             "shorter ones, [time] step, or a finer level",
+             s->lagging, s->steps);
+}
+
+/* Warns by heat.h of the simulation: friction, in percent. */
+static void warn_of_points(const ovr_accompanied_run *run)
+{
+    const ovr_statistics *s = ovr_simulation_statistics(run->sim);
+    double off = 400 * s->last_cross_film * s->last_cross_film;
+    if (!(s->last_cross_film > 0) || ovr_simulation_heat_points(run->sim) != 5)
+        return;
+    ovr_warn(run->say, run->listener,
+             "heat: 5 points across the film leave friction too low by about "
+             "%.1f %%, and temperatures of the surfaces off by up to twice "
+             "that: take points = 7 in [heat]",
+             off);
+}
+
+/* The heat flux into a surface near the end of the domain by which it comes in,
+ * over the largest. */
+static double flux_at_entry(const ovr_accompanied_run *run, int k,
+                            bool at_outlet)
+{
+    static const char *const names[2] = {"heat_flux_1", "heat_flux_2"};
+    size_t n = ovr_simulation_state(run->sim)->n, near = 1 + n / 100;
+    double *workspace = ovr_arena_take(run->arena, n, sizeof *workspace, NULL),
+           maximum = 0;
+    const double *q;
+    if (!workspace)
+        return 0;
+    q = ovr_observable_field(names[k])->field(run->sim, workspace);
+    for (size_t i = 0; i < n; i++)
+        maximum = fmax(maximum, fabs(q[i]));
+    return maximum > 0 ? fabs(q[at_outlet ? n - 1 - near : near]) / maximum : 0;
+}
+
+static void warn_of_domain(const ovr_accompanied_run *run)
+{
+    const double maximum = 0.05;
+    double T = ovr_simulation_state(run->sim)->T;
+    for (int k = 0; k < 2; k++) {
+        bool at_outlet = speed_of(run->setup, k, T) < 0;
+        const char *end = at_outlet ? "outlet" : "inlet";
+        double share = flux_at_entry(run, k, at_outlet);
+        if (!(share > maximum))
+            continue;
+        ovr_warn(
+            run->say, run->listener,
+            "heat: the domain is too short for it to leave: surface %d "
+            "comes in at the %s as if from afar, where it takes up %.0f %% "
+            "of the largest heat flux; move the %s out",
+            k + 1, end, 100 * share, end);
+    }
+}
+
+static void review(const ovr_accompanied_run *run)
+{
+    if (!ovr_simulation_state(run->sim)->n)
+        return;
+    warn_of_lag(run);
+    warn_of_points(run);
+    warn_of_rise(run);
+    warn_of_domain(run);
+}
+
+const ovr_companion ovr_heat_companion = {.foresee = foresee, .review = review};

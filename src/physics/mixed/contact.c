@@ -1,0 +1,679 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Mixed lubrication by the mean film: P = P_f + A(H), where A is what the
+ * roughness of both surfaces, none of which is on the mesh, and layers of
+ * boundary lubricant bear at the mean gap H (multigrid/touching.h).  Which law:
+ * boundary_case.c.
+ *
+ * Boundary friction is mu_b A over the film's own shear stress, which acts on
+ * the rest of the surface:
+ *     t = (1 - phi) t_film - sgn(V) mu_b A/kappa
+ * Its power mu_b A |V|/kappa heats the film of its node, together with the
+ * power (1 - phi) t_film V and Poiseuille's.  Flash temperatures of single
+ * summits are not included.  Without sliding boundary friction is 0.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "base/error.h"
+#include "multigrid/friction.h"
+#include "multigrid/touching.h"
+#include "physics/mixed/mixed.h"
+#include "physics/mixed/wear.h"
+#include "simulation/conflicts.h"
+#include "simulation/mirror.h"
+#include "simulation/quantity_row.h"
+#include "simulation/steady.h"
+
+typedef struct boundary {
+    const ovr_boundary_form *given;
+    double *A;                /* at the nodes, as observed last */
+    double *saved, *bears;    /* a film to go back to */
+    double wet_force;         /* of boundary friction where there is a film */
+    const ovr_touch_law *law; /* as it is now */
+    ovr_wear *wear;           /* NULL: none */
+} boundary;
+
+/* ----------------------------------------------------------- its simulation */
+
+static ovr_status take(ovr_simulation *sim, const void *form, void **own,
+                       ovr_error *err)
+{
+    boundary *b = ovr_arena_take(&sim->arena, 1, sizeof *b, err);
+    if (!b)
+        return OVR_NO_MEMORY;
+    *own = b;
+    if (OVR_TAKE_NODES(sim, err, &b->A, &b->saved, &b->bears,
+                       &sim->film_stress) ||
+        ovr_physics_take_borne(sim, err) ||
+        ovr_hierarchy_touch(&sim->grids, &sim->arena, err))
+        return OVR_NO_MEMORY;
+    b->given = form;
+    if (b->given->ridges)
+        sim->grids.fluid.factor = &b->given->factor;
+    sim->target.fluid.factor = sim->grids.fluid.factor;
+    b->law = &b->given->bears;
+    if (b->given->passes > 0) {
+        b->wear = ovr_arena_take(&sim->arena, 1, sizeof *b->wear, err);
+        if (!b->wear ||
+            ovr_wear_take(b->wear, b->given, &sim->contact, &sim->arena, err))
+            return OVR_NO_MEMORY;
+        b->law = &b->wear->bears;
+    }
+    sim->grids.touch.at = ovr_touch_law_at;
+    sim->grids.touch.law = b->law;
+    sim->grids.touch.share = 1;
+    return OVR_OK;
+}
+
+static void forget(ovr_simulation *sim, void *own)
+{
+    boundary *b = own;
+    memset(b->A, 0, sim->now.n * sizeof *b->A);
+    sim->grids.touch.share = 0;
+    if (b->wear)
+        ovr_wear_begin(b->wear);
+}
+
+/* The film by a share of the law; from where it was, if there is none. */
+static bool reach(ovr_simulation *sim, boundary *b, double share,
+                  const ovr_full *how, ovr_defect *d, int *cycles)
+{
+    const double enough = 1e-4;
+    ovr_hierarchy *grids = &sim->grids;
+    ovr_level *finest = sim->finest;
+    ovr_defect was = *d;
+    ovr_touch_settle(grids);
+    double H0 = grids->H0, old = grids->touch.share;
+    ovr_level_read(grids, finest, finest->f.P, b->saved);
+    ovr_level_read(grids, finest, finest->borne, b->bears);
+    grids->touch.share = share;
+    *d = ovr_steady_cycles(sim, how, cycles);
+    if (ovr_below(*d, enough))
+        return true;
+    *d = was;
+    grids->H0 = H0;
+    grids->touch.share = old;
+    ovr_touch_settle(grids);
+    ovr_level_write(grids, finest, b->saved, finest->f.P);
+    ovr_level_write(grids, finest, b->bears, finest->borne);
+    ovr_level_refresh(grids, finest);
+    return false;
+}
+
+/* The film of surfaces that do not touch: by full multigrid, as if there were
+ * no law, or by Newton's method on the finest level alone, from Hertz's
+ * pressure. */
+static ovr_defect solve_apart(ovr_simulation *sim, boundary *b, bool by_levels,
+                              const ovr_full *how, int *cycles)
+{
+    ovr_hierarchy *grids = &sim->grids;
+    ovr_full on_finest = *how;
+    ovr_defect d;
+    on_finest.cycling.bottom = grids->finest;
+    grids->touch.share = 0;
+    ovr_touch_settle(grids);
+    memset(b->A, 0, sim->now.n * sizeof *b->A);
+    if (by_levels)
+        grids->touch.at = NULL;
+    ovr_level_bear(grids, sim->finest, b->A);
+    d = ovr_steady_film(sim, by_levels ? how : &on_finest, cycles);
+    grids->touch.at = ovr_touch_law_at;
+    sim->refinements = 0; /* those were of another film */
+    return d;
+}
+
+/* First the film of surfaces that do not touch; then of the law at once, or
+ * share by share. */
+static ovr_defect solve_from(ovr_simulation *sim, boundary *b, bool by_levels,
+                             const ovr_full *how, int *cycles)
+{
+    const double begins = 1e-8, smallest = 1.05, found = 1e-2;
+    double factor = 1 / begins, from = begins;
+    ovr_defect d;
+    ovr_simulation_gap(sim, 0);
+    d = solve_apart(sim, b, by_levels, how, cycles);
+    if (by_levels && !ovr_below(d, found))
+        from = 1;
+    while (from < 1 && factor > smallest) {
+        double to = fmin(from * factor, 1);
+        if (reach(sim, b, to, how, &d, cycles))
+            from = to;
+        else
+            factor = sqrt(factor);
+    }
+    if (sim->grids.touch.share < 1)
+        d.imbalance = INFINITY;
+    return d;
+}
+
+/* The film that A(H) = P asks for, by bisection. */
+static double film_of(const ovr_touch_law *law, double P)
+{
+    double low = 0, high = 1, A, slope;
+    for (int k = 0; k < 60; k++) {
+        double H = k < 20 ? high : 0.5 * (low + high);
+        ovr_touch_law_at(law, H, &A, &slope);
+        if (A > P)
+            low = H;
+        else
+            high = H;
+        if (k < 20 && A > P)
+            high *= 2;
+    }
+    return high;
+}
+
+/* Starts from a contact that asperities carry: Hertz's pressure, a film that
+ * bears the mean of it, hardly any oil pressure. */
+static ovr_defect solve_from_dry(ovr_simulation *sim, boundary *b,
+                                 const ovr_full *how, int *cycles)
+{
+    enum { PATIENT = 200 };
+    const double mean = acos(-1.0) / 4, oil = 1e-3;
+    ovr_full patient = *how;
+    const ovr_target *target = &sim->target;
+    ovr_hierarchy *grids = &sim->grids;
+    double width = sqrt(target->Cw / target->c);
+    double root = sqrt(target->Cw * target->c);
+    ovr_simulation_gap(sim, 0);
+    ovr_full_prepare(grids, target->force);
+    grids->fluid = target->fluid;
+    ovr_touch_settle(grids);
+    grids->touch.share = 1;
+    for (size_t i = 0; i < sim->finest->grid.n; i++) {
+        double x = sim->finest->grid.X[i] / width;
+        double P = x * x < 1 ? root * sqrt(1 - x * x) : 0;
+        b->A[i] = (1 - oil) * P;
+        b->saved[i] = oil * P;
+    }
+    grids->H0 = film_of(b->law, mean * root) +
+                target->Cw * (-0.5966 + 0.5 * log(width));
+    ovr_level_bear(grids, sim->finest, b->A);
+    ovr_level_write(grids, sim->finest, b->saved, sim->finest->f.P);
+    if (!how->fixed && !sim->options.max_cycles)
+        patient.max_cycles = PATIENT;
+    return ovr_steady_cycles(sim, &patient, cycles);
+}
+
+/* Above this share of the load on asperities, estimated, the film of surfaces
+ * apart is no start. */
+static const double mostly_dry = 0.9;
+
+static ovr_defect solve(ovr_simulation *sim, void *own, const ovr_full *how,
+                        int *cycles)
+{
+    const boundary *b = own;
+    ovr_defect d = {.imbalance = INFINITY};
+    if (b->given->estimate > mostly_dry && !b->given->unresolved) {
+        d = solve_from_dry(sim, own, how, cycles);
+        if (ovr_below(d, 1e-4))
+            return d;
+    }
+    d = solve_from(sim, own, true, how, cycles);
+    if (d.imbalance == INFINITY)
+        d = solve_from(sim, own, false, how, cycles);
+    return d;
+}
+
+/* Each attempt begins with what was borne at the last time reached, the
+ * grids' side of it where the speed has turned since. */
+static void attempt(ovr_simulation *sim, void *own, bool first)
+{
+    (void)own;
+    (void)first;
+    ovr_touch_settle(&sim->grids);
+    ovr_physics_borne_back(sim);
+}
+
+/* ---------------------------------------------------------------- running-in
+ */
+
+static void read_borne(ovr_simulation *sim, boundary *b)
+{
+    ovr_nodes_read(sim, sim->finest, sim->finest->borne, b->A);
+}
+
+static void see(ovr_simulation *sim, boundary *b)
+{
+    double borne = 0;
+    read_borne(sim, b);
+    for (size_t i = 0; i < sim->now.n; i++)
+        borne += sim->now.weights[i] * b->A[i];
+    ovr_wear_see(b->wear, sim->now.n, b->A, sim->now.weights,
+                 borne / OVR_NOMINAL_LOAD);
+}
+
+static void begin(ovr_simulation *sim, void *own)
+{
+    boundary *b = own;
+    if (b->wear)
+        see(sim, b);
+}
+
+static void before_step(ovr_simulation *sim, void *own, double T)
+{
+    boundary *b = own;
+    if (b->wear)
+        ovr_wear_step(b->wear, (T - sim->past.T[0]) / OVR_WEAR_STEP);
+}
+
+static void taken(ovr_simulation *sim, void *own, double dT)
+{
+    boundary *b = own;
+    (void)dT;
+    if (!b->wear)
+        return;
+    ovr_wear_taken(b->wear);
+    see(sim, b);
+}
+
+static bool over(const ovr_simulation *sim, const void *own)
+{
+    const boundary *b = own;
+    (void)sim;
+    return b->wear && ovr_wear_over(b->wear);
+}
+
+static void before_back(ovr_simulation *sim, void *own)
+{
+    boundary *b = own;
+    ovr_touch_settle(&sim->grids);
+    if (b->wear)
+        ovr_wear_back(b->wear);
+}
+
+static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
+{
+    boundary *b = own;
+    (void)sim;
+    if (b->wear)
+        ovr_wear_visit(b->wear, state);
+}
+
+static void restored(ovr_simulation *sim, void *own)
+{
+    boundary *b = own;
+    (void)sim;
+    if (!b->wear)
+        return;
+    b->wear->now.passes = NAN; /* it is another state */
+    ovr_wear_back(b->wear);
+}
+
+const ovr_wear *ovr_wear_of(const ovr_simulation *sim)
+{
+    OVR_EACH_PHYSICS(sim, p, visit)
+        if (p->is->bit == OVR_PHYSICS_BOUNDARY)
+            return ((const boundary *)p->own)->wear;
+    return NULL;
+}
+
+/* ---------------------------------------------------------------- observed */
+
+/* -sgn(V) mu_b A/kappa at the half node i + 1/2. */
+static double drag_at(const ovr_simulation *sim, const boundary *b, size_t i)
+{
+    double borne = 0.5 * (b->A[i] + b->A[i + 1]), mu = b->given->friction;
+    if (isnan(mu) || !(borne > 0))
+        return 0;
+    double V = ovr_sliding(sim, sim->state.T);
+    double side = V > 0 ? -1 : V < 0 ? 1 : 0;
+    return side * mu * borne / sim->contact.kappa;
+}
+
+/* True if the law, which falls with the film, knows nothing of the thinnest:
+ * then nothing is borne, and less than rounding in contact, anywhere. */
+static bool is_apart(const ovr_simulation *sim, const boundary *b)
+{
+    const double nothing = 1e-17, *H = sim->now.H;
+    double A, slope;
+    size_t low = sim->grids.kernels->extreme(sim->now.n, 1, H);
+    ovr_touch_law_at(b->law, H[low], &A, &slope);
+    return A < nothing && ovr_touch_law_area(b->law, H[low]) < nothing;
+}
+
+static void friction(const ovr_simulation *sim, const void *own, double *t)
+{
+    boundary *b = (boundary *)own;
+    const double *P = sim->now.P, *X = sim->now.X;
+    b->wet_force = 0;
+    if (is_apart(sim, b))
+        return;
+    read_borne((ovr_simulation *)sim, b);
+    for (size_t i = 0; i + 1 < sim->now.n; i++) {
+        double drag = drag_at(sim, b, i);
+        double H = 0.5 * (sim->now.H[i] + sim->now.H[i + 1]);
+        t[i] = (1 - ovr_touch_law_area(b->law, H)) * t[i] + drag;
+        if (P[i] > 0 || P[i + 1] > 0)
+            b->wet_force += drag * (X[i + 1] - X[i]);
+    }
+}
+
+static void heat(const ovr_simulation *sim, const void *own, double *apart,
+                 double *power)
+{
+    boundary *b = (boundary *)own;
+    double V = fabs(ovr_sliding(sim, sim->state.T)), mu = b->given->friction;
+    if (V == 0 || is_apart(sim, b))
+        return;
+    for (size_t i = 0; i < sim->now.n; i++)
+        apart[i] *= 1 - ovr_touch_law_area(b->law, sim->now.H[i]);
+    if (isnan(mu))
+        return;
+    read_borne((ovr_simulation *)sim, b);
+    for (size_t i = 0; i < sim->now.n; i++)
+        power[i] += mu * b->A[i] * V / sim->contact.kappa;
+}
+
+enum {
+    SHARE,
+    AREA,
+    A_MAX,
+    H_CONTACT,
+    MU_FILM,
+    MU_BOUNDARY,
+    LAMBDA,
+    ESTIMATE,
+    PASSES,
+    WEAR_1,
+    WEAR_2,
+    PEAKS_1,
+    PEAKS_2,
+    VALLEYS_1,
+    VALLEYS_2
+};
+
+#define TOUCH(name, key, si, kind, place, ...)                                 \
+    OVR_NUMBER_ROW(name, key, si, kind, more[place], OVR_PHYSICS_BOUNDARY,     \
+                   __VA_ARGS__)
+
+/* One that wear changes, of a surface. */
+#define WORN(name, place, text, label)                                         \
+    OVR_NUMBER_ROW(name, name, name "_m", HEIGHT, more[place],                 \
+                   OVR_PHYSICS_WEAR, text, LABEL(label))
+
+static const ovr_observable quantities[] = {
+    TOUCH("contact_share", "contact_share", NULL, NUMBER, SHARE,
+          "share of the load that surfaces bear where they touch",
+          LABEL("contact share"), LARGEST("contact_share_max"),
+          EXTREME_LABEL("largest contact share"), MEAN("contact_share_mean"),
+          PASS(MEAN)),
+    TOUCH("contact_area", "contact_area", "contact_area_m", LENGTH, AREA,
+          "length along x that is in contact, summed over its summits",
+          LABEL("length in contact")),
+    TOUCH("max_contact_pressure", "A_max", "max_contact_pressure_Pa", PRESSURE,
+          A_MAX, "largest pressure of surfaces that touch",
+          LABEL("largest contact pressure"), LARGEST("A_max_overall"),
+          EXTREME_LABEL("largest contact pressure")),
+    TOUCH("contact_film", "H_contact", "contact_film_m", HEIGHT, H_CONTACT,
+          "smallest film where surfaces touch", LABEL("film of contact")),
+    TOUCH("mu_film", "mu_film", NULL, NUMBER, MU_FILM,
+          "coefficient of friction of the film's share",
+          LABEL("friction of the film"), MEAN("mu_film_mean")),
+    TOUCH("mu_boundary", "mu_boundary", NULL, NUMBER, MU_BOUNDARY,
+          "coefficient of friction of the surfaces' share",
+          LABEL("boundary friction"), MEAN("mu_boundary_mean")),
+    TOUCH("contact_lambda", "contact_lambda", NULL, NUMBER, LAMBDA,
+          "lambda by the mean gap: central film over the Rq of both surfaces "
+          "in the law",
+          LABEL("lambda"), NOTE("mean gap in the centre over Rq"),
+          MEAN("contact_lambda_mean")),
+    TOUCH("contact_share_estimate", "contact_share_estimate", NULL, NUMBER,
+          ESTIMATE,
+          "contact share by the film formula of smooth surfaces, before "
+          "anything is solved",
+          LABEL("  as estimated")),
+    OVR_NUMBER_ROW(
+        "passes", "passes", NULL, NUMBER, more[PASSES], OVR_PHYSICS_WEAR,
+        "passes that the surfaces have gone through", LABEL("passes")),
+    WORN("wear_1", WEAR_1,
+         "mean depth that surface 1 has lost: volume over area",
+         "worn off surface 1"),
+    WORN("wear_2", WEAR_2,
+         "mean depth that surface 2 has lost: volume over area",
+         "worn off surface 2"),
+    WORN("Rpk_1", PEAKS_1, "height of the peaks of surface 1 above its core",
+         "Rpk of surface 1"),
+    WORN("Rpk_2", PEAKS_2, "height of the peaks of surface 2 above its core",
+         "Rpk of surface 2"),
+    WORN("Rvk_1", VALLEYS_1, "depth of the valleys of surface 1 below its core",
+         "Rvk of surface 1"),
+    WORN("Rvk_2", VALLEYS_2, "depth of the valleys of surface 2 below its core",
+         "Rvk of surface 2")};
+
+/* Both forces, once the film's integral has those where it is wet. */
+static void observe_friction(const ovr_simulation *sim, const boundary *b,
+                             ovr_observation *o)
+{
+    const double *X = sim->now.X;
+    double load = OVR_NOMINAL_LOAD * o->load_ratio, drag = 0;
+    double coefficient = load > 0 ? sim->contact.kappa / load : NAN;
+    for (size_t i = 0; i + 1 < sim->now.n && o->more[A_MAX] > 0; i++)
+        drag += drag_at(sim, b, i) * (X[i + 1] - X[i]);
+    o->more[MU_FILM] = coefficient * fabs(o->F_slide - b->wet_force);
+    o->more[MU_BOUNDARY] = coefficient * fabs(drag);
+    o->F_slide += drag - b->wet_force;
+    o->power_dissipated -= o->sliding * (drag - b->wet_force);
+    ovr_friction_forces(sim, o);
+    if (isnan(b->given->friction))
+        o->more[MU_BOUNDARY] = o->mu_1 = o->mu_2 = o->mu_slide = NAN;
+}
+
+static void observe_wear(const boundary *b, ovr_observation *o)
+{
+    for (int k = PASSES; k <= VALLEYS_2; k++)
+        o->more[k] = NAN;
+    if (!b->wear)
+        return;
+    o->more[PASSES] = b->wear->now.passes;
+    for (int k = 0; k < 2; k++) {
+        o->more[WEAR_1 + k] = b->wear->now.depth[k];
+        ovr_core core = ovr_wear_core(b->wear, k, false);
+        o->more[PEAKS_1 + k] = core.pk;
+        o->more[VALLEYS_1 + k] = core.vk;
+    }
+}
+
+static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
+{
+    const double touches = 1e-3;
+    boundary *b = own;
+    double borne = 0, area = 0, maximum = 0, minimum = NAN;
+    size_t n = is_apart(sim, b) ? 0 : sim->now.n;
+    read_borne(sim, b);
+    for (size_t i = 0; i < n; i++) {
+        double w = sim->now.weights[i], A = b->A[i];
+        borne += w * A;
+        area += w * ovr_touch_law_area(b->law, sim->now.H[i]);
+        maximum = fmax(maximum, A);
+        if (A > touches)
+            minimum = fmin(minimum, sim->now.H[i]);
+    }
+    o->more[SHARE] = o->load > 0 ? borne / o->load : NAN;
+    o->more[AREA] = area;
+    o->more[A_MAX] = maximum;
+    o->more[H_CONTACT] = minimum;
+    observe_wear(b, o);
+    o->more[ESTIMATE] = b->given->estimate;
+    o->more[LAMBDA] = b->given->factor.sigma > 0
+                          ? o->H_cen / b->given->factor.sigma
+                          : NAN;
+    observe_friction(sim, b, o);
+}
+
+/* Both before and after. */
+static void review_wear(const ovr_simulation *sim, const ovr_wear *wear,
+                        ovr_physics_say *say, void *data)
+{
+    const double nm = sim->contact.height * 1e9;
+    char text[240];
+    for (int k = 0; k < 2; k++) {
+        ovr_core was = ovr_wear_core(wear, k, true);
+        ovr_core is = ovr_wear_core(wear, k, false);
+        if (isnan(is.pk))
+            continue;
+        snprintf(text, sizeof text,
+                 "surface %d: Rpk %.3g nm, Rk %.3g nm, Rvk %.3g nm before; "
+                 "%.3g, %.3g, %.3g nm after %.3g passes",
+                 k + 1, nm * was.pk, nm * was.k, nm * was.vk, nm * is.pk,
+                 nm * is.k, nm * is.vk, wear->now.passes);
+        say(data, false, text);
+    }
+    if (wear->lost)
+        say(data, true,
+            "the law of the worn profiles was not found at times: the last one "
+            "was kept");
+    if (!ovr_wear_over(wear)) {
+        snprintf(text, sizeof text,
+                 "%.3g of %.3g passes were made: give a longer jump",
+                 wear->now.passes, wear->given->passes);
+        say(data, true, text);
+    }
+}
+
+/*
+ * A weak law (it bears less than the Hertzian pressure at no film) is exhausted
+ * where the thinnest film bears more than half of what no film would.  Below
+ * that, A(H) no longer rises as the load asks for: the oil carries the rest on
+ * a film that asperities should keep open, and the contact share of a Stribeck
+ * curve ends in a plateau that only follows from the law's constants.
+ */
+static bool is_exhausted(const ovr_simulation *sim, const void *own)
+{
+    const double used_up = 0.5;
+    const boundary *b = own;
+    double A, slope, load = sim->observation.load_ratio;
+    size_t low = sim->grids.kernels->extreme(sim->now.n, 1, sim->now.H);
+    if (!ovr_boundary_is_weak(b->given, load))
+        return false;
+    ovr_touch_law_at(b->law, sim->now.H[low], &A, &slope);
+    return A > used_up * b->given->at_no_film;
+}
+
+static bool marks(ovr_simulation *sim, void *own)
+{
+    return is_exhausted(sim, own);
+}
+
+static ovr_status refuse(const ovr_simulation *sim, const void *own,
+                         ovr_error *err)
+{
+    const boundary *b = own;
+    if (!is_exhausted(sim, own))
+        return OVR_OK;
+    return ovr_fail(err, OVR_IMPOSSIBLE,
+                    "the asperity law is exhausted: with a minimum film "
+                    "thickness H = %.3g it bears over half of the %.3g ph that "
+                    "it bears at no film, which is less than the contact "
+                    "pressure; contact share and friction would be wrong. Use "
+                    "[boundary] law = exponential with Rq and slope, or "
+                    "constants that bear ph at no film",
+                    sim->observation.H_min, b->given->at_no_film);
+}
+
+static void review(const ovr_simulation *sim, const void *own,
+                   ovr_physics_say *say, void *data)
+{
+    const double enough = 1e-5;
+    const boundary *b = own;
+    const ovr_solution *now = &sim->now;
+    double A, slope;
+    char text[160];
+    ovr_touch_law_at(b->law, now->H[now->n - 1], &A, &slope);
+    if (A > enough) {
+        snprintf(text, sizeof text,
+                 "surfaces touch at the outlet, with %.2g ph: a larger "
+                 "[domain] outlet takes that in",
+                 A);
+        say(data, true, text);
+    }
+    if (sim->observation.more[SHARE] > 0.01 && isnan(b->given->friction))
+        say(data, false,
+            "friction is not known where surfaces touch, until [boundary] "
+            "friction says what theirs is");
+    if (sim->state.step > 0 && is_exhausted(sim, b))
+        say(data, true,
+            "the asperity law is exhausted at the end of the run: contact "
+            "share and friction are wrong where steps are marked as not "
+            "converged; use [boundary] law = exponential with Rq and slope");
+    if (b->wear && sim->state.step > 0)
+        review_wear(sim, b->wear, say, data);
+}
+
+static unsigned bits(const void *form)
+{
+    const ovr_boundary_form *f = form;
+    return f->passes > 0 ? OVR_PHYSICS_WEAR : 0;
+}
+
+static unsigned features(const void *form)
+{
+    const ovr_boundary_form *f = form;
+    return ovr_model_feature_bit(OVR_MODEL_BOUNDARY, true) |
+           ovr_model_feature_bit(OVR_MODEL_MEAN_FILM, !f->unresolved) |
+           ovr_model_feature_bit(OVR_MODEL_WEAR, f->passes > 0);
+}
+
+/* Running-in of surfaces that wear goes in long steps of a time of its own
+ * (wear.h). */
+static bool march_for(const void *form, ovr_march *march, int *scheme)
+{
+    if (!(((const ovr_boundary_form *)form)->passes > 0))
+        return false;
+    march->end = OVR_WEAR_STEP * OVR_WEAR_MAX;
+    march->dT = OVR_WEAR_STEP;
+    if (*scheme < 0)
+        *scheme = OVR_UPSTREAM2;
+    return true;
+}
+
+/* They are fields of each snapshot (observables.h). */
+static const char *fields(const void *form)
+{
+    (void)form;
+    return "contact_pressure, fluid_pressure";
+}
+
+static void advise(const ovr_simulation *sim, double H, size_t size, char *text)
+{
+    if (sim->grids.touch.at && sim->heights)
+        ovr_boundary_instead(sim->grids.touch.law, H, sim->now.n, sim->now.X,
+                             sim->S, size, text);
+}
+
+const ovr_physics ovr_physics_boundary = {.name = "surfaces that touch",
+                                          .node_seconds = 8e-7,
+                                          .bit = OVR_PHYSICS_BOUNDARY,
+                                          .section = &ovr_boundary_section,
+                                          .sections = 1,
+                                          .form = sizeof(ovr_boundary_form),
+                                          .resolve = ovr_boundary_resolve,
+                                          .on_mesh = ovr_boundary_on_mesh,
+                                          .bits = bits,
+                                          .march = march_for,
+                                          .features = features,
+                                          .fields = fields,
+                                          .keeps = ovr_boundary_keeps,
+                                          .companion = &ovr_wear_companion,
+                                          .tell = ovr_boundary_tell,
+                                          .take = take,
+                                          .forget = forget,
+                                          .solve = solve,
+                                          .attempt = attempt,
+                                          .friction = friction,
+                                          .heat = heat,
+                                          .begin = begin,
+                                          .advise = advise,
+                                          .before_step = before_step,
+                                          .taken = taken,
+                                          .over = over,
+                                          .before_back = before_back,
+                                          .visit = visit,
+                                          .restored = restored,
+                                          .observe = observe,
+                                          .marks = marks,
+                                          .refuse = refuse,
+                                          OVR_QUANTITIES(quantities),
+                                          .review = review};

@@ -1,0 +1,692 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The section [boundary]: which law surfaces bear by, and what that comes to.
+ * The exponential's form is Persson's (u0 of about Rq/2), its constants those
+ * of dry contact of self-affine profiles in plane strain, pressed by 0.003 to
+ * 0.2 of E* slope: the gap is then off by less than 0.2 Rq,
+ *
+ *     s = Rq/2.15,  a1 = 0.38 (E'/2) slope/ph
+ *
+ * The share that is in contact, 2.5 A ph/(E* slope), is 0.95 A/a1.  Profiles
+ * have laws of their own (surface/rough_pair.h).
+ */
+#include "physics/mixed/mixed.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#include "base/error.h"
+#include "base/rows.h"
+#include "contact/contact.h"
+#include "contact/film_formula.h"
+#include "contact/flow_law.h"
+
+static const ovr_word laws[] = {
+    {"exponential", OVR_BOUNDARY_EXPONENTIAL},
+    {"layer", OVR_BOUNDARY_LAYER},
+    {"greenwood-tripp", OVR_BOUNDARY_GREENWOOD_TRIPP},
+    {"table", OVR_BOUNDARY_TABLE},
+    {"profile", OVR_BOUNDARY_PROFILE},
+    {NULL, 0}};
+
+static const ovr_word of_what[] = {{"all", 0}, {"unresolved", 1}, {NULL, 0}};
+static const ovr_word factors[] = {{"none", OVR_RIDGES_NONE},
+                                   {"isotropic", OVR_RIDGES_ISOTROPIC},
+                                   {"transverse", OVR_RIDGES_TRANSVERSE},
+                                   {"longitudinal", OVR_RIDGES_LONGITUDINAL},
+                                   {NULL, 0}};
+static const ovr_word no_wear[] = {{"none", 0}, {NULL, 0}};
+static const ovr_word auto_zero[] = {{"auto", 0}, {NULL, 0}};
+static const ovr_word none[] = {{"none", NAN}, {NULL, 0}};
+
+static const char rough[] = "law = exponential";
+static const char with_Rq[] = "law = exponential | greenwood-tripp | table";
+static const char by_profile[] = "law = profile";
+static const char summits[] = "law = greenwood-tripp";
+
+static const ovr_parameter keys[] = {
+    {"law", CHOICE(laws), NULL, offsetof(ovr_boundary_form, law), true, ALWAYS,
+     "what surfaces bear where they touch, by their mean gap: profile, of the "
+     "features that are profiles or roughness, pressed together dry; "
+     "exponential, of Rq and slope; greenwood-tripp, of summits; a table; each "
+     "with a layer beside it; or a layer alone"},
+    {"of", CHOICE(of_what), "all", offsetof(ovr_boundary_form, unresolved),
+     true, "law; of = unresolved => [feature]",
+     "all: of all roughness, none of which is on the mesh, so that H is the "
+     "mean film; unresolved: of what is finer than the roughness on the mesh"},
+    {"flow_factor", CHOICE(factors), "none",
+     offsetof(ovr_boundary_form, ridges), true, "law; of = all",
+     "how rough surfaces change what a pressure gradient drives through their "
+     "mean gap, after Patir and Cheng: ridges of no direction, across the "
+     "flow or along it, 9 times as long as wide"},
+    {"Rq", HEIGHT, "0", offsetof(ovr_boundary_form, Rq), true, with_Rq,
+     "root mean square height of both surfaces together"},
+    {"slope", PLAIN(0, 1), "0", offsetof(ovr_boundary_form, slope), true, rough,
+     "root mean square slope of both together, a pure number"},
+    {"amplitude", STRESS(none, 0, 1e6), "none",
+     offsetof(ovr_boundary_form, amplitude), true, rough,
+     "pressure at no gap, instead of one by the slope"},
+    {"decay", OVR_NUMBER, OVR_LENGTH, OVR_IN_HEIGHT, 0, 1e3, false,
+     .words = none, "none", offsetof(ovr_boundary_form, decay), true, rough,
+     "gap over which it falls by e, instead of Rq/2.15"},
+    {"layer", HEIGHT, "0", offsetof(ovr_boundary_form, layer), true, "law",
+     "film at which a layer of boundary lubricant bears ph; 0: none"},
+    {"layer_decay", HEIGHT, "0", offsetof(ovr_boundary_form, layer_decay), true,
+     "layer > 0", "film over which that falls by e; 0: a third of it"},
+    {"friction", PLAIN_OR(none, 0, 2), "none",
+     offsetof(ovr_boundary_form, friction), true, "law",
+     "friction of what touches over the pressure it bears"},
+    {"summits", PLAIN(0, 1), "0.05", offsetof(ovr_boundary_form, summits), true,
+     summits,
+     "summits an area times their radius times Rq, n beta sigma: measured "
+     "0.03 to 0.06"},
+    {"sharpness", PLAIN(0, 1), "0.01", offsetof(ovr_boundary_form, sharpness),
+     true, summits,
+     "Rq over the radius of summits, sigma/beta: 0.0001 to 0.01"},
+    {"wear_1", OVR_NUMBER, OVR_PER_PRESSURE, OVR_NOT_HERTZIAN, 0, 1, false,
+     .words = no_wear, "none", offsetof(ovr_boundary_form, wear[0]), true,
+     by_profile,
+     "what surface 1 wears, volume over load and way of sliding, like 1e-8 "
+     "mm3/Nm (mild)"},
+    {"wear_2", OVR_NUMBER, OVR_PER_PRESSURE, OVR_NOT_HERTZIAN, 0, 1, false,
+     .words = no_wear, "none", offsetof(ovr_boundary_form, wear[1]), true,
+     by_profile, "what surface 2 wears"},
+    {"passes", PLAIN(0, 1e15), "0", offsetof(ovr_boundary_form, passes), true,
+     by_profile,
+     "running-in: so often both surfaces roll through the contact, which stays "
+     "as it is, and wear; 0: never"},
+    {"jump", PLAIN_OR(auto_zero, 0, 1e15), "auto",
+     offsetof(ovr_boundary_form, jump), true, "passes > 0",
+     "how many passes one that is calculated stands for; auto: so many that no "
+     "place wears by more than 2 % of Rq"},
+    {"settled", PLAIN(0, 1), "0", offsetof(ovr_boundary_form, settled), true,
+     "passes > 0",
+     "a jump that changes the contact share by less than this part of it is "
+     "the last; 0: all passes are made"},
+    {"file", PATH, NULL, offsetof(ovr_boundary_form, file), true, "law = table",
+     "pressure over the mean gap, two columns under a header like 'gap [nm], "
+     "pressure [MPa]'"}};
+
+const ovr_section ovr_boundary_section = {
+    .name = "boundary",
+    .on = "law",
+    .help = "mixed lubrication: surfaces that touch through their film",
+    ROWS(keys)};
+
+/* Takes the roughness that the law is given by. */
+static ovr_status resolve_exponential(const ovr_physics_case *of,
+                                      ovr_boundary_form *f, ovr_error *err)
+{
+    double kappa = of->contact->kappa;
+    if (isnan(f->decay))
+        f->decay = f->Rq / 2.15;
+    if (!(f->decay > 0))
+        return ovr_fail_about(err, "Rq",
+                              "law = exponential needs Rq, of both surfaces "
+                              "together, or decay; above 0");
+    if (!isnan(f->amplitude))
+        return OVR_OK;
+    if (!(f->slope > 0))
+        return ovr_fail_about(err, "slope",
+                              "law = exponential needs slope, the root mean "
+                              "square one, or amplitude; above 0");
+    if (!(kappa > 0))
+        return ovr_fail_about(err, "slope",
+                              "slope becomes a pressure by the modulus, which "
+                              "is not known; give amplitude in ph");
+    f->amplitude = 0.38 * f->slope * 2 / kappa;
+    return OVR_OK;
+}
+
+/* E* = E'/2 in ph is 2/kappa. */
+static ovr_status resolve_summits(const ovr_physics_case *of,
+                                  ovr_boundary_form *f, ovr_error *err)
+{
+    double kappa = of->contact->kappa;
+    if (!(f->Rq > 0))
+        return ovr_fail_about(err, "Rq",
+                              "law = greenwood-tripp needs Rq, of both "
+                              "surfaces together, above 0");
+    if (!(f->summits > 0 && f->sharpness > 0))
+        return ovr_fail_about(err, f->summits > 0 ? "sharpness" : "summits",
+                              "law = greenwood-tripp needs a value above 0");
+    if (!(kappa > 0))
+        return ovr_fail_about(err, "law",
+                              "greenwood-tripp becomes a pressure by the "
+                              "modulus, which is not known: give it");
+    return ovr_touch_greenwood_tripp(&f->bears.table, f->Rq, f->summits,
+                                     f->sharpness, 2 / kappa, of->arena, err);
+}
+
+/* Where it bears what it bears at no gap, all is in contact, by the rule of the
+ * exponential. */
+static ovr_status take_points(const ovr_physics_case *of,
+                              const ovr_physics_columns *c,
+                              ovr_boundary_form *f, ovr_error *err)
+{
+    ovr_touch_table *t = &f->bears.table;
+    double maximum, slope;
+    for (size_t k = 0; k < c->count; k++)
+        if (!(c->y[k] > 0) ||
+            (k && !(c->x[k] > c->x[k - 1] && c->y[k] < c->y[k - 1])))
+            return ovr_fail_at(err, OVR_BAD_INPUT, f->file, 0,
+                               "point %zu: gaps must rise, pressures fall and "
+                               "be above 0",
+                               k + 1);
+    if (c->count < 2)
+        return ovr_fail_at(err, OVR_BAD_INPUT, f->file, 0,
+                           "has %zu points and needs two at least", c->count);
+    if (ovr_touch_table_take(t, c->count, of->arena, err))
+        return OVR_NO_MEMORY;
+    for (size_t k = 0; k < c->count; k++) {
+        t->H[k] = c->x[k] / of->contact->height;
+        t->ln_A[k] = log(c->y[k] / of->contact->ph);
+    }
+    ovr_touch_table_slopes(t);
+    ovr_touch_law_at(&f->bears, 0, &maximum, &slope);
+    for (size_t k = 0; k < c->count; k++)
+        t->area[k] = fmin(1, 0.95 * exp(t->ln_A[k]) / maximum);
+    return OVR_OK;
+}
+
+static ovr_status resolve_table(const ovr_physics_case *of,
+                                ovr_boundary_form *f, ovr_error *err)
+{
+    ovr_physics_columns c = {.name = {"gap", "pressure"},
+                             .of = {OVR_LENGTH, OVR_PRESSURE},
+                             .example = "gap [nm], pressure [MPa]"};
+    if (!f->file)
+        return ovr_fail_about(err, "file",
+                              "law = table needs a file of gaps and pressures");
+    if (!(of->contact->height > 0 && of->contact->ph > 0))
+        return ovr_fail_about(err, "file",
+                              "a table in metres and pascals needs a physical "
+                              "contact: radius and modulus beside alpha");
+    if (of->read(of->data, "file", f->file, &c, err))
+        return err->status;
+    return take_points(of, &c, f, err);
+}
+
+static bool is_rough(const ovr_feature_form *feature)
+{
+    return feature->shape == OVR_PROFILE || feature->shape == OVR_ROUGHNESS;
+}
+
+/* The profile of each surface, one at most. */
+static ovr_status profiles_of(const ovr_physics_case *of,
+                              const ovr_feature_form *form[2], ovr_error *err)
+{
+    form[0] = form[1] = NULL;
+    for (size_t k = 0; k < of->features; k++) {
+        const ovr_feature_form **place = &form[of->feature[k]->surface == 2];
+        if (!is_rough(of->feature[k]))
+            continue;
+        if (*place)
+            return ovr_fail_about(err, "law",
+                                  "law = profile takes one profile of a "
+                                  "surface: '%s' and '%s' are on the same",
+                                  (*place)->name, of->feature[k]->name);
+        *place = of->feature[k];
+    }
+    if (!form[0] && !form[1])
+        return ovr_fail_about(err, "law",
+                              "law = profile needs a [feature] that is a "
+                              "profile, or roughness");
+    return OVR_OK;
+}
+
+/* Makes the law of all that the profiles have: where the mesh has part of them,
+ * what they bear at most (on_mesh). */
+static ovr_status resolve_profiles(const ovr_physics_case *of,
+                                   ovr_boundary_form *f, ovr_error *err)
+{
+    const ovr_feature_form *form[2];
+    if (profiles_of(of, form, err) ||
+        ovr_rough_pair_make(&f->pair, form, of->contact, of->arena, err) ||
+        ovr_rough_pair_law(&f->pair, &f->bears.table, of->arena, err))
+        return err->status;
+    f->Rq = f->pair.Rq;
+    f->slope = f->pair.slope * of->contact->kappa;
+    return OVR_OK;
+}
+
+static ovr_status resolve_layer(ovr_boundary_form *f, ovr_error *err)
+{
+    if (f->law == OVR_BOUNDARY_LAYER && !(f->layer > 0))
+        return ovr_fail_about(err, "layer",
+                              "law = layer needs the film that the layer bears "
+                              "at, layer, above 0");
+    if (!(f->layer_decay > 0))
+        f->layer_decay = f->layer / 3;
+    f->bears.layer = f->layer;
+    f->bears.layer_decay = f->layer_decay;
+    return OVR_OK;
+}
+
+static ovr_status resolve_law(const ovr_physics_case *of, ovr_boundary_form *f,
+                              ovr_error *err)
+{
+    f->bears = (ovr_touch_law){0};
+    if (f->law == OVR_BOUNDARY_EXPONENTIAL && resolve_exponential(of, f, err))
+        return OVR_BAD_INPUT;
+    if (f->law == OVR_BOUNDARY_EXPONENTIAL) {
+        f->bears.amplitude = f->amplitude;
+        f->bears.decay = f->decay;
+    }
+    if (f->law == OVR_BOUNDARY_GREENWOOD_TRIPP && resolve_summits(of, f, err))
+        return err->status;
+    if (f->law == OVR_BOUNDARY_TABLE && resolve_table(of, f, err))
+        return err->status;
+    if (f->law == OVR_BOUNDARY_PROFILE && resolve_profiles(of, f, err))
+        return err->status;
+    return resolve_layer(f, err);
+}
+
+bool ovr_boundary_keeps(const void *form, const ovr_feature_form *feature)
+{
+    const ovr_boundary_form *f = form;
+    return f->law == OVR_BOUNDARY_PROFILE && !f->unresolved &&
+           is_rough(feature);
+}
+
+static ovr_status resolve_factor(const ovr_physics_case *of,
+                                 ovr_boundary_form *f, ovr_error *err)
+{
+    f->factor = (ovr_flow_factor){(ovr_ridges)f->ridges, f->Rq};
+    if (f->Rq == 0 && f->decay > 0)
+        f->factor.sigma = 2.15 * f->decay;
+    if (f->ridges && !(f->factor.sigma > 0))
+        return ovr_fail_about(err, "flow_factor",
+                              "a flow factor needs Rq, of both surfaces "
+                              "together, above 0");
+    if (f->ridges && of->options->faces == OVR_FACES_ARITHMETIC)
+        return ovr_fail_about(err, "flow_factor",
+                              "a flow factor acts at half nodes: it needs "
+                              "[domain] faces = gap or logarithmic");
+    return OVR_OK;
+}
+
+/* A surface that stands has no passes. */
+static ovr_status resolve_wear(const ovr_physics_case *of,
+                               const ovr_boundary_form *f, ovr_error *err)
+{
+    const double u[2] = {of->contact->u1_ratio, of->contact->u2_ratio};
+    if (!(f->passes > 0))
+        return f->wear[0] > 0 || f->wear[1] > 0
+                   ? ovr_fail_about(err, "passes",
+                                    "wear needs passes, like passes = 1e6")
+                   : OVR_OK;
+    if (f->unresolved)
+        return ovr_fail_about(
+            err, "passes",
+            "running-in needs all of the roughness in the law: of = all");
+    if (!(of->contact->ph > 0 && of->contact->kappa > 0))
+        return ovr_fail_about(err, "passes",
+                              "wear needs a physical contact: radius and "
+                              "modulus beside alpha");
+    for (int k = 0; k < 2; k++)
+        if (f->wear[k] > 0 && !(fabs(u[k]) > 1e-9))
+            return ovr_fail_about(
+                err, k ? "wear_2" : "wear_1",
+                "surface %d stands still, so nothing passes over it and it has "
+                "no wear to be given by passes",
+                k + 1);
+    return OVR_OK;
+}
+
+static bool bears(const ovr_boundary_form *f)
+{
+    return f->bears.amplitude > 0 || f->bears.layer > 0 || f->bears.table.n;
+}
+
+static double unloaded(double X)
+{
+    double root = sqrt(X * X - 1);
+    return 0.5 * (X * root - log(X + root));
+}
+
+/* The gap of the dry contact bears less than this beyond that |X|. */
+static double ends_at(const ovr_boundary_form *f)
+{
+    const double enough = 1e-5, farthest = 20;
+    double X = 1, A = 1, slope;
+    while (A > enough && X < farthest) {
+        X += 0.05;
+        ovr_touch_law_at(&f->bears, unloaded(X), &A, &slope);
+    }
+    return X;
+}
+
+/* The domain goes out as far as surfaces touch, where it is not given; of
+ * second order. */
+static void resolve_options(const ovr_physics_case *of,
+                            const ovr_boundary_form *f)
+{
+    ovr_options *o = of->options, with = *o;
+    double end = ends_at(f);
+    ovr_options_domain(of->contact, &with);
+    if (o->outlet == 0 || isnan(o->outlet))
+        o->outlet = fmax(with.outlet, end);
+    if (o->inlet == 0 || isnan(o->inlet))
+        o->inlet = fmin(with.inlet, -end);
+    if (!o->order) /* 4 is refused by the table of pairs */
+        o->order = 2;
+}
+
+/* The film that smooth surfaces have, by the fit where it holds. */
+static double smooth_film(const ovr_physics_case *of)
+{
+    const ovr_contact *c = of->contact;
+    double fit =
+        ovr_film_fitted(c->M, c->L, ovr_density(of->lubricant, 1)).central;
+    return isnan(fit) ? ovr_film_central_moes(c->M, c->L) : fit;
+}
+
+/* The share of Hertz's pressure that a film would bear. */
+static double share_of(const ovr_touch_law *law, double H)
+{
+    enum { NODES = 200 };
+    double A, slope, sum = 0;
+    ovr_touch_law_at(law, H, &A, &slope);
+    for (int i = 0; i < NODES; i++) {
+        double X = (i + 0.5) / NODES;
+        sum += fmin(sqrt(1 - X * X), A) / NODES;
+    }
+    return sum * 4 / acos(-1.0);
+}
+
+/* The film with a flow factor; NAN where no Rq is known. */
+static double film_with(const ovr_boundary_form *f, double H, ovr_ridges ridges)
+{
+    ovr_flow_factor factor = {ridges, f->factor.sigma};
+    if (!(factor.sigma > 0))
+        return ridges ? NAN : H;
+    return H * ovr_flow_factor_film(&factor, H / factor.sigma);
+}
+
+static double share_with(const ovr_boundary_form *f, double H,
+                         ovr_ridges ridges)
+{
+    return share_of(&f->bears, film_with(f, H, ridges));
+}
+
+/* The mean shear stress over tau0 of a film without a pressure gradient, whose
+ * Newtonian one is x: f(y) = x, by bisection of ln y where it has no closed
+ * form. */
+static double thinned(const ovr_lubricant *oil, double x)
+{
+    double low = log(1e-6), high = log(fmax(x, 1e-6)), slope;
+    if (oil->rheology == OVR_EYRING || !oil->flow_law)
+        return asinh(x);
+    for (int k = 0; k < 60; k++) {
+        double middle = 0.5 * (low + high);
+        if (ovr_curve_at(&oil->flow_law->f, exp(middle), &slope) > x)
+            high = middle;
+        else
+            low = middle;
+    }
+    return exp(high);
+}
+
+/* The coefficient of friction that such a film would add under what Hertz's
+ * pressure leaves to it, at the supply's temperature. */
+static double film_friction(const ovr_physics_case *of,
+                            const ovr_boundary_form *f, double H)
+{
+    enum { NODES = 200 };
+    const ovr_lubricant *oil = of->lubricant;
+    const ovr_contact *c = of->contact;
+    double V = fabs(c->u1_ratio - c->u2_ratio), A, slope, sum = 0;
+    ovr_touch_law_at(&f->bears, H, &A, &slope);
+    for (int i = 0; i < NODES; i++) {
+        double X = (i + 0.5) / NODES, P = fmax(sqrt(1 - X * X) - A, 0);
+        double t = c->lambda / 12 * V * ovr_viscosity(oil, P) / H;
+        t = oil->Sigma0 * thinned(oil, t / oil->Sigma0);
+        if (oil->limiting_shear > 0)
+            t = fmin(t, oil->limiting_shear * P / c->kappa);
+        sum += t / NODES;
+    }
+    return (1 - ovr_touch_law_area(&f->bears, H)) * c->kappa * sum * 4 /
+           acos(-1.0);
+}
+
+bool ovr_boundary_is_weak(const ovr_boundary_form *f, double load)
+{
+    const double enough = 0.9; /* bears 0.96 of the load */
+    return f->at_no_film < enough * sqrt(load);
+}
+
+/* A law of what is finer than the mesh has to bear what single crests bear,
+ * which is not compared with the Hertzian pressure. */
+static void find_strength(ovr_boundary_form *f)
+{
+    double slope;
+    f->at_no_film = INFINITY;
+    f->share_at_no_film = 1;
+    if (f->unresolved)
+        return;
+    ovr_touch_law_at(&f->bears, 0, &f->at_no_film, &slope);
+    f->share_at_no_film = share_of(&f->bears, 0);
+}
+
+ovr_status ovr_boundary_resolve(const ovr_physics_case *of, void *form,
+                                bool *on, ovr_error *err)
+{
+    const double high = 0.7e9, slides = 0.05;
+    ovr_boundary_form *f = form;
+    double V = fabs(of->contact->u1_ratio - of->contact->u2_ratio);
+    *on = f->law != 0;
+    if (!*on)
+        return OVR_OK;
+    if (resolve_law(of, f, err))
+        return err->status;
+    *on = bears(f);
+    if (!*on)
+        return OVR_OK;
+    if (of->contact->ph > high && V > slides &&
+        of->lubricant->rheology == OVR_NEWTONIAN)
+        return ovr_fail_about(
+            err, "law",
+            "surfaces that touch at ph = %.2g GPa and slide by %.2g of the "
+            "mean speed need an oil that shears thin: [lubricant] rheology = "
+            "eyring does",
+            of->contact->ph / 1e9, V);
+    if (resolve_factor(of, f, err) || resolve_wear(of, f, err))
+        return OVR_BAD_INPUT;
+    f->estimate = share_with(f, smooth_film(of), f->factor.ridges);
+    find_strength(f);
+    resolve_options(of, f);
+    return OVR_OK;
+}
+
+ovr_status ovr_boundary_on_mesh(const ovr_physics_case *of, void *form,
+                                double mesh, ovr_error *err)
+{
+    ovr_boundary_form *f = form;
+    const ovr_feature_form *profile[2];
+    if (f->law != OVR_BOUNDARY_PROFILE || !f->unresolved)
+        return OVR_OK;
+    if (profiles_of(of, profile, err) ||
+        ovr_rough_pair_rest(&f->pair, profile, mesh, of->contact, of->arena,
+                            err))
+        return err->status;
+    f->bears.table = (ovr_touch_table){0};
+    if (ovr_rough_pair_law(&f->pair, &f->bears.table, of->arena, err)) {
+        f->bears.table.n = 0;
+        if (!(f->layer > 0))
+            return ovr_fail_about(err, "of",
+                                  "the mesh has all of the profiles: give "
+                                  "layer for what bears where oil is gone, or "
+                                  "take a coarser level");
+    }
+    f->Rq = f->pair.Rq;
+    f->slope = f->pair.slope * of->contact->kappa;
+    f->factor.sigma = 0; /* H is no mean gap of theirs */
+    f->estimate = share_with(f, smooth_film(of), OVR_RIDGES_NONE);
+    return OVR_OK;
+}
+
+/* Tells of all bounds of the share what metal, the film and both add to mu. */
+static void tell_friction(const ovr_physics_case *of,
+                          const ovr_boundary_form *f, double H,
+                          const double share[3], ovr_physics_line *line,
+                          void *data)
+{
+    double minimum[3] = {NAN, NAN, NAN}, maximum[3] = {NAN, NAN, NAN};
+    bool known = of->lubricant->rheology != OVR_NEWTONIAN &&
+                 of->contact->kappa > 0;
+    char text[240];
+    for (int k = 0; k < 3; k++) {
+        double film = film_friction(of, f, film_with(f, H, (ovr_ridges)k));
+        const double part[3] = {f->friction * share[k], film,
+                                f->friction * share[k] + film};
+        for (int j = 0; j < 3; j++) {
+            minimum[j] = fmin(minimum[j], part[j]);
+            maximum[j] = fmax(maximum[j], part[j]);
+        }
+    }
+    if (known)
+        snprintf(text, sizeof text,
+                 "%.2g to %.2g by these shares: boundary friction %.2g to "
+                 "%.2g, the film's %.2g to %.2g at the supply's temperature",
+                 minimum[2], maximum[2], minimum[0], maximum[0], minimum[1],
+                 maximum[1]);
+    else
+        snprintf(text, sizeof text,
+                 "boundary friction %.2g to %.2g by these shares, beside the "
+                 "film's, which needs a flow law",
+                 minimum[0], maximum[0]);
+    line(data, "  mu", text);
+}
+
+/* The exponential of the roughness on the mesh in |X| < 1, and the layer: a
+ * slope of H over X is kappa times as steep. */
+static ovr_touch_law mean_law(const ovr_touch_law *law, size_t n,
+                              const double *X, const double *S, double *Rq)
+{
+    ovr_touch_law all = {.layer = law->layer, .layer_decay = law->layer_decay};
+    double count = 0, sum = 0, squares = 0, slopes = 0;
+    for (size_t i = 1; i < n; i++) {
+        double slope = (S[i] - S[i - 1]) / (X[i] - X[i - 1]);
+        if (!(fabs(X[i]) < 1))
+            continue;
+        count++;
+        sum += S[i];
+        squares += S[i] * S[i];
+        slopes += slope * slope;
+    }
+    *Rq = sqrt(fmax(squares / count - sum / count * (sum / count), 0));
+    all.amplitude = 0.38 * 2 * sqrt(slopes / count);
+    all.decay = *Rq / 2.15;
+    return all;
+}
+
+void ovr_boundary_instead(const ovr_touch_law *law, double H, size_t n,
+                          const double *X, const double *S, size_t size,
+                          char *text)
+{
+    double Rq;
+    ovr_touch_law all = mean_law(law, n, X, S, &Rq);
+    text[0] = '\0';
+    if (Rq > 0)
+        snprintf(
+            text, size,
+            "; lambda is %.2g: under a law all of 100 random ground pairs "
+            "held down to lambda 0.7, 96 down to 0.3, which are %.2g and "
+            "%.2g times this speed; the mean film, [boundary] of = all, "
+            "has an answer at any: metal would bear about %.2g of the load",
+            H / Rq, pow(0.7 * Rq / H, 1 / 0.7), pow(0.3 * Rq / H, 1 / 0.7),
+            share_of(&all, H));
+}
+
+static void tell_estimate(const ovr_physics_case *of,
+                          const ovr_boundary_form *f, ovr_physics_line *line,
+                          void *data)
+{
+    double H = smooth_film(of), share[3];
+    char text[240];
+    if (f->factor.sigma > 0) {
+        snprintf(text, sizeof text,
+                 "%.3g: the central film of smooth surfaces, by the fit, over "
+                 "the Rq of both",
+                 H / f->factor.sigma);
+        line(data, "lambda", text);
+    }
+    for (int k = 0; k < 3; k++)
+        share[k] = share_with(f, H, (ovr_ridges)k);
+    snprintf(text, sizeof text,
+             "about %.2g of the load by the smooth film (to 8 %% down to "
+             "lambda 1, too much below), no oil being trapped: an upper bound",
+             share[0]);
+    line(data, "surfaces that touch", text);
+    if (isfinite(share[1])) {
+        snprintf(text, sizeof text,
+                 "%.2g with the flow factor of isotropic roughness, %.2g with "
+                 "that of ridges across; ridges on the mesh trap their oil "
+                 "and touch less still",
+                 share[1], share[2]);
+        line(data, "  other bounds", text);
+    }
+    if (!isnan(f->friction))
+        tell_friction(of, f, H, share, line, data);
+}
+
+static void tell_wear(const ovr_boundary_form *f, ovr_physics_line *line,
+                      void *data)
+{
+    char text[160];
+    if (f->jump > 0)
+        snprintf(text, sizeof text,
+                 "%.4g passes in jumps of %.4g; each finds the profiles' law "
+                 "anew, for about a second",
+                 f->passes, f->jump);
+    else
+        snprintf(text, sizeof text,
+                 "%.4g passes in jumps by at most 2 %% of Rq; each finds the "
+                 "profiles' law anew, for about a second",
+                 f->passes);
+    line(data, "running-in", text);
+}
+
+void ovr_boundary_tell(const ovr_physics_case *of, const void *form,
+                       ovr_physics_line *line, void *data)
+{
+    const ovr_boundary_form *f = form;
+    char text[160];
+    if (f->bears.amplitude > 0) {
+        snprintf(text, sizeof text,
+                 "%.4g ph at no gap, falls by e in %.4g b^2/R", f->amplitude,
+                 f->decay);
+        line(data, "roughness bears", text);
+    }
+    if (f->bears.table.n) {
+        double A, slope;
+        ovr_touch_law_at(&f->bears, 0, &A, &slope);
+        snprintf(text, sizeof text,
+                 "%.4g ph at no gap, falls by e in %.4g b^2/R there", A,
+                 A / slope);
+        line(data, "roughness bears", text);
+    }
+    if (f->law == OVR_BOUNDARY_PROFILE && !f->bears.table.n)
+        line(data, "both profiles", "the mesh has all of them");
+    if (f->law == OVR_BOUNDARY_PROFILE && f->bears.table.n) {
+        snprintf(text, sizeof text,
+                 "Rq %.4g b^2/R, slope %.4g, %d of their pressures up to %.4g "
+                 "ph%s",
+                 f->Rq, f->slope, (int)f->bears.table.n,
+                 exp(f->bears.table.ln_A[0]),
+                 f->unresolved ? "; of what the mesh leaves out"
+                 : f->pair.cut ? "; the longer one cut to the shorter"
+                               : "");
+        line(data, "both profiles", text);
+    }
+    if (f->layer > 0) {
+        snprintf(text, sizeof text,
+                 "ph at a film of %.4g b^2/R, falls by e in %.4g", f->layer,
+                 f->layer_decay);
+        line(data, "a layer bears", text);
+    }
+    tell_estimate(of, f, line, data);
+    if (f->passes > 0)
+        tell_wear(f, line, data);
+}

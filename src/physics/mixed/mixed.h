@@ -1,0 +1,65 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A case says this of surfaces that touch (boundary.c). */
+#ifndef OVR_PHYSICS_MIXED_MIXED_H
+#define OVR_PHYSICS_MIXED_MIXED_H
+
+#include "contact/flow_factor.h"
+#include "contact/touch_law.h"
+#include "simulation/physics.h"
+#include "surface/rough_pair.h"
+
+typedef enum ovr_boundary_law {
+    OVR_BOUNDARY_NONE,
+    OVR_BOUNDARY_EXPONENTIAL,
+    OVR_BOUNDARY_LAYER,
+    OVR_BOUNDARY_GREENWOOD_TRIPP,
+    OVR_BOUNDARY_TABLE,
+    OVR_BOUNDARY_PROFILE
+} ovr_boundary_law;
+
+typedef struct ovr_boundary_form {
+    int law;
+    int ridges;              /* ovr_ridges */
+    int unresolved;          /* the law is of what the mesh has not */
+    double Rq, slope;        /* of both surfaces: b^2/R, a pure number */
+    double amplitude, decay; /* a1, s; NAN: by those two */
+    double layer, layer_decay;
+    double friction;           /* NAN: not told */
+    double summits, sharpness; /* n beta sigma, sigma/beta */
+    const char *file;          /* of a table */
+    double wear[2];            /* K over hardness, 1/Pa */
+    double passes;             /* 0: no wear */
+    double jump;               /* passes of a step; 0: as many as go */
+    double settled;            /* change of the share that ends it; 0: none */
+    ovr_flow_factor factor;    /* of a mean film */
+    double estimate;           /* of the share, before it is solved */
+    double at_no_film;         /* pressure that the mean film's law bears at
+                                  H = 0, in ph; INFINITY: any */
+    double share_at_no_film;   /* largest share of the load it can bear */
+    ovr_rough_pair pair;       /* of profiles */
+    ovr_touch_law bears;       /* what all this comes to */
+} ovr_boundary_form;
+
+extern const ovr_section ovr_boundary_section;
+
+/* These are functions of a physics (physics.h). */
+ovr_status ovr_boundary_resolve(const ovr_physics_case *of, void *form,
+                                bool *on, ovr_error *err);
+ovr_status ovr_boundary_on_mesh(const ovr_physics_case *of, void *form,
+                                double mesh, ovr_error *err);
+bool ovr_boundary_keeps(const void *form, const ovr_feature_form *feature);
+void ovr_boundary_tell(const ovr_physics_case *of, const void *form,
+                       ovr_physics_line *line, void *data);
+
+/* True if the law bears clearly less than the Hertzian pressure at no film, at
+ * a load relative to the nominal one. */
+bool ovr_boundary_is_weak(const ovr_boundary_form *f, double load);
+
+/* Says what to do where the roughness S on the mesh was too much for a film H
+ * under a law: its lambda, down to which such pairs hold, and what the mean
+ * film makes of it; nothing where there is no roughness. */
+void ovr_boundary_instead(const ovr_touch_law *law, double H, size_t n,
+                          const double *X, const double *S, size_t size,
+                          char *text);
+
+#endif

@@ -1,0 +1,289 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The section [plastic], and what its keys mean: laws of hardening in the units
+ * of the contact. */
+#include "physics/plastic/plastic.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "base/error.h"
+#include "base/rows.h"
+#include "case/setup.h"
+#include "physics/stress/stress.h"
+#include "simulation/conflicts.h"
+#include "stress/stress.h"
+
+#define AT(field) offsetof(ovr_plastic_setup, field)
+
+static const ovr_word which_surface[] = {
+    {"1", 1}, {"2", 2}, {"both", 3}, {NULL, 0}};
+static const ovr_word by_body[] = {{"body", NAN}, {NULL, 0}};
+static const ovr_word laws[] = {{"none", OVR_HARDENS_NOT},
+                                {"linear", OVR_HARDENS_LINEAR},
+                                {"kinematic", OVR_HARDENS_KINEMATIC},
+                                {"swift", OVR_HARDENS_SWIFT},
+                                {NULL, 0}};
+static const ovr_word feature_window[] = {{"feature", 0}, {NULL, 0}};
+static const ovr_word couplings[] = {{"step", 0}, {"pass", 1}, {NULL, 0}};
+
+static const ovr_parameter plastic_keys[] = {
+    {"surface", CHOICE(which_surface), NULL, AT(surfaces), true, ALWAYS,
+     "whose material yields; 1 where the section is there and says nothing"},
+    {"hardening", CHOICE(laws), "swift", AT(hardening), true, "[plastic]",
+     "of the von Mises stress at which it flows: none, by modulus, along the "
+     "strain by modulus (Prager), or a power of all that has flowed (Swift)"},
+    {"yield", STRESS(by_body, 1e-3, 1e4), "body", AT(yield), true, "[plastic]",
+     "von Mises stress at no plastic strain; body: of [body N]; with swift it "
+     "takes the place of B C^n"},
+    {"swift", TEXT, "945 MPa, 20, 0.121", AT(swift), true,
+     "[plastic]; hardening = swift",
+     "B, C, n of B (C + plastic strain in 1e-6)^n; as it stands that of "
+     "bearing steel 52100"},
+    {"modulus", STRESS(NULL, 0, 1e9), "0", AT(modulus), true,
+     "[plastic]; hardening = linear | kinematic",
+     "by which the yield stress rises, over the plastic strain"},
+    {"passes", WHOLE(1, 1000), "1", AT(passes), true, "[plastic]",
+     "overrollings of the same material, each from the steady smooth contact; "
+     "they end once it has shaken down"},
+    {"window", LIST(OVR_LENGTH, OVR_IN_B, -1e6, 1e6, feature_window), "feature",
+     AT(window), true, "[plastic]",
+     "material that may yield, FROM, TO about the first feature's centre; "
+     "feature: 1 b beyond the features of the surface, 3 b at the least"},
+    {"layers", WHOLE(4, 200), "24", AT(layers), true, "[plastic]",
+     "layers of constant plastic strain, at most; the first a mesh thick"},
+    {"depth_max", LENGTH(1e-3, 10), "0.5", AT(depth), true, "[plastic]",
+     "depth that they reach"},
+    {"iterations", WHOLE(1, 10000), "8", AT(iterations), true, "[plastic]",
+     "of flow and equilibrium a step, at most"},
+    {"coupling", CHOICE(couplings), "step", AT(once), true, "[plastic]",
+     "when the profile changes: with each step, or between passes alone"},
+    {"initial", PATH, NULL, AT(initial), true, "[plastic]",
+     "result file of an earlier run, whose strains and hardening it begins "
+     "with"},
+    {"profiles", PATH, NULL, AT(profiles), false, "[plastic]",
+     "STEM: the profile as it came and as it is left, in STEM-before.csv and "
+     "STEM-after.csv, which [feature] shape = profile reads"},
+    {"elastic", FLAG, "no", AT(elastic), true, "[plastic]",
+     "one pass more, before the others, in which nothing yields: the report "
+     "has its equivalent length and life beside those of the last"},
+    {"anyway", FLAG, "no", AT(anyway), false, "[plastic]",
+     "go on where the smooth contact never shakes down"},
+};
+
+const ovr_section ovr_plastic_section = {
+    .name = "plastic",
+    .whole = true,
+    .help = "material that yields below a surface; needs [stress]",
+    ROWS(plastic_keys)};
+
+/* "945 MPa, 20, 0.121" */
+static ovr_status read_swift(const ovr_physics_case *of, const char *text,
+                             ovr_hardening *h, ovr_error *err)
+{
+    ovr_quantity value[3];
+    ovr_error why = {0};
+    for (int k = 0; k < 3; k++) {
+        char item[80];
+        size_t length = strcspn(text, ",");
+        bool last = text[length] == '\0';
+        if (length >= sizeof item || last != (k == 2))
+            return ovr_fail_about(
+                err, "plastic.swift",
+                "swift: must be B, C, n: '945 MPa, 20, 0.121'");
+        memcpy(item, text + strspn(text, " "), length);
+        item[length - strspn(text, " ")] = '\0';
+        while (*item && item[strlen(item) - 1] == ' ')
+            item[strlen(item) - 1] = '\0';
+        if (ovr_quantity_read(item, k ? OVR_PURE : OVR_PRESSURE, true,
+                              &value[k], &why))
+            return ovr_fail_about(err, "plastic.swift", "swift: %s",
+                                  why.message);
+        text += length + !last;
+    }
+    if (value[0].unit && !isfinite(of->contact->ph))
+        return ovr_fail_about(
+            err, "plastic.swift",
+            "swift: B in pascals needs ph, which is not known: give "
+            "B as a number over ph");
+    h->strength = value[0].unit ? value[0].value / of->contact->ph
+                                : value[0].value;
+    h->offset = value[1].value;
+    h->power = value[2].value;
+    if (!(h->strength > 0) || !(h->offset > 0) ||
+        !(h->power > 0 && h->power < 1))
+        return ovr_fail_about(
+            err, "plastic.swift",
+            "swift: needs B and C above 0 and n between 0 and 1");
+    return OVR_OK;
+}
+
+/* Y of the section, of Swift's law, of the body. */
+static ovr_status resolve_law(const ovr_physics_case *of, ovr_plastic_setup *p,
+                              int k, ovr_error *err)
+{
+    ovr_plastic_body *body = &p->body[k];
+    ovr_hardening *h = &body->hardening;
+    h->law = p->hardening;
+    if (isnan(body->strain) && h->law != OVR_HARDENS_NOT)
+        return ovr_fail_about(
+            err, "plastic.hardening",
+            "hardening: hardening goes by the strain, which needs b/R: a "
+            "modulus in [contact] or [body N] gives it, "
+            "hardening = none does without");
+    h->yield = p->yield;
+    if (h->law == OVR_HARDENS_SWIFT) {
+        double slope;
+        if (read_swift(of, p->swift, h, err))
+            return OVR_BAD_INPUT;
+        h->microstrain = 1e6 * body->strain;
+        if (!isnan(p->yield))
+            h->strength *= p->yield / ovr_yield_stress(h, 0, &slope);
+        h->yield = ovr_yield_stress(h, 0, &slope);
+        return OVR_OK;
+    }
+    if (isnan(h->yield))
+        h->yield = of->body[k].yield;
+    if (!(h->yield > 0))
+        return ovr_fail_about(
+            err, "plastic.yield",
+            "yield: surface %d has no yield: give it here or in "
+            "[body %d]",
+            k + 1, k + 1);
+    h->modulus = h->law == OVR_HARDENS_NOT ? 0 : p->modulus * body->strain;
+    if (h->law != OVR_HARDENS_NOT && !(p->modulus > 0))
+        return ovr_fail_about(err, "plastic.modulus",
+                              "modulus: %s hardening needs a modulus above 0",
+                              h->law == OVR_HARDENS_LINEAR ? "linear"
+                                                           : "kinematic");
+    return OVR_OK;
+}
+
+/* E* of a body over E' of both: 1 for equal ones, and where the bodies do not
+ * say it. */
+static double stiffness(const ovr_physics_case *of, int k)
+{
+    const ovr_physics_body *b = &of->body[k];
+    double reduced = of->substrate > 0 ? of->contact->modulus : NAN;
+    double own = b->modulus / (1 - b->poisson * b->poisson);
+    return own > 0 && reduced > 0 ? own / reduced : 1;
+}
+
+static ovr_status check_limit(const ovr_plastic_setup *p, int k, ovr_error *err)
+{
+    const double close = 0.9;
+    double Y = p->body[k].hardening.yield;
+    double limit = ovr_shakedown_limit() * Y;
+    if (p->anyway)
+        return OVR_OK;
+    if (limit < 1)
+        return ovr_fail_about(
+            err, "plastic.yield",
+            "yield: Y = %.4g ph: ph is above the shakedown limit of "
+            "the smooth contact, %.4g ph, and surface %d "
+            "flows at every pass; anyway = yes goes on",
+            Y, limit, k + 1);
+    if (p->hardening == OVR_HARDENS_NOT && close * limit < 1)
+        return ovr_fail_about(
+            err, "plastic.hardening",
+            "hardening: none: without hardening a contact at %.2g of its "
+            "shakedown limit comes to rest too slowly to be "
+            "calculated; hardening = linear with modulus of "
+            "a hundredth of the elastic one, or anyway = yes",
+            1 / limit);
+    return OVR_OK;
+}
+
+static ovr_status check_run(const ovr_plastic_setup *p, ovr_error *err)
+{
+    static const char *const called[] = {"", "1", "2", "both"};
+    int lacking = p->surfaces & ~ovr_setup_stress(p->setup)->surfaces;
+    return lacking
+               ? ovr_fail_about(err, "plastic",
+                                "[plastic]: surface %s yields, and needs "
+                                "[stress] of it: surface = %s there",
+                                lacking & 1 ? "1" : "2", called[p->surfaces])
+               : OVR_OK;
+}
+
+ovr_status ovr_plastic_on_mesh(const ovr_physics_case *of, void *form,
+                               double mesh, ovr_error *err)
+{
+    (void)form;
+    (void)mesh;
+    return of->transient
+               ? OVR_OK
+               : ovr_fail_about(err, "plastic",
+                                "[plastic]: in a steady contact no material "
+                                "goes through its history: give [time] an end");
+}
+
+/* Its passes are those of the case, or more. */
+static ovr_status resolve_passes(ovr_plastic_setup *p, ovr_passes_setup *passes,
+                                 ovr_error *err)
+{
+    p->flooded = passes->number == 1;
+    if (passes->number < p->passes)
+        passes->number = p->passes;
+    if (p->elastic && passes->loads.count)
+        return ovr_fail_about(err, "plastic.elastic",
+                              "elastic: the pass in which nothing yields would "
+                              "take the first of [passes] loads: compare with "
+                              "a run without [plastic]");
+    passes->number += p->elastic;
+    return OVR_OK;
+}
+
+ovr_status ovr_plastic_resolve(const ovr_physics_case *of, void *form, bool *on,
+                               ovr_error *err)
+{
+    ovr_plastic_setup *p = form;
+    *on = of->given(of->data, "plastic", NULL);
+    if (!*on)
+        return OVR_OK;
+    p->setup = of->setup;
+    if (!p->surfaces)
+        p->surfaces = 1;
+    if (ovr_window_resolve(&p->window, "plastic.window", &p->from, &p->to,
+                           err) ||
+        check_run(p, err))
+        return OVR_BAD_INPUT;
+    for (int k = 0; k < 2; k++) {
+        if (!(p->surfaces >> k & 1))
+            continue;
+        p->body[k].softness = 1 / (4 * stiffness(of, k));
+        p->body[k].strain = of->contact->kappa * p->body[k].softness;
+        if (resolve_law(of, p, k, err) || check_limit(p, k, err))
+            return OVR_BAD_INPUT;
+    }
+    return resolve_passes(p, of->passes, err);
+}
+
+/* True if a body that yields has a layer of other moduli than its own. */
+static bool yields_below_others(const ovr_plastic_setup *p)
+{
+    const double same = 1e-9;
+    for (int k = 0; k < 2; k++) {
+        const ovr_coated *on = ovr_setup_layers(p->setup, k);
+        if (!on || !(p->surfaces >> k & 1))
+            continue;
+        const ovr_elastic *below = &on->body.below;
+        for (int j = 0; j < on->body.layers; j++)
+            if (fabs(on->body.layer[j].modulus / below->modulus - 1) > same ||
+                fabs(on->body.layer[j].poisson - below->poisson) > same)
+                return true;
+    }
+    return false;
+}
+
+unsigned ovr_plastic_features(const void *form)
+{
+    return ovr_model_feature_bit(OVR_MODEL_PLASTIC, true) |
+           ovr_model_feature_bit(OVR_MODEL_OTHER_MODULI,
+                                 yields_below_others(form));
+}
+
+ovr_plastic_setup *ovr_setup_plastic(const ovr_setup *setup)
+{
+    ovr_plastic_setup *form = ovr_setup_form(setup, "plastic");
+    return form && form->surfaces ? form : NULL;
+}

@@ -1,0 +1,231 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Plans what is followed of a case: depths, material, moments. */
+#include <math.h>
+#include <string.h>
+
+#include "base/error.h"
+#include "base/given.h"
+#include "case/resolve.h"
+#include "case/setup.h"
+#include "contact/contact.h"
+#include "physics/stress/stress.h"
+#include "stress/layered.h"
+#include "stress/stress.h"
+#include "surface/surfaces.h"
+
+/* Depths above 4 times the way between two moments are missed in part. */
+static const double WAY_OF_DEPTH = 4, MESHES_OF_DEPTH = 4, MESHES_OF_LIFE = 8;
+
+static size_t features_of(const ovr_setup *setup)
+{
+    return setup->surfaces ? ovr_surfaces_count(setup->surfaces) : 0;
+}
+
+/* xi = 0 at the first feature of the surface, of the other one, or where the
+ * material is under the contact half-way through the run. */
+static void find_material(const ovr_setup *setup, ovr_stress_plan *plan)
+{
+    double low = INFINITY, high = -INFINITY, end;
+    bool own = false;
+    end = ovr_history_integral(setup->speed, setup->march->end);
+    plan->range.reference = ovr_stress_wanders(setup)
+                                ? -ovr_stress_way(setup, plan,
+                                                  setup->march->end / 2)
+                                : -plan->ratio * end / 2;
+    for (size_t k = 0; k < features_of(setup); k++) {
+        ovr_feature_info info = ovr_surfaces_info(setup->surfaces, k);
+        double centre = ovr_surfaces_centre(setup->surfaces, k, 0);
+        bool local = isfinite(info.behind) && isfinite(info.ahead);
+        bool mine = info.surface == plan->surface;
+        if (own && !mine)
+            continue;
+        if (!mine)
+            centre = ovr_stress_struck(setup, plan, k);
+        if ((mine && !own) || !plan->feature) {
+            plan->range.reference = centre;
+            plan->feature = info.name;
+            low = high = centre;
+        }
+        own = own || mine;
+        low = fmin(low, centre - (local ? fmin(info.behind, 10) : 0));
+        high = fmax(high, centre + (local ? fmin(info.ahead, 10) : 0));
+    }
+    if (!plan->feature)
+        low = high = plan->range.reference;
+    plan->range.from = low - plan->range.reference - 2;
+    plan->range.to = high - plan->range.reference + 2;
+    if (!isnan(ovr_setup_stress(setup)->from)) {
+        plan->range.from = ovr_setup_stress(setup)->from;
+        plan->range.to = ovr_setup_stress(setup)->to;
+    }
+}
+
+/* Rounds to three digits, downwards. */
+static double round_down(double value)
+{
+    double digit = pow(10, floor(log10(value)) - 2);
+    return floor(value / digit * (1 + 1e-12)) * digit;
+}
+
+/* Moments so far apart miss depths that are asked for; said of the step of a
+ * run, and of `every` where stored moments are taken. */
+static ovr_status refuse(const ovr_setup *setup, const char *key, double depth,
+                         const ovr_stress_plan *plan, ovr_error *err)
+{
+    double dT = ovr_setup_step(setup);
+    double way = plan->coarsest, share = depth / WAY_OF_DEPTH / way;
+    double target = floor(share * plan->every + 1e-9);
+    if (target >= 1)
+        return ovr_fail_about(err, key,
+                              "%s = %g: the moments are %g b of way apart, "
+                              "which tells of depths from %.3g only; every = "
+                              "%.0f would do",
+                              key, depth, way, WAY_OF_DEPTH * way, target);
+    return ovr_fail_about(err, "step",
+                          "step: %.3g b/um is %.3g b of way, which tells "
+                          "of depths from %.3g b on only, and [%s] %s = %g; a "
+                          "step of %.3g would do",
+                          dT, way, WAY_OF_DEPTH * way,
+                          *key == 'l' ? "fatigue" : "stress", key, depth,
+                          round_down(share * dT * plan->every));
+}
+
+/* Exponents and limits are those of the body, below its layers. */
+static double below_layers(const ovr_stress_plan *plan)
+{
+    const ovr_layered *layers = plan->options.layers;
+    return layers ? ovr_layered_bottom(layers, layers->layers - 1) *
+                        (1 + OVR_BESIDE / 2)
+                  : 0;
+}
+
+static ovr_status find_depths(const ovr_setup *setup, ovr_stress_plan *plan,
+                              ovr_error *err)
+{
+    const ovr_stress_setup *s = ovr_setup_stress(setup);
+    double D = plan->options.mesh, possible = WAY_OF_DEPTH * plan->coarsest;
+    double allowed = possible * (1 - 1e-6);
+    plan->options.depth_min = s->depth_min;
+    if (s->depth_max < allowed)
+        return refuse(setup, "depth_max", s->depth_max, plan, err);
+    if (s->depth_min > 0 && s->depth_min < allowed)
+        return refuse(setup, "depth_min", s->depth_min, plan, err);
+    if (!(s->depth_min > 0))
+        plan->options.depth_min = fmax(MESHES_OF_DEPTH * D, possible);
+    plan->range.least_depth = s->life.least_depth;
+    if (s->life.least_depth > 0 && s->life.least_depth < allowed)
+        return refuse(setup, "least_depth", s->life.least_depth, plan, err);
+    if (!(s->life.least_depth > 0))
+        plan->range.least_depth = fmax(fmax(MESHES_OF_LIFE * D, possible),
+                                       plan->options.depth_min);
+    plan->range.least_depth = fmax(plan->range.least_depth, below_layers(plan));
+    return OVR_OK;
+}
+
+/* Depths, moduli and residual stresses of the layers on the surface. */
+static void add_layers(const ovr_setup *setup, ovr_stress_plan *plan)
+{
+    const ovr_coated *coated = ovr_setup_layers(setup, plan->surface - 1);
+    if (!coated)
+        return;
+    plan->options.layers = &coated->body;
+    plan->range.layer_residual = coated->residual;
+}
+
+static ovr_status make_plan(const ovr_setup *setup, int surface,
+                            ovr_stress_sight seen, ovr_stress_plan *plan,
+                            ovr_error *err)
+{
+    const ovr_stress_setup *s = ovr_setup_stress(setup);
+    const ovr_contact *c = setup->contact;
+    double dT = ovr_setup_step(setup);
+    bool dang_van = s->fatigue && s->criterion == OVR_CRITERION_DANG_VAN;
+    *plan = (ovr_stress_plan){.surface = surface};
+    plan->ratio = surface == 1 ? c->u1_ratio : c->u2_ratio;
+    plan->options = ovr_stress_options_default();
+    plan->range = ovr_material_range_default();
+    plan->options.mesh = seen.mesh;
+    plan->options.inlet = seen.inlet;
+    plan->every = seen.every;
+    plan->options.nodes = seen.nodes;
+    plan->options.depth_max = s->depth_max;
+    plan->options.per_octave = s->per_octave;
+    plan->options.traction = s->traction;
+    add_layers(setup, plan);
+    plan->traction = surface == 1 ? c->kappa : -c->kappa;
+    plan->no_traction = s->no_traction;
+    plan->range.poisson = s->poisson[surface - 1];
+    plan->range.residual_x = s->residual_x;
+    plan->range.residual_y = s->residual_y;
+    plan->range.residuals = s->residuals;
+    plan->range.residual_z = s->residual_z;
+    plan->range.residual_s = s->residual_s;
+    plan->range.yield = s->yield[surface - 1];
+    if (dang_van && (double)setup->output->every > plan->every)
+        plan->every = (double)setup->output->every; /* paths are stored ones */
+    plan->coarsest = setup->transient
+                         ? ovr_stress_fastest(setup) * dT * plan->every
+                         : 0;
+    plan->direction = ovr_stress_direction(setup, plan);
+    find_material(setup, plan);
+    return find_depths(setup, plan, err);
+}
+
+ovr_stress_sight ovr_stress_sight_of(const ovr_setup *setup)
+{
+    return (ovr_stress_sight){setup->options->inlet, setup->mesh, setup->nodes,
+                              1};
+}
+
+/* An error names the line of its key. */
+ovr_status ovr_stress_planned(const ovr_setup *setup, int surface,
+                              ovr_stress_sight seen, ovr_stress_plan *plan,
+                              ovr_error *err)
+{
+    const ovr_resolved *r = (const ovr_resolved *)setup;
+    ovr_error why = {0};
+    if (!make_plan(setup, surface, seen, plan, &why))
+        return OVR_OK;
+    return ovr_fail_in(err, r->c, ovr_block_of(r, "stress"),
+                       ovr_block_of(r, why.about && !strcmp(why.about, "step")
+                                           ? "time"
+                                           : "fatigue"),
+                       &why);
+}
+
+ovr_status ovr_setup_stress_depth(const ovr_setup *setup, double *minimum,
+                                  ovr_error *err)
+{
+    if (!setup || !minimum)
+        return ovr_fail_null(err, __func__);
+    *minimum = NAN;
+    for (int k = 1; k <= 2; k++) {
+        ovr_stress_plan plan;
+        if (!(ovr_setup_stress(setup)->surfaces >> (k - 1) & 1))
+            continue;
+        if (ovr_stress_planned(setup, k, ovr_stress_sight_of(setup), &plan,
+                               err))
+            return OVR_BAD_INPUT;
+        *minimum = plan.options.depth_min;
+    }
+    return OVR_OK;
+}
+
+double ovr_material_histories_memory(const ovr_setup *setup)
+{
+    if (!setup)
+        return NAN;
+    double bytes = 0;
+    for (int k = 1; k <= 2; k++) {
+        ovr_stress_plan plan;
+        if (!(ovr_setup_stress(setup)->surfaces >> (k - 1) & 1) ||
+            ovr_stress_planned(setup, k, ovr_stress_sight_of(setup), &plan,
+                               NULL))
+            continue;
+        bytes += ovr_material_history_memory(&plan.options, &plan.range);
+        /* the follower's ring */
+        bytes += (plan.options.traction ? 2 : 1) * 32. * 8 *
+                 (double)setup->nodes;
+    }
+    return bytes;
+}

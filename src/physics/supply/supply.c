@@ -1,0 +1,524 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The oil that arrives at the inlet, and that in the inlet reservoir.
+ *
+ *     dV/dT = Cu q_f - f,   q_f = q_s where the face of the first cell was
+ *                           half a mesh of travel ago, f the inflow
+ *
+ * A contact that is flooded takes f; when V is used up its first node is dried
+ * and only the film arrives, f = Cu q_f, until that node fills by itself.  V
+ * may stay slightly negative: a debt, no loss.
+ */
+#include <math.h>
+#include <stdio.h>
+
+#include "contact/contact.h"
+#include "contact/curvature.h"
+#include "contact/film_formula.h"
+#include "multigrid/content.h"
+#include "physics/companion.h"
+#include "physics/supply/supply.h"
+#include "simulation/physics.h"
+#include "simulation/quantity_row.h"
+#include "simulation/simulation.h"
+
+void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply, void *data,
+                           double reservoir)
+{
+    if (!sim)
+        return;
+    ovr_arrival *a = &sim->arrival;
+    *a = (ovr_arrival){.supply = supply,
+                       .data = data,
+                       .before = reservoir,
+                       .reservoir = reservoir,
+                       .kept = a->kept,
+                       .carriage = a->carriage};
+}
+
+/* ------------------------------------------------------------------- a step */
+
+/* The time at which what is at X_a + D/2 at time T was at X_a: the distance
+ * that the oil travels is the integral of Cu.  What came before T = 0 is what
+ * comes then. */
+static double time_of_entry(const ovr_simulation *sim, double T)
+{
+    enum { HALVINGS = 60 };
+    double way = sim->now.weights[0];
+    double from = ovr_history_integral(sim->speed, T) - way;
+    double low = 0, high = T;
+    if (from <= 0)
+        return 0;
+    for (int k = 0; k < HALVINGS; k++) {
+        double middle = 0.5 * (low + high);
+        *(ovr_history_integral(sim->speed, middle) < from ? &low
+                                                          : &high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+static void step(ovr_simulation *sim, void *own, double dT)
+{
+    ovr_arrival *a = own;
+    double T = sim->past.T[0] + dT;
+    if (!a->supply)
+        return;
+    a->q = a->supply(a->data, T);
+    a->face = a->supply(a->data, time_of_entry(sim, T));
+}
+
+/* The source of the inlet's row: what arrives has come along the characteristic
+ * already.
+ */
+static double source(const ovr_simulation *sim, const ovr_arrival *a)
+{
+    const ovr_operator *op = &sim->grids.op;
+    return op->characteristic ? 0 : op->speed * a->face / sim->now.weights[1];
+}
+
+/* Contents and states by the pressure, and the inlet: those of a solution. */
+static void restore(ovr_simulation *sim, const ovr_arrival *a, const double *P,
+                    const double *q, bool closed)
+{
+    ovr_level *level = sim->finest;
+    sim->grids.conserving = level->leads = true;
+    sim->grids.supplied = a->supply != NULL;
+    ovr_level_write(&sim->grids, level, q, level->f.q);
+    ovr_content_wet(level, P);
+    if (closed)
+        ovr_content_close(level, source(sim, a), a->q);
+    else
+        ovr_content_open(level);
+}
+
+/* Contents, states and inlet that an attempt begins from. */
+static void begin_attempt(ovr_simulation *sim, void *own)
+{
+    const ovr_arrival *a = own;
+    ovr_level *level = sim->finest;
+    bool closing = a->supply && !a->closed && a->reservoir < 0;
+    restore(sim, a, sim->past.P[0], sim->past.q[0], ovr_arrival_closes(sim));
+    if (closing) {
+        ovr_content_mark(level, level->f.wet, 1, false);
+        ovr_content_mark(level, level->f.dried, 1, true);
+        level->f.P[ovr_lanes_place(&level->lanes, 1)] = 0;
+    }
+}
+
+static void attempt(ovr_simulation *sim, void *own, bool first)
+{
+    (void)first;
+    begin_attempt(sim, own);
+}
+
+static void keep(ovr_simulation *sim, void *own)
+{
+    ovr_arrival *a = own;
+    ovr_level_read(&sim->grids, sim->finest, sim->finest->f.q, a->kept);
+    a->closed_kept = sim->finest->closed;
+}
+
+static void go_back(ovr_simulation *sim, void *own, const double *P)
+{
+    const ovr_arrival *a = own;
+    restore(sim, a, P, a->kept, a->closed_kept);
+}
+
+/* The flow through half node i + 1/2 of the first or the last row at T, after a
+ * step: along the characteristic the content that crossed it. */
+static double flow_at(const ovr_simulation *sim, size_t i, double T)
+{
+    const ovr_carriage *c = &sim->arrival.carriage;
+    if (!sim->scheme->characteristic || !(T > 0))
+        return ovr_flux(sim, ovr_history_value(sim->speed, T), i);
+    return ovr_flux(sim, 0, i) + c->flow[i > 0];
+}
+
+/* The inlet's account. */
+static void taken(ovr_simulation *sim, void *own, double dT)
+{
+    ovr_arrival *a = own;
+    double T = sim->past.T[0] + dT;
+    bool along = sim->scheme->characteristic;
+    if (along)
+        ovr_carriage_taken(sim);
+    if (!a->supply)
+        return;
+    double arrives = along ? a->carriage.arrives
+                           : ovr_history_value(sim->speed, T) * a->face;
+    a->reservoir += dT * (arrives - flow_at(sim, 0, T));
+    a->closed = sim->finest->closed;
+}
+
+/* ------------------------------------------------------------------- steady */
+
+/* Inlets that an attempt has closed are open again: a flooded film begins the
+ * next. */
+static void forget(ovr_simulation *sim, void *own)
+{
+    ovr_hierarchy *grids = &sim->grids;
+    (void)own;
+    for (int l = grids->coarsest; l <= grids->finest; l++)
+        if (grids->level[l].closed)
+            ovr_content_open(&grids->level[l]);
+    grids->conserving = false;
+}
+
+/* Flooded, from the film of the Reynolds equation. */
+static ovr_defect complete(ovr_simulation *sim, void *own, const ovr_full *how,
+                           int *cycles)
+{
+    ovr_arrival *a = own;
+    a->reservoir = a->before;
+    a->closed = false;
+    ovr_level_clear(sim->finest, sim->finest->f.kept);
+    ovr_defect d = ovr_flooded(&sim->grids, how, cycles);
+    return ovr_fourth_conserved(sim, how, d, cycles);
+}
+
+/* True if less arrives than the flooded contact takes. */
+static bool lacks(ovr_simulation *sim, ovr_arrival *a)
+{
+    a->flooded = ovr_level_centre(sim->finest, sim->finest->f.H);
+    a->flow = ovr_content_leaving(sim->finest);
+    if (!a->supply)
+        return false;
+    a->q = a->face = a->supply(a->data, 0);
+    return a->q < a->flow && !isinf(a->before);
+}
+
+/* The supply may be more than the hot film takes and less than the cold one: it
+ * is looked at when all else is found. */
+static bool starve(ovr_simulation *sim, void *own, const ovr_full *how,
+                   ovr_outcome *outcome)
+{
+    ovr_arrival *a = own;
+    if (!lacks(sim, a))
+        return false;
+    ovr_fourth_leave(sim);
+    ovr_defect d = ovr_starve(&sim->grids, how, a->q, &outcome->cycles);
+    outcome->defect = ovr_fourth_conserved(sim, how, d, &outcome->cycles);
+    a->closed = sim->finest->closed;
+    return true;
+}
+
+/* --------------------------------------------------------------- the equation
+ */
+
+/* Of second order, outflow and time derivative are limited where it is dry;
+ * along the characteristic nothing flows out. */
+static void operate(const ovr_simulation *sim, const void *own, double dT,
+                    ovr_operator *op)
+{
+    (void)own;
+    if (sim->scheme->order != 2)
+        return;
+    if (!op->characteristic)
+        op->limited[0] = op->speed;
+    if (dT > 0)
+        op->limited[1] = 0.5 / dT - op->cT;
+}
+
+static void history(ovr_simulation *sim, void *own, double dT,
+                    const double c[2])
+{
+    (void)own;
+    ovr_content_history(sim, dT, c);
+}
+
+/* The flow that arrives where the inlet is closed; limited where it is dry
+ * (multigrid/content.h). */
+static double carried(const ovr_simulation *sim, const void *own, size_t i,
+                      double q)
+{
+    const ovr_arrival *a = own;
+    double half = 0.5 * sim->now.q[i];
+    if (i == 0)
+        return sim->finest->closed ? a->face : q;
+    return !(sim->now.P[i] > 0) && q < half ? half : q;
+}
+
+/* ----------------------------------------------------------- what is observed
+ */
+
+/* The film begins with the run of wet nodes that holds the largest P; the cell
+ * before it is filled in part, on its downstream side: a place that goes on
+ * steadily when the film takes a node. */
+static double meniscus(const ovr_simulation *sim)
+{
+    const ovr_solution *s = &sim->now;
+    size_t i = sim->grids.kernels->extreme(s->n, -1, s->P);
+    while (i > 0 && s->P[i - 1] > 0)
+        i--;
+    if (i <= 1 || !(s->P[i] > 0))
+        return NAN;
+    double D = ovr_spacing(s, i - 1), before = s->q[i - 2];
+    double part = (s->q[i - 1] - before) / (s->H[i - 1] - before);
+    return s->X[i - 1] + D / 2 - D * part;
+}
+
+static double cavity_length(const ovr_solution *s)
+{
+    size_t first = 0, last = s->n - 1;
+    double length = 0;
+    while (first < last && !(s->P[first] > 0))
+        first++;
+    while (last > first && !(s->P[last] > 0))
+        last--;
+    for (size_t i = first; i < last; i++)
+        if (!(s->P[i] > 0))
+            length += s->weights[i];
+    return length;
+}
+
+/* Inflow - outflow - stored change is, row by row, the residual. */
+static double mass_defect(const ovr_simulation *sim)
+{
+    double *r = sim->scratch[0];
+    ovr_level_read(&sim->grids, sim->finest, sim->finest->f.r, r);
+    return -ovr_integral(sim, r) / sim->observation.H_cen;
+}
+
+static void unknown(ovr_observation *o)
+{
+    o->starvation_factor = o->inflow_ratio = NAN;
+    o->supply = o->meniscus = o->inflow = o->outflow = NAN;
+    o->oil_inside = o->oil_reservoir = o->cavity_length = o->mass_defect = NAN;
+}
+
+/* Estimates by the film formula, in units of the nominal contact. */
+static double formula(const ovr_simulation *sim, double T)
+{
+    double Cw = fmax(ovr_history_value(sim->load, T), OVR_MIN_START);
+    double Cu = fmax(fabs(ovr_history_value(sim->speed, T)), OVR_MIN_START);
+    ovr_instant at = ovr_instant_of(&sim->contact, Cw, Cu,
+                                    1 / ovr_history_value(sim->radius, T));
+    return Cw * ovr_film_central_moes(at.M, at.L);
+}
+
+/* The flooded film of the conditions at T over that of the start, which was
+ * solved; NAN: the surfaces hardly move, and nothing is drawn in. */
+static double flooded_since(const ovr_simulation *sim, double T)
+{
+    const double minimum = 0.01;
+    if (!ovr_history_varies(sim->load) && !ovr_history_varies(sim->speed) &&
+        !ovr_history_varies(sim->radius))
+        return 1;
+    return fabs(ovr_history_value(sim->speed, T)) < minimum
+               ? NAN
+               : formula(sim, T) / formula(sim, 0);
+}
+
+static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
+{
+    const ovr_solution *s = &sim->now;
+    const ovr_arrival *a = own;
+    o->supply = a->supply ? a->q : NAN;
+    double now = flooded_since(sim, o->T);
+    o->starvation_factor = o->H_cen / (a->flooded * now);
+    o->inflow_ratio = a->flow > 0 ? o->supply / (a->flow * now) : NAN;
+    o->meniscus = meniscus(sim);
+    o->inflow = flow_at(sim, 0, o->T);
+    o->outflow = flow_at(sim, s->n - 2, o->T);
+    o->oil_inside = ovr_integral(sim, s->q);
+    o->oil_reservoir = a->supply ? a->reservoir : NAN;
+    o->cavity_length = cavity_length(s);
+    o->mass_defect = mass_defect(sim);
+}
+
+/* --------------------------------------------------------------- checkpoint */
+
+static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
+{
+    ovr_arrival *a = own;
+    OVR_SHOW(state, "oil_waiting", a->reservoir);
+    OVR_SHOW(state, "inlet_closed", a->closed);
+    OVR_SHOW(state, "flooded_film", a->flooded);
+    OVR_SHOW(state, "flooded_flow", a->flow);
+    ovr_carriage_visit(sim, state);
+    OVR_SHOW(state, "mass_defect", sim->observation.mass_defect);
+}
+
+static void restored(ovr_simulation *sim, void *own)
+{
+    step(sim, own, 0);
+}
+
+static void recalled(ovr_observation *o, const ovr_observation *saved)
+{
+    o->mass_defect = saved->mass_defect;
+}
+
+/* A film that begins too close to the inlet. */
+static void review(const ovr_simulation *sim, const void *own,
+                   ovr_physics_say *say, void *data)
+{
+    static const double meshes = 4;
+    const ovr_options *o = &sim->options;
+    double X = sim->observation.meniscus;
+    double coarse = (o->outlet - o->inlet) /
+                    (double)(ovr_level_nodes(o->coarsest_level) - 1);
+    char text[240];
+    (void)own;
+    if (!(X < o->inlet + meshes * coarse))
+        return;
+    snprintf(text, sizeof text,
+             "the film begins at X = %.3g, closer to the inlet at %.3g than "
+             "coarse grids resolve: move it out",
+             X, o->inlet);
+    say(data, true, text);
+}
+
+static bool chosen(const ovr_options *o)
+{
+    return o->cavitation == OVR_CAVITATION_CONSERVING;
+}
+
+/* The limits of the model, where its user meets them. */
+static void tell(const ovr_physics_case *of, const void *form,
+                 ovr_physics_line *line, void *data)
+{
+    (void)of, (void)form;
+    line(data, "cavities",
+         "in cavities it moves at the mean speed; an infinitely long contact "
+         "passes all that arrives");
+}
+
+/* Gives before T = 0 what the steady start takes. */
+static double arriving(void *data, double T)
+{
+    const ovr_supply_case *s = data;
+    return T <= 0 && isfinite(s->start) ? s->start : ovr_supply_arriving(s, T);
+}
+
+static void equip(ovr_simulation *sim, void *form)
+{
+    const ovr_supply_case *s = form;
+    if (s->film)
+        ovr_simulation_supply(sim, arriving, form, s->reservoir);
+}
+
+static void prepare(ovr_hierarchy *grids)
+{
+    grids->content = true;
+}
+
+static ovr_status take(ovr_simulation *sim, const void *form, void **own,
+                       ovr_error *err)
+{
+    ovr_arrival *a = &sim->arrival;
+    (void)form;
+    *own = a;
+    return OVR_TAKE_NODES(sim, err, &a->kept) ? OVR_NO_MEMORY
+                                              : ovr_carriage_take(sim, err);
+}
+
+#define OIL(name, key, kind, member, ...)                                      \
+    OVR_NUMBER_ROW(name, key, NULL, kind, member, OVR_PHYSICS_CONTENT,         \
+                   __VA_ARGS__)
+
+static const ovr_observable quantities[] = {
+    OIL("supply", NULL, HEIGHT, supply, "oil that arrives, rho H at the inlet",
+        PASS(MEAN)),
+    OIL("meniscus", "X_meniscus", LENGTH, meniscus,
+        "where the film begins; none: flooded", PASS(MEAN),
+        PASS_HEAD(3, "meniscus")),
+    OIL("film_ratio", "film_ratio", NUMBER, starvation_factor,
+        "central film over that of the flooded contact under its conditions",
+        PASS(MEAN)),
+    OIL("supply_ratio", "supply_ratio", NUMBER, inflow_ratio,
+        "oil that arrives over what the flooded contact takes then", PASS(MEAN),
+        PASS_HEAD(4, "supply")),
+    OIL("inflow", NULL, FLOW, inflow, "mass flow at the inlet", PASS(MEAN)),
+    OIL("outflow", NULL, FLOW, outflow, "mass flow at the outlet", PASS(MEAN)),
+    OIL("oil_inside", NULL, AREA, oil_inside, "oil between inlet and outlet"),
+    OIL("oil_waiting", NULL, AREA, oil_reservoir, "oil in the inlet reservoir",
+        PASS(END)),
+    OIL("cavity_length", NULL, LENGTH, cavity_length,
+        "nodes without pressure between the first and the last with"),
+    OIL("mass_defect", NULL, NUMBER, mass_defect,
+        "inflow - outflow - stored change of the scheme, over the central "
+        "film")};
+
+/* They are fields of each snapshot (observables.h). */
+static const char *fields(const void *form)
+{
+    (void)form;
+    return "filling, oil_content";
+}
+
+/* ------------------------------------------------------------- Beside a run */
+
+/* The formulas are not better; incompressible oil flows as its film is thick.
+ */
+static const double SURE = 1.1;
+
+static double flooded(const ovr_setup *s)
+{
+    const ovr_contact *c = s->contact;
+    double density = ovr_density(s->lubricant, 1);
+    ovr_film_fit fit = ovr_film_fitted(c->M, c->L, density);
+    if (s->lubricant->viscosity_law == OVR_ROELANDS &&
+        s->lubricant->density_law == OVR_DOWSON_HIGGINSON &&
+        isfinite(fit.central))
+        return density * fit.central;
+    return ovr_film_central_moes(c->M, c->L);
+}
+
+/* More than a flooded contact takes, by the film formula. */
+static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
+{
+    const ovr_supply_case *supply = ovr_setup_supply(setup);
+    double arrives, taken = flooded(setup);
+    if (!supply->film || isinf(supply->reservoir))
+        return;
+    arrives = ovr_supply_arriving(supply, 0);
+    if (!(arrives > SURE * taken))
+        return;
+    ovr_warn(say, data,
+             "a film of %.3g arrives, of which the contact takes only some "
+             "%.2g, being flooded then; the rest waits in the inlet reservoir",
+             arrives, taken / arrives);
+}
+
+static const ovr_companion companion = {.foresee = foresee};
+
+const ovr_physics ovr_physics_conserving = {.name = "oil conserved",
+                                            .node_seconds = 1e-7,
+                                            .bit = OVR_PHYSICS_CONTENT,
+                                            .section = ovr_supply_sections,
+                                            .sections = 2,
+                                            .behind = "radius_1",
+                                            .form = sizeof(ovr_supply_case),
+                                            .choose = ovr_supply_choose,
+                                            .resolve = ovr_supply_resolve,
+                                            .drop = ovr_supply_drop,
+                                            .features = ovr_supply_features,
+                                            .fields = fields,
+                                            .one_mesh = "as menisci move",
+                                            .arrives = ovr_supply_arrives,
+                                            .equip = equip,
+                                            .tell = tell,
+                                            .companion = &companion,
+                                            .review = review,
+                                            .chosen = chosen,
+                                            .prepare = prepare,
+                                            .take = take,
+                                            .forget = forget,
+                                            .complete = complete,
+                                            .proceed = starve,
+                                            .operate = operate,
+                                            .history = history,
+                                            .step = step,
+                                            .attempt = attempt,
+                                            .keep = keep,
+                                            .go_back = go_back,
+                                            .taken = taken,
+                                            .step_back = begin_attempt,
+                                            .carried = carried,
+                                            .unknown = unknown,
+                                            OVR_QUANTITIES(quantities),
+                                            .observe = observe,
+                                            .visit = visit,
+                                            .restored = restored,
+                                            .recalled = recalled};
