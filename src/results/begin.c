@@ -37,23 +37,38 @@ long ovr_write_every(const ovr_write_options *o, double end, double dT,
     return every >= 1 && every < 1e9 ? (long)every : 1;
 }
 
-/* Attributes of the group `case`, among which `text` is the case itself, and
- * NAME.unit belongs to NAME. */
+/* The length of NAME in a name NAME.unit, else 0. */
+static size_t length_before_unit(const char *name)
+{
+    const char *dot = strrchr(name, '.');
+    return dot && strcmp(dot, ".unit") == 0 ? (size_t)(dot - name) : 0;
+}
+
+/* Finds if value k has the name of an earlier value, or of the unit of any. */
+static bool is_name_taken(const ovr_write_options *o, size_t k)
+{
+    const char *name = o->values[k].name;
+    size_t length = length_before_unit(name);
+    bool taken = false;
+    for (size_t i = 0; i < k && !taken; i++)
+        taken = o->values[i].name[0] == name[0] &&
+                strcmp(o->values[i].name, name) == 0;
+    for (size_t i = 0; length && i < o->value_count && !taken; i++)
+        taken = o->values[i].unit && strlen(o->values[i].name) == length &&
+                memcmp(o->values[i].name, name, length) == 0;
+    return taken;
+}
+
+/* The names become attributes of the group `case`, whose attribute `text` is
+ * the case itself. */
 static ovr_status check_names(const ovr_write_options *o, ovr_error *err)
 {
-    char unit[256];
     for (size_t k = 0; k < o->value_count; k++)
-        for (size_t i = 0; i < o->value_count; i++) {
-            const char *name = o->values[k].name, *other = o->values[i].name;
-            snprintf(unit, sizeof unit, "%s.unit", other);
-            if ((i < k && strcmp(name, other) == 0) ||
-                strcmp(name, "text") == 0 ||
-                (o->values[i].unit && strcmp(name, unit) == 0))
-                return ovr_fail(err, OVR_BAD_INPUT,
-                                "%s: the name '%s' of a value of the case is "
-                                "taken",
-                                o->path, name);
-        }
+        if (strcmp(o->values[k].name, "text") == 0 || is_name_taken(o, k))
+            return ovr_fail(err, OVR_BAD_INPUT,
+                            "%s: the name '%s' of a value of the case is "
+                            "taken",
+                            o->path, o->values[k].name);
     return OVR_OK;
 }
 
@@ -209,6 +224,7 @@ enum { HDF5_MEMORY = 4 << 20 };
 static ovr_status space_for_hdf5(const ovr_allocator *allocator, ovr_error *err)
 {
     ovr_arena probe = ovr_arena_make(allocator);
+    probe.blank = true; /* is never read: not cleared */
     bool enough = ovr_arena_take(&probe, HDF5_MEMORY, 1, err) != NULL;
     ovr_arena_release(&probe);
     return enough ? OVR_OK : OVR_NO_MEMORY;
@@ -403,7 +419,8 @@ static ovr_status end_file(ovr_writer *w, ovr_run_status run, ovr_error *err)
     return status == OVR_OK ? ovr_file_flush(&w->file, err) : status;
 }
 
-ovr_status ovr_writer_close(ovr_writer *w, ovr_run_status run, ovr_error *err)
+ovr_status ovr_writer_close(ovr_writer *w, ovr_run_status run,
+                            size_t *snapshots, ovr_error *err)
 {
     if (!w)
         return ovr_fail_null(err, __func__);
@@ -420,6 +437,8 @@ ovr_status ovr_writer_close(ovr_writer *w, ovr_run_status run, ovr_error *err)
     if (status == OVR_OK)
         status = end_file(w, run, err);
     closed = ovr_file_close(&w->file, status == OVR_OK ? err : NULL);
+    if (snapshots)
+        *snapshots = (size_t)w->file.shown;
     release(w);
     ovr_h5_restore(handler);
     return status == OVR_OK ? closed : status;

@@ -25,7 +25,7 @@ static ovr_status write_failed(ovr_file *f, ovr_error *err)
 
 static void forget_ids(ovr_file *f)
 {
-    f->file = f->time = f->step = -1;
+    f->file = f->time = f->step = f->transfer = -1;
     for (size_t k = 0; k < OVR_FIELDS_MAX; k++)
         f->field[k] = -1;
     for (size_t c = 0; c < f->columns; c++)
@@ -60,6 +60,16 @@ static void name_store(ovr_file *f, const char *created)
              created ? created : "");
 }
 
+/* HDF5 reserves, and clears, 1 MiB for each conversion unless it is told to
+ * convert fewer values at a time. */
+static bool prepare_transfer(ovr_file *f)
+{
+    f->transfer = H5Pcreate(H5P_DATASET_XFER);
+    return f->transfer >= 0 &&
+           H5Pset_buffer(f->transfer, OVR_ROW_CHUNK * sizeof(double), NULL,
+                         NULL) >= 0;
+}
+
 ovr_status ovr_file_create(ovr_file *f, const ovr_file_plan *plan,
                            ovr_error *err)
 {
@@ -72,7 +82,7 @@ ovr_status ovr_file_create(ovr_file *f, const ovr_file_plan *plan,
     creation = ovr_header_creation();
     f->file = ovr_driver_create(&f->store, creation);
     ovr_h5_drop(creation);
-    if (f->file < 0 || !ovr_header_write(f, plan))
+    if (f->file < 0 || !prepare_transfer(f) || !ovr_header_write(f, plan))
         return write_failed(f, err);
     return ovr_file_flush(f, err);
 }
@@ -101,8 +111,8 @@ static bool add_chunk(ovr_file *f, size_t k, const void *values)
 }
 
 /* Appends `count` values to a column that has `rows`. */
-static bool add_values(hid_t set, hsize_t rows, hsize_t count, hid_t type,
-                       const void *values)
+static bool add_values(const ovr_file *f, hid_t set, hsize_t rows,
+                       hsize_t count, hid_t type, const void *values)
 {
     hid_t memory, space;
     bool ok;
@@ -111,7 +121,7 @@ static bool add_values(hid_t set, hsize_t rows, hsize_t count, hid_t type,
     memory = H5Screate_simple(1, &count, NULL);
     space = H5Dget_space(set);
     H5Sselect_hyperslab(space, H5S_SELECT_SET, &rows, NULL, &count, NULL);
-    ok = H5Dwrite(set, type, memory, space, H5P_DEFAULT, values) >= 0;
+    ok = H5Dwrite(set, type, memory, space, f->transfer, values) >= 0;
     ovr_h5_drop(space);
     ovr_h5_drop(memory);
     return ok;
@@ -126,7 +136,7 @@ ovr_status ovr_file_add_snapshot(ovr_file *f, double time, const void *rows,
             return write_failed(f, err);
         row += f->nodes * ovr_file_element(f, f->which[k]);
     }
-    if (!add_values(f->time, f->snapshots, 1, H5T_NATIVE_DOUBLE, &time) ||
+    if (!add_values(f, f->time, f->snapshots, 1, H5T_NATIVE_DOUBLE, &time) ||
         f->store.failed)
         return write_failed(f, err);
     f->snapshots++;
@@ -138,9 +148,9 @@ ovr_status ovr_file_add_steps(ovr_file *f, size_t count, const int *steps,
                               ovr_error *err)
 {
     bool ok = count == 0 ||
-              add_values(f->step, f->steps, count, H5T_NATIVE_INT, steps);
+              add_values(f, f->step, f->steps, count, H5T_NATIVE_INT, steps);
     for (size_t c = 0; ok && count && c < f->columns; c++)
-        ok = add_values(f->column[c], f->steps, count, H5T_NATIVE_DOUBLE,
+        ok = add_values(f, f->column[c], f->steps, count, H5T_NATIVE_DOUBLE,
                         columns + c * stride);
     if (!ok || f->store.failed)
         return write_failed(f, err);
@@ -284,7 +294,7 @@ ovr_status ovr_file_open(ovr_file *f, const ovr_file_plan *plan,
         f->store.failed = ECANCELED; /* leave it as it is */
         return status;
     }
-    if (!drop_rows(f) || !mark_running(f, plan) ||
+    if (!prepare_transfer(f) || !drop_rows(f) || !mark_running(f, plan) ||
         !ovr_header_new_case(f, plan))
         return write_failed(f, err);
     return ovr_file_flush(f, err);
@@ -296,7 +306,10 @@ ovr_status ovr_file_flush(ovr_file *f, ovr_error *err)
 {
     if (H5Fflush(f->file, H5F_SCOPE_GLOBAL) < 0)
         return write_failed(f, err);
-    return ovr_store_commit(&f->store, err);
+    ovr_status status = ovr_store_commit(&f->store, err);
+    if (status == OVR_OK)
+        f->shown = f->snapshots;
+    return status;
 }
 
 ovr_status ovr_file_status(ovr_file *f, ovr_run_status status,
@@ -371,6 +384,7 @@ ovr_status ovr_file_close(ovr_file *f, ovr_error *err)
         ovr_h5_drop(f->field[k]);
     ovr_h5_drop(f->step);
     ovr_h5_drop(f->time);
+    ovr_h5_drop(f->transfer);
     closed = !open || H5Fclose(f->file) >= 0;
     if (!closed || f->store.failed)
         status = write_failed(f, err);

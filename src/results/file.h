@@ -36,6 +36,8 @@ typedef struct ovr_file {
     int deflate;
     char created[OVR_DATE_SIZE]; /* its date_created, when it was there */
     hsize_t snapshots, steps;    /* rows written */
+    hsize_t shown;               /* snapshots that readers see */
+    hid_t transfer;              /* of columns; -1: not open */
     ovr_packer packer;
 } ovr_file;
 

@@ -97,9 +97,10 @@ void ovr_writer_warnings(ovr_writer *writer, const char *warnings);
 /* Ends the file and frees the writer, also when it returns an error.  A
  * complete run gets its last state as a snapshot, whatever the schedule.  So
  * does a failed one, for inspection: the state of the last time reached, or
- * what a steady start ended with (its row of the history has converged 0). */
+ * what a steady start ended with (its row of the history has converged 0).
+ * *snapshots becomes the number of snapshots in the file; may be NULL. */
 ovr_status ovr_writer_close(ovr_writer *writer, ovr_run_status run,
-                            ovr_error *err);
+                            size_t *snapshots, ovr_error *err);
 
 /* The checkpoint beside a result file; one that belongs to another run, is
  * damaged or was written by another version is OVR_BAD_INPUT. */

@@ -95,7 +95,7 @@ void ovr_run_free(ovr_run *run)
     if (!run)
         return;
     if (run->writer)
-        ovr_writer_close(run->writer, OVR_RUN_STOPPED, NULL);
+        ovr_writer_close(run->writer, OVR_RUN_STOPPED, NULL, NULL);
     ovr_companions_release(run);
     ovr_simulation_free(run->sim);
     ovr_setup_free(run->setup);

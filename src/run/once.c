@@ -113,14 +113,6 @@ static ovr_run_status ending(ovr_status status)
     return status == OVR_STOPPED ? OVR_RUN_STOPPED : OVR_RUN_FAILED;
 }
 
-static size_t count_snapshots(const char *path)
-{
-    ovr_result *result = ovr_result_open(path, NULL, NULL);
-    size_t n = result ? ovr_result_about(result)->snapshots : 0;
-    ovr_result_close(result);
-    return n;
-}
-
 /* All warnings, a line each; NULL without memory. */
 static const char *warnings_text(ovr_run *run)
 {
@@ -141,14 +133,15 @@ static ovr_status close_file(ovr_run *run, ovr_status status, ovr_error *err)
 {
     ovr_error late = {0};
     ovr_status closed;
+    size_t snapshots = 0;
     if (!run->writer)
         return status;
     ovr_writer_warnings(run->writer, warnings_text(run));
     if (ending(status) == OVR_RUN_FAILED)
         ovr_writer_reason(run->writer, err->message);
-    closed = ovr_writer_close(run->writer, ending(status), &late);
+    closed = ovr_writer_close(run->writer, ending(status), &snapshots, &late);
     run->writer = NULL;
-    run->info.snapshots = count_snapshots(run->info.output);
+    run->info.snapshots = snapshots;
     if (status || !closed)
         return status;
     *err = late;

@@ -125,7 +125,7 @@ static void march(const variant *v, const ovr_contact *contact,
         how.observers = &look;
     }
     if (ovr_simulation_march(sim, &how, &err) ||
-        (writer && ovr_writer_close(writer, OVR_RUN_COMPLETE, &err)))
+        (writer && ovr_writer_close(writer, OVR_RUN_COMPLETE, NULL, &err)))
         die(&err);
 }
 

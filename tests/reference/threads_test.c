@@ -85,7 +85,7 @@ static void solve(one_run *r, ovr_setup *setup, ovr_simulation *sim)
     if (!march(r, setup, sim, writer))
         keep(r, sim);
     if (writer)
-        ovr_writer_close(writer, OVR_RUN_COMPLETE, &r->err);
+        ovr_writer_close(writer, OVR_RUN_COMPLETE, NULL, &r->err);
 }
 
 static void *run(void *data)

@@ -27,6 +27,6 @@ void test_make_result(const char *path, const char *title, bool physical)
         test_dent_move(&d, k);
         CHECK_OK(ovr_writer_record(w, &d.frame, &err), &err);
     }
-    CHECK_OK(ovr_writer_close(w, OVR_RUN_COMPLETE, &err), &err);
+    CHECK_OK(ovr_writer_close(w, OVR_RUN_COMPLETE, NULL, &err), &err);
     test_dent_free(&d);
 }

@@ -65,7 +65,7 @@ static void lacks_a_field(caller *c, const test_dent *dent)
     o.path = c->good;
     o.force = true;
     w = ovr_writer_create(&o, &contact, NODES, dent->X, NULL, &err);
-    expect(c, w && !ovr_writer_close(w, OVR_RUN_STOPPED, &err));
+    expect(c, w && !ovr_writer_close(w, OVR_RUN_STOPPED, NULL, &err));
     file = H5Fopen(c->good, H5F_ACC_RDWR, H5P_DEFAULT);
     expect(c, H5Ldelete(file, "history/step", H5P_DEFAULT) >= 0);
     H5Fclose(file);

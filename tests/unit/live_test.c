@@ -35,7 +35,7 @@ static void write_slowly(const char *path)
         nanosleep(&wait, NULL);
     }
     if (w && status == OVR_OK)
-        status = ovr_writer_close(w, OVR_RUN_COMPLETE, &err);
+        status = ovr_writer_close(w, OVR_RUN_COMPLETE, NULL, &err);
     _exit(w && status == OVR_OK ? 0 : 1);
 }
 

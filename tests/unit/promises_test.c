@@ -200,7 +200,7 @@ TEST_IN_FOLDER(a_child_goes_on_with_a_copy)
     waitpid(child, &code, 0);
     assert_int_equal(code, 0);
     assert_memory_equal(mine, theirs, sizeof mine);
-    CHECK_OK(ovr_writer_close(writer, OVR_RUN_COMPLETE, &err), &err);
+    CHECK_OK(ovr_writer_close(writer, OVR_RUN_COMPLETE, NULL, &err), &err);
     ovr_simulation_free(sim);
     test_dent_free(&d);
     close(ends[0]);

@@ -111,7 +111,7 @@ static void run_whole(const char *path, long last)
     w = ovr_writer_create(&o, &contact, NODES, dent.X, NULL, &err);
     assert_non_null(w);
     run(w, &f, last, false);
-    CHECK_OK(ovr_writer_close(w, OVR_RUN_COMPLETE, &err), &err);
+    CHECK_OK(ovr_writer_close(w, OVR_RUN_COMPLETE, NULL, &err), &err);
     test_dent_free(&dent);
 }
 
@@ -221,7 +221,7 @@ static void resume(const char *path, long last)
     if (!w)
         fail_msg("%s", err.message);
     run(w, &f, last, false);
-    CHECK_OK(ovr_writer_close(w, OVR_RUN_COMPLETE, &err), &err);
+    CHECK_OK(ovr_writer_close(w, OVR_RUN_COMPLETE, NULL, &err), &err);
     ovr_restart_close(restart);
     test_dent_free(&dent);
 }
@@ -303,7 +303,7 @@ static void write_later(const char *path, later *l)
     assert_non_null(w);
     ovr_writer_source(w, (ovr_state_source){visit_later, l});
     CHECK_OK(record(w, &f, &err), &err);
-    CHECK_OK(ovr_writer_close(w, OVR_RUN_STOPPED, &err), &err);
+    CHECK_OK(ovr_writer_close(w, OVR_RUN_STOPPED, NULL, &err), &err);
     test_dent_free(&dent);
 }
 
@@ -399,7 +399,7 @@ TEST_IN_FOLDER(tells_its_memory)
     ovr_writer *w = ovr_writer_create(&o, &contact, NODES, dent.X, NULL, &err);
     assert_non_null(w);
     CHECK_CLOSE(told, (double)w->arena.bytes + (4 << 20), 0.02);
-    CHECK_OK(ovr_writer_close(w, OVR_RUN_STOPPED, &err), &err);
+    CHECK_OK(ovr_writer_close(w, OVR_RUN_STOPPED, NULL, &err), &err);
     test_dent_free(&dent);
 }
 
@@ -503,7 +503,7 @@ static ovr_status write_with(void *folder, const ovr_allocator *hook,
         ovr_writer_source(w, source);
         for (; f.step < 30 && status == OVR_OK; advance(&f))
             status = record(w, &f, err);
-        closed = ovr_writer_close(w, OVR_RUN_COMPLETE,
+        closed = ovr_writer_close(w, OVR_RUN_COMPLETE, NULL,
                                   status == OVR_OK ? err : NULL);
         status = status == OVR_OK ? closed : status;
     } else {
@@ -527,7 +527,7 @@ static ovr_status resume_with(void *folder, const ovr_allocator *hook,
         w = ovr_writer_resume(&o, &contact, NODES, dent.X, restart, hook, err);
     ovr_restart_close(restart);
     test_dent_free(&dent);
-    return w ? ovr_writer_close(w, OVR_RUN_STOPPED, err) : err->status;
+    return w ? ovr_writer_close(w, OVR_RUN_STOPPED, NULL, err) : err->status;
 }
 
 static ovr_status read_with(void *folder, const ovr_allocator *hook,

@@ -35,7 +35,7 @@ static void write_run(const ovr_write_options *o, const ovr_contact *contact,
         test_dent_move(dent, k);
         CHECK_OK(ovr_writer_record(w, &dent->frame, &err), &err);
     }
-    CHECK_OK(ovr_writer_close(w, OVR_RUN_COMPLETE, &err), &err);
+    CHECK_OK(ovr_writer_close(w, OVR_RUN_COMPLETE, NULL, &err), &err);
 }
 
 static ovr_result *open_result(const char *path)
@@ -342,7 +342,7 @@ TEST_IN_FOLDER(names_the_next_time)
     CHECK_NEAR(ovr_writer_next_time(w, 0.1), 0.25, 0);
     CHECK_NEAR(ovr_writer_next_time(w, 0.25), 0.3, 0);
     CHECK_NEAR(ovr_writer_next_time(w, 0.3), 0.5, 0);
-    CHECK_OK(ovr_writer_close(w, OVR_RUN_STOPPED, &err), &err);
+    CHECK_OK(ovr_writer_close(w, OVR_RUN_STOPPED, NULL, &err), &err);
     test_dent_free(&d);
 }
 

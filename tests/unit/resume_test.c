@@ -97,7 +97,8 @@ static void finish(bench *b)
     status = ovr_simulation_march(b->sim, &march, &err);
     CHECK_STATUS(status, stops ? OVR_STOPPED : OVR_OK, &err);
     CHECK_OK(ovr_writer_close(b->writer,
-                              stops ? OVR_RUN_STOPPED : OVR_RUN_COMPLETE, &err),
+                              stops ? OVR_RUN_STOPPED : OVR_RUN_COMPLETE, NULL,
+                              &err),
              &err);
     ovr_simulation_free(b->sim);
 }
