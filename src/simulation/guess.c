@@ -25,8 +25,9 @@
 #include "multigrid/departures.h"
 #include "simulation/mirror.h"
 
-/* Steps beyond this many meshes begin better from the last state. */
-static const double longest = 7.9, longest_moved = 8.5;
+/* Formulas for moving features are worse than the last state in steps beyond
+ * this many mesh sizes. */
+static const double longest_moved = 8.5;
 
 typedef struct term {
     double weight;
@@ -181,7 +182,7 @@ static formula untold(const ovr_simulation *sim, double dT)
 {
     const ovr_past *past = &sim->past;
     double a = film_meshes(sim, dT);
-    if (dT > longest * ovr_mesh(sim))
+    if (dT > (ovr_longest_step(sim) + 0.5) * ovr_mesh(sim))
         return last;
     if (equal_steps(past, dT, 3) && fabs(fabs(a) - 1) < 0.01)
         return shifted(standing_and_moving, a);

@@ -446,4 +446,9 @@ static inline void ovr_swap(double **a, double **b)
     *b = kept;
 }
 
+/* Returns the longest adaptive step in mesh sizes (march.c).  A guess is
+ * extrapolated over all steps up to it (guess.c): beginning from the last state
+ * instead takes four to five times the cycles. */
+double ovr_longest_step(const ovr_simulation *sim);
+
 #endif

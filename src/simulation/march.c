@@ -22,9 +22,20 @@
 static const double still_rate = 1e-8;
 enum { STILL = 20 };
 
-/* Adaptive steps in mesh sizes: shorter ones gain nothing beside the errors of
- * the mesh, longer ones may step over what comes in. */
-static const double min_step = 1. / 8, largest_step = 8;
+/* The shortest adaptive step in mesh sizes: below it the errors of the mesh
+ * dominate. */
+static const double min_step = 1. / 8;
+
+/*
+ * Longer steps gain little and may step over what comes in.  With 32 mesh sizes
+ * the error of the film at a start is 15 % larger, with 64 it is doubled.
+ * Temperatures are not part of the error estimate.  In a load ramp (level 7)
+ * their error is 7e-4 with 8 mesh sizes and 7e-3 with 16.
+ */
+double ovr_longest_step(const ovr_simulation *sim)
+{
+    return sim->heated ? 8 : 16;
+}
 
 static ovr_status observe(const ovr_simulation *sim, const ovr_march *march,
                           ovr_error *err)
@@ -70,7 +81,7 @@ static double regulated(const ovr_simulation *sim, const ovr_march *march,
         power -= fmax(1, ceil(log2(ratio) / order - 0.3));
     else if (ratio < 0.7 * exp2(-order))
         power++;
-    return fmin(largest_step * D, fmax(min_step * D, exp2(power) * D));
+    return fmin(ovr_longest_step(sim) * D, fmax(min_step * D, exp2(power) * D));
 }
 
 /* Shorter steps until one is taken; at the shortest any error will do. */
