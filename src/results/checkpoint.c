@@ -3,10 +3,10 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <libdeflate.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include "base/disk.h"
 #include "overroll/version.h"
@@ -43,7 +43,7 @@ static void put(sink *s, const void *data, size_t bytes)
         if (n > bytes)
             n = bytes;
         memcpy(s->buffer + s->used, next, n);
-        s->sum = crc32((uLong)s->sum, next, (uInt)n);
+        s->sum = libdeflate_crc32((uint32_t)s->sum, next, n);
         s->used += n;
         next += n;
         bytes -= n;

@@ -60,8 +60,8 @@ static void name_store(ovr_file *f, const char *created)
              created ? created : "");
 }
 
-/* HDF5 reserves, and clears, 1 MiB for each conversion unless it is told to
- * convert fewer values at a time. */
+/* Limits the buffer of conversions: HDF5 allocates and clears 1 MiB of it for
+ * each conversion by default. */
 static bool prepare_transfer(ovr_file *f)
 {
     f->transfer = H5Pcreate(H5P_DATASET_XFER);

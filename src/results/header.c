@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "results/header.h"
 
+#include <errno.h>
 #include <hdf5_hl.h>
 #include <math.h>
 #include <stdio.h>
@@ -116,6 +117,8 @@ static bool place(hid_t set, const dataset *d)
     bool ok = true;
     if (d->along[0] == 0)
         return H5DSset_scale(set, d->name) >= 0;
+    if (d->attached_later)
+        return true;
     for (unsigned k = 0; ok && k < (unsigned)d->rank; k++)
         ok = H5DSattach_scale(set, d->along[k], k) >= 0;
     return ok;
@@ -139,6 +142,55 @@ hid_t ovr_header_dataset(hid_t where, const dataset *d,
 static bool set_axis(hid_t set, const char *axis)
 {
     return set >= 0 && ovr_h5_set_chars(set, "axis", axis);
+}
+
+/* An attribute of values along one dimension; true if it was written. */
+static bool set_list(hid_t set, const char *name, hid_t type, hsize_t count,
+                     const void *values)
+{
+    hid_t space = H5Screate_simple(1, &count, NULL);
+    hid_t list = H5Acreate2(set, name, type, space, H5P_DEFAULT, H5P_DEFAULT);
+    bool ok = list >= 0 && H5Awrite(list, type, values) >= 0;
+    ovr_h5_drop(list);
+    ovr_h5_drop(space);
+    return ok;
+}
+
+/* A place in REFERENCE_LIST: the first dimension of this dataset. */
+typedef struct attachment {
+    hobj_ref_t set;
+    int dimension;
+} attachment;
+
+static hid_t attachment_type(void)
+{
+    hid_t type = H5Tcreate(H5T_COMPOUND, sizeof(attachment));
+    H5Tinsert(type, "dataset", HOFFSET(attachment, set), H5T_STD_REF_OBJ);
+    H5Tinsert(type, "dimension", HOFFSET(attachment, dimension),
+              H5T_NATIVE_INT);
+    return type;
+}
+
+/* Attaches the columns to their scale `step`, which has none yet, as
+ * H5DSattach_scale would one by one: each call copies the scale's whole list.
+ */
+static bool attach_columns(ovr_file *f)
+{
+    ovr_arena arena = ovr_arena_make(&f->store.changed.arena->allocator);
+    attachment *list = ovr_arena_take(&arena, f->columns, sizeof *list, NULL);
+    hid_t type = attachment_type(), along = H5Tvlen_create(H5T_STD_REF_OBJ);
+    hobj_ref_t axis;
+    hvl_t one = {1, &axis};
+    bool ok = ovr_store_note(&f->store, list ? 0 : ENOMEM) &&
+              H5Rcreate(&axis, f->step, ".", H5R_OBJECT, -1) >= 0;
+    for (size_t k = 0; ok && k < f->columns; k++)
+        ok = H5Rcreate(&list[k].set, f->column[k], ".", H5R_OBJECT, -1) >= 0 &&
+             set_list(f->column[k], "DIMENSION_LIST", along, 1, &one);
+    ok = ok && set_list(f->step, "REFERENCE_LIST", type, f->columns, list);
+    ovr_h5_drop(along);
+    ovr_h5_drop(type);
+    ovr_arena_release(&arena);
+    return ok;
 }
 
 static hid_t make_positions(const ovr_file *f, const ovr_file_plan *plan)
@@ -212,7 +264,7 @@ static bool make_field(ovr_file *f, const ovr_scales *scales, hid_t x, size_t k)
 }
 
 static bool make_column(ovr_file *f, hid_t group, const ovr_scales *scales,
-                        size_t c)
+                        size_t c, bool attached_later)
 {
     const ovr_observable *o = f->row[c];
     dataset d = {.name = o->name,
@@ -223,7 +275,8 @@ static bool make_column(ovr_file *f, hid_t group, const ovr_scales *scales,
                                                     : H5T_IEEE_F64LE,
                  .rows = OVR_ROW_CHUNK,
                  .rank = 1,
-                 .along = {f->step}};
+                 .along = {f->step},
+                 .attached_later = attached_later};
     f->column[c] = ovr_header_dataset(group, &d, scales);
     return f->column[c] >= 0;
 }
@@ -241,7 +294,8 @@ static bool make_history(ovr_file *f, const ovr_scales *scales)
     f->step = ok ? ovr_header_dataset(group, &d, scales) : -1;
     ok = f->step >= 0;
     for (size_t c = 0; ok && c < f->columns; c++)
-        ok = make_column(f, group, scales, c);
+        ok = make_column(f, group, scales, c, true);
+    ok = ok && attach_columns(f);
     ovr_h5_drop(group);
     return ok;
 }
@@ -378,7 +432,7 @@ static bool open_columns(ovr_file *f, const ovr_scales *scales)
         if (H5Lexists(group, f->row[c]->name, H5P_DEFAULT) > 0)
             f->column[c] = H5Dopen2(group, f->row[c]->name, H5P_DEFAULT);
         else
-            make_column(f, group, scales, c);
+            make_column(f, group, scales, c, false);
         ok = f->column[c] >= 0;
     }
     ovr_h5_drop(group);

@@ -15,6 +15,7 @@ typedef struct ovr_new_dataset {
     int rank;
     hsize_t shape[OVR_MAX_RANK]; /* 0: unlimited */
     hid_t along[OVR_MAX_RANK];
+    bool attached_later; /* to the datasets that it is along */
     int deflate;
 } ovr_new_dataset;
 

@@ -2,12 +2,12 @@
 /* Reading a checkpoint: its form is described in checkpoint.h. */
 #include <errno.h>
 #include <fcntl.h>
+#include <libdeflate.h>
 #include <math.h>
 #include <stdint.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
-#include <zlib.h>
 
 #include "base/given.h"
 #include "overroll/version.h"
@@ -120,19 +120,13 @@ static ovr_status check_whole(const ovr_restart *r, ovr_error *err)
     enum { HEAD = OVR_RESTART_MAGIC_SIZE + 8, END = 24 };
     const uint64_t order = OVR_RESTART_ORDER;
     const uint64_t lengths[2] = {0, 8}; /* of its name and content */
-    uint64_t sum = 0, found;
+    uint64_t sum, found;
     if (r->bytes < HEAD + END ||
         memcmp(r->data, OVR_RESTART_MAGIC, OVR_RESTART_MAGIC_SIZE) != 0)
         return refuse(r, "is not a checkpoint of overroll", err);
     if (memcmp(r->data + OVR_RESTART_MAGIC_SIZE, &order, sizeof order) != 0)
         return refuse(r, "was written on another kind of machine", err);
-    for (size_t at = 0; at < r->bytes - END;) {
-        size_t n = r->bytes - END - at;
-        if (n > 1 << 30)
-            n = 1 << 30;
-        sum = crc32((uLong)sum, r->data + at, (uInt)n);
-        at += n;
-    }
+    sum = libdeflate_crc32(0, r->data, r->bytes - END);
     memcpy(&found, r->data + r->bytes - 8, sizeof found);
     if (sum != found ||
         memcmp(r->data + r->bytes - END, lengths, sizeof lengths) != 0)

@@ -95,10 +95,10 @@ void ovr_writer_reason(ovr_writer *writer, const char *reason);
 void ovr_writer_warnings(ovr_writer *writer, const char *warnings);
 
 /* Ends the file and frees the writer, also when it returns an error.  A
- * complete run gets its last state as a snapshot, whatever the schedule.  So
- * does a failed one, for inspection: the state of the last time reached, or
- * what a steady start ended with (its row of the history has converged 0).
- * *snapshots becomes the number of snapshots in the file; may be NULL. */
+ * complete run gets its last state as a snapshot, whatever the schedule.  A
+ * failed run gets the state of the last time reached, or the last iterate of a
+ * steady start (its row of the history has converged 0).  Stores the number of
+ * snapshots in the file in *snapshots, which may be NULL. */
 ovr_status ovr_writer_close(ovr_writer *writer, ovr_run_status run,
                             size_t *snapshots, ovr_error *err);
 

@@ -142,10 +142,10 @@ ovr_case_value *ovr_run_values(const ovr_case *c, ovr_arena *arena,
     ovr_case_value *values = ovr_arena_take(arena, all, sizeof *values, NULL);
     for (size_t k = 0; values && k < all; k++) {
         ovr_case_entry entry = ovr_case_entry_at(c, k);
-        ovr_parameter_info info = ovr_parameter_at(entry.parameter);
-        bool number = isfinite(info.minimum) && isfinite(entry.number);
         if (!entry.text)
             continue;
+        ovr_parameter_info info = ovr_parameter_at(entry.parameter);
+        bool number = isfinite(info.minimum) && isfinite(entry.number);
         values[n] = (ovr_case_value){.name = full_name(&entry, arena),
                                      .text = entry.text,
                                      .number = number ? entry.number : NAN,
