@@ -204,6 +204,7 @@ typedef struct ovr_stress_report {
     bool traction; /* with the film's shear stress on the surface */
     const char *no_traction; /* why without */
     const char *none;        /* why all of its numbers are NAN; or NULL */
+    const char *lifeless;    /* why life and risk are NAN; or NULL */
     double length_error; /* of equivalent lengths: how far the risk of points
                             at the ends of the material is from the smooth
                             contact's, over its whole length */

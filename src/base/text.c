@@ -280,14 +280,42 @@ ovr_line ovr_spelled(ovr_line unit, char buffer[16])
     return (ovr_line){buffer, rest + 1, unit.number};
 }
 
+/* Writes the first character of a piece to `to` as UTF-8.  Returns its bytes
+ * there, and `taken`, its bytes in the piece.  Bytes from 0xA0 on that are no
+ * UTF-8 are Latin-1.  Control characters become '?'. */
+static size_t put_character(ovr_line piece, char to[4], size_t *taken)
+{
+    unsigned char s[5] = {0};
+    memcpy(s, piece.text, piece.size < 4 ? piece.size : 4);
+    int n = ovr_utf8_sequence(s);
+    bool control = n == 2 && s[0] == 0xc2 && s[1] < 0xa0;
+    *taken = n > 1 ? (size_t)n : 1;
+    if (n > 1 && !control) {
+        memcpy(to, s, (size_t)n);
+        return (size_t)n;
+    }
+    if (n == 0 && s[0] >= 0xa0) {
+        to[0] = (char)(s[0] < 0xc0 ? 0xc2 : 0xc3);
+        to[1] = (char)(0x80 | (s[0] & 0x3f));
+        return 2;
+    }
+    to[0] = n == 1 && s[0] >= 32 && s[0] < 127 ? (char)s[0] : '?';
+    return 1;
+}
+
 ovr_quoted ovr_quote(ovr_line piece)
 {
     ovr_quoted quoted;
     size_t capacity = sizeof quoted.text - 4, used = 0;
     while (piece.size && used < capacity) {
-        size_t sign = micro(piece), taken = sign ? sign : 1;
-        char c = sign ? 'u' : piece.text[0];
-        quoted.text[used++] = c >= 32 && c < 127 ? c : '?';
+        char character[4] = {'u'};
+        size_t sign = micro(piece), taken = sign, bytes = 1;
+        if (!sign)
+            bytes = put_character(piece, character, &taken);
+        if (used + bytes > capacity)
+            break;
+        memcpy(quoted.text + used, character, bytes);
+        used += bytes;
         piece.text += taken;
         piece.size -= taken;
     }

@@ -59,7 +59,7 @@ const char *ovr_article(const char *word);
 /* "\302\265m" (of any encoding) becomes "um", in `buffer`. */
 ovr_line ovr_spelled(ovr_line unit, char buffer[16]);
 
-/* A piece fit for a message: printable ASCII, shortened, NUL-ended. */
+/* A piece fit for a message: printable UTF-8, shortened, NUL-ended. */
 typedef struct ovr_quoted {
     char text[48];
 } ovr_quoted;

@@ -28,6 +28,19 @@ static double coefficient(const ovr_thermal *body)
     return sqrt(body->conductivity * body->density * body->heat_capacity);
 }
 
+/* Sets speeds that are equal or opposite to rounding exactly so, and -0 to 0.
+ */
+static void remove_rounding(ovr_element_moment *m)
+{
+    double rounding = 1e-12 * fmax(fabs(m->u1), fabs(m->u2));
+    if (fabs(m->u1 - m->u2) < rounding)
+        m->u2 = m->u1;
+    if (fabs(m->u1 + m->u2) < rounding)
+        m->u2 = -m->u1;
+    m->u1 = fabs(m->u1) < rounding ? 0 : m->u1;
+    m->u2 = fabs(m->u2) < rounding ? 0 : m->u2;
+}
+
 static void evaluate(const ovr_resolved *r, ovr_station *s)
 {
     const ovr_contact *contact = &r->contact;
@@ -57,6 +70,7 @@ static void add(listing *l, const char *name, ovr_element_moment moment)
     ovr_station *s = &l->station[l->count++];
     *s = (ovr_station){.moment = moment, .T = NAN};
     snprintf(s->name, sizeof s->name, "%s", name);
+    remove_rounding(&s->moment);
     if (!l->r->element.bearing) {
         s->moment.t -= l->begin;
         s->T = s->moment.t / l->r->contact.time;

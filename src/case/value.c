@@ -106,12 +106,12 @@ ovr_status ovr_range_check(const ovr_parameter *row, double number,
 static ovr_status check_sign(const ovr_parameter *row, double number,
                              const char *text, ovr_error *err)
 {
-    bool wrong = (row->minimum > 0 && number <= 0) ||
-                 (row->minimum == 0 && number < 0) ||
-                 (row->above && row->minimum == 0 && number == 0) ||
-                 (row->maximum < 0 && number >= 0);
-    if (wrong)
-        return ovr_range_check(row, number, text, err);
+    if (row->maximum < 0 && number >= 0)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s must be below 0", text);
+    if ((row->minimum > 0 || (row->minimum == 0 && row->above)) && number <= 0)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s must be above 0", text);
+    if (row->minimum == 0 && number < 0)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s must not be negative", text);
     return OVR_OK;
 }
 

@@ -131,14 +131,14 @@ static const char cam[] =
 static const char cam_end[] =
     "\n"
     "[domain]\n"
-    "level = 7\n"
+    "level = 9\n"
     "\n"
     "[time]\n"
     "step = adaptive              # the film changes fast at the turns alone\n"
     "\n"
     "[output]\n"
     "file = cam.h5\n"
-    "every = 20\n";
+    "every = 40\n";
 
 static const char bearing[] =
     "# Roller bearing 209 under 4450 N: the rollers that one point of the "
@@ -338,8 +338,7 @@ static const char coated[] =
     "level = 8\n"
     "\n"
     "[stress]\n"
-    "surface = 1\n"
-    "depth_min = 0.005            # in b: into the coating\n";
+    "surface = 1                  # in the coating and below\n";
 
 /* The roller's raceway, softer than bearing steel, after a deep dent. */
 static const char indented_end[] =

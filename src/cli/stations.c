@@ -30,10 +30,7 @@ static double u2_of(const ovr_station *s)
 static double slip_of(const ovr_station *s)
 {
     double mean = (s->moment.u1 + s->moment.u2) / 2;
-    double largest = fmax(fabs(s->moment.u1), fabs(s->moment.u2));
-    /* At a turn the mean speed is zero to rounding. */
-    return fabs(mean) > 1e-9 * largest ? (s->moment.u1 - s->moment.u2) / mean
-                                       : NAN;
+    return mean != 0 ? (s->moment.u1 - s->moment.u2) / mean : NAN;
 }
 static double load_of(const ovr_station *s)
 {

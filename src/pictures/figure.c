@@ -16,6 +16,7 @@
 #include "overroll/text.h"
 #include "pictures/picture.h"
 #include "pictures/snapshot.h"
+#include "run/study_table.h"
 
 enum { LINES = 21, PANELS = 12, KEYS = 16, LABEL = 240, ENOUGH = 3000 };
 
@@ -170,8 +171,7 @@ static ovr_status no_column(const figure *f, const char *name, bool varied,
     char there[700], hint[100] = "";
     const char *meant = nearest(f->t, varied, name);
     if (!varied && !*list(f->t, false, there, sizeof there))
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "no case has finished yet: 'overroll sweep' runs them");
+        return ovr_table_fail_empty(f->t, err);
     if (meant)
         snprintf(hint, sizeof hint, " did you mean '%.60s'?", meant);
     return ovr_fail(err, OVR_BAD_INPUT, "no %s '%.60s';%s there are %s",

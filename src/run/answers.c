@@ -110,11 +110,28 @@ static void say_drive(page *p)
     }
 }
 
+/* Writes the reason why the power loss of a run is unknown. */
+static void say_no_loss(page *p)
+{
+    double mu = fabs(of(p, "mu_slide_max"));
+    if (mu > OVR_IMPOSSIBLE_FRICTION)
+        say(p,
+            "not given: the sliding friction coefficient reaches %.2g, which "
+            "no lubricant bears; set lubricant.rheology",
+            mu);
+    else if (has(p, "contact_share_mean") && isnan(mu))
+        say(p, "not known: set boundary.friction");
+    end(p, "lost to friction");
+}
+
 /* An isothermal film's friction may be no oil's. */
 static void say_loss(page *p)
 {
-    if (!has(p, "power_loss_W"))
+    const double much = 0.3; /* more than lubricants and metal have */
+    if (!has(p, "power_loss_W")) {
+        say_no_loss(p);
         return;
+    }
     say(p, "%.4g W, ", of(p, "power_loss_W"));
     if (of_gear(p))
         say(p, "mean over the mesh, of the whole face; efficiency %.4g %%",
@@ -129,16 +146,22 @@ static void say_loss(page *p)
             "; too much: the film's shear stress is up to %.2g of the "
             "pressure, which no oil bears",
             of(p, "shear_over_pressure"));
+    else if (fabs(of(p, "mu_slide_max")) > much)
+        say(p, "; too much: the sliding friction coefficient reaches %.2g",
+            fabs(of(p, "mu_slide_max")));
     end(p, "lost to friction");
 }
 
 static void say_film(page *p)
 {
     bool run = has(p, "H_min_overall_m");
-    if (!run && !has(p, "min_film_m"))
+    double h = of(p, run ? "H_min_overall_m" : "min_film_m");
+    if (isnan(h))
         return; /* nothing was solved */
-    say(p, "%.4g um", 1e6 * of(p, run ? "H_min_overall_m" : "min_film_m"));
+    say(p, "%.4g um", 1e6 * h);
     say_place(p, "H_min");
+    if (h < OVR_MOLECULE)
+        say(p, ", thinner than molecules of lubricants");
     if (has(p, "lambda_ratio_at_H_min"))
         say(p, "; lambda ratio there %.3g, over the run %.3g",
             of(p, "lambda_ratio_at_H_min"), of(p, "lambda_ratio"));

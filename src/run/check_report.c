@@ -196,7 +196,7 @@ static void say_feature(const ovr_told *to, const ovr_setup *setup, size_t k)
     if (info.diameter > 0)
         ovr_words_add(&w, "diameter at half depth %.4g%s, ", info.diameter,
                       in_metres(info.diameter, c->b).text);
-    ovr_words_add(&w, "shortest wavelength %.4g%s, on %.4g nodes",
+    ovr_words_add(&w, "%s wavelength %.4g%s, on %.4g nodes", info.wavelength_is,
                   info.wavelength, in_metres(info.wavelength, c->b).text,
                   info.wavelength / setup->mesh);
     ovr_tell(to, w.text, "%s", "");
@@ -309,7 +309,10 @@ static void say_cost(const ovr_told *to, const ovr_setup *setup,
     if (cost->steps > 0) {
         say_step(to, setup);
         ovr_tell(to, "steps", "%s%.0f",
-                 setup->march->until_steady ? "at most " : "", cost->steps);
+                 setup->march->until_steady || setup->march->adaptive
+                     ? "at most "
+                     : "",
+                 cost->steps);
         ovr_tell(to, "snapshots", "%.0f, at most %.3g MB on the disk",
                  cost->stored.snapshots, cost->stored.bytes / 1e6);
     }

@@ -35,13 +35,15 @@ static void put(const answered *a, const char *key, double number)
     ovr_put_number(&to, key, number);
 }
 
-/* Mean power that the surfaces put in, W/m; NAN where the run did not go the
- * whole way of the element, whose other part may lose more or less. */
+/* Mean power put in by the surfaces, W/m.  NAN if the run is only a part of the
+ * element's cycle, or if its friction is impossible. */
 static double mean_power(const answered *a)
 {
     const ovr_statistics *total = ovr_simulation_statistics(a->run->sim);
     double T = ovr_simulation_state(a->run->sim)->T, end = a->r->element.end;
     if (end > 0 && !(T >= end * (1 - 1e-9)))
+        return NAN;
+    if (fabs(total->extreme.mu_slide) > OVR_IMPOSSIBLE_FRICTION)
         return NAN;
     return total->mean.power_in *
            ovr_kind_scale(OVR_KIND_POWER, &a->r->contact);

@@ -81,6 +81,13 @@ ovr_status ovr_run_confirm(ovr_run *run, ovr_error *err);
 void ovr_run_review_before(ovr_run *run);
 void ovr_run_review_after(ovr_run *run);
 
+/* Size of lubricant molecules, m: thinner films are no continuum. */
+#define OVR_MOLECULE 1e-9
+
+/* Sliding friction coefficient that no lubricant bears: powers of a run that
+ * reaches it are not given. */
+#define OVR_IMPOSSIBLE_FRICTION 1.0
+
 /* Fills shear_over_pressure and unbearable_share. */
 void ovr_run_shear(ovr_run *run);
 

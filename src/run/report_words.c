@@ -101,7 +101,14 @@ bool ovr_absurd_friction(const ovr_run_info *s)
 static void add_coefficients(ovr_words *w, const ovr_observation *o,
                              const ovr_contact *contact, int wide)
 {
-    if (isfinite(contact->kappa))
+    if (isnan(o->mu_slide) && isfinite(o->mu_roll))
+        ovr_words_add(w,
+                      "not known (set boundary.friction); rolling of the film "
+                      "%.4g",
+                      o->mu_roll);
+    else if (isnan(o->F_slide))
+        ovr_words_add(w, "not known");
+    else if (isfinite(contact->kappa))
         ovr_words_add(
             w, "%-*.4g sliding, %.4g rolling; on surface 1 %.4g, on 2 %.4g",
             wide, o->mu_slide, o->mu_roll, o->mu_1, o->mu_2);

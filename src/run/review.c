@@ -10,6 +10,7 @@
 #include "contact/contact.h"
 #include "contact/curvature.h"
 #include "run/internal.h"
+#include "run/lines.h"
 #include "run/review.h"
 #include "run/review_element.h"
 #include "run/review_plausible.h"
@@ -121,18 +122,30 @@ static void warn_of_smearing(const ovr_review *r)
     }
 }
 
+static ovr_feature_info finest_feature(const ovr_surfaces *surfaces)
+{
+    size_t n = ovr_surfaces_count(surfaces);
+    ovr_feature_info finest = ovr_surfaces_info(surfaces, 0);
+    for (size_t k = 1; k < n; k++)
+        if (ovr_surfaces_info(surfaces, k).wavelength < finest.wavelength)
+            finest = ovr_surfaces_info(surfaces, k);
+    return finest;
+}
+
 static void warn_of_features(const ovr_review *r, bool transient)
 {
     const ovr_surfaces *surfaces = r->setup->surfaces;
     const ovr_options *options = r->setup->options;
-    double D = r->setup->mesh, wave = ovr_surfaces_wavelength(surfaces);
+    double D = r->setup->mesh;
+    ovr_feature_info finest = finest_feature(surfaces);
+    double wave = finest.wavelength;
     const char *inside;
     if (wave < MESHES_A_WAVE * D)
         ovr_review_say(
             r, OVR_SAY_WARNING,
-            "the grid is too coarse: the shortest wavelength %.3g has only "
-            "%.1f meshes; level %d would resolve it",
-            wave, wave / D,
+            "the grid is too coarse: the %s wavelength %.3g of feature '%s' "
+            "has only %.1f mesh sizes; level %d would resolve it",
+            finest.wavelength_is, wave, finest.name, wave / D,
             options->level + (int)ceil(log2(MESHES_A_WAVE * D / wave)));
     warn_of_smearing(r);
     inside = ovr_surfaces_inside(surfaces, options->inlet, options->outlet);
@@ -211,6 +224,19 @@ static void reach(const ovr_surfaces *surfaces, size_t k, double T, double *low,
     *high = centre + f.ahead + (f.speed < 0 ? f.last : 0);
 }
 
+/* "-2 <= X <= 1.5", or its one side if the other has no end. */
+static ovr_words range_of(double low, double high)
+{
+    ovr_words w = {""};
+    if (isfinite(low) && isfinite(high))
+        ovr_words_add(&w, "%.4g <= X <= %.4g", low, high);
+    else if (isfinite(high))
+        ovr_words_add(&w, "X <= %.4g", high);
+    else
+        ovr_words_add(&w, "X >= %.4g", low);
+    return w;
+}
+
 /* Says what moves passes from `low` at T = 0 to `high` at the end and back. */
 static void warn_of_material_history(const ovr_review *r, size_t k)
 {
@@ -222,9 +248,9 @@ static void warn_of_material_history(const ovr_review *r, size_t k)
     if (fmax(high, b) < o->inlet || fmin(low, a) > o->outlet)
         ovr_review_say(
             r, OVR_SAY_WARNING,
-            "feature '%s' never arrives: it is at %.4g <= X <= %.4g when the "
-            "run ends at T = %.4g, and the domain from %.4g to %.4g",
-            f.name, a, b, end, o->inlet, o->outlet);
+            "feature '%s' never arrives: it is at %s when the run ends at T = "
+            "%.4g, and the domain from %.4g to %.4g",
+            f.name, range_of(a, b).text, end, o->inlet, o->outlet);
     else if (f.speed != 0 && isfinite(f.last) && isfinite(a) && isfinite(b) &&
              a < o->outlet && b > o->inlet)
         ovr_review_say(

@@ -4,6 +4,7 @@
 
 #include "case/domain.h"
 #include "case/resolve.h"
+#include "case/setup.h"
 #include "physics/plastic/plastic.h"
 #include "physics/supply/supply.h"
 #include "run/internal.h"
@@ -47,6 +48,22 @@ static void warn_of_pressure(const ovr_review *r, const ovr_statistics *total)
             ovr_setup_plastic(r->setup)
                 ? ""
                 : ": it would yield, which needs [plastic]");
+}
+
+/* Films thinner than molecules are no continuum; asperities of [boundary] do
+ * not need one. */
+static void warn_of_thin_film(const ovr_review *r, const ovr_statistics *total)
+{
+    double h = total->extreme.H_min_located * r->setup->contact->height;
+    if (!(h < OVR_MOLECULE) ||
+        (ovr_setup_physics(r->setup) & OVR_PHYSICS_BOUNDARY))
+        return;
+    ovr_review_say(
+        r, OVR_SAY_WARNING,
+        "the minimum film thickness of %.2g nm at X = %.4g, T = %.4g is below "
+        "the size of lubricant molecules (1 nm): the surfaces touch there, "
+        "which needs [boundary]",
+        1e9 * h, total->where.H_min_located, total->when.H_min_located);
 }
 
 /* The pressure of a Newtonian film at a surface feature, or in the spike at the
@@ -105,6 +122,7 @@ static void warn_of_extremes(const ovr_review *r, const ovr_statistics *total)
         return;
     warn_of_pressure(r, total);
     warn_of_spike(r, total);
+    warn_of_thin_film(r, total);
     warn_of_roughness(r, total);
     warn_of_cycles(r, total);
 }

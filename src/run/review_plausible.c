@@ -5,6 +5,8 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "case/resolve.h"
+
 typedef struct usual {
     const char *what, *unit;
     double value, scale;     /* of the unit */
@@ -38,6 +40,26 @@ static void review_contact(const ovr_setup *s, ovr_listener *say, void *data)
         judge(&all[k], say, data);
 }
 
+/* Bodies are parabolas and half-spaces where they touch, which cylinders are
+ * only near the line of contact. */
+static void review_width(const ovr_setup *s, ovr_listener *say, void *data)
+{
+    const double widest = 0.3;
+    const ovr_resolved *r = (const ovr_resolved *)s;
+    const ovr_contact *c = s->contact;
+    double radius = c->radius;
+    for (int k = 0; k < 2; k++)
+        if (isfinite(r->body[k].radius))
+            radius = fmin(radius, fabs(r->body[k].radius));
+    if (c->b > widest * radius)
+        ovr_warn(
+            say, data,
+            "the contact is %.4g mm wide on a radius of %.4g mm: parabolic "
+            "gaps and elastic half-spaces hold up to a half width of 0.3 "
+            "radii",
+            2e3 * c->b, 1e3 * radius);
+}
+
 static void review_feature(const ovr_setup *s, const ovr_feature_form *f,
                            ovr_listener *say, void *data)
 {
@@ -61,6 +83,7 @@ void ovr_review_plausible(const ovr_setup *setup, ovr_listener *say, void *data)
     if (!say)
         return;
     review_contact(setup, say, data);
+    review_width(setup, say, data);
     for (size_t k = 0; k < setup->features; k++)
         review_feature(setup, setup->feature[k], say, data);
 }

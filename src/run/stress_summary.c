@@ -205,6 +205,10 @@ static bool has_effect(const ovr_stress_report *r)
 static void say_life(const ovr_told *to, const ovr_stress_report *r,
                      const ovr_stress_setup *s)
 {
+    if (r->lifeless) {
+        ovr_tell(to, "life", "not given: %s", r->lifeless);
+        return;
+    }
     if (!has_effect(r))
         ovr_tell(to, "equivalent length",
                  "no effect beyond the error of the method, %.2g b from Z = "
@@ -310,7 +314,8 @@ static void say_surface(const ovr_told *to, const ovr_stress_report *r,
     say_part(to, OVR_STRESS_BODY, r, ph);
     if (!isnan(r->layer_von_mises.value))
         say_part(to, OVR_STRESS_LAYERS, r, ph);
-    say_circle(to, r, ph);
+    if (!isnan(r->R_max))
+        say_circle(to, r, ph);
     ovr_tell(to, "traction", "%s%s",
              r->traction ? "the film's shear stress" : "none: ",
              r->traction ? "" : r->no_traction);

@@ -58,8 +58,7 @@ static ovr_status no_quantity(const sampling *w, const char *name)
     const char *names[OVR_TABLE_COLUMNS], *meant;
     size_t keys = w->t->keys, count = w->t->columns - keys;
     if (!count)
-        return ovr_fail(w->err, OVR_BAD_INPUT,
-                        "no case has finished yet: 'overroll sweep' runs them");
+        return ovr_table_fail_empty(w->t, w->err);
     for (size_t k = 0; k < count; k++)
         names[k] = w->t->column[keys + k].name;
     meant = ovr_suggest(name, names, count);

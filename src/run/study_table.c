@@ -250,6 +250,22 @@ ovr_table *ovr_study_table(const ovr_study *study, ovr_error *err)
     return NULL;
 }
 
+ovr_status ovr_table_fail_empty(const ovr_table *t, ovr_error *err)
+{
+    if (t->count[OVR_SWEEP_CHANGED])
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "the study was changed after its cases were run (%zu "
+                        "of %zu): 'overroll sweep --redo' runs them again",
+                        t->count[OVR_SWEEP_CHANGED], t->rows);
+    if (t->count[OVR_SWEEP_FAILED])
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "no case has finished, %zu failed: 'overroll sweep' "
+                        "prints why",
+                        t->count[OVR_SWEEP_FAILED]);
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "no case has finished yet: 'overroll sweep' runs them");
+}
+
 /* -------------------------------------------------------------------- CSV */
 
 /* Takes what was extreme in runs in time, of steady solutions these. */

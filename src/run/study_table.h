@@ -25,6 +25,9 @@ struct ovr_table {
 
 ovr_table *ovr_table_make(const ovr_allocator *allocator, ovr_error *err);
 
+/* Fails with the reason why no case of a table has results. */
+ovr_status ovr_table_fail_empty(const ovr_table *table, ovr_error *err);
+
 /* Returns the column of a number of the summaries, or NULL. */
 const ovr_table_column *ovr_table_summary(const ovr_table *table,
                                           const char *name);

@@ -75,11 +75,13 @@ static ovr_status too_thin(const ovr_simulation *sim, ovr_error *err)
                     ovr_level_resolving(sim));
 }
 
-/* R was 1e-5 to 20 where surfaces touch, 1e6 where a solve had diverged.  No
- * deeper than what stands up there and a film of nominal load and
- * speed: beyond, it diverged too. */
+/* R was 1e-5 to 20 in solves with touching surfaces, 1e6 in diverged solves.  If
+ * surfaces overlap by more than their heights and a nominal film thickness, the
+ * solve had diverged, too.  Smooth surfaces have a film at every load. */
 static bool surfaces_overlap(const ovr_simulation *sim, const ovr_defect *d)
 {
+    if (!sim->heights)
+        return false;
     size_t low = sim->grids.kernels->extreme(sim->now.n, 1, sim->now.H);
     double deep = -sim->now.H[low];
     double film = ovr_film_central_moes(sim->contact.M, sim->contact.L);
@@ -92,11 +94,12 @@ static ovr_status touching(const ovr_simulation *sim, double T, ovr_error *err)
     size_t low = sim->grids.kernels->extreme(sim->now.n, 1, sim->now.H);
     return ovr_fail(err, OVR_IMPOSSIBLE,
                     "the surfaces touch at T = %g: film H = %.1e at X = %.3f "
-                    "(surface there %.1e high); contact of the surfaces is "
-                    "not modelled%s",
+                    "(surface there %.1e high)%s; lower features or a finer "
+                    "level may help",
                     T, sim->now.H[low], sim->now.X[low], sim->S[low],
-                    sim->heights ? "; lower features or a finer level may help"
-                                 : "; a finer level may help");
+                    sim->grids.touch.at
+                        ? ": the asperity law bears too little there"
+                        : "; asperity contact needs [boundary]");
 }
 
 static ovr_status too_few_cycles(const ovr_simulation *sim, ovr_error *err)

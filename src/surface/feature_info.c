@@ -53,6 +53,7 @@ static ovr_feature_info info_of(const ovr_feature *f)
                               .speed = f->ratio,
                               .amplitude = amplitude(f),
                               .wavelength = f->finest,
+                              .wavelength_is = f->table ? "mean" : "shortest",
                               .diameter = ovr_shape_diameter(f),
                               .behind = f->behind,
                               .ahead = f->ahead,
@@ -64,7 +65,8 @@ static ovr_feature_info info_of(const ovr_feature *f)
 
 ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces, size_t feature)
 {
-    const ovr_feature_info none = {.name = NULL, .assumed = ""};
+    const ovr_feature_info none = {
+        .name = NULL, .wavelength_is = "", .assumed = ""};
     const ovr_feature *f = surfaces ? ovr_surfaces_feature(surfaces, feature)
                                     : NULL;
     return f ? info_of(f) : none;

@@ -241,6 +241,17 @@ static ovr_status make_points(ovr_text_table *t, ovr_error *err)
     return ovr_profile_finish(p, n, err);
 }
 
+/* Semicolons separate numbers with points as well. */
+static bool has_decimal_comma(const ovr_text_table *t)
+{
+    ovr_lines lines = t->data;
+    ovr_line line;
+    while (t->layout.comma && ovr_next_row(&lines, &line))
+        if (memchr(line.text, ',', line.size))
+            return true;
+    return false;
+}
+
 ovr_status ovr_read_text(ovr_profile *profile, const ovr_profile_source *source,
                          ovr_bytes content, ovr_error *err)
 {
@@ -272,6 +283,7 @@ ovr_status ovr_read_text(ovr_profile *profile, const ovr_profile_source *source,
     if (t.x >= 0)
         ovr_profile_note(profile, "column %d is x, column %d is z, of %zu%s",
                          t.x + 1, t.z + 1, t.header.columns,
-                         t.layout.comma ? "; commas are decimal points" : "");
+                         has_decimal_comma(&t) ? "; commas are decimal points"
+                                               : "");
     return make_points(&t, err);
 }

@@ -9,12 +9,14 @@ typedef struct ovr_feature_info {
     const char *name;
     int surface;
     ovr_shape shape;
-    double speed;         /* u_k/um */
-    double amplitude;     /* largest |S| */
-    double wavelength;    /* the shortest that matters, b: a grid needs several
-                             nodes in it; of local shapes the feature's width */
-    double diameter;      /* full width at half depth or height, b; NAN of
-                             shapes without a width */
+    double speed;      /* u_k/um */
+    double amplitude;  /* largest |S| */
+    double wavelength; /* the shortest that matters, b: a grid needs several
+                          nodes in it; of local shapes the feature's width,
+                          of tables of heights 2 pi Rq/Rdq */
+    const char *wavelength_is; /* "shortest" or "mean" */
+    double diameter;           /* full width at half depth or height, b; NAN of
+                                  shapes without a width */
     double behind, ahead; /* extent about its centre, b (may be infinite) */
     bool grows;           /* starts from nothing */
     double Rq;            /* of what is rough (profiles, roughness, wave,

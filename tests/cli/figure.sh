@@ -35,6 +35,10 @@ feature.rough.seed = 1, 2, 3
 END
 refuses 'no case has finished yet' plot study.ini -o none.svg
 expect 0 "$OVERROLL" sweep study.ini -q
+sed -i 's/^level = 3/level = 4/' base.ini
+refuses 'the study was changed after its cases were run \(18 of 18\)' \
+    plot study.ini -o none.svg
+sed -i 's/^level = 4/level = 3/' base.ini
 refuses "no quantity 'H_mim'; did you mean 'H_min'" \
     plot study.ini --quantity H_mim -o none.svg
 expect 0 "$OVERROLL" sweep study.ini --collect table.csv -q

@@ -384,12 +384,29 @@ static ovr_status resolve(const ovr_physics_case *of, void *form, bool *on,
                         "[coating]: ph is %.2g of the modulus E': strains are "
                         "not small, and no film is calculated for them",
                         of->contact->kappa / 4);
-    /* what interpolation leaves of an image is not what it was made for */
+    /* Interpolated images would not have the accuracy of the fit */
     if (!of->options->mlmi_order)
         of->options->mlmi_order = 12;
     if (!of->options->mlmi_range)
         of->options->mlmi_range = 16;
     refine_coarsest(of, f);
+    return OVR_OK;
+}
+
+/* Refuses layers that the mesh does not resolve. */
+static ovr_status on_mesh(const ovr_physics_case *of, void *form, double mesh,
+                          ovr_error *err)
+{
+    const coating_form *f = form;
+    (void)of;
+    for (int k = 0; k < 2; k++)
+        for (int j = 0; j < f->body[k].layers; j++)
+            if (f->coat[k][j].thickness < MESH_MIN * mesh)
+                return ovr_fail_about(
+                    err, name_of(k, j),
+                    "[coating %s] is %.2g mesh sizes thick, too thin for every "
+                    "level: remove the section, or use a finer domain.level",
+                    name_of(k, j), f->coat[k][j].thickness / mesh);
     return OVR_OK;
 }
 
@@ -478,22 +495,6 @@ static void warmth(const ovr_simulation *sim, const void *own, int k,
         *to = (ovr_warmth){warmth_at, &f->warmed[k]};
 }
 
-static ovr_status check(const ovr_simulation *sim, const void *own,
-                        ovr_error *err)
-{
-    const coating_form *f = ((const coating *)own)->given;
-    double D = ovr_mesh(sim);
-    for (int k = 0; k < 2; k++)
-        for (int j = 0; j < f->body[k].layers; j++)
-            if (f->coat[k][j].thickness < MESH_MIN * D)
-                return ovr_fail(err, OVR_BAD_INPUT,
-                                "[coating %s] is %.2g meshes thick: no level "
-                                "that is calculated sees it; leave it out, or "
-                                "take a finer level",
-                                name_of(k, j), f->coat[k][j].thickness / D);
-    return OVR_OK;
-}
-
 static unsigned features(const void *form)
 {
     (void)form;
@@ -566,4 +567,4 @@ const ovr_physics ovr_physics_coating = {.name = "layers on the bodies",
                                          .take = take,
                                          .influence = influence,
                                          .warmth = warmth,
-                                         .check = check};
+                                         .on_mesh = on_mesh};

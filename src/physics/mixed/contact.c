@@ -457,8 +457,11 @@ static void observe_friction(const ovr_simulation *sim, const boundary *b,
     o->F_slide += drag - b->wet_force;
     o->power_dissipated -= o->sliding * (drag - b->wet_force);
     ovr_friction_forces(sim, o);
-    if (isnan(b->given->friction))
+    if (isnan(b->given->friction)) {
         o->more[MU_BOUNDARY] = o->mu_1 = o->mu_2 = o->mu_slide = NAN;
+        o->F_1 = o->F_2 = o->F_slide = NAN;
+        o->power_in = o->power_dissipated = NAN;
+    }
 }
 
 static void observe_wear(const boundary *b, ovr_observation *o)
@@ -644,7 +647,7 @@ static void advise(const ovr_simulation *sim, double H, size_t size, char *text)
 }
 
 const ovr_physics ovr_physics_boundary = {.name = "surfaces that touch",
-                                          .node_seconds = 8e-7,
+                                          .node_seconds = 1.8e-6,
                                           .bit = OVR_PHYSICS_BOUNDARY,
                                           .section = &ovr_boundary_section,
                                           .sections = 1,

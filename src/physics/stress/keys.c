@@ -44,7 +44,10 @@ static const ovr_parameter stress_keys[] = {
     {"surface", CHOICE(which_surface), NULL, AT(surfaces), true, ALWAYS,
      "below which surface; 1 where the section is there and says nothing"},
     {"depth_min", LENGTH_OR(auto_zero, 1e-9, 1e3), "auto", AT(depth_min), true,
-     ALWAYS, "least depth of the history of the material; auto: 4 meshes"},
+     ALWAYS,
+     "least depth of the history of the material; auto: 4 mesh sizes, of "
+     "steady "
+     "contacts at most half the outer layer"},
     {"depth_max", LENGTH(1e-6, 1e3), "2.5", AT(depth_max), true, ALWAYS,
      "largest depth"},
     {"depths_per_octave", PLAIN(1, 100), "5", AT(per_octave), true, ALWAYS,

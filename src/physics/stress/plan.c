@@ -99,6 +99,35 @@ static double below_layers(const ovr_stress_plan *plan)
                   : 0;
 }
 
+/* Refuses depths that the mesh cannot resolve. */
+static ovr_status check_depths(const ovr_stress_setup *s,
+                               const ovr_stress_plan *plan, ovr_error *err)
+{
+    double least = plan->options.depth_min, half = plan->options.mesh / 2;
+    if (least < half * (1 - 1e-9))
+        return ovr_fail_about(err, "depth_min",
+                              "depth_min = %.4g b is less than half a mesh "
+                              "size: must be at least %.4g b",
+                              least, half);
+    if (least > s->depth_max)
+        return ovr_fail_about(err, "depth_max",
+                              "depth_max = %.4g b is below the least depth, "
+                              "%.4g b (%s): set stress.depth_max to more, or "
+                              "use a finer domain.level",
+                              s->depth_max, least,
+                              s->depth_min > 0 ? "stress.depth_min"
+                                               : "4 mesh sizes");
+    return OVR_OK;
+}
+
+/* A layer thinner than 4 mesh sizes has depths of its own. */
+static double usual_depth(const ovr_stress_plan *plan)
+{
+    const ovr_layered *layers = plan->options.layers;
+    double D = plan->options.mesh, usual = MESHES_OF_DEPTH * D;
+    return layers ? fmax(D / 2, fmin(usual, layers->thickness[0] / 2)) : usual;
+}
+
 static ovr_status find_depths(const ovr_setup *setup, ovr_stress_plan *plan,
                               ovr_error *err)
 {
@@ -111,7 +140,7 @@ static ovr_status find_depths(const ovr_setup *setup, ovr_stress_plan *plan,
     if (s->depth_min > 0 && s->depth_min < allowed)
         return refuse(setup, "depth_min", s->depth_min, plan, err);
     if (!(s->depth_min > 0))
-        plan->options.depth_min = fmax(MESHES_OF_DEPTH * D, possible);
+        plan->options.depth_min = fmax(usual_depth(plan), possible);
     plan->range.least_depth = s->life.least_depth;
     if (s->life.least_depth > 0 && s->life.least_depth < allowed)
         return refuse(setup, "least_depth", s->life.least_depth, plan, err);
@@ -119,7 +148,7 @@ static ovr_status find_depths(const ovr_setup *setup, ovr_stress_plan *plan,
         plan->range.least_depth = fmax(fmax(MESHES_OF_LIFE * D, possible),
                                        plan->options.depth_min);
     plan->range.least_depth = fmax(plan->range.least_depth, below_layers(plan));
-    return OVR_OK;
+    return check_depths(s, plan, err);
 }
 
 /* Depths, moduli and residual stresses of the layers on the surface. */
@@ -140,6 +169,10 @@ static ovr_status make_plan(const ovr_setup *setup, int surface,
     const ovr_contact *c = setup->contact;
     double dT = ovr_setup_step(setup);
     bool dang_van = s->fatigue && s->criterion == OVR_CRITERION_DANG_VAN;
+    if (dang_van && !setup->transient)
+        return ovr_fail_about(err, "criterion",
+                              "criterion = dang-van follows the material "
+                              "through a run in time: set time.end");
     *plan = (ovr_stress_plan){.surface = surface};
     plan->ratio = surface == 1 ? c->u1_ratio : c->u2_ratio;
     plan->options = ovr_stress_options_default();

@@ -48,7 +48,7 @@ static void find_worst(ovr_stress_report *r)
 {
     const ovr_material *m = &r->material;
     const float *R = r->measure[OVR_MEASURE_CIRCLE];
-    r->R_max = 0;
+    r->R_max = r->incomplete < m->points ? 0 : NAN;
     for (size_t j = 0; j < m->depths; j++) {
         if (m->z[j] < r->least_depth * (1 - 1e-9))
             continue;
@@ -117,6 +117,25 @@ static double length_error(const ovr_stress_report *r)
     return counted ? off / (double)counted * (double)m->points * m->step : NAN;
 }
 
+/* The von Mises stress below a smooth contact relative to its p_h, with a
+ * margin for traction. */
+static const double SMOOTH_VON_MISES = 0.6;
+
+/* Returns why an elastic stress history has no life, or NULL. */
+static const char *why_lifeless(const ovr_setup *setup,
+                                const ovr_stress_report *r)
+{
+    double bearable = setup->bearable / setup->contact->ph;
+    if (r->incomplete == r->material.points)
+        return "no material point passes the whole contact within the run: set "
+               "a later time.end";
+    if (!ovr_setup_plastic(setup) &&
+        r->von_mises.value > SMOOTH_VON_MISES * bearable)
+        return "the elastic stresses are those of a pressure above "
+               "contact.bearable_pressure, at which the body yields";
+    return NULL;
+}
+
 static ovr_status find_life(const ovr_setup *setup, ovr_stress_report *r,
                             ovr_life_result *result, ovr_error *err)
 {
@@ -135,7 +154,11 @@ static ovr_status find_life(const ovr_setup *setup, ovr_stress_report *r,
         r->limit = result->used_limit;
     r->length_error = length_error(r);
     r->ratio = NAN;
-    if (s->raceway > 0)
+    r->lifeless = why_lifeless(setup, r);
+    if (r->lifeless)
+        *result = (ovr_life_result){
+            .equivalent_length = NAN, .utilisation = NAN, .smooth_risk = NAN};
+    if (s->raceway > 0 && !r->lifeless)
         r->ratio = ovr_life_ratio(&life, r->life->equivalent_length, s->raceway,
                                   s->count);
     return OVR_OK;
@@ -147,7 +170,7 @@ static bool is_beyond(const ovr_stress_report *r)
 {
     const double maximum = 1e3;
     return !(r->max_shear.value < maximum && r->von_mises.value < maximum &&
-             r->R_max < maximum);
+             !(r->R_max >= maximum));
 }
 
 static const ovr_stress_extreme none = {NAN, NAN, NAN, NAN};
@@ -330,9 +353,9 @@ ovr_stress_report *ovr_stress_report_make(const ovr_stress_source *of,
     r->von_mises = ovr_material_history_von_mises(history);
     find_layers(plan, history, r);
     find_yield(plan, history, r);
-    find_worst(r);
     for (size_t k = 0; k < r->material.points; k++)
         r->incomplete += !r->material.complete[k];
+    find_worst(r);
     if (is_beyond(r))
         withhold(r, life);
     if (r->fatigue &&

@@ -247,10 +247,6 @@ static ovr_status check_second_pass(const ovr_setup *setup, const char *output,
     const ovr_output *o = setup->output;
     if (!s->fatigue || s->criterion != OVR_CRITERION_DANG_VAN)
         return OVR_OK;
-    if (!setup->transient)
-        return ovr_fail_about(err, "criterion",
-                              "criterion = dang-van follows the material "
-                              "through a run in time: give [time] an end");
     if (!output || !isnan(o->from) || !isnan(o->to) || o->stride > 1)
         return ovr_fail_about(err, "criterion",
                               "criterion = dang-van goes over the stored "
@@ -454,7 +450,7 @@ static void tell_limit(const ovr_setup *setup, int k, ovr_physics_line *line,
     double ph = setup->contact->ph * 1e-6, z;
     double hertz = ovr_hertz_criterion(s->criterion, s->alpha, s->poisson[k],
                                        &z);
-    char text[160], megapascals[40] = "";
+    char text[160], limit[80] = "no limit";
     if (s->life.limits) {
         snprintf(text, sizeof text,
                  "%s: limit by depth, %.4g MPa at %.3g um to %.4g MPa at %.3g "
@@ -467,14 +463,14 @@ static void tell_limit(const ovr_setup *setup, int k, ovr_physics_line *line,
         line(data, "fatigue", text);
         return;
     }
-    if (isfinite(ph))
-        snprintf(megapascals, sizeof megapascals, " = %.4g MPa",
-                 hertz * s->limit_pressure * ph);
-    snprintf(text, sizeof text,
-             "%s: limit %.4g ph%s; smooth %.4g ph at Z = "
-             "%.3g",
-             ovr_criterion_name(s->criterion), hertz * s->limit_pressure,
-             megapascals, hertz, z);
+    if (s->limit_pressure > 0 && isfinite(ph))
+        snprintf(limit, sizeof limit, "limit %.4g ph = %.4g MPa",
+                 hertz * s->limit_pressure, hertz * s->limit_pressure * ph);
+    else if (s->limit_pressure > 0)
+        snprintf(limit, sizeof limit, "limit %.4g ph",
+                 hertz * s->limit_pressure);
+    snprintf(text, sizeof text, "%s: %s; smooth %.4g ph at Z = %.3g",
+             ovr_criterion_name(s->criterion), limit, hertz, z);
     line(data, "fatigue", text);
 }
 

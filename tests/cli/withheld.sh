@@ -1,0 +1,99 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Where the elastic, Newtonian or thin-film model is left, answers are withheld
+# or marked, with the reason.
+. "$TOP/tests/support/cli.sh"
+
+# Friction of surfaces that touch is not known without its coefficient.
+cat >mixed.ini <<'END'
+[contact]
+load = 250 kN/m
+radius = 10 mm
+mean_speed = 1.5 m/s
+slide_to_roll = 0.4
+modulus = 226 GPa
+[lubricant]
+viscosity = 30 mPa.s
+alpha = 18 1/GPa
+rheology = eyring
+eyring_stress = 5 MPa
+[boundary]
+law = exponential
+Rq = 0.5 um
+slope = 0.03
+[domain]
+level = 5
+END
+expect 0 "$OVERROLL" steady mixed.ini
+contains out '^friction coeff\. +not known \(set boundary\.friction\); rolling'
+! grep -i 'nan' out || fail 'nan in a report'
+expect 0 "$OVERROLL" steady mixed.ini --json
+for key in mu_slide F_slide F_1 F_2 power_in power_dissipated; do
+    contains out "^  \"$key\": null"
+done
+expect 0 "$OVERROLL" steady mixed.ini --set boundary.friction=0.1 --json
+contains out '^  "power_in": 2\.[0-9]'
+
+# A Newtonian film that slides: friction no oil has, so no power of it.
+expect 0 "$OVERROLL" init gear --set gear.teeth_1=25 --set gear.teeth_2=57 \
+    --set gear.module=2.5mm --set gear.torque=200N.m --set gear.speed=2000rpm \
+    --set domain.level=5 --set lubricant.rheology=newtonian \
+    --set lubricant.limiting_shear=0 -o gear.ini
+sed -i '/^eyring_stress/d' gear.ini
+expect 0 "$OVERROLL" run gear.ini
+contains out '^lost to friction +not given: the sliding friction coefficient '
+! grep -E '^lost.* W|efficiency' out || fail 'a power is given'
+expect 0 "$OVERROLL" run gear.ini --json --force
+contains out '^  "power_loss_W": null'
+contains out '^  "efficiency": null'
+
+# No life without a point that passes the contact, nor above what bodies bear.
+cat >life.ini <<'END'
+[contact]
+hertz_pressure = 6 GPa
+radius = 10 mm
+modulus = 226 GPa
+mean_speed = 20 m/s
+[lubricant]
+viscosity = 100 mPa.s
+alpha = 10 1/GPa
+rheology = eyring
+eyring_stress = 5 MPa
+[domain]
+level = 7
+[time]
+end = 8
+[feature d]
+surface = 1
+shape = dent
+depth = 2 um
+width = 0.5
+start = -4.2
+[stress]
+[fatigue]
+raceway = 100
+END
+expect 0 "$OVERROLL" run life.ini
+contains out '^life +not given: the elastic .*contact.bearable_pressure'
+! grep '^equivalent length' out || fail 'an equivalent length is given'
+expect 0 "$OVERROLL" run life.ini --json --force
+contains out '^  "life_ratio": null'
+expect 0 "$OVERROLL" run life.ini --set 'contact.bearable_pressure=8 GPa'
+contains out '^equivalent length'
+expect 0 "$OVERROLL" run life.ini --set 'contact.bearable_pressure=8 GPa' \
+    --set time.end=2
+contains out '^life +not given: no material point passes .* later time.end'
+
+# A film thinner than molecules
+cat >thin.ini <<'END'
+[contact]
+load = 5 kN/m
+radius = 5 mm
+mean_speed = 1 mm/s
+modulus = 226 GPa
+[lubricant]
+viscosity = 1 mPa.s
+alpha = 15 1/GPa
+END
+"$OVERROLL" steady thin.ini >out 2>err
+contains err 'minimum film thickness of 0\.[0-9]+ nm .* below the size of lubr'
