@@ -75,7 +75,7 @@ static ovr_status too_thin(const ovr_simulation *sim, ovr_error *err)
                     ovr_level_resolving(sim));
 }
 
-/* R was 1e-5 to 20 in solves with touching surfaces, 1e6 in diverged solves.  If
+/* R was 1e-5 to 20 in solves with touching surfaces, 1e6 in diverged ones.  If
  * surfaces overlap by more than their heights and a nominal film thickness, the
  * solve had diverged, too.  Smooth surfaces have a film at every load. */
 static bool surfaces_overlap(const ovr_simulation *sim, const ovr_defect *d)
