@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "base/error.h"
+#include "case/setup.h"
 #include "physics/stress/stress.h"
 #include "stress/layered.h"
 #include "stress/material_history.h"
@@ -129,7 +130,7 @@ static const char *why_lifeless(const ovr_setup *setup,
     if (r->incomplete == r->material.points)
         return "no material point passes the whole contact within the run: set "
                "a later time.end";
-    if (!ovr_setup_plastic(setup) &&
+    if (!(ovr_setup_physics(setup) & OVR_PHYSICS_PLASTIC) &&
         r->von_mises.value > SMOOTH_VON_MISES * bearable)
         return "the elastic stresses are those of a pressure above "
                "contact.bearable_pressure, at which the body yields";
