@@ -5,7 +5,6 @@ import multiprocessing
 import os
 import signal
 import subprocess
-import time
 from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
 
 import numpy as np
@@ -173,14 +172,15 @@ def test_a_lost_worker_loses_nothing(dent, client):
                       progress=look, **how)
     assert killed and len(finished()) == 8
     same(here, there)
-    for name in finished():
-        with open(f"here/{name[:-5]}.log") as log:
-            lines = log.read().split("\n")
-        assert sum(line.startswith("finished") for line in lines) == 1
-    begun = time.monotonic()
+
+    def ends():
+        return {name: open(f"here/{name[:-5]}.log").read().count("\nfinished")
+                for name in finished()}
+
+    assert set(ends().values()) == {1}
     same(there, ovr.sweep(dent, workers=client.get_executor(), output="here",
-                          **how))  # read, not run
-    assert time.monotonic() - begun < float(here.seconds.sum()) / 2 + 1
+                          **how))
+    assert set(ends().values()) == {1}  # read, not run
 
 
 def test_files_that_are_there(dent):

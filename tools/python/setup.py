@@ -12,10 +12,15 @@ import subprocess
 import tempfile
 from pathlib import Path
 
+import setuptools
 from cffi import FFI
 from setuptools import Distribution, setup
 from setuptools.command.build_py import build_py
-from wheel.bdist_wheel import bdist_wheel
+
+try:
+    from setuptools.command.bdist_wheel import bdist_wheel
+except ImportError:  # before setuptools 70.1
+    from wheel.bdist_wheel import bdist_wheel
 
 HERE = Path(__file__).resolve().parent
 TOP = HERE.parents[1]
@@ -77,8 +82,13 @@ class Binary(Distribution):
         return True
 
 
+# An SPDX expression, under the name that this setuptools has for it.
+RELEASE = int(setuptools.__version__.split(".")[0])
+LICENCE = {"license_expression" if RELEASE >= 77 else "license":
+           "GPL-3.0-or-later"}
+
 os.chdir(HERE)
 (TOP / "build" / "python-package").mkdir(parents=True, exist_ok=True)
-setup(version=VERSION, packages=["overroll"], distclass=Binary,
+setup(version=VERSION, **LICENCE, packages=["overroll"], distclass=Binary,
       package_data={"overroll": ["py.typed"]},
       cmdclass={"build_py": Build, "bdist_wheel": Wheel})
