@@ -56,10 +56,12 @@ SOVER   := $(if $(filter 0,$(MAJOR)),0.$(MINOR),$(MAJOR))
 ifeq ($(SAN),1)
 override BUILD := $(BUILD)-san
 # -O1 -g1: instrumented code is compiled in half of the time, and its traces
-# have lines.  Two instruction sets, that of vectors of four among them: the
-# third is the same source.
+# have lines.  Two instruction sets, the vectors of four among them, and in a
+# FAST run one: all are the same source, and a kernel takes 3 s of the compiler
+# for vectors of two, 6 s for vectors of four.
 KIND := -fsanitize=address,undefined -fno-sanitize-recover=all \
-        -fno-omit-frame-pointer -O1 -g1 -DOVR_NO_AVX512
+        -fno-omit-frame-pointer -O1 -g1 -DOVR_NO_AVX512 \
+        $(if $(FAST),-DOVR_NO_AVX2)
 # In kernels these are four fifths of the compiler's time (36 s for 8 of
 # line.kernel.c), and find nothing that the address sanitizer does not where it
 # is read or written: a NULL, a pointer that leaves its array.  Their plain
@@ -114,7 +116,8 @@ endif
 # information of unrolled loops takes half of the compile time of a kernel.
 KERNEL_CFLAGS := $(if $(SAN),-O1,-O3) $(if $(filter -g%,$(CFLAGS)),-g1) \
                  -fno-trapping-math -Wno-pass-failed$(KERNEL_KIND:%= %)
-ISAS := base $(if $(filter x86_64%,$(MACHINE)),avx2 $(if $(filter 1,$(SAN)),,avx512))
+ISAS := base $(if $(filter x86_64%,$(MACHINE)),\
+          $(if $(filter 1,$(SAN)),$(if $(FAST),,avx2),avx2 avx512))
 ISA_base   :=
 ISA_avx2   := -mavx2 -mfma
 ISA_avx512 := -mavx512f -mavx512dq -mavx512vl -mfma -mprefer-vector-width=512
@@ -178,17 +181,10 @@ $(COMPLETION): src/cli/overroll.bash $(PROGRAM)
 	$(Q)sed -e '/^ *# OPTIONS:/{r $@.options' -e 'd' -e '}' \
 	  -e '/^ *# KEYS:/{r $@.keys' -e 'd' -e '}' $< > $@
 
-# PATHS=1: gcc follows the paths through each file of the library and the
-# program as it compiles it, into the same code; `make lint` need not again.
 $(BUILD)/%.o: %.c $(BUILD)/flags
 	$(call say,CC    $<)
 	@mkdir -p $(@D)
-	$(Q)$(COMPILE) $(PATHS_FLAG) -MMD -MP -c -o $@ $<
-	$(if $(PATHS_FLAG),@touch $(BUILD)/$*.analyzed)
-ifdef PATHS
-$(filter-out %.base.o %.avx2.o %.avx512.o %/page.o,$(LIBOBJ)) $(CLIOBJ): \
-  PATHS_FLAG := -fanalyzer
-endif
+	$(Q)$(COMPILE) -MMD -MP -c -o $@ $<
 
 # What gnuplot runs and the page of `overroll view` as arrays; the page's style
 # and script go into its text where they are named.
@@ -241,24 +237,29 @@ $(PROGRAM) $(LIB) $(SHARED): $(BUILD)/parts
 # scripts; tests/support helps both.  Names ending in _slow stay out of a FAST
 # run; tests/verify is for `make verify` alone.
 NOT_TESTS := tests/support/% tests/verify/% tests/bench/% tests/fuzz/%
-# Instrumented, these take half of the time.  What the scripts call is in the
-# tests of its parts, what the others solve is solved by shorter ones, and of
-# sources and their symbols sanitizers know nothing: they stay out where both are
-# asked, and run with all in verify/sanitized.sh.
-SLOW      := $(if $(FAST),%_slow_test.c %_slow.sh $(if $(SAN),tests/source/% \
-               $(addprefix tests/,cli/stress.sh cli/faults.sh cli/readme.sh \
-                 cli/passes.sh cli/sweep.sh cli/kills.sh cli/plastic.sh \
-                 cli/find.sh cli/impossible.sh cli/random.sh cli/answers.sh \
-                 cli/hardened.sh cli/layer_yield.sh cli/yield.sh cli/layers.sh \
-                 cli/figure.sh cli/stress_traction.sh pictures/view.sh \
-                 pictures/site.sh reference/heat_order.sh reference/steps.sh \
-                 reference/elements_marched.sh reference/rough_steps_test.c \
-                 reference/rough_starts_test.c reference/faces_test.c \
-                 reference/boundary_history_test.c reference/wear_test.c \
-                 reference/reversal_test.c paper/loads_test.c)))
+# Instrumented, a FAST run has the tests in which memory is handed over: units,
+# files of others, the corpora of the fuzzer, each physics once and the commands
+# that end soon.  All run in verify/sanitized.sh.
+SANITIZED := $(filter-out $(addprefix tests/unit/,restart_test.c jumps_test.c \
+               sample_test.c determinism_test.c),$(wildcard tests/unit/*)) \
+             $(addprefix tests/,reference/boundary_test.c \
+               reference/cavitation_test.c reference/content_departures_test.c \
+               reference/elements_test.c reference/friction_test.c \
+               reference/heat_test.c reference/layered_stress_test.c \
+               reference/reversal_test.c reference/spike_test.c \
+               pictures/picture_test.c cli/bearing.sh cli/check.sh \
+               cli/endings.sh cli/export.sh cli/frames.sh cli/gear.sh \
+               cli/profile.sh cli/resume.sh cli/rheology.sh cli/run.sh \
+               cli/sensitivity.sh cli/steady.sh cli/stribeck.sh cli/supply.sh \
+               cli/unreadable.sh cli/usage.sh)
+SLOW      := $(if $(FAST),%_slow_test.c %_slow.sh)
 TESTSRC   := $(wildcard tests/*/*_test.c)
 CHECKSRC  := $(filter-out $(NOT_TESTS) $(SLOW),$(TESTSRC))
 CHECKSH   := $(filter-out $(NOT_TESTS) $(SLOW),$(wildcard tests/*/*.sh))
+ifeq ($(and $(SAN),$(FAST)),1)
+CHECKSRC  := $(filter $(SANITIZED),$(CHECKSRC))
+CHECKSH   := $(filter $(SANITIZED),$(CHECKSH))
+endif
 ifdef ONLY
 CHECKSRC  := $(filter $(ONLY:%=tests/%.c),$(TESTSRC))
 CHECKSH   := $(filter $(ONLY:%=tests/%.sh),$(wildcard tests/*/*.sh))
@@ -274,6 +275,7 @@ SURVEYS   := $(addprefix tests/,reference/any_case_slow_test.c \
                reference/coated_slow_test.c reference/domains_slow_test.c \
                reference/stays_slow_test.c reference/touches_test.c \
                reference/elements_marched.sh reference/still_surfaces.sh \
+               reference/mixes_slow.sh unit/effects_slow_test.c \
                cli/power.sh cli/kills.sh cli/random_kills_slow.sh \
                cli/io_faults.sh)
 VERIFYSRC := $(wildcard tests/verify/*_test.c) $(filter %.c,$(SURVEYS))

@@ -4,7 +4,7 @@
 #include <string.h>
 
 extern const ovr_kernels ovr_kernels_base, ovr_kernels_plain;
-#ifdef __x86_64__
+#if defined __x86_64__ && !defined OVR_NO_AVX2
 extern const ovr_kernels ovr_kernels_avx2;
 #ifndef OVR_NO_AVX512
 extern const ovr_kernels ovr_kernels_avx512;
@@ -13,7 +13,7 @@ extern const ovr_kernels ovr_kernels_avx512;
 
 static bool machine_runs(const ovr_kernels *kernels)
 {
-#ifdef __x86_64__
+#if defined __x86_64__ && !defined OVR_NO_AVX2
     __builtin_cpu_init();
 #ifndef OVR_NO_AVX512
     if (kernels == &ovr_kernels_avx512)
@@ -30,7 +30,7 @@ static bool machine_runs(const ovr_kernels *kernels)
 const ovr_kernels *ovr_kernels_choose(const char *name)
 {
     static const ovr_kernels *const best_first[] = {
-#ifdef __x86_64__
+#if defined __x86_64__ && !defined OVR_NO_AVX2
 #ifndef OVR_NO_AVX512
         &ovr_kernels_avx512,
 #endif

@@ -4,7 +4,7 @@
 #include <string.h>
 
 extern const ovr_stress_loops ovr_stress_loops_base, ovr_stress_loops_plain;
-#ifdef __x86_64__
+#if defined __x86_64__ && !defined OVR_NO_AVX2
 extern const ovr_stress_loops ovr_stress_loops_avx2;
 #ifndef OVR_NO_AVX512
 extern const ovr_stress_loops ovr_stress_loops_avx512;
@@ -13,7 +13,7 @@ extern const ovr_stress_loops ovr_stress_loops_avx512;
 
 static bool machine_runs(const ovr_stress_loops *loops)
 {
-#ifdef __x86_64__
+#if defined __x86_64__ && !defined OVR_NO_AVX2
     __builtin_cpu_init();
 #ifndef OVR_NO_AVX512
     if (loops == &ovr_stress_loops_avx512)
@@ -30,7 +30,7 @@ static bool machine_runs(const ovr_stress_loops *loops)
 const ovr_stress_loops *ovr_stress_loops_choose(const char *name)
 {
     static const ovr_stress_loops *const best_first[] = {
-#ifdef __x86_64__
+#if defined __x86_64__ && !defined OVR_NO_AVX2
 #ifndef OVR_NO_AVX512
         &ovr_stress_loops_avx512,
 #endif

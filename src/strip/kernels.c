@@ -4,7 +4,7 @@
 #include <string.h>
 
 extern const ovr_strip_kernels ovr_strip_kernels_base;
-#ifdef __x86_64__
+#if defined __x86_64__ && !defined OVR_NO_AVX2
 extern const ovr_strip_kernels ovr_strip_kernels_avx2;
 #ifndef OVR_NO_AVX512
 extern const ovr_strip_kernels ovr_strip_kernels_avx512;
@@ -14,7 +14,7 @@ extern const ovr_strip_kernels ovr_strip_kernels_avx512;
 const ovr_strip_kernels *ovr_strip_kernels_of(const ovr_kernels *kernels)
 {
     static const ovr_strip_kernels *const all[] = {
-#ifdef __x86_64__
+#if defined __x86_64__ && !defined OVR_NO_AVX2
 #ifndef OVR_NO_AVX512
         &ovr_strip_kernels_avx512,
 #endif

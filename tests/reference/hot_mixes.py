@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Hot films in time against the independent model of hot.py.
 
-usage: hot_mixes.py fixed | random SEED COUNT
+usage: hot_mixes.py fixed [EVERY] | random SEED COUNT
 
 Each case is run by $OVERROLL in steps of D, all steps stored, and gone through
 by the model.  What is told are the largest differences over the run: of P in
@@ -210,7 +210,8 @@ def told(name, case, band):
 
 
 def main(arguments):
-    cases, band = FIXED, BAND
+    every = int(arguments[1]) if len(arguments) == 2 else 1
+    cases, band = dict(list(FIXED.items())[every - 1::every]), BAND
     if arguments[:1] == ["random"]:
         seed, count = int(arguments[1]), int(arguments[2])
         print(f"seeds {seed} to {seed + count - 1}")

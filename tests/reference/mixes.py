@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Mixes of physics against the independent model of model.py.
 
-usage: mixes.py fixed | random SEED COUNT
+usage: mixes.py fixed [EVERY] | random SEED COUNT
 
 Each mix is run by $OVERROLL, every step stored, and gone through by the model
 at the same times; what is told are the largest differences over all nodes and
@@ -260,7 +260,8 @@ def main(arguments):
         print(f"seeds {seed} to {seed + count - 1}")
         mixes = {f"seed {s}": drawn(s) for s in range(seed, seed + count)}
     else:
-        mixes = FIXED
+        every = int(arguments[1]) if len(arguments) > 1 else 1
+        mixes = dict(list(FIXED.items())[every - 1::every])
     wrong = [name for name, case in mixes.items() if not told(name, case)]
     if wrong:
         raise SystemExit(f"{len(wrong)} of {len(mixes)} differ")
