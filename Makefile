@@ -614,6 +614,10 @@ deb: ## Debian packages, into $(BUILD)/deb
 	cd '$(DEBTREE)' && dpkg-buildpackage -us -uc -b -j$(JOBS)
 	cd '$(DEB)' && lintian --fail-on error,warning *.changes
 
+ifneq ($(filter web web-%,$(MAKECMDGOALS)),)
+include src/web/web.mk
+endif
+
 clean: ## remove every build folder
 	rm -rf build build-san build-cov build-clang '$(BUILD)'
 

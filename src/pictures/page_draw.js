@@ -312,6 +312,13 @@ function drawContact(c, box, run, a, b, k, u) {
       c.fillRect(box.X(run.x[i] * u.x.f) - 1, box.Y(0) - 4, 2, 4);
 }
 
+// Another contact's curve, faint, behind that of a run.
+function drawBehind(c, box, behind, u, f, field) {
+  if (!behind || !behind[field]) return;
+  drawCurve(c, box, behind, 0, behind.nodes, u.x.f,
+    (i) => behind[field].at(0, i) * f, { line: colour.faint, width: 1.2 });
+}
+
 function drawRun(view) {
   const { c, width, height } = prepare(view.plot);
   const run = view.run, k = shotOf(run), l = layout(view, width, height);
@@ -324,6 +331,7 @@ function drawRun(view) {
       drawCurve(c, upper, run, a, b, u.x.f, (i) => run.P.at(k, i) * u.p.f,
         { area: colour["pressure-area"], line: colour.pressure, base: 0,
           width: 2 });
+    drawBehind(c, upper, view.behind, u, u.p.f, "P");
     drawHertz(c, upper, u, run, k);
     if (run.C) drawContact(c, upper, run, a, b, k, u);
   });
@@ -334,6 +342,7 @@ function drawRun(view) {
       drawCurve(c, lower, run, a, b, u.x.f, (i) => run.H.at(k, i) * u.h.f,
         { area: oil ? "transparent" : colour["film-area"], line: colour.film,
           base: 0, width: 2 });
+    drawBehind(c, lower, view.behind, u, u.h.f, "H");
     if (run.S && l.bottom < 0)
       drawCurve(c, lower, run, a, b, u.x.f,
         (i) => (run.S.at(k, i) - ranges.high - l.gap) * u.h.f,

@@ -7,7 +7,7 @@
 set -u
 cd "$TOP" || exit 1
 floors="base mathematics contact elements surface multigrid strip stress
-    simulation results case physics run pictures cli"
+    simulation results case physics run pictures cli web"
 
 # "file included" for every #include "..." of the project.
 find src include -name '*.[ch]' -exec grep -HE '^ *# *include *"' {} + |

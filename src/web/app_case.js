@@ -1,0 +1,266 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The case: text is what counts.  A form is made of the table of keys; what is
+ * changed there is changed in the text, and the form shows what the text says.
+ */
+let table = null;           // of `keys`
+let entries = [];           // of the case as it is, from the program
+let chosen = null;          // section shown: its head, "" for the text
+
+const head = (section, name) => name ? section + " " + name : section;
+const textOfCase = () => byId("text").value;
+
+// Lines of a case: {head, key, value, line}; heads alone have no key.
+function parseCase(text) {
+  const found = [];
+  let at = "";
+  text.split("\n").forEach((line, k) => {
+    const section = /^\s*\[\s*([^\]]*?)\s*\]/.exec(line);
+    const pair = /^\s*([A-Za-z_0-9]+)\s*=\s*([^#;]*?)\s*([#;].*)?$/.exec(line);
+    if (section) {
+      at = section[1].replace(/\s+/g, " ");
+      found.push({ head: at, line: k });
+    } else if (pair) {
+      found.push({ head: at, key: pair[1], value: pair[2], line: k,
+        comment: pair[3] || "" });
+    }
+  });
+  return found;
+}
+
+const valueOf = (where, key) => {
+  const all = parseCase(textOfCase()).filter((p) => p.head === where &&
+    p.key === key);
+  return all.length ? all[all.length - 1].value : null;
+};
+
+// Puts a value into the text where it stands, or at the end of its section, or
+// takes it out (null); a section that is not there is made.
+function setValue(where, key, value) {
+  const lines = textOfCase().split("\n"), parsed = parseCase(textOfCase());
+  const here = parsed.filter((p) => p.head === where);
+  const old = here.filter((p) => p.key === key).pop();
+  if (old && value === null) {
+    lines.splice(old.line, 1);
+  } else if (old) {
+    const gap = old.comment ? " ".repeat(Math.max(1, lines[old.line]
+      .indexOf(old.comment) - (key + " = " + value).length)) : "";
+    lines[old.line] = key + " = " + value + gap + old.comment;
+  } else if (value !== null && here.length) {
+    lines.splice(here[here.length - 1].line + 1, 0, key + " = " + value);
+  } else if (value !== null) {
+    while (lines.length && !lines[lines.length - 1].trim()) lines.pop();
+    lines.push("", "[" + where + "]", key + " = " + value, "");
+  }
+  byId("text").value = lines.join("\n");
+}
+
+function removeSection(where) {
+  const lines = textOfCase().split("\n"), parsed = parseCase(textOfCase());
+  const begin = parsed.find((p) => p.head === where && !p.key);
+  if (!begin) return;
+  const next = parsed.find((p) => !p.key && p.line > begin.line);
+  lines.splice(begin.line, (next ? next.line : lines.length) - begin.line);
+  byId("text").value = lines.join("\n");
+}
+
+// --------------------------------------------------------------- its units
+
+// "300 kN/m" as { number, unit }; null: no single number.
+function measured(text) {
+  const m = /^([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(\S*)$/
+    .exec((text || "").trim());
+  return m && { number: Number(m[1]), unit: m[2] };
+}
+
+const unitsOfKey = (key) => key.units.split(/[;,]\s*/)
+  .map((u) => u.split(" with ")[0].trim()).filter(Boolean);
+
+// ---------------------------------------------------------------- the form
+
+function control(key, where, text, row) {
+  const box = element(row, "span", "given");
+  const given = valueOf(where, key.key);
+  const name = where + "." + key.key;
+  const changed = (value) => {
+    setValue(where, key.key, value === "" ? null : value);
+    changeCase();
+  };
+  if (key.choices.length && key.type !== "list of words") {
+    const list = element(box, "select");
+    const none = element(list, "option");
+    none.value = "";
+    none.textContent = key.initial ? "(" + key.initial + ")" : "";
+    for (const word of key.choices) {
+      const option = element(list, "option");
+      option.value = option.textContent = word;
+    }
+    if (given && !key.choices.includes(given)) {
+      const option = element(list, "option");
+      option.value = option.textContent = given;
+    }
+    list.value = given || "";
+    list.onchange = () => changed(list.value);
+    list.id = name;
+    return list;
+  }
+  const field = element(box, "input"), units = unitsOfKey(key);
+  field.id = name;
+  field.placeholder = key.initial || "";
+  const value = measured(given);
+  if (units.length && (!given || value)) {
+    const list = element(box, "select");
+    const own = value ? value.unit : "";
+    const first = value || !key.initial ? null : measured(key.initial);
+    list.setAttribute("aria-label", "unit of " + key.key);
+    for (const unit of new Set([...(key.bare || own === "" && value ? [""] : []),
+      ...units, ...(own ? [own] : [])])) {
+      const option = element(list, "option");
+      option.value = unit;
+      option.textContent = unit || key.bare || "(none)";
+    }
+    list.value = value ? own : first && first.unit ? first.unit
+      : list.options[0].value;
+    field.value = value ? String(value.number) : "";
+    if (first) field.placeholder = String(first.number);
+    field.onchange = () => {
+      const typed = field.value.trim();
+      changed(!typed ? "" : measured(typed) && !measured(typed).unit
+        ? typed + (list.value ? " " + list.value : "") : typed);
+    };
+    list.onchange = () => { if (field.value.trim()) field.onchange(); };
+  } else {
+    field.value = given || "";
+    field.onchange = () => changed(field.value.trim());
+  }
+  return field;
+}
+
+function explain(key, row, button) {
+  const shown = row.querySelector("p");
+  button.setAttribute("aria-expanded", String(!shown));
+  if (shown) {
+    shown.remove();
+    return;
+  }
+  const range = key.minimum === null ? "" : "  From " + key.minimum + " to " +
+    key.maximum + (key.units ? " " + unitsOfKey(key)[0] : "") + ".";
+  element(row, "p").textContent = key.help + "." +
+    (key.initial ? "  Default: " + key.initial + "." : "") + range +
+    (key.when ? "  Has an effect with " + key.when + "." : "");
+}
+
+function drawForm() {
+  const form = byId("form");
+  form.replaceChildren();
+  byId("source").hidden = chosen !== "";
+  if (chosen === "") return;
+  const [section, name] = chosen.split(/ (.*)/);
+  const about = table.sections.find((s) => s.name === section);
+  if (!about) return;
+  element(form, "p", "about").textContent = about.help + ".";
+  const used = new Map(entries.filter((e) => e.section === section &&
+    (e.name || undefined) === name).map((e) => [e.key, e]));
+  for (const key of table.keys.filter((k) => k.section === section)) {
+    const entry = used.get(key.key);
+    const off = entry ? !entry.applies : false;
+    if (off && !entry.given) continue;
+    const row = element(form, "div", off ? "key off" : "key");
+    const label = element(row, "label");
+    label.textContent = key.key;
+    control(key, chosen, entry, row);
+    label.htmlFor = chosen + "." + key.key;
+    const what = element(row, "button", "what");
+    what.textContent = "?";
+    what.type = "button";
+    what.setAttribute("aria-label", "what " + key.key + " is");
+    what.setAttribute("aria-expanded", "false");
+    what.onclick = () => explain(key, row, what);
+  }
+  if (section === "contact") return;
+  const remove = element(form, "button");
+  remove.textContent = "take [" + chosen + "] out";
+  remove.onclick = () => {
+    removeSection(chosen);
+    chosen = "contact";
+    changeCase();
+  };
+}
+
+function addSection(list) {
+  const about = table.sections.find((s) => s.name === list.value);
+  list.value = "";
+  if (!about) return;
+  let where = about.name;
+  const there = parseCase(textOfCase()).map((p) => p.head);
+  for (let k = 1; about.named && (k === 1 || there.includes(where)); k++)
+    where = about.name + " " + k;
+  if (!there.includes(where))
+    byId("text").value = textOfCase().replace(/\n*$/, "\n\n[" + where + "]\n");
+  chosen = where;
+  changeCase();
+}
+
+function drawTabs() {
+  const tabs = byId("tabs"), heads = [];
+  for (const p of parseCase(textOfCase()))
+    if (!heads.includes(p.head) && p.head) heads.push(p.head);
+  if (!heads.includes("contact")) heads.unshift("contact");
+  if (chosen !== "" && !heads.includes(chosen)) chosen = heads[0];
+  tabs.replaceChildren();
+  for (const where of [...heads, ""]) {
+    const tab = element(tabs, "button");
+    tab.type = "button";
+    tab.setAttribute("role", "tab");
+    tab.setAttribute("aria-selected", String(where === chosen));
+    tab.textContent = where || "as text";
+    tab.dataset.section = where;
+    tab.onclick = () => {
+      chosen = where;
+      drawTabs();
+      drawForm();
+      if (!where) byId("text").focus();
+    };
+  }
+  const more = element(tabs, "select");
+  more.id = "more";
+  more.setAttribute("aria-label", "add a section");
+  const first = element(more, "option");
+  first.value = "";
+  first.textContent = "+ section";
+  for (const s of table.sections) {
+    if (!s.named && heads.includes(s.name)) continue;
+    const option = element(more, "option");
+    option.value = s.name;
+    option.textContent = s.name;
+    option.title = s.help;
+  }
+  more.onchange = () => addSection(more);
+}
+
+// Numbers beside the text; the line that is wrong stands out.
+function drawLines(wrong) {
+  const lines = byId("lines");
+  lines.replaceChildren();
+  textOfCase().split("\n").forEach((_, k) => {
+    element(lines, k + 1 === wrong ? "b" : "span").textContent = k + 1;
+    lines.append("\n");
+  });
+  byId("text").classList.toggle("wrong", wrong > 0);
+  lines.scrollTop = byId("text").scrollTop;
+}
+
+// The program's own message, at its line and its field.
+function showTrouble(text) {
+  const at = /^case\.ini:(\d+): /.exec(text || "");
+  const line = at ? Number(at[1]) : 0;
+  byId("trouble").hidden = !text;
+  byId("trouble").textContent = at ? "line " + line + ": " +
+    text.slice(at[0].length) : text || "";
+  drawLines(line);
+  const pair = parseCase(textOfCase()).find((p) => p.line === line - 1);
+  for (const field of document.querySelectorAll("#form .wrong"))
+    field.classList.remove("wrong");
+  const field = pair && byId(pair.head + "." + pair.key);
+  if (field) field.classList.add("wrong");
+}

@@ -1,0 +1,388 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The steady contact, solved again whenever the case changes, and what is drawn
+ * of it and of a run under way: by the functions that draw stored runs.
+ */
+let live = null;            // Program
+let shown = null;           // { run, numbers }
+let kept = null;            // the same, of the reference
+let view = null;
+
+// A state as the functions of page_draw.js want a run: one snapshot.
+function runOfState(s, scales) {
+  const field = (values) => values && { step: 0, value: [values.reduce((a, b) =>
+    Math.min(a, b)), values.reduce((a, b) => Math.max(a, b))],
+    at: (k, i) => values[i] };
+  const rough = s.S && s.S.some((v) => v !== 0);
+  return { x: s.X, nodes: s.X.length, shots: 1, time: [s.T], state: s,
+    P: field(s.P), H: field(s.H), S: rough ? field(s.S) : undefined,
+    T3: field(s.heat), history: {}, made: { units: unitsFrom(scales) } };
+}
+
+const one = (name) => ({ f: 1, unit: "", name });
+function unitsFrom(c) {
+  const units = [{ x: one("x/b"), p: one("p/p_h"), h: one("h R/b\u00b2"),
+    t: one("T") }];
+  if (c && c.half_width_m && c.film_scale_m)
+    units.push({ x: { f: 1e3 * c.half_width_m, unit: "mm", name: "x in mm" },
+      p: { f: 1e-9 * c.hertz_pressure_Pa, unit: "GPa", name: "p in GPa" },
+      h: { f: 1e6 * c.film_scale_m, unit: "\u00b5m", name: "h in \u00b5m" },
+      t: { f: 1e3 * c.time_scale_s, unit: "ms", name: "t in ms" } });
+  return units;
+}
+
+function showRun(run) {
+  runs = [run];
+  ranges = findRanges();
+  const list = byId("units"), most = run.made.units.length;
+  if (list.options.length !== most) {
+    list.replaceChildren();
+    for (let k = 0; k < most; k++)
+      element(list, "option").textContent = k ? "SI" : "Hertzian";
+    list.selectedIndex = most - 1;
+  }
+  state.units = list.selectedIndex;
+  view = { run, plot: byId("plot"), heat: null, values: byId("values"),
+    behind: kept && kept.run };
+  redraw();
+}
+
+let asked = false;
+function redraw() {
+  if (asked || !view) return;
+  asked = true;
+  requestAnimationFrame(() => {
+    asked = false;
+    drawRun(view);
+    const run = view.run, u = unitsOf(run);
+    if (!state.pointed) {
+      view.values.textContent = run.T3 ? "film up to " +
+        digits(run.T3.value[1] - ZERO_DEGC) + " \u00b0C" : "";
+    } else {
+      const i = nodeAt(run, state.pointed.x);
+      const text = (v, q) => digits(v * q.f) + (q.unit ? " " + q.unit : "");
+      view.values.textContent = ["x = " + text(run.x[i], u.x),
+        "p = " + text(run.P.at(0, i), u.p), "h = " + text(run.H.at(0, i), u.h)]
+        .concat(run.S ? ["roughness " + text(run.S.at(0, i), u.h)] : [],
+          run.T3 ? [digits(run.T3.at(0, i) - ZERO_DEGC) + " \u00b0C"] : [])
+        .join("   ");
+    }
+    drawMoes();
+    document.body.dataset.drawn = Number(document.body.dataset.drawn || 0) + 1;
+  });
+}
+
+// ------------------------------------------------------------- the numbers
+
+const ROWS = [["central film", "central_film_m", 1e6, "\u00b5m", "H_cen"],
+  ["minimum film", "min_film_m", 1e6, "\u00b5m", "H_min"],
+  ["maximum pressure", "max_pressure_Pa", 1e-9, "GPa", "P_max"],
+  ["Hertzian pressure", "hertz_pressure_Pa", 1e-9, "GPa"],
+  ["half width b", "half_width_m", 1e3, "mm"],
+  ["film over roughness (lambda)", "lambda_ratio", 1, ""],
+  ["friction coefficient, surface 1", "mu_1", 1, ""],
+  ["friction coefficient, surface 2", "mu_2", 1, ""],
+  ["friction, surface 1", "F_1_N_per_m", 1, "N/m"],
+  ["temperature rise", "max_temperature_rise_K", 1, "K"],
+  ["M", "M", 1, ""], ["L", "L", 1, ""]];
+
+// The value of a row and its unit; null: the contact has none.
+function valueOfRow(row, n) {
+  const [, key, f, unit, bare] = row;
+  if (typeof n[key] === "number") return [n[key] * f, unit];
+  return bare && typeof n[bare] === "number" ? [n[bare], ""] : null;
+}
+
+function showNumbers(n) {
+  const list = byId("numbers");
+  list.replaceChildren();
+  for (const row of ROWS) {
+    const value = valueOfRow(row, n);
+    if (!value) continue;
+    element(list, "dt").textContent = row[0];
+    const cell = element(list, "dd");
+    cell.textContent = digits(value[0]) + (value[1] ? " " + value[1] : "");
+    cell.dataset.key = row[1];
+    const before = kept && valueOfRow(row, kept.numbers);
+    element(list, "dd").textContent = before && before[0] &&
+      before[1] === value[1]
+      ? (value[0] >= before[0] ? "+" : "\u2212") +
+        digits(Math.abs(100 * (value[0] / before[0] - 1))) + " %" : "";
+  }
+  byId("numbers").dataset.solved =
+    Number(byId("numbers").dataset.solved || 0) + 1;
+}
+
+function showNotes(lines) {
+  const notes = byId("notes");
+  notes.replaceChildren();
+  for (const line of lines) {
+    const warning = line.startsWith("warning: ");
+    element(notes, "li", warning ? "warning" : "").textContent =
+      warning ? line.slice(9) : line;
+  }
+}
+
+// Moes's chart of the central film: curves of his formula for values of L, and
+// the contact as it was solved; H sqrt(U) = h/R = (8/pi) M sqrt(U) (h R/b^2).
+function moesFilm(M, L) {
+  const ri = 2.45 / M, ei = 2.05 * M ** -0.2, rp = 1.05 * L ** (2 / 3);
+  const ep = 1.31 * M ** -0.125 * L ** 0.75;
+  const s = (7 + 8 * Math.exp(-2 * ei / ri)) / 5;
+  return ((ri ** (7 / 3) + ei ** (7 / 3)) ** (3 * s / 7) +
+    (rp ** -3.5 + ep ** -3.5) ** (-2 * s / 7)) ** (1 / s);
+}
+
+function drawMoes() {
+  const n = shown && shown.numbers;
+  if (!n || !n.M || !(n.L >= 0) || !n.H_cen) return;
+  const { c, width, height } = prepare(byId("moes"));
+  const lg = Math.log10, at = [n].concat(kept ? [kept.numbers] : [])
+    .filter((one_) => one_.M && one_.H_cen)
+    .map((one_) => [lg(one_.M), lg(8 / Math.PI * one_.M * one_.H_cen)]);
+  const axes = { x0: Math.min(0, ...at.map((p) => p[0] - 0.2)),
+    x1: Math.max(3, ...at.map((p) => p[0] + 0.2)),
+    y0: Math.min(-0.5, ...at.map((p) => p[1] - 0.2)),
+    y1: Math.max(1.6, ...at.map((p) => p[1] + 0.2)),
+    xName: "log M", yName: "log H, after Moes" };
+  axes.from = axes.y0;
+  const box = boxOf(58, 22, width - 68, height - 64, axes);
+  drawAxes(c, box, axes);
+  clipped(c, box, () => {
+    for (const L of [0, 2.5, 5, 10, 20, 40]) {
+      c.beginPath();
+      for (let k = 0; k <= 60; k++) {
+        const x = axes.x0 + (axes.x1 - axes.x0) * k / 60;
+        c.lineTo(box.X(x), box.Y(lg(moesFilm(10 ** x, Math.max(L, 1e-6)))));
+      }
+      c.strokeStyle = colour.hertz;
+      c.lineWidth = 1;
+      c.stroke();
+      c.fillStyle = colour.faint;
+      c.textAlign = "left";
+      c.textBaseline = "bottom";
+      c.fillText("L = " + L, box.x + 6, box.Y(lg(moesFilm(10 **
+        (axes.x0 + 0.05), Math.max(L, 1e-6)))) - 2);
+    }
+    at.forEach(([x, y], k) => {
+      c.fillStyle = k ? colour.rough : colour.min;
+      c.beginPath();
+      c.arc(box.X(x), box.Y(y), 5, 0, 7);
+      c.fill();
+    });
+  });
+}
+
+// ---------------------------------------------------------------- solving
+
+let wanted = false, busy = false, heavy = false;
+const HEAVY = 2; // s: such a steady contact is not solved at every change
+
+async function check() {
+  const text = textOfCase();
+  const files = { "case.ini": text };
+  const given = await live.call(["entries", "case.ini"], { files });
+  if (text !== textOfCase()) return null;
+  if (given.code === 0) entries = JSON.parse(given.out).entries;
+  const answer = given.code ? given
+    : await live.call(["check", "case.ini", "--json"], { files });
+  if (text !== textOfCase()) return null;
+  drawTabs();
+  if (!byId("form").contains(document.activeElement)) drawForm();
+  if (answer.code) {
+    const lines = said(answer);
+    showTrouble(lines.find((l) => /^case\.ini:/.test(l)) ||
+      lines[lines.length - 1] || "the program ended");
+    byId("run").disabled = true;
+    return null;
+  }
+  showTrouble("");
+  const about = JSON.parse(answer.out);
+  about.notes = said(answer);
+  const slower = 6; // than what the program says of itself, compiled natively
+  about.seconds = slower * (about.estimated_seconds || 0);
+  byId("run").disabled = !about.transient || marching;
+  byId("run").title = about.transient ? "" : "the case has no end of time";
+  return about;
+}
+
+async function solveSteady(about) {
+  const text = textOfCase();
+  let last = null;
+  const answer = await live.call(["solve", "case.ini", "--steady", "--json"],
+    { files: { "case.ini": text }, state: (s) => { last = s; } });
+  if (answer.ended) return;
+  if (!last || !answer.out) {
+    showTrouble(said(answer).pop() || "no solution");
+    return;
+  }
+  const numbers = JSON.parse(answer.out);
+  shown = { run: runOfState(last, numbers), numbers, text };
+  if (marching) return;
+  showRun(shown.run);
+  showNumbers(numbers);
+  showNotes([...new Set([...about.notes, ...said(answer)])]);
+}
+
+// The newest case counts: what comes while one is solved waits, and of those
+// that wait the last alone is solved.
+async function follow(force) {
+  wanted = true;
+  if (busy) return;
+  busy = true;
+  while (wanted) {
+    wanted = false;
+    const about = await check();
+    if (!about) continue;
+    const steady = about.transient
+      ? 60 * about.nodes * 2e-6 : about.seconds;
+    heavy = steady > HEAVY;
+    byId("solve").hidden = !heavy;
+    if (!heavy || force) {
+      byId("status").textContent = "solving";
+      await solveSteady(about);
+    }
+    byId("status").textContent = heavy && !force
+      ? "press solve: about " + digits(Math.ceil(steady)) + " s" : "ready";
+    force = false;
+  }
+  busy = false;
+}
+
+let pause_ = 0;
+function changeCase(later) {
+  drawLines(0);
+  drawTabs();
+  if (!later) drawForm();
+  if (!sliding) drawSliders();
+  clearTimeout(pause_);
+  pause_ = setTimeout(() => follow(false), later ? 350 : 0);
+}
+
+// ---------------------------------------------------------------- sliders
+
+const SLIDING = ["contact", "lubricant", "heat", "gear", "cam", "bearing"];
+let sliding = false;
+
+function slidingKeys() {
+  return parseCase(textOfCase()).filter((p) => p.key &&
+    SLIDING.includes(p.head) && measured(p.value) &&
+    table.keys.some((k) => k.section === p.head && k.key === p.key &&
+      k.type === "number" && !k.choices.length));
+}
+
+function drawSliders() {
+  const box = byId("sliders"), which = byId("which"), before = which.value;
+  box.replaceChildren();
+  which.replaceChildren();
+  for (const p of slidingKeys()) {
+    const option = element(which, "option");
+    option.value = option.textContent = p.head + "." + p.key;
+    const m = measured(p.value), row = element(box, "label", "slider");
+    const key = table.keys.find((k) => k.section === p.head && k.key === p.key);
+    element(row, "span").textContent = p.key;
+    const range = element(row, "input"), out = element(row, "output");
+    range.type = "range";
+    range.dataset.key = p.head + "." + p.key;
+    // Fourfold to either side; what may be zero or less moves evenly.
+    const even = m.number <= 0 || key.minimum < 0;
+    const reach = Math.abs(m.number) || 1;
+    range.min = even ? m.number - 2 * reach : -1;
+    range.max = even ? m.number + 2 * reach : 1;
+    range.step = even ? reach / 50 : 0.01;
+    range.value = even ? m.number : 0;
+    const tell = (v) => {
+      out.textContent = digits(v) + (m.unit ? " " + m.unit : "");
+    };
+    tell(m.number);
+    range.oninput = () => {
+      const v = even ? Number(range.value) : m.number * 4 ** Number(range.value);
+      const text = String(Number(v.toPrecision(4)));
+      sliding = true;
+      setValue(p.head, p.key, text + (m.unit ? " " + m.unit : ""));
+      tell(Number(text));
+      changeCase();
+      sliding = false;
+    };
+  }
+  if ([...which.options].some((o) => o.value === before)) which.value = before;
+  byId("study").hidden = !which.options.length;
+  fillStudy();
+}
+
+// -------------------------------------------------------------- one key
+
+function fillStudy() {
+  const [where, key] = byId("which").value.split(".");
+  const m = key && measured(valueOf(where, key));
+  if (!m) return;
+  const unit = m.unit ? " " + m.unit : "";
+  byId("from").value = Number((m.number / 2).toPrecision(3)) + unit;
+  byId("to").value = Number((m.number * 2).toPrecision(3)) + unit;
+}
+
+let curve = null;
+async function vary() {
+  const [where, key] = byId("which").value.split(".");
+  const a = measured(byId("from").value), b = measured(byId("to").value);
+  const n = Math.max(2, Math.min(20, Number(byId("count").value) || 2));
+  if (!a || !b || a.unit !== b.unit) {
+    showTrouble("one key, several values: both ends are numbers with one unit");
+    return;
+  }
+  const text = textOfCase(), points = [], even = a.number * b.number <= 0;
+  byId("vary").disabled = true;
+  for (let k = 0; k < n; k++) {
+    const part = k / (n - 1);
+    const v = even ? a.number + (b.number - a.number) * part
+      : a.number * (b.number / a.number) ** part;
+    byId("status").textContent = "value " + (k + 1) + " of " + n;
+    const answer = await live.call(["solve", "case.ini", "--steady", "--json",
+      "--set", where + "." + key + "=" + v + (a.unit ? " " + a.unit : "")],
+      { files: { "case.ini": text } });
+    if (answer.ended) break;
+    if (answer.out) {
+      const numbers = JSON.parse(answer.out);
+      if (numbers.converged) points.push([v, numbers]);
+    } else {
+      showTrouble(key + " = " + digits(v) + ": " + (said(answer).pop() || ""));
+    }
+  }
+  byId("vary").disabled = false;
+  byId("status").textContent = "ready";
+  curve = { key, unit: a.unit, points };
+  drawStudy();
+}
+
+function drawStudy() {
+  if (!curve || curve.points.length < 2) return;
+  const canvas = byId("curve");
+  canvas.hidden = false;
+  canvas.dataset.points = curve.points.length;
+  const { c, width, height } = prepare(canvas);
+  const si = curve.points.every(([, n]) => typeof n.central_film_m === "number");
+  const films = si ? [["central_film_m", colour.film], ["min_film_m", colour.min]]
+    : [["H_cen", colour.film], ["H_min", colour.min]];
+  const f = si ? 1e6 : 1, x = curve.points.map((p) => p[0]);
+  const most = Math.max(...curve.points.map(([, n]) => n[films[0][0]] * f));
+  const axes = { x0: Math.min(...x), x1: Math.max(...x), y0: 0, y1: 1.1 * most,
+    xName: curve.key + (curve.unit ? " in " + curve.unit : ""),
+    yName: si ? "h in \u00b5m" : "h R/b\u00b2" };
+  const box = boxOf(58, 22, width - 72, height - 64, axes);
+  drawAxes(c, box, axes);
+  for (const [name, line] of films) {
+    c.beginPath();
+    for (const [v, n] of curve.points) c.lineTo(box.X(v), box.Y(n[name] * f));
+    c.strokeStyle = line;
+    c.lineWidth = 2;
+    c.stroke();
+    c.fillStyle = line;
+    for (const [v, n] of curve.points) {
+      c.beginPath();
+      c.arc(box.X(v), box.Y(n[name] * f), 3, 0, 7);
+      c.fill();
+    }
+  }
+  drawLegend(c, box, [["central film", colour.film],
+    ["minimum film", colour.min]]);
+}

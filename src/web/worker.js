@@ -1,0 +1,122 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * A worker with the program in it.  Messages {id, args, files, keep}: runs the
+ * command line `args`; `files`, by name, are put where it finds them first, and
+ * those named in `keep` come back.  While it runs, states of the film go to the
+ * page, and the page asks it to stop by withdrawing the address `flag`, which
+ * is all that reaches a worker at work.
+ */
+const files = new Files();
+let made = null, program = null, printed = null, flag = "", posting = null;
+let next = 0, asked = 0, stopping = false, begun = 0;
+
+const QUIET = 40, LOOK = 150; // ms between two states, two looks at the flag
+
+function withdrawn() {
+  const request = new XMLHttpRequest();
+  try {
+    request.open("GET", flag, false);
+    request.send();
+    return request.status !== 200 && request.status !== 0;
+  } catch (error) {
+    return true;
+  }
+}
+
+const page = {
+  stop() {
+    if (stopping || !flag || performance.now() < asked) return stopping ? 1 : 0;
+    stopping = withdrawn();
+    asked = performance.now() + LOOK;
+    return stopping ? 1 : 0;
+  },
+  wants: () => posting && performance.now() >= next ? 1 : 0,
+  state(T, fraction, n, ...at) {
+    if (!posting) return;
+    const names = ["X", "P", "H", "S", "heat"], state = { T, fraction };
+    at.forEach((where, k) => {
+      if (where)
+        state[names[k]] = new Float64Array(program.memory.buffer, where, n)
+          .slice();
+    });
+    state.seconds = (performance.now() - begun) / 1000;
+    postMessage({ id: posting, state });
+    next = performance.now() + QUIET;
+  },
+};
+
+function start() {
+  const wasi = makeWasi(files, (fd, bytes) => printed[fd - 1].push(bytes));
+  const instance = new WebAssembly.Instance(made,
+    { wasi_snapshot_preview1: wasi.calls, page });
+  program = instance.exports;
+  wasi.attach(program.memory);
+  program._initialize();
+}
+
+function call(args) {
+  const words = ["overroll", ...args].map((a) => new TextEncoder().encode(a));
+  const size = words.reduce((sum, w) => sum + w.length + 1, 0);
+  const list = program.page_alloc(4 * (words.length + 1) + size);
+  let at = list + 4 * (words.length + 1);
+  const bytes = new Uint8Array(program.memory.buffer);
+  const view = new DataView(program.memory.buffer);
+  words.forEach((word, k) => {
+    view.setUint32(list + 4 * k, at, true);
+    bytes.set(word, at);
+    bytes[at + word.length] = 0;
+    at += word.length + 1;
+  });
+  view.setUint32(list + 4 * words.length, 0, true);
+  const code = program.page_main(words.length, list);
+  program.page_free(list);
+  return code;
+}
+
+const textOf = (pieces) => {
+  const decoder = new TextDecoder();
+  return pieces.map((p) => decoder.decode(p, { stream: true })).join("");
+};
+
+function run(message) {
+  const answer = { id: message.id, files: {} };
+  printed = [[], []];
+  flag = message.flag || "";
+  if (flag && withdrawn()) flag = ""; // not to be asked here: it can be ended
+  stopping = false;
+  posting = message.states ? message.id : null;
+  next = asked = 0;
+  begun = performance.now();
+  for (const [name, content] of Object.entries(message.files || {}))
+    files.write(name, content);
+  try {
+    if (!program) start();
+    answer.code = call(message.args);
+  } catch (error) {
+    if (error instanceof Exit) {
+      answer.code = error.code;
+    } else {
+      answer.code = 1;
+      answer.trouble = String(error.message || error);
+    }
+    program = null; // begun anew: what it held is lost, files stay
+  }
+  answer.out = textOf(printed[0]);
+  answer.err = textOf(printed[1]);
+  answer.stopped = stopping;
+  answer.memory = program ? program.memory.buffer.byteLength : 0;
+  const parts = [];
+  for (const name of message.keep || []) {
+    const bytes = files.read(name);
+    if (!bytes) continue;
+    answer.files[name] = bytes;
+    parts.push(bytes.buffer);
+  }
+  for (const name of message.drop || []) files.of.delete(name);
+  postMessage(answer, parts);
+}
+
+onmessage = (event) => {
+  if (event.data.module) made = event.data.module;
+  else run(event.data);
+};

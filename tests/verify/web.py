@@ -1,0 +1,286 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Drives the page of the program (make web) in the folder given, where the
+native program has left what the page must find too."""
+import base64
+import json
+import os
+import sys
+import time
+
+import h5py
+import numpy as np
+
+sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../pictures"))
+from browser import Browser  # noqa: E402
+
+folder, page = sys.argv[1], sys.argv[2]
+TAB, ENTER, RIGHT = "\ue004", "\ue007", "\ue014"
+
+
+def text(browser, name):
+    return browser.run("return document.getElementById(arguments[0])"
+                       ".textContent", name)
+
+
+def load(browser, fragment=""):
+    browser.open("about:blank")
+    browser.open(f"file://{page}{fragment}")
+    browser.wait("return document.body.dataset.ready === '1'", 120)
+    settled(browser)
+
+
+def settled(browser, seconds=120):
+    time.sleep(0.1)
+    browser.wait("return ['ready', 'stopped'].includes("
+                 "document.getElementById('status').textContent) || "
+                 "!document.getElementById('trouble').hidden", seconds)
+
+
+def put(browser, case):
+    """Types a case into the text."""
+    browser.run("""const t = document.getElementById('text');
+        t.value = arguments[0]; t.dispatchEvent(new Event('input'));""", case)
+    time.sleep(0.6)
+    settled(browser)
+
+
+def asks(browser, args, files=None, keep=()):
+    """A command line in a worker of the page's own making."""
+    browser.run("""window.answer = null;
+        const [args, files, keep] = arguments;
+        window.overroll(args, { files, keep }).then((a) => {
+          const out = {};
+          for (const [name, bytes] of Object.entries(a.files))
+            out[name] = btoa(Array.from(bytes,
+                (b) => String.fromCharCode(b)).join(""));
+          window.answer = { code: a.code, out: a.out, err: a.err,
+            memory: a.memory, files: out }; });""",
+                args, files or {}, list(keep))
+    browser.wait("return window.answer", 300)
+    return browser.run("return window.answer")
+
+
+def same(ours, theirs, path=""):
+    """All numbers agree to 1e-9 of the larger of both and of 1e-3."""
+    for key, a in ours.items():
+        b = theirs[key]
+        if key in ("seconds", "refinements", "residual", "cycles", "factor",
+                   "load_error", "load_error_max", "mass_balance",
+                   "T_load_error_max", "T_load_error_max_s"):
+            continue
+        if isinstance(a, (int, float)) and not isinstance(a, bool):
+            assert isinstance(b, (int, float)), (path, key, a, b)
+            assert abs(a - b) <= 1e-9 * max(abs(a), abs(b), 1e-3), \
+                (path, key, a, b)
+
+
+def steady_and_marched(browser):
+    """What the native program, set base, left as NAME.json and NAME.h5."""
+    for name in sorted(os.listdir(folder)):
+        if not name.endswith(".json"):
+            continue
+        name = name[:-5]
+        with open(f"{folder}/{name}.ini", encoding="utf-8") as file:
+            case = file.read()
+        with open(f"{folder}/{name}.json", encoding="utf-8") as file:
+            theirs = json.load(file)
+        marched = os.path.exists(f"{folder}/{name}.h5")
+        args = ["solve", "case.ini", "--json"]
+        args += ["-o", "out.h5"] if marched else ["--steady"]
+        answer = asks(browser, args, {"case.ini": case}, ["out.h5"])
+        assert answer["out"], (name, answer["err"])
+        same(json.loads(answer["out"]), theirs, name)
+        if not marched:
+            continue
+        with open(f"{folder}/{name}-page.h5", "wb") as file:
+            file.write(base64.b64decode(answer["files"]["out.h5"]))
+        with h5py.File(f"{folder}/{name}-page.h5") as a, \
+                h5py.File(f"{folder}/{name}.h5") as b:
+            assert set(a) == set(b), (set(a), set(b))
+            for field in ("pressure", "film_thickness", "time"):
+                x, y = a[field][()], b[field][()]
+                assert x.shape == y.shape
+                assert np.max(abs(x - y)) <= 1e-9 * np.max(abs(y)), field
+
+
+def slides(browser):
+    """More load, less film; the text has the value that the slider has."""
+    film = float(browser.run(
+        "return document.querySelector('[data-key=central_film_m]')"
+        ".textContent.split(' ')[0]"))
+    solved = browser.run("return +document.getElementById('numbers')"
+                         ".dataset.solved")
+    browser.run("""const s = document.querySelector(
+        'input[data-key="contact.load"]');
+        s.value = 0.5; s.dispatchEvent(new Event('input'));""")
+    browser.wait("return +document.getElementById('numbers').dataset.solved"
+                 f" > {solved}", 60)
+    settled(browser)
+    assert "load = 600 kN/m" in browser.run(
+        "return document.getElementById('text').value")
+    now = float(browser.run(
+        "return document.querySelector('[data-key=central_film_m]')"
+        ".textContent.split(' ')[0]"))
+    assert 0.7 * film < now < film, (film, now)
+
+
+def mistakes(browser):
+    """A wrong unit is told at its line, in the program's words; a hostile case
+    stays text."""
+    put(browser, "[contact]\nload = 3 kg\n")
+    assert "line 2: load: '3 kg': wrong unit" in text(browser, "trouble")
+    assert browser.run("return document.querySelector('#lines b').textContent"
+                       ) == "2"
+    evil = "<img src=x onerror=document.body.dataset.stolen=1>"
+    put(browser, f"[contact]\nM = 20\nL = 10\n[{evil}]\n{evil} = {evil}\n"
+        f"[feature {evil}]\nshape = {evil}\n")
+    assert text(browser, "trouble")
+    assert not browser.run("return document.body.dataset.stolen")
+    assert not browser.run("return document.querySelector('main img')")
+
+
+def dent(browser):
+    with open(f"{folder}/dent.ini", encoding="utf-8") as file:
+        put(browser, file.read())
+    browser.run("document.getElementById('run').click()")
+    browser.wait("return +document.getElementById('left').dataset.states > 2",
+                 60)
+    browser.run("document.getElementById('pause').click()")
+    browser.wait("return document.getElementById('status').textContent"
+                 ".startsWith('paused')", 60)
+    at = browser.run("return document.getElementById('progress').value")
+    time.sleep(0.5)
+    assert browser.run(
+        "return document.getElementById('progress').value") == at
+    browser.run("document.getElementById('pause').click()")
+    browser.wait("return !document.getElementById('played').hidden", 300)
+    browser.wait(
+        "return document.getElementById('player').srcdoc.length > 9999")
+    browser.call("POST", "/frame", {"id": 0})
+    browser.wait("return document.body.dataset.drawn !== undefined")
+    browser.call("POST", "/frame", {"id": None})
+    paused = browser.run("return document.getElementById('numbers')"
+                         ".dataset.solved")
+    assert paused
+
+
+def stops(browser):
+    """A long run is asked for; stop ends it."""
+    with open(f"{folder}/dent.ini", encoding="utf-8") as file:
+        case = file.read().replace("level = 5", "level = 11")
+    put(browser, case)
+    browser.run("document.getElementById('run').click()")
+    browser.wait("return !document.getElementById('ask').hidden", 30)
+    browser.run("document.getElementById('yes').click()")
+    browser.wait("return !document.getElementById('stop').hidden")
+    time.sleep(1)
+    browser.run("document.getElementById('stop').click()")
+    browser.wait("return document.getElementById('stop').hidden", 20)
+    browser.run("document.getElementById('back').click()")
+
+
+def drops(browser):
+    """A profile dropped onto the page is measured, and goes on a surface."""
+    put(browser, "[contact]\nload = 300 kN/m\nradius = 8 mm\n"
+        "modulus = 226 GPa\nmean_speed = 3 m/s\n[lubricant]\n"
+        "viscosity = 40 mPa.s\nalpha = 17 1/GPa\n"
+        "[domain]\nlevel = 6\n")
+    browser.run("""const rows = ["# x in um, z in um"];
+        for (let k = 0; k < 400; k++)
+          rows.push(k * 2 + " " + 0.1 * Math.sin(k / 9));
+        const data = new DataTransfer();
+        data.items.add(new File([rows.join("\\n")], "wavy <b>.txt"));
+        document.dispatchEvent(new DragEvent("drop",
+          { dataTransfer: data, bubbles: true, cancelable: true }));""")
+    browser.wait("return document.querySelector('.measure')", 60)
+    if browser.run("return !!document.querySelector('.measure form')"):
+        browser.run("""for (const s of document.querySelectorAll(
+            '.measure select')) s.value = "um";
+            document.querySelector('.measure form').requestSubmit();""")
+    browser.wait("return [...document.querySelectorAll('.measure button')]"
+                 ".some((b) => b.textContent === 'put on surface 1')", 60)
+    browser.run("[...document.querySelectorAll('.measure button')].find("
+                "(b) => b.textContent === 'put on surface 1').click()")
+    settled(browser)
+    case = browser.run("return document.getElementById('text').value")
+    assert "shape = profile" in case and "file = wavy__b_.txt" in case, case
+    assert not browser.run("return document.querySelector('.measure b')")
+
+
+def links(browser):
+    case = "[contact]\nM = 30\nL = 7\n[domain]\nlevel = 6\n"
+    put(browser, case)
+    browser.run("document.getElementById('link').click()")
+    browser.wait("return location.hash.length > 10")
+    fragment = browser.run("return location.hash")
+    load(browser, fragment)
+    assert browser.run("return document.getElementById('text').value") == case
+    load(browser, "#case=AAAA")
+    assert "holds no case" in text(browser, "trouble")
+
+
+def by_keys(browser):
+    """The first tab stops reach the choice of a case; sliders move by keys."""
+    load(browser)
+    browser.run("document.querySelector('#sliders input').focus()")
+    before = browser.run("return document.getElementById('text').value")
+    browser.keys(RIGHT)
+    settled(browser)
+    assert browser.run("return document.getElementById('text').value") != before
+    browser.run("document.querySelector('#tabs button:last-of-type').focus()")
+    browser.keys(ENTER)
+    assert not browser.run("return document.getElementById('source').hidden")
+
+
+def memory(browser):
+    """200 live solves leave the memory of the program as it was."""
+    case = "[contact]\nM = 20\nL = 10\n[domain]\nlevel = 6\n"
+    sizes = []
+    for k in range(200):
+        answer = asks(browser, ["solve", "case.ini", "--steady", "--json",
+                                "--M", str(10 + k)], {"case.ini": case})
+        assert answer["code"] == 0, answer
+        if k in (40, 199):
+            sizes.append(answer["memory"])
+    assert sizes[0] == sizes[1], sizes
+
+
+def narrow():
+    for dark in (False, True):
+        for width, height in ((500, 900), (1400, 1000)):
+            browser = Browser(width, height, dark=dark)
+            try:
+                load(browser)
+                assert browser.run(
+                    "return document.documentElement.scrollWidth <= "
+                    "window.innerWidth"), f"wider than {width}"
+                name = f"{width}-{'dark' if dark else 'light'}"
+                browser.picture(f"{folder}/page-{name}.png")
+                assert not browser.log()
+            finally:
+                browser.close()
+
+
+def main():
+    browser = Browser(1400, 1000)
+    try:
+        load(browser)
+        assert not text(browser, "trouble")
+        slides(browser)
+        for test in (steady_and_marched, mistakes, dent, stops, drops, links,
+                     by_keys, memory):
+            began = time.time()
+            test(browser)
+            print(f"{test.__name__}: {time.time() - began:.1f} s", flush=True)
+        # A flag that is withdrawn to make a run stop is missed once by its
+        # worker, which Chromium tells.
+        complaints = [line for line in browser.log()
+                      if line["level"] == "SEVERE" and
+                      "local resource: blob:" not in line["message"]]
+        assert not complaints, complaints
+    finally:
+        browser.close()
+    narrow()
+
+
+main()
