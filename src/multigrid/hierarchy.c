@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "multigrid/hierarchy.h"
 
 #include <math.h>
 #include <string.h>
@@ -7,6 +6,7 @@
 #include "multigrid/coarsest.h"
 #include "multigrid/field.h"
 #include "multigrid/flow.h"
+#include "multigrid/hierarchy.h"
 #include "multigrid/tripoles.h"
 
 /* Nodes of the lanes and beyond, for any machine's kernels. */
@@ -251,4 +251,28 @@ ovr_status ovr_hierarchy_skew(ovr_hierarchy *grids, bool second_order,
     }
     return take_skew(&grids->natural, grids->level[grids->ordered].grid.n,
                      arena, err);
+}
+
+/* ------------------------------------------------------- Order of the nodes */
+
+void ovr_level_read(const ovr_hierarchy *grids, const ovr_level *level,
+                    const double *values, double *ordered)
+{
+    grids->kernels->unpack(&level->lanes, values, ordered);
+}
+
+void ovr_level_write(const ovr_hierarchy *grids, const ovr_level *level,
+                     const double *ordered, double *values)
+{
+    grids->kernels->pack(&level->lanes, ordered, values);
+}
+
+const ovr_fields *ovr_level_ordered(const ovr_hierarchy *grids,
+                                    const ovr_level *level)
+{
+    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
+        if (ovr_field_rows[k].ordered && level->f.all[k])
+            ovr_level_read(grids, level, level->f.all[k],
+                           grids->natural.all[k]);
+    return &grids->natural;
 }

@@ -10,7 +10,7 @@
 #include "contact/oil.h"
 #include "overroll/questions.h"
 #include "run/cost.h"
-#include "run/lines.h"
+#include "run/summary_lines.h"
 #include "run/run.h"
 #include "simulation/simulation.h"
 #include "surface/surfaces.h"

@@ -4,7 +4,7 @@
 #ifndef OVR_RUN_REPORT_WORDS_H
 #define OVR_RUN_REPORT_WORDS_H
 
-#include "run/lines.h"
+#include "run/summary_lines.h"
 
 /* A Newtonian isothermal film's may be no oil's, which is the first that is
  * said of it: the film is none the worse. */

@@ -5,16 +5,219 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "case/domain.h"
 #include "case/resolve.h"
 #include "case/setup.h"
 #include "contact/contact.h"
 #include "contact/curvature.h"
+#include "contact/starvation.h"
+#include "physics/supply/supply.h"
+#include "run/element.h"
 #include "run/internal.h"
-#include "run/lines.h"
 #include "run/review.h"
-#include "run/review_element.h"
-#include "run/review_plausible.h"
+#include "run/summary_lines.h"
 #include "surface/surfaces.h"
+
+/* ------------------------------------------------------------------- Domain */
+
+/* Reviews the ends of the domain. */
+
+/* "some 0.54 %": the loss is a fit to those up to a fifth. */
+typedef struct share {
+    char text[40];
+} share;
+
+static share share_of(double loss)
+{
+    share s = {"more than a fifth"};
+    if (loss < 0.2)
+        snprintf(s.text, sizeof s.text, "some %.2g %%", 100 * loss);
+    return s;
+}
+
+/* Rounds to four digits, farther out and not nearer. */
+static double rounded_out(double X)
+{
+    double digit = pow(10, floor(log10(fabs(X))) - 3);
+    return copysign(ceil(fabs(X) / digit * (1 - 1e-12)) * digit, X);
+}
+
+static bool is_usual(const ovr_review *r, const char *key)
+{
+    const ovr_slot *slot = ovr_slot_of((const ovr_resolved *)r->setup, "domain",
+                                       key);
+    return slot->word && slot->number == 0;
+}
+
+static void warn_of_kept_inlet(const ovr_review *r,
+                               const ovr_domain_needs *needs)
+{
+    ovr_review_say(
+        r, OVR_SAY_WARNING,
+        "a feature starts left of X = %.4g: the inlet stays there, which costs "
+        "%s of the central film; start it left of %.4g to have the inlet there",
+        r->setup->options->inlet, share_of(needs->loss).text,
+        ((const ovr_resolved *)r->setup)->inlet_kept);
+}
+
+/* The usual inlet lies farther out, or does not because of a feature. */
+static void say_usual_inlet(const ovr_review *r, const ovr_domain_needs *needs)
+{
+    double inlet = r->setup->options->inlet;
+    const ovr_contact *contact = r->setup->contact;
+    double loss = ovr_inlet_loss(contact->M, contact->L, OVR_USUAL_INLET);
+    if (inlet < OVR_USUAL_INLET && needs->varies)
+        ovr_review_say(
+            r, OVR_SAY_NOTE,
+            "the inlet is at X = %.4g: that far for all films and contacts "
+            "that load, speed and radius make",
+            inlet);
+    else if (inlet < OVR_USUAL_INLET)
+        ovr_review_say(
+            r, OVR_SAY_NOTE,
+            "the inlet is at X = %.4g: at -4 it would cost %s of the central "
+            "film",
+            inlet, share_of(loss).text);
+}
+
+/* Ends that were given, where films are cut by them.  An inlet that oil does
+ * not fill is judged by the meniscus, when there is one (ovr_review_inlet). */
+static void warn_of_near_inlet(const ovr_review *r,
+                               const ovr_domain_needs *needs)
+{
+    if (!ovr_setup_supply(r->setup)->film &&
+        needs->loss > 1.01 * OVR_USUAL_LOSS)
+        ovr_review_say(
+            r, OVR_SAY_WARNING,
+            "the inlet is numerically starved: X = %.4g is so near that it "
+            "costs %s of the film; inlet = %.4g would do",
+            r->setup->options->inlet, share_of(needs->loss).text,
+            rounded_out(needs->inlet));
+}
+
+static void warn_of_near_outlet(const ovr_review *r,
+                                const ovr_domain_needs *needs)
+{
+    const ovr_options *o = r->setup->options;
+    if (!is_usual(r, "outlet") && o->outlet < needs->film_end)
+        ovr_review_say(
+            r, OVR_SAY_WARNING,
+            "the outlet X = %.4g is too near: films end as far out as X = "
+            "%.4g, and what is cut off carries load; outlet = %.4g would do",
+            o->outlet, needs->film_end, rounded_out(needs->outlet));
+}
+
+static void review_domain(const ovr_review *r)
+{
+    ovr_domain_needs needs = ovr_setup_needs(r->setup);
+    if (((const ovr_resolved *)r->setup)->inlet_kept < 0 &&
+        needs.loss > OVR_USUAL_LOSS)
+        warn_of_kept_inlet(r, &needs);
+    else if (is_usual(r, "inlet"))
+        say_usual_inlet(r, &needs);
+    else
+        warn_of_near_inlet(r, &needs);
+    warn_of_near_outlet(r, &needs);
+}
+
+void ovr_review_inlet(const ovr_review *r, const ovr_state *state, double H_cen)
+{
+    ovr_domain_needs needs = ovr_setup_needs(r->setup);
+    if (needs.loss <= 1.01 * OVR_USUAL_LOSS)
+        return;
+    ovr_review_say(
+        r, OVR_SAY_WARNING,
+        "the inlet is numerically starved: the film at X = %.3g is only %.1f "
+        "central films, which costs %s of the film; inlet = %.4g would do",
+        state->X[0], state->H[0] / H_cen, share_of(needs.loss).text,
+        rounded_out(needs.inlet));
+}
+
+/* -------------------------------------------------------- Plausible numbers */
+
+typedef struct usual {
+    const char *what, *unit;
+    double value, scale;     /* of the unit */
+    double minimum, maximum; /* in it */
+} usual;
+
+static void judge(const usual *u, ovr_listener *say, void *data)
+{
+    double value = u->value / u->scale;
+    if (!isfinite(value) || (value >= u->minimum && value <= u->maximum))
+        return;
+    ovr_warn(say, data,
+             "%s %.4g %s: usual are %g to %g %s; is the unit the one that was "
+             "meant?",
+             u->what, value, u->unit, u->minimum, u->maximum, u->unit);
+}
+
+/* Rubber to tungsten carbide on diamond; wires to rolls of mills; oils from
+ * refrigerants to greases' base. */
+static void review_contact(const ovr_setup *s, ovr_listener *say, void *data)
+{
+    const ovr_contact *c = s->contact;
+    bool stiffens = s->lubricant->viscosity_law != OVR_ISOVISCOUS;
+    const usual all[] = {
+        {"modulus", "GPa", c->modulus, 1e9, 1, 1000},
+        {"radius", "mm", c->radius, 1e-3, 0.1, 2000},
+        {"load", "kN/m", c->load, 1e3, 1, 20000},
+        {"viscosity", "Pa.s", c->viscosity, 1, 1e-4, 20},
+        {"alpha", "1/GPa", stiffens ? c->alpha : NAN, 1e-9, 3, 60}};
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++)
+        judge(&all[k], say, data);
+}
+
+/* Bodies are parabolas and half-spaces where they touch, which cylinders are
+ * only near the line of contact. */
+static void review_width(const ovr_setup *s, ovr_listener *say, void *data)
+{
+    const double widest = 0.3;
+    const ovr_resolved *r = (const ovr_resolved *)s;
+    const ovr_contact *c = s->contact;
+    double radius = c->radius;
+    for (int k = 0; k < 2; k++)
+        if (isfinite(r->body[k].radius))
+            radius = fmin(radius, fabs(r->body[k].radius));
+    if (c->b > widest * radius)
+        ovr_warn(
+            say, data,
+            "the contact is %.4g mm wide on a radius of %.4g mm: parabolic "
+            "gaps and elastic half-spaces hold up to a half width of 0.3 "
+            "radii",
+            2e3 * c->b, 1e3 * radius);
+}
+
+static void review_feature(const ovr_setup *s, const ovr_feature_form *f,
+                           ovr_listener *say, void *data)
+{
+    const double steepest = 0.25;
+    char what[80];
+    double size = isfinite(f->width) ? f->width : f->width_half;
+    double width = size * s->contact->b;
+    double depth = f->depth * s->contact->height;
+    snprintf(what, sizeof what, "feature '%.40s': width", f->name);
+    judge(&(usual){what, "um", width, 1e-6, 0.1, 1e5}, say, data);
+    if (f->shape != OVR_INDENT || !(depth > steepest * width))
+        return;
+    ovr_warn(say, data,
+             "feature '%.40s': %.3g um deep and %.3g um wide: indents are less "
+             "deep than a quarter of their width, 0.001 to 0.1 of it as a rule",
+             f->name, depth * 1e6, width * 1e6);
+}
+
+static void review_plausible(const ovr_setup *setup, ovr_listener *say,
+                             void *data)
+{
+    if (!say)
+        return;
+    review_contact(setup, say, data);
+    review_width(setup, say, data);
+    for (size_t k = 0; k < setup->features; k++)
+        review_feature(setup, setup->feature[k], say, data);
+}
+
+/* ------------------------------------------------------------------- Review */
 
 /* Second-order schemes carry a wave of eight meshes with a few per cent lost
  * (0.25 b at level 6 is 20 meshes, 3.6 %). */
@@ -302,13 +505,13 @@ static void say_level(const ovr_review *r)
 static void before(const ovr_review *r, bool transient)
 {
     say_estimated(r);
-    ovr_review_plausible(r->setup, r->say, r->data);
+    review_plausible(r->setup, r->say, r->data);
     ovr_review_element(r->setup, r->say, r->data);
     say_idle(r);
     say_left_out(r);
     warn_of_start(r);
     warn_of_sliding(r);
-    ovr_review_domain(r);
+    review_domain(r);
     say_level(r);
     ovr_companions_foresee(r->setup, r->say, r->data);
     warn_of_seeds(r);

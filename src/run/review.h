@@ -17,10 +17,6 @@ typedef struct ovr_review {
 void ovr_review_say(const ovr_review *r, ovr_say kind, const char *format, ...)
     OVR_PRINTF(3, 4);
 
-/* Reviews the ends of its domain: those that were chosen, that are kept, that
- * are too near. */
-void ovr_review_domain(const ovr_review *r);
-
 /* Warns of oil that arrives as a film and fills the inlet all the same. */
 void ovr_review_inlet(const ovr_review *r, const ovr_state *state,
                       double H_cen);

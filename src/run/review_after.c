@@ -8,9 +8,9 @@
 #include "physics/plastic/plastic.h"
 #include "physics/supply/supply.h"
 #include "run/internal.h"
-#include "run/lines.h"
+#include "run/summary_lines.h"
 #include "run/review.h"
-#include "run/review_element.h"
+#include "run/element.h"
 #include "simulation/simulation.h"
 #include "surface/surfaces.h"
 

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "physics/stress/stress.h"
-#include "run/lines.h"
+#include "run/summary_lines.h"
 #include "stress/stress.h"
 
 /* ------------------------------------------------------------- for programs */

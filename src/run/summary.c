@@ -11,7 +11,7 @@
 #include "physics/plastic/plastic.h"
 #include "results/results.h"
 #include "run/internal.h"
-#include "run/lines.h"
+#include "run/summary_lines.h"
 #include "run/report_words.h"
 #include "run/run.h"
 #include "simulation/simulation.h"

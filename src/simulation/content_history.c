@@ -9,7 +9,338 @@
  * which is BDF2's wherever nothing is limited.  With equal steps B is what the
  * last step ended with, A, so that what is stored telescopes.
  */
+#include <math.h>
+#include <string.h>
+
+#include "contact/contact.h"
+#include "multigrid/field.h"
 #include "simulation/internal.h"
+#include "simulation/mirror.h"
+
+/* ----------------------------------------------------- Oil before the inlet */
+
+bool ovr_conserves(const ovr_simulation *sim)
+{
+    return sim->options.cavitation == OVR_CAVITATION_CONSERVING;
+}
+
+/* The time when what is `way` before the inlet at T comes to it; while all
+ * stands, some time later. */
+static double time_of_arrival(const ovr_simulation *sim, double T, double way)
+{
+    enum { DOUBLINGS = 10, HALVINGS = 50 };
+    double to = ovr_history_integral(sim->speed, T) + way;
+    double low = T, high = T + way, Cu = ovr_history_value(sim->speed, T);
+    if (!ovr_history_varies(sim->speed))
+        return T + way / Cu;
+    for (int k = 0; k < DOUBLINGS; k++)
+        if (ovr_history_integral(sim->speed, high) < to)
+            high = T + 2 * (high - T);
+    for (int k = 0; k < HALVINGS; k++) {
+        double middle = 0.5 * (low + high);
+        *(ovr_history_integral(sim->speed, middle) < to ? &low
+                                                        : &high) = middle;
+    }
+    return 0.5 * (low + high);
+}
+
+bool ovr_arrival_closes(const ovr_simulation *sim)
+{
+    const ovr_arrival *a = &sim->arrival;
+    return a->supply && (a->closed || a->reservoir < 0);
+}
+
+void ovr_arrival_ghosts(const ovr_simulation *sim, double T, size_t ghosts,
+                        double *last)
+{
+    const ovr_arrival *a = &sim->arrival;
+    for (size_t g = 0; g < ghosts; g++) {
+        double way = (double)(g + 1) * ovr_mesh(sim);
+        last[-(ptrdiff_t)g] = a->supply(a->data, time_of_arrival(sim, T, way));
+    }
+}
+
+/* ------------------------------------------------- Along the characteristic */
+
+/*
+ * Mass-conserving cavitation along the characteristic (multigrid/content.h has
+ * it with a wedge).  No content flows but with the characteristic, so that the
+ * history term of content_history.c is of what comes to a node, a = travel in
+ * the step:
+ *
+ *     A_i = (1 + kappa) q_i - kappa q^k(X_i - a),   B_i = B(X_i - a),
+ *     B(X) = (1 + b2) q^k(X) - b2 q^{k-1}(X - a_old),
+ *     where the node was dry  B = max(B, q^k/2)
+ *
+ * and with equal steps B is A of the step before.  q^{k-1}(X - a_old) is what
+ * came to the nodes then, so one step's travel is all that is ever looked back.
+ *
+ * Cells are moved on as a whole and by a part p of a mesh, by what crosses
+ * their faces, f_{i+1/2}: it leaves one and enters the next, whatever is taken
+ * for it,
+ *
+ *     q(X_i - p D) = q_i - f_{i+1/2} + f_{i-1/2},
+ *
+ * by six-point Lagrange interpolation between five wet cells.  Elsewhere, as
+ * contents jump beside a meniscus, f = p (q_i + (1 - p) s_i/2) with van Leer's
+ * limited slope s_i, which makes no new extreme and nothing less than nothing.
+ * So
+ *
+ *     D sum (A - B) = dT (inflow - outflow) + residuals
+ *
+ * with the Poiseuille flow and D/dT of what crosses the first and last face of
+ * rows 1..n-2, for any travel.  A and B are contents half a step downstream; of
+ * those at the nodes, (1 + kappa) q - kappa q^{k-1} and so on, the flows are,
+ * X_B and X_q what crosses of B and q,
+ *
+ *     Q = D (X_B + kappa X_q^k - b2 X_q^{k-1})/dT,
+ *
+ * which are told.  What crosses the first face is the film that arrives, where
+ * the inlet is closed, else that of the flooded gap before it; in the step in
+ * which it closes or opens Q = D X_B/dT there.
+ */
+
+/* Cells on either side whose content a face's high order asks for. */
+enum { SIDE = 2, FACE = 2 * SIDE + 1, POINTS = 6 };
+
+ovr_status ovr_carriage_take(ovr_simulation *sim, ovr_error *err)
+{
+    ovr_carriage *c = &sim->arrival.carriage;
+    size_t n = sim->now.n;
+    *c = (ovr_carriage){0};
+    if (!sim->scheme->characteristic)
+        return OVR_OK;
+    c->came = ovr_field(&sim->arena, n, err);
+    c->coming = ovr_field(&sim->arena, n, err);
+    c->coming_twice = ovr_field(&sim->arena, n, err);
+    c->extended = ovr_field(&sim->arena, n + OVR_GHOSTS, err);
+    return c->came && c->coming && c->coming_twice && c->extended
+               ? OVR_OK
+               : OVR_NO_MEMORY;
+}
+
+/* ------------------------------------------------------------------ carried */
+
+/* A travel in whole meshes and a part; what of five cells crosses a face. */
+typedef struct move {
+    ptrdiff_t whole;
+    double part, weight[FACE];
+} move;
+
+static move move_of(const ovr_simulation *sim, double a)
+{
+    const double rounding = 1e-9;
+    double meshes = a / ovr_mesh(sim), whole = floor(meshes + rounding);
+    move m = {.whole = (ptrdiff_t)whole, .part = meshes - whole};
+    double point[POINTS];
+    if (m.part < rounding)
+        m.part = 0;
+    ovr_lagrange(SIDE + 1 - m.part, point);
+    m.weight[0] = point[0];
+    for (int k = 1; k < FACE; k++)
+        m.weight[k] = m.weight[k - 1] + point[k] - (k == SIDE + 1);
+    return m;
+}
+
+/* The slope of a cell's content, by those beside it: none where it is an
+ * extreme. */
+static double limited_slope(const double *q)
+{
+    double before = q[0] - q[-1], after = q[1] - q[0];
+    double product = before * after;
+    return product > 0 ? 2 * product / (before + after) : 0;
+}
+
+/* The content that crosses from the cell *q into the next. */
+static double crosses(const move *m, const double *q, bool smooth)
+{
+    double sum = 0;
+    if (!smooth)
+        return m->part * (*q + 0.5 * (1 - m->part) * limited_slope(q));
+    for (ptrdiff_t k = 0; k < FACE; k++)
+        sum += m->weight[k] * q[k - SIDE];
+    return sum;
+}
+
+static double sum_of(const double *q, ptrdiff_t first, ptrdiff_t last)
+{
+    double sum = 0;
+    for (ptrdiff_t i = first; i <= last; i++)
+        sum += q[i];
+    return sum;
+}
+
+/* Carries contents q, with ghosts before them, to the nodes; in[0] what crosses
+ * the first face of row 1, [1] the last of row n - 2, in cells. */
+static void carry(const ovr_simulation *sim, const move *m, const double *q,
+                  double *to, double across[2])
+{
+    const double *P = sim->past.P[0];
+    ptrdiff_t n = (ptrdiff_t)sim->now.n, s = m->whole, wet = 0;
+    bool open = !ovr_arrival_closes(sim);
+    double before = 0;
+    across[0] = sum_of(q, 1 - s, 0);
+    across[1] = sum_of(q, n - 1 - s, n - 2);
+    if (m->part == 0) {
+        memcpy(to, q - s, (size_t)n * sizeof *q);
+        return;
+    }
+    for (ptrdiff_t j = -s - SIDE; j < n - 1 - s; j++) {
+        ptrdiff_t ahead = j + SIDE;
+        bool full = ahead <= 0 ? open : ahead < n && P[ahead] > 0;
+        wet = full ? wet + 1 : 0;
+        if (j < -s)
+            continue;
+        double f = crosses(m, q + j, wet >= FACE);
+        if (j == -s)
+            across[0] += f;
+        else
+            to[j + s] = q[j] - f + before;
+        if (j == n - 2 - s)
+            across[1] += f;
+        before = f;
+    }
+    to[0] = q[-s];
+    to[n - 1] = q[n - 1 - s];
+}
+
+/* ------------------------------------------------------------- what arrives */
+
+/* The contents that would arrive in the first row, while the inlet is open.
+ */
+static double arriving(const ovr_simulation *sim, const move *m)
+{
+    double q[OVR_GHOSTS];
+    size_t s = (size_t)m->whole;
+    double *last = q + OVR_GHOSTS - 1;
+    const ovr_arrival *a = &sim->arrival;
+    ovr_arrival_ghosts(sim, sim->past.T[0], s, last - 1);
+    *last = a->supply(a->data, sim->past.T[0]);
+    return sum_of(last, 1 - (ptrdiff_t)s, 0) + m->part * last[-(ptrdiff_t)s];
+}
+
+/* Fills what lies before row 1: q and what came there from the gap before the
+ * inlet, or what arrives, which does not change on its way. */
+static void fill_ghosts(ovr_simulation *sim, const move *m, const move *old,
+                        double *q, double *came)
+{
+    ptrdiff_t ghosts = m->whole + SIDE + 1;
+    if (!ovr_arrival_closes(sim)) {
+        size_t more = (size_t)(ghosts + old->whole + SIDE + 1);
+        memcpy(q, sim->past.q[1], (SIDE + 1) * sizeof *q);
+        ovr_inflow_ghosts(sim, 1, more);
+        for (ptrdiff_t g = 0; g <= ghosts; g++) {
+            const double *departure = q - g - old->whole;
+            bool between = old->part > 0;
+            came[-g] = *departure - crosses(old, departure, between) +
+                       crosses(old, departure - 1, between);
+        }
+        ovr_inflow_ghosts(sim, 0, (size_t)ghosts);
+        *q = *sim->past.q[0];
+        return;
+    }
+    ovr_arrival_ghosts(sim, sim->past.T[0], (size_t)ghosts, q - 1);
+    *q = sim->arrival.supply(sim->arrival.data, sim->past.T[0]);
+    memcpy(came - ghosts, q - ghosts, (size_t)(ghosts + 1) * sizeof *q);
+}
+
+/* ------------------------------------------------------------------- a step */
+
+/* Contents of now by nodes, and what came to these a step ago: before the first
+ * step it was steady, and the step as long. */
+static void fill_nodes(ovr_simulation *sim, const move *m, double *q,
+                       double *came)
+{
+    ovr_carriage *c = &sim->arrival.carriage;
+    size_t bytes = (sim->now.n - 1) * sizeof *q;
+    memcpy(q + 1, sim->past.q[0] + 1, bytes);
+    if (!(sim->past.dT > 0)) {
+        carry(sim, m, q, c->came, c->crossed);
+        c->closed = ovr_arrival_closes(sim);
+    }
+    memcpy(came + 1, c->came + 1, bytes);
+}
+
+/* B at the cells, in place of what came there. */
+static void weigh(const ovr_simulation *sim, ptrdiff_t ghosts, double b2,
+                  const double *q, double *came)
+{
+    const double *P = sim->past.P[0];
+    bool open = !ovr_arrival_closes(sim);
+    for (ptrdiff_t i = -ghosts; i < (ptrdiff_t)sim->now.n; i++) {
+        double linear = (1 + b2) * q[i] - b2 * came[i], half = 0.5 * q[i];
+        bool dry = i > 0 ? !(P[i] > 0) : !open;
+        came[i] = dry && linear < half ? half : linear;
+    }
+}
+
+void ovr_carriage_history(ovr_simulation *sim, double dT, const double c[2])
+{
+    ovr_carriage *own = &sim->arrival.carriage;
+    double *F = sim->scratch[0], *kept = sim->scratch[1];
+    double *q = sim->inflow.extended + OVR_GHOSTS;
+    double *B = own->extended + OVR_GHOSTS;
+    double b2 = c[1] * dT, kappa = -c[0] * dT - 1 - b2;
+    double T = sim->past.T[0] + dT, across[2], D = ovr_mesh(sim);
+    const move m = move_of(sim, ovr_travel_since(sim, 0, T));
+    const move old = move_of(sim, ovr_travel_since(sim, 1, T) -
+                                      ovr_travel_since(sim, 0, T));
+    fill_ghosts(sim, &m, &old, q, B);
+    fill_nodes(sim, &m, q, B);
+    carry(sim, &m, q, own->coming, own->crossing);
+    if (sim->order == 4)
+        carry(sim, &m, B, own->coming_twice, across);
+    weigh(sim, m.whole + SIDE + 1, b2, q, B);
+    carry(sim, &m, B, F, across);
+    own->closes = ovr_arrival_closes(sim);
+    for (int k = 0; k < 2; k++) {
+        double later = kappa * own->crossing[k] - b2 * own->crossed[k];
+        bool reverses = k == 0 && own->closes != own->closed;
+        own->flow[k] = D * (across[k] + (reverses ? 0 : later)) / dT;
+    }
+    own->arrives = own->flow[0];
+    if (sim->arrival.supply && !own->closes)
+        own->arrives = D * arriving(sim, &m) / dT;
+    for (size_t i = 0; i < sim->now.n; i++) {
+        kept[i] = kappa / dT * own->coming[i];
+        F[i] = -F[i] / dT - kept[i];
+    }
+    ovr_nodes_write(sim, sim->finest, kept, sim->finest->f.kept);
+    ovr_history_term(sim, F);
+}
+
+void ovr_carriage_move(ovr_simulation *sim, double T, const double *x,
+                       double *to)
+{
+    const move m = move_of(sim, ovr_travel_since(sim, 0, T));
+    double *extended = sim->inflow.extended, across[2];
+    memset(extended, 0, OVR_GHOSTS * sizeof *x);
+    memcpy(extended + OVR_GHOSTS, x, sim->now.n * sizeof *x);
+    carry(sim, &m, extended + OVR_GHOSTS, to, across);
+}
+
+void ovr_carriage_taken(ovr_simulation *sim)
+{
+    ovr_carriage *c = &sim->arrival.carriage;
+    double *came = c->came;
+    c->came = c->coming;
+    c->coming = came;
+    memcpy(c->crossed, c->crossing, sizeof c->crossed);
+    c->closed = c->closes;
+}
+
+void ovr_carriage_visit(ovr_simulation *sim, ovr_pieces *state)
+{
+    ovr_carriage *c = &sim->arrival.carriage;
+    if (!sim->scheme->characteristic)
+        return;
+    ovr_show(state, "content_came", c->came, sim->now.n * sizeof *c->came);
+    OVR_SHOW(state, "content_crossed", c->crossed);
+    OVR_SHOW(state, "content_closed", c->closed);
+    OVR_SHOW(state, "content_flow", c->flow);
+}
+
+/* ------------------------------------------------------------- At the nodes */
 
 void ovr_content_history(ovr_simulation *sim, double dT, const double c[2])
 {

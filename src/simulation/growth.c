@@ -13,7 +13,7 @@
  * flows out at the end of the domain by t = 6 or so, and steps that become
  * longer and longer end in the steady film, by a factor of hundreds for each of
  * the last.  A step that is not found is tried with smaller changes and half
- * corrections, then by Newton's method (last_newton.c), then halved.
+ * corrections, then by Newton's method (step.c), then halved.
  */
 #include <math.h>
 #include <string.h>

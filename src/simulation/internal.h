@@ -50,7 +50,7 @@ typedef struct ovr_inflow {
     double *extended; /* q with ghosts before it */
 } ovr_inflow;
 
-/* Oil that is carried along the characteristic (content_departures.c). */
+/* Oil that is carried along the characteristic (content_history.c). */
 typedef struct ovr_carriage {
     double *came;   /* at the nodes now: the content of a step ago there, */
     double *coming; /* and that of now, in a step's time; two steps ago */
@@ -64,7 +64,7 @@ typedef struct ovr_carriage {
     double arrives; /* would flow in, of the film that is supplied */
 } ovr_carriage;
 
-/* Memory that last_newton.c has for the finest level, while it is not there. */
+/* Memory that step.c has for the finest level, while it is not there. */
 typedef struct ovr_last_newton {
     bool taken, mine[OVR_FIELD_COUNT];
     double *field[OVR_FIELD_COUNT], *borne, *pressed;
@@ -239,7 +239,7 @@ ovr_status ovr_smooth_check(const ovr_simulation *sim, double T,
  * load and speed; films that are foreseen go by them. */
 void ovr_steady_conditions(ovr_simulation *sim);
 
-/* Keeps records of full multigrid (refinement.c). */
+/* Keeps records of full multigrid (steady.c). */
 void ovr_refinement_watch(void *data, const ovr_level *level,
                           ovr_full_event event, const ovr_full_status *status);
 
@@ -315,7 +315,7 @@ void ovr_show(ovr_pieces *state, const char *name, void *memory, size_t bytes);
 void ovr_show_nodes(const ovr_simulation *sim, ovr_pieces *state,
                     const char *name, int number, double *values);
 
-/* The same along the characteristic (content_departures.c): memory, the history
+/* The same along the characteristic (content_history.c): memory, the history
  * term, a step that is taken, its checkpoint. */
 ovr_status ovr_carriage_take(ovr_simulation *sim, ovr_error *err);
 void ovr_carriage_history(ovr_simulation *sim, double dT, const double c[2]);

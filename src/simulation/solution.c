@@ -1,5 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+
 #include "simulation/solution.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "contact/contact.h"
+#include "simulation/internal.h"
+#include "simulation/mirror.h"
+#include "simulation/physics.h"
+#include "simulation/simulation.h"
+
+/* ------------------------------------------------------------ Interpolation */
 
 size_t ovr_node_after(const ovr_solution *s, double X)
 {
@@ -25,4 +38,195 @@ double ovr_value_at(const ovr_solution *s, const double *f, double X)
         value += weight * f[k];
     }
     return value;
+}
+
+/* -------------------------------------------------------------------- Nodes */
+
+/* The nodes of the solution: memory, what is read from the finest level,
+ * integrals, the state that is shown. */
+
+ovr_status ovr_simulation_take(ovr_simulation *sim, double **const to[],
+                               ovr_error *err)
+{
+    for (; *to; to++)
+        if (!(**to = ovr_arena_take(&sim->arena, sim->now.n, sizeof ***to,
+                                    err)))
+            return OVR_NO_MEMORY;
+    return OVR_OK;
+}
+
+void ovr_whole_domain(ovr_simulation *sim)
+{
+    sim->now.n = sim->finest->grid.n;
+    sim->now.D = ovr_mesh(sim);
+    sim->now.X = sim->finest->grid.X;
+    ovr_grid_weights(&sim->finest->grid, sim->now.weights);
+}
+
+/* The grid is known before anything is solved. */
+void ovr_simulation_fill(ovr_simulation *sim)
+{
+    ovr_hierarchy_fill(&sim->grids);
+    ovr_whole_domain(sim);
+    ovr_inflow_fill(sim);
+    ovr_publish_state(sim);
+}
+
+double ovr_integral(const ovr_simulation *sim, const double *f)
+{
+    return sim->grids.kernels->gain(sim->now.n, sim->now.weights, f, NULL);
+}
+
+const double *ovr_solid_pressure(const ovr_simulation *sim, double *workspace)
+{
+    const double *P = sim->now.P;
+    if (!sim->borne)
+        return P;
+    ovr_nodes_read(sim, sim->finest, sim->finest->borne, workspace);
+    sim->grids.kernels->combine(sim->now.n, 1, workspace, 1, P, workspace);
+    return workspace;
+}
+
+void ovr_simulation_read(ovr_simulation *sim)
+{
+    for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
+        if (ovr_field_rows[k].shown && sim->finest->f.all[k])
+            ovr_nodes_read(sim, sim->finest, sim->finest->f.all[k],
+                           sim->now.all[k]);
+}
+
+void ovr_publish_state(ovr_simulation *sim)
+{
+    ovr_state *state = &sim->state;
+    state->n = sim->now.n;
+    state->D = sim->now.D;
+    state->X = sim->now.X;
+    state->weights = sim->now.weights;
+    state->q = sim->now.q;
+    state->eps = sim->now.eps;
+    state->P = sim->now.P;
+    state->H = sim->now.H;
+    state->S = sim->S;
+    state->H0 = sim->grids.H0;
+}
+
+/* ---------------------------------------------------------------------- Gap */
+
+/* The mesh, and what is on it before anything is solved: the smooth surfaces
+ * at T, the heights on them, the gap. */
+
+double ovr_mesh(const ovr_simulation *sim)
+{
+    return ovr_grid_mesh(&sim->finest->grid);
+}
+
+ovr_smooth ovr_simulation_smooth(const ovr_simulation *sim, double T)
+{
+    const ovr_contact *c = &sim->contact;
+    return ovr_smooth_of(&(ovr_curving){sim->radius,
+                                        sim->radius_1,
+                                        sim->speed,
+                                        sim->sliding,
+                                        {c->u1_ratio, c->u2_ratio},
+                                        sim->convected},
+                         T);
+}
+
+ovr_status ovr_smooth_check(const ovr_simulation *sim, double T, ovr_error *err)
+{
+    const ovr_options *o = &sim->options;
+    ovr_smooth smooth = ovr_simulation_smooth(sim, T);
+    if (ovr_smooth_opens(&smooth, fmax(-o->inlet, o->outlet)))
+        return OVR_OK;
+    if (!(ovr_history_value(sim->radius, T) > 0))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "radius ratio %g at T = %g: must be positive",
+                        ovr_history_value(sim->radius, T), T);
+    return ovr_fail(
+        err, OVR_BAD_INPUT,
+        "the curvature at T = %g changes too fast, or a surface "
+        "moves too slowly, for it to be convected with the material all "
+        "over the domain",
+        T);
+}
+
+void ovr_surface_heights(const ovr_simulation *sim, double T, size_t n,
+                         const double *X, double *S)
+{
+    if (sim->heights)
+        sim->heights(sim->heights_data, T, n, X, S);
+    else
+        memset(S, 0, n * sizeof *S);
+    OVR_EACH_PHYSICS(sim, p, heights)
+        p->is->heights(sim, p->own, 0, T, n, X, S);
+}
+
+/* Returns the features of a surface; if their surface is unknown, all are on
+ * one. */
+static ovr_heights *features_of(const ovr_simulation *sim, int surface)
+{
+    const ovr_contact *c = &sim->contact;
+    bool known = (sim->sides[0] || sim->sides[1]) &&
+                 sim->heights == sim->sides_of &&
+                 sim->heights_data == sim->sides_data;
+    if (!sim->heights || known)
+        return sim->heights ? sim->sides[surface - 1] : NULL;
+    bool second = fabs(sim->moving - c->u2_ratio) <
+                  fabs(sim->moving - c->u1_ratio);
+    return second == (surface == 2) ? sim->heights : NULL;
+}
+
+bool ovr_heights_of(const ovr_simulation *sim, int surface, double *S)
+{
+    ovr_heights *features = features_of(sim, surface);
+    OVR_LAST_PHYSICS(sim, adds, heights);
+    const double *X = sim->now.X, T = sim->state.T;
+    size_t n = sim->now.n;
+    if (features)
+        features(sim->heights_data, T, n, X, S);
+    else
+        memset(S, 0, n * sizeof *S);
+    OVR_EACH_PHYSICS(sim, p, heights)
+        p->is->heights(sim, p->own, surface, T, n, X, S);
+    return features || adds->is;
+}
+
+bool ovr_has_heights(const ovr_simulation *sim)
+{
+    OVR_LAST_PHYSICS(sim, p, heights);
+    return sim->heights || p->is;
+}
+
+void ovr_simulation_gap(ovr_simulation *sim, double T)
+{
+    const ovr_smooth smooth = ovr_simulation_smooth(sim, T);
+    double *restrict gap = sim->scratch[0];
+    const double *restrict X = sim->now.X, *restrict S = sim->S;
+    size_t n = sim->now.n;
+    if (ovr_has_heights(sim)) {
+        memcpy(sim->S_past, S, n * sizeof *S);
+        ovr_surface_heights(sim, T, n, X, sim->S);
+    }
+    for (size_t i = 0; i < n; i++)
+        gap[i] = ovr_smooth_at(&smooth, X[i]) - S[i];
+    OVR_EACH_PHYSICS(sim, p, gap)
+        p->is->gap(sim, p->own, gap);
+    ovr_nodes_write(sim, sim->finest, gap, sim->finest->f.gap);
+}
+
+/* -------------------------------------------------------- Pieces of a state */
+
+void ovr_show(ovr_pieces *state, const char *name, void *memory, size_t bytes)
+{
+    if (!state->status)
+        state->status = state->visit(state->context, name, memory, bytes,
+                                     state->err);
+}
+
+void ovr_show_nodes(const ovr_simulation *sim, ovr_pieces *state,
+                    const char *name, int number, double *values)
+{
+    char text[40];
+    snprintf(text, sizeof text, "%s_%d", name, number);
+    ovr_show(state, text, values, sim->now.n * sizeof *values);
 }

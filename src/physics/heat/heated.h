@@ -40,7 +40,7 @@
 #ifndef OVR_PHYSICS_HEAT_HEATED_H
 #define OVR_PHYSICS_HEAT_HEATED_H
 
-#include "physics/heat/film.h"
+#include "physics/heat/columns.h"
 #include "physics/heat/solids.h"
 
 extern const struct ovr_companion ovr_heat_companion;

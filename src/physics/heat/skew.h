@@ -27,7 +27,7 @@
  * iterations from ending.  The ratio s is therefore constant from 2 mesh sizes
  * before the end x_e = x_i + D P_i/(P_{i-1} - 2 P_i) on, with i the last wet
  * node. That node is heated by the share of its mesh within the film
- * (heat_film.c). With mass-conserving cavitation, s falls to zero over the last
+ * (columns.c). With mass-conserving cavitation, s falls to zero over the last
  * 0.005 p_h instead.
  *
  * Along the characteristic with the speed reversed, grids are not mirrored and

@@ -7,8 +7,8 @@
  * what the last wet node upstream lets through, or, where cavitation is
  * mass-conserving, what there is.
  */
-#ifndef OVR_PHYSICS_HEAT_FILM_H
-#define OVR_PHYSICS_HEAT_FILM_H
+#ifndef OVR_PHYSICS_HEAT_COLUMNS_H
+#define OVR_PHYSICS_HEAT_COLUMNS_H
 
 #include "multigrid/cross_film.h"
 #include "simulation/internal.h"

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The lines of a summary, as those who make them put them: a key and a value
  * for programs, a label and words for people, or both. */
-#ifndef OVR_RUN_LINES_H
-#define OVR_RUN_LINES_H
+#ifndef OVR_RUN_SUMMARY_LINES_H
+#define OVR_RUN_SUMMARY_LINES_H
 
 #include "base/given.h"
 #include "overroll/run.h"
