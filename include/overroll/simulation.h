@@ -53,8 +53,8 @@ typedef enum ovr_stop {
 
 /* Mean of rho H^3/eta between two nodes. */
 typedef enum ovr_faces {
-    OVR_FACES_GAP,         /* harmonic in H^3, arithmetic in rho/eta */
     OVR_FACES_LOGARITHMIC, /* harmonic in H^3, logarithmic in 1/eta */
+    OVR_FACES_GAP,         /* harmonic in H^3, arithmetic in rho/eta: 0.3.0 */
     OVR_FACES_ARITHMETIC   /* of both nodes' rho H^3/eta: the paper's */
 } ovr_faces;
 

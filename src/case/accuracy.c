@@ -22,7 +22,7 @@
  * and of a run its root mean square over time:
  *
  *   films of order 4    0.035 x^2 + (1.5 + 7 l^4) x^3,  l = min(L, 25)/17
- *   steady, of order 2  (0.12 + 2.9 l^4) x^2, by the gap
+ *   steady, of order 2  (0.12 + 2.9 l^4) x^2, not by the arithmetic mean
  *   features            K = 1 along the characteristic, 3 where a meniscus
  *                       moves
  *   temperatures        0.05 dT: they are of first order in time
@@ -68,7 +68,7 @@ static double of_film(const ovr_setup *s, double M, double L, double mesh)
     if (order == 4 && likely)
         return x * x * (0.035 + (1.5 + 7 * l * l * l * l) * x);
     if (order == 2 && likely && !s->transient &&
-        s->options->faces == OVR_FACES_GAP)
+        s->options->faces != OVR_FACES_ARITHMETIC)
         return x * x * (0.12 + 2.9 * l * l * l * l);
     if (order == 4)
         return x * x * (0.035 + 0.2 * x * x) +

@@ -74,16 +74,32 @@ static void hold_coarse(ovr_hierarchy *grids, const ovr_level *finest)
     }
 }
 
+/* True while Newton's steps are too large: far from the solution, or where the
+ * last cycle has hardly gained.  A step in time begins close to the solution.
+ * Where its cycles are slow, secants make them slower. */
+static bool wants_secants(const ovr_hierarchy *grids, double before,
+                          double after)
+{
+    double far = grids->op.transient ? 1 : 1e-3;
+    double slow = grids->op.transient ? 1 : 0.5;
+    return !(after < far && after < slow * before);
+}
+
 void ovr_cycle(ovr_hierarchy *grids, ovr_level *level, ovr_cycling how)
 {
     if (ovr_hierarchy_stops(grids))
         return;
+    double before = ovr_level_imbalance(grids, level);
+    grids->fluid.secants = grids->fluid.secants ||
+                           wants_secants(grids, INFINITY, before);
     if (grids->touch.at)
         how.bottom = level->number;
     if (how.index > 1 && !grids->op.transient)
         hold_coarse(grids, level);
     descend(grids, level, &how);
     ovr_level_refresh(grids, level);
+    grids->fluid.secants = wants_secants(grids, before,
+                                         ovr_level_imbalance(grids, level));
     offer(grids, level, &how, OVR_AFTER_CYCLE);
 }
 

@@ -75,7 +75,7 @@ static inline void ovr_flow_store(const ovr_kernels *run,
     if (ovr_flow_thins(fluid))
         run->flow(fluid, D, g, f);
     else if (f->flow)
-        run->faces(g, f);
+        run->faces(fluid, g, f);
     if (fluid->factor)
         ovr_flow_through(fluid, g, f);
 }

@@ -20,11 +20,11 @@ static inline vec dragged(const ovr_fields *f, ptrdiff_t J)
 }
 
 /* eps and psi_c rho H^2 of both nodes */
-static INLINE half sums_at(const ovr_fields *f, face_kind kind, double slide,
-                           ptrdiff_t J)
+static INLINE half sums_at(const ovr_fields *f, face_kind kind, double secant,
+                           double slide, ptrdiff_t J)
 {
     vec H = at(f->H, J), G = at(f->H, J + 1);
-    half h = {.eps = face_at(f, kind, J), .square = all(1)};
+    half h = {.eps = face_at(f, kind, secant, J), .square = all(1)};
     if (kind == FACE_SUMS) {
         h.c = slide * fused(dragged(f, J), H, dragged(f, J + 1) * G);
         return h;
@@ -36,11 +36,11 @@ static INLINE half sums_at(const ovr_fields *f, face_kind kind, double slide,
     return h;
 }
 
-static INLINE half half_at(const ovr_fields *f, face_kind kind, double slide,
-                           vec B, ptrdiff_t J)
+static INLINE half half_at(const ovr_fields *f, face_kind kind, double secant,
+                           double slide, vec B, ptrdiff_t J)
 {
     const double minimum = 1e-290; /* its root is W where all else vanishes */
-    half h = sums_at(f, kind, slide, J);
+    half h = sums_at(f, kind, secant, slide, J);
     h.bc = B * h.c;
     vec square = fused(h.eps.flow, h.eps.flow, fused(h.bc, h.bc, all(minimum)));
     h.inv_W = inverse_root(square);
@@ -102,7 +102,7 @@ static INLINE void by_table(const ovr_fluid *fluid, double D,
 {
     const ovr_fields own = *f;
     const double *table = fluid->lubricant.flow_law->flow;
-    double slide = ovr_flow_slide(fluid);
+    double slide = ovr_flow_slide(fluid), secant = fluid->secants;
     double gradient = ovr_flow_gradient(fluid, D);
     log_table log;
     exp_table growth;
@@ -111,7 +111,7 @@ static INLINE void by_table(const ovr_fluid *fluid, double D,
     for (ptrdiff_t J = -OVR_HALO; J < (ptrdiff_t)g->S; J++) {
         vec H = at(own.H, J) + at(own.H, J + 1);
         vec dP = at(own.P, J + 1) - at(own.P, J);
-        half h = half_at(&own, kind, slide, all(0), J);
+        half h = half_at(&own, kind, secant, slide, all(0), J);
         vec eps = larger(h.eps.flow, all(1e-290));
         vec s_N = smaller(h.c / eps, all(1e280));
         law_value v = law_at(table, s_N, gradient * H * dP);
@@ -130,7 +130,7 @@ static INLINE void by_eyring(const ovr_fluid *fluid, double D,
                              face_kind kind, bool film)
 {
     const ovr_fields own = *f; /* a copy that no store can change */
-    double slide = ovr_flow_slide(fluid);
+    double slide = ovr_flow_slide(fluid), secant = fluid->secants;
     double gradient = ovr_flow_gradient(fluid, D);
     exp_table growth;
     make_exp_table(1, &growth);
@@ -138,7 +138,7 @@ static INLINE void by_eyring(const ovr_fluid *fluid, double D,
         vec H = at(own.H, J) + at(own.H, J + 1);
         vec dP = at(own.P, J + 1) - at(own.P, J);
         eyring e = eyring_at(&growth, gradient * H * dP);
-        half h = half_at(&own, kind, slide, e.B, J);
+        half h = half_at(&own, kind, secant, slide, e.B, J);
         vec flow = e.A * h.W, R = e.A * h.eps.flow * h.inv_W;
         vec bend = (1. / 3) * e.A * e.A * e.B * e.square * h.bc * h.bc;
         vec tangent = less((3 * e.shc - 2 * e.A) * h.W, bend, h.inv_W);
@@ -180,12 +180,13 @@ void OVR_KERNEL(flow)(const ovr_fluid *fluid, double D, const ovr_lanes *g,
         by_mean(fluid, D, g, f, false);
 }
 
-static INLINE void newtonian(const ovr_lanes *g, const ovr_fields *f,
-                             face_kind kind, bool film)
+static INLINE void newtonian(const ovr_fluid *fluid, const ovr_lanes *g,
+                             const ovr_fields *f, face_kind kind, bool film)
 {
     const ovr_fields own = *f;
+    double secant = fluid->secants;
     for (ptrdiff_t J = -OVR_HALO; J < (ptrdiff_t)g->S; J++) {
-        face s = face_at(&own, kind, J);
+        face s = face_at(&own, kind, secant, J);
         put(own.flow, J, s.flow);
         put(own.out_left, J, s.left);
         put(own.out_right, J, s.right);
@@ -199,14 +200,15 @@ static INLINE void newtonian(const ovr_lanes *g, const ovr_fields *f,
 }
 
 /* Stores faces by the gap, without a flow law. */
-void OVR_KERNEL(faces)(const ovr_lanes *g, const ovr_fields *f)
+void OVR_KERNEL(faces)(const ovr_fluid *fluid, const ovr_lanes *g,
+                       const ovr_fields *f)
 {
     if (f->log_fluidity && f->by_left)
-        newtonian(g, f, FACE_LOGARITHMIC, true);
+        newtonian(fluid, g, f, FACE_LOGARITHMIC, true);
     else if (f->log_fluidity)
-        newtonian(g, f, FACE_LOGARITHMIC, false);
+        newtonian(fluid, g, f, FACE_LOGARITHMIC, false);
     else if (f->by_left)
-        newtonian(g, f, FACE_BY_GAP, true);
+        newtonian(fluid, g, f, FACE_BY_GAP, true);
     else
-        newtonian(g, f, FACE_BY_GAP, false);
+        newtonian(fluid, g, f, FACE_BY_GAP, false);
 }

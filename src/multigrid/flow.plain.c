@@ -138,7 +138,7 @@ typedef struct between {
 
 /* h (rho_i + rho_j) times the logarithmic mean of m = eps/(rho H^3). */
 static between logarithmic(const ovr_pair *n, double d, const double s[2],
-                           const double slope[2])
+                           const double slope[2], bool secants)
 {
     double a = pow(face_film(n->H[0]), 3), b = pow(face_film(n->H[1]), 3);
     double rho[2] = {n->q[0] / n->H[0], n->q[1] / n->H[1]},
@@ -152,7 +152,7 @@ static between logarithmic(const ovr_pair *n, double d, const double s[2],
         double sign = k ? -1 : 1, exact = flow - s[k] * (flow - bound[k]) / d;
         if (fabs(d) < 1e-3)
             exact = flow - sign * s[k] * flow / 2;
-        by[k] = fmax(exact, fmin(flow, bound[k]));
+        by[k] = fmax(exact, secants ? flow : fmin(flow, bound[k]));
     }
     between of = {.value = flow, .left = by[0], .right = by[1]};
     for (int k = 0; k < 2; k++) {
@@ -175,7 +175,7 @@ static between eps_at(const ovr_fluid *fluid, const ovr_fields *f, ptrdiff_t i)
         double rise = f->P[i + 1] - f->P[i];
         const double s[2] = {f->log_slope[i] * rise,
                              f->log_slope[i + 1] * rise};
-        return logarithmic(&n, d, s, slope);
+        return logarithmic(&n, d, s, slope, fluid->secants);
     }
     sum s = sum_of(fluid->by_gap, 3, f->H + i, f->eps + i, slope);
     double rise = f->P[i + 1] - f->P[i];
@@ -215,9 +215,11 @@ void ovr_flow_plain(const ovr_fluid *fluid, double D, const ovr_lanes *g,
     }
 }
 
-void ovr_faces_plain(const ovr_lanes *g, const ovr_fields *f)
+void ovr_faces_plain(const ovr_fluid *of, const ovr_lanes *g,
+                     const ovr_fields *f)
 {
-    const ovr_fluid fluid = {.by_gap = true, .logarithmic = f->log_fluidity};
+    const ovr_fluid fluid = {
+        .by_gap = true, .logarithmic = f->log_fluidity, .secants = of->secants};
     for (ptrdiff_t i = 0; i + 1 < (ptrdiff_t)g->n; i++) {
         between eps = eps_at(&fluid, f, i);
         f->flow[i] = eps.value;
@@ -268,7 +270,7 @@ double ovr_flow_between(const ovr_fluid *fluid, double dX,
     bool gap = fluid->by_gap;
     double twice_eps =
         fluid->logarithmic
-            ? logarithmic(nodes, log_ratio(nodes), none, none).value
+            ? logarithmic(nodes, log_ratio(nodes), none, none, false).value
             : sum_of(gap, 3, H, nodes->eps, none).value;
     double slope, phi = fluid->factor
                             ? ovr_flow_factor_at(fluid->factor,

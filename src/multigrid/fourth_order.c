@@ -57,8 +57,7 @@ static void evaluate(const ovr_hierarchy *grids, const ovr_correction *c,
         .F = c->F,
         .gap = c->gap,
         .linear = grids->influence.linear,
-        .reduced = fluid->logarithmic && !ovr_flow_thins(fluid) &&
-                   !fluid->law && !level->f.th,
+        .reduced = fluid->logarithmic && !ovr_flow_thins(fluid) && !fluid->law,
         .local = level->local};
     if (mask)
         run->fourth_mask(&level->lanes, level->f.P, c->mask);

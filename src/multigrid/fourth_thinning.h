@@ -57,7 +57,7 @@ static inline vec sliding_content(const ovr_fields *f, ptrdiff_t J)
 static inline vec twice_eps(const thinning *t, const ovr_fields *f,
                             const double *log_eps, ptrdiff_t J)
 {
-    vec sum = face_at(f, t->kind, J).flow;
+    vec sum = face_at(f, t->kind, 0, J).flow;
     vec value = 2 * scaled_exp2(&t->growth, sixteen_at(log_eps, J));
     return smaller(larger(value, 0.6 * sum), 1.4 * sum);
 }

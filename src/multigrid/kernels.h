@@ -36,6 +36,7 @@ typedef struct ovr_fluid {
     double sliding;            /* V = (u1 - u2)/um */
     bool by_gap;               /* faces.h: harmonic in H^3 */
     bool logarithmic;          /* and logarithmic in 1/eta */
+    bool secants;              /* slopes by pressure are those at least */
     const struct ovr_flow_factor *factor; /* of rough surfaces; NULL: 1 */
 } ovr_fluid;
 
@@ -113,7 +114,8 @@ enum { OVR_FOURTH_MARGIN = 8 };
     /* at half nodes, where they are stored: of a flow law, and without */ \
     K(void, flow, (const ovr_fluid *fluid, double D, const ovr_lanes *g, \
                    const ovr_fields *f)) \
-    K(void, faces, (const ovr_lanes *g, const ovr_fields *f)) \
+    K(void, faces, \
+      (const ovr_fluid *fluid, const ovr_lanes *g, const ovr_fields *f)) \
     /* and the phase by it */ \
     K(void, residual, (const ovr_lanes *g, const ovr_weights *w, \
                        const ovr_fields *f)) \

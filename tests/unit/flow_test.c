@@ -114,7 +114,7 @@ static void evaluate(const ovr_fluid *fluid, pair *p)
     if (ovr_flow_thins(fluid))
         test_kernels(0)->flow(fluid, 0.01, &nodes, &f);
     else
-        test_kernels(0)->faces(&nodes, &f);
+        test_kernels(0)->faces(fluid, &nodes, &f);
 }
 
 /* 2 E and 2 E dP. */
@@ -179,6 +179,34 @@ TEST(slopes_are_differences)
     check_slopes(&thin);
 }
 
+/* With secants the slope by the pressure of the thicker oil is at least 2 E.
+ * The flow and the other slope are the same. */
+TEST(slopes_are_secants_at_least)
+{
+    ovr_fluid fluids[2] = {{.by_gap = true}, eyring(0.3, -0.5)};
+    fluids[1].by_gap = true;
+    for (int k = 0; k < 4; k++) {
+        ovr_fluid fluid = fluids[k % 2];
+        pair p = {.P = {0.5, k < 2 ? 0.9 : 0.1},
+                  .H = {0.2, 0.25},
+                  .rho = {1.1, 1.1},
+                  .alpha = 6};
+        for (int m = 0; m < 2; m++)
+            p.eps[m] = 1e-2 * pow(p.H[m], 3) * exp(-p.alpha * (p.P[m] - 0.5));
+        fluid.logarithmic = true;
+        evaluate(&fluid, &p);
+        pair far = p;
+        fluid.secants = true;
+        evaluate(&fluid, &far);
+        int peak = k < 2 ? 2 : 1, foot = 3 - peak; /* its side of the face */
+        assert_true(far.out[0][0] == p.out[0][0]);
+        assert_true(far.out[foot][0] == p.out[foot][0]);
+        assert_true(far.out[peak][0] > p.out[peak][0]);
+        if (k % 2 == 0)
+            assert_true(far.out[peak][0] == p.out[0][0]);
+    }
+}
+
 /* Newtonian flow of a viscosity exp(alpha P) between two nodes of the same film
  * is the integral of H^3 exp(-alpha P) dP, for any difference: from the same
  * pressure to 4 and 40 times 1/alpha.  It grows with P_i and falls with P_j,
@@ -220,7 +248,7 @@ TEST(crossed_films_let_nothing_through)
         for (size_t i = 20; i < 200; i += 10)
             for (size_t m = 0; m < 4; m++)
                 odd[m][ovr_lanes_place(&g.lanes, i)] *= -1;
-        run->faces(&g.lanes, &g.f);
+        run->faces(&(ovr_fluid){0}, &g.lanes, &g.f);
         for (size_t i = 20; i < 200; i += 10)
             for (size_t j = ovr_lanes_place(&g.lanes, i), m = 0; m < 2; m++) {
                 const double *by = m ? g.f.by_right : g.f.by_left;
@@ -284,6 +312,7 @@ TEST(kernels_agree)
                 test_grid_logarithmic(&plain);
                 test_grid_logarithmic(&other);
             }
+            plain.fluid.secants = other.fluid.secants = j > 1;
             test_grid_thin(&plain, stresses[j], j % 2);
             test_grid_thin(&other, stresses[j], j % 2);
             if (j > 1) { /* any positive factor on what slides */

@@ -127,7 +127,7 @@ static errors poiseuille(const ovr_kernels *run, size_t n, bool upstream,
         test_grid_gap(&of.grid);
         fill(g, g->f.H, opening, -1, D);
         fill(g, g->f.deps, NULL, -1, D);
-        run->faces(&g->lanes, &g->f);
+        run->faces(&(ovr_fluid){0}, &g->lanes, &g->f);
     }
     correct(&of);
     g->run->unpack(&g->lanes, of.c.F, F);
@@ -216,7 +216,7 @@ static errors by_reduced_pressure(const ovr_kernels *run, size_t n)
     fill(g, f->log_fluidity, log2_fluidity, -1, D);
     fill(g, f->q, NULL, -1, D);
     fill(g, g->w, NULL, -1, D);
-    run->faces(&g->lanes, f);
+    run->faces(&(ovr_fluid){0}, &g->lanes, f);
     correct(&of);
     run->unpack(&g->lanes, of.c.F, F);
     run->unpack(&g->lanes, f->flow, flow);

@@ -14,8 +14,8 @@ static const ovr_word smoothers[] = {{"line", OVR_LINE},
                                      {"dipole", OVR_DIPOLE},
                                      {NULL, 0}};
 static const ovr_word orders[] = {{"auto", 0}, {"2", 2}, {"4", 4}, {NULL, 0}};
-static const ovr_word faces[] = {{"gap", OVR_FACES_GAP},
-                                 {"logarithmic", OVR_FACES_LOGARITHMIC},
+static const ovr_word faces[] = {{"logarithmic", OVR_FACES_LOGARITHMIC},
+                                 {"gap", OVR_FACES_GAP},
                                  {"arithmetic", OVR_FACES_ARITHMETIC},
                                  {NULL, 0}};
 static const ovr_word refines[] = {
@@ -68,13 +68,12 @@ static const ovr_parameter domain_keys[] = {
      "characteristic (with upstream2 a run keeps those of its start, while "
      "load, speed and radius are constant and cavitation is not "
      "mass-conserving); auto: 4 where it applies"},
-    {"faces", CHOICE(faces), "gap", AT(options.faces), true, ALWAYS,
+    {"faces", CHOICE(faces), "logarithmic", AT(options.faces), true, ALWAYS,
      "mean of rho H^3/eta between two nodes: harmonic in H^3, and of 1/eta "
-     "arithmetic (gap) or logarithmic, exact for a viscosity exponential in "
-     "pressure (a minimum film thickness up to ten times more accurate, but "
-     "some starts and steps fail or take more cycles); arithmetic in the "
-     "whole, as in the paper, which leaks through constrictions narrower than "
-     "the mesh size"},
+     "logarithmic, exact for a viscosity exponential in pressure, or "
+     "arithmetic (gap, as in 0.3.0: a minimum film thickness up to ten times "
+     "less accurate); arithmetic in the whole, as in the paper, which leaks "
+     "through constrictions narrower than the mesh size"},
     {"refine", CHOICE(refines), "none", AT(options.refine), true, ALWAYS,
      "spike: patches of ever finer mesh about the pressure spike, the first "
      "three to behind the rupture of the film; of steady contacts only"},

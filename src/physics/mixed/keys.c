@@ -302,7 +302,7 @@ static ovr_status resolve_factor(const ovr_physics_case *of,
     if (f->ridges && of->options->faces == OVR_FACES_ARITHMETIC)
         return ovr_fail_about(err, "flow_factor",
                               "a flow factor acts at half nodes: it needs "
-                              "[domain] faces = gap or logarithmic");
+                              "[domain] faces = logarithmic or gap");
     return OVR_OK;
 }
 
