@@ -104,7 +104,6 @@ struct ovr_simulation {
     ovr_arena arena;
     const ovr_physics *const *list; /* all there are, NULL behind the last */
     ovr_present physics[OVR_MAX_PHYSICS + 1]; /* those that are on */
-    ovr_attached ends;                        /* of cycles: the physics' */
     ovr_contact contact;
     ovr_lubricant lubricant;
     ovr_options options;

@@ -67,37 +67,6 @@ void ovr_physics_borne_back(ovr_simulation *sim)
         bear(sim, sim->borne);
 }
 
-/* Sets the pressure that the solids feel beside the film's, by P and H of the
- * finest level; whether there is one. */
-static bool set_borne(ovr_simulation *sim)
-{
-    OVR_LAST_PHYSICS(sim, any, bear);
-    double *borne = sim->scratch[0], *P = sim->now.P, *H = sim->now.H;
-    ovr_level *finest = sim->finest;
-    if (!any->is)
-        return false;
-    ovr_nodes_read(sim, finest, finest->f.P, P);
-    ovr_nodes_read(sim, finest, finest->f.H, H);
-    memset(borne, 0, finest->grid.n * sizeof *borne);
-    OVR_EACH_PHYSICS(sim, p, bear)
-        p->is->bear(sim, p->own, P, H, borne);
-    bear(sim, borne);
-    return true;
-}
-
-/* Ends a cycle on any level, for those that attach to it. */
-static bool at_end(void *data, ovr_hierarchy *grids, ovr_level *level,
-                   ovr_cycle_end end)
-{
-    ovr_simulation *sim = data;
-    bool changed = false;
-    OVR_EACH_PHYSICS(sim, p, at_end)
-        changed |= p->is->at_end(p->own, grids, level, end);
-    if (end == OVR_AFTER_CYCLE && level == sim->finest)
-        changed |= set_borne(sim);
-    return changed;
-}
-
 ovr_status ovr_physics_take_borne(ovr_simulation *sim, ovr_error *err)
 {
     double **const all[] = {&sim->borne, &sim->borne_before[0],
@@ -128,13 +97,6 @@ static ovr_status add(ovr_simulation *sim, const ovr_physics *physics,
     *at = (ovr_present){physics, own};
     if (physics->influence)
         physics->influence(sim, own, &sim->grids.influence);
-    if (physics->bear && !sim->borne) {
-        if (ovr_physics_take_borne(sim, err) ||
-            ovr_hierarchy_bear(&sim->grids, &sim->arena, err))
-            return OVR_NO_MEMORY;
-    }
-    if (physics->at_end || physics->bear)
-        sim->ends = (ovr_attached){at_end, sim, NULL};
     return OVR_OK;
 }
 

@@ -15,7 +15,7 @@
  *     steady      forget, solve, complete, couple, proceed, finish, begin;
  *                 exhausted, explain
  *     a step      check, before_step, operate, history, sides, step, attempt,
- *                 anew, the ends of its cycles, taken, over; or step_back,
+ *                 anew, taken, over; or step_back,
  *                 advise
  *     observed    carried, flow, oil, warm, field, mean_flow, stress,
  *                 friction, observe, marks
@@ -325,10 +325,6 @@ struct ovr_physics {
     void (*keep)(ovr_simulation *sim, void *own);
     void (*go_back)(ovr_simulation *sim, void *own, const double *P);
 
-    /* The ends of a cycle (ovr_attached in multigrid/cycle.h). */
-    bool (*at_end)(void *own, ovr_hierarchy *grids, ovr_level *level,
-                   ovr_cycle_end end);
-
     /* The step of dT is taken, and not yet the past. */
     void (*taken)(ovr_simulation *sim, void *own, double dT);
 
@@ -356,12 +352,6 @@ struct ovr_physics {
 
     /* Adds to the discrete gap at the nodes. */
     void (*gap)(const ovr_simulation *sim, const void *own, double *gap);
-
-    /* Adds to the pressure at the nodes that the solids feel beside the film's,
-     * as by what touches; of the film as it is, which P, H are.  Set anew
-     * after each cycle; the film carries the rest of the load. */
-    void (*bear)(const ovr_simulation *sim, const void *own, const double *P,
-                 const double *H, double *borne);
 
     /* ------------------------------------------------------------- observed */
 

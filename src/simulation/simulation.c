@@ -53,8 +53,7 @@ ovr_cycling ovr_simulation_cycling(const ovr_simulation *sim, int finer_bottom)
         .newton_steps = 1,
         .newton_limit = 0.3,
         .paper_balance = o->paper_balance,
-        .correction = 1,
-        .attached = sim->ends.at ? &sim->ends : NULL};
+        .correction = 1};
 }
 
 /* The finest level that is not relaxed in lanes: Newton's, or all. */

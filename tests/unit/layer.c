@@ -6,8 +6,6 @@
  *
  *     w_i = ... - c P_i        it gives way by its compliance c where pressed,
  *                              or over a length l about it, as e^(-(X/l)^2)
- *     P + g P                  grit in it bears a share g of the film's
- *                              pressure
  *     t_i = ... + f P_i        it drags by its hysteresis f, and is warmed by
  *                              the power of that, -V f P_i
  *     ds/dT = k P,  S = ... - s   it wears where it is pressed
@@ -25,7 +23,7 @@
 #include "simulation/quantity_row.h"
 
 typedef struct layer_form {
-    double compliance, spread, grit, hysteresis, wear;
+    double compliance, spread, hysteresis, wear;
 } layer_form;
 
 typedef struct layer {
@@ -41,8 +39,6 @@ static const ovr_parameter keys[] = {
      ALWAYS, "by how much of b^2/R it is pressed in by ph; 0: no layer"},
     {"spread", PLAIN(0, 10), "0", offsetof(layer_form, spread), true, ALWAYS,
      "length in b over which it gives way about what presses it"},
-    {"grit", PLAIN(0, 0.5), "0", offsetof(layer_form, grit), true, ALWAYS,
-     "pressure that grit in it bears, over that of the film"},
     {"hysteresis", PLAIN(0, 1), "0", offsetof(layer_form, hysteresis), true,
      ALWAYS, "its drag over the pressure"},
     {"wear", PLAIN(0, 1), "0", offsetof(layer_form, wear), true, ALWAYS,
@@ -109,15 +105,6 @@ static void influence(const ovr_simulation *sim, const void *own,
             of, (ovr_influence_part){.at = spread_out, .data = given});
     else
         of->compliance += given->compliance;
-}
-
-static void bear(const ovr_simulation *sim, const void *own, const double *P,
-                 const double *H, double *borne)
-{
-    double grit = ((const layer *)own)->given.grit;
-    (void)H;
-    for (size_t i = 0; i < sim->now.n; i++)
-        borne[i] += grit * P[i];
 }
 
 /* Linear between the nodes, nothing beyond them; it wears where it is in the
@@ -244,7 +231,6 @@ const ovr_physics test_layer = {.name = "a layer on body 1",
                                 .taken = taken,
                                 .before_back = before_back,
                                 .heights = heights,
-                                .bear = bear,
                                 .heat = warm,
                                 .friction = friction,
                                 .unknown = unknown,

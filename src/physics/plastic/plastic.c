@@ -305,9 +305,9 @@ static double largest(const ovr_plastic *p, size_t n)
 }
 
 /* Lets the body flow under the pressure of the time T. */
-static void flow(const ovr_plastic *p, int k, double T)
+static void flow(ovr_plastic *p, int k, double T)
 {
-    ovr_yielding_body *b = &((ovr_plastic *)p)->body[k];
+    ovr_yielding_body *b = &p->body[k];
     place at = find_place(p, b, T);
     double X0 = b->field->start + ((double)at.off + at.shift) * b->mesh;
     bool any = false;
