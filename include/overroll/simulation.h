@@ -205,6 +205,7 @@ typedef struct ovr_observation {
                                 more than 1e-3 above the lowest P between it
                                 and the maximum before it; NAN: none */
     double P_spike_located, X_spike_located;
+    bool P_spike_resolved; /* as P_max_resolved, of the spike; true without */
     double H0;
     double load;         /* integral of P */
     double load_error;   /* relative to the nominal load */

@@ -221,11 +221,14 @@ static void release(ovr_writer *w)
  * much as it needs for a file is asked for, and given back, before it is. */
 enum { HDF5_MEMORY = 4 << 20 };
 
+/* With less left HDF5 1.10 damages the heap instead of failing. */
+enum { HDF5_SPACE = 8 << 20 };
+
 static ovr_status space_for_hdf5(const ovr_allocator *allocator, ovr_error *err)
 {
     ovr_arena probe = ovr_arena_make(allocator);
     probe.blank = true; /* is never read: not cleared */
-    bool enough = ovr_arena_take(&probe, HDF5_MEMORY, 1, err) != NULL;
+    bool enough = ovr_arena_take(&probe, HDF5_SPACE, 1, err) != NULL;
     ovr_arena_release(&probe);
     return enough ? OVR_OK : OVR_NO_MEMORY;
 }

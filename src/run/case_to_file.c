@@ -25,6 +25,7 @@ ovr_run *ovr_run_make(const ovr_run_options *options,
     run->info.foreseen = &run->foreseen;
     if (options)
         run->how = *options;
+    run->force = run->how.force;
     return run;
 }
 

@@ -18,7 +18,7 @@ static ovr_accompanied_run seen(ovr_run *run)
                                  .arena = &run->arena,
                                  .writer = run->writer,
                                  .output = run->info.output,
-                                 .force = run->how.force,
+                                 .force = run->force,
                                  .resumed = run->restart != NULL,
                                  .stress = run->info.stress,
                                  .say = ovr_run_message,

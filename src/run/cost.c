@@ -29,12 +29,15 @@ static double refine_seconds(const ovr_options *o, double nodes)
            (nodes + levels * nodes_a_patch);
 }
 
-/* Features at rest that are higher than the film grow during the steady start:
- * 20 to 1500 steps in 60 random contacts. */
+/* Steps in time of the steady start.  Features at rest that are higher than the
+ * film grow: 20 to 1500 steps in 60 random contacts.  Meshes that do not
+ * resolve the inlet: up to 4000. */
 static double growing_steps(const ovr_setup *setup)
 {
-    const double steps = 300;
+    const double steps = 300, unresolved = 1000;
     double film = ovr_film_central_moes(setup->contact->M, setup->contact->L);
+    if (setup->mesh > OVR_RESOLVED_RISE * pow(film, 2. / 3))
+        return unresolved;
     for (size_t k = 0, n = ovr_surfaces_count(setup->surfaces); k < n; k++) {
         ovr_feature_info info = ovr_surfaces_info(setup->surfaces, k);
         if (info.speed == 0 && !info.grows && info.amplitude > film)

@@ -15,6 +15,7 @@ typedef struct ovr_passes ovr_passes; /* pass_series.h */
 struct ovr_run {
     ovr_arena arena;
     ovr_run_options how;
+    bool force; /* as in the options given; passes replace their own files */
     ovr_case *c;
     ovr_setup *setup;
     ovr_simulation *sim;
@@ -23,6 +24,7 @@ struct ovr_run {
     ovr_restart *restart;     /* of a run resumed */
     ovr_passes *passes;       /* NULL: one */
     bool resumed;             /* the case is its own */
+    const char *title;        /* of a resumed run's file; NULL: by its case */
     bool going, gone;         /* ovr_run_go is under way, was called */
     bool restored;            /* the state is a checkpoint's: no steady start */
     ovr_case_value *recorded; /* of a resumed run: what its file says */

@@ -320,7 +320,8 @@ static ovr_status want(target *w, ovr_run *run, ovr_error *err)
     w->options.values = w->values;
     w->options.case_text = ovr_case_text(run->c, err);
     w->options.case_path = absolute(ovr_case_directory(run->c), &w->arena);
-    w->options.title = title_of(ovr_case_name(run->c), &w->arena);
+    w->options.title = run->title ? run->title
+                                  : title_of(ovr_case_name(run->c), &w->arena);
     choose(&w->options, run->setup, run->how.no_thread);
     if (!w->values || !w->times)
         return ovr_fail(err, OVR_NO_MEMORY, "out of memory");

@@ -394,6 +394,8 @@ ovr_status ovr_passes_reopen(ovr_run *run, const char *path, ovr_error *err)
         if (!complete)
             break;
         ovr_passes_recall(run);
+        run->title = ovr_arena_text(&run->arena,
+                                    ovr_result_about(complete)->title, NULL);
         run->passes->before = complete;
     }
     run->info.output = file;

@@ -55,8 +55,10 @@ static ovr_case *read_result(ovr_run *run, double *complete, ovr_error *err)
         (!run->restart ||
          strcmp(ovr_restart_created(run->restart), about->created) == 0))
         *complete = isnan(about->end) ? INFINITY : about->end;
-    if (about)
+    if (about) {
         run->info.snapshots = about->snapshots;
+        run->title = ovr_arena_text(&run->arena, about->title, NULL);
+    }
     ovr_result_close(result);
     return c;
 }

@@ -493,7 +493,8 @@ static void warn_of_sliding(const ovr_review *r)
 static void say_level(const ovr_review *r)
 {
     const ovr_setup *s = r->setup;
-    if (s->accuracy > 0 && s->expected > s->accuracy)
+    const double rounding = 1.05; /* as printed */
+    if (s->accuracy > 0 && s->expected > rounding * s->accuracy)
         ovr_review_say(
             r, OVR_SAY_WARNING,
             "level = %s takes level %d at most, on which an error of %.2g is "

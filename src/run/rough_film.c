@@ -51,24 +51,37 @@ static double speed(const ovr_setup *s)
     return u;
 }
 
+static ovr_film_fit smooth_film(const ovr_setup *s)
+{
+    return ovr_film_fitted(s->contact->M, s->contact->L,
+                           ovr_density(s->lubricant, 1));
+}
+
+/* Distance in b that the rough surface moves during the run. */
+static double distance(const ovr_setup *s)
+{
+    double end = s->march->end;
+    if (!s->sliding)
+        return speed(s) * ovr_history_integral(s->speed, end);
+    return fabs(ovr_surfaces_centre(s->surfaces, 0, end) -
+                ovr_surfaces_centre(s->surfaces, 0, 0));
+}
+
 static const char *refusal(const ovr_setup *s)
 {
     const ovr_contact *c = s->contact;
     if (!s->transient)
         return "nothing rolls through a steady contact";
-    if (ovr_history_varies(s->load) || ovr_history_varies(s->speed) ||
-        ovr_history_varies(s->radius) || s->passes->loads.count)
-        return "load, speed or radius change";
-    if (s->sliding)
-        return "the sliding changes";
-    if (isnan(speed(s)))
+    if (isnan(speed(s)) || (s->sliding && ovr_surfaces_has(s->surfaces, 1) &&
+                            ovr_surfaces_has(s->surfaces, 2)))
         return "the surfaces slide, and both are rough";
     if (!(speed(s) > 0))
         return "the rough surface does not move with the film";
     if (ovr_setup_supply(s)->film)
         return "it holds for a flooded inlet";
-    if (!(c->M >= 20 && c->M <= 400 && c->L >= 4 && c->L <= 14))
-        return "the formula holds for 20 <= M <= 400, 4 <= L <= 14";
+    if (!(c->M >= 5 && c->M <= 1000 && c->L >= 2 && c->L <= 20) ||
+        isnan(smooth_film(s).minimum))
+        return "the formula holds for 5 <= M <= 1000, 2 <= L <= 20";
     return NULL;
 }
 
@@ -77,8 +90,8 @@ static const char *refusal(const ovr_setup *s)
 static ovr_status lay_out(const ovr_setup *s, ovr_arena *arena, rolled *r,
                           ovr_error *err)
 {
-    double way = speed(s) * s->march->end, from = -OVR_ROUGH_WINDOW - LEAD;
-    double length = way + 2 * OVR_ROUGH_WINDOW + 2 * LEAD;
+    double from = -OVR_ROUGH_WINDOW - LEAD;
+    double length = distance(s) + 2 * OVR_ROUGH_WINDOW + 2 * LEAD;
     r->step = fmin(s->mesh, OVR_ROUGH_WINDOW / MIN_IN_WINDOW);
     if (length > MAX * r->step)
         length = MAX * r->step;
@@ -122,8 +135,16 @@ static double highest(const rolled *r)
 static const char *reservation(const ovr_setup *s, const ovr_rough_film *film)
 {
     size_t n = ovr_surfaces_count(s->surfaces);
+    if (slides(s) && speed(s) > 1)
+        return "the rough surface is the faster one: Rq is 1 to 1.6 times too "
+               "large (overroll(1))";
     if (slides(s))
         return "the surfaces slide (overroll(1))";
+    if (s->sliding)
+        return "the sliding changes";
+    if (ovr_history_varies(s->load) || ovr_history_varies(s->speed) ||
+        ovr_history_varies(s->radius) || s->passes->loads.count)
+        return "load, speed or radius change, and this is the nominal contact";
     for (size_t k = 0; k < n; k++)
         if (!(ovr_surfaces_info(s->surfaces, k).Rq > 0))
             return "single features are no waves";
@@ -134,8 +155,6 @@ static ovr_status predict(const ovr_setup *s, ovr_arena *arena,
                           ovr_rough_film *film, ovr_error *err)
 {
     const ovr_contact *c = s->contact;
-    ovr_film_fit smooth = ovr_film_fitted(c->M, c->L,
-                                          ovr_density(s->lubricant, 1));
     rolled r;
     ovr_status status = lay_out(s, arena, &r, err);
     if (status)
@@ -143,7 +162,7 @@ static ovr_status predict(const ovr_setup *s, ovr_arena *arena,
     film->Rq = largest_Rq(&r);
     ovr_waves_reduce(c->M, c->L, r.step, r.n, r.z);
     film->film_Rq = largest_Rq(&r);
-    film->H_min = fmax(0, smooth.minimum - AT_EXIT * highest(&r));
+    film->H_min = fmax(0, smooth_film(s).minimum - AT_EXIT * highest(&r));
     film->but = reservation(s, film);
     return OVR_OK;
 }

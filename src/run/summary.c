@@ -42,12 +42,14 @@ static void say_foreseen(const ovr_told *to, const ovr_rough_film *film)
                         film->but ? film->but : "");
 }
 
-/* Returns the remark on a maximum pressure that the mesh does not resolve. */
-static const char *unresolved(const ovr_observable *row, bool resolved)
+/* Returns the remark on a pressure that the mesh does not resolve. */
+static const char *unresolved(const ovr_observable *row, bool maximum,
+                              bool spike)
 {
-    return row->offset == offsetof(ovr_observation, P_max) && !resolved
-               ? "  not resolved"
-               : "";
+    bool is_maximum = row->offset == offsetof(ovr_observation, P_max);
+    bool is_spike = row->offset == offsetof(ovr_observation, P_spike);
+    return (is_maximum && !maximum) || (is_spike && !spike) ? "  not resolved"
+                                                            : "";
 }
 
 /* Its line in reports, where it has one and is known. */
@@ -63,8 +65,10 @@ static void say_observed(const ovr_told *to, const ovr_observable *row,
     ovr_words more = ovr_words_of(row, s);
     ovr_words behind = ovr_words_behind(value, row, X, NAN, contact);
     if (!isnan(value))
-        ovr_tell_number(to, row->label, row->digits, value, "%s%s%s", more.text,
-                        behind.text, unresolved(row, o->P_max_resolved));
+        ovr_tell_number(
+            to, row->label, row->digits, value, "%s%s%s", more.text,
+            behind.text,
+            unresolved(row, o->P_max_resolved, o->P_spike_resolved));
 }
 
 /* All quantities, as they are at the end. */
@@ -151,7 +155,7 @@ static void say_kept(const ovr_told *to, const ovr_extreme *e,
     }
     behind = ovr_words_behind(value, row, X, T, contact);
     ovr_tell_number(to, label, row->digits, value, "%s%s", behind.text,
-                    unresolved(row, mean || !total->P_max_unresolved));
+                    unresolved(row, mean || !total->P_max_unresolved, true));
 }
 
 /* Extremes and means over the whole run. */
@@ -276,6 +280,8 @@ void ovr_run_report(const ovr_run_info *s, ovr_summary_taker *take, void *data)
     put_options(&to, s);
     ovr_put(&to, "P_max_resolved", OVR_SUMMARY_FLAG,
             !ovr_simulation_statistics(s->sim)->P_max_unresolved);
+    ovr_put(&to, "P_spike_resolved", OVR_SUMMARY_FLAG,
+            ovr_simulation_observation(s->sim)->P_spike_resolved);
     ovr_put_number(&to, "shear_over_pressure", s->shear_over_pressure);
     ovr_put_number(&to, "unbearable_share", s->unbearable_share);
     if (s->passes)

@@ -105,9 +105,11 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
     o->maxima = maxima;
     o->X_cavitation = sim->now.X[film_end(sim)];
     o->P_spike = o->X_spike = NAN;
+    o->P_spike_resolved = true;
     o->P_spike_located = o->X_spike_located = NAN;
     if (maxima >= 2 && exit * sim->now.X[spike] > 0) {
         o->P_spike = P[spike];
+        o->P_spike_resolved = ovr_maximum_is_resolved(n, P, spike);
         o->X_spike = sim->now.X[spike];
         o->X_spike_located = ovr_vertex(sim->now.X, P, spike,
                                         &o->P_spike_located);

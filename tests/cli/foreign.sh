@@ -90,6 +90,13 @@ expect 0 "$OVERROLL" sweep oils.ini
 contains out '^8 cases: 8 finished'
 expect 0 "$OVERROLL" check physical.ini --set "lubricant.alpha=15 1/GPa"
 
+# Profiles of bodies that yield, in a run of several passes
+expect 0 "$OVERROLL" init indented --set domain.level=5 -o indented.ini
+sed -i 's/^passes = 3.*/passes = 1\nprofiles = shape/' indented.ini
+echo 'mine' >shape-after.csv
+refuses 'shape-after.csv: .*--force' run indented.ini -o passes.h5
+grep -qx mine shape-after.csv || fail 'a foreign profile was replaced'
+
 # Control characters in the name of a file
 strange=$(printf 'a\033[31mb.h5')
 cp result.h5 "$strange"

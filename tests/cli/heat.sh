@@ -99,6 +99,18 @@ for file in seven cut; do
 done
 cmp seven.txt cut.txt || fail 'interrupted, it has other points'
 
+# A run in which features pass has 7 points from its start.
+cat hot.ini - >pass.ini <<'END'
+[time]
+end = 0.1
+[feature d]
+shape = dent
+depth = 0.02
+width = 0.5
+END
+expect 0 "$OVERROLL" run pass.ini --json -q -o pass.h5
+contains out '"heat_points": 7,'
+
 # Starved: the oil is conserved
 expect 0 "$OVERROLL" run run.ini -o starved.h5 --json --set time.end=0.5 \
     --set cavitation.model=conserving --set supply.model=film \

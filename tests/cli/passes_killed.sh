@@ -49,3 +49,12 @@ while [ $k -le "$writes" ]; do
     k=$((k + 1))
 done
 [ $missing -gt 0 ] || fail "no write was between the last pass and its row"
+
+# Later passes have the title of the first, which is that of the case.
+rm -f part*.h5*
+expect 137 env FAULT_KILL=$((writes / 3)) LD_PRELOAD=./faults.so \
+    "$OVERROLL" run roller.ini -o part.h5 -q
+[ ! -f part-3.h5 ] || fail 'killed too late'
+expect 0 "$OVERROLL" resume part.h5 -q
+expect 0 "$OVERROLL" info part-3.h5
+contains out '^part-3.h5: roller$'

@@ -19,6 +19,11 @@ for level in 6 7 8; do
 done
 expect 0 "$OVERROLL" run newton.ini --level 7
 contains out 'largest pressure.*not resolved'
+# Nor is the spike of a Newtonian film at the outlet, by itself
+expect 0 "$OVERROLL" steady --M 200 --L 14 --level 8
+contains out '^pressure spike .*not resolved'
+expect 0 "$OVERROLL" steady --M 200 --L 14 --level 8 --json
+contains out '"P_spike_resolved": false'
 
 for level in 8 9; do
     expect 0 "$OVERROLL" run roller.ini --level $level --json \

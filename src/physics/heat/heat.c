@@ -202,6 +202,15 @@ static bool is_uneven(double x, double rise)
     return x > much && rise > hot;
 }
 
+/* True if temperatures may become more uneven in time than in the steady start:
+ * histories, and features that pass. */
+static bool may_grow_uneven(const ovr_simulation *sim)
+{
+    bool passes = sim->heights && sim->moving != 0;
+    return passes || sim->sliding || ovr_history_varies(sim->load) ||
+           ovr_history_varies(sim->speed) || ovr_history_varies(sim->radius);
+}
+
 /* The largest x of a film that is hot enough for it to matter. */
 static void observe_points(ovr_simulation *sim, const ovr_observation *o)
 {
@@ -573,7 +582,7 @@ static void couple(ovr_simulation *sim, void *own, const ovr_full *how,
         !(outcome->defect.imbalance < 1))
         return;
     rise = largest_rise(sim);
-    if (!is_uneven(last_cross_film(sim, rise), rise))
+    if (!may_grow_uneven(sim) && !is_uneven(last_cross_film(sim, rise), rise))
         return;
     refine_cross_film(sim);
     outer(sim, how, outcome);

@@ -25,7 +25,9 @@
  * surface temperatures off by up to twice that; the film by more where the slip
  * is large, of which x does not know.  7 are taken from x = 0.05, 1 % of the
  * friction, on, where the film is 20 K hot: a rolling one of 8 K had x = 0.33
- * of the compression in its inlet, and temperatures right to 0.4 %.
+ * of the compression in its inlet, and temperatures right to 0.4 %.  They are
+ * taken from the start, too, if histories or features that pass may make
+ * temperatures more uneven in time.
  *
  * A film that begins towards -x (mirror.h) is marched from its last node.
  *
