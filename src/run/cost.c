@@ -30,7 +30,7 @@ static double refine_seconds(const ovr_options *o, double nodes)
 }
 
 /* Steps in time of the steady start.  Features at rest that are higher than the
- * film grow: 20 to 1500 steps in 60 random contacts.  Meshes that do not
+ * film grow: 20 to 1500 steps in 60 random contacts.  Grids that do not
  * resolve the inlet: up to 4000. */
 static double growing_steps(const ovr_setup *setup)
 {

@@ -170,7 +170,7 @@ static ovr_defect steady_defect(const settling *s)
     return ovr_cycle_defect(&sim->grids, sim->finest);
 }
 
-/* True for rough surfaces, and for meshes that do not resolve the inlet: such
+/* True for rough surfaces, and for grids that do not resolve the inlet: such
  * starts were found after up to 14000 cycles. */
 static bool is_hard(const settling *s)
 {
