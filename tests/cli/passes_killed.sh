@@ -49,3 +49,15 @@ while [ $k -le "$writes" ]; do
     k=$((k + 1))
 done
 [ $missing -gt 0 ] || fail "no write was between the last pass and its row"
+
+# Later passes have the title of the first, which is that of the case.
+for eighths in 3 4 5 6 7; do
+    rm -f part*.h5*
+    expect 137 env FAULT_KILL=$((writes * eighths / 8)) \
+        LD_PRELOAD=./faults.so "$OVERROLL" run roller.ini -o part.h5 -q
+    [ ! -f part-2.h5 ] || break
+done
+[ -f part-2.h5 ] && [ ! -f part-3.h5 ] || fail 'not killed in the second pass'
+expect 0 "$OVERROLL" resume part.h5 -q
+expect 0 "$OVERROLL" info part-3.h5
+contains out '^part-3.h5: roller$'
