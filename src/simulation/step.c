@@ -30,16 +30,17 @@
 /* ------------------------------------------------------------------- Cycles */
 
 /*
- * A twentieth of the steady one: errors of many steps meet in one film.  The
- * exact discrete series of level 7 are then met to 3e-7.
+ * 0.15 of the steady one: errors of many steps meet in one film.  Measured on
+ * dents, ground surfaces, ramps, gears, hot and starved contacts: the errors
+ * against finer grids are those of 0.05.  With 0.5 they are 10 % larger.
+ * Rough surfaces take a fifth fewer cycles than with 0.05.
  * A residual that nothing has relaxed since the last correction is rough and
- * moves the film less: with three times the tolerance the series of dents,
- * waves and ramps are nearer to the converged ones than relaxed ones are.
+ * moves the film less: its tolerance is three times as large.
  */
 static double tolerance_of(const ovr_simulation *sim, bool relaxed)
 {
     double D = ovr_mesh(sim), H = sim->observation.H_cen;
-    double share = relaxed ? 0.05 : 0.15;
+    double share = relaxed ? 0.15 : 0.45;
     double tolerance = share * ovr_truncation_tolerance(sim, D, H);
     double minimum = ovr_negligible_tolerance(sim, D, H);
     if (sim->options.tolerance > 0)
