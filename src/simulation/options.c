@@ -35,13 +35,44 @@ ovr_options ovr_options_default(void)
  * 200; here four times that.  An R above 1e-3 is no solution, whatever the
  * rounding: from level 19 on there is none to be had in double precision.
  */
+static const double NO_SOLUTION = 1e-3, MARGIN = 4;
+
+static double rounding_floor(double inlet, double D, double Cu, double H)
+{
+    double meshes = 5.5 / 7168 / D;
+    return 4.3e-10 * Cu * meshes * meshes * pow(inlet / 4, 4) / fabs(H);
+}
+
 static double whole_film_tolerance(const ovr_simulation *sim, double D,
                                    double H)
 {
-    double meshes = 5.5 / 7168 / D, inlet = sim->options.inlet / 4;
     double Cu = fmax(1, fabs(ovr_history_value(sim->speed, sim->state.T)));
-    double floor = 1.7e-9 * Cu * meshes * meshes * pow(inlet, 4) / fabs(H);
-    return floor < 1e-9 ? 1e-9 : floor < 1e-3 ? floor : 1e-3;
+    double floor = MARGIN * rounding_floor(sim->options.inlet, D, Cu, H);
+    return floor < 1e-9 ? 1e-9 : floor < NO_SOLUTION ? floor : NO_SOLUTION;
+}
+
+/* The mesh size of a level on the domain of the options. */
+static double mesh_of(const ovr_options *o, int level)
+{
+    return (o->outlet - o->inlet) / (double)(ovr_level_nodes(level) - 1);
+}
+
+/* Refuses levels on which the rounding of the residual hides the solution. */
+static ovr_status check_rounding(const ovr_contact *contact,
+                                 const ovr_options *o, ovr_error *err)
+{
+    double H = ovr_film_central_moes(contact->M, contact->L);
+    int most = o->level;
+    while (most > 1 &&
+           rounding_floor(o->inlet, mesh_of(o, most), 1, H) > NO_SOLUTION)
+        most--;
+    if (most == o->level || o->stop == OVR_STOP_FIXED)
+        return OVR_OK;
+    return ovr_fail_about(err, "level",
+                          "level %d cannot be solved in double precision: "
+                          "rounding alone makes a residual above %g; use %d or "
+                          "less",
+                          o->level, NO_SOLUTION, most);
 }
 
 /*
@@ -258,6 +289,8 @@ ovr_status ovr_options_resolve(const ovr_contact *contact, ovr_options *o,
     if (check_numbers(o, err) || check(o, err) ||
         ovr_conflict_check(ovr_model_features_of(o), err) ||
         check_refine(o, err))
+        return OVR_BAD_INPUT;
+    if (check_rounding(contact, o, err))
         return OVR_BAD_INPUT;
     if (!o->order)
         o->order = corrects(o) ? 4 : 2;

@@ -30,10 +30,10 @@
 /* ------------------------------------------------------------------- Cycles */
 
 /*
- * 0.15 of the steady one: errors of many steps meet in one film.  Measured on
- * dents, ground surfaces, ramps, gears, hot and starved contacts: the errors
- * against finer grids are those of 0.05.  With 0.5 they are 10 % larger.
- * Rough surfaces take a fifth fewer cycles than with 0.05.
+ * Tolerance of a step: a share of the steady one, since errors of many steps
+ * meet in one film.  Measured on dents, ground surfaces, ramps, gears, hot and
+ * starved contacts, a share of 0.15 leaves the errors against finer grids that
+ * 0.05 leaves.  Rough surfaces take a fifth fewer cycles.
  * A residual that nothing has relaxed since the last correction is rough and
  * moves the film less: its tolerance is three times as large.
  */
