@@ -89,13 +89,12 @@ const ovr_refinement *ovr_simulation_refinements(const ovr_simulation *sim,
  * physics that solve in their own way. */
 
 /*
- * Returns a tolerance at which the algebraic error of smooth films is far below
- * the discretization error of order 4.  R = 1e-7 leaves at most 6e-12 of H_cen
- * and 1e-10 of H_min on levels 7 to 10 (M = 5 to 200).  There the
- * discretization errors are 4e-9 to 3e-5 and 1.8e-7 to 1e-2.  On finer grids
- * the tolerance follows D^2, as the discretization errors do.  Films that
- * conserve mass end further from the solution at the same R (1e-7 of the
- * outflow at R = 5e-7).
+ * Returns a tolerance that keeps the algebraic error of smooth films far below
+ * the discretization error.  R = 1e-7 leaves at most 6e-12 of H_cen and 1e-10
+ * of H_min (levels 7 to 10, M = 5 to 200).  The discretization of order 4
+ * leaves at least 4e-9 and 1.8e-7 there.  On finer grids the tolerance follows
+ * D^2, as the discretization errors do.  Films that conserve mass end further
+ * from the solution at the same R.
  */
 static double smooth_tolerance(const ovr_simulation *sim,
                                const ovr_level *level)

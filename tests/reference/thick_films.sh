@@ -35,5 +35,5 @@ END
 expect 0 "$OVERROLL" run cam.ini -o cam.h5 -q --json
 steps=$(number steps) cycles=$(number cycles_total) retries=$(number retries)
 echo "$steps steps, $cycles cycles, $retries retries"
-[ "$steps" -gt 500 ] || fail "too few steps"
+[ "$steps" -gt 300 ] || fail "too few steps"
 [ "$retries" -eq 0 ] && [ "$cycles" -le $((10 * steps)) ]
