@@ -286,7 +286,7 @@ typedef struct ovr_sweep_options {
     bool redo;   /* all again, from their beginning */
     bool force;  /* files of others that have the names of cases or of the
                     manifest are replaced */
-    bool one;    /* only the case `only` */
+    bool one;    /* only the case `only` and the `more` cases after it */
     size_t only;
     const ovr_run_options
         *run; /* output, force, steady do not count; or NULL */
@@ -304,6 +304,7 @@ typedef struct ovr_sweep_options {
     /* Does what `report` does, of a study with [find]. */
     void (*report_find)(void *data, const struct ovr_find *find,
                         const ovr_error *err, FILE *summary);
+    size_t more; /* with `one` */
 } ovr_sweep_options;
 
 /* True of a state in which a case is one to work on. */

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* overroll sweep STUDY.ini: all cases of a study, here or on other hosts. */
+#include <stdlib.h>
 #include <string.h>
 
 #include "cli/find_report.h"
@@ -242,26 +243,59 @@ static int run_all(sweeping *w)
     return code ? code : left;
 }
 
-/* One task, for job arrays: other tasks may be under way, so no manifest. */
-static int run_task(sweeping *w, size_t task)
+/* Prints how a task ended; the exit code. */
+static int report_task(const sweeping *w, size_t task)
 {
-    ovr_sweep_state state;
+    ovr_sweep_state state = ovr_sweep_state_of(w->s, task);
     char text[1100];
-    int code;
-    w->how.one = true;
-    w->how.only = task;
-    if (!start(w, &code))
-        return code;
-    state = ovr_sweep_state_of(w->s, task);
     ovr_sweep_message(w->s, task, text, sizeof text);
     if (w->call->verbosity >= 0)
         printf("%zu %s %s%s%s\n", task + 1, ovr_sweep_state_name(state),
                ovr_study_name(w->s, task), *text ? ": " : "", text);
-    if (code)
-        return code;
     if (state == OVR_SWEEP_FAILED)
         return CLI_FAILED;
     return state == OVR_SWEEP_FINISHED ? CLI_DONE : CLI_EARLY;
+}
+
+/* Runs a block of tasks, for job arrays: other tasks may be under way, so
+ * there is no manifest. */
+static int run_block(sweeping *w, size_t first, size_t last)
+{
+    int code, worst = CLI_DONE;
+    w->how.one = true;
+    w->how.only = first;
+    w->how.more = last - first;
+    if (!start(w, &code))
+        return code;
+    for (size_t task = first; task <= last; task++) {
+        int ended = report_task(w, task);
+        if (ended == CLI_FAILED || worst == CLI_DONE)
+            worst = ended;
+    }
+    return code ? code : worst;
+}
+
+/* Reads --tasks I-J, from 1, to numbers from 0. */
+static bool read_block(const cli_call *call, size_t cases, size_t *first,
+                       size_t *last)
+{
+    const char *text = cli_value(call, "tasks");
+    char *end;
+    long from = strtol(text, &end, 10), to = 0;
+    bool good = end != text && *end == '-' && end[1] >= '0' && end[1] <= '9';
+    if (good)
+        to = strtol(end + 1, &end, 10);
+    good = good && !*end && from >= 1 && to >= from && (size_t)to <= cases;
+    if (!good) {
+        cli_usage(call,
+                  "--tasks %s: I-J with whole numbers from 1 to %zu is "
+                  "needed",
+                  text, cases);
+        return false;
+    }
+    *first = (size_t)from - 1;
+    *last = (size_t)to - 1;
+    return true;
 }
 
 /* ---------------------------------------------------------------- options */
@@ -269,7 +303,7 @@ static int run_task(sweeping *w, size_t task)
 static int do_what_is_asked(sweeping *w)
 {
     const cli_call *call = w->call;
-    size_t cases = ovr_study_cases(w->s), task;
+    size_t cases = ovr_study_cases(w->s), task, first, last;
     w->how.workers = (int)cli_count(call, "j", OVR_SWEEP_MAX_WORKERS, 0);
     task = cli_count(call, "task", cases, cases);
     if ((cli_flag(call, "j") && !w->how.workers) || !task)
@@ -277,7 +311,11 @@ static int do_what_is_asked(sweeping *w)
     if (cli_flag(call, "list"))
         print_list(w);
     else if (cli_flag(call, "task"))
-        return run_task(w, task - 1);
+        return run_block(w, task - 1, task - 1);
+    else if (cli_flag(call, "tasks"))
+        return read_block(call, cases, &first, &last)
+                   ? run_block(w, first, last)
+                   : CLI_USAGE;
     else if (cli_flag(call, "statistics"))
         return show_sample(w);
     else
@@ -320,6 +358,7 @@ static const cli_option options[] = {
     {"o", "FOLDER", "results, instead of [study] output", false},
     {"list", NULL, "print the commands of the cases still to be run", false},
     {"task", "I", "only case I, from 1: for job arrays", false},
+    {"tasks", "I-J", "only cases I to J: a block for each job", false},
     {"collect", "FILE", "gather the summaries into FILE.csv or FILE.nc", false},
     {"statistics", NULL, "what the draws of [random] say; runs nothing", false},
     {"quantity", "NAME,...", "of the statistics: numbers of the summary",

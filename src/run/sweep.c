@@ -51,13 +51,18 @@ static bool stop(void *data)
     return w->how.stop && w->how.stop(w->how.data);
 }
 
+static bool is_asked_for(const ovr_sweep_options *how, size_t task)
+{
+    return !how->one || (task >= how->only && task - how->only <= how->more);
+}
+
 static ovr_status list_tasks(sweeping *w, ovr_error *err)
 {
     w->task = ovr_arena_take(&w->arena, w->s->tasks, sizeof *w->task, err);
     if (!w->task)
         return OVR_NO_MEMORY;
     for (size_t i = 0; i < w->s->tasks; i++)
-        if ((!w->how.one || w->how.only == i) &&
+        if (is_asked_for(&w->how, i) &&
             ovr_sweep_is_due(&w->how, ovr_sweep_state_of(w->s, i)))
             w->task[w->tasks++] = i;
     return OVR_OK;

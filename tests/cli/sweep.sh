@@ -117,6 +117,21 @@ wait
 expect 0 "$OVERROLL" sweep study.ini -o array --collect array.csv
 numbers array.csv | cmp - one.txt || fail 'a job array computes another thing'
 
+# Blocks of tasks: their borders lie where they are asked for, and states of
+# tasks outside a block do not count
+expect 0 "$OVERROLL" sweep study.ini -o blocks --tasks 2-5 -j 2
+[ "$(cut -d' ' -f1,2 out)" = "$(printf '%s finished\n' 2 3 4 5)" ] ||
+    fail "$(cat out)"
+[ "$(find blocks -name '*.json' | wc -l)" -eq 4 ] || fail 'no block of four'
+expect 0 "$OVERROLL" sweep study.ini -o blocks --tasks 1-1 -q
+expect 0 "$OVERROLL" sweep study.ini -o blocks --tasks 5-12 -q
+expect 0 "$OVERROLL" sweep study.ini -o blocks --collect blocks.csv
+numbers blocks.csv | cmp - one.txt || fail 'blocks compute another thing'
+for block in 0-2 3-2 2-13 2 2- -3 2-x; do
+    refuses 'I-J with whole numbers from 1 to 12' sweep study.ini \
+        "--tasks=$block"
+done
+
 # GNU parallel
 if parallel --version 2>/dev/null | grep -q GNU; then
     mkdir bin
