@@ -79,9 +79,9 @@ static const char *refusal(const ovr_setup *s)
         return "the rough surface does not move with the film";
     if (ovr_setup_supply(s)->film)
         return "it holds for a flooded inlet";
-    if (!(c->M >= 5 && c->M <= 1000 && c->L >= 2 && c->L <= 20) ||
+    if (!(c->M >= 2 && c->M <= 1000 && c->L >= 2 && c->L <= 25) ||
         isnan(smooth_film(s).minimum))
-        return "the formula holds for 5 <= M <= 1000, 2 <= L <= 20";
+        return "the formula holds for 2 <= M <= 1000, 2 <= L <= 25";
     return NULL;
 }
 

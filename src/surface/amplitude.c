@@ -8,7 +8,7 @@
  * fitted to 64 runs of this program with waves of 1/8 to 4 b and of small
  * amplitude: M = 20 to 400, L = 4 to 14, alpha = 22 1/GPa in most.  Error 0.013
  * in the mean square, 0.045 at most (M = 20, L = 5, the shortest waves).  It
- * was 0.06 in ten runs at M = 6 to 800, L = 2 to 18.
+ * was 0.06 in 16 runs at M = 2.5 to 800, L = 2 to 25.
  *
  * That one number tells it, by the length of the inlet, is from C.H. Venner,
  * F. Couhier, A.A. Lubrecht and J.A. Greenwood, Amplitude reduction of waviness
