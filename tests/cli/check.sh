@@ -148,4 +148,6 @@ echo "$own $foreseen" | awk '{ exit !($1 > 0.8*$2 && $1 < 1.2*$2) }' ||
 expect 0 "$OVERROLL" check rough.ini --set contact.M=1.5
 contains out 'film of rough surfaces +no estimate: the formula holds for'
 expect 0 "$OVERROLL" check rough.ini --set contact.slide_to_roll=0.2
+contains out 'less sure here: the rough surface is the faster one'
+expect 0 "$OVERROLL" check rough.ini --set contact.slide_to_roll=-0.2
 contains out 'less sure here: the surfaces slide'
