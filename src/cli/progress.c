@@ -1,12 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+
 #include "cli/progress.h"
 
 #include <math.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
 #include <unistd.h>
+
+#include "cli/signals.h"
+
+/* ----------------------------------------------------------------- Progress */
 
 static const double INTERVAL = 0.1; /* s between two rewritings */
 
@@ -83,4 +89,37 @@ void cli_progress_end(cli_progress *progress)
     if (progress->line)
         fputs("\r\033[K", stderr);
     progress->line = false;
+}
+
+/* ------------------------------------------------------------------ Signals */
+
+static volatile sig_atomic_t asked;
+
+static void remember(int number)
+{
+    asked = number;
+}
+
+void cli_catch_signals(void)
+{
+    struct sigaction action, before;
+    memset(&action, 0, sizeof action);
+    action.sa_handler = remember;
+    sigemptyset(&action.sa_mask);
+    action.sa_flags = (int)SA_RESETHAND | SA_RESTART;
+    sigaction(SIGINT, &action, NULL);
+    sigaction(SIGTERM, &action, NULL);
+    if (sigaction(SIGHUP, NULL, &before) == 0 && before.sa_handler != SIG_IGN)
+        sigaction(SIGHUP, &action, NULL); /* nohup: it stays ignored */
+}
+
+int cli_signal(void)
+{
+    return asked;
+}
+
+bool cli_stop(void *nothing)
+{
+    (void)nothing;
+    return asked != 0;
 }

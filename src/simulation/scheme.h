@@ -31,7 +31,6 @@ void ovr_history_at_nodes(ovr_simulation *sim, const double c[2], double T);
 void ovr_history_at_departures(ovr_simulation *sim, const double c[2],
                                double T);
 
-/* error_estimate.c */
 double ovr_linear_extrapolation(const struct ovr_past *past, double h,
                                 double e[3]);
 double ovr_quadratic_extrapolation(const struct ovr_past *past, double h,
