@@ -568,9 +568,12 @@ install: all ## into DESTDIR/PREFIX (/usr/local)
 	$(foreach m,$(MAN),install -D -m 644 $(m) \
 	  '$(DESTDIR)$(MANDIR)/man$(subst .,,$(suffix $(m)))/$(notdir $(m))' &&) :
 	install -D -m 644 $(COMPLETION) '$(COMPDIR)/overroll'
+	[ ! -e $(BUILD)/web/overroll.html ] || install -D -m 644 \
+	  $(BUILD)/web/overroll.html '$(DESTDIR)$(PREFIX)/share/overroll/overroll.html'
 	install -d '$(dir $(MANIFEST))'
 	@{ printf '%s\n' '$(PREFIX)/bin/overroll' \
-	     '$(PREFIX)/share/bash-completion/completions/overroll'; \
+	     '$(PREFIX)/share/bash-completion/completions/overroll' \
+	     '$(PREFIX)/share/overroll/overroll.html'; \
 	   printf '$(LIBDIR)/%s\n' $(notdir $(LIB) $(SHARED)) \
 	     liboverroll.so.$(SOVER) liboverroll.so pkgconfig/overroll.pc; \
 	   printf '$(PREFIX)/include/overroll/%s\n' $(notdir $(HEADERS)); \

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "cli/picture_options.h"
+#include "cli/view_live.h"
 
 static const cli_option options[] = {
     {"o", "PAGE.html", "where to", false},
@@ -11,6 +12,8 @@ static const cli_option options[] = {
      "the stresses below the film: max_shear, tau_xz, ...; max_shear where the "
      "case has [stress]",
      false},
+    {"live", NULL,
+     "the program in the page too: inputs are changed and solved there", false},
     {"force", NULL, "replace what exists", false},
     {NULL, NULL, NULL, false},
 };
@@ -49,7 +52,10 @@ static int run(cli_call *call)
         return code;
     if (ovr_view(results, (size_t)call->arguments, &o, NULL, &err) != OVR_OK)
         code = cli_fail(&err);
-    else if (call->verbosity >= 0)
+    else if (cli_flag(call, "live"))
+        code = cli_make_live(call, o.path,
+                             ovr_result_about(results[0])->case_text);
+    if (code == CLI_DONE && call->verbosity >= 0)
         printf("%s\n", o.path);
     cli_close_results(call, results);
     return code;
@@ -59,8 +65,10 @@ const cli_verb cli_view = {
     .name = "view",
     .arguments = "OUT.h5 [OTHER.h5] -o PAGE.html",
     .summary = "one web page that plays the run",
-    .help = "The page holds everything it needs: no network, nothing to\n"
-            "install. Two files are played side by side.",
+    .help =
+        "The page holds everything it needs: no network, nothing to\n"
+        "install. Two files are played side by side. With --live it is the\n"
+        "page of the program (make web) with this result and its case.",
     .options = options,
     .minimum = 1,
     .maximum = 2,

@@ -251,7 +251,9 @@ function drawLines(wrong) {
 }
 
 // The program's own message, at its line and its field.
-function showTrouble(text) {
+let notice = ""; // of the page itself, until the case changes
+function showTrouble(message) {
+  const text = message || notice;
   const at = /^case\.ini:(\d+): /.exec(text || "");
   const line = at ? Number(at[1]) : 0;
   byId("trouble").hidden = !text;

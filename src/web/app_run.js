@@ -295,7 +295,7 @@ async function linkedCase() {
     }
     return await new Blob(parts).text();
   } catch (error) {
-    showTrouble("the link holds no case: " + error.message);
+    notice = "the link holds no case: " + error.message;
     return null;
   }
 }
@@ -383,7 +383,10 @@ function connectPage() {
     .addEventListener("change", again);
   window.addEventListener("hashchange", async () => {
     const text = await linkedCase();
-    if (text === null) return;
+    if (text === null) {
+      showTrouble("");
+      return;
+    }
     byId("text").value = text;
     changeCase();
   });
@@ -395,6 +398,7 @@ async function begin() {
   marcher = new Program();
   table = JSON.parse((await live.call(["keys"])).out);
   byId("version").textContent = "overroll " + table.version + ".";
+  await measurePace();
   readColours();
   connectPage();
   const given = JSON.parse(byId("given").textContent);
@@ -409,7 +413,9 @@ async function begin() {
     chosen = "contact";
     changeCase();
   } else {
+    const trouble = notice;
     await startFrom(KINDS[0]);
+    notice = trouble;
   }
   // For the console: overroll(["help", "units"]).then(...).
   window.overroll = (args, more) => live.call(args, more);

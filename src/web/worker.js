@@ -10,7 +10,8 @@ const files = new Files();
 let made = null, program = null, printed = null, flag = "", posting = null;
 let next = 0, asked = 0, stopping = false, begun = 0;
 
-const QUIET = 40, LOOK = 150; // ms between two states, two looks at the flag
+const QUIET = 100, LOOK = 150; // ms between two states, two looks at the flag
+const NODES = 2000; // of a state under way: more are more than a screen shows
 
 function withdrawn() {
   const request = new XMLHttpRequest();
@@ -34,10 +35,11 @@ const page = {
   state(T, fraction, n, ...at) {
     if (!posting) return;
     const names = ["X", "P", "H", "S", "heat"], state = { T, fraction };
+    const stride = fraction < 1 ? Math.ceil(n / NODES) : 1;
     at.forEach((where, k) => {
       if (where)
         state[names[k]] = new Float64Array(program.memory.buffer, where, n)
-          .slice();
+          .filter((_, i) => i % stride === 0);
     });
     state.seconds = (performance.now() - begun) / 1000;
     postMessage({ id: posting, state });

@@ -31,7 +31,7 @@ def load(browser, fragment=""):
 
 def settled(browser, seconds=120):
     time.sleep(0.1)
-    browser.wait("return ['ready', 'stopped'].includes("
+    browser.wait("return /^(ready|stopped|press solve)/.test("
                  "document.getElementById('status').textContent) || "
                  "!document.getElementById('trouble').hidden", seconds)
 
@@ -167,7 +167,7 @@ def dent(browser):
 def stops(browser):
     """A long run is asked for; stop ends it."""
     with open(f"{folder}/dent.ini", encoding="utf-8") as file:
-        case = file.read().replace("level = 5", "level = 11")
+        case = file.read().replace("level = 5", "level = 13")
     put(browser, case)
     browser.run("document.getElementById('run').click()")
     browser.wait("return !document.getElementById('ask').hidden", 30)
@@ -245,6 +245,15 @@ def memory(browser):
     assert sizes[0] == sizes[1], sizes
 
 
+def live(browser):
+    """The page of view --live has the run and its case."""
+    browser.open(f"file://{folder}/live.html")
+    browser.wait("return document.body.dataset.ready === '1'", 120)
+    assert not browser.run("return document.getElementById('played').hidden")
+    assert "depth = 0.1" in browser.run(
+        "return document.getElementById('text').value")
+
+
 def narrow():
     for dark in (False, True):
         for width, height in ((500, 900), (1400, 1000)):
@@ -268,7 +277,8 @@ def main():
         assert not text(browser, "trouble")
         slides(browser)
         for test in (steady_and_marched, mistakes, dent, stops, drops, links,
-                     by_keys, memory):
+                     by_keys, memory,
+                     live):
             began = time.time()
             test(browser)
             print(f"{test.__name__}: {time.time() - began:.1f} s", flush=True)

@@ -39,6 +39,8 @@ every = 3
 END_OF_CASE
 expect 0 "$OVERROLL" run dent.ini -o dent.h5 --json
 cp out dent.json
+expect 0 "$OVERROLL" view dent.h5 --live -o live.html
+grep -q 'id="given">{"case":"' live.html || fail 'no case in the live page'
 for kind in numbers roller discs hot; do
     expect 0 "$OVERROLL" init $kind --set domain.level=6 -o $kind.ini
     expect 0 "$OVERROLL" steady $kind.ini --json
