@@ -45,8 +45,10 @@ d, e = read("eyring.8"), read("eyring.9")
 assert abs(e / d - 1) < 0.03, (d, e)
 END
 
+# By the mean of the gap the steady maximum is in the centre; by the logarithmic
+# mean it is the spike at the outlet, which is not resolved either.
 expect 0 "$OVERROLL" run newton.ini --level 7 -q -o newton.h5 --force \
-    --set output.every=1 --set stress.surface=1
+    --set output.every=1 --set stress.surface=1 --set domain.faces=gap
 "$PYTHON" - <<'END' || fail "the file"
 import h5py, numpy
 f = h5py.File("newton.h5", "r")
