@@ -186,7 +186,7 @@ OVR_API const ovr_state *ovr_simulation_state(const ovr_simulation *sim);
 #define OVR_ROUGH_WINDOW 0.75
 
 /* Numbers a step that have no names here, but a row in the list below. */
-enum { OVR_MORE = 16 };
+enum { OVR_MORE = 24 };
 
 /* Quantities observed after a solve or step; definitions in the manual. */
 typedef struct ovr_observation {
@@ -308,7 +308,8 @@ enum {
     OVR_PHYSICS_FEATURES = 8,  /* there is something on the surfaces */
     OVR_PHYSICS_BOUNDARY = 16, /* surfaces touch through their film */
     OVR_PHYSICS_PLASTIC = 32,  /* a body yields */
-    OVR_PHYSICS_WEAR = 64      /* surfaces that touch wear */
+    OVR_PHYSICS_WEAR = 64,     /* surfaces that touch wear */
+    OVR_PHYSICS_STRIP = 128    /* the film varies across rolling */
 };
 
 /* The extreme of a number that is kept over a run. */

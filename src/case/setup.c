@@ -217,8 +217,15 @@ static void usual_level(ovr_resolved *r)
     static const double unseen = 1e-3;
     ovr_setup *s = &r->setup;
     bool chosen = takes_time(r);
+    bool strip = ovr_resolved_features(r) &
+                 ovr_model_feature_bit(OVR_MODEL_STRIP, true);
     if (s->options->level != OVR_GRID_USUAL)
         return;
+    if (strip) { /* a step there takes as long as hundreds of a line */
+        s->options->level = resolving_level(r, OVR_USUAL_STRIP);
+        s->accuracy = 0;
+        return;
+    }
     s->options->level = chosen ? OVR_GRID_AUTO
                                : resolving_level(r, OVR_USUAL_LEVEL);
     s->accuracy_of = OVR_ACCURACY_ALL;

@@ -30,7 +30,28 @@ static const char long_steps[] =
 static const char summits[] = "summits would yield first";
 static const char once[] = "on the mesh it would count a second time";
 
+static const char of_line[] =
+    "a strip, whose film varies across rolling, has a solver of its own";
+
 static const ovr_conflict conflicts[] = {
+    {OVR_MODEL_HEAT, OVR_MODEL_STRIP, "none", of_line},
+    {OVR_MODEL_CONSERVING, OVR_MODEL_STRIP, "reynolds", of_line},
+    {OVR_MODEL_SUPPLY, OVR_MODEL_STRIP, "flooded", of_line},
+    {OVR_MODEL_PASSES, OVR_MODEL_STRIP, "1", of_line},
+    {OVR_MODEL_BOUNDARY, OVR_MODEL_STRIP, "no [boundary]", of_line},
+    {OVR_MODEL_COATING, OVR_MODEL_STRIP, "no [coating]", of_line},
+    {OVR_MODEL_PLASTIC, OVR_MODEL_STRIP, "no [plastic]", of_line},
+    {OVR_MODEL_STRESS, OVR_MODEL_STRIP, "no [stress]", of_line},
+    {OVR_MODEL_PATCHES, OVR_MODEL_STRIP, "none", of_line},
+    {OVR_MODEL_ORDER_4, OVR_MODEL_STRIP, "2", of_line},
+    {OVR_MODEL_UPSTREAM1, OVR_MODEL_STRIP, "upstream2", of_line},
+    {OVR_MODEL_PAPER_SMOOTHER, OVR_MODEL_STRIP, "line", of_line},
+    {OVR_MODEL_PAPER_BALANCE, OVR_MODEL_STRIP, "no", of_line},
+    {OVR_MODEL_FIXED_CYCLES, OVR_MODEL_STRIP, "negligible or truncation",
+     of_line},
+    {OVR_MODEL_ADAPTIVE, OVR_MODEL_STRIP, "auto", of_line},
+    {OVR_MODEL_REVERSAL, OVR_MODEL_STRIP,
+     "a speed that keeps its direction", of_line},
     {OVR_MODEL_MEAN_FILM, OVR_MODEL_ROUGHNESS, "unresolved", once},
     {OVR_MODEL_WEAR, OVR_MODEL_TIME, "0", stays},
     {OVR_MODEL_WEAR, OVR_MODEL_LOAD, "0", stays},

@@ -70,6 +70,7 @@
     FEATURE(MEAN_FILM, "a law of all roughness", "boundary", "of", false,      \
             false, false)                                                      \
     FEATURE(WEAR, "running-in", "boundary", "passes", false, false, false)     \
+    FEATURE(STRIP, "a strip", "strip", "width", true, false, false)            \
     FEATURE(ROUGHNESS, "roughness on the mesh", "feature", "shape", false,     \
             false, has_roughness(r))
 

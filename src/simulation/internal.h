@@ -116,6 +116,11 @@ struct ovr_simulation {
     ovr_heights *sides[2]; /* heights of surface 1 and 2, or both NULL */
     ovr_heights *sides_of; /* the heights whose parts these are, and data */
     void *sides_data;
+    /* Features that vary across, of the same data, or NULL.  `Y` belongs to the
+     * line that `now` holds (solver.h). */
+    ovr_heights_across *across;
+    double Y;
+    const ovr_present *solver; /* a physics with a solver, or NULL: the line */
     ovr_heights *standing; /* of what stands still, or NULL */
     void *standing_data;
     bool standing_given;
@@ -427,6 +432,9 @@ void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
                          bool first);
 void ovr_statistics_unknown(ovr_statistics *s);
 double *ovr_kept_number(const ovr_extreme *which, ovr_statistics *of);
+
+/* Film, pressure, mass flow and friction of the line that `now` holds. */
+void ovr_observe_line(ovr_simulation *sim, ovr_observation *o);
 
 /* Fills the state's fields and the observation from the finest level. */
 void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome);

@@ -176,6 +176,14 @@ static void withhold(ovr_observation *o)
     o->H_cen = o->H_mean = o->lambda_ratio = NAN;
 }
 
+void ovr_observe_line(ovr_simulation *sim, ovr_observation *o)
+{
+    observe_film(sim, o);
+    observe_pressure(sim, o);
+    o->mass_flow = mean_flow(sim);
+    ovr_observe_friction(sim, o);
+}
+
 void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
 {
     ovr_observation *o = &sim->observation;
@@ -185,15 +193,16 @@ void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
     for (int k = 0; sim->list[k]; k++)
         if (sim->list[k]->unknown)
             sim->list[k]->unknown(o);
-    observe_film(sim, o);
-    observe_pressure(sim, o);
     o->load_ratio = ovr_history_value(sim->load, state->T);
     o->speed_ratio = ovr_history_value(sim->speed, state->T);
     o->radius_ratio = ovr_history_value(sim->radius, state->T);
-    o->mass_flow = mean_flow(sim);
-    o->mass_balance = dT > 0 ? ovr_mass_balance(sim) : 0;
+    if (sim->solver) {
+        sim->solver->is->solver->observe(sim, sim->solver->own, o);
+    } else {
+        ovr_observe_line(sim, o);
+        o->mass_balance = dT > 0 ? ovr_mass_balance(sim) : 0;
+    }
     o->load_error = o->load / OVR_NOMINAL_LOAD - o->load_ratio;
-    ovr_observe_friction(sim, o);
     o->residual = outcome->defect.imbalance;
     o->order = sim->order;
     o->cycles = outcome->cycles;

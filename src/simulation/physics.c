@@ -95,6 +95,11 @@ static ovr_status add(ovr_simulation *sim, const ovr_physics *physics,
             "more physics are on than the %d that a simulation can hold",
             OVR_MAX_PHYSICS);
     *at = (ovr_present){physics, own};
+    for (sim->solver = sim->physics; sim->solver->is; sim->solver++)
+        if (sim->solver->is->solver)
+            break;
+    if (!sim->solver->is)
+        sim->solver = NULL;
     if (physics->influence)
         physics->influence(sim, own, &sim->grids.influence);
     return OVR_OK;

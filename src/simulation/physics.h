@@ -32,6 +32,7 @@
 #include "base/parameter.h"
 #include "overroll/heat.h"
 #include "simulation/internal.h"
+#include "simulation/solver.h"
 
 /* An error that begins with its place is about this. */
 #define OVR_SAYS_WHERE ""
@@ -234,6 +235,9 @@ struct ovr_physics {
 
     /* Frees what is not of the simulation's memory. */
     void (*release)(void *own);
+
+    /* Solves film and pressure in place of the line's solver (solver.h). */
+    const ovr_solver *solver;
 
     /* Adds to the elastic influence of a pressure. */
     void (*influence)(const ovr_simulation *sim, const void *own,

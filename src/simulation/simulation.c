@@ -227,10 +227,18 @@ void ovr_simulation_surface(ovr_simulation *sim, ovr_heights *heights,
         return;
     sim->heights = heights;
     sim->heights_data = data;
+    sim->across = NULL;
     if (heights)
         return;
     memset(sim->S, 0, sim->now.n * sizeof *sim->S);
     memset(sim->S_past, 0, sim->now.n * sizeof *sim->S_past);
+}
+
+void ovr_simulation_across(ovr_simulation *sim, ovr_heights_across *heights)
+{
+    if (!sim)
+        return;
+    sim->across = heights;
 }
 
 void ovr_simulation_histories(ovr_simulation *sim, const ovr_history *load,

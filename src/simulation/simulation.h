@@ -5,6 +5,12 @@
 
 #include "overroll/simulation.h"
 
+/* Heights of surface 1 or 2, or of both (0), at n nodes along x and on lines
+ * across; element (i, j) is S[i stride + j]. */
+typedef void ovr_heights_across(void *data, int surface, double T, size_t n,
+                                const double *X, size_t lines, const double *Y,
+                                size_t stride, double *S);
+
 /* Memory that ovr_simulation_create would take, bytes: counted in the same
  * set-up, which takes none here.  Where options are left automatic those of a
  * moderate contact count.  INFINITY: options that are refused, or more than
@@ -54,6 +60,10 @@ ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
  * both have that speed or it is unknown. */
 void ovr_simulation_sides(ovr_simulation *sim, ovr_heights *heights_1,
                           ovr_heights *heights_2);
+
+/* Features of both surfaces that vary across rolling, with the data of
+ * ovr_simulation_surface, which removes them.  Only a strip asks for them. */
+void ovr_simulation_across(ovr_simulation *sim, ovr_heights_across *heights);
 
 /* Returns the oil's mean shear stress across the film at half nodes, ph b/R,
  * without boundary friction. */

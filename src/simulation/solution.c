@@ -182,7 +182,9 @@ bool ovr_heights_of(const ovr_simulation *sim, int surface, double *S)
     OVR_LAST_PHYSICS(sim, adds, heights);
     const double *X = sim->now.X, T = sim->state.T;
     size_t n = sim->now.n;
-    if (features)
+    if (features && sim->across)
+        sim->across(sim->heights_data, surface, T, n, X, 1, &sim->Y, 1, S);
+    else if (features)
         features(sim->heights_data, T, n, X, S);
     else
         memset(S, 0, n * sizeof *S);

@@ -400,18 +400,27 @@ static double search(ovr_simulation *sim, ovr_outcome *outcome)
     return tolerance;
 }
 
-static ovr_status solve_steady(ovr_simulation *sim, ovr_error *err)
+/* Solves with the line's solver; returns the tolerance. */
+static double solve_line(ovr_simulation *sim, ovr_outcome *outcome)
 {
-    ovr_outcome outcome = {0};
-    sim->started = false;
-    if (begin_load_and_speed(sim, err) || ovr_smooth_check(sim, 0, err))
-        return OVR_BAD_INPUT;
     ovr_operator op = {.speed = sim->target.Cu};
     ovr_reynolds_wedge(&op, sim->scheme->order == 2, op.speed);
     OVR_EACH_PHYSICS(sim, p, operate)
         p->is->operate(sim, p->own, 0, &op);
     ovr_hierarchy_operator(&sim->grids, &op);
-    double tolerance = search(sim, &outcome);
+    return search(sim, outcome);
+}
+
+static ovr_status solve_steady(ovr_simulation *sim, ovr_error *err)
+{
+    const ovr_present *other = sim->solver;
+    ovr_outcome outcome = {0};
+    sim->started = false;
+    if (begin_load_and_speed(sim, err) || ovr_smooth_check(sim, 0, err))
+        return OVR_BAD_INPUT;
+    double tolerance = other ? other->is->solver->steady(sim, other->own,
+                                                         &outcome)
+                             : solve_line(sim, &outcome);
     if (!outcome.converged && sim->grids.stopping.now)
         return ovr_fail(err, OVR_STOPPED, "stopped in the steady start");
     sim->statistics = (ovr_statistics){.cycles = outcome.cycles};

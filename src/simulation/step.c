@@ -246,7 +246,7 @@ static const attempt attempts[] = {
     {true, 0, 1, 0, 20, 0.2, 0.3, 1, false, false},
     {false, 0, 1, 0, 40, 0.2, 0.3, 1, false, false},
     {false, 2, 2, 1, 80, 0.05, 0.3, 1, false, false},
-    /* half corrections into the finest level break a two-cycle at an isolated
+    /* Half corrections into the finest level break a two-cycle at an isolated
      * dry node that coarse grids cannot see */
     {false, 0, 1, 0, 80, 0.2, 0.3, 0.5, false, false},
     {false, 2, 1, 0, 0, 0.2, 0.3, 1, true, false},
@@ -430,6 +430,11 @@ static bool advance(ovr_simulation *sim, double dT, int halvings,
 
 void ovr_simulation_step_back(ovr_simulation *sim)
 {
+    if (sim->solver) {
+        sim->state.T = sim->past.T[0];
+        sim->solver->is->solver->step_back(sim, sim->solver->own);
+        return;
+    }
     sim->grids.H0 = sim->past.H0[0];
     sim->state.T = sim->past.T[0];
     OVR_EACH_PHYSICS(sim, p, before_back)
@@ -504,7 +509,9 @@ ovr_status ovr_simulation_attempt(ovr_simulation *sim, double next, bool *taken,
     ovr_status status = check(sim, dT, err);
     if (status)
         return status;
-    *taken = advance(sim, dT, 0, &outcome);
+    const ovr_present *other = sim->solver;
+    *taken = other ? other->is->solver->attempt(sim, other->own, next, &outcome)
+                   : advance(sim, dT, 0, &outcome);
     *error = outcome.error;
     if (!*taken && outcome.error > sim->largest_error) {
         ovr_simulation_step_back(sim);
@@ -518,7 +525,8 @@ ovr_status ovr_simulation_attempt(ovr_simulation *sim, double next, bool *taken,
         return status;
     }
     outcome.converged = !outcome.marked;
-    note_change(sim);
+    if (!other)
+        note_change(sim);
     sim->state.step++;
     sim->state.T = sim->past.T[0] = next;
     ovr_observe(sim, dT, &outcome);

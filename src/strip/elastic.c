@@ -116,15 +116,11 @@ static bool plan(ovr_strip_elastic *e, double *field)
     return e->to_modes && e->from_modes && e->to_waves && e->from_waves;
 }
 
-/* `near` gets dH/dP close by, real_space, unless it is NULL, that of all rows
- * and of 2 lines lines, shifted by a period: n rows of 2 lines + 8. */
-ovr_status ovr_strip_elastic_create(ovr_strip_elastic *e,
-                                    const ovr_strip_grid *g,
-                                    ovr_strip_level *near,
-                                    fftw_complex *spectrum, double *real_space,
-                                    ovr_arena *arena, ovr_error *err)
+ovr_status ovr_strip_elastic_allocate(ovr_strip_elastic *e,
+                                      const ovr_strip_grid *g,
+                                      fftw_complex *spectrum, ovr_arena *arena,
+                                      ovr_error *err)
 {
-    const double wave = 2 * acos(-1) / ((double)g->lines * g->Dy);
     e->n = g->n;
     e->lines = g->lines;
     e->stride = g->stride;
@@ -132,8 +128,16 @@ ovr_status ovr_strip_elastic_create(ovr_strip_elastic *e,
     e->length = 2 * (g->n - 1);
     e->spectrum = spectrum;
     e->table = ovr_field(arena, e->n * e->modes, err);
-    if (!e->table)
-        return OVR_NO_MEMORY;
+    return e->table ? OVR_OK : OVR_NO_MEMORY;
+}
+
+/* `near` gets dH/dP close by, real_space, unless it is NULL, that of all rows
+ * and of 2 lines lines, shifted by a period: n rows of 2 lines + 8. */
+ovr_status ovr_strip_elastic_plan(ovr_strip_elastic *e, const ovr_strip_grid *g,
+                                  ovr_strip_level *near, double *real_space,
+                                  ovr_error *err)
+{
+    const double wave = 2 * acos(-1) / ((double)g->lines * g->Dy);
     ovr_planning_begin();
     bool whole = plan(e, near->f.w);
     ovr_planning_end();

@@ -12,7 +12,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "contact/film_formula.h"
 #include "strip/kernels.h"
 
 static void begin_level(ovr_strip *strip, const ovr_strip_full *how,
@@ -25,19 +24,23 @@ static void begin_level(ovr_strip *strip, const ovr_strip_full *how,
     ovr_strip_refresh(strip, level);
 }
 
-/* Hertz's semi-ellipse, H0 from the film formula above the rigid approach of
- * the dry contact. */
+/* Hertz's semi-ellipse, H0 = film + w(0):
+ *     w(0) = force (ln(s/2) - 1/2)/pi of a half width s
+ */
 static void hertzian_start(ovr_strip *strip, const ovr_strip_full *how)
 {
     const ovr_strip_level *level = &strip->level[0];
     const ovr_strip_grid *g = &level->grid;
+    const double pi = acos(-1), s = how->half_width;
+    const double largest = 2 * how->force / (pi * s);
     for (size_t i = 0; i < g->n; i++) {
-        double X = g->X_a + (double)i * g->D;
-        bool inside = i && i + 1 < g->n && X * X < 1;
+        double x = (g->X_a + (double)i * g->D) / s;
+        double P = i && i + 1 < g->n && x * x < 1 ? largest * sqrt(1 - x * x)
+                                                  : 0;
         for (size_t j = 0; j < g->lines; j++)
-            level->f.P[ovr_strip_row(g, i) + j] = inside ? sqrt(1 - X * X) : 0;
+            level->f.P[ovr_strip_row(g, i) + j] = P;
     }
-    strip->H0 = ovr_film_central_moes(how->M, how->L) - 0.5966;
+    strip->H0 = how->film + how->force * (log(s / 2) - 0.5) / pi;
 }
 
 static bool iterate(ovr_strip *strip)
@@ -141,7 +144,7 @@ ovr_strip_defect ovr_strip_solve(ovr_strip *strip, const ovr_strip_full *how,
 {
     ovr_strip_defect d = {INFINITY, INFINITY, 0};
     *cycles = 0;
-    ovr_strip_wedge(strip, 1, 0);
+    ovr_strip_wedge(strip, how->speed, 0);
     hertzian_start(strip, how);
     begin_level(strip, how, &strip->level[0]);
     if (!solve_coarsest(strip))

@@ -83,9 +83,9 @@ static ovr_status take_coarsest(ovr_strip *strip, ovr_arena *arena,
     return OVR_OK;
 }
 
-ovr_status ovr_strip_create(ovr_strip *strip, const ovr_strip_shape *shape,
-                            const ovr_kernels *kernels, ovr_arena *arena,
-                            ovr_error *err)
+ovr_status ovr_strip_allocate(ovr_strip *strip, const ovr_strip_shape *shape,
+                              const ovr_kernels *kernels, ovr_arena *arena,
+                              ovr_error *err)
 {
     ovr_status status = make_grids(strip, shape, err);
     if (status)
@@ -105,11 +105,29 @@ ovr_status ovr_strip_create(ovr_strip *strip, const ovr_strip_shape *shape,
         ovr_strip_level *level = &strip->level[l];
         status = take_fields(level, arena, err);
         if (!status)
-            status = ovr_strip_elastic_create(
-                &level->elastic, &level->grid, level, strip->spectrum,
-                l ? NULL : strip->influence, arena, err);
+            status = ovr_strip_elastic_allocate(&level->elastic, &level->grid,
+                                                strip->spectrum, arena, err);
     }
     return status;
+}
+
+ovr_status ovr_strip_plan(ovr_strip *strip, ovr_error *err)
+{
+    ovr_status status = OVR_OK;
+    for (int l = 0; l <= strip->finest && !status; l++) {
+        ovr_strip_level *level = &strip->level[l];
+        status = ovr_strip_elastic_plan(&level->elastic, &level->grid, level,
+                                        l ? NULL : strip->influence, err);
+    }
+    return status;
+}
+
+ovr_status ovr_strip_create(ovr_strip *strip, const ovr_strip_shape *shape,
+                            const ovr_kernels *kernels, ovr_arena *arena,
+                            ovr_error *err)
+{
+    ovr_status status = ovr_strip_allocate(strip, shape, kernels, arena, err);
+    return status ? status : ovr_strip_plan(strip, err);
 }
 
 void ovr_strip_release(ovr_strip *strip)

@@ -67,7 +67,8 @@ ovr_status ovr_strip_march_create(ovr_strip_march *march, ovr_strip *strip,
 {
     const ovr_strip_grid *g = &strip->level[strip->finest].grid;
     size_t n = ovr_strip_size(g) + OVR_STRIP_HALO;
-    *march = (ovr_strip_march){.strip = strip, .speed = 1, .carried = NAN};
+    *march = (ovr_strip_march){
+        .strip = strip, .speed = 1, .travel = {NAN, NAN}, .carried = NAN};
     march->ghosts = (size_t)ceil(2 * longest) + 2;
     for (size_t k = 0; k < OVR_STRIP_PAST; k++) {
         march->P[k] = ovr_field(arena, n, err);
@@ -182,18 +183,20 @@ static void make_side(const ovr_strip_march *march)
     const ovr_strip_grid *g = &level->grid;
     const ptrdiff_t first = -(ptrdiff_t)march->ghosts;
     const size_t n = g->n + march->ghosts;
-    double a[3], t1 = march->next - march->T[0];
-    double t2 = march->next - march->T[1];
+    double a[3], moved = march->characteristic ? 1 / g->D : 0;
+    double way[2] = {march->next - march->T[0], march->next - march->T[1]};
     if (!(march->T[0] > march->T[1]))
-        t2 = 2 * t1;
-    double moved = march->characteristic ? 1 / g->D : 0;
+        way[1] = 2 * way[0];
+    for (size_t k = 0; k < 2; k++)
+        if (!isnan(march->travel[k]))
+            way[k] = march->travel[k];
     weigh(march, a);
     for (size_t i = 1; i + 1 < g->n; i++) {
         rows sum = {0};
-        add_shifted(&sum, g, march->q[0], first, n, (ptrdiff_t)i, t1 * moved,
-                    a[1]);
-        add_shifted(&sum, g, march->q[1], first, n, (ptrdiff_t)i, t2 * moved,
-                    a[2]);
+        add_shifted(&sum, g, march->q[0], first, n, (ptrdiff_t)i,
+                    way[0] * moved, a[1]);
+        add_shifted(&sum, g, march->q[1], first, n, (ptrdiff_t)i,
+                    way[1] * moved, a[2]);
         march->strip->run->blend(g->lines, sum.count, sum.weight, sum.from,
                                  level->f.F + ovr_strip_row(g, i));
     }
@@ -340,13 +343,16 @@ static bool cycle_until(ovr_strip_march *march, int attempt,
     ovr_strip_cycling how = cycling_of(march, attempt);
     ovr_strip_level *level = finest_of(march);
     double R = ovr_strip_defect_of(march->strip, level).imbalance;
+    double enough = fmax(march->tolerance,
+                         fmin(march->share * R, march->loosest));
     double last[2] = {R, R}, before = R;
     for (int c = 1, since = 1; c <= settings[attempt].cycles; c++, since++) {
         ovr_strip_cycle(march->strip, march->strip->finest, &how);
         step->cycles++;
         ovr_strip_defect d = ovr_strip_defect_of(march->strip, level);
         step->imbalance = R = d.imbalance;
-        if (ovr_strip_below(d, march->tolerance)) {
+        if (ovr_strip_below(d, enough) &&
+            (!(march->load > 0) || d.load <= march->load)) {
             if (attempt < 2)
                 march->coupling = how.smoothing.zebra;
             return true;

@@ -3,15 +3,16 @@
  * Time steps of the strip.
  *
  *     a0 q_i - F_i = d(rho H)/dT + d(rho H)/dX
- *     characteristic:  a0 q(X, T) + a1 q(X - t1, T - t1) + a2 q(X - t2, T - t2)
+ *     characteristic:  a0 q(X, T) + a1 q(X - s1, T - t1) + a2 q(X - s2, T - t2)
  *     upstream2:       a0 q + a1 q(X, T - t1) + a2 q(X, T - t2), the wedge at T
  *     a0 = (1 + 2 r)/(1 + r)/t1,  a1 = -(1 + r)/t1,  a2 = r^2/(1 + r)/t1
  *     r = t1/(t2 - t1)
  *
- * The weights are those of BDF2 for the steps t1 and t2 - t1.  The
- * characteristic scheme needs a constant mean speed.  Upstream of the inlet
- * there is no pressure. There q is the gap plus H0 - w, extrapolated by a
- * parabola through three rows. Cubics interpolate q between rows.
+ * BDF2 has these weights.  In the times t1 and t2 the mean speed moves the film
+ * by the lengths s1 and s2 respectively.
+ *
+ * The film has no pressure upstream of the inlet.  A parabola through three
+ * rows extrapolates H0 - w to there.  Cubics interpolate q between rows.
  *
  * A step starts from a guess extrapolated in time (march.c).  The settings of
  * march.c are attempted in turn until R is below the tolerance.
@@ -28,10 +29,16 @@ typedef struct ovr_strip_march {
     ovr_strip_gap *gap;
     void *data;
     bool characteristic;
-    double speed;     /* mean speed, of upstream2 */
+    double speed; /* mean speed at the next time, of upstream2 */
+    /* Way of the film since T[0], T[1] for the characteristic scheme; NAN: at
+     * the nominal speed */
+    double travel[2];
     double force;     /* target at the next time */
     double carried;   /* speed of the features; NAN if unknown */
     double tolerance; /* of R */
+    /* R may also be that share of R at the guess, up to `loosest` */
+    double share, loosest;
+    double load; /* largest relative error of the load; 0: 10 tolerances */
     /* The past: 0 is the last time that was reached. */
     double T[OVR_STRIP_PAST + 1];
     size_t known; /* times of it that differ */

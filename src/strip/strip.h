@@ -182,9 +182,18 @@ typedef struct ovr_strip_defect {
 /*
  * Allocates all levels of a zeroed strip in the arena.  Mesh sizes and lines
  * are halved from grid to grid.  The coarsest grid has n <= coarsest, or lines
- * that are odd or 4.  Fails with OVR_NO_MEMORY or OVR_BAD_INPUT.  The release
- * destroys the transforms, also after a failure.
+ * that are odd or 4.  Fails with OVR_NO_MEMORY or OVR_BAD_INPUT.  The arena may
+ * only count.
  */
+ovr_status ovr_strip_allocate(ovr_strip *strip, const ovr_strip_shape *shape,
+                              const ovr_kernels *kernels, ovr_arena *arena,
+                              ovr_error *err);
+
+/* Plans the transforms of an allocated strip and computes the elastic
+ * influence.  The release destroys the transforms, also after a failure. */
+ovr_status ovr_strip_plan(ovr_strip *strip, ovr_error *err);
+
+/* Allocates and plans. */
 ovr_status ovr_strip_create(ovr_strip *strip, const ovr_strip_shape *shape,
                             const ovr_kernels *kernels, ovr_arena *arena,
                             ovr_error *err);
@@ -232,7 +241,10 @@ typedef struct ovr_strip_full {
     ovr_strip_gap *gap;
     void *data;
     double T, force;
-    double M, L; /* Moes numbers, for the first guess */
+    double speed; /* mean speed of the wedge */
+    /* The first guess: a semi-ellipse of that half width, whose integral is the
+     * force, and a film thickness in the centre. */
+    double half_width, film;
     ovr_strip_cycling cycling;
     int cycles;       /* on each level below the finest */
     int max_cycles;   /* on the finest */
@@ -247,11 +259,14 @@ ovr_strip_defect ovr_strip_solve(ovr_strip *strip, const ovr_strip_full *how,
 
 /* ------------------------------------------------------------------- Parts */
 
-ovr_status ovr_strip_elastic_create(ovr_strip_elastic *e,
-                                    const ovr_strip_grid *grid,
-                                    ovr_strip_level *near,
-                                    fftw_complex *spectrum, double *real_space,
-                                    ovr_arena *arena, ovr_error *err);
+ovr_status ovr_strip_elastic_allocate(ovr_strip_elastic *e,
+                                      const ovr_strip_grid *grid,
+                                      fftw_complex *spectrum, ovr_arena *arena,
+                                      ovr_error *err);
+ovr_status ovr_strip_elastic_plan(ovr_strip_elastic *e,
+                                  const ovr_strip_grid *grid,
+                                  ovr_strip_level *near, double *real_space,
+                                  ovr_error *err);
 void ovr_strip_elastic_release(ovr_strip_elastic *e);
 
 /* Computes k_q(d) for d = 0..n-1 and the wave number k.  k = 0 is the line

@@ -9,6 +9,7 @@
 #include <time.h>
 
 #include "bench.h"
+#include "contact/film_formula.h"
 #include "support/strip.h"
 #include "support/test.h"
 
@@ -29,8 +30,9 @@ static void measure(size_t n, size_t lines, const char *set)
     const ovr_strip_full how = {.gap = test_strip_gap,
                                 .data = s,
                                 .force = acos(0),
-                                .M = 20,
-                                .L = 10,
+                                .speed = 1,
+                                .half_width = 1,
+                                .film = ovr_film_central_moes(20, 10),
                                 .cycling = ovr_strip_steady(&s->strip.fluid),
                                 .cycles = 2,
                                 .max_cycles = 2};

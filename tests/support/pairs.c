@@ -142,6 +142,7 @@ static const struct way {
       "feature rough.Rq=150 nm", "feature rough.length=4",
       "boundary.wear_1=1e-7 mm3/Nm", "boundary.passes=8000",
       "boundary.jump=1000"}},
+    {OVR_MODEL_STRIP, {"strip.width=1"}},
     {OVR_MODEL_ROUGHNESS,
      {"feature rough.shape=roughness", "feature rough.Rq=10 nm",
       "feature rough.length=4", "feature rough.start=-5"}},

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "contact.h"
+#include "contact/film_formula.h"
 #include "test.h"
 
 ovr_strip_shape test_strip_shape(size_t n, size_t lines)
@@ -106,8 +107,9 @@ void test_strip_solve(test_strip *s, double tolerance)
     const ovr_strip_full how = {.gap = test_strip_gap,
                                 .data = s,
                                 .force = acos(0),
-                                .M = s->M,
-                                .L = s->L,
+                                .speed = 1,
+                                .half_width = 1,
+                                .film = ovr_film_central_moes(s->M, s->L),
                                 .cycling = ovr_strip_steady(&s->strip.fluid),
                                 .cycles = 2,
                                 .max_cycles = 40,

@@ -1,0 +1,184 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Numbers of a strip.  Each line is observed as a line contact (observe.c).
+ * Loads, flows, forces and powers are means over the lines, per unit of width.
+ * Minimum film thickness and maximum pressure are those of all lines.  Between
+ * lines they are located by a parabola through three lines, as along x.
+ * Spike, number of maxima and end of the film are those of the shown line.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "contact/contact.h"
+#include "physics/strip/strip.h"
+#include "simulation/extremes.h"
+#include "simulation/quantity_row.h"
+
+/* Numbers of lines whose mean is that of the strip. */
+static const size_t means[] = {offsetof(ovr_observation, H_cen),
+                               offsetof(ovr_observation, P_cen),
+                               offsetof(ovr_observation, load),
+                               offsetof(ovr_observation, H_mean),
+                               offsetof(ovr_observation, F_slide),
+                               offsetof(ovr_observation, F_roll),
+                               offsetof(ovr_observation, F_slope_1),
+                               offsetof(ovr_observation, F_slope_2),
+                               offsetof(ovr_observation, power_dissipated),
+                               offsetof(ovr_observation, limiting_share)};
+enum { MEANS = sizeof means / sizeof *means };
+
+static double *number(ovr_observation *o, size_t k)
+{
+    return (double *)(void *)((char *)o + means[k]);
+}
+
+/* Returns the extreme of a parabola through the values of line j and of its
+ * neighbours, and its Y in *at. */
+static double vertex_across(const ovr_strip_solver *s, const double *value,
+                            size_t j, double *at)
+{
+    const double W = s->form->width, Dy = W / (double)s->lines;
+    size_t last = s->lines - 1;
+    double left = value[j ? j - 1 : last], right = value[j < last ? j + 1 : 0];
+    double bend = left - 2 * value[j] + right, slope = (right - left) / 2;
+    double off = bend != 0 ? -slope / bend : 0;
+    if (!(fabs(off) <= 1))
+        off = 0;
+    *at = remainder(s->Y[j] + off * Dy, W);
+    return value[j] + off * (slope + off * bend / 2);
+}
+
+/* Mean mass flow along x; sets the flows of the mass balance. */
+static double mass_flow(ovr_strip_solver *s, const ovr_simulation *sim)
+{
+    const ovr_strip_level *finest = ovr_strip_finest(s);
+    const ovr_strip_grid *g = &finest->grid;
+    const ovr_strip_fields *f = &finest->f;
+    const double Cu = ovr_history_value(sim->speed, sim->state.T);
+    double sum = 0, count = 0;
+    for (size_t i = 0; i + 1 < s->n; i++) {
+        size_t a = ovr_strip_row(g, i), b = a + g->stride;
+        size_t before = i ? a - g->stride : a;
+        double row = 0;
+        for (size_t j = 0; j < s->lines; j++) {
+            /* Linear extrapolation to the half node, as in the wedge. */
+            double q = i ? 1.5 * f->q[a + j] - 0.5 * f->q[before + j]
+                         : 0.5 * (f->q[a + j] + f->q[b + j]);
+            double flow = Cu * q -
+                          g->D * f->along[a + j] * (f->P[b + j] - f->P[a + j]);
+            row += flow;
+            if (f->P[a + j] > 0 && f->P[b + j] > 0) {
+                sum += flow;
+                count++;
+            }
+        }
+        if (i == 0)
+            s->flow[0] = row / (double)s->lines;
+        if (i == s->middle)
+            s->flow[1] = row / (double)s->lines;
+    }
+    return count > 0 ? sum / count : 0;
+}
+
+/* Inflow - flow through X = 0 - stored change between them, relative to their
+ * mean size. */
+static double mass_balance(const ovr_strip_solver *s)
+{
+    const double *T = s->march.T;
+    double t1 = T[0] - T[1], before = T[1] - T[2];
+    if (!(t1 > 0))
+        return 0;
+    double r = before > 0 ? t1 / before : 1;
+    double stored = ((1 + 2 * r) / (1 + r) * s->mass[0] - (1 + r) * s->mass[1] +
+                     r * r / (1 + r) * s->mass[2]) /
+                    t1;
+    double size = (fabs(s->flow[0]) + fabs(s->flow[1]) + fabs(stored)) / 2;
+    return size > 0 ? (s->flow[0] - s->flow[1] - stored) / size : 0;
+}
+
+void ovr_strip_observe(ovr_simulation *sim, void *own, ovr_observation *o)
+{
+    ovr_strip_solver *s = own;
+    const ovr_observation conditions = *o;
+    ovr_observation low = {.H_min = INFINITY, .H_min_located = INFINITY};
+    ovr_observation high = {.P_max = -INFINITY, .P_max_located = -INFINITY};
+    double sum[MEANS] = {0}, squares = 0, Rq = 0, centres = 0;
+    double least = INFINITY, most = -INFINITY;
+    size_t low_line = 0, high_line = 0;
+    for (size_t k = 1; k <= s->lines; k++) {
+        size_t j = (s->shown + k) % s->lines; /* the shown one is the last */
+        *o = conditions;
+        ovr_strip_show(sim, s, j);
+        ovr_observe_line(sim, o);
+        for (size_t m = 0; m < MEANS; m++)
+            sum[m] += *number(o, m);
+        squares += o->H_mean * o->H_mean;
+        Rq += o->film_Rq * o->film_Rq;
+        centres += o->H_cen * o->H_cen;
+        least = fmin(least, o->H_cen);
+        most = fmax(most, o->H_cen);
+        s->located[0][j] = o->H_min_located;
+        s->located[1][j] = o->P_max_located;
+        if (o->H_min < low.H_min)
+            low = *o;
+        if (o->H_min_located < s->located[0][low_line] || k == 1)
+            low_line = j;
+        if (o->P_max > high.P_max)
+            high = *o;
+        if (o->P_max_located > s->located[1][high_line] || k == 1)
+            high_line = j;
+    }
+    const double lines = (double)s->lines;
+    for (size_t m = 0; m < MEANS; m++)
+        *number(o, m) = sum[m] / lines;
+    o->film_Rq = sqrt(Rq / lines +
+                      fmax(squares / lines - o->H_mean * o->H_mean, 0));
+    o->lambda_ratio = sim->roughness > 0 ? o->H_mean / sim->roughness : NAN;
+    o->H_min = low.H_min;
+    o->X_min = low.X_min;
+    o->X_min_located = low.X_min_located;
+    o->H_min_located = vertex_across(s, s->located[0], low_line,
+                                     &o->more[OVR_STRIP_Y_MIN]);
+    o->P_max = high.P_max;
+    o->X_P_max = high.X_P_max;
+    o->X_P_max_located = high.X_P_max_located;
+    o->P_max_resolved = high.P_max_resolved;
+    o->P_max_located = vertex_across(s, s->located[1], high_line,
+                                     &o->more[OVR_STRIP_Y_MAX]);
+    o->mass_flow = mass_flow(s, sim);
+    o->mass_balance = mass_balance(s);
+    ovr_friction_forces(sim, o);
+    o->more[OVR_STRIP_FILM_LOW] = least;
+    o->more[OVR_STRIP_FILM_HIGH] = most;
+    o->more[OVR_STRIP_FILM_SPREAD] = sqrt(
+        fmax(centres / lines - o->H_cen * o->H_cen, 0));
+}
+
+void ovr_strip_unknown(ovr_observation *o)
+{
+    for (int k = OVR_STRIP_Y_MIN; k <= OVR_STRIP_FILM_SPREAD; k++)
+        o->more[k] = NAN;
+}
+
+#define ACROSS(name, key, si, kind, place, ...)                                \
+    OVR_NUMBER_ROW(name, key, si, kind, more[OVR_STRIP_##place],               \
+                   OVR_PHYSICS_STRIP, __VA_ARGS__)
+
+const ovr_observable ovr_strip_quantities[OVR_STRIP_QUANTITIES] = {
+    ACROSS("y_min_film_thickness", "Y_min", NULL, LENGTH, Y_MIN,
+           "position across rolling of the minimum film thickness",
+           LABEL("Y of the minimum")),
+    ACROSS("y_max_pressure", "Y_P_max", NULL, LENGTH, Y_MAX,
+           "position across rolling of the maximum pressure",
+           LABEL("Y of the maximum")),
+    ACROSS("central_film_thickness_min", "H_cen_low", "central_film_low_m",
+           HEIGHT, FILM_LOW, "minimum across of the film thickness at x = 0",
+           LABEL("minimum at X = 0"), SMALLEST("H_cen_low_overall"),
+           EXTREME_LABEL("minimum at X = 0")),
+    ACROSS("central_film_thickness_max", "H_cen_high", "central_film_high_m",
+           HEIGHT, FILM_HIGH, "maximum across of the film thickness at x = 0",
+           LABEL("maximum at X = 0")),
+    ACROSS("central_film_thickness_deviation", "H_cen_deviation",
+           "central_film_deviation_m", HEIGHT, FILM_SPREAD,
+           "standard deviation across rolling of the film thickness at x = 0",
+           LABEL("deviation across"))};

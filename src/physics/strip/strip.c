@@ -1,0 +1,458 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Strips: the solver of a film that varies across rolling (solver.h).
+ *
+ * Steady films are solved by nested iteration (strip/full.c).
+ * Steps are solved by strip/march.c, which tries several settings.
+ * A step that fails is halved, up to OVR_HALVINGS times.
+ * The last result is accepted and marked if R is below OVR_ACCEPTABLE.
+ *
+ * R of a step may be half the discretization error of the mesh.  It may also be
+ * a thousandth of R at the guess, but 1e-2 is the limit.  Such limits change
+ * films of moving dents and of roughness by less than 1e-4 (lambda = 1 and 3).
+ */
+#include "physics/strip/strip.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "contact/contact.h"
+#include "contact/curvature.h"
+#include "contact/film_formula.h"
+#include "contact/reversal.h"
+#include "multigrid/flow.h"
+#include "simulation/conflicts.h"
+#include "simulation/mirror.h"
+#include "simulation/steady.h"
+
+static const double STEP_TOLERANCE = 0.5, GUESS_SHARE = 1e-3, LOOSEST = 1e-2,
+                    LOAD_TOLERANCE = 1e-4;
+
+ovr_strip_solver *ovr_strip_of(const ovr_simulation *sim)
+{
+    OVR_EACH_PHYSICS(sim, p, solver)
+        return p->own;
+    return NULL;
+}
+
+/* ----------------------------------------------------------------- creation */
+
+/* Longest step in mesh sizes. */
+enum { LONGEST = 16 };
+
+/* Nodes along x of the coarsest grid: heavily loaded contacts need more. */
+static size_t coarsest_of(double M)
+{
+    return M < 90 ? 29 : 57;
+}
+
+static ovr_status take_arrays(ovr_simulation *sim, ovr_strip_solver *s,
+                              ovr_error *err)
+{
+    ovr_arena *a = &sim->arena;
+    size_t all = s->n * s->lines, most = s->n + 2 * LONGEST + 8;
+    double **const to[] = {&s->S,          &s->S_before,  &s->X,
+                           &s->along,      &s->across,    &s->Y,
+                           &s->located[0], &s->located[1]};
+    const size_t count[] = {all,  all,      s->n,     most,
+                            most, s->lines, s->lines, s->lines};
+    for (size_t k = 0; k < sizeof to / sizeof *to; k++)
+        if (!(*to[k] = ovr_arena_take(a, count[k], sizeof **to[k], err)))
+            return OVR_NO_MEMORY;
+    return OVR_OK;
+}
+
+static void fill_places(ovr_simulation *sim, ovr_strip_solver *s)
+{
+    const ovr_strip_grid *g = &ovr_strip_finest(s)->grid;
+    double W = s->form->width, best = INFINITY;
+    for (size_t i = 0; i < s->n; i++) {
+        s->X[i] = g->X_a + (double)i * g->D;
+        if (s->X[i] <= 0)
+            s->middle = i;
+    }
+    for (size_t j = 0; j < s->lines; j++) {
+        s->Y[j] = -W / 2 + (double)j * g->Dy;
+        double off = isnan(s->form->shown) ? 0 : s->form->shown;
+        double apart = fabs(remainder(s->Y[j] - off, W));
+        if (apart < best - 1e-9) {
+            best = apart;
+            s->shown = j;
+        }
+    }
+    sim->Y = s->Y[s->shown];
+}
+
+static void gap_of(void *data, double T, const ovr_strip_grid *g,
+                   ptrdiff_t from, size_t n, double *gap);
+
+static ovr_status take(ovr_simulation *sim, const void *form, void **own,
+                       ovr_error *err)
+{
+    const ovr_options *o = &sim->options;
+    ovr_strip_solver *s = ovr_arena_take(&sim->arena, 1, sizeof *s, err);
+    if (!s)
+        return OVR_NO_MEMORY;
+    s->form = form;
+    s->n = ovr_level_nodes(o->level);
+    s->lines = ovr_strip_lines(s->form,
+                               (o->outlet - o->inlet) / (double)(s->n - 1));
+    const ovr_strip_shape shape = {.n = s->n,
+                                   .lines = s->lines,
+                                   .coarsest = coarsest_of(s->form->M),
+                                   .X_a = o->inlet,
+                                   .X_b = o->outlet,
+                                   .width = s->form->width};
+    ovr_status status = ovr_strip_allocate(
+        &s->strip, &shape, sim->grids.kernels, &sim->arena, err);
+    if (!status)
+        status = ovr_strip_march_create(&s->march, &s->strip, LONGEST,
+                                        &sim->arena, err);
+    if (!status)
+        status = take_arrays(sim, s, err);
+    if (status || sim->arena.blank)
+        return status;
+    *own = s;
+    fill_places(sim, s);
+    s->march.gap = gap_of;
+    s->march.data = sim;
+    s->march.characteristic = sim->scheme->characteristic;
+    s->strip.fluid = sim->grids.fluid;
+    s->strip.logarithmic = sim->grids.fluid.logarithmic;
+    status = ovr_strip_plan(&s->strip, err);
+    if (status)
+        ovr_strip_release(&s->strip);
+    return status;
+}
+
+static void release(void *own)
+{
+    ovr_strip_solver *s = own;
+    if (s)
+        ovr_strip_release(&s->strip);
+}
+
+/* ---------------------------------------------------------------------- gap */
+
+/* Heights of both surfaces at rows of a grid. */
+static void heights_at(const ovr_simulation *sim, double T,
+                       const ovr_strip_grid *g, size_t n, double *S)
+{
+    ovr_strip_solver *s = ovr_strip_of(sim);
+    const size_t apart = s->lines / g->lines;
+    if (sim->across) {
+        /* Coarse grids have every second, fourth ... line of the finest. */
+        double *Y = s->located[0];
+        for (size_t j = 0; j < g->lines; j++)
+            Y[j] = s->Y[j * apart];
+        sim->across(sim->heights_data, 0, T, n, s->along, g->lines, Y,
+                    g->stride, S);
+        return;
+    }
+    ovr_surface_heights(sim, T, n, s->along, s->across);
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j < g->lines; j++)
+            S[i * g->stride + j] = s->across[i];
+}
+
+/* An ovr_strip_gap: of the smooth surfaces minus the heights on them. */
+static void gap_of(void *data, double T, const ovr_strip_grid *g,
+                   ptrdiff_t from, size_t n, double *gap)
+{
+    const ovr_simulation *sim = data;
+    const ovr_smooth smooth = ovr_simulation_smooth(sim, T);
+    const double *X = ovr_strip_of(sim)->along;
+    for (size_t i = 0; i < n; i++)
+        ovr_strip_of(sim)->along[i] = g->X_a +
+                                      (double)(from + (ptrdiff_t)i) * g->D;
+    heights_at(sim, T, g, n, gap);
+    for (size_t i = 0; i < n; i++)
+        for (size_t j = 0; j < g->lines; j++) {
+            double *at = gap + i * g->stride + j;
+            *at = ovr_smooth_at(&smooth, X[i]) - *at;
+        }
+}
+
+/* Keeps the heights that belong to the gap at T. */
+static void keep_heights(const ovr_simulation *sim, ovr_strip_solver *s,
+                         double T)
+{
+    const ovr_strip_level *finest = ovr_strip_finest(s);
+    const ovr_smooth smooth = ovr_simulation_smooth(sim, T);
+    if (!ovr_has_heights(sim))
+        return;
+    for (size_t j = 0; j < s->lines; j++)
+        for (size_t i = 0; i < s->n; i++)
+            s->S[j * s->n + i] =
+                ovr_smooth_at(&smooth, s->X[i]) -
+                finest->f.gap[ovr_strip_row(&finest->grid, i) + j];
+}
+
+/* --------------------------------------------------------------- the film */
+
+static double smallest_film(const ovr_strip_solver *s)
+{
+    const ovr_strip_level *finest = ovr_strip_finest(s);
+    double least = INFINITY;
+    for (size_t i = 0; i < s->n; i++) {
+        const double *H = finest->f.H + ovr_strip_row(&finest->grid, i);
+        for (size_t j = 0; j < s->lines; j++)
+            if (!(H[j] >= least))
+                least = H[j];
+    }
+    return least;
+}
+
+void ovr_strip_show(ovr_simulation *sim, const ovr_strip_solver *s, size_t j)
+{
+    const ovr_strip_level *finest = ovr_strip_finest(s);
+    const ovr_strip_fields *f = &finest->f;
+    const double D2 = sim->now.D * sim->now.D;
+    ovr_solution *now = &sim->now;
+    for (size_t i = 0; i < s->n; i++) {
+        size_t at = ovr_strip_row(&finest->grid, i) + j;
+        now->P[i] = f->P[at];
+        now->H[i] = f->H[at];
+        now->q[i] = f->q[at];
+        now->eps[i] = f->eps[at];
+        if (now->flow)
+            now->flow[i] = 2 * D2 * f->along[at];
+    }
+    if (ovr_has_heights(sim))
+        memcpy(sim->S, s->S + j * s->n, s->n * sizeof *sim->S);
+    sim->Y = s->Y[j];
+    sim->grids.H0 = s->strip.H0;
+}
+
+/* The fluid of the conditions at T. */
+static void set_fluid(ovr_simulation *sim, ovr_strip_solver *s, double T)
+{
+    ovr_slide(sim, T);
+    s->strip.fluid = sim->grids.fluid;
+    s->strip.logarithmic = s->strip.fluid.logarithmic;
+}
+
+static double steady(ovr_simulation *sim, void *own, ovr_outcome *outcome)
+{
+    enum { CYCLES = 3, MOST = 60 };
+    ovr_strip_solver *s = own;
+    const ovr_target *t = &sim->target;
+    const ovr_instant at = ovr_instant_of(&sim->contact, t->Cw, t->Cu, t->c);
+    const double tolerance = ovr_steady_tolerance(
+        sim, sim->finest, ovr_film_central_moes(at.M, at.L) * t->Cw);
+    sim->grids.fluid = t->fluid;
+    set_fluid(sim, s, 0);
+    const ovr_strip_full how = {.gap = gap_of,
+                                .data = sim,
+                                .force = t->force,
+                                .speed = t->Cu,
+                                .half_width = at.s,
+                                .film = ovr_film_central_moes(at.M, at.L) *
+                                        t->Cw,
+                                .cycling = ovr_strip_steady(&s->strip.fluid),
+                                .cycles = CYCLES,
+                                .max_cycles = ovr_steady_max_cycles(sim, MOST),
+                                .tolerance = tolerance};
+    ovr_strip_defect d = ovr_strip_solve(&s->strip, &how, &outcome->cycles);
+    outcome->defect = (ovr_defect){
+        .imbalance = d.imbalance, .load = d.load, .centre = d.centre};
+    outcome->converged = ovr_strip_below(d, tolerance) && smallest_film(s) > 0;
+    sim->order = sim->scheme->order;
+    sim->strategy = 0;
+    keep_heights(sim, s, 0);
+    ovr_strip_show(sim, s, s->shown);
+    return tolerance;
+}
+
+/* Mean of rho H over the width, integrated from the first half node to that
+ * after `middle`. */
+static double mass_of(const ovr_strip_solver *s)
+{
+    const ovr_strip_grid *g = &ovr_strip_finest(s)->grid;
+    double sum = 0;
+    for (size_t i = 1; i <= s->middle; i++) {
+        const double *q = ovr_strip_finest(s)->f.q + ovr_strip_row(g, i);
+        for (size_t j = 0; j < s->lines; j++)
+            sum += q[j];
+    }
+    return sum * g->D / (double)s->lines;
+}
+
+static void begin(ovr_simulation *sim, void *own)
+{
+    ovr_strip_solver *s = own;
+    ovr_strip_march_begin(&s->march, sim->state.T);
+    memcpy(s->S_before, s->S, s->n * s->lines * sizeof *s->S);
+    for (size_t k = 0; k < 3; k++)
+        s->mass[k] = mass_of(s);
+}
+
+/* ------------------------------------------------------------------- a step */
+
+static void set_step(ovr_simulation *sim, ovr_strip_solver *s, double next)
+{
+    ovr_strip_march *m = &s->march;
+    double D = sim->now.D, given = sim->options.tolerance;
+    double tolerance = STEP_TOLERANCE *
+                       ovr_truncation_tolerance(sim, D, sim->observation.H_cen);
+    set_fluid(sim, s, next);
+    m->speed = ovr_history_value(sim->speed, next);
+    m->force = OVR_NOMINAL_LOAD * ovr_history_value(sim->load, next);
+    m->carried = sim->moving * m->speed;
+    for (int k = 0; k < 2; k++)
+        m->travel[k] = ovr_travel_since(sim, k, next);
+    m->tolerance = given > 0 ? given : tolerance;
+    m->share = given > 0 ? 0 : GUESS_SHARE;
+    m->loosest = LOOSEST;
+    m->load = fmax(given, LOAD_TOLERANCE) /
+              fmin(1, m->force / OVR_NOMINAL_LOAD);
+}
+
+/* The attempt becomes the last time. */
+static void accept(ovr_simulation *sim, ovr_strip_solver *s, double next)
+{
+    ovr_past *past = &sim->past;
+    double *heights = s->S;
+    past->dT = next - past->T[0];
+    for (int k = OVR_PAST - 1; k > 0; k--) {
+        past->H0[k] = past->H0[k - 1];
+        past->T[k] = past->T[k - 1];
+    }
+    past->H0[0] = s->strip.H0;
+    past->T[0] = next;
+    past->steps += past->steps < 3;
+    s->S = s->S_before;
+    s->S_before = heights;
+    keep_heights(sim, s, next);
+    ovr_strip_march_accept(&s->march);
+    s->mass[2] = s->mass[1];
+    s->mass[1] = s->mass[0];
+    s->mass[0] = mass_of(s);
+}
+
+/* Largest change of pressure and heights in the last step. */
+static double change_of(const ovr_simulation *sim, const ovr_strip_solver *s)
+{
+    const ovr_strip_grid *g = &ovr_strip_finest(s)->grid;
+    double largest = 0;
+    for (size_t i = 0; i < s->n; i++) {
+        const double *P = s->march.P[0] + ovr_strip_row(g, i);
+        const double *before = s->march.P[1] + ovr_strip_row(g, i);
+        for (size_t j = 0; j < s->lines; j++)
+            largest = fmax(largest, fabs(P[j] - before[j]));
+    }
+    for (size_t k = 0; ovr_has_heights(sim) && k < s->n * s->lines; k++)
+        largest = fmax(largest, fabs(s->S[k] - s->S_before[k]));
+    return largest;
+}
+
+static bool advance(ovr_simulation *sim, ovr_strip_solver *s, double next,
+                    int halvings, ovr_outcome *outcome)
+{
+    const double last = sim->past.T[0];
+    set_step(sim, s, next);
+    ovr_strip_step step = ovr_strip_march_attempt(&s->march, next);
+    outcome->cycles += step.cycles;
+    outcome->retries += step.attempts - 1;
+    outcome->defect.imbalance = step.imbalance;
+    bool open = smallest_film(s) > 0;
+    if (step.solved && open) {
+        accept(sim, s, next);
+        return true;
+    }
+    if (halvings < OVR_HALVINGS) {
+        sim->statistics.substeps++;
+        return advance(sim, s, last + (next - last) / 2, halvings + 1,
+                       outcome) &&
+               advance(sim, s, next, halvings + 1, outcome);
+    }
+    outcome->marked = true;
+    if (!open || !(step.imbalance <= OVR_ACCEPTABLE))
+        return false;
+    accept(sim, s, next);
+    return true;
+}
+
+static bool attempt(ovr_simulation *sim, void *own, double next,
+                    ovr_outcome *outcome)
+{
+    ovr_strip_solver *s = own;
+    bool taken = advance(sim, s, next, 0, outcome);
+    if (taken)
+        sim->past.change = change_of(sim, s);
+    ovr_strip_show(sim, s, s->shown);
+    return taken;
+}
+
+static void step_back(ovr_simulation *sim, void *own)
+{
+    ovr_strip_solver *s = own;
+    set_fluid(sim, s, sim->past.T[0]);
+    ovr_strip_march_back(&s->march);
+    keep_heights(sim, s, sim->past.T[0]);
+    ovr_strip_show(sim, s, s->shown);
+}
+
+static ovr_status check(const ovr_simulation *sim, const void *own,
+                        ovr_error *err)
+{
+    (void)own;
+    return ovr_conflict_check(
+        sim->features | ovr_model_features_of(&sim->options) |
+            ovr_model_feature_bit(OVR_MODEL_REVERSAL,
+                                  ovr_history_reverses(sim->speed)) |
+            ovr_model_feature_bit(OVR_MODEL_STRIP, true),
+        err);
+}
+
+/* --------------------------------------------------------------- checkpoint */
+
+static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
+{
+    ovr_strip_solver *s = own;
+    ovr_strip_march *m = &s->march;
+    const ovr_strip_grid *g = &ovr_strip_finest(s)->grid;
+    size_t bytes = ovr_strip_size(g) * sizeof(double);
+    size_t more = m->ghosts * g->stride * sizeof(double);
+    static const char *const P[] = {"strip_P_1", "strip_P_2", "strip_P_3",
+                                    "strip_P_4"};
+    static const char *const q[] = {"strip_q_1", "strip_q_2"};
+    (void)sim;
+    for (size_t k = 0; k < OVR_STRIP_PAST; k++)
+        ovr_show(state, P[k], m->P[k], bytes);
+    for (size_t k = 0; k < 2; k++)
+        ovr_show(state, q[k], m->q[k], bytes + more);
+    ovr_show(state, "strip_H0", m->H0, sizeof m->H0);
+    ovr_show(state, "strip_T", m->T, sizeof m->T);
+    OVR_SHOW(state, "strip_known", m->known);
+    OVR_SHOW(state, "strip_steps", m->steps);
+    OVR_SHOW(state, "strip_formula", m->formula);
+    OVR_SHOW(state, "strip_coupling", m->coupling);
+    ovr_show(state, "strip_nearness", m->nearness, sizeof m->nearness);
+    ovr_show(state, "strip_mass", s->mass, sizeof s->mass);
+}
+
+const ovr_physics ovr_physics_strip = {
+    .name = "strip",
+    .bit = OVR_PHYSICS_STRIP,
+    .section = &ovr_strip_section,
+    .sections = 1,
+    .behind = "domain",
+    .form = sizeof(ovr_strip_form),
+    .choose = ovr_strip_choose,
+    .resolve = ovr_strip_resolve,
+    .on_mesh = ovr_strip_on_mesh,
+    .features = ovr_strip_features,
+    .tell = ovr_strip_tell,
+    .seconds = ovr_strip_seconds,
+    .one_mesh = "of a strip",
+    .take = take,
+    .release = release,
+    .solver = &(const ovr_solver){steady, attempt, step_back,
+                                  ovr_strip_observe},
+    .begin = begin,
+    .check = check,
+    .unknown = ovr_strip_unknown,
+    .quantity = ovr_strip_quantities,
+    .quantities = OVR_STRIP_QUANTITIES,
+    .visit = visit};

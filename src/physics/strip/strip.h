@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The strip of a simulation (solver.h): grids of src/strip, their time steps,
+ * and the values at all nodes in the order of files. */
+#ifndef OVR_PHYSICS_STRIP_STRIP_H
+#define OVR_PHYSICS_STRIP_STRIP_H
+
+#include "simulation/physics.h"
+#include "strip/march.h"
+
+/* --------------------------------------------------------------- the case */
+
+typedef struct ovr_strip_form {
+    double width; /* period across, b */
+    int lines;    /* 0: by the mesh along x */
+    int ends;     /* 1: periodic; 0: no strip */
+    double shown; /* Y of the line in tables and pictures; NAN: automatic */
+    double M;     /* Moes number, for the coarsest grid */
+    double seconds;
+} ovr_strip_form;
+
+extern const ovr_section ovr_strip_section;
+
+void ovr_strip_choose(const void *form, ovr_options *options);
+ovr_status ovr_strip_resolve(const ovr_physics_case *of, void *form, bool *on,
+                             ovr_error *err);
+ovr_status ovr_strip_on_mesh(const ovr_physics_case *of, void *form,
+                             double mesh, ovr_error *err);
+unsigned ovr_strip_features(const void *form);
+void ovr_strip_tell(const ovr_physics_case *of, const void *form,
+                    ovr_physics_line *line, void *data);
+double ovr_strip_seconds(const void *form);
+
+/* Lines of the finest grid on a mesh size D along x. */
+size_t ovr_strip_lines(const ovr_strip_form *form, double D);
+
+/* ------------------------------------------------------------- the solver */
+
+/* Places in ovr_observation.more. */
+enum {
+    OVR_STRIP_Y_MIN = 16,
+    OVR_STRIP_Y_MAX,
+    OVR_STRIP_FILM_LOW,
+    OVR_STRIP_FILM_HIGH,
+    OVR_STRIP_FILM_SPREAD
+};
+
+typedef struct ovr_strip_solver {
+    const ovr_strip_form *form;
+    ovr_strip strip;
+    ovr_strip_march march;
+    size_t n, lines, shown;
+    size_t middle;  /* last node with X <= 0 */
+    double *X, *Y;  /* nodes along x; lines, from -W/2 on */
+    double *across; /* heights of a line contact, while they are broadcast */
+    double *along;  /* nodes that heights are asked for */
+    double *S, *S_before; /* heights, line after line */
+    double *located[2];   /* minimum film thickness and maximum pressure of each
+                             line */
+    /* Mean of rho H up to `middle` now, one and two steps ago.  Mass flow at
+     * both ends of that part. */
+    double mass[3], flow[2];
+} ovr_strip_solver;
+
+/* Returns the strip, or NULL of a line contact. */
+ovr_strip_solver *ovr_strip_of(const ovr_simulation *sim);
+
+/* The finest grid. */
+static inline const ovr_strip_level *ovr_strip_finest(const ovr_strip_solver *s)
+{
+    return &s->strip.level[s->strip.finest];
+}
+
+/* Copies line j to `now` and to the heights of the simulation. */
+void ovr_strip_show(ovr_simulation *sim, const ovr_strip_solver *s, size_t j);
+
+/* Observes all lines. */
+void ovr_strip_observe(ovr_simulation *sim, void *own, ovr_observation *o);
+void ovr_strip_unknown(ovr_observation *o);
+
+enum { OVR_STRIP_QUANTITIES = 5 };
+extern const ovr_observable ovr_strip_quantities[OVR_STRIP_QUANTITIES];
+
+#endif

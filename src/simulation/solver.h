@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The solver of a simulation.  Without a record the film varies along x only
+ * and is solved by multigrid/, steady.c and step.c.  A physics may bring
+ * another solver (physics.h), of a film that varies across rolling too.
+ * Histories, time loop, statistics, files and studies are the same.
+ *
+ * Such a solver copies one line along x to `now` and sim->S before it returns.
+ * Tables, pictures and result files of the line contact show that line.
+ */
+#ifndef OVR_SIMULATION_SOLVER_H
+#define OVR_SIMULATION_SOLVER_H
+
+#include "simulation/internal.h"
+
+typedef struct ovr_solver {
+    /* Solves the steady film at T = 0; the conditions are sim->target.  Fills
+     * the outcome and returns the tolerance on R. */
+    double (*steady)(ovr_simulation *sim, void *own, ovr_outcome *outcome);
+
+    /* Solves the film at `next` and moves sim->past on to that time.  Returns
+     * false, and stays at the last time, where no film was found. */
+    bool (*attempt)(ovr_simulation *sim, void *own, double next,
+                    ovr_outcome *outcome);
+
+    /* Restores film and gap of the last time. */
+    void (*step_back)(ovr_simulation *sim, void *own);
+
+    /* Observes film, pressure, mass flow and friction of all lines. */
+    void (*observe)(ovr_simulation *sim, void *own, ovr_observation *o);
+} ovr_solver;
+
+#endif

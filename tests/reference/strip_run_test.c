@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Runs of cases with [strip]: the film of the line contact where nothing varies
+ * across, with every kind of history, stop and resume, refusals.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "overroll/overroll.h"
+#include "physics/strip/strip.h"
+#include "support/test.h"
+
+#define CONTACT                                                                \
+    "[contact]\nM = 20\nL = 10\n[domain]\nlevel = 5\norder = 2\n"              \
+    "inlet = -4\noutlet = 1.5\n[solver]\ntolerance = 1e-9\n"
+#define IN_TIME                                                                \
+    "[time]\nend = 0.5\nscheme = characteristic\nstep = 0.02455357142857143\n"
+#define RIDGE                                                                  \
+    "[feature ridge]\nshape = ridge\nheight = 0.03\nwidth = 1\nstart = -1.2\n"
+#define STRIP "[strip]\nwidth = 2\n"
+
+static ovr_case *read_case(const char *text, const char *more)
+{
+    ovr_error err = {0};
+    char whole[4000];
+    snprintf(whole, sizeof whole, "%s%s", text, more);
+    ovr_case *c = ovr_case_read_text(whole, "test", NULL, NULL, &err);
+    if (!c)
+        print_message("%s\n", err.message);
+    assert_non_null(c);
+    return c;
+}
+
+static ovr_run *run_of(ovr_case *c, const char *path)
+{
+    ovr_error err = {0};
+    ovr_run_options how = {0};
+    how.output = path;
+    how.force = true;
+    ovr_run *run = ovr_run_create(c, &how, NULL, &err);
+    if (!run)
+        print_message("%s\n", err.message);
+    assert_non_null(run);
+    CHECK_OK(ovr_run_go(run, &err), &err);
+    return run;
+}
+
+/* A strip and a line contact with the same case end in the same film. */
+static void same_as_line(const char *text, double tolerance)
+{
+    ovr_case *line = read_case(text, ""), *strip = read_case(text, STRIP);
+    ovr_run *one = run_of(line, NULL), *other = run_of(strip, NULL);
+    const ovr_simulation *a = ovr_run_about(one)->sim;
+    const ovr_simulation *b = ovr_run_about(other)->sim;
+    const ovr_observation *o = ovr_simulation_observation(a);
+    const ovr_observation *p = ovr_simulation_observation(b);
+    const ovr_state *s = ovr_simulation_state(a), *t = ovr_simulation_state(b);
+    assert_true(p->converged && s->n == t->n && s->T == t->T);
+    for (size_t i = 0; i < s->n; i++) {
+        CHECK_NEAR(t->P[i], s->P[i], 20 * tolerance);
+        CHECK_NEAR(t->H[i], s->H[i], tolerance);
+        CHECK_NEAR(t->S[i], s->S[i], 1e-12);
+    }
+    CHECK_NEAR(p->H_cen, o->H_cen, tolerance);
+    CHECK_NEAR(p->load, o->load, 1e-7);
+    CHECK_NEAR(p->F_slide, o->F_slide, 1e-5 * fabs(o->F_slide) + tolerance);
+    CHECK_NEAR(p->F_roll, o->F_roll, tolerance);
+    CHECK_NEAR(p->power_dissipated, o->power_dissipated,
+               1e-5 * fabs(o->power_dissipated) + tolerance);
+    CHECK_NEAR(p->mass_flow, o->mass_flow, 2e-4);
+    CHECK_NEAR(p->mass_balance, 0, 0.03);
+    CHECK_NEAR(p->more[OVR_STRIP_FILM_LOW], p->H_cen, tolerance);
+    CHECK_NEAR(p->more[OVR_STRIP_FILM_HIGH], p->H_cen, tolerance);
+    ovr_run_free(one);
+    ovr_run_free(other);
+    ovr_case_free(line);
+    ovr_case_free(strip);
+}
+
+/* The sums of MLMI are exact to 1e-8, of which films have a part. */
+TEST(steady)
+{
+    same_as_line(CONTACT, 1e-8);
+}
+
+TEST(a_ridge_that_slides)
+{
+    same_as_line(CONTACT IN_TIME RIDGE "[contact]\nslide_to_roll = 0.4\n",
+                 1e-7);
+}
+
+/* Between nodes, where a varying speed puts the departure points, strips
+ * interpolate by cubics and line contacts by polynomials of degree five.  On
+ * this mesh that changes H by 1e-6 and more where the film is steep. */
+TEST(histories_of_load_speed_and_radius)
+{
+    same_as_line(CONTACT IN_TIME
+                 "[load]\nhistory = ramp\nfrom = 0.8\nto = 1.1\n"
+                 "duration = 0.4\n[speed]\nhistory = ramp\n"
+                 "from = 0.9\nto = 1.2\nduration = 0.4\n"
+                 "[radius]\nhistory = ramp\nto = 1.1\n"
+                 "duration = 0.5\n",
+                 1e-5);
+}
+
+TEST(shear_thinning_upstream)
+{
+    same_as_line("[contact]\nload = 3e5 N/m\nradius = 10 mm\n"
+                 "modulus = 226 GPa\nviscosity = 40 mPa.s\nalpha = 17 1/GPa\n"
+                 "speed_1 = 1.4 m/s\nspeed_2 = 1.0 m/s\n[domain]\nlevel = 5\n"
+                 "order = 2\n[solver]\ntolerance = 1e-9\n[time]\nend = 0.2\n"
+                 "scheme = upstream2\n[lubricant]\nrheology = eyring\n"
+                 "eyring_stress = 5 MPa\n" RIDGE,
+                 1e-6);
+}
+
+static bool stops(void *calls)
+{
+    return ++*(int *)calls == 9;
+}
+
+TEST_IN_FOLDER(stopped_and_resumed_to_the_bit)
+{
+    char path[300];
+    ovr_error err = {0};
+    int calls = 0;
+    snprintf(path, sizeof path, "%s/strip.h5", (const char *)*state);
+    ovr_case *c = read_case(CONTACT IN_TIME RIDGE, STRIP);
+    ovr_run *whole = run_of(c, NULL);
+    ovr_run_options how = {
+        .output = path, .force = true, .stop = stops, .data = &calls};
+    ovr_run *part = ovr_run_create(c, &how, NULL, &err);
+    assert_non_null(part);
+    CHECK_STATUS(ovr_run_go(part, &err), OVR_STOPPED, &err);
+    ovr_run_free(part);
+    how = (ovr_run_options){0};
+    ovr_run *rest = ovr_run_resume(path, &how, NULL, &err);
+    if (!rest)
+        print_message("%s\n", err.message);
+    assert_non_null(rest);
+    CHECK_OK(ovr_run_go(rest, &err), &err);
+    const ovr_strip_level *a = ovr_strip_finest(
+        ovr_strip_of(ovr_run_about(whole)->sim));
+    const ovr_strip_level *b = ovr_strip_finest(
+        ovr_strip_of(ovr_run_about(rest)->sim));
+    size_t bytes = ovr_strip_size(&a->grid) * sizeof(double);
+    assert_memory_equal(a->f.P, b->f.P, bytes);
+    assert_memory_equal(a->f.H, b->f.H, bytes);
+    ovr_run_free(whole);
+    ovr_run_free(rest);
+    ovr_case_free(c);
+}
+
+static void refused(const char *strip, const char *words)
+{
+    ovr_error err = {0};
+    ovr_case *c = read_case(CONTACT, strip);
+    ovr_setup *setup = ovr_case_resolve(c, NULL, &err);
+    ovr_status status = setup ? ovr_setup_prepare(setup, NULL, &err)
+                              : err.status;
+    CHECK_STATUS(status, OVR_BAD_INPUT, &err);
+    if (!strstr(err.message, words))
+        print_message("%s\n", err.message);
+    assert_non_null(strstr(err.message, words));
+    ovr_setup_free(setup);
+    ovr_case_free(c);
+}
+
+TEST(lines_that_cannot_be_halved_or_are_too_close)
+{
+    refused("[strip]\nlines = 100\n", "the nearest are 96 and 112");
+    refused("[strip]\nlines = 256\n", "mesh size across");
+}
+
+TEST(what_has_no_strip)
+{
+    refused("[strip]\n[paper]\nsmoother = hybrid\n",
+            "does not go with a strip; line does");
+    refused("[strip]\n[cavitation]\nmodel = conserving\n",
+            "does not go with a strip; reynolds does");
+}
