@@ -155,6 +155,16 @@ typedef struct ovr_feature_form {
     OVR_FEATURE_SIZES(OVR_SIZE, OVR_SIZE)
 #undef OVR_SIZE
 
+    /* Extent across rolling; of a strip alone. */
+    double across;            /* Y of its centre */
+    double width_across;      /* 0 if round, INFINITY if the same for all Y,
+                                 NAN by its shape */
+    double length_across;     /* of its length; NAN: endless */
+    double angle;             /* of its length from the y axis, radians */
+    double wavelength_across; /* of a crossing wave, of a texture */
+    double stagger;           /* texture: shift of every second row, share of
+                                 the pitch across */
+
     /* Changes in time and along the surface. */
     double grow;      /* grows in place by sigma((T - grow_from)/grow) */
     double grow_from; /* 0 */

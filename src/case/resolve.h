@@ -113,6 +113,9 @@ unsigned ovr_resolved_no_fields(const ovr_resolved *r, const ovr_physics **off);
 /* Returns the reason for steps of one mesh size, or NULL. */
 const char *ovr_resolved_one_mesh(const ovr_resolved *r);
 
+/* Returns the width of a strip, b; 0 for line contacts. */
+double ovr_resolved_width(const ovr_resolved *r);
+
 /* Returns the film that arrives at T = 0, INFINITY for flooded inlets. */
 double ovr_resolved_arrives(const ovr_resolved *r);
 

@@ -477,6 +477,15 @@ double ovr_setup_lag(const ovr_setup *setup)
     return lag;
 }
 
+double ovr_resolved_width(const ovr_resolved *r)
+{
+    double width = 0;
+    for (int k = 0; ovr_physics_list[k]; k++)
+        if (is_on(r, k) && ovr_physics_list[k]->width_across)
+            width = ovr_physics_list[k]->width_across(r->physics[k].form);
+    return width;
+}
+
 double ovr_resolved_arrives(const ovr_resolved *r)
 {
     double film = INFINITY;

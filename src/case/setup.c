@@ -74,6 +74,7 @@ static ovr_status make_surfaces(ovr_resolved *r, const ovr_allocator *allocator,
     if (!s->surfaces)
         return OVR_NO_MEMORY;
     ovr_surfaces_sliding(s->surfaces, s->sliding);
+    ovr_surfaces_strip(s->surfaces, ovr_resolved_width(r));
     ovr_surfaces_domain(s->surfaces, s->options->inlet, s->options->outlet);
     status = add_features(r, err);
     if (status) {
@@ -350,6 +351,8 @@ ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
                                                  : NULL,
             ovr_surfaces_has(setup->surfaces, 2) ? ovr_surfaces_heights_2
                                                  : NULL);
+        if (ovr_resolved_width((const ovr_resolved *)setup) > 0)
+            ovr_simulation_across(sim, ovr_surfaces_across);
         sim->roughness = ovr_surfaces_roughness(setup->surfaces);
     }
     if (setup->transient)

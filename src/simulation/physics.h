@@ -173,6 +173,9 @@ struct ovr_physics {
     /* Features of the model (conflicts.h) that the form turns on. */
     unsigned (*features)(const void *form);
 
+    /* Period across rolling, b; 0: the form is not on. */
+    double (*width_across)(const void *form);
+
     /* The film that arrives at T = 0; INFINITY: as much as is taken. */
     double (*arrives)(const void *form);
 

@@ -12,6 +12,19 @@
 #include "overroll/surface.h"
 #include "surface/profile_table.h"
 
+/* Extent across rolling, on a strip (footprint.h). */
+typedef struct ovr_footprint {
+    bool round;          /* the formula of the distance from the centre */
+    double across;       /* Y of the centre */
+    double ratio;        /* width across relative to that along x */
+    double length;       /* INFINITY: endless */
+    double fade;         /* at the ends of its length */
+    double sine, cosine; /* of the angle of its length from the y axis */
+    double wavelength;   /* across; NAN: none */
+    double stagger;      /* share of the wavelength across */
+    double reach;        /* the formula vanishes beyond */
+} ovr_footprint;
+
 typedef struct ovr_feature {
     const char *name, *assumed;
     int surface;
@@ -28,8 +41,9 @@ typedef struct ovr_feature {
     double reach_behind, reach_ahead; /* beyond them its height vanishes */
     double finest;                    /* shortest wavelength that matters */
     double grow, grow_from;
-    double repeat;          /* NAN: single */
-    long copies;            /* 0: endless */
+    double repeat; /* NAN: single */
+    long copies;   /* 0: endless */
+    ovr_footprint footprint;
     const ovr_table *table; /* profile, roughness: heights from behind */
     double local_Rq;        /* of those before the grid's filter, as a contact
                                sees it (local_roughness.h); else 0 */
@@ -76,6 +90,9 @@ static inline bool ovr_is_endless(const ovr_feature *feature)
 {
     return isinf(feature->reach_ahead);
 }
+
+/* Returns the height at the distance s from the centre. */
+double ovr_shape_height(const ovr_feature *feature, double s);
 
 /* S[i] += factor * (height at X[i] with the centre at `centre`). */
 void ovr_shape_add(const ovr_feature *feature, double factor, double centre,

@@ -515,6 +515,11 @@ static size_t first_from(size_t n, const double *X, double limit)
     return low;
 }
 
+double ovr_shape_height(const ovr_feature *f, double s)
+{
+    return rules[f->shape].height(f, s);
+}
+
 void ovr_shape_add(const ovr_feature *feature, double factor, double centre,
                    size_t n, const double *X, double *S)
 {

@@ -19,6 +19,7 @@
 #include "contact/contact.h"
 #include "contact/reversal.h"
 #include "surface/features.h"
+#include "surface/footprint.h"
 #include "surface/measured.h"
 #include "surface/surfaces.h"
 
@@ -35,7 +36,10 @@ ovr_feature_form ovr_feature_form_default(void)
 #define NOT_GIVEN(name, help) .name = NAN,
                                        OVR_FEATURE_SIZES(NOT_GIVEN, NOT_GIVEN)
 #undef NOT_GIVEN
-                                           .grow = NAN,
+                                           .width_across = NAN,
+                                       .length_across = NAN,
+                                       .wavelength_across = NAN,
+                                       .grow = NAN,
                                        .grow_from = 0,
                                        .repeat = NAN,
                                        .copies = 0};
@@ -73,6 +77,13 @@ void ovr_surfaces_sliding(ovr_surfaces *surfaces, const ovr_history *sliding)
     if (!surfaces)
         return;
     surfaces->sliding = sliding;
+}
+
+void ovr_surfaces_strip(ovr_surfaces *surfaces, double width)
+{
+    if (!surfaces)
+        return;
+    surfaces->width = width;
 }
 
 void ovr_surfaces_free(ovr_surfaces *surfaces)
@@ -175,6 +186,8 @@ static ovr_status make(ovr_surfaces *surfaces, const ovr_feature_form *form,
                                    err);
     if (!status)
         status = check_repeat(f, err);
+    if (!status && surfaces->width > 0)
+        status = ovr_footprint_make(f, form, surfaces->width, err);
     if (!status)
         status = ovr_feature_place(
             f, form,
@@ -256,6 +269,41 @@ static void heights_of(const ovr_surfaces *surfaces, int surface, double T,
         if (factor > 0 && (!surface || l->feature.surface == surface))
             add_feature(&l->feature, factor,
                         ovr_feature_centre(surfaces, &l->feature, T), n, X, S);
+    }
+}
+
+/* Rows and lines of a strip. */
+typedef struct places {
+    size_t n, lines, stride;
+    const double *X, *Y;
+    double width;
+} places;
+
+static void add_across(const ovr_feature *f, double factor, double centre,
+                       const places *at, double *S)
+{
+    double low = 0, high = 0, p = f->back ? -f->repeat : f->repeat;
+    bool once = isnan(f->repeat) || ovr_footprint_repeats(f);
+    if (!once)
+        copies_within(f, centre, at->X[0], at->X[at->n - 1], &low, &high);
+    for (double k = low; k <= high; k++)
+        ovr_footprint_add(f, factor, once ? centre : centre - k * p, at->width,
+                          at->n, at->X, at->lines, at->Y, at->stride, S);
+}
+
+void ovr_surfaces_across(void *data, int surface, double T, size_t n,
+                         const double *X, size_t lines, const double *Y,
+                         size_t stride, double *S)
+{
+    const ovr_surfaces *surfaces = data;
+    const places at = {n, lines, stride, X, Y, surfaces->width};
+    for (size_t i = 0; i < n; i++)
+        memset(S + i * stride, 0, lines * sizeof *S);
+    for (const ovr_placed_feature *l = surfaces->first; l && n; l = l->next) {
+        double factor = grown(&l->feature, T);
+        if (factor > 0 && (!surface || l->feature.surface == surface))
+            add_across(&l->feature, factor,
+                       ovr_feature_centre(surfaces, &l->feature, T), &at, S);
     }
 }
 

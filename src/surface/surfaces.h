@@ -39,6 +39,16 @@ void ovr_surfaces_free(ovr_surfaces *surfaces);
  * features are put on. */
 void ovr_surfaces_sliding(ovr_surfaces *surfaces, const ovr_history *sliding);
 
+/* Sets the width of a strip, b.  The function is called before features are
+ * added. */
+void ovr_surfaces_strip(ovr_surfaces *surfaces, double width);
+
+/* Heights of surface 1 or 2, or of both (0), on a strip: an
+ * ovr_heights_across of simulation.h. */
+void ovr_surfaces_across(void *surfaces, int surface, double T, size_t n,
+                         const double *X, size_t lines, const double *Y,
+                         size_t stride, double *S);
+
 /* Tells where the film begins and ends: a feature without a place starts just
  * outside, on the side that it comes from. */
 void ovr_surfaces_domain(ovr_surfaces *surfaces, double inlet, double outlet);

@@ -116,6 +116,92 @@ TEST(shear_thinning_upstream)
                  1e-6);
 }
 
+/* ---------------------------------------------------------------- features */
+
+#define WAVE "[feature wave]\nshape = wave\namplitude = 0.004\nwavelength = "
+
+/* Heights and pressure of a steady strip at node i and line j. */
+typedef struct solved {
+    ovr_case *c;
+    ovr_run *run;
+    const ovr_strip_solver *s;
+} solved;
+
+static solved solve(const char *more)
+{
+    char text[2000];
+    snprintf(text, sizeof text, "%s%s", STRIP "lines = 56\n", more);
+    solved one = {.c = read_case(CONTACT, text)};
+    one.run = run_of(one.c, NULL);
+    one.s = ovr_strip_of(ovr_run_about(one.run)->sim);
+    return one;
+}
+
+static void drop(solved *one)
+{
+    ovr_run_free(one->run);
+    ovr_case_free(one->c);
+}
+
+static double pressure(const solved *one, size_t i, size_t j)
+{
+    const ovr_strip_level *finest = ovr_strip_finest(one->s);
+    return finest->f.P[ovr_strip_row(&finest->grid, i) + j];
+}
+
+static double height(const solved *one, size_t i, size_t j)
+{
+    return one->s->S[j * one->s->n + i];
+}
+
+/* The round dent of the shape's formula at its distance, images included. */
+TEST(a_round_dent)
+{
+    solved one = solve("[feature d]\nshape = dent\ndepth = 0.02\nwidth = 0.8\n"
+                       "start = 0.1\nacross = 0.9\n");
+    const double ten = log(10), turn = 2 * acos(-1);
+    for (size_t j = 0; j < one.s->lines; j++)
+        for (size_t i = 0; i < one.s->n; i += 3) {
+            double S = 0;
+            for (int m = -1; m <= 1; m++) {
+                double v = hypot(one.s->X[i] - 0.1, one.s->Y[j] - 0.9 + 2 * m) /
+                           0.8;
+                S -= 0.02 * exp(-10 * ten * v * v) * cos(turn * v);
+            }
+            CHECK_NEAR(height(&one, i, j), S, 1e-12);
+        }
+    drop(&one);
+}
+
+/* Equal dents four lines apart make equal films four lines apart. */
+TEST(shifted_across)
+{
+    const char *dent = "[feature d]\nshape = indent\ndepth = 0.03\n"
+                       "width = 0.8\nwidth_across = 1.2\nangle = 30 deg\n"
+                       "start = -0.2\nacross = ";
+    char near[300], far[300];
+    snprintf(near, sizeof near, "%s0\n", dent);
+    snprintf(far, sizeof far, "%s%.17g\n", dent, 4 * 2. / 56);
+    solved a = solve(near), b = solve(far);
+    for (size_t j = 0; j < 56; j++)
+        for (size_t i = 0; i < a.s->n; i++)
+            CHECK_NEAR(pressure(&b, i, (j + 4) % 56), pressure(&a, i, j), 2e-8);
+    drop(&a);
+    drop(&b);
+}
+
+/* A wave at 45 degrees is a sum of products of waves along and across. */
+TEST(an_oblique_wave)
+{
+    solved one = solve(WAVE "0.7071067811865476\nangle = 45 deg\n");
+    for (size_t j = 0; j < one.s->lines; j++)
+        for (size_t i = 0; i < one.s->n; i += 3)
+            CHECK_NEAR(height(&one, i, j),
+                       0.004 * cos(2 * acos(-1) * (one.s->X[i] + one.s->Y[j])),
+                       1e-12);
+    drop(&one);
+}
+
 static bool stops(void *calls)
 {
     return ++*(int *)calls == 9;
@@ -172,6 +258,21 @@ TEST(lines_that_cannot_be_halved_or_are_too_close)
 {
     refused("[strip]\nlines = 100\n", "the nearest are 96 and 112");
     refused("[strip]\nlines = 256\n", "mesh size across");
+}
+
+TEST(features_that_do_not_close)
+{
+    refused(STRIP WAVE "0.7\nangle = 45 deg\n",
+            "the nearest that do are 0.471405 and 0.707107");
+    refused(STRIP "[feature g]\nshape = groove\ndepth = 0.01\nwidth = 0.3\n"
+                  "start = 0\nangle = 45 deg\n",
+            "set repeat = 2 or 1");
+    refused(STRIP "[feature t]\nshape = texture\ndepth = 0.01\nwidth = 0.3\n"
+                  "wavelength = 0.45\n",
+            "the nearest that do are 0.4 and 0.5");
+    refused(STRIP "[feature s]\nshape = step\nheight = 0.01\nstart = 0\n"
+                  "width_across = 0.3\n",
+            "has no width_across");
 }
 
 TEST(what_has_no_strip)

@@ -13,6 +13,8 @@ static const ovr_word shapes[] = {
     {"roughness", OVR_ROUGHNESS}, {NULL, 0}};
 static const ovr_word at_inlet[] = {{"inlet", -INFINITY}, {NULL, 0}};
 static const ovr_word endless[] = {{"endless", 0}, {NULL, 0}};
+static const ovr_word footprints[] = {
+    {"round", 0}, {"endless", INFINITY}, {NULL, 0}};
 static const ovr_word levellings[] = {
     {"none", OVR_LEVEL_NONE}, {"mean", OVR_LEVEL_MEAN},
     {"line", OVR_LEVEL_LINE}, {"polynomial", OVR_LEVEL_POLYNOMIAL},
@@ -25,6 +27,9 @@ static const ovr_word extensions[] = {{"none", OVR_EXTEND_NONE},
 static const ovr_word spectra[] = {{"self-affine", OVR_SELF_AFFINE},
                                    {"exponential", OVR_EXPONENTIAL},
                                    {NULL, 0}};
+
+/* A right angle, in radians. */
+#define QUARTER 1.57079632679489661923
 
 #define IN_FORM(field) offsetof(ovr_feature_settings, form.field)
 #define IN_FEATURE(field) offsetof(ovr_feature_settings, field)
@@ -51,9 +56,29 @@ static const ovr_parameter feature_keys[] = {
     {#name, HEIGHT, NULL, IN_FORM(name), true, OVR_BY_SHAPE, help},
 #define AS_LENGTH(name, help)                                                  \
     {#name, SIZE, NULL, IN_FORM(name), true, OVR_BY_SHAPE, help},
-    OVR_FEATURE_SIZES(AS_HEIGHT, AS_LENGTH){
-        "grow", TIME(0, 1e6), NULL, IN_FORM(grow), true, ALWAYS,
-        "grows in place over this time (quintic smoothstep)"},
+    OVR_FEATURE_SIZES(AS_HEIGHT, AS_LENGTH){"across", LENGTH(-1e3, 1e3), "0",
+                                            IN_FORM(across), true, "[strip]",
+                                            "Y of its centre"},
+    {"width_across", LENGTH_OR(footprints, 1e-6, 1e3), NULL,
+     IN_FORM(width_across), true, "[strip]",
+     "extent across, measured as its width is along x: a length, round, or "
+     "endless (the same for all y)"},
+    {"length_across", SIZE, NULL, IN_FORM(length_across), true, "[strip]",
+     "length of a ridge, groove or step, faded at its ends; default: endless"},
+    {"angle", WITH_UNIT(OVR_ANGLE, -QUARTER, QUARTER), "0 deg", IN_FORM(angle),
+     true, "[strip]",
+     "angle of its length, or of the crests of a wave, from the y axis towards "
+     "+x; 90 deg is along rolling"},
+    {"wavelength_across", SIZE, NULL, IN_FORM(wavelength_across), true,
+     "[strip]",
+     "length of a second wave that crosses the first; distance across of the "
+     "dimples of a texture"},
+    {"stagger", PLAIN(0, 1), "0", IN_FORM(stagger), true,
+     "[strip]; shape = texture",
+     "every second row of dimples is shifted by this share of "
+     "wavelength_across"},
+    {"grow", TIME(0, 1e6), NULL, IN_FORM(grow), true, ALWAYS,
+     "grows in place over this time (quintic smoothstep)"},
     {"grow_from", TIME(-1e6, 1e6), "0", IN_FORM(grow_from), true, "grow",
      "when it begins to grow"},
     {"repeat", SIZE, NULL, IN_FORM(repeat), true, ALWAYS,

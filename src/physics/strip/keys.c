@@ -14,6 +14,7 @@
 #include "base/error.h"
 #include "base/rows.h"
 #include "multigrid/hierarchy.h"
+#include "overroll/surface.h"
 #include "simulation/conflicts.h"
 
 #define AT(field) offsetof(ovr_strip_form, field)
@@ -89,7 +90,7 @@ ovr_status ovr_strip_resolve(const ovr_physics_case *of, void *form, bool *on,
     if (!*on)
         return OVR_OK;
     if (!of->given(of->data, "strip", "shown"))
-        f->shown = NAN;
+        f->shown = of->features ? of->feature[0]->across : 0;
     if (f->width == 0)
         f->width = USUAL_WIDTH;
     f->M = of->contact->M;
@@ -130,6 +131,12 @@ ovr_status ovr_strip_on_mesh(const ovr_physics_case *of, void *form, double D,
                           lines, ratio, LEAST_RATIO, LARGEST_RATIO,
                           ceil(f->width / (LARGEST_RATIO * D)),
                           floor(f->width / (LEAST_RATIO * D)));
+}
+
+double ovr_strip_width(const void *form)
+{
+    const ovr_strip_form *f = form;
+    return f->ends ? f->width : 0;
 }
 
 double ovr_strip_seconds(const void *form)

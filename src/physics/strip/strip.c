@@ -73,8 +73,7 @@ static void fill_places(ovr_simulation *sim, ovr_strip_solver *s)
     }
     for (size_t j = 0; j < s->lines; j++) {
         s->Y[j] = -W / 2 + (double)j * g->Dy;
-        double off = isnan(s->form->shown) ? 0 : s->form->shown;
-        double apart = fabs(remainder(s->Y[j] - off, W));
+        double apart = fabs(remainder(s->Y[j] - s->form->shown, W));
         if (apart < best - 1e-9) {
             best = apart;
             s->shown = j;
@@ -445,6 +444,8 @@ const ovr_physics ovr_physics_strip = {
     .features = ovr_strip_features,
     .tell = ovr_strip_tell,
     .seconds = ovr_strip_seconds,
+    .width_across = ovr_strip_width,
+    .companion = &ovr_strip_companion,
     .one_mesh = "of a strip",
     .take = take,
     .release = release,

@@ -13,7 +13,8 @@ typedef struct ovr_strip_form {
     double width; /* period across, b */
     int lines;    /* 0: by the mesh along x */
     int ends;     /* 1: periodic; 0: no strip */
-    double shown; /* Y of the line in tables and pictures; NAN: automatic */
+    double shown; /* Y of the line in tables and pictures; NAN: the first
+                     feature */
     double M;     /* Moes number, for the coarsest grid */
     double seconds;
 } ovr_strip_form;
@@ -29,11 +30,14 @@ unsigned ovr_strip_features(const void *form);
 void ovr_strip_tell(const ovr_physics_case *of, const void *form,
                     ovr_physics_line *line, void *data);
 double ovr_strip_seconds(const void *form);
+double ovr_strip_width(const void *form);
 
 /* Lines of the finest grid on a mesh size D along x. */
 size_t ovr_strip_lines(const ovr_strip_form *form, double D);
 
 /* ------------------------------------------------------------- the solver */
+
+extern const struct ovr_companion ovr_strip_companion;
 
 /* Places in ovr_observation.more. */
 enum {
