@@ -141,7 +141,7 @@ def mistakes(browser):
 
 def dent(browser):
     with open(f"{folder}/dent.ini", encoding="utf-8") as file:
-        put(browser, file.read())
+        put(browser, file.read().replace("level = 5", "level = 7"))
     browser.run("document.getElementById('run').click()")
     browser.wait("return +document.getElementById('left').dataset.states > 2",
                  60)
