@@ -202,6 +202,8 @@ typedef struct ovr_setup {
     size_t nodes;           /* the three below by ovr_setup_prepare */
     double mesh;            /* D */
     ovr_surfaces *surfaces; /* NULL: smooth */
+    double Rq;              /* composite roughness by contact.Rq_1 and Rq_2,
+                               b^2/R; NAN: neither is given */
     double bearable;        /* pressure that the material bears, Pa */
     ovr_accuracy accuracy_of;
     double accuracy; /* asked for: options->level is 0 or below until it is

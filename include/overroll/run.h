@@ -174,6 +174,7 @@ typedef struct ovr_summary_line {
     const char *text;
     const char *label; /* for people */
     int digits;        /* of the number, for them */
+    bool detail;       /* printed in complete lists only, not in summaries */
 } ovr_summary_line;
 typedef void ovr_summary_taker(void *data, const ovr_summary_line *line);
 

@@ -336,7 +336,8 @@ typedef struct ovr_observable {
     const char *name;      /* "min_film_thickness"; NULL: not in files */
     const char *key;       /* "H_min_located", of JSON; NULL: not there */
     const char *key_si;    /* the same in SI; NULL: not there */
-    const char *long_name; /* one line for people */
+    const char *long_name; /* the name of the quantity */
+    const char *comment;   /* its definition, in files (CF); or NULL */
     ovr_unit_kind kind;
     ovr_axes axes;
     size_t offset; /* of a number: in ovr_observation */
@@ -345,7 +346,8 @@ typedef struct ovr_observable {
     const double *(*field)(const ovr_simulation *sim, double *workspace);
     unsigned needs;    /* physics without which it is not known; 0: none */
     const char *label; /* of its line in reports; NULL: it has none */
-    const char *note;  /* behind the number there; or NULL */
+    const char *note;  /* remark there, or NULL; a note that begins with
+                          "|X|" is the range of X of the number */
     int digits;        /* of the number there; 0: 6 */
     size_t place;      /* where it is: another member's offset; 0: nowhere */
     /* Kept over a run, of a number that is a double: its extreme, with where

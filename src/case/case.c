@@ -97,11 +97,11 @@ ovr_status ovr_case_set(ovr_case *c, const char *where, const char *value,
         return ovr_fail_about(err, row->key, "%s: %s: the value is too long",
                               origin, row->key);
     if (!survives(value))
-        return ovr_fail_about(err, row->key,
-                              "%s: %s: the value must not hold # or a ; behind "
-                              "a blank (comments of a case), nor control "
-                              "characters",
-                              origin, row->key);
+        return ovr_fail_about(
+            err, row->key,
+            "%s: %s: the value must not contain #, a ; after a blank (these "
+            "begin comments) or control characters",
+            origin, row->key);
     value = trimmed(value, &c->arena, err);
     if (!value)
         return OVR_NO_MEMORY;

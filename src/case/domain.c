@@ -377,11 +377,11 @@ static ovr_status refuse(const ovr_resolved *r, const char *key, double end,
     const ovr_slot *slot = ovr_slot_of(r, "domain", key);
     if (!slot->given || slot->word || r->recorded || fabs(end) > width)
         return OVR_OK;
-    return ovr_fail_slot(err, slot,
-                         "%.4g lies inside the contact, whose half width "
-                         "reaches %.4g b where load times radius is largest; "
-                         "%.4g would do",
-                         end, width, enough);
+    return ovr_fail_slot(
+        err, slot,
+        "%.4g lies inside the contact, whose half-width reaches %.4g b at the "
+        "largest load times radius; use %.4g or further out",
+        end, width, enough);
 }
 
 ovr_status ovr_setup_domain(ovr_resolved *r, ovr_error *err)

@@ -120,8 +120,8 @@ static ovr_status both(const ovr_resolved *r, const char *what,
     }
     if (!isnan(given))
         return ovr_fail_slot(err, ovr_block_get(contact, what),
-                             "follows from [body 1] and [body 2]: leave it "
-                             "out here or there");
+                             "is already determined by [body 1] and [body 2]; "
+                             "remove this key or those of the bodies");
     return OVR_OK;
 }
 
@@ -254,8 +254,7 @@ static ovr_status grade(ovr_resolved *r, ovr_error *err)
         return OVR_OK;
     if (!isnan(oil->nu_40))
         return ovr_fail_slot(err, slot,
-                             "viscosity_40 is given too: leave one "
-                             "out");
+                             "viscosity_40 is also set; remove one of the two");
     oil->nu_40 = r->values.iso_vg * 1e-6;
     return OVR_OK;
 }
@@ -268,8 +267,8 @@ static ovr_status resolve_oil(ovr_resolved *r, ovr_error *err)
     ovr_status status = grade(r, err);
     const ovr_slot *supplied = ovr_slot_of(r, "heat", "temperature");
     if (supplied->given && !isnan(oil->temperature))
-        return ovr_fail_slot(err, supplied,
-                             "is given in [lubricant] too: leave one out");
+        return ovr_fail_slot(
+            err, supplied, "is also set in [lubricant]; remove one of the two");
     if (supplied->given)
         oil->temperature = supplied->number;
     oil->viscosity_law = (ovr_viscosity_law)v->viscosity_law;
@@ -368,7 +367,15 @@ static ovr_status check_twice(const ovr_resolved *r, const char *key,
     if (!one->given || !other->given)
         return OVR_OK;
     return ovr_fail_slot(err, other,
-                         "is given in [contact] too: give it in one place");
+                         "is also set in [contact]; remove one of the two");
+}
+
+/* Composite roughness; a surface without a value counts as smooth. */
+static double composite(const double Rq[2])
+{
+    if (isnan(Rq[0]) && isnan(Rq[1]))
+        return NAN;
+    return hypot(isnan(Rq[0]) ? 0 : Rq[0], isnan(Rq[1]) ? 0 : Rq[1]);
 }
 
 ovr_status ovr_resolve_contact(ovr_resolved *r, ovr_error *err)
@@ -385,6 +392,7 @@ ovr_status ovr_resolve_contact(ovr_resolved *r, ovr_error *err)
         return OVR_BAD_INPUT;
     r->values.oil = ovr_oil_default();
     r->values.iso_vg = NAN;
+    r->values.Rq[0] = r->values.Rq[1] = NAN;
     if (ovr_section_fill(r, "contact", err) ||
         ovr_section_fill(r, "lubricant", err))
         return OVR_BAD_INPUT;
@@ -398,6 +406,7 @@ ovr_status ovr_resolve_contact(ovr_resolved *r, ovr_error *err)
         given->alpha = ALPHA_PAPER;
     if (ovr_contact_resolve(given, &r->contact, &why))
         return ovr_fail_in(err, r->c, contact, lubricant, &why);
+    r->setup.Rq = composite(r->values.Rq) / r->contact.height;
     if (ovr_resolve_stiffness(r, err))
         return err ? err->status : OVR_BAD_INPUT;
     if (ovr_oil_scale(&r->values.oil, &r->contact, &r->lubricant, &why))

@@ -76,20 +76,23 @@ static ovr_status check_said(const ovr_resolved *r, const ovr_block *block,
     for (size_t k = 0; k < sizeof keys / sizeof *keys; k++) {
         const ovr_slot *slot = ovr_slot_of(r, "contact", keys[k]);
         if (slot->given)
-            return ovr_fail_slot(err, slot, "[%s] says it: leave %s out", name,
+            return ovr_fail_slot(err, slot,
+                                 "already determined by [%s]; remove %s", name,
                                  keys[k]);
     }
     for (const ovr_block *b = r->c->blocks; b; b = b->next)
         if (!strcmp(b->section->name, "body") &&
             ovr_block_get(b, "radius")->given)
             return ovr_fail_slot(err, ovr_block_get(b, "radius"),
-                                 "[%s] says it: leave radius out", name);
+                                 "already determined by [%s]; remove radius",
+                                 name);
     for (size_t k = 0; k < sizeof sections / sizeof *sections; k++) {
         const ovr_block *b = ovr_block_of(r, sections[k]);
         if (speaks(b))
-            return ovr_fail_at(err, OVR_BAD_INPUT, r->c->name, b->line,
-                               "[%s] says how %s changes: leave [%s] out", name,
-                               k == 0 ? "load" : sections[k], sections[k]);
+            return ovr_fail_at(
+                err, OVR_BAD_INPUT, r->c->name, b->line,
+                "[%s] already determines the time history of %s; remove [%s]",
+                name, k == 0 ? "load" : sections[k], sections[k]);
     }
     return OVR_OK;
 }
@@ -149,7 +152,7 @@ ovr_status ovr_resolve_element_keys(ovr_resolved *r, ovr_error *err)
     e->bearing.position = (ovr_bearing_position)e->position;
     if (!isnan(*width))
         return ovr_fail_slot(err, ovr_slot_of(r, "contact", "width"),
-                             "[%s] says it: leave width out",
+                             "already determined by [%s]; remove width",
                              block->section->name);
     *width = !isnan(e->gear.face)        ? e->gear.face
              : !isnan(e->cam.face)       ? e->cam.face
@@ -200,7 +203,8 @@ static ovr_status check_loaded_twice(const ovr_resolved *r, const char *by,
     for (int k = 0; k < 2; k++) {
         const ovr_slot *slot = ovr_slot_of(r, "contact", keys[k]);
         if (slot->given)
-            return ovr_fail_slot(err, slot, "[%s] says it: leave %s out", by,
+            return ovr_fail_slot(err, slot,
+                                 "already determined by [%s]; remove %s", by,
                                  keys[k]);
     }
     return OVR_OK;
@@ -652,9 +656,9 @@ ovr_status ovr_resolve_element_passes(ovr_resolved *r, ovr_error *err)
         return OVR_OK;
     for (int k = 0; k < 2; k++)
         if (ovr_slot_of(r, "passes", said[k])->given)
-            return ovr_fail_slot(err, ovr_slot_of(r, "passes", said[k]),
-                                 "[roller_bearing] says it: leave %s out",
-                                 said[k]);
+            return ovr_fail_slot(
+                err, ovr_slot_of(r, "passes", said[k]),
+                "already determined by [roller_bearing]; remove %s", said[k]);
     bool still = ovr_bearing_of(r->element.bearing)->step == 0;
     if (passes == OVR_ROLLER_PASSES_TURNS && !still)
         return ovr_fail_slot(err, ovr_block_get(block, "passes"),

@@ -119,7 +119,8 @@ static ovr_status check_bodies(const ovr_resolved *r, ovr_error *err)
     const double speed[] = {r->contact.u1_ratio, r->contact.u2_ratio};
     if (recovery->given && !(p->spacing > 0))
         return ovr_fail_slot(err, recovery,
-                             "needs spacing, which tells how long a layer has");
+                             "needs passes.spacing, which determines the time "
+                             "for replenishment");
     for (int k = 0; k < 2; k++)
         if (recovery->given && p->again & 1 << k && !(speed[k] > 0))
             return ovr_fail_slot(err, recovery,
@@ -148,7 +149,7 @@ static ovr_status resolve_passes(ovr_resolved *r, ovr_error *err)
                              "conserving");
     if (ovr_slot_of(r, "passes", "loss")->given && isfinite(p->side_flow))
         return ovr_fail_slot(err, ovr_slot_of(r, "passes", "side_flow"),
-                             "loss is given too: leave one out");
+                             "passes.loss is also set; remove one of the two");
     if (!(left > 0))
         return ovr_fail_slot(
             err, ovr_slot_of(r, "passes", "split"),
@@ -446,12 +447,12 @@ static const char *reason_of(const ovr_resolved *r)
     if (s->mesh > COARSE)
         return "on a mesh above 0.01 b";
     if (changes_quickly(r))
-        return "for a change within 30 meshes";
+        return "for a change within 30 D";
     if (has_hot_opposed(r))
         return "for hot surfaces that move in opposite directions";
     if (heaviest(s) >= HEAVY)
         return "for M of 100 and more";
-    return has_narrow(s) ? "for a feature narrower than 30 meshes" : NULL;
+    return has_narrow(s) ? "for a feature narrower than 30 D" : NULL;
 }
 
 void ovr_resolve_step(ovr_resolved *r)

@@ -45,6 +45,7 @@ enum {
 typedef struct ovr_settings {
     ovr_conditions contact;
     double bearable;
+    double Rq[2]; /* roughness that is not on the grid, m; NAN: unknown */
     int scale;
     int viscosity_law, density_law, oil_kind;
     ovr_oil oil;

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* overroll check CASE: what a case means, nothing solved. */
+/* The command overroll check CASE: prints derived quantities, solves nothing.
+ */
 #include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,7 +12,8 @@
 
 /* ----------------------------------------------------------------- memory */
 
-/* Memory that counts itself: each piece is behind its size. */
+/* Allocator that counts the bytes in use; each block is preceded by its size.
+ */
 enum { HEAD = sizeof(max_align_t) };
 
 static void *take(void *live, size_t bytes)
@@ -35,24 +37,25 @@ static void give(void *live, void *memory)
 
 /* ------------------------------------------------------------------ table */
 
-/* Comments of a case. */
+/* Prints a line as a comment of a case; lines of the complete list only with
+ * -v. */
 static void put_comment(void *data, const ovr_summary_line *line)
 {
-    (void)data;
-    if (line->key)
+    const cli_call *call = data;
+    if (line->key || (line->detail && call->verbosity <= 0))
         return;
     if (!line->label)
-        printf("#   %s\n", line->text);
-    else if (!*line->text)
-        printf("# %s\n", line->label);
+        printf("# %s\n", line->text);
     else
-        printf("# %-28s %s\n", line->label, line->text);
+        printf("#   %-34s %s\n", line->label, line->text);
 }
 
 static void put_line(void *data, const char *name, const char *text)
 {
-    (void)data;
-    printf("# %-28s %s\n", name, text);
+    if (!*(bool *)data)
+        puts("# Models");
+    *(bool *)data = true;
+    printf("#   %-34s %s\n", name, text);
 }
 
 /* ------------------------------------------------------------------- JSON */
@@ -81,14 +84,16 @@ static ovr_status report(const cli_call *call, const ovr_case *c,
                          const ovr_setup *setup, double live, ovr_error *err)
 {
     ovr_status status;
+    bool begun = false;
     if (call->json)
         return report_json(c, setup, live, err);
-    status = ovr_setup_report(setup, live, put_comment, NULL, err);
+    status = ovr_setup_report(setup, live, put_comment, (void *)call, err);
     if (status)
         return status;
     cli_put_stations(setup);
-    ovr_setup_tell(setup, put_line, NULL);
-    cli_put_case(c);
+    ovr_setup_tell(setup, put_line, &begun);
+    if (call->verbosity > 0)
+        cli_put_case(c);
     return OVR_OK;
 }
 
@@ -121,10 +126,11 @@ static const cli_option options[] = {CLI_CASE_OPTIONS, {0}};
 const cli_verb cli_check = {
     .name = "check",
     .arguments = "[CASE]",
-    .summary = "print what a case means; solve nothing",
-    .help = "Prints the contact's numbers, film formulas and cost as comments "
-            "and every\nparameter with its value; what is printed is itself a "
-            "case.",
+    .summary =
+        "print operating conditions, predictions and cost; solve nothing",
+    .help = "Prints operating conditions, predicted film thickness, features, "
+            "grid and cost.\nWith -v also every parameter with its value; that "
+            "output is itself a case.",
     .options = options,
     .minimum = 0,
     .maximum = 1,

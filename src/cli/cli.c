@@ -27,9 +27,16 @@ void cli_say(void *data, ovr_say kind, const char *text)
                 kind == OVR_SAY_WARNING ? "warning: " : "", text);
 }
 
+/* True if a message begins with the name of a file, option or key. */
+static bool has_origin(const ovr_error *err)
+{
+    return err->file || !memchr(err->message, ' ', strcspn(err->message, ":"));
+}
+
 int cli_fail(const ovr_error *err)
 {
-    fprintf(stderr, "%s\n", err->message);
+    fprintf(stderr, "%s%s\n",
+            has_origin(err) ? "" : "overroll: ", err->message);
     switch (err->status) {
     case OVR_OK: return CLI_DONE;
     case OVR_BAD_INPUT: return CLI_USAGE;

@@ -242,14 +242,15 @@ static int run(cli_call *call)
 }
 
 static const cli_option options[] = {
-    {"j", "N", "so many runs at once where several are known", false},
-    {"tolerance", "NUMBER", "of the key, relative; 1e-3 unless given", false},
+    {"j", "N", "number of runs at the same time, if several are known", false},
+    {"tolerance", "NUMBER", "relative tolerance of the key; default: 1e-3",
+     false},
     {"steady", NULL, "the steady contact alone, as 'overroll steady'", false},
     {"table", "FILE.csv", "the evaluations, a row as soon as it is known",
      false},
     {"results", "FOLDER",
-     "the result files of all runs; asked again, what is there is not run "
-     "again",
+     "folder for the result files of all runs; existing results are not "
+     "computed again",
      false},
     {"force", NULL, "replace a table that is another program's", false},
     CLI_CASE_OPTIONS,

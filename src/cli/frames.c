@@ -140,11 +140,11 @@ const cli_verb cli_frames = {
     .name = "frames",
     .arguments = "OUT.h5... -o DIR",
     .summary = "a picture of each snapshot, and a movie",
-    .help =
-        "Pressure, film and roughness against x, with the same axes in all\n"
-        "frames: DIR/frame_0000.png and so on, numbered as the snapshots are.\n"
-        "A second call draws what is missing. --movie needs no DIR and then\n"
-        "leaves no frames behind. Several results are laid over each other.",
+    .help = "Pressure, film thickness and roughness against x, with the same "
+            "axes in\nall frames: DIR/frame_0000.png and so on, numbered like "
+            "the snapshots.\nA second call draws missing frames only. With "
+            "--movie alone no frames\nare kept. Several results are drawn in "
+            "the same axes.",
     .options = options,
     .minimum = 1,
     .maximum = CLI_RESULTS,

@@ -306,7 +306,7 @@ static int run(cli_call *call)
 const cli_verb cli_info = {
     .name = "info",
     .arguments = "OUT.h5",
-    .summary = "what is in a result file",
+    .summary = "print the contents of a result file",
     .help = "Of the file of several passes: its rows.\nWorks while the file is "
             "being written. With -v the case is "
             "printed too.\nThe table is in the file's units, --json is "

@@ -22,10 +22,9 @@ static const cli_option options[] = {
     {"surface", "N", "stress, risk, depth: below surface 1 (default) or 2",
      false},
     {"depth", "SCALE", "stress: linear (default) or log", false},
-    {"script", "FILE.gp", "also write the gnuplot script, and its data beside",
-     false},
-    {"quantity", "NAME", "of a study: what is drawn (the smallest film)",
-     false},
+    {"script", "FILE.gp", "also write the gnuplot script and its data", false},
+    {"quantity", "NAME",
+     "quantity of a study to draw (default: minimum film thickness)", false},
     {"against", "KEY", "of a study: along x (its first key)", false},
     {"lines", "KEY", "of a study: a line for each value (the next key); none",
      false},
@@ -49,8 +48,8 @@ static int take_kind(const cli_call *call, ovr_picture_options *o)
     }
     if (strcmp(text, "passes") == 0)
         return cli_usage(call,
-                         "%s: holds one run; --kind passes draws the file of "
-                         "several, OUT.h5 beside OUT-1.h5, ...",
+                         "%s: contains one run; --kind passes needs the file "
+                         "of several passes, OUT.h5 for OUT-1.h5, ...",
                          call->argument[0]);
     return cli_usage(
         call,

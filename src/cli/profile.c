@@ -155,9 +155,9 @@ static int run(cli_call *call)
 }
 
 static const cli_option options[] = {
-    {"unit-x", "UNIT", "unit of x where the file does not say it (um, mm, b)",
+    {"unit-x", "UNIT", "unit of x if the file does not specify it (um, mm, b)",
      false},
-    {"unit-z", "UNIT", "unit of z where the file does not say it", false},
+    {"unit-z", "UNIT", "unit of z if the file does not specify it", false},
     {"spacing", "LENGTH", "distance of the heights of a single column", false},
     {"column-x", "N", "column of x, from 1", false},
     {"column-z", "N", "column of z, from 1", false},
@@ -186,13 +186,14 @@ static const cli_option options[] = {
     {"reverse", NULL, "x runs the other way", false},
     {"case", "CASE", "how its waves fare in the contact of this case", false},
     {"contact", NULL,
-     "press it against a smooth surface, dry: pressure, gap, what touches",
+     "dry contact with a smooth surface: pressure, mean gap, contact length",
      false},
     {"convert", "OUT",
      "write it, conditioned: X3P (.x3p), SDF (.sdf), or else as clean text",
      false},
     {"plot", "OUT.png",
-     "draw it, or what it bears with --contact (png, svg or pdf; gnuplot)",
+     "draw the profile, or with --contact its contact pressure (png, svg or "
+     "pdf; needs gnuplot)",
      false},
     {"force", NULL, "overwrite what is there", false},
     {NULL, NULL, NULL, false}};
@@ -203,13 +204,12 @@ const cli_verb cli_profile = {
     .summary = "read a surface profile, measure, convert, plot",
     .help =
         "Reads text (also gzipped), SDF, SMD, X3P, SUR, PRO and NumPy files, "
-        "recognized by their content. Prints the assumptions of the "
-        "reader, size and lay of an areal file, the P-parameters of "
-        "the levelled profile, its R-parameters where --lambda-c is given "
-        "(ISO 21920-2), and its strongest waves. What the file does not "
-        "say (units, spacing, columns) is asked for, not guessed.\n"
-        "A LENGTH has its unit, like '80 um' or '0.3 b'; a bare number is "
-        "taken for a profile in b alone.",
+        "recognized by their content. Prints the assumptions of the reader, "
+        "size and lay of an areal file, the P-parameters of the levelled "
+        "profile, its R-parameters where --lambda-c is given (ISO 21920-2), "
+        "and its strongest waves. Missing information (units, spacing, "
+        "columns) is an error, not guessed.\nA LENGTH has its unit, like '80 "
+        "um' or '0.3 b'; a bare number is taken for a profile in b alone.",
     .options = options,
     .minimum = 1,
     .maximum = 1,

@@ -22,9 +22,9 @@ static void put_words(const ovr_summary_line *line)
     if (!line->label)
         puts(line->text);
     else if (line->form == OVR_SUMMARY_WORDS)
-        printf("%-17s %s\n", line->label, line->text);
+        printf("%-31s %s\n", line->label, line->text);
     else
-        printf("%-17s %-12.*g%s%s\n", line->label, line->digits, line->number,
+        printf("%-31s %-12.*g%s%s\n", line->label, line->digits, line->number,
                *line->text ? " " : "", line->text);
 }
 
@@ -131,9 +131,9 @@ static void table_refinements(const ovr_run_info *s)
 static void put_answer(void *begun, const char *name, const char *text)
 {
     if (!*(bool *)begun)
-        puts("answers:");
+        puts("\nMachine element");
     *(bool *)begun = true;
-    printf("%-17s %s\n", name, text);
+    printf("%-31s %s\n", name, text);
 }
 
 /* Prints the answers of a gear pair, cam or bearing: last, where it is looked

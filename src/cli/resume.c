@@ -34,9 +34,9 @@ const cli_verb cli_resume = {
     .name = "resume",
     .arguments = "OUT.h5",
     .summary = "go on where a stopped run ended",
-    .help = "The result is the one of a run that was never interrupted.  "
-            "--set may change\ntime.end and what is stored ([output]), not "
-            "what is solved.  A complete file is\nnot touched.",
+    .help = "The result equals that of an uninterrupted run.  --set may change "
+            "time.end and\n[output], but not the problem.  A complete file is "
+            "not changed.",
     .options = options,
     .minimum = 1,
     .maximum = 1,

@@ -103,8 +103,8 @@ static void put_counts(const ovr_sample_row *r)
     put_range("level", r->level);
     putchar('\n');
     if ((double)r->failed > 0.01 * (double)r->draws)
-        printf("  %.2g %% of the draws failed: what they have in common is not "
-               "in the numbers\n",
+        printf("  %.2g %% of the samples failed and are excluded; the "
+               "statistics may be biased\n",
                100 * (double)r->failed / (double)r->draws);
     if (r->order[0] != r->order[1])
         puts("  solutions of different order are in it: domain.order = 2 in "

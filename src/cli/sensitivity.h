@@ -6,10 +6,11 @@
 
 #define CLI_SENSITIVITY_OPTIONS                                                \
     {"sensitivity", "[KEY,...]",                                               \
-     "what a per cent of a key makes of the film, the pressure, the friction", \
+     "elasticities: relative change of film thickness, pressure and friction " \
+     "per relative change of each key",                                        \
      false},                                                                   \
     {                                                                          \
-        "j", "N", "with --sensitivity: so many runs at once", false            \
+        "j", "N", "with --sensitivity: number of runs at the same time", false \
     }
 
 /* --sensitivity of steady and run: a table of elasticities; the exit code. */

@@ -7,8 +7,8 @@
 
 static const cli_option options[] = {
     {"at", "STATION",
-     "of [gear] or [cam]: A to E, nose, an angle or a time; the pitch point or "
-     "the nose unless given",
+     "contact position of [gear] or [cam]: A to E, nose, an angle or a time "
+     "(default: pitch point or nose)",
      false},
     CLI_ESTIMATE_OPTION,
     CLI_SENSITIVITY_OPTIONS,

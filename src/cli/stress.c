@@ -41,11 +41,11 @@ const cli_verb cli_stress = {
     .name = "stress",
     .arguments = "OUT.h5",
     .summary = "stresses and fatigue from a stored run",
-    .help = "From the stored pressure and, with traction, shear stress, with "
-            "[stress] and\n[fatigue] as the run had them or as --set changes "
-            "them (--set\nfatigue.criterion=orthogonal).  Depths that the "
-            "stored moments cannot give are\nrefused, with the `every` that "
-            "would do.",
+    .help = "Computed from the stored pressure and, with traction, shear "
+            "stress.  [stress] and\n[fatigue] are those of the run or as "
+            "changed by --set (--set\nfatigue.criterion=orthogonal).  Depths "
+            "that the stored times do not resolve are\nrejected; the message "
+            "states the necessary `every`.",
     .options = options,
     .minimum = 1,
     .maximum = 1,

@@ -354,13 +354,15 @@ static int run(cli_call *call)
 }
 
 static const cli_option options[] = {
-    {"j", "N", "so many cases at once; all processors unless given", false},
+    {"j", "N", "number of cases at the same time; default: all processors",
+     false},
     {"o", "FOLDER", "results, instead of [study] output", false},
     {"list", NULL, "print the commands of the cases still to be run", false},
     {"task", "I", "only case I, from 1: for job arrays", false},
     {"tasks", "I-J", "only cases I to J: a block for each job", false},
     {"collect", "FILE", "gather the summaries into FILE.csv or FILE.nc", false},
-    {"statistics", NULL, "what the draws of [random] say; runs nothing", false},
+    {"statistics", NULL,
+     "print statistics of the samples of [random]; runs nothing", false},
     {"quantity", "NAME,...", "of the statistics: numbers of the summary",
      false},
     {"retry", NULL, "failed cases again", false},

@@ -107,10 +107,10 @@ static ovr_status resolve_speeds(const ovr_conditions *c, ovr_contact *to,
         return OVR_OK;
     if (!known(c->speed_1))
         return ovr_fail_about(err, "speed_2",
-                              "speed_1 is missing beside speed_2");
+                              "speed_1 is missing (speed_2 is given)");
     if (!known(c->speed_2))
         return ovr_fail_about(err, "speed_1",
-                              "speed_2 is missing beside speed_1");
+                              "speed_2 is missing (speed_1 is given)");
     if (known(c->mean_speed))
         return refuse(err, "mean_speed",
                       "follows from speed_1 and speed_2: leave one out");
@@ -147,23 +147,23 @@ static ovr_status resolve_numbers(const ovr_conditions *c, ovr_contact *to,
     bool moes = known(c->M) || known(c->L);
     if (moes && (known(c->lambda) || known(c->alphabar)))
         return refuse(err, known(c->lambda) ? "lambda" : "alphabar",
-                      "cannot stand beside M or L: give M and L, or lambda and "
-                      "alphabar");
+                      "cannot be combined with M or L; set M and L, or lambda "
+                      "and alphabar");
     if (known(c->load))
         return refuse(err, "load",
-                      "cannot stand beside M and L (or lambda and alphabar), "
-                      "which set it: leave one or the other out");
+                      "is already determined by M and L (or lambda and "
+                      "alphabar); remove one of them");
     if (moes && !known(c->M))
-        return ovr_fail_about(err, "L", "M is missing beside L");
+        return ovr_fail_about(err, "L", "M is missing (L is given)");
     if (moes && !known(c->L))
         return ovr_fail_about(err, "M",
-                              "L is missing beside M (0: isoviscous)");
+                              "L is missing (M is given; L = 0: isoviscous)");
     if (!moes && !known(c->lambda))
         return ovr_fail_about(err, "alphabar",
-                              "lambda is missing beside alphabar");
+                              "lambda is missing (alphabar is given)");
     if (!moes && !known(c->alphabar))
         return ovr_fail_about(err, "lambda",
-                              "alphabar is missing beside lambda");
+                              "alphabar is missing (lambda is given)");
     to->M = moes ? c->M : sqrt(3 / (8 * c->lambda)) * PI;
     to->lambda = moes ? 3 * PI * PI / (8 * c->M * c->M) : c->lambda;
     to->L = moes ? c->L : c->alphabar * sqrt(2 * PI / to->M);

@@ -42,8 +42,9 @@ static ovr_status viscosity(const ovr_heat_form *form, const ovr_lubricant *oil,
                                     "set beta = -d ln eta/dT, for mineral oils "
                                     "some 0.03 1/K");
     if (!isnan(form->S0) && !isnan(form->beta))
-        return ovr_fail_about(err, "beta",
-                              "S0 and beta say the same: give one of them");
+        return ovr_fail_about(
+            err, "beta",
+            "S0 and beta determine each other; remove one of them");
     if (!roelands && isnan(form->beta))
         return ovr_fail_about(err, "S0",
                               "S0 belongs to Roelands' law: give beta, the "

@@ -152,9 +152,9 @@ static ovr_status by_its_law(ovr_oil *oil, ovr_error *err)
     if (!own)
         return OVR_OK;
     if (!isnan(oil->alpha))
-        return ovr_fail_about(err, "alpha",
-                              "alpha follows from the law of viscosity: leave "
-                              "it out");
+        return ovr_fail_about(
+            err, "alpha",
+            "alpha is already determined by viscosity_law; remove alpha");
     if (oil->viscosity_law == OVR_DOOLITTLE)
         status = by_doolittle(oil, err);
     else if (oil->viscosity_law == OVR_YASUTOMI)
@@ -266,8 +266,8 @@ static ovr_status estimate(ovr_oil *oil, ovr_error *err)
     oil->alpha = estimated_alpha(oil->viscosity);
     if (!(oil->alpha > 0))
         return ovr_fail_about(err, "oil",
-                              "oil = mineral: no estimate of alpha for %g "
-                              "mPa.s; give it",
+                              "oil = mineral cannot estimate alpha for a "
+                              "viscosity of %g mPa.s; set lubricant.alpha",
                               1e3 * oil->viscosity);
     return OVR_OK;
 }

@@ -397,11 +397,11 @@ static ovr_status check_event(ovr_cam *cam, ovr_error *err)
     }
     if (isnan(gone[0]))
         return OVR_OK;
-    return ovr_fail_about(err, "preload",
-                          "the follower leaves the cam at %.3g to %.3g deg: "
-                          "the least force is %.3g N: more preload or spring, "
-                          "less speed",
-                          degrees(gone[0]), degrees(gone[1]), e->min_force);
+    return ovr_fail_about(
+        err, "preload",
+        "the follower lifts off the cam from %.3g to %.3g deg (minimum force "
+        "%.3g N); increase spring preload or stiffness, or reduce the speed",
+        degrees(gone[0]), degrees(gone[1]), e->min_force);
 }
 
 static ovr_status make_event(ovr_cam *cam, ovr_error *err)

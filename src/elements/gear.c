@@ -472,8 +472,8 @@ static ovr_status path(const ovr_gear_form *f, ovr_gear_geometry *g,
         !(f->helix_angle != 0 && g->contact_ratio > 0 &&
           g->contact_ratio + g->overlap_ratio > 1))
         return ovr_fail_about(err, "teeth_1",
-                              "contact ratio %.4g: there are moments when no "
-                              "tooth touches",
+                              "contact ratio %.4g is below 1: at times no "
+                              "tooth pair is in contact",
                               g->contact_ratio);
     if (f->helix_angle == 0 && g->contact_ratio > 2 &&
         (f->sharing == OVR_SHARING_RULE ||

@@ -362,7 +362,8 @@ static void turn_over(double *cells)
 static void put_label(const ovr_depth_field *f, char *label, size_t capacity)
 {
     snprintf(label, capacity, "%s / p_h",
-             f->which == OVR_STRESS_MAX_SHEAR ? "largest shear" : f->name);
+             f->which == OVR_STRESS_MAX_SHEAR ? "maximum shear stress"
+                                              : f->name);
     for (char *c = label; *c; c++)
         if (*c == '_' && c[1] != 'h')
             *c = ' ';

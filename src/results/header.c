@@ -106,6 +106,7 @@ static bool describe(hid_t set, const dataset *d, const ovr_scales *scales)
 {
     return put_width(set, d, &scales->contact) &&
            ovr_h5_set_chars(set, "long_name", d->long_name) &&
+           (!d->comment || ovr_h5_set_chars(set, "comment", d->comment)) &&
            ovr_h5_set_chars(set, "units", ovr_unit(scales, d->kind)) &&
            ovr_h5_set_number(set, "scale",
                              ovr_kind_scale(d->kind, &scales->contact)) &&
@@ -250,6 +251,7 @@ static bool make_field(ovr_file *f, const ovr_scales *scales, hid_t x, size_t k)
     size_t element = ovr_file_element(f, which);
     dataset d = {.name = which->name,
                  .long_name = which->long_name,
+                 .comment = which->comment,
                  .kind = which->kind,
                  .type = element == 1               ? H5T_STD_I8LE
                          : element == sizeof(float) ? H5T_IEEE_F32LE
@@ -269,6 +271,7 @@ static bool make_column(ovr_file *f, hid_t group, const ovr_scales *scales,
     const ovr_observable *o = f->row[c];
     dataset d = {.name = o->name,
                  .long_name = o->long_name,
+                 .comment = o->comment,
                  .kind = o->kind,
                  .type = o->kind == OVR_KIND_COUNT  ? H5T_STD_I32LE
                          : o->kind == OVR_KIND_FLAG ? H5T_STD_I8LE

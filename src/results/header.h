@@ -9,6 +9,7 @@
  * One that is along nothing is a dimension itself. */
 typedef struct ovr_new_dataset {
     const char *name, *long_name;
+    const char *comment; /* definition of the quantity (CF), or NULL */
     ovr_unit_kind kind;
     hid_t type;
     hsize_t rows; /* in a chunk; 0: nothing is unlimited */

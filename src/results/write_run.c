@@ -101,7 +101,7 @@ ovr_status ovr_restart_load(ovr_restart *restart, ovr_simulation *sim,
     if (ovr_restart_holds(restart, "S", state->S, state->n * sizeof *state->S))
         return OVR_OK;
     return ovr_fail(err, OVR_BAD_INPUT,
-                    "the surface at T = %g is not that of the run: give the "
-                    "profile's file as it was",
+                    "the surface at T = %g differs from that of the run; "
+                    "restore the original profile file",
                     state->T);
 }

@@ -1,8 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The page of answers: what its user asks a gear pair, cam or bearing, told
- * from the numbers of a summary alone, so that a run and its file say the same.
- * What kind of element it is the numbers tell that it alone has.
+ * Answers about a gear pair, cam or roller bearing: drive data, power loss,
+ * efficiency, minimum film thickness, lambda ratio, maximum pressure, maximum
+ * temperature, stress and life.
+ *
+ * They are computed from the numbers of a summary only, so that a run and its
+ * result file give the same answers.  Numbers that only one kind of element has
+ * identify the kind.
  */
 #include <math.h>
 #include <stdarg.h>
@@ -24,7 +28,7 @@ typedef struct page {
     size_t used;
 } page;
 
-/* NAN: it is not there, or not known. */
+/* Returns NAN if the number is missing or unknown. */
 static double of(const page *p, const char *key)
 {
     for (size_t k = 0; k < p->count; k++)
@@ -51,7 +55,7 @@ __attribute__((format(printf, 2, 3))) static void say(page *p,
         p->used = LINE - 1;
 }
 
-/* Ends the line; one of which nothing is known is none. */
+/* Passes the line on, unless it is empty. */
 static void end(page *p, const char *name)
 {
     if (p->used)
@@ -81,7 +85,7 @@ static void say_place(page *p, const char *what)
         say(p, " at the pitch point");
     else if (isfinite(at))
         say(p, " %.3g mm %s the pitch point", 1e3 * fabs(at),
-            at < 0 ? "before" : "behind");
+            at < 0 ? "before" : "after");
     if (has(p, angle))
         say(p, " at %.4g deg", of(p, angle));
     if (of_bearing(p) && has(p, "pass"))
@@ -99,13 +103,14 @@ static void say_drive(page *p)
         end(p, "gear pair");
     } else if (of_bearing(p)) {
         say(p,
-            "%.4g N at %.4g rpm: %.0f rollers carry, the heaviest of them "
-            "%.4g N",
+            "%.4g N at %.4g rpm; %.0f loaded rollers, the most heavily loaded "
+            "carries %.4g N",
             of(p, "bearing_load_N"), speed, of(p, "rollers_loaded"),
             of(p, "heaviest_roller_N"));
         end(p, "bearing");
     } else {
-        say(p, "%.4g rpm; lifting takes up to %.4g N.m", speed, torque);
+        say(p, "%.4g rpm; maximum drive torque of the lift %.4g N.m", speed,
+            torque);
         end(p, "cam");
     }
 }
@@ -117,14 +122,14 @@ static void say_no_loss(page *p)
     if (mu > OVR_IMPOSSIBLE_FRICTION)
         say(p,
             "not given: the sliding friction coefficient reaches %.2g, which "
-            "no lubricant bears; set lubricant.rheology",
+            "no lubricant sustains; set lubricant.rheology",
             mu);
     else if (has(p, "contact_share_mean") && isnan(mu))
-        say(p, "not known: set boundary.friction");
-    end(p, "lost to friction");
+        say(p, "unknown: set boundary.friction");
+    end(p, "friction power loss");
 }
 
-/* An isothermal film's friction may be no oil's. */
+/* The friction of an isothermal Newtonian film may not be realistic. */
 static void say_loss(page *p)
 {
     const double much = 0.3; /* more than lubricants and metal have */
@@ -134,22 +139,23 @@ static void say_loss(page *p)
     }
     say(p, "%.4g W, ", of(p, "power_loss_W"));
     if (of_gear(p))
-        say(p, "mean over the mesh, of the whole face; efficiency %.4g %%",
+        say(p,
+            "mean over one meshing cycle, full face width; efficiency %.4g %%",
             100 * of(p, "efficiency"));
     else if (of_bearing(p))
-        say(p, "of one roller%s on this raceway",
-            has(p, "pass") ? "" : ", the heaviest,");
+        say(p, "one roller%s on this raceway",
+            has(p, "pass") ? "" : ", the most heavily loaded,");
     else
-        say(p, "mean over a turn of the cam");
+        say(p, "mean over one revolution of the cam");
     if (of(p, "unbearable_share") > 0 && !has(p, "T_max_rise"))
         say(p,
-            "; too much: the film's shear stress is up to %.2g of the "
-            "pressure, which no oil bears",
+            "; not realistic: the shear stress reaches %.2g of the pressure, "
+            "set lubricant.rheology",
             of(p, "shear_over_pressure"));
     else if (fabs(of(p, "mu_slide_max")) > much)
-        say(p, "; too much: the sliding friction coefficient reaches %.2g",
+        say(p, "; not realistic: the sliding friction coefficient reaches %.2g",
             fabs(of(p, "mu_slide_max")));
-    end(p, "lost to friction");
+    end(p, "friction power loss");
 }
 
 static void say_film(page *p)
@@ -163,7 +169,7 @@ static void say_film(page *p)
     if (h < OVR_MOLECULE)
         say(p, ", thinner than molecules of lubricants");
     if (has(p, "lambda_ratio_at_H_min"))
-        say(p, "; lambda ratio there %.3g, over the run %.3g",
+        say(p, "; lambda ratio at this position %.3g, over the run %.3g",
             of(p, "lambda_ratio_at_H_min"), of(p, "lambda_ratio"));
     else if (has(p, "lambda_ratio"))
         say(p, "; lambda ratio %.3g", of(p, "lambda_ratio"));
@@ -172,8 +178,8 @@ static void say_film(page *p)
     else if (has(p, "contact_lambda"))
         say(p, "; lambda ratio %.3g", of(p, "contact_lambda"));
     else
-        say(p, "; smooth surfaces have no lambda ratio");
-    end(p, "smallest film");
+        say(p, "; lambda ratio unknown (set contact.Rq_1 and contact.Rq_2)");
+    end(p, "minimum film thickness");
 }
 
 static void say_pressure(page *p)
@@ -184,7 +190,7 @@ static void say_pressure(page *p)
     say(p, "%.4g GPa",
         1e-9 * of(p, run ? "P_max_overall_Pa" : "max_pressure_Pa"));
     say_place(p, "P_max");
-    end(p, "largest pressure");
+    end(p, "maximum pressure");
 }
 
 static void say_heat(page *p)
@@ -195,7 +201,7 @@ static void say_heat(page *p)
     say(p, "%.4g degC in the film, %.4g and %.4g degC on surfaces 1 and 2",
         T + of(p, "T_max_rise"), T + of(p, "T_1_max_rise"),
         T + of(p, "T_2_max_rise"));
-    end(p, "hottest");
+    end(p, "maximum temperature");
 }
 
 /* Answers of a run with [stress] and [fatigue]. */
@@ -203,22 +209,22 @@ static void say_stress(page *p)
 {
     if (!has(p, "tau_max_Pa"))
         return;
-    say(p, "%.4g GPa shear, %.4g GPa von Mises, below surface %.0f",
+    say(p, "%.4g GPa (von Mises stress %.4g GPa) below surface %.0f",
         1e-9 * of(p, "tau_max_Pa"), 1e-9 * of(p, "von_mises_max_Pa"),
         of(p, "surface_tau_max"));
-    end(p, "largest stress");
+    end(p, "maximum shear stress");
     if (has(p, "utilisation"))
-        say(p, "%.3g of the limit is used", of(p, "utilisation"));
+        say(p, "utilization of the fatigue limit %.3g", of(p, "utilisation"));
     if (has(p, "risk_smooth"))
-        say(p, "%s%.3g in the smooth contact", p->used ? "; " : "",
+        say(p, "%srisk of the smooth contact %.3g", p->used ? "; " : "",
             of(p, "risk_smooth"));
-    end(p, "risk");
+    end(p, "fatigue");
     if (!has(p, "life_ratio"))
         return;
-    say(p, "%.3g of that without the features", of(p, "life_ratio"));
+    say(p, "%.3g relative to smooth surfaces", of(p, "life_ratio"));
     if (has(p, "life_ratio_together"))
-        say(p, ", %.3g with all passes together", of(p, "life_ratio_together"));
-    end(p, "life");
+        say(p, ", %.3g for all passes together", of(p, "life_ratio_together"));
+    end(p, "life ratio");
 }
 
 static void tell(page *p)

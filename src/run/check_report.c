@@ -10,12 +10,12 @@
 #include "contact/oil.h"
 #include "overroll/questions.h"
 #include "run/cost.h"
-#include "run/summary_lines.h"
 #include "run/run.h"
+#include "run/summary_lines.h"
 #include "simulation/simulation.h"
 #include "surface/surfaces.h"
 
-/* " (1.2 um)", or nothing where the scale is not known. */
+/* " (1.2 um)", or nothing if the scale is unknown. */
 static ovr_piece in_metres(double value, double scale)
 {
     ovr_piece piece = {""};
@@ -27,8 +27,7 @@ static ovr_piece in_metres(double value, double scale)
 
 /* ------------------------------------------------------------------ radius */
 
-/* Reduced radius and half width over the run, where it says how long that is.
- */
+/* Ranges of reduced radius and half-width over a run with a known end. */
 static void say_radius(const ovr_told *to, const ovr_setup *setup)
 {
     enum { LOOKS = 1000 };
@@ -49,50 +48,53 @@ static void say_radius(const ovr_told *to, const ovr_setup *setup)
     if (isfinite(contact->radius))
         ovr_words_add(&mm, ", %.4g to %.4g mm", R[0] * contact->radius * 1e3,
                       R[1] * contact->radius * 1e3);
-    ovr_tell(to, "radius in time",
-             "%.4g to %.4g of the nominal one%s; half width %.3g to %.3g b",
-             R[0], R[1], mm.text, b[0], b[1]);
-    ovr_tell(to, "its curvature", "%s",
-             setup->convected ? "is convected with the material"
-                              : "is imposed");
+    ovr_tell(to, "radius over the run",
+             "%.4g to %.4g of the reference%s; half-width %.3g to %.3g b", R[0],
+             R[1], mm.text, b[0], b[1]);
+    ovr_tell(to, "curvature model", "%s",
+             setup->convected ? "convected with the material" : "imposed");
 }
 
 /* ------------------------------------------------------------------- films */
 
-static void say_film(const ovr_told *to, const char *label, double H,
-                     const ovr_contact *contact)
+static ovr_words film_text(double H, const ovr_contact *contact)
 {
-    ovr_words um = {""};
+    ovr_words w = {""};
+    ovr_words_add(&w, "H = %.5g", H);
     if (isfinite(contact->height))
-        ovr_words_add(&um, " (%.4g um)", H * contact->height * 1e6);
-    ovr_tell(to, label, "H = %.5g%s", H, um.text);
+        ovr_words_add(&w, " (%.4g um)", H * contact->height * 1e6);
+    return w;
 }
 
-static void put_film(const ovr_told *to, const char *key, const char *label,
-                     double H, const ovr_contact *contact)
+static void put_asymptote(const ovr_told *to, const char *key,
+                          const char *label, double H, const ovr_contact *c)
 {
     ovr_put_number(to, key, H);
     if (!isnan(H))
-        say_film(to, label, H, contact);
+        ovr_tell_detail(to, label, "%s", film_text(H, c).text);
 }
 
 static void put_films(const ovr_told *to, const ovr_contact *c)
 {
     ovr_film_asymptotes film = ovr_film_asymptotes_moes(c->M, c->L);
-    put_film(to, "H_cen_moes", "central film (Moes)",
-             ovr_film_central_moes(c->M, c->L), c);
-    ovr_tell_title(to, "of an incompressible oil; asymptotes of it:");
-    put_film(to, "H_rigid_isoviscous", "  rigid, isoviscous", film.rigid_iso,
-             c);
-    put_film(to, "H_elastic_isoviscous", "  elastic, isoviscous",
-             film.elastic_iso, c);
-    put_film(to, "H_rigid_piezoviscous", "  rigid, piezoviscous",
-             film.rigid_piezo, c);
-    put_film(to, "H_elastic_piezoviscous", "  elastic, piezoviscous",
-             film.elastic_piezo, c);
+    double central = ovr_film_central_moes(c->M, c->L);
+    ovr_tell_title(to, "Predicted film thickness (smooth, steady, fully "
+                       "flooded)");
+    ovr_put_number(to, "H_cen_moes", central);
+    if (!isnan(central))
+        ovr_tell(to, "central, Moes (incompressible)", "%s",
+                 film_text(central, c).text);
+    put_asymptote(to, "H_rigid_isoviscous", "  rigid-isoviscous asymptote",
+                  film.rigid_iso, c);
+    put_asymptote(to, "H_elastic_isoviscous", "  elastic-isoviscous asymptote",
+                  film.elastic_iso, c);
+    put_asymptote(to, "H_rigid_piezoviscous", "  rigid-piezoviscous asymptote",
+                  film.rigid_piezo, c);
+    put_asymptote(to, "H_elastic_piezoviscous",
+                  "  elastic-piezoviscous asymptote", film.elastic_piezo, c);
 }
 
-/* alpha, and alpha* beside it. */
+/* Prints alpha and the asymptotic alpha*. */
 static void put_alpha(const ovr_told *to, const ovr_setup *setup)
 {
     double alpha = setup->contact->alpha;
@@ -100,12 +102,35 @@ static void put_alpha(const ovr_told *to, const ovr_setup *setup)
                   setup->contact->ph;
     ovr_put_number(to, "alpha_star_per_Pa", star);
     if (alpha > 0 && isfinite(star))
-        ovr_tell(to, "alpha at p = 0",
-                 "%.5g 1/GPa, asymptotic alpha* = %.5g 1/GPa", alpha * 1e9,
-                 star * 1e9);
+        ovr_tell_detail(to, "alpha at p = 0",
+                        "%.5g 1/GPa, asymptotic alpha* = %.5g 1/GPa",
+                        alpha * 1e9, star * 1e9);
 }
 
-/* A fitted law speaks of the oil that it was fitted for alone. */
+static void say_fit(const ovr_told *to, const char *label, double H,
+                    const char *accuracy, const ovr_contact *c)
+{
+    if (!isnan(H))
+        ovr_tell(to, label, "%s, within %s", film_text(H, c).text, accuracy);
+}
+
+/* Prints the ratio of the predicted minimum film thickness to contact.Rq_1 and
+ * Rq_2. */
+static void put_lambda_ratio(const ovr_told *to, const ovr_setup *setup,
+                             double minimum)
+{
+    if (!(setup->Rq > 0))
+        return;
+    ovr_put_number(to, "lambda_ratio_predicted", minimum / setup->Rq);
+    if (!isnan(minimum))
+        ovr_tell(to, "lambda ratio",
+                 "%.3g (predicted minimum film thickness / Rq%s of "
+                 "contact.Rq_1 and contact.Rq_2)",
+                 minimum / setup->Rq,
+                 in_metres(setup->Rq, setup->contact->height).text);
+}
+
+/* The fitted formula holds only for the lubricant laws it was fitted for. */
 static void put_fit(const ovr_told *to, const ovr_setup *setup)
 {
     const ovr_contact *c = setup->contact;
@@ -114,13 +139,14 @@ static void put_fit(const ovr_told *to, const ovr_setup *setup)
     if (oil->viscosity_law == OVR_ROELANDS &&
         oil->density_law == OVR_DOWSON_HIGGINSON)
         fit = ovr_film_fitted(c->M, c->L, ovr_density(oil, 1));
-    put_film(to, "H_cen_fit", "central film (fit)", fit.central, c);
-    put_film(to, "H_min_fit", "minimum film (fit)", fit.minimum, c);
+    ovr_put_number(to, "H_cen_fit", fit.central);
+    ovr_put_number(to, "H_min_fit", fit.minimum);
+    say_fit(to, "central, overroll fit", fit.central, "2.6 %", c);
+    say_fit(to, "minimum, overroll fit", fit.minimum, "1.7 %", c);
     if (!isnan(fit.central))
-        ovr_tell_title(to,
-                       "of a compressible oil, density %.4g at ph, flooded, "
-                       "steady: to 2.6 and 1.7 %%",
-                       ovr_density(oil, 1));
+        ovr_tell_detail(to, "  compressible lubricant",
+                        "relative density %.4g at p_h", ovr_density(oil, 1));
+    put_lambda_ratio(to, setup, fit.minimum);
 }
 
 static void say_lubricant(const ovr_told *to, const ovr_lubricant *lubricant)
@@ -128,11 +154,11 @@ static void say_lubricant(const ovr_told *to, const ovr_lubricant *lubricant)
     static const char *const laws[] = {"", "Eyring", "Carreau", "Carreau",
                                        "flow law by table"};
     if (lubricant->viscosity_law == OVR_ROELANDS)
-        ovr_tell(to, "Roelands", "z = %.6g, p0/ph = %.6g", lubricant->z,
-                 lubricant->P0);
+        ovr_tell_detail(to, "Roelands", "z = %.6g, p0/ph = %.6g", lubricant->z,
+                        lubricant->P0);
     if (lubricant->rheology != OVR_NEWTONIAN)
-        ovr_tell(to, laws[lubricant->rheology], "tau0/(ph b/R) = %.6g",
-                 lubricant->Sigma0);
+        ovr_tell_detail(to, laws[lubricant->rheology], "tau0/(ph b/R) = %.6g",
+                        lubricant->Sigma0);
 }
 
 /* ---------------------------------------------------------------- features */
@@ -146,9 +172,8 @@ static ovr_words at_time(double T, const ovr_contact *contact)
     return w;
 }
 
-/* Says where it comes in, passes and leaves, as far as that comes to pass. */
-static void say_material_history(const ovr_told *to, const ovr_setup *setup,
-                                 size_t k)
+/* Prints when a feature enters the contact, passes X = 0 and leaves. */
+static void say_times(const ovr_told *to, const ovr_setup *setup, size_t k)
 {
     const ovr_options *o = setup->options;
     double end = setup->march->end;
@@ -157,31 +182,14 @@ static void say_material_history(const ovr_told *to, const ovr_setup *setup,
     const struct {
         const char *what;
         double T;
-    } events[] = {{"enters", t.enters},
-                  {"its centre passes X = 0", t.centre},
-                  {"has left", t.leaves}};
-    ovr_words w = {""};
+    } events[] = {{"  enters the contact at", t.enters},
+                  {"  centre at X = 0 at", t.centre},
+                  {"  leaves the contact at", t.leaves}};
     for (int i = 0; i < 3; i++)
         if (isfinite(events[i].T))
-            ovr_words_add(&w, "%s%s at %s%s", *w.text ? ", " : "",
-                          events[i].what,
-                          at_time(events[i].T, setup->contact).text,
-                          events[i].T > end ? " (after the end)" : "");
-    if (*w.text)
-        ovr_tell_title(to, "%s", w.text);
-}
-
-/* Speed over the mean one. */
-static ovr_words motion(double speed)
-{
-    ovr_words w = {""};
-    if (speed == 0)
-        ovr_words_add(&w, "stands still");
-    else if (fabs(speed - 1) < 1e-6)
-        ovr_words_add(&w, "moves with the mean speed");
-    else
-        ovr_words_add(&w, "moves at %.4g of the mean speed", speed);
-    return w;
+            ovr_tell(to, events[i].what, "%s%s",
+                     at_time(events[i].T, setup->contact).text,
+                     events[i].T > end ? " (after the end)" : "");
 }
 
 static void say_feature(const ovr_told *to, const ovr_setup *setup, size_t k)
@@ -189,27 +197,32 @@ static void say_feature(const ovr_told *to, const ovr_setup *setup, size_t k)
     ovr_feature_info info = ovr_surfaces_info(setup->surfaces, k);
     const ovr_contact *c = setup->contact;
     ovr_words w = {""};
-    ovr_words_add(&w, "feature %.100s: %s on surface %d, %s, height %.4g%s, ",
-                  info.name, ovr_shape_name((int)info.shape), info.surface,
-                  motion(info.speed).text, info.amplitude,
-                  in_metres(info.amplitude, c->height).text);
+    if (info.speed == 0)
+        ovr_words_add(&w, "stationary");
+    else
+        ovr_words_add(&w, "u = %.4g u_m", info.speed);
+    ovr_tell_title(to, "Feature %.100s: %s on surface %d, %s", info.name,
+                   ovr_shape_name((int)info.shape), info.surface, w.text);
+    ovr_tell(to, info.diameter > 0 ? "  depth" : "  height", "%.4g%s",
+             info.amplitude, in_metres(info.amplitude, c->height).text);
     if (info.diameter > 0)
-        ovr_words_add(&w, "diameter at half depth %.4g%s, ", info.diameter,
-                      in_metres(info.diameter, c->b).text);
-    ovr_words_add(&w, "%s wavelength %.4g%s, on %.4g nodes", info.wavelength_is,
-                  info.wavelength, in_metres(info.wavelength, c->b).text,
-                  info.wavelength / setup->mesh);
-    ovr_tell(to, w.text, "%s", "");
+        ovr_tell(to, "  diameter at half depth", "%.4g%s", info.diameter,
+                 in_metres(info.diameter, c->b).text);
+    ovr_words label = {""};
+    ovr_words_add(&label, "  %s wavelength", info.wavelength_is);
+    ovr_tell(to, label.text, "%.4g%s, %.4g nodes", info.wavelength,
+             in_metres(info.wavelength, c->b).text,
+             info.wavelength / setup->mesh);
     if (setup->transient)
-        say_material_history(to, setup, k);
+        say_times(to, setup, k);
     for (const char *s = info.assumed; s && *s;) {
         size_t length = strcspn(s, "\n");
-        ovr_tell_title(to, "%.*s", (int)length, s);
+        ovr_tell(to, "  assumed", "%.*s", (int)length, s);
         s += length + (s[length] == '\n');
     }
 }
 
-/* What amplitude reduction says of them before they are run. */
+/* Predictions by amplitude reduction. */
 static void put_rough_film(const ovr_told *to, const ovr_setup *setup,
                            const ovr_rough_film *film)
 {
@@ -217,83 +230,87 @@ static void put_rough_film(const ovr_told *to, const ovr_setup *setup,
     if (!setup->features)
         return;
     ovr_put_rough_film(to, film, c);
+    ovr_tell_title(to, "Predicted film of the rough surfaces (amplitude "
+                       "reduction)");
     if (film->why) {
-        ovr_tell(to, "film of rough surfaces", "no estimate: %s", film->why);
+        ovr_tell(to, "film roughness", "no prediction: %s", film->why);
         return;
     }
-    ovr_tell(to, "roughness of the film",
-             "Rq = %.4g%s of %.4g%s on the surfaces", film->film_Rq,
+    ovr_tell(to, "film roughness Rq", "%.4g%s; surfaces: %.4g%s", film->film_Rq,
              in_metres(film->film_Rq, c->height).text, film->Rq,
              in_metres(film->Rq, c->height).text);
-    say_film(to, "smallest film", film->H_min, c);
-    ovr_tell_title(to, "foreseen by amplitude reduction, of rolling waves: "
-                       "both to 2 %%, seldom 12 %%, of Rq");
-    ovr_tell_title(to, "and of the smooth minimum film");
-    if (film->but)
-        ovr_tell_title(to, "less sure here: %s", film->but);
+    ovr_tell(to, "minimum film thickness", "%s",
+             film_text(film->H_min, c).text);
+    ovr_tell(to, "accuracy", "within 2 %% (half the cases), 12 %% at most%s%s",
+             film->but ? "; less certain here: " : "",
+             film->but ? film->but : "");
 }
 
 /* ----------------------------------------------------------- grid and cost */
 
-/* Bodies that roll one behind the other. */
+/* Spacing, loads and replenishment of successive rolling bodies. */
 static void say_bodies(const ovr_told *to, const ovr_setup *setup)
 {
     const ovr_passes_setup *p = setup->passes;
     const ovr_contact *c = setup->contact;
     const double speed = p->again == 2 ? c->u2_ratio : c->u1_ratio;
-    double way = p->spacing / speed, maximum = 0;
+    double period = p->spacing / speed, maximum = 0;
     for (size_t k = 0; k < p->loads.count; k++)
         maximum = fmax(maximum, p->loads.values[k]);
     if (maximum > 0)
-        ovr_tell(to, "load zone", "%.4g of the nominal load at most", maximum);
-    if (isfinite(way))
-        ovr_tell(to, "rolling bodies", "%.4g%s behind each other, %s",
-                 p->spacing, in_metres(p->spacing, c->b).text,
-                 at_time(way, c).text);
+        ovr_tell(to, "load zone", "%.4g of the reference load at most",
+                 maximum);
+    if (isfinite(period))
+        ovr_tell(to, "roller spacing", "%.4g%s, %s", p->spacing,
+                 in_metres(p->spacing, c->b).text, at_time(period, c).text);
     if (isfinite(p->recovery))
-        ovr_tell(to, "oil that flows back",
-                 "%.3g %% of what lacks to a flooded layer, in that time",
-                 100 * -expm1(-way / p->recovery));
+        ovr_tell(to, "replenishment",
+                 "%.3g %% of the missing layer flows back between two rollers",
+                 100 * -expm1(-period / p->recovery));
 }
 
 static void say_grid(const ovr_told *to, const ovr_setup *setup,
                      const ovr_cost *cost)
 {
-    const char *const of[] = {"H_cen", "H_min", "what the features do",
-                              "both films and the friction"};
+    const char *const of[] = {"central film thickness",
+                              "minimum film thickness",
+                              "effect of the features",
+                              "central and minimum film thickness, friction"};
     const ovr_options *o = setup->options;
-    ovr_tell(to, "grid", "level %d, %.0f nodes, mesh D = %.6g%s, X = %g to %g",
-             o->level, cost->nodes, cost->mesh,
-             in_metres(cost->mesh, setup->contact->b).text, o->inlet,
-             o->outlet);
+    ovr_tell_title(to, "Numerics");
+    ovr_tell(to, "grid", "level %d, %.0f nodes, mesh size D = %.6g%s", o->level,
+             cost->nodes, cost->mesh,
+             in_metres(cost->mesh, setup->contact->b).text);
+    ovr_tell(to, "domain", "X = %g to %g", o->inlet, o->outlet);
     if (o->refine && o->refine_level)
-        ovr_tell(to, "patches", "about the spike, to level %d, mesh %.3g",
+        ovr_tell(to, "local refinement",
+                 "at the pressure spike, to level %d, mesh size %.3g",
                  o->refine_level,
                  ldexp(cost->mesh, o->level - o->refine_level));
     else if (o->refine)
-        ovr_tell(to, "patches",
-                 "about the spike, until its height changes by less than %g",
+        ovr_tell(to, "local refinement",
+                 "at the pressure spike, until its height changes by less than "
+                 "%g",
                  o->refine_change);
-    ovr_tell(to, "error of discretization", "%.1g of %s is to be expected",
-             setup->expected, of[setup->accuracy_of]);
+    ovr_tell(to, "expected discretization error", "%.1g (%s)", setup->expected,
+             of[setup->accuracy_of]);
     if (setup->expected <= setup->accuracy)
-        ovr_tell(to, "level", "%d is the first on which that is below %g%s",
+        ovr_tell(to, "level", "%d, the first with an expected error below %g%s",
                  o->level, setup->accuracy,
                  setup->confirm ? ", confirmed after the run" : "");
 }
 
-/* Its length, and where the program chose it, why. */
+/* The time step, with the reason if it was chosen automatically. */
 static void say_step(const ovr_told *to, const ovr_setup *setup)
 {
     double dT = ovr_setup_step(setup), meshes = dT / setup->mesh;
     const char *why = ovr_setup_step_reason(setup);
     if (setup->march->adaptive)
-        ovr_tell(to, "time step", "by the error of the steps, %g is the target",
+        ovr_tell(to, "time step", "adaptive, target error %g",
                  setup->march->error);
     else
-        ovr_tell(to, "time step", "%.6g, %.3g %s%s%s", dT, meshes,
-                 meshes == 1 ? "mesh" : "meshes", why ? ": " : "",
-                 why ? why : "");
+        ovr_tell(to, "time step", "%.6g = %.3g D%s%s", dT, meshes,
+                 why ? ": " : "", why ? why : "");
 }
 
 static void say_cost(const ovr_told *to, const ovr_setup *setup,
@@ -301,22 +318,22 @@ static void say_cost(const ovr_told *to, const ovr_setup *setup,
 {
     if (cost->passes > 1) {
         ovr_tell(to, "passes",
-                 "%.0f, a run and a result file each; all below is of one but "
-                 "for the disk and the seconds",
+                 "%.0f, a run and a result file each; the numbers below are "
+                 "those of one pass, except disk space and cost",
                  cost->passes);
         say_bodies(to, setup);
     }
     if (cost->steps > 0) {
         say_step(to, setup);
-        ovr_tell(to, "steps", "%s%.0f",
+        ovr_tell(to, "time steps", "%s%.0f",
                  setup->march->until_steady || setup->march->adaptive
                      ? "at most "
                      : "",
                  cost->steps);
-        ovr_tell(to, "snapshots", "%.0f, at most %.3g MB on the disk",
+        ovr_tell(to, "snapshots", "%.0f, up to %.3g MB on disk",
                  cost->stored.snapshots, cost->stored.bytes / 1e6);
     }
-    ovr_tell(to, "cost", "about %.2g s and %.3g MB of memory", cost->seconds,
+    ovr_tell(to, "estimated cost", "%.2g s, %.3g MB of memory", cost->seconds,
              cost->bytes / 1e6);
 }
 
@@ -347,12 +364,13 @@ static void put_cost(const ovr_told *to, const ovr_setup *setup,
 
 static void put_formulas(const ovr_told *to, const ovr_setup *setup)
 {
+    ovr_tell_title(to, "Operating conditions");
     ovr_put_contact(to, setup->contact, true);
+    put_alpha(to, setup);
+    say_lubricant(to, setup->lubricant);
     say_radius(to, setup);
     put_films(to, setup->contact);
-    put_alpha(to, setup);
     put_fit(to, setup);
-    say_lubricant(to, setup->lubricant);
 }
 
 void ovr_setup_scales(const ovr_setup *setup, ovr_summary_taker *take,

@@ -216,16 +216,16 @@ ovr_status ovr_run_keep_element(ovr_run *run, ovr_error *err)
         const char *name, *long_name;
         ovr_unit_kind kind;
     } of[ARRAYS] = {
-        {"path", "way of the contact: from the pitch point, positive behind it",
+        {"path", "path of contact, distance from the pitch point",
          OVR_KIND_LENGTH},
         {"radius", "reduced radius", OVR_KIND_LENGTH},
         {"radius_1", "radius of surface 1", OVR_KIND_LENGTH},
         {"radius_2", "radius of surface 2", OVR_KIND_LENGTH},
-        {"speed_1", "speed of surface 1 over the nominal mean speed",
+        {"speed_1", "speed of surface 1 relative to reference",
          OVR_KIND_NUMBER},
-        {"speed_2", "speed of surface 2 over the nominal mean speed",
+        {"speed_2", "speed of surface 2 relative to reference",
          OVR_KIND_NUMBER},
-        {"load", "load over the nominal load", OVR_KIND_NUMBER}};
+        {"load", "load relative to reference load", OVR_KIND_NUMBER}};
     const ovr_setup *setup = run->setup;
     bool cam = ovr_setup_cam(setup) != NULL;
     double *column[ARRAYS + 1];
@@ -247,10 +247,10 @@ ovr_status ovr_run_keep_element(ovr_run *run, ovr_error *err)
                                      .doubles = column[i + 1]};
     if (cam) {
         array[0].name = "angle";
-        array[0].long_name = "angle of the cam, degrees";
+        array[0].long_name = "cam angle (degrees)";
         array[0].kind = OVR_KIND_NUMBER;
     }
-    const ovr_group_axis axis = {"moment", "time from the beginning of the way",
+    const ovr_group_axis axis = {"moment", "time from the start of contact",
                                  OVR_KIND_TIME, LOOKS, column[0]};
     const ovr_group group = {.path = "element",
                              .axes = 1,
@@ -292,8 +292,8 @@ static void review_end(const ovr_setup *setup, ovr_listener *say, void *data)
     if (!(way > 0) || !setup->transient || end >= way * (1 - 1e-9))
         return;
     ovr_warn(say, data,
-             "[time] end = %.4g: the run ends on its way, which goes to %.4g "
-             "(%.4g ms)",
+             "[time] end = %.4g: the run ends before the end of contact at "
+             "%.4g (%.4g ms)",
              end, way, 1e3 * way * setup->contact->time);
 }
 
@@ -311,8 +311,9 @@ static void review_film(const ovr_setup *setup, ovr_listener *say, void *data)
     if (n == 0 || !(station[minimum].minimum < Rq))
         return;
     ovr_warn(say, data,
-             "at %s the smallest film is %.3g um by the fit, below the "
-             "roughness of both surfaces, Rq = %.3g um: they would touch there",
+             "at %s the predicted minimum film thickness %.3g um is below the "
+             "composite roughness Rq = %.3g um; asperities would touch, see "
+             "[boundary]",
              station[minimum].name, 1e6 * station[minimum].minimum, 1e6 * Rq);
 }
 
@@ -341,13 +342,12 @@ void ovr_review_element_after(const ovr_setup *setup,
         double off = fabs(t - ovr_gear_time(gear, way[k])) * v;
         if (!(off <= maximum))
             continue;
-        ovr_warn(
-            say, data,
-            "the largest pressure, %.4g GPa, stands %.2g mm from %c, where "
-            "the load comes on or leaves within %.2g mm: it is made by how "
-            "suddenly it does ([gear] blend), more than by the contact",
-            1e-9 * total->extreme.P_max * setup->contact->ph, 1e3 * off,
-            "BD"[k], 1e3 * maximum);
+        ovr_warn(say, data,
+                 "the maximum pressure %.4g GPa occurs %.2g mm from %c, where "
+                 "the load changes within %.2g mm; it depends on that distance "
+                 "(gear.blend) more than on the contact",
+                 1e-9 * total->extreme.P_max * setup->contact->ph, 1e3 * off,
+                 "BD"[k], 1e3 * maximum);
         return;
     }
 }

@@ -303,17 +303,17 @@ static void warn(ovr_run *run, const ovr_run_error *e, int level)
         return;
     if (isnan(e->value[2]))
         ovr_run_warn(run,
-                     "%s: %.4g, %.4g at levels %d, %d, and level %d cannot be "
-                     "solved: two levels are no estimate of it",
+                     "%s: no error estimate from the two values %.4g, %.4g at "
+                     "levels %d, %d, because level %d cannot be solved",
                      e->key, e->value[1], e->value[0], level - 1, level,
                      level - 2);
     else
-        ovr_run_warn(run,
-                     "%s does not converge with the level: %.4g, %.4g, %.4g at "
-                     "levels %d, %d, %d do not fall in a known order, which is "
-                     "no estimate",
-                     e->key, e->value[2], e->value[1], e->value[0], level - 2,
-                     level - 1, level);
+        ovr_run_warn(
+            run,
+            "%s: no error estimate, because the values %.4g, %.4g, %.4g at "
+            "levels %d, %d, %d do not converge with a known order",
+            e->key, e->value[2], e->value[1], e->value[0], level - 2, level - 1,
+            level);
 }
 
 /* The levels below, as far as they can be solved. */
@@ -421,12 +421,14 @@ ovr_status ovr_run_confirm(ovr_run *run, ovr_error *err)
     }
     double error = relative_error(run);
     if (isnan(error))
-        doubt(run, "coarser levels do not fall to it in a known order");
+        doubt(
+            run,
+            "the values at coarser levels do not converge with a known order");
     if (isnan(error) || error <= s->accuracy)
         return OVR_OK;
     ovr_run_warn(run,
-                 "level %d was chosen for an error of %.2g of %s; the estimate "
-                 "after the run is %.2g: level %d would do",
+                 "level %d was chosen for an error of %.2g of %s, but the "
+                 "estimate after the run is %.2g; use level %d",
                  level, s->accuracy, names[s->accuracy_of], error,
                  level + (int)ceil(log2(error / s->accuracy) / 2));
     return OVR_OK;

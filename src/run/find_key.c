@@ -229,10 +229,11 @@ static ovr_status judge(ovr_find *f, const ovr_search_result *r, ovr_error *err)
     case OVR_SEARCH_BEYOND:
         f->info.end = OVR_FIND_MISSED;
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s %s %.6g holds at %g%s itself: go %s", i->quantity,
-                        i->sense > 0 ? "at least" : "at most", i->target,
-                        *i->which == 'l' ? r->to : r->from, f->suffix,
-                        *i->which == 'l' ? "beyond" : "below");
+                        "the condition %s %s %.6g already holds at %g%s; "
+                        "extend the range: %s",
+                        i->quantity, i->sense > 0 ? "at least" : "at most",
+                        i->target, *i->which == 'l' ? r->to : r->from,
+                        f->suffix, *i->which == 'l' ? "beyond" : "below");
     case OVR_SEARCH_SEVERAL:
         f->info.end = OVR_FIND_SEVERAL;
         return fail_several(f, r, err);

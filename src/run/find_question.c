@@ -326,7 +326,7 @@ ovr_status ovr_find_check(ovr_find *f, const ovr_trial *t, ovr_error *err)
         return OVR_OK;
     if (known)
         return ovr_fail_about(err, "condition",
-                              "%s is not known in this case (null)",
+                              "%s cannot be computed for this case (null)",
                               f->info.quantity);
     for (size_t k = 0; k < t->lines; k++)
         add_name(&n, t->key[k]);

@@ -25,48 +25,44 @@
 /* ------------------------------------------------------------------ Columns */
 
 static const ovr_pass_column beside[OVR_PASS_BESIDE] = {
-    [OVR_PASS_LOST] =
-        {.name = "oil_lost",
-         .long_name = "of the outflow, what does not come to the next pass",
-         .kind = OVR_KIND_FLOW,
-         .place = 5,
-         .head = "lost"},
+    [OVR_PASS_LOST] = {.name = "oil_lost",
+                       .long_name = "lubricant loss between passes",
+                       .kind = OVR_KIND_FLOW,
+                       .place = 5,
+                       .head = "lost"},
     [OVR_PASS_STEPS] = {.name = "steps",
                         .long_name = "time steps",
                         .kind = OVR_KIND_COUNT},
-    [OVR_PASS_FILM_ERROR] =
-        {.name = "central_film_thickness_error",
-         .long_name =
-             "estimated error of discretization of the mean central film",
-         .kind = OVR_KIND_HEIGHT},
+    [OVR_PASS_FILM_ERROR] = {.name = "central_film_thickness_error",
+                             .long_name = "estimated discretization error of "
+                                          "the mean central film thickness",
+                             .kind = OVR_KIND_HEIGHT},
     [OVR_PASS_MIN_ERROR] =
         {.name = "min_film_thickness_error",
-         .long_name = "estimated error of discretization of the smallest film",
+         .long_name =
+             "estimated discretization error of the minimum film thickness",
          .kind = OVR_KIND_HEIGHT},
     [OVR_PASS_PRESSURE_ERROR] =
         {.name = "max_pressure_error",
-         .long_name =
-             "estimated error of discretization of the largest pressure",
+         .long_name = "estimated discretization error of the maximum pressure",
          .kind = OVR_KIND_PRESSURE},
     [OVR_PASS_MENISCUS_ERROR] =
         {.name = "meniscus_error",
-         .long_name = "estimated error of discretization of the meniscus",
+         .long_name =
+             "estimated discretization error of the inlet meniscus position",
          .kind = OVR_KIND_LENGTH},
-    [OVR_PASS_LENGTH] =
-        {.name = "equivalent_length",
-         .long_name = "length of smooth raceway with the risk that is added",
-         .kind = OVR_KIND_LENGTH,
-         .place = 11,
-         .head = "length",
-         .with = OVR_PHYSICS_PLASTIC},
+    [OVR_PASS_LENGTH] = {.name = "equivalent_length",
+                         .long_name = "equivalent raceway length",
+                         .kind = OVR_KIND_LENGTH,
+                         .place = 11,
+                         .head = "length",
+                         .with = OVR_PHYSICS_PLASTIC},
     [OVR_PASS_RISK] = {.name = "risk_smooth",
-                       .long_name = "risk of a length of smooth raceway",
+                       .long_name = "fatigue risk per length of smooth raceway",
                        .kind = OVR_KIND_NUMBER},
-    [OVR_PASS_RATIO] =
-        {.name = "life_ratio",
-         .long_name = "life over that of the smooth raceway, of passes like "
-                      "this one alone",
-         .kind = OVR_KIND_NUMBER},
+    [OVR_PASS_RATIO] = {.name = "life_ratio",
+                        .long_name = "life ratio, passes like this one only",
+                        .kind = OVR_KIND_NUMBER},
     [OVR_PASS_TOGETHER] = {
         .name = "life_ratio_together",
         .long_name = "the same of all passes up to this one, again and "

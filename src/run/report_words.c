@@ -15,27 +15,34 @@ void ovr_say_contact(const ovr_told *to, const ovr_run_info *s)
     const ovr_options *options = ovr_simulation_options(s->sim);
     ovr_words w = {""};
     if (isfinite(contact->ph))
-        ovr_words_add(&w, ", ph = %.4g GPa", contact->ph * 1e-9);
-    ovr_tell_title(
-        to, "M = %.6g, L = %.6g%s; level %d (%zu nodes), %s, %s", contact->M,
-        contact->L, w.text, options->level, ovr_simulation_state(s->sim)->n,
-        ovr_scheme_name(options->scheme), ovr_smoother_name(options->smoother));
+        ovr_words_add(&w, ", p_h = %.4g GPa", contact->ph * 1e-9);
+    if (s->transient)
+        ovr_words_add(&w, ", T = 0 to %.4g", ovr_simulation_state(s->sim)->T);
+    ovr_tell_title(to, "%s contact: M = %.6g, L = %.6g%s",
+                   s->transient ? "Transient" : "Steady", contact->M,
+                   contact->L, w.text);
+    ovr_tell_title(to, "Grid: level %d, %zu nodes; scheme %s; smoother %s",
+                   options->level, ovr_simulation_state(s->sim)->n,
+                   ovr_scheme_name(options->scheme),
+                   ovr_smoother_name(options->smoother));
     if (s->passes)
         ovr_tell_title(to,
-                       "pass %d of %d, all in %s; of this one, in %s:", s->pass,
-                       s->passes, s->passes_file, s->output);
-    if (s->transient)
-        ovr_tell_title(to, "over the run:");
+                       "Pass %d of %d; all passes in %s; results of this pass "
+                       "in %s",
+                       s->pass, s->passes, s->passes_file, s->output);
+    ovr_tell_heading(to, s->transient,
+                     s->transient ? "over the run" : "quantity");
 }
 
 void ovr_say_steps(const ovr_told *to, const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
-    ovr_tell_number(to, "steps", 0, (double)total->steps,
-                    "%ld cycles, %ld retries, %ld marked", total->cycles,
-                    total->retries, total->marked);
+    ovr_tell_number(to, "time steps", 0, (double)total->steps,
+                    "%ld cycles, %ld repeated, %ld accepted above tolerance",
+                    total->cycles, total->retries, total->marked);
     if (s->output)
-        ovr_tell(to, "stored in", "%s, %zu snapshots", s->output, s->snapshots);
+        ovr_tell(to, "result file", "%s, %zu snapshots", s->output,
+                 s->snapshots);
 }
 
 void ovr_say_end(const ovr_told *to, const ovr_run_info *s)
@@ -43,23 +50,22 @@ void ovr_say_end(const ovr_told *to, const ovr_run_info *s)
     ovr_words w = {""};
     ovr_words_place(&w, "at the end, T", ovr_simulation_state(s->sim)->T,
                     OVR_KIND_TIME, s->setup->contact);
-    ovr_tell_title(to, "%s%s", w.text,
-                   ovr_simulation_statistics(s->sim)->settled ? ", settled:"
-                                                              : ":");
+    if (ovr_simulation_statistics(s->sim)->settled)
+        ovr_words_add(&w, ", settled");
+    ovr_tell_heading(to, false, w.text);
 }
 
-/* ---------------------------------------------------------- beside the rows */
+/* -------------------------------------------------------------- remarks */
 
 /* The load in N/m. */
 static void add_load(ovr_words *w, const ovr_observation *o,
                      const ovr_contact *contact)
 {
     if (isfinite(contact->load))
-        ovr_words_add(w, "%.4g kN/m; ",
-                      o->load / acos(0) * contact->load * 1e-3);
+        ovr_words_add(w, "%.4g kN/m", o->load / acos(0) * contact->load * 1e-3);
 }
 
-/* The flow of oil at ambient density. */
+/* The volume flow at ambient density. */
 static void add_flow(ovr_words *w, const ovr_observation *o,
                      const ovr_contact *contact)
 {
@@ -97,102 +103,104 @@ bool ovr_absurd_friction(const ovr_run_info *s)
            s->setup->lubricant->rheology == OVR_NEWTONIAN;
 }
 
-/* Forces in ph b^2/R; coefficients where b/R is known. */
-static void add_coefficients(ovr_words *w, const ovr_observation *o,
-                             const ovr_contact *contact, int wide)
-{
-    if (isnan(o->mu_slide) && isfinite(o->mu_roll))
-        ovr_words_add(w,
-                      "not known (set boundary.friction); rolling of the film "
-                      "%.4g",
-                      o->mu_roll);
-    else if (isnan(o->F_slide))
-        ovr_words_add(w, "not known");
-    else if (isfinite(contact->kappa))
-        ovr_words_add(
-            w, "%-*.4g sliding, %.4g rolling; on surface 1 %.4g, on 2 %.4g",
-            wide, o->mu_slide, o->mu_roll, o->mu_1, o->mu_2);
-    else
-        ovr_words_add(w,
-                      "%-*.4g sliding, %.4g rolling, in ph b^2/R; coefficients "
-                      "need modulus or G",
-                      wide, o->F_slide, o->F_roll);
-}
-
-/* Forces in N over a width. */
-static void add_forces(ovr_words *w, const ovr_observation *o,
-                       const ovr_contact *contact, int wide)
+static void say_force(const ovr_told *to, const char *label, double F,
+                      const ovr_contact *contact)
 {
     double scale = ovr_kind_scale(OVR_KIND_FORCE, contact) * contact->width;
-    if (isfinite(scale))
-        ovr_words_add(w, "%-*.4g N on surface 1, %.4g N on 2, over the width",
-                      wide, o->F_1 * scale, o->F_2 * scale);
+    ovr_words w = isfinite(scale)
+                      ? ovr_words_unit("p_h b^2/R", "%.4g N over the width",
+                                       F * scale)
+                      : ovr_words_unit("p_h b^2/R", "%s", "");
+    ovr_tell_number(to, label, 4, F, "%s", w.text);
+}
+
+/* Coefficients need b/R; without it, forces in p_h b^2/R are printed. */
+static void say_coefficients(const ovr_told *to, const ovr_run_info *s)
+{
+    const ovr_observation *o = ovr_simulation_observation(s->sim);
+    const ovr_contact *contact = s->setup->contact;
+    if (isnan(o->mu_slide) && isfinite(o->mu_roll)) {
+        ovr_tell(to, "friction coefficient", "unknown (set boundary.friction)");
+        ovr_tell_number(to, "rolling friction coefficient", 4, o->mu_roll, "%s",
+                        ovr_words_unit("", "film").text);
+        return;
+    }
+    if (isnan(o->F_slide)) {
+        ovr_tell(to, "friction coefficient", "unknown");
+        return;
+    }
+    if (!isfinite(contact->kappa)) {
+        say_force(to, "sliding friction force", o->F_slide, contact);
+        say_force(to, "rolling friction force", o->F_roll, contact);
+        ovr_tell(to, "friction coefficient",
+                 "unknown (set contact.modulus or contact.G)");
+        return;
+    }
+    ovr_tell_number(to, "sliding friction coefficient", 4, o->mu_slide, "%s",
+                    "");
+    ovr_tell_number(
+        to, "rolling friction coefficient", 4, o->mu_roll, "%s",
+        ovr_words_unit("", "surface 1: %.4g, surface 2: %.4g", o->mu_1, o->mu_2)
+            .text);
+    if (isfinite(contact->width) &&
+        isfinite(ovr_kind_scale(OVR_KIND_FORCE, contact))) {
+        say_force(to, "friction force on surface 1", o->F_1, contact);
+        say_force(to, "friction force on surface 2", o->F_2, contact);
+    }
 }
 
 static void say_friction(const ovr_told *to, const ovr_run_info *s)
 {
-    const ovr_observation *o = ovr_simulation_observation(s->sim);
-    const ovr_contact *contact = s->setup->contact;
-    const char *label = isfinite(contact->kappa) ? "friction coeff."
-                                                 : "friction";
-    bool absurd = ovr_absurd_friction(s);
-    int wide = absurd ? 0 : 12;
-    ovr_words w = {""}, forces = {""};
-    if (absurd)
-        ovr_words_add(
-            &w,
-            "no oil has this friction, choose a rheology: a Newtonian "
-            "film's stress is up to %.3g times the pressure, above a "
-            "tenth of it in %.2g %% of the contact; ",
-            s->shear_over_pressure, 100 * s->unbearable_share);
-    add_coefficients(&w, o, contact, wide);
-    add_forces(&forces, o, contact, wide);
-    if (absurd && *forces.text)
-        ovr_words_add(&w, "; %s", forces.text);
-    ovr_tell(to, label, "%s", w.text);
-    if (!absurd && *forces.text)
-        ovr_tell(to, "friction force", "%s", forces.text);
+    if (ovr_absurd_friction(s))
+        ovr_tell(to, "friction is not realistic",
+                 "the shear stress reaches %.3g of the pressure and exceeds a "
+                 "tenth of it in %.2g %% of the contact; set "
+                 "lubricant.rheology",
+                 s->shear_over_pressure, 100 * s->unbearable_share);
+    say_coefficients(to, s);
 }
 
 /* ------------------------------------------------------ starvation and heat */
 
-/* Says where the film begins, and how much of the flooded one it is; what a
- * flooded contact leaves of the supply. */
+/* Starvation factor, and the position of the inlet meniscus or the part of the
+ * supply that a flooded contact takes. */
 static void say_supply(const ovr_told *to, const ovr_run_info *s)
 {
     const ovr_observation *o = ovr_simulation_observation(s->sim);
     ovr_words w = {""};
     if (isnan(o->inflow))
         return;
-    if (isfinite(o->starvation_factor))
-        ovr_words_add(&w, "%-12.6g of the flooded film", o->starvation_factor);
-    else
-        ovr_words_add(&w, "%-12s the surfaces hardly move", "none:");
     if (isfinite(o->meniscus))
-        ovr_words_place(&w, "; film begins at X", o->meniscus, OVR_KIND_LENGTH,
+        ovr_words_place(&w, "inlet meniscus at X", o->meniscus, OVR_KIND_LENGTH,
                         s->setup->contact);
     else if (o->supply > 1.01 * o->inflow && o->inflow > 0 &&
              isfinite(o->starvation_factor))
-        ovr_words_add(&w, "; of what arrives it takes %.2g, the rest waits",
+        ovr_words_add(&w,
+                      "flooded flow is %.2g of the supply, the excess collects "
+                      "at the inlet",
                       o->inflow / o->supply);
-    ovr_tell(to, "starvation factor", "%s", w.text);
+    if (isfinite(o->starvation_factor))
+        ovr_tell_number(to, "starvation factor", 0, o->starvation_factor, "%s",
+                        ovr_words_unit("", "%s", w.text).text);
+    else
+        ovr_tell(to, "starvation factor",
+                 "undefined: the entrainment speed is nearly zero%s%s",
+                 *w.text ? "; " : "", w.text);
 }
 
-/* Largest temperatures, and how far the balance of energy is from closed. */
+/* Maximum temperatures, and the error of the energy balance. */
 static void say_heat(const ovr_told *to, const ovr_run_info *s)
 {
     const double zero = 273.15; /* degC in K */
     const ovr_observation *o = ovr_simulation_observation(s->sim);
-    ovr_words w = {""};
     if (!ovr_setup_heat(s->setup))
         return;
-    ovr_words_place(&w, " at X", o->X_T_film_max, OVR_KIND_LENGTH,
-                    s->setup->contact);
-    ovr_tell(to, "temperature", "%-12.4g degC in the film%s",
-             o->T_film_max - zero, w.text);
-    ovr_tell(to, "",
-             "%.4g and %.4g degC on surfaces 1 and 2; energy closes to %.1e",
-             o->T_1_max - zero, o->T_2_max - zero, o->energy_defect);
+    ovr_tell_number(to, "maximum temperature of the film", 4,
+                    o->T_film_max - zero, "%-11s %.4g", "degC",
+                    o->X_T_film_max);
+    ovr_tell_number(to, "  of surface 1", 4, o->T_1_max - zero, "degC");
+    ovr_tell_number(to, "  of surface 2", 4, o->T_2_max - zero, "degC");
+    ovr_tell_number(to, "energy balance error", 2, o->energy_defect, "%s", "");
 }
 
 void ovr_say_conditions(const ovr_told *to, const ovr_run_info *s)
@@ -204,25 +212,32 @@ void ovr_say_conditions(const ovr_told *to, const ovr_run_info *s)
 
 /* ------------------------------------------------------------------ errors */
 
-/* As the line is called that tells the number itself. */
-static const char *label_of(const char *key)
+/* Label of the quantity with this key. */
+static const char *label_of(const char *key, bool *extreme)
 {
     const ovr_observable *row;
     for (size_t k = 0; (row = ovr_observable_at(k)); k++) {
         if (row->key && row->label && !strcmp(row->key, key))
             return row->label;
-        if (row->extreme_label && !strcmp(row->extreme_key, key))
+        if (row->extreme_label && !strcmp(row->extreme_key, key)) {
+            *extreme = true;
             return row->extreme_label;
+        }
         if (row->mean_label && !strcmp(row->mean_key, key))
             return row->mean_label;
     }
     return key;
 }
 
-/* Relative, and in nm, um or MPa; of what does not converge only that. */
+/* Appends a relative error, and in nm, um or MPa; or that the quantity does not
+ * converge. */
 static void add_error(ovr_words *w, const ovr_run_error *e,
-                      const ovr_contact *contact)
+                      const ovr_run_info *s)
 {
+    const ovr_contact *contact = s->setup->contact;
+    bool extreme = false;
+    const char *label = label_of(e->key, &extreme);
+    const char *when = extreme && s->transient ? " over the run" : "";
     const char *unit = e->kind == OVR_KIND_HEIGHT   ? "nm"
                        : e->kind == OVR_KIND_LENGTH ? "um"
                                                     : "MPa";
@@ -231,25 +246,25 @@ static void add_error(ovr_words *w, const ovr_run_error *e,
                                                                       : 1e-6);
     const char *between = *w->text ? " " : "";
     if (!e->converges) {
-        ovr_words_add(w, "%s%s does not converge with the level", between,
-                      label_of(e->key));
+        ovr_words_add(w, "%s%s%s does not converge with the level", between,
+                      label, when);
         return;
     }
-    ovr_words_add(w, "%s%s %.2g %%", between, label_of(e->key),
+    ovr_words_add(w, "%s%s%s %.2g %%", between, label, when,
                   100 * e->error / fabs(e->value[0]));
     if (isfinite(scale))
         ovr_words_add(w, " (%.2g %s)", e->error * scale, unit);
 }
 
-/* Two a line. */
+/* Prints two errors in a line. */
 void ovr_say_errors(const ovr_told *to, const ovr_run_info *s)
 {
     const ovr_run_errors *e = s->error;
-    const char *label = "estimated errors";
+    const char *label = "estimated discretization errors";
     ovr_words w = {""};
     for (size_t k = 0; k < e->count; k++) {
         bool last = k + 1 == e->count;
-        add_error(&w, &e->of[k], s->setup->contact);
+        add_error(&w, &e->of[k], s);
         ovr_words_add(&w, last ? "" : ",");
         if (k % 2 || last) {
             ovr_tell(to, label, "%s", w.text);
@@ -258,8 +273,8 @@ void ovr_say_errors(const ovr_told *to, const ovr_run_info *s)
         }
     }
     bool steps = s->transient && !s->setup->march->adaptive;
-    ovr_tell(to, label, "relative, from level %d%s%s", e->level,
-             e->count && isfinite(e->of[0].value[2]) ? " and the one below it"
+    ovr_tell(to, label, "(relative, by level %d%s%s)", e->level,
+             e->count && isfinite(e->of[0].value[2]) ? " and the next coarser"
                                                      : "",
-             steps ? ", steps longer with the mesh" : "");
+             steps ? ", with time steps proportional to D" : "");
 }

@@ -97,14 +97,14 @@ static void report_state(ovr_run *run, bool done)
 {
     const ovr_state *state = ovr_simulation_state(run->sim);
     if (run->writer && ovr_writer_repaired(run->writer))
-        say(run, "its last write was cut: it is as its last checkpoint left it "
-                 "again");
+        say(run,
+            "last write was interrupted; file restored to the last checkpoint");
     if (done && run->passes) /* it was said of all of them */
         return;
     if (done)
         say(run, "is complete: nothing to do");
     else if (run->restored)
-        say(run, "goes on from T = %g, step %ld", state->T, state->step);
+        say(run, "continuing from T = %g, step %ld", state->T, state->step);
     else
         say(run, "has no checkpoint: the run begins again");
     if (run->restored && run->info.transient)

@@ -52,12 +52,12 @@ static bool is_usual(const ovr_review *r, const char *key)
 static void warn_of_kept_inlet(const ovr_review *r,
                                const ovr_domain_needs *needs)
 {
-    ovr_review_say(
-        r, OVR_SAY_WARNING,
-        "a feature starts left of X = %.4g: the inlet stays there, which costs "
-        "%s of the central film; start it left of %.4g to have the inlet there",
-        r->setup->options->inlet, share_of(needs->loss).text,
-        ((const ovr_resolved *)r->setup)->inlet_kept);
+    ovr_review_say(r, OVR_SAY_WARNING,
+                   "a feature starts upstream of X = %.4g and keeps the inlet "
+                   "boundary there, so that the central film thickness is %s "
+                   "too low; start the feature upstream of X = %.4g",
+                   r->setup->options->inlet, share_of(needs->loss).text,
+                   ((const ovr_resolved *)r->setup)->inlet_kept);
 }
 
 /* The usual inlet lies farther out, or does not because of a feature. */
@@ -69,15 +69,14 @@ static void say_usual_inlet(const ovr_review *r, const ovr_domain_needs *needs)
     if (inlet < OVR_USUAL_INLET && needs->varies)
         ovr_review_say(
             r, OVR_SAY_NOTE,
-            "the inlet is at X = %.4g: that far for all films and contacts "
-            "that load, speed and radius make",
+            "inlet boundary moved to X = %.4g for all film thicknesses and "
+            "half-widths of the histories of load, speed and radius",
             inlet);
     else if (inlet < OVR_USUAL_INLET)
-        ovr_review_say(
-            r, OVR_SAY_NOTE,
-            "the inlet is at X = %.4g: at -4 it would cost %s of the central "
-            "film",
-            inlet, share_of(loss).text);
+        ovr_review_say(r, OVR_SAY_NOTE,
+                       "inlet boundary moved to X = %.4g; at X = -4 the "
+                       "central film thickness would be %s too low",
+                       inlet, share_of(loss).text);
 }
 
 /* Ends that were given, where films are cut by them.  An inlet that oil does
@@ -89,8 +88,8 @@ static void warn_of_near_inlet(const ovr_review *r,
         needs->loss > 1.01 * OVR_USUAL_LOSS)
         ovr_review_say(
             r, OVR_SAY_WARNING,
-            "the inlet is numerically starved: X = %.4g is so near that it "
-            "costs %s of the film; inlet = %.4g would do",
+            "film thickness is too low because the inlet boundary X = %.4g is "
+            "too close (error %s); set domain.inlet = %.4g",
             r->setup->options->inlet, share_of(needs->loss).text,
             rounded_out(needs->inlet));
 }
@@ -102,8 +101,8 @@ static void warn_of_near_outlet(const ovr_review *r,
     if (!is_usual(r, "outlet") && o->outlet < needs->film_end)
         ovr_review_say(
             r, OVR_SAY_WARNING,
-            "the outlet X = %.4g is too near: films end as far out as X = "
-            "%.4g, and what is cut off carries load; outlet = %.4g would do",
+            "the outlet boundary X = %.4g cuts off part of the film, which "
+            "extends to X = %.4g; set domain.outlet = %.4g",
             o->outlet, needs->film_end, rounded_out(needs->outlet));
 }
 
@@ -125,12 +124,12 @@ void ovr_review_inlet(const ovr_review *r, const ovr_state *state, double H_cen)
     ovr_domain_needs needs = ovr_setup_needs(r->setup);
     if (needs.loss <= 1.01 * OVR_USUAL_LOSS)
         return;
-    ovr_review_say(
-        r, OVR_SAY_WARNING,
-        "the inlet is numerically starved: the film at X = %.3g is only %.1f "
-        "central films, which costs %s of the film; inlet = %.4g would do",
-        state->X[0], state->H[0] / H_cen, share_of(needs.loss).text,
-        rounded_out(needs.inlet));
+    ovr_review_say(r, OVR_SAY_WARNING,
+                   "film thickness is too low because the inlet boundary X = "
+                   "%.3g is too close: the gap there is only %.1f times the "
+                   "central film thickness (error %s); set domain.inlet = %.4g",
+                   state->X[0], state->H[0] / H_cen, share_of(needs.loss).text,
+                   rounded_out(needs.inlet));
 }
 
 /* -------------------------------------------------------- Plausible numbers */
@@ -147,8 +146,8 @@ static void judge(const usual *u, ovr_listener *say, void *data)
     if (!isfinite(value) || (value >= u->minimum && value <= u->maximum))
         return;
     ovr_warn(say, data,
-             "%s %.4g %s: usual are %g to %g %s; is the unit the one that was "
-             "meant?",
+             "%s = %.4g %s is outside the usual range of %g to %g %s; check "
+             "the unit",
              u->what, value, u->unit, u->minimum, u->maximum, u->unit);
 }
 
@@ -245,12 +244,12 @@ static void say_estimated(const ovr_review *r)
     const ovr_resolved *resolved = (const ovr_resolved *)r->setup;
     if (!resolved->values.oil.mineral || !resolved->alpha_estimated)
         return;
-    ovr_review_say(
-        r, OVR_SAY_NOTE,
-        "alpha = %.3g 1/GPa is an estimate from the viscosity (Roelands' "
-        "relation, z = 0.68): measured ones are 0.6 to 1 times that, the less "
-        "for synthetic oils, and films go with about the square root",
-        1e9 * r->setup->contact->alpha);
+    ovr_review_say(r, OVR_SAY_NOTE,
+                   "alpha = %.3g 1/GPa is an estimate from the viscosity "
+                   "(Roelands' relation, z = 0.68); measured values are 0.6 to "
+                   "1 times this, lower for synthetic oils, and film thickness "
+                   "is about proportional to sqrt(alpha)",
+                   1e9 * r->setup->contact->alpha);
 }
 
 /* Keys without effect that are no reason to refuse the case. */
@@ -287,17 +286,15 @@ static void say_left_out(const ovr_review *r)
 static void warn_of_start(const ovr_review *r)
 {
     if (fabs(ovr_history_value(r->setup->speed, 0)) < OVR_MIN_START)
-        ovr_review_say(
-            r, OVR_SAY_WARNING,
-            "the run starts from rest, where there is no film: the film at T "
-            "= 0 is that of %g of the nominal speed",
-            OVR_MIN_START);
+        ovr_review_say(r, OVR_SAY_WARNING,
+                       "the run starts from rest without a film; the initial "
+                       "film thickness is that of %g of the reference speed",
+                       OVR_MIN_START);
     if (ovr_history_value(r->setup->load, 0) < OVR_MIN_START)
-        ovr_review_say(
-            r, OVR_SAY_WARNING,
-            "the run starts without load, where the film has no bound: the "
-            "film at T = 0 is that of %g of the nominal load",
-            OVR_MIN_START);
+        ovr_review_say(r, OVR_SAY_WARNING,
+                       "the run starts without load; the initial film "
+                       "thickness is that of %g of the reference load",
+                       OVR_MIN_START);
 }
 
 /* Upstream schemes smear out what moves on few nodes; below so many a width
@@ -314,13 +311,12 @@ static void warn_of_smearing(const ovr_review *r)
         double nodes = info.wavelength / s->mesh;
         if (info.speed == 0 || !(nodes < enough))
             continue;
-        ovr_review_say(
-            r, OVR_SAY_WARNING,
-            "feature '%s' moves on %.0f nodes a width, on which an upstream "
-            "scheme smears it out: take scheme = characteristic with step = "
-            "grid, or level %d",
-            info.name, nodes,
-            s->options->level + (int)ceil(log2(enough / nodes)));
+        ovr_review_say(r, OVR_SAY_WARNING,
+                       "feature '%s' has only %.0f nodes per width; upstream "
+                       "schemes smear it out. Use scheme = characteristic with "
+                       "step = grid, or level %d",
+                       info.name, nodes,
+                       s->options->level + (int)ceil(log2(enough / nodes)));
         return;
     }
 }
@@ -347,7 +343,7 @@ static void warn_of_features(const ovr_review *r, bool transient)
         ovr_review_say(
             r, OVR_SAY_WARNING,
             "the grid is too coarse: the %s wavelength %.3g of feature '%s' "
-            "has only %.1f mesh sizes; level %d would resolve it",
+            "has only %.1f mesh sizes; use level %d",
             finest.wavelength_is, wave, finest.name, wave / D,
             options->level + (int)ceil(log2(MESHES_A_WAVE * D / wave)));
     warn_of_smearing(r);
@@ -392,11 +388,10 @@ static void warn_of_left_out(const ovr_review *r)
             continue;
         ovr_review_say(
             r, OVR_SAY_WARNING,
-            "feature '%s' moves, and a steady solution leaves it out: %s",
+            "feature '%s' moves and is left out of a steady solution; %s",
             info.name,
-            r->setup->transient
-                ? "overroll run lets it pass"
-                : "an end in [time], such as end = auto, lets it pass");
+            r->setup->transient ? "use overroll run"
+                                : "set time.end, for example to auto");
     }
 }
 
@@ -411,8 +406,8 @@ static void warn_of_histories(const ovr_review *r)
         if (how && how->given && strcmp(how->text, "constant") != 0)
             ovr_review_say(
                 r, OVR_SAY_WARNING,
-                "[%s] history = %s: a steady solution takes its value at T = 0 "
-                "alone; an end in [time] lets it vary",
+                "[%s] history = %s has no effect in a steady solution, which "
+                "uses the value at T = 0; set time.end for a transient run",
                 sections[k], how->text);
     }
 }
@@ -482,11 +477,10 @@ static void warn_of_sliding(const ovr_review *r)
     const ovr_contact *contact = r->setup->contact;
     double slip = contact->u1_ratio - contact->u2_ratio;
     if (fabs(slip) > 2 * (1 + 1e-12))
-        ovr_review_say(
-            r, OVR_SAY_WARNING,
-            "the surfaces move against each other: slide_to_roll %.4g is "
-            "beyond +-2, where one of them stands still",
-            slip);
+        ovr_review_say(r, OVR_SAY_WARNING,
+                       "opposite sliding: the surfaces move in opposite "
+                       "directions, because slide_to_roll %.4g is beyond +-2",
+                       slip);
 }
 
 /* One that was chosen, where it is the finest that may be. */

@@ -7,10 +7,10 @@
 #include "case/setup.h"
 #include "physics/plastic/plastic.h"
 #include "physics/supply/supply.h"
-#include "run/internal.h"
-#include "run/summary_lines.h"
-#include "run/review.h"
 #include "run/element.h"
+#include "run/internal.h"
+#include "run/review.h"
+#include "run/summary_lines.h"
 #include "simulation/simulation.h"
 #include "surface/surfaces.h"
 
@@ -22,8 +22,8 @@ static void warn_of_order(const ovr_review *r, const ovr_simulation *sim)
     if (ovr_setup_corrected(r->setup))
         ovr_review_say(
             r, OVR_SAY_WARNING,
-            "the solution is of second order: the corrections of fourth order "
-            "did not converge on this mesh%s; level = %d would do",
+            "the solution is of second order, because the fourth-order "
+            "corrections did not converge on this grid%s; use level = %d",
             maximum ? " in the max_cycles given" : "",
             ovr_level_resolving(sim));
     else if (ovr_block_get(domain, "order")->given)
@@ -39,15 +39,14 @@ static void warn_of_pressure(const ovr_review *r, const ovr_statistics *total)
 {
     double ph = r->setup->contact->ph, bearable = r->setup->bearable;
     if (total->extreme.P_max * ph > bearable)
-        ovr_review_say(
-            r, OVR_SAY_WARNING,
-            "the pressure of %.3g GPa at X = %.4g, T = %.4g is above what the "
-            "material bears (bearable_pressure = %.3g GPa)%s",
-            total->extreme.P_max * ph * 1e-9, total->where.P_max,
-            total->when.P_max, bearable * 1e-9,
-            ovr_setup_plastic(r->setup)
-                ? ""
-                : ": it would yield, which needs [plastic]");
+        ovr_review_say(r, OVR_SAY_WARNING,
+                       "the pressure of %.3g GPa at X = %.4g, T = %.4g exceeds "
+                       "bearable_pressure = %.3g GPa%s",
+                       total->extreme.P_max * ph * 1e-9, total->where.P_max,
+                       total->when.P_max, bearable * 1e-9,
+                       ovr_setup_plastic(r->setup)
+                           ? ""
+                           : ": it would yield, which needs [plastic]");
 }
 
 /* Films thinner than molecules are no continuum; asperities of [boundary] do
@@ -96,12 +95,12 @@ static void warn_of_roughness(const ovr_review *r, const ovr_statistics *total)
     double Rq = r->setup->surfaces ? ovr_surfaces_roughness(r->setup->surfaces)
                                    : 0;
     if (total->extreme.H_min_located < Rq)
-        ovr_review_say(
-            r, OVR_SAY_WARNING,
-            "the smallest film H = %.3g, at X = %.4g, T = %.4g, is below the "
-            "roughness Rq = %.3g of both surfaces: they would touch",
-            total->extreme.H_min_located, total->where.H_min_located,
-            total->when.H_min_located, Rq);
+        ovr_review_say(r, OVR_SAY_WARNING,
+                       "minimum film thickness H = %.3g (X = %.4g, T = %.4g) "
+                       "is below the composite roughness Rq = %.3g; asperities "
+                       "would touch, see [boundary]",
+                       total->extreme.H_min_located, total->where.H_min_located,
+                       total->when.H_min_located, Rq);
 }
 
 /* The ordinary is 3 cycles a step; the steady start has its own. */
@@ -109,11 +108,10 @@ static void warn_of_cycles(const ovr_review *r, const ovr_statistics *total)
 {
     const long far = 20, start = 500;
     if (total->steps > 0 && total->cycles > far * total->steps + start)
-        ovr_review_say(
-            r, OVR_SAY_WARNING,
-            "%ld cycles for %ld steps, where 3 a step are ordinary: the run is "
-            "at the border of what can be solved on this mesh",
-            total->cycles, total->steps);
+        ovr_review_say(r, OVR_SAY_WARNING,
+                       "%ld cycles for %ld time steps (3 per step are usual); "
+                       "the grid barely resolves this run, use a higher level",
+                       total->cycles, total->steps);
 }
 
 static void warn_of_extremes(const ovr_review *r, const ovr_statistics *total)
@@ -149,12 +147,11 @@ void ovr_run_review_after(ovr_run *run)
     if (run->setup->options->order == 4 && ovr_simulation_order(sim) != 4)
         warn_of_order(&r, sim);
     if (ovr_mesh_too_coarse(sim))
-        ovr_review_say(
-            &r, OVR_SAY_WARNING,
-            "the film is too thin for the mesh: the pressure builds up within "
-            "a mesh or two, and the film may be off by tens of per cent; level "
-            "= %d would do",
-            ovr_level_resolving(sim));
+        ovr_review_say(&r, OVR_SAY_WARNING,
+                       "the film thickness may be wrong by tens of per cent: "
+                       "the film is too thin for the grid, and the pressure "
+                       "builds up within one or two mesh sizes; use level = %d",
+                       ovr_level_resolving(sim));
     if (*strategy)
         ovr_review_say(&r, OVR_SAY_NOTE,
                        "the steady solution took another way: %s", strategy);

@@ -50,8 +50,8 @@ ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
         set_recorded_domain(run->setup, ovr_restart_about(run->restart));
     if (run->resumed && !run->passes && run->setup->passes->number > 1)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: is one of several passes; 'overroll resume' goes "
-                        "on with the file of all of them",
+                        "%s: is one of several passes; use 'overroll resume' "
+                        "with the file of all passes",
                         run->info.output);
     if (run->passes && ovr_passes_feed(run, err))
         return OVR_BAD_INPUT;
@@ -277,8 +277,8 @@ static bool carries_load(ovr_run *run)
     if (!(fabs(error) > given + maximum * fmax(1, ratio)))
         return true;
     ovr_warn(ovr_run_message, run,
-             "the load is off by %.2g of the nominal one: this is not called "
-             "converged; a smaller tolerance in [solver] does it",
+             "not converged: the load error is %.2g of the reference load; "
+             "reduce solver.tolerance",
              fabs(error));
     return false;
 }

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The stresses below the surfaces as summaries and reports tell them, and what
- * the group fatigue/surface_N of a file keeps of them: from one list of rows.
- */
+/* Stresses below the surfaces in summaries, reports and the group
+ * fatigue/surface_N of result files, from one table of rows. */
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -116,11 +115,10 @@ static void put_life(const ovr_told *to, const ovr_stress_report *r,
 
 /* --------------------------------------------------------------- for people */
 
-/* Hardened bearing steel yields about here: above it an elastic stress is one
- * that the steel does not bear. */
+/* Approximate yield stress of hardened bearing steel, Pa. */
 static const double YIELD = 1.7e9;
 
-/* Says a stress with the words behind it. */
+/* Prints a stress, in MPa, and a remark. */
 static void say_stress(const ovr_told *to, const char *label, double value,
                        double ph, const char *behind)
 {
@@ -130,7 +128,7 @@ static void say_stress(const ovr_told *to, const char *label, double value,
     ovr_tell_number(to, label, 4, value, "%s  %s", si.text, behind);
 }
 
-/* The lines of a part. */
+/* Prints the rows of a part. */
 static void say_part(const ovr_told *to, ovr_stress_part part,
                      const ovr_stress_report *r, double ph)
 {
@@ -145,13 +143,13 @@ static void say_part(const ovr_told *to, ovr_stress_part part,
         if (row->form == OVR_FIGURE_SHARE && !isnan(e.value))
             ovr_tell_number(to, row->label, 4, e.value, "%s", row->words);
         else if (row->form == OVR_FIGURE_TENSION && !(e.value > 0))
-            ovr_tell(to, row->label, "none, it is pressed together everywhere");
+            ovr_tell(to, row->label, "none (compressive everywhere)");
         else if (row->form != OVR_FIGURE_SHARE)
             say_stress(to, row->label, e.value, ph, at.text);
     }
 }
 
-/* The row from which at least `z` is counted. */
+/* Index of the first depth of at least `z`. */
 static size_t row_from(const ovr_material *m, double z)
 {
     size_t j = 0;
@@ -175,7 +173,7 @@ static void say_circle(const ovr_told *to, const ovr_stress_report *r,
     ovr_words_add(&at, "at xi = %.4g%s, Z = %.4g; smooth %.4g%s", r->xi_R_max,
                   side_of(r, r->xi_R_max), r->Z_R_max, r->R_smooth,
                   r->Z_R_max < r->unresolved_depth ? "; not resolved" : "");
-    say_stress(to, "shear circle R", r->R_max, ph, at.text);
+    say_stress(to, "shear path radius R", r->R_max, ph, at.text);
 }
 
 static void say_lengths(const ovr_told *to, const ovr_stress_report *r)
@@ -192,11 +190,11 @@ static void say_lengths(const ovr_told *to, const ovr_stress_report *r)
                       r->length[j], m->z[j]);
         last = m->z[j];
     }
-    ovr_tell(to, "equivalent length", "%s down", w.text);
+    ovr_tell(to, "equivalent raceway length", "%s downward", w.text);
 }
 
-/* Features add to the risk: where it is less than the smooth contact's, what
- * they do is lost in the error. */
+/* Features increase the risk.  A risk below that of the smooth contact means
+ * that their effect is smaller than the error. */
 static bool has_effect(const ovr_stress_report *r)
 {
     return !(r->life->equivalent_length < 0) && !(r->ratio > 1);
@@ -210,68 +208,72 @@ static void say_life(const ovr_told *to, const ovr_stress_report *r,
         return;
     }
     if (!has_effect(r))
-        ovr_tell(to, "equivalent length",
-                 "no effect beyond the error of the method, %.2g b from Z = "
-                 "%.3g down",
+        ovr_tell(to, "equivalent raceway length",
+                 "below the error of the method, %.2g b from Z = %.3g downward",
                  fmax(r->length_error, -r->life->equivalent_length),
                  r->least_depth);
     else if (isfinite(r->life->equivalent_length))
         say_lengths(to, r);
     else
-        ovr_tell(to, "equivalent length",
-                 "none: the smooth contact stays below the limit from Z = %.3g "
-                 "down",
-                 r->least_depth);
+        ovr_tell(
+            to, "equivalent raceway length",
+            "undefined: the smooth contact is below the fatigue limit from "
+            "Z = %.3g downward",
+            r->least_depth);
     if (isfinite(r->life->utilisation))
-        ovr_tell_number(to, "utilisation", 4, r->life->utilisation,
-                        "of the limit %.4g ph (%s), from Z = %.3g down; at "
-                        "Z = %.3g",
+        ovr_tell_number(to, "utilization", 4, r->life->utilisation,
+                        "of the fatigue limit %.4g p_h (%s), from Z = %.3g "
+                        "downward; at Z = %.3g",
                         r->limit, ovr_criterion_name(s->criterion),
                         r->least_depth, r->life->used_z);
     if (isfinite(r->ratio) && has_effect(r))
-        ovr_tell_number(to, "life", 4, r->ratio,
-                        "of the smooth raceway's, counted from Z = %.3g",
-                        r->least_depth);
+        ovr_tell_number(
+            to, "life ratio", 4, r->ratio,
+            "relative to the smooth raceway, from Z = %.3g downward",
+            r->least_depth);
     ovr_tell(to, "",
-             "exponents %.4g, %.4g, %.4g and limit are conventions; elastic, a "
-             "groove",
+             "exponents %.4g, %.4g, %.4g and limit are conventions; elastic, "
+             "plane strain",
              s->life.exponent, s->life.depth_exponent, s->life.weibull);
 }
 
-/* What counts is how deep the material yields, not how far above Y its largest
- * stress is: a skin thinner than this moves nanometres, hardened or not. */
+/* The depth to which the material yields counts, not the amount by which the
+ * stress exceeds Y: a thinner layer deforms by nanometres only. */
 static const double SKIN = 0.02;
 
 static void say_whether(const ovr_told *to, const ovr_stress_report *r,
                         bool rough)
 {
     if (r->of_shakedown > 1)
-        ovr_tell(to, "",
-                 "plastic strain matters: the smooth contact is above its "
-                 "shakedown limit, and flows at every pass");
+        ovr_tell(
+            to, "",
+            "plastic strain matters: the smooth contact exceeds its shakedown "
+            "limit and deforms plastically in every pass");
     else if (r->of_first_yield > 1)
-        ovr_tell(to, "",
-                 "plastic strain matters: the smooth contact yields by itself, "
-                 "and shakes down in its first passes");
+        ovr_tell(
+            to, "",
+            "plastic strain matters: the smooth contact yields and shakes down "
+            "in its first passes");
     else if (r->yielding_depth >= SKIN)
-        ovr_tell(to, "",
-                 "plastic strain matters: the material is beyond yield down to "
-                 "Z = %.3g",
-                 r->yielding_depth);
+        ovr_tell(
+            to, "",
+            "plastic strain matters: the stress exceeds yield down to Z = %.3g",
+            r->yielding_depth);
     else if (r->yielding_depth > 0)
         ovr_tell(to, "",
-                 "plastic strain does not matter: only a skin of Z = %.3g is "
-                 "beyond yield",
+                 "plastic strain does not matter: only a near-surface layer of "
+                 "Z = %.3g exceeds yield",
                  r->yielding_depth);
     else if (rough && r->material.z[0] > SKIN)
-        ovr_tell(to, "",
-                 "plastic strain matters in a skin at most, which a finer mesh "
-                 "tells: nothing is beyond yield from Z = %.3g down",
-                 r->material.z[0]);
+        ovr_tell(
+            to, "",
+            "plastic strain matters at most in a near-surface layer, which "
+            "needs a finer grid: below yield from Z = %.3g downward",
+            r->material.z[0]);
     else
         ovr_tell(to, "",
-                 "plastic strain does not matter: nothing is beyond yield from "
-                 "Z = %.3g down",
+                 "plastic strain does not matter: below yield from Z = %.3g "
+                 "downward",
                  r->material.z[0]);
 }
 
@@ -284,19 +286,19 @@ static void say_yield(const ovr_told *to, const ovr_stress_report *r,
     ovr_words_add(&Y, "%.4g ph", r->yield);
     if (isfinite(ph))
         ovr_words_add(&Y, " = %.4g MPa", r->yield * ph * 1e-6);
-    ovr_tell_number(to, "beyond yield", 4, f->value,
-                    "f/Y: von Mises over Y = %s, less 1; at X = %.4g, "
-                    "Z = %.4g, T = %.4g",
+    ovr_tell_number(to, "stress above yield, f/Y", 4, f->value,
+                    "von Mises stress / Y - 1, Y = %s; at X = %.4g, Z = %.4g, "
+                    "T = %.4g",
                     Y.text, f->X, f->Z, f->T);
-    ovr_tell_number(to, "yielding", 3, 100 * r->yielding_share,
-                    "%% of the material points from Z = %.4g down",
+    ovr_tell_number(to, "yielding volume share", 3, 100 * r->yielding_share,
+                    "%% of the material points from Z = %.4g downward",
                     r->least_depth);
-    ovr_tell_number(to, "strip of pressure", 4, strip->value,
+    ovr_tell_number(to, "strip pressure ratio", 4, strip->value,
                     "(P - P around)/(2.97 Y), %.3g b wide at X = %.4g, "
                     "T = %.4g",
                     strip->Z, strip->X, strip->T);
-    ovr_tell_number(to, "smooth contact", 4, r->of_first_yield,
-                    "of the ph of first yield, %.4g of that of shakedown",
+    ovr_tell_number(to, "p_h / p_h at first yield", 4, r->of_first_yield,
+                    "smooth contact; %.4g of the p_h at the shakedown limit",
                     r->of_shakedown);
     say_whether(to, r, setup->features > 0);
 }
@@ -305,10 +307,11 @@ static void say_surface(const ovr_told *to, const ovr_stress_report *r,
                         const ovr_setup *setup)
 {
     double ph = setup->contact->ph;
-    ovr_tell_title(to, "below surface %d, from Z = %.4g (%.3g meshes) down:",
+    ovr_tell_title(to,
+                   "Stresses below surface %d, from Z = %.4g (%.3g D) downward",
                    r->surface, r->least_depth, r->least_depth / setup->mesh);
     if (r->none) {
-        ovr_tell(to, "stresses", "not told: %s", r->none);
+        ovr_tell(to, "stresses", "not available: %s", r->none);
         return;
     }
     say_part(to, OVR_STRESS_BODY, r, ph);
@@ -317,23 +320,23 @@ static void say_surface(const ovr_told *to, const ovr_stress_report *r,
     if (!isnan(r->R_max))
         say_circle(to, r, ph);
     ovr_tell(to, "traction", "%s%s",
-             r->traction ? "the film's shear stress" : "none: ",
+             r->traction ? "shear stress of the film" : "none: ",
              r->traction ? "" : r->no_traction);
     if (r->fatigue)
         say_life(to, r, ovr_setup_stress(setup));
     if (!isnan(r->yield))
         say_yield(to, r, setup);
     else if (r->von_mises.value * ph > YIELD)
+        ovr_tell(to, "",
+                 "von Mises stress above %.2g GPa: bearing steel would deform "
+                 "plastically",
+                 YIELD * 1e-9);
+    if (r->incomplete)
         ovr_tell(
             to, "",
-            "von Mises above %.2g GPa is beyond yield of bearing steel: it "
-            "would flatten",
-            YIELD * 1e-9);
-    if (r->incomplete)
-        ovr_tell(to, "",
-                 "%zu of %zu material points are cut by an end of the run and "
-                 "not counted",
-                 r->incomplete, r->material.points);
+            "%zu of %zu material points are not counted: their stress history "
+            "is cut by an end of the run",
+            r->incomplete, r->material.points);
 }
 
 /* -------------------------------------------------------------------- whole */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The numbers that sum a run up, by key: once, for reports, the group
- * `summary` of result files and the tables of studies. */
+/* The numbers of a run's summary, by key, for reports, the group `summary` of
+ * result files and the tables of studies. */
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -8,38 +8,48 @@
 
 #include "case/setup.h"
 #include "physics/heat/heat.h"
+#include "physics/mixed/mixed.h"
 #include "physics/plastic/plastic.h"
 #include "results/results.h"
 #include "run/internal.h"
-#include "run/summary_lines.h"
 #include "run/report_words.h"
 #include "run/run.h"
+#include "run/summary_lines.h"
 #include "simulation/simulation.h"
 #include "stress/stress.h"
 
-/* --------------------------------------------------------------- its parts */
+/* ---------------------------------------------------------------- its parts */
 
+/* Keys with "foreseen" are those of versions before 0.4. */
 void ovr_put_rough_film(const ovr_told *to, const ovr_rough_film *film,
                         const ovr_contact *contact)
 {
+    const char *note = film->why ? film->why : film->but;
     ovr_put_both(to, "surface_Rq", "surface_Rq_m", film->Rq, contact->height);
+    ovr_put_both(to, "film_Rq_predicted", "film_Rq_predicted_m", film->film_Rq,
+                 contact->height);
+    ovr_put_both(to, "H_min_predicted", "H_min_predicted_m", film->H_min,
+                 contact->height);
+    ovr_put_text(to, "prediction_missing", note);
     ovr_put_both(to, "film_Rq_foreseen", "film_Rq_foreseen_m", film->film_Rq,
                  contact->height);
     ovr_put_both(to, "H_min_foreseen", "H_min_foreseen_m", film->H_min,
                  contact->height);
-    ovr_put_text(to, "not_foreseen", film->why ? film->why : film->but);
+    ovr_put_text(to, "not_foreseen", note);
 }
 
-/* Says it beside what came of it. */
-static void say_foreseen(const ovr_told *to, const ovr_rough_film *film)
+/* Prints the predictions made before the run. */
+static void say_predicted(const ovr_told *to, const ovr_rough_film *film)
 {
-    if (!film->why)
-        ovr_tell_number(to, "film foreseen", 4, film->film_Rq,
-                        "of %.4g on the surfaces, and a smallest film of "
-                        "%.4g%s%s",
-                        film->Rq, film->H_min,
-                        film->but ? "; less sure here: " : "",
-                        film->but ? film->but : "");
+    if (film->why)
+        return;
+    ovr_tell_number(to, "predicted film roughness Rq", 4, film->film_Rq, "%s",
+                    ovr_words_unit("b^2/R", "surface Rq %.4g", film->Rq).text);
+    ovr_tell_number(to, "predicted min. film thickness", 4, film->H_min, "%s",
+                    ovr_words_unit("b^2/R", "%s%s",
+                                   film->but ? "less certain: " : "",
+                                   film->but ? film->but : "")
+                        .text);
 }
 
 /* Returns the remark on a pressure that the mesh does not resolve. */
@@ -48,11 +58,11 @@ static const char *unresolved(const ovr_observable *row, bool maximum,
 {
     bool is_maximum = row->offset == offsetof(ovr_observation, P_max);
     bool is_spike = row->offset == offsetof(ovr_observation, P_spike);
-    return (is_maximum && !maximum) || (is_spike && !spike) ? "  not resolved"
+    return (is_maximum && !maximum) || (is_spike && !spike) ? "not resolved"
                                                             : "";
 }
 
-/* Its line in reports, where it has one and is known. */
+/* Prints the row of a quantity at the end, if it has one and is known. */
 static void say_observed(const ovr_told *to, const ovr_observable *row,
                          const ovr_run_info *s)
 {
@@ -63,12 +73,12 @@ static void say_observed(const ovr_told *to, const ovr_observable *row,
                                                             row->place)
                           : NAN;
     ovr_words more = ovr_words_of(row, s);
-    ovr_words behind = ovr_words_behind(value, row, X, NAN, contact);
+    ovr_words_add(&more, "%s",
+                  unresolved(row, o->P_max_resolved, o->P_spike_resolved));
     if (!isnan(value))
         ovr_tell_number(
-            to, row->label, row->digits, value, "%s%s%s", more.text,
-            behind.text,
-            unresolved(row, o->P_max_resolved, o->P_spike_resolved));
+            to, row->label, row->digits, value, "%s",
+            ovr_words_columns(value, row, X, NAN, contact, more.text).text);
 }
 
 /* All quantities, as they are at the end. */
@@ -94,7 +104,7 @@ static void put_observed(const ovr_told *to, const ovr_run_info *s)
     }
 }
 
-/* Times the width; the key as that of a unit width, without "_per_m". */
+/* Puts a force or power times the width; the key loses its "_per_m". */
 static void put_wide(const ovr_told *to, const char *key_si, ovr_unit_kind kind,
                      double value, const ovr_contact *contact)
 {
@@ -107,7 +117,7 @@ static void put_wide(const ovr_told *to, const char *key_si, ovr_unit_kind kind,
     ovr_put_number(to, key, value * scale);
 }
 
-/* Forces and powers of the whole width, where it is known. */
+/* Puts forces and powers of the whole width, if it is known. */
 static void put_of_width(const ovr_told *to, const ovr_run_info *s)
 {
     const ovr_observation *seen = ovr_simulation_observation(s->sim);
@@ -130,8 +140,9 @@ static void put_of_width(const ovr_told *to, const ovr_run_info *s)
                      contact);
 }
 
-/* The line of an extreme or mean; of a steady solution, where they are the
- * value itself, means of columns that have no line of their own. */
+/* Prints the row of an extreme or mean.  In a steady solution these equal the
+ * value itself; only means of columns without a row of their own are printed.
+ */
 static void say_kept(const ovr_told *to, const ovr_extreme *e,
                      const ovr_run_info *s)
 {
@@ -153,9 +164,10 @@ static void say_kept(const ovr_told *to, const ovr_extreme *e,
         at.part = OVR_KEPT_PLACE;
         X = ovr_extreme_value(&at, total);
     }
-    behind = ovr_words_behind(value, row, X, T, contact);
-    ovr_tell_number(to, label, row->digits, value, "%s%s", behind.text,
-                    unresolved(row, mean || !total->P_max_unresolved, true));
+    behind = ovr_words_columns(
+        value, row, X, T, contact,
+        unresolved(row, mean || !total->P_max_unresolved, true));
+    ovr_tell_number(to, label, row->digits, value, "%s", behind.text);
 }
 
 /* Extremes and means over the whole run. */
@@ -166,6 +178,8 @@ static void put_extremes(const ovr_told *to, const ovr_run_info *s)
     ovr_extreme e;
     for (size_t k = 0; ovr_extreme_at(k, &e); k++)
         if ((s->transient || e.of->steady) && !(e.of->needs & ~physics)) {
+            if (s->setup->Rq > 0 && !strcmp(e.key, "lambda_ratio"))
+                continue; /* replaced by the ratio of subgrid roughness */
             say_kept(to, &e, s);
             ovr_put_both(to, e.key, *e.key_si ? e.key_si : NULL,
                          ovr_extreme_value(&e, total),
@@ -188,7 +202,7 @@ static void put_steps(const ovr_told *to, const ovr_run_info *s)
     ovr_say_steps(to, s);
 }
 
-/* All that stands beside it is of the last one. */
+/* The other numbers are those of the last pass. */
 static void put_passes(const ovr_told *to, const ovr_run_info *s)
 {
     ovr_put_count(to, "pass", s->pass);
@@ -208,18 +222,18 @@ static void put_passes(const ovr_told *to, const ovr_run_info *s)
         ovr_put_text(to, "output", s->passes_file);
 }
 
-/* The harm that elastic stresses foretold, beside that of the last pass above
- * it. */
+/* Prints the equivalent length by elastic stresses (pass 1) for comparison with
+ * that of the last pass. */
 static void say_elastic(const ovr_told *to, const ovr_run_info *s)
 {
     ovr_words life = {""};
     if (!isfinite(s->elastic_length))
         return;
     if (isfinite(s->elastic_ratio))
-        ovr_words_add(&life, ", life %.4g of the smooth raceway's",
-                      s->elastic_ratio);
-    ovr_tell(to, "elastic",
-             "equivalent length %.4g b%s: pass 1, in which nothing yields",
+        ovr_words_add(&life, ", life ratio %.4g", s->elastic_ratio);
+    ovr_tell(to, "elastic reference",
+             "equivalent raceway length %.4g b%s (pass 1, without plastic "
+             "deformation)",
              s->elastic_length, life.text);
 }
 
@@ -253,22 +267,62 @@ static void put_options(const ovr_told *to, const ovr_run_info *s)
         ovr_put_count(to, "heat_points", ovr_simulation_heat_points(s->sim));
 }
 
-static void put_rough_film(const ovr_told *to, const ovr_run_info *s)
+/* Composite roughness that is not on the grid, b^2/R: of contact.Rq_1 and Rq_2,
+ * otherwise of boundary.Rq; 0: none. */
+static double subgrid_roughness(const ovr_run_info *s, const char **from)
+{
+    const ovr_boundary_form *law = ovr_setup_form(s->setup, "boundary");
+    *from = "contact.Rq_1 and contact.Rq_2";
+    if (s->setup->Rq > 0)
+        return s->setup->Rq;
+    *from = "[boundary]";
+    return !s->setup->features && law && law->law && law->factor.sigma > 0
+               ? law->factor.sigma
+               : 0;
+}
+
+/* Puts the lambda ratio of roughness that is not on the grid, minimum film
+ * thickness / Rq.  That of features is a row of the quantities: mean film
+ * thickness in |X| < 3/4 / Rq. */
+static void put_lambda_ratio(const ovr_told *to, const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
-    if (!s->setup->features)
-        ovr_put_number(to, "lambda_ratio", NAN);
+    const ovr_observation *o = ovr_simulation_observation(s->sim);
+    const char *from;
+    double Rq = subgrid_roughness(s, &from);
+    double H = s->transient ? total->extreme.H_min_located : o->H_min_located;
+    bool known = Rq > 0 && isfinite(H);
+    if (Rq > 0 || !s->setup->features)
+        ovr_put_number(to, "lambda_ratio", known ? H / Rq : NAN);
+    ovr_put_text(to, "lambda_ratio_from",
+                 known                ? from
+                 : Rq > 0             ? NULL
+                 : s->setup->features ? "features"
+                                      : NULL);
+    if (known)
+        ovr_tell_number(to, "lambda ratio", 4, H / Rq, "%s",
+                        ovr_words_unit("",
+                                       "minimum film thickness / composite Rq "
+                                       "of %s",
+                                       from)
+                            .text);
     if (s->transient)
         ovr_put_number(to, "lambda_ratio_at_H_min",
-                       total->mean.lambda_ratio * total->H_mean_at_H_min /
-                           total->mean.H_mean);
+                       known ? H / Rq
+                             : total->mean.lambda_ratio *
+                                   total->H_mean_at_H_min / total->mean.H_mean);
+}
+
+static void put_rough_film(const ovr_told *to, const ovr_run_info *s)
+{
+    put_lambda_ratio(to, s);
     if (s->setup->features) {
         ovr_put_rough_film(to, s->foreseen, s->setup->contact);
-        say_foreseen(to, s->foreseen);
+        say_predicted(to, s->foreseen);
     }
 }
 
-/* Follows the order of reports: the run, then its end. */
+/* In the order of reports: values over the run, then at its end. */
 void ovr_run_report(const ovr_run_info *s, ovr_summary_taker *take, void *data)
 {
     if (!s || !take)
@@ -308,7 +362,7 @@ void ovr_run_report(const ovr_run_info *s, ovr_summary_taker *take, void *data)
     if (s->error->level)
         ovr_say_errors(&to, s);
     ovr_put_number(&to, "seconds", s->seconds);
-    ovr_tell_number(&to, "time", 3, s->seconds, "s");
+    ovr_tell_number(&to, "computing time", 3, s->seconds, "s");
 }
 
 void ovr_run_summary(const ovr_run_info *s, ovr_summary_taker *take, void *data)
@@ -328,8 +382,8 @@ typedef struct kept {
     ovr_group_attribute line[MAX_LINES];
 } kept;
 
-/* Numbers that are known alone; how many snapshots there are and how long it
- * took the file says elsewhere. */
+/* Keeps finite numbers; the file stores the number of snapshots and the
+ * computing time elsewhere. */
 static void keep(void *data, const ovr_summary_line *line)
 {
     kept *k = data;

@@ -4,6 +4,7 @@
 
 #include <math.h>
 #include <stdarg.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -76,6 +77,17 @@ static void say(const ovr_told *to, const char *label, int digits, double value,
     vsnprintf((words).text, sizeof(words).text, format, args);                 \
     va_end(args)
 
+void ovr_tell_detail(const ovr_told *to, const char *label, const char *format,
+                     ...)
+{
+    FORMATTED(words, format);
+    give(to, &(ovr_summary_line){.form = OVR_SUMMARY_WORDS,
+                                 .number = NAN,
+                                 .text = words.text,
+                                 .label = label,
+                                 .detail = true});
+}
+
 void ovr_tell(const ovr_told *to, const char *label, const char *format, ...)
 {
     FORMATTED(words, format);
@@ -95,6 +107,13 @@ void ovr_tell_number(const ovr_told *to, const char *label, int digits,
     say(to, label, digits ? digits : USUAL_DIGITS, value, words.text);
 }
 
+void ovr_tell_heading(const ovr_told *to, bool times, const char *title)
+{
+    ovr_tell_title(to, "%s", "");
+    ovr_tell_title(to, "%-31s %-12s %-11s %-10s%s", title, "value", "in units",
+                   "at X = x/b", times ? " at T" : "");
+}
+
 void ovr_words_add(ovr_words *to, const char *format, ...)
 {
     size_t used = strlen(to->text);
@@ -106,8 +125,8 @@ void ovr_words_add(ovr_words *to, const char *format, ...)
 
 /* ------------------------------------------------------------------ in SI */
 
-/* "12.3 um": films in um, pressures in GPa, times in ms, lengths as they are;
- * "" where nothing is known in SI. */
+/* "12.3 um": film thicknesses in um, pressures in GPa, times in ms, lengths
+ * with a prefix; "" if the number in SI is unknown. */
 static ovr_piece in_si(double value, ovr_unit_kind kind,
                        const ovr_contact *contact)
 {
@@ -143,38 +162,111 @@ void ovr_words_place(ovr_words *to, const char *name, double value,
         ovr_words_add(to, " (%s)", si.text);
 }
 
-ovr_words ovr_words_behind(double value, const ovr_observable *row, double X,
-                           double T, const ovr_contact *contact)
+/* Symbols of the units of dimensionless numbers. */
+static const char *unit_of(const ovr_observable *row)
 {
-    const char *note = row->note;
-    ovr_words w = {""};
+    switch (row->offset) {
+    case offsetof(ovr_observation, load): return "p_h b";
+    case offsetof(ovr_observation, mass_flow): return "u_m b^2/R";
+    default: break;
+    }
+    switch (row->kind) {
+    case OVR_KIND_LENGTH: return "b";
+    case OVR_KIND_HEIGHT: return "b^2/R";
+    case OVR_KIND_PRESSURE: return "p_h";
+    case OVR_KIND_TIME: return "b/u_m";
+    case OVR_KIND_FLOW: return "u_m b^2/R";
+    case OVR_KIND_FORCE: return "p_h b^2/R";
+    case OVR_KIND_POWER: return "u_m p_h b^2/R";
+    case OVR_KIND_TEMPERATURE: return "K";
+    default: return "";
+    }
+}
+
+/* "1.041 GPa at 12.3 um, 0.2 ms" */
+static void add_si(ovr_words *remark, double value, const ovr_observable *row,
+                   double X, double T, const ovr_contact *contact)
+{
     ovr_piece si = in_si(value, row->kind, contact);
-    bool placed = isfinite(X) || isfinite(T);
-    ovr_words_add(&w, "%s%s", si.text,
-                  *si.text && (placed || note) ? "  " : "");
+    ovr_piece x = in_si(X, OVR_KIND_LENGTH, contact);
+    ovr_piece t = in_si(T, OVR_KIND_TIME, contact);
+    if (*si.text && row->kind != OVR_KIND_TEMPERATURE)
+        ovr_words_add(remark, "%s", si.text);
+    if (*x.text || *t.text)
+        ovr_words_add(remark, "%sat %s%s%s", *remark->text ? " " : "", x.text,
+                      *x.text && *t.text ? ", " : "", t.text);
+}
+
+static void add_remark(ovr_words *remark, const char *text)
+{
+    if (text && *text)
+        ovr_words_add(remark, "%s%s", *remark->text ? "; " : "", text);
+}
+
+static void trim(ovr_words *w)
+{
+    size_t n = strlen(w->text);
+    while (n && w->text[n - 1] == ' ')
+        w->text[--n] = '\0';
+}
+
+ovr_words ovr_words_columns(double value, const ovr_observable *row, double X,
+                            double T, const ovr_contact *contact,
+                            const char *more)
+{
+    const double rounding = 1e-12; /* of a node's place at X = 0 */
+    bool range = row->note && !strncmp(row->note, "|X|", 3);
+    char at[16] = "", when[16] = "";
+    ovr_words w = {""}, remark = {""};
+    if (fabs(X) < rounding)
+        X = 0;
     if (isfinite(X))
-        ovr_words_place(&w, "at X", X, OVR_KIND_LENGTH, contact);
+        snprintf(at, sizeof at, "%.4g", X);
+    else if (range)
+        snprintf(at, sizeof at, "%.15s", row->note);
     if (isfinite(T))
-        ovr_words_place(&w, isfinite(X) ? ", T" : "at T", T, OVR_KIND_TIME,
-                        contact);
-    if (note)
-        ovr_words_add(&w, "%s%s", placed ? ", " : "", note);
+        snprintf(when, sizeof when, " %-8.4g", T);
+    add_si(&remark, value, row, X, T, contact);
+    add_remark(&remark, range ? NULL : row->note);
+    add_remark(&remark, more);
+    ovr_words_add(&w, "%-11s %-10s%s", unit_of(row), at, when);
+    if (*remark.text)
+        ovr_words_add(&w, " (%.300s)", remark.text);
+    trim(&w);
+    return w;
+}
+
+ovr_words ovr_words_unit(const char *unit, const char *format, ...)
+{
+    FORMATTED(remark, format);
+    ovr_words w = {""};
+    ovr_words_add(&w, "%-11s %-10s", unit, "");
+    if (*remark.text)
+        ovr_words_add(&w, " (%.300s)", remark.text);
+    trim(&w);
     return w;
 }
 
 /* ------------------------------------------------------------------ Contact */
 
 typedef struct scale {
-    const char *key, *label; /* NULL: not for people */
+    const char *key, *label; /* label NULL: not for people */
     double value, unit;      /* of the line for people */
     const char *symbol;
-    bool before; /* told before a case is solved, not of what came out */
+    bool before; /* printed before the solve only */
+    bool detail; /* not part of the summary */
 } scale;
 
 static void put_scale(const ovr_told *to, const scale *s, bool before)
 {
-    if (before && s->label && isfinite(s->value))
-        ovr_tell(to, s->label, "%.6g %s", s->value / s->unit, s->symbol);
+    if (before && s->label && isfinite(s->value)) {
+        if (s->detail)
+            ovr_tell_detail(to, s->label, "%.6g%s%s", s->value / s->unit,
+                            *s->symbol ? " " : "", s->symbol);
+        else
+            ovr_tell(to, s->label, "%.6g%s%s", s->value / s->unit,
+                     *s->symbol ? " " : "", s->symbol);
+    }
     if (before || !s->before)
         ovr_put_number(to, s->key, s->value);
 }
@@ -182,23 +274,34 @@ static void put_scale(const ovr_told *to, const scale *s, bool before)
 void ovr_put_contact(const ovr_told *to, const ovr_contact *c, bool before)
 {
     const scale rows[] = {
-        {"M", "M", c->M, 1, "", false},
-        {"L", "L", c->L, 1, "", false},
-        {"lambda", "lambda", c->lambda, 1, "", false},
-        {"alphabar", "alphabar", c->alphabar, 1, "", false},
-        {"u1_ratio", "u1/um", c->u1_ratio, 1, "", true},
-        {"u2_ratio", "u2/um", c->u2_ratio, 1, "", true},
-        {"hertz_pressure_Pa", "Hertzian pressure ph", c->ph, 1e9, "GPa", false},
-        {"half_width_m", "half width b", c->b, 1e-6, "um", false},
-        {"film_scale_m", "film scale b^2/R", c->height, 1e-6, "um", false},
-        {"time_scale_s", "time scale b/um", c->time, 1e-6, "us", false},
-        {"load_N_per_m", "load", c->load, 1e3, "kN/m", false},
-        {"mean_speed_m_per_s", "mean speed um", c->um, 1, "m/s", false},
-        {"load_N", "force over the width", c->load * c->width, 1, "N", true},
-        {"radius_m", "reduced radius R", c->radius, 1e-3, "mm", true},
-        {"modulus_Pa", "reduced modulus E'", c->modulus, 1e9, "GPa", true},
-        {"viscosity_Pa_s", "viscosity eta0", c->viscosity, 1e-3, "mPa.s", true},
-        {"alpha_per_Pa", NULL, c->alpha, 1, "", true}};
+        {"M", "Moes' load number M", c->M, 1, "", false, false},
+        {"L", "Moes' lubricant number L", c->L, 1, "", false, false},
+        {"lambda", "dimensionless speed parameter", c->lambda, 1, "", false,
+         true},
+        {"alphabar", "alpha p_h", c->alphabar, 1, "", false, true},
+        {"u1_ratio", "speed of surface 1, u1/u_m", c->u1_ratio, 1, "", true,
+         false},
+        {"u2_ratio", "speed of surface 2, u2/u_m", c->u2_ratio, 1, "", true,
+         false},
+        {"hertz_pressure_Pa", "maximum Hertzian pressure p_h", c->ph, 1e9,
+         "GPa", false, false},
+        {"half_width_m", "Hertzian half-width b", c->b, 1e-6, "um", false,
+         false},
+        {"film_scale_m", "film thickness unit b^2/R", c->height, 1e-6, "um",
+         false, false},
+        {"time_scale_s", "time unit b/u_m", c->time, 1e-6, "us", false, false},
+        {"load_N_per_m", "load per unit width", c->load, 1e3, "kN/m", false,
+         false},
+        {"mean_speed_m_per_s", "entrainment speed u_m", c->um, 1, "m/s", false,
+         false},
+        {"load_N", "force over the width", c->load * c->width, 1, "N", true,
+         false},
+        {"radius_m", "reduced radius R", c->radius, 1e-3, "mm", true, false},
+        {"modulus_Pa", "reduced modulus E'", c->modulus, 1e9, "GPa", true,
+         true},
+        {"viscosity_Pa_s", "viscosity eta0", c->viscosity, 1e-3, "mPa.s", true,
+         true},
+        {"alpha_per_Pa", NULL, c->alpha, 1, "", true, false}};
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
         put_scale(to, &rows[k], before);
 }

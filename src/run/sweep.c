@@ -159,8 +159,8 @@ static ovr_status run(sweeping *w, ovr_error *err)
                         "overroll sweep: no worker could be started: %s",
                         strerror(errno));
     return stopped ? ovr_fail(err, OVR_STOPPED,
-                              "the sweep was stopped with cases left; the same "
-                              "command goes on")
+                              "the sweep was stopped before all cases were "
+                              "run; the same command continues it")
                    : OVR_OK;
 }
 

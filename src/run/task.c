@@ -445,8 +445,8 @@ static bool lock(working *w, int fd)
     }
     if (error && error != EWOULDBLOCK)
         say(w, OVR_SAY_WARNING,
-            "this file system has no locks: two sweeps at once would do the "
-            "same cases");
+            "this file system has no locks; do not run two sweeps of this "
+            "folder at the same time");
     return error != EWOULDBLOCK;
 }
 

@@ -11,7 +11,8 @@ static const ovr_model_feature_info features[OVR_MODEL_FEATURES] = {
 
 static const char corrected[] =
     "its corrections are those of the line smoother's second-order row";
-static const char flooded[] = "the paper's own means know no cavities";
+static const char flooded[] =
+    "the original averages of the paper do not model cavitation";
 static const char in_time[] =
     "the paper solves steady contacts; in time its means diverge on waves";
 static const char base_row[] =
@@ -19,10 +20,10 @@ static const char base_row[] =
 static const char on_patches[] = "it has no form on composite grids";
 
 static const char one_grid[] =
-    "surfaces that touch are solved by Newton's method on the finest grid";
+    "asperity contact is solved by Newton's method on the finest grid";
 static const char kinks[] = "the law of touching surfaces kinks at the rupture";
-static const char two_unknowns[] =
-    "a dry node where surfaces touch has a film fraction and a pressure";
+static const char two_unknowns[] = "a cavitated node in asperity contact has "
+                                   "both a film fraction and a pressure";
 
 static const char stays[] = "running-in is of a contact that stays as it is";
 static const char long_steps[] =
@@ -86,7 +87,7 @@ static const ovr_conflict conflicts[] = {
     {OVR_MODEL_CONSERVING, OVR_MODEL_REVERSAL, "reynolds",
      "mass-conserving cavitation keeps its inlet on the left"},
     {OVR_MODEL_TIME, OVR_MODEL_PATCHES, "a steady contact, without [time],",
-     "what moves would leave them"},
+     "moving features would leave the patches"},
     {OVR_MODEL_UPSTREAM1, OVR_MODEL_PATCHES, "upstream2", base_row},
     {OVR_MODEL_PAPER_SMOOTHER, OVR_MODEL_PATCHES, "line", base_row},
     {OVR_MODEL_PAPER_BALANCE, OVR_MODEL_PATCHES, "no", base_row},
@@ -99,8 +100,8 @@ static const ovr_conflict conflicts[] = {
     {OVR_MODEL_PAPER_BALANCE, OVR_MODEL_PLASTIC, "no", in_time},
     {OVR_MODEL_PLASTIC, OVR_MODEL_PATCHES, "no [plastic]", on_patches},
     {OVR_MODEL_PLASTIC, OVR_MODEL_OTHER_MODULI, "no [plastic]",
-     "residual stresses are those of one material; a coating that has the "
-     "body's moduli goes"},
+     "residual stresses of plastic strain are computed for one material only; "
+     "a coating with the moduli of the body is possible"},
     {OVR_MODEL_STRESS, OVR_MODEL_PATCHES, "no [stress]", on_patches}};
 
 enum { CONFLICTS = sizeof conflicts / sizeof *conflicts };

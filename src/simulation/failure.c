@@ -52,8 +52,8 @@ static ovr_status rounding(const ovr_simulation *sim, const ovr_defect *defect,
 {
     return ovr_fail(
         err, OVR_NOT_CONVERGED,
-        "tolerance = %.1e is below rounding on this grid: R ends "
-        "at %.1e; the solution is there, one of %.1e is met",
+        "tolerance = %.1e is below rounding error on this grid: the residual "
+        "stalls at %.1e; use tolerance = %.1e",
         sim->options.tolerance, defect->imbalance,
         ovr_negligible_tolerance(sim, ovr_mesh(sim), defect->centre));
 }
@@ -68,9 +68,9 @@ static ovr_status too_thin(const ovr_simulation *sim, ovr_error *err)
 {
     double rise = inlet_rise(sim), D = inlet_mesh(sim);
     return ovr_fail(err, OVR_IMPOSSIBLE,
-                    "the film is too thin for the mesh: H = %.1e by the film "
-                    "formula, so that the pressure builds up within %.1e of b, "
-                    "on a mesh of %.1e; level %d resolves it",
+                    "the film is too thin for the grid: by the film thickness "
+                    "formula H = %.1e, so that the pressure builds up within "
+                    "%.1e b, but the mesh size is %.1e; level %d resolves it",
                     ovr_target_film(&sim->target, 1), rise, D,
                     ovr_level_resolving(sim));
 }
@@ -92,14 +92,15 @@ static bool surfaces_overlap(const ovr_simulation *sim, const ovr_defect *d)
 static ovr_status touching(const ovr_simulation *sim, double T, ovr_error *err)
 {
     size_t low = sim->grids.kernels->extreme(sim->now.n, 1, sim->now.H);
-    return ovr_fail(err, OVR_IMPOSSIBLE,
-                    "the surfaces touch at T = %g: film H = %.1e at X = %.3f "
-                    "(surface there %.1e high)%s; lower features or a finer "
-                    "level may help",
-                    T, sim->now.H[low], sim->now.X[low], sim->S[low],
-                    sim->grids.touch.at
-                        ? ": the asperity law bears too little there"
-                        : "; asperity contact needs [boundary]");
+    return ovr_fail(
+        err, OVR_IMPOSSIBLE,
+        "the surfaces touch at T = %g: film thickness H = %.1e at "
+        "X = %.3f (surface height %.1e)%s; lower features or a "
+        "higher level may help",
+        T, sim->now.H[low], sim->now.X[low], sim->S[low],
+        sim->grids.touch.at
+            ? ": the asperity contact model carries too little there"
+            : "; asperity contact is modelled only with [boundary]");
 }
 
 static ovr_status too_few_cycles(const ovr_simulation *sim, ovr_error *err)
@@ -122,11 +123,11 @@ static ending ending_of(const ovr_defect *d)
     ending e;
     if (isfinite(d->imbalance) && isfinite(d->load))
         snprintf(e.words, sizeof e.words,
-                 "relative mass-flow imbalance %.1e, load off by %.1e",
+                 "relative mass-flow imbalance %.1e, load error %.1e",
                  d->imbalance, d->load);
     else
         snprintf(e.words, sizeof e.words,
-                 "it diverged, mass-flow imbalance beyond all numbers");
+                 "it diverged, the mass-flow imbalance is not finite");
     return e;
 }
 

@@ -10,13 +10,12 @@
 #define OVR_FIELD_ROWS(ROW)                                                    \
     ROW(pressure, PRESSURE, NODES, "pressure")                                 \
     ROW(film_thickness, HEIGHT, NODES, "film thickness")                       \
-    ROW(roughness, HEIGHT, NODES,                                              \
-        "height of the features of both surfaces, outward positive")           \
+    ROW(roughness, HEIGHT, NODES, "surface height")                            \
     ROW(density, NUMBER, NODES, "density relative to ambient")                 \
     ROW(viscosity, VISCOSITY, NODES, "viscosity")                              \
     ROW(mass_flow, FLOW, HALVES,                                               \
-        "mass flow per unit width over ambient density")                       \
-    ROW(cavitated, FLAG, NODES, "1 where the pressure is zero")                \
+        "mass flow rate per unit width and ambient density")                   \
+    ROW(cavitated, FLAG, NODES, "flag: cavitated (zero pressure)")             \
     ROW(shear_stress_1, SHEAR, HALVES, "shear stress on surface 1")            \
     ROW(shear_stress_2, SHEAR, HALVES,                                         \
         "shear stress in the film at surface 2")                               \
@@ -27,13 +26,9 @@
         "temperature in the middle of the film")                               \
     ROW(heat_flux_1, HEAT, NODES, "heat flux into surface 1")                  \
     ROW(heat_flux_2, HEAT, NODES, "heat flux into surface 2")                  \
-    ROW(filling, NUMBER, NODES,                                                \
-        "film fraction, the share of the gap that is full of oil")             \
-    ROW(oil_content, HEIGHT, NODES,                                            \
-        "film content, rho H theta over ambient density")                      \
-    ROW(contact_pressure, PRESSURE, NODES,                                     \
-        "pressure that surfaces bear where they touch, beside the oil's")      \
-    ROW(fluid_pressure, PRESSURE, NODES,                                       \
-        "pressure of the oil, beside what surfaces bear where they touch")
+    ROW(filling, NUMBER, NODES, "film fraction")                               \
+    ROW(oil_content, HEIGHT, NODES, "lubricant mass content rho h theta")      \
+    ROW(contact_pressure, PRESSURE, NODES, "asperity contact pressure")        \
+    ROW(fluid_pressure, PRESSURE, NODES, "fluid pressure")
 
 #endif

@@ -248,7 +248,7 @@ static ovr_status check_refine(const ovr_options *o, ovr_error *err)
                               (int)o->refine);
     if (o->level < OVR_MIN_REFINED || o->level >= OVR_MAX_REFINED)
         return ovr_fail_about(err, "level",
-                              "level %d: refine goes with levels %d to %d",
+                              "level %d: refine needs levels %d to %d",
                               o->level, OVR_MIN_REFINED, OVR_MAX_REFINED - 1);
     if (o->refine_level &&
         (o->refine_level <= o->level || o->refine_level > OVR_MAX_REFINED))

@@ -33,6 +33,7 @@
 /* A row may say these too. */
 #define LABEL(text) .label = (text)
 #define NOTE(text) .note = (text)
+#define COMMENT(text) .comment = (text)
 #define DIGITS(count) .digits = (count)
 #define PLACE(member) .place = offsetof(ovr_observation, member)
 #define SMALLEST(key) .extreme = OVR_SMALLEST, .extreme_key = (key)

@@ -231,9 +231,8 @@ static void review(const ovr_simulation *sim, const void *own,
     char text[200];
     if (o->refined_level == target->level)
         snprintf(text, sizeof text,
-                 "refine: there is no space for a patch about X = %.4g on this "
-                 "domain and level; outlet farther out or a higher level gives "
-                 "it",
+                 "refine: no space for a patch around X = %.4g in this domain; "
+                 "move domain.outlet further out or use a higher level",
                  isfinite(o->X_spike) ? o->X_spike : o->X_cavitation);
     else if (!isfinite(o->P_spike))
         snprintf(text, sizeof text,

@@ -97,12 +97,12 @@ ovr_status ovr_stress_check(const ovr_stress_options *o, ovr_error *err)
     if (!(minimum(o) >= 0.5 * o->mesh * (1 - 1e-9)))
         return ovr_fail(
             err, OVR_BAD_INPUT,
-            "depth_min = %g is less than half a mesh: must be at least %g",
+            "stress.depth_min = %g is less than D/2; set it to at least %g",
             o->depth_min, o->mesh / 2);
     if (!(o->depth_max >= minimum(o)) || !(o->depth_max <= 1000))
         return ovr_fail(
             err, OVR_BAD_INPUT,
-            "depth_max = %g: must be between depth_min, %g, and 1000",
+            "stress.depth_max = %g: must be between depth_min, %g, and 1000",
             o->depth_max, minimum(o));
     if (!(o->per_octave >= 1 && o->per_octave <= 100))
         return ovr_fail(err, OVR_BAD_INPUT,

@@ -99,10 +99,10 @@ static void want_columns(wanting *w)
         return;
     }
     if (t->x < 0 && !spaced(t))
-        want(w, "the header does not say which column is x", "column_x",
+        want(w, "the header does not specify the column of x", "column_x",
              t->z == 0 ? "2" : "1");
     if (t->z < 0)
-        want(w, "the header does not say which column holds the heights",
+        want(w, "the header does not specify the column of the heights",
              "column_z", t->x == 1 ? "1" : "2");
     if (t->x < 0 && t->z < 0 && t->header.columns > 2)
         want(w, "if they are rows of a map", "row", "1");

@@ -36,15 +36,15 @@ static ovr_status start_outside(ovr_feature *f, const ovr_feature_form *form,
     if (f->ratio == 0)
         return ovr_fail_about(
             err, about,
-            "feature '%s': surface %d stands still, nothing on it comes in; "
-            "give the X of its centre or edge",
+            "feature '%s' cannot enter the contact, because surface %d does "
+            "not move; set the X of its centre or edge",
             f->name, f->surface);
     f->start = !f->back ? inlet - f->ahead : outlet + f->behind;
     if (isfinite(f->start))
         return OVR_OK;
     return ovr_fail_about(err, about,
-                          "feature '%s': it has no end on the side that "
-                          "comes in first; give the X of its edge as start",
+                          "feature '%s' has no end on its leading side; set "
+                          "start to the X of its edge",
                           f->name);
 }
 

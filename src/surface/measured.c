@@ -25,10 +25,10 @@ static ovr_status to_contact(ovr_profile *p, const ovr_contact *c,
 {
     bool metres = !p->view.scaled_x || !p->view.scaled_z;
     if (metres && !(c->b > 0 && c->height > 0))
-        return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "a profile in metres needs a physical contact "
-                           "(radius and modulus beside alpha), or unit_x = b "
-                           "and unit_z = b^2/R");
+        return ovr_fail_at(
+            err, OVR_BAD_INPUT, p->file, 0,
+            "a profile in metres needs a contact with dimensions (set radius, "
+            "modulus and alpha), or unit_x = b and unit_z = b^2/R");
     if (!p->view.scaled_x)
         divide(p->x, p->view.n, c->b);
     if (!p->view.scaled_z)
@@ -80,7 +80,7 @@ static double mean_wavelength(const ovr_table *t)
 static void describe(ovr_profile *p, const ovr_table *t, double mesh)
 {
     const char *ends = !t->endless ? "blended into the smooth surface"
-                                   : "goes on without end";
+                                   : "is endless";
     if (t->lost < 1e-6)
         ovr_profile_note(p, "on the grid: nothing filtered out; %s", ends);
     else

@@ -160,7 +160,7 @@ static ovr_status read_entries(ovr_lines *lines, const char *file, sdf *h,
             return OVR_BAD_INPUT;
     }
     return ovr_fail_at(err, OVR_BAD_INPUT, file, lines->number,
-                       "cut off: the * behind the SDF header is missing");
+                       "cut off: the * after the SDF header is missing");
 }
 
 /* Heights in words of any layout. */

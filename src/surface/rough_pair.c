@@ -187,7 +187,7 @@ static ovr_status pair_of(ovr_rough_pair *pair, const ovr_profile *profile,
     if (v->scaled_x != v->scaled_z)
         return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
                            "x and z must both be in metres, or in b and b^2/R, "
-                           "for what it bears");
+                           "for a contact model");
     pair->z[0] = ovr_arena_take(arena, pair->n, sizeof **pair->z, err);
     return pair->z[0] ? sample(&s[0], 0, pair, pair->z[0], err) : OVR_NO_MEMORY;
 }

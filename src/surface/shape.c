@@ -327,7 +327,7 @@ static ovr_status check_rim(const ovr_feature_form *form, ovr_error *err)
         return OVR_OK;
     return ovr_fail_about(err, form->depth == 0 ? "depth" : "rim_height",
                           "feature '%s': depth = %g of an indent with a rim "
-                          "must be positive, and no less than its rim_height",
+                          "must be positive and at least its rim_height",
                           form->name, form->depth);
 }
 

@@ -283,7 +283,7 @@ def measure(name):
             for level in levels if case else ():
                 try:
                     points.append(point_of(case, step, level, truth, folder))
-                except SystemExit as why:  # a film too thin for the mesh, say
+                except SystemExit as why:  # a film too thin for the grid, say
                     print(f"    level {level}: {why}", flush=True)
                     continue
                 print("   ", points[-1], flush=True)

@@ -15,19 +15,19 @@ expect 0 "$OVERROLL" init gear --set gear.teeth_1=25 --set gear.teeth_2=57 \
     --set gear.module=2.5mm --set gear.torque=60N.m --set gear.speed=2000rpm \
     --set domain.level=5 -o new.ini
 expect 0 "$OVERROLL" run new.ini
-contains out '^answers:'
+contains out '^Machine element'
 contains out '^gear pair +60 N.m at 2000 rpm: 12.57 kW; contact ratio 1\.6'
-contains out '^lost to friction +[0-9.]+ W, mean over the mesh.* efficiency 99'
-contains out '^smallest film +0\.[0-9]+ um [0-9.]+ mm (before|behind) the pitch'
-contains out 'lambda ratio there [0-9.]+, over the run [0-9.]+'
-contains out '^largest pressure +[0-9.]+ GPa '
+contains out '^friction power loss +[0-9.]+ W, mean over one .* efficiency 99'
+contains out '^minimum film thickness +0\.[0-9]+ um [0-9.]+ mm (before|after) '
+contains out 'lambda ratio at this position [0-9.]+, over the run [0-9.]+'
+contains out '^maximum pressure +[0-9.]+ GPa '
 
 # Steady, the film is that of the report.
 expect 0 "$OVERROLL" steady new.ini
-film=$(sed -n 's/^minimum film .* \([0-9.]* um\) .*/\1/p' out)
+film=$(sed -n 's/^minimum film thickness .*(\([0-9.]* um\).*/\1/p' out)
 [ -n "$film" ] || fail "no film: $(cat out)"
-contains out "^smallest film +$film"
-contains out '^largest pressure +[0-9.]+ GPa'
+contains out "^minimum film thickness +$film"
+contains out '^maximum pressure +[0-9.]+ GPa'
 
 cat >gear.ini <<'END'
 [contact]
@@ -132,9 +132,9 @@ done
 # By text, JSON and page the same; of a part of the way no loss.
 expect 0 "$OVERROLL" view whole.h5 -o whole.html
 expect 0 "$OVERROLL" run gear.ini -o text.h5
-sed -n '/^answers:/,$p' out >text
-contains text '^largest stress +0\.[0-9]+ GPa shear'
-sed '1d; s/^.\{18\}//' text | while read -r line; do
+sed -n '/^Machine element/,$p' out >text
+contains text '^maximum shear stress +0\.[0-9]+ GPa '
+sed '1d; s/^.\{32\}//' text | while read -r line; do
     grep -qF "\"text\":\"$line\"" whole.html || exit 1
 done || fail "the page has other answers: $(cat text)"
 sed '/^\[stress\]/,$d' gear.ini >film.ini
@@ -163,9 +163,9 @@ awk -v e="$(number efficiency)" -v w="$(number power_loss_W)" 'BEGIN {
 # s'' takes F s' at most; it loses what the event does, once a turn.
 expect 0 "$OVERROLL" init cam --set domain.level=7 -o cam.ini
 expect 0 "$OVERROLL" run cam.ini -o cam.h5
-contains out '^cam +1000 rpm; lifting takes up to [0-9.]+ N.m'
-contains out '^lost to friction +[0-9.]+ W, mean over a turn'
-contains out '^smallest film +.* at [0-9.]+ deg'
+contains out '^cam +1000 rpm; maximum drive torque of the lift [0-9.]+ N.m'
+contains out '^friction power loss +[0-9.]+ W, mean over one revolution'
+contains out '^minimum film thickness +.* at [0-9.]+ deg'
 expect 0 "$OVERROLL" run cam.ini -o cam.h5 --force --json -q
 cp out cam.json
 awk -v told="$(number torque_N_m)" 'BEGIN {
@@ -196,12 +196,12 @@ expect 0 "$OVERROLL" init bearing --set domain.level=6 --set time.end=8 \
     --set passes.number=3 --set feature.dent.width=0.6 \
     --set feature.dent.start=-6 -o bearing.ini
 expect 0 "$OVERROLL" run bearing.ini -o bearing.h5
-contains out '^bearing +4450 N at 1000 rpm: [35] rollers carry, .* 1967 N'
-contains out '^smallest film +.* under roller 3'
+contains out '^bearing +4450 N at 1000 rpm; [35] loaded rollers, .* 1967 N'
+contains out '^minimum film thickness +.* under roller 3'
 
 # Another contact has none.
 expect 0 "$OVERROLL" init roller --set domain.level=5 -o other.ini
 expect 0 "$OVERROLL" run other.ini -o other.h5
-grep -q '^answers' out && fail 'answers of no element'
+grep -q '^Machine element' out && fail 'answers of no element'
 expect 0 "$OVERROLL" view other.h5 -o other.html
 grep -q '"answers":\[0\]' other.html || fail 'answers on the page of no element'

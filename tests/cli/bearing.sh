@@ -123,13 +123,13 @@ cmp -s out three.csv || fail 'resumed it is another run'
 # What does not go together
 refuses 'loads: 2 loads are given for 3' check plain.ini --set passes.loads=1,2
 sed '/^spacing/d' plain.ini >near.ini
-refuses 'recovery: needs spacing' check near.ini
+refuses 'recovery: needs passes.spacing' check near.ini
 refuses 'recovery: surface 1 does not move' check plain.ini \
     --set contact.slide_to_roll=-2
 
 # What is said before
 expect 0 "$OVERROLL" check three.ini
-contains out '^# load zone +1 of the nominal load at most'
-contains out '^# rolling bodies +[0-9.]+ \(12.34 mm\) behind each other, '
+contains out '^#   load zone +1 of the reference load at most'
+contains out '^#   roller spacing +[0-9.]+ \(12.34 mm\), T'
 expect 0 "$OVERROLL" check plain.ini
-contains out '^# oil that flows back +39.3 % of what lacks'
+contains out '^#   replenishment +39.3 % of the missing layer'

@@ -18,15 +18,18 @@ width = 0.5
 start = -5
 END
 expect 0 "$OVERROLL" check a.ini
-contains out '^# lambda +0\.0041'
-contains out '^# central film \(Moes\) +H = 0\.'
-contains out "^# minimum film \\(fit\\) +H = 0\\."
-contains out "density 1\\.[0-9]+ at ph"
+! grep -q "^depth" out || fail 'parameters without -v'
+[ "$(wc -l <out)" -le 40 ] || fail "a summary of $(wc -l <out) lines"
+expect 0 "$OVERROLL" check a.ini -v
+contains out '^#   dimensionless speed parameter +0\.0041'
+contains out '^#   central, Moes \(incompressible\) +H = 0\.'
+contains out "^#   minimum, overroll fit +H = 0\\."
+contains out "density 1\\.[0-9]+ at p_h"
 contains out '^depth = 0.1 um$'
 contains out '^scheme = auto +# default$'
 cp out b.ini
 mv out first
-expect 0 "$OVERROLL" check b.ini
+expect 0 "$OVERROLL" check b.ini -v
 sed 's/ *# default//' first >first.plain
 sed 's/ *# default//' out >second.plain
 cmp first.plain second.plain || fail "$(diff first.plain second.plain)"
@@ -39,9 +42,10 @@ contains out '"transient": true'
 # When a feature comes, passes and leaves (u = 1: X = -4 from -5.5 on, 1.5 to
 # -0.5), its diameter, and the place for its snapshots; no keys of profiles or
 # of other histories.
-contains first '^#   enters at T = 0\.5, .*X = 0 at T = 5 \(after the end\)'
-contains first 'diameter at half depth 0\.1239 \('
-contains first '^# snapshots +[0-9]+, at most [0-9.]+ MB on the disk$'
+contains first '^#     enters the contact at +T = 0\.5'
+contains first '^#     centre at X = 0 at +T = 5 \(after the end\)'
+contains first 'diameter at half depth +0\.1239 \('
+contains first '^#   snapshots +[0-9]+, up to [0-9.]+ MB on disk$'
 grep -qE '^(scale|seed|hurst|copies|grow_from|amplitude|error|relax_.*) =' \
     first && fail 'keys that do not apply'
 
@@ -63,8 +67,8 @@ repeat = 4
 copies = 2
 END
 expect 0 "$OVERROLL" check e.ini --set 'feature it.start=-5'
-contains out 'has left at T = 11\.3'
-contains out '^# steps +at most '
+contains out 'leaves the contact at +T = 11\.3'
+contains out '^#   time steps +at most '
 expect 0 "$OVERROLL" run e.ini -o e.h5 --json
 contains out '"settled": true'
 contains out '"T_end": 1[2-9]\.'
@@ -80,9 +84,9 @@ contains err 'nothing passes'
 
 # A level that is chosen, and what it is to reach
 expect 0 "$OVERROLL" check a.ini --level auto
-contains out '^# grid +level 7, '
-contains out '^# error of discretization +[0-9.e-]* of both films and the fric'
-contains out '^# feature scratch: .*, on [0-9.]* nodes$'
+contains out '^#   grid +level 7, '
+contains out '^#   expected discretization error +[0-9.e-]* .central and min'
+contains out '^# +shortest wavelength .*, [0-9.]* nodes$'
 expect 0 "$OVERROLL" check --M 20 --L 10 --level auto --json \
     --set domain.accuracy=1e-5 --set domain.accuracy_of=H_cen
 contains out '"level": 8'
@@ -90,12 +94,12 @@ expect 0 "$OVERROLL" check --M 900 --L 2 --level auto --set domain.accuracy=1e-8
 contains err 'level = auto takes level 14 at most, on which an error of '
 # The usual one: 8 of a steady contact, in time the first that does
 expect 0 "$OVERROLL" check --M 20 --L 10
-contains out '^# grid +level 8, '
+contains out '^#   grid +level 8, '
 expect 0 "$OVERROLL" check --M 20 --L 10 --set time.end=4
-contains out '^# grid +level 6, '
-contains out '^# level +6 is the first on which that is below 0.001$'
+contains out '^#   grid +level 6, '
+contains out '^#   level +6, the first with an expected error below 0.001$'
 expect 0 "$OVERROLL" check --M 1000 --L 14 --set time.end=4
-contains out '^# grid +level 8, '
+contains out '^#   grid +level 8, '
 contains err 'level = usual takes level 8 at most, on which an error of '
 
 expect 0 "$OVERROLL" help
@@ -130,24 +134,26 @@ wavelength = 1
 grow = 1
 EOF
 expect 0 "$OVERROLL" check rough.ini
-contains out '^# roughness of the film +Rq = 0\.00[0-9]+ \(.* nm\) of 0\.003'
-contains out '^# smallest film +H = 0\.0[0-9]+ \(.* um\)'
-contains out '^#   foreseen by amplitude reduction'
+contains out '^#   film roughness Rq +0\.00[0-9]+ \(.* nm\); surfaces: 0\.003'
+contains out '^#   minimum film thickness +H = 0\.0[0-9]+ \(.* um\)'
+contains out '^# Predicted film of the rough surfaces .amplitude reduction'
 expect 0 "$OVERROLL" check rough.ini --json
-foreseen=$(sed -n 's/.*"film_Rq_foreseen": \(.*\),/\1/p' out)
-[ "$foreseen" != null ] || fail 'nothing is foreseen'
+foreseen=$(sed -n 's/.*"film_Rq_predicted": \(.*\),/\1/p' out)
+[ "$foreseen" != null ] || fail 'nothing is predicted'
+contains out '"prediction_missing": null'
 contains out '"not_foreseen": null'
+contains out "\"film_Rq_foreseen\": $foreseen"
 expect 0 "$OVERROLL" run rough.ini
-contains out '^film roughness +0\.00[0-9]+ '
-contains out "^film foreseen +0\\.00[0-9]+ +of 0\\.003[0-9]+ on the surfaces"
+contains out '^film thickness roughness Rq +0\.00[0-9]+ '
+contains out "^predicted film roughness Rq +0\\.00[0-9]+ .*surface Rq 0\\.003"
 expect 0 "$OVERROLL" run rough.ini --json
 contains out "\"film_Rq_foreseen\": $foreseen"
 own=$(sed -n 's/.*"film_Rq_max": \(.*\),/\1/p' out)
 echo "$own $foreseen" | awk '{ exit !($1 > 0.8*$2 && $1 < 1.2*$2) }' ||
     fail "film_Rq_max $own is far from what was foreseen, $foreseen"
 expect 0 "$OVERROLL" check rough.ini --set contact.M=1.5
-contains out 'film of rough surfaces +no estimate: the formula holds for'
+contains out 'film roughness +no prediction: the formula holds for'
 expect 0 "$OVERROLL" check rough.ini --set contact.slide_to_roll=0.2
-contains out 'less sure here: the rough surface is the faster one'
+contains out 'less certain here: the rough surface is the faster one'
 expect 0 "$OVERROLL" check rough.ini --set contact.slide_to_roll=-0.2
-contains out 'less sure here: the surfaces slide'
+contains out 'less certain here: the surfaces slide'

@@ -83,14 +83,14 @@ done
 # Given numbers
 expect 0 "$OVERROLL" check ramp.ini --json --set domain.outlet=1.6
 is "$(value outlet) == 1.6"
-contains err 'warning: the outlet X = 1.6 is too near: .* outlet = 2.372 would'
+contains err 'warning: the outlet boundary X = 1.6 .* set domain.outlet = 2.372'
 expect 0 "$OVERROLL" check ramp.ini --json --set domain.inlet=-2
 is "$(value inlet) == -2"
-contains err 'the inlet is numerically starved: X = -2 .* inlet = -[0-9.]+ '
+contains err 'the inlet boundary X = -2 .* set domain.inlet = -[0-9.]+'
 expect 0 "$OVERROLL" check ramp.ini --set domain.inlet=-12 --set domain.outlet=3
 ! grep 'starved\|near' err || fail "warned of: $(cat err)"
 expect 2 "$OVERROLL" check ramp.ini --set domain.outlet=1.5
-contains err 'outlet: 1.5 lies inside the contact, whose half width .* 1.581'
+contains err 'outlet: 1.5 lies inside the contact, whose half-width .* 1.581'
 expect 2 "$OVERROLL" check ramp.ini --set domain.inlet=-1.5
-contains err 'inlet: -1.5 lies inside the contact, whose half width .* 1.581'
+contains err 'inlet: -1.5 lies inside the contact, whose half-width .* 1.581'
 expect 0 "$OVERROLL" check steady.ini --set domain.outlet=1.6

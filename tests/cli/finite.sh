@@ -45,7 +45,7 @@ every = 5
 criterion = von-mises
 END
 expect 0 "$OVERROLL" run shear.ini -o shear.h5
-contains out '^stresses +not told: .* choose a rheology'
+contains out '^stresses +not available: .* choose a rheology'
 ! grep -E '(^|[^a-z])-?(inf|nan)([^a-z]|$)' out || fail 'told of infinity'
 expect 0 "$OVERROLL" run shear.ini -o shear.h5 --force --json
 contains out '"tau_max": null'
@@ -103,7 +103,7 @@ start = 0.630109
 model = conserving
 END
 expect 0 "$OVERROLL" run content.ini -o content.h5
-! grep 'too near' err || fail 'the outlet that was chosen is warned of'
+! grep 'cuts off part' err || fail 'the outlet that was chosen is warned of'
 expect 0 "$OVERROLL" export content.h5 --all --long --field filling
 awk -F, '/^[-0-9]/ && $NF > 1 + 1e-9 { exit 1 }' out ||
     fail 'more oil than the gap holds'

@@ -28,8 +28,8 @@ file = hot.h5
 fields = pressure, temperature_1, temperature_2, temperature_mean
 END
 expect 0 "$OVERROLL" check hot.ini
-contains out '^# heat +Theta = .*; 5 or 7 points across'
-contains out '^# surfaces +Peclet '
+contains out '^#   heat +Theta = .*; 5 or 7 points across'
+contains out '^#   surfaces +Peclet '
 expect 0 "$OVERROLL" run hot.ini --json
 for key in T_max_rise T_1_max_rise T_2_max_rise; do
     awk -v x="$(number $key)" 'BEGIN { exit !(x > 1 && x < 100) }' ||
@@ -124,7 +124,7 @@ for file in hot newtonian; do
     expect 0 "$OVERROLL" steady $file.ini --json --set domain.order=4
     contains out '"order": 4' || fail "$file.ini: not of fourth order"
 done
-refuses 'given in \[lubricant\] too' check hot.ini \
+refuses 'also set in \[lubricant\]' check hot.ini \
     --set 'lubricant.temperature=90 degC'
 
 # Slow surfaces are as good as fast ones; one that stands still has no steady
@@ -132,7 +132,7 @@ refuses 'given in \[lubricant\] too' check hot.ini \
 expect 0 "$OVERROLL" check hot.ini --set 'contact.mean_speed=0.1 m/s'
 grep 'Peclet number\|stands still' err && fail 'no surface is that slow'
 expect 0 "$OVERROLL" check hot.ini --set 'contact.mean_speed=1 mm/s'
-contains err 'surface 1 has the Peclet number .*remembers'
+contains err 'surface 1 is computed too cold .* are modelled'
 expect 0 "$OVERROLL" check hot.ini --set 'contact.slide_to_roll=2'
 contains err 'surface 2 stands still: it has no steady temperature'
 expect 0 "$OVERROLL" check run.ini --set sliding.to=2 --set time.end=9
@@ -157,7 +157,7 @@ expect 0 "$OVERROLL" steady hot.ini --set 'contact.mean_speed=8.7 m/s' \
 contains err 'heat: the film is up to'
 expect 0 "$OVERROLL" steady newtonian.ini --set 'contact.load=60 kN/m'
 
-# Given up before there is any heat: the film is too thin for the mesh
+# Given up before there is any heat: the film is too thin for the grid
 cat >thin.ini <<'END'
 [contact]
 load = 1e6 N/m
@@ -177,7 +177,7 @@ end = 0.1
 END
 for verb in steady run; do
     expect 1 "$OVERROLL" $verb thin.ini
-    contains err 'the film is too thin for the mesh'
+    contains err 'the film is too thin for the grid'
 done
 
 # Temperatures where nothing has them: not stored where heat is off, refused

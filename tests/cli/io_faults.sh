@@ -35,7 +35,7 @@ faulty() {
         return
     fi
     "$OVERROLL" info a.h5 >log 2>&1 ||
-        grep -q 'its last write was cut.*resume. goes back' log ||
+        grep -q 'last write was interrupted' log ||
         fail "$*: info: $(cat log)"
     "$OVERROLL" resume a.h5 -q >log 2>&1 || fail "$*: resume: $(cat log)"
     same "$*"

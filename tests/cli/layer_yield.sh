@@ -49,9 +49,9 @@ for upper in none '3 GPa'; do
     done
 done
 expect 0 "$OVERROLL" run case.ini -o words.h5 --set 'coating 1.yield=3 GPa'
-contains out '^layers use .* of their own yield'
-contains out '^tension across one +[0-9.e-]+ .* at X'
-contains out '^tension at the top +none'
+contains out '^layer stress / yield stress '
+contains out '^tension across an interface +[0-9.e-]+ .* at X'
+contains out '^tension at the surface +none'
 for limit in upper:1:'2 GPa' lower:1b:'0.5 GPa'; do
     coat=${limit#*:}
     expect 0 "$OVERROLL" run case.ini -o "${limit%%:*}_limit.h5" --json \
@@ -61,7 +61,7 @@ for limit in upper:1:'2 GPa' lower:1b:'0.5 GPa'; do
 done
 expect 0 "$OVERROLL" run case.ini -o words.h5 --force \
     --set 'coating 1.limit_pressure=2 GPa' --set 'fatigue.alpha=0.3'
-contains out '^layers use .* of their own fatigue limit'
+contains out '^layer stress / fatigue limit '
 expect 0 "$OVERROLL" run case.ini -o strong.h5 --json \
     --set 'coating 1.interface_strength=0.5 GPa' \
     --set 'coating 1b.interface_strength=0.5 GPa'
@@ -74,7 +74,7 @@ expect 0 "$OVERROLL" run case.ini -o lower.h5 --json \
 cp out lower.json
 expect 0 "$OVERROLL" run case.ini -o words.h5 --force \
     --set 'coating 1.interface_strength=0.5 GPa'
-contains out '^interfaces use .* of their strength'
+contains out '^interface stress / strength '
 expect 0 "$PYTHON" - <<'END'
 import json
 def of(name):

@@ -35,7 +35,7 @@ printf '[lubricant]\nviscocity = 3\n' >key.ini
 refuses "^key.ini:2: unknown key 'viscocity' in \[lubricant\]; did you mean \
 'viscosity'\?" check key.ini
 printf '[contact]\nM = 20\nL = 10\nload = 3 kN/m\n' >both.ini
-refuses '^both.ini:4: load cannot stand beside M and L' check both.ini
+refuses '^both.ini:4: load is already determined by M and L' check both.ini
 head -c 3000000 /dev/zero | tr '\0' '\n' >long.ini
 refuses '^long.ini: is longer than a case may be' check long.ini
 head -c 3000 /dev/zero >nul.ini

@@ -60,7 +60,7 @@ contains err 'speed_2.*needs a radius in \[body 2\]'
 expect 2 "$OVERROLL" check discs.ini --set 'body 2.radius=-30 mm'
 contains err 'would not touch'
 expect 2 "$OVERROLL" check discs.ini --set 'contact.radius=1 mm'
-contains err 'radius.*follows from'
+contains err 'radius.*is already determined by'
 sed '/width/d' discs.ini >no_width.ini
 expect 2 "$OVERROLL" check no_width.ini
 contains err 'no_width.ini:2: load: 2000 N needs the width'
@@ -110,7 +110,7 @@ expect 0 "$OVERROLL" steady table.ini --json \
 near H_cen "$film" 2e-3
 
 expect 2 "$OVERROLL" check doolittle.ini --set 'lubricant.alpha=20 1/GPa'
-contains err 'alpha follows from the law'
+contains err 'alpha is already determined by viscosity_law'
 sed '/tait_K0 /d' doolittle.ini >lacks.ini
 expect 2 "$OVERROLL" check lacks.ini
 contains err 'needs tait_K0'

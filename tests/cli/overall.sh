@@ -91,10 +91,10 @@ near "$(value P_max_overall_Pa a.json)" "$(awk -v a="$(value P_max_overall \
 
 # In words: the run first, then its end
 expect 0 "$OVERROLL" run dent.ini
-awk '/^over the run:/ { a = NR } /^largest pressure .*GPa +at X = .*T = .*ms/ {
-    b = NR } /^smallest film .*um +at X = .* T = / { c = NR }
-    /^load error .*at T = / { d = NR } /^at the end, T = / { e = NR }
-    /^maximum pressure/ { f = NR }
+awk '/^over the run / { a = NR } /^maximum pressure .*GPa at .*ms/ {
+    b = NR } /^minimum film thickness .*um at .*ms/ && a && !e { c = NR }
+    /^largest force bal.*at .*ms/ { d = NR } /^at the end, T = / { e = NR }
+    /^maximum pressure/ && e { f = NR }
     END { exit !(a && a < c && c < b && b < d && d < e && e < f) }' out ||
     fail "$(cat out)"
 

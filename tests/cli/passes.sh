@@ -157,7 +157,7 @@ if command -v gnuplot >/dev/null; then
     contains map.svg 'where the film begins'
     expect 0 "$OVERROLL" plot slide-2.h5 --at 1 -o film.svg
     contains film.svg 'its oil shaded'
-    refuses 'holds one run; --kind passes draws the file of several' \
+    refuses 'contains one run; --kind passes needs the file of several' \
         plot slide-2.h5 --kind passes -o x.svg
 fi
 

@@ -207,12 +207,12 @@ refused() {
     expect 2 "$OVERROLL" check plastic.ini "$@"
     contains err "$pattern"
 }
-refused 'above the shakedown limit' --set plastic.yield=0.4
+refused 'exceeds the shakedown limit' --set plastic.yield=0.4
 expect 0 "$OVERROLL" check plastic.ini --set plastic.yield=0.4 \
     --set plastic.anyway=yes
 expect 2 "$OVERROLL" check perfect.ini --set plastic.hardening=none \
     --set plastic.yield=0.45
-contains err 'comes to rest too slowly'
+contains err 'shakes down too slowly'
 refused 'surface 2 yields, and needs \[stress\]' --set plastic.surface=2
 expect 2 "$OVERROLL" check perfect.ini --set plastic.hardening=swift \
     --set plastic.swift=945
@@ -281,7 +281,7 @@ END
 expect 0 "$OVERROLL" run perfect.ini -o thin.h5 --set plastic.yield=0.5 \
     --set plastic.hardening=none --set plastic.anyway=yes \
     --set plastic.iterations=100 --set feature.dent.shoulder='1.2 um'
-contains err 'the model is of small strains'
+contains err 'beyond the small-strain model'
 expect 0 "$OVERROLL" run plastic.ini -o soft.h5 --force
 [ "$(grep -c 'small strains' err)" -eq 0 ] || fail 'small strains are not small'
 

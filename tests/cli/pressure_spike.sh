@@ -18,7 +18,7 @@ for level in 6 7 8; do
     number P_max_overall >newton.$level
 done
 expect 0 "$OVERROLL" run newton.ini --level 7
-contains out 'largest pressure.*not resolved'
+contains out '^maximum pressure.*not resolved'
 # Nor is the spike of a Newtonian film at the outlet, by itself
 expect 0 "$OVERROLL" steady --M 200 --L 14 --level 8
 contains out '^pressure spike .*not resolved'

@@ -28,10 +28,10 @@ checkpoint = 1 us
 END
 
 expect 0 "$OVERROLL" check tooth.ini
-contains out 'radius in time .*1 to 1.122 of the nominal one; half width 1 to'
-contains out 'its curvature .*is convected with the material'
+contains out 'radius over the run .*1 to 1.122 of the ref.*; half-width 1 to'
+contains out 'curvature model .*convected with the material'
 expect 0 "$OVERROLL" check tooth.ini --set radius.period=2
-contains out 'its curvature .*is imposed'
+contains out 'curvature model .*imposed'
 # A contact that gets narrower wants a finer mesh
 level() {
     expect 0 "$OVERROLL" check tooth.ini --set domain.level=auto \

@@ -198,7 +198,7 @@ code=0
 "$OVERROLL" sweep failing.ini -j 2 >out 2>err || code=$?
 failed=$(sed -n 's/^64 draws: .* finished, \([0-9]*\) failed.*/\1/p' out)
 if [ "$code" -eq 1 ] && [ "${failed:-0}" -gt 0 ]; then
-    contains out '% of the draws failed'
+    contains out '% of the samples failed'
     expect 0 "$OVERROLL" sweep failing.ini --statistics --json
     "$PYTHON" - "$failed" <<'END' || fail "$(cat out)"
 import json

@@ -65,9 +65,9 @@ awk -v c="$(number spike_change)" 'BEGIN { exit !(c > 0 && c < 3e-3) }' ||
 expect 0 "$OVERROLL" steady --M 3 --L 0 --set domain.refine=spike
 contains err 'refine: the pressure has no spike'
 expect 0 "$OVERROLL" check spike.ini
-contains out 'patches .*to level 14'
+contains out 'local refinement .*to level 14'
 
-refuses 'goes with levels 6 to' check spike.ini --set domain.level=5
+refuses 'needs levels 6 to' check spike.ini --set domain.level=5
 refuses 'above the level, 14' check spike.ini --set domain.level=14
 refuses 'does not go with \[domain\] refine' check spike.ini --set time.end=1
 refuses 'does not go with \[domain\] refine' check spike.ini \

@@ -45,7 +45,7 @@ cmp short.h5.restart kept.h5.restart || fail 'a refusal changed the checkpoint'
 
 # Longer, in two pieces
 expect 0 "$OVERROLL" resume short.h5 --set time.end=2
-contains err 'goes on from T = 1'
+contains err 'continuing from T = 1'
 expect 0 "$OVERROLL" resume short.h5 --set time.end=3 -q --json
 contains out '"converged": true'
 same whole.h5 short.h5
@@ -109,5 +109,5 @@ start = -2
 END
 expect 0 "$OVERROLL" run profile.ini -o p.h5 -q
 printf 'x_um,z_um\n0,0\n100,0\n200,-0.3\n300,0\n400,0\n' >p.csv
-refuses "give the profile's file as it was" resume p.h5 --set time.end=4
+refuses "restore the original profile file" resume p.h5 --set time.end=4
 exit 0

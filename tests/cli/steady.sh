@@ -4,7 +4,7 @@
 . "$TOP/tests/support/cli.sh"
 
 expect 0 "$OVERROLL" steady --M 20 --L 10 --level 7
-contains out '^minimum film +0\.0[0-9]+ +at X = 0\.9'
+contains out '^minimum film thickness +0\.0[0-9]+ +b\^2/R +0\.9'
 [ ! -s err ] || fail "says on stderr: $(cat err)"
 
 expect 0 "$OVERROLL" steady --M 20 --L 10 --level 6 -q
@@ -39,7 +39,7 @@ thin='steady --M 503.8029 --L 6.047824 --set domain.faces=arithmetic'
 # shellcheck disable=SC2086
 expect 0 "$OVERROLL" $thin --level 7 --json
 contains out '"order": 2'
-contains out '"warnings": .*second order.* level = 8 would do'
+contains out '"warnings": .*second order.* use level = 8'
 # shellcheck disable=SC2086
 expect 0 "$OVERROLL" $thin --level 8 --json
 contains out '"order": 4'
@@ -96,10 +96,46 @@ expect 0 "$OVERROLL" steady --M 255.5 --L 5.822 --level 6 -v \
     --set solver.tolerance=2e-9
 contains err 'took another way: the load was raised in smaller steps'
 expect 0 "$OVERROLL" steady --M 900 --L 5 --level 6
-contains err 'too thin for the mesh: .*; level = [0-9]+ would do'
+contains err 'too thin for the grid.*; use level = [0-9]+'
 expect 1 "$OVERROLL" steady --M 5000 --L 5 --level 6
-contains err 'too thin for the mesh: .* level [0-9]+ resolves it'
+contains err 'too thin for the grid: .* level [0-9]+ resolves it'
 contains out 'NOT CONVERGED'
 expect 1 "$OVERROLL" steady --M 5000 --L 5 --level 6 --json
 contains out '"converged": false'
 ! grep -i 'nan\|inf"' out || fail 'NaN in a result'
+
+# The lambda ratio of roughness that is not on the grid: minimum film thickness
+# divided by sqrt(Rq_1^2 + Rq_2^2); nothing else changes.
+cat >discs.ini <<'END'
+[contact]
+load = 100 kN/m
+radius = 10 mm
+modulus = 226 GPa
+mean_speed = 2 m/s
+[lubricant]
+viscosity = 40 mPa.s
+alpha = 20 1/GPa
+[domain]
+level = 6
+END
+member() {
+    sed -n 's/^  "'"$1"'": \(.*\),$/\1/p' out | head -n 1
+}
+expect 0 "$OVERROLL" steady discs.ini --json
+[ "$(member lambda_ratio)" = null ] || fail 'a lambda ratio without roughness'
+film=$(member min_film_m) H=$(member H_min)
+rough="--set contact.Rq_1=30nm --set contact.Rq_2=40nm"
+# shellcheck disable=SC2086 # words
+expect 0 "$OVERROLL" steady discs.ini --json $rough
+[ "$(member H_min)" = "$H" ] || fail 'contact.Rq_1 changed the film'
+[ "$(member lambda_ratio_from)" = '"contact.Rq_1 and contact.Rq_2"' ] ||
+    fail "from $(member lambda_ratio_from)"
+echo "$(member lambda_ratio) $film" | awk '{ exit !($1*50e-9/$2 > 0.99 &&
+    $1*50e-9/$2 < 1.01) }' || fail "ratio $(member lambda_ratio) of $film m"
+# shellcheck disable=SC2086
+expect 0 "$OVERROLL" steady discs.ini $rough
+contains out '^lambda ratio +[0-9.]+ .*composite Rq of contact.Rq_1'
+# shellcheck disable=SC2086
+expect 0 "$OVERROLL" check discs.ini $rough
+contains out '^#   lambda ratio +[0-9.]+ .predicted minimum film thickness'
+refuses 'Rq_1: ' check --M 20 --L 10 --set contact.Rq_1=30nm

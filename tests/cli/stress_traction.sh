@@ -140,12 +140,12 @@ refuses 'needs a result file with all its nodes' run slide.ini \
 
 # Asked for, or left out
 expect 0 "$OVERROLL" check slide.ini
-contains out "^# traction  *the film's shear stress"
+contains out "^#   traction  *the film's shear stress"
 sed '/^eyring/d; s/^rheology.*/rheology = newtonian/' slide.ini >newton.ini
 expect 0 "$OVERROLL" check newton.ini
-contains out '^# traction  *none: Newtonian film'
+contains out '^#   traction  *none: Newtonian film'
 expect 0 "$OVERROLL" check newton.ini --set stress.traction=yes
-contains out "^# traction  *the film's shear stress"
+contains out "^#   traction  *the film's shear stress"
 cat >numbers.ini <<'END'
 [contact]
 M = 20
@@ -158,7 +158,7 @@ end = 1
 [stress]
 END
 expect 0 "$OVERROLL" check numbers.ini
-contains out '^# traction  *none: b/R is not known'
+contains out '^#   traction  *none: b/R is not known'
 refuses 'traction.*b/R is not known' check numbers.ini \
     --set stress.traction=yes
 

@@ -76,7 +76,7 @@ expect 0 "$OVERROLL" run un.ini -o un.h5 --json -q
 share=$(sed -n 's/.*"contact_share_max": \([^,]*\).*/\1/p' out)
 awk -v share="$share" 'BEGIN { exit !(share >= 0 && share < 0.9) }' ||
     fail "share $share"
-refuses 'the mesh has all of the profiles' check un.ini --level 11
+refuses 'the grid resolves the profiles completely' check un.ini --level 11
 expect 0 "$OVERROLL" check un.ini --level 11 --set 'boundary.layer=3 nm'
-refuses 'running-in needs all of the roughness' check un.ini \
+refuses 'running-in requires boundary.of = all' check un.ini \
     --set 'boundary.wear_1=1e-8 mm3/Nm' --set boundary.passes=1000

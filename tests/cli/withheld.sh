@@ -25,7 +25,7 @@ slope = 0.03
 level = 5
 END
 expect 0 "$OVERROLL" steady mixed.ini
-contains out '^friction coeff\. +not known \(set boundary\.friction\); rolling'
+contains out '^friction coefficient +unknown .set boundary.friction.'
 ! grep -i 'nan' out || fail 'nan in a report'
 expect 0 "$OVERROLL" steady mixed.ini --json
 for key in mu_slide F_slide F_1 F_2 power_in power_dissipated; do
@@ -41,8 +41,8 @@ expect 0 "$OVERROLL" init gear --set gear.teeth_1=25 --set gear.teeth_2=57 \
     --set lubricant.limiting_shear=0 -o gear.ini
 sed -i '/^eyring_stress/d' gear.ini
 expect 0 "$OVERROLL" run gear.ini
-contains out '^lost to friction +not given: the sliding friction coefficient '
-! grep -E '^lost.* W|efficiency' out || fail 'a power is given'
+contains out '^friction power loss +not given: the sliding friction coeff'
+! grep -E '^friction power.* W|efficiency' out || fail 'a power is given'
 expect 0 "$OVERROLL" run gear.ini --json --force
 contains out '^  "power_loss_W": null'
 contains out '^  "efficiency": null'
@@ -75,11 +75,11 @@ raceway = 100
 END
 expect 0 "$OVERROLL" run life.ini
 contains out '^life +not given: the elastic .*contact.bearable_pressure'
-! grep '^equivalent length' out || fail 'an equivalent length is given'
+! grep '^equivalent raceway length' out || fail 'an equivalent length is given'
 expect 0 "$OVERROLL" run life.ini --json --force
 contains out '^  "life_ratio": null'
 expect 0 "$OVERROLL" run life.ini --set 'contact.bearable_pressure=8 GPa'
-contains out '^equivalent length'
+contains out '^equivalent raceway length'
 expect 0 "$OVERROLL" run life.ini --set 'contact.bearable_pressure=8 GPa' \
     --set time.end=2
 contains out '^life +not given: no material point passes .* later time.end'

@@ -78,18 +78,18 @@ END
 while read -r yield words; do
     expect 0 "$OVERROLL" run smooth.ini --force -o words.h5 \
         --set "body 1.yield=$yield"
-    contains out '^beyond yield '
-    contains out '^smooth contact .* of the ph of first yield'
+    contains out '^stress above yield, f/Y '
+    contains out '^p_h / p_h at first yield .* p_h at the shakedown limit'
     contains out "plastic strain $words"
 done <<'END'
-0.9 does not matter: nothing is beyond yield
-0.54 matters: the smooth contact yields by itself, and shakes down
-0.42 matters: the smooth contact is above its shakedown limit
+0.9 does not matter: below yield
+0.54 matters: the smooth contact yields and shakes down
+0.42 matters: the smooth contact exceeds its shakedown limit
 END
 expect 0 "$OVERROLL" check smooth.ini --set 'body 1.yield=1.36 GPa'
-contains out '^# yield .*1360 MPa: 2439 and 3141 MPa'
+contains out '^#   yield .*1360 MPa: 2439 and 3141 MPa'
 expect 0 "$OVERROLL" check smooth.ini
-! grep -q '^# yield' out || fail 'check tells a yield that nobody gave'
+! grep -q '^#   yield' out || fail 'check tells a yield that nobody gave'
 
 # A dent whose stress of 1.95 ph is in a skin: hardened steel, of 1.17 ph, keeps
 # all of its shoulder; steel of 0.75 ph loses a twentieth in five passes, as an

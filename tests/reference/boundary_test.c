@@ -678,7 +678,7 @@ TEST(what_has_no_answer_is_refused)
     assign(c, "boundary.law=exponential");
     assign(c, "boundary.Rq=194 nm");
     assign(c, "boundary.slope=0.03");
-    check_refused(c, "shears thin");
+    check_refused(c, "shear-thinning");
     c = begin(gear);
     assign(c, "contact.mean_speed=3 m/s");
     assign(c, "boundary.law=profile");

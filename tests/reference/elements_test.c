@@ -290,7 +290,7 @@ TEST(impossible_gears_are_refused)
     refused_gear(&form, "tip_2", "interference");
     form = good;
     form.addendum = 0.4;
-    refused_gear(&form, "teeth_1", "no tooth touches");
+    refused_gear(&form, "teeth_1", "no tooth pair is in contact");
     form = good;
     form.tip_1 = 0.05;
     refused_gear(&form, "tip_1", "inside the base circle");
@@ -449,7 +449,7 @@ TEST(impossible_cams_are_refused)
     form.preload = 0;
     form.spring = 0;
     form.speed = 300;
-    refused_cam(&form, "preload", "leaves the cam");
+    refused_cam(&form, "preload", "lifts off the cam");
     for (int k = 0; k < POINTS; k++) {
         angle[k] = k * pi / 180;
         height[k] = 1e-6 * floor(1e6 * 0.004 * (1 - cos(3 * angle[k])));

@@ -65,18 +65,18 @@ why() {
     expect 0 "$OVERROLL" check dent.ini "$@"
     contains out "time step +$said"
 }
-why '0.0122768, 2 meshes$'
-why '0.00613839, 1 mesh$' --set time.step=grid
-why '0.1, 16.3 meshes$' --set time.step=0.1
-why '0.00613839, 1 mesh: as upstream' --set time.scheme=upstream2
-why '0.00613839, 1 mesh: without corrections' --set domain.order=2
-why '0.00613839, 1 mesh: for M of 100' --set contact.M=100
-why '0.0122768, 1 mesh: on a mesh above 0.01 b' --set domain.level=6
-why '0.00613839, 1 mesh: for a feature narrower' --set feature.dent.width=0.18
-why '0.00613839, 1 mesh: for a change within 30' --set load.history=step \
+why '0.0122768 = 2 D$'
+why '0.00613839 = 1 D$' --set time.step=grid
+why '0.1 = 16.3 D$' --set time.step=0.1
+why '0.00613839 = 1 D: as upstream' --set time.scheme=upstream2
+why '0.00613839 = 1 D: without corrections' --set domain.order=2
+why '0.00613839 = 1 D: for M of 100' --set contact.M=100
+why '0.0122768 = 1 D: on a mesh above 0.01 b' --set domain.level=6
+why '0.00613839 = 1 D: for a feature narrower' --set feature.dent.width=0.18
+why '0.00613839 = 1 D: for a change within 30' --set load.history=step \
     --set load.to=1.1 --set load.start=1
-why '0.00613839, 1 mesh: for a change within 30' --set load.history=sine \
+why '0.00613839 = 1 D: for a change within 30' --set load.history=sine \
     --set load.amplitude=0.1 --set load.period=0.18
-why '0.0122768, 2 meshes$' --set load.history=ramp --set load.to=1.1 \
+why '0.0122768 = 2 D$' --set load.history=ramp --set load.to=1.1 \
     --set load.duration=0.2
-why 'by the error of the steps, 0.001 is the target' --set time.step=adaptive
+why 'adaptive, target error 0.001' --set time.step=adaptive

@@ -45,7 +45,7 @@ expect 0 "$prefix/bin/overroll" --version
 for page in man1/overroll.1 man3/overroll-library.3 man5/overroll-case.5 \
     man5/overroll-study.5 man5/overroll-result.5 man7/overroll-theory.7 \
     man7/overroll-reading.7 man7/overroll-pictures.7 \
-    man7/overroll-recipes.7; do
+    man7/overroll-recipes.7 man7/overroll-tutorial.7; do
     [ -s "$man/$page" ] || fail "$page is not installed"
 done
 completed() {

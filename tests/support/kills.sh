@@ -127,7 +127,7 @@ look_at_killed() {
     if "$OVERROLL" info "$1" >out 2>err; then
         readable="$readable $1"
     else
-        contains err 'its last write was cut.*resume. goes back'
+        contains err 'last write was interrupted'
         cuts=$((cuts + 1))
     fi
 }

@@ -426,7 +426,7 @@ static const char *own_refusal(const struct contact *element,
     if (w->part == OVR_MODEL_LOAD || w->part == OVR_MODEL_SPEED ||
         w->part == OVR_MODEL_REVERSAL || w->part == OVR_MODEL_SLIDING ||
         w->part == OVR_MODEL_RADIUS)
-        return "] says how ";
+        return "] already determines the time ";
     if (!strcmp(element->name, "cam") && w->part == OVR_MODEL_STRESS)
         return "surface 2 stands still"; /* stresses in both */
     return NULL;

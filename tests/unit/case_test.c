@@ -291,7 +291,7 @@ TEST(bad_settings_name_their_origin)
     ovr_case_assign(c, "contact", "--set", &err);
     CHECK_ERROR(&err, OVR_BAD_INPUT, "must be section.key=value");
     ovr_case_assign(c, "contact.M=1#2", "--set", &err);
-    CHECK_ERROR(&err, OVR_BAD_INPUT, "must not hold #");
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "must not contain #");
     ovr_case_free(c);
 }
 

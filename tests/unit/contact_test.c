@@ -170,10 +170,10 @@ TEST(contradictions_are_named)
     refused(moes(1e-7, 1), "M = 1e-07");
     c = moes(20, 10);
     c.load = 1e5;
-    refused(c, "load cannot stand beside");
+    refused(c, "load is already determined by");
     c = moes(20, 10);
     c.lambda = 1;
-    refused(c, "lambda cannot stand beside");
+    refused(c, "lambda cannot be combined");
     c = roller();
     c.speed_2 = NAN;
     refused(c, "speed_2 is missing");

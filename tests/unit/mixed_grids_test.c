@@ -240,7 +240,7 @@ TEST(profiles_need_scales_and_places)
         x[i] = 0.002 * (double)i, z[i] = 1;
     save(501, false);
     CHECK_STATUS(ovr_surfaces_add(s, &form, &err), OVR_BAD_INPUT, &err);
-    CHECK_ERROR(&err, OVR_BAD_INPUT, "physical contact");
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "contact with dimensions");
     save(501, true);
     CHECK_STATUS(ovr_surfaces_add(s, &form, &err), OVR_BAD_INPUT, &err);
     CHECK_ERROR(&err, OVR_BAD_INPUT, "start");

@@ -383,7 +383,7 @@ static bool goes_on(const char *folder)
     for (int k = 0; k < 20 && !found; k++) {
         bool was = killed(folder, ms);
         char *said = was ? RUN(folder, "resume", "again.h5") : NULL;
-        found = said && strstr(said, "goes on from T");
+        found = said && strstr(said, "continuing from T");
         ms = was ? 3 * ms / 2 + 1 : ms / 2;
         free(said);
     }

@@ -232,7 +232,7 @@ static bool was_cut(const char *path)
     ovr_error err = {0};
     ovr_result *r = ovr_result_open(path, NULL, &err);
     if (!r)
-        assert_non_null(strstr(err.message, "its last write was cut"));
+        assert_non_null(strstr(err.message, "last write was interrupted"));
     ovr_result_close(r);
     return !r;
 }

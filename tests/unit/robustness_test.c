@@ -33,7 +33,7 @@ TEST(thin_films_name_a_level)
         ovr_error err = {0};
         double M = contacts[k][0], L = contacts[k][1];
         CHECK_STATUS(steady(M, L, 6, 0, &err), OVR_IMPOSSIBLE, &err);
-        CHECK_ERROR(&err, OVR_IMPOSSIBLE, "too thin for the mesh");
+        CHECK_ERROR(&err, OVR_IMPOSSIBLE, "too thin for the grid");
         const char *level = strstr(err.message, "; level ");
         assert_non_null(level);
         CHECK_OK(steady(M, L, atoi(level + 8), 0, &err), &err);

@@ -499,7 +499,7 @@ TEST(nonsense_is_refused)
 {
     ovr_stress_options o = level8();
     o.depth_min = D8 / 3;
-    refuses(o, "half a mesh");
+    refuses(o, "less than D/2");
     o = level8();
     o.depth_max = D8;
     refuses(o, "depth_max");

@@ -48,7 +48,7 @@ for k in $(seq 1 "${STRIDE:-37}" "$all"); do
     tried=$((tried + 1))
     [ $code -le 2 ] || died=$((died + 1))
     [ ! -e a.h5 ] || "$OVERROLL" info a.h5 >log 2>&1 ||
-        grep -q 'last write was cut' log ||
+        grep -q 'last write was interrupted' log ||
         fail "run: allocation $k: a file that cannot be read: $(cat log)"
 done
 echo "$all allocations: run; of $tried that failed $died ended it inside HDF5"

@@ -20,11 +20,12 @@ static const ovr_word flat[] = {{"flat", INFINITY}, {NULL, 0}};
 
 static const ovr_parameter contact_keys[] = {
     {"M", PLAIN(OVR_M_MIN, OVR_M_MAX), NULL, AT(contact.M), true, ALWAYS,
-     "Moes load parameter W/sqrt(2U)"},
+     "Moes' load number W/sqrt(2U)"},
     {"L", PLAIN(0, OVR_L_MAX), NULL, AT(contact.L), true, ALWAYS,
-     "Moes material parameter G (2U)^(1/4); 0: isoviscous, incompressible"},
+     "Moes' lubricant number G (2U)^(1/4); 0: isoviscous, incompressible"},
     {"lambda", PLAIN(1e-12, 1e7), NULL, AT(contact.lambda), true, ALWAYS,
-     "3 pi^2/(8 M^2), with alphabar instead of M and L"},
+     "dimensionless speed parameter 3 pi^2/(8 M^2), with alphabar instead of M "
+     "and L; not the lambda ratio, see Rq_1"},
     {"alphabar", PLAIN(0, 1e5), NULL, AT(contact.alphabar), true, ALWAYS,
      "alpha times the Hertzian pressure, with lambda"},
     {"load", WITH_UNIT(OVR_LOAD, 1e-6, 1e10), NULL, AT(contact.load), true,
@@ -57,13 +58,19 @@ static const ovr_parameter contact_keys[] = {
      "um = (u1 + u2)/2, instead of the two speeds"},
     {"slide_to_roll", WITH_UNIT(OVR_SHARE, -1e3, 1e3), NULL,
      AT(contact.slide_to_roll), true, ALWAYS,
-     "(u1 - u2)/um, may be in %; 0 unless given"},
+     "(u1 - u2)/um, may be in %; default: 0"},
     {"G", PLAIN(1, 1e7), NULL, AT(contact.G), true, ALWAYS,
      "alpha E', with M and L: instead of modulus, for coefficients of "
      "friction"},
+    {"Rq_1", WITH_UNIT(OVR_LENGTH, 0, 1e-3), NULL, AT(Rq[0]), false,
+     "modulus or G or load or [body]",
+     "root mean square roughness of surface 1 that is not on the grid; gives "
+     "the lambda ratio, without other effect"},
+    {"Rq_2", WITH_UNIT(OVR_LENGTH, 0, 1e-3), NULL, AT(Rq[1]), false,
+     "modulus or G or load or [body]", "the same for surface 2"},
     {"bearable_pressure", WITH_UNIT(OVR_PRESSURE, 1, 1e13), "4 GPa",
      AT(bearable), false, ALWAYS,
-     "above it a run is warned of: hardened steel yields there"},
+     "a warning is printed above this pressure; hardened steel yields there"},
     {"scale", CHOICE(scales), "dry", AT(scale), true, "coating.thickness",
      "b, ph, M and L by the dry contact of the bodies with "
      "their layers, or of the substrates alone"},
@@ -71,7 +78,7 @@ static const ovr_parameter contact_keys[] = {
 
 const ovr_section ovr_contact_section = {
     "contact", false, NULL,
-    "the operating conditions: M and L; or lambda and alphabar; or load (or "
+    "operating conditions: M and L, or lambda and alphabar, or load (or "
     "hertz_pressure), radius, modulus, viscosity, alpha and speeds",
     ROWS(contact_keys)};
 
@@ -96,8 +103,8 @@ static const ovr_parameter body_keys[] = {
      "with heat; of its material, else of steel"},
     {"yield", STRESS(no_yield, 0, 1e4), NULL, offsetof(ovr_body_form, yield),
      false, "[stress]",
-     "von Mises stress at which plastic strain begins: largest stresses are "
-     "told over it; of its material, else none"},
+     "yield stress (von Mises), also a reference of stresses; default: that "
+     "of the material, otherwise none"},
     {"radius", OVR_NUMBER, OVR_LENGTH, OVR_NOT_HERTZIAN, -1e4, 1e4, false,
      .words = flat, NULL, offsetof(ovr_body_form, radius), true, ALWAYS,
      "radius at the contact, negative where it is concave, or flat; both "

@@ -38,36 +38,36 @@ static const ovr_word auto_zero[] = {{"auto", 0}, {NULL, 0}};
 static const ovr_parameter domain_keys[] = {
     {"inlet", LENGTH_OR(ends, -1e6, -1.05), "usual", AT(options.inlet), true,
      ALWAYS,
-     "X of the first node; usual: -4, or farther out where that would cost "
-     "more than 0.5 % of the central film, or 5e-4 of those that load, speed "
-     "and radius make in time; auto: where it costs 1e-4"},
+     "X of the first node; usual: -4, or further upstream if the central film "
+     "thickness would be more than 0.5 % too low (5e-4 if load, speed or "
+     "radius vary in time); auto: at an error of 1e-4"},
     {"outlet", LENGTH_OR(ends, 1.05, 1e6), "usual", AT(options.outlet), true,
      ALWAYS,
-     "X of the last node; usual: 1.5, of the largest load and radius in run "
-     "and passes, or where the film ends later, and up to 4.5 where they jump; "
-     "auto: twice where a rigid film ends, if that is farther"},
+     "X of the last node; usual: 1.5 at the largest load and radius of the run "
+     "and its passes, or further downstream where the film ends later, and up "
+     "to 4.5 if load or radius jump; auto: twice the film end of rigid bodies, "
+     "if that is further"},
     {"level", WHOLE_OR(levels, 1, OVR_LEVELS - 1), "usual", AT(options.level),
      true, ALWAYS,
-     "finest grid: 7 2^level + 1 nodes; usual: 8 of a steady contact (9 to 12 "
-     "above M = 700, where the inlet asks for it), in time "
-     "and with [boundary] the first on which central and smallest film and "
-     "friction are expected "
-     "to be right to 1e-3, 8 at most; auto: the first that brings accuracy_of "
-     "to accuracy, 14 at most, of which the films are confirmed after the run"},
+     "finest grid: 7 2^level + 1 nodes; usual: 8 for a steady contact (9 to 12 "
+     "above M = 700, as the inlet needs); in time and with [boundary] the "
+     "first level with an expected error of 1e-3 in central and minimum film "
+     "thickness and friction, 8 at most; auto: the first level at which "
+     "accuracy_of reaches accuracy, 14 at most, confirmed after the run"},
     {"accuracy", PLAIN(1e-9, 0.5), "1e-3", AT(accuracy), true, "level = auto",
-     "relative error of discretization, the target"},
+     "target of the relative discretization error"},
     {"accuracy_of", CHOICE(accuracies), "all", AT(accuracy_of), true,
      "level = auto",
-     "of the central film, of the smallest, of both and the friction, or of "
-     "what the features do to the film"},
+     "quantity of the target: central film thickness, minimum film thickness, "
+     "both and friction, or the effect of the features on the film thickness"},
     {"nodes", WHOLE(15, (7 << (OVR_LEVELS - 1)) + 1), NULL, AT(nodes), true,
      ALWAYS, "instead of level: 7 2^k + 1"},
     {"order", CHOICE(orders), "auto", AT(options.order), true, ALWAYS,
-     "of the steady solution and of a run: 4 corrects film, Poiseuille flow "
-     "and wedge on the finest grid, anew after each step along the "
-     "characteristic (with upstream2 a run keeps those of its start, while "
-     "load, speed and radius are constant and cavitation is not "
-     "mass-conserving); auto: 4 where it applies"},
+     "order of the discretization: 4 corrects film thickness, Poiseuille flow "
+     "and wedge term on the finest grid, again after each step along the "
+     "characteristic (with upstream2 a run keeps the corrections of its start, "
+     "for constant load, speed and radius and without mass-conserving "
+     "cavitation); auto: 4 where it applies"},
     {"faces", CHOICE(faces), "logarithmic", AT(options.faces), true, ALWAYS,
      "mean of rho H^3/eta between two nodes: harmonic in H^3, and of 1/eta "
      "logarithmic, exact for a viscosity exponential in pressure, or "
@@ -75,11 +75,12 @@ static const ovr_parameter domain_keys[] = {
      "less accurate); arithmetic in the whole, as in the paper, which leaks "
      "through constrictions narrower than the mesh size"},
     {"refine", CHOICE(refines), "none", AT(options.refine), true, ALWAYS,
-     "spike: patches of ever finer mesh about the pressure spike, the first "
-     "three to behind the rupture of the film; of steady contacts only"},
+     "spike: nested patches of finer grids around the pressure spike, the "
+     "first three extending downstream of film rupture; steady contacts only"},
     {"refine_level", WHOLE(OVR_MIN_REFINED + 1, OVR_MAX_REFINED), NULL,
      AT(options.refine_level), true, "refine = spike",
-     "of the finest patch; else as many as refine_change takes"},
+     "level of the finest patch; default: as many patches as refine_change "
+     "needs"},
     {"refine_change", PLAIN(1e-9, OVR_REFINE_CHANGE_MAX), "1e-3",
      AT(options.refine_change), true, "refine = spike; no refine_level",
      "patches until two levels running change the spike's height by less"},
@@ -137,7 +138,7 @@ static const ovr_parameter paper_keys[] = {
      "order of the transfers in the deformation integrals, even"},
     {"mlmi_range", WHOLE_OR(auto_zero, OVR_RANGE_MIN, OVR_RANGE_MAX), "auto",
      AT(options.mlmi_range), true, ALWAYS,
-     "corrections within so many meshes of the singularity"},
+     "local corrections within this number of mesh sizes of the singularity"},
 };
 
 const ovr_section ovr_paper_section = {

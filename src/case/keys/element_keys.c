@@ -33,11 +33,11 @@ static const ovr_parameter gear_keys[] = {
      GEAR(helix_angle), true, "teeth_1",
      "helix angle on the reference cylinder; 0 deg: spur gears"},
     {"shift_1", PLAIN(-2, 2), NULL, GEAR(shift_1), true, ALWAYS,
-     "profile shift of gear 1 in modules; 0, or what the centre distance and "
-     "shift_2 leave"},
+     "profile shift coefficient of gear 1; default: 0, or the value that "
+     "follows from the centre distance and shift_2"},
     {"shift_2", PLAIN(-2, 2), NULL, GEAR(shift_2), true, ALWAYS,
-     "profile shift of gear 2 in modules; 0, or what the centre distance and "
-     "shift_1 leave"},
+     "profile shift coefficient of gear 2; default: 0, or the value that "
+     "follows from the centre distance and shift_1"},
     {"centre", OF_LENGTH(1e-5, 1e3), NULL, GEAR(centre), true, ALWAYS,
      "centre distance; left out: without backlash by the shifts"},
     {"addendum", PLAIN(0.1, 3), "1", GEAR(addendum), true, "teeth_1",
@@ -49,7 +49,8 @@ static const ovr_parameter gear_keys[] = {
     {"face", OF_LENGTH(1e-6, 1e2), NULL, GEAR(face), true, ALWAYS,
      "common width of the teeth"},
     {"speed", TURNING, NULL, GEAR(speed), true, ALWAYS,
-     "of gear 1; its sign does not count, for +x is where the surfaces go"},
+     "speed of gear 1; the sign is ignored, because +x is the direction of "
+     "motion of the surfaces"},
     {"driving", WHOLE(1, 2), "1", GEAR(driving), true, "teeth_1",
      "the gear that drives: gear 1 goes from its departure to its tip, gear 2 "
      "the "
@@ -116,7 +117,7 @@ static const ovr_parameter cam_keys[] = {
     {"face", OF_LENGTH(1e-6, 1e2), NULL, CAM(face), true, ALWAYS,
      "width of the contact"},
     {"speed", WITH_UNIT(OVR_ROTATION, 1e-9, 1e6), NULL, CAM(speed), true,
-     ALWAYS, "of the cam, which is surface 1"},
+     ALWAYS, "speed of the cam (surface 1)"},
     {"law", CHOICE(laws), "4567", AT(element.law), true, "base_radius",
      "of the lift: polynomials 4-5-6-7 or 3-4-5, cycloidal, harmonic, or a "
      "table"},
@@ -190,8 +191,8 @@ static const ovr_parameter bearing_keys[] = {
      "rollers", "(u1 - u2)/um; the raceway's speed is kept"},
     {"position", CHOICE(positions), "roller", AT(element.position), true,
      "rollers",
-     "what stands below the load: a roller, a gap, or a roller at an "
-     "angle"},
+     "position of the rollers relative to the load direction: a roller, a gap, "
+     "or a roller at an angle"},
     {"angle", OF_ANGLE(DEGREES(-360), DEGREES(360)), "0 deg", BEARING(angle),
      true, "position = angle; rollers", "where that roller stands"},
     {"passes", CHOICE(passes), "none", AT(element.passes), true, "rollers",

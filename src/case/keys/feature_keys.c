@@ -40,9 +40,9 @@ static const ovr_parameter feature_keys[] = {
     {"shape", CHOICE(shapes), NULL, IN_FORM(shape), true, ALWAYS, "what it is"},
     {"start", LENGTH_OR(at_inlet, -1e6, 1e6), NULL, IN_FORM(start), true,
      ALWAYS,
-     "X of its centre at T = 0 (of a step its edge, of a profile or "
-     "roughness its leading end); inlet, as without any place: just ahead of "
-     "the film, to come in at once"},
+     "X of the centre at T = 0 (of a step its edge, of a profile or roughness "
+     "its leading end); inlet (also the default): just upstream of the film, "
+     "so that the feature enters at once"},
     {"centre", LENGTH(-1e6, 1e6), NULL, IN_FORM(centre), true, ALWAYS,
      "X of its centre at T = 0, profiles included"},
     {"edge", LENGTH(-1e6, 1e6), NULL, IN_FORM(edge), true, ALWAYS,
@@ -88,9 +88,9 @@ static const ovr_parameter feature_keys[] = {
     {"file", PATH, NULL, IN_FEATURE(source.file), true, "shape = profile",
      "file of heights"},
     {"unit_x", TEXT, NULL, IN_FEATURE(source.unit_x), true, "shape = profile",
-     "unit of its lengths where the file does not say it"},
+     "unit of the lengths if the file does not specify it"},
     {"unit_z", TEXT, NULL, IN_FEATURE(source.unit_z), true, "shape = profile",
-     "unit of its heights where the file does not say it"},
+     "unit of the heights if the file does not specify it"},
     {"spacing", SIZE, NULL, IN_FEATURE(source.spacing), true, "shape = profile",
      "distance of samples where the file has heights only"},
     {"column_x", WHOLE(1, 1000), NULL, IN_FEATURE(source.column_x), true,
@@ -132,7 +132,8 @@ static const ovr_parameter feature_keys[] = {
      "neighbours"},
     {"level", CHOICE(levellings), "line", IN_FEATURE(conditioning.level), true,
      "shape = profile",
-     "what is taken off it; ends: the line through its outer tenths"},
+     "form to be removed; ends: the line through the outer tenths of the "
+     "profile"},
     {"degree", WHOLE(0, 12), "2", IN_FEATURE(conditioning.degree), true,
      "shape = profile; level = polynomial", "degree of the polynomial"},
     {"lambda_c", SIZE, NULL, IN_FEATURE(conditioning.lambda_c), true,
@@ -173,5 +174,6 @@ static const ovr_parameter feature_keys[] = {
 
 const ovr_section ovr_feature_section = {
     "feature", true, NULL,
-    "[feature NAME], any number: what is on the smooth surfaces",
+    "[feature NAME], any number: surface features (dents, waves, profiles, "
+    "roughness)",
     ROWS(feature_keys)};

@@ -43,7 +43,7 @@ static const ovr_parameter lubricant_keys[] = {
      AT(contact.viscosity), true, ALWAYS, "at ambient pressure, eta0"},
     {"alpha", WITH_UNIT(OVR_PER_PRESSURE, 0, 1e-5), NULL, AT(contact.alpha),
      true, ALWAYS,
-     "pressure-viscosity index; with M and L 17 1/GPa unless given"},
+     "pressure-viscosity coefficient; default with M and L: 17 1/GPa"},
     {"p0", WITH_UNIT(OVR_PRESSURE, 1e5, 1e11), "198 MPa", AT(oil.p0), true,
      "viscosity_law = roelands", "Roelands' p0"},
     {"z", PLAIN_OR(auto_nan, 1e-3, 2), "auto", AT(oil.z), true,
@@ -129,16 +129,16 @@ static const ovr_parameter lubricant_keys[] = {
      "given"},
     {"S0", PLAIN(0, 10), NULL, AT(oil.S0), true,
      "heat.model = lobatto; viscosity_law = roelands",
-     "Roelands: fall of viscosity with temperature, in heat; by the data "
-     "sheet's "
-     "two viscosities, or 1.1, unless given"},
+     "Roelands' viscosity-temperature index, used by [heat]; default: from the "
+     "two viscosities of the data sheet, otherwise 1.1"},
     {"beta", WITH_UNIT(OVR_PER_KELVIN, 0, 1), NULL, AT(oil.beta), true,
      "heat.model = lobatto",
-     "instead of S0, and for other laws: -d ln eta/dT at p = 0; by the data "
-     "sheet's two viscosities unless given"},
+     "temperature-viscosity coefficient -d ln eta/dT at p = 0, instead of S0 "
+     "and for other laws; default: from the two viscosities of the data sheet"},
 };
 
 const ovr_section ovr_lubricant_section = {
     "lubricant", false, NULL,
-    "how viscosity and density depend on pressure; what the laws need",
+    "viscosity-pressure and density-pressure relations, rheological model, and "
+    "their constants",
     ROWS(lubricant_keys)};

@@ -15,7 +15,7 @@ static const ovr_parameter output_keys[] = {
     {"title", TEXT, NULL, AT(output.title), false, ALWAYS,
      "title in the result file and pictures; else the name of the case file"},
     {"every", WHOLE(1, 1000000000), NULL, AT(every), false, IN_TIME,
-     "store every so many steps"},
+     "store a snapshot every N steps"},
     {"interval", SPAN(NULL, 1e6), NULL, AT(output.interval), false, IN_TIME,
      "store in steps of this time"},
     {"at", LIST(OVR_DURATION, OVR_IN_TIME, 0, 1e6, NULL), NULL, AT(output.at),
@@ -24,7 +24,7 @@ static const ovr_parameter output_keys[] = {
      AT(output.feature_at), false, IN_TIME,
      "store when a feature's centre is at these X"},
     {"fields", WORDS(fields), "pressure, film_thickness, roughness",
-     AT(output.fields), false, ALWAYS, "what a snapshot holds"},
+     AT(output.fields), false, ALWAYS, "fields of a snapshot"},
     {"precision", CHOICE(precisions), "f64", AT(precision), false, ALWAYS,
      "of the stored numbers"},
     {"from", LENGTH(-1e6, 1e6), NULL, AT(output.from), false, ALWAYS,
@@ -41,4 +41,5 @@ static const ovr_parameter output_keys[] = {
 };
 
 const ovr_section ovr_output_section = {
-    "output", false, NULL, "what is stored, where and when", ROWS(output_keys)};
+    "output", false, NULL, "contents, place and times of the stored results",
+    ROWS(output_keys)};

@@ -22,7 +22,7 @@ static const ovr_parameter passes_keys[] = {
      "one that a flooded contact leaves; some 2 to 5 for point contacts"},
     {"replenish", HEIGHT, "0", AT(passes.replenish), true,
      "number > 1 or roller_bearing.passes",
-     "thickness that comes to each surface between two passes"},
+     "thickness of lubricant added to each surface between two passes"},
     {"spacing", LENGTH(1e-3, 1e9), NULL, AT(passes.spacing), true,
      "number > 1 or roller_bearing.passes; recovery",
      "from one rolling body to the next, along the surfaces"},
@@ -37,8 +37,8 @@ static const ovr_parameter passes_keys[] = {
      "another body of its kind, with the even layer of before the features"},
     {"loads", LIST(OVR_PURE, OVR_NOT_HERTZIAN, 1e-3, 1e3, NULL), NULL,
      AT(passes.loads), true, "number > 1 or roller_bearing.passes",
-     "load of each pass over that of [contact], as many as passes: a load "
-     "zone"},
+     "load of each pass relative to that of [contact], one value per pass "
+     "(load zone)"},
 };
 
 const ovr_section ovr_passes_section = {

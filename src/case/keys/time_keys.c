@@ -57,7 +57,7 @@ const ovr_section ovr_load_section = {
 static const ovr_parameter speed_keys[] = {
     HISTORY(AT(speed), "1", -100, 100, 100, CHANGES " or mean"),
     {"mean", PLAIN(-100, 100), "1", IN_CHANGE(AT(speed), mean), true,
-     "history = sine", "what it swings about; 0: it goes to and fro"},
+     "history = sine", "mean value of the oscillation; 0: the motion reverses"},
 };
 
 const ovr_section ovr_speed_section = {
@@ -70,18 +70,17 @@ static const ovr_parameter sliding_keys[] = {
 
 const ovr_section ovr_sliding_section = {
     "sliding", false, NULL,
-    "(u1 - u2)/um against time, over the nominal um, any sign; from and to "
-    "are "
-    "slide_to_roll unless given",
+    "sliding speed (u1 - u2)/um against time, relative to the reference um, of "
+    "any sign; from and to default to slide_to_roll",
     ROWS(sliding_keys)};
 
 static const ovr_parameter radius_keys[] = {
     HISTORY(AT(radius), "1", 0.01, 100, 0.99, CHANGES),
     {"curvature", CHOICE(curvatures), "auto", AT(curvature), true,
      "history = ramp | sine | step | table",
-     "imposed, or rides: convected with the material that comes by, as on "
-     "gear teeth and cams; auto: rides where the surfaces move fast enough "
-     "for it and it changes smoothly"},
+     "imposed; or rides: convected with the material, as on gear teeth and "
+     "cams; auto: rides if the surfaces are fast enough and the radius changes "
+     "smoothly"},
 };
 
 const ovr_section ovr_radius_section = {

@@ -99,11 +99,11 @@ static const ovr_parameter keys[] = {
      true, "[stress]", "and across"},
     {"yield", STRESS(no_yield, 0, 1e4), "none", offsetof(coat, yield), false,
      "[stress]",
-     "von Mises stress that the layer bears; its share that is used is told"},
+     "yield stress (von Mises) of the layer; the utilization is reported"},
     {"limit_pressure", STRESS(no_yield, 0, 1e3), "none", offsetof(coat, limit),
      false, "[fatigue]",
-     "Hertz pressure of a smooth contact below which amplitudes do no harm to "
-     "the layer; the share of it that is used is told"},
+     "fatigue limit, as maximum Hertzian pressure of a smooth contact to the "
+     "layer; the share of it that is used is told"},
     {"interface_strength", STRESS(no_yield, 0, 1e4), "none",
      offsetof(coat, strength), false, "[stress]",
      "shear stress that the interface below the layer bears; the same"},
@@ -295,10 +295,11 @@ static ovr_status warm(const ovr_physics_case *of, coating_form *f,
             const char *name = name_of(k, j);
             if (isnan(of_layer->conductivity) || isnan(of_layer->density) ||
                 isnan(of_layer->heat_capacity))
-                return ovr_fail_about(err, name,
-                                      "[coating %s] needs conductivity, "
-                                      "heat_capacity and density beside [heat]",
-                                      name);
+                return ovr_fail_about(
+                    err, name,
+                    "[coating %s] needs conductivity, heat_capacity and "
+                    "density, because [heat] is on",
+                    name);
             all[j] = *of_layer;
             thickness[j] = f->coat[k][j].thickness * of->contact->b;
         }
@@ -375,9 +376,9 @@ static ovr_status resolve(const ovr_physics_case *of, void *form, bool *on,
         return OVR_BAD_INPUT;
     if (f->width > WIDTH_MAX)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "[coating]: the contact is %.3g times as wide as that "
-                        "of the substrates, by which [contact] scale = "
-                        "substrate measures it: scale = dry does",
+                        "[coating]: contact.scale = substrate is not suitable, "
+                        "because the contact is %.3g times as wide as that of "
+                        "the substrates; set contact.scale = dry",
                         f->width);
     if (of->contact->kappa / 4 > STRAIN_MAX)
         return ovr_fail(err, OVR_BAD_INPUT,
@@ -441,7 +442,7 @@ static void tell(const ovr_physics_case *of, const void *form,
              "E' %.4g GPa, of the substrates %.4g GPa; images to %.1g",
              of->contact->modulus / 1e9, of->substrate / 1e9, f->images.error);
     line(data, "layered contact", text);
-    snprintf(text, sizeof text, "half width %.4g b, largest pressure %.4g ph",
+    snprintf(text, sizeof text, "half-width %.4g b, maximum pressure %.4g p_h",
              f->width, f->pressure);
     line(data, "dry, with its layers", text);
 }
@@ -516,8 +517,8 @@ static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
     if (!of || !(of->strain > small))
         return;
     ovr_warn(say, data,
-             "a layer is strained by some %.2g: what is calculated holds for "
-             "small strains",
+             "strain of a layer reaches about %.2g; the model holds for small "
+             "strains only",
              of->strain);
 }
 

@@ -27,8 +27,8 @@ static const ovr_parameter keys[] = {
      AT(given.temperature), true,
      "model = lobatto or lubricant.viscosity_40 or lubricant.iso_vg or "
      "lubricant.viscosity_law = yasutomi",
-     "of the supplied oil, at which viscosity and alpha are given, and of the "
-     "bodies; or temperature in [lubricant]"},
+     "temperature of the supplied lubricant, for which viscosity and alpha are "
+     "given, and of the bodies; or temperature in [lubricant]"},
     {"temperature_1", WITH_UNIT(OVR_TEMPERATURE, 150, 800), NULL,
      AT(given.bulk[0]), true, "model = lobatto",
      "of body 1 far from the contact"},
@@ -43,8 +43,8 @@ static const ovr_parameter keys[] = {
      AT(given.oil.density), true, "model = lobatto", "of the oil at p = 0"},
     {"expansion", WITH_UNIT(OVR_PER_KELVIN, 0, 0.1), "6.5e-4 1/K",
      AT(given.expansion), true, "model = lobatto",
-     "of the oil by volume at p = 0, less under pressure: heats it where it is "
-     "compressed; of an incompressible oil none"},
+     "thermal expansion coefficient of the lubricant at p = 0, decreasing with "
+     "pressure (compressive heating); none for an incompressible lubricant"},
     {"density_expansion", FLAG, "yes", AT(given.density_expands), true,
      "model = lobatto", "no: density is that at the supply's temperature"},
 };

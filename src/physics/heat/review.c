@@ -67,9 +67,9 @@ static void review_speed(const ovr_setup *s, int k, ovr_listener *listener,
                  k + 1, when, reach * second, 1e-4 / kappa);
     else
         ovr_warn(listener, data,
-                 "heat: surface %d has the Peclet number %.3g%s: it takes "
-                 "%.3g s until its temperature is steady, of which it "
-                 "remembers %.3g s; below 0.05 it comes out too cold",
+                 "heat: surface %d is computed too cold below a Peclet number "
+                 "of 0.05; it has %.3g%s: its temperature needs %.3g s to "
+                 "become steady, and %.3g s are modelled",
                  k + 1, slow.Pe, when,
                  20 * kappa / pow(slow.u * s->contact->um, 2), reach * second);
 }

@@ -46,14 +46,15 @@ static const char summits[] = "law = greenwood-tripp";
 
 static const ovr_parameter keys[] = {
     {"law", CHOICE(laws), NULL, offsetof(ovr_boundary_form, law), true, ALWAYS,
-     "what surfaces bear where they touch, by their mean gap: profile, of the "
-     "features that are profiles or roughness, pressed together dry; "
-     "exponential, of Rq and slope; greenwood-tripp, of summits; a table; each "
-     "with a layer beside it; or a layer alone"},
+     "asperity contact model (pressure against mean gap): profile, computed "
+     "from features of type profile or roughness in dry contact; exponential, "
+     "from Rq and slope; greenwood-tripp, from summits and sharpness; table; "
+     "each also with a boundary layer; or layer only"},
     {"of", CHOICE(of_what), "all", offsetof(ovr_boundary_form, unresolved),
      true, "law; of = unresolved => [feature]",
-     "all: of all roughness, none of which is on the mesh, so that H is the "
-     "mean film; unresolved: of what is finer than the roughness on the mesh"},
+     "all: the model describes all roughness, none is on the grid, and H is "
+     "the mean film thickness; unresolved: the model describes only roughness "
+     "finer than the grid"},
     {"flow_factor", CHOICE(factors), "none",
      offsetof(ovr_boundary_form, ridges), true, "law; of = all",
      "how rough surfaces change what a pressure gradient drives through their "
@@ -75,7 +76,7 @@ static const ovr_parameter keys[] = {
      "layer > 0", "film over which that falls by e; 0: a third of it"},
     {"friction", PLAIN_OR(none, 0, 2), "none",
      offsetof(ovr_boundary_form, friction), true, "law",
-     "friction of what touches over the pressure it bears"},
+     "boundary friction coefficient"},
     {"summits", PLAIN(0, 1), "0.05", offsetof(ovr_boundary_form, summits), true,
      summits,
      "summits an area times their radius times Rq, n beta sigma: measured "
@@ -86,19 +87,19 @@ static const ovr_parameter keys[] = {
     {"wear_1", OVR_NUMBER, OVR_PER_PRESSURE, OVR_NOT_HERTZIAN, 0, 1, false,
      .words = no_wear, "none", offsetof(ovr_boundary_form, wear[0]), true,
      by_profile,
-     "what surface 1 wears, volume over load and way of sliding, like 1e-8 "
-     "mm3/Nm (mild)"},
+     "wear coefficient of surface 1: volume per load and sliding distance, for "
+     "example 1e-8 mm3/Nm (mild)"},
     {"wear_2", OVR_NUMBER, OVR_PER_PRESSURE, OVR_NOT_HERTZIAN, 0, 1, false,
      .words = no_wear, "none", offsetof(ovr_boundary_form, wear[1]), true,
-     by_profile, "what surface 2 wears"},
+     by_profile, "wear coefficient of surface 2"},
     {"passes", PLAIN(0, 1e15), "0", offsetof(ovr_boundary_form, passes), true,
      by_profile,
-     "running-in: so often both surfaces roll through the contact, which stays "
-     "as it is, and wear; 0: never"},
+     "running-in: number of passes of both surfaces, at constant operating "
+     "conditions, with wear; 0: no wear"},
     {"jump", PLAIN_OR(auto_zero, 0, 1e15), "auto",
      offsetof(ovr_boundary_form, jump), true, "passes > 0",
-     "how many passes one that is calculated stands for; auto: so many that no "
-     "place wears by more than 2 % of Rq"},
+     "number of passes represented by each computed pass (cycle jump); auto: "
+     "at most 2 % of Rq wears off anywhere"},
     {"settled", PLAIN(0, 1), "0", offsetof(ovr_boundary_form, settled), true,
      "passes > 0",
      "a jump that changes the contact share by less than this part of it is "
@@ -110,7 +111,7 @@ static const ovr_parameter keys[] = {
 const ovr_section ovr_boundary_section = {
     .name = "boundary",
     .on = "law",
-    .help = "mixed lubrication: surfaces that touch through their film",
+    .help = "mixed lubrication: asperities carry part of the load",
     ROWS(keys)};
 
 /* Takes the roughness that the law is given by. */
@@ -200,8 +201,8 @@ static ovr_status resolve_table(const ovr_physics_case *of,
                               "law = table needs a file of gaps and pressures");
     if (!(of->contact->height > 0 && of->contact->ph > 0))
         return ovr_fail_about(err, "file",
-                              "a table in metres and pascals needs a physical "
-                              "contact: radius and modulus beside alpha");
+                              "a table in metres and pascals needs a contact "
+                              "with dimensions; set radius, modulus and alpha");
     if (of->read(of->data, "file", f->file, &c, err))
         return err->status;
     return take_points(of, &c, f, err);
@@ -317,13 +318,12 @@ static ovr_status resolve_wear(const ovr_physics_case *of,
                                     "wear needs passes, like passes = 1e6")
                    : OVR_OK;
     if (f->unresolved)
-        return ovr_fail_about(
-            err, "passes",
-            "running-in needs all of the roughness in the law: of = all");
+        return ovr_fail_about(err, "passes",
+                              "running-in requires boundary.of = all");
     if (!(of->contact->ph > 0 && of->contact->kappa > 0))
         return ovr_fail_about(err, "passes",
-                              "wear needs a physical contact: radius and "
-                              "modulus beside alpha");
+                              "wear needs a contact with dimensions; set "
+                              "radius, modulus and alpha");
     for (int k = 0; k < 2; k++)
         if (f->wear[k] > 0 && !(fabs(u[k]) > 1e-9))
             return ovr_fail_about(
@@ -487,9 +487,9 @@ ovr_status ovr_boundary_resolve(const ovr_physics_case *of, void *form,
         of->lubricant->rheology == OVR_NEWTONIAN)
         return ovr_fail_about(
             err, "law",
-            "surfaces that touch at ph = %.2g GPa and slide by %.2g of the "
-            "mean speed need an oil that shears thin: [lubricant] rheology = "
-            "eyring does",
+            "asperity contact at p_h = %.2g GPa with a sliding speed of %.2g "
+            "u_m needs a shear-thinning lubricant; set lubricant.rheology = "
+            "eyring",
             of->contact->ph / 1e9, V);
     if (resolve_factor(of, f, err) || resolve_wear(of, f, err))
         return OVR_BAD_INPUT;
@@ -514,10 +514,11 @@ ovr_status ovr_boundary_on_mesh(const ovr_physics_case *of, void *form,
     if (ovr_rough_pair_law(&f->pair, &f->bears.table, of->arena, err)) {
         f->bears.table.n = 0;
         if (!(f->layer > 0))
-            return ovr_fail_about(err, "of",
-                                  "the mesh has all of the profiles: give "
-                                  "layer for what bears where oil is gone, or "
-                                  "take a coarser level");
+            return ovr_fail_about(
+                err, "of",
+                "the grid resolves the profiles completely, so that no "
+                "asperities are left for [boundary]; set boundary.layer or use "
+                "a lower level");
     }
     f->Rq = f->pair.Rq;
     f->slope = f->pair.slope * of->contact->kappa;
@@ -637,13 +638,13 @@ static void tell_wear(const ovr_boundary_form *f, ovr_physics_line *line,
     char text[160];
     if (f->jump > 0)
         snprintf(text, sizeof text,
-                 "%.4g passes in jumps of %.4g; each finds the profiles' law "
-                 "anew, for about a second",
+                 "%.4g passes in jumps of %.4g; each recomputes the contact "
+                 "model of the profiles, in about a second",
                  f->passes, f->jump);
     else
         snprintf(text, sizeof text,
-                 "%.4g passes in jumps by at most 2 %% of Rq; each finds the "
-                 "profiles' law anew, for about a second",
+                 "%.4g passes in jumps of at most 2 %% of Rq; each recomputes "
+                 "the contact model of the profiles, in about a second",
                  f->passes);
     line(data, "running-in", text);
 }

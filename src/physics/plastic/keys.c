@@ -64,8 +64,8 @@ static const ovr_parameter plastic_keys[] = {
      "STEM: the profile as it came and as it is left, in STEM-before.csv and "
      "STEM-after.csv, which [feature] shape = profile reads"},
     {"elastic", FLAG, "no", AT(elastic), true, "[plastic]",
-     "one pass more, before the others, in which nothing yields: the report "
-     "has its equivalent length and life beside those of the last"},
+     "an additional first pass without plastic deformation; the report "
+     "compares its equivalent length and life with those of the last pass"},
     {"anyway", FLAG, "no", AT(anyway), false, "[plastic]",
      "go on where the smooth contact never shakes down"},
 };
@@ -127,9 +127,8 @@ static ovr_status resolve_law(const ovr_physics_case *of, ovr_plastic_setup *p,
     if (isnan(body->strain) && h->law != OVR_HARDENS_NOT)
         return ovr_fail_about(
             err, "plastic.hardening",
-            "hardening: hardening goes by the strain, which needs b/R: a "
-            "modulus in [contact] or [body N] gives it, "
-            "hardening = none does without");
+            "hardening: depends on the strain, which needs b/R; set a modulus "
+            "in [contact] or [body N], or hardening = none");
     h->yield = p->yield;
     if (h->law == OVR_HARDENS_SWIFT) {
         double slope;
@@ -178,17 +177,16 @@ static ovr_status check_limit(const ovr_plastic_setup *p, int k, ovr_error *err)
     if (limit < 1)
         return ovr_fail_about(
             err, "plastic.yield",
-            "yield: Y = %.4g ph: ph is above the shakedown limit of "
-            "the smooth contact, %.4g ph, and surface %d "
-            "flows at every pass; anyway = yes goes on",
+            "yield: Y = %.4g ph: p_h exceeds the shakedown limit of the smooth "
+            "contact, %.4g ph, so that surface %d deforms plastically in every "
+            "pass; set plastic.anyway = yes to continue",
             Y, limit, k + 1);
     if (p->hardening == OVR_HARDENS_NOT && close * limit < 1)
         return ovr_fail_about(
             err, "plastic.hardening",
-            "hardening: none: without hardening a contact at %.2g of its "
-            "shakedown limit comes to rest too slowly to be "
-            "calculated; hardening = linear with modulus of "
-            "a hundredth of the elastic one, or anyway = yes",
+            "hardening: none: a contact at %.2g of its shakedown limit shakes "
+            "down too slowly without hardening; set hardening = linear with "
+            "modulus = 1 %% of Young's modulus, or anyway = yes",
             1 / limit);
     return OVR_OK;
 }

@@ -446,29 +446,26 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
 }
 
 static const ovr_observable quantities[] = {
-    OVR_NUMBER_ROW("plastic_strain", "plastic_strain", NULL, NUMBER,
-                   plastic_strain, OVR_PHYSICS_PLASTIC,
-                   "largest plastic strain of the material",
-                   LABEL("plastic strain"), LARGEST("plastic_strain_max"),
-                   EXTREME_LABEL("largest plastic strain"), PASS(END),
-                   PASS_HEAD(10, "strain"), PASS_WITH(PLASTIC)),
-    OVR_NUMBER_ROW("profile_change", "profile_change", "profile_change_m",
-                   HEIGHT, profile_change, OVR_PHYSICS_PLASTIC,
-                   "how far the profile was pressed down for good, at most",
-                   LABEL("profile change"), LARGEST("profile_change_max"),
-                   EXTREME_LABEL("largest profile change"), PASS(END),
-                   PASS_HEAD(8, "change"), PASS_WITH(PLASTIC)),
+    OVR_NUMBER_ROW(
+        "plastic_strain", "plastic_strain", NULL, NUMBER, plastic_strain,
+        OVR_PHYSICS_PLASTIC, "maximum plastic strain", LABEL("plastic strain"),
+        LARGEST("plastic_strain_max"), EXTREME_LABEL("maximum plastic strain"),
+        PASS(END), PASS_HEAD(10, "strain"), PASS_WITH(PLASTIC)),
+    OVR_NUMBER_ROW(
+        "profile_change", "profile_change", "profile_change_m", HEIGHT,
+        profile_change, OVR_PHYSICS_PLASTIC, "maximum profile change",
+        COMMENT("permanent depression of the profile"), LABEL("profile change"),
+        LARGEST("profile_change_max"), EXTREME_LABEL("maximum profile change"),
+        PASS(END), PASS_HEAD(8, "change"), PASS_WITH(PLASTIC)),
     OVR_NUMBER_ROW("shoulder_height_leading", "shoulder_height_leading",
                    "shoulder_height_leading_m", HEIGHT, shoulder_leading,
-                   OVR_PHYSICS_PLASTIC,
-                   "highest point of the profile before the feature's middle",
-                   LABEL("leading shoulder"), PASS(END),
+                   OVR_PHYSICS_PLASTIC, "leading rim height",
+                   LABEL("leading rim height"), PASS(END),
                    PASS_HEAD(7, "leading"), PASS_WITH(PLASTIC)),
     OVR_NUMBER_ROW("shoulder_height_trailing", "shoulder_height_trailing",
                    "shoulder_height_trailing_m", HEIGHT, shoulder_trailing,
-                   OVR_PHYSICS_PLASTIC,
-                   "highest point of the profile behind the feature's middle",
-                   LABEL("trailing shoulder"), PASS(END),
+                   OVR_PHYSICS_PLASTIC, "trailing rim height",
+                   LABEL("trailing rim height"), PASS(END),
                    PASS_HEAD(9, "trailing"), PASS_WITH(PLASTIC))};
 
 static void review(const ovr_simulation *sim, const void *own,
@@ -483,9 +480,9 @@ static void review(const ovr_simulation *sim, const void *own,
         double maximum = ovr_plastic_max(p, &p->body[k]);
         if (!isnan(p->how->body[k].strain) && maximum > small) {
             snprintf(text, sizeof text,
-                     "plastic strain of surface %d reaches %.2g %%, the model "
-                     "is of small strains: shoulder heights are trusted, the "
-                     "strain itself is not",
+                     "plastic strain of surface %d reaches %.2g %%, beyond the "
+                     "small-strain model; rim heights remain valid, the strain "
+                     "itself does not",
                      k + 1, 100 * maximum);
             say(data, true, text);
         }

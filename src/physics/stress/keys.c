@@ -45,9 +45,8 @@ static const ovr_parameter stress_keys[] = {
      "below which surface; 1 where the section is there and says nothing"},
     {"depth_min", LENGTH_OR(auto_zero, 1e-9, 1e3), "auto", AT(depth_min), true,
      ALWAYS,
-     "least depth of the history of the material; auto: 4 mesh sizes, of "
-     "steady "
-     "contacts at most half the outer layer"},
+     "minimum depth of the stress history; auto: 4 D, in steady contacts "
+     "at most half the outer layer"},
     {"depth_max", LENGTH(1e-6, 1e3), "2.5", AT(depth_max), true, ALWAYS,
      "largest depth"},
     {"depths_per_octave", PLAIN(1, 100), "5", AT(per_octave), true, ALWAYS,
@@ -61,21 +60,22 @@ static const ovr_parameter stress_keys[] = {
      "material whose history is kept, FROM, TO about the first feature's "
      "centre; feature: 2 b beyond the features of the surface"},
     {"traction", CHOICE(tractions), "auto", AT(loads), true, ALWAYS,
-     "the film's shear stress as a load on the surface beside the pressure; "
-     "auto: with a flow law or limiting_shear, where b/R is known"},
+     "shear stress of the film as a surface load in addition to the pressure; "
+     "auto: with a rheological model or limiting_shear, if b/R is known"},
 };
 
 static const ovr_parameter fatigue_keys[] = {
     {"criterion", CHOICE(criteria), "circle", AT(criterion), false, ALWAYS,
-     "amplitude that does harm: radius of the smallest circle round the path "
-     "of the shear stress, half range of the orthogonal shear stress, that on "
-     "the worst plane, Dang Van's with one line, or static maxima"},
+     "amplitude of the fatigue criterion: radius of the minimum circumscribed "
+     "circle of the shear stress path, half range of the orthogonal shear "
+     "stress, half range on the critical plane, Dang Van's criterion with one "
+     "line, or static maxima"},
     {"alpha", PLAIN(0, 1), "0.3", AT(alpha), false,
      "criterion = circle | dang-van",
      "of the hydrostatic stress; circle: in tension only"},
     {"limit_pressure", STRESS(no_limit, 0, 1e9), "1.5 GPa", AT(limit_pressure),
      false, ALWAYS,
-     "Hertz pressure of a smooth contact below which amplitudes do no harm"},
+     "fatigue limit, as maximum Hertzian pressure of a smooth contact"},
     {"limit_table", PATH, NULL, AT(limit_table), true, ALWAYS,
      "file of depth and limiting amplitude, of hardened bodies, instead of "
      "limit_pressure; its first line names the units, 'depth [um], limit "
@@ -88,7 +88,7 @@ static const ovr_parameter fatigue_keys[] = {
      false, ALWAYS, "e, Weibull slope"},
     {"least_depth", LENGTH_OR(auto_zero, 1e-9, 1e3), "auto",
      AT(life.least_depth), true, ALWAYS,
-     "from which risk and largest values are counted; auto: 8 meshes"},
+     "minimum depth for risk and maxima; auto: 8 D"},
     {"raceway", OVR_NUMBER, OVR_LENGTH, OVR_IN_B, 0, 1e9, false, .words = NULL,
      "0", AT(raceway), false, ALWAYS,
      "length of the raceway, for a ratio of lives; 0: none is given; left out "
@@ -114,7 +114,7 @@ const ovr_section ovr_stress_sections[2] = {
      ROWS(stress_keys)},
     {.name = "fatigue",
      .whole = true,
-     .help = "what they do to the material; needs [stress]",
+     .help = "fatigue of the material; needs [stress]",
      ROWS(fatigue_keys)}};
 
 ovr_status ovr_window_resolve(const ovr_list *window, const char *about,

@@ -216,18 +216,17 @@ static ovr_status refuse(const ovr_setup *setup, const char *key, double depth,
     double way = plan->coarsest, share = depth / WAY_OF_DEPTH / way;
     double target = floor(share * plan->every + 1e-9);
     if (target >= 1)
-        return ovr_fail_about(err, key,
-                              "%s = %g: the moments are %g b of way apart, "
-                              "which tells of depths from %.3g only; every = "
-                              "%.0f would do",
-                              key, depth, way, WAY_OF_DEPTH * way, target);
-    return ovr_fail_about(err, "step",
-                          "step: %.3g b/um is %.3g b of way, which tells "
-                          "of depths from %.3g b on only, and [%s] %s = %g; a "
-                          "step of %.3g would do",
-                          dT, way, WAY_OF_DEPTH * way,
-                          *key == 'l' ? "fatigue" : "stress", key, depth,
-                          round_down(share * dT * plan->every));
+        return ovr_fail_about(
+            err, key,
+            "%s = %g: the stored times are %g b of travel apart and resolve "
+            "depths from %.3g only; set every = %.0f",
+            key, depth, way, WAY_OF_DEPTH * way, target);
+    return ovr_fail_about(
+        err, "step",
+        "step: %.3g b/um is %.3g b of travel, which resolves depths from %.3g "
+        "b only, but [%s] %s = %g; use a step of %.3g",
+        dT, way, WAY_OF_DEPTH * way, *key == 'l' ? "fatigue" : "stress", key,
+        depth, round_down(share * dT * plan->every));
 }
 
 /* Exponents and limits are those of the body, below its layers. */

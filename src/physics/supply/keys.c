@@ -49,7 +49,7 @@ static const ovr_parameter supply_keys[] = {
 };
 
 const ovr_section ovr_supply_sections[2] = {
-    {"cavitation", false, NULL, "what becomes of the film behind its rupture",
+    {"cavitation", false, NULL, "cavitation model downstream of film rupture",
      ROWS(cavitation_keys)},
     {"supply", false, "model",
      "the oil that arrives; its history is relative to the thicknesses",

@@ -418,27 +418,26 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
                    __VA_ARGS__)
 
 static const ovr_observable quantities[] = {
-    OIL("supply", NULL, HEIGHT, supply, "oil that arrives, rho H at the inlet",
-        PASS(MEAN)),
-    OIL("meniscus", "X_meniscus", LENGTH, meniscus,
-        "where the film begins; none: flooded", PASS(MEAN),
-        PASS_HEAD(3, "meniscus")),
+    OIL("supply", NULL, HEIGHT, supply, "lubricant supply",
+        COMMENT("rho h upstream of the inlet"), PASS(MEAN)),
+    OIL("meniscus", "X_meniscus", LENGTH, meniscus, "inlet meniscus position",
+        COMMENT("NaN: fully flooded"), PASS(MEAN), PASS_HEAD(3, "meniscus")),
     OIL("film_ratio", "film_ratio", NUMBER, starvation_factor,
-        "central film over that of the flooded contact under its conditions",
+        "starvation factor",
+        COMMENT("central film thickness relative to the flooded contact"),
         PASS(MEAN)),
-    OIL("supply_ratio", "supply_ratio", NUMBER, inflow_ratio,
-        "oil that arrives over what the flooded contact takes then", PASS(MEAN),
+    OIL("supply_ratio", "supply_ratio", NUMBER, inflow_ratio, "supply ratio",
+        COMMENT("supplied relative to flooded flow rate"), PASS(MEAN),
         PASS_HEAD(4, "supply")),
     OIL("inflow", NULL, FLOW, inflow, "mass flow at the inlet", PASS(MEAN)),
     OIL("outflow", NULL, FLOW, outflow, "mass flow at the outlet", PASS(MEAN)),
-    OIL("oil_inside", NULL, AREA, oil_inside, "oil between inlet and outlet"),
-    OIL("oil_waiting", NULL, AREA, oil_reservoir, "oil in the inlet reservoir",
-        PASS(END)),
-    OIL("cavity_length", NULL, LENGTH, cavity_length,
-        "nodes without pressure between the first and the last with"),
+    OIL("oil_inside", NULL, AREA, oil_inside, "lubricant volume in the domain"),
+    OIL("oil_waiting", NULL, AREA, oil_reservoir,
+        "lubricant volume in the inlet reservoir", PASS(END)),
+    OIL("cavity_length", NULL, LENGTH, cavity_length, "cavity length"),
     OIL("mass_defect", NULL, NUMBER, mass_defect,
-        "inflow - outflow - stored change of the scheme, over the central "
-        "film")};
+        "mass balance error of the scheme",
+        COMMENT("relative to the central film thickness"))};
 
 /* They are fields of each snapshot (observables.h). */
 static const char *fields(const void *form)
