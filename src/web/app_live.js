@@ -53,6 +53,7 @@ function redraw() {
   asked = true;
   requestAnimationFrame(() => {
     asked = false;
+    if (!view.plot.clientWidth) return; // the player is shown
     drawRun(view);
     const run = view.run, u = unitsOf(run);
     if (!state.pointed) {
@@ -135,7 +136,8 @@ function moesFilm(M, L) {
 
 function drawMoes() {
   const n = shown && shown.numbers;
-  if (!n || !n.M || !(n.L >= 0) || !n.H_cen) return;
+  if (!n || !n.M || !(n.L >= 0) || !n.H_cen ||
+      !byId("moes").clientWidth) return;
   const { c, width, height } = prepare(byId("moes"));
   const lg = Math.log10, at = [n].concat(kept ? [kept.numbers] : [])
     .filter((one_) => one_.M && one_.H_cen)
@@ -369,7 +371,7 @@ async function vary() {
 }
 
 function drawStudy() {
-  if (!curve || curve.points.length < 2) return;
+  if (!curve || curve.points.length < 2 || !byId("study").open) return;
   const canvas = byId("curve");
   canvas.hidden = false;
   canvas.dataset.points = curve.points.length;
