@@ -30,6 +30,7 @@ typedef struct spots {
 typedef struct window {
     const ovr_hierarchy *grids;
     const ovr_kernels *plain; /* in one lane */
+    ovr_fluid fluid;          /* with secants: the pressures are far off */
     const double *k; /* the elastic influence at -REACH..REACH meshes */
     double D;
     row_weights weights;
@@ -151,8 +152,8 @@ static void properties(window *w)
     double film[NODES], none[NODES] = {0};
     memcpy(film, w->gap, sizeof film);
     follow(w, w->change, 0, film);
-    w->plain->film(&w->grids->fluid, 0, &one, film, none, &w->f);
-    ovr_flow_store(w->plain, &w->grids->fluid, w->D, &one, &w->f);
+    w->plain->film(&w->fluid, 0, &one, film, none, &w->f);
+    ovr_flow_store(w->plain, &w->fluid, w->D, &one, &w->f);
 }
 
 static bool is_held(const window *w, ptrdiff_t J, double r)
@@ -255,9 +256,11 @@ static void begin(window *w, const ovr_hierarchy *grids, const ovr_level *level,
     *w = (window){
         .grids = grids,
         .plain = ovr_kernels_choose("plain"),
+        .fluid = grids->fluid,
         .k = kernel + REACH,
         .D = level->grid.D,
         .weights = row_inner(&level->weights, row_kind_of(&level->f))};
+    w->fluid.secants = true;
     for (int d = 0; d <= REACH; d++)
         kernel[REACH - d] = kernel[REACH + d] = ovr_influence_at(
             &grids->influence, d, level->grid.D);

@@ -57,9 +57,8 @@ void ovr_reader_unlock(int lock)
 static ovr_status cut(const ovr_result *r, ovr_error *err)
 {
     return ovr_fail(err, OVR_IO,
-                    "%s: its last write was cut, as the program or the machine "
-                    "was stopped in it; 'overroll resume' goes back to its "
-                    "last checkpoint",
+                    "%s: the last write was interrupted; 'overroll resume' "
+                    "restores the file to its last checkpoint",
                     r->path);
 }
 

@@ -246,7 +246,7 @@ quiet() {
 warns 'more than a third of the 0.635 from A to B' check gear.ini \
     --set gear.blend=0.22
 quiet check gear.ini --set gear.blend=0.21
-warns 'the run ends on its way, which goes to 45.08' check gear.ini \
+warns 'the run ends before the end of contact at 45.08' check gear.ini \
     --set time.end=20
 quiet check gear.ini --set time.end=auto
 {

@@ -95,13 +95,16 @@ expect 0 "$OVERROLL" find dent.ini $asked is 0.05 -v
 contains out '^feature.dent.depth = 0[.0-9]* b.2/R    H_min_overall is 0.0[45]'
 contains out '^feature.dent.depth H_min_overall  order level'
 
-# Several: refused but with the largest or smallest (P_max rises and falls)
+# Several: refused but with the largest or smallest (P_max rises and falls; it
+# stands in a spike that the grid does not resolve, hence the mean is given)
 ask='feature.dent.width between 0.1 and 3 so that P_max_overall'
 # shellcheck disable=SC2086
-expect 2 "$OVERROLL" find dent.ini $ask is 1.8
+expect 2 "$OVERROLL" find dent.ini $ask is 1.8 \
+    --set domain.faces=gap
 contains err 'P_max_overall is 1.8 at [23] places, between .*largest'
 # shellcheck disable=SC2086
-expect 0 "$OVERROLL" find dent.ini largest $ask at least 1.8 --json
+expect 0 "$OVERROLL" find dent.ini largest $ask at least 1.8 --json \
+    --set domain.faces=gap
 awk -v v="$(number value)" -v a="$(number at_value)" \
     'BEGIN { exit !(a >= 1.8 && v > 1.05 && v < 1.6) }' || fail "$(cat out)"
 
@@ -164,7 +167,7 @@ contains err 'go below 0.2'
 # shellcheck disable=SC2086
 expect 2 "$OVERROLL" find dent.ini largest feature.dent.depth between 0.01 \
     and 0.05 so that H_min_overall at least 0.05
-contains err 'holds at 0.05 itself: go beyond'
+contains err 'already holds at 0.05; extend the range'
 asks() { # PATTERN QUESTION...
     pattern=$1
     shift

@@ -12,6 +12,7 @@ L = 10
 [domain]
 level = 6
 inlet = -4
+faces = gap
 [time]
 end = 6.5
 [feature dent]

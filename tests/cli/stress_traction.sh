@@ -97,6 +97,9 @@ import json, sys
 a, b = (json.load(open(n)) for n in sys.argv[1:3])
 for k in ("tau_max", "X_tau_max", "von_mises_max", "R_max", "xi_R_max",
           "equivalent_length"):
+    if a[k] is None:  # no point passes the whole contact
+        assert b[k] is None, k
+        continue
     assert abs(a[k] - b[k]) <= 1e-6 * max(1, abs(a[k])), (k, a[k], b[k])
 END
 expect 0 "$OVERROLL" stress slide.h5 --set stress.traction=no

@@ -12,6 +12,7 @@ L = 10
 [domain]
 inlet = -4
 outlet = 1.5
+faces = gap
 [cavitation]
 model = conserving
 [supply]

@@ -29,6 +29,7 @@ inlet = -4
 outlet = 1.5
 level = 6
 order = 2
+faces = gap
 [feature dent]
 surface = 1
 shape = indent
