@@ -10,8 +10,12 @@
 #include "overroll/elements.h"
 
 /* Levels that are chosen (case/setup.c). */
-enum { OVR_GRID_AUTO = 0, OVR_GRID_USUAL = -1, OVR_USUAL_LEVEL = 8,
-       OVR_USUAL_STRIP = 6 };
+enum {
+    OVR_GRID_AUTO = 0,
+    OVR_GRID_USUAL = -1,
+    OVR_USUAL_LEVEL = 8,
+    OVR_USUAL_STRIP = 6
+};
 
 /* Every value of a feature; the form points to the rest. */
 typedef struct ovr_feature_settings {

@@ -74,7 +74,8 @@ static losses losses_of(double M, double L, double X_a)
     double c = 0.7 * L / (L + 1) * M / (M + 0.6);
     double f = ovr_inlet_integral(H, d, 0) / ovr_inlet_integral(H, 0, 0);
     double carried = 2 * lambda / pi * ovr_inlet_integral(H, d, 1);
-    return (losses){c * f, 0.4 * exp(-L / 3) * carried};
+    double share = 0.4 * exp(-L / 3);
+    return (losses){c * f, share * carried};
 }
 
 double ovr_inlet_loss(double M, double L, double X_a)

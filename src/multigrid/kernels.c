@@ -36,7 +36,9 @@ const ovr_kernels *ovr_kernels_choose(const char *name)
 #endif
         &ovr_kernels_avx2,
 #endif
-        &ovr_kernels_base, &ovr_kernels_plain};
+        &ovr_kernels_base,
+        &ovr_kernels_plain
+    };
     for (size_t k = 0; k < sizeof best_first / sizeof *best_first; k++)
         if (machine_runs(best_first[k]) &&
             (!name || !strcmp(name, best_first[k]->name)))

@@ -121,7 +121,7 @@ struct ovr_simulation {
     ovr_heights_across *across;
     double Y;
     const ovr_present *solver; /* a physics with a solver, or NULL: the line */
-    ovr_heights *standing; /* of what stands still, or NULL */
+    ovr_heights *standing;     /* of what stands still, or NULL */
     void *standing_data;
     bool standing_given;
     const ovr_history *load, *speed, *sliding;

@@ -36,7 +36,9 @@ const ovr_stress_loops *ovr_stress_loops_choose(const char *name)
 #endif
         &ovr_stress_loops_avx2,
 #endif
-        &ovr_stress_loops_base, &ovr_stress_loops_plain};
+        &ovr_stress_loops_base,
+        &ovr_stress_loops_plain
+    };
     for (size_t k = 0; k < sizeof best_first / sizeof *best_first; k++)
         if (machine_runs(best_first[k]) &&
             (!name || !strcmp(name, best_first[k]->name)))

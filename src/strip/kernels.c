@@ -20,7 +20,8 @@ const ovr_strip_kernels *ovr_strip_kernels_of(const ovr_kernels *kernels)
 #endif
         &ovr_strip_kernels_avx2,
 #endif
-        &ovr_strip_kernels_base};
+        &ovr_strip_kernels_base
+    };
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         if (!strcmp(all[k]->name, kernels->name))
             return all[k];

@@ -26,17 +26,22 @@ static size_t stride_of(size_t lines)
     return (lines + 7) / 8 * 8 + 2 * OVR_STRIP_HALO;
 }
 
+int ovr_strip_halvings(size_t coarsest, size_t *n, size_t *lines)
+{
+    int halvings = 0;
+    while (*n > coarsest && *n % 2 && *n > 9 && *lines % 2 == 0 && *lines > 4) {
+        *n = (*n + 1) / 2;
+        *lines /= 2;
+        halvings++;
+    }
+    return halvings;
+}
+
 static ovr_status make_grids(ovr_strip *strip, const ovr_strip_shape *shape,
                              ovr_error *err)
 {
     size_t n = shape->n, lines = shape->lines;
-    int halvings = 0;
-    while (n > shape->coarsest && n % 2 && n > 9 && lines % 2 == 0 &&
-           lines > 4) {
-        n = (n + 1) / 2;
-        lines /= 2;
-        halvings++;
-    }
+    int halvings = ovr_strip_halvings(shape->coarsest, &n, &lines);
     if (n < 9 || lines < 4 || halvings >= OVR_STRIP_LEVELS)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "a strip of %zu x %zu nodes has no coarse grid",

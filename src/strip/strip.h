@@ -274,6 +274,10 @@ void ovr_strip_elastic_release(ovr_strip_elastic *e);
 void ovr_strip_influence(double k, double D, size_t n, size_t step, double *to);
 
 /* Complex elements of the spectrum that all grids of a shape share. */
-size_t ovr_strip_spectrum_size(const ovr_strip_grid *finest);
+/* Number of halvings of a grid of n x lines nodes, which become those of the
+ * coarsest grid. */
+int ovr_strip_halvings(size_t coarsest, size_t *n, size_t *lines);
+
+size_t ovr_strip_spectrum_size(const ovr_strip_grid *g);
 
 #endif

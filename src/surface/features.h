@@ -22,7 +22,7 @@ struct ovr_surfaces {
     ovr_contact contact;
     const ovr_history *speed, *sliding;
     double mesh;
-    double width; /* of a strip, b; 0: a line contact */
+    double width;         /* of a strip, b; 0: a line contact */
     double inlet, outlet; /* NAN: not known */
     size_t count;
     ovr_placed_feature *first, **last;

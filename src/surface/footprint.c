@@ -293,9 +293,10 @@ static double of_endless(const ovr_feature *f, double s, double t, double W)
 }
 
 void ovr_footprint_add(const ovr_feature *f, double factor, double centre,
-                       double W, size_t n, const double *X, size_t lines,
-                       const double *Y, size_t stride, double *S)
+                       const ovr_places *at, double *S)
 {
+    const double *X = at->X, *Y = at->Y, W = at->width;
+    size_t n = at->n, lines = at->lines, stride = at->stride;
     const ovr_footprint *g = &f->footprint;
     bool local = g->round || isfinite(g->length);
     bool straight = !local && fabs(g->sine) < CLOSES &&

@@ -11,11 +11,17 @@ ovr_status ovr_footprint_make(ovr_feature *feature,
                               const ovr_feature_form *form, double W,
                               ovr_error *err);
 
-/* Adds factor times the height at nodes X and lines Y with the centre at
- * `centre`, all images across included; element (i, j) is S[i stride + j]. */
+/* Nodes X and lines Y of a strip; element (i, j) of a field is i stride + j. */
+typedef struct ovr_places {
+    size_t n, lines, stride;
+    const double *X, *Y;
+    double width; /* W, the period */
+} ovr_places;
+
+/* Adds factor times the height with the centre at `centre`, all images across
+ * included. */
 void ovr_footprint_add(const ovr_feature *feature, double factor, double centre,
-                       double W, size_t n, const double *X, size_t lines,
-                       const double *Y, size_t stride, double *S);
+                       const ovr_places *at, double *S);
 
 /* True if the footprint includes all copies of the feature. */
 bool ovr_footprint_repeats(const ovr_feature *feature);

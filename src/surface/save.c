@@ -133,7 +133,7 @@ static digest md5(const void *data, size_t size)
 {
     struct md5_ctx context;
     uint8_t sum[MD5_DIGEST_SIZE];
-    digest d;
+    digest d = {{0}};
     md5_init(&context);
     md5_update(&context, size, data);
     md5_digest(&context, sizeof sum, sum);

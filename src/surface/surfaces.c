@@ -272,23 +272,15 @@ static void heights_of(const ovr_surfaces *surfaces, int surface, double T,
     }
 }
 
-/* Rows and lines of a strip. */
-typedef struct places {
-    size_t n, lines, stride;
-    const double *X, *Y;
-    double width;
-} places;
-
 static void add_across(const ovr_feature *f, double factor, double centre,
-                       const places *at, double *S)
+                       const ovr_places *at, double *S)
 {
     double low = 0, high = 0, p = f->back ? -f->repeat : f->repeat;
     bool once = isnan(f->repeat) || ovr_footprint_repeats(f);
     if (!once)
         copies_within(f, centre, at->X[0], at->X[at->n - 1], &low, &high);
     for (double k = low; k <= high; k++)
-        ovr_footprint_add(f, factor, once ? centre : centre - k * p, at->width,
-                          at->n, at->X, at->lines, at->Y, at->stride, S);
+        ovr_footprint_add(f, factor, once ? centre : centre - k * p, at, S);
 }
 
 void ovr_surfaces_across(void *data, int surface, double T, size_t n,
@@ -296,7 +288,7 @@ void ovr_surfaces_across(void *data, int surface, double T, size_t n,
                          size_t stride, double *S)
 {
     const ovr_surfaces *surfaces = data;
-    const places at = {n, lines, stride, X, Y, surfaces->width};
+    const ovr_places at = {n, lines, stride, X, Y, surfaces->width};
     for (size_t i = 0; i < n; i++)
         memset(S + i * stride, 0, lines * sizeof *S);
     for (const ovr_placed_feature *l = surfaces->first; l && n; l = l->next) {

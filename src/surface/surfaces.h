@@ -45,7 +45,7 @@ void ovr_surfaces_strip(ovr_surfaces *surfaces, double width);
 
 /* Heights of surface 1 or 2, or of both (0), on a strip: an
  * ovr_heights_across of simulation.h. */
-void ovr_surfaces_across(void *surfaces, int surface, double T, size_t n,
+void ovr_surfaces_across(void *data, int surface, double T, size_t n,
                          const double *X, size_t lines, const double *Y,
                          size_t stride, double *S);
 
@@ -60,9 +60,9 @@ ovr_status ovr_surfaces_add(ovr_surfaces *surfaces,
 
 /* Compute the part of S on surface 1 or 2; returns true if a surface has
  * features. */
-void ovr_surfaces_heights_1(void *surfaces, double T, size_t n, const double *X,
+void ovr_surfaces_heights_1(void *data, double T, size_t n, const double *X,
                             double *S);
-void ovr_surfaces_heights_2(void *surfaces, double T, size_t n, const double *X,
+void ovr_surfaces_heights_2(void *data, double T, size_t n, const double *X,
                             double *S);
 bool ovr_surfaces_has(const ovr_surfaces *surfaces, int surface);
 

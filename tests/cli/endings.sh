@@ -28,7 +28,7 @@ expect 0 "$OVERROLL" view R.nc -o P.html
 
 # steady names the moving feature that it leaves out
 expect 0 "$OVERROLL" steady dent.ini
-contains err "feature 'dent' moves, and a steady solution leaves it out"
+contains err "feature 'dent' moves and is left out of a steady solution"
 
 # A limit of fatigue in Pa is far above p_h in a soft contact
 cat >soft.ini <<'END'

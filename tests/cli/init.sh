@@ -53,7 +53,9 @@ expect 0 "$OVERROLL" init bearing --set 'feature.dent.depth=0.2 um' -o own.ini
 contains own.ini '^depth = 0.2 um'
 expect 0 "$OVERROLL" check own.ini
 
-# Messages without a file or key begin with the program's name.
-expect 0 "$OVERROLL" init coated -o coarse.ini
-expect 2 "$OVERROLL" run coarse.ini --level 6
-contains err '^overroll: stress.depth_min = 0.005 is less than D/2; set it to'
+# The depths of a coated contact follow its level.
+expect 0 "$OVERROLL" init coated -o layered.ini
+for level in 5 6 7 8 9; do
+    expect 0 "$OVERROLL" check layered.ini --level $level
+    grep warning err && fail "init coated --level $level warns"
+done

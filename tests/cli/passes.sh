@@ -265,7 +265,7 @@ done
 # What does not go together
 refuses 'number: several passes need .*conserving' \
     check roller.ini --set cavitation.model=reynolds
-refuses 'side_flow: loss is given too' check roller.ini \
+refuses 'side_flow: passes.loss is also set' check roller.ini \
     --set passes.side_flow=3
 refuses 'split: 0 leaves all oil on a surface' check roller.ini \
     --set passes.split=0 --set contact.slide_to_roll=2

@@ -16,6 +16,7 @@
 static const char dent[] =
     "[contact]\nM = 20\nL = 10\n"
     "[domain]\nlevel = 8\ninlet = -4\noutlet = 1.5\norder = 2\n"
+    "faces = gap\n"
     "[time]\nend = 7.4\nscheme = characteristic\n"
     "[feature dent]\nshape = dent\ndepth = 0.1\nwidth = 0.5\nstart = -4.6\n";
 
@@ -25,6 +26,7 @@ static const char roller[] =
     "[lubricant]\nviscosity = 40 mPa.s\nalpha = 17 1/GPa\np0 = 198 MPa\n"
     "z = 0.68\n"
     "[domain]\nlevel = 8\ninlet = -4\noutlet = 1.5\norder = 2\n"
+    "faces = gap\n"
     "[time]\nend = 7.4\nscheme = upstream2\n"
     "[feature dent]\nshape = indent\ndepth = 1.5 um\nwidth = 0.6\n"
     "shoulder = 0.25 um\nstart = -5\n";

@@ -177,7 +177,7 @@ TEST(contradictions_name_their_line)
     refused("[contact]\nM = 20\nL = 10\nload = 3 N/m\n", "t.ini:4: load");
     refused("[contact]\nM = -20\nL = 1\n", "t.ini:2: M: -20 must be");
     refused(join(moes, "alpha = 1 1/GPa\n[lubricant]\nalpha = 2 1/GPa\n"),
-            "t.ini:6: alpha: is given in [contact] too");
+            "t.ini:6: alpha: is also set in [contact]");
     refused(join(moes, "[lubricant]\nviscosity_law = oil\n"),
             "t.ini:5: viscosity_law: unknown 'oil'");
     refused(join(roller, "[contact]\nslide_to_roll = 1\n"),

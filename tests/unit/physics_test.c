@@ -289,8 +289,8 @@ TEST_IN_FOLDER(check_counts_it)
 {
     static const double n = 7 * 4096 + 1; /* of level 12 */
     write_case(*state, "soft.ini", soft);
-    char *said = RUN(*state, "check", "soft.ini");
-    assert_non_null(strstr(said, "# layer on body 1"));
+    char *said = RUN(*state, "check", "-v", "soft.ini");
+    assert_non_null(strstr(said, "layer on body 1"));
     assert_non_null(strstr(said, "[layer]\ncompliance = 0.5"));
     free(said);
     said = RUN(*state, "check", "soft.ini", "--json", "--level", "12", "--set",

@@ -405,7 +405,7 @@ TEST(mistakes_are_named)
     f.repeat = 1e-9, refuse(&f, "repeat"), f = good;
     f.copies = -1, refuse(&f, "copies"), f = good;
     f.shape = (ovr_shape)77, refuse(&f, "77"), f = good;
-    f.start = NAN, f.arrival = 3, f.surface = 2, refuse(&f, "does not move");
+    f.start = NAN, f.arrival = 3, f.surface = 2, refuse(&f, "stands still");
     f = good, f.shape = OVR_WAVE, refuse(&f, "wave has no depth");
     f = good, f.shape = OVR_RIDGE, f.height = 1, refuse(&f, "not both");
     f = good, f.shape = OVR_GROOVE, f.radius = 1, refuse(&f, "physical");

@@ -283,8 +283,7 @@ TEST(histories_of_steady_contacts_are_said)
 {
     heard h = review(MOES "[load]\nhistory = ramp\nto = 2\n");
     assert_int_equal(h.warnings, 1);
-    assert_non_null(strstr(h.warning, "[load] history = ramp: a steady "
-                                      "solution takes its value at T = 0"));
+    assert_non_null(strstr(h.warning, "uses the value at T = 0; set time.end"));
     h = review(MOES "[time]\nend = 1\n[load]\nhistory = ramp\nto = 2\n");
     assert_int_equal(h.warnings, 0);
 }
@@ -296,8 +295,8 @@ TEST(features_left_out_are_said)
                      "[time]\nscheme = upstream2\n[feature d]\nshape = "
                      "dent\ndepth = 0.1\nwidth = 1\n");
     assert_int_equal(h.warnings, 1);
-    assert_non_null(strstr(h.warning, "'d' moves, and a steady solution leaves "
-                                      "it out: an end in [time]"));
+    assert_non_null(strstr(h.warning, "'d' moves and is left out of a steady "
+                                      "solution; set time.end"));
     h = review(MOES "[feature d]\nshape = ridge\nheight = 0.1\nwidth = 9\n"
                     "start = 0\n[contact]\nslide_to_roll = 2\n"
                     "[feature e]\nshape = ridge\nheight = 0.1\nwidth = 9\n"

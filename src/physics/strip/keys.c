@@ -16,6 +16,7 @@
 #include "multigrid/hierarchy.h"
 #include "overroll/surface.h"
 #include "simulation/conflicts.h"
+#include "strip/strip.h"
 
 #define AT(field) offsetof(ovr_strip_form, field)
 
@@ -112,6 +113,23 @@ size_t ovr_strip_lines(const ovr_strip_form *f, double D)
  * moving dent. */
 static const double STEADY_NODE = 6e-6, STEP_NODE = 1.6e-6;
 
+/* The coarsest grid is solved by elimination. */
+static ovr_status check_coarsest(const ovr_strip_form *f, double length,
+                                 double D, ovr_error *err)
+{
+    const double most = 3000;
+    size_t n = (size_t)lround(length / D) + 1, lines = ovr_strip_lines(f, D);
+    ovr_strip_halvings(ovr_strip_coarsest(f->M), &n, &lines);
+    double nodes = (double)n * (double)lines;
+    if (nodes <= most)
+        return OVR_OK;
+    return ovr_fail_about(err, "width",
+                          "width: a strip %.4g b wide has a coarsest grid of "
+                          "%zu x %zu nodes, which may have %.0f; set a width "
+                          "of at most %.3g b",
+                          f->width, n, lines, most, f->width * most / nodes);
+}
+
 ovr_status ovr_strip_on_mesh(const ovr_physics_case *of, void *form, double D,
                              ovr_error *err)
 {
@@ -123,7 +141,7 @@ ovr_status ovr_strip_on_mesh(const ovr_physics_case *of, void *form, double D,
     f->seconds = ((o->outlet - o->inlet) / D + 1) * lines *
                  (STEADY_NODE + steps * STEP_NODE);
     if (ratio >= LEAST_RATIO && ratio <= LARGEST_RATIO)
-        return OVR_OK;
+        return check_coarsest(f, o->outlet - o->inlet, D, err);
     return ovr_fail_about(err, "lines",
                           "lines: %.0f have a mesh size across of %.2g times "
                           "that along x, which must be %.1f to %.0f times; set "

@@ -40,8 +40,7 @@ ovr_strip_solver *ovr_strip_of(const ovr_simulation *sim)
 /* Longest step in mesh sizes. */
 enum { LONGEST = 16 };
 
-/* Nodes along x of the coarsest grid: heavily loaded contacts need more. */
-static size_t coarsest_of(double M)
+size_t ovr_strip_coarsest(double M)
 {
     return M < 90 ? 29 : 57;
 }
@@ -98,7 +97,7 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
                                (o->outlet - o->inlet) / (double)(s->n - 1));
     const ovr_strip_shape shape = {.n = s->n,
                                    .lines = s->lines,
-                                   .coarsest = coarsest_of(s->form->M),
+                                   .coarsest = ovr_strip_coarsest(s->form->M),
                                    .X_a = o->inlet,
                                    .X_b = o->outlet,
                                    .width = s->form->width};
