@@ -147,7 +147,8 @@ refuses 'a.csv: exists already' export a.h5 -o a.csv
 expect 0 "$OVERROLL" export a.h5 -o a.csv --force
 expect 0 "$OVERROLL" export a.h5
 cmp out a.csv || fail '-o writes another thing'
-refuses '^overroll: --at 9: must be a position in b from -4' export a.h5 --at 9 -o n.csv
+refuses '^overroll: --at 9: must be a position in b from -4' \
+    export a.h5 --at 9 -o n.csv
 [ ! -e n.csv ] || fail 'an empty file is left'
 refuses 'no snapshot 999: there are 0 to' export a.h5 --snapshot 999
 refuses 'no snapshot -1' export a.h5 --snapshot -1
