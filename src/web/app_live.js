@@ -374,6 +374,7 @@ function drawStudy() {
   if (!curve || curve.points.length < 2 || !byId("study").open) return;
   const canvas = byId("curve");
   canvas.hidden = false;
+  if (!canvas.clientWidth) return; // the player is shown
   canvas.dataset.points = curve.points.length;
   const { c, width, height } = prepare(canvas);
   const si = curve.points.every(([, n]) => typeof n.central_film_m === "number");
