@@ -157,14 +157,14 @@ static bool is_meaningless(const ovr_simulation *sim,
     return !ovr_surfaces_apart(sim) || !(fabs(outcome->defect.imbalance) <= 1);
 }
 
-/* Replaces numbers that follow from the film by NAN. */
+/* Replaces numbers that follow from the film by NAN; counts and flags stay. */
 static void withhold(ovr_observation *o)
 {
     const ovr_observation given = *o;
     const ovr_observable *row;
     for (size_t k = 0; (row = ovr_observable_at(k)); k++)
         if (row->axes == OVR_AT_STEPS && row->kind != OVR_KIND_COUNT &&
-            !row->field)
+            row->kind != OVR_KIND_FLAG && !row->field)
             *(double *)(void *)((char *)o + row->offset) = NAN;
     o->T = given.T;
     o->dT = given.dT;
