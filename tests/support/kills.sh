@@ -81,11 +81,11 @@ kill_test() {
             "$PYTHON" compare.py whole.h5 a.h5 >out 2>&1 ||
                 fail "kill $k after $after s: $(tail -n 1 out)"
         else
-            grep -q 'resume. goes back' err ||
+            grep -q 'resume. restores' err ||
                 fail "kill $k after $after s: $(cat err)"
         fi
         expect 0 "$OVERROLL" resume a.h5
-        grep -q 'was cut' err && repaired=$((repaired + 1))
+        grep -q 'was interrupted' err && repaired=$((repaired + 1))
         grep -q 'begins again' err && unbegun=$((unbegun + 1))
         "$PYTHON" compare.py --all whole.h5 a.h5 >out 2>&1 ||
             fail "kill $k after $after s, resumed: $(tail -n 1 out)"

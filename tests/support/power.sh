@@ -30,7 +30,7 @@ look_at_state() {
         cp "$1/a.h5" "$1/read.h5"
         echo "$1/read.h5" >>readable
     else
-        grep -q 'was cut.*resume. goes back' err || fail "$1: $(cat err)"
+        grep -q 'was interrupted.*resume. restores' err || fail "$1: $(cat err)"
         cuts=$((cuts + 1))
     fi
     "$OVERROLL" resume "$1/a.h5" >out 2>err ||
