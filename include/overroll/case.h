@@ -88,8 +88,8 @@ OVR_API ovr_case *ovr_case_create(const ovr_allocator *allocator,
 OVR_API ovr_case *ovr_case_read(const char *path,
                                 const ovr_allocator *allocator, ovr_error *err);
 
-/* Reads a case from text; `name` stands in messages, relative paths start at
- * `directory` (NULL: the working directory). */
+/* Reads a case from text.  Messages give `name` as the file, and relative
+ * paths start at `directory` (NULL: the working directory). */
 OVR_API ovr_case *ovr_case_read_text(const char *text, const char *name,
                                      const char *directory,
                                      const ovr_allocator *allocator,
@@ -98,7 +98,7 @@ OVR_API void ovr_case_free(ovr_case *c);
 
 /* One setting, `where` = "section.key" ("feature dent.depth" or
  * "feature.dent.depth"), through the same code as the file; the last one
- * counts.  `origin` stands in messages in place of file and line. */
+ * counts.  Messages give `origin` in place of file and line. */
 OVR_API ovr_status ovr_case_set(ovr_case *c, const char *where,
                                 const char *value, const char *origin,
                                 ovr_error *err);
@@ -173,7 +173,7 @@ typedef struct ovr_passes_setup {
     double split;     /* share of the thickness that is surface 1's */
     double loss;      /* share that is lost */
     double side_flow; /* exponent of its law; NAN: none */
-    double replenish; /* comes to each surface */
+    double replenish; /* oil supplied to each surface */
     int again;        /* surfaces that come back, as bits: 1, 2, 3 both; the
                          other is each time another body of its kind */
     double spacing;   /* between two rolling bodies, b; NAN: not given */

@@ -65,7 +65,7 @@ typedef struct ovr_run_options {
     /* Asked within steady starts and estimates of errors, between two cycles;
      * true: stop at once, with OVR_STOPPED; a start is begun again later. */
     bool (*interrupt)(void *data);
-    /* A steady run of a gear pair or cam stands here: "A" to "E",
+    /* Position of a steady run of a gear pair or cam: "A" to "E",
      * "nose", an angle or a time; NULL: pitch point, nose. */
     const char *at;
 } ovr_run_options;
@@ -77,8 +77,8 @@ typedef struct ovr_run_options {
 OVR_API ovr_run *ovr_run_create(ovr_case *c, const ovr_run_options *options,
                                 const ovr_allocator *allocator, ovr_error *err);
 
-/* Goes on where the run of a result file ended, from the checkpoint beside it;
- * a run stopped before its first one begins again.  A complete file that is to
+/* Continues the run of a result file from the checkpoint beside it.  A run
+ * stopped before its first checkpoint starts again.  A complete file that is to
  * go no further is not touched: the run is at its end, or, for want of a
  * checkpoint, NULL, with err->status OVR_OK and a message that says so. */
 OVR_API ovr_run *ovr_run_resume(const char *path,

@@ -89,17 +89,23 @@ void ovr_cycle(ovr_hierarchy *grids, ovr_level *level, ovr_cycling how)
 {
     if (ovr_hierarchy_stops(grids))
         return;
-    double before = ovr_level_imbalance(grids, level);
-    grids->fluid.secants = grids->fluid.secants ||
-                           wants_secants(grids, INFINITY, before);
+    /* Only the logarithmic mean has them. */
+    const bool logarithmic = grids->fluid.logarithmic;
+    double before = 0;
+    if (logarithmic) {
+        before = ovr_level_imbalance(grids, level);
+        grids->fluid.secants = grids->fluid.secants ||
+                               wants_secants(grids, INFINITY, before);
+    }
     if (grids->touch.at)
         how.bottom = level->number;
     if (how.index > 1 && !grids->op.transient)
         hold_coarse(grids, level);
     descend(grids, level, &how);
     ovr_level_refresh(grids, level);
-    grids->fluid.secants = wants_secants(grids, before,
-                                         ovr_level_imbalance(grids, level));
+    if (logarithmic)
+        grids->fluid.secants = wants_secants(grids, before,
+                                             ovr_level_imbalance(grids, level));
     offer(grids, level, &how, OVR_AFTER_CYCLE);
 }
 

@@ -273,11 +273,11 @@ void ovr_strip_elastic_release(ovr_strip_elastic *e);
  * contact. */
 void ovr_strip_influence(double k, double D, size_t n, size_t step, double *to);
 
-/* Complex elements of the spectrum that all grids of a shape share. */
-/* Number of halvings of a grid of n x lines nodes, which become those of the
- * coarsest grid. */
+/* Halves n and lines of the finest grid down to the coarsest grid; returns the
+ * number of halvings. */
 int ovr_strip_halvings(size_t coarsest, size_t *n, size_t *lines);
 
+/* Complex elements of the spectrum that all grids of a shape share. */
 size_t ovr_strip_spectrum_size(const ovr_strip_grid *g);
 
 #endif

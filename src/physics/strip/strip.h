@@ -24,11 +24,12 @@ extern const ovr_section ovr_strip_section;
 void ovr_strip_choose(const void *form, ovr_options *options);
 ovr_status ovr_strip_resolve(const ovr_physics_case *of, void *form, bool *on,
                              ovr_error *err);
+ovr_status ovr_strip_on_mesh(const ovr_physics_case *of, void *form, double D,
+                             ovr_error *err);
+
 /* Nodes along x of the coarsest grid: heavily loaded contacts need more. */
 size_t ovr_strip_coarsest(double M);
 
-ovr_status ovr_strip_on_mesh(const ovr_physics_case *of, void *form, double D,
-                             ovr_error *err);
 unsigned ovr_strip_features(const void *form);
 void ovr_strip_tell(const ovr_physics_case *of, const void *form,
                     ovr_physics_line *line, void *data);
