@@ -19,6 +19,10 @@ const ovr_coated *ovr_setup_layers(const ovr_setup *setup, int body);
 ovr_status ovr_setup_load(ovr_setup *setup, int pass,
                           const ovr_allocator *allocator, ovr_error *err);
 
+/* Sets step = auto to one mesh size after a start that did not reach the order
+ * of its options. */
+void ovr_setup_step_reached(ovr_setup *setup, int order);
+
 /* The length of its steps, b/um, where they are not adaptive. */
 double ovr_setup_step(const ovr_setup *setup);
 

@@ -112,7 +112,7 @@ static bool passes_are_lost(const ovr_run *run)
 
 static ovr_status solve(ovr_run *run, ovr_error *err)
 {
-    ovr_march how = *run->setup->march;
+    ovr_march how;
     ovr_observer observer[5];
     ovr_status status = OVR_OK;
     ovr_simulation_stop(run->sim, run->how.interrupt, run->how.data);
@@ -121,6 +121,8 @@ static ovr_status solve(ovr_run *run, ovr_error *err)
     if (!status && run->info.output && !run->writer &&
         ovr_setup_makes_nodes(run->setup))
         status = ovr_output_open(run, err);
+    ovr_setup_step_reached(run->setup, ovr_simulation_order(run->sim));
+    how = *run->setup->march;
     how.count = 0;
     how.observers = observer;
     if (run->company[0].is)

@@ -58,6 +58,37 @@ awk -F, '
         exit !(n > 400 && sqrt(c / n) < 5e-5 && sqrt(m / n) < 1e-3) }
 ' fine.csv auto.csv >said || fail "$(cat said)"
 
+# Given steps: three meshes a step, no whole number of which passes b, keep
+# the scheme of the default, and H_min is off by less than 2e-3 and a fifth of
+# what upstream2 makes of the same steps.
+error_of() {
+    expect 0 "$OVERROLL" run dent.ini -o "given_$1.h5" -q --set time.step=0.02 \
+        --set time.scheme="$1"
+    expect 0 "$OVERROLL" export "given_$1.h5" -o "given_$1.csv"
+    awk -F, '
+        FNR == 1 {
+            for (k = 1; k <= NF; k++) {
+                sub(/ .*/, "", $k)
+                at[$k] = k
+            }
+            next }
+        { T = $at["time"]; H = $at["min_film_thickness"] }
+        FILENAME ~ /fine/ { t[++n] = T; h[n] = H; next }
+        T >= t[1] && T <= t[n] {
+            for (k = k < 1 ? 1 : k; k < n - 1 && t[k + 1] < T; k++);
+            part = (T - t[k]) / (t[k + 1] - t[k])
+            H0 = h[k] + (h[k + 1] - h[k]) * part
+            e += (H / H0 - 1) ^ 2
+            count++ }
+        END { print (count > 200 ? sqrt(e / count) : 0) }' \
+        fine.csv "given_$1.csv"
+}
+own=$(error_of auto) upstream=$(error_of upstream2)
+awk "BEGIN { exit !($own > 0 && $own < 2e-3 && 5 * $own < $upstream) }" ||
+    fail "given steps: rms of H_min $own, by upstream2 $upstream"
+expect 0 "$OVERROLL" check dent.ini --json --set time.step=0.06
+contains out '"scheme": "upstream2"'
+
 # What check says of the step
 why() {
     said=$1

@@ -10,6 +10,7 @@
 
 #include "case/parameters.h"
 #include "case/settings.h"
+#include "case/setup.h"
 #include "contact/contact.h"
 #include "overroll/overroll.h"
 
@@ -367,6 +368,33 @@ TEST(defaults_are_the_librarys)
     assert_true(t->relax_dipole == o.relax_dipole);
     assert_int_equal(t->paper_balance, o.paper_balance);
     done(c, s);
+}
+
+/* Steps of two mesh sizes need corrections of fourth order.  A start of second
+ * order takes steps of one; given steps stay. */
+TEST(a_start_of_second_order_takes_short_steps)
+{
+    static const struct {
+        const char *step;
+        int order;
+        double meshes;
+    } rows[] = {{"auto", 4, 2}, {"auto", 2, 1}, {"0.013", 2, 0}};
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        char source[200];
+        ovr_case *c;
+        ovr_setup *s;
+        ovr_error err = {0};
+        snprintf(source, sizeof source,
+                 "%s[domain]\nlevel = 7\n[time]\nend = 1\nstep = %s\n", moes,
+                 rows[k].step);
+        assert_int_equal(try_case(source, &c, &s, &err), OVR_OK);
+        CHECK_OK(ovr_setup_prepare(s, NULL, &err), &err);
+        ovr_setup_step_reached(s, rows[k].order);
+        CHECK_NEAR(ovr_setup_step(s),
+                   rows[k].meshes > 0 ? rows[k].meshes * s->mesh : 0.013,
+                   1e-12);
+        done(c, s);
+    }
 }
 
 static ovr_status attempt(void *source, const ovr_allocator *hook,

@@ -33,7 +33,8 @@ static const ovr_parameter time_keys[] = {
     {"scheme", CHOICE(schemes), "auto", AT(scheme), true, ALWAYS,
      "discretization in X and T: upstream1 with backward Euler, upstream2 "
      "with BDF2, or narrow second order along the characteristic; auto: "
-     "characteristic in runs with step = auto or grid; upstream2 else"},
+     "characteristic in runs with step = auto, grid or at most 0.05 b/um "
+     "(0.02 where load, speed or radius vary); upstream2 else"},
     {"error", PLAIN(1e-9, 0.1), "1e-3", AT(error), true,
      IN_TIME "; step = adaptive",
      "relative error that the steps add to the film on its way "
