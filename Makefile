@@ -189,8 +189,9 @@ $(BUILD)/%.o: %.c $(BUILD)/flags
 # What gnuplot runs and the page of `overroll view` as arrays; the page's style
 # and script go into its text where they are named.
 PAGE    := src/pictures/page
-PAGE_JS := $(PAGE)_data.js $(PAGE)_draw.js $(PAGE)_heat.js \
-           $(PAGE)_stress.js $(PAGE)_element.js $(PAGE)_play.js
+PAGE_JS := $(PAGE)_data.js $(PAGE)_draw.js \
+           $(addsuffix /pictures_page.js,src/physics/heat src/physics/stress \
+             src/elements) $(PAGE)_play.js
 CHART   := src/pictures/chart.gp
 # $(call array,NAME): standard input as ovr_NAME_text and ovr_NAME_bytes
 array = { echo 'const char ovr_$(1)_text[] = {' && od -An -v -b | \

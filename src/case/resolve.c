@@ -11,11 +11,11 @@
 
 #include "base/error.h"
 #include "base/given.h"
-#include "case/resolve_element.h"
 #include "contact/contact.h"
 #include "contact/flow_law.h"
 #include "contact/oil.h"
 #include "contact/reversal.h"
+#include "elements/case_element.h"
 #include "multigrid/hierarchy.h"
 #include "results/layout.h"
 #include "simulation/conflicts.h"

@@ -30,10 +30,10 @@
 #include "base/entries.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "case/resolve_element.h"
 #include "case/two_columns.h"
 #include "contact/contact.h"
 #include "contact/oil.h"
+#include "elements/case_element.h"
 
 static const double ALPHA_PAPER = 1.7e-8; /* 1/Pa */
 

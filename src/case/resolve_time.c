@@ -9,11 +9,11 @@
 #include <string.h>
 
 #include "case/domain.h"
-#include "case/resolve_element.h"
 #include "case/setup.h"
 #include "case/two_columns.h"
 #include "contact/contact.h"
 #include "contact/curvature.h"
+#include "elements/case_element.h"
 #include "simulation/conflicts.h"
 #include "surface/surfaces.h"
 

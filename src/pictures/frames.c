@@ -18,7 +18,7 @@
 
 #include "base/given.h"
 #include "base/plain.h"
-#include "pictures/depth_field.h"
+#include "physics/stress/pictures_depth.h"
 #include "pictures/gnuplot.h"
 #include "pictures/movie.h"
 #include "pictures/picture.h"

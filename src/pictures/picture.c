@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One picture: read, chart, gnuplot. */
 #include "pictures/picture.h"
-#include "pictures/draw_element.h"
+#include "elements/pictures_element.h"
 
 #include <errno.h>
 #include <math.h>

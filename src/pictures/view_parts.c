@@ -4,9 +4,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "elements/pictures_element.h"
 #include "overroll/case.h"
-#include "pictures/depth_field.h"
-#include "pictures/draw_element.h"
+#include "physics/stress/pictures_depth.h"
 #include "pictures/material.h"
 #include "pictures/pack_levels.h"
 #include "pictures/view_run.h"
@@ -15,7 +15,7 @@
 
 /* ------------------------------------------------------------------ Element */
 
-/* Panels and curves of an element's figure, as page_element.js draws them. */
+/* Panels and curves of an element's figure, as pictures_page.js draws them. */
 
 /* Labels and letters are ours: nothing in them ends a string. */
 static void put_curve(ovr_text *to, const ovr_series *s, ovr_arena *arena)

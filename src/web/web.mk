@@ -46,7 +46,8 @@ $(WEB)/overroll.wasm: $(WEB_OBJ)
 	  -lwasi-emulated-mman -lm
 
 # The page: its texts put where app.html names them.
-WEB_JS := $(PAGE)_data.js $(PAGE)_draw.js $(PAGE)_heat.js \
+WEB_JS := $(PAGE)_data.js $(PAGE)_draw.js \
+  src/physics/heat/pictures_page.js \
   $(addprefix src/web/app_,program.js case.js live.js run.js)
 WEB_WORKER := src/web/wasi.js src/web/worker.js
 $(WEB)/overroll.html: src/web/app.html src/web/app.css $(PAGE).css $(WEB_JS) \

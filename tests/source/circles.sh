@@ -2,8 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # No two folders of src call each other, by however many steps: of objects and
 # the symbols that they define and use, tsort finds an order of the folders.
-# Files of one folder may call each other.  Left out is the list of physics, by
-# which floors below reach them.
+# Files of one folder may call each other.  FLOOR_NAME.c in the folder of a
+# subject (layers.sh) counts as of that floor.  Left out is the list of physics,
+# by which floors below reach them.
 . "$TOP/tests/support/cli.sh"
 command -v nm >/dev/null || skip 'no nm'
 # Of a kernel compiled for several instruction sets one object is enough.
@@ -13,9 +14,10 @@ for file in src/*/*.o src/*/*/*.o; do
     case $file in *.avx2.o | *.avx512.o) continue ;; esac
     [ -e "$source.c" ] || [ -e "${source%.base}.kernel.c" ] || continue
     echo "$file"
-done | xargs nm -A | sed -n \
-    -e 's|^\(.*\)/[^/]*:[0-9a-f]* [TDRBV] \(.*\)|\2 defined \1|p' \
-    -e 's|^\(.*\)/[^/]*: *U \(.*\)|\2 used \1|p' >"$OLDPWD/symbols"
+done | xargs nm -A | sed -n -E \
+    -e 's#^src/(elements|physics/[a-z]+)/(case|run|pictures)_#src/\2/#' \
+    -e 's#^(.*)/[^/]*:[0-9a-f]* [TDRBV] (.*)#\2 defined \1#p' \
+    -e 's#^(.*)/[^/]*: *U (.*)#\2 used \1#p' >"$OLDPWD/symbols"
 cd "$OLDPWD" || exit 1
 awk '
     $1 == "ovr_physics_list" { next }

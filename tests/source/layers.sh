@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # A file includes headers of its own floor and of floors below, never in
 # circles; of a folder inside a floor only the header of the folder's name, if
-# there is one; the command line of the library only overroll/*.h.  Above
+# there is one; the command line of the library only overroll/*.h.  In folders
+# of a subject (elements, physics) FLOOR_NAME stands on that floor.  Above
 # multigrid nobody knows of a grid with one mesh size.
 set -u
 cd "$TOP" || exit 1
@@ -18,10 +19,19 @@ cd "$OLDPWD" || exit 1
 
 faces=$(cd "$TOP/src" && ls ./*/*/*.h | sed 's/^..//' | tr '\n' ' ')
 awk -v floors="$floors" -v faces=" $faces" '
+    # FLOOR/NAME of FLOOR_NAME in the folder of a subject.
+    function above(name) {
+        if (name ~ /^(elements|physics\/[a-z]+)\/(case|run|pictures)_/) {
+            sub(/^.*\//, "", name)
+            sub(/_/, "/", name)
+        }
+        return name
+    }
     # The number of the floor that a file or an included name stands on.
     function floor(name,    part, base) {
         sub(/^src\//, "", name)
         sub(/^include\//, "", name)
+        name = above(name)
         split(name, part, "/")
         if (part[1] != "overroll")
             return height[part[1]]
@@ -31,7 +41,7 @@ awk -v floors="$floors" -v faces=" $faces" '
     }
     # FLOOR/FOLDER/ of a header that is not the face its folder has.
     function inside(name,    part, home) {
-        if (split(name, part, "/") != 3 || part[3] == part[2] ".h")
+        if (split(above(name), part, "/") != 3 || part[3] == part[2] ".h")
             return ""
         home = part[1] "/" part[2] "/"
         return index(faces, " " home part[2] ".h ") ? home : ""

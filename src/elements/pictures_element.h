@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A gear pair, cam or bearing drawn to scale, and what its contact goes
  * through: for pictures and for the page. */
-#ifndef OVR_PICTURES_DRAW_ELEMENT_H
-#define OVR_PICTURES_DRAW_ELEMENT_H
+#ifndef OVR_ELEMENTS_PICTURES_ELEMENT_H
+#define OVR_ELEMENTS_PICTURES_ELEMENT_H
 
 #include "overroll/case.h"
 #include "pictures/picture.h"

@@ -8,11 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "case/resolve_element.h"
 #include "case/setup.h"
 #include "contact/contact.h"
 #include "contact/curvature.h"
 #include "contact/film_formula.h"
+#include "elements/case_element.h"
 #include "elements/elements.h"
 
 typedef struct listing {

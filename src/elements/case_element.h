@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* [gear], [cam] and [roller_bearing]: what their contact says in place of
  * [contact] and of the histories. */
-#ifndef OVR_CASE_RESOLVE_ELEMENT_H
-#define OVR_CASE_RESOLVE_ELEMENT_H
+#ifndef OVR_ELEMENTS_CASE_ELEMENT_H
+#define OVR_ELEMENTS_CASE_ELEMENT_H
 
 #include "case/resolve.h"
 

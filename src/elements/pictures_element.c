@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* An element drawn to scale above what its contact goes through. */
-#include "pictures/draw_element.h"
+#include "elements/pictures_element.h"
 
 #include <math.h>
 #include <stdio.h>

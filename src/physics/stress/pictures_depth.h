@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The field below a snapshot, from its pressure and, where the case has it,
  * traction. */
-#ifndef OVR_PICTURES_DEPTH_FIELD_H
-#define OVR_PICTURES_DEPTH_FIELD_H
+#ifndef OVR_PHYSICS_STRESS_PICTURES_DEPTH_H
+#define OVR_PHYSICS_STRESS_PICTURES_DEPTH_H
 
 #include "contact/layers.h"
 #include "overroll/case.h"

@@ -12,7 +12,7 @@
  * Cams: the energy of the event, once a turn.  Bearings: one roller on the
  * raceway.
  */
-#include "run/element.h"
+#include "elements/run_element.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -6,7 +6,7 @@
  * relative to it, by tables of the element's moments: 1601 times, and a point
  * at every corner.
  */
-#include "case/resolve_element.h"
+#include "elements/case_element.h"
 #include "base/error.h"
 #include "case/two_columns.h"
 #include "contact/contact.h"

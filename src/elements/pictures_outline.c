@@ -18,7 +18,7 @@
 #include <stdlib.h>
 
 #include "elements/elements.h"
-#include "pictures/draw_element.h"
+#include "elements/pictures_element.h"
 
 static const double pi = 3.14159265358979323846;
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Reviews a gear pair, cam or bearing before its run, and after. */
-#ifndef OVR_RUN_ELEMENT_H
-#define OVR_RUN_ELEMENT_H
+#ifndef OVR_ELEMENTS_RUN_ELEMENT_H
+#define OVR_ELEMENTS_RUN_ELEMENT_H
 
 #include "overroll/run.h"
 

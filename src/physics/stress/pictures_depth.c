@@ -5,7 +5,7 @@
  * to D/2; above that linear to the surface, where -p stands, or with traction
  * what there is at D/2.
  */
-#include "pictures/depth_field.h"
+#include "physics/stress/pictures_depth.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "pictures/depth_field.h"
+#include "physics/stress/pictures_depth.h"
 #include "pictures/picture.h"
 #include "pictures/snapshot.h"
 
