@@ -426,7 +426,7 @@ pictures: demo ## the pictures of README.md, into tools/pictures
 	  --h-max 0.6um -o tools/pictures/gear.png --force -q \
 	  --title 'A ground gear tooth: pressure, starved film, temperatures, stress'
 	@$(PROGRAM) frames $(BUILD)/demo/dent.h5 --movie tools/pictures/dent.gif \
-	  --every 4 --time 3:6.4 --p-max 1.4 --rate 20 --size 800x450 --force \
+	  --every 2 --time 3:6.4 --p-max 1.4 --rate 20 --size 800x450 --force \
 	  --title 'A dent passes through the contact of two steel rollers'
 
 PAPER_LEVEL ?= 17

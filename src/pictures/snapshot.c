@@ -42,9 +42,10 @@ void ovr_heading(const ovr_stored *runs, size_t count, char *heading,
         }
     }
     for (size_t j = 0; j < count; j++)
-        if (runs[j].unresolved && used + 60 <= capacity) {
+        if (runs[j].unresolved && used + 90 <= capacity) {
             snprintf(heading + used, capacity - used,
-                     "%smaximum pressure not resolved", used ? ",  " : "");
+                     "%smaximum pressure not resolved (%s)", used ? ",  " : "",
+                     runs[j].unresolved);
             break;
         }
 }

@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "pictures/stored.h"
 #include "case/case.h"
+#include "case/setup.h"
+#include "physics/stress/stress.h"
 #include "results/results.h"
 
 #include <math.h>
@@ -51,6 +53,51 @@ static void find_hertz(ovr_stored *run, ovr_arena *arena)
     run->hertz_P = width ? P : NULL;
 }
 
+/* What resolves the maximum pressure: a lubricant that shear-thins has a
+ * bounded one. */
+static const char *remedy(const ovr_stored *run)
+{
+    ovr_case *c;
+    ovr_setup *setup = ovr_stored_setup(run, &c, NULL);
+    bool thins = setup && setup->lubricant->rheology != OVR_NEWTONIAN;
+    ovr_setup_free(setup);
+    ovr_case_free(c);
+    return thins ? "use a higher domain.level"
+                 : "set lubricant.rheology = eyring";
+}
+
+/* Reads which snapshots have a maximum pressure that the mesh resolves. */
+static ovr_status find_resolved(ovr_stored *run, ovr_arena *arena,
+                                ovr_error *err)
+{
+    size_t steps = run->info->steps, shots = run->info->snapshots, i = 0;
+    bool unresolved;
+    ovr_status status = ovr_result_unresolved(run->result, arena, &unresolved,
+                                              err);
+    if (status || !unresolved)
+        return status;
+    run->unresolved = remedy(run);
+    run->resolved = ovr_arena_take(arena, shots + 1, sizeof(bool), err);
+    double *T = column(run, "history/time", arena);
+    double *flag = column(run, "history/max_pressure_resolved", arena);
+    if (!run->resolved || !T || !flag)
+        return OVR_NO_MEMORY;
+    for (size_t k = 0; k < shots; k++) {
+        while (i + 1 < steps && T[i] < run->times[k])
+            i++;
+        run->resolved[k] = flag[i] != 0;
+    }
+    return OVR_OK;
+}
+
+const char *ovr_stored_unresolved(const ovr_stored *run, ptrdiff_t k, double z)
+{
+    double deepest = ovr_unresolved_depth(run->x[1] - run->x[0]);
+    if (!run->unresolved || (k >= 0 && run->resolved[k]) || !(z < deepest))
+        return NULL;
+    return run->unresolved;
+}
+
 double ovr_stored_hertz_width(const ovr_stored *run, size_t k)
 {
     return run->hertz_width ? run->hertz_width[k] : 1;
@@ -84,7 +131,7 @@ ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
     if (status == OVR_OK)
         status = ovr_result_times(result, OVR_HERTZIAN, run->times, err);
     if (status == OVR_OK)
-        status = ovr_result_unresolved(result, arena, &run->unresolved, err);
+        status = find_resolved(run, arena, err);
     if (status == OVR_OK)
         find_hertz(run, arena);
     return status;

@@ -20,7 +20,11 @@ typedef struct ovr_stored {
      * nominal one's; NULL: it is that */
     double *hertz_width, *hertz_P;
     bool film, pressure, roughness, filling, touches;
-    bool unresolved; /* the mesh does not resolve the largest pressure */
+    /* remedy where the mesh does not resolve the largest pressure; NULL: the
+     * mesh resolves it */
+    const char *unresolved;
+    bool *resolved; /* by snapshot: the mesh resolves its maximum pressure; NULL
+                       where `unresolved` is NULL */
     bool hot[3]; /* temperatures of surface 1, surface 2, middle of the film */
     struct {
         double x, film, pressure, time;
@@ -38,6 +42,11 @@ const char *ovr_stored_title(const ovr_stored *runs, size_t count,
 /* Hertz's half width and largest pressure at snapshot k over the nominal. */
 double ovr_stored_hertz_width(const ovr_stored *run, size_t k);
 double ovr_stored_hertz_pressure(const ovr_stored *run, size_t k);
+
+/* Returns the remedy if the mesh does not resolve a stress at depth z (b) below
+ * a pressure spike, NULL otherwise.  `k` is a snapshot, or -1 for the extreme
+ * over the run. */
+const char *ovr_stored_unresolved(const ovr_stored *run, ptrdiff_t k, double z);
 
 /* Refuses one that was stored without snapshots, or is at its beginning. */
 ovr_status ovr_stored_need_snapshots(const ovr_stored *run, ovr_error *err);

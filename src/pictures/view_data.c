@@ -337,7 +337,8 @@ static void put_about(ovr_view_run *w)
     if (i->ph > 0)
         ovr_text_print(w->to, ", p_h = %.3g GPa", i->ph * 1e-9);
     if (w->run->unresolved)
-        ovr_text_put(w->to, ", maximum pressure not resolved");
+        ovr_text_print(w->to, ", maximum pressure not resolved (%s)",
+                       w->run->unresolved);
     ovr_text_put(w->to, "\",");
 }
 

@@ -257,6 +257,22 @@ static ovr_status fill(sheet *s, size_t shot, ovr_error *err)
     return OVR_OK;
 }
 
+/* The remedy of each snapshot whose largest stress the mesh does not resolve,
+ * or "". */
+static void put_unresolved(ovr_text *to, const sheet *s)
+{
+    const ovr_stored *run = s->field.run;
+    if (!run->unresolved)
+        return;
+    ovr_text_put(to, "\"unresolved\":[");
+    for (size_t k = 0; k < s->shots; k++) {
+        const char *remedy = ovr_stored_unresolved(
+            run, (ptrdiff_t)(k * s->every), s->worst[3 * k + 1]);
+        ovr_text_print(to, "%s\"%s\"", k ? "," : "", remedy ? remedy : "");
+    }
+    ovr_text_put(to, "],");
+}
+
 /* Depths of the interfaces, where the body has layers. */
 static void put_layers(ovr_text *to, const ovr_layered *body)
 {
@@ -284,6 +300,7 @@ static ovr_status put(ovr_text *to, const sheet *s, ovr_arena *arena,
     ovr_text_doubles(to, "z", s->z, ROWS);
     ovr_text_doubles(to, "worst", s->worst, 3 * s->shots);
     put_layers(to, &f->coated.body);
+    put_unresolved(to, s);
     ovr_text_print(to,
                    "\"levels\":%d,\"from\":%.17g,\"step\":%.17g,\"bend\":0,"
                    "\"data\":\"",

@@ -68,6 +68,61 @@ contains out '"von_mises_max_resolved": false'
 expect 0 "$OVERROLL" stress again.h5
 contains out 'von Mises.*not resolved'
 
+# Pictures of stress and risk of a deeper dent name the remedy.
+expect 0 "$OVERROLL" run newton.ini --level 6 -q --set output.every=1 \
+    --set stress.surface=1 --set fatigue.criterion=dang-van \
+    --set feature.dent.depth=1.5um -o deep.h5
+expect 0 "$OVERROLL" view deep.h5 -o deep.html
+grep -o '"unresolved":\[[^]]*\]' deep.html >flags
+contains flags '"set lubricant.rheology = eyring"'
+contains flags '""'
+if command -v gnuplot >/dev/null; then
+    expect 0 "$OVERROLL" plot deep.h5 --kind stress -o stress.svg
+    contains stress.svg 'largest .*, not resolved; smooth'
+    contains stress.svg 'pressure not resolved \(set lubricant.rheology = eyring\)'
+    expect 0 "$OVERROLL" plot deep.h5 --kind risk -o risk.svg
+    contains risk.svg 'resolved from .* \(set lubricant.rheology = eyring\)'
+    expect 0 "$OVERROLL" plot deep.h5 --kind depth -o depth.svg
+    contains depth.svg 'not resolved above a depth'
+fi
+
+# A load that rises leaves a spike at the outlet that grows from level to level.
+cat >ramp.ini <<'END'
+[contact]
+hertz_pressure = 1 GPa
+radius = 10 mm
+modulus = 226 GPa
+mean_speed = 2 m/s
+[lubricant]
+viscosity = 80 mPa.s
+alpha = 20 1/GPa
+[load]
+history = ramp
+to = 3
+duration = 1
+[time]
+end = 4
+END
+for level in 7 8; do
+    expect 0 "$OVERROLL" run ramp.ini --level $level --json
+    contains out '"P_max_resolved": false'
+    contains err 'warning: the maximum pressure .* is not resolved.*rheology'
+    number P_max_overall >ramp.$level
+    expect 0 "$OVERROLL" run ramp.ini --level $level --json \
+        --set lubricant.rheology=eyring --set lubricant.eyring_stress=5MPa
+    contains out '"P_max_resolved": true'
+    ! grep -q 'not resolved' err || fail "the Eyring film of a ramp is marked"
+    number P_max_overall >thins.$level
+done
+"$PYTHON" - <<'END' || fail "the maxima of a ramp"
+def read(name):
+    return float(open(name).read())
+assert read("ramp.8") > 1.1 * read("ramp.7")
+assert abs(read("thins.8") / read("thins.7") - 1) < 1e-3
+# the pressure of Hertz's contact at three times the load: 3^(1/2)
+assert 1.65 < read("thins.8") < 2
+END
+
 # A resumed run knows it, too: its largest pressure is from before the stop.
 expect 0 "$OVERROLL" run newton.ini --level 6 -q -o half.h5 --set time.end=11
 expect 0 "$OVERROLL" resume half.h5 --set time.end=13 -q --json

@@ -166,7 +166,10 @@ function drawScale(c, box, s, k, u) {
   const said = (v) => digits(v * f) + unit;
   const most = said(s.worst ? s.worst[3 * k + 2] : s.high);
   const ends = digits(s.low * f) + " to " + said(s.high);
-  const looks = [[name + ", largest " + most, 110], [name + " to " + most, 110],
+  const remedy = s.unresolved ? s.unresolved[k] : "";
+  const looks = remedy ? [[name + ", largest " + most + ", not resolved (" +
+    remedy + ")", 110], [name + " to " + most + ", not resolved", 50],
+  [most + ", not resolved", 20]] : [[name + ", largest " + most, 110], [name + " to " + most, 110],
     [name + " to " + most, 50], [name + " to " + most, 20]];
   const room = box.w - 30 - c.measureText(ends).width;
   const [text, wide] = looks.find(([t, bar]) =>
@@ -220,6 +223,7 @@ function drawStress(view) {
   drawDepths(c, box, s, u);
   drawScale(c, box, s, k, u);
   view.stress.dataset.free = box.free;
+  view.stress.dataset.unresolved = s.unresolved ? s.unresolved[k] : "";
   view.stress.dataset.below = s.name;
   view.stress.dataset.layers = [...run.stress.layers].map(box.Y).join(" ");
   if (s.worst) view.stress.dataset.worst = [...s.worst.slice(3 * k, 3 * k + 3)].join(" ");

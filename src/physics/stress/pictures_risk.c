@@ -207,14 +207,32 @@ static ovr_status risk_panel(const history *h, ovr_panel *panel, ovr_error *err)
     return OVR_OK;
 }
 
+/* Writes the largest circle and, below a pressure spike that the mesh does not
+ * resolve, the depth from which circles are resolved. */
+static void describe_worst(const history *h, char *note, size_t capacity)
+{
+    const ovr_stored *run = h->in.run;
+    bool shallow = ovr_stored_unresolved(run, -1, h->worst_z) != NULL;
+    size_t used = (size_t)snprintf(
+        note, capacity,
+        "worst R %.3g p_h at %.3g b, %.3g b deep%s; smooth %.3g; from %.3g b "
+        "down",
+        h->worst, h->worst_xi, h->worst_z, shallow ? ", not resolved" : "",
+        largest_smooth(h), h->minimum);
+    if (ovr_stored_unresolved(run, -1, h->minimum))
+        snprintf(note + used, capacity - used, ", resolved from %.3g b (%s)",
+                 ovr_unresolved_depth(run->x[1] - run->x[0]), run->unresolved);
+}
+
 ovr_status ovr_draw_risk(const ovr_drawing *drawing, ovr_chart *chart,
                          ovr_error *err)
 {
+    enum { NOTE = 240 };
     history h = {
         .in = {.run = drawing->runs, .arena = drawing->arena},
         .surface = drawing->options->surface ? drawing->options->surface : 1};
     ovr_panel *panel = ovr_arena_take(drawing->arena, 3, sizeof *panel, err);
-    char *note = ovr_arena_take(drawing->arena, 200, 1, err);
+    char *note = ovr_arena_take(drawing->arena, NOTE, 1, err);
     size_t rows = 0;
     if (!panel || !note)
         return OVR_NO_MEMORY;
@@ -226,11 +244,7 @@ ovr_status ovr_draw_risk(const ovr_drawing *drawing, ovr_chart *chart,
         return OVR_NO_MEMORY;
     if (h.life && h.risk_smooth > 0 && risk_panel(&h, &panel[rows++], err))
         return OVR_NO_MEMORY;
-    snprintf(
-        note, 200,
-        "worst R %.3g p_h at %.3g b, %.3g b deep; smooth %.3g; from %.3g b "
-        "down",
-        h.worst, h.worst_xi, h.worst_z, largest_smooth(&h), h.minimum);
+    describe_worst(&h, note, NOTE);
     chart->subtitle = note;
     chart->rows = rows;
     chart->panel = panel;
@@ -293,6 +307,7 @@ static size_t depth_panels(const history *h, const double *worst,
 ovr_status ovr_draw_depth(const ovr_drawing *drawing, ovr_chart *chart,
                           ovr_error *err)
 {
+    enum { NOTE = 200 };
     history h = {
         .in = {.run = drawing->runs, .arena = drawing->arena},
         .surface = drawing->options->surface ? drawing->options->surface : 1};
@@ -304,6 +319,17 @@ ovr_status ovr_draw_depth(const ovr_drawing *drawing, ovr_chart *chart,
     double *worst = worst_at_depths(&h, err);
     if (!worst)
         return OVR_NO_MEMORY;
+    if (ovr_stored_unresolved(h.in.run, -1, h.minimum)) {
+        char *note = ovr_arena_take(drawing->arena, NOTE, 1, err);
+        if (!note)
+            return OVR_NO_MEMORY;
+        snprintf(note, NOTE,
+                 "not resolved above a depth of %.3g b, because the maximum "
+                 "pressure is not (%s)",
+                 ovr_unresolved_depth(h.in.run->x[1] - h.in.run->x[0]),
+                 h.in.run->unresolved);
+        chart->subtitle = note;
+    }
     chart->rows = depth_panels(&h, worst, panel);
     chart->panel = panel;
     return OVR_OK;

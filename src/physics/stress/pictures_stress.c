@@ -35,9 +35,12 @@ ovr_status ovr_stress_panel_add(ovr_depth_field *f, const ovr_shot *shot,
         ovr_depth_field_panel(f, look->options->units, panel, arena, err))
         return OVR_BAD_INPUT;
     to->chart.rows++;
+    bool unresolved = ovr_stored_unresolved(f->run, (ptrdiff_t)shot->k,
+                                            f->worst.Z);
     snprintf(note, NOTE,
-             "%s; largest %.3g at X = %.3g, Z = %.3g; smooth %.3g%s",
-             to->note[0], f->worst.value, f->worst.X, f->worst.Z, f->smooth,
+             "%s; largest %.3g at X = %.3g, Z = %.3g%s; smooth %.3g%s",
+             to->note[0], f->worst.value, f->worst.X, f->worst.Z,
+             unresolved ? ", not resolved" : "", f->smooth,
              f->traction == 0 ? "" : "; with traction");
     to->panel[0].note = note;
     return OVR_OK;

@@ -311,10 +311,15 @@ static void withhold(ovr_stress_report *r, ovr_life_result *life)
  * it is less than a twentieth of the spike's height. */
 static const double SPIKE_DEPTH = 16;
 
+double ovr_unresolved_depth(double mesh)
+{
+    return SPIKE_DEPTH * mesh;
+}
+
 /* A maximum at the least depth is one of the chosen depths only. */
 static double unresolved_depth(const ovr_stress_source *of, double least)
 {
-    double spike = SPIKE_DEPTH * of->setup->mesh;
+    double spike = ovr_unresolved_depth(of->setup->mesh);
     return of->unresolved ? fmax(spike, (1 + 1e-6) * least) : 0;
 }
 

@@ -102,6 +102,10 @@ typedef struct ovr_stress_source {
     bool unresolved; /* the mesh does not resolve the maximum pressure */
 } ovr_stress_source;
 
+/* Returns the depth above which a pressure spike that the mesh does not resolve
+ * changes the stresses, in the unit of the mesh size. */
+double ovr_unresolved_depth(double mesh);
+
 /* All that is told of a material history; its arrays are in the arena. */
 ovr_stress_report *ovr_stress_report_make(const ovr_stress_source *of,
                                           const ovr_stress_plan *plan,
