@@ -53,8 +53,8 @@ static void find_hertz(ovr_stored *run, ovr_arena *arena)
     run->hertz_P = width ? P : NULL;
 }
 
-/* What resolves the maximum pressure: a lubricant that shear-thins has a
- * bounded one. */
+/* Returns the remedy for a maximum pressure that the mesh does not resolve; a
+ * shear-thinning lubricant bounds the pressure. */
 static const char *remedy(const ovr_stored *run)
 {
     ovr_case *c;

@@ -20,11 +20,8 @@ typedef struct ovr_stored {
      * nominal one's; NULL: it is that */
     double *hertz_width, *hertz_P;
     bool film, pressure, roughness, filling, touches;
-    /* remedy where the mesh does not resolve the largest pressure; NULL: the
-     * mesh resolves it */
-    const char *unresolved;
-    bool *resolved; /* by snapshot: the mesh resolves its maximum pressure; NULL
-                       where `unresolved` is NULL */
+    const char *unresolved; /* remedy; NULL: P_max is resolved */
+    bool *resolved; /* P_max by snapshot; NULL if `unresolved` is NULL */
     bool hot[3]; /* temperatures of surface 1, surface 2, middle of the film */
     struct {
         double x, film, pressure, time;

@@ -79,7 +79,7 @@ contains flags '""'
 if command -v gnuplot >/dev/null; then
     expect 0 "$OVERROLL" plot deep.h5 --kind stress -o stress.svg
     contains stress.svg 'largest .*, not resolved; smooth'
-    contains stress.svg 'pressure not resolved \(set lubricant.rheology = eyring\)'
+    contains stress.svg 'not resolved \(set lubricant.rheology = eyring\)'
     expect 0 "$OVERROLL" plot deep.h5 --kind risk -o risk.svg
     contains risk.svg 'resolved from .* \(set lubricant.rheology = eyring\)'
     expect 0 "$OVERROLL" plot deep.h5 --kind depth -o depth.svg
