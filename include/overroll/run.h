@@ -242,15 +242,18 @@ OVR_API void ovr_setup_review(const ovr_setup *setup, ovr_listener *say,
 typedef struct ovr_study ovr_study;
 struct ovr_find; /* overroll/questions.h */
 
-/* Every key and value is tried on the base case. */
+/* Every key and value is tried on the base case; of [random] the first draw,
+ * the others by ovr_sweep. */
 OVR_API ovr_study *ovr_study_read(const char *path,
                                   const ovr_allocator *allocator,
                                   ovr_error *err);
 OVR_API void ovr_study_free(ovr_study *study);
 
-/* The number of cases; the name of one; its case, to be freed. */
+/* The number of cases; the name of one (at most 159 characters); its case, to
+ * be freed. */
 OVR_API size_t ovr_study_cases(const ovr_study *study);
-OVR_API const char *ovr_study_name(const ovr_study *study, size_t k);
+OVR_API void ovr_study_name(const ovr_study *study, size_t k, char *text,
+                            size_t capacity);
 OVR_API ovr_case *ovr_study_case(const ovr_study *study, size_t k,
                                  ovr_error *err);
 

@@ -121,7 +121,7 @@ static void report_json(const sweeping *w, const ovr_sweep_totals *t)
 static void list_state(const sweeping *w, ovr_sweep_state state)
 {
     enum { KINDS = 5 };
-    char text[1100], kind[KINDS][1100];
+    char text[1100], kind[KINDS][1100], name[160];
     size_t kinds = 0, more = 0;
     for (size_t i = 0; i < ovr_study_cases(w->s); i++) {
         size_t k = 0;
@@ -135,8 +135,8 @@ static void list_state(const sweeping *w, ovr_sweep_state state)
             continue;
         }
         strcpy(kind[kinds++], text);
-        printf("  %zu %s %s: %s\n", i + 1, ovr_sweep_state_name(state),
-               ovr_study_name(w->s, i),
+        ovr_study_name(w->s, i, name, sizeof name);
+        printf("  %zu %s %s: %s\n", i + 1, ovr_sweep_state_name(state), name,
                state == OVR_SWEEP_FAILED ? text : "was made from another case");
     }
     if (more)
@@ -247,11 +247,12 @@ static int run_all(sweeping *w)
 static int report_task(const sweeping *w, size_t task)
 {
     ovr_sweep_state state = ovr_sweep_state_of(w->s, task);
-    char text[1100];
+    char text[1100], name[160];
     ovr_sweep_message(w->s, task, text, sizeof text);
+    ovr_study_name(w->s, task, name, sizeof name);
     if (w->call->verbosity >= 0)
-        printf("%zu %s %s%s%s\n", task + 1, ovr_sweep_state_name(state),
-               ovr_study_name(w->s, task), *text ? ": " : "", text);
+        printf("%zu %s %s%s%s\n", task + 1, ovr_sweep_state_name(state), name,
+               *text ? ": " : "", text);
     if (state == OVR_SWEEP_FAILED)
         return CLI_FAILED;
     return state == OVR_SWEEP_FINISHED ? CLI_DONE : CLI_EARLY;

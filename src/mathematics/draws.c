@@ -4,7 +4,6 @@
 #include <math.h>
 
 #include <gsl/gsl_cdf.h>
-#include <gsl/gsl_qrng.h>
 
 uint64_t ovr_text_hash(const char *text)
 {
@@ -40,34 +39,114 @@ static uint64_t stream_of(const char *key, const char *use)
     return mixed(ovr_text_hash(key)) ^ ovr_text_hash(use);
 }
 
-static void fill_plain(const ovr_sampling *how, const char *key, double *u)
+/* --------------------------------------------------------- Latin hypercube */
+
+static unsigned bit_length(uint64_t n)
 {
-    for (size_t i = 0; i < how->draws; i++)
-        u[i] = ovr_uniform_at(how->seed, ovr_text_hash(key), i);
+    unsigned bits = 0;
+    for (; n; n >>= 1)
+        bits++;
+    return bits;
 }
 
-static ovr_status fill_lhs(const ovr_sampling *how, const char *key, double *u,
-                           ovr_arena *arena, ovr_error *err)
+/* Returns the image of i under a random permutation of 0..n-1: "swap or not"
+ * (Hoang, Morris & Rogaway 2012), 6 log2(n) rounds and some for small n. */
+static uint64_t permuted(uint64_t seed, uint64_t stream, uint64_t n, uint64_t i)
 {
-    size_t n = how->draws,
-           *place = ovr_arena_take(arena, n, sizeof *place, err);
-    uint64_t order = stream_of(key, "order");
-    if (!place)
-        return OVR_NO_MEMORY;
-    for (size_t i = 0; i < n; i++)
-        place[i] = i;
-    for (size_t i = n; i-- > 1;) { /* Fisher & Yates */
-        size_t j = (size_t)(ovr_uniform_at(how->seed, order, i) *
-                            (double)(i + 1));
-        size_t kept = place[i];
-        place[i] = place[j];
-        place[j] = kept;
+    const unsigned rounds = 6 * bit_length(n) + 24;
+    for (unsigned r = 0; r < rounds; r++) {
+        uint64_t key = bits_at(seed, stream, r);
+        uint64_t other = (key % n + n - i) % n;
+        uint64_t larger = i > other ? i : other;
+        if (mixed(key ^ mixed(larger)) & 1)
+            i = other;
     }
-    for (size_t i = 0; i < n; i++)
-        u[i] = ((double)place[i] +
-                ovr_uniform_at(how->seed, ovr_text_hash(key), i)) /
-               (double)n;
-    return OVR_OK;
+    return i;
+}
+
+static double latin(const ovr_sampling *how, const char *key, size_t i)
+{
+    uint64_t stratum = permuted(how->seed, stream_of(key, "order"), how->draws,
+                                i);
+    return ((double)stratum +
+            ovr_uniform_at(how->seed, ovr_text_hash(key), i)) /
+           (double)how->draws;
+}
+
+/* ------------------------------------------------------------------- Sobol */
+
+/* A primitive polynomial modulo 2, its coefficients as bits, and the first
+ * odd numbers of its sequence (Bratley & Fox 1988). */
+typedef struct sobol_dimension {
+    unsigned polynomial, first[8];
+} sobol_dimension;
+
+static const sobol_dimension dimensions[OVR_SOBOL_MAX] = {
+    {1, {1}},
+    {3, {1}},
+    {7, {1, 1}},
+    {11, {1, 3, 7}},
+    {13, {1, 1, 5}},
+    {19, {1, 3, 1, 1}},
+    {25, {1, 1, 3, 7}},
+    {37, {1, 3, 3, 9, 9}},
+    {59, {1, 3, 7, 13, 3}},
+    {47, {1, 1, 5, 11, 27}},
+    {61, {1, 3, 5, 1, 15}},
+    {55, {1, 1, 7, 3, 29}},
+    {41, {1, 3, 7, 7, 21}},
+    {67, {1, 1, 1, 9, 23, 37}},
+    {97, {1, 3, 3, 5, 19, 33}},
+    {91, {1, 1, 3, 13, 11, 7}},
+    {109, {1, 1, 7, 13, 25, 5}},
+    {103, {1, 3, 5, 11, 7, 11}},
+    {115, {1, 1, 1, 3, 13, 39}},
+    {131, {1, 3, 1, 15, 17, 63, 13}},
+    {193, {1, 1, 5, 5, 1, 27, 33}},
+    {137, {1, 3, 3, 3, 25, 17, 115}},
+    {145, {1, 1, 3, 15, 29, 15, 41}},
+    {143, {1, 3, 1, 7, 3, 23, 79}},
+    {241, {1, 3, 7, 9, 31, 29, 17}},
+    {157, {1, 1, 5, 13, 11, 3, 29}},
+    {185, {1, 3, 1, 9, 5, 21, 119}},
+    {167, {1, 1, 3, 1, 23, 13, 75}},
+    {229, {1, 3, 3, 11, 27, 31, 73}},
+    {171, {1, 1, 7, 7, 19, 25, 105}},
+    {213, {1, 3, 5, 5, 21, 9, 7}},
+    {191, {1, 1, 1, 15, 5, 49, 59}},
+    {253, {1, 1, 1, 1, 1, 33, 65}},
+    {203, {1, 3, 5, 15, 17, 19, 21}},
+    {211, {1, 1, 7, 11, 13, 29, 3}},
+    {239, {1, 3, 7, 5, 7, 11, 113}},
+    {247, {1, 1, 5, 3, 15, 19, 61}},
+    {285, {1, 3, 1, 1, 9, 27, 89, 7}},
+    {369, {1, 1, 3, 7, 31, 15, 45, 23}},
+    {299, {1, 3, 3, 9, 9, 25, 107, 39}},
+};
+
+enum { SOBOL_BITS = 30 };
+
+/* Returns coordinate `k` of point n, which is 0 for n = 0; the points are in
+ * the order of the Gray code of n (Antonov & Saleev 1979). */
+static double sobol(size_t k, uint64_t n)
+{
+    const sobol_dimension *d = &dimensions[k];
+    const unsigned degree = bit_length(d->polynomial) - 1;
+    const uint64_t gray = n ^ (n >> 1);
+    unsigned m[SOBOL_BITS], point = 0;
+    for (unsigned j = 0; j < SOBOL_BITS && gray >> j; j++) {
+        if (j < degree || k == 0) {
+            m[j] = k ? d->first[j] : 1;
+        } else {
+            m[j] = m[j - degree];
+            for (unsigned i = 1; i <= degree; i++)
+                if (d->polynomial >> (degree - i) & 1)
+                    m[j] ^= m[j - i] << i;
+        }
+        if (gray >> j & 1)
+            point ^= m[j] << (SOBOL_BITS - 1 - j);
+    }
+    return (double)point * 0x1p-30;
 }
 
 /* Off the ends of (0, 1), where normal numbers are infinite. */
@@ -76,48 +155,33 @@ static double inside(double u)
     return u < 0x1p-54 ? 0x1p-54 : u > 1 - 0x1p-53 ? 1 - 0x1p-53 : u;
 }
 
-static ovr_status fill_sobol(const ovr_sampling *how, double *u,
-                             ovr_arena *arena, ovr_error *err)
+static double shifted_sobol(const ovr_sampling *how, size_t k, size_t i)
 {
-    unsigned count = (unsigned)how->keys;
-    double point[OVR_SOBOL_MAX] = {0};
-    const gsl_qrng_type *sobol = gsl_qrng_sobol;
-    void *state;
-    if (count > OVR_SOBOL_MAX)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "%u keys are random, and the points of Sobol' have %d "
-                        "dimensions at most: take design = lhs",
-                        count, OVR_SOBOL_MAX);
-    /* gsl_qrng_alloc is not called: it ends the program where memory ends. */
-    state = ovr_arena_take(arena, 1, sobol->state_size(count), err);
-    if (!state)
-        return OVR_NO_MEMORY;
-    sobol->init_state(state, count);
-    for (size_t i = 0; i < how->draws; i++) {
-        size_t replicate = i % how->shifts;
-        if (i >= how->shifts && replicate == 0)
-            sobol->get(state, count, point);
-        for (size_t k = 0; k < count; k++) {
-            double shift = ovr_uniform_at(
-                how->seed, stream_of(how->key[k], "shift"), replicate);
-            u[k * how->draws + i] = inside(fmod(point[k] + shift, 1));
-        }
-    }
-    return OVR_OK;
+    double shift = ovr_uniform_at(how->seed, stream_of(how->key[k], "shift"),
+                                  i % how->shifts);
+    return inside(fmod(sobol(k, i / how->shifts) + shift, 1));
 }
 
-ovr_status ovr_draws(const ovr_sampling *how, double *u, ovr_arena *arena,
-                     ovr_error *err)
+/* ------------------------------------------------------------------- Draws */
+
+ovr_status ovr_sampling_check(const ovr_sampling *how, ovr_error *err)
 {
-    ovr_status status = OVR_OK;
-    if (how->design == OVR_SOBOL && how->keys)
-        return fill_sobol(how, u, arena, err);
-    for (size_t k = 0; !status && k < how->keys; k++)
-        if (how->design == OVR_LHS)
-            status = fill_lhs(how, how->key[k], u + k * how->draws, arena, err);
-        else
-            fill_plain(how, how->key[k], u + k * how->draws);
-    return status;
+    if (how->design != OVR_SOBOL || how->keys <= OVR_SOBOL_MAX)
+        return OVR_OK;
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "%zu keys are random, and the points of Sobol' have at "
+                    "most %d dimensions; set design = lhs",
+                    how->keys, OVR_SOBOL_MAX);
+}
+
+double ovr_draw_at(const ovr_sampling *how, size_t k, size_t i)
+{
+    switch (how->design) {
+    case OVR_SOBOL: return shifted_sobol(how, k, i);
+    case OVR_LHS: return latin(how, how->key[k], i);
+    case OVR_PLAIN: break;
+    }
+    return ovr_uniform_at(how->seed, ovr_text_hash(how->key[k]), i);
 }
 
 /* ---------------------------------------------------------- distributions */

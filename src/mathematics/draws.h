@@ -6,10 +6,11 @@
  *
  *   plain  splitmix64 (Steele, Lea & Flood 2014) of seed, FNV-1a of the key,
  *          and i; 53 bits and a half, so never 0 nor 1
- *   lhs    (p(i) + u(i))/draws, p a permutation by Fisher and Yates: each of as
- *          many equal strata has one draw (McKay, Beckman & Conover 1979)
- *   sobol  GSL's points of Sobol' (directions of Bratley & Fox 1988; point 0 is
- *          the origin, which GSL leaves out), shifted modulo 1 by a random
+ *   lhs    (p(i) + u(i))/draws with a permutation p that is evaluated for one
+ *          i: each of as many equal strata has one draw (McKay, Beckman &
+ *          Conover 1979)
+ *   sobol  points of Sobol' (directions of Bratley & Fox 1988, as in GSL; point
+ *          0 is the origin, which GSL leaves out), shifted modulo 1 by a random
  *          vector for each replicate (Cranley & Patterson 1976): replicates
  *          are independent, and their spread is the error of the mean
  */
@@ -19,11 +20,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include "base/arena.h"
+#include "overroll/error.h"
 
 typedef enum ovr_design { OVR_PLAIN, OVR_LHS, OVR_SOBOL } ovr_design;
 
-enum { OVR_SOBOL_MAX = 40 }; /* dimensions that GSL has */
+enum { OVR_SOBOL_MAX = 40 }; /* dimensions */
 
 typedef struct ovr_sampling {
     ovr_design design;
@@ -41,9 +42,11 @@ uint64_t ovr_text_hash(const char *text);
 /* The i-th number of (0, 1) of a stream. */
 double ovr_uniform_at(uint64_t seed, uint64_t stream, uint64_t i);
 
-/* u[k * draws + i] for each key k: the design's dimension k. */
-ovr_status ovr_draws(const ovr_sampling *how, double *u, ovr_arena *arena,
-                     ovr_error *err);
+/* Fails if the design has fewer dimensions than there are keys. */
+ovr_status ovr_sampling_check(const ovr_sampling *how, ovr_error *err);
+
+/* Returns draw i of key k, within (0, 1). */
+double ovr_draw_at(const ovr_sampling *how, size_t k, size_t i);
 
 /* ---------------------------------------------------------- distributions */
 

@@ -112,13 +112,6 @@ static ovr_status read_list(const char *text, ovr_arena *arena, char ***values,
 
 /* ------------------------------------------------------------------ Range */
 
-typedef struct range {
-    double from, to;
-    char unit[24]; /* " um", or "" */
-    size_t count;
-    bool log;
-} range;
-
 /* The unit behind a number with a blank before it, or "". */
 static bool read_end(const char *text, double *number, char *unit,
                      size_t capacity)
@@ -155,7 +148,8 @@ static bool split_range(const char *text, char *from, char *to, size_t capacity,
            n <= OVR_STUDY_MAX_TASKS;
 }
 
-static ovr_status parse_range(const char *text, range *r, ovr_error *err)
+static ovr_status parse_range(const char *text, ovr_study_range *r,
+                              ovr_error *err)
 {
     char from[80], to[80], unit[24];
     const char *after = strchr(text, ' ');
@@ -177,7 +171,7 @@ static ovr_status parse_range(const char *text, range *r, ovr_error *err)
     return OVR_OK;
 }
 
-static double range_at(const range *r, size_t i)
+static double range_at(const ovr_study_range *r, size_t i)
 {
     double s = (double)i / (double)(r->count - 1);
     if (i == 0 || i + 1 == r->count) /* the ends as given */
@@ -187,23 +181,13 @@ static double range_at(const range *r, size_t i)
 }
 
 /* Ten digits: what is printed is what is computed, and reads well. */
-static ovr_status fill_range(const range *r, ovr_arena *arena, char ***values,
-                             size_t *count, ovr_error *err)
+void ovr_study_range_at(const ovr_study_range *r, size_t i, char *text)
 {
-    char text[64];
-    *count = r->count;
-    *values = ovr_arena_take(arena, r->count, sizeof **values, err);
-    for (size_t i = 0; *values && i < r->count; i++) {
-        snprintf(text, sizeof text, "%.10g%s", range_at(r, i), r->unit);
-        (*values)[i] = ovr_arena_text(arena, text, err);
-        if (!(*values)[i])
-            return OVR_NO_MEMORY;
-    }
-    return *values ? OVR_OK : OVR_NO_MEMORY;
+    snprintf(text, OVR_STUDY_VALUE, "%.10g%s", range_at(r, i), r->unit);
 }
 
 /* "1..8": whole numbers. */
-static bool is_count(const char *text, range *r)
+static bool is_count(const char *text, ovr_study_range *r)
 {
     char *end;
     long from = strtol(text, &end, 10), to;
@@ -213,29 +197,28 @@ static bool is_count(const char *text, range *r)
     to = strtol(second, &end, 10);
     if (end == second || *end || to <= from || to - from >= OVR_STUDY_MAX_TASKS)
         return false;
-    *r = (range){(double)from, (double)to, "", (size_t)(to - from) + 1, false};
+    *r = (ovr_study_range){(double)from, (double)to, "",
+                           (size_t)(to - from) + 1, false};
     return true;
 }
 
-ovr_status ovr_study_values(const char *text, ovr_arena *arena, char ***values,
-                            size_t *count, ovr_error *err)
+/* Reads a range; r->count is 0 if the text is a list. */
+static ovr_status read_range(const char *text, ovr_study_range *r,
+                             ovr_error *err)
 {
     char from[80], to[80];
     size_t n;
-    range r;
-    if (split_range(text, from, to, sizeof from, &n) &&
-        strncmp(text, "linear ", 7) != 0 && strncmp(text, "log ", 4) != 0)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "'%.80s' is a range: it must begin with linear or log; "
-                        "did you mean 'linear %.80s'?",
-                        text, text);
-    if (is_count(text, &r))
-        return fill_range(&r, arena, values, count, err);
-    if (strncmp(text, "linear ", 7) != 0 && strncmp(text, "log ", 4) != 0)
-        return read_list(text, arena, values, count, err);
-    if (parse_range(text, &r, err))
-        return OVR_BAD_INPUT;
-    return fill_range(&r, arena, values, count, err);
+    r->count = 0;
+    if (is_count(text, r))
+        return OVR_OK;
+    if (!strncmp(text, "linear ", 7) || !strncmp(text, "log ", 4))
+        return parse_range(text, r, err);
+    if (!split_range(text, from, to, sizeof from, &n))
+        return OVR_OK;
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "'%.80s' is a range: it must begin with linear or log; "
+                    "did you mean 'linear %.80s'?",
+                    text, text);
 }
 
 /* -------------------------------------------------------------------- Study */
@@ -340,10 +323,15 @@ static ovr_status take_values(reading *r, const char *key, const char *value)
             return OVR_NO_MEMORY;
         k->value[0] = ovr_arena_text(&s->arena, value, r->err);
         k->count = 1;
-    } else if (ovr_study_values(value, &s->arena, &k->value, &k->count, &why)) {
+        return OVR_OK;
+    }
+    if (read_range(value, &k->range, &why) ||
+        (!k->range.count &&
+         read_list(value, &s->arena, &k->value, &k->count, &why)))
         return ovr_fail_at(r->err, why.status, s->path, r->line, "%s: %.800s",
                            key, why.message);
-    }
+    if (k->range.count)
+        k->count = k->range.count;
     return OVR_OK;
 }
 
@@ -354,8 +342,7 @@ static ovr_status take_ends(reading *r, const char *value)
     char **ends;
     size_t count = 0;
     ovr_error why = {0};
-    if (ovr_study_values(value, &r->s->arena, &ends, &count, &why) ||
-        count != 2)
+    if (read_list(value, &r->s->arena, &ends, &count, &why) || count != 2)
         return fail(r, "between: '%.60s' must be two numbers, A, B", value);
     f->low = ends[0];
     f->high = ends[1];
@@ -518,9 +505,9 @@ static ovr_status read_study(ovr_study *s, const char *path, ovr_error *err)
     s->results = true;
     s->path = ovr_arena_text(&s->arena, path, err);
     if (!s->path || set_places(s, err) || read_lines(&r) ||
-        check_find(s, err) || ovr_study_draw_all(s, r.zips + 1, err) ||
+        check_find(s, err) || ovr_study_add_random(s, r.zips + 1, err) ||
         check_zips(s, err) || set_strides(s, err) ||
-        ovr_study_name_tasks(s, err))
+        ovr_study_name_keys(s, err))
         return OVR_BAD_INPUT;
     return ovr_study_try_values(s, err) ? OVR_BAD_INPUT
                                         : ovr_study_try_find(s, err);
@@ -556,13 +543,6 @@ size_t ovr_study_cases(const ovr_study *s)
     return s ? s->tasks : 0;
 }
 
-const char *ovr_study_name(const ovr_study *s, size_t k)
-{
-    if (!s)
-        return NULL;
-    return s->name[k];
-}
-
 const char *ovr_study_output(const ovr_study *s)
 {
     return s ? s->output : NULL;
@@ -581,5 +561,7 @@ ovr_status ovr_study_output_set(ovr_study *s, const char *folder,
 void ovr_study_file(const ovr_study *s, size_t task, const char *ending,
                     char *path, size_t capacity)
 {
-    snprintf(path, capacity, "%s/%s%s", s->output, s->name[task], ending);
+    char name[OVR_STUDY_NAME];
+    ovr_study_name(s, task, name, sizeof name);
+    snprintf(path, capacity, "%s/%s%s", s->output, name, ending);
 }

@@ -35,16 +35,45 @@
 #include "run/comparison.h"
 
 enum {
+    OVR_STUDY_VALUE = 256, /* capacity for a value as text */
+    OVR_STUDY_NAME = 160,  /* and for the name of a case */
     OVR_STUDY_MAX_KEYS = 64,
     OVR_STUDY_MAX_TASKS = 1000000,
     OVR_STUDY_MAX_LIMITS = 16
 };
 
-/* One parameter: the value in task i is value[(i / stride) % count]. */
+/* Values at equal distances or ratios. */
+typedef struct ovr_study_range {
+    double from, to;
+    char unit[24]; /* " um", or "" */
+    size_t count;
+    bool log;
+} ovr_study_range;
+
+/* How a key of [random] is drawn. */
+typedef enum ovr_study_law {
+    OVR_DRAW_NUMBER, /* of a distribution */
+    OVR_DRAW_WHOLE,  /* one of `whole` whole numbers after `from` */
+    OVR_DRAW_CELL    /* one of the cells of a file */
+} ovr_study_law;
+
+typedef struct ovr_study_draw {
+    ovr_study_law law;
+    ovr_distribution distribution;
+    char unit[48]; /* " kN/m", or "" */
+    double from, whole;
+    char **cell;
+    size_t cells, dimension; /* of the design; not of whole numbers */
+} ovr_study_draw;
+
+/* One parameter: task i has value number (i / stride) % count, which is
+ * value[...] or, with value = NULL, computed from `draw` or `range`. */
 typedef struct ovr_study_key {
     const char *where; /* "feature.dent.depth" */
     const char *shown; /* what it is called in names and tables */
     char **value;
+    ovr_study_range range;
+    ovr_study_draw draw; /* if `random` */
     size_t count, stride;
     long line;            /* in the study */
     int zip;              /* keys of one number change together; 0: alone */
@@ -73,6 +102,7 @@ typedef struct ovr_study_chances {
     long line;
     ovr_study_chance key[OVR_STUDY_MAX_KEYS];
     size_t keys;
+    const char *dimension[OVR_STUDY_MAX_KEYS]; /* of the design */
 } ovr_study_chances;
 
 struct ovr_study {
@@ -88,11 +118,21 @@ struct ovr_study {
     ovr_study_chances random;
     ovr_comparison limit[OVR_STUDY_MAX_LIMITS];
     size_t limits;
-    char **name; /* of each task: "depth=0.1_slide_to_roll=0.5" */
 };
 
+/* Return value number v of a key, that of a task; in `text` (OVR_STUDY_VALUE
+ * characters) if it is computed. */
+const char *ovr_study_value_at(const ovr_study *s, const ovr_study_key *key,
+                               size_t v, char *text);
 const char *ovr_study_value(const ovr_study *s, const ovr_study_key *key,
-                            size_t task);
+                            size_t task, char *text);
+
+/* Writes draw i of a key of [random], as ovr_study_value_at does. */
+const char *ovr_study_draw_at(const ovr_study *s, const ovr_study_key *key,
+                              size_t i, char *text);
+
+/* Writes value i of a range, ends as given. */
+void ovr_study_range_at(const ovr_study_range *range, size_t i, char *text);
 
 /* A path in the folder of the results: NAME of the task, then `ending`. */
 void ovr_study_file(const ovr_study *s, size_t task, const char *ending,
@@ -115,17 +155,22 @@ typedef struct ovr_study_words {
 ovr_status ovr_study_unknown(const ovr_study *s, const ovr_study_words *words,
                              const char *given, long line, ovr_error *err);
 
-/* A setting or a key of [random], and after all lines the values of its keys,
- * as one zip behind all others; `file`: of [random file FILE], or NULL. */
+/* A setting or a key of [random], and after all lines its keys, as one zip
+ * after all others; `file`: of [random file FILE], or NULL. */
 ovr_status ovr_study_take_random(ovr_study *s, const ovr_entry *entry,
                                  const char *file, ovr_error *err);
-ovr_status ovr_study_draw_all(ovr_study *s, int zip, ovr_error *err);
+ovr_status ovr_study_add_random(ovr_study *s, int zip, ovr_error *err);
 
-/* Steps of reading: names of all tasks; every value once into the base
- * case, so that what is wrong is known before anything runs. */
-ovr_status ovr_study_name_tasks(ovr_study *s, ovr_error *err);
+/* Steps of reading: what keys are called in names; every value of a list and
+ * the first draw once into the base case, so that errors are reported before
+ * anything runs. */
+ovr_status ovr_study_name_keys(ovr_study *s, ovr_error *err);
 ovr_status ovr_study_try_values(const ovr_study *s, ovr_error *err);
 ovr_status ovr_study_try_find(const ovr_study *s, ovr_error *err);
+
+/* The same of all draws of the tasks first..last. */
+ovr_status ovr_study_try_draws(const ovr_study *s, size_t first, size_t last,
+                               ovr_error *err);
 
 /* The work of a task, as text: two that say the same are the same. */
 char *ovr_study_text(const ovr_study *s, ovr_case *c, ovr_arena *arena,

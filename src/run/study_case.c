@@ -1,5 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The cases of a study: what they are called, and the case of each. */
+#include <math.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -12,11 +14,26 @@
 
 enum { NAME_MAX = 120 };
 
-const char *ovr_study_value(const ovr_study *s, const ovr_study_key *key,
-                            size_t task)
+const char *ovr_study_value_at(const ovr_study *s, const ovr_study_key *key,
+                               size_t v, char *text)
 {
-    (void)s;
-    return key->value[(task / key->stride) % key->count];
+    if (key->value)
+        return key->value[v];
+    if (key->random)
+        return ovr_study_draw_at(s, key, v, text);
+    ovr_study_range_at(&key->range, v, text);
+    return text;
+}
+
+static size_t value_number(const ovr_study_key *key, size_t task)
+{
+    return (task / key->stride) % key->count;
+}
+
+const char *ovr_study_value(const ovr_study *s, const ovr_study_key *key,
+                            size_t task, char *text)
+{
+    return ovr_study_value_at(s, key, value_number(key, task), text);
 }
 
 /* The draw of a task, from 0; the cases of one draw differ in keys that are not
@@ -76,63 +93,135 @@ static unsigned hash(const char *text)
     return h;
 }
 
-static char *task_name(ovr_study *s, size_t task, ovr_error *err)
+/* Writes what of the name is made of lists and ranges; returns the length
+ * before the name is cut. */
+static size_t put_values(const ovr_study *s, size_t task, char *name,
+                         size_t capacity)
 {
-    char name[8192];
-    size_t n = 0;
+    size_t n = 0, whole;
     name[0] = '\0';
-    for (size_t i = 0; i < s->keys && n < sizeof name - 300; i++) {
-        char part[300];
+    for (size_t i = 0; i < s->keys && n < capacity - 300; i++) {
+        char part[300], value[OVR_STUDY_VALUE];
         if (s->key[i].fixed || s->key[i].random)
             continue;
         snprintf(part, sizeof part, "%s%s=%s", n ? "_" : "", s->key[i].shown,
-                 ovr_study_value(s, &s->key[i], task));
-        n += put_safe(name + n, sizeof name - n, part);
+                 ovr_study_value(s, &s->key[i], task, value));
+        n += put_safe(name + n, capacity - n, part);
     }
-    if (n > NAME_MAX) {
+    whole = n;
+    if (n > NAME_MAX)
         snprintf(name + NAME_MAX - 9, 10, "-%08x", hash(name));
-        n = NAME_MAX;
-    }
+    return whole;
+}
+
+void ovr_study_name(const ovr_study *s, size_t k, char *text, size_t capacity)
+{
+    char name[8192];
+    size_t n;
+    if (!s || !text || k >= s->tasks)
+        return;
+    n = put_values(s, k, name, sizeof name) ? strlen(name) : 0;
     if (s->random.how.draws)
         snprintf(name + n, sizeof name - n, "%sdraw-%04zu", n ? "_" : "",
-                 draw_of(s, task) + 1);
-    return ovr_arena_text(&s->arena, *name ? name : "case", err);
+                 draw_of(s, k) + 1);
+    snprintf(text, capacity, "%s", *name ? name : "case");
 }
 
-static int by_name(const void *a, const void *b)
+/* ------------------------------------------------------- names there twice */
+
+static ovr_status fail_twice(const ovr_study *s, size_t task, ovr_error *err)
 {
-    return strcmp(*(char *const *)a, *(char *const *)b);
+    char name[OVR_STUDY_NAME];
+    ovr_study_name(s, task, name, sizeof name);
+    return ovr_fail(err, OVR_BAD_INPUT, "%s: the case %.150s is there twice",
+                    s->path, name);
 }
 
-static ovr_status check_names(ovr_study *s, ovr_error *err)
+typedef struct hashed {
+    uint64_t hash;
+    size_t task;
+} hashed;
+
+static int by_hash(const void *a, const void *b)
 {
-    char **sorted = ovr_arena_take(&s->arena, s->tasks, sizeof *sorted, err);
-    ovr_status status = OVR_OK;
-    if (!sorted)
-        return OVR_NO_MEMORY;
-    memcpy(sorted, s->name, s->tasks * sizeof *sorted);
-    qsort(sorted, s->tasks, sizeof *sorted, by_name);
-    for (size_t i = 1; !status && i < s->tasks; i++)
-        if (!strcmp(sorted[i - 1], sorted[i]))
-            status = ovr_fail(err, OVR_BAD_INPUT,
-                              "%s: the case %.200s is there twice", s->path,
-                              sorted[i]);
+    const hashed *x = a, *y = b;
+    return (x->hash > y->hash) - (x->hash < y->hash);
+}
+
+/* Compares the names of `count` tasks, each `stride` after the other. */
+static ovr_status check_names(const ovr_study *s, size_t count, size_t stride,
+                              ovr_error *err)
+{
+    ovr_arena arena = ovr_arena_make(&s->arena.allocator);
+    hashed *all = ovr_arena_take(&arena, count, sizeof *all, err);
+    ovr_status status = all ? OVR_OK : OVR_NO_MEMORY;
+    for (size_t i = 0; all && i < count; i++) {
+        char name[OVR_STUDY_NAME];
+        ovr_study_name(s, i * stride, name, sizeof name);
+        all[i] = (hashed){ovr_text_hash(name), i * stride};
+    }
+    if (all)
+        qsort(all, count, sizeof *all, by_hash);
+    for (size_t i = 1; !status && i < count; i++)
+        if (all[i - 1].hash == all[i].hash)
+            status = fail_twice(s, all[i].task, err);
+    ovr_arena_release(&arena);
     return status;
 }
 
-ovr_status ovr_study_name_tasks(ovr_study *s, ovr_error *err)
+/* True if names differ wherever the values of one key or zip differ: none is
+ * cut, and no value looks like a key. */
+static bool is_plain(const ovr_study *s)
+{
+    size_t longest = 0;
+    for (size_t i = 0; i < s->keys; i++) {
+        const ovr_study_key *k = &s->key[i];
+        size_t most = k->value ? 0 : 2 * sizeof k->range.unit;
+        if (k->fixed || k->random)
+            continue;
+        for (size_t v = 0; k->value && v < k->count; v++) {
+            if (strchr(k->value[v], '='))
+                return false;
+            if (strlen(k->value[v]) > most)
+                most = strlen(k->value[v]);
+        }
+        longest += strlen(k->shown) + 2 + most;
+    }
+    return longest <= NAME_MAX;
+}
+
+/* True if ten digits tell the values of a range apart. */
+static bool has_distinct_texts(const ovr_study_range *r)
+{
+    double largest = fmax(fabs(r->from), fabs(r->to));
+    double step = r->log ? fabs(log(r->to / r->from))
+                         : fabs(r->to - r->from) / largest;
+    return step / (double)(r->count - 1) > 1e-8;
+}
+
+/* Keys of a zip have one stride and one number of values. */
+static ovr_status check_all_names(const ovr_study *s, ovr_error *err)
+{
+    const size_t draws = s->random.how.draws ? s->random.how.draws : 1;
+    ovr_status status = OVR_OK;
+    if (!is_plain(s))
+        return check_names(s, s->tasks / draws, draws, err);
+    for (size_t i = 0; !status && i < s->keys; i++) {
+        const ovr_study_key *k = &s->key[i];
+        bool again = i && k->zip && k[-1].zip == k->zip;
+        if (k->fixed || k->random || again)
+            continue;
+        if (k->value || !has_distinct_texts(&k->range))
+            status = check_names(s, k->count, k->stride, err);
+    }
+    return status;
+}
+
+ovr_status ovr_study_name_keys(ovr_study *s, ovr_error *err)
 {
     for (size_t i = 0; i < s->keys; i++)
         s->key[i].shown = short_name(s, s->key[i].where);
-    s->name = ovr_arena_take(&s->arena, s->tasks, sizeof *s->name, err);
-    if (!s->name)
-        return OVR_NO_MEMORY;
-    for (size_t i = 0; i < s->tasks; i++) {
-        s->name[i] = task_name(s, i, err);
-        if (!s->name[i])
-            return OVR_NO_MEMORY;
-    }
-    return check_names(s, err);
+    return check_all_names(s, err);
 }
 
 /* ------------------------------------------------------------------ cases */
@@ -152,6 +241,30 @@ static ovr_status put(const ovr_study *s, const ovr_study_key *k,
     return ovr_case_set(c, k->where, value, origin, err);
 }
 
+/* A draw that the case does not take: which, and what may be done. */
+static ovr_status bad_draw(const ovr_study *s, const ovr_study_key *k, size_t v,
+                           const ovr_error *why, ovr_error *err)
+{
+    const char *what = why->message + why->file;
+    char text[OVR_STUDY_VALUE];
+    what += strspn(what, ":0123456789 ");
+    return ovr_fail_at(err, OVR_BAD_INPUT, s->path, k->line,
+                       "draw %zu of %s is %.60s: %.500s; use lognormal or "
+                       "within",
+                       v + 1, k->where, ovr_study_value_at(s, k, v, text),
+                       what);
+}
+
+static ovr_status put_value(const ovr_study *s, const ovr_study_key *k,
+                            size_t v, ovr_case *c, ovr_error *err)
+{
+    char text[OVR_STUDY_VALUE];
+    ovr_error why = {0};
+    ovr_status status = put(s, k, ovr_study_value_at(s, k, v, text), c,
+                            k->random ? &why : err);
+    return status && k->random ? bad_draw(s, k, v, &why, err) : status;
+}
+
 ovr_case *ovr_study_case(const ovr_study *s, size_t task, ovr_error *err)
 {
     if (!s)
@@ -159,8 +272,8 @@ ovr_case *ovr_study_case(const ovr_study *s, size_t task, ovr_error *err)
     ovr_case *c = base_case(s, err);
     ovr_status status = OVR_OK;
     for (size_t i = 0; c && !status && i < s->keys; i++)
-        status = put(s, &s->key[i], ovr_study_value(s, &s->key[i], task), c,
-                     err);
+        status = put_value(s, &s->key[i], value_number(&s->key[i], task), c,
+                           err);
     if (status) {
         ovr_case_free(c);
         return NULL;
@@ -170,31 +283,66 @@ ovr_case *ovr_study_case(const ovr_study *s, size_t task, ovr_error *err)
     return c;
 }
 
-/* A draw that the case does not take: which, and what may be done. */
-static ovr_status bad_draw(const ovr_study *s, const ovr_study_key *k, size_t v,
-                           const ovr_error *why, ovr_error *err)
-{
-    const char *what = why->message + why->file;
-    what += strspn(what, ":0123456789 ");
-    return ovr_fail_at(err, OVR_BAD_INPUT, s->path, k->line,
-                       "draw %zu of %s is %.60s: %.500s; use lognormal or "
-                       "within",
-                       v + 1, k->where, k->value[v], what);
-}
-
-/* Every value once, so that what is wrong is known before anything runs. */
+/* Every value of a list.  Of a range the first thousand and the last: a step
+ * that the key refuses (of whole numbers) is among the first. */
 ovr_status ovr_study_try_values(const ovr_study *s, ovr_error *err)
 {
+    enum { FIRST = 1000 };
     ovr_case *c = base_case(s, err);
     ovr_status status = c ? OVR_OK : OVR_BAD_INPUT;
+    for (size_t i = 0; !status && i < s->keys; i++) {
+        const ovr_study_key *k = &s->key[i];
+        size_t first = k->random ? 1 : k->value ? k->count : FIRST;
+        for (size_t v = 0; !status && v < k->count && v < first; v++)
+            status = put_value(s, k, v, c, err);
+        if (!status && !k->random)
+            status = put_value(s, k, k->count - 1, c, err);
+    }
+    ovr_case_free(c);
+    return status;
+}
+
+/* The draws from..from+count-1 of a distribution: the smallest and the largest,
+ * as keys have intervals of values; if one of these is refused or if cells are
+ * drawn, all. */
+static ovr_status try_key(const ovr_study *s, const ovr_study_key *k,
+                          size_t from, size_t count, ovr_case *c,
+                          ovr_error *err)
+{
+    size_t least = from, most = from;
+    double low = INFINITY, high = -INFINITY;
+    ovr_error why = {0};
+    ovr_status status = OVR_OK;
+    for (size_t v = from; k->draw.law == OVR_DRAW_NUMBER && v < from + count;
+         v++) {
+        double u = ovr_draw_at(&s->random.how, k->draw.dimension, v);
+        if (u < low)
+            low = u, least = v;
+        if (u > high)
+            high = u, most = v;
+    }
+    if (k->draw.law != OVR_DRAW_CELL && !put_value(s, k, least, c, &why) &&
+        !put_value(s, k, most, c, &why))
+        return OVR_OK;
+    for (size_t v = from; !status && v < from + count; v++)
+        status = put_value(s, k, v, c, err);
+    return status;
+}
+
+ovr_status ovr_study_try_draws(const ovr_study *s, size_t first, size_t last,
+                               ovr_error *err)
+{
+    const size_t draws = s->random.how.draws;
+    size_t from = draws ? first % draws : 0, count = last - first + 1;
+    ovr_case *c = draws ? base_case(s, err) : NULL;
+    ovr_status status = c || !draws ? OVR_OK : OVR_BAD_INPUT;
+    if (from + count > draws) {
+        from = 0;
+        count = draws;
+    }
     for (size_t i = 0; !status && i < s->keys; i++)
-        for (size_t v = 0; !status && v < s->key[i].count; v++) {
-            ovr_error why = {0};
-            status = put(s, &s->key[i], s->key[i].value[v], c,
-                         s->key[i].random ? &why : err);
-            if (status && s->key[i].random)
-                bad_draw(s, &s->key[i], v, &why, err);
-        }
+        if (s->key[i].random)
+            status = try_key(s, &s->key[i], from, count, c, err);
     ovr_case_free(c);
     return status;
 }

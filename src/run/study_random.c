@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* [random] in a study: keys with distributions become lists of values, as many
- * as there are draws, that change together as those of a [zip] do. */
+/* [random] in a study: keys with distributions, whose draws change together as
+ * the values of a [zip] do.  Draw i of a key is computed when it is needed. */
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -338,52 +338,32 @@ static const char *dimension_of(const ovr_study_chance *c)
     return c->file ? c->file : c->where;
 }
 
-typedef struct dimensions {
-    const char *name[OVR_STUDY_MAX_KEYS];
-    size_t count;
-    double *u;
-} dimensions;
-
-static size_t find_dimension(const dimensions *d, const char *name)
+static size_t find_dimension(const ovr_study_chances *r, const char *name)
 {
     size_t k = 0;
-    while (k < d->count && strcmp(d->name[k], name) != 0)
+    while (k < r->how.keys && strcmp(r->dimension[k], name) != 0)
         k++;
     return k;
 }
 
-static ovr_status make_dimensions(ovr_study *s, dimensions *d, ovr_error *err)
+static ovr_status add_dimensions(ovr_study *s, ovr_error *err)
 {
-    const ovr_study_chances *r = &s->random;
+    ovr_study_chances *r = &s->random;
     ovr_error why = {0};
     for (size_t k = 0; k < r->keys; k++) {
         const char *name = dimension_of(&r->key[k]);
-        if (name && find_dimension(d, name) == d->count)
-            d->name[d->count++] = name;
+        if (name && find_dimension(r, name) == r->how.keys)
+            r->dimension[r->how.keys++] = name;
     }
-    d->u = ovr_arena_take(&s->arena, d->count * r->how.draws, sizeof *d->u,
-                          err);
-    if (!d->u)
-        return OVR_NO_MEMORY;
-    ovr_sampling how = r->how;
-    how.key = d->name;
-    how.keys = d->count;
-    if (ovr_draws(&how, d->u, &s->arena, &why))
+    r->how.key = r->dimension;
+    if (ovr_sampling_check(&r->how, &why))
         return ovr_fail_at(err, why.status, s->path, r->line, "%s",
                            why.message);
     return OVR_OK;
 }
 
-static ovr_status put_text(ovr_study *s, ovr_study_key *k, size_t i,
-                           const char *text, ovr_error *err)
-{
-    k->value[i] = ovr_arena_text(&s->arena, text, err);
-    return k->value[i] ? OVR_OK : OVR_NO_MEMORY;
-}
-
-/* Draws the u-th of the cells. */
-static ovr_status draw_cells(ovr_study *s, const ovr_study_chance *c,
-                             ovr_study_key *k, const double *u, ovr_error *err)
+static ovr_status read_cells(ovr_study *s, const ovr_study_chance *c,
+                             ovr_study_key *k, ovr_error *err)
 {
     rows r = {c->file, NULL, NULL, 0};
     if (c->file) {
@@ -398,49 +378,58 @@ static ovr_status draw_cells(ovr_study *s, const ovr_study_chance *c,
     }
     if (!r.path || read_rows(s, c, &r, err))
         return OVR_BAD_INPUT;
-    for (size_t i = 0; i < k->count; i++)
-        k->value[i] = r.cell[(size_t)(u[i] * (double)r.count)];
+    k->draw.law = OVR_DRAW_CELL;
+    k->draw.cell = r.cell;
+    k->draw.cells = r.count;
     k->related = c->file != NULL;
     return OVR_OK;
 }
 
-/* `u` is NULL where the key has no dimension. */
-static ovr_status draw_key(ovr_study *s, const ovr_study_chance *c,
-                           ovr_study_key *k, const double *u, ovr_error *err)
+static ovr_status read_law(ovr_study *s, const ovr_study_chance *c,
+                           ovr_study_key *k, ovr_error *err)
 {
-    char text[120], unit[40] = "";
-    const char *wrong;
-    ovr_distribution d;
-    double from = NAN, count = NAN;
-    ovr_status status = OVR_OK;
-    if (!u) {
-        read_range(c->text, &from, &count);
-        uint64_t stream = ovr_text_hash(c->where);
-        for (size_t i = 0; !status && i < k->count; i++) {
-            double drawn = ovr_uniform_at(s->random.how.seed, stream, i);
-            snprintf(text, sizeof text, "%.0f", from + floor(drawn * count));
-            status = put_text(s, k, i, text, err);
-        }
-        return status;
+    ovr_study_draw *draw = &k->draw;
+    const char *name = dimension_of(c), *wrong;
+    char unit[40] = "";
+    if (!name) {
+        draw->law = OVR_DRAW_WHOLE;
+        read_range(c->text, &draw->from, &draw->whole);
+        return OVR_OK;
     }
+    draw->dimension = find_dimension(&s->random, name);
     if (c->file || !strncmp(c->text, "file ", 5))
-        return draw_cells(s, c, k, u, err);
-    if (!read_distribution(c->text, &d, unit))
+        return read_cells(s, c, k, err);
+    if (!read_distribution(c->text, &draw->distribution, unit))
         return fail(s, c->line,
                     "'%.80s' must be normal A sd B, lognormal A sd B, uniform "
                     "A to B, triangular A, B, C, each with 'within A to B' if "
                     "need be, whole numbers A..B or file NAME",
                     c->text, err);
-    wrong = ovr_distribution_wrong(&d);
+    wrong = ovr_distribution_wrong(&draw->distribution);
     if (wrong)
         return ovr_fail_at(err, OVR_BAD_INPUT, s->path, c->line, "'%.80s': %s",
                            c->text, wrong);
-    for (size_t i = 0; !status && i < k->count; i++) {
-        snprintf(text, sizeof text, "%.17g%s%s",
-                 ovr_distribution_inverse(&d, u[i]), *unit ? " " : "", unit);
-        status = put_text(s, k, i, text, err);
-    }
-    return status;
+    snprintf(draw->unit, sizeof draw->unit, "%s%s", *unit ? " " : "", unit);
+    return OVR_OK;
+}
+
+const char *ovr_study_draw_at(const ovr_study *s, const ovr_study_key *k,
+                              size_t i, char *text)
+{
+    const ovr_sampling *how = &s->random.how;
+    const ovr_study_draw *draw = &k->draw;
+    double u = draw->law == OVR_DRAW_WHOLE
+                   ? ovr_uniform_at(how->seed, ovr_text_hash(k->where), i)
+                   : ovr_draw_at(how, draw->dimension, i);
+    if (draw->law == OVR_DRAW_CELL)
+        return draw->cell[(size_t)(u * (double)draw->cells)];
+    if (draw->law == OVR_DRAW_WHOLE)
+        snprintf(text, OVR_STUDY_VALUE, "%.0f",
+                 draw->from + floor(u * draw->whole));
+    else
+        snprintf(text, OVR_STUDY_VALUE, "%.17g%s",
+                 ovr_distribution_inverse(&draw->distribution, u), draw->unit);
+    return text;
 }
 
 static ovr_status check_settings(const ovr_study *s, ovr_error *err)
@@ -459,19 +448,17 @@ static ovr_status check_settings(const ovr_study *s, ovr_error *err)
     return OVR_OK;
 }
 
-ovr_status ovr_study_draw_all(ovr_study *s, int zip, ovr_error *err)
+ovr_status ovr_study_add_random(ovr_study *s, int zip, ovr_error *err)
 {
     const ovr_study_chances *r = &s->random;
-    dimensions d = {.count = 0};
     ovr_status status = OVR_OK;
     if (!r->line)
         return OVR_OK;
     if (check_settings(s, err))
         return OVR_BAD_INPUT;
-    status = make_dimensions(s, &d, err);
+    status = add_dimensions(s, err);
     for (size_t n = 0; !status && n < r->keys; n++) {
         const ovr_study_chance *c = &r->key[n];
-        const char *name = dimension_of(c);
         ovr_study_key *k = ovr_study_new_key(s, c->where, c->line, err);
         if (!k)
             return OVR_BAD_INPUT;
@@ -479,13 +466,7 @@ ovr_status ovr_study_draw_all(ovr_study *s, int zip, ovr_error *err)
         k->zip_name = "random";
         k->random = true;
         k->count = r->how.draws;
-        k->value = ovr_arena_take(&s->arena, k->count, sizeof *k->value, err);
-        status = k->value ? draw_key(s, c, k,
-                                     name ? d.u + find_dimension(&d, name) *
-                                                      r->how.draws
-                                          : NULL,
-                                     err)
-                          : OVR_NO_MEMORY;
+        status = read_law(s, c, k, err);
     }
     return status;
 }

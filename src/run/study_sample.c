@@ -278,7 +278,9 @@ static ovr_status take_inputs(sampling *w, size_t from, const double *value,
 /* The names of a group's tasks begin with this. */
 static const char *group_name(sampling *w, size_t from)
 {
-    char *name = ovr_arena_text(&w->to->arena, w->s->name[from], w->err);
+    char text[OVR_STUDY_NAME];
+    ovr_study_name(w->s, from, text, sizeof text);
+    char *name = ovr_arena_text(&w->to->arena, text, w->err);
     char *draw = name ? strstr(name, "draw-") : NULL;
     if (draw)
         draw[draw > name ? -1 : 0] = '\0';

@@ -163,8 +163,9 @@ static ovr_status add_key(ovr_table *t, const ovr_study_key *key,
         .text = text,
         .zip = key->zip ? ovr_arena_text(&t->arena, key->zip_name, err) : NULL};
     for (size_t i = 0; text && i < t->rows; i++) {
-        text[i] = ovr_arena_text(&t->arena, ovr_study_value(t->study, key, i),
-                                 err);
+        char value[OVR_STUDY_VALUE];
+        text[i] = ovr_arena_text(&t->arena,
+                                 ovr_study_value(t->study, key, i, value), err);
         if (!text[i])
             return OVR_NO_MEMORY;
     }
@@ -326,9 +327,10 @@ static void put_file(const ovr_table *t, size_t task, const char *ending,
 
 static void put_row(const ovr_table *t, size_t i, FILE *to, bool manifest)
 {
-    char message[1100];
+    char message[1100], name[OVR_STUDY_NAME];
     fprintf(to, "%zu,", i + 1);
-    ovr_csv_text(to, t->study->name[i]);
+    ovr_study_name(t->study, i, name, sizeof name);
+    ovr_csv_text(to, name);
     for (size_t k = 0; k < t->keys; k++) {
         const ovr_table_column *c = &t->column[k];
         fputc(',', to);
@@ -428,9 +430,15 @@ static bool put_key_variable(const ovr_table *t, const ovr_flat *rows, size_t k)
 static bool put_all(const ovr_table *t, const ovr_flat *rows, ovr_arena *arena)
 {
     const char **state = ovr_arena_take(arena, t->rows, sizeof *state, NULL);
-    bool good = state &&
-                ovr_flat_texts(rows, "name", "name of the case's files",
-                               (const char *const *)t->study->name);
+    const char **name = ovr_arena_take(arena, t->rows, sizeof *name, NULL);
+    bool good = state && name;
+    for (size_t i = 0; good && i < t->rows; i++) {
+        char text[OVR_STUDY_NAME];
+        ovr_study_name(t->study, i, text, sizeof text);
+        good = (name[i] = ovr_arena_text(arena, text, NULL)) != NULL;
+    }
+    good = good &&
+           ovr_flat_texts(rows, "name", "name of the case's files", name);
     for (size_t i = 0; good && i < t->rows; i++)
         state[i] = ovr_sweep_state_name(t->state[i]);
     good = good && ovr_flat_texts(rows, "status", "how the case stands", state);

@@ -51,19 +51,28 @@ static bool stop(void *data)
     return w->how.stop && w->how.stop(w->how.data);
 }
 
-static bool is_asked_for(const ovr_sweep_options *how, size_t task)
+/* The last task that is asked for; `only` is the first. */
+static size_t last_of(const sweeping *w)
 {
-    return !how->one || (task >= how->only && task - how->only <= how->more);
+    size_t last = w->s->tasks - 1;
+    return w->how.one && w->how.more < last - w->how.only
+               ? w->how.only + w->how.more
+               : last;
+}
+
+static size_t first_of(const sweeping *w)
+{
+    return w->how.one ? w->how.only : 0;
 }
 
 static ovr_status list_tasks(sweeping *w, ovr_error *err)
 {
-    w->task = ovr_arena_take(&w->arena, w->s->tasks, sizeof *w->task, err);
+    const size_t first = first_of(w), last = last_of(w);
+    w->task = ovr_arena_take(&w->arena, last - first + 1, sizeof *w->task, err);
     if (!w->task)
         return OVR_NO_MEMORY;
-    for (size_t i = 0; i < w->s->tasks; i++)
-        if (is_asked_for(&w->how, i) &&
-            ovr_sweep_is_due(&w->how, ovr_sweep_state_of(w->s, i)))
+    for (size_t i = first; i <= last; i++)
+        if (ovr_sweep_is_due(&w->how, ovr_sweep_state_of(w->s, i)))
             w->task[w->tasks++] = i;
     return OVR_OK;
 }
@@ -98,12 +107,15 @@ static ovr_status check_manifest(const ovr_study *s, ovr_error *err)
 static ovr_status check_files(const sweeping *w, ovr_error *err)
 {
     ovr_status status = w->how.one ? OVR_OK : check_manifest(w->s, err);
+    char path[4400];
     for (size_t i = 0; !status && i < w->tasks; i++)
-        if (ovr_task_foreign(w->s, w->task[i]))
+        if (ovr_task_foreign(w->s, w->task[i])) {
+            ovr_study_file(w->s, w->task[i], ".ini", path, sizeof path);
             status = ovr_fail(err, OVR_BAD_INPUT,
-                              "%s/%s.ini: exists and is no case of this study; "
+                              "%s: exists and is no case of this study; "
                               "--force replaces it",
-                              w->s->output, w->s->name[w->task[i]]);
+                              path);
+        }
     return status;
 }
 
@@ -171,7 +183,12 @@ ovr_status ovr_sweep(const ovr_study *study, const ovr_sweep_options *options,
         return ovr_fail_null(err, __func__);
     sweeping w = {.s = study};
     take_options(&w, options);
-    ovr_status status = make_folder(study->output, err);
+    if (w.how.one && w.how.only >= study->tasks)
+        return OVR_OK;
+    ovr_status status = ovr_study_try_draws(study, first_of(&w), last_of(&w),
+                                            err);
+    if (!status)
+        status = make_folder(study->output, err);
     if (status)
         return status;
     w.arena = ovr_arena_make(&study->arena.allocator);

@@ -345,14 +345,21 @@ static void find_case(working *w, ovr_case *c, ovr_error *err)
     ovr_find_free(find);
 }
 
+static void fail_to_write(const ovr_study *s, size_t task, ovr_error *err)
+{
+    char path[PATH_CAPACITY];
+    int number = errno;
+    ovr_study_file(s, task, ".ini", path, sizeof path);
+    ovr_fail(err, OVR_IO, "%s: cannot be written: %s", path, strerror(number));
+}
+
 /* The run and its summary. */
 static void run_case(working *w, bool resume, int fd, ovr_error *err)
 {
     ovr_case *c = ovr_study_case(w->s, w->task, err);
     ovr_run *run = NULL;
     if (c && !write_case(w->s, fd, c))
-        ovr_fail(err, OVR_IO, "%s/%s.h5: its case cannot be written: %s",
-                 w->s->output, w->s->name[w->task], strerror(errno));
+        fail_to_write(w->s, w->task, err);
     else if (c && !w->s->find.how.key)
         run = begin(w, c, resume, err);
     if (run && ovr_run_go(run, err) == OVR_OK)
@@ -457,8 +464,7 @@ ovr_status ovr_task_work(const ovr_study *s, size_t task,
     int fd = open_file(s, task, ".ini", O_RDWR | O_CREAT);
     ovr_error err = {0};
     if (fd < 0) {
-        ovr_fail(&err, OVR_IO, "%s/%s.ini: cannot be written: %s", s->output,
-                 s->name[task], strerror(errno));
+        fail_to_write(s, task, &err);
         report(&w, NULL, &err);
         return OVR_IO;
     }

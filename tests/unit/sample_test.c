@@ -4,8 +4,11 @@
 #include "support/test.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include <gsl/gsl_qrng.h>
 
 #include "mathematics/draws.h"
 #include "mathematics/sample.h"
@@ -72,10 +75,54 @@ static void take(ovr_design design, size_t draws, size_t shifts, uint64_t seed,
 {
     static const char *const keys[] = {"a.b", "a.c", "d.e"};
     const ovr_sampling how = {design, seed, draws, keys, 3, shifts};
-    ovr_arena arena = ovr_arena_make(NULL);
     ovr_error err = {0};
-    CHECK_OK(ovr_draws(&how, u, &arena, &err), &err);
-    ovr_arena_release(&arena);
+    CHECK_OK(ovr_sampling_check(&how, &err), &err);
+    for (size_t k = 0; k < how.keys; k++)
+        for (size_t i = 0; i < draws; i++)
+            u[k * draws + i] = ovr_draw_at(&how, k, i);
+}
+
+/* All 40 dimensions of 5000 points are GSL's. */
+TEST(sobol_of_gsl)
+{
+    enum { N = 5000 };
+    char name[OVR_SOBOL_MAX][8];
+    const char *keys[OVR_SOBOL_MAX];
+    double point[OVR_SOBOL_MAX], origin[OVR_SOBOL_MAX];
+    gsl_qrng *all = gsl_qrng_alloc(gsl_qrng_sobol, OVR_SOBOL_MAX);
+    const ovr_sampling how = {OVR_SOBOL, 3, N, keys, OVR_SOBOL_MAX, 1};
+    for (size_t k = 0; k < OVR_SOBOL_MAX; k++) {
+        snprintf(name[k], sizeof name[k], "k%zu", k);
+        keys[k] = name[k];
+        origin[k] = ovr_draw_at(&how, k, 0);
+    }
+    for (size_t i = 1; i < N; i++) {
+        gsl_qrng_get(all, point);
+        for (size_t k = 0; k < OVR_SOBOL_MAX; k++) {
+            double d = ovr_draw_at(&how, k, i) - origin[k];
+            CHECK_NEAR(d - floor(d), point[k], 1e-15);
+        }
+    }
+    gsl_qrng_free(all);
+}
+
+/* Images of 0 and 1 under many permutations of 5: each pair as often as any
+ * other, by chi-squared (19 degrees of freedom, 43.8 is 1 in 1000). */
+TEST(latin_is_any_permutation)
+{
+    enum { N = 5, TRIES = 20000 };
+    static const char *const keys[] = {"a"};
+    int count[N][N] = {{0}};
+    double chi = 0, each = (double)TRIES / (N * (N - 1));
+    for (uint64_t seed = 0; seed < TRIES; seed++) {
+        const ovr_sampling how = {OVR_LHS, seed, N, keys, 1, 0};
+        count[(int)(N * ovr_draw_at(&how, 0, 0))]
+             [(int)(N * ovr_draw_at(&how, 0, 1))]++;
+    }
+    for (int i = 0; i < N; i++)
+        for (int k = 0; k < N; k++)
+            chi += i == k ? 0 : pow(count[i][k] - each, 2) / each;
+    assert_true(chi < 43.8);
 }
 
 /* Every stratum once; another seed, another sample. */
