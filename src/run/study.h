@@ -120,8 +120,8 @@ struct ovr_study {
     size_t limits;
 };
 
-/* Return value number v of a key, that of a task; in `text` (OVR_STUDY_VALUE
- * characters) if it is computed. */
+/* Return value number v of a key, or the value of a task.  Computed values are
+ * written to `text` (OVR_STUDY_VALUE characters). */
 const char *ovr_study_value_at(const ovr_study *s, const ovr_study_key *key,
                                size_t v, char *text);
 const char *ovr_study_value(const ovr_study *s, const ovr_study_key *key,
@@ -155,20 +155,19 @@ typedef struct ovr_study_words {
 ovr_status ovr_study_unknown(const ovr_study *s, const ovr_study_words *words,
                              const char *given, long line, ovr_error *err);
 
-/* A setting or a key of [random], and after all lines its keys, as one zip
- * after all others; `file`: of [random file FILE], or NULL. */
+/* Stores a setting or a key of [random] (`file`: FILE of [random file FILE], or
+ * NULL).  After the last line the random keys are added as one zip. */
 ovr_status ovr_study_take_random(ovr_study *s, const ovr_entry *entry,
                                  const char *file, ovr_error *err);
 ovr_status ovr_study_add_random(ovr_study *s, int zip, ovr_error *err);
 
-/* Steps of reading: what keys are called in names; every value of a list and
- * the first draw once into the base case, so that errors are reported before
- * anything runs. */
+/* Steps of reading: the short names of keys; every value of a list and the
+ * first draw are set in the base case, which reports errors early. */
 ovr_status ovr_study_name_keys(ovr_study *s, ovr_error *err);
 ovr_status ovr_study_try_values(const ovr_study *s, ovr_error *err);
 ovr_status ovr_study_try_find(const ovr_study *s, ovr_error *err);
 
-/* The same of all draws of the tasks first..last. */
+/* Checks all draws of the tasks first..last in the same way. */
 ovr_status ovr_study_try_draws(const ovr_study *s, size_t first, size_t last,
                                ovr_error *err);
 

@@ -190,7 +190,7 @@ static bool is_plain(const ovr_study *s)
     return longest <= NAME_MAX;
 }
 
-/* True if ten digits tell the values of a range apart. */
+/* True if the values of a range differ in their first ten digits. */
 static bool has_distinct_texts(const ovr_study_range *r)
 {
     double largest = fmax(fabs(r->from), fabs(r->to));
@@ -302,9 +302,9 @@ ovr_status ovr_study_try_values(const ovr_study *s, ovr_error *err)
     return status;
 }
 
-/* The draws from..from+count-1 of a distribution: the smallest and the largest,
- * as keys have intervals of values; if one of these is refused or if cells are
- * drawn, all. */
+/* Checks the draws from..from+count-1.  Keys accept intervals, so the smallest
+ * and the largest draw of a distribution are enough.  All are checked if one of
+ * these is refused, or if cells of a file are drawn. */
 static ovr_status try_key(const ovr_study *s, const ovr_study_key *k,
                           size_t from, size_t count, ovr_case *c,
                           ovr_error *err)
