@@ -17,6 +17,7 @@ WEB_OBJ  := $(LIBSRC:%.c=$(WEB)/%.o) $(CLISRC:%.c=$(WEB)/%.o) \
 
 $(WEB_LIBS)/complete: src/web/libraries
 	$(call say,LIBS  $(WEB_LIBS))
+	@mkdir -p $(WEB_LIBS)
 	$(Q)src/web/libraries $(WEB_LIBS) >$(WEB_LIBS).log 2>&1 || \
 	  { tail $(WEB_LIBS).log; exit 1; }
 
