@@ -10,13 +10,16 @@ let view = null;
 
 // A state as the functions of page_draw.js want a run: one snapshot.
 function runOfState(s, scales) {
-  const field = (values) => values && { step: 0, value: [values.reduce((a, b) =>
-    Math.min(a, b)), values.reduce((a, b) => Math.max(a, b))],
-    at: (k, i) => values[i] };
-  const rough = s.S && s.S.some((v) => v !== 0);
-  return { x: s.X, nodes: s.X.length, shots: 1, time: [s.T], state: s,
-    P: field(s.P), H: field(s.H), S: rough ? field(s.S) : undefined,
-    T3: field(s.heat), history: {}, made: { units: unitsFrom(scales) } };
+  const run = { x: s.X, nodes: s.X.length, shots: 1, time: [s.T], history: {},
+    hertz: [s.b, s.p], made: { units: unitsFrom(scales) } };
+  for (const name of ["P", "H", "S", "F", "T1", "T2", "T3", "C"]) {
+    const values = s[name];
+    if (!values || name === "S" && values.every((v) => v === 0)) continue;
+    run[name] = { step: 0, at: (k, i) => values[i],
+      value: [values.reduce((a, b) => Math.min(a, b)),
+        values.reduce((a, b) => Math.max(a, b))] };
+  }
+  return run;
 }
 
 const one = (name) => ({ f: 1, unit: "", name });
@@ -42,8 +45,9 @@ function showRun(run) {
     list.selectedIndex = most - 1;
   }
   state.units = list.selectedIndex;
-  view = { run, plot: byId("plot"), heat: null, values: byId("values"),
-    behind: kept && kept.run };
+  byId("heat").hidden = !isWarm(run);
+  view = { run, plot: byId("plot"), heat: isWarm(run) ? byId("heat") : null,
+    values: byId("values"), behind: kept && kept.run };
   redraw();
 }
 
@@ -55,18 +59,16 @@ function redraw() {
     asked = false;
     if (!view.plot.clientWidth) return; // the player is shown
     drawRun(view);
+    drawHeat(view);
     const run = view.run, u = unitsOf(run);
-    if (!state.pointed) {
-      view.values.textContent = run.T3 ? "film up to " +
-        digits(run.T3.value[1] - ZERO_DEGC) + " \u00b0C" : "";
-    } else {
+    view.values.textContent = "";
+    if (state.pointed) {
       const i = nodeAt(run, state.pointed.x);
       const text = (v, q) => digits(v * q.f) + (q.unit ? " " + q.unit : "");
       view.values.textContent = ["x = " + text(run.x[i], u.x),
         "p = " + text(run.P.at(0, i), u.p), "h = " + text(run.H.at(0, i), u.h)]
         .concat(run.S ? ["roughness " + text(run.S.at(0, i), u.h)] : [],
-          run.T3 ? [digits(run.T3.at(0, i) - ZERO_DEGC) + " \u00b0C"] : [])
-        .join("   ");
+          isWarm(run) ? [saidHeat(run, 0, i)] : []).join("   ");
     }
     drawMoes();
     document.body.dataset.drawn = Number(document.body.dataset.drawn || 0) + 1;

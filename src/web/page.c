@@ -19,23 +19,35 @@
 #include "cli/json.h"
 #include "cli/report.h"
 #include "cli/watch.h"
+#include "simulation/simulation.h"
 
 int overroll_main(int argc, char **argv);
 
+#ifdef __wasm__
 #define IMPORT(name)                                                           \
     __attribute__((import_module("page"), import_name(#name))) extern
 #define EXPORT(name) __attribute__((export_name(#name)))
+#else /* tests/unit/page_test.c is the page */
+#define IMPORT(name) extern
+#define EXPORT(name)
+#endif
 
 /* True: the user asks for an end. */
 IMPORT(stop) int page_stop(void);
 /* True: the last state that the page has is old. */
 IMPORT(wants) int page_wants(void);
-/* Arrays of n values in Hertzian units, copied by the page. heat, in K, is NULL
- * without temperatures. */
+/* The k-th field of `fields` below, n values in Hertzian units (temperatures
+ * in K), which the page copies; X is k = 0. */
+IMPORT(field) void page_field(int k, size_t n, const double *values);
+/* All fields of the state at T have been passed. b and p are those of the dry
+ * contact under the load and radius at T. */
 IMPORT(state)
-void page_state(double T, double fraction, size_t n, const double *X,
-                const double *P, const double *H, const double *S,
-                const double *heat);
+void page_state(double T, double fraction, double b, double p);
+
+/* Runs a command line like main and returns the exit code. */
+EXPORT(page_main) int page_main(int argc, char **argv);
+EXPORT(page_alloc) void *page_alloc(size_t bytes);
+EXPORT(page_free) void page_free(void *memory);
 
 /* ----------------------------------------------------------------- solving */
 
@@ -45,26 +57,35 @@ typedef struct page_watch {
     bool steady;
 } page_watch;
 
-static const double *temperature(const ovr_simulation *sim, double *workspace)
-{
-    const ovr_observable *o;
-    for (size_t k = 0; (o = ovr_observable_at(k)); k++)
-        if (o->field && o->name && !strcmp(o->name, "temperature_mean"))
-            return o->field(sim, workspace);
-    return NULL;
-}
+/* What the player shows of a state, in the order of worker.js. */
+static const struct {
+    const char *name;
+    unsigned needs; /* physics; 0: always there */
+} fields[] = {{"pressure", 0},
+              {"film_thickness", 0},
+              {"roughness", OVR_PHYSICS_FEATURES},
+              {"filling", OVR_PHYSICS_CONTENT},
+              {"temperature_1", OVR_PHYSICS_HEAT},
+              {"temperature_2", OVR_PHYSICS_HEAT},
+              {"temperature_middle", OVR_PHYSICS_HEAT},
+              {"contact_pressure", OVR_PHYSICS_BOUNDARY}};
 
 static void post_state(page_watch *w, const ovr_run *run,
                        const ovr_simulation *sim)
 {
     const ovr_state *s = ovr_simulation_state(sim);
-    double *workspace = NULL;
-    const double *heat = NULL;
-    if (ovr_setup_physics(ovr_run_about(run)->setup) & OVR_PHYSICS_HEAT &&
-        (workspace = malloc(s->n * sizeof *workspace)))
-        heat = temperature(sim, workspace);
-    page_state(s->T, w->fraction, s->n, s->X, s->P, s->H, s->S, heat);
+    const ovr_observation *now = ovr_simulation_observation(sim);
+    const unsigned physics = ovr_setup_physics(ovr_run_about(run)->setup);
+    double *workspace = malloc(s->n * sizeof *workspace);
+    page_field(0, s->n, s->X);
+    for (size_t k = 0; workspace && k < sizeof fields / sizeof *fields; k++) {
+        const ovr_observable *o = ovr_observable_field(fields[k].name);
+        if (o && (fields[k].needs & physics) == fields[k].needs)
+            page_field((int)k + 1, s->n, o->field(sim, workspace));
+    }
     free(workspace);
+    page_state(s->T, w->fraction, sqrt(now->load_ratio * now->radius_ratio),
+               sqrt(now->load_ratio / now->radius_ratio));
 }
 
 static void progress(void *data, const ovr_run *run, double fraction)
@@ -252,18 +273,17 @@ static const cli_verb cli_entries = {
 
 /* --------------------------------------------------------------- the way in */
 
-EXPORT(page_alloc) void *page_alloc(size_t bytes)
+void *page_alloc(size_t bytes)
 {
     return malloc(bytes);
 }
 
-EXPORT(page_free) void page_free(void *memory)
+void page_free(void *memory)
 {
     free(memory);
 }
 
-/* Runs a command line like main and returns the exit code. */
-EXPORT(page_main) int page_main(int argc, char **argv)
+int page_main(int argc, char **argv)
 {
     static const cli_verb *const own[] = {&cli_solve, &cli_keys, &cli_entries,
                                           NULL};

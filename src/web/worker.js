@@ -11,6 +11,8 @@ let made = null, program = null, printed = null, flag = "", posting = null;
 let next = 0, asked = 0, stopping = false, begun = 0;
 
 const QUIET = 100, LOOK = 150; // ms between two states, two looks at the flag
+const FIELDS = ["X", "P", "H", "S", "F", "T1", "T2", "T3", "C"]; // of page.c
+let passed = []; // fields of the state that is being passed on
 const NODES = 2000; // of a state under way: more are more than a screen shows
 
 function withdrawn() {
@@ -32,16 +34,18 @@ const page = {
     return stopping ? 1 : 0;
   },
   wants: () => posting && performance.now() >= next ? 1 : 0,
-  state(T, fraction, n, ...at) {
+  field(k, n, where) {
+    if (posting) passed.push([FIELDS[k],
+      new Float64Array(program.memory.buffer, where, n).slice()]);
+  },
+  state(T, fraction, b, p) {
     if (!posting) return;
-    const names = ["X", "P", "H", "S", "heat"], state = { T, fraction };
-    const stride = fraction < 1 ? Math.ceil(n / NODES) : 1;
-    at.forEach((where, k) => {
-      if (where)
-        state[names[k]] = new Float64Array(program.memory.buffer, where, n)
-          .filter((_, i) => i % stride === 0);
-    });
-    state.seconds = (performance.now() - begun) / 1000;
+    const state = { T, fraction, b, p,
+      seconds: (performance.now() - begun) / 1000 };
+    const stride = fraction < 1 ? Math.ceil(passed[0][1].length / NODES) : 1;
+    for (const [name, values] of passed)
+      state[name] = values.filter((_, i) => i % stride === 0);
+    passed = [];
     postMessage({ id: posting, state });
     next = performance.now() + QUIET;
   },
