@@ -221,28 +221,20 @@ function clipped(c, box, draw) {
 // A curve through nodes a..b-1; with an area down to the level `base`.
 function drawCurve(c, box, run, a, b, f, valueAt, look) {
   const top = box.y - 4 * box.h, low = box.y + 5 * box.h;
-  c.beginPath();
-  for (let i = a; i < b; i++) {
-    const x = box.X(run.x[i] * f);
-    const y = Math.max(top, Math.min(low, box.Y(valueAt(i))));
-    if (i === a) c.moveTo(x, y); else c.lineTo(x, y);
-  }
+  const trace = () => {
+    c.beginPath();
+    for (let i = a; i < b; i++)
+      c.lineTo(box.X(run.x[i] * f),
+               Math.max(top, Math.min(low, box.Y(valueAt(i)))));
+  };
+  trace();
   if (look.area) {
-    const edge = new Path2D();
-    c.save();
     c.lineTo(box.X(run.x[b - 1] * f), box.Y(look.base));
     c.lineTo(box.X(run.x[a] * f), box.Y(look.base));
     c.closePath();
     c.fillStyle = look.area;
     c.fill();
-    c.restore();
-    for (let i = a; i < b; i++)
-      edge.lineTo(box.X(run.x[i] * f),
-                  Math.max(top, Math.min(low, box.Y(valueAt(i)))));
-    c.strokeStyle = look.line;
-    c.lineWidth = look.width;
-    c.stroke(edge);
-    return;
+    trace();
   }
   c.strokeStyle = look.line;
   c.lineWidth = look.width;

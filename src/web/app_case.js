@@ -10,19 +10,22 @@ let chosen = null;          // section shown: its head, "" for the text
 const head = (section, name) => name ? section + " " + name : section;
 const textOfCase = () => byId("text").value;
 
+// No expression here may trace back: a hostile line would take minutes.
 // Lines of a case: {head, key, value, line}; heads alone have no key.
 function parseCase(text) {
   const found = [];
   let at = "";
   text.split("\n").forEach((line, k) => {
-    const section = /^\s*\[\s*([^\]]*?)\s*\]/.exec(line);
-    const pair = /^\s*([A-Za-z_0-9]+)\s*=\s*([^#;]*?)\s*([#;].*)?$/.exec(line);
-    if (section) {
-      at = section[1].replace(/\s+/g, " ");
+    const at_ = line.search(/[#;]/);
+    const comment = at_ < 0 ? "" : line.slice(at_);
+    const bare = (at_ < 0 ? line : line.slice(0, at_)).trim();
+    const equal = bare.indexOf("=");
+    if (bare[0] === "[" && bare.endsWith("]")) {
+      at = bare.slice(1, -1).trim().split(/\s+/).join(" ");
       found.push({ head: at, line: k });
-    } else if (pair) {
-      found.push({ head: at, key: pair[1], value: pair[2], line: k,
-        comment: pair[3] || "" });
+    } else if (equal > 0) {
+      found.push({ head: at, key: bare.slice(0, equal).trim(),
+        value: bare.slice(equal + 1).trim(), line: k, comment });
     }
   });
   return found;
@@ -68,6 +71,7 @@ function removeSection(where) {
 
 // "300 kN/m" as { number, unit }; null: no single number.
 function measured(text) {
+  if ((text || "").length > 60) return null;
   const m = /^([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(\S*)$/
     .exec((text || "").trim());
   return m && { number: Number(m[1]), unit: m[2] };
@@ -76,9 +80,20 @@ function measured(text) {
 const unitsOfKey = (key) => key.units.split(/[;,]\s*/)
   .map((u) => u.split(" with ")[0].trim()).filter(Boolean);
 
+// The unit that the kinds of `init` have for a key, before the first in its
+// list.
+const usual = {};
+function noteUnits(text) {
+  for (const p of parseCase(text)) {
+    const m = p.key && measured(p.value);
+    const name = p.key && p.head.split(" ")[0] + "." + p.key;
+    if (m && m.unit && !usual[name]) usual[name] = m.unit;
+  }
+}
+
 // ---------------------------------------------------------------- the form
 
-function control(key, where, text, row) {
+function control(key, where, row) {
   const box = element(row, "span", "given");
   const given = valueOf(where, key.key);
   const name = where + "." + key.key;
@@ -120,7 +135,8 @@ function control(key, where, text, row) {
       option.textContent = unit || key.bare || "(none)";
     }
     list.value = value ? own : first && first.unit ? first.unit
-      : list.options[0].value;
+      : usual[where.split(" ")[0] + "." + key.key] || list.options[0].value;
+    if (list.selectedIndex < 0) list.selectedIndex = 0;
     field.value = value ? String(value.number) : "";
     if (first) field.placeholder = String(first.number);
     field.onchange = () => {
@@ -150,6 +166,8 @@ function explain(key, row, button) {
     (key.when ? "  Has an effect with " + key.when + "." : "");
 }
 
+const FEW = 9;
+let all_ = false; // keys, not only those given
 function drawForm() {
   const form = byId("form");
   form.replaceChildren();
@@ -161,14 +179,17 @@ function drawForm() {
   element(form, "p", "about").textContent = about.help + ".";
   const used = new Map(entries.filter((e) => e.section === section &&
     (e.name || undefined) === name).map((e) => [e.key, e]));
-  for (const key of table.keys.filter((k) => k.section === section)) {
-    const entry = used.get(key.key);
-    const off = entry ? !entry.applies : false;
-    if (off && !entry.given) continue;
-    const row = element(form, "div", off ? "key off" : "key");
+  const keys = table.keys.filter((k) => k.section === section);
+  const given = (key) => valueOf(chosen, key.key) !== null;
+  const applies = (key) => !used.has(key.key) || used.get(key.key).applies;
+  // A long section shows what the case gives, and the rest when asked.
+  const few = keys.length <= FEW || !keys.some(given);
+  const shown = keys.filter((k) => given(k) || applies(k) && (few || all_));
+  for (const key of shown) {
+    const row = element(form, "div", applies(key) ? "key" : "key off");
     const label = element(row, "label");
     label.textContent = key.key;
-    control(key, chosen, entry, row);
+    control(key, chosen, row);
     label.htmlFor = chosen + "." + key.key;
     const what = element(row, "button", "what");
     what.textContent = "?";
@@ -176,13 +197,27 @@ function drawForm() {
     what.setAttribute("aria-label", "what " + key.key + " is");
     what.setAttribute("aria-expanded", "false");
     what.onclick = () => explain(key, row, what);
+    if (!applies(key))
+      element(row, "p").textContent = "Has no effect here" +
+        (key.when ? ": needs " + key.when : "") + ".";
   }
-  if (section === "contact") return;
+  const more = keys.filter((k) => !given(k) && applies(k)).length;
+  if (!few && more) {
+    const button = element(form, "button");
+    button.id = "all";
+    button.textContent = all_ ? "fewer keys" : more + " more keys";
+    button.onclick = () => {
+      all_ = !all_;
+      drawForm();
+      byId("all").focus();
+    };
+  }
+  if (!parseCase(textOfCase()).some((p) => p.head === chosen)) return;
   const remove = element(form, "button");
-  remove.textContent = "take [" + chosen + "] out";
+  remove.textContent = "remove [" + chosen + "]";
   remove.onclick = () => {
     removeSection(chosen);
-    chosen = "contact";
+    chosen = null;
     changeCase();
   };
 }
@@ -201,11 +236,12 @@ function addSection(list) {
   changeCase();
 }
 
+const TABS = 60; // at most: nobody writes more sections
 function drawTabs() {
-  const tabs = byId("tabs"), heads = [];
-  for (const p of parseCase(textOfCase()))
-    if (!heads.includes(p.head) && p.head) heads.push(p.head);
-  if (!heads.includes("contact")) heads.unshift("contact");
+  const tabs = byId("tabs");
+  const heads = [...new Set(parseCase(textOfCase()).map((p) => p.head))]
+    .filter(Boolean).slice(0, TABS);
+  if (!heads.length) heads.push("contact");
   if (chosen !== "" && !heads.includes(chosen)) chosen = heads[0];
   tabs.replaceChildren();
   for (const where of [...heads, ""]) {
@@ -241,11 +277,14 @@ function drawTabs() {
 // Numbers beside the text; the line that is wrong stands out.
 function drawLines(wrong) {
   const lines = byId("lines");
-  lines.replaceChildren();
-  textOfCase().split("\n").forEach((_, k) => {
-    element(lines, k + 1 === wrong ? "b" : "span").textContent = k + 1;
-    lines.append("\n");
-  });
+  const count = textOfCase().split("\n").length;
+  const numbers = (from, to) => Array.from({ length: Math.max(0, to - from) },
+    (_, k) => from + k + "\n").join("");
+  lines.replaceChildren(numbers(1, wrong || count + 1));
+  if (wrong) {
+    element(lines, "b").textContent = wrong;
+    lines.append("\n", numbers(wrong + 1, count + 1));
+  }
   byId("text").classList.toggle("wrong", wrong > 0);
   lines.scrollTop = byId("text").scrollTop;
 }

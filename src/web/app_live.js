@@ -77,22 +77,28 @@ function redraw() {
 
 // ------------------------------------------------------------- the numbers
 
-const ROWS = [["central film", "central_film_m", 1e6, "\u00b5m", "H_cen"],
-  ["minimum film", "min_film_m", 1e6, "\u00b5m", "H_min"],
+// Name, key in SI, its factor and unit, key of the same in Hertzian units.
+const ROWS = [
+  ["central film thickness", "central_film_m", 1e6, "\u00b5m", "H_cen"],
+  ["minimum film thickness", "min_film_m", 1e6, "\u00b5m", "H_min"],
   ["maximum pressure", "max_pressure_Pa", 1e-9, "GPa", "P_max"],
-  ["Hertzian pressure", "hertz_pressure_Pa", 1e-9, "GPa"],
-  ["half width b", "half_width_m", 1e3, "mm"],
-  ["film over roughness (lambda)", "lambda_ratio", 1, ""],
-  ["friction coefficient, surface 1", "mu_1", 1, ""],
-  ["friction coefficient, surface 2", "mu_2", 1, ""],
-  ["friction, surface 1", "F_1_N_per_m", 1, "N/m"],
-  ["temperature rise", "max_temperature_rise_K", 1, "K"],
-  ["M", "M", 1, ""], ["L", "L", 1, ""]];
+  ["maximum Hertzian pressure", "hertz_pressure_Pa", 1e-9, "GPa"],
+  ["Hertzian half-width b", "half_width_m", 1e3, "mm"],
+  ["lambda ratio", "lambda_ratio", 1, ""],
+  ["asperity load share", "contact_share", 1, ""],
+  ["sliding friction coefficient", "mu_slide", 1, ""],
+  ["rolling friction coefficient", "mu_roll", 1, ""],
+  ["friction force on surface 1", "F_1_N_per_m", 1, "N/m"],
+  ["maximum temperature rise", "T_max_rise", 1, "K"],
+  ["starvation factor", "film_ratio", 1, ""],
+  ["Moes' load number M", "M", 1, ""],
+  ["Moes' lubricant number L", "L", 1, ""]];
 
 // The value of a row and its unit; null: the contact has none.
 function valueOfRow(row, n) {
   const [, key, f, unit, bare] = row;
-  if (typeof n[key] === "number") return [n[key] * f, unit];
+  if (typeof n[key] === "number")
+    return [Math.abs(n[key]) < 1e-14 ? 0 : n[key] * f, unit];
   return bare && typeof n[bare] === "number" ? [n[bare], ""] : null;
 }
 
@@ -116,13 +122,15 @@ function showNumbers(n) {
     Number(byId("numbers").dataset.solved || 0) + 1;
 }
 
-function showNotes(lines) {
+const LEFT_OUT = /(is left out of a steady solution); .*$/;
+function showNotes(lines, inTime) {
   const notes = byId("notes");
   notes.replaceChildren();
   for (const line of lines) {
     const warning = line.startsWith("warning: ");
     element(notes, "li", warning ? "warning" : "").textContent =
-      warning ? line.slice(9) : line;
+      (warning ? line.slice(9) : line).replace(LEFT_OUT,
+        inTime ? "$1; press run in time" : "$&");
   }
 }
 
@@ -148,7 +156,7 @@ function drawMoes() {
     x1: Math.max(3, ...at.map((p) => p[0] + 0.2)),
     y0: Math.min(-0.5, ...at.map((p) => p[1] - 0.2)),
     y1: Math.max(1.6, ...at.map((p) => p[1] + 0.2)),
-    xName: "log M", yName: "log H, after Moes" };
+    xName: "log10 M", yName: "log10 of Moes' film number" };
   axes.from = axes.y0;
   const box = boxOf(58, 22, width - 68, height - 64, axes);
   drawAxes(c, box, axes);
@@ -163,10 +171,10 @@ function drawMoes() {
       c.lineWidth = 1;
       c.stroke();
       c.fillStyle = colour.faint;
-      c.textAlign = "left";
+      c.textAlign = "right";
       c.textBaseline = "bottom";
-      c.fillText("L = " + L, box.x + 6, box.Y(lg(moesFilm(10 **
-        (axes.x0 + 0.05), Math.max(L, 1e-6)))) - 2);
+      c.fillText("L = " + L, box.x + box.w - 4, box.Y(lg(moesFilm(10 **
+        (axes.x1 - 0.2), Math.max(L, 1e-6)))) - 1);
     }
     at.forEach(([x, y], k) => {
       c.fillStyle = k ? colour.rough : colour.min;
@@ -175,6 +183,8 @@ function drawMoes() {
       c.fill();
     });
   });
+  drawLegend(c, box, [["central film by Moes' formula; dot: this contact",
+    colour.hertz, false, "Moes' formula; dot: here"]]);
 }
 
 // ---------------------------------------------------------------- solving
@@ -195,16 +205,54 @@ async function measurePace() {
 }
 
 const HEAVY = 2; // s: such a steady contact is not solved at every change
+const LONG = 60; // s: such a run, study or contact is asked for
+
+function clock(seconds) {
+  const s = Math.round(seconds);
+  return s < 60 ? Math.max(s, 1) + " s" : s < 7200
+    ? Math.floor(s / 60) + " min " + s % 60 + " s"
+    : digits(Math.round(s / 360) / 10) + " h";
+}
+
+function ask(text) {
+  const box = byId("ask");
+  box.firstElementChild.textContent = text;
+  box.hidden = false;
+  byId("yes").focus();
+  return new Promise((resolve) => {
+    const end = (answer) => () => { box.hidden = true; resolve(answer); };
+    byId("yes").onclick = end(true);
+    byId("no").onclick = end(false);
+  });
+}
+
+const mayTake = async (seconds, what) => !(seconds > LONG) ||
+  ask(what + " takes about " + clock(seconds) + " here.");
+
+// What takes longer than a second can be stopped, whatever it is.
+let watched = 0;
+async function watch(work) {
+  const show = setTimeout(() => { byId("stop").hidden = false; }, 1000);
+  watched++;
+  try {
+    return await work();
+  } finally {
+    clearTimeout(show);
+    watched--;
+    byId("stop").hidden = !marching && !watched;
+  }
+}
 
 async function check() {
   const text = textOfCase();
   const files = { "case.ini": text };
   const given = await live.call(["entries", "case.ini"], { files });
+  if (given.ended) return null;
   if (text !== textOfCase()) return null;
   if (given.code === 0) entries = JSON.parse(given.out).entries;
   const answer = given.code ? given
     : await live.call(["check", "case.ini", "--json"], { files });
-  if (text !== textOfCase()) return null;
+  if (answer.ended || text !== textOfCase()) return null;
   drawTabs();
   if (!byId("form").contains(document.activeElement)) drawForm();
   if (answer.code) {
@@ -238,31 +286,36 @@ async function solveSteady(about) {
   if (marching) return;
   showRun(shown.run);
   showNumbers(numbers);
-  showNotes([...new Set([...about.notes, ...said(answer)])]);
+  showNotes([...new Set([...about.notes, ...said(answer)])], about.transient);
 }
 
 // The newest case counts: what comes while one is solved waits, and of those
 // that wait the last alone is solved.
+let halted = false, steadySeconds = 0;
 async function follow(force) {
   wanted = true;
   if (busy) return;
   busy = true;
-  while (wanted) {
-    wanted = false;
-    const about = await check();
-    if (!about) continue;
-    const steady = about.transient
-      ? slower * about.nodes * 2e-5 : about.seconds;
-    heavy = steady > HEAVY;
-    byId("solve").hidden = !heavy;
-    if (!heavy || force) {
+  await watch(async () => {
+    while (wanted) {
+      wanted = halted = false;
       byId("status").textContent = "solving";
-      await solveSteady(about);
+      const about = await check();
+      if (about) {
+        steadySeconds = about.transient ? slower * about.nodes * 2e-5
+          : about.seconds;
+        heavy = steadySeconds > HEAVY;
+        byId("solve").hidden = !heavy;
+        if (!heavy || force && await mayTake(steadySeconds, "This contact"))
+          await solveSteady(about);
+        else if (force) halted = true;
+      }
+      byId("status").textContent = halted ? "stopped" : !about ? "ready"
+        : heavy && !force ? "press solve: about " + clock(steadySeconds)
+        : "ready";
+      force = false;
     }
-    byId("status").textContent = heavy && !force
-      ? "press solve: about " + digits(Math.ceil(steady)) + " s" : "ready";
-    force = false;
-  }
+  });
   busy = false;
 }
 
@@ -279,7 +332,9 @@ function changeCase(later) {
 
 // ---------------------------------------------------------------- sliders
 
-const SLIDING = ["contact", "lubricant", "heat", "gear", "cam", "bearing"];
+const SLIDING = ["contact", "lubricant", "heat", "gear", "cam",
+  "roller_bearing", "supply", "contact_law"];
+const SLIDERS = 30; // at most
 let sliding = false;
 
 function slidingKeys() {
@@ -293,7 +348,7 @@ function drawSliders() {
   const box = byId("sliders"), which = byId("which"), before = which.value;
   box.replaceChildren();
   which.replaceChildren();
-  for (const p of slidingKeys()) {
+  for (const p of slidingKeys().slice(0, SLIDERS)) {
     const option = element(which, "option");
     option.value = option.textContent = p.head + "." + p.key;
     const m = measured(p.value), row = element(box, "label", "slider");
@@ -340,35 +395,40 @@ function fillStudy() {
 }
 
 let curve = null;
-async function vary() {
-  const [where, key] = byId("which").value.split(".");
-  const a = measured(byId("from").value), b = measured(byId("to").value);
-  const n = Math.max(2, Math.min(20, Number(byId("count").value) || 2));
-  if (!a || !b || a.unit !== b.unit) {
-    showTrouble("one key, several values: both ends are numbers with one unit");
-    return;
-  }
+async function studyPoints(name, a, b, n) {
   const text = textOfCase(), points = [], even = a.number * b.number <= 0;
-  byId("vary").disabled = true;
-  for (let k = 0; k < n; k++) {
+  for (let k = 0; k < n && !halted; k++) {
     const part = k / (n - 1);
     const v = even ? a.number + (b.number - a.number) * part
       : a.number * (b.number / a.number) ** part;
     byId("status").textContent = "value " + (k + 1) + " of " + n;
     const answer = await live.call(["solve", "case.ini", "--steady", "--json",
-      "--set", where + "." + key + "=" + v + (a.unit ? " " + a.unit : "")],
+      "--set", name + "=" + v + (a.unit ? " " + a.unit : "")],
       { files: { "case.ini": text } });
-    if (answer.ended) break;
-    if (answer.out) {
-      const numbers = JSON.parse(answer.out);
-      if (numbers.converged) points.push([v, numbers]);
-    } else {
-      showTrouble(key + " = " + digits(v) + ": " + (said(answer).pop() || ""));
-    }
+    const numbers = answer.out && JSON.parse(answer.out);
+    if (numbers && numbers.converged) points.push([v, numbers]);
+    if (!numbers && !answer.ended)
+      showTrouble(name + " = " + digits(v) + ": " + (said(answer).pop() || ""));
   }
+  return points;
+}
+
+async function vary() {
+  const name = byId("which").value;
+  const a = measured(byId("from").value), b = measured(byId("to").value);
+  const n = Math.max(2, Math.min(20, Number(byId("count").value) || 2));
+  if (!a || !b || a.unit !== b.unit) {
+    showTrouble("one key, several values: from and to must be numbers with " +
+      "the same unit");
+    return;
+  }
+  if (!await mayTake(n * steadySeconds, "This study")) return;
+  byId("vary").disabled = true;
+  halted = false;
+  const points = await watch(() => studyPoints(name, a, b, n));
   byId("vary").disabled = false;
-  byId("status").textContent = "ready";
-  curve = { key, unit: a.unit, points };
+  byId("status").textContent = halted ? "stopped" : "ready";
+  curve = { key: name.split(".")[1], unit: a.unit, points };
   drawStudy();
 }
 

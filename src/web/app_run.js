@@ -6,31 +6,12 @@ let marcher = null;         // Program
 let marching = false, paused = false, stopped = false;
 let result = null;          // { h5, html } of the last run
 
-const LONG = 60; // s: such a run is asked for
-
-function clock(seconds) {
-  const s = Math.round(seconds);
-  return s < 60 ? s + " s" : Math.floor(s / 60) + " min " + s % 60 + " s";
-}
-
 function marchingNow(on) {
   marching = on;
   for (const id of ["stop", "progress"]) byId(id).hidden = !on;
   byId("pause").hidden = !on;
   byId("run").disabled = on;
   if (!on) byId("left").textContent = "";
-}
-
-function ask(text) {
-  const box = byId("ask");
-  box.firstElementChild.textContent = text;
-  box.hidden = false;
-  byId("yes").focus();
-  return new Promise((resolve) => {
-    const end = (answer) => () => { box.hidden = true; resolve(answer); };
-    byId("yes").onclick = end(true);
-    byId("no").onclick = end(false);
-  });
 }
 
 // One stretch, to the end, a pause or a stop; the file holds all so far.
@@ -55,8 +36,7 @@ let scales = null, carryOn = null;
 async function runInTime() {
   const about = await check();
   if (!about || !about.transient) return;
-  if (about.seconds > LONG && !await ask("This run takes about " +
-    clock(about.seconds) + " here.")) return;
+  if (!await mayTake(about.seconds, "This run")) return;
   showPlayer(false);
   scales = about;
   stopped = paused = false;
@@ -127,6 +107,11 @@ function pause() {
 
 // At its next step; a program that does not look is ended.
 function stop() {
+  if (!marching) {
+    halted = true;
+    live.end();
+    return;
+  }
   stopped = true;
   if (carryOn) {
     carryOn();
@@ -231,8 +216,13 @@ function drawProfile(canvas, bytes) {
 async function download(what) {
   byId("download").value = "";
   if (what === "case") save("case.ini", textOfCase(), "text/plain");
-  if (what === "png" && view)
-    byId("plot").toBlob((blob) => save("contact.png", blob, "image/png"));
+  if (what === "svg" || what === "png") {
+    if (!byId("played").hidden) showPlayer(false);
+    if (!view) showTrouble("there is no picture yet");
+    else if (what === "png")
+      save("contact.png", await pngOfPicture(), "image/png");
+    else save("contact.svg", svgOfPicture(), "image/svg+xml");
+  }
   if (what === "html") {
     if (result && result.html) save("run.html", result.html, "text/html");
     else showTrouble("there is no run in time yet");
@@ -304,24 +294,33 @@ async function linkedCase() {
 
 const KINDS = ["roller", "discs", "hot", "gear", "cam", "bearing", "starved",
   "indented", "coated", "numbers"];
+const kinds = {}, helpOf = {}; // text of each; what its help has of it
 
-async function startFrom(kind) {
-  const answer = await live.call(["init", kind]);
-  if (answer.code) {
-    showTrouble(said(answer).pop());
-    return;
+// What is written here has a name of the page's own.
+async function readKinds() {
+  const help = (await live.call(["init", "--help"])).out.replace(/\s+/g, " ");
+  for (const m of help.matchAll(/(\w+) \(([^()]*)\)/g)) helpOf[m[1]] = m[2];
+  for (const kind of KINDS) {
+    kinds[kind] = (await live.call(["init", kind])).out.split("\n")
+      .filter((line) => !/^file = .*\.h5/.test(line) &&
+        !/^# overroll check THIS/.test(line)).join("\n");
+    noteUnits(kinds[kind]);
   }
-  // What is written here has a name of the page's own.
-  byId("text").value = answer.out.split("\n")
-    .filter((line) => !/^file = .*\.h5/.test(line) &&
-      !/^# overroll check THIS/.test(line)).join("\n");
-  chosen = "contact";
+}
+
+function startFrom(kind) {
+  byId("text").value = kinds[kind];
+  chosen = null;
   changeCase();
 }
 
 function connectPage() {
   const list = byId("kind");
-  for (const kind of KINDS) element(list, "option").textContent = kind;
+  for (const kind of KINDS) {
+    const option = element(list, "option");
+    option.value = kind;
+    option.textContent = kind + (helpOf[kind] ? ": " + helpOf[kind] : "");
+  }
   list.onchange = () => startFrom(list.value);
   byId("run").onclick = runInTime;
   byId("pause").onclick = pause;
@@ -399,6 +398,7 @@ async function begin() {
   table = JSON.parse((await live.call(["keys"])).out);
   byId("version").textContent = "overroll " + table.version + ".";
   await measurePace();
+  await readKinds();
   readColours();
   connectPage();
   const given = JSON.parse(byId("given").textContent);
@@ -410,11 +410,11 @@ async function begin() {
   }
   if (linked) {
     byId("text").value = linked;
-    chosen = "contact";
+    chosen = null;
     changeCase();
   } else {
     const trouble = notice;
-    await startFrom(KINDS[0]);
+    startFrom(KINDS[0]);
     notice = trouble;
   }
   // For the console: overroll(["help", "units"]).then(...).

@@ -49,7 +49,7 @@ $(WEB)/overroll.wasm: $(WEB_OBJ)
 # The page: its texts put where app.html names them.
 WEB_JS := $(PAGE)_data.js $(PAGE)_draw.js \
   src/physics/heat/pictures_page.js \
-  $(addprefix src/web/app_,program.js case.js live.js run.js)
+  $(addprefix src/web/app_,program.js case.js live.js picture.js run.js)
 WEB_WORKER := src/web/wasi.js src/web/worker.js
 $(WEB)/overroll.html: src/web/app.html src/web/app.css $(PAGE).css $(WEB_JS) \
   $(WEB_WORKER) $(WEB)/overroll.wasm
@@ -63,3 +63,11 @@ $(WEB)/overroll.html: src/web/app.html src/web/app.css $(PAGE).css $(WEB_JS) \
 web: $(WEB)/overroll.html ## the program as one web page: build/web/overroll.html
 .PHONY: web web-objects
 $(WEB)/src/cli/main.o: WEB_CC += -Dmain=overroll_main
+
+# The program here with the kernels that the page has: both compute the same.
+$(WEB)/overroll-base: $(PROGRAM) src/multigrid/kernels.c
+	$(call say,LINK  $@)
+	$(Q)$(COMPILE) -DOVR_NO_AVX2 -c -o $(WEB)/kernels-base.o src/multigrid/kernels.c
+	$(Q)$(LINK) -o $@ $(CLIOBJ) $(WEB)/kernels-base.o $(LIB) $(OVR_LIBS)
+web-base: $(WEB)/overroll-base
+.PHONY: web-base

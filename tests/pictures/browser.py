@@ -85,6 +85,13 @@ class Browser:
         self.call("POST", "/actions", {"actions": [
             {"type": "pointer", "id": "mouse", "actions": actions}]})
 
+    def size(self, width, height):
+        """A viewport of any size: windows are 500 pixels wide at least."""
+        self.call("POST", "/goog/cdp/execute", {
+            "cmd": "Emulation.setDeviceMetricsOverride",
+            "params": {"width": width, "height": height,
+                       "deviceScaleFactor": 1, "mobile": False}})
+
     def log(self):
         return self.call("POST", "/se/log", {"type": "browser"})
 
