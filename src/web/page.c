@@ -57,7 +57,7 @@ typedef struct page_watch {
     bool steady;
 } page_watch;
 
-/* What the player shows of a state, in the order of worker.js. */
+/* Fields of a state that the player draws, in the order of worker.js. */
 static const struct {
     const char *name;
     unsigned needs; /* physics; 0: always there */
