@@ -38,14 +38,26 @@ OVR_API ovr_areal *ovr_areal_read(const ovr_profile_source *source,
 OVR_API void ovr_areal_free(ovr_areal *areal);
 
 /*
- * Sa and Sq of the heights about their least-squares plane; texture aspect
+ * Conditions the heights in place (src/surface/areal_condition.c): turn,
+ * window, stretch, reverse, scale, invert, missing heights filled, F-operation
+ * (level), L-filter (lambda_c), S-filter (lambda_s), offset.  Levelling by
+ * line is that by the least-squares plane.  outliers, max_gap, tapers and
+ * extensions are not used.
+ */
+OVR_API ovr_status ovr_areal_condition(ovr_areal *areal,
+                                       const ovr_conditioning *how,
+                                       ovr_error *err);
+
+/*
+ * Parameters of the heights about their least-squares plane; texture aspect
  * ratio and direction of the lay by the autocorrelation of these heights
  * (src/surface/lay.c).
  */
 typedef struct ovr_areal_numbers {
-    double Sa, Sq; /* mean and root mean square height */
-    double Str;    /* 0 (strong lay) to 1 (isotropic); NAN: unknown, the grid is
-                      shorter than 8 points or flat */
+    double Sa, Sq;   /* mean and root mean square height */
+    double Ssk, Sku; /* skewness and kurtosis; NAN: flat */
+    double Str; /* 0 (strong lay) to 1 (isotropic); NAN: unknown, the grid is
+                   shorter than 8 points or flat */
     bool Str_is_bound; /* the autocorrelation along the lay does not decay
                           within half the shorter side: Str is an upper bound */
     double lay; /* angle of the lay to the x axis, degrees, -90 to 90; NAN: no

@@ -124,6 +124,11 @@ typedef struct ovr_conditioning {
     double taper;         /* blend into the smooth surface at each end over
                              this; NAN: 5 % of the length */
     ovr_extension extend; /* none */
+    /* Of areal surfaces alone. */
+    bool turn; /* rows become columns: y runs along rolling */
+    double from_across, to_across; /* window in y */
+    double taper_across;           /* NAN: 5 % of the width */
+    ovr_extension extend_across;   /* periodic */
 } ovr_conditioning;
 
 OVR_API ovr_conditioning ovr_conditioning_default(void);
@@ -243,6 +248,8 @@ typedef struct ovr_roughness {
     double skewness;    /* NAN: 0 */
     double kurtosis;    /* NAN: 3 + 1.5 skewness^2; both NAN: Gaussian */
     int seed;           /* 1 */
+    double peklenik;    /* of a strip: correlation length along rolling divided
+                           by that across, 1 */
 } ovr_roughness;
 
 #ifdef __cplusplus

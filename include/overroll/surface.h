@@ -55,6 +55,7 @@ extern "C" {
  *            every wavelength (>= width), endless
  *   profile  measured, from a file
  *   roughness random, from a seed and a spectrum
+ *   areal    measured map of heights, from a file; on a strip alone
  *
  * Instead of its width a shape may be given width_half (or diameter, the same),
  * the full width at half its depth or height (0.2478 width of a dent or bump,
@@ -77,6 +78,7 @@ typedef enum ovr_shape {
     OVR_TEXTURE,
     OVR_PROFILE,
     OVR_ROUGHNESS,
+    OVR_AREAL,
     OVR_SHAPES /* how many there are */
 } ovr_shape;
 

@@ -215,6 +215,7 @@ static bool has_roughness(const ovr_resolved *r)
 {
     for (size_t k = 0; k < r->setup.features; k++)
         if (r->setup.feature[k]->shape == OVR_PROFILE ||
+            r->setup.feature[k]->shape == OVR_AREAL ||
             r->setup.feature[k]->shape == OVR_ROUGHNESS)
             return true;
     return false;

@@ -116,6 +116,9 @@ const char *ovr_resolved_one_mesh(const ovr_resolved *r);
 /* Returns the width of a strip, b; 0 for line contacts. */
 double ovr_resolved_width(const ovr_resolved *r);
 
+/* Returns the lines of a strip on the mesh size D; 1 for line contacts. */
+size_t ovr_resolved_lines(const ovr_resolved *r, double D);
+
 /* Returns the film that arrives at T = 0, INFINITY for flooded inlets. */
 double ovr_resolved_arrives(const ovr_resolved *r);
 

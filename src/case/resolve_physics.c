@@ -486,6 +486,20 @@ double ovr_resolved_width(const ovr_resolved *r)
     return width;
 }
 
+size_t ovr_resolved_lines(const ovr_resolved *r, double D)
+{
+    size_t lines = 1;
+    for (int k = 0; ovr_physics_list[k]; k++)
+        if (is_on(r, k) && ovr_physics_list[k]->lines_across)
+            lines = ovr_physics_list[k]->lines_across(r->physics[k].form, D);
+    return lines;
+}
+
+size_t ovr_setup_lines(const ovr_setup *setup)
+{
+    return ovr_resolved_lines((const ovr_resolved *)setup, setup->mesh);
+}
+
 double ovr_resolved_arrives(const ovr_resolved *r)
 {
     double film = INFINITY;

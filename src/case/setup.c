@@ -74,7 +74,8 @@ static ovr_status make_surfaces(ovr_resolved *r, const ovr_allocator *allocator,
     if (!s->surfaces)
         return OVR_NO_MEMORY;
     ovr_surfaces_sliding(s->surfaces, s->sliding);
-    ovr_surfaces_strip(s->surfaces, ovr_resolved_width(r));
+    ovr_surfaces_strip(s->surfaces, ovr_resolved_width(r),
+                       ovr_resolved_lines(r, s->mesh));
     ovr_surfaces_domain(s->surfaces, s->options->inlet, s->options->outlet);
     status = add_features(r, err);
     if (status) {

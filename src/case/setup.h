@@ -42,6 +42,9 @@ unsigned ovr_setup_physics(const ovr_setup *setup);
  * address. */
 double ovr_setup_memory(const ovr_setup *setup);
 
+/* Lines across rolling of a strip; 1 of a line contact. */
+size_t ovr_setup_lines(const ovr_setup *setup);
+
 /* The relative error that they add to the film per b/um of step, in a run. */
 double ovr_setup_lag(const ovr_setup *setup);
 

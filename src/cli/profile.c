@@ -86,6 +86,25 @@ static int take_case(const cli_call *call, ovr_setup **setup)
     return *setup ? CLI_DONE : cli_fail(&err);
 }
 
+/* Measures the map after the form and filters given for the profile. */
+static ovr_status filter_map(const ovr_conditioning *line, profile_report *r,
+                             ovr_error *err)
+{
+    ovr_conditioning how = ovr_conditioning_default();
+    if (isnan(line->lambda_c) && isnan(line->lambda_s) &&
+        line->level != OVR_LEVEL_POLYNOMIAL)
+        return OVR_OK;
+    if (line->level <= OVR_LEVEL_POLYNOMIAL)
+        how.level = line->level;
+    how.degree = line->degree;
+    how.lambda_c = line->lambda_c;
+    how.lambda_s = line->lambda_s;
+    how.max_missing = 1;
+    if (ovr_areal_condition(r->map, &how, err))
+        return OVR_BAD_INPUT;
+    return ovr_areal_measure(r->map, &r->areal, err);
+}
+
 static int report_profile(const cli_call *call,
                           const ovr_profile_source *source, profile_report *r)
 {
@@ -95,6 +114,8 @@ static int report_profile(const cli_call *call,
                                          r->contact, &how);
     if (code)
         return code;
+    if (r->map && filter_map(&how, r, &err))
+        return cli_fail(&err);
     if (measure(source, &how, r, &err) ||
         (cli_flag(call, "contact") &&
          ovr_profile_contact(r->profile, PROFILE_POINTS, r->bears, &r->points,

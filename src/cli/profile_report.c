@@ -90,6 +90,10 @@ static void print_map(const profile_report *r)
            map_height(map, n->Sa).text);
     printf("Sq         %-14s root mean square height\n",
            map_height(map, n->Sq).text);
+    if (!isnan(n->Ssk))
+        printf("Ssk        %-14.3g skewness\nSku        %-14.3g kurtosis (3: "
+               "Gaussian)\n",
+               n->Ssk, n->Sku);
     if (!isnan(n->Str))
         printf("Str        %s%-*.3g texture aspect ratio (1: isotropic)\n",
                n->Str_is_bound ? "< " : "", n->Str_is_bound ? 12 : 14, n->Str);
@@ -313,6 +317,8 @@ static void put_map(json_writer *json, const profile_report *r)
     json_integer(json, "missing", (long long)map->missing);
     put(json, r, "Sa", r->areal.Sa, true);
     put(json, r, "Sq", r->areal.Sq, true);
+    json_number(json, "Ssk", r->areal.Ssk);
+    json_number(json, "Sku", r->areal.Sku);
     json_number(json, "Str", r->areal.Str);
     json_flag(json, "Str_is_upper_bound", r->areal.Str_is_bound);
     json_number(json, "lay_degrees", r->areal.lay);

@@ -15,6 +15,7 @@
 
 #include "base/arena.h"
 #include "base/given.h"
+#include "case/setup.h"
 #include "contact/contact.h"
 #include "contact/film_formula.h"
 #include "overroll/run.h"
@@ -72,6 +73,8 @@ static const char *refusal(const ovr_setup *s)
     const ovr_contact *c = s->contact;
     if (!s->transient)
         return "nothing rolls through a steady contact";
+    if (ovr_setup_lines(s) > 1)
+        return "the film varies across rolling";
     if (isnan(speed(s)) || (s->sliding && ovr_surfaces_has(s->surfaces, 1) &&
                             ovr_surfaces_has(s->surfaces, 2)))
         return "the surfaces slide, and both are rough";

@@ -176,6 +176,9 @@ struct ovr_physics {
     /* Period across rolling, b; 0: the form is not on. */
     double (*width_across)(const void *form);
 
+    /* Lines across rolling on a mesh size D along x. */
+    size_t (*lines_across)(const void *form, double D);
+
     /* The film that arrives at T = 0; INFINITY: as much as is taken. */
     double (*arrives)(const void *form);
 

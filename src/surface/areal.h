@@ -27,4 +27,10 @@ ovr_status ovr_areal_finish(ovr_profile *profile,
                             const ovr_profile_source *source, double scale,
                             ovr_error *err);
 
+/* Random areal roughness, periodic in length x width, b; the lay is at `angle`
+ * (radians) from the y axis.  The last row and column equal the first. */
+ovr_areal *ovr_areal_random(const ovr_roughness *form, double width,
+                            double angle, const ovr_allocator *allocator,
+                            ovr_error *err);
+
 #endif

@@ -10,6 +10,7 @@
 
 #include "base/arena.h"
 #include "overroll/surface.h"
+#include "surface/areal_table.h"
 #include "surface/profile_table.h"
 
 /* Extent across rolling, on a strip (footprint.h). */
@@ -44,9 +45,10 @@ typedef struct ovr_feature {
     double repeat; /* NAN: single */
     long copies;   /* 0: endless */
     ovr_footprint footprint;
-    const ovr_table *table; /* profile, roughness: heights from behind */
-    double local_Rq;        /* of those before the grid's filter, as a contact
-                               sees it (local_roughness.h); else 0 */
+    const ovr_table *table;       /* profile, roughness: heights from behind */
+    const ovr_areal_table *areal; /* the same of a strip's areal surfaces */
+    double local_Rq; /* of those before the grid's filter, as a contact
+                        sees it (local_roughness.h); else 0 */
 } ovr_feature;
 
 /* sigma(v) = 6 v^5 - 15 v^4 + 10 v^3 between 0 and 1: twice continuously

@@ -18,7 +18,7 @@ static double amplitude(const ovr_feature *f)
     double maximum = fmax(fabs(f->A), f->shoulder);
     for (size_t i = 0; f->table && i < f->table->n; i++)
         maximum = fmax(maximum, fabs(f->table->z[i]));
-    return maximum;
+    return f->areal ? f->areal->largest : maximum;
 }
 
 static double roughness(const ovr_feature *f)
@@ -27,6 +27,8 @@ static double roughness(const ovr_feature *f)
     double mean = 0, squares = 0;
     if (f->shape == OVR_WAVE || f->shape == OVR_CHIRP)
         return fabs(f->A) / sqrt(2);
+    if (f->areal)
+        return f->areal->Sq;
     for (size_t i = 0; i < n; i++)
         mean += f->table->z[i] / (double)n;
     for (size_t i = 0; i < n; i++)
@@ -47,20 +49,21 @@ static double local_roughness(const ovr_feature *f)
 
 static ovr_feature_info info_of(const ovr_feature *f)
 {
-    return (ovr_feature_info){.name = f->name,
-                              .surface = f->surface,
-                              .shape = f->shape,
-                              .speed = f->ratio,
-                              .amplitude = amplitude(f),
-                              .wavelength = f->finest,
-                              .wavelength_is = f->table ? "mean" : "shortest",
-                              .diameter = ovr_shape_diameter(f),
-                              .behind = f->behind,
-                              .ahead = f->ahead,
-                              .grows = !isnan(f->grow) && f->grow > 0,
-                              .Rq = roughness(f),
-                              .last = ovr_feature_last_copy(f),
-                              .assumed = f->assumed};
+    return (ovr_feature_info){
+        .name = f->name,
+        .surface = f->surface,
+        .shape = f->shape,
+        .speed = f->ratio,
+        .amplitude = amplitude(f),
+        .wavelength = f->finest,
+        .wavelength_is = f->table || f->areal ? "mean" : "shortest",
+        .diameter = ovr_shape_diameter(f),
+        .behind = f->behind,
+        .ahead = f->ahead,
+        .grows = !isnan(f->grow) && f->grow > 0,
+        .Rq = roughness(f),
+        .last = ovr_feature_last_copy(f),
+        .assumed = f->assumed};
 }
 
 ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces, size_t feature)

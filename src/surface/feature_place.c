@@ -11,7 +11,7 @@
 static double centre_at_start(double way, const ovr_feature_form *form,
                               const ovr_feature *f)
 {
-    bool tabulated = f->table != NULL;
+    bool tabulated = f->table || f->areal;
     if (!isnan(form->centre))
         return form->centre;
     if (!isnan(form->edge))

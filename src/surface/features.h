@@ -23,6 +23,7 @@ struct ovr_surfaces {
     const ovr_history *speed, *sliding;
     double mesh;
     double width;         /* of a strip, b; 0: a line contact */
+    double mesh_across;   /* distance of its lines, b */
     double inlet, outlet; /* NAN: not known */
     size_t count;
     ovr_placed_feature *first, **last;

@@ -145,17 +145,15 @@ static ovr_status check_sizes(const ovr_feature *f,
 {
     const char *shape = ovr_shape_name((int)f->shape), *key = NULL;
     bool areal = f->shape == OVR_WAVE || f->shape == OVR_TEXTURE;
-    bool rough = f->shape == OVR_ROUGHNESS;
     if (!isnan(form->width_across) && !may_be_round(f->shape))
         key = "width_across";
-    else if (!isnan(form->length_across) &&
-             (areal || rough || f->footprint.round))
+    else if (!isnan(form->length_across) && (areal || f->footprint.round))
         key = "length_across";
     else if (!isnan(form->wavelength_across) && !areal)
         key = "wavelength_across";
     else if (form->stagger != 0 && f->shape != OVR_TEXTURE)
         key = "stagger";
-    else if (form->angle != 0 && (f->shape == OVR_TEXTURE || rough))
+    else if (form->angle != 0 && f->shape == OVR_TEXTURE)
         key = "angle";
     if (!key)
         return OVR_OK;
@@ -178,11 +176,40 @@ static void widen(ovr_feature *f)
     f->reach_ahead += more + g->fade;
 }
 
+/* Areal surfaces have their extent across, and roughness its angle, in their
+ * heights. */
+static ovr_status make_areal(ovr_feature *f, const ovr_feature_form *form,
+                             ovr_error *err)
+{
+    const char *shape = ovr_shape_name((int)f->shape), *key = NULL;
+    if (!isnan(form->width_across))
+        key = "width_across";
+    else if (!isnan(form->length_across))
+        key = "length_across";
+    else if (!isnan(form->wavelength_across))
+        key = "wavelength_across";
+    else if (form->stagger != 0)
+        key = "stagger";
+    else if (form->angle != 0 && f->shape == OVR_AREAL)
+        key = "angle";
+    f->footprint = (ovr_footprint){.across = form->across,
+                                   .ratio = 1,
+                                   .length = INFINITY,
+                                   .cosine = 1,
+                                   .wavelength = NAN,
+                                   .reach = f->reach_behind};
+    return key ? ovr_fail_about(err, key, "feature '%s': shape = %s has no %s",
+                                f->name, shape, key)
+               : OVR_OK;
+}
+
 ovr_status ovr_footprint_make(ovr_feature *f, const ovr_feature_form *form,
                               double W, ovr_error *err)
 {
     ovr_footprint *g = &f->footprint;
     double width = given_width(form);
+    if (f->areal)
+        return make_areal(f, form, err);
     *g = (ovr_footprint){
         .round = isnan(form->width_across) ? is_usually_round(f->shape)
                                            : isfinite(form->width_across),
@@ -292,9 +319,36 @@ static double of_endless(const ovr_feature *f, double s, double t, double W)
     return g->cosine == 0 ? of_copies(f, u, W) : ovr_shape_height(f, u);
 }
 
+/* Adds a map with its centre at `across`.  A map without repeat is continued by
+ * the smooth surface up to the width of the strip. */
+static void add_areal(const ovr_feature *f, double factor, double centre,
+                      const ovr_places *at, double *S)
+{
+    const ovr_areal_table *t = f->areal;
+    double half = ovr_areal_extent(&t->x) / 2;
+    double low = f->footprint.across - ovr_areal_extent(&t->y) / 2;
+    for (size_t i = 0; i < at->n; i++) {
+        double s = at->X[i] - centre + half;
+        double *to = S + i * at->stride;
+        if (t->y.endless) {
+            ovr_areal_add(t, factor, s, -low, at->lines, at->Y, to);
+            continue;
+        }
+        for (size_t j = 0; j < at->lines; j++) {
+            double y = at->Y[j] - low;
+            y -= at->width * floor(y / at->width);
+            ovr_areal_add(t, factor, s, 0, 1, &y, to + j);
+        }
+    }
+}
+
 void ovr_footprint_add(const ovr_feature *f, double factor, double centre,
                        const ovr_places *at, double *S)
 {
+    if (f->areal) {
+        add_areal(f, factor, centre, at, S);
+        return;
+    }
     const double *X = at->X, *Y = at->Y, W = at->width;
     size_t n = at->n, lines = at->lines, stride = at->stride;
     const ovr_footprint *g = &f->footprint;

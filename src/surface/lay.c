@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Parameters of an areal surface: Sa, Sq, texture aspect ratio Str and the
- * direction of the lay (ISO 25178-2).
+ * Parameters of an areal surface: Sa, Sq, Ssk, Sku, texture aspect ratio Str
+ * and the direction of the lay (ISO 25178-2).
  *
  * z is taken about its least-squares plane.  The autocorrelation
  *
@@ -72,7 +72,7 @@ static double about_plane(const ovr_areal *a, const plane *p, size_t i,
 static void measure_heights(const ovr_areal *a, const plane *p,
                             ovr_areal_numbers *numbers)
 {
-    double sum = 0, squares = 0, n = 0;
+    double sum = 0, squares = 0, n = 0, third = 0, fourth = 0;
     for (size_t j = 0; j < a->ny; j++)
         for (size_t i = 0; i < a->nx; i++) {
             double z = about_plane(a, p, i, j);
@@ -81,6 +81,14 @@ static void measure_heights(const ovr_areal *a, const plane *p,
         }
     numbers->Sa = sum / n;
     numbers->Sq = sqrt(squares / n);
+    for (size_t j = 0; j < a->ny && numbers->Sq > 0; j++)
+        for (size_t i = 0; i < a->nx; i++) {
+            double v = about_plane(a, p, i, j) / numbers->Sq;
+            if (!isnan(v))
+                third += v * v * v, fourth += v * v * v * v;
+        }
+    numbers->Ssk = numbers->Sq > 0 ? third / n : NAN;
+    numbers->Sku = numbers->Sq > 0 ? fourth / n : NAN;
 }
 
 /* ---------------------------------------------------------- autocorrelation */

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/given.h"
+#include "surface/areal.h"
 #include "surface/local_roughness.h"
 #include "surface/profile.h"
 #include "surface/resample.h"
@@ -39,23 +40,31 @@ static ovr_status to_contact(ovr_profile *p, const ovr_contact *c,
     return ovr_profile_finish(p, p->view.n, err);
 }
 
+/* Copies the source of the form, with lengths in metres if b is known. */
+static ovr_status source_of(const ovr_feature_form *form, const ovr_contact *c,
+                            ovr_profile_source *source, ovr_error *err)
+{
+    if (!form->source)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "a profile needs its file: give file");
+    if (OVR_TAKE(ovr_profile_source, source, form->source, err))
+        return OVR_BAD_INPUT;
+    source->spacing_scaled = !(c->b > 0);
+    if (c->b > 0) {
+        source->spacing *= c->b;
+        source->y *= c->b;
+        source->band *= c->b;
+    }
+    return OVR_OK;
+}
+
 static ovr_profile *read(const ovr_feature_form *form, const ovr_contact *c,
                          const ovr_allocator *allocator, ovr_error *err)
 {
     ovr_profile_source source;
     ovr_profile *p;
-    if (!form->source) {
-        ovr_fail(err, OVR_BAD_INPUT, "a profile needs its file: give file");
+    if (source_of(form, c, &source, err))
         return NULL;
-    }
-    if (OVR_TAKE(ovr_profile_source, &source, form->source, err))
-        return NULL;
-    source.spacing_scaled = !(c->b > 0);
-    if (c->b > 0) {
-        source.spacing *= c->b;
-        source.y *= c->b;
-        source.band *= c->b;
-    }
     p = ovr_profile_read(&source, allocator, err);
     if (p && !to_contact(p, c, err))
         return p;
@@ -172,5 +181,206 @@ ovr_status ovr_measured_make(ovr_feature *feature, const ovr_feature_form *form,
     if (status && !err->about && form->shape == OVR_PROFILE)
         err->about = "file"; /* what is wrong stands in it */
     ovr_profile_free(p);
+    return status;
+}
+
+/* ---------------------------------------------------------- areal surfaces */
+
+/* Converts a map to b and b^2/R. */
+static ovr_status map_to_contact(ovr_areal *map, const ovr_contact *c,
+                                 ovr_error *err)
+{
+    ovr_profile *p = map->owner;
+    bool metres = !map->scaled_x || !map->scaled_z;
+    if (metres && !(c->b > 0 && c->height > 0))
+        return ovr_fail_at(
+            err, OVR_BAD_INPUT, p->file, 0,
+            "a map in metres needs a contact with dimensions (set radius, "
+            "modulus and alpha), or unit_x = b and unit_z = b^2/R");
+    if (!map->scaled_x) {
+        map->dx /= c->b;
+        map->dy /= c->b;
+    }
+    if (!map->scaled_z)
+        divide(map->z, map->nx * map->ny, c->height);
+    map->scaled_x = map->scaled_z = true;
+    p->view.scaled_x = p->view.scaled_z = true;
+    p->b = c->b > 0 ? c->b : 0;
+    p->height = c->height > 0 ? c->height : 0;
+    return OVR_OK;
+}
+
+static ovr_areal *read_map(const ovr_feature_form *form, const ovr_contact *c,
+                           const ovr_conditioning *how,
+                           const ovr_allocator *allocator, ovr_error *err)
+{
+    ovr_profile_source source;
+    if (source_of(form, c, &source, err))
+        return NULL;
+    ovr_areal *map = ovr_areal_read(&source, allocator, err);
+    if (map && !map_to_contact(map, c, err) &&
+        !ovr_areal_condition(map, how, err))
+        return map;
+    ovr_areal_free(map);
+    return NULL;
+}
+
+/* Width of `map` after which it repeats; 0: it does not. */
+static double period_of(const ovr_areal *map, const ovr_conditioning *how)
+{
+    double width = (double)(map->ny - 1) * map->dy;
+    double taper = isnan(how->taper_across) ? 0.05 * width : how->taper_across;
+    if (how->extend_across == OVR_EXTEND_MIRROR)
+        return 2 * width;
+    return how->extend_across == OVR_EXTEND_PERIODIC ? width - taper : 0;
+}
+
+ovr_status ovr_areal_period(const ovr_feature_form *form,
+                            const ovr_contact *contact,
+                            const ovr_allocator *allocator, double *width,
+                            ovr_error *err)
+{
+    ovr_conditioning how = *form->conditioning;
+    how.level = OVR_LEVEL_NONE; /* the size alone matters */
+    how.lambda_c = how.lambda_s = NAN;
+    ovr_areal *map = read_map(form, contact, &how, allocator, err);
+    if (!map)
+        return OVR_BAD_INPUT;
+    *width = period_of(map, &how);
+    ovr_areal_free(map);
+    return OVR_OK;
+}
+
+/* Checks that the table repeats on the width of the strip, or fits into it.
+ * Stretches it to a width given with few digits. */
+static ovr_status close_across(const ovr_feature *f, ovr_areal_table *t,
+                               double width, ovr_error *err)
+{
+    const double closes = 1e-4;
+    double period = ovr_areal_extent(&t->y), k = width / period;
+    if (!t->y.endless && period <= width * (1 + 1e-9))
+        return OVR_OK;
+    if (!t->y.endless)
+        return ovr_fail_about(err, "to_across",
+                              "feature '%s': a map %.6g b wide does not fit "
+                              "into a strip %.6g b wide; set strip.width to at "
+                              "least %.6g, or a window by from_across and "
+                              "to_across",
+                              f->name, period, width, period);
+    if (k >= 1 - closes && fabs(k - round(k)) < closes * k) {
+        t->y.h *= k / round(k);
+        return OVR_OK;
+    }
+    double below = fmax(1, floor(k));
+    return ovr_fail_about(err, "extend_across",
+                          "feature '%s': a map that repeats after %.6g b "
+                          "across does not close on a strip %.6g b wide; set "
+                          "strip.width to %.6g or %.6g, or extend_across = "
+                          "none",
+                          f->name, period, width, below * period,
+                          (below + 1) * period);
+}
+
+/* Rq of rows under a contact, root mean square of some of them. */
+static double rows_roughness(const ovr_areal *map, double *x)
+{
+    enum { ROWS = 32 };
+    size_t step = map->ny / ROWS + 1;
+    double squares = 0, count = 0;
+    for (size_t i = 0; i < map->nx; i++)
+        x[i] = (double)i * map->dx;
+    for (size_t j = 0; j < map->ny; j += step, count++) {
+        double Rq = ovr_local_roughness(map->nx, x, map->z + j * map->nx,
+                                        OVR_CONTACT_WIDTH);
+        squares += Rq * Rq;
+    }
+    return sqrt(squares / count);
+}
+
+static void describe_map(const ovr_areal *map, const ovr_areal_table *t,
+                         const ovr_strip_mesh *mesh)
+{
+    ovr_profile *p = map->owner;
+    ovr_areal_numbers n;
+    p->view.scaled_x = p->view.scaled_z = true;
+    if (!ovr_areal_measure(map, &n, NULL))
+        ovr_profile_note(p,
+                         "%zu x %zu points, %s x %s: Sq %s, Sa %s, Ssk %.3g, "
+                         "Sku %.3g, Str %.2g",
+                         map->nx, map->ny,
+                         ovr_along(p, (double)(map->nx - 1) * map->dx).text,
+                         ovr_along(p, (double)(map->ny - 1) * map->dy).text,
+                         ovr_across(p, n.Sq).text, ovr_across(p, n.Sa).text,
+                         n.Ssk, n.Sku, n.Str);
+    ovr_profile_note(p,
+                     "on the grid: wavelengths above %.3g b along x and %.3g b "
+                     "across, %.2g %% of the variance filtered out",
+                     2 * mesh->D, 2 * mesh->Dy, 100 * t->lost);
+}
+
+static ovr_status tabulate(ovr_feature *f, const ovr_feature_form *form,
+                           const ovr_conditioning *how, const ovr_areal *map,
+                           const ovr_strip_mesh *mesh, ovr_arena *arena,
+                           ovr_error *err)
+{
+    ovr_areal_table *t = ovr_arena_take(arena, 1, sizeof *t, err);
+    double *x = ovr_arena_take(arena, map->nx, sizeof *x, err);
+    bool random = form->shape == OVR_ROUGHNESS;
+    const ovr_areal_fit fit = {
+        .mesh = {mesh->D, mesh->Dy},
+        .taper = {how->taper, how->taper_across},
+        .extend = {(int)how->extend,
+                   random ? (int)OVR_EXTEND_PERIODIC : (int)how->extend_across},
+        .both = !isnan(form->origin),
+        .closed = random};
+    if (!t || !x)
+        return OVR_NO_MEMORY;
+    ovr_status status = ovr_areal_tabulate(map, &fit, t, arena, err);
+    if (!status)
+        status = close_across(f, t, mesh->width, err);
+    if (status)
+        return status;
+    double half = ovr_areal_extent(&t->x) / 2;
+    f->local_Rq = rows_roughness(map, x);
+    f->A = f->shoulder = 0;
+    f->behind = t->x.endless ? INFINITY : half;
+    f->ahead = t->both ? INFINITY : half;
+    f->reach_behind = f->behind;
+    f->reach_ahead = f->ahead;
+    f->finest = t->wavelength;
+    f->areal = t;
+    describe_map(map, t, mesh);
+    return OVR_OK;
+}
+
+ovr_status ovr_measured_areal(ovr_feature *f, const ovr_feature_form *form,
+                              const ovr_contact *contact,
+                              const ovr_strip_mesh *mesh, ovr_arena *arena,
+                              ovr_error *err)
+{
+    const ovr_roughness none = ovr_roughness_default();
+    bool random = form->shape == OVR_ROUGHNESS;
+    ovr_conditioning how = ovr_conditioning_default();
+    ovr_status status = OVR_OK;
+    ovr_error local;
+    if (!err)
+        err = &local;
+    if (form->conditioning &&
+        OVR_TAKE(ovr_conditioning, &how, form->conditioning, err))
+        return OVR_BAD_INPUT;
+    ovr_areal *map =
+        random
+            ? ovr_areal_random(form->roughness ? form->roughness : &none,
+                               mesh->width, form->angle, &arena->allocator, err)
+            : read_map(form, contact, &how, &arena->allocator, err);
+    status = map ? tabulate(f, form, &how, map, mesh, arena, err) : err->status;
+    if (!status) {
+        f->assumed = ovr_arena_text(arena, ((ovr_profile *)map->owner)->notes,
+                                    err);
+        status = f->assumed ? OVR_OK : OVR_NO_MEMORY;
+    }
+    if (status && !err->about && !random)
+        err->about = "file";
+    ovr_areal_free(map);
     return status;
 }

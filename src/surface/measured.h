@@ -20,4 +20,24 @@ ovr_profile *ovr_measured_profile(const ovr_feature_form *form,
                                   const ovr_allocator *allocator,
                                   ovr_error *err);
 
+/* Mesh sizes of a strip along x and across, and its width, b. */
+typedef struct ovr_strip_mesh {
+    double D, Dy, width;
+} ovr_strip_mesh;
+
+/* Fills the feature's areal table, extents and notes from the form's map (shape
+ * OVR_AREAL) or areal roughness.  Fails if the map does not close on the width
+ * of the strip. */
+ovr_status ovr_measured_areal(ovr_feature *feature,
+                              const ovr_feature_form *form,
+                              const ovr_contact *contact,
+                              const ovr_strip_mesh *mesh, ovr_arena *arena,
+                              ovr_error *err);
+
+/* The width, b, after which the form's map repeats across; 0: it does not. */
+ovr_status ovr_areal_period(const ovr_feature_form *form,
+                            const ovr_contact *contact,
+                            const ovr_allocator *allocator, double *width,
+                            ovr_error *err);
+
 #endif

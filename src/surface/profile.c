@@ -33,7 +33,11 @@ ovr_conditioning ovr_conditioning_default(void)
                                        .lambda_s = NAN,
                                        .offset = 0,
                                        .taper = NAN,
-                                       .extend = OVR_EXTEND_NONE};
+                                       .extend = OVR_EXTEND_NONE,
+                                       .from_across = NAN,
+                                       .to_across = NAN,
+                                       .taper_across = NAN,
+                                       .extend_across = OVR_EXTEND_PERIODIC};
     return defaults;
 }
 
@@ -48,7 +52,8 @@ ovr_roughness ovr_roughness_default(void)
                                     .correlation = NAN,
                                     .skewness = NAN,
                                     .kurtosis = NAN,
-                                    .seed = 1};
+                                    .seed = 1,
+                                    .peklenik = 1};
     return defaults;
 }
 

@@ -87,6 +87,8 @@ static double texture(const ovr_feature *f, double s)
 
 static double tabulated(const ovr_feature *f, double s)
 {
+    if (!f->table) /* areal: footprint.c */
+        return 0;
     return ovr_table_height(f->table, s + ovr_table_length(f->table) / 2);
 }
 
@@ -144,6 +146,7 @@ static const struct rule {
                      0, 0.5, NULL},
     [OVR_PROFILE] = {"profile", tabulated, 0, 0, 0, NAN, "file"},
     [OVR_ROUGHNESS] = {"roughness", tabulated, 0, 0, 0, NAN, "Rq, length"},
+    [OVR_AREAL] = {"areal", tabulated, 0, 0, 0, NAN, "file"},
 };
 
 /* With a rim an indent has no width or shoulders of its own. */

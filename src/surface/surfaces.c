@@ -79,11 +79,12 @@ void ovr_surfaces_sliding(ovr_surfaces *surfaces, const ovr_history *sliding)
     surfaces->sliding = sliding;
 }
 
-void ovr_surfaces_strip(ovr_surfaces *surfaces, double width)
+void ovr_surfaces_strip(ovr_surfaces *surfaces, double width, size_t lines)
 {
     if (!surfaces)
         return;
     surfaces->width = width;
+    surfaces->mesh_across = lines ? width / (double)lines : surfaces->mesh;
 }
 
 void ovr_surfaces_free(ovr_surfaces *surfaces)
@@ -159,6 +160,30 @@ static ovr_status check_repeat(const ovr_feature *f, ovr_error *err)
     return OVR_OK;
 }
 
+/* Heights of shapes that have no formula. */
+static ovr_status make_table(ovr_surfaces *surfaces,
+                             const ovr_feature_form *form, ovr_feature *f,
+                             ovr_error *err)
+{
+    const ovr_contact *c = &surfaces->contact;
+    ovr_arena *arena = &surfaces->arena;
+    if (f->shape == OVR_AREAL && !(surfaces->width > 0))
+        return ovr_fail_about(
+            err, "shape",
+            "feature '%s': an areal surface needs [strip]; a "
+            "line contact takes a line of it, shape = profile",
+            f->name);
+    if (f->shape == OVR_AREAL ||
+        (f->shape == OVR_ROUGHNESS && surfaces->width > 0)) {
+        const ovr_strip_mesh mesh = {surfaces->mesh, surfaces->mesh_across,
+                                     surfaces->width};
+        return ovr_measured_areal(f, form, c, &mesh, arena, err);
+    }
+    if (f->shape == OVR_PROFILE || f->shape == OVR_ROUGHNESS)
+        return ovr_measured_make(f, form, c, surfaces->mesh, arena, err);
+    return OVR_OK;
+}
+
 /* Everything that can fail happens here, before the feature is linked in. */
 static ovr_status make(ovr_surfaces *surfaces, const ovr_feature_form *form,
                        ovr_feature *f, ovr_error *err)
@@ -181,9 +206,8 @@ static ovr_status make(ovr_surfaces *surfaces, const ovr_feature_form *form,
     f->repeat = form->repeat;
     f->copies = form->copies;
     status = ovr_shape_make(f, form, c->height / c->b, err);
-    if (!status && (f->shape == OVR_PROFILE || f->shape == OVR_ROUGHNESS))
-        status = ovr_measured_make(f, form, c, surfaces->mesh, &surfaces->arena,
-                                   err);
+    if (!status)
+        status = make_table(surfaces, form, f, err);
     if (!status)
         status = check_repeat(f, err);
     if (!status && surfaces->width > 0)

@@ -39,9 +39,9 @@ void ovr_surfaces_free(ovr_surfaces *surfaces);
  * features are put on. */
 void ovr_surfaces_sliding(ovr_surfaces *surfaces, const ovr_history *sliding);
 
-/* Sets the width of a strip, b.  The function is called before features are
- * added. */
-void ovr_surfaces_strip(ovr_surfaces *surfaces, double width);
+/* Sets the width of a strip, b, and the number of its lines.  The function is
+ * called before features are added. */
+void ovr_surfaces_strip(ovr_surfaces *surfaces, double width, size_t lines);
 
 /* Heights of surface 1 or 2, or of both (0), on a strip: an
  * ovr_heights_across of simulation.h. */

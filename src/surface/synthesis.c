@@ -13,11 +13,18 @@
  *      N numbers; ranks and spectrum are restored by turns (Schreiber &
  *      Schmitz 1996), ranks last: the moments are exact, the spectrum nearly.
  *
+ * Areal roughness is periodic in length x width.  Its waves (k, l) have
+ * k^2/length^2 + l^2/width^2 <= 1/shortest^2, with 4 points in the shortest
+ * one.  The axes u and v are turned by the angle of the lay.  The spectrum is a
+ * function of kappa^2 = k_u^2 + (k_v/peklenik)^2.  It is 1 below 2 pi/rolloff
+ * and kappa^(-2 - 2 hurst) beyond, or (1 + (kappa correlation)^2)^(-3/2).
+ *
  * Only +, *, sqrt, log, sin and cos enter: machines agree to rounding.
  */
 #include "overroll/profile.h"
 
 #include <gsl/gsl_cdf.h>
+#include <gsl/gsl_fft_complex.h>
 #include <gsl/gsl_fft_halfcomplex.h>
 #include <gsl/gsl_fft_real.h>
 #include <gsl/gsl_randist.h>
@@ -27,9 +34,10 @@
 
 #include "base/error.h"
 #include "base/given.h"
+#include "surface/areal.h"
 #include "surface/profile.h"
 
-enum { MAX = 1 << 20, ITERATIONS = 25 };
+enum { MAX = 1 << 20, ITERATIONS = 25, AREAL_ITERATIONS = 10 };
 
 typedef struct random_surface {
     const ovr_roughness *form;
@@ -151,6 +159,16 @@ static void restore_spectrum(random_surface *s)
     gsl_fft_halfcomplex_radix2_backward(s->z, 1, s->n);
 }
 
+static ovr_status no_heights(const ovr_roughness *f, double skewness,
+                             double kurtosis, ovr_error *err)
+{
+    return ovr_fail_about(err, isnan(f->kurtosis) ? "skewness" : "kurtosis",
+                          "roughness: no heights with skewness = %g and "
+                          "kurtosis = %g; kurtosis must lie above about 1.9 + "
+                          "1.7 skewness^2",
+                          skewness, kurtosis);
+}
+
 static ovr_status shape_heights(random_surface *s, ovr_error *err)
 {
     const ovr_roughness *f = s->form;
@@ -160,12 +178,7 @@ static ovr_status shape_heights(random_surface *s, ovr_error *err)
     if (isnan(f->skewness) && isnan(f->kurtosis))
         return OVR_OK;
     if (!find_target(s, skewness, kurtosis))
-        return ovr_fail_about(
-            err, isnan(f->kurtosis) ? "skewness" : "kurtosis",
-            "roughness: no heights with skewness = %g and "
-            "kurtosis = %g; kurtosis must lie above about 1.9 + "
-            "1.7 skewness^2",
-            skewness, kurtosis);
+        return no_heights(f, skewness, kurtosis, err);
     /* the amplitudes as drawn, so that realizations stay random */
     gsl_fft_real_radix2_transform(s->z, 1, s->n);
     for (size_t k = 1; k <= s->waves; k++)
@@ -286,6 +299,211 @@ ovr_profile *ovr_profile_random(const ovr_roughness *form,
     p = ovr_profile_new("roughness", allocator, err);
     if (p && !synthesize(&s, p, err))
         return p;
+    ovr_profile_free(p);
+    return NULL;
+}
+
+/* -------------------------------------------------------- areal roughness */
+
+typedef struct areal_waves {
+    random_surface s; /* all heights; size of the wave at its place */
+    double width, sine, cosine;
+    size_t nx, ny;
+    double *wave; /* complex, nx ny, row after row */
+} areal_waves;
+
+/* Spectrum of wave k along x and l across. */
+static double areal_spectrum(const areal_waves *a, double k, double l)
+{
+    const ovr_roughness *f = a->s.form;
+    double x = k / f->length, y = l / a->width;
+    double u = x * a->cosine + y * a->sine;
+    double v = (y * a->cosine - x * a->sine) / f->peklenik, w = hypot(u, v);
+    if (f->spectrum == OVR_EXPONENTIAL) {
+        w *= 6.283185307179586 * a->s.correlation;
+        return pow(1 + w * w, -1.5);
+    }
+    w *= a->s.longest;
+    return w <= 1 ? 1 : pow(w, -2 - 2 * f->hurst);
+}
+
+static void transform(const areal_waves *a, bool back)
+{
+    for (size_t k = 0; k < a->nx + a->ny; k++) {
+        bool row = k < a->ny;
+        double *at = a->wave + 2 * (row ? k * a->nx : k - a->ny);
+        size_t stride = row ? 1 : a->nx, n = row ? a->nx : a->ny;
+        if (back)
+            gsl_fft_complex_radix2_backward(at, stride, n);
+        else
+            gsl_fft_complex_radix2_forward(at, stride, n);
+    }
+}
+
+/* Heights of the waves. */
+static void sum_waves(const areal_waves *a)
+{
+    transform(a, true);
+    for (size_t i = 0; i < a->s.n; i++)
+        a->s.z[i] = a->wave[2 * i];
+}
+
+/* Waves of the heights. */
+static void find_waves(const areal_waves *a)
+{
+    for (size_t i = 0; i < a->s.n; i++) {
+        a->wave[2 * i] = a->s.z[i];
+        a->wave[2 * i + 1] = 0;
+    }
+    transform(a, false);
+}
+
+/* Draws wave (k, l), and the conjugate that makes the heights real. */
+static void draw_wave(const areal_waves *a, const gsl_rng *rng, long k, long l)
+{
+    const ovr_roughness *f = a->s.form;
+    double x = (double)k / f->length, y = (double)l / a->width;
+    double real = gsl_ran_gaussian(rng, 1), other = gsl_ran_gaussian(rng, 1);
+    if (hypot(x, y) * a->s.shortest > 1 + 1e-12)
+        return;
+    double size = sqrt(areal_spectrum(a, (double)k, (double)l));
+    for (int sign = 1; sign >= -1; sign -= 2) {
+        size_t i = (size_t)(sign * k + (k * sign < 0 ? (long)a->nx : 0));
+        size_t j = (size_t)(sign * l + (l * sign < 0 ? (long)a->ny : 0));
+        a->wave[2 * (j * a->nx + i)] = size * real;
+        a->wave[2 * (j * a->nx + i) + 1] = sign * size * other;
+    }
+}
+
+static ovr_status draw_areal(areal_waves *a, ovr_arena *arena, ovr_error *err)
+{
+    const gsl_rng_type *type = gsl_rng_mt19937;
+    gsl_rng rng = {type, ovr_arena_take(arena, type->size, 1, err)};
+    long K = (long)(a->s.form->length / a->s.shortest * (1 + 1e-12));
+    long L = (long)(a->width / a->s.shortest * (1 + 1e-12));
+    if (!rng.state)
+        return OVR_NO_MEMORY;
+    gsl_rng_set(&rng, (unsigned long)a->s.form->seed);
+    for (long k = 0; k <= K; k++)
+        for (long l = k ? -L : 1; l <= L; l++)
+            draw_wave(a, &rng, k, l);
+    sum_waves(a);
+    return OVR_OK;
+}
+
+/* Changes the heights to the skewness and kurtosis of the form. */
+static ovr_status shape_areal(areal_waves *a, ovr_error *err)
+{
+    random_surface *s = &a->s;
+    double skewness = or_else(s->form->skewness, 0);
+    double kurtosis = or_else(s->form->kurtosis, 3 + 1.5 * skewness * skewness);
+    if (isnan(s->form->skewness) && isnan(s->form->kurtosis))
+        return OVR_OK;
+    if (!find_target(s, skewness, kurtosis))
+        return no_heights(s->form, skewness, kurtosis, err);
+    find_waves(a);
+    for (size_t i = 0; i < s->n; i++)
+        s->size[i] = hypot(a->wave[2 * i], a->wave[2 * i + 1]);
+    for (int k = 0; k < AREAL_ITERATIONS; k++) {
+        take_ranks(s);
+        find_waves(a);
+        for (size_t i = 0; i < s->n; i++) {
+            double size = hypot(a->wave[2 * i], a->wave[2 * i + 1]);
+            double by = size > 0 ? s->size[i] / size / (double)s->n : 0;
+            a->wave[2 * i] *= by;
+            a->wave[2 * i + 1] *= by;
+        }
+        sum_waves(a);
+    }
+    take_ranks(s);
+    return OVR_OK;
+}
+
+static ovr_status reserve_areal(areal_waves *a, ovr_arena *arena,
+                                ovr_error *err)
+{
+    random_surface *s = &a->s;
+    for (a->nx = 16; (double)a->nx < 4 * s->form->length / s->shortest;)
+        a->nx *= 2;
+    for (a->ny = 16; (double)a->ny < 4 * a->width / s->shortest;)
+        a->ny *= 2;
+    s->n = a->nx * a->ny;
+    if (s->n > 1 << 22)
+        return bad(err, "shortest", s->shortest,
+                   "longer: length x width hold at most 4 million points, 4 in "
+                   "the shortest wave");
+    a->wave = ovr_arena_take(arena, 2 * s->n, sizeof(double), err);
+    s->z = ovr_arena_take(arena, s->n, sizeof(double), err);
+    s->size = ovr_arena_take(arena, s->n, sizeof(double), err);
+    s->target = ovr_arena_take(arena, s->n, sizeof(double), err);
+    s->normal = ovr_arena_take(arena, s->n, sizeof(double), err);
+    s->rank = ovr_arena_take(arena, s->n, sizeof(size_t), err);
+    return a->wave && s->z && s->size && s->target && s->normal && s->rank
+               ? OVR_OK
+               : OVR_NO_MEMORY;
+}
+
+/* One period, its first row and column again at the end. */
+static ovr_status fill_map(const areal_waves *a, ovr_profile *p, ovr_error *err)
+{
+    const ovr_roughness *f = a->s.form;
+    ovr_status status = ovr_areal_reserve(p, a->nx + 1, a->ny + 1,
+                                          f->length / (double)a->nx,
+                                          a->width / (double)a->ny, err);
+    if (status)
+        return status;
+    for (size_t j = 0; j <= a->ny; j++)
+        for (size_t i = 0; i <= a->nx; i++)
+            p->map.z[j * (a->nx + 1) + i] =
+                f->Rq * a->s.z[j % a->ny * a->nx + i % a->nx];
+    p->map.scaled_x = p->map.scaled_z = true;
+    p->map.format = "roughness";
+    p->map.notes = p->notes;
+    p->map.owner = p;
+    ovr_profile_note(p,
+                     "random, seed %d: waves down to %g b, period %g x %g b, "
+                     "Peklenik number %g, Sq %g b^2/R",
+                     f->seed, a->s.shortest, f->length, a->width, f->peklenik,
+                     f->Rq);
+    return OVR_OK;
+}
+
+static ovr_status synthesize_areal(areal_waves *a, ovr_profile *p,
+                                   ovr_error *err)
+{
+    double skewness, kurtosis;
+    ovr_arena work = ovr_arena_make(&p->arena.allocator);
+    ovr_status status = reserve_areal(a, &work, err);
+    if (!status)
+        status = draw_areal(a, &work, err);
+    if (!status) {
+        standardize(a->s.n, a->s.z, &skewness, &kurtosis);
+        status = shape_areal(a, err);
+    }
+    if (!status)
+        status = fill_map(a, p, err);
+    ovr_arena_release(&work);
+    return status;
+}
+
+ovr_areal *ovr_areal_random(const ovr_roughness *form, double width,
+                            double angle, const ovr_allocator *allocator,
+                            ovr_error *err)
+{
+    ovr_roughness own;
+    areal_waves a = {.s = {.form = &own},
+                     .width = width,
+                     .sine = sin(angle),
+                     .cosine = cos(angle)};
+    if (OVR_TAKE(ovr_roughness, &own, form, err) || check(&a.s, err))
+        return NULL;
+    if (!(own.peklenik > 0) || isinf(own.peklenik)) {
+        bad(err, "peklenik", own.peklenik, "positive");
+        return NULL;
+    }
+    ovr_profile *p = ovr_profile_new("roughness", allocator, err);
+    if (p && !synthesize_areal(&a, p, err))
+        return &p->map;
     ovr_profile_free(p);
     return NULL;
 }

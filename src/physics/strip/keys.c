@@ -17,6 +17,7 @@
 #include "overroll/surface.h"
 #include "simulation/conflicts.h"
 #include "strip/strip.h"
+#include "surface/measured.h"
 
 #define AT(field) offsetof(ovr_strip_form, field)
 
@@ -28,7 +29,8 @@ static const ovr_word ends[] = {{"periodic", 1}, {NULL, 0}};
 
 static const ovr_parameter keys[] = {
     {"width", LENGTH_OR(automatic, 0.1, 1e3), "auto", AT(width), true, ALWAYS,
-     "period across rolling, after which film and features repeat; auto: 2 b"},
+     "period across rolling, after which film and features repeat; auto: that "
+     "of the first areal surface, otherwise 2 b"},
     {"lines", WHOLE_OR(automatic, 4, 16384), "auto", AT(lines), true, ALWAYS,
      "lines of nodes across the width, 4, 5, 6 or 7 times a power of two; "
      "auto: a mesh size up to 1.6 times that along x"},
@@ -83,6 +85,25 @@ static ovr_status check_lines(const ovr_strip_form *f, ovr_error *err)
                           f->lines, allowed[0], allowed[1]);
 }
 
+/* The period of the first areal surface, or the usual width. */
+static ovr_status choose_width(const ovr_physics_case *of, ovr_strip_form *f,
+                               ovr_error *err)
+{
+    for (size_t k = 0; k < of->features && f->width == 0; k++) {
+        const ovr_feature_form *form = of->feature[k];
+        if (form->shape != OVR_AREAL)
+            continue;
+        ovr_error why = {0};
+        if (ovr_areal_period(form, of->contact, &of->arena->allocator,
+                             &f->width, &why))
+            return ovr_fail_about(err, form->name, "feature '%s': %s",
+                                  form->name, why.message);
+    }
+    if (f->width == 0)
+        f->width = USUAL_WIDTH;
+    return OVR_OK;
+}
+
 ovr_status ovr_strip_resolve(const ovr_physics_case *of, void *form, bool *on,
                              ovr_error *err)
 {
@@ -92,8 +113,8 @@ ovr_status ovr_strip_resolve(const ovr_physics_case *of, void *form, bool *on,
         return OVR_OK;
     if (!of->given(of->data, "strip", "shown"))
         f->shown = of->features ? of->feature[0]->across : 0;
-    if (f->width == 0)
-        f->width = USUAL_WIDTH;
+    if (f->width == 0 && choose_width(of, f, err))
+        return OVR_BAD_INPUT;
     f->M = of->contact->M;
     return check_lines(f, err);
 }
@@ -155,6 +176,12 @@ double ovr_strip_width(const void *form)
 {
     const ovr_strip_form *f = form;
     return f->ends ? f->width : 0;
+}
+
+size_t ovr_strip_lines_across(const void *form, double D)
+{
+    const ovr_strip_form *f = form;
+    return f->ends ? ovr_strip_lines(f, D) : 1;
 }
 
 double ovr_strip_seconds(const void *form)

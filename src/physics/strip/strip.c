@@ -444,6 +444,7 @@ const ovr_physics ovr_physics_strip = {
     .tell = ovr_strip_tell,
     .seconds = ovr_strip_seconds,
     .width_across = ovr_strip_width,
+    .lines_across = ovr_strip_lines_across,
     .companion = &ovr_strip_companion,
     .one_mesh = "of a strip",
     .take = take,

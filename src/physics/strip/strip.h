@@ -35,6 +35,7 @@ void ovr_strip_tell(const ovr_physics_case *of, const void *form,
                     ovr_physics_line *line, void *data);
 double ovr_strip_seconds(const void *form);
 double ovr_strip_width(const void *form);
+size_t ovr_strip_lines_across(const void *form, double D);
 
 /* Lines of the finest grid on a mesh size D along x. */
 size_t ovr_strip_lines(const ovr_strip_form *form, double D);
