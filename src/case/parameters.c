@@ -27,8 +27,10 @@ typedef struct walk {
     size_t own; /* of that physics */
 } walk;
 
-static bool stands_here(const ovr_physics *p, const walk *w)
+static bool stands_here(const ovr_physics_in_case *p, const walk *w)
 {
+    if (!p || w->own >= p->sections)
+        return false;
     if (w->at == SECTIONS)
         return !p->behind;
     return p->behind && !strcmp(p->behind, sections[w->at]->name);
@@ -46,8 +48,8 @@ static const ovr_section *next(walk *w)
                 return sections[w->at];
         }
         for (; *w->physics; w->physics++, w->own = 0)
-            if (w->own < (*w->physics)->sections && stands_here(*w->physics, w))
-                return &(*w->physics)->section[w->own++];
+            if (stands_here((*w->physics)->in_case, w))
+                return &(*w->physics)->in_case->section[w->own++];
     }
     return NULL;
 }

@@ -171,7 +171,7 @@ static ovr_status leave_out(ovr_resolved *r, const ovr_slot *slot,
     unsigned none = ovr_resolved_no_fields(r, &off);
     if (!none || slot->stored)
         return OVR_OK;
-    const char *section = off->section->name;
+    const char *section = off->in_case->section->name;
     const ovr_observable *row[OVR_FIELDS_MAX];
     ovr_layout_fields(none, row);
     if (none == out->fields ||

@@ -15,8 +15,32 @@
 /* A physics asks the case by this. */
 typedef struct asker {
     ovr_resolved *r;
-    const ovr_physics *physics;
+    const ovr_physics_in_case *physics;
 } asker;
+
+/* Part of physics k in the case; nothing of it where it has none. */
+static const ovr_physics_in_case *in_case(int k)
+{
+    static const ovr_physics_in_case none;
+    const ovr_physics_in_case *part = ovr_physics_list[k]->in_case;
+    return part ? part : &none;
+}
+
+static bool is_on(const ovr_resolved *r, int k)
+{
+    const ovr_physics_in_solve *solve = ovr_physics_list[k]->in_solve;
+    return r->physics[k].on ||
+           (solve && solve->chosen && solve->chosen(r->setup.options));
+}
+
+/* Returns the statements of the form of physics k, defaults where it is off. */
+static ovr_physics_says said(const ovr_resolved *r, int k)
+{
+    ovr_physics_says says = {.arrives = INFINITY};
+    if (in_case(k)->says && is_on(r, k))
+        in_case(k)->says(r->physics[k].form, &says);
+    return says;
+}
 
 /* The slot of a key of one of its sections. */
 static const ovr_slot *own_slot(const asker *a, const char *key)
@@ -68,11 +92,11 @@ static unsigned switched_on(const ovr_resolved *r)
 {
     unsigned bits = 0;
     for (int k = 0; ovr_physics_list[k]; k++) {
-        const ovr_physics *p = ovr_physics_list[k];
+        const ovr_physics_in_case *p = in_case(k);
         for (size_t j = 0; j < p->sections; j++) {
             const ovr_section *s = &p->section[j];
             if (s->on && ovr_slot_of(r, s->name, s->on)->number > 0)
-                bits |= p->bit;
+                bits |= ovr_physics_list[k]->bit;
         }
     }
     return bits;
@@ -107,8 +131,8 @@ static ovr_physics_case about(ovr_resolved *r)
     return of;
 }
 
-static const ovr_section *section_named(const ovr_physics *p, const char *name,
-                                        size_t length)
+static const ovr_section *section_named(const ovr_physics_in_case *p,
+                                        const char *name, size_t length)
 {
     for (size_t j = 0; j < p->sections; j++)
         if (strlen(p->section[j].name) == length &&
@@ -120,7 +144,7 @@ static const ovr_section *section_named(const ovr_physics *p, const char *name,
 /* Puts the place of what an error is about before it: of "section.key", of a
  * section, of a block by its name, of a key of the first section or of
  * [lubricant]. */
-static ovr_status fail(const ovr_resolved *r, const ovr_physics *p,
+static ovr_status fail(const ovr_resolved *r, const ovr_physics_in_case *p,
                        ovr_error *why, ovr_error *err)
 {
     const char *about = why->about ? why->about : "";
@@ -143,8 +167,8 @@ static ovr_status fail(const ovr_resolved *r, const ovr_physics *p,
 }
 
 /* All blocks of a section with names, each to its place in the form. */
-static ovr_status fill_named(ovr_resolved *r, const ovr_physics *p, void *form,
-                             ovr_error *err)
+static ovr_status fill_named(ovr_resolved *r, const ovr_physics_in_case *p,
+                             void *form, ovr_error *err)
 {
     ovr_error why = {0};
     for (const ovr_block *b = r->c->blocks; b; b = b->next) {
@@ -161,7 +185,7 @@ static ovr_status fill_named(ovr_resolved *r, const ovr_physics *p, void *form,
 
 static ovr_status fill(ovr_resolved *r, int k, ovr_error *err)
 {
-    const ovr_physics *p = ovr_physics_list[k];
+    const ovr_physics_in_case *p = in_case(k);
     void **form = &r->physics[k].form;
     ovr_status status = OVR_OK;
     if (!*form)
@@ -181,7 +205,7 @@ static ovr_status fill(ovr_resolved *r, int k, ovr_error *err)
 ovr_status ovr_resolve_forms(ovr_resolved *r, ovr_error *err)
 {
     for (int k = 0; ovr_physics_list[k]; k++) {
-        const ovr_physics *p = ovr_physics_list[k];
+        const ovr_physics_in_case *p = in_case(k);
         if (p->sections && fill(r, k, err))
             return err ? err->status : OVR_BAD_INPUT;
         if (p->choose)
@@ -194,15 +218,15 @@ bool ovr_resolved_march(ovr_resolved *r)
 {
     bool makes = false;
     for (int k = 0; ovr_physics_list[k]; k++)
-        if (r->physics[k].form && ovr_physics_list[k]->march)
-            makes |= ovr_physics_list[k]->march(r->physics[k].form, &r->march,
-                                                &r->values.scheme);
+        if (r->physics[k].form && in_case(k)->march)
+            makes |= in_case(k)->march(r->physics[k].form, &r->march,
+                                       &r->values.scheme);
     return makes;
 }
 
 static ovr_status resolve(ovr_resolved *r, int k, ovr_error *err)
 {
-    const ovr_physics *p = ovr_physics_list[k];
+    const ovr_physics_in_case *p = in_case(k);
     asker by = {r, p};
     ovr_physics_case of = about(r);
     ovr_error why = {0};
@@ -222,7 +246,7 @@ static ovr_status resolve(ovr_resolved *r, int k, ovr_error *err)
 static ovr_status stiffness_off(ovr_resolved *r, int k, double log_E,
                                 double *off, ovr_error *err)
 {
-    const ovr_physics *p = ovr_physics_list[k];
+    const ovr_physics_in_case *p = in_case(k);
     ovr_conditions *given = &r->values.contact;
     ovr_error why = {0};
     double ratio = 1;
@@ -262,7 +286,7 @@ static ovr_status settle(ovr_resolved *r, int k, ovr_error *err)
     return status;
 }
 
-static bool has_block(const ovr_resolved *r, const ovr_physics *p)
+static bool has_block(const ovr_resolved *r, const ovr_physics_in_case *p)
 {
     for (const ovr_block *b = r->c->blocks; b; b = b->next)
         if (b->section == p->section)
@@ -275,7 +299,7 @@ ovr_status ovr_resolve_stiffness(ovr_resolved *r, ovr_error *err)
     ovr_status status = OVR_OK;
     r->substrate = r->values.contact.modulus;
     for (int k = 0; !status && ovr_physics_list[k]; k++)
-        if (ovr_physics_list[k]->stiffness && has_block(r, ovr_physics_list[k]))
+        if (in_case(k)->stiffness && has_block(r, in_case(k)))
             status = settle(r, k, err);
     return status;
 }
@@ -285,8 +309,8 @@ ovr_status ovr_resolve_stiffness(ovr_resolved *r, ovr_error *err)
 static bool is_kept(const ovr_resolved *r, const ovr_feature_form *feature)
 {
     for (int k = 0; ovr_physics_list[k]; k++)
-        if (r->physics[k].on && ovr_physics_list[k]->keeps &&
-            ovr_physics_list[k]->keeps(r->physics[k].form, feature))
+        if (r->physics[k].on && in_case(k)->keeps &&
+            in_case(k)->keeps(r->physics[k].form, feature))
             return true;
     return false;
 }
@@ -310,7 +334,7 @@ ovr_status ovr_resolve_physics(ovr_resolved *r, ovr_error *err)
 {
     ovr_status status = OVR_OK;
     for (int k = 0; !status && ovr_physics_list[k]; k++)
-        if (ovr_physics_list[k]->sections)
+        if (in_case(k)->sections)
             status = resolve(r, k, err);
     return status ? status : choose_features(r, err);
 }
@@ -319,19 +343,13 @@ ovr_status ovr_resolve_on_mesh(ovr_resolved *r, ovr_error *err)
 {
     const ovr_physics_case of = about(r);
     for (int k = 0; ovr_physics_list[k]; k++) {
-        const ovr_physics *p = ovr_physics_list[k];
+        const ovr_physics_in_case *p = in_case(k);
         ovr_error why = {0};
         if (r->physics[k].on && p->on_mesh &&
             p->on_mesh(&of, r->physics[k].form, r->setup.mesh, &why))
             return fail(r, p, &why, err);
     }
     return OVR_OK;
-}
-
-static bool is_on(const ovr_resolved *r, int k)
-{
-    const ovr_physics *p = ovr_physics_list[k];
-    return r->physics[k].on || (p->chosen && p->chosen(r->setup.options));
 }
 
 unsigned ovr_setup_physics(const ovr_setup *setup)
@@ -341,11 +359,8 @@ unsigned ovr_setup_physics(const ovr_setup *setup)
     const ovr_resolved *r = (const ovr_resolved *)setup;
     unsigned bits = setup->features ? OVR_PHYSICS_FEATURES : 0;
     for (int k = 0; ovr_physics_list[k]; k++) {
-        const ovr_physics *p = ovr_physics_list[k];
         if (is_on(r, k))
-            bits |= p->bit;
-        if (r->physics[k].on && p->bits)
-            bits |= p->bits(r->physics[k].form);
+            bits |= ovr_physics_list[k]->bit | said(r, k).bits;
     }
     return bits;
 }
@@ -366,8 +381,8 @@ const ovr_coated *ovr_setup_layers(const ovr_setup *setup, int body)
     const ovr_resolved *r = (const ovr_resolved *)setup;
     const ovr_coated *layers = NULL;
     for (int k = 0; !layers && ovr_physics_list[k]; k++)
-        if (r->physics[k].on && ovr_physics_list[k]->layers)
-            layers = ovr_physics_list[k]->layers(r->physics[k].form, body);
+        if (r->physics[k].on && in_case(k)->layers)
+            layers = in_case(k)->layers(r->physics[k].form, body);
     return layers;
 }
 
@@ -375,7 +390,7 @@ void *ovr_setup_form(const ovr_setup *setup, const char *section)
 {
     const ovr_resolved *r = (const ovr_resolved *)setup;
     for (int k = 0; ovr_physics_list[k]; k++)
-        if (section_named(ovr_physics_list[k], section, strlen(section)))
+        if (section_named(in_case(k), section, strlen(section)))
             return r->physics[k].form;
     return NULL;
 }
@@ -387,9 +402,11 @@ bool ovr_setup_has(const ovr_setup *setup, int k)
 
 const ovr_physics *ovr_setup_makes_nodes(const ovr_setup *setup)
 {
-    for (int k = 0; ovr_physics_list[k]; k++)
-        if (ovr_physics_list[k]->makes_nodes && ovr_setup_has(setup, k))
+    for (int k = 0; ovr_physics_list[k]; k++) {
+        const ovr_physics_in_solve *solve = ovr_physics_list[k]->in_solve;
+        if (solve && solve->makes_nodes && ovr_setup_has(setup, k))
             return ovr_physics_list[k];
+    }
     return NULL;
 }
 
@@ -399,8 +416,8 @@ static double beside(const ovr_setup *setup)
     const ovr_resolved *r = (const ovr_resolved *)setup;
     double bytes = 0;
     for (int k = 0; setup->nodes && ovr_physics_list[k]; k++)
-        if (r->physics[k].on && ovr_physics_list[k]->memory)
-            bytes += ovr_physics_list[k]->memory(r->physics[k].form);
+        if (r->physics[k].on && in_case(k)->memory)
+            bytes += in_case(k)->memory(r->physics[k].form);
     return bytes;
 }
 
@@ -410,7 +427,7 @@ double ovr_setup_seconds_beside(const ovr_setup *setup, double node_steps)
     double seconds = 0;
     for (int k = 0; setup->nodes && ovr_physics_list[k]; k++)
         if (is_on(r, k)) {
-            const ovr_physics *is = ovr_physics_list[k];
+            const ovr_physics_in_case *is = in_case(k);
             seconds += node_steps * is->node_seconds;
             if (r->physics[k].on && is->seconds)
                 seconds += is->seconds(r->physics[k].form);
@@ -422,8 +439,7 @@ unsigned ovr_resolved_features(const ovr_resolved *r)
 {
     unsigned on = 0;
     for (int k = 0; ovr_physics_list[k]; k++)
-        if (ovr_physics_list[k]->features && is_on(r, k))
-            on |= ovr_physics_list[k]->features(r->physics[k].form);
+        on |= said(r, k).features;
     return on;
 }
 
@@ -441,8 +457,7 @@ unsigned ovr_resolved_fields(const ovr_resolved *r)
 {
     unsigned fields = 0;
     for (int k = 0; ovr_physics_list[k]; k++)
-        if (ovr_physics_list[k]->fields && is_on(r, k))
-            fields |= bits_of(ovr_physics_list[k]->fields(r->physics[k].form));
+        fields |= bits_of(said(r, k).fields);
     return fields;
 }
 
@@ -450,11 +465,11 @@ unsigned ovr_resolved_no_fields(const ovr_resolved *r, const ovr_physics **off)
 {
     unsigned asked = ovr_slot_of(r, "output", "fields")->bits, none = 0;
     for (int k = 0; ovr_physics_list[k]; k++) {
-        const ovr_physics *p = ovr_physics_list[k];
+        const ovr_physics_in_case *p = in_case(k);
         const ovr_own_fields *its = is_on(r, k) ? NULL : p->own_fields;
         unsigned own = asked & bits_of(its ? its->names : NULL);
         if (own && !none)
-            *off = p;
+            *off = ovr_physics_list[k];
         none |= own;
     }
     return none;
@@ -464,7 +479,7 @@ const char *ovr_resolved_one_mesh(const ovr_resolved *r)
 {
     const char *why = NULL;
     for (int k = 0; !why && ovr_physics_list[k]; k++)
-        why = is_on(r, k) ? ovr_physics_list[k]->one_mesh : NULL;
+        why = is_on(r, k) ? in_case(k)->one_mesh : NULL;
     return why;
 }
 
@@ -473,7 +488,7 @@ double ovr_setup_lag(const ovr_setup *setup)
     const ovr_resolved *r = (const ovr_resolved *)setup;
     double lag = 0;
     for (int k = 0; ovr_physics_list[k]; k++)
-        lag += is_on(r, k) ? ovr_physics_list[k]->lag : 0;
+        lag += is_on(r, k) ? in_case(k)->lag : 0;
     return lag;
 }
 
@@ -481,8 +496,7 @@ double ovr_resolved_width(const ovr_resolved *r)
 {
     double width = 0;
     for (int k = 0; ovr_physics_list[k]; k++)
-        if (is_on(r, k) && ovr_physics_list[k]->width_across)
-            width = ovr_physics_list[k]->width_across(r->physics[k].form);
+        width = fmax(width, said(r, k).width_across);
     return width;
 }
 
@@ -490,8 +504,8 @@ size_t ovr_resolved_lines(const ovr_resolved *r, double D)
 {
     size_t lines = 1;
     for (int k = 0; ovr_physics_list[k]; k++)
-        if (is_on(r, k) && ovr_physics_list[k]->lines_across)
-            lines = ovr_physics_list[k]->lines_across(r->physics[k].form, D);
+        if (is_on(r, k) && in_case(k)->lines_across)
+            lines = in_case(k)->lines_across(r->physics[k].form, D);
     return lines;
 }
 
@@ -504,24 +518,24 @@ double ovr_resolved_arrives(const ovr_resolved *r)
 {
     double film = INFINITY;
     for (int k = 0; ovr_physics_list[k]; k++)
-        if (is_on(r, k) && ovr_physics_list[k]->arrives)
-            film = fmin(film, ovr_physics_list[k]->arrives(r->physics[k].form));
+        film = fmin(film, said(r, k).arrives);
     return film;
 }
 
 void ovr_resolved_drop(ovr_resolved *r)
 {
     for (int k = 0; ovr_physics_list[k]; k++)
-        if (r->physics[k].form && ovr_physics_list[k]->drop)
-            ovr_physics_list[k]->drop(r->physics[k].form);
+        if (r->physics[k].form && in_case(k)->drop)
+            in_case(k)->drop(r->physics[k].form);
 }
 
 void ovr_setup_equip(const ovr_setup *setup, ovr_simulation *sim)
 {
     const ovr_resolved *r = (const ovr_resolved *)setup;
     for (int k = 0; ovr_physics_list[k]; k++)
-        if (is_on(r, k) && ovr_physics_list[k]->equip)
-            ovr_physics_list[k]->equip(sim, r->physics[k].form);
+        if (is_on(r, k) && ovr_physics_list[k]->in_solve &&
+            ovr_physics_list[k]->in_solve->equip)
+            ovr_physics_list[k]->in_solve->equip(sim, r->physics[k].form);
 }
 
 double ovr_setup_memory(const ovr_setup *setup)
@@ -545,6 +559,6 @@ void ovr_setup_tell(const ovr_setup *setup, ovr_setup_line *line, void *data)
     ovr_resolved *r = (ovr_resolved *)setup;
     const ovr_physics_case of = about(r);
     for (int k = 0; ovr_physics_list[k]; k++)
-        if (is_on(r, k) && ovr_physics_list[k]->tell)
-            ovr_physics_list[k]->tell(&of, r->physics[k].form, line, data);
+        if (is_on(r, k) && in_case(k)->tell)
+            in_case(k)->tell(&of, r->physics[k].form, line, data);
 }

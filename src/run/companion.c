@@ -28,8 +28,9 @@ static ovr_accompanied_run seen(ovr_run *run)
 static const ovr_companion *companion_of(const ovr_setup *setup, int k)
 {
     static const ovr_companion none;
-    const ovr_companion *is = ovr_physics_list[k]->companion;
-    return is && ovr_setup_has(setup, k) ? is : &none;
+    const ovr_physics_in_output *of = ovr_physics_list[k]->in_output;
+    bool has = of && of->companion && ovr_setup_has(setup, k);
+    return has ? of->companion : &none;
 }
 
 void ovr_companions_foresee(const ovr_setup *setup, ovr_listener *say,

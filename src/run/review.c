@@ -277,9 +277,9 @@ static void say_left_out(const ovr_review *r)
     unsigned none = ovr_resolved_no_fields((const ovr_resolved *)r->setup,
                                            &off);
     if (none & ~r->setup->output->fields)
-        ovr_review_say(r, OVR_SAY_NOTE,
-                       "fields: %s are not stored: [%s] is off",
-                       off->own_fields->are, off->section->name);
+        ovr_review_say(
+            r, OVR_SAY_NOTE, "fields: %s are not stored: [%s] is off",
+            off->in_case->own_fields->are, off->in_case->section->name);
 }
 
 /* A run from rest or from no load starts a little above either. */

@@ -56,8 +56,8 @@ static void begin_from(const path *p, double s)
     double *P = sim->scratch[0];
     sim->grids.kernels->extrapolate(sim->finest->grid.n, 2, weight, from, P);
     ovr_nodes_write(sim, sim->finest, P, sim->finest->f.P);
-    OVR_EACH_PHYSICS(sim, each, go_back)
-        each->is->go_back(sim, each->own, sim->saved);
+    OVR_EACH_PHYSICS(sim, each, in_step, go_back)
+        each->is->in_step->go_back(sim, each->own, sim->saved);
     sim->grids.H0 = p->H0 + factor * (p->H0 - p->H0_before);
 }
 
@@ -67,8 +67,8 @@ static void keep(path *p)
     size_t bytes = sim->now.n * sizeof(double);
     memcpy(sim->saved_before, sim->saved, bytes);
     memcpy(sim->saved, sim->now.P, bytes);
-    OVR_EACH_PHYSICS(sim, each, keep)
-        each->is->keep(sim, each->own);
+    OVR_EACH_PHYSICS(sim, each, in_step, keep)
+        each->is->in_step->keep(sim, each->own);
     p->before = p->at;
     p->H0_before = p->H0;
     p->at = p->s;
@@ -82,8 +82,8 @@ static path begin(ovr_simulation *sim)
     path p = {sim, {0, finest->force}, 1, 0, 0, H0, H0};
     ovr_level_refresh(&sim->grids, finest);
     ovr_nodes_read(sim, finest, finest->f.P, sim->saved);
-    OVR_EACH_PHYSICS(sim, each, keep)
-        each->is->keep(sim, each->own);
+    OVR_EACH_PHYSICS(sim, each, in_step, keep)
+        each->is->in_step->keep(sim, each->own);
     ovr_nodes_read(sim, finest, finest->f.r, sim->lacking);
     p.load[0] = ovr_level_load(&sim->grids, finest);
     return p;

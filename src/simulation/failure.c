@@ -142,8 +142,8 @@ ovr_status ovr_failure_steady(const ovr_simulation *sim,
         return rounding(sim, &outcome->defect, err);
     if (inlet_mesh(sim) > resolved * inlet_rise(sim))
         return too_thin(sim, err);
-    OVR_EACH_PHYSICS(sim, p, explain)
-        if (p->is->explain(sim, p->own, outcome, err))
+    OVR_EACH_PHYSICS(sim, p, in_solve, explain)
+        if (p->is->in_solve->explain(sim, p->own, outcome, err))
             return OVR_NOT_CONVERGED;
     if (surfaces_overlap(sim, &outcome->defect))
         return touching(sim, 0, err);
@@ -163,8 +163,8 @@ static void instead(const ovr_simulation *sim, size_t size, char *text)
 {
     double H = ovr_film_central_moes(sim->contact.M, sim->contact.L);
     text[0] = '\0';
-    OVR_EACH_PHYSICS(sim, p, advise)
-        p->is->advise(sim, H, size, text);
+    OVR_EACH_PHYSICS(sim, p, in_step, advise)
+        p->is->in_step->advise(sim, H, size, text);
 }
 
 ovr_status ovr_failure_step(const ovr_simulation *sim,

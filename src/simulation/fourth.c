@@ -322,12 +322,12 @@ ovr_defect ovr_fourth_conserved(ovr_simulation *sim, const ovr_full *how,
 }
 
 /* The corrections of a film whose temperatures are others. */
-static void renew(ovr_simulation *sim, void *own)
+void ovr_fourth_renew(ovr_simulation *sim)
 {
-    fourth *f = own;
-    const ovr_correction *c = &f->correction;
-    if (sim->order != 4)
+    fourth *f = fourth_of(sim);
+    if (!f || sim->order != 4)
         return;
+    const ovr_correction *c = &f->correction;
     if (ovr_conserves(sim)) {
         evaluate_content(sim, f);
         ovr_simulation_gap(sim, 0);
@@ -339,11 +339,12 @@ static void renew(ovr_simulation *sim, void *own)
     ovr_simulation_gap(sim, 0);
 }
 
-static bool give_up(ovr_simulation *sim, void *own)
+bool ovr_fourth_give_up(ovr_simulation *sim)
 {
-    if (sim->order != 4)
+    fourth *f = fourth_of(sim);
+    if (!f || sim->order != 4)
         return false;
-    withdraw(sim, own);
+    withdraw(sim, f);
     ovr_simulation_gap(sim, 0);
     return true;
 }
@@ -532,9 +533,11 @@ static void add_all(const ovr_simulation *sim, const fourth *f, double sign,
         add(sim, f->n, F, sign, f->rest);
 }
 
-static void add_sides(const ovr_simulation *sim, const void *own, double *F)
+void ovr_fourth_sides(const ovr_simulation *sim, double *F)
 {
-    add_all(sim, own, 1, F);
+    const fourth *f = fourth_of(sim);
+    if (f)
+        add_all(sim, f, 1, F);
 }
 
 /* A step that fails may fail by its corrections, made of a film that was
@@ -560,10 +563,11 @@ static void before_back(ovr_simulation *sim, void *own)
     f->ahead = false;
 }
 
-static void add_gap(const ovr_simulation *sim, const void *own, double *to)
+void ovr_fourth_gap(const ovr_simulation *sim, double *gap)
 {
-    const fourth *f = own;
-    add(sim, f->n, to, 1, f->ahead ? f->next : f->gap);
+    const fourth *f = fourth_of(sim);
+    if (f)
+        add(sim, f->n, gap, 1, f->ahead ? f->next : f->gap);
 }
 
 static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
@@ -592,20 +596,17 @@ static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
     }
 }
 
-const ovr_physics ovr_physics_fourth = {.name = "fourth order",
-                                        .chosen = chosen,
-                                        .take = take,
-                                        .solve = solve,
-                                        .renew = renew,
-                                        .give_up = give_up,
-                                        .begin = begin,
-                                        .before_step = before_step,
-                                        .sides = add_sides,
-                                        .attempt = attempt,
-                                        .taken = taken,
-                                        .before_back = before_back,
-                                        .gap = add_gap,
-                                        .visit = visit};
+static const ovr_physics_in_solve in_solve = {
+    .chosen = chosen, .take = take, .solve = solve, .begin = begin};
+
+static const ovr_physics_in_step in_step = {.before_step = before_step,
+                                            .attempt = attempt,
+                                            .taken = taken,
+                                            .before_back = before_back,
+                                            .visit = visit};
+
+const ovr_physics ovr_physics_fourth = {
+    .name = "fourth order", .in_solve = &in_solve, .in_step = &in_step};
 
 void ovr_simulation_standing(ovr_simulation *sim, ovr_heights *standing,
                              void *data)

@@ -179,7 +179,7 @@ static double inlet_power(ovr_simulation *sim, const ovr_fluid *fluid,
 static double dissipated_beside(const ovr_simulation *sim)
 {
     const ovr_solution *now = &sim->now;
-    OVR_LAST_PHYSICS(sim, beside, flow);
+    OVR_LAST_PHYSICS(sim, beside, in_output, flow);
     double sum = 0;
     for (size_t i = 0; beside->is && i + 1 < now->n; i++)
         if (now->P[i] > 0 || now->P[i + 1] > 0)
@@ -211,11 +211,11 @@ void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o)
                               now->q, now->eps, now->flow};
     double V = ovr_sliding(sim, sim->state.T), Cu = o->speed_ratio;
     ovr_fluid fluid = sim->grids.fluid;
-    OVR_LAST_PHYSICS(sim, own, stress);
+    OVR_LAST_PHYSICS(sim, own, in_output, stress);
     fluid.sliding = V;
     o->sliding = V;
     if (own->is)
-        own->is->stress(sim, own->own, &film, &fluid, sim->stress);
+        own->is->in_output->stress(sim, own->own, &film, &fluid, sim->stress);
     else
         run->mean_stress(&film, &fluid, sim->stress);
     if (sim->lubricant.limiting_shear > 0)
@@ -225,8 +225,8 @@ void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o)
     if (sim->film_stress)
         memcpy(sim->film_stress, sim->stress,
                now->n * sizeof *sim->film_stress);
-    OVR_EACH_PHYSICS(sim, p, friction)
-        p->is->friction(sim, p->own, sim->stress);
+    OVR_EACH_PHYSICS(sim, p, in_output, friction)
+        p->is->in_output->friction(sim, p->own, sim->stress);
     ovr_friction f = run->friction(&film, sim->stress);
     double inlet = inlet_power(sim, &fluid, Cu, f.roll);
     sim->inlet_share.power = inlet;

@@ -45,8 +45,8 @@ static void set_operator(ovr_simulation *sim, double dt)
     ovr_operator op = {.speed = sim->target.Cu, .cT = 1 / dt};
     op.transient = dt < INFINITY;
     ovr_reynolds_wedge(&op, sim->scheme->order == 2, op.speed);
-    OVR_EACH_PHYSICS(sim, p, operate)
-        p->is->operate(sim, p->own, op.transient ? dt : 0, &op);
+    OVR_EACH_PHYSICS(sim, p, in_step, operate)
+        p->is->in_step->operate(sim, p->own, op.transient ? dt : 0, &op);
     ovr_hierarchy_operator(&sim->grids, &op);
 }
 

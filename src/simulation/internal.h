@@ -300,6 +300,16 @@ ovr_defect ovr_fourth_conserved(ovr_simulation *sim, const ovr_full *how,
                                 ovr_defect solved, int *cycles);
 void ovr_fourth_leave(ovr_simulation *sim);
 
+/* Computes the corrections anew of a steady film that another physics has
+ * changed; leaves them out where that did not converge, true if there were any.
+ */
+void ovr_fourth_renew(ovr_simulation *sim);
+bool ovr_fourth_give_up(ovr_simulation *sim);
+
+/* Adds them to the right-hand side and to the discrete gap at the nodes. */
+void ovr_fourth_sides(const ovr_simulation *sim, double *F);
+void ovr_fourth_gap(const ovr_simulation *sim, double *gap);
+
 /* The history term where cavitation is mass-conserving (content_history.c). */
 void ovr_content_history(ovr_simulation *sim, double dT, const double c[2]);
 

@@ -109,8 +109,8 @@ static ovr_status adaptive_step(ovr_simulation *sim, const ovr_march *march,
 
 static bool has_settled(const ovr_simulation *sim, const ovr_march *march)
 {
-    OVR_EACH_PHYSICS(sim, p, over)
-        if (p->is->over(sim, p->own))
+    OVR_EACH_PHYSICS(sim, p, in_step, over)
+        if (p->is->in_step->over(sim, p->own))
             return true;
     return march->until_steady && sim->past.still >= STILL &&
            sim->state.T >= march->steady_from;

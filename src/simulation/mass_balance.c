@@ -48,16 +48,16 @@ double ovr_upstream(const ovr_simulation *sim, const double *q, size_t i)
 static double carried(const ovr_simulation *sim, size_t i)
 {
     double q = ovr_upstream(sim, sim->now.q, i);
-    OVR_EACH_PHYSICS(sim, p, carried)
-        q = p->is->carried(sim, p->own, i, q);
+    OVR_EACH_PHYSICS(sim, p, in_output, carried)
+        q = p->is->in_output->carried(sim, p->own, i, q);
     return q;
 }
 
 double ovr_flow_beside(const ovr_simulation *sim, size_t i, bool mean)
 {
     double flow = 0;
-    OVR_EACH_PHYSICS(sim, p, flow)
-        flow += p->is->flow(sim, p->own, i, mean);
+    OVR_EACH_PHYSICS(sim, p, in_output, flow)
+        flow += p->is->in_output->flow(sim, p->own, i, mean);
     return flow;
 }
 
@@ -82,8 +82,8 @@ static double poiseuille(const ovr_simulation *sim, double T, const double *P,
     fluid.sliding = ovr_sliding(sim, T);
     for (size_t k = 0; k < 2; k++) {
         double thinner = 1, lighter = 1;
-        OVR_EACH_PHYSICS(sim, p, oil)
-            p->is->oil(sim, p->own, i + k, &thinner, &lighter);
+        OVR_EACH_PHYSICS(sim, p, in_output, oil)
+            p->is->in_output->oil(sim, p->own, i + k, &thinner, &lighter);
         double rho = lighter * ovr_density(&sim->lubricant, P[i + k]);
         nodes.P[k] = P[i + k];
         nodes.q[k] = q[i + k];
@@ -163,7 +163,7 @@ static double own_flow(const ovr_simulation *sim, double Cu, stretch s)
     size_t first = s.first, n = s.last - first + 2;
     const double *flow = now->flow ? now->flow + first : NULL;
     double length = now->X[s.last + 1] - now->X[first];
-    OVR_LAST_PHYSICS(sim, p, flow);
+    OVR_LAST_PHYSICS(sim, p, in_output, flow);
     if (p->is || n < NODES)
         return flow_size(sim, Cu, s) / length;
     return sim->grids.kernels->flow_size(n, Cu, now->X + first, now->P + first,

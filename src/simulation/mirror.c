@@ -83,15 +83,17 @@ static ovr_status check(const ovr_simulation *sim, const void *own,
     return OVR_OK;
 }
 
-const ovr_physics ovr_physics_reversal = {.name = "reversal",
-                                          .chosen = always,
-                                          .begin = begin,
-                                          .check = check,
-                                          .before_step = before_step,
-                                          .before_start = before_start,
-                                          .taken = taken,
-                                          .before_back = before_back,
-                                          .visit = visit};
+static const ovr_physics_in_solve in_solve = {
+    .chosen = always, .begin = begin, .before_start = before_start};
+
+static const ovr_physics_in_step in_step = {.check = check,
+                                            .before_step = before_step,
+                                            .taken = taken,
+                                            .before_back = before_back,
+                                            .visit = visit};
+
+const ovr_physics ovr_physics_reversal = {
+    .name = "reversal", .in_solve = &in_solve, .in_step = &in_step};
 
 void ovr_mirror(size_t n, const double *from, double *to)
 {

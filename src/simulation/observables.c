@@ -17,16 +17,17 @@
 static const double *field_of(const ovr_simulation *sim,
                               ovr_physics_field which, double *workspace)
 {
-    OVR_LAST_PHYSICS(sim, p, field);
+    OVR_LAST_PHYSICS(sim, p, in_output, field);
     for (size_t i = 0; !p->is && i < sim->now.n; i++)
         workspace[i] = NAN;
-    return p->is ? p->is->field(sim, p->own, which, workspace) : workspace;
+    return p->is ? p->is->in_output->field(sim, p->own, which, workspace)
+                 : workspace;
 }
 
 static void warm(const ovr_simulation *sim, double *viscosity, double *density)
 {
-    OVR_EACH_PHYSICS(sim, p, warm)
-        p->is->warm(sim, p->own, viscosity, density);
+    OVR_EACH_PHYSICS(sim, p, in_output, warm)
+        p->is->in_output->warm(sim, p->own, viscosity, density);
 }
 
 /* Fields that are there already, or that others find. */
@@ -79,8 +80,8 @@ static const double *filling(const ovr_simulation *sim, double *workspace)
 {
     for (size_t i = 0; i < sim->state.n; i++) {
         double thinner = 1, lighter = 1;
-        OVR_EACH_PHYSICS(sim, p, oil)
-            p->is->oil(sim, p->own, i, &thinner, &lighter);
+        OVR_EACH_PHYSICS(sim, p, in_output, oil)
+            p->is->in_output->oil(sim, p->own, i, &thinner, &lighter);
         double full = lighter * sim->now.H[i];
         workspace[i] = sim->now.P[i] > 0 ? 1 : sim->now.q[i] / full;
     }
@@ -267,9 +268,10 @@ const ovr_observable *ovr_observable_at(size_t k)
         return &table[k];
     k -= rows;
     for (int p = 0; ovr_physics_list[p]; p++) {
-        if (k < ovr_physics_list[p]->quantities)
-            return &ovr_physics_list[p]->quantity[k];
-        k -= ovr_physics_list[p]->quantities;
+        const ovr_physics_in_output *of = ovr_physics_list[p]->in_output;
+        if (of && k < of->quantities)
+            return &of->quantity[k];
+        k -= of ? of->quantities : 0;
     }
     return k < sizeof last / sizeof *last ? &last[k] : NULL;
 }

@@ -6,6 +6,7 @@
 #include "simulation/extremes.h"
 #include "simulation/mirror.h"
 #include "simulation/physics.h"
+#include "simulation/refined.h"
 
 /* The nodes in a window, from `first` to before `behind`. */
 typedef struct inside {
@@ -136,10 +137,10 @@ static double mean_flow(const ovr_simulation *sim)
     double Cu = ovr_history_value(sim->speed, sim->state.T);
     const double *upstream = sim->scheme->upstream;
     const double u[2] = {upstream[0] * Cu, upstream[1] * Cu};
-    OVR_LAST_PHYSICS(sim, own, mean_flow);
-    OVR_LAST_PHYSICS(sim, beside, flow);
-    if (own->is)
-        return own->is->mean_flow(sim, own->own);
+    double patches;
+    OVR_LAST_PHYSICS(sim, beside, in_output, flow);
+    if (ovr_refined_mean_flow(sim, &patches))
+        return patches;
     if (beside->is || sim->backward)
         return mean_flow_by_nodes(sim, Cu);
     return sim->grids.kernels->mean_flow(sim->now.n, u, sim->now.X, sim->now.P,
@@ -190,14 +191,16 @@ void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
     const ovr_state *state = &sim->state;
     ovr_publish_state(sim);
     *o = (ovr_observation){.T = state->T, .dT = dT};
-    for (int k = 0; sim->list[k]; k++)
-        if (sim->list[k]->unknown)
-            sim->list[k]->unknown(o);
+    for (int k = 0; sim->list[k]; k++) {
+        const ovr_physics_in_output *of = sim->list[k]->in_output;
+        if (of && of->unknown)
+            of->unknown(o);
+    }
     o->load_ratio = ovr_history_value(sim->load, state->T);
     o->speed_ratio = ovr_history_value(sim->speed, state->T);
     o->radius_ratio = ovr_history_value(sim->radius, state->T);
     if (sim->solver) {
-        sim->solver->is->solver->observe(sim, sim->solver->own, o);
+        sim->solver->is->in_solve->solver->observe(sim, sim->solver->own, o);
     } else {
         ovr_observe_line(sim, o);
         o->mass_balance = dT > 0 ? ovr_mass_balance(sim) : 0;
@@ -209,8 +212,8 @@ void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
     o->retries = outcome->retries;
     o->converged = outcome->converged;
     o->marked = outcome->marked;
-    OVR_EACH_PHYSICS(sim, p, observe)
-        p->is->observe(sim, p->own, o);
+    OVR_EACH_PHYSICS(sim, p, in_output, observe)
+        p->is->in_output->observe(sim, p->own, o);
     if (is_meaningless(sim, outcome))
         withhold(o);
     ovr_statistics_take(&sim->statistics, o, state->step == 0);

@@ -83,8 +83,9 @@ static ovr_status add(ovr_simulation *sim, const ovr_physics *physics,
 {
     void *own = NULL;
     ovr_present *at;
-    if (physics->take) {
-        ovr_status status = physics->take(sim, form, &own, err);
+    const ovr_physics_in_solve *solve = physics->in_solve;
+    if (solve && solve->take) {
+        ovr_status status = solve->take(sim, form, &own, err);
         if (status)
             return status;
     }
@@ -95,21 +96,19 @@ static ovr_status add(ovr_simulation *sim, const ovr_physics *physics,
             "more physics are on than the %d that a simulation can hold",
             OVR_MAX_PHYSICS);
     *at = (ovr_present){physics, own};
-    for (sim->solver = sim->physics; sim->solver->is; sim->solver++)
-        if (sim->solver->is->solver)
-            break;
-    if (!sim->solver->is)
-        sim->solver = NULL;
-    if (physics->influence)
-        physics->influence(sim, own, &sim->grids.influence);
+    sim->solver = NULL;
+    OVR_EACH_PHYSICS(sim, p, in_solve, solver)
+        sim->solver = p;
+    if (solve && solve->influence)
+        solve->influence(sim, own, &sim->grids.influence);
     return OVR_OK;
 }
 
 void ovr_physics_prepare(ovr_simulation *sim)
 {
     for (int k = 0; sim->list[k]; k++) {
-        const ovr_physics *p = sim->list[k];
-        if (p->chosen && p->chosen(&sim->options) && p->prepare)
+        const ovr_physics_in_solve *p = sim->list[k]->in_solve;
+        if (p && p->chosen && p->chosen(&sim->options) && p->prepare)
             p->prepare(&sim->grids);
     }
 }
@@ -117,8 +116,9 @@ void ovr_physics_prepare(ovr_simulation *sim)
 ovr_status ovr_physics_choose(ovr_simulation *sim, ovr_error *err)
 {
     for (int k = 0; sim->list[k]; k++) {
-        const ovr_physics *p = sim->list[k];
-        if (p->chosen && p->chosen(&sim->options) && add(sim, p, NULL, err))
+        const ovr_physics_in_solve *p = sim->list[k]->in_solve;
+        if (p && p->chosen && p->chosen(&sim->options) &&
+            add(sim, sim->list[k], NULL, err))
             return OVR_NO_MEMORY;
     }
     return OVR_OK;
@@ -128,15 +128,16 @@ ovr_status ovr_physics_add(ovr_simulation *sim, const ovr_physics *physics,
                            const void *form, ovr_error *err)
 {
     ovr_status status = add(sim, physics, form, err);
-    if (!status && physics->influence && !sim->arena.blank)
+    if (!status && physics->in_solve && physics->in_solve->influence &&
+        !sim->arena.blank)
         ovr_simulation_fill(sim);
     return status;
 }
 
 ovr_status ovr_physics_check(const ovr_simulation *sim, ovr_error *err)
 {
-    OVR_EACH_PHYSICS(sim, p, check)
-        if (p->is->check(sim, p->own, err))
+    OVR_EACH_PHYSICS(sim, p, in_step, check)
+        if (p->is->in_step->check(sim, p->own, err))
             return OVR_BAD_INPUT;
     return OVR_OK;
 }
@@ -144,6 +145,6 @@ ovr_status ovr_physics_check(const ovr_simulation *sim, ovr_error *err)
 void ovr_physics_review(const ovr_simulation *sim, ovr_physics_say *say,
                         void *data)
 {
-    OVR_EACH_PHYSICS(sim, p, review)
-        p->is->review(sim, p->own, say, data);
+    OVR_EACH_PHYSICS(sim, p, in_output, review)
+        p->is->in_output->review(sim, p->own, say, data);
 }

@@ -5,26 +5,15 @@
  * and case go through the list of physics (src/physics/list.c) and name none of
  * them; a new one is a file with its record and a row in that list.
  *
- * Any function may be absent.  A simulation holds those of the list that are
- * on, in the order of the list, and calls no function of the others.  `own` is
- * what the physics has made for itself in this simulation.
+ * It has up to four parts: in the case, the solve, a step and the output.  A
+ * part or a function of a part may be absent.  A simulation holds those of the
+ * list that are on, in the order of the list, and calls no function of the
+ * others.  `own` is what the physics has made for itself in this simulation.
  *
- *     a case      section, form, block, choose, march, stiffness, resolve,
- *                 bits, features, fields, keeps, layers, tell; drop
- *     creation    chosen, prepare, take, influence, warmth, equip; release
- *     steady      forget, solve, complete, couple, proceed, finish, begin;
- *                 exhausted, explain
- *     a step      check, before_step, operate, history, sides, step, attempt,
- *                 anew, taken, over; or step_back,
- *                 advise
- *     observed    carried, flow, oil, warm, field, mean_flow, stress,
- *                 friction, observe, marks
- *     checkpoint  visit, restored
- *
- * Contributions are sums over the list: to the gap (heights, gap), to the
- * right-hand side (sides), to the elastic influence, to the shear stress
- * (friction).  Where the words are "in its own way" the last of the list that
- * has the function does it, and the ordinary way is not gone.
+ * Contributions are sums over the list: to the gap (heights), to the elastic
+ * influence, to the shear stress (friction).  Where the words are "in its own
+ * way" the last of the list that has the function does it, and the ordinary way
+ * is not gone.
  */
 #ifndef OVR_SIMULATION_PHYSICS_H
 #define OVR_SIMULATION_PHYSICS_H
@@ -119,12 +108,17 @@ typedef struct ovr_own_fields {
     const char *are, *names;
 } ovr_own_fields;
 
-struct ovr_physics {
-    const char *name;
-    unsigned bit; /* of the quantities that need it; 0: they need nothing */
+/* Statements of a form about its run. */
+typedef struct ovr_physics_says {
+    unsigned bits;       /* in addition to the physics' own */
+    unsigned features;   /* of the model (conflicts.h) that it turns on */
+    const char *fields;  /* that a file has in addition, ", " between them */
+    double width_across; /* period across rolling, b; 0: none */
+    double arrives;      /* film at T = 0; INFINITY: as much as is taken */
+} ovr_physics_says;
 
-    /* ------------------------------------------------------------- the case */
-
+/* Part in the case. */
+typedef struct ovr_physics_in_case {
     /* Sections whose rows fill the form, of so many bytes, which begins as
      * zeros; none: its keys are options of any simulation, or it has none.
      * Help and files have them behind the case's section of that name; NULL:
@@ -163,27 +157,12 @@ struct ovr_physics {
     /* Frees what the form holds that is no memory of the arena. */
     void (*drop)(void *form);
 
-    /* Bits beside its own, by what the form says. */
-    unsigned (*bits)(const void *form);
-
     /* Sets end and step of a run that it makes by itself, in place of [time],
      * and its scheme where that is below 0; false: it makes none. */
     bool (*march)(const void *form, ovr_march *march, int *scheme);
 
-    /* Features of the model (conflicts.h) that the form turns on. */
-    unsigned (*features)(const void *form);
-
-    /* Period across rolling, b; 0: the form is not on. */
-    double (*width_across)(const void *form);
-
     /* Lines across rolling on a mesh size D along x. */
     size_t (*lines_across)(const void *form, double D);
-
-    /* The film that arrives at T = 0; INFINITY: as much as is taken. */
-    double (*arrives)(const void *form);
-
-    /* Fields that a file has beside the usual ones, ", " between them. */
-    const char *(*fields)(const void *form);
 
     /* Fields that have no values without it; NULL: none. */
     const ovr_own_fields *own_fields;
@@ -196,9 +175,6 @@ struct ovr_physics {
 
     /* True if it has a feature for itself, which is then not on the mesh. */
     bool (*keeps)(const void *form, const struct ovr_feature_form *feature);
-
-    /* The layers on a body, in b and ph; NULL: none. */
-    const struct ovr_coated *(*layers)(const void *form, int body);
 
     /* A line for each number of the form that a user wants to see. */
     void (*tell)(const ovr_physics_case *of, const void *form,
@@ -213,12 +189,16 @@ struct ovr_physics {
     double node_seconds;
     double (*seconds)(const void *form);
 
-    /* A companion goes along with a run and writes into its file
-     * (physics/companion.h): a physics stands on the floor that it needs. */
-    const struct ovr_companion *companion;
+    /* The layers on a body, in b and ph; NULL: none. */
+    const struct ovr_coated *(*layers)(const void *form, int body);
 
-    /* ------------------------------------------------------------- creation */
+    /* Fills in the statements of the form, of one that is on; defaults: zero,
+     * `arrives` INFINITY. */
+    void (*says)(const void *form, ovr_physics_says *says);
+} ovr_physics_in_case;
 
+/* Part in the making of a simulation and in the steady solution. */
+typedef struct ovr_physics_in_solve {
     /* The nodes of the steady solution are its own: a file can be opened once
      * it is solved, and there is nothing to resume. */
     bool makes_nodes;
@@ -253,20 +233,21 @@ struct ovr_physics {
     void (*warmth)(const ovr_simulation *sim, const void *own, int k,
                    ovr_warmth *to);
 
-    /* --------------------------------------------------------------- steady */
+    /* Adds to the heights of surface 1 or 2, or to their sum (0), at any X,
+     * outward positive.  The gap is the gap of the smooth surfaces minus the
+     * sum.  Heights of a surface move with it; the sum may include others. */
+    void (*heights)(const ovr_simulation *sim, const void *own, int surface,
+                    double T, size_t n, const double *X, double *S);
 
     /* Forgets before each attempt: as if it were off. */
     void (*forget)(ovr_simulation *sim, void *own);
 
+    /* Before the equation of the steady start is set. */
+    void (*before_start)(ovr_simulation *sim, void *own);
+
     /* The film from nothing, in its own way. */
     ovr_defect (*solve)(ovr_simulation *sim, void *own, const ovr_full *how,
                         int *cycles);
-
-    /* Makes anew what it adds to right-hand side and gap of a steady film that
-     * another physics has changed; left out where that did not converge, true
-     * if there was anything. */
-    void (*renew)(ovr_simulation *sim, void *own);
-    bool (*give_up)(ovr_simulation *sim, void *own);
 
     /* Completes the film that was found by this physics, as far as that needs
      * no more than cycles. */
@@ -295,18 +276,23 @@ struct ovr_physics {
     void (*finish)(ovr_simulation *sim, void *own, const ovr_full *how,
                    ovr_outcome *outcome);
 
+    /* Fails if the steady solution, converged and observed, is outside what
+     * the model holds for. */
+    ovr_status (*refuse)(const ovr_simulation *sim, const void *own,
+                         ovr_error *err);
+
     /* The steady solution is the past that a run begins from. */
     void (*begin)(ovr_simulation *sim, void *own);
+} ovr_physics_in_solve;
 
-    /* --------------------------------------------------------------- a step */
-
+/* Part in steps, and in the checkpoint between two of them. */
+typedef struct ovr_physics_in_step {
     /* Fails if a step, or the steady start, may not be made at all. */
     ovr_status (*check)(const ovr_simulation *sim, const void *own,
                         ovr_error *err);
 
-    /* Before the equation of a step to T is set; of the steady start. */
+    /* Before the equation of a step to T is set. */
     void (*before_step)(ovr_simulation *sim, void *own, double T);
-    void (*before_start)(ovr_simulation *sim, void *own);
 
     /* Changes the operator of a step of dT; dT = 0: of the steady start. */
     void (*operate)(const ovr_simulation *sim, const void *own, double dT,
@@ -315,9 +301,6 @@ struct ovr_physics {
     /* The history term, in its own way; c weighs the past. */
     void (*history)(ovr_simulation *sim, void *own, double dT,
                     const double c[2]);
-
-    /* Adds to the right-hand side at the nodes. */
-    void (*sides)(const ovr_simulation *sim, const void *own, double *F);
 
     /* The equation of the step of dT is set. */
     void (*step)(ovr_simulation *sim, void *own, double dT);
@@ -351,20 +334,18 @@ struct ovr_physics {
     void (*before_back)(ovr_simulation *sim, void *own);
     void (*step_back)(ovr_simulation *sim, void *own);
 
-    /* ----------------------------------------------------------- the equation
+    /* Shows what of it makes up the state between two steps; what follows from
+     * that once it is there, before step_back. */
+    void (*visit)(ovr_simulation *sim, void *own, ovr_pieces *state);
+    void (*restored)(ovr_simulation *sim, void *own);
+
+    /* What was observed that does not follow from the state, as it was saved.
      */
+    void (*recalled)(ovr_observation *o, const ovr_observation *saved);
+} ovr_physics_in_step;
 
-    /* Adds to the heights of surface 1 or 2, or to their sum (0), at any X,
-     * outward positive.  The gap is the gap of the smooth surfaces minus the
-     * sum.  Heights of a surface move with it; the sum may include others. */
-    void (*heights)(const ovr_simulation *sim, const void *own, int surface,
-                    double T, size_t n, const double *X, double *S);
-
-    /* Adds to the discrete gap at the nodes. */
-    void (*gap)(const ovr_simulation *sim, const void *own, double *gap);
-
-    /* ------------------------------------------------------------- observed */
-
+/* Part in observations and files. */
+typedef struct ovr_physics_in_output {
     /* The content that the film carries along at the half node i + 1/2, which
      * the scheme takes to be q. */
     double (*carried)(const ovr_simulation *sim, const void *own, size_t i,
@@ -389,9 +370,6 @@ struct ovr_physics {
     const double *(*field)(const ovr_simulation *sim, const void *own,
                            ovr_physics_field which, double *workspace);
 
-    /* Mean mass flow of the film, in its own way. */
-    double (*mean_flow)(const ovr_simulation *sim, const void *own);
-
     /* Mean shear stress over the film at half nodes, in its own way. */
     void (*stress)(ovr_simulation *sim, void *own, const ovr_sheared *film,
                    const ovr_fluid *fluid, double *t);
@@ -414,11 +392,6 @@ struct ovr_physics {
      * belong together. */
     bool (*marks)(ovr_simulation *sim, void *own);
 
-    /* Fails if the steady solution, converged and observed, is outside what
-     * the model holds for. */
-    ovr_status (*refuse)(const ovr_simulation *sim, const void *own,
-                         ovr_error *err);
-
     /* Numbers a step that are its own: rows behind those of the film
      * (observables.h), of members of ovr_observation or of its `more`. */
     const ovr_observable *quantity;
@@ -428,16 +401,18 @@ struct ovr_physics {
     void (*review)(const ovr_simulation *sim, const void *own,
                    ovr_physics_say *say, void *data);
 
-    /* ----------------------------------------------------------- checkpoint */
+    /* A companion goes along with a run and writes into its file
+     * (physics/companion.h): a physics stands on the floor that it needs. */
+    const struct ovr_companion *companion;
+} ovr_physics_in_output;
 
-    /* Shows what of it makes up the state between two steps; what follows from
-     * that once it is there, before step_back. */
-    void (*visit)(ovr_simulation *sim, void *own, ovr_pieces *state);
-    void (*restored)(ovr_simulation *sim, void *own);
-
-    /* What was observed that does not follow from the state, as it was saved.
-     */
-    void (*recalled)(ovr_observation *o, const ovr_observation *saved);
+struct ovr_physics {
+    const char *name;
+    unsigned bit; /* of the quantities that need it; 0: they need nothing */
+    const ovr_physics_in_case *in_case;
+    const ovr_physics_in_solve *in_solve;
+    const ovr_physics_in_step *in_step;
+    const ovr_physics_in_output *in_output;
 };
 
 /* The quantities of a physics, in its record. */
@@ -451,14 +426,14 @@ extern const ovr_physics *const ovr_physics_list[];
 /* NOLINTBEGIN(bugprone-macro-parentheses): names of variables and members */
 
 /* Those of a simulation that have the function. */
-#define OVR_EACH_PHYSICS(sim, p, function)                                     \
+#define OVR_EACH_PHYSICS(sim, p, part, function)                               \
     for (const ovr_present *p = (sim)->physics; p->is; p++)                    \
-        if (p->is->function)
+        if (p->is->part && p->is->part->function)
 
 /* The last of them that has it, or none (is NULL). */
-#define OVR_LAST_PHYSICS(sim, p, function)                                     \
+#define OVR_LAST_PHYSICS(sim, p, part, function)                               \
     const ovr_present *p = &(sim)->physics[OVR_MAX_PHYSICS];                   \
-    OVR_EACH_PHYSICS(sim, each_##p, function)                                  \
+    OVR_EACH_PHYSICS(sim, each_##p, part, function)                            \
     p = each_##p
 
 /* NOLINTEND(bugprone-macro-parentheses) */

@@ -146,9 +146,8 @@ static void read_leaves(ovr_simulation *sim, ovr_refined *r)
 
 /* Takes the patches' own fluxes where the film is wet: those of the whole
  * domain's grid are of second order, its solution of fourth. */
-static double mean_flow(const ovr_simulation *sim, const void *own)
+static double mean_flow(const ovr_simulation *sim, const ovr_composite *c)
 {
-    const ovr_composite *c = &((const ovr_refined *)own)->composite;
     double sum = 0, length = 0;
     for (int k = c->patches > 0; k <= c->patches; k++) {
         const ovr_patch *part = &c->part[k];
@@ -257,17 +256,30 @@ static const ovr_observable quantities[] = {
                    OVR_PHYSICS_REFINED,
                    "relative change of the spike's height by the last level")};
 
+static const ovr_physics_in_solve in_solve = {.makes_nodes = true,
+                                              .chosen = chosen,
+                                              .prepare = prepare,
+                                              .take = take,
+                                              .forget = forget,
+                                              .finish = finish};
+
+static const ovr_physics_in_output in_output = {.review = review,
+                                                .carried = carried,
+                                                .unknown = unknown,
+                                                OVR_QUANTITIES(quantities),
+                                                .observe = observe};
+
 const ovr_physics ovr_physics_patches = {.name = "patches (refine)",
-                                         .makes_nodes = true,
-                                         .review = review,
                                          .bit = OVR_PHYSICS_REFINED,
-                                         .chosen = chosen,
-                                         .prepare = prepare,
-                                         .take = take,
-                                         .forget = forget,
-                                         .finish = finish,
-                                         .carried = carried,
-                                         .mean_flow = mean_flow,
-                                         .unknown = unknown,
-                                         OVR_QUANTITIES(quantities),
-                                         .observe = observe};
+                                         .in_solve = &in_solve,
+                                         .in_output = &in_output};
+
+bool ovr_refined_mean_flow(const ovr_simulation *sim, double *flow)
+{
+    for (const ovr_present *p = sim->physics; p->is; p++)
+        if (p->is == &ovr_physics_patches) {
+            *flow = mean_flow(sim, &((const ovr_refined *)p->own)->composite);
+            return true;
+        }
+    return false;
+}

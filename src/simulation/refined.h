@@ -24,4 +24,7 @@ typedef struct ovr_refined {
     ovr_spike_found found;
 } ovr_refined;
 
+/* Computes the mean mass flow of patches; false: there are none. */
+bool ovr_refined_mean_flow(const ovr_simulation *sim, double *flow);
+
 #endif

@@ -94,8 +94,8 @@ ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
     visit_order(sim, &state);
     if (sim->borne)
         visit_borne(sim, &state);
-    OVR_EACH_PHYSICS(sim, p, visit)
-        p->is->visit(sim, p->own, &state);
+    OVR_EACH_PHYSICS(sim, p, in_step, visit)
+        p->is->in_step->visit(sim, p->own, &state);
     for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)
         ovr_show(&state, parts[k].name, (char *)sim + parts[k].offset,
                  parts[k].bytes);
@@ -120,11 +120,11 @@ void ovr_simulation_restored(ovr_simulation *sim)
                                  .marked = seen.marked};
     ovr_steady_conditions(sim);
     sim->grids.fluid = sim->target.fluid;
-    OVR_EACH_PHYSICS(sim, p, restored)
-        p->is->restored(sim, p->own);
+    OVR_EACH_PHYSICS(sim, p, in_step, restored)
+        p->is->in_step->restored(sim, p->own);
     ovr_simulation_step_back(sim);
     ovr_observe(sim, seen.dT, &outcome);
-    OVR_EACH_PHYSICS(sim, p, recalled)
-        p->is->recalled(&sim->observation, &seen);
+    OVR_EACH_PHYSICS(sim, p, in_step, recalled)
+        p->is->in_step->recalled(&sim->observation, &seen);
     sim->started = sim->restored = true;
 }

@@ -198,8 +198,8 @@ void ovr_simulation_free(ovr_simulation *sim)
 {
     if (sim) {
         ovr_arena arena = sim->arena;
-        OVR_EACH_PHYSICS(sim, p, release)
-            p->is->release(p->own);
+        OVR_EACH_PHYSICS(sim, p, in_solve, release)
+            p->is->in_solve->release(p->own);
         ovr_arena_release(&arena);
     }
 }

@@ -157,8 +157,8 @@ void ovr_surface_heights(const ovr_simulation *sim, double T, size_t n,
         sim->heights(sim->heights_data, T, n, X, S);
     else
         memset(S, 0, n * sizeof *S);
-    OVR_EACH_PHYSICS(sim, p, heights)
-        p->is->heights(sim, p->own, 0, T, n, X, S);
+    OVR_EACH_PHYSICS(sim, p, in_solve, heights)
+        p->is->in_solve->heights(sim, p->own, 0, T, n, X, S);
 }
 
 /* Returns the features of a surface; if their surface is unknown, all are on
@@ -179,7 +179,7 @@ static ovr_heights *features_of(const ovr_simulation *sim, int surface)
 bool ovr_heights_of(const ovr_simulation *sim, int surface, double *S)
 {
     ovr_heights *features = features_of(sim, surface);
-    OVR_LAST_PHYSICS(sim, adds, heights);
+    OVR_LAST_PHYSICS(sim, adds, in_solve, heights);
     const double *X = sim->now.X, T = sim->state.T;
     size_t n = sim->now.n;
     if (features && sim->across)
@@ -188,14 +188,14 @@ bool ovr_heights_of(const ovr_simulation *sim, int surface, double *S)
         features(sim->heights_data, T, n, X, S);
     else
         memset(S, 0, n * sizeof *S);
-    OVR_EACH_PHYSICS(sim, p, heights)
-        p->is->heights(sim, p->own, surface, T, n, X, S);
+    OVR_EACH_PHYSICS(sim, p, in_solve, heights)
+        p->is->in_solve->heights(sim, p->own, surface, T, n, X, S);
     return features || adds->is;
 }
 
 bool ovr_has_heights(const ovr_simulation *sim)
 {
-    OVR_LAST_PHYSICS(sim, p, heights);
+    OVR_LAST_PHYSICS(sim, p, in_solve, heights);
     return sim->heights || p->is;
 }
 
@@ -211,8 +211,7 @@ void ovr_simulation_gap(ovr_simulation *sim, double T)
     }
     for (size_t i = 0; i < n; i++)
         gap[i] = ovr_smooth_at(&smooth, X[i]) - S[i];
-    OVR_EACH_PHYSICS(sim, p, gap)
-        p->is->gap(sim, p->own, gap);
+    ovr_fourth_gap(sim, gap);
     ovr_nodes_write(sim, sim->finest, gap, sim->finest->f.gap);
 }
 

@@ -248,10 +248,10 @@ static ovr_full full_of(ovr_simulation *sim, const strategy *how)
 /* Of the surfaces as they are at T = 0. */
 static ovr_defect solve(ovr_simulation *sim, const ovr_full *how, int *cycles)
 {
-    OVR_LAST_PHYSICS(sim, p, solve);
+    OVR_LAST_PHYSICS(sim, p, in_solve, solve);
     sim->order = sim->scheme->order;
     if (p->is)
-        return p->is->solve(sim, p->own, how, cycles);
+        return p->is->in_solve->solve(sim, p->own, how, cycles);
     ovr_simulation_gap(sim, 0);
     return ovr_steady_film(sim, how, cycles);
 }
@@ -273,8 +273,8 @@ static void begin_history(ovr_simulation *sim)
     past->steps = 0;
     for (int ago = 0; ago < 3; ago++)
         ovr_physics_keep_borne(sim);
-    OVR_EACH_PHYSICS(sim, p, begin)
-        p->is->begin(sim, p->own);
+    OVR_EACH_PHYSICS(sim, p, in_solve, begin)
+        p->is->in_solve->begin(sim, p->own);
 }
 
 void ovr_steady_conditions(ovr_simulation *sim)
@@ -300,8 +300,8 @@ static ovr_status begin_load_and_speed(ovr_simulation *sim, ovr_error *err)
                         Cw >= 0 ? Cu : Cw);
     if (ovr_physics_check(sim, err))
         return OVR_BAD_INPUT;
-    OVR_EACH_PHYSICS(sim, p, before_start)
-        p->is->before_start(sim, p->own);
+    OVR_EACH_PHYSICS(sim, p, in_solve, before_start)
+        p->is->in_solve->before_start(sim, p->own);
     ovr_target *target = &sim->target;
     ovr_steady_conditions(sim);
     ovr_slide(sim, 0);
@@ -314,9 +314,9 @@ static bool found_with_all(ovr_simulation *sim, const ovr_full *how,
                            ovr_outcome *outcome)
 {
     ovr_simulation_read(sim);
-    OVR_EACH_PHYSICS(sim, p, couple)
+    OVR_EACH_PHYSICS(sim, p, in_solve, couple)
         if (ovr_steady_found(sim, outcome))
-            p->is->couple(sim, p->own, how, outcome);
+            p->is->in_solve->couple(sim, p->own, how, outcome);
     return ovr_steady_found(sim, outcome);
 }
 
@@ -326,20 +326,21 @@ static bool found_with_all(ovr_simulation *sim, const ovr_full *how,
 static void attempt(ovr_simulation *sim, const ovr_full *how,
                     ovr_outcome *outcome)
 {
-    OVR_EACH_PHYSICS(sim, p, forget)
-        p->is->forget(sim, p->own);
+    OVR_EACH_PHYSICS(sim, p, in_solve, forget)
+        p->is->in_solve->forget(sim, p->own);
     ovr_physics_unburden(sim);
     outcome->defect = solve(sim, how, &outcome->cycles);
-    OVR_EACH_PHYSICS(sim, p, complete)
-        outcome->defect = p->is->complete(sim, p->own, how, &outcome->cycles);
+    OVR_EACH_PHYSICS(sim, p, in_solve, complete)
+        outcome->defect = p->is->in_solve->complete(sim, p->own, how,
+                                                    &outcome->cycles);
     if (!found_with_all(sim, how, outcome))
         return;
-    OVR_EACH_PHYSICS(sim, p, proceed)
-        if (p->is->proceed(sim, p->own, how, outcome) &&
+    OVR_EACH_PHYSICS(sim, p, in_solve, proceed)
+        if (p->is->in_solve->proceed(sim, p->own, how, outcome) &&
             !found_with_all(sim, how, outcome))
             return;
-    OVR_EACH_PHYSICS(sim, p, finish)
-        p->is->finish(sim, p->own, how, outcome);
+    OVR_EACH_PHYSICS(sim, p, in_solve, finish)
+        p->is->in_solve->finish(sim, p->own, how, outcome);
 }
 
 void ovr_simulation_stop(ovr_simulation *sim, bool (*stop)(void *data),
@@ -365,8 +366,8 @@ static bool has_features(ovr_simulation *sim)
 static bool is_exhausted(const ovr_simulation *sim)
 {
     bool exhausted = false;
-    OVR_EACH_PHYSICS(sim, p, exhausted)
-        exhausted |= p->is->exhausted(sim, p->own);
+    OVR_EACH_PHYSICS(sim, p, in_solve, exhausted)
+        exhausted |= p->is->in_solve->exhausted(sim, p->own);
     return exhausted;
 }
 
@@ -405,8 +406,8 @@ static double solve_line(ovr_simulation *sim, ovr_outcome *outcome)
 {
     ovr_operator op = {.speed = sim->target.Cu};
     ovr_reynolds_wedge(&op, sim->scheme->order == 2, op.speed);
-    OVR_EACH_PHYSICS(sim, p, operate)
-        p->is->operate(sim, p->own, 0, &op);
+    OVR_EACH_PHYSICS(sim, p, in_step, operate)
+        p->is->in_step->operate(sim, p->own, 0, &op);
     ovr_hierarchy_operator(&sim->grids, &op);
     return search(sim, outcome);
 }
@@ -418,8 +419,8 @@ static ovr_status solve_steady(ovr_simulation *sim, ovr_error *err)
     sim->started = false;
     if (begin_load_and_speed(sim, err) || ovr_smooth_check(sim, 0, err))
         return OVR_BAD_INPUT;
-    double tolerance = other ? other->is->solver->steady(sim, other->own,
-                                                         &outcome)
+    double tolerance = other ? other->is->in_solve->solver->steady(
+                                   sim, other->own, &outcome)
                              : solve_line(sim, &outcome);
     if (!outcome.converged && sim->grids.stopping.now)
         return ovr_fail(err, OVR_STOPPED, "stopped in the steady start");
@@ -430,8 +431,8 @@ static ovr_status solve_steady(ovr_simulation *sim, ovr_error *err)
     sim->started = outcome.converged;
     if (!outcome.converged)
         return ovr_failure_steady(sim, &outcome, tolerance, err);
-    OVR_EACH_PHYSICS(sim, p, refuse)
-        if (p->is->refuse(sim, p->own, err)) {
+    OVR_EACH_PHYSICS(sim, p, in_solve, refuse)
+        if (p->is->in_solve->refuse(sim, p->own, err)) {
             sim->started = sim->observation.converged = false;
             return err->status;
         }

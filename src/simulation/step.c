@@ -142,8 +142,8 @@ bool ovr_step_cycles(ovr_simulation *sim, ovr_step_cycling how,
         if (!cycle)
             settle_spots(grids, sim->finest, 1);
         settle_ends(grids, sim->finest);
-        OVR_EACH_PHYSICS(sim, p, anew)
-            p->is->anew(sim, p->own);
+        OVR_EACH_PHYSICS(sim, p, in_step, anew)
+            p->is->in_step->anew(sim, p->own);
         outcome->cycles++;
     }
     ovr_simulation_read(sim);
@@ -308,8 +308,8 @@ static bool try_with(ovr_simulation *sim, double dT, const attempt *how,
     ovr_cycling c = cycling_of(sim, how);
     bool close = ovr_guess(sim, dT, how->extrapolate) &&
                  sim->options.smoother == OVR_LINE && c.sweeps_before > 0;
-    OVR_EACH_PHYSICS(sim, p, attempt)
-        p->is->attempt(sim, p->own, how == attempts);
+    OVR_EACH_PHYSICS(sim, p, in_step, attempt)
+        p->is->in_step->attempt(sim, p->own, how == attempts);
     if (how->continued)
         return ovr_step_continued(sim, &c, outcome);
     if (how->newton)
@@ -341,12 +341,12 @@ static bool try_once(ovr_simulation *sim, double dT, const attempt *how,
 static void begin_step(ovr_simulation *sim, double dT)
 {
     double T = sim->past.T[0] + dT;
-    OVR_EACH_PHYSICS(sim, p, before_step)
-        p->is->before_step(sim, p->own, T);
+    OVR_EACH_PHYSICS(sim, p, in_step, before_step)
+        p->is->in_step->before_step(sim, p->own, T);
     ovr_slide(sim, T);
     ovr_time_derivative(sim, dT);
-    OVR_EACH_PHYSICS(sim, p, step)
-        p->is->step(sim, p->own, dT);
+    OVR_EACH_PHYSICS(sim, p, in_step, step)
+        p->is->in_step->step(sim, p->own, dT);
     ovr_simulation_gap(sim, T);
     sim->finest->force = OVR_NOMINAL_LOAD * ovr_history_value(sim->load, T);
 }
@@ -365,8 +365,8 @@ static void end_step(ovr_simulation *sim, double dT)
     ovr_past *past = &sim->past;
     ovr_guess_learn(sim, dT);
     ovr_physics_keep_borne(sim);
-    OVR_EACH_PHYSICS(sim, p, taken)
-        p->is->taken(sim, p->own, dT);
+    OVR_EACH_PHYSICS(sim, p, in_step, taken)
+        p->is->in_step->taken(sim, p->own, dT);
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         if (ovr_field_rows[k].past)
             keep(past->all[k], ovr_field_rows[k].past, sim->now.all[k],
@@ -432,19 +432,19 @@ void ovr_simulation_step_back(ovr_simulation *sim)
 {
     if (sim->solver) {
         sim->state.T = sim->past.T[0];
-        sim->solver->is->solver->step_back(sim, sim->solver->own);
+        sim->solver->is->in_solve->solver->step_back(sim, sim->solver->own);
         return;
     }
     sim->grids.H0 = sim->past.H0[0];
     sim->state.T = sim->past.T[0];
-    OVR_EACH_PHYSICS(sim, p, before_back)
-        p->is->before_back(sim, p->own);
+    OVR_EACH_PHYSICS(sim, p, in_step, before_back)
+        p->is->in_step->before_back(sim, p->own);
     ovr_slide(sim, sim->state.T);
     ovr_nodes_write(sim, sim->finest, sim->past.P[0], sim->finest->f.P);
     ovr_simulation_gap(sim, sim->past.T[0]);
     ovr_physics_borne_back(sim);
-    OVR_EACH_PHYSICS(sim, p, step_back)
-        p->is->step_back(sim, p->own);
+    OVR_EACH_PHYSICS(sim, p, in_step, step_back)
+        p->is->in_step->step_back(sim, p->own);
     ovr_level_refresh(&sim->grids, sim->finest);
     ovr_simulation_read(sim);
 }
@@ -453,8 +453,8 @@ void ovr_simulation_step_back(ovr_simulation *sim)
  * is. */
 static void mark(ovr_simulation *sim, ovr_outcome *outcome)
 {
-    OVR_EACH_PHYSICS(sim, p, marks)
-        if (p->is->marks(sim, p->own)) {
+    OVR_EACH_PHYSICS(sim, p, in_output, marks)
+        if (p->is->in_output->marks(sim, p->own)) {
             sim->observation.marked = outcome->marked = true;
             sim->observation.converged = outcome->converged = false;
         }
@@ -510,7 +510,8 @@ ovr_status ovr_simulation_attempt(ovr_simulation *sim, double next, bool *taken,
     if (status)
         return status;
     const ovr_present *other = sim->solver;
-    *taken = other ? other->is->solver->attempt(sim, other->own, next, &outcome)
+    *taken = other ? other->is->in_solve->solver->attempt(sim, other->own, next,
+                                                          &outcome)
                    : advance(sim, dT, 0, &outcome);
     *error = outcome.error;
     if (!*taken && outcome.error > sim->largest_error) {

@@ -44,8 +44,7 @@ void ovr_bdf2(double dT, double dT_old, double *cT, double c[2])
 
 void ovr_history_term(ovr_simulation *sim, double *F)
 {
-    OVR_EACH_PHYSICS(sim, p, sides)
-        p->is->sides(sim, p->own, F);
+    ovr_fourth_sides(sim, F);
     ovr_nodes_write(sim, sim->finest, F, sim->finest->f.F);
 }
 
@@ -69,7 +68,7 @@ void ovr_history_at_departures(ovr_simulation *sim, const double c[2], double T)
 void ovr_time_derivative(ovr_simulation *sim, double dT)
 {
     const ovr_discretization *scheme = sim->scheme;
-    OVR_LAST_PHYSICS(sim, p, history);
+    OVR_LAST_PHYSICS(sim, p, in_step, history);
     double T = sim->past.T[0] + dT, c[2];
     ovr_operator op = {.speed = fabs(ovr_history_value(sim->speed, T)),
                        .transient = true,
@@ -77,10 +76,10 @@ void ovr_time_derivative(ovr_simulation *sim, double dT)
     scheme->difference(dT, sim->past.dT, &op.cT, c);
     if (!scheme->characteristic)
         ovr_reynolds_wedge(&op, scheme->order == 2, op.speed);
-    OVR_EACH_PHYSICS(sim, each, operate)
-        each->is->operate(sim, each->own, dT, &op);
+    OVR_EACH_PHYSICS(sim, each, in_step, operate)
+        each->is->in_step->operate(sim, each->own, dT, &op);
     if (p->is)
-        p->is->history(sim, p->own, dT, c);
+        p->is->in_step->history(sim, p->own, dT, c);
     else
         scheme->history(sim, c, T);
     ovr_hierarchy_operator(&sim->grids, &op);

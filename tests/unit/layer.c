@@ -216,26 +216,32 @@ static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
     ovr_show(state, "worn", l->before, sim->now.n * sizeof *l->before);
 }
 
+static const ovr_physics_in_case in_case = {.section = &section,
+                                            .sections = 1,
+                                            .form = sizeof(layer_form),
+                                            .resolve = resolve,
+                                            .tell = tell,
+                                            .node_seconds = 1e-6};
+
+static const ovr_physics_in_solve in_solve = {
+    .take = take, .influence = influence, .forget = forget, .heights = heights};
+
+static const ovr_physics_in_step in_step = {.before_step = before_step,
+                                            .taken = taken,
+                                            .before_back = before_back,
+                                            .visit = visit};
+
+static const ovr_physics_in_output in_output = {.heat = warm,
+                                                .friction = friction,
+                                                .unknown = unknown,
+                                                .observe = observe,
+                                                .quantity = quantities,
+                                                .quantities = 1,
+                                                .review = review};
+
 const ovr_physics test_layer = {.name = "a layer on body 1",
                                 .bit = 1u << 20,
-                                .section = &section,
-                                .sections = 1,
-                                .form = sizeof(layer_form),
-                                .resolve = resolve,
-                                .tell = tell,
-                                .node_seconds = 1e-6,
-                                .take = take,
-                                .influence = influence,
-                                .forget = forget,
-                                .before_step = before_step,
-                                .taken = taken,
-                                .before_back = before_back,
-                                .heights = heights,
-                                .heat = warm,
-                                .friction = friction,
-                                .unknown = unknown,
-                                .observe = observe,
-                                .quantity = quantities,
-                                .quantities = 1,
-                                .review = review,
-                                .visit = visit};
+                                .in_case = &in_case,
+                                .in_solve = &in_solve,
+                                .in_step = &in_step,
+                                .in_output = &in_output};

@@ -305,8 +305,8 @@ TEST_IN_FOLDER(check_counts_it)
     seconds -= number(said, "estimated_seconds");
     free(said);
     /* a steady start takes some steps more */
-    assert_true(seconds >= test_layer.node_seconds * node_steps);
-    assert_true(seconds < 2 * test_layer.node_seconds * node_steps);
+    assert_true(seconds >= test_layer.in_case->node_seconds * node_steps);
+    assert_true(seconds < 2 * test_layer.in_case->node_seconds * node_steps);
     /* worn depth, now and kept */
     assert_true(bytes >= 2 * n * sizeof(double));
     assert_true(bytes < 2.2 * n * sizeof(double));

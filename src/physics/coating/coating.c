@@ -343,12 +343,6 @@ static void measure(const ovr_physics_case *of, coating_form *f)
     }
 }
 
-static const ovr_coated *layers(const void *form, int body)
-{
-    const ovr_coated *coated = &((const coating_form *)form)->coated[body];
-    return coated->body.layers ? coated : NULL;
-}
-
 /* A stiff layer on a soft one hands its load on as a plate does: what a level
  * makes of waves as long as that only a finer coarsest grid puts right. */
 static void refine_coarsest(const ovr_physics_case *of, const coating_form *f)
@@ -496,10 +490,16 @@ static void warmth(const ovr_simulation *sim, const void *own, int k,
         *to = (ovr_warmth){warmth_at, &f->warmed[k]};
 }
 
-static unsigned features(const void *form)
+static const ovr_coated *layers(const void *form, int body)
+{
+    const ovr_coated *coated = &((const coating_form *)form)->coated[body];
+    return coated->body.layers ? coated : NULL;
+}
+
+static void says(const void *form, ovr_physics_says *says)
 {
     (void)form;
-    return ovr_model_feature_bit(OVR_MODEL_COATING, true);
+    says->features = ovr_model_feature_bit(OVR_MODEL_COATING, true);
 }
 
 /* ------------------------------------------------------------- Beside a run */
@@ -553,19 +553,24 @@ static ovr_status open_file(void *own, const ovr_accompanied_run *run,
 
 static const ovr_companion companion = {.foresee = foresee, .open = open_file};
 
+static const ovr_physics_in_case in_case = {.node_seconds = 5e-8,
+                                            .section = &section,
+                                            .sections = 1,
+                                            .form = sizeof(coating_form),
+                                            .block = block,
+                                            .stiffness = stiffness,
+                                            .resolve = resolve,
+                                            .layers = layers,
+                                            .says = says,
+                                            .tell = tell,
+                                            .on_mesh = on_mesh};
+
+static const ovr_physics_in_solve in_solve = {
+    .take = take, .influence = influence, .warmth = warmth};
+
+static const ovr_physics_in_output in_output = {.companion = &companion};
+
 const ovr_physics ovr_physics_coating = {.name = "layers on the bodies",
-                                         .node_seconds = 5e-8,
-                                         .section = &section,
-                                         .sections = 1,
-                                         .form = sizeof(coating_form),
-                                         .block = block,
-                                         .stiffness = stiffness,
-                                         .resolve = resolve,
-                                         .features = features,
-                                         .layers = layers,
-                                         .companion = &companion,
-                                         .tell = tell,
-                                         .take = take,
-                                         .influence = influence,
-                                         .warmth = warmth,
-                                         .on_mesh = on_mesh};
+                                         .in_case = &in_case,
+                                         .in_solve = &in_solve,
+                                         .in_output = &in_output};

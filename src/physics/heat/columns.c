@@ -119,7 +119,7 @@ static double share_left(const ovr_heated *h, size_t i)
  * reduces the film's own. */
 static void add_power(ovr_simulation *sim)
 {
-    OVR_LAST_PHYSICS(sim, any, heat);
+    OVR_LAST_PHYSICS(sim, any, in_output, heat);
     const ovr_heated *h = sim->heated;
     double *power = sim->scratch[0];
     if (!any->is)
@@ -128,8 +128,8 @@ static void add_power(ovr_simulation *sim)
         power[i] = 0;
         h->apart[i] = 1;
     }
-    OVR_EACH_PHYSICS(sim, p, heat)
-        p->is->heat(sim, p->own, h->apart, power);
+    OVR_EACH_PHYSICS(sim, p, in_output, heat)
+        p->is->in_output->heat(sim, p->own, h->apart, power);
     for (size_t i = 0; i < sim->now.n; i++) {
         double share = h->apart[i] < 1 ? share_left(h, i) : 1;
         for (int j = 0; j < h->cross_film.n; j++)

@@ -373,12 +373,6 @@ static void keep_start(ovr_simulation *sim)
     h->start_H0 = sim->grids.H0;
 }
 
-static void renew(ovr_simulation *sim)
-{
-    OVR_EACH_PHYSICS(sim, p, renew)
-        p->is->renew(sim, p->own);
-}
-
 /* Restores the isothermal film that the iterations began with. */
 static void return_to_start(ovr_simulation *sim)
 {
@@ -399,7 +393,7 @@ static void return_to_start(ovr_simulation *sim)
     for (int pass = 0; pass < 2; pass++) {
         ovr_level_refresh(&sim->grids, level);
         ovr_simulation_read(sim);
-        renew(sim);
+        ovr_fourth_renew(sim);
     }
     ovr_level_refresh(&sim->grids, level);
     ovr_simulation_read(sim);
@@ -488,7 +482,7 @@ static void iterate(ovr_simulation *sim, const ovr_full *how, bool slowly,
         if (add_skew(h, change))
             change = 1;
         if (are_renewed(k, change))
-            renew(sim);
+            ovr_fourth_renew(sim);
         ovr_heat_apply(sim);
         outcome->defect = ovr_steady_cycles(sim, how, &outcome->cycles);
         ovr_simulation_read(sim);
@@ -526,7 +520,6 @@ static bool is_over(ovr_simulation *sim, const ovr_outcome *outcome)
 static void outer(ovr_simulation *sim, const ovr_full *how,
                   ovr_outcome *outcome)
 {
-    bool others = false;
     keep_start(sim);
     iterate(sim, how, false, outcome);
     if (is_over(sim, outcome))
@@ -536,9 +529,7 @@ static void outer(ovr_simulation *sim, const ovr_full *how,
         if (is_over(sim, outcome))
             return;
     }
-    OVR_EACH_PHYSICS(sim, p, give_up)
-        others |= p->is->give_up(sim, p->own);
-    if (others)
+    if (ovr_fourth_give_up(sim))
         iterate_again(sim, how, outcome);
 }
 
@@ -627,17 +618,11 @@ static const ovr_observable quantities[] = {
          OF_MAGNITUDE("energy_defect_max"), SAVED_AS("largest_energy_defect"),
          STEADY_TOO)};
 
-static unsigned features(const void *form)
+static void says(const void *form, ovr_physics_says *says)
 {
     (void)form;
-    return ovr_model_feature_bit(OVR_MODEL_HEAT, true);
-}
-
-/* They are fields of each snapshot (observables.h). */
-static const char *fields(const void *form)
-{
-    (void)form;
-    return "temperature_1, temperature_2, temperature_middle";
+    says->features = ovr_model_feature_bit(OVR_MODEL_HEAT, true);
+    says->fields = "temperature_1, temperature_2, temperature_middle";
 }
 
 static const ovr_own_fields own_fields = {
@@ -645,43 +630,51 @@ static const ovr_own_fields own_fields = {
     "temperature_1, temperature_2, temperature_mean, temperature_middle, "
     "heat_flux_1, heat_flux_2"};
 
+static const ovr_physics_in_case in_case = {.node_seconds = 5e-7,
+                                            .section = &ovr_heat_section,
+                                            .sections = 1,
+                                            .behind = "lubricant",
+                                            .form = sizeof(ovr_heat_case),
+                                            .resolve = ovr_heat_resolve,
+                                            .says = says,
+                                            .own_fields = &own_fields,
+                                            .lag = 0.05,
+                                            .tell = tell};
+
+static const ovr_physics_in_solve in_solve = {.take = take_heat,
+                                              .before_start = before_start,
+                                              .forget = forget,
+                                              .couple = couple,
+                                              .begin = ovr_heat_begin,
+                                              .exhausted = exhausted,
+                                              .explain = explain};
+
+static const ovr_physics_in_step in_step = {.step = ovr_heat_step,
+                                            .attempt = ovr_heat_try,
+                                            .anew = ovr_heat_anew,
+                                            .taken = ovr_heat_taken,
+                                            .step_back = ovr_heat_step_back,
+                                            .visit = ovr_heat_visit,
+                                            .restored = ovr_heat_restored};
+
+static const ovr_physics_in_output in_output = {
+    .companion = &ovr_heat_companion,
+    .flow = skewed,
+    .oil = thin,
+    .stress = stress,
+    .warm = warm,
+    .field = field,
+    .unknown = unknown,
+    OVR_QUANTITIES(quantities),
+    .observe = observe,
+    .marks = ovr_heat_lags};
+
 const ovr_physics ovr_physics_heat = {.name = "heat",
-                                      .node_seconds = 5e-7,
                                       .bit = OVR_PHYSICS_HEAT,
-                                      .section = &ovr_heat_section,
-                                      .sections = 1,
-                                      .behind = "lubricant",
-                                      .form = sizeof(ovr_heat_case),
-                                      .resolve = ovr_heat_resolve,
-                                      .features = features,
-                                      .fields = fields,
-                                      .own_fields = &own_fields,
-                                      .lag = 0.05,
-                                      .tell = tell,
-                                      .companion = &ovr_heat_companion,
-                                      .take = take_heat,
-                                      .before_start = before_start,
-                                      .forget = forget,
-                                      .couple = couple,
-                                      .begin = ovr_heat_begin,
-                                      .step = ovr_heat_step,
-                                      .attempt = ovr_heat_try,
-                                      .anew = ovr_heat_anew,
-                                      .taken = ovr_heat_taken,
-                                      .step_back = ovr_heat_step_back,
-                                      .flow = skewed,
-                                      .oil = thin,
-                                      .stress = stress,
-                                      .warm = warm,
-                                      .field = field,
-                                      .exhausted = exhausted,
-                                      .explain = explain,
-                                      .unknown = unknown,
-                                      OVR_QUANTITIES(quantities),
-                                      .observe = observe,
-                                      .marks = ovr_heat_lags,
-                                      .visit = ovr_heat_visit,
-                                      .restored = ovr_heat_restored};
+                                      .in_case = &in_case,
+                                      .in_solve = &in_solve,
+                                      .in_step = &in_step,
+                                      .in_output = &in_output};
 
 ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
                                ovr_error *err)

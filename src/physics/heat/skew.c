@@ -176,8 +176,7 @@ static void sides(const ovr_simulation *sim, double *F)
         return;
     }
     memset(F, 0, n * sizeof *F);
-    OVR_EACH_PHYSICS(sim, p, sides)
-        p->is->sides(sim, p->own, F);
+    ovr_fourth_sides(sim, F);
 }
 
 /* Adds the wedge of q s, upstream from the right. */

@@ -46,8 +46,8 @@ static void set_rates(ovr_simulation *sim, int k)
     h->longest[k] = longest(sim, k);
     ovr_warmth warmth = {NULL, NULL};
     ovr_memory_rates(D / 8, h->longest[k], &h->memory[k]);
-    OVR_EACH_PHYSICS(sim, p, warmth)
-        p->is->warmth(sim, p->own, k, &warmth);
+    OVR_EACH_PHYSICS(sim, p, in_solve, warmth)
+        p->is->in_solve->warmth(sim, p->own, k, &warmth);
     if (warmth.at)
         ovr_memory_layered(D / 8, h->longest[k], warmth, &h->memory[k]);
 }

@@ -304,7 +304,7 @@ static void restored(ovr_simulation *sim, void *own)
 
 const ovr_wear *ovr_wear_of(const ovr_simulation *sim)
 {
-    OVR_EACH_PHYSICS(sim, p, visit)
+    OVR_EACH_PHYSICS(sim, p, in_step, visit)
         if (p->is->bit == OVR_PHYSICS_BOUNDARY)
             return ((const boundary *)p->own)->wear;
     return NULL;
@@ -601,18 +601,16 @@ static void review(const ovr_simulation *sim, const void *own,
         review_wear(sim, b->wear, say, data);
 }
 
-static unsigned bits(const void *form)
+static void says(const void *form, ovr_physics_says *says)
 {
     const ovr_boundary_form *f = form;
-    return f->passes > 0 ? OVR_PHYSICS_WEAR : 0;
-}
-
-static unsigned features(const void *form)
-{
-    const ovr_boundary_form *f = form;
-    return ovr_model_feature_bit(OVR_MODEL_BOUNDARY, true) |
-           ovr_model_feature_bit(OVR_MODEL_MEAN_FILM, !f->unresolved) |
-           ovr_model_feature_bit(OVR_MODEL_WEAR, f->passes > 0);
+    bool wears = f->passes > 0;
+    says->bits = wears ? OVR_PHYSICS_WEAR : 0;
+    says->features = ovr_model_feature_bit(OVR_MODEL_BOUNDARY, true) |
+                     ovr_model_feature_bit(OVR_MODEL_MEAN_FILM,
+                                           !f->unresolved) |
+                     ovr_model_feature_bit(OVR_MODEL_WEAR, wears);
+    says->fields = "contact_pressure, fluid_pressure";
 }
 
 /* Running-in of surfaces that wear goes in long steps of a time of its own
@@ -628,13 +626,6 @@ static bool march_for(const void *form, ovr_march *march, int *scheme)
     return true;
 }
 
-/* They are fields of each snapshot (observables.h). */
-static const char *fields(const void *form)
-{
-    (void)form;
-    return "contact_pressure, fluid_pressure";
-}
-
 static void advise(const ovr_simulation *sim, double H, size_t size, char *text)
 {
     if (sim->grids.touch.at && sim->heights)
@@ -642,37 +633,44 @@ static void advise(const ovr_simulation *sim, double H, size_t size, char *text)
                              sim->S, size, text);
 }
 
+static const ovr_physics_in_case in_case = {.node_seconds = 1.8e-6,
+                                            .section = &ovr_boundary_section,
+                                            .sections = 1,
+                                            .form = sizeof(ovr_boundary_form),
+                                            .resolve = ovr_boundary_resolve,
+                                            .on_mesh = ovr_boundary_on_mesh,
+                                            .says = says,
+                                            .march = march_for,
+                                            .keeps = ovr_boundary_keeps,
+                                            .tell = ovr_boundary_tell};
+
+static const ovr_physics_in_solve in_solve = {.take = take,
+                                              .forget = forget,
+                                              .solve = solve,
+                                              .begin = begin,
+                                              .refuse = refuse};
+
+static const ovr_physics_in_step in_step = {.attempt = attempt,
+                                            .advise = advise,
+                                            .before_step = before_step,
+                                            .taken = taken,
+                                            .over = over,
+                                            .before_back = before_back,
+                                            .visit = visit,
+                                            .restored = restored};
+
+static const ovr_physics_in_output in_output = {
+    .companion = &ovr_wear_companion,
+    .friction = friction,
+    .heat = heat,
+    .observe = observe,
+    .marks = marks,
+    OVR_QUANTITIES(quantities),
+    .review = review};
+
 const ovr_physics ovr_physics_boundary = {.name = "surfaces that touch",
-                                          .node_seconds = 1.8e-6,
                                           .bit = OVR_PHYSICS_BOUNDARY,
-                                          .section = &ovr_boundary_section,
-                                          .sections = 1,
-                                          .form = sizeof(ovr_boundary_form),
-                                          .resolve = ovr_boundary_resolve,
-                                          .on_mesh = ovr_boundary_on_mesh,
-                                          .bits = bits,
-                                          .march = march_for,
-                                          .features = features,
-                                          .fields = fields,
-                                          .keeps = ovr_boundary_keeps,
-                                          .companion = &ovr_wear_companion,
-                                          .tell = ovr_boundary_tell,
-                                          .take = take,
-                                          .forget = forget,
-                                          .solve = solve,
-                                          .attempt = attempt,
-                                          .friction = friction,
-                                          .heat = heat,
-                                          .begin = begin,
-                                          .advise = advise,
-                                          .before_step = before_step,
-                                          .taken = taken,
-                                          .over = over,
-                                          .before_back = before_back,
-                                          .visit = visit,
-                                          .restored = restored,
-                                          .observe = observe,
-                                          .marks = marks,
-                                          .refuse = refuse,
-                                          OVR_QUANTITIES(quantities),
-                                          .review = review};
+                                          .in_case = &in_case,
+                                          .in_solve = &in_solve,
+                                          .in_step = &in_step,
+                                          .in_output = &in_output};

@@ -273,11 +273,11 @@ static bool yields_below_others(const ovr_plastic_setup *p)
     return false;
 }
 
-unsigned ovr_plastic_features(const void *form)
+void ovr_plastic_says(const void *form, ovr_physics_says *says)
 {
-    return ovr_model_feature_bit(OVR_MODEL_PLASTIC, true) |
-           ovr_model_feature_bit(OVR_MODEL_OTHER_MODULI,
-                                 yields_below_others(form));
+    says->features = ovr_model_feature_bit(OVR_MODEL_PLASTIC, true) |
+                     ovr_model_feature_bit(OVR_MODEL_OTHER_MODULI,
+                                           yields_below_others(form));
 }
 
 ovr_plastic_setup *ovr_setup_plastic(const ovr_setup *setup)

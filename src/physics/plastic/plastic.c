@@ -584,30 +584,37 @@ static ovr_status make_profiles(const ovr_accompanied_run *run, void **own,
 static const ovr_companion companion = {.make = make_profiles,
                                         .finish = finish};
 
+static const ovr_physics_in_case in_case = {.section = &ovr_plastic_section,
+                                            .sections = 1,
+                                            .behind = "paper",
+                                            .form = sizeof(ovr_plastic_setup),
+                                            .resolve = ovr_plastic_resolve,
+                                            .on_mesh = ovr_plastic_on_mesh,
+                                            .says = ovr_plastic_says,
+                                            .one_mesh = "as strains grow from "
+                                                        "step to step",
+                                            .tell = ovr_plastic_tell,
+                                            .memory = ovr_plastic_memory,
+                                            .seconds = ovr_plastic_seconds};
+
+static const ovr_physics_in_solve in_solve = {
+    .take = take, .release = release, .heights = heights};
+
+static const ovr_physics_in_step in_step = {.before_step = before_step,
+                                            .taken = taken,
+                                            .before_back = before_back,
+                                            .visit = visit,
+                                            .restored = restored};
+
+static const ovr_physics_in_output in_output = {.companion = &companion,
+                                                .unknown = unknown,
+                                                .observe = observe,
+                                                OVR_QUANTITIES(quantities),
+                                                .review = review};
+
 const ovr_physics ovr_physics_plastic = {.name = "a body that yields",
                                          .bit = OVR_PHYSICS_PLASTIC,
-                                         .section = &ovr_plastic_section,
-                                         .sections = 1,
-                                         .behind = "paper",
-                                         .form = sizeof(ovr_plastic_setup),
-                                         .resolve = ovr_plastic_resolve,
-                                         .on_mesh = ovr_plastic_on_mesh,
-                                         .features = ovr_plastic_features,
-                                         .one_mesh = "as strains grow from "
-                                                     "step to step",
-                                         .tell = ovr_plastic_tell,
-                                         .memory = ovr_plastic_memory,
-                                         .seconds = ovr_plastic_seconds,
-                                         .companion = &companion,
-                                         .take = take,
-                                         .release = release,
-                                         .before_step = before_step,
-                                         .taken = taken,
-                                         .before_back = before_back,
-                                         .heights = heights,
-                                         .unknown = unknown,
-                                         .observe = observe,
-                                         OVR_QUANTITIES(quantities),
-                                         .review = review,
-                                         .visit = visit,
-                                         .restored = restored};
+                                         .in_case = &in_case,
+                                         .in_solve = &in_solve,
+                                         .in_step = &in_step,
+                                         .in_output = &in_output};

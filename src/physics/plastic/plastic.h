@@ -44,7 +44,7 @@ ovr_status ovr_plastic_resolve(const ovr_physics_case *of, void *form, bool *on,
                                ovr_error *err);
 ovr_status ovr_plastic_on_mesh(const ovr_physics_case *of, void *form,
                                double mesh, ovr_error *err);
-unsigned ovr_plastic_features(const void *form);
+void ovr_plastic_says(const void *form, ovr_physics_says *says);
 
 /* NULL: nothing yields. */
 ovr_plastic_setup *ovr_setup_plastic(const ovr_setup *setup);

@@ -289,20 +289,15 @@ ovr_status ovr_stress_resolve(const ovr_physics_case *of, void *form, bool *on,
     return status ? status : resolve_fatigue(of, s, err);
 }
 
-unsigned ovr_stress_features(const void *form)
-{
-    const ovr_stress_setup *s = form;
-    return ovr_model_feature_bit(OVR_MODEL_STRESS, true) |
-           ovr_model_feature_bit(OVR_MODEL_FATIGUE, s->fatigue);
-}
-
-/* They are stored for `overroll stress`, the second pass and the pictures. */
-const char *ovr_stress_fields(const void *form)
+/* Fields are stored for `overroll stress`, the second pass and the pictures. */
+void ovr_stress_says(const void *form, ovr_physics_says *says)
 {
     static const char *const of[] = {"", "shear_stress_1", "shear_stress_2",
                                      "shear_stress_1, shear_stress_2"};
     const ovr_stress_setup *s = form;
-    return of[s->traction ? s->surfaces : 0];
+    says->features = ovr_model_feature_bit(OVR_MODEL_STRESS, true) |
+                     ovr_model_feature_bit(OVR_MODEL_FATIGUE, s->fatigue);
+    says->fields = of[s->traction ? s->surfaces : 0];
 }
 
 const ovr_stress_setup *ovr_setup_stress(const ovr_setup *setup)

@@ -45,8 +45,7 @@ ovr_status ovr_window_resolve(const ovr_list *window, const char *about,
 /* These are functions of a physics (simulation/physics.h). */
 ovr_status ovr_stress_resolve(const ovr_physics_case *of, void *form, bool *on,
                               ovr_error *err);
-unsigned ovr_stress_features(const void *form);
-const char *ovr_stress_fields(const void *form);
+void ovr_stress_says(const void *form, ovr_physics_says *says);
 
 /* Stresses, surfaces = 0: there are none. */
 const ovr_stress_setup *ovr_setup_stress(const ovr_setup *setup);

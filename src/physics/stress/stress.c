@@ -521,15 +521,17 @@ static void tell(const ovr_physics_case *of, const void *form,
             tell_limit(setup, k, line, data);
 }
 
-const ovr_physics ovr_physics_stress = {.name = "stresses",
-                                        .section = ovr_stress_sections,
-                                        .sections = 2,
-                                        .behind = "paper",
-                                        .form = sizeof(ovr_stress_setup),
-                                        .resolve = ovr_stress_resolve,
-                                        .features = ovr_stress_features,
-                                        .fields = ovr_stress_fields,
-                                        .node_seconds = 2.5e-7,
-                                        .tell = tell,
-                                        .memory = memory,
-                                        .companion = &companion};
+static const ovr_physics_in_case in_case = {.section = ovr_stress_sections,
+                                            .sections = 2,
+                                            .behind = "paper",
+                                            .form = sizeof(ovr_stress_setup),
+                                            .resolve = ovr_stress_resolve,
+                                            .says = ovr_stress_says,
+                                            .node_seconds = 2.5e-7,
+                                            .tell = tell,
+                                            .memory = memory};
+
+static const ovr_physics_in_output in_output = {.companion = &companion};
+
+const ovr_physics ovr_physics_stress = {
+    .name = "stresses", .in_case = &in_case, .in_output = &in_output};

@@ -55,10 +55,11 @@ void ovr_strip_choose(const void *form, ovr_options *options)
         options->order = 2;
 }
 
-unsigned ovr_strip_features(const void *form)
+void ovr_strip_says(const void *form, ovr_physics_says *says)
 {
     const ovr_strip_form *f = form;
-    return ovr_model_feature_bit(OVR_MODEL_STRIP, f->ends != 0);
+    says->features = ovr_model_feature_bit(OVR_MODEL_STRIP, f->ends != 0);
+    says->width_across = f->ends ? f->width : 0;
 }
 
 /* The largest allowed number of lines that is at most `lines`, and the next. */
@@ -170,12 +171,6 @@ ovr_status ovr_strip_on_mesh(const ovr_physics_case *of, void *form, double D,
                           lines, ratio, LEAST_RATIO, LARGEST_RATIO,
                           ceil(f->width / (LARGEST_RATIO * D)),
                           floor(f->width / (LEAST_RATIO * D)));
-}
-
-double ovr_strip_width(const void *form)
-{
-    const ovr_strip_form *f = form;
-    return f->ends ? f->width : 0;
 }
 
 size_t ovr_strip_lines_across(const void *form, double D)

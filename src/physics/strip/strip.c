@@ -30,7 +30,7 @@ static const double STEP_TOLERANCE = 0.5, GUESS_SHARE = 1e-3, LOOSEST = 1e-2,
 
 ovr_strip_solver *ovr_strip_of(const ovr_simulation *sim)
 {
-    OVR_EACH_PHYSICS(sim, p, solver)
+    OVR_EACH_PHYSICS(sim, p, in_solve, solver)
         return p->own;
     return NULL;
 }
@@ -430,9 +430,7 @@ static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
     ovr_show(state, "strip_mass", s->mass, sizeof s->mass);
 }
 
-const ovr_physics ovr_physics_strip = {
-    .name = "strip",
-    .bit = OVR_PHYSICS_STRIP,
+static const ovr_physics_in_case in_case = {
     .section = &ovr_strip_section,
     .sections = 1,
     .behind = "domain",
@@ -440,20 +438,30 @@ const ovr_physics ovr_physics_strip = {
     .choose = ovr_strip_choose,
     .resolve = ovr_strip_resolve,
     .on_mesh = ovr_strip_on_mesh,
-    .features = ovr_strip_features,
+    .says = ovr_strip_says,
     .tell = ovr_strip_tell,
     .seconds = ovr_strip_seconds,
-    .width_across = ovr_strip_width,
     .lines_across = ovr_strip_lines_across,
-    .companion = &ovr_strip_companion,
-    .one_mesh = "of a strip",
+    .one_mesh = "of a strip"};
+
+static const ovr_physics_in_solve in_solve = {
     .take = take,
     .release = release,
     .solver = &(const ovr_solver){steady, attempt, step_back,
                                   ovr_strip_observe},
-    .begin = begin,
-    .check = check,
+    .begin = begin};
+
+static const ovr_physics_in_step in_step = {.check = check, .visit = visit};
+
+static const ovr_physics_in_output in_output = {
+    .companion = &ovr_strip_companion,
     .unknown = ovr_strip_unknown,
     .quantity = ovr_strip_quantities,
-    .quantities = OVR_STRIP_QUANTITIES,
-    .visit = visit};
+    .quantities = OVR_STRIP_QUANTITIES};
+
+const ovr_physics ovr_physics_strip = {.name = "strip",
+                                       .bit = OVR_PHYSICS_STRIP,
+                                       .in_case = &in_case,
+                                       .in_solve = &in_solve,
+                                       .in_step = &in_step,
+                                       .in_output = &in_output};

@@ -126,12 +126,6 @@ void ovr_supply_drop(void *form)
         ovr_layer_free(s->layer[k]);
 }
 
-unsigned ovr_supply_features(const void *form)
-{
-    return ovr_model_feature_bit(OVR_MODEL_SUPPLY,
-                                 ((const ovr_supply_case *)form)->film);
-}
-
 /* The oil that arrives at P = 0, by both surfaces; a layer goes by as fast as
  * its surface moves.  A mean speed near zero brings nothing, whatever
  * slides. */
@@ -155,11 +149,14 @@ double ovr_supply_arriving(const ovr_supply_case *s, double T)
     return both * ovr_history_value(s->history, T);
 }
 
-double ovr_supply_arrives(const void *form)
+void ovr_supply_says(const void *form, ovr_physics_says *says)
 {
     const ovr_supply_case *s = form;
     double film = s->film ? ovr_supply_arriving(s, 0) : 0;
-    return film > 0 ? film : INFINITY;
+    says->features = ovr_model_feature_bit(OVR_MODEL_SUPPLY, s->film);
+    says->fields = "filling, oil_content";
+    if (film > 0)
+        says->arrives = film;
 }
 
 /* The oil that lies on the surfaces between inlet and outlet at T = 0, as

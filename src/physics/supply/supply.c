@@ -439,13 +439,6 @@ static const ovr_observable quantities[] = {
         "mass balance error of the scheme",
         COMMENT("relative to the central film thickness"))};
 
-/* They are fields of each snapshot (observables.h). */
-static const char *fields(const void *form)
-{
-    (void)form;
-    return "filling, oil_content";
-}
-
 /* ------------------------------------------------------------- Beside a run */
 
 /* The formulas are not better; incompressible oil flows as its film is thick.
@@ -482,9 +475,7 @@ static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
 
 static const ovr_companion companion = {.foresee = foresee};
 
-const ovr_physics ovr_physics_conserving = {.name = "oil conserved",
-                                            .node_seconds = 1e-7,
-                                            .bit = OVR_PHYSICS_CONTENT,
+static const ovr_physics_in_case in_case = {.node_seconds = 1e-7,
                                             .section = ovr_supply_sections,
                                             .sections = 2,
                                             .behind = "radius_1",
@@ -492,21 +483,19 @@ const ovr_physics ovr_physics_conserving = {.name = "oil conserved",
                                             .choose = ovr_supply_choose,
                                             .resolve = ovr_supply_resolve,
                                             .drop = ovr_supply_drop,
-                                            .features = ovr_supply_features,
-                                            .fields = fields,
+                                            .says = ovr_supply_says,
                                             .one_mesh = "as menisci move",
-                                            .arrives = ovr_supply_arrives,
-                                            .equip = equip,
-                                            .tell = tell,
-                                            .companion = &companion,
-                                            .review = review,
-                                            .chosen = chosen,
-                                            .prepare = prepare,
-                                            .take = take,
-                                            .forget = forget,
-                                            .complete = complete,
-                                            .proceed = starve,
-                                            .operate = operate,
+                                            .tell = tell};
+
+static const ovr_physics_in_solve in_solve = {.equip = equip,
+                                              .chosen = chosen,
+                                              .prepare = prepare,
+                                              .take = take,
+                                              .forget = forget,
+                                              .complete = complete,
+                                              .proceed = starve};
+
+static const ovr_physics_in_step in_step = {.operate = operate,
                                             .history = history,
                                             .step = step,
                                             .attempt = attempt,
@@ -514,10 +503,20 @@ const ovr_physics ovr_physics_conserving = {.name = "oil conserved",
                                             .go_back = go_back,
                                             .taken = taken,
                                             .step_back = begin_attempt,
-                                            .carried = carried,
-                                            .unknown = unknown,
-                                            OVR_QUANTITIES(quantities),
-                                            .observe = observe,
                                             .visit = visit,
                                             .restored = restored,
                                             .recalled = recalled};
+
+static const ovr_physics_in_output in_output = {.companion = &companion,
+                                                .review = review,
+                                                .carried = carried,
+                                                .unknown = unknown,
+                                                OVR_QUANTITIES(quantities),
+                                                .observe = observe};
+
+const ovr_physics ovr_physics_conserving = {.name = "oil conserved",
+                                            .bit = OVR_PHYSICS_CONTENT,
+                                            .in_case = &in_case,
+                                            .in_solve = &in_solve,
+                                            .in_step = &in_step,
+                                            .in_output = &in_output};
