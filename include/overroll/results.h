@@ -143,6 +143,20 @@ OVR_API const ovr_variable *ovr_result_field(const ovr_result *result,
 OVR_API const ovr_variable *ovr_result_column(const ovr_result *result,
                                               size_t k);
 
+/* An input file of the run, which the case names; several keys of a case may
+ * name the same. */
+typedef struct ovr_result_input {
+    const char *key;    /* that names it first: "feature scratch.file" */
+    const char *name;   /* as the case gives it */
+    const char *sha256; /* hexadecimal; "": the file was no ordinary one */
+    double bytes;       /* its size; NAN: unknown */
+    bool kept;          /* the result file holds its bytes */
+} ovr_result_input;
+
+/* The k-th input; NULL past the end. */
+OVR_API const ovr_result_input *ovr_result_input_at(const ovr_result *result,
+                                                    size_t k);
+
 /* Units of a read: as stored, dimensionless, or SI (which fails with
  * OVR_BAD_INPUT when the file does not know the scale). */
 typedef enum ovr_units { OVR_AS_STORED, OVR_HERTZIAN, OVR_SI } ovr_units;

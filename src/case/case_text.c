@@ -6,15 +6,18 @@
  */
 #include <stdio.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "base/given.h"
 #include "case/case.h"
+#include "case/inputs.h"
 
 enum { COMMENT_COLUMN = 28 }; /* where a case of `overroll init` has comments */
 
 typedef struct growing {
     char *text;
     size_t length, capacity;
+    bool moved; /* the case is in another folder than the working directory */
 } growing;
 
 static void put(growing *g, const char *text, size_t length)
@@ -36,11 +39,30 @@ static bool is_later(const ovr_slot *slot)
     return slot->given && slot->line == 0;
 }
 
+/* A path that was set later starts at the working directory, in the text it
+ * would start where the case is: it becomes absolute, if that is short enough
+ * to be read again. */
+static void put_path(growing *g, const char *path)
+{
+    enum { LONGEST = OVR_LINE_MAX - OVR_NAME_MAX };
+    char folder[LONGEST + 1];
+    if (g->moved && path[0] != '/' && getcwd(folder, sizeof folder) &&
+        strlen(folder) + 1 + strlen(path) <= LONGEST) {
+        put_text(g, folder);
+        put_text(g, "/");
+    }
+    put_text(g, path);
+}
+
 static void put_setting(growing *g, const ovr_block *b, size_t k)
 {
-    put_text(g, b->section->rows[k].key);
+    const ovr_parameter *row = &b->section->rows[k];
+    put_text(g, row->key);
     put_text(g, " = ");
-    put_text(g, b->slots[k].text);
+    if (ovr_key_is_input(b->section, row))
+        put_path(g, b->slots[k].text);
+    else
+        put_text(g, b->slots[k].text);
     put_text(g, "\n");
 }
 
@@ -133,7 +155,7 @@ static size_t capacity_needed(const ovr_case *c)
         for (size_t k = 0; k < b->count; k++)
             if (is_later(&b->slots[k]))
                 capacity += OVR_NAME_MAX + strlen(b->slots[k].text) +
-                            COMMENT_COLUMN + 12;
+                            OVR_LINE_MAX + COMMENT_COLUMN + 12;
     }
     return capacity;
 }
@@ -142,7 +164,7 @@ const char *ovr_case_text(ovr_case *c, ovr_error *err)
 {
     if (!c)
         return ovr_null(err, __func__);
-    growing g = {NULL, 0, capacity_needed(c)};
+    growing g = {NULL, 0, capacity_needed(c), c->directory != NULL};
     g.text = ovr_arena_take(&c->arena, g.capacity, 1, err);
     if (!g.text)
         return NULL;

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/error.h"
+#include "case/inputs.h"
 #include "case/resolve.h"
 
 /* ----------------------------------------------------- where errors belong */
@@ -92,22 +93,6 @@ static ovr_status fill_list(ovr_resolved *r, const ovr_parameter *row,
     return OVR_OK;
 }
 
-/* A path in a file starts where the file is. */
-static const char *full_path(ovr_resolved *r, const ovr_slot *slot,
-                             ovr_error *err)
-{
-    const char *folder = r->c->directory;
-    size_t capacity;
-    char *path;
-    if (!folder || slot->text[0] == '/' || slot->line == 0)
-        return ovr_arena_text(&r->arena, slot->text, err);
-    capacity = strlen(folder) + strlen(slot->text) + 2;
-    path = ovr_arena_take(&r->arena, capacity, 1, err);
-    if (path)
-        snprintf(path, capacity, "%s/%s", folder, slot->text);
-    return path;
-}
-
 /* ---------------------------------------------------------------- filling */
 
 static ovr_status fill(ovr_resolved *r, const ovr_parameter *row,
@@ -127,7 +112,7 @@ static ovr_status fill(ovr_resolved *r, const ovr_parameter *row,
         *(const char **)place = ovr_arena_text(&r->arena, slot->text, err);
         return *(const char **)place ? OVR_OK : OVR_NO_MEMORY;
     case OVR_PATH:
-        *(const char **)place = full_path(r, slot, err);
+        *(const char **)place = ovr_slot_path(r->c, slot, &r->arena, err);
         return *(const char **)place ? OVR_OK : OVR_NO_MEMORY;
     case OVR_NUMBERS: return fill_list(r, row, slot, place, err);
     case OVR_WORDS: *(unsigned *)place = slot->bits; break;

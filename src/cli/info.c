@@ -162,6 +162,23 @@ static void print_extremes(report *r)
     }
 }
 
+static void put_foreign(const char *before, const char *text);
+
+static void print_inputs(const report *r)
+{
+    const ovr_result_input *input;
+    for (size_t k = 0; (input = ovr_result_input_at(r->result, k)); k++) {
+        put_foreign("input      ", input->name);
+        put_foreign(" (", input->key);
+        printf(")");
+        if (input->bytes >= 0)
+            printf(", %.0f bytes", input->bytes);
+        if (*input->sha256)
+            put_foreign(", SHA-256 ", input->sha256);
+        printf("%s\n", input->kept ? "" : ", not in the file");
+    }
+}
+
 static void put_foreign(const char *before, const char *text)
 {
     fputs(before, stdout);
@@ -184,6 +201,7 @@ static void print_text(report *r, bool verbose)
         printf("took       %.3g s\n", a->seconds);
     print_contact(a);
     print_sizes(r);
+    print_inputs(r);
     if (a->steps)
         print_extremes(r);
     if (verbose)
@@ -236,6 +254,22 @@ static void json_extremes(json_writer *j, report *r)
     json_close(j);
 }
 
+static void json_inputs(json_writer *j, const report *r)
+{
+    const ovr_result_input *input;
+    json_open_array(j, "inputs");
+    for (size_t k = 0; (input = ovr_result_input_at(r->result, k)); k++) {
+        json_open(j, NULL);
+        json_text(j, "key", input->key);
+        json_text(j, "name", input->name);
+        json_text(j, "sha256", input->sha256);
+        json_number(j, "bytes", input->bytes);
+        json_flag(j, "kept", input->kept);
+        json_close(j);
+    }
+    json_close_array(j);
+}
+
 static void print_json(report *r)
 {
     const ovr_result_info *a = r->about;
@@ -251,6 +285,7 @@ static void print_json(report *r)
     json_number(&j, "seconds", a->seconds);
     json_contact(&j, a);
     json_sizes(&j, r);
+    json_inputs(&j, r);
     for (size_t k = 0; (of = ovr_observable_at(k)); k++)
         if (of->total_key && take(r, of->name, OVR_AS_STORED))
             json_integer(&j, of->total_key, (long long)sum(r));
@@ -276,9 +311,24 @@ static ovr_status read_times(report *r, ovr_error *err)
     return ovr_result_history(r->result, "time", OVR_HERTZIAN, r->T, err);
 }
 
+/* Prints the files that were written; warnings go where all do. */
+static void list_file(void *call, ovr_say kind, const char *text)
+{
+    if (kind == OVR_SAY_FILE)
+        printf("%s\n", text);
+    else
+        cli_say(call, kind, text);
+}
+
 static int run(cli_call *call)
 {
     ovr_error err = {0};
+    const char *folder = cli_value(call, "inputs");
+    if (folder)
+        return ovr_result_unpack(call->argument[0], folder,
+                                 cli_flag(call, "force"), list_file, call, &err)
+                   ? cli_fail(&err)
+                   : CLI_DONE;
     report r = {NULL, NULL, call->argument[0], NULL, NULL, 0};
     int code = CLI_DONE;
     ovr_table *passes = cli_passes_open(r.path);
@@ -303,13 +353,22 @@ static int run(cli_call *call)
     return code;
 }
 
+static const cli_option options[] = {
+    {"inputs", "DIR", "write the case and its input files into a folder",
+     false},
+    {"force", NULL, "replace files there", false},
+    {NULL, NULL, NULL, false}};
+
 const cli_verb cli_info = {
     .name = "info",
-    .arguments = "OUT.h5",
+    .arguments = "OUT.h5 [--inputs DIR]",
+    .options = options,
     .summary = "print the contents of a result file",
     .help = "Of the file of several passes: its rows.\nWorks while the file is "
             "being written. With -v the case is "
-            "printed too.\nThe table is in the file's units, --json is "
+            "printed too.\nWith --inputs DIR the case and the files that it "
+            "names are written into DIR; running that case computes the "
+            "result again.\nThe table is in the file's units, --json is "
             "dimensionless.",
     .minimum = 1,
     .maximum = 1,

@@ -16,6 +16,7 @@
 #include "results/h5.h"
 #include "results/hdf5read/hdf5read.h"
 #include "results/header.h"
+#include "results/inputs.h"
 
 static ovr_status write_failed(ovr_file *f, ovr_error *err)
 {
@@ -84,7 +85,10 @@ ovr_status ovr_file_create(ovr_file *f, const ovr_file_plan *plan,
     ovr_h5_drop(creation);
     if (f->file < 0 || !prepare_transfer(f) || !ovr_header_write(f, plan))
         return write_failed(f, err);
-    return ovr_file_flush(f, err);
+    status = ovr_inputs_write(f, plan, err);
+    if (status == OVR_IO)
+        return write_failed(f, err);
+    return status ? status : ovr_file_flush(f, err);
 }
 
 /* Makes a dataset `rows` rows long; `nodes` 0 for a column. */
@@ -246,7 +250,7 @@ static ovr_status check_identity(ovr_file *f, const ovr_file_plan *plan,
         !has_rows(c, c->root, "time", f->snapshots) ||
         !has_rows(c, history, "step", f->steps))
         return refuse(f, "has fewer rows than its checkpoint says", err);
-    return OVR_OK;
+    return ovr_inputs_check(c, plan->options, err);
 }
 
 static ovr_status check_file(ovr_file *f, const ovr_file_plan *plan,

@@ -18,6 +18,9 @@ struct ovr_result {
     ovr_variable *variable; /* all */
     ovr_dataset *set; /* where each is, in the file that was opened first */
     bool sets_hold;   /* that file is still open */
+    ovr_result_input *input;
+    const char **input_path; /* of its dataset */
+    size_t inputs;
     const ovr_variable *x, *time, **field, **column;
     size_t variables, fields, columns, groups;
     double version; /* of the file's format */
@@ -44,6 +47,14 @@ bool ovr_reader_again(const ovr_result *result, int attempt, bool locked);
  * ours. */
 ovr_status ovr_reader_content(ovr_result *result, ovr_error *err);
 ovr_status ovr_reader_not_ours(ovr_result *result, ovr_error *err);
+
+/* Reads what the group `inputs` holds, if there is one. */
+ovr_status ovr_reader_inputs(ovr_result *result, ovr_error *err);
+
+/* A text attribute without control characters, in the result's memory; NULL:
+ * there is none. */
+const char *ovr_reader_text(ovr_result *result, uint64_t object,
+                            const char *name);
 
 /* An object by its path, "stress/surface_1". */
 bool ovr_reader_object(ovr_result *result, const char *path, uint64_t *object);

@@ -75,8 +75,8 @@ static void make_plain(char *text, bool has_lines)
     }
 }
 
-/* A text attribute, NULL when there is none; notes when memory is out. */
-static const char *text_of(ovr_result *r, uint64_t object, const char *name)
+/* Notes when memory is out. */
+const char *ovr_reader_text(ovr_result *r, uint64_t object, const char *name)
 {
     const char *found = ovr_container_text(&r->container, object, name);
     char *text = found ? ovr_arena_text(&r->arena, found, NULL) : NULL;
@@ -94,7 +94,7 @@ static const char *or_else(const char *text, const char *other)
 
 static ovr_unit_kind kind_of(ovr_result *r, uint64_t object)
 {
-    const char *kind = text_of(r, object, "kind");
+    const char *kind = ovr_reader_text(r, object, "kind");
     return kind ? ovr_kind_named(kind) : OVR_KIND_NUMBER;
 }
 
@@ -108,8 +108,8 @@ static void describe(ovr_result *r, uint64_t object, const char *path,
     if (!v->path)
         return;
     v->name = slash ? v->path + (slash - path) + 1 : v->path;
-    v->long_name = or_else(text_of(r, object, "long_name"), v->name);
-    v->unit = or_else(text_of(r, object, "units"), "1");
+    v->long_name = or_else(ovr_reader_text(r, object, "long_name"), v->name);
+    v->unit = or_else(ovr_reader_text(r, object, "units"), "1");
     v->scale = ovr_container_number(&r->container, object, "scale");
     v->kind = kind_of(r, object);
     v->rank = set->rank;
@@ -136,6 +136,8 @@ static ovr_status take_group(ovr_result *r, uint64_t group, const char *name,
         return damaged(r, *name ? name : "its groups", err);
     for (size_t k = 0; !status && k < count; k++) {
         uint64_t object = links[k].object;
+        if (depth == 0 && strcmp(links[k].name, "inputs") == 0)
+            continue;
         char path[256];
         ovr_dataset set;
         snprintf(path, sizeof path, "%s%s%s", name, *name ? "/" : "",
@@ -261,15 +263,17 @@ static void read_attributes(ovr_result *r)
     ovr_result_info *i = &r->info;
     uint64_t root = r->container.root, group;
     bool has_case = ovr_container_find(&r->container, root, "case", &group);
-    i->title = or_else(text_of(r, root, "title"), "");
-    i->status = or_else(text_of(r, root, "status"), "");
-    i->reason = or_else(text_of(r, root, "reason"), "");
-    i->warnings = or_else(text_of(r, root, "warnings"), "");
-    i->source = or_else(text_of(r, root, "source"), "");
-    i->created = or_else(text_of(r, root, "date_created"), "");
-    i->modified = or_else(text_of(r, root, "date_modified"), "");
-    i->case_text = has_case ? or_else(text_of(r, group, "text"), "") : "";
-    i->physical = strcmp(or_else(text_of(r, root, "scaling"), ""), "SI") == 0;
+    i->title = or_else(ovr_reader_text(r, root, "title"), "");
+    i->status = or_else(ovr_reader_text(r, root, "status"), "");
+    i->reason = or_else(ovr_reader_text(r, root, "reason"), "");
+    i->warnings = or_else(ovr_reader_text(r, root, "warnings"), "");
+    i->source = or_else(ovr_reader_text(r, root, "source"), "");
+    i->created = or_else(ovr_reader_text(r, root, "date_created"), "");
+    i->modified = or_else(ovr_reader_text(r, root, "date_modified"), "");
+    i->case_text = has_case ? or_else(ovr_reader_text(r, group, "text"), "")
+                            : "";
+    i->physical = strcmp(or_else(ovr_reader_text(r, root, "scaling"), ""),
+                         "SI") == 0;
     i->b = number_of(r, "scale_length");
     i->ph = number_of(r, "scale_pressure");
     i->height = number_of(r, "scale_height");
@@ -322,5 +326,5 @@ ovr_status ovr_reader_content(ovr_result *r, ovr_error *err)
         status = open_lists(r, err);
     if (status == OVR_OK)
         read_attributes(r);
-    return status;
+    return status == OVR_OK ? ovr_reader_inputs(r, err) : status;
 }

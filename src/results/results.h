@@ -7,6 +7,17 @@
 #include "overroll/results.h"
 #include "results/checkpoint.h"
 
+/* A file that the case names, kept in the result if it is not larger than
+ * OVR_INPUT_MAX bytes. */
+enum { OVR_INPUT_MAX = 4 << 20 };
+typedef struct ovr_input {
+    const char *key;  /* "feature scratch.file" */
+    const char *name; /* as the case gives it */
+    const char *path; /* from the working directory */
+    size_t first;     /* the first input of the list with this path: itself, or
+                         one before it */
+} ovr_input;
+
 /* Options of a writer: what is written, and when.  A snapshot is stored at
  * every moment that any of the three schedules names; `times` (and multiples of
  * every_time) are hit exactly when the march asks ovr_writer_next_time. */
@@ -31,6 +42,9 @@ typedef struct ovr_write_options {
     const char *case_path;      /* where the case's relative paths start */
     size_t value_count;
     const ovr_case_value *values;
+    size_t input_count; /* files that the case names; read when the file is
+                           made, or opened again */
+    const ovr_input *inputs;
     unsigned physics; /* of ovr_setup_physics: columns of the history */
 } ovr_write_options;
 
@@ -168,6 +182,15 @@ ovr_status ovr_result_read(ovr_result *result, const char *path, size_t row,
  * two columns meanwhile. */
 ovr_status ovr_result_unresolved(ovr_result *result, ovr_arena *arena,
                                  bool *unresolved, ovr_error *err);
+
+/* Reads the bytes of an input that is kept into `bytes`, of input->bytes; fails
+ * if they do not have its SHA-256.  NULL: the k-th input. */
+ovr_status ovr_result_input_read(ovr_result *result, size_t k,
+                                 unsigned char *bytes, ovr_error *err);
+
+/* The number of the input that a key names, "feature scratch.file"; `count` of
+ * inputs where it names none. */
+size_t ovr_result_input_of(ovr_result *result, const char *key);
 
 ovr_write_options ovr_write_options_default(void);
 

@@ -11,6 +11,8 @@
 #include <unistd.h>
 
 #include "base/processors.h"
+#include "case/inputs.h"
+#include "case/resolve.h"
 #include "case/setup.h"
 #include "results/checkpoint.h"
 #include "results/layout.h"
@@ -61,21 +63,15 @@ static bool is_input(const char *path, const char *input)
 static ovr_status check_inputs(const char *path, const ovr_case *c,
                                ovr_error *err)
 {
-    const char *folder = ovr_case_directory(c);
-    bool clash = is_input(path, ovr_case_name(c));
-    for (size_t k = 0; !clash && k < ovr_case_entries(c); k++) {
-        ovr_case_entry entry = ovr_case_entry_at(c, k);
-        size_t length = strlen(entry.key);
-        char file[4096];
-        if (!entry.text || length < 4 || strcmp(entry.section, "output") == 0 ||
-            strcmp(entry.key + length - 4, "file") != 0)
-            continue;
-        snprintf(file, sizeof file, "%s%s%s",
-                 entry.text[0] != '/' && folder ? folder : "",
-                 entry.text[0] != '/' && folder && *folder ? "/" : "",
-                 entry.text);
-        clash = is_input(path, file);
-    }
+    ovr_arena arena = ovr_arena_make(NULL);
+    ovr_inputs inputs;
+    ovr_status status = ovr_case_inputs(c, &arena, &inputs, err);
+    bool clash = !status && is_input(path, ovr_case_name(c));
+    for (size_t k = 0; !status && !clash && k < inputs.count; k++)
+        clash = is_input(path, inputs.input[k].path);
+    ovr_arena_release(&arena);
+    if (status)
+        return status;
     return clash ? ovr_fail(err, OVR_BAD_INPUT,
                             "%s: the result would replace a file that the "
                             "case is read from",
@@ -234,6 +230,25 @@ static double stored_nodes(const ovr_setup *setup)
     return floor(fmax(to - from, 0) / setup->mesh / setup->output->stride) + 1;
 }
 
+/* The size of the inputs that the file will hold. */
+static double input_bytes(const ovr_case *c)
+{
+    ovr_arena arena = ovr_arena_make(NULL);
+    ovr_inputs inputs;
+    double bytes = 0;
+    if (ovr_case_inputs(c, &arena, &inputs, NULL))
+        return 0;
+    for (size_t k = 0; k < inputs.count; k++) {
+        struct stat about;
+        if (inputs.input[k].first == k &&
+            stat(inputs.input[k].path, &about) == 0 &&
+            about.st_size <= OVR_INPUT_MAX)
+            bytes += (double)about.st_size;
+    }
+    ovr_arena_release(&arena);
+    return bytes;
+}
+
 ovr_storage ovr_setup_storage(const ovr_setup *setup)
 {
     if (!setup)
@@ -257,6 +272,7 @@ ovr_storage ovr_setup_storage(const ovr_setup *setup)
     }
     s.bytes += s.snapshots * stored_nodes(setup) * (w.single ? 4 : 8) *
                (double)ovr_layout_fields(w.fields, NULL);
+    s.bytes += input_bytes(((const ovr_resolved *)setup)->c);
     return s;
 }
 
@@ -309,6 +325,15 @@ static const char *title_of(const char *name, ovr_arena *arena)
     return title;
 }
 
+static ovr_status want_inputs(target *w, const ovr_run *run, ovr_error *err)
+{
+    ovr_inputs inputs;
+    ovr_status status = ovr_case_inputs(run->c, &w->arena, &inputs, err);
+    w->options.inputs = inputs.input;
+    w->options.input_count = inputs.count;
+    return status;
+}
+
 static ovr_status want(target *w, ovr_run *run, ovr_error *err)
 {
     w->options = ovr_write_options_default();
@@ -319,6 +344,9 @@ static ovr_status want(target *w, ovr_run *run, ovr_error *err)
     w->options.times = w->times;
     w->options.values = w->values;
     w->options.case_text = ovr_case_text(run->c, err);
+    ovr_status status = want_inputs(w, run, err);
+    if (status)
+        return status;
     w->options.case_path = absolute(ovr_case_directory(run->c), &w->arena);
     w->options.title = run->title ? run->title
                                   : title_of(ovr_case_name(run->c), &w->arena);
@@ -347,6 +375,27 @@ static ovr_status have(ovr_run *run, ovr_writer *writer, ovr_error *err)
     return ovr_companions_open(run, err);
 }
 
+/* Reports the inputs that the result file does not hold. */
+static void note_inputs(ovr_run *run, const ovr_write_options *o)
+{
+    for (size_t k = 0; k < o->input_count; k++) {
+        const ovr_input *input = &o->inputs[k];
+        struct stat about;
+        char text[OVR_MESSAGE_SIZE];
+        if (input->first != k || stat(input->path, &about) != 0 ||
+            (S_ISREG(about.st_mode) && about.st_size <= OVR_INPUT_MAX))
+            continue;
+        snprintf(text, sizeof text,
+                 S_ISREG(about.st_mode)
+                     ? "the result file holds the SHA-256 of %.600s only, "
+                       "which is larger than 4 MB (%s)"
+                     : "the result file does not hold %.600s, which is not "
+                       "an ordinary file (%s)",
+                 input->path, input->key);
+        ovr_run_message(run, OVR_SAY_NOTE, text);
+    }
+}
+
 ovr_status ovr_output_open(ovr_run *run, ovr_error *err)
 {
     const ovr_state *state = ovr_simulation_state(run->sim);
@@ -356,6 +405,8 @@ ovr_status ovr_output_open(ovr_run *run, ovr_error *err)
         w.options.force = run->how.force;
         writer = ovr_writer_create(&w.options, run->setup->contact, state->n,
                                    state->X, &run->arena.allocator, err);
+        if (writer)
+            note_inputs(run, &w.options);
     }
     unwant(&w);
     return have(run, writer, err);

@@ -15,18 +15,23 @@
 
 /* ------------------------------------------------------- What a pass leaves */
 
-/* OUT.h5 -> OUT-3.h5. */
-const char *ovr_passes_file_of(ovr_run *run, int pass, ovr_error *err)
+const char *ovr_passes_name(const char *path, int pass, ovr_arena *arena,
+                            ovr_error *err)
 {
-    const char *path = run->passes->path, *dot = strrchr(path, '.');
+    const char *dot = strrchr(path, '.');
     size_t stem, capacity = strlen(path) + 16;
-    char *name = ovr_arena_take(&run->arena, capacity, 1, err);
+    char *name = ovr_arena_take(arena, capacity, 1, err);
     if (!dot || strchr(dot, '/'))
         dot = path + strlen(path);
     stem = (size_t)(dot - path);
     if (name)
         snprintf(name, capacity, "%.*s-%d%s", (int)stem, path, pass, dot);
     return name;
+}
+
+const char *ovr_passes_file_of(ovr_run *run, int pass, ovr_error *err)
+{
+    return ovr_passes_name(run->passes->path, pass, &run->arena, err);
 }
 
 static void blank(ovr_pass_row *row)

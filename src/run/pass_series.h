@@ -138,7 +138,11 @@ struct ovr_passes {
     ovr_pass_level level[OVR_PASS_LEVELS];
 };
 
-/* OUT.h5 -> OUT-3.h5, in the run's memory; rows and names for so many. */
+/* The result file of a pass: OUT-3.h5 of OUT.h5. */
+const char *ovr_passes_name(const char *path, int pass, ovr_arena *arena,
+                            ovr_error *err);
+
+/* The same of a run, in its memory; rows and names for so many. */
 const char *ovr_passes_file_of(ovr_run *run, int pass, ovr_error *err);
 ovr_status ovr_passes_make_rows(ovr_run *run, int number, ovr_error *err);
 

@@ -45,6 +45,15 @@ if "$PYTHON" -c 'import dask' 2>/dev/null; then
     contains out "^\('case', 'time', 'x'\)"
 fi
 
+printf '0 1\n1 1.1\n' >load.txt
+{ cat dent.ini && printf '[load]\nhistory = table\nfile = load.txt\n'
+} >load.ini
+expect 0 "$OVERROLL" run load.ini -o rough.h5
+{ snippets inputs && printf 'open("copy", "wb").write(data)\n'; } >read.py
+expect 0 "$PYTHON" read.py
+contains out "^load.file load.txt $(sha256sum load.txt | cut -d ' ' -f 1)"
+cmp load.txt copy || fail 'the bytes are others'
+
 mkdir bin
 ln -s "$OVERROLL" bin/overroll
 PATH=$PWD/bin:$PATH

@@ -63,6 +63,20 @@ static void read_fields(ovr_result *r, const ovr_result_info *about)
     free(values);
 }
 
+static void read_inputs(ovr_result *r)
+{
+    ovr_error err = {0};
+    const ovr_result_input *input;
+    for (size_t k = 0; (input = ovr_result_input_at(r, k)); k++) {
+        unsigned char *bytes = input->kept ? malloc((size_t)input->bytes + 1)
+                                           : NULL;
+        if (bytes)
+            ovr_result_input_read(r, k, bytes, &err);
+        free(bytes);
+    }
+    ovr_result_input_of(r, "feature scratch.file");
+}
+
 static void read_history(ovr_result *r, const ovr_result_info *about)
 {
     ovr_error err = {0};
@@ -104,6 +118,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         abort();
     read_fields(r, about);
     read_history(r, about);
+    read_inputs(r);
     read_all(r);
     ovr_result_close(r);
     return 0;

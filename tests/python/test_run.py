@@ -338,3 +338,21 @@ def test_a_body_that_yields(program):
     assert float(table.plastic_strain_max[0]) == \
         first.attrs["plastic_strain_max"]
     assert float(table.plastic_strain_max[1]) == 0
+
+
+def test_unpack(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "load.txt").write_text("0 1\n1 1.1\n2 1\n")
+    (tmp_path / "load.ini").write_text(
+        "[contact]\nM = 20\nL = 10\n[domain]\nlevel = 4\n"
+        "[time]\nend = 0.3\n[load]\nhistory = table\n"
+        "file = load.txt\n")
+    ovr.run("load.ini", output="first.h5")
+    paths = ovr.unpack("first.h5", "inputs")
+    assert paths == ["inputs/load.txt", "inputs/first.ini"]
+    with pytest.raises(ovr.BadInput, match="exists already"):
+        ovr.unpack("first.h5", "inputs")
+    (tmp_path / "load.txt").unlink()
+    ovr.unpack("first.h5", "inputs", force=True)
+    ovr.run("inputs/first.ini", output="second.h5")
+    same_file("first.h5", "second.h5")

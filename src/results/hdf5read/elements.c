@@ -156,15 +156,17 @@ static bool read_layout(ovr_piece b, ovr_dataset *set)
 }
 
 /* What has no chunks lies in the file as it is.  Of one dimension there are no
- * more rows than the file has bytes, packed or not: other columns are as long.
- * Of more, a row is a chunk, which deflate makes a thousand times smaller at
- * most. */
+ * more rows than the file has bytes (other columns are as long), or, where they
+ * are packed, than an input has bytes.  Of more, a row is a chunk, which
+ * deflate makes a thousand times smaller at most. */
 static bool sizes_are_possible(const ovr_source *source, const ovr_dataset *set)
 {
-    enum { SMALLEST = 1032 };
+    enum { SMALLEST = 1032, LARGEST = 4 << 20 };
     uint64_t bytes = source->bytes, row = set->width * set->element.size;
     if (!set->chunked)
         return !set->packed && row > 0 && set->shape[0] <= bytes / row;
+    if (set->packed && set->rank == 1 && bytes < LARGEST)
+        bytes = LARGEST;
     if (set->rank == 1)
         return set->shape[0] <= bytes && set->chunk <= bytes;
     return set->width > 0 && set->width / SMALLEST <= bytes &&

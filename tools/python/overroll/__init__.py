@@ -19,7 +19,7 @@ from ._library import (BadInput, Impossible, InputOutput, NoMemory,
                        NotConverged, OverrollError, OverrollWarning, Stopped)
 from ._find import Found, find
 from ._random import random
-from ._run import State, resume, run
+from ._run import State, resume, run, unpack
 from ._simulation import Film, Simulation, steady
 from ._solution import Solution
 from ._sweep import sweep
@@ -34,7 +34,8 @@ __all__ = [
     "BadInput", "Case", "Film", "Found", "Impossible", "InputOutput",
     "NoMemory", "NotConverged", "OverrollError", "OverrollWarning",
     "Parameter", "Simulation", "Solution", "State", "Stopped", "find",
-    "parameters", "resume", "run", "steady", "sweep", "__version__"]
+    "parameters", "resume", "run", "steady", "sweep", "unpack",
+    "__version__"]
 
 
 def __getattr__(name: str) -> Any:

@@ -6,13 +6,15 @@ import atexit
 import os
 import shutil
 import tempfile
+import warnings
 import weakref
 from typing import TYPE_CHECKING, Any, Callable, Optional, Union
 
 import numpy as np
 
 from ._case import Case, Path, case_of, value_text
-from ._library import ORIGIN, encoded, error_of, ffi, lib, new_error
+from ._library import (ORIGIN, OverrollWarning, encoded, error_of, ffi, lib,
+                       new_error, text)
 from ._progress import Progress, Teller
 from ._simulation import Heights, _RunCore, moving_heights, remember, warn
 from ._solution import Solution
@@ -250,3 +252,46 @@ def resume(path: Path, *, force: bool = False, progress: Progress = None,
     core = _RunCore(created, None)
     go(core, watch)
     return _finished(core)
+
+
+@ffi.callback("ovr_listener")
+def _listed(data: Any, kind: int, message: Any) -> None:
+    ffi.from_handle(data).append((kind, text(message)))
+
+
+def unpack(path: Path, folder: Path, *, force: bool = False) -> list[str]:
+    """Writes the case of a result file and the input files that it holds into
+    a folder, as `overroll info --inputs` does: running that case computes the
+    result again.
+
+    Parameters
+    ----------
+    path
+        A result file.
+    folder
+        Made if it is not there.
+    force
+        Replaces files there.
+
+    Returns
+    -------
+    list of str
+        The paths of the files, that of the case last.
+
+    Warns
+    -----
+    OverrollWarning
+        An input is not in the result file.
+    """
+    said: list[tuple[int, str]] = []
+    handle = ffi.new_handle(said)
+    err = new_error()
+    status = lib.ovr_result_unpack(encoded(os.fspath(path)),
+                                   encoded(os.fspath(folder)), force, _listed,
+                                   handle, err)
+    if status:
+        raise error_of(err, status)
+    for kind, message in said:
+        if kind == lib.OVR_SAY_WARNING:
+            warnings.warn(message, OverrollWarning, stacklevel=2)
+    return [message for kind, message in said if kind == lib.OVR_SAY_FILE]

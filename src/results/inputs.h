@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * The files that a case names (profiles, lift tables, flow curves), kept in its
+ * result file.  Group `inputs`: a dataset of bytes for each file, with the
+ * file's name, size and SHA-256 as attributes; attributes of the group name the
+ * dataset of each key.  A file of more than OVR_INPUT_MAX bytes has a dataset
+ * without bytes, and one that is no ordinary file no SHA-256 either.
+ */
+#ifndef OVR_RESULTS_INPUTS_H
+#define OVR_RESULTS_INPUTS_H
+
+#include "results/file.h"
+#include "results/hdf5read/hdf5read.h"
+
+/* 64 hexadecimal digits and a NUL; "": unknown. */
+typedef struct ovr_sha256 {
+    char text[65];
+} ovr_sha256;
+ovr_sha256 ovr_sha256_of(const void *bytes, size_t size);
+
+/* Reads the files and writes the group into a file without one. */
+ovr_status ovr_inputs_write(const ovr_file *file, const ovr_file_plan *plan,
+                            ovr_error *err);
+
+/* Fails if an input has other bytes than when the run began. */
+ovr_status ovr_inputs_check(ovr_container *container,
+                            const ovr_write_options *options, ovr_error *err);
+
+#endif
