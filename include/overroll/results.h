@@ -146,11 +146,12 @@ OVR_API const ovr_variable *ovr_result_column(const ovr_result *result,
 /* An input file of the run, which the case names; several keys of a case may
  * name the same. */
 typedef struct ovr_result_input {
-    const char *key;    /* that names it first: "feature scratch.file" */
-    const char *name;   /* as the case gives it */
-    const char *sha256; /* hexadecimal; "": the file was no ordinary one */
-    double bytes;       /* its size; NAN: unknown */
-    bool kept;          /* the result file holds its bytes */
+    const char *key;  /* that names it first: "feature scratch.file" */
+    const char *name; /* as the case gives it */
+    const char
+        *sha256;  /* hexadecimal; "" unless the file was an ordinary one */
+    double bytes; /* its size; NAN: unknown */
+    bool kept;    /* the result file holds its bytes */
 } ovr_result_input;
 
 /* The k-th input; NULL past the end. */

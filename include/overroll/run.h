@@ -213,12 +213,12 @@ ovr_stored_stress_setup(const ovr_stored_stress *stress);
 OVR_API const ovr_stress_report *
 ovr_stored_stress_report(const ovr_stored_stress *stress, int surface);
 
-/* Writes the case of a result file, and the input files that it holds, into a
- * folder, which is made if it is not there; running that case computes the
- * result again.  Files are in the folder itself, whatever their names were, and
- * the case names them so.  Existing ones are replaced with `force` only.  The
- * listener gets the path of each file (OVR_SAY_FILE), and warnings about inputs
- * that the result file does not hold. */
+/* Writes the case of a result file and its input files into a folder, made if
+ * necessary.  The run of that case computes the result again.  Files are
+ * written into the folder itself, whatever their names were, and the case names
+ * them so.  Existing ones are replaced with `force` only.  The listener gets
+ * the path of each file (OVR_SAY_FILE), and warnings about inputs that the
+ * result file does not hold. */
 OVR_API ovr_status ovr_result_unpack(const char *path, const char *folder,
                                      bool force, ovr_listener *listener,
                                      void *data, ovr_error *err);

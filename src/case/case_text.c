@@ -39,9 +39,9 @@ static bool is_later(const ovr_slot *slot)
     return slot->given && slot->line == 0;
 }
 
-/* A path that was set later starts at the working directory, in the text it
- * would start where the case is: it becomes absolute, if that is short enough
- * to be read again. */
+/* A path that was set later is relative to the working directory, and one in
+ * the text to the folder of the case.  The path becomes absolute, if a line can
+ * hold that. */
 static void put_path(growing *g, const char *path)
 {
     enum { LONGEST = OVR_LINE_MAX - OVR_NAME_MAX };

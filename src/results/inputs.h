@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The files that a case names (profiles, lift tables, flow curves), kept in its
- * result file.  Group `inputs`: a dataset of bytes for each file, with the
- * file's name, size and SHA-256 as attributes; attributes of the group name the
+ * result file.  The group `inputs` has a dataset of bytes for each file, with
+ * its name, size and SHA-256 as attributes.  Attributes of the group name the
  * dataset of each key.  A file of more than OVR_INPUT_MAX bytes has a dataset
  * without bytes, and one that is no ordinary file no SHA-256 either.
  */
@@ -12,7 +12,7 @@
 #include "results/file.h"
 #include "results/hdf5read/hdf5read.h"
 
-/* 64 hexadecimal digits and a NUL; "": unknown. */
+/* 64 hexadecimal digits and a NUL. */
 typedef struct ovr_sha256 {
     char text[65];
 } ovr_sha256;

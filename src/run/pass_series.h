@@ -142,7 +142,7 @@ struct ovr_passes {
 const char *ovr_passes_name(const char *path, int pass, ovr_arena *arena,
                             ovr_error *err);
 
-/* The same of a run, in its memory; rows and names for so many. */
+/* The same name in the memory of a run; rows and names for so many. */
 const char *ovr_passes_file_of(ovr_run *run, int pass, ovr_error *err);
 ovr_status ovr_passes_make_rows(ovr_run *run, int number, ovr_error *err);
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Writes what a result file holds of its run into a folder: the case, and the
- * input files that the case names.  Names come from a file that may be a
- * stranger's: each becomes the name of a file in the folder itself, without
- * path, control characters or a leading point, and different files have
+ * input files that the case names.  The names come from a file that may
+ * be a stranger's.  Each becomes the name of a file in the folder itself,
+ * without path, control characters or a leading point.  Different files have
  * different names.  The case names the files as they are written.  Links are
  * not followed, and nothing is written if anything is in the way.
  */

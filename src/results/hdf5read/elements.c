@@ -155,9 +155,9 @@ static bool read_layout(ovr_piece b, ovr_dataset *set)
            set->chunk > 0;
 }
 
-/* What has no chunks lies in the file as it is.  Of one dimension there are no
- * more rows than the file has bytes (other columns are as long), or, where they
- * are packed, than an input has bytes.  Of more, a row is a chunk, which
+/* What has no chunks lies in the file as it is.  A dataset of one dimension has
+ * no more rows than the file has bytes (other columns are as long), or, if
+ * packed, than an input has bytes.  Of more, a row is a chunk, which
  * deflate makes a thousand times smaller at most. */
 static bool sizes_are_possible(const ovr_source *source, const ovr_dataset *set)
 {
