@@ -142,7 +142,8 @@ struct ovr_passes {
 const char *ovr_passes_name(const char *path, int pass, ovr_arena *arena,
                             ovr_error *err);
 
-/* The same name in the memory of a run; rows and names for so many. */
+/* Returns that name in the memory of a run; makes rows and names for so many.
+ */
 const char *ovr_passes_file_of(ovr_run *run, int pass, ovr_error *err);
 ovr_status ovr_passes_make_rows(ovr_run *run, int number, ovr_error *err);
 
