@@ -97,7 +97,9 @@ typedef struct ovr_result_info {
     double u1_ratio, u2_ratio;
     double end;           /* time the run is to reach, b/um; NAN unknown */
     double seconds;       /* of wall time, as far as the run has ended */
-    size_t nodes;         /* stored nodes */
+    size_t nodes;         /* stored nodes along x */
+    size_t lines;         /* lines of a strip; 1: a line contact */
+    double width;         /* of a strip, b; 0: a line contact */
     size_t snapshots;     /* complete rows */
     size_t steps;         /* rows of history */
     const char *warnings; /* what was warned of, a line each, or "" */
@@ -172,6 +174,19 @@ OVR_API ovr_status ovr_result_times(ovr_result *result, ovr_units units,
 OVR_API ovr_status ovr_result_snapshot(ovr_result *result, const char *field,
                                        size_t k, ovr_units units,
                                        double *values, ovr_error *err);
+/* Read y[0..lines-1] of a strip, and one field of snapshot k, line after line
+ * of `nodes` values.  A line contact has one line at y = 0. */
+OVR_API ovr_status ovr_result_y(ovr_result *result, ovr_units units, double *y,
+                                ovr_error *err);
+OVR_API ovr_status ovr_result_areal(ovr_result *result, const char *field,
+                                    size_t k, ovr_units units, double *values,
+                                    ovr_error *err);
+
+/* Chooses the line nearest to *Y (b), whose values ovr_result_snapshot returns,
+ * and sets *Y to its place.  NAN: the line that [strip] shown names. */
+OVR_API ovr_status ovr_result_across(ovr_result *result, double *Y,
+                                     ovr_error *err);
+
 OVR_API ovr_status ovr_result_history(ovr_result *result, const char *name,
                                       ovr_units units, double *values,
                                       ovr_error *err);

@@ -196,6 +196,9 @@ static ovr_status resolve_output(ovr_resolved *r, ovr_error *err)
         return OVR_BAD_INPUT;
     out->every = r->values.every;
     out->single = r->values.precision == 1;
+    if (ovr_resolved_width(r) > 0 &&
+        !ovr_slot_of(r, "output", "precision")->given)
+        out->single = true;
     if (out->from >= out->to)
         return ovr_fail_slot(err, ovr_slot_of(r, "output", "from"),
                              "%g must be below to = %g", out->from, out->to);

@@ -514,6 +514,11 @@ size_t ovr_setup_lines(const ovr_setup *setup)
     return ovr_resolved_lines((const ovr_resolved *)setup, setup->mesh);
 }
 
+double ovr_setup_width(const ovr_setup *setup)
+{
+    return ovr_resolved_width((const ovr_resolved *)setup);
+}
+
 double ovr_resolved_arrives(const ovr_resolved *r)
 {
     double film = INFINITY;

@@ -45,6 +45,9 @@ double ovr_setup_memory(const ovr_setup *setup);
 /* Lines across rolling of a strip; 1 of a line contact. */
 size_t ovr_setup_lines(const ovr_setup *setup);
 
+/* Width of a strip, b; 0 of a line contact. */
+double ovr_setup_width(const ovr_setup *setup);
+
 /* The relative error that they add to the film per b/um of step, in a run. */
 double ovr_setup_lag(const ovr_setup *setup);
 

@@ -6,6 +6,7 @@
 
 #include "cli/output.h"
 #include "cli/passes.h"
+#include "cli/picture_options.h"
 #include "cli/table.h"
 
 typedef struct job {
@@ -93,6 +94,31 @@ static ovr_status add_snapshot(job *j, size_t k)
         double *values = add_column(j, field->name, field);
         if (!values || ovr_result_snapshot(j->result, field->name, k, j->units,
                                            values, j->err))
+            return j->err->status;
+    }
+    return OVR_OK;
+}
+
+/* A row for each node of a strip, line after line. */
+static ovr_status add_areal(job *j, size_t k)
+{
+    const ovr_variable *field;
+    size_t n = j->about->nodes, lines = j->about->lines;
+    double *x, *y;
+    j->table->rows = n * lines;
+    x = add_column(j, "x", ovr_result_find(j->result, "x"));
+    y = x ? add_column(j, "y", ovr_result_find(j->result, "x")) : NULL;
+    if (!y || ovr_result_x(j->result, j->units, x, j->err) ||
+        ovr_result_y(j->result, j->units, y, j->err))
+        return j->err->status;
+    for (size_t i = n * lines; i-- > 0;) {
+        y[i] = y[i / n];
+        x[i] = x[i % n];
+    }
+    for (size_t f = 0; (field = target_field(j, f)); f++) {
+        double *values = add_column(j, field->name, field);
+        if (!values || ovr_result_areal(j->result, field->name, k, j->units,
+                                        values, j->err))
             return j->err->status;
     }
     return OVR_OK;
@@ -248,7 +274,9 @@ static ovr_status chosen_row(const job *j, size_t *row)
 static ovr_status snapshot(job *j)
 {
     size_t row = 0;
-    if (chosen_row(j, &row) || add_snapshot(j, row))
+    if (chosen_row(j, &row))
+        return j->err->status;
+    if (cli_flag(j->call, "areal") ? add_areal(j, row) : add_snapshot(j, row))
         return j->err->status;
     cli_table_print(j->table, j->form, j->to);
     return OVR_OK;
@@ -396,6 +424,9 @@ static int read_choices(job *j)
                          form_name);
     if (cli_flag(j->call, "long") && cli_flag(j->call, "wide"))
         return cli_usage(j->call, "--long and --wide exclude each other");
+    if (cli_flag(j->call, "areal") && !cli_value(j->call, "snapshot") &&
+        !cli_value(j->call, "time"))
+        return cli_usage(j->call, "--areal needs --snapshot or --time");
     j->units = (ovr_units)k;
     j->form = (cli_table_form)f;
     return CLI_DONE;
@@ -445,6 +476,11 @@ static int run(cli_call *call)
     if (!j.result)
         return cli_fail(&err);
     j.about = ovr_result_about(j.result);
+    code = cli_choose_across(call, j.result);
+    if (code) {
+        ovr_result_close(j.result);
+        return code;
+    }
     j.table = calloc(1, sizeof *j.table);
     if (j.table) {
         code = write_all(&j);
@@ -468,6 +504,8 @@ static const cli_option options[] = {
      false},
     {"wide", NULL, "of all: side by side, a row for each x", false},
     {"at", "X", "fields at X (0.1mm, or bare in b) in time", true},
+    {"across", "Y", "line of a strip (0.1mm, or bare in b)", false},
+    {"areal", NULL, "of a strip: all lines, a row for each x and y", false},
     {"field", "NAME", "this field only (pressure, film_thickness, ...)", true},
     {"units", "NAME", "stored, hertzian or si", false},
     {"format", "NAME", "csv, gnuplot (# before names) or matlab (%)", false},

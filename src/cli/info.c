@@ -124,7 +124,10 @@ static void print_sizes(report *r)
 {
     const ovr_result_info *a = r->about;
     const ovr_observable *of;
-    printf("nodes      %zu\nfields    ", a->nodes);
+    printf("nodes      %zu", a->nodes);
+    if (a->lines > 1)
+        printf(" x %zu lines, a strip %.6g b wide", a->lines, a->width);
+    printf("\nfields    ");
     for (size_t k = 0; k < ovr_result_fields(r->result); k++)
         printf(" %s [%s]", ovr_result_field(r->result, k)->name,
                ovr_result_field(r->result, k)->unit);
@@ -222,6 +225,10 @@ static void json_contact(json_writer *j, const ovr_result_info *a)
 static void json_sizes(json_writer *j, const report *r)
 {
     json_integer(j, "nodes", (long long)r->about->nodes);
+    if (r->about->lines > 1) {
+        json_integer(j, "lines", (long long)r->about->lines);
+        json_number(j, "width_over_b", r->about->width);
+    }
     json_integer(j, "snapshots", (long long)r->about->snapshots);
     json_integer(j, "steps", (long long)r->about->steps);
     json_number(j, "T", last_time(r));

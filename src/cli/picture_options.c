@@ -113,13 +113,36 @@ int cli_picture_ranges(const cli_call *call, const ovr_result *result,
     return code;
 }
 
-int cli_open_results(const cli_call *call, ovr_result **results)
+int cli_choose_across(const cli_call *call, ovr_result *result)
+{
+    const char *text = cli_value(call, "across");
+    ovr_error err = {0};
+    double Y;
+    if (!text)
+        return CLI_DONE;
+    if (ovr_result_number(result, OVR_KIND_LENGTH, text, &Y, &err))
+        return cli_usage(call, "--across %s", err.message);
+    return ovr_result_across(result, &Y, &err) ? cli_fail(&err) : CLI_DONE;
+}
+
+static int open_result(const cli_call *call, const char *path,
+                       ovr_result **result)
 {
     ovr_error err = {0};
+    *result = ovr_result_open(path, NULL, &err);
+    if (!*result)
+        return cli_fail(&err);
+    int code = cli_choose_across(call, *result);
+    if (code)
+        ovr_result_close(*result);
+    return code;
+}
+
+int cli_open_results(const cli_call *call, ovr_result **results)
+{
     for (int k = 0; k < call->arguments; k++) {
-        results[k] = ovr_result_open(call->argument[k], NULL, &err);
-        if (!results[k]) {
-            int code = cli_fail(&err);
+        int code = open_result(call, call->argument[k], &results[k]);
+        if (code) {
             while (k--)
                 ovr_result_close(results[k]);
             return code;

@@ -14,6 +14,10 @@
          "positions shown, like -0.1mm:0.2mm or, in b, -2:1.5", false},        \
         {"time", "FROM:TO", "times shown, like 0:0.2ms or, in b/um, 0:2",      \
          false},                                                               \
+        {"across", "Y",                                                        \
+         "line of a strip, like 0.1mm or, in b, 0.5; default: the line "       \
+         "that [strip] shown names",                                           \
+         false},                                                               \
         {"p-max", "P", "upper end of the pressure axis, in ph or GPa", false}, \
         {"h-max", "H", "upper end of the film axis, in b^2/R or um", false},   \
         {"size", "WxH", "of the picture in pixels", false},                    \
@@ -34,6 +38,9 @@ int cli_picture_ranges(const cli_call *call, const ovr_result *result,
                        ovr_picture_options *options);
 
 enum { CLI_RESULTS = 8 };
+
+/* Chooses the line of a strip that --across gives. */
+int cli_choose_across(const cli_call *call, ovr_result *result);
 
 /* Opens the files named on the command line. */
 int cli_open_results(const cli_call *call, ovr_result **results);

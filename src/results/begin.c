@@ -30,9 +30,11 @@ long ovr_write_every(const ovr_write_options *o, double end, double dT,
     if (!o)
         return 0;
     size_t stored = nodes / (o->stride ? o->stride : 1) + 1;
+    bool strip = o->lines > 1;
     double row = (double)stored * (double)ovr_layout_fields(o->fields, NULL) *
-                 (o->single ? 4 : 8);
-    double maximum = fmin(250, fmax(50, 64e6 / row));
+                 (o->single ? 4 : 8) * (strip ? (double)o->lines : 1);
+    double maximum = fmin(250,
+                          strip ? fmax(25, 256e6 / row) : fmax(50, 64e6 / row));
     double every = ceil(end / dT / maximum);
     return every >= 1 && every < 1e9 ? (long)every : 1;
 }
@@ -107,6 +109,16 @@ static ovr_status choose_nodes(ovr_writer *w, const double *X, ovr_error *err)
                         "from %g to %g",
                         w->options.path, o->x_from, o->x_to);
     return OVR_OK;
+}
+
+/* Positions of the lines in the unit of the file; NULL of a line contact. */
+static double *line_positions(ovr_writer *w, ovr_error *err)
+{
+    double factor = ovr_factor(&w->scales, OVR_KIND_LENGTH);
+    double *y = ovr_arena_take(&w->arena, w->lines, sizeof *y, err);
+    for (size_t j = 0; y && j < w->lines; j++)
+        y[j] = factor * w->options.Y[j];
+    return y;
 }
 
 static double *stored_positions(ovr_writer *w, const double *X, ovr_error *err)
@@ -197,6 +209,10 @@ static ovr_status prepare(ovr_writer *w, const double *X, ovr_file_plan *plan,
                             .scales = &w->scales,
                             .nodes = w->nodes,
                             .created = w->created};
+    plan->lines = w->lines;
+    plan->y = w->lines > 1 ? line_positions(w, err) : NULL;
+    if (w->lines > 1 && !plan->y)
+        return OVR_NO_MEMORY;
     plan->x = stored_positions(w, X, err);
     if (!plan->x || weigh(w, &w->arena, plan, err))
         return OVR_NO_MEMORY;
@@ -206,7 +222,7 @@ static ovr_status prepare(ovr_writer *w, const double *X, ovr_file_plan *plan,
     if (take_names(w, err) || keep_case(w, err) || take_scratch(w, err))
         return OVR_NO_MEMORY;
     return ovr_queue_prepare(&w->queue,
-                             w->nodes * w->file.fields * w->file.element,
+                             w->file.values * w->file.fields * w->file.element,
                              w->file.columns, &w->arena, err);
 }
 
@@ -250,6 +266,7 @@ static ovr_writer *begin(const ovr_write_options *options,
     w->options = known;
     w->scales = ovr_scales_of(&of);
     w->n = n;
+    w->lines = known.lines ? known.lines : 1;
     w->file.file = w->file.store.fd = w->file.store.journal = -1;
     w->last_step = -1;
     w->last_T = -INFINITY;

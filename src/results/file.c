@@ -37,6 +37,8 @@ ovr_status ovr_file_prepare(ovr_file *f, const ovr_file_plan *plan,
                             ovr_arena *arena, ovr_error *err)
 {
     f->nodes = plan->nodes;
+    f->lines = plan->lines;
+    f->values = f->nodes * f->lines;
     f->element = plan->options->single ? sizeof(float) : sizeof(double);
     f->deflate = plan->options->deflate;
     f->fields = ovr_layout_fields(plan->options->fields, f->which);
@@ -50,7 +52,7 @@ ovr_status ovr_file_prepare(ovr_file *f, const ovr_file_plan *plan,
     forget_ids(f);
     if (ovr_store_prepare(&f->store, plan->options->path, arena, err) != OVR_OK)
         return OVR_NO_MEMORY;
-    return ovr_packer_prepare(&f->packer, f->nodes * f->element, f->deflate,
+    return ovr_packer_prepare(&f->packer, f->values * f->element, f->deflate,
                               arena, err);
 }
 
@@ -98,20 +100,27 @@ static bool grow(hid_t set, hsize_t rows, hsize_t nodes)
     return H5Dset_extent(set, size) >= 0;
 }
 
+static bool grow_field(const ovr_file *f, size_t k, hsize_t rows)
+{
+    hsize_t size[3] = {rows, f->lines, f->nodes};
+    return f->lines > 1 ? H5Dset_extent(f->field[k], size) >= 0
+                        : grow(f->field[k], rows, f->nodes);
+}
+
 static bool add_chunk(ovr_file *f, size_t k, const void *values)
 {
-    hsize_t at[2] = {f->snapshots, 0};
+    hsize_t at[3] = {f->snapshots, 0, 0};
     size_t element = ovr_file_element(f, f->which[k]), packed = 0;
     if (f->deflate)
-        packed = ovr_pack(&f->packer, values, f->nodes, element);
-    if (!grow(f->field[k], f->snapshots + 1, f->nodes))
+        packed = ovr_pack(&f->packer, values, f->values, element);
+    if (!grow_field(f, k, f->snapshots + 1))
         return false;
     if (packed)
         return H5Dwrite_chunk(f->field[k], H5P_DEFAULT, 0, at, packed,
                               f->packer.packed) >= 0;
     /* filter mask: shuffle and deflate both left out */
     return H5Dwrite_chunk(f->field[k], H5P_DEFAULT, f->deflate ? 3 : 0, at,
-                          f->nodes * element, values) >= 0;
+                          f->values * element, values) >= 0;
 }
 
 /* Appends `count` values to a column that has `rows`. */
@@ -138,7 +147,7 @@ ovr_status ovr_file_add_snapshot(ovr_file *f, double time, const void *rows,
     for (size_t k = 0; k < f->fields; k++) {
         if (!add_chunk(f, k, row))
             return write_failed(f, err);
-        row += f->nodes * ovr_file_element(f, f->which[k]);
+        row += f->values * ovr_file_element(f, f->which[k]);
     }
     if (!add_values(f, f->time, f->snapshots, 1, H5T_NATIVE_DOUBLE, &time) ||
         f->store.failed)
@@ -169,19 +178,25 @@ static ovr_status refuse(const ovr_file *f, const char *why, ovr_error *err)
     return ovr_fail(err, OVR_BAD_INPUT, "%s: %s", f->store.path, why);
 }
 
-/* The same positions to the bit: same domain, level, window and stride. */
-static bool same_positions(ovr_container *c, const ovr_file_plan *plan)
+/* Checks that an axis has these positions to the bit. */
+static bool same_axis(ovr_container *c, const char *name, size_t n,
+                      const double *values)
 {
-    double *found = ovr_arena_take(c->source.arena, plan->nodes, sizeof *found,
-                                   NULL);
+    double *found = ovr_arena_take(c->source.arena, n, sizeof *found, NULL);
     ovr_dataset x;
     uint64_t object;
     c->source.starved = c->source.starved || !found;
-    return found && ovr_container_find(c, c->root, "x", &object) &&
+    return found && ovr_container_find(c, c->root, name, &object) &&
            ovr_container_dataset(c, object, &x) && x.rank == 1 &&
-           x.shape[0] == plan->nodes &&
-           ovr_container_values(c, &x, 0, plan->nodes, found) &&
-           memcmp(found, plan->x, plan->nodes * sizeof *found) == 0;
+           x.shape[0] == n && ovr_container_values(c, &x, 0, n, found) &&
+           memcmp(found, values, n * sizeof *found) == 0;
+}
+
+/* The same domain, level, lines, window and stride. */
+static bool same_positions(ovr_container *c, const ovr_file_plan *plan)
+{
+    return same_axis(c, "x", plan->nodes, plan->x) &&
+           (!plan->y || same_axis(c, "y", plan->lines, plan->y));
 }
 
 /* Precision and filters are as they were when the file was made; the first
@@ -215,7 +230,7 @@ static bool drop_rows(ovr_file *f)
 {
     bool ok = grow(f->time, f->snapshots, 0) && grow(f->step, f->steps, 0);
     for (size_t k = 0; ok && k < f->fields; k++)
-        ok = grow(f->field[k], f->snapshots, f->nodes);
+        ok = grow_field(f, k, f->snapshots);
     for (size_t c = 0; ok && c < f->columns; c++)
         ok = grow(f->column[c], f->steps, 0);
     return ok;

@@ -32,7 +32,9 @@ typedef struct ovr_file {
     hid_t step, *column;
     size_t fields, columns;
     const ovr_observable *which[OVR_FIELDS_MAX], **row; /* the same order */
-    size_t nodes, element; /* of one field of one snapshot */
+    size_t nodes, lines; /* sizes of a snapshot; a line contact has one line */
+    size_t values;       /* nodes times lines */
+    size_t element;      /* bytes of a value */
     int deflate;
     char created[OVR_DATE_SIZE]; /* its date_created, when it was there */
     hsize_t snapshots, steps;    /* rows written */
@@ -46,6 +48,8 @@ typedef struct ovr_file_plan {
     const ovr_scales *scales;
     const double *x; /* stored positions, in the file's unit */
     size_t nodes;
+    size_t lines;          /* 1: a line contact */
+    const double *y;       /* positions of the lines, in the file's unit */
     const char *created;   /* its date_created */
     uint64_t number;       /* of the checkpoint that is gone on from */
     const double *weights; /* of x in integrals; NULL: not stored */

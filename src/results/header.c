@@ -194,20 +194,36 @@ static bool attach_columns(ovr_file *f)
     return ok;
 }
 
+static hid_t make_axis(const ovr_file *f, const ovr_file_plan *plan, dataset d,
+                       const char *axis, const double *values)
+{
+    d.kind = OVR_KIND_LENGTH;
+    d.type = H5T_IEEE_F64LE;
+    d.rank = 1;
+    hid_t set = ovr_header_dataset(f->file, &d, plan->scales);
+    bool ok = set_axis(set, axis) &&
+              H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
+                       values) >= 0;
+    if (!ok)
+        ovr_h5_drop(set);
+    return ok ? set : -1;
+}
+
 static hid_t make_positions(const ovr_file *f, const ovr_file_plan *plan)
 {
     dataset d = {.name = "x",
                  .long_name = "position along the contact",
-                 .kind = OVR_KIND_LENGTH,
-                 .type = H5T_IEEE_F64LE,
-                 .rank = 1,
                  .shape = {f->nodes}};
-    hid_t x = ovr_header_dataset(f->file, &d, plan->scales);
-    bool ok = set_axis(x, "X") && H5Dwrite(x, H5T_NATIVE_DOUBLE, H5S_ALL,
-                                           H5S_ALL, H5P_DEFAULT, plan->x) >= 0;
-    if (!ok)
-        ovr_h5_drop(x);
-    return ok ? x : -1;
+    return make_axis(f, plan, d, "X", plan->x);
+}
+
+/* Positions of the lines; -1 of a line contact. */
+static hid_t make_lines(const ovr_file *f, const ovr_file_plan *plan)
+{
+    dataset d = {.name = "y",
+                 .long_name = "position across rolling",
+                 .shape = {f->lines}};
+    return f->lines > 1 ? make_axis(f, plan, d, "Y", plan->y) : -1;
 }
 
 /* Weights of the nodes that are stored, by which sums are integrals over x,
@@ -245,7 +261,9 @@ size_t ovr_file_element(const ovr_file *f, const ovr_observable *which)
     return which->kind == OVR_KIND_FLAG ? 1 : f->element;
 }
 
-static bool make_field(ovr_file *f, const ovr_scales *scales, hid_t x, size_t k)
+/* `y` negative: a line contact. */
+static bool make_field(ovr_file *f, const ovr_scales *scales, hid_t x, hid_t y,
+                       size_t k)
 {
     const ovr_observable *which = f->which[k];
     size_t element = ovr_file_element(f, which);
@@ -261,6 +279,13 @@ static bool make_field(ovr_file *f, const ovr_scales *scales, hid_t x, size_t k)
                  .shape = {0, f->nodes},
                  .along = {f->time, x},
                  .deflate = f->deflate};
+    if (y >= 0) {
+        d.rank = 3;
+        d.shape[1] = f->lines;
+        d.shape[2] = f->nodes;
+        d.along[1] = y;
+        d.along[2] = x;
+    }
     f->field[k] = ovr_header_dataset(f->file, &d, scales);
     return f->field[k] >= 0;
 }
@@ -335,12 +360,15 @@ static bool set_conventions(hid_t root, const ovr_file_plan *plan)
     snprintf(line, sizeof line, "%s overroll %s", date, OVERROLL_VERSION);
     return ovr_h5_set_chars(root, "Conventions", "CF-1.8") &&
            ovr_h5_set_chars(root, "title",
-                            o->title && o->title[0]
-                                ? o->title
+                            o->title && o->title[0] ? o->title
+                            : o->lines > 1
+                                ? "Transient rough EHL line contact, a strip"
                                 : "Transient rough EHL line contact") &&
            ovr_h5_set_chars(root, "history", line) &&
            ovr_h5_set_chars(root, "source", "overroll " OVERROLL_VERSION) &&
-           ovr_h5_set_integer(root, "format_version", OVR_FORMAT_VERSION) &&
+           ovr_h5_set_integer(root, "format_version",
+                              o->lines > 1 ? OVR_FORMAT_STRIP
+                                           : OVR_FORMAT_VERSION) &&
            ovr_h5_set_string(root, "status", "running") &&
            ovr_h5_set_string(root, "reason", "") &&
            ovr_h5_set_string(root, "warnings", "") &&
@@ -392,35 +420,52 @@ static bool set_scales(hid_t root, const ovr_scales *scales, double end)
     return ok;
 }
 
+/* Width of a strip, line that is shown by default. */
+static bool set_strip(hid_t root, const ovr_write_options *o)
+{
+    return o->lines <= 1 ||
+           (ovr_h5_set_number(root, "strip_width_over_b", o->width) &&
+            ovr_h5_set_number(root, "shown_line", (double)o->shown) &&
+            ovr_h5_set_number(root, "shown_over_b", o->Y[o->shown]));
+}
+
 bool ovr_header_write(ovr_file *f, const ovr_file_plan *plan)
 {
-    hid_t x = -1;
+    hid_t x = -1, y = -1;
     bool ok = set_conventions(f->file, plan) &&
               set_scales(f->file, plan->scales, plan->options->end) &&
+              set_strip(f->file, plan->options) &&
               ovr_header_extremes(f->file, plan->scales, NULL) &&
               make_time(f, plan->scales);
     if (ok)
         x = make_positions(f, plan);
     ok = x >= 0 && (!plan->weights || make_weights(f, plan, x));
+    if (ok)
+        y = make_lines(f, plan);
+    ok = ok && (f->lines <= 1 || y >= 0);
     for (size_t k = 0; ok && k < f->fields; k++)
-        ok = make_field(f, plan->scales, x, k);
+        ok = make_field(f, plan->scales, x, y, k);
     ok = ok && make_history(f, plan->scales) && make_case(f, plan->options);
+    ovr_h5_drop(y);
     ovr_h5_drop(x);
     return ok;
 }
 
 static bool open_fields(ovr_file *f, const ovr_scales *scales)
 {
-    hid_t x = H5Dopen2(f->file, "x", H5P_DEFAULT);
+    hid_t x = H5Dopen2(f->file, "x", H5P_DEFAULT), y = -1;
     bool ok = x >= 0;
+    if (f->lines > 1)
+        y = H5Dopen2(f->file, "y", H5P_DEFAULT);
     for (size_t k = 0; ok && k < f->fields; k++) {
         const char *name = f->which[k]->name;
         if (H5Lexists(f->file, name, H5P_DEFAULT) > 0)
             f->field[k] = H5Dopen2(f->file, name, H5P_DEFAULT);
         else
-            make_field(f, scales, x, k);
+            make_field(f, scales, x, y, k);
         ok = f->field[k] >= 0;
     }
+    ovr_h5_drop(y);
     ovr_h5_drop(x);
     return ok;
 }

@@ -10,7 +10,11 @@
 
 #include "overroll/results.h"
 
-enum { OVR_FORMAT_VERSION = 2, OVR_FIELDS_MAX = 32 };
+enum {
+    OVR_FORMAT_VERSION = 2,
+    OVR_FORMAT_STRIP = 3, /* fields are (time, y, x) */
+    OVR_FIELDS_MAX = 32
+};
 
 /* The columns of the history where these physics are on, or the fields of a
  * set of them, in the order in which they are written: how many; into `rows`,

@@ -315,6 +315,19 @@ ovr_status ovr_result_x(ovr_result *r, ovr_units units, double *x,
     return read_values(r, &what, units, x, err);
 }
 
+ovr_status ovr_result_y(ovr_result *r, ovr_units units, double *y,
+                        ovr_error *err)
+{
+    if (!r || !y)
+        return ovr_fail_null(err, __func__);
+    part what = {r->y, 0, r->info.lines, false};
+    if (!r->y) {
+        y[0] = 0;
+        return OVR_OK;
+    }
+    return read_values(r, &what, units, y, err);
+}
+
 ovr_status ovr_result_times(ovr_result *r, ovr_units units, double *times,
                             ovr_error *err)
 {
@@ -356,18 +369,79 @@ ovr_status ovr_result_read(ovr_result *r, const char *path, size_t row,
     return status ? status : read_values(r, &what, units, values, err);
 }
 
+static ovr_status find_field(const ovr_result *r, const char *field, size_t k,
+                             part *what, ovr_error *err)
+{
+    *what = (part){find(r->field, r->fields, field), k, 0, false};
+    if (!what->variable)
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: has no field '%s'", r->path,
+                        field);
+    return choose_row(r, what, err);
+}
+
+ovr_status ovr_result_areal(ovr_result *r, const char *field, size_t k,
+                            ovr_units units, double *values, ovr_error *err)
+{
+    part what;
+    if (!r || !field || !values)
+        return ovr_fail_null(err, __func__);
+    ovr_status status = find_field(r, field, k, &what, err);
+    return status ? status : read_values(r, &what, units, values, err);
+}
+
+/* The shown line of a snapshot of a strip. */
+static ovr_status read_line(ovr_result *r, const part *what, ovr_units units,
+                            double *values, ovr_error *err)
+{
+    ovr_arena work = ovr_arena_make(&r->arena.allocator);
+    double *all = ovr_arena_take(&work, what->count, sizeof *all, err);
+    ovr_status status = all ? read_values(r, what, units, all, err)
+                            : OVR_NO_MEMORY;
+    if (!status)
+        memcpy(values, all + r->shown * r->info.nodes,
+               r->info.nodes * sizeof *values);
+    ovr_arena_release(&work);
+    return status;
+}
+
 ovr_status ovr_result_snapshot(ovr_result *r, const char *field, size_t k,
                                ovr_units units, double *values, ovr_error *err)
 {
+    part what;
     if (!r || !field)
         return ovr_fail_null(err, __func__);
-    part what = {find(r->field, r->fields, field), k, 0, false};
-    ovr_status status;
-    if (!what.variable)
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: has no field '%s'", r->path,
-                        field);
-    status = choose_row(r, &what, err);
-    return status ? status : read_values(r, &what, units, values, err);
+    ovr_status status = find_field(r, field, k, &what, err);
+    if (status)
+        return status;
+    return what.variable->rank == 3 ? read_line(r, &what, units, values, err)
+                                    : read_values(r, &what, units, values, err);
+}
+
+ovr_status ovr_result_across(ovr_result *r, double *Y, ovr_error *err)
+{
+    if (!r || !Y)
+        return ovr_fail_null(err, __func__);
+    if (r->info.lines < 2)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "%s: is the result of a line contact and has no lines "
+                        "across rolling",
+                        r->path);
+    ovr_arena work = ovr_arena_make(&r->arena.allocator);
+    double *y = ovr_arena_take(&work, r->info.lines, sizeof *y, err);
+    ovr_status status = y ? ovr_result_y(r, OVR_HERTZIAN, y, err)
+                          : OVR_NO_MEMORY;
+    double nearest = INFINITY, W = r->info.width;
+    for (size_t j = 0; !status && !isnan(*Y) && j < r->info.lines; j++) {
+        double apart = fabs(remainder(y[j] - *Y, W));
+        if (apart < nearest - 1e-9) {
+            nearest = apart;
+            r->shown = j;
+        }
+    }
+    if (!status)
+        *Y = y[r->shown];
+    ovr_arena_release(&work);
+    return status;
 }
 
 ovr_status ovr_result_history(ovr_result *r, const char *name, ovr_units units,

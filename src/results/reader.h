@@ -21,7 +21,8 @@ struct ovr_result {
     ovr_result_input *input;
     const char **input_path; /* of its dataset */
     size_t inputs;
-    const ovr_variable *x, *time, **field, **column;
+    const ovr_variable *x, *y, *time, **field, **column;
+    size_t shown; /* line that snapshots are of */
     size_t variables, fields, columns, groups;
     double version; /* of the file's format */
     bool starved;   /* a text did not fit into memory */

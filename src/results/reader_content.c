@@ -189,6 +189,21 @@ const ovr_variable *ovr_result_find(const ovr_result *r, const char *path)
     return NULL;
 }
 
+/* The lines of a strip, and the one that is shown. */
+static bool open_lines(ovr_result *r)
+{
+    double shown = ovr_container_number(&r->container, r->container.root,
+                                        "shown_line");
+    ovr_dataset y;
+    r->y = ovr_result_find(r, "y");
+    if (!r->y || !ovr_reader_dataset(r, "y", &y) || y.rank != 1 ||
+        y.shape[0] == 0)
+        return false;
+    r->info.lines = (size_t)y.shape[0];
+    r->shown = shown >= 0 && shown < (double)r->info.lines ? (size_t)shown : 0;
+    return true;
+}
+
 /* x and time, and the number of rows that both have.  There are no more nodes
  * than positions, and those are in the file. */
 static ovr_status open_axes(ovr_result *r, ovr_error *err)
@@ -201,6 +216,9 @@ static ovr_status open_axes(ovr_result *r, ovr_error *err)
         x.shape[0] == 0 || time.rank != 1)
         return damaged(r, "no x or no time", err);
     r->info.nodes = (size_t)x.shape[0];
+    r->info.lines = 1;
+    if (r->version == OVR_FORMAT_STRIP && !open_lines(r))
+        return damaged(r, "no y", err);
     r->info.snapshots = (size_t)time.shape[0];
     if (!count_complete(r, &time, &r->info.snapshots))
         return damaged(r, "its time", err);
@@ -221,8 +239,10 @@ static void sort_variables(ovr_result *r)
     r->info.steps = SIZE_MAX;
     for (size_t k = 0; k < r->variables; k++) {
         const ovr_variable *v = &r->variable[k];
-        if (v->name == v->path && v->rank == 2 &&
-            v->shape[1] == r->info.nodes) {
+        bool strip = r->info.lines > 1;
+        if (v->name == v->path && v->rank == (strip ? 3 : 2) &&
+            v->shape[v->rank - 1] == r->info.nodes &&
+            (!strip || v->shape[1] == r->info.lines)) {
             minimum(&r->info.snapshots, v->shape[0]);
             r->field[r->fields++] = v;
         } else if (v->rank == 1 && v->name == v->path + strlen(history) &&
@@ -286,6 +306,7 @@ static void read_attributes(ovr_result *r)
     i->u2_ratio = number_of(r, "u2_over_um");
     i->end = number_of(r, "time_end") / (i->physical ? i->time : 1);
     i->seconds = number_of(r, "date_seconds");
+    i->width = r->info.lines > 1 ? number_of(r, "strip_width_over_b") : 0;
 }
 
 ovr_status ovr_reader_not_ours(ovr_result *r, ovr_error *err)
@@ -307,11 +328,12 @@ static ovr_status check_format(ovr_result *r, ovr_error *err)
     r->version = number_of(r, "format_version");
     if (isnan(r->version))
         return ovr_reader_not_ours(r, err);
-    if (r->version != OVR_FORMAT_VERSION)
+    if (r->version != OVR_FORMAT_VERSION && r->version != OVR_FORMAT_STRIP)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%s: is written in format version %g, and this program "
-                        "reads version %d",
-                        r->path, r->version, OVR_FORMAT_VERSION);
+                        "reads versions %d and %d",
+                        r->path, r->version, OVR_FORMAT_VERSION,
+                        OVR_FORMAT_STRIP);
     return OVR_OK;
 }
 

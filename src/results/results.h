@@ -46,6 +46,10 @@ typedef struct ovr_write_options {
                            made, or opened again */
     const ovr_input *inputs;
     unsigned physics; /* of ovr_setup_physics: columns of the history */
+    size_t lines;     /* of a strip; 0 or 1 of a line contact */
+    const double *Y;  /* of the lines, b */
+    size_t shown;     /* line that readers show by default */
+    double width;     /* of a strip, b */
 } ovr_write_options;
 
 /* A frame is what a writer records.  `field` is asked at snapshots only, for
@@ -57,6 +61,9 @@ typedef struct ovr_frame {
     const double *(*field)(const void *source, const ovr_observable *which,
                            double *workspace);
     const void *source;
+    /* Makes `field` give the values of one line of a strip; of the shown line
+     * if it is beyond the last. */
+    void (*show)(const void *source, size_t line);
     const ovr_statistics *total; /* extremes of the run; or NULL */
 } ovr_frame;
 
@@ -72,8 +79,8 @@ typedef struct ovr_group {
  * ored; 0 for a name that is none. */
 unsigned ovr_field_bit(const char *name);
 
-/* Steps between snapshots such that a run to `end` keeps about 250 of them,
- * fewer when they would take more than 64 MB as they lie in memory. */
+/* Computes the steps between snapshots for a run to `end`.  The run has about
+ * 250 snapshots, fewer above 64 MB in memory (a strip: 256 MB). */
 long ovr_write_every(const ovr_write_options *options, double end, double dT,
                      size_t nodes);
 

@@ -12,12 +12,20 @@ static const double *field_of(const void *sim, const ovr_observable *which,
     return which->field(sim, workspace);
 }
 
+static void show_line(const void *sim, size_t line)
+{
+    ovr_simulation_show((ovr_simulation *)sim, line);
+}
+
 static ovr_frame frame_of(ovr_writer *w)
 {
     const ovr_simulation *sim = w->observed;
-    return (ovr_frame){ovr_simulation_state(sim),
-                       ovr_simulation_observation(sim), field_of, sim,
-                       ovr_simulation_statistics(sim)};
+    return (ovr_frame){.state = ovr_simulation_state(sim),
+                       .seen = ovr_simulation_observation(sim),
+                       .field = field_of,
+                       .source = sim,
+                       .show = w->lines > 1 ? show_line : NULL,
+                       .total = ovr_simulation_statistics(sim)};
 }
 
 ovr_status ovr_writer_observe(void *writer, const ovr_simulation *sim,

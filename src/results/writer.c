@@ -32,14 +32,17 @@ static double value_at(const ovr_writer *w, const ovr_observable *which,
     return (values[i > 0 ? i - 1 : 0] + values[i < last ? i : last - 1]) / 2;
 }
 
-void ovr_writer_fill(const ovr_writer *w, const ovr_frame *frame,
-                     unsigned char *rows)
+/* Fills one line of each field; `rows` are those of the snapshot. */
+static void fill_line(const ovr_writer *w, const ovr_frame *frame, size_t line,
+                      unsigned char *rows)
 {
     for (size_t f = 0; f < w->file.fields; f++) {
         const ovr_observable *which = w->file.which[f];
         const double *from = frame->field(frame->source, which, w->workspace);
         double factor = ovr_factor(&w->scales, which->kind);
         size_t element = ovr_file_element(&w->file, which);
+        unsigned char *after = rows + w->file.values * element;
+        rows += line * w->nodes * element;
         for (size_t k = 0; k < w->nodes; k++, rows += element) {
             double value = factor * value_at(w, which, from, k);
             if (element == sizeof(double))
@@ -49,7 +52,20 @@ void ovr_writer_fill(const ovr_writer *w, const ovr_frame *frame,
             else
                 *(signed char *)rows = (signed char)value;
         }
+        rows = after;
     }
+}
+
+void ovr_writer_fill(const ovr_writer *w, const ovr_frame *frame,
+                     unsigned char *rows)
+{
+    for (size_t line = 0; line < w->lines; line++) {
+        if (frame->show)
+            frame->show(frame->source, line);
+        fill_line(w, frame, line, rows);
+    }
+    if (frame->show)
+        frame->show(frame->source, w->lines);
 }
 
 /* ------------------------------------------------------------------- Writer */

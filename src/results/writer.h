@@ -16,7 +16,8 @@ struct ovr_writer {
 
     ovr_scales scales;
     ovr_schedule schedule;
-    size_t n;            /* nodes of the run */
+    size_t n;            /* nodes of the run along x */
+    size_t lines;        /* of a strip; 1: a line contact */
     size_t first, nodes; /* the stored ones: first + k * stride */
     double *workspace;   /* for a field on its way */
 

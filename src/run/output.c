@@ -214,6 +214,7 @@ static void choose(ovr_write_options *w, const ovr_setup *setup, bool no_thread)
     w->no_thread = no_thread || ovr_processors() < 2;
     w->checkpoint_interval = out->checkpoint;
     w->end = setup->transient ? setup->march->end : NAN;
+    w->lines = ovr_setup_lines(setup);
     if (out->title)
         w->title = out->title;
     if (!out->every && !(out->interval > 0) && !w->time_count)
@@ -270,8 +271,8 @@ ovr_storage ovr_setup_storage(const ovr_setup *setup)
         s.snapshots = fmin(s.snapshots, steps + 1);
         s.bytes = (steps + 1) * 8 * (double)ovr_layout_columns(w.physics, NULL);
     }
-    s.bytes += s.snapshots * stored_nodes(setup) * (w.single ? 4 : 8) *
-               (double)ovr_layout_fields(w.fields, NULL);
+    s.bytes += s.snapshots * stored_nodes(setup) * (double)w.lines *
+               (w.single ? 4 : 8) * (double)ovr_layout_fields(w.fields, NULL);
     s.bytes += input_bytes(((const ovr_resolved *)setup)->c);
     return s;
 }
@@ -284,12 +285,13 @@ double ovr_setup_output_memory(const ovr_setup *setup)
     ovr_arena arena = ovr_arena_make(NULL);
     double bytes = INFINITY;
     double *X = ovr_arena_take(&arena, setup->nodes, sizeof *X, NULL);
+    w.Y = ovr_arena_take(&arena, ovr_setup_lines(setup), sizeof *w.Y, NULL);
     for (size_t i = 0; X && i < setup->nodes; i++)
         X[i] = setup->options->inlet + (double)i * setup->mesh;
     w.path = "counted";
     w.times = make_times(setup, &arena, &w.time_count);
     choose(&w, setup, false);
-    if (X && w.times)
+    if (X && w.Y && w.times)
         bytes = ovr_writer_memory(&w, setup->contact, setup->nodes, X);
     ovr_arena_release(&arena);
     return bytes;
@@ -351,6 +353,12 @@ static ovr_status want(target *w, ovr_run *run, ovr_error *err)
     w->options.title = run->title ? run->title
                                   : title_of(ovr_case_name(run->c), &w->arena);
     choose(&w->options, run->setup, run->how.no_thread);
+    w->options.Y = ovr_simulation_lines(run->sim, &w->options.lines,
+                                        &w->options.shown);
+    w->options.width = ovr_setup_width(run->setup);
+    for (size_t k = 0; w->values && k < w->options.value_count; k++)
+        if (strcmp(w->values[k].name, "output.precision") == 0)
+            w->values[k].text = w->options.single ? "f32" : "f64";
     if (!w->values || !w->times)
         return ovr_fail(err, OVR_NO_MEMORY, "out of memory");
     return w->options.case_text ? OVR_OK : OVR_NO_MEMORY;

@@ -241,6 +241,22 @@ void ovr_simulation_across(ovr_simulation *sim, ovr_heights_across *heights)
     sim->across = heights;
 }
 
+void ovr_simulation_show(ovr_simulation *sim, size_t line)
+{
+    if (sim && sim->solver)
+        sim->solver->is->in_solve->solver->show(sim, sim->solver->own, line);
+}
+
+const double *ovr_simulation_lines(const ovr_simulation *sim, size_t *count,
+                                   size_t *shown)
+{
+    *count = 1;
+    *shown = 0;
+    return sim && sim->solver ? sim->solver->is->in_solve->solver->lines(
+                                    sim->solver->own, count, shown)
+                              : NULL;
+}
+
 void ovr_simulation_histories(ovr_simulation *sim, const ovr_history *load,
                               const ovr_history *speed)
 {

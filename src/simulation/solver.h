@@ -28,6 +28,12 @@ typedef struct ovr_solver {
 
     /* Observes film, pressure, mass flow and friction of all lines. */
     void (*observe)(ovr_simulation *sim, void *own, ovr_observation *o);
+
+    /* Copies a line to `now`; the shown line if it is beyond the last. */
+    void (*show)(ovr_simulation *sim, void *own, size_t line);
+
+    /* Returns the Y of all lines, b, their number and the shown line. */
+    const double *(*lines)(const void *own, size_t *count, size_t *shown);
 } ovr_solver;
 
 #endif

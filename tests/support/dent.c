@@ -40,7 +40,8 @@ void test_dent_init(test_dent *d, size_t n, double dT)
     d->flow = block + 6 * n;
     for (size_t i = 0; i < n; i++)
         d->X[i] = -4 + d->D * (double)i;
-    d->frame = (ovr_frame){&d->state, &d->seen, field_of, d, NULL};
+    d->frame = (ovr_frame){
+        .state = &d->state, .seen = &d->seen, .field = field_of, .source = d};
     test_dent_move(d, 0);
 }
 

@@ -26,7 +26,7 @@ static const ovr_parameter output_keys[] = {
     {"fields", WORDS(fields), "pressure, film_thickness, roughness",
      AT(output.fields), false, ALWAYS, "fields of a snapshot"},
     {"precision", CHOICE(precisions), "f64", AT(precision), false, ALWAYS,
-     "of the stored numbers"},
+     "of the stored numbers; default of a strip: f32"},
     {"from", LENGTH(-1e6, 1e6), NULL, AT(output.from), false, ALWAYS,
      "X of the first stored node"},
     {"to", LENGTH(-1e6, 1e6), NULL, AT(output.to), false, ALWAYS,

@@ -37,8 +37,8 @@ static const ovr_parameter keys[] = {
     {"ends", CHOICE(ends), "periodic", AT(ends), true, ALWAYS,
      "periodic: the strip repeats across rolling"},
     {"shown", LENGTH(-1e3, 1e3), NULL, AT(shown), false, ALWAYS,
-     "Y of the line along x that tables, pictures and the fields (time, x) "
-     "of result files show; default: centre of the first feature"},
+     "Y of the line along x that tables and pictures show; default: centre of "
+     "the first feature"},
 };
 
 const ovr_section ovr_strip_section = {

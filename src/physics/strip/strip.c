@@ -391,6 +391,20 @@ static void step_back(ovr_simulation *sim, void *own)
     ovr_strip_show(sim, s, s->shown);
 }
 
+static void show(ovr_simulation *sim, void *own, size_t line)
+{
+    const ovr_strip_solver *s = own;
+    ovr_strip_show(sim, s, line < s->lines ? line : s->shown);
+}
+
+static const double *lines_of(const void *own, size_t *count, size_t *shown)
+{
+    const ovr_strip_solver *s = own;
+    *count = s->lines;
+    *shown = s->shown;
+    return s->Y;
+}
+
 static ovr_status check(const ovr_simulation *sim, const void *own,
                         ovr_error *err)
 {
@@ -447,14 +461,13 @@ static const ovr_physics_in_case in_case = {
 static const ovr_physics_in_solve in_solve = {
     .take = take,
     .release = release,
-    .solver = &(const ovr_solver){steady, attempt, step_back,
-                                  ovr_strip_observe},
+    .solver = &(const ovr_solver){steady, attempt, step_back, ovr_strip_observe,
+                                  show, lines_of},
     .begin = begin};
 
 static const ovr_physics_in_step in_step = {.check = check, .visit = visit};
 
 static const ovr_physics_in_output in_output = {
-    .companion = &ovr_strip_companion,
     .unknown = ovr_strip_unknown,
     .quantity = ovr_strip_quantities,
     .quantities = OVR_STRIP_QUANTITIES};

@@ -41,8 +41,6 @@ size_t ovr_strip_lines(const ovr_strip_form *form, double D);
 
 /* ------------------------------------------------------------- the solver */
 
-extern const struct ovr_companion ovr_strip_companion;
-
 /* Places in ovr_observation.more. */
 enum {
     OVR_STRIP_Y_MIN = 16,

@@ -1,0 +1,83 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A strip from the case to its file: fields (time, y, x), lines and areas of it,
+# resume to the bit, the estimate of its size, refusals.
+. "$TOP/tests/support/cli.sh"
+
+cat >dent.ini <<'END'
+[contact]
+M = 20
+L = 10
+[domain]
+level = 4
+[strip]
+width = 2
+[time]
+end = 1
+[feature dent]
+shape = dent
+depth = 0.08
+width = 1
+start = -2
+across = 0.5
+[output]
+every = 4
+END
+
+expect 0 "$OVERROLL" run dent.ini -o whole.h5 -q
+
+# Dimensions and coordinates as netCDF's own tools see them.
+if command -v ncdump >/dev/null; then
+    ncdump -h whole.h5 >head.txt
+    for line in 'float pressure(time, y, x)' 'float roughness(time, y, x)' \
+        'float film_thickness(time, y, x)' 'y:axis = "Y"' \
+        ':format_version = 3' ':shown_over_b = 0.5' \
+        'output.precision = "f32"'; do
+        grep -qF "$line" head.txt || fail "no '$line' in the header"
+    done
+fi
+
+expect 0 "$OVERROLL" info whole.h5
+contains out 'nodes      113 x 28 lines, a strip 2 b wide'
+
+# All lines at once and one after the other are the same numbers.
+expect 0 "$OVERROLL" export whole.h5 --snapshot last --areal -o all.csv
+for y in -1 0 0.5; do
+    expect 0 "$OVERROLL" export whole.h5 --snapshot last --across $y -o one.csv
+    rm -f some.csv
+    awk -F, -v y=$y 'NR > 1 { d = $2 - y; if (d < 1e-9 && d > -1e-9)
+        print $1 "," $3 "," $4 "," $5 }' all.csv >some.csv
+    [ "$(wc -l <some.csv)" = 113 ] || fail "line $y is not in the area"
+    tail -n +2 one.csv | cmp - some.csv || fail "line $y differs"
+    rm -f one.csv
+done
+[ "$(wc -l <all.csv)" = $((113 * 28 + 1)) ] || fail "rows of the area"
+
+# The line that is shown is that of the dent.
+expect 0 "$OVERROLL" export whole.h5 --snapshot last -o shown.csv
+expect 0 "$OVERROLL" export whole.h5 --snapshot last --across 0.5 -o dent.csv
+cmp shown.csv dent.csv || fail "the line of the dent is not shown"
+
+# A longer run, of all lines at each snapshot, has the bits of the whole one.
+expect 0 "$OVERROLL" run dent.ini -o part.h5 -q --set time.end=0.45
+expect 0 "$OVERROLL" resume part.h5 -q --set time.end=1
+for file in whole part; do
+    content $file.h5 >$file.txt
+    for k in 0 2 4 last; do
+        "$OVERROLL" export $file.h5 --snapshot $k --areal >>$file.txt
+    done
+done
+cmp whole.txt part.txt || fail "resumed run differs"
+
+# Three fields of 113 x 28 floats for each of 6 snapshots, and the history.
+expect 0 "$OVERROLL" check dent.ini --json
+number disk_bytes >bytes
+awk '$1 < 72 * 113 * 28 || $1 > 78 * 113 * 28 { exit 1 }' bytes ||
+    fail "size of the file: $(cat bytes)"
+
+expect 2 "$OVERROLL" export whole.h5 --areal
+contains err '--areal needs --snapshot or --time'
+sed '/strip/,/width = 2/d; /time/,$d' dent.ini >line.ini
+expect 0 "$OVERROLL" run line.ini -o line.h5 -q
+expect 2 "$OVERROLL" export line.h5 --across 0
+contains err 'has no lines across rolling'
