@@ -193,6 +193,8 @@ typedef struct ovr_observation {
     double T, dT;
     double H_min, X_min;                 /* nodal */
     double H_min_located, X_min_located; /* parabola through three nodes */
+    double H_min_cavity, X_min_cavity;   /* where there is no pressure; NAN:
+                                            not smaller */
     double H_cen;                        /* cubic about X = 0 */
     double film_Rq; /* of the film in |X| < OVR_ROUGH_WINDOW: rho H there about
                        its mean, over the mean density; NAN: smooth surfaces */

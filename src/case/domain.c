@@ -8,6 +8,7 @@
 #include "contact/reversal.h"
 #include "contact/starvation.h"
 #include "simulation/internal.h"
+#include "surface/surfaces.h"
 
 /* A run is looked at beforehand at so many moments; among which jumps are
  * looked for. */
@@ -348,6 +349,41 @@ static extent chosen_domain(moments *m)
         *(opens(m->setup, middle) ? &near : &far) = middle;
     }
     return near;
+}
+
+/* -------------------------------------------------------- Outlet by features
+ */
+
+/* Height that surfaces bring to the film's end: of all that is rough together,
+ * and of the highest single shape. */
+static double raised_by_features(const ovr_surfaces *surfaces)
+{
+    double rough = 0, single = 0;
+    for (size_t k = 0; k < ovr_surfaces_count(surfaces); k++) {
+        ovr_feature_info f = ovr_surfaces_info(surfaces, k);
+        if (f.Rq > 0)
+            rough += f.raised;
+        else
+            single = fmax(single, f.raised);
+    }
+    return rough + single;
+}
+
+/* Hertz's gap at the end of the film grows by 1.2 times that height at most.
+ * M = 3 to 90, L = 7 to 22, rough surfaces, waves and ridges of up to 0.7 b^2/R
+ * gave that.  Bumps that slide grow by 1.3 times the height, hollows by 0.15
+ * times the depth, and others by 0.9 times. */
+double ovr_setup_feature_outlet(const ovr_setup *setup)
+{
+    const double growth = 1.2, longest = 2, tenths = 10;
+    ovr_domain_needs needs = ovr_setup_needs(setup);
+    double gap = ovr_hertz_gap(fmax(needs.film_end, 1) - 1);
+    double X = needs.outlet, last = longest * X;
+    if (setup->surfaces)
+        gap += growth * raised_by_features(setup->surfaces);
+    while (X < last && ovr_hertz_gap(X - 1) < gap)
+        X = (floor(X * tenths + 1e-6) + 1) / tenths;
+    return fmin(X, last);
 }
 
 ovr_domain_needs ovr_setup_needs(const ovr_setup *s)

@@ -30,6 +30,10 @@ typedef struct ovr_domain_needs {
 } ovr_domain_needs;
 ovr_domain_needs ovr_setup_needs(const ovr_setup *setup);
 
+/* The outlet that the film does not reach while the features pass, at most
+ * twice that of smooth surfaces.  The features must have been made. */
+double ovr_setup_feature_outlet(const ovr_setup *setup);
+
 /* Decides if the curvature is convected with the material, on that domain. */
 ovr_status ovr_setup_curvature(ovr_resolved *r, ovr_error *err);
 

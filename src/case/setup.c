@@ -136,11 +136,26 @@ static ovr_status make_anew(ovr_resolved *r, const ovr_allocator *allocator,
     return OVR_OK;
 }
 
+/* True if the outlet may move to make room for the film of high features.  All
+ * passes have the same domain. */
+static bool may_move_outlet(const ovr_resolved *r)
+{
+    const ovr_slot *slot = ovr_slot_of(r, "domain", "outlet");
+    bool usual = !slot->given || (slot->word && !isnan(slot->number));
+    return usual && !r->recorded && r->setup.passes->number == 1 &&
+           !ovr_history_reverses(r->setup.speed);
+}
+
 static ovr_status place_surfaces(ovr_resolved *r, bool usual,
                                  const ovr_allocator *allocator, ovr_error *err)
 {
     ovr_setup *s = &r->setup;
     ovr_status status = make_anew(r, allocator, err);
+    double outlet = status ? 0 : ovr_setup_feature_outlet(s);
+    if (outlet > s->options->outlet && may_move_outlet(r)) {
+        s->options->outlet = outlet;
+        status = make_anew(r, allocator, err);
+    }
     if (status || !usual || ovr_history_reverses(s->speed) || !is_overrun(r))
         return status;
     double kept = kept_inlet(r);

@@ -103,6 +103,21 @@ static void warn_of_roughness(const ovr_review *r, const ovr_statistics *total)
                        total->when.H_min_located, Rq);
 }
 
+/* The pressure is zero at the last node, wherever the film would end. */
+static void warn_of_full_outlet(const ovr_review *r,
+                                const ovr_statistics *total)
+{
+    const ovr_setup *s = r->setup;
+    double end = fabs(total->extreme.X_cavitation);
+    if (!(end > s->options->outlet - 0.5 * s->mesh))
+        return;
+    ovr_review_say(r, OVR_SAY_WARNING,
+                   "the film reaches the outlet boundary X = %.4g at T = %.4g, "
+                   "which cuts off its pressure; set domain.outlet = %.4g",
+                   s->options->outlet, total->when.X_cavitation,
+                   1.5 * s->options->outlet);
+}
+
 /* The ordinary is 3 cycles a step; the steady start has its own. */
 static void warn_of_cycles(const ovr_review *r, const ovr_statistics *total)
 {
@@ -122,6 +137,7 @@ static void warn_of_extremes(const ovr_review *r, const ovr_statistics *total)
     warn_of_spike(r, total);
     warn_of_thin_film(r, total);
     warn_of_roughness(r, total);
+    warn_of_full_outlet(r, total);
     warn_of_cycles(r, total);
 }
 

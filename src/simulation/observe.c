@@ -37,6 +37,36 @@ static double mean_film(const ovr_simulation *sim, inside in, double *roughness)
     return sum[FILM] / sum[WIDTH];
 }
 
+/* True at nodes with pressure, of the film or of asperities, and next to
+ * them. */
+static bool bears(const double *P, size_t i)
+{
+    return P[i - 1] > 0 || P[i] > 0 || P[i + 1] > 0;
+}
+
+/* Finds the minimum film thickness: the smallest gap that bears load.  Rough
+ * surfaces may be closer to each other in the cavity. */
+static void observe_minimum(const ovr_simulation *sim, ovr_observation *o)
+{
+    const double *X = sim->now.X, *H = sim->now.H;
+    const double *P = ovr_solid_pressure(sim, sim->scratch[1]);
+    size_t n = sim->now.n, low = 0;
+    size_t smallest = 1 + sim->grids.kernels->extreme(n - 2, 1, H + 1);
+    o->H_min_cavity = o->X_min_cavity = NAN;
+    if (bears(P, smallest))
+        low = smallest;
+    for (size_t i = 1; i + 1 < n && low != smallest; i++)
+        if (bears(P, i) && (!low || H[i] < H[low]))
+            low = i;
+    if (!low) /* a film without pressure */
+        low = smallest;
+    if (low != smallest)
+        o->X_min_cavity = ovr_vertex(X, H, smallest, &o->H_min_cavity);
+    o->H_min = H[low];
+    o->X_min = X[low];
+    o->X_min_located = ovr_vertex(X, H, low, &o->H_min_located);
+}
+
 static void observe_film(const ovr_simulation *sim, ovr_observation *o)
 {
     const double *H = sim->now.H, T = sim->state.T;
@@ -44,10 +74,7 @@ static void observe_film(const ovr_simulation *sim, ovr_observation *o)
     double narrower = fmin(1, sqrt(ovr_history_value(sim->load, T) *
                                    ovr_history_value(sim->radius, T)));
     const inside in = nodes_inside(&sim->now, OVR_ROUGH_WINDOW * narrower);
-    size_t low = 1 + sim->grids.kernels->extreme(sim->now.n - 2, 1, H + 1);
-    o->H_min = H[low];
-    o->X_min = sim->now.X[low];
-    o->X_min_located = ovr_vertex(sim->now.X, H, low, &o->H_min_located);
+    observe_minimum(sim, o);
     o->H_cen = ovr_value_at(&sim->now, H, 0);
     o->H_mean = mean_film(sim, in, &o->film_Rq);
     if (!sim->heights)

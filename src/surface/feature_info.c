@@ -21,6 +21,16 @@ static double amplitude(const ovr_feature *f)
     return f->areal ? f->areal->largest : maximum;
 }
 
+/* Height above the smooth surface. */
+static double raised(const ovr_feature *f)
+{
+    bool both = f->shape == OVR_WAVE || f->shape == OVR_CHIRP;
+    double maximum = fmax(both ? fabs(f->A) : f->A, f->shoulder);
+    for (size_t i = 0; f->table && i < f->table->n; i++)
+        maximum = fmax(maximum, f->table->z[i]);
+    return f->areal ? f->areal->largest : fmax(maximum, 0);
+}
+
 static double roughness(const ovr_feature *f)
 {
     size_t n = f->table ? f->table->n : 0;
@@ -55,6 +65,7 @@ static ovr_feature_info info_of(const ovr_feature *f)
         .shape = f->shape,
         .speed = f->ratio,
         .amplitude = amplitude(f),
+        .raised = raised(f),
         .wavelength = f->finest,
         .wavelength_is = f->table || f->areal ? "mean" : "shortest",
         .diameter = ovr_shape_diameter(f),

@@ -11,6 +11,7 @@ typedef struct ovr_feature_info {
     ovr_shape shape;
     double speed;      /* u_k/um */
     double amplitude;  /* largest |S| */
+    double raised;     /* largest S, at least 0; the amplitude of areal maps */
     double wavelength; /* the shortest that matters, b: a grid needs several
                           nodes in it; of local shapes the feature's width,
                           of tables of heights 2 pi Rq/Rdq */

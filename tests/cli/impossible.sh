@@ -43,6 +43,7 @@ M = 20
 L = 10
 [domain]
 level = 5
+outlet = 1.5
 [time]
 end = 4
 [feature wall]

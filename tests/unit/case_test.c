@@ -397,6 +397,34 @@ TEST(a_start_of_second_order_takes_short_steps)
     }
 }
 
+/* The outlet leaves room for the film's end while high features pass. */
+TEST(high_features_move_the_outlet)
+{
+    static const struct {
+        const char *feature;
+        double least, most;
+    } rows[] = {
+        {"shape = ridge\nheight = 0.01\n", 1.5, 1.5},
+        {"shape = ridge\nheight = 0.5\n", 1.6, 1.9},
+        {"shape = dent\ndepth = 0.5\n", 1.5, 1.5},
+        {"shape = ridge\nheight = 30\n", 3, 3},
+        {"shape = ridge\nheight = 0.5\n[domain]\noutlet = 1.6\n", 1.6, 1.6}};
+    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+        char source[300];
+        ovr_case *c;
+        ovr_setup *s;
+        ovr_error err = {0};
+        snprintf(source, sizeof source,
+                 "%s[time]\nend = 1\n[feature f]\nwidth = 0.5\nstart = -5\n%s",
+                 moes, rows[k].feature);
+        assert_int_equal(try_case(source, &c, &s, &err), OVR_OK);
+        CHECK_OK(ovr_setup_prepare(s, NULL, &err), &err);
+        assert_true(s->options->outlet >= rows[k].least - 1e-9 &&
+                    s->options->outlet <= rows[k].most + 1e-9);
+        done(c, s);
+    }
+}
+
 static ovr_status attempt(void *source, const ovr_allocator *hook,
                           ovr_error *err)
 {

@@ -126,3 +126,63 @@ TEST(a_spike_needs_prominence)
     assert_int_equal(o.maxima, 2);
     assert_true(o.P_spike > 0.3 && o.X_spike > 0.5);
 }
+
+/* Minimum film thickness and gap in the cavity of one step, by definition. */
+typedef struct gaps {
+    int cavity, steps;
+    double largest_X; /* of the film's end */
+} gaps;
+
+static ovr_status compare_gaps(void *data, const ovr_simulation *sim,
+                               ovr_error *err)
+{
+    const ovr_state *s = ovr_simulation_state(sim);
+    const ovr_observation *o = ovr_simulation_observation(sim);
+    double film = INFINITY, cavity = INFINITY;
+    gaps *seen = data;
+    (void)err;
+    for (size_t i = 1; i + 1 < s->n; i++) {
+        bool bears = s->P[i - 1] + s->P[i] + s->P[i + 1] > 0;
+        double *low = bears ? &film : &cavity;
+        *low = fmin(*low, s->H[i]);
+    }
+    CHECK_NEAR(o->H_min, film, 0);
+    assert_true(isnan(o->H_min_cavity) == !(cavity < film));
+    if (cavity < film) {
+        CHECK_CLOSE(o->H_min_cavity, cavity, 0.05);
+        assert_true(o->X_min_cavity > 1);
+        seen->cavity++;
+    }
+    seen->steps++;
+    seen->largest_X = fmax(seen->largest_X, o->X_cavitation);
+    return OVR_OK;
+}
+
+/* A ridge leaves the contact: in the cavity the surfaces are closer to each
+ * other than in the film for some steps, and the film ends inside the domain.
+ */
+TEST(gaps_of_the_cavity_are_no_film_thickness)
+{
+    static const char *const text =
+        "[contact]\nM = 20\nL = 10\n[domain]\nlevel = 6\n[time]\nend = 4\n"
+        "[feature f]\nshape = ridge\nheight = 0.3\nwidth = 0.6\n"
+        "start = -2\ngrow = 0.5\n";
+    ovr_error err = {0};
+    ovr_case *c = ovr_case_read_text(text, "t", NULL, NULL, &err);
+    ovr_setup *s = c ? ovr_case_resolve(c, NULL, &err) : NULL;
+    ovr_simulation *sim = s ? ovr_setup_simulation(s, NULL, &err) : NULL;
+    gaps seen = {0};
+    ovr_observer observer = {compare_gaps, NULL, &seen};
+    if (!sim || ovr_simulation_steady(sim, &err))
+        fail_msg("%s", err.message);
+    ovr_march march = *s->march;
+    march.observers = &observer;
+    march.count = 1;
+    CHECK_OK(ovr_simulation_march(sim, &march, &err), &err);
+    assert_true(seen.cavity > 3 && seen.steps > seen.cavity);
+    assert_true(s->options->outlet > 1.5);
+    assert_true(seen.largest_X < s->options->outlet - 2 * s->mesh);
+    ovr_simulation_free(sim);
+    ovr_setup_free(s);
+    ovr_case_free(c);
+}

@@ -44,8 +44,9 @@ static const ovr_parameter domain_keys[] = {
     {"outlet", LENGTH_OR(ends, 1.05, 1e6), "usual", AT(options.outlet), true,
      ALWAYS,
      "X of the last node; usual: 1.5 at the largest load and radius of the run "
-     "and its passes, or further downstream where the film ends later, and up "
-     "to 4.5 if load or radius jump; auto: twice the film end of rigid bodies, "
+     "and its passes, or further downstream where the film ends later, up to "
+     "4.5 if load or radius jump and up to 3 if high features pass; auto: "
+     "twice the film end of rigid bodies, "
      "if that is further"},
     {"level", WHOLE_OR(levels, 1, OVR_LEVELS - 1), "usual", AT(options.level),
      true, ALWAYS,

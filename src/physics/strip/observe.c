@@ -136,6 +136,8 @@ void ovr_strip_observe(ovr_simulation *sim, void *own, ovr_observation *o)
     o->lambda_ratio = sim->roughness > 0 ? o->H_mean / sim->roughness : NAN;
     o->H_min = low.H_min;
     o->X_min = low.X_min;
+    o->H_min_cavity = low.H_min_cavity;
+    o->X_min_cavity = low.X_min_cavity;
     o->X_min_located = low.X_min_located;
     o->H_min_located = vertex_across(s, s->located[0], low_line,
                                      &o->more[OVR_STRIP_Y_MIN]);
