@@ -60,7 +60,7 @@ override BUILD := $(BUILD)-san
 # FAST run one: all are the same source, and a kernel takes 3 s of the compiler
 # for vectors of two, 6 s for vectors of four.
 KIND := -fsanitize=address,undefined -fno-sanitize-recover=all \
-        -fno-omit-frame-pointer -O1 -g1 -DOVR_NO_AVX512 \
+        -fno-omit-frame-pointer -O1 -g1 -DOVR_NO_AVX512 -DOVR_CHECKED \
         $(if $(FAST),-DOVR_NO_AVX2)
 # In kernels these are four fifths of the compiler's time (36 s for 8 of
 # line.kernel.c), and find nothing that the address sanitizer does not where it

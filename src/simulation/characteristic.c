@@ -190,24 +190,23 @@ size_t ovr_inflow_departure(const ovr_simulation *sim, const double *q,
 }
 
 void ovr_inflow_history(ovr_simulation *sim, const double c[2],
-                        const double a[2])
+                        const double a[2], double *F)
 {
-    double *F = sim->scratch[0];
     memset(F, 0, sim->now.n * sizeof *F);
     add_departure(sim, 0, c[0], a[0], F);
     add_departure(sim, 1, c[1], a[1], F);
 }
 
-double *ovr_inflow_prediction(ovr_simulation *sim, double T, const double e[3])
+bool ovr_inflow_prediction(ovr_simulation *sim, double T, const double e[3],
+                           double *q)
 {
-    double *q = sim->scratch[0];
     for (int k = 0; k < 3; k++)
         if (!ovr_inflow_reaches(sim, ovr_travel_since(sim, k, T)))
-            return NULL;
+            return false;
     memset(q, 0, sim->now.n * sizeof *q);
     for (int k = 0; k < 3; k++)
         add_departure(sim, k, e[k], ovr_travel_since(sim, k, T), q);
-    return q;
+    return true;
 }
 
 bool ovr_inflow_third(ovr_simulation *sim, double T, double dT, double *third)

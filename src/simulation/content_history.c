@@ -277,7 +277,7 @@ static void weigh(const ovr_simulation *sim, ptrdiff_t ghosts, double b2,
 void ovr_carriage_history(ovr_simulation *sim, double dT, const double c[2])
 {
     ovr_carriage *own = &sim->arrival.carriage;
-    double *F = sim->scratch[0], *kept = sim->scratch[1];
+    double *F = ovr_work_take(sim), *kept = ovr_work_take(sim);
     double *q = sim->inflow.extended + OVR_GHOSTS;
     double *B = own->extended + OVR_GHOSTS;
     double b2 = c[1] * dT, kappa = -c[0] * dT - 1 - b2;
@@ -307,6 +307,8 @@ void ovr_carriage_history(ovr_simulation *sim, double dT, const double c[2])
     }
     ovr_nodes_write(sim, sim->finest, kept, sim->finest->f.kept);
     ovr_history_term(sim, F);
+    ovr_work_give(sim, kept);
+    ovr_work_give(sim, F);
 }
 
 void ovr_carriage_move(ovr_simulation *sim, double T, const double *x,
@@ -346,11 +348,11 @@ void ovr_content_history(ovr_simulation *sim, double dT, const double c[2])
 {
     const double *const *q = (const double *const *)sim->past.q;
     const double *P = sim->past.P[0];
-    double *F = sim->scratch[0], *kept = sim->scratch[1];
     if (sim->scheme->characteristic) {
         ovr_carriage_history(sim, dT, c);
         return;
     }
+    double *F = ovr_work_take(sim), *kept = ovr_work_take(sim);
     double b2 = c[1] * dT, kappa = -c[0] * dT - 1 - b2;
     if (sim->scheme->order == 1)
         kappa = 0;
@@ -363,4 +365,6 @@ void ovr_content_history(ovr_simulation *sim, double dT, const double c[2])
     }
     ovr_level_write(&sim->grids, sim->finest, F, sim->finest->f.F);
     ovr_level_write(&sim->grids, sim->finest, kept, sim->finest->f.kept);
+    ovr_work_give(sim, kept);
+    ovr_work_give(sim, F);
 }

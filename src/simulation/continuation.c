@@ -34,11 +34,12 @@ static void set_equations(path *p, double s)
 {
     ovr_simulation *sim = p->sim;
     ovr_level *finest = sim->finest;
-    double *F = sim->scratch[0];
+    double *F = ovr_work_take(sim);
     ovr_nodes_read(sim, finest, finest->f.F, F);
     sim->grids.kernels->combine(finest->grid.n, 1, F, s - p->s, sim->lacking,
                                 F);
     ovr_nodes_write(sim, finest, F, finest->f.F);
+    ovr_work_give(sim, F);
     finest->force = p->load[0] + s * (p->load[1] - p->load[0]);
     if (s == 1)
         finest->force = p->load[1];
@@ -53,9 +54,10 @@ static void begin_from(const path *p, double s)
     double factor = stretch > 0 ? (s - p->at) / stretch : 0;
     const double weight[] = {1 + factor, -factor};
     const double *const from[] = {sim->saved, sim->saved_before};
-    double *P = sim->scratch[0];
+    double *P = ovr_work_take(sim);
     sim->grids.kernels->extrapolate(sim->finest->grid.n, 2, weight, from, P);
     ovr_nodes_write(sim, sim->finest, P, sim->finest->f.P);
+    ovr_work_give(sim, P);
     OVR_EACH_PHYSICS(sim, each, in_step, go_back)
         each->is->in_step->go_back(sim, each->own, sim->saved);
     sim->grids.H0 = p->H0 + factor * (p->H0 - p->H0_before);

@@ -130,23 +130,26 @@ static void standing_heights(const ovr_simulation *sim, double *S)
 static bool stands_apart(ovr_simulation *sim)
 {
     size_t n = sim->now.n;
-    double *S = sim->scratch[0];
     if (!sim->standing_given || !sim->heights)
         return false;
+    double *S = ovr_work_take(sim);
     ovr_surface_heights(sim, 0, n, sim->now.X, sim->S);
     standing_heights(sim, S);
-    return sim->grids.kernels->difference(n, S, sim->S) > 0;
+    bool apart = sim->grids.kernels->difference(n, S, sim->S) > 0;
+    ovr_work_give(sim, S);
+    return apart;
 }
 
 /* The finest gap of those alone. */
 static void standing_gap(ovr_simulation *sim)
 {
     const ovr_smooth smooth = ovr_simulation_smooth(sim, 0);
-    double *gap = sim->scratch[0];
+    double *gap = ovr_work_take(sim);
     standing_heights(sim, gap);
     for (size_t i = 0; i < sim->now.n; i++)
         gap[i] = ovr_smooth_at(&smooth, sim->now.X[i]) - gap[i];
     ovr_nodes_write(sim, sim->finest, gap, sim->finest->f.gap);
+    ovr_work_give(sim, gap);
 }
 
 /* A solution to be corrected need not be better than its discretization error.
@@ -279,12 +282,13 @@ static fourth *fourth_of(const ovr_simulation *sim)
 void ovr_fourth_leave(ovr_simulation *sim)
 {
     fourth *f = fourth_of(sim);
-    double *F = sim->scratch[0];
     if (!f || sim->order != 4)
         return;
+    double *F = ovr_work_take(sim);
     ovr_nodes_read(sim, sim->finest, sim->finest->f.F, F);
     sim->grids.kernels->combine(f->n, 1, F, -1, f->F, F);
     ovr_nodes_write(sim, sim->finest, F, sim->finest->f.F);
+    ovr_work_give(sim, F);
     withdraw(sim, f);
     ovr_simulation_gap(sim, 0);
     ovr_level_refresh(&sim->grids, sim->finest);
@@ -401,14 +405,13 @@ static void fade(const ovr_simulation *sim, fourth *f, double *carried)
     const double sharp = 3.5;
     const double *P = sim->now.P, *H = sim->now.H;
     size_t n = f->n, wet = 0, smooth = 0;
-    if (sim->backward) {
-        ovr_mirror(n, P, sim->scratch[0]);
-        P = sim->scratch[0];
-    }
-    const double end = film_end(P, n);
+    double *image = ovr_work_take(sim);
+    if (sim->backward)
+        ovr_mirror(n, P, image);
+    const double end = film_end(sim->backward ? image : P, n);
+    ovr_work_give(sim, image);
     /* Almost all nodes lie before this one and keep what they have. */
     const double fades = end - sharp - OVER - 1;
-    P = sim->now.P;
     for (size_t i = 0; i < n; i++) {
         bool inside = i >= OVR_FOURTH_MARGIN && i + OVR_FOURTH_MARGIN < n;
         size_t along = sim->backward ? n - 1 - i : i, ahead = i + WET;
@@ -475,7 +478,7 @@ static void rest(ovr_simulation *sim, fourth *f, double dT)
     static const double bdf2[] = {1.5, -2, 0.5, 0},
                         third[] = {1. / 3, -1, 1, -1. / 3};
     double a = fabs(ovr_history_value(sim->speed, 0)) * dT;
-    double *more = sim->scratch[1];
+    double *more = ovr_work_take(sim);
     size_t from = 0, n = f->n;
     memset(more, 0, n * sizeof *more);
     memcpy(f->rest, f->constant, n * sizeof *more);
@@ -488,6 +491,7 @@ static void rest(ovr_simulation *sim, fourth *f, double dT)
         f->rest[i] = used ? f->rest[i] + f->mask[i] * more[i] : 0;
     }
     f->rest_dT = dT;
+    ovr_work_give(sim, more);
 }
 
 static void before_step(ovr_simulation *sim, void *own, double T)
@@ -545,13 +549,14 @@ void ovr_fourth_sides(const ovr_simulation *sim, double *F)
 static void attempt(ovr_simulation *sim, void *own, bool first)
 {
     fourth *f = own;
-    double *F = sim->scratch[0];
     if (first || f->without || !f->follows)
         return;
+    double *F = ovr_work_take(sim);
     f->without = true;
     ovr_nodes_read(sim, sim->finest, sim->finest->f.F, F);
     add_all(sim, f, -1, F);
     ovr_nodes_write(sim, sim->finest, F, sim->finest->f.F);
+    ovr_work_give(sim, F);
     if (sim->F_before_heat)
         add_all(sim, f, -1, sim->F_before_heat);
 }

@@ -77,13 +77,16 @@ static double slope_force(const ovr_solution *now, const double *P,
 
 static void observe_slopes(ovr_simulation *sim, ovr_observation *o)
 {
-    double *S = sim->scratch[0], *G[2] = {&o->F_slope_1, &o->F_slope_2};
+    double *G[2] = {&o->F_slope_1, &o->F_slope_2};
     if (!ovr_has_heights(sim))
         return;
-    const double *P = ovr_solid_pressure(sim, sim->scratch[1]);
+    double *S = ovr_work_take(sim), *solid = ovr_work_take(sim);
+    const double *P = ovr_solid_pressure(sim, solid);
     for (int k = 0; k < 2; k++)
         if (ovr_heights_of(sim, k + 1, S))
             *G[k] = slope_force(&sim->now, P, S);
+    ovr_work_give(sim, solid);
+    ovr_work_give(sim, S);
 }
 
 /* Parameters of the gap outside a dry contact of the load and curvature at T.

@@ -54,18 +54,20 @@ static void set_operator(ovr_simulation *sim, double dt)
 static void set_equations(const settling *s, double dt)
 {
     ovr_simulation *sim = s->sim;
-    double *side = sim->scratch[0];
+    double *side = ovr_work_take(sim);
     set_operator(sim, dt);
     sim->grids.kernels->combine(sim->now.n, 1, s->F, -1 / dt, s->q, side);
     ovr_nodes_write(sim, sim->finest, side, sim->finest->f.F);
+    ovr_work_give(sim, side);
 }
 
 static void set_gap(const settling *s, double t)
 {
     ovr_simulation *sim = s->sim;
-    double *gap = sim->scratch[0], missing = s->grown ? 0 : fmax(0, 1 - t);
+    double *gap = ovr_work_take(sim), missing = s->grown ? 0 : fmax(0, 1 - t);
     sim->grids.kernels->combine(sim->now.n, 1, s->gap, missing, s->S, gap);
     ovr_nodes_write(sim, sim->finest, gap, sim->finest->f.gap);
+    ovr_work_give(sim, gap);
 }
 
 static void keep(settling *s)

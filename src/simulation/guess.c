@@ -287,27 +287,30 @@ void ovr_guess_learn(ovr_simulation *sim, double dT)
 {
     formula found[OVR_GUESSES];
     size_t number[OVR_GUESSES], count = follow(sim, dT, found, number);
-    double *guess = sim->scratch[0], *off = sim->past.guess_error;
+    double *off = sim->past.guess_error;
     if (sim->state.step % LEARN_EVERY && all_known(off, count, number))
         return;
+    double *guess = ovr_work_take(sim);
     for (size_t k = 0; k < count; k++) {
         double *mean = &off[number[k]], error;
         guess_field(sim, &found[k], sim->past.P, guess);
         error = sim->grids.kernels->difference(sim->now.n, guess, sim->now.P);
         *mean = *mean > 0 ? (*mean + error) / 2 : error;
     }
+    ovr_work_give(sim, guess);
 }
 
 bool ovr_guess(ovr_simulation *sim, double dT, bool extrapolated)
 {
     const ovr_past *past = &sim->past;
     formula how = extrapolated ? formula_for(sim, dT) : last;
-    double *guess = sim->scratch[0];
+    double *guess = ovr_work_take(sim);
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         if (ovr_field_rows[k].guessed) {
             guess_field(sim, &how, past->all[k], guess);
             ovr_nodes_write(sim, sim->finest, guess, sim->finest->f.all[k]);
         }
+    ovr_work_give(sim, guess);
     sim->grids.H0 = 0;
     for (int k = 0; k < OVR_PAST; k++)
         sim->grids.H0 += how.H0[k] * past->H0[k];

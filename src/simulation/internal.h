@@ -100,6 +100,14 @@ typedef struct ovr_inlet_share {
     double power; /* rolling power missing in the domain */
 } ovr_inlet_share;
 
+/* Work arrays of a solution's nodes, a stack: given back in the reverse order
+ * of taking, by the function that took them. */
+enum { OVR_WORK_ARRAYS = 4 };
+typedef struct ovr_work {
+    double *array[OVR_WORK_ARRAYS];
+    int taken;
+} ovr_work;
+
 struct ovr_simulation {
     ovr_arena arena;
     const ovr_physics *const *list; /* all there are, NULL behind the last */
@@ -132,7 +140,7 @@ struct ovr_simulation {
 
     double *S;
     ovr_solution now;
-    double *scratch[2]; /* as many values, for as long as a function */
+    ovr_work *work;
     ovr_past past;
     ovr_inflow inflow;
     ovr_arrival arrival;
@@ -348,12 +356,12 @@ bool ovr_arrival_closes(const ovr_simulation *sim);
 void ovr_arrival_ghosts(const ovr_simulation *sim, double T, size_t ghosts,
                         double *last);
 
-/* Memory for the characteristic scheme, and its history term, in scratch[0]:
+/* Memory for the characteristic scheme, and its history term:
  *     F_i = c1 q^k(X_i - a1) + c2 q^{k-1}(X_i - a2). */
 ovr_status ovr_inflow_take(ovr_simulation *sim, ovr_error *err);
 void ovr_inflow_fill(ovr_simulation *sim);
 void ovr_inflow_history(ovr_simulation *sim, const double c[2],
-                        const double a[2]);
+                        const double a[2], double *F);
 
 /* q of a past time at so many ghosts before the inlet, in extended[]. */
 void ovr_inflow_ghosts(ovr_simulation *sim, int past, size_t ghosts);
@@ -362,9 +370,9 @@ void ovr_inflow_ghosts(ovr_simulation *sim, int past, size_t ghosts);
 void ovr_lagrange(double at, double weight[6]);
 
 /* q at T as the past predicts it along the characteristics: the sum of e_k
- * q^{k}(X_i - a_k), in scratch; NULL if that is further than the ghosts reach.
- */
-double *ovr_inflow_prediction(ovr_simulation *sim, double T, const double e[3]);
+ * q^{k}(X_i - a_k); false if that is further than the ghosts reach. */
+bool ovr_inflow_prediction(ovr_simulation *sim, double T, const double e[3],
+                           double *q);
 
 /* F_i += c q(X_i - a) of any q; worth nothing before the node returned, whose
  * departure point is inside. */
@@ -455,6 +463,12 @@ ovr_status ovr_simulation_take(ovr_simulation *sim, double **const to[],
                                ovr_error *err);
 #define OVR_TAKE_NODES(sim, err, ...)                                          \
     ovr_simulation_take(sim, (double **const[]){__VA_ARGS__, NULL}, err)
+
+/* The next work array, with undefined values; back to the stack.  With
+ * OVR_CHECKED they are NAN, and giving back another than the last that was
+ * taken ends the program. */
+double *ovr_work_take(const ovr_simulation *sim);
+void ovr_work_give(const ovr_simulation *sim, const double *array);
 
 static inline void ovr_swap(double **a, double **b)
 {

@@ -119,9 +119,10 @@ void ovr_nodes_read(const ovr_simulation *sim, const ovr_level *level,
 void ovr_nodes_write(const ovr_simulation *sim, const ovr_level *level,
                      const double *along_x, double *values)
 {
-    if (sim->mirrored) {
-        ovr_mirror(level->grid.n, along_x, sim->scratch[1]);
-        along_x = sim->scratch[1];
-    }
-    ovr_level_write(&sim->grids, level, along_x, values);
+    double *image = ovr_work_take(sim);
+    if (sim->mirrored)
+        ovr_mirror(level->grid.n, along_x, image);
+    ovr_level_write(&sim->grids, level, sim->mirrored ? image : along_x,
+                    values);
+    ovr_work_give(sim, image);
 }

@@ -24,8 +24,7 @@
 /* The grids' sliding speed at T. */
 void ovr_slide(ovr_simulation *sim, double T);
 
-/* n values along x to or from one of a grid's arrays.  What is written while
- * the grids are mirrored is not sim->scratch[1]. */
+/* n values along x to or from one of a grid's arrays. */
 void ovr_nodes_read(const ovr_simulation *sim, const ovr_level *level,
                     const double *values, double *along_x);
 void ovr_nodes_write(const ovr_simulation *sim, const ovr_level *level,

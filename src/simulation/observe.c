@@ -49,7 +49,8 @@ static bool bears(const double *P, size_t i)
 static void observe_minimum(const ovr_simulation *sim, ovr_observation *o)
 {
     const double *X = sim->now.X, *H = sim->now.H;
-    const double *P = ovr_solid_pressure(sim, sim->scratch[1]);
+    double *solid = ovr_work_take(sim);
+    const double *P = ovr_solid_pressure(sim, solid);
     size_t n = sim->now.n, low = 0;
     size_t smallest = 1 + sim->grids.kernels->extreme(n - 2, 1, H + 1);
     o->H_min_cavity = o->X_min_cavity = NAN;
@@ -65,6 +66,7 @@ static void observe_minimum(const ovr_simulation *sim, ovr_observation *o)
     o->H_min = H[low];
     o->X_min = X[low];
     o->X_min_located = ovr_vertex(X, H, low, &o->H_min_located);
+    ovr_work_give(sim, solid);
 }
 
 static void observe_film(const ovr_simulation *sim, ovr_observation *o)
@@ -90,15 +92,17 @@ static int maxima_of(const ovr_simulation *sim, size_t *last)
     const double *P = sim->now.P;
     size_t n = sim->now.n;
     int maxima;
+    double *image = ovr_work_take(sim);
     if (sim->backward) {
-        ovr_mirror(n, P, sim->scratch[1]);
-        P = sim->scratch[1];
+        ovr_mirror(n, P, image);
+        P = image;
     }
     maxima = run->peaks(n, P, last);
     if (maxima > 1) /* most of them may be noise */
         maxima = ovr_prominent_maxima(n, P, last);
     if (sim->backward)
         *last = n - 1 - *last;
+    ovr_work_give(sim, image);
     return maxima;
 }
 
@@ -142,7 +146,9 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
         o->X_spike_located = ovr_vertex(sim->now.X, P, spike,
                                         &o->P_spike_located);
     }
-    o->load = ovr_integral(sim, ovr_solid_pressure(sim, sim->scratch[1]));
+    double *solid = ovr_work_take(sim);
+    o->load = ovr_integral(sim, ovr_solid_pressure(sim, solid));
+    ovr_work_give(sim, solid);
 }
 
 /* Node by node, with what flows beside the film's own; either way. */

@@ -35,20 +35,21 @@ static ovr_present *place_for(ovr_simulation *sim, const ovr_physics *physics)
 /* The grids may hold the mirror image (mirror.h). */
 static void bear(ovr_simulation *sim, const double *along_x)
 {
-    if (sim->mirrored) {
-        ovr_mirror(sim->finest->grid.n, along_x, sim->scratch[1]);
-        along_x = sim->scratch[1];
-    }
-    ovr_level_bear(&sim->grids, sim->finest, along_x);
+    double *image = ovr_work_take(sim);
+    if (sim->mirrored)
+        ovr_mirror(sim->finest->grid.n, along_x, image);
+    ovr_level_bear(&sim->grids, sim->finest, sim->mirrored ? image : along_x);
+    ovr_work_give(sim, image);
 }
 
 void ovr_physics_unburden(ovr_simulation *sim)
 {
-    double *none = sim->scratch[0];
     if (!sim->borne)
         return;
+    double *none = ovr_work_take(sim);
     memset(none, 0, sim->finest->grid.n * sizeof *none);
     bear(sim, none);
+    ovr_work_give(sim, none);
 }
 
 void ovr_physics_keep_borne(ovr_simulation *sim)

@@ -3,6 +3,7 @@
 #include "simulation/simulation.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "base/given.h"
@@ -11,6 +12,42 @@
 #include "multigrid/line.h"
 #include "simulation/conflicts.h"
 #include "simulation/physics.h"
+
+/* ------------------------------------------------------------- work arrays */
+
+static ovr_status take_work(ovr_simulation *sim, ovr_error *err)
+{
+    sim->work = ovr_arena_take(&sim->arena, 1, sizeof *sim->work, err);
+    for (int k = 0; sim->work && k < OVR_WORK_ARRAYS; k++)
+        if (OVR_TAKE_NODES(sim, err, &sim->work->array[k]))
+            return OVR_NO_MEMORY;
+    return sim->work ? OVR_OK : OVR_NO_MEMORY;
+}
+
+double *ovr_work_take(const ovr_simulation *sim)
+{
+    ovr_work *work = sim->work;
+#ifdef OVR_CHECKED
+    if (work->taken == OVR_WORK_ARRAYS)
+        abort();
+    for (size_t i = 0; i < sim->maximum; i++)
+        work->array[work->taken][i] = NAN;
+#endif
+    return work->array[work->taken++];
+}
+
+void ovr_work_give(const ovr_simulation *sim, const double *array)
+{
+    ovr_work *work = sim->work;
+#ifdef OVR_CHECKED
+    if (work->taken == 0 || array != work->array[work->taken - 1])
+        abort();
+#endif
+    (void)array;
+    work->taken--;
+}
+
+/* -------------------------------------------------------------- simulation */
 
 static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
 {
@@ -26,6 +63,8 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
             if (OVR_TAKE_NODES(sim, err, &sim->past.all[k][ago]))
                 return OVR_NO_MEMORY;
     }
+    if (take_work(sim, err))
+        return OVR_NO_MEMORY;
     return ovr_inflow_take(sim, err);
 }
 
@@ -106,16 +145,11 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
     sim->finest = &grids->level[o->level];
     sim->now.n = sim->finest->grid.n;
     sim->now.X = sim->finest->grid.X;
-    for (int k = 0; k < 2; k++)
-        sim->scratch[k] = grids->scratch[k];
     sim->maximum = sim->now.n;
     if (ovr_physics_choose(sim, err))
         return OVR_NO_MEMORY;
     sim->now.n = sim->maximum;
     ovr_status status = take_arrays(sim, err);
-    /* Patches have more nodes than the grids' work arrays have room for */
-    if (!status && sim->maximum > sim->finest->grid.n)
-        status = OVR_TAKE_NODES(sim, err, &sim->scratch[0], &sim->scratch[1]);
     sim->now.n = sim->finest->grid.n;
     return status;
 }

@@ -202,7 +202,7 @@ bool ovr_has_heights(const ovr_simulation *sim)
 void ovr_simulation_gap(ovr_simulation *sim, double T)
 {
     const ovr_smooth smooth = ovr_simulation_smooth(sim, T);
-    double *restrict gap = sim->scratch[0];
+    double *restrict gap = ovr_work_take(sim);
     const double *restrict X = sim->now.X, *restrict S = sim->S;
     size_t n = sim->now.n;
     if (ovr_has_heights(sim)) {
@@ -213,6 +213,7 @@ void ovr_simulation_gap(ovr_simulation *sim, double T)
         gap[i] = ovr_smooth_at(&smooth, X[i]) - S[i];
     ovr_fourth_gap(sim, gap);
     ovr_nodes_write(sim, sim->finest, gap, sim->finest->f.gap);
+    ovr_work_give(sim, gap);
 }
 
 /* -------------------------------------------------------- Pieces of a state */

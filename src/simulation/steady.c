@@ -41,7 +41,7 @@ static void note(ovr_simulation *sim, const ovr_level *level,
                  const ovr_full_status *status)
 {
     ovr_refinement *to = &sim->refinement[sim->refinements++];
-    double *now = sim->scratch[0], *before = sim->scratch[1];
+    double *now = ovr_work_take(sim), *before = ovr_work_take(sim);
     double q = status->factor < 0.95 ? status->factor : 0.95;
     *to = (ovr_refinement){.level = level->number,
                            .nodes = level->grid.n,
@@ -58,20 +58,24 @@ static void note(ovr_simulation *sim, const ovr_level *level,
         to->change = distance(level, now, 1, before);
     to->algebraic = to->change * q / (1 - q);
     to->difference = distance(level - 1, now, 2, sim->saved);
+    ovr_work_give(sim, before);
+    ovr_work_give(sim, now);
 }
 
 void ovr_refinement_watch(void *data, const ovr_level *level,
                           ovr_full_event event, const ovr_full_status *status)
 {
     ovr_simulation *sim = data;
-    double *P = event == OVR_FULL_BEGINS ? sim->saved : sim->scratch[0];
-    if (event == OVR_FULL_ENDS) {
+    if (event == OVR_FULL_ENDS)
         note(sim, level, status);
-        return;
-    }
-    ovr_level_read(&sim->grids, level, level->f.P, P);
-    if (event == OVR_FULL_CYCLES)
+    if (event == OVR_FULL_BEGINS)
+        ovr_level_read(&sim->grids, level, level->f.P, sim->saved);
+    if (event == OVR_FULL_CYCLES) {
+        double *P = ovr_work_take(sim);
+        ovr_level_read(&sim->grids, level, level->f.P, P);
         ovr_level_write(&sim->grids, level, P, level->f.entry);
+        ovr_work_give(sim, P);
+    }
 }
 
 const ovr_refinement *ovr_simulation_refinements(const ovr_simulation *sim,

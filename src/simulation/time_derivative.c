@@ -51,18 +51,21 @@ void ovr_history_term(ovr_simulation *sim, double *F)
 void ovr_history_at_nodes(ovr_simulation *sim, const double c[2], double T)
 {
     (void)T;
-    double *F = sim->scratch[0];
+    double *F = ovr_work_take(sim);
     sim->grids.kernels->combine(sim->now.n, c[0], sim->past.q[0], c[1],
                                 sim->past.q[1], F);
     ovr_history_term(sim, F);
+    ovr_work_give(sim, F);
 }
 
 void ovr_history_at_departures(ovr_simulation *sim, const double c[2], double T)
 {
     const double a[2] = {ovr_travel_since(sim, 0, T),
                          ovr_travel_since(sim, 1, T)};
-    ovr_inflow_history(sim, c, a);
-    ovr_history_term(sim, sim->scratch[0]);
+    double *F = ovr_work_take(sim);
+    ovr_inflow_history(sim, c, a, F);
+    ovr_history_term(sim, F);
+    ovr_work_give(sim, F);
 }
 
 void ovr_time_derivative(ovr_simulation *sim, double dT)
@@ -189,13 +192,15 @@ static double deviation(ovr_simulation *sim, double h, const double e[3])
 {
     const double thickest = 3, once[3] = {1, 0, 0};
     double maximum = thickest * ovr_value_at(&sim->now, sim->now.H, 0);
-    double *predicted = NULL;
-    if (sim->scheme->characteristic)
-        predicted = ovr_inflow_prediction(sim, sim->past.T[0] + h, e);
-    double *const moved[3] = {predicted, predicted, predicted};
-    return sim->grids.kernels->deviation(
-        sim->now.n, predicted ? once : e, maximum, sim->now.weights, sim->now.P,
-        sim->now.q, predicted ? moved : sim->past.q);
+    double *moved = ovr_work_take(sim);
+    bool moves = sim->scheme->characteristic &&
+                 ovr_inflow_prediction(sim, sim->past.T[0] + h, e, moved);
+    double *const predicted[3] = {moved, moved, moved};
+    double off = sim->grids.kernels->deviation(
+        sim->now.n, moves ? once : e, maximum, sim->now.weights, sim->now.P,
+        sim->now.q, moves ? predicted : sim->past.q);
+    ovr_work_give(sim, moved);
+    return off;
 }
 
 double ovr_step_error(ovr_simulation *sim, double h)

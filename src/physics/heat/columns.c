@@ -121,9 +121,9 @@ static void add_power(ovr_simulation *sim)
 {
     OVR_LAST_PHYSICS(sim, any, in_output, heat);
     const ovr_heated *h = sim->heated;
-    double *power = sim->scratch[0];
     if (!any->is)
         return;
+    double *power = ovr_work_take(sim);
     for (size_t i = 0; i < sim->now.n; i++) {
         power[i] = 0;
         h->apart[i] = 1;
@@ -135,6 +135,7 @@ static void add_power(ovr_simulation *sim)
         for (int j = 0; j < h->cross_film.n; j++)
             h->film.heating[j][i] = share * h->film.heating[j][i] + power[i];
     }
+    ovr_work_give(sim, power);
 }
 
 bool ovr_heat_counts(const ovr_simulation *sim, size_t i)
@@ -349,7 +350,7 @@ static void restrict_all(ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
     const double *const from[] = {h->th, h->shift, h->drag, h->swell};
-    double *workspace = sim->scratch[0];
+    double *workspace = ovr_work_take(sim);
     for (int l = sim->grids.finest; l >= sim->grids.coarsest; l--) {
         ovr_level *level = &sim->grids.level[l];
         double *const to[] = {level->f.th, level->f.shift, level->f.drag,
@@ -361,6 +362,7 @@ static void restrict_all(ovr_simulation *sim)
             ovr_nodes_write(sim, level, workspace, to[k]);
         }
     }
+    ovr_work_give(sim, workspace);
 }
 
 void ovr_heat_give(ovr_simulation *sim)

@@ -136,7 +136,7 @@ static void stress(ovr_simulation *sim, void *own, const ovr_sheared *film,
 {
     ovr_heated *h = own;
     ovr_sheared dragged = *film;
-    double *q = sim->scratch[0], *even = sim->scratch[1];
+    double *q = ovr_work_take(sim), *even = ovr_work_take(sim);
     for (size_t i = 0; i < sim->now.n; i++)
         q[i] = h->drag[i] * film->q[i];
     dragged.q = q;
@@ -148,6 +148,8 @@ static void stress(ovr_simulation *sim, void *own, const ovr_sheared *film,
     h->made = ovr_heat_made(sim);
     for (size_t i = 0; i + 1 < sim->now.n; i++)
         t[i] += (h->t[i] - even[i] + h->t[i + 1] - even[i + 1]) / 2;
+    ovr_work_give(sim, even);
+    ovr_work_give(sim, q);
 }
 
 /* Finds the largest value and where it is. */

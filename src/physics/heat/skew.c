@@ -105,13 +105,15 @@ static void mean(const ovr_simulation *sim, int times, double *v, double *work)
 /* Filters by 2 M^4 - M^8. */
 static void smooth(const ovr_simulation *sim, double *s)
 {
-    double *v = sim->scratch[0], *work = sim->scratch[1];
+    double *v = ovr_work_take(sim), *work = ovr_work_take(sim);
     size_t n = sim->now.n;
     mean(sim, 4, s, work);
     memcpy(v, s, n * sizeof *v);
     mean(sim, 4, v, work);
     for (size_t i = 0; i < n; i++)
         s[i] = 2 * s[i] - v[i];
+    ovr_work_give(sim, work);
+    ovr_work_give(sim, v);
 }
 
 /* Computes s_1 of the film whose s q was computed last, from s q with the
@@ -123,10 +125,10 @@ static void find_slopes(ovr_simulation *sim)
     const double *q = sim->now.q;
     ovr_heated *h = sim->heated;
     size_t n = sim->now.n;
-    double *P = sim->scratch[0], *log_eta = sim->scratch[1];
-    memset(h->skew_by_P, 0, n * sizeof *P);
+    memset(h->skew_by_P, 0, n * sizeof *h->skew_by_P);
     if (!(h->numbers.C > 0) || is_explicit(sim))
         return;
+    double *P = ovr_work_take(sim), *log_eta = ovr_work_take(sim);
     for (size_t i = 0; i < n; i++)
         P[i] = sim->now.P[i] + dP;
     sim->grids.kernels->log_viscosity(n, &sim->grids.fluid, P, sim->now.H,
@@ -143,6 +145,8 @@ static void find_slopes(ovr_simulation *sim)
             h->skew_by_P[i] = way * h->skew_share *
                               ovr_larger(0, way * rise / (q[i] * dP));
     }
+    ovr_work_give(sim, log_eta);
+    ovr_work_give(sim, P);
 }
 
 void ovr_heat_skew_find(ovr_simulation *sim)
@@ -194,11 +198,12 @@ static void add_wedge_from_right(const ovr_simulation *sim, double *F)
 
 static void put_right_side(ovr_simulation *sim)
 {
-    double *F = sim->scratch[0];
+    double *F = ovr_work_take(sim);
     sides(sim, F);
     if (is_explicit(sim))
         add_wedge_from_right(sim, F);
     ovr_nodes_write(sim, sim->finest, F, sim->finest->f.F);
+    ovr_work_give(sim, F);
 }
 
 /* Injection of s to all grids, with the sign of a wedge along them. */
@@ -206,7 +211,7 @@ static void put_rows(ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
     const double sign = is_explicit(sim) ? 0 : sim->mirrored ? -1 : 1;
-    double *workspace = sim->scratch[0];
+    double *workspace = ovr_work_take(sim);
     for (int l = sim->grids.finest; l >= sim->grids.coarsest; l--) {
         ovr_level *level = &sim->grids.level[l];
         size_t every = (size_t)1 << (sim->grids.finest - l);
@@ -218,6 +223,7 @@ static void put_rows(ovr_simulation *sim)
                             k ? level->f.skew_by_P : level->f.skew);
         }
     }
+    ovr_work_give(sim, workspace);
 }
 
 void ovr_heat_skew_give(ovr_simulation *sim)

@@ -274,9 +274,11 @@ static double cavity_length(const ovr_solution *s)
 /* Inflow - outflow - stored change is, row by row, the residual. */
 static double mass_defect(const ovr_simulation *sim)
 {
-    double *r = sim->scratch[0];
+    double *r = ovr_work_take(sim);
     ovr_level_read(&sim->grids, sim->finest, sim->finest->f.r, r);
-    return -ovr_integral(sim, r) / sim->observation.H_cen;
+    double total = ovr_integral(sim, r);
+    ovr_work_give(sim, r);
+    return -total / sim->observation.H_cen;
 }
 
 static void unknown(ovr_observation *o)
