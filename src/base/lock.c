@@ -34,3 +34,60 @@ int ovr_lock_file(int fd, bool shared)
         return 0;
     return errno == EWOULDBLOCK ? EWOULDBLOCK : lock_byte(fd, shared);
 }
+
+static int lock_range(int fd, int how, short kind, uint64_t at, uint64_t count,
+                      struct flock *lock)
+{
+    int result;
+    *lock = (struct flock){.l_type = kind,
+                           .l_whence = SEEK_SET,
+                           .l_start = (off_t)at,
+                           .l_len = (off_t)count};
+    do
+        result = fcntl(fd, how, lock);
+    while (result != 0 && errno == EINTR);
+    if (result == 0)
+        return 0;
+    return errno == EAGAIN || errno == EACCES ? EWOULDBLOCK : errno;
+}
+
+#ifdef F_OFD_SETLK
+int ovr_lock_bytes(int fd, uint64_t at, uint64_t count, bool wait)
+{
+    struct flock lock;
+    return lock_range(fd, wait ? F_OFD_SETLKW : F_OFD_SETLK, F_WRLCK, at, count,
+                      &lock);
+}
+
+void ovr_unlock_bytes(int fd, uint64_t at, uint64_t count)
+{
+    struct flock lock;
+    lock_range(fd, F_OFD_SETLK, F_UNLCK, at, count, &lock);
+}
+
+bool ovr_bytes_locked(int fd, uint64_t at, uint64_t count)
+{
+    struct flock lock;
+    return lock_range(fd, F_OFD_GETLK, F_WRLCK, at, count, &lock) == 0 &&
+           lock.l_type != F_UNLCK;
+}
+#else /* locks of the process, which end when it closes the file anywhere */
+int ovr_lock_bytes(int fd, uint64_t at, uint64_t count, bool wait)
+{
+    struct flock lock;
+    return lock_range(fd, wait ? F_SETLKW : F_SETLK, F_WRLCK, at, count, &lock);
+}
+
+void ovr_unlock_bytes(int fd, uint64_t at, uint64_t count)
+{
+    struct flock lock;
+    lock_range(fd, F_SETLK, F_UNLCK, at, count, &lock);
+}
+
+bool ovr_bytes_locked(int fd, uint64_t at, uint64_t count)
+{
+    struct flock lock;
+    return lock_range(fd, F_GETLK, F_WRLCK, at, count, &lock) == 0 &&
+           lock.l_type != F_UNLCK;
+}
+#endif

@@ -299,16 +299,32 @@ static bool read_block(const cli_call *call, size_t cases, size_t *first,
     return true;
 }
 
+/* Prints the case of a task. */
+static int show_case(const sweeping *w, size_t task)
+{
+    ovr_error err = {0};
+    ovr_case *c = ovr_study_case(w->s, task, &err);
+    const char *text = c ? ovr_case_text(c, &err) : NULL;
+    int code = text ? CLI_DONE : cli_fail(&err);
+    if (text)
+        fputs(text, stdout);
+    ovr_case_free(c);
+    return code;
+}
+
 /* ---------------------------------------------------------------- options */
 
 static int do_what_is_asked(sweeping *w)
 {
     const cli_call *call = w->call;
-    size_t cases = ovr_study_cases(w->s), task, first, last;
+    size_t cases = ovr_study_cases(w->s), task, shown, first, last;
     w->how.workers = (int)cli_count(call, "j", OVR_SWEEP_MAX_WORKERS, 0);
     task = cli_count(call, "task", cases, cases);
-    if ((cli_flag(call, "j") && !w->how.workers) || !task)
+    shown = cli_count(call, "case", cases, cases);
+    if ((cli_flag(call, "j") && !w->how.workers) || !task || !shown)
         return CLI_USAGE;
+    if (cli_flag(call, "case"))
+        return show_case(w, shown - 1);
     if (cli_flag(call, "list"))
         print_list(w);
     else if (cli_flag(call, "task"))
@@ -361,6 +377,7 @@ static const cli_option options[] = {
     {"list", NULL, "print the commands of the cases still to be run", false},
     {"task", "I", "only case I, from 1: for job arrays", false},
     {"tasks", "I-J", "only cases I to J: a block for each job", false},
+    {"case", "I", "print case I as text; runs nothing", false},
     {"collect", "FILE", "gather the summaries into FILE.csv or FILE.nc", false},
     {"statistics", NULL,
      "print statistics of the samples of [random]; runs nothing", false},

@@ -421,6 +421,7 @@ static ovr_status read_lines(reading *r)
         .maximum = LINE_MAX};
     ovr_status status = all.at ? ovr_entries_open(&all, &s->arena, r->err)
                                : r->err->status;
+    s->signature = all.at ? ovr_text_hash(all.at) : 0;
     while (!status && !(status = ovr_entries_next(&all, &entry, r->err)) &&
            entry.line)
         status = take_entry(r, &entry);
@@ -509,8 +510,9 @@ static ovr_status read_study(ovr_study *s, const char *path, ovr_error *err)
         check_zips(s, err) || set_strides(s, err) ||
         ovr_study_name_keys(s, err))
         return OVR_BAD_INPUT;
-    return ovr_study_try_values(s, err) ? OVR_BAD_INPUT
-                                        : ovr_study_try_find(s, err);
+    if (ovr_study_try_values(s, err) || ovr_study_try_find(s, err))
+        return OVR_BAD_INPUT;
+    return ovr_study_hash(s, err);
 }
 
 ovr_study *ovr_study_read(const char *path, const ovr_allocator *allocator,

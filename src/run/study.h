@@ -118,6 +118,8 @@ struct ovr_study {
     ovr_study_chances random;
     ovr_comparison limit[OVR_STUDY_MAX_LIMITS];
     size_t limits;
+    uint64_t signature; /* hash of the study, its base case and its files */
+    uint64_t base;      /* hash of what all cases share */
 };
 
 /* Return value number v of a key, or the value of a task.  Computed values are
@@ -170,6 +172,16 @@ ovr_status ovr_study_try_find(const ovr_study *s, ovr_error *err);
 /* Checks all draws of the tasks first..last in the same way. */
 ovr_status ovr_study_try_draws(const ovr_study *s, size_t first, size_t last,
                                ovr_error *err);
+
+/* Sets a key of a case to its value in a task. */
+ovr_status ovr_study_put(const ovr_study *s, const ovr_study_key *key,
+                         size_t task, ovr_case *c, ovr_error *err);
+
+/* Computes the hashes of a study that has been read. */
+ovr_status ovr_study_hash(ovr_study *s, ovr_error *err);
+
+/* Hash of the base case and the values of a task. */
+uint64_t ovr_study_identity(const ovr_study *s, size_t task);
 
 /* The work of a task, as text: two that say the same are the same. */
 char *ovr_study_text(const ovr_study *s, ovr_case *c, ovr_arena *arena,

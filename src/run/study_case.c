@@ -265,6 +265,12 @@ static ovr_status put_value(const ovr_study *s, const ovr_study_key *k,
     return status && k->random ? bad_draw(s, k, v, &why, err) : status;
 }
 
+ovr_status ovr_study_put(const ovr_study *s, const ovr_study_key *key,
+                         size_t task, ovr_case *c, ovr_error *err)
+{
+    return put_value(s, key, value_number(key, task), c, err);
+}
+
 ovr_case *ovr_study_case(const ovr_study *s, size_t task, ovr_error *err)
 {
     if (!s)
@@ -272,8 +278,7 @@ ovr_case *ovr_study_case(const ovr_study *s, size_t task, ovr_error *err)
     ovr_case *c = base_case(s, err);
     ovr_status status = OVR_OK;
     for (size_t i = 0; c && !status && i < s->keys; i++)
-        status = put_value(s, &s->key[i], value_number(&s->key[i], task), c,
-                           err);
+        status = ovr_study_put(s, &s->key[i], task, c, err);
     if (status) {
         ovr_case_free(c);
         return NULL;
@@ -380,4 +385,51 @@ char *ovr_study_text(const ovr_study *s, ovr_case *c, ovr_arena *arena,
     else if (all)
         strcpy(all, text);
     return all;
+}
+
+/* ------------------------------------------------------------------ hashes */
+
+static uint64_t joined(uint64_t hash, const char *text)
+{
+    return (hash ^ ovr_text_hash(text)) * 1099511628211u;
+}
+
+/* The base case is hashed with [set] and without varied keys. */
+ovr_status ovr_study_hash(ovr_study *s, ovr_error *err)
+{
+    ovr_case *c = base_case(s, err);
+    ovr_arena arena = ovr_arena_make(&s->arena.allocator);
+    ovr_status status = c ? OVR_OK : OVR_BAD_INPUT;
+    for (size_t i = 0; !status && i < s->keys; i++) {
+        const ovr_study_key *k = &s->key[i];
+        if (k->fixed)
+            status = put_value(s, k, 0, c, err);
+        else
+            ovr_case_unset(c, k->where);
+        for (size_t n = 0; n < k->draw.cells; n++)
+            s->signature = joined(s->signature, k->draw.cell[n]);
+    }
+    if (!status)
+        ovr_case_unset(c, "output.file");
+    const char *text = status ? NULL : ovr_study_text(s, c, &arena, err);
+    if (text) {
+        s->base = ovr_text_hash(text);
+        s->signature = joined(s->signature, text);
+    }
+    ovr_arena_release(&arena);
+    ovr_case_free(c);
+    return text ? OVR_OK : OVR_NO_MEMORY;
+}
+
+uint64_t ovr_study_identity(const ovr_study *s, size_t task)
+{
+    uint64_t hash = s->base;
+    for (size_t i = 0; i < s->keys; i++) {
+        char text[OVR_STUDY_VALUE];
+        if (s->key[i].fixed)
+            continue;
+        hash = joined(hash, s->key[i].where);
+        hash = joined(hash, ovr_study_value(s, &s->key[i], task, text));
+    }
+    return hash;
 }

@@ -24,6 +24,7 @@
 #include "results/results.h"
 #include "run/csv.h"
 #include "run/run.h"
+#include "run/task.h"
 #include "run/trials.h"
 
 enum { PATH_CAPACITY = 4400 };
@@ -38,6 +39,16 @@ static double *new_numbers(ovr_table *t, ovr_error *err)
     return values;
 }
 
+/* `hint`: the column that is looked at first. */
+static const ovr_table_column *find_summary(const ovr_table *t,
+                                            const char *name, size_t hint)
+{
+    if (hint >= t->keys && hint < t->columns &&
+        !strcmp(t->column[hint].name, name))
+        return &t->column[hint];
+    return ovr_table_summary(t, name);
+}
+
 const ovr_table_column *ovr_table_summary(const ovr_table *t, const char *name)
 {
     for (size_t k = t->keys; k < t->columns; k++)
@@ -48,10 +59,11 @@ const ovr_table_column *ovr_table_summary(const ovr_table *t, const char *name)
 
 /* Stores a number of a task in the column `name`.  A new name adds a column, up
  * to OVR_TABLE_COLUMNS. */
-static void take_number(ovr_table *t, size_t task, const char *name,
-                        double value, ovr_error *err)
+static const ovr_table_column *take_number(ovr_table *t, size_t task,
+                                           const char *name, double value,
+                                           size_t hint, ovr_error *err)
 {
-    const ovr_table_column *c = ovr_table_summary(t, name);
+    const ovr_table_column *c = find_summary(t, name, hint);
     if (!c && t->columns < OVR_TABLE_COLUMNS) {
         double *number = new_numbers(t, err);
         name = number ? ovr_arena_text(&t->arena, name, err) : NULL;
@@ -63,19 +75,18 @@ static void take_number(ovr_table *t, size_t task, const char *name,
     }
     if (c)
         ((double *)c->number)[task] = value;
+    return c;
 }
 
-/* `  "key": value,` of our own JSON, not of objects inside: the number, NAN for
- * null; false for what is no number. */
+/* Reads a line of our own JSON: a number, NAN for null; false for a text or an
+ * inner object. */
 static bool read_pair(const char *line, char *key, size_t capacity,
                       double *value)
 {
-    const char *from = line + 2, *end, *text;
-    if (strncmp(line, "  \"", 3) != 0 || !(end = strchr(from + 1, '"')) ||
-        strncmp(end, "\": ", 3) != 0)
+    const char *text;
+    size_t length;
+    if (!ovr_rows_pair(line, key, capacity, &text, &length))
         return false;
-    snprintf(key, capacity, "%.*s", (int)(end - from - 1), from + 1);
-    text = end + 3;
     *value = NAN;
     if (!strncmp(text, "null", 4))
         return true;
@@ -98,11 +109,11 @@ static bool read_result(ovr_table *t, size_t task, ovr_error *err)
                  : NULL;
     line = result ? ovr_result_attributes(result, "summary", &count) : NULL;
     for (size_t k = 0; k < count; k++)
-        take_number(t, task, line[k].name, line[k].number, err);
+        take_number(t, task, line[k].name, line[k].number, 0, err);
     if (count) {
         const ovr_result_info *about = ovr_result_about(result);
-        take_number(t, task, "snapshots", (double)about->snapshots, err);
-        take_number(t, task, "seconds", about->seconds, err);
+        take_number(t, task, "snapshots", (double)about->snapshots, 0, err);
+        take_number(t, task, "seconds", about->seconds, 0, err);
     }
     ovr_result_close(result);
     return count > 0;
@@ -118,9 +129,33 @@ static void read_json(ovr_table *t, size_t task, ovr_error *err)
     from = fopen(path, "r");
     while (from && fgets(line, sizeof line, from))
         if (read_pair(line, key, sizeof key, &value))
-            take_number(t, task, key, value, err);
+            take_number(t, task, key, value, 0, err);
     if (from)
         fclose(from);
+}
+
+/* A row of a study without result files.  Its numbers are in the order of the
+ * columns, except for another kind of case. */
+typedef struct row_reader {
+    ovr_table *t;
+    size_t task, next;
+    ovr_error *err;
+} row_reader;
+
+static void take_cell(void *data, const char *name, double value)
+{
+    row_reader *r = data;
+    const ovr_table_column *c = take_number(r->t, r->task, name, value, r->next,
+                                            r->err);
+    if (c)
+        r->next = (size_t)(c - r->t->column) + 1;
+}
+
+static bool read_row(ovr_table *t, size_t task, ovr_error *err)
+{
+    row_reader r = {t, task, t->keys, err};
+    return t->results && !ovr_rows_elsewhere(t->results, task) &&
+           ovr_rows_read(t->results, task, take_cell, &r);
 }
 
 /* The summaries repeat some keys of the study (M, L): those give way. */
@@ -205,12 +240,14 @@ static ovr_status take_keys(ovr_table *t, ovr_error *err)
     for (size_t k = 0; k < s->keys; k++)
         if (!s->key[k].fixed && add_key(t, &s->key[k], err))
             return OVR_NO_MEMORY;
-    for (size_t i = 0; i < t->rows; i++) {
-        ovr_case *c = ovr_study_case(s, i, err);
-        for (size_t k = 0; c && k < t->keys; k++)
-            none[k] |= !take_value(t, k, c, i);
-        ovr_case_free(c);
-    }
+    ovr_case *c = t->keys ? ovr_study_case(s, 0, err) : NULL;
+    for (size_t i = 0; c && i < t->rows; i++)
+        for (size_t k = 0; k < t->keys; k++)
+            none[k] |= ovr_study_put(s, t->key[k], i, c, NULL) ||
+                       !take_value(t, k, c, i);
+    ovr_case_free(c);
+    if (t->keys && !c)
+        return OVR_BAD_INPUT;
     for (size_t k = 0; k < t->keys; k++)
         for (size_t i = 0; none[k] && i < t->rows; i++)
             ((double *)t->column[k].number)[i] = NAN;
@@ -228,11 +265,17 @@ static ovr_status gather(ovr_table *t, ovr_error *err)
     t->state = state;
     if (!state || take_keys(t, err))
         return OVR_NO_MEMORY;
+    if (!s->results && !(t->results = ovr_rows_open(s, true, err)))
+        return OVR_IO;
     for (size_t i = 0; i < s->tasks; i++) {
-        state[i] = ovr_sweep_state_of(s, i);
+        state[i] = ovr_task_state(s, t->results, i);
+        if (state[i] == OVR_SWEEP_FINISHED && !read_row(t, i, err)) {
+            if (t->results && !ovr_rows_elsewhere(t->results, i))
+                state[i] = OVR_SWEEP_WAITING; /* its row was destroyed */
+            else if (!read_result(t, i, err))
+                read_json(t, i, err);
+        }
         t->count[state[i]]++;
-        if (state[i] == OVR_SWEEP_FINISHED && !read_result(t, i, err))
-            read_json(t, i, err);
     }
     drop_columns(t);
     return OVR_OK;
@@ -320,6 +363,11 @@ static void put_file(const ovr_table *t, size_t task, const char *ending,
 {
     char path[PATH_CAPACITY];
     fputc(',', to);
+    if (t->results && !ovr_rows_elsewhere(t->results, task)) {
+        ovr_rows_table(t->results, task, path, sizeof path);
+        ovr_csv_text(to, strcmp(ending, ".json") ? "" : path);
+        return;
+    }
     ovr_study_file(t->study, task, ending, path, sizeof path);
     if (access(path, F_OK) == 0)
         ovr_csv_text(to, strrchr(path, '/') + 1);
@@ -350,7 +398,9 @@ static void put_row(const ovr_table *t, size_t i, FILE *to, bool manifest)
             ovr_csv_number(to, t->column[k].number[i], manifest ? 6 : 17);
         }
     if (manifest) {
-        ovr_sweep_message(t->study, i, message, sizeof message);
+        message[0] = '\0';
+        if (t->state[i] == OVR_SWEEP_FAILED)
+            ovr_sweep_message(t->study, i, message, sizeof message);
         fputc(',', to);
         ovr_csv_text(to, message);
     }
@@ -513,6 +563,7 @@ ovr_table *ovr_table_make(const ovr_allocator *allocator, ovr_error *err)
 void ovr_table_free(ovr_table *table)
 {
     if (table) {
+        ovr_rows_close(table->results);
         ovr_arena arena = table->arena;
         ovr_arena_release(&arena);
     }

@@ -8,6 +8,7 @@
 #include <stdio.h>
 
 #include "run/study.h"
+#include "run/study_rows.h"
 
 enum { OVR_TABLE_COLUMNS = 256 };
 
@@ -21,6 +22,7 @@ struct ovr_table {
     size_t keys;
     const ovr_sweep_state *state;
     size_t count[OVR_SWEEP_STATES];
+    ovr_rows *results; /* of a study without result files, or NULL */
 };
 
 ovr_table *ovr_table_make(const ovr_allocator *allocator, ovr_error *err);

@@ -19,14 +19,20 @@ typedef struct sweeping {
     ovr_arena arena;
     size_t *task; /* those to work on */
     size_t tasks, failed;
+    ovr_rows *rows; /* in a worker, of a study without result files */
 } sweeping;
 
 /* ------------------------------------------------------------------- tasks */
 
 static int work(void *data, size_t task, ovr_shared shared)
 {
-    const sweeping *w = data;
-    return (int)ovr_task_work(w->s, task, &w->how, shared);
+    sweeping *w = data;
+    ovr_error err = {0};
+    if (!w->s->results && !w->rows)
+        w->rows = ovr_rows_open(w->s, false, &err);
+    return err.status
+               ? (int)err.status
+               : (int)ovr_task_work(w->s, task, &w->how, shared, w->rows);
 }
 
 static void ended(void *data, size_t task, int code, int number)
@@ -71,9 +77,13 @@ static ovr_status list_tasks(sweeping *w, ovr_error *err)
     w->task = ovr_arena_take(&w->arena, last - first + 1, sizeof *w->task, err);
     if (!w->task)
         return OVR_NO_MEMORY;
+    ovr_rows *rows = NULL;
+    if (!w->s->results && !(rows = ovr_rows_open(w->s, !w->how.one, err)))
+        return err->status;
     for (size_t i = first; i <= last; i++)
-        if (ovr_sweep_is_due(&w->how, ovr_sweep_state_of(w->s, i)))
+        if (ovr_sweep_is_due(&w->how, ovr_task_state(w->s, rows, i)))
             w->task[w->tasks++] = i;
+    ovr_rows_close(rows);
     return OVR_OK;
 }
 

@@ -94,10 +94,11 @@ static ovr_sweep_state state_by_files(const ovr_study *s, size_t task)
                : OVR_SWEEP_WAITING;
 }
 
-ovr_sweep_state ovr_sweep_state_of(const ovr_study *s, size_t task)
+ovr_sweep_state ovr_task_state(const ovr_study *s, const ovr_rows *rows,
+                               size_t task)
 {
-    if (!s)
-        return OVR_SWEEP_WAITING;
+    if (rows && !ovr_rows_elsewhere(rows, task))
+        return ovr_rows_state(rows, task);
     ovr_sweep_state state = state_by_files(s, task);
     int fd = open_file(s, task, ".ini", O_RDWR);
     if (fd < 0) /* none: what lies there is not ours */
@@ -111,10 +112,22 @@ ovr_sweep_state ovr_sweep_state_of(const ovr_study *s, size_t task)
     return state;
 }
 
+ovr_sweep_state ovr_sweep_state_of(const ovr_study *s, size_t task)
+{
+    if (!s || task >= s->tasks)
+        return OVR_SWEEP_WAITING;
+    ovr_rows *rows = s->results ? NULL : ovr_rows_open(s, false, NULL);
+    ovr_sweep_state state = ovr_task_state(s, rows, task);
+    ovr_rows_close(rows);
+    return state;
+}
+
 /* A case that was written before its study changed has results beside it. */
 bool ovr_task_foreign(const ovr_study *s, size_t task)
 {
     bool foreign = false;
+    if (!s->results)
+        return false;
     int fd = state_by_files(s, task) == OVR_SWEEP_WAITING
                  ? open_file(s, task, ".ini", O_RDONLY)
                  : -1;
@@ -132,7 +145,13 @@ void ovr_sweep_message(const ovr_study *s, size_t task, char *text,
         return;
     char path[PATH_CAPACITY];
     FILE *from;
+    ovr_rows *rows = s->results ? NULL : ovr_rows_open(s, false, NULL);
     text[0] = '\0';
+    if (rows)
+        ovr_rows_message(rows, task, text, capacity);
+    ovr_rows_close(rows);
+    if (*text)
+        return;
     ovr_study_file(s, task, ".failed", path, sizeof path);
     from = fopen(path, "r");
     if (!from)
@@ -167,7 +186,12 @@ void ovr_task_died(const ovr_study *s, size_t task, int number)
         number == SIGHUP)
         return;
     snprintf(message, sizeof message, "killed by signal %d", number);
-    mark_failed(s, task, message, 128 + number);
+    ovr_rows *rows = s->results ? NULL : ovr_rows_open(s, false, NULL);
+    if (rows)
+        ovr_rows_fail(rows, task, message, NULL);
+    else
+        mark_failed(s, task, message, 128 + number);
+    ovr_rows_close(rows);
 }
 
 /* The summary gets its name when it is whole. */
@@ -196,6 +220,7 @@ typedef struct working {
     ovr_shared shared;
     FILE *summary;
     int output, error; /* those of the process, put back afterwards */
+    ovr_rows *rows;    /* of a study without result files, or NULL */
 } working;
 
 static void say(void *data, ovr_say kind, const char *text)
@@ -358,7 +383,7 @@ static void run_case(working *w, bool resume, int fd, ovr_error *err)
 {
     ovr_case *c = ovr_study_case(w->s, w->task, err);
     ovr_run *run = NULL;
-    if (c && !write_case(w->s, fd, c))
+    if (c && !w->rows && !write_case(w->s, fd, c))
         fail_to_write(w->s, w->task, err);
     else if (c && !w->s->find.how.key)
         run = begin(w, c, resume, err);
@@ -368,7 +393,7 @@ static void run_case(working *w, bool resume, int fd, ovr_error *err)
         find_case(w, c, err);
     else
         report(w, run, err);
-    if (err->status == OVR_OK)
+    if (err->status == OVR_OK && !w->rows)
         keep_summary(w->s, w->task, w->summary, err);
     ovr_run_free(run);
     ovr_case_free(c);
@@ -440,6 +465,77 @@ static void work_locked(working *w, int fd, ovr_error *err)
                     err->status == OVR_BAD_INPUT ? 2 : 1);
 }
 
+/* --------------------------------------------- cases without result files */
+
+/* Standard output and error to the log of this process, after a line with the
+ * name of the case.  Returns where this line begins. */
+static off_t open_log(working *w, int log)
+{
+    char name[OVR_STUDY_NAME];
+    off_t at = lseek(log, 0, SEEK_END);
+    ovr_study_name(w->s, w->task, name, sizeof name);
+    keep_streams(w);
+    if (at < 0 || dprintf(log, "%s\n", name) < 0 ||
+        dup2(log, STDOUT_FILENO) < 0 || dup2(log, STDERR_FILENO) < 0)
+        return -1;
+    return at;
+}
+
+/* A case without messages leaves nothing in the log. */
+static void close_log(working *w, int log, off_t at)
+{
+    char name[OVR_STUDY_NAME];
+    put_streams_back(w);
+    ovr_study_name(w->s, w->task, name, sizeof name);
+    if (at >= 0 && lseek(log, 0, SEEK_END) == at + (off_t)strlen(name) + 1)
+        (void)!ftruncate(log, at);
+}
+
+static void keep_row(working *w, const char *json, ovr_error *err)
+{
+    ovr_error why = {0};
+    if (err->status == OVR_OK)
+        ovr_rows_finish(w->rows, w->task, json, err);
+    else if (err->status != OVR_STOPPED)
+        ovr_rows_fail(w->rows, w->task, err->message, &why);
+    if (err->status == OVR_OK)
+        discard(w->s, w->task, ".find.csv");
+}
+
+static void work_claimed(working *w, ovr_error *err)
+{
+    char *json = NULL;
+    size_t size;
+    int log = ovr_rows_log(w->rows);
+    off_t at;
+    if (!ovr_sweep_is_due(w->how, ovr_task_state(w->s, w->rows, w->task)))
+        return; /* another process was faster */
+    if (ovr_rows_elsewhere(w->rows, w->task) || w->how->redo)
+        start_afresh(w->s, w->task);
+    w->summary = open_memstream(&json, &size);
+    if (log < 0 || !w->summary) {
+        ovr_fail(err, OVR_IO, "%s: no log can be written: %s", w->s->output,
+                 strerror(errno));
+    } else {
+        at = open_log(w, log);
+        run_case(w, false, -1, err);
+        close_log(w, log, at);
+    }
+    if (w->summary)
+        fclose(w->summary);
+    keep_row(w, json, err);
+    free(json);
+}
+
+/* ------------------------------------------------------------------- lock */
+
+static void warn_of_locks(working *w)
+{
+    say(w, OVR_SAY_WARNING,
+        "this file system has no locks; do not run two sweeps of this "
+        "folder at the same time");
+}
+
 /* Somebody who only looks at the state may have the lock for a moment. */
 static bool lock(working *w, int fd)
 {
@@ -451,25 +547,39 @@ static bool lock(working *w, int fd)
         error = ovr_lock_file(fd, false);
     }
     if (error && error != EWOULDBLOCK)
-        say(w, OVR_SAY_WARNING,
-            "this file system has no locks; do not run two sweeps of this "
-            "folder at the same time");
+        warn_of_locks(w);
     return error != EWOULDBLOCK;
 }
 
-ovr_status ovr_task_work(const ovr_study *s, size_t task,
-                         const ovr_sweep_options *how, ovr_shared shared)
+static ovr_status work_in_rows(working *w)
 {
-    working w = {s, task, how, {0}, shared, NULL, -1, -1};
-    int fd = open_file(s, task, ".ini", O_RDWR | O_CREAT);
     ovr_error err = {0};
+    int error = ovr_rows_claim(w->rows, w->task);
+    if (error == EWOULDBLOCK)
+        return OVR_OK;
+    if (error)
+        warn_of_locks(w);
+    work_claimed(w, &err);
+    ovr_rows_release(w->rows, w->task);
+    return err.status;
+}
+
+ovr_status ovr_task_work(const ovr_study *s, size_t task,
+                         const ovr_sweep_options *how, ovr_shared shared,
+                         ovr_rows *rows)
+{
+    working w = {s, task, how, {0}, shared, NULL, -1, -1, rows};
+    ovr_error err = {0};
+    if (how->run)
+        w.run = *how->run;
+    if (rows)
+        return work_in_rows(&w);
+    int fd = open_file(s, task, ".ini", O_RDWR | O_CREAT);
     if (fd < 0) {
         fail_to_write(s, task, &err);
         report(&w, NULL, &err);
         return OVR_IO;
     }
-    if (how->run)
-        w.run = *how->run;
     if (lock(&w, fd))
         work_locked(&w, fd, &err);
     close(fd);

@@ -1,24 +1,33 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * One case of a study on disk.  All that is known of it lies in the folder of
- * the results, so that workers on any number of hosts need nothing else:
+ * One case of a study on disk.  Workers on any number of hosts share the folder
+ * of the results:
  *
  *     NAME.ini     the case, written and locked (flock) while it runs
  *     NAME.h5      its result file, unless the study has `results = no`
- *     NAME.log     what it said
+ *     NAME.log     its messages
  *     NAME.json    its summary, once it has finished
  *     NAME.failed  exit code and message of a failure
+ *
+ * A study with results = no has tables instead (run/study_rows.h).
  */
 #ifndef OVR_RUN_TASK_H
 #define OVR_RUN_TASK_H
 
 #include "run/pool.h"
 #include "run/study.h"
+#include "run/study_rows.h"
 
 /* Runs or resumes a task in this process, whose standard output and error go
- * to its log meanwhile; returns the status it ended with. */
+ * to its log meanwhile; returns the status it ended with.  `rows`: open for a
+ * study without result files, otherwise NULL. */
 ovr_status ovr_task_work(const ovr_study *s, size_t task,
-                         const ovr_sweep_options *how, ovr_shared shared);
+                         const ovr_sweep_options *how, ovr_shared shared,
+                         ovr_rows *rows);
+
+/* The state of a task; `rows` as above. */
+ovr_sweep_state ovr_task_state(const ovr_study *s, const ovr_rows *rows,
+                               size_t task);
 
 /* Serves the parent of a worker that died of a signal without a word. */
 void ovr_task_died(const ovr_study *s, size_t task, int number);

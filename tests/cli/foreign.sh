@@ -16,7 +16,6 @@ END
 cat >study.ini <<'END'
 [study]
 case = contact.ini
-results = no
 output = d
 [random]
 draws = 8

@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Results of a study without result files (results = no), for any number of
+ * cases.  The folder of the results has
+ *
+ *     cases-N.csv   a row for each case that has ended: name, hash of its
+ *                   values, status, message, time, numbers of its summary.
+ *                   A process that runs cases locks one of these tables and
+ *                   appends to it.
+ *     cases-N.log   messages of the cases, locked in the same way
+ *     cases.index   a record of fixed size for each case of the study: its
+ *                   state and the place of its row.  The byte of a case is
+ *                   locked while the case runs.
+ *
+ * The index is made again from the tables if it belongs to another version of
+ * the study.  A row that was cut off by a crash is run again.
+ */
+#ifndef OVR_RUN_STUDY_ROWS_H
+#define OVR_RUN_STUDY_ROWS_H
+
+#include "run/study.h"
+
+typedef struct ovr_rows ovr_rows;
+
+/* Opens the index.  Without `whole` states are read one by one. */
+ovr_rows *ovr_rows_open(const ovr_study *s, bool whole, ovr_error *err);
+void ovr_rows_close(ovr_rows *r);
+
+ovr_sweep_state ovr_rows_state(const ovr_rows *r, size_t task);
+
+/* True of a case that ended in files of its own (see run/task.h). */
+bool ovr_rows_elsewhere(const ovr_rows *r, size_t task);
+
+/* Locks a case until it is released: 0, or EWOULDBLOCK if another process runs
+ * it, or another errno if the file system has no locks. */
+int ovr_rows_claim(ovr_rows *r, size_t task);
+void ovr_rows_release(ovr_rows *r, size_t task);
+
+/* Append the row of a case that has finished, with the numbers of its summary
+ * in JSON, or failed. */
+ovr_status ovr_rows_finish(ovr_rows *r, size_t task, const char *json,
+                           ovr_error *err);
+ovr_status ovr_rows_fail(ovr_rows *r, size_t task, const char *message,
+                         ovr_error *err);
+
+/* Opens this process's log to append to; -1 with errno. */
+int ovr_rows_log(ovr_rows *r);
+
+/* Calls `number` for each number in the row of a case.  A row that a crash has
+ * destroyed makes the case a waiting one and returns false. */
+typedef void ovr_rows_number(void *data, const char *name, double value);
+bool ovr_rows_read(ovr_rows *r, size_t task, ovr_rows_number *number,
+                   void *data);
+
+/* Writes the message of a failure, "" if there is none. */
+void ovr_rows_message(ovr_rows *r, size_t task, char *text, size_t capacity);
+
+/* Writes the name of the table with the case's row, "" if there is none. */
+void ovr_rows_table(const ovr_rows *r, size_t task, char *text,
+                    size_t capacity);
+
+/* Splits a line `  "key": value,` of our own JSON, outside of inner objects. */
+bool ovr_rows_pair(const char *line, char *key, size_t capacity,
+                   const char **value, size_t *length);
+
+#endif
