@@ -35,7 +35,8 @@ typedef enum ovr_picture_kind {
     OVR_PICTURE_DEPTH,   /* the same over depth: worst, smooth, length */
     OVR_PICTURE_ELEMENT, /* the gear pair, cam or bearing of its case, and what
                            its contact goes through */
-    OVR_PICTURE_PLASTIC  /* what has yielded: profile, strain, stresses left */
+    OVR_PICTURE_PLASTIC, /* what has yielded: profile, strain, stresses left */
+    OVR_PICTURE_AREAL    /* maps of a strip at an instant, with cuts */
 } ovr_picture_kind;
 
 /* Lengths in b, pressures in ph, heights in b^2/R, times in b/um, whatever
@@ -57,6 +58,7 @@ typedef struct ovr_picture_options {
                                  "max_shear" (NULL) or another stress */
     int surface;              /* stress, risk, depth: 1 (0) or 2 */
     bool log_depth;           /* stress: depth logarithmic, from D */
+    double along;             /* areal: X of the cut across; NAN: 0 */
     int width, height;        /* pixels; 0: 1280 by what the kind needs */
     const char *title;        /* NULL: the file's own; "": none */
     const char *const *names; /* of each result, for the legend; NULL: their
@@ -136,7 +138,8 @@ OVR_API ovr_status ovr_figure_distribution(const ovr_study *study,
 typedef struct ovr_frames_options {
     const ovr_picture_options *look; /* of each; NULL: the defaults; path and
                                         times are not used; kind:
-                                        OVR_PICTURE_STRESS, else a snapshot */
+                                        OVR_PICTURE_STRESS, OVR_PICTURE_AREAL,
+                                        else a snapshot */
     const char *folder; /* where the frames go; NULL: only the movie */
     const char *form;   /* "png" (NULL), "svg", "pdf" */
     size_t every;       /* every so many snapshots; 0: all */

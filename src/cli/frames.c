@@ -108,6 +108,7 @@ static int draw(const cli_call *call, const ovr_frames_options *given,
         cli_close_results(call, results);
         return code;
     }
+    cli_choose_areal(call, results[0], look);
     cli_say_units(call, results, look->units);
     cli_catch_signals();
     w.progress = cli_progress_begin(call->verbosity, 0);

@@ -110,6 +110,11 @@ int cli_picture_ranges(const cli_call *call, const ovr_result *result,
         code = take_number(call, result, OVR_KIND_PRESSURE, "p-max", &o->P_to);
     if (!code)
         code = take_number(call, result, OVR_KIND_HEIGHT, "h-max", &o->H_to);
+    const char *along = cli_value(call, "along");
+    ovr_error err = {0};
+    if (!code && along &&
+        ovr_result_number(result, OVR_KIND_LENGTH, along, &o->along, &err))
+        code = cli_usage(call, "--along %s", err.message);
     return code;
 }
 
@@ -123,6 +128,15 @@ int cli_choose_across(const cli_call *call, ovr_result *result)
     if (ovr_result_number(result, OVR_KIND_LENGTH, text, &Y, &err))
         return cli_usage(call, "--across %s", err.message);
     return ovr_result_across(result, &Y, &err) ? cli_fail(&err) : CLI_DONE;
+}
+
+void cli_choose_areal(const cli_call *call, const ovr_result *result,
+                      ovr_picture_options *o)
+{
+    if (ovr_result_about(result)->lines > 1 && call->arguments == 1 &&
+        o->kind == OVR_PICTURE_SNAPSHOT && !cli_value(call, "kind") &&
+        !cli_value(call, "across"))
+        o->kind = OVR_PICTURE_AREAL;
 }
 
 static int open_result(const cli_call *call, const char *path,

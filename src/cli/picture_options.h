@@ -18,6 +18,8 @@
          "line of a strip, like 0.1mm or, in b, 0.5; default: the line "       \
          "that [strip] shown names",                                           \
          false},                                                               \
+        {"along", "X", "X of the cut across in maps of a strip; default: 0",   \
+         false},                                                               \
         {"p-max", "P", "upper end of the pressure axis, in ph or GPa", false}, \
         {"h-max", "H", "upper end of the film axis, in b^2/R or um", false},   \
         {"size", "WxH", "of the picture in pixels", false},                    \
@@ -41,6 +43,11 @@ enum { CLI_RESULTS = 8 };
 
 /* Chooses the line of a strip that --across gives. */
 int cli_choose_across(const cli_call *call, ovr_result *result);
+
+/* Makes maps of a strip the kind of picture, unless the kind, a line or an
+ * overlay is asked for. */
+void cli_choose_areal(const cli_call *call, const ovr_result *result,
+                      ovr_picture_options *options);
 
 /* Opens the files named on the command line. */
 int cli_open_results(const cli_call *call, ovr_result **results);

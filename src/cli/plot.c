@@ -10,8 +10,8 @@ enum { TIMES = 8 };
 static const cli_option options[] = {
     {"o", "PICTURE", "where to: NAME.png, NAME.svg or NAME.pdf", false},
     {"kind", "KIND",
-     "snapshot (default), history, map, trace, stress, risk, depth, plastic, "
-     "passes or element; of a study stribeck",
+     "snapshot (default), areal (default of a strip), history, map, trace, "
+     "stress, risk, depth, plastic, passes or element; of a study stribeck",
      false},
     {"at", "T", "snapshot: an instant, like 0.2ms or, in b/um, 1.5", true},
     {"overlay", NULL, "snapshot: all instants in one panel", false},
@@ -38,8 +38,8 @@ static const cli_option options[] = {
 static int take_kind(const cli_call *call, ovr_picture_options *o)
 {
     static const char *const kinds[] = {
-        "snapshot", "history", "map",     "trace",   "stress",
-        "risk",     "depth",   "element", "plastic", NULL};
+        "snapshot", "history", "map",     "trace", "stress", "risk",
+        "depth",    "element", "plastic", "areal", NULL};
     const char *text = cli_value(call, "kind");
     int k = text ? cli_choice(text, kinds) : (int)o->kind;
     if (k >= 0) {
@@ -53,7 +53,7 @@ static int take_kind(const cli_call *call, ovr_picture_options *o)
                          call->argument[0]);
     return cli_usage(
         call,
-        "--kind '%s': there are snapshot, history, map, trace, stress, "
+        "--kind '%s': there are snapshot, areal, history, map, trace, stress, "
         "risk, depth, element, plastic and passes",
         text);
 }
@@ -122,6 +122,7 @@ static int draw(const cli_call *call, ovr_result *const *results,
         code = take_instants(call, results[0], o, times);
     if (code)
         return code;
+    cli_choose_areal(call, results[0], o);
     cli_say_units(call, results, o->units);
     if (ovr_picture(results, (size_t)call->arguments, o, NULL, &err) != OVR_OK)
         return cli_fail(&err);
@@ -340,6 +341,8 @@ const cli_verb cli_plot = {
     .summary = "one picture: snapshot, history, space-time map, trace, study",
     .help =
         "  snapshot  pressure, film and roughness at a few instants\n"
+        "  areal     maps of pressure and film of a strip, with cuts along x\n"
+        "            (--across Y) and across (--along X)\n"
         "  history   minimum and central film and maximum pressure in time\n"
         "  map       position against time, the colour is film or pressure\n"
         "  trace     film at x = 0, and the roughness that passes there\n"

@@ -19,6 +19,7 @@
 #include "base/given.h"
 #include "base/plain.h"
 #include "physics/stress/pictures_depth.h"
+#include "pictures/areal.h"
 #include "pictures/gnuplot.h"
 #include "pictures/movie.h"
 #include "pictures/picture.h"
@@ -174,7 +175,9 @@ typedef struct studio {
     ovr_form form;
     ovr_snapshot_style look;
     ovr_snapshot_chart *chart;
-    bool below; /* the stresses too */
+    bool below;            /* the stresses too */
+    ovr_areal_view *areal; /* maps of a strip; NULL: snapshots along x */
+    ovr_chart areal_chart;
     ovr_depth_field field;
     ovr_text script, template;
     ovr_gnuplot *gnuplot;
@@ -235,8 +238,28 @@ static ovr_status find_field(studio *s, ovr_error *err)
     return status;
 }
 
+/* One scale of colours for the whole run. */
+static ovr_status find_areal(studio *s, ovr_error *err)
+{
+    ovr_picture_options *look = &s->each;
+    if (s->count > 1)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "maps across rolling show one result: give one");
+    if (look->height <= 0)
+        look->height = 960;
+    s->areal = ovr_arena_take(s->arena, 1, sizeof *s->areal, err);
+    ovr_status status = s->areal ? ovr_areal_view_make(s->areal, s->runs, look,
+                                                       s->arena, err)
+                                 : OVR_NO_MEMORY;
+    for (size_t i = 0; !status && i < s->n; i++)
+        status = ovr_areal_view_include(s->areal, s->which[i], err);
+    return status;
+}
+
 static ovr_status find_ranges(studio *s, ovr_error *err)
 {
+    if (s->each.kind == OVR_PICTURE_AREAL && find_areal(s, err))
+        return OVR_BAD_INPUT;
     const ovr_picture_options *look = s->o->look;
     ovr_status status = find_field(s, err);
     ovr_extent extent = ovr_extent_make(look->x_from, look->x_to, s->runs,
@@ -289,6 +312,9 @@ static void describe(const studio *s, ovr_text *to)
         ovr_text_put(to, " of ");
         ovr_text_gnuplot(to, s->runs[j].info->created);
     }
+    if (s->areal)
+        ovr_text_print(to, "\nmaps, cuts at %.9g and %.9g", s->areal->line,
+                       s->areal->along);
     if (s->below)
         ovr_text_print(to, "\nstress %s to %.9g%s", s->field.name,
                        s->field.high, s->field.logarithmic ? " log" : "");
@@ -365,6 +391,27 @@ static ovr_gnuplot *worker_of(studio *s, size_t i)
     return &s->gnuplot[s->workers > 1 ? i % s->workers : 0];
 }
 
+static ovr_status draw_areal(studio *s, size_t i, const ovr_chart **chart,
+                             ovr_error *err)
+{
+    s->areal_chart = (ovr_chart){.kind = "areal",
+                                 .title = s->look.title,
+                                 .width = s->each.width > 0 ? s->each.width
+                                                            : 1280,
+                                 .height = s->each.height};
+    *chart = &s->areal_chart;
+    return ovr_areal_view_draw(s->areal, s->which[i], &s->areal_chart, err);
+}
+
+static ovr_status draw_shot(studio *s, ovr_arena *once, ovr_error *err)
+{
+    ovr_snapshot_draw(s->chart, &s->look, s->shots, 1, s->count, NULL);
+    s->chart->chart.kind = s->below ? "stress" : "snapshot";
+    return s->below ? ovr_stress_panel_add(&s->field, s->shots, &s->look,
+                                           s->chart, once, err)
+                    : OVR_OK;
+}
+
 static ovr_status ask_frame(studio *s, size_t i, ovr_error *err)
 {
     char path[OVR_PATH_SIZE], script[OVR_PATH_SIZE];
@@ -373,18 +420,17 @@ static ovr_status ask_frame(studio *s, size_t i, ovr_error *err)
         return status;
     name_frame(s, i, ovr_form_names[s->form], path);
     name_frame(s, i, "gp", script);
-    ovr_snapshot_draw(s->chart, &s->look, s->shots, 1, s->count, NULL);
-    s->chart->chart.kind = s->below ? "stress" : "snapshot";
     ovr_arena once = ovr_arena_make(&s->arena->allocator);
-    if (s->below)
-        status = ovr_stress_panel_add(&s->field, s->shots, &s->look, s->chart,
-                                      &once, err);
+    const ovr_chart *chart = &s->chart->chart;
+    if (s->areal)
+        status = draw_areal(s, i, &chart, err);
+    else
+        status = draw_shot(s, &once, err);
     s->script.length = 0;
     if (status == OVR_OK)
-        ovr_chart_script(&s->chart->chart, &s->template, s->form, &s->script);
+        ovr_chart_script(chart, &s->template, s->form, &s->script);
     if (status == OVR_OK && s->o->scripts)
-        status = ovr_chart_write(&s->chart->chart, &s->template, path, script,
-                                 &once, err);
+        status = ovr_chart_write(chart, &s->template, path, script, &once, err);
     if (status == OVR_OK)
         status = ovr_gnuplot_ask(worker_of(s, i), &s->script, path, err);
     ovr_arena_release(&once);

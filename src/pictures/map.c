@@ -187,6 +187,21 @@ static ovr_status colour_axis(const ovr_drawing *drawing, const map *m,
                : words(drawing, v, largest, axis, err);
 }
 
+/* "cut at y/b = 0.5" of a strip; NULL of a line contact. */
+static const char *note_cut(const ovr_drawing *drawing, const map *m,
+                            const ovr_axis *x, ovr_error *err)
+{
+    enum { SIZE = 80 };
+    double Y = NAN;
+    if (m->run->info->lines < 2 || ovr_result_across(m->run->result, &Y, err))
+        return NULL;
+    char *note = ovr_arena_take(drawing->arena, SIZE, 1, err);
+    if (note)
+        snprintf(note, SIZE, "cut at %s = %.3g%s%s", *x->unit ? "y" : "y/b",
+                 Y * x->factor, *x->unit ? " " : "", x->unit);
+    return note;
+}
+
 static ovr_status make_panel(const ovr_drawing *drawing, map *m,
                              ovr_panel *panel, ovr_error *err)
 {
@@ -215,7 +230,8 @@ static ovr_status make_panel(const ovr_drawing *drawing, map *m,
         return status;
     for (size_t c = 0; c < (size_t)CELLS_T * CELLS_X; c++)
         m->values[c] *= v.factor;
-    *panel = (ovr_panel){.x_label = x.label,
+    *panel = (ovr_panel){.note = note_cut(drawing, m, &x, err),
+                         .x_label = x.label,
                          .y_label = T.label,
                          .x_from = m->x_from * x.factor,
                          .x_to = m->x_to * x.factor,

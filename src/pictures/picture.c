@@ -21,7 +21,8 @@ ovr_picture_options ovr_picture_options_default(void)
                                           .P_to = NAN,
                                           .H_to = NAN,
                                           .T_from = NAN,
-                                          .T_to = NAN};
+                                          .T_to = NAN,
+                                          .along = NAN};
     return defaults;
 }
 
@@ -189,7 +190,9 @@ static const maker makers[] = {
                              "an element is drawn of one result", 0, false},
     [OVR_PICTURE_PLASTIC] = {"plastic", ovr_draw_plastic,
                              "a picture of what yields shows one result", 1000,
-                             false}};
+                             false},
+    [OVR_PICTURE_AREAL] = {"areal", ovr_draw_areal,
+                           "maps across rolling show one result", 960, true}};
 
 static ovr_status draw(const ovr_drawing *drawing, ovr_error *err)
 {

@@ -38,6 +38,9 @@ ovr_status ovr_draw_plastic(const ovr_drawing *drawing, ovr_chart *chart,
 ovr_status ovr_draw_map(const ovr_drawing *drawing, ovr_chart *chart,
                         ovr_error *err);
 
+ovr_status ovr_draw_areal(const ovr_drawing *drawing, ovr_chart *chart,
+                          ovr_error *err);
+
 /* Appends the template of a path; NULL: the one that is built in. */
 ovr_status ovr_template_read(const char *path, ovr_text *to, ovr_error *err);
 
