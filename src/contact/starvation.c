@@ -117,7 +117,9 @@ double ovr_inlet_of_loss(double M, double L, double loss, double minimum)
         *(y > 0 ? &near : &far) = x;
         *(y > 0 ? &above : &below) = y;
     }
-    return -exp(far);
+    /* The line once more: without it, what is left of the tolerance depends on
+     * the rounding of log and exp, which differ between machines. */
+    return -exp(near + (far - near) * above / (above - below));
 }
 
 /* A rigid film ends at 0.475 sqrt(2 H) (Martin), that of a dry contact at 1:

@@ -39,14 +39,15 @@ class Program {
     asked.resolve(answer);
   }
   // `state` takes the film as it comes; `files` lie in the program's folder.
-  call(args, { files = {}, keep = [], drop = [], state = null, stops = false }
+  call(args, { files = {}, keep = [], drop = [], clear = [], state = null,
+    stops = false }
     = {}) {
     const id = this.next++;
     const flag = stops ? URL.createObjectURL(new Blob(["go on"])) : "";
     this.flag = flag;
     return new Promise((resolve) => {
       this.waiting.set(id, { resolve, state, flag });
-      this.worker.postMessage({ id, args, keep, drop, flag, states: !!state,
+      this.worker.postMessage({ id, args, keep, drop, clear, flag, states: !!state,
         files: { ...dropped, ...files } });
     });
   }

@@ -4,7 +4,7 @@
  */
 let marcher = null;         // Program
 let marching = false, paused = false, stopped = false;
-let result = null;          // { h5, html } of the last run
+let result = null;          // { files, names, h5, html } of the last run
 
 function marchingNow(on) {
   marching = on;
@@ -14,10 +14,13 @@ function marchingNow(on) {
   if (!on) byId("left").textContent = "";
 }
 
+// Of several passes, each has a file of its own.
+const RESULTS = ["result.h5", "result-*.h5"];
+
 // One stretch, to the end, a pause or a stop; the file holds all so far.
-async function march(args, files) {
+async function march(args, files, clear) {
   let from = null;
-  return marcher.call(args, { files, stops: true, keep: ["result.h5"],
+  return marcher.call(args, { files, stops: true, clear, keep: RESULTS,
     state: (s) => {
       if (!marching || paused) return;
       from = from || s;
@@ -44,7 +47,7 @@ async function runInTime() {
   byId("pause").textContent = "❚❚ pause";
   byId("status").textContent = "running";
   let answer = await march(["solve", "case.ini", "-o", "result.h5", "--json"],
-    { "case.ini": textOfCase() });
+    { "case.ini": textOfCase() }, ["result*"]);
   while (paused && !stopped && !answer.ended) {
     byId("status").textContent = "paused at " + byId("left").textContent;
     byId("pause").disabled = false;
@@ -54,7 +57,7 @@ async function runInTime() {
     paused = false;
     byId("pause").textContent = "❚❚ pause";
     byId("status").textContent = "running";
-    answer = await march(["solve", "result.h5", "--resume", "--json"], {});
+    answer = await march(["solve", "result.h5", "--resume", "--json"], {}, []);
   }
   await runEnded(answer);
 }
@@ -67,22 +70,40 @@ async function runEnded(answer) {
     marchingNow(false);
     return;
   }
-  result = { h5: answer.files["result.h5"], html: null,
-    summary: answer.out ? JSON.parse(answer.out) : null };
-  byId("status").textContent = "making the player";
-  const page = await marcher.call(["view", "result.h5", "-o", "player.html"],
-    { keep: ["player.html"], drop: ["player.html"] });
+  const files = Object.keys(answer.files).filter((name) =>
+    /^result-\d+\.h5$/.test(name))
+    .sort((a, b) => parseInt(a.slice(7), 10) - parseInt(b.slice(7), 10));
+  result = { files: answer.files, names: files.length ? files : ["result.h5"] };
+  const list = byId("pass");
+  list.replaceChildren();
+  result.names.forEach((name, k) => {
+    const option = element(list, "option");
+    option.value = name;
+    option.textContent = k + 1;
+  });
+  list.parentElement.hidden = result.names.length < 2;
+  list.value = result.names[result.names.length - 1];
   marchingNow(false);
-  if (page.files["player.html"]) {
-    result.html = page.files["player.html"];
-    byId("player").srcdoc = new TextDecoder().decode(result.html);
-    showPlayer(true);
-  } else {
-    lines.push(...said(page));
-  }
-  if (result.summary) showNumbers(result.summary);
-  showNotes(lines);
+  const trouble = await play(list.value);
+  const summary = answer.out && JSON.parse(answer.out);
+  if (summary) showNumbers(summary);
+  showNotes([...lines, ...trouble]);
   byId("status").textContent = stopped ? "stopped" : "ready";
+}
+
+// Lets view's page play a file of the last run; messages, if it cannot.
+async function play(name) {
+  byId("status").textContent = "making the player";
+  const page = await marcher.call(["view", name, "-o", "player.html"],
+    { files: { [name]: result.files[name] }, keep: ["player.html"],
+      drop: ["player.html"] });
+  byId("status").textContent = "ready";
+  result.h5 = result.files[name];
+  result.html = page.files["player.html"] || null;
+  if (!result.html) return said(page);
+  byId("player").srcdoc = new TextDecoder().decode(result.html);
+  showPlayer(true);
+  return [];
 }
 
 function showPlayer(on) {
@@ -327,6 +348,7 @@ function connectPage() {
   byId("stop").onclick = stop;
   byId("solve").onclick = () => follow(true);
   byId("link").onclick = copyLink;
+  byId("pass").onchange = (e) => play(e.target.value);
   byId("back").onclick = () => showPlayer(false);
   byId("keep").onclick = () => {
     kept = kept ? null : shown;
@@ -404,7 +426,7 @@ async function begin() {
   const given = JSON.parse(byId("given").textContent);
   const linked = await linkedCase() ?? (given && given.case);
   if (given && given.page) {
-    result = { h5: null, html: given.page, summary: null };
+    result = { h5: null, html: given.page };
     byId("player").srcdoc = given.page;
     showPlayer(true);
   }

@@ -2,7 +2,8 @@
 /*
  * A worker with the program in it.  Messages {id, args, files, keep}: runs the
  * command line `args`; `files`, by name, are put where it finds them first, and
- * those named in `keep` come back.  While it runs, states of the film go to the
+ * those named in `keep` come back; those in `clear` are
+ * removed before, those in `drop` after.  While it runs, states of the film go to the
  * page, and the page asks it to stop by withdrawing the address `flag`, which
  * is all that reaches a worker at work.
  */
@@ -84,6 +85,13 @@ const textOf = (pieces) => {
   return pieces.map((p) => decoder.decode(p, { stream: true })).join("");
 };
 
+// Files by a name, in which a star stands for anything.
+const named = (pattern) => [...files.of.keys()].filter((name) => {
+  const [head, tail] = pattern.split("*");
+  return tail === undefined ? name === pattern
+    : name.startsWith(head) && name.endsWith(tail);
+});
+
 function run(message) {
   const answer = { id: message.id, files: {} };
   printed = [[], []];
@@ -93,6 +101,8 @@ function run(message) {
   posting = message.states ? message.id : null;
   next = asked = 0;
   begun = performance.now();
+  for (const pattern of message.clear || [])
+    for (const name of named(pattern)) files.of.delete(name);
   for (const [name, content] of Object.entries(message.files || {}))
     files.write(name, content);
   try {
@@ -112,12 +122,11 @@ function run(message) {
   answer.stopped = stopping;
   answer.memory = program ? program.memory.buffer.byteLength : 0;
   const parts = [];
-  for (const name of message.keep || []) {
-    const bytes = files.read(name);
-    if (!bytes) continue;
-    answer.files[name] = bytes;
-    parts.push(bytes.buffer);
-  }
+  for (const pattern of message.keep || [])
+    for (const name of named(pattern)) {
+      answer.files[name] = files.read(name);
+      parts.push(answer.files[name].buffer);
+    }
   for (const name of message.drop || []) files.of.delete(name);
   postMessage(answer, parts);
 }

@@ -60,21 +60,75 @@ def asks(browser, args, files=None, keep=()):
     return browser.run("return window.answer")
 
 
-def same(ours, theirs, path=""):
-    """All numbers agree to 1e-9 of the larger of both and of 1e-3."""
+# How it was computed, balances that are zero but for rounding, places that
+# two nodes of the same value share, and the images of a coating, of which many
+# sets describe the same layer.
+HOW = {"seconds", "refinements", "residual", "cycles", "factor", "load_error",
+       "load_error_max", "mass_balance", "T_load_error_max",
+       "T_load_error_max_s", "energy_defect", "energy_defect_max",
+       "T_energy_defect_max", "T_energy_defect_max_s", "algebraic", "Y_min",
+       "Y_P_max", "y_max_pressure", "y_min_film", "image_weight", "image_depth"}
+# Stresses are made in single precision.  A worn contact and a strip differ as
+# much between two instruction sets here; a coating's images are fitted, and
+# pass on the last digits of exp.  A length is that of a life: a power of 31/3
+# of what stresses are above a limit; what flows is as sensitive.
+SINGLE = 4e-7
+TOLERANCE = {"stress": SINGLE, "indented": SINGLE, "coated": SINGLE,
+             "wear": 1e-8, "strip": 1e-6}
+OF_LIFE = 1e-3
+
+
+def is_of_life(name):
+    return any(word in name for word in ("length", "life", "risk", "density",
+                                      "plastic", "residual", "dissipat"))
+
+
+def same(ours, theirs, name, tolerance):
+    """All numbers agree, to a share of the larger of both and of 1e-3."""
+    worst = 0
     for key, a in ours.items():
         b = theirs[key]
-        if key in ("seconds", "refinements", "residual", "cycles", "factor",
-                   "load_error", "load_error_max", "mass_balance",
-                   "T_load_error_max", "T_load_error_max_s"):
+        # (The tension of the interface is zero here but for rounding.)
+        if key in HOW or isinstance(a, bool) or "interface_tension" in key:
             continue
-        if isinstance(a, (int, float)) and not isinstance(a, bool):
-            assert isinstance(b, (int, float)), (path, key, a, b)
-            assert abs(a - b) <= 1e-9 * max(abs(a), abs(b), 1e-3), \
-                (path, key, a, b)
+        if isinstance(a, (int, float)):
+            assert isinstance(b, (int, float)), (name, key, a, b)
+            single = tolerance == SINGLE
+            off = abs(a - b) / max(abs(a), abs(b), 0.1 if single else 1e-3)
+            life = single and is_of_life(key)
+            assert off <= (OF_LIFE if life else tolerance), (name, key, a, b)
+            worst = max(worst, 0 if life else off)
+    return worst
 
 
-def steady_and_marched(browser):
+def same_file(a, b, name, tolerance):
+    """All arrays of numbers in two files agree, to a share of their largest."""
+    worst, seen = 0, 0
+
+    def visit(path, x):
+        nonlocal worst, seen
+        if not isinstance(x, h5py.Dataset) or x.dtype.kind != "f" or \
+                path.split("/")[-1] in HOW or x.size == 0 or \
+                "interface_tension" in path:
+            return
+        life = tolerance == SINGLE and is_of_life(path)
+        x, y = x[()], b[path][()]
+        assert x.shape == y.shape, (name, path)
+        assert np.array_equal(np.isnan(x), np.isnan(y)), (name, path)
+        largest = np.nanmax(abs(y)) if not np.all(np.isnan(y)) else 0
+        # What is zero but for rounding is nothing that could agree.
+        if largest < 1e-9:
+            return
+        off = np.nanmax(abs(x - y)) / largest
+        assert off <= (OF_LIFE if life else tolerance), (name, path, off)
+        worst, seen = max(worst, 0 if life else off), seen + 1
+
+    a.visititems(visit)
+    assert seen > 3, (name, seen)
+    return worst
+
+
+def agreement(browser):
     """What the native program, set base, left as NAME.json and NAME.h5."""
     for name in sorted(os.listdir(folder)):
         if not name.endswith(".json"):
@@ -84,23 +138,23 @@ def steady_and_marched(browser):
             case = file.read()
         with open(f"{folder}/{name}.json", encoding="utf-8") as file:
             theirs = json.load(file)
-        marched = os.path.exists(f"{folder}/{name}.h5")
-        args = ["solve", "case.ini", "--json"]
-        args += ["-o", "out.h5"] if marched else ["--steady"]
-        answer = asks(browser, args, {"case.ini": case}, ["out.h5"])
+        with open(f"{folder}/ground.csv", encoding="utf-8") as file:
+            files = {"case.ini": case, "ground.csv": file.read()}
+        last = f"{name}.h5"
+        for k in range(1, 20):
+            if os.path.exists(f"{folder}/{name}-{k}.h5"):
+                last = f"{name}-{k}.h5"
+        answer = asks(browser, ["solve", "case.ini", "--json", "-o",
+                                f"{name}.h5"], files, [last])
         assert answer["out"], (name, answer["err"])
-        same(json.loads(answer["out"]), theirs, name)
-        if not marched:
-            continue
-        with open(f"{folder}/{name}-page.h5", "wb") as file:
-            file.write(base64.b64decode(answer["files"]["out.h5"]))
-        with h5py.File(f"{folder}/{name}-page.h5") as a, \
-                h5py.File(f"{folder}/{name}.h5") as b:
-            assert set(a) == set(b), (set(a), set(b))
-            for field in ("pressure", "film_thickness", "time"):
-                x, y = a[field][()], b[field][()]
-                assert x.shape == y.shape
-                assert np.max(abs(x - y)) <= 1e-9 * np.max(abs(y)), field
+        tolerance = TOLERANCE.get(name, 1e-9)
+        off = same(json.loads(answer["out"]), theirs, name, tolerance)
+        with open(f"{folder}/page-{last}", "wb") as file:
+            file.write(base64.b64decode(answer["files"][last]))
+        with h5py.File(f"{folder}/page-{last}") as a, \
+                h5py.File(f"{folder}/{last}") as b:
+            off = max(off, same_file(a, b, name, tolerance))
+        print(f"  {name}: {off:.1e}", flush=True)
 
 
 def slides(browser):
@@ -276,7 +330,7 @@ def main():
         load(browser)
         assert not text(browser, "trouble")
         slides(browser)
-        for test in (steady_and_marched, mistakes, dent, stops, drops, links,
+        for test in (agreement, mistakes, dent, stops, drops, links,
                      by_keys, memory,
                      live):
             began = time.time()
