@@ -117,8 +117,8 @@ double ovr_inlet_of_loss(double M, double L, double loss, double minimum)
         *(y > 0 ? &near : &far) = x;
         *(y > 0 ? &above : &below) = y;
     }
-    /* The line once more: without it, what is left of the tolerance depends on
-     * the rounding of log and exp, which differ between machines. */
+    /* Interpolates once more: otherwise the inlet depends on the number of
+     * steps above, and so on the rounding of log and exp. */
     return -exp(near + (far - near) * above / (above - below));
 }
 

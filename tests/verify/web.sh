@@ -42,16 +42,18 @@ END_OF_CASE
 eyring='rheology = eyring\neyring_stress = 5 MPa\nlimiting_shear = 0.08'
 sed "s/^alpha.*/&\n$eyring/" dent.ini >eyring.ini
 { cat dent.ini && printf '[stress]\nsurface = 1\n[fatigue]\n'; } >stress.ini
-{ sed 's/^end = .*/end = 0.4/' dent.ini && printf 'width_across = 0.5\n[strip]\n'; } |
-    awk '/width_across/ { across = $0; next } { text = text $0 "\n" }
-        END { sub(/width = 0.5\n/, "width = 0.5\nacross = 0\n" across "\n", text)
-              printf "%s", text }' >strip.ini
+{
+    sed -e 's/^end = .*/end = 0.4/' \
+        -e 's/^start = .*/&\nacross = 0\nwidth_across = 0.5/' dent.ini
+    echo '[strip]'
+} >strip.ini
 cp "$TOP/profiles/ground.csv" .
 sed -e 's,\.\./\.\./profiles/,,' -e 's/^level = .*/level = 5/' \
     -e 's/^passes = .*/passes = 1e3/' \
     "$TOP/tools/examples/running-in.ini" >wear.ini
 sed -e '/^wear/d' -e '/^passes/d' wear.ini >mixed.ini
-for kind in numbers roller discs hot gear cam bearing starved indented coated; do
+for kind in numbers roller discs hot gear cam bearing starved indented \
+    coated; do
     expect 0 "$OVERROLL" init $kind --set domain.level=5 -o $kind.ini
 done
 sed -i 's/^level = 5/level = 6/' coated.ini
