@@ -189,7 +189,7 @@ $(BUILD)/%.o: %.c $(BUILD)/flags
 # What gnuplot runs and the page of `overroll view` as arrays; the page's style
 # and script go into its text where they are named.
 PAGE    := src/pictures/page
-PAGE_JS := $(PAGE)_data.js $(PAGE)_draw.js \
+PAGE_JS := $(PAGE)_data.js $(PAGE)_draw.js $(PAGE)_areal.js \
            $(addsuffix /pictures_page.js,src/physics/heat src/physics/stress \
              src/elements) $(PAGE)_play.js
 CHART   := src/pictures/chart.gp

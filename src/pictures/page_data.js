@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The data of the page: base64, inflate, differences, levels.  pack.h says how
- * it was made.  The page is data, draw, heat, stress, element and play, in
+ * it was made.  The page is data, draw, areal, heat, stress, element and play, in
  * this order, in one function.
  */
 function bytesOf(base64) {
@@ -49,6 +49,7 @@ async function runOf(made) {
   if (made.hertz) run.hertz = doublesOf(made.hertz);
   for (const name of ["P", "H", "S", "F", "T1", "T2", "T3", "C"])
     if (made[name]) run[name] = await fieldOf(made[name], run.nodes, run.shots);
+  if (made.areal) run.areal = await arealOf(made.areal);
   if (made.stress) run.stress = await stressOf(made.stress, run.shots);
   if (made.material) run.material = materialOf(made.material);
   if (made.element) run.element = elementOf(made.element);

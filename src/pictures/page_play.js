@@ -46,6 +46,7 @@ function redraw() {
     for (const view of views) {
       drawRun(view);
       drawHeat(view);
+      drawAreal(view);
       drawStress(view);
       drawElement(view);
       drawHistory(view);
@@ -204,6 +205,7 @@ function viewOf(run, number) {
     view.stress.addEventListener("pointerdown", (e) => onStress(view, e));
     byId("depths").hidden = false;
   }
+  addAreal(view, section);
   view.values = element(section, "output");
   view.values.id = "values" + number;
   view.history = element(section, "canvas", "history");
@@ -271,7 +273,7 @@ async function begin() {
   runs = await Promise.all(made.runs.map(runOf));
   ranges = findRanges();
   if (runs.length > 1) byId("runs").classList.add("two");
-  if (runs.some((run) => isWarm(run) || run.stress))
+  if (runs.some((run) => isWarm(run) || run.stress || run.areal))
     byId("runs").classList.add("more");
   byId("precision").textContent = made.precision;
   views = runs.map(viewOf);

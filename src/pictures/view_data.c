@@ -403,6 +403,8 @@ static ovr_status put_run(ovr_view_run *w, ovr_error *err)
     ovr_text_doubles(w->to, "time", times, w->shots);
     put_hertz(w);
     status = put_fields(w, err);
+    if (status == OVR_OK)
+        status = ovr_view_areal(w, err);
     if (status == OVR_OK && (w->stress || has_stress(w->run)))
         status = ovr_view_stress(w, err);
     if (status == OVR_OK)

@@ -18,6 +18,9 @@ typedef struct ovr_view_run {
 /* Appends "element":{...}, where the case of the run has one. */
 void ovr_view_element(const ovr_view_run *view);
 
+/* Adds "areal":{...}, the maps of a strip; nothing for a line contact. */
+ovr_status ovr_view_areal(const ovr_view_run *view, ovr_error *err);
+
 /* Adds "stress":{...}, below the snapshots. */
 ovr_status ovr_view_stress(const ovr_view_run *view, ovr_error *err);
 
