@@ -28,7 +28,7 @@ COMPILES := 1
 endif
 
 PKG_CONFIG ?= pkg-config
-PKGS := gsl zlib libdeflate libzip expat nettle fftw3 fftw3f
+PKGS := gsl zlib libdeflate expat nettle fftw3 fftw3f
 HDF5 := $(firstword $(foreach p,hdf5 hdf5-serial,\
           $(if $(shell $(PKG_CONFIG) --exists $(p) 2>/dev/null && echo y),$(p))))
 ifdef COMPILES
@@ -105,8 +105,7 @@ STATIC     ?= $(if $(KIND),,1)
 LIBDIRS    := $(patsubst -L%,%,$(shell $(PKG_CONFIG) --libs-only-L $(HDF5))) \
               $(shell $(PKG_CONFIG) --variable=libdir gsl)
 archive     = $(firstword $(wildcard $(LIBDIRS:%=%/lib$(1).a)))
-# zlib stays shared, since libzip uses it too.
-ARCHIVES   := $(foreach l,hdf5_hl hdf5 sz aec fftw3 fftw3f gsl gslcblas expat deflate nettle,\
+ARCHIVES   := $(foreach l,hdf5_hl hdf5 sz aec fftw3 fftw3f gsl gslcblas expat deflate nettle z,\
                 $(call archive,$(l)))
 endif
 
@@ -150,7 +149,7 @@ all: $(PROGRAM) $(LIB) $(SHARED) $(CASE_PAGE) $(COMPLETION) ## the program and b
 
 # An HDF5 that was configured with more than zlib and szip needs libraries that
 # only its shared form names: then all are shared.
-STATIC_LIBS  = $(ARCHIVES) -lzip -lz -lm -lpthread -ldl
+STATIC_LIBS  = $(ARCHIVES) $(if $(call archive,z),,-lz) -lm -lpthread -ldl
 LINKS_STATIC = $(if $(and $(STATIC),$(word 11,$(ARCHIVES))),$(shell \
   echo 'int H5open(void); int main(void) { return H5open(); }' | \
   $(LINK) -x c -o $(BUILD)/static - -x none $(STATIC_LIBS) 2>/dev/null && echo y))

@@ -8,7 +8,6 @@
 #include <fftw3.h>
 #include <gsl/gsl_version.h>
 #include <hdf5.h>
-#include <zip.h>
 #include <zlib.h>
 
 #include "cli/cli.h"
@@ -40,9 +39,8 @@ static void print_version(void)
     unsigned major = 0, minor = 0, release = 0;
     H5get_libversion(&major, &minor, &release);
     printf("overroll %s\n", OVERROLL_VERSION);
-    printf("GSL %s, HDF5 %u.%u.%u, zlib %s, libzip %s, %s, %s\n", gsl_version,
-           major, minor, release, zlibVersion(), zip_libzip_version(),
-           XML_ExpatVersion(), fftw_version);
+    printf("GSL %s, HDF5 %u.%u.%u, zlib %s, %s, %s\n", gsl_version, major,
+           minor, release, zlibVersion(), XML_ExpatVersion(), fftw_version);
 }
 
 /* Ten lines. */

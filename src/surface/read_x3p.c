@@ -8,16 +8,16 @@
 #include <limits.h>
 #include <math.h>
 #include <string.h>
-#include <zip.h>
 
 #include "base/error.h"
 #include "base/text.h"
 #include "surface/areal.h"
 #include "surface/binary.h"
 #include "surface/x3p.h"
+#include "surface/zip.h"
 
 typedef struct package {
-    zip_t *zip;
+    ovr_zip zip;
     ovr_profile *profile;
     char folder[256]; /* in front of main.xml */
     ovr_arena arena;  /* for what is unpacked */
@@ -30,72 +30,51 @@ typedef struct package {
 
 static ovr_status open_zip(package *k, ovr_bytes content, ovr_error *err)
 {
-    zip_error_t why;
-    zip_source_t *source;
-    zip_error_init(&why);
-    source = zip_source_buffer_create(content.data, content.size, 0, &why);
-    if (source)
-        k->zip = zip_open_from_source(source, ZIP_RDONLY, &why);
-    if (source && !k->zip)
-        zip_source_free(source);
-    if (!k->zip)
-        ovr_fail_at(err, OVR_BAD_INPUT, k->profile->file, 0,
-                    "not a readable ZIP (X3P): %s", zip_error_strerror(&why));
-    zip_error_fini(&why);
-    return k->zip ? OVR_OK : OVR_BAD_INPUT;
+    const char *wrong = ovr_zip_open(&k->zip, content, &k->arena);
+    return wrong ? ovr_fail_at(err, OVR_BAD_INPUT, k->profile->file, 0,
+                               "not a readable ZIP (X3P): %s", wrong)
+                 : OVR_OK;
 }
 
 /* main.xml, at the top or in a folder. */
-static bool find_main(package *k, zip_uint64_t *index)
+static const ovr_zip_entry *find_main(package *k)
 {
-    zip_int64_t entries = zip_get_num_entries(k->zip, 0);
-    for (zip_int64_t i = 0; i < entries; i++) {
-        const char *name = zip_get_name(k->zip, (zip_uint64_t)i, 0);
-        const char *slash = name ? strrchr(name, '/') : NULL;
+    for (size_t i = 0; i < k->zip.entries; i++) {
+        const char *name = k->zip.entry[i].name;
+        const char *slash = strrchr(name, '/');
         const char *base = slash ? slash + 1 : name;
-        size_t folder = name ? (size_t)(base - name) : 0;
-        if (!name || strcmp(base, "main.xml") != 0 ||
-            folder >= sizeof k->folder)
+        size_t folder = (size_t)(base - name);
+        if (strcmp(base, "main.xml") != 0 || folder >= sizeof k->folder)
             continue;
         memcpy(k->folder, name, folder);
         k->folder[folder] = 0;
-        *index = (zip_uint64_t)i;
-        return true;
+        return &k->zip.entry[i];
     }
-    return false;
+    return NULL;
 }
 
 /* Sizes in a ZIP's directory are only promises: what is taken is bounded, and
  * the content must be as long as it says. */
-static ovr_status unpack(package *k, zip_uint64_t index, const char *name,
-                         ovr_bytes *out, ovr_error *err)
+static ovr_status unpack(package *k, const ovr_zip_entry *entry,
+                         const char *name, ovr_bytes *out, ovr_error *err)
 {
     const size_t maximum = strcmp(name, "main.xml") ? OVR_CONTENT_MAX
                                                     : OVR_CONTENT_MAX / 4;
-    const char *file = k->profile->file;
-    zip_stat_t about;
-    zip_file_t *in;
-    zip_int64_t got;
-    char *data, behind;
-    if (zip_stat_index(k->zip, index, 0, &about) != 0 ||
-        !(about.valid & ZIP_STAT_SIZE) || about.size > maximum)
+    const char *file = k->profile->file, *wrong;
+    char *data;
+    if (entry->size > maximum)
         return ovr_fail_at(
             err, OVR_BAD_INPUT, file, 0,
             "'%s' in it is larger than the %zu bytes that are read at most",
             name, maximum);
-    data = ovr_arena_take(&k->arena, (size_t)about.size, 1, err);
+    data = ovr_arena_take(&k->arena, (size_t)entry->size, 1, err);
     if (!data)
         return OVR_NO_MEMORY;
-    in = zip_fopen_index(k->zip, index, 0);
-    got = in ? zip_fread(in, data, about.size) : -1;
-    if (in && got >= 0 && zip_fread(in, &behind, 1) != 0)
-        got = -1; /* longer than promised, or the checksum is wrong */
-    if (in)
-        zip_fclose(in);
-    if (got < 0 || (zip_uint64_t)got != about.size)
-        return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
-                           "'%s' in it is damaged or cut off", name);
-    *out = (ovr_bytes){data, (size_t)about.size};
+    wrong = ovr_zip_unpack(&k->zip, entry, data);
+    if (wrong)
+        return ovr_fail_at(err, OVR_BAD_INPUT, file, 0, "'%s' in it is %s",
+                           name, wrong);
+    *out = (ovr_bytes){data, (size_t)entry->size};
     return OVR_OK;
 }
 
@@ -103,19 +82,19 @@ static ovr_status unpack_named(package *k, const char *link, ovr_bytes *out,
                                ovr_error *err)
 {
     char name[sizeof k->folder + 256];
-    zip_int64_t index;
+    const ovr_zip_entry *entry;
     size_t folder = strlen(k->folder), size = strlen(link);
     memcpy(name, k->folder, folder);
     memcpy(name + folder, link, size + 1);
-    index = zip_name_locate(k->zip, name, 0);
-    if (index < 0)
-        index = zip_name_locate(k->zip, link, 0);
-    if (index < 0)
+    entry = ovr_zip_find(&k->zip, name);
+    if (!entry)
+        entry = ovr_zip_find(&k->zip, link);
+    if (!entry)
         return ovr_fail_at(err, OVR_BAD_INPUT, k->profile->file, 0,
                            "main.xml needs '%s', which is not in it",
                            ovr_quote((ovr_line){link, size, 0}).text);
-    return unpack(k, (zip_uint64_t)index,
-                  ovr_quote((ovr_line){link, size, 0}).text, out, err);
+    return unpack(k, entry, ovr_quote((ovr_line){link, size, 0}).text, out,
+                  err);
 }
 
 /* ------------------------------------------------------- what is announced */
@@ -380,13 +359,13 @@ static ovr_status read_package(package *k, const ovr_profile_source *source,
                                ovr_error *err)
 {
     ovr_profile *p = k->profile;
-    zip_uint64_t index;
+    const ovr_zip_entry *entry = find_main(k);
     ovr_bytes xml;
     ovr_status status;
-    if (!find_main(k, &index))
+    if (!entry)
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
                            "is a ZIP without main.xml, and so not X3P");
-    status = unpack(k, index, "main.xml", &xml, err);
+    status = unpack(k, entry, "main.xml", &xml, err);
     if (!status)
         status = ovr_x3p_parse(xml, p->file, &k->arena, &k->x, err);
     if (!status)
@@ -406,10 +385,8 @@ ovr_status ovr_read_x3p(ovr_profile *profile, const ovr_profile_source *source,
     profile->view.format = "X3P";
     k.arena = ovr_arena_make(&profile->arena.allocator);
     status = open_zip(&k, content, err);
-    if (!status) {
+    if (!status)
         status = read_package(&k, source, err);
-        zip_discard(k.zip);
-    }
     ovr_arena_release(&k.arena);
     return status;
 }

@@ -12,12 +12,12 @@
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
-#include <zip.h>
 
 #include "base/error.h"
 #include "base/given.h"
 #include "base/plain.h"
 #include "surface/profile.h"
+#include "surface/zip.h"
 
 static ovr_status fail_written(ovr_error *err, const char *path)
 {
@@ -174,15 +174,6 @@ static int make_xml(const ovr_profile_view *v, const char *sum, char *xml,
     return length;
 }
 
-static bool add(zip_t *zip, const char *name, const void *data, size_t size)
-{
-    zip_source_t *source = zip_source_buffer(zip, data, size, 0);
-    if (source && zip_file_add(zip, name, source, 0) >= 0)
-        return true;
-    zip_source_free(source);
-    return false;
-}
-
 static ovr_status save_x3p(const ovr_profile *profile, const char *path,
                            ovr_arena *arena, ovr_error *err)
 {
@@ -190,8 +181,9 @@ static ovr_status save_x3p(const ovr_profile *profile, const char *path,
     size_t size = (v->uniform ? 8 : 16) * v->n;
     char *data = ovr_arena_take(arena, size, 1, err), *at = data;
     char xml[2000], sums[100];
-    int length, code = 0;
-    zip_t *zip;
+    bool written;
+    int length;
+    FILE *out;
     if (!data)
         return OVR_NO_MEMORY;
     for (size_t i = 0; i < v->n; i++) {
@@ -202,18 +194,15 @@ static ovr_status save_x3p(const ovr_profile *profile, const char *path,
     length = make_xml(v, md5(data, size).text, xml, sizeof xml);
     snprintf(sums, sizeof sums, "%s *main.xml\n",
              md5(xml, (size_t)length).text);
-    zip = zip_open(path, ZIP_CREATE | ZIP_TRUNCATE, &code);
-    if (!zip)
-        return ovr_fail_at(err, OVR_BAD_INPUT, path, 0, "cannot be written");
-    if (!add(zip, "main.xml", xml, (size_t)length) ||
-        !add(zip, "bindata/data.bin", data, size) ||
-        !add(zip, "md5checksum.hex", sums, strlen(sums)) || zip_close(zip)) {
-        ovr_fail_at(err, OVR_IO, path, 0, "writing failed: %s",
-                    zip_strerror(zip));
-        zip_discard(zip);
-        return OVR_IO;
-    }
-    return OVR_OK;
+    const ovr_zip_file files[] = {{"main.xml", xml, (size_t)length},
+                                  {"bindata/data.bin", data, size},
+                                  {"md5checksum.hex", sums, strlen(sums)}};
+    out = fopen(path, "wb");
+    if (!out)
+        return fail_opened(err, path);
+    written = ovr_zip_write(out, files, sizeof files / sizeof *files, false,
+                            arena);
+    return fclose(out) || !written ? fail_written(err, path) : OVR_OK;
 }
 
 static bool ends_in(const char *path, const char *ending)

@@ -41,7 +41,7 @@ $(WEB)/overroll.wasm: $(WEB_OBJ)
 	$(call say,LINK  $@)
 	$(Q)clang --target=wasm32-wasi --sysroot=/usr -mexec-model=reactor \
 	  -Wl,--strip-all -Wl,--gc-sections -Wl,--error-limit=0 -Wl,-z,stack-size=4194304 \
-	  -o $@ $(WEB_OBJ) -L$(WEB_LIBS)/lib -lhdf5 -lfftw3 -lgsl -lzip \
+	  -o $@ $(WEB_OBJ) -L$(WEB_LIBS)/lib -lhdf5 -lfftw3 -lgsl \
 	  -lexpat -ldeflate -lnettle -lz -lwasi-emulated-signal \
 	  -lwasi-emulated-process-clocks -lwasi-emulated-getpid \
 	  -lwasi-emulated-mman -lm

@@ -205,6 +205,58 @@ with open("t.x3p", "wb") as file:
     file.write(buffer.getvalue())
 check_lines("t.x3p", counts * 1e-9, DX, DY)
 
+
+class Stream(io.RawIOBase):
+    """A stream that cannot go back: sizes are written after the data."""
+
+    def __init__(self):
+        self.bytes = b""
+
+    def writable(self):
+        return True
+
+    def write(self, data):
+        self.bytes += bytes(data)
+        return len(data)
+
+
+# The same in archives as others write them: deflated, in a folder, with a
+# comment, with 64-bit sizes, as a stream
+with zipfile.ZipFile("t.x3p") as package:
+    parts = {name: package.read(name) for name in package.namelist()}
+
+
+def archive(method=zipfile.ZIP_DEFLATED, folder="", comment=b"", large=False,
+            to=None):
+    to = to or io.BytesIO()
+    with zipfile.ZipFile(to, "w", method) as package:
+        for part, data in parts.items():
+            with package.open(folder + part, "w", force_zip64=large) as file:
+                file.write(data)
+        package.comment = comment
+    return to.bytes if isinstance(to, Stream) else to.getvalue()
+
+
+def write_bytes(name, data):
+    with open(name, "wb") as file:
+        file.write(data)
+
+
+for content in (archive(), archive(zipfile.ZIP_STORED), archive(folder="a/b/"),
+                archive(comment=b"PK\5\6 " * 9000), archive(large=True),
+                archive(to=Stream()), archive(large=True, to=Stream())):
+    write_bytes("v.x3p", content)
+    check_lines("v.x3p", counts * 1e-9, DX, DY)
+write_bytes("v.x3p", archive(zipfile.ZIP_LZMA))
+assert "neither stored nor deflated" in run("v.x3p", code=1)
+whole = archive()
+for cut in (30, len(whole) // 2, len(whole) - 5):
+    write_bytes("v.x3p", whole[:cut])
+    assert "not a readable ZIP" in run("v.x3p", code=1)
+at = whole.index(b"PK\1\2") + 8  # flags of the first entry
+write_bytes("v.x3p", whole[:at] + bytes([whole[at] | 1]) + whole[at + 1:])
+assert "encrypted" in run("v.x3p", code=1)
+
 # ------------------------------------------------------------------------ text
 with open("g.txt", "w", encoding="utf-8") as file:
     file.write(f"# Channel: Height\n# Width: {DX * NX * 1e6} µm\n"
@@ -291,6 +343,7 @@ for name in ("c.x3p", "c.sdf"):
     check(name, read(name), DX, counts[1] * 1e-9, 1e-18)
 with zipfile.ZipFile("c.x3p") as package:
     import hashlib
+    assert package.testzip() is None
     main = package.read("main.xml")
     digest = hashlib.md5(main).hexdigest()
     stored = package.read("md5checksum.hex").decode().split()

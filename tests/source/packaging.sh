@@ -29,7 +29,6 @@ done <<END
 gsl gsl gsl libgsl-dev
 zlib zlib zlib zlib1g-dev
 libdeflate libdeflate libdeflate libdeflate-dev
-libzip libzip libzip libzip-dev
 expat expat expat libexpat1-dev
 nettle nettle nettle nettle-dev
 fftw3 fftw fftw libfftw3-dev

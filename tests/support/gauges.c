@@ -6,9 +6,9 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <zip.h>
 
 #include "support/test.h"
+#include "surface/zip.h"
 
 void gauge_make(gauge *g, uint64_t *seed, bool uniform, size_t lines, bool gaps)
 {
@@ -333,34 +333,42 @@ static size_t main_xml(const gauge *g, const gauge_x3p *how, double step,
     return b.used;
 }
 
-static void add(zip_t *zip, const gauge_x3p *how, const char *name,
+typedef struct parts {
+    ovr_arena arena;
+    ovr_zip_file file[3];
+    size_t count;
+} parts;
+
+static void add(parts *to, const gauge_x3p *how, const char *name,
                 const char *data, size_t size)
 {
     char path[300];
-    char *kept = malloc(size ? size : 1);
-    zip_source_t *source;
-    zip_int64_t index;
+    char *kept = ovr_arena_take(&to->arena, size + 1, 1, NULL);
     assert_non_null(kept);
     memcpy(kept, data, size);
     snprintf(path, sizeof path, "%s%s", how->folder, name);
-    source = zip_source_buffer(zip, kept, size, 1);
-    assert_non_null(source);
-    index = zip_file_add(zip, path, source, ZIP_FL_ENC_UTF_8);
-    assert_true(index >= 0);
-    zip_set_file_compression(zip, (zip_uint64_t)index,
-                             how->deflate ? ZIP_CM_DEFLATE : ZIP_CM_STORE, 0);
+    to->file[to->count++] = (ovr_zip_file){
+        ovr_arena_text(&to->arena, path, NULL), kept, size};
+}
+
+static void write_parts(parts *from, bool stored, const char *path)
+{
+    FILE *to = fopen(path, "wb");
+    assert_non_null(to);
+    assert_true(
+        ovr_zip_write(to, from->file, from->count, stored, &from->arena));
+    assert_int_equal(fclose(to), 0);
+    ovr_arena_release(&from->arena);
 }
 
 void gauge_to_x3p(const gauge *g, const gauge_x3p *how, const char *path,
                   double *step)
 {
     static char out[GAUGE_BYTES];
-    int code;
-    zip_t *zip = zip_open(path, ZIP_CREATE | ZIP_TRUNCATE, &code);
+    parts zip = {.arena = ovr_arena_make(NULL)};
     buffer data = {out, 0};
     char mask[GAUGE_POINTS * GAUGE_LINES / 8 + 1] = {0};
     size_t total = g->n * g->lines;
-    assert_non_null(zip);
     *step = how->type == 'I'   ? largest(g) / 32000
             : how->type == 'L' ? largest(g) / 2e9
                                : 1;
@@ -373,9 +381,9 @@ void gauge_to_x3p(const gauge *g, const gauge_x3p *how, const char *path,
             mask[j / 8] = (char)((unsigned char)mask[j / 8] | 1u << j % 8);
     }
     if (!how->inline_data)
-        add(zip, how, "bindata/data.bin", out, data.used);
+        add(&zip, how, "bindata/data.bin", out, data.used);
     if (how->mask && !how->inline_data)
-        add(zip, how, "bindata/valid.bin", mask, (total + 7) / 8);
-    add(zip, how, "main.xml", out, main_xml(g, how, *step, out));
-    assert_int_equal(zip_close(zip), 0);
+        add(&zip, how, "bindata/valid.bin", mask, (total + 7) / 8);
+    add(&zip, how, "main.xml", out, main_xml(g, how, *step, out));
+    write_parts(&zip, !how->deflate, path);
 }

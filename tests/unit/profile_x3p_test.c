@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-#include <zip.h>
 
 #include "overroll/overroll.h"
+#include "surface/zip.h"
 
 static const char good_axes[] =
     "<CX><AxisType>I</AxisType><Increment>1e-6</Increment></CX>"
@@ -20,24 +20,23 @@ static const char data_link[] = "<DataLink><PointDataLink>bindata/data.bin"
                                 "</PointDataLink></DataLink>";
 static const double three[3] = {1e-6, 2e-6, 4e-6};
 
-static void add(zip_t *zip, const char *name, const void *data, size_t size)
+static void pack_files(const char *path, const ovr_zip_file *file, size_t files,
+                       bool stored)
 {
-    zip_source_t *source = zip_source_buffer(zip, data, size, 0);
-    zip_int64_t index;
-    assert_non_null(source);
-    index = zip_file_add(zip, name, source, 0);
-    assert_true(index >= 0);
-    zip_set_file_compression(zip, (zip_uint64_t)index, ZIP_CM_STORE, 0);
+    ovr_arena arena = ovr_arena_make(NULL);
+    FILE *to = fopen(path, "wb");
+    assert_non_null(to);
+    assert_true(ovr_zip_write(to, file, files, stored, &arena));
+    assert_int_equal(fclose(to), 0);
+    ovr_arena_release(&arena);
 }
 
 static void pack(const char *path, const char *xml, size_t points)
 {
-    zip_t *zip = zip_open(path, ZIP_CREATE | ZIP_TRUNCATE, NULL);
-    assert_non_null(zip);
-    if (xml)
-        add(zip, "main.xml", xml, strlen(xml));
-    add(zip, "bindata/data.bin", three, points * sizeof *three);
-    assert_int_equal(zip_close(zip), 0);
+    const ovr_zip_file files[] = {
+        {"bindata/data.bin", three, points * sizeof *three},
+        {"main.xml", xml, xml ? strlen(xml) : 0}};
+    pack_files(path, files, xml ? 2 : 1, true);
 }
 
 static ovr_profile *read_back(const char *path, ovr_error *err)
@@ -193,15 +192,14 @@ TEST(member_names_are_no_paths)
         ovr_error err = {0};
         ovr_profile *p;
         size_t before;
-        zip_t *zip = zip_open(path, ZIP_CREATE | ZIP_TRUNCATE, NULL);
         snprintf(xml, sizeof xml,
                  "<a><Record1><FeatureType>PRF</FeatureType><Axes>%s</Axes>"
                  "</Record1><Record3>%s<DataLink><PointDataLink>%s"
                  "</PointDataLink></DataLink></Record3></a>",
                  good_axes, good_size, names[k]);
-        add(zip, "main.xml", xml, strlen(xml));
-        add(zip, names[k], three, sizeof three);
-        assert_int_equal(zip_close(zip), 0);
+        const ovr_zip_file files[] = {{"main.xml", xml, strlen(xml)},
+                                      {names[k], three, sizeof three}};
+        pack_files(path, files, 2, true);
         before = files_in(*state);
         p = read_back(path, &err);
         assert_non_null(p);
@@ -218,18 +216,12 @@ TEST(bombs_are_refused)
 {
     enum { MAX = 1 << 26 };
     const char *path = test_path(*state, "b.x3p");
-    zip_t *zip = zip_open(path, ZIP_CREATE | ZIP_TRUNCATE, NULL);
     ovr_profile_source source = ovr_profile_source_default();
     ovr_error err = {0};
     test_faults count;
     char *spaces = malloc(MAX + 1);
-    zip_int64_t index;
     memset(spaces, ' ', MAX + 1);
-    index = zip_file_add(zip, "main.xml",
-                         zip_source_buffer(zip, spaces, MAX + 1, 0), 0);
-    assert_true(index >= 0);
-    zip_set_file_compression(zip, (zip_uint64_t)index, ZIP_CM_DEFLATE, 1);
-    assert_int_equal(zip_close(zip), 0);
+    pack_files(path, &(ovr_zip_file){"main.xml", spaces, MAX + 1}, 1, false);
     test_faults_init(&count);
     source.file = path;
     assert_null(ovr_profile_read(&source, &count.hook, &err));
@@ -248,7 +240,6 @@ TEST(inline_letters_do_not_overflow)
     static const char *const parts[] = {"<a><DataList>", "<Datum>", "</Datum>",
                                         "</DataList></a>"};
     size_t used = 2;
-    zip_t *zip = zip_open(path, ZIP_CREATE | ZIP_TRUNCATE, NULL);
     xml[0] = 0xFF, xml[1] = 0xFE;
     for (int k = -1; k <= DATA; k++) {
         for (int half = 0; half < 2; half++) {
@@ -261,8 +252,7 @@ TEST(inline_letters_do_not_overflow)
                 xml[used] = 0x01, xml[used + 1] = 0x4E, used += 2;
         }
     }
-    add(zip, "main.xml", xml, used);
-    assert_int_equal(zip_close(zip), 0);
+    pack_files(path, &(ovr_zip_file){"main.xml", xml, used}, 1, true);
     refuse_file(path, "main.xml");
 }
 

@@ -13,7 +13,6 @@ class Overroll < Formula
   depends_on "gsl"
   depends_on "hdf5"
   depends_on "libdeflate"
-  depends_on "libzip"
   depends_on "nettle"
   depends_on "zlib"
 

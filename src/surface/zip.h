@@ -1,0 +1,49 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* ZIP archives in memory, as X3P files are (PKWARE APPNOTE 6.3): stored and
+ * deflated entries, with 64-bit sizes; no encryption, no further parts. */
+#ifndef OVR_SURFACE_ZIP_H
+#define OVR_SURFACE_ZIP_H
+
+#include <stdint.h>
+#include <stdio.h>
+
+#include "base/arena.h"
+#include "base/text.h"
+
+typedef struct ovr_zip_entry {
+    char *name;
+    unsigned method, flags, crc;
+    uint64_t packed, size, at; /* bytes; place of the local header */
+} ovr_zip_entry;
+
+typedef struct ovr_zip {
+    ovr_bytes content;
+    ovr_zip_entry *entry;
+    size_t entries;
+} ovr_zip;
+
+/* Reads the directory.  Returns NULL or the reason why the content is no
+ * readable archive. */
+const char *ovr_zip_open(ovr_zip *zip, ovr_bytes content, ovr_arena *arena);
+
+/* Returns the entry with this name, or NULL. */
+const ovr_zip_entry *ovr_zip_find(const ovr_zip *zip, const char *name);
+
+/* Unpacks an entry into `to`, which has its size.  Returns NULL or the reason
+ * of the failure; the checksum is verified. */
+const char *ovr_zip_unpack(const ovr_zip *zip, const ovr_zip_entry *entry,
+                           char *to);
+
+/* A file to add to a new archive. */
+typedef struct ovr_zip_file {
+    const char *name;
+    const void *data;
+    size_t size;
+} ovr_zip_file;
+
+/* Writes an archive, deflated or stored; false: an error of the stream or of
+ * memory.  All files are smaller than 4 GB. */
+bool ovr_zip_write(FILE *to, const ovr_zip_file *file, size_t files,
+                   bool stored, ovr_arena *arena);
+
+#endif
