@@ -87,8 +87,8 @@ static const char *find_directory(ovr_bytes content, directory *d)
     return NULL;
 }
 
-/* Sizes of 64 bits are in an extra field, for those of 32 bits that are all
- * ones. */
+/* Reads 64-bit sizes from the extra field where the 32-bit ones have only ones.
+ */
 static void read_extra(ovr_zip_entry *e, const char *at, size_t bytes)
 {
     uint64_t *const value[] = {&e->size, &e->packed, &e->at};

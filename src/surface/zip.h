@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* ZIP archives in memory, as X3P files are (PKWARE APPNOTE 6.3): stored and
- * deflated entries, with 64-bit sizes; no encryption, no further parts. */
+/* ZIP archives in memory (PKWARE APPNOTE 6.3), for X3P files.  Entries are
+ * stored or deflated and may have 64-bit sizes, but are not encrypted. */
 #ifndef OVR_SURFACE_ZIP_H
 #define OVR_SURFACE_ZIP_H
 
