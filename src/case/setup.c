@@ -369,7 +369,7 @@ ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
                                                  : NULL);
         if (ovr_resolved_width((const ovr_resolved *)setup) > 0)
             ovr_simulation_across(sim, ovr_surfaces_across);
-        sim->roughness = ovr_surfaces_roughness(setup->surfaces);
+        sim->shapes.roughness = ovr_surfaces_roughness(setup->surfaces);
     }
     if (setup->transient)
         ovr_simulation_standing(sim,

@@ -36,8 +36,8 @@ static void set_equations(path *p, double s)
     ovr_level *finest = sim->finest;
     double *F = ovr_work_take(sim);
     ovr_nodes_read(sim, finest, finest->f.F, F);
-    sim->grids.kernels->combine(finest->grid.n, 1, F, s - p->s, sim->lacking,
-                                F);
+    sim->grids.kernels->combine(finest->grid.n, 1, F, s - p->s,
+                                sim->start.lacking, F);
     ovr_nodes_write(sim, finest, F, finest->f.F);
     ovr_work_give(sim, F);
     finest->force = p->load[0] + s * (p->load[1] - p->load[0]);
@@ -53,13 +53,13 @@ static void begin_from(const path *p, double s)
     double stretch = p->at - p->before;
     double factor = stretch > 0 ? (s - p->at) / stretch : 0;
     const double weight[] = {1 + factor, -factor};
-    const double *const from[] = {sim->saved, sim->saved_before};
+    const double *const from[] = {sim->start.saved, sim->start.saved_before};
     double *P = ovr_work_take(sim);
     sim->grids.kernels->extrapolate(sim->finest->grid.n, 2, weight, from, P);
     ovr_nodes_write(sim, sim->finest, P, sim->finest->f.P);
     ovr_work_give(sim, P);
     OVR_EACH_PHYSICS(sim, each, in_step, go_back)
-        each->is->in_step->go_back(sim, each->own, sim->saved);
+        each->is->in_step->go_back(sim, each->own, sim->start.saved);
     sim->grids.H0 = p->H0 + factor * (p->H0 - p->H0_before);
 }
 
@@ -67,8 +67,8 @@ static void keep(path *p)
 {
     ovr_simulation *sim = p->sim;
     size_t bytes = sim->now.n * sizeof(double);
-    memcpy(sim->saved_before, sim->saved, bytes);
-    memcpy(sim->saved, sim->now.P, bytes);
+    memcpy(sim->start.saved_before, sim->start.saved, bytes);
+    memcpy(sim->start.saved, sim->now.P, bytes);
     OVR_EACH_PHYSICS(sim, each, in_step, keep)
         each->is->in_step->keep(sim, each->own);
     p->before = p->at;
@@ -83,10 +83,10 @@ static path begin(ovr_simulation *sim)
     double H0 = sim->past.H0[0];
     path p = {sim, {0, finest->force}, 1, 0, 0, H0, H0};
     ovr_level_refresh(&sim->grids, finest);
-    ovr_nodes_read(sim, finest, finest->f.P, sim->saved);
+    ovr_nodes_read(sim, finest, finest->f.P, sim->start.saved);
     OVR_EACH_PHYSICS(sim, each, in_step, keep)
         each->is->in_step->keep(sim, each->own);
-    ovr_nodes_read(sim, finest, finest->f.r, sim->lacking);
+    ovr_nodes_read(sim, finest, finest->f.r, sim->start.lacking);
     p.load[0] = ovr_level_load(&sim->grids, finest);
     return p;
 }

@@ -80,13 +80,13 @@ static ovr_status too_thin(const ovr_simulation *sim, ovr_error *err)
  * solve had diverged, too.  Smooth surfaces have a film at every load. */
 static bool surfaces_overlap(const ovr_simulation *sim, const ovr_defect *d)
 {
-    if (!sim->heights)
+    if (!sim->shapes.heights)
         return false;
     size_t low = sim->grids.kernels->extreme(sim->now.n, 1, sim->now.H);
     double deep = -sim->now.H[low];
     double film = ovr_film_central_moes(sim->contact.M, sim->contact.L);
     return deep >= 0 && fabs(d->imbalance) < 1e3 &&
-           deep < fabs(sim->S[low]) + film;
+           deep < fabs(sim->shapes.S[low]) + film;
 }
 
 static ovr_status touching(const ovr_simulation *sim, double T, ovr_error *err)
@@ -97,7 +97,7 @@ static ovr_status touching(const ovr_simulation *sim, double T, ovr_error *err)
         "the surfaces touch at T = %g: film thickness H = %.1e at "
         "X = %.3f (surface height %.1e)%s; lower features or a "
         "higher level may help",
-        T, sim->now.H[low], sim->now.X[low], sim->S[low],
+        T, sim->now.H[low], sim->now.X[low], sim->shapes.S[low],
         sim->grids.touch.at
             ? ": the asperity contact model carries too little there"
             : "; asperity contact is modelled only with [boundary]");
@@ -105,7 +105,8 @@ static ovr_status touching(const ovr_simulation *sim, double T, ovr_error *err)
 
 static ovr_status too_few_cycles(const ovr_simulation *sim, ovr_error *err)
 {
-    const ovr_refinement *last = &sim->refinement[sim->refinements - 1];
+    const ovr_refinement *last =
+        &sim->start.refinement[sim->start.refinements - 1];
     return ovr_fail(err, OVR_NOT_CONVERGED,
                     "%d cycles per refinement did not reach the "
                     "discretization error: algebraic error %.1e, "
@@ -136,7 +137,7 @@ ovr_status ovr_failure_steady(const ovr_simulation *sim,
                               ovr_error *err)
 {
     bool fixed = sim->options.stop == OVR_STOP_FIXED;
-    if (fixed && sim->refinements > 0 && ovr_surfaces_apart(sim))
+    if (fixed && sim->start.refinements > 0 && ovr_surfaces_apart(sim))
         return too_few_cycles(sim, err);
     if (ovr_below_rounding(sim, &outcome->defect))
         return rounding(sim, &outcome->defect, err);
@@ -152,10 +153,11 @@ ovr_status ovr_failure_steady(const ovr_simulation *sim,
                     "%s after %d cycles (target %.1e)%s",
                     outcome->retries + 1, ending_of(&outcome->defect).words,
                     outcome->cycles, tolerance,
-                    sim->heights ? "; features that start left of the inlet, "
-                                   "or grow in time, need no such start"
-                                 : "; a finer [domain] level, a shear-thinning "
-                                   "oil or a lower load may help");
+                    sim->shapes.heights
+                        ? "; features that start left of the inlet, "
+                          "or grow in time, need no such start"
+                        : "; a finer [domain] level, a shear-thinning "
+                          "oil or a lower load may help");
 }
 
 /* Suggests by the contact at nominal load and speed. */

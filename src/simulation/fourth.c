@@ -39,6 +39,7 @@
 #include "contact/contact.h"
 #include "multigrid/content.h"
 #include "multigrid/starved.h"
+#include "simulation/fourth.h"
 #include "simulation/fourth_content.h"
 #include "simulation/mirror.h"
 #include "simulation/physics.h"
@@ -122,20 +123,21 @@ static bool applies(const ovr_simulation *sim)
 static void standing_heights(const ovr_simulation *sim, double *S)
 {
     memset(S, 0, sim->now.n * sizeof *S);
-    if (sim->standing)
-        sim->standing(sim->standing_data, 0, sim->now.n, sim->now.X, S);
+    if (sim->shapes.standing)
+        sim->shapes.standing(sim->shapes.standing_data, 0, sim->now.n,
+                             sim->now.X, S);
 }
 
 /* True if a run has surfaces at T = 0 other than those that stand still. */
 static bool stands_apart(ovr_simulation *sim)
 {
     size_t n = sim->now.n;
-    if (!sim->standing_given || !sim->heights)
+    if (!sim->shapes.standing_given || !sim->shapes.heights)
         return false;
     double *S = ovr_work_take(sim);
-    ovr_surface_heights(sim, 0, n, sim->now.X, sim->S);
+    ovr_surface_heights(sim, 0, n, sim->now.X, sim->shapes.S);
     standing_heights(sim, S);
-    bool apart = sim->grids.kernels->difference(n, S, sim->S) > 0;
+    bool apart = sim->grids.kernels->difference(n, S, sim->shapes.S) > 0;
     ovr_work_give(sim, S);
     return apart;
 }
@@ -180,8 +182,8 @@ typedef struct found {
 static found keep(const ovr_simulation *sim)
 {
     const ovr_level *level = sim->finest;
-    ovr_nodes_read(sim, level, level->f.P, sim->saved);
-    return (found){sim->saved, sim->grids.H0};
+    ovr_nodes_read(sim, level, level->f.P, sim->start.saved);
+    return (found){sim->start.saved, sim->grids.H0};
 }
 
 static ovr_defect fall_back(ovr_simulation *sim, const fourth *f,
@@ -308,7 +310,7 @@ ovr_defect ovr_fourth_conserved(ovr_simulation *sim, const ovr_full *how,
     ovr_full own = *how;
     double H0 = sim->grids.H0;
     own.cycling.attached = &attached;
-    ovr_nodes_read(sim, level, level->f.P, sim->saved);
+    ovr_nodes_read(sim, level, level->f.P, sim->start.saved);
     ovr_nodes_read(sim, level, level->f.q, f->start);
     withdraw(sim, f);
     sim->order = 4;
@@ -318,9 +320,9 @@ ovr_defect ovr_fourth_conserved(ovr_simulation *sim, const ovr_full *how,
         return d;
     ovr_fourth_leave(sim);
     sim->grids.H0 = H0;
-    ovr_nodes_write(sim, level, sim->saved, level->f.P);
+    ovr_nodes_write(sim, level, sim->start.saved, level->f.P);
     ovr_nodes_write(sim, level, f->start, level->f.q);
-    ovr_content_wet(level, sim->saved);
+    ovr_content_wet(level, sim->start.saved);
     ovr_content_mark(level, level->f.wet, 0, !level->closed);
     return ovr_content_cycles(&sim->grids, how, level, cycles);
 }
@@ -366,7 +368,7 @@ static ovr_defect solve(ovr_simulation *sim, void *own, const ovr_full *how,
         standing_gap(sim);
         solve_and_correct(sim, f, how, cycles);
         ovr_simulation_gap(sim, 0);
-        sim->refinements = 0;
+        sim->start.refinements = 0;
         if (sim->order == 4)
             return solve_corrected(sim, f, how, cycles);
     }
@@ -618,9 +620,9 @@ void ovr_simulation_standing(ovr_simulation *sim, ovr_heights *standing,
 {
     if (!sim)
         return;
-    sim->standing = standing;
-    sim->standing_data = data;
-    sim->standing_given = true;
+    sim->shapes.standing = standing;
+    sim->shapes.standing_data = data;
+    sim->shapes.standing_given = true;
 }
 
 int ovr_simulation_order(const ovr_simulation *sim)

@@ -34,6 +34,7 @@
 #include "contact/contact.h"
 #include "contact/starvation.h"
 #include "multigrid/flow.h"
+#include "simulation/observe.h"
 #include "simulation/physics.h"
 #include "simulation/simulation.h"
 

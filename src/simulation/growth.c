@@ -203,7 +203,7 @@ static bool is_spent(const settling *s)
     double bottom = (double)grids->level[s->how->cycling.bottom].grid.n;
     double cost = (double)s->sim->now.n + bottom * bottom * bottom / dense;
     double budget = is_hard(s) ? largest : fmin(largest, easy_budget(s, cost));
-    return (double)(s->sim->settling + s->cycles) * cost > budget;
+    return (double)(s->sim->start.settling + s->cycles) * cost > budget;
 }
 
 /* Steps until the film is the steady one, no step is found, or too many cycles
@@ -243,11 +243,11 @@ static settling begin(ovr_simulation *sim, const ovr_full *how)
 {
     settling s = {.sim = sim,
                   .how = how,
-                  .gap = sim->lacking,
+                  .gap = sim->start.lacking,
                   .F = sim->past.q[1],
-                  .S = sim->saved_before,
+                  .S = sim->start.saved_before,
                   .q = sim->past.q[0],
-                  .P = sim->saved};
+                  .P = sim->start.saved};
     const ovr_smooth smooth = ovr_simulation_smooth(sim, 0);
     ovr_nodes_read(sim, sim->finest, sim->finest->f.gap, s.gap);
     for (size_t i = 0; i < sim->now.n; i++)
@@ -267,7 +267,7 @@ ovr_defect ovr_steady_grown(ovr_simulation *sim, const ovr_full *how,
     ovr_nodes_read(sim, sim->finest, sim->finest->f.F, s.F);
     ovr_defect d = settle(&s);
     *cycles += s.cycles;
-    sim->settling += s.cycles;
+    sim->start.settling += s.cycles;
     return d;
 }
 
@@ -281,6 +281,6 @@ ovr_defect ovr_steady_settled(ovr_simulation *sim, const ovr_full *how,
     ovr_level_refresh(&sim->grids, sim->finest);
     ovr_defect d = settle(&s);
     *cycles += s.cycles;
-    sim->settling += s.cycles;
+    sim->start.settling += s.cycles;
     return d;
 }

@@ -230,7 +230,7 @@ static size_t follow(const ovr_simulation *sim, double dT,
 {
     const ovr_past *past = &sim->past;
     double film = film_meshes(sim, dT);
-    double a = sim->moving * film;
+    double a = sim->shapes.moving * film;
     bool moves = isfinite(a) && a != 0;
     if (!moves || dT > longest_moved * ovr_mesh(sim) ||
         !equal_steps(past, dT, 2))
@@ -258,7 +258,7 @@ static bool rolls_closely(const ovr_simulation *sim, size_t count,
                           const size_t number[])
 {
     const double *off = sim->past.guess_error;
-    return sim->moving == 1 && count && number[0] == 0 && off[0] > 0 &&
+    return sim->shapes.moving == 1 && count && number[0] == 0 && off[0] > 0 &&
            off[0] < near_enough;
 }
 
@@ -315,12 +315,12 @@ bool ovr_guess(ovr_simulation *sim, double dT, bool extrapolated)
     for (int k = 0; k < OVR_PAST; k++)
         sim->grids.H0 += how.H0[k] * past->H0[k];
     return how.count == standing_and_moving.count &&
-           (sim->moving == 1 || isnan(sim->moving));
+           (sim->shapes.moving == 1 || isnan(sim->shapes.moving));
 }
 
 void ovr_simulation_moving(ovr_simulation *sim, double speed)
 {
     if (!sim)
         return;
-    sim->moving = speed;
+    sim->shapes.moving = speed;
 }

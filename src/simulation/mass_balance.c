@@ -22,6 +22,7 @@
 #include "contact/contact.h"
 #include "contact/reversal.h"
 #include "multigrid/flow.h"
+#include "simulation/observe.h"
 #include "simulation/physics.h"
 
 /* -------------------------------------------------- Flow through half nodes */

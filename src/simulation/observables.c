@@ -7,6 +7,7 @@
 #include "simulation/internal.h"
 #include "simulation/mirror.h"
 #include "simulation/observables.h"
+#include "simulation/observe.h"
 #include "simulation/physics.h"
 #include "simulation/quantity_row.h"
 #include "simulation/simulation.h"
@@ -39,7 +40,7 @@ static void warm(const ovr_simulation *sim, double *viscosity, double *density)
     }
 IS(pressure, sim->now.P)
 IS(film_thickness, sim->now.H)
-IS(roughness, sim->S)
+IS(roughness, sim->shapes.S)
 IS(oil_content, sim->now.q)
 /* `pressure` by the name that it has beside contact_pressure */
 IS(fluid_pressure, sim->now.P)

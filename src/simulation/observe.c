@@ -5,6 +5,7 @@
 #include "contact/contact.h"
 #include "simulation/extremes.h"
 #include "simulation/mirror.h"
+#include "simulation/observe.h"
 #include "simulation/physics.h"
 #include "simulation/refined.h"
 
@@ -79,9 +80,11 @@ static void observe_film(const ovr_simulation *sim, ovr_observation *o)
     observe_minimum(sim, o);
     o->H_cen = ovr_value_at(&sim->now, H, 0);
     o->H_mean = mean_film(sim, in, &o->film_Rq);
-    if (!sim->heights)
+    if (!sim->shapes.heights)
         o->film_Rq = NAN;
-    o->lambda_ratio = sim->roughness > 0 ? o->H_mean / sim->roughness : NAN;
+    o->lambda_ratio = sim->shapes.roughness > 0
+                          ? o->H_mean / sim->shapes.roughness
+                          : NAN;
     o->H0 = sim->grids.H0;
 }
 

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "simulation/internal.h"
+#include "simulation/observe.h"
 
 /* A member that is a double, of an observation or what has its members. */
 static double *member(ovr_observation *of, size_t offset)

@@ -141,7 +141,7 @@ static void read_leaves(ovr_simulation *sim, ovr_refined *r)
     take_leaves(sim, r, 0, 0, sim->finest->grid.n - 1);
     weigh(&sim->now);
     join(sim);
-    ovr_surface_heights(sim, 0, sim->now.n, r->X, sim->S);
+    ovr_surface_heights(sim, 0, sim->now.n, r->X, sim->shapes.S);
 }
 
 /* Takes the patches' own fluxes where the film is wet: those of the whole

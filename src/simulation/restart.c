@@ -8,6 +8,7 @@
 #include <stdio.h>
 
 #include "base/given.h"
+#include "simulation/observe.h"
 #include "simulation/physics.h"
 #include "simulation/simulation.h"
 
@@ -46,7 +47,7 @@ static const struct {
              PART("unresolved_pressure", statistics.P_max_unresolved),
              PART("mean_film_at_least", statistics.H_mean_at_H_min),
              PART("settled", statistics.settled),
-             PART("strategy", strategy),
+             PART("strategy", start.strategy),
              PART("inlet", options.inlet),
              PART("outlet", options.outlet),
              PART("level", options.level)};

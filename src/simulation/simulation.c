@@ -11,6 +11,7 @@
 #include "multigrid/hybrid.h"
 #include "multigrid/line.h"
 #include "simulation/conflicts.h"
+#include "simulation/observe.h"
 #include "simulation/physics.h"
 
 /* ------------------------------------------------------------- work arrays */
@@ -51,8 +52,9 @@ void ovr_work_give(const ovr_simulation *sim, const double *array)
 
 static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
 {
-    if (OVR_TAKE_NODES(sim, err, &sim->now.weights, &sim->S, &sim->S_past,
-                       &sim->saved, &sim->saved_before, &sim->lacking,
+    if (OVR_TAKE_NODES(sim, err, &sim->now.weights, &sim->shapes.S,
+                       &sim->shapes.S_past, &sim->start.saved,
+                       &sim->start.saved_before, &sim->start.lacking,
                        &sim->stress))
         return OVR_NO_MEMORY;
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++) {
@@ -169,7 +171,7 @@ static ovr_simulation *set_up(ovr_arena arena, const ovr_contact *contact,
     sim->options = *options;
     ovr_statistics_unknown(&sim->statistics);
     sim->list = ovr_physics_list;
-    sim->moving = NAN;
+    sim->shapes.moving = NAN;
     sim->scheme = ovr_scheme_record(sim->options.scheme);
     if (build(sim, err)) {
         ovr_simulation_free(sim);
@@ -248,10 +250,10 @@ void ovr_simulation_sides(ovr_simulation *sim, ovr_heights *heights_1,
 {
     if (!sim)
         return;
-    sim->sides[0] = heights_1;
-    sim->sides[1] = heights_2;
-    sim->sides_of = sim->heights;
-    sim->sides_data = sim->heights_data;
+    sim->shapes.sides[0] = heights_1;
+    sim->shapes.sides[1] = heights_2;
+    sim->shapes.sides_of = sim->shapes.heights;
+    sim->shapes.sides_data = sim->shapes.data;
 }
 
 void ovr_simulation_surface(ovr_simulation *sim, ovr_heights *heights,
@@ -259,20 +261,20 @@ void ovr_simulation_surface(ovr_simulation *sim, ovr_heights *heights,
 {
     if (!sim)
         return;
-    sim->heights = heights;
-    sim->heights_data = data;
-    sim->across = NULL;
+    sim->shapes.heights = heights;
+    sim->shapes.data = data;
+    sim->shapes.across = NULL;
     if (heights)
         return;
-    memset(sim->S, 0, sim->now.n * sizeof *sim->S);
-    memset(sim->S_past, 0, sim->now.n * sizeof *sim->S_past);
+    memset(sim->shapes.S, 0, sim->now.n * sizeof *sim->shapes.S);
+    memset(sim->shapes.S_past, 0, sim->now.n * sizeof *sim->shapes.S_past);
 }
 
 void ovr_simulation_across(ovr_simulation *sim, ovr_heights_across *heights)
 {
     if (!sim)
         return;
-    sim->across = heights;
+    sim->shapes.across = heights;
 }
 
 void ovr_simulation_show(ovr_simulation *sim, size_t line)

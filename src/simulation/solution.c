@@ -7,8 +7,10 @@
 #include <string.h>
 
 #include "contact/contact.h"
+#include "simulation/fourth.h"
 #include "simulation/internal.h"
 #include "simulation/mirror.h"
+#include "simulation/observe.h"
 #include "simulation/physics.h"
 #include "simulation/simulation.h"
 
@@ -106,7 +108,7 @@ void ovr_publish_state(ovr_simulation *sim)
     state->eps = sim->now.eps;
     state->P = sim->now.P;
     state->H = sim->now.H;
-    state->S = sim->S;
+    state->S = sim->shapes.S;
     state->H0 = sim->grids.H0;
 }
 
@@ -153,8 +155,8 @@ ovr_status ovr_smooth_check(const ovr_simulation *sim, double T, ovr_error *err)
 void ovr_surface_heights(const ovr_simulation *sim, double T, size_t n,
                          const double *X, double *S)
 {
-    if (sim->heights)
-        sim->heights(sim->heights_data, T, n, X, S);
+    if (sim->shapes.heights)
+        sim->shapes.heights(sim->shapes.data, T, n, X, S);
     else
         memset(S, 0, n * sizeof *S);
     OVR_EACH_PHYSICS(sim, p, in_solve, heights)
@@ -166,14 +168,14 @@ void ovr_surface_heights(const ovr_simulation *sim, double T, size_t n,
 static ovr_heights *features_of(const ovr_simulation *sim, int surface)
 {
     const ovr_contact *c = &sim->contact;
-    bool known = (sim->sides[0] || sim->sides[1]) &&
-                 sim->heights == sim->sides_of &&
-                 sim->heights_data == sim->sides_data;
-    if (!sim->heights || known)
-        return sim->heights ? sim->sides[surface - 1] : NULL;
-    bool second = fabs(sim->moving - c->u2_ratio) <
-                  fabs(sim->moving - c->u1_ratio);
-    return second == (surface == 2) ? sim->heights : NULL;
+    bool known = (sim->shapes.sides[0] || sim->shapes.sides[1]) &&
+                 sim->shapes.heights == sim->shapes.sides_of &&
+                 sim->shapes.data == sim->shapes.sides_data;
+    if (!sim->shapes.heights || known)
+        return sim->shapes.heights ? sim->shapes.sides[surface - 1] : NULL;
+    bool second = fabs(sim->shapes.moving - c->u2_ratio) <
+                  fabs(sim->shapes.moving - c->u1_ratio);
+    return second == (surface == 2) ? sim->shapes.heights : NULL;
 }
 
 bool ovr_heights_of(const ovr_simulation *sim, int surface, double *S)
@@ -182,10 +184,11 @@ bool ovr_heights_of(const ovr_simulation *sim, int surface, double *S)
     OVR_LAST_PHYSICS(sim, adds, in_solve, heights);
     const double *X = sim->now.X, T = sim->state.T;
     size_t n = sim->now.n;
-    if (features && sim->across)
-        sim->across(sim->heights_data, surface, T, n, X, 1, &sim->Y, 1, S);
+    if (features && sim->shapes.across)
+        sim->shapes.across(sim->shapes.data, surface, T, n, X, 1,
+                           &sim->shapes.Y, 1, S);
     else if (features)
-        features(sim->heights_data, T, n, X, S);
+        features(sim->shapes.data, T, n, X, S);
     else
         memset(S, 0, n * sizeof *S);
     OVR_EACH_PHYSICS(sim, p, in_solve, heights)
@@ -196,18 +199,18 @@ bool ovr_heights_of(const ovr_simulation *sim, int surface, double *S)
 bool ovr_has_heights(const ovr_simulation *sim)
 {
     OVR_LAST_PHYSICS(sim, p, in_solve, heights);
-    return sim->heights || p->is;
+    return sim->shapes.heights || p->is;
 }
 
 void ovr_simulation_gap(ovr_simulation *sim, double T)
 {
     const ovr_smooth smooth = ovr_simulation_smooth(sim, T);
     double *restrict gap = ovr_work_take(sim);
-    const double *restrict X = sim->now.X, *restrict S = sim->S;
+    const double *restrict X = sim->now.X, *restrict S = sim->shapes.S;
     size_t n = sim->now.n;
     if (ovr_has_heights(sim)) {
-        memcpy(sim->S_past, S, n * sizeof *S);
-        ovr_surface_heights(sim, T, n, X, sim->S);
+        memcpy(sim->shapes.S_past, S, n * sizeof *S);
+        ovr_surface_heights(sim, T, n, X, sim->shapes.S);
     }
     for (size_t i = 0; i < n; i++)
         gap[i] = ovr_smooth_at(&smooth, X[i]) - S[i];

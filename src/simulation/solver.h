@@ -5,8 +5,9 @@
  * another solver (physics.h), of a film that varies across rolling too.
  * Histories, time loop, statistics, files and studies are the same.
  *
- * Such a solver copies one line along x to `now` and sim->S before it returns.
- * Tables, pictures and result files of the line contact show that line.
+ * Such a solver copies one line along x to `now` and sim->shapes.S before it
+ * returns. Tables, pictures and result files of the line contact show that
+ * line.
  */
 #ifndef OVR_SIMULATION_SOLVER_H
 #define OVR_SIMULATION_SOLVER_H

@@ -13,6 +13,7 @@
 #include "multigrid/starved.h"
 #include "simulation/internal.h"
 #include "simulation/mirror.h"
+#include "simulation/observe.h"
 #include "simulation/physics.h"
 #include "simulation/simulation.h"
 #include "simulation/step_cycles.h"
@@ -40,7 +41,7 @@ static double distance(const ovr_level *level, const double *a, size_t stride,
 static void note(ovr_simulation *sim, const ovr_level *level,
                  const ovr_full_status *status)
 {
-    ovr_refinement *to = &sim->refinement[sim->refinements++];
+    ovr_refinement *to = &sim->start.refinement[sim->start.refinements++];
     double *now = ovr_work_take(sim), *before = ovr_work_take(sim);
     double q = status->factor < 0.95 ? status->factor : 0.95;
     *to = (ovr_refinement){.level = level->number,
@@ -57,7 +58,7 @@ static void note(ovr_simulation *sim, const ovr_level *level,
     if (status->cycles)
         to->change = distance(level, now, 1, before);
     to->algebraic = to->change * q / (1 - q);
-    to->difference = distance(level - 1, now, 2, sim->saved);
+    to->difference = distance(level - 1, now, 2, sim->start.saved);
     ovr_work_give(sim, before);
     ovr_work_give(sim, now);
 }
@@ -69,7 +70,7 @@ void ovr_refinement_watch(void *data, const ovr_level *level,
     if (event == OVR_FULL_ENDS)
         note(sim, level, status);
     if (event == OVR_FULL_BEGINS)
-        ovr_level_read(&sim->grids, level, level->f.P, sim->saved);
+        ovr_level_read(&sim->grids, level, level->f.P, sim->start.saved);
     if (event == OVR_FULL_CYCLES) {
         double *P = ovr_work_take(sim);
         ovr_level_read(&sim->grids, level, level->f.P, P);
@@ -83,8 +84,8 @@ const ovr_refinement *ovr_simulation_refinements(const ovr_simulation *sim,
 {
     if (!sim || !count)
         return NULL;
-    *count = sim->refinements;
-    return sim->refinement;
+    *count = sim->start.refinements;
+    return sim->start.refinement;
 }
 
 /* ------------------------------------------------------- Film of a strategy */
@@ -121,7 +122,7 @@ double ovr_steady_tolerance(const void *data, const ovr_level *level, double H)
 {
     const ovr_simulation *sim = data;
     const double on_the_way = 50, rough = 1e-6;
-    double enough = sim->grown ? rough : smooth_tolerance(sim, level);
+    double enough = sim->start.grown ? rough : smooth_tolerance(sim, level);
     const ovr_options *o = &sim->options;
     double truncation = ovr_truncation_tolerance(
         sim, ovr_grid_mesh(&level->grid), H);
@@ -145,7 +146,7 @@ ovr_defect ovr_steady_cycles(ovr_simulation *sim, const ovr_full *how,
 {
     ovr_full last = *how;
     last.fixed = false;
-    if (sim->grown)
+    if (sim->start.grown)
         return ovr_steady_settled(sim, how, cycles);
     if (sim->grids.conserving)
         return ovr_content_cycles(&sim->grids, &last, sim->finest, cycles);
@@ -156,7 +157,7 @@ ovr_defect ovr_steady_cycles(ovr_simulation *sim, const ovr_full *how,
 ovr_defect ovr_steady_film(ovr_simulation *sim, const ovr_full *how,
                            int *cycles)
 {
-    if (sim->grown)
+    if (sim->start.grown)
         return ovr_steady_grown(sim, how, cycles);
     return ovr_full_multigrid(&sim->grids, &sim->target, *how, cycles);
 }
@@ -164,12 +165,12 @@ ovr_defect ovr_steady_film(ovr_simulation *sim, const ovr_full *how,
 /* A fixed number of cycles has to reach the discretization error. */
 bool ovr_steady_found(const ovr_simulation *sim, const ovr_outcome *outcome)
 {
-    int done = sim->refinements;
+    int done = sim->start.refinements;
     if (!ovr_surfaces_apart(sim))
         return false;
     if (sim->options.stop == OVR_STOP_FIXED && done)
-        return sim->refinement[done - 1].algebraic <=
-               sim->refinement[done - 1].difference;
+        return sim->start.refinement[done - 1].algebraic <=
+               sim->start.refinement[done - 1].difference;
     return ovr_below(
         outcome->defect,
         ovr_steady_tolerance(sim, sim->finest, outcome->defect.centre));
@@ -218,7 +219,9 @@ const char *ovr_simulation_strategy(const ovr_simulation *sim)
 {
     if (!sim)
         return NULL;
-    return sim->strategy < STRATEGIES ? strategies[sim->strategy].what : "";
+    return sim->start.strategy < STRATEGIES
+               ? strategies[sim->start.strategy].what
+               : "";
 }
 
 static bool thins(const ovr_simulation *sim)
@@ -246,7 +249,7 @@ static ovr_full full_of(ovr_simulation *sim, const strategy *how)
                       .tolerance = ovr_steady_tolerance,
                       .watch = ovr_refinement_watch,
                       .data = sim,
-                      .saved = sim->saved};
+                      .saved = sim->start.saved};
 }
 
 /* Of the surfaces as they are at T = 0. */
@@ -350,7 +353,7 @@ static void attempt(ovr_simulation *sim, const ovr_full *how,
 void ovr_simulation_stop(ovr_simulation *sim, bool (*stop)(void *data),
                          void *data)
 {
-    sim->stopping = (ovr_stopping){.asked = stop, .data = data};
+    sim->start.stopping = (ovr_stopping){.asked = stop, .data = data};
 }
 
 /* True if surfaces in the steady solution have features of more than a
@@ -362,7 +365,7 @@ static bool has_features(ovr_simulation *sim)
         return false;
     ovr_simulation_gap(sim, 0);
     for (size_t i = 0; i < sim->now.n; i++)
-        if (fabs(sim->S[i]) > small)
+        if (fabs(sim->shapes.S[i]) > small)
             return true;
     return false;
 }
@@ -380,7 +383,7 @@ static double search(ovr_simulation *sim, ovr_outcome *outcome)
 {
     const bool rough = has_features(sim);
     double tolerance = 0;
-    sim->settling = 0;
+    sim->start.settling = 0;
     for (int k = 0, tried = 0; k < STRATEGIES && !outcome->converged; k++) {
         if (ovr_hierarchy_stops(&sim->grids) || is_exhausted(sim))
             break;
@@ -392,9 +395,9 @@ static double search(ovr_simulation *sim, ovr_outcome *outcome)
             continue;
         outcome->retries = tried++;
         ovr_full how = full_of(sim, &strategies[k]);
-        sim->strategy = k;
-        sim->grown = strategies[k].grown;
-        sim->refinements = 0;
+        sim->start.strategy = k;
+        sim->start.grown = strategies[k].grown;
+        sim->start.refinements = 0;
         attempt(sim, &how, outcome);
         outcome->converged = ovr_steady_found(sim, outcome);
         tolerance = ovr_steady_tolerance(sim, sim->finest,
@@ -449,7 +452,7 @@ ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err)
         return ovr_fail_null(err, __func__);
     if (ovr_simulation_begin(sim, __func__, err))
         return OVR_BAD_INPUT;
-    sim->grids.stopping = sim->stopping;
+    sim->grids.stopping = sim->start.stopping;
     ovr_status status = solve_steady(sim, err);
     sim->grids.stopping = (ovr_stopping){0};
     ovr_simulation_end(sim);

@@ -25,6 +25,7 @@
 #include "multigrid/touching.h"
 #include "simulation/conflicts.h"
 #include "simulation/mirror.h"
+#include "simulation/observe.h"
 #include "simulation/physics.h"
 
 /* ------------------------------------------------------------------- Cycles */
@@ -387,8 +388,8 @@ static void note_change(ovr_simulation *sim)
     double (*change)(size_t, const double *,
                      const double *) = sim->grids.kernels->difference;
     double P = change(n, sim->past.P[0], sim->past.P[1]);
-    double S = change(n, sim->S, sim->S_past);
-    sim->past.change = sim->heights && S > P ? S : P;
+    double S = change(n, sim->shapes.S, sim->shapes.S_past);
+    sim->past.change = sim->shapes.heights && S > P ? S : P;
 }
 
 /* A step, in halves if it must be. */

@@ -19,6 +19,7 @@
 #include <math.h>
 
 #include "contact/contact.h"
+#include "simulation/fourth.h"
 #include "simulation/internal.h"
 #include "simulation/mirror.h"
 #include "simulation/physics.h"

@@ -188,7 +188,8 @@ static double stored(const ovr_simulation *sim)
             double rb = ovr_density(&sim->lubricant, b);
             e += (a + b) / 2 * (1 / ra - 1 / rb);
         }
-        double w = s->H[i] - sim->grids.H0 - s->X[i] * s->X[i] / 2 + sim->S[i];
+        double w = s->H[i] - sim->grids.H0 - s->X[i] * s->X[i] / 2 +
+                   sim->shapes.S[i];
         sum += s->weights[i] * (s->q[i] * e + P * w / 2);
     }
     return sum;

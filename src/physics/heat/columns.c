@@ -13,6 +13,7 @@
 #include "physics/heat/in_time.h"
 #include "physics/heat/skew.h"
 #include "simulation/mirror.h"
+#include "simulation/observe.h"
 #include "simulation/physics.h"
 
 /* ------------------------------------------------------------------ Columns */

@@ -7,7 +7,9 @@
 #include "physics/heat/outer.h"
 #include "physics/heat/skew.h"
 #include "simulation/conflicts.h"
+#include "simulation/fourth.h"
 #include "simulation/mirror.h"
+#include "simulation/observe.h"
 #include "simulation/physics.h"
 #include "simulation/quantity_row.h"
 #include "simulation/steady.h"
@@ -208,7 +210,7 @@ static bool is_uneven(double x, double rise)
  * histories, and features that pass. */
 static bool may_grow_uneven(const ovr_simulation *sim)
 {
-    bool passes = sim->heights && sim->moving != 0;
+    bool passes = sim->shapes.heights && sim->shapes.moving != 0;
     return passes || sim->sliding || ovr_history_varies(sim->load) ||
            ovr_history_varies(sim->speed) || ovr_history_varies(sim->radius);
 }
@@ -431,7 +433,7 @@ static bool exhausted(const ovr_simulation *sim, const void *own)
 {
     enum { SMOOTH = 4000, WITH_FEATURES = 12000 };
     const ovr_heated *h = own;
-    return h->cycles >= (sim->heights ? WITH_FEATURES : SMOOTH);
+    return h->cycles >= (sim->shapes.heights ? WITH_FEATURES : SMOOTH);
 }
 
 /* A start that found the isothermal film, but no temperatures. */

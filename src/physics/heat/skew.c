@@ -8,6 +8,7 @@
 #include "base/larger.h"
 #include "contact/contact.h"
 #include "physics/heat/in_time.h"
+#include "simulation/fourth.h"
 #include "simulation/mirror.h"
 #include "simulation/physics.h"
 

@@ -23,6 +23,7 @@
 #include "physics/mixed/wear.h"
 #include "simulation/conflicts.h"
 #include "simulation/mirror.h"
+#include "simulation/observe.h"
 #include "simulation/quantity_row.h"
 #include "simulation/steady.h"
 
@@ -120,7 +121,7 @@ static ovr_defect solve_apart(ovr_simulation *sim, boundary *b, bool by_levels,
     ovr_level_bear(grids, sim->finest, b->A);
     d = ovr_steady_film(sim, by_levels ? how : &on_finest, cycles);
     grids->touch.at = ovr_touch_law_at;
-    sim->refinements = 0; /* those were of another film */
+    sim->start.refinements = 0; /* those were of another film */
     return d;
 }
 
@@ -628,9 +629,9 @@ static bool march_for(const void *form, ovr_march *march, int *scheme)
 
 static void advise(const ovr_simulation *sim, double H, size_t size, char *text)
 {
-    if (sim->grids.touch.at && sim->heights)
+    if (sim->grids.touch.at && sim->shapes.heights)
         ovr_boundary_instead(sim->grids.touch.law, H, sim->now.n, sim->now.X,
-                             sim->S, size, text);
+                             sim->shapes.S, size, text);
 }
 
 static const ovr_physics_in_case in_case = {.node_seconds = 1.8e-6,

@@ -12,6 +12,7 @@
 #include "contact/contact.h"
 #include "physics/strip/strip.h"
 #include "simulation/extremes.h"
+#include "simulation/observe.h"
 #include "simulation/quantity_row.h"
 
 /* Numbers of lines whose mean is that of the strip. */
@@ -133,7 +134,9 @@ void ovr_strip_observe(ovr_simulation *sim, void *own, ovr_observation *o)
         *number(o, m) = sum[m] / lines;
     o->film_Rq = sqrt(Rq / lines +
                       fmax(squares / lines - o->H_mean * o->H_mean, 0));
-    o->lambda_ratio = sim->roughness > 0 ? o->H_mean / sim->roughness : NAN;
+    o->lambda_ratio = sim->shapes.roughness > 0
+                          ? o->H_mean / sim->shapes.roughness
+                          : NAN;
     o->H_min = low.H_min;
     o->X_min = low.X_min;
     o->H_min_cavity = low.H_min_cavity;

@@ -78,7 +78,7 @@ static void fill_places(ovr_simulation *sim, ovr_strip_solver *s)
             s->shown = j;
         }
     }
-    sim->Y = s->Y[s->shown];
+    sim->shapes.Y = s->Y[s->shown];
 }
 
 static void gap_of(void *data, double T, const ovr_strip_grid *g,
@@ -138,13 +138,13 @@ static void heights_at(const ovr_simulation *sim, double T,
 {
     ovr_strip_solver *s = ovr_strip_of(sim);
     const size_t apart = s->lines / g->lines;
-    if (sim->across) {
+    if (sim->shapes.across) {
         /* Coarse grids have every second, fourth ... line of the finest. */
         double *Y = s->located[0];
         for (size_t j = 0; j < g->lines; j++)
             Y[j] = s->Y[j * apart];
-        sim->across(sim->heights_data, 0, T, n, s->along, g->lines, Y,
-                    g->stride, S);
+        sim->shapes.across(sim->shapes.data, 0, T, n, s->along, g->lines, Y,
+                           g->stride, S);
         return;
     }
     ovr_surface_heights(sim, T, n, s->along, s->across);
@@ -217,8 +217,8 @@ void ovr_strip_show(ovr_simulation *sim, const ovr_strip_solver *s, size_t j)
             now->flow[i] = 2 * D2 * f->along[at];
     }
     if (ovr_has_heights(sim))
-        memcpy(sim->S, s->S + j * s->n, s->n * sizeof *sim->S);
-    sim->Y = s->Y[j];
+        memcpy(sim->shapes.S, s->S + j * s->n, s->n * sizeof *sim->shapes.S);
+    sim->shapes.Y = s->Y[j];
     sim->grids.H0 = s->strip.H0;
 }
 
@@ -256,7 +256,7 @@ static double steady(ovr_simulation *sim, void *own, ovr_outcome *outcome)
         .imbalance = d.imbalance, .load = d.load, .centre = d.centre};
     outcome->converged = ovr_strip_below(d, tolerance) && smallest_film(s) > 0;
     sim->order = sim->scheme->order;
-    sim->strategy = 0;
+    sim->start.strategy = 0;
     keep_heights(sim, s, 0);
     ovr_strip_show(sim, s, s->shown);
     return tolerance;
@@ -296,7 +296,7 @@ static void set_step(ovr_simulation *sim, ovr_strip_solver *s, double next)
     set_fluid(sim, s, next);
     m->speed = ovr_history_value(sim->speed, next);
     m->force = OVR_NOMINAL_LOAD * ovr_history_value(sim->load, next);
-    m->carried = sim->moving * m->speed;
+    m->carried = sim->shapes.moving * m->speed;
     for (int k = 0; k < 2; k++)
         m->travel[k] = ovr_travel_since(sim, k, next);
     m->tolerance = given > 0 ? given : tolerance;

@@ -18,6 +18,8 @@
 #include "multigrid/content.h"
 #include "physics/companion.h"
 #include "physics/supply/supply.h"
+#include "simulation/fourth.h"
+#include "simulation/observe.h"
 #include "simulation/physics.h"
 #include "simulation/quantity_row.h"
 #include "simulation/simulation.h"

@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The observed numbers of a state: film, pressure, flow, friction, extremes. */
+#ifndef OVR_SIMULATION_OBSERVE_H
+#define OVR_SIMULATION_OBSERVE_H
+
+#include "simulation/internal.h"
+
+/* The scheme's own mass flow at the half node i + 1/2; Cu = um/um0. */
+double ovr_flux(const ovr_simulation *sim, double Cu, size_t i);
+
+/* The scheme takes this of a content q at i + 1/2, from upstream; what flows
+ * there beside the film's own (physics.h). */
+double ovr_upstream(const ovr_simulation *sim, const double *q, size_t i);
+double ovr_flow_beside(const ovr_simulation *sim, size_t i, bool mean);
+
+/* Relative error of the mass balance over the step just made. */
+double ovr_mass_balance(const ovr_simulation *sim);
+
+/* Friction of the film that was read last (friction.c), its coefficients and
+ * powers; shear stress in the film at a surface, at half nodes. */
+void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o);
+
+/* Computes forces, coefficients and power_in from F_slide, F_roll and the
+ * forces on slopes. */
+void ovr_friction_forces(const ovr_simulation *sim, ovr_observation *o);
+const double *ovr_wall_stress(const ovr_simulation *sim, int surface,
+                              double *workspace);
+
+/* Points the public state at the solution. */
+void ovr_publish_state(ovr_simulation *sim);
+
+/* Takes what is observed into the extremes and means of the run; none of them
+ * is known; where one of them is (overall.c). */
+void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
+                         bool first);
+void ovr_statistics_unknown(ovr_statistics *s);
+double *ovr_kept_number(const ovr_extreme *which, ovr_statistics *of);
+
+/* Film, pressure, mass flow and friction of the line that `now` holds. */
+void ovr_observe_line(ovr_simulation *sim, ovr_observation *o);
+
+/* Fills the state's fields and the observation from the finest level. */
+void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome);
+
+#endif
