@@ -187,26 +187,31 @@ double ovr_rank_correlation(const double *x, const double *y, size_t n,
 ovr_interval ovr_bootstrap(ovr_of_pairs *of, const double *x, const double *y,
                            size_t n, const ovr_allocator *allocator)
 {
+    enum { LARGEST = 4000 };
     const ovr_interval none = {NAN, NAN};
+    const size_t m = n < LARGEST ? n : LARGEST;
     ovr_arena arena = ovr_arena_make(allocator);
-    double *drawn = n ? ovr_arena_take(&arena, 2 * n, sizeof *drawn, NULL)
+    double *drawn = n ? ovr_arena_take(&arena, 2 * m, sizeof *drawn, NULL)
                       : NULL;
-    double found[AGAIN], shift;
+    double found[AGAIN], middle, whole, scale;
     for (uint64_t k = 0; drawn && k < AGAIN; k++) {
         ovr_arena own = ovr_arena_make(allocator);
-        for (size_t i = 0; i < n; i++) {
+        for (size_t i = 0; i < m; i++) {
             size_t j = (size_t)(ovr_uniform_at(1, k, i) * (double)n);
             drawn[i] = x[j];
-            drawn[n + i] = y[j];
+            drawn[m + i] = y[j];
         }
-        found[k] = of(drawn, drawn + n, n, &own);
+        found[k] = of(drawn, drawn + m, m, &own);
         ovr_arena_release(&own);
     }
     if (!drawn)
         return none;
     gsl_sort(found, 1, AGAIN);
-    shift = of(x, y, n, &arena) - ovr_quantile(found, AGAIN, 0.5);
+    middle = ovr_quantile(found, AGAIN, 0.5);
+    whole = of(x, y, n, &arena);
+    scale = sqrt((double)m / (double)n);
     ovr_arena_release(&arena);
-    return (ovr_interval){ovr_quantile(found, AGAIN, TAIL) + shift,
-                          ovr_quantile(found, AGAIN, 1 - TAIL) + shift};
+    return (ovr_interval){
+        whole + scale * (ovr_quantile(found, AGAIN, TAIL) - middle),
+        whole + scale * (ovr_quantile(found, AGAIN, 1 - TAIL) - middle)};
 }

@@ -439,3 +439,31 @@ TEST(indices_held)
     print_message("held %d and %d of %d\n", held[0], held[1], SAMPLES);
     assert_true(held[0] >= 88 && held[1] >= 88);
 }
+
+static double mean_of(const double *x, const double *y, size_t n,
+                      ovr_arena *arena)
+{
+    double sum = 0;
+    (void)x;
+    (void)arena;
+    for (size_t i = 0; i < n; i++)
+        sum += y[i] / (double)n;
+    return sum;
+}
+
+/* The interval of a mean is 1.96 sd/sqrt(n), of small samples and of large
+ * ones, for which fewer pairs are drawn; 200 means know it to 15 %. */
+TEST(bootstrap_of_any_size)
+{
+    enum { LARGEST = 40000 };
+    static double x[LARGEST], y[LARGEST];
+    for (size_t i = 0; i < LARGEST; i++)
+        x[i] = y[i] = ovr_uniform_at(4, 4, i);
+    for (size_t n = 400; n <= LARGEST; n *= 10) {
+        ovr_interval i = ovr_bootstrap(mean_of, x, y, n, NULL);
+        double right = 1.96 * sqrt(1.0 / 12 / (double)n);
+        CHECK_CLOSE((i.high - i.low) / 2, right, 0.15);
+        assert_true(i.low < mean_of(x, y, n, NULL) &&
+                    mean_of(x, y, n, NULL) < i.high);
+    }
+}
