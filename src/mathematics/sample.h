@@ -51,8 +51,8 @@ double ovr_rank_correlation(const double *x, const double *y, size_t n,
 
 /* 95 % of what `of` says of samples drawn again from this one, 200 times
  * (percentiles; Efron 1979), the same at each call; shifted so that their
- * median is what the sample itself says, since drawing some twice leans.  Of
- * n > 4000 pairs m = 4000 are drawn, and deviations are scaled by sqrt(m/n). */
+ * median is what the sample itself says, since drawing some twice leans.
+ * Only m = 4000 of more pairs are drawn; deviations are scaled by sqrt(m/n). */
 typedef double ovr_of_pairs(const double *x, const double *y, size_t n,
                             ovr_arena *arena);
 ovr_interval ovr_bootstrap(ovr_of_pairs *of, const double *x, const double *y,

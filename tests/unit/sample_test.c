@@ -452,7 +452,7 @@ static double mean_of(const double *x, const double *y, size_t n,
 }
 
 /* The interval of a mean is 1.96 sd/sqrt(n), of small samples and of large
- * ones, for which fewer pairs are drawn; 200 means know it to 15 %. */
+ * ones, for which fewer pairs are drawn.  200 means have an error of 15 %. */
 TEST(bootstrap_of_any_size)
 {
     enum { LARGEST = 40000 };
