@@ -3,18 +3,20 @@
  * Flow by pressure at half nodes, along X and across, between two nodes a and b
  * at the distance h.
  *
- *     flow = E (P_b - P_a),   E = phi_ab a_ab/h^2,   eps = phi H^3
+ *     flow = E (P_b - P_a),   E = phi_ab a_ab/h^2,   eps = phi H^3,
+ *     phi = rho m
  *     a_ab = 2 A B/(A + B),   A = H_a^3,  B = H_b^3
- *     phi_ab = (phi_a + phi_b)/2   or   (phi_b - phi_a)/ln(phi_b/phi_a)
+ *     phi_ab = (phi_a + phi_b)/2
+ *     or       (rho_a + rho_b)/2 (m_b - m_a)/ln(m_b/m_a)
  *
- * The mean a_ab sums the resistances of the gap (faces.h).  If ln phi is linear
- * in pressure, the logarithmic mean is the mean of phi over pressure.  The
- * derivatives of the flow are then -phi_a a_ab/h^2 and phi_b a_ab/h^2, which is
- * elliptic at any step of pressure.
+ * The mean a_ab sums the resistances of the gap (multigrid/faces.h).  If ln m
+ * is linear in pressure, the logarithmic mean is the mean of m over pressure.
+ * The derivatives of the flow are then -phi_a a_ab/h^2 and phi_b a_ab/h^2 at
+ * constant density, which is elliptic at any step of pressure.
  *
- * Both means are of second order.  At a pressure spike phi changes by e^1 to
+ * Both means are of second order.  At a pressure spike m changes by e^1 to
  * e^7 in a mesh size.  There the arithmetic mean is too large by the factor
- * (d/2)/tanh(d/2), d = ln(phi_b/phi_a).
+ * (d/2)/tanh(d/2), d = ln(m_b/m_a).
  *
  * A film with a flow law has the E of thinning.h at this eps, with derivatives
  * by the chain rule.
@@ -31,8 +33,9 @@
 
 /* Values of a node that its four half nodes use. */
 typedef struct node {
-    vec g; /* 1/H^3 */
-    vec phi, slope, log;
+    vec g;               /* 1/H^3 */
+    vec phi, slope, log; /* log: of m */
+    vec rho;
 } node;
 
 static inline node node_at(const ovr_strip_fields *f, const log_table *log,
@@ -46,10 +49,12 @@ static inline node node_at(const ovr_strip_fields *f, const log_table *log,
     if (any(H < thinnest))
         inverse = 1 / choose(cube * cube < least, all(1e-140), cube);
     a.phi = larger(load(f->eps + at_node) * inverse, all(least));
-    if (logarithmic)
-        a.log = scaled_log2(log, a.phi);
-    else
+    if (logarithmic) {
+        a.rho = load(f->rho + at_node);
+        a.log = scaled_log2(log, a.phi / a.rho);
+    } else {
         a.slope = load(f->deps + at_node) * inverse;
+    }
     return a;
 }
 
@@ -62,6 +67,8 @@ static inline void keep(const ovr_strip_grid *g, bool logarithmic, node a,
     store(work + j, a.g);
     store(work + g->stride + j, a.phi);
     store(work + 2 * g->stride + j, logarithmic ? a.log : a.slope);
+    if (logarithmic)
+        store(work + 3 * g->stride + j, a.rho);
 }
 
 static inline node kept(const ovr_strip_grid *g, bool logarithmic, size_t j,
@@ -69,22 +76,26 @@ static inline node kept(const ovr_strip_grid *g, bool logarithmic, size_t j,
 {
     node a = {.g = load(work + j), .phi = load(work + g->stride + j)};
     vec third = load(work + 2 * g->stride + j);
-    if (logarithmic)
+    if (logarithmic) {
         a.log = third;
-    else
+        a.rho = load(work + 3 * g->stride + j);
+    } else {
         a.slope = third;
+    }
     return a;
 }
 
-/* Logarithmic mean of phi. */
+/* Logarithmic mean of m times the mean density. */
 static inline vec mean_of(node a, node b)
 {
     vec d = b.log - a.log, square = d * d;
+    vec m = a.phi / a.rho, n = b.phi / b.rho;
+    vec density = 0.5 * (a.rho + b.rho);
     ivec near = square < 1e-2;
     vec series = less(all(1. / 120), all(17. / 20160), square);
     series = fused(square, fused(square, series, all(-1. / 12)), all(1));
-    vec far = (b.phi - a.phi) / choose(near, all(1), d);
-    return choose(near, 0.5 * (a.phi + b.phi) * series, far);
+    vec far = (n - m) / choose(near, all(1), d);
+    return density * choose(near, 0.5 * (m + n) * series, far);
 }
 
 /* Arguments of a pass over a grid. */
