@@ -377,6 +377,33 @@ static const char indented_end[] =
     "file = indented.h5           # indented-1.h5, ... of the passes\n"
     "every = 8\n";
 
+/* The roller with a film that varies across rolling. */
+static const char strip_end[] =
+    "\n"
+    "[strip]                      # the film varies along x and y\n"
+    "width = 2                    # in b, the period across rolling\n"
+    "\n"
+    "[domain]\n"
+    "level = 6                    # 449 nodes along x; 112 lines across\n"
+    "\n"
+    "[time]\n"
+    "end = 8.2                    # in b/um: the dent has left\n"
+    "\n"
+    "[feature dent]\n"
+    "surface = 1\n"
+    "shape = indent               # round, as a hard particle makes it\n"
+    "depth = 0.4 um\n"
+    "width_half = 0.4             # diameter at half its depth, in b\n"
+    "shoulder = 0.08 um           # the rim raised around it\n"
+    "shoulder_at = 0.4            # radius of its crest\n"
+    "shoulder_width = 0.3\n"
+    "across = 0                   # y of its centre\n"
+    "start = inlet                # enters the film at once\n"
+    "\n"
+    "[output]\n"
+    "file = strip.h5              # fields are (time, y, x)\n"
+    "every = 4                    # steps\n";
+
 static const struct kind {
     const char *name, *head, *tail;
     bool physical;
@@ -392,6 +419,7 @@ static const struct kind {
     {"discs", discs, NULL, true, NULL}, /* with oils of their own */
     {"hot", traction_hot, NULL, true, NULL},
     {"coated", coated, NULL, true, NULL},
+    {"strip", roller, strip_end, true, THINS},
 };
 enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
@@ -515,7 +543,7 @@ const cli_verb cli_init = {
         "which "
         "one has a layer), numbers (M and\nL), starved (several passes with "
         "little oil), discs (a twin-disc machine), hot\n(the same with "
-        "heat).\n"
+        "heat), strip (round dent).\n"
         "--set puts a value in: init gear --set gear.module=3mm.",
     .options = options,
     .minimum = 0,

@@ -35,6 +35,13 @@ contains out '^#   coating 1 +0\.01[0-9]+ b thick'
 ! grep -v 'inlet boundary moved to X' err || fail "coated: $(cat err)"
 expect 0 "$OVERROLL" run coated.ini --level 7 -o coated.h5
 contains out '^von Mises stress in a layer '
+expect 0 "$OVERROLL" init strip
+mv out strip.ini
+expect 0 "$OVERROLL" check strip.ini
+contains out '^#   strip +2 b wide, periodic; 449 x 96 nodes'
+! grep -v 'inlet boundary moved to X' err || fail "strip: $(cat err)"
+expect 0 "$OVERROLL" run strip.ini --level 4 --set time.end=0.3
+[ -f strip.h5 ] || fail "no strip.h5"
 refuses "'discs' has an oil of its own" init discs --oil vg32
 expect 0 "$OVERROLL" init gear -o gear2.ini
 refuses 'gear2.ini: exists already' init gear -o gear2.ini

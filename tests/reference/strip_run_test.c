@@ -192,6 +192,63 @@ TEST(shifted_across)
     drop(&b);
 }
 
+#define OVAL                                                                   \
+    "shape = indent\ndepth = 0.03\nwidth = 0.8\nwidth_across = 1.2\n"          \
+    "start = -0.2\n"
+
+/* Line -j of the mirrored dent is line j of the other.  Line 0 is at -W/2. */
+TEST(mirrored_across)
+{
+    solved a = solve("[feature d]\n" OVAL "angle = 30 deg\nacross = 0.3\n");
+    solved b = solve("[feature d]\n" OVAL "angle = -30 deg\nacross = -0.3\n");
+    for (size_t j = 0; j < 56; j++)
+        for (size_t i = 0; i < a.s->n; i++)
+            CHECK_NEAR(pressure(&b, i, (56 - j) % 56), pressure(&a, i, j),
+                       2e-8);
+    drop(&a);
+    drop(&b);
+}
+
+/* Two dents on twice the width are the dent of one period, twice. */
+TEST(two_periods)
+{
+    char text[1000];
+    snprintf(text, sizeof text,
+             "[strip]\nwidth = 4\nlines = 112\n[feature d]\n%s"
+             "across = -0.7\n[feature e]\n%sacross = 1.3\n",
+             OVAL, OVAL);
+    solved a = solve("[feature d]\n" OVAL "across = 0.3\n");
+    solved b = {.c = read_case(CONTACT, text)};
+    b.run = run_of(b.c, NULL);
+    b.s = ovr_strip_of(ovr_run_about(b.run)->sim);
+    /* The lines of both begin at -W/2, where a is at 1 of the period of b. */
+    for (size_t j = 0; j < 112; j++)
+        for (size_t i = 0; i < a.s->n; i++)
+            CHECK_NEAR(pressure(&b, i, j), pressure(&a, i, j % 56), 2e-8);
+    drop(&a);
+    drop(&b);
+}
+
+/* Rough surfaces close on the width, wherever on it they are. */
+TEST(roughness_closes)
+{
+    const char *rough = "[feature r]\nshape = roughness\nRq = 0.004\n"
+                        "length = 4\nshortest = 0.3\nrolloff = 0.6\n"
+                        "peklenik = 0.5\nangle = 20 deg\nextend = periodic\n"
+                        "origin = 0\nacross = ";
+    char near[300], far[300];
+    snprintf(near, sizeof near, "%s0\n", rough);
+    snprintf(far, sizeof far, "%s%.17g\n", rough, 9 * 2. / 56);
+    solved a = solve(near), b = solve(far);
+    for (size_t j = 0; j < 56; j++)
+        for (size_t i = 0; i < a.s->n; i++) {
+            CHECK_NEAR(height(&b, i, (j + 9) % 56), height(&a, i, j), 1e-12);
+            CHECK_NEAR(pressure(&b, i, (j + 9) % 56), pressure(&a, i, j), 2e-8);
+        }
+    drop(&a);
+    drop(&b);
+}
+
 /* A wave at 45 degrees is a sum of products of waves along and across. */
 TEST(an_oblique_wave)
 {
