@@ -184,6 +184,7 @@ typedef struct ovr_passes_setup {
 
 /* All that a case describes, ready to be run. */
 
+struct ovr_resolved;
 typedef struct ovr_setup {
     const ovr_contact *contact;
     const ovr_lubricant *lubricant;
@@ -213,6 +214,7 @@ typedef struct ovr_setup {
     double expected; /* relative error of accuracy_of on this mesh, as far as
                         it is known before anything is solved; by
                         ovr_setup_prepare */
+    struct ovr_resolved *resolved; /* for the library alone */
 } ovr_setup;
 
 /* A moment of an element of a machine that check and people look at: A to E of

@@ -116,7 +116,7 @@ typedef struct loads {
 static loads loads_of_passes(const ovr_setup *s)
 {
     const ovr_list *given = &s->passes->loads;
-    const ovr_resolved *r = (const ovr_resolved *)s;
+    const ovr_resolved *r = s->resolved;
     double now = r->pass_load > 0 ? r->pass_load : 1;
     loads all = {1, 1};
     for (size_t k = 0; k < given->count; k++) {

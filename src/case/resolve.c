@@ -283,6 +283,7 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
         return NULL;
     r->arena = arena;
     r->c = c;
+    r->setup.resolved = r;
     r->setup.contact = &r->contact;
     r->setup.lubricant = &r->lubricant;
     r->setup.options = &r->values.options;
@@ -325,11 +326,11 @@ void ovr_setup_free(ovr_setup *setup)
     ovr_history_free(setup->radius_1);
     ovr_history_free(setup->speed);
     ovr_history_free(setup->sliding);
-    ovr_flow_law_free(((ovr_resolved *)setup)->flow_law);
-    ovr_resolved_drop((ovr_resolved *)setup);
+    ovr_flow_law_free(setup->resolved->flow_law);
+    ovr_resolved_drop(setup->resolved);
     for (int k = 0; k < 2; k++)
-        ovr_law_table_free(((ovr_resolved *)setup)->tables[k]);
-    ovr_resolved_element_free((ovr_resolved *)setup);
-    arena = ((ovr_resolved *)setup)->arena;
+        ovr_law_table_free(setup->resolved->tables[k]);
+    ovr_resolved_element_free(setup->resolved);
+    arena = setup->resolved->arena;
     ovr_arena_release(&arena);
 }

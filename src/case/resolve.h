@@ -13,8 +13,9 @@ typedef struct ovr_resolved_physics {
     bool on;
 } ovr_resolved_physics;
 
-/* A setup with the memory behind it; the setup comes first. */
-typedef struct ovr_resolved {
+/* A setup with the memory behind it. */
+typedef struct ovr_resolved ovr_resolved;
+struct ovr_resolved {
     ovr_setup setup;
     const ovr_case *c;
     ovr_settings values;
@@ -45,7 +46,7 @@ typedef struct ovr_resolved {
     bool ran;         /* by a physics, which sets end and steps of the run */
     bool recorded;    /* its domain is that of a file resumed */
     ovr_arena arena;
-} ovr_resolved;
+};
 
 /* The block of a plain section. */
 const ovr_block *ovr_block_of(const ovr_resolved *r, const char *section);

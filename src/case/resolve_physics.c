@@ -356,7 +356,7 @@ unsigned ovr_setup_physics(const ovr_setup *setup)
 {
     if (!setup)
         return 0;
-    const ovr_resolved *r = (const ovr_resolved *)setup;
+    const ovr_resolved *r = setup->resolved;
     unsigned bits = setup->features ? OVR_PHYSICS_FEATURES : 0;
     for (int k = 0; ovr_physics_list[k]; k++) {
         if (is_on(r, k))
@@ -368,7 +368,7 @@ unsigned ovr_setup_physics(const ovr_setup *setup)
 ovr_status ovr_setup_add_physics(const ovr_setup *setup, ovr_simulation *sim,
                                  ovr_error *err)
 {
-    const ovr_resolved *r = (const ovr_resolved *)setup;
+    const ovr_resolved *r = setup->resolved;
     for (int k = 0; ovr_physics_list[k]; k++)
         if (r->physics[k].on &&
             ovr_physics_add(sim, ovr_physics_list[k], r->physics[k].form, err))
@@ -378,7 +378,7 @@ ovr_status ovr_setup_add_physics(const ovr_setup *setup, ovr_simulation *sim,
 
 const ovr_coated *ovr_setup_layers(const ovr_setup *setup, int body)
 {
-    const ovr_resolved *r = (const ovr_resolved *)setup;
+    const ovr_resolved *r = setup->resolved;
     const ovr_coated *layers = NULL;
     for (int k = 0; !layers && ovr_physics_list[k]; k++)
         if (r->physics[k].on && in_case(k)->layers)
@@ -388,7 +388,7 @@ const ovr_coated *ovr_setup_layers(const ovr_setup *setup, int body)
 
 void *ovr_setup_form(const ovr_setup *setup, const char *section)
 {
-    const ovr_resolved *r = (const ovr_resolved *)setup;
+    const ovr_resolved *r = setup->resolved;
     for (int k = 0; ovr_physics_list[k]; k++)
         if (section_named(in_case(k), section, strlen(section)))
             return r->physics[k].form;
@@ -397,7 +397,7 @@ void *ovr_setup_form(const ovr_setup *setup, const char *section)
 
 bool ovr_setup_has(const ovr_setup *setup, int k)
 {
-    return is_on((const ovr_resolved *)setup, k);
+    return is_on(setup->resolved, k);
 }
 
 const ovr_physics *ovr_setup_makes_nodes(const ovr_setup *setup)
@@ -413,7 +413,7 @@ const ovr_physics *ovr_setup_makes_nodes(const ovr_setup *setup)
 /* Once the grid is known, of what stands beside the simulation too. */
 static double beside(const ovr_setup *setup)
 {
-    const ovr_resolved *r = (const ovr_resolved *)setup;
+    const ovr_resolved *r = setup->resolved;
     double bytes = 0;
     for (int k = 0; setup->nodes && ovr_physics_list[k]; k++)
         if (r->physics[k].on && in_case(k)->memory)
@@ -423,7 +423,7 @@ static double beside(const ovr_setup *setup)
 
 double ovr_setup_seconds_beside(const ovr_setup *setup, double node_steps)
 {
-    const ovr_resolved *r = (const ovr_resolved *)setup;
+    const ovr_resolved *r = setup->resolved;
     double seconds = 0;
     for (int k = 0; setup->nodes && ovr_physics_list[k]; k++)
         if (is_on(r, k)) {
@@ -485,7 +485,7 @@ const char *ovr_resolved_one_mesh(const ovr_resolved *r)
 
 double ovr_setup_lag(const ovr_setup *setup)
 {
-    const ovr_resolved *r = (const ovr_resolved *)setup;
+    const ovr_resolved *r = setup->resolved;
     double lag = 0;
     for (int k = 0; ovr_physics_list[k]; k++)
         lag += is_on(r, k) ? in_case(k)->lag : 0;
@@ -511,12 +511,12 @@ size_t ovr_resolved_lines(const ovr_resolved *r, double D)
 
 size_t ovr_setup_lines(const ovr_setup *setup)
 {
-    return ovr_resolved_lines((const ovr_resolved *)setup, setup->mesh);
+    return ovr_resolved_lines(setup->resolved, setup->mesh);
 }
 
 double ovr_setup_width(const ovr_setup *setup)
 {
-    return ovr_resolved_width((const ovr_resolved *)setup);
+    return ovr_resolved_width(setup->resolved);
 }
 
 double ovr_resolved_arrives(const ovr_resolved *r)
@@ -536,7 +536,7 @@ void ovr_resolved_drop(ovr_resolved *r)
 
 void ovr_setup_equip(const ovr_setup *setup, ovr_simulation *sim)
 {
-    const ovr_resolved *r = (const ovr_resolved *)setup;
+    const ovr_resolved *r = setup->resolved;
     for (int k = 0; ovr_physics_list[k]; k++)
         if (is_on(r, k) && ovr_physics_list[k]->in_solve &&
             ovr_physics_list[k]->in_solve->equip)
@@ -561,7 +561,7 @@ void ovr_setup_tell(const ovr_setup *setup, ovr_setup_line *line, void *data)
         return;
     if (!setup)
         return;
-    ovr_resolved *r = (ovr_resolved *)setup;
+    ovr_resolved *r = setup->resolved;
     const ovr_physics_case of = about(r);
     for (int k = 0; ovr_physics_list[k]; k++)
         if (is_on(r, k) && in_case(k)->tell)

@@ -479,7 +479,7 @@ void ovr_resolve_step(ovr_resolved *r)
 
 void ovr_setup_step_reached(ovr_setup *setup, int order)
 {
-    ovr_resolved *r = (ovr_resolved *)setup;
+    ovr_resolved *r = setup->resolved;
     if (!setup->transient || r->values.step != OVR_STEP_AUTO ||
         setup->options->order == order || r->step_reason)
         return;
@@ -494,5 +494,5 @@ double ovr_setup_step(const ovr_setup *setup)
 
 const char *ovr_setup_step_reason(const ovr_setup *setup)
 {
-    return ((const ovr_resolved *)setup)->step_reason;
+    return setup->resolved->step_reason;
 }

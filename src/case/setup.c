@@ -302,7 +302,7 @@ ovr_status ovr_setup_prepare(ovr_setup *setup, const ovr_allocator *allocator,
 {
     if (!setup)
         return ovr_fail_null(err, __func__);
-    ovr_resolved *r = (ovr_resolved *)setup;
+    ovr_resolved *r = setup->resolved;
     const ovr_options *o = setup->options;
     bool inlet = o->inlet < 0, usual = o->inlet == 0;
     bool outlet = ovr_slot_of(r, "domain", "outlet")->given &&
@@ -332,7 +332,7 @@ ovr_status ovr_setup_load(ovr_setup *setup, int pass,
     if ((size_t)pass > loads->count)
         return OVR_OK;
     double load = loads->values[pass - 1];
-    ((ovr_resolved *)setup)->pass_load = load;
+    setup->resolved->pass_load = load;
     return ovr_history_scale(&setup->load, load, allocator, err);
 }
 
@@ -367,7 +367,7 @@ ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
                                                  : NULL,
             ovr_surfaces_has(setup->surfaces, 2) ? ovr_surfaces_heights_2
                                                  : NULL);
-        if (ovr_resolved_width((const ovr_resolved *)setup) > 0)
+        if (ovr_resolved_width(setup->resolved) > 0)
             ovr_simulation_across(sim, ovr_surfaces_across);
         sim->shapes.roughness = ovr_surfaces_roughness(setup->surfaces);
     }

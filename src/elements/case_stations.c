@@ -142,10 +142,10 @@ static int by_time(const void *a, const void *b)
 size_t ovr_setup_stations(const ovr_setup *setup,
                           ovr_station station[OVR_STATIONS_MAX])
 {
-    const ovr_resolved *r = (const ovr_resolved *)setup;
-    listing l = {.r = r, .station = station};
     if (!setup)
         return 0;
+    const ovr_resolved *r = setup->resolved;
+    listing l = {.r = r, .station = station};
     if (r->element.gear)
         gear_stations(&l);
     if (r->element.cam)
@@ -159,15 +159,15 @@ size_t ovr_setup_stations(const ovr_setup *setup,
 
 const ovr_gear *ovr_setup_gear(const ovr_setup *setup)
 {
-    return setup ? ((const ovr_resolved *)setup)->element.gear : NULL;
+    return setup ? setup->resolved->element.gear : NULL;
 }
 
 const ovr_cam *ovr_setup_cam(const ovr_setup *setup)
 {
-    return setup ? ((const ovr_resolved *)setup)->element.cam : NULL;
+    return setup ? setup->resolved->element.cam : NULL;
 }
 
 const ovr_bearing *ovr_setup_bearing(const ovr_setup *setup)
 {
-    return setup ? ((const ovr_resolved *)setup)->element.bearing : NULL;
+    return setup ? setup->resolved->element.bearing : NULL;
 }

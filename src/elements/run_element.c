@@ -162,7 +162,7 @@ static void put_bearing(const answered *a)
 void ovr_element_summary(const ovr_run_info *run, ovr_summary_taker *take,
                          void *data)
 {
-    const ovr_resolved *r = (const ovr_resolved *)run->setup;
+    const ovr_resolved *r = run->setup->resolved;
     const answered a = {run, r, take, data};
     if (r->element.gear)
         put_gear(&a);
@@ -287,7 +287,7 @@ static void review_blend(const ovr_setup *setup, ovr_listener *say, void *data)
 
 static void review_end(const ovr_setup *setup, ovr_listener *say, void *data)
 {
-    const ovr_resolved *r = (const ovr_resolved *)setup;
+    const ovr_resolved *r = setup->resolved;
     double way = r->element.end, end = setup->march->end;
     if (!(way > 0) || !setup->transient || end >= way * (1 - 1e-9))
         return;

@@ -115,7 +115,7 @@ static ovr_status solve(ovr_run *run, ovr_setup *setup, ovr_simulation *coarse,
 /* Steps of as many meshes as on the finest level. */
 static void take_steps(const ovr_run *run, ovr_setup *setup)
 {
-    ovr_march *march = &((ovr_resolved *)setup)->march;
+    ovr_march *march = &setup->resolved->march;
     double dT = run->setup->march->dT;
     march->dT = dT > 0 ? dT * setup->mesh / run->setup->mesh : 0;
 }

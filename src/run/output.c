@@ -273,7 +273,7 @@ ovr_storage ovr_setup_storage(const ovr_setup *setup)
     }
     s.bytes += s.snapshots * stored_nodes(setup) * (double)w.lines *
                (w.single ? 4 : 8) * (double)ovr_layout_fields(w.fields, NULL);
-    s.bytes += input_bytes(((const ovr_resolved *)setup)->c);
+    s.bytes += input_bytes(setup->resolved->c);
     return s;
 }
 

@@ -44,8 +44,7 @@ static double rounded_out(double X)
 
 static bool is_usual(const ovr_review *r, const char *key)
 {
-    const ovr_slot *slot = ovr_slot_of((const ovr_resolved *)r->setup, "domain",
-                                       key);
+    const ovr_slot *slot = ovr_slot_of(r->setup->resolved, "domain", key);
     return slot->word && slot->number == 0;
 }
 
@@ -57,7 +56,7 @@ static void warn_of_kept_inlet(const ovr_review *r,
                    "boundary there, so that the central film thickness is %s "
                    "too low; start the feature upstream of X = %.4g",
                    r->setup->options->inlet, share_of(needs->loss).text,
-                   ((const ovr_resolved *)r->setup)->inlet_kept);
+                   r->setup->resolved->inlet_kept);
 }
 
 /* The usual inlet lies farther out, or does not because of a feature. */
@@ -109,8 +108,7 @@ static void warn_of_near_outlet(const ovr_review *r,
 static void review_domain(const ovr_review *r)
 {
     ovr_domain_needs needs = ovr_setup_needs(r->setup);
-    if (((const ovr_resolved *)r->setup)->inlet_kept < 0 &&
-        needs.loss > OVR_USUAL_LOSS)
+    if (r->setup->resolved->inlet_kept < 0 && needs.loss > OVR_USUAL_LOSS)
         warn_of_kept_inlet(r, &needs);
     else if (is_usual(r, "inlet"))
         say_usual_inlet(r, &needs);
@@ -172,7 +170,7 @@ static void review_contact(const ovr_setup *s, ovr_listener *say, void *data)
 static void review_width(const ovr_setup *s, ovr_listener *say, void *data)
 {
     const double widest = 0.3;
-    const ovr_resolved *r = (const ovr_resolved *)s;
+    const ovr_resolved *r = s->resolved;
     const ovr_contact *c = s->contact;
     double radius = c->radius;
     for (int k = 0; k < 2; k++)
@@ -241,7 +239,7 @@ static void say_assumed(const ovr_review *r)
 /* Estimated from the viscosity: films go with its square root or so. */
 static void say_estimated(const ovr_review *r)
 {
-    const ovr_resolved *resolved = (const ovr_resolved *)r->setup;
+    const ovr_resolved *resolved = r->setup->resolved;
     if (!resolved->values.oil.mineral || !resolved->alpha_estimated)
         return;
     ovr_review_say(r, OVR_SAY_NOTE,
@@ -274,8 +272,7 @@ static void say_idle(const ovr_review *r)
 static void say_left_out(const ovr_review *r)
 {
     const ovr_physics *off = NULL;
-    unsigned none = ovr_resolved_no_fields((const ovr_resolved *)r->setup,
-                                           &off);
+    unsigned none = ovr_resolved_no_fields(r->setup->resolved, &off);
     if (none & ~r->setup->output->fields)
         ovr_review_say(
             r, OVR_SAY_NOTE, "fields: %s are not stored: [%s] is off",
@@ -359,7 +356,7 @@ static void warn_of_features(const ovr_review *r, bool transient)
 /* Features with one seed have the same heights, up to their scale. */
 static void warn_of_seeds(const ovr_review *r)
 {
-    const ovr_resolved *resolved = (const ovr_resolved *)r->setup;
+    const ovr_resolved *resolved = r->setup->resolved;
     for (size_t j = 0; j < resolved->features; j++)
         for (size_t k = 0; k < j; k++) {
             const ovr_feature_form *a = resolved->feature[k];
@@ -525,7 +522,7 @@ void ovr_setup_review(const ovr_setup *setup, ovr_listener *listener,
 {
     if (!setup)
         return;
-    ovr_review r = {((const ovr_resolved *)setup)->c, setup, listener, data};
+    ovr_review r = {setup->resolved->c, setup, listener, data};
     before(&r, setup->transient);
 }
 

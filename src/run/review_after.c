@@ -173,7 +173,7 @@ void ovr_run_review_after(ovr_run *run)
                        "the steady solution took another way: %s", strategy);
     if (state->n && H_cen > 0 && ovr_setup_supply(r.setup)->film &&
         isnan(ovr_simulation_observation(sim)->meniscus) &&
-        ((const ovr_resolved *)r.setup)->inlet_kept >= 0)
+        r.setup->resolved->inlet_kept >= 0)
         ovr_review_inlet(&r, state, H_cen);
     ovr_companions_review(run);
     warn_of_extremes(&r, ovr_simulation_statistics(sim));

@@ -31,7 +31,7 @@ void ovr_run_surface(const ovr_run *run, ovr_simulation *sim)
 static void set_recorded_domain(ovr_setup *setup, const ovr_restart_info *of)
 {
     ovr_options *o = setup->options;
-    ((ovr_resolved *)setup)->recorded = true;
+    setup->resolved->recorded = true;
     if (!of->has_state || of->level <= 0)
         return;
     o->inlet = of->inlet;

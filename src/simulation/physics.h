@@ -376,12 +376,11 @@ typedef struct ovr_physics_in_output {
 
     /* Adds to it; to the power that is made in the film at the nodes, over
      * b/R um ph, which heat takes up. */
-    void (*friction)(const ovr_simulation *sim, const void *own, double *t);
+    void (*friction)(ovr_simulation *sim, void *own, double *t);
 
     /* Reduces `apart`, the share of the surfaces that the film drags on, and
      * adds to the power made in the film in addition, at the nodes. */
-    void (*heat)(const ovr_simulation *sim, const void *own, double *apart,
-                 double *power);
+    void (*heat)(ovr_simulation *sim, void *own, double *apart, double *power);
 
     /* Fills in what is observed; before that, and where the physics is off,
      * what is not known. */

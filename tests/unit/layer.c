@@ -123,7 +123,7 @@ static void heights(const ovr_simulation *sim, const void *own, int surface,
     }
 }
 
-static void friction(const ovr_simulation *sim, const void *own, double *t)
+static void friction(ovr_simulation *sim, void *own, double *t)
 {
     const double *P = sim->now.P;
     double hysteresis = ((const layer *)own)->given.hysteresis;
@@ -132,8 +132,7 @@ static void friction(const ovr_simulation *sim, const void *own, double *t)
 }
 
 /* The power of the drag where one surface slides on the other. */
-static void warm(const ovr_simulation *sim, const void *own, double *apart,
-                 double *power)
+static void warm(ovr_simulation *sim, void *own, double *apart, double *power)
 {
     (void)apart;
     double hysteresis = ((const layer *)own)->given.hysteresis;

@@ -335,14 +335,14 @@ static bool is_apart(const ovr_simulation *sim, const boundary *b)
     return A < nothing && ovr_touch_law_area(b->law, H[low]) < nothing;
 }
 
-static void friction(const ovr_simulation *sim, const void *own, double *t)
+static void friction(ovr_simulation *sim, void *own, double *t)
 {
-    boundary *b = (boundary *)own;
+    boundary *b = own;
     const double *P = sim->now.P, *X = sim->now.X;
     b->wet_force = 0;
     if (is_apart(sim, b))
         return;
-    read_borne((ovr_simulation *)sim, b);
+    read_borne(sim, b);
     for (size_t i = 0; i + 1 < sim->now.n; i++) {
         double drag = drag_at(sim, b, i);
         double H = 0.5 * (sim->now.H[i] + sim->now.H[i + 1]);
@@ -352,10 +352,9 @@ static void friction(const ovr_simulation *sim, const void *own, double *t)
     }
 }
 
-static void heat(const ovr_simulation *sim, const void *own, double *apart,
-                 double *power)
+static void heat(ovr_simulation *sim, void *own, double *apart, double *power)
 {
-    boundary *b = (boundary *)own;
+    boundary *b = own;
     double V = fabs(ovr_sliding(sim, sim->state.T)), mu = b->given->friction;
     if (V == 0 || is_apart(sim, b))
         return;
@@ -363,7 +362,7 @@ static void heat(const ovr_simulation *sim, const void *own, double *apart,
         apart[i] *= 1 - ovr_touch_law_area(b->law, sim->now.H[i]);
     if (isnan(mu))
         return;
-    read_borne((ovr_simulation *)sim, b);
+    read_borne(sim, b);
     for (size_t i = 0; i < sim->now.n; i++)
         power[i] += mu * b->A[i] * V / sim->contact.kappa;
 }

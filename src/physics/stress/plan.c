@@ -354,7 +354,7 @@ ovr_status ovr_stress_planned(const ovr_setup *setup, int surface,
                               ovr_stress_sight seen, ovr_stress_plan *plan,
                               ovr_error *err)
 {
-    const ovr_resolved *r = (const ovr_resolved *)setup;
+    const ovr_resolved *r = setup->resolved;
     ovr_error why = {0};
     if (!make_plan(setup, surface, seen, plan, &why))
         return OVR_OK;
