@@ -53,7 +53,7 @@ TEST(heavy_contacts_are_solved_by_default)
             last = h.H_cen;
         if (k == 1)
             assert_true(h.H_cen < last);
-        if (of[k][0] < 3000) {
+        if (of[k][0] < test_draws(1500, 3000)) {
             heavy finer = solve(of[k][0], of[k][1], h.level + 1);
             CHECK_NEAR(h.H_cen / finer.H_cen, 1, 1e-3);
         }

@@ -1,11 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every third of ten fixed mixes of physics, and of five hot films, against an
+# Every fifth of ten fixed mixes of physics, and of five hot films, against an
 # independent model: see mixes.py, hot_mixes.py.  In make verify all.
 . "$TOP/tests/support/cli.sh"
 need_python numpy h5py
 
-every=3
+every=5
 [ -z "${OVERROLL_VERIFY:-}" ] || every=1
 export OVERROLL OPENBLAS_NUM_THREADS=1 PYTHONDONTWRITEBYTECODE=1
 expect 0 "$PYTHON" "$TOP/tests/reference/mixes.py" fixed $every

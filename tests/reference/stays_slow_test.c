@@ -5,5 +5,5 @@
 
 TEST(steady_contacts_stay)
 {
-    test_stays_survey(370000, test_draws(50, 500));
+    test_stays_survey(370000, test_draws(20, 500));
 }
