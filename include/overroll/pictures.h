@@ -13,6 +13,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "overroll/areal.h"
 #include "overroll/error.h"
 #include "overroll/memory.h"
 #include "overroll/profile.h"
@@ -191,6 +192,12 @@ OVR_API ovr_status ovr_view(ovr_result *const *results, size_t count,
 OVR_API ovr_status ovr_picture_profile(const ovr_profile_view *view,
                                        const char *title, const char *path,
                                        ovr_error *err);
+
+/* Draws an areal surface, with a profile that is a line of it below. */
+OVR_API ovr_status ovr_picture_areal(const ovr_areal *areal,
+                                     const ovr_profile_view *view,
+                                     const char *title, const char *path,
+                                     ovr_error *err);
 
 /* Draws what it bears (ovr_profile_contact): pressure over gap, with the
  * exponential of Rq and slope beside it, and what touches over pressure. */

@@ -42,6 +42,8 @@ typedef struct ovr_profile_view {
     double lambda_c;      /* the high-pass filter it went through; NAN: none */
     size_t rows, columns; /* size of the areal grid of which it is a line; 0:
                              the file holds lines only */
+    double line[4];       /* x, y of that line's first and last point on the
+                             grid, in the unit of x */
 } ovr_profile_view;
 
 /* The file to read, and what it may not say itself. */

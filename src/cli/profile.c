@@ -26,7 +26,10 @@ static int write_outputs(const cli_call *call, const profile_report *r)
         ovr_picture_contact(r->view, profile_pressed(r), r->bears, r->points,
                             r->file, picture, &err))
         return cli_fail(&err);
-    if (picture && !r->points &&
+    if (picture && !r->points && r->map &&
+        ovr_picture_areal(r->map, r->view, r->file, picture, &err))
+        return cli_fail(&err);
+    if (picture && !r->points && !r->map &&
         ovr_picture_profile(r->view, r->file, picture, &err))
         return cli_fail(&err);
     return CLI_DONE;
@@ -213,8 +216,8 @@ static const cli_option options[] = {
      "write it, conditioned: X3P (.x3p), SDF (.sdf), or else as clean text",
      false},
     {"plot", "OUT.png",
-     "draw the profile, or with --contact its contact pressure (png, svg or "
-     "pdf; needs gnuplot)",
+     "draw the profile, of an areal file the map and the line used, or with "
+     "--contact the contact pressure (png, svg or pdf; needs gnuplot)",
      false},
     {"force", NULL, "overwrite what is there", false},
     {NULL, NULL, NULL, false}};

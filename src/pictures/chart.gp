@@ -206,6 +206,13 @@ do for [c=1:columns] {
     unset contour
   }
 
+  if (image[p] >= 0) {
+    image_x = x_from[p]
+    image_y = y_from[p]
+    image_dx = (x_to[p] - x_from[p]) / cells_x[p]
+    image_dy = (y_to[p] - y_from[p]) / cells_y[p]
+  }
+
   # a drawing: the axis that is too short for its panel grows
   if (equal[p]) {
     unit_x = (x_to[p] - x_from[p]) / ((x1 - x0) * width)
@@ -306,8 +313,6 @@ do for [c=1:columns] {
   set grid xtics ytics lt 1 lw 0.6 lc rgb '#e4e8ec'
   if (image[p] >= 0) {
     unset grid
-    dx = (x_to[p] - x_from[p]) / cells_x[p]
-    dy = (y_to[p] - y_from[p]) / cells_y[p]
     set cbrange [colour_from[p]:colour_to[p]]
     set format cb '%g'
     set cblabel colour_label[p] offset character 1.2,0
@@ -318,7 +323,8 @@ do for [c=1:columns] {
     }
     command = sprintf(', data index %d matrix using \
       (%.9g+%.9g*$1):(%.9g+%.9g*$2):3 with image', \
-      image[p], x_from[p] + dx / 2, dx, y_from[p] + dy / 2, dy)
+      image[p], image_x + image_dx / 2, image_dx, \
+      image_y + image_dy / 2, image_dy)
     if (strlen(bold_contours[p])) {
       bold(v) = sum [k=1:words(bold_contours[p])] \
         (abs(v / word(bold_contours[p], k) - 1) < 1e-6)

@@ -4,12 +4,8 @@
 #include "base/given.h"
 #include "pictures/picture.h"
 
-ovr_status ovr_picture_profile(const ovr_profile_view *view, const char *title,
-                               const char *path, ovr_error *err)
+ovr_panel ovr_profile_panel(const ovr_profile_view *view, ovr_arena *arena)
 {
-    if (!view || !path)
-        return ovr_fail_null(err, __func__);
-    ovr_arena arena = ovr_arena_make(NULL);
     ovr_series heights = {.n = view->n,
                           .x = view->x,
                           .y = view->z,
@@ -20,7 +16,17 @@ ovr_status ovr_picture_profile(const ovr_profile_view *view, const char *title,
         view->scaled_x ? "{/:Italic x} / {/:Italic b}" : "{/:Italic x}  [µm]",
         view->scaled_z ? "{/:Italic z R} / {/:Italic b}^2"
                        : "{/:Italic z}  [µm]");
-    ovr_panel_add(&panel, &arena, heights);
+    ovr_panel_add(&panel, arena, heights);
+    return panel;
+}
+
+ovr_status ovr_picture_profile(const ovr_profile_view *view, const char *title,
+                               const char *path, ovr_error *err)
+{
+    if (!view || !path)
+        return ovr_fail_null(err, __func__);
+    ovr_arena arena = ovr_arena_make(NULL);
+    ovr_panel panel = ovr_profile_panel(view, &arena);
     ovr_chart chart = {.kind = "profile",
                        .title = title,
                        .width = 1200,

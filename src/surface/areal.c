@@ -11,6 +11,7 @@
 #include "surface/areal.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/error.h"
@@ -249,18 +250,36 @@ static ovr_status choose_given(ovr_profile *p, const ovr_profile_source *s,
     return OVR_OK;
 }
 
+/* Names the nearest whole degrees of a line through the centre with heights. */
+static ovr_status fail_direction(const ovr_profile *p, double degrees,
+                                 ovr_error *err)
+{
+    char remedy[80];
+    snprintf(remedy, sizeof remedy, "use %s",
+             ovr_named(p, "row or column").text);
+    for (int d = 1; d <= 180; d++) {
+        double other = degrees + (d & 1 ? (d + 1) / 2 : -d / 2);
+        line l = oblique_line(&p->map, other * pi / 180);
+        if (l.n < 2 || !has_heights(&p->map, &l))
+            continue;
+        snprintf(remedy, sizeof remedy, "%s = %g has",
+                 ovr_named(p, "direction").text, other);
+        break;
+    }
+    return ovr_about(err, "direction",
+                     ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
+                                 "the line at %g degrees through the centre "
+                                 "has no heights; %s",
+                                 degrees, remedy));
+}
+
 static ovr_status choose_oblique(ovr_profile *p, double degrees, double band,
                                  line *chosen, ovr_error *err)
 {
     *chosen = oblique_line(&p->map, degrees * pi / 180);
     widen(&p->map, band, chosen);
     if (chosen->n < 2 || !has_heights(&p->map, chosen))
-        return ovr_about(
-            err, "direction",
-            ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                        "the line at %g degrees through the centre "
-                        "has no heights",
-                        degrees));
+        return fail_direction(p, degrees, err);
     ovr_profile_note(p, "line through the centre at %.4g degrees to the x axis",
                      degrees);
     return OVR_OK;
@@ -273,7 +292,8 @@ static ovr_status choose_default(ovr_profile *p, double band, line *chosen,
     const ovr_areal *map = &p->map;
     ovr_areal_numbers numbers;
     ovr_status status = ovr_areal_measure(map, &numbers, err);
-    double lay = numbers.lay, tilt = fabs(lay);
+    double lay = fabs(numbers.lay) < 5e-4 ? 0 : numbers.lay; /* rounding */
+    double tilt = fabs(lay);
     bool column;
     long k;
     if (status)
@@ -319,6 +339,10 @@ static ovr_status take_line(ovr_profile *p, const line *l, ovr_error *err)
     ovr_profile_regular(p, l->n, l->sy == 0 ? p->offset : 0, l->length);
     for (size_t k = 0; k < l->n; k++)
         p->z[k] = band_height(&p->map, l, k);
+    double last = (double)(l->n - 1), dx = p->map.dx, dy = p->map.dy;
+    const double ends[] = {l->x * dx, l->y * dy, (l->x + last * l->sx) * dx,
+                           (l->y + last * l->sy) * dy};
+    memcpy(p->view.line, ends, sizeof ends);
     if (l->half)
         ovr_profile_note(p, "mean over a band of %ld lines", 2 * l->half + 1);
     return ovr_profile_finish(p, l->n, err);

@@ -63,6 +63,14 @@ static plane fit_plane(const ovr_areal *a)
     return p;
 }
 
+void ovr_areal_plane(const ovr_areal *areal, double to[3])
+{
+    plane p = fit_plane(areal);
+    to[0] = p.z0;
+    to[1] = p.zx;
+    to[2] = p.zy;
+}
+
 static double about_plane(const ovr_areal *a, const plane *p, size_t i,
                           size_t j)
 {

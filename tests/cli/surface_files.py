@@ -5,6 +5,9 @@ usage: surface_files.py OVERROLL   (in a folder for files)
 """
 import io
 import json
+import os
+import re
+import shutil
 import struct
 import subprocess
 import sys
@@ -356,3 +359,59 @@ with open("c.sdf", "rb") as file:
 assert raw[:8] == b"bISO-1.0" and len(raw) == 81 + 8 * NX
 assert struct.unpack("<HH", raw[42:46]) == (NX, 1)
 assert struct.unpack("<d", raw[46:54])[0] == DX
+
+
+# The picture of a map: its cells are means of heights about the mean plane.
+# gnuplot is one that keeps its script and draws it.
+def drawn(*arguments):
+    """Cells of the map and the ends of the line on it, in um."""
+    os.makedirs("bin", exist_ok=True)
+    with open("bin/gnuplot", "w") as f:
+        f.write('#!/bin/sh\nwhile IFS= read -r line; do\n'
+                '  cp .?*.gp kept.gp\n  printf "%s\\n" "$line"\n'
+                f'done | {shutil.which("gnuplot")} "$@"\n')
+    os.chmod("bin/gnuplot", 0o755)
+    path = {**os.environ, "PATH": "bin:" + os.environ["PATH"]}
+    subprocess.run([OVERROLL, "profile", *arguments, "--plot", "map.png",
+                    "--force"], check=True, env=path, stdout=subprocess.PIPE)
+    assert open("map.png", "rb").read(8)[1:4] == b"PNG"
+    text = open("kept.gp").read().split("EOD")[1]
+    line, _, image = text.strip().split("\n\n\n")
+    table = [row.split() for row in line.split("\n")[1:]]
+    cells = [row.split() for row in image.strip().split("\n")[1:]]
+    return np.array(cells, float), np.array(table, float)
+
+
+if shutil.which("gnuplot"):
+    ny, nx = 30, 1250  # three points a side in a cell
+    j, i = np.mgrid[:ny, :nx].astype(float)
+    z = rng.normal(size=(ny, nx)) + 0.3 * i - 2 * j + 5
+    z[4:8, 30:36] = np.nan
+    np.save("map.npy", z)
+    cells, line = drawn("map.npy", "--spacing", "2um", "--unit-z", "um",
+                        "--column", "11", "--level", "none")
+    there = ~np.isnan(z)
+    fit = np.linalg.lstsq(np.column_stack([np.ones(there.sum()), i[there],
+                                           j[there]]), z[there], rcond=None)[0]
+    flat = z - fit[0] - fit[1] * i - fit[2] * j
+    padded = np.full((ny, 1251), np.nan)
+    padded[:, :nx] = flat
+    blocks = padded.reshape(ny // 3, 3, 417, 3).swapaxes(1, 2)
+    blocks = blocks.reshape(ny // 3, 417, 9)
+    with np.errstate(invalid="ignore"):
+        count = (~np.isnan(blocks)).sum(axis=2)
+        wanted = np.where(count, np.nansum(blocks, axis=2) / count, np.nan)
+    assert cells.shape == wanted.shape, cells.shape
+    assert (np.isnan(cells) == np.isnan(wanted)).all()
+    assert np.nanmax(np.abs(cells - wanted)) < 1e-4
+    assert np.allclose(line, [[20, 0], [20, 58]]), line
+
+# An empty line through the centre: the direction that is named has heights
+empty = np.full((60, 60), np.nan)
+empty[:18] = rng.normal(size=(18, 60))
+np.save("empty.npy", empty)
+arguments = ("empty.npy", "--spacing", "1um", "--unit-z", "um",
+             "--max-missing", "1")
+named = run(*arguments, "--direction", "3", code=1)
+other = re.search(r"--direction = (-?\d+) has", named).group(1)
+run(*arguments, "--direction", other)
