@@ -127,6 +127,9 @@ ovr_status ovr_picture_areal(const ovr_areal *areal,
 {
     if (!areal || !view || !path)
         return ovr_fail_null(err, __func__);
+    if (!areal->z || areal->nx < 2 || areal->ny < 2)
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "an areal surface has two rows of two points at least");
     ovr_arena arena = ovr_arena_make(NULL);
     cells c = {0};
     ovr_status status = make_cells(areal, areal->scaled_z ? 1 : 1e6, &c, &arena,
