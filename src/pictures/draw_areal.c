@@ -169,77 +169,77 @@ static void label_across(const char *x, char *label, size_t size)
     snprintf(label, size, "%.*sy%s", before, x, symbol ? symbol + 8 : "");
 }
 
-static void draw_field(ovr_areal_view *v, int f, const ovr_axis *x,
-                       const ovr_axis *value)
+static void draw_map(ovr_areal_view *v, int f, const ovr_axis *x,
+                     const ovr_axis *value)
 {
     ovr_areal_field *field = &v->field[f];
-    const ovr_result_info *info = v->run->info;
-    size_t n = info->nodes, lines = info->lines;
-    double u;
-    size_t i = interval(v->run->x, n, v->along, &u);
-    ovr_series(*series)[2] = v->series[f];
-    ovr_panel *map = &v->panel[f], *along = &v->panel[f + OVR_AREAL_FIELDS];
-    ovr_panel *across = &v->panel[f + 2 * OVR_AREAL_FIELDS];
-    double high = field->high + 0.04 * (field->high - field->low);
+    ovr_series *cut = v->series[f][0];
+    cut[0] = (ovr_series){.n = 2,
+                          .x = v->x_ends,
+                          .y = v->line_ends,
+                          .x_factor = x->factor,
+                          .factor = x->factor,
+                          .mark = OVR_MARK_DASHED,
+                          .colour = OVR_WHITE,
+                          .width = 1};
+    cut[1] = cut[0];
+    cut[1].x = v->along_ends;
+    cut[1].y = v->y_ends;
     fill_image(v, field, value->factor);
+    v->panel[f] = (ovr_panel){.note = v->note[f],
+                              .x_label = x->label,
+                              .y_label = v->label,
+                              .x_from = v->x_from * x->factor,
+                              .x_to = v->x_to * x->factor,
+                              .y_from = v->y_ends[0] * x->factor,
+                              .y_to = v->y_ends[1] * x->factor,
+                              .height = 1.5,
+                              .count = 2,
+                              .series = cut,
+                              .image = {.nx = CELLS_X,
+                                        .ny = CELLS_Y,
+                                        .values = field->image,
+                                        .from = field->low * value->factor,
+                                        .to = field->high * value->factor,
+                                        .above = field->above,
+                                        .label = value->label}};
+}
+
+static void draw_cuts(ovr_areal_view *v, int f, const ovr_axis *x,
+                      const ovr_axis *value)
+{
+    ovr_areal_field *field = &v->field[f];
+    size_t n = v->run->info->nodes, lines = v->run->info->lines;
+    double u, high = field->high + 0.04 * (field->high - field->low);
+    size_t i = interval(v->run->x, n, v->along, &u);
+    ovr_series *along = v->series[f][1], *across = v->series[f][2];
     for (size_t j = 0; j <= lines; j++)
-        field->across[j] = between(v, field->values, i, u, j % lines, 0);
-    series[0][0] = (ovr_series){.n = 2,
-                                .x = v->x_ends,
-                                .y = v->line_ends,
-                                .x_factor = x->factor,
-                                .factor = x->factor,
-                                .mark = OVR_MARK_DASHED,
-                                .colour = OVR_WHITE,
-                                .width = 1};
-    series[0][1] = series[0][0];
-    series[0][1].x = v->along_ends;
-    series[0][1].y = v->y_ends;
-    *map = (ovr_panel){.note = v->note[f],
+        field->across[j] = between(v, field->values, i, u, j, 0);
+    *along = (ovr_series){.n = n,
+                          .x = v->run->x,
+                          .y = field->values + v->shown * n,
+                          .x_factor = x->factor,
+                          .factor = value->factor,
+                          .colour = f ? OVR_STEEL : OVR_AMBER};
+    *across = *along;
+    across->n = lines + 1;
+    across->x = v->y;
+    across->y = field->across;
+    ovr_panel panel = {.note = v->note[2],
                        .x_label = x->label,
-                       .y_label = v->label,
+                       .y_label = value->label,
                        .x_from = v->x_from * x->factor,
                        .x_to = v->x_to * x->factor,
-                       .y_from = v->y[0] * x->factor,
-                       .y_to = v->y[lines] * x->factor,
-                       .height = 1.5,
-                       .count = 2,
-                       .series = series[0],
-                       .image = {.nx = CELLS_X,
-                                 .ny = CELLS_Y,
-                                 .values = field->image,
-                                 .from = field->low * value->factor,
-                                 .to = field->high * value->factor,
-                                 .above = field->above,
-                                 .label = value->label}};
-    series[1][0] = (ovr_series){.n = n,
-                                .x = v->run->x,
-                                .y = field->values + v->shown * n,
-                                .x_factor = x->factor,
-                                .factor = value->factor,
-                                .colour = f ? OVR_STEEL : OVR_AMBER};
-    *along = (ovr_panel){.note = v->note[2],
-                         .x_label = x->label,
-                         .y_label = value->label,
-                         .x_from = map->x_from,
-                         .x_to = map->x_to,
-                         .y_from = 0,
-                         .y_to = high * value->factor,
-                         .count = 1,
-                         .series = series[1]};
-    series[2][0] = series[1][0];
-    series[2][0].n = lines + 1;
-    series[2][0].x = v->y;
-    series[2][0].y = field->across;
-    *across = (ovr_panel){.note = v->note[3],
-                          .x_label = v->label,
-                          .y_label = value->label,
-                          .x_from = map->y_from,
-                          .x_to = map->y_to,
-                          .y_from = 0,
-                          .y_to = high * value->factor,
-                          .count = 1,
-                          .series = series[2]};
+                       .y_to = high * value->factor,
+                       .count = 1,
+                       .series = along};
+    v->panel[f + OVR_AREAL_FIELDS] = panel;
+    panel.note = v->note[3];
+    panel.x_label = v->label;
+    panel.x_from = v->y_ends[0] * x->factor;
+    panel.x_to = v->y_ends[1] * x->factor;
+    panel.series = across;
+    v->panel[f + 2 * OVR_AREAL_FIELDS] = panel;
 }
 
 /* Ranges asked for, and of colours that have one value. */
@@ -295,7 +295,8 @@ ovr_status ovr_areal_view_draw(ovr_areal_view *v, size_t k, ovr_chart *chart,
         if (ovr_axis_make(v->field[f].kind, result, units, v->field[f].high,
                           &value, err))
             return err ? err->status : OVR_BAD_INPUT;
-        draw_field(v, f, &x, &value);
+        draw_map(v, f, &x, &value);
+        draw_cuts(v, f, &x, &value);
     }
     chart->rows = OVR_AREAL_ROWS;
     chart->columns = OVR_AREAL_FIELDS;

@@ -29,7 +29,8 @@ static size_t stride_of(size_t lines)
 int ovr_strip_halvings(size_t coarsest, size_t *n, size_t *lines)
 {
     int halvings = 0;
-    while (*n > coarsest && *n % 2 && *n > 9 && *lines % 2 == 0 && *lines > 4) {
+    while (*n > coarsest && *n % 2 && *n > 9 && *lines % 2 == 0 &&
+           *lines >= 8) {
         *n = (*n + 1) / 2;
         *lines /= 2;
         halvings++;

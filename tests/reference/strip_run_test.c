@@ -319,6 +319,17 @@ TEST(lines_that_cannot_be_halved_or_are_too_close)
     refused("[strip]\nlines = 256\n", "mesh size across");
 }
 
+/* Six lines are not halved to three. */
+TEST(few_lines)
+{
+    ovr_case *c = read_case("[contact]\nM = 20\nL = 10\n[domain]\nlevel = 4\n",
+                            "[strip]\nwidth = 0.6\nlines = 12\n");
+    ovr_run *run = run_of(c, NULL);
+    assert_true(ovr_simulation_observation(ovr_run_about(run)->sim)->converged);
+    ovr_run_free(run);
+    ovr_case_free(c);
+}
+
 TEST(features_that_do_not_close)
 {
     refused(STRIP WAVE "0.7\nangle = 45 deg\n",
