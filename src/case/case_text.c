@@ -59,7 +59,7 @@ static void put_setting(growing *g, const ovr_block *b, size_t k)
     const ovr_parameter *row = &b->section->rows[k];
     put_text(g, row->key);
     put_text(g, " = ");
-    if (ovr_key_is_input(b->section, row))
+    if (ovr_key_is_input(row))
         put_path(g, b->slots[k].text);
     else
         put_text(g, b->slots[k].text);

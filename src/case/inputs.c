@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The files that a case is read with besides its own: the values of its keys
- * that are paths, without that of the result. */
+ * that are paths and change the solution.  Other paths are those of outputs. */
 #include "case/inputs.h"
 
 #include <stdio.h>
@@ -23,15 +23,15 @@ const char *ovr_slot_path(const ovr_case *c, const ovr_slot *slot,
     return path;
 }
 
-bool ovr_key_is_input(const ovr_section *section, const ovr_parameter *row)
+bool ovr_key_is_input(const ovr_parameter *row)
 {
-    return row->kind == OVR_PATH && strcmp(section->name, "output") != 0;
+    return row->kind == OVR_PATH && row->physics;
 }
 
 static bool is_input(const ovr_case *c, const ovr_block *b, size_t k)
 {
     const ovr_parameter *row = &b->section->rows[k];
-    return ovr_key_is_input(b->section, row) && b->slots[k].given &&
+    return ovr_key_is_input(row) && b->slots[k].given &&
            b->slots[k].text && ovr_key_applies(c, b, row);
 }
 

@@ -17,7 +17,7 @@ ovr_status ovr_case_inputs(const ovr_case *c, ovr_arena *arena, ovr_inputs *to,
                            ovr_error *err);
 
 /* True if the value of a key is the path of a file that is read. */
-bool ovr_key_is_input(const ovr_section *section, const ovr_parameter *row);
+bool ovr_key_is_input(const ovr_parameter *row);
 
 /* The path of a key from the working directory: one in a case file starts where
  * the file is. */

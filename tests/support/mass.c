@@ -25,12 +25,14 @@ static bool all_finite(size_t n, const double *values)
     return true;
 }
 
-/* NAN stands for "none" in what concerns the spike, in coefficients of friction
- * where b/R is not known, and in what heat is asked for; nowhere else. */
+/* NAN stands for "none" in what concerns the spike, in friction coefficients
+ * without b/R, and in what heat is asked for.  A gap in the cavity that is not
+ * smaller than the film is NAN too. */
 static bool may_be_none(const ovr_observable *row)
 {
     const char *name = row->name ? row->name : "";
     return strstr(name, "friction_coefficient") ||
+           (row->key && strcmp(row->key, "H_min_cavity") == 0) ||
            row->kind == OVR_KIND_TEMPERATURE || strstr(name, "temperature") ||
            strstr(name, "heat_flow") || strstr(name, "energy_defect");
 }
