@@ -24,7 +24,9 @@ across = 0.5
 every = 4
 END
 
-expect 0 "$OVERROLL" run dent.ini -o whole.h5 -q
+expect 0 "$OVERROLL" run dent.ini -o whole.h5 --json
+number Y_H_min_overall >least
+[ -s least ] || fail "no Y of the minimum film thickness"
 
 # Dimensions and coordinates as netCDF's own tools see them.
 if command -v ncdump >/dev/null; then
@@ -60,7 +62,8 @@ cmp shown.csv dent.csv || fail "the line of the dent is not shown"
 
 # A longer run, of all lines at each snapshot, has the bits of the whole one.
 expect 0 "$OVERROLL" run dent.ini -o part.h5 -q --set time.end=0.45
-expect 0 "$OVERROLL" resume part.h5 -q --set time.end=1
+expect 0 "$OVERROLL" resume part.h5 --set time.end=1 --json
+number Y_H_min_overall | cmp - least || fail "Y of the minimum after resume"
 for file in whole part; do
     content $file.h5 >$file.txt
     for k in 0 2 4 last; do

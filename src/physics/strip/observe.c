@@ -103,7 +103,7 @@ void ovr_strip_observe(ovr_simulation *sim, void *own, ovr_observation *o)
     const ovr_observation conditions = *o;
     ovr_observation low = {.H_min = INFINITY, .H_min_located = INFINITY};
     ovr_observation high = {.P_max = -INFINITY, .P_max_located = -INFINITY};
-    double sum[MEANS] = {0}, squares = 0, Rq = 0, centres = 0;
+    double sum[MEANS] = {0}, squares = 0, Rq = 0, centres = 0, pressures = 0;
     double least = INFINITY, most = -INFINITY;
     size_t low_line = 0, high_line = 0;
     for (size_t k = 1; k <= s->lines; k++) {
@@ -116,6 +116,7 @@ void ovr_strip_observe(ovr_simulation *sim, void *own, ovr_observation *o)
         squares += o->H_mean * o->H_mean;
         Rq += o->film_Rq * o->film_Rq;
         centres += o->H_cen * o->H_cen;
+        pressures += o->P_cen * o->P_cen;
         least = fmin(least, o->H_cen);
         most = fmax(most, o->H_cen);
         s->located[0][j] = o->H_min_located;
@@ -157,11 +158,18 @@ void ovr_strip_observe(ovr_simulation *sim, void *own, ovr_observation *o)
     o->more[OVR_STRIP_FILM_HIGH] = most;
     o->more[OVR_STRIP_FILM_SPREAD] = sqrt(
         fmax(centres / lines - o->H_cen * o->H_cen, 0));
+    o->more[OVR_STRIP_PRESSURE_SPREAD] = sqrt(
+        fmax(pressures / lines - o->P_cen * o->P_cen, 0));
+    if (o->H_min_located < s->least[0]) {
+        s->least[0] = o->H_min_located;
+        s->least[1] = o->more[OVR_STRIP_Y_MIN];
+    }
+    o->more[OVR_STRIP_Y_LEAST] = s->least[1];
 }
 
 void ovr_strip_unknown(ovr_observation *o)
 {
-    for (int k = OVR_STRIP_Y_MIN; k <= OVR_STRIP_FILM_SPREAD; k++)
+    for (int k = OVR_STRIP_Y_MIN; k <= OVR_STRIP_Y_LEAST; k++)
         o->more[k] = NAN;
 }
 
@@ -186,4 +194,10 @@ const ovr_observable ovr_strip_quantities[OVR_STRIP_QUANTITIES] = {
     ACROSS("central_film_thickness_deviation", "H_cen_deviation",
            "central_film_deviation_m", HEIGHT, FILM_SPREAD,
            "standard deviation across rolling of the film thickness at x = 0",
-           LABEL("deviation across"))};
+           LABEL("deviation across")),
+    ACROSS("central_pressure_deviation", "P_cen_deviation",
+           "central_pressure_deviation_Pa", PRESSURE, PRESSURE_SPREAD,
+           "standard deviation across rolling of the pressure at x = 0"),
+    ACROSS(NULL, "Y_H_min_overall", NULL, LENGTH, Y_LEAST,
+           "position across rolling of the minimum film thickness over the "
+           "run")};

@@ -280,6 +280,7 @@ static void begin(ovr_simulation *sim, void *own)
 {
     ovr_strip_solver *s = own;
     ovr_strip_march_begin(&s->march, sim->state.T);
+    s->least[0] = INFINITY;
     memcpy(s->S_before, s->S, s->n * s->lines * sizeof *s->S);
     for (size_t k = 0; k < 3; k++)
         s->mass[k] = mass_of(s);
@@ -442,6 +443,7 @@ static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
     OVR_SHOW(state, "strip_coupling", m->coupling);
     ovr_show(state, "strip_nearness", m->nearness, sizeof m->nearness);
     ovr_show(state, "strip_mass", s->mass, sizeof s->mass);
+    ovr_show(state, "strip_least", s->least, sizeof s->least);
 }
 
 static const ovr_physics_in_case in_case = {

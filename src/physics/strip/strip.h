@@ -47,7 +47,9 @@ enum {
     OVR_STRIP_Y_MAX,
     OVR_STRIP_FILM_LOW,
     OVR_STRIP_FILM_HIGH,
-    OVR_STRIP_FILM_SPREAD
+    OVR_STRIP_FILM_SPREAD,
+    OVR_STRIP_PRESSURE_SPREAD,
+    OVR_STRIP_Y_LEAST /* of the minimum film thickness over the run */
 };
 
 typedef struct ovr_strip_solver {
@@ -65,6 +67,7 @@ typedef struct ovr_strip_solver {
     /* Mean of rho H up to `middle` now, one and two steps ago.  Mass flow at
      * both ends of that part. */
     double mass[3], flow[2];
+    double least[2]; /* minimum film thickness over the run, and its Y */
 } ovr_strip_solver;
 
 /* Returns the strip, or NULL of a line contact. */
@@ -83,7 +86,7 @@ void ovr_strip_show(ovr_simulation *sim, const ovr_strip_solver *s, size_t j);
 void ovr_strip_observe(ovr_simulation *sim, void *own, ovr_observation *o);
 void ovr_strip_unknown(ovr_observation *o);
 
-enum { OVR_STRIP_QUANTITIES = 5 };
+enum { OVR_STRIP_QUANTITIES = 7 };
 extern const ovr_observable ovr_strip_quantities[OVR_STRIP_QUANTITIES];
 
 #endif
