@@ -72,11 +72,16 @@ typedef struct ovr_touch {
 } ovr_touch;
 
 /* Asked between the cycles of a long solve.  Once it is to stop, cycles do
- * nothing and defects are infinite: whoever iterates gives up by himself. */
+ * nothing and defects are infinite: whoever iterates gives up by himself.  A
+ * solve also stops when its work exceeds a limit.  Work is counted in node
+ * cycles, so that the same input stops at the same cycle.  A cycle costs the
+ * nodes of its level and n^3/5000 for the dense solve of n coarsest nodes. */
 typedef struct ovr_stopping {
     bool (*asked)(void *data); /* NULL: it goes on */
     void *data;
     bool now;
+    double work, limit; /* node cycles (limit 0: unlimited) */
+    bool spent;         /* stopped by the limit */
 } ovr_stopping;
 
 typedef struct ovr_hierarchy {
@@ -103,6 +108,12 @@ typedef struct ovr_hierarchy {
 
 /* Asks, until it is to stop. */
 bool ovr_hierarchy_stops(ovr_hierarchy *grids);
+
+/* Starts to count work, up to a limit in node cycles (0: none). */
+void ovr_hierarchy_allow(ovr_hierarchy *grids, double limit);
+
+/* Returns true if the limit was exceeded.  Further work has no limit then. */
+bool ovr_hierarchy_spent(ovr_hierarchy *grids);
 
 /* Levels coarsest..finest on [X_a, X_b], with MLMI's order and range on each.
  */

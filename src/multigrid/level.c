@@ -116,5 +116,24 @@ bool ovr_hierarchy_stops(ovr_hierarchy *grids)
     ovr_stopping *s = &grids->stopping;
     if (!s->now && s->asked)
         s->now = s->asked(s->data);
+    if (!s->now && s->limit > 0 && s->work > s->limit)
+        s->now = s->spent = true;
     return s->now;
+}
+
+void ovr_hierarchy_allow(ovr_hierarchy *grids, double limit)
+{
+    ovr_stopping *s = &grids->stopping;
+    s->work = 0;
+    s->limit = limit;
+    if (s->spent)
+        s->now = s->spent = false;
+}
+
+bool ovr_hierarchy_spent(ovr_hierarchy *grids)
+{
+    bool spent = grids->stopping.spent;
+    if (spent)
+        ovr_hierarchy_allow(grids, 0);
+    return spent;
 }

@@ -18,6 +18,9 @@
 static const double resolved = 0.3, too_coarse = 0.7,
                     solvable = OVR_RESOLVED_RISE;
 
+/* Added to the message of a solve that reached its limit of work. */
+static const char spent[] = " within 20 times the predicted work";
+
 static double inlet_rise(const ovr_simulation *sim)
 {
     return pow(ovr_target_film(&sim->target, 1), 2. / 3);
@@ -150,9 +153,9 @@ ovr_status ovr_failure_steady(const ovr_simulation *sim,
         return touching(sim, 0, err);
     return ovr_fail(err, OVR_NOT_CONVERGED,
                     "the steady solution did not converge in any of %d ways: "
-                    "%s after %d cycles (target %.1e)%s",
+                    "%s after %d cycles (target %.1e)%s%s",
                     outcome->retries + 1, ending_of(&outcome->defect).words,
-                    outcome->cycles, tolerance,
+                    outcome->cycles, tolerance, outcome->spent ? spent : "",
                     sim->shapes.heights
                         ? "; features that start left of the inlet, "
                           "or grow in time, need no such start"
@@ -179,7 +182,8 @@ ovr_status ovr_failure_step(const ovr_simulation *sim,
         return touching(sim, T, err);
     return ovr_fail(err, OVR_NOT_CONVERGED,
                     "step %ld to T = %g did not converge, nor did parts of it "
-                    "down to the mesh/%d: %s%s",
+                    "down to the mesh/%d%s: %s after %d cycles%s",
                     sim->state.step + 1, T, 1 << OVR_HALVINGS,
-                    ending_of(&outcome->defect).words, text);
+                    outcome->spent ? spent : "",
+                    ending_of(&outcome->defect).words, outcome->cycles, text);
 }

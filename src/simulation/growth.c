@@ -172,38 +172,15 @@ static ovr_defect steady_defect(const settling *s)
     return ovr_cycle_defect(&sim->grids, sim->finest);
 }
 
-/* True for rough surfaces, and for grids that do not resolve the inlet: such
- * starts were found after up to 14000 cycles. */
-static bool is_hard(const settling *s)
-{
-    const ovr_simulation *sim = s->sim;
-    double film = ovr_target_film(&sim->target, 1), high = 0;
-    for (size_t i = 0; i < sim->now.n; i++)
-        high = fmax(high, fabs(s->S[i]));
-    return high > 1e-3 * film ||
-           ovr_mesh(sim) > OVR_RESOLVED_RISE * pow(film, 2. / 3);
-}
-
-/* Node cycles of 20 times the time that `check` predicts: the program's start,
- * and 20 steps of the steady start. */
-static double easy_budget(const settling *s, double cost)
-{
-    const double start = 6e6, cycles = 1300, heat = 4;
-    return (start + cycles * cost) * (s->sim->heated ? heat : 1);
-}
-
-/* True if the cycles of this solve, over all calls, have cost what a minute of
- * CPU allows.  A cycle costs its nodes, and the dense solve of n nodes on the
- * bottom n^3/5000 of them; 1e8 take 10 to 15 s without temperatures, with
- * temperatures up to three times as long (starts that were found took 5e7). */
+/* True if the cycles of this solve, over all calls, have cost more than starts
+ * that were found (5e7 node cycles). */
 static bool is_spent(const settling *s)
 {
     const double largest = 1e8, dense = 5e3;
     const ovr_hierarchy *grids = &s->sim->grids;
     double bottom = (double)grids->level[s->how->cycling.bottom].grid.n;
     double cost = (double)s->sim->now.n + bottom * bottom * bottom / dense;
-    double budget = is_hard(s) ? largest : fmin(largest, easy_budget(s, cost));
-    return (double)(s->sim->start.settling + s->cycles) * cost > budget;
+    return (double)(s->sim->start.settling + s->cycles) * cost > largest;
 }
 
 /* Steps until the film is the steady one, no step is found, or too many cycles

@@ -94,6 +94,8 @@ struct ovr_simulation {
     unsigned
         features; /* conflicts.h, of physics that the options do not know */
     double largest_error; /* adaptive: a step with more is not accepted */
+    double step_work;     /* node cycles that a step may take; 0: a minute's */
+    double work_done;     /* node cycles of all steps since the start */
     double *stress;       /* mean over the film, at half nodes */
     ovr_inlet_share inlet_share;
     double *film_stress; /* mean shear stress of the oil alone, or NULL */
@@ -173,7 +175,11 @@ typedef struct ovr_outcome {
     int cycles, retries;
     double error; /* local, of a step */
     bool converged, marked;
+    bool spent; /* ended by the limit of work */
 } ovr_outcome;
+
+/* Returns the work of a minute of CPU, in node cycles. */
+double ovr_minute_of_work(const ovr_simulation *sim);
 
 /* The mesh is too coarse for the film for any way of solving. */
 bool ovr_mesh_too_coarse(const ovr_simulation *sim);

@@ -127,12 +127,46 @@ static bool has_ended(const ovr_simulation *sim, const ovr_march *march)
            !(sim->state.T < march->end - 1e-6 * step_of(sim, march));
 }
 
+/*
+ * Returns 20 times the work that `check` predicts for a run, in node cycles,
+ * the program's start included.  A step takes 3.2 cycles, of a shear-thinning
+ * film half as many again, and temperatures four times as long.
+ */
+static double predicted(const ovr_simulation *sim, const ovr_march *march)
+{
+    const double start = 6e6, cycles = 64, adaptive = 0.3, least = 30;
+    double steps = march->end / step_of(sim, march);
+    double factor = sim->heated ? 4 : 1;
+    if (sim->lubricant.rheology != OVR_NEWTONIAN)
+        factor *= 1.6;
+    steps = fmax(least, (march->adaptive ? adaptive : 1) * steps);
+    return start + factor * cycles * steps * (double)sim->now.n;
+}
+
+/* Stops a run that took a minute of CPU and 20 times the predicted work, in
+ * steps of which most needed further attempts. */
+static ovr_status check_work(ovr_simulation *sim, const ovr_march *march,
+                             ovr_error *err)
+{
+    const ovr_statistics *s = &sim->statistics;
+    double minute = ovr_minute_of_work(sim), limit = predicted(sim, march);
+    if (!(sim->work_done > fmax(minute, limit)) || s->retries < s->steps)
+        return OVR_OK;
+    return ovr_fail(err, OVR_NOT_CONVERGED,
+                    "stopped at T = %g after %ld steps with %ld further "
+                    "attempts and 20 times the predicted work: the grid or the "
+                    "time step does not resolve this run; use a higher level, "
+                    "or resume the file",
+                    sim->state.T, s->steps, s->retries);
+}
+
 static ovr_status advance(ovr_simulation *sim, const ovr_march *march,
                           bool *more, ovr_error *err)
 {
     double rate = march->steady_rate > 0 ? march->steady_rate : still_rate;
     ovr_past *past = &sim->past;
     ovr_status status;
+    sim->step_work = fmin(ovr_minute_of_work(sim), predicted(sim, march));
     if (march->adaptive) {
         status = adaptive_step(sim, march, err);
     } else {
@@ -141,7 +175,7 @@ static ovr_status advance(ovr_simulation *sim, const ovr_march *march,
         sim->largest_error = INFINITY;
         status = ovr_simulation_attempt(sim, next, &taken, &error, err);
     }
-    if (!status) {
+    if (!status && (status = check_work(sim, march, err)) == OVR_OK) {
         past->still = past->change <= rate * past->dT ? past->still + 1 : 0;
         sim->statistics.settled = has_settled(sim, march);
         status = observe(sim, march, err);

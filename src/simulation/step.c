@@ -134,7 +134,8 @@ bool ovr_step_cycles(ovr_simulation *sim, ovr_step_cycling how,
                  ovr_below(outcome->defect,
                            target > how.tolerance ? target : how.tolerance);
         if (solved || cycle == how.maximum ||
-            !(outcome->defect.imbalance < how.hopeless))
+            !(outcome->defect.imbalance < how.hopeless) ||
+            ovr_hierarchy_stops(grids))
             break;
         if (is_spoilt(&slow, outcome->defect.imbalance))
             after = 0;
@@ -392,6 +393,17 @@ static void note_change(ovr_simulation *sim)
     sim->past.change = sim->shapes.heights && S > P ? S : P;
 }
 
+/* Ends a step that reached its limit of work, with the defect of its film. */
+static bool give_up(ovr_simulation *sim, ovr_outcome *outcome)
+{
+    ovr_hierarchy_spent(&sim->grids);
+    ovr_level_refresh(&sim->grids, sim->finest);
+    outcome->defect = ovr_cycle_defect(&sim->grids, sim->finest);
+    outcome->marked = outcome->spent = true;
+    ovr_simulation_read(sim);
+    return false;
+}
+
 /* A step, in halves if it must be. */
 static bool advance(ovr_simulation *sim, double dT, int halvings,
                     ovr_outcome *outcome)
@@ -415,6 +427,8 @@ static bool advance(ovr_simulation *sim, double dT, int halvings,
             end_step(sim, dT);
             return true;
         }
+        if (ovr_hierarchy_stops(&sim->grids))
+            return give_up(sim, outcome);
     }
     if (halvings < OVR_HALVINGS) {
         sim->statistics.substeps++;
@@ -511,9 +525,14 @@ ovr_status ovr_simulation_attempt(ovr_simulation *sim, double next, bool *taken,
     if (status)
         return status;
     const ovr_present *other = sim->solver;
+    ovr_hierarchy_allow(&sim->grids, sim->step_work > 0
+                                         ? sim->step_work
+                                         : ovr_minute_of_work(sim));
     *taken = other ? other->is->in_solve->solver->attempt(sim, other->own, next,
                                                           &outcome)
                    : advance(sim, dT, 0, &outcome);
+    sim->work_done += sim->grids.stopping.work;
+    ovr_hierarchy_allow(&sim->grids, 0);
     *error = outcome.error;
     if (!*taken && outcome.error > sim->largest_error) {
         ovr_simulation_step_back(sim);

@@ -38,3 +38,38 @@ TEST(what_diverged_is_told_in_words)
         }
     ovr_simulation_free(sim);
 }
+
+/* A plateau a thousand times as high as the film appears after T = 0. */
+static void plateau(void *data, double T, size_t n, const double *X, double *S)
+{
+    (void)data;
+    for (size_t i = 0; i < n; i++)
+        S[i] = T > 0 && X[i] > -0.5 && X[i] < 0.5 ? 100 : 0;
+}
+
+/* A step ends by its work, which is counted: the same message twice, as many
+ * cycles as the limit allows, and the state of before. */
+TEST(a_step_that_has_no_solution_ends_by_its_work)
+{
+    const double most = 60;
+    char first[sizeof((ovr_error){0}.message)] = "";
+    for (int k = 0; k < 2; k++) {
+        ovr_error err = {0};
+        ovr_options o = test_options();
+        o.level = 6;
+        ovr_simulation *sim = test_simulation(20, 10, &o);
+        ovr_simulation_surface(sim, plateau, NULL);
+        CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+        sim->step_work = most * (double)sim->now.n;
+        assert_int_equal(ovr_simulation_step(sim, 0.01, &err),
+                         OVR_NOT_CONVERGED);
+        print_message("    %s\n", err.message);
+        assert_non_null(
+            strstr(err.message, "within 20 times the predicted work"));
+        if (k)
+            assert_string_equal(err.message, first);
+        strcpy(first, err.message);
+        assert_true(ovr_simulation_state(sim)->T == 0);
+        ovr_simulation_free(sim);
+    }
+}

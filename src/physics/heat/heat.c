@@ -424,18 +424,6 @@ static bool add_skew(ovr_heated *h, double change)
     return true;
 }
 
-/*
- * Random contacts with slide-to-roll ratios of 2 to 6 need 230 cycles in the
- * mean and 3300 at most.  A failure costs less than 20 times the mean, and less
- * than a minute on grids of up to 1e5 nodes.  Features need more cycles.
- */
-static bool exhausted(const ovr_simulation *sim, const void *own)
-{
-    enum { SMOOTH = 4000, WITH_FEATURES = 12000 };
-    const ovr_heated *h = own;
-    return h->cycles >= (sim->shapes.heights ? WITH_FEATURES : SMOOTH);
-}
-
 /* A start that found the isothermal film, but no temperatures. */
 static ovr_status explain(const ovr_simulation *sim, const void *own,
                           const ovr_outcome *outcome, ovr_error *err)
@@ -493,7 +481,7 @@ static void iterate(ovr_simulation *sim, const ovr_full *how, bool slowly,
         h->cycles += outcome->cycles - before;
         lost = is_film(outcome) ? 0 : lost + 1;
         if (lost == MAX_LOST || !(outcome->defect.imbalance < 1e6) ||
-            exhausted(sim, sim->heated) || ovr_hierarchy_stops(&sim->grids))
+            ovr_hierarchy_stops(&sim->grids))
             break;
     }
     h->change = change;
@@ -517,8 +505,7 @@ static void iterate_again(ovr_simulation *sim, const ovr_full *how,
 
 static bool is_over(ovr_simulation *sim, const ovr_outcome *outcome)
 {
-    return ovr_steady_found(sim, outcome) || exhausted(sim, sim->heated) ||
-           ovr_hierarchy_stops(&sim->grids);
+    return ovr_steady_found(sim, outcome) || ovr_hierarchy_stops(&sim->grids);
 }
 
 static void outer(ovr_simulation *sim, const ovr_full *how,
@@ -650,7 +637,6 @@ static const ovr_physics_in_solve in_solve = {.take = take_heat,
                                               .forget = forget,
                                               .couple = couple,
                                               .begin = ovr_heat_begin,
-                                              .exhausted = exhausted,
                                               .explain = explain};
 
 static const ovr_physics_in_step in_step = {.step = ovr_heat_step,
