@@ -237,20 +237,22 @@ $(PROGRAM) $(LIB) $(SHARED): $(BUILD)/parts
 # scripts; tests/support helps both.  Names ending in _slow stay out of a FAST
 # run; tests/verify is for `make verify` alone.
 NOT_TESTS := tests/support/% tests/verify/% tests/bench/% tests/fuzz/%
-# Instrumented, a FAST run has the tests in which memory is handed over: units,
-# files of others, the corpora of the fuzzer, each physics once and the commands
-# that end soon.  All run in verify/sanitized.sh.
+# Instrumented, a FAST run has the tests in which memory is handed over: units
+# but for the long calculations among them, files of others, the corpora of the
+# fuzzer, each physics once and the commands that end soon.  All run in
+# verify/sanitized.sh.
 SANITIZED := $(filter-out $(addprefix tests/unit/,restart_test.c jumps_test.c \
-               sample_test.c determinism_test.c),$(wildcard tests/unit/*)) \
+               sample_test.c determinism_test.c modes_test.c yielding_test.c \
+               residuals_test.c starvation_test.c traction_test.c), \
+               $(wildcard tests/unit/*)) \
              $(addprefix tests/,reference/boundary_test.c \
                reference/cavitation_test.c reference/content_departures_test.c \
                reference/elements_test.c reference/friction_test.c \
                reference/heat_test.c reference/layered_stress_test.c \
                reference/reversal_test.c reference/spike_test.c \
-               pictures/picture_test.c cli/bearing.sh cli/check.sh \
-               cli/endings.sh cli/export.sh cli/frames.sh cli/gear.sh \
-               cli/profile.sh cli/resume.sh cli/rheology.sh cli/run.sh \
-               cli/sensitivity.sh cli/steady.sh cli/stribeck.sh cli/supply.sh \
+               pictures/picture_test.c cli/check.sh cli/endings.sh \
+               cli/export.sh cli/resume.sh cli/rheology.sh cli/run.sh \
+               cli/sensitivity.sh cli/stribeck.sh cli/supply.sh \
                cli/unreadable.sh cli/usage.sh)
 SLOW      := $(if $(FAST),%_slow_test.c %_slow.sh)
 TESTSRC   := $(wildcard tests/*/*_test.c)
