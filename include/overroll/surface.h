@@ -103,33 +103,31 @@ OVR_API double ovr_shape_width_half(int shape);
     HEIGHT(height, "height")                                                  \
     HEIGHT(amplitude, "amplitude")                                            \
     LENGTH(width,                                                             \
-           "width in the shape's formula, which is not what it looks "        \
-           "like: width_half says how wide it is at half its height")         \
+           "width in the formula of the shape; the width at half height is "  \
+           "width_half")                                                      \
     LENGTH(width_half,                                                        \
-           "instead of width: how wide it is at half its depth or "           \
-           "height")                                                          \
+           "width at half the depth or height, instead of width")             \
     LENGTH(diameter, "the same as width_half")                                \
-    LENGTH(half_width, "instead of width: half of width_half")                \
+    LENGTH(half_width, "half of width_half, instead of width")                \
     LENGTH(rim_diameter,                                                      \
-           "instead of width and shoulders: diameter of its rim, crest "      \
-           "to crest; the bowl is a ball's or a hard particle's")             \
+           "diameter of the rim, crest to crest, instead of width and "       \
+           "shoulders; for indents of balls or hard particles")               \
     HEIGHT(rim_height,                                                        \
-           "height of that rim; unless given 0.159 of the depth, as in "      \
-           "hardened steel")                                                  \
+           "height of the rim; default: 0.159 of the depth, as in hardened "  \
+           "steel")                                                           \
     LENGTH(wavelength,                                                        \
-           "wavelength; of a chirp at its rear; of a texture the "            \
-           "distance of two dimples")                                         \
+           "wavelength; at the rear of a chirp, or the distance between two "  \
+           "dimples of a texture")                                             \
     LENGTH(wavelength_end, "wavelength at its leading end")                   \
     LENGTH(length, "length along x")                                          \
     HEIGHT(shoulder, "height of its shoulders")                               \
     LENGTH(shoulder_at,                                                       \
-           "distance of the shoulders from its centre; half the width "       \
-           "unless given")                                                    \
+           "distance of the shoulders from the centre; default: half the "    \
+           "width")                                                           \
     LENGTH(shoulder_width,                                                    \
-           "width of the shoulders; half the width unless given")             \
+           "width of the shoulders; default: half the width")                 \
     LENGTH(flank,                                                             \
-           "width of the flank; of a chirp that of the fades at its "         \
-           "ends")                                                            \
+           "width of the flank; chirp: width of the fades at its ends")       \
     LENGTH(radius, "radius of the edges, instead of flank")
 /* clang-format on */
 

@@ -75,7 +75,7 @@ ovr_status ovr_file_ours(const char *path, const char *head, ovr_error *err)
     if (!head[k] || (k == 0 && c == EOF))
         return OVR_OK;
     return ovr_fail(err, OVR_BAD_INPUT,
-                    "%s: exists and is not of overroll's making; --force "
+                    "%s: exists and was not written by overroll; --force "
                     "replaces it",
                     path);
 }

@@ -41,7 +41,8 @@ static ovr_status next_line(ovr_entries *e, ovr_error *err)
         line.size--;
     for (size_t k = 0; k < line.size; k++)
         if ((unsigned char)line.text[k] < ' ' && line.text[k] != '\t')
-            return fail(e, "is not text: it holds control characters", err);
+            return fail(e, "is not text: the line contains control characters",
+                        err);
     line.size = without_comment(line.text, line.size);
     line = ovr_trim(line);
     if (line.size > e->maximum)
@@ -123,7 +124,7 @@ const char *ovr_text_file(const char *path, const char *what, size_t maximum,
         return content;
     if (got > maximum)
         ovr_fail(err, OVR_BAD_INPUT,
-                 "%s: is longer than a %s may be (%zu bytes)", path, what,
+                 "%s: is too long for a %s (at most %zu bytes)", path, what,
                  maximum);
     else
         ovr_fail(err, OVR_BAD_INPUT, "%s: is not a %s file: it is not text",

@@ -126,8 +126,7 @@ ovr_status ovr_fail_from(ovr_error *err, const ovr_error *why, const char *file,
 ovr_status ovr_fail_null(ovr_error *err, const char *function)
 {
     return ovr_fail(err, OVR_BAD_INPUT,
-                    "%s: an argument is NULL where there must be one",
-                    function);
+                    "%s: an argument is NULL, which is not allowed", function);
 }
 
 void *ovr_null(ovr_error *err, const char *function)

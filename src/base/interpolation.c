@@ -33,7 +33,7 @@ gsl_interp *ovr_interpolation(const gsl_interp_type *type, size_t n,
         gsl_interp_free(made);
     if (code == GSL_ENOMEM)
         ovr_fail(err, OVR_NO_MEMORY,
-                 "out of memory: the interpolation has no table");
+                 "out of memory: no space for the table of an interpolation");
     else
         ovr_fail(err, OVR_BAD_INPUT, "interpolation of %zu points: %s", n,
                  gsl_strerror(code));

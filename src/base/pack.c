@@ -14,8 +14,8 @@ ovr_status ovr_packer_prepare(ovr_packer *packer, size_t bytes, int level,
     if (bytes > UINT_MAX)
         return ovr_fail(
             err, OVR_BAD_INPUT,
-            "a snapshot of %zu bytes is too large for one chunk of the file: "
-            "store fewer nodes by [output] window or stride",
+            "a snapshot of %zu bytes is too large for one chunk of the file; "
+            "set output.window or output.stride to store fewer nodes",
             bytes);
     packer->shuffled = ovr_arena_take(arena, bytes, 1, err);
     packer->packed = ovr_arena_take(arena, bytes, 1, err);

@@ -58,8 +58,8 @@ static ovr_status from_utf16(ovr_bytes *content, bool big, const char *file,
         return OVR_NO_MEMORY;
     if (content->size % 2)
         return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
-                           "UTF-16 text of an odd number of bytes (%zu): the "
-                           "file is cut off",
+                           "UTF-16 text has an odd number of bytes (%zu): "
+                           "the file is truncated",
                            content->size);
     for (size_t i = 0; i < units; i++)
         used += put_utf8(out + used, unit16(in + 2 * i, big));

@@ -109,8 +109,8 @@ static ovr_status no_section(const char *header, ovr_error *err)
     snprintf(word, sizeof word, "%.*s", (int)length, header);
     if (is_of_study(word))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "[%s] belongs in a study: this is one, not a case; "
-                        "'overroll sweep' runs its cases",
+                        "[%s] is a section of a study: this file is a study, "
+                        "not a case; 'overroll sweep' runs its cases",
                         word);
     if (is_shape(word)) {
         ovr_fail(err, OVR_BAD_INPUT,
@@ -127,7 +127,9 @@ static ovr_status no_section(const char *header, ovr_error *err)
                  header, meant);
         return ovr_fail_meant(err, OVR_BAD_INPUT, meant);
     }
-    return ovr_fail(err, OVR_BAD_INPUT, "unknown section [%.*s]; there are %s",
+    return ovr_fail(err, OVR_BAD_INPUT,
+                    "unknown section [%.*s]; the "
+                    "sections are %s",
                     OVR_NAME_MAX, header, there);
 }
 
@@ -170,8 +172,8 @@ const ovr_section *ovr_section_parse(const char *header, const char **name,
         return NULL;
     } else if (!may_name(*name)) {
         ovr_fail(err, OVR_BAD_INPUT,
-                 "[%s %s]: a name must not hold ] or #, a blank at its end, or "
-                 "control characters",
+                 "[%s %s]: a name must not contain ], # or control "
+                 "characters, or end with a blank",
                  word, *name);
         return NULL;
     }
@@ -219,7 +221,7 @@ void ovr_no_key(const ovr_section *section, const char *key, ovr_error *err)
         fail_symbol(section, key, symbol, err);
     else if (row)
         ovr_fail(err, OVR_BAD_INPUT,
-                 "unknown key '%.48s' in [%s]; it belongs in [%s]", key,
+                 "unknown key '%.48s' in [%s]; it is a key of [%s]", key,
                  section->name, home->name);
     else if (meant) {
         ovr_fail(err, OVR_BAD_INPUT,

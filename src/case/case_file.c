@@ -18,7 +18,7 @@ static ovr_status open_section(ovr_case *c, const ovr_entry *entry,
         return OVR_BAD_INPUT;
     if (section->named && (*block)->line)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "[%s %s] is there twice (first in line %ld)",
+                        "[%s %s] is given twice (first in line %ld)",
                         section->name, (*block)->name, (*block)->line);
     if (!(*block)->line)
         (*block)->line = entry->line;
@@ -62,7 +62,7 @@ static ovr_status parse(ovr_case *c, ovr_error *err)
         ovr_error why = {0};
         if (!entry.section && !block)
             return ovr_fail_at(err, OVR_BAD_INPUT, c->name, entry.line,
-                               "a key stands before the first [section]");
+                               "a key comes before the first [section]");
         status = entry.section ? open_section(c, &entry, &block, &why)
                                : take_value(c, &entry, block, &why);
         if (status)
@@ -117,9 +117,8 @@ static ovr_status refuse_result(const char *path, ovr_error *err)
     if (got != sizeof magic - 1 || memcmp(head, magic, got) != 0)
         return OVR_OK;
     return ovr_fail(err, OVR_BAD_INPUT,
-                    "%s: is a result file, not a case: 'overroll resume' "
-                    "continues it, 'overroll info -v' shows the case it was "
-                    "made from",
+                    "%s: is a result file, not a case; 'overroll resume' "
+                    "continues its run, 'overroll info -v' prints its case",
                     path);
 }
 

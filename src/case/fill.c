@@ -52,8 +52,8 @@ static ovr_status no_scale(const ovr_parameter *row, const ovr_slot *slot,
                           ? "radius, modulus and viscosity (or speeds)"
                           : "radius and modulus";
     return ovr_fail_slot(err, slot,
-                         "%s needs a physical contact: add %s (and "
-                         "alpha), or give it in %s without a unit",
+                         "%s needs a contact with dimensions; set %s (and "
+                         "alpha), or write the number in %s without a unit",
                          slot->text, add, ovr_hertzian_name(row->hertzian));
 }
 

@@ -37,15 +37,17 @@ static ovr_status resolve_level(ovr_resolved *r, ovr_error *err)
     if (!nodes->given)
         return OVR_OK;
     if (level->given)
-        return ovr_fail_slot(err, nodes, "level is given too: leave one out");
+        return ovr_fail_slot(err, nodes,
+                             "domain.level is also set; remove "
+                             "one of the two");
     while (k < OVR_LEVELS - 1 && nodes_of(k) < target)
         k++;
     if (k > 1 && nodes_of(k) - target > target - nodes_of(k - 1))
         k--;
     if (nodes_of(k) != target)
         return ovr_fail_slot(err, nodes,
-                             "%d must be 7 2^k + 1; the nearest is %d "
-                             "(level %d)",
+                             "%d must be 7 2^k + 1; the nearest such number "
+                             "is %d (level %d)",
                              target, nodes_of(k), k);
     r->values.options.level = k;
     return OVR_OK;
@@ -177,7 +179,8 @@ static ovr_status leave_out(ovr_resolved *r, const ovr_slot *slot,
     if (none == out->fields ||
         !ovr_block_is_there(ovr_case_find_block(r->c, section, NULL)))
         return ovr_fail_slot(err, slot,
-                             "%s has no values without [%s]: leave it out",
+                             "%s has no values without [%s]; remove it from "
+                             "the list, or add that section",
                              row[0]->name, section);
     out->fields &= ~none;
     return OVR_OK;
@@ -264,7 +267,7 @@ static ovr_status resolve_conflicts(const ovr_resolved *r, ovr_error *err)
     feature = ovr_model_feature_at(conflict->feature);
     slot = ovr_slot_of(r, feature.section, feature.key);
     put_name(r, conflict->other, sizeof beside, beside);
-    return ovr_fail_slot(err, slot, "%s does not go with %s; %s does",
+    return ovr_fail_slot(err, slot, "%s cannot be combined with %s; use %s",
                          slot->given ? slot->text : feature.name, beside,
                          conflict->instead);
 }

@@ -67,7 +67,7 @@ static ovr_status check_names(const ovr_resolved *r, ovr_error *err)
         if (!strcmp(b->section->name, "body") && b->name &&
             strcmp(b->name, "1") != 0 && strcmp(b->name, "2") != 0)
             return ovr_fail_at(err, OVR_BAD_INPUT, r->c->name, b->line,
-                               "[body %s]: there are [body 1] and [body 2]",
+                               "[body %s]: must be [body 1] or [body 2]",
                                b->name);
     return OVR_OK;
 }
@@ -101,7 +101,7 @@ static ovr_status fill_body(ovr_resolved *r, int k, ovr_error *err)
         body->poisson = materials[body->material].poisson;
     if (body->radius == 0)
         return ovr_fail_slot(err, ovr_block_get(block, "radius"),
-                             "must not be 0; flat is a word");
+                             "must not be 0; use flat for a plane surface");
     return OVR_OK;
 }
 
@@ -116,7 +116,7 @@ static ovr_status both(const ovr_resolved *r, const char *what,
         int k = isnan(value[0]);
         return ovr_fail_at(
             err, OVR_BAD_INPUT, r->c->name, block_of_body(r, k)->line,
-            "[body %d] has a %s; [body %d] needs one too", k + 1, what, 2 - k);
+            "[body %d] has a %s; set it in [body %d] too", k + 1, what, 2 - k);
     }
     if (!isnan(given))
         return ovr_fail_slot(err, ovr_block_get(contact, what),
@@ -154,8 +154,8 @@ static ovr_status reduce_radius(ovr_resolved *r, ovr_error *err)
     curvature = 1 / R[0] + 1 / R[1];
     if (!(curvature > 0))
         return ovr_fail_slot(err, ovr_block_get(block_of_body(r, 1), "radius"),
-                             "1/R1 + 1/R2 = %g 1/m: must be positive, the "
-                             "bodies would not touch in a line",
+                             "1/R1 + 1/R2 = %g 1/m: must be positive; "
+                             "otherwise the bodies do not touch in a line",
                              curvature);
     *reduced = 1 / curvature;
     return OVR_OK;
@@ -183,8 +183,8 @@ static ovr_status spread_load(ovr_resolved *r, ovr_error *err)
         return OVR_OK;
     if (isnan(given->width))
         return ovr_fail_slot(err, slot,
-                             "%s needs the width of the contact in [contact]; "
-                             "or give it per length, in N/m or N/mm",
+                             "%s needs contact.width; set it, or give the "
+                             "load per unit width, in N/m or N/mm",
                              slot->text);
     given->load /= given->width;
     return OVR_OK;

@@ -39,7 +39,7 @@ static ovr_status time_unit(const ovr_resolved *r, const ovr_block *block,
     if (!isnan(*value))
         return OVR_OK;
     return ovr_fail_slot(err, ovr_block_get(block, "time_unit"),
-                         "needs a physical contact: add radius, "
+                         "needs a contact with dimensions; set radius, "
                          "modulus and viscosity (or speeds)");
 }
 
@@ -124,13 +124,14 @@ static ovr_status check_bodies(const ovr_resolved *r, ovr_error *err)
     for (int k = 0; k < 2; k++)
         if (recovery->given && p->again & 1 << k && !(speed[k] > 0))
             return ovr_fail_slot(err, recovery,
-                                 "surface %d does not move, so no time passes "
-                                 "on it between passes: leave recovery out",
+                                 "surface %d does not move, so that its "
+                                 "lubricant layer has no time for "
+                                 "replenishment; remove passes.recovery",
                                  k + 1);
     if (p->loads.count && p->loads.count != (size_t)p->number)
         return ovr_fail_slot(
             err, ovr_slot_of(r, "passes", "loads"),
-            "%zu loads are given for %d passes: each pass needs one",
+            "%zu loads are given for %d passes; give one load per pass",
             p->loads.count, p->number);
     return OVR_OK;
 }
@@ -153,8 +154,8 @@ static ovr_status resolve_passes(ovr_resolved *r, ovr_error *err)
     if (!(left > 0))
         return ovr_fail_slot(
             err, ovr_slot_of(r, "passes", "split"),
-            "%g leaves all oil on a surface that stands still and carries none "
-            "off: choose a share between 0 and 1",
+            "%g leaves all lubricant on a stationary surface, which carries "
+            "none away; use a share between 0 and 1",
             p->split);
     return check_bodies(r, err);
 }
@@ -254,7 +255,9 @@ static const double NEARLY = 1e-5;
 static ovr_status refuse(const ovr_slot *end, const ovr_feature_info *f,
                          const char *why, ovr_error *err)
 {
-    return ovr_fail_slot(err, end, "auto: feature '%s' %s; give a time instead",
+    return ovr_fail_slot(err, end,
+                         "auto: feature '%s' %s; set time.end to a "
+                         "time",
                          f->name, why);
 }
 
@@ -293,8 +296,8 @@ static ovr_status wait_for_histories(const ovr_setup *s, const ovr_slot *end,
         double over = ovr_history_end(all[k].is);
         if (!isfinite(over))
             return ovr_fail_slot(err, end,
-                                 "auto: the history of [%s] never ends; give a "
-                                 "time instead",
+                                 "auto: the history of [%s] never ends; set "
+                                 "time.end to a time",
                                  all[k].section);
         *T = fmax(*T, over);
     }
@@ -317,7 +320,7 @@ ovr_status ovr_resolve_end(ovr_resolved *r, ovr_error *err)
     if (!status && !(T > 0))
         status = ovr_fail_slot(err, end,
                                "auto: nothing passes and nothing changes; "
-                               "leave end out for a steady solution");
+                               "remove time.end for a steady solution");
     r->march.until_steady = true;
     r->march.steady_from = T;
     r->march.steady_rate = NEARLY;
@@ -452,7 +455,7 @@ static const char *reason_of(const ovr_resolved *r)
 {
     const ovr_setup *s = &r->setup;
     if (s->options->scheme != OVR_CHARACTERISTIC)
-        return "as upstream schemes take it";
+        return "as upstream schemes use it";
     if (!ovr_setup_corrected(s))
         return "without corrections of fourth order";
     if (ovr_resolved_one_mesh(r))

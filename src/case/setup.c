@@ -289,8 +289,9 @@ static ovr_status make_symmetric(ovr_resolved *r, bool inlet, bool outlet,
     if (outlet && o->outlet != -o->inlet)
         return ovr_fail_slot(
             err, ovr_slot_of(r, "domain", "outlet"),
-            "%g: inlet and outlet trade places where [speed] reverses: leave "
-            "it out, or give both the same size, %g",
+            "%g: inlet and outlet are exchanged where [speed] reverses; "
+            "remove this key, or set inlet and outlet to the same distance, "
+            "%g",
             o->outlet, far);
     o->inlet = -far;
     o->outlet = far;

@@ -100,8 +100,8 @@ static ovr_status read_header(reading *r, long line, char *text, ovr_error *err)
     if (r->headed)
         return OVR_OK;
     return ovr_fail_at(err, OVR_BAD_INPUT, r->file, line,
-                       "the first line must name the units of two columns, %s "
-                       "(%s) and %s (%s), such as '%s'",
+                       "the first line must name the units of two columns, "
+                       "%s (%s) and %s (%s), for example '%s'",
                        c->name[0], ovr_units_allowed(c->header[0]), c->name[1],
                        ovr_units_allowed(c->header[1]), c->example);
 }

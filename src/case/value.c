@@ -214,7 +214,8 @@ static ovr_status read_list(const ovr_parameter *row, const char *text,
             return OVR_BAD_INPUT;
         if (i && !quantity.unit != !slot->unit)
             return ovr_fail(err, OVR_BAD_INPUT,
-                            "'%s': give all numbers of a list a unit, or none",
+                            "'%s': either all numbers of a list must have a "
+                            "unit, or none",
                             item);
         slot->unit = quantity.unit;
         values[i] = quantity.value;
@@ -289,7 +290,7 @@ static ovr_status unquote(const char **text, ovr_arena *arena, ovr_error *err)
         *line.text == '"' || *line.text == '\'')
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%s begins with a quote; allowed: text in a pair of "
-                        "quotes, or without",
+                        "quotes, or without quotes",
                         *text);
     inner = ovr_arena_take(arena, line.size + 1, 1, err);
     if (!inner)

@@ -111,7 +111,7 @@ size_t cli_count(const cli_call *call, const char *name, size_t maximum,
     long n = strtol(text, &end, 10);
     if (!*end && end != text && n >= 1 && (size_t)n <= maximum)
         return (size_t)n;
-    cli_usage(call, "%s%s %s: a whole number from 1 to %zu is needed",
+    cli_usage(call, "%s%s %s: must be a whole number from 1 to %zu",
               name[1] ? "--" : "-", name, text, maximum);
     return 0;
 }
@@ -187,7 +187,7 @@ static int take_option(cli_call *call, int argc, char **argv, int *i)
     slot->option = option;
     slot->value = "";
     if (!option->argument && equals)
-        return cli_usage(call, "option '%.*s' takes no value",
+        return cli_usage(call, "option '%.*s' has no value",
                          (int)(name - given + (long)length), given);
     if (option->argument && equals) {
         slot->value = equals + 1;
@@ -220,7 +220,9 @@ int cli_check_outputs(const cli_call *call)
         const char *path = cli_value(call, outputs[k]);
         for (int i = 0; path && i < call->arguments; i++)
             if (same_file(path, call->argument[i]))
-                return cli_usage(call, "%s: is read: it cannot be written too",
+                return cli_usage(call,
+                                 "%s: is an input file and cannot also "
+                                 "be the output",
                                  path);
     }
     return CLI_DONE;

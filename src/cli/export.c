@@ -69,8 +69,8 @@ static ovr_status no_field(const job *j, const char *name)
                         "%s: has no field '%s'; did you mean '%s'?",
                         j->call->argument[0], name, meant);
     return ovr_fail(j->err, OVR_BAD_INPUT,
-                    "%s: has no field '%s'; there are %s", j->call->argument[0],
-                    name, there);
+                    "%s: has no field '%s'; the fields are %s",
+                    j->call->argument[0], name, there);
 }
 
 static ovr_status check_fields(const job *j)
@@ -265,7 +265,7 @@ static ovr_status chosen_row(const job *j, size_t *row)
     if (value < 0 || value >= (double)j->about->snapshots ||
         value != floor(value))
         return ovr_fail(j->err, OVR_BAD_INPUT,
-                        "no snapshot %s: there are 0 to %zu, and 'last'", text,
+                        "no snapshot %s: must be 0 to %zu or 'last'", text,
                         j->about->snapshots - 1);
     *row = (size_t)value;
     return OVR_OK;
@@ -400,8 +400,8 @@ static ovr_status write_table(job *j)
         return history(j);
     if (j->about->snapshots == 0)
         return ovr_fail(j->err, OVR_BAD_INPUT,
-                        "%s: holds no snapshot; its history of %zu steps can "
-                        "be exported",
+                        "%s: contains no snapshot; only its history of %zu "
+                        "steps can be exported",
                         j->call->argument[0], j->about->steps);
     return at ? series(j) : one ? snapshot(j) : all_snapshots(j);
 }
@@ -449,8 +449,8 @@ static int write_passes(job *j, const ovr_table *passes)
     cli_output out;
     int code;
     if (j->units != OVR_AS_STORED)
-        return cli_usage(j->call, "the rows of passes are exported as they are "
-                                  "stored: leave this option out");
+        return cli_usage(j->call, "rows of passes are exported as they are "
+                                  "stored; remove this option");
     code = cli_output_open(j->call, cli_value(j->call, "o"), &out);
     if (code != CLI_DONE)
         return code;
@@ -495,17 +495,21 @@ static int run(cli_call *call)
 }
 
 static const cli_option options[] = {
-    {"snapshot", "K", "fields along x: snapshot number K from 0, or 'last'",
-     false},
+    {"snapshot", "K", "fields along x of snapshot K (from 0) or 'last'", false},
     {"time", "T",
-     "the same: the snapshot nearest to T (0.2ms, or bare in b/um)", false},
-    {"all", NULL, "the same: all snapshots", false},
-    {"long", NULL, "of all: one below the other, with a column of the time",
+     "fields along x of the snapshot nearest to T (0.2ms, or without a unit "
+     "in b/u_m)",
      false},
-    {"wide", NULL, "of all: side by side, a row for each x", false},
-    {"at", "X", "fields at X (0.1mm, or bare in b) in time", true},
-    {"across", "Y", "line of a strip (0.1mm, or bare in b)", false},
-    {"areal", NULL, "of a strip: all lines, a row for each x and y", false},
+    {"all", NULL, "fields along x of all snapshots", false},
+    {"long", NULL,
+     "with --all: snapshots one below the other, with a column "
+     "of time",
+     false},
+    {"wide", NULL, "with --all: snapshots side by side, one row per x", false},
+    {"at", "X", "fields at X (0.1mm, or without a unit in b) against time",
+     true},
+    {"across", "Y", "line of a strip (0.1mm, or without a unit in b)", false},
+    {"areal", NULL, "strip: all lines, one row per x and y", false},
     {"field", "NAME", "this field only (pressure, film_thickness, ...)", true},
     {"units", "NAME", "stored, hertzian or si", false},
     {"format", "NAME", "csv, gnuplot (# before names) or matlab (%)", false},
@@ -517,9 +521,10 @@ static const cli_option options[] = {
 const cli_verb cli_export = {
     .name = "export",
     .arguments = "OUT.h5 [-o FILE]",
-    .summary = "tables of numbers for other programs",
-    .help = "Without a choice of snapshots: the history, one row a time step.\n"
-            "Of the file of several passes: one row a pass.",
+    .summary = "export tables for other programs",
+    .help = "Without a choice of snapshots: the history, one row per time "
+            "step.\n"
+            "For the file of several passes: one row per pass.",
     .options = options,
     .minimum = 1,
     .maximum = 1,

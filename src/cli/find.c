@@ -72,7 +72,7 @@ static int take_numbers(const cli_call *call, ovr_find_options *how)
     if (tolerance) {
         how->tolerance = strtod(tolerance, &end);
         if (*end || end == tolerance || !(how->tolerance > 0))
-            return cli_usage(call, "--tolerance %s: a number is needed",
+            return cli_usage(call, "--tolerance %s: must be a number",
                              tolerance);
     }
     return CLI_DONE;
@@ -242,17 +242,17 @@ static int run(cli_call *call)
 }
 
 static const cli_option options[] = {
-    {"j", "N", "number of runs at the same time, if several are known", false},
+    {"j", "N", "maximum number of runs at the same time", false},
     {"tolerance", "NUMBER", "relative tolerance of the key; default: 1e-3",
      false},
-    {"steady", NULL, "the steady contact alone, as 'overroll steady'", false},
-    {"table", "FILE.csv", "the evaluations, a row as soon as it is known",
+    {"steady", NULL, "solve only the steady contact, as 'overroll steady'",
      false},
+    {"table", "FILE.csv", "table of evaluations, written row by row", false},
     {"results", "FOLDER",
      "folder for the result files of all runs; existing results are not "
      "computed again",
      false},
-    {"force", NULL, "replace a table that is another program's", false},
+    {"force", NULL, "replace a table of another program", false},
     CLI_CASE_OPTIONS,
     {0}};
 
@@ -261,7 +261,7 @@ const cli_verb cli_find = {
     .arguments =
         "CASE [largest | smallest] KEY between A and B so that QUANTITY "
         "is | at most | at least VALUE",
-    .summary = "the value of a key for which a number of the run has a value",
+    .summary = "find the value of a key at which a result has a given value",
     .help =
         "Runs the case at values of KEY from A to B, at both ends and between, "
         "and closes\nin on the one asked for.  QUANTITY is any number of the "

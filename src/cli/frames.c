@@ -11,14 +11,18 @@ static const cli_option options[] = {
     {"o", "DIR", "folder for the frames", false},
     {"movie", "MOVIE", "NAME.mp4, NAME.webm, NAME.gif or NAME.webp (ffmpeg)",
      false},
-    {"rate", "N", "of the movie, frames a second (25)", false},
-    {"every", "N", "every so many snapshots", false},
+    {"rate", "N", "frames per second of the movie (25)", false},
+    {"every", "N", "draw every Nth snapshot", false},
     {"form", "FORM", "png (default), svg or pdf", false},
-    {"jobs", "N", "gnuplots at once (one a core)", false},
-    {"stress", "FIELD", "the stresses below too: max_shear, tau_xz, ...",
+    {"jobs", "N", "number of gnuplot processes (default: one per core)", false},
+    {"stress", "FIELD",
+     "also draw stresses below the surface: max_shear, "
+     "tau_xz, ...",
      false},
-    {"depth", "SCALE", "of the stresses: linear (default) or log", false},
-    {"script", NULL, "write each frame's gnuplot script and data too", false},
+    {"depth", "SCALE", "depth axis of the stresses: linear (default) or log",
+     false},
+    {"script", NULL, "also write the gnuplot script and data of each frame",
+     false},
     CLI_RANGE_OPTIONS,
     {NULL, NULL, NULL, false},
 };
@@ -42,9 +46,7 @@ static int take_count(const cli_call *call, const char *name, double maximum,
     const char *text = cli_value(call, name);
     if (text && (!ovr_bare_number(text, value) || *value < 1 ||
                  *value > maximum || *value != floor(*value)))
-        return cli_usage(call,
-                         "--%s '%s': a whole number from 1 to %g is "
-                         "needed",
+        return cli_usage(call, "--%s '%s': must be a whole number from 1 to %g",
                          name, text, maximum);
     return CLI_DONE;
 }
@@ -64,10 +66,9 @@ static int take_options(const cli_call *call, ovr_frames_options *o,
     look->log_depth = cli_value(call, "depth") &&
                       strcmp(cli_value(call, "depth"), "log") == 0;
     if (!code && !o->folder && !o->movie)
-        code = cli_usage(call,
-                         "no output is named: give -o DIR or --movie NAME.mp4");
+        code = cli_usage(call, "no output: set -o DIR or --movie NAME.mp4");
     if (!code && o->scripts && !o->folder)
-        code = cli_usage(call, "--script needs a folder: -o DIR");
+        code = cli_usage(call, "--script needs a folder; set -o DIR");
     if (!code)
         code = take_count(call, "every", 1e9, &every);
     if (!code)
@@ -140,7 +141,7 @@ static int run(cli_call *call)
 const cli_verb cli_frames = {
     .name = "frames",
     .arguments = "OUT.h5... -o DIR",
-    .summary = "a picture of each snapshot, and a movie",
+    .summary = "draw each snapshot, and make a movie",
     .help = "Pressure, film thickness and roughness against x, with the same "
             "axes in\nall frames: DIR/frame_0000.png and so on, numbered like "
             "the snapshots.\nA second call draws missing frames only. With "

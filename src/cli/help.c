@@ -461,9 +461,9 @@ static int run(cli_call *call)
 }
 
 static const cli_option options[] = {
-    {"roff", NULL, "the parameters as overroll-case(5) has them", false},
-    {"bash", NULL, "the options (or keys) as bash's completion has them",
+    {"roff", NULL, "print the parameters in the form of overroll-case(5)",
      false},
+    {"bash", NULL, "print the options (or keys) for bash completion", false},
     {0}};
 
 const cli_verb cli_help = {

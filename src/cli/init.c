@@ -27,19 +27,20 @@ enum { OILS = sizeof oils / sizeof oils[0] };
 /* ------------------------------------------------------------------ cases */
 
 /* A shear-thinning lubricant: the pressure of a Newtonian film at a surface
- * feature grows without limit on finer meshes, and its friction in a sliding
- * contact is one that no lubricant reaches. */
+ * feature grows without limit on finer grids, and its friction in a sliding
+ * contact exceeds that of real lubricants. */
 #define THINS                                                                  \
-    "rheology = eyring            # thins where it is sheared\n"               \
+    "rheology = eyring            # shear thinning\n"                          \
     "eyring_stress = 5 MPa\n"                                                  \
-    "limiting_shear = 0.08        # most shear stress over pressure\n"
+    "limiting_shear = 0.08        # limiting shear stress / pressure\n"
 #define THINS_BY_NUMBER                                                        \
-    "rheology = eyring            # thins where it is sheared\n"               \
-    "eyring_number = 0.2          # Eyring stress divided by ph b/R\n"
+    "rheology = eyring            # shear thinning\n"                          \
+    "eyring_number = 0.2          # Eyring stress / (p_h b/R)\n"
 
 static const char roller[] =
-    "# Roller bearing: a small dent with shoulders on the ring rolls through.\n"
-    "# overroll check THIS.ini says what it means; overroll run THIS.ini.\n"
+    "# Roller bearing: a small dent with a raised rim on the ring passes.\n"
+    "# overroll check THIS.ini prints predictions, overroll run THIS.ini runs "
+    "it.\n"
     "\n"
     "[contact]\n"
     "load = 300 kN/m              # per unit length of the roller\n"
@@ -54,23 +55,23 @@ static const char roller_end[] =
     "level = 8                    # 7 2^8 + 1 = 1793 nodes\n"
     "\n"
     "[time]\n"
-    "end = 13                     # in b/um; or with a unit: 0.5 ms\n"
+    "end = 13                     # in b/u_m; or with a unit: 0.5 ms\n"
     "\n"
     "[feature dent]\n"
     "surface = 1\n"
     "shape = indent\n"
-    "depth = 0.4 um               # a bare number would be in b^2/R\n"
+    "depth = 0.4 um               # without a unit: in b^2/R\n"
     "width = 0.6                  # in b\n"
     "shoulder = 0.05 um\n"
-    "start = -9                   # left of the inlet, as check tells it\n"
+    "start = -9                   # upstream of the inlet, see check\n"
     "\n"
     "[output]\n"
-    "file = roller.h5             # beside this case\n"
+    "file = roller.h5             # in the folder of this case\n"
     "every = 8                    # steps\n";
 
 static const char gear[] =
-    "# Gear pair: a ground flank from the first touch to the last, as its\n"
-    "# drawing says it.  overroll check THIS.ini prints its stations.\n"
+    "# Gear pair with a ground flank, from the start to the end of contact.\n"
+    "# overroll check THIS.ini prints the contact positions A to E.\n"
     "\n"
     "[gear]\n"
     "teeth_1 = 25                 # gear 1 is surface 1\n"
@@ -79,7 +80,7 @@ static const char gear[] =
     "face = 20 mm\n"
     "speed = 3000 rpm             # of gear 1\n"
     "torque = 80 N.m              # on gear 1; or power = 25 kW\n"
-    "# centre = 103 mm            # a shift follows from it\n"
+    "# centre = 103 mm            # determines one shift\n"
     "# shift_1 = 0.2              # in modules\n"
     "# helix_angle = 15 deg\n"
     "\n"
@@ -91,8 +92,8 @@ static const char gear_end[] =
     "[domain]\n"
     "level = 7\n"
     "\n"
-    "[time]                       # end left out: the whole way\n"
-    "scheme = characteristic      # carries short waves best\n"
+    "[time]                       # default end: end of contact\n"
+    "scheme = characteristic      # most accurate for short waves\n"
     "\n"
     "[feature grinding]\n"
     "surface = 1\n"
@@ -101,17 +102,16 @@ static const char gear_end[] =
     "length = 20                  # in b\n"
     "shortest = 0.25\n"
     "seed = 1                     # another seed, another surface\n"
-    "start = 6                    # its leading end\n"
-    "grow = 1                     # it grows in place at the first touch\n"
+    "start = 6                    # position of its leading end\n"
+    "grow = 1                     # grows in place at the start of contact\n"
     "\n"
     "[output]\n"
     "file = gear.h5\n"
     "every = 8\n";
 
 static const char cam[] =
-    "# Cam and flat follower, as the drawing says them.  The mean speed "
-    "passes\n"
-    "# zero where overroll check THIS.ini shows a turn.\n"
+    "# Cam and flat follower.  The entrainment speed passes through zero at\n"
+    "# the reversals that overroll check THIS.ini prints.\n"
     "\n"
     "[cam]\n"
     "follower = flat              # or roller, with roller_radius\n"
@@ -120,10 +120,10 @@ static const char cam[] =
     "speed = 1000 rpm             # of the cam, surface 1\n"
     "law = 4567                   # or 345, cycloidal, harmonic, table\n"
     "lift = 6 mm\n"
-    "rise = 70 deg                # and falls over the same\n"
+    "rise = 70 deg                # default of fall\n"
     "spring = 30 N/mm\n"
     "preload = 250 N\n"
-    "mass = 100 g                 # all that moves with the follower\n"
+    "mass = 100 g                 # moving mass of the follower\n"
     "\n"
     "[contact]\n"
     "modulus = 226 GPa\n";
@@ -134,16 +134,16 @@ static const char cam_end[] =
     "level = 9\n"
     "\n"
     "[time]\n"
-    "step = adaptive              # the film changes fast at the turns alone\n"
+    "step = adaptive              # the film changes fast at reversals only\n"
     "\n"
     "[output]\n"
     "file = cam.h5\n"
     "every = 40\n";
 
 static const char bearing[] =
-    "# Roller bearing 209 under 4450 N: the rollers that one point of the "
-    "inner\n"
-    "# ring meets in one crossing of the load roll over a dent there.\n"
+    "# Roller bearing 209 under 4450 N: a dent on the inner ring meets "
+    "several\n"
+    "# rollers in one crossing of the load zone.\n"
     "\n"
     "[roller_bearing]\n"
     "roller = 10 mm               # diameter\n"
@@ -154,7 +154,7 @@ static const char bearing[] =
     "load = 4450 N\n"
     "speed_inner = 1000 rpm\n"
     "contact = inner\n"
-    "passes = zone                # [passes] follow from it\n"
+    "passes = zone                # determines [passes]\n"
     "\n"
     "[contact]\n"
     "modulus = 226 GPa\n";
@@ -165,7 +165,7 @@ static const char bearing_end[] =
     "level = 9\n"
     "\n"
     "[cavitation]\n"
-    "model = conserving           # passes feed on what the one before leaves\n"
+    "model = conserving           # each pass uses the oil left by the last\n"
     "\n"
     "[time]\n"
     "end = 30\n"
@@ -176,7 +176,7 @@ static const char bearing_end[] =
     "depth = 0.4 um\n"
     "width = 2                    # in b\n"
     "shoulder = 0.05 um\n"
-    "start = -26                  # left of the inlet, as check tells it\n"
+    "start = -26                  # upstream of the inlet, see check\n"
     "\n"
     "[output]\n"
     "file = bearing.h5\n";
@@ -193,7 +193,7 @@ static const char numbers_end[] =
     "[domain]\n"
     "level = 8\n"
     "\n"
-    "[time]                       # leave this section out for steady cases\n"
+    "[time]                       # remove this section for steady cases\n"
     "end = 7\n"
     "\n"
     "[feature wave]\n"
@@ -208,14 +208,14 @@ static const char numbers_end[] =
     "every = 8\n";
 
 static const char discs[] =
-    "# Twin-disc machine: two discs by radius, material and turning speed, "
-    "the\n"
-    "# oil by its data sheet.\n"
+    "# Twin-disc machine: discs by radius, material and rotational speed, oil "
+    "by\n"
+    "# its data sheet.\n"
     "\n"
     "[contact]\n"
     "width = 10 mm                # of the track\n"
     "load = 2000 N                # over that width\n"
-    "speed_1 = 1000 rpm           # of disc 1, whose surface runs along +x\n"
+    "speed_1 = 1000 rpm           # of disc 1, surface speed along +x\n"
     "speed_2 = 950 rpm\n"
     "\n"
     "[body 1]\n"
@@ -236,10 +236,8 @@ static const char discs[] =
     "level = 8\n";
 
 static const char starved[] =
-    "# Starved: a smooth roller passes ten times, a tenth of the oil is lost "
-    "in "
-    "\n"
-    "# between.  Drop [passes] for one pass.\n"
+    "# Starved: a smooth roller passes ten times, and a tenth of the oil is\n"
+    "# lost between passes.  Remove [passes] for one pass.\n"
     "\n"
     "[contact]\n"
     "load = 300 kN/m              # per unit length of the roller\n"
@@ -253,30 +251,31 @@ static const char starved_end[] =
     "level = 8\n"
     "\n"
     "[cavitation]\n"
-    "model = conserving           # oil in cavities, and no more than arrives\n"
+    "model = conserving           # mass-conserving\n"
     "\n"
     "[supply]\n"
     "model = film                 # of the first pass; or flooded\n"
-    "thickness_1 = 0.2 um         # on each surface, as it arrives\n"
+    "thickness_1 = 0.2 um         # supplied on each surface\n"
     "thickness_2 = 0.2 um\n"
     "\n"
     "[passes]\n"
     "number = 10\n"
-    "loss = 0.1                   # of each layer, between two passes\n"
+    "loss = 0.1                   # of each layer between two passes\n"
     "\n"
     "[output]\n"
-    "file = starved.h5            # a row each; starved-1.h5, ... the passes\n";
+    "file = starved.h5            # one row per pass; results: starved-1.h5 "
+    "...\n";
 
-/* A disc machine again, at a slip and a load where oils get hot. */
+/* A disc machine with sliding speed and load at which heat matters. */
 static const char traction_hot[] =
-    "# Two discs of steel that slip: friction, film and temperatures.\n"
+    "# Two sliding steel discs: friction, film thickness and temperatures.\n"
     "[contact]\n"
     "load = 300 kN/m\n"
     "mean_speed = 5 m/s\n"
     "slide_to_roll = 0.2\n"
     "\n"
     "[body 1]\n"
-    "material = steel             # conducts and stores heat as steel does\n"
+    "material = steel             # also thermal properties\n"
     "radius = 35 mm\n"
     "\n"
     "[body 2]\n"
@@ -286,8 +285,7 @@ static const char traction_hot[] =
     "[lubricant]\n"
     "temperature = 60 degC        # of the supply, and of the bodies\n"
     "iso_vg = 68\n"
-    "viscosity_index = 98         # and so how viscosity falls with "
-    "temperature\n"
+    "viscosity_index = 98         # viscosity against temperature\n"
     "density_15 = 880 kg/m3\n"
     "alpha = 20 1/GPa             # at that temperature\n" THINS "\n"
     "[heat]\n"
@@ -300,11 +298,10 @@ static const char traction_hot[] =
     "fields = pressure, film_thickness, temperature_1, temperature_2, "
     "temperature_middle\n";
 
-/* The same with a hard coating that keeps the heat in the film. */
+/* The same with a hard coating that insulates the film. */
 static const char coated[] =
-    "# Two discs of steel that slip, one with a coating of DLC: friction, film "
-    "and\n"
-    "# temperatures, and the stresses in the coating and below.\n"
+    "# Two sliding steel discs, one with a DLC coating: friction, film\n"
+    "# thickness, temperatures, and stresses in the coating and below.\n"
     "[contact]\n"
     "load = 300 kN/m\n"
     "mean_speed = 5 m/s\n"
@@ -322,7 +319,7 @@ static const char coated[] =
     "[coating 2]\n"
     "material = dlc               # or modulus, poisson, conductivity, ...\n"
     "thickness = 3 um\n"
-    "residual_x = -1 GPa          # without load, along and across\n"
+    "residual_x = -1 GPa          # residual stress along and across\n"
     "residual_y = -1 GPa\n"
     "\n"
     "[lubricant]\n"
@@ -345,36 +342,36 @@ static const char indented_end[] =
     "\n"
     "[domain]\n"
     "level = 8\n"
-    "order = 2                    # shoulders come out nearer than by order 4\n"
+    "order = 2                    # rim heights are more accurate than by "
+    "order 4\n"
     "\n"
     "[time]\n"
-    "end = 12                     # the dent has left by then\n"
+    "end = 12                     # the dent has left the contact\n"
     "\n"
     "[feature dent]\n"
     "surface = 1\n"
     "shape = indent\n"
     "depth = 1.5 um\n"
     "width = 0.6                  # in b\n"
-    "shoulder = 0.25 um           # what is rolled down\n"
-    "start = -9                   # left of the inlet, as check tells it\n"
+    "shoulder = 0.25 um           # rim that is rolled down\n"
+    "start = -9                   # upstream of the inlet, see check\n"
     "\n"
-    "[stress]                     # elastic stresses, of which it yields\n"
+    "[stress]                     # elastic stresses, needed by [plastic]\n"
     "surface = 1\n"
     "\n"
     "[fatigue]\n"
-    "limit_pressure = none        # before and after: compare the passes\n"
+    "limit_pressure = none        # to compare the passes\n"
     "\n"
     "[plastic]\n"
     "surface = 1\n"
     "hardening = linear           # none, kinematic; swift: bearing steel\n"
     "yield = 0.87 GPa             # von Mises; 1.36 GPa: bearing steel\n"
-    "modulus = 4.5 GPa            # stress over plastic strain\n"
-    "passes = 3                   # ends before, once it has shaken down\n"
-    "elastic = yes                # one pass before them, to compare lives "
-    "with\n"
+    "modulus = 4.5 GPa            # hardening modulus\n"
+    "passes = 3                   # fewer if it shakes down earlier\n"
+    "elastic = yes                # an elastic pass first, to compare lives\n"
     "\n"
     "[output]\n"
-    "file = indented.h5           # indented-1.h5, ... of the passes\n"
+    "file = indented.h5           # results of the passes: indented-1.h5 ...\n"
     "every = 8\n";
 
 /* The roller with a film that varies across rolling. */

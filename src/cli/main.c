@@ -56,9 +56,10 @@ static void print_short_help(void)
     for (const cli_verb *const *verb = verbs; *verb; verb++)
         printf(" %s", (*verb)->name);
     puts("\n"
-         "overroll help          says in a line what each does\n"
-         "overroll help TOPIC    explains a command or a section of the case\n"
-         "overroll --version     with the versions of its libraries");
+         "overroll help          lists the commands\n"
+         "overroll help TOPIC    explains a command or a section of the "
+         "case\n"
+         "overroll --version     prints the versions of program and libraries");
 }
 
 static int no_such_verb(const char *name)

@@ -16,8 +16,7 @@ static int take_number(const cli_call *call, const ovr_result *result,
         return cli_usage(call, "--%s %s", name, err.message);
     if (*value > 0)
         return CLI_DONE;
-    return cli_usage(call, "--%s '%s': a positive number is needed", name,
-                     text);
+    return cli_usage(call, "--%s '%s': must be a positive number", name, text);
 }
 
 /* A range that is asked for: of a number that may have its unit. */
@@ -58,7 +57,7 @@ static int take_range(const asked *of, double *from, double *to)
         if (code || !(*from >= *to))
             return code;
     }
-    return cli_usage(of->call, "--%s '%s': a range such as -1.5:1 is needed",
+    return cli_usage(of->call, "--%s '%s': must be a range, such as -1.5:1",
                      of->name, text);
 }
 
@@ -179,8 +178,8 @@ void cli_say_units(const cli_call *call, ovr_result *const *results,
     }
     if (any && without && units == OVR_AS_STORED && call->verbosity >= 0)
         fprintf(stderr,
-                "%s has no physical scales: all are drawn in Hertzian units, "
-                "each its own\n",
+                "%s has no physical scales: each result is drawn in its own "
+                "Hertzian units\n",
                 without);
 }
 

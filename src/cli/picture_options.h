@@ -11,22 +11,28 @@
         {"si", NULL, "axes in SI units (fails when the scales are unknown)",   \
          false},                                                               \
         {"x", "FROM:TO",                                                       \
-         "positions shown, like -0.1mm:0.2mm or, in b, -2:1.5", false},        \
-        {"time", "FROM:TO", "times shown, like 0:0.2ms or, in b/um, 0:2",      \
+         "range of positions, such as -0.1mm:0.2mm or, in b, -2:1.5", false},  \
+        {"time", "FROM:TO",                                                    \
+         "range of times, such as 0:0.2ms or, in b/u_m, "                      \
+         "0:2",                                                                \
          false},                                                               \
         {"across", "Y",                                                        \
-         "line of a strip, like 0.1mm or, in b, 0.5; default: the line "       \
-         "that [strip] shown names",                                           \
+         "line of a strip, such as 0.1mm or, in b, 0.5; default: strip.shown", \
          false},                                                               \
         {"along", "X", "X of the cut across in maps of a strip; default: 0",   \
          false},                                                               \
-        {"p-max", "P", "upper end of the pressure axis, in ph or GPa", false}, \
-        {"h-max", "H", "upper end of the film axis, in b^2/R or um", false},   \
-        {"size", "WxH", "of the picture in pixels", false},                    \
-        {"title", "TEXT", "instead of the file's own; '' for none", false},    \
-        {"no-hertz", NULL, "leave out the Hertzian pressure", false},          \
-        {"no-roughness", NULL, "leave out the roughness", false},              \
-        {"template", "FILE.gp", "gnuplot's program, see overroll-pictures(7)", \
+        {"p-max", "P", "upper end of the pressure axis, in p_h or GPa",        \
+         false},                                                               \
+        {"h-max", "H", "upper end of the film thickness axis, in b^2/R or um", \
+         false},                                                               \
+        {"size", "WxH", "size of the picture in pixels", false},               \
+        {"title", "TEXT", "title instead of that of the file; '' for none",    \
+         false},                                                               \
+        {"no-hertz", NULL, "do not draw the Hertzian pressure", false},        \
+        {"no-roughness", NULL, "do not draw the surface height", false},       \
+        {"template", "FILE.gp",                                                \
+         "gnuplot script to run before drawing, see "                          \
+         "overroll-pictures(7)",                                               \
          false},                                                               \
     {                                                                          \
         "force", NULL, "replace what exists", false                            \

@@ -8,16 +8,15 @@
 enum { TIMES = 8 };
 
 static const cli_option options[] = {
-    {"o", "PICTURE", "where to: NAME.png, NAME.svg or NAME.pdf", false},
+    {"o", "PICTURE", "output file: NAME.png, NAME.svg or NAME.pdf", false},
     {"kind", "KIND",
      "snapshot (default), areal (default of a strip), history, map, trace, "
      "stress, risk, depth, plastic, passes or element; of a study stribeck",
      false},
     {"at", "T", "snapshot: an instant, like 0.2ms or, in b/um, 1.5", true},
-    {"overlay", NULL, "snapshot: all instants in one panel", false},
+    {"overlay", NULL, "snapshot: all times in one panel", false},
     {"field", "FIELD",
-     "map: film_thickness (default) or another of the file; stress: max_shear "
-     "(default), tau_xz, von_mises, ...",
+     "field of a map (default: film_thickness) or stress (default: max_shear)",
      false},
     {"surface", "N", "stress, risk, depth: below surface 1 (default) or 2",
      false},
@@ -25,11 +24,16 @@ static const cli_option options[] = {
     {"script", "FILE.gp", "also write the gnuplot script and its data", false},
     {"quantity", "NAME",
      "quantity of a study to draw (default: minimum film thickness)", false},
-    {"against", "KEY", "of a study: along x (its first key)", false},
-    {"lines", "KEY", "of a study: a line for each value (the next key); none",
+    {"against", "KEY", "study: key on the x axis (default: its first key)",
+     false},
+    {"lines", "KEY",
+     "study: key with one line per value, or none (default: "
+     "the next key)",
      false},
     {"panels", "KEY",
-     "of a study: a panel for each value (what else varies); none", false},
+     "study: key with one panel per value, or none (default: the remaining "
+     "key)",
+     false},
     {"log", "AXES", "of a study: x, y or xy logarithmic", false},
     CLI_RANGE_OPTIONS,
     {NULL, NULL, NULL, false},
@@ -53,8 +57,8 @@ static int take_kind(const cli_call *call, ovr_picture_options *o)
                          call->argument[0]);
     return cli_usage(
         call,
-        "--kind '%s': there are snapshot, areal, history, map, trace, stress, "
-        "risk, depth, element, plastic and passes",
+        "--kind '%s': must be snapshot, areal, history, map, trace, stress, "
+        "risk, depth, element, plastic or passes",
         text);
 }
 
@@ -87,7 +91,7 @@ static ovr_status check_instant(ovr_result *result, const char *text, double T,
     if (!status && count &&
         (T < t[0] - before / 2 - 1e-9 || T > t[count - 1] + after / 2 + 1e-9))
         status = ovr_fail(err, OVR_BAD_INPUT,
-                          "%s: there are snapshots from %.6g to %.6g b/um only",
+                          "%s: snapshots exist only from %.6g to %.6g b/u_m",
                           text, t[0], t[count - 1]);
     free(t);
     return status;
@@ -101,8 +105,7 @@ static int take_instants(const cli_call *call, ovr_result *result,
     for (int k = 0; (text = cli_value_at(call, "at", k)); k++) {
         ovr_error err = {0};
         if (k >= TIMES)
-            return cli_usage(call, "at most %d instants fit into a picture",
-                             TIMES);
+            return cli_usage(call, "a picture shows at most %d times", TIMES);
         if (ovr_result_number(result, OVR_KIND_TIME, text, &times[k], &err) ||
             check_instant(result, text, times[k], &err))
             return cli_usage(call, "--at %s", err.message);
@@ -220,8 +223,8 @@ static int refuse_study_options(const cli_call *call)
     for (int k = 0; k < 4; k++)
         if (cli_value(call, names[k]))
             return cli_usage(call,
-                             "--%s draws studies, and %s is the result of one "
-                             "run: give STUDY.ini or its table",
+                             "--%s draws studies, but %s is the result of "
+                             "one run; use STUDY.ini or its table",
                              names[k], call->argument[0]);
     return CLI_DONE;
 }
@@ -233,7 +236,7 @@ static int draw_distribution(const cli_call *call, const ovr_figure_options *f)
     int code = CLI_DONE;
     if (!ends_with(call->argument[0], ".ini"))
         return cli_usage(call,
-                         "--kind distribution draws a study: give STUDY.ini");
+                         "--kind distribution draws a study; use STUDY.ini");
     ovr_study *study = ovr_study_read(call->argument[0], NULL, &err);
     if (!study || ovr_figure_distribution(study, f, NULL, &err))
         code = cli_fail(&err);
@@ -252,7 +255,7 @@ static int draw_study(const cli_call *call)
     ovr_table *table;
     int code = take_figure(call, &f);
     if (!code && call->arguments > 1)
-        code = cli_usage(call, "a picture shows one study: give one");
+        code = cli_usage(call, "a picture shows one study only");
     if (code)
         return code;
     if (!f.title)
@@ -287,7 +290,7 @@ static int draw_element(const cli_call *call, ovr_picture_options *o)
     ovr_error err = {0};
     int code = cli_picture_options(call, o);
     if (!code && call->arguments > 1)
-        code = cli_usage(call, "a picture shows one case: give one");
+        code = cli_usage(call, "a picture shows one case only");
     if (code)
         return code;
     ovr_case *c = ovr_case_read(call->argument[0], NULL, &err);
@@ -309,7 +312,7 @@ static int run(cli_call *call)
     int code;
     o.path = cli_value(call, "o");
     if (!o.path)
-        return cli_usage(call, "no output is named: give -o PICTURE.png");
+        return cli_usage(call, "no output: set -o PICTURE.png");
     o.script = cli_value(call, "script");
     if (of_element(call))
         return draw_element(call, &o);
@@ -338,32 +341,38 @@ static int run(cli_call *call)
 const cli_verb cli_plot = {
     .name = "plot",
     .arguments = "OUT.h5... | STUDY.ini | TABLE.csv | TABLE.nc -o PICTURE",
-    .summary = "one picture: snapshot, history, space-time map, trace, study",
+    .summary = "draw one picture: snapshot, history, space-time map, trace, "
+               "study",
     .help =
-        "  snapshot  pressure, film and roughness at a few instants\n"
-        "  areal     maps of pressure and film of a strip, with cuts along x\n"
-        "            (--across Y) and across (--along X)\n"
-        "  history   minimum and central film and maximum pressure in time\n"
-        "  map       position against time, the colour is film or pressure\n"
-        "  trace     film at x = 0, and the roughness that passes there\n"
-        "  stress    pressure, film and the stresses below, at an instant\n"
-        "  risk      what the material went through, place by depth (a run "
-        "with [stress])\n"
-        "  depth     the same over depth, with the equivalent length\n"
-        "  plastic   the profile before and after yielding, and what is left "
-        "below\n"
-        "  element   the gear pair, cam or bearing to scale, above what its\n"
-        "            contact goes through; of a CASE.ini that has not run too\n"
-        "  passes    film and meniscus against the number of the pass, of the "
-        "file\n            of several passes\n"
+        "  snapshot  pressure, film thickness and surface height at some "
+        "times\n"
+        "  areal     maps of pressure and film thickness of a strip, with "
+        "cuts\n"
+        "            along x (--across Y) and across rolling (--along X)\n"
+        "  history   minimum and central film thickness and maximum pressure "
+        "against\n"
+        "            time\n"
+        "  map       film thickness or pressure over position and time\n"
+        "  trace     film thickness and surface height at x = 0 against time\n"
+        "  stress    pressure, film thickness and stresses below, at one time\n"
+        "  risk      fatigue risk over position and depth (with [stress])\n"
+        "  depth     fatigue risk against depth, with the equivalent length\n"
+        "  plastic   profile before and after, plastic strain, residual "
+        "stress\n"
+        "  element   gear pair, cam or bearing to scale, with its time "
+        "histories;\n"
+        "            also for a CASE.ini that has not run\n"
+        "  passes    film thickness and inlet meniscus against pass number\n"
         "\n"
-        "Several result files are drawn over each other (but for a map).\n"
-        "A study, or the table of one, gives a figure: a quantity against\n"
-        "a key or the name of a [zip], a line for each value of a second one,\n"
-        "a panel for each of what else varies; seeds as a mean in a band,\n"
-        "and against a seed a histogram with quantiles.  With --kind\n"
-        "distribution, a study with [random] gives histogram, distribution\n"
-        "and the effect of each input.",
+        "Several result files are drawn in the same axes (except maps).\n"
+        "A study or its table is drawn as a quantity against a key or the "
+        "name\n"
+        "of a [zip], with a line per value of a second key and a panel per "
+        "value\n"
+        "of the others.  Over seeds the mean is drawn in a band; against a "
+        "seed,\n"
+        "a histogram with quantiles.  With --kind distribution, a study with\n"
+        "[random] gives histogram, distribution and the effect of each input.",
     .options = options,
     .minimum = 1,
     .maximum = CLI_RESULTS,

@@ -151,8 +151,8 @@ static int report_on(const cli_call *call, const ovr_profile_source *source,
     }
     if (contact && !(contact->b > 0) && !ovr_profile_look(r.profile)->scaled_x)
         code = cli_usage(call,
-                         "%s has no physical scale: it needs radius and "
-                         "modulus for a profile in metres",
+                         "%s has no physical scales; set contact.radius and "
+                         "contact.modulus for a profile in metres",
                          cli_value(call, "case"));
     else
         code = report_profile(call, source, &r);
@@ -182,7 +182,7 @@ static const cli_option options[] = {
     {"unit-x", "UNIT", "unit of x if the file does not specify it (um, mm, b)",
      false},
     {"unit-z", "UNIT", "unit of z if the file does not specify it", false},
-    {"spacing", "LENGTH", "distance of the heights of a single column", false},
+    {"spacing", "LENGTH", "spacing of the heights of a single column", false},
     {"column-x", "N", "column of x, from 1", false},
     {"column-z", "N", "column of z, from 1", false},
     {"row", "N", "row of an areal file, from 1; default: across its lay",
@@ -190,42 +190,53 @@ static const cli_option options[] = {
     {"column", "N", "column of an areal file, from 1", false},
     {"y", "LENGTH", "row of an areal file nearest to this y", false},
     {"direction", "DEGREES",
-     "line through the centre of an areal file, angle to its x axis", false},
+     "line through the centre of an areal file at this angle to its x axis",
+     false},
     {"band", "LENGTH", "average the heights of an areal file over this width",
      false},
     {"line", "N", "former name of --row", false},
-    {"from", "LENGTH", "start of the part of x that is used", false},
-    {"to", "LENGTH", "end of that part", false},
+    {"from", "LENGTH", "start of the used range of x", false},
+    {"to", "LENGTH", "end of the used range of x", false},
     {"level", "HOW",
      "none, mean, line (default), polynomial, ends, circle, auto", false},
-    {"degree", "N", "of the polynomial, 2", false},
-    {"lambda-c", "LENGTH", "take longer waves out (Gaussian cut-off)", false},
-    {"lambda-s", "LENGTH", "take shorter waves out (Gaussian cut-off)", false},
-    {"outliers", "K", "replace points K robust deviations off", false},
-    {"max-gap", "LENGTH", "longest gap to fill; else 5 % of the length", false},
-    {"max-missing", "PART", "largest missing part, 0.2", false},
+    {"degree", "N", "degree of the polynomial (default: 2)", false},
+    {"lambda-c", "LENGTH", "remove longer waves (Gaussian cut-off)", false},
+    {"lambda-s", "LENGTH", "remove shorter waves (Gaussian cut-off)", false},
+    {"outliers", "K",
+     "replace points that deviate by more than K robust "
+     "standard deviations",
+     false},
+    {"max-gap", "LENGTH", "longest gap to fill (default: 5 % of the length)",
+     false},
+    {"max-missing", "PART",
+     "largest missing share of the heights (default: "
+     "0.2)",
+     false},
     {"scale", "FACTOR", "heights times this", false},
-    {"offset", "LENGTH", "added to the heights", false},
+    {"offset", "LENGTH", "offset added to the heights", false},
     {"invert", NULL, "peaks become valleys", false},
-    {"reverse", NULL, "x runs the other way", false},
-    {"case", "CASE", "how its waves fare in the contact of this case", false},
+    {"reverse", NULL, "reverse x", false},
+    {"case", "CASE",
+     "predict the deformation of its waves in the contact of "
+     "this case",
+     false},
     {"contact", NULL,
      "dry contact with a smooth surface: pressure, mean gap, contact length",
      false},
     {"convert", "OUT",
-     "write it, conditioned: X3P (.x3p), SDF (.sdf), or else as clean text",
+     "write the conditioned profile: X3P (.x3p), SDF (.sdf), otherwise text",
      false},
     {"plot", "OUT.png",
      "draw the profile, of an areal file the map and the line used, or with "
      "--contact the contact pressure (png, svg or pdf; needs gnuplot)",
      false},
-    {"force", NULL, "overwrite what is there", false},
+    {"force", NULL, "replace existing files", false},
     {NULL, NULL, NULL, false}};
 
 const cli_verb cli_profile = {
     .name = "profile",
     .arguments = "FILE",
-    .summary = "read a surface profile, measure, convert, plot",
+    .summary = "read, measure, convert and plot a surface profile",
     .help =
         "Reads text (also gzipped), SDF, SMD, X3P, SUR, PRO and NumPy files, "
         "recognized by their content. Prints the assumptions of the reader, "

@@ -27,8 +27,8 @@ static int no_unit(const cli_call *call, const char *name)
 {
     const char *text = cli_value(call, name);
     return cli_usage(call,
-                     "--%s %s: a unit is needed, like '%s mm' or '%s um'; bare "
-                     "it would be of a profile in b",
+                     "--%s %s: needs a unit, such as '%s mm' or '%s um'; "
+                     "only profiles in b have lengths without a unit",
                      name, text, text, text);
 }
 
@@ -47,8 +47,8 @@ static int resolve_size(const cli_call *call, size given, bool scaled,
         return CLI_DONE;
     if (!(unit > 0))
         return cli_usage(call,
-                         "--%s %s: the profile is in %s; give it in that unit, "
-                         "or a physical --case",
+                         "--%s %s: the profile is in %s; use that unit, or a "
+                         "--case with dimensions",
                          given.name, cli_value(call, given.name),
                          scaled ? "b" : "metres");
     *value = scaled ? given.length.value / unit : given.length.value * unit;
@@ -66,7 +66,7 @@ static int take_number(const cli_call *call, const char *name, double *value)
         *value = number.value;
         return CLI_DONE;
     }
-    return cli_usage(call, "--%s %s: a number is needed", name, text);
+    return cli_usage(call, "--%s %s: must be a number", name, text);
 }
 
 static int take_whole(const cli_call *call, const char *name, int *value)
@@ -76,7 +76,7 @@ static int take_whole(const cli_call *call, const char *name, int *value)
     if (code)
         return code;
     if (!(number >= 0 && number <= 1e9) || number != floor(number))
-        return cli_usage(call, "--%s %s: a whole number is needed", name,
+        return cli_usage(call, "--%s %s: must be a whole number", name,
                          cli_value(call, name));
     *value = (int)number;
     return CLI_DONE;
@@ -90,8 +90,8 @@ static int take_level(const cli_call *call, ovr_levelling *level)
     int k = text ? cli_choice(text, words) : (int)*level;
     if (k < 0)
         return cli_usage(call,
-                         "--level %s: none, mean, line, polynomial, ends, "
-                         "circle or auto is needed",
+                         "--level %s: must be none, mean, line, polynomial, "
+                         "ends, circle or auto",
                          text);
     *level = (ovr_levelling)k;
     return CLI_DONE;

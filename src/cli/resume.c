@@ -23,9 +23,9 @@ static int run(cli_call *call)
 }
 
 static const cli_option options[] = {
-    {"from-start", NULL, "with --force: again, where the checkpoint is lost",
+    {"from-start", NULL, "with --force: start again if the checkpoint is lost",
      false},
-    {"force", NULL, "replace what is in the file", false},
+    {"force", NULL, "replace the contents of the file", false},
     CLI_ESTIMATE_OPTION,
     CLI_CASE_OPTIONS,
     {0}};
@@ -33,7 +33,7 @@ static const cli_option options[] = {
 const cli_verb cli_resume = {
     .name = "resume",
     .arguments = "OUT.h5",
-    .summary = "go on where a stopped run ended",
+    .summary = "continue a stopped run",
     .help = "The result equals that of an uninterrupted run.  --set may change "
             "time.end and\n[output], but not the problem.  A complete file is "
             "not changed.",

@@ -30,7 +30,7 @@ int cli_run_case(cli_call *call)
 }
 
 static const cli_option options[] = {
-    {"o", "OUT.h5", "result file, instead of [output] file", false},
+    {"o", "OUT.h5", "result file (instead of output.file)", false},
     {"force", NULL, "replace an existing result file", false},
     CLI_ESTIMATE_OPTION,
     CLI_SENSITIVITY_OPTIONS,
@@ -40,13 +40,15 @@ static const cli_option options[] = {
 const cli_verb cli_run = {
     .name = "run",
     .arguments = "CASE [-o OUT.h5]",
-    .summary = "march in time (a case without [time] end is steady)",
+    .summary = "run a case in time (without time.end: the steady contact)",
     .help =
-        "Solves the steady start and marches to the end of time, storing "
-        "snapshots and\nthe history in the result file as it goes.  Without a "
-        "file only the summary is\nprinted.  SIGINT, SIGTERM and "
-        "SIGHUP\nfinish the "
-        "step and close the file.",
+        "Solves the steady start and advances to the end time.  Snapshots "
+        "and the history\n"
+        "are written to the result file during the run.  Without a file only "
+        "the summary\n"
+        "is printed.  After SIGINT, SIGTERM or SIGHUP the step is finished "
+        "and the file is\n"
+        "closed.",
     .options = options,
     .minimum = 1,
     .maximum = 1,

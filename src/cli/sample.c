@@ -107,8 +107,8 @@ static void put_counts(const ovr_sample_row *r)
                "statistics may be biased\n",
                100 * (double)r->failed / (double)r->draws);
     if (r->order[0] != r->order[1])
-        puts("  solutions of different order are in it: domain.order = 2 in "
-             "[set] makes them alike");
+        puts("  the samples contain solutions of different order; set "
+             "domain.order = 2 in [set]");
 }
 
 static void put_end(double value, const char *word)

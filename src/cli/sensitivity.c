@@ -33,9 +33,9 @@ static void report_json(const ovr_sensitivity *found)
 static void report_table(const ovr_sensitivity *found)
 {
     const ovr_sensitivity_row *r;
-    puts(
-        "1 % of a key makes so many % of a quantity (or, of keys through zero, "
-        "a\nunit of it so much)\n");
+    puts("change of a quantity in % per 1 % of a key (for keys that may be "
+         "zero: per\n"
+         "unit of the key)\n");
     for (size_t k = 0; (r = ovr_sensitivity_at(found, k)); k++) {
         printf("%-24s %-18s ", r->key, r->quantity);
         if (r->why_none)

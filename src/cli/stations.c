@@ -83,8 +83,8 @@ void cli_put_stations(const ovr_setup *setup)
         }
         putchar('\n');
     }
-    printf("#   h_min by the fit, flooded and steady; flash temperature after "
-           "Blok at mu = %g\n",
+    printf("#   h_min by the film thickness formula, flooded and steady; "
+           "flash temperature after Blok at mu = %g\n",
            OVR_STATION_FRICTION);
 }
 

@@ -19,8 +19,9 @@ const cli_verb cli_steady = {
     .name = "steady",
     .arguments = "[CASE] [--M 20 --L 10 --level 9]",
     .summary = "solve one steady contact",
-    .help = "Solves the steady contact of the case (its [time] and the growth "
-            "of its\nfeatures do not count), or of --M and --L without a case.",
+    .help = "Solves the steady contact of the case (ignoring [time] and the "
+            "growth of\n"
+            "features), or of --M and --L without a case.",
     .options = options,
     .minimum = 0,
     .maximum = 1,

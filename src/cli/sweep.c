@@ -137,7 +137,7 @@ static void list_state(const sweeping *w, ovr_sweep_state state)
         strcpy(kind[kinds++], text);
         ovr_study_name(w->s, i, name, sizeof name);
         printf("  %zu %s %s: %s\n", i + 1, ovr_sweep_state_name(state), name,
-               state == OVR_SWEEP_FAILED ? text : "was made from another case");
+               state == OVR_SWEEP_FAILED ? text : "belongs to another case");
     }
     if (more)
         printf("  and %zu more, see manifest.csv\n", more);
@@ -156,9 +156,9 @@ static void report_table(const sweeping *w, const ovr_sweep_totals *t)
     if (t->count[OVR_SWEEP_CHANGED])
         list_state(w, OVR_SWEEP_CHANGED);
     if (t->count[OVR_SWEEP_FAILED])
-        puts("--retry runs failed ones again");
+        puts("--retry repeats failed cases");
     if (t->count[OVR_SWEEP_CHANGED])
-        puts("--redo runs all again from their beginning");
+        puts("--redo repeats all cases from the start");
 }
 
 /* Tells what its draws say, into summary.csv too. */
@@ -289,8 +289,7 @@ static bool read_block(const cli_call *call, size_t cases, size_t *first,
     good = good && !*end && from >= 1 && to >= from && (size_t)to <= cases;
     if (!good) {
         cli_usage(call,
-                  "--tasks %s: I-J with whole numbers from 1 to %zu is "
-                  "needed",
+                  "--tasks %s: must be I-J with whole numbers from 1 to %zu",
                   text, cases);
         return false;
     }
@@ -373,30 +372,34 @@ static int run(cli_call *call)
 static const cli_option options[] = {
     {"j", "N", "number of cases at the same time; default: all processors",
      false},
-    {"o", "FOLDER", "results, instead of [study] output", false},
+    {"o", "FOLDER", "folder of the results (instead of study.output)", false},
     {"list", NULL, "print the commands of the cases still to be run", false},
-    {"task", "I", "only case I, from 1: for job arrays", false},
-    {"tasks", "I-J", "only cases I to J: a block for each job", false},
+    {"task", "I", "run only case I, from 1 (for job arrays)", false},
+    {"tasks", "I-J", "run only cases I to J (a block for each job)", false},
     {"case", "I", "print case I as text; runs nothing", false},
-    {"collect", "FILE", "gather the summaries into FILE.csv or FILE.nc", false},
+    {"collect", "FILE", "write the summaries to FILE.csv or FILE.nc", false},
     {"statistics", NULL,
      "print statistics of the samples of [random]; runs nothing", false},
-    {"quantity", "NAME,...", "of the statistics: numbers of the summary",
+    {"quantity", "NAME,...",
+     "quantities of the statistics (names of the "
+     "summary)",
      false},
     {"retry", NULL, "failed cases again", false},
-    {"redo", NULL, "all cases again from their beginning", false},
-    {"force", NULL, "replace files of others that are in the way", false},
+    {"redo", NULL, "repeat all cases from the start", false},
+    {"force", NULL, "replace files of other programs", false},
     {0}};
 
 const cli_verb cli_sweep = {
     .name = "sweep",
     .arguments = "STUDY.ini",
-    .summary = "many runs: lists, ranges and products over any parameter",
+    .summary = "run a parameter study: lists, ranges and products of any "
+               "parameters",
     .help =
         "Runs every case of the study that has not finished, resumes stopped "
-        "ones, and\nwrites manifest.csv in the folder of the results: a row "
-        "each case.  --collect\nruns nothing.  The study is described in "
-        "overroll-study(5).",
+        "ones, and\n"
+        "writes manifest.csv in the folder of the results, one row per case. "
+        " --collect\n"
+        "runs nothing.  The study is described in overroll-study(5).",
     .options = options,
     .minimum = 1,
     .maximum = 1,

@@ -7,13 +7,14 @@
 
 static const cli_option options[] = {
     {"o", "PAGE.html", "where to", false},
-    {"title", "TEXT", "instead of the file's own", false},
+    {"title", "TEXT", "title instead of that of the file", false},
     {"stress", "FIELD",
-     "the stresses below the film: max_shear, tau_xz, ...; max_shear where the "
-     "case has [stress]",
+     "also draw stresses below the surface: max_shear, tau_xz, ... (default "
+     "with [stress]: max_shear)",
      false},
     {"live", NULL,
-     "the program in the page too: inputs are changed and solved there", false},
+     "include the program: inputs can be changed and solved in the page",
+     false},
     {"force", NULL, "replace what exists", false},
     {NULL, NULL, NULL, false},
 };
@@ -43,9 +44,9 @@ static int run(cli_call *call)
     o.title = cli_value(call, "title");
     o.names = cli_result_names(call, names);
     if (!o.path)
-        return cli_usage(call, "no output is named: give -o PAGE.html");
+        return cli_usage(call, "no output: set -o PAGE.html");
     if (!is_page(o.path))
-        return cli_usage(call, "-o %s: view writes an HTML page; use NAME.html",
+        return cli_usage(call, "-o %s: must be an HTML page, NAME.html",
                          o.path);
     code = cli_open_results(call, results);
     if (code)
@@ -64,7 +65,7 @@ static int run(cli_call *call)
 const cli_verb cli_view = {
     .name = "view",
     .arguments = "OUT.h5 [OTHER.h5] -o PAGE.html",
-    .summary = "one web page that plays the run",
+    .summary = "make a web page that plays the run",
     .help =
         "The page holds everything it needs: no network, nothing to\n"
         "install. Two files are played side by side. With --live it is the\n"

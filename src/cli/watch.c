@@ -86,8 +86,8 @@ int cli_run_code(const cli_call *call, const ovr_run *run, ovr_status status,
     if (info->marked && call->verbosity >= 0)
         fprintf(stderr,
                 "overroll: %ld of %ld steps were accepted above the "
-                "tolerance, or too hot or cold for their film; they are marked "
-                "in the history\n",
+                "tolerance or have inconsistent temperatures; they are "
+                "flagged in the history\n",
                 info->marked, ovr_simulation_statistics(info->sim)->steps);
     if (info->marked)
         return CLI_EARLY;

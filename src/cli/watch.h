@@ -10,8 +10,8 @@
 #define CLI_ESTIMATE_OPTION                                                    \
     {                                                                          \
         "estimate-error", NULL,                                                \
-            "solve again one level coarser and say what that tells of the "    \
-            "error",                                                           \
+            "also solve on the next coarser level to estimate the "            \
+            "discretization error",                                            \
             false                                                              \
     }
 

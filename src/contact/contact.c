@@ -113,10 +113,12 @@ static ovr_status resolve_speeds(const ovr_conditions *c, ovr_contact *to,
                               "speed_2 is missing (speed_1 is given)");
     if (known(c->mean_speed))
         return refuse(err, "mean_speed",
-                      "follows from speed_1 and speed_2: leave one out");
+                      "is already determined by speed_1 and speed_2; remove "
+                      "this key or the two speeds");
     if (known(c->slide_to_roll))
         return refuse(err, "slide_to_roll",
-                      "follows from speed_1 and speed_2: leave one out");
+                      "is already determined by speed_1 and speed_2; remove "
+                      "this key or the two speeds");
     to->um = (c->speed_1 + c->speed_2) / 2;
     if (!(to->um > 0))
         return refuse(err, "speed_1",
@@ -136,7 +138,9 @@ static ovr_status agree(const char *name, double given, double follows,
         fabs(given - follows) <= AGREE * fabs(follows))
         return OVR_OK;
     return ovr_fail_about(
-        err, name, "%s = %g (SI) contradicts %s, which give %g: leave it out",
+        err, name,
+        "%s = %g (SI) contradicts %s, which give %g; remove one "
+        "of them",
         name, given, from, follows);
 }
 
@@ -179,11 +183,12 @@ static ovr_status modulus_from_G(const ovr_conditions *c, ovr_contact *to,
         return OVR_OK;
     if (known(c->modulus))
         return refuse(err, "G",
-                      "follows from alpha and modulus: leave one out");
+                      "is already determined by alpha and modulus; remove "
+                      "one of them");
     if (!(to->L > 0))
         return refuse(err, "G",
-                      "= alpha E' is zero in an isoviscous contact, "
-                      "L = 0: give modulus");
+                      "= alpha E' is zero in an isoviscous contact, L = 0; "
+                      "set modulus");
     to->modulus = c->G / to->alpha;
     return OVR_OK;
 }
@@ -232,10 +237,11 @@ static ovr_status missing_physical(const ovr_conditions *c,
 {
     if (known(c->load) && known(c->hertz_pressure))
         return refuse(err, "load",
-                      "and hertz_pressure set each other: leave one out");
+                      "and hertz_pressure determine each other; remove one "
+                      "of the two");
     if (!known(c->load) && !known(c->hertz_pressure))
         return refuse(err, "load",
-                      "is missing: give M and L; or load (or hertz_pressure), "
+                      "is missing; set M and L, or load (or hertz_pressure), "
                       "radius, modulus, viscosity, alpha and speeds");
     if (!known(c->radius))
         return refuse(err, "radius", "is missing (reduced radius R)");
@@ -245,7 +251,7 @@ static ovr_status missing_physical(const ovr_conditions *c,
         return refuse(err, "viscosity", "is missing (at ambient pressure)");
     if (!known(to->um))
         return refuse(err, "mean_speed",
-                      "is missing: give it, or speed_1 and speed_2");
+                      "is missing; set it, or speed_1 and speed_2");
     return OVR_OK;
 }
 
@@ -256,7 +262,9 @@ static ovr_status resolve_physical(const ovr_conditions *c, ovr_contact *to,
     if (missing_physical(c, to, err))
         return OVR_BAD_INPUT;
     if (known(c->G))
-        return refuse(err, "G", "follows from alpha and modulus: leave it out");
+        return refuse(err, "G",
+                      "is already determined by alpha and modulus; "
+                      "remove this key");
     to->ph = known(c->load) ? sqrt(c->load / R * E / (2 * PI))
                             : c->hertz_pressure;
     to->b = 4 * R * to->ph / E;

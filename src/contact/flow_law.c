@@ -307,8 +307,9 @@ static ovr_status check_points(const ovr_flow_form *form, ovr_error *err)
         if (k && form->shear[k] / form->rate[k] >
                      (1 + ROUNDED) * before[1] / before[0])
             return ovr_fail_about(err, "rheology_file",
-                                  "point %zu: the film thickens with the rate, "
-                                  "laws here thin",
+                                  "point %zu: the viscosity increases with "
+                                  "the shear rate; only shear thinning is "
+                                  "modelled",
                                   k + 1);
     }
     return OVR_OK;
@@ -320,7 +321,8 @@ static ovr_status check_form(const ovr_flow_form *form, ovr_error *err)
         return check_points(form, err);
     if (form->rheology != OVR_CARREAU && form->rheology != OVR_CARREAU_STRESS)
         return ovr_fail_about(err, "rheology",
-                              "Newton's and Eyring's laws have no table");
+                              "the Newtonian and the Eyring model have no "
+                              "table");
     if (!(form->n >= OVR_CARREAU_N_MIN && form->n <= 1))
         return ovr_fail_about(err, "carreau_n",
                               "carreau_n = %g: must be %g to 1", form->n,

@@ -38,17 +38,17 @@ static ovr_status viscosity(const ovr_heat_form *form, const ovr_lubricant *oil,
         return ovr_fail_about(err, "beta",
                               roelands
                                   ? "heat needs S0 or beta: set one of them"
-                                  : "heat needs beta with this viscosity law: "
-                                    "set beta = -d ln eta/dT, for mineral oils "
-                                    "some 0.03 1/K");
+                                  : "heat needs beta with this viscosity "
+                                    "law; set beta = -d ln eta/dT (mineral "
+                                    "oils: 0.03 1/K)");
     if (!isnan(form->S0) && !isnan(form->beta))
         return ovr_fail_about(
             err, "beta",
             "S0 and beta determine each other; remove one of them");
     if (!roelands && isnan(form->beta))
         return ovr_fail_about(err, "S0",
-                              "S0 belongs to Roelands' law: give beta, the "
-                              "slope of -ln eta by temperature");
+                              "S0 is a parameter of Roelands' law; set beta "
+                              "= -d ln eta/dT instead");
     heat->C = C;
     heat->S0 = isnan(form->S0) ? form->beta * above / C : form->S0;
     heat->beta = isnan(form->beta) ? form->S0 * C / above : form->beta;

@@ -231,8 +231,8 @@ static ovr_status by_data_sheet(ovr_oil *oil, ovr_error *err)
         oil->nu_100 = ovr_viscosity_at_100(oil->nu_40, oil->viscosity_index);
     if (isnan(oil->nu_100))
         return ovr_fail_about(err, "viscosity_index",
-                              "viscosity_index = %g: no viscosity at 100 degC "
-                              "from 2 mm2/s on gives that",
+                              "viscosity_index = %g: no viscosity of at "
+                              "least 2 mm2/s at 100 degC has this index",
                               oil->viscosity_index);
     if (!(oil->nu_100 < oil->nu_40))
         return ovr_fail_about(err, "viscosity_100",
@@ -315,8 +315,8 @@ static ovr_status index_z(const ovr_contact *contact, double p0, double given,
         return OVR_OK;
     return ovr_fail_about(
         err, "alpha",
-        "z = %g by Roelands' relation from alpha and viscosity: "
-        "no oil has that; check them, or give z",
+        "z = %g by Roelands' relation from alpha and viscosity is outside "
+        "the range of lubricants; check alpha and viscosity, or set z",
         *z);
 }
 
@@ -330,8 +330,9 @@ static ovr_status check_known(const ovr_oil *oil, const ovr_contact *contact,
     if (plain_film && oil->viscosity_law != OVR_ISOVISCOUS &&
         isnan(contact->alpha))
         return ovr_fail_about(err, "alpha",
-                              "alpha is missing (pressure-viscosity index; not "
-                              "needed with viscosity_law = isoviscous)");
+                              "alpha is missing (pressure-viscosity "
+                              "coefficient; not needed with viscosity_law = "
+                              "isoviscous)");
     if (!plain_film && needs_ph && !(contact->ph > 0))
         return ovr_fail_about(err, "alpha",
                               "alpha is missing: the lubricant's laws need the "

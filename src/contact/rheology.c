@@ -30,16 +30,19 @@ static ovr_status stress_number(const ovr_contact *contact,
     double unit = contact->ph * contact->kappa;
     bool both = !isnan(form->stress) && !isnan(form->number);
     if (both)
-        return ovr_fail_about(err, key[1], "%s is given too: leave one out",
+        return ovr_fail_about(err, key[1],
+                              "%s is also set; remove one of "
+                              "the two",
                               key[0]);
     if (isnan(form->stress) && isnan(form->number))
         return ovr_fail_about(err, "rheology",
-                              "%s is missing (or %s, the same over ph b/R)",
+                              "%s is missing (or %s, the stress divided by "
+                              "p_h b/R)",
                               key[0], key[1]);
     if (!isnan(form->stress) && isnan(unit))
         return ovr_fail_about(err, key[0],
-                              "needs b/R: give modulus (or G) and alpha, or "
-                              "the stress over ph b/R as a number");
+                              "needs b/R; set modulus (or G) and alpha, or "
+                              "use the stress divided by p_h b/R");
     *Sigma0 = isnan(form->stress) ? form->number : form->stress / unit;
     if (*Sigma0 > 0)
         return OVR_OK;
@@ -52,16 +55,17 @@ static ovr_status check_form(const ovr_contact *contact,
     bool stress = !isnan(form->stress) || !isnan(form->number);
     if (form->rheology == OVR_NEWTONIAN && stress)
         return ovr_fail_about(err, keys[0][isnan(form->stress)],
-                              "has no meaning with rheology = newtonian");
+                              "has no effect with rheology = newtonian; "
+                              "remove it");
     if (!(form->limiting_shear >= 0))
         return ovr_fail_about(err, "limiting_shear", "must not be negative");
     if (form->limiting_shear > 0 && isnan(contact->kappa))
         return ovr_fail_about(err, "limiting_shear",
-                              "needs b/R: give modulus or G");
+                              "needs b/R; set modulus or G");
     if (form->rheology > OVR_EYRING && !form->law)
         return ovr_fail_about(
             err, "rheology",
-            "rheology needs the ovr_flow_law that was made of it: give one");
+            "rheology needs the ovr_flow_law that was created from it");
     return OVR_OK;
 }
 

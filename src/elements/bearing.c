@@ -100,8 +100,9 @@ static ovr_status check_form(const ovr_bearing_form *f, ovr_error *err)
     if (isnan(f->inner) == isnan(f->pitch))
         return ovr_fail_about(err, "pitch",
                               isnan(f->inner)
-                                  ? "inner or pitch: one of them is needed"
-                                  : "inner and pitch: leave one out");
+                                  ? "inner or pitch must be set"
+                                  : "inner and pitch determine each other; "
+                                    "remove one of the two");
     if (f->rollers < 3 || f->rollers > OVR_ROLLERS_MAX)
         return ovr_fail_about(err, "rollers", "rollers = %d: must be 3 to %d",
                               f->rollers, OVR_ROLLERS_MAX);
@@ -121,8 +122,8 @@ static ovr_status check_geometry(const ovr_bearing *bearing, ovr_error *err)
     const ovr_bearing_geometry *g = &bearing->g;
     if (!(g->inner > 0))
         return ovr_fail_about(err, "pitch",
-                              "a pitch circle of %.4g mm leaves no inner ring "
-                              "within rollers of %.4g mm",
+                              "a pitch circle of %.4g mm leaves no space for "
+                              "an inner ring with rollers of %.4g mm",
                               1e3 * g->pitch, 1e3 * f->roller);
     if (g->pitch * sin(pi / f->rollers) < f->roller)
         return ovr_fail_about(err, "rollers",
@@ -134,9 +135,9 @@ static ovr_status check_geometry(const ovr_bearing *bearing, ovr_error *err)
         return ovr_fail_about(err, "speed_inner",
                               f->speed_inner == 0
                                   ? "speed_inner and speed_outer are both 0: "
-                                    "nothing rolls"
-                                  : "speed_inner and speed_outer turn as one: "
-                                    "nothing rolls");
+                                    "the rollers do not roll"
+                                  : "speed_inner and speed_outer are equal: "
+                                    "the rollers do not roll");
     return OVR_OK;
 }
 
@@ -202,7 +203,7 @@ ovr_bearing *ovr_bearing_create(const ovr_bearing_form *form,
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_bearing *bearing;
     if (!form) {
-        ovr_fail(err, OVR_BAD_INPUT, "no form of a bearing was given");
+        ovr_fail(err, OVR_BAD_INPUT, "the input argument (bearing) is NULL");
         return NULL;
     }
     bearing = ovr_arena_take(&arena, 1, sizeof *bearing, err);

@@ -145,8 +145,8 @@ static ovr_status check_table(const ovr_cam_form *form, ovr_error *err)
     if (wrong > 0.05 * form->base_radius)
         return ovr_fail_about(
             err, "file",
-            "lifts are rounded to %.3g um: the curvature they give is off by "
-            "%.3g mm; give %.2g um or a law",
+            "lifts are rounded to %.3g um, which makes the radius of "
+            "curvature wrong by %.3g mm; use %.2g um, or another cam.law",
             1e6 * form->rounding, 1e3 * wrong,
             1e6 * 0.05 * form->base_radius * step * step / 12);
     return OVR_OK;
@@ -315,14 +315,15 @@ static ovr_status check_shape(const ovr_cam *cam, double angle, ovr_error *err)
         return OVR_OK;
     if (f->follower == OVR_FOLLOWER_FLAT)
         return ovr_fail_about(err, "base_radius",
-                              "the cam is concave at %.3g deg: rho = %.3g mm; "
-                              "a flat follower cannot follow: base_radius at "
-                              "least %.4g mm",
+                              "the cam is concave at %.3g deg (rho = %.3g "
+                              "mm), where a flat follower loses contact; set "
+                              "base_radius to at least %.4g mm",
                               degrees(angle), 1e3 * clearance,
                               1e3 * (f->base_radius - clearance) * 1.001);
     return ovr_fail_about(err, "roller_radius",
-                          "undercut at %.3g deg: the pitch curve's radius "
-                          "%.3g mm is within the roller's %.3g mm",
+                          "undercut at %.3g deg: the radius of the pitch "
+                          "curve, %.3g mm, is smaller than that of the "
+                          "roller, %.3g mm",
                           degrees(angle), 1e3 * (clearance + f->roller_radius),
                           1e3 * f->roller_radius);
 }
@@ -421,7 +422,8 @@ static ovr_status make_event(ovr_cam *cam, ovr_error *err)
                               degrees(e->to), degrees(e->from));
     if (e->from < first - 2 * pi || e->to > last + 2 * pi)
         return ovr_fail_about(err, e->from < first ? "from" : "to",
-                              "the event goes from %.4g to %.4g deg",
+                              "must be between the start and the end of the "
+                              "lift event, %.4g and %.4g deg",
                               degrees(first), degrees(last));
     e->duration = (e->to - e->from) / f->speed;
     e->joints[0] = first;
@@ -454,7 +456,7 @@ ovr_cam *ovr_cam_create(const ovr_cam_form *form,
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_cam *cam;
     if (!form) {
-        ovr_fail(err, OVR_BAD_INPUT, "no form of a cam was given");
+        ovr_fail(err, OVR_BAD_INPUT, "the input argument (cam) is NULL");
         return NULL;
     }
     cam = ovr_arena_take(&arena, 1, sizeof *cam, err);

@@ -57,7 +57,8 @@ static ovr_status check_one(const ovr_resolved *r, const ovr_block *block,
         if (other != block && speaks(other))
             return ovr_fail_at(
                 err, OVR_BAD_INPUT, r->c->name, other->line,
-                "[%s] and [%s] are both there: a case has one element at most",
+                "[%s] and [%s] are both given; a case has at most one "
+                "machine element",
                 block->section->name, other->section->name);
     }
     return OVR_OK;
@@ -257,8 +258,8 @@ static ovr_status torque_by_load(ovr_resolved *r, const ovr_block *block,
         return OVR_OK;
     return ovr_fail_slot(err, ovr_block_get(block, "teeth_1"),
                          "[gear] needs torque or power, or load or "
-                         "hertz_pressure in [contact]: the whole load at the "
-                         "pitch point");
+                         "hertz_pressure in [contact] (the full load at the "
+                         "pitch point)");
 }
 
 /* ------------------------------------------------------ where it stands */
@@ -271,12 +272,14 @@ static ovr_status time_of(const char *text, double way, double *t,
     ovr_quantity q;
     if (ovr_quantity_read(text, OVR_DURATION, false, &q, &why))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "--at %s: must be a station (A to E of gears, nose of "
-                        "cams), an angle of the cam or a time: %s",
+                        "--at %s: must be a contact position (A to E of "
+                        "gears, nose of cams), an angle of the cam or a "
+                        "time: %s",
                         text, why.message);
     if (!(q.value >= 0 && q.value <= way))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "--at %s: must lie within the way, from 0 to %.4g ms",
+                        "--at %s: must lie within the path of contact, from "
+                        "0 to %.4g ms",
                         text, 1e3 * way);
     *t = q.value;
     return OVR_OK;
@@ -359,8 +362,9 @@ static ovr_status resolve_gear(ovr_resolved *r, const ovr_block *block,
     bool jumps = form->blend <= 0 && form->sharing != OVR_SHARING_TABLE;
     if (!status && jumps && form->sharing != OVR_SHARING_STIFFNESS)
         status = ovr_fail_slot(err, ovr_block_get(block, "blend"),
-                               "0: the load would jump at B and D; sharing = "
-                               "stiffness with relief brings it on");
+                               "0: the load would jump at B and D; set "
+                               "gear.blend, or sharing = stiffness with tip "
+                               "relief");
     if (status)
         return status;
     r->element.gear = make_gear(r, block, err);
@@ -464,7 +468,7 @@ ovr_status ovr_resolve_element(ovr_resolved *r, ovr_error *err)
     if (r->c->standing && *r->c->standing && !moves)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "--at %s: only cases with [gear] or [cam] have "
-                        "stations: leave it out",
+                        "contact positions; remove the option",
                         r->c->standing);
     if (!block)
         return OVR_OK;
@@ -637,8 +641,9 @@ static ovr_status zone_passes(ovr_resolved *r, ovr_error *err)
     const ovr_slot *number = ovr_slot_of(r, "passes", "number");
     if (number->given && p->number != (int)n)
         return ovr_fail_slot(err, number,
-                             "%d: a point of this raceway meets %zu rollers in "
-                             "one crossing of the load; leave it out",
+                             "%d: a point of this raceway meets %zu rollers "
+                             "in one crossing of the load zone; remove "
+                             "passes.number",
                              p->number, n);
     p->number = (int)n;
     p->loads = (ovr_list){n, ratio};
@@ -662,15 +667,15 @@ ovr_status ovr_resolve_element_passes(ovr_resolved *r, ovr_error *err)
     bool still = ovr_bearing_of(r->element.bearing)->step == 0;
     if (passes == OVR_ROLLER_PASSES_TURNS && !still)
         return ovr_fail_slot(err, ovr_block_get(block, "passes"),
-                             "turns: the raceway turns, so its load changes "
-                             "from roller to roller; take zone");
+                             "turns: the raceway rotates, so that the load "
+                             "changes from roller to roller; use zone");
     if (passes == OVR_ROLLER_PASSES_TURNS && p->number < 2)
         return ovr_fail_slot(err, ovr_block_get(block, "passes"),
-                             "turns needs [passes] number");
+                             "turns needs passes.number");
     if (passes == OVR_ROLLER_PASSES_ZONE && still)
         return ovr_fail_slot(err, ovr_block_get(block, "passes"),
-                             "zone: the ring stands still, and every roller "
-                             "meets its point with the same load; take turns");
+                             "zone: the ring does not rotate, and every "
+                             "roller passes with the same load; use turns");
     if (passes == OVR_ROLLER_PASSES_ZONE)
         status = zone_passes(r, err);
     p->spacing = ovr_bearing_of(r->element.bearing)->spacing / r->contact.b;

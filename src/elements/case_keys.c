@@ -39,7 +39,7 @@ static const ovr_parameter gear_keys[] = {
      "profile shift coefficient of gear 2; default: 0, or the value that "
      "follows from the centre distance and shift_1"},
     {"centre", OF_LENGTH(1e-5, 1e3), NULL, GEAR(centre), true, ALWAYS,
-     "centre distance; left out: without backlash by the shifts"},
+     "centre distance; default: zero backlash with the profile shifts"},
     {"addendum", PLAIN(0.1, 3), "1", GEAR(addendum), true, "teeth_1",
      "height of the teeth above the reference circle, in modules"},
     {"tip_1", OF_LENGTH(1e-5, 1e3), NULL, GEAR(tip_1), true, ALWAYS,
@@ -52,49 +52,53 @@ static const ovr_parameter gear_keys[] = {
      "speed of gear 1; the sign is ignored, because +x is the direction of "
      "motion of the surfaces"},
     {"driving", WHOLE(1, 2), "1", GEAR(driving), true, "teeth_1",
-     "the gear that drives: gear 1 goes from its departure to its tip, gear 2 "
-     "the "
-     "other way"},
+     "driving gear: the contact moves towards the tip of the driving gear 1, "
+     "or towards its root if gear 2 drives"},
     {"torque", WITH_UNIT(OVR_TORQUE, 1e-9, 1e12), NULL, GEAR(torque), true,
      ALWAYS, "on gear 1"},
     {"power", WITH_UNIT(OVR_POWER, 1e-9, 1e15), NULL, AT(element.power), true,
-     "no torque; teeth_1", "through the mesh, instead of the torque"},
+     "no torque; teeth_1", "transmitted power, instead of the torque"},
     {"sharing", CHOICE(sharings), "elastic", AT(element.sharing), true,
      "teeth_1",
      "how pairs share the load: least elastic energy (Pedrero et al. 2010); "
      "1/3 to 2/3; springs by ISO 6336-1 with tip relief; a table"},
     {"file", PATH, NULL, AT(element.sharing_file), true,
      "sharing = table; teeth_1",
-     "two columns: way in base pitches from A, share of the load"},
+     "file of two columns: position in base pitches from A, load share"},
     {"blend", PLAIN(0, 0.5), "0.05", GEAR(blend), true,
      "sharing = elastic | rule; helix_angle == 0; teeth_1",
-     "base pitches over which the load comes on where a pair is alone"},
+     "distance in base pitches over which the load rises at the start of "
+     "single-pair contact"},
     {"relief_1", OF_LENGTH(0, 1e-2), "0 um", GEAR(relief_1), true,
      "sharing = stiffness; teeth_1", "tip relief of gear 1"},
     {"relief_2", OF_LENGTH(0, 1e-2), "0 um", GEAR(relief_2), true,
      "sharing = stiffness; teeth_1", "tip relief of gear 2"},
     {"relief_length_1", OF_LENGTH(1e-6, 1), NULL, GEAR(relief_length_1), true,
      "sharing = stiffness; relief_1 > 0; teeth_1",
-     "its length on the line of action; left out: where two pairs touch"},
+     "length of the relief on the line of action; default: the region of "
+     "double contact"},
     {"relief_length_2", OF_LENGTH(1e-6, 1), NULL, GEAR(relief_length_2), true,
      "sharing = stiffness; relief_2 > 0; teeth_1",
-     "its length on the line of action; left out: where two pairs touch"},
+     "length of the relief on the line of action; default: the region of "
+     "double contact"},
     {"mesh_stiffness", WITH_UNIT(OVR_MESH_STIFFNESS, 1e6, 1e15), NULL,
      GEAR(mesh_stiffness), true, "sharing = stiffness; teeth_1",
-     "c' of one pair per width; left out: of ISO 6336-1"},
+     "mesh stiffness c' of one pair per unit width; default: by ISO 6336-1"},
     {"slice", PLAIN(0, 1), "0.5", GEAR(slice), true,
      "helix_angle != 0; teeth_1",
-     "where across the face; 0: the end that touches first"},
+     "position across the face width; 0: the end that enters contact first"},
     {"min_share", PLAIN(0, 0.5), "0.02", GEAR(min_share), true, "teeth_1",
-     "the run begins and ends where the pair's share of the load passes it"},
+     "the run begins and ends where the load share of the pair exceeds this "
+     "value"},
     {"min_radius", PLAIN(0, 0.4), "0.05", GEAR(min_radius), true, "teeth_1",
-     "and where the radius of a flank passes this share of the line of action"},
+     "and where the radius of a flank exceeds this share of the line of "
+     "action"},
 };
 
 const ovr_section ovr_gear_section = {
     "gear", false, NULL,
-    "two teeth of a gear pair, which say radius, speeds and load of the "
-    "contact and how they change",
+    "a gear tooth pair, which determines radius, speeds and load of the "
+    "contact in time",
     ROWS(gear_keys)};
 
 /* -------------------------------------------------------------------- cam */
@@ -109,7 +113,9 @@ static const ovr_word laws[] = {
 
 static const ovr_parameter cam_keys[] = {
     {"follower", CHOICE(followers), "flat", AT(element.follower), true,
-     "base_radius", "flat, or a roller; it moves in line with the cam's axis"},
+     "base_radius",
+     "flat, or a roller; moves along a line through the axis "
+     "of the cam"},
     {"base_radius", OF_LENGTH(1e-5, 1e2), NULL, CAM(base_radius), true, ALWAYS,
      "radius of the base circle"},
     {"roller_radius", OF_LENGTH(1e-5, 1e2), NULL, CAM(roller_radius), true,
@@ -119,38 +125,38 @@ static const ovr_parameter cam_keys[] = {
     {"speed", WITH_UNIT(OVR_ROTATION, 1e-9, 1e6), NULL, CAM(speed), true,
      ALWAYS, "speed of the cam (surface 1)"},
     {"law", CHOICE(laws), "4567", AT(element.law), true, "base_radius",
-     "of the lift: polynomials 4-5-6-7 or 3-4-5, cycloidal, harmonic, or a "
-     "table"},
+     "lift law: polynomials 4-5-6-7 or 3-4-5, cycloidal, harmonic, or a table"},
     {"lift", OF_LENGTH(1e-6, 1e2), NULL, CAM(lift), true,
      BY_LAW "; base_radius", "largest lift"},
     {"rise", OF_ANGLE(DEGREES(1), DEGREES(360)), NULL, CAM(rise), true,
-     BY_LAW "; base_radius", "angle over which it rises"},
+     BY_LAW "; base_radius", "angle of the rise"},
     {"dwell", OF_ANGLE(0, DEGREES(360)), "0 deg", CAM(dwell), true,
-     BY_LAW "; base_radius", "angle over which it stays"},
+     BY_LAW "; base_radius", "angle of the dwell"},
     {"fall", OF_ANGLE(DEGREES(1), DEGREES(360)), NULL, CAM(fall), true,
-     BY_LAW "; base_radius",
-     "angle over which it falls; left out: as the rise"},
+     BY_LAW "; base_radius", "angle of the fall; default: that of the rise"},
     {"file", PATH, NULL, AT(element.lift_file), true,
      "law = table; base_radius",
-     "two columns: degrees from the beginning of the rise, lift in mm"},
+     "file of two columns: degrees from the start of the rise, lift in mm"},
     {"spring", WITH_UNIT(OVR_STIFFNESS, 0, 1e12), NULL, CAM(spring), true,
-     ALWAYS, "stiffness of the follower's spring"},
+     ALWAYS, "stiffness of the follower spring"},
     {"preload", WITH_UNIT(OVR_FORCE, 0, 1e9), NULL, CAM(preload), true, ALWAYS,
-     "force of the spring at no lift"},
+     "spring force at zero lift"},
     {"mass", WITH_UNIT(OVR_MASS, 0, 1e6), "0 kg", CAM(mass), true,
-     "base_radius", "of all that moves with the follower"},
+     "base_radius", "moving mass of the follower"},
     {"slip", WITH_UNIT(OVR_SHARE, -1.9, 1.9), "0", CAM(slip), true,
-     "follower = roller; base_radius", "(u1 - u2)/um of the roller"},
+     "follower = roller; base_radius",
+     "slide-to-roll ratio (u1 - u2)/u_m of "
+     "the roller"},
     {"from", OF_ANGLE(DEGREES(-360), DEGREES(720)), NULL, CAM(from), true,
-     ALWAYS, "the run begins at this angle; left out: with the rise"},
+     ALWAYS, "angle at the start of the run; default: start of the rise"},
     {"to", OF_ANGLE(DEGREES(-360), DEGREES(720)), NULL, CAM(to), true, ALWAYS,
-     "and ends at this one; left out: with the fall"},
+     "angle at the end of the run; default: end of the fall"},
 };
 
 const ovr_section ovr_cam_section = {
     "cam", false, NULL,
-    "a cam and its follower, which say radius, speeds and load of the contact "
-    "and how they change",
+    "a cam and its follower, which determine radius, speeds and load of the "
+    "contact in time",
     ROWS(cam_keys)};
 
 /* ---------------------------------------------------------------- bearing */
@@ -170,7 +176,7 @@ static const ovr_parameter bearing_keys[] = {
     {"roller", OF_LENGTH(1e-5, 1e2), NULL, BEARING(roller), true, ALWAYS,
      "diameter of a roller"},
     {"rollers", WHOLE(3, OVR_ROLLERS_MAX), NULL, BEARING(rollers), true, ALWAYS,
-     "how many there are"},
+     "number of rollers"},
     {"length", OF_LENGTH(1e-6, 1e2), NULL, BEARING(length), true, ALWAYS,
      "effective length of a roller"},
     {"inner", OF_LENGTH(1e-5, 1e3), NULL, BEARING(inner), true, ALWAYS,
@@ -180,32 +186,32 @@ static const ovr_parameter bearing_keys[] = {
     {"clearance", OF_LENGTH(-1e-2, 1e-2), "0 um", BEARING(clearance), true,
      "rollers", "diametral clearance; negative: preloaded"},
     {"load", WITH_UNIT(OVR_FORCE, 1e-3, 1e12), NULL, BEARING(load), true,
-     ALWAYS, "radial force, which stands still"},
+     ALWAYS, "radial force, constant in direction"},
     {"speed_inner", TURNING, "0 rpm", BEARING(speed_inner), true, "rollers",
      "of the inner ring"},
     {"speed_outer", TURNING, "0 rpm", BEARING(speed_outer), true, "rollers",
      "of the outer ring"},
     {"contact", CHOICE(rings), "inner", BEARING(contact), true, "rollers",
-     "the raceway that is looked at; it is surface 1"},
+     "raceway of the contact (surface 1)"},
     {"slip", WITH_UNIT(OVR_SHARE, -1.9, 1.9), "0", BEARING(slip), true,
-     "rollers", "(u1 - u2)/um; the raceway's speed is kept"},
+     "rollers", "slide-to-roll ratio (u1 - u2)/u_m at the given raceway speed"},
     {"position", CHOICE(positions), "roller", AT(element.position), true,
      "rollers",
      "position of the rollers relative to the load direction: a roller, a gap, "
      "or a roller at an angle"},
     {"angle", OF_ANGLE(DEGREES(-360), DEGREES(360)), "0 deg", BEARING(angle),
-     true, "position = angle; rollers", "where that roller stands"},
+     true, "position = angle; rollers", "position of that roller"},
     {"passes", CHOICE(passes), "none", AT(element.passes), true, "rollers",
-     "zone: [passes] are the rollers that one point of the raceway meets in "
-     "one crossing of the load; turns: [passes] number rollers of the same "
-     "load, on a ring that stands still"},
+     "zone: the passes are the rollers that one point of the raceway meets "
+     "in one crossing of the load zone; turns: passes.number rollers of the "
+     "same load, for a stationary ring"},
     {"stiffness", POSITIVE(1e30), NULL, BEARING(stiffness), true, ALWAYS,
-     "K of a roller between both rings, Q = K d^(10/9), in N/m^(10/9); left "
-     "out: after Palmgren"},
+     "contact stiffness K of a roller between both rings, Q = K d^(10/9), in "
+     "N/m^(10/9); default: by Palmgren"},
 };
 
 const ovr_section ovr_roller_bearing_section = {
     "roller_bearing", false, NULL,
-    "a cylindrical roller bearing under a radial load, which says radius, "
-    "speeds and load of the contact, and the passes of its rollers",
+    "a cylindrical roller bearing under a radial load, which determines "
+    "radius, speeds and load of the contact and the passes of its rollers",
     ROWS(bearing_keys)};

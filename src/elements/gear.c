@@ -319,10 +319,10 @@ static ovr_status check_teeth(const ovr_gear_form *f, ovr_error *err)
     if (one < 0)
         return ovr_fail_about(
             err, "teeth_1",
-            two < 0 ? "teeth_1 = %d, teeth_2 = %d: one gear at most is "
-                      "internal (a negative number of teeth)"
-                    : "teeth_1 = %d, teeth_2 = %d: the internal gear is gear 2;"
-                      " with driving = 1 or 2 either of them drives",
+            two < 0 ? "teeth_1 = %d, teeth_2 = %d: at most one gear can be "
+                      "internal (negative number of teeth)"
+                    : "teeth_1 = %d, teeth_2 = %d: the internal gear must be "
+                      "gear 2; driving = 1 or 2 selects the driving gear",
             one, two);
     if (two < 0 && more - fewer < 8)
         return ovr_fail_about(err, "teeth_2",
@@ -338,8 +338,7 @@ static ovr_status check_sharing(const ovr_gear_form *f, ovr_error *err)
     bool relieved = f->relief_1 > 0 || f->relief_2 > 0;
     if (helical && f->sharing != OVR_SHARING_ELASTIC)
         return ovr_fail_about(err, "sharing",
-                              "sharing: of helical teeth only elastic is "
-                              "known");
+                              "sharing: must be elastic for helical teeth");
     if (relieved && f->sharing != OVR_SHARING_STIFFNESS)
         return ovr_fail_about(err, f->relief_1 > 0 ? "relief_1" : "relief_2",
                               "tip relief needs sharing = stiffness");
@@ -357,7 +356,9 @@ static ovr_status check_sharing(const ovr_gear_form *f, ovr_error *err)
                                   "point %zu: a share of %g, must be 0 to 1",
                                   k + 1, f->share[k]);
         if (!isfinite(f->way[k]) || (k && !(f->way[k] > f->way[k - 1])))
-            return ovr_fail_about(err, "file", "point %zu: ways must increase",
+            return ovr_fail_about(err, "file",
+                                  "point %zu: positions must "
+                                  "increase",
                                   k + 1);
     }
     return OVR_OK;
@@ -378,14 +379,14 @@ static ovr_status mesh(const ovr_gear_form *f, ovr_gear_geometry *g, double at,
         if (isnan(f->shift_1) || isnan(f->shift_2))
             return ovr_fail_about(err,
                                   isnan(f->shift_1) ? "shift_1" : "shift_2",
-                                  "the shifts are both needed where no centre "
-                                  "distance is given");
+                                  "shift_1 and shift_2 must both be set "
+                                  "without centre");
         sum = f->shift_1 + f->shift_2;
         value = involute(at) + 2 * sum * tangent / teeth;
         if (!(value > 0))
             return ovr_fail_about(err, "shift_1",
-                                  "shift_1 + shift_2 = %g: no gears mesh at "
-                                  "this sum of shifts",
+                                  "shift_1 + shift_2 = %g: gears do not mesh "
+                                  "with this sum of profile shifts",
                                   sum);
         g->working_angle = inverse_involute(value);
         g->centre = fabs(reference * cos(at) / cos(g->working_angle));
@@ -393,7 +394,8 @@ static ovr_status mesh(const ovr_gear_form *f, ovr_gear_geometry *g, double at,
     }
     if (!isnan(f->shift_1) && !isnan(f->shift_2))
         return ovr_fail_about(err, "centre",
-                              "shift_1, shift_2 and centre: leave one out");
+                              "shift_1, shift_2 and centre determine each "
+                              "other; remove one of them");
     double cosine = fabs(reference) * cos(at) / f->centre;
     if (!(cosine < 1))
         return ovr_fail_about(err, "centre",
@@ -406,7 +408,7 @@ static ovr_status mesh(const ovr_gear_form *f, ovr_gear_geometry *g, double at,
                  (2 * tangent);
     if (isnan(f->shift_1) && isnan(f->shift_2))
         return ovr_fail_about(err, "shift_1",
-                              "centre: give shift_1 or shift_2, whose sum is "
+                              "centre: set shift_1 or shift_2, whose sum is "
                               "%.6g",
                               sum);
     if (isnan(f->shift_2))
@@ -458,15 +460,15 @@ static ovr_status path(const ovr_gear_form *f, ovr_gear_geometry *g,
         return ovr_fail_about(
             err, "tip_2",
             "the tip of gear 2 reaches below the base circle of gear 1 by "
-            "%.3g mm (interference): smaller tip_2, larger shift_1 or more "
-            "teeth_1",
+            "%.3g mm (interference); use a smaller tip_2, a larger shift_1 "
+            "or more teeth_1",
             -1e3 * g->R1_A);
     if (s > 0 && g->R1_E >= g->line)
         return ovr_fail_about(
             err, "tip_1",
             "the tip of gear 1 reaches below the base circle of gear 2 by "
-            "%.3g mm (interference): smaller tip_1, larger shift_2 or more "
-            "teeth_2",
+            "%.3g mm (interference); use a smaller tip_1, a larger shift_2 "
+            "or more teeth_2",
             1e3 * (g->R1_E - g->line));
     if (!(g->contact_ratio > 1) &&
         !(f->helix_angle != 0 && g->contact_ratio > 0 &&
@@ -479,9 +481,9 @@ static ovr_status path(const ovr_gear_form *f, ovr_gear_geometry *g,
         (f->sharing == OVR_SHARING_RULE ||
          (f->sharing == OVR_SHARING_ELASTIC && f->blend > 0)))
         return ovr_fail_about(err, "sharing",
-                              "contact ratio %.4g: above 2, where never one "
-                              "pair is alone, sharing is stiffness (with "
-                              "relief) or table",
+                              "contact ratio %.4g: above 2, where two or "
+                              "more pairs are always in contact, sharing "
+                              "must be stiffness (with tip relief) or table",
                               g->contact_ratio);
     return OVR_OK;
 }
@@ -608,7 +610,7 @@ ovr_gear *ovr_gear_create(const ovr_gear_form *form,
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_gear *gear;
     if (!form) {
-        ovr_fail(err, OVR_BAD_INPUT, "no form of a gear was given");
+        ovr_fail(err, OVR_BAD_INPUT, "the input argument (gear) is NULL");
         return NULL;
     }
     gear = ovr_arena_take(&arena, 1, sizeof *gear, err);

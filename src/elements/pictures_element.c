@@ -531,7 +531,7 @@ ovr_status ovr_element_draw(const ovr_setup *setup, const ovr_stored *run,
         !ovr_setup_bearing(setup))
         return ovr_fail(err, OVR_BAD_INPUT,
                         "only cases with [gear], [cam] or [roller_bearing] "
-                        "have an element to draw");
+                        "have a machine element to draw");
     if (take_workspace(&s, ovr_setup_bearing(setup) ? OVR_ROLLERS_MAX
                                                     : LOOKS + 1)) {
         if (ovr_setup_gear(setup))

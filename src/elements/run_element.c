@@ -280,8 +280,9 @@ static void review_blend(const ovr_setup *setup, ovr_listener *say, void *data)
         return;
     ovr_warn(
         say, data,
-        "[gear] blend: the load comes on over %.3g base pitches, more than "
-        "a third of the %.3g from A to B: shares there are the blend's",
+        "gear.blend: the load rises over %.3g base pitches, more than a "
+        "third of the distance from A to B (%.3g), so that load shares there "
+        "are determined by the blend",
         f->blend, g->contact_ratio - 1);
 }
 

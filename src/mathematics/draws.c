@@ -169,8 +169,8 @@ ovr_status ovr_sampling_check(const ovr_sampling *how, ovr_error *err)
     if (how->design != OVR_SOBOL || how->keys <= OVR_SOBOL_MAX)
         return OVR_OK;
     return ovr_fail(err, OVR_BAD_INPUT,
-                    "%zu keys are random, and the points of Sobol' have at "
-                    "most %d dimensions; set design = lhs",
+                    "%zu keys are random, but Sobol' points have at most %d "
+                    "dimensions; use design = lhs",
                     how->keys, OVR_SOBOL_MAX);
 }
 
@@ -193,12 +193,12 @@ const char *ovr_distribution_wrong(const ovr_distribution *d)
     if (d->law == OVR_LOGNORMAL && !(d->a > 0 && d->b > 0))
         return "mean and standard deviation must be above 0";
     if (d->law == OVR_UNIFORM && !(d->a < d->b))
-        return "its first end must be below the second";
+        return "its lower limit must be below the upper limit";
     if (d->law == OVR_TRIANGULAR &&
         !(d->a <= d->b && d->b <= d->c && d->a < d->c))
-        return "least, likeliest and most must be in order";
+        return "minimum, mode and maximum must be in ascending order";
     if (!(d->low < d->high))
-        return "within: the first end must be below the second";
+        return "within: the lower limit must be below the upper limit";
     return NULL;
 }
 

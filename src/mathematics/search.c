@@ -74,8 +74,8 @@ static ovr_status evaluate(searching *w, size_t n, const double *s, double *q)
     ovr_status status;
     if (w->count + n > OVR_SEARCH_MAX)
         return ovr_fail(w->err, OVR_BAD_INPUT,
-                        "the search took more than %d evaluations without an "
-                        "end: give narrower ends or a larger tolerance",
+                        "the search did not end within %d evaluations; use a "
+                        "narrower range or a larger tolerance",
                         OVR_SEARCH_MAX);
     for (size_t k = 0; k < n; k++) {
         x[k] = back(w, s[k]);

@@ -85,14 +85,14 @@ ovr_status ovr_axis_make(ovr_unit_kind kind, ovr_result *result,
     const quantity *q = find(kind);
     if (!q)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "the quantity is of an unknown kind and has no axis");
+                        "a quantity of unknown kind cannot be drawn");
     *axis = q->hertzian;
     if (units == OVR_HERTZIAN || (units == OVR_AS_STORED && !info->physical))
         return OVR_OK;
     if (!(scale > 0 && isfinite(scale)))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "SI units are not known: the contact was given without "
-                        "physical scales; take Hertzian ones");
+                        "no SI units: the contact has no physical scales; "
+                        "use Hertzian units");
     *axis = with_unit(q, scale, largest);
     return OVR_OK;
 }

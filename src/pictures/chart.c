@@ -29,7 +29,8 @@ ovr_status ovr_form_of(const char *path, ovr_form *form, ovr_error *err)
             return OVR_OK;
         }
     return ovr_fail(err, OVR_BAD_INPUT,
-                    "%s: a picture's name ends in .png, .svg or .pdf", path);
+                    "%s: the name of a picture must end in .png, .svg or .pdf",
+                    path);
 }
 
 /* ---------------------------------------------------------------- panels */

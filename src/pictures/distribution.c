@@ -71,7 +71,8 @@ static ovr_status choose_rows(drawing *d, const ovr_table *table)
             d->values = c;
     if (!d->rows || !d->values)
         return ovr_fail(d->err, OVR_BAD_INPUT,
-                        "no draw has finished yet: 'overroll sweep' runs them");
+                        "no sample has finished yet; 'overroll sweep' runs "
+                        "them");
     return OVR_OK;
 }
 

@@ -30,7 +30,9 @@ static ovr_status time_axis(const ovr_drawing *drawing, ovr_panel *panel,
         if (!T)
             return err && err->status ? err->status : OVR_IO;
         if (steps == 0)
-            return ovr_fail(err, OVR_BAD_INPUT, "%s: holds no step yet",
+            return ovr_fail(err, OVR_BAD_INPUT,
+                            "%s: contains no time step "
+                            "yet",
                             run[k].name);
         begin = fmin(begin, T[0]);
         end = fmax(end, T[steps - 1]);

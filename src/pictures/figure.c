@@ -215,12 +215,11 @@ static ovr_status choose_x(figure *f, ovr_error *err)
         return no_column(f, x, true, err);
     if (!f->x)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "the study varies no key with numbers: there is "
-                        "nothing to draw against");
+                        "the study varies no numeric key to draw against");
     if (!is_numeric(f->t, f->x))
         return ovr_fail(
             err, OVR_BAD_INPUT,
-            "the values of '%.60s' are not numbers: choose another key",
+            "the values of '%.60s' are not numbers; use another key",
             f->x->name);
     return OVR_OK;
 }
@@ -257,8 +256,8 @@ static ovr_status find_group(groups *g, size_t row, size_t maximum,
     }
     if (g->count == maximum)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "'%.60s' has more than %zu values: too many %s; "
-                        "--against, --lines and --panels choose keys",
+                        "'%.60s' has more than %zu values, too many %s; "
+                        "select keys by --against, --lines and --panels",
                         g->key[g->keys - 1]->name, maximum, what);
     g->row[g->count++] = row;
     return OVR_OK;
@@ -293,8 +292,8 @@ static ovr_status take_samples(figure *f, ovr_error *err)
     }
     if (!f->samples)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "no case has a value of '%.60s' yet: 'overroll sweep' "
-                        "runs them",
+                        "no case has a value of '%.60s' yet; 'overroll "
+                        "sweep' runs them",
                         f->y->name);
     qsort(f->sample, f->samples, sizeof *f->sample, in_order);
     for (size_t i = 1; i < f->samples; i++)

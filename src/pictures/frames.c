@@ -96,7 +96,8 @@ ovr_status ovr_movie_start(ovr_movie *m, const char *path, double rate,
     memset(m, 0, sizeof *m);
     if (!form)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: a movie's name ends in .mp4, .webm, .gif or .webp",
+                        "%s: the name of a movie must end in .mp4, .webm, "
+                        ".gif or .webp",
                         path);
     status = ovr_part_make(m->made, path, err);
     if (status == OVR_OK)
@@ -227,7 +228,7 @@ static ovr_status find_field(studio *s, ovr_error *err)
         return OVR_OK;
     if (s->count > 1)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "a picture of stresses shows one result: give one");
+                        "a picture of stresses shows one result only");
     const ovr_depth_look below = {look->field, look->log_depth, look->surface,
                                   look->x_from, look->x_to};
     status = ovr_depth_field_make(&s->field, s->runs, &below, s->arena, err);
@@ -289,8 +290,8 @@ static void describe(const studio *s, ovr_text *to)
 {
     const ovr_snapshot_style *l = &s->look;
     const ovr_picture_options *o = l->options;
-    ovr_text_put(to, "Frames drawn by overroll; with these settings unchanged "
-                     "the ones that exist are kept.\n");
+    ovr_text_put(to, "Frames drawn by overroll; existing frames are kept as "
+                     "long as these settings do not change.\n");
     ovr_text_print(to, "size %dx%d %s\n", o->width, o->height,
                    ovr_form_names[s->form]);
     ovr_text_print(to, "axes %.9g %s, %.9g %s, %.9g %s, %.9g %s\n", l->x.factor,
@@ -360,8 +361,8 @@ static ovr_status open_folder(studio *s, bool *keep, ovr_error *err)
     else if (status == OVR_OK && !s->o->look->force &&
              (access(path, F_OK) == 0 || access(first, F_OK) == 0))
         status = ovr_fail(err, OVR_BAD_INPUT,
-                          "%s holds frames made with other settings; --force "
-                          "replaces them",
+                          "%s contains frames made with other settings; "
+                          "--force replaces them",
                           s->folder);
     if (status == OVR_OK && !*keep)
         status = ovr_text_save(&text, path, err);
@@ -524,7 +525,7 @@ static ovr_status check_form(studio *s, ovr_error *err)
                         "frames must be png, svg or pdf, not '%s'", form);
     if (!s->o->folder && !s->o->movie)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "frames need a folder or a movie to go to");
+                        "frames need a folder or the name of a movie");
     if (s->o->movie && s->form != OVR_FORM_PNG)
         return ovr_fail(err, OVR_BAD_INPUT, "a movie is made of png frames");
     if (s->count > OVR_SHOTS)

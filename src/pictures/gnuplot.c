@@ -25,7 +25,8 @@ ovr_status ovr_gnuplot_path(ovr_text *script, const char *path, ovr_error *err)
     for (const char *c = path; *c; c++)
         if ((unsigned char)*c < ' ' || *c == 0x7f)
             return ovr_fail(err, OVR_BAD_INPUT,
-                            "a picture's name cannot hold control characters");
+                            "the name of a picture must not contain control "
+                            "characters");
     ovr_text_put(script, *path == '/' ? "'" : "'./");
     for (; *path; path++)
         ovr_text_add(script, *path == '\'' ? "''" : path,

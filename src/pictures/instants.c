@@ -200,8 +200,8 @@ ovr_status ovr_draw_snapshots(const ovr_drawing *drawing, ovr_chart *chart,
         status = choose(drawing, chosen, about, &count, err);
     if (status == OVR_OK && count * drawing->count > OVR_SHOTS)
         status = ovr_fail(err, OVR_BAD_INPUT,
-                          "at most %d snapshots fit into a picture; %zu "
-                          "instants of %zu results were asked for",
+                          "a picture shows at most %d snapshots; %zu times "
+                          "of %zu results were requested",
                           OVR_SHOTS, count, drawing->count);
     if (status == OVR_OK)
         status = read_shots(drawing, times, count, shots, &extent, err);

@@ -151,7 +151,7 @@ static ovr_status words(const ovr_drawing *drawing, const ovr_variable *v,
         return OVR_NO_MEMORY;
     if (isnan(scale))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "SI units: the scale of '%s' is not known", v->name);
+                        "no SI units: the scale of '%s' is unknown", v->name);
     if (!(fabs(power) > 2 && isfinite(power)))
         power = 0;
     else
@@ -290,7 +290,8 @@ static ovr_status check_field(const ovr_stored *run, const char *name,
     if (meant)
         snprintf(hint, sizeof hint, "; did you mean '%.60s'?", meant);
     return ovr_fail(err, OVR_BAD_INPUT,
-                    "no map of '%s': the file has no such field%s", name, hint);
+                    "no map of '%s': the file contains no such field%s", name,
+                    hint);
 }
 
 ovr_status ovr_draw_map(const ovr_drawing *drawing, ovr_chart *chart,
@@ -304,7 +305,7 @@ ovr_status ovr_draw_map(const ovr_drawing *drawing, ovr_chart *chart,
     ovr_status status = panel ? OVR_OK : OVR_NO_MEMORY;
     if (status == OVR_OK && run->info->snapshots < 2)
         status = ovr_fail(err, OVR_BAD_INPUT,
-                          "a map needs two snapshots at least");
+                          "a map needs at least two snapshots");
     if (status == OVR_OK)
         status = check_field(run, m.field, err);
     m.x_from = e.x_from;

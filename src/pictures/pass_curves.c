@@ -24,7 +24,8 @@ static ovr_status add_lines(const ovr_table *t, const line *lines, size_t count,
         const ovr_table_column *c = ovr_table_named(t, l->name);
         if (!pass || !c)
             return ovr_fail(err, OVR_BAD_INPUT,
-                            "no '%s' in it: it is no file of several passes",
+                            "no '%s' in the file: not a file of several "
+                            "passes",
                             pass ? l->name : "pass");
         if (k == 0)
             ovr_axis_as_is(kind, *c->unit,

@@ -30,7 +30,7 @@ ovr_status ovr_may_create(const char *path, bool force, ovr_error *err)
 {
     if (!path)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "a picture needs the name of its file");
+                        "the file name of the picture is missing");
     if (!force && access(path, F_OK) == 0)
         return ovr_fail(err, OVR_BAD_INPUT, "%s exists; --force replaces it",
                         path);
@@ -185,12 +185,15 @@ static const maker makers[] = {
     [OVR_PICTURE_RISK] = {"risk", ovr_draw_risk,
                           "a picture of risk shows one result", 960, false},
     [OVR_PICTURE_DEPTH] = {"depth", ovr_draw_depth,
-                           "a picture over depth shows one result", 800, false},
+                           "a picture against depth shows one result", 800,
+                           false},
     [OVR_PICTURE_ELEMENT] = {"element", ovr_draw_element,
-                             "an element is drawn of one result", 0, false},
+                             "a picture of a machine element shows one result",
+                             0, false},
     [OVR_PICTURE_PLASTIC] = {"plastic", ovr_draw_plastic,
-                             "a picture of what yields shows one result", 1000,
-                             false},
+                             "a picture of plastic deformation shows one "
+                             "result",
+                             1000, false},
     [OVR_PICTURE_AREAL] = {"areal", ovr_draw_areal,
                            "maps across rolling show one result", 960, true}};
 

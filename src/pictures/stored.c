@@ -151,8 +151,8 @@ ovr_status ovr_stored_need_snapshots(const ovr_stored *run, ovr_error *err)
     if (run->info->snapshots > 0)
         return OVR_OK;
     return ovr_fail(err, OVR_BAD_INPUT,
-                    "%s: holds no snapshot; its history of %zu steps can be "
-                    "drawn and exported",
+                    "%s: contains no snapshot; only its history of %zu steps "
+                    "can be drawn and exported",
                     run->name, run->info->steps);
 }
 
@@ -189,8 +189,8 @@ ovr_status ovr_common_units(const ovr_stored *runs, size_t count,
     }
     if (*units == OVR_SI && without)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: SI units: the contact was given without physical "
-                        "scales",
+                        "%s: SI units are not available, because the contact "
+                        "has no physical scales",
                         without->name);
     if (*units == OVR_AS_STORED && any && !all)
         *units = without ? OVR_HERTZIAN : OVR_SI;

@@ -47,8 +47,8 @@ static ovr_status choose(curves *of, const ovr_figure_options *o,
     of->share = ovr_table_named(of->t, "contact_share");
     if (!of->mu || !of->film || !of->share)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "the table has no contact_share and mu_film: its case "
-                        "needs [boundary]");
+                        "the table has no contact_share and mu_film; its "
+                        "case needs [boundary]");
     if (o->by && *o->by)
         of->by = ovr_table_named(of->t, o->by);
     if (o->by && *o->by && !of->by)
@@ -85,7 +85,7 @@ static ovr_status find_lines(curves *of, ovr_error *err)
         if (l == LINES)
             return ovr_fail(
                 err, OVR_BAD_INPUT,
-                "%s has more than %d values: take --lines none, or another key",
+                "%s has more than %d values; use --lines none, or another key",
                 of->by->name, LINES);
         of->row[of->lines++] = i;
         if (!of->by)
@@ -136,14 +136,14 @@ static ovr_status draw_curves(const curves *of, const ovr_figure_options *o,
 {
     const char *speed = "mean speed  [m/s]";
     ovr_panel panel[] = {ovr_panel_make(speed, "coefficient of friction"),
-                         ovr_panel_make(speed, "share of the load on metal")};
+                         ovr_panel_make(speed, "asperity load share")};
     for (size_t l = 0; l < of->lines; l++) {
         const ovr_series mu = {.label = of->by ? of->label[l] : "friction"};
         add_line(of, l, of->mu, mu, &panel[0], arena);
         add_line(of, l, of->share, (ovr_series){0}, &panel[1], arena);
     }
     for (size_t l = 0; l < of->lines; l++) {
-        const ovr_series film = {.label = l ? NULL : "of the film alone",
+        const ovr_series film = {.label = l ? NULL : "fluid friction",
                                  .mark = OVR_MARK_DASHED};
         add_line(of, l, of->film, film, &panel[0], arena);
     }

@@ -437,7 +437,8 @@ ovr_status ovr_view_data(ovr_text *to, const ovr_stored *runs, size_t count,
                    2 * OVR_PACKED_LEVELS);
     if (w.stride > 1 || w.every > 1)
         ovr_text_print(to,
-                       "; here is every node of %zu and every snapshot of %zu",
+                       "; this page contains every %zuth node and every "
+                       "%zuth snapshot",
                        w.stride, w.every);
     ovr_text_put(to, ".\"}");
     return status;

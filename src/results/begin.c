@@ -68,8 +68,8 @@ static ovr_status check_names(const ovr_write_options *o, ovr_error *err)
     for (size_t k = 0; k < o->value_count; k++)
         if (strcmp(o->values[k].name, "text") == 0 || is_name_taken(o, k))
             return ovr_fail(err, OVR_BAD_INPUT,
-                            "%s: the name '%s' of a value of the case is "
-                            "taken",
+                            "%s: the name '%s' of a case value is already "
+                            "used",
                             o->path, o->values[k].name);
     return OVR_OK;
 }
@@ -78,18 +78,17 @@ static ovr_status check_options(const ovr_write_options *o, ovr_error *err)
 {
     if (!o->path || !o->path[0])
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "the result file has no name: give it a path");
+                        "the path of the result file is missing");
     if (o->deflate < 0 || o->deflate > 9)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%s: the deflate level %d must be 0 to 9", o->path,
                         o->deflate);
     if (o->stride < 1)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: the stride is 0 and must be 1 or more", o->path);
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: the stride must be 1 or more",
+                        o->path);
     if (ovr_layout_fields(o->fields, NULL) == 0)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: there is no field to store: name one at least",
-                        o->path);
+                        "%s: at least one field must be stored", o->path);
     return check_names(o, err);
 }
 

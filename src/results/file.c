@@ -248,23 +248,23 @@ static ovr_status check_identity(ovr_file *f, const ovr_file_plan *plan,
         return refuse(f,
                       found == OVR_FOUND_NO_HDF5
                           ? "is not an HDF5 file"
-                          : "is not a result of overroll, or damaged",
+                          : "is not a result file of overroll, or is damaged",
                       err);
     created = ovr_container_text(c, c->root, "date_created");
     if (!created || (plan->created && strcmp(created, plan->created) != 0))
-        return refuse(f, "its checkpoint belongs to another run", err);
+        return refuse(f, "its checkpoint is from another run", err);
     snprintf(f->created, sizeof f->created, "%s", created);
     if (!same_positions(c, plan))
         return refuse(f,
-                      "holds other nodes than asked for now (domain, level, "
-                      "window and stride cannot change)",
+                      "contains other nodes than requested now (domain, "
+                      "level, window and stride cannot change)",
                       err);
     if (!same_precision(f, c))
-        return refuse(f, "holds another precision than asked for now", err);
+        return refuse(f, "has another precision than requested now", err);
     if (!ovr_container_find(c, c->root, "history", &history) ||
         !has_rows(c, c->root, "time", f->snapshots) ||
         !has_rows(c, history, "step", f->steps))
-        return refuse(f, "has fewer rows than its checkpoint says", err);
+        return refuse(f, "has fewer rows than its checkpoint states", err);
     return ovr_inputs_check(c, plan->options, err);
 }
 
@@ -307,7 +307,10 @@ ovr_status ovr_file_open(ovr_file *f, const ovr_file_plan *plan,
         if (f->file < 0 && f->store.failed)
             return ovr_store_failure(&f->store, err);
         if (f->file < 0 || !ovr_header_open(f, plan))
-            status = refuse(f, "is not a result of overroll, or damaged", err);
+            status = refuse(f,
+                            "is not a result file of overroll, or is "
+                            "damaged",
+                            err);
     }
     if (status != OVR_OK) {
         f->store.failed = ECANCELED; /* leave it as it is */

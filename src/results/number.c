@@ -50,8 +50,8 @@ ovr_status ovr_result_number(const ovr_result *result, ovr_unit_kind kind,
         return OVR_OK;
     if (!(scale > 0 && isfinite(scale)))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "'%s': the file has no physical scales; bare it is in "
-                        "%s",
+                        "'%s': the file has no physical scales; without a "
+                        "unit the number is in %s",
                         text, ovr_kind_about(kind)->hertzian);
     *value /= scale;
     return OVR_OK;

@@ -130,7 +130,7 @@ static ovr_status check_whole(const ovr_restart *r, ovr_error *err)
     memcpy(&found, r->data + r->bytes - 8, sizeof found);
     if (sum != found ||
         memcmp(r->data + r->bytes - END, lengths, sizeof lengths) != 0)
-        return refuse(r, "is damaged (its checksum is wrong)", err);
+        return refuse(r, "is damaged (wrong checksum)", err);
     return OVR_OK;
 }
 
@@ -240,8 +240,8 @@ static ovr_status check_format(const ovr_restart *r, ovr_error *err)
 {
     if (r->format > OVR_RESTART_FORMAT || !is_same_minor(r->version))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: was written by overroll %s in format %llu, and "
-                        "overroll %s does not resume it; run the case again",
+                        "%s: was written by overroll %s in format %llu, "
+                        "which overroll %s cannot resume; run the case again",
                         r->path, r->version, (unsigned long long)r->format,
                         OVERROLL_VERSION);
     if (r->counts.snapshots < 0 || r->counts.steps < 0)
@@ -311,7 +311,8 @@ static ovr_status differs(const ovr_case_value *was, const ovr_case_value *is,
                           ovr_error *err)
 {
     return ovr_fail(err, OVR_BAD_INPUT,
-                    "'%s' was '%s' and is now '%s': that is another run",
+                    "'%s' was '%s' and is now '%s'; a resumed run must have "
+                    "the same case",
                     was ? was->name : is->name, was ? was->text : "not there",
                     is ? is->text : "not there");
 }
@@ -346,7 +347,8 @@ static ovr_status get_state(void *context, const char *name, void *memory,
         return OVR_OK;
     if (!found || p.bytes != bytes)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: does not fit this simulation (its '%s')",
+                        "%s: does not belong to this simulation ('%s' "
+                        "differs)",
                         get->restart->path, name);
     if (get->write)
         memcpy(memory, p.content, bytes);

@@ -231,8 +231,8 @@ static ovr_status convert(const ovr_result *r, const ovr_variable *v,
         return OVR_OK;
     if (isnan(v->scale) && units == OVR_SI)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: the contact was given without "
-                        "physical scales; '%s' is known in Hertzian units only",
+                        "%s: the contact has no physical scales; '%s' is "
+                        "available in Hertzian units only",
                         r->path, v->name);
     for (size_t i = 0; i < count; i++)
         values[i] = stored_si ? values[i] / v->scale : values[i] * v->scale;
@@ -300,8 +300,7 @@ static ovr_status read_values(ovr_result *r, const part *what, ovr_units units,
         return ovr_fail(err, OVR_NO_MEMORY, "%s: out of memory", r->path);
     if (!ok)
         return ovr_fail(err, OVR_IO,
-                        "%s: '%s' cannot be read (row %zu): the file is "
-                        "damaged",
+                        "%s: cannot read '%s' (row %zu); the file is damaged",
                         r->path, what->variable->path, what->row);
     return convert(r, what->variable, units, values, what->count, err);
 }
@@ -348,8 +347,9 @@ static ovr_status choose_row(const ovr_result *r, part *what, ovr_error *err)
     }
     if (what->row >= v->shape[0])
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: has no snapshot %zu; there are %zu", r->path,
-                        what->row, v->shape[0]);
+                        "%s: has no snapshot %zu; the number of snapshots is "
+                        "%zu",
+                        r->path, what->row, v->shape[0]);
     what->count = 1;
     for (int k = 1; k < v->rank; k++)
         what->count *= v->shape[k];

@@ -155,8 +155,7 @@ static ovr_status take_group(ovr_result *r, uint64_t group, const char *name,
                 status = take_group(r, object, path, depth + 1, err);
             break;
         default:
-            return ovr_fail(err, OVR_IO, "%s: its '%s' cannot be read", r->path,
-                            path);
+            return ovr_fail(err, OVR_IO, "%s: cannot read '%s'", r->path, path);
         }
     }
     return status;
@@ -314,9 +313,9 @@ ovr_status ovr_reader_not_ours(ovr_result *r, ovr_error *err)
     ovr_dataset pass;
     if (ovr_reader_dataset(r, "pass", &pass))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: has a row for each of several passes; their "
-                        "results are in files of their own, which 'overroll "
-                        "info' names",
+                        "%s: contains one row per pass; the results of the "
+                        "passes are in separate files, which 'overroll info' "
+                        "lists",
                         r->path);
     return ovr_fail(err, OVR_BAD_INPUT,
                     "%s: is an HDF5 file, but not a result of overroll",
@@ -330,8 +329,8 @@ static ovr_status check_format(ovr_result *r, ovr_error *err)
         return ovr_reader_not_ours(r, err);
     if (r->version != OVR_FORMAT_VERSION && r->version != OVR_FORMAT_STRIP)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: is written in format version %g, and this program "
-                        "reads versions %d and %d",
+                        "%s: has format version %g, but this program reads "
+                        "versions %d and %d",
                         r->path, r->version, OVR_FORMAT_VERSION,
                         OVR_FORMAT_STRIP);
     return OVR_OK;

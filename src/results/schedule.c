@@ -19,8 +19,8 @@ ovr_status ovr_schedule_make(ovr_schedule *s, const ovr_write_options *o,
 {
     if (o->every_steps < 0 || !(o->every_time >= 0))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "snapshots every %ld steps or every %g b/um: neither "
-                        "may be negative",
+                        "snapshots every %ld steps or every %g b/u_m: must "
+                        "not be negative",
                         o->every_steps, o->every_time);
     for (size_t k = 0; k < o->time_count; k++)
         if (!isfinite(o->times[k]))

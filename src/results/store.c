@@ -290,7 +290,7 @@ ovr_status ovr_store_open(ovr_store *s, ovr_error *err)
         return status;
     error = ovr_journal_roll_back(s);
     if (error)
-        return say(s, OVR_IO, error, "its last checkpoint cannot be restored",
+        return say(s, OVR_IO, error, "the last checkpoint cannot be restored",
                    err);
     if (fstat(s->fd, &about) != 0)
         return say(s, OVR_IO, errno, "cannot be read", err);

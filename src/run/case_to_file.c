@@ -125,9 +125,9 @@ ovr_status ovr_run_go(ovr_run *run, ovr_error *err)
         return ovr_fail(
             err, OVR_BAD_INPUT,
             run->going
-                ? "the run is under way, and functions that it calls must not "
-                  "start it"
-                : "the run has been made: make another one to run again");
+                ? "the run has started; functions called by it must not "
+                  "start it again"
+                : "the run has already been executed; create another run");
     run->going = run->gone = true;
     status = run->passes ? ovr_passes_go(run, err) : ovr_run_once(run, err);
     run->going = false;

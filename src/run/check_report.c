@@ -265,7 +265,8 @@ static void say_bodies(const ovr_told *to, const ovr_setup *setup)
                  in_metres(p->spacing, c->b).text, at_time(period, c).text);
     if (isfinite(p->recovery))
         ovr_tell(to, "replenishment",
-                 "%.3g %% of the missing layer flows back between two rollers",
+                 "%.3g %% of the missing layer is replenished between two "
+                 "rollers",
                  100 * -expm1(-period / p->recovery));
 }
 
@@ -391,8 +392,8 @@ ovr_status ovr_setup_report(const ovr_setup *setup, double live,
         return ovr_fail_null(err, __func__);
     if (!(live >= 0) || isinf(live))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "ovr_setup_report: live = %g is no "
-                        "number of bytes",
+                        "ovr_setup_report: live = %g must be a number of "
+                        "bytes",
                         live);
     const ovr_cost cost = ovr_setup_cost(setup, live);
     ovr_status status = ovr_setup_rough_film(setup, NULL, &film, err);

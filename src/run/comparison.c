@@ -89,8 +89,7 @@ static ovr_status take_target(ovr_comparison *c, const char *text,
     ovr_quantity q;
     ovr_dimension dimension;
     if (!at)
-        return ovr_fail_about(err, "condition",
-                              "%s: '%.60s' is no number to compare with",
+        return ovr_fail_about(err, "condition", "%s: '%.60s' must be a number",
                               c->quantity, text);
     if (!*at)
         return OVR_OK;
@@ -103,7 +102,9 @@ static ovr_status take_target(ovr_comparison *c, const char *text,
     if (twin_of(c->quantity, twin) && ends_in(twin, si))
         c->quantity = ovr_arena_text(arena, twin, err);
     else if (!ends_in(c->quantity, si) && strcmp(si, "K") != 0)
-        return ovr_fail_about(err, "condition", "%s is not in %.40s",
+        return ovr_fail_about(err, "condition",
+                              "%s cannot be measured in "
+                              "%.40s",
                               c->quantity, at);
     c->target = q.value;
     return c->quantity ? OVR_OK : OVR_NO_MEMORY;

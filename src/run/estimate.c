@@ -373,7 +373,9 @@ ovr_status ovr_run_estimate(ovr_run *run, ovr_error *err)
  * the error fell as D^2.
  */
 
-static const char *const names[] = {"H_cen", "H_min", "what the features do",
+static const char *const names[] = {"H_cen", "H_min",
+                                    "the effect of the "
+                                    "features",
                                     "both films"};
 
 /* Infinite where it was not estimated. */

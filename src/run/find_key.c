@@ -51,8 +51,8 @@ static ovr_status keep(ovr_find *f, double x, const ovr_trial *t,
     double marked = ovr_trial_number(t, "steps_marked", NULL);
     if (f->info.evaluations == OVR_FIND_MAX)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "the search took more than %d evaluations without an "
-                        "end: give narrower ends or a larger tolerance",
+                        "the search did not end within %d evaluations; use a "
+                        "narrower range or a larger tolerance",
                         OVR_FIND_MAX);
     *e = (ovr_find_evaluation){.value = x, .quantity = NAN};
     e->message = "";
@@ -195,8 +195,8 @@ static ovr_status fail_missed(const ovr_find *f, const ovr_search_result *r,
                  r->rises ? "rises" : "falls", i->key, up ? "beyond" : "below",
                  up ? r->to : r->from, f->suffix);
     return ovr_fail(err, OVR_BAD_INPUT,
-                    "%s is %.6g to %.6g between %g and %g%s: %.6g is not among "
-                    "them%s%s%.300s",
+                    "%s is %.6g to %.6g between %g and %g%s, so that %.6g is "
+                    "not reached%s%s%.300s",
                     i->quantity, r->minimum, r->maximum, r->from, r->to,
                     f->suffix, i->target, beyond,
                     *failure ? "; runs failed: " : "", failure);
@@ -212,8 +212,8 @@ static ovr_status fail_several(const ovr_find *f, const ovr_search_result *r,
                                  "%s%.4g and %.4g%s", k ? ", " : "",
                                  r->place[k][0], r->place[k][1], f->suffix);
     return ovr_fail(err, OVR_BAD_INPUT,
-                    "%s is %.6g at %zu places, between %s: give narrower ends, "
-                    "or ask for the largest or smallest",
+                    "%s is %.6g at %zu values, between %s; use a narrower "
+                    "range, or 'largest' or 'smallest'",
                     f->info.quantity, f->info.target, r->places, places);
 }
 
@@ -243,7 +243,7 @@ static ovr_status judge(ovr_find *f, const ovr_search_result *r, ovr_error *err)
     return ovr_fail(err, OVR_NOT_CONVERGED, "%s: %.700s",
                     r->end == OVR_SEARCH_NOTHING
                         ? "all runs failed"
-                        : "runs failed where the answer lies",
+                        : "runs failed near the answer",
                     first_failure(f));
 }
 
@@ -271,11 +271,13 @@ static void take_result(ovr_find *f, const ovr_search_result *r)
                  i->target, r->place[k][0], r->place[k][1], f->suffix);
     else if (!r->monotone)
         tell(f,
-             "%s does not go one way between %g and %g%s: there may be "
-             "other answers",
+             "%s is not monotonic between %g and %g%s; other answers may "
+             "exist",
              i->quantity, f->from, f->to, f->suffix);
     if (r->scatters)
-        tell(f, "%s scatters by %.2g %% from mesh to mesh: %s to %.2g %%",
+        tell(f,
+             "%s varies by %.2g %% from grid to grid, which limits %s to "
+             "%.2g %%",
              i->quantity, 100 * relative, i->key,
              100 * fabs(r->scatter / (r->slope * r->value)));
     if (i->marked)
@@ -305,8 +307,8 @@ static double coarser_error(ovr_find *f)
     ovr_case_set(f->base, "domain.level", text, "find", NULL);
     if (isfinite(q))
         tell(f,
-             "%s falls in no known order with the level: its error is what "
-             "one level coarser makes",
+             "%s does not converge with a known order; its error is the "
+             "difference from one level coarser",
              f->info.quantity);
     return fabs((q - f->info.at_value) / f->info.slope);
 }
@@ -333,7 +335,7 @@ static ovr_status run_answer(ovr_find *f, ovr_error *err)
     if (!i->exact && isnan(i->error))
         i->error = coarser_error(f);
     if (!i->exact && isnan(i->error))
-        tell(f, "the discretization error of %s is not known", i->quantity);
+        tell(f, "the discretization error of %s is unknown", i->quantity);
     return OVR_OK;
 }
 
@@ -354,7 +356,8 @@ static ovr_status pin_order(ovr_find *f, ovr_error *err)
 {
     size_t kept = 0;
     f->info.pinned = true;
-    tell(f, "order = auto came to different orders: all again with order = 2");
+    tell(f, "order = auto chose different orders; all runs are repeated with "
+            "order = 2");
     for (size_t k = 0; k < f->info.evaluations; k++)
         if (f->made[k].order == 2)
             f->made[kept++] = f->made[k];

@@ -164,7 +164,7 @@ static ovr_status take_ends(ovr_find *f, ovr_error *err)
     bool known = row_of(f->info.key, &row);
     if (known && !strcmp(row.type, "whole number"))
         return ovr_fail_about(err, "key",
-                              "%s: whole numbers are tried one by one: use a "
+                              "%s: find cannot vary whole numbers; use a "
                               "study",
                               f->info.key);
     if (known && strcmp(row.type, "number") != 0)
@@ -175,16 +175,17 @@ static ovr_status take_ends(ovr_find *f, ovr_error *err)
         unit[k] = ovr_amount_read(text, &end[k]);
         if (!unit[k] || !isfinite(end[k]))
             return ovr_fail_about(err, "between",
-                                  "%s between '%.60s': a number is needed",
+                                  "%s between '%.60s': must be a number",
                                   f->info.key, text);
     }
     if (*unit[0] && strcmp(unit[0], unit[1]) != 0)
         return ovr_fail_about(err, "between",
-                              "%s between %s and %s: one unit is needed",
+                              "%s between %s and %s: both ends must have the "
+                              "same unit",
                               f->info.key, f->how.low, f->how.high);
     if (!(fabs(end[0] - end[1]) > 0))
         return ovr_fail_about(err, "between",
-                              "%s between %s and %s: two numbers are needed",
+                              "%s between %s and %s: the ends must differ",
                               f->info.key, f->how.low, f->how.high);
     f->from = fmin(end[0], end[1]);
     f->to = fmax(end[0], end[1]);
@@ -218,8 +219,8 @@ static ovr_status try_ends(ovr_find *f, ovr_error *err)
         ovr_case_entry_of(c, "domain.level", strlen("domain.level"), &e) &&
         e.applies && e.text && !strcmp(e.text, "auto"))
         status = ovr_fail_about(err, "level",
-                                "level = auto may differ from run to run: "
-                                "give a level");
+                                "level = auto may differ from run to run; "
+                                "set domain.level");
     ovr_case_free(c);
     return status;
 }
@@ -239,13 +240,13 @@ static ovr_status take_condition(ovr_find *f, ovr_error *err)
                               "'%.40s' must be largest or smallest", which);
     if (which && !said.sense)
         return ovr_fail_about(err, "which",
-                              "the %s %s so that %s is a value: say at most or "
-                              "at least",
+                              "the %s %s so that %s is a value: use at most "
+                              "or at least",
                               which, f->info.key, said.quantity);
     if (!which && said.sense)
         return ovr_fail_about(err, "which",
                               "%s so that %s is at most or at least a value: "
-                              "say largest or smallest",
+                              "use largest or smallest",
                               f->info.key, said.quantity);
     return OVR_OK;
 }
@@ -281,11 +282,13 @@ static ovr_status no_quantity(const char *quantity, const names *n,
 {
     const char *meant = ovr_suggest(quantity, n->name, n->count);
     if (!meant)
-        return ovr_fail_about(err, "condition", "%s: is no number of this run",
+        return ovr_fail_about(err, "condition",
+                              "%s: is not a result of this "
+                              "run",
                               quantity);
     ovr_fail_about(err, "condition",
-                   "%s: is no number of this run; did you mean %s?", quantity,
-                   meant);
+                   "%s: is not a result of this run; did you mean %s?",
+                   quantity, meant);
     return OVR_BAD_INPUT;
 }
 
@@ -346,7 +349,8 @@ static ovr_status take_options(ovr_find *f, const ovr_find_options *options,
         return OVR_BAD_INPUT;
     if (!o->key || !o->low || !o->high || !o->condition)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "find needs a key, both ends and a condition");
+                        "find needs a key, both ends of its range and a "
+                        "condition");
     if (o->tolerance != 0 && !(o->tolerance >= 1e-9 && o->tolerance <= 0.5))
         return ovr_fail_about(err, "tolerance",
                               "tolerance: must be 1e-9 to 0.5");
@@ -410,8 +414,8 @@ static ovr_status open_results(ovr_find *f, ovr_error *err)
     snprintf(path, capacity, "%s/question.ini", folder);
     snprintf(table, capacity, "%s/find.csv", folder);
     if (mkdir(folder, 0777) != 0 && errno != EEXIST)
-        return ovr_fail_about(err, "results", "%s: cannot be made: %s", folder,
-                              strerror(errno));
+        return ovr_fail_about(err, "results", "%s: cannot be created: %s",
+                              folder, strerror(errno));
     if (lock_folder(f, folder, err))
         return OVR_BAD_INPUT;
     if (access(path, F_OK) == 0) {
@@ -420,8 +424,8 @@ static ovr_status open_results(ovr_find *f, ovr_error *err)
             return OVR_BAD_INPUT;
         if (strcmp(found, asked) != 0)
             return ovr_fail_about(err, "results",
-                                  "%s: holds the results of another question "
-                                  "or case (question.ini): give another folder",
+                                  "%s: contains results of another question "
+                                  "or case (question.ini); use another folder",
                                   folder);
     } else {
         FILE *to = fopen(path, "w");

@@ -99,8 +99,7 @@ ovr_status ovr_output_check(const char *path, const ovr_case *c, bool force,
     char folder[4096];
     folder_of(path, folder, sizeof folder);
     if (!*path || path[strlen(path) - 1] == '/')
-        return ovr_fail(err, OVR_BAD_INPUT, "'%s' is not the name of a file",
-                        path);
+        return ovr_fail(err, OVR_BAD_INPUT, "'%s' is not a file name", path);
     if (check_inputs(path, c, err))
         return OVR_BAD_INPUT;
     if (foreign_ending(path))

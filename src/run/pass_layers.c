@@ -112,9 +112,8 @@ ovr_status ovr_pass_history_read(ovr_pass_history *h, ovr_result *result,
     size_t rows = ovr_result_about(result)->steps;
     ovr_status status = OVR_OK;
     if (!rows) {
-        ovr_fail(
-            err, OVR_BAD_INPUT,
-            "has no row of its history: the run ended before its first step");
+        ovr_fail(err, OVR_BAD_INPUT,
+                 "has no history, because the run ended before its first step");
         return OVR_BAD_INPUT;
     }
     status = reserve(h, rows, err);

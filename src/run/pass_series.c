@@ -260,10 +260,10 @@ ovr_status ovr_passes_begin(ovr_run *run, ovr_error *err)
     ovr_status status;
     if (!run->info.output)
         return ovr_fail_about(err, "number",
-                              "several passes need a result file: -o OUT.h5, "
-                              "or file in [output]; of find: --results FOLDER; "
-                              "of a study: results = yes; --sensitivity has "
-                              "none, a study of the key's values does");
+                              "several passes need a result file; set -o "
+                              "OUT.h5 or output.file (find: --results "
+                              "FOLDER; study: results = yes). --sensitivity "
+                              "has no result files; use a study of the key");
     status = make(run, run->info.output, err);
     if (!status)
         status = ovr_passes_make_rows(run, run->setup->passes->number, err);

@@ -65,8 +65,8 @@ static const ovr_pass_column beside[OVR_PASS_BESIDE] = {
                         .kind = OVR_KIND_NUMBER},
     [OVR_PASS_TOGETHER] = {
         .name = "life_ratio_together",
-        .long_name = "the same of all passes up to this one, again and "
-                     "again",
+        .long_name = "life ratio, for repetitions of all passes up to this "
+                     "one",
         .kind = OVR_KIND_NUMBER}};
 
 /* A mean, or the value at the end, has the name of the quantity, and so has
@@ -81,11 +81,11 @@ static void name(const ovr_observable *row, unsigned how, ovr_pass_column *to)
     if (how == OVR_PASS_SMALLEST) {
         before = second ? "least_" : "";
         to->head = second ? "least" : to->head;
-        behind = "smallest of the pass";
+        behind = "minimum over the pass";
     } else if (how == OVR_PASS_LARGEST) {
         before = second ? "largest_" : "";
         to->head = second ? "largest" : to->head;
-        behind = "largest of the pass";
+        behind = "maximum over the pass";
     } else if (how == OVR_PASS_END)
         behind = "at the end of the pass";
     snprintf(to->name, sizeof to->name, "%s%s", before, row->name);
@@ -213,7 +213,8 @@ static bool put_names(const table *t)
         return false;
     for (size_t i = 0; i < t->rows.count; i++)
         t->texts[i] = p->row[i].status;
-    return ovr_flat_texts(&t->rows, "status", "how that file stands", t->texts);
+    return ovr_flat_texts(&t->rows, "status", "status of the result file",
+                          t->texts);
 }
 
 static bool put_case(const table *t)

@@ -86,10 +86,10 @@ static ovr_status begin_again(ovr_run *run, bool done, ovr_error *err)
         return OVR_OK;
     if (!done)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: has no checkpoint to go on from; --from-start "
-                        "--force computes it again from its beginning",
+                        "%s: has no checkpoint to continue from; "
+                        "--from-start --force repeats the run from the start",
                         run->info.output);
-    ovr_fail(err, OVR_OK, "%s: is complete: nothing to do", run->info.output);
+    ovr_fail(err, OVR_OK, "%s: run is already complete", run->info.output);
     return OVR_BAD_INPUT;
 }
 
@@ -102,11 +102,11 @@ static void report_state(ovr_run *run, bool done)
     if (done && run->passes) /* it was said of all of them */
         return;
     if (done)
-        say(run, "is complete: nothing to do");
+        say(run, "run is already complete");
     else if (run->restored)
         say(run, "continuing from T = %g, step %ld", state->T, state->step);
     else
-        say(run, "has no checkpoint: the run begins again");
+        say(run, "has no checkpoint; the run starts again");
     if (run->restored && run->info.transient)
         run->info.fraction = state->T / run->setup->march->end;
 }
@@ -150,8 +150,8 @@ static ovr_status prepare(ovr_run *run, const char *path, ovr_error *err)
     const ovr_physics *maker = ovr_setup_makes_nodes(run->setup);
     if (maker)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: a solution with %s is computed in one go: there "
-                        "is nothing to resume",
+                        "%s: a solution with %s is not computed in steps and "
+                        "cannot be resumed",
                         path, maker->name);
     return go_back(run, complete, err);
 }
@@ -170,8 +170,8 @@ static ovr_status all_are_there(ovr_run *run, int last, ovr_error *err)
     if (ovr_passes_go_back(run, last, err))
         return OVR_BAD_INPUT;
     ovr_fail(err, OVR_OK,
-             whole ? "%s: is complete: nothing to do"
-                   : "%s: its passes are complete; the last row was written",
+             whole ? "%s: run is already complete"
+                   : "%s: all passes are complete; the last row was written",
              path);
     if (!has_checkpoint(run->info.output))
         return OVR_BAD_INPUT;

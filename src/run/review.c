@@ -177,12 +177,11 @@ static void review_width(const ovr_setup *s, ovr_listener *say, void *data)
         if (isfinite(r->body[k].radius))
             radius = fmin(radius, fabs(r->body[k].radius));
     if (c->b > widest * radius)
-        ovr_warn(
-            say, data,
-            "the contact is %.4g mm wide on a radius of %.4g mm: parabolic "
-            "gaps and elastic half-spaces hold up to a half width of 0.3 "
-            "radii",
-            2e3 * c->b, 1e3 * radius);
+        ovr_warn(say, data,
+                 "the contact is %.4g mm wide at a radius of %.4g mm, which is "
+                 "beyond the model: parabolic gaps and elastic half-spaces are "
+                 "valid up to a half-width of 0.3 radii",
+                 2e3 * c->b, 1e3 * radius);
 }
 
 static void review_feature(const ovr_setup *s, const ovr_feature_form *f,
@@ -198,8 +197,9 @@ static void review_feature(const ovr_setup *s, const ovr_feature_form *f,
     if (f->shape != OVR_INDENT || !(depth > steepest * width))
         return;
     ovr_warn(say, data,
-             "feature '%.40s': %.3g um deep and %.3g um wide: indents are less "
-             "deep than a quarter of their width, 0.001 to 0.1 of it as a rule",
+             "feature '%.40s': %.3g um deep and %.3g um wide is implausible; "
+             "depths of indents are usually 0.001 to 0.1 of their width and "
+             "below 0.25 of it",
              f->name, depth * 1e6, width * 1e6);
 }
 
@@ -274,9 +274,11 @@ static void say_left_out(const ovr_review *r)
     const ovr_physics *off = NULL;
     unsigned none = ovr_resolved_no_fields(r->setup->resolved, &off);
     if (none & ~r->setup->output->fields)
-        ovr_review_say(
-            r, OVR_SAY_NOTE, "fields: %s are not stored: [%s] is off",
-            off->in_case->own_fields->are, off->in_case->section->name);
+        ovr_review_say(r, OVR_SAY_NOTE,
+                       "output.fields: %s are not stored, because [%s] "
+                       "is off",
+                       off->in_case->own_fields->are,
+                       off->in_case->section->name);
 }
 
 /* A run from rest or from no load starts a little above either. */
@@ -348,8 +350,9 @@ static void warn_of_features(const ovr_review *r, bool transient)
     if (inside && transient)
         ovr_review_say(
             r, OVR_SAY_WARNING,
-            "feature '%s' starts inside the domain, in the steady solution; "
-            "start it left of the inlet X = %.3g, or let it grow",
+            "feature '%s' starts inside the domain and is part of the steady "
+            "solution; start it upstream of the inlet X = %.3g, or set "
+            "feature.grow",
             inside, options->inlet);
 }
 
@@ -443,8 +446,8 @@ static void warn_of_material_history(const ovr_review *r, size_t k)
     if (fmax(high, b) < o->inlet || fmin(low, a) > o->outlet)
         ovr_review_say(
             r, OVR_SAY_WARNING,
-            "feature '%s' never arrives: it is at %s when the run ends at T = "
-            "%.4g, and the domain from %.4g to %.4g",
+            "feature '%s' is at %s when the run ends at T = %.4g and never "
+            "reaches the domain, X = %.4g to %.4g",
             f.name, range_of(a, b).text, end, o->inlet, o->outlet);
     else if (f.speed != 0 && isfinite(f.last) && isfinite(a) && isfinite(b) &&
              a < o->outlet && b > o->inlet)
@@ -488,8 +491,8 @@ static void say_level(const ovr_review *r)
     if (s->accuracy > 0 && s->expected > rounding * s->accuracy)
         ovr_review_say(
             r, OVR_SAY_WARNING,
-            "level = %s takes level %d at most, on which an error of %.2g is "
-            "to be expected, not of %.2g",
+            "level = %s uses at most level %d, whose expected error is %.2g "
+            "instead of %.2g",
             s->confirm ? "auto" : "usual", s->options->level, s->expected,
             s->accuracy);
 }

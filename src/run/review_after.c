@@ -24,14 +24,14 @@ static void warn_of_order(const ovr_review *r, const ovr_simulation *sim)
             r, OVR_SAY_WARNING,
             "the solution is of second order, because the fourth-order "
             "corrections did not converge on this grid%s; use level = %d",
-            maximum ? " in the max_cycles given" : "",
-            ovr_level_resolving(sim));
+            maximum ? " within max_cycles" : "", ovr_level_resolving(sim));
     else if (ovr_block_get(domain, "order")->given)
         ovr_review_say(
             r, OVR_SAY_WARNING,
-            "the solution is of second order: corrections of fourth order hold "
-            "for one load, speed and radius of a film by Reynolds, or with "
-            "scheme = characteristic where the speed does not reverse");
+            "the solution is of second order: fourth-order corrections need "
+            "constant load, speed and radius and cavitation.model = "
+            "reynolds, or scheme = characteristic and a speed that never "
+            "reverses");
 }
 
 /* Of a steady solution the first of these is the only state. */
@@ -46,7 +46,7 @@ static void warn_of_pressure(const ovr_review *r, const ovr_statistics *total)
                        total->when.P_max, bearable * 1e-9,
                        ovr_setup_plastic(r->setup)
                            ? ""
-                           : ": it would yield, which needs [plastic]");
+                           : ": the body would yield; see [plastic]");
 }
 
 /* Films thinner than molecules are no continuum; asperities of [boundary] do
@@ -59,9 +59,9 @@ static void warn_of_thin_film(const ovr_review *r, const ovr_statistics *total)
         return;
     ovr_review_say(
         r, OVR_SAY_WARNING,
-        "the minimum film thickness of %.2g nm at X = %.4g, T = %.4g is below "
-        "the size of lubricant molecules (1 nm): the surfaces touch there, "
-        "which needs [boundary]",
+        "the minimum film thickness of %.2g nm at X = %.4g, T = %.4g is "
+        "below the size of lubricant molecules (1 nm); the surfaces touch "
+        "there, see [boundary]",
         1e9 * h, total->where.H_min_located, total->when.H_min_located);
 }
 
@@ -76,7 +76,7 @@ static void warn_of_spike(const ovr_review *r, const ovr_statistics *total)
     if (!thins)
         ovr_words_add(&remedy, "set lubricant.rheology = eyring, as lubricants "
                                "shear-thin at such pressure gradients, or ");
-    ovr_words_add(&remedy, "use a finer mesh (domain.level = %d)",
+    ovr_words_add(&remedy, "use a finer grid (domain.level = %d)",
                   r->setup->options->level + 1);
     ovr_review_say(
         r, OVR_SAY_WARNING,
@@ -85,8 +85,8 @@ static void warn_of_spike(const ovr_review *r, const ovr_statistics *total)
         "two mesh sizes wide%s; %s",
         total->extreme.P_max, total->where.P_max, total->when.P_max,
         thins ? ""
-              : ", and its height grows on finer meshes without limit "
-                "because the lubricant is Newtonian",
+              : ", and its height grows without limit on finer grids because "
+                "the lubricant is Newtonian",
         remedy.text);
 }
 
@@ -148,8 +148,8 @@ static void warn_of_unrest(const ovr_review *r, double T, bool settled)
     if (march->steady_from > 0 && !settled && T > 0.999 * march->end)
         ovr_review_say(
             r, OVR_SAY_WARNING,
-            "all that passes had left at T = %.4g, but the film is not steady "
-            "again at T = %.4g, where end = auto gives up",
+            "all features had left at T = %.4g, but the film is still not "
+            "steady at T = %.4g, where end = auto stops",
             march->steady_from, march->end);
 }
 
@@ -170,7 +170,8 @@ void ovr_run_review_after(ovr_run *run)
                        ovr_level_resolving(sim));
     if (*strategy)
         ovr_review_say(&r, OVR_SAY_NOTE,
-                       "the steady solution took another way: %s", strategy);
+                       "the steady solution needed another strategy: %s",
+                       strategy);
     if (state->n && H_cen > 0 && ovr_setup_supply(r.setup)->film &&
         isnan(ovr_simulation_observation(sim)->meniscus) &&
         r.setup->resolved->inlet_kept >= 0)

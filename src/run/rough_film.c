@@ -72,19 +72,19 @@ static const char *refusal(const ovr_setup *s)
 {
     const ovr_contact *c = s->contact;
     if (!s->transient)
-        return "nothing rolls through a steady contact";
+        return "no feature moves through a steady contact";
     if (ovr_setup_lines(s) > 1)
         return "the film varies across rolling";
     if (isnan(speed(s)) || (s->sliding && ovr_surfaces_has(s->surfaces, 1) &&
                             ovr_surfaces_has(s->surfaces, 2)))
         return "the surfaces slide, and both are rough";
     if (!(speed(s) > 0))
-        return "the rough surface does not move with the film";
+        return "the rough surface does not move at the entrainment speed";
     if (ovr_setup_supply(s)->film)
-        return "it holds for a flooded inlet";
+        return "the formula is valid for a flooded inlet";
     if (!(c->M >= 2 && c->M <= 1000 && c->L >= 2 && c->L <= 25) ||
         isnan(smooth_film(s).minimum))
-        return "the formula holds for 2 <= M <= 1000, 2 <= L <= 25";
+        return "the formula is valid for 2 <= M <= 1000, 2 <= L <= 25";
     return NULL;
 }
 
@@ -147,11 +147,14 @@ static const char *reservation(const ovr_setup *s, const ovr_rough_film *film)
         return "the sliding changes";
     if (ovr_history_varies(s->load) || ovr_history_varies(s->speed) ||
         ovr_history_varies(s->radius) || s->passes->loads.count)
-        return "load, speed or radius change, and this is the nominal contact";
+        return "load, speed or radius vary; the prediction is for the "
+               "reference contact";
     for (size_t k = 0; k < n; k++)
         if (!(ovr_surfaces_info(s->surfaces, k).Rq > 0))
             return "single features are no waves";
-    return film->H_min > 0 ? NULL : "what is left is as high as the film";
+    return film->H_min > 0 ? NULL
+                           : "the remaining roughness is as high as "
+                             "the film thickness";
 }
 
 static ovr_status predict(const ovr_setup *s, ovr_arena *arena,

@@ -94,13 +94,13 @@ static ovr_status take_asked(working *w, ovr_line asked)
     ovr_case_entry e;
     if (!ovr_case_entry_of(w->base, asked.text, asked.size, &e))
         return ovr_fail_about(w->err, "sensitivity",
-                              "%.*s: is no key of this case; keys are "
+                              "%.*s: is not a key of this case; keys are "
                               "section.key, such as contact.load",
                               (int)asked.size, asked.text);
     if (!e.text || strcmp(ovr_parameter_at(e.parameter).type, "number") != 0 ||
         !isfinite(e.number))
         return ovr_fail_about(w->err, "sensitivity",
-                              "%.*s: is not given as a number in this case",
+                              "%.*s: is not set to a number in this case",
                               (int)asked.size, asked.text);
     return add_key(w, &e);
 }
@@ -124,8 +124,8 @@ static ovr_status take_keys(working *w)
     }
     if (!status && !w->keys)
         status = ovr_fail_about(w->err, "sensitivity",
-                                "the case gives no number of the contact that "
-                                "could be varied: name keys");
+                                "the case sets no number of the contact that "
+                                "could be varied; name keys");
     return status;
 }
 
@@ -211,8 +211,8 @@ static ovr_trials *run_alike(working *w)
         return t;
     if (w->how.say)
         w->how.say(w->how.data, OVR_SAY_WARNING,
-                   "order = auto came to different orders: all again with "
-                   "order = 2");
+                   "order = auto chose different orders; all runs are "
+                   "repeated with order = 2");
     ovr_trials_free(t);
     return ovr_case_set(w->base, "domain.order", "2", "sensitivity", w->err)
                ? NULL
@@ -257,7 +257,7 @@ static const char *failure(const working *w, size_t key)
         if (one->failed)
             return ovr_arena_text(&w->to->arena, one->message, NULL);
     }
-    return "not known in this case";
+    return "unknown in this case";
 }
 
 static void fill_row(working *w, size_t key, const char *quantity)
@@ -277,10 +277,10 @@ static void fill_row(working *w, size_t key, const char *quantity)
     if (isnan(r->doubt))
         r->why_none = failure(w, key);
     else if (r->doubt > scale + 0.1 * fabs(r->slope) && fabs(r->slope) > 0)
-        r->why_none = "two steps disagree: it is of the mesh, refine";
+        r->why_none = "two difference steps disagree; use a finer level";
     else if (isfinite(r->coarser) && fabs(r->slope) > scale &&
              !(r->coarser / r->slope > 1 / 1.5 && r->coarser / r->slope < 1.5))
-        r->why_none = "two levels disagree: refine";
+        r->why_none = "two levels disagree; use a finer level";
 }
 
 /* Chooses of a physical contact what is in SI: its film's scale varies with the
@@ -347,8 +347,8 @@ static ovr_status take_level(working *w)
     w->level = level > 2 ? (int)level : 0;
     if (w->how.estimate && !w->level)
         return ovr_fail_about(w->err, "level",
-                              "the level has no coarser one to compare with: "
-                              "give a level above 2");
+                              "there is no coarser level for comparison; set "
+                              "domain.level above 2");
     return OVR_OK;
 }
 

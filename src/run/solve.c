@@ -50,8 +50,8 @@ ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
         set_recorded_domain(run->setup, ovr_restart_about(run->restart));
     if (run->resumed && !run->passes && run->setup->passes->number > 1)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: is one of several passes; use 'overroll resume' "
-                        "with the file of all passes",
+                        "%s: is the result of one of several passes; use "
+                        "'overroll resume' with the file of all passes",
                         run->info.output);
     if (run->passes && ovr_passes_feed(run, err))
         return OVR_BAD_INPUT;
@@ -238,9 +238,10 @@ static void say_strains_are_lost(ovr_run *run)
     if (run->passes)
         run->passes->level[1].lost = true;
     ovr_run_message(run, OVR_SAY_WARNING,
-                    "errors cannot be estimated from here on: bodies begin "
-                    "with plastic strains, which the coarser levels do not "
-                    "have; run the first pass alone on another level");
+                    "errors cannot be estimated from here on: the bodies "
+                    "start with plastic strains, which are unknown on "
+                    "coarser levels; run the first pass alone on another "
+                    "level");
 }
 
 /* The discretization errors, where they are asked for; before the file is

@@ -45,8 +45,8 @@ static ovr_status read_axes(stored *f, ovr_arena *arena, ovr_error *err)
         return OVR_NO_MEMORY;
     if (f->nodes < 3 || f->snapshots < 1)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: holds no snapshot of the pressure: run the case "
-                        "with pressure among [output] fields",
+                        "%s: contains no snapshot of the pressure; run the "
+                        "case with pressure in output.fields",
                         f->path);
     if (ovr_result_unresolved(f->result, arena, &f->unresolved, err))
         return OVR_BAD_INPUT;
@@ -56,13 +56,13 @@ static ovr_status read_axes(stored *f, ovr_arena *arena, ovr_error *err)
     f->mesh = (f->x[f->nodes - 1] - f->x[0]) / (double)(f->nodes - 1);
     if (fabs(f->x[1] - f->x[0] - f->mesh) > 1e-6 * f->mesh)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: its nodes are not equally far from each other "
-                        "(refine): stresses need a run without patches",
+                        "%s: its nodes are not equidistant (domain.refine); "
+                        "stresses need a run without patches",
                         f->path);
     if (f->x[0] > -1.05 || f->x[f->nodes - 1] < 1.05)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: holds X from %g to %g only: stresses need the "
-                        "pressure of the whole contact",
+                        "%s: contains X from %g to %g only; stresses need "
+                        "the pressure of the whole contact",
                         f->path, f->x[0], f->x[f->nodes - 1]);
     for (size_t k = 1; k < f->snapshots; k++)
         f->longest = fmax(f->longest, f->T[k] - f->T[k - 1]);
@@ -100,12 +100,15 @@ static ovr_status look_for_traction(const stored *f, const ovr_setup *setup,
         return OVR_OK;
     if (ovr_setup_stress(setup)->loads == OVR_TRACTION_YES)
         return ovr_fail_about(err, "traction",
-                              "traction = yes: %s holds no shear_stress_%d; a "
-                              "run stores it by [output] fields",
+                              "traction = yes: %s contains no "
+                              "shear_stress_%d; add it to output.fields and "
+                              "run the case again",
                               f->path, plan->surface);
     plan->options.traction = false;
-    plan->no_traction = plan->surface == 1 ? "the file holds no shear_stress_1"
-                                           : "the file holds no shear_stress_2";
+    plan->no_traction = plan->surface == 1 ? "the file contains no "
+                                             "shear_stress_1"
+                                           : "the file contains no "
+                                             "shear_stress_2";
     return OVR_OK;
 }
 

@@ -332,11 +332,10 @@ static void say_surface(const ovr_told *to, const ovr_stress_report *r,
                  "plastically",
                  YIELD * 1e-9);
     if (r->incomplete)
-        ovr_tell(
-            to, "",
-            "%zu of %zu material points are not counted: their stress history "
-            "is cut by an end of the run",
-            r->incomplete, r->material.points);
+        ovr_tell(to, "",
+                 "%zu of %zu material points are ignored, because the start or "
+                 "end of the run cuts their stress history",
+                 r->incomplete, r->material.points);
 }
 
 /* -------------------------------------------------------------------- whole */

@@ -40,7 +40,7 @@ ovr_status ovr_study_unknown(const ovr_study *s, const ovr_study_words *words,
                                  k ? ", " : "", words->word[k]);
     ovr_fail_at(err, OVR_BAD_INPUT, s->path, line,
                 meant ? "unknown %s '%.60s'%s; did you mean '%s'?"
-                      : "unknown %s '%.60s'%s; there are %s%s",
+                      : "unknown %s '%.60s'%s; must be one of %s%s",
                 what, given, words->in, meant ? meant : there, words->more);
     return meant ? ovr_fail_meant(err, OVR_BAD_INPUT, meant) : OVR_BAD_INPUT;
 }
@@ -50,7 +50,7 @@ ovr_study_key *ovr_study_new_key(ovr_study *s, const char *where, long line,
 {
     ovr_study_key *k = &s->key[s->keys];
     const char *wrong = s->keys == OVR_STUDY_MAX_KEYS
-                            ? "'%.60s' is one key too many: at most 64"
+                            ? "'%.60s': a study has at most 64 keys"
                             : NULL;
     for (size_t i = 0; !wrong && i < s->keys; i++)
         if (!strcmp(s->key[i].where, where))
@@ -156,15 +156,15 @@ static ovr_status parse_range(const char *text, ovr_study_range *r,
     r->log = text[1] == 'o';
     if (!after || !split_range(after + 1, from, to, sizeof from, &r->count))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "'%.80s' must be '%s A to B in N', N at least 2", text,
-                        r->log ? "log" : "linear");
+                        "'%.80s' must be '%s A to B in N' with N at least 2",
+                        text, r->log ? "log" : "linear");
     if (!read_end(from, &r->from, unit, sizeof unit) ||
         !read_end(to, &r->to, r->unit, sizeof r->unit))
         return ovr_fail(err, OVR_BAD_INPUT, "'%.80s': A and B must be numbers",
                         text);
     if (unit[0] && strcmp(unit, r->unit) != 0)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "'%.80s': A and B must have one unit", text);
+                        "'%.80s': A and B must have the same unit", text);
     if (r->log && !(r->from > 0 && r->to > 0))
         return ovr_fail(err, OVR_BAD_INPUT, "'%.80s': A and B must be above 0",
                         text);
@@ -284,8 +284,8 @@ static ovr_status open_section(reading *r, const char *header)
         }
     if (ovr_section_find(name))
         return fail(r,
-                    "[%s] belongs in a case: this is one, not a study; "
-                    "'overroll run' runs it",
+                    "[%s] is a section of a case: this file is a case, not a "
+                    "study; 'overroll run' runs it",
                     name);
     return ovr_study_unknown(r->s, &words, name, r->line, r->err);
 }
@@ -385,7 +385,7 @@ static ovr_status take_limit(reading *r, const char *key, const char *value)
     bool sign = size && strchr("<>", key[size - 1]);
     snprintf(text, sizeof text, "%.180s%s %.180s", key, sign ? "=" : "", value);
     if (s->limits == OVR_STUDY_MAX_LIMITS)
-        return fail(r, "'%.60s' is one limit too many: at most 16", key);
+        return fail(r, "'%.60s': a study has at most 16 limits", key);
     if (!sign && strncmp(value, "at ", 3) != 0)
         return fail(
             r, "'%.100s' must be QUANTITY >= VALUE or QUANTITY <= VALUE", key);
@@ -437,8 +437,8 @@ static ovr_status check_zips(ovr_study *s, ovr_error *err)
         const ovr_study_key *a = &s->key[i - 1], *b = &s->key[i];
         if (b->zip && a->zip == b->zip && a->count != b->count)
             return ovr_fail_at(err, OVR_BAD_INPUT, s->path, b->line,
-                               "%s has %zu value%s, %s before it %zu: those of "
-                               "a [zip] go together",
+                               "%s has %zu value%s, but %s has %zu; keys of "
+                               "a [zip] must have equally many values",
                                b->where, b->count, b->count == 1 ? "" : "s",
                                a->where, a->count);
     }
@@ -458,8 +458,7 @@ static ovr_status set_strides(ovr_study *s, ovr_error *err)
         if (tasks > OVR_STUDY_MAX_TASKS)
             return ovr_fail(
                 err, OVR_BAD_INPUT,
-                "%s: has more than a million cases: give fewer values",
-                s->path);
+                "%s: has more than a million cases; use fewer values", s->path);
     }
     s->tasks = tasks;
     return OVR_OK;

@@ -133,7 +133,7 @@ static ovr_status fail_twice(const ovr_study *s, size_t task, ovr_error *err)
 {
     char name[OVR_STUDY_NAME];
     ovr_study_name(s, task, name, sizeof name);
-    return ovr_fail(err, OVR_BAD_INPUT, "%s: the case %.150s is there twice",
+    return ovr_fail(err, OVR_BAD_INPUT, "%s: the case %.150s is given twice",
                     s->path, name);
 }
 
@@ -249,7 +249,7 @@ static ovr_status bad_draw(const ovr_study *s, const ovr_study_key *k, size_t v,
     char text[OVR_STUDY_VALUE];
     what += strspn(what, ":0123456789 ");
     return ovr_fail_at(err, OVR_BAD_INPUT, s->path, k->line,
-                       "draw %zu of %s is %.60s: %.500s; use lognormal or "
+                       "sample %zu of %s is %.60s: %.500s; use lognormal or "
                        "within",
                        v + 1, k->where, ovr_study_value_at(s, k, v, text),
                        what);

@@ -94,7 +94,9 @@ ovr_status ovr_study_take_random(ovr_study *s, const ovr_entry *entry,
     if (!strchr(entry->key, '.') && !file)
         return take_setting(s, entry, err);
     if (r->keys == OVR_STUDY_MAX_KEYS)
-        return fail(s, entry->line, "'%.60s' is one key too many: at most 64",
+        return fail(s, entry->line,
+                    "'%.60s': a study has at most 64 random "
+                    "keys",
                     entry->key, err);
     ovr_study_chance *c = &r->key[r->keys++];
     *c = (ovr_study_chance){ovr_arena_text(&s->arena, entry->key, err),
@@ -369,8 +371,8 @@ static ovr_status read_cells(ovr_study *s, const ovr_study_chance *c,
     if (c->file) {
         if (strncmp(c->text, "column ", 7) != 0)
             return fail(s, c->line,
-                        "'%.60s' must be column NAME: keys of [random file "
-                        "FILE] name its columns",
+                        "'%.60s' must be column NAME, because keys of "
+                        "[random file FILE] name its columns",
                         c->text, err);
         r.name = c->text + 7 + strspn(c->text + 7, " ");
     } else {
@@ -401,9 +403,10 @@ static ovr_status read_law(ovr_study *s, const ovr_study_chance *c,
         return read_cells(s, c, k, err);
     if (!read_distribution(c->text, &draw->distribution, unit))
         return fail(s, c->line,
-                    "'%.80s' must be normal A sd B, lognormal A sd B, uniform "
-                    "A to B, triangular A, B, C, each with 'within A to B' if "
-                    "need be, whole numbers A..B or file NAME",
+                    "'%.80s' must be normal A sd B, lognormal A sd B, "
+                    "uniform A to B, triangular A, B, C, each optionally "
+                    "followed by 'within A to B', or whole numbers A..B, or "
+                    "file NAME",
                     c->text, err);
     wrong = ovr_distribution_wrong(&draw->distribution);
     if (wrong)

@@ -65,7 +65,7 @@ static ovr_status no_quantity(const sampling *w, const char *name)
     if (!meant)
         return ovr_fail(w->err, OVR_BAD_INPUT, "no quantity '%.60s'", name);
     ovr_fail(w->err, OVR_BAD_INPUT,
-             "there is no quantity '%.60s'; did you mean '%s'?", name, meant);
+             "unknown quantity '%.60s'; did you mean '%s'?", name, meant);
     return OVR_BAD_INPUT;
 }
 
@@ -356,10 +356,9 @@ ovr_sample *ovr_study_sample(const ovr_study *study, const char *quantities,
     ovr_table *t = NULL;
     ovr_status status = OVR_OK;
     if (!ovr_study_random(study))
-        status = ovr_fail(
-            err, OVR_BAD_INPUT,
-            "%s: has no [random], and statistics are those of draws",
-            study->path);
+        status = ovr_fail(err, OVR_BAD_INPUT,
+                          "%s: has no [random] section, which statistics need",
+                          study->path);
     if (!status && !(t = ovr_study_table(study, err)))
         status = OVR_NO_MEMORY;
     sampling w = {.to = to, .s = study, .t = t, .err = err};

@@ -299,15 +299,15 @@ ovr_status ovr_table_fail_empty(const ovr_table *t, ovr_error *err)
     if (t->count[OVR_SWEEP_CHANGED])
         return ovr_fail(err, OVR_BAD_INPUT,
                         "the study was changed after its cases were run (%zu "
-                        "of %zu): 'overroll sweep --redo' runs them again",
+                        "of %zu); 'overroll sweep --redo' runs them again",
                         t->count[OVR_SWEEP_CHANGED], t->rows);
     if (t->count[OVR_SWEEP_FAILED])
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "no case has finished, %zu failed: 'overroll sweep' "
-                        "prints why",
+                        "no case has finished, %zu failed; 'overroll sweep' "
+                        "prints the reasons",
                         t->count[OVR_SWEEP_FAILED]);
     return ovr_fail(err, OVR_BAD_INPUT,
-                    "no case has finished yet: 'overroll sweep' runs them");
+                    "no case has finished yet; 'overroll sweep' runs them");
 }
 
 /* -------------------------------------------------------------------- CSV */
@@ -488,10 +488,10 @@ static bool put_all(const ovr_table *t, const ovr_flat *rows, ovr_arena *arena)
         good = (name[i] = ovr_arena_text(arena, text, NULL)) != NULL;
     }
     good = good &&
-           ovr_flat_texts(rows, "name", "name of the case's files", name);
+           ovr_flat_texts(rows, "name", "name of the files of the case", name);
     for (size_t i = 0; good && i < t->rows; i++)
         state[i] = ovr_sweep_state_name(t->state[i]);
-    good = good && ovr_flat_texts(rows, "status", "how the case stands", state);
+    good = good && ovr_flat_texts(rows, "status", "status of the case", state);
     for (size_t k = 0; good && k < t->keys; k++)
         good = put_key_variable(t, rows, k);
     for (size_t k = t->keys; good && k < t->columns; k++) {
@@ -519,8 +519,8 @@ ovr_status ovr_sweep_netcdf_ours(const char *path, ovr_error *err)
     ovr_h5_restore(before);
     return ours || !exists ? OVR_OK
                            : ovr_fail(err, OVR_BAD_INPUT,
-                                      "%s: exists and is no table of cases; "
-                                      "--force replaces it",
+                                      "%s: exists and is not a table of "
+                                      "cases; --force replaces it",
                                       path);
 }
 
@@ -613,8 +613,8 @@ static ovr_status read_heads(ovr_table *t, char **at, const char *path,
     }
     if (!last || t->columns < 3 || strcmp(t->column[0].name, "task") != 0)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: is no table of a study, as 'overroll sweep "
-                        "STUDY.ini --collect TABLE.csv' writes it",
+                        "%s: is not the table of a study; 'overroll sweep "
+                        "STUDY.ini --collect TABLE.csv' writes one",
                         path);
     return OVR_OK;
 }
@@ -748,8 +748,8 @@ static ovr_table *read_netcdf(const char *path, ovr_error *err)
         ovr_fail(err, OVR_BAD_INPUT, "%s: %s", path, strerror(errno));
     else if (!good && t)
         ovr_fail(err, OVR_BAD_INPUT,
-                 "%s: is no table of passes or of a study, as 'overroll sweep "
-                 "STUDY.ini --collect TABLE.nc' writes it",
+                 "%s: is not a table of passes or of a study; 'overroll "
+                 "sweep STUDY.ini --collect TABLE.nc' writes one",
                  path);
     if (fd >= 0)
         close(fd);

@@ -122,7 +122,7 @@ static ovr_status check_files(const sweeping *w, ovr_error *err)
         if (ovr_task_foreign(w->s, w->task[i])) {
             ovr_study_file(w->s, w->task[i], ".ini", path, sizeof path);
             status = ovr_fail(err, OVR_BAD_INPUT,
-                              "%s: exists and is no case of this study; "
+                              "%s: exists and is not a case of this study; "
                               "--force replaces it",
                               path);
         }

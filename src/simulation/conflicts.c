@@ -10,29 +10,33 @@ static const ovr_model_feature_info features[OVR_MODEL_FEATURES] = {
     OVR_MODEL_FEATURE_ROWS(INFO)};
 
 static const char corrected[] =
-    "its corrections are those of the line smoother's second-order row";
+    "the corrections are defined for the second-order equation of the line "
+    "smoother only";
 static const char flooded[] =
-    "the original averages of the paper do not model cavitation";
+    "the averages of the paper do not model mass-conserving cavitation";
 static const char in_time[] =
-    "the paper solves steady contacts; in time its means diverge on waves";
+    "the paper solves steady contacts; its averages diverge for waves in time";
 static const char base_row[] =
-    "patches know the second-order row and the line smoother only";
-static const char on_patches[] = "it has no form on composite grids";
+    "patches use the second-order equation and the line smoother only";
+static const char on_patches[] = "not implemented on composite grids";
 
 static const char one_grid[] =
     "asperity contact is solved by Newton's method on the finest grid";
-static const char kinks[] = "the law of touching surfaces kinks at the rupture";
+static const char kinks[] = "the derivative of the asperity contact model "
+                            "jumps at film rupture";
 static const char two_unknowns[] = "a cavitated node in asperity contact has "
                                    "both a film fraction and a pressure";
 
-static const char stays[] = "running-in is of a contact that stays as it is";
+static const char stays[] = "running-in requires constant operating "
+                            "conditions";
 static const char long_steps[] =
-    "running-in goes in steps in which the film settles";
-static const char summits[] = "summits would yield first";
-static const char once[] = "on the mesh it would count a second time";
+    "running-in is computed in steps in which the film becomes steady";
+static const char summits[] = "the asperity summits would yield first";
+static const char once[] = "roughness on the grid would be counted twice";
 
 static const char of_line[] =
-    "a strip, whose film varies across rolling, has a solver of its own";
+    "the solver of a strip, whose film varies across rolling, does not "
+    "support this";
 
 static const ovr_conflict conflicts[] = {
     {OVR_MODEL_HEAT, OVR_MODEL_STRIP, "none", of_line},
@@ -81,11 +85,11 @@ static const ovr_conflict conflicts[] = {
     {OVR_MODEL_PAPER_SMOOTHER, OVR_MODEL_CONSERVING, "line", flooded},
     {OVR_MODEL_PAPER_BALANCE, OVR_MODEL_CONSERVING, "no", flooded},
     {OVR_MODEL_FIXED_CYCLES, OVR_MODEL_CONSERVING, "negligible or truncation",
-     "cavities need cycles until they stand"},
+     "cavities need cycles until they no longer change"},
     {OVR_MODEL_PAPER_SMOOTHER, OVR_MODEL_TIME, "line", in_time},
     {OVR_MODEL_PAPER_BALANCE, OVR_MODEL_TIME, "no", in_time},
     {OVR_MODEL_CONSERVING, OVR_MODEL_REVERSAL, "reynolds",
-     "mass-conserving cavitation keeps its inlet on the left"},
+     "with mass-conserving cavitation the inlet is always on the left"},
     {OVR_MODEL_TIME, OVR_MODEL_PATCHES, "a steady contact, without [time],",
      "moving features would leave the patches"},
     {OVR_MODEL_UPSTREAM1, OVR_MODEL_PATCHES, "upstream2", base_row},
@@ -137,7 +141,7 @@ ovr_status ovr_conflict_check(unsigned on, ovr_error *err)
     if (!r)
         return OVR_OK;
     return ovr_fail_about(err, features[r->feature].key,
-                          "%s does not go with %s; %s = %s does",
+                          "%s cannot be combined with %s; use %s = %s",
                           features[r->feature].name, features[r->other].name,
                           features[r->feature].key, r->instead);
 }

@@ -58,20 +58,20 @@
             s->passes->number > 1)                                             \
     FEATURE(STRESS, "stresses", "stress", "surface", true, false, false)       \
     FEATURE(FATIGUE, "fatigue", "fatigue", "criterion", false, false, false)   \
-    FEATURE(PLASTIC, "a body that yields", "plastic", "surface", true, false,  \
+    FEATURE(PLASTIC, "plastic deformation", "plastic", "surface", true, false, \
             false)                                                             \
     FEATURE(PATCHES, "patches", "domain", "refine", false,                     \
             o->refine != OVR_REFINE_NONE, false)                               \
     FEATURE(COATING, "a coating", "coating", "thickness", true, false, false)  \
-    FEATURE(OTHER_MODULI, "a layer of other moduli on that body", "coating",   \
-            "modulus", false, false, false)                                    \
+    FEATURE(OTHER_MODULI, "a coating with another modulus on that body",       \
+            "coating", "modulus", false, false, false)                         \
     FEATURE(BOUNDARY, "surfaces that touch", "boundary", "law", true, false,   \
             false)                                                             \
-    FEATURE(MEAN_FILM, "a law of all roughness", "boundary", "of", false,      \
-            false, false)                                                      \
+    FEATURE(MEAN_FILM, "a contact model of all roughness", "boundary", "of",   \
+            false, false, false)                                               \
     FEATURE(WEAR, "running-in", "boundary", "passes", false, false, false)     \
     FEATURE(STRIP, "a strip", "strip", "width", true, false, false)            \
-    FEATURE(ROUGHNESS, "roughness on the mesh", "feature", "shape", false,     \
+    FEATURE(ROUGHNESS, "roughness on the grid", "feature", "shape", false,     \
             false, has_roughness(r))
 
 #define OVR_MODEL_NUMBER(NAME, words, section, key, whole, options, setup)     \

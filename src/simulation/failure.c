@@ -152,13 +152,13 @@ ovr_status ovr_failure_steady(const ovr_simulation *sim,
     if (surfaces_overlap(sim, &outcome->defect))
         return touching(sim, 0, err);
     return ovr_fail(err, OVR_NOT_CONVERGED,
-                    "the steady solution did not converge in any of %d ways: "
-                    "%s after %d cycles (target %.1e)%s%s",
+                    "the steady solution did not converge with any of %d "
+                    "strategies: %s after %d cycles (target %.1e)%s%s",
                     outcome->retries + 1, ending_of(&outcome->defect).words,
                     outcome->cycles, tolerance, outcome->spent ? spent : "",
                     sim->shapes.heights
-                        ? "; features that start left of the inlet, "
-                          "or grow in time, need no such start"
+                        ? "; features that start upstream of the inlet, or "
+                          "grow in time, are easier to solve"
                         : "; a finer [domain] level, a shear-thinning "
                           "oil or a lower load may help");
 }
@@ -181,8 +181,9 @@ ovr_status ovr_failure_step(const ovr_simulation *sim,
     if (!sim->grids.touch.at && surfaces_overlap(sim, &outcome->defect))
         return touching(sim, T, err);
     return ovr_fail(err, OVR_NOT_CONVERGED,
-                    "step %ld to T = %g did not converge, nor did parts of it "
-                    "down to the mesh/%d%s: %s after %d cycles%s",
+                    "the step %ld to T = %g did not converge, and neither "
+                    "did steps down to 1/%d of the mesh size%s: %s after %d "
+                    "cycles%s",
                     sim->state.step + 1, T, 1 << OVR_HALVINGS,
                     outcome->spent ? spent : "",
                     ending_of(&outcome->defect).words, outcome->cycles, text);

@@ -78,7 +78,7 @@ static ovr_status check(const ovr_simulation *sim, const void *own,
     if (fabs(X_a + X_b) > 1e-12 * X_b)
         return ovr_fail_about(err, "outlet",
                               "domain [%g, %g]: a mean speed that reverses "
-                              "needs as much space on both sides, say [%g, %g]",
+                              "needs a symmetric domain, for example [%g, %g]",
                               X_a, X_b, -fmax(-X_a, X_b), fmax(-X_a, X_b));
     return OVR_OK;
 }

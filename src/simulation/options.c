@@ -69,9 +69,9 @@ static ovr_status check_rounding(const ovr_contact *contact,
     if (most == o->level || o->stop == OVR_STOP_FIXED)
         return OVR_OK;
     return ovr_fail_about(err, "level",
-                          "level %d cannot be solved in double precision: "
-                          "rounding alone makes a residual above %g; use %d or "
-                          "less",
+                          "level %d cannot be solved in double precision, "
+                          "because rounding errors make a residual above %g; "
+                          "use level %d or less",
                           o->level, NO_SOLUTION, most);
 }
 
@@ -160,14 +160,13 @@ static ovr_status check_numbers(const ovr_options *o, ovr_error *err)
     for (size_t k = 0; k < sizeof whole / sizeof *whole; k++)
         if (whole[k].value < whole[k].minimum ||
             whole[k].value > whole[k].maximum)
-            return ovr_fail_about(
-                err, whole[k].key, "%s %d: %d to %d are possible", whole[k].key,
-                whole[k].value, whole[k].minimum, whole[k].maximum);
+            return ovr_fail_about(err, whole[k].key, "%s %d: must be %d to %d",
+                                  whole[k].key, whole[k].value,
+                                  whole[k].minimum, whole[k].maximum);
     if (!(o->tolerance >= 0 && o->tolerance <= OVR_TOLERANCE_MAX))
         return ovr_fail_about(
             err, "tolerance",
-            "tolerance %g: above 0 and at most %g, or 0, which "
-            "means automatic",
+            "tolerance %g: must be above 0 and at most %g, or 0 (automatic)",
             o->tolerance, OVR_TOLERANCE_MAX);
     if (isnan(o->switch_value))
         return ovr_fail_about(err, "switch_value",
@@ -182,7 +181,7 @@ static ovr_status check_even(const char *key, int value, int minimum,
     if (!value || (value % 2 == 0 && value >= minimum && value <= maximum))
         return OVR_OK;
     return ovr_fail_about(err, key,
-                          "%s %d: even numbers from %d to %d are possible", key,
+                          "%s %d: must be an even number from %d to %d", key,
                           value, minimum, maximum);
 }
 
@@ -190,16 +189,15 @@ static ovr_status check(const ovr_options *o, ovr_error *err)
 {
     if (!ovr_scheme_record(o->scheme))
         return ovr_fail_about(err, "scheme",
-                              "scheme %d: there is none of this number",
+                              "scheme %d: is not the number of a scheme",
                               (int)o->scheme);
     if (o->level < 1 || o->level >= OVR_LEVELS)
-        return ovr_fail_about(err, "level", "level %d: 1 to %d are possible",
+        return ovr_fail_about(err, "level", "level %d: must be 1 to %d",
                               o->level, OVR_LEVELS - 1);
     if (o->coarsest_level < 0 || o->coarsest_level > o->level)
-        return ovr_fail_about(
-            err, "coarsest_level",
-            "coarsest level %d: 1 to the level (%d) is possible",
-            o->coarsest_level, o->level);
+        return ovr_fail_about(err, "coarsest_level",
+                              "coarsest level %d: must be 1 to the level (%d)",
+                              o->coarsest_level, o->level);
     if (check_even("mlmi_order", o->mlmi_order, OVR_ORDER_MIN, OVR_ORDER_MAX,
                    err) ||
         check_even("mlmi_range", o->mlmi_range, OVR_RANGE_MIN, OVR_RANGE_MAX,
@@ -211,8 +209,8 @@ static ovr_status check(const ovr_options *o, ovr_error *err)
                      o->relax_dipole <= OVR_DIPOLE_MAX))
         return ovr_fail_about(
             err, seidel ? "relax_dipole" : "relax_seidel",
-            "under-relaxation %g and %g: %g to %g (Gauss-Seidel) "
-            "and %g to %g (dipole) are possible",
+            "under-relaxation %g and %g: must be %g to %g (Gauss-Seidel) and "
+            "%g to %g (dipole)",
             o->relax_seidel, o->relax_dipole, OVR_SEIDEL_MIN, OVR_SEIDEL_MAX,
             OVR_DIPOLE_MIN, OVR_DIPOLE_MAX);
     if (!(o->inlet < -1 && o->outlet > 1 && isfinite(o->inlet) &&
@@ -222,7 +220,7 @@ static ovr_status check(const ovr_options *o, ovr_error *err)
             "domain [%g, %g]: the contact [-1, 1] must lie inside", o->inlet,
             o->outlet);
     if (o->order != 0 && o->order != 2 && o->order != 4)
-        return ovr_fail(err, OVR_BAD_INPUT, "order = %d: 2 or 4 are possible",
+        return ovr_fail(err, OVR_BAD_INPUT, "order = %d: must be 2 or 4",
                         o->order);
     return OVR_OK;
 }
@@ -244,7 +242,7 @@ static ovr_status check_refine(const ovr_options *o, ovr_error *err)
     if (o->refine == OVR_REFINE_NONE)
         return OVR_OK;
     if (o->refine != OVR_REFINE_SPIKE)
-        return ovr_fail_about(err, "refine", "refine %d: 0 and 1 are possible",
+        return ovr_fail_about(err, "refine", "refine %d: must be 0 or 1",
                               (int)o->refine);
     if (o->level < OVR_MIN_REFINED || o->level >= OVR_MAX_REFINED)
         return ovr_fail_about(err, "level",
@@ -253,13 +251,14 @@ static ovr_status check_refine(const ovr_options *o, ovr_error *err)
     if (o->refine_level &&
         (o->refine_level <= o->level || o->refine_level > OVR_MAX_REFINED))
         return ovr_fail_about(err, "refine_level",
-                              "refine_level %d: above the level, %d, and %d at "
-                              "most",
+                              "refine_level %d: must be above the level, %d, "
+                              "and at most %d",
                               o->refine_level, o->level, OVR_MAX_REFINED);
     if (!(o->refine_change >= 0 && o->refine_change <= OVR_REFINE_CHANGE_MAX))
         return ovr_fail_about(
             err, "refine_change",
-            "refine_change %g: above 0 and at most %g, or 0, which means %g",
+            "refine_change %g: must be above 0 and at most %g, or 0 "
+            "(default: %g)",
             o->refine_change, OVR_REFINE_CHANGE_MAX, OVR_REFINE_CHANGE);
     return OVR_OK;
 }

@@ -92,10 +92,9 @@ static ovr_status add(ovr_simulation *sim, const ovr_physics *physics,
     }
     at = place_for(sim, physics);
     if (!at)
-        return ovr_fail(
-            err, OVR_BAD_INPUT,
-            "more physics are on than the %d that a simulation can hold",
-            OVR_MAX_PHYSICS);
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "a simulation supports at most %d physical models",
+                        OVR_MAX_PHYSICS);
     *at = (ovr_present){physics, own};
     sim->solver = NULL;
     OVR_EACH_PHYSICS(sim, p, in_solve, solver)

@@ -71,8 +71,8 @@ static void visit_order(ovr_simulation *sim, ovr_pieces *state)
     OVR_SHOW(state, "order", sim->order);
     if (!state->status && sim->order > sim->options.order)
         state->status = ovr_fail(state->err, OVR_BAD_INPUT,
-                                 "the state is of a run of order %d, this one "
-                                 "is of order %d",
+                                 "the state is from a run of order %d, but "
+                                 "this run is of order %d",
                                  sim->order, sim->options.order);
 }
 

@@ -332,8 +332,8 @@ ovr_status ovr_simulation_begin(ovr_simulation *sim, const char *what,
 {
     if (sim->busy)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "%s: the simulation is under way, and functions that "
-                        "it calls must not advance it",
+                        "%s: functions called by a running simulation must "
+                        "not advance it",
                         what);
     sim->busy = true;
     return OVR_OK;

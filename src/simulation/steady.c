@@ -201,11 +201,11 @@ enum { GROWTH = 1 };
 static const strategy strategies[] = {
     {false, false, 1.6, 0.3, 0, 1, 0, 0.1, 0.3, "", false},
     {false, false, 1.6, 0.3, 0, 1, 0, 0.1, 0.3,
-     "smooth surfaces first, then the features grew", true},
+     "from smooth surfaces, with growing features", true},
     {true, false, 1.6, 0.3, 2, 1, 1, 0.1, 0.3,
      "with a finer coarsest grid and more sweeps", false},
     {true, true, 1.6, 0.3, 0, 1, 0, 0.1, 0.3,
-     "a Newtonian film first, then the flow law stress by stress", false},
+     "from a Newtonian film, with increasing shear thinning", false},
     {false, true, 1.25, 0.15, 0, 1, 0, 0.1, 0.3,
      "the load was raised in smaller steps on a finer level", false},
     {false, true, 1.25, 0.15, 2, 2, 1, 0.03, 0.1,

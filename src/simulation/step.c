@@ -500,16 +500,16 @@ static ovr_status check(const ovr_simulation *sim, double dT, ovr_error *err)
                            err))
         return OVR_BAD_INPUT;
     if (!sim->started)
-        return ovr_fail(
-            err, OVR_BAD_INPUT,
-            "a step needs a converged steady start: call that first");
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "a step needs a converged steady start; call "
+                        "ovr_simulation_steady first");
     if (!(dT > 0) || !isfinite(dT))
         return ovr_fail(err, OVR_BAD_INPUT, "time step %g: must be positive",
                         dT);
     if (sim->scheme->characteristic && !departures_are_there(sim, dT))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "time step %g: the characteristic scheme takes at "
-                        "most %d mesh sizes",
+                        "time step %g: must be at most %d mesh sizes with "
+                        "the characteristic scheme",
                         dT, OVR_GHOSTS / 2 - 4);
     if (ovr_physics_check(sim, err))
         return OVR_BAD_INPUT;

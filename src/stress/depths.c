@@ -88,11 +88,13 @@ ovr_status ovr_stress_check(const ovr_stress_options *o, ovr_error *err)
 {
     if (!(o->mesh > 0) || o->nodes < 2 || o->nodes > 1u << 26)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "stresses need a mesh and 2 to 2^26 nodes");
+                        "stresses need a mesh size above 0 and 2 to 2^26 "
+                        "nodes");
     if (!(o->to > o->from) || (o->to - o->from) / o->mesh > 1u << 26)
         return ovr_fail(
             err, OVR_BAD_INPUT,
-            "stresses from X = %g to %g: the first must be below the second",
+            "stresses from X = %g to %g: the lower limit must be below the "
+            "upper limit",
             o->from, o->to);
     if (!(minimum(o) >= 0.5 * o->mesh * (1 - 1e-9)))
         return ovr_fail(

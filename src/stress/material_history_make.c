@@ -152,7 +152,8 @@ static ovr_status check(const ovr_stress_options *o,
         (range->to - range->from) / o->mesh > 1 << 26)
         return ovr_fail(
             err, OVR_BAD_INPUT,
-            "material from %g to %g: the first must be below the second",
+            "material from %g to %g: the lower limit must be below the upper "
+            "limit",
             range->from, range->to);
     if (!(range->reach > 0) || range->reach > o->to || range->reach > -o->from)
         return ovr_fail(err, OVR_BAD_INPUT,
@@ -160,7 +161,7 @@ static ovr_status check(const ovr_stress_options *o,
                         range->reach, -range->reach, range->reach);
     if (!(range->poisson >= 0 && range->poisson <= 0.5))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "Poisson's ratio %g is not between 0 and 0.5",
+                        "Poisson's ratio %g must be between 0 and 0.5",
                         range->poisson);
     return OVR_OK;
 }

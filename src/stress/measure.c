@@ -165,7 +165,8 @@ ovr_status ovr_material_history_amplitude(const ovr_material_history *history,
         return ovr_fail(err, OVR_BAD_INPUT, "alpha must be a number");
     if (criterion == OVR_CRITERION_DANG_VAN)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "Dang Van's criterion needs whole paths, not extents");
+                        "Dang Van's criterion needs complete stress paths, "
+                        "not their extents");
     ovr_material_history_measure(history, measure_of(criterion), A, smooth);
     if (criterion == OVR_CRITERION_CIRCLE && alpha > 0)
         add_tension(history, alpha, A, smooth);

@@ -27,12 +27,12 @@ ovr_status ovr_areal_reserve(ovr_profile *p, size_t nx, size_t ny, double dx,
     ovr_areal *map = &p->map;
     if (nx < 2 || ny < 1 || nx > OVR_POINTS_MAX || ny > OVR_POINTS_MAX / nx)
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "%zu x %zu points: 2 to %d are read", nx, ny,
+                           "%zu x %zu points: must be 2 to %d", nx, ny,
                            OVR_POINTS_MAX);
     if (!(dx > 0) || !isfinite(dx * (double)nx) || !(dy > 0 || ny == 1) ||
         !isfinite(dy * (double)ny))
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "the distances of points, %g m and %g m, must be "
+                           "the spacings of points, %g m and %g m, must be "
                            "positive",
                            dx, dy);
     map->nx = nx;
@@ -58,8 +58,8 @@ ovr_status ovr_areal_need_spacing(ovr_profile *p, const ovr_profile_source *s,
     return ovr_about(
         err, key,
         ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                    "the distance of points and the unit of heights are not in "
-                    "the file: give %s%s, %s%s",
+                    "the file does not specify the spacing of points and the "
+                    "unit of heights; set %s%s, %s%s",
                     ovr_named(p, "spacing").text,
                     p->options ? " '0.5 um'" : " = 0.5 um",
                     ovr_named(p, "unit_z").text, p->options ? " um" : " = um"));
@@ -302,8 +302,8 @@ static ovr_status choose_default(ovr_profile *p, double band, line *chosen,
         if (!choose_oblique(p, lay > 0 ? lay - 90 : lay + 90, band, chosen,
                             NULL)) {
             ovr_profile_note(p,
-                             "this is across the lay, which is at %.3g "
-                             "degrees (%s chooses another line)",
+                             "this line is across the lay, which is at %.3g "
+                             "degrees (%s selects another line)",
                              lay,
                              ovr_named(p, "row, column, y or direction").text);
             return OVR_OK;
@@ -319,12 +319,12 @@ static ovr_status choose_default(ovr_profile *p, double band, line *chosen,
     *chosen = column ? column_line(map, (size_t)k) : row_line(map, (size_t)k);
     widen(map, band, chosen);
     if (isnan(lay))
-        ovr_profile_note(p, "row %ld of %zu (%s chooses another)", k + 1,
+        ovr_profile_note(p, "row %ld of %zu (%s selects another)", k + 1,
                          map->ny, ovr_named(p, "row").text);
     else
         ovr_profile_note(p,
                          "%s %ld of %zu, across the lay, which is at %.3g "
-                         "degrees to the x axis (%s chooses another)",
+                         "degrees to the x axis (%s selects another)",
                          column ? "column" : "row", k + 1,
                          column ? map->nx : map->ny, lay,
                          ovr_named(p, column ? "column" : "row").text);
@@ -421,7 +421,7 @@ ovr_areal *ovr_areal_read(const ovr_profile_source *source,
         return &p->map;
     }
     ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                "holds a single line of heights, not an areal surface");
+                "contains a single line of heights, not an areal surface");
     ovr_profile_free(p);
     return NULL;
 }

@@ -56,7 +56,7 @@ ovr_status ovr_find_columns(ovr_text_table *t, ovr_error *err)
         t->x = -1;
     if (t->x >= 0 && t->x == t->z)
         return ovr_fail_at(err, OVR_BAD_INPUT, t->profile->file, 0,
-                           "x and z are the same column: they must be two");
+                           "x and z must be different columns");
     return OVR_OK;
 }
 

@@ -101,9 +101,8 @@ static ovr_status choose_window(ovr_profile *p, const ovr_conditioning *how,
             err, isnan(how->from) ? "to" : "from",
             ovr_fail_at(
                 err, OVR_BAD_INPUT, p->file, 0,
-                "the window from %s to %s holds %zu point%s; the profile runs "
-                "from "
-                "%s to %s",
+                "the window from %s to %s contains %zu point%s; the profile "
+                "extends from %s to %s",
                 isnan(how->from) ? "its begin" : ovr_along(p, how->from).text,
                 isnan(how->to) ? "its end" : ovr_along(p, how->to).text,
                 last - first, last - first == 1 ? "" : "s",
@@ -164,10 +163,11 @@ static ovr_status cut_ends(ovr_profile *p, size_t *n, ovr_error *err)
     if (last - first < 2)
         return ovr_fail_at(
             err, OVR_BAD_INPUT, p->file, 0,
-            "fewer than two heights are left: condition less away");
+            "fewer than two heights remain after conditioning; remove fewer "
+            "points");
     keep(p, first, last - first);
     if (last - first < *n)
-        ovr_profile_note(p, "%zu points without height cut off at the ends",
+        ovr_profile_note(p, "%zu points without height removed at the ends",
                          *n - (last - first));
     *n = last - first;
     return OVR_OK;
@@ -206,9 +206,7 @@ static ovr_status close_gaps(ovr_profile *p, const ovr_conditioning *how,
     filled = ovr_fill_gaps(*n, p->x, p->z);
     p->view.filled += filled;
     if (filled)
-        ovr_profile_note(p,
-                         "%zu points filled by straight lines, the longest "
-                         "gap %s",
+        ovr_profile_note(p, "%zu points interpolated linearly, longest gap %s",
                          filled, ovr_along(p, length).text);
     return OVR_OK;
 }

@@ -67,30 +67,30 @@ ovr_status ovr_feature_place(ovr_feature *f, const ovr_feature_form *form,
     const char *shape = ovr_shape_name((int)f->shape);
     if (given > 1 || (given && !isnan(form->origin)))
         return ovr_fail_about(err, place_of(form),
-                              "feature '%s': give one of start, centre, edge, "
-                              "arrival and origin, not several",
+                              "feature '%s': set only one of start, centre, "
+                              "edge, arrival and origin",
                               f->name);
     if (ovr_is_endless(f)) {
         if (given)
             return ovr_fail_about(
                 err, place_of(form),
-                "feature '%s': %s %s is endless; its place is "
-                "given by origin",
-                f->name, ovr_article(shape), shape);
+                "feature '%s': %s %s is endless; set origin instead", f->name,
+                ovr_article(shape), shape);
         f->start = isnan(form->origin) ? 0 : form->origin;
     } else if (!given || form->start == -INFINITY) {
         return start_outside(f, form, inlet, outlet, err);
     } else if (!isnan(form->arrival) && f->ratio == 0) {
         return ovr_fail_about(err, "arrival",
-                              "feature '%s': surface %d stands still, it never "
-                              "arrives; give start instead of arrival",
+                              "feature '%s': never arrives, because surface "
+                              "%d does not move; set start instead of arrival",
                               f->name, f->surface);
     } else {
         f->start = centre_at_start(way, form, f);
     }
     if (!isfinite(f->start))
         return ovr_fail_about(err, place_of(form),
-                              "feature '%s': its place must be a finite number",
+                              "feature '%s': its position must be a finite "
+                              "number",
                               f->name);
     return OVR_OK;
 }

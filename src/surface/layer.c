@@ -19,8 +19,8 @@ static ovr_status check(const ovr_layer *l, const char *file, ovr_error *err)
 {
     if (!isfinite(l->length) || !isfinite(l->height))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "'%s' is in metres: that needs radius and modulus in "
-                        "[contact]",
+                        "'%s' is in metres, which needs contact.radius and "
+                        "contact.modulus",
                         file);
     for (size_t i = 0; i < l->n; i++)
         if (!(l->z[i] >= 0) || !isfinite(l->z[i]))

@@ -27,14 +27,14 @@ ovr_status ovr_length_read(const char *text, const char *scaled,
     if (!ovr_number(ovr_trim((ovr_line){text, digits, 0}), false,
                     &length->value))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "a length with its unit is needed, like '12 um'");
+                        "must be a length with a unit, such as '12 um'");
     length->unit = !unit.size                     ? OVR_LENGTH_BARE
                    : is_scaled(unit.text, scaled) ? OVR_LENGTH_SCALED
                                                   : OVR_LENGTH_METRES;
     if (length->unit == OVR_LENGTH_METRES && !(metres > 0))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "unknown unit '%s'; m, mm, um, nm, inch, ..., or %s is "
-                        "needed",
+                        "unknown unit '%s'; must be m, mm, um, nm, inch, "
+                        "..., or %s",
                         ovr_quote(unit).text, scaled);
     if (length->unit == OVR_LENGTH_METRES)
         length->value *= metres;

@@ -45,8 +45,7 @@ static ovr_status source_of(const ovr_feature_form *form, const ovr_contact *c,
                             ovr_profile_source *source, ovr_error *err)
 {
     if (!form->source)
-        return ovr_fail(err, OVR_BAD_INPUT,
-                        "a profile needs its file: give file");
+        return ovr_fail(err, OVR_BAD_INPUT, "a profile needs a file; set file");
     if (OVR_TAKE(ovr_profile_source, source, form->source, err))
         return OVR_BAD_INPUT;
     source->spacing_scaled = !(c->b > 0);
@@ -88,14 +87,14 @@ static double mean_wavelength(const ovr_table *t)
 
 static void describe(ovr_profile *p, const ovr_table *t, double mesh)
 {
-    const char *ends = !t->endless ? "blended into the smooth surface"
+    const char *ends = !t->endless ? "tapered to zero at both ends"
                                    : "is endless";
     if (t->lost < 1e-6)
-        ovr_profile_note(p, "on the grid: nothing filtered out; %s", ends);
+        ovr_profile_note(p, "fully resolved by the grid; %s", ends);
     else
         ovr_profile_note(p,
-                         "on the grid: wavelengths above %.3g b, %.2g %% of "
-                         "the variance filtered out; %s",
+                         "on the grid: wavelengths above %.3g b, without "
+                         "%.2g %% of the variance; %s",
                          2 * mesh, 100 * t->lost, ends);
 }
 

@@ -21,7 +21,7 @@ static void turn_round(ovr_profile *p, size_t n)
     reverse(p->z, n);
     for (size_t i = 0; i < n; i++)
         p->x[i] += 0; /* no -0 */
-    ovr_profile_note(p, "x runs backwards in the file: turned round");
+    ovr_profile_note(p, "x decreases in the file; the profile was reversed");
 }
 
 /* Equal neighbours in x come from rounding.  When all x lie within a rounding
@@ -73,7 +73,7 @@ ovr_status ovr_put_in_order(ovr_profile *p, size_t *n, const long *line,
         repeats += d == 0;
         if (d < 0)
             return ovr_fail_at(err, OVR_BAD_INPUT, p->file, line[i],
-                               "x turns back: %.9g comes after %.9g", p->x[i],
+                               "x is not monotonic: %.9g follows %.9g", p->x[i],
                                p->x[i - 1]);
     }
     if (*n > 1)
@@ -83,8 +83,8 @@ ovr_status ovr_put_in_order(ovr_profile *p, size_t *n, const long *line,
     if (regular_but_rounded(p, *n, &first, &step)) {
         ovr_profile_regular(p, *n, first, step);
         ovr_profile_note(p,
-                         "x repeats %zu times from rounding: taken at equal "
-                         "distances",
+                         "x repeats %zu times because of rounding; equal "
+                         "spacing assumed",
                          repeats);
         return OVR_OK;
     }

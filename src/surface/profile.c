@@ -96,7 +96,7 @@ ovr_status ovr_profile_reserve(ovr_profile *profile, size_t n, ovr_error *err)
 {
     if (n > OVR_POINTS_MAX)
         return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
-                           "%zu points are more than the %d that are read", n,
+                           "%zu points exceed the maximum of %d", n,
                            OVR_POINTS_MAX);
     profile->x = ovr_arena_take(&profile->arena, n, sizeof(double), err);
     profile->z = ovr_arena_take(&profile->arena, n, sizeof(double), err);
@@ -208,8 +208,8 @@ void ovr_profile_drop_codes(ovr_profile *profile, double *z, size_t n)
         }
     if (dropped)
         ovr_profile_note(profile,
-                         "%zu heights of %g, far from all others, are missing "
-                         "ones",
+                         "%zu heights of %g, far from all others, were taken "
+                         "as missing",
                          dropped, code);
 }
 
@@ -248,14 +248,14 @@ static void question_size(ovr_profile *profile, size_t n)
     }
     if (length > 0.25)
         ovr_profile_note(profile,
-                         "warning: a length of %s is unusual for a profile; is "
-                         "the unit of x right (%s)?",
+                         "warning: a length of %s is unusual for a profile; "
+                         "check the unit of x (%s)",
                          ovr_metres(length).text,
                          ovr_named(profile, "unit_x").text);
     if (high - low > 1e-3 && high - low > length / 50)
         ovr_profile_note(profile,
-                         "warning: heights over %s are unusual for roughness; "
-                         "is the unit of z right (%s)?",
+                         "warning: heights above %s are unusual for "
+                         "roughness; check the unit of z (%s)",
                          ovr_metres(high - low).text,
                          ovr_named(profile, "unit_z").text);
 }
@@ -265,7 +265,7 @@ ovr_status ovr_profile_finish(ovr_profile *profile, size_t n, ovr_error *err)
     ovr_profile_view *view = &profile->view;
     if (n < 2)
         return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
-                           "a profile needs two points, there %s %zu",
+                           "a profile needs two points, but there %s %zu",
                            n == 1 ? "is" : "are", n);
     view->n = n;
     view->x = profile->x;
@@ -280,7 +280,8 @@ ovr_status ovr_profile_finish(ovr_profile *profile, size_t n, ovr_error *err)
         if (!(fabs(profile->x[i]) < HUGE_SIZE) ||
             fabs(profile->z[i]) > HUGE_SIZE)
             return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
-                               "point %zu is (%s, %s): too large to be true",
+                               "point %zu is (%s, %s), which is implausibly "
+                               "large",
                                i + 1, ovr_along(profile, profile->x[i]).text,
                                ovr_across(profile, profile->z[i]).text);
         if (i && !(profile->x[i] > profile->x[i - 1]))

@@ -49,7 +49,8 @@ static ovr_status read_all(gzFile in, const char *file, ovr_arena *arena,
         size += got > 0 ? (size_t)got : 0;
         if (size > OVR_CONTENT_MAX)
             return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
-                               "holds more than %d MiB, too much for a profile",
+                               "is larger than %d MiB, too large for a "
+                               "profile",
                                OVR_CONTENT_MAX >> 20);
     }
     gzerror(in, &code);
@@ -57,7 +58,7 @@ static ovr_status read_all(gzFile in, const char *file, ovr_arena *arena,
         return ovr_fail_at(err, OVR_BAD_INPUT, file, 0, "cannot be read: %s",
                            code == Z_ERRNO ? strerror(errno)
                            : code == Z_BUF_ERROR
-                               ? "the gzip stream is cut off"
+                               ? "the gzip stream is truncated"
                                : "the gzip stream is damaged");
     *content = (ovr_bytes){data, size};
     return OVR_OK;
@@ -116,7 +117,7 @@ static ovr_status check_foreign(ovr_bytes content, const char *file,
         {"\xD0\xCF\x11\xE0", ".xls", "an Excel workbook", csv, 4},
         {"PK", ".xlsx", "an Excel workbook", csv, 2},
         {"PK", ".xlsm", "an Excel workbook", csv, 2},
-        {"PK", ".ods", "a spreadsheet of OpenDocument", csv, 2},
+        {"PK", ".ods", "an OpenDocument spreadsheet", csv, 2},
         {"", ".mnt", "a document of MountainsMap (MNT)", x3p, 0},
         {"\x01\x00"
          "Directory",
@@ -149,8 +150,8 @@ static ovr_status check_foreign(ovr_bytes content, const char *file,
             begins = named && memchr(content.data, 0, content.size);
         if (begins && (named || !end))
             return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
-                               "is %s, which is not read: %s", formats[k].name,
-                               formats[k].remedy);
+                               "is %s, which is not supported: %s",
+                               formats[k].name, formats[k].remedy);
     }
     return OVR_OK;
 }
@@ -192,7 +193,8 @@ static ovr_status check_idle(const ovr_profile *profile,
         return OVR_OK;
     return ovr_about(err, key,
                      ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
-                                 "%s: has no effect, columns are those of text",
+                                 "%s: has no effect, because only text files "
+                                 "have columns",
                                  ovr_named(profile, key).text));
 }
 
@@ -210,7 +212,7 @@ static ovr_status check_single(const ovr_profile *p,
         return OVR_OK;
     return ovr_about(err, key,
                      ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                                 "%s: the file holds line 1 only",
+                                 "%s: the file contains line 1 only",
                                  ovr_named(p, key).text));
 }
 
@@ -272,7 +274,7 @@ ovr_profile *ovr_profile_read_file(const ovr_profile_source *source,
     ovr_profile *profile = NULL;
     ovr_bytes content = {NULL, 0};
     if (!source->file || !*source->file)
-        ovr_fail(err, OVR_BAD_INPUT, "a profile needs its file: give file");
+        ovr_fail(err, OVR_BAD_INPUT, "a profile needs a file; set file");
     else if (!load(source->file, &arena, &content, err))
         profile = parse(source, map_only, content, allocator, err);
     ovr_arena_release(&arena);

@@ -113,8 +113,8 @@ static ovr_status find_scales(ovr_text_table *t, size_t nx, size_t ny,
     if (!(*scale > 0))
         return ovr_about(err, "unit_z",
                          ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                                     "the unit of z is not in the header: give "
-                                     "%s%s",
+                                     "the unit of z is not in the header; "
+                                     "set %s%s",
                                      ovr_named(p, "unit_z").text,
                                      p->options ? " um" : " = um"));
     ovr_profile_note(p, "width %s, height %s, heights times %s",
@@ -135,7 +135,7 @@ static ovr_status read_matrix_row(const ovr_text_table *t, ovr_line line,
         if (!ovr_number(field, t->layout.comma, &value) &&
             !ovr_is_missing(field))
             return ovr_fail_at(err, OVR_BAD_INPUT, t->profile->file,
-                               line.number, "'%s' where a height is needed",
+                               line.number, "'%s' must be a height",
                                ovr_quote(field).text);
         if (k < nx)
             z[k] = value;
@@ -144,7 +144,7 @@ static ovr_status read_matrix_row(const ovr_text_table *t, ovr_line line,
     if (k == nx)
         return OVR_OK;
     return ovr_fail_at(err, OVR_BAD_INPUT, t->profile->file, line.number,
-                       "%zu columns where the rows above have %zu", k, nx);
+                       "%zu columns, but the rows above have %zu", k, nx);
 }
 
 static ovr_status read_matrix(ovr_text_table *t, ovr_error *err)

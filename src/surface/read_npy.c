@@ -96,7 +96,7 @@ static ovr_status read_header(const ovr_profile *p, ovr_bytes c, npy *h,
     size = (size_t)ovr_binary_value(
         c.data + 8, c.data[6] == 1 ? OVR_BINARY_U16 : OVR_BINARY_U32);
     if (c.data[6] < 1 || c.data[6] > 3)
-        return fail(p, err, "only versions 1 to 3 are read");
+        return fail(p, err, "only versions 1 to 3 are supported");
     if (size > c.size - from)
         return fail(p, err, "cut off");
     h->start = from + size;
@@ -115,8 +115,8 @@ static ovr_status read_header(const ovr_profile *p, ovr_bytes c, npy *h,
         (double)h->shape[0] * (double)h->shape[1] * (double)h->bytes >
             (double)(c.size - h->start))
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "offset %zu: cut off: %zu x %zu values of %zu bytes "
-                           "are announced",
+                           "offset %zu: truncated; the header announces %zu "
+                           "x %zu values of %zu bytes",
                            c.size, h->shape[0], h->shape[1], h->bytes);
     return OVR_OK;
 }

@@ -38,7 +38,7 @@ static ovr_status check(const ovr_profile *p, const sdf *h, ovr_error *err)
          h->x_scale > 0 && h->x_scale < 1},
         {"Zscale", "a length in m", h->z_scale,
          h->z_scale != 0 && fabs(h->z_scale) <= 1},
-        {"Compression", "0: nothing else is read", h->compression,
+        {"Compression", "0 (no other value is supported)", h->compression,
          h->compression == 0},
         {"DataType", "0 to 7", h->type, h->type >= 0 && h->type <= 7}};
     for (size_t k = 0; k < sizeof checks / sizeof checks[0]; k++)
@@ -89,8 +89,8 @@ static ovr_status read_binary(ovr_profile *p, const ovr_profile_source *source,
     p->view.format = "SDF (binary)";
     if (c.size < header)
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "offset %zu: cut off within the SDF header of %zu "
-                           "bytes",
+                           "offset %zu: truncated within the SDF header of "
+                           "%zu bytes",
                            c.size, header);
     h = (sdf){.points = ovr_binary_value(d + magic + 34, count),
               .profiles = ovr_binary_value(d + magic + (wide ? 38 : 36), count),
@@ -107,8 +107,8 @@ static ovr_status read_binary(ovr_profile *p, const ovr_profile_source *source,
     bytes = ovr_binary_size(type);
     if ((c.size - header) / bytes / n < (size_t)h.profiles)
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "offset %zu: cut off: %zu x %zu values of %zu bytes "
-                           "are announced",
+                           "offset %zu: truncated; the header announces %zu "
+                           "x %zu values of %zu bytes",
                            c.size, n, (size_t)h.profiles, bytes);
     status = start(p, &h, err);
     if (status)
@@ -160,7 +160,7 @@ static ovr_status read_entries(ovr_lines *lines, const char *file, sdf *h,
             return OVR_BAD_INPUT;
     }
     return ovr_fail_at(err, OVR_BAD_INPUT, file, lines->number,
-                       "cut off: the * after the SDF header is missing");
+                       "truncated: the * after the SDF header is missing");
 }
 
 /* Heights in words of any layout. */
@@ -176,7 +176,7 @@ static ovr_status read_values(ovr_profile *p, const sdf *h, ovr_lines *lines,
                 goto short_of_values;
             if (!ovr_number(word, false, &value) && !ovr_is_missing(word))
                 return ovr_fail_at(err, OVR_BAD_INPUT, p->file, text.number,
-                                   "'%s' where a height is needed",
+                                   "'%s' must be a height",
                                    ovr_quote(word).text);
             p->map.z[k++] = ovr_missing_as_nan(value, (int)h->type);
         }
@@ -185,8 +185,9 @@ static ovr_status read_values(ovr_profile *p, const sdf *h, ovr_lines *lines,
         return OVR_OK;
 short_of_values:
     return ovr_fail_at(err, OVR_BAD_INPUT, p->file, lines->number,
-                       "the values end after %zu; %zu x %zu are announced", k,
-                       p->map.nx, p->map.ny);
+                       "the values end after %zu, but the header announces "
+                       "%zu x %zu",
+                       k, p->map.nx, p->map.ny);
 }
 
 /* A value takes two bytes at least: announced counts are checked before memory
@@ -210,8 +211,8 @@ static ovr_status read_ascii(ovr_profile *p, const ovr_profile_source *source,
         status = check(p, &h, err);
     if (!status && !is_long_enough(&lines, &h))
         status = ovr_fail_at(err, OVR_BAD_INPUT, p->file, lines.number,
-                             "cut off: %g x %g values are announced", h.points,
-                             h.profiles);
+                             "truncated; the header announces %g x %g values",
+                             h.points, h.profiles);
     if (!status)
         status = start(p, &h, err);
     if (!status)
@@ -241,7 +242,7 @@ ovr_status ovr_read_sdf(ovr_profile *profile, const ovr_profile_source *source,
             return read_ascii(profile, source, content, err);
     }
     return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,
-                       "the SDF dialect '%s' is not read: ISO-1.0, ISO-2.0, "
-                       "BCR-1.0 and NIST-1.0 (after a or b) are",
+                       "the SDF dialect '%s' is not supported; must be "
+                       "ISO-1.0, ISO-2.0, BCR-1.0 or NIST-1.0 (after a or b)",
                        ovr_quote(name).text);
 }

@@ -35,7 +35,7 @@ static ovr_status read_axis(const char *file, ovr_line line, axis *a,
     a->given = true;
     if (words < 6)
         return ovr_fail_at(err, OVR_BAD_INPUT, file, line.number,
-                           "an axis is 'CX I count unit scale type "
+                           "an axis must be 'CX I count unit scale type "
                            "[increment]'; this line has %zu words",
                            words);
     a->kind = word[1].text[0];
@@ -86,7 +86,7 @@ static ovr_status check(const char *file, const axes *of, ovr_error *err)
     if (x->kind != 'I' || z->kind != 'A')
         return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
                            "SMD header: CX must be incremental (I) and CZ "
-                           "absolute (A), nothing else is read");
+                           "absolute (A)");
     if (!(x->count >= 2 && x->count <= maximum) ||
         !(lines >= 1 && lines <= maximum))
         return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
@@ -130,7 +130,7 @@ static ovr_status read_numbers(ovr_profile *p, ovr_lines lines, ovr_error *err)
             double value = NAN;
             if (!ovr_number(word, false, &value) && !ovr_is_missing(word))
                 return ovr_fail_at(err, OVR_BAD_INPUT, p->file, line.number,
-                                   "'%s' where a height is needed",
+                                   "'%s' must be a height",
                                    ovr_quote(word).text);
             p->map.z[k++] = value;
         }
@@ -161,7 +161,7 @@ ovr_status ovr_read_smd(ovr_profile *profile, const ovr_profile_source *source,
         return status;
     if (!record(content, 2, &part, &before))
         return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, before,
-                           "cut off: the third record, the heights, is "
+                           "truncated: the third record, the heights, is "
                            "missing");
     numbers = ovr_lines_of(part);
     numbers.number = before;
@@ -170,8 +170,8 @@ ovr_status ovr_read_smd(ovr_profile *profile, const ovr_profile_source *source,
     /* A height takes two bytes at least. */
     if (x->count * (y->given ? y->count : 1) > (double)part.size / 2 + 1)
         return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, before,
-                           "the heights end after fewer than the %g x %g that "
-                           "are announced",
+                           "the file contains fewer than the announced %g x "
+                           "%g heights",
                            x->count, y->given ? y->count : 1);
     status = ovr_areal_reserve(profile, (size_t)x->count,
                                y->given ? (size_t)y->count : 1, dx,

@@ -88,7 +88,8 @@ static ovr_status read_header(const ovr_profile *p, ovr_bytes c, sur *h,
     double comment, private_zone;
     if (c.size < HEADER)
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "offset %zu: cut off within the header of %d bytes",
+                           "offset %zu: truncated within the header of %d "
+                           "bytes",
                            c.size, HEADER);
     *h = (sur){.objects = whole16(d + 14),
                .type = whole16(d + 18),
@@ -101,12 +102,12 @@ static ovr_status read_header(const ovr_profile *p, ovr_bytes c, sur *h,
     private_zone = whole16(d + 336);
     if (whole16(d + 12) != 0)
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "header: only files of PC byte order are read");
+                           "header: only files of PC byte order are supported");
     if (h->type != 1 && h->type != 2 && h->type != 4)
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "header: objects of type %g are not read, only "
-                           "profiles (1), surfaces (2) and series of profiles "
-                           "(4)",
+                           "header: objects of type %g are not supported; "
+                           "must be a profile (1), surface (2) or series of "
+                           "profiles (4)",
                            h->type);
     if (h->bits != 16 && h->bits != 32)
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
@@ -119,7 +120,7 @@ static ovr_status read_header(const ovr_profile *p, ovr_bytes c, sur *h,
                            comment, private_zone);
     if (!(h->nx >= 2 && h->ny >= 1 && h->nx * h->ny <= OVR_POINTS_MAX))
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "header: %g x %g points: 2 to %d are read", h->nx,
+                           "header: %g x %g points: must be 2 to %d", h->nx,
                            h->ny, OVR_POINTS_MAX);
     h->start = HEADER + (size_t)comment + (size_t)private_zone;
     return read_units(p, d, h, err);
@@ -133,7 +134,7 @@ static double unsigned32(const char *at)
 static ovr_status fail_cut(const ovr_profile *p, ovr_bytes c, ovr_error *err)
 {
     return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                       "offset %zu: cut off within the values", c.size);
+                       "offset %zu: truncated within the values", c.size);
 }
 
 /* Unpacks the streams into `values`, which has exactly the size of all. */
@@ -156,8 +157,8 @@ static ovr_status unpack(const ovr_profile *p, ovr_bytes c, size_t start,
             return fail_cut(p, c, err);
         if (plain > size - used)
             return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                               "the streams hold more than the %zu bytes that "
-                               "are announced",
+                               "the streams contain more than the announced "
+                               "%zu bytes",
                                size);
         if (uncompress((Bytef *)values + used, &made,
                        (const Bytef *)c.data + from, packed) != Z_OK ||

@@ -55,9 +55,9 @@ static ovr_status find_data(ovr_text_table *t, ovr_error *err)
     for (before = lines; ovr_next_line(&lines, &line); before = lines) {
         if (memchr(line.text, 0, line.size))
             return fail(t, line.number, err,
-                        "holds a NUL byte: this is not a text file, nor SDF, "
-                        "SMD, X3P, SUR or NumPy: export it in one of these "
-                        "formats");
+                        "contains a NUL byte and is neither a text file nor "
+                        "SDF, SMD, X3P, SUR or NumPy; export the profile in "
+                        "one of these formats");
         columns = columns_of(line, &t->layout);
         if (!columns)
             continue;
@@ -71,8 +71,8 @@ static ovr_status find_data(ovr_text_table *t, ovr_error *err)
         return OVR_OK;
     }
     return fail(t, 0, err,
-                "no line of numbers: a profile is two columns x z, or one "
-                "column z with a spacing (decimal commas need semicolons)");
+                "no line of numbers; a profile must have two columns x z, or "
+                "one column z with a spacing (decimal commas need semicolons)");
 }
 
 static void read_header(ovr_text_table *t)
@@ -117,7 +117,7 @@ static ovr_status read_cell(const ovr_text_table *t, const ovr_fields *fields,
             return OVR_OK;
         }
         return ovr_fail_at(err, OVR_BAD_INPUT, t->profile->file, line,
-                           "%zu columns where column %zu is needed",
+                           "%zu columns, but column %zu is needed",
                            fields->count, k + 1);
     }
     if (ovr_number(fields->field[k], t->layout.comma, value))
@@ -126,7 +126,7 @@ static ovr_status read_cell(const ovr_text_table *t, const ovr_fields *fields,
     if (height && ovr_is_missing(fields->field[k]))
         return OVR_OK;
     return ovr_fail_at(err, OVR_BAD_INPUT, t->profile->file, line,
-                       "'%s' where a number is needed",
+                       "'%s' must be a number",
                        ovr_quote(fields->field[k]).text);
 }
 
@@ -140,7 +140,7 @@ static ovr_status read_row(ovr_text_table *t, ovr_line line, size_t i,
     t->number[i] = line.number;
     if (!ovr_split(line, t->layout.separator, &fields))
         return fail(t, line.number, err,
-                    "has more than 64 columns, which is all that are read");
+                    "has more than 64 columns, the maximum");
     status = read_cell(t, &fields, line.number, true, &p->z[i], err);
     if (!status && t->x >= 0)
         status = read_cell(t, &fields, line.number, false, &p->x[i], err);
@@ -184,9 +184,9 @@ static void drop_count(ovr_text_table *t, size_t *n)
     if (isnan(t->counted))
         return;
     if (t->counted == (double)*n)
-        ovr_profile_note(p, "a count line says %zu points", *n);
+        ovr_profile_note(p, "a count line states %zu points", *n);
     else
-        ovr_profile_note(p, "a count line says %g points, there are %zu",
+        ovr_profile_note(p, "a count line states %g points, but there are %zu",
                          t->counted, *n);
 }
 
@@ -278,7 +278,7 @@ ovr_status ovr_read_text(ovr_profile *profile, const ovr_profile_source *source,
     if (status)
         return status;
     if (t.valid >= 0)
-        ovr_profile_note(profile, "column %d: heights with 0 are missing",
+        ovr_profile_note(profile, "column %d: heights marked by 0 are missing",
                          t.valid + 1);
     if (t.x >= 0)
         ovr_profile_note(profile, "column %d is x, column %d is z, of %zu%s",

@@ -63,17 +63,16 @@ static ovr_status unpack(package *k, const ovr_zip_entry *entry,
     const char *file = k->profile->file, *wrong;
     char *data;
     if (entry->size > maximum)
-        return ovr_fail_at(
-            err, OVR_BAD_INPUT, file, 0,
-            "'%s' in it is larger than the %zu bytes that are read at most",
-            name, maximum);
+        return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
+                           "its '%s' is larger than the maximum of %zu bytes",
+                           name, maximum);
     data = ovr_arena_take(&k->arena, (size_t)entry->size, 1, err);
     if (!data)
         return OVR_NO_MEMORY;
     wrong = ovr_zip_unpack(&k->zip, entry, data);
     if (wrong)
-        return ovr_fail_at(err, OVR_BAD_INPUT, file, 0, "'%s' in it is %s",
-                           name, wrong);
+        return ovr_fail_at(err, OVR_BAD_INPUT, file, 0, "its '%s' is %s", name,
+                           wrong);
     *out = (ovr_bytes){data, (size_t)entry->size};
     return OVR_OK;
 }
@@ -91,7 +90,7 @@ static ovr_status unpack_named(package *k, const char *link, ovr_bytes *out,
         entry = ovr_zip_find(&k->zip, link);
     if (!entry)
         return ovr_fail_at(err, OVR_BAD_INPUT, k->profile->file, 0,
-                           "main.xml needs '%s', which is not in it",
+                           "'%s' is missing in main.xml",
                            ovr_quote((ovr_line){link, size, 0}).text);
     return unpack(k, entry, ovr_quote((ovr_line){link, size, 0}).text, out,
                   err);
@@ -109,8 +108,7 @@ static ovr_status check(package *k, ovr_error *err)
         rows = x->size[1];
     if (strcmp(x->feature, "PRF") != 0 && strcmp(x->feature, "SUR") != 0)
         return ovr_fail_at(
-            err, OVR_BAD_INPUT, file, 0,
-            "FeatureType '%s': only PRF and SUR are read",
+            err, OVR_BAD_INPUT, file, 0, "FeatureType '%s': must be PRF or SUR",
             ovr_quote((ovr_line){x->feature, strlen(x->feature), 0}).text);
     if (!cx->given || !cz->given || cz->kind != 'A' ||
         (cx->kind != 'I' && cx->kind != 'A'))
@@ -123,8 +121,8 @@ static ovr_status check(package *k, ovr_error *err)
     if (!(points >= 2 && rows >= 1 && points * rows <= OVR_POINTS_MAX) ||
         points != floor(points) || rows != floor(rows) || x->size[2] > 1)
         return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
-                           "%g x %g x %g points: one layer of 2 to %d points "
-                           "is read",
+                           "%g x %g x %g points: must be one layer of 2 to "
+                           "%d points",
                            points, rows, x->size[2], OVR_POINTS_MAX);
     k->n = (size_t)points;
     k->lines = (size_t)rows;
@@ -202,8 +200,8 @@ static ovr_status read_binary(package *k, ovr_error *err)
         return status;
     if (!stride || data.size / stride < all)
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "the points are cut off at offset %zu: %zu of %zu "
-                           "bytes each are announced",
+                           "the points are truncated at offset %zu; %zu "
+                           "points of %zu bytes are announced",
                            data.size, all, stride);
     status = reserve(k, err);
     for (size_t i = 0; i < all && !status; i++) {
@@ -234,8 +232,8 @@ static ovr_status read_datum(const package *k, const char *text, size_t i,
         piece = ovr_trim(piece);
         if (!ovr_number(piece, false, &number) && !ovr_is_missing(piece))
             return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                               "Datum %zu: '%s' where a number is needed",
-                               i + 1, ovr_quote(piece).text);
+                               "Datum %zu: '%s' must be a number", i + 1,
+                               ovr_quote(piece).text);
         if (to[a])
             to[a][i] = number;
     }
@@ -249,7 +247,7 @@ static ovr_status read_inline(package *k, ovr_error *err)
     ovr_status status = OVR_OK;
     if (x->datums < k->n * k->lines)
         return ovr_fail_at(err, OVR_BAD_INPUT, k->profile->file, 0,
-                           "the DataList ends after %zu points; %zu are "
+                           "the DataList ends after %zu points, but %zu are "
                            "announced",
                            x->datums, k->n * k->lines);
     status = reserve(k, err);
@@ -271,7 +269,8 @@ static ovr_status apply_mask(package *k, ovr_error *err)
         return status;
     if (mask.size < (k->n * k->lines + 7) / 8)
         return ovr_fail_at(err, OVR_BAD_INPUT, k->profile->file, 0,
-                           "the mask of valid points is cut off at offset %zu",
+                           "the mask of valid points is truncated at offset "
+                           "%zu",
                            mask.size);
     for (size_t i = 0; i < k->n * k->lines; i++)
         if (!((unsigned char)mask.data[i / 8] >> i % 8 & 1))
@@ -311,8 +310,8 @@ static ovr_status check_grid(const package *k, double *dx, ovr_error *err)
         double right = first + (double)(i % k->n) * *dx;
         if (!(fabs(k->x_of[i] - right) < 0.1 * fabs(*dx)))
             return ovr_fail_at(err, OVR_BAD_INPUT, k->profile->file, 0,
-                               "x of point %zu is not that of a regular grid: "
-                               "choose a %s",
+                               "x of point %zu is not on a regular grid; "
+                               "select a %s",
                                i + 1, ovr_named(k->profile, "row").text);
     }
     return OVR_OK;
@@ -341,7 +340,7 @@ static ovr_status place_points(package *k, const ovr_profile_source *source,
         dx *= cx->increment;
     if (!(fabs(dx) > 0) || !isfinite(dx) || !(fabs(dy) > 0) || !isfinite(dy))
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "the distances of points, %g m and %g m, must not "
+                           "the spacings of points, %g m and %g m, must not "
                            "be 0",
                            dx, dy);
     p->map.dx = fabs(dx);
@@ -364,7 +363,7 @@ static ovr_status read_package(package *k, const ovr_profile_source *source,
     ovr_status status;
     if (!entry)
         return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                           "is a ZIP without main.xml, and so not X3P");
+                           "is a ZIP archive without main.xml, not X3P");
     status = unpack(k, entry, "main.xml", &xml, err);
     if (!status)
         status = ovr_x3p_parse(xml, p->file, &k->arena, &k->x, err);

@@ -193,7 +193,7 @@ static ovr_status tabulate(const series *s, const ovr_ends *ends, double mesh,
     entries = ceil(4 * span / fmax(s->d, mesh));
     if (!(entries < OVR_POINTS_MAX / 2.0))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "the profile is too long for the grid: it needs a "
+                        "the profile is too long for the grid and needs a "
                         "table of %g points",
                         entries);
     m = entries < 8 ? 8 : (size_t)entries;
@@ -220,8 +220,8 @@ ovr_status ovr_resample(const ovr_points *profile, double mesh,
     double length = length_of(profile);
     if (!(length >= mesh))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "the profile is %g b long, less than the mesh of %g b: "
-                        "the grid carries none of it",
+                        "the profile is %g b long, shorter than the mesh "
+                        "size of %g b, so that the grid does not resolve it",
                         length, mesh);
     ovr_arena scratch = ovr_arena_make(&arena->allocator);
     series s = {.closed = ends->closed};

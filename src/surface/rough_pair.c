@@ -356,8 +356,8 @@ ovr_status ovr_rough_pair_law(ovr_rough_pair *pair, ovr_touch_table *t,
     measure(pair);
     if (!(pair->slope > 0))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "the profiles are smooth: a law of roughness needs "
-                        "heights that vary");
+                        "the profiles are smooth; a contact model needs "
+                        "roughness");
     clear(pair, t);
     for (size_t j = 0; j < pair->points; j++)
         pair->p[j] = pair->modulus * pair->slope *
@@ -366,8 +366,8 @@ ovr_status ovr_rough_pair_law(ovr_rough_pair *pair, ovr_touch_table *t,
         press(pair, &dry, k, pair->workspace, t, &lightest);
     if (2 * lightest > pair->points)
         return ovr_fail(err, OVR_NOT_CONVERGED,
-                        "the dry contact of the profiles was not found below "
-                        "%.3g ph",
+                        "the dry contact of the profiles did not converge "
+                        "below %.3g p_h",
                         pair->p[lightest - 1]);
     shorten(pair, lightest, t);
     ovr_touch_table_slopes(t);

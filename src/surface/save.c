@@ -93,12 +93,12 @@ static ovr_status save_sdf(const ovr_profile *profile, const char *path,
     bool written;
     if (!v->uniform)
         return ovr_fail_at(err, OVR_BAD_INPUT, path, 0,
-                           "SDF holds points of equal distance only: write X3P "
+                           "SDF supports only equidistant points; write X3P "
                            "or CSV");
     if (v->n > UINT16_MAX)
         return ovr_fail_at(err, OVR_BAD_INPUT, path, 0,
-                           "SDF holds at most %d points, there are %zu: write "
-                           "X3P or CSV",
+                           "SDF supports at most %d points, but there are "
+                           "%zu; write X3P or CSV",
                            UINT16_MAX, v->n);
     data = ovr_arena_take(arena, size, 1, err);
     if (!data)
@@ -221,8 +221,8 @@ ovr_status ovr_profile_save(const ovr_profile *profile, const char *path,
     bool x3p = ends_in(path, ".x3p"), sdf = ends_in(path, ".sdf");
     if ((x3p || sdf) && (profile->view.scaled_x || profile->view.scaled_z))
         return ovr_fail_at(err, OVR_BAD_INPUT, path, 0,
-                           "%s is in metres, the profile in b and b^2/R: write "
-                           "CSV",
+                           "%s is in metres, but the profile is in b and "
+                           "b^2/R; write CSV",
                            x3p ? "X3P" : "SDF");
     status = x3p   ? save_x3p(profile, path, &arena, err)
              : sdf ? save_sdf(profile, path, &arena, err)

@@ -294,8 +294,7 @@ static ovr_status check_width(const ovr_feature_form *form, unsigned given,
     if (!(ways & (ways - 1)))
         return OVR_OK;
     return ovr_fail_about(err, first_of(ways & ~SET(width)),
-                          "feature '%s': give one of %s, not several",
-                          form->name,
+                          "feature '%s': set only one of %s", form->name,
                           names_of(ways, " or ", text, sizeof text));
 }
 
@@ -317,7 +316,7 @@ static ovr_status check_complete(const ovr_feature_form *form, unsigned given,
     if (tall & (tall - 1) || (given & EDGES) == EDGES)
         return ovr_fail_about(
             err, tall & (tall - 1) ? "height" : "radius",
-            "feature '%s': give either %s, not both", form->name,
+            "feature '%s': set either %s, not both", form->name,
             tall & (tall - 1) ? "depth or height" : "flank or radius");
     return OVR_OK;
 }
@@ -373,8 +372,8 @@ static ovr_status find_flank(ovr_feature *f, const ovr_feature_form *form,
     if (!(per_radius > 0))
         return ovr_fail_about(
             err, "radius",
-            "feature '%s': a radius of its edges needs a physical "
-            "contact (radius and modulus); give flank instead",
+            "feature '%s': edge_radius needs a contact with dimensions "
+            "(contact.radius and contact.modulus); set flank instead",
             f->name);
     f->flank = sqrt(STEEPEST * fabs(f->A) * form->radius * per_radius);
     if (!(f->flank > 0))
@@ -469,13 +468,14 @@ static ovr_status check_proportions(const ovr_feature *f, ovr_error *err)
     if (f->shape == OVR_TEXTURE && f->width > f->wavelength)
         return ovr_fail_about(err, "width",
                               "feature '%s': width = %g must not exceed the "
-                              "wavelength = %g, the distance of two dimples",
+                              "wavelength = %g, the distance between two "
+                              "dimples",
                               f->name, f->width, f->wavelength);
     if (f->shape == OVR_GROOVE && f->flank > f->width)
         return ovr_fail_about(
             err, "flank",
-            "feature '%s': flank = %g must not exceed the width "
-            "= %g, or the bottom is never reached",
+            "feature '%s': flank = %g must not exceed the width = %g, "
+            "otherwise the bottom is never reached",
             f->name, f->flank, f->width);
     if (f->shape == OVR_CHIRP && 2 * f->flank > f->length)
         return ovr_fail_about(

@@ -19,7 +19,8 @@ static ovr_status whole(const ovr_profile *p, ovr_error *err)
     for (size_t i = 0; i < p->view.n; i++)
         missing += isnan(p->z[i]) ? 1 : 0;
     return missing ? ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                                 "%zu heights are missing: fill the gaps first",
+                                 "%zu heights are missing; fill the gaps "
+                                 "first",
                                  missing)
                    : OVR_OK;
 }

@@ -123,8 +123,8 @@ static ovr_status check_common(const ovr_feature_form *form, ovr_error *err)
                               form->surface);
     if (!ovr_shape_name((int)form->shape))
         return ovr_fail_about(err, "shape",
-                              "feature '%s': no shape has the number %d", name,
-                              (int)form->shape);
+                              "feature '%s': %d is not the number of a shape",
+                              name, (int)form->shape);
     if (!isnan(form->grow) && !(form->grow >= 0 && isfinite(form->grow)))
         return ovr_fail_about(err, "grow",
                               "feature '%s': grow = %g must be a time >= 0",
@@ -148,7 +148,7 @@ static ovr_status check_repeat(const ovr_feature *f, ovr_error *err)
         return OVR_OK;
     if (!isfinite(size))
         return ovr_fail_about(
-            err, "repeat", "feature '%s': %s %s is endless, it needs no repeat",
+            err, "repeat", "feature '%s': %s %s is endless; remove repeat",
             f->name, ovr_article(ovr_shape_name((int)f->shape)),
             ovr_shape_name((int)f->shape));
     if (!isfinite(f->repeat) || !(f->repeat > size / 100))

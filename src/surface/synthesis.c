@@ -163,8 +163,8 @@ static ovr_status no_heights(const ovr_roughness *f, double skewness,
                              double kurtosis, ovr_error *err)
 {
     return ovr_fail_about(err, isnan(f->kurtosis) ? "skewness" : "kurtosis",
-                          "roughness: no heights with skewness = %g and "
-                          "kurtosis = %g; kurtosis must lie above about 1.9 + "
+                          "roughness: skewness = %g and kurtosis = %g cannot "
+                          "be combined; kurtosis must be above about 1.9 + "
                           "1.7 skewness^2",
                           skewness, kurtosis);
 }
@@ -214,7 +214,7 @@ static ovr_status check(random_surface *s, ovr_error *err)
     s->correlation = or_else(f->correlation, f->length / 32);
     if (isnan(f->Rq) || isnan(f->length))
         return ovr_fail_about(err, isnan(f->Rq) ? "Rq" : "length",
-                              "a roughness needs its %s",
+                              "a roughness needs %s",
                               isnan(f->Rq) ? "Rq" : "length");
     if (!(f->Rq >= 0) || isinf(f->Rq))
         return bad(err, "Rq", f->Rq, "zero or positive");
@@ -232,7 +232,7 @@ static ovr_status check(random_surface *s, ovr_error *err)
     if (f->seed < 0)
         return bad(err, "seed", f->seed, "zero or positive");
     if (f->spectrum != OVR_SELF_AFFINE && f->spectrum != OVR_EXPONENTIAL)
-        return bad(err, "spectrum", f->spectrum, "one of its names");
+        return bad(err, "spectrum", f->spectrum, "a valid name");
     return OVR_OK;
 }
 
@@ -264,8 +264,8 @@ static ovr_status hand_over(const random_surface *s, ovr_profile *p,
     p->view.scaled_x = p->view.scaled_z = true;
     p->view.format = "roughness";
     ovr_profile_note(p,
-                     "random, seed %d: %zu waves from %g b down to %g b, Rq "
-                     "%g b^2/R",
+                     "random roughness, seed %d: %zu waves with wavelengths "
+                     "of %g b to %g b, Rq = %g b^2/R",
                      s->form->seed, s->waves, s->form->length, s->shortest,
                      s->form->Rq);
     return ovr_profile_finish(p, n, err);

@@ -81,7 +81,8 @@ static void end_datum(reading *r, ovr_line text)
 {
     ovr_x3p *x = r->x3p;
     if (text.size + 1 > r->capacity - x->datum_size) {
-        wrong(r, "a Datum holds numbers only"); /* letters grow as UTF-8 */
+        wrong(r,
+              "a Datum must contain numbers only"); /* letters grow as UTF-8 */
         return;
     }
     memcpy(x->datum + x->datum_size, text.text, text.size);
@@ -175,7 +176,7 @@ static void XMLCALL on_doctype(void *data, const XML_Char *name,
                                int internal)
 {
     (void)name, (void)system, (void)public, (void)internal;
-    wrong(data, "a document type does not belong in X3P");
+    wrong(data, "X3P must not contain a document type");
 }
 
 static ovr_status run(reading *r, ovr_bytes xml, const char *file,

@@ -73,7 +73,7 @@ expect 0 "$OVERROLL" run e.ini -o e.h5 --json
 contains out '"settled": true'
 contains out '"T_end": 1[2-9]\.'
 expect 0 "$OVERROLL" resume e.h5
-contains err 'nothing to do'
+contains err 'already complete'
 expect 2 "$OVERROLL" check e.ini --set 'feature it.copies=endless'
 contains err "e.ini:7: end: auto: feature 'it' is endless"
 expect 2 "$OVERROLL" check e.ini --set load.history=sine --set load.period=1 \
@@ -91,7 +91,7 @@ expect 0 "$OVERROLL" check --M 20 --L 10 --level auto --json \
     --set domain.accuracy=1e-5 --set domain.accuracy_of=H_cen
 contains out '"level": 8'
 expect 0 "$OVERROLL" check --M 900 --L 2 --level auto --set domain.accuracy=1e-8
-contains err 'level = auto takes level 14 at most, on which an error of '
+contains err 'level = auto uses at most level 14, whose expected error is '
 # The usual one: 8 of a steady contact, in time the first that does
 expect 0 "$OVERROLL" check --M 20 --L 10
 contains out '^#   grid +level 8, '
@@ -100,7 +100,7 @@ contains out '^#   grid +level 6, '
 contains out '^#   level +6, the first with an expected error below 0.001$'
 expect 0 "$OVERROLL" check --M 1000 --L 14 --set time.end=4
 contains out '^#   grid +level 8, '
-contains err 'level = usual takes level 8 at most, on which an error of '
+contains err 'level = usual uses at most level 8, whose expected error is '
 
 expect 0 "$OVERROLL" help
 contains out '^  check '
@@ -152,7 +152,7 @@ own=$(sed -n 's/.*"film_Rq_max": \(.*\),/\1/p' out)
 echo "$own $foreseen" | awk '{ exit !($1 > 0.8*$2 && $1 < 1.2*$2) }' ||
     fail "film_Rq_max $own is far from what was foreseen, $foreseen"
 expect 0 "$OVERROLL" check rough.ini --set contact.M=1.5
-contains out 'film roughness +no prediction: the formula holds for'
+contains out 'film roughness +no prediction: the formula is valid for'
 expect 0 "$OVERROLL" check rough.ini --set contact.slide_to_roll=0.2
 contains out 'less certain here: the rough surface is the faster one'
 expect 0 "$OVERROLL" check rough.ini --set contact.slide_to_roll=-0.2

@@ -120,7 +120,7 @@ refuses 'only cases with' \
 expect 0 "$OVERROLL" run other.ini -q -o other.h5
 refuses 'only cases with' \
     plot other.h5 --kind element -o no.png
-refuses 'of one result: give one' plot gear.h5 other.h5 --kind element -o no.png
+refuses 'shows one result only' plot gear.h5 other.h5 --kind element -o no.png
 expect 0 "$OVERROLL" view other.h5 -o other.html
 grep -q '"element":{' other.html && fail 'an element on the page of none'
 exit 0

@@ -120,8 +120,8 @@ for kind in gear cam; do
 done
 no gear 'remove hertz_pressure' 'contact.hertz_pressure=1 GPa'
 no bearing 'remove load' 'contact.load=100 kN/m'
-no gear 'one element at most' 'cam.base_radius=3 mm'
-no cam 'one element at most' roller_bearing.rollers=14
+no gear 'at most one machine element' 'cam.base_radius=3 mm'
+no cam 'at most one machine element' roller_bearing.rollers=14
 
 # What it needs, its end.
 for key in teeth_1 teeth_2 module face speed; do
@@ -146,7 +146,7 @@ no gear '\[gear\] ends at 1.635 ms \(T = 45.08\)' time.end=99
 no cam '\[cam\] ends at' time.end=99999
 
 # Geometry of gears
-no gear 'shift_1, shift_2 and centre: leave one out' gear.shift_1=0 \
+no gear 'shift_1, shift_2 and centre determine each' gear.shift_1=0 \
     gear.shift_2=0
 no gear 'centre must be above 84.5' 'gear.centre=80 mm'
 no gear 'contact ratio 0.7[0-9]* is below 1: at times no tooth pair' \
@@ -157,15 +157,15 @@ no less 'tip of gear 2 reaches below the base circle of gear 1' \
 no gear 'tip_1 = .* is inside the base circle' 'gear.tip_1=50 mm'
 no gear 'tip_2 = .* is inside the base circle' 'gear.tip_2=90 mm'
 no less 'needs at least 8 teeth more' gear.teeth_1=24 gear.teeth_2=-30
-no less 'the internal gear is gear 2' gear.teeth_1=-20
+no less 'the internal gear must be gear 2' gear.teeth_1=-20
 no less 'must be 5 or more' gear.teeth_1=3
 # The load that pairs share
 no gear 'the load would jump at B and D' gear.blend=0
 no gear "needs 'file'" gear.sharing=table
 no gear 'has no effect' 'gear.relief_1=10 um'
-no less 'of helical teeth only elastic is known' 'gear.helix_angle=15 deg' \
+no less 'must be elastic for helical teeth' 'gear.helix_angle=15 deg' \
     gear.sharing=rule
-no less 'above 2, where never one pair is alone' gear.addendum=1.5 \
+no less 'above 2, where two or more pairs' gear.addendum=1.5 \
     gear.teeth_1=60 gear.teeth_2=80
 printf '0 0.3\n0.5 1.4\n1.7 0.3\n' >shares.txt
 no gear '1.4' gear.sharing=table gear.file=shares.txt
@@ -173,7 +173,7 @@ printf '0 0.3\n1.7 0.3\n0.5 1\n' >shares.txt
 no gear 'must increase' gear.sharing=table gear.file=shares.txt
 
 # Cams
-no cam 'a flat follower cannot follow: base_radius' 'cam.base_radius=17 mm' \
+no cam 'a flat follower loses contact' 'cam.base_radius=17 mm' \
     'cam.to=60 deg' cam.from=0deg
 no cam 'undercut' cam.follower=roller 'cam.roller_radius=40 mm' 'cam.to=60 deg'
 no cam 'lifts off the cam' 'cam.preload=1 N' 'cam.spring=0 N/mm' \
@@ -187,18 +187,18 @@ no less 'needs file' cam.law=table
 
 # Bearings
 no bearing 'do not fit on a pitch circle' 'roller_bearing.roller=20 mm'
-no bearing 'inner and pitch: leave one out' 'roller_bearing.pitch=65 mm'
+no bearing 'inner and pitch determine each' 'roller_bearing.pitch=65 mm'
 without bearing inner
-no less 'inner or pitch: one of them is needed'
-no bearing 'turn as one' 'roller_bearing.speed_outer=1000 rpm'
+no less 'inner or pitch must be set'
+no bearing 'speed_outer are equal' 'roller_bearing.speed_outer=1000 rpm'
 no bearing 'both 0' 'roller_bearing.speed_inner=0 rpm'
 no bearing 'already determined by .*; remove spacing' passes.spacing=9 \
     passes.recovery=1
 no bearing 'already determined by .*; remove loads' passes.loads=1,2
 no bearing 'meets 3 rollers' passes.number=7
-no bearing 'take zone' roller_bearing.passes=turns
-no bearing 'take turns' roller_bearing.contact=outer
-no bearing 'turns needs \[passes\] number' roller_bearing.contact=outer \
+no bearing 'use zone' roller_bearing.passes=turns
+no bearing 'use turns' roller_bearing.contact=outer
+no bearing 'turns needs passes.number' roller_bearing.contact=outer \
     roller_bearing.passes=turns
 
 # ------------------------------------------------------------ where it stands
@@ -225,8 +225,8 @@ expect 0 "$OVERROLL" steady gear.ini --json --at 0.85676681188388171ms
 awk -v a="$pitch" -v b="$(value min_film_m)" \
     'BEGIN { exit !((a / b - 1) ^ 2 < 1e-14) }' || fail 'not the pitch point'
 expect 0 "$OVERROLL" steady cam.ini --at '12 deg' --json
-refuses 'a station .A to E' steady gear.ini --at Z
-refuses 'must lie within the way, from 0 to 1.635 ms' steady gear.ini --at 2ms
+refuses 'a contact position .A to E' steady gear.ini --at Z
+refuses 'the path of contact, from 0 to 1.635 ms' steady gear.ini --at 2ms
 refuses 'within the event, from 0 to 30 deg' steady cam.ini --at '40 deg'
 refuses 'only cases with .gear. or .cam.' steady bearing.ini --at A
 
@@ -243,7 +243,7 @@ quiet() {
     ! grep -E "blend|ends before the end|would touch" err || fail "warned: $*"
 }
 # A to B are 0.635 base pitches.
-warns 'more than a third of the 0.635 from A to B' check gear.ini \
+warns 'more than a third of the distance from A to B .0.635' check gear.ini \
     --set gear.blend=0.22
 quiet check gear.ini --set gear.blend=0.21
 warns 'the run ends before the end of contact at 45.08' check gear.ini \

@@ -23,7 +23,7 @@ for name in R.csv R.png R.html R.ini; do
     [ ! -e $name ] || fail "$name was written"
 done
 expect 0 "$OVERROLL" run dent.ini -o R.nc -q
-refuses 'view writes an HTML page' view R.nc -o P.png
+refuses 'must be an HTML page' view R.nc -o P.png
 expect 0 "$OVERROLL" view R.nc -o P.html
 
 # steady names the moving feature that it leaves out
@@ -71,5 +71,5 @@ END
 expect 0 "$OVERROLL" check table.ini
 # thickening by a hundredth is refused
 sed '5s/.*/3320, 0.168/' thin.csv >thick.csv
-refuses 'the film thickens' check table.ini \
+refuses 'only shear thinning is modelled' check table.ini \
     --set lubricant.rheology_file=thick.csv

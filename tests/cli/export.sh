@@ -150,7 +150,7 @@ cmp out a.csv || fail '-o writes another thing'
 refuses '^overroll: --at 9: must be a position in b from -4' \
     export a.h5 --at 9 -o n.csv
 [ ! -e n.csv ] || fail 'an empty file is left'
-refuses 'no snapshot 999: there are 0 to' export a.h5 --snapshot 999
+refuses 'no snapshot 999: must be 0 to' export a.h5 --snapshot 999
 refuses 'no snapshot -1' export a.h5 --snapshot -1
 refuses "'x' is not a number" export a.h5 --time x
 refuses "has no field 'pres'" export a.h5 --snapshot 0 --field pres

@@ -95,7 +95,7 @@ refuses "no quantity 'film'; .*there are .*H_min" \
     plot study.ini --quantity film -o x.svg
 refuses 'exists; --force' plot study.ini -o study.svg
 printf 'a,b\n1,2\n' >no.csv
-refuses 'is no table of a study' plot no.csv -o x.svg
+refuses 'is not the table of a study' plot no.csv -o x.svg
 cp no.csv no.nc
 refuses 'not an HDF5 file' plot no.nc -o x.svg
 

@@ -101,7 +101,7 @@ ask='feature.dent.width between 0.1 and 3 so that P_max_overall'
 # shellcheck disable=SC2086
 expect 2 "$OVERROLL" find dent.ini $ask is 1.8 \
     --set domain.faces=gap
-contains err 'P_max_overall is 1.8 at [23] places, between .*largest'
+contains err 'P_max_overall is 1.8 at [23] values, between .*largest'
 # shellcheck disable=SC2086
 expect 0 "$OVERROLL" find dent.ini largest $ask at least 1.8 --json \
     --set domain.faces=gap
@@ -153,14 +153,14 @@ sed '/seconds/d' out | cmp - alone || fail 'found twice it is another'
 [ "$(wc -l <kept.d/find.csv)" -eq "$rows" ] || fail 'runs were made again'
 [ "$(cksum kept.d/*.h5)" = "$stamp" ] || fail 'results were written again'
 # shellcheck disable=SC2086
-refuses 'kept.d: holds the results of another question' \
+refuses 'kept.d: contains results of another question' \
     find dent.ini $ask --level 6 --results kept.d
 
 # What is refused, and what would be right
 depth='dent.ini feature.dent.depth between'
 # shellcheck disable=SC2086
 expect 2 "$OVERROLL" find $depth 0.01 and 0.05 so that H_min_overall is 0.05
-contains err '0.05 is not among them; it falls with .*depth: go beyond 0.05'
+contains err '0.05 is not reached; it falls with .*depth: go beyond 0.05'
 # shellcheck disable=SC2086
 expect 2 "$OVERROLL" find $depth 0.2 and 0.5 so that H_min_overall is 0.05
 contains err 'go below 0.2'
@@ -176,24 +176,24 @@ asks() { # PATTERN QUESTION...
 H='so that H_min_overall'
 # shellcheck disable=SC2086
 {
-    asks 'no number of this run; did you mean H_min_overall' \
+    asks 'not a result of this run; did you mean H_min_overall' \
         $depth 0.01 and 0.5 so that H_min_overal is 0.05
-    asks 'T_max_rise: is no number of this run' \
+    asks 'T_max_rise: is not a result of this run' \
         $depth 0.01 and 0.5 so that T_max_rise is 4
-    asks 'largest .*say at most or at least' dent.ini largest \
+    asks 'largest .*use at most or at least' dent.ini largest \
         feature.dent.depth between 0.1 and 0.5 $H is 0.05
-    asks 'say largest or smallest' $depth 0.1 and 0.5 $H at most 0.05
-    asks 'is not in um' $depth 0.1 and 0.5 so that P_max is 2 um
+    asks 'use largest or smallest' $depth 0.1 and 0.5 $H at most 0.05
+    asks 'cannot be measured in um' $depth 0.1 and 0.5 so that P_max is 2 um
     asks 'unknown unit' $depth 0.1 and 0.5 so that P_max is 2 furlongs
-    asks 'two numbers' $depth 0.1 and 0.1 $H is 0.05
-    asks 'a number is needed' $depth little and much $H is 0.05
+    asks 'the ends must differ' $depth 0.1 and 0.1 $H is 0.05
+    asks 'must be a number' $depth little and much $H is 0.05
     asks "must be .largest" $depth 0.1 to 0.5 $H is 0.05
     asks 'is a choice, not a number' dent.ini feature.dent.shape between 1 \
         and 2 $H is 0.05
     asks 'use a study' dent.ini domain.level between 4 and 6 $H is 0.05
     asks 'needs a unit' contact.ini contact.load between 50 and 500 $H is 0.05
-    asks 'one unit' contact.ini contact.load between 50 N/m and 5 kN/m $H is 1
-    asks 'give a level' $depth 0.1 and 0.5 $H is 0.05 --level auto
+    asks 'same unit' contact.ini contact.load between 50 N/m and 5 kN/m $H is 1
+    asks 'set domain.level' $depth 0.1 and 0.5 $H is 0.05 --level auto
     asks 'tolerance: must be' $depth 0.1 and 0.5 $H is 0.05 --tolerance 2
     asks 'whole number' $depth 0.1 and 0.5 $H is 0.05 -j 0
     asks "did you mean 'depth'" dent.ini feature.dent.detph between 1 and 2 \
@@ -202,7 +202,7 @@ H='so that H_min_overall'
 # a number below zero is no option
 expect 2 "$OVERROLL" find dent.ini contact.slide_to_roll between -0.5 and 0.5 \
     so that H_min is 9 --steady
-contains err '9 is not among them'
+contains err '9 is not reached'
 
 # In a study: a curve; the table has a column of the key's name; a case that
 # was stopped is resumed with what it has
@@ -250,5 +250,5 @@ wrong() { # PATTERN LINES
 wrong 'between is missing' 'key = contact.M\nso_that = H_min is 1\n'
 wrong "did you mean 'so_that'" 'sothat = H_min is 1\n'
 wrong 'two numbers' 'key = contact.M\nbetween = 3\nso_that = H_min is 1\n'
-wrong 'wrong.ini:6: .*say largest' \
+wrong 'wrong.ini:6: .*use largest' \
     'key = contact.M\nbetween = 3, 5\nso_that = H_min <= 1\n'

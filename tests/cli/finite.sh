@@ -45,7 +45,7 @@ every = 5
 criterion = von-mises
 END
 expect 0 "$OVERROLL" run shear.ini -o shear.h5
-contains out '^stresses +not available: .* choose a rheology'
+contains out '^stresses +not available: .* set lubricant.rheology'
 ! grep -E '(^|[^a-z])-?(inf|nan)([^a-z]|$)' out || fail 'told of infinity'
 expect 0 "$OVERROLL" run shear.ini -o shear.h5 --force --json
 contains out '"tau_max": null'

@@ -35,21 +35,21 @@ kept() {
     expect 0 "$OVERROLL" "$@"
 }
 
-kept 'table.csv: exists and is not' table.csv find contact.ini \
+kept 'table.csv: exists and was not written' table.csv find contact.ini \
     contact.M between 10 and 30 so that H_min is 0.1 --table table.csv
 mkdir d
-kept 'd/draw-0003.ini: exists and is no case' d/draw-0003.ini sweep study.ini
-kept 'd/manifest.csv: exists and is not' d/manifest.csv sweep study.ini
-kept 'all.csv: exists and is not' all.csv sweep study.ini --collect all.csv
-kept 'all.nc: exists and is not' all.nc sweep study.ini --collect all.nc
+kept 'd/draw-0003.ini: exists and is not a case' d/draw-0003.ini sweep study.ini
+kept 'd/manifest.csv: exists and was not written' d/manifest.csv sweep study.ini
+kept 'exists and was not written' all.csv sweep study.ini --collect all.csv
+kept 'exists and was not written' all.nc sweep study.ini --collect all.nc
 printf 'my notes\n' >d/summary.csv
-refuses 'd/summary.csv: exists and is not' sweep study.ini --statistics
+refuses 'd/summary.csv: exists and was not written' sweep study.ini --statistics
 expect 0 "$OVERROLL" sweep study.ini --statistics --force
 
 # A result is an HDF5 file, but no table of cases.
 expect 0 "$OVERROLL" run contact.ini --set time.end=0.5 -q -o result.h5
 cp result.h5 before.h5
-refuses 'result.h5: exists and is no table' sweep study.ini --collect result.h5
+refuses 'exists and is not a table' sweep study.ini --collect result.h5
 cmp result.h5 before.h5 || fail 'the result is replaced'
 
 # What fails in all draws alike is printed once, and nothing runs.

@@ -60,14 +60,14 @@ mv some/frame_0004.svg before.svg
 [ -s some/frame_0004.svg ] || fail 'the script draws nothing'
 
 # A result is no case: what it is good for.
-refuses "is a result file, not a case: 'overroll resume'" run dent.h5
+refuses "is a result file, not a case; 'overroll resume'" run dent.h5
 
 # One picture of two results.
 expect 0 "$OVERROLL" plot dent.h5 dent.h5 --kind history -o two.pdf
 refuses 'exists; --force' plot dent.h5 -o two.pdf
 refuses 'a map shows one' plot dent.h5 dent.h5 --kind map -o map.png
 for kind in stress risk depth plastic element; do
-    refuses 'one result: give one' plot dent.h5 dent.h5 --kind $kind -o one.png
+    refuses 'shows one result only' plot dent.h5 dent.h5 --kind $kind -o one.png
 done
 
 # A map of any field, its colours said in words where it has no symbol.
@@ -75,11 +75,11 @@ expect 0 "$OVERROLL" plot dent.h5 --kind map --field viscosity -o eta.svg
 contains eta.svg 'viscosity.*eta0'
 refuses "no map of 'density'" plot dent.h5 --kind map --field density -o n.png
 refuses "kind 'maps'" plot dent.h5 --kind maps -o map.png
-refuses 'no output is named' plot dent.h5
-refuses 'no output is named' frames dent.h5
+refuses 'no output: set -o' plot dent.h5
+refuses 'no output: set -o' frames dent.h5
 refuses 'no snapshot between' frames dent.h5 -o none --time 100:
 refuses "size '1x1'" plot dent.h5 -o x.png --size 1x1
-refuses 'a range such as' plot dent.h5 -o x.png --x 1:-1
+refuses 'must be a range' plot dent.h5 -o x.png --x 1:-1
 
 # Two physical results of other scales: each curve in its own, on common axes.
 # The largest pressure drawn of each is what `info` says in GPa; a file without
@@ -119,8 +119,8 @@ for k in 0 1; do
 done
 expect 0 "$OVERROLL" plot a.h5 b.h5 -o ab.png
 expect 0 "$OVERROLL" plot a.h5 dent.h5 -o mixed.svg
-contains err 'dent.h5 has no physical scales: all are drawn in Hertzian'
-refuses 'dent.h5: SI units' plot a.h5 dent.h5 --si -o si.svg
+contains err 'dent.h5 has no physical scales: each result is drawn'
+refuses 'dent.h5: no SI units' plot a.h5 dent.h5 --si -o si.svg
 expect 0 "$OVERROLL" frames a.h5 dent.h5 -o mixed --every 100 --size 320x240
 contains err 'dent.h5 has no physical scales'
 
@@ -138,10 +138,10 @@ contains us.gp 'x_from.* = \[10\.[],]'
 contains us.gp 'x_to.* = \[30\.[],]'
 refuses "unknown unit 'parsec'; allowed: s, ms, us" plot a.h5 --at 2parsec \
     -o x.png
-refuses '^overroll plot: --at 99: there are snapshots from 0 to' \
+refuses '^overroll plot: --at 99: snapshots exist only from 0 to' \
     plot dent.h5 --at 99 -o none.png
 [ ! -e none.png ] || fail 'another instant was drawn'
-refuses 'no physical scales; bare it is in b/um' plot dent.h5 --at 0.2ms \
+refuses 'no physical scales; without a unit the' plot dent.h5 --at 0.2ms \
     -o x.png
 
 # Without being asked for, the instants of largest pressure and smallest film
@@ -229,7 +229,7 @@ expect 1 env "PATH=$PWD/poor:$PATH" "$OVERROLL" plot dent.h5 -o poor.pdf
 contains err 'no pdfcairo terminal: write an .svg or .png picture'
 [ -e poor.pdf ] && fail 'a PDF of nothing'
 
-refuses 'a movie.s name ends in' frames dent.h5 --movie m.avi
+refuses 'the name of a movie must end in' frames dent.h5 --movie m.avi
 command -v ffmpeg >/dev/null || { echo 'no ffmpeg: no movie tried'; exit 0; }
 for form in mp4 webm gif; do
     expect 0 "$OVERROLL" frames dent.h5 --movie "m.$form" --size 321x241

@@ -76,13 +76,13 @@ fi
 
 # A ridge of thirty films from the start, which films do not reach as it grows:
 # the state is no solution and says so
-touch='the steady solution did not converge in any of 4 ways: '
+touch='the steady solution did not converge with any of 4 strategies: '
 sed '/^grow/d' wall.ini >start.ini
 gives_up "$touch" run start.ini -o start.h5
 kept start.h5 "$touch"
 [ "$steps" -eq 1 ] && [ "$converged" = 0 ] || fail "$steps steps, $converged"
 expect 1 "$OVERROLL" resume start.h5 # begins again, not from that state
-contains err 'the run begins again'
+contains err 'the run starts again'
 kept start.h5 "$touch"
 [ "$steps" -eq 1 ] || fail "$steps steps"
 
@@ -102,7 +102,7 @@ level=$(sed -n "s/.*; level \([0-9]*\) resolves it\$/\1/p" err)
 expect 0 "$OVERROLL" steady thin.ini --level "${level:-9}"
 
 # None of these: how far it came, after all strategies
-far='the steady solution did not converge in any of 3 ways: relative '
+far='the steady solution did not converge with any of 3 strategies: relative '
 printf '[contact]\nM = 20\nL = 10\n' >far.ini
 gives_up "$far" run far.ini -o far.h5 --set solver.max_cycles=1
 kept far.h5 "$far"
@@ -118,7 +118,7 @@ told=
 for M in 200 300 400 500; do
     "$OVERROLL" steady --M $M --L 3 --level 6 --json \
         --set domain.faces=arithmetic >out 2>err
-    ! grep -q 'another way: the load was raised in smaller steps' err || {
+    ! grep -q 'another strategy: the load was raised in smaller steps' err || {
         told=$told$M
         contains out '"way": "the load was raised in smaller steps on a fine'
         expect 0 "$OVERROLL" steady --M $M --L 3 --level 6 -q \
@@ -129,7 +129,7 @@ done
 [ -n "$told" ] || fail 'no contact needed another way, or none was told'
 expect 0 "$OVERROLL" steady --M 20 --L 10 --level 6 --json
 contains out '"way": ""'
-! grep 'another way' err || fail 'told of the usual way'
+! grep 'another strategy' err || fail 'told of the usual way'
 
 # A domain too short for the film carries a pressure of its own: warned of
 expect 0 "$OVERROLL" steady --M 0.1 --L 0 --level 5 --set domain.inlet=-4

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What layers use of their own yield and interfaces of their strength: of one
-# layer its largest von Mises stress over it; of two the larger share, whichever
+# layer its maximum von Mises stress over it; of two the larger share, whichever
 # layer that is.
 . "$TOP/tests/support/cli.sh"
 need_python json
@@ -133,7 +133,7 @@ expect 0 "$OVERROLL" run bare.ini -o bare.h5 --json -q
 cp out bare.json
 expect 0 "$OVERROLL" run coated.ini -o coated.h5 --json -q
 cp out coated.json
-refuses 'does not go with \[coating\] modulus = 300 GPa' check stiff.ini
+refuses 'cannot be combined with \[coating\] modulus = 300 GPa' check stiff.ini
 expect 0 "$PYTHON" - <<'END'
 import json
 bare, coated = (json.load(open(name + ".json")) for name in ("bare", "coated"))

@@ -7,11 +7,11 @@ refuses "no command 'stedy'; did you mean 'steady'" stedy
 refuses "unknown option '--levl'; did you mean '--level'" steady --levl 3
 refuses "option '--level' needs a value" steady --level
 refuses "option '--level' is given twice" steady --level 3 --level=4
-refuses "option '--json' takes no value" steady --json=1
+refuses "option '--json' has no value" steady --json=1
 refuses "unexpected 'b'" steady a b
 refuses 'nowhere.ini: cannot read the case: No such file' steady nowhere.ini
 refuses '/: cannot read the case: Is a directory' steady /
-refuses 'load is missing: give M and L' steady
+refuses 'load is missing; set M and L' steady
 refuses '^--M: L is missing' steady --M 20
 refuses '^--M: -20 must be 0.001 to 1000000' steady --M -20 --L 10
 refuses '^--M: .nan. is not a number' steady --M nan --L 10
@@ -34,17 +34,17 @@ refuses "^key.ini:2: unknown key 'viscocity' in \[lubricant\]; did you mean \
 printf '[contact]\nM = 20\nL = 10\nload = 3 kN/m\n' >both.ini
 refuses '^both.ini:4: load is already determined by M and L' check both.ini
 head -c 3000000 /dev/zero | tr '\0' '\n' >long.ini
-refuses '^long.ini: is longer than a case may be' check long.ini
+refuses '^long.ini: is too long for a case' check long.ini
 head -c 3000 /dev/zero >nul.ini
 refuses '^nul.ini: is not a case file' check nul.ini
 
 # A case is no study, and a study no case; a shape is no section.
 printf '[contact]\nM = 20\nL = 10\n' >case.ini
 printf '[study]\ncase = case.ini\n[product]\n' >study.ini
-refuses '^case.ini:1: .contact. belongs in a case: .* .overroll run. runs it' \
+refuses '^case.ini:1: .contact. is a section of a case: .*overroll run' \
     sweep case.ini
 for verb in run steady check; do
-    refuses '^study.ini:1: .study. belongs in a study: .*overroll sweep' \
+    refuses '^study.ini:1: .study. is a section of a study: .*overroll sweep' \
         $verb study.ini
 done
 cp study.ini range.ini
@@ -52,9 +52,9 @@ echo 'contact.M = 10 to 40 in 4' >>range.ini
 refuses "^range.ini:4: .* did you mean 'linear 10 to 40 in 4'" sweep range.ini
 printf '[set]\ncontact.L = 5\n[zip]\ncontact.M = 1\ncontact.G = 1, 2\n' |
     cat study.ini - >values.ini
-refuses 'contact.G has 2 values, contact.M before it 1' sweep values.ini
+refuses 'contact.G has 2 values, but contact.M has 1' sweep values.ini
 printf '[zip]\ncontact.M = 1, 2\ncontact.G = 1\n' | cat study.ini - >one.ini
-refuses 'contact.G has 1 value, contact.M before it 2' sweep one.ini
+refuses 'contact.G has 1 value, but contact.M has 2' sweep one.ini
 refuses 'unknown section .dent.; did you mean .feature dent.' \
     check case.ini --set dent.depth=0.1
 refuses "'80 C': unknown unit 'C'; did you mean 'degC'" \

@@ -30,7 +30,7 @@ contains out '"snapshots": 0'
 expect 0 "$OVERROLL" export a.h5
 [ "$(wc -l <out)" -gt 1 ] || fail "no history: $(cat out)"
 
-says="holds no snapshot; its history of"
+says="contains no snapshot; only its history of"
 for kind in snapshot map trace stress; do
     expect 2 "$OVERROLL" plot a.h5 -o p.svg --kind $kind
     contains err "$says"

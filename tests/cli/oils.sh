@@ -58,12 +58,12 @@ near radius_m 0.04 1e-12
 expect 2 "$OVERROLL" check discs.ini --set 'body 2.radius=flat'
 contains err 'speed_2.*needs a radius in \[body 2\]'
 expect 2 "$OVERROLL" check discs.ini --set 'body 2.radius=-30 mm'
-contains err 'would not touch'
+contains err 'do not touch'
 expect 2 "$OVERROLL" check discs.ini --set 'contact.radius=1 mm'
 contains err 'radius.*is already determined by'
 sed '/width/d' discs.ini >no_width.ini
 expect 2 "$OVERROLL" check no_width.ini
-contains err 'no_width.ini:2: load: 2000 N needs the width'
+contains err 'no_width.ini:2: load: 2000 N needs contact.width'
 expect 2 "$OVERROLL" check discs.ini --set 'lubricant.viscosity=40 mPa.s'
 contains err 'viscosity'
 

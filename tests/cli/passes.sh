@@ -48,9 +48,9 @@ row meniscus 'n < 3 || v > u + 0.05'
 expect 0 "$OVERROLL" info roller-4.h5
 expect 0 "$OVERROLL" info roller.h5
 contains out '^ +4 .*roller-4.h5, complete'
-refuses "a row for each of several passes" frames roller.h5 -o x
+refuses "one row per pass" frames roller.h5 -o x
 expect 0 "$OVERROLL" resume roller.h5
-contains err 'is complete: nothing to do'
+contains err 'run is already complete'
 
 # By the law of point contacts x^-g grows by 1 a pass
 sed 's/^loss .*/side_flow = 3/' roller.ini >side.ini
@@ -138,7 +138,7 @@ content whole >whole.txt
 content part >part.txt
 cmp whole.txt part.txt || fail 'stopped within a pass, it is another run'
 rm part-3.h5*
-refuses 'is one of several passes' resume part-2.h5
+refuses 'is the result of one of several passes' resume part-2.h5
 expect 0 "$OVERROLL" resume part.h5 -q
 content part >part.txt
 cmp whole.txt part.txt || fail 'stopped between passes, it is another run'
@@ -267,7 +267,7 @@ refuses 'number: several passes need .*conserving' \
     check roller.ini --set cavitation.model=reynolds
 refuses 'side_flow: passes.loss is also set' check roller.ini \
     --set passes.side_flow=3
-refuses 'split: 0 leaves all oil on a surface' check roller.ini \
+refuses 'split: 0 leaves all lubricant on a surface' check roller.ini \
     --set passes.split=0 --set contact.slide_to_roll=2
 refuses 'need a result file' run roller.ini
 rm roller.h5

@@ -45,7 +45,7 @@ while [ $k -le "$writes" ]; do
     cmp -s whole.csv part.csv || fail "killed at write $k of $writes:" \
         "$(diff whole.csv part.csv)"
     expect 0 "$OVERROLL" resume part.h5
-    contains err 'is complete: nothing to do'
+    contains err 'run is already complete'
     k=$((k + 1))
 done
 [ $missing -gt 0 ] || fail "no write was between the last pass and its row"

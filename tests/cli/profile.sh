@@ -48,7 +48,7 @@ fi
 expect 0 "$OVERROLL" profile "$dent" --case "$TOP/profiles/dent.ini"
 contains out '130\.1|0\.1301 mm .* 0\.[67][0-9]* .* \(x 0\.[67]'
 printf '[contact]\nM = 20\nL = 10\n' >bare.ini
-refuses 'radius and modulus' profile "$dent" --case bare.ini
+refuses 'contact.radius and contact.modulus' profile "$dent" --case bare.ini
 
 # What a file does not say is asked for
 printf '0.5,1\n1.5,2\n2.5,4\n' >bare.csv
@@ -67,7 +67,7 @@ expect 0 "$OVERROLL" profile bare.csv --unit-x um --unit-z nm
 contains out 'x in um \(--unit-x\)'
 printf '1\n2\n4\n' >single.txt
 refuses "give --spacing '0.5 um', --unit-z um" profile single.txt
-refuses "like '12 um'" profile single.txt --unit-z nm --spacing wide
+refuses "such as '12 um'" profile single.txt --unit-z nm --spacing wide
 expect 0 "$OVERROLL" profile single.txt --unit-z nm --spacing '2 um'
 contains out 'spacing +2 um'
 expect 0 "$OVERROLL" profile single.txt --unit-z b^2/R --unit-x b --spacing 0.1
@@ -86,7 +86,7 @@ contains out 'lambda_s = 2.5 um'
 
 # A length without its unit is none: not metres in silence
 for option in spacing from to lambda-c lambda-s max-gap offset; do
-    refuses "--$option 0.8: a unit is needed, like '0.8 mm'" \
+    refuses "--$option 0.8: needs a unit, such as '0.8 mm'" \
         profile "$dent" --$option 0.8
     refuses "--$option 8 furlong: unknown unit 'furlong'" \
         profile "$dent" --$option '8 furlong'
@@ -115,7 +115,7 @@ refuses 'level' profile "$dent" --level up
 refuses 'lambda-c = -1 um must be' profile "$dent" --lambda-c '-1 um'
 refuses 'line' profile "$dent" --line x
 refuses '--column-x = 9' profile "$dent" --column-x 9
-refuses 'from 1 m to its end .* runs from 0 m to 0.32 mm' profile "$dent" \
+refuses 'from 1 m to its end .* extends from 0 m to 0.32 mm' profile "$dent" \
     --from '1 m'
 refuses 'no/such' profile "$dent" --convert no/such/folder.csv
 refuses 'empty' profile /dev/null

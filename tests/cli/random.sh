@@ -101,7 +101,7 @@ if command -v gnuplot >/dev/null; then
     contains d.svg 'load, rho \+0.9'
     contains d.svg 'share of the variance'
     contains d.dat '^1\.1(0*1)? 0'
-    refuses 'draws a study: give' plot table.csv --kind distribution -o e.svg
+    refuses 'draws a study; use' plot table.csv --kind distribution -o e.svg
     refuses 'd.svg' plot lognormal.ini --kind distribution -o d.svg
 fi
 
@@ -274,8 +274,8 @@ wrong 'wrong.ini:5: .* must be normal A sd B' \
     'draws = 16\ncontact.load = normal 300 kN/m\n'
 wrong 'standard deviation must be above 0' \
     'draws = 16\ncontact.load = normal 300 kN/m sd 0 N/m\n'
-wrong 'in order' 'draws = 16\ncontact.load = triangular 3 N/m, 1 N/m, 2 N/m\n'
-wrong 'wrong.ini:5: draw [0-9]* of contact.load is -.*use lognormal or within' \
+wrong 'ascending' 'draws = 16\ncontact.load = triangular 3 N/m, 1 N/m, 2 N/m\n'
+wrong 'sample [0-9]* of contact.load is -.*use lognormal or within' \
     'draws = 16\ncontact.load = normal 1 kN/m sd 5 kN/m\n'
 wrong 'given twice' "draws = 16\n$load$load"
 wrong 'given twice' "draws = 16\n${load}[product]\ncontact.load = 1 N/m\n"

@@ -54,8 +54,8 @@ expect 0 "$OVERROLL" view spike.h5 -o spike.html
 if command -v gnuplot >/dev/null; then
     expect 0 "$OVERROLL" plot spike.h5 -o spike.svg
 fi
-refuses 'not equally far' stress spike.h5
-refuses 'computed in one go' resume spike.h5
+refuses 'not equidistant' stress spike.h5
+refuses 'cannot be resumed' resume spike.h5
 
 # By the change of its height; a contact without a spike says so.
 expect 0 "$OVERROLL" steady --M 20 --L 10 --json --set domain.refine=spike \
@@ -69,10 +69,10 @@ contains out 'local refinement .*to level 14'
 
 refuses 'needs levels 6 to' check spike.ini --set domain.level=5
 refuses 'above the level, 14' check spike.ini --set domain.level=14
-refuses 'does not go with \[domain\] refine' check spike.ini --set time.end=1
-refuses 'does not go with \[domain\] refine' check spike.ini \
+refuses 'combined with \[domain\] refine' check spike.ini --set time.end=1
+refuses 'cannot be combined with \[domain\] refine' check spike.ini \
     --set lubricant.rheology=eyring --set lubricant.eyring_number=1
-refuses 'does not go with \[domain\] refine' check spike.ini \
+refuses 'cannot be combined with \[domain\] refine' check spike.ini \
     --set paper.smoother=hybrid
-refuses 'does not go with \[domain\] refine' check spike.ini \
+refuses 'cannot be combined with \[domain\] refine' check spike.ini \
     --set cavitation.model=conserving

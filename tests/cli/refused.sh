@@ -64,7 +64,7 @@ both_refuse '^sign.ini:13: width: 0 um must be above 0$' sign.ini
 
 # A step has no other end.
 expect 0 "$OVERROLL" check feature.ini
-contains err "never arrives: it is at X <= -5.475 when the run ends at T = 0.4"
+contains err "is at X <= -5.475 when the run ends at T = 0.4"
 
 # At the pitch point nothing slides; at the nose the follower stands still.
 expect 0 "$OVERROLL" init gear -o gear.ini
@@ -108,7 +108,7 @@ viscosity = 40 mPa.s
 alpha = 17 1/GPa
 END
 expect 0 "$OVERROLL" check wide.ini
-contains err 'warning: the contact is 88\.[0-9]+ mm wide on a radius of 24 mm'
+contains err 'warning: the contact is 88\.[0-9]+ mm wide at a radius of 24 mm'
 expect 0 "$OVERROLL" check wide.ini --set 'body 2.radius=-25 mm'
 ! grep 'mm wide' err || fail 'an ordinary contact is too wide'
 

@@ -53,12 +53,12 @@ same whole.h5 short.h5
 # Nothing left to do: the file is not touched, with or without a checkpoint
 cp -p short.h5 before.h5
 expect 0 "$OVERROLL" resume short.h5 --json
-contains err 'complete: nothing to do'
+contains err 'already complete'
 contains out '"T_end": 3'
 cmp short.h5 before.h5 || fail 'a complete file was written to'
 mv short.h5.restart elsewhere
 expect 0 "$OVERROLL" resume short.h5
-contains err '^short.h5: is complete: nothing to do'
+contains err '^short.h5: run is already complete'
 expect 0 "$OVERROLL" resume short.h5 --force
 expect 0 "$OVERROLL" resume short.h5 --from-start
 refuses 'no checkpoint.*--from-start --force' \
@@ -69,7 +69,7 @@ sed "/^\[time\]/,/^end/d" dent.ini >steady.ini
 expect 0 "$OVERROLL" run steady.ini -o steady.h5 -q
 rm steady.h5.restart
 expect 0 "$OVERROLL" resume steady.h5
-contains err 'nothing to do'
+contains err 'already complete'
 
 # A damaged checkpoint is refused; a lost one means to begin again, if asked
 dd if=/dev/zero of=kept.h5.restart bs=1 count=4 seek=300 conv=notrunc \
@@ -78,13 +78,13 @@ refuses '^kept.h5.restart: is damaged' resume kept.h5 --set time.end=3
 rm kept.h5.restart
 refuses 'no checkpoint.*--from-start --force' resume kept.h5 --set time.end=3
 expect 0 "$OVERROLL" resume kept.h5 --set time.end=3 --from-start --force
-contains err 'no checkpoint: the run begins again'
+contains err 'no checkpoint; the run starts again'
 same whole.h5 kept.h5
 
 # The checkpoint of another run
 expect 0 "$OVERROLL" run dent.ini -o other.h5 -q --set time.end=1
 cp other.h5.restart whole.h5.restart
-refuses 'belongs to another run' resume whole.h5
+refuses 'is from another run' resume whole.h5
 
 # A profile that has changed
 printf 'x_um,z_um\n0,0\n100,0\n200,-0.2\n300,0\n400,0\n' >p.csv

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # A mean speed that reverses: stopped before, at and after the turn and gone on
 # with, the same end to the last digit, by every scheme; its domain; what it
-# does not go with.
+# cannot be combined with.
 . "$TOP/tests/support/cli.sh"
 
 cat >cam.ini <<'END'
@@ -56,10 +56,10 @@ contains out '"inlet": -4,'
 contains out '"outlet": 4,'
 expect 0 "$OVERROLL" check cam.ini --json --set domain.inlet=-5
 contains out '"outlet": 5,'
-refuses "outlet: 1.5: inlet and outlet trade places where .speed." \
+refuses "outlet: 1.5: inlet and outlet are exchanged where .speed." \
     run cam.ini -o no.h5 --set domain.outlet=1.5
 
-# What it does not go with
-refuses "model: conserving does not go with a speed that reverses" \
+# What it cannot be combined with
+refuses "model: conserving cannot be combined with a speed that reverses" \
     run cam.ini -o no.h5 --set cavitation.model=conserving
 [ ! -e no.h5 ] || fail 'a refused run left a file'

@@ -41,5 +41,5 @@ END
     done
 } >both.ini
 expect 0 "$OVERROLL" run both.ini -o both.h5 --json
-contains out '"way": "smooth surfaces first, then the features grew"'
+contains out '"way": "from smooth surfaces, with growing features"'
 contains out '"converged": true'

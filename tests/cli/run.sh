@@ -60,7 +60,7 @@ grep -q '"steps"' out && fail 'a steady case has steps'
 # Outputs that cannot be made
 refuses '^nodir/a.h5: cannot be written: nodir: No such' \
     run dent.ini -o nodir/a.h5
-refuses 'is not the name of a file' run dent.ini -o sub/
+refuses 'is not a file name' run dent.ini -o sub/
 refuses 'the input file is missing' run
 
 # SIGINT and SIGTERM: step finished, file closed, 130 and 143

@@ -23,7 +23,7 @@ contains out '"scheme": "upstream1"'
 printf '[contact]\nM = 20\nL = 10\n[solver]\nsmoother = hybrid\n' >old.ini
 expect 2 "$OVERROLL" steady old.ini --level 5 --json
 contains err "old.ini:5: unknown key 'smoother' in \[solver\]"
-contains err 'it belongs in \[paper\]'
+contains err 'it is a key of \[paper\]'
 sed 's/solver/paper/' old.ini >new.ini
 expect 0 "$OVERROLL" steady new.ini --level 5 --json
 contains out '"smoother": "hybrid"'
@@ -94,7 +94,7 @@ contains out '"H_cen_error": (8|9)\.[0-9]*e-05'
 expect 0 "$OVERROLL" steady --M 255.5 --L 5.822 --level 6 -v \
     --set domain.order=2 --set domain.faces=arithmetic \
     --set solver.tolerance=2e-9
-contains err 'took another way: the load was raised in smaller steps'
+contains err 'needed another strategy: the load was raised in smaller steps'
 expect 0 "$OVERROLL" steady --M 900 --L 5 --level 6
 contains err 'too thin for the grid.*; use level = [0-9]+'
 expect 1 "$OVERROLL" steady --M 5000 --L 5 --level 6

@@ -99,6 +99,6 @@ expect 0 "$OVERROLL" stress turn.h5
 grep -q 'trailing\|leading' out && fail 'sides of a surface that turns'
 
 # As it begins it has to move
-refuses 'surface 2 stands still' check dent.ini --set sliding.history=ramp \
+refuses 'surface 2 does not move' check dent.ini --set sliding.history=ramp \
     --set sliding.from=2 --set sliding.to=0 --set sliding.start=1 \
     --set sliding.duration=1

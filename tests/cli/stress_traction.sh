@@ -107,10 +107,10 @@ contains out '^traction  *none: .stress. traction = no'
 expect 0 "$OVERROLL" run slide.ini -o bare.h5 -q --set stress.depth_min=auto \
     --set 'output.fields=pressure, film_thickness' --set time.end=0.2
 expect 0 "$OVERROLL" stress bare.h5
-contains out '^traction  *none: the file holds no shear_stress_1'
-refuses 'traction = yes: .*holds no shear_stress_1' stress bare.h5 \
+contains out '^traction  *none: the file contains no shear_stress_1'
+refuses 'traction = yes: .*contains no shear_stress_1' stress bare.h5 \
     --set stress.traction=yes
-refuses 'shear_stress_1 is missing in .output. fields' run slide.ini -o no.h5 \
+refuses 'add shear_stress_1 to output.fields' run slide.ini -o no.h5 \
     --set 'output.fields=pressure, film_thickness' --set time.end=0.2 \
     --set fatigue.criterion=dang-van
 
@@ -138,17 +138,17 @@ A, R = g["amplitude"][...], g["circle_radius"][...]
 assert (abs(A - R) < 0.03 * R.max()).all(), abs(A - R).max() / R.max()
 END
 
-refuses 'needs a result file with all its nodes' run slide.ini \
+refuses 'needs the stored pressure of all nodes' run slide.ini \
     --set fatigue.criterion=dang-van
 
 # Asked for, or left out
 expect 0 "$OVERROLL" check slide.ini
-contains out "^#   traction  *the film's shear stress"
+contains out "^#   traction  *shear stress of the film"
 sed '/^eyring/d; s/^rheology.*/rheology = newtonian/' slide.ini >newton.ini
 expect 0 "$OVERROLL" check newton.ini
 contains out '^#   traction  *none: Newtonian film'
 expect 0 "$OVERROLL" check newton.ini --set stress.traction=yes
-contains out "^#   traction  *the film's shear stress"
+contains out "^#   traction  *shear stress of the film"
 cat >numbers.ini <<'END'
 [contact]
 M = 20
@@ -161,8 +161,8 @@ end = 1
 [stress]
 END
 expect 0 "$OVERROLL" check numbers.ini
-contains out '^#   traction  *none: b/R is not known'
-refuses 'traction.*b/R is not known' check numbers.ini \
+contains out '^#   traction  *none: b/R is unknown'
+refuses 'traction.*b/R is unknown' check numbers.ini \
     --set stress.traction=yes
 
 # The pictures have it too

@@ -27,8 +27,8 @@ END
 expect 0 "$OVERROLL" sweep study.ini -q
 expect 0 "$OVERROLL" plot study.ini --kind stribeck -o curve.svg \
     --script curve.gp
-for words in 'Rq = 200 nm' 'Rq = 500 nm' 'of the film alone' \
-    'coefficient of friction' 'share of the load on metal'; do
+for words in 'Rq = 200 nm' 'Rq = 500 nm' 'fluid friction' \
+    'coefficient of friction' 'asperity load share'; do
     grep -q "$words" curve.svg curve.gp || fail "no '$words'"
 done
 # each line has its three speeds, slowest first, share falling

@@ -166,7 +166,7 @@ whole = sur(counts, 32, 2, True)
 for cut in (100, 511, 515, 519, 530, len(whole) - 1):
     with open("t.sur", "wb") as file:
         file.write(whole[:cut])
-    assert "cut off" in run("t.sur", code=1), cut
+    assert "truncated" in run("t.sur", code=1), cut
 bad = bytearray(whole)
 bad[-5] ^= 255
 with open("t.sur", "wb") as file:
@@ -183,7 +183,7 @@ for kind in ("<f8", "<f4", ">f8", ">i2", "<i4", "u1", "<u2"):
     np.save("line.npy", values[0])
     check("line.npy", read("line.npy", "--spacing", "1um", "--unit-z", "nm"),
           1e-6, values[0].astype("f8") * 1e-9)
-assert "give --spacing" in run("t.npy", code=1)
+assert "set --spacing" in run("t.npy", code=1)
 np.save("c.npy", counts.astype(complex))
 assert "descr must be" in run("c.npy", "--spacing", "1um", "--unit-z", "nm",
                               code=1)
@@ -277,7 +277,7 @@ check_lines("narrow.csv", counts * 1e-9, 1e-6, 1e-6, 1e-15, "--spacing", "1um",
             "--unit-z", "nm")
 with open("narrow.csv", "a") as file:
     file.write("1;2;3\n")
-assert "narrow.csv:8: 3 columns where the rows above have 11" in run(
+assert "narrow.csv:8: 3 columns, but the rows above have 11" in run(
     "narrow.csv", "--spacing", "1um", "--unit-z", "nm", code=1)
 
 # x y z in random order, with two points missing: those rows have gaps

@@ -22,7 +22,7 @@ refuses 'MountainsMap.*export it as X3P' profile a.mnt
 printf 'a\000b' >a.plu
 refuses 'Sensofar.*export it as X3P' profile a.plu
 printf 'aISO-9.0\nNumPoints = 2\n*\n1 2\n*\n' >a.sdf
-refuses "dialect 'aISO-9.0' is not read" profile a.sdf
+refuses "dialect 'aISO-9.0' is not supported" profile a.sdf
 printf 'bBCR-3.0xxxxxxxxxxxxxxxx' >b.sdf
 refuses "dialect 'bBCR-3.0" profile b.sdf
 
@@ -68,7 +68,7 @@ expect 0 "$OVERROLL" profile m.csv
 contains out 'warning: a length of 0\.4 m'
 printf 'x mm,z mm\n0,1\n1,3\n2,1\n' >m.csv
 expect 0 "$OVERROLL" profile m.csv
-contains out 'warning: heights over 2 mm'
+contains out 'warning: heights above 2 mm'
 expect 0 "$OVERROLL" profile "$TOP/profiles/dent.csv"
 ! grep -q warning out || fail "a warning about a dent: $(cat out)"
 
@@ -80,5 +80,5 @@ contains out '^Pk +0 m'
 
 # What lines cannot be chosen
 printf 'x um,z um\n0,1\n1,2\n2,1\n' >m.csv
-refuses 'row: the file holds line 1 only' profile m.csv --row 2
-refuses 'direction: the file holds line 1 only' profile m.csv --direction 10
+refuses 'row: the file contains line 1 only' profile m.csv --row 2
+refuses 'direction: the file contains line 1 only' profile m.csv --direction 10

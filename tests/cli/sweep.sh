@@ -186,17 +186,17 @@ wrong '^wrong.ini:2: .*did you mean .viscosity' \
 wrong '^wrong.ini:2: .*contact.M: .log 1 to.* must be .log A to B in N' \
     '[product]' 'contact.M = log 1 to 5'
 wrong 'A and B must be above 0' '[product]' 'contact.M = log 0 to 5 in 3'
-wrong 'one unit' '[product]' 'contact.load = linear 1 N/m to 2 kN/m in 3'
+wrong 'same unit' '[product]' 'contact.load = linear 1 N/m to 2 kN/m in 3'
 wrong '^wrong.ini:2: .*value of the list is missing' \
     '[product]' 'contact.M = 1,,2'
 wrong "did you mean 'product'" '[prodct]' ''
 wrong "did you mean 'output'" '[study]' 'outptu = a'
-wrong 'there twice' '[product]' 'contact.M = 1, 1'
+wrong 'given twice' '[product]' 'contact.M = 1, 1'
 wrong 'must come before' 'contact.M = 1, 1' ''
 wrong 'none.ini: ' '[study]' 'case = none.ini'
 wrong 'more than a million|must be' '[product]' 'feature.a.seed = 1..1000002'
 printf '[zip]\ncontact.M = 1, 2\ncontact.L = 1, 2, 3\n' >wrong.ini
-refuses '^wrong.ini:3: .*3 values, contact.M before it 2' sweep wrong.ini
+refuses '^wrong.ini:3: .*3 values, but contact.M has 2' sweep wrong.ini
 refuses 'from 1 to 12' sweep study.ini --task 13
 refuses 'whole number from 1' sweep study.ini -j 0
 refuses 'must end with .csv' sweep study.ini --collect x.txt

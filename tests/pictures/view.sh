@@ -74,7 +74,7 @@ grep -q '"stress":' page.html && fail 'stresses that nobody asked for'
 grep -q '"layers":' stress.html && fail 'layers of a body that has none'
 refuses 'no stress .high.' view dent.h5 -o none.html --stress high
 refuses 'exists; --force' view dent.h5 -o page.html
-refuses 'no output is named' view dent.h5
+refuses 'no output: set -o' view dent.h5
 refuses 'No such file' view none.h5 -o none.html
 expect 0 "$OVERROLL" view dent.h5 other.h5 -o two.html
 sed 's/"data":"[^"]*"/"data":"AAAA"/' page.html >broken.html

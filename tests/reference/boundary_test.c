@@ -406,7 +406,7 @@ TEST(slow_films_are_those_of_the_dry_contact)
  * that asks for none, so that no curve ends in the law's plateau. */
 static void keep_warning(void *data, ovr_say kind, const char *text)
 {
-    if (kind == OVR_SAY_WARNING && strstr(text, "ph at no film"))
+    if (kind == OVR_SAY_WARNING && strstr(text, "p_h at zero film thickness"))
         (*(int *)data)++;
 }
 
@@ -673,7 +673,7 @@ TEST(what_has_no_answer_is_refused)
     c = begin(gear);
     assign(c, "contact.mean_speed=3 m/s");
     assign(c, "boundary.law=layer");
-    check_refused(c, "needs the film that the layer bears at, layer");
+    check_refused(c, "needs boundary.layer");
     c = begin(newtonian);
     assign(c, "boundary.law=exponential");
     assign(c, "boundary.Rq=194 nm");
@@ -689,7 +689,7 @@ TEST(what_has_no_answer_is_refused)
     put_roughness(c, 1);
     put_roughness(c, 2);
     assign(c, "feature rough 2.surface=1");
-    check_refused(c, "one profile of a surface");
+    check_refused(c, "one profile per surface");
     c = begin(gear);
     assign(c, "contact.mean_speed=3 m/s");
     assign(c, "boundary.law=exponential");

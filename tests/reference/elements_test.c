@@ -272,7 +272,7 @@ TEST(impossible_gears_are_refused)
     refused_gear(&form, "teeth_1", "5 or more");
     form = good;
     form.teeth_1 = -20;
-    refused_gear(&form, "teeth_1", "internal gear is gear 2");
+    refused_gear(&form, "teeth_1", "internal gear must be gear 2");
     form = good;
     form.teeth_1 = 24;
     form.teeth_2 = -30;
@@ -282,7 +282,7 @@ TEST(impossible_gears_are_refused)
     refused_gear(&form, "centre", "centre must be above 84.5");
     form = good;
     form.shift_1 = form.shift_2 = 0;
-    refused_gear(&form, "centre", "leave one out");
+    refused_gear(&form, "centre", "remove one of the");
     form = good;
     form.teeth_1 = 8;
     form.shift_1 = form.shift_2 = 0;
@@ -440,7 +440,7 @@ TEST(impossible_cams_are_refused)
     const ovr_cam_form roller = given_cam(&truth_cams[1]);
     ovr_cam_form form = flat;
     form.base_radius = 0.005;
-    refused_cam(&form, "base_radius", "a flat follower cannot follow");
+    refused_cam(&form, "base_radius", "a flat follower loses contact");
     form = roller;
     form.roller_radius = 0.06;
     form.base_radius = 0.008;
@@ -585,10 +585,10 @@ TEST(impossible_bearings_are_refused)
     refused_bearing(&form, "rollers", "do not fit on a pitch circle of 65 mm");
     form = good;
     form.pitch = 0.065;
-    refused_bearing(&form, "pitch", "leave one out");
+    refused_bearing(&form, "pitch", "remove one of the");
     form = good;
     form.speed_outer = form.speed_inner;
-    refused_bearing(&form, "speed_inner", "turn as one");
+    refused_bearing(&form, "speed_inner", "speed_outer are equal");
     form = good;
     form.rollers = 2;
     refused_bearing(&form, "rollers", "3 to");

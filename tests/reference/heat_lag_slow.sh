@@ -122,7 +122,7 @@ done
 
 run 3 far 6 3
 contains out '"converged": false'
-contains err 'temperatures are not those of the film'
+contains err 'temperatures of these steps are inconsistent'
 # Nor does a guess without a film heat what is there: 1,400 K it was.
 awk -v T="$(value T_max_rise)" 'BEGIN { exit !(T > 50 && T < 600) }' ||
     fail "the film gets hotter by $(value T_max_rise) K"

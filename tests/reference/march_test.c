@@ -247,7 +247,7 @@ TEST(reversal_wants_a_symmetric_domain)
     ovr_simulation *sim = test_simulation(20, 10, &o);
     ovr_simulation_histories(sim, NULL, speed);
     CHECK_STATUS(ovr_simulation_steady(sim, &err), OVR_BAD_INPUT, &err);
-    CHECK_ERROR(&err, OVR_BAD_INPUT, "as much space on both sides");
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "needs a symmetric domain");
     ovr_simulation_free(sim);
     ovr_history_free(speed);
 }

@@ -348,7 +348,7 @@ TEST(features_that_do_not_close)
 TEST(what_has_no_strip)
 {
     refused("[strip]\n[paper]\nsmoother = hybrid\n",
-            "does not go with a strip; line does");
+            "cannot be combined with a strip; use line");
     refused("[strip]\n[cavitation]\nmodel = conserving\n",
-            "does not go with a strip; reynolds does");
+            "cannot be combined with a strip; use reynolds");
 }

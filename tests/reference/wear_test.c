@@ -251,13 +251,13 @@ static void check_refused(ovr_case *c, const char *words)
 TEST(what_has_no_passes_is_refused)
 {
     ovr_case *c = begin();
-    check_refused(c, "needs passes");
+    check_refused(c, "needs boundary.passes");
     c = begin();
     assign(c, "boundary.passes=10");
     assign(c, "contact.slide_to_roll=2");
-    check_refused(c, "surface 2 stands");
+    check_refused(c, "surface 2 does not move");
     c = begin();
     assign(c, "boundary.passes=10");
     assign(c, "time.end=3");
-    check_refused(c, "does not go with");
+    check_refused(c, "cannot be combined with");
 }

@@ -28,6 +28,8 @@ import sys
 
 BASELINE = os.path.join(os.path.dirname(os.path.abspath(__file__)),
                         "words.baseline")
+# Ends a sentence, where letters alone do not show it.
+END = "\1"
 # Quote the mistakes that they advise against.
 EXEMPT = ("tools/STYLE.md", "tools/GLOSSARY.md")
 
@@ -102,6 +104,11 @@ def texts_of_man(path):
         paragraph.clear()
         return [("man", start, joined, True)] if joined else []
 
+    def add(line):
+        # A sentence of a manual page ends at the end of a line.
+        paragraph.append(line + END if re.search(r"[^.][.]$", line)
+                         else line)
+
     with open(path) as file:
         for number, line in enumerate(file, 1):
             line = line.rstrip("\n")
@@ -126,7 +133,7 @@ def texts_of_man(path):
             line = line.replace("\\ ", " ").replace("\\(aq", "'")
             if not paragraph:
                 start = number
-            paragraph.append(line)
+            add(line)
     yield from take()
 
 
@@ -178,8 +185,8 @@ def texts(root):
 
 
 def sentences(text):
-    return [part for part in re.split(
-        r'(?<=[a-z)\]][.!?])\s+(?=[A-Z\[`"])', text) if part]
+    return [part.strip() for whole in text.split(END) for part in re.split(
+        r'(?<=[a-z)\]][.!?])\s+(?=[A-Z\[`"])', whole) if part.strip()]
 
 
 # --------------------------------------------------------------------- rules
@@ -291,6 +298,9 @@ VERBS = re.compile(
     r"leaves?|fits?|agrees?|differs?|moves?|passes|carries|carry|bears?|"
     r"yields?|flows?|sums?|says?|tells?|sees?|fails?|remains?|see|resumes?|"
     r"accepts?|names?|replaces?|lists?|asks?|plays?|includes?|costs?|"
+    r"cuts?|implies|thins?|repeats?|var(y|ies)|cancels?|represents?|reduces?|"
+    r"contributes?|causes?|grows|skews?|responds?|stays?|shakes?|extends?|"
+    r"indents?|converged|failed|loses?|exchanges?|apply|disappears?|"
     r"compares?|measures?|explains?|describes?|overrides?|picks?|marches|"
     r"leads?|selects?|stores?|models?|consists?|downloads?|assumes?|"
     r"provides?|treat|heat|go|grow|enter|come|run|give|take|"

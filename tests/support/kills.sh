@@ -86,7 +86,7 @@ kill_test() {
         fi
         expect 0 "$OVERROLL" resume a.h5
         grep -q 'was interrupted' err && repaired=$((repaired + 1))
-        grep -q 'begins again' err && unbegun=$((unbegun + 1))
+        grep -q 'starts again' err && unbegun=$((unbegun + 1))
         "$PYTHON" compare.py --all whole.h5 a.h5 >out 2>&1 ||
             fail "kill $k after $after s, resumed: $(tail -n 1 out)"
     done

@@ -335,7 +335,7 @@ static void check_refused(ovr_case *c, const ovr_conflict *why)
     ovr_error err = {0};
     ovr_setup *setup = ovr_case_resolve(c, NULL, &err);
     assert_null(setup);
-    CHECK_ERROR(&err, OVR_BAD_INPUT, "does not go with");
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "cannot be combined with");
     assert_non_null(strstr(err.message, why->instead));
     assert_string_equal(err.about, ovr_model_feature_at(why->feature).key);
 }
@@ -408,7 +408,7 @@ void test_walk_pairs(const char *folder, int every)
 
 /* ---------------------------------------------------------------- elements */
 
-/* What the way of an element does not go with, as the table has it. */
+/* What the way of an element cannot be combined with, as the table has it. */
 static const ovr_conflict *refused_by(const struct contact *element,
                                       const struct way *w)
 {

@@ -144,7 +144,7 @@ TEST(bad_text_is_refused)
                                          "[contact] (first in line 2)");
     refused("[contcat]\n", "t.ini:1: unknown section [contcat]; did you mean "
                            "[contact]?");
-    refused("[warp]\n", "unknown section [warp]; there are");
+    refused("[warp]\n", "unknown section [warp]; the sections are");
     refused("M = 3\n", "t.ini:1: a [section] must come before");
     refused("[contact]\nM\n", "t.ini:2: must be 'key = value'");
     refused("[contact]\n= 3\n", "t.ini:2: a key is missing");
@@ -154,11 +154,11 @@ TEST(bad_text_is_refused)
     refused("[feature]\n", "needs a name");
     refused("[contact two]\n", "unknown section");
     refused("[feature a]\nshape = dent\n[feature a]\n",
-            "t.ini:3: [feature a] is there twice (first in line 1)");
+            "t.ini:3: [feature a] is given twice (first in line 1)");
     refused("\032HDF\n", "t.ini:1: is not text");
     refused("[contact]\nalpha = 1\n", "needs a unit; allowed: 1/Pa");
     refused("[domain]\nM = 3\n", "t.ini:2: unknown key 'M' in [domain]; it "
-                                 "belongs in [contact]");
+                                 "is a key of [contact]");
     memset(line, 'x', sizeof line - 1);
     line[sizeof line - 1] = '\0';
     refused(line, "t.ini:1: the line is too long");
@@ -182,12 +182,13 @@ TEST(contradictions_name_their_line)
     refused(join(moes, "[lubricant]\nviscosity_law = oil\n"),
             "t.ini:5: viscosity_law: unknown 'oil'");
     refused(join(roller, "[contact]\nslide_to_roll = 1\n"),
-            "t.ini:12: slide_to_roll follows");
+            "t.ini:12: slide_to_roll is already determined");
     refused(join(moes, "[domain]\nlevel = 99\n"), "t.ini:5: level: 99 must");
     refused(join(moes, "[domain]\nnodes = 1800\n"),
-            "t.ini:5: nodes: 1800 must be 7 2^k + 1; the nearest is 1793");
+            "t.ini:5: nodes: 1800 must be 7 2^k + 1; the nearest such number "
+            "is 1793");
     refused(join(moes, "[domain]\nnodes = 1793\nlevel = 8\n"),
-            "t.ini:5: nodes: level is given too");
+            "t.ini:5: nodes: domain.level is also set");
     refused(join(moes, "[domain]\noutlet = 0.5\n"), "t.ini:5: outlet");
     refused(join(moes, "[load]\nto = 2\n"),
             "t.ini:5: to: has no effect with history = constant");
@@ -202,8 +203,8 @@ TEST(contradictions_name_their_line)
             "[feature a] needs a shape");
     refused(join(moes, "[domain]\nlevel = 1\n[feature a]\nstart = -5\n"
                        "shape = roughness\nRq = 0.01\nlength = 1e-6\n"),
-            "t.ini:6: the profile is 1e-06 b long, less than the "
-            "mesh of 0.39");
+            "t.ini:6: the profile is 1e-06 b long, shorter than "
+            "the mesh size of 0.39");
     refused(join(moes, "[feature a]\nshape = dent\ndepth = 1\nwidth = 1\n"
                        "start = -5\nwavelength = 3\n"),
             "t.ini:9: feature 'a': a dent has no wavelength");
@@ -215,8 +216,8 @@ TEST(physical_numbers_need_a_physical_contact)
                        "width = 0.5\nstart = -5\n";
     ovr_case *c;
     ovr_setup *s;
-    refused(join(moes, dent), "t.ini:6: depth: 0.2 um needs a physical "
-                              "contact: add radius and modulus");
+    refused(join(moes, dent), "t.ini:6: depth: 0.2 um needs a contact with "
+                              "dimensions; set radius and modulus");
     refused(join(moes, "[time]\nend = 1 ms\n"), "t.ini:5: end: 1 ms needs a");
     s = resolved(join(roller, dent), &c);
     CHECK_CLOSE(s->feature[0]->depth, 0.2e-6 / s->contact->height, 1e-15);

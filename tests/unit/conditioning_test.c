@@ -256,7 +256,8 @@ TEST(gaps_are_bridged_and_limited)
     assert_int_equal(ovr_profile_look(p)->missing, 4);
     CHECK_OK(ovr_profile_condition(p, &how, &err), &err);
     assert_int_equal(ovr_profile_look(p)->filled, 4);
-    assert_non_null(strstr(ovr_profile_look(p)->notes, "4 points filled"));
+    assert_non_null(
+        strstr(ovr_profile_look(p)->notes, "4 points interpolated"));
     for (size_t i = 0; i < 101; i++)
         CHECK_NEAR(ovr_profile_look(p)->z[i], 5 * x[i], 1e-14);
     ovr_profile_free(p);

@@ -533,7 +533,7 @@ TEST(nonsense_is_refused)
     ovr_material_range range = about(0);
     range.to = range.from;
     assert_null(ovr_material_history_create(&o, &range, NULL, &err));
-    CHECK_ERROR(&err, OVR_BAD_INPUT, "must be below the second");
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "must be below the upper limit");
     range = about(0);
     range.reach = 3;
     assert_null(ovr_material_history_create(&o, &range, NULL, &err));

@@ -235,7 +235,7 @@ TEST(mistakes_in_text_are_named)
     refuse_text("x um,z um\n1,2\n2,a\n", "f.txt:3: 'a'");
     refuse_text("x um,z um\n1,2\n,3\n", "f.txt:3");
     refuse_text("x um,z um\n1,2\n2\n", "f.txt:3");
-    refuse_text("x um,z um\n1,2\n3,3\n2,4\n9,9", "f.txt:4: x turns back");
+    refuse_text("x um,z um\n1,2\n3,3\n2,4\n9,9", "f.txt:4: x is not monotonic");
     refuse_text("x um,z um\n1,NaN\n3,BAD\n", "none of the 2");
     refuse_text("z um\n1\n2\n3\n", "spacing");
     refuse_text("1,2,3\n2,3,4\n", "column_z");
@@ -259,7 +259,7 @@ TEST(mistakes_in_sdf_are_named)
     gauge_make(&g, &seed, true, 2, false);
     size = gauge_as_sdf_binary(&g, 5, bytes, &step);
     refuse(bytes, 50, "offset 50");
-    refuse(bytes, size - 1, "cut off");
+    refuse(bytes, size - 1, "truncated");
     bytes[79] = 9;
     refuse(bytes, size, "DataType = 9");
 }
@@ -337,7 +337,7 @@ TEST(bombs_are_refused)
     test_faults_init(&count);
     source.file = path;
     assert_null(ovr_profile_read(&source, &count.hook, &err));
-    CHECK_ERROR(&err, OVR_BAD_INPUT, "more than 256 MiB");
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "larger than 256 MiB");
     assert_true(count.bytes < 1.5 * (1 << 28));
     assert_int_equal(count.live, 0);
     free(member);

@@ -176,7 +176,7 @@ TEST_WITH(counts_are_not_points, begin, end)
 {
     read_text("x um,z um\n3\n0,1\n1,2\n2,3\n");
     assert_int_equal(view->n, 3);
-    check_note("count line says 3");
+    check_note("count line states 3");
     read_text("x um,z um\n5\n0,1\n1,2\n2,3\n");
     check_note("there are 3");
 }
@@ -212,7 +212,7 @@ TEST_WITH(backwards_is_turned_round, begin, end)
     read_text("x um,z um\n3,1\n1,2\n0,4\n");
     check_point(0, 0, 4e-6);
     check_point(2, 3e-6, 1e-6);
-    check_note("backwards");
+    check_note("was reversed");
 }
 
 TEST_WITH(locale_does_not_matter, begin, end)
@@ -283,11 +283,12 @@ TEST_WITH(of_another_kind_of_file, begin, end)
     ovr_error err = {0};
     source.row = 2;
     assert_null(ovr_profile_parse(&source, text, sizeof text - 1, NULL, &err));
-    CHECK_ERROR(&err, OVR_BAD_INPUT, "row: the file holds line 1 only");
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "row: the file contains line 1 only");
     source.row = 0;
     source.column_z = 2;
     assert_null(
         ovr_profile_parse(&source, areal, sizeof areal - 1, NULL, &err));
     CHECK_ERROR(&err, OVR_BAD_INPUT,
-                "column_z: has no effect, columns are those of text");
+                "column_z: has no effect, because only text files have "
+                "columns");
 }

@@ -107,7 +107,8 @@ TEST(data_are_checked)
     const char *path = test_path(*state, "d.x3p");
     static const char away[] =
         "<DataLink><PointDataLink>../../etc/passwd</PointDataLink></DataLink>";
-    refuse(path, "PRF", good_axes, joined(good_size, away), "not in it");
+    refuse(path, "PRF", good_axes, joined(good_size, away),
+           "is missing in main.xml");
     refuse(path, "PRF", good_axes,
            joined(good_size, "<DataLink><PointDataLink>bindata/data.bin"
                              "</PointDataLink><ValidPointsLink>no"
@@ -225,7 +226,7 @@ TEST(bombs_are_refused)
     test_faults_init(&count);
     source.file = path;
     assert_null(ovr_profile_read(&source, &count.hook, &err));
-    CHECK_ERROR(&err, OVR_BAD_INPUT, "larger than the 67108864 bytes");
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "larger than the maximum of 67108864");
     assert_true(count.bytes < MAX / 8);
     assert_int_equal(count.live, 0);
     free(spaces);

@@ -508,7 +508,7 @@ TEST(nonsense_is_refused)
     refuses(o, "depths_per_octave");
     o = level8();
     o.to = o.from;
-    refuses(o, "must be below the second");
+    refuses(o, "must be below the upper limit");
     o = level8();
     o.mesh = 0;
     refuses(o, "mesh");

@@ -331,6 +331,6 @@ run_at() {
 }
 asked_for_slopes() {
     expect 1 "$OVERROLL" run "$name.ini" --sensitivity "$key" -q
-    contains err 'a study of the key.s values does'
+    contains err 'use a study of the key'
 }
 asked passes lubricant.viscosity '0.11 Pa.s' '0.13 Pa.s' H_min_overall_m

@@ -29,14 +29,14 @@ static const ovr_parameter contact_keys[] = {
     {"alphabar", PLAIN(0, 1e5), NULL, AT(contact.alphabar), true, ALWAYS,
      "alpha times the Hertzian pressure, with lambda"},
     {"load", WITH_UNIT(OVR_LOAD, 1e-6, 1e10), NULL, AT(contact.load), true,
-     ALWAYS, "load per unit width, w; as a force with width given"},
+     ALWAYS, "load per unit width, w; with contact.width also as a force"},
     {"width", WITH_UNIT(OVR_LENGTH, 1e-7, 1e4), NULL, AT(contact.width), false,
      "modulus or G or load or [body]",
      "length of the contact along the rollers' axes: for a load in N, and for "
      "forces in N"},
     {"hertz_pressure", WITH_UNIT(OVR_PRESSURE, 1e2, 1e12), NULL,
      AT(contact.hertz_pressure), true, ALWAYS,
-     "maximum Hertzian pressure ph, instead of load (or of alpha)"},
+     "maximum Hertzian pressure p_h, instead of load (or of alpha)"},
     {"radius", WITH_UNIT(OVR_LENGTH, 1e-7, 1e4), NULL, AT(contact.radius), true,
      "modulus or G or load or [body]",
      "reduced radius R, 1/R = 1/R1 + 1/R2; or from [body 1] and [body 2]"},
@@ -60,20 +60,22 @@ static const ovr_parameter contact_keys[] = {
      AT(contact.slide_to_roll), true, ALWAYS,
      "(u1 - u2)/um, may be in %; default: 0"},
     {"G", PLAIN(1, 1e7), NULL, AT(contact.G), true, ALWAYS,
-     "alpha E', with M and L: instead of modulus, for coefficients of "
-     "friction"},
+     "alpha E' in addition to M and L, instead of modulus, for friction "
+     "coefficients"},
     {"Rq_1", WITH_UNIT(OVR_LENGTH, 0, 1e-3), NULL, AT(Rq[0]), false,
      "modulus or G or load or [body]",
      "root mean square roughness of surface 1 that is not on the grid; gives "
      "the lambda ratio, without other effect"},
     {"Rq_2", WITH_UNIT(OVR_LENGTH, 0, 1e-3), NULL, AT(Rq[1]), false,
-     "modulus or G or load or [body]", "the same for surface 2"},
+     "modulus or G or load or [body]",
+     "root mean square roughness of "
+     "surface 2 that is not on the grid"},
     {"bearable_pressure", WITH_UNIT(OVR_PRESSURE, 1, 1e13), "4 GPa",
      AT(bearable), false, ALWAYS,
      "a warning is printed above this pressure; hardened steel yields there"},
     {"scale", CHOICE(scales), "dry", AT(scale), true, "coating.thickness",
-     "b, ph, M and L by the dry contact of the bodies with "
-     "their layers, or of the substrates alone"},
+     "reference of b, p_h, M and L: the dry contact of the bodies with their "
+     "layers, or of the substrates alone"},
 };
 
 const ovr_section ovr_contact_section = {
@@ -85,33 +87,37 @@ const ovr_section ovr_contact_section = {
 static const ovr_parameter body_keys[] = {
     {"material", CHOICE(materials), NULL, offsetof(ovr_body_form, material),
      true, "no contact.modulus or [stress] or heat.model = lobatto",
-     "gives modulus and Poisson's ratio; those that are given count"},
+     "material, which supplies the properties that are not set"},
     {"modulus", WITH_UNIT(OVR_PRESSURE, 1e3, 1e13), NULL,
      offsetof(ovr_body_form, modulus), true, ALWAYS,
-     "Young's modulus E; both bodies' give the reduced one"},
+     "Young's modulus E; both bodies determine the reduced modulus"},
     {"poisson", PLAIN(0, 0.5), "0.3", offsetof(ovr_body_form, poisson), true,
      "no contact.modulus or [stress]; modulus or material or [stress]",
-     "Poisson's ratio; 0.3 where no material says otherwise"},
+     "Poisson's ratio; default: that of the material, otherwise 0.3"},
     {"conductivity", WITH_UNIT(OVR_CONDUCTIVITY, 1e-3, 1e4), NULL,
      offsetof(ovr_body_form, thermal.conductivity), true,
-     "heat.model = lobatto", "with heat; of its material, else of steel"},
+     "heat.model = lobatto",
+     "needed with heat; default: that of the "
+     "material, otherwise of steel"},
     {"heat_capacity", WITH_UNIT(OVR_HEAT_CAPACITY, 1, 1e30), NULL,
      offsetof(ovr_body_form, thermal.heat_capacity), true,
-     "heat.model = lobatto", "with heat; of its material, else of steel"},
+     "heat.model = lobatto",
+     "needed with heat; default: that of the "
+     "material, otherwise of steel"},
     {"density", WITH_UNIT(OVR_MASS_DENSITY, 100, 1e5), NULL,
      offsetof(ovr_body_form, thermal.density), true, "heat.model = lobatto",
-     "with heat; of its material, else of steel"},
+     "needed with heat; default: that of the material, otherwise of steel"},
     {"yield", STRESS(no_yield, 0, 1e4), NULL, offsetof(ovr_body_form, yield),
      false, "[stress]",
      "yield stress (von Mises), also a reference of stresses; default: that "
      "of the material, otherwise none"},
     {"radius", OVR_NUMBER, OVR_LENGTH, OVR_NOT_HERTZIAN, -1e4, 1e4, false,
      .words = flat, NULL, offsetof(ovr_body_form, radius), true, ALWAYS,
-     "radius at the contact, negative where it is concave, or flat; both "
-     "bodies' give the reduced one"},
+     "radius at the contact, negative: concave, or flat; both bodies "
+     "determine the reduced radius"},
 };
 
 const ovr_section ovr_body_section = {
     "body", true, NULL,
-    "[body 1], [body 2]: the bodies, for what [contact] does not say",
+    "[body 1], [body 2]: properties of the bodies that are not in [contact]",
     ROWS(body_keys)};

@@ -70,8 +70,8 @@ static const ovr_parameter domain_keys[] = {
      "for constant load, speed and radius and without mass-conserving "
      "cavitation); auto: 4 where it applies"},
     {"faces", CHOICE(faces), "logarithmic", AT(options.faces), true, ALWAYS,
-     "mean of rho H^3/eta between two nodes: harmonic in H^3, and of 1/eta "
-     "logarithmic, exact for a viscosity exponential in pressure, or "
+     "average of rho H^3/eta between two nodes: harmonic in H^3, and of "
+     "1/eta logarithmic, exact for a viscosity exponential in pressure, or "
      "arithmetic (gap, as in 0.3.0: a minimum film thickness up to ten times "
      "less accurate); arithmetic in the whole, as in the paper, which leaks "
      "through constrictions narrower than the mesh size"},
@@ -84,7 +84,8 @@ static const ovr_parameter domain_keys[] = {
      "needs"},
     {"refine_change", PLAIN(1e-9, OVR_REFINE_CHANGE_MAX), "1e-3",
      AT(options.refine_change), true, "refine = spike; no refine_level",
-     "patches until two levels running change the spike's height by less"},
+     "patches are added until two consecutive levels change the spike height "
+     "by less"},
 };
 
 const ovr_section ovr_domain_section = {
@@ -96,25 +97,29 @@ static const ovr_parameter solver_keys[] = {
      "multigrid cycle"},
     {"sweeps_before", WHOLE_OR(auto_zero, 0, OVR_SWEEPS_MAX), "auto",
      AT(options.sweeps_before), true, ALWAYS,
-     "relaxations before the coarse grid"},
+     "relaxation sweeps before the coarse-grid correction"},
     {"sweeps_after", WHOLE_OR(auto_zero, 0, OVR_SWEEPS_MAX), "auto",
      AT(options.sweeps_after), true, ALWAYS,
-     "relaxations after the coarse grid"},
+     "relaxation sweeps after the coarse-grid correction"},
     {"coarsest_level", WHOLE_OR(auto_zero, 1, 7), "auto",
      AT(options.coarsest_level), true, ALWAYS,
      "coarsest grid; the paper's is 1"},
     {"stop", CHOICE(stops), "negligible", AT(options.stop), true, ALWAYS,
-     "when a steady solve is done: algebraic error negligible, a fraction of "
+     "end of the steady solution: negligible algebraic error, a fraction of "
      "the discretization error, or a fixed number of cycles"},
     {"max_cycles", WHOLE_OR(auto_zero, 1, OVR_MAX_CYCLES_MAX), "auto",
-     AT(options.max_cycles), true, ALWAYS, "steady: most cycles on each level"},
+     AT(options.max_cycles), true, ALWAYS,
+     "maximum number of number of "
+     "cycles on each level (steady)"},
     {"tolerance", PLAIN_OR(auto_zero, 1e-16, OVR_TOLERANCE_MAX), "auto",
      AT(options.tolerance), true, ALWAYS,
-     "on the relative mass-flow imbalance"},
+     "tolerance of the relative mass-flow imbalance"},
 };
 
 const ovr_section ovr_solver_section = {
-    "solver", false, NULL, "multigrid; the defaults do for nearly every case",
+    "solver", false, NULL,
+    "multigrid solver; the defaults suit nearly every "
+    "case",
     ROWS(solver_keys)};
 
 static const ovr_parameter paper_keys[] = {
@@ -133,10 +138,11 @@ static const ovr_parameter paper_keys[] = {
      "force balance by the paper's relaxation of H0 on the coarsest grid "
      "instead of dense Newton steps"},
     {"cycles", WHOLE(1, OVR_CYCLES_MAX), "2", AT(options.cycles), true,
-     "solver.stop = fixed", "cycles on each level"},
+     "solver.stop = fixed", "number of cycles on each level"},
     {"mlmi_order", WHOLE_OR(auto_zero, OVR_ORDER_MIN, OVR_ORDER_MAX), "auto",
      AT(options.mlmi_order), true, ALWAYS,
-     "order of the transfers in the deformation integrals, even"},
+     "order of restriction and prolongation in the deformation integrals, "
+     "even"},
     {"mlmi_range", WHOLE_OR(auto_zero, OVR_RANGE_MIN, OVR_RANGE_MAX), "auto",
      AT(options.mlmi_range), true, ALWAYS,
      "local corrections within this number of mesh sizes of the singularity"},
@@ -145,5 +151,5 @@ static const ovr_parameter paper_keys[] = {
 const ovr_section ovr_paper_section = {
     "paper", false, NULL,
     "the algorithm of Venner, ten Napel & Bosma (1990), for their tables; "
-    "[solver] may hold these keys too, as it once did",
+    "these keys are also accepted in [solver]",
     ROWS(paper_keys)};

@@ -37,15 +37,15 @@ static const ovr_parameter time_keys[] = {
      "(0.02 where load, speed or radius vary); upstream2 else"},
     {"error", PLAIN(1e-9, 0.1), "1e-3", AT(error), true,
      IN_TIME "; step = adaptive",
-     "relative error that the steps add to the film on its way "
-     "through the contact"},
+     "relative error of the film thickness due to the time steps during one "
+     "passage of the contact"},
     {"until_steady", FLAG, "no", AT(until_steady), false, IN_TIME,
-     "stop when nothing changes any more"},
+     "end the run when the contact is steady again"},
 };
 
 const ovr_section ovr_time_section = {
     "time", false, "end",
-    "the run in time, and the scheme (of steady cases too)", ROWS(time_keys)};
+    "the run in time, and the scheme (also of steady cases)", ROWS(time_keys)};
 
 static const ovr_parameter load_keys[] = {
     HISTORY(AT(load), "1", 0, 100, 1, CHANGES),

@@ -76,13 +76,16 @@ static const ovr_word no_yield[] = {{"none", 0}, {NULL, 0}};
 
 static const ovr_parameter keys[] = {
     {"material", CHOICE(material_words), NULL, offsetof(coat, material), true,
-     ALWAYS, "gives its constants; those that are given count"},
+     ALWAYS,
+     "material of the layer, which supplies the properties that are "
+     "not set"},
     {"thickness", OVR_NUMBER, OVR_LENGTH, OVR_IN_B, 0, 1e4, true, .words = NULL,
      NULL, offsetof(coat, thickness), true, ALWAYS, "thickness of the layer"},
     {"modulus", WITH_UNIT(OVR_PRESSURE, 1e3, 1e13), NULL,
      offsetof(coat, modulus), true, ALWAYS, "Young's modulus of the layer"},
     {"poisson", PLAIN(0, 0.5), NULL, offsetof(coat, poisson), true, ALWAYS,
-     "its Poisson's ratio; 0.3 where no material says otherwise"},
+     "Poisson's ratio of the layer; default: that of the material, otherwise "
+     "0.3"},
     {"conductivity", WITH_UNIT(OVR_CONDUCTIVITY, 1e-3, 1e4), NULL,
      offsetof(coat, thermal.conductivity), true, "heat.model = lobatto",
      "with heat"},
@@ -94,7 +97,7 @@ static const ovr_parameter keys[] = {
      "with heat"},
     {"residual_x", STRESS(NULL, -100, 100), "0", offsetof(coat, residual[0]),
      true, "[stress]",
-     "stress in the layer without load, along the surface, tension positive"},
+     "residual stress in the layer along the surface, tension positive"},
     {"residual_y", STRESS(NULL, -100, 100), "0", offsetof(coat, residual[1]),
      true, "[stress]", "and across"},
     {"yield", STRESS(no_yield, 0, 1e4), "none", offsetof(coat, yield), false,
@@ -102,11 +105,12 @@ static const ovr_parameter keys[] = {
      "yield stress (von Mises) of the layer; the utilization is reported"},
     {"limit_pressure", STRESS(no_yield, 0, 1e3), "none", offsetof(coat, limit),
      false, "[fatigue]",
-     "fatigue limit, as maximum Hertzian pressure of a smooth contact to the "
-     "layer; the share of it that is used is told"},
+     "fatigue limit of the layer, as maximum Hertzian pressure of a smooth "
+     "contact; the utilization is reported"},
     {"interface_strength", STRESS(no_yield, 0, 1e4), "none",
      offsetof(coat, strength), false, "[stress]",
-     "shear stress that the interface below the layer bears; the same"},
+     "shear strength of the interface below the layer; the utilization is "
+     "reported"},
 };
 
 static const ovr_section section = {
@@ -127,9 +131,9 @@ static ovr_status block(void *form, const char *name, void **into,
                  !(name[1] && name[2]);
     if (!known)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "[coating %.20s]: the layers of body 1 are [coating "
-                        "1], [coating 1b] to [coating 1%c], from the surface "
-                        "down; those of body 2 alike",
+                        "[coating %.20s]: must be [coating 1], [coating 1b] "
+                        "to [coating 1%c] for the layers of body 1 from the "
+                        "surface down, or the same with 2 for body 2",
                         name, 'a' + OVR_LAYERS_MAX - 1);
     f->there[body][layer] = true;
     f->coat[body][layer] = (coat){.thickness = NAN,
@@ -205,9 +209,9 @@ static ovr_status check_case(const ovr_physics_case *of, coating_form *f,
     for (int k = 0; k < 2; k++)
         if (isnan(of->body[k].modulus))
             return ovr_fail(err, OVR_BAD_INPUT,
-                            "[coating] needs the modulus of both bodies: a "
-                            "modulus or material in [body %d]; a reduced one "
-                            "does not say whose it is",
+                            "[coating] needs the modulus of both bodies; set "
+                            "modulus or material in [body %d] (the reduced "
+                            "modulus is not sufficient)",
                             k + 1);
     return OVR_OK;
 }
@@ -261,9 +265,10 @@ static ovr_status stiffness(const ovr_physics_case *of, void *form,
         ovr_images_fit(f->body, &f->images);
     if (f->images.error > FIT_MAX)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "[coating]: images meet the compliance of these layers "
-                        "to %.1g only: moduli or thicknesses differ too much "
-                        "from one layer to the next",
+                        "[coating]: the compliance of these layers is "
+                        "approximated only to a relative error of %.1g, "
+                        "because moduli or thicknesses differ too much from "
+                        "one layer to the next",
                         f->images.error);
     if (other || f->unit != before)
         scale(f, of->by_substrate);
@@ -376,8 +381,8 @@ static ovr_status resolve(const ovr_physics_case *of, void *form, bool *on,
                         f->width);
     if (of->contact->kappa / 4 > STRAIN_MAX)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "[coating]: ph is %.2g of the modulus E': strains are "
-                        "not small, and no film is calculated for them",
+                        "[coating]: p_h is %.2g of the modulus E', which is "
+                        "beyond the small-strain model; reduce the load",
                         of->contact->kappa / 4);
     /* Interpolated images would not have the accuracy of the fit */
     if (!of->options->mlmi_order)
@@ -433,12 +438,13 @@ static void tell(const ovr_physics_case *of, const void *form,
         for (int j = 0; j < f->body[k].layers; j++)
             tell_layer(of, f, k, j, line, data);
     snprintf(text, sizeof text,
-             "E' %.4g GPa, of the substrates %.4g GPa; images to %.1g",
+             "E' %.4g GPa, substrates %.4g GPa; relative error of the "
+             "compliance %.1g",
              of->contact->modulus / 1e9, of->substrate / 1e9, f->images.error);
     line(data, "layered contact", text);
     snprintf(text, sizeof text, "half-width %.4g b, maximum pressure %.4g p_h",
              f->width, f->pressure);
-    line(data, "dry, with its layers", text);
+    line(data, "dry contact with the layers", text);
 }
 
 /* ----------------------------------------------------------- its simulation */

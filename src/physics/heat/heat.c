@@ -434,11 +434,11 @@ static ovr_status explain(const ovr_simulation *sim, const void *own,
         return OVR_OK;
     return ovr_fail(
         err, OVR_NOT_CONVERGED,
-        "the steady film was found without heat, but not with it: after %d "
-        "cycles in %d ways temperatures still change by %.1e of the largest "
-        "rise (target %.0e), relative mass-flow imbalance %.1e; less sliding, "
-        "a "
-        "finer level or an oil with a limiting shear stress may help",
+        "the steady solution converged without heat, but not with heat: "
+        "after %d cycles and %d strategies temperatures still change by %.1e "
+        "of the maximum rise (target %.0e), relative mass-flow imbalance "
+        "%.1e; less sliding, a finer domain.level or a limiting shear stress "
+        "may help",
         outcome->cycles, outcome->retries + 1, h->change, OVR_HEAT_CHANGE,
         outcome->defect.imbalance);
 }

@@ -380,8 +380,8 @@ void ovr_heat_visit(ovr_simulation *sim, void *own, ovr_pieces *state)
     if (!state->status && points != h->cross_film.n && !h->chooses)
         state->status = ovr_fail(
             state->err, OVR_BAD_INPUT,
-            "the state has %d points across the film, this run %d", points,
-            h->cross_film.n);
+            "the state has %d points across the film, but this run has %d",
+            points, h->cross_film.n);
     if (state->status)
         return;
     if (points != h->cross_film.n)

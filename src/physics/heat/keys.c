@@ -22,7 +22,8 @@ static const ovr_parameter keys[] = {
      "lobatto: temperatures by collocation across the film"},
     {"points", CHOICE(heat_points), "auto", AT(given.points), true,
      "model = lobatto",
-     "across the film; auto: 5, or 7 where the steady start asks for them"},
+     "number of points across the film; auto: 5, or 7 if the steady start "
+     "needs them"},
     {"temperature", WITH_UNIT(OVR_TEMPERATURE, 150, 800), NULL,
      AT(given.temperature), true,
      "model = lobatto or lubricant.viscosity_40 or lubricant.iso_vg or "
@@ -31,10 +32,10 @@ static const ovr_parameter keys[] = {
      "given, and of the bodies; or temperature in [lubricant]"},
     {"temperature_1", WITH_UNIT(OVR_TEMPERATURE, 150, 800), NULL,
      AT(given.bulk[0]), true, "model = lobatto",
-     "of body 1 far from the contact"},
+     "temperature of body 1 far from the contact"},
     {"temperature_2", WITH_UNIT(OVR_TEMPERATURE, 150, 800), NULL,
      AT(given.bulk[1]), true, "model = lobatto",
-     "of body 2 far from the contact"},
+     "temperature of body 2 far from the contact"},
     {"conductivity", WITH_UNIT(OVR_CONDUCTIVITY, 1e-3, 1e3), "0.14 W/m.K",
      AT(given.oil.conductivity), true, "model = lobatto", "of the oil"},
     {"heat_capacity", WITH_UNIT(OVR_HEAT_CAPACITY, 1, 1e30), "2000 J/kg.K",

@@ -59,17 +59,17 @@ static void review_speed(const ovr_setup *s, int k, ovr_listener *listener,
         snprintf(when, sizeof when, " at T = %.4g", slow.T);
     if (slow.u == 0)
         ovr_warn(listener, data,
-                 "heat: surface %d stands still%s: it has no steady "
-                 "temperature, but gets hotter as the logarithm of time; a "
-                 "steady solution is that after %.3g s, and a contact of the "
-                 "width w is as hot as it gets after about w^2/kappa, %.3g s "
-                 "for 10 mm",
+                 "heat: surface %d does not move%s and has no steady "
+                 "temperature: it rises with the logarithm of time. The "
+                 "steady solution is the state after %.3g s; a contact of "
+                 "width w reaches its final temperature after about "
+                 "w^2/kappa, %.3g s for 10 mm",
                  k + 1, when, reach * second, 1e-4 / kappa);
     else
         ovr_warn(listener, data,
-                 "heat: surface %d is computed too cold below a Peclet number "
-                 "of 0.05; it has %.3g%s: its temperature needs %.3g s to "
-                 "become steady, and %.3g s are modelled",
+                 "heat: surface %d is computed too cold below a Peclet "
+                 "number of 0.05; it has %.3g%s. Its temperature needs %.3g "
+                 "s to become steady, and the model covers %.3g s",
                  k + 1, slow.Pe, when,
                  20 * kappa / pow(slow.u * s->contact->um, 2), reach * second);
 }
@@ -88,8 +88,8 @@ static void warn_of_rise(const ovr_accompanied_run *run)
     if (!(rise > maximum))
         return;
     ovr_warn(run->say, run->listener,
-             "heat: the film is up to %.3g K hotter than the supply, further "
-             "than laws of viscosity are measured",
+             "heat: the film is up to %.3g K hotter than the supply, beyond "
+             "the measured range of viscosity laws",
              rise);
 }
 
@@ -99,10 +99,10 @@ static void warn_of_lag(const ovr_accompanied_run *run)
     if (!s->lagging)
         return;
     ovr_warn(run->say, run->listener,
-             "heat: in %ld of %ld steps temperatures are not those of the film "
-             "(they lag behind it, or energy does not close to a tenth): what "
-             "follows from these steps may be far off; take "
-             "shorter ones, [time] step, or a finer level",
+             "heat: results after %ld of %ld steps may be wrong, because the "
+             "temperatures of these steps are inconsistent with the film or "
+             "violate the energy balance by more than 10 %%; set a shorter "
+             "time.step or a finer domain.level",
              s->lagging, s->steps);
 }
 
@@ -114,9 +114,9 @@ static void warn_of_points(const ovr_accompanied_run *run)
     if (!(s->last_cross_film > 0) || ovr_simulation_heat_points(run->sim) != 5)
         return;
     ovr_warn(run->say, run->listener,
-             "heat: 5 points across the film leave friction too low by about "
-             "%.1f %%, and temperatures of the surfaces off by up to twice "
-             "that: take points = 7 in [heat]",
+             "heat: friction is about %.1f %% too low and surface "
+             "temperatures are wrong by up to twice that, because "
+             "heat.points is 5; set heat.points = 7",
              off);
 }
 
@@ -150,9 +150,10 @@ static void warn_of_domain(const ovr_accompanied_run *run)
             continue;
         ovr_warn(
             run->say, run->listener,
-            "heat: the domain is too short for it to leave: surface %d "
-            "comes in at the %s as if from afar, where it takes up %.0f %% "
-            "of the largest heat flux; move the %s out",
+            "heat: temperatures are wrong because the domain is too short: "
+            "surface %d enters at the %s with its bulk temperature, where it "
+            "already receives %.0f %% of the maximum heat flux; move the %s "
+            "out",
             k + 1, end, 100 * share, end);
     }
 }

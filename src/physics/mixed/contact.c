@@ -522,11 +522,12 @@ static void review_wear(const ovr_simulation *sim, const ovr_wear *wear,
     }
     if (wear->lost)
         say(data, true,
-            "the law of the worn profiles was not found at times: the last one "
-            "was kept");
+            "the contact model of the worn profiles could not be computed in "
+            "some jumps; the previous model was used there");
     if (!ovr_wear_over(wear)) {
         snprintf(text, sizeof text,
-                 "%.3g of %.3g passes were made: give a longer jump",
+                 "only %.3g of %.3g passes were computed; set a longer "
+                 "boundary.jump",
                  wear->now.passes, wear->given->passes);
         say(data, true, text);
     }
@@ -563,12 +564,13 @@ static ovr_status refuse(const ovr_simulation *sim, const void *own,
     if (!is_exhausted(sim, own))
         return OVR_OK;
     return ovr_fail(err, OVR_IMPOSSIBLE,
-                    "the asperity law is exhausted: with a minimum film "
-                    "thickness H = %.3g it bears over half of the %.3g ph that "
-                    "it bears at no film, which is less than the contact "
-                    "pressure; contact share and friction would be wrong. Use "
-                    "[boundary] law = exponential with Rq and slope, or "
-                    "constants that bear ph at no film",
+                    "contact share and friction would be wrong, because the "
+                    "asperity law is exhausted: at the minimum film "
+                    "thickness H = %.3g its pressure exceeds half of its "
+                    "maximum, %.3g p_h, which is less than the contact "
+                    "pressure. Set boundary.law = exponential with Rq and "
+                    "slope, or constants that carry p_h at zero film "
+                    "thickness",
                     sim->observation.H_min, b->given->at_no_film);
 }
 
@@ -583,8 +585,8 @@ static void review(const ovr_simulation *sim, const void *own,
     ovr_touch_law_at(b->law, now->H[now->n - 1], &A, &slope);
     if (A > enough) {
         snprintf(text, sizeof text,
-                 "surfaces touch at the outlet, with %.2g ph: a larger "
-                 "[domain] outlet takes that in",
+                 "asperities are in contact at the outlet boundary (%.2g "
+                 "p_h); set domain.outlet further downstream",
                  A);
         say(data, true, text);
     }
@@ -594,9 +596,9 @@ static void review(const ovr_simulation *sim, const void *own,
             "contact; set boundary.friction");
     if (sim->state.step > 0 && is_exhausted(sim, b))
         say(data, true,
-            "the asperity law is exhausted at the end of the run: contact "
-            "share and friction are wrong where steps are marked as not "
-            "converged; use [boundary] law = exponential with Rq and slope");
+            "contact share and friction are wrong in steps flagged as not "
+            "converged, because the asperity law is exhausted at the end of "
+            "the run; set boundary.law = exponential with Rq and slope");
     if (b->wear && sim->state.step > 0)
         review_wear(sim, b->wear, say, data);
 }

@@ -57,33 +57,35 @@ static const ovr_parameter keys[] = {
      "finer than the grid"},
     {"flow_factor", CHOICE(factors), "none",
      offsetof(ovr_boundary_form, ridges), true, "law; of = all",
-     "how rough surfaces change what a pressure gradient drives through their "
-     "mean gap, after Patir and Cheng: ridges of no direction, across the "
-     "flow or along it, 9 times as long as wide"},
+     "pressure flow factor of Patir and Cheng: isotropic roughness, or "
+     "ridges across or along the flow that are 9 times as long as wide"},
     {"Rq", HEIGHT, "0", offsetof(ovr_boundary_form, Rq), true, with_Rq,
-     "root mean square height of both surfaces together"},
+     "composite root mean square height of both surfaces"},
     {"slope", PLAIN(0, 1), "0", offsetof(ovr_boundary_form, slope), true, rough,
-     "root mean square slope of both together, a pure number"},
+     "composite root mean square slope of both surfaces, dimensionless"},
     {"amplitude", STRESS(none, 0, 1e6), "none",
      offsetof(ovr_boundary_form, amplitude), true, rough,
-     "pressure at no gap, instead of one by the slope"},
+     "pressure at zero gap, instead of the value computed from slope"},
     {"decay", OVR_NUMBER, OVR_LENGTH, OVR_IN_HEIGHT, 0, 1e3, false,
      .words = none, "none", offsetof(ovr_boundary_form, decay), true, rough,
-     "gap over which it falls by e, instead of Rq/2.15"},
+     "gap over which the pressure falls by a factor e, instead of Rq/2.15"},
     {"layer", HEIGHT, "0", offsetof(ovr_boundary_form, layer), true, "law",
-     "film at which a layer of boundary lubricant bears ph; 0: none"},
+     "film thickness at which a layer of boundary lubricant carries p_h; 0: "
+     "no layer"},
     {"layer_decay", HEIGHT, "0", offsetof(ovr_boundary_form, layer_decay), true,
-     "layer > 0", "film over which that falls by e; 0: a third of it"},
+     "layer > 0",
+     "film thickness over which that pressure falls by a factor "
+     "e; 0: a third of layer"},
     {"friction", PLAIN_OR(none, 0, 2), "none",
      offsetof(ovr_boundary_form, friction), true, "law",
      "boundary friction coefficient"},
     {"summits", PLAIN(0, 1), "0.05", offsetof(ovr_boundary_form, summits), true,
      summits,
-     "summits an area times their radius times Rq, n beta sigma: measured "
+     "summit density times summit radius times Rq, n beta sigma; measured: "
      "0.03 to 0.06"},
     {"sharpness", PLAIN(0, 1), "0.01", offsetof(ovr_boundary_form, sharpness),
      true, summits,
-     "Rq over the radius of summits, sigma/beta: 0.0001 to 0.01"},
+     "Rq divided by the summit radius, sigma/beta; usual: 0.0001 to 0.01"},
     {"wear_1", OVR_NUMBER, OVR_PER_PRESSURE, OVR_NOT_HERTZIAN, 0, 1, false,
      .words = no_wear, "none", offsetof(ovr_boundary_form, wear[0]), true,
      by_profile,
@@ -102,11 +104,11 @@ static const ovr_parameter keys[] = {
      "at most 2 % of Rq wears off anywhere"},
     {"settled", PLAIN(0, 1), "0", offsetof(ovr_boundary_form, settled), true,
      "passes > 0",
-     "a jump that changes the contact share by less than this part of it is "
-     "the last; 0: all passes are made"},
+     "running-in ends when a jump changes the contact share by less than "
+     "this relative amount; 0: all passes are computed"},
     {"file", PATH, NULL, offsetof(ovr_boundary_form, file), true, "law = table",
-     "pressure over the mean gap, two columns under a header like 'gap [nm], "
-     "pressure [MPa]'"}};
+     "file of pressure against mean gap, two columns with a header such as "
+     "'gap [nm], pressure [MPa]'"}};
 
 const ovr_section ovr_boundary_section = {
     .name = "boundary",
@@ -123,18 +125,18 @@ static ovr_status resolve_exponential(const ovr_physics_case *of,
         f->decay = f->Rq / 2.15;
     if (!(f->decay > 0))
         return ovr_fail_about(err, "Rq",
-                              "law = exponential needs Rq, of both surfaces "
-                              "together, or decay; above 0");
+                              "law = exponential needs Rq (composite of both "
+                              "surfaces) or decay, above 0");
     if (!isnan(f->amplitude))
         return OVR_OK;
     if (!(f->slope > 0))
         return ovr_fail_about(err, "slope",
-                              "law = exponential needs slope, the root mean "
-                              "square one, or amplitude; above 0");
+                              "law = exponential needs slope (root mean "
+                              "square) or amplitude, above 0");
     if (!(kappa > 0))
         return ovr_fail_about(err, "slope",
-                              "slope becomes a pressure by the modulus, which "
-                              "is not known; give amplitude in ph");
+                              "slope needs the modulus, which is unknown; "
+                              "set contact.modulus, or amplitude in p_h");
     f->amplitude = 0.38 * f->slope * 2 / kappa;
     return OVR_OK;
 }
@@ -146,15 +148,15 @@ static ovr_status resolve_summits(const ovr_physics_case *of,
     double kappa = of->contact->kappa;
     if (!(f->Rq > 0))
         return ovr_fail_about(err, "Rq",
-                              "law = greenwood-tripp needs Rq, of both "
-                              "surfaces together, above 0");
+                              "law = greenwood-tripp needs Rq (composite of "
+                              "both surfaces), above 0");
     if (!(f->summits > 0 && f->sharpness > 0))
         return ovr_fail_about(err, f->summits > 0 ? "sharpness" : "summits",
                               "law = greenwood-tripp needs a value above 0");
     if (!(kappa > 0))
         return ovr_fail_about(err, "law",
-                              "greenwood-tripp becomes a pressure by the "
-                              "modulus, which is not known: give it");
+                              "law = greenwood-tripp needs the modulus, "
+                              "which is unknown; set contact.modulus");
     return ovr_touch_greenwood_tripp(&f->bears.table, f->Rq, f->summits,
                                      f->sharpness, 2 / kappa, of->arena, err);
 }
@@ -171,12 +173,12 @@ static ovr_status take_points(const ovr_physics_case *of,
         if (!(c->y[k] > 0) ||
             (k && !(c->x[k] > c->x[k - 1] && c->y[k] < c->y[k - 1])))
             return ovr_fail_at(err, OVR_BAD_INPUT, f->file, 0,
-                               "point %zu: gaps must rise, pressures fall and "
-                               "be above 0",
+                               "point %zu: gaps must increase, and pressures "
+                               "must decrease and be above 0",
                                k + 1);
     if (c->count < 2)
         return ovr_fail_at(err, OVR_BAD_INPUT, f->file, 0,
-                           "has %zu points and needs two at least", c->count);
+                           "has %zu points, but needs at least two", c->count);
     if (ovr_touch_table_take(t, c->count, of->arena, err))
         return OVR_NO_MEMORY;
     for (size_t k = 0; k < c->count; k++) {
@@ -224,15 +226,16 @@ static ovr_status profiles_of(const ovr_physics_case *of,
             continue;
         if (*place)
             return ovr_fail_about(err, "law",
-                                  "law = profile takes one profile of a "
-                                  "surface: '%s' and '%s' are on the same",
+                                  "law = profile accepts one profile per "
+                                  "surface, but '%s' and '%s' are on the "
+                                  "same surface",
                                   (*place)->name, of->feature[k]->name);
         *place = of->feature[k];
     }
     if (!form[0] && !form[1])
         return ovr_fail_about(err, "law",
-                              "law = profile needs a [feature] that is a "
-                              "profile, or roughness");
+                              "law = profile needs a [feature] with shape = "
+                              "profile or roughness");
     return OVR_OK;
 }
 
@@ -255,8 +258,9 @@ static ovr_status resolve_layer(ovr_boundary_form *f, ovr_error *err)
 {
     if (f->law == OVR_BOUNDARY_LAYER && !(f->layer > 0))
         return ovr_fail_about(err, "layer",
-                              "law = layer needs the film that the layer bears "
-                              "at, layer, above 0");
+                              "law = layer needs boundary.layer, the film "
+                              "thickness at which the layer carries p_h, "
+                              "above 0");
     if (!(f->layer_decay > 0))
         f->layer_decay = f->layer / 3;
     f->bears.layer = f->layer;
@@ -298,12 +302,12 @@ static ovr_status resolve_factor(const ovr_physics_case *of,
         f->factor.sigma = 2.15 * f->decay;
     if (f->ridges && !(f->factor.sigma > 0))
         return ovr_fail_about(err, "flow_factor",
-                              "a flow factor needs Rq, of both surfaces "
-                              "together, above 0");
+                              "flow_factor needs Rq (composite of both "
+                              "surfaces), above 0");
     if (f->ridges && of->options->faces == OVR_FACES_ARITHMETIC)
         return ovr_fail_about(err, "flow_factor",
-                              "a flow factor acts at half nodes: it needs "
-                              "[domain] faces = logarithmic or gap");
+                              "flow_factor needs domain.faces = logarithmic "
+                              "or gap");
     return OVR_OK;
 }
 
@@ -315,7 +319,8 @@ static ovr_status resolve_wear(const ovr_physics_case *of,
     if (!(f->passes > 0))
         return f->wear[0] > 0 || f->wear[1] > 0
                    ? ovr_fail_about(err, "passes",
-                                    "wear needs passes, like passes = 1e6")
+                                    "wear needs boundary.passes, for example "
+                                    "passes = 1e6")
                    : OVR_OK;
     if (f->unresolved)
         return ovr_fail_about(err, "passes",
@@ -328,8 +333,8 @@ static ovr_status resolve_wear(const ovr_physics_case *of,
         if (f->wear[k] > 0 && !(fabs(u[k]) > 1e-9))
             return ovr_fail_about(
                 err, k ? "wear_2" : "wear_1",
-                "surface %d stands still, so nothing passes over it and it has "
-                "no wear to be given by passes",
+                "surface %d does not move, so that its wear per pass is "
+                "undefined; remove this key",
                 k + 1);
     return OVR_OK;
 }
@@ -548,14 +553,15 @@ static void tell_friction(const ovr_physics_case *of,
     }
     if (known)
         snprintf(text, sizeof text,
-                 "%.2g to %.2g by these shares: boundary friction %.2g to "
-                 "%.2g, the film's %.2g to %.2g at the supply's temperature",
+                 "%.2g to %.2g for this range of contact shares: boundary "
+                 "friction %.2g to %.2g, fluid friction %.2g to %.2g at the "
+                 "supply temperature",
                  minimum[2], maximum[2], minimum[0], maximum[0], minimum[1],
                  maximum[1]);
     else
         snprintf(text, sizeof text,
-                 "boundary friction %.2g to %.2g by these shares, beside the "
-                 "film's, which needs a flow law",
+                 "boundary friction %.2g to %.2g for this range of contact "
+                 "shares; fluid friction needs a rheological model",
                  minimum[0], maximum[0]);
     line(data, "  mu", text);
 }
@@ -592,10 +598,12 @@ void ovr_boundary_instead(const ovr_touch_law *law, double H, size_t n,
     if (Rq > 0)
         snprintf(
             text, size,
-            "; lambda is %.2g: under a law all of 100 random ground pairs "
-            "held down to lambda 0.7, 96 down to 0.3, which are %.2g and "
-            "%.2g times this speed; the mean film, [boundary] of = all, "
-            "has an answer at any: metal would bear about %.2g of the load",
+            ". The lambda ratio is %.2g: with a contact model, all of 100 "
+            "random pairs of ground surfaces were solved down to a ratio of "
+            "0.7 and 96 down to 0.3, which need %.2g and %.2g times this "
+            "speed. The mean film thickness, boundary.of = all, can be "
+            "computed at any ratio; asperities would carry about %.2g of the "
+            "load",
             H / Rq, pow(0.7 * Rq / H, 1 / 0.7), pow(0.3 * Rq / H, 1 / 0.7),
             share_of(&all, H));
 }
@@ -608,23 +616,24 @@ static void tell_estimate(const ovr_physics_case *of,
     char text[240];
     if (f->factor.sigma > 0) {
         snprintf(text, sizeof text,
-                 "%.3g: the central film of smooth surfaces, by the fit, over "
-                 "the Rq of both",
+                 "%.3g: central film thickness of smooth surfaces (film "
+                 "thickness formula) divided by the composite Rq",
                  H / f->factor.sigma);
         line(data, "lambda", text);
     }
     for (int k = 0; k < 3; k++)
         share[k] = share_with(f, H, (ovr_ridges)k);
     snprintf(text, sizeof text,
-             "about %.2g of the load by the smooth film (to 8 %% down to "
-             "lambda 1, too much below), no oil being trapped: an upper bound",
+             "about %.2g of the load for the smooth film thickness without "
+             "trapped lubricant, an upper bound (within 8 %% for lambda "
+             "ratios above 1, too high below)",
              share[0]);
     line(data, "surfaces that touch", text);
     if (isfinite(share[1])) {
         snprintf(text, sizeof text,
-                 "%.2g with the flow factor of isotropic roughness, %.2g with "
-                 "that of ridges across; ridges on the mesh trap their oil "
-                 "and touch less still",
+                 "%.2g with the flow factor of isotropic roughness, %.2g "
+                 "with that of ridges across the flow; ridges on the grid "
+                 "trap lubricant and have even less contact",
                  share[1], share[2]);
         line(data, "  other bounds", text);
     }
@@ -656,35 +665,37 @@ void ovr_boundary_tell(const ovr_physics_case *of, const void *form,
     char text[160];
     if (f->bears.amplitude > 0) {
         snprintf(text, sizeof text,
-                 "%.4g ph at no gap, falls by e in %.4g b^2/R", f->amplitude,
-                 f->decay);
+                 "%.4g p_h at zero gap, falls by a factor e in %.4g b^2/R",
+                 f->amplitude, f->decay);
         line(data, "roughness bears", text);
     }
     if (f->bears.table.n) {
         double A, slope;
         ovr_touch_law_at(&f->bears, 0, &A, &slope);
         snprintf(text, sizeof text,
-                 "%.4g ph at no gap, falls by e in %.4g b^2/R there", A,
-                 A / slope);
+                 "%.4g p_h at zero gap, falls by a factor e in %.4g b^2/R "
+                 "there",
+                 A, A / slope);
         line(data, "roughness bears", text);
     }
     if (f->law == OVR_BOUNDARY_PROFILE && !f->bears.table.n)
-        line(data, "both profiles", "the mesh has all of them");
+        line(data, "both profiles", "completely resolved by the grid");
     if (f->law == OVR_BOUNDARY_PROFILE && f->bears.table.n) {
         snprintf(text, sizeof text,
                  "Rq %.4g b^2/R, slope %.4g, %d of their pressures up to %.4g "
                  "ph%s",
                  f->Rq, f->slope, (int)f->bears.table.n,
                  exp(f->bears.table.ln_A[0]),
-                 f->unresolved ? "; of what the mesh leaves out"
-                 : f->pair.cut ? "; the longer one cut to the shorter"
+                 f->unresolved ? "; only roughness finer than the grid"
+                 : f->pair.cut ? "; the longer profile is cut to the shorter"
                                : "");
         line(data, "both profiles", text);
     }
     if (f->layer > 0) {
         snprintf(text, sizeof text,
-                 "ph at a film of %.4g b^2/R, falls by e in %.4g", f->layer,
-                 f->layer_decay);
+                 "p_h at a film thickness of %.4g b^2/R, falls by a factor e "
+                 "in %.4g",
+                 f->layer, f->layer_decay);
         line(data, "a layer bears", text);
     }
     tell_estimate(of, f, line, data);

@@ -195,8 +195,8 @@ static const char *const names[PROFILES] = {
     "profile_1_before", "profile_1_after", "profile_2_before",
     "profile_2_after"};
 static const char *const meanings[PROFILES] = {
-    "surface 1 before it wore", "surface 1 as it is worn",
-    "surface 2 before it wore", "surface 2 as it is worn"};
+    "profile of surface 1 before wear", "surface 1 as it is worn",
+    "profile of surface 2 before wear", "surface 2 as it is worn"};
 
 /* The heights of profile k; NULL: that surface is smooth. */
 static const double *heights_of(const ovr_wear *wear, int k)
@@ -256,7 +256,7 @@ static ovr_status put_group(ovr_writer *writer, const ovr_wear *wear,
                             const double *x, ovr_error *err)
 {
     ovr_group_array array[PROFILES];
-    const ovr_group_axis along = {"profile_x", "place on the profiles",
+    const ovr_group_axis along = {"profile_x", "position along the profiles",
                                   OVR_KIND_LENGTH, wear->pair.n, x};
     size_t count = 0;
     for (int k = 0; k < PROFILES; k++) {
@@ -297,10 +297,10 @@ static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
         return;
     ovr_warn(say, data,
              "contact share and friction of thin films will be wrong: the "
-             "[boundary] law bears %.3g ph at no film, at most %.2g of the "
-             "load; films below which it bears over half of that are refused. "
-             "Use law = exponential with Rq and slope, or constants that bear "
-             "ph at no film",
+             "[boundary] law carries %.3g p_h at zero film thickness, at "
+             "most %.2g of the load; films at which it carries more than "
+             "half of that are rejected. Set law = exponential with Rq and "
+             "slope, or constants that carry p_h at zero film thickness",
              f->at_no_film, f->share_at_no_film);
 }
 

@@ -19,7 +19,7 @@ static const char *const map_names[MAPS][2] = {
     {"plastic_strain_x", "plastic strain along the surface"},
     {"plastic_strain_z", "plastic strain across the surface"},
     {"plastic_strain_xz", "plastic shear strain (half the angle)"},
-    {"cumulative", "all plastic strain that has flowed (von Mises)"},
+    {"cumulative", "accumulated plastic strain (von Mises)"},
     {"residual_x", "residual stress along the surface"},
     {"residual_y", "residual stress along the line of contact"},
     {"residual_z", "residual stress across the surface"},
@@ -119,8 +119,7 @@ static ovr_status store_body(ovr_writer *writer, const ovr_plastic *p,
         s.axis[DEPTH] = (ovr_group_axis){"depth", "middle of the layer",
                                          OVR_KIND_LENGTH, layers, b->z};
         s.axis[MATERIAL] = (ovr_group_axis){
-            "material", "place in the material, from its reference",
-            OVR_KIND_LENGTH, n, xi};
+            "material", "position in the material", OVR_KIND_LENGTH, n, xi};
         for (size_t m = 0; m < MAPS; m++)
             s.array[s.group.arrays++] = (ovr_group_array){
                 .name = map_names[m][0],
@@ -129,9 +128,13 @@ static ovr_status store_body(ovr_writer *writer, const ovr_plastic *p,
                 .rank = 2,
                 .along = {DEPTH, MATERIAL},
                 .doubles = maps + m * layers * n};
-        add_line(&s, "profile_before", "height of the features as they came",
+        add_line(&s, "profile_before",
+                 "height of the features before "
+                 "plastic deformation",
                  b->shape);
-        add_line(&s, "profile_after", "the same, less what was pressed down",
+        add_line(&s, "profile_after",
+                 "height of the features after plastic "
+                 "deformation",
                  after);
         add_attributes(&s, p, b);
         status = ovr_writer_group(writer, &s.group, false, err);
@@ -225,8 +228,8 @@ static ovr_status check_file(ovr_result *result, const char *file,
     if (!v) {
         ovr_arena_release(&arena);
         return ovr_fail_about(err, "initial",
-                              "%s: holds no strains of surface %d", file,
-                              b == p->body ? 1 : 2);
+                              "%s: contains no plastic strains of surface %d",
+                              file, b == p->body ? 1 : 2);
     }
     if (v->rank == 2 && v->shape[0] == layers && v->shape[1] == n)
         axis = ovr_arena_take(&arena, layers > n ? layers : n, sizeof *axis,
@@ -247,8 +250,8 @@ static ovr_status check_file(ovr_result *result, const char *file,
         return OVR_OK;
     return ovr_fail_about(
         err, "initial",
-        "%s: its window or layers are others: give the same level and the same "
-        "[plastic] window, layers and depth_max",
+        "%s: its window or layers differ; use the same domain.level, "
+        "plastic.window, plastic.layers and plastic.depth_max",
         file);
 }
 

@@ -28,52 +28,56 @@ static const ovr_word couplings[] = {{"step", 0}, {"pass", 1}, {NULL, 0}};
 
 static const ovr_parameter plastic_keys[] = {
     {"surface", CHOICE(which_surface), NULL, AT(surfaces), true, ALWAYS,
-     "whose material yields; 1 where the section is there and says nothing"},
+     "surface whose material yields; default with this section: 1"},
     {"hardening", CHOICE(laws), "swift", AT(hardening), true, "[plastic]",
-     "of the von Mises stress at which it flows: none, by modulus, along the "
-     "strain by modulus (Prager), or a power of all that has flowed (Swift)"},
+     "hardening of the von Mises yield stress: none; linear, by modulus; "
+     "kinematic, by modulus (Prager); or a power of the accumulated plastic "
+     "strain (Swift)"},
     {"yield", STRESS(by_body, 1e-3, 1e4), "body", AT(yield), true, "[plastic]",
-     "von Mises stress at no plastic strain; body: of [body N]; with swift it "
-     "takes the place of B C^n"},
+     "initial von Mises yield stress, which replaces B C^n of swift; body: "
+     "as in [body N]"},
     {"swift", TEXT, "945 MPa, 20, 0.121", AT(swift), true,
      "[plastic]; hardening = swift",
-     "B, C, n of B (C + plastic strain in 1e-6)^n; as it stands that of "
-     "bearing steel 52100"},
+     "B, C, n of B (C + plastic strain in 1e-6)^n; default: bearing steel "
+     "52100"},
     {"modulus", STRESS(NULL, 0, 1e9), "0", AT(modulus), true,
      "[plastic]; hardening = linear | kinematic",
-     "by which the yield stress rises, over the plastic strain"},
+     "hardening modulus, increase of the yield stress per plastic strain"},
     {"passes", WHOLE(1, 1000), "1", AT(passes), true, "[plastic]",
-     "overrollings of the same material, each from the steady smooth contact; "
-     "they end once it has shaken down"},
+     "number of overrollings of the same material, each starting from the "
+     "steady smooth contact; fewer if the material shakes down earlier"},
     {"window", LIST(OVR_LENGTH, OVR_IN_B, -1e6, 1e6, feature_window), "feature",
      AT(window), true, "[plastic]",
-     "material that may yield, FROM, TO about the first feature's centre; "
-     "feature: 1 b beyond the features of the surface, 3 b at the least"},
+     "range of material that may yield, FROM, TO relative to the centre of "
+     "the first feature; feature: the features of the surface and 1 b "
+     "beyond, at least 3 b"},
     {"layers", WHOLE(4, 200), "24", AT(layers), true, "[plastic]",
-     "layers of constant plastic strain, at most; the first a mesh thick"},
+     "maximum number of layers of constant plastic strain; the first layer "
+     "is one mesh size thick"},
     {"depth_max", LENGTH(1e-3, 10), "0.5", AT(depth), true, "[plastic]",
-     "depth that they reach"},
+     "depth of the lowest layer"},
     {"iterations", WHOLE(1, 10000), "8", AT(iterations), true, "[plastic]",
-     "of flow and equilibrium a step, at most"},
+     "maximum number of iterations between plastic flow and equilibrium per "
+     "step"},
     {"coupling", CHOICE(couplings), "step", AT(once), true, "[plastic]",
-     "when the profile changes: with each step, or between passes alone"},
+     "when the profile changes: after each step, or only between passes"},
     {"initial", PATH, NULL, AT(initial), true, "[plastic]",
-     "result file of an earlier run, whose strains and hardening it begins "
-     "with"},
+     "result file of an earlier run whose plastic strains and hardening are "
+     "the initial state"},
     {"profiles", PATH, NULL, AT(profiles), false, "[plastic]",
-     "STEM: the profile as it came and as it is left, in STEM-before.csv and "
-     "STEM-after.csv, which [feature] shape = profile reads"},
+     "STEM: writes the profile before and after to STEM-before.csv and "
+     "STEM-after.csv, which [feature] shape = profile can read"},
     {"elastic", FLAG, "no", AT(elastic), true, "[plastic]",
      "an additional first pass without plastic deformation; the report "
      "compares its equivalent length and life with those of the last pass"},
     {"anyway", FLAG, "no", AT(anyway), false, "[plastic]",
-     "go on where the smooth contact never shakes down"},
+     "continue if the smooth contact never shakes down"},
 };
 
 const ovr_section ovr_plastic_section = {
     .name = "plastic",
     .whole = true,
-    .help = "material that yields below a surface; needs [stress]",
+    .help = "plastic deformation below a surface; needs [stress]",
     ROWS(plastic_keys)};
 
 /* "945 MPa, 20, 0.121" */
@@ -103,8 +107,8 @@ static ovr_status read_swift(const ovr_physics_case *of, const char *text,
     if (value[0].unit && !isfinite(of->contact->ph))
         return ovr_fail_about(
             err, "plastic.swift",
-            "swift: B in pascals needs ph, which is not known: give "
-            "B as a number over ph");
+            "swift: B in pascals needs p_h, which is unknown; use B relative "
+            "to p_h, without a unit");
     h->strength = value[0].unit ? value[0].value / of->contact->ph
                                 : value[0].value;
     h->offset = value[1].value;
@@ -145,8 +149,8 @@ static ovr_status resolve_law(const ovr_physics_case *of, ovr_plastic_setup *p,
     if (!(h->yield > 0))
         return ovr_fail_about(
             err, "plastic.yield",
-            "yield: surface %d has no yield: give it here or in "
-            "[body %d]",
+            "yield: the yield stress of surface %d is missing; set it here "
+            "or in [body %d]",
             k + 1, k + 1);
     h->modulus = h->law == OVR_HARDENS_NOT ? 0 : p->modulus * body->strain;
     if (h->law != OVR_HARDENS_NOT && !(p->modulus > 0))
@@ -197,8 +201,9 @@ static ovr_status check_run(const ovr_plastic_setup *p, ovr_error *err)
     int lacking = p->surfaces & ~ovr_setup_stress(p->setup)->surfaces;
     return lacking
                ? ovr_fail_about(err, "plastic",
-                                "[plastic]: surface %s yields, and needs "
-                                "[stress] of it: surface = %s there",
+                                "[plastic]: plastic deformation of surface "
+                                "%s needs its stresses; set stress.surface = "
+                                "%s",
                                 lacking & 1 ? "1" : "2", called[p->surfaces])
                : OVR_OK;
 }
@@ -211,8 +216,8 @@ ovr_status ovr_plastic_on_mesh(const ovr_physics_case *of, void *form,
     return of->transient
                ? OVR_OK
                : ovr_fail_about(err, "plastic",
-                                "[plastic]: in a steady contact no material "
-                                "goes through its history: give [time] an end");
+                                "[plastic]: a steady contact has no stress "
+                                "history of the material; set time.end");
 }
 
 /* Its passes are those of the case, or more. */
@@ -224,9 +229,9 @@ static ovr_status resolve_passes(ovr_plastic_setup *p, ovr_passes_setup *passes,
         passes->number = p->passes;
     if (p->elastic && passes->loads.count)
         return ovr_fail_about(err, "plastic.elastic",
-                              "elastic: the pass in which nothing yields would "
-                              "take the first of [passes] loads: compare with "
-                              "a run without [plastic]");
+                              "elastic: the elastic pass would use the first "
+                              "of passes.loads; compare with a run without "
+                              "[plastic] instead");
     passes->number += p->elastic;
     return OVR_OK;
 }

@@ -37,8 +37,8 @@ static ovr_status read_group(yielded *y, int surface, ovr_error *err)
     ovr_material_group *in = &y->in;
     if (!ovr_material_find(in, "plastic", surface, "cumulative"))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "the file has no %s: run the case with a section "
-                        "[plastic]",
+                        "the file contains no %s; run the case with a "
+                        "section [plastic]",
                         in->group);
     if (ovr_material_axes(in, err) ||
         !(y->before = ovr_material_read(in, "profile_before", 1, in->points,

@@ -33,8 +33,8 @@ ovr_status ovr_plastic_planned(const ovr_setup *setup, int k,
         plan->points *= 2;
     if ((double)plan->points * D < length)
         return ovr_fail_about(err, "window",
-                              "a window of %.3g b has more than %.0f points on "
-                              "this mesh: give [plastic] window FROM, TO",
+                              "a window of %.3g b has more than %.0f points "
+                              "on this grid; set plastic.window = FROM, TO",
                               length, max_points);
     plan->mesh = D;
     plan->layers = (size_t)fmax(1, fmin(how->layers, floor(how->depth / D)));

@@ -489,8 +489,8 @@ static void review(const ovr_simulation *sim, const void *own,
         if (!(p->body[k].left > enough))
             continue;
         snprintf(text, sizeof text,
-                 "material of surface %d was left %.2g beyond its yield: more "
-                 "[plastic] iterations, or hardening, would bring it to rest",
+                 "stress below surface %d still exceeds yield by a relative "
+                 "%.2g; increase plastic.iterations or use a hardening law",
                  k + 1, p->body[k].left);
         say(data, true, text);
     }

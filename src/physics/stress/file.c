@@ -110,12 +110,14 @@ static void add_text(storage *s, const char *name, const char *text)
 static void add_measures(storage *s, const ovr_stress_report *r)
 {
     static const char *const names[OVR_MEASURES][2] = {
-        {"circle_radius", "radius of the smallest circle round the path"},
+        {"circle_radius", "radius of the minimum circumscribed circle of the "
+                          "shear stress path"},
         {"orthogonal_amplitude", "half range of the orthogonal shear stress"},
-        {"critical_plane_amplitude", "half range of shear on the worst plane"},
-        {"critical_plane_angle", "angle of the worst plane, degrees"},
-        {"max_von_mises", "largest von Mises stress"},
-        {"max_tresca", "largest shear stress on any plane"},
+        {"critical_plane_amplitude", "half range of shear stress on the "
+                                     "critical plane"},
+        {"critical_plane_angle", "angle of the critical plane, degrees"},
+        {"max_von_mises", "maximum von Mises stress"},
+        {"max_tresca", "maximum shear stress on any plane"},
         {"max_hydrostatic", "largest hydrostatic stress"},
         {"min_hydrostatic", "smallest hydrostatic stress"}};
     for (int m = 0; m < OVR_MEASURES; m++)
@@ -123,9 +125,11 @@ static void add_measures(storage *s, const ovr_stress_report *r)
                 m == OVR_MEASURE_ANGLE ? OVR_KIND_NUMBER : OVR_KIND_PRESSURE,
                 r->measure[m]);
     add_line(s, DEPTH, "circle_radius_smooth",
-             "the same of the steady contact at the start", OVR_KIND_PRESSURE)
+             "value in the steady contact at the start", OVR_KIND_PRESSURE)
         ->doubles = r->smooth[OVR_MEASURE_CIRCLE];
-    add_line(s, MATERIAL, "complete", "1 where no end of the run mattered",
+    add_line(s, MATERIAL, "complete",
+             "flag: stress history not cut by an "
+             "end of the run",
              OVR_KIND_FLAG)
         ->flags = r->material.complete;
 }
@@ -135,14 +139,16 @@ static void add_life(storage *s, const ovr_stress_report *r)
     add_map(s, "amplitude", "amplitude of the criterion", OVR_KIND_PRESSURE,
             r->amplitude);
     add_line(s, DEPTH, "amplitude_smooth",
-             "the same of the steady contact at the start", OVR_KIND_PRESSURE)
+             "value in the steady contact at the start", OVR_KIND_PRESSURE)
         ->doubles = r->amplitude_smooth;
-    add_line(s, MATERIAL, "risk", "risk per length from the least depth down",
+    add_line(s, MATERIAL, "risk",
+             "risk per unit length, from the minimum "
+             "depth downward",
              OVR_KIND_NUMBER)
         ->doubles = r->risk;
     add_line(s, DEPTH, "equivalent_length",
-             "length of smooth raceway with the risk that is added, counted "
-             "from this depth down",
+             "length of smooth raceway with the same risk as the features, "
+             "from this depth downward",
              OVR_KIND_LENGTH)
         ->doubles = r->length;
 }
@@ -176,8 +182,8 @@ static void add_attributes(storage *s, const ovr_setup *setup,
     if (!r->fatigue)
         return;
     add_text(s, "note",
-             "elastic, plane strain; exponents and limit are conventions, and "
-             "no length or life holds but from its depth down");
+             "elastic, plane strain; exponents and limit are conventions, "
+             "and lengths and lives are valid only from their depth downward");
     add_text(s, "criterion", ovr_criterion_name(o->criterion));
     add_number(s, "alpha", o->alpha);
     add_number(s, "limit", r->limit);
@@ -213,9 +219,8 @@ ovr_status ovr_stress_store(ovr_writer *writer, const ovr_setup *setup,
     s.group.attribute = s.attribute;
     s.axis[DEPTH] = (ovr_group_axis){"depth", "depth below the surface",
                                      OVR_KIND_LENGTH, m->depths, m->z};
-    s.axis[MATERIAL] = (ovr_group_axis){
-        "material", "place in the material, from its reference",
-        OVR_KIND_LENGTH, m->points, xi};
+    s.axis[MATERIAL] = (ovr_group_axis){"material", "position in the material",
+                                        OVR_KIND_LENGTH, m->points, xi};
     add_measures(&s, r);
     if (r->fatigue)
         add_life(&s, r);

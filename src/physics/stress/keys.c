@@ -42,7 +42,7 @@ static const ovr_word auto_zero[] = {{"auto", 0}, {NULL, 0}};
 
 static const ovr_parameter stress_keys[] = {
     {"surface", CHOICE(which_surface), NULL, AT(surfaces), true, ALWAYS,
-     "below which surface; 1 where the section is there and says nothing"},
+     "surface below which stresses are computed; default with this section: 1"},
     {"depth_min", LENGTH_OR(auto_zero, 1e-9, 1e3), "auto", AT(depth_min), true,
      ALWAYS,
      "minimum depth of the stress history; auto: 4 D, in steady contacts "
@@ -52,13 +52,14 @@ static const ovr_parameter stress_keys[] = {
     {"depths_per_octave", PLAIN(1, 100), "5", AT(per_octave), true, ALWAYS,
      "depths, geometric"},
     {"every", WHOLE(0, 1000000000), "0", AT(every), true, ALWAYS,
-     "store stress fields at every so many snapshots; 0: none"},
+     "store stress fields at every Nth snapshot; 0: none"},
     {"fields", WORDS(stress_fields), "sigma_x, sigma_z, tau_xz", AT(fields),
      true, "every > 0", "stress fields to store"},
     {"window", LIST(OVR_LENGTH, OVR_IN_B, -1e6, 1e6, feature_window), "feature",
      AT(window), true, ALWAYS,
-     "material whose history is kept, FROM, TO about the first feature's "
-     "centre; feature: 2 b beyond the features of the surface"},
+     "range of material whose stress history is stored, FROM, TO relative to "
+     "the centre of the first feature; feature: the features of the surface "
+     "and 2 b beyond"},
     {"traction", CHOICE(tractions), "auto", AT(loads), true, ALWAYS,
      "shear stress of the film as a surface load in addition to the pressure; "
      "auto: with a rheological model or limiting_shear, if b/R is known"},
@@ -91,26 +92,26 @@ static const ovr_parameter fatigue_keys[] = {
      "minimum depth for risk and maxima; auto: 8 D"},
     {"raceway", OVR_NUMBER, OVR_LENGTH, OVR_IN_B, 0, 1e9, false, .words = NULL,
      "0", AT(raceway), false, ALWAYS,
-     "length of the raceway, for a ratio of lives; 0: none is given; left out "
+     "length of the raceway, for the ratio of lives; 0: no ratio; default "
      "with [roller_bearing]: its circumference"},
     {"count", PLAIN(0, 1e9), "1", AT(count), false,
      "raceway or roller_bearing.rollers",
-     "how often the features are on that raceway"},
+     "number of such groups of features on the raceway"},
     {"residual_x", STRESS(NULL, -10, 10), "0", AT(residual_x), true,
      "no residual_table",
      "residual stress along the surface, tension positive"},
     {"residual_y", STRESS(NULL, -10, 10), "0", AT(residual_y), true,
      "no residual_table", "residual stress across"},
     {"residual_table", PATH, NULL, AT(residual_table), true, ALWAYS,
-     "file of depth and residual stress, along and across alike, of hardened "
-     "bodies, below their layers; its first line names the units, 'depth [um], "
-     "stress [MPa]'"},
+     "file of depth and residual stress (equal along and across) of hardened "
+     "bodies, below their layers; its first line names the units, 'depth "
+     "[um], stress [MPa]'"},
 };
 
 const ovr_section ovr_stress_sections[2] = {
     {.name = "stress",
      .whole = true,
-     .help = "stresses below a surface; without this section there are none",
+     .help = "stresses below a surface, computed if this section is present",
      ROWS(stress_keys)},
     {.name = "fatigue",
      .whole = true,
@@ -145,8 +146,8 @@ static ovr_status check_motion(const ovr_physics_case *of,
         if (s->surfaces >> k & 1 && ratio[k] == 0)
             return ovr_fail_about(
                 err, given ? "stress.surface" : "stress",
-                "%s: surface %d stands still, so its material does not pass "
-                "the contact: choose the other surface",
+                "%s: surface %d does not move, so that its material does not "
+                "pass the contact; use the other surface",
                 given ? "surface" : "[stress]", k + 1);
     return OVR_OK;
 }
@@ -162,8 +163,8 @@ static ovr_status check_depths(const ovr_physics_columns *c, const char *file,
         if ((limits && !(c->y[k] > 0)) || !(c->x[k] >= 0) ||
             (k && !(c->x[k] > c->x[k - 1]))) {
             ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
-                        "point %zu: depths must be at least 0 and rise%s",
-                        k + 1, limits ? ", limits be above 0" : "");
+                        "point %zu: depths must be at least 0 and increase%s",
+                        k + 1, limits ? ", and limits must be above 0" : "");
             break;
         }
     if (err->status)
@@ -183,7 +184,8 @@ static ovr_status read_depths(const ovr_physics_case *of, const char *key,
     if (!isfinite(contact->b) || !isfinite(contact->ph))
         return ovr_fail_about(
             err, qualified,
-            "%s: needs a case with units: b and ph are not known", key);
+            "%s: needs a case with dimensions, because b and p_h are unknown",
+            key);
     ovr_status status = of->read(of->data, key, file, c, err);
     if (!status)
         status = check_depths(c, file, limits, err);
@@ -220,8 +222,8 @@ static ovr_status resolve_limits(const ovr_physics_case *of,
         return OVR_OK;
     if (of->given(of->data, "fatigue", "limit_pressure"))
         return ovr_fail_about(err, "fatigue.limit_table",
-                              "limit_table: limit_pressure is given too: leave "
-                              "one out");
+                              "limit_table: limit_pressure is also set; "
+                              "remove one of the two");
     ovr_status status = read_depths(of, "limit_table", s->limit_table, &c, err);
     s->life.limits = c.count;
     s->life.limit_z = c.x;
@@ -239,7 +241,7 @@ static ovr_status resolve_fatigue(const ovr_physics_case *of,
     }
     if (!s->surfaces)
         return ovr_fail_about(err, "fatigue",
-                              "[fatigue] needs [stress]: add that section");
+                              "[fatigue] needs [stress]; add that section");
     if (resolve_limits(of, s, err) || resolve_residual(of, s, err))
         return OVR_BAD_INPUT;
     if (isfinite(of->raceway) && !of->given(of->data, "fatigue", "raceway"))
@@ -255,11 +257,11 @@ static const char *no_traction(const ovr_physics_case *of, int loads)
     if (loads == OVR_TRACTION_NO)
         return "[stress] traction = no";
     if (isnan(of->contact->kappa))
-        return "b/R is not known: a modulus or contact.G gives it";
+        return "b/R is unknown; set contact.modulus or contact.G";
     if (loads == OVR_TRACTION_AUTO && l->rheology == OVR_NEWTONIAN &&
         !(l->limiting_shear > 0))
-        return "Newtonian film; a rheology, limiting_shear or [stress] "
-               "traction = yes brings its shear stress in";
+        return "Newtonian film; its shear stress is included with a "
+               "rheology, limiting_shear or stress.traction = yes";
     return NULL;
 }
 

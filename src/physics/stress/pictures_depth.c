@@ -71,8 +71,8 @@ static ovr_status find_field(ovr_depth_field *f, const char *field,
             return OVR_OK;
         }
     return ovr_fail(err, OVR_BAD_INPUT,
-                    "no stress '%s': there are sigma_x, sigma_z, tau_xz, "
-                    "sigma_y, von_mises, max_shear, tresca, hydrostatic",
+                    "no stress '%s'; must be sigma_x, sigma_z, tau_xz, "
+                    "sigma_y, von_mises, max_shear, tresca or hydrostatic",
                     f->name);
 }
 
@@ -192,8 +192,8 @@ ovr_status ovr_depth_field_make(ovr_depth_field *f, const ovr_stored *run,
         return OVR_BAD_INPUT;
     if (!run->pressure || info->nodes < 3)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "the file holds no pressure: run the case with "
-                        "pressure among [output] fields");
+                        "the file contains no pressure; run the case with "
+                        "pressure in output.fields");
     read_body(f, look->surface ? look->surface : 1, arena);
     if (choose_nodes(f, arena, err))
         return OVR_NO_MEMORY;

@@ -87,8 +87,8 @@ static ovr_status read_history(history *h, ovr_error *err)
     char path[64];
     if (!ovr_material_find(in, "fatigue", h->surface, "circle_radius"))
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "the file has no %s: run the case with a section "
-                        "[stress] (and [fatigue])",
+                        "the file contains no %s; run the case with a "
+                        "section [stress] (and [fatigue])",
                         in->group);
     snprintf(path, sizeof path, "%s/risk", in->group);
     h->life = ovr_result_find(in->run->result, path) != NULL;

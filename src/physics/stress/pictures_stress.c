@@ -88,7 +88,7 @@ ovr_status ovr_draw_stress(const ovr_drawing *drawing, ovr_chart *chart,
     ovr_depth_field f;
     ovr_status status;
     if (drawing->runs->info->snapshots < 1)
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: holds no snapshot",
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: contains no snapshot",
                         drawing->runs->name);
     const ovr_depth_look look = {o->field, o->log_depth, o->surface, o->x_from,
                                  o->x_to};

@@ -223,8 +223,8 @@ static ovr_status refuse(const ovr_setup *setup, const char *key, double depth,
             key, depth, way, WAY_OF_DEPTH * way, target);
     return ovr_fail_about(
         err, "step",
-        "step: %.3g b/um is %.3g b of travel, which resolves depths from %.3g "
-        "b only, but [%s] %s = %g; use a step of %.3g",
+        "step: %.3g b/u_m is %.3g b of travel, which resolves depths from "
+        "%.3g b only, but %s.%s = %g; use a step of %.3g",
         dT, way, WAY_OF_DEPTH * way, *key == 'l' ? "fatigue" : "stress", key,
         depth, round_down(share * dT * plan->every));
 }
@@ -310,8 +310,8 @@ static ovr_status make_plan(const ovr_setup *setup, int surface,
     bool dang_van = s->fatigue && s->criterion == OVR_CRITERION_DANG_VAN;
     if (dang_van && !setup->transient)
         return ovr_fail_about(err, "criterion",
-                              "criterion = dang-van follows the material "
-                              "through a run in time: set time.end");
+                              "criterion = dang-van needs a run in time; set "
+                              "time.end");
     *plan = (ovr_stress_plan){.surface = surface};
     plan->ratio = surface == 1 ? c->u1_ratio : c->u2_ratio;
     plan->options = ovr_stress_options_default();

@@ -97,9 +97,8 @@ static ovr_status find_amplitude(const ovr_stress_source *of,
         return OVR_OK;
     if (!of->path)
         return ovr_fail_about(err, "criterion",
-                              "criterion = dang-van goes over the stored "
-                              "pressure a second time: the run needs a result "
-                              "file with all its nodes");
+                              "criterion = dang-van needs the stored "
+                              "pressure of all nodes; set output.file");
     return ovr_stress_second_pass(of, plan, r, err);
 }
 
@@ -128,8 +127,8 @@ static const char *why_lifeless(const ovr_setup *setup,
 {
     double bearable = setup->bearable / setup->contact->ph;
     if (r->incomplete == r->material.points)
-        return "no material point passes the whole contact within the run: set "
-               "a later time.end";
+        return "no material point passes the whole contact within the run; "
+               "set a later time.end";
     if (!(ovr_setup_physics(setup) & OVR_PHYSICS_PLASTIC) &&
         r->von_mises.value > SMOOTH_VON_MISES * bearable)
         return "the elastic stresses are those of a pressure above "
@@ -287,8 +286,8 @@ static void find_yield(const ovr_stress_plan *plan,
 static void withhold(ovr_stress_report *r, ovr_life_result *life)
 {
     size_t n = r->material.points, depths = r->material.depths;
-    r->none = "the film's shear stress is far above what any oil carries: "
-              "choose a rheology, or traction = no";
+    r->none = "the shear stress of the film is far above what lubricants "
+              "sustain; set lubricant.rheology, or stress.traction = no";
     r->max_shear = r->von_mises = r->layer_von_mises = none;
     r->interface_shear = r->interface_tension = r->surface_tension = none;
     r->layer_utilisation = r->interface_utilisation = r->layer_fatigue = NAN;

@@ -215,12 +215,12 @@ static ovr_status all_depths(pass *p, ovr_error *err)
     p->snapshots = info->snapshots;
     if (info->nodes != p->plan->options.nodes || p->snapshots < 2)
         return ovr_fail_about(err, "criterion",
-                              "criterion = dang-van needs the pressure of all "
-                              "nodes in the file, at two moments or more");
+                              "criterion = dang-van needs the pressure of "
+                              "all nodes in the file at two or more times");
     if (p->Q && !ovr_traction_is_stored(p->plan, p->result))
         return ovr_fail_about(err, "criterion",
                               "criterion = dang-van with traction needs "
-                              "shear_stress_%d among [output] fields",
+                              "shear_stress_%d in output.fields",
                               p->plan->surface);
     status = ovr_result_times(p->result, OVR_HERTZIAN, p->T, err);
     for (size_t j = 0; !status && j < p->report->material.depths; j++)

@@ -104,8 +104,8 @@ static void name_fields(const run_stress *s, shown *f)
         "orthogonal shear stress",
         "normal stress along the line of contact",
         "von Mises stress",
-        "largest shear stress in the plane",
-        "largest shear stress on any plane",
+        "maximum shear stress in the plane",
+        "maximum shear stress on any plane",
         "hydrostatic stress"};
     for (int a = 0; a < FIELDS; a++) {
         if (!(ovr_setup_stress(s->setup)->fields >> a & 1))
@@ -249,18 +249,16 @@ static ovr_status check_second_pass(const ovr_setup *setup, const char *output,
         return OVR_OK;
     if (!output || !isnan(o->from) || !isnan(o->to) || o->stride > 1)
         return ovr_fail_about(err, "criterion",
-                              "criterion = dang-van goes over the stored "
-                              "pressure a second time: the run needs a result "
-                              "file with all its nodes");
+                              "criterion = dang-van needs the stored "
+                              "pressure of all nodes; set output.file");
     for (int k = 0; s->traction && k < SURFACES; k++)
         if ((s->surfaces >> k & 1) &&
             !(o->fields &
               ovr_field_bit(k ? "shear_stress_2" : "shear_stress_1")))
             return ovr_fail_about(err, "criterion",
-                                  "criterion = dang-van with traction goes "
-                                  "over the stored shear stress too: "
-                                  "shear_stress_%d is missing in [output] "
-                                  "fields",
+                                  "criterion = dang-van with traction needs "
+                                  "the stored shear stress; add "
+                                  "shear_stress_%d to output.fields",
                                   k + 1);
     return OVR_OK;
 }
@@ -321,8 +319,8 @@ static ovr_status restored(void *own, double T, ovr_error *err)
     const run_stress *s = own;
     if (s->before != T)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "the checkpoint at T = %g holds no stresses: run the "
-                        "case again from its start",
+                        "the checkpoint at T = %g contains no stresses; run "
+                        "the case again from its start",
                         T);
     return OVR_OK;
 }
@@ -505,12 +503,12 @@ static void tell(const ovr_physics_case *of, const void *form,
     if (ovr_setup_stress_depth(setup, &minimum, NULL))
         return;
     snprintf(text, sizeof text,
-             "Z = %.4g to %.4g, %g an octave; %.3g MB, as long as the run "
-             "again",
+             "Z = %.4g to %.4g, %g per octave; %.3g MB, doubles the time of "
+             "the run",
              minimum, s->depth_max, s->per_octave, memory(s) / 1e6);
     line(data, "stresses below", text);
     snprintf(text, sizeof text, "%s%s",
-             s->traction ? "the film's shear stress" : "none: ",
+             s->traction ? "shear stress of the film" : "none: ",
              s->traction ? "" : s->no_traction);
     line(data, "traction", text);
     for (int k = 0; k < SURFACES; k++)

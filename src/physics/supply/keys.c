@@ -22,28 +22,27 @@ static const ovr_word endless_oil[] = {{"endless", INFINITY}, {NULL, 0}};
 
 static const ovr_parameter cavitation_keys[] = {
     {"model", CHOICE(cavitations), "reynolds", AT(cavitation), true, ALWAYS,
-     "reynolds: a gap without pressure counts as full; conserving: it is "
-     "mass-conserving (Elrod-Adams, JFO) and holds the oil that came; order 4 "
-     "is "
-     "along the characteristic only"},
+     "reynolds: not mass-conserving; conserving: mass-conserving "
+     "(Elrod-Adams, JFO), with a film fraction in the cavitated region; "
+     "order 4 only along the characteristic"},
 };
 
 static const ovr_parameter supply_keys[] = {
     {"model", CHOICE(supplies), "flooded", AT(film), true, ALWAYS,
-     "flooded, or the film that arrives on the surfaces; needs model = "
-     "conserving"},
+     "flooded, or film: lubricant layers on the surfaces; needs "
+     "cavitation.model = conserving"},
     {"thickness_1", HEIGHT, "0", AT(thickness[0]), true, "model = film",
-     "film on surface 1 as it arrives"},
+     "thickness of the supplied layer on surface 1"},
     {"thickness_2", HEIGHT, "0", AT(thickness[1]), true, "model = film",
-     "film on surface 2 as it arrives"},
+     "thickness of the supplied layer on surface 2"},
     {"profile_1", PATH, NULL, AT(profile[0]), true, "model = film",
-     "file of thickness along surface 1, whose largest x arrives at T = 0, "
-     "instead of thickness_1"},
+     "file of layer thickness along surface 1, instead of thickness_1; its "
+     "largest x enters at T = 0"},
     {"profile_2", PATH, NULL, AT(profile[1]), true, "model = film",
-     "the same of surface 2"},
+     "file of layer thickness along surface 2, instead of thickness_2"},
     {"waiting", AREA_OR(endless_oil, 1e9), "0.1", AT(reservoir), true,
      "model = film",
-     "oil in the inlet reservoir at the start, where the contact is "
+     "oil volume in the inlet reservoir at the start, if the contact is "
      "flooded then"},
     HISTORY(AT(change), "1", 0, 100, 1, "model = film; " CHANGES),
 };
@@ -52,7 +51,7 @@ const ovr_section ovr_supply_sections[2] = {
     {"cavitation", false, NULL, "cavitation model downstream of film rupture",
      ROWS(cavitation_keys)},
     {"supply", false, "model",
-     "the oil that arrives; its history is relative to the thicknesses",
+     "lubricant supply; its history is relative to the thicknesses",
      ROWS(supply_keys)}};
 
 void ovr_supply_choose(const void *form, ovr_options *options)
@@ -70,7 +69,7 @@ static ovr_status check_film(const ovr_physics_case *of,
     if (s->cavitation != OVR_CAVITATION_CONSERVING)
         return ovr_fail_about(
             err, "supply.model",
-            "model: film needs [cavitation] model = conserving");
+            "model: film needs cavitation.model = conserving");
     for (int k = 0; k < 2; k++)
         any = any || s->profile[k] ||
               of->given(of->data, "supply", thickness[k]);
@@ -90,7 +89,8 @@ static ovr_status read_layers(const ovr_physics_case *of, ovr_supply_case *s,
             continue;
         if (of->given(of->data, "supply", thickness[k]))
             return ovr_fail_about(err, key[k],
-                                  "profile_%d: %s is given too: leave one out",
+                                  "profile_%d: %s is also set; remove one of "
+                                  "the two",
                                   k + 1, thickness[k]);
         s->layer[k] = ovr_layer_read(s->profile[k], of->contact,
                                      &of->arena->allocator, &why);

@@ -367,8 +367,9 @@ static void review(const ovr_simulation *sim, const void *own,
     if (!(X < o->inlet + meshes * coarse))
         return;
     snprintf(text, sizeof text,
-             "the film begins at X = %.3g, closer to the inlet at %.3g than "
-             "coarse grids resolve: move it out",
+             "the inlet meniscus X = %.3g is closer to the inlet boundary X "
+             "= %.3g than coarse grids resolve; set domain.inlet further "
+             "upstream",
              X, o->inlet);
     say(data, true, text);
 }
@@ -384,8 +385,8 @@ static void tell(const ovr_physics_case *of, const void *form,
 {
     (void)of, (void)form;
     line(data, "cavities",
-         "in cavities it moves at the mean speed; an infinitely long contact "
-         "passes all that arrives");
+         "moves at the entrainment speed in cavities; an infinitely long "
+         "contact passes all supplied lubricant");
 }
 
 /* Gives before T = 0 what the steady start takes. */
@@ -433,8 +434,10 @@ static const ovr_observable quantities[] = {
     OIL("supply_ratio", "supply_ratio", NUMBER, inflow_ratio, "supply ratio",
         COMMENT("supplied relative to flooded flow rate"), PASS(MEAN),
         PASS_HEAD(4, "supply")),
-    OIL("inflow", NULL, FLOW, inflow, "mass flow at the inlet", PASS(MEAN)),
-    OIL("outflow", NULL, FLOW, outflow, "mass flow at the outlet", PASS(MEAN)),
+    OIL("inflow", NULL, FLOW, inflow, "mass flow rate at the inlet",
+        PASS(MEAN)),
+    OIL("outflow", NULL, FLOW, outflow, "mass flow rate at the outlet",
+        PASS(MEAN)),
     OIL("oil_inside", NULL, AREA, oil_inside, "lubricant volume in the domain"),
     OIL("oil_waiting", NULL, AREA, oil_reservoir,
         "lubricant volume in the inlet reservoir", PASS(END)),
@@ -472,8 +475,8 @@ static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
     if (!(arrives > SURE * taken))
         return;
     ovr_warn(say, data,
-             "a film of %.3g arrives, of which the contact takes only some "
-             "%.2g, being flooded then; the rest waits in the inlet reservoir",
+             "the supply of %.3g exceeds the flooded flow rate of about "
+             "%.2g; the excess collects in the inlet reservoir",
              arrives, taken / arrives);
 }
 
