@@ -220,6 +220,7 @@ ovr_status ovr_hierarchy_touch(ovr_hierarchy *grids, ovr_arena *arena,
         ovr_tripoles_take(touch->tripoles, n, arena, err) ||
         take_newton(grids, arena, err))
         return OVR_NO_MEMORY;
+    ovr_newton_fill(grids);
     return ovr_hierarchy_bear(grids, arena, err);
 }
 

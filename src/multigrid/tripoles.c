@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "multigrid/deflation.h"
 #include "multigrid/field.h"
 
 /* A vector of the system: the rows 1..n-2, then the force. */
@@ -22,7 +23,8 @@ ovr_status ovr_tripoles_take(ovr_tripoles *t, size_t n, ovr_arena *arena,
     t->column = t->basis ? ovr_field(arena, n, err) : NULL;
     t->q = t->column ? ovr_field(arena, n, err) : NULL;
     t->w = t->q ? ovr_field(arena, n, err) : NULL;
-    return t->w ? OVR_OK : OVR_NO_MEMORY;
+    t->u = t->w ? ovr_field(arena, n, err) : NULL;
+    return t->u ? ovr_deflation_take(&t->smooth, n, arena, err) : OVR_NO_MEMORY;
 }
 
 static void proportion(ovr_newton_row *row, double k0)
@@ -90,8 +92,8 @@ static void border(ovr_tripoles *t, size_t n)
 }
 
 /* dP and dH0 of a right-hand side, by the band. */
-static void precondition(const ovr_tripoles *t, size_t n, double D,
-                         const double *v, double *step)
+static void by_band(const ovr_tripoles *t, size_t n, double D, const double *v,
+                    double *step)
 {
     double *q = t->q, H0;
     memcpy(q, v, (n - 2) * sizeof *q);
@@ -105,6 +107,19 @@ static void precondition(const ovr_tripoles *t, size_t n, double D,
         step[j + 1] = q[j] - 0.5 * (before + after);
     }
     step[n] = H0;
+}
+
+/* dP and dH0 of a right-hand side, by the coarse correction and the band. */
+static void precondition(ovr_tripoles *t, const ovr_kernels *run, size_t n,
+                         double D, const double *v, double *step)
+{
+    if (!t->deflated) {
+        by_band(t, n, D, v, step);
+        return;
+    }
+    ovr_deflation_apply(&t->smooth, run, n, D, v, t->u);
+    by_band(t, n, D, t->u, step);
+    ovr_deflation_add(&t->smooth, n, step);
 }
 
 /* Multiplies a step by the matrix: the change of all rows. */
@@ -183,7 +198,7 @@ static int grow(const ovr_hierarchy *grids, const ovr_level *level,
     for (int k = 0; k < OVR_TRIPOLE_PRODUCTS; k++) {
         double *v = t->basis + (size_t)k * m, *next = v + m;
         double *column = t->triangle[k], length;
-        precondition(t, n, level->grid.D, v, step);
+        precondition(t, run, n, level->grid.D, v, step);
         multiply(grids, level, t, step, next);
         for (int j = 0; j <= k; j++) {
             const double *other = t->basis + (size_t)j * m;
@@ -232,6 +247,8 @@ bool ovr_tripoles_solve(const ovr_hierarchy *grids, const ovr_level *level,
     if (!factor(t, n, kernel))
         return false;
     border(t, n);
+    t->deflated = ovr_deflation_factor(&t->smooth, grids->kernels, t->row, n,
+                                       level->grid.D, kernel);
     g[0] = sqrt(product(grids->kernels, v, v, m));
     if (!isfinite(g[0]))
         return false;
@@ -244,6 +261,6 @@ bool ovr_tripoles_solve(const ovr_hierarchy *grids, const ovr_level *level,
     if (!count)
         return false;
     combine(grids->kernels, t, m, count, g);
-    precondition(t, n, level->grid.D, t->basis, step);
+    precondition(t, grids->kernels, n, level->grid.D, t->basis, step);
     return true;
 }

@@ -9,7 +9,8 @@
  * GMRES (Saad and Schultz 1986), preconditioned from the right: unknowns are
  * tripoles, dP_j = q_j - (q_{j-1} + q_{j+1})/2, whose deformation falls with
  * the square of the distance; what of it is beyond OVR_BAND meshes is left out,
- * and the band is factored.  H0 and the force border it.  Rows are in
+ * and the band is factored.  H0 and the force border it.  Smooth steps, for
+ * which this is no good approximation, are deflated (deflation.h).  Rows are in
  * proportion to their largest part.
  */
 #ifndef OVR_MULTIGRID_TRIPOLES_H
@@ -25,12 +26,25 @@ typedef struct ovr_newton_row {
     double e[4], local[4], r;
 } ovr_newton_row;
 
+/* See deflation.h. */
+typedef struct ovr_deflation {
+    size_t stride, count;
+    double *hat;     /* influence of a hat by the distance, see hats_on */
+    double *columns; /* A P, by rows */
+    double *matrix;  /* factors of R A P */
+    double *value;   /* of the steps P, then dH0 */
+    size_t *pivot;
+    double of; /* kernel that `hat` belongs to */
+} ovr_deflation;
+
 typedef struct ovr_tripoles {
     ovr_newton_row *row; /* of a node, to be written */
     ovr_banded band;
     double *basis;  /* of the subspace, one behind the other */
     double *column; /* what the band makes of H0 */
-    double *q, *w;
+    double *q, *w, *u;
+    ovr_deflation smooth;
+    bool deflated; /* `smooth` is factored */
     double triangle[OVR_TRIPOLE_PRODUCTS][OVR_TRIPOLE_PRODUCTS + 1];
 } ovr_tripoles;
 

@@ -207,7 +207,6 @@ static bool take(ovr_simulation *sim)
         return false;
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         own->mine[k] = sim->finest->f.all[k] != before[k];
-    ovr_newton_fill(&sim->grids);
     return own->taken = true;
 }
 
