@@ -28,8 +28,7 @@ ovr_status ovr_deflation_take(ovr_deflation *d, size_t n, ovr_arena *arena,
     return d->pivot ? OVR_OK : OVR_NO_MEMORY;
 }
 
-/* Influences of a hat at the distances r + s (far - x) of its middle, r < s:
- * those of a node on all hats are next to each other. */
+/* Influences of a hat on nodes r + s (far - x) away from its middle, r < s. */
 static void fill_hats(ovr_deflation *d, size_t n, const double *kernel)
 {
     const ptrdiff_t s = (ptrdiff_t)d->stride, most = (ptrdiff_t)n;
@@ -62,7 +61,7 @@ static double weight_after(const ovr_deflation *d, size_t i)
     return (double)(i % d->stride) / (double)d->stride;
 }
 
-/* Adds a share of the row of A P to those of R A P that it belongs to. */
+/* Adds a row of A P with its weights to two rows of R A P. */
 static void restrict_row(const ovr_deflation *d, const ovr_kernels *run,
                          size_t i, const double *from)
 {

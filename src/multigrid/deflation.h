@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Coarse correction of the preconditioner of tripoles.h.  The band leaves out
- * the deformation of distant tripoles, so smooth steps are not solved by it:
- * some n/50 eigenvalues of the preconditioned matrix A B^-1 are far from 1, and
- * each costs GMRES a product.  They are deflated (Nabben and Vuik 2006,
- * A-DEF1):
+ * Coarse correction of the preconditioner B of tripoles.h.  B neglects the
+ * deformation of distant tripoles, which smooth steps have.  Each of some n/50
+ * eigenvalues of A B^-1 far from 1 costs GMRES a product.  They are deflated:
  *
  *     v -> Q v + B^-1 (v - A Q v),   Q = P (R A P)^-1 R
  *
- * P: piecewise linear steps with a node in every `stride` nodes, and dH0.
- * R: sums of rows with the same weights, and the force.  A P follows from the
- * influence of a hat, which depends on the distance alone, and is kept.
+ * P has piecewise linear steps with a node in every `stride` nodes, and dH0.
+ * R sums rows with the same weights and has the force.  The columns A P are
+ * stored.  They follow from the influence of a hat, a function of the distance.
+ *
+ * Source: Nabben and Vuik 2006 (A-DEF1).
  */
 #ifndef OVR_MULTIGRID_DEFLATION_H
 #define OVR_MULTIGRID_DEFLATION_H
@@ -18,7 +18,7 @@
 #include "multigrid/kernels.h"
 #include "multigrid/tripoles.h"
 
-/* Takes memory for n nodes; count = 0 if there are too few of them. */
+/* Allocates memory for n nodes; count = 0 if n is too small. */
 ovr_status ovr_deflation_take(ovr_deflation *d, size_t n, ovr_arena *arena,
                               ovr_error *err);
 

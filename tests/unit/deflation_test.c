@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The coarse correction of Newton's method on fine grids: what it leaves has no
- * part in the coarse rows, by a dense matrix that is made of the rows. */
+/* The coarse correction of Newton's method on fine grids: the coarse rows of
+ * the remainder vanish, by a dense matrix made of the rows. */
 #include "support/test.h"
 
 #include <math.h>
@@ -63,7 +63,7 @@ TEST(rest_of_the_coarse_correction)
     assert_true(ovr_deflation_factor(&d, run, row, N, D, kernel));
     ovr_deflation_apply(&d, run, N, D, v, u);
     ovr_deflation_add(&d, N, step);
-    /* u is v - A Q v, and its coarse rows and force vanish */
+    /* The remainder is v - A Q v, and its coarse rows and force vanish */
     double force = 0, largest = 0;
     for (int j = 0; j < N; j++)
         force += D * step[j];
