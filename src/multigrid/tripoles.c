@@ -183,14 +183,14 @@ static void rotate(double *column, int k, double *cosine, double *sine,
     g[k] *= cosine[k];
 }
 
-/* The basis grows until what is left is a hundredth of the right-hand side; how
- * many vectors count, 0: they are of no use.  Newton's next step goes on with
- * what is left, also where rounding or many products end it before.  With 1e-4
- * Newton takes as many steps, each with more products. */
+/* Extends the basis until the remainder is 1e-4 of the right-hand side (2 to 5
+ * products; with 1e-2 some steps of Newton's method diverge).  Returns the
+ * number of vectors, 0 if they are of no use.  Where rounding or the number of
+ * products ends it before, Newton's next step has the remainder. */
 static int grow(const ovr_hierarchy *grids, const ovr_level *level,
                 ovr_tripoles *t, double *step, double *g)
 {
-    const double enough = 1e-2, some = 0.5;
+    const double enough = 1e-4, some = 0.5;
     const ovr_kernels *run = grids->kernels;
     double cosine[OVR_TRIPOLE_PRODUCTS], sine[OVR_TRIPOLE_PRODUCTS];
     size_t n = level->grid.n, m = size_of(n);
