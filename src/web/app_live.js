@@ -266,8 +266,10 @@ async function check() {
   const about = JSON.parse(answer.out);
   about.notes = said(answer);
   about.seconds = slower * (about.estimated_seconds || 0);
-  byId("run").disabled = !about.transient || marching;
-  byId("run").title = about.transient ? "" : "the case has no end of time";
+  about.runs = about.transient || about.passes > 1;
+  byId("run").disabled = !about.runs || marching;
+  byId("run").title = about.runs ? "" : "set time.end (section time): this " +
+    "case is steady";
   return about;
 }
 
@@ -291,9 +293,10 @@ async function solveSteady(about) {
 
 // The newest case counts: what comes while one is solved waits, and of those
 // that wait the last alone is solved.
-let halted = false, steadySeconds = 0;
+let halted = false, forced = false, steadySeconds = 0;
 async function follow(force) {
   wanted = true;
+  forced = forced || force;
   if (busy) return;
   busy = true;
   await watch(async () => {
@@ -301,19 +304,20 @@ async function follow(force) {
       wanted = halted = false;
       byId("status").textContent = "solving";
       const about = await check();
+      const now = forced;
+      forced = false;
       if (about) {
-        steadySeconds = about.transient ? slower * about.nodes * 2e-5
+        steadySeconds = about.runs ? slower * about.nodes * 2e-5
           : about.seconds;
         heavy = steadySeconds > HEAVY;
         byId("solve").hidden = !heavy;
-        if (!heavy || force && await mayTake(steadySeconds, "This contact"))
+        if (!heavy || now && await mayTake(steadySeconds, "This contact"))
           await solveSteady(about);
-        else if (force) halted = true;
+        else if (now) halted = true;
       }
       byId("status").textContent = halted ? "stopped" : !about ? "ready"
-        : heavy && !force ? "press solve: about " + clock(steadySeconds)
+        : heavy && !now ? "press solve: about " + clock(steadySeconds)
         : "ready";
-      force = false;
     }
   });
   busy = false;

@@ -38,7 +38,7 @@ let scales = null, carryOn = null;
 
 async function runInTime() {
   const about = await check();
-  if (!about || !about.transient) return;
+  if (!about || !about.runs) return;
   if (!await mayTake(about.seconds, "This run")) return;
   showPlayer(false);
   scales = about;
@@ -163,8 +163,8 @@ async function takeFile(file) {
 }
 
 async function measureProfile(name, options) {
-  const answer = await live.call(["profile", name, "--json", "--convert",
-    "clean.csv", "--force", ...options], { keep: ["clean.csv"],
+  const answer = await live.call(["profile", name, "--convert", "clean.csv",
+    "--force", ...options], { keep: ["clean.csv"],
     drop: ["clean.csv"] });
   const box = element(byId("measured"), "div", "measure");
   element(box, "strong").textContent = name;
@@ -189,25 +189,23 @@ async function measureProfile(name, options) {
     };
     return;
   }
-  const found = JSON.parse(answer.out);
-  const list = element(box, "dl", "answers");
-  for (const [key, value] of Object.entries(found)) {
-    if (typeof value !== "number" && typeof value !== "string") continue;
-    element(list, "dt").textContent = key.replace(/_/g, " ");
-    element(list, "dd").textContent = typeof value === "number"
-      ? digits(value) : value;
-  }
+  element(box, "pre").textContent = answer.out.trim().split("\n").slice(1)
+    .join("\n"); // without the name
   drawProfile(element(box, "canvas"), answer.files["clean.csv"]);
-  const put = element(box, "button");
-  put.textContent = "put on surface 1";
-  put.onclick = () => {
-    const where = "feature " + name.replace(/\..*$/, "").replace(/\W/g, "_");
-    removeSection(where);
-    for (const [key, value] of [["surface", "1"], ["shape", "profile"],
-      ["file", name], ...optionsAsKeys(options)]) setValue(where, key, value);
-    chosen = where;
-    changeCase();
-  };
+  for (const surface of ["1", "2"]) {
+    const put = element(box, "button");
+    put.textContent = "put on surface " + surface;
+    put.onclick = () => putProfile(name, surface, options);
+  }
+}
+
+function putProfile(name, surface, options) {
+  const where = "feature " + name.replace(/\..*$/, "").replace(/\W/g, "_");
+  removeSection(where);
+  for (const [key, value] of [["surface", surface], ["shape", "profile"],
+    ["file", name], ...optionsAsKeys(options)]) setValue(where, key, value);
+  chosen = where;
+  changeCase();
 }
 
 const optionsAsKeys = (options) => options.reduce((pairs, word, k) => k % 2
@@ -262,12 +260,17 @@ async function download(what) {
   }
 }
 
-// Of the run that is shown, or of the steady contact.
+// Of the run that is shown, or of the steady contact: the case without an end
+// of time and without passes.
 async function resultFile() {
   if (!byId("played").hidden && result && result.h5) return result.h5;
-  const answer = await live.call(["solve", "case.ini", "--steady", "-o",
-    "steady.h5", "--json"], { files: { "case.ini": textOfCase() },
-    keep: ["steady.h5"], drop: ["steady.h5"] });
+  const text = textOfCase(), lines = text.split("\n");
+  for (const p of parseCase(text))
+    if (p.head === "passes" || p.head === "time" && p.key === "end")
+      lines[p.line] = "";
+  const answer = await live.call(["solve", "case.ini", "-o", "steady.h5",
+    "--json"], { files: { "case.ini": lines.join("\n") }, clear: ["steady*"],
+    keep: ["steady.h5"] });
   if (answer.files["steady.h5"]) return answer.files["steady.h5"];
   showTrouble(said(answer).pop() || "no result");
   return null;

@@ -6,6 +6,8 @@ import json
 import os
 import sys
 import time
+import xml.etree.ElementTree as tree
+import zlib
 
 import h5py
 import numpy as np
@@ -13,7 +15,7 @@ import numpy as np
 sys.path.insert(0, os.path.join(os.path.dirname(__file__), "../pictures"))
 from browser import Browser  # noqa: E402
 
-folder, page = sys.argv[1], sys.argv[2]
+folder, page, only = sys.argv[1], sys.argv[2], sys.argv[3:]
 TAB, ENTER, RIGHT = "\ue004", "\ue007", "\ue014"
 
 
@@ -193,12 +195,77 @@ def mistakes(browser):
     assert not browser.run("return document.querySelector('main img')")
 
 
+def units(browser):
+    """Another unit is written with the same number; a key without effect has
+    its condition."""
+    put(browser, "[contact]\nload = 300 kN/m\nradius = 8 mm\n"
+        "modulus = 226 GPa\nmean_speed = 3 m/s\n[lubricant]\n"
+        "viscosity = 40 mPa.s\nalpha = 17 1/GPa\neyring_stress = 5 MPa\n"
+        "[domain]\nlevel = 6\n")
+    browser.run("""const s = document.querySelector(
+        '[aria-label="unit of radius"]');
+        s.value = "m"; s.dispatchEvent(new Event("change"));""")
+    assert "radius = 8 m\n" in case_of(browser)
+    browser.run("[...document.querySelectorAll('#tabs button')].find("
+                "(b) => b.textContent === 'lubricant').click()")
+    settled(browser)
+    row = browser.run("return [...document.querySelectorAll('.key')].find("
+                      "(r) => r.querySelector('label').textContent === "
+                      "'eyring_stress').textContent")
+    assert "no effect" in row and "rheology = eyring" in row, row
+    put(browser, "[contact]\nM = 20\nL = 10\n[domain]\nlevel = 6\n")
+    first = browser.run("return document.querySelectorAll('.key').length")
+    browser.run("document.getElementById('all').click()")
+    more = browser.run("return document.querySelectorAll('.key').length")
+    assert more > first + 5, (first, more)
+    browser.run("document.getElementById('all').click()")
+
+
+def case_of(browser):
+    return browser.run("return document.getElementById('text').value")
+
+
+def numbers(browser):
+    """Each kind shows the numbers that it has."""
+    for kind, keys in (("hot", ["T_max_rise", "mu_slide"]),
+                       ("starved", ["film_ratio"]),
+                       ("gear", ["lambda_ratio", "max_pressure_Pa"]),
+                       ("cam", ["min_film_m"]), ("bearing", ["mu_roll"])):
+        browser.run("""const k = document.getElementById('kind');
+            k.value = arguments[0]; k.dispatchEvent(new Event('change'));""",
+                    kind)
+        time.sleep(0.3)
+        settled(browser)
+        assert not text(browser, "trouble"), (kind, text(browser, "trouble"))
+        shown = browser.run("return [...document.querySelectorAll("
+                            "'#numbers [data-key]')].map((e) => e.dataset.key)")
+        assert set(keys) <= set(shown), (kind, shown)
+        hidden = browser.run("return document.getElementById('heat').hidden")
+        assert hidden == (kind != "hot"), kind
+
+
+def run_until(browser, states):
+    browser.run("document.getElementById('run').click()")
+    browser.wait("return +document.getElementById('left').dataset.states > "
+                 f"{states}", 60)
+
+
+def played(browser):
+    browser.wait("return !document.getElementById('played').hidden", 300)
+    browser.wait(
+        "return document.getElementById('player').srcdoc.length > 9999")
+    browser.call("POST", "/frame", {"id": 0})
+    browser.wait("return document.body.dataset.drawn !== undefined")
+    texts = browser.run("return document.body.textContent")
+    browser.call("POST", "/frame", {"id": None})
+    return texts
+
+
 def dent(browser):
+    """Runs, pauses, goes on, is played, and is downloaded."""
     with open(f"{folder}/dent.ini", encoding="utf-8") as file:
         put(browser, file.read().replace("level = 5", "level = 7"))
-    browser.run("document.getElementById('run').click()")
-    browser.wait("return +document.getElementById('left').dataset.states > 2",
-                 60)
+    run_until(browser, 2)
     browser.run("document.getElementById('pause').click()")
     browser.wait("return document.getElementById('status').textContent"
                  ".startsWith('paused')", 60)
@@ -207,30 +274,146 @@ def dent(browser):
     assert browser.run(
         "return document.getElementById('progress').value") == at
     browser.run("document.getElementById('pause').click()")
-    browser.wait("return !document.getElementById('played').hidden", 300)
-    browser.wait(
-        "return document.getElementById('player').srcdoc.length > 9999")
-    browser.call("POST", "/frame", {"id": 0})
-    browser.wait("return document.body.dataset.drawn !== undefined")
-    browser.call("POST", "/frame", {"id": None})
-    paused = browser.run("return document.getElementById('numbers')"
-                         ".dataset.solved")
-    assert paused
+    played(browser)
+    with h5py.File(saved(browser, "h5", "result.h5")) as file:
+        assert file["film_thickness"].shape[0] > 10
+        assert np.all(np.isfinite(file["pressure"][()]))
+    with open(saved(browser, "csv", "result.csv"), encoding="utf-8") as file:
+        assert file.read().count("\n") > 100
+    with open(saved(browser, "html", "run.html"), encoding="utf-8") as file:
+        assert file.read().startswith("<!DOCTYPE html>")
+    browser.run("document.getElementById('back').click()")
+
+
+def pictures(browser):
+    """The picture as SVG and PNG, the case as text."""
+    with open(f"{folder}/hot.ini", encoding="utf-8") as file:
+        put(browser, file.read())
+    root = tree.parse(saved(browser, "svg", "contact.svg")).getroot()
+    assert root.tag.endswith("svg")
+    texts = [e.text for e in root.iter("{http://www.w3.org/2000/svg}text")]
+    assert "pressure" in texts and "surface 1" in texts, texts
+    assert len(list(root.iter("{http://www.w3.org/2000/svg}path"))) > 20
+    with open(saved(browser, "png", "contact.png"), "rb") as file:
+        head = file.read(24)
+    assert head[:8] == b"\x89PNG\r\n\x1a\n"
+    assert int.from_bytes(head[16:20], "big") > 400
+    with open(saved(browser, "case", "case.ini"), encoding="utf-8") as file:
+        assert file.read() == case_of(browser)
+    with h5py.File(saved(browser, "h5", "result.h5")) as file:
+        assert "temperature_1" in file
+
+
+def saved(browser, what, name):
+    """Chooses a download, and where it has come to."""
+    path = f"{folder}/{name}"
+    if os.path.exists(path):
+        os.remove(path)
+    browser.call("POST", "/goog/cdp/execute", {
+        "cmd": "Browser.setDownloadBehavior",
+        "params": {"behavior": "allow", "downloadPath": folder}})
+    browser.run("""const d = document.getElementById('download');
+        d.value = arguments[0]; d.dispatchEvent(new Event('change'));""", what)
+    end = time.time() + 60
+    while not os.path.exists(path) or not os.path.getsize(path):
+        assert time.time() < end, f"no {name}: {text(browser, 'trouble')}"
+        time.sleep(0.1)
+    time.sleep(0.3)
+    return path
+
+
+def kinds_in_time(browser):
+    """Heat is drawn while it runs; passes are played one by one; a strip."""
+    with open(f"{folder}/warm.ini", encoding="utf-8") as file:
+        put(browser, file.read().replace("level = 5", "level = 7"))
+    run_until(browser, 2)
+    assert not browser.run("return document.getElementById('heat').hidden")
+    assert "surface 1" in played(browser) or browser.run(
+        "return document.getElementById('heat').hidden") is False
+    browser.run("document.getElementById('back').click()")
+    with open(f"{folder}/starved.ini", encoding="utf-8") as file:
+        put(browser, file.read())
+    browser.run("document.getElementById('run').click()")
+    played(browser)
+    assert browser.run("return [...document.getElementById('pass').options]"
+                       ".map((o) => o.value)") == \
+        ["result-1.h5", "result-2.h5", "result-3.h5"]
+    browser.run("document.getElementById('back').click()")
+    with open(f"{folder}/strip.ini", encoding="utf-8") as file:
+        put(browser, file.read())
+    assert not text(browser, "trouble"), text(browser, "trouble")
+    browser.run("document.getElementById('run').click()")
+    played(browser)
+    browser.run("document.getElementById('back').click()")
 
 
 def stops(browser):
-    """A long run is asked for; stop ends it."""
+    """A long run, a long steady contact and a long study are asked for; stop
+    ends them."""
     with open(f"{folder}/dent.ini", encoding="utf-8") as file:
-        case = file.read().replace("level = 5", "level = 13")
+        case = file.read()
+    put(browser, case.replace("level = 5", "level = 13"))
+    ask_and_stop(browser, "run")
+    put(browser, case.replace("level = 5", "level = 18"))
+    ask_and_stop(browser, "solve")
+    browser.run("""document.getElementById('study').open = true;
+        document.getElementById('count').value = 20;""")
+    ask_and_stop(browser, "vary")
+    browser.run("document.getElementById('study').open = false")
     put(browser, case)
-    browser.run("document.getElementById('run').click()")
+    assert not text(browser, "trouble")
+    assert text(browser, "status") == "ready", text(browser, "status")
+
+
+def ask_and_stop(browser, button):
+    browser.run("document.getElementById(arguments[0]).click()", button)
     browser.wait("return !document.getElementById('ask').hidden", 30)
+    assert "takes about" in text(browser, "ask")
     browser.run("document.getElementById('yes').click()")
-    browser.wait("return !document.getElementById('stop').hidden")
+    browser.wait("return !document.getElementById('stop').hidden", 60)
     time.sleep(1)
     browser.run("document.getElementById('stop').click()")
-    browser.wait("return document.getElementById('stop').hidden", 20)
-    browser.run("document.getElementById('back').click()")
+    browser.wait("return document.getElementById('stop').hidden", 60)
+    if browser.run("return !document.getElementById('played').hidden"):
+        browser.run("document.getElementById('back').click()")
+
+
+def hostile(browser):
+    """Nothing in a case or a link becomes part of the page or of the player;
+    no line takes the page's time."""
+    evil = "<img src=x onerror=document.body.dataset.stolen=1></script>" \
+        "<script>document.body.dataset.stolen=1</script>"
+    with open(f"{folder}/dent.ini", encoding="utf-8") as file:
+        case = file.read().replace("[output]", f"[output]\ntitle = {evil}")
+    case = case.replace("[feature dent]", "[feature <b>d</b>]")
+    put(browser, case)
+    if not text(browser, "trouble"):
+        browser.run("document.getElementById('run').click()")
+        played(browser)
+        browser.call("POST", "/frame", {"id": 0})
+        assert not browser.run("return document.body.dataset.stolen || "
+                               "document.querySelector('img')")
+        browser.call("POST", "/frame", {"id": None})
+        browser.run("document.getElementById('back').click()")
+    assert not browser.run("return document.body.dataset.stolen || "
+                           "document.querySelector('img, main b')")
+    spaces = " " * 60000
+    for line in (f"[{spaces}x", f"M ={spaces}x{spaces[:3000]}#",
+                 f"M = {'1' * 60000}x", "[a]\n" * 15000,
+                 "M = 1 m\n" * 8000, evil * 500):
+        began = time.time()
+        load(browser, fragment_of(f"[contact]\n{line}\n"))
+        assert text(browser, "trouble")
+        assert not browser.run("return document.body.dataset.stolen || "
+                               "document.querySelector('img, main b b')")
+        assert time.time() - began < 20, line[:9]
+    load(browser, fragment_of("x" * 70000))
+    assert "holds no case" in text(browser, "trouble")
+
+
+def fragment_of(case):
+    return "#case=" + base64.urlsafe_b64encode(
+        zlib.compress(case.encode())).decode().rstrip("=")
 
 
 def drops(browser):
@@ -256,7 +439,9 @@ def drops(browser):
     browser.run("[...document.querySelectorAll('.measure button')].find("
                 "(b) => b.textContent === 'put on surface 1').click()")
     settled(browser)
-    case = browser.run("return document.getElementById('text').value")
+    assert "root mean square height" in browser.run(
+        "return document.querySelector('.measure').textContent")
+    case = case_of(browser)
     assert "shape = profile" in case and "file = wavy__b_.txt" in case, case
     assert not browser.run("return document.querySelector('.measure b')")
 
@@ -274,29 +459,65 @@ def links(browser):
 
 
 def by_keys(browser):
-    """The first tab stops reach the choice of a case; sliders move by keys."""
+    """All is reached by the tab key, from the beginning of the page: a slider,
+    the run, its stop."""
     load(browser)
+    focus = "return document.activeElement.id || " \
+        "document.activeElement.dataset.key || ''"
+
+    def tab_to(name):
+        for _ in range(80):
+            if browser.run(focus) == name:
+                return
+            browser.keys(TAB)
+        raise AssertionError(f"the tab key does not reach {name}")
+
+    tab_to("contact.load")
+    before = case_of(browser)
+    browser.run("document.activeElement.blur()")
     browser.run("document.querySelector('#sliders input').focus()")
-    before = browser.run("return document.getElementById('text').value")
     browser.keys(RIGHT)
     settled(browser)
-    assert browser.run("return document.getElementById('text').value") != before
+    assert case_of(browser) != before
+    assert "load = 304" in case_of(browser), case_of(browser)
+    browser.run("document.getElementById('kind').focus()")
+    tab_to("run")
+    browser.keys(ENTER)
+    browser.wait("return !document.getElementById('stop').hidden", 60)
+    tab_to("stop")
+    browser.keys(ENTER)
+    browser.wait("return document.getElementById('stop').hidden", 60)
+    settled(browser)
+    if browser.run("return !document.getElementById('played').hidden"):
+        tab_to("back")
+        browser.keys(ENTER)
     browser.run("document.querySelector('#tabs button:last-of-type').focus()")
     browser.keys(ENTER)
     assert not browser.run("return document.getElementById('source').hidden")
 
 
 def memory(browser):
-    """200 live solves leave the memory of the program as it was."""
-    case = "[contact]\nM = 20\nL = 10\n[domain]\nlevel = 6\n"
+    """200 steady contacts of a slider leave the memory of the program and the
+    page as it was."""
+    put(browser, "[contact]\nM = 20\nL = 10\n[domain]\nlevel = 6\n")
     sizes = []
     for k in range(200):
-        answer = asks(browser, ["solve", "case.ini", "--steady", "--json",
-                                "--M", str(10 + k)], {"case.ini": case})
-        assert answer["code"] == 0, answer
+        solved = browser.run("return +document.getElementById('numbers')"
+                             ".dataset.solved")
+        browser.run("""const s = document.querySelector(
+            'input[data-key="contact.M"]');
+            s.value = arguments[0]; s.dispatchEvent(new Event('input'));""",
+                    -0.9 + 0.009 * k)
+        browser.wait("return +document.getElementById('numbers').dataset.solved"
+                     f" > {solved}", 60)
         if k in (40, 199):
-            sizes.append(answer["memory"])
-    assert sizes[0] == sizes[1], sizes
+            answer = asks(browser, ["keys"])
+            browser.call("POST", "/goog/cdp/execute",
+                         {"cmd": "HeapProfiler.collectGarbage", "params": {}})
+            heap = browser.run("return performance.memory.usedJSHeapSize")
+            sizes.append((answer["memory"], heap))
+    assert sizes[0][0] == sizes[1][0], sizes
+    assert sizes[1][1] < sizes[0][1] + 3e6, sizes
 
 
 def live(browser):
@@ -310,9 +531,10 @@ def live(browser):
 
 def narrow():
     for dark in (False, True):
-        for width, height in ((500, 900), (1400, 1000)):
-            browser = Browser(width, height, dark=dark)
+        for width, height in ((360, 740), (1400, 1000)):
+            browser = Browser(max(width, 500), height, dark=dark)
             try:
+                browser.size(width, height)
                 load(browser)
                 assert browser.run(
                     "return document.documentElement.scrollWidth <= "
@@ -330,9 +552,11 @@ def main():
         load(browser)
         assert not text(browser, "trouble")
         slides(browser)
-        for test in (agreement, mistakes, dent, stops, drops, links,
-                     by_keys, memory,
-                     live):
+        for test in (agreement, mistakes, units, numbers, dent, pictures,
+                     kinds_in_time, stops, drops, links, hostile, by_keys,
+                     memory, live):
+            if only and test.__name__ not in only:
+                continue
             began = time.time()
             test(browser)
             print(f"{test.__name__}: {time.time() - began:.1f} s", flush=True)

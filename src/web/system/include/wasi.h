@@ -5,9 +5,13 @@
  */
 #ifndef OVR_WEB_WASI_H
 #define OVR_WEB_WASI_H
+#include <fcntl.h>
 #include <sys/types.h>
 
 enum { F_RDLCK, F_WRLCK, F_UNLCK };
+enum { F_SETLK = 1000, F_SETLKW, F_GETLK };
+int ovr_web_fcntl(int fd, int what, ...);
+#define fcntl ovr_web_fcntl
 int flock(int fd, int how);
 
 int kill(pid_t process, int number);
