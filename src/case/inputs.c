@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The files that a case is read with besides its own: the values of its keys
- * that are paths and change the solution.  Other paths are those of outputs. */
+/* Lists the files that a run reads in addition to the case file: the values of
+ * keys that are paths of inputs. */
 #include "case/inputs.h"
 
 #include <stdio.h>

@@ -16,7 +16,8 @@ typedef struct ovr_inputs {
 ovr_status ovr_case_inputs(const ovr_case *c, ovr_arena *arena, ovr_inputs *to,
                            ovr_error *err);
 
-/* True if the value of a key is the path of a file that is read. */
+/* Returns whether the value of a key is the path of an input file.  Paths of
+ * output files are not physics. */
 bool ovr_key_is_input(const ovr_parameter *row);
 
 /* The path of a key from the working directory: one in a case file starts where

@@ -7,6 +7,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 enum { ROWS_MAX = 1000000, LINE_MAX = 256 };
 
@@ -14,9 +15,10 @@ typedef struct reading {
     ovr_two_columns *to;
     const char *file;
     size_t capacity;
-    bool headed;  /* its header was read */
-    bool swapped; /* the second column comes first */
-    int decimals; /* of the second, the most of all rows */
+    bool headed;   /* its header was read */
+    bool swapped;  /* the second column comes first */
+    bool found[2]; /* units in an optional header */
+    int decimals;  /* of the second, the most of all rows */
     ovr_arena *arena;
 } reading;
 
@@ -61,12 +63,27 @@ static int decimals_of(const char *text)
 /* The next word of a header: blanks, brackets and separators part them. */
 static bool next_word(const char **at, char *word, size_t capacity)
 {
-    static const char *const parting = " \t,;()[]#=_:\r\n";
+    static const char *const parting = " \t,;()[]#=_:\"\r\n";
     *at += strspn(*at, parting);
     size_t length = strcspn(*at, parting);
     snprintf(word, capacity, "%.*s", (int)length, *at);
     *at += length;
     return length > 0;
+}
+
+/* Returns the unit for which a header may have another word. */
+static const char *unit_meant(const char *word)
+{
+    static const char *const words[][2] = {
+        {"degrees", "deg"},    {"degree", "deg"},  {"\302\260", "deg"},
+        {"\260", "deg"},       {"radians", "rad"}, {"radian", "rad"},
+        {"microns", "um"},     {"micron", "um"},   {"\302\265m", "um"},
+        {"\316\274m", "um"},   {"\265m", "um"},    {"millimetres", "mm"},
+        {"millimeters", "mm"}, {"metres", "m"},    {"meters", "m"}};
+    for (size_t k = 0; k < sizeof words / sizeof *words; k++)
+        if (strcasecmp(word, words[k][0]) == 0)
+            return words[k][1];
+    return word;
 }
 
 /* The units of a line in their order; false: they are not those of both. */
@@ -77,7 +94,7 @@ static bool read_units(reading *r, const char *text)
     bool found[2] = {false, false};
     while (!(found[0] && found[1]) && next_word(&text, word, sizeof word))
         for (int k = 0; k < 2; k++) {
-            double unit = ovr_unit_value(word, c->header[k]);
+            double unit = ovr_unit_value(unit_meant(word), c->header[k]);
             if (isnan(unit))
                 continue;
             if (found[k])
@@ -87,6 +104,54 @@ static bool read_units(reading *r, const char *text)
             found[k] = true;
         }
     return found[0] && found[1];
+}
+
+static ovr_status read_line(reading *r, long line, char *text, ovr_error *err);
+
+/* Notes the units that a line before the numbers names. */
+static void note_units(reading *r, const char *text)
+{
+    ovr_two_columns *c = r->to;
+    char word[32];
+    while (next_word(&text, word, sizeof word))
+        for (int k = 0; k < 2; k++) {
+            double unit = ovr_unit_value(unit_meant(word), c->header[k]);
+            if (isnan(unit) || r->found[k])
+                continue;
+            r->swapped = r->swapped || (k == 1 && !r->found[0]);
+            r->found[k] = true;
+            c->unit[k] = unit;
+        }
+}
+
+static bool begins_with_number(const char *text)
+{
+    double number;
+    text = skip_separators(text);
+    return ovr_read_number(&text, &number);
+}
+
+/* A line of a file whose header is optional; sets `headed` at the numbers. */
+static ovr_status read_before(reading *r, long line, char *text, ovr_error *err)
+{
+    static const char mark[] = "\357\273\277"; /* of UTF-8 */
+    ovr_two_columns *c = r->to;
+    bool marked = line == 1 && strncmp(text, mark, strlen(mark)) == 0;
+    if (marked)
+        memset(text, ' ', strlen(mark));
+    if (!begins_with_number(text)) {
+        note_units(r, text);
+        return OVR_OK;
+    }
+    r->headed = true;
+    c->named = r->found[0] && r->found[1];
+    if (r->found[0] != r->found[1])
+        return ovr_fail_at(err, OVR_BAD_INPUT, r->file, line,
+                           "the header names a unit of the %s and none of the "
+                           "%s: name both, such as '%s'",
+                           c->name[r->found[1]], c->name[r->found[0]],
+                           c->example);
+    return read_line(r, line, text, err);
 }
 
 static ovr_status read_header(reading *r, long line, char *text, ovr_error *err)
@@ -164,6 +229,8 @@ ovr_status ovr_two_columns_read(ovr_two_columns *columns, const char *file,
                  .file = file,
                  .headed = columns->header[0] == OVR_PURE,
                  .arena = arena};
+    ovr_status (*before)(reading *, long, char *, ovr_error *) =
+        columns->optional ? read_before : read_header;
     FILE *in = fopen(file, "r");
     ovr_status status = OVR_OK;
     char text[LINE_MAX];
@@ -176,7 +243,7 @@ ovr_status ovr_two_columns_read(ovr_two_columns *columns, const char *file,
             status = ovr_fail_at(err, OVR_BAD_INPUT, file, line,
                                  "the line is too long");
         else
-            status = (r.headed ? read_line : read_header)(&r, line, text, err);
+            status = (r.headed ? read_line : before)(&r, line, text, err);
     }
     if (!status && ferror(in))
         status = ovr_fail_slot(err, slot, "cannot read '%s'", file);

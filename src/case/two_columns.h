@@ -19,6 +19,10 @@ typedef struct ovr_two_columns {
      * NULL: there is no header. */
     ovr_dimension header[2];
     const char *example;
+    /* Lines before the numbers, comments too, may name the units; `unit` holds
+     * where none does. */
+    bool optional;
+    bool named;      /* they did */
     size_t count;    /* rows that were read */
     double *x, *y;   /* in the arena */
     double rounding; /* smallest decimal of the second as written, times its

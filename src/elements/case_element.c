@@ -383,19 +383,32 @@ static ovr_status resolve_gear(ovr_resolved *r, const ovr_block *block,
 
 /* Lifts in metres or micrometres that are taken for millimetres give a contact
  * with a plausible, wrong curvature: that of the base circle, or a sharp edge.
- */
+ * Angles in radians give a cam a sixtieth as wide.  Units in a header of the
+ * table are not questioned. */
 static ovr_status check_lifts(const ovr_two_columns *table,
                               const ovr_block *block, double base_radius,
                               ovr_error *err)
 {
-    double largest = 0;
-    for (size_t k = 0; k < table->count; k++)
+    double largest = 0, angles = 0;
+    for (size_t k = 0; k < table->count; k++) {
         largest = fmax(largest, fabs(table->y[k]));
+        angles = fmax(angles, (table->x[k] - table->x[0]) / table->unit[0]);
+    }
+    if (table->named || table->count < 4) /* refused with its cam */
+        return OVR_OK;
+    if (angles <= 2.001 * PI)
+        return ovr_fail_slot(err, ovr_block_get(block, "file"),
+                             "the angles span %.3g degrees: without a header "
+                             "the table must hold degrees and mm; a header "
+                             "such as '%s' names other units",
+                             angles, table->example);
     if (largest >= 1e-3 * base_radius && largest <= 10 * base_radius)
         return OVR_OK;
     return ovr_fail_slot(err, ovr_block_get(block, "file"),
                          "the largest lift, %.3g mm, is %s the base radius, "
-                         "%.3g mm: the table must hold degrees and mm",
+                         "%.3g mm: without a header the table must hold "
+                         "degrees and mm; a header such as 'angle [deg], lift "
+                         "[m]' names other units",
                          1e3 * largest,
                          largest < base_radius ? "below a thousandth of"
                                                : "above ten times",
@@ -413,7 +426,10 @@ static ovr_status resolve_cam(ovr_resolved *r, const ovr_block *block,
                                  .minimum = -1e6,
                                  .maximum = 1e6,
                                  .of = " mm",
-                                 .unit = {PI / 180, 1e-3}};
+                                 .unit = {PI / 180, 1e-3},
+                                 .header = {OVR_ANGLE, OVR_LENGTH},
+                                 .example = "angle [rad], lift [mm]",
+                                 .optional = true};
         status = read_table(r, block, e->lift_file, &table, err);
         if (!status)
             status = check_lifts(&table, block, e->cam.base_radius, err);

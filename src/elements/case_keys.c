@@ -136,7 +136,8 @@ static const ovr_parameter cam_keys[] = {
      BY_LAW "; base_radius", "angle of the fall; default: that of the rise"},
     {"file", PATH, NULL, AT(element.lift_file), true,
      "law = table; base_radius",
-     "file of two columns: degrees from the start of the rise, lift in mm"},
+     "file of two columns: angle from the start of the rise, lift; degrees and "
+     "mm unless the header names other units"},
     {"spring", WITH_UNIT(OVR_STIFFNESS, 0, 1e12), NULL, CAM(spring), true,
      ALWAYS, "stiffness of the follower spring"},
     {"preload", WITH_UNIT(OVR_FORCE, 0, 1e9), NULL, CAM(preload), true, ALWAYS,

@@ -184,6 +184,41 @@ awk 'BEGIN { for (k = 0; k <= 120; k++)
 sed '/^lift/d; /^rise/d; /^to/d' cam.ini >less.ini
 no less 'lifts are rounded to 1 um' cam.law=table cam.file=lifts.txt
 no less 'needs file' cam.law=table
+# Units of a lift table: those of its header; without one degrees and mm, which
+# metres and radians are not
+table() { # NAME HEADER FORMAT (of the angle in degrees and the lift in mm)
+    awk -v header="$2" "BEGIN { if (header) print header
+        for (k = 0; k <= 120; k++) {
+            a = k; s = 1 - cos(3 * k * atan2(0, -1) / 180)
+            pi = atan2(0, -1); $3 } }" >"$1"
+}
+pressure() {
+    expect 0 "$OVERROLL" check less.ini --json -q --set cam.law=table \
+        --set cam.file="$1"
+    number hertz_pressure_Pa
+}
+table plain.txt '' 'printf "%d %.17g\n", a, s'
+wanted=$(pressure plain.txt)
+table metres.txt '# angle in degrees, lift in m' 'printf "%d %.17g\n", a, s/1e3'
+table radians.txt '"Angle (rad)";"Lift [mm]"' \
+    'printf "%.17g;%.17g\n", a * pi / 180, s'
+table swapped.txt 'lift_microns angle_deg' 'printf "%.17g %d\n", 1e3 * s, a'
+table named.txt 'angle,lift' 'printf "%d,%.17g\n", a, s'
+for file in metres radians swapped named; do
+    awk -v a="$(pressure $file.txt)" -v b="$wanted" \
+        'BEGIN { exit !(b > 1e8 && a / b > 1 - 1e-9 && a / b < 1 + 1e-9) }' ||
+        fail "$file.txt: $(number hertz_pressure_Pa) for $wanted"
+done
+for file in metres radians; do
+    sed 1d $file.txt | tr ';' ' ' >bare.txt
+    no less 'must hold degrees and mm; a header such as' cam.law=table \
+        cam.file=bare.txt
+done
+sed '1s/.*/angle, lift [mm]/' plain.txt >half.txt
+no less 'names a unit of the lift and none of the angle' cam.law=table \
+    cam.file=half.txt
+echo 'no numbers' >none.txt
+no less 'needs at least 4 points' cam.law=table cam.file=none.txt
 
 # Bearings
 no bearing 'do not fit on a pitch circle' 'roller_bearing.roller=20 mm'

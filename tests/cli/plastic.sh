@@ -116,6 +116,8 @@ END
 # The profiles as files: that from before is the dent, that from after is what
 # [feature] shape = profile reads, with less of its shoulder.
 expect 0 "$OVERROLL" run plastic.ini -o again.h5 -q --set plastic.profiles=left
+expect 0 "$OVERROLL" info again.h5
+! grep -q '^input' out || fail 'a file that is written is an input'
 expect 0 "$PYTHON" - <<'END'
 import h5py, numpy as np
 g = h5py.File("again.h5")["plastic/surface_1"]
