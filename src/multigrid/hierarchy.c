@@ -32,6 +32,13 @@ static bool has(const ovr_hierarchy *grids, ovr_field_memory memory,
     }
 }
 
+void ovr_hierarchy_by_gap(ovr_hierarchy *grids)
+{
+    grids->fluid.logarithmic = grids->fluid.secants = false;
+    for (int l = grids->coarsest; l <= grids->finest; l++)
+        grids->level[l].f.log_fluidity = grids->level[l].f.log_slope = NULL;
+}
+
 static ovr_status take_sets(ovr_fields *f, size_t n, bool content,
                             ovr_arena *arena, ovr_error *err)
 {

@@ -106,6 +106,9 @@ typedef struct ovr_hierarchy {
     ovr_stopping stopping;
 } ovr_hierarchy;
 
+/* Replaces the logarithmic mean between nodes by that of the gap, for good. */
+void ovr_hierarchy_by_gap(ovr_hierarchy *grids);
+
 /* Asks, until it is to stop. */
 bool ovr_hierarchy_stops(ovr_hierarchy *grids);
 

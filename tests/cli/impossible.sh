@@ -76,7 +76,7 @@ fi
 
 # A ridge of thirty films from the start, which films do not reach as it grows:
 # the state is no solution and says so
-touch='the steady solution did not converge with any of 4 strategies: '
+touch='the steady solution did not converge with any of 5 strategies: '
 sed '/^grow/d' wall.ini >start.ini
 gives_up "$touch" run start.ini -o start.h5
 kept start.h5 "$touch"
@@ -102,7 +102,7 @@ level=$(sed -n "s/.*; level \([0-9]*\) resolves it\$/\1/p" err)
 expect 0 "$OVERROLL" steady thin.ini --level "${level:-9}"
 
 # None of these: how far it came, after all strategies
-far='the steady solution did not converge with any of 3 strategies: relative '
+far='the steady solution did not converge with any of 4 strategies: relative '
 printf '[contact]\nM = 20\nL = 10\n' >far.ini
 gives_up "$far" run far.ini -o far.h5 --set solver.max_cycles=1
 kept far.h5 "$far"

@@ -40,6 +40,29 @@ TEST(thin_films_name_a_level)
     }
 }
 
+/* A spike of 5 p_h inside one mesh, which cycles with the logarithmic mean do
+ * not find.  The film at X = 0 is that of the coarser level. */
+TEST(steep_spikes_are_found_by_the_gap)
+{
+    double H[2];
+    for (int k = 0; k < 2; k++) {
+        ovr_error err = {0};
+        ovr_options o = test_options();
+        o.level = 9 + k;
+        o.inlet = o.outlet = NAN;
+        test_contact t = test_contact_make(5, 15);
+        t.lubricant.density_law = OVR_INCOMPRESSIBLE;
+        t.lubricant.viscosity_law = OVR_BARUS;
+        ovr_simulation *sim = ovr_simulation_create(&t.contact, &t.lubricant,
+                                                    &o, NULL, &err);
+        assert_non_null(sim);
+        CHECK_OK(ovr_simulation_steady(sim, &err), &err);
+        H[k] = ovr_simulation_observation(sim)->H_cen;
+        ovr_simulation_free(sim);
+    }
+    CHECK_CLOSE(H[1], H[0], 3e-4); /* the error of level 9 */
+}
+
 /* Newton alone once stopped at 1e-8, above what such a grid is to reach. */
 TEST(one_grid_is_enough)
 {
