@@ -28,14 +28,6 @@ typedef struct package {
 
 /* --------------------------------------------------------------- the ZIP */
 
-static ovr_status open_zip(package *k, ovr_bytes content, ovr_error *err)
-{
-    const char *wrong = ovr_zip_open(&k->zip, content, &k->arena);
-    return wrong ? ovr_fail_at(err, OVR_BAD_INPUT, k->profile->file, 0,
-                               "not a readable ZIP (X3P): %s", wrong)
-                 : OVR_OK;
-}
-
 /* main.xml, at the top or in a folder. */
 static const ovr_zip_entry *find_main(package *k)
 {
@@ -383,7 +375,7 @@ ovr_status ovr_read_x3p(ovr_profile *profile, const ovr_profile_source *source,
     ovr_status status;
     profile->view.format = "X3P";
     k.arena = ovr_arena_make(&profile->arena.allocator);
-    status = open_zip(&k, content, err);
+    status = ovr_zip_open(&k.zip, content, k.profile->file, &k.arena, err);
     if (!status)
         status = read_package(&k, source, err);
     ovr_arena_release(&k.arena);

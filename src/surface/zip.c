@@ -5,6 +5,8 @@
 #include <string.h>
 #include <zlib.h>
 
+#include "base/error.h"
+
 enum {
     END = 22, /* bytes of the record at the end, of others likewise */
     END_64 = 56,
@@ -108,9 +110,10 @@ static void read_extra(ovr_zip_entry *e, const char *at, size_t bytes)
     }
 }
 
-/* Reads an entry of the directory; returns its length, 0 if it is damaged. */
+/* Reads an entry of the directory; returns its length, 0 if it is damaged or
+ * there is no memory. */
 static size_t read_entry(const ovr_zip *zip, uint64_t at, ovr_zip_entry *e,
-                         ovr_arena *arena)
+                         ovr_arena *arena, ovr_error *err)
 {
     if (!has_mark(zip->content, at, CENTRAL, central_mark))
         return 0;
@@ -127,33 +130,41 @@ static size_t read_entry(const ovr_zip *zip, uint64_t at, ovr_zip_entry *e,
                          .size = number(record + 24, 4),
                          .at = number(record + 42, 4)};
     read_extra(e, record + CENTRAL + name, extra);
-    e->name = ovr_arena_take(arena, name + 1, 1, NULL);
+    e->name = ovr_arena_take(arena, name + 1, 1, err);
     if (e->name)
         memcpy(e->name, record + CENTRAL, name);
     return e->name ? length : 0;
 }
 
-const char *ovr_zip_open(ovr_zip *zip, ovr_bytes content, ovr_arena *arena)
+static ovr_status unreadable(const char *file, const char *why, ovr_error *err)
+{
+    return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
+                       "not a readable ZIP (X3P): %s", why);
+}
+
+ovr_status ovr_zip_open(ovr_zip *zip, ovr_bytes content, const char *file,
+                        ovr_arena *arena, ovr_error *err)
 {
     directory d;
     const char *wrong = find_directory(content, &d);
     *zip = (ovr_zip){.content = content};
+    if (!wrong && d.entries > content.size / CENTRAL)
+        wrong = cut_off;
     if (wrong)
-        return wrong;
-    if (d.entries > content.size / CENTRAL)
-        return cut_off;
+        return unreadable(file, wrong, err);
     zip->entry = ovr_arena_take(arena, (size_t)d.entries, sizeof *zip->entry,
-                                NULL);
+                                err);
     if (!zip->entry)
-        return "out of memory";
+        return OVR_NO_MEMORY;
     for (size_t k = 0; k < d.entries; k++) {
-        size_t length = read_entry(zip, d.at, &zip->entry[k], arena);
+        size_t length = read_entry(zip, d.at, &zip->entry[k], arena, err);
         if (!length)
-            return cut_off;
+            return arena->starved ? OVR_NO_MEMORY
+                                  : unreadable(file, cut_off, err);
         d.at += length;
         zip->entries++;
     }
-    return NULL;
+    return OVR_OK;
 }
 
 const ovr_zip_entry *ovr_zip_find(const ovr_zip *zip, const char *name)

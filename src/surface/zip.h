@@ -22,9 +22,10 @@ typedef struct ovr_zip {
     size_t entries;
 } ovr_zip;
 
-/* Reads the directory.  Returns NULL or the reason why the content is no
- * readable archive. */
-const char *ovr_zip_open(ovr_zip *zip, ovr_bytes content, ovr_arena *arena);
+/* Reads the directory.  Fails with OVR_BAD_INPUT if the content of the file is
+ * no readable archive. */
+ovr_status ovr_zip_open(ovr_zip *zip, ovr_bytes content, const char *file,
+                        ovr_arena *arena, ovr_error *err);
 
 /* Returns the entry with this name, or NULL. */
 const ovr_zip_entry *ovr_zip_find(const ovr_zip *zip, const char *name);
