@@ -12,8 +12,8 @@
  *     ovr_simulation_march(sim, &march, &err);
  *     ovr_simulation_free(sim), ovr_setup_free(setup), ovr_case_free(c);
  *
- * What may stand in a case is one table; it is listed by ovr_parameter_at and
- * described in overroll-case(5).
+ * The keys of a case are one table, listed by ovr_parameter_at and described in
+ * overroll-case(5).
  */
 #ifndef OVERROLL_CASE_H
 #define OVERROLL_CASE_H
@@ -107,7 +107,7 @@ OVR_API ovr_status ovr_case_set(ovr_case *c, const char *where,
 OVR_API ovr_status ovr_case_assign(ovr_case *c, const char *assignment,
                                    const char *origin, ovr_error *err);
 
-/* Takes a setting back, to its default; unknown ones are left in peace. */
+/* Resets a setting to its default; unknown settings are ignored. */
 OVR_API void ovr_case_unset(ovr_case *c, const char *where);
 
 /* The text of the case with later settings worked in; reading it in the same
@@ -142,7 +142,7 @@ typedef struct ovr_list {
     const double *values;
 } ovr_list;
 
-/* This says which results are stored; times are in b/um, lengths in b. */
+/* Selects the results that are stored; times are in b/u_m, lengths in b. */
 typedef struct ovr_output {
     const char *file;    /* relative to the working directory; or NULL */
     const char *title;   /* or NULL */
@@ -255,8 +255,8 @@ OVR_API ovr_status ovr_setup_prepare(ovr_setup *setup,
 /* The simulation with surfaces and histories in place, which the setup keeps:
  * setup and case must live as long.  Prepares what is not prepared. */
 
-/* Each physics of the case tells its numbers, a line for each that its user
- * wants to see. */
+/* Reports the numbers of each physical model of the case, one line per
+ * number. */
 typedef void ovr_setup_line(void *data, const char *name, const char *text);
 OVR_API void ovr_setup_tell(const ovr_setup *setup, ovr_setup_line *line,
                             void *data);

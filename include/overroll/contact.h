@@ -58,8 +58,8 @@ typedef struct ovr_conditions {
 /* All fields NAN. */
 OVR_API ovr_conditions ovr_conditions_default(void);
 
-/* The resolved contact.  Dimensionless numbers are always set; a physical
- * scale that does not follow from what was given is NAN. */
+/* The resolved contact.  Dimensionless numbers are always set; a physical scale
+ * that cannot be derived from what was given is NAN. */
 typedef struct ovr_contact {
     double M, L, lambda, alphabar;
     double u1_ratio, u2_ratio; /* u1/um, u2/um */

@@ -6,9 +6,8 @@
  * Pure functions, SI units, angles in rad: an element is made from its form,
  * checked there, and asked where its contact is at a time t.  Surface 1 is gear
  * 1, the cam, or the raceway; +x is the way surface 1 moves.  NAN in a form
- * means "not given", where the form says so.  Each `create` returns NULL with
- * the error filled, about the member that is wrong; forms are copied, tables
- * too.
+ * means "not given" where stated.  Each `create` returns NULL with the error
+ * filled, about the member that is wrong; forms are copied, tables too.
  */
 #ifndef OVERROLL_ELEMENTS_H
 #define OVERROLL_ELEMENTS_H
@@ -23,7 +22,7 @@
 extern "C" {
 #endif
 
-/* The contact at one moment.  Radii are negative where a surface is hollow;
+/* The contact at one moment.  Radii are negative where a surface is concave;
  * 1/R = 1/R_1 + 1/R_2; a flat surface has the radius INFINITY. */
 typedef struct ovr_element_moment {
     double t;           /* s */
@@ -157,9 +156,9 @@ typedef struct ovr_cam_event {
 /* -------------------------------------------------------------- bearings */
 
 typedef enum ovr_bearing_position {
-    OVR_ROLLER_BELOW, /* a roller stands below the load */
+    OVR_ROLLER_BELOW, /* a roller is below the load */
     OVR_GAP_BELOW,    /* a gap between two rollers does */
-    OVR_ROLLER_AT     /* a roller stands at `angle` from it */
+    OVR_ROLLER_AT     /* a roller is at `angle` from the load */
 } ovr_bearing_position;
 
 /* A cylindrical roller bearing under a radial load that stands still. */

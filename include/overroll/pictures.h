@@ -96,14 +96,14 @@ typedef struct ovr_figure_options {
     const char *y;  /* column; NULL: H_min_overall_m, else H_min_overall,
                        min_film_m, H_min */
     const char *x;  /* key; NULL: the first with numbers */
-    const char *by; /* key; NULL: the next, but for a seed; "": none */
+    const char *by; /* key; NULL: the next that is not a seed; "": none */
     bool log_x, log_y;
     int width, height;
     const char *title;
     const char *script;
     const char *template_path; /* as of a picture */
-    const char *panels; /* key; NULL: all that else varies, but for seeds; "":
-                           none */
+    const char *panels; /* key; NULL: all that else varies, except for seeds;
+                           "": none */
 } ovr_figure_options;
 
 OVR_API ovr_status ovr_figure(const ovr_table *table,
@@ -117,8 +117,8 @@ OVR_API ovr_status ovr_figure_passes(const ovr_table *passes,
                                      const ovr_allocator *allocator,
                                      ovr_error *err);
 
-/* Stribeck's curve of a study over contact.mean_speed (or x) whose case has
- * [boundary]: friction, that of the film, and the share of the load on metal; a
+/* Stribeck curve of a study over contact.mean_speed (or x) whose case has
+ * [boundary]: friction coefficient, fluid friction and asperity load share; a
  * line for each value of `by`, or of the next key; y and panels do not count.
  */
 OVR_API ovr_status ovr_figure_stribeck(const ovr_table *table,
@@ -126,9 +126,9 @@ OVR_API ovr_status ovr_figure_stribeck(const ovr_table *table,
                                        const ovr_allocator *allocator,
                                        ovr_error *err);
 
-/* Draws the distribution of `y` over a study with [random] (of what
- * ovr_study_sample says first, unless given): histogram, distribution, and the
- * effect of each input; x, by, panels and the logarithms do not count. */
+/* Draws the distribution of `y` over a study with [random] (default: the first
+ * quantity of ovr_study_sample): histogram, distribution, and the effect of
+ * each input; x, by, panels and the logarithms do not count. */
 OVR_API ovr_status ovr_figure_distribution(const ovr_study *study,
                                            const ovr_figure_options *options,
                                            const ovr_allocator *allocator,
@@ -162,8 +162,8 @@ typedef struct ovr_frames_made {
  * being the snapshot's; the axes are the same in all of them.  Several
  * results are laid over each other, at the times of the first.
  *
- * Stopped and called again with the same options, it draws what is missing:
- * FOLDER/frames.txt says what the frames were made with.  Frames made with
+ * A second call with the same options draws the missing frames:
+ * FOLDER/frames.txt stores the options of the frames.  Frames made with
  * something else are an error, or with look->force replaced.
  */
 OVR_API ovr_status ovr_frames(ovr_result *const *results, size_t count,
@@ -199,8 +199,8 @@ OVR_API ovr_status ovr_picture_areal(const ovr_areal *areal,
                                      const char *title, const char *path,
                                      ovr_error *err);
 
-/* Draws what it bears (ovr_profile_contact): pressure over gap, with the
- * exponential of Rq and slope beside it, and what touches over pressure. */
+/* Draws the dry contact (ovr_profile_contact): pressure against mean gap, with
+ * the exponential of Rq and slope, and contact length against pressure. */
 OVR_API ovr_status ovr_picture_contact(const ovr_profile_view *view,
                                        const ovr_profile_numbers *numbers,
                                        const ovr_dry_point *points,

@@ -5,8 +5,8 @@
  *
  * A profile is n points (x, z), x increasing, heights positive out of the
  * surface; missing heights are NAN until ovr_profile_condition fills them.
- * Both are in metres, or each in the contact's units (b and b^2/R) when the
- * file says so.  Formats are told apart by content: text (also gzipped), SDF
+ * Both are in metres, or in units of the contact (b and b^2/R) if the file
+ * specifies them.  Formats are recognized by content: text (also gzipped), SDF
  * text and binary, SMD, X3P.  Nothing about units is guessed in silence: what
  * was assumed stands in `notes`, what cannot be known is an error that says
  * what to add.
@@ -49,9 +49,10 @@ typedef struct ovr_profile_view {
 /* The file to read, and what it may not say itself. */
 typedef struct ovr_profile_source {
     const char *file;
-    const char *unit_x;  /* "um", "mm", ..., "b"; NULL: the file says it */
-    const char *unit_z;  /* "um", "nm", ..., "b^2/R"; NULL: the file says it */
-    double spacing;      /* of a single column z, metres; NAN: none */
+    const char *unit_x; /* "um", "mm", ..., "b"; NULL: specified in the file */
+    const char
+        *unit_z;    /* "um", "nm", ..., "b^2/R"; NULL: specified in the file */
+    double spacing; /* of a single column z, metres; NAN: none */
     bool spacing_scaled; /* spacing is in b, not metres */
     int column_x;        /* counted from 1; 0: by the header */
     int column_z;
@@ -92,12 +93,12 @@ typedef enum ovr_levelling {
     OVR_LEVEL_POLYNOMIAL,
     OVR_LEVEL_ENDS,   /* line through the mean heights of the outer tenths */
     OVR_LEVEL_CIRCLE, /* arc of a roller, of least squares in height */
-    OVR_LEVEL_AUTO    /* line, circle, or polynomial of degree 4 or 6: the
-                         next one where it leaves less than half the Rq;
-                         which one stands in the notes */
+    OVR_LEVEL_AUTO /* line, circle, or polynomial of degree 4 or 6: the next one
+                      if it leaves less than half the Rq; the choice is in the
+                      notes */
 } ovr_levelling;
 
-/* A profile goes on beyond its ends in one of these ways. */
+/* Continuation of a profile beyond its ends. */
 typedef enum ovr_extension {
     OVR_EXTEND_NONE,     /* smooth surface; blended over `taper` */
     OVR_EXTEND_PERIODIC, /* the profile again, blended over `taper` */
@@ -187,7 +188,7 @@ typedef struct ovr_profile_wave {
 } ovr_profile_wave;
 
 /* Finds up to `maximum` waves above 0.1 % of the variance, strongest first;
- * *found says how many. */
+ * *found is their number. */
 OVR_API ovr_status ovr_profile_waves(const ovr_profile *profile, size_t maximum,
                                      ovr_profile_wave *waves, size_t *found,
                                      ovr_error *err);
@@ -204,7 +205,8 @@ typedef struct ovr_dry_point {
     double pressure, gap, area;
 } ovr_dry_point;
 
-/* Up to `maximum` points, the lightest first; *found says how many. */
+/* Computes up to `maximum` points, the smallest pressure first; *found is their
+ * number. */
 OVR_API ovr_status ovr_profile_contact(const ovr_profile *profile,
                                        size_t maximum, ovr_dry_point *points,
                                        size_t *found, ovr_error *err);

@@ -29,7 +29,7 @@ extern "C" {
 
 /* ----------------------------------------------------------------- trials */
 
-/* Cases whose numbers are asked for, counted from 0: run by processes forked
+/* Cases whose numbers are requested, counted from 0: run by processes forked
  * here, or by one's own `ovr_trial_runner`, which puts numbers in, by the keys
  * of ovr_run_summary, or says why there are none. */
 typedef struct ovr_trials ovr_trials;
@@ -82,7 +82,7 @@ typedef enum ovr_find_end {
 
 typedef struct ovr_find ovr_find;
 
-/* Gives the values in the unit of the key as `low` and `high` have it. */
+/* Returns the values in the unit of the key, as in `low` and `high`. */
 typedef struct ovr_find_info {
     const char *key, *quantity;
     const char *unit; /* of the values; of a bare number "b", ...; "" */
@@ -133,8 +133,8 @@ OVR_API void ovr_find_summary(const ovr_find *find, ovr_summary_taker *take,
 
 /* The effect of a per cent of a key on a number of the run: elasticities,
  * d ln Q/d ln x, by central differences of 2 and of 1 %, whose difference is
- * their doubt.  Steps as large as these carry the rupture and the spike over
- * several meshes; smaller ones would tell of the mesh. */
+ * their doubt.  Steps of this size move film rupture and spike over several
+ * mesh sizes; smaller steps would measure grid effects. */
 typedef struct ovr_sensitivity_options {
     const char *keys; /* "contact.load, feature.dent.depth"; NULL: the numbers
                          given of the contact, its oil, its bodies, and sizes of
@@ -153,7 +153,7 @@ typedef struct ovr_sensitivity_row {
     const char *unit;     /* of an absolute slope: per this; NULL: relative */
     double step;          /* the larger one, relative or in that unit */
     double slope;         /* by the smaller one */
-    double doubt;         /* what the larger one makes of it */
+    double doubt;         /* derivative by the larger step */
     double coarser;       /* one level coarser; NAN: not asked for */
     const char *why_none; /* it is not to be used; or NULL */
 } ovr_sensitivity_row;
@@ -209,9 +209,9 @@ typedef struct ovr_sample_input {
     double lowest, highest; /* mean of the quantity where the key is so */
 } ovr_sample_input;
 
-/* The sample is taken of the files as they stand.  Quantities with commas
- * between; NULL: those of [limits], the key of [find], smallest film and
- * largest pressure. */
+/* The sample is taken of the files as they stand.  Quantities separated by
+ * commas; NULL: those of [limits], the key of [find], minimum film thickness
+ * and maximum pressure. */
 OVR_API ovr_sample *ovr_study_sample(const ovr_study *study,
                                      const char *quantities, ovr_error *err);
 OVR_API void ovr_sample_free(ovr_sample *sample);

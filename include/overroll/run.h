@@ -78,9 +78,9 @@ OVR_API ovr_run *ovr_run_create(ovr_case *c, const ovr_run_options *options,
                                 const ovr_allocator *allocator, ovr_error *err);
 
 /* Continues the run of a result file from the checkpoint beside it.  A run
- * stopped before its first checkpoint starts again.  A complete file that is to
- * go no further is not touched: the run is at its end, or, for want of a
- * checkpoint, NULL, with err->status OVR_OK and a message that says so. */
+ * stopped before its first checkpoint starts again.  A complete file with no
+ * later end is not changed: the result is a finished run, or, without a
+ * checkpoint, NULL with err->status OVR_OK and a message. */
 OVR_API ovr_run *ovr_run_resume(const char *path,
                                 const ovr_run_options *options,
                                 const ovr_allocator *allocator, ovr_error *err);
@@ -97,7 +97,7 @@ typedef struct ovr_run_error {
     double value[3]; /* on the finest level first; NAN: not solved */
     double error;    /* of the first, dimensionless as it; NAN: not known */
     double order;    /* seen between the levels; NAN: not known */
-    bool converges;  /* else a warning says so, and the error is not known */
+    bool converges;  /* otherwise a warning is given and the error is unknown */
 } ovr_run_error;
 enum { OVR_RUN_ERRORS = 8 };
 typedef struct ovr_run_errors {
@@ -111,9 +111,10 @@ typedef struct ovr_run_errors {
  * is the largest in a window of |X| < OVR_ROUGH_WINDOW of all that comes
  * through. */
 typedef struct ovr_rough_film {
-    double Rq;       /* of the unloaded surfaces */
-    double film_Rq;  /* of the film under the contact */
-    double H_min;    /* the smallest film; 0: what is left is as high as it */
+    double Rq;      /* of the unloaded surfaces */
+    double film_Rq; /* of the film under the contact */
+    double H_min; /* minimum film thickness; 0: the reduced roughness is as high
+                     as the film */
     const char *why; /* it says nothing; or NULL */
     const char *but; /* it is less sure than overroll(1) says; or NULL */
 } ovr_rough_film;
@@ -130,7 +131,7 @@ typedef struct ovr_run_info {
     size_t snapshots;   /* in the file, when it is closed */
     const ovr_run_errors *error;
     const ovr_stress_report *stress[2]; /* of surface 1, 2; NULL: none */
-    int warnings;                       /* so many were said, for reports */
+    int warnings;                       /* number of warnings, for reports */
     const char *const *warning;
     double lambda_ratio; /* mean film in |X| < 3/4 and over the run, over the
                             composite Rq of both surfaces; NAN: smooth */
@@ -316,7 +317,7 @@ typedef struct ovr_sweep_options {
     void (*progress)(void *data, size_t ended, size_t cases, int running,
                      size_t failed, double fraction);
     bool (*stop)(void *data); /* asked as often */
-    /* Does what `report` does, of a study with [find]. */
+    /* Like `report`, for a study with [find]. */
     void (*report_find)(void *data, const struct ovr_find *find,
                         const ovr_error *err, FILE *summary);
     size_t more; /* with `one` */
@@ -355,9 +356,9 @@ typedef struct ovr_table_column {
     const char *zip;         /* of a key of [zip NAME]: NAME; else NULL */
 } ovr_table_column;
 
-/* Takes the files in the study's folder as they stand now; or from what
- * ovr_sweep_collect wrote, .csv or .nc; or the rows of several passes, OUT.h5:
- * its first column is `pass`, and the only one varied. */
+/* Reads the files in the folder of the study in their present state; or from
+ * what ovr_sweep_collect wrote, .csv or .nc; or the rows of several passes,
+ * OUT.h5: its first column is `pass`, and the only one varied. */
 OVR_API ovr_table *ovr_study_table(const ovr_study *study, ovr_error *err);
 OVR_API ovr_table *ovr_table_read(const char *path, ovr_error *err);
 OVR_API void ovr_table_free(ovr_table *table);

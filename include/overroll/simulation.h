@@ -77,9 +77,8 @@ typedef enum ovr_refine {
 
 /* Zero or NAN where noted means: the program chooses from M, L and level. */
 typedef struct ovr_options {
-    double inlet, outlet; /* X_a < 0 < X_b; NAN: automatic; 0: -4 and 1.5, or
-                             farther out where that would cost more than 0.5 %
-                             of the central film, or the film ends later */
+    double inlet, outlet; /* X_a < 0 < X_b; NAN: automatic; 0: default
+                             (overroll-case(5)) */
     int level;            /* finest grid, n = 7 * 2^level + 1 nodes; 8 */
     int coarsest_level;   /* 0: automatic (3: 57 nodes); the paper's is 1 */
     ovr_scheme scheme;    /* OVR_CHARACTERISTIC, for steps of one mesh; for
@@ -96,7 +95,7 @@ typedef struct ovr_options {
     ovr_stop stop;
     double tolerance;    /* on the residual R and load defect; 0: automatic */
     int mlmi_order;      /* even, 4..16; 0: from the accuracy needed */
-    int mlmi_range;      /* corrections within so many meshes; 0: same */
+    int mlmi_range;      /* corrections within so many mesh sizes; 0: same */
     double switch_value; /* hybrid: eps/D^2 above which Gauss-Seidel; 3 */
     double relax_seidel; /* under-relaxation, paper 0.5..1; 0.8 */
     double relax_dipole; /* paper 0.3..0.6; 0.5 */
@@ -138,13 +137,12 @@ OVR_API void ovr_simulation_surface(ovr_simulation *sim, ovr_heights *heights,
 
 /* The speed of what is on the surfaces, u_k/um of the surface whose features
  * are the steepest: the steps then begin from a guess that moves along, and
- * take fewer cycles.  Default: NAN, not known; ovr_surfaces_speed tells it. */
+ * take fewer cycles.  Default: NAN, unknown; ovr_surfaces_speed returns it. */
 OVR_API void ovr_simulation_moving(ovr_simulation *sim, double speed);
 
-/* Serves a run of fourth order: the heights of what stands still (u_k = 0),
- * fully grown; NULL: the surfaces are smooth but for what moves.  The
- * corrections of a run are those of the steady contact with these alone;
- * without this call, those of the surfaces as they are at T = 0. */
+/* Sets the heights of stationary features (u_k = 0), fully grown, for
+ * fourth-order corrections. NULL: the surfaces are smooth except for moving
+ * features. */
 OVR_API void ovr_simulation_standing(ovr_simulation *sim, ovr_heights *standing,
                                      void *data);
 
@@ -156,10 +154,10 @@ OVR_API void ovr_simulation_standing(ovr_simulation *sim, ovr_heights *standing,
 #define OVR_MIN_START 0.01
 OVR_API ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err);
 
-/* One implicit step of length dT > 0.  A step that does not converge is tried
- * again in several ways, then in halves; if all fail, the state is that of the
- * last time reached.  A step that had to be accepted above its tolerance, or
- * whose temperatures are not those of its film, is marked in the observation
+/* One implicit step of length dT > 0.  If the step fails to converge, other
+ * strategies and then half steps are tried; if all fail, the state is that of
+ * the last time reached.  A step that had to be accepted above its tolerance,
+ * or whose temperatures are not those of its film, is marked in the observation
  * and returns OVR_OK. */
 OVR_API ovr_status ovr_simulation_step(ovr_simulation *sim, double dT,
                                        ovr_error *err);
@@ -219,7 +217,7 @@ typedef struct ovr_observation {
     double mass_balance; /* inflow - outflow - stored change, relative to the
                             contact's own flow, the mean of its size: vanishes
                             with the discretization */
-    double X_cavitation; /* first dry node behind the last wet one */
+    double X_cavitation; /* first cavitated node downstream of the film */
     double F_1, F_2;     /* force on each surface, along +x; ph b^2/R */
     double F_slide;      /* integral of the mean shear stress */
     double F_roll; /* integral of H P_X/2 from before the inlet on, against
@@ -253,9 +251,9 @@ typedef struct ovr_observation {
     double inflow, outflow;   /* Cu q less what the pressure drives back */
     double oil_inside;        /* integral of q over the domain */
     double oil_reservoir;     /* in the inlet reservoir; may be a small debt */
-    double cavity_length;     /* dry, between the first and the last wet node */
-    double mass_defect; /* inflow - outflow - stored change by the scheme's
-                           own fluxes, over H_cen */
+    double cavity_length; /* length of the cavitated region inside the film */
+    double mass_defect;   /* inflow - outflow - stored change by the scheme's
+                             own fluxes, over H_cen */
     /* patches about the spike; without them 0 and NAN */
     int refined_level;   /* of the finest */
     double spike_change; /* of the spike's height by the last level, relative */
@@ -310,7 +308,7 @@ enum {
     OVR_PHYSICS_FEATURES = 8,  /* there is something on the surfaces */
     OVR_PHYSICS_BOUNDARY = 16, /* surfaces touch through their film */
     OVR_PHYSICS_PLASTIC = 32,  /* a body yields */
-    OVR_PHYSICS_WEAR = 64,     /* surfaces that touch wear */
+    OVR_PHYSICS_WEAR = 64,     /* surfaces in asperity contact wear */
     OVR_PHYSICS_STRIP = 128    /* the film varies across rolling */
 };
 
@@ -359,7 +357,7 @@ typedef struct ovr_observable {
     const char *extreme_label, *mean_label; /* in reports, or NULL */
     const char *saved; /* what the extreme was called in checkpoints of before
                           0.3.0; NULL: its key */
-    bool steady;       /* these are told of a steady solution too */
+    bool steady;       /* also reported for steady solutions */
     unsigned pass;     /* columns in the file of several passes */
     /* Its place from the left in the table of passes that people read, 0: none,
      * the short name there, and the physics without which it is left out. */
@@ -367,7 +365,7 @@ typedef struct ovr_observable {
     const char *pass_head;
     unsigned pass_with;
     /* The sum over a run, of a count or a flag: its JSON key and its label in
-     * what is told of a file; NULL: not told. */
+     * what is told of a file; NULL: unknown. */
     const char *total_key, *total_label;
     bool friction; /* of the film: reports leave out its extreme and mean where
                       they are 0, or what no oil carries */

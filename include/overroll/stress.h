@@ -55,7 +55,7 @@ typedef struct ovr_stress ovr_stress;
  * nodes are 2^c D apart; the others keep what they hold. */
 #define OVR_STRESS_ALL_LEVELS (~0U)
 
-/* One depth: value i stands at X = start + i step; d at shear[2 i], tau at
+/* One depth: value i is at X = start + i step; d at shear[2 i], tau at
  * shear[2 i + 1], h at mean[2 i].  Valid until the next solve. */
 typedef struct ovr_stress_row {
     double z;
@@ -219,8 +219,8 @@ typedef struct ovr_stress_report {
     /* Largest amplitude in a layer over that of its own limit_pressure; NAN:
      * no layer has one. */
     double layer_fatigue;
-    /* A body that yields at `yield`, p_h; NAN: that is not told.  Value f/Y
-     * of `yield_ratio`: the largest von Mises stress over Y, less 1; of
+    /* A body with the yield stress `yield`, in p_h; NAN: not evaluated.  Value
+     * f/Y of `yield_ratio`: the largest von Mises stress over Y, less 1; of
      * `strip`: the largest (P - P around)/(2.97 Y), Z its width.  Share of the
      * complete material points from least_depth down that go beyond Y; the
      * deepest of all that do, 0: none.  p_h over that of the smooth contact's

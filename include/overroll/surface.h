@@ -86,8 +86,8 @@ typedef enum ovr_shape {
  * them all. */
 OVR_API const char *ovr_shape_name(int shape);
 
-/* Says in words which keys a shape takes: "needs depth, width; ..."; returns
- * the length that the text needs, as snprintf does. */
+/* Writes the keys of a shape in words, such as "needs depth, width; ...";
+ * returns the length of the complete text, like snprintf. */
 OVR_API int ovr_shape_takes(int shape, char *text, size_t capacity);
 
 /* The width of a shape at half its height or depth, over its width; an indent
@@ -141,7 +141,7 @@ typedef struct ovr_feature_form {
     ovr_shape shape;
 
     /* The place, by at most one of these (wave and texture: origin or none).
-     * With none a feature comes in from the end of the film, where that is
+     * Without any, a feature starts at the end of the film, where that is
      * known (ovr_surfaces_domain), as with start = -INFINITY. */
     double start;   /* X at T = 0 of its centre (step: its edge); of profile
                        and roughness: of their leading, largest-x end */

@@ -17,7 +17,7 @@
 
 typedef struct ovr_entry {
     long line;     /* from 1; 0: the end of the text */
-    char *section; /* what stands in [ ]; NULL: a key and its value */
+    char *section; /* text in [ ]; NULL: a key and its value */
     char *key, *value;
 } ovr_entry;
 
@@ -37,8 +37,8 @@ ovr_status ovr_entries_open(ovr_entries *e, ovr_arena *arena, ovr_error *err);
 /* The next section or key, valid until the one after it. */
 ovr_status ovr_entries_next(ovr_entries *e, ovr_entry *entry, ovr_error *err);
 
-/* A whole file of text of at most so many bytes; `what` ("case") stands in
- * messages.  NULL: it cannot be read. */
+/* Reads a text file of at most `maximum` bytes. `what` ("case") names the kind
+ * of file in error messages. Returns NULL if the file cannot be read. */
 const char *ovr_text_file(const char *path, const char *what, size_t maximum,
                           ovr_arena *arena, ovr_error *err);
 

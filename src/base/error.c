@@ -21,7 +21,7 @@ const char *ovr_status_name(ovr_status status)
     return "unknown status";
 }
 
-/* Messages quote what stands in files: one line, and no word for the
+/* Messages quote the contents of files: one line, and no word for the
  * terminal that shows it. */
 static void one_line(char *text)
 {

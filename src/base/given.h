@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Public functions look at their arguments before they use them: a NULL that
+/* Public functions check their arguments before use: a NULL that
  * must not be is an error as any other, and where none can be told an answer
  * that says nothing, NAN, 0 or NULL (tests/source/arguments.sh). */
 #ifndef OVR_BASE_GIVEN_H

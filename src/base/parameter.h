@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * A row of the table of parameters, and a section of a case: what a key is
- * called, what it may be, and where its value goes.  The rows of the case
- * stand in case/keys, those of a physics in its record
- * (simulation/physics.h), which is why their type lies below both.
+ * called, what it may be, and where its value goes.  The rows of the case are
+ * in case/keys, those of a physics in its record (simulation/physics.h), which
+ * is why their type lies below both.
  */
 #ifndef OVR_BASE_PARAMETER_H
 #define OVR_BASE_PARAMETER_H
@@ -81,7 +81,7 @@ typedef struct ovr_section {
     const char *help;
     const ovr_parameter *rows;
     size_t count;
-    bool whole; /* nothing of it counts unless it stands in the case */
+    bool whole; /* a section without effect unless it is in the case */
 } ovr_section;
 
 #endif

@@ -5,8 +5,8 @@
 
 #include <locale.h>
 
-/* printf writes as in C in this thread, from begin to end; end takes what
- * begin returned. */
+/* Makes printf use the C locale in this thread between begin and end; `end`
+ * restores the value returned by begin. */
 locale_t ovr_plain_begin(void);
 void ovr_plain_end(locale_t before);
 

@@ -51,9 +51,9 @@ typedef struct ovr_quantity {
     const char *unit; /* as in the table of units; NULL: none */
 } ovr_quantity;
 
-/* Reads a whole text; `bare`: the unit may be missing.  The message says what
- * is wrong with the text and what would be right, and is about "unit" when the
- * unit is wrong or missing. */
+/* Reads a whole text; `bare`: the unit may be missing.  The message states the
+ * error and what is allowed, and is about "unit" when the unit is wrong or
+ * missing. */
 ovr_status ovr_quantity_read(const char *text, ovr_dimension dimension,
                              bool bare, ovr_quantity *quantity, ovr_error *err);
 

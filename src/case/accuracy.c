@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Errors of discretization that are to be expected, relative to the film.
+ * Discretization errors that are to be expected, relative to the film.
  * With x = D/H^(2/3), the mesh over the length of the inlet's rise (H after
  * Moes), and for spike and exit k = (L/15)^2 (M/25)^(1/2), both factors at
  * most 1:
@@ -102,7 +102,8 @@ static double largest_of_film(const ovr_setup *s)
 }
 
 /* The root mean square over a run, relative to its mean film in units of the
- * nominal contact.  A film that comes to a stop is off by itself at most. */
+ * nominal contact.  If the film comes to rest, its error is at most the film
+ * thickness itself. */
 static double mean_of_film(const ovr_setup *s)
 {
     double squares = 0, films = 0, end = ovr_setup_end(s);
@@ -119,8 +120,9 @@ static double mean_of_film(const ovr_setup *s)
     return sqrt(squares * (LOOKS + 1)) / films;
 }
 
-/* The error of the friction of a flow law; a Newtonian film's lives off its
- * spike, which no mesh of a run resolves. */
+/* Error of the friction with a rheological model; the friction of a Newtonian
+ * film depends on its pressure spike, which the grid of a run cannot
+ * resolve. */
 static double of_friction(const ovr_setup *s)
 {
     const ovr_lubricant *oil = s->lubricant;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The store of a case: its blocks and slots, and what is said of sections and
- * keys that there are not. */
+/* Storage of a case: its blocks and slots, and the messages about unknown
+ * sections and keys. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>

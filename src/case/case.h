@@ -21,7 +21,7 @@ typedef struct ovr_slot {
     const char *file; /* or origin */
     long line;        /* 0: not from a file */
     long replaces;    /* line of the file that a later setting replaced */
-    double number;    /* SI or bare; of a word: what it stands for */
+    double number;    /* SI or without a unit; for a word its value */
     const char *unit; /* as written; NULL: bare or a word */
     bool word;
     ovr_list list;
@@ -76,10 +76,10 @@ bool ovr_block_is_feature(const ovr_block *block);
 ovr_slot *ovr_block_slot(const ovr_block *block, const char *key,
                          const ovr_parameter **row, ovr_error *err);
 
-/* Says that a section has no such key, and which one may be meant. */
+/* Reports an unknown key of a section, with a suggestion. */
 void ovr_no_key(const ovr_section *section, const char *key, ovr_error *err);
 
-/* True if a section stands in the case, be it empty; NULL: no. */
+/* True if a section is in the case, even if it is empty; NULL: no. */
 bool ovr_block_is_there(const ovr_block *block);
 
 /* Given and default value of a key that exists. */

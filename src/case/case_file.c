@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Reading a case: its text, entry by entry, and the file that it stands in. */
+/* Reads a case from a text or a file, entry by entry. */
 #include <stdio.h>
 #include <string.h>
 

@@ -91,7 +91,7 @@ static void put_instead(growing *g, const ovr_block *b, size_t k,
     put_text(g, "\n");
 }
 
-/* Puts what stands in place of a line that was replaced (perhaps nothing);
+/* Writes the replacement of a line (perhaps nothing);
  * false when the line stays. */
 static bool put_replaced(growing *g, const ovr_case *c, long line,
                          const char *at)

@@ -10,8 +10,8 @@
 #include "simulation/internal.h"
 #include "surface/surfaces.h"
 
-/* A run is looked at beforehand at so many moments; among which jumps are
- * looked for. */
+/* LOOKS: times at which the operating conditions of a run are sampled before it
+ * is solved. INSTANTS: times used to find jumps. */
 enum { LOOKS = 256, INSTANTS = 1 << 14 };
 
 bool ovr_setup_varies(const ovr_setup *s)
@@ -187,10 +187,10 @@ static double jump_of(const ovr_setup *s)
 /* X of the outlet, in the largest half width, that a jump wants: the surfaces
  * squeeze oil out behind the contact too, where the gap is not full for long
  * and pressure builds up as far as the domain goes.  Cut at X_b, 1.2 j
- * (1.5/X_b)^3.2 % of the central film is lost a little later; fitted to jumps
- * and ramps of .1 to .5 b/um between loads of 1 to 5, M 5 to 100, L 2 to 10,
- * within a factor of 2.  So slow ramps have the usual outlet, and a jump by
- * half the load loses 1e-4, beside what the inlet does. */
+ * (1.5/X_b)^3.2 % of the central film thickness is lost a little later; fitted
+ * to jumps and ramps of .1 to .5 b/um between loads of 1 to 5, M 5 to 100, L 2
+ * to 10, within a factor of 2.  So slow ramps have the usual outlet, and a jump
+ * by half the load loses 1e-4, beside what the inlet does. */
 static double outlet_of_jump(double jump)
 {
     return OVR_USUAL_OUTLET * pow(45 * jump, 0.4);
@@ -233,11 +233,11 @@ static double automatic_outlet(const moments *m, const ovr_instant *at)
 }
 
 /* The loss is so many times as large where load and radius vary, to first
- * order.  Far out a load that grows squeezes the oil by the approach of the
- * bodies, 0.6 d(s^2)/dT (dry), and imposed curvature c by c' X^2/2: as much as
- * comes with the wedge, Cu c X^2/2, times 1.2 (s^2)'/(c Cu |X|) and c' |X|/(3 c
- * Cu), which lose less and more by a cut at X_a than it does.  Where curvature
- * is convected with the material the gap there is not c X^2/2. */
+ * order.  Far upstream a growing load squeezes the lubricant by the approach of
+ * the bodies, 0.6 d(s^2)/dT (dry), and imposed curvature c by c' X^2/2: as much
+ * as comes with the wedge, Cu c X^2/2, times 1.2 (s^2)'/(c Cu |X|) and c'
+ * |X|/(3 c Cu), which lose less and more by a cut at X_a than it does.  Where
+ * curvature is convected with the material the gap there is not c X^2/2. */
 static double lost_by_change(const moments *m, int k, double load, double X_a)
 {
     const ovr_setup *s = m->setup;
@@ -266,7 +266,8 @@ typedef struct wish {
     double loss, outlet;
 } wish;
 
-/* The inlet farther out where a moment wants it. */
+/* Returns the inlet position needed at sample k, or `inlet` if that is further
+ * upstream. */
 static double widened(const moments *m, int k, double load, const wish *w,
                       double inlet)
 {

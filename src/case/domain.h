@@ -23,7 +23,7 @@ ovr_status ovr_setup_domain(ovr_resolved *r, ovr_error *err);
 typedef struct ovr_domain_needs {
     double width;         /* largest dry half width, in b */
     double inlet, outlet; /* the usual ones, which do */
-    double film_end;      /* no steady film ends farther out */
+    double film_end;      /* no steady film ends further downstream */
     double loss;          /* the largest share of the film that its own inlet
                              costs */
     bool varies;          /* there is more than one moment */

@@ -18,7 +18,7 @@ static const ovr_section *const sections[] = {
     &ovr_gear_section,     &ovr_cam_section,       &ovr_roller_bearing_section};
 enum { SECTIONS = sizeof sections / sizeof sections[0] };
 
-/* Goes through all there are: behind each of the case those of the physics that
+/* Iterates over all keys: behind each of the case those of the physics that
  * say so, behind all those that say nothing. */
 typedef struct walk {
     size_t at;   /* in the table; SECTIONS: behind it */

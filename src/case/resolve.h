@@ -36,8 +36,8 @@ struct ovr_resolved {
         bool stands; /* a steady solve at one of its moments */
     } element;
     bool alpha_estimated; /* from the viscosity */
-    double inlet_kept; /* X_a, farther out, that a feature before the usual one
-                          kept the domain from; 0: none did */
+    double inlet_kept; /* inlet that a feature further downstream prevented; 0:
+                          none */
     double substrate;  /* E' of the bodies, which a physics may change */
     double half_width; /* the largest dry one of run and passes, in b */
     const char
@@ -53,7 +53,7 @@ const ovr_block *ovr_block_of(const ovr_resolved *r, const char *section);
 const ovr_slot *ovr_slot_of(const ovr_resolved *r, const char *section,
                             const char *key);
 
-/* Puts the values of a block into the struct its rows point into, physical
+/* Stores the values of a block in the struct of its rows, physical
  * numbers scaled by the contact. */
 ovr_status ovr_block_fill(ovr_resolved *r, const ovr_block *block, void *into,
                           ovr_error *err);
@@ -75,7 +75,7 @@ ovr_status ovr_resolve_contact(ovr_resolved *r, ovr_error *err);
 /* The bodies' yield strength relative to the Hertzian pressure. */
 ovr_status ovr_resolve_yield(ovr_resolved *r, ovr_error *err);
 
-/* Makes the contact anew, where a physics changes how stiff the bodies are,
+/* Makes the contact again, where a physics changes how stiff the bodies are,
  * with the modulus that follows. */
 ovr_status ovr_resolve_stiffness(ovr_resolved *r, ovr_error *err);
 
@@ -83,12 +83,12 @@ ovr_status ovr_resolve_stiffness(ovr_resolved *r, ovr_error *err);
  * resolves them. */
 ovr_status ovr_resolve_forms(ovr_resolved *r, ovr_error *err);
 
-/* Takes end and steps of a run that a physics makes by itself; false: none
+/* Sets end and steps of a run determined by a physical model; false: none
  * does. */
 bool ovr_resolved_march(ovr_resolved *r);
 ovr_status ovr_resolve_physics(ovr_resolved *r, ovr_error *err);
 
-/* Tells the physics the mesh that was found. */
+/* Passes the grid to the physical models. */
 ovr_status ovr_resolve_on_mesh(ovr_resolved *r, ovr_error *err);
 
 /* True if the k-th physics of the list is on, turned on or chosen by the
@@ -97,7 +97,7 @@ ovr_status ovr_resolve_on_mesh(ovr_resolved *r, ovr_error *err);
 bool ovr_setup_has(const ovr_setup *setup, int k);
 const ovr_physics *ovr_setup_makes_nodes(const ovr_setup *setup);
 
-/* Gives a simulation what the case has turned on. */
+/* Adds the physical models of the case to a simulation. */
 ovr_status ovr_setup_add_physics(const ovr_setup *setup, ovr_simulation *sim,
                                  ovr_error *err);
 
@@ -126,10 +126,11 @@ double ovr_resolved_arrives(const ovr_resolved *r);
 /* Frees what their forms hold. */
 void ovr_resolved_drop(ovr_resolved *r);
 
-/* Gives a simulation with its histories what they say beside the options. */
+/* Applies the settings of the physical models that are not options, after the
+ * time histories. */
 void ovr_setup_equip(const ovr_setup *setup, ovr_simulation *sim);
 
-/* [time], the histories, and the scheme that goes with them. */
+/* [time], the time histories, and the resulting scheme. */
 ovr_status ovr_resolve_time(ovr_resolved *r, ovr_error *err);
 
 /* step = auto, the surfaces being made. */

@@ -358,7 +358,7 @@ ovr_status ovr_resolve_flow(ovr_resolved *r, ovr_error *err)
 
 /* ------------------------------------------------------------------ Contact */
 
-/* viscosity and alpha may stand in [contact] or in [lubricant]. */
+/* viscosity and alpha may be set in [contact] or in [lubricant]. */
 static ovr_status check_twice(const ovr_resolved *r, const char *key,
                               ovr_error *err)
 {

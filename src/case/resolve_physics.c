@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The physics of a case (simulation/physics.h): their sections fill their
- * forms, and what those mean says which are on. */
+/* Physical models of a case (simulation/physics.h): their sections fill their
+ * forms, whose values determine the active models. */
 #include <math.h>
 #include <string.h>
 
@@ -141,7 +141,7 @@ static const ovr_section *section_named(const ovr_physics_in_case *p,
     return NULL;
 }
 
-/* Puts the place of what an error is about before it: of "section.key", of a
+/* Prefixes an error with the place of its subject: of "section.key", of a
  * section, of a block by its name, of a key of the first section or of
  * [lubricant]. */
 static ovr_status fail(const ovr_resolved *r, const ovr_physics_in_case *p,
@@ -410,7 +410,7 @@ const ovr_physics *ovr_setup_makes_nodes(const ovr_setup *setup)
     return NULL;
 }
 
-/* Once the grid is known, of what stands beside the simulation too. */
+/* After the grid is known, also for companions of the simulation. */
 static double beside(const ovr_setup *setup)
 {
     const ovr_resolved *r = setup->resolved;

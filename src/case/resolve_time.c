@@ -343,8 +343,8 @@ ovr_status ovr_resolve_end(ovr_resolved *r, ovr_error *err)
  * the next coarser level, at 0.6 of the cost (overroll-theory(7), Time).
  */
 
-static const double HEAVY = 100;   /* M from which on inlets are short */
-static const double NARROW = 30;   /* meshes of a feature, or of a change */
+static const double HEAVY = 100; /* M from which on inlets are short */
+static const double NARROW = 30; /* length of a feature, or of a change, in D */
 static const double COARSE = 0.01; /* b: level 6 and below, as a rule */
 enum { LONG_STEP = 2, LOOKS = 64, INSTANTS = 1 << 14 };
 

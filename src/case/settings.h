@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The values of a case stand here: what the rows of its keys point into. */
+/* Values of a case: what the rows of its keys point into. */
 #ifndef OVR_CASE_SETTINGS_H
 #define OVR_CASE_SETTINGS_H
 

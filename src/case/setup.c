@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Makes of a resolved case a simulation with its surfaces in place. */
+/* Creates the simulation and the surfaces of a resolved case. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -97,8 +97,8 @@ static double nearest_inlet(const ovr_resolved *r)
     return fmin(OVR_USUAL_INLET, OVR_NEAREST_INLET * r->half_width);
 }
 
-/* True if something that was to come in from before the usual inlet would begin
- * inside a domain that was made longer. */
+/* True if a feature that should enter from upstream of the usual inlet would
+ * begin inside a domain that was made longer. */
 static bool is_overrun(const ovr_resolved *r)
 {
     const ovr_setup *s = &r->setup;
@@ -191,8 +191,8 @@ static ovr_status make_grid(ovr_resolved *r, bool usual,
     return status;
 }
 
-/* True of what takes time: a run, and surfaces that touch, whose films are
- * solved on the finest grid alone. */
+/* True of what takes time: a run, and surfaces in asperity contact, whose films
+ * are solved on the finest grid alone. */
 static bool takes_time(const ovr_resolved *r)
 {
     return r->setup.transient ||
@@ -249,8 +249,8 @@ static void usual_level(ovr_resolved *r)
     s->accuracy = chosen ? unseen : 0;
 }
 
-/* The first level on which the error to be expected is the one asked for; of
- * what features do on it is asked where the mesh alone would do. */
+/* Returns the first level with the requested expected error; the effect of
+ * features is evaluated only on levels whose grid error is small enough. */
 static ovr_status choose_level(ovr_resolved *r, bool usual,
                                const ovr_allocator *allocator, ovr_error *err)
 {

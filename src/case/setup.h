@@ -15,7 +15,7 @@ const ovr_bearing *ovr_setup_bearing(const ovr_setup *setup);
 /* The layers on a body, 0 or 1; NULL: it has none. */
 const ovr_coated *ovr_setup_layers(const ovr_setup *setup, int body);
 
-/* Takes the place of the load: that of a pass, times its history. */
+/* Replaces the load by that of a pass, multiplied by its time history. */
 ovr_status ovr_setup_load(ovr_setup *setup, int pass,
                           const ovr_allocator *allocator, ovr_error *err);
 

@@ -13,10 +13,10 @@
 typedef struct ovr_two_columns {
     const char *name[2];     /* "time", "value" */
     double minimum, maximum; /* of the second, as it is written; 0, 0: any */
-    const char *of;          /* what its range is told in, behind it: "" */
+    const char *of;          /* unit of the range in messages; "": none */
     double unit[2];          /* that the numbers are multiplied by */
-    /* The dimensions of the header's units, and a unit that would do; OVR_PURE,
-     * NULL: there is no header. */
+    /* Dimensions of the units in the header, and an example of a unit;
+     * OVR_PURE, NULL: there is no header. */
     ovr_dimension header[2];
     const char *example;
     /* Lines before the numbers, comments too, may name the units; `unit` holds

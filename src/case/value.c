@@ -74,7 +74,7 @@ static void put_range(const ovr_parameter *row, char *text, size_t capacity)
              *unit ? " " : "", unit, *words ? ", or " : "", words);
 }
 
-/* Says for messages what a value may be. */
+/* Describes the allowed values for messages. */
 static void put_allowed(const ovr_parameter *row, char *text, size_t capacity)
 {
     switch (row->kind) {

@@ -221,7 +221,7 @@ static const char *asked(const ovr_case *c, const ovr_block *block,
                                             : NULL;
 }
 
-/* A condition that does not hold. */
+/* A condition that is false. */
 typedef struct failing {
     char condition[OVR_CONDITION_MAX];
     bool off; /* it is about the switch of a section */

@@ -16,7 +16,7 @@ enum { OVR_CONDITION_MAX = 256 };
 bool ovr_condition_next(const char **text, const char *separator, char *piece,
                         size_t capacity);
 
-/* Puts more behind a text. */
+/* Appends to a text. */
 void ovr_condition_add(char *text, size_t capacity, const char *format, ...)
     OVR_PRINTF(3, 4);
 

@@ -9,7 +9,7 @@
 /* Prints it as a case: whoever reads that reads the same case. */
 void cli_put_case(const ovr_case *c);
 
-/* Puts its `parameters`, with what their values mean. */
+/* Prints the parameters of the case and their meaning. */
 void cli_json_case(json_writer *json, const ovr_case *c);
 
 #endif

@@ -164,7 +164,7 @@ int cli_open_results(const cli_call *call, ovr_result **results)
     return CLI_DONE;
 }
 
-/* One without scales among others: all axes are Hertzian, which is said. */
+/* If one result has no scales, all axes are Hertzian and a note is printed. */
 void cli_say_units(const cli_call *call, ovr_result *const *results,
                    ovr_units units)
 {

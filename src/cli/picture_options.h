@@ -38,7 +38,8 @@
         "force", NULL, "replace what exists", false                            \
     }
 
-/* Takes those options; CLI_DONE, or the exit code after having said why. */
+/* Reads these options; returns CLI_DONE, or the exit code after printing an
+ * error. */
 int cli_picture_options(const cli_call *call, ovr_picture_options *options);
 
 /* Those with numbers that may have units, by the scales of the first result. */
@@ -57,7 +58,7 @@ void cli_choose_areal(const cli_call *call, const ovr_result *result,
 
 /* Opens the files named on the command line. */
 int cli_open_results(const cli_call *call, ovr_result **results);
-/* Says on stderr when one without scales makes all axes Hertzian. */
+/* Prints a note if a result without scales makes all axes Hertzian. */
 void cli_say_units(const cli_call *call, ovr_result *const *results,
                    ovr_units units);
 void cli_close_results(const cli_call *call, ovr_result **results);

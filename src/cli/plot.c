@@ -75,8 +75,8 @@ static int take_depth(const cli_call *call, ovr_picture_options *o)
     return CLI_DONE;
 }
 
-/* Farther from the first or last snapshot than half of what is between it and
- * its neighbour, another instant would be drawn than the one asked for. */
+/* Beyond the first or last snapshot by more than half of the distance to its
+ * neighbour, another instant would be drawn than the one asked for. */
 static ovr_status check_instant(ovr_result *result, const char *text, double T,
                                 ovr_error *err)
 {

@@ -32,8 +32,8 @@ static int no_unit(const cli_call *call, const char *name)
                      name, text, text, text);
 }
 
-/* Makes of a size one in the unit of the profile; `unit` is how many metres its
- * b (or b^2/R) has, 0: nobody knows. */
+/* Converts a length to the unit of the profile. `unit` is b (or b^2/R) in
+ * metres, or 0 if unknown. */
 static int resolve_size(const cli_call *call, size given, bool scaled,
                         double unit, double *value)
 {

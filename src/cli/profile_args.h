@@ -8,7 +8,7 @@
 
 int profile_take_source(const cli_call *call, ovr_profile_source *source);
 
-/* Serves a profile that is read: lengths are in its units, turned into them
+/* For a profile that has been read: lengths are in its units, turned into them
  * with the contact's where these are known (contact may be NULL). */
 int profile_take_conditioning(const cli_call *call,
                               const ovr_profile_view *view,

@@ -122,7 +122,8 @@ static void print_points(const profile_report *r)
            v->filled);
 }
 
-/* Of one section nothing is told that is of all, of a flat profile no shape. */
+/* False for parameters of all sampling lengths if there is only one, and for
+ * skewness and kurtosis of a flat profile. */
 static bool is_told(const struct row *row, const ovr_profile_numbers *n)
 {
     bool of_all = row->offset == OF(t);
@@ -237,7 +238,7 @@ static void print_waves(const profile_report *r)
     }
 }
 
-/* E* in the unit of the pressures: p over this is what they are told over. */
+/* E* in the unit of the pressures, the denominator of the printed p/E*. */
 static double modulus(const profile_report *r)
 {
     return r->view->scaled_x ? 2 : 1;

@@ -24,7 +24,7 @@ cli_progress cli_progress_begin(int verbosity, double fraction);
 void cli_progress_show(cli_progress *progress, double fraction,
                        const char *what);
 
-/* Takes the line off the terminal. */
+/* Erases the line from the terminal. */
 void cli_progress_end(cli_progress *progress);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* overroll resume OUT.h5: goes on where a run ended. */
+/* overroll resume OUT.h5: continues where a run ended. */
 #include "cli/case_args.h"
 #include "cli/watch.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tells what the draws of a study say, for people and for programs. */
+/* Prints the statistics of a study as text and JSON. */
 #include "cli/sample.h"
 
 #include <math.h>

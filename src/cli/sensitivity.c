@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tells what a per cent of each key makes of the numbers of a run. */
+/* Prints the sensitivity of the results of a run to its keys. */
 #include "cli/sensitivity.h"
 
 #include <math.h>

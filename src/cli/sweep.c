@@ -15,7 +15,7 @@ typedef struct sweeping {
     ovr_study *s;
     ovr_sweep_options how;
     cli_progress progress;
-    cli_call logged; /* what a case's process says goes to its log */
+    cli_call logged; /* the messages of a case are written to its log */
     cli_watch watch;
     ovr_run_options run;
     double begun;
@@ -161,7 +161,7 @@ static void report_table(const sweeping *w, const ovr_sweep_totals *t)
         puts("--redo repeats all cases from the start");
 }
 
-/* Tells what its draws say, into summary.csv too. */
+/* Prints the statistics of the samples and writes summary.csv. */
 static int tell_sample(const sweeping *w, json_writer *json)
 {
     char path[4400];
@@ -218,7 +218,7 @@ static int finish(sweeping *w)
 
 /* -------------------------------------------------------------------- run */
 
-/* True if the sweep could be; *code then says how it ended. */
+/* True if the sweep was run; *code is then its exit code. */
 static bool start(sweeping *w, int *code)
 {
     ovr_error err = {0};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Listens to a run, and says how it ends. */
+/* Prints the progress, messages and end of a run. */
 #include "cli/watch.h"
 
 #include <hdf5.h>

@@ -25,10 +25,10 @@ typedef struct cli_watch {
 ovr_run_options cli_run_options(cli_watch *watch);
 
 /* Solves, until a signal but in `steady`, prints the summary, frees the run;
- * returns the exit code.  `run` NULL: says why it could not begin. */
+ * returns the exit code.  `run` NULL: prints the reason of the failure. */
 int cli_finish_run(cli_watch *watch, ovr_run *run, ovr_error *err);
 
-/* Says how a run ended, in words on stderr; the exit code. */
+/* Prints how a run ended on stderr; returns the exit code. */
 int cli_run_code(const cli_call *call, const ovr_run *run, ovr_status status,
                  const ovr_error *err);
 

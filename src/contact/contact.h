@@ -40,14 +40,14 @@ typedef struct ovr_history_form {
 } ovr_history_form;
 
 /* The table of Carreau's law or that of points; a second's tenth of work.
- * NULL: *err says why. */
+ * Returns NULL on failure. */
 ovr_flow_law *ovr_flow_law_create(const ovr_flow_form *given,
                                   const ovr_allocator *allocator,
                                   ovr_error *err);
 void ovr_flow_law_free(ovr_flow_law *law);
 
-/* Gives the lubricant a flow law.  Fails if a stress in Pa is given and b/R or
- * ph is not known, or both or neither of the two. */
+/* Sets the rheological model of the lubricant.  Fails if a stress in Pa is
+ * given and b/R or ph is not known, or both or neither of the two. */
 ovr_status ovr_lubricant_flow(const ovr_contact *contact,
                               const ovr_flow_form *given,
                               ovr_lubricant *lubricant, ovr_error *err);

@@ -68,7 +68,7 @@ ovr_film_asymptotes ovr_film_asymptotes_moes(double M, double L)
  *
  * Error over 260 contacts of 2 <= M <= 1000 and 0.3 <= L <= 25 with ph below 4
  * GPa:
- *     central film   median 0.21 %, largest 2.6 %
+ *     central film thickness   median 0.21 %, largest 2.6 %
  *     minimum film   median 0.28 %, largest 1.7 %
  * The oils have Roelands' viscosity with z = 0.68, p0 = 198 MPa and alpha of 12
  * to 25 1/GPa.  The solutions have order 4, level 10 and an inlet at 40 film

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A flow factor says how much a pressure gradient drives through a mean gap h
- * between rough surfaces, over what it would drive between smooth ones; sigma
- * is the Rq of both:
+ * The pressure flow factor is the ratio of the flow that a pressure gradient
+ * drives through a mean gap h between rough surfaces, over what it would drive
+ * between smooth ones; sigma is the Rq of both:
  *
  *     isotropic      phi = 1 - 0.90 exp(-0.56 h/sigma)    h > 0.5 sigma
  *     transverse     phi = 1 - 1.48 exp(-0.42 h/sigma)    h > sigma

@@ -342,7 +342,7 @@ static double sine_slope(const ovr_history_form *form, double T)
     return form->amplitude * turn * cos(sine_phase(form, T));
 }
 
-/* Takes at the ends the one inside. */
+/* At the ends it returns the inner one. */
 static double table_slope(const ovr_history *history, double T)
 {
     double slope = 0;

@@ -48,10 +48,10 @@ typedef struct ovr_layered {
     int layers;
     double thickness[OVR_LAYERS_MAX];
     ovr_elastic layer[OVR_LAYERS_MAX], below;
-    double yield[OVR_LAYERS_MAX]; /* of each layer, ph; 0: not told */
-    /* Hertzian pressure of each one's fatigue limit, ph; 0: not told */
+    double yield[OVR_LAYERS_MAX]; /* of each layer, ph; 0: unknown */
+    /* Hertzian pressure of each one's fatigue limit, ph; 0: unknown */
     double limit[OVR_LAYERS_MAX];
-    /* shear that the interface below each bears, ph; 0: not told */
+    /* shear that the interface below each bears, ph; 0: unknown */
     double strength[OVR_LAYERS_MAX];
 } ovr_layered;
 
@@ -74,7 +74,7 @@ typedef struct ovr_images {
 /* A body in a contact: stresses that are in its layers without load, along x
  * and across, in ph; and of both bodies their images, in b and with A as the
  * contact has it, E' over that of the substrates, the dry contact's half width
- * and largest pressure, and the largest strain of a layer. */
+ * and maximum pressure, and the largest strain of a layer. */
 typedef struct ovr_coated {
     ovr_layered body;
     double residual[2 * OVR_LAYERS_MAX];
@@ -117,7 +117,7 @@ typedef struct ovr_warmed {
     double tau[OVR_LAYERS_MAX];
 } ovr_warmed;
 
-/* Takes thicknesses in m; tau comes in s. */
+/* Thicknesses are in m, tau in s. */
 ovr_warmed ovr_warmed_of(int layers, const double *thickness,
                          const ovr_thermal *layer, const ovr_thermal *below);
 double ovr_warmed_at(const ovr_warmed *body, double t);

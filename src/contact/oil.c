@@ -142,7 +142,7 @@ static ovr_status by_table(ovr_oil *oil, ovr_error *err)
     return OVR_OK;
 }
 
-/* Takes the slope at p = 0 where the law has no alpha of its own. */
+/* Uses the slope at p = 0 if the law has no parameter alpha. */
 static ovr_status by_its_law(ovr_oil *oil, ovr_error *err)
 {
     bool own = oil->viscosity_law == OVR_DOOLITTLE ||

@@ -53,7 +53,7 @@ typedef struct ovr_law_points {
 
 /* Makes a table from n >= 2 of them: p in Pa, increasing, the first from 0 to 1
  * MPa; values positive, none below the one before.  Between the points ln(eta),
- * or rho, follows Steffen's monotone spline over p, sampled at 1024 meshes;
+ * or rho, follows Steffen's monotone spline over p, sampled at 1024 mesh sizes;
  * beyond the ends it goes straight on. */
 ovr_law_table *ovr_law_table_create(const ovr_law_points *points,
                                     const ovr_allocator *allocator,

@@ -3,8 +3,8 @@
  * Numerical starvation: a domain that begins at X_a leaves out the pressure
  * that the film before it would have built up.  With Hertz's gap
  *     g = [X sqrt(X^2 - 1) - ln(X + sqrt(X^2 - 1))]/2
- * and the central film H (Moes), dP/dX = lambda g/(g + H)^3 there; the share
- * of the film that is lost is
+ * and the central film thickness H (Moes), dP/dX = lambda g/(g + H)^3 there;
+ * the share of the film that is lost is
  *     c f + 0.4 e^(-L/3) (2 lambda/pi) int X g/(g + H)^3 dX,   X > |X_a|,
  *     f = int g/(g + H)^3 dX, X > |X_a|, over the same for X > 1,
  *     c = 0.7 L/(L + 1) M/(M + 0.6):

@@ -4,7 +4,7 @@
 #ifndef OVR_CONTACT_STARVATION_H
 #define OVR_CONTACT_STARVATION_H
 
-/* The paper's X_a and X_b, which are usual; a loss above which the usual inlet
+/* Default X_a and X_b (of the paper); a loss above which the usual inlet
  * lies farther out, and one where load, speed or radius vary; the loss by an
  * automatic one.  No inlet that the program chooses lies nearer than half a
  * contact width to the contact. */
@@ -23,7 +23,7 @@ double ovr_hertz_gap(double d);
  * carries. */
 double ovr_inlet_integral(double H, double d, int power);
 
-/* Share of the central film that a first node at X_a < -1 costs. */
+/* Share of the central film thickness that a first node at X_a < -1 costs. */
 double ovr_inlet_loss(double M, double L, double X_a);
 
 /* Relative loss of rolling friction that the same node causes, without the
@@ -36,7 +36,7 @@ double ovr_inlet_uncertainty(double M);
 /* The X_a that costs this share, but not beyond `minimum` (-2, say). */
 double ovr_inlet_of_loss(double M, double L, double loss, double minimum);
 
-/* No steady film ends farther out than this X. */
+/* No steady film ends downstream of this X. */
 double ovr_film_end_bound(double M, double L);
 
 #endif

@@ -18,8 +18,8 @@ static double exponential_at(const ovr_touch_law *law, double H, double *slope)
     return A;
 }
 
-/* Below a thousandth of its decay length the layer goes on as its tangent: a
- * gap below zero on the way to a solution is pressed open. */
+/* Below a thousandth of its decay length the layer continues as its tangent, so
+ * that negative gaps during the iteration are opened. */
 static double layer_at(const ovr_touch_law *law, double H, double *slope)
 {
     const double minimum = 1e-3;

@@ -294,7 +294,7 @@ static double degrees(double angle)
 
 /* Margin at an angle until the follower cannot follow.  Flat follower: the
  * cam's radius of curvature.  Roller: the radius of its pitch curve less its
- * own, where the curve is not hollow. */
+ * own, where the curve is not concave. */
 static double clearance_at(const ovr_cam *cam, double angle)
 {
     const ovr_cam_form *f = &cam->form;

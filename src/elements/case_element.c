@@ -2,9 +2,8 @@
 /*
  * The nominal contact of an element is that of a gear pair at its pitch point
  * with the whole load, of a cam at its nose with the largest mean speed and
- * load of its event, of a bearing at its heaviest roller.  What changes is told
- * relative to it, by tables of the element's moments: 1601 times, and a point
- * at every corner.
+ * load of its event, of a bearing at its heaviest roller.  Variations are given
+ * relative to it by tables: 1601 times, and a point at every corner.
  */
 #include "elements/case_element.h"
 #include "base/error.h"
@@ -64,7 +63,7 @@ static ovr_status check_one(const ovr_resolved *r, const ovr_block *block,
     return OVR_OK;
 }
 
-/* Refuses what an element says and is said elsewhere too. */
+/* Rejects keys and sections that a machine element already determines. */
 static ovr_status check_said(const ovr_resolved *r, const ovr_block *block,
                              ovr_error *err)
 {
@@ -223,7 +222,7 @@ static ovr_gear *make_gear(const ovr_resolved *r, const ovr_block *block,
     return gear;
 }
 
-/* Shifts that are not given: 0, but for the one that the centre leaves. */
+/* Shifts that are not given: 0, except for the one that the centre leaves. */
 static void fill_shifts(ovr_gear_form *form)
 {
     bool follows = !isnan(form->centre);
@@ -285,7 +284,7 @@ static ovr_status time_of(const char *text, double way, double *t,
     return OVR_OK;
 }
 
-/* Stands at A to E, or at a time; nowhere else: at the pitch point. */
+/* Selects A to E or a time; default: the pitch point. */
 static ovr_status stand_gear(ovr_resolved *r, ovr_element_moment *m,
                              ovr_error *err)
 {
@@ -308,7 +307,7 @@ static ovr_status stand_gear(ovr_resolved *r, ovr_element_moment *m,
     return OVR_OK;
 }
 
-/* Stands at an angle or a time; nowhere else: at the nose.  A mean speed that
+/* Selects an angle or a time; default: the nose.  A mean speed that
  * goes the other way is the same contact seen from the other side. */
 static ovr_status stand_cam(ovr_resolved *r, ovr_element_moment *m,
                             ovr_error *err)
@@ -607,7 +606,7 @@ static ovr_status make_histories(ovr_resolved *r, const moments *m,
     return OVR_OK;
 }
 
-/* The run goes to the end of the way unless it is told to end before. */
+/* The run ends at the end of contact, or earlier if the case sets it. */
 static ovr_status end_of_way(ovr_resolved *r, double end, ovr_error *err)
 {
     const ovr_slot *slot = ovr_slot_of(r, "time", "end");

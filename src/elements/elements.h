@@ -59,8 +59,8 @@ void ovr_bearing_free(ovr_bearing *bearing);
 const ovr_bearing_geometry *ovr_bearing_of(const ovr_bearing *bearing);
 const ovr_bearing_form *ovr_bearing_form_of(const ovr_bearing *bearing);
 
-/* Load (N) of roller k, counted from the first one that stands below the load
- * or next to it. */
+/* Load (N) of roller k, counted from the first roller below the load or next to
+ * it. */
 double ovr_bearing_load(const ovr_bearing *bearing, int k);
 
 /* The contact of a roller that carries `load` (N). */

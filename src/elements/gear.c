@@ -159,8 +159,8 @@ static double by_springs(const ovr_gear_form *form, const ovr_gear_geometry *g,
         gap[pairs] = clearance(form, g, xi + j);
         pairs += stiff[pairs] > 0;
     }
-    /* The pair of the largest clearance that does not touch is dropped, until
-     * all that are left do. */
+    /* The separated pair with the largest clearance is dropped until all
+     * remaining pairs are in contact. */
     for (;;) {
         double load = whole, sum = 0;
         int last = 0;

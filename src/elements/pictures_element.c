@@ -104,7 +104,8 @@ typedef struct course {
     size_t marks;
 } course;
 
-/* Smallest and central film of the run, whose time is a factor of the axis. */
+/* Smallest and central film thickness of the run, whose time is a factor of the
+ * axis. */
 static void add_film(sketch *s, const course *c)
 {
     static const struct {

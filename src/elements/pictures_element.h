@@ -53,13 +53,13 @@ void ovr_outline_break(ovr_outline *to);
 void ovr_outline_arc(ovr_outline *to, double x, double y, double radius,
                      double from, double till);
 
-/* Teeth of gear 1 or 2 next to the contact while that is at the way R1, the
- * pitch point at 0, 0 and the line of centres upright; gear 1 below it moves
- * to +x. */
+/* Teeth of gear 1 or 2 near the contact at the position R1 on the path of
+ * contact, the pitch point at 0, 0 and the line of centres upright; gear 1
+ * below it moves to +x. */
 void ovr_outline_teeth(ovr_outline *to, const ovr_gear_form *form,
                        const ovr_gear_geometry *g, int gear, double R1);
 
-/* Place of the contact at the way R1. */
+/* Position of the contact at R1 on the path of contact. */
 void ovr_gear_place(const ovr_gear_form *form, const ovr_gear_geometry *g,
                     double R1, double *x, double *y);
 

@@ -104,7 +104,7 @@ static wheel wheel_of(const ovr_gear_form *f, const ovr_gear_geometry *g,
                .foot = fabs(d / 2 + f->module * (x - 1.25)),
                .half = (pi / 2 + 2 * x * tan(f->pressure_angle)) / z,
                .reference = involute(2 * base / d)};
-    /* Gear 1 stands below the pitch point, and a ring about it too; a ring
+    /* Gear 1 is below the pitch point, and a ring about it too; a ring
      * that is gear 1 above, with gear 2. */
     bool below = (gear == 1) == (z > 0);
     w.y = below ? -rw : rw;

@@ -65,7 +65,7 @@ static double seconds(const answered *a, double T)
 
 /* ------------------------------------------------------------------ gears */
 
-/* Gives the distance from the pitch point along the line of action, positive
+/* Returns the distance from the pitch point along the line of action, positive
  * behind it. */
 static double from_pitch_point(const answered *a, double T)
 {
@@ -177,8 +177,9 @@ void ovr_element_summary(const ovr_run_info *run, ovr_summary_taker *take,
 
 /* -------------------------------------------------------- Group of the file */
 
-/* The group `element` of a result file: what the contact of a gear pair or cam
- * goes through, as its element says it and not as the run's splines have it. */
+/* The group `element` of a result file: the conditions of a gear or cam contact
+ * in time, as computed by the machine element and not by the splines of the
+ * run. */
 
 enum { LOOKS = 401, ARRAYS = 7 };
 

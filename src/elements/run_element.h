@@ -7,7 +7,7 @@
 
 void ovr_review_element(const ovr_setup *setup, ovr_listener *say, void *data);
 
-/* Takes the extremes of a run. */
+/* Reads the extremes of a run. */
 void ovr_review_element_after(const ovr_setup *setup,
                               const ovr_statistics *total, ovr_listener *say,
                               void *data);

@@ -63,7 +63,7 @@ typedef struct ovr_distribution {
     double low, high; /* cut off here; infinite: not */
 } ovr_distribution;
 
-/* Says what is wrong with its numbers, or NULL. */
+/* Describes the error in its numbers, or returns NULL. */
 const char *ovr_distribution_wrong(const ovr_distribution *d);
 
 /* Its value at the probability u, cut ends included. */

@@ -102,8 +102,8 @@ static ovr_status scan(searching *w, point *to, size_t n)
     return status;
 }
 
-/* Tells from the scan the range of the function, and if it is monotone but for
- * a ten-thousandth of that. */
+/* Tells from the scan the range of the function, and if it is monotone except
+ * for a ten-thousandth of that. */
 static void judge(searching *w, const point *p, size_t n)
 {
     ovr_search_result *r = w->r;

@@ -137,7 +137,7 @@ static void assemble(const ovr_hierarchy *grids, const ovr_level *level,
 {
     size_t n = level->grid.n, stride = stride_of(n);
     double *row = grids->newton.matrix;
-    const double *wet = grids->newton.wet; /* a dry node's unknown is q */
+    const double *wet = grids->newton.wet; /* a cavitated node's unknown is q */
     for (size_t i = 0; i < n; i++, row += stride) {
         row_weights c;
         ovr_newton_row of;
@@ -199,7 +199,7 @@ static void order_states(const ovr_hierarchy *grids, const ovr_level *level,
         grids->newton.wet[i] = f->wet[i];
 }
 
-/* P of wet nodes, which are dried at zero, q of dry ones. */
+/* P of pressurized nodes, which are dried at zero, q of dry ones. */
 static void advance(const ovr_hierarchy *grids, const ovr_level *level,
                     const ovr_fields *f, double limit)
 {

@@ -184,7 +184,7 @@ static double residual_at_end(const ovr_composite *c, const ovr_patch *patch,
     return parent->F[J] - (right - left) / parent->level->grid.D;
 }
 
-/* Full weighting of the residual at a wet node of the patch. */
+/* Full weighting of the residual at a pressurized node of the patch. */
 static double weighted(const double *P, const double *r)
 {
     double sum = 2 * r[0] + (P[-1] > 0 ? r[-1] : 0) + (P[1] > 0 ? r[1] : 0);

@@ -24,8 +24,8 @@
  *           into the other
  *     force of the base: asked for less what the patches add
  *
- * Correction: P += I (P' - P' at entry) in wet nodes, the edges and the film
- * by the parent's pressures as they have become.
+ * Correction: P += I (P' - P' at entry) in pressurized nodes, the edges and the
+ * film by the parent's pressures as they have become.
  *
  * After Bai & Brandt's and McCormick's fast adaptive composite grids; measured
  * with dense Newton solutions on the same leaves.
@@ -43,7 +43,7 @@ typedef struct ovr_composite {
     ovr_patch part[OVR_LEVELS]; /* 0: the base; each the next one's parent */
     double force;               /* target load */
     double *workspace[2];       /* for the nodes of any part */
-    /* Memory of patches, taken anew for each solution. */
+    /* Memory of patches, taken again for each solution. */
     ovr_arena memory;
     char *chunk;
     size_t size, used;

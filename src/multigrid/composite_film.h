@@ -15,8 +15,8 @@
  *     c_t = k'(t + 1/2) - sum_m a_m [k'(t - m) + k'(t + 1 + m)]
  *
  * a_m Lagrange's weights of the midpoint, k' the parent's kernel; c_t/D' of the
- * logarithm does not depend on the level.  It is exact but for the far terms of
- * c_t, about 1e-13, in every sweep.
+ * logarithm does not depend on the level.  It is exact except for the far terms
+ * of c_t, about 1e-13, in every sweep.
  *
  * Outside the patch what it adds to its parent, P - I P' and what still finer
  * patches add, V, counts as pressures V' of the parent's nodes with the same
@@ -33,8 +33,8 @@
  * patch:
  *     g = K (m delta2 P/12) + m C D delta2 P
  * on the base, with C as there; in patches K's part alone, by cubic
- * interpolation of the parent's, which moves the smallest film by less than
- * 1e-6 at M = 20, L = 10, base 8.
+ * interpolation of the parent's, which moves the minimum film thickness by less
+ * than 1e-6 at M = 20, L = 10, base 8.
  */
 #ifndef OVR_MULTIGRID_COMPOSITE_FILM_H
 #define OVR_MULTIGRID_COMPOSITE_FILM_H

@@ -34,15 +34,16 @@
  * inflow - outflow - D sum (A - B)/dT, so what is lost in a step is D times
  * the sum of its residuals, and R = D sum |r_i|/H_cen measures it.
  *
- * Line relaxation.  Columns of wet nodes are those of line.h, but the q of
- * dry nodes does not follow their film, and nothing is shared with a dry
- * neighbour; column j of a dry node is -a0, -a1, -a2 in rows j, j + 1, j + 2.
- * Then a wet node whose P falls to zero is dried, with q = rho H once the film
- * is made; a dry one with q > rho H becomes wet.  Nodes on the kink (P = 0, q
- * = rho H) take the side that their residual asks for.
+ * Line relaxation.  Columns of pressurized nodes are those of line.h, but the q
+ * of cavitated nodes does not follow their film, and nothing is shared with a
+ * dry neighbour; column j of a cavitated node is -a0, -a1, -a2 in rows j, j +
+ * 1, j + 2. Then a pressurized node whose P falls to zero is dried, with q =
+ * rho H once the film is made; a dry one with q > rho H becomes wet.  Nodes on
+ * the kink (P = 0, q = rho H) take the side that their residual asks for.
  *
- * Between grids: states, q of dry nodes and limits are injected; residuals are
- * weighted fully, dry ones too; corrections enter wet nodes only.
+ * Between grids: states, q of cavitated nodes and limits are injected;
+ * residuals are weighted fully, dry ones too; corrections enter pressurized
+ * nodes only.
  *
  * Source: Jakobsson and Floberg 1957, Olsson 1965; one unknown a node after
  * Elrod 1981, without his compressible film.
@@ -65,7 +66,8 @@ void ovr_content_open(ovr_level *level);
 void ovr_content_close(ovr_level *level, double source, double supply);
 
 /* Follows the film: content and state of the nodes; on the finest level of a
- * run an inlet opens when its first node is wet, and limits are set anew. */
+ * run an inlet opens when its first node is pressurized, and limits are set
+ * again. */
 void ovr_content_settle(const ovr_hierarchy *grids, ovr_level *level);
 
 /* Contents, states and the weighted residual of the level above. */

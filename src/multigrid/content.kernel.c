@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Mass-conserving cavitation: states, residual, line relaxation and what goes
- * to coarser grids (equations in content.h). */
+/* Mass-conserving cavitation: states, residual, line relaxation and transfer to
+ * coarser grids */
 #include "multigrid/content.h"
 #include "multigrid/vector.h"
 
@@ -183,8 +183,8 @@ static INLINE void derivatives(const line *l, const row_weights *c, ptrdiff_t J,
     row_by_pressure(&l->f, c, J, A + 1);
 }
 
-/* The columns of wet nodes put this into a row; when steady the shares are -1,
- * 0 and additions are cheaper. */
+/* The columns of pressurized nodes put this into a row; when steady the shares
+ * are -1, 0 and additions are cheaper. */
 static inline vec wet_column(const line *l, bool transient, ptrdiff_t d,
                              ptrdiff_t J, const vec A[7])
 {
@@ -196,7 +196,7 @@ static inline vec wet_column(const line *l, bool transient, ptrdiff_t d,
     return fused(minus, A[d], fused(plus, A[d + 2], A[d + 1]));
 }
 
-/* Column d = -3 (line.h), between wet nodes. */
+/* Column d = -3 (line.h), between pressurized nodes. */
 static inline void fold(const line *l, const row_weights *c, ptrdiff_t J,
                         vec b[5])
 {

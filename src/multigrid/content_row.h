@@ -36,7 +36,7 @@ static inline row_weights row_limited(const ovr_fields *f, const ovr_weights *w,
     return c;
 }
 
-/* r = F - N, but for the source of row 1 */
+/* r = F - N, except for the source of row 1 */
 static inline num row_content_residual(const ovr_fields *f,
                                        const row_weights *c, ptrdiff_t J)
 {
@@ -45,8 +45,8 @@ static inline num row_content_residual(const ovr_fields *f,
                        : r;
 }
 
-/* e[m + 2] of reynolds_row.h: the content of dry nodes does not follow their
- * film. */
+/* e[m + 2] of reynolds_row.h: the content of cavitated nodes does not follow
+ * their film. */
 static inline void row_content_by_film(const ovr_fields *f,
                                        const row_weights *c, ptrdiff_t J,
                                        num e[3])
@@ -56,8 +56,8 @@ static inline void row_content_by_film(const ovr_fields *f,
                    within_set(in_set(f->wet, J - m), at(f->rho, J - m));
 }
 
-/* A wet node with P = 0 that wants to fall, a dry one that is full and wants to
- * rise by more than rounding. */
+/* A pressurized node with P = 0 that wants to fall, a dry one that is full and
+ * wants to rise by more than rounding. */
 static inline truth row_falls(const ovr_fields *f, ptrdiff_t J)
 {
     truth empty = at(f->P, J) <= 0, falls = at(f->r, J) > 0;
@@ -72,7 +72,7 @@ static inline truth row_rises(const ovr_fields *f, bool stored, num half,
     return full & rises;
 }
 
-/* True if the content of a dry node is more than the gap holds. */
+/* True if the content of a cavitated node is more than the gap holds. */
 static inline truth row_overflows(num q, num full)
 {
     return q > full * (1 + 1e-12);

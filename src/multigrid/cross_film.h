@@ -122,9 +122,9 @@ void ovr_cross_film_solve(const ovr_cross_film *a, const ovr_heat *heat,
 
 /*
  * The same of n nodes in their order, for kernels: a film, what flows in it,
- * and a step of its temperatures.  A node is wet where P > 0, and not an end;
- * P_X by central differences.  What is made falls as the film gets hotter, so
- * that a step cannot overshoot:
+ * and a step of its temperatures.  A node is pressurized where P > 0, and not
+ * an end; P_X by central differences.  What is made falls as the film gets
+ * hotter, so that a step cannot overshoot:
  *
  *     tau u_z <- tau u_z (1 - gamma (T - T_used))
  *     gamma = -(d ln eta/dT) tanh(a)/a,  a = |t|/Sigma0,

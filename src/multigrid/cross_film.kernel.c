@@ -35,7 +35,7 @@ static INLINE void by_fluid(const fluid_laws *c, ovr_viscosity_law law,
     }
 }
 
-/* Takes the fluid's own law. */
+/* Uses the rheological model of the fluid. */
 static void by_object(const ovr_fluid *fluid, size_t n, const double *P,
                       const double *H, double *log_eta)
 {

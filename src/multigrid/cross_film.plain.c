@@ -109,7 +109,7 @@ void ovr_column_flow(const ovr_columns *c, size_t i)
     c->fall[i] = fall(c, sheet.log_eta, &flow);
 }
 
-/* Steadily: the node by which a layer comes in; n: an end. */
+/* Steady: the upstream node of a layer; n: an end. */
 static size_t upstream(const ovr_columns *c, int j, size_t i)
 {
     return c->back || (c->both_ways && c->u[j][i] < 0) ? i + 1 : i - 1;

@@ -64,7 +64,7 @@ static void descend(ovr_hierarchy *grids, ovr_level *level,
     }
 }
 
-/* Dry nodes of coarse grids that are solved twice (reynolds_row.h). */
+/* Cavitated nodes of coarse grids that are solved twice (reynolds_row.h). */
 static void hold_coarse(ovr_hierarchy *grids, const ovr_level *finest)
 {
     const double share = 1e-6;

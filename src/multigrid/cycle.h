@@ -18,7 +18,7 @@
 #include "multigrid/smoother.h"
 
 /* The ends of a cycle.  On each level that restricts: before it does, film and
- * residual up to date; when it has been corrected, before they are made anew.
+ * residual up to date; when it has been corrected, before they are made again.
  * On the level of the cycle alone: when it is done, film and residual up to
  * date. */
 typedef enum ovr_cycle_end {
@@ -28,7 +28,7 @@ typedef enum ovr_cycle_end {
 } ovr_cycle_end;
 
 /* Called at the ends of a cycle; true when it has changed the level's P, gap
- * or F: film and residual are then made anew.  Others follow it. */
+ * or F: film and residual are then made again.  Others follow it. */
 typedef struct ovr_attached {
     bool (*at)(void *data, ovr_hierarchy *grids, ovr_level *level,
                ovr_cycle_end end);

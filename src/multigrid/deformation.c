@@ -53,7 +53,7 @@ static double linear_kernel(double d)
     return log(d) - sum;
 }
 
-/* f(d) of a plan, with what stands beside the logarithm. */
+/* f(d) of a plan, including the terms besides the logarithm. */
 static double kernel_of(const ovr_mlmi *plan, double d)
 {
     double f = plan->linear ? linear_kernel(d) : unit_kernel(d);

@@ -112,7 +112,7 @@ double *ovr_mlmi_field(const ovr_mlmi *plan, ovr_arena *arena, ovr_error *err);
 /* Order and range whose error stays below `target` of |w|. */
 ovr_mlmi_form ovr_mlmi_choose(double target);
 
-/* K(d D)/pi, the influence of a node on one d meshes away. */
+/* K(d D)/pi, the influence of a node on one d mesh sizes away. */
 double ovr_deformation_kernel(double d, double D);
 
 /* The same of a pressure that is linear between the nodes. */

@@ -2,8 +2,8 @@
 /*
  * Execution of an MLMI plan (method in deformation.h).
  *
- * P, w and what stands on coarser grids lie in lanes (lanes.h).  Halos are as
- * wide as the stencils reach; there the first and the last lane hold the
+ * P, w and the fields of coarser grids are stored in lanes (lanes.h).  Halos
+ * are as wide as the stencils reach; there the first and the last lane hold the
  * ghost nodes outside the grid.
  *
  * Down: transfer.  Dense sum in natural order.  Up: correct the even outputs,

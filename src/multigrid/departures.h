@@ -4,7 +4,7 @@
  * meshes upstream a step ago.
  *
  * All of a surface moves alike: Lagrange's cubic through four nodes, exact
- * where it moves by whole meshes.  Layers of the film move each at its own
+ * where it moves by whole mesh sizes.  Layers of the film move each at its own
  * speed: a line between two nodes, which makes no new extremes.  What enters
  * is nothing (a rise of 0); what has left is as at the end.
  */

@@ -17,7 +17,7 @@ static double value(size_t n, const double *v, ptrdiff_t i, double meshes)
     return v[i < 0 ? 0 : n - 1];
 }
 
-/* No departure point is farther away than this many domains. */
+/* No departure point is further away than this many domains. */
 static double bounded(size_t n, double meshes)
 {
     double maximum = 2 * (double)n;

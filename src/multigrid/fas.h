@@ -5,7 +5,7 @@
  *     P_c   = restricted P             full weighting where the three nodes
  *                                      are wet, else injection
  *     gap_c = injected (H - H0) + w_c(P_c)
- *     F_c   = N_c(P_c, H_c) + restricted r,  zero residual at dry nodes
+ *     F_c   = N_c(P_c, H_c) + restricted r,  zero residual at cavitated nodes
  *     force_c = D_c sum P_c + (force - D sum P)
  *
  * so that a solved fine grid leaves the coarse grid at rest.  Then

@@ -111,8 +111,8 @@ static ptrdiff_t rigid_from(const film *f, ptrdiff_t out)
     return i + out;
 }
 
-/* Goes from the contact over what is wet or about to be, and what is dry behind
- * it; whether a dry node wants to rise. */
+/* Finds the film end from the contact outward and the cavitated nodes beyond
+ * it; returns whether a cavitated node must become pressurized. */
 static bool find_film(const film *f, ptrdiff_t out, stretch *s)
 {
     ptrdiff_t n = (ptrdiff_t)f->level->grid.n, from = rigid_from(f, out);
@@ -158,7 +158,7 @@ static bool move_rigid(const film *f)
 
 /* ------------------------------------------------------ behind other ends */
 
-/* Behind the wet node before `first`, as far as it is dry. */
+/* Behind the pressurized node before `first`, as far as it is dry. */
 static void extend(const film *f, ptrdiff_t first)
 {
     enum { REACH = 32 };
@@ -212,7 +212,7 @@ static bool extend_to(const film *f, ptrdiff_t i)
     return moves;
 }
 
-/* True if what dry nodes lack is a good part of the whole imbalance R. */
+/* True if what cavitated nodes lack is a good part of the whole imbalance R. */
 static bool outweighs(const ovr_hierarchy *grids, const film *f)
 {
     const double share = 0.1;
@@ -224,8 +224,8 @@ static bool outweighs(const ovr_hierarchy *grids, const film *f)
     return lack * l->grid.D > share * H * ovr_level_imbalance(grids, l);
 }
 
-/* Takes it back where R grows by it: where the film is thick all over the zone
- * is as long as the domain, and pressures deform it after all. */
+/* Discards the change if it increases R: where the film is thick all over the
+ * zone is as long as the domain, and pressures deform it after all. */
 static void try_rigid(const ovr_hierarchy *grids, ovr_level *level,
                       const film *f)
 {

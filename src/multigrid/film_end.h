@@ -24,16 +24,16 @@
  *    else's, a rough surface's, this solution makes it larger.  Where the film
  *    is thick all over (M below 1) the zone is the whole domain, and what makes
  *    R three times as large is taken back;
- *  - behind each end of a film whose next node wants to rise, for 32 dry nodes
- *    at most and P <= 0.05; wet nodes stay: their film would have to follow.
+ *  - behind each end of a film whose next node wants to rise, for 32 cavitated
+ *    nodes at most and P <= 0.05; wet nodes stay: their film would have to
+ *    follow.
  */
 #ifndef OVR_MULTIGRID_FILM_END_H
 #define OVR_MULTIGRID_FILM_END_H
 
 #include "multigrid/hierarchy.h"
 
-/* Takes a level whose film and residual are up to date; so they are when it is
- * done. */
+/* Film and residual of the level must be up to date, and are afterwards. */
 void ovr_film_ends(const ovr_hierarchy *grids, ovr_level *level);
 
 #endif

@@ -16,7 +16,7 @@
  *     C = eta(3)/(2 pi^3),  eta(3) = 1 - 1/8 + 1/27 - ... = 0.90154...
  * (the term of third order comes from the kernel's singularity), hence
  *     g_i = delta2 w_i/24 + C D delta2 P_i,  delta2 f_i = f_{i-1} - 2 f_i +
- * f_{i+1}, at dry nodes too.  One that is linear between the nodes has
+ * f_{i+1}, at cavitated nodes too.  One that is linear between the nodes has
  *     w + (D^2/12) w'' + C D^3 P'',  C = zeta(3)/(4 pi^3),
  * and 1/12 and this C stand in g.  Both sums are of the waves of n/D that a
  * mesh takes for the wave itself; with layers each counts by its softness
@@ -75,14 +75,14 @@ void ovr_fourth_evaluate(const ovr_hierarchy *grids, const ovr_correction *c,
                          double Cu, bool backward);
 
 /*
- * Goes from a solution of second order on the finest grid, F = 0, to one of
- * fourth: cycle, correct, cycle, ...  The mask is set by the first three
- * corrections and stays (set again by each it can leave a limit cycle).  The
- * residual falls by a third a cycle, as the wedge at the shortest wave is
- * corrected by 4/3. False when eight corrections do not gain a third (so a
- * limit cycle does not, while D/H^(2/3) above 0.3 may fall by as little as 0.9
- * a cycle), or the tolerance is not reached: F, gap and the pressures are then
- * worth nothing. Adds to the number of cycles.
+ * Improves a second-order solution on the finest grid, F = 0, to fourth order:
+ * cycle, correct, cycle, ...  The mask is set by the first three corrections
+ * and stays (set again by each it can leave a limit cycle).  The residual falls
+ * by a third a cycle, as the wedge at the shortest wave is corrected by 4/3.
+ * False when eight corrections do not gain a third (so a limit cycle does not,
+ * while D/H^(2/3) above 0.3 may fall by as little as 0.9 a cycle), or the
+ * tolerance is not reached: F, gap and the pressures are then worth nothing.
+ * Adds to the number of cycles.
  */
 bool ovr_fourth_solve(ovr_hierarchy *grids, const ovr_correction *c,
                       const ovr_full *how, ovr_defect *d, int *cycles);

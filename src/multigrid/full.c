@@ -52,9 +52,9 @@ void ovr_full_prepare(ovr_hierarchy *grids, double force)
     }
 }
 
-/* With Cw of the nominal load, Cu of the nominal speed and c of the nominal
- * curvature M goes with Cw sqrt(c/Cu), L with (Cu c)^(1/4), and the unit of
- * film b^2/R with Cw. */
+/* With the load Cw relative to the reference load, Cu of the nominal speed and
+ * c of the nominal curvature M goes with Cw sqrt(c/Cu), L with (Cu c)^(1/4),
+ * and the unit of film b^2/R with Cw. */
 double ovr_target_film(const ovr_target *target, double fraction)
 {
     double Cw = target->Cw, Cu = target->Cu;
@@ -62,7 +62,7 @@ double ovr_target_film(const ovr_target *target, double fraction)
     return Cw * ovr_film_central_moes(M, target->L * pow(Cu * target->c, 0.25));
 }
 
-/* ph goes with the root of the load. */
+/* ph is proportional to the square root of the load. */
 static ovr_fluid target_fluid(const ovr_target *target, double fraction)
 {
     double ratio = 1 / fraction, root = sqrt(ratio);
@@ -239,8 +239,9 @@ static ovr_defect raise_load(const nested *a, ovr_level *level, double from)
 }
 
 /*
- * Goes on one level from the Newtonian solution to that of the flow law: at
- * once, or stress by stress, in steps by which ln tau0 halves where they fail.
+ * Continues on one level from the Newtonian solution to that of the rheological
+ * model: at once, or stress by stress, in steps by which ln tau0 halves where
+ * they fail.
  */
 static ovr_defect thin_out(const nested *a, ovr_level *level, ovr_fluid fluid,
                            bool newton)

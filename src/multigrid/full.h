@@ -66,7 +66,7 @@ ovr_defect ovr_full_cycles(ovr_hierarchy *grids, ovr_level *level,
 /* gap, F and force of every level as if it were the finest. */
 void ovr_full_prepare(ovr_hierarchy *grids, double force);
 
-/* Leaves the solution on the finest level, whose gap X^2/2 - S is set; adds
+/* Computes the solution on the finest level, whose gap X^2/2 - S is set; adds
  * to the number of cycles. */
 ovr_defect ovr_full_multigrid(ovr_hierarchy *grids, const ovr_target *target,
                               ovr_full how, int *cycles);

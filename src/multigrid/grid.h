@@ -18,12 +18,12 @@ typedef struct ovr_grid {
     size_t first; /* node of the parent where node 0 lies */
 } ovr_grid;
 
-/* Part of a parent: so many meshes from its node `first` on. */
+/* Part of a parent: so many mesh sizes from its node `first` on. */
 typedef struct ovr_window {
     size_t first, meshes;
 } ovr_window;
 
-/* The meshes of a window of the parent, halved. */
+/* A window of the parent with half its mesh size. */
 ovr_status ovr_grid_refine(ovr_grid *grid, const ovr_grid *parent,
                            ovr_window window, ovr_arena *arena, ovr_error *err);
 

@@ -193,8 +193,7 @@ ovr_status ovr_hierarchy_bear(ovr_hierarchy *grids, ovr_arena *arena,
     return finest->borne ? OVR_OK : OVR_NO_MEMORY;
 }
 
-/* Takes memory for what Newton's method reads of the finest level and is not
- * there yet. */
+/* Allocates the arrays that Newton's method needs on the finest level. */
 static ovr_status take_newton(ovr_hierarchy *grids, ovr_arena *arena,
                               ovr_error *err)
 {

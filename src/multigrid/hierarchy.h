@@ -30,7 +30,7 @@ typedef struct ovr_level {
     ovr_lanes lanes;
     ovr_fields f;
     double force;      /* asked for value of D sum P on this level */
-    double k[6];       /* deformation kernel at 0..5 meshes, over pi */
+    double k[6];       /* deformation kernel at 0..5 mesh sizes, over pi */
     double local;      /* C of fourth_order.h */
     ovr_shares shares; /* of a distributed change */
     ovr_weights weights;
@@ -64,7 +64,7 @@ typedef struct ovr_touch {
      * above P_f + A, dry or not */
     double *A, *g, *whole, *excess;
     unsigned char *dry, *opened; /* held, but taken for wet on trial */
-    int rising; /* steps in a row in which dry nodes asked for to rise */
+    int rising; /* steps in a row in which cavitated nodes asked for to rise */
     struct ovr_tripoles *tripoles;
     bool lifted; /* some film is above that of its pressures (touching.h) */
     double *lift, *gap;    /* by how much; the gap with it, in lanes */
@@ -77,7 +77,7 @@ typedef struct ovr_touch {
  * cycles, so that the same input stops at the same cycle.  A cycle costs the
  * nodes of its level and n^3/5000 for the dense solve of n coarsest nodes. */
 typedef struct ovr_stopping {
-    bool (*asked)(void *data); /* NULL: it goes on */
+    bool (*asked)(void *data); /* NULL: continue */
     void *data;
     bool now;
     double work, limit; /* node cycles (limit 0: unlimited) */

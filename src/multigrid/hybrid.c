@@ -38,8 +38,8 @@ static void seidel(const ovr_smoothing *how, const ovr_fields *f, size_t i,
         f->P[i] = next > 0 ? next : 0;
 }
 
-/* One line solve of rows first..last for fixed film, dry nodes that do not
- * want to rise held: Thomas algorithm, then projection. */
+/* One line solve of rows first..last for fixed film, cavitated nodes that do
+ * not want to rise held: Thomas algorithm, then projection. */
 static void exit_line(const ovr_hierarchy *grids, const ovr_level *level,
                       const ovr_fields *f, size_t first, size_t last)
 {

@@ -15,9 +15,9 @@
  * eps/D belongs to its model problem (9) on its grids.
  *
  * The paper's recipe alone stalls or diverges here; what it took, and why:
- *  1. Dry nodes that do not want to rise are held, with allowance for rounding
- *     (line.h).  A coarse dry node has no residual but rounding, whose sign
- *     made it wet at random: a limit cycle of the last wet nodes.
+ *  1. Cavitated nodes that do not want to rise are held, with allowance for
+ *     rounding (line.h).  A coarse dry node has no residual but rounding, whose
+ *     sign made it wet at random: a limit cycle of the last pressurized nodes.
  *  2. A pointwise sweep moves the end of the film by a node, a coarse grid by
  *     several.  So each sweep ends with a few line solves (tridiagonal, film
  *     fixed, projected) of the last rows before the end.

@@ -7,8 +7,8 @@
  * K is the logarithm of two half-spaces.  R is a smooth remainder, of any
  * number of parts, which MLMI sums with it (deformation.h).  c is the
  * compliance of what gives way only where it is pressed, a thin layer on a
- * foundation (Winkler).  They stand here for all who need a number of the
- * influence: smoothers, the coarsest grids and the ghosts beyond the inlet.
+ * foundation (Winkler).  They are used by all modules that need the influence:
+ * smoothers, the coarsest grids and the ghosts beyond the inlet.
  *
  * The line relaxation takes a distributed change to press in its neighbours
  * only.  For the logarithm what is left out damps; where R falls steeply over a
@@ -29,7 +29,8 @@ enum { OVR_INFLUENCE_PARTS = 4 };
 
 typedef struct ovr_influence {
     bool linear; /* pressure between nodes (deformation.h), else constant */
-    double compliance; /* c, of H over P; the sum of all that give way so */
+    double
+        compliance; /* c, local compliance, H per P; sum over all such layers */
     ovr_influence_part part[OVR_INFLUENCE_PARTS]; /* R */
     int parts;
 } ovr_influence;
@@ -37,11 +38,11 @@ typedef struct ovr_influence {
 /* Another part of R; false: there is no space for it. */
 bool ovr_influence_add(ovr_influence *influence, ovr_influence_part part);
 
-/* The influence of a node on one d meshes away: dw_i/dP_j; R alone. */
+/* The influence of a node on one d mesh sizes away: dw_i/dP_j; R alone. */
 double ovr_influence_at(const ovr_influence *influence, double d, double D);
 double ovr_influence_rest(const ovr_influence *influence, double d, double D);
 
-/* The same at 0..5 meshes, as the line relaxation has it. */
+/* The same at 0..5 mesh sizes, as the line relaxation has it. */
 void ovr_influence_band(const ovr_influence *influence, double D, double k[6]);
 
 /* True if fourth order knows all of it; C of fourth_order.h, by the waves that

@@ -48,7 +48,7 @@ typedef struct ovr_weights {
     double a[3];     /* of q_i, q_{i-1}, q_{i-2} */
     double first[3]; /* in row 1 */
     double half;     /* 1/(2 D^2) */
-    double hold;     /* r over q by which a dry node stays dry */
+    double hold;     /* r over q by which a cavitated node stays dry */
     /* B of reynolds_row.h, in row 1 */
     double skew[3], skew_first[3];
     /* where cavitation is mass-conserving (content.h): what limits change,
@@ -73,7 +73,7 @@ static inline void ovr_band_hold(const ovr_band *band, size_t place)
 }
 
 /* A change delta_j of the line relaxation is shared in these parts with P_{j-1}
- * and P_{j+1}; in time by dry nodes too. */
+ * and P_{j+1}; in time by cavitated nodes too. */
 typedef struct ovr_shares {
     double minus, plus;
     bool transient;

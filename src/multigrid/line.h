@@ -24,7 +24,7 @@
  * wet.  (Where it is dry its column counts in coarse corrections of a film that
  * ends far before it alone.)
  *
- * Dry nodes that do not want to rise are held (reynolds_row.h).
+ * Cavitated nodes that do not want to rise are held (reynolds_row.h).
  *
  * Cost O(n), one deformation and one evaluation of properties a sweep.
  */

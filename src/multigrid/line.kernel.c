@@ -21,8 +21,8 @@ typedef struct line {
 typedef enum stretch { LEFT_END, INSIDE } stretch;
 enum { EDGE = 5 };
 
-/* Node 1 is a monopole, and when steady so is a dry node that wants to rise (a
- * dry one that does not has delta = 0 anyway, as the ends have). */
+/* Node 1 is a monopole, and when steady so is a cavitated node that wants to
+ * rise (a dry one that does not has delta = 0 anyway, as the ends have). */
 static inline void column_shares(const ovr_shares *shares, bool transient,
                                  stretch where, const unsigned char *wet,
                                  ptrdiff_t J, vec *minus, vec *plus)

@@ -19,8 +19,8 @@ static void derivatives(const ovr_weights *w, const double *k,
     row_by_pressure(f, &c, i, A + 1);
 }
 
-/* The share of delta_j that a neighbour gets: node 1 and, when steady, a dry
- * node give nothing away, and at the ends delta = 0. */
+/* The share of delta_j that a neighbour gets: node 1 and, when steady, a
+ * cavitated node give nothing away, and at the ends delta = 0. */
 static double given(double share, const ovr_shares *shares, const ovr_fields *f,
                     ptrdiff_t j, ptrdiff_t last)
 {
@@ -39,7 +39,7 @@ static void fold(const ovr_weights *w, const ovr_fields *f, ptrdiff_t i,
     band->b[1][i] += cut;
 }
 
-/* Row i says that P_i stays: exactly in time, delta_i = 0 when steady. */
+/* Row i keeps P_i constant: exactly in time, delta_i = 0 when steady. */
 static void hold(const ovr_band *band, ptrdiff_t i, double before, double after)
 {
     const double row[5] = {0, before, 1, after, 0};

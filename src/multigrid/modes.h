@@ -79,7 +79,7 @@ typedef struct ovr_spread {
     double right[2][OVR_MODES];     /* what v_n-1 adds to z_n, z_n+1 */
 } ovr_spread;
 
-/* Takes kappa and u, steps of dT on a mesh of D, and rates s_m. */
+/* Prepares kappa and u, steps of dT on a mesh size D, and rates s_m. */
 ovr_spread ovr_spread_of(double kappa, double u, double dT, double D,
                          const double *rate);
 
@@ -105,9 +105,9 @@ typedef struct ovr_swept {
     double begin[2][OVR_SWEPT], after[2][OVR_SWEPT];
 } ovr_swept;
 
-/* Gives the share of the past in a step of dT, without the q of now, from Psi_m
- * and q before: (h - T_bulk)/N of solids.h; and q before, carried along and
- * spread. `workspace` is of n, `fields` of n OVR_SWEPT. */
+/* Returns the contribution of the past in a step of dT, without the q of now,
+ * from Psi_m and q before: (h - T_bulk)/N of solids.h; and q before, carried
+ * along and spread. `workspace` is of n, `fields` of n OVR_SWEPT. */
 struct ovr_kernels;
 typedef struct ovr_modes_look {
     const struct ovr_kernels *run;

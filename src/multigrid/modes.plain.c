@@ -54,7 +54,7 @@ static ovr_sweeps sweeps_of(double r, double g, double h, double complex *a)
     return s;
 }
 
-/* A mode goes on beyond the ends by these. */
+/* Factors by which a mode continues beyond the ends. */
 static void go_on(ovr_spread *s, double complex a, int m)
 {
     const double none[2] = {0, 0};
@@ -204,8 +204,8 @@ static ovr_sweeps of_pole(double a)
 
 enum { PAST, OWN_BEFORE, BEFORE, OWN }; /* OWN: as many as poles */
 
-/* The spreading of a sum is the sum of what is spread, but for what comes from
- * beyond the ends. */
+/* The spreading of a sum is the sum of what is spread, except for what comes
+ * from beyond the ends. */
 static void put_set(const ovr_modes_look *l, ovr_swept *set)
 {
     const ovr_spread *s = l->spread;
@@ -282,8 +282,7 @@ void ovr_sum_modes_plain(size_t n, const double *weight, const double *psi,
     }
 }
 
-/* Two sweeps of a field that stands at every stride-th place, from y_-1 and
- * y_-2. */
+/* Two sweeps of a field with the given stride, from y_-1 and y_-2. */
 static void sweep(size_t n, size_t stride, const ovr_sweeps *s,
                   const double begin[2], const double after[2], double *v)
 {

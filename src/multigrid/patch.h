@@ -19,11 +19,12 @@
 #include "multigrid/hierarchy.h"
 
 enum {
-    OVR_PATCH_EDGE = 2,    /* fine meshes from the array's end to J* */
-    OVR_PATCH_UNIT = 8,    /* parent meshes: lanes without a rest */
+    OVR_PATCH_EDGE = 2,    /* fine mesh sizes from the array's end to J* */
+    OVR_PATCH_UNIT = 8,    /* parent mesh sizes: lanes without a rest */
     OVR_PATCH_MARGIN = 16, /* parent nodes to the parent's own end */
-    OVR_PATCH_MIN = 40, /* parent meshes: fewer leave no space for the next */
-    OVR_FILM_NEAR = 18  /* parent nodes on each side that make a middle */
+    OVR_PATCH_MIN =
+        40, /* parent mesh sizes: fewer leave no space for the next */
+    OVR_FILM_NEAR = 18 /* parent nodes on each side that make a middle */
 };
 
 typedef struct ovr_patch {

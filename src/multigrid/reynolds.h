@@ -24,7 +24,8 @@
  *     rho_i = |r_i|                where the node wants to rise, dry or wet
  *             min(r_i, P_i d_i)    where it wants to fall,
  *             d_i = (eps_{i-1} + 2 eps_i + eps_{i+1})/(2 D^2)
- * (a nearly dry node that wants to fall is solved: falling takes it to zero).
+ * (a nearly cavitated node that wants to fall is solved: falling takes it to
+ * zero).
  *
  * Source: equations 1, 3 of Venner, ten Napel & Bosma 1990, with time after
  * Venner & Lubrecht.

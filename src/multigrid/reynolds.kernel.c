@@ -6,8 +6,7 @@
 
 #include "multigrid/reynolds_row.h"
 
-/* The phase of vector J by its residual.  Whether the ends are held is not
- * said. */
+/* The phase of vector J by its residual.  The ends are not marked. */
 static inline void put_phase(const ovr_fields *f, vec hold, ptrdiff_t J, vec r)
 {
     put_set(f->wet, J, at(f->P, J) > 0);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Row i of the discrete Reynolds equation (reynolds.h), stated once: residual,
- * derivatives, and when a dry node is held.  Over numbers of any type `num`
- * with all(), at(), fused(), less(): vectors of nodes (vector.h), one node
- * (scalar.h).  `J` is the vector, or the node.
+ * derivatives, and when a cavitated node is held.  Over numbers of any type
+ * `num` with all(), at(), fused(), less(): vectors of nodes (vector.h), one
+ * node (scalar.h).  `J` is the vector, or the node.
  *
  *     N = [before up + after down]/(2 D^2) - a0 q_i - a1 q_{i-1} - a2 q_{i-2}
  *     up = P_{i-1} - P_i       before = eps_{i-1} + eps_i
@@ -140,12 +140,12 @@ static inline num row_outflow(const ovr_fields *f, bool stored, num half,
 /*
  * True if a node is held dry: P = 0, and the row does not want it to rise.
  * With allowance for rounding, which is some 1e-16 of the row's largest term,
- * a0 q: on coarse grids the residual of a dry node is nothing else, and its
- * sign would pick wet or dry at random (1e-14 to 1e-10 all work).  A coarse
- * grid solved twice (W) moves a node at the film's end to and fro for 1e-7 of
- * it: there 1e-6 hold it in a steady film, and the finest grid has the last
- * word. The outflow d_i P_i is no measure of it: far out, where eps/D^2 is
- * 1e10, it would hold hundreds of nodes that all want to rise.
+ * a0 q: on coarse grids the residual of a cavitated node is nothing else, and
+ * its sign would pick pressurized or cavitated at random (1e-14 to 1e-10 all
+ * work).  A coarse grid solved twice (W) moves a node at the film's end back
+ * and forth for 1e-7 of it: there 1e-6 hold it in a steady film, and the finest
+ * grid has the last word. The outflow d_i P_i is no measure of it: far out,
+ * where eps/D^2 is 1e10, it would hold hundreds of nodes that all want to rise.
  */
 static inline truth row_holds(const ovr_fields *f, num r, num hold, ptrdiff_t J)
 {

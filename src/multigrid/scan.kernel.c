@@ -67,7 +67,7 @@ int OVR_KERNEL(peaks)(size_t n, const double *x, size_t *last)
     return count;
 }
 
-/* Mean over the half nodes i + 1/2, i = 1..n-3, between wet nodes of
+/* Mean over the half nodes i + 1/2, i = 1..n-3, between pressurized nodes of
  *     Cu (u_0 q_i + u_1 q_{i-1}) - (eps_i + eps_{i+1})/2 (P_{i+1} - P_i)/D
  * with 2 E of the half nodes, `flow`, where there is a flow law. */
 double OVR_KERNEL(mean_flow)(size_t n, const double u[2], const double *X,
@@ -111,7 +111,7 @@ double OVR_KERNEL(flow_size)(size_t n, double Cu, const double *X,
     return sum_of_lanes(sum) / 2;
 }
 
-/* Integral of |q - sum_k e_k past_k| over wet nodes where q < most. */
+/* Integral of |q - sum_k e_k past_k| over pressurized nodes where q < most. */
 double OVR_KERNEL(deviation)(size_t n, const double e[3], double maximum,
                              const double *weights, const double *P,
                              const double *q, double *const past[3])

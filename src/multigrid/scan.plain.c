@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is looked for along the nodes, as scan.kernel.c says it. */
+/* Searches and sums over nodes, as in scan.kernel.c. */
 #include <math.h>
 
 #include "multigrid/plain.h"

@@ -41,7 +41,7 @@ static spike find(const ovr_patch *part)
     return top ? (spike){P[top], X[top]} : (spike){NAN, X[bend]};
 }
 
-/* First dry node behind the last wet one. */
+/* First cavitated node downstream of the film. */
 static double rupture(const ovr_patch *base)
 {
     size_t i = base->to;

@@ -3,13 +3,13 @@
  * Patches about the pressure spike: full multigrid from a solved base up.
  *
  * The next patch is laid about the spike of the solution so far, some 24 to 96
- * meshes of its parent to each side, the first three to behind the rupture of
- * the film as well (with two the smallest film is off by 3e-6 at M = 20, L =
- * 10, base 8, with three by 1e-6).  The spike is the highest local maximum of P
- * at X > 0.3, of nodes; where there is none, the sharpest bend.  One cycle a
- * patch, from cubic interpolation, until the target level is reached, or the
- * height of the spike has changed less than was asked for on two levels running
- * (once may be by chance); then cycles to the tolerance.
+ * mesh sizes of its parent to each side, the first three to behind the rupture
+ * of the film as well (with two the minimum film thickness is off by 3e-6 at M
+ * = 20, L = 10, base 8, with three by 1e-6).  The spike is the highest local
+ * maximum of P at X > 0.3, of nodes; where there is none, the sharpest bend.
+ * One cycle a patch, from cubic interpolation, until the target level is
+ * reached, or the height of the spike has changed less than was asked for on
+ * two levels running (once may be by chance); then cycles to the tolerance.
  */
 #ifndef OVR_MULTIGRID_SPIKE_H
 #define OVR_MULTIGRID_SPIKE_H

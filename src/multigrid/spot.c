@@ -14,7 +14,7 @@ enum {
     MARGIN = 3, /* nodes on each side that rows reach */
     NODES = UNKNOWNS + 2 * MARGIN,
     REACH = 40, /* meshes over which other windows are felt */
-    ASIDE = 3,  /* the neighbours that say what is usual */
+    ASIDE = 3,  /* neighbours that define the usual value */
     STRIDE = UNKNOWNS + 2,
     HEATED = 4 /* arrays of a film with temperatures */
 };

@@ -14,10 +14,7 @@
  * d_i its outflow (reynolds.h).  Windows about the nodes that stand out most
  * are solved one after the other: all of the discrete equation, with the
  * pressure outside and H0 as they are and the film within following.  A window
- * that does not get five times better stays as it was.
- *
- * With flow laws, heat (its temperatures are frozen within a cycle) and where
- * oil is conserved, there in windows that are full of oil.
+ * is rejected unless its residual falls by a factor of five.
  */
 #ifndef OVR_MULTIGRID_SPOT_H
 #define OVR_MULTIGRID_SPOT_H

@@ -63,7 +63,7 @@ static double central_flow(const ovr_level *level)
     return ovr_level_centre(level, level->f.q);
 }
 
-/* Contents of dry nodes, of a flow that passes everywhere. */
+/* Contents of cavitated nodes, of a flow that passes everywhere. */
 static void fill_dry(const ovr_level *level, double q)
 {
     for (size_t i = 1; i < level->grid.n; i++)
@@ -181,8 +181,8 @@ static bool step(ovr_hierarchy *grids, ovr_level *level, double limit,
     return false;
 }
 
-/* Goes from the supply *q to the target by steps of this factor at most,
- * smaller where one fails. */
+/* Changes the supply *q to the target by factors of at most this size, smaller
+ * after a failure. */
 static bool travel(ovr_hierarchy *grids, ovr_level *level, double limit,
                    double *q, double target, double factor)
 {
@@ -198,8 +198,8 @@ static bool travel(ovr_hierarchy *grids, ovr_level *level, double limit,
     return *q == target;
 }
 
-/* A supply just below the flooded flow may have to be come to from below: its
- * meniscus is far out. */
+/* A supply just below the flooded flow may have to be approached from below,
+ * because its meniscus is far upstream. */
 static void reduce(ovr_hierarchy *grids, ovr_level *level, double limit,
                    double target)
 {
@@ -221,7 +221,7 @@ static double supply_of(const shares *s, const ovr_level *level, int finest)
 }
 
 /* Solves by nested iteration from the start level, where the flooded solution
- * is found anew. */
+ * is found again. */
 static ovr_defect nested(ovr_hierarchy *grids, const ovr_full *how, double q,
                          double flow, int *cycles)
 {
@@ -273,8 +273,8 @@ static void raise_supply(ovr_hierarchy *grids, ovr_level *level, double before,
     close_inlet(grids, level, q);
 }
 
-/* Back to a solution: nodes are wet by their pressure, and what is not passes
- * everywhere. */
+/* Back to a solution: nodes are pressurized by their pressure, and what is not
+ * passes everywhere. */
 static void put_back(ovr_hierarchy *grids, ovr_level *level, const double *P,
                      double H0, double q)
 {
@@ -285,8 +285,8 @@ static void put_back(ovr_hierarchy *grids, ovr_level *level, const double *P,
     close_inlet(grids, level, q);
 }
 
-/* Goes on from nine tenths of the flooded flow, each time by a part of what
- * lacks to it, half of it from the last solution where that fails: the meniscus
+/* Continues from nine tenths of the flooded flow by a fraction of the remaining
+ * difference, half of it from the last solution where that fails: the meniscus
  * of almost all of it is far out in a gap that hardly narrows, and moves by
  * many meshes for a little supply. */
 static ovr_defect approach(ovr_hierarchy *grids, const ovr_full *how,

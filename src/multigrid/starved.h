@@ -2,10 +2,10 @@
 /*
  * The steady contact with mass-conserving cavitation (content.h).
  *
- * Flooded: the pressure is that of the Reynolds equation, and all that flows
- * goes on behind the film.  Starved: the supply is reduced from the flooded
- * flow by halves at most, on the finest of the levels that are solved by
- * Newton's method, then refined level by level.
+ * Flooded: the pressure satisfies the Reynolds equation, and the whole flow
+ * continues downstream of the film.  Starved: the supply is reduced from the
+ * flooded flow by halves at most, on the finest of the levels that are solved
+ * by Newton's method, then refined level by level.
  *
  * A coarse grid's flooded flow is not the finest's (half of it at M = 200 and
  * 225 nodes), so the supply of a level is the same share of its own flooded
@@ -31,8 +31,8 @@ ovr_defect ovr_flooded(ovr_hierarchy *grids, const ovr_full *how, int *cycles);
  * moves. */
 double ovr_content_leaving(const ovr_level *level);
 
-/* Goes from the flooded solution on the finest level to that of the supply q <
- * what leaves now. */
+/* Continues from the flooded solution on the finest level to the solution with
+ * the supply q, smaller than the present outflow. */
 ovr_defect ovr_starve(ovr_hierarchy *grids, const ovr_full *how, double q,
                       int *cycles);
 

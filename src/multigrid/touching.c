@@ -30,7 +30,7 @@ void ovr_touch_deform(const ovr_hierarchy *grids, const ovr_level *level)
     ovr_level_deform(grids, level, whole, level->f.w);
 }
 
-/* Nodes that lanes repeat of each other get their values anew. */
+/* Nodes that lanes repeat of each other get their values again. */
 static void repeat(const ovr_hierarchy *grids, const ovr_level *level,
                    double *values)
 {
@@ -121,7 +121,7 @@ void ovr_touch_wet_row(const ovr_hierarchy *grids, const ovr_level *level,
     }
 }
 
-/* The dry nodes about one. */
+/* The cavitated nodes about one. */
 static void open_about(const ovr_touch *touch, size_t n, size_t i, size_t reach)
 {
     size_t from = i > reach ? i - reach : 1;
@@ -151,8 +151,7 @@ void ovr_touch_open(ovr_hierarchy *grids, const ovr_level *level,
     touch->rising = any ? touch->rising + 1 : 0;
 }
 
-/* The distance by which the solids give way to a step, without H0, in the order
- * of the nodes. */
+/* Elastic deformation due to a step, without H0, in the order of the nodes. */
 static const double *given_way(const ovr_hierarchy *grids,
                                const ovr_level *level, const double *dP)
 {
@@ -196,7 +195,7 @@ ovr_newton_row ovr_touch_dry_row(const ovr_hierarchy *grids,
         .r = scale * (touch->A[i] - touch->whole[i] + g * touch->lift[i])};
 }
 
-/* The film nearest to H that a step may make of the film it was made for. */
+/* The film thickness closest to H that a step may produce. */
 static double allowed(const ovr_touch *touch, size_t i, double was, double H)
 {
     const double minimum = 0.05, doubled = log(2), thin = 0.2, thick = 5;

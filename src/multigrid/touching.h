@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Surfaces that touch through their film: P = P_f + A(H).
+ * Surfaces in asperity contact through their film: P = P_f + A(H).
  *
  *     H = H0 + gap - w(P)      the solids feel the whole pressure P
  *     Reynolds' equation in P_f, its oil's properties those of P_f
@@ -9,11 +9,11 @@
  *
  * A law A(H) >= 0 falls with H: what summits finer than the mesh, or a layer
  * of boundary lubricant, bear at the mean gap H.  A level has P_f in its field
- * P, and P - P_f in `borne`: in a wet node A(H), in a dry one what the last
- * correction left there, A(H) when it is solved.
+ * P, and P - P_f in `borne`: in a pressurized node A(H), in a dry one what the
+ * last correction left there, A(H) when it is solved.
  *
  * Newton's method with all derivatives, g = -dA/dH, k the elastic influence:
- *     dH = dH0 - k dP,   dP_f = dP + g dH in wet nodes, 0 in dry ones
+ *     dH = dH0 - k dP,   dP_f = dP + g dH in pressurized nodes, 0 in dry ones
  *     wet row i:  t_e = dN_i/dP_f of node e at fixed film; what stands for
  *                 -dN_i/dH_e is less by t_e g_e
  *                 a node that has just turned wet has P < P_f + A, as its
@@ -54,7 +54,7 @@ void ovr_touch_split(const ovr_hierarchy *grids, const ovr_level *level);
 const double *ovr_touch_gap(const ovr_hierarchy *grids, const ovr_level *level);
 void ovr_touch_settle(ovr_hierarchy *grids);
 
-/* D sum |P - A| of dry nodes, and of |lift|/H. */
+/* D sum |P - A| of cavitated nodes, and of |lift|/H. */
 double ovr_touch_defect(const ovr_hierarchy *grids, const ovr_level *level);
 
 /* Computes the share of the load that the oil carries; 1 without a law. */
@@ -65,14 +65,14 @@ double ovr_touch_oil_share(const ovr_hierarchy *grids, const ovr_level *level);
 void ovr_touch_prepare(const ovr_hierarchy *grids, const ovr_level *level,
                        const ovr_fields *f);
 
-/* Takes a wet row's t_e, its l_m, off e_m, m = -2..1, and out of the columns of
- * dry nodes; its right-hand side gets t_e times what nodes that have just
- * turned wet lack. */
+/* Subtracts t_e and l_m of a pressurized row from e_m, m = -2..1, and out of
+ * the columns of cavitated nodes; its right-hand side gets t_e times what nodes
+ * that have just turned wet lack. */
 void ovr_touch_wet_row(const ovr_hierarchy *grids, const ovr_level *level,
                        size_t i, ovr_newton_row *row);
 
-/* Where dry nodes want to rise in step after step, as the film ends elsewhere:
- * up to 128 on either side of them are taken for wet. */
+/* Where cavitated nodes want to rise in step after step, as the film ends
+ * elsewhere: up to 128 on either side of them are taken for wet. */
 void ovr_touch_open(ovr_hierarchy *grids, const ovr_level *level,
                     const ovr_fields *f);
 
@@ -81,7 +81,7 @@ void ovr_touch_open(ovr_hierarchy *grids, const ovr_level *level,
 bool ovr_touch_close(const ovr_hierarchy *grids, const ovr_level *level,
                      const double *step);
 
-/* A dry node's row. */
+/* A cavitated node's row. */
 ovr_newton_row ovr_touch_dry_row(const ovr_hierarchy *grids,
                                  const ovr_level *level, size_t i);
 

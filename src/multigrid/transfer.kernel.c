@@ -48,7 +48,7 @@ static inline vec weighted_pressure(const vec P[3], const ivec wet[3])
                   0.25 * (P[0] + (P[1] + P[1]) + P[2]), P[1]);
 }
 
-/* Full weighting of the residual of wet nodes, at wet nodes. */
+/* Full weighting of the residual of pressurized nodes, at pressurized nodes. */
 static inline vec weighted_residual(const vec r[3], const ivec wet[3])
 {
     vec left = choose(wet[0], r[0], all(0));
@@ -107,8 +107,8 @@ static void restrict_nodes(const ovr_lanes *coarse, const ovr_lanes *fine,
     repeat_ends(Hc, (ptrdiff_t)coarse->S, OVR_HALO);
 }
 
-/* P_c, H where the coarse nodes are, and the residual of wet nodes; zero at
- * both ends. */
+/* P_c, H where the coarse nodes are, and the residual of pressurized nodes;
+ * zero at both ends. */
 void OVR_KERNEL(restrict_fields)(const ovr_lanes *coarse, const ovr_lanes *fine,
                                  const ovr_fields *f, double *Pc, double *entry,
                                  double *Hc, double *rc)
@@ -169,7 +169,7 @@ static void correct_nodes(const ovr_lanes *coarse, const ovr_lanes *fine,
     }
 }
 
-/* The wet nodes of the fine fields. */
+/* The pressurized nodes of the fine fields. */
 void OVR_KERNEL(correct)(const ovr_lanes *coarse, const ovr_lanes *fine,
                          double factor, const double *Pc, const double *entry,
                          const ovr_fields *f)

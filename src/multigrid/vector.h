@@ -3,10 +3,10 @@
  * Vectors as wide as the instruction set a kernel file is compiled for.
  *
  * GCC's vector extension (gcc and clang, any machine).  Operations are
- * elementwise and fused only where fused() says so, on the machines that can:
- * one machine always gives the same bits, instruction sets agree to rounding.
- * Arrays come from ovr_field (field.h): aligned, with space for some vectors
- * before the first and after the last element.
+ * elementwise and fused only in fused(), on the machines that can: one machine
+ * always gives the same bits, instruction sets agree to rounding. Arrays come
+ * from ovr_field (field.h): aligned, with space for some vectors before the
+ * first and after the last element.
  */
 #ifndef OVR_MULTIGRID_VECTOR_H
 #define OVR_MULTIGRID_VECTOR_H

@@ -29,7 +29,7 @@ typedef struct ovr_accompanied_run {
 } ovr_accompanied_run;
 
 typedef struct ovr_companion {
-    /* What is said of a case before it is solved; of a run after it. */
+    /* Messages about a case before the solution; about a run after it. */
     void (*foresee)(const ovr_setup *setup, ovr_listener *say, void *data);
     void (*review)(const ovr_accompanied_run *run);
 

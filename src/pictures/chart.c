@@ -284,7 +284,7 @@ static void put_letter(ovr_text *to, const char *character, int bytes)
     ovr_text_add(to, character, (size_t)bytes);
 }
 
-/* Says in a comment before a table what it holds. */
+/* Writes a comment with the contents of a table. */
 static void put_heading(const char *label, const ovr_panel *p, ovr_text *to)
 {
     ovr_text_put(to, "# ");

@@ -72,7 +72,7 @@ typedef struct ovr_panel {
     const ovr_series *series;
     ovr_image image;
     bool ground; /* a thin line at y = 0, and numbers only above it; below it,
-                    where anything is, a bar of round length tells the scale */
+                    where anything is, a bar of round length is the scale */
     const char *bar_unit; /* behind that length */
     bool equal; /* one scale for both axes, and an x of its own: a drawing */
 } ovr_panel;

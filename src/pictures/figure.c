@@ -78,7 +78,8 @@ static bool of_zip(const ovr_table_column *c, const char *name)
     return c->zip && strcmp(c->zip, name) == 0;
 }
 
-/* The column of a name; of a [zip NAME] the first key that tells the others. */
+/* The column of a name; for a [zip NAME] the first key that identifies the
+ * values. */
 static const ovr_table_column *named(const ovr_table *t, const char *name)
 {
     const ovr_table_column *c, *other, *best = NULL;
@@ -179,8 +180,8 @@ static ovr_status no_column(const figure *f, const char *name, bool varied,
                     list(f->t, varied, there, sizeof there));
 }
 
-/* The smallest film of a run or, of steady films, the smallest; in metres where
- * the contact has a size. */
+/* The minimum film thickness of a run or, of steady films, the smallest; in
+ * metres where the contact has a size. */
 static const ovr_table_column *usual_quantity(const figure *f)
 {
     static const char *const names[] = {"H_min_overall_m", "H_min_overall",
@@ -529,7 +530,7 @@ static int by_value(const void *a, const void *b)
     return (s > t) - (s < t);
 }
 
-/* Takes a quantile of sorted samples, linear between them (Hyndman and Fan's
+/* Computes a quantile of sorted samples, linear between them (Hyndman and Fan's
  * type 7). */
 static double quantile(const sample *s, size_t n, double part)
 {

@@ -369,7 +369,7 @@ static ovr_status open_folder(studio *s, bool *keep, ovr_error *err)
     return status;
 }
 
-/* Serves a movie without frames: a folder beside it, emptied as it goes. */
+/* Creates a temporary folder next to a movie without stored frames. */
 static ovr_status make_temporary(studio *s, const char *movie, ovr_error *err)
 {
     const char *slash = strrchr(movie, '/');

@@ -96,7 +96,7 @@ static ovr_status send_script(ovr_gnuplot *g, const ovr_text *script,
     status = ovr_text_save_anew(&file, g->script, err);
     if (status == OVR_OK)
         status = ovr_text_status(&line, err);
-    /* When it does not listen, waiting for it tells why. */
+    /* If writing to gnuplot fails, waiting for it returns the reason. */
     if (status == OVR_OK)
         ovr_process_send(&g->process, line.data, line.length);
     return status;

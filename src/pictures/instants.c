@@ -23,8 +23,8 @@ static double centre_of(const ovr_shot *shot)
     return sum > 0 ? moment / sum : NAN;
 }
 
-/* The instants of largest pressure and smallest film over all results, and
- * whose they are. */
+/* The instants of maximum pressure and minimum film thickness over all results,
+ * and whose they are. */
 typedef struct extremes {
     double P, H;
     double T_P, T_H; /* NAN: that field is not stored */
@@ -130,8 +130,8 @@ static const char *what_is_there(const ovr_drawing *drawing, const extremes *e,
     return ovr_arena_text(drawing->arena, text, err);
 }
 
-/* Up to four, fewer where several results share the picture: the largest
- * pressure first. */
+/* Up to four times, fewer if several results share the picture, starting with
+ * the maximum pressure. */
 static ovr_status choose(const ovr_drawing *drawing, double *times,
                          const char **about, size_t *count, ovr_error *err)
 {

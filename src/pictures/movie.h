@@ -21,7 +21,7 @@ ovr_status ovr_movie_add(ovr_movie *movie, const char *picture, ovr_error *err);
 /* The movie appears under its name. */
 ovr_status ovr_movie_finish(ovr_movie *movie, ovr_error *err);
 
-/* Gives it up, unless it is finished or was never started. */
+/* Cancels the movie unless it is finished or was never started. */
 void ovr_movie_stop(ovr_movie *movie);
 
 #endif

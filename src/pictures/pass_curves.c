@@ -45,7 +45,7 @@ static ovr_status add_lines(const ovr_table *t, const line *lines, size_t count,
     return OVR_OK;
 }
 
-/* Nothing passed: the smallest film is the mean one. */
+/* No features: minimum and mean film thickness are equal. */
 static bool is_steady(const ovr_table *t)
 {
     const ovr_table_column *minimum = ovr_table_named(

@@ -44,8 +44,7 @@ ovr_status ovr_draw_areal(const ovr_drawing *drawing, ovr_chart *chart,
 /* Appends the template of a path; NULL: the one that is built in. */
 ovr_status ovr_template_read(const char *path, ovr_text *to, ovr_error *err);
 
-/* A chart goes to a picture, by the template of a path (NULL: the one that is
- * built in), and, unless NULL, to a script, with the data beside it. */
+/* Draws a chart as a picture with the template of a path */
 typedef struct ovr_drawn_to {
     const char *path, *script, *template_path;
 } ovr_drawn_to;

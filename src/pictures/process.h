@@ -19,8 +19,8 @@ typedef struct ovr_process {
     size_t from, to; /* what has been received but not yet read */
 } ovr_process;
 
-/* Starts argv[0], found in PATH.  A program that is not there fails with
- * OVR_BAD_INPUT and says which Debian package has it. */
+/* Starts argv[0], found in PATH.  A missing program fails with OVR_BAD_INPUT
+ * and a message with its Debian package. */
 ovr_status ovr_process_start(ovr_process *process, const char *const *argv,
                              const char *package, ovr_error *err);
 

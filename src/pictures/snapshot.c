@@ -162,8 +162,7 @@ static ovr_panel panel_of(const ovr_snapshot_style *look, ovr_series *series,
                        .series = series};
 }
 
-/* The label by which a shot is told from the others of its panel; named in the
- * legend of the pressure, which stands above both. */
+/* The label of a snapshot within its panel, in the legend of the pressure. */
 typedef struct labelled {
     const char *label;
     ovr_curve_style as;
@@ -184,7 +183,7 @@ static void add_pressure(const ovr_snapshot_style *look, const ovr_shot *shot,
     series[panel->count++] = s;
 }
 
-/* Oil as high as it stands on either wall, where the gap is not full of it. */
+/* Lubricant layers on both walls in the partially filled gap. */
 static void add_oil(const ovr_snapshot_style *look, const ovr_shot *shot,
                     ovr_series *series, ovr_panel *panel)
 {
@@ -245,7 +244,8 @@ static void add_hertz(const ovr_snapshot_style *look, const ovr_shot *shot,
     }
 }
 
-/* Both surfaces and the middle of the film; of several shots the middle. */
+/* Both surfaces and the middle of the film; of several snapshots only the
+ * middle. */
 static void add_temperatures(const ovr_snapshot_style *look,
                              const ovr_shot *shot, const labelled *as,
                              ovr_series *series, ovr_panel *panel)
@@ -264,7 +264,7 @@ static void add_temperatures(const ovr_snapshot_style *look,
     }
 }
 
-/* The row of temperatures, if any shot of the column has them. */
+/* The row of temperatures, if any snapshot of the column has them. */
 static void draw_temperatures(ovr_snapshot_chart *to,
                               const ovr_snapshot_style *look,
                               const ovr_shot *shot, size_t count, size_t column)
@@ -292,7 +292,7 @@ static void draw_temperatures(ovr_snapshot_chart *to,
     to->chart.rows++;
 }
 
-/* Shots that share a column; a row that would be empty is not there. */
+/* Snapshots of a column; empty rows are omitted. */
 static void draw_column(ovr_snapshot_chart *to, const ovr_snapshot_style *look,
                         const ovr_shot *shot, size_t count, size_t column,
                         const char *const *labels)
@@ -339,7 +339,7 @@ static void write_time(char *note, size_t size, const ovr_snapshot_style *look,
         snprintf(note, size, "T = %.3f%s", T, about);
 }
 
-/* Names a shot by its run, by its instant, or by both. */
+/* Names a snapshot by its run, its time, or both. */
 static const char *name_shot(ovr_snapshot_chart *to, size_t k,
                              const ovr_shot *shot, size_t instants, size_t runs)
 {

@@ -27,8 +27,7 @@ typedef struct ovr_snapshot_style {
     char heading[240];
 } ovr_snapshot_style;
 
-/* Makes the style from an extent that has seen all shots of the `count` runs to
- * be drawn. */
+/* Makes the style from the extent of all snapshots of the `count` runs. */
 ovr_status ovr_snapshot_style_make(ovr_snapshot_style *look,
                                    const ovr_picture_options *options,
                                    const ovr_extent *extent,
@@ -46,7 +45,7 @@ ovr_curve_style ovr_curve_style_of(size_t k);
 void ovr_heading(const ovr_stored *runs, size_t count, char *heading,
                  size_t capacity);
 
-/* Memory of a chart of up to OVR_SHOTS shots. */
+/* Memory of a chart of up to OVR_SHOTS snapshots. */
 typedef struct ovr_snapshot_chart {
     ovr_chart chart;
     ovr_panel panel[3 * OVR_SHOTS + 1]; /* one more for what lies below */
@@ -60,7 +59,7 @@ void ovr_snapshot_draw(ovr_snapshot_chart *to, const ovr_snapshot_style *look,
                        const ovr_shot *shot, size_t instants, size_t runs,
                        const char *const *about);
 
-/* A panel below the last row: the stresses under one shot. */
+/* A panel below the last row: the stresses of one snapshot. */
 struct ovr_depth_field;
 ovr_status ovr_stress_panel_add(struct ovr_depth_field *field,
                                 const ovr_shot *shot,

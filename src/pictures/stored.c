@@ -31,7 +31,7 @@ static bool varies(const double *v, size_t n)
     return false;
 }
 
-/* b goes with sqrt(w R), ph with sqrt(w/R). */
+/* b is proportional to sqrt(w R), ph to sqrt(w/R). */
 static void find_hertz(ovr_stored *run, ovr_arena *arena)
 {
     size_t steps = run->info->steps, shots = run->info->snapshots, i = 0;
@@ -317,8 +317,8 @@ double *ovr_stored_history(const ovr_stored *run, const char *name, double by,
 
 /* ----------------------------------------------------------------- extent */
 
-/* Looks as far out as on the left where oil may come from there too: where the
- * speed reverses, domains are as long on both sides. */
+/* The right side is as long as the left one if lubricant may enter there: where
+ * the speed reverses, domains are as long on both sides. */
 static double right_end(const ovr_stored *run)
 {
     double last = run->x[run->info->nodes - 1];

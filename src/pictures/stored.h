@@ -36,7 +36,7 @@ ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
 const char *ovr_stored_title(const ovr_stored *runs, size_t count,
                              const char *given);
 
-/* Hertz's half width and largest pressure at snapshot k over the nominal. */
+/* Hertz's half width and maximum pressure at snapshot k over the nominal. */
 double ovr_stored_hertz_width(const ovr_stored *run, size_t k);
 double ovr_stored_hertz_pressure(const ovr_stored *run, size_t k);
 
@@ -54,7 +54,7 @@ ovr_status ovr_stored_need_snapshots(const ovr_stored *run, ovr_error *err);
 ovr_status ovr_common_units(const ovr_stored *runs, size_t count,
                             ovr_units *units, ovr_error *err);
 
-/* Puts x and times of each run, and what is read of it from now on, into the
+/* Converts x and times of each run, and all later reads, into the
  * units of the first; Hertzian ones are each its own. */
 void ovr_stored_relate(ovr_stored *runs, size_t count, ovr_units units);
 
@@ -94,7 +94,7 @@ double *ovr_stored_history(const ovr_stored *run, const char *name, double by,
 /* The axes must show at least this. */
 typedef struct ovr_extent {
     double x_from, x_to;
-    double P_high;            /* largest pressure */
+    double P_high;            /* maximum pressure */
     double H_high;            /* largest film within |X| < 0.9 */
     double S_low, S_high;     /* of the roughness between x_from and x_to */
     double hot_low, hot_high; /* degC */

@@ -36,7 +36,7 @@ uint16_t ovr_level_of(const ovr_levels *l, double value)
     return (uint16_t)(at > 0 ? fmin(at + 0.5, OVR_PACKED_LEVELS - 1) : 0);
 }
 
-/* Goes from the end, so that the neighbours are still themselves. */
+/* Runs from the end, so that the neighbours are unchanged. */
 static void take_differences(uint16_t *level, size_t n, size_t rows)
 {
     for (size_t i = n * rows; i-- > 0;) {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A run's part of a page, and what stands in it beside its fields. */
+/* The part of a page for one run, with its additional data. */
 #ifndef OVR_PICTURES_VIEW_RUN_H
 #define OVR_PICTURES_VIEW_RUN_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A result file begins here, goes on after an interruption, and ends.
+ * Creates, continues and closes a result file.
  */
 #include "results/writer.h"
 
@@ -129,8 +129,8 @@ static double *stored_positions(ovr_writer *w, const double *X, ovr_error *err)
     return x;
 }
 
-/* Takes weights of the trapezoidal rule, where patches make the nodes unequally
- * far from each other; else NULL. */
+/* Computes weights of the trapezoidal rule, where patches make the nodes
+ * unequally far from each other; else NULL. */
 static ovr_status weigh(const ovr_writer *w, ovr_arena *arena,
                         ovr_file_plan *plan, ovr_error *err)
 {
@@ -331,7 +331,7 @@ double ovr_writer_memory(const ovr_write_options *options,
     return bytes;
 }
 
-/* Counts of a checkpoint with a state; else the run begins anew, on the rows
+/* Counts of a checkpoint with a state; else the run begins again, on the rows
  * of the same file. */
 static void go_on_from(ovr_writer *w, const ovr_restart *restart,
                        ovr_file_plan *plan)

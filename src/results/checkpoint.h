@@ -20,8 +20,9 @@
  * be there.
  *
  * It is written as OUT.h5.restart.part, synced, and renamed over the one
- * before, and the folder is synced: there is always a whole one.  What it says
- * of rows is true of the result file first: that is flushed and synced before.
+ * before, and the folder is synced: there is always a whole one.  The result
+ * file is flushed and synced first, so that it contains the rows that the
+ * checkpoint counts.
  */
 #ifndef OVR_RESULTS_CHECKPOINT_H
 #define OVR_RESULTS_CHECKPOINT_H
@@ -88,7 +89,7 @@ typedef struct ovr_checkpoint {
 ovr_status ovr_checkpoint_write(const ovr_checkpoint *checkpoint,
                                 ovr_error *err);
 
-/* Puts a checkpoint's state into any source. */
+/* Reads the state of a checkpoint from any source. */
 ovr_status ovr_restart_load_into(ovr_restart *restart,
                                  const ovr_state_source *source,
                                  ovr_error *err);

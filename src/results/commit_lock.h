@@ -19,16 +19,16 @@
 
 #include <stdbool.h>
 
-/* Takes the lock on a descriptor of the journal, to write or to read. */
+/* Acquires the lock on a descriptor of the journal, for writing or reading. */
 void ovr_commit_lock(int journal, bool write);
 void ovr_commit_unlock(int journal);
 
 /* From now on a writer lives, until the descriptor is closed. */
 void ovr_commit_alive(int journal);
 
-/* Tells a reader that has the lock whether a writer lives and does not change
- * the file now, so that this is as a commit left it.  False also where there
- * are no such locks: then the file must be looked at (journal.c). */
+/* Returns to a reader with the lock whether a writer exists and is not changing
+ * the file, so that this is as a commit left it.  False also where there are no
+ * such locks: then the file must be looked at (journal.c). */
 bool ovr_commit_is_settled(int journal);
 
 #endif

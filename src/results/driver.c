@@ -133,7 +133,7 @@ static const H5FD_class_t driver_class = {
     .fl_map = H5FD_FLMAP_DICHOTOMY,
 };
 
-/* Access properties that lead to the store; registering the driver anew for
+/* Access properties that lead to the store; registering the driver again for
  * each file keeps the library free of globals.  HDF5 uses the driver after
  * dropping its own reference to it, so that ours is held until the end. */
 static hid_t driver_access(ovr_store *store)

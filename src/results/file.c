@@ -56,7 +56,7 @@ ovr_status ovr_file_prepare(ovr_file *f, const ovr_file_plan *plan,
                               arena, err);
 }
 
-/* The date tells its file from others. */
+/* The date identifies its file. */
 static void name_store(ovr_file *f, const char *created)
 {
     snprintf(f->store.created, sizeof f->store.created, "%s",

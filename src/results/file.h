@@ -51,7 +51,7 @@ typedef struct ovr_file_plan {
     size_t lines;          /* 1: a line contact */
     const double *y;       /* positions of the lines, in the file's unit */
     const char *created;   /* its date_created */
-    uint64_t number;       /* of the checkpoint that is gone on from */
+    uint64_t number;       /* of the checkpoint to continue from */
     const double *weights; /* of x in integrals; NULL: not stored */
 } ovr_file_plan;
 

@@ -192,7 +192,7 @@ static bool make_group(ovr_writer *w, const ovr_group *g, bool keep)
     return ok;
 }
 
-/* Takes what is given, once the queue is empty. */
+/* Accepts data when the queue is empty. */
 static ovr_status begin(ovr_writer *w, const ovr_group *given, ovr_group *g,
                         ovr_error *err)
 {

@@ -32,7 +32,7 @@ bool ovr_header_write(ovr_file *file, const ovr_file_plan *plan);
  * lacks are made. */
 bool ovr_header_open(ovr_file *file, const ovr_file_plan *plan);
 
-/* Writes the group `case` anew: what is stored, or the end, may be another. */
+/* Writes the group `case` again: what is stored, or the end, may be another. */
 bool ovr_header_new_case(ovr_file *file, const ovr_file_plan *plan);
 
 /* The attributes of the extremes over the run; NULL: not known yet. */

@@ -14,12 +14,8 @@
  *                number, bytes and checksum of each page changed by it
  *
  * The log ends at the first record that is not whole or has another salt: the
- * commit that wrote it had not touched the file yet.  A journal whose header
- * is not whole says that nothing was changed since the checkpoint.
- *
- * So a file is whole when its pages are those of the last state, or of the one
- * before (or of the checkpoint, when there is but one); anything else is a
- * commit cut by the death of the process, or of the machine.
+ * commit that wrote it had not touched the file yet.  A journal with an
+ * incomplete header means that nothing was changed since the checkpoint.
  */
 #ifndef OVR_RESULTS_JOURNAL_H
 #define OVR_RESULTS_JOURNAL_H
@@ -82,7 +78,7 @@ const unsigned char *ovr_journal_next(ovr_journal_walk *walk, ovr_arena *arena);
  * it is in none of those: see above.  Without memory it is not. */
 bool ovr_journal_torn(int journal, int file, const ovr_allocator *allocator);
 
-/* Puts back the pages that were kept since the checkpoint, unless the journal
+/* Restores the pages saved since the checkpoint, unless the journal
  * is of another file, or of a checkpoint that is no longer the store's; an
  * errno. */
 int ovr_journal_roll_back(ovr_store *store);

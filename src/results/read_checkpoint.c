@@ -37,7 +37,7 @@ typedef struct piece {
     size_t next; /* where the piece behind it begins */
 } piece;
 
-/* False when nothing whole stands there, or only the end. */
+/* False if no complete record follows. */
 static bool piece_at(const ovr_restart *r, size_t at, piece *p)
 {
     uint64_t length[2];

@@ -6,7 +6,7 @@
  * and the reader locks them out (commit_lock.h).  Should that fail, a read
  * across one may find the halves of two states: so every read is checked too
  * (checksums, or NaN where a complete row has none) and repeated with the file
- * opened anew.  Rows are counted by their time: one that is still NaN does not
+ * opened again.  Rows are counted by their time: one that is still NaN does not
  * exist yet.
  *
  * Nothing in the file is trusted: hdf5read.h holds all that is read against
@@ -254,8 +254,8 @@ static bool any_nan(const double *values, size_t count)
     return false;
 }
 
-/* Where each dataset is was seen when the file was opened; should somebody have
- * gone on with the file since, it is looked up again. */
+/* Where each dataset is was seen when the file was opened; if the file was
+ * continued since, the place is looked up again. */
 static bool read_once(ovr_result *r, const part *what, double *values)
 {
     ovr_dataset set = r->set[what->variable - r->variable];
@@ -271,7 +271,7 @@ static bool read_once(ovr_result *r, const part *what, double *values)
 }
 
 /* While a writer is there, the file is longer at the next read, and may have
- * been replaced: it is opened anew for each. */
+ * been replaced: it is opened again for each. */
 static bool read_locked(ovr_result *r, const part *what, double *values,
                         bool *locked)
 {
@@ -484,7 +484,8 @@ ovr_status ovr_result_unresolved(ovr_result *r, ovr_arena *arena,
 
 /* ----------------------------------------------------- Attributes of groups */
 
-/* Copies what is found, as the file's own memory goes with each look. */
+/* Copies the result, because the memory of the file is released after each
+ * lookup. */
 static ovr_group_attribute *copy(ovr_result *r, const ovr_named_number *from,
                                  size_t count)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tells what is in a result file, and how much of it is complete. */
+/* Lists the contents of a result file and how many rows are complete. */
 #include "results/reader.h"
 
 #include <math.h>

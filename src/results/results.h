@@ -130,7 +130,7 @@ ovr_restart *ovr_restart_open(const char *result_path,
 void ovr_restart_close(ovr_restart *restart);
 const ovr_restart_info *ovr_restart_about(const ovr_restart *restart);
 
-/* Puts the state into a simulation created alike. */
+/* Loads the state into a simulation created with the same options. */
 ovr_status ovr_restart_load(ovr_restart *restart, ovr_simulation *sim,
                             ovr_error *err);
 
@@ -140,8 +140,8 @@ void ovr_writer_checkpoints(ovr_writer *writer, ovr_simulation *sim);
 
 /* Resumes options->path: a cut last write is finished, rows behind the
  * checkpoint are dropped and will be written again.  `restart` NULL, or one
- * without a state: all rows are dropped.  What is stored may be chosen anew,
- * but for precision and nodes, which the file has already. */
+ * without a state: all rows are dropped.  What is stored may be chosen again,
+ * except for precision and nodes, which the file has already. */
 ovr_writer *ovr_writer_resume(const ovr_write_options *options,
                               const ovr_contact *contact, size_t n,
                               const double *X, const ovr_restart *restart,
@@ -184,8 +184,7 @@ ovr_result_attributes(ovr_result *result, const char *path, size_t *count);
 ovr_status ovr_result_read(ovr_result *result, const char *path, size_t row,
                            ovr_units units, double *values, ovr_error *err);
 
-/* Reads whether the history marks its largest pressure as one that the mesh
- * does not resolve; files of versions before 0.4.0 mark none.  `arena` holds
+/* Reads whether the history flags its maximum pressure  `arena` holds
  * two columns meanwhile. */
 ovr_status ovr_result_unresolved(ovr_result *result, ovr_arena *arena,
                                  bool *unresolved, ovr_error *err);

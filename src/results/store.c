@@ -299,7 +299,7 @@ ovr_status ovr_store_open(ovr_store *s, ovr_error *err)
     return OVR_OK;
 }
 
-/* A journal that says how to go back is needed until the file is synced. */
+/* The journal is needed until the file is synced. */
 static bool journal_is_done(ovr_store *s)
 {
     struct stat about = {0};

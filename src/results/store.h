@@ -66,7 +66,7 @@ typedef struct ovr_kept {
 
 typedef struct ovr_store {
     char *path, *part, *journal_path;
-    char created[OVR_STORE_NAME]; /* stands in the file; "": not known */
+    char created[OVR_STORE_NAME]; /* stored in the file; "": unknown */
     int fd, journal;              /* -1: not open */
     bool published;               /* has its final name */
     bool halfway;                 /* a commit failed in the middle */
@@ -112,7 +112,7 @@ void ovr_store_resize(ovr_store *store, uint64_t length);
 /* Makes the state now the one that readers find. */
 ovr_status ovr_store_commit(ovr_store *store, ovr_error *err);
 
-/* Gives the file its name; in the way may be a file only with `force`. */
+/* Gives the file its name; an existing file is replaced only with `force`. */
 ovr_status ovr_store_publish(ovr_store *store, bool force, ovr_error *err);
 
 /* Writes on to the disk itself. */

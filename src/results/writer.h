@@ -60,10 +60,10 @@ void ovr_writer_source(ovr_writer *writer, ovr_state_source source);
 double ovr_now(void);
 double ovr_writer_seconds(const ovr_writer *writer);
 
-/* Puts a row of the history into the parcel being filled. */
+/* Appends a history row to the batch that is being filled. */
 void ovr_writer_note(ovr_writer *writer, const ovr_frame *frame);
 
-/* Puts a snapshot into the parcel being filled. */
+/* Appends a snapshot to the batch that is being filled. */
 void ovr_writer_store(ovr_writer *writer, const ovr_frame *frame);
 
 /* A checkpoint of what is in the file, by this number, synced as the file must
@@ -74,7 +74,7 @@ ovr_status ovr_writer_checkpoint(ovr_writer *writer, uint64_t number,
 /* Flushes, syncs and writes a checkpoint. */
 ovr_status ovr_writer_save(ovr_writer *writer, ovr_error *err);
 
-/* Puts the frame's fields into rows, scaled, windowed, as they are stored. */
+/* Writes the fields of a frame into rows, scaled and windowed as stored. */
 void ovr_writer_fill(const ovr_writer *writer, const ovr_frame *frame,
                      unsigned char *rows);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Goes from a case to a finished file. */
+/* Runs a case and writes its result file. */
 #include <math.h>
 #include <string.h>
 #include <time.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tells what a case means before it is solved: the numbers of its contact,
- * films by formula, its features, its grid and what it will cost. */
+/* Reports operating conditions, predicted film thickness, features, grid and
+ * cost of a case before it is solved. */
 #include <math.h>
 #include <string.h>
 

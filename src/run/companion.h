@@ -12,7 +12,8 @@ typedef struct ovr_accompanied {
     void *own;
 } ovr_accompanied;
 
-/* Says what all physics of a case, of a run, have to say. */
+/* Collects the warnings and notes of all physical models about a case or a
+ * run. */
 void ovr_companions_foresee(const ovr_setup *setup, ovr_listener *say,
                             void *data);
 void ovr_companions_review(ovr_run *run);

@@ -112,7 +112,7 @@ static ovr_status solve(ovr_run *run, ovr_setup *setup, ovr_simulation *coarse,
     return status;
 }
 
-/* Steps of as many meshes as on the finest level. */
+/* Steps have the same length in D as on the finest level. */
 static void take_steps(const ovr_run *run, ovr_setup *setup)
 {
     ovr_march *march = &setup->resolved->march;
@@ -234,11 +234,11 @@ static const ovr_observable *observable_of(const char *key)
     return o;
 }
 
-/* Takes the number at the end of the run. */
+/* Reads the number at the end of the run. */
 static void judge_end(ovr_run_errors *errors, const level_run *r,
                       const measure *m)
 {
-    /* the smallest film where it is, not at the nearest node */
+    /* minimum film thickness interpolated between nodes */
     static const char *const rows[][2] = {
         {"H_min", "H_min_located"}, {"H_cen", "H_cen"}, {"P_max", "P_max"}};
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
@@ -250,8 +250,8 @@ static void judge_end(ovr_run_errors *errors, const level_run *r,
     }
 }
 
-/* Takes the extremes of films and pressures over the whole run, of physics that
- * are on. */
+/* Reads the extremes of film thickness and pressure over the whole run, of
+ * physics that are on. */
 static void judge_extremes(ovr_run_errors *errors, const level_run *r,
                            const measure *m, unsigned physics)
 {
@@ -285,7 +285,7 @@ static void judge_means(ovr_run_errors *errors, const ovr_passes *passes,
     }
 }
 
-/* Takes for a steady state the order of the solution. */
+/* Uses the order of the solution for a steady state. */
 static measure measure_of(const ovr_run *run)
 {
     const ovr_options *o = ovr_simulation_options(run->sim);
@@ -369,8 +369,8 @@ ovr_status ovr_run_estimate(ovr_run *run, ovr_error *err)
 /*
  * A level chosen before the run is confirmed after it, by the estimate of the
  * discretization error, of the films where friction counts too, as that is not
- * estimated.  A mesh that did worse is said, with the level that would do if
- * the error fell as D^2.
+ * estimated.  Warns if the error is larger than requested, with the level that
+ * would reach the target if the error fell as D^2.
  */
 
 static const char *const names[] = {"H_cen", "H_min",

@@ -27,12 +27,12 @@ struct ovr_find {
     char message[OVR_FIND_TEXT];
 };
 
-/* Gives the key of a case the value x. */
+/* Sets the key of a case to the value x. */
 ovr_status ovr_find_set(const ovr_find *f, ovr_case *c, double x,
                         ovr_error *err);
 
-/* The first run says what numbers there are: fails unless the one asked for is
- * among them, and known. */
+/* The first run determines the available numbers: fails unless the one asked
+ * for is among them, and known. */
 ovr_status ovr_find_check(ovr_find *f, const ovr_trial *t, ovr_error *err);
 
 #endif

@@ -91,8 +91,8 @@ static void put_exact(char *text, size_t capacity, double x)
     }
 }
 
-/* "FOLDER/depth=0.25~um.h5" of a run at x; the level stands in it where it is
- * another one than the case's. */
+/* "FOLDER/depth=0.25~um.h5" of a run at x; the name contains the level if it
+ * differs from that of the case. */
 static const char *result_path(ovr_find *f, double x, ovr_error *err)
 {
     const char *dot = strrchr(f->info.key, '.');

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Takes what a search is asked: a key, its ends, a condition on a number of the
- * run, and the folder that holds the results of this question alone. */
+/* Checks the question of a search: a key, its ends, a condition on a number of
+ * the run, and the folder that holds the results of this question alone. */
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>
@@ -292,9 +292,8 @@ static ovr_status no_quantity(const char *quantity, const names *n,
     return OVR_BAD_INPUT;
 }
 
-/* Looks a quantity up among those of formulas, or one that runs are known to
- * have; a name near to one of them is a slip, anything else the first run
- * tells. */
+/* Finds a quantity among those of formulas or the known results of runs. A
+ * similar name is suggested; other names are checked after the first run. */
 static ovr_status look_up(ovr_find *f, ovr_error *err)
 {
     names scales = {.count = 0}, all;

@@ -16,7 +16,7 @@ typedef struct ovr_find_table {
     size_t maximum, count;
 } ovr_find_table;
 
-/* Makes it anew, or reads what it holds and goes on behind it. */
+/* Creates the table, or reads an existing table and appends to it. */
 ovr_status ovr_find_table_open(ovr_find_table *table, bool go_on, bool force,
                                ovr_arena *arena, ovr_error *err);
 

@@ -58,10 +58,10 @@ ovr_status ovr_run_estimate(ovr_run *run, ovr_error *err);
 /* Warns of it: "pass 2: " and so on, where there are several. */
 void ovr_run_warn(ovr_run *run, const char *format, ...) OVR_PRINTF(2, 3);
 
-/* Passes on what is said of a run, and keeps the first warnings. */
+/* Forwards messages of a run and stores the first warnings. */
 ovr_listener ovr_run_message;
 
-/* Keeps warnings, a line each, that were said before the run was stopped. */
+/* Restores the warnings of the run before it was stopped, one per line. */
 void ovr_run_recall(ovr_run *run, const char *warnings);
 
 /* Sums up a gear pair, cam or bearing as a part of the run's summary. */
@@ -75,11 +75,11 @@ ovr_status ovr_run_keep_summary(ovr_run *run, ovr_error *err);
  * through. */
 ovr_status ovr_run_keep_element(ovr_run *run, ovr_error *err);
 
-/* Estimates them of a level that was chosen for an accuracy, and says where
- * they are larger, or not known; fails only where it is stopped. */
+/* Estimates the errors on a level that was chosen for an accuracy, and warns if
+ * they are larger or unknown; fails only if stopped. */
 ovr_status ovr_run_confirm(ovr_run *run, ovr_error *err);
 
-/* Says what there is to say before the solve, and after it. */
+/* Gives the warnings before and after the solution. */
 void ovr_run_review_before(ovr_run *run);
 void ovr_run_review_after(ovr_run *run);
 

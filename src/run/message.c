@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Passes on what is said of a run, and keeps its warnings. */
+/* Forwards messages of a run and stores its warnings. */
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>

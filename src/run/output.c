@@ -296,7 +296,7 @@ double ovr_setup_output_memory(const ovr_setup *setup)
     return bytes;
 }
 
-/* The writer is told these: texts and lists that end with the case. */
+/* The writer gets these: texts and lists that end with the case. */
 typedef struct target {
     ovr_write_options options;
     ovr_arena arena;
@@ -419,7 +419,7 @@ ovr_status ovr_output_open(ovr_run *run, ovr_error *err)
     return have(run, writer, err);
 }
 
-/* What companions have of a complete run is told once more; with other depths
+/* The reports of companions of a complete run are repeated; with other depths
  * of stresses than it was computed with, say, it cannot be. */
 static ovr_status restore_companions(ovr_run *run, double T, bool write,
                                      ovr_error *err)

@@ -183,7 +183,8 @@ static double after(const ovr_passes_setup *p, double h, double flooded,
     return h;
 }
 
-/* The row of the history that tells what lies on surface k where row j was. */
+/* Returns the history row with the layer on surface k at the position of row
+ * j. */
 static size_t lies(const ovr_setup *s, int k, size_t j)
 {
     return s->passes->again & 1 << k ? j : 0;
@@ -279,7 +280,7 @@ static void fill_row(const ovr_pass_history *h, const double *lost,
 
 /* ------------------------------------------------------------------- Whole */
 
-/* Gives the flow of a film that arrives by its ratio, of a flooded contact what
+/* Returns the flow of a supplied film from its ratio, of a flooded contact what
  * leaves it. */
 static double flooded_flow(const ovr_pass_history *h)
 {

@@ -164,8 +164,8 @@ static bool is_near(const ovr_run *run, int pass, const char *column,
     return isnan(now) || fabs(now - before) <= maximum * fabs(now);
 }
 
-/* True if bodies that yield have shaken down, by what is left of the shoulders
- * and by the risk: a spike that the mesh does not resolve goes on and on. */
+/* True if plastic bodies have shaken down, by the rim heights and the risk;
+ * pressure spikes that the grid cannot resolve never shake down. */
 bool ovr_passes_at_rest(const ovr_run *run, int pass)
 {
     const double height = 1e-4, risk = 1e-3;

@@ -83,7 +83,7 @@ ovr_pass_history ovr_pass_history_make(const ovr_allocator *allocator);
 ovr_status ovr_pass_history_read(ovr_pass_history *h, ovr_result *result,
                                  ovr_error *err);
 
-/* Takes a row down at the start and at each step. */
+/* Stores a row at the start and at each step. */
 ovr_observer ovr_pass_history_observer(ovr_pass_history *h);
 
 /* -------------------------------------------------------------------- Passes
@@ -95,7 +95,7 @@ typedef struct ovr_pass_row {
     const char *status;         /* of its file; "waiting": none yet */
 } ovr_pass_row;
 
-/* The two layers as they come to the next pass, and the oil in the inlet
+/* The two layers that enter the next pass, and the oil in the inlet
  * reservoir before it; the row of this one. */
 typedef struct ovr_pass_end {
     ovr_layer *layer[2];
@@ -134,7 +134,7 @@ struct ovr_passes {
     double oil_flooded; /* flow of the flooded contact; NAN: not known yet */
     bool converged;     /* all so far */
     bool whole;         /* the file of all has every row: it stays as it is */
-    struct ovr_result *before; /* of a resumed one: complete, not told of yet */
+    struct ovr_result *before; /* resumed: complete, not reported yet */
     ovr_pass_level level[OVR_PASS_LEVELS];
 };
 
@@ -170,7 +170,7 @@ ovr_case *ovr_passes_case(const char *path, const ovr_allocator *allocator,
 /* A new run: its file and the first pass. */
 ovr_status ovr_passes_begin(ovr_run *run, ovr_error *err);
 
-/* Gives the setup of a pass what the one before left. */
+/* Adds the layers and strains of the preceding pass to the setup of a pass. */
 ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err);
 
 /* Runs the passes from the one that is set up to the last. */
@@ -180,8 +180,7 @@ ovr_status ovr_passes_go(ovr_run *run, ovr_error *err);
  * complete. */
 ovr_status ovr_passes_reopen(ovr_run *run, const char *path, ovr_error *err);
 
-/* Tells the run as a whole of the pass before this one, whose file is closed
- * then; closes it. */
+/* Reports the preceding pass to the whole run and closes its file. */
 void ovr_passes_recall(ovr_run *run);
 void ovr_passes_close(ovr_passes *passes);
 
@@ -193,7 +192,7 @@ ovr_status ovr_passes_go_back(ovr_run *run, int last, ovr_error *err);
 /* True if bodies that yield have shaken down with this pass. */
 bool ovr_passes_at_rest(const ovr_run *run, int pass);
 
-/* Takes the place of the load: that of a pass; whether bodies yield in it. */
+/* Sets the load of a pass; returns whether bodies deform plastically in it. */
 ovr_status ovr_setup_pass(ovr_setup *setup, int pass,
                           const ovr_allocator *allocator, ovr_error *err);
 

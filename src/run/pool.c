@@ -55,7 +55,7 @@ typedef struct pool {
 } pool;
 
 /* What a task gives back the next one takes: without it each would have its
- * pages from the system anew, a fifth of a short task. */
+ * pages from the system again, a fifth of a short task. */
 static void keep_memory(void)
 {
 #ifdef __GLIBC__
@@ -83,7 +83,7 @@ static void work_through(const pool *p, int slot, int to, pid_t parent)
     const ovr_shared shared = {&at->done, &p->board->stop};
     keep_memory();
     end_with(parent);
-    /* a signal may be the worker's alone, or come to it first */
+    /* the signal may be sent only to the worker, or reach it first */
     while (!p->board->stop && !job->stop(job->data) && getppid() == parent) {
         size_t next = atomic_fetch_add(&p->board->next, 1);
         if (next >= job->count)
@@ -152,7 +152,7 @@ static void reap(pool *p, int slot)
                   WIFSIGNALED(status) ? WTERMSIG(status) : 0);
 }
 
-/* Takes what a worker says, or its end. */
+/* Reads the message or the end of a worker. */
 static void hear(pool *p, int slot)
 {
     ending told;

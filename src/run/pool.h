@@ -32,8 +32,8 @@ typedef struct ovr_pool_job {
     const ovr_allocator *allocator;
 } ovr_pool_job;
 
-/* Runs until all that began have ended.  1: stopped; 0: all done; -1: no memory
- * or no process, errno says which. */
+/* Runs until all started workers have ended. Returns 1: stopped; 0: all done;
+ * -1: no memory or no process, see errno. */
 int ovr_pool_run(const ovr_pool_job *job);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A run goes on where it ended, from the checkpoint beside its file.  One that
- * was killed before its first checkpoint begins again, on the case in the
+ * A run continues where it ended, from the checkpoint beside its file.  One
+ * that was killed before its first checkpoint begins again, on the case in the
  * file; one whose checkpoint was lost only if that is asked for, as it replaces
  * what was computed.  A complete file is not touched.
  */
@@ -99,7 +99,7 @@ static void report_state(ovr_run *run, bool done)
     if (run->writer && ovr_writer_repaired(run->writer))
         say(run,
             "last write was interrupted; file restored to the last checkpoint");
-    if (done && run->passes) /* it was said of all of them */
+    if (done && run->passes) /* already reported for all passes */
         return;
     if (done)
         say(run, "run is already complete");
@@ -157,8 +157,8 @@ static ovr_status prepare(ovr_run *run, const char *path, ovr_error *err)
 }
 
 /* Each pass has its file, but one that was killed as the last of them ended
- * may not have its row yet.  What is told of the run is the last one's, if its
- * checkpoint is there. */
+ * may not have its row yet.  The report of the run is that of the last pass, if
+ * its checkpoint exists. */
 static ovr_status all_are_there(ovr_run *run, int last, ovr_error *err)
 {
     const char *path = run->passes->path;
@@ -200,7 +200,7 @@ static ovr_status begin_pass(ovr_run *run, ovr_error *err)
     return ovr_output_open(run, err);
 }
 
-/* Goes to where the first pass ended that is not complete. */
+/* Continues the first incomplete pass. */
 static ovr_status prepare_passes(ovr_run *run, const char *path, ovr_error *err)
 {
     if (ovr_passes_reopen(run, path, err))

@@ -35,7 +35,7 @@ static share share_of(double loss)
     return s;
 }
 
-/* Rounds to four digits, farther out and not nearer. */
+/* Rounds to four digits, away from the contact. */
 static double rounded_out(double X)
 {
     double digit = pow(10, floor(log10(fabs(X))) - 3);
@@ -59,7 +59,8 @@ static void warn_of_kept_inlet(const ovr_review *r,
                    r->setup->resolved->inlet_kept);
 }
 
-/* The usual inlet lies farther out, or does not because of a feature. */
+/* The default inlet is further upstream than usual, or prevented from it by a
+ * feature. */
 static void say_usual_inlet(const ovr_review *r, const ovr_domain_needs *needs)
 {
     double inlet = r->setup->options->inlet;
@@ -216,11 +217,11 @@ static void review_plausible(const ovr_setup *setup, ovr_listener *say,
 
 /* ------------------------------------------------------------------- Review */
 
-/* Second-order schemes carry a wave of eight meshes with a few per cent lost
- * (0.25 b at level 6 is 20 meshes, 3.6 %). */
+/* Second-order schemes carry a wave of eight mesh sizes with a few per cent
+ * lost (0.25 b at level 6 is 20 mesh sizes, 3.6 %). */
 static const double MESHES_A_WAVE = 10;
 
-/* Says what was understood of profiles and done to them. */
+/* Notes how profiles were read and conditioned. */
 static void say_assumed(const ovr_review *r)
 {
     const ovr_surfaces *surfaces = r->setup->surfaces;
@@ -435,7 +436,8 @@ static ovr_words range_of(double low, double high)
     return w;
 }
 
-/* Says what moves passes from `low` at T = 0 to `high` at the end and back. */
+/* Warns of features that do not pass from `low` at T = 0 to `high` at the
+ * end. */
 static void warn_of_material_history(const ovr_review *r, size_t k)
 {
     const ovr_options *o = r->setup->options;

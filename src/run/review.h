@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A review is said of a run beside its result. */
+/* Warnings and notes about a case or a finished run, in addition to its
+ * result. */
 #ifndef OVR_RUN_REVIEW_H
 #define OVR_RUN_REVIEW_H
 

@@ -5,7 +5,7 @@
 
 #include "overroll/run.h"
 
-/* Does what ovr_run_answers does, from the summary of a file. */
+/* Like ovr_run_answers, from the summary of a file. */
 void ovr_result_answers(ovr_result *result, ovr_answer *put, void *data);
 
 /* Estimates the film of a prepared setup, in milliseconds. */
@@ -13,9 +13,9 @@ ovr_status ovr_setup_rough_film(const ovr_setup *setup,
                                 const ovr_allocator *allocator,
                                 ovr_rough_film *to, ovr_error *err);
 
-/* A prepared setup would store this: snapshots (the instants of the largest
- * pressure and the smallest film may come on top), and bytes on the disk before
- * they are compressed. */
+/* Output of a prepared setup: snapshots (the instants of the maximum
+ * pressure and the minimum film thickness may come on top), and bytes on the
+ * disk before they are compressed. */
 typedef struct ovr_storage {
     double snapshots, bytes;
 } ovr_storage;

@@ -233,7 +233,7 @@ static double number_of(const ovr_trial *t, const char *quantity)
            ovr_trial_number(t, "film_scale_m", NULL);
 }
 
-/* Takes the larger (0) or the smaller step (1). */
+/* Uses the larger (0) or the smaller step (1). */
 static double slope(const working *w, size_t key, int coarser, int smaller,
                     const char *quantity)
 {

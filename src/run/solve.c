@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Takes what is set up, a run or one of its passes, to its end. */
+/* Solves a prepared run or one of its passes to the end. */
 #include <math.h>
 #include <string.h>
 #include <time.h>
@@ -79,7 +79,7 @@ double ovr_run_clock(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* The last of the observers: says how far the run is, and may end it. */
+/* The last observer: reports the progress and may end the run. */
 static ovr_status look(void *data, const ovr_simulation *sim, ovr_error *err)
 {
     ovr_run *run = data;
@@ -96,7 +96,7 @@ static ovr_status look(void *data, const ovr_simulation *sim, ovr_error *err)
     return OVR_OK;
 }
 
-/* Errors of discretization are asked for: not once more of a file that is
+/* Discretization errors are asked for: not once more of a file that is
  * complete. */
 static bool estimates(const ovr_run *run)
 {
@@ -286,7 +286,7 @@ static bool carries_load(ovr_run *run)
     return false;
 }
 
-/* Goes to its end, or to where it was stopped. */
+/* Runs to the end or until stopped. */
 ovr_status ovr_run_once(ovr_run *run, ovr_error *err)
 {
     double begun = ovr_run_clock();

@@ -58,7 +58,7 @@ static void put_part(const ovr_told *to, ovr_stress_part part,
             put_row(to, row, r, c);
 }
 
-/* Puts the numbers of the surface whose layers bear more. */
+/* Adds the numbers of the surface with the higher utilization of its layers. */
 static void put_layers(const ovr_told *to, const ovr_stress_report *a,
                        const ovr_stress_report *b, const ovr_contact *c)
 {
@@ -86,8 +86,8 @@ static void put_layers(const ovr_told *to, const ovr_stress_report *a,
     put_part(to, OVR_STRESS_LAYERS, &worse, c);
 }
 
-/* Puts those of the surface that is farther beyond its yield, if either has
- * one. */
+/* Adds the numbers of the surface that exceeds its yield stress more, if one is
+ * given. */
 static void put_yield(const ovr_told *to, const ovr_stress_report *a,
                       const ovr_stress_report *b, const ovr_contact *c)
 {

@@ -183,7 +183,7 @@ ovr_status ovr_study_hash(ovr_study *s, ovr_error *err);
 /* Hash of the base case and the values of a task. */
 uint64_t ovr_study_identity(const ovr_study *s, size_t task);
 
-/* The work of a task, as text: two that say the same are the same. */
+/* The work of a task as text; equal texts mean equal tasks. */
 char *ovr_study_text(const ovr_study *s, ovr_case *c, ovr_arena *arena,
                      ovr_error *err);
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tells what the draws of a study say: from its table, group by group. */
+/* Computes the statistics of the samples of a study from its table, group by
+ * group. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -84,7 +85,7 @@ static ovr_status take_asked(sampling *w, const char *names)
     return OVR_OK;
 }
 
-/* Smallest film and largest pressure, in SI where they are; with what [limits]
+/* Smallest film and maximum pressure, in SI where they are; with what [limits]
  * and [find] are about. */
 static ovr_status take_usual(sampling *w)
 {
@@ -226,7 +227,7 @@ static bool is_seed(const char *where)
     return size > 5 && !strcmp(where + size - 5, ".seed");
 }
 
-/* Below 50 draws nothing is said of the inputs. */
+/* Below 50 samples the influence of inputs is omitted. */
 static ovr_status take_inputs(sampling *w, size_t from, const double *value,
                               size_t row)
 {

@@ -158,7 +158,7 @@ static bool read_row(ovr_table *t, size_t task, ovr_error *err)
            ovr_rows_read(t->results, task, take_cell, &r);
 }
 
-/* The summaries repeat some keys of the study (M, L): those give way. */
+/* Keys of the study that the summaries repeat (M, L) are omitted. */
 static bool is_taken(const ovr_table *t, const char *name)
 {
     for (size_t k = 0; k < t->keys; k++)
@@ -312,7 +312,7 @@ ovr_status ovr_table_fail_empty(const ovr_table *t, ovr_error *err)
 
 /* -------------------------------------------------------------------- CSV */
 
-/* Takes what was extreme in runs in time, of steady solutions these. */
+/* Selects the extremes of runs in time, or the values of steady solutions. */
 static bool is_main(const ovr_table *t, const char *name)
 {
     static const char *const names[] = {"P_max_overall",   "P_max_overall_Pa",
@@ -332,7 +332,7 @@ static bool is_main(const ovr_table *t, const char *name)
     return false;
 }
 
-/* Puts a key with the unit of its numbers; the manifest's values have their
+/* Writes a key with the unit of its numbers; the manifest's values have their
  * own. */
 static void put_key(const ovr_table_column *c, FILE *to, bool manifest)
 {
@@ -448,7 +448,7 @@ static const char *unit_of(const char *name)
     return "1";
 }
 
-/* Tells what a key of the summaries means, as far as the lists say. */
+/* Returns the meaning of a key of the summaries, if the lists contain it. */
 static void explain(const ovr_table *t, const char *key, char *text,
                     size_t capacity)
 {

@@ -20,7 +20,8 @@
 
 /* ---------------------------------------------------------------- its parts */
 
-/* Keys with "foreseen" are those of versions before 0.4. */
+/* Keys with "foreseen" are those of version 0.3 and are kept for one
+ * version. */
 void ovr_put_rough_film(const ovr_told *to, const ovr_rough_film *film,
                         const ovr_contact *contact)
 {
@@ -104,7 +105,7 @@ static void put_observed(const ovr_told *to, const ovr_run_info *s)
     }
 }
 
-/* Puts a force or power times the width; the key loses its "_per_m". */
+/* Adds a force or power times the width, with the key without "_per_m". */
 static void put_wide(const ovr_told *to, const char *key_si, ovr_unit_kind kind,
                      double value, const ovr_contact *contact)
 {
@@ -117,7 +118,7 @@ static void put_wide(const ovr_told *to, const char *key_si, ovr_unit_kind kind,
     ovr_put_number(to, key, value * scale);
 }
 
-/* Puts forces and powers of the whole width, if it is known. */
+/* Adds forces and powers for the whole width, if it is known. */
 static void put_of_width(const ovr_told *to, const ovr_run_info *s)
 {
     const ovr_observation *seen = ovr_simulation_observation(s->sim);
@@ -253,7 +254,7 @@ static void put_errors(const ovr_told *to, const ovr_run_errors *e)
 
 /* ------------------------------------------------------------------- whole */
 
-/* Puts how the run was made. */
+/* Adds level, scheme and cost of the run. */
 static void put_options(const ovr_told *to, const ovr_run_info *s)
 {
     const ovr_options *options = ovr_simulation_options(s->sim);
@@ -281,9 +282,8 @@ static double subgrid_roughness(const ovr_run_info *s, const char **from)
                : 0;
 }
 
-/* Puts the lambda ratio of roughness that is not on the grid, minimum film
- * thickness / Rq.  That of features is a row of the quantities: mean film
- * thickness in |X| < 3/4 / Rq. */
+/* Adds the lambda ratio of roughness  That of features is a row of the
+ * quantities: mean film thickness in |X| < 3/4 / Rq. */
 static void put_lambda_ratio(const ovr_told *to, const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);

@@ -23,7 +23,7 @@ void ovr_put_text(const ovr_told *to, const char *key, const char *text);
 /* Passes the lines that have a key on to the ovr_told in `data`. */
 ovr_summary_taker ovr_put_keyed;
 
-/* Puts a number, and in SI if `key_si` is not NULL. */
+/* Adds a number, and its SI value if `key_si` is not NULL. */
 void ovr_put_both(const ovr_told *to, const char *key, const char *key_si,
                   double value, double scale);
 
@@ -41,8 +41,7 @@ void ovr_tell_number(const ovr_told *to, const char *label, int digits,
 /* Writes an empty line and a title over the columns of the rows that follow. */
 void ovr_tell_heading(const ovr_told *to, bool times, const char *title);
 
-/* Puts the numbers of a contact (with text for people if `before` the solve),
- * and by key those predicted for the film of rough surfaces. */
+/* Adds the numbers of a contact */
 void ovr_put_contact(const ovr_told *to, const ovr_contact *contact,
                      bool before);
 void ovr_put_rough_film(const ovr_told *to, const ovr_rough_film *film,

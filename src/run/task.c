@@ -336,8 +336,8 @@ static void report(const working *w, const ovr_run *run, const ovr_error *err)
     }
 }
 
-/* Puts what is found in place of a run: the answer's column has the key's
- * name. */
+/* Stores the answer of [find] instead of a run: the answer's column has the
+ * key's name. */
 static void report_find(const working *w, const ovr_find *find,
                         const ovr_error *err)
 {
@@ -351,8 +351,8 @@ static void report_find(const working *w, const ovr_find *find,
     }
 }
 
-/* Evaluations lie in NAME.find.csv as they come: a search that was stopped goes
- * on with them. */
+/* Evaluations lie in NAME.find.csv as they come: a search that was stopped
+ * continues with them. */
 static void find_case(working *w, ovr_case *c, ovr_error *err)
 {
     ovr_find_options how = w->s->find.how;

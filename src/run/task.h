@@ -29,7 +29,7 @@ ovr_status ovr_task_work(const ovr_study *s, size_t task,
 ovr_sweep_state ovr_task_state(const ovr_study *s, const ovr_rows *rows,
                                size_t task);
 
-/* Serves the parent of a worker that died of a signal without a word. */
+/* Records that a worker process was killed by a signal. */
 void ovr_task_died(const ovr_study *s, size_t task, int number);
 
 /* True if a file of somebody else has the name of the task's case. */

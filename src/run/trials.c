@@ -196,8 +196,8 @@ static ovr_run *open_run(const ovr_trials *t, size_t k, ovr_run_options *how,
     return ovr_run_create(t->cases[k], how, NULL, err);
 }
 
-/* A steady solution above its tolerance is no number of the case; a run with
- * marked steps is, and says so. */
+/* A steady solution above its tolerance is rejected; a run with flagged steps
+ * is accepted and flagged. */
 static ovr_status run_one(ovr_trials *t, size_t k, const asking *asked)
 {
     putting to = {t, k};

@@ -49,7 +49,7 @@ double ovr_trial_number(const ovr_trial *trial, const char *key, bool *known);
 bool ovr_case_entry_of(const ovr_case *c, const char *where, size_t length,
                        ovr_case_entry *e);
 
-/* A case of its own that says the same, without a place for its results. */
+/* A copy of the case without an output file. */
 ovr_case *ovr_case_apart(ovr_case *c, ovr_error *err);
 
 #endif

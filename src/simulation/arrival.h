@@ -27,7 +27,7 @@ typedef struct ovr_arrival {
     double before;    /* in the inlet reservoir at the start */
     double reservoir; /* now */
     bool closed;      /* only what arrives flows in */
-    double flooded;   /* central film of the flooded start */
+    double flooded;   /* central film thickness of the flooded start */
     double flow;      /* what that takes, rho H */
     double q, face;   /* of this step: at X_a, half a mesh further */
     double *kept;     /* contents of a solution on a path, and its inlet */

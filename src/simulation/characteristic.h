@@ -9,7 +9,7 @@
 /* The characteristic scheme needs this beyond the inlet (characteristic.c). */
 enum { OVR_GHOSTS = 256 };
 typedef struct ovr_inflow {
-    double *kernel;   /* K/pi at 0..n+OVR_GHOSTS meshes */
+    double *kernel;   /* K/pi at 0..n+OVR_GHOSTS mesh sizes */
     double *X, *S;    /* at X_a - D, X_a - 2 D, ... */
     double *extended; /* q with ghosts before it */
 } ovr_inflow;

@@ -24,8 +24,8 @@ bool ovr_conserves(const ovr_simulation *sim)
     return sim->options.cavitation == OVR_CAVITATION_CONSERVING;
 }
 
-/* The time when what is `way` before the inlet at T comes to it; while all
- * stands, some time later. */
+/* The time when material that is `way` upstream of the inlet at T reaches it;
+ * while all stands, some time later. */
 static double time_of_arrival(const ovr_simulation *sim, double T, double way)
 {
     enum { DOUBLINGS = 10, HALVINGS = 50 };
@@ -121,7 +121,8 @@ ovr_status ovr_carriage_take(ovr_simulation *sim, ovr_error *err)
 
 /* ------------------------------------------------------------------ carried */
 
-/* A travel in whole meshes and a part; what of five cells crosses a face. */
+/* A travel in whole mesh sizes and a part; what of five cells crosses a
+ * face. */
 typedef struct move {
     ptrdiff_t whole;
     double part, weight[FACE];

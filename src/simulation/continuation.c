@@ -9,10 +9,11 @@
  * r(P^k) the residual that the last solution P^k leaves in the equations of
  * the step, w_s between its load and the one that is asked for: at s = 0 it is
  * the solution, at s = 1 nothing is added any more.  Where cavitation is
- * mass-conserving the rows of dry nodes are on the path as all others, with
- * their contents q, which are a solution's at both of its ends.  Each solution
- * on the path begins from the line through the two before it; a stretch that
- * fails is halved, from the last solution's pressure, contents and inlet.
+ * mass-conserving the rows of cavitated nodes are on the path as all others,
+ * with their contents q, which are a solution's at both of its ends.  Each
+ * solution on the path begins from the line through the two before it; a
+ * stretch that fails is halved, from the last solution's pressure, contents and
+ * inlet.
  */
 #include <math.h>
 #include <string.h>

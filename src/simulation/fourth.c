@@ -3,7 +3,7 @@
  * Fourth order of the steady solution, and of a run.
  *
  * Along the characteristic the corrections of a step are those of the solution
- * before it: what Poiseuille flow and film lack in space, evaluated anew after
+ * before it: what Poiseuille flow and film lack in space, evaluated again after
  * each step (multigrid/fourth_order.h), and what BDF2 lacks in time along the
  * characteristic,
  *     F_i = -m_i dN_Poiseuille + dT (dT + dT_old) q[t, t-1, t-2, t-3],
@@ -18,7 +18,7 @@
  * sizes its error would be up to ten times larger.  Both are 0 about ridges
  * where the film halves within a mesh size.  A step that
  * fails is tried again without F.  With temperatures the
- * corrections of the steady film are made anew after each of their outer
+ * corrections of the steady film are made again after each of their outer
  * iterations; those that do not end so are of second order.
  *
  * Where load, speed and radius are constant, the steady start solves the steps'
@@ -52,17 +52,17 @@ typedef struct fourth {
     ovr_correction correction;
     double *F, *gap; /* what a run keeps of it, by nodes */
     size_t n; /* of the finest grid of the whole domain, without patches */
-    /* along the characteristic: whether they follow the solution; the third
-     * divided difference, and by what a step counts it; a step's second attempt
-     * does without F */
+    /* along the characteristic: whether corrections follow the solution; the
+     * third divided difference and its weight in a step; the second attempt of
+     * a step omits F */
     int follows;
     double *third, factor;
     bool without;
     double *next; /* the gap's correction of the step to come; the last step's,
                      which its film was solved with, stays in `gap` */
     bool ahead;   /* the step to come is being solved */
-    /* constant conditions: q_s; R but for what depends on the step; m, negative
-     * where R is left out; R of a step of rest_dT */
+    /* constant conditions: q_s; R except for what depends on the step; m,
+     * negative where R is left out; R of a step of rest_dT */
     int rests;
     double *start, *constant, *mask, *rest, rest_dT;
     ovr_fourth_content content; /* where cavitation is mass-conserving */
@@ -385,7 +385,7 @@ static bool jumps(double H, double next)
     return H > 2 * next || next > 2 * H;
 }
 
-/* The place where the film ends, in meshes: behind the last node e with a
+/* The place where the film ends, in mesh sizes: behind the last node e with a
  * pressure by P_e/(P_{e-1} - 2 P_e), from 0 where e gets wet to 1 where the
  * next one does, whose second difference is then P_e. */
 static double film_end(const double *P, size_t n)
@@ -597,7 +597,7 @@ static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
         ovr_show(state, "rest_start", f->start, bytes);
         ovr_show(state, "rest_constant", f->constant, bytes);
         ovr_show(state, "rest_mask", f->mask, bytes);
-        /* of a step as long but for rounding */
+        /* of a step as long except for rounding */
         ovr_show(state, "rest", f->rest, bytes);
         OVR_SHOW(state, "rest_dT", f->rest_dT);
     }

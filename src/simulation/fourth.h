@@ -11,7 +11,7 @@ ovr_defect ovr_fourth_conserved(ovr_simulation *sim, const ovr_full *how,
                                 ovr_defect solved, int *cycles);
 void ovr_fourth_leave(ovr_simulation *sim);
 
-/* Computes the corrections anew of a steady film that another physics has
+/* Computes the corrections again of a steady film that another physics has
  * changed; leaves them out where that did not converge, true if there were any.
  */
 void ovr_fourth_renew(ovr_simulation *sim);

@@ -17,14 +17,14 @@ ovr_status ovr_fourth_content_take(ovr_simulation *sim, ovr_fourth_content *of,
 /* ------------------------------------------------------------- inside the film
  */
 
-/* The places where the film begins and ends, in meshes: between nodes, so that
- * nothing jumps as it takes or leaves one. */
+/* The places where the film begins and ends, in mesh sizes: between nodes, so
+ * that nothing jumps as it takes or leaves one. */
 typedef struct film {
     double begin, end;
 } film;
 
-/* The cell before the first wet node is filled in part, on its downstream
- * side. */
+/* The cell before the first pressurized node is filled in part, on its
+ * downstream side. */
 static double beginning(const ovr_solution *s, size_t first)
 {
     if (first <= 1)
@@ -43,7 +43,7 @@ static double ending(const ovr_solution *s, size_t last)
     return (double)last + (bend > P[0] ? P[0] / bend : 1);
 }
 
-/* Finds the film of the largest pressure. */
+/* Finds the full film with the maximum pressure. */
 static film film_of(const ovr_simulation *sim)
 {
     const ovr_solution *s = &sim->now;
@@ -55,7 +55,7 @@ static film film_of(const ovr_simulation *sim)
     return (film){beginning(s, first), ending(s, last)};
 }
 
-/* Rises from 0 within three meshes of an end to 1 over so many. */
+/* Rises from 0 within three mesh sizes of an end to 1 over so many. */
 static double away(double meshes, double over)
 {
     const double sharp = 3;

@@ -3,8 +3,8 @@
  * Corrections of fourth order where cavitation is mass-conserving.  A starved
  * film is as thick as what arrives lets it be, so that corrections must make no
  * oil: they are differences of what they add to flows and to contents.  With m
- * = 1 inside the film, falling to 0 over eight meshes towards its beginning and
- * over four towards its end,
+ * = 1 inside the film, falling to 0 over eight mesh sizes towards its beginning
+ * and over four towards its end,
  *
  *     F_i = -(phi_{i+1/2} - phi_{i-1/2})/D,
  *     phi_{i+1/2} = min(m_i, m_{i+1}) {(26 f_i - f_{i+1} - f_{i-1})/24 - f2_i

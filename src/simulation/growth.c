@@ -126,7 +126,7 @@ static bool relaxed(settling *s, const ovr_cycling *cycling, int maximum)
     }
 }
 
-/* Takes a step of the finest grid alone, whose films stay above nothing. */
+/* Solves a step on the finest grid only, with positive film thicknesses. */
 static bool stepped_by_newton(settling *s)
 {
     ovr_cycling c = s->how->cycling;

@@ -10,7 +10,7 @@
  * linear in time for both; else of (1 - E)^3 P = 0, the parabola through the
  * past, or for unequal steps the line.
  *
- * Of features that slide a = (u_k/um) Cu dT/D, where it is told.  Then there
+ * For sliding features a = (u_k/um) Cu dT/D, if the speed is known.  Then there
  * are several formulas, of which each is the best somewhere: few terms at rough
  * surfaces and for shifts by parts of a mesh, many where the shift is whole;
  * and (1 - S_a E)(1 - S E) P = 0 where rough surfaces slide, for the film is

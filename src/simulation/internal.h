@@ -162,7 +162,7 @@ ovr_cycling ovr_simulation_cycling(const ovr_simulation *sim, int finer_bottom);
 const double *ovr_solid_pressure(const ovr_simulation *sim, double *workspace);
 
 /* Load, speed and radius of the steady start, at least the smallest share of
- * load and speed; films that are foreseen go by them. */
+ * load and speed; films that are predicted go by them. */
 void ovr_steady_conditions(ovr_simulation *sim);
 
 /* Keeps records of full multigrid (steady.c). */

@@ -12,7 +12,7 @@ enum {
     OVR_CYCLES_MAX = 1000,
     OVR_ORDER_MIN = 4, /* of the transfers of MLMI */
     OVR_ORDER_MAX = OVR_MLMI_MAX,
-    OVR_RANGE_MIN = 2, /* of their corrections, in meshes */
+    OVR_RANGE_MIN = 2, /* of their corrections, in mesh sizes */
     OVR_RANGE_MAX = 2 * OVR_MLMI_MAX
 };
 

@@ -28,8 +28,8 @@ enum { STILL = 20 };
 static const double min_step = 1. / 8;
 
 /*
- * Longer steps gain little and may step over what comes in.  With 32 mesh sizes
- * the error of the film at a start is 15 % larger, with 64 it is doubled.
+ * Longer steps gain little and may miss features that enter.  With 32 mesh
+ * sizes the error of the film at a start is 15 % larger, with 64 it is doubled.
  * Temperatures are not part of the error estimate.  In a load ramp (level 7)
  * their error is 7e-4 with 8 mesh sizes and 7e-3 with 16.
  */

@@ -123,8 +123,8 @@ static stretch from_inlet(const ovr_past *past, size_t n)
     return (stretch){0, (before < last ? before : last) - 1};
 }
 
-/* All that hangs together with the middle, but for the nodes beside the ends,
- * where temperatures jump. */
+/* All that hangs together with the middle, except for the nodes beside the
+ * ends, where temperatures jump. */
 static stretch about_middle(const ovr_past *past, size_t n)
 {
     enum { BESIDE = 4 };

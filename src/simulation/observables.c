@@ -121,7 +121,7 @@ static const double *mass_flow(const ovr_simulation *sim, double *workspace)
     OVR_NUMBER_ROW(name, key, si, kind, member, OVR_PHYSICS_FEATURES,          \
                    __VA_ARGS__)
 
-/* Columns and fields stand in a file in this order. */
+/* Order of columns and fields in a file. */
 static const ovr_observable table[] = {
     NUMBER("time", NULL, NULL, TIME, T, "time"),
     NUMBER("time_step", NULL, NULL, TIME, dT, "time step"),

@@ -109,7 +109,7 @@ static int maxima_of(const ovr_simulation *sim, size_t *last)
     return maxima;
 }
 
-/* The dry node behind the last wet one along the flow. */
+/* The cavitated node behind the last wet one along the flow. */
 static size_t film_end(const ovr_simulation *sim)
 {
     const double *P = sim->now.P;

@@ -8,7 +8,7 @@
 /* The scheme's own mass flow at the half node i + 1/2; Cu = um/um0. */
 double ovr_flux(const ovr_simulation *sim, double Cu, size_t i);
 
-/* The scheme takes this of a content q at i + 1/2, from upstream; what flows
+/* Upstream value of a content q at i + 1/2 in the scheme; what flows
  * there beside the film's own (physics.h). */
 double ovr_upstream(const ovr_simulation *sim, const double *q, size_t i);
 double ovr_flow_beside(const ovr_simulation *sim, size_t i, bool mean);
@@ -29,7 +29,7 @@ const double *ovr_wall_stress(const ovr_simulation *sim, int surface,
 /* Points the public state at the solution. */
 void ovr_publish_state(ovr_simulation *sim);
 
-/* Takes what is observed into the extremes and means of the run; none of them
+/* Adds an observation to the extremes and means of the run; none of them
  * is known; where one of them is (overall.c). */
 void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
                          bool first);

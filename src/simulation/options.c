@@ -123,9 +123,9 @@ ovr_mlmi_form ovr_options_mlmi(const ovr_options *options, int level)
     return form;
 }
 
-/* 57 nodes, more where the contact is loaded so highly, or the inlet so long,
- * that they would not see it: two meshes over the width of the film.  At M =
- * 5000 (L = 5) cycles reach the solution from level 7 alone. */
+/* 57 nodes, more if the film or the inlet would not be resolved: two mesh sizes
+ * over the width of the film.  At M = 5000 (L = 5) cycles reach the solution
+ * from level 7 alone. */
 static int automatic_coarsest(const ovr_contact *contact, const ovr_options *o)
 {
     double H = ovr_film_central_moes(contact->M, contact->L);

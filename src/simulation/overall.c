@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Keeps of the quantities over a whole run, step by step: extremes, with where
- * and when, and means.  What is kept of which says its row. */
+ * and when, and means.  The row of a quantity selects what is stored. */
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -54,8 +54,8 @@ static void take_mean(ovr_statistics *s, const ovr_observable *row,
         *mean = part < 1 ? *mean + part * (value - *mean) : value;
 }
 
-/* A value counts for the step that led to it, the start until there is one;
- * one that is observed again, of a run that goes on, does not. */
+/* A value is weighted by the preceding step, or the start value before the
+ * first step. Repeated observations of a continued run are ignored. */
 void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
                          bool first)
 {

@@ -33,8 +33,8 @@ typedef struct ovr_physics_body {
     ovr_thermal thermal;
 } ovr_physics_body;
 
-/* A text file of two columns, in SI by the units that its header names: what
- * they measure, and a header that would do. */
+/* A text file of two columns, converted to SI by the units in its header:
+ * dimensions of the columns, and an example of a header. */
 typedef struct ovr_physics_columns {
     const char *name[2];
     ovr_dimension of[2];
@@ -77,7 +77,7 @@ typedef struct ovr_physics_case {
     ovr_status (*read)(void *data, const char *key, const char *file,
                        ovr_physics_columns *columns, ovr_error *err);
 
-    /* True if a section stands in the case; if a key of it is given. */
+    /* True if a section is in the case; if a key of it is set. */
     bool (*given)(void *data, const char *section, const char *key);
 
     /* Makes the history of a section; NULL where it is constant. */
@@ -87,10 +87,10 @@ typedef struct ovr_physics_case {
     void *data;
 } ovr_physics_case;
 
-/* Takes a line of what `check` tells: a name and a text. */
+/* Receives a line of the report of `check`: a name and a text. */
 typedef void ovr_physics_line(void *data, const char *name, const char *text);
 
-/* Takes what is said of a run beside its result. */
+/* Callback that receives a note or a warning. */
 typedef void ovr_physics_say(void *data, bool warning, const char *text);
 
 /* Fields that have no values without a physics. */
@@ -127,7 +127,7 @@ typedef struct ovr_physics_in_case {
     size_t sections, form;
     const char *behind;
 
-    /* Puts what the form chooses into the options, before the rest is
+    /* Writes the choices of the form into the options, before the rest is
      * resolved. */
     void (*choose)(const void *form, ovr_options *options);
 
@@ -206,7 +206,7 @@ typedef struct ovr_physics_in_solve {
     /* True if the options choose it. */
     bool (*chosen)(const ovr_options *options);
 
-    /* Tells the grids what they have to know before they are built. */
+    /* Sets properties of the grids before they are built. */
     void (*prepare)(ovr_hierarchy *grids);
 
     /* Memory of the simulation, of which nothing is written yet but pointers:
@@ -215,8 +215,8 @@ typedef struct ovr_physics_in_solve {
     ovr_status (*take)(ovr_simulation *sim, const void *form, void **own,
                        ovr_error *err);
 
-    /* Gives it what the form says beside the options, once its histories are
-     * in place. */
+    /* Applies the settings of the form that are not options, after the time
+     * histories. */
     void (*equip)(ovr_simulation *sim, void *form);
 
     /* Frees what is not of the simulation's memory. */
@@ -229,7 +229,8 @@ typedef struct ovr_physics_in_solve {
     void (*influence)(const ovr_simulation *sim, const void *own,
                       ovr_influence *influence);
 
-    /* Tells how warm heat leaves surface k beside what half-spaces would be. */
+    /* Returns the temperature of surface k after a heat pulse relative to that
+     * of a half-space. */
     void (*warmth)(const ovr_simulation *sim, const void *own, int k,
                    ovr_warmth *to);
 
@@ -259,7 +260,7 @@ typedef struct ovr_physics_in_solve {
     void (*couple)(ovr_simulation *sim, void *own, const ovr_full *how,
                    ovr_outcome *outcome);
 
-    /* Goes on to the film that the one found so far is but the start for;
+    /* Computes the final film from the present one, which is its initial guess;
      * false where there is none. */
     bool (*proceed)(ovr_simulation *sim, void *own, const ovr_full *how,
                     ovr_outcome *outcome);
@@ -272,7 +273,7 @@ typedef struct ovr_physics_in_solve {
     ovr_status (*explain)(const ovr_simulation *sim, const void *own,
                           const ovr_outcome *outcome, ovr_error *err);
 
-    /* Does what is done last. */
+    /* Final processing. */
     void (*finish)(ovr_simulation *sim, void *own, const ovr_full *how,
                    ovr_outcome *outcome);
 
@@ -309,7 +310,7 @@ typedef struct ovr_physics_in_step {
     void (*attempt)(ovr_simulation *sim, void *own, bool first);
 
     /* Called after a cycle of it: solves itself with the film that this has
-     * made, where it has to, and makes film and residual anew. */
+     * made, where it has to, and makes film and residual again. */
     void (*anew)(ovr_simulation *sim, void *own);
 
     /* Called on a path of solutions (continuation.c): keeps what it has on the
@@ -339,7 +340,7 @@ typedef struct ovr_physics_in_step {
     void (*visit)(ovr_simulation *sim, void *own, ovr_pieces *state);
     void (*restored)(ovr_simulation *sim, void *own);
 
-    /* What was observed that does not follow from the state, as it was saved.
+    /* Restores observations that cannot be computed from the state.
      */
     void (*recalled)(ovr_observation *o, const ovr_observation *saved);
 } ovr_physics_in_step;
@@ -351,7 +352,7 @@ typedef struct ovr_physics_in_output {
     double (*carried)(const ovr_simulation *sim, const void *own, size_t i,
                       double q);
 
-    /* Gives what flows there beside the film's own: as the scheme has it, or
+    /* Returns the additional flow at a half node: as the scheme has it, or
      * the mean of both nodes. */
     double (*flow)(const ovr_simulation *sim, const void *own, size_t i,
                    bool mean);
@@ -400,8 +401,8 @@ typedef struct ovr_physics_in_output {
     void (*review)(const ovr_simulation *sim, const void *own,
                    ovr_physics_say *say, void *data);
 
-    /* A companion goes along with a run and writes into its file
-     * (physics/companion.h): a physics stands on the floor that it needs. */
+    /* A companion runs with the solver and writes into the result file
+     * (physics/companion.h). */
     const struct ovr_companion *companion;
 } ovr_physics_in_output;
 
@@ -453,7 +454,7 @@ void ovr_physics_unburden(ovr_simulation *sim);
 void ovr_physics_keep_borne(ovr_simulation *sim);
 void ovr_physics_borne_back(ovr_simulation *sim);
 
-/* Says what all of them say after a solve or run. */
+/* Collects the messages of all physical models after a solution or run. */
 void ovr_physics_review(const ovr_simulation *sim, ovr_physics_say *say,
                         void *data);
 

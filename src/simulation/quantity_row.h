@@ -6,7 +6,7 @@
  *                    P_max, 0, "maximum pressure",
  *                    LABEL("maximum pressure"), PLACE(X_P_max),
  *                    LARGEST("P_max_overall"),
- *                    EXTREME_LABEL("largest pressure"), PASS(LARGEST))
+ *                    EXTREME_LABEL("maximum pressure"), PASS(LARGEST))
  *
  * is a column of the history, two keys of JSON, a line of reports with its
  * place, the largest of a run with where and when in JSON, reports, attributes

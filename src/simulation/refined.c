@@ -8,8 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Meshes of the parent to each side of the spike: measured, where more change
- * its height by less than two levels do. */
+/* Half-width of a patch around the spike in mesh sizes of the parent; larger
+ * patches change its height by less than two levels do (measured). */
 static double half_width(const ovr_simulation *sim)
 {
     double M = sim->contact.M;
@@ -90,7 +90,7 @@ static void take_leaf(ovr_simulation *sim, ovr_refined *r,
     sim->now.eps[n] = part->eps[i];
 }
 
-/* Leaves from a part's node `from` to `to`, of which the next patch lies
+/* Leaves from node `from` to `to` of a part, of which the next patch lies
  * somewhere between. */
 static void take_leaves(ovr_simulation *sim, ovr_refined *r, int k, size_t from,
                         size_t to)
@@ -144,7 +144,7 @@ static void read_leaves(ovr_simulation *sim, ovr_refined *r)
     ovr_surface_heights(sim, 0, sim->now.n, r->X, sim->shapes.S);
 }
 
-/* Takes the patches' own fluxes where the film is wet: those of the whole
+/* Uses the fluxes of the patches in the pressurized region: those of the whole
  * domain's grid are of second order, its solution of fourth. */
 static double mean_flow(const ovr_simulation *sim, const ovr_composite *c)
 {
@@ -164,7 +164,7 @@ static double mean_flow(const ovr_simulation *sim, const ovr_composite *c)
     return length > 0 ? -sum / length : 0;
 }
 
-/* Serves nodes at unequal distances; row 1 and what flows back are as on one
+/* For nodes that are not equidistant; row 1 and what flows back are as on one
  * grid. */
 static double carried(const ovr_simulation *sim, const void *own, size_t i,
                       double flow)

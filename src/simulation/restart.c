@@ -65,7 +65,7 @@ static void visit_past(ovr_simulation *sim, ovr_pieces *state)
     }
 }
 
-/* The order that the run has, which says what else it has. */
+/* The order of the run, which determines the other contents of the state. */
 static void visit_order(ovr_simulation *sim, ovr_pieces *state)
 {
     OVR_SHOW(state, "order", sim->order);

@@ -40,7 +40,8 @@ bool ovr_has_heights(const ovr_simulation *sim);
 /* Sets S and the finest gap X^2/2 - S at time T. */
 void ovr_simulation_gap(ovr_simulation *sim, double T);
 
-/* Tells of the smooth surfaces at T whether they open all over the domain. */
+/* Returns whether the gap of the smooth surfaces at T increases in the whole
+ * domain. */
 ovr_smooth ovr_simulation_smooth(const ovr_simulation *sim, double T);
 ovr_status ovr_smooth_check(const ovr_simulation *sim, double T,
                             ovr_error *err);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The library alone tells a simulation this and asks it. */
+/* Functions of the simulation for use inside the library. */
 #ifndef OVR_SIMULATION_SIMULATION_H
 #define OVR_SIMULATION_SIMULATION_H
 
@@ -17,12 +17,11 @@ typedef void ovr_heights_across(void *data, int surface, double T, size_t n,
  * this process may address. */
 double ovr_simulation_memory(const ovr_options *options);
 
-/* Serves OVR_CAVITATION_CONSERVING: the oil q = rho H that arrives at the inlet
- * at time T >= 0 (before, what arrives at T = 0), as a film on the surfaces; of
- * layers h1, h2 it is (u1 h1 + u2 h2)/um.  What the contact does not take stays
- * in the inlet reservoir; `reservoir` of it, in b^3/R, is there at the start.
- * When it is used up only the film arrives.  INFINITY: the contact is flooded
- * whatever comes.  Borrowed; NULL, the default: flooded. */
+/* For OVR_CAVITATION_CONSERVING: the supplied content q = rho H at the inlet
+ * What the contact does not take stays in the inlet reservoir; `reservoir` of
+ * it, in b^3/R, is there at the start. When it is used up only the film
+ * arrives.  INFINITY: the contact is flooded whatever comes.  Borrowed; NULL,
+ * the default: flooded. */
 typedef double ovr_supply(void *data, double T);
 void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply, void *data,
                            double reservoir);
@@ -87,8 +86,8 @@ int ovr_simulation_heat_points(const ovr_simulation *sim);
  * radius vary), or 1. */
 int ovr_simulation_order(const ovr_simulation *sim);
 
-/* Says what the last steady solve had to do beyond the ordinary; "" when its
- * first attempt succeeded. */
+/* Describes the strategy of the last steady solution; "" if the first attempt
+ * succeeded. */
 const char *ovr_simulation_strategy(const ovr_simulation *sim);
 
 /* A field by name, or NULL. */

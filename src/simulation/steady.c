@@ -116,7 +116,7 @@ static double smooth_tolerance(const ovr_simulation *sim,
  * The finest level ends in the same place (algebraic over discretization error
  * at M = 20, L = 10, levels 8, 10 and 12: 0.020, 0.022, 0.006 after two cycles
  * on it, 0.015, 0.017, 0.000 when all levels had two), a fifth sooner.  Rough
- * surfaces have waves of a few meshes: what is negligible beside the mesh's
+ * surfaces have waves of a few mesh sizes: what is negligible beside the mesh's
  * error of a smooth film is far below that of theirs.
  */
 double ovr_steady_tolerance(const void *data, const ovr_level *level, double H)

@@ -192,7 +192,7 @@ static void exchange(ovr_simulation *sim)
     ovr_swap(&level->pressed, &own->pressed);
 }
 
-/* Leaves all of it in the level. */
+/* Stores the result in the level. */
 static bool take(ovr_simulation *sim)
 {
     ovr_last_newton *own = &sim->last_newton;
@@ -248,7 +248,7 @@ static const attempt attempts[] = {
     {false, 0, 1, 0, 40, 0.2, 0.3, 1, false, false},
     {false, 2, 2, 1, 80, 0.05, 0.3, 1, false, false},
     /* Half corrections into the finest level break a two-cycle at an isolated
-     * dry node that coarse grids cannot see */
+     * cavitated node that coarse grids cannot see */
     {false, 0, 1, 0, 80, 0.2, 0.3, 0.5, false, false},
     {false, 2, 1, 0, 0, 0.2, 0.3, 1, true, false},
     {false, 0, 1, 0, 0, 0.2, 1, 1, false, true},

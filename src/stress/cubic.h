@@ -5,7 +5,7 @@
 
 #include <stddef.h>
 
-/* Goes through four values `stride` apart, at t from v[0] towards the next. */
+/* Interpolates four values `stride` apart, at t from v[0] towards the next. */
 static inline double ovr_cubic(const float *v, ptrdiff_t stride, double t)
 {
     return -t * (t - 1) * (t - 2) / 6 * (double)v[-stride] +

@@ -25,7 +25,7 @@ static double minimum(const ovr_stress_options *o)
     return o->depth_min > 0 ? o->depth_min : 4 * o->mesh;
 }
 
-/* Puts z among the others, which are in order; unless it is not asked for. */
+/* Inserts z into the sorted depths, if requested. */
 static size_t put_depth(const ovr_stress_options *o, double depth, size_t count,
                         double *z)
 {

@@ -9,7 +9,7 @@
  *
  * The cardinal spline, 1 at its node and 0 at all others, is
  * sum_m a_m B(. - m), a_m = sqrt 3 (sqrt 3 - 2)^|m|.  The sums are differences
- * that cancel far off: long double, and beyond 100 meshes the point, from
+ * that cancel far off: long double, and beyond 100 mesh sizes the point, from
  * which the spline differs there by O(w^-4).
  *
  * Points are the trapezoidal rule, whose error at depth z is exp(-2 pi z/D):
@@ -76,7 +76,7 @@ static double cardinal_weight(int m)
 }
 
 /* Sums the B-splines at w - m, m = -SPLINE_TAIL ... SPLINE_TAIL; the one at w -
- * m stands at `B[-m]`. */
+ * m is `B[-m]`. */
 static ovr_potential cardinal(const ovr_potential *B)
 {
     ovr_potential sum = {0, 0};

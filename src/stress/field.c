@@ -16,11 +16,8 @@
  * cubic).  Two real fields make one complex transform: d + i tau, and h of two
  * depths.
  *
- * Nodes anywhere: the spectrum turned by exp(2 pi i k s/N) puts the nodes s
- * meshes on, exact for what the mesh carries.
- *
- * Cost O(N ln N): about two batches of full length, however many octaves.
- * Accuracy (of p_h): 5e-7 of the sums, floats included.
+ * Shifted nodes: the factor exp(2 pi i k s/N) shifts the nodes by s in units of
+ * D, exactly for all waves on the grid.
  */
 #include "stress/field.h"
 
@@ -84,7 +81,7 @@ static void evaluate(double z, bool traction, size_t lags,
 }
 
 /* Space for what layers add: of four times the length, so that it has died away
- * where it begins anew. */
+ * where it begins again. */
 enum { WIDER = 4 };
 typedef struct layer_capacity {
     size_t n;
@@ -109,8 +106,8 @@ static ovr_status take_layer_capacity(ovr_arena *scratch, size_t N,
     return ovr_fourier_real(r->n, r->bins[0], r->values, &r->plan, err);
 }
 
-/* A line of lags at one depth, `first` the lag that it begins with: what half
- * space and layers make of it, three times as many values. */
+/* A line of lags at one depth, starting with the lag `first`: stresses of
+ * half-space and layers, three times as many values. */
 typedef struct lag_line {
     long first;
     size_t lags;
@@ -119,7 +116,7 @@ typedef struct lag_line {
     layer_capacity layers; /* with a plan where there are layers */
 } lag_line;
 
-/* Adds what layers make of the lags at a depth. */
+/* Adds the contribution of layers to the lags at a depth. */
 static void add_layers(const ovr_stress *s, const ovr_depth *depth,
                        bool traction, const lag_line *line)
 {
@@ -151,7 +148,7 @@ static void add_layers(const ovr_stress *s, const ovr_depth *depth,
 }
 
 /* One density's three kernels at one depth, from its line of lags, the seam's
- * before the first; lag k stands at index k - nodes + 1. */
+ * before the first; lag k has the index k - nodes + 1. */
 static ovr_status tabulate(ovr_stress *s, const ovr_depth *depth, bool traction,
                            const lag_line *line, ovr_depth_table *table,
                            ovr_error *err)
@@ -246,7 +243,7 @@ static bool take_arrays(ovr_stress *s, ovr_error *err)
     return whole;
 }
 
-/* Takes the given depths, or (z NULL) those of the options. */
+/* Uses the given depths, or (z NULL) those of the options. */
 static ovr_status prepare(ovr_stress *s, size_t depths, const double *z,
                           ovr_error *err)
 {
@@ -338,8 +335,8 @@ size_t ovr_stress_depths(const ovr_stress *s, const double **z)
 
 /* -------------------------------------------------------------- the solve */
 
-/* The spectrum of v, turned by `shift` meshes, in floats.  The turning factor
- * is multiplied up for 64 bins, then computed anew. */
+/* The spectrum of v, shifted by `shift` in units of D, in floats.  The turning
+ * factor is multiplied up for 64 bins, then computed again. */
 static void transform(ovr_stress *s, const double *v, double shift, float **to)
 {
     ovr_fourier *f = &s->fourier;

@@ -54,7 +54,7 @@ static void at_depth(const double c[4], double s, double f[3])
     f[2] = one - 2 * c[1] * down + two + 2 * c[3] * up;
 }
 
-/* Takes (f, f') at the top of the layer. */
+/* Computes (f, f') at the top of the layer. */
 static void coefficients(const double f[2], const double R[4], double c[4])
 {
     double a = 1 + R[0], b = R[1], d = -1 + R[0] + R[2], e = 1 + R[1] + R[3];

@@ -18,8 +18,8 @@
  * with G's own first terms, for what is odd about k = 0 reaches far: its kernel
  * stands in closed form, the derivatives by -a of
  *     int_0 e^-ka cos kx dk = a/(a^2 + x^2),  of sin: x/(a^2 + x^2)
- * What is left falls as x^-5 and has died away where the bins begin anew.  S is
- * that of hats, else of cardinal splines, sinc^4(kD/2) 3/(2 + cos kD).
+ * What is left falls as x^-5 and has died away where the bins begin again.  S
+ * is that of hats, else of cardinal splines, sinc^4(kD/2) 3/(2 + cos kD).
  */
 #ifndef OVR_STRESS_LAYERED_H
 #define OVR_STRESS_LAYERED_H

@@ -58,8 +58,7 @@ typedef struct ovr_stress_loops {
     void (*circles)(size_t n, const float *rows, size_t pitch, float *radius);
 } ovr_stress_loops;
 
-/* Takes the loops of a name ("plain", "base", ...); NULL: the best this machine
- * runs. */
+/* Selects the loops of a name */
 const ovr_stress_loops *ovr_stress_loops_choose(const char *name);
 
 #endif

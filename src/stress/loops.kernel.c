@@ -206,7 +206,7 @@ static void gather(size_t count, const float *rows, size_t pitch, vec *H)
     }
 }
 
-/* Every a with the directions b and b + c farther on, which span the plane. */
+/* Every a with the directions b and b + c further on, which span the plane. */
 static vec raise_triples(const vec *H, size_t b, size_t c, const float *sine,
                          vec best)
 {

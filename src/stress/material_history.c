@@ -2,7 +2,7 @@
 /*
  * Material histories through the fields.
  *
- * A point of the surface stands at X = reference + xi + U(T).  Each moment's
+ * A point of the surface is at X = reference + xi + U(T).  Each moment's
  * nodes are moved by the part of a mesh that puts them on material points of
  * every level (field.c): nothing is interpolated, in rolling or sliding.  Of
  * the path (d, tau) of each point its extents in 16 half directions are kept,
@@ -339,8 +339,8 @@ static void close_run(ovr_material_history *p, const double *P, const double *Q,
     }
 }
 
-/* Points with a part of their way before the first or behind the last moment
- * are told, when that part was not that of a smooth contact. */
+/* Marks points with a part of their path before the first or after the last
+ * time, when that part was not that of a smooth contact. */
 static void mark(ovr_material_history *p, const ovr_moment *moment, bool begin)
 {
     double step = ldexp(p->stress->options.mesh, p->finest);

@@ -66,7 +66,7 @@ struct ovr_material_history {
     size_t pieces;
 };
 
-/* Gives the extremes of a material history with layers. */
+/* Returns the extremes of a stress history with layers. */
 ovr_layer_extremes ovr_material_history_layers(const ovr_material_history *p);
 
 /* The layer of a depth, from 0; their number below them, or 0 without any. */

@@ -35,7 +35,7 @@ static void find_grids(ovr_material_history *p)
     p->points = p->grid[p->finest].points - 2;
 }
 
-/* The state without load: all zero, but for residual stresses. */
+/* The state without load: all zero, except for residual stresses. */
 static void find_rest(ovr_material_history *p)
 {
     const ovr_material_range *range = &p->range;
@@ -102,7 +102,7 @@ static bool take_scratch(ovr_material_history *p, ovr_error *err)
     return true;
 }
 
-/* Takes memory for the sums of strips of pressure, where the body yields. */
+/* Allocates the sums of strips of pressure for a plastic body. */
 static ovr_status take_sums(ovr_material_history *p, ovr_error *err)
 {
     size_t n = p->stress->options.nodes;
@@ -134,7 +134,7 @@ static ovr_status take_arrays(ovr_material_history *p, ovr_error *err)
         {"passage smooth", p->smooth, depths * OVR_ROWS * sizeof(float)},
         {"passage complete", p->complete, p->points},
         {"passage numbers", &p->numbers, sizeof p->numbers},
-        /* a run that goes on to another end would choose another */
+        /* a run continued to another end would choose another value */
         {"passage reference", &p->range.reference, sizeof p->range.reference},
     };
     memcpy(p->piece, pieces, sizeof pieces);

@@ -33,14 +33,14 @@ typedef struct ovr_material_range {
      * the line, borrowed; NULL: none.  What is above is that of the body below
      * them. */
     const double *layer_residual; /* two of each */
-    double yield;                 /* von Mises, of the body; 0: not told */
+    double yield;                 /* von Mises, of the body; 0: unknown */
 } ovr_material_range;
 
 /* Closed forms of every depth, transformed once. */
 ovr_stress *ovr_stress_create(const ovr_stress_options *options,
                               const ovr_allocator *allocator, ovr_error *err);
 
-/* Takes depths of one's own, which rise. */
+/* Uses the caller's depths, in increasing order. */
 ovr_stress *ovr_stress_create_at(const ovr_stress_options *options,
                                  size_t depths, const double *z,
                                  const ovr_allocator *allocator,

@@ -4,7 +4,7 @@
  *
  * First yield of the smooth dry contact: the p_h at which its largest von Mises
  * stress is Y.  Shakedown in free rolling: p_h = 4 k, k = Y/sqrt 3, above which
- * every pass flows anew (K. L. Johnson, Contact Mechanics, 1985, section 9.2).
+ * every pass flows again (K. L. Johnson, Contact Mechanics, 1985, section 9.2).
  * A strip of uniform pressure sinks in freely at (1 + pi/2) 2 k above the
  * pressure around it (Prandtl; R. Hill, Plasticity, 1950, section IX.5): its
  * slip lines come up in the width of a strip beside it, on the side that bears

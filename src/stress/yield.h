@@ -18,8 +18,8 @@ typedef struct ovr_strip {
     double excess, middle, width;
 } ovr_strip;
 
-/* Puts the strip of `minimum` to `maximum` nodes with the largest excess where
- * that is above the one of *worst; whether it is. */
+/* Stores the strip of `minimum` to `maximum` nodes with the largest excess in
+ * *worst if it exceeds the one there; returns whether it does. */
 bool ovr_strip_find(ovr_pressure_sums *s, const double *P, double minimum,
                     double maximum, ovr_strip *worst);
 

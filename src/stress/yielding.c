@@ -8,7 +8,7 @@
  * A(k) is a matrix of 3 stresses times layers by 3 strains times layers for
  * each wave of the period, made once; stresses always follow from the strains
  * as they are, not from their changes, so that strains alone make up the state.
- * Layers farther apart than e^-36 of a wave are not joined.  sigma_y is local:
+ * Layers further apart than e^-36 of a wave are not joined.  sigma_y is local:
  * sy = nu (sx + sz) + (1 - nu^2)(e_x + e_z).
  */
 #include <math.h>
@@ -241,7 +241,7 @@ static void transform_layer(ovr_yielding *y, size_t j)
     }
 }
 
-/* Adds what a row of the table makes of an amplitude. */
+/* Adds the product of a table row and an amplitude. */
 static void join(size_t n, const double *row, double re, double im,
                  double *restrict sum_re, double *restrict sum_im)
 {
@@ -290,8 +290,7 @@ static void sink(ovr_yielding *y)
         y->w[i] = y->values[i] - y->values[0];
 }
 
-/* Brings the body into equilibrium and sums up the stresses of so many layers
- * from the first. */
+/* Computes equilibrium and sums up the stresses */
 static void equilibrate(ovr_yielding *y, size_t layers)
 {
     size_t n = y->options.points;

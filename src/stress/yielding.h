@@ -58,7 +58,7 @@ typedef struct ovr_flowed {
 } ovr_flowed;
 ovr_flowed ovr_yielding_flow(ovr_yielding *y);
 
-/* The state that it has come to: strains, and residual stresses, of a layer's
+/* The present state: strains, and residual stresses, of a layer's
  * point; how far each point of the surface has moved into the body, b p_h/E*, 0
  * at the ends of the window. */
 ovr_strained ovr_yielding_strain(const ovr_yielding *y, size_t layer, size_t i);

@@ -4,7 +4,7 @@
  *
  *     P_c   full weighting (1 2 1)/4 both ways where all nine nodes are wet,
  *           injection elsewhere
- *     r_c   full weighting of the residual of wet nodes
+ *     r_c   full weighting of the residual of pressurized nodes
  *     gap_c = H_f + w_c(P_c) - H0, so that the film of P_c is the fine one
  *     F_c   = N_c(P_c) + r_c
  *     P_f  += bilinear (P_c - entry_c) where P_f > 0; negative results are set

@@ -14,8 +14,8 @@
  * F. Couhier, A.A. Lubrecht and J.A. Greenwood, Amplitude reduction of waviness
  * in transient EHL line contacts, Tribology Series 32 (1997) 103-112.  Their
  * M^(3/4) L^(-1/2) and 1/(1 + 0.125 N + 0.04 N^2) are within 0.035 of this at
- * M = 100 and L = 11 but for the shortest wave (0.08), and up to 0.17 off the
- * runs at M = 20, L = 5.
+ * M = 100 and L = 11 except for the shortest wave (0.08), and up to 0.17 off
+ * the runs at M = 20, L = 5.
  */
 #include "surface/amplitude.h"
 

@@ -32,16 +32,15 @@ bool ovr_next_row(ovr_lines *lines, ovr_line *line);
 /* Sets x and z by name, by place, or as the caller says. */
 ovr_status ovr_find_columns(ovr_text_table *table, ovr_error *err);
 
-/* All that nobody says, in one error that says what to give: columns,
- * spacing, units. */
+/* Reports all missing information in one error: columns, spacing, units. */
 ovr_status ovr_check_given(const ovr_text_table *table, ovr_error *err);
 
 /* Metres in the unit named by the caller (1 for b of 'x' and b^2/R of 'z',
  * which set *scaled); 0: unknown. */
 double ovr_unit_given(char axis, const char *asked, bool *scaled);
 
-/* The unit of axis 'x' or 'z', which is known: the caller's, else the
- * header's; the notes say which. */
+/* The unit of axis 'x' or 'z', which is known: that of the caller, otherwise of
+ * the header; the choice is noted. */
 void ovr_find_unit(ovr_text_table *table, char axis, const char *asked,
                    double *metres, bool *scaled);
 

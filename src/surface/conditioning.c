@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Conditioning in the order that profile.h tells; each step says what it did.
+/* Conditioning in the order given in profile.h; each step adds a note.
  */
 #include "surface/conditioning.h"
 

@@ -31,7 +31,8 @@ static void deform(const ovr_dry_contact *of, const double *p, double *w)
     gsl_fft_halfcomplex_radix2_inverse(w, 1, n);
 }
 
-/* Takes its mean over the nodes that touch from a function; that mean. */
+/* Subtracts from a function its mean over the nodes in contact; returns the
+ * mean. */
 static double centre(size_t n, const double *p, double *f)
 {
     double sum = 0, count = 0;
@@ -99,8 +100,8 @@ static double aim(const ovr_dry_contact *of, const double *p, search *s,
     return bends > 0 ? falls / bends : alone(of);
 }
 
-/* Takes the step; whether a node began to touch, in which case the next
- * direction is a new one. */
+/* Applies the step; returns whether a node came into contact, in which case the
+ * next direction is a new one. */
 static bool take_step(const ovr_dry_contact *of, double far, const search *s,
                       double *p)
 {
@@ -117,8 +118,8 @@ static bool take_step(const ovr_dry_contact *of, double far, const search *s,
     return grown;
 }
 
-/* Tells how far pressures and gaps are from excluding each other, over the
- * heights' range; the state. */
+/* Computes the violation of complementarity of pressures and gaps, relative to
+ * the range of heights. */
 static double judge(const ovr_dry_contact *of, const double *z, const double *p,
                     const double *gap, ovr_dry_state *state)
 {

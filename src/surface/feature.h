@@ -66,7 +66,7 @@ ovr_status ovr_shape_make(ovr_feature *feature, const ovr_feature_form *form,
                           double per_radius, ovr_error *err);
 
 /* Sets its start from what the form gives: start, centre, edge, arrival or
- * origin; with none of them it comes in from the end of the film.  `way`: how
+ * origin; with none of them it starts at the end of the film.  `way`: how
  * far it moves until its arrival.  The shape
  * must be made. */
 ovr_status ovr_feature_place(ovr_feature *feature, const ovr_feature_form *form,

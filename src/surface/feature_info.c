@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tells what is on the surfaces: heights, wavelengths, roughness, extents. */
+/* Returns heights, wavelengths, roughness and extents of the features. */
 #include <math.h>
 
 #include "surface/features.h"

@@ -48,7 +48,7 @@ static ovr_status start_outside(ovr_feature *f, const ovr_feature_form *form,
                           f->name);
 }
 
-/* The key that says where it is, one of them when there are several. */
+/* The key of the position, one of them if there are several. */
 static const char *place_of(const ovr_feature_form *form)
 {
     return !isnan(form->arrival)  ? "arrival"

@@ -77,7 +77,7 @@ static double time_of(const ovr_surfaces *surfaces, const ovr_feature *f,
     return high;
 }
 
-/* The time when the point at `offset` from the centre comes to X. */
+/* The time when the point at `offset` from the centre reaches X. */
 static double time_at(const ovr_surfaces *surfaces, const ovr_feature *f,
                       double offset, double X, double until)
 {
@@ -113,8 +113,8 @@ ovr_feature_times ovr_surfaces_times(const ovr_surfaces *surfaces,
     return times;
 }
 
-/* Where the motion reverses, the copies on both sides of X may come to it
- * first; a feature without copies is searched alone. */
+/* Where the motion reverses, the copies on both sides of X may reach it first;
+ * a feature without copies is searched alone. */
 static double wandering_arrival(const ovr_surfaces *surfaces,
                                 const ovr_feature *f, double X, double after,
                                 double until)

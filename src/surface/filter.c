@@ -43,7 +43,7 @@ static double product(const basis *b, const double *x, const double *f,
     return sum;
 }
 
-/* Goes from degree k to k + 1. */
+/* Step from degree k to k + 1. */
 static void raise(basis *b, const double *x, double norm, double norm_older)
 {
     double a = 0, c = norm_older > 0 ? norm / norm_older : 0;

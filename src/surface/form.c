@@ -8,7 +8,7 @@
  *
  *     z(x) = h + x (2S + K x)/(c_0 + c),  c = sqrt(1 - (S + K x)^2),
  *
- * c_0 = c(0): a line at K = 0, hollow for K > 0, radius 1/|K|.  Of least
+ * c_0 = c(0): a line at K = 0, concave for K > 0, radius 1/|K|.  Of least
  * squares in height by Gauss and Newton, from h = S = K = 0, where the first
  * step is the parabola of least squares, with (q = S (2S + K x)/(c_0 + c)
  * + c_0)

@@ -5,7 +5,7 @@
 
 #include "surface/profile.h"
 
-/* Takes how->level off the first n points and notes what it was; what
+/* Removes the form how->level from the first n points and notes it; what
  * rounding leaves of it is no roughness and becomes 0.  `work` holds 3 n. */
 ovr_status ovr_take_form(ovr_profile *profile, const ovr_conditioning *how,
                          size_t n, double *work, ovr_error *err);

@@ -16,12 +16,12 @@
 /* Width of the contact, b. */
 #define OVR_CONTACT_WIDTH 2.
 
-/* Takes a profile that is linear between its points, x ascending; one that is
- * shorter is one window. */
+/* Evaluates a profile that is linear between its points, x ascending; one that
+ * is shorter is one window. */
 double ovr_local_roughness(size_t n, const double *x, const double *z,
                            double window);
 
-/* Does the same for a wave. */
+/* Evaluates a wave in the same way. */
 double ovr_local_roughness_of_wave(double amplitude, double wavelength,
                                    double window);
 

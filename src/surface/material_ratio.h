@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The material ratio curve of heights: which part of the length stands at or
- * above a height.  Its core, and what stands out of it (ISO 21920-2, before
- * that ISO 13565-2):
+ * The material ratio curve of heights: the share of the length at or above a
+ * height.  Its core, and what stands out of it (ISO 21920-2, before that ISO
+ * 13565-2):
  *
  *     the secant over 40 % of the ratio that is flattest; the line of least
  *     squares in height over that part, from its height at 0 to that at 100 %:
@@ -24,7 +24,7 @@ typedef struct ovr_core {
     double k, pk, vk, mr1, mr2;
 } ovr_core;
 
-/* Takes n >= 1 heights, which are sorted, the highest first. */
+/* Sorts n >= 1 heights, the highest first. */
 ovr_core ovr_material_ratio(size_t n, ovr_height *heights);
 
 #endif

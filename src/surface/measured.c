@@ -178,7 +178,7 @@ ovr_status ovr_measured_make(ovr_feature *feature, const ovr_feature_form *form,
     p = ovr_measured_profile(form, contact, &arena->allocator, err);
     status = p ? fit(feature, form, p, mesh, arena, err) : err->status;
     if (status && !err->about && form->shape == OVR_PROFILE)
-        err->about = "file"; /* what is wrong stands in it */
+        err->about = "file"; /* contains the error */
     ovr_profile_free(p);
     return status;
 }

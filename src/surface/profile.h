@@ -72,7 +72,7 @@ void ovr_profile_drop_codes(ovr_profile *profile, double *z, size_t n);
 void ovr_profile_regular(ovr_profile *profile, size_t n, double first,
                          double spacing);
 
-/* Does what ovr_profile_read does, from memory; source->file is then only its
+/* Like ovr_profile_read, from memory; source->file is then only its
  * name in messages. */
 ovr_profile *ovr_profile_parse(const ovr_profile_source *source,
                                const void *data, size_t size,

@@ -45,7 +45,7 @@ static bool is_count(ovr_lines after, size_t columns)
     return false;
 }
 
-/* The line that decides the layout: "0;1,5" tells more than "0 0". */
+/* The line that decides the layout: "0;1,5" is more informative than "0 0". */
 static ovr_status find_data(ovr_text_table *t, ovr_error *err)
 {
     ovr_lines lines = ovr_lines_of(t->content), before;

@@ -131,7 +131,7 @@ static size_t sampling(const series *s)
     return cheap > step ? cheap : step;
 }
 
-/* Part of the variance that does not pass. */
+/* Share of the variance that is filtered out. */
 static double part_lost(const series *s)
 {
     size_t step = sampling(s);

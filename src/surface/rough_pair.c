@@ -175,8 +175,8 @@ ovr_status ovr_rough_pair_rest(ovr_rough_pair *pair,
     return make(pair, form, mesh, contact, arena, err);
 }
 
-/* Takes one profile against a smooth surface, in metres with p over E*, or in b
- * and b^2/R with p in ph. */
+/* Contact of one profile with a smooth surface, in metres with p over E*, or in
+ * b and b^2/R with p in ph. */
 static ovr_status pair_of(ovr_rough_pair *pair, const ovr_profile *profile,
                           ovr_arena *arena, ovr_error *err)
 {

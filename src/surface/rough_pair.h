@@ -41,14 +41,14 @@ typedef struct ovr_rough_pair {
     double *workspace;   /* 5 n */
 } ovr_rough_pair;
 
-/* Takes features that are profiles or random roughness, one a surface and at
- * least one. */
+/* Contact of features that are profiles or random roughness, one a surface and
+ * at least one. */
 ovr_status ovr_rough_pair_make(ovr_rough_pair *pair,
                                const ovr_feature_form *const form[2],
                                const ovr_contact *contact, ovr_arena *arena,
                                ovr_error *err);
 
-/* Tells what a grid of that mesh leaves out of them (resample.h), on a
+/* Computes the roughness finer than a grid of that mesh size (resample.h), on a
  * stretch of both that has points enough for it. */
 ovr_status ovr_rough_pair_rest(ovr_rough_pair *pair,
                                const ovr_feature_form *const form[2],
@@ -72,7 +72,7 @@ ovr_status ovr_rough_pair_law(ovr_rough_pair *pair, ovr_touch_table *table,
 void ovr_rough_pair_weigh(const ovr_rough_pair *pair, double A, double dX,
                           double *w);
 
-/* Takes c_s w from the surfaces, for each surface; the largest depth over c. */
+/* Removes c_s w from each surface; the largest depth over c. */
 void ovr_rough_pair_wear(ovr_rough_pair *pair, const double c[2],
                          const double *w);
 double ovr_rough_pair_deepest(const ovr_rough_pair *pair, const double c[2],

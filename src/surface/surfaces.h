@@ -50,11 +50,11 @@ void ovr_surfaces_across(void *data, int surface, double T, size_t n,
                          const double *X, size_t lines, const double *Y,
                          size_t stride, double *S);
 
-/* Tells where the film begins and ends: a feature without a place starts just
+/* Sets the ends of the film: a feature without a place starts just
  * outside, on the side that it comes from. */
 void ovr_surfaces_domain(ovr_surfaces *surfaces, double inlet, double outlet);
 
-/* Puts one more feature on; reads its file when it has one.  On failure the
+/* Adds a feature; reads its file if it has one.  On failure the
  * surfaces are as before. */
 ovr_status ovr_surfaces_add(ovr_surfaces *surfaces,
                             const ovr_feature_form *form, ovr_error *err);
@@ -87,7 +87,7 @@ double ovr_surfaces_centre(const ovr_surfaces *surfaces, size_t feature,
                            double T);
 
 /* First T >= 0 at which a feature's centre, or that of one of its copies
- * when `copies` is set, comes to X after time `after`; INFINITY: never
+ * when `copies` is set, reaches X after time `after`; INFINITY: never
  * (searched up to `until`). */
 double ovr_surfaces_arrival(const ovr_surfaces *surfaces, size_t feature,
                             double X, double after, double until);
@@ -100,7 +100,7 @@ size_t ovr_surfaces_count(const ovr_surfaces *surfaces);
 ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces,
                                    size_t feature);
 
-/* The times when a feature's first end comes into the film between inlet and
+/* The times when the first end of a feature enters the film between inlet and
  * outlet, when its centre (of the first of its copies) is at X = 0, and when
  * its last end, that of the last copy, has left: 0 where that is over at T = 0,
  * INFINITY where it never comes to pass up to `until`. */

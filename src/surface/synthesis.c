@@ -145,7 +145,7 @@ static void take_ranks(random_surface *s)
         s->z[s->rank[i]] = s->target[i];
 }
 
-/* Gives each wave the amplitude it was drawn with, keeping its phase. */
+/* Restores the amplitude of each wave and keeps its phase. */
 static void restore_spectrum(random_surface *s)
 {
     gsl_fft_real_radix2_transform(s->z, 1, s->n);

@@ -19,7 +19,7 @@ typedef struct ovr_layout {
 } ovr_layout;
 
 ovr_layout ovr_layout_of(ovr_line line);
-/* Takes the next field off `rest`, without quotation marks; false: none is
+/* Removes the next field from `rest`, without quotation marks; false: none is
  * left. `rest` begins as the whole line (trimmed for the separator ' '), with
  * its text NULL after the last field. */
 bool ovr_next_field(ovr_line *rest, char separator, ovr_line *field);
@@ -34,8 +34,8 @@ size_t ovr_count_numbers(ovr_line line, ovr_layout layout);
 typedef struct ovr_column {
     char axis;        /* 'x', 'y', 'z', 'v' (valid), or 0 */
     bool scaled;      /* unit b (x) or b^2/R (z) */
-    double metres;    /* its unit; 0: not said */
-    ovr_line from;    /* where it is said, or what else is */
+    double metres;    /* its unit; 0: unknown */
+    ovr_line from;    /* source of the information, or another text */
     ovr_line unknown; /* a word in the place of the unit that is none */
 } ovr_column;
 
@@ -43,12 +43,12 @@ typedef struct ovr_header {
     size_t columns;
     ovr_column column[OVR_HEADER_FIELDS_MAX];
     bool stated; /* of a single column: by "unit = um", not only named */
-    double spacing, spacing_metres; /* "spacing = 0.5 um"; 0: not said */
+    double spacing, spacing_metres; /* "spacing = 0.5 um"; 0: unknown */
     double width, height; /* "Width: 40 um": size of a map, m; 0: not stated */
     double value_metres;  /* "Value units: m"; 0: not stated */
 } ovr_header;
 
-/* Takes in one line above the data. */
+/* Reads one line above the data. */
 void ovr_header_line(ovr_header *header, ovr_line line, char separator);
 
 #endif

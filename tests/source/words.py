@@ -300,7 +300,7 @@ VERBS = re.compile(
     r"accepts?|names?|replaces?|lists?|asks?|plays?|includes?|costs?|"
     r"cuts?|implies|thins?|repeats?|var(y|ies)|cancels?|represents?|reduces?|"
     r"contributes?|causes?|grows|skews?|responds?|stays?|shakes?|extends?|"
-    r"indents?|converged|failed|loses?|exchanges?|apply|disappears?|"
+    r"indents?|converged|builds?|increases?|failed|loses?|exchanges?|apply|disappears?|"
     r"compares?|measures?|explains?|describes?|overrides?|picks?|marches|"
     r"leads?|selects?|stores?|models?|consists?|downloads?|assumes?|"
     r"provides?|treat|heat|go|grow|enter|come|run|give|take|"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* [passes]: of no physics, for oil and strains go from one to the next, and a
- * bearing says how many there are. */
+/* [passes] belongs to no physical model, because lubricant and plastic strains
+ * are carried from pass to pass and a bearing determines their number. */
 #include "case/keys/keys.h"
 
 #include <math.h>

@@ -47,7 +47,7 @@ static inline num roelands_begin(const roelands *law, num t)
     return scaled_log2(&law->log, t);
 }
 
-/* Second: log2(1/eta), and the slope of ln eta, which comes in as 1/t. */
+/* Second: log2(1/eta), and the slope of ln eta, which contains 1/t on entry. */
 static inline num roelands_finish(const roelands *law, num power, num *slope)
 {
     num growth = scaled_exp2(&law->growth, power);

@@ -32,7 +32,7 @@ typedef struct coat {
     double modulus, poisson;
     ovr_thermal thermal;
     double residual[2]; /* ph */
-    double yield;       /* ph; 0: not told */
+    double yield;       /* ph; 0: unknown */
     double limit;       /* of fatigue, as a Hertzian pressure, alike */
     double strength;    /* of the interface below it, alike */
 } coat;
@@ -159,7 +159,7 @@ static void fill(double *value, double otherwise)
         *value = otherwise;
 }
 
-/* Takes from the material what is not given. */
+/* Sets missing properties from the material. */
 static void complete(coat *c)
 {
     const coat *of = &materials[c->material];
@@ -276,8 +276,8 @@ static ovr_status stiffness(const ovr_physics_case *of, void *form,
     return OVR_OK;
 }
 
-/* The surfaces approach each other by this, b^2/2R, over a thickness, but for
- * what the layer's modulus does not let it give way. */
+/* The surfaces approach each other by this, b^2/2R, over a thickness, except
+ * for what the layer's modulus does not let it give way. */
 static double strain(const ovr_physics_case *of, const coating_form *f, int k,
                      int j)
 {
@@ -287,7 +287,7 @@ static double strain(const ovr_physics_case *of, const coating_form *f, int k,
                 f->pressure * contact->ph / c->modulus);
 }
 
-/* Takes what heat needs of every layer. */
+/* Reads the thermal properties of every layer. */
 static ovr_status warm(const ovr_physics_case *of, coating_form *f,
                        ovr_error *err)
 {

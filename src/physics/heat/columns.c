@@ -32,9 +32,10 @@ ovr_status ovr_heat_film_take(ovr_simulation *sim, ovr_error *err)
     return OVR_OK;
 }
 
-/* The flow from a wet node to the dry one downstream of it, over the speed: the
- * wet node's own content would jump by O(D) with the node that is the last, and
- * outer iterations of film and heat go round for ever between two of them. */
+/* The flow from a pressurized node to the dry one downstream of it, over the
+ * speed: the pressurized node's own content would jump by O(D) with the node
+ * that is the last, and outer iterations of film and heat go round for ever
+ * between two of them. */
 static double let_through(const ovr_simulation *sim, size_t wet)
 {
     const double minimum = 0.5, maximum = 1.5;
@@ -72,7 +73,7 @@ static void fill_oil(ovr_simulation *sim)
     }
 }
 
-/* All but what comes out. */
+/* All inputs of a column. */
 static void begin(ovr_simulation *sim)
 {
     const ovr_solution *now = &sim->now;
@@ -145,8 +146,8 @@ bool ovr_heat_counts(const ovr_simulation *sim, size_t i)
     return c->P[i] > 0 || c->heating[0][i] != 0;
 }
 
-/* Weights flow and heating of the last wet node by the share of its mesh
- * downstream that contains oil (heat_skew.h). */
+/* Weights flow and heating of the last pressurized node by the share of its
+ * mesh downstream that contains oil (heat_skew.h). */
 static void cover_end(const ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
@@ -264,7 +265,8 @@ typedef struct march {
     double psi[2][OVR_MAX_MODES], q[2];
 } march;
 
-/* A surface that moves the other way brings along what the last march found. */
+/* A surface that moves in the opposite direction carries the temperatures of
+ * the last march. */
 static void solve_node(ovr_simulation *sim, size_t i, march *m)
 {
     ovr_heated *h = sim->heated;

@@ -4,7 +4,7 @@
  * in it, with viscosities by the temperatures `used`.
  *
  * Where the film has ruptured, what is left of it fills less than the gap:
- * what the last wet node upstream lets through, or, where cavitation is
+ * what the last pressurized node upstream lets through, or, where cavitation is
  * mass-conserving, what there is.
  */
 #ifndef OVR_PHYSICS_HEAT_COLUMNS_H

@@ -98,8 +98,8 @@ void ovr_heat_march(ovr_simulation *sim);
 /* Moves `used` on by this share of the change. */
 void ovr_heat_relax(ovr_simulation *sim, double share);
 
-/* Gives film and finest F of all grids what `used` means for the film that was
- * read last; what was found last. */
+/* Computes film thickness and F of all grids from the temperatures `used` of
+ * the film that was read last; the temperatures found last. */
 void ovr_heat_apply(ovr_simulation *sim);
 void ovr_heat_give(ovr_simulation *sim);
 
@@ -116,7 +116,7 @@ double ovr_heat_pressed(const ovr_simulation *sim);
  * printed results keep. */
 double ovr_heat_bounded(const ovr_heated *heated, double rise);
 
-/* Takes V and u1 of the time T. */
+/* Sets V and u1 of the time T. */
 void ovr_heat_speeds(ovr_simulation *sim, double T);
 
 #endif

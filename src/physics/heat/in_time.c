@@ -12,7 +12,7 @@
 #include "physics/heat/skew.h"
 #include "simulation/mirror.h"
 
-/* Viscosities take this share of the change of temperatures in a step. */
+/* Viscosities follow this share of the temperature change in a step. */
 static const double SHARE = 0.5;
 
 /* Passes over a step's temperatures after the first, at most; those of them
@@ -167,8 +167,7 @@ static void hold_film(ovr_simulation *sim)
     }
 }
 
-/* All nodes but the one where the film comes in, and with it surfaces as they
- * were. */
+/* All nodes except the first node of the film, with the surfaces as before. */
 static void solve_nodes(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;

@@ -38,21 +38,22 @@
  * get 100 K hotter at once; left colder by dT it is too viscous by e^(gamma
  * dT), powers of ten, does not let the pressure there go, and the next spike is
  * higher.  So where gamma |T - T_used| is above 0.15 under pressure, T_used
- * goes half the way and heat is solved anew with the film that a cycle makes of
- * it, six times at most: not by kelvins, of which a film of Eyring's law bears
- * many more. (The film knows no instability of its own: speeds are given across
- * it, not stresses, and what is made falls as it gets hotter.)  With the film
- * of the guess instead, whose pressures do not yet know the temperatures, the
- * same passes drive rough films, and long steps, apart: 2,100 K for 410.  A
+ * goes half the way and heat is solved again with the film that a cycle makes
+ * of it, six times at most: not by kelvins, of which a film of Eyring's law
+ * bears many more. (The film knows no instability of its own: speeds are given
+ * across it, not stresses, and what is made falls as it gets hotter.)  With the
+ * film of the guess instead, whose pressures do not yet know the temperatures,
+ * the same passes drive rough films, and long steps, apart: 2,100 K for 410.  A
  * film that is thinner than half of what was there, or none, heats as one of
  * half.
  *
  * So it is, twice at most, where a cycle has moved P by more than 3e-4 ph from
  * the P of the film that was heated.  And the flow q D that temperatures skew,
  * D = (V/2) m_1/m_0, is that of the content q as it is after each cycle.  Waves
- * of four or five meshes in P, which hardly flow where the film is stiff, see
- * an explicit step in both otherwise: the guess, extrapolated, is off by three
- * times what alternates from step to step, D was up to a half at a slip of
+ * of four or five mesh sizes in P, which hardly flow where the film is stiff,
+ * see an explicit step in both otherwise: the guess, extrapolated, is off by
+ * three times what alternates from step to step, D was up to a half at a slip
+ * of
  * 1.77, and a steady contact of 1.65 GPa left its pressure by a factor of 2 to
  * 5 a step until it had 2.4 GPa.  It stays now to 1e-4, and of 500 runs at
  * random none breaks off (2 did).  What is extrapolated well, as smooth films

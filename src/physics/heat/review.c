@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Tells where the model of heat ends: surfaces that never get a steady
+/* Warns where the heat model is invalid: surfaces that never get a steady
  * temperature, before a run; films hotter than what laws are measured for and
  * domains that cut off what is warm, after it. */
 #include <math.h>
@@ -120,8 +120,8 @@ static void warn_of_points(const ovr_accompanied_run *run)
              off);
 }
 
-/* The heat flux into a surface near the end of the domain by which it comes in,
- * over the largest. */
+/* Heat flux into a surface near the end of the domain where it enters, relative
+ * to the maximum. */
 static double flux_at_entry(const ovr_accompanied_run *run, int k,
                             bool at_outlet)
 {

@@ -39,7 +39,8 @@
 #include "overroll/heat.h"
 #include "simulation/physics.h"
 
-/* Modes stand in banks of OVR_MODES: one of a half-space, two under layers. */
+/* Modes are stored in banks of OVR_MODES: one of a half-space, two under
+ * layers. */
 enum { OVR_BANKS = 2, OVR_MAX_MODES = OVR_BANKS * OVR_MODES };
 
 /* The kernel for one length of step. */

@@ -211,8 +211,8 @@ static void look_at(ovr_simulation *sim, ovr_heat_surface *s, int bank,
     ovr_modes_past(&look);
 }
 
-/* Takes what the past says, at the nodes; q as it was goes along into `before`.
- * The second bank adds what its modes say. */
+/* Reads the contribution of the past at the nodes; the previous q is copied
+ * into `before`. */
 static const double *look(ovr_simulation *sim, ovr_heat_surface *s,
                           const double *q)
 {

@@ -50,8 +50,8 @@ typedef struct ovr_heat_surface {
  * steps and speeds. */
 ovr_status ovr_heat_surface_take(ovr_simulation *sim, int k, ovr_error *err);
 
-/* Prepares a step of dT over so many meshes; what the past of surface k then
- * says, by its modes and the flux q before the step. */
+/* Prepares a step of dT over a number of mesh sizes; contribution of the past
+ * of surface k, by its modes and the flux q before the step. */
 void ovr_heat_surface_step(ovr_simulation *sim, int k, double dT,
                            double meshes);
 void ovr_heat_surface_look(ovr_simulation *sim, int k, const double *q);

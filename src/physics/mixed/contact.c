@@ -534,11 +534,12 @@ static void review_wear(const ovr_simulation *sim, const ovr_wear *wear,
 }
 
 /*
- * A weak law (it bears less than the Hertzian pressure at no film) is exhausted
- * where the thinnest film bears more than half of what no film would.  Below
- * that, A(H) no longer rises as the load asks for: the oil carries the rest on
- * a film that asperities should keep open, and the contact share of a Stribeck
- * curve ends in a plateau that only follows from the law's constants.
+ * A weak law (less than the Hertzian pressure at zero film thickness) is
+ * exhausted if the pressure at the minimum film thickness exceeds half of that
+ * at zero.  Below that, A(H) no longer rises as the load asks for: the oil
+ * carries the rest on a film that asperities should keep open, and the contact
+ * share of a Stribeck curve ends in a plateau that only follows from the law's
+ * constants.
  */
 static bool is_exhausted(const ovr_simulation *sim, const void *own)
 {

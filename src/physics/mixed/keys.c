@@ -1,10 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The section [boundary]: which law surfaces bear by, and what that comes to.
- * The exponential's form is Persson's (u0 of about Rq/2), its constants those
- * of dry contact of self-affine profiles in plane strain, pressed by 0.003 to
- * 0.2 of E* slope: the gap is then off by less than 0.2 Rq,
- *
+ * The section [boundary]: choice and parameters of the asperity contact model.
  *     s = Rq/2.15,  a1 = 0.38 (E'/2) slope/ph
  *
  * The share that is in contact, 2.5 A ph/(E* slope), is 0.95 A/a1.  Profiles
@@ -116,7 +112,7 @@ const ovr_section ovr_boundary_section = {
     .help = "mixed lubrication: asperities carry part of the load",
     ROWS(keys)};
 
-/* Takes the roughness that the law is given by. */
+/* Reads the roughness of the contact model. */
 static ovr_status resolve_exponential(const ovr_physics_case *of,
                                       ovr_boundary_form *f, ovr_error *err)
 {
@@ -362,8 +358,8 @@ static double ends_at(const ovr_boundary_form *f)
     return X;
 }
 
-/* The domain goes out as far as surfaces touch, where it is not given; of
- * second order. */
+/* The default domain extends to the region without asperity contact; the order
+ * is 2. */
 static void resolve_options(const ovr_physics_case *of,
                             const ovr_boundary_form *f)
 {
@@ -532,7 +528,8 @@ ovr_status ovr_boundary_on_mesh(const ovr_physics_case *of, void *form,
     return OVR_OK;
 }
 
-/* Tells of all bounds of the share what metal, the film and both add to mu. */
+/* Computes the boundary, fluid and total friction coefficients for the bounds
+ * of the asperity load share. */
 static void tell_friction(const ovr_physics_case *of,
                           const ovr_boundary_form *f, double H,
                           const double share[3], ovr_physics_line *line,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A case says this of surfaces that touch (boundary.c). */
+/* Parameters of the asperity contact model of a case (keys.c). */
 #ifndef OVR_PHYSICS_MIXED_MIXED_H
 #define OVR_PHYSICS_MIXED_MIXED_H
 
@@ -24,7 +24,7 @@ typedef struct ovr_boundary_form {
     double Rq, slope;        /* of both surfaces: b^2/R, a pure number */
     double amplitude, decay; /* a1, s; NAN: by those two */
     double layer, layer_decay;
-    double friction;           /* NAN: not told */
+    double friction;           /* NAN: unknown */
     double summits, sharpness; /* n beta sigma, sigma/beta */
     const char *file;          /* of a table */
     double wear[2];            /* K over hardness, 1/Pa */
@@ -37,7 +37,7 @@ typedef struct ovr_boundary_form {
                                   H = 0, in ph; INFINITY: any */
     double share_at_no_film;   /* largest share of the load it can bear */
     ovr_rough_pair pair;       /* of profiles */
-    ovr_touch_law bears;       /* what all this comes to */
+    ovr_touch_law bears;       /* the resulting contact model */
 } ovr_boundary_form;
 
 extern const ovr_section ovr_boundary_section;
@@ -55,9 +55,9 @@ void ovr_boundary_tell(const ovr_physics_case *of, const void *form,
  * a load relative to the nominal one. */
 bool ovr_boundary_is_weak(const ovr_boundary_form *f, double load);
 
-/* Says what to do where the roughness S on the mesh was too much for a film H
- * under a law: its lambda, down to which such pairs hold, and what the mean
- * film makes of it; nothing where there is no roughness. */
+/* Advice if the roughness S on the grid is too high for the film thickness H
+ * with a contact model: its lambda, down to which such pairs hold, and what the
+ * mean film makes of it; nothing where there is no roughness. */
 void ovr_boundary_instead(const ovr_touch_law *law, double H, size_t n,
                           const double *X, const double *S, size_t size,
                           char *text);

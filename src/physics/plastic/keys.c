@@ -161,8 +161,7 @@ static ovr_status resolve_law(const ovr_physics_case *of, ovr_plastic_setup *p,
     return OVR_OK;
 }
 
-/* E* of a body over E' of both: 1 for equal ones, and where the bodies do not
- * say it. */
+/* E* of a body relative to E' of both; 1 for equal or unknown bodies. */
 static double stiffness(const ovr_physics_case *of, int k)
 {
     const ovr_physics_body *b = &of->body[k];

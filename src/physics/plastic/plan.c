@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Plans the window of a body that yields and its layers, and says what it takes
- * and what it means, before a run. */
+/* Chooses the window and the layers of a plastic body and reports their cost
+ * before a run. */
 #include <math.h>
 #include <stdio.h>
 

@@ -31,8 +31,7 @@
 
 /* Sums up in a number each what yielding made of a body. */
 
-/* Serves numbers alone: these are looked through at each step, and fmax is a
- * call. */
+/* For numbers other than NAN; inlined, because fmax is a function call. */
 static double larger(double a, double b)
 {
     return a > b ? a : b;
@@ -75,7 +74,7 @@ enum { BODIES = 2, STATE = OVR_PLASTIC_STATE };
 
 /* ------------------------------------------------------------------ window */
 
-/* Takes the features as they come to the contact, fully grown. */
+/* Reads the features before the contact, fully grown. */
 static void find_shape(const ovr_plastic *p, ovr_yielding_body *b, double *X)
 {
     const ovr_setup *s = p->setup;
@@ -165,7 +164,7 @@ static void show(const ovr_plastic *p, int k)
         b->shown[i] = p->how->body[k].softness * w[i];
 }
 
-/* Goes back to what is kept; the profile of an earlier run stays where it
+/* Restores the stored state; the profile of an earlier run stays where it
  * changes between passes alone. */
 static void go_back(ovr_plastic *p, int k, bool profile)
 {
@@ -208,8 +207,8 @@ static ovr_status make_ready(ovr_plastic *p, const ovr_simulation *sim,
 
 /* -------------------------------------------------------------------- flow */
 
-/* Node i of the fields is point i - off of the window, the nodes being moved by
- * `shift` meshes. */
+/* Node i of the fields is point i - off of the window; nodes are shifted by
+ * `shift` in units of D. */
 typedef struct place {
     long off;
     double shift;
@@ -304,7 +303,7 @@ static double largest(const ovr_plastic *p, size_t n)
     return maximum;
 }
 
-/* Lets the body flow under the pressure of the time T. */
+/* Computes the plastic flow under the pressure at time T. */
 static void flow(ovr_plastic *p, int k, double T)
 {
     ovr_yielding_body *b = &p->body[k];

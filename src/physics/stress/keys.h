@@ -33,7 +33,7 @@ typedef struct ovr_stress_setup {
     int loads;               /* as given: whether it shall be one */
     bool traction;           /* the film's shear stress is a load too */
     const char *no_traction; /* why not; NULL where it is */
-    double yield[2];         /* of each body, von Mises, p_h; 0: not told */
+    double yield[2];         /* of each body, von Mises, p_h; 0: unknown */
 } ovr_stress_setup;
 
 extern const ovr_section ovr_stress_sections[2];

@@ -37,7 +37,7 @@ static void take_residuals(ovr_depth_field *f, const ovr_stress_setup *s,
     f->residual_s = z + n;
 }
 
-/* Takes what the run's own case says of the body. */
+/* Reads the material of the body from the case of the run. */
 static void read_body(ovr_depth_field *f, int surface, ovr_arena *arena)
 {
     ovr_case *c;

@@ -47,7 +47,7 @@ typedef struct ovr_depth_look {
     double x_from, x_to; /* b; NAN: -1.5 and 1.5 */
 } ovr_depth_look;
 
-/* Looks through the run. */
+/* Scans the run. */
 ovr_status ovr_depth_field_make(ovr_depth_field *f, const ovr_stored *run,
                                 const ovr_depth_look *look, ovr_arena *arena,
                                 ovr_error *err);

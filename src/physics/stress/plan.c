@@ -46,7 +46,7 @@ static double speed_of(const ovr_setup *setup, const ovr_stress_plan *plan,
                     ovr_history_value(setup->sliding, T);
 }
 
-/* Where it stands still, it goes on as it would by slide_to_roll. */
+/* If the surface is at rest, it continues with the speed of slide_to_roll. */
 static int direction_at(const ovr_setup *setup, const ovr_stress_plan *plan,
                         double T)
 {
@@ -99,7 +99,7 @@ static double widest_way(const ovr_setup *setup, double before, double T)
     return fabs(film) + fabs(half);
 }
 
-/* A feature that does not come to X = 0 is on its way at the end. */
+/* A feature that never reaches X = 0 is still moving at the end. */
 static double struck_in_sliding(const ovr_setup *setup,
                                 const ovr_stress_plan *plan, size_t feature)
 {

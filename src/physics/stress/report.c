@@ -184,7 +184,7 @@ static void find_layers(const ovr_stress_plan *plan,
     r->layer_von_mises = r->interface_shear = r->interface_tension = none;
     r->surface_tension = none;
     r->layer_utilisation = r->interface_utilisation = r->layer_fatigue = NAN;
-    /* moments too far apart tell of no depth in the topmost layer */
+    /* times too far apart resolve no depth in the topmost layer */
     if (!layers || plan->options.depth_min >= layers->thickness[0])
         return;
     r->layer_von_mises = of.von_mises[0];

@@ -54,7 +54,7 @@ static double state_value(const ovr_at_rest *at, int which, double h, double d,
                             at->poisson, at->x, at->y);
 }
 
-/* Takes the values at the nodes of the shallowest row. */
+/* Reads the values at the nodes of the shallowest row. */
 static ovr_status fill_depth(run_stress *s, int surface, size_t j,
                              ovr_error *err)
 {
@@ -201,7 +201,7 @@ static ovr_status visit_state(void *data, ovr_visit *visit, void *context,
 
 /* ------------------------------------------------------------------ making */
 
-/* Both surfaces have the same, but for layers. */
+/* Both surfaces have the same, except for layers. */
 static ovr_status make_field(run_stress *s, int k,
                              const ovr_allocator *allocator, ovr_error *err)
 {
@@ -356,8 +356,8 @@ static ovr_status observe(void *data, const ovr_simulation *sim, ovr_error *err)
 
 /* ------------------------------------------------------------------ the end */
 
-/* The end closes a material history; a run that goes on later must not be
- * closed. */
+/* The end closes a stress history; a run that is continued later must remain
+ * open. */
 static void **save(ovr_material_history *p, ovr_arena *arena, ovr_error *err)
 {
     const ovr_memory_piece *piece;

@@ -106,7 +106,7 @@ typedef struct ovr_stress_source {
  * changes the stresses, in the unit of the mesh size. */
 double ovr_unresolved_depth(double mesh);
 
-/* All that is told of a material history; its arrays are in the arena. */
+/* Results of a stress history of the material; the arrays are in the arena. */
 ovr_stress_report *ovr_stress_report_make(const ovr_stress_source *of,
                                           const ovr_stress_plan *plan,
                                           const ovr_material_history *history,
@@ -117,7 +117,7 @@ ovr_status ovr_stress_second_pass(const ovr_stress_source *of,
                                   const ovr_stress_plan *plan,
                                   ovr_stress_report *r, ovr_error *err);
 
-/* The parts of what is told of a report: of the body, of its layers, of a body
+/* Parts of a report: of the body, of its layers, of a body
  * that yields, of the circle round a path. */
 typedef enum ovr_stress_part {
     OVR_STRESS_BODY,

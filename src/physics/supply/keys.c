@@ -126,9 +126,8 @@ void ovr_supply_drop(void *form)
         ovr_layer_free(s->layer[k]);
 }
 
-/* The oil that arrives at P = 0, by both surfaces; a layer goes by as fast as
- * its surface moves.  A mean speed near zero brings nothing, whatever
- * slides. */
+/* Lubricant supplied at P = 0 on both surfaces; a layer moves with its surface.
+ * A mean speed near zero brings nothing, whatever slides. */
 double ovr_supply_arriving(const ovr_supply_case *s, double T)
 {
     static const double minimum = 1e-3;

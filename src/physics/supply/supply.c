@@ -243,9 +243,9 @@ static double carried(const ovr_simulation *sim, const void *own, size_t i,
 /* ----------------------------------------------------------- what is observed
  */
 
-/* The film begins with the run of wet nodes that holds the largest P; the cell
- * before it is filled in part, on its downstream side: a place that goes on
- * steadily when the film takes a node. */
+/* The film begins with the run of pressurized nodes that holds the largest P;
+ * the cell before it is filled in part, on its downstream side: a place that
+ * goes on steadily when the film takes a node. */
 static double meniscus(const ovr_simulation *sim)
 {
     const ovr_solution *s = &sim->now;
@@ -389,7 +389,7 @@ static void tell(const ovr_physics_case *of, const void *form,
          "contact passes all supplied lubricant");
 }
 
-/* Gives before T = 0 what the steady start takes. */
+/* Before T = 0, returns the supply of the steady start. */
 static double arriving(void *data, double T)
 {
     const ovr_supply_case *s = data;

@@ -31,9 +31,8 @@ extern const ovr_section ovr_supply_sections[2];
 /* rho H that arrives at the inlet at T. */
 double ovr_supply_arriving(const ovr_supply_case *supply, double T);
 
-/* Takes the place of what the case says of the supply, once the domain is
- * known: what a pass has left on the surfaces; the layers are the supply's from
- * now on. */
+/* Replaces the supply of the case after the domain is known: what a pass has
+ * left on the surfaces; the layers are the supply's from now on. */
 void ovr_supply_feed(ovr_supply_case *supply, ovr_layer *layer[2],
                      double reservoir);
 

@@ -75,7 +75,7 @@ ovr_found ovr_container_open(ovr_container *c, int fd, ovr_arena *arena)
 
 enum { MAX_BLOCKS = 32 };
 
-/* A walk through the messages of a header and the blocks it goes on in. */
+/* Iterator over the messages of a header and its continuation blocks. */
 typedef struct header {
     ovr_source *source;
     ovr_piece block;

@@ -229,7 +229,7 @@ static bool load_node(ovr_source *source, uint64_t at, uint64_t pair,
     return ovr_load(source, at + HEAD, count * pair, pairs);
 }
 
-/* The last pair that does not begin behind `row`. */
+/* The last pair that starts at or before `row`. */
 static bool pick(ovr_piece pairs, uint64_t pair, uint64_t row, chunk *picked)
 {
     bool any = false;

@@ -126,7 +126,7 @@ static bool list(tree *t, uint64_t at)
 
 /* ------------------------------------------------------------ fractal heap */
 
-/* Blocks of one width stand in rows; those of row 0 and 1 have `start` bytes,
+/* Blocks of one width form rows; those of row 0 and 1 have `start` bytes,
  * those of each row after it twice as many as the last; above `largest` they
  * are tables of smaller ones. */
 typedef struct heap {
@@ -184,7 +184,7 @@ static bool open_heap(heap *h)
            1 + h->offset_size + h->length_size <= h->id_size;
 }
 
-/* The checksum of a direct block stands in its header, and counts as zero. */
+/* The checksum of a direct block is in its header and counts as zero. */
 static bool direct_holds(heap *h, size_t at)
 {
     ovr_piece sum = h->block;
