@@ -242,7 +242,7 @@ static void copy_window(const ovr_band *band, ptrdiff_t S, window *w)
 }
 
 /* The two unknowns before a window and the two behind it are known: no columns
- * of L, its values stand on the right-hand side. */
+ * of L; its values are on the right-hand side. */
 static void solve_window(const ovr_band *band, ptrdiff_t S, const window *w)
 {
     chain c = begin_chain();

@@ -53,8 +53,8 @@ void ovr_full_prepare(ovr_hierarchy *grids, double force)
 }
 
 /* With the load Cw relative to the reference load, Cu of the nominal speed and
- * c of the nominal curvature M goes with Cw sqrt(c/Cu), L with (Cu c)^(1/4),
- * and the unit of film b^2/R with Cw. */
+ * c of the nominal curvature M is proportional to Cw sqrt(c/Cu), L with (Cu
+ * c)^(1/4), and the unit of film b^2/R with Cw. */
 double ovr_target_film(const ovr_target *target, double fraction)
 {
     double Cw = target->Cw, Cu = target->Cu;

@@ -41,7 +41,7 @@ static void proportion(ovr_newton_row *row, double k0)
         row->r /= maximum;
 }
 
-/* The influence of a tripole, d meshes away. */
+/* The influence of a tripole, d mesh sizes away. */
 static double pressed(const double *kernel, ptrdiff_t d)
 {
     return kernel[d] - 0.5 * (kernel[d - 1] + kernel[d + 1]);
@@ -76,7 +76,7 @@ static bool factor(ovr_tripoles *t, size_t n, const double *kernel)
     return ovr_banded_factor(&t->band, n - 2);
 }
 
-/* D sum dP of tripoles, but for D: they are nothing together, inside. */
+/* Sum of dP of tripoles, without the factor D; their sum vanishes inside. */
 static double sum_of(const double *q, size_t n)
 {
     return 0.5 * (q[0] + q[n - 3]);
