@@ -241,8 +241,8 @@ static void copy_window(const ovr_band *band, ptrdiff_t S, window *w)
     }
 }
 
-/* The two unknowns before a window and the two behind it are known: no columns
- * of L; its values are on the right-hand side. */
+/* The two unknowns before a window and the two behind it are known.  L
+ * has no columns there, and its values are on the right-hand side. */
 static void solve_window(const ovr_band *band, ptrdiff_t S, const window *w)
 {
     chain c = begin_chain();

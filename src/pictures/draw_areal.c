@@ -307,7 +307,7 @@ ovr_status ovr_areal_view_draw(ovr_areal_view *v, size_t k, ovr_chart *chart,
 }
 
 /* Finds the snapshot with the largest deviation across of the central film
- * thickness thickness thickness. */
+ * thickness. */
 static size_t most_varied(const ovr_stored *run, ovr_arena *arena)
 {
     double *deviation = ovr_stored_history(
