@@ -409,7 +409,6 @@ typedef struct ovr_extreme {
     char key[48];        /* "P_max_overall"; of JSON, and an attribute */
     char key_si[64];     /* the same in SI; "": a pure number */
     char long_name[160]; /* one line for people */
-    char saved[48];      /* its name in checkpoints */
     ovr_unit_kind kind;
     ovr_kept_part part;
     const ovr_observable *of;

@@ -8,19 +8,20 @@
  *     gap(t) = smooth gap - min(1, t) S
  *
  * The surfaces stay where they are and grow out of smooth ones; backward Euler
- * has spikes and ends of the film move part of a mesh a step, which spots and
- * ends settle (spot.h, film_end.h) as in a real one.  What was wrong at first
- * flows out at the end of the domain by t = 6 or so, and steps that become
- * longer and longer end in the steady film, by a factor of hundreds for each of
- * the last.  A step that is not found is tried with smaller changes and half
- * corrections, then by Newton's method (step.c), then halved.
+ * has spikes and ends of the film move part of a mesh a step, which local
+ * Newton windows and ends settle (local_newton.h, film_end.h) as in a real one.
+ * What was wrong at first flows out at the end of the domain by t = 6 or so,
+ * and steps that become longer and longer end in the steady film, by a factor
+ * of hundreds for each of the last.  A step that is not found is tried with
+ * smaller changes and half corrections, then by Newton's method (step.c), then
+ * halved.
  */
 #include <math.h>
 #include <string.h>
 
 #include "contact/film_formula.h"
 #include "multigrid/film_end.h"
-#include "multigrid/spot.h"
+#include "multigrid/local_newton.h"
 #include "simulation/mirror.h"
 #include "simulation/physics.h"
 #include "simulation/steady.h"
@@ -87,7 +88,8 @@ static void go_back(const settling *s)
 static void settle_spots(const settling *s, int times)
 {
     const ovr_hierarchy *grids = &s->sim->grids;
-    while (!grids->touch.at && times-- > 0 && ovr_spots(grids, s->sim->finest))
+    while (!grids->touch.at && times-- > 0 &&
+           ovr_local_newton(grids, s->sim->finest))
         continue;
 }
 

@@ -93,39 +93,34 @@ static int stem(const char *key)
                                               : strlen(key));
 }
 
-/* Names a part that is kept: its key, by that of the extreme or the mean; its
- * name in checkpoints by the row's own, where that has one; and in words, after
- * the quantity's or by that key. */
+/* Names a part that is kept: its key, by the key of the extreme or the mean,
+ * and in words, after the quantity's or by that key. */
 static void name(const ovr_observable *row, ovr_kept_part part, ovr_extreme *to)
 {
     static const char *const senses[] = {
         [OVR_SMALLEST] = "smallest",
         [OVR_LARGEST] = "largest",
         [OVR_OF_MAGNITUDE] = "of largest magnitude"};
-    const char *key = row->extreme_key, *saved = row->saved, *suffix;
+    const char *key = row->extreme_key, *suffix;
     *to = (ovr_extreme){.kind = row->kind, .part = part, .of = row};
     switch (part) {
     case OVR_KEPT_EXTREME:
         PUT(to->key, "%s", key);
-        PUT(to->saved, "%s", saved ? saved : key);
         PUT(to->long_name, "%s: %s over the run", row->long_name,
             senses[row->extreme]);
         break;
     case OVR_KEPT_PLACE:
         to->kind = OVR_KIND_LENGTH;
         PUT(to->key, "X_%s", key);
-        PUT(to->saved, saved ? "%s_place" : "X_%s", saved ? saved : key);
         PUT(to->long_name, "where %s was", key);
         break;
     case OVR_KEPT_TIME:
         to->kind = OVR_KIND_TIME;
         PUT(to->key, "T_%.*s", stem(key), key);
-        PUT(to->saved, saved ? "%s_time" : "T_%s", saved ? saved : key);
         PUT(to->long_name, "when %s was", key);
         break;
     case OVR_KEPT_MEAN:
         PUT(to->key, "%s", row->mean_key);
-        PUT(to->saved, "%s", row->mean_key);
         PUT(to->long_name, "%s: mean over the run", row->long_name);
     }
     suffix = ovr_kind_about(to->kind)->suffix;

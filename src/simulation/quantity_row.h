@@ -40,7 +40,6 @@
 #define LARGEST(key) .extreme = OVR_LARGEST, .extreme_key = (key)
 #define OF_MAGNITUDE(key) .extreme = OVR_OF_MAGNITUDE, .extreme_key = (key)
 #define EXTREME_LABEL(text) .extreme_label = (text)
-#define SAVED_AS(text) .saved = (text)
 #define MEAN(key) .mean_key = (key)
 #define MEAN_LABEL(text) .mean_label = (text)
 #define STEADY_TOO .steady = true

@@ -102,7 +102,7 @@ ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
                  parts[k].bytes);
     /* extremes and means over the run */
     for (size_t k = 0; ovr_extreme_at(k, &e); k++)
-        ovr_show(&state, e.saved, ovr_kept_number(&e, &sim->statistics),
+        ovr_show(&state, e.key, ovr_kept_number(&e, &sim->statistics),
                  sizeof(double));
     return state.status;
 }

@@ -21,7 +21,7 @@
 #include "multigrid/coarsest.h"
 #include "multigrid/field.h"
 #include "multigrid/film_end.h"
-#include "multigrid/spot.h"
+#include "multigrid/local_newton.h"
 #include "multigrid/touching.h"
 #include "simulation/conflicts.h"
 #include "simulation/mirror.h"
@@ -77,7 +77,7 @@ static double tolerance_by_guess(const ovr_simulation *sim, double guess)
 static void settle_spots(const ovr_hierarchy *grids, ovr_level *finest,
                          int times)
 {
-    while (!grids->touch.at && times-- > 0 && ovr_spots(grids, finest))
+    while (!grids->touch.at && times-- > 0 && ovr_local_newton(grids, finest))
         continue;
 }
 

@@ -227,7 +227,7 @@ TERMS = {
     r"dry contact of Hertz|contact of Hertz": "Hertzian (dry) contact",
     r"inlet.{0,12}farther out|farther out": "further upstream",
     r"\bturning speeds?\b": "rotational speed",
-    r"ovr_spots?\b|\bspots (and|of|settle)\b": "local Newton window",
+    r"\bspots (and|of|settle)\b": "local Newton window",
     r"\bhollow\b": "concave",
     r"half turns?\b": "half revolution",
     r"(the )?whole way\b|[a-z] of way\b|way of the contact|at the way R1|"

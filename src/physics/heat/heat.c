@@ -574,9 +574,9 @@ static void couple(ovr_simulation *sim, void *own, const ovr_full *how,
     OVR_NUMBER_ROW(name, key, si, kind, member, OVR_PHYSICS_HEAT, __VA_ARGS__)
 
 /* The largest rise so far, over the run. */
-#define RISE(member, at, key, was, mean, ...)                                  \
+#define RISE(member, at, key, mean, ...)                                       \
     HEAT(NULL, NULL, NULL, TEMPERATURE, member, __VA_ARGS__, LARGEST(key),     \
-         SAVED_AS(was), PLACE(at), MEAN(mean), STEADY_TOO)
+         PLACE(at), MEAN(mean), STEADY_TOO)
 
 static const ovr_observable quantities[] = {
     HEAT("max_film_temperature", NULL, NULL, TEMPERATURE, T_film_max,
@@ -591,23 +591,22 @@ static const ovr_observable quantities[] = {
          "maximum temperature of surface 2"),
     HEAT("x_max_surface_temperature_2", "X_T_2_max", NULL, LENGTH, X_T_2_max,
          "position of the maximum temperature of surface 2"),
-    RISE(T_max_rise, X_T_film_max, "T_max_rise", "largest_rise",
-         "T_max_rise_mean", "maximum temperature rise of the film",
+    RISE(T_max_rise, X_T_film_max, "T_max_rise", "T_max_rise_mean",
+         "maximum temperature rise of the film",
          COMMENT("above the supply temperature"),
          EXTREME_LABEL("maximum temperature rise"),
          MEAN_LABEL("mean temperature rise")),
-    RISE(T_1_max_rise, X_T_1_max, "T_1_max_rise", "largest_rise_1",
-         "T_1_max_rise_mean", "maximum temperature rise of surface 1"),
-    RISE(T_2_max_rise, X_T_2_max, "T_2_max_rise", "largest_rise_2",
-         "T_2_max_rise_mean", "maximum temperature rise of surface 2"),
+    RISE(T_1_max_rise, X_T_1_max, "T_1_max_rise", "T_1_max_rise_mean",
+         "maximum temperature rise of surface 1"),
+    RISE(T_2_max_rise, X_T_2_max, "T_2_max_rise", "T_2_max_rise_mean",
+         "maximum temperature rise of surface 2"),
     HEAT("heat_flow_1", "heat_flow_1", "heat_flow_1_W_per_m", POWER,
          heat_flow_1, "heat flow into surface 1"),
     HEAT("heat_flow_2", "heat_flow_2", "heat_flow_2_W_per_m", POWER,
          heat_flow_2, "heat flow into surface 2"),
     HEAT("energy_defect", "energy_defect", NULL, NUMBER, energy_defect,
          "energy balance error", COMMENT("relative to the dissipated power"),
-         OF_MAGNITUDE("energy_defect_max"), SAVED_AS("largest_energy_defect"),
-         STEADY_TOO)};
+         OF_MAGNITUDE("energy_defect_max"), STEADY_TOO)};
 
 static void says(const void *form, ovr_physics_says *says)
 {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Spots: Newton's method on the few nodes where the guess of a step is far off.
+ * Local Newton windows: Newton's method on the few nodes where the guess of a
+ * step is far off.
  *
  * A pressure spike is one to four nodes wide.  Where roughness moves it by part
  * of a mesh, or lets it rise and fall where it stands, the extrapolated
@@ -16,13 +17,13 @@
  * pressure outside and H0 as they are and the film within following.  A window
  * is rejected unless its residual falls by a factor of five.
  */
-#ifndef OVR_MULTIGRID_SPOT_H
-#define OVR_MULTIGRID_SPOT_H
+#ifndef OVR_MULTIGRID_LOCAL_NEWTON_H
+#define OVR_MULTIGRID_LOCAL_NEWTON_H
 
 #include "multigrid/hierarchy.h"
 
 /* Solves windows of a level whose film and residual are up to date; so they are
  * when it returns.  True if any window was solved. */
-bool ovr_spots(const ovr_hierarchy *grids, ovr_level *level);
+bool ovr_local_newton(const ovr_hierarchy *grids, ovr_level *level);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "multigrid/spot.h"
+#include "multigrid/local_newton.h"
 
 #include <math.h>
 #include <string.h>
@@ -20,11 +20,11 @@ enum {
 };
 
 /* Centres of windows, those that stand out most first. */
-typedef struct spots {
+typedef struct windows {
     ptrdiff_t at[WINDOWS];
     double size[WINDOWS];
     size_t count;
-} spots;
+} windows;
 
 /* Nodes first - MARGIN to first + UNKNOWNS + MARGIN, in one lane. */
 typedef struct window {
@@ -44,7 +44,7 @@ typedef struct window {
 /* ------------------------------------------------------------ which nodes */
 
 /* The largest ones, more than HALF nodes apart; i grows from call to call. */
-static void take_in(spots *s, ptrdiff_t i, double size)
+static void take_in(windows *s, ptrdiff_t i, double size)
 {
     size_t k = 0;
     while (k < s->count && i - s->at[k] > HALF)
@@ -72,7 +72,7 @@ static double outflow(const ovr_level *level, const double *flow, ptrdiff_t i)
     return fmax(0, level->weights.half * sum);
 }
 
-static void find(const ovr_hierarchy *grids, const ovr_level *level, spots *s)
+static void find(const ovr_hierarchy *grids, const ovr_level *level, windows *s)
 {
     const double minimum = 0.1; /* of p_h */
     double *r = grids->band.b[0], *flow = grids->band.b[1];
@@ -270,12 +270,12 @@ static void begin(window *w, const ovr_hierarchy *grids, const ovr_level *level,
     }
 }
 
-bool ovr_spots(const ovr_hierarchy *grids, ovr_level *level)
+bool ovr_local_newton(const ovr_hierarchy *grids, ovr_level *level)
 {
     double kernel[2 * REACH + 1], changes[WINDOWS][UNKNOWNS];
     ptrdiff_t solved[WINDOWS];
     size_t count = 0;
-    spots s = {.count = 0};
+    windows s = {.count = 0};
     window w;
     find(grids, level, &s);
     if (!s.count)

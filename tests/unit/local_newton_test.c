@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Spots (multigrid/spot.h): a solved film whose pressure is put off at single
- * nodes comes back to the solution that it was. */
+/* Local Newton windows (multigrid/local_newton.h): a solved film whose pressure
+ * is put off at single nodes comes back to the solution that it was. */
 #include <math.h>
 #include <stdlib.h>
 
-#include "multigrid/spot.h"
+#include "multigrid/local_newton.h"
 #include "overroll/case.h"
 #include "simulation/internal.h"
 #include "support/test.h"
@@ -92,7 +92,7 @@ static void comes_back(const char *text, const char *more)
         *node(&s, (size_t)((int)i + d)) += 0.2 * exp(-d * d / 2.0);
     ovr_level_refresh(&s.sim->grids, s.sim->finest);
     double before = imbalance(&s);
-    assert_true(ovr_spots(&s.sim->grids, s.sim->finest));
+    assert_true(ovr_local_newton(&s.sim->grids, s.sim->finest));
     assert_true(off(&s) < 3e-3);
     assert_true(imbalance(&s) < 0.03 * before);
     let_go(&s);
@@ -123,7 +123,7 @@ TEST(leaves_solutions)
 {
     solved s;
     solve(&s, contact, "");
-    assert_false(ovr_spots(&s.sim->grids, s.sim->finest));
+    assert_false(ovr_local_newton(&s.sim->grids, s.sim->finest));
     assert_true(off(&s) == 0);
     let_go(&s);
 }
@@ -138,7 +138,7 @@ TEST(bears_nonsense)
         for (size_t i = 20; i < s.n - 20; i += 31)
             *node(&s, i) += worst[k];
         ovr_level_refresh(&s.sim->grids, s.sim->finest);
-        ovr_spots(&s.sim->grids, s.sim->finest);
+        ovr_local_newton(&s.sim->grids, s.sim->finest);
         let_go(&s);
     }
 }
