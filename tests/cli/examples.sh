@@ -15,9 +15,18 @@ done
 
 [ -z "$INSTRUMENTED" ] || exit 0 # what they run is tested by itself
 command -v gnuplot >/dev/null || exit 0
-for name in film-chart heat liner coating; do
+for name in film-chart heat liner coating scuffing; do
     expect 0 env EXAMPLES="$PWD/made" OVERROLL="$OVERROLL" \
         "$TOP/tools/examples/$name"
     [ "$(head -c 4 "made/$name.png" | tail -c 3)" = PNG ] ||
         fail "$name makes no picture: $(cat err)"
 done
+
+# The scuffing check: the mean rise of both flanks is near Blok's flash
+# temperature at A, B, D and E, and no flank is as cold as the oil
+awk -F , 'NR > 1 && $1 ~ /[ABDE]/ { n++
+        r = (($4 + $5) / 2 - 90) / ($6 - 90)
+        if (r < 0.8 || r > 1.25) exit bad = 1 }
+    END { exit bad || n != 4 }' made/scuffing.csv ||
+    fail "flanks and Blok: $(cat made/scuffing.csv)"
+contains out 'hottest flank [0-9.]+ degC at 0.000 ms, safety'
