@@ -23,18 +23,18 @@ static const double INSIDE = 0.9;
 
 static ovr_status read_fields(ovr_areal_view *v, size_t k, ovr_error *err)
 {
-    for (int f = 0; f < OVR_AREAL_FIELDS; f++)
-        if (ovr_result_areal(v->run->result, v->field[f].name, k, OVR_HERTZIAN,
-                             v->field[f].values, err))
-            return err ? err->status : OVR_IO;
-    return OVR_OK;
+    ovr_status status = OVR_OK;
+    for (int f = 0; !status && f < OVR_AREAL_FIELDS; f++)
+        status = ovr_result_areal(v->run->result, v->field[f].name, k,
+                                  OVR_HERTZIAN, v->field[f].values, err);
+    return status;
 }
 
 static void include(const ovr_areal_view *v, ovr_areal_field *field)
 {
     size_t n = v->run->info->nodes, lines = v->run->info->lines;
     bool film = field->kind == OVR_KIND_HEIGHT;
-    for (size_t i = 0; i < n; i++) {
+    for (size_t i = 0; field->values && i < n; i++) {
         double x = v->run->x[i];
         bool far = film && fabs(x) > INSIDE && v->x_from < INSIDE &&
                    v->x_to > -INSIDE;
@@ -276,14 +276,18 @@ ovr_status ovr_areal_view_draw(ovr_areal_view *v, size_t k, ovr_chart *chart,
 {
     ovr_result *result = v->run->result;
     ovr_units units = v->options->units;
-    ovr_axis x, T, value;
+    ovr_axis x = {0}, T = {0}, value = {0};
     const size_t lines = v->run->info->lines;
     double reach = fmax(fabs(v->x_from), fabs(v->x_to));
-    if (read_fields(v, k, err) ||
-        ovr_axis_make(OVR_KIND_LENGTH, result, units, reach, &x, err) ||
-        ovr_axis_make(OVR_KIND_TIME, result, units,
-                      v->run->times[v->run->info->snapshots - 1], &T, err))
-        return err ? err->status : OVR_IO;
+    ovr_status status = read_fields(v, k, err);
+    if (!status)
+        status = ovr_axis_make(OVR_KIND_LENGTH, result, units, reach, &x, err);
+    if (!status)
+        status = ovr_axis_make(OVR_KIND_TIME, result, units,
+                               v->run->times[v->run->info->snapshots - 1], &T,
+                               err);
+    if (status)
+        return status;
     label_across(x.label, v->label, sizeof v->label);
     note(v, k, &T, &x);
     v->x_ends[0] = v->x_from, v->x_ends[1] = v->x_to;
@@ -292,9 +296,10 @@ ovr_status ovr_areal_view_draw(ovr_areal_view *v, size_t k, ovr_chart *chart,
     v->line_ends[0] = v->line_ends[1] = v->line;
     for (int f = 0; f < OVR_AREAL_FIELDS; f++) {
         set_range(v, &v->field[f]);
-        if (ovr_axis_make(v->field[f].kind, result, units, v->field[f].high,
-                          &value, err))
-            return err ? err->status : OVR_BAD_INPUT;
+        status = ovr_axis_make(v->field[f].kind, result, units,
+                               v->field[f].high, &value, err);
+        if (status)
+            return status;
         draw_map(v, f, &x, &value);
         draw_cuts(v, f, &x, &value);
     }

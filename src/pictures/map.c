@@ -208,7 +208,7 @@ static ovr_status make_panel(const ovr_drawing *drawing, map *m,
     const ovr_picture_options *o = drawing->options;
     ovr_unit_kind kind = ovr_result_find(m->run->result, m->field)->kind;
     double low, high, highest, reach = fmax(fabs(m->x_from), fabs(m->x_to));
-    ovr_axis x, T, v;
+    ovr_axis x = {0}, T = {0}, v = {0};
     ovr_status status;
     if (kind == OVR_KIND_TEMPERATURE) /* degC, as everywhere in pictures */
         for (size_t c = 0; c < (size_t)CELLS_T * CELLS_X; c++)

@@ -197,6 +197,8 @@ static void filter_line(double *z, size_t n, size_t apart, bool periodic)
     const double pole = sqrt(3) - 2;
     size_t period = periodic ? n : 2 * (n - 1);
     double sum = 0, power = 1;
+    if (n < 2)
+        return;
     for (size_t k = 0; k < HORIZON; k++, power *= pole) {
         size_t j = (period - k % period) % period;
         sum += power * z[apart * (j >= n ? period - j : j)];

@@ -342,13 +342,10 @@ static void add_areal(const ovr_feature *f, double factor, double centre,
     }
 }
 
-void ovr_footprint_add(const ovr_feature *f, double factor, double centre,
-                       const ovr_places *at, double *S)
+/* Adds a shape that has a formula. */
+static void add_shape(const ovr_feature *f, double factor, double centre,
+                      const ovr_places *at, double *S)
 {
-    if (f->areal) {
-        add_areal(f, factor, centre, at, S);
-        return;
-    }
     const double *X = at->X, *Y = at->Y, W = at->width;
     size_t n = at->n, lines = at->lines, stride = at->stride;
     const ovr_footprint *g = &f->footprint;
@@ -380,4 +377,13 @@ void ovr_footprint_add(const ovr_feature *f, double factor, double centre,
             }
         }
     }
+}
+
+void ovr_footprint_add(const ovr_feature *f, double factor, double centre,
+                       const ovr_places *at, double *S)
+{
+    if (f->areal)
+        add_areal(f, factor, centre, at, S);
+    else
+        add_shape(f, factor, centre, at, S);
 }

@@ -372,7 +372,12 @@ ovr_status ovr_measured_areal(ovr_feature *f, const ovr_feature_form *form,
             ? ovr_areal_random(form->roughness ? form->roughness : &none,
                                mesh->width, form->angle, &arena->allocator, err)
             : read_map(form, contact, &how, &arena->allocator, err);
-    status = map ? tabulate(f, form, &how, map, mesh, arena, err) : err->status;
+    if (!map) {
+        if (!err->about && !random)
+            err->about = "file";
+        return err->status ? err->status : OVR_BAD_INPUT;
+    }
+    status = tabulate(f, form, &how, map, mesh, arena, err);
     if (!status) {
         f->assumed = ovr_arena_text(arena, ((ovr_profile *)map->owner)->notes,
                                     err);

@@ -29,14 +29,14 @@ timeout 100 chromium --headless --no-sandbox --disable-gpu \
     --virtual-time-budget=5000 --dump-dom "file://$PWD/dent.html" \
     >dom.txt 2>chromium.txt || skip "chromium does not run"
 grep -q 'data-drawn="0"' dom.txt || fail "the page was not drawn"
-sed -n 's/.*data-cut="\([^"]*\)".*/\1/p' dom.txt | head -n 1 >cut
-[ -s cut ] || fail "no cross-hair in the page"
+sed -n 's/.*data-cut="\([^"]*\)".*/\1/p' dom.txt | head -n 1 >place
+[ -s place ] || fail "no cross-hair in the page"
 
 # A level is 1/2047 of the range of all snapshots.
 expect 0 "$OVERROLL" export dent.h5 --snapshot 0 --areal --units hertzian \
     -o areal.csv
-awk -v cut="$(cat cut)" -F, 'BEGIN { split(cut, c, " ") }
+awk -v cut="$(cat place)" -F, 'BEGIN { split(cut, c, " ") }
     NR > 1 && ($1 - c[1]) ^ 2 + ($2 - c[2]) ^ 2 < 1e-12 {
         found = ($3 - c[3]) ^ 2 < 1e-6 && ($4 - c[4]) ^ 2 < 1e-8 }
-    END { exit !found }' areal.csv || fail "cross-hair: $(cat cut)"
-awk '$2 != 0.5 { exit 1 }' cut || fail "the cross-hair is not on the dent"
+    END { exit !found }' areal.csv || fail "cross-hair: $(cat place)"
+awk '$2 != 0.5 { exit 1 }' place || fail "the cross-hair is not on the dent"
