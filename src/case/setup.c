@@ -208,7 +208,7 @@ static int resolving_level(const ovr_resolved *r, int least)
     const ovr_setup *s = &r->setup;
     const ovr_options *o = s->options;
     double H = ovr_film_central_moes(s->contact->M, s->contact->L);
-    double largest = OVR_RESOLVED_RISE * pow(H, 2. / 3);
+    double largest = ovr_resolving_mesh(s->contact->M, H);
     double length = o->outlet - o->inlet;
     int level = least;
     if (ovr_resolved_features(r) &

@@ -105,3 +105,9 @@ ovr_film_fit ovr_film_fitted(double M, double L, double density)
     fit.minimum = ovr_film_blend(&ovr_minimum_film, M, L);
     return fit;
 }
+
+double ovr_resolving_mesh(double M, double H)
+{
+    const double share = 0.2, heavy = 3500, heavy_share = 0.15;
+    return (M > heavy ? heavy_share : share) * pow(H, 2. / 3);
+}

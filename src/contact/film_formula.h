@@ -16,9 +16,11 @@ ovr_film_asymptotes ovr_film_asymptotes_moes(double M, double L);
  * (incompressible film; Moes number times pi/(8 M)). */
 double ovr_film_central_moes(double M, double L);
 
-/* The largest mesh, relative to the length H^(2/3) over which the pressure
- * builds up in the inlet, on which heavily loaded contacts are solved. */
-#define OVR_RESOLVED_RISE 0.2
+/* Returns the largest mesh size on which heavily loaded contacts are solved.
+ * The pressure builds up in the inlet within about H^(2/3).  Contacts of
+ * M = 3500 to 5000, L = 1.2 to 3 failed at 0.2 of that length and were solved
+ * at 0.1. */
+double ovr_resolving_mesh(double M, double H);
 
 /* Film thickness of a steady flooded contact with a compressible oil, fitted to
  * this program's solutions to 2.6 % (central) and 1.7 % (minimum).  `density`

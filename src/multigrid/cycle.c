@@ -85,24 +85,11 @@ static bool wants_secants(const ovr_hierarchy *grids, double before,
     return !(after < far && after < slow * before);
 }
 
-/* Returns the node cycles of a cycle.  A Newton step with asperity contact
- * takes about five times as long as a cycle (levels 7 to 9). */
-static double work_of(const ovr_hierarchy *grids, const ovr_level *level,
-                      int bottom)
-{
-    const double dense = 1. / 5000, touching = 5;
-    double nodes = (double)level->grid.n;
-    double few = (double)grids->level[bottom].grid.n;
-    if (grids->touch.at)
-        return touching * nodes;
-    return nodes + dense * few * few * few;
-}
-
 void ovr_cycle(ovr_hierarchy *grids, ovr_level *level, ovr_cycling how)
 {
     if (ovr_hierarchy_stops(grids))
         return;
-    grids->stopping.work += work_of(grids, level, how.bottom);
+    grids->stopping.work += (double)level->grid.n;
     /* Only the logarithmic mean has them. */
     const bool logarithmic = grids->fluid.logarithmic;
     double before = 0;

@@ -36,7 +36,7 @@ static double growing_steps(const ovr_setup *setup)
 {
     const double steps = 300, unresolved = 1000;
     double film = ovr_film_central_moes(setup->contact->M, setup->contact->L);
-    if (setup->mesh > OVR_RESOLVED_RISE * pow(film, 2. / 3))
+    if (setup->mesh > ovr_resolving_mesh(setup->contact->M, film))
         return unresolved;
     for (size_t k = 0, n = ovr_surfaces_count(setup->surfaces); k < n; k++) {
         ovr_feature_info info = ovr_surfaces_info(setup->surfaces, k);

@@ -15,8 +15,7 @@
 #include "contact/film_formula.h"
 #include "simulation/physics.h"
 
-static const double resolved = 0.3, too_coarse = 0.7,
-                    solvable = OVR_RESOLVED_RISE;
+static const double resolved = 0.3, too_coarse = 0.7;
 
 /* Added to the message of a solve that reached its limit of work. */
 static const char spent[] = " within 20 times the predicted work";
@@ -63,8 +62,10 @@ static ovr_status rounding(const ovr_simulation *sim, const ovr_defect *defect,
 
 int ovr_level_resolving(const ovr_simulation *sim)
 {
-    double share = inlet_mesh(sim) / inlet_rise(sim);
-    return sim->finest->number + (int)fmax(1, ceil(log2(share / solvable)));
+    double film = ovr_target_film(&sim->target, 1);
+    double largest = ovr_resolving_mesh(sim->contact.M, film);
+    return sim->finest->number +
+           (int)fmax(1, ceil(log2(inlet_mesh(sim) / largest)));
 }
 
 static ovr_status too_thin(const ovr_simulation *sim, ovr_error *err)

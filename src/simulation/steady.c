@@ -404,7 +404,7 @@ double ovr_minute_of_work(const ovr_simulation *sim)
 static double largest_work(const ovr_simulation *sim, bool rough)
 {
     double film = ovr_target_film(&sim->target, 1);
-    bool resolved = ovr_mesh(sim) <= OVR_RESOLVED_RISE * pow(film, 2. / 3);
+    bool resolved = ovr_mesh(sim) <= ovr_resolving_mesh(sim->contact.M, film);
     double bottom = (double)sim->grids.level[sim->grids.coarsest].grid.n;
     double cycle = (double)sim->now.n + bottom * bottom * bottom / 5000;
     double start = 6e6, cycles = 1300;
