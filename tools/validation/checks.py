@@ -832,12 +832,101 @@ def thin_layers(ratios=(5, 10, 20)):
     return s
 
 
+# --------------------------------------------------------- standing waves
+
+STANDING = """[contact]
+M = {M}
+L = {L}
+slide_to_roll = 2
+[lubricant]
+alpha = 22 1/GPa
+[domain]
+level = {level}
+"""
+STILL = """[feature wave]
+surface = 2
+shape = wave
+amplitude = {A}
+wavelength = {length}
+origin = 0
+"""
+
+
+def amplitude_of(x, values, K):
+    """Of the wave cos(K x + phase) in `values`, beside a parabola: least
+    squares by the normal equations."""
+    rows = [(1, t, t * t, math.cos(K * t), math.sin(K * t)) for t in x]
+    n = len(rows[0])
+    N = [[sum(r[i] * r[j] for r in rows) for j in range(n)] +
+         [sum(r[i] * v for r, v in zip(rows, values))] for i in range(n)]
+    for i in range(n):
+        pivot = max(range(i, n), key=lambda k: abs(N[k][i]))
+        N[i], N[pivot] = N[pivot], N[i]
+        for k in range(i + 1, n):
+            q = N[k][i] / N[i][i]
+            N[k] = [a - q * b for a, b in zip(N[k], N[i])]
+    s = [0.0] * n
+    for i in reversed(range(n)):
+        s[i] = (N[i][n] - sum(N[i][j] * s[j]
+                              for j in range(i + 1, n))) / N[i][i]
+    return math.hypot(s[3], s[4])
+
+
+def standing_wave(M, L, length, level):
+    """Central film, p_h in GPa, amplitude of the wave, and the amplitudes that
+    it adds to pressure and film."""
+    text = STANDING.format(M=M, L=L, level=level)
+    said, _, smooth = run_case(text)
+    A = 0.02 * said["H_cen"]
+    _, _, rough = run_case(text + STILL.format(A=A, length=length))
+    half = max(length, 0.5) / 2 + 1e-9
+    x = [t for t in smooth["x"] if abs(t) <= half]
+    P, H = ([b - a for t, a, b in zip(smooth["x"], smooth[name], rough[name])
+             if abs(t) <= half] for name in ("pressure", "film_thickness"))
+    K = 2 * math.pi / length
+    return (said["H_cen"], said["hertz_pressure_Pa"] * 1e-9, A,
+            amplitude_of(x, P, K), amplitude_of(x, H, K))
+
+
+def standing_waves(contacts=((20, 10), (100, 11)),
+                   lengths=(0.5, 0.25, 0.125), level=9):
+    s = Section(
+        "Waves on a surface that stands still",
+        "J. A. Greenwood, G. E. Morales-Espejel, The behaviour of transverse "
+        "roughness in EHL contacts, Proc. Instn Mech. Engrs J 208 (1994) 121, "
+        "from memory: the small wave derived here from the equations",
+        "Where the oil is too viscous to be pressed along the film, rho h is "
+        "constant. With h = -A + p/k and rho'/rho = c a small wave of the "
+        "number k adds p = A/(1/k + h c) to the pressure and leaves h c p of "
+        "the film (X over b, p over p_h, h over b^2/R; Dowson and Higginson's "
+        "density). Valid in the middle of the contact, for waves of 0.02 of "
+        "the film and lengths to 0.5 b, over which p_h and c hardly vary. "
+        "C. J. Hooke's equations for waves that roll and slide in an Eyring "
+        "film (Proc. IMechE J 220 (2006)) were looked for and not found in "
+        "public sources: nothing is compared.")
+    for M, L in contacts:
+        for length in lengths:
+            H, ph, A, P_wave, H_wave = standing_wave(M, L, length, level)
+            k = 2 * math.pi / length
+            c = 0.6 * ph / (1 + 1.7 * ph)**2 / (1 + 0.6 * ph / (1 + 1.7 * ph))
+            theory = A / (1 / k + H * c)
+            s.rows.append(Comparison(
+                f"pressure, M = {M}, L = {L}, wavelength {length} b, over A k",
+                theory / (A * k), P_wave / (A * k), (-0.01, 0.01),
+                "pressure and density vary over the wave", remembered=True))
+            s.rows.append(Comparison(
+                "the same, film over A", H * c * theory / A, H_wave / A,
+                (-0.02 - 0.1 * length, 0.01), "the same, and c is smaller "
+                "where the pressure is lower", remembered=True))
+    return s
+
+
 FAST = [lambda: regimes(), lambda: formulas(((20, 10), (100, 11))),
         lambda: paper_table((6, 8)), lambda: waviness((1, 0.5), ()),
         lambda: stresses((300,)), lambda: flash((3,)),
         lambda: rolling_friction(((20, 10),), (), ()),
         lambda: hot_inlets(((1, 10, 0.1),)), lambda: summits((3,)),
-        thin_layers]
+        thin_layers, lambda: standing_waves(((20, 10),), (0.25,))]
 ALL = [regimes, formulas, lambda: paper_table(range(6, 15)), rolling_friction,
        hot_inlets, waviness, stresses, flash, summits,
-       thin_layers]
+       thin_layers, standing_waves]
