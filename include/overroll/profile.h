@@ -7,9 +7,9 @@
  * surface; missing heights are NAN until ovr_profile_condition fills them.
  * Both are in metres, or in units of the contact (b and b^2/R) if the file
  * specifies them.  Formats are recognized by content: text (also gzipped), SDF
- * text and binary, SMD, X3P.  Nothing about units is guessed in silence: what
- * was assumed stands in `notes`, what cannot be known is an error that says
- * what to add.
+ * text and binary, SMD, X3P.  Nothing about units is guessed in silence:
+ * assumptions are listed in `notes`, and missing information is an error that
+ * names what to add.
  */
 #ifndef OVERROLL_PROFILE_H
 #define OVERROLL_PROFILE_H

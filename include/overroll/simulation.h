@@ -142,7 +142,9 @@ OVR_API void ovr_simulation_moving(ovr_simulation *sim, double speed);
 
 /* Sets the heights of stationary features (u_k = 0), fully grown, for
  * fourth-order corrections. NULL: the surfaces are smooth except for moving
- * features. */
+ * features. The corrections of a run are computed for the steady
+ * contact with these features only; without this call, for the surfaces at
+ * T = 0. */
 OVR_API void ovr_simulation_standing(ovr_simulation *sim, ovr_heights *standing,
                                      void *data);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Public functions check their arguments before use: a NULL that
- * must not be is an error as any other, and where none can be told an answer
- * that says nothing, NAN, 0 or NULL (tests/source/arguments.sh). */
+/* Public functions check their arguments before use: a NULL that is not allowed
+ * is reported as an error, and functions without an error argument return a
+ * neutral value, NAN, 0 or NULL (tests/source/arguments.sh). */
 #ifndef OVR_BASE_GIVEN_H
 #define OVR_BASE_GIVEN_H
 

@@ -15,9 +15,9 @@
  * Measured by moving the inlet out: M = 1 to 1000, L = 0 to 15, X_a = -2 to
  * -8, losses of 1e-5 to 20 %: within a factor of 1.5 (two thirds of all within
  * 1.15).  Half a per cent by inlets as far out as that takes, M = 1 to 30, L =
- * 0 to 18, four times as far for comparison: what is lost is at most 1.1 +
- * 0.75/M times what is told, most at M = 1 where films pass from rigid to
- * elastic; 2e-2 to 1e-4 at most 1.4 times that.
+ * 0 to 18, four times as far for comparison: the loss is at most 1.1 + 0.75/M
+ * times the estimate, most at M = 1 where films pass from rigid to elastic;
+ * 2e-2 to 1e-4 at most 1.4 times that.
  *
  * The rolling friction with its part beyond X_a (simulation/friction.c) is too
  * low by 1.15 M^2/(M^2 + 4) times the first term less 0.6 times the second.

@@ -22,8 +22,8 @@
  * differences, whose solutions grow as the square of the distance: step 2 then
  * knows the unknowns to some S^2 roundings, and residuals have a peak where two
  * partitions meet.  So
- *  4. on fine grids, and on coarser ones the sooner the farther out they go,
- *     the rows about each meeting are solved again, between what stands on both
+ *  4. on fine grids, and on coarser ones with a long inlet, the rows around
+ *     each boundary of partitions are solved again between fixed values on both
  *     sides: its error is spread over a window w rows wide, and its third
  *     difference is w^3 times smaller.  Without it the corrections of fourth
  *     order do not converge for inlets at some -45.

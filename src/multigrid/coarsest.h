@@ -7,11 +7,9 @@
  *     dP_i = 0                            at held nodes: dry, not rising
  *     D sum_j dP_j = force - D sum_j P_j
  *
- * Where oil is conserved no node is held; unknown are the pressures of wet
- * nodes, which alone carry, and the contents of dry ones (content.h).
- *
- * J_ij = dN_i/dP_j is that of reynolds_row.h, d eps/dH included.  H0 changes
- * nowhere else.
+ * With mass-conserving cavitation no node is held; the unknowns are the
+ * pressures of pressurized nodes and the contents of cavitated nodes
+ * (content.h).  H0 changes nowhere else.
  */
 #ifndef OVR_MULTIGRID_COARSEST_H
 #define OVR_MULTIGRID_COARSEST_H

@@ -6,9 +6,8 @@
  *
  *     cycle(l): relax; restrict; cycle(l - 1); correct; relax
  *
- * down to the base, which has cycles of its own (cycle.h).  A node that does
- * not lie strictly inside a finer patch is a leaf; the solution is that of the
- * leaves.
+ * down to the base, which has cycles of its own (cycle.h).  A node that is not
+ * strictly inside a finer patch is a leaf; the solution is that of the leaves.
  *
  * Restriction to the parent, ' its values:
  *     P'    under the patch: full weighting where three nodes are wet, else,

@@ -27,19 +27,20 @@
  * Inlet.  Open (flooded): q_0 = rho H_0, row 1 of first order as in
  * reynolds.h.  Closed (a film arrives): a0 = c o0 + cT, a1 = c o1, source =
  * Cu q_f/D, and no Poiseuille flow in its first face (eps_0 = -eps_1): with it
- * a contact is flooded through P_0 = 0 whatever arrives.  A coarse level is
- * closed when its own node 1 is dry as a cycle comes to it.
+ * a contact is flooded through P_0 = 0 whatever arrives.  The inlet of a coarse
+ * level is closed if its node 1 is cavitated at the start of a cycle.
  *
  * Conservation is an identity: the sum of D times rows 1..n-2 telescopes to
- * inflow - outflow - D sum (A - B)/dT, so what is lost in a step is D times
+ * inflow - outflow - D sum (A - B)/dT, so that the loss in a step is D times
  * the sum of its residuals, and R = D sum |r_i|/H_cen measures it.
  *
- * Line relaxation.  Columns of pressurized nodes are those of line.h, but the q
- * of cavitated nodes does not follow their film, and nothing is shared with a
- * dry neighbour; column j of a cavitated node is -a0, -a1, -a2 in rows j, j +
- * 1, j + 2. Then a pressurized node whose P falls to zero is dried, with q =
- * rho H once the film is made; a dry one with q > rho H becomes wet.  Nodes on
- * the kink (P = 0, q = rho H) take the side that their residual asks for.
+ * Line relaxation.  Columns of pressurized nodes are those of line.h, but the
+ * q of cavitated nodes does not follow their film, and nothing is shared with
+ * a cavitated neighbour; column j of a cavitated node is -a0, -a1, -a2 in rows
+ * j, j + 1, j + 2.  Then a pressurized node whose P falls to zero is dried,
+ * with q = rho H once the film is made; a dry one with q > rho H becomes wet.
+ * Nodes on the kink (P = 0, q = rho H) take the side that their residual asks
+ * for.
  *
  * Between grids: states, q of cavitated nodes and limits are injected;
  * residuals are weighted fully, dry ones too; corrections enter pressurized

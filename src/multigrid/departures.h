@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Values at the departure points of paths: what is at a node now was some
- * meshes upstream a step ago.
+ * Values at the departure points of paths: the material at a node was several
+ * mesh sizes upstream one step ago.
  *
- * All of a surface moves alike: Lagrange's cubic through four nodes, exact
- * where it moves by whole mesh sizes.  Layers of the film move each at its own
- * speed: a line between two nodes, which makes no new extremes.  What enters
- * is nothing (a rise of 0); what has left is as at the end.
+ * All points of a surface move alike: Lagrange's cubic through four nodes is
+ * used, which is exact for shifts by whole mesh sizes.  Each layer of the film
+ * has its own speed: linear interpolation between two nodes, which makes no new
+ * extremes.  At the inlet zero enters (a rise of 0); beyond the outlet values
+ * are those at the end.
  */
 #ifndef OVR_MULTIGRID_DEPARTURES_H
 #define OVR_MULTIGRID_DEPARTURES_H

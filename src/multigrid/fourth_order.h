@@ -18,7 +18,7 @@
  *     g_i = delta2 w_i/24 + C D delta2 P_i,  delta2 f_i = f_{i-1} - 2 f_i +
  * f_{i+1}, at cavitated nodes too.  One that is linear between the nodes has
  *     w + (D^2/12) w'' + C D^3 P'',  C = zeta(3)/(4 pi^3),
- * and 1/12 and this C stand in g.  Both sums are of the waves of n/D that a
+ * and 1/12 and this C are used in g.  Both sums are of the waves of n/D that a
  * mesh takes for the wave itself; with layers each counts by its softness
  * (influence.h).
  *

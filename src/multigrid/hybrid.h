@@ -7,17 +7,19 @@
  *     P_i <- max(0, P_i + relax_seidel r_i / A_ii)     at once;
  *   elsewhere, Jacobi dipole: P_i changes by delta_i and P_{i-1} by -delta_i,
  *     delta_i = relax_dipole r_i / (A_ii - A_{i,i-1})  when the sweep is done.
- * eps of the switch is the mean that stands in the row, (eps_{i-1} + 2 eps_i +
+ * eps of the switch is the mean used in the row, (eps_{i-1} + 2 eps_i +
  * eps_{i+1})/4: at a jump of eps the node's own would send a row with strong
  * diffusion to the dipole, which smooths it by 0.8 a sweep only.
- * A_ij is the derivative given in line.h.  The kernel scales with D, so
- * eps/D^2 is the switch that does not depend on the grid; the paper's 0.01 on
- * eps/D belongs to its model problem (9) on its grids.
+ * A_ij is the derivative given in line.h.  The kernel scales with D, so that
+ * the switch eps/D^2 is independent of the grid; the paper's 0.01 on eps/D
+ * belongs to its model problem (9) on its grids.
  *
- * The paper's recipe alone stalls or diverges here; what it took, and why:
+ * The algorithm of the paper alone stalls or diverges here. It was changed as
+ * follows:
  *  1. Cavitated nodes that do not want to rise are held, with allowance for
- *     rounding (line.h).  A coarse dry node has no residual but rounding, whose
- *     sign made it wet at random: a limit cycle of the last pressurized nodes.
+ *     rounding (line.h).  The residual of a coarse cavitated node is rounding
+ *     error, whose sign made it pressurized at random: a limit cycle of the
+ *     last pressurized nodes.
  *  2. A pointwise sweep moves the end of the film by a node, a coarse grid by
  *     several.  So each sweep ends with a few line solves (tridiagonal, film
  *     fixed, projected) of the last rows before the end.

@@ -6,8 +6,8 @@
  *
  * K is the logarithm of two half-spaces.  R is a smooth remainder, of any
  * number of parts, which MLMI sums with it (deformation.h).  c is the
- * compliance of what gives way only where it is pressed, a thin layer on a
- * foundation (Winkler).  They are used by all modules that need the influence:
+ * compliance of a Winkler foundation, which deforms only under the pressure,
+ * such as a thin layer.  They are used by all modules that need the influence:
  * smoothers, the coarsest grids and the ghosts beyond the inlet.
  *
  * The line relaxation takes a distributed change to press in its neighbours

@@ -4,13 +4,13 @@
  *
  * One quasi-Newton step of the whole line with the Jacobian matrix A
  * (reynolds_row.h) cut to a band.  The term d eps/dH is left out on purpose: it
- * makes the elastic coefficient change sign where H > 1.5 times the film of
- * the contact, and the relaxation diverges there.
+ * changes the sign of the elastic coefficient where H exceeds 1.5 times the
+ * film thickness of the contact, and the relaxation diverges there.
  *
- * The kernel k decays too slowly to be cut as it stands.  So the unknowns are
- * delta_j that change P_{j-1}, P_j, P_{j+1} by (minus, 1, plus) delta_j with
- * zero or nearly zero sum (reynolds.h): the deformation of such a change is
- * local, and cutting the band only adds damping.  The system
+ * The kernel k decays too slowly to be truncated. Therefore the unknowns are
+ * So the unknowns are delta_j that change P_{j-1}, P_j, P_{j+1} by (minus, 1,
+ * plus) delta_j with zero or nearly zero sum (reynolds.h): the deformation of
+ * such a change is local, and cutting the band only adds damping.  The system
  *     b_d = A_d + minus A_{d-1} + plus A_{d+1},  d = -2..2
  * is pentadiagonal.  Then P <- max(0, P + clipped change).
  *
@@ -21,8 +21,7 @@
  * to 3, from 1.6 to 0.06.
  *
  * P_{n-1} = 0 stays: in time column n - 2 is (minus, 1, 0) where that node is
- * wet.  (Where it is dry its column counts in coarse corrections of a film that
- * ends far before it alone.)
+ * pressurized.
  *
  * Cavitated nodes that do not want to rise are held (reynolds_row.h).
  *

@@ -1,21 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Local Newton windows: Newton's method on the few nodes where the guess of a
- * step is far off.
+ * Local Newton solves at the few nodes where the initial guess of a time step
+ * is poor.
  *
- * A pressure spike is one to four nodes wide.  Where roughness moves it by part
- * of a mesh, or lets it rise and fall where it stands, the extrapolated
- * pressure is off by tenths of p_h there.  eps goes with exp(-alphabar P), so
- * that sweeps gain a factor of e each; meanwhile the load that such nodes carry
- * too much shifts the film of all others by a per cent, and the end of the film
- * with it.
+ * A pressure spike is one to four nodes wide.  If roughness moves it by a
+ * fraction of D, or changes its height, the extrapolated pressure is wrong by
+ * tenths of p_h.  Because eps ~ exp(-alphabar P), relaxation reduces such an
+ * error only by a factor e per sweep.  Meanwhile the excess load at these nodes
+ * changes the film thickness elsewhere by about one per cent and shifts the
+ * cavitation boundary.
  *
- * A node stands out by the pressure that it lacks, about
+ * Nodes are ranked by the estimated pressure error
  *     v_i = |r_i - (r_{i-3} + r_{i+3})/2| / (a0 |k(0)| + d_i),
- * d_i its outflow (reynolds.h).  Windows about the nodes that stand out most
- * are solved one after the other: all of the discrete equation, with the
- * pressure outside and H0 as they are and the film within following.  A window
- * is rejected unless its residual falls by a factor of five.
+ * where d_i is the outflow coefficient (reynolds.h).  Windows around the worst
+ * nodes are solved one after another with the full discrete equation.  H0 and
+ * the pressure outside the window are fixed; the film thickness inside follows
+ * the pressure.  A window is rejected unless its residual falls by a factor of
+ * five.
+ *
+ * Works with rheological models, with heat (temperatures are fixed during a
+ * cycle) and with mass-conserving cavitation (only windows in the full film).
  */
 #ifndef OVR_MULTIGRID_LOCAL_NEWTON_H
 #define OVR_MULTIGRID_LOCAL_NEWTON_H

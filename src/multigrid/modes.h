@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Fields Psi_m of a moving surface, one for each mode m of its memory
- * (physics/heat/solids.h), and what a step makes of them.  They stand side by
+ * (physics/heat/solids.h), and their change in a step. They are stored side by
  * side, those of node i from i OVR_MODES on, so that vectors hold modes.
  *
  * A surface carries them along (departures.h), and where heat flows along it
  * too they spread, each alike: v_T = kappa v_XX, in a step by e^(-x) for the
  * wave number k of x = kappa k^2 dT.  With E the shift by a node, kappa k^2 is
- * that of (2 - E - 1/E)/D^2, and for e^(-x) stands
+ * that of (2 - E - 1/E)/D^2, and e^(-x) is replaced by
  *
  *     1/(1 + x + x^2/2),  positive, at most 0.07 off, of second order in dT
  *
@@ -35,12 +35,12 @@
  *                   mu = 2 s/(root + |u|)        downstream
  *     root = sqrt(u^2 + 4 kappa s)
  *
- * by f = e^(-mu D) from node to node, so that the sweeps begin with what they
- * would bring along from there: on the left y_-l = A f^l, A = c v_0/(1 - b0 f +
- * b1 f^2), on the right z of y that is A' f^j + Re(B a^j) there.  A departure
- * point beyond an end finds v there times e^(-mu |X|).  Cut off instead, the
- * domain would cool the surface: by 16 % at a Peclet number of 0.1.  Nothing
- * may be taken up near the ends, within what spreads in a step.
+ * by f = e^(-mu D) from node to node, so that the sweeps start with their
+ * values from outside: on the left y_-l = A f^l, A = c v_0/(1 - b0 f + b1 f^2),
+ * on the right z of y that is A' f^j + Re(B a^j) there.  A departure point
+ * beyond an end finds v there times e^(-mu |X|).  Cut off instead, the domain
+ * would cool the surface: by 16 % at a Peclet number of 0.1.  Nothing may be
+ * taken up near the ends, within what spreads in a step.
  *
  * Steady ones, with q linear between the nodes and nothing beyond them, are
  *

@@ -7,23 +7,23 @@
  *     P_f > 0: wet; else P_f = 0, and the row is P - A(H) = 0: dry contact
  *     D sum P = force
  *
- * A law A(H) >= 0 falls with H: what summits finer than the mesh, or a layer
- * of boundary lubricant, bear at the mean gap H.  A level has P_f in its field
- * P, and P - P_f in `borne`: in a pressurized node A(H), in a dry one what the
- * last correction left there, A(H) when it is solved.
+ * A law A(H) >= 0 falls with H: the pressure carried, at the mean gap H, by
+ * asperities finer than the grid or by a boundary layer.  A level has P_f in
+ * its field P, and P - P_f in `borne`: in a pressurized node A(H), in a dry one
+ * what the last correction left there, A(H) when it is solved.
  *
  * Newton's method with all derivatives, g = -dA/dH, k the elastic influence:
  *     dH = dH0 - k dP,   dP_f = dP + g dH in pressurized nodes, 0 in dry ones
- *     wet row i:  t_e = dN_i/dP_f of node e at fixed film; what stands for
- *                 -dN_i/dH_e is less by t_e g_e
+ *     wet row i:  t_e = dN_i/dP_f of node e at fixed film; the entry
+ *                 for -dN_i/dH_e is less by t_e g_e
  *                 a node that has just turned wet has P < P_f + A, as its
  *                 state was another: the right-hand side is less by t_e
- *                 (P - A - P_f)_e, or it would go there by steps
- *     dry row i:  dP_i + g_i (dH0 - sum_j k dP_j) = A_i - P_i,  over
+ *                 (P - A - P_f)_e, otherwise several steps are needed
+ *     dry row i:  dP_i + g_i (dH0 - sum_j k dP_j) = A_i - P_i, divided by
  *                 1 + g_i |k(0)| n
- * In the iteration a film is an unknown of its own: it falls to no less than a
- * fifth in a step, nor so far that its A, an exponential, about, of which a
- * tangent knows nothing, grows beyond twice itself, or a twentieth of ph where
+ * In the iteration a film is an unknown of its own: it falls at most to a
+ * fifth in a step, nor so far that its A, an exponential that a tangent does
+ * not represent, grows beyond twice itself, or a twentieth of ph where
  * it was less.  What it is then above H0 + gap - w is its lift, which the next
  * step takes back: dH = dH0 - k dP - lift.  A step that makes much more of the
  * residual is taken to a quarter, as those of Eyring's sinh may.  A node that
@@ -32,10 +32,10 @@
  *
  * The finest grid is solved by Newton's method alone (coarsest.h, tripoles.h),
  * in O(n log n) a step; its film begins with that of surfaces apart, by full
- * multigrid.  Where the film ends nodes turn wet one by one, so once some have
- * asked for to rise in three steps running, 2, 4, ... 128 on either side of
- * them are taken for wet; those that come out below zero are dry, and the same
- * step is found again. Where there is no law nothing of this is called.
+ * multigrid.  At the ends of the film nodes become pressurized one by one.
+ * After three such steps, 2, 4, ... 128 nodes on either side are assumed
+ * pressurized; those with a negative result are cavitated, and the step is
+ * repeated.
  */
 #ifndef OVR_MULTIGRID_TOUCHING_H
 #define OVR_MULTIGRID_TOUCHING_H

@@ -8,7 +8,7 @@
  * w is summed by MLMI, so that a product takes O(n).  The system is solved by
  * GMRES (Saad and Schultz 1986), preconditioned from the right: unknowns are
  * tripoles, dP_j = q_j - (q_{j-1} + q_{j+1})/2, whose deformation falls with
- * the square of the distance; what of it is beyond OVR_BAND meshes is left out,
+ * the square of the distance; the part beyond OVR_BAND mesh sizes is omitted,
  * and the band is factored.  H0 and the force border it.  Smooth steps, for
  * which this is no good approximation, are deflated (deflation.h).  Rows are in
  * proportion to their largest part.

@@ -5,7 +5,7 @@
  * 1. Values become levels 0..OVR_PACKED_LEVELS-1: evenly spaced, or, with a
  * bend, value = bend sinh(level step), which is even relative to the value
  * where it is large (film outside of the contact) and fine where it is small.
- * 2. Each level less what its neighbours foretell, left + before - (left,
+ * 2. Each level minus its prediction from neighbours, left + before - (left,
  *    before): next to nothing where a pattern travels or stands.
  * 3. Zigzag (0, -1, 1, -2, ...), low bytes first and then high ones, deflate,
  *    base64.

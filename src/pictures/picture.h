@@ -44,7 +44,8 @@ ovr_status ovr_draw_areal(const ovr_drawing *drawing, ovr_chart *chart,
 /* Appends the template of a path; NULL: the one that is built in. */
 ovr_status ovr_template_read(const char *path, ovr_text *to, ovr_error *err);
 
-/* Draws a chart as a picture with the template of a path */
+/* Draws a chart as a picture with the template of a path (NULL: the built-in
+ * one), and, unless NULL, as a script with its data. */
 typedef struct ovr_drawn_to {
     const char *path, *script, *template_path;
 } ovr_drawn_to;

@@ -16,6 +16,10 @@
  * The log ends at the first record that is not whole or has another salt: the
  * commit that wrote it had not touched the file yet.  A journal with an
  * incomplete header means that nothing was changed since the checkpoint.
+ *
+ * A file is complete if its pages match the last state or the preceding one (or
+ * the checkpoint, if there is only one).  Otherwise a commit was
+ * interrupted by the end of the process or of the machine.
  */
 #ifndef OVR_RESULTS_JOURNAL_H
 #define OVR_RESULTS_JOURNAL_H

@@ -184,8 +184,9 @@ ovr_result_attributes(ovr_result *result, const char *path, size_t *count);
 ovr_status ovr_result_read(ovr_result *result, const char *path, size_t row,
                            ovr_units units, double *values, ovr_error *err);
 
-/* Reads whether the history flags its maximum pressure  `arena` holds
- * two columns meanwhile. */
+/* Reads whether the history flags its maximum pressure as not resolved by the
+ * grid; versions before 0.4.0 flag none.  `arena` holds two columns
+ * meanwhile. */
 ovr_status ovr_result_unresolved(ovr_result *result, ovr_arena *arena,
                                  bool *unresolved, ovr_error *err);
 

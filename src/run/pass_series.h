@@ -3,8 +3,8 @@
  * Several passes: each a run of its own, with a file of its own, that takes
  * in what the one before left on the surfaces (pass_layers.c).  The file of
  * all of them, OUT.h5, has a row for each (passes_file.c); rows and layers
- * follow from the files OUT-1.h5, ... alone, so that a run that goes on later
- * is the one that was never stopped.
+ * follow from the files OUT-1.h5, ... alone, so that a continued run equals an
+ * uninterrupted one.
  */
 #ifndef OVR_RUN_PASS_SERIES_H
 #define OVR_RUN_PASS_SERIES_H

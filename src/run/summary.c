@@ -282,8 +282,9 @@ static double subgrid_roughness(const ovr_run_info *s, const char **from)
                : 0;
 }
 
-/* Adds the lambda ratio of roughness  That of features is a row of the
- * quantities: mean film thickness in |X| < 3/4 / Rq. */
+/* Adds the lambda ratio of roughness that is not on the grid, minimum film
+ * thickness / Rq. That of features is a row of the quantities: mean film
+ * thickness in |X| < 3/4 / Rq. */
 static void put_lambda_ratio(const ovr_told *to, const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);

@@ -41,7 +41,8 @@ void ovr_tell_number(const ovr_told *to, const char *label, int digits,
 /* Writes an empty line and a title over the columns of the rows that follow. */
 void ovr_tell_heading(const ovr_told *to, bool times, const char *title);
 
-/* Adds the numbers of a contact */
+/* Adds the numbers of a contact (with text for the report if `before` the
+ * solution), and the predictions for rough surfaces by key. */
 void ovr_put_contact(const ovr_told *to, const ovr_contact *contact,
                      bool before);
 void ovr_put_rough_film(const ovr_told *to, const ovr_rough_film *film,

@@ -24,7 +24,7 @@
  * Where load, speed and radius are constant, the steady start solves the steps'
  * equations too, of any length: F takes in what the steady film q_s lacks,
  *     R_i = F_s + Cu (1.5 q_i - 2 q_{i-1} + 0.5 q_{i-2})/D - BDF2(q_s) -
- * F(q_s), its own correction F_s and wedge less what a step makes of it.
+ * F(q_s), its own correction F_s and wedge minus those of a step.
  *
  * With upstream2 a run adds the corrections of its steady start to the
  * right-hand sides of every step: they take the background's error of second

@@ -7,14 +7,13 @@
  *     N(P) - (q - q_before)/dt = F,  q = rho H
  *     gap(t) = smooth gap - min(1, t) S
  *
- * The surfaces stay where they are and grow out of smooth ones; backward Euler
- * has spikes and ends of the film move part of a mesh a step, which local
- * Newton windows and ends settle (local_newton.h, film_end.h) as in a real one.
- * What was wrong at first flows out at the end of the domain by t = 6 or so,
- * and steps that become longer and longer end in the steady film, by a factor
- * of hundreds for each of the last.  A step that is not found is tried with
- * smaller changes and half corrections, then by Newton's method (step.c), then
- * halved.
+ * The surfaces do not move and grow from smooth ones. In backward Euler steps
+ * pressure spikes and film ends move by a fraction of D, which local solves
+ * handle as in time (local_newton.h, film_end.h).  What was wrong at first
+ * flows out at the end of the domain by t = 6 or so, and steps that become
+ * longer and longer end in the steady film, by a factor of hundreds for each of
+ * the last.  A step that is not found is tried with smaller changes and half
+ * corrections, then by Newton's method (step.c), then halved.
  */
 #include <math.h>
 #include <string.h>

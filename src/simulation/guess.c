@@ -2,9 +2,9 @@
 /*
  * A step begins from a guess: P and H0 at T + dT, extrapolated from the past.
  *
- * With E one step back and S_s what shifts by s meshes downstream, 1 - E takes
- * away what stands still, 1 - S_a E what moves by a meshes a step, and so does
- * 1 - S_2a E^2, by more meshes, which may be whole.  Of films and rolling
+ * E is one step back and S_s a shift by s D downstream. 1 - E removes
+ * stationary parts, and 1 - S_a E removes parts that move by a D per step, as
+ * does 1 - S_2a E^2, whose shift may be a whole number.  Of films and rolling
  * features a = Cu dT/D; when that is 1 the guess is the newest P of
  *     (1 - E)^2 (1 - S E)^2 P = 0,
  * linear in time for both; else of (1 - E)^3 P = 0, the parabola through the

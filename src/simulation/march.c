@@ -5,11 +5,10 @@
  * Fixed steps end at k dT exactly, without the rounding of a sum; the times
  * that observers ask for are hit on the way by dividing a step.
  * Adaptive steps follow the error e ~ dT^p that they add to the film on its way
- * through the contact (time_derivative.c), p the order.  They are meshes times
- * a power of 2 and stay the same for a while, so that guesses from the past
- * hold: shorter where e is above the asked for one, twice as long where it
- * would stay below 0.7 of it; a step with three times the target error is taken
- * again.
+ * through the contact (time_derivative.c), p the order.  They are D times a
+ * power of 2 and are constant for a while, so that extrapolation remains valid:
+ * shorter where e is above the asked for one, twice as long where it would stay
+ * below 0.7 of it; a step with three times the target error is taken again.
  */
 #include <float.h>
 #include <math.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The row of a quantity, of a number a step: all that is said of it, once.
+ * The row of a quantity, with all its names and labels.
  *
  *     OVR_NUMBER_ROW("max_pressure", "P_max", "max_pressure_Pa", PRESSURE,
  *                    P_max, 0, "maximum pressure",

@@ -17,11 +17,12 @@ typedef void ovr_heights_across(void *data, int surface, double T, size_t n,
  * this process may address. */
 double ovr_simulation_memory(const ovr_options *options);
 
-/* For OVR_CAVITATION_CONSERVING: the supplied content q = rho H at the inlet
- * What the contact does not take stays in the inlet reservoir; `reservoir` of
- * it, in b^3/R, is there at the start. When it is used up only the film
- * arrives.  INFINITY: the contact is flooded whatever comes.  Borrowed; NULL,
- * the default: flooded. */
+/* For OVR_CAVITATION_CONSERVING: the supplied content q = rho H at the inlet at
+ * time T >= 0 (before: that of T = 0). For layers h1, h2 it is (u1 h1 + u2
+ * h2)/um. The excess over the flooded flow stays in the inlet reservoir;
+ * `reservoir` of it, in b^3/R, is there at the start. When it is used up only
+ * the film arrives.  INFINITY: the contact is flooded whatever comes.
+ * Borrowed; NULL, the default: flooded. */
 typedef double ovr_supply(void *data, double T);
 void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply, void *data,
                            double reservoir);

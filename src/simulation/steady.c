@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The steady solution: full multigrid (multigrid/full.h), and when it fails
- * other strategies; then what the physics make of it (physics.h).
+ * other strategies; then the changes by the physical models (physics.h).
  */
 #include "simulation/steady.h"
 

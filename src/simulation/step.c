@@ -7,8 +7,8 @@
  *   4. failing that, further attempts that are slower and steadier, the last
  *      by continuation (continuation.c);
  *   5. failing that, two half steps; at the smallest step a result that is
- *      merely poor is accepted and marked, anything else goes back to the
- *      last time reached and says so;
+ *      poor is accepted and flagged, otherwise the state returns to the last
+ *      time reached with an error;
  *   6. the past moves on, and the step is observed.
  */
 #include "simulation/step_cycles.h"

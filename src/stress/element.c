@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Potentials of elements, with the mesh D as unit of length (C is the same in
- * every unit, C' goes with 1/D) and ln w with its argument in (0, pi):
+ * every unit, C' is proportional to 1/D) and ln w with its argument in (0, pi):
  *
  *     point    C = i/(pi w)
  *     hat      C = i/pi sum_j c_j (w - j) ln(w - j),      c = 1, -2, 1

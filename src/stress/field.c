@@ -18,6 +18,9 @@
  *
  * Shifted nodes: the factor exp(2 pi i k s/N) shifts the nodes by s in units of
  * D, exactly for all waves on the grid.
+ *
+ * Cost O(N ln N): about two transforms of full length, for any number of
+ * octaves.  Accuracy: 5e-7 p_h of the sums, including floats.
  */
 #include "stress/field.h"
 

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The smooth dry contact, P = sqrt(1 - X^2): what every criterion says of it.
- *
+ * The amplitudes of all criteria in the smooth dry contact, P = sqrt(1 - X^2).
  *     C = i (w - sqrt(w - 1) sqrt(w + 1)),
  *     C' = i (1 - w / (sqrt(w - 1) sqrt(w + 1)))
  *

@@ -15,8 +15,8 @@
  * the transform S, sampled on the mesh over N nodes, is the transform of
  *     (1/N) sum_l S(k_m + 2 pi l/D) [G - g](k_m + 2 pi l/D)
  *     g = (g_0 + g_1 k + g_2 k^2 + g_3 k^3) e^-ka
- * with G's own first terms, for what is odd about k = 0 reaches far: its kernel
- * stands in closed form, the derivatives by -a of
+ * with G's own first terms, because parts odd about k = 0 have a long range.
+ * Its kernel is known in closed form, the derivatives by -a of
  *     int_0 e^-ka cos kx dk = a/(a^2 + x^2),  of sin: x/(a^2 + x^2)
  * What is left falls as x^-5 and has died away where the bins begin again.  S
  * is that of hats, else of cardinal splines, sinc^4(kD/2) 3/(2 + cos kD).

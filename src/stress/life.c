@@ -7,8 +7,8 @@
  * (G. Lundberg, A. Palmgren, Acta Polytechnica, Mech. Eng. Series 1, 1947;
  * with a limit A_u: E. Ioannides, T. A. Harris, ASME J. Tribology 107, 1985).
  * c = 31/3, h = 7/3, e = 9/8: fits to tests of 1947, convention since.
- * Without a limit the risk per length goes with p_h^c b^(1-h) and the life of
- * a line contact with p_h^-8.
+ * Without a limit the risk per length is proportional to p_h^c b^(1-h) and the
+ * life of a line contact with p_h^-8.
  *
  *     i(xi) = int <A - A_u>^c z^-h dz,  lambda = int (i - i_0) dxi / i_0
  *

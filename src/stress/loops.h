@@ -58,7 +58,8 @@ typedef struct ovr_stress_loops {
     void (*circles)(size_t n, const float *rows, size_t pitch, float *radius);
 } ovr_stress_loops;
 
-/* Selects the loops of a name */
+/* Selects the loops of a name ("plain", "base", ...); NULL: the best for this
+ * machine. */
 const ovr_stress_loops *ovr_stress_loops_choose(const char *name);
 
 #endif

@@ -14,7 +14,7 @@
  *
  * G is the biharmonic Green's function of Airy's stress that vanishes with its
  * slope on the surface (T. Mura, Micromechanics of Defects in Solids, 1987,
- * says what eigenstrains are).  Everything is a derivative or an antiderivative
+ * defines eigenstrains).  Everything is a derivative or an antiderivative
  * of g, and of (linear) e^-kz times (linear) e^-kzeta: integrals over the layer
  * that is strained, and means over the one that receives, are differences at
  * their ends, exactly.  With means the operator is symmetric and lies in

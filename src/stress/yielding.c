@@ -290,7 +290,8 @@ static void sink(ovr_yielding *y)
         y->w[i] = y->values[i] - y->values[0];
 }
 
-/* Computes equilibrium and sums up the stresses */
+/* Computes equilibrium and sums up the stresses of the given number of layers
+ * from the first. */
 static void equilibrate(ovr_yielding *y, size_t layers)
 {
     size_t n = y->options.points;

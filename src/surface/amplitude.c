@@ -10,12 +10,12 @@
  * in the mean square, 0.045 at most (M = 20, L = 5, the shortest waves).  It
  * was 0.06 in 16 runs at M = 2.5 to 800, L = 2 to 25.
  *
- * That one number tells it, by the length of the inlet, is from C.H. Venner,
- * F. Couhier, A.A. Lubrecht and J.A. Greenwood, Amplitude reduction of waviness
- * in transient EHL line contacts, Tribology Series 32 (1997) 103-112.  Their
- * M^(3/4) L^(-1/2) and 1/(1 + 0.125 N + 0.04 N^2) are within 0.035 of this at
- * M = 100 and L = 11 except for the shortest wave (0.08), and up to 0.17 off
- * the runs at M = 20, L = 5.
+ * The dependence on one number, by the length of the inlet, is from C.H.
+ * Venner, F. Couhier, A.A. Lubrecht and J.A. Greenwood, Amplitude reduction of
+ * waviness in transient EHL line contacts, Tribology Series 32 (1997) 103-112.
+ * Their M^(3/4) L^(-1/2) and 1/(1 + 0.125 N + 0.04 N^2) are within 0.035 of
+ * this at M = 100 and L = 11 except for the shortest wave (0.08), and up to
+ * 0.17 off the runs at M = 20, L = 5.
  */
 #include "surface/amplitude.h"
 

@@ -15,14 +15,11 @@
  * square of contact radius over that without pile-up (Hill, Storakers & Zdunek,
  * Proc. R. Soc. Lond. A 423 (1989) 301), for a hardening exponent n = 0.1 as of
  * hardened steel: h = 0.159 d; quoted at second hand, the paper was not at
- * hand.  It is of full plasticity and leaves out what springs back; who has
- * measured a rim gives it.
- *
- * The width l follows from the volume: what the ball has displaced stands in
- * the round rim,
+ * hand.  It assumes full plasticity and neglects springback; a measured rim
+ * height can be set.
  *     a^2 (d - h)/4 = h ((s_c^2 - a^2)/2 + sqrt(pi)/2 l s_c + l^2/2),
  * by convention, but is s_c/4 at least, for rims higher than that allows; the
- * line contact then takes the section through its middle.
+ * line contact uses the section through its middle.
  */
 #include <math.h>
 

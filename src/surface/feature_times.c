@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The time when a feature, one of its copies or an end of it comes to a place:
- * the inverse of X_k(T) = start + (u_k/um) I(T), I the integral of Cu, and of a
- * way that turns where the speed does or where the sliding has a history.
+ * The time when a feature, one of its copies or an end of it reaches a
+ * position: the inverse of X_k(T) = start + (u_k/um) I(T), I the integral of
+ * Cu, and of a way that turns where the speed does or where the sliding has a
+ * history.
  */
 #include <math.h>
 

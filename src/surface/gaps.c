@@ -2,7 +2,7 @@
 /*
  * Missing heights and outliers.
  *
- * An outlier is told by Hampel's test: r_i = z_i - median of its 11
+ * Outliers are detected by Hampel's test: r_i = z_i - median of its 11
  * neighbours; |r_i| > limit sigma with sigma = 1.4826 median |r|, which is the
  * standard deviation of Gaussian heights and does not feel the outliers.
  */

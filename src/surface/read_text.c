@@ -5,10 +5,10 @@
  *
  *   1. The encoding is undone; the first line whose fields are all numbers
  *      starts the data (a lone count above it is taken as such).
- *   2. The lines above say units and columns; the caller's word goes first.
- *      What nobody says is one error that says all there is to add.
+ *   2. The lines above specify units and columns; the caller's values take
+ *      precedence. One error lists all missing information.
  *   3. Rows become points; rows run backwards, x repeated by rounding and
- *      missing heights are put right or marked, and said.
+ *      missing heights are corrected or marked, with notes.
  */
 #include "base/error.h"
 #include "surface/columns.h"

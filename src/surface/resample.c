@@ -2,9 +2,9 @@
 /*
  * Anti-aliasing and band-limited interpolation of a profile.
  *
- *   1. Points at unequal distances go through GSL's natural spline to equal
- *      distances d (the mean distance, or the smallest if that is not below 1/8
- *      of it).
+ *   1. Points at unequal distances are interpolated by GSL's natural spline to
+ *      equal distances d (the mean distance, or the smallest if that is not
+ *      below 1/8 of it).
  *   2. A windowed sinc gives the profile at any place,
  *          z(s) = sum_j z_j w_j / sum_j w_j,
  *          w_j = sinc(2 fc u) B(u/W),  u = s - s_j,
@@ -13,7 +13,7 @@
  *      is the profile's own Nyquist frequency 1/(2 d) and the samples are
  *      kept; when finer, fc = 0.875/(2 D) and W = 24 D, so that wavelengths
  *      above 2.7 D pass and those below 2 D vanish.  Beyond its ends the
- *      profile goes on turned about its end points.
+ *      profile is continued by point reflection at its end points.
  *   3. The table has 4 entries for each max(d, D), where a cubic spline is
  *      good to 1e-4 of the shortest wave and far better for longer ones.
  *

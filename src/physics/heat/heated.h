@@ -9,12 +9,11 @@
  * (heat_surfaces.h).  At the inlet the oil
  * is at the supply's temperature and the surfaces have taken up nothing.
  *
- * Surfaces that move against each other each come in at an end of their own,
- * and layers that move against x are entered from the other side: marches along
- * x and against it in turn, two of each an outer iteration of film and heat,
- * each with what the other has left of the other surface.  With K the operator
- * from heat to temperature of a surface, which is positive, two marches reduce
- * the error by
+ * With opposite sliding each surface enters at its own end, and layers that
+ * move against x start at the other side: marches along x and against it in
+ * turn, two of each an outer iteration of film and heat, each with what the
+ * other has left of the other surface.  With K the operator from heat to
+ * temperature of a surface, which is positive, two marches reduce the error by
  * ((I + K)^-1 K)^2.
  *
  * Where the number of points across is left open they are 5, and 7 from then on
@@ -23,11 +22,11 @@
  * contacts of Newtonian and Eyring oils (slip .01 to 1.5, .3 to .9 MN/m, 3 and
  * 10 m/s) 5 points left friction 400 x^2 % low, within a factor of 3, and
  * surface temperatures off by up to twice that; the film by more where the slip
- * is large, of which x does not know.  7 are taken from x = 0.05, 1 % of the
+ * is large, of which x does not know.  7 are used from x = 0.05, 1 % of the
  * friction, on, where the film is 20 K hot: a rolling one of 8 K had x = 0.33
- * of the compression in its inlet, and temperatures right to 0.4 %.  They are
- * taken from the start, too, if histories or features that pass may make
- * temperatures more uneven in time.
+ * of the compression in its inlet, and temperatures accurate within 0.4 %.
+ * They are taken from the start, too, if histories or features that pass may
+ * make temperatures more uneven in time.
  *
  * A film that begins towards -x (mirror.h) is marched from its last node.
  *

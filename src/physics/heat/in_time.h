@@ -3,7 +3,7 @@
  * Heat in time: a step of the temperatures of film and surfaces (cross_film.h,
  * solids.h), and what Reynolds' equation gets of them.
  *
- * A layer j of the film comes from X - u_j dT, T_j' is what is there a step
+ * A layer j of the film was at X - u_j dT, T_j' is what is there a step
  * ago; a surface comes from X - int u_k dT with its q and Psi_m (departures.h).
  * A solve across the film at each node with H of the guess that the cycles
  * begin from, and its P no further from the P' before than
@@ -17,8 +17,9 @@
  * a slip of um went to 1e5 K so, and in 10 cycles a step instead of 4.  What
  * passes in steps of D does not come near the limit.
  *
- * Viscosities are those of temperatures `used`: they go on as temperatures went
- * in the step before, and then half the way to the new ones,
+ * Viscosities are those of the temperatures `used`. These are extrapolated from
+ * the preceding step and then changed by half of the difference to the new
+ * ones,
  *
  *     T_used += (T' - T'') dT/dT' + (T - T_used)/2,
  *
@@ -37,9 +38,9 @@
  * moved to T_used.  At the edge of a feature that moves a mesh a step oil may
  * get 100 K hotter at once; left colder by dT it is too viscous by e^(gamma
  * dT), powers of ten, does not let the pressure there go, and the next spike is
- * higher.  So where gamma |T - T_used| is above 0.15 under pressure, T_used
- * goes half the way and heat is solved again with the film that a cycle makes
- * of it, six times at most: not by kelvins, of which a film of Eyring's law
+ * higher.  Therefore, if gamma |T - T_used| exceeds 0.15 under pressure, T_used
+ * changes by half the difference, and heat is solved again with the film of a
+ * cycle, six times at most: not by kelvins, of which a film of Eyring's law
  * bears many more. (The film knows no instability of its own: speeds are given
  * across it, not stresses, and what is made falls as it gets hotter.)  With the
  * film of the guess instead, whose pressures do not yet know the temperatures,

@@ -25,10 +25,10 @@
  * Surfaces that move in opposite directions carry changes at the film's end
  * upstream.  A last node that alternates between wet and dry then keeps the
  * iterations from ending.  The ratio s is therefore constant from 2 mesh sizes
- * before the end x_e = x_i + D P_i/(P_{i-1} - 2 P_i) on, with i the last wet
- * node. That node is heated by the share of its mesh within the film
- * (columns.c). With mass-conserving cavitation, s falls to zero over the last
- * 0.005 p_h instead.
+ * before the end x_e = x_i + D P_i/(P_{i-1} - 2 P_i) on, with i the last
+ * pressurized node. That node is heated by the share of its mesh within the
+ * film (columns.c). With mass-conserving cavitation, s falls to zero over the
+ * last 0.005 p_h instead.
  *
  * Along the characteristic with the speed reversed, grids are not mirrored and
  * rows have no nodes upstream.  Only there the wedge of q s is a right-hand

@@ -8,9 +8,9 @@
  * 50; of faster ones it changes the largest temperature by less than 1e-3 under
  * the flux of a smooth contact, and by 1 % at the edges of a flux that jumps.
  *
- * The memories reach beyond both ends of the domain (ovr_solid_beyond): what a
- * surface takes up at an end, where it comes in cold under hot oil, is not
- * lost, and what changes with time does not come back from there too soon.
+ * The memories reach beyond both ends of the domain (ovr_solid_beyond): heat
+ * absorbed at an end, where a cold surface enters under hot lubricant, is not
+ * lost, and changes in time are not reflected.
  *
  * A steady film is marched along x (heat_march.c), which knows upstream alone:
  * without heat along x, at a Peclet number of at least 0.1 and at no other

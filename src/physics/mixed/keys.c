@@ -1,6 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The section [boundary]: choice and parameters of the asperity contact model.
+ * The exponential form is Persson's (u0 of about Rq/2).  Its constants
+ * are for dry contact of self-affine profiles in plane strain.  At pressures of
+ * 0.003 to 0.2 of E* slope the error of the gap is less than 0.2 Rq.
+ *
  *     s = Rq/2.15,  a1 = 0.38 (E'/2) slope/ph
  *
  * The share that is in contact, 2.5 A ph/(E* slope), is 0.95 A/a1.  Profiles

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Running-in of a contact that goes on as it is: in each step of the run its
- * two profiles go through N passes, and bear by another law from then on.
- *
+ * Running-in under constant operating conditions: in each step of the run the
+ * two profiles wear in N passes, and their contact model changes.
  *     in a pass, of surface s: c_s = k_s ph (R/b) |V|/|u_s|
  *     dz_s(x) = -c_s N sum_j w_j P_sj(x)     (surface/rough_pair.h)
  *

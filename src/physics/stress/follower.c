@@ -2,10 +2,10 @@
 /*
  * A material history in a thread of its own.
  *
- * The solver's thread copies pressure and traction into a ring of moments and
- * goes on; the follower takes them in order, so that the history does not
- * depend on who is faster.  A full ring makes the solver wait.  Without a
- * thread a moment is taken at once.
+ * The solver's thread copies pressure and traction into a ring buffer and
+ * continues. The follower reads them in order, so that the history does not
+ * depend on the speed of the threads.  A full ring makes the solver wait.
+ * Without a thread a moment is taken at once.
  */
 #include <pthread.h>
 #include <string.h>

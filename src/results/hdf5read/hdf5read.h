@@ -4,9 +4,9 @@
  *
  * That library trusts what it reads: a damaged or a made-up file can make it
  * crash, follow a link into another file, or ask for any amount of memory.
- * Result files come from strangers, so the reader understands by itself the
+ * Result files may be from unknown sources, so that the reader parses the
  * part of the format that the writer uses (the one of HDF5 1.8, which the
- * writer pins) and what h5repack and ncks make of it, and refuses everything
+ * writer pins) and its forms by h5repack and ncks, and refuses everything
  * else: other groups, filters, types, links that are not hard, data in other
  * files.  Every address and every length is held against the length of the
  * file, and no table is longer than the bytes that it was read from.
