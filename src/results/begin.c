@@ -236,8 +236,9 @@ static void release(ovr_writer *w)
  * much as it needs for a file is asked for, and given back, before it is. */
 enum { HDF5_MEMORY = 4 << 20 };
 
-/* With less left HDF5 1.10 damages the heap instead of failing. */
-enum { HDF5_SPACE = 8 << 20 };
+/* With less left HDF5 1.10 damages the heap instead of failing: 8 MB for a
+ * file, and 16 MB for the stack and the heap of the writing thread. */
+enum { HDF5_SPACE = 24 << 20 };
 
 static ovr_status space_for_hdf5(const ovr_allocator *allocator, ovr_error *err)
 {
