@@ -246,8 +246,14 @@ ovr_status ovr_areal_period(const ovr_feature_form *form,
     if (!map)
         return OVR_BAD_INPUT;
     *width = period_of(map, &how);
+    double whole = (double)(map->ny - 1) * map->dy;
     ovr_areal_free(map);
-    return OVR_OK;
+    if (*width >= 0.5 * whole || how.extend_across == OVR_EXTEND_NONE)
+        return OVR_OK;
+    return ovr_fail_about(err, "taper_across",
+                          "taper_across = %g b must be at most half the width "
+                          "of the map, %g b",
+                          how.taper_across, whole);
 }
 
 /* Checks that the table repeats on the width of the strip, or fits into it.
@@ -302,19 +308,35 @@ static void describe_map(const ovr_areal *map, const ovr_areal_table *t,
     ovr_profile *p = map->owner;
     ovr_areal_numbers n;
     p->view.scaled_x = p->view.scaled_z = true;
-    if (!ovr_areal_measure(map, &n, NULL))
+    if (!ovr_areal_measure(map, &n, NULL)) {
+        char Str[32] = "";
+        if (!isnan(n.Str))
+            snprintf(Str, sizeof Str, ", Str %.2g", n.Str);
         ovr_profile_note(p,
                          "%zu x %zu points, %s x %s: Sq %s, Sa %s, Ssk %.3g, "
-                         "Sku %.3g, Str %.2g",
+                         "Sku %.3g%s",
                          map->nx, map->ny,
                          ovr_along(p, (double)(map->nx - 1) * map->dx).text,
                          ovr_along(p, (double)(map->ny - 1) * map->dy).text,
                          ovr_across(p, n.Sq).text, ovr_across(p, n.Sa).text,
-                         n.Ssk, n.Sku, n.Str);
+                         n.Ssk, n.Sku, Str);
+    }
     ovr_profile_note(p,
                      "on the grid: wavelengths above %.3g b along x and %.3g b "
                      "across, %.2g %% of the variance filtered out",
                      2 * mesh->D, 2 * mesh->Dy, 100 * t->lost);
+}
+
+/* Adds the name of the feature to a message. */
+static ovr_status add_name(const ovr_feature *f, ovr_status status,
+                           ovr_error *err)
+{
+    char text[OVR_MESSAGE_SIZE];
+    const char *about = err->about;
+    snprintf(text, sizeof text, "%s", err->message);
+    ovr_fail_about(err, about, "feature '%s': %s", f->name, text);
+    err->status = status;
+    return status;
 }
 
 static ovr_status tabulate(ovr_feature *f, const ovr_feature_form *form,
@@ -335,8 +357,9 @@ static ovr_status tabulate(ovr_feature *f, const ovr_feature_form *form,
     if (!t || !x)
         return OVR_NO_MEMORY;
     ovr_status status = ovr_areal_tabulate(map, &fit, t, arena, err);
-    if (!status)
-        status = close_across(f, t, mesh->width, err);
+    if (status)
+        return add_name(f, status, err);
+    status = close_across(f, t, mesh->width, err);
     if (status)
         return status;
     double half = ovr_areal_extent(&t->x) / 2;

@@ -92,6 +92,10 @@ refuses 'must be none, mean, plane or polynomial' \
     check map.ini --set feature.map.level=circle
 refuses 'lambda_c must be longer than lambda_s' check map.ini \
     --set 'feature.map.lambda_c=10 um' --set 'feature.map.lambda_s=20 um'
+refuses "feature 'map': taper_across = 5 b must be at most half the width" \
+    check map.ini --set feature.map.taper_across=5
+refuses "feature 'map': the map is 0\.09[0-9]* b long, less than 4 mesh" \
+    check map.ini --set feature.map.stretch=0.1
 sed '/strip/d' map.ini >line.ini
 refuses 'an areal surface needs \[strip\]' check line.ini
 

@@ -244,7 +244,7 @@ class Accessor:
         Parameters
         ----------
         kind : "snapshot", "history", "map", "trace", "stress", "risk", "depth",
-            "element"
+            "element", "plastic", "areal" (maps of a strip)
         path : path, optional
             Where to keep it: .png, .svg or .pdf.
         **look
