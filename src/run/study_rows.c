@@ -46,7 +46,7 @@ struct ovr_rows {
     unsigned number;   /* N of the table cases-N.csv to append to */
     char *head, *line; /* head of this table; buffer for a row */
     char *records;     /* with `whole`, else NULL */
-    table *table;      /* of each number read so far */
+    table **table;     /* of each number read so far, or NULL */
     size_t tables;
     time_t synced;
 };
@@ -68,13 +68,15 @@ static void put_record(char text[RECORD + 1], record r)
 
 static record get_record(const char *text)
 {
-    char copy[RECORD + 1];
+    char copy[RECORD + 1], *next, *end;
     record r = {text[0], 0, 0};
     memcpy(copy, text, RECORD);
     copy[RECORD] = '\0';
-    if (!r.state || sscanf(copy + 1, "%7u %14" SCNu64, &r.file, &r.at) != 2)
-        r = (record){0};
-    return r;
+    r.file = (unsigned)strtoul(copy + 1, &next, 10);
+    r.at = strtoull(next, &end, 10);
+    return r.state && next > copy + 1 && end > next && *end == '\n'
+               ? r
+               : (record){0};
 }
 
 static uint64_t place_of(size_t task)
@@ -137,7 +139,7 @@ static table *open_table(ovr_rows *r, unsigned number)
     bool last = false;
     if (number >= r->tables) {
         size_t count = 2 * (size_t)number + 8;
-        table *more = ovr_arena_take(&r->arena, count, sizeof *more, NULL);
+        table **more = ovr_arena_take(&r->arena, count, sizeof *more, NULL);
         if (!more)
             return NULL;
         if (r->tables)
@@ -145,13 +147,18 @@ static table *open_table(ovr_rows *r, unsigned number)
         r->table = more;
         r->tables = count;
     }
-    table *t = &r->table[number];
-    if (t->from)
+    table *t = r->table[number];
+    if (t)
         return t;
     path_of(r->s, "csv", number, path, sizeof path);
-    t->from = fopen(path, "r");
-    if (!t->from)
+    FILE *from = fopen(path, "r");
+    t = from ? ovr_arena_take(&r->arena, 1, sizeof *t, NULL) : NULL;
+    if (from && !t)
+        fclose(from);
+    if (!t)
         return NULL;
+    t->from = from;
+    r->table[number] = t;
     if (fgets(r->line, LINE, t->from) &&
         !strncmp(r->line, first_columns, sizeof first_columns - 1))
         t->head = at = ovr_arena_text(&r->arena, r->line, NULL);
@@ -293,18 +300,29 @@ static void take_files(rebuilding *b)
     }
 }
 
+/* Returns N of "cases-N.csv", 0 for other names. */
+static unsigned number_in(const char *name)
+{
+    static const char begin[] = "cases-";
+    const char *digits = name + sizeof begin - 1;
+    char *end;
+    if (strncmp(name, begin, sizeof begin - 1) != 0 || *digits < '1' ||
+        *digits > '9')
+        return 0;
+    unsigned long number = strtoul(digits, &end, 10);
+    return number < FILES && !strcmp(end, ".csv") ? (unsigned)number : 0;
+}
+
 static ovr_status read_folder(rebuilding *b)
 {
     DIR *folder = opendir(b->r->s->output);
     struct dirent *entry;
     bool files = false;
     while (folder && (entry = readdir(folder))) {
-        unsigned number = 0;
-        int end = 0;
+        unsigned number = number_in(entry->d_name);
         files = files || ends_with(entry->d_name, ".json") ||
                 ends_with(entry->d_name, ".failed");
-        if (sscanf(entry->d_name, "cases-%6u.csv%n", &number, &end) != 1 ||
-            !end || entry->d_name[end] || !number)
+        if (!number)
             continue;
         if (!b->all && !(b->all = name_all(b->r->s, &b->arena)))
             return OVR_NO_MEMORY;
@@ -410,8 +428,8 @@ void ovr_rows_close(ovr_rows *r)
     if (!r)
         return;
     for (size_t k = 0; k < r->tables; k++)
-        if (r->table[k].from)
-            fclose(r->table[k].from);
+        if (r->table[k])
+            fclose(r->table[k]->from);
     if (r->index >= 0)
         close(r->index);
     if (r->out >= 0)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/zip.h"
 
+#define ZLIB_CONST /* input is not changed */
 #include <limits.h>
 #include <string.h>
 #include <zlib.h>
@@ -179,7 +180,7 @@ const ovr_zip_entry *ovr_zip_find(const ovr_zip *zip, const char *name)
 
 static bool inflate_all(ovr_bytes packed, char *to, size_t size)
 {
-    z_stream z = {.next_in = (Bytef *)(uintptr_t)packed.data,
+    z_stream z = {.next_in = (const Bytef *)packed.data,
                   .avail_in = (uInt)packed.size,
                   .next_out = (Bytef *)to,
                   .avail_out = (uInt)size};
@@ -293,8 +294,7 @@ static bool write_end(FILE *to, uint64_t entries, uint64_t from, uint64_t end)
 static bool pack(const ovr_zip_file *file, bool stored, ovr_arena *arena,
                  ovr_zip_entry *e, const void **packed)
 {
-    z_stream z = {.next_in = (Bytef *)(uintptr_t)file->data,
-                  .avail_in = (uInt)file->size};
+    z_stream z = {.next_in = file->data, .avail_in = (uInt)file->size};
     *packed = file->data;
     e->packed = file->size;
     if (stored)
