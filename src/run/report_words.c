@@ -97,10 +97,19 @@ ovr_words ovr_words_of(const ovr_observable *row, const ovr_run_info *s)
 
 /* ---------------------------------------------------------------- friction */
 
+static bool is_newtonian(const ovr_run_info *s)
+{
+    return s->setup->lubricant->rheology == OVR_NEWTONIAN;
+}
+
+/* A flow law without a bound of the shear stress is as unrealistic as a
+ * Newtonian film once friction exceeds the load. */
 bool ovr_absurd_friction(const ovr_run_info *s)
 {
+    const double load = 1;
+    double mu = ovr_simulation_observation(s->sim)->mu_slide;
     return s->unbearable_share > 0 && !ovr_setup_heat(s->setup) &&
-           s->setup->lubricant->rheology == OVR_NEWTONIAN;
+           (is_newtonian(s) || fabs(mu) > load);
 }
 
 static void say_force(const ovr_told *to, const char *label, double F,
@@ -154,9 +163,9 @@ static void say_friction(const ovr_told *to, const ovr_run_info *s)
     if (ovr_absurd_friction(s))
         ovr_tell(to, "friction is not realistic",
                  "the shear stress reaches %.3g of the pressure and exceeds a "
-                 "tenth of it in %.2g %% of the contact; set "
-                 "lubricant.rheology",
-                 s->shear_over_pressure, 100 * s->unbearable_share);
+                 "tenth of it in %.2g %% of the contact; set lubricant.%s",
+                 s->shear_over_pressure, 100 * s->unbearable_share,
+                 is_newtonian(s) ? "rheology" : "limiting_shear");
     say_coefficients(to, s);
 }
 

@@ -24,6 +24,7 @@ tried() {
     limit=$1
     shift
     status=0
+    # shellcheck disable=SC3045 # dash and bash have it
     (ulimit -v "$limit" && exec "$OVERROLL" "$@") >out 2>err || status=$?
     case $status in
     0) succeeded=yes ;;

@@ -43,6 +43,24 @@ contains out '^rolling friction coefficient .*surface 2: '
 newtonian --set 'contact.hertz_pressure=0.9 GPa' \
     --set lubricant.rheology=eyring --set 'lubricant.eyring_stress=5 MPa'
 ! grep 'not realistic' out || fail 'a flow law that no oil has'
+# A flow law that does not bound the stress, at a friction above the load
+cat >steep.ini <<'END'
+[contact]
+hertz_pressure = 2 GPa
+radius = 10 mm
+modulus = 226 GPa
+mean_speed = 1 m/s
+slide_to_roll = 0.5
+[lubricant]
+viscosity = 100 mPa.s
+alpha = 20 1/GPa
+rheology = eyring
+eyring_stress = 1e6 MPa
+END
+expect 0 "$OVERROLL" steady steep.ini
+contains out '^friction is not realistic .*set lubricant.limiting_shear'
+expect 0 "$OVERROLL" steady steep.ini --set lubricant.limiting_shear=0.08
+! grep 'not realistic' out || fail 'a limiting stress'
 newtonian --set 'contact.hertz_pressure=0.5 GPa' \
     --set heat.model=lobatto --set heat.temperature=80degC
 ! grep 'not realistic' out || fail 'heat is on'
