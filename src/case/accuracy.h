@@ -11,4 +11,7 @@
 double ovr_expected_of_mesh(const ovr_setup *setup);
 double ovr_expected(const ovr_setup *setup, double arriving);
 
+/* The error that nine of ten cases do not exceed. */
+double ovr_expected_at_most(const ovr_setup *setup);
+
 #endif

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "case/accuracy.h"
 #include "case/domain.h"
 #include "case/setup.h"
 #include "case/two_columns.h"
@@ -450,8 +451,22 @@ static bool has_hot_opposed(const ovr_resolved *r)
     return false;
 }
 
+/* True if the likely error stays below the usual target with steps of one
+ * mesh, but not with longer ones. */
+static bool is_closer(ovr_resolved *r)
+{
+    const double target = 1e-3;
+    double arriving = ovr_resolved_arrives(r), longer;
+    if (r->setup.accuracy_of != OVR_ACCURACY_ALL)
+        return false;
+    r->march.dT = LONG_STEP * r->setup.mesh;
+    longer = ovr_expected(&r->setup, arriving);
+    r->march.dT = 0;
+    return longer > target && ovr_expected(&r->setup, arriving) <= target;
+}
+
 /* Why a step is one mesh; NULL: it may be longer. */
-static const char *reason_of(const ovr_resolved *r)
+static const char *reason_of(ovr_resolved *r)
 {
     const ovr_setup *s = &r->setup;
     if (s->options->scheme != OVR_CHARACTERISTIC)
@@ -464,10 +479,14 @@ static const char *reason_of(const ovr_resolved *r)
         return "on a mesh above 0.01 b";
     if (changes_quickly(r))
         return "for a change within 30 D";
+    if (ovr_history_varies(s->speed))
+        return "for a speed that varies";
     if (has_hot_opposed(r))
         return "for hot surfaces that move in opposite directions";
     if (heaviest(s) >= HEAVY)
         return "for M of 100 and more";
+    if (is_closer(r))
+        return "to keep the likely error below 0.001";
     return has_narrow(s) ? "for a feature narrower than 30 D" : NULL;
 }
 

@@ -200,15 +200,16 @@ static bool takes_time(const ovr_resolved *r)
                ovr_model_feature_bit(OVR_MODEL_BOUNDARY, true);
 }
 
-/* The first level from `least` on whose mesh resolves the inlet of the nominal
- * contact.  Films that asperities hold open need none finer. */
-static int resolving_level(const ovr_resolved *r, int least)
+/* The first level from `least` on whose mesh is this part of the mesh that
+ * resolves the inlet of the nominal contact, or finer.  Films that asperities
+ * hold open need none finer. */
+static int resolving_level(const ovr_resolved *r, int least, double part)
 {
     enum { MAX = 14 };
     const ovr_setup *s = &r->setup;
     const ovr_options *o = s->options;
     double H = ovr_film_central_moes(s->contact->M, s->contact->L);
-    double largest = ovr_resolving_mesh(s->contact->M, H);
+    double largest = part * ovr_resolving_mesh(s->contact->M, H);
     double length = o->outlet - o->inlet;
     int level = least;
     if (ovr_resolved_features(r) &
@@ -223,8 +224,19 @@ static int resolving_level(const ovr_resolved *r, int least)
 /* Runs in time take a finer level than 8 only if that has no solution. */
 static int largest_usual_level(const ovr_resolved *r)
 {
-    int level = resolving_level(r, OVR_USUAL_LEVEL);
+    int level = resolving_level(r, OVR_USUAL_LEVEL, 1);
     return level > OVR_USUAL_LEVEL + 1 ? level : OVR_USUAL_LEVEL;
+}
+
+/* The level of a steady contact: one more than usual where the constriction at
+ * the outlet needs it. */
+static int steady_level(const ovr_resolved *r)
+{
+    const double half = 0.5;
+    int inlet = resolving_level(r, OVR_USUAL_LEVEL, 1);
+    int outlet = resolving_level(r, OVR_USUAL_LEVEL, half);
+    int most = OVR_USUAL_LEVEL + 1;
+    return inlet > OVR_USUAL_LEVEL || outlet < most ? inlet : most;
 }
 
 /* Other steady contacts take none; of what does the errors that most users
@@ -239,12 +251,11 @@ static void usual_level(ovr_resolved *r)
     if (s->options->level != OVR_GRID_USUAL)
         return;
     if (strip) { /* a step there takes as long as hundreds of a line */
-        s->options->level = resolving_level(r, OVR_USUAL_STRIP);
+        s->options->level = resolving_level(r, OVR_USUAL_STRIP, 1);
         s->accuracy = 0;
         return;
     }
-    s->options->level = chosen ? OVR_GRID_AUTO
-                               : resolving_level(r, OVR_USUAL_LEVEL);
+    s->options->level = chosen ? OVR_GRID_AUTO : steady_level(r);
     s->accuracy_of = OVR_ACCURACY_ALL;
     s->accuracy = chosen ? unseen : 0;
 }

@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "case/accuracy.h"
 #include "case/setup.h"
 #include "contact/contact.h"
 #include "contact/film_formula.h"
@@ -293,10 +294,10 @@ static void say_grid(const ovr_told *to, const ovr_setup *setup,
                  "at the pressure spike, until its height changes by less than "
                  "%g",
                  o->refine_change);
-    ovr_tell(to, "expected discretization error", "%.1g (%s)", setup->expected,
-             of[setup->accuracy_of]);
+    ovr_tell(to, "expected discretization error", "%.1g at most (%s)",
+             ovr_expected_at_most(setup), of[setup->accuracy_of]);
     if (setup->expected <= setup->accuracy)
-        ovr_tell(to, "level", "%d, the first with an expected error below %g%s",
+        ovr_tell(to, "level", "%d, the first with a likely error below %g%s",
                  o->level, setup->accuracy,
                  setup->confirm ? ", confirmed after the run" : "");
 }
@@ -345,7 +346,8 @@ static void put_cost(const ovr_told *to, const ovr_setup *setup,
     ovr_put_count(to, "level", options->level);
     ovr_put_number(to, "nodes", cost->nodes);
     ovr_put_number(to, "mesh", cost->mesh);
-    ovr_put_number(to, "expected_error", setup->expected);
+    ovr_put_number(to, "expected_error", ovr_expected_at_most(setup));
+    ovr_put_number(to, "likely_error", setup->expected);
     ovr_put_number(to, "inlet", options->inlet);
     ovr_put_number(to, "outlet", options->outlet);
     ovr_put_text(to, "scheme", ovr_scheme_name(options->scheme));

@@ -9,8 +9,9 @@
  *     e = max(d1, d2 2^-p)/(2^min(p, q) - 1),    q no less than 1/2:
  *
  * no better than the order p of the scheme says, nor than the levels show.  In
- * time p = 1, what passes being seen at nodes and steps, and e is taken 1.25
- * times, as P. J. Roache does with three grids (J. Fluids Eng. 116, 1994).
+ * time p = 1, what passes being seen at nodes and steps, or of a solution of
+ * fourth order 2, and 3 of its films at the end.  Then e is taken 1.25 times,
+ * as P. J. Roache does with three grids (J. Fluids Eng. 116, 1994).
  *
  * Three levels are no estimate where they do not fall in a known order: d1 and
  * d2 of different sign, or q not between 3/4 and one more than the scheme's
@@ -21,7 +22,8 @@
  * orders cancel, when d2 is below a tenth of them and d1 below 0.4 d2: they may
  * turn or fall faster, and e is d2 then.  Narrow peaks of pressure grow, some
  * of them on finer levels only, where nothing warns of them: of pressures in
- * time q is 1/2, as of the height of a spike, whatever two differences show.
+ * time that are not resolved (ovr_maximum_is_resolved) q is 1/2, as of the
+ * height of a spike, whatever two differences show.
  *
  * Of several passes each level has its own: what its passes leave feeds its
  * next ones, so that the errors that oil carries from pass to pass are seen.
@@ -173,6 +175,7 @@ static ovr_status run_coarser(ovr_run *run, int down, level_run *r,
 typedef struct measure {
     double order, safety;
     bool in_time, corrected; /* a run; of fourth order */
+    bool peak;               /* the maximum of P is not resolved */
 } measure;
 
 /* True if differences fall in a known order; d1 and d2 of different sign have
@@ -207,7 +210,7 @@ static ovr_run_error judge(const char *key, ovr_unit_kind kind,
         q = isnan(e.order) ? m->order : fmax(0.5, fmin(m->order, e.order));
         d = fmax(d1, d2 * exp2(-m->order));
     }
-    if (!film && m->in_time)
+    if (!film && m->in_time && m->peak)
         q = PEAK_ORDER;
     if (e.converges)
         e.error = m->safety * d / (exp2(q) - 1) + minimum;
@@ -246,7 +249,10 @@ static void judge_end(ovr_run_errors *errors, const level_run *r,
         double v[LEVELS];
         for (int i = 0; i < LEVELS; i++)
             v[i] = r[i].solved ? ovr_observable_value(o, &r[i].seen) : NAN;
-        add(errors, judge(rows[k][0], o->kind, m, v));
+        measure end = *m;
+        if (m->in_time && m->corrected && o->kind == OVR_KIND_HEIGHT)
+            end.order = 3;
+        add(errors, judge(rows[k][0], o->kind, &end, v));
     }
 }
 
@@ -291,10 +297,14 @@ static measure measure_of(const ovr_run *run)
     const ovr_options *o = ovr_simulation_options(run->sim);
     int scheme = ovr_scheme_record(o->scheme)->order;
     int reached = ovr_simulation_order(run->sim);
+    const ovr_statistics *total = ovr_simulation_statistics(run->sim);
+    bool peak = !ovr_simulation_observation(run->sim)->P_max_resolved ||
+                total->P_max_unresolved;
     if (run->info.transient)
-        return (measure){1, SAFETY, true, reached == 4};
+        return (measure){reached == 4 ? 2 : 1, SAFETY, true, reached == 4,
+                         peak};
     return (measure){reached > scheme ? reached : scheme, 1, false,
-                     reached == 4};
+                     reached == 4, peak};
 }
 
 static void warn(ovr_run *run, const ovr_run_error *e, int level)

@@ -12,7 +12,7 @@ grep -v '^rheology\|^eyring\|^limiting' roller.ini >newton.ini
 
 for level in 6 7 8; do
     expect 0 "$OVERROLL" run newton.ini --level $level --json \
-        -o newton.h5 --force
+        -o newton.h5 --force --set time.step=grid
     contains out '"P_max_resolved": false'
     contains err 'warning: the maximum pressure .* is not resolved.*rheology'
     number P_max_overall >newton.$level

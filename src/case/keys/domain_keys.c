@@ -50,9 +50,10 @@ static const ovr_parameter domain_keys[] = {
      "if that is further"},
     {"level", WHOLE_OR(levels, 1, OVR_LEVELS - 1), "usual", AT(options.level),
      true, ALWAYS,
-     "finest grid: 7 2^level + 1 nodes; usual: 8 for a steady contact (9 to 12 "
-     "above M = 700, as the inlet needs); in time and with [boundary] the "
-     "first level with an expected error of 1e-3 in central and minimum film "
+     "finest grid: 7 2^level + 1 nodes; usual: 8 for a steady contact (9 where "
+     "the mesh exceeds a tenth of H^(2/3), up to 12 above M = 700); in time "
+     "and with [boundary] the "
+     "first level with a likely error of 1e-3 in central and minimum film "
      "thickness and friction, 8 at most; auto: the first level at which "
      "accuracy_of reaches accuracy, 14 at most, confirmed after the run"},
     {"accuracy", PLAIN(1e-9, 0.5), "1e-3", AT(accuracy), true, "level = auto",
