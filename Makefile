@@ -285,8 +285,8 @@ VERIFYSH  := $(wildcard tests/verify/*.sh) $(filter %.sh,$(SURVEYS))
 SUPPORT   := $(patsubst %.c,$(BUILD)/%.o,\
                $(filter-out %/main.c,$(wildcard tests/support/*.c)))
 TESTBIN   := $(TESTSRC:%.c=$(BUILD)/%)
-# With a list of physics of its own.
-ALONE_TESTS := tests/unit/physics_test.c
+# With a list of physics, or a page, of their own.
+ALONE_TESTS := tests/unit/physics_test.c tests/unit/page_test.c
 
 # A locale with a decimal comma, for the tests alone; empty where it cannot be
 # made, which skips them.
@@ -358,7 +358,8 @@ $(REPLAY): $(BUILD)/tests/fuzz/replay.o $(REPLAYED) $(COMMAND) $(LIB)
 $(BUILD)/tests/fuzz/command_fuzz: $(COMMAND)
 $(BUILD)/tests/fuzz/command_fuzz: OVR_LIBS := $(LIB) $(OVR_LIBS)
 $(BUILD)/tests/unit/physics_test: $(BUILD)/tests/unit/layer.o $(COMMAND)
-$(BUILD)/tests/unit/physics_test: OVR_LIBS := $(LIB) $(OVR_LIBS)
+$(BUILD)/tests/unit/page_test: $(BUILD)/src/web/page.o $(COMMAND)
+$(ALONE:%.c=$(BUILD)/%): OVR_LIBS := $(LIB) $(OVR_LIBS)
 
 # What libFuzzer finds stays in $(BUILD)-fuzz; the corpora in the tree are
 # only read.
@@ -495,7 +496,7 @@ lint-format: need-lint
 
 # Each file again when its object is newer: the object follows the headers.
 TIDY := $(LIBSRC:%.c=$(BUILD)/%.tidy) $(CLISRC:%.c=$(BUILD)/%.tidy) \
-        $(KERNELS:%.kernel.c=$(BUILD)/%.kernel.tidy)
+        $(KERNELS:%.kernel.c=$(BUILD)/%.kernel.tidy) $(BUILD)/src/web/page.tidy
 # error.c defines what lint.h redefines.
 tidy_include = $(if $(filter %/error.c,$(1)),,-include tools/lint.h)
 # Paths through a file are followed by gcc (lint-analyzer); with DEEP=1 by clang
@@ -523,7 +524,8 @@ lint-cppcheck: need-lint
 	  --enable=warning,performance,portability --suppress=missingInclude \
 	  --suppress=normalCheckLevelMaxBranches --suppress=unknownMacro \
 	  --cppcheck-build-dir=$(BUILD)/cppcheck -j $(JOBS) -DOVR_ISA=base \
-	  -Iinclude -Isrc -Itests $(LIBSRC) $(CLISRC) $(wildcard tests/*/*.c)
+	  -Iinclude -Isrc -Itests $(LIBSRC) $(CLISRC) $(wildcard src/web/*.c) \
+	  $(wildcard tests/*/*.c)
 
 # gcc's own analysis, of paths through a file.
 ANALYZED := $(LIBSRC:%.c=$(BUILD)/%.analyzed) $(CLISRC:%.c=$(BUILD)/%.analyzed)

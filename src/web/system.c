@@ -136,8 +136,7 @@ fftwf_plan fftwf_plan_dft_1d(int n, fftwf_complex *in, fftwf_complex *out,
     return NULL;
 }
 
-void fftwf_execute_dft(const fftwf_plan plan, fftwf_complex *in,
-                       fftwf_complex *out)
+void fftwf_execute_dft(fftwf_plan plan, fftwf_complex *in, fftwf_complex *out)
 {
     const struct single *s = (const struct single *)plan;
     const float(*from)[2] = (const float(*)[2])in;
