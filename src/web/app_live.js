@@ -260,9 +260,11 @@ async function check() {
     showTrouble(lines.find((l) => /^case\.ini:/.test(l)) ||
       lines[lines.length - 1] || "the program ended");
     byId("run").disabled = true;
+    byId("live").classList.add("stale"); // of the last case that was right
     return null;
   }
   showTrouble("");
+  byId("live").classList.remove("stale");
   const about = JSON.parse(answer.out);
   about.notes = said(answer);
   about.seconds = slower * (about.estimated_seconds || 0);
