@@ -23,7 +23,7 @@ int overroll_main(int argc, char **argv);
 
 enum { FIELDS = 9, NODES = 2000, X = 0, P, H, S, FILM, T1, T2, T3, TOUCH };
 
-/* The last state, and when the page wants an end. */
+/* The last state, and after how many the page asks for an end. */
 static struct {
     size_t n[FIELDS];
     double value[FIELDS][NODES];
@@ -61,8 +61,8 @@ void page_state(double T, double fraction, double b, double p)
     page.states++;
 }
 
-/* Runs words separated by spaces, after "overroll"; what is printed is left in
- * the file "out". */
+/* Runs words separated by spaces, after "overroll", with standard output in the
+ * file "out". */
 static int call(const char *words)
 {
     enum { MOST = 16 };
