@@ -31,8 +31,8 @@ bool ovr_key_is_input(const ovr_parameter *row)
 static bool is_input(const ovr_case *c, const ovr_block *b, size_t k)
 {
     const ovr_parameter *row = &b->section->rows[k];
-    return ovr_key_is_input(row) && b->slots[k].given &&
-           b->slots[k].text && ovr_key_applies(c, b, row);
+    return ovr_key_is_input(row) && b->slots[k].given && b->slots[k].text &&
+           ovr_key_applies(c, b, row);
 }
 
 static size_t count_inputs(const ovr_case *c)

@@ -11,6 +11,7 @@
 #include "overroll/run.h"
 #include "physics/stress/stress.h"
 #include "results/results.h"
+#include "run/unpack.h"
 #include "stress/stress.h"
 
 struct ovr_stored_stress {
@@ -134,14 +135,12 @@ static ovr_status one_surface(ovr_stored_stress *s, stored *f, int k,
     return status ? status : s->report[k] ? OVR_OK : OVR_BAD_INPUT;
 }
 
-static ovr_status read_case(ovr_stored_stress *s, const stored *f,
-                            ovr_status (*change)(void *data, ovr_case *c,
-                                                 ovr_error *err),
-                            void *data, ovr_error *err)
+static ovr_status set_up(ovr_stored_stress *s,
+                         ovr_status (*change)(void *data, ovr_case *c,
+                                              ovr_error *err),
+                         void *data, ovr_error *err)
 {
-    const char *text = ovr_result_about(f->result)->case_text;
-    s->c = ovr_case_read_stored(text, f->path, NULL, NULL, err);
-    if (!s->c || (change && change(data, s->c, err)))
+    if (change && change(data, s->c, err))
         return OVR_BAD_INPUT;
     s->setup = ovr_case_resolve(s->c, NULL, err);
     if (s->setup && !ovr_setup_stress(s->setup)->surfaces) {
@@ -154,6 +153,24 @@ static ovr_status read_case(ovr_stored_stress *s, const stored *f,
     if (!s->setup || ovr_setup_prepare(s->setup, NULL, err))
         return OVR_BAD_INPUT;
     return OVR_OK;
+}
+
+/* Reads profiles and other inputs from the result file if it holds them. */
+static ovr_status read_case(ovr_stored_stress *s, const stored *f,
+                            ovr_status (*change)(void *data, ovr_case *c,
+                                                 ovr_error *err),
+                            void *data, ovr_error *err)
+{
+    const char *text = ovr_result_about(f->result)->case_text;
+    ovr_lent lent;
+    s->c = ovr_case_read_stored(text, f->path, NULL, NULL, err);
+    if (!s->c)
+        return OVR_BAD_INPUT;
+    ovr_status status = ovr_inputs_lend(f->result, f->path, s->c, &lent, err);
+    if (!status)
+        status = set_up(s, change, data, err);
+    ovr_inputs_take_back(&lent);
+    return status;
 }
 
 static ovr_status work(ovr_stored_stress *s, stored *f,

@@ -12,6 +12,7 @@
 #include <fcntl.h>
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include <sys/stat.h>
@@ -23,6 +24,7 @@
 #include "overroll/version.h"
 #include "results/results.h"
 #include "run/pass_series.h"
+#include "run/unpack.h"
 
 enum { NAME_SIZE = 112, PATH_SIZE = 4096 };
 
@@ -315,4 +317,75 @@ ovr_status ovr_result_unpack(const char *path, const char *folder, bool force,
     ovr_result_close(u.result);
     ovr_arena_release(&u.arena);
     return status;
+}
+
+/* ------------------------------------------------------- for a single reading
+ */
+
+/* Lists and writes the inputs that the result holds, and sets their keys to the
+ * paths. */
+static ovr_status lend(unpacking *u, ovr_error *err)
+{
+    ovr_status status = ovr_case_inputs(u->c, &u->arena, &u->keys, err);
+    if (!status)
+        u->to = ovr_arena_take(&u->arena, u->keys.count + 1, sizeof *u->to,
+                               err);
+    if (status || !u->to)
+        return OVR_NO_MEMORY;
+    name_case(u); /* a name that no input gets */
+    for (size_t k = 0; !status && k < u->keys.count; k++) {
+        const ovr_input *key = &u->keys.input[k];
+        size_t input = ovr_result_input_of(u->result, key->key);
+        const ovr_result_input *of = ovr_result_input_at(u->result, input);
+        const target *to = of ? find_target(u, input) : NULL;
+        char path[PATH_SIZE];
+        if (!of || !of->kept)
+            continue;
+        if (!to) {
+            to = add_target(u, input, of->name);
+            status = write_input(u, to, err);
+        }
+        if (!status)
+            status = full_path(u, to, path, err);
+        if (!status)
+            status = ovr_case_set(u->c, key->key, path, u->path, err);
+    }
+    return status;
+}
+
+ovr_status ovr_inputs_lend(ovr_result *result, const char *path, ovr_case *c,
+                           ovr_lent *to, ovr_error *err)
+{
+    *to = (ovr_lent){.arena = ovr_arena_make(NULL)};
+    if (!ovr_result_input_at(result, 0))
+        return OVR_OK;
+    snprintf(to->folder, sizeof to->folder, "/tmp/overroll-XXXXXX");
+    if (!mkdtemp(to->folder)) { /* the files of the case, then */
+        to->folder[0] = '\0';
+        return OVR_OK;
+    }
+    unpacking u = {.arena = to->arena,
+                   .result = result,
+                   .path = path,
+                   .folder = to->folder,
+                   .c = c};
+    ovr_status status = lend(&u, err);
+    to->arena = u.arena;
+    to->file = ovr_arena_take(&to->arena, u.targets + 1, sizeof *to->file,
+                              NULL);
+    for (size_t k = 1; to->file && k < u.targets; k++)
+        to->file[to->files++] = u.to[k].name;
+    return status;
+}
+
+void ovr_inputs_take_back(ovr_lent *lent)
+{
+    char path[PATH_SIZE];
+    for (size_t k = 0; k < lent->files; k++) {
+        snprintf(path, sizeof path, "%s/%s", lent->folder, lent->file[k]);
+        unlink(path);
+    }
+    if (lent->folder[0])
+        rmdir(lent->folder);
+    ovr_arena_release(&lent->arena);
 }

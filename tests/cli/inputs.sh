@@ -69,6 +69,17 @@ cmp 1.txt 2.txt || fail 'the run of the inputs has other bits'
 expect 0 "$OVERROLL" info two.h5 --json
 contains out '"name": "oil.txt"'
 
+# Stresses of a result need no files but it
+sed 's/level = 5/level = 6/' back/one.ini >stress.ini
+cp back/scratch.csv back/oil.txt back/load.txt .
+expect 0 "$OVERROLL" run stress.ini -o stress.h5 -q
+expect 0 "$OVERROLL" stress stress.h5 --json
+cp out with.json
+rm scratch.csv oil.txt load.txt
+expect 0 "$OVERROLL" stress stress.h5 --json
+cmp out with.json || fail 'other stresses without the files'
+ls -d /tmp/overroll-??????/scratch.csv 2>/dev/null && fail 'left in /tmp'
+
 # Nothing is replaced without --force, nor through a link
 echo mine >back/oil.txt
 refuses 'exists already; --force' info one.h5 --inputs back
