@@ -1,0 +1,8 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Errors of 40 random cases next to the error that `check` expects.
+. "$TOP/tests/support/cli.sh"
+need_python csv json
+
+"$PYTHON" "$TOP/tests/verify/errors.py" "$OVERROLL" "${SEED:-1}" 40 ||
+    fail 'more than one in eight exceeds the expected error'
