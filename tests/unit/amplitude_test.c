@@ -115,7 +115,7 @@ TEST(what_is_not_foreseen)
          "contact.slide_to_roll=0.1", "both are rough", NULL},
         {"", "contact.slide_to_roll=-2", "does not move", NULL},
         {"[load]\nhistory = ramp\nto = 1.2\nduration = 1\n", NULL, NULL,
-         "change"},
+         "vary"},
         {"[radius]\nhistory = ramp\nto = 1.2\nduration = 1\n", NULL, NULL,
          "radius"},
         {"[sliding]\nhistory = ramp\nto = 0.2\nduration = 1\n", NULL, NULL,
@@ -132,8 +132,8 @@ TEST(what_is_not_foreseen)
         assert_true(!cases[k].why == !film.why);
         if (film.why)
             assert_non_null(strstr(film.why, cases[k].why));
-        if (cases[k].but)
-            assert_non_null(strstr(film.but, cases[k].but));
+        if (cases[k].but && !strstr(film.but, cases[k].but))
+            fail_msg("'%s' lacks '%s'", film.but, cases[k].but);
         assert_true(isnan(film.film_Rq) == (film.why != NULL));
     }
 }

@@ -47,7 +47,7 @@ static ovr_status run_again(void *data, const ovr_simulation *sim,
     (void)sim;
     (void)err;
     assert_int_equal(ovr_run_go(w->run, &own), OVR_BAD_INPUT);
-    CHECK_ERROR(&own, OVR_BAD_INPUT, "under way");
+    CHECK_ERROR(&own, OVR_BAD_INPUT, "has started");
     w->refused++;
     return OVR_OK;
 }

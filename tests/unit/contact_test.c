@@ -182,10 +182,10 @@ TEST(contradictions_are_named)
     refused(c, "speed_1 plus speed_2");
     c = roller();
     c.mean_speed = 1;
-    refused(c, "mean_speed follows");
+    refused(c, "mean_speed is already determined");
     c = roller();
     c.slide_to_roll = 1;
-    refused(c, "slide_to_roll follows");
+    refused(c, "slide_to_roll is already determined");
     c = roller();
     c.hertz_pressure = 1e9;
     refused(c, "load and hertz_pressure");

@@ -149,7 +149,7 @@ TEST(metres_become_hertzian_units)
         CHECK_NEAR(S[i], packet(X[i] - (-2 - 2.5 + 3.7), 0.5), 1e-6);
     CHECK_NEAR(ovr_surfaces_centre(s, 0, 3.7), -2 - 2.5 + 3.7, 1e-12);
     CHECK_CLOSE(ovr_surfaces_info(s, 0).amplitude, 0.9978, 1e-3);
-    assert_non_null(strstr(ovr_surfaces_info(s, 0).assumed, "on the grid"));
+    assert_non_null(strstr(ovr_surfaces_info(s, 0).assumed, "by the grid"));
     ovr_surfaces_free(s);
 }
 

@@ -331,7 +331,7 @@ TEST_IN_FOLDER(numbers_go_by_name)
     new.known = 5;
     new.array[0] = 1;
     CHECK_STATUS(read_later(path, &new, &err), OVR_BAD_INPUT, &err);
-    CHECK_ERROR(&err, OVR_BAD_INPUT, "its 'array'");
+    CHECK_ERROR(&err, OVR_BAD_INPUT, "'array' differs");
     assert_true(new.known == 5);
     path = test_path(*state, "b.h5");
     write_later(path, &new);

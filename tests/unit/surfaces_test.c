@@ -399,16 +399,16 @@ TEST(mistakes_are_named)
     f.height = 1, refuse(&f, "height"), f = good;
     f.surface = 3, refuse(&f, "surface"), f = good;
     f.start = NAN, refuse(&f, "start"), f = good;
-    f.edge = 1, refuse(&f, "several"), f = good;
+    f.edge = 1, refuse(&f, "only one of"), f = good;
     f.start = INFINITY, refuse(&f, "finite"), f = good;
     f.grow = -1, refuse(&f, "grow"), f = good;
     f.repeat = 1e-9, refuse(&f, "repeat"), f = good;
     f.copies = -1, refuse(&f, "copies"), f = good;
     f.shape = (ovr_shape)77, refuse(&f, "77"), f = good;
-    f.start = NAN, f.arrival = 3, f.surface = 2, refuse(&f, "stands still");
+    f.start = NAN, f.arrival = 3, f.surface = 2, refuse(&f, "does not move");
     f = good, f.shape = OVR_WAVE, refuse(&f, "wave has no depth");
     f = good, f.shape = OVR_RIDGE, f.height = 1, refuse(&f, "not both");
-    f = good, f.shape = OVR_GROOVE, f.radius = 1, refuse(&f, "physical");
+    f = good, f.shape = OVR_GROOVE, f.radius = 1, refuse(&f, "with dimensions");
 }
 
 static void set_size(ovr_feature_form *form, const char *key, double value)
