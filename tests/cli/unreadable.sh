@@ -29,10 +29,10 @@ for path in "film_thickness", "history/load":
         f.seek(at)
         f.write(bytes([byte ^ 0x55]))
 END
-refuses "its 'film_thickness' cannot be read" info film_thickness.h5
-refuses "its 'film_thickness' cannot be read" export film_thickness.h5
-refuses "its 'history/load' cannot be read" info load.h5
-refuses "its 'history/load' cannot be read" export load.h5 --all
+refuses "cannot read 'film_thickness'" info film_thickness.h5
+refuses "cannot read 'film_thickness'" export film_thickness.h5
+refuses "cannot read 'history/load'" info load.h5
+refuses "cannot read 'history/load'" export load.h5 --all
 
 # Texts that another program put beside the numbers are not in the way.
 "$PYTHON" - >out 2>&1 <<'END' || fail "$(cat out)"
