@@ -278,6 +278,7 @@ SURVEYS   := $(addprefix tests/,reference/any_case_slow_test.c \
                reference/stays_slow_test.c reference/touches_test.c \
                reference/elements_marched.sh reference/still_surfaces.sh \
                reference/mixes_slow.sh unit/effects_slow_test.c \
+               unit/restart_test.c \
                cli/power.sh cli/kills.sh cli/random_kills_slow.sh \
                cli/io_faults.sh)
 VERIFYSRC := $(wildcard tests/verify/*_test.c) $(filter %.c,$(SURVEYS))
