@@ -31,8 +31,11 @@
 /* ------------------------------------------------------------------- Cycles */
 
 /*
- * A twentieth of the steady one: errors of many steps meet in one film.  The
- * exact discrete series of level 7 are then met to 3e-7.
+ * A share of 0.07 of the steady tolerance, because errors of many steps meet in
+ * one film.  On level 6 the film then differs by at most 3e-6 (both surfaces
+ * ground) from an exact solution of the discrete equations, and the mesh makes
+ * 1e-5.  With 0.05 ground surfaces take 9 % more cycles, and with 0.1 the
+ * friction of friction_test is 1.2e-5 from the truth.
  * A residual that nothing has relaxed since the last correction is rough and
  * moves the film less: with three times the tolerance the series of dents,
  * waves and ramps are nearer to the converged ones than relaxed ones are.
@@ -40,7 +43,7 @@
 static double tolerance_of(const ovr_simulation *sim, bool relaxed)
 {
     double D = ovr_mesh(sim), H = sim->observation.H_cen;
-    double share = relaxed ? 0.05 : 0.15;
+    double share = relaxed ? 0.07 : 0.21;
     double tolerance = share * ovr_truncation_tolerance(sim, D, H);
     double minimum = ovr_negligible_tolerance(sim, D, H);
     if (sim->options.tolerance > 0)
