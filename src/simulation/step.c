@@ -32,13 +32,11 @@
 
 /*
  * A share of 0.07 of the steady tolerance, because errors of many steps meet in
- * one film.  On level 6 the film then differs by at most 3e-6 (both surfaces
- * ground) from an exact solution of the discrete equations, and the mesh makes
- * 1e-5.  With 0.05 ground surfaces take 9 % more cycles, and with 0.1 the
- * friction of friction_test is 1.2e-5 from the truth.
- * A residual that nothing has relaxed since the last correction is rough and
- * moves the film less: with three times the tolerance the series of dents,
- * waves and ramps are nearer to the converged ones than relaxed ones are.
+ * one film.  On level 6 the algebraic error of the film is at most 3e-6 (both
+ * surfaces ground), and the discretization error is 1e-5.  With 0.05 ground
+ * surfaces take 9 % more cycles.  With 0.1 the error of friction_test
+ * is 1.2e-5. A residual without relaxation after the last correction is rough
+ * and moves the film less, so its tolerance is three times as large.
  */
 static double tolerance_of(const ovr_simulation *sim, bool relaxed)
 {
