@@ -33,10 +33,11 @@
 /*
  * A share of 0.07 of the steady tolerance, because errors of many steps meet in
  * one film.  On level 6 the algebraic error of the film is at most 3e-6 (both
- * surfaces ground), and the discretization error is 1e-5.  With 0.05 ground
- * surfaces take 9 % more cycles.  With 0.1 the error of friction_test
- * is 1.2e-5. A residual without relaxation after the last correction is rough
- * and moves the film less, so its tolerance is three times as large.
+ * surfaces ground), with a discretization error of 1e-5 or more.  A share of
+ * 0.05 costs ground surfaces 9 % more cycles.  A share of 0.1 gives an error of
+ * 1.2e-5 in friction_test, which allows 1e-5 there.  Without relaxation after
+ * the last correction a residual is rough and moves the film less.  Then the
+ * tolerance is three times as large.
  */
 static double tolerance_of(const ovr_simulation *sim, bool relaxed)
 {
