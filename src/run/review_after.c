@@ -103,13 +103,15 @@ static void warn_of_roughness(const ovr_review *r, const ovr_statistics *total)
                        total->when.H_min_located, Rq);
 }
 
-/* The pressure is zero at the last node, wherever the film would end. */
+/* The pressure is zero at the last node, wherever the film would end.  Where
+ * the speed reverses, the last node is the inlet of the other direction. */
 static void warn_of_full_outlet(const ovr_review *r,
                                 const ovr_statistics *total)
 {
     const ovr_setup *s = r->setup;
     double end = fabs(total->extreme.X_cavitation);
-    if (!(end > s->options->outlet - 0.5 * s->mesh))
+    bool reverses = fabs(s->options->inlet + s->options->outlet) < s->mesh;
+    if (reverses || !(end > s->options->outlet - 0.5 * s->mesh))
         return;
     ovr_review_say(r, OVR_SAY_WARNING,
                    "the film reaches the outlet boundary X = %.4g at T = %.4g, "

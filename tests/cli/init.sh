@@ -35,6 +35,11 @@ contains out '^#   coating 1 +0\.01[0-9]+ b thick'
 ! grep -v 'inlet boundary moved to X' err || fail "coated: $(cat err)"
 expect 0 "$OVERROLL" run coated.ini --level 7 -o coated.h5
 contains out '^von Mises stress in a layer '
+# A turn of the cam on its own level, whose inlet and outlet are exchanged
+expect 0 "$OVERROLL" init cam
+mv out cam.ini
+expect 0 "$OVERROLL" run cam.ini -o turn.h5
+! grep warning err || fail "cam: $(cat err)"
 expect 0 "$OVERROLL" init strip
 mv out strip.ini
 expect 0 "$OVERROLL" check strip.ini
