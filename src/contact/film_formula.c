@@ -108,6 +108,6 @@ ovr_film_fit ovr_film_fitted(double M, double L, double density)
 
 double ovr_resolving_mesh(double M, double H)
 {
-    const double share = 0.2, heavy = 3500, heavy_share = 0.15;
+    const double share = 0.2, heavy = 3000, heavy_share = 0.15;
     return (M > heavy ? heavy_share : share) * pow(H, 2. / 3);
 }
