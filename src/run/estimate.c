@@ -384,9 +384,7 @@ ovr_status ovr_run_estimate(ovr_run *run, ovr_error *err)
  */
 
 static const char *const names[] = {"H_cen", "H_min",
-                                    "the effect of the "
-                                    "features",
-                                    "both films"};
+                                    "the effect of the features", "both films"};
 
 /* Infinite where it was not estimated. */
 static double error_of(const ovr_run_errors *e, const char *key)
