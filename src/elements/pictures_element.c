@@ -45,8 +45,10 @@ static void add_outline(sketch *s, ovr_panel *panel, const ovr_outline *o,
 static ovr_panel *drawing_panel(sketch *s)
 {
     ovr_panel *panel = &s->to->panel[s->to->panels++];
-    *panel = (ovr_panel){
-        .x_label = "mm", .y_label = "mm", .equal = true, .height = 2.6};
+    *panel = (ovr_panel){.x_label = "position, {/:Italic x} (mm)",
+                         .y_label = "position, {/:Italic y} (mm)",
+                         .equal = true,
+                         .height = 2.6};
     return panel;
 }
 
@@ -111,11 +113,13 @@ static void add_film(sketch *s, const course *c)
     static const struct {
         const char *name, *label;
         int colour;
-    } films[] = {{"central_film_thickness", "central film", OVR_AMBER},
-                 {"min_film_thickness", "smallest film", OVR_RED}};
+    } films[] = {
+        {"central_film_thickness", "central film thickness", OVR_AMBER},
+        {"min_film_thickness", "minimum film thickness", OVR_RED}};
     if (!s->run || s->run->info->steps == 0)
         return;
-    ovr_panel *panel = history_panel(s, c->axis, "film (µm)", c->from, c->till);
+    ovr_panel *panel = history_panel(
+        s, c->axis, "film thickness, {/:Italic h} (µm)", c->from, c->till);
     const ovr_result_info *info = s->run->info;
     double *T = ovr_stored_history(s->run, "time", 1, s->arena, s->err);
     if (!T)
@@ -163,7 +167,7 @@ static void add_panel(sketch *s, const course *c, const char *y_label,
  * are. */
 static void add_course(sketch *s, const course *c, const char *const of[2])
 {
-    add_panel(s, c, "radius {/:Italic R} (mm)", 0,
+    add_panel(s, c, "radius, {/:Italic R} (mm)", 0,
               &(over_moments){{"reduced radius"}, {OVR_INK}});
     add_panel(s, c, "speed (m/s)", 1,
               &(over_moments){{of[0], of[1]}, {OVR_BLUE, OVR_GREEN}});
@@ -286,7 +290,7 @@ static void draw_gear(sketch *s)
     s->to->unit = 1e3;
     gear_moments(s);
     draw_teeth(s, g->R1_C);
-    const course c = {"{/:Italic t} (ms)", 0, end, marks, 5};
+    const course c = {"time, {/:Italic t} (ms)", 0, end, marks, 5};
     add_course(s, &c, (const char *const[]){"surface of gear 1", "of gear 2"});
 }
 
@@ -342,14 +346,15 @@ static void draw_cam_outline(sketch *s)
     size = fmax(size, draw_follower(s, &follower));
     add_outline(s, panel, &whole,
                 (ovr_series){.label = "cam", .colour = OVR_GREY});
-    add_outline(
-        s, panel, &part,
-        (ovr_series){.label = "what runs", .colour = OVR_BLUE, .width = 3});
+    add_outline(s, panel, &part,
+                (ovr_series){.label = "range of the run",
+                             .colour = OVR_BLUE,
+                             .width = 3});
     add_outline(s, panel, &follower,
                 (ovr_series){.label = "follower", .colour = OVR_GREEN});
     if (event->reversals)
         add_outline(s, panel, &turns,
-                    (ovr_series){.label = "mean speed reverses",
+                    (ovr_series){.label = "reversals of the entrainment speed",
                                  .mark = OVR_MARK_POINTS,
                                  .colour = OVR_RED,
                                  .width = 2.4});
@@ -462,7 +467,7 @@ static void draw_rings(sketch *s, const double *met, size_t count)
                              .colour = OVR_RED,
                              .width = 5});
     add_outline(s, panel, &points,
-                (ovr_series){.label = "where a point of the raceway meets one",
+                (ovr_series){.label = "rollers met by a point of the raceway",
                              .mark = OVR_MARK_POINTS,
                              .colour = OVR_AMBER,
                              .width = 3});
@@ -501,14 +506,14 @@ static void draw_bearing(sketch *s)
     for (size_t k = 0; k < count; k++)
         met[k] *= degree;
     add(s, p,
-        (ovr_series){.label = "as they stand",
+        (ovr_series){.label = "loaded rollers",
                      .n = (size_t)form->rollers,
                      .x = s->at,
                      .y = stand,
                      .mark = OVR_MARK_CROSS,
                      .colour = OVR_BLUE});
     add(s, p,
-        (ovr_series){.label = "that a point of the raceway meets",
+        (ovr_series){.label = "rollers met by a point of the raceway",
                      .n = count,
                      .x = met,
                      .y = load,

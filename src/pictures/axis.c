@@ -14,26 +14,30 @@ typedef struct quantity {
     } unit[3]; /* the largest first */
 } quantity;
 
-#define LENGTH(size, unit, symbol)                                             \
+#define LENGTH(size, unit, name, symbol)                                       \
     {                                                                          \
-        size, unit, "{/:Italic " symbol "}  [" unit "]", symbol " in " unit    \
+        size, unit, name ", {/:Italic " symbol "} (" unit ")",                 \
+            symbol " in " unit                                                 \
     }
 static const quantity quantities[] = {
     {OVR_KIND_LENGTH,
-     {1, "{/:Italic x} / {/:Italic b}", "x/b", ""},
-     {LENGTH(1e-3, "mm", "x"), LENGTH(1e-6, "µm", "x"),
-      LENGTH(1e-9, "nm", "x")}},
+     {1, "position, {/:Italic x} ({/:Italic b})", "x/b", ""},
+     {LENGTH(1e-3, "mm", "position", "x"), LENGTH(1e-6, "µm", "position", "x"),
+      LENGTH(1e-9, "nm", "position", "x")}},
     {OVR_KIND_HEIGHT,
-     {1, "{/:Italic h R} / {/:Italic b}^2", "h R/b²", ""},
-     {LENGTH(1e-6, "µm", "h"), LENGTH(1e-9, "nm", "h"),
-      LENGTH(1e-9, "nm", "h")}},
+     {1, "film thickness, {/:Italic h} ({/:Italic b}^2/{/:Italic R})", "h R/b²",
+      ""},
+     {LENGTH(1e-6, "µm", "film thickness", "h"),
+      LENGTH(1e-9, "nm", "film thickness", "h"),
+      LENGTH(1e-9, "nm", "film thickness", "h")}},
     {OVR_KIND_PRESSURE,
-     {1, "{/:Italic p} / {/:Italic p}_h", "p/p_h", ""},
-     {LENGTH(1e9, "GPa", "p"), LENGTH(1e6, "MPa", "p"),
-      LENGTH(1e3, "kPa", "p")}},
+     {1, "pressure, {/:Italic p} ({/:Italic p}_h)", "p/p_h", ""},
+     {LENGTH(1e9, "GPa", "pressure", "p"), LENGTH(1e6, "MPa", "pressure", "p"),
+      LENGTH(1e3, "kPa", "pressure", "p")}},
     {OVR_KIND_TIME,
-     {1, "{/:Italic t u_m} / {/:Italic b}", "t u_m/b", ""},
-     {LENGTH(1, "s", "t"), LENGTH(1e-3, "ms", "t"), LENGTH(1e-6, "µs", "t")}},
+     {1, "time, {/:Italic t} ({/:Italic b}/{/:Italic u}_m)", "t u_m/b", ""},
+     {LENGTH(1, "s", "time", "t"), LENGTH(1e-3, "ms", "time", "t"),
+      LENGTH(1e-6, "µs", "time", "t")}},
 };
 
 static const quantity *find(ovr_unit_kind kind)

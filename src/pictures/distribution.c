@@ -40,11 +40,11 @@ static void choose_axis(drawing *d)
     d->factor = 1;
     if (size > 2 && !strcmp(name + size - 2, "_m")) {
         d->factor = 1e6;
-        unit = "  [µm]";
+        unit = " (µm)";
         size -= 2;
     } else if (size > 3 && !strcmp(name + size - 3, "_Pa")) {
         d->factor = 1e-9;
-        unit = "  [GPa]";
+        unit = " (GPa)";
         size -= 3;
     }
     for (size_t k = 0; k < size && used + 20 < LABEL; k++) {
@@ -233,14 +233,15 @@ static ovr_status draw(drawing *d)
     double margin = 0.03 * (d->high - d->low);
     for (int k = 0; k < 4; k++) {
         panel[k].x_label = d->label;
-        panel[k].y_label = k == 1 ? "% below" : "% of the draws";
+        panel[k].y_label = k == 1 ? "cumulative distribution (%)"
+                                  : "share of the samples (%)";
         panel[k].x_from = d->low - margin;
         panel[k].x_to = d->high + margin;
         panel[k].y_to = k ? 100 : 1.08 * maximum;
     }
     panel[2].note = "mean where the input is lowest and highest";
     panel[3].note = "share of the variance, with 95 %";
-    panel[3].x_label = "share";
+    panel[3].x_label = "share of the variance";
     panel[3].x_from = 0;
     panel[3].x_to = 1;
     add_inputs(d, &panel[2], &panel[3]);

@@ -91,21 +91,24 @@ static ovr_panel map_panel(const ovr_areal *a, const cells *c,
 {
     double dx = factor * a->dx, dy = factor * a->dy, block = (double)c->block;
     ovr_panel panel = ovr_panel_make(
-        a->scaled_x ? "{/:Italic x} / {/:Italic b}" : "{/:Italic x}  [µm]",
-        a->scaled_x ? "{/:Italic y} / {/:Italic b}" : "{/:Italic y}  [µm]");
+        a->scaled_x ? "position, {/:Italic x} ({/:Italic b})"
+                    : "position, {/:Italic x} (µm)",
+        a->scaled_x ? "position, {/:Italic y} ({/:Italic b})"
+                    : "position, {/:Italic y} (µm)");
     panel.x_from = -dx / 2;
     panel.y_from = -dy / 2;
     panel.x_to = panel.x_from + dx * block * (double)c->nx;
     panel.y_to = panel.y_from + dy * block * (double)c->ny;
-    panel.image = (ovr_image){.nx = c->nx,
-                              .ny = c->ny,
-                              .values = c->values,
-                              .from = c->low,
-                              .to = c->high,
-                              .above = c->above,
-                              .label = a->scaled_z
-                                           ? "{/:Italic z R} / {/:Italic b}^2"
-                                           : "{/:Italic z}  [µm]"};
+    panel.image = (ovr_image){
+        .nx = c->nx,
+        .ny = c->ny,
+        .values = c->values,
+        .from = c->low,
+        .to = c->high,
+        .above = c->above,
+        .label = a->scaled_z
+                     ? "height, {/:Italic z} ({/:Italic b}^2/{/:Italic R})"
+                     : "height, {/:Italic z} (µm)"};
     ovr_panel_line(&panel, arena, factor * view->line[0],
                    factor * view->line[2], factor * view->line[1],
                    factor * view->line[3],
@@ -141,8 +144,9 @@ ovr_status ovr_picture_areal(const ovr_areal *areal,
         double height = map_height(&panel[0]);
         panel[0].height = height / PROFILE_HEIGHT;
         panel[0].equal = true;
-        panel[1].x_label = areal->scaled_x ? "along the line / {/:Italic b}"
-                                           : "along the line  [µm]";
+        panel[1].x_label = areal->scaled_x
+                               ? "position along the line ({/:Italic b})"
+                               : "position along the line (µm)";
         ovr_chart chart = {.kind = "profile",
                            .title = title,
                            .width = WIDTH,

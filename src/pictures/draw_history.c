@@ -180,7 +180,7 @@ static ovr_status roughness_there(const ovr_drawing *drawing, double *S,
 static const char *whose(const ovr_drawing *drawing, ovr_error *err)
 {
     ovr_text text = ovr_text_make(drawing->arena);
-    ovr_text_put(&text, "roughness at x = 0 (undeformed)");
+    ovr_text_put(&text, "surface height at x = 0 (undeformed)");
     if (drawing->count > 1) {
         ovr_text_put(&text, " of ");
         ovr_text_put(&text, drawing->runs->name);

@@ -13,9 +13,10 @@ ovr_panel ovr_profile_panel(const ovr_profile_view *view, ovr_arena *arena)
                           .factor = view->scaled_z ? 1 : 1e6,
                           .width = 1};
     ovr_panel panel = ovr_panel_make(
-        view->scaled_x ? "{/:Italic x} / {/:Italic b}" : "{/:Italic x}  [µm]",
-        view->scaled_z ? "{/:Italic z R} / {/:Italic b}^2"
-                       : "{/:Italic z}  [µm]");
+        view->scaled_x ? "position, {/:Italic x} ({/:Italic b})"
+                       : "position, {/:Italic x} (µm)",
+        view->scaled_z ? "height, {/:Italic z} ({/:Italic b}^2/{/:Italic R})"
+                       : "height, {/:Italic z} (µm)");
     ovr_panel_add(&panel, arena, heights);
     return panel;
 }
@@ -72,11 +73,13 @@ static ovr_status draw_bearing(const bearing *b, const ovr_profile_view *view,
                                ovr_error *err)
 {
     const size_t count = b->count;
-    const char *pressure = view->scaled_x ? "{/:Italic p} / {/:Italic p}_h"
-                                          : "{/:Italic p} / {/:Italic E}^*";
-    const char *gap = view->scaled_z ? "mean gap {/:Italic R} / {/:Italic b}^2"
-                                     : "mean gap  [nm]";
-    const ovr_series dry = {.label = "the profile, pressed dry",
+    const char *pressure = view->scaled_x
+                               ? "pressure, {/:Italic p} ({/:Italic p}_h)"
+                               : "pressure, {/:Italic p} ({/:Italic E}^*)";
+    const char *gap =
+        view->scaled_z ? "mean gap, {/:Italic h} ({/:Italic b}^2/{/:Italic R})"
+                       : "mean gap, {/:Italic h} (nm)";
+    const ovr_series dry = {.label = "dry contact of the profile",
                             .n = count,
                             .x = b->gap,
                             .y = b->pressure,

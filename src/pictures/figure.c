@@ -392,9 +392,9 @@ static axis axis_of(const figure *f, const ovr_table_column *c, double largest)
     snprintf(a.unit, sizeof a.unit, "%s", printed(unit ? unit : c->unit));
     put_plain(a.label, LABEL, c->name, size);
     if (*a.unit) {
-        snprintf(a.label + strlen(a.label), LABEL - strlen(a.label), "  [");
+        snprintf(a.label + strlen(a.label), LABEL - strlen(a.label), " (");
         put_plain(a.label, LABEL, a.unit, strlen(a.unit));
-        snprintf(a.label + strlen(a.label), LABEL - strlen(a.label), "]");
+        snprintf(a.label + strlen(a.label), LABEL - strlen(a.label), ")");
     }
     return a;
 }
@@ -685,7 +685,7 @@ static void draw_panels(figure *f, ovr_panel *panel)
         name_group(f, &f->panels, k, note, sizeof note);
         panel[k] = (ovr_panel){.x_label = bins ? f->y_axis.label
                                                : f->x_axis.label,
-                               .y_label = bins ? "cases  [%]" : f->y_axis.label,
+                               .y_label = bins ? "cases (%)" : f->y_axis.label,
                                .note = ovr_arena_text(f->arena, note, NULL),
                                .log_x = f->o->log_x && !bins,
                                .log_y = f->o->log_y && !bins};

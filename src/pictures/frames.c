@@ -245,7 +245,7 @@ static ovr_status find_areal(studio *s, ovr_error *err)
     ovr_picture_options *look = &s->each;
     if (s->count > 1)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "maps across rolling show one result: give one");
+                        "maps across rolling show one result only");
     if (look->height <= 0)
         look->height = 960;
     s->areal = ovr_arena_take(s->arena, 1, sizeof *s->areal, err);

@@ -156,7 +156,7 @@ static ovr_status words(const ovr_drawing *drawing, const ovr_variable *v,
         power = 0;
     else
         snprintf(ten, sizeof ten, "10^{%.0f} ", power);
-    snprintf(label, 160, "%s  [%s%s]", row ? row->long_name : kind->name, ten,
+    snprintf(label, 160, "%s (%s%s)", row ? row->long_name : kind->name, ten,
              si ? kind->si : kind->hertzian);
     *axis = (ovr_axis){scale / pow(10, power), label, label, ""};
     return OVR_OK;
@@ -169,7 +169,7 @@ static ovr_status degrees(const ovr_drawing *drawing, const map *m,
     char *label = ovr_arena_take(drawing->arena, 160, 1, err);
     if (!label)
         return OVR_NO_MEMORY;
-    snprintf(label, 160, "%s  [°C]", row ? row->long_name : m->field);
+    snprintf(label, 160, "%s (°C)", row ? row->long_name : m->field);
     *axis = (ovr_axis){1, label, label, "°C"};
     return OVR_OK;
 }
@@ -260,7 +260,7 @@ static ovr_status add_meniscus(const ovr_drawing *s, const map *m,
     line = ovr_arena_take(s->arena, 1, sizeof *line, err);
     if (!line)
         return OVR_NO_MEMORY;
-    *line = (ovr_series){.label = "where the film begins",
+    *line = (ovr_series){.label = "inlet meniscus position",
                          .n = run->info->steps,
                          .x_factor = x,
                          .factor = T,

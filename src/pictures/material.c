@@ -8,8 +8,9 @@
 
 enum { CELLS_X = 420 };
 
-const char ovr_material_place[] = "place in the material, b (trailing side at "
-                                  "the left)";
+const char ovr_material_place[] =
+    "position in the material (b), trailing side at "
+    "the left";
 
 bool ovr_material_find(ovr_material_group *m, const char *group, int surface,
                        const char *array)
@@ -53,7 +54,7 @@ ovr_status ovr_material_map(const ovr_material_group *m, const double *field,
     if (!v)
         return OVR_NO_MEMORY;
     p->x_label = ovr_material_place;
-    p->y_label = "log_{10} depth / b";
+    p->y_label = "log_{10} of depth, {/:Italic z} ({/:Italic b})";
     p->y_from = log10(m->z[m->depths - 1]);
     p->y_to = log10(m->z[0]);
     p->image.nx = CELLS_X;

@@ -397,8 +397,24 @@ function drawPointer(c, view, k) {
   drawCross(c, run.x[i] * u.x.f, [upper, lower], dots);
 }
 
-// The strip: films on the left scale, pressure on its own, the time shown as
-// a line.
+// An axis at the right of a box: `high` at the height of `left` on the other.
+function drawRightAxis(c, box, high, left, name) {
+  const step = niceStep(high, Math.max(2, box.h / 32)), x = box.x + box.w;
+  c.fillStyle = colour.pressure;
+  c.textAlign = "left";
+  c.textBaseline = "middle";
+  for (let k = 0; k * step <= high * (1 + 1e-4); k++)
+    c.fillText(digits(k * step), x + 6, box.Y(k * step / high * left));
+  c.save();
+  c.translate(x + 46, box.y + box.h / 2);
+  c.rotate(-Math.PI / 2);
+  c.textAlign = "center";
+  c.fillText(name, 0, 0);
+  c.restore();
+}
+
+// The history: film thickness on the left axis, maximum pressure on the right
+// one, the shown time as a line.
 function drawHistory(view) {
   const { c, width, height } = prepare(view.history);
   const run = view.run, h = run.history, u = unitsOf(run);
@@ -411,9 +427,10 @@ function drawHistory(view) {
   const P = 1.08 * high(h.P_max) || 1;
   const axes = { x0: begin * u.t.f, x1: (end > begin ? end : begin + 1) * u.t.f,
     y0: 0, y1: H * u.h.f, xName: u.t.name, yName: u.h.name };
-  const box = boxOf(58, 20, width - 68, height - 60, axes);
+  const box = boxOf(58, 20, width - 122, height - 60, axes);
   view.strip = { box, begin, end };
   drawAxes(c, box, axes);
+  if (h.P_max) drawRightAxis(c, box, P * u.p.f, H * u.h.f, u.p.name);
   for (const [v, f, line] of [[h.P_max, H / P * u.h.f, colour.pressure],
     [h.H_cen, u.h.f, colour.film], [h.H_min, u.h.f, colour.min]]) {
     if (!v) continue;
@@ -424,10 +441,10 @@ function drawHistory(view) {
     c.lineWidth = 1.5;
     c.stroke();
   }
-  const reach = digits(P * u.p.f) + " " + u.p.unit;
-  drawLegend(c, box, [["minimum film", colour.min, false, "min."],
-    ["central film", colour.film, false, "central"],
-    ["max. p to " + reach, colour.pressure, false, "p to " + reach]]);
+  drawLegend(c, box, [
+    ["minimum film thickness", colour.min, false, "min."],
+    ["central film thickness", colour.film, false, "central"],
+    ["maximum pressure", colour.pressure, false, "max. p"]]);
   const x = box.X(run.time[shotOf(run)] * u.t.f);
   c.strokeStyle = colour.ink;
   c.lineWidth = 2;

@@ -268,6 +268,19 @@ function connect() {
     .addEventListener("change", () => { readColours(); redraw(); });
 }
 
+// The page opens at the time of the minimum film thickness.
+function shotOfMinimum(run) {
+  const h = run.history;
+  let at = 0, shot = 0;
+  if (!h || !h.H_min || !h.H_min.length) return 0;
+  for (let i = 1; i < h.H_min.length; i++)
+    if (!(h.H_min[at] <= h.H_min[i])) at = i;
+  for (let k = 1; k < run.shots; k++)
+    if (Math.abs(run.time[k] - h.time[at]) <
+        Math.abs(run.time[shot] - h.time[at])) shot = k;
+  return shot;
+}
+
 async function begin() {
   const made = JSON.parse(byId("data").textContent);
   runs = await Promise.all(made.runs.map(runOf));
@@ -279,7 +292,7 @@ async function begin() {
   views = runs.map(viewOf);
   connect();
   readColours();
-  redraw();
+  seek(shotOfMinimum(runs[0]));
 }
 
 begin().catch((error) => {

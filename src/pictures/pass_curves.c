@@ -66,12 +66,12 @@ static ovr_status draw(const void *table, const ovr_figure_options *o,
         {"min_film_thickness", "minimum film", OVR_BLUE},
         {"least_central_film_thickness", "central film, least", OVR_RED}};
     static const line menisci[] = {
-        {"meniscus", "where the film begins", OVR_STEEL}};
+        {"meniscus", "inlet meniscus position", OVR_STEEL}};
     double rows = (double)ovr_table_rows(t);
     ovr_panel panel[2];
     ovr_status status;
     for (int k = 0; k < 2; k++)
-        panel[k] = (ovr_panel){.x_label = "number of the pass",
+        panel[k] = (ovr_panel){.x_label = "pass number",
                                .x_from = 1 - 0.04 * rows,
                                .x_to = rows + 0.04 * rows,
                                .y_from = k ? NAN : 0,

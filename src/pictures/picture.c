@@ -209,7 +209,7 @@ static ovr_status draw(const ovr_drawing *drawing, ovr_error *err)
         .columns = 1,
         .share_x = true};
     if (by->alone && drawing->count > 1)
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: give one", by->alone);
+        return ovr_fail(err, OVR_BAD_INPUT, "%s only", by->alone);
     ovr_status status = by->draw(drawing, &chart, err);
     chart.kind = by->name;
     if (status == OVR_OK)

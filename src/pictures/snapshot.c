@@ -207,7 +207,7 @@ static void add_film(const ovr_snapshot_style *look, const ovr_shot *shot,
         add_oil(look, shot, series, panel);
     if (shot->H) {
         s = curve(look, shot, shot->H, look->H.factor);
-        s.label = oil         ? "film thickness, its oil shaded"
+        s.label = oil         ? "film thickness, lubricant shaded"
                   : as->alone ? "film thickness"
                   : shot->P   ? NULL
                               : as->label;
@@ -217,7 +217,7 @@ static void add_film(const ovr_snapshot_style *look, const ovr_shot *shot,
     }
     if (shot->S && bottom(look) < 0) {
         s = ground(look, shot);
-        s.label = as->alone ? "roughness (undeformed)" : NULL;
+        s.label = as->alone ? "surface height (undeformed)" : NULL;
         if (!as->alone) {
             s.mark = as->as.mark;
             s.colour = as->as.colour;

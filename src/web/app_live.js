@@ -183,7 +183,7 @@ function drawMoes() {
       c.fill();
     });
   });
-  drawLegend(c, box, [["central film by Moes' formula; dot: this contact",
+  drawLegend(c, box, [["central film thickness by Moes' formula; dot: this contact",
     colour.hertz, false, "Moes' formula; dot: here"]]);
 }
 
@@ -468,6 +468,6 @@ function drawStudy() {
       c.fill();
     }
   }
-  drawLegend(c, box, [["central film", colour.film],
-    ["minimum film", colour.min]]);
+  drawLegend(c, box, [["central film thickness", colour.film],
+    ["minimum film thickness", colour.min]]);
 }

@@ -50,7 +50,7 @@ for gear in 1 2; do
 done
 # A on the tip circle of gear 2 (63 mm about 0, 60), E on that of gear 1 (33 mm
 # about 0, -30), C at 0.
-table '-: mm, mm' >points
+table '-: position' >points
 awk '{ x[NR] = $1; y[NR] = $2 }
     END {
         a = sqrt(x[1] ^ 2 + (60 - y[1]) ^ 2) - 63
@@ -65,7 +65,7 @@ awk '{ x[NR] = $1; y[NR] = $2 }
 # Driven, the line leans the other way; a ring is about its pinion.
 sed 's/^face/driving = 2\n&/' gear.ini >driven.ini
 drawn driven.ini
-table '-: mm, mm' | awk '{ printf "%.9g %.9g\n", -$1, $2 }' >mirrored
+table '-: position' | awk '{ printf "%.9g %.9g\n", -$1, $2 }' >mirrored
 awk '{ printf "%.9g %.9g\n", $1, $2 }' points | cmp -s - mirrored ||
     fail 'driven, the path is not the mirrored one'
 sed 's/^teeth_1.*/teeth_1 = 30/; s/^teeth_2.*/teeth_2 = -90/' gear.ini >ring.ini
@@ -77,7 +77,7 @@ table 'gear 2' | awk '{ if ($2 > high) high = $2 }
 # A result has the film too, but no other than an element's.
 expect 0 "$OVERROLL" run gear.ini -o gear.h5 -q
 drawn gear.h5
-table 'smallest film' | grep -q . || fail 'no film'
+table 'minimum film thickness' | grep -q . || fail 'no film'
 cat >own.gp <<'END'
 set print 'own.txt'
 print kind, rows, equal[1], equal[2], letters[5]
@@ -91,12 +91,13 @@ contains gear.html '"element":\{"at":"'
 # As high as base circle and lift, where the rise ends.
 expect 0 "$OVERROLL" init cam -o cam.ini
 drawn cam.ini
-table 'what runs' | awk '{ r = sqrt($1 ^ 2 + $2 ^ 2)
+table 'range of the run' | awk '{ r = sqrt($1 ^ 2 + $2 ^ 2)
         if (r > high) { high = r; at = atan2($2, $1) } }
     END { at *= 180 / atan2(0, -1)
         exit !((high - 32) ^ 2 < 1e-4 && (at - 70) ^ 2 < 1) }' ||
     fail 'the nose of the cam'
-table 'mean speed reverses' | awk 'END { exit NR != 4 }' || fail 'four turns'
+table 'reversals of the entrainment speed' | awk 'END { exit NR != 4 }' ||
+    fail 'four turns'
 
 # 209: three rollers carry, as long as their loads; three that a point meets,
 # 44.6 degrees apart.
@@ -108,7 +109,7 @@ table 'load of a roller' | awk 'NF == 2 && $1 == $1 && $1 != "NaN" {
     END { for (k in long) { sum += long[k]; if (long[k] > most) most = long[k] }
         exit !(n == 6 && (sum / most - 2.4) ^ 2 < 0.01) }' ||
     fail 'bars of the rollers'
-table 'where a point of the raceway meets one' | awk '
+table 'rollers met by a point of the raceway' | awk '
     { a[NR] = atan2($1, -$2) * 180 / atan2(0, -1) }
     END { exit !(NR == 3 && (a[3] - a[2] - 44.6) ^ 2 < 0.01) }' ||
     fail 'rollers that a point meets'

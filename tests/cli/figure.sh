@@ -47,14 +47,14 @@ expect 0 "$OVERROLL" plot study.ini --quantity H_min -o study.svg \
 expect 0 "$OVERROLL" plot table.csv --quantity H_min -o table.png \
     --script table.gp
 contains table.csv '^task,name,load \[N/m\],Rq \[m\],seed,status,'
-contains table.gp "x_label.* = \['load  \[kN/m\]'\]"
+contains table.gp "x_label.* = \['load .kN/m.'\]"
 grep -v '^#' table.dat >from_csv
 grep -v '^#' study.dat | cmp from_csv - ||
     fail 'the CSV table draws another thing'
 expect 0 "$OVERROLL" sweep study.ini --collect table.nc -q
 expect 0 "$OVERROLL" plot table.nc --quantity H_min -o netcdf.svg \
     --script netcdf.gp
-contains netcdf.gp "x_label.* = \['load  \[kN/m\]'\]"
+contains netcdf.gp "x_label.* = \['load .kN/m.'\]"
 grep -v '^#' study.dat >numbers
 grep -v '^#' netcdf.dat | cmp numbers - ||
     fail 'the netCDF table draws another thing'
@@ -63,7 +63,7 @@ expect 0 "$OVERROLL" plot result.nc -o result.svg
 for picture in study.svg table.png; do
     [ -s $picture ] || fail "no $picture"
 done
-contains study.gp "x_label.* = \['load  \[kN/m\]'\]"
+contains study.gp "x_label.* = \['load .kN/m.'\]"
 contains study.gp "y_label.* = \['H._min'\]"
 for label in 0.05 0.1; do
     contains study.gp "Rq = $label µm"
@@ -86,7 +86,7 @@ paste -d' ' wanted drawn | awk '{ for (i = 1; i <= 4; i++)
 # Other choices, and what there is not
 expect 0 "$OVERROLL" plot study.ini --quantity min_film_m --against Rq \
     --lines none --panels none --log x -o other.svg --script other.gp
-contains other.gp "y_label.* = \['min._film  \[(nm|µm)\]'\]"
+contains other.gp "y_label.* = \['min._film .(nm|µm).'\]"
 contains other.gp 'log_x.* = \[1\]'
 contains other.gp 'band: least to most of load, seed'
 refuses "no key of the study 'depth'; there are load, Rq, seed" \
@@ -104,7 +104,7 @@ refuses 'not an HDF5 file' plot no.nc -o x.svg
 # band is.
 expect 0 "$OVERROLL" plot study.ini -o plain.svg --script plain.gp
 contains plain.gp "^title = 'study'"
-contains plain.gp "y_label.* = \['H._min._overall  \[(nm|µm)\]'"
+contains plain.gp "y_label.* = \['H._min._overall .(nm|µm).'"
 contains plain.gp "label.*'band: least to most of seed'"
 
 # Against a seed: a histogram of all cases in %, and quantiles.
@@ -126,7 +126,7 @@ sed 's/^feature.rough.seed.*/feature.rough.seed = 1..3/
     /^contact.load/d; /rough.Rq/d' study.ini >only.ini
 expect 0 "$OVERROLL" sweep only.ini -q
 expect 0 "$OVERROLL" plot only.ini -o only.svg --script only.gp
-contains only.gp "y_label.* = \['cases  \[%\]'\]"
+contains only.gp "y_label.* = \['cases .%.'\]"
 
 # A [zip NAME] is an axis; a third key makes panels, a fourth too; turning
 # speeds are drawn as they were written, from tables too.
@@ -163,7 +163,7 @@ END
 expect 0 "$OVERROLL" sweep speeds.ini -q
 expect 0 "$OVERROLL" plot speeds.ini --against turning -o zip.svg \
     --script zip.gp
-contains zip.gp "x_label.* = \['speed._2  \[rpm\]'"
+contains zip.gp "x_label.* = \['speed._2 .rpm.'"
 contains zip.gp "note.* = \['viscosity = 20 mPa.s, level = 4', "
 contains zip.gp 'x_from.* = \[920\.'
 grep -q 'band:' zip.gp && fail 'a band that no seed makes'
@@ -173,6 +173,6 @@ expect 0 "$OVERROLL" sweep speeds.ini --collect speeds.nc -q
 expect 0 "$OVERROLL" plot speeds.nc --against speed_1 -o rpm.svg \
     --script rpm.gp
 expect 0 "$OVERROLL" plot speeds.nc --against turning -o turning.svg
-contains rpm.gp "x_label.* = \['speed._1  \[rpm\]'"
+contains rpm.gp "x_label.* = \['speed._1 .rpm.'"
 refuses "no key of the study 'wheels'; there are .*speed_1, turning, speed_2" \
     plot speeds.ini --against wheels -o x.svg

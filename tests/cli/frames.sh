@@ -176,7 +176,7 @@ contains clip.svg '▲ above'
 expect 0 "$OVERROLL" run dent.ini -o film.h5 -q \
     --set output.fields=film_thickness
 expect 0 "$OVERROLL" plot film.h5 -o film.svg --script film.gp
-! grep -q 'Italic p} / ' film.gp || fail 'an empty panel for the pressure'
+! grep -q 'pressure, ' film.gp || fail 'an empty panel for the pressure'
 
 # A rough run that conserves oil: its trace is drawn (0.2.0 crashed).
 expect 0 "$OVERROLL" run dent.ini -o oil.h5 -q --set cavitation.model=conserving

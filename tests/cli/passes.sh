@@ -152,11 +152,11 @@ row supply_ratio 'n == 1 || (v - 0.8 ^ (n - 1)) ^ 2 < 1e-17'
 # What is drawn of them
 if command -v gnuplot >/dev/null; then
     expect 0 "$OVERROLL" plot roller.h5 --kind passes -o passes.svg
-    contains passes.svg 'number of the pass'
+    contains passes.svg 'pass number'
     expect 0 "$OVERROLL" plot slide-2.h5 --kind map -o map.svg
-    contains map.svg 'where the film begins'
+    contains map.svg 'inlet meniscus position'
     expect 0 "$OVERROLL" plot slide-2.h5 --at 1 -o film.svg
-    contains film.svg 'its oil shaded'
+    contains film.svg 'lubricant shaded'
     refuses 'contains one run; --kind passes needs the file of several' \
         plot slide-2.h5 --kind passes -o x.svg
 fi

@@ -78,7 +78,7 @@ contains flags '"set lubricant.rheology = eyring"'
 contains flags '""'
 if command -v gnuplot >/dev/null; then
     expect 0 "$OVERROLL" plot deep.h5 --kind stress -o stress.svg
-    contains stress.svg 'largest .*, not resolved; smooth'
+    contains stress.svg 'maximum .*, not resolved; smooth'
     contains stress.svg 'not resolved \(set lubricant.rheology = eyring\)'
     expect 0 "$OVERROLL" plot deep.h5 --kind risk -o risk.svg
     contains risk.svg 'resolved from .* \(set lubricant.rheology = eyring\)'

@@ -91,7 +91,7 @@ grep -q '"C":{"levels"' touch.html || fail 'the page does not mark what touches'
 for speed in 2 4 8; do
     expect 0 "$OVERROLL" check touch.ini --set "contact.mean_speed=$speed m/s"
     # shellcheck disable=SC2046 # two words
-    set -- $(sed -n 's/^#  *mu  *\([0-9.e-]*\) to \([0-9.e-]*\) by.*/\1 \2/p' \
+    set -- $(sed -n 's/^#  *mu  *\([0-9.e-]*\) to \([0-9.e-]*\) for.*/\1 \2/p' \
         out)
     expect 0 "$OVERROLL" steady touch.ini --json \
         --set "contact.mean_speed=$speed m/s" --set domain.level=6

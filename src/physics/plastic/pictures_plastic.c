@@ -56,7 +56,8 @@ static ovr_status read_group(yielded *y, int surface, ovr_error *err)
 
 static void profile_panel(const yielded *y, ovr_panel *panel)
 {
-    *panel = ovr_panel_make(ovr_material_place, "profile, b^2/R");
+    *panel = ovr_panel_make(ovr_material_place,
+                            "profile height ({/:Italic b}^2/{/:Italic R})");
     panel->x_from = y->from;
     panel->x_to = y->to;
     ovr_series s = {.label = "before",
@@ -119,7 +120,7 @@ ovr_status ovr_draw_plastic(const ovr_drawing *drawing, ovr_chart *chart,
     if (!panel || !note)
         return OVR_NO_MEMORY;
     panel[1].image.label = "plastic strain";
-    panel[2].image.label = "residual {/Symbol s}_x / {/:Italic p}_h";
+    panel[2].image.label = "residual stress, {/Symbol s}_x ({/:Italic p}_h)";
     if (read_group(&y, surface, err))
         return OVR_BAD_INPUT;
     profile_panel(&y, &panel[0]);

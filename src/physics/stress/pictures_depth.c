@@ -358,10 +358,10 @@ static void turn_over(double *cells)
         }
 }
 
-/* "largest shear / p_h", "von mises / p_h" */
+/* "maximum shear stress (p_h)", "von Mises stress (p_h)" */
 static void put_label(const ovr_depth_field *f, char *label, size_t capacity)
 {
-    snprintf(label, capacity, "%s / p_h",
+    snprintf(label, capacity, "%s (p_h)",
              f->which == OVR_STRESS_MAX_SHEAR ? "maximum shear stress"
                                               : f->name);
     for (char *c = label; *c; c++)
@@ -389,8 +389,8 @@ static void set_axes(const ovr_depth_field *f, const ovr_axis *x, char *buffer,
                      size_t size, ovr_panel *panel)
 {
     double top = f->logarithmic ? f->mesh : 0;
-    snprintf(buffer, size, "%s  [%s]",
-             f->logarithmic ? "log_{10} depth" : "depth",
+    snprintf(buffer, size, "%s, {/:Italic z} (%s)",
+             f->logarithmic ? "log_{10} of depth" : "depth",
              *x->unit ? x->unit : "b");
     panel->x_label = x->label;
     panel->y_label = buffer;

@@ -149,7 +149,7 @@ static ovr_status map_panel(const history *h, ovr_panel *panel, ovr_error *err)
         .height = 2,
         .image = {.ny = CELLS_Z,
                   .to = ceil(20 * fmax(h->worst, 0.25)) / 20,
-                  .label = "circle {/:Italic R} / {/:Italic p}_h"}};
+                  .label = "shear path radius, {/:Italic R} ({/:Italic p}_h)"}};
     if (!thin || ovr_material_map(&h->in, h->R, at_cell, panel, err))
         return OVR_NO_MEMORY;
     for (int k = 1; k <= 10 && k <= 10 * panel->image.to; k++)
@@ -213,12 +213,13 @@ static void describe_worst(const history *h, char *note, size_t capacity)
 {
     const ovr_stored *run = h->in.run;
     bool shallow = ovr_stored_unresolved(run, -1, h->worst_z) != NULL;
-    size_t used = (size_t)snprintf(
-        note, capacity,
-        "worst R %.3g p_h at %.3g b, %.3g b deep%s; smooth %.3g; from %.3g b "
-        "down",
-        h->worst, h->worst_xi, h->worst_z, shallow ? ", not resolved" : "",
-        largest_smooth(h), h->minimum);
+    size_t used = (size_t)snprintf(note, capacity,
+                                   "maximum R = %.3g p_h at x = %.3g b, z = "
+                                   "%.3g b%s; smooth %.3g; from %.3g b "
+                                   "down",
+                                   h->worst, h->worst_xi, h->worst_z,
+                                   shallow ? ", not resolved" : "",
+                                   largest_smooth(h), h->minimum);
     if (ovr_stored_unresolved(run, -1, h->minimum))
         snprintf(note + used, capacity - used, ", resolved from %.3g b (%s)",
                  ovr_unresolved_depth(run->x[1] - run->x[0]), run->unresolved);
@@ -239,7 +240,8 @@ ovr_status ovr_draw_risk(const ovr_drawing *drawing, ovr_chart *chart,
     if (read_history(&h, err))
         return OVR_BAD_INPUT;
     if (h.S)
-        line_panel(&h, "surface, b^2/R", h.S, OVR_MARK_AREA, &panel[rows++]);
+        line_panel(&h, "surface height ({/:Italic b}^2/{/:Italic R})", h.S,
+                   OVR_MARK_AREA, &panel[rows++]);
     if (map_panel(&h, &panel[rows++], err))
         return OVR_NO_MEMORY;
     if (h.life && h.risk_smooth > 0 && risk_panel(&h, &panel[rows++], err))
@@ -267,7 +269,8 @@ static void add_over_depth(const history *h, ovr_panel *panel, const double *y,
 
 static ovr_panel depth_panel(const history *h, const char *label, double from)
 {
-    ovr_panel panel = ovr_panel_make("depth / b", label);
+    ovr_panel panel = ovr_panel_make("depth, {/:Italic z} ({/:Italic b})",
+                                     label);
     panel.x_from = h->in.z[0];
     panel.x_to = h->in.z[h->in.depths - 1];
     panel.y_from = from;
@@ -290,16 +293,17 @@ static double *worst_at_depths(const history *h, ovr_error *err)
 static size_t depth_panels(const history *h, const double *worst,
                            ovr_panel *panel)
 {
-    panel[0] = depth_panel(h, "R / p_h", 0);
-    add_over_depth(h, &panel[0], worst, "worst circle R / ph", OVR_RED,
-                   OVR_MARK_LINE);
+    panel[0] = depth_panel(h, "{/:Italic R} (p_h)", 0);
+    add_over_depth(h, &panel[0], worst,
+                   "maximum shear path radius, {/:Italic R} ({/:Italic p}_h)",
+                   OVR_RED, OVR_MARK_LINE);
     add_over_depth(h, &panel[0], h->smooth, "smooth contact", OVR_STEEL,
                    OVR_MARK_DASHED);
     if (!h->length || !isfinite(h->length[0]))
         return 1;
-    panel[1] = depth_panel(h, "equivalent length / b", NAN);
+    panel[1] = depth_panel(h, "equivalent length ({/:Italic b})", NAN);
     add_over_depth(h, &panel[1], h->length,
-                   "equivalent length / b, counted from this depth down",
+                   "equivalent length from this depth downward ({/:Italic b})",
                    OVR_BLUE, OVR_MARK_LINE);
     return 2;
 }

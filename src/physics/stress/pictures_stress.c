@@ -38,11 +38,12 @@ ovr_status ovr_stress_panel_add(ovr_depth_field *f, const ovr_shot *shot,
     bool unresolved = ovr_stored_unresolved(f->run, (ptrdiff_t)shot->k,
                                             f->worst.Z);
     snprintf(note, NOTE,
-             "%s; largest %.3g at X = %.3g, Z = %.3g%s; smooth %.3g%s",
-             to->note[0], f->worst.value, f->worst.X, f->worst.Z,
+             "maximum %.3g p_h at x = %.3g b, z = %.3g b%s; smooth contact "
+             "%.3g p_h%s",
+             f->worst.value, f->worst.X, f->worst.Z,
              unresolved ? ", not resolved" : "", f->smooth,
              f->traction == 0 ? "" : "; with traction");
-    to->panel[0].note = note;
+    panel->note = note;
     return OVR_OK;
 }
 
