@@ -467,7 +467,7 @@ static void draw_rings(sketch *s, const double *met, size_t count)
                              .colour = OVR_RED,
                              .width = 5});
     add_outline(s, panel, &points,
-                (ovr_series){.label = "rollers met by a point of the raceway",
+                (ovr_series){.label = "roller positions met by a raceway point",
                              .mark = OVR_MARK_POINTS,
                              .colour = OVR_AMBER,
                              .width = 3});

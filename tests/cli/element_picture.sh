@@ -109,7 +109,7 @@ table 'load of a roller' | awk 'NF == 2 && $1 == $1 && $1 != "NaN" {
     END { for (k in long) { sum += long[k]; if (long[k] > most) most = long[k] }
         exit !(n == 6 && (sum / most - 2.4) ^ 2 < 0.01) }' ||
     fail 'bars of the rollers'
-table 'rollers met by a point of the raceway' | awk '
+table 'roller positions met by a raceway point' | awk '
     { a[NR] = atan2($1, -$2) * 180 / atan2(0, -1) }
     END { exit !(NR == 3 && (a[3] - a[2] - 44.6) ^ 2 < 0.01) }' ||
     fail 'rollers that a point meets'

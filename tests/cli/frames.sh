@@ -120,7 +120,7 @@ done
 expect 0 "$OVERROLL" plot a.h5 b.h5 -o ab.png
 expect 0 "$OVERROLL" plot a.h5 dent.h5 -o mixed.svg
 contains err 'dent.h5 has no physical scales: each result is drawn'
-refuses 'dent.h5: no SI units' plot a.h5 dent.h5 --si -o si.svg
+refuses 'dent.h5: SI units' plot a.h5 dent.h5 --si -o si.svg
 expect 0 "$OVERROLL" frames a.h5 dent.h5 -o mixed --every 100 --size 320x240
 contains err 'dent.h5 has no physical scales'
 
