@@ -181,7 +181,7 @@ expect 0 "$OVERROLL" plot film.h5 -o film.svg --script film.gp
 # A rough run that conserves oil: its trace is drawn (0.2.0 crashed).
 expect 0 "$OVERROLL" run dent.ini -o oil.h5 -q --set cavitation.model=conserving
 expect 0 "$OVERROLL" plot oil.h5 --kind trace -o trace.svg --script trace.gp
-contains trace.gp 'roughness at x = 0'
+contains trace.gp 'surface height at x = 0'
 
 # Many results: each in a colour and dash of its own, in rows of a legend that
 # are no wider than the picture.
