@@ -266,7 +266,7 @@ def played(browser):
 def dent(browser):
     """Runs, pauses, goes on, is played, and is downloaded."""
     with open(f"{folder}/dent.ini", encoding="utf-8") as file:
-        put(browser, file.read().replace("level = 5", "level = 7"))
+        put(browser, file.read().replace("level = 5", "level = 9"))
     run_until(browser, 2)
     browser.run("document.getElementById('pause').click()")
     browser.wait("return document.getElementById('status').textContent"
