@@ -65,12 +65,14 @@ static void fill_row(const ovr_tripoles *t, size_t n, size_t i,
     }
 }
 
+/* Factors the band of local terms, with the influence of pressures unless
+ * `kernel` is NULL. */
 static bool factor(ovr_tripoles *t, size_t n, const double *kernel)
 {
     enum { REACH = OVR_BAND + 2 };
     double of[2 * REACH + 1];
     for (int d = -REACH; d <= REACH; d++)
-        of[d + REACH] = pressed(kernel, d);
+        of[d + REACH] = kernel ? pressed(kernel, d) : 0;
     for (size_t i = 1; i + 1 < n; i++)
         fill_row(t, n, i, of + REACH);
     return ovr_banded_factor(&t->band, n - 2);
@@ -231,23 +233,22 @@ static void combine(const ovr_kernels *run, ovr_tripoles *t, size_t m,
         add(run, t->basis, g[k], t->basis + (size_t)k * m, m);
 }
 
-bool ovr_tripoles_solve(const ovr_hierarchy *grids, const ovr_level *level,
-                        double missing, double *step)
+/* Solves by one preconditioner; `kernel` is NULL for that of local terms. */
+static bool solve_by(const ovr_hierarchy *grids, const ovr_level *level,
+                     const double *kernel, double missing, double *step)
 {
     ovr_tripoles *t = grids->touch.tripoles;
-    const double *kernel = grids->touch.kernel + level->grid.n + 2; /* k(0) */
     size_t n = level->grid.n, m = size_of(n);
     double g[OVR_TRIPOLE_PRODUCTS + 1], *v = t->basis;
     int count;
-    for (size_t i = 1; i + 1 < n; i++) {
-        proportion(&t->row[i], kernel[0]);
+    for (size_t i = 1; i + 1 < n; i++)
         v[i - 1] = t->row[i].r;
-    }
     v[n - 2] = missing;
     if (!factor(t, n, kernel))
         return false;
     border(t, n);
-    t->deflated = ovr_deflation_factor(&t->smooth, grids->kernels, t->row, n,
+    t->deflated = kernel &&
+                  ovr_deflation_factor(&t->smooth, grids->kernels, t->row, n,
                                        level->grid.D, kernel);
     g[0] = sqrt(product(grids->kernels, v, v, m));
     if (!isfinite(g[0]))
@@ -263,4 +264,17 @@ bool ovr_tripoles_solve(const ovr_hierarchy *grids, const ovr_level *level,
     combine(grids->kernels, t, m, count, g);
     precondition(t, grids->kernels, n, level->grid.D, t->basis, step);
     return true;
+}
+
+/* The band with its elastic part takes a tenth of the products, but is nearly
+ * singular in contacts that asperities carry, far from the solution. */
+bool ovr_tripoles_solve(const ovr_hierarchy *grids, const ovr_level *level,
+                        double missing, double *step)
+{
+    ovr_tripoles *t = grids->touch.tripoles;
+    const double *kernel = grids->touch.kernel + level->grid.n + 2; /* k(0) */
+    for (size_t i = 1; i + 1 < level->grid.n; i++)
+        proportion(&t->row[i], kernel[0]);
+    return solve_by(grids, level, kernel, missing, step) ||
+           solve_by(grids, level, NULL, missing, step);
 }
