@@ -28,13 +28,15 @@ expect 0 "$OVERROLL" view dent.h5 -o dent.html
 timeout 100 chromium --headless --no-sandbox --disable-gpu \
     --virtual-time-budget=5000 --dump-dom "file://$PWD/dent.html" \
     >dom.txt 2>chromium.txt || skip "chromium does not run"
-grep -q 'data-drawn="0"' dom.txt || fail "the page was not drawn"
+# The page opens at the minimum film thickness.
+shot=$(sed -n 's/.*data-drawn="\([0-9]*\)".*/\1/p' dom.txt | head -n 1)
+[ "$shot" ] || fail "the page was not drawn"
 sed -n 's/.*data-cut="\([^"]*\)".*/\1/p' dom.txt | head -n 1 >place
 [ -s place ] || fail "no cross-hair in the page"
 
 # A level is 1/2047 of the range of all snapshots.
-expect 0 "$OVERROLL" export dent.h5 --snapshot 0 --areal --units hertzian \
-    -o areal.csv
+expect 0 "$OVERROLL" export dent.h5 --snapshot "$shot" --areal \
+    --units hertzian -o areal.csv
 awk -v cut="$(cat place)" -F, 'BEGIN { split(cut, c, " ") }
     NR > 1 && ($1 - c[1]) ^ 2 + ($2 - c[2]) ^ 2 < 1e-12 {
         found = ($3 - c[3]) ^ 2 < 1e-6 && ($4 - c[4]) ^ 2 < 1e-8 }

@@ -335,6 +335,8 @@ def main():
         assert not browser.log(), browser.log()
 
         load(browser, "two.html")
+        browser.keys(HOME)
+        browser.wait("return document.body.dataset.drawn == 0")
         browser.keys(*[RIGHT] * 9)
         browser.wait("return document.body.dataset.drawn == 9")
         hover(browser, h5py.File(f"{folder}/other.h5"), 9, 1)

@@ -30,7 +30,7 @@ def shape(T, X):
 def test_discrete_series(own):
     """The dent as a feature of the case, and as a function."""
     H_min, H_cen = truth("dent_bdf2_H_min"), truth("dent_bdf2_H_cen")
-    case = ovr.Case(**REFERENCE, level=7, end=6.4)
+    case = ovr.Case(**REFERENCE, level=7, end=6.4, tolerance=1e-8)
     if not own:
         case.feature("dent", depth=0.1, width=0.5, start=-4.6)
     sim = ovr.Simulation(case)
