@@ -128,9 +128,11 @@ const cli_verb cli_check = {
     .arguments = "[CASE]",
     .summary =
         "print operating conditions, predictions and cost; solve nothing",
-    .help = "Prints operating conditions, predicted film thickness, features, "
-            "grid and cost.\nWith -v also every parameter with its value; that "
-            "output is itself a case.",
+    .help =
+        "Prints a summary of operating conditions, predicted film thickness, "
+        "features, grid\nand cost. With -v the list is complete and every "
+        "parameter follows with its value;\nthat output is itself a "
+        "case.",
     .options = options,
     .minimum = 0,
     .maximum = 1,

@@ -75,7 +75,8 @@ static void put_asymptote(const ovr_told *to, const char *key,
         ovr_tell_detail(to, label, "%s", film_text(H, c).text);
 }
 
-static void put_films(const ovr_told *to, const ovr_contact *c)
+/* In the summary Moes' formula appears only where the fit does not hold. */
+static void put_films(const ovr_told *to, const ovr_contact *c, bool fitted)
 {
     ovr_film_asymptotes film = ovr_film_asymptotes_moes(c->M, c->L);
     double central = ovr_film_central_moes(c->M, c->L);
@@ -83,8 +84,9 @@ static void put_films(const ovr_told *to, const ovr_contact *c)
                        "flooded)");
     ovr_put_number(to, "H_cen_moes", central);
     if (!isnan(central))
-        ovr_tell(to, "central, Moes (incompressible)", "%s",
-                 film_text(central, c).text);
+        (fitted ? ovr_tell_detail : ovr_tell)(to,
+                                              "central, Moes (incompressible)",
+                                              "%s", film_text(central, c).text);
     put_asymptote(to, "H_rigid_isoviscous", "  rigid-isoviscous asymptote",
                   film.rigid_iso, c);
     put_asymptote(to, "H_elastic_isoviscous", "  elastic-isoviscous asymptote",
@@ -132,21 +134,29 @@ static void put_lambda_ratio(const ovr_told *to, const ovr_setup *setup,
 }
 
 /* The fitted formula holds only for the lubricant laws it was fitted for. */
-static void put_fit(const ovr_told *to, const ovr_setup *setup)
+static ovr_film_fit fit_of(const ovr_setup *setup)
 {
     const ovr_contact *c = setup->contact;
     const ovr_lubricant *oil = setup->lubricant;
-    ovr_film_fit fit = {NAN, NAN};
-    if (oil->viscosity_law == OVR_ROELANDS &&
-        oil->density_law == OVR_DOWSON_HIGGINSON)
-        fit = ovr_film_fitted(c->M, c->L, ovr_density(oil, 1));
+    ovr_film_fit none = {NAN, NAN};
+    return oil->viscosity_law == OVR_ROELANDS &&
+                   oil->density_law == OVR_DOWSON_HIGGINSON
+               ? ovr_film_fitted(c->M, c->L, ovr_density(oil, 1))
+               : none;
+}
+
+static void put_fit(const ovr_told *to, const ovr_setup *setup,
+                    ovr_film_fit fit)
+{
+    const ovr_contact *c = setup->contact;
     ovr_put_number(to, "H_cen_fit", fit.central);
     ovr_put_number(to, "H_min_fit", fit.minimum);
     say_fit(to, "central, overroll fit", fit.central, "2.6 %", c);
     say_fit(to, "minimum, overroll fit", fit.minimum, "1.7 %", c);
     if (!isnan(fit.central))
         ovr_tell_detail(to, "  compressible lubricant",
-                        "relative density %.4g at p_h", ovr_density(oil, 1));
+                        "relative density %.4g at p_h",
+                        ovr_density(setup->lubricant, 1));
     put_lambda_ratio(to, setup, fit.minimum);
 }
 
@@ -173,7 +183,8 @@ static ovr_words at_time(double T, const ovr_contact *contact)
     return w;
 }
 
-/* Prints when a feature enters the contact, passes X = 0 and leaves. */
+/* Prints when a feature passes X = 0; in the complete list also when it enters
+ * the contact and leaves. */
 static void say_times(const ovr_told *to, const ovr_setup *setup, size_t k)
 {
     const ovr_options *o = setup->options;
@@ -188,9 +199,10 @@ static void say_times(const ovr_told *to, const ovr_setup *setup, size_t k)
                   {"  leaves the contact at", t.leaves}};
     for (int i = 0; i < 3; i++)
         if (isfinite(events[i].T))
-            ovr_tell(to, events[i].what, "%s%s",
-                     at_time(events[i].T, setup->contact).text,
-                     events[i].T > end ? " (after the end)" : "");
+            (i == 1 ? ovr_tell : ovr_tell_detail)(
+                to, events[i].what, "%s%s",
+                at_time(events[i].T, setup->contact).text,
+                events[i].T > end ? " (after the end)" : "");
 }
 
 static void say_feature(const ovr_told *to, const ovr_setup *setup, size_t k)
@@ -207,8 +219,8 @@ static void say_feature(const ovr_told *to, const ovr_setup *setup, size_t k)
     ovr_tell(to, info.diameter > 0 ? "  depth" : "  height", "%.4g%s",
              info.amplitude, in_metres(info.amplitude, c->height).text);
     if (info.diameter > 0)
-        ovr_tell(to, "  diameter at half depth", "%.4g%s", info.diameter,
-                 in_metres(info.diameter, c->b).text);
+        ovr_tell_detail(to, "  diameter at half depth", "%.4g%s", info.diameter,
+                        in_metres(info.diameter, c->b).text);
     ovr_words label = {""};
     ovr_words_add(&label, "  %s wavelength", info.wavelength_is);
     ovr_tell(to, label.text, "%.4g%s, %.4g nodes", info.wavelength,
@@ -240,11 +252,11 @@ static void put_rough_film(const ovr_told *to, const ovr_setup *setup,
     ovr_tell(to, "film roughness Rq", "%.4g%s; surfaces: %.4g%s", film->film_Rq,
              in_metres(film->film_Rq, c->height).text, film->Rq,
              in_metres(film->Rq, c->height).text);
-    ovr_tell(to, "minimum film thickness", "%s",
-             film_text(film->H_min, c).text);
-    ovr_tell(to, "accuracy", "within 2 %% (half the cases), 12 %% at most%s%s",
-             film->but ? "; less certain here: " : "",
-             film->but ? film->but : "");
+    ovr_tell(
+        to, "minimum film thickness", "%s%s%s", film_text(film->H_min, c).text,
+        film->but ? "; less certain here: " : "", film->but ? film->but : "");
+    ovr_tell_detail(to, "accuracy",
+                    "within 2 %% (half the cases), 12 %% at most");
 }
 
 /* ----------------------------------------------------------- grid and cost */
@@ -283,7 +295,7 @@ static void say_grid(const ovr_told *to, const ovr_setup *setup,
     ovr_tell(to, "grid", "level %d, %.0f nodes, mesh size D = %.6g%s", o->level,
              cost->nodes, cost->mesh,
              in_metres(cost->mesh, setup->contact->b).text);
-    ovr_tell(to, "domain", "X = %g to %g", o->inlet, o->outlet);
+    ovr_tell_detail(to, "domain", "X = %g to %g", o->inlet, o->outlet);
     if (o->refine && o->refine_level)
         ovr_tell(to, "local refinement",
                  "at the pressure spike, to level %d, mesh size %.3g",
@@ -311,17 +323,18 @@ static void say_step(const ovr_told *to, const ovr_setup *setup)
         ovr_tell(to, "time step", "adaptive, target error %g",
                  setup->march->error);
     else
-        ovr_tell(to, "time step", "%.6g = %.3g D%s%s", dT, meshes,
-                 why ? ": " : "", why ? why : "");
+        ovr_tell_detail(to, "time step", "%.6g = %.3g D%s%s", dT, meshes,
+                        why ? ": " : "", why ? why : "");
 }
 
 static void say_cost(const ovr_told *to, const ovr_setup *setup,
                      const ovr_cost *cost)
 {
+    ovr_words disk = {""};
     if (cost->passes > 1) {
         ovr_tell(to, "passes",
-                 "%.0f, a run and a result file each; the numbers below are "
-                 "those of one pass, except disk space and cost",
+                 "%.0f, a run and a result file each; time steps are counted "
+                 "per pass, the cost includes all passes",
                  cost->passes);
         say_bodies(to, setup);
     }
@@ -332,11 +345,13 @@ static void say_cost(const ovr_told *to, const ovr_setup *setup,
                      ? "at most "
                      : "",
                  cost->steps);
-        ovr_tell(to, "snapshots", "%.0f, up to %.3g MB on disk",
-                 cost->stored.snapshots, cost->stored.bytes / 1e6);
+        ovr_tell_detail(to, "snapshots", "%.0f, up to %.3g MB on disk",
+                        cost->stored.snapshots, cost->stored.bytes / 1e6);
+        ovr_words_add(&disk, ", up to %.3g MB on disk",
+                      cost->stored.bytes / 1e6);
     }
-    ovr_tell(to, "estimated cost", "%.2g s, %.3g MB of memory", cost->seconds,
-             cost->bytes / 1e6);
+    ovr_tell(to, "estimated cost", "%.2g s, %.3g MB of memory%s", cost->seconds,
+             cost->bytes / 1e6, disk.text);
 }
 
 static void put_cost(const ovr_told *to, const ovr_setup *setup,
@@ -367,13 +382,14 @@ static void put_cost(const ovr_told *to, const ovr_setup *setup,
 
 static void put_formulas(const ovr_told *to, const ovr_setup *setup)
 {
+    const ovr_film_fit fit = fit_of(setup);
     ovr_tell_title(to, "Operating conditions");
     ovr_put_contact(to, setup->contact, true);
     put_alpha(to, setup);
     say_lubricant(to, setup->lubricant);
     say_radius(to, setup);
-    put_films(to, setup->contact);
-    put_fit(to, setup);
+    put_films(to, setup->contact, !isnan(fit.central));
+    put_fit(to, setup, fit);
 }
 
 void ovr_setup_scales(const ovr_setup *setup, ovr_summary_taker *take,

@@ -66,7 +66,7 @@ says() {
 }
 
 # The pair of the truth: R_C 6.840403 mm, u_C 3.223464 m/s, 1.635186 ms.
-expect 0 "$OVERROLL" check gear.ini
+expect 0 "$OVERROLL" check gear.ini -v
 says 'reduced radius R  *6.8404 mm'
 says 'entrainment speed u_m  *3.22346 m/s'
 expect 0 "$OVERROLL" run gear.ini -o gear.h5 -q --json

@@ -93,7 +93,7 @@ contains out '"scheme": "upstream2"'
 why() {
     said=$1
     shift
-    expect 0 "$OVERROLL" check dent.ini "$@"
+    expect 0 "$OVERROLL" check dent.ini -v "$@"
     contains out "time step +$said"
 }
 why '0.0122768 = 2 D$'
