@@ -45,10 +45,25 @@ int cli_fail(const ovr_error *err)
     }
 }
 
+/* Bytes of the control character at the start of s.  C1 controls (U+0080 to
+ * U+009F) have two bytes in UTF-8.  0: no control character. */
+static int control_bytes(const char *s)
+{
+    unsigned char c = (unsigned char)s[0], next = c ? (unsigned char)s[1] : 0;
+    if ((c > 0 && c < 0x20) || c == 0x7f)
+        return 1;
+    return c == 0xc2 && next >= 0x80 && next < 0xa0 ? 2 : 0;
+}
+
 void cli_put_foreign(const char *text)
 {
-    for (; text && *text; text++)
-        putchar((unsigned char)*text < 0x20 || *text == 0x7f ? ' ' : *text);
+    while (text && *text) {
+        int control = control_bytes(text);
+        if (!control)
+            putchar(*text++);
+        for (; control > 0; control--)
+            printf("\\x%02x", (unsigned)(unsigned char)*text++);
+    }
 }
 
 int cli_usage(const cli_call *call, const char *format, ...)

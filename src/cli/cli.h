@@ -100,8 +100,8 @@ int cli_fail(const ovr_error *err);
 /* A listener (`data`: the call): notes and warnings on stderr, unless -q. */
 void cli_say(void *data, ovr_say kind, const char *text);
 
-/* Prints a text that comes from a file on stdout: no control reaches the
- * terminal. */
+/* Prints a text that comes from a file, or the name of one, on stdout.  Control
+ * characters are escaped: \x1b. */
 void cli_put_foreign(const char *text);
 
 /* "overroll VERB: message", exit code 2. */

@@ -95,6 +95,13 @@ static ovr_status check_values(const ovr_conditions *c, ovr_error *err)
     return OVR_OK;
 }
 
+double ovr_slip_ratio(double u1, double u2, double um)
+{
+    const double rounding = 1e-12;
+    double slip = (u1 - u2) / um;
+    return fabs(slip) <= rounding ? 0 : slip;
+}
+
 /* um and the ratios u1/um, u2/um = 1 +- SRR/2. */
 static ovr_status resolve_speeds(const ovr_conditions *c, ovr_contact *to,
                                  ovr_error *err)
@@ -125,8 +132,11 @@ static ovr_status resolve_speeds(const ovr_conditions *c, ovr_contact *to,
                       "plus speed_2 must be positive: the fluid is carried "
                       "along +x; for squeeze or a start from rest give the "
                       "nominal speeds here and their history in [speed]");
-    to->u1_ratio = c->speed_1 / to->um;
-    to->u2_ratio = c->speed_2 / to->um;
+    to->u1_ratio = to->u2_ratio = 1;
+    if (ovr_slip_ratio(c->speed_1, c->speed_2, to->um) != 0) {
+        to->u1_ratio = c->speed_1 / to->um;
+        to->u2_ratio = c->speed_2 / to->um;
+    }
     return OVR_OK;
 }
 

@@ -91,6 +91,9 @@ double ovr_density(const ovr_lubricant *lubricant, double P);
 /* Value at T (a NULL history is 1). */
 double ovr_history_value(const ovr_history *history, double T);
 
+/* (u1 - u2)/um, 0 where it is rounding: at the pitch point of a gear. */
+double ovr_slip_ratio(double u1, double u2, double um);
+
 /* The slip u_1 - u_2 and the speed of surface k (0 or 1) at T, over the
  * contact's um.  Without a history of the slip it is the contact's, as the
  * speed grows. */

@@ -578,7 +578,7 @@ static void take_moments(const ovr_resolved *r, moments *m)
         m->T[k] = (m->t[k] - begin) / r->contact.time;
         m->load[k] = at.load / given->load;
         m->speed[k] = (at.u1 + at.u2) / 2 / mean;
-        m->sliding[k] = (at.u1 - at.u2) / mean;
+        m->sliding[k] = ovr_slip_ratio(at.u1, at.u2, mean);
         m->radius[k] = at.R / given->radius;
         m->radius_1[k] = fmax(-FLATTEST,
                               fmin(at.R_1 / given->radius, FLATTEST));

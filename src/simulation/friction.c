@@ -192,15 +192,23 @@ static double dissipated_beside(const ovr_simulation *sim)
     return sum;
 }
 
+double ovr_sliding_force(double force, double rolling)
+{
+    return fabs(force) <= 1e-12 * fabs(rolling) ? 0 : force;
+}
+
 void ovr_friction_forces(const ovr_simulation *sim, ovr_observation *o)
 {
     double V = o->sliding, load = OVR_NOMINAL_LOAD * o->load_ratio;
     double coefficient = load > 0 ? sim->contact.kappa / load : NAN;
+    o->F_slide = ovr_sliding_force(o->F_slide, o->F_roll);
     o->F_1 = o->F_slide - o->F_roll + o->F_slope_1;
     o->F_2 = -o->F_slide - o->F_roll + o->F_slope_2;
     o->mu_1 = coefficient * o->F_1;
     o->mu_2 = coefficient * o->F_2;
-    o->mu_slide = copysign(coefficient * o->F_slide, V);
+    o->mu_slide = coefficient * fabs(o->F_slide);
+    if (o->F_slide != 0)
+        o->mu_slide = copysign(coefficient * o->F_slide, V);
     o->mu_roll = coefficient * o->F_roll;
     o->power_in = 2 * o->speed_ratio * o->F_roll - V * o->F_slide -
                   (o->speed_ratio + V / 2) * o->F_slope_1 -

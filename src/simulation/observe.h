@@ -20,6 +20,9 @@ double ovr_mass_balance(const ovr_simulation *sim);
  * powers; shear stress in the film at a surface, at half nodes. */
 void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o);
 
+/* Returns 0 for a sliding force that is rounding; otherwise the force. */
+double ovr_sliding_force(double force, double rolling);
+
 /* Computes forces, coefficients and power_in from F_slide, F_roll and the
  * forces on slopes. */
 void ovr_friction_forces(const ovr_simulation *sim, ovr_observation *o);

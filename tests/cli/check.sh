@@ -157,3 +157,40 @@ expect 0 "$OVERROLL" check rough.ini --set contact.slide_to_roll=0.2
 contains out 'less certain here: the rough surface is the faster one'
 expect 0 "$OVERROLL" check rough.ini --set contact.slide_to_roll=-0.2
 contains out 'less certain here: the surfaces slide'
+
+# A moving wave that the run begins with is grown into the steady start.  Its
+# cost is predicted within ten times, also in a shear-thinning film that is a
+# third as thick as the wave is high.
+cat >begun.ini <<'END'
+[contact]
+hertz_pressure = 1 GPa
+radius = 10 mm
+modulus = 226 GPa
+mean_speed = 0.5 m/s
+[lubricant]
+viscosity = 40 mPa.s
+alpha = 17 1/GPa
+rheology = eyring
+eyring_stress = 6 MPa
+[domain]
+level = 8
+[time]
+end = 0.1
+[feature d]
+shape = wave
+amplitude = 0.2
+wavelength = 0.5
+END
+# predicted ARGUMENTS...: seconds
+predicted() {
+    expect 0 "$OVERROLL" check begun.ini "$@"
+    awk '/estimated cost/ { print $4 * ($5 ~ /^min/ ? 60 : 1) }' out
+}
+grown=$(predicted)
+flat=$(predicted --set feature.d.amplitude=0.01)
+expect 0 "$OVERROLL" run begun.ini --json
+begun=$(number seconds)
+expect 0 "$OVERROLL" run begun.ini --json --set feature.d.amplitude=0.01
+echo "$grown $flat $begun $(number seconds)" |
+    awk '{ r = $1 / $2 / ($3 / $4); exit !(r > 0.1 && r < 10) }' ||
+    fail "predicted $grown and $flat s, took $begun and $(number seconds) s"

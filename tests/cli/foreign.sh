@@ -100,6 +100,7 @@ grep -qx mine shape-after.csv || fail 'a foreign profile was replaced'
 strange=$(printf 'a\033[31mb.h5')
 cp result.h5 "$strange"
 expect 0 "$OVERROLL" info "$strange"
+contains out '^a.x1b\[31mb\.h5: '
 ! grep -q "$(printf '\033')" out || fail 'info prints an escape sequence'
 
 # Workers of a killed parent

@@ -114,3 +114,41 @@ of == 1 { h[FNR] = $at[1, "central_film_thickness"]; rows = FNR; next }
 END { printf "%d rows, off by %g\n", rows, most
     exit !(rows > 1000 && FNR == rows && most < 1e-6) }' new.csv old.csv ||
     fail 'another gear than that of the tables'
+
+# Nothing slides at the pitch point, where speeds differ by rounding only: no
+# fluid friction of 1e-17, and no boundary friction.
+cat >pitch.ini <<'END'
+[gear]
+teeth_1 = 20
+teeth_2 = 40
+module = 4 mm
+face = 40 mm
+speed = 1500 rpm
+torque = 300 Nm
+[contact]
+modulus = 226 GPa
+[lubricant]
+viscosity = 18.09 mPa.s
+alpha = 15.30 1/GPa
+rheology = eyring
+eyring_stress = 5 MPa
+limiting_shear = 0.08
+[domain]
+level = 6
+[boundary]
+law = exponential
+Rq = 0.4 um
+slope = 0.1
+friction = 0.1
+END
+expect 0 "$OVERROLL" steady pitch.ini --json
+zero() {
+    for key; do
+        [ "$(number "$key")" = 0 ] || fail "$key: $(grep "\"$key\"" out)"
+    done
+}
+zero sliding mu_slide mu_film mu_boundary F_slide
+printf '[heat]\nmodel = lobatto\n' >>pitch.ini
+expect 0 "$OVERROLL" steady pitch.ini --json \
+    --set lubricant.temperature='80 degC'
+zero sliding mu_slide mu_film mu_boundary F_slide

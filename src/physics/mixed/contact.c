@@ -448,7 +448,8 @@ static void observe_friction(const ovr_simulation *sim, const boundary *b,
     double coefficient = load > 0 ? sim->contact.kappa / load : NAN;
     for (size_t i = 0; i + 1 < sim->now.n && o->more[A_MAX] > 0; i++)
         drag += drag_at(sim, b, i) * (X[i + 1] - X[i]);
-    o->more[MU_FILM] = coefficient * fabs(o->F_slide - b->wet_force);
+    double film = ovr_sliding_force(o->F_slide - b->wet_force, o->F_roll);
+    o->more[MU_FILM] = coefficient * fabs(film);
     o->more[MU_BOUNDARY] = coefficient * fabs(drag);
     o->F_slide += drag - b->wet_force;
     o->power_dissipated -= o->sliding * (drag - b->wet_force);
