@@ -17,25 +17,26 @@ typedef struct quantity {
 #define LENGTH(size, unit, name, symbol)                                       \
     {                                                                          \
         size, unit, name ", {/:Italic " symbol "} (" unit ")",                 \
-            symbol " in " unit                                                 \
+            name ", " symbol " (" unit ")"                                     \
     }
 static const quantity quantities[] = {
     {OVR_KIND_LENGTH,
-     {1, "position, {/:Italic x} ({/:Italic b})", "x/b", ""},
+     {1, "position, {/:Italic x} ({/:Italic b})", "position, x (b)", ""},
      {LENGTH(1e-3, "mm", "position", "x"), LENGTH(1e-6, "µm", "position", "x"),
       LENGTH(1e-9, "nm", "position", "x")}},
     {OVR_KIND_HEIGHT,
-     {1, "film thickness, {/:Italic h} ({/:Italic b}^2/{/:Italic R})", "h R/b²",
-      ""},
+     {1, "film thickness, {/:Italic h} ({/:Italic b}^2/{/:Italic R})",
+      "film thickness, h (b²/R)", ""},
      {LENGTH(1e-6, "µm", "film thickness", "h"),
       LENGTH(1e-9, "nm", "film thickness", "h"),
       LENGTH(1e-9, "nm", "film thickness", "h")}},
     {OVR_KIND_PRESSURE,
-     {1, "pressure, {/:Italic p} ({/:Italic p}_h)", "p/p_h", ""},
+     {1, "pressure, {/:Italic p} ({/:Italic p}_h)", "pressure, p (p_h)", ""},
      {LENGTH(1e9, "GPa", "pressure", "p"), LENGTH(1e6, "MPa", "pressure", "p"),
       LENGTH(1e3, "kPa", "pressure", "p")}},
     {OVR_KIND_TIME,
-     {1, "time, {/:Italic t} ({/:Italic b}/{/:Italic u}_m)", "t u_m/b", ""},
+     {1, "time, {/:Italic t} ({/:Italic b}/{/:Italic u}_m)", "time, t (b/u_m)",
+      ""},
      {LENGTH(1, "s", "time", "t"), LENGTH(1e-3, "ms", "time", "t"),
       LENGTH(1e-6, "µs", "time", "t")}},
 };

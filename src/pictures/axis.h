@@ -10,8 +10,8 @@
 
 typedef struct ovr_axis {
     double factor;     /* from the Hertzian number to the one drawn */
-    const char *label; /* enhanced text of gnuplot: "{/:Italic x} (mm)" */
-    const char *plain; /* the same without markup: "x in mm" */
+    const char *label; /* enhanced text of gnuplot: "time, {/:Italic t} (s)" */
+    const char *plain; /* the same without markup: "time, t (s)" */
     const char *unit;  /* "mm"; "" when Hertzian */
 } ovr_axis;
 

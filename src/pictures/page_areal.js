@@ -87,9 +87,9 @@ function drawOneMap(view, c, left, wide, name) {
   const box = boxOf(left + 58, 24, wide - 68, tall,
     { x0: x0 * f, x1: x1 * f, y0: y0 * f, y1: y1 * f });
   const i = nearestTo(a.x, cut.x), j = nearestTo(a.y, cut.y);
-  const unit = u.x.unit ? ", " + u.x.unit : "/b";
+  const yName = u.x.name.replace("x (", "y (");
   drawAxes(c, box, { x0: x0 * f, x1: x1 * f, from: y0 * f, y0: y0 * f,
-    y1: y1 * f, xName: "", yName: "y" + unit });
+    y1: y1 * f, xName: "", yName });
   clipped(c, box, () => {
     const dx = (a.x[a.columns - 1] - a.x[0]) / (a.columns - 1) / 2;
     const from = box.X((a.x[0] - dx) * f);
@@ -114,17 +114,17 @@ function drawOneMap(view, c, left, wide, name) {
   const last = field.value.length - 1, at = (col, row) =>
     field.at(k, row * a.columns + col) * q.f;
   const from = name === "P" ? 0 : field.value[0] * q.f, high = field.value[last] * q.f;
-  const margin = 0.06 * (high - from), label = name === "P" ? "p" : "h";
+  const margin = 0.06 * (high - from);
   const axes = { y0: from - (from ? margin : 0), from: from - (from ? margin : 0),
-    y1: high + margin, yName: label + (q.unit ? ", " + q.unit : "") };
+    y1: high + margin, yName: q.name };
   const along = boxOf(box.x, box.y + tall + 24, box.w, low,
     { ...axes, x0: x0 * f, x1: x1 * f });
-  drawAxes(c, along, { ...axes, x0: x0 * f, x1: x1 * f, xName: "x" + unit });
+  drawAxes(c, along, { ...axes, x0: x0 * f, x1: x1 * f, xName: u.x.name });
   drawArealCut(c, along, Array.from(a.x, (v) => v * f),
     Array.from(a.x, (v, col) => at(col, j)), look);
   const across = boxOf(box.x, along.y + low + 54, box.w, low,
     { ...axes, x0: y0 * f, x1: y1 * f });
-  drawAxes(c, across, { ...axes, x0: y0 * f, x1: y1 * f, xName: "y" + unit });
+  drawAxes(c, across, { ...axes, x0: y0 * f, x1: y1 * f, xName: yName });
   drawArealCut(c, across, [...Array.from(a.y, (v) => v * f), y1 * f],
     [...Array.from(a.y, (v, row) => at(i, row)), at(i, 0)], look);
   return box;

@@ -115,6 +115,13 @@ function niceStep(span, most) {
   return power * (digit <= 1 ? 1 : digit <= 2 ? 2 : digit <= 5 ? 5 : 10);
 }
 
+// The name of an axis on a side of that length: "pressure, p (GPa)", or where
+// that is too long, "p (GPa)".
+function fitted(c, name, length) {
+  return c.measureText(name).width <= length ? name
+    : name.slice(name.lastIndexOf(", ") + 1).trim();
+}
+
 // Grid, numbers and names of a box whose edges are x0..x1 and y0..y1 in drawn
 // units; numbers on y only from zero, or from `from`, on.
 function drawAxes(c, box, axes) {
@@ -148,13 +155,14 @@ function drawAxes(c, box, axes) {
   c.fillStyle = colour.ink;
   if (axes.xName) {
     c.textBaseline = "bottom";
-    c.fillText(axes.xName, box.x + box.w / 2, box.y + box.h + 36);
+    c.fillText(fitted(c, axes.xName, box.w), box.x + box.w / 2,
+      box.y + box.h + 36);
   }
   c.save();
   c.translate(box.x - 46, box.y + box.h / 2);
   c.rotate(-Math.PI / 2);
   c.textBaseline = "middle";
-  c.fillText(axes.yName, 0, 0);
+  c.fillText(fitted(c, axes.yName, box.h), 0, 0);
   c.restore();
 }
 
@@ -409,7 +417,7 @@ function drawRightAxis(c, box, high, left, name) {
   c.translate(x + 46, box.y + box.h / 2);
   c.rotate(-Math.PI / 2);
   c.textAlign = "center";
-  c.fillText(name, 0, 0);
+  c.fillText(fitted(c, name, box.h), 0, 0);
   c.restore();
 }
 

@@ -23,14 +23,15 @@ function runOfState(s, scales) {
 }
 
 const one = (name) => ({ f: 1, unit: "", name });
+const inUnit = (f, unit, name) => ({ f, unit, name: `${name} (${unit})` });
 function unitsFrom(c) {
-  const units = [{ x: one("x/b"), p: one("p/p_h"), h: one("h R/b\u00b2"),
-    t: one("T") }];
+  const units = [{ x: one("position, x (b)"), p: one("pressure, p (p_h)"),
+    h: one("film thickness, h (b\u00b2/R)"), t: one("time, t (b/u_m)") }];
   if (c && c.half_width_m && c.film_scale_m)
-    units.push({ x: { f: 1e3 * c.half_width_m, unit: "mm", name: "x in mm" },
-      p: { f: 1e-9 * c.hertz_pressure_Pa, unit: "GPa", name: "p in GPa" },
-      h: { f: 1e6 * c.film_scale_m, unit: "\u00b5m", name: "h in \u00b5m" },
-      t: { f: 1e3 * c.time_scale_s, unit: "ms", name: "t in ms" } });
+    units.push({ x: inUnit(1e3 * c.half_width_m, "mm", "position, x"),
+      p: inUnit(1e-9 * c.hertz_pressure_Pa, "GPa", "pressure, p"),
+      h: inUnit(1e6 * c.film_scale_m, "\u00b5m", "film thickness, h"),
+      t: inUnit(1e3 * c.time_scale_s, "ms", "time, t") });
   return units;
 }
 
@@ -451,8 +452,8 @@ function drawStudy() {
   const f = si ? 1e6 : 1, x = curve.points.map((p) => p[0]);
   const most = Math.max(...curve.points.map(([, n]) => n[films[0][0]] * f));
   const axes = { x0: Math.min(...x), x1: Math.max(...x), y0: 0, y1: 1.1 * most,
-    xName: curve.key + (curve.unit ? " in " + curve.unit : ""),
-    yName: si ? "h in \u00b5m" : "h R/b\u00b2" };
+    xName: curve.key + (curve.unit ? ` (${curve.unit})` : ""),
+    yName: `film thickness, h (${si ? "\u00b5m" : "b\u00b2/R"})` };
   const box = boxOf(58, 22, width - 72, height - 64, axes);
   drawAxes(c, box, axes);
   for (const [name, line] of films) {

@@ -47,6 +47,11 @@ layers = 8
 END
 expect 0 "$OVERROLL" run yields.ini -o yields.h5 -q
 expect 0 "$OVERROLL" view yields.h5 -o yields.html
+# Axes: name, symbol (unit).
+for axis in 'position, x (b)' 'pressure, p (p_h)' 'position, x (mm)' \
+    'pressure, p (GPa)' 'film thickness, h (µm)'; do
+    grep -qF "\"name\":\"$axis\"" yields.html || fail "no axis '$axis'"
+done
 
 # Two layers on the body below.
 {

@@ -29,7 +29,7 @@ function drawHeat(view) {
   const run = view.run, k = shotOf(run), { u, w, a, b } = view.layout;
   const { y0, y1 } = warmRange();
   const axes = { x0: w.x0 * u.x.f, x1: w.x1 * u.x.f, y0, y1, from: y0,
-    yName: "T in \u00b0C" };
+    yName: "temperature, T (\u00b0C)" };
   const box = boxOf(58, 22, width - 68, height - 30, axes);
   const shown = warm.filter(([name]) => run[name]);
   drawAxes(c, box, axes);
