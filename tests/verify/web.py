@@ -294,7 +294,9 @@ def pictures(browser):
     root = tree.parse(saved(browser, "svg", "contact.svg")).getroot()
     assert root.tag.endswith("svg")
     texts = [e.text for e in root.iter("{http://www.w3.org/2000/svg}text")]
-    assert "pressure" in texts and "surface 1" in texts, texts
+    for name in ("pressure", "surface 1", "pressure, p (GPa)",
+                 "position, x (mm)", "temperature, T (\u00b0C)"):
+        assert name in texts, (name, texts)
     assert len(list(root.iter("{http://www.w3.org/2000/svg}path"))) > 20
     with open(saved(browser, "png", "contact.png"), "rb") as file:
         head = file.read(24)
@@ -378,6 +380,33 @@ def ask_and_stop(browser, button):
     browser.wait("return document.getElementById('stop').hidden", 60)
     if browser.run("return !document.getElementById('played').hidden"):
         browser.run("document.getElementById('back').click()")
+
+
+def stops_check(browser):
+    """A link whose case takes minutes to check leaves the page at work, and
+    stop ends it; the next case is checked as ever."""
+    rough = "".join(
+        f"[feature {k}]\nsurface = 1\nshape = roughness\nRq = 0.001\n"
+        f"length = 1e4\nshortest = 0.2\nseed = {k}\nstart = -3\n"
+        for k in range(1, 41))
+    slow = "[contact]\nM = 20\nL = 10\n[domain]\nlevel = 12\n" \
+        "[time]\nend = 3000\n" + rough
+    browser.open("about:blank")
+    browser.open(f"file://{page}{fragment_of(slow)}")
+    browser.wait("return document.body.dataset.ready === '1'", 120)
+    browser.wait("return !document.getElementById('stop').hidden", 30)
+    time.sleep(1)
+    assert text(browser, "status") == "solving", text(browser, "status")
+    began = time.time()
+    browser.run("document.getElementById('stop').click()")
+    browser.wait("return document.getElementById('stop').hidden", 10)
+    assert text(browser, "status") == "stopped", text(browser, "status")
+    assert time.time() - began < 5
+    assert case_of(browser) == slow  # it stays to be mended
+    assert not text(browser, "numbers").strip()  # nothing was solved
+    put(browser, "[contact]\nM = 20\nL = 10\n[domain]\nlevel = 6\n")
+    assert text(browser, "status") == "ready", text(browser, "status")
+    assert "film thickness" in text(browser, "numbers")
 
 
 def hostile(browser):
@@ -555,8 +584,8 @@ def main():
         assert not text(browser, "trouble")
         slides(browser)
         for test in (agreement, mistakes, units, numbers, dent, pictures,
-                     kinds_in_time, stops, drops, links, hostile, by_keys,
-                     memory, live):
+                     kinds_in_time, stops, drops, links, stops_check, hostile,
+                     by_keys, memory, live):
             if only and test.__name__ not in only:
                 continue
             began = time.time()
