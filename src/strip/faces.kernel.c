@@ -12,7 +12,9 @@
  * The mean a_ab sums the resistances of the gap (multigrid/faces.h).  If ln m
  * is linear in pressure, the logarithmic mean is the mean of m over pressure.
  * The derivatives of the flow are then -phi_a a_ab/h^2 and phi_b a_ab/h^2 at
- * constant density, which is elliptic at any step of pressure.
+ * constant density, which is elliptic at any step of pressure.  With secants
+ * both are at least E: phi is smallest at the peak of a spike, and Newton's step
+ * is too large there if the film is far from the solution.
  *
  * Both means are of second order.  At a pressure spike m changes by e^1 to
  * e^7 in a mesh size.  There the arithmetic mean is too large by the factor
@@ -104,6 +106,7 @@ typedef struct faces {
     ovr_strip_fields f;
     log_table log;
     thinning law;
+    double secant; /* 1 or 0 */
 } faces;
 
 /* A half node: the nodes on both sides, mesh size, gradients of P, and the
@@ -151,8 +154,8 @@ static INLINE void put_face(const faces *p, bool logarithmic, bool thins,
     vec gap = 2 / (h->a.g + h->b.g), eps, before, after, c = all(0);
     if (logarithmic) {
         eps = mean_of(h->a, h->b) * gap;
-        before = h->a.phi * gap;
-        after = h->b.phi * gap;
+        before = larger(h->a.phi * gap, p->secant * eps);
+        after = larger(h->b.phi * gap, p->secant * eps);
     } else {
         vec half = 0.5 * gap * dP;
         eps = 0.5 * (h->a.phi + h->b.phi) * gap;
@@ -260,7 +263,7 @@ void OVR_STRIP_KERNEL(faces)(const ovr_strip_grid *g, const ovr_fluid *fluid,
 {
     const double Sigma0 = fluid->lubricant.Sigma0;
     const bool thins = fluid->lubricant.rheology != OVR_NEWTONIAN;
-    faces p = {.g = g, .f = *f};
+    faces p = {.g = g, .f = *f, .secant = fluid->secants};
     make_log_table(0x1.62e42fefa39efp-1, &p.log);
     if (thins) {
         p.law.slide = fabs(fluid->sliding) / (12 * Sigma0);

@@ -110,13 +110,15 @@ static void interpolate(ovr_strip *strip, ovr_strip_level *coarse,
 
 /* Cycles on a level until done.  Corrections into this grid are halved, or made
  * whole again, where two cycles hardly reduce R.  Half corrections stop the end
- * of a film from alternating between two places. */
+ * of a film from alternating between two places.  Slopes are secants at least
+ * (faces.kernel.c) far from the solution and after a slow cycle. */
 static ovr_strip_defect cycle_until(ovr_strip *strip, const ovr_strip_full *how,
                                     int l, int *cycles)
 {
     enum { PATIENCE = 5 };
     const bool finest = l == strip->finest;
     const int most = finest ? how->max_cycles : how->cycles;
+    const double near = 1e-3, slow = 0.5;
     ovr_strip_cycling cycling = how->cycling;
     ovr_strip_defect d = {INFINITY, INFINITY, 0};
     double last[2] = {INFINITY, INFINITY};
@@ -127,6 +129,8 @@ static ovr_strip_defect cycle_until(ovr_strip *strip, const ovr_strip_full *how,
         ovr_strip_cycle(strip, l, &cycling);
         ++*cycles;
         d = ovr_strip_defect_of(strip, &strip->level[l]);
+        strip->fluid.secants = !(d.imbalance < near &&
+                                 d.imbalance < slow * last[0]);
         if (!(d.imbalance < 1e6) ||
             (finest && ovr_strip_below(d, how->tolerance)))
             break;

@@ -339,7 +339,7 @@ static bool cycle_until(ovr_strip_march *march, int attempt,
                         ovr_strip_step *step)
 {
     enum { PATIENCE = 4, LONG = 8 };
-    const double hopeless = 1e7;
+    const double hopeless = 1e7, slow = 0.5;
     ovr_strip_cycling how = cycling_of(march, attempt);
     ovr_strip_level *level = finest_of(march);
     double R = ovr_strip_defect_of(march->strip, level).imbalance;
@@ -351,6 +351,7 @@ static bool cycle_until(ovr_strip_march *march, int attempt,
         step->cycles++;
         ovr_strip_defect d = ovr_strip_defect_of(march->strip, level);
         step->imbalance = R = d.imbalance;
+        march->strip->fluid.secants = attempt || !(R < slow * last[0]);
         if (ovr_strip_below(d, enough) &&
             (!(march->load > 0) || d.load <= march->load)) {
             if (attempt < 2)
@@ -386,6 +387,7 @@ ovr_strip_step ovr_strip_march_attempt(ovr_strip_march *march, double next)
     while (!step.solved && step.attempts < OVR_STRIP_ATTEMPTS) {
         if (settings[step.attempts].afresh)
             restore(march);
+        march->strip->fluid.secants = step.attempts > 0;
         ovr_strip_refresh(march->strip, level);
         step.solved = cycle_until(march, step.attempts, &step);
         step.attempts++;

@@ -150,6 +150,6 @@ void strip_survey_check(const strip_survey *found)
            found->flagged, found->broken);
     assert_int_equal(found->unsolved_steady, 0);
     assert_true(found->broken * 20 <= found->cases);
-    assert_true(found->flagged * 500 <= found->steps);
-    assert_true(found->retries * 100 <= 3 * found->steps);
+    assert_true(found->flagged * 1000 <= found->steps);
+    assert_true(found->retries * 100 <= 2 * found->steps);
 }
