@@ -33,6 +33,11 @@ static double *number(ovr_observation *o, size_t k)
     return (double *)(void *)((char *)o + means[k]);
 }
 
+static double mean_of(const ovr_observation *o, size_t k)
+{
+    return *(const double *)(const void *)((const char *)o + means[k]);
+}
+
 /* Returns the extreme of a parabola through the values of line j and of its
  * neighbours, and its Y in *at. */
 static double vertex_across(const ovr_strip_solver *s, const double *value,
@@ -97,74 +102,120 @@ static double mass_balance(const ovr_strip_solver *s)
     return size > 0 ? (s->flow[0] - s->flow[1] - stored) / size : 0;
 }
 
-void ovr_strip_observe(ovr_simulation *sim, void *own, ovr_observation *o)
+/* Sums over lines, and the lines with the extremes. */
+typedef struct lines {
+    double sum[MEANS];
+    double Rq, H_mean, H_cen, P_cen; /* of squares */
+    double H_cen_least, H_cen_most;
+    ovr_observation low, high;  /* of the extremes at nodes */
+    size_t low_line, high_line; /* of the extremes between nodes */
+} lines;
+
+/* Adds line j. */
+static void add_line(ovr_strip_solver *s, const ovr_observation *o, size_t j,
+                     lines *all)
 {
-    ovr_strip_solver *s = own;
+    double *low = s->located[0], *high = s->located[1];
+    for (size_t m = 0; m < MEANS; m++)
+        all->sum[m] += mean_of(o, m);
+    all->Rq += o->film_Rq * o->film_Rq;
+    all->H_mean += o->H_mean * o->H_mean;
+    all->H_cen += o->H_cen * o->H_cen;
+    all->P_cen += o->P_cen * o->P_cen;
+    all->H_cen_least = fmin(all->H_cen_least, o->H_cen);
+    all->H_cen_most = fmax(all->H_cen_most, o->H_cen);
+    low[j] = o->H_min_located;
+    high[j] = o->P_max_located;
+    if (o->H_min < all->low.H_min)
+        all->low = *o;
+    if (o->P_max > all->high.P_max)
+        all->high = *o;
+    if (all->low_line == s->lines || low[j] < low[all->low_line])
+        all->low_line = j;
+    if (all->high_line == s->lines || high[j] > high[all->high_line])
+        all->high_line = j;
+}
+
+/* Observes every line, the shown one as the last, whose numbers stay in *o. */
+static lines observe_lines(ovr_simulation *sim, ovr_strip_solver *s,
+                           ovr_observation *o)
+{
     const ovr_observation conditions = *o;
-    ovr_observation low = {.H_min = INFINITY, .H_min_located = INFINITY};
-    ovr_observation high = {.P_max = -INFINITY, .P_max_located = -INFINITY};
-    double sum[MEANS] = {0}, squares = 0, Rq = 0, centres = 0, pressures = 0;
-    double least = INFINITY, most = -INFINITY;
-    size_t low_line = 0, high_line = 0;
+    lines all = {.H_cen_least = INFINITY,
+                 .H_cen_most = -INFINITY,
+                 .low = {.H_min = INFINITY, .H_min_located = INFINITY},
+                 .high = {.P_max = -INFINITY, .P_max_located = -INFINITY},
+                 .low_line = s->lines,
+                 .high_line = s->lines};
     for (size_t k = 1; k <= s->lines; k++) {
-        size_t j = (s->shown + k) % s->lines; /* the shown one is the last */
+        size_t j = (s->shown + k) % s->lines;
         *o = conditions;
         ovr_strip_show(sim, s, j);
         ovr_observe_line(sim, o);
-        for (size_t m = 0; m < MEANS; m++)
-            sum[m] += *number(o, m);
-        squares += o->H_mean * o->H_mean;
-        Rq += o->film_Rq * o->film_Rq;
-        centres += o->H_cen * o->H_cen;
-        pressures += o->P_cen * o->P_cen;
-        least = fmin(least, o->H_cen);
-        most = fmax(most, o->H_cen);
-        s->located[0][j] = o->H_min_located;
-        s->located[1][j] = o->P_max_located;
-        if (o->H_min < low.H_min)
-            low = *o;
-        if (o->H_min_located < s->located[0][low_line] || k == 1)
-            low_line = j;
-        if (o->P_max > high.P_max)
-            high = *o;
-        if (o->P_max_located > s->located[1][high_line] || k == 1)
-            high_line = j;
+        add_line(s, o, j, &all);
     }
-    const double lines = (double)s->lines;
+    return all;
+}
+
+/* Standard deviation across, from the sum of squares over all lines. */
+static double deviation(const ovr_strip_solver *s, double squares, double mean)
+{
+    return sqrt(fmax(squares / (double)s->lines - mean * mean, 0));
+}
+
+/* Means, and deviations of the central values across. */
+static void put_means(const ovr_simulation *sim, const ovr_strip_solver *s,
+                      const lines *all, ovr_observation *o)
+{
+    const double count = (double)s->lines;
     for (size_t m = 0; m < MEANS; m++)
-        *number(o, m) = sum[m] / lines;
-    o->film_Rq = sqrt(Rq / lines +
-                      fmax(squares / lines - o->H_mean * o->H_mean, 0));
+        *number(o, m) = all->sum[m] / count;
+    o->film_Rq = sqrt(all->Rq / count +
+                      fmax(all->H_mean / count - o->H_mean * o->H_mean, 0));
     o->lambda_ratio = sim->shapes.roughness > 0
                           ? o->H_mean / sim->shapes.roughness
                           : NAN;
-    o->H_min = low.H_min;
-    o->X_min = low.X_min;
-    o->H_min_cavity = low.H_min_cavity;
-    o->X_min_cavity = low.X_min_cavity;
-    o->X_min_located = low.X_min_located;
-    o->H_min_located = vertex_across(s, s->located[0], low_line,
+    o->more[OVR_STRIP_FILM_LOW] = all->H_cen_least;
+    o->more[OVR_STRIP_FILM_HIGH] = all->H_cen_most;
+    o->more[OVR_STRIP_FILM_SPREAD] = deviation(s, all->H_cen, o->H_cen);
+    o->more[OVR_STRIP_PRESSURE_SPREAD] = deviation(s, all->P_cen, o->P_cen);
+}
+
+/* Minimum film thickness and maximum pressure of all lines; the least film of
+ * the run. */
+static void put_extremes(ovr_strip_solver *s, const lines *all,
+                         ovr_observation *o)
+{
+    const ovr_observation *low = &all->low, *high = &all->high;
+    o->H_min = low->H_min;
+    o->X_min = low->X_min;
+    o->H_min_cavity = low->H_min_cavity;
+    o->X_min_cavity = low->X_min_cavity;
+    o->X_min_located = low->X_min_located;
+    o->H_min_located = vertex_across(s, s->located[0], all->low_line,
                                      &o->more[OVR_STRIP_Y_MIN]);
-    o->P_max = high.P_max;
-    o->X_P_max = high.X_P_max;
-    o->X_P_max_located = high.X_P_max_located;
-    o->P_max_resolved = high.P_max_resolved;
-    o->P_max_located = vertex_across(s, s->located[1], high_line,
+    o->P_max = high->P_max;
+    o->X_P_max = high->X_P_max;
+    o->X_P_max_located = high->X_P_max_located;
+    o->P_max_resolved = high->P_max_resolved;
+    o->P_max_located = vertex_across(s, s->located[1], all->high_line,
                                      &o->more[OVR_STRIP_Y_MAX]);
-    o->mass_flow = mass_flow(s, sim);
-    o->mass_balance = mass_balance(s);
-    ovr_friction_forces(sim, o);
-    o->more[OVR_STRIP_FILM_LOW] = least;
-    o->more[OVR_STRIP_FILM_HIGH] = most;
-    o->more[OVR_STRIP_FILM_SPREAD] = sqrt(
-        fmax(centres / lines - o->H_cen * o->H_cen, 0));
-    o->more[OVR_STRIP_PRESSURE_SPREAD] = sqrt(
-        fmax(pressures / lines - o->P_cen * o->P_cen, 0));
     if (o->H_min_located < s->least[0]) {
         s->least[0] = o->H_min_located;
         s->least[1] = o->more[OVR_STRIP_Y_MIN];
     }
     o->more[OVR_STRIP_Y_LEAST] = s->least[1];
+}
+
+void ovr_strip_observe(ovr_simulation *sim, void *own, ovr_observation *o)
+{
+    ovr_strip_solver *s = own;
+    const lines all = observe_lines(sim, s, o);
+    put_means(sim, s, &all, o);
+    put_extremes(s, &all, o);
+    o->mass_flow = mass_flow(s, sim);
+    o->mass_balance = mass_balance(s);
+    ovr_friction_forces(sim, o);
 }
 
 void ovr_strip_unknown(ovr_observation *o)
