@@ -13,8 +13,8 @@
  * is linear in pressure, the logarithmic mean is the mean of m over pressure.
  * The derivatives of the flow are then -phi_a a_ab/h^2 and phi_b a_ab/h^2 at
  * constant density, which is elliptic at any step of pressure.  With secants
- * both are at least E.  At the peak of a spike phi is smallest.  There, far from
- * the solution, Newton's step is too large without secants.
+ * both are at least E.  At the peak of a spike phi is smallest.  There, far
+ * from the solution, Newton's step is too large without secants.
  *
  * Both means are of second order.  At a pressure spike m changes by e^1 to
  * e^7 in a mesh size.  There the arithmetic mean is too large by the factor
