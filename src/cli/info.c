@@ -72,27 +72,35 @@ static double sum(const report *r)
 
 /* ------------------------------------------------------------------- text */
 
-/* Numbers of the contact: their line of the table, the words and the format
- * there, whether they are known in SI alone, and their key in JSON. */
+/* Width of the labels, as in the reports of runs. */
+enum { LABEL = 31 };
+
+static void put_label(const char *label)
+{
+    printf("%-*s ", LABEL, label);
+}
+
+/* Numbers of the contact.  `si`: the unit in SI units; 0: dimensionless. */
 #define OF(member) offsetof(ovr_result_info, member)
 static const struct fact {
-    const char *line, *words;
+    const char *label;
     int digits;
     const char *unit;
-    bool physical;
+    double si;
     const char *key;
     size_t offset;
 } facts[] = {
-    {"contact", "M", 6, "", false, "M", OF(M)},
-    {"contact", "L", 6, "", false, "L", OF(L)},
-    {"contact", "alphabar", 5, "", false, "alphabar", OF(alphabar)},
-    {"contact", "lambda", 5, "", false, "lambda", OF(lambda)},
-    {"speeds", "u1/um", 6, "", false, "u1_over_um", OF(u1_ratio)},
-    {"speeds", "u2/um", 6, "", false, "u2_over_um", OF(u2_ratio)},
-    {"scales", "b", 5, " m", true, "half_width_m", OF(b)},
-    {"scales", "ph", 5, " Pa", true, "hertz_pressure_Pa", OF(ph)},
-    {"scales", "b^2/R", 5, " m", true, "film_scale_m", OF(height)},
-    {"scales", "b/um", 5, " s", true, "time_scale_s", OF(time)},
+    {"Moes' load number M", 6, "", 0, "M", OF(M)},
+    {"Moes' lubricant number L", 6, "", 0, "L", OF(L)},
+    {"alpha p_h", 5, "", 0, "alphabar", OF(alphabar)},
+    {"dimensionless speed parameter", 5, "", 0, "lambda", OF(lambda)},
+    {"speed of surface 1, u1/u_m", 6, "", 0, "u1_over_um", OF(u1_ratio)},
+    {"speed of surface 2, u2/u_m", 6, "", 0, "u2_over_um", OF(u2_ratio)},
+    {"Hertzian half-width b", 5, "um", 1e-6, "half_width_m", OF(b)},
+    {"maximum Hertzian pressure p_h", 5, "GPa", 1e9, "hertz_pressure_Pa",
+     OF(ph)},
+    {"film thickness unit b^2/R", 5, "um", 1e-6, "film_scale_m", OF(height)},
+    {"time unit b/u_m", 5, "us", 1e-6, "time_scale_s", OF(time)},
 };
 enum { FACTS = sizeof facts / sizeof *facts };
 
@@ -105,33 +113,25 @@ static double value_of(const struct fact *f, const ovr_result_info *a)
 
 static void print_contact(const ovr_result_info *a)
 {
-    const char *line = "";
     for (const struct fact *f = facts; f < facts + FACTS; f++) {
-        bool begins = strcmp(line, f->line) != 0;
-        if (begins)
-            printf("%s%-10s ", *line ? "\n" : "", f->line);
-        line = f->line;
-        if (!f->physical || a->physical)
-            printf("%s%s = %.*g%s", begins ? "" : ", ", f->words, f->digits,
-                   value_of(f, a), f->unit);
-        else if (begins)
-            printf("dimensionless");
+        if (f->si > 0 && !a->physical)
+            continue;
+        put_label(f->label);
+        printf("%.*g%s%s\n", f->digits,
+               value_of(f, a) / (f->si > 0 ? f->si : 1), *f->unit ? " " : "",
+               f->unit);
     }
-    putchar('\n');
+    if (!a->physical) {
+        put_label("units");
+        puts("dimensionless");
+    }
 }
 
-static void print_sizes(report *r)
+static void print_history(const report *r)
 {
     const ovr_result_info *a = r->about;
-    const ovr_observable *of;
-    printf("nodes      %zu", a->nodes);
-    if (a->lines > 1)
-        printf(" x %zu lines, a strip %.6g b wide", a->lines, a->width);
-    printf("\nfields    ");
-    for (size_t k = 0; k < ovr_result_fields(r->result); k++)
-        printf(" %s [%s]", ovr_result_field(r->result, k)->name,
-               ovr_result_field(r->result, k)->unit);
-    printf("\nsnapshots  %zu\nhistory    %zu steps", a->snapshots, a->steps);
+    put_label("history");
+    printf("%zu steps", a->steps);
     if (a->steps)
         printf(", T = %g to %g", r->T[0], last_time(r));
     if (!isnan(a->end))
@@ -139,29 +139,84 @@ static void print_sizes(report *r)
     if (a->steps && a->physical)
         printf(", t = %.4g to %.4g ms", r->T[0] * a->time * 1e3,
                last_time(r) * a->time * 1e3);
-    printf("\nsize       %.3g MB\n", r->bytes / 1e6);
+    putchar('\n');
+}
+
+static void print_sizes(report *r)
+{
+    const ovr_result_info *a = r->about;
+    const ovr_observable *of;
+    put_label("nodes");
+    printf("%zu", a->nodes);
+    if (a->lines > 1)
+        printf(" x %zu lines, a strip %.6g b wide", a->lines, a->width);
+    putchar('\n');
+    put_label("fields");
+    for (size_t k = 0; k < ovr_result_fields(r->result); k++)
+        printf("%s%s [%s]", k ? ", " : "", ovr_result_field(r->result, k)->name,
+               ovr_result_field(r->result, k)->unit);
+    putchar('\n');
+    put_label("snapshots");
+    printf("%zu\n", a->snapshots);
+    print_history(r);
+    put_label("size");
+    printf("%.3g MB\n", r->bytes / 1e6);
     for (size_t k = 0; (of = ovr_observable_at(k)); k++)
-        if (of->total_label && take(r, of->name, OVR_AS_STORED))
-            printf("%-10s %.0f%s\n", of->total_label, sum(r),
+        if (of->total_label && take(r, of->name, OVR_AS_STORED)) {
+            put_label(of->total_label);
+            printf("%.0f%s\n", sum(r),
                    of->kind == OVR_KIND_FLAG ? " steps" : "");
+        }
+}
+
+/* Columns with a row of their own in the table of extremes. */
+static bool has_extremes(report *r, const ovr_variable *v)
+{
+    return strcmp(v->name, "step") != 0 && strcmp(v->name, "time") != 0 &&
+           take(r, v->name, OVR_AS_STORED);
+}
+
+/* The full name, or the dataset's where a file of an earlier version has a
+ * sentence instead. */
+static const char *name_of(const ovr_variable *v)
+{
+    enum { LONGEST = 45 };
+    return strlen(v->long_name) <= LONGEST ? v->long_name : v->name;
+}
+
+/* "-" for NaN: the quantity is unknown. */
+static void put_number(double value, int width, int digits)
+{
+    if (isnan(value))
+        printf(" %*s", width, "-");
+    else
+        printf(" %*.*g", width, digits, value);
 }
 
 static void print_extremes(report *r)
 {
-    const ovr_result_info *about = ovr_result_about(r->result);
+    const ovr_result_info *about = r->about;
     double ms = about->physical ? about->time * 1e3 : 1;
     const char *at = about->physical ? "at t, ms" : "at T";
-    printf("\n%-26s %13s %9s %13s %9s  %s\n", "", "least", at, "most", at,
-           "unit");
+    int width = LABEL;
     const ovr_variable *v;
+    for (size_t k = 0; (v = ovr_result_column(r->result, k)); k++)
+        if (has_extremes(r, v) && (int)strlen(name_of(v)) > width)
+            width = (int)strlen(name_of(v));
+    printf("\n%-*s %13s %9s %13s %9s  %-7s %s\n", width, "quantity", "minimum",
+           at, "maximum", at, "unit", "dataset");
     for (size_t k = 0; (v = ovr_result_column(r->result, k)); k++) {
         extremes e;
-        if (!strcmp(v->name, "step") || !strcmp(v->name, "time") ||
-            !take(r, v->name, OVR_AS_STORED))
+        if (!has_extremes(r, v))
             continue;
         e = find_extremes(r);
-        printf("%-26s %13.6g %9.4g %13.6g %9.4g  %s\n", v->name, e.minimum,
-               e.T_min * ms, e.maximum, e.T_max * ms, v->unit);
+        cli_put_foreign(name_of(v));
+        printf("%*s", width - (int)strlen(name_of(v)), "");
+        put_number(e.minimum, 13, 6);
+        put_number(e.T_min * ms, 9, 4);
+        put_number(e.maximum, 13, 6);
+        put_number(e.T_max * ms, 9, 4);
+        printf("  %-7s %s\n", v->unit, v->name);
     }
 }
 
@@ -171,7 +226,8 @@ static void print_inputs(const report *r)
 {
     const ovr_result_input *input;
     for (size_t k = 0; (input = ovr_result_input_at(r->result, k)); k++) {
-        put_foreign("input      ", input->name);
+        put_label("input");
+        put_foreign("", input->name);
         put_foreign(" (", input->key);
         printf(")");
         if (input->bytes >= 0)
@@ -193,15 +249,21 @@ static void print_text(report *r, bool verbose)
     const ovr_result_info *a = r->about;
     put_foreign("", r->path);
     put_foreign(": ", a->title);
-    put_foreign("\nstatus     ", a->status);
+    putchar('\n');
+    put_label("status");
+    put_foreign("", a->status);
     if (*a->reason)
         put_foreign(": ", a->reason);
-    put_foreign("\nwritten    ", a->created);
+    putchar('\n');
+    put_label("written");
+    put_foreign("", a->created);
     put_foreign(" to ", a->modified);
     put_foreign(" by ", a->source);
     putchar('\n');
-    if (a->seconds > 0)
-        printf("took       %.3g s\n", a->seconds);
+    if (a->seconds > 0) {
+        put_label("computing time");
+        printf("%.3g s\n", a->seconds);
+    }
     print_contact(a);
     print_sizes(r);
     print_inputs(r);
@@ -216,7 +278,7 @@ static void print_text(report *r, bool verbose)
 static void json_contact(json_writer *j, const ovr_result_info *a)
 {
     for (const struct fact *f = facts; f < facts + FACTS; f++) {
-        if (f->physical && !f[-1].physical)
+        if (f->si > 0 && !(f[-1].si > 0))
             json_flag(j, "physical", a->physical);
         json_number(j, f->key, value_of(f, a));
     }
@@ -375,7 +437,7 @@ const cli_verb cli_info = {
             "being written. With -v the case is "
             "printed too.\nWith --inputs DIR the case and the files that it "
             "names are written into DIR; running that case computes the "
-            "result again.\nThe table is in the file's units, --json is "
+            "result again.\nThe table is in the units of the file, --json is "
             "dimensionless.",
     .minimum = 1,
     .maximum = 1,

@@ -22,7 +22,7 @@ kill -INT $run
 wait $run
 [ $? -eq 130 ] || fail "the run was not stopped"
 expect 0 "$OVERROLL" info a.h5
-contains out "snapshots  0"
+contains out "snapshots +0"
 expect 0 "$OVERROLL" info a.h5 --json
 contains out '"snapshots": 0'
 

@@ -186,3 +186,5 @@ contains out '^ +.relative, by level 3 and the next coarser, with time steps'
 expect 0 "$OVERROLL" info physical.h5
 contains out 't = 0 to 0\.02[0-9]+ ms$'
 contains out ' at t, ms '
+contains out '^minimum film thickness +[0-9.e-]+ .* m +min_film_thickness$'
+contains out '^Hertzian half-width b +[0-9.]+ um$'

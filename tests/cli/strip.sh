@@ -40,7 +40,7 @@ if command -v ncdump >/dev/null; then
 fi
 
 expect 0 "$OVERROLL" info whole.h5
-contains out 'nodes      113 x 28 lines, a strip 2 b wide'
+contains out 'nodes +113 x 28 lines, a strip 2 b wide'
 
 # All lines at once and one after the other are the same numbers.
 expect 0 "$OVERROLL" export whole.h5 --snapshot last --areal -o all.csv
