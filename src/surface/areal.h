@@ -29,7 +29,7 @@ ovr_status ovr_areal_finish(ovr_profile *profile,
 
 /* The least-squares plane of the heights: z0 + zx i + zy j, i and j counted
  * from 0. */
-void ovr_areal_plane(const ovr_areal *areal, double plane[3]);
+void ovr_areal_plane(const ovr_areal *areal, double to[3]);
 
 /* Random areal roughness, periodic in length x width, b; the lay is at `angle`
  * (radians) from the y axis.  The last row and column equal the first. */

@@ -3,7 +3,6 @@
  * a strip. */
 #include "surface/areal.h"
 
-#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -19,7 +18,7 @@ static const double TWO_PI = 6.283185307179586;
 static ovr_areal *make_map(size_t nx, size_t ny, double dx, double dy)
 {
     ovr_profile *p = ovr_profile_new("map", NULL, NULL);
-    assert(p && !ovr_areal_reserve(p, nx, ny, dx, dy, NULL));
+    assert_true(p && !ovr_areal_reserve(p, nx, ny, dx, dy, NULL));
     p->map.scaled_x = p->map.scaled_z = true;
     p->map.owner = p;
     p->view.scaled_x = p->view.scaled_z = true;
@@ -54,7 +53,7 @@ TEST(tables_interpolate_waves)
                                    .extend = {extend[k], extend[k]},
                                    .both = true,
                                    .closed = k == 0};
-        assert(!ovr_areal_tabulate(map, &fit, &t, &arena, NULL));
+        assert_true(!ovr_areal_tabulate(map, &fit, &t, &arena, NULL));
         CHECK_NEAR(t.Sq, 0.5, 0.01);
         for (int i = 0; i < 200; i++) {
             double x = 0.5 + 0.0151 * i, y = 0.3 + 0.0117 * i, S = 0;
@@ -84,8 +83,8 @@ TEST(tables_drop_waves_below_the_grid)
     for (size_t j = 0; j < map->ny; j++)
         for (size_t i = 0; i < map->nx; i++)
             map->z[j * map->nx + i] = cos(TWO_PI * (double)j / 10);
-    assert(!ovr_areal_tabulate(map, &fit, &t, &arena, NULL));
-    assert(t.largest < 1e-3);
+    assert_true(!ovr_areal_tabulate(map, &fit, &t, &arena, NULL));
+    assert_true(t.largest < 1e-3);
     CHECK_NEAR(t.lost, 1, 1e-6);
     ovr_arena_release(&arena);
     ovr_areal_free(map);
@@ -110,7 +109,7 @@ TEST(gaussian_filter_halves_at_its_nesting_index)
                     3 + 0.5 * x - y +
                     cos(TWO_PI * (waves[k][0] * x + waves[k][1] * y) / lambda);
             }
-        assert(!ovr_areal_condition(map, &how, NULL));
+        assert_true(!ovr_areal_condition(map, &how, NULL));
         for (size_t j = 60; j < 180; j++)
             for (size_t i = 60; i < 180; i++) {
                 double x = (double)i * map->dx, y = (double)j * map->dy;
@@ -139,13 +138,13 @@ TEST(form_is_removed_and_gaps_are_filled)
         }
     map->z[20 * map->nx + 30] = map->z[20 * map->nx + 31] = NAN;
     map->missing = 2;
-    assert(!ovr_areal_condition(map, &how, NULL));
+    assert_true(!ovr_areal_condition(map, &how, NULL));
     for (size_t k = 0; k < map->nx * map->ny; k++)
         if (k != 20 * map->nx + 30 && k != 20 * map->nx + 31)
             largest = fmax(largest, fabs(map->z[k]));
-    assert(largest < 1e-3);
-    assert(fabs(map->z[20 * map->nx + 30]) < 0.05);
-    assert(map->missing == 0);
+    assert_true(largest < 1e-3);
+    assert_true(fabs(map->z[20 * map->nx + 30]) < 0.05);
+    assert_true(map->missing == 0);
     ovr_areal_free(map);
 }
 
@@ -182,7 +181,7 @@ TEST(roughness_has_its_height_and_peklenik_number)
         form.peklenik = numbers[k];
         ovr_areal *map = ovr_areal_random(&form, 8, 0, NULL, NULL);
         ovr_areal *turned = ovr_areal_random(&form, 8, TWO_PI / 4, NULL, NULL);
-        assert(map && turned);
+        assert_true(map && turned);
         double squares = 0, mean = 0, n = 0;
         for (size_t j = 0; j + 1 < map->ny; j++)
             for (size_t i = 0; i + 1 < map->nx; i++, n++) {
@@ -210,7 +209,7 @@ TEST(roughness_has_its_moments)
     form.skewness = -0.8;
     form.kurtosis = 4.5;
     ovr_areal *map = ovr_areal_random(&form, 2, 0, NULL, NULL);
-    assert(map != NULL);
+    assert_true(map != NULL);
     double third = 0, fourth = 0, n = 0;
     for (size_t j = 0; j + 1 < map->ny; j++)
         for (size_t i = 0; i + 1 < map->nx; i++, n++) {
@@ -232,7 +231,7 @@ static const char *write_map(void)
     static const char path[] = "areal_test.npy";
     FILE *file = fopen(path, "wb");
     char header[128];
-    assert(file != NULL);
+    assert_true(file != NULL);
     memset(header, ' ', sizeof header);
     memcpy(header, "\x93NUMPY\x01\x00\x76\x00", 10);
     int used = snprintf(header + 10, 100,
@@ -258,7 +257,7 @@ static ovr_surfaces *strip_with_map(double width, ovr_extension across,
     ovr_feature_form form = ovr_feature_form_default();
     ovr_contact contact = test_contact_make(20, 10).contact;
     ovr_surfaces *s = ovr_surfaces_create(&contact, NULL, 0.05, NULL, NULL);
-    assert(s != NULL);
+    assert_true(s != NULL);
     source.file = write_map();
     source.unit_z = "b^2/R";
     source.spacing = 0.05;
@@ -291,13 +290,13 @@ static double height_on(ovr_surfaces *s, double T, double x, double y)
 TEST(maps_close_on_the_strip)
 {
     ovr_error err = {0};
-    assert(!strip_with_map(5, OVR_EXTEND_PERIODIC, &err));
-    assert(strstr(err.message, "set strip.width to 3.6 or 7.2") != NULL);
-    assert(!strcmp(err.about, "extend_across"));
-    assert(!strip_with_map(3, OVR_EXTEND_NONE, &err));
-    assert(strstr(err.message, "strip.width to at least 4") != NULL);
+    assert_true(!strip_with_map(5, OVR_EXTEND_PERIODIC, &err));
+    assert_true(strstr(err.message, "set strip.width to 3.6 or 7.2") != NULL);
+    assert_true(!strcmp(err.about, "extend_across"));
+    assert_true(!strip_with_map(3, OVR_EXTEND_NONE, &err));
+    assert_true(strstr(err.message, "strip.width to at least 4") != NULL);
     ovr_surfaces *s = strip_with_map(7.2, OVR_EXTEND_PERIODIC, &err);
-    assert(s != NULL);
+    assert_true(s != NULL);
     for (int k = 0; k < 40; k++) {
         double x = -1.9 + 0.1 * k, y = 0.13 * k;
         double S = height_on(s, 0, x, y);
@@ -316,7 +315,7 @@ TEST(maps_without_repeat_end_in_the_smooth_surface)
 {
     ovr_error err = {0};
     ovr_surfaces *s = strip_with_map(6, OVR_EXTEND_NONE, &err);
-    assert(s != NULL);
+    assert_true(s != NULL);
     CHECK_NEAR(height_on(s, 0, 0.2, 2.5), 0, 1e-12);
     CHECK_NEAR(height_on(s, 0, 0.2, -2.0), 0, 1e-4);
     CHECK_NEAR(height_on(s, 0, 3.1, 0), 0, 1e-12);
