@@ -65,6 +65,7 @@ typedef struct ovr_touch {
     double *A, *g, *whole, *excess;
     unsigned char *dry, *opened; /* held, but taken for wet on trial */
     int rising; /* steps in a row in which cavitated nodes asked for to rise */
+    int failures, omitted; /* of GMRES with the elastic band (tripoles.h) */
     struct ovr_tripoles *tripoles;
     bool lifted; /* some film is above that of its pressures (touching.h) */
     double *lift, *gap;    /* by how much; the gap with it, in lanes */

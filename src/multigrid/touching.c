@@ -49,6 +49,7 @@ void ovr_touch_settle(ovr_hierarchy *grids)
     ovr_touch *touch = &grids->touch;
     touch->lifted = false;
     touch->rising = 0;
+    touch->failures = touch->omitted = 0;
     memset(touch->lift, 0,
            grids->level[grids->finest].grid.n * sizeof *touch->lift);
 }

@@ -266,15 +266,35 @@ static bool solve_by(const ovr_hierarchy *grids, const ovr_level *level,
     return true;
 }
 
+/* The elastic band, unless it has failed shortly before. */
+static bool solve_elastic(ovr_touch *touch, const ovr_hierarchy *grids,
+                          const ovr_level *level, double missing, double *step)
+{
+    enum { MAX_DOUBLINGS = 10 };
+    if (touch->omitted > 0) {
+        touch->omitted--;
+        return false;
+    }
+    if (solve_by(grids, level, touch->kernel + level->grid.n + 2, missing,
+                 step)) {
+        touch->failures = 0;
+        return true;
+    }
+    touch->omitted = 1 << touch->failures;
+    if (touch->failures < MAX_DOUBLINGS)
+        touch->failures++;
+    return false;
+}
+
 /* The band with its elastic part takes a tenth of the products, but is nearly
  * singular in contacts that asperities carry, far from the solution. */
-bool ovr_tripoles_solve(const ovr_hierarchy *grids, const ovr_level *level,
+bool ovr_tripoles_solve(ovr_hierarchy *grids, const ovr_level *level,
                         double missing, double *step)
 {
     ovr_tripoles *t = grids->touch.tripoles;
     const double *kernel = grids->touch.kernel + level->grid.n + 2; /* k(0) */
     for (size_t i = 1; i + 1 < level->grid.n; i++)
         proportion(&t->row[i], kernel[0]);
-    return solve_by(grids, level, kernel, missing, step) ||
+    return solve_elastic(&grids->touch, grids, level, missing, step) ||
            solve_by(grids, level, NULL, missing, step);
 }

@@ -53,8 +53,9 @@ ovr_status ovr_tripoles_take(ovr_tripoles *t, size_t n, ovr_arena *arena,
 
 /* The step from the rows of those of grids->touch, and from the force that is
  * missing: dP of all nodes and dH0 behind it.  The level's w is not kept.
- * False: it was not found. */
-bool ovr_tripoles_solve(const ovr_hierarchy *grids, const ovr_level *level,
+ * False: it was not found.  Where GMRES fails with the elastic band, the local
+ * one is taken, and at once in the next 1, 2, 4, ... steps of this solve. */
+bool ovr_tripoles_solve(ovr_hierarchy *grids, const ovr_level *level,
                         double missing, double *step);
 
 #endif

@@ -121,8 +121,8 @@ static void measure_level(timed *t, int k)
             t->part[p][k][s] = sim[s] ? work[works++].seconds : NAN;
     for (int s = SETS - 1; s >= 0; s--)
         if (sim[s]) {
-            const ovr_refinement *r = &sim[s]->refinement[0];
-            r += sim[s]->refinements - 1;
+            const ovr_refinement *r = &sim[s]->start.refinement[0];
+            r += sim[s]->start.refinements - 1;
             t->algebraic[k] = r->algebraic / r->difference;
             ovr_simulation_free(sim[s]);
         }
