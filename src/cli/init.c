@@ -381,7 +381,7 @@ static const char strip_end[] =
     "width = 2                    # in b, the period across rolling\n"
     "\n"
     "[domain]\n"
-    "level = 6                    # 449 nodes along x; 112 lines across\n"
+    "level = 6                    # 449 nodes along x; 96 lines across\n"
     "\n"
     "[time]\n"
     "end = 8.2                    # in b/um: the dent has left\n"

@@ -9,10 +9,25 @@
 
 /* ---------------------------------------------------------------- the whole */
 
+/* Nodes, scheme, smoother; of a strip the lines across instead. */
+static void say_grid(const ovr_told *to, const ovr_simulation *sim)
+{
+    const ovr_options *options = ovr_simulation_options(sim);
+    const size_t n = ovr_simulation_state(sim)->n;
+    const char *scheme = ovr_scheme_name(options->scheme);
+    size_t lines, shown;
+    if (ovr_simulation_lines(sim, &lines, &shown))
+        ovr_tell_title(to, "Grid: level %d, %zu nodes x %zu lines; scheme %s",
+                       options->level, n, lines, scheme);
+    else
+        ovr_tell_title(to, "Grid: level %d, %zu nodes; scheme %s; smoother %s",
+                       options->level, n, scheme,
+                       ovr_smoother_name(options->smoother));
+}
+
 void ovr_say_contact(const ovr_told *to, const ovr_run_info *s)
 {
     const ovr_contact *contact = s->setup->contact;
-    const ovr_options *options = ovr_simulation_options(s->sim);
     ovr_words w = {""};
     if (isfinite(contact->ph))
         ovr_words_add(&w, ", p_h = %.4g GPa", contact->ph * 1e-9);
@@ -21,10 +36,7 @@ void ovr_say_contact(const ovr_told *to, const ovr_run_info *s)
     ovr_tell_title(to, "%s contact: M = %.6g, L = %.6g%s",
                    s->transient ? "Transient" : "Steady", contact->M,
                    contact->L, w.text);
-    ovr_tell_title(to, "Grid: level %d, %zu nodes; scheme %s; smoother %s",
-                   options->level, ovr_simulation_state(s->sim)->n,
-                   ovr_scheme_name(options->scheme),
-                   ovr_smoother_name(options->smoother));
+    say_grid(to, s->sim);
     if (s->passes)
         ovr_tell_title(to,
                        "Pass %d of %d; all passes in %s; results of this pass "

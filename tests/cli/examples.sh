@@ -30,3 +30,17 @@ awk -F , 'NR > 1 && $1 ~ /[ABDE]/ { n++
     END { exit bad || n != 4 }' made/scuffing.csv ||
     fail "flanks and Blok: $(cat made/scuffing.csv)"
 contains out 'hottest flank [0-9.]+ degC at 0.000 ms, safety'
+
+# Round dents raise the pressure less than grooves and leave a thicker film.
+expect 0 env LEVEL=4 EXAMPLES="$PWD/made" OVERROLL="$OVERROLL" \
+    "$TOP/tools/examples/round-dent"
+for picture in round-dent round-dent-map; do
+    [ "$(head -c 4 "made/$picture.png" | tail -c 3)" = PNG ] ||
+        fail "round-dent makes no $picture.png: $(cat err)"
+done
+awk '$NF == "min_film_thickness" { least[$1] = $5 }
+    $NF == "max_pressure" { most[$1] = $6 }
+    END { exit !(least["round:"] > 1.03 * least["endless:"] &&
+                 most["round:"] > 1e9 &&
+                 most["round:"] < 0.985 * most["endless:"]) }' out ||
+    fail "round dent and groove: $(cat out)"

@@ -61,7 +61,8 @@ expect 0 "$OVERROLL" export whole.h5 --snapshot last --across 0.5 -o dent.csv
 cmp shown.csv dent.csv || fail "the line of the dent is not shown"
 
 # A longer run, of all lines at each snapshot, has the bits of the whole one.
-expect 0 "$OVERROLL" run dent.ini -o part.h5 -q --set time.end=0.45
+expect 0 "$OVERROLL" run dent.ini -o part.h5 --set time.end=0.45
+contains out 'Grid: level 4, 113 nodes x 28 lines; scheme characteristic'
 expect 0 "$OVERROLL" resume part.h5 --set time.end=1 --json
 number Y_H_min_overall | cmp - least || fail "Y of the minimum after resume"
 for file in whole part; do
