@@ -35,6 +35,8 @@ $(WEB)/$(PAGE).o: $(BUILD)/$(PAGE).c
 	$(Q)$(WEB_CC) -c -o $@ $<
 -include $(WEB_OBJ:.o=.d)
 web-objects: $(WEB_OBJ)
+web-flags: # for tests/source/wasm.sh
+	@echo '$(WEB_CC)'
 
 # A library of functions (reactor): the page calls page_main again and again.
 $(WEB)/overroll.wasm: $(WEB_OBJ)
@@ -61,7 +63,7 @@ $(WEB)/overroll.html: src/web/app.html src/web/app.css $(PAGE).css $(WEB_JS) \
 	  -e '/^@JS@$$/{' $(WEB_JS:%=-e 'r %') -e 'd' -e '}' src/web/app.html >$@
 	@[ $$(wc -c <$@) -le 6000000 ] || { echo "$@: more than 6 MB"; exit 1; }
 web: $(WEB)/overroll.html ## the program as one web page: build/web/overroll.html
-.PHONY: web web-objects
+.PHONY: web web-objects web-flags
 $(WEB)/src/cli/main.o: WEB_CC += -Dmain=overroll_main
 
 # The program here with the kernels that the page has: both compute the same.

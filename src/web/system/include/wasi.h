@@ -22,4 +22,6 @@ int pipe(int end[2]);
 int dup(int fd);
 int dup2(int fd, int as);
 mode_t umask(mode_t mask);
+char *realpath(const char *restrict path, char *restrict to);
+char *mkdtemp(char *name);
 #endif
