@@ -73,6 +73,22 @@ for file in whole part; do
 done
 cmp whole.txt part.txt || fail "resumed run differs"
 
+# Nor does a run differ that was killed after a checkpoint.
+"$OVERROLL" run dent.ini -o cut.h5 -q --set 'output.checkpoint=1 us' &
+run=$!
+while { [ ! -e cut.h5 ] || [ ! -e cut.h5.restart ]; } &&
+    kill -0 $run 2>/dev/null; do :; done
+kill -KILL $run 2>/dev/null
+status=0
+wait $run 2>/dev/null || status=$?
+[ $status = 137 ] || fail "the run ended before it was killed: $status"
+expect 0 "$OVERROLL" resume cut.h5 -q
+content cut.h5 >cut.txt
+for k in 0 2 4 last; do
+    "$OVERROLL" export cut.h5 --snapshot $k --areal >>cut.txt
+done
+cmp whole.txt cut.txt || fail "run after a kill differs"
+
 # Three fields of 113 x 28 floats for each of 6 snapshots, and the history.
 expect 0 "$OVERROLL" check dent.ini --json
 number disk_bytes >bytes
