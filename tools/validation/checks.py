@@ -295,35 +295,38 @@ def rolling_friction(contacts=((0.2, 8), (0.5, 4), (2, 8), (5, 8), (10, 10),
         "224 (2010) 765, eq. (38), (39), (42), (44), (46), who have there the "
         "fits of D. Dowson (1968) and P. G. Goksem, R. A. Hargreaves, J. "
         "Lubr. Technol. 100 (1978) 346",
-        "Pure rolling, Barus and Dowson and Higginson, as theirs. Starved is "
-        "a film whose domain begins late, by S = film there over the smallest "
-        "one, where the film is the dry gap outside the contact on top of the "
-        "central film.")
+        "Pure rolling, Barus and Dowson and Higginson, as theirs. Starved "
+        "contacts have lubricant layers on both surfaces. S is the gap at the "
+        "meniscus over the minimum film thickness of the flooded contact; "
+        "the gap is the dry one plus the central film thickness.")
     full = {}
     for M, L in contacts:
         full[M, L] = rolling(M, L, "domain.inlet=auto")
         s.rows.append(Comparison(
             f"Biboulet and Houpert, M = {M}, L = {L}: rolling force",
             biboulet(M), full[M, L]["F_roll"],
-            (-0.05, 0.08) if (M, L) != (20, 4) else (-0.05, 0.15),
+            (-0.05, 0.12) if (M, L) != (20, 4) else (-0.05, 0.2),
             "one number for all L, few per cent they say; the inlet beyond "
-            "the domain, 2 to 4 % of the force, is in ours and seems to be "
-            "missing in the solutions that were fitted; towards a constant "
-            "viscosity, L = 4 at M = 20, solutions are above it"))
+            "the domain, 3 to 6 % of the force, is in ours since 0.4.0 and "
+            "seems to be missing in the solutions that were fitted; towards a "
+            "constant viscosity, L = 4 at M = 20, solutions are above it"))
     for M, L in contacts:
         if M >= 10 and L >= 8 and M <= 50:
             s.rows.append(Comparison(
                 f"the same, M = {M}, L = {L}: power dissipated",
                 0.9 * M**-3.5 * 32 * M * M / math.pi**2,
-                full[M, L]["power_dissipated"], (-0.05, 0.08),
-                "as the force: 0.9 is twice 1.45 of it to one digit"))
+                full[M, L]["power_dissipated"],
+                (-0.05, 0.12) if L < 14 else (-0.1, 0.12),
+                "as the force: 0.9 is twice 1.45 of it to one digit; at L = "
+                "14 up to 7 % of the dissipation in the spike, which no mesh "
+                "resolves, are missing"))
     for M, L in others:
         s.rows.append(Comparison(
             f"Goksem and Hargreaves, M = {M}, L = {L}, U = 1e-11: rolling "
             "force", goksem(M, L),
-            rolling(M, L, "domain.inlet=auto")["F_roll"], (-0.05, 0.2),
-            "an inlet alone, without the contact; solutions fall with the load "
-            "by another power"))
+            rolling(M, L, "domain.inlet=auto")["F_roll"], (-0.05, 0.25),
+            "an inlet alone, without the contact and with an end; solutions "
+            "fall with the load by another power"))
     for M, L in contacts:
         if M < 1:
             s.rows.append(Comparison(
@@ -333,17 +336,24 @@ def rolling_friction(contacts=((0.2, 8), (0.5, 4), (2, 8), (5, 8), (10, 10),
                 "Houpert for 1.46, and the elastic regime comes near"))
     for M, L in starved:
         whole = full.get((M, L)) or rolling(M, L, "domain.inlet=auto")
-        for X in (3, 2, 1.4):
-            short = rolling(M, L, f"domain.inlet=-{X}")
+        for part in (0.99, 0.95, 0.9, 0.8):
+            layer = part * whole["mass_flow"] / 2
+            short = rolling(M, L, "domain.inlet=auto",
+                            "cavitation.model=conserving",
+                            "supply.model=film",
+                            f"supply.thickness_1={layer}",
+                            f"supply.thickness_2={layer}")
+            X = -short["X_meniscus"]
             there = short["H_cen"] + (X * math.sqrt(X * X - 1) -
                                       math.acosh(X)) / 2
             S = there / whole["H_min_located"]
             s.rows.append(Comparison(
-                f"starved at X = -{X}, M = {M}, L = {L}: share left of the "
-                "rolling force", (S * S + 162.8 * S) /
-                (S * S + 193.1 * S + 1257), short["F_roll"] / whole["F_roll"],
-                (-0.02, 0.09), "one curve for all contacts, through points "
-                "that scatter about it", relative=False))
+                f"supplied {part} of the flooded flow, M = {M}, L = {L}, "
+                f"meniscus at X = {-X:.2f}: share left of the rolling force",
+                (S * S + 162.8 * S) / (S * S + 193.1 * S + 1257),
+                short["F_roll"] / whole["F_roll"], (-0.02, 0.09),
+                "one curve for all contacts, through points that scatter "
+                "about it", relative=False))
     return s
 
 
