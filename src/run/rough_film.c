@@ -138,11 +138,9 @@ static double highest(const rolled *r)
 static const char *reservation(const ovr_setup *s, const ovr_rough_film *film)
 {
     size_t n = ovr_surfaces_count(s->surfaces);
-    if (slides(s) && speed(s) > 1)
-        return "the rough surface is the faster one: Rq is 1 to 1.6 times too "
-               "large (overroll(1))";
     if (slides(s))
-        return "the surfaces slide (overroll(1))";
+        return "the surfaces slide: Rq of waves shorter than b is up to 2.6 "
+               "times too large (overroll(1))";
     if (s->sliding)
         return "the sliding changes";
     if (ovr_history_varies(s->load) || ovr_history_varies(s->speed) ||

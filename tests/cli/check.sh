@@ -154,7 +154,7 @@ echo "$own $foreseen" | awk '{ exit !($1 > 0.8*$2 && $1 < 1.2*$2) }' ||
 expect 0 "$OVERROLL" check rough.ini --set contact.M=1.5
 contains out 'film roughness +no prediction: the formula is valid for'
 expect 0 "$OVERROLL" check rough.ini --set contact.slide_to_roll=0.2
-contains out 'less certain here: the rough surface is the faster one'
+contains out 'less certain here: the surfaces slide: Rq of waves shorter than b'
 expect 0 "$OVERROLL" check rough.ini --set contact.slide_to_roll=-0.2
 contains out 'less certain here: the surfaces slide'
 
@@ -194,3 +194,43 @@ expect 0 "$OVERROLL" run begun.ini --json --set feature.d.amplitude=0.01
 echo "$grown $flat $begun $(number seconds)" |
     awk '{ r = $1 / $2 / ($3 / $4); exit !(r > 0.1 && r < 10) }' ||
     fail "predicted $grown and $flat s, took $begun and $(number seconds) s"
+
+# The bounds stated for waves on a sliding surface.
+cat >waves.ini <<'END'
+[contact]
+hertz_pressure = 1.6 GPa
+radius = 10 mm
+modulus = 226 GPa
+mean_speed = 0.5 m/s
+[lubricant]
+viscosity = 40 mPa.s
+alpha = 17 1/GPa
+rheology = eyring
+eyring_stress = 6 MPa
+limiting_shear = 0.08
+[domain]
+level = 7
+[time]
+end = 6
+[feature w]
+surface = 1
+shape = wave
+amplitude = 20 nm
+wavelength = 420 um
+END
+# bounded LOW HIGH ARGUMENTS...: predicted film roughness by that of the run
+bounded() {
+    low=$1 high=$2
+    shift 2
+    expect 0 "$OVERROLL" run waves.ini --json -q "$@"
+    echo "$(number film_Rq_predicted) $(number film_Rq_max) $low $high" |
+        awk '{ exit !($1 > $3*$2 && $1 < $4*$2) }' ||
+        fail "$*: $(grep 'film_Rq_[pm]' out)"
+}
+bounded 0.88 1.12
+bounded 0.8 1.3 --set contact.slide_to_roll=1
+bounded 0.8 1.3 --set contact.slide_to_roll=-1
+# 1.8 and 1.7 on level 8
+sed -i 's/420 um/60 um/' waves.ini
+bounded 1.2 2.6 --set contact.slide_to_roll=1
+bounded 1.2 2.6 --set contact.slide_to_roll=-1
