@@ -45,15 +45,15 @@ function sheetOfMap(a, field, k) {
   return sheet;
 }
 
-// Name, unit and colours of a map in a row above it.
-function drawArealScale(c, box, name, q, field) {
+// Name and colours of a map in a row above it.
+function drawArealScale(c, box, q, field) {
   const y = box.y - 15, wide = Math.min(110, box.w / 3);
   const last = field.value.length - 1;
   const low = digits(field.value[0] * q.f), high = digits(field.value[last] * q.f);
   c.textBaseline = "middle";
   c.textAlign = "left";
   c.fillStyle = colour.ink;
-  c.fillText(name + (q.unit ? ", " + q.unit : ""), box.x, y + 5);
+  c.fillText(fitted(c, q.name, box.w / 3), box.x, y + 5);
   c.textAlign = "right";
   c.fillStyle = colour.faint;
   c.fillText(high, box.x + box.w, y + 5);
@@ -110,7 +110,7 @@ function drawOneMap(view, c, left, wide, name) {
     c.stroke();
     c.setLineDash([]);
   });
-  drawArealScale(c, box, name === "P" ? "pressure" : "film thickness", q, field);
+  drawArealScale(c, box, q, field);
   const last = field.value.length - 1, at = (col, row) =>
     field.at(k, row * a.columns + col) * q.f;
   const from = name === "P" ? 0 : field.value[0] * q.f, high = field.value[last] * q.f;

@@ -159,7 +159,7 @@ function drawAxes(c, box, axes) {
       box.y + box.h + 36);
   }
   c.save();
-  c.translate(box.x - 46, box.y + box.h / 2);
+  c.translate(box.x - 50, box.y + box.h / 2);
   c.rotate(-Math.PI / 2);
   c.textBaseline = "middle";
   c.fillText(fitted(c, axes.yName, box.h), 0, 0);
