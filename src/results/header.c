@@ -380,6 +380,8 @@ static bool set_conventions(hid_t root, const ovr_file_plan *plan)
 bool ovr_header_extremes(hid_t root, const ovr_scales *scales,
                          const ovr_statistics *total)
 {
+    bool (*put)(hid_t, const char *, double) = total ? ovr_h5_put_number
+                                                     : ovr_h5_set_number;
     ovr_extreme e;
     bool ok = true;
     for (size_t k = 0; ok && ovr_extreme_at(k, &e); k++) {
@@ -387,9 +389,8 @@ bool ovr_header_extremes(hid_t root, const ovr_scales *scales,
         double si = value * ovr_kind_scale(e.kind, &scales->contact);
         if (e.of->needs && isnan(value))
             continue;
-        ok = ovr_h5_put_number(root, e.key, value) &&
-             (!scales->physical || !*e.key_si ||
-              ovr_h5_put_number(root, e.key_si, si));
+        ok = put(root, e.key, value) &&
+             (!scales->physical || !*e.key_si || put(root, e.key_si, si));
     }
     return ok;
 }
