@@ -34,8 +34,9 @@ HEADS = ["", "published", "overroll", "difference", "may be", "why"]
 
 
 def cells(row):
-    memory = ", from memory: not counted" if row.remembered else ""
-    return [row.what + memory, f"{row.published:.5g}", f"{row.ours:.5g}",
+    origin = (", from memory: not counted" if row.remembered else
+              ", derived here: not counted" if row.derived else "")
+    return [row.what + origin, f"{row.published:.5g}", f"{row.ours:.5g}",
             difference(row), band(row), row.why]
 
 
@@ -132,7 +133,7 @@ def svg(figure):
 
 def counted(sections):
     rows = [row for section in sections for row in section.rows
-            if not row.remembered]
+            if not (row.remembered or row.derived)]
     outside = sum(not row.inside for row in rows)
     return (f"{len(rows)} published numbers beside overroll's, "
             f"{len(rows) - outside} of them as near as they may be expected "
