@@ -1042,7 +1042,8 @@ def sliding_waves(contacts=((20, 10, 0.3), (50, 10, 0.1)),
         "+ i (z - k (1 + s)) (1 + z H c) = 0; both are fitted to the film of "
         "one period at |X| <= 0.3. The amplitude is over A; the phase is ahead "
         "of the surface's wave. Valid for waves of 0.02 of the film, to 0.6 b, "
-        "a stress far above tau0, |S| of 0.5 to 1.")
+        "a stress far above tau0, |S| of 0.5 to 1. The bands were set with the "
+        "differences known.")
     for M, L, tau in contacts:
         for S in slips:
             for length in lengths:
