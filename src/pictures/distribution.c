@@ -14,6 +14,7 @@
 #include "base/given.h"
 #include "overroll/questions.h"
 #include "pictures/picture.h"
+#include "run/comparison.h"
 
 enum { GROUPS = 6, INPUTS = 12, BINS = 60, LABEL = 200 };
 
@@ -32,27 +33,36 @@ typedef struct drawing {
 
 /* ----------------------------------------------------------------- choosing */
 
-/* Numbers in SI in the unit that people use; '_' means nothing. */
+/* Makes the axis title of full name and unit.  Lengths are drawn in um and
+ * pressures in GPa.  Commands of gnuplot, '_' and '^', are escaped. */
 static void choose_axis(drawing *d)
 {
-    const char *name = d->row[0]->quantity, *unit = "";
-    size_t size = strlen(name), used = 0;
+    const char *key = d->row[0]->quantity, *at;
+    const ovr_quantity_name name = ovr_quantity_named(key);
+    const char *unit = name.unit;
+    bool named = strcmp(name.text, key) != 0;
+    size_t size = strlen(key), used = 0, text = strlen(name.text);
+    size_t ending = 0;
+    char title[sizeof name.text + 40];
     d->factor = 1;
-    if (size > 2 && !strcmp(name + size - 2, "_m")) {
+    if (size > 2 && !strcmp(key + size - 2, "_m")) {
         d->factor = 1e6;
-        unit = " (µm)";
-        size -= 2;
-    } else if (size > 3 && !strcmp(name + size - 3, "_Pa")) {
+        unit = "µm";
+        ending = 2;
+    } else if (size > 3 && !strcmp(key + size - 3, "_Pa")) {
         d->factor = 1e-9;
-        unit = " (GPa)";
-        size -= 3;
+        unit = "GPa";
+        ending = 3;
     }
-    for (size_t k = 0; k < size && used + 20 < LABEL; k++) {
-        if (name[k] == '_')
+    snprintf(title, sizeof title, "%.*s%s%s%s",
+             (int)(named ? text : text - ending), name.text, *unit ? " (" : "",
+             unit, *unit ? ")" : "");
+    for (at = title; *at && used + 2 < LABEL; at++) {
+        if (*at == '_' || *at == '^')
             d->label[used++] = '\\';
-        d->label[used++] = name[k];
+        d->label[used++] = *at;
     }
-    snprintf(d->label + used, LABEL - used, "%s", unit);
+    d->label[used] = '\0';
 }
 
 /* The rows of the quantity, a group each. */

@@ -16,6 +16,7 @@
 #include "overroll/text.h"
 #include "pictures/picture.h"
 #include "pictures/snapshot.h"
+#include "run/comparison.h"
 #include "run/study_table.h"
 
 enum { LINES = 21, PANELS = 12, KEYS = 16, LABEL = 240, ENOUGH = 3000 };
@@ -323,10 +324,11 @@ static void put_plain(char *to, size_t capacity, const char *name, size_t size)
 /* Units are typed in ASCII, and drawn as they are printed. */
 static const char *printed(const char *unit)
 {
-    return strcmp(unit, "um") == 0     ? "µm"
-           : strcmp(unit, "us") == 0   ? "µs"
-           : strcmp(unit, "degC") == 0 ? "°C"
-                                       : unit;
+    return strcmp(unit, "um") == 0      ? "µm"
+           : strcmp(unit, "us") == 0    ? "µs"
+           : strcmp(unit, "degC") == 0  ? "°C"
+           : strcmp(unit, "b^2/R") == 0 ? "b²/R"
+                                        : unit;
 }
 
 /* The unit that all values of a key were written with ("rpm"), and one of it
@@ -348,6 +350,23 @@ static const char *unit_written(const figure *f, const ovr_table_column *c,
             *size = c->number[i] / value;
     }
     return unit;
+}
+
+/* "minimum film thickness (um)"; of a key the first `size` characters. */
+static void title_axis(axis *a, const ovr_table_column *c, size_t size)
+{
+    const ovr_quantity_name name = ovr_quantity_named(c->varied ? "" : c->name);
+    if (!*a->unit)
+        snprintf(a->unit, sizeof a->unit, "%s", printed(name.unit));
+    if (c->varied || !strcmp(name.text, c->name))
+        put_plain(a->label, LABEL, c->name, size);
+    else
+        put_plain(a->label, LABEL, name.text, strlen(name.text));
+    if (*a->unit) {
+        snprintf(a->label + strlen(a->label), LABEL - strlen(a->label), " (");
+        put_plain(a->label, LABEL, a->unit, strlen(a->unit));
+        snprintf(a->label + strlen(a->label), LABEL - strlen(a->label), ")");
+    }
 }
 
 /* SI numbers as they were written, else in the largest unit that leaves a
@@ -390,12 +409,7 @@ static axis axis_of(const figure *f, const ovr_table_column *c, double largest)
     }
     a.factor = 1 / one;
     snprintf(a.unit, sizeof a.unit, "%s", printed(unit ? unit : c->unit));
-    put_plain(a.label, LABEL, c->name, size);
-    if (*a.unit) {
-        snprintf(a.label + strlen(a.label), LABEL - strlen(a.label), " (");
-        put_plain(a.label, LABEL, a.unit, strlen(a.unit));
-        snprintf(a.label + strlen(a.label), LABEL - strlen(a.label), ")");
-    }
+    title_axis(&a, c, size);
     return a;
 }
 

@@ -60,6 +60,65 @@ const char *ovr_quantity_bare(const char *quantity,
     return buffer;
 }
 
+static bool is_key(const char *key, const char *bare, const char *si)
+{
+    return (bare && !strcmp(key, bare)) || (si && *si && !strcmp(key, si));
+}
+
+/* "minimum film thickness over the run" */
+static void name_extreme(const ovr_extreme *e, char *text, size_t size)
+{
+    const ovr_observable *row = e->of;
+    const char *label = row->extreme_label, *before = "", *after = "";
+    if (e->part == OVR_KEPT_MEAN) {
+        label = row->mean_label;
+        before = label ? "" : "mean ";
+    } else if (!label) {
+        before = row->extreme == OVR_SMALLEST ? "smallest " : "largest ";
+    }
+    if (e->part == OVR_KEPT_PLACE)
+        after = ": position";
+    else if (e->part == OVR_KEPT_TIME)
+        after = ": time";
+    snprintf(text, size, "%s%s over the run%s", before,
+             label ? label : row->long_name, after);
+}
+
+/* Unit of a dimensionless number of this kind. */
+static const char *bare_unit(ovr_unit_kind kind)
+{
+    switch (kind) {
+    case OVR_KIND_LENGTH: return "b";
+    case OVR_KIND_HEIGHT: return "b^2/R";
+    case OVR_KIND_PRESSURE: return "p_h";
+    case OVR_KIND_TIME: return "b/u_m";
+    default: return "";
+    }
+}
+
+ovr_quantity_name ovr_quantity_named(const char *key)
+{
+    ovr_quantity_name name = {.unit = ""};
+    const ovr_observable *o;
+    ovr_extreme e;
+    for (size_t k = 0; (o = ovr_observable_at(k)); k++)
+        if (is_key(key, o->key, o->key_si)) {
+            snprintf(name.text, sizeof name.text, "%s", o->long_name);
+            if (o->key && !strcmp(key, o->key))
+                name.unit = bare_unit(o->kind);
+            return name;
+        }
+    for (size_t k = 0; ovr_extreme_at(k, &e); k++)
+        if (is_key(key, e.key, e.key_si)) {
+            name_extreme(&e, name.text, sizeof name.text);
+            if (!strcmp(key, e.key))
+                name.unit = bare_unit(e.kind);
+            return name;
+        }
+    snprintf(name.text, sizeof name.text, "%.199s", key);
+    return name;
+}
+
 /* "N/m" stands as "_N_per_m" at the end of a key, "1/Pa" as "_per_Pa". */
 static bool ends_in(const char *key, const char *si)
 {

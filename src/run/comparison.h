@@ -25,4 +25,13 @@ ovr_status ovr_comparison_read(const char *text, ovr_comparison *c,
 const char *ovr_quantity_bare(const char *quantity,
                               char buffer[OVR_QUANTITY_CAPACITY]);
 
+/* The full name of a number of a summary for people ("minimum film thickness
+ * over the run"), or the key of a number without a quantity.  `unit` is the
+ * symbol of its unit if the number is dimensionless, otherwise "". */
+typedef struct ovr_quantity_name {
+    char text[200];
+    const char *unit;
+} ovr_quantity_name;
+ovr_quantity_name ovr_quantity_named(const char *key);
+
 #endif

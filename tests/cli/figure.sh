@@ -64,7 +64,7 @@ for picture in study.svg table.png; do
     [ -s $picture ] || fail "no $picture"
 done
 contains study.gp "x_label.* = \['load .kN/m.'\]"
-contains study.gp "y_label.* = \['H._min'\]"
+contains study.gp "y_label.* = .'minimum film thickness at a node .b²/R.'"
 for label in 0.05 0.1; do
     contains study.gp "Rq = $label µm"
 done
@@ -86,7 +86,7 @@ paste -d' ' wanted drawn | awk '{ for (i = 1; i <= 4; i++)
 # Other choices, and what there is not
 expect 0 "$OVERROLL" plot study.ini --quantity min_film_m --against Rq \
     --lines none --panels none --log x -o other.svg --script other.gp
-contains other.gp "y_label.* = \['min._film .(nm|µm).'\]"
+contains other.gp "y_label.* = .'minimum film thickness at a node .(nm|µm).'"
 contains other.gp 'log_x.* = \[1\]'
 contains other.gp 'band: least to most of load, seed'
 refuses "no key of the study 'depth'; there are load, Rq, seed" \
@@ -104,7 +104,7 @@ refuses 'not an HDF5 file' plot no.nc -o x.svg
 # band is.
 expect 0 "$OVERROLL" plot study.ini -o plain.svg --script plain.gp
 contains plain.gp "^title = 'study'"
-contains plain.gp "y_label.* = \['H._min._overall .(nm|µm).'"
+contains plain.gp 'minimum film thickness over the run .(nm|µm).'
 contains plain.gp "label.*'band: least to most of seed'"
 
 # Against a seed: a histogram of all cases in %, and quantiles.
