@@ -90,16 +90,19 @@ void ovr_cycle(ovr_hierarchy *grids, ovr_level *level, ovr_cycling how)
     if (ovr_hierarchy_stops(grids))
         return;
     grids->stopping.work += (double)level->grid.n;
-    /* Only the logarithmic mean has them. */
-    const bool logarithmic = grids->fluid.logarithmic;
+    /* Only the logarithmic mean has them, and Newton's method for asperity
+     * contact converges with exact slopes. */
+    const bool logarithmic = grids->fluid.logarithmic && !grids->touch.at;
     double before = 0;
     if (logarithmic) {
         before = ovr_level_imbalance(grids, level);
         grids->fluid.secants = grids->fluid.secants ||
                                wants_secants(grids, INFINITY, before);
     }
-    if (grids->touch.at)
+    if (grids->touch.at) {
         how.bottom = level->number;
+        grids->fluid.secants = false;
+    }
     if (how.index > 1 && !grids->op.transient)
         hold_coarse(grids, level);
     descend(grids, level, &how);
