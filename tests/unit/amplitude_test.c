@@ -109,7 +109,7 @@ TEST(what_is_not_foreseen)
     static const struct {
         const char *more, *set, *why, *but;
     } cases[] = {
-        {"", "contact.slide_to_roll=0.1", NULL, "faster"},
+        {"", "contact.slide_to_roll=0.1", NULL, "slide"},
         {"[feature v]\nsurface = 2\nshape = wave\namplitude = 0.01\n"
          "wavelength = 1\n",
          "contact.slide_to_roll=0.1", "both are rough", NULL},
