@@ -1067,7 +1067,7 @@ def sliding_waves(contacts=((20, 10, 0.3), (50, 10, 0.1)),
 FAST = [lambda: regimes(), lambda: formulas(((20, 10), (100, 11))),
         lambda: paper_table((6, 8)), lambda: waviness((1, 0.5), ()),
         lambda: stresses((300,)), lambda: flash((3,)),
-        lambda: rolling_friction(((20, 10),), (), ()),
+        lambda: rolling_friction(((20, 10),), (), ((20, 10),)),
         lambda: hot_inlets(((1, 10, 0.1),)), lambda: summits((3,)),
         thin_layers, lambda: standing_waves(((20, 10),), (0.25,)),
         lambda: sliding_waves(((20, 10, 0.3),), (0.5, -0.5), (0.3,), 8)]
