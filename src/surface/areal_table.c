@@ -28,6 +28,7 @@
 #include "base/error.h"
 #include "surface/feature.h"
 #include "surface/profile.h"
+#include "surface/resample.h"
 
 static const double PI = 3.14159265358979323846;
 
@@ -54,15 +55,6 @@ typedef struct direction {
     ovr_areal_axis axis;
 } direction;
 
-/* sinc(2 fc u) B(u/W), |u| < W */
-static double kernel(const direction *a, double u)
-{
-    double c = cos(PI * u / a->reach), phase = 2 * PI * a->fc * u;
-    double window = 0.35875 + 0.48829 * c + 0.14128 * (2 * c * c - 1) +
-                    0.01168 * (4 * c * c - 3) * c;
-    return window * (fabs(phase) < 1e-9 ? 1 : sin(phase) / phase);
-}
-
 /* The point that stands for number j: mirrored at the ends, or periodic. */
 static size_t point_of(const direction *a, ptrdiff_t j)
 {
@@ -88,7 +80,8 @@ static ovr_status make_weights(const direction *a, weights *w, ovr_arena *arena,
         ptrdiff_t last = (ptrdiff_t)floor((at + a->reach) / a->d);
         double *weight = w->weight + k * w->taps;
         for (ptrdiff_t j = first; j <= last; j++) {
-            weight[j - first] = kernel(a, at - (double)j * a->d);
+            weight[j - first] = ovr_windowed_sinc(at - (double)j * a->d, a->fc,
+                                                  a->reach);
             w->point[k * w->taps + (size_t)(j - first)] = point_of(a, j);
             sum += weight[j - first];
         }

@@ -89,10 +89,9 @@ static double sample(const series *s, ptrdiff_t j)
     return add + sign * s->z[j];
 }
 
-/* sinc(2 fc u) B(u/W), |u| < W */
-static double kernel(const series *s, double u)
+double ovr_windowed_sinc(double u, double fc, double reach)
 {
-    double c = cos(PI * u / s->reach), phase = 2 * PI * s->fc * u;
+    double c = cos(PI * u / reach), phase = 2 * PI * fc * u;
     double window = 0.35875 + 0.48829 * c + 0.14128 * (2 * c * c - 1) +
                     0.01168 * (4 * c * c - 3) * c;
     return window * (fabs(phase) < 1e-9 ? 1 : sin(phase) / phase);
@@ -104,7 +103,7 @@ static double band_limited(const series *s, double at)
     ptrdiff_t last = (ptrdiff_t)floor((at + s->reach) / s->d);
     double sum = 0, weights = 0;
     for (ptrdiff_t j = first; j <= last; j++) {
-        double w = kernel(s, at - (double)j * s->d);
+        double w = ovr_windowed_sinc(at - (double)j * s->d, s->fc, s->reach);
         sum += w * sample(s, j);
         weights += w;
     }

@@ -21,4 +21,8 @@ ovr_status ovr_resample(const ovr_points *profile, double mesh,
                         const ovr_ends *ends, ovr_table *table,
                         ovr_arena *arena, ovr_error *err);
 
+/* sinc(2 fc u) B(u/reach), |u| < reach: a low-pass filter of the cut-off
+ * frequency fc.  B is the window of resample.c. */
+double ovr_windowed_sinc(double u, double fc, double reach);
+
 #endif

@@ -441,14 +441,7 @@ faces = arithmetic
 [time]
 scheme = upstream2
 """
-WAVE = """[contact]
-M = {M}
-L = {L}
-[lubricant]
-alpha = 22 1/GPa
-[domain]
-level = {level}
-[time]
+MOVING = """[time]
 end = {end}
 step = grid
 [feature wave]
@@ -460,6 +453,14 @@ grow = 1
 [output]
 every = 1000000
 """
+WAVE = """[contact]
+M = {M}
+L = {L}
+[lubricant]
+alpha = 22 1/GPa
+[domain]
+level = {level}
+""" + MOVING
 
 
 def amplitude_left(M, L, length, level=8, more="", A=None):
@@ -948,19 +949,6 @@ eyring_number = {tau}
 [domain]
 level = {level}
 """
-MOVING = """[time]
-end = {end}
-step = grid
-[feature wave]
-shape = wave
-amplitude = {A}
-wavelength = {length}
-origin = 0
-grow = 1
-[output]
-every = 1000000
-at = {at}
-"""
 
 
 def period_of(text, times):
@@ -1012,7 +1000,7 @@ def sliding_wave(M, L, S, tau, length, level, times=8):
     k, u = 2 * math.pi / length, 1 + S / 2
     start, period = 2 + 2.5 / min(1, u), length / u
     at = [start + period * j / times for j in range(times)]
-    x, films = period_of(text + MOVING.format(
+    x, films = period_of(text + (MOVING + "at = {at}\n").format(
         end=at[-1] + 1e-3, A=A, length=length, at=", ".join(map(repr, at))), at)
     kept, oil = film_wave(k, S / 2, H * H * abs(S) / (12 * tau),
                           H * density_slope(said["hertz_pressure_Pa"] * 1e-9))
