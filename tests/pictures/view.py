@@ -362,6 +362,8 @@ def main():
         load(browser, "gear.html")
         for canvas in range(3):
             assert painted(browser, canvas) > 8
+        browser.keys(HOME)
+        browser.wait("return document.body.dataset.drawn == 0")
         before = browser.run(PIXELS)
         browser.keys(END)
         browser.wait("return document.body.dataset.drawn > 0")
