@@ -303,6 +303,41 @@ static size_t put_character(ovr_line piece, char to[4], size_t *taken)
     return 1;
 }
 
+/* Bytes of the control character at s; 0: no control character. */
+static int control_bytes(const unsigned char *s, bool has_lines)
+{
+    if (has_lines && (*s == '\n' || *s == '\t' || *s == '\r'))
+        return 0;
+    if (*s < 0x20 || *s == 0x7f)
+        return 1;
+    return *s == 0xc2 && s[1] >= 0x80 && s[1] < 0xa0 ? 2 : 0;
+}
+
+char *ovr_escaped(const char *text, bool has_lines, ovr_arena *arena)
+{
+    static const char digits[] = "0123456789abcdef";
+    const unsigned char *s = (const unsigned char *)text;
+    char *copy, *to;
+    size_t size = 1;
+    for (const unsigned char *c = s; *c; c++)
+        size += control_bytes(c, has_lines) ? 8 : 1;
+    to = copy = ovr_arena_take(arena, size, 1, NULL);
+    while (copy && *s) {
+        int control = control_bytes(s, has_lines);
+        if (!control)
+            *to++ = (char)*s++;
+        for (; control > 0; control--, s++) {
+            *to++ = '\\';
+            *to++ = 'x';
+            *to++ = digits[*s >> 4];
+            *to++ = digits[*s & 15];
+        }
+    }
+    if (copy)
+        *to = 0;
+    return copy;
+}
+
 ovr_quoted ovr_quote(ovr_line piece)
 {
     ovr_quoted quoted;

@@ -59,6 +59,11 @@ const char *ovr_article(const char *word);
 /* "\302\265m" (of any encoding) becomes "um", in `buffer`. */
 ovr_line ovr_spelled(ovr_line unit, char buffer[16]);
 
+/* A copy in which the control characters that command a terminal are escaped
+ * (\x1b), the C1 controls of UTF-8 (0xc2 0x80 to 0xc2 0x9f) among them.
+ * Line ends and tabs stay if `has_lines`.  NULL: memory is out. */
+char *ovr_escaped(const char *text, bool has_lines, ovr_arena *arena);
+
 /* A piece fit for a message: printable UTF-8, shortened, NUL-ended. */
 typedef struct ovr_quoted {
     char text[48];

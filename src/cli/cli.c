@@ -227,6 +227,55 @@ static bool same_file(const char *one, const char *other)
            a.st_dev == b.st_dev;
 }
 
+static bool is_folder(const char *path)
+{
+    struct stat about;
+    return stat(path, &about) == 0 && S_ISDIR(about.st_mode);
+}
+
+/* The ending of a known kind of file other than those in `own`; NULL: none. */
+static const char *other_ending(const char *path, const char *own)
+{
+    static const char *const known[] = {
+        ".csv",  ".tsv", ".txt", ".dat",  ".m",   ".json", ".ini",
+        ".gp",   ".h5",  ".nc",  ".hdf5", ".png", ".svg",  ".pdf",
+        ".html", ".mp4", ".gif", ".webm", ".xls", ".xlsx", ".x3p"};
+    const char *dot = strrchr(path, '.');
+    for (size_t k = 0; dot && k < sizeof known / sizeof *known; k++)
+        if (strcmp(dot, known[k]) == 0 && !strstr(own, known[k]))
+            return known[k];
+    return NULL;
+}
+
+/* Refuses a name whose ending is that of another kind of file.  Results,
+ * pictures, pages and movies refuse theirs where they are written. */
+static int check_ending(const cli_call *call)
+{
+    static const struct {
+        const char *verb, *option, *kind, *own;
+    } outputs[] = {
+        {"export", "o", "is a table", ".csv, .tsv, .txt, .dat or .m"},
+        {"find", "table", "is a table", ".csv"},
+        {"find", "results", "is a folder", ""},
+        {"frames", "o", "is a folder", ""},
+        {"init", "o", "is a case", ".ini or .txt"},
+        {"plot", "script", "is a gnuplot script", ".gp or .txt"},
+        {"sweep", "o", "is a folder", ""},
+    };
+    for (size_t k = 0; k < sizeof outputs / sizeof *outputs; k++) {
+        const char *path = strcmp(call->verb->name, outputs[k].verb)
+                               ? NULL
+                               : cli_value(call, outputs[k].option);
+        const char *ending = path ? other_ending(path, outputs[k].own) : NULL;
+        if (ending && (*outputs[k].own || !is_folder(path)))
+            return cli_usage(call, "%s: the output %s, not a %s file%s%s", path,
+                             outputs[k].kind, ending,
+                             *outputs[k].own ? "; use NAME" : "",
+                             outputs[k].own);
+    }
+    return CLI_DONE;
+}
+
 int cli_check_outputs(const cli_call *call)
 {
     static const char *const outputs[] = {
@@ -240,7 +289,7 @@ int cli_check_outputs(const cli_call *call)
                                  "be the output",
                                  path);
     }
-    return CLI_DONE;
+    return check_ending(call);
 }
 
 static int check_count(const cli_call *call)

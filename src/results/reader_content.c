@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/text.h"
+
 /* Far more than a file has; groups in groups: stress/surface_1. */
 enum { MAX_VARIABLES = 512, MAX_GROUPS = 32, DEEPEST = 2 };
 
@@ -58,32 +60,18 @@ static bool count_complete(ovr_result *r, const ovr_dataset *set, size_t *rows)
 
 /* -------------------------------------------------------------- opening */
 
-/* Texts of strangers reach terminals: what would command one becomes a space,
- * the C1 controls of UTF-8 (0xc2 0x80 to 0xc2 0x9f) with it.  Only a case
- * and warnings have lines. */
-static void make_plain(char *text, bool has_lines)
+/* Texts of strangers reach terminals.  Only a case and warnings have lines. */
+static bool has_lines(const char *name)
 {
-    unsigned char before = 0;
-    for (; *text; text++) {
-        unsigned char c = (unsigned char)*text;
-        bool line = has_lines && (c == '\n' || c == '\t' || c == '\r');
-        if ((c < 0x20 && !line) || c == 0x7f)
-            *text = ' ';
-        else if (before == 0xc2 && c >= 0x80 && c < 0xa0)
-            text[-1] = text[0] = ' ';
-        before = c;
-    }
+    return strcmp(name, "text") == 0 || strcmp(name, "warnings") == 0;
 }
 
 /* Notes when memory is out. */
 const char *ovr_reader_text(ovr_result *r, uint64_t object, const char *name)
 {
     const char *found = ovr_container_text(&r->container, object, name);
-    char *text = found ? ovr_arena_text(&r->arena, found, NULL) : NULL;
+    char *text = found ? ovr_escaped(found, has_lines(name), &r->arena) : NULL;
     r->starved = r->starved || (found && !text);
-    if (text)
-        make_plain(text,
-                   strcmp(name, "text") == 0 || strcmp(name, "warnings") == 0);
     return text;
 }
 

@@ -221,7 +221,11 @@ static void say_heat(const ovr_told *to, const ovr_run_info *s)
                     o->X_T_film_max);
     ovr_tell_number(to, "  of surface 1", 4, o->T_1_max - zero, "degC");
     ovr_tell_number(to, "  of surface 2", 4, o->T_2_max - zero, "degC");
-    ovr_tell_number(to, "energy balance error", 2, o->energy_defect, "%s", "");
+    if (isnan(o->energy_defect))
+        ovr_tell(to, "energy balance error", "unknown (set boundary.friction)");
+    else
+        ovr_tell_number(to, "energy balance error", 2, o->energy_defect, "%s",
+                        "");
 }
 
 void ovr_say_conditions(const ovr_told *to, const ovr_run_info *s)

@@ -667,16 +667,6 @@ static bool is_place(const char *about)
     return about && strchr(about, '.') && !strchr(about, ' ');
 }
 
-/* A stranger's text reaches terminals: no control does. */
-static const char *plain(ovr_table *t, const char *text)
-{
-    char *copy = ovr_arena_text(&t->arena, text, NULL);
-    for (char *c = copy; c && *c; c++)
-        if ((unsigned char)*c < 0x20 || *c == 0x7f)
-            *c = ' ';
-    return copy;
-}
-
 static bool add_variable(ovr_table *t, ovr_container *c, const ovr_link *link)
 {
     ovr_table_column *to = &t->column[t->columns];
@@ -698,12 +688,13 @@ static bool add_variable(ovr_table *t, ovr_container *c, const ovr_link *link)
             number[i] = NAN;
     }
     *to = (ovr_table_column){ovr_arena_text(&t->arena, link->name, NULL),
-                             unit && strcmp(unit, "1") != 0 ? plain(t, unit)
-                                                            : "",
+                             unit && strcmp(unit, "1") != 0
+                                 ? ovr_escaped(unit, false, &t->arena)
+                                 : "",
                              is_place(about),
                              number,
                              text,
-                             zip ? plain(t, zip) : NULL};
+                             zip ? ovr_escaped(zip, false, &t->arena) : NULL};
     t->columns++;
     return good && to->name && to->unit;
 }

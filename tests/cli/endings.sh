@@ -26,6 +26,25 @@ expect 0 "$OVERROLL" run dent.ini -o R.nc -q
 refuses 'must be an HTML page' view R.nc -o P.png
 expect 0 "$OVERROLL" view R.nc -o P.html
 
+# ... and a table, a case, a script or a folder under that of a result
+refuses 'the output is a table, not a .h5 file; use NAME.csv' \
+    export R.nc -o e.h5
+for name in e.png e.html e.json e.ini; do
+    refuses 'the output is a table, not' export R.nc -o $name
+done
+for name in e.csv e.txt e.dat e; do
+    expect 0 "$OVERROLL" export R.nc -o $name
+done
+refuses 'the output is a case, not a .nc file' init roller -o i.nc
+refuses 'the output is a gnuplot script' plot R.nc -o p.png --script p.csv
+refuses 'the output is a folder, not a .h5 file' frames R.nc -o f.h5
+find='contact.M between 10 and 30 so that H_min is 0.1'
+refuses 'the output is a table, not a .nc file' find dent.ini $find \
+    --table t.nc
+refuses 'the output is a folder, not a .csv' find dent.ini $find \
+    --results t.csv
+[ ! -e e.h5 ] && [ ! -e i.nc ] && [ ! -e f.h5 ] || fail 'it was written'
+
 # steady names the moving feature that it leaves out
 expect 0 "$OVERROLL" steady dent.ini
 contains err "feature 'dent' moves and is left out of a steady solution"

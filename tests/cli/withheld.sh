@@ -31,6 +31,20 @@ expect 0 "$OVERROLL" steady mixed.ini --json
 for key in mu_slide F_slide F_1 F_2 power_in power_dissipated; do
     contains out "^  \"$key\": null"
 done
+
+# Its heat is not known either, nor the balance of energy.
+cat mixed.ini - >hot.ini <<'END'
+[heat]
+model = lobatto
+END
+expect 0 "$OVERROLL" steady hot.ini
+contains out '^energy balance error +unknown .set boundary.friction.'
+! grep -i 'nan' out || fail 'nan in the report of a hot mixed contact'
+expect 0 "$OVERROLL" run hot.ini --set time.end=0.1 -o hot.h5
+! grep -i 'nan' out || fail 'nan in the report of a hot mixed run'
+expect 0 "$OVERROLL" steady hot.ini --set boundary.friction=0.1
+contains out '^energy balance error +[-0-9.e]+ *$'
+
 expect 0 "$OVERROLL" steady mixed.ini --set boundary.friction=0.1 --json
 contains out '^  "power_in": 2\.[0-9]'
 

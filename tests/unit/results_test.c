@@ -407,9 +407,10 @@ TEST_IN_FOLDER(shows_no_controls)
     test_dent_init(&d, NODES, 0);
     write_run(&o, &contact, &d, 0);
     r = open_result(path);
-    assert_string_equal(ovr_result_about(r)->title, "a ]0;b   c d \xc3\xbc");
+    assert_string_equal(ovr_result_about(r)->title,
+                        "a\\x1b]0;b\\x07\\xc2\\x9bc\\x0ad\\x7f\xc3\xbc");
     assert_string_equal(ovr_result_about(r)->case_text,
-                        "[contact]\n\tM = 20 #  [2J\n");
+                        "[contact]\n\tM = 20 # \\x1b[2J\n");
     ovr_result_close(r);
     test_dent_free(&d);
 }
