@@ -36,6 +36,7 @@ done
 cat mixed.ini - >hot.ini <<'END'
 [heat]
 model = lobatto
+temperature = 60 degC
 END
 expect 0 "$OVERROLL" steady hot.ini
 contains out '^energy balance error +unknown .set boundary.friction.'
