@@ -75,20 +75,20 @@ static inline num face_film(num H)
     return larger(H, all(1e-30));
 }
 
-/* The mean (y - x)/d of two numbers, d = ln(y/x).  Near d = 0 the arithmetic
- * mean times the series of tanh(d/2)/(d/2), to 1e-12. */
-static inline num face_log_mean(num x, num y, num d)
+/* 1/d, for ratios that are not taken where d is near 0. */
+static inline num face_inverse(num d)
+{
+    return 1 / choose(d * d < 1e-6, all(1), d);
+}
+
+/* The mean (y - x)/d of two numbers, d = ln(y/x), inverse = 1/d.  Near d = 0
+ * the arithmetic mean times the series of tanh(d/2)/(d/2), to 1e-13. */
+static inline num face_log_mean(num x, num y, num d, num inverse)
 {
     num square = 0.25 * d * d;
-    truth is_near = square < 0.01;
-    num series = fused(
-        square,
-        fused(square,
-              fused(square, (62. / 2835) * square - 17. / 315, all(2. / 15)),
-              all(-1. / 3)),
-        all(1));
-    num ratio = (y - x) / choose(is_near, all(1), d);
-    return choose(is_near, 0.5 * (x + y) * series, ratio);
+    num series = fused(square, fused(square, all(2. / 15), all(-1. / 3)),
+                       all(1));
+    return choose(square < 1e-4, 0.5 * (x + y) * series, (y - x) * inverse);
 }
 
 /* The flow between nodes i and j: 2 E; -d(2 E (P_j - P_i))/dP_i and
@@ -97,9 +97,9 @@ typedef struct face {
     num flow, left, right, share;
 } face;
 
-/* One of the two nodes.  deps is d eps/dP. */
+/* One of the two nodes.  deps is d eps/dP; cube = H^3, m = eps/(rho H^3). */
 typedef struct face_node {
-    num P, H, rho, eps, deps, log_fluidity, log_slope;
+    num P, H, rho, eps, deps, log_fluidity, log_slope, cube, m;
 } face_node;
 
 /* p of H^3 and of H^2. */
@@ -131,39 +131,38 @@ static inline face face_by_shares(num p, const face_node *i, const face_node *j)
                   .share = p};
 }
 
-/* flow - s (flow - bound)/d: the derivative of the flow by a node's pressure,
- * bound = 2 p eps_i, s = (d ln m/dP)_i (P_j - P_i).  Not below the smaller one
- * of both, so that the rows stay elliptic, nor below the part `secant` of the
- * flow. */
-static inline num face_by_pressure(num flow, num bound, num s, num d,
-                                   double secant)
+/* The derivative of the flow by a node's pressure, flow - s ratio.  Arguments
+ * are s = (d ln m/dP)_i (P_j - P_i), bound = 2 p eps_i and the ratio
+ * (flow - bound)/d.  It is not below the smaller one of both, so that the rows
+ * stay elliptic, nor below `least`, a part of the flow. */
+static inline num face_by_pressure(num flow, num bound, num s, num ratio,
+                                   num least)
 {
-    truth is_near = d * d < 1e-6;
-    num ratio = (flow - bound) / choose(is_near, all(1), d);
-    num slope = less(flow, s, choose(is_near, 0.5 * flow, ratio));
-    return larger(slope, larger(smaller(flow, bound), secant * flow));
+    return larger(less(flow, s, ratio), larger(smaller(flow, bound), least));
 }
 
-/* The logarithmic mean.  a b rho_i rho_j is a factor of x, y and their mean. */
+/* The logarithmic mean: h (rho_i + rho_j) (m_j - m_i)/d, h = 2 a b/(a + b). */
 static inline face face_logarithmic(const face_node *i, const face_node *j,
                                     double secant)
 {
     const double ln2 = 0x1.62e42fefa39efp-1;
-    num h = face_film(i->H), g = face_film(j->H), rise = j->P - i->P;
-    num a = h * h * h, b = g * g * g;
-    num d = ln2 * (j->log_fluidity - i->log_fluidity);
-    num x = larger(i->eps, all(0)) * b * j->rho;
-    num y = larger(j->eps, all(0)) * a * i->rho;
-    num inverse = 2 / ((a + b) * i->rho * j->rho);
-    num flow = (i->rho + j->rho) * inverse * face_log_mean(x, y, d);
-    num left = 2 * inverse * i->rho * x, right = 2 * inverse * j->rho * y;
+    num rise = j->P - i->P, d = ln2 * (j->log_fluidity - i->log_fluidity);
+    num inverse = face_inverse(d), h = 2 * i->cube / (i->cube + j->cube);
+    num share = h * j->cube, twice = 2 * share;
+    num flow = share * (i->rho + j->rho) *
+               face_log_mean(i->m, j->m, d, inverse);
     flow = larger(flow, all(0));
-    return (face){
-        .flow = flow,
-        .left = face_by_pressure(flow, left, rise * i->log_slope, d, secant),
-        .right = face_by_pressure(flow, right, -rise * j->log_slope, -d,
-                                  secant),
-        .share = b * inverse * i->rho * j->rho};
+    num left = twice * (i->rho * i->m), right = twice * (j->rho * j->m);
+    num least = secant * flow, half = 0.5 * flow;
+    truth is_near = d * d < 1e-6;
+    return (face){.flow = flow,
+                  .left = face_by_pressure(
+                      flow, left, rise * i->log_slope,
+                      choose(is_near, half, (flow - left) * inverse), least),
+                  .right = face_by_pressure(
+                      flow, right, -rise * j->log_slope,
+                      choose(is_near, half, (right - flow) * inverse), least),
+                  .share = 2 - h};
 }
 
 /* The kinds of means, a constant for the compiler. */
@@ -176,8 +175,9 @@ static inline face_kind face_kind_of(const ovr_fluid *fluid)
     return fluid->by_gap ? FACE_BY_GAP : FACE_SUMS;
 }
 
-static INLINE face_node face_node_at(const ovr_fields *f, face_kind kind,
-                                     ptrdiff_t J)
+/* Without what the logarithmic mean computes of a node. */
+static INLINE face_node face_loaded(const ovr_fields *f, face_kind kind,
+                                    ptrdiff_t J)
 {
     face_node n = {.P = at(f->P, J),
                    .H = at(f->H, J),
@@ -191,19 +191,37 @@ static INLINE face_node face_node_at(const ovr_fields *f, face_kind kind,
     return n;
 }
 
+static INLINE face_node face_node_at(const ovr_fields *f, face_kind kind,
+                                     ptrdiff_t J)
+{
+    face_node n = face_loaded(f, kind, J);
+    if (kind == FACE_LOGARITHMIC) {
+        num h = face_film(n.H);
+        n.cube = h * h * h;
+        n.m = larger(n.eps, all(0)) / (n.rho * n.cube);
+    }
+    return n;
+}
+
+static INLINE face face_between(face_kind kind, double secant,
+                                const face_node *left, const face_node *right)
+{
+    if (kind == FACE_LOGARITHMIC)
+        return face_logarithmic(left, right, secant);
+    if (kind == FACE_SUMS)
+        return face_by_shares(all(1), left, right);
+    face s = face_by_shares(face_share(left->H, right->H), left, right);
+    s.flow = larger(s.flow, all(0));
+    return s;
+}
+
 /* The flow of eps between J and J + 1. */
 static INLINE face face_at(const ovr_fields *f, face_kind kind, double secant,
                            ptrdiff_t J)
 {
     face_node left = face_node_at(f, kind, J);
     face_node right = face_node_at(f, kind, J + 1);
-    if (kind == FACE_LOGARITHMIC)
-        return face_logarithmic(&left, &right, secant);
-    if (kind == FACE_SUMS)
-        return face_by_shares(all(1), &left, &right);
-    face s = face_by_shares(face_share(left.H, right.H), &left, &right);
-    s.flow = larger(s.flow, all(0));
-    return s;
+    return face_between(kind, secant, &left, &right);
 }
 
 /* d(2 E)/dH_i of the logarithmic mean: 3/2 p 2 E/H_i, and what the film changes

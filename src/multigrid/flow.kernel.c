@@ -180,13 +180,20 @@ void OVR_KERNEL(flow)(const ovr_fluid *fluid, double D, const ovr_lanes *g,
         by_mean(fluid, D, g, f, false);
 }
 
+/* Cubes and fluidities of a node are computed once for both of its faces. */
 static INLINE void newtonian(const ovr_fluid *fluid, const ovr_lanes *g,
                              const ovr_fields *f, face_kind kind, bool film)
 {
     const ovr_fields own = *f;
     double secant = fluid->secants;
+    face_node before = face_node_at(&own, kind, -OVR_HALO);
     for (ptrdiff_t J = -OVR_HALO; J < (ptrdiff_t)g->S; J++) {
-        face s = face_at(&own, kind, secant, J);
+        face_node right = face_node_at(&own, kind, J + 1);
+        face_node left = face_loaded(&own, kind, J);
+        left.cube = before.cube;
+        left.m = before.m;
+        face s = face_between(kind, secant, &left, &right);
+        before = right;
         put(own.flow, J, s.flow);
         put(own.out_left, J, s.left);
         put(own.out_right, J, s.right);

@@ -115,26 +115,36 @@ static void reduced_rises(const ovr_lanes *g, const ovr_fields *f, double *rise)
     vec left = fluidity_at(f, -REACH);
     for (ptrdiff_t J = -REACH; J < (ptrdiff_t)g->S + REACH - 1; J++) {
         vec right = fluidity_at(f, J + 1);
-        vec d = at(f->log_fluidity, J + 1) - at(f->log_fluidity, J);
+        vec d = ln2 * (at(f->log_fluidity, J + 1) - at(f->log_fluidity, J));
         vec dP = at(f->P, J + 1) - at(f->P, J);
         vec slopes = at(f->log_slope, J + 1) - at(f->log_slope, J);
         vec bend = (1. / 12) * slopes * dP;
         bend = larger(all(-most), smaller(all(most), bend));
-        put(rise, J, face_log_mean(left, right, ln2 * d) * dP * (1 - bend));
+        vec mean = face_log_mean(left, right, d, face_inverse(d));
+        put(rise, J, mean * dP * (1 - bend));
         left = right;
     }
 }
 
+/* H^3 and rho H^3 of nodes from J - 1 on, for the half node after J. */
+typedef struct around {
+    vec cube[4], rho[4];
+} around;
+
+static inline void look_at(const ovr_fields *f, ptrdiff_t J, around *a, int k)
+{
+    a->cube[k] = cube_at(f, J);
+    a->rho[k] = a->cube[k] * at(f->rho, J);
+}
+
 /* The flux at i + 1/2 by reduced pressure: rho H^3 there times its slope. */
 static inline vec reduced_flux(const ovr_fourth *c, const ovr_fields *f,
-                               ptrdiff_t J)
+                               const around *n, ptrdiff_t J)
 {
     const double most = 0.4;
-    vec a = cube_at(f, J), b = cube_at(f, J + 1);
-    vec x = a * at(f->rho, J), y = b * at(f->rho, J + 1);
+    vec a = n->cube[1], b = n->cube[2];
     vec cubic = (1. / 16) *
-                (9 * (x + y) - cube_at(f, J - 1) * at(f->rho, J - 1) -
-                 cube_at(f, J + 2) * at(f->rho, J + 2));
+                (9 * (n->rho[1] + n->rho[2]) - n->rho[0] - n->rho[3]);
     vec mean = a * b / (a + b) * (at(f->rho, J) + at(f->rho, J + 1));
     vec rise = at(c->rise, J);
     vec bend = (1. / 24) * (2 * rise - at(c->rise, J - 1) - at(c->rise, J + 1));
@@ -151,13 +161,21 @@ static void reduced_fluxes(const ovr_lanes *g, const ovr_fourth *c,
     double scale = 1 / (24 * c->D);
     table16 table;
     make_exp_table(1, &table);
+    around n;
     reduced_rises(g, f, c->rise);
+    for (int k = 0; k < 3; k++)
+        look_at(f, k - REACH, &n, k);
     for (ptrdiff_t J = 1 - REACH; J < (ptrdiff_t)g->S + REACH - 2; J++) {
         ivec i = nodes(g, J), upstream = (i >= c->first) & (i < c->behind);
+        look_at(f, J + 2, &n, 3);
         vec eps = middle(&table, c->log_eps, f, upstream, J);
         put(c->flux, J,
             choose(upstream, eps * (scale * steepness(f, J)),
-                   reduced_flux(c, f, J)));
+                   reduced_flux(c, f, &n, J)));
+        for (int k = 0; k < 3; k++) {
+            n.cube[k] = n.cube[k + 1];
+            n.rho[k] = n.rho[k + 1];
+        }
     }
 }
 
