@@ -277,7 +277,8 @@ SURVEYS   := $(addprefix tests/,reference/any_case_slow_test.c \
                reference/coated_slow_test.c reference/domains_slow_test.c \
                reference/stays_slow_test.c reference/touches_test.c \
                reference/elements_marched.sh reference/still_surfaces.sh \
-               reference/mixes_slow.sh unit/effects_slow_test.c \
+               reference/mixes_slow.sh reference/wide_case_slow_test.c \
+               unit/effects_slow_test.c \
                unit/restart_test.c \
                cli/power.sh cli/kills.sh cli/random_kills_slow.sh \
                cli/io_faults.sh)

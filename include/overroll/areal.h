@@ -39,10 +39,10 @@ OVR_API void ovr_areal_free(ovr_areal *areal);
 
 /*
  * Conditions the heights in place (src/surface/areal_condition.c): turn,
- * window, stretch, reverse, scale, invert, missing heights filled, F-operation
- * (level), L-filter (lambda_c), S-filter (lambda_s), offset.  Levelling by
- * line is that by the least-squares plane.  outliers, max_gap, tapers and
- * extensions are not used.
+ * window, stretch, reverse, scale, invert, missing heights filled, outliers
+ * replaced, F-operation (level), L-filter (lambda_c), S-filter (lambda_s),
+ * offset.  Levelling by line is that by the least-squares plane.  max_gap,
+ * tapers and extensions are not used.
  */
 OVR_API ovr_status ovr_areal_condition(ovr_areal *areal,
                                        const ovr_conditioning *how,

@@ -53,8 +53,10 @@ typedef struct ovr_profile_source {
     const char
         *unit_z;    /* "um", "nm", ..., "b^2/R"; NULL: specified in the file */
     double spacing; /* of a single column z, metres; NAN: none */
-    bool spacing_scaled; /* spacing is in b, not metres */
-    int column_x;        /* counted from 1; 0: by the header */
+    double spacing_across; /* between the rows of a map without spacings,
+                              metres; NAN: spacing */
+    bool spacing_scaled;   /* both are in b, not metres */
+    int column_x;          /* counted from 1; 0: by the header */
     int column_z;
     /* The line of an areal file: at most one of the first four; default: the
      * middle line across the lay, or the middle row if there is no lay. */

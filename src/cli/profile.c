@@ -95,11 +95,12 @@ static ovr_status filter_map(const ovr_conditioning *line, profile_report *r,
 {
     ovr_conditioning how = ovr_conditioning_default();
     if (isnan(line->lambda_c) && isnan(line->lambda_s) &&
-        line->level != OVR_LEVEL_POLYNOMIAL)
+        isnan(line->outliers) && line->level != OVR_LEVEL_POLYNOMIAL)
         return OVR_OK;
     if (line->level <= OVR_LEVEL_POLYNOMIAL)
         how.level = line->level;
     how.degree = line->degree;
+    how.outliers = line->outliers;
     how.lambda_c = line->lambda_c;
     how.lambda_s = line->lambda_s;
     how.max_missing = 1;
@@ -183,6 +184,8 @@ static const cli_option options[] = {
      false},
     {"unit-z", "UNIT", "unit of z if the file does not specify it", false},
     {"spacing", "LENGTH", "spacing of the heights of a single column", false},
+    {"spacing-across", "LENGTH",
+     "distance of the rows of a map if it is not the spacing", false},
     {"column-x", "N", "column of x, from 1", false},
     {"column-z", "N", "column of z, from 1", false},
     {"row", "N", "row of an areal file, from 1; default: across its lay",

@@ -98,16 +98,17 @@ static int take_level(const cli_call *call, ovr_levelling *level)
 }
 
 /* Its unit is that of x when bare: only b may be meant so. */
-static int take_spacing(const cli_call *call, ovr_profile_source *source)
+static int take_spacing(const cli_call *call, const char *name, double *spacing,
+                        ovr_profile_source *source)
 {
     size given;
-    int code = take_size(call, "spacing", false, &given);
+    int code = take_size(call, name, false, &given);
     bool in_b = source->unit_x && !strcmp(source->unit_x, "b");
     if (code || !given.given)
         return code;
     if (given.length.unit == OVR_LENGTH_BARE && !in_b)
-        return no_unit(call, "spacing");
-    source->spacing = given.length.value;
+        return no_unit(call, name);
+    *spacing = given.length.value;
     source->spacing_scaled = given.length.unit != OVR_LENGTH_METRES;
     return CLI_DONE;
 }
@@ -132,7 +133,10 @@ int profile_take_source(const cli_call *call, ovr_profile_source *source)
     source->file = call->argument[0];
     source->unit_x = cli_value(call, "unit-x");
     source->unit_z = cli_value(call, "unit-z");
-    code = take_spacing(call, source);
+    code = take_spacing(call, "spacing-across", &source->spacing_across,
+                        source);
+    if (!code)
+        code = take_spacing(call, "spacing", &source->spacing, source);
     if (!code)
         code = take_whole(call, "column-x", &source->column_x);
     if (!code)

@@ -91,6 +91,28 @@ static const struct {
      "of the\nload (boundary.Rq: composite root mean square roughness).  "
      "contact.Rq_1 and\ncontact.Rq_2 only give the lambda ratio.  See also "
      "'overroll help lambda-ratio'."},
+    {"areal",
+     "A measured map of heights over x and y is a feature of a strip:\n"
+     "    [strip]\n"
+     "    [feature ground]\n    shape = areal\n    file = ground.x3p\n"
+     "Formats: X3P, SDF, SUR, NumPy, and text (a matrix or points x y z).\n"
+     "After the window (from, to, from_across, to_across), missing heights "
+     "and outliers:\n"
+     "    F-operation   level, degree   removes the plane or a polynomial\n"
+     "    L-filter      lambda_c        removes waves longer than the nesting "
+     "index\n"
+     "    S-filter      lambda_s        removes waves shorter than the nesting "
+     "index\n"
+     "'overroll profile FILE' prints the areal parameters (ISO 25178-2):\n"
+     "    Sa, Sq     arithmetic and root mean square height\n"
+     "    Ssk, Sku   skewness and kurtosis of the heights (Gaussian: 0 and "
+     "3)\n"
+     "    Str        texture aspect ratio: 0 strong lay, 1 isotropic\n"
+     "    lay        direction of the lay, degrees from the x axis\n\n"
+     "Random areal roughness is shape = roughness on a strip: Rq is its Sq, "
+     "peklenik\nthe ratio of its correlation lengths along and across rolling, "
+     "angle turns its\nlay.  Features of finite length across: 'overroll help "
+     "width_across'."},
     {"wear",
      "Running-in needs [boundary], constant operating conditions and a case "
      "without\n[time]:\n"
@@ -147,7 +169,34 @@ static const struct {
     {"ra", "roughness"},
     {"rms", "roughness"},
     {"sigma", "roughness"},
-    {"sq", "roughness"},
+    {"sq", "areal"},
+    {"sa", "areal"},
+    {"ssk", "areal"},
+    {"sku", "areal"},
+    {"str", "areal"},
+    {"foperation", "areal"},
+    {"sfilter", "areal"},
+    {"lfilter", "areal"},
+    {"nestingindex", "areal"},
+    {"lay", "areal"},
+    {"textureaspectratio", "areal"},
+    {"isotropy", "areal"},
+    {"isotropic", "areal"},
+    {"topography", "areal"},
+    {"map", "areal"},
+    {"maps", "areal"},
+    {"x3p", "areal"},
+    {"sdf", "areal"},
+    {"sur", "areal"},
+    {"acrossrolling", "strip"},
+    {"footprint", "width_across"},
+    {"round", "width_across"},
+    {"elliptical", "width_across"},
+    {"scratch", "groove"},
+    {"oblique", "angle"},
+    {"longitudinal", "angle"},
+    {"transverse", "angle"},
+    {"rounddent", "indent"},
     {"surface", "roughness"},
     {"surfaceroughness", "roughness"},
     {"asperity", "boundary"},

@@ -44,14 +44,19 @@ ovr_status ovr_areal_reserve(ovr_profile *p, size_t nx, size_t ny, double dx,
 }
 
 ovr_status ovr_areal_need_spacing(ovr_profile *p, const ovr_profile_source *s,
-                                  double *scale, ovr_error *err)
+                                  double *dx, double *dy, double *scale,
+                                  ovr_error *err)
 {
     const char *key = s->spacing > 0 ? "unit_z" : "spacing";
+    bool other = s->spacing_across > 0;
+    *dx = s->spacing;
+    *dy = other ? s->spacing_across : s->spacing;
     *scale = ovr_unit_given('z', s->unit_z ? s->unit_z : "", &p->view.scaled_z);
     p->view.scaled_x = s->spacing_scaled;
     if (s->spacing > 0 && *scale > 0) {
-        ovr_profile_note(p, "spacing %s, z in %s (%s)",
-                         ovr_along(p, s->spacing).text, s->unit_z,
+        ovr_profile_note(p, "spacing %s%s%s, z in %s (%s)",
+                         ovr_along(p, *dx).text, other ? " x " : "",
+                         other ? ovr_along(p, *dy).text : "", s->unit_z,
                          ovr_named(p, "unit_z").text);
         return OVR_OK;
     }

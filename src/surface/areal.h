@@ -14,11 +14,12 @@
 ovr_status ovr_areal_reserve(ovr_profile *profile, size_t nx, size_t ny,
                              double dx, double dy, ovr_error *err);
 
-/* Checks that the caller states spacing and unit of heights of a file that has
- * neither, and notes them.  *scale: the unit in metres (1 for b^2/R). */
+/* Spacings along and across and unit of heights of a file that has neither, as
+ * the caller states them, with a note.  *scale: the unit in metres (1 for
+ * b^2/R). */
 ovr_status ovr_areal_need_spacing(ovr_profile *profile,
-                                  const ovr_profile_source *source,
-                                  double *scale, ovr_error *err);
+                                  const ovr_profile_source *source, double *dx,
+                                  double *dy, double *scale, ovr_error *err);
 
 /* Multiplies the heights by `scale` and makes a profile of the line chosen by
  * the source.  Missing values written as numbers (-9999, 1e30 ...) are removed

@@ -3,7 +3,8 @@
  * Conditioning of areal surfaces.
  *
  * Missing heights become the mean of their known neighbours, from the rim of a
- * gap inwards, smoothed by 100 Jacobi sweeps of the Laplace equation.
+ * gap inwards, smoothed by 100 Jacobi sweeps of the Laplace equation.  Outliers
+ * (gaps.c) are replaced in the same way.
  *
  * F-operation (ISO 25178-2): least-squares polynomial of total degree n in
  * products of Legendre polynomials, by normal equations (Cholesky).  Maps of
@@ -45,6 +46,8 @@ static ovr_status check(const ovr_areal *a, const ovr_conditioning *how,
         {"scale", isfinite(how->scale), "be a finite number"},
         {"offset", isfinite(how->offset), "be a finite height"},
         {"stretch", how->stretch > 0 && !isinf(how->stretch), "be positive"},
+        {"outliers", !(how->outliers <= 0 || isinf(how->outliers)),
+         "be positive"},
         {"max_missing", how->max_missing >= 0 && how->max_missing <= 1,
          "be 0 to 1"},
         {"lambda_c", !(how->lambda_c <= 0 || isinf(how->lambda_c)),
@@ -222,6 +225,24 @@ static ovr_status fill_gaps(ovr_areal *a, const ovr_conditioning *how,
     ovr_profile_note(p, "%zu missing heights filled from their neighbours",
                      count);
     return OVR_OK;
+}
+
+static ovr_status drop_outliers(ovr_areal *a, const ovr_conditioning *how,
+                                ovr_error *err)
+{
+    ovr_profile *p = owner_of(a);
+    if (isnan(how->outliers))
+        return OVR_OK;
+    ovr_arena arena = ovr_arena_make(&p->arena.allocator);
+    double *work = ovr_arena_take(&arena, 2 * a->nx * a->ny, sizeof *work, err);
+    if (!work)
+        return OVR_NO_MEMORY;
+    size_t marked = ovr_mark_map_outliers(a->nx, a->ny, a->z, how->outliers,
+                                          work);
+    ovr_arena_release(&arena);
+    ovr_profile_note(p, "%zu outliers beyond %g robust standard deviations",
+                     marked, how->outliers);
+    return fill_gaps(a, how, err);
 }
 
 /* -------------------------------------------------------------------- form */
@@ -423,6 +444,8 @@ ovr_status ovr_areal_condition(ovr_areal *a, const ovr_conditioning *given,
         return status;
     change_scales(a, how);
     status = fill_gaps(a, how, err);
+    if (!status)
+        status = drop_outliers(a, how, err);
     if (status)
         return status;
     level(a, how);

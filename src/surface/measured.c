@@ -51,6 +51,7 @@ static ovr_status source_of(const ovr_feature_form *form, const ovr_contact *c,
     source->spacing_scaled = !(c->b > 0);
     if (c->b > 0) {
         source->spacing *= c->b;
+        source->spacing_across *= c->b;
         source->y *= c->b;
         source->band *= c->b;
     }

@@ -13,8 +13,11 @@
 
 ovr_profile_source ovr_profile_source_default(void)
 {
-    const ovr_profile_source defaults = {
-        .spacing = NAN, .y = NAN, .direction = NAN, .band = NAN};
+    const ovr_profile_source defaults = {.spacing = NAN,
+                                         .spacing_across = NAN,
+                                         .y = NAN,
+                                         .direction = NAN,
+                                         .band = NAN};
     return defaults;
 }
 

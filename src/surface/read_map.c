@@ -91,8 +91,8 @@ static ovr_status find_scales(ovr_text_table *t, size_t nx, size_t ny,
     const char *unit_z = t->source->unit_z;
     bool scaled;
     if (!(h->width > 0) || !(h->height > 0)) {
-        ovr_status status = ovr_areal_need_spacing(p, t->source, scale, err);
-        *dx = *dy = t->source->spacing;
+        ovr_status status = ovr_areal_need_spacing(p, t->source, dx, dy, scale,
+                                                   err);
         if (status && err) {
             char more[sizeof err->message];
             memcpy(more, err->message, sizeof more);

@@ -135,14 +135,13 @@ ovr_status ovr_read_npy(ovr_profile *p, const ovr_profile_source *source,
                         ovr_bytes c, ovr_error *err)
 {
     npy h = {.bytes = 0};
-    double scale = 1;
+    double dx, dy, scale = 1;
     ovr_status status = read_header(p, c, &h, err);
     p->view.format = "NumPy";
     if (!status)
-        status = ovr_areal_need_spacing(p, source, &scale, err);
+        status = ovr_areal_need_spacing(p, source, &dx, &dy, &scale, err);
     if (!status)
-        status = ovr_areal_reserve(p, h.shape[1], h.shape[0], source->spacing,
-                                   source->spacing, err);
+        status = ovr_areal_reserve(p, h.shape[1], h.shape[0], dx, dy, err);
     if (status)
         return status;
     for (size_t j = 0; j < h.shape[0]; j++)

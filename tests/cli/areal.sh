@@ -75,6 +75,19 @@ for file in map same; do
 done
 cmp map.csv same.csv || fail "SDF and X3P give other films"
 
+# Rows that are further apart than the points of one.
+set -- --set feature.map.file=map.txt --set 'feature.map.spacing=2 um' \
+    --set feature.map.unit_z=um
+expect 0 "$OVERROLL" check map.ini "$@" \
+    --set 'feature.map.spacing_across=4 um' --set feature.map.outliers=20
+contains out 'spacing 2 um x 4 um, z in um'
+contains out '80 x 60 points, 0.158 mm x 0.236 mm: Sq'
+contains out ' 0 outliers beyond 20 robust'
+expect 0 "$OVERROLL" profile map.txt --spacing '2 um' --unit-z um \
+    --spacing-across '0.01 mm' --json
+"$PYTHON" -c 'import json
+assert abs(json.load(open("out"))["map"]["dy_m"] - 1e-5) < 1e-18'
+
 # Other windows and widths.
 expect 0 "$OVERROLL" check map.ini --set 'feature.map.to_across=0.1 mm' \
     --set 'feature.map.turn=yes' --set 'feature.map.lambda_c=0.1 mm' \

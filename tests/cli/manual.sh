@@ -87,6 +87,22 @@ movie:usage: overroll frames
 csv:usage: overroll export
 dlc:[coating]
 bearing:[roller_bearing]
+F-operation:removes the plane
+S-filter:lambda_s
+L-filter:lambda_c
+areal:needs file
+Sq:root mean square height
+Sa:arithmetic
+Ssk:skewness
+Sku:kurtosis
+Str:texture aspect ratio
+peklenik:correlation lengths along and across
+stagger:wavelength_across
+spacing_across:distance of the rows
+round dent:shape = indent
+scratch:shape = groove
+oblique:from the y axis
+footprint:extent across rolling
 E
 expect 0 "$OVERROLL" help lambda ratio
 grep -q 'composite roughness' out || fail "no lambda ratio: $(cat out)"

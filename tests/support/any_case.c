@@ -2,22 +2,27 @@
 #include "any_case.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 #include "case/parameters.h"
+#include "contact/film_formula.h"
+#include "run/cost.h"
+#include "run/internal.h"
 #include "run/run.h"
 #include "simulation/simulation.h"
 #include "test.h"
 
-enum { MAX_KEYS = 12, CAPACITY = 200, MAX_STEPS = 40 };
+enum { MAX_KEYS = 12, CAPACITY = 200, MAX_STEPS = 40, WIDE_STEPS = 2000 };
 
 typedef struct draw {
     uint64_t state;
-    char base[800];
+    char base[2000];
     char key[MAX_KEYS][CAPACITY], value[MAX_KEYS][CAPACITY];
-    int keys;
+    int keys, most; /* keys; steps, or cycles of a start */
 } draw;
 
 static double between(draw *d, double low, double high)
@@ -57,6 +62,135 @@ static void contact(draw *d)
         strcat(d->base, "[stress]\n");
 }
 
+/* ------------------------------------------------------------ wide contacts */
+
+static void add(draw *d, const char *format, ...)
+{
+    size_t used = strlen(d->base);
+    va_list list;
+    va_start(list, format);
+    vsnprintf(d->base + used, sizeof d->base - used, format, list);
+    va_end(list);
+}
+
+static int whole(draw *d, int from, int to)
+{
+    return from + (int)test_random(&d->state, 0, to - from + 1);
+}
+
+/* Central film thickness of the smooth contact by formula, b^2/R; NAN: the
+ * case is refused. */
+static double film_of(const draw *d)
+{
+    ovr_error err = {0};
+    ovr_case *c = ovr_case_read_text(d->base, "case", NULL, NULL, &err);
+    ovr_setup *s = c ? ovr_case_resolve(c, NULL, &err) : NULL;
+    double H = s ? ovr_film_central_moes(s->contact->M, s->contact->L) : NAN;
+    ovr_setup_free(s);
+    ovr_case_free(c);
+    return H;
+}
+
+/* Rubber to ceramics, from the load of a fingertip to what steel bears. */
+static void wide_conditions(draw *d)
+{
+    bool soft = chance(d, 0.4);
+    double modulus = soft ? between(d, 1e6, 5e9) : between(d, 5e10, 4e11);
+    if (chance(d, 0.4))
+        add(d, "[contact]\nM = %.5g\nL = %.5g\n", between(d, 0.5, 2000),
+            between(d, 0.3, 30));
+    else
+        add(d,
+            "[contact]\nhertz_pressure = %.5g Pa\nradius = %.5g mm\n"
+            "modulus = %.5g Pa\nmean_speed = %.5g m/s\n"
+            "viscosity = %.5g Pa.s\nalpha = %.5g 1/GPa\n",
+            modulus * between(d, 3e-4, 0.02), between(d, 1, 100), modulus,
+            between(d, 0.01, 30), between(d, 0.001, 1), between(d, 5, 30));
+    double slide = chance(d, 0.3) ? 0 : between(d, 0.01, 30);
+    add(d, "slide_to_roll = %.4g\n", chance(d, 0.5) ? slide : -slide);
+    if (chance(d, 0.3))
+        add(d, "[lubricant]\nrheology = eyring\neyring_number = %.4g\n",
+            between(d, 0.1, 50));
+    add(d, "[domain]\nlevel = %d\n", whole(d, 4, 6));
+    if (chance(d, 0.75))
+        add(d, "[time]\nend = %.3g\n", test_random(&d->state, 0.1, 0.4));
+}
+
+/* Where a feature is across a strip W wide, and its extent there. */
+static void across(draw *d, double W)
+{
+    static const char *const extents[] = {"round", "endless", "0.3", "2"};
+    add(d, "across = %.4g\nwidth_across = %s\n",
+        test_random(&d->state, -W / 2, W / 2), extents[whole(d, 0, 3)]);
+}
+
+/* A feature `height` high; W: the width of the strip, 0 of a line. */
+static void wide_feature(draw *d, int number, double height, double W)
+{
+    int shape = whole(d, 0, W > 0 ? 7 : 3);
+    double angle = asin(whole(d, 1, 3) * 0.25);
+    add(d, "[feature w%d]\nsurface = %d\n", number, whole(d, 1, 2));
+    switch (shape) {
+    case 0:
+    case 1:
+        add(d, "shape = %s\n%s = %.4g\nwidth = %.4g\nstart = %.4g\n",
+            shape ? "bump" : "dent", shape ? "height" : "depth", height,
+            between(d, 0.2, 2), test_random(&d->state, -3, 1));
+        if (W > 0)
+            across(d, W);
+        break;
+    case 2:
+    case 3:
+        add(d,
+            "shape = roughness\nRq = %.4g\nlength = 12\nshortest = %.3g\n"
+            "start = %.3g\n",
+            height, between(d, 0.1, 1), test_random(&d->state, -6, 6));
+        if (W > 0)
+            add(d, "peklenik = %.3g\nangle = %.3g deg\n", between(d, 0.1, 10),
+                test_random(&d->state, -90, 90));
+        break;
+    case 4:
+        add(d,
+            "shape = wave\namplitude = %.4g\nwavelength = %.15g\n"
+            "angle = %.15g rad\n",
+            height, W * sin(angle) / whole(d, 1, 4), angle);
+        break;
+    case 5:
+        add(d,
+            "shape = groove\ndepth = %.4g\nwidth = %.3g\nflank = 0.1\n"
+            "length_across = %.3g\nangle = %.3g deg\nstart = %.3g\n",
+            height, between(d, 0.1, 0.6), between(d, 0.3, W),
+            test_random(&d->state, -80, 80), test_random(&d->state, -2, 1));
+        break;
+    case 6:
+        add(d,
+            "shape = texture\ndepth = %.4g\nwidth = 0.3\nwavelength = 0.7\n"
+            "wavelength_across = %.15g\nstagger = %.2g\n",
+            height, W / whole(d, 1, 3), test_random(&d->state, 0, 1));
+        break;
+    default:
+        add(d,
+            "shape = areal\nfile = any_map.csv\nunit_z = b^2/R\n"
+            "spacing = %.15g\nscale = %.4g\nstart = %.3g\n"
+            "extend = periodic\n",
+            W / (0.95 * 39), height, test_random(&d->state, -6, 6));
+    }
+}
+
+static void wide_contact(draw *d)
+{
+    wide_conditions(d);
+    double H = film_of(d), W = 0;
+    if (chance(d, 0.5))
+        add(d, "[strip]\nwidth = %.15g\n", W = between(d, 1, 3));
+    if (!isfinite(H))
+        H = 0.1;
+    for (int k = chance(d, 0.85) ? whole(d, 1, 2) : 0; k > 0; k--)
+        wide_feature(d, k, H / between(d, 0.1, 100), W);
+}
+
+/* --------------------------------------------------------------------- keys */
+
 /* What decides how long it takes is the survey's own. */
 static bool is_left_out(const ovr_parameter *p, const char *section)
 {
@@ -83,6 +217,14 @@ static void write_files(void)
                     k ? 0.1 * sin(0.3 * i) : 1 + 0.3 * sin(0.1 * i));
         fclose(out);
     }
+    FILE *map = fopen("any_map.csv", "w");
+    assert_non_null(map);
+    for (int j = 0; j < 40; j++)
+        for (int i = 0; i < 120; i++)
+            fprintf(map, "%g%c",
+                    sin(0.4 * i) * cos(0.3 * j) + 0.5 * sin(1.1 * i + 0.8 * j),
+                    i < 119 ? ';' : '\n');
+    fclose(map);
 }
 
 /* A usual number, or one anywhere in the range, with its unit. */
@@ -183,12 +325,13 @@ static void show(const draw *d)
 }
 
 typedef struct watch {
-    int steps, words, infinite;
+    int steps, most, words, infinite;
 } watch;
 
 static bool stop(void *data)
 {
-    return ++((watch *)data)->steps > MAX_STEPS;
+    watch *w = data;
+    return ++w->steps > w->most;
 }
 
 static bool has_word(const char *text)
@@ -217,16 +360,31 @@ static void take(void *data, const ovr_summary_line *line)
     print_message("    %s is infinite\n", line->key);
 }
 
-static int fields_at_fault(const ovr_simulation *sim)
+static int line_at_fault(const ovr_state *s, double Y)
 {
-    const ovr_state *s = ovr_simulation_state(sim);
     for (size_t i = 0; i < s->n; i++)
         if (!isfinite(s->P[i]) || !isfinite(s->H[i]) || s->P[i] < 0) {
-            print_message("    P, H = %g, %g at X = %g\n", s->P[i], s->H[i],
-                          s->X[i]);
+            print_message("    P, H = %g, %g at X, Y = %g, %g\n", s->P[i],
+                          s->H[i], s->X[i], Y);
             return 1;
         }
     return 0;
+}
+
+/* Of all lines of a strip. */
+static int fields_at_fault(ovr_simulation *sim)
+{
+    size_t lines = 1, shown;
+    const double *Y = ovr_simulation_lines(sim, &lines, &shown);
+    if (!Y)
+        return line_at_fault(ovr_simulation_state(sim), 0);
+    int wrong = 0;
+    for (size_t j = 0; j < lines && !wrong; j++) {
+        ovr_simulation_show(sim, j);
+        wrong = line_at_fault(ovr_simulation_state(sim), Y[j]);
+    }
+    ovr_simulation_show(sim, shown);
+    return wrong;
 }
 
 static int closes(const ovr_run *run)
@@ -273,7 +431,7 @@ static void give_back(void *context, void *memory)
 static double film_on(const draw *d, const char *level, int *order,
                       double *error)
 {
-    watch w = {0};
+    watch w = {.most = d->most};
     ovr_error err = {0};
     ovr_run_options how = {0};
     ovr_case *c = make(d, &err);
@@ -323,10 +481,31 @@ static bool misleads(const draw *d, int *told)
     return true;
 }
 
-/* How many things are wrong with it. */
-static int try(const draw *d, int *solved)
+/* CPU time relative to the estimate of `check`, of runs that reached their end
+ * and have taken or were to take more than the start of a program. */
+static double cost_of(const draw *d, double seconds)
 {
-    watch w = {0};
+    const double start = 0.1;
+    ovr_error err = {0};
+    ovr_case *c = make(d, &err);
+    ovr_setup *s = c ? ovr_case_resolve(c, NULL, &err) : NULL;
+    double told = NAN;
+    if (s && !ovr_setup_prepare(s, NULL, &err))
+        told = ovr_setup_cost(s, 0).seconds;
+    ovr_setup_free(s);
+    ovr_case_free(c);
+    return fmax(told, seconds) > start ? seconds / told : NAN;
+}
+
+typedef struct ending {
+    bool solved, failed;
+    double cost; /* NAN: not compared */
+} ending;
+
+/* How many things are wrong with it. */
+static int try(const draw *d, ending *e)
+{
+    watch w = {.most = d->most};
     ovr_error err = {0};
     ovr_run_options how = {0};
     ovr_case *c = make(d, &err);
@@ -335,24 +514,41 @@ static int try(const draw *d, int *solved)
     how.say = listen;
     budget capacity = {(size_t)1 << 30};
     const ovr_allocator within = {take_within, give_back, &capacity};
+    clock_t begun = clock();
     ovr_run *run = c ? ovr_run_create(c, &how, &within, &err) : NULL;
     int wrong = 0;
+    *e = (ending){.failed = !run, .cost = NAN};
     if (run) {
         ovr_status status = ovr_run_go(run, &err);
-        bool done = !status || status == OVR_STOPPED;
-        *solved += done;
-        if (done) {
+        double seconds = (double)(clock() - begun) / CLOCKS_PER_SEC;
+        e->solved = !status || status == OVR_STOPPED;
+        e->failed = !e->solved;
+        if (!status)
+            e->cost = cost_of(d, seconds);
+        if (e->solved) {
             ovr_run_summary(ovr_run_about(run), take, &w);
-            wrong += fields_at_fault(ovr_run_about(run)->sim) + closes(run);
+            wrong += fields_at_fault(run->sim) + closes(run);
         }
     }
-    if (has_word(err.message)) {
+    if (has_word(err.message) || (e->failed && !*err.message)) {
         print_message("    failed: %s\n", err.message);
         wrong++;
     }
+    if (getenv("OVERROLL_RUNS"))
+        print_message("    %s%s, cost %.2g of the estimate\n",
+                      e->failed ? "failed: " : "solved",
+                      e->failed ? err.message : "", e->cost);
     ovr_run_free(run);
     ovr_case_free(c);
     return wrong + w.words + w.infinite;
+}
+
+static void tell_seed(const draw *d, uint64_t seed, int k, bool wrong)
+{
+    if (wrong || getenv("OVERROLL_RUNS"))
+        print_message("  seed %llu\n", (unsigned long long)seed + (unsigned)k);
+    if (wrong)
+        show(d);
 }
 
 void test_any_case_survey(uint64_t seed, int runs)
@@ -361,21 +557,17 @@ void test_any_case_survey(uint64_t seed, int runs)
     write_files();
     for (int k = 0; k < runs; k++) {
         static draw d;
-        d = (draw){.state = seed + (uint64_t)k};
+        ending e;
+        d = (draw){.state = seed + (uint64_t)k, .most = MAX_STEPS};
         contact(&d);
         for (int tries = 0; tries < 40 && d.keys < MAX_KEYS; tries++)
             add_key(&d);
-        if (getenv("OVERROLL_RUNS"))
-            print_message("  seed %llu\n",
-                          (unsigned long long)seed + (unsigned)k);
-        bool fails = try(&d, &solved), steady = !strstr(d.base, "[time]");
+        bool fails = try(&d, &e), steady = !strstr(d.base, "[time]");
         bool misled_by = !fails && steady && misleads(&d, &told);
         misled += misled_by;
         wrong += fails;
-        if (!fails && !misled_by)
-            continue;
-        print_message("  seed %llu:\n", (unsigned long long)seed + (unsigned)k);
-        show(&d);
+        solved += e.solved;
+        tell_seed(&d, seed, k, fails || misled_by);
     }
     print_message("    %d cases, %d solved, %d at fault; %d of %d steady ones "
                   "told less than levels 7 and 8 differ\n",
@@ -383,4 +575,31 @@ void test_any_case_survey(uint64_t seed, int runs)
     assert_int_equal(wrong, 0);
     /* one may be in a hundred cases, of which thirty are compared */
     assert_true(100 * (misled - 1) <= 3 * told);
+}
+
+void test_wide_case_survey(uint64_t seed, int runs)
+{
+    int wrong = 0, solved = 0, compared = 0, dear = 0, cheap = 0;
+    write_files();
+    for (int k = 0; k < runs; k++) {
+        static draw d;
+        ending e;
+        d = (draw){.state = seed + (uint64_t)k, .most = WIDE_STEPS};
+        wide_contact(&d);
+        for (int tries = 0; tries < 12 && d.keys < MAX_KEYS / 2; tries++)
+            add_key(&d);
+        bool fails = try(&d, &e);
+        wrong += fails;
+        solved += e.solved;
+        compared += !isnan(e.cost);
+        dear += e.cost > 10;
+        cheap += e.cost < 0.1;
+        tell_seed(&d, seed, k, fails || e.cost > 10);
+    }
+    print_message("    %d cases, %d solved, %d at fault; of %d that took time "
+                  "%d took more than ten times the estimate, %d less than a "
+                  "tenth\n",
+                  runs, solved, wrong, compared, dear, cheap);
+    assert_int_equal(wrong, 0);
+    assert_true(20 * (dear - 1) <= compared);
 }

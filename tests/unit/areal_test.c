@@ -148,6 +148,34 @@ TEST(form_is_removed_and_gaps_are_filled)
     ovr_areal_free(map);
 }
 
+/* Spikes on a rough wavy map, at a corner too; the rest stays. */
+TEST(outliers_of_a_map_are_found_and_replaced)
+{
+    static const size_t spike[] = {0, 1234, 1235, 2000};
+    ovr_areal *map = make_map(60, 40, 0.1, 0.1);
+    ovr_conditioning how = ovr_conditioning_default();
+    uint64_t seed = 8;
+    double kept[2400];
+    how.level = OVR_LEVEL_NONE;
+    how.outliers = 10;
+    for (size_t k = 0; k < 2400; k++)
+        map->z[k] = kept[k] = cos(0.05 * (double)(k % 60)) +
+                              sin(0.07 * (double)(k / 60)) +
+                              test_random(&seed, -0.05, 0.05);
+    for (size_t k = 0; k < 4; k++)
+        map->z[spike[k]] += k % 2 ? -2 : 3;
+    assert_true(!ovr_areal_condition(map, &how, NULL));
+    assert_non_null(strstr(map->notes, "4 outliers beyond 10 robust"));
+    for (size_t k = 0; k < 2400; k++) {
+        bool was = k == spike[0] || k == spike[1] || k == spike[2] ||
+                   k == spike[3];
+        CHECK_NEAR(map->z[k], kept[k], was ? 0.3 : 0);
+    }
+    how.outliers = -1;
+    assert_true(ovr_areal_condition(map, &how, NULL) == OVR_BAD_INPUT);
+    ovr_areal_free(map);
+}
+
 /* Distance along x or y where the autocorrelation falls below exp(-1). */
 static double decay(const ovr_areal *map, bool along)
 {

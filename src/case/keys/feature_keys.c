@@ -105,6 +105,9 @@ static const ovr_parameter feature_keys[] = {
      "unit of the heights if the file does not specify it"},
     {"spacing", SIZE, NULL, IN_FEATURE(source.spacing), true,
      "shape = profile | areal", "spacing of the heights if the file has no x"},
+    {"spacing_across", SIZE, NULL, IN_FEATURE(source.spacing_across), true,
+     "shape = profile | areal; spacing",
+     "distance of the rows of a map if it is not the spacing"},
     {"column_x", WHOLE(1, 1000), NULL, IN_FEATURE(source.column_x), true,
      "shape = profile", "column of the lengths"},
     {"column_z", WHOLE(1, 1000), NULL, IN_FEATURE(source.column_z), true,
@@ -139,7 +142,7 @@ static const ovr_parameter feature_keys[] = {
     {"max_missing", PLAIN(0, 0.95), "0.2", IN_FEATURE(conditioning.max_missing),
      true, "shape = profile | areal", "largest missing fraction"},
     {"outliers", PLAIN(1, 1e3), NULL, IN_FEATURE(conditioning.outliers), true,
-     "shape = profile",
+     "shape = profile | areal",
      "replace points that deviate from their neighbours by more than this "
      "number of robust standard deviations"},
     {"level", CHOICE(levellings), "line", IN_FEATURE(conditioning.level), true,
