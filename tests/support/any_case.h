@@ -26,8 +26,8 @@ void test_any_case_survey(uint64_t seed, int runs);
  * to ceramics, slide-to-roll ratios to 30 either way, dents, grooves, waves,
  * textures, roughness and measured maps of 0.01 to 10 times the smooth film,
  * and up to six keys of any section.  Each is solved or fails in a sentence as
- * above; of those that take time at most one in twenty, and one more, take ten
- * times as long as `check` says.
+ * above; in a survey of 200 or more at most one in twenty of those that take
+ * time takes ten times as long as `check` says.
  */
 void test_wide_case_survey(uint64_t seed, int runs);
 
