@@ -4,8 +4,8 @@
  *
  * Outliers are detected by Hampel's test: r_i = z_i - median of its 11
  * neighbours; |r_i| > limit sigma with sigma = 1.4826 median |r|, which is the
- * standard deviation of Gaussian heights and does not feel the outliers.  Of
- * maps the neighbours are 5 x 5 points.
+ * standard deviation of Gaussian heights and does not feel the outliers.  The
+ * neighbours in a map are 5 x 5 points.
  */
 #include "surface/conditioning.h"
 

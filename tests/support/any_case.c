@@ -124,7 +124,7 @@ static void across(draw *d, double W)
         test_random(&d->state, -W / 2, W / 2), extents[whole(d, 0, 3)]);
 }
 
-/* A feature `height` high; W: the width of the strip, 0 of a line. */
+/* A feature `height` high on a strip W wide, or on a line (W = 0). */
 static void wide_feature(draw *d, int number, double height, double W)
 {
     int shape = whole(d, 0, W > 0 ? 7 : 3);

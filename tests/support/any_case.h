@@ -22,12 +22,12 @@
 void test_any_case_survey(uint64_t seed, int runs);
 
 /*
- * The same of wider cases, half of them on a strip, on levels 4 to 6: rubber
- * to ceramics, slide-to-roll ratios to 30 either way, dents, grooves, waves,
- * textures, roughness and measured maps of 0.01 to 10 times the smooth film,
- * and up to six keys of any section.  Each is solved or fails in a sentence as
- * above; in a survey of 200 or more at most one in twenty of those that take
- * time takes ten times as long as `check` says.
+ * Wider cases, half of them strips on levels 4 to 6.  Contacts of rubber to
+ * ceramics have slide-to-roll ratios to 30 either way.  Features are 0.01 to 10
+ * times as high as the smooth film.  Up to six keys of any section are drawn
+ * too.  Each case is solved or fails in a sentence.  In a survey of 200 or more
+ * at most one in twenty of those that take time takes ten times as long as
+ * `check` says.
  */
 void test_wide_case_survey(uint64_t seed, int runs);
 
