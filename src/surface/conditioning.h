@@ -29,8 +29,8 @@ void ovr_gaussian(const ovr_points *of, double lambda, bool uniform,
  * the median of its 11 neighbours; returns how many.  `work` holds 2 n. */
 size_t ovr_mark_outliers(size_t n, double *z, double limit, double *work);
 
-/* Marks outliers of a map of ny rows of nx heights.  The median is that of 5 x 5
- * neighbours, and `work` holds 2 nx ny. */
+/* Marks outliers of a map of ny rows of nx heights.  The median is that of
+ * 5 x 5 neighbours, and `work` holds 2 nx ny. */
 size_t ovr_mark_map_outliers(size_t nx, size_t ny, double *z, double limit,
                              double *work);
 
