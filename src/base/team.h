@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/*
+ * Threads that share loops.
+ *
+ * A loop over `count` items is divided into contiguous parts, one for each
+ * member of the team.  The calling thread is member 0.  The parts depend on
+ * `count` and on the number of members alone, so that a member has the same
+ * data in its cache in all loops.
+ *
+ * A loop whose items are independent gives the same bits for any number of
+ * members.  Sums over all items are to be stored item by item and added by the
+ * caller.
+ *
+ * The child of a fork has no threads.  There the calling thread does all parts.
+ *
+ * Members that have no work wait actively for about 0.1 ms and then sleep.
+ */
+#ifndef OVR_BASE_TEAM_H
+#define OVR_BASE_TEAM_H
+
+#include <pthread.h>
+#include <stdatomic.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <sys/types.h>
+
+enum { OVR_TEAM_MOST = 64 };
+
+typedef struct ovr_team ovr_team;
+
+/* Work on the items from .. to - 1 of a loop. */
+typedef void ovr_team_work(void *data, int member, size_t from, size_t to);
+
+typedef struct ovr_team_member {
+    ovr_team *team;
+    int number;
+    pthread_t thread;
+} ovr_team_member;
+
+/* Zeros are a team of the calling thread alone.  A team that was started stays
+ * where it is. */
+struct ovr_team {
+    int members;   /* 0 or 1: no thread was started */
+    pid_t process; /* in which the threads are */
+    ovr_team_member member[OVR_TEAM_MOST];
+    /* The loop that is run.  Written by member 0 before `loop` is counted up,
+     * while all others wait. */
+    ovr_team_work *work;
+    void *data;
+    size_t count;
+    atomic_uint loop; /* number of the loop */
+    atomic_int busy;  /* members of it other than 0 that are not done */
+    /* Guards what follows.  A member sleeps until `loop` changes, member 0
+     * until `busy` is 0. */
+    pthread_mutex_t mutex;
+    pthread_cond_t changed;
+    int asleep;
+    bool closing;
+};
+
+/* Starts members - 1 threads, or fewer where the system has no more. */
+void ovr_team_start(ovr_team *team, int members);
+
+/* Ends the threads; the team is that of the calling thread again. */
+void ovr_team_end(ovr_team *team);
+
+/* Runs a loop and returns when all items are done. */
+void ovr_team_run(ovr_team *team, size_t count, ovr_team_work *work,
+                  void *data);
+
+#endif
