@@ -143,8 +143,7 @@ double ovr_strip_newton(ovr_strip *strip, bool shortened)
     ovr_strip_level *level = &strip->level[0];
     const ovr_strip_grid *g = &level->grid;
     const ovr_strip_cycling any = ovr_strip_steady(&strip->fluid);
-    strip->run->choose(g, &level->weights, &any.smoothing, level->near[0][0],
-                       &level->f);
+    ovr_strip_choose_nodes(strip, level, &any.smoothing);
     size_t count = find_unknowns(level, strip->unknown);
     size_t m = count + 1, stride = (m + 8 + 7) / 8 * 8;
     for (size_t r = 0; r < count; r++)
@@ -154,7 +153,7 @@ double ovr_strip_newton(ovr_strip *strip, bool shortened)
         last[c] = 1;
     last[count] = 0;
     last[m] = level->force * (double)g->lines / g->D -
-              strip->run->sum(g, level->f.P);
+              ovr_strip_sum(strip, level, level->f.P);
     if (!strip->kernels->dense_solve(m, stride, strip->matrix, strip->solution))
         return -1;
     double largest = apply(strip, count, shortened);

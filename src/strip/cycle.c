@@ -7,8 +7,6 @@
  *
  * A cycle costs 4/3 of the work on the finest grid.
  */
-#include <string.h>
-
 #include "strip/kernels.h"
 
 /* Damping 1 and the weights of a time step: even lines, then odd ones with the
@@ -16,60 +14,36 @@
 static void relax_zebra(ovr_strip *strip, ovr_strip_level *level,
                         const ovr_strip_smoothing *how)
 {
-    const ovr_strip_kernels *run = strip->run;
-    const ovr_strip_grid *g = &level->grid;
-    const ovr_strip_fields *f = &level->f;
     for (int colour = 0; colour < 2; colour++) {
         if (colour)
-            run->residual(g, &level->weights, f);
-        run->solve_lines(g, &level->weights, how, level->near[0], f,
-                         strip->work);
-        run->damp(g, how, colour, f);
-        run->wrap(g, f->spread);
-        run->distribute(g, how, f);
-        run->wrap(g, f->P);
+            ovr_strip_residual(strip, level, false);
+        ovr_strip_relax_lines(strip, level, how, colour);
     }
 }
 
 void ovr_strip_relax(ovr_strip *strip, ovr_strip_level *level,
                      const ovr_strip_smoothing *how)
 {
-    const ovr_strip_kernels *run = strip->run;
-    const ovr_strip_grid *g = &level->grid;
-    const ovr_strip_fields *f = &level->f;
-    double k = level->near[0][0];
-    run->choose(g, &level->weights, how, k, f);
-    run->wrap(g, f->moves);
-    run->wrap(g, f->share);
-    if (how->zebra) {
+    ovr_strip_choose_nodes(strip, level, how);
+    if (how->zebra)
         relax_zebra(strip, level, how);
-    } else {
-        run->solve_lines(g, &level->weights, how, level->near[0], f,
-                         strip->work);
-        run->damp(g, how, -1, f);
-        run->wrap(g, f->spread);
-        run->distribute(g, how, f);
-    }
+    else
+        ovr_strip_relax_lines(strip, level, how, -1);
     if (how->end_sweeps > 0)
-        run->sweep_ends(g, &level->weights, how, k, f, strip->work);
+        strip->run->sweep_ends(&level->grid, &level->weights, how,
+                               level->near[0][0], &level->f, strip->work);
     ovr_strip_refresh(strip, level);
 }
 
-static void restrict_to(ovr_strip *strip, const ovr_strip_level *fine,
+static void restrict_to(ovr_strip *strip, ovr_strip_level *fine,
                         ovr_strip_level *coarse)
 {
-    const ovr_strip_kernels *run = strip->run;
-    const ovr_strip_fields *f = &coarse->f;
-    run->residual(&fine->grid, &fine->weights, &fine->f);
-    run->wrap(&fine->grid, fine->f.r);
-    run->restrict_fields(&coarse->grid, &fine->grid, &fine->f, strip->H0, f);
-    ovr_strip_deform(strip, coarse, f->P, f->w);
-    run->coarse_gap(&coarse->grid, f->w, f->gap);
+    ovr_strip_residual(strip, fine, true);
+    ovr_strip_restrict(strip, coarse);
+    ovr_strip_deform(strip, coarse, coarse->f.P, coarse->f.w);
+    ovr_strip_coarse_gap(strip, coarse);
     ovr_strip_properties(strip, coarse);
-    run->wrap(&coarse->grid, f->entry);
-    memset(f->F, 0, ovr_strip_size(&coarse->grid) * sizeof *f->F);
-    run->residual(&coarse->grid, &coarse->weights, f);
-    run->coarse_side(&coarse->grid, f->spread, f->r, f->F);
+    ovr_strip_coarse_side(strip, coarse);
     coarse->force = ovr_strip_load(strip, coarse) + fine->force -
                     ovr_strip_load(strip, fine);
 }
@@ -101,10 +75,8 @@ void ovr_strip_cycle(ovr_strip *strip, int number, const ovr_strip_cycling *how)
     restrict_to(strip, level, coarse);
     clear_spread(coarse);
     ovr_strip_cycle(strip, number - 1, how);
-    strip->run->wrap(&coarse->grid, coarse->f.P);
-    strip->run->correct(&coarse->grid, &level->grid,
-                        number == strip->finest ? how->correction : 1,
-                        &coarse->f, level->f.P);
+    ovr_strip_correct(strip, level,
+                      number == strip->finest ? how->correction : 1);
     ovr_strip_refresh(strip, level);
     for (int s = 0; s < how->sweeps_after; s++)
         ovr_strip_relax(strip, level, &how->smoothing);

@@ -25,6 +25,10 @@
 #include "multigrid/field.h"
 #include "strip/kernels.h"
 
+/* Rows and columns of a transform.  FFTW's choice of a method depends on them,
+ * which is why they do not depend on the number of threads. */
+enum { ROWS = 16, COLUMNS = 8 };
+
 static double integral_beyond(double z)
 {
     const double step = 0.2;
@@ -91,29 +95,47 @@ static void transform_table(ovr_strip_elastic *e)
         for (size_t m = 0; m < e->modes; m++)
             x[i * e->modes + m][0] = e->table[d * e->modes + m];
     }
-    fftw_execute(e->to_waves);
+    for (size_t m = 0; m < e->modes; m += COLUMNS) {
+        bool part = m + COLUMNS > e->modes;
+        fftw_execute_dft(e->to_waves[part], x + m, x + m);
+    }
     for (size_t k = 0; k < e->n * e->modes; k++)
         e->table[k] = -factor * x[k][0]; /* H = H0 + gap - w */
 }
 
-static bool plan(ovr_strip_elastic *e, double *field)
+/* Plans transforms of `rows` rows and `columns` columns, k = 0, or of those
+ * that remain, k = 1.  None need to remain. */
+static bool plan(ovr_strip_elastic *e, double *field, int k, int rows,
+                 int columns)
 {
     const int lines = (int)e->lines, length = (int)e->length;
-    const int modes = (int)e->modes, rows = (int)e->n, stride = (int)e->stride;
+    const int modes = (int)e->modes, stride = (int)e->stride;
     fftw_complex *x = e->spectrum;
-    e->to_modes = fftw_plan_many_dft_r2c(1, &lines, rows, field, NULL, 1,
-                                         stride, x, NULL, 1, modes,
-                                         FFTW_ESTIMATE);
-    e->from_modes = fftw_plan_many_dft_c2r(1, &lines, rows, x, NULL, 1, modes,
-                                           field, NULL, 1, stride,
-                                           FFTW_ESTIMATE);
-    e->to_waves = fftw_plan_many_dft(1, &length, modes, x, NULL, modes, 1, x,
-                                     NULL, modes, 1, FFTW_FORWARD,
-                                     FFTW_ESTIMATE);
-    e->from_waves = fftw_plan_many_dft(1, &length, modes, x, NULL, modes, 1, x,
-                                       NULL, modes, 1, FFTW_BACKWARD,
-                                       FFTW_ESTIMATE);
-    return e->to_modes && e->from_modes && e->to_waves && e->from_waves;
+    if (rows > 0) {
+        e->to_modes[k] = fftw_plan_many_dft_r2c(1, &lines, rows, field, NULL, 1,
+                                                stride, x, NULL, 1, modes,
+                                                FFTW_ESTIMATE);
+        e->from_modes[k] = fftw_plan_many_dft_c2r(1, &lines, rows, x, NULL, 1,
+                                                  modes, field, NULL, 1, stride,
+                                                  FFTW_ESTIMATE);
+    }
+    if (columns > 0) {
+        e->to_waves[k] = fftw_plan_many_dft(1, &length, columns, x, NULL, modes,
+                                            1, x, NULL, modes, 1, FFTW_FORWARD,
+                                            FFTW_ESTIMATE);
+        e->from_waves[k] = fftw_plan_many_dft(1, &length, columns, x, NULL,
+                                              modes, 1, x, NULL, modes, 1,
+                                              FFTW_BACKWARD, FFTW_ESTIMATE);
+    }
+    return (rows == 0 || (e->to_modes[k] && e->from_modes[k])) &&
+           (columns == 0 || (e->to_waves[k] && e->from_waves[k]));
+}
+
+static bool plan_all(ovr_strip_elastic *e, double *field)
+{
+    return plan(e, field, 0, e->n < ROWS ? 0 : ROWS,
+                e->modes < COLUMNS ? 0 : COLUMNS) &&
+           plan(e, field, 1, (int)(e->n % ROWS), (int)(e->modes % COLUMNS));
 }
 
 ovr_status ovr_strip_elastic_allocate(ovr_strip_elastic *e,
@@ -139,7 +161,7 @@ ovr_status ovr_strip_elastic_plan(ovr_strip_elastic *e, const ovr_strip_grid *g,
 {
     const double wave = 2 * acos(-1) / ((double)g->lines * g->Dy);
     ovr_planning_begin();
-    bool whole = plan(e, near->f.w);
+    bool whole = plan_all(e, near->f.w);
     ovr_planning_end();
     if (!whole)
         return ovr_fail(err, OVR_NO_MEMORY, "no memory to plan transforms");
@@ -159,28 +181,77 @@ ovr_status ovr_strip_elastic_plan(ovr_strip_elastic *e, const ovr_strip_grid *g,
 
 void ovr_strip_elastic_release(ovr_strip_elastic *e)
 {
-    fftw_plan *const plans[] = {&e->to_modes, &e->to_waves, &e->from_waves,
-                                &e->from_modes};
+    fftw_plan *const plans[] = {e->to_modes, e->to_waves, e->from_waves,
+                                e->from_modes};
     ovr_planning_begin();
-    for (size_t k = 0; k < sizeof plans / sizeof *plans; k++) {
-        if (*plans[k])
-            fftw_destroy_plan(*plans[k]);
-        *plans[k] = NULL;
+    for (size_t k = 0; k < 2 * sizeof plans / sizeof *plans; k++) {
+        fftw_plan *p = &plans[k / 2][k % 2];
+        if (*p)
+            fftw_destroy_plan(*p);
+        *p = NULL;
     }
     ovr_planning_end();
+}
+
+/* Arguments of the passes of a deformation. */
+typedef struct deformation {
+    ovr_strip *strip;
+    const ovr_strip_elastic *e;
+    double *P, *w;
+} deformation;
+
+static void to_modes(void *data, int member, size_t from, size_t to)
+{
+    const deformation *d = data;
+    const ovr_strip_elastic *e = d->e;
+    (void)member;
+    for (size_t b = from; b < to; b++) {
+        size_t i = b * ROWS;
+        fftw_execute_dft_r2c(e->to_modes[i + ROWS > e->n], d->P + i * e->stride,
+                             e->spectrum + i * e->modes);
+    }
+}
+
+static void from_modes(void *data, int member, size_t from, size_t to)
+{
+    const deformation *d = data;
+    const ovr_strip_elastic *e = d->e;
+    (void)member;
+    for (size_t b = from; b < to; b++) {
+        size_t i = b * ROWS;
+        fftw_execute_dft_c2r(e->from_modes[i + ROWS > e->n],
+                             e->spectrum + i * e->modes, d->w + i * e->stride);
+    }
+}
+
+/* The convolution along X of blocks of columns. */
+static void convolve(void *data, int member, size_t from, size_t to)
+{
+    const deformation *d = data;
+    const ovr_strip_elastic *e = d->e;
+    (void)member;
+    for (size_t b = from; b < to; b++) {
+        size_t m = b * COLUMNS, rest = e->modes - m;
+        fftw_complex *x = e->spectrum + m;
+        const ovr_part columns = {m, m + (rest < COLUMNS ? rest : COLUMNS)};
+        const size_t bytes = (columns.to - m) * sizeof *x;
+        for (size_t i = e->n; i < e->length; i++)
+            memset(x + i * e->modes, 0, bytes);
+        fftw_execute_dft(e->to_waves[rest < COLUMNS], x, x);
+        d->strip->run->multiply_modes(e->n, e->length, e->modes, columns,
+                                      e->table, (double *)e->spectrum);
+        fftw_execute_dft(e->from_waves[rest < COLUMNS], x, x);
+    }
 }
 
 void ovr_strip_deform(ovr_strip *strip, ovr_strip_level *level, double *P,
                       double *w)
 {
     const ovr_strip_elastic *e = &level->elastic;
-    size_t filled = e->n * e->modes;
-    fftw_execute_dft_r2c(e->to_modes, P, e->spectrum);
-    memset(e->spectrum + filled, 0,
-           (e->length * e->modes - filled) * sizeof *e->spectrum);
-    fftw_execute(e->to_waves);
-    strip->run->multiply_modes(e->n, e->length, e->modes, e->table,
-                               (double *)e->spectrum);
-    fftw_execute(e->from_waves);
-    fftw_execute_dft_c2r(e->from_modes, e->spectrum, w);
+    deformation d = {.strip = strip, .e = e, .P = P, .w = w};
+    const ovr_strip_grid *g = &level->grid;
+    size_t rows = (e->n + ROWS - 1) / ROWS;
+    ovr_strip_share(strip, g, rows, to_modes, &d);
+    ovr_strip_share(strip, g, (e->modes + COLUMNS - 1) / COLUMNS, convolve, &d);
+    ovr_strip_share(strip, g, rows, from_modes, &d);
 }

@@ -226,27 +226,29 @@ static INLINE void face_across(const faces *p, bool logarithmic, bool thins,
     put_face(p, logarithmic, thins, true, h, k, &to);
 }
 
-static INLINE void all_faces(const faces *p, bool logarithmic, bool thins,
-                             double *work)
+/* Half nodes behind and beside the nodes of the rows. */
+static INLINE void all_faces(const faces *p, ovr_part rows, bool logarithmic,
+                             bool thins, double *work)
 {
     const ovr_strip_grid *g = p->g;
     const size_t first = OVR_STRIP_HALO, s = g->stride;
     const size_t end = first + (g->lines + VEC - 1) / VEC * VEC;
     double *here = work, *next = work + ROWS * s;
-    for (size_t i = 0; i < g->n; i++) {
+    for (size_t i = rows.from; i <= rows.to && i < g->n; i++) {
         /* Elements from the halo before line 0 on. */
         size_t row = ovr_strip_row(g, i) - first;
         for (size_t j = 0; j < end + VEC && j < s; j += VEC) {
             keep(g, logarithmic, node_at(&p->f, &p->log, logarithmic, row + j),
                  j, next);
-            if (!i || j < first || j >= end)
+            if (i == rows.from || j < first || j >= end)
                 continue;
             face h = {.a = kept(g, logarithmic, j, here),
                       .b = kept(g, logarithmic, j, next)};
             face_along(p, logarithmic, thins, row - s + j, &h);
         }
         /* No row of the equation uses the flow across at the ends. */
-        for (size_t j = first - VEC; i && i + 1 < g->n && j < end; j += VEC) {
+        bool beside = i && i < rows.to && i + 1 < g->n;
+        for (size_t j = first - VEC; beside && j < end; j += VEC) {
             face h = {.a = kept(g, logarithmic, j, next),
                       .b = kept(g, logarithmic, j + 1, next)};
             face_across(p, logarithmic, thins, row + j, &h);
@@ -257,9 +259,9 @@ static INLINE void all_faces(const faces *p, bool logarithmic, bool thins,
     }
 }
 
-void OVR_STRIP_KERNEL(faces)(const ovr_strip_grid *g, const ovr_fluid *fluid,
-                             bool logarithmic, const ovr_strip_fields *f,
-                             double *work)
+void OVR_STRIP_KERNEL(faces)(const ovr_strip_grid *g, ovr_part rows,
+                             const ovr_fluid *fluid, bool logarithmic,
+                             const ovr_strip_fields *f, double *work)
 {
     const double Sigma0 = fluid->lubricant.Sigma0;
     const bool thins = fluid->lubricant.rheology != OVR_NEWTONIAN;
@@ -272,11 +274,11 @@ void OVR_STRIP_KERNEL(faces)(const ovr_strip_grid *g, const ovr_fluid *fluid,
         make_exp_table(1, &p.law.exp);
     }
     if (logarithmic && thins)
-        all_faces(&p, true, true, work);
+        all_faces(&p, rows, true, true, work);
     else if (logarithmic)
-        all_faces(&p, true, false, work);
+        all_faces(&p, rows, true, false, work);
     else if (thins)
-        all_faces(&p, false, true, work);
+        all_faces(&p, rows, false, true, work);
     else
-        all_faces(&p, false, false, work);
+        all_faces(&p, rows, false, false, work);
 }

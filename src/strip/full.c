@@ -92,7 +92,7 @@ static void interpolate(ovr_strip *strip, ovr_strip_level *coarse,
 {
     const ovr_strip_grid *g = &coarse->grid, *h = &fine->grid;
     double *P = fine->f.P;
-    strip->run->wrap(g, coarse->f.P);
+    ovr_strip_wrap(strip, coarse, coarse->f.P);
     for (size_t i = 0; i < g->n; i++)
         refine_row(g, coarse->f.P + ovr_strip_row(g, i),
                    P + ovr_strip_row(h, 2 * i));

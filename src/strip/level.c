@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include <math.h>
-#include <string.h>
 
 #include "multigrid/field.h"
 #include "multigrid/flow.h"
@@ -97,14 +96,19 @@ ovr_status ovr_strip_allocate(ovr_strip *strip, const ovr_strip_shape *shape,
     if (status)
         return status;
     strip->kernels = kernels;
+    strip->threads = shape->threads;
     strip->run = ovr_strip_kernels_of(kernels);
     const ovr_strip_grid *finest = &strip->level[strip->finest].grid;
     strip->spectrum = ovr_arena_take(arena, ovr_strip_spectrum_size(finest),
                                      sizeof *strip->spectrum, err);
-    size_t work = ovr_strip_work(finest);
     size_t newton = ovr_strip_size(&strip->level[0].grid);
-    strip->work = ovr_field(arena, work > newton ? work : newton, err);
-    if (!strip->spectrum || !strip->work)
+    size_t members = strip->threads > 1 ? (size_t)strip->threads : 1;
+    strip->work_size = ovr_strip_work(finest);
+    if (strip->work_size < newton)
+        strip->work_size = newton;
+    strip->work = ovr_field(arena, members * strip->work_size, err);
+    strip->sums = ovr_field(arena, finest->n, err);
+    if (!strip->spectrum || !strip->work || !strip->sums)
         return OVR_NO_MEMORY;
     status = take_coarsest(strip, arena, err);
     for (int l = 0; l <= strip->finest && !status; l++) {
@@ -125,6 +129,8 @@ ovr_status ovr_strip_plan(ovr_strip *strip, ovr_error *err)
         status = ovr_strip_elastic_plan(&level->elastic, &level->grid, level,
                                         l ? NULL : strip->influence, err);
     }
+    if (!status)
+        ovr_team_start(&strip->team, strip->threads);
     return status;
 }
 
@@ -138,6 +144,7 @@ ovr_status ovr_strip_create(ovr_strip *strip, const ovr_strip_shape *shape,
 
 void ovr_strip_release(ovr_strip *strip)
 {
+    ovr_team_end(&strip->team);
     for (int l = 0; l <= strip->finest; l++)
         ovr_strip_elastic_release(&strip->level[l].elastic);
 }
@@ -163,42 +170,16 @@ void ovr_strip_characteristic(ovr_strip *strip, double time)
         set_weights(&strip->level[l], 0, time);
 }
 
-void ovr_strip_properties(ovr_strip *strip, ovr_strip_level *level)
-{
-    const ovr_strip_grid *g = &level->grid;
-    const ovr_strip_fields *f = &level->f;
-    const size_t first = OVR_STRIP_HALO;
-    size_t V = strip->kernels->lanes;
-    const ovr_lanes all = {
-        .n = ovr_strip_size(g), .S = ovr_strip_size(g) / V, .V = V};
-    strip->run->wrap(g, f->P);
-    strip->run->wrap(g, f->w);
-    strip->run->wrap(g, f->gap);
-    /* Rows with their halos are one array of nodes to the film. */
-    const ovr_fields film = {.P = f->P - first,
-                             .H = f->H - first,
-                             .rho = f->rho - first,
-                             .dq = f->dq - first,
-                             .eps = f->eps - first,
-                             .deps = f->deps - first,
-                             .q = f->q - first,
-                             .deps_dH = level->number ? NULL
-                                                      : strip->deps_dH - first};
-    strip->kernels->film(&strip->fluid, strip->H0, &all, f->gap - first,
-                         f->w - first, &film);
-    strip->run->faces(g, &strip->fluid, strip->logarithmic, f, strip->work);
-}
-
 void ovr_strip_refresh(ovr_strip *strip, ovr_strip_level *level)
 {
     ovr_strip_deform(strip, level, level->f.P, level->f.w);
     ovr_strip_properties(strip, level);
 }
 
-double ovr_strip_load(const ovr_strip *strip, const ovr_strip_level *level)
+double ovr_strip_load(ovr_strip *strip, ovr_strip_level *level)
 {
     const ovr_strip_grid *g = &level->grid;
-    return strip->run->sum(g, level->f.P) * g->D / (double)g->lines;
+    return ovr_strip_sum(strip, level, level->f.P) * g->D / (double)g->lines;
 }
 
 double ovr_strip_centre(const ovr_strip_level *level, const double *H)
@@ -218,13 +199,11 @@ double ovr_strip_centre(const ovr_strip_level *level, const double *H)
     return sum / (double)g->lines;
 }
 
-ovr_strip_defect ovr_strip_defect_of(const ovr_strip *strip,
-                                     const ovr_strip_level *level)
+ovr_strip_defect ovr_strip_defect_of(ovr_strip *strip, ovr_strip_level *level)
 {
     const ovr_strip_grid *g = &level->grid;
     ovr_strip_defect d = {.centre = ovr_strip_centre(level, level->f.H)};
-    strip->run->residual(g, &level->weights, &level->f);
-    d.imbalance = strip->run->imbalance(g, &level->f) * g->D /
+    d.imbalance = ovr_strip_imbalance(strip, level) * g->D /
                   ((double)g->lines * d.centre);
     d.load = fabs(level->force - ovr_strip_load(strip, level)) / level->force;
     return d;

@@ -4,6 +4,14 @@
 #define OVR_STRIP_LINES_H
 
 #include "multigrid/vector.h"
+#include "strip/kernels.h"
+
+/* Rows of a part without the first and the last of the grid. */
+static inline ovr_part between_ends(const ovr_strip_grid *g, ovr_part rows)
+{
+    return (ovr_part){rows.from ? rows.from : 1,
+                      rows.to < g->n ? rows.to : g->n - 1};
+}
 
 /* Elements of the vector at line j that are lines of the period. */
 static inline ivec lines_before(size_t j, size_t lines)

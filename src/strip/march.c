@@ -177,33 +177,51 @@ static void weigh(const ovr_strip_march *march, double a[3])
     a[2] = r * r / (1 + r) / t1;
 }
 
-static void make_side(const ovr_strip_march *march)
+/* Rows of the right side: rows of the past, moved on by `way` mesh sizes, with
+ * the weights a. */
+typedef struct side {
+    const ovr_strip_march *march;
+    double way[2], a[3];
+} side;
+
+static void fill_side(void *data, int member, size_t from, size_t to)
 {
+    const side *s = data;
+    const ovr_strip_march *march = s->march;
     const ovr_strip_level *level = finest_of(march);
     const ovr_strip_grid *g = &level->grid;
     const ptrdiff_t first = -(ptrdiff_t)march->ghosts;
     const size_t n = g->n + march->ghosts;
-    double a[3], moved = march->characteristic ? 1 / g->D : 0;
+    (void)member;
+    for (size_t i = from ? from : 1; i < to && i + 1 < g->n; i++) {
+        rows sum = {0};
+        for (int k = 0; k < 2; k++)
+            add_shifted(&sum, g, march->q[k], first, n, (ptrdiff_t)i, s->way[k],
+                        s->a[k + 1]);
+        march->strip->run->blend(g->lines, sum.count, sum.weight, sum.from,
+                                 level->f.F + ovr_strip_row(g, i));
+    }
+}
+
+static void make_side(const ovr_strip_march *march)
+{
+    const ovr_strip_grid *g = &finest_of(march)->grid;
+    double moved = march->characteristic ? 1 / g->D : 0;
     double way[2] = {march->next - march->T[0], march->next - march->T[1]};
+    side s = {.march = march};
     if (!(march->T[0] > march->T[1]))
         way[1] = 2 * way[0];
     for (size_t k = 0; k < 2; k++)
         if (!isnan(march->travel[k]))
             way[k] = march->travel[k];
-    weigh(march, a);
-    for (size_t i = 1; i + 1 < g->n; i++) {
-        rows sum = {0};
-        add_shifted(&sum, g, march->q[0], first, n, (ptrdiff_t)i,
-                    way[0] * moved, a[1]);
-        add_shifted(&sum, g, march->q[1], first, n, (ptrdiff_t)i,
-                    way[1] * moved, a[2]);
-        march->strip->run->blend(g->lines, sum.count, sum.weight, sum.from,
-                                 level->f.F + ovr_strip_row(g, i));
-    }
+    for (size_t k = 0; k < 2; k++)
+        s.way[k] = way[k] * moved;
+    weigh(march, s.a);
+    ovr_strip_share(march->strip, g, g->n, fill_side, &s);
     if (march->characteristic)
-        ovr_strip_characteristic(march->strip, a[0]);
+        ovr_strip_characteristic(march->strip, s.a[0]);
     else
-        ovr_strip_wedge(march->strip, march->speed, a[0]);
+        ovr_strip_wedge(march->strip, march->speed, s.a[0]);
 }
 
 static bool can_guess(const ovr_strip_march *march, int k)
@@ -215,14 +233,22 @@ static bool can_guess(const ovr_strip_march *march, int k)
     return march->known >= f->needs && (!shifts || isfinite(march->carried));
 }
 
-static void guess_pressure(const ovr_strip_march *march, int k, double *P)
+/* Rows of the pressure by a formula. */
+typedef struct guess {
+    const ovr_strip_march *march;
+    const formula *formula;
+    double *P;
+} guess;
+
+static void fill_guess(void *data, int member, size_t from, size_t to)
 {
-    const formula *f = &formulas[k];
+    const ovr_strip_march *march = ((const guess *)data)->march;
+    const formula *f = ((const guess *)data)->formula;
+    double *P = ((const guess *)data)->P;
     const ovr_strip_grid *g = &finest_of(march)->grid;
     double way = march->carried * (march->next - march->T[0]) / g->D;
-    memset(P, 0, g->lines * sizeof *P);
-    memset(P + ovr_strip_row(g, g->n - 1), 0, g->lines * sizeof *P);
-    for (size_t i = 1; i + 1 < g->n; i++) {
+    (void)member;
+    for (size_t i = from ? from : 1; i < to && i + 1 < g->n; i++) {
         rows sum = {0};
         for (size_t t = 0; t < f->count; t++)
             add_shifted(&sum, g, march->P[f->term[t].ago], 0, g->n,
@@ -234,6 +260,15 @@ static void guess_pressure(const ovr_strip_march *march, int k, double *P)
                                  P + row);
         march->strip->run->hold(g->lines, march->P[0] + row, P + row);
     }
+}
+
+static void guess_pressure(const ovr_strip_march *march, int k, double *P)
+{
+    const ovr_strip_grid *g = &finest_of(march)->grid;
+    guess of = {march, &formulas[k], P};
+    memset(P, 0, g->lines * sizeof *P);
+    memset(P + ovr_strip_row(g, g->n - 1), 0, g->lines * sizeof *P);
+    ovr_strip_share(march->strip, g, g->n, fill_guess, &of);
 }
 
 /* Checks that all known steps are equal, as the formulas assume. */
@@ -262,7 +297,7 @@ static void make_guess(ovr_strip_march *march)
 static void learn(ovr_strip_march *march)
 {
     enum { EVERY = 4 };
-    const ovr_strip_level *level = finest_of(march);
+    ovr_strip_level *level = finest_of(march);
     const double forgets = 0.7;
     double best = INFINITY;
     march->steps++;
@@ -275,8 +310,8 @@ static void learn(ovr_strip_march *march)
             continue;
         /* The finest grid's entry is not used in a cycle. */
         guess_pressure(march, k, level->f.entry);
-        double apart = march->strip->run->distance(&level->grid, level->f.entry,
-                                                   level->f.P);
+        double apart = ovr_strip_distance(march->strip, level, level->f.entry,
+                                          level->f.P);
         double *near = &march->nearness[k];
         *near = *near > 0 ? forgets * *near + (1 - forgets) * apart : apart;
         if (*near < best) {

@@ -39,11 +39,12 @@
 #include "strip/kernels.h"
 #include "strip/lines.h"
 
-void OVR_STRIP_KERNEL(wrap)(const ovr_strip_grid *g, double *x)
+void OVR_STRIP_KERNEL(wrap)(const ovr_strip_grid *g, ovr_part rows, double *x)
 {
     enum { HALO = OVR_STRIP_HALO };
     const size_t lines = g->lines;
-    for (size_t i = 0; i < g->n; i++, x += g->stride) {
+    x += ovr_strip_row(g, rows.from);
+    for (size_t i = rows.from; i < rows.to; i++, x += g->stride) {
         if (lines >= HALO) {
             for (size_t j = 0; j < HALO; j += VEC) {
                 vec last = load(x + lines - HALO + j), first = load(x + j);
@@ -89,21 +90,26 @@ static inline size_t second_before(const ovr_strip_grid *g, size_t i)
     return i >= 2 ? 2 * g->stride : g->stride;
 }
 
-static inline void clear_row(const ovr_strip_grid *g, double *x)
+/* Clears the first and the last row of the grid if they are of a part, and
+ * returns the rows of the part between them. */
+static ovr_part clear_ends(const ovr_strip_grid *g, ovr_part rows, double *x)
 {
-    for (size_t j = 0; j < g->lines; j += VEC)
+    const size_t last = g->n - 1;
+    for (size_t j = 0; rows.from == 0 && j < g->lines; j += VEC)
         store(x + j, all(0));
+    for (size_t j = 0; rows.to > last && j < g->lines; j += VEC)
+        store(x + ovr_strip_row(g, last) + j, all(0));
+    return between_ends(g, rows);
 }
 
-void OVR_STRIP_KERNEL(residual)(const ovr_strip_grid *g,
+void OVR_STRIP_KERNEL(residual)(const ovr_strip_grid *g, ovr_part rows,
                                 const ovr_strip_weights *w,
                                 const ovr_strip_fields *own)
 {
     const ovr_strip_fields f = *own;
     vec along, across;
-    clear_row(g, f.r);
-    clear_row(g, f.r + ovr_strip_row(g, g->n - 1));
-    for (size_t i = 1; i + 1 < g->n; i++)
+    rows = clear_ends(g, rows, f.r);
+    for (size_t i = rows.from; i < rows.to; i++)
         for (size_t j = 0; j < g->lines; j += VEC) {
             size_t k = ovr_strip_row(g, i) + j;
             vec N = row_at(&f, weights_at(w, i), k, g->stride,
@@ -116,20 +122,17 @@ void OVR_STRIP_KERNEL(residual)(const ovr_strip_grid *g,
  * A cavitated node is an unknown if its residual would raise P by more than
  * rounding, 1e-10.
  */
-void OVR_STRIP_KERNEL(choose)(const ovr_strip_grid *g,
+void OVR_STRIP_KERNEL(choose)(const ovr_strip_grid *g, ovr_part rows,
                               const ovr_strip_weights *w,
                               const ovr_strip_smoothing *how, double k,
                               const ovr_strip_fields *own)
 {
     const double least = 1e-10;
     const ovr_strip_fields f = *own;
-    const size_t ends[] = {0, ovr_strip_row(g, g->n - 1)};
-    for (int e = 0; e < 2; e++) {
-        clear_row(g, f.moves + ends[e]);
-        clear_row(g, f.share + ends[e]);
-        clear_row(g, f.r + ends[e]);
-    }
-    for (size_t i = 1; i + 1 < g->n; i++) {
+    clear_ends(g, rows, f.moves);
+    clear_ends(g, rows, f.share);
+    rows = clear_ends(g, rows, f.r);
+    for (size_t i = rows.from; i < rows.to; i++) {
         const double *a = weights_at(w, i);
         for (size_t j = 0; j < g->lines; j += VEC) {
             size_t at_node = ovr_strip_row(g, i) + j;
@@ -151,15 +154,19 @@ void OVR_STRIP_KERNEL(choose)(const ovr_strip_grid *g,
     }
 }
 
-/* Returns the sum of |r| where P would rise, and of min(r, P sum E) elsewhere.
- */
-double OVR_STRIP_KERNEL(imbalance)(const ovr_strip_grid *g,
-                                   const ovr_strip_fields *own)
+/* Sums |r| where P would rise, and min(r, P sum E) elsewhere. */
+void OVR_STRIP_KERNEL(imbalance)(const ovr_strip_grid *g, ovr_part rows,
+                                 const ovr_strip_fields *own, double *sums)
 {
     const ovr_strip_fields f = *own;
     const size_t s = g->stride;
-    vec sum = all(0);
-    for (size_t i = 1; i + 1 < g->n; i++)
+    if (rows.from == 0)
+        sums[0] = 0;
+    if (rows.to == g->n)
+        sums[g->n - 1] = 0;
+    rows = between_ends(g, rows);
+    for (size_t i = rows.from; i < rows.to; i++) {
+        vec sum = all(0);
         for (size_t j = 0; j < g->lines; j += VEC) {
             size_t k = ovr_strip_row(g, i) + j;
             vec out = load(f.along + k - s) + load(f.along + k) +
@@ -168,7 +175,8 @@ double OVR_STRIP_KERNEL(imbalance)(const ovr_strip_grid *g,
             vec part = choose(r < 0, -r, choose(falls < r, falls, r));
             sum += choose(lines_before(j, g->lines), part, all(0));
         }
-    return sum_of_lanes(sum);
+        sums[i] = sum_of_lanes(sum);
+    }
 }
 
 /* ------------------------------------------------------------------ Lines */
@@ -339,16 +347,19 @@ static INLINE void eliminate(const lines *a, bool wedge, size_t count, size_t j)
     }
 }
 
-static INLINE void all_lines(const lines *a, bool wedge)
+static INLINE void all_lines(const lines *a, bool wedge, ovr_part groups)
 {
-    size_t j = 0;
-    for (; j + VEC < a->g->lines; j += 2 * VEC)
+    size_t j = groups.from * OVR_STRIP_GROUP;
+    size_t end = groups.to * OVR_STRIP_GROUP;
+    if (end > a->g->lines)
+        end = a->g->lines;
+    for (; j + VEC < end; j += 2 * VEC)
         eliminate(a, wedge, 2, j);
-    if (j < a->g->lines)
+    if (j < end)
         eliminate(a, wedge, 1, j);
 }
 
-void OVR_STRIP_KERNEL(solve_lines)(const ovr_strip_grid *g,
+void OVR_STRIP_KERNEL(solve_lines)(const ovr_strip_grid *g, ovr_part groups,
                                    const ovr_strip_weights *w,
                                    const ovr_strip_smoothing *how,
                                    const double *near,
@@ -356,12 +367,12 @@ void OVR_STRIP_KERNEL(solve_lines)(const ovr_strip_grid *g,
 {
     const lines a = {g, w, how, near, *f, work};
     if (w->a[1] != 0 || w->a[2] != 0 || w->first[1] != 0)
-        all_lines(&a, true);
+        all_lines(&a, true, groups);
     else
-        all_lines(&a, false);
+        all_lines(&a, false, groups);
 }
 
-void OVR_STRIP_KERNEL(damp)(const ovr_strip_grid *g,
+void OVR_STRIP_KERNEL(damp)(const ovr_strip_grid *g, ovr_part rows,
                             const ovr_strip_smoothing *how, int colour,
                             const ovr_strip_fields *own)
 {
@@ -369,7 +380,8 @@ void OVR_STRIP_KERNEL(damp)(const ovr_strip_grid *g,
     ivec odd;
     for (int l = 0; l < VEC; l++)
         odd[l] = -(l & 1);
-    for (size_t i = 1; i + 1 < g->n; i++)
+    rows = between_ends(g, rows);
+    for (size_t i = rows.from; i < rows.to; i++)
         for (size_t j = 0; j < g->lines; j += VEC) {
             size_t k = ovr_strip_row(g, i) + j;
             vec s = load(f.share + k);
@@ -382,13 +394,14 @@ void OVR_STRIP_KERNEL(damp)(const ovr_strip_grid *g,
         }
 }
 
-void OVR_STRIP_KERNEL(distribute)(const ovr_strip_grid *g,
+void OVR_STRIP_KERNEL(distribute)(const ovr_strip_grid *g, ovr_part rows,
                                   const ovr_strip_smoothing *how,
                                   const ovr_strip_fields *own)
 {
     const ovr_strip_fields f = *own;
     const size_t s = g->stride;
-    for (size_t i = 1; i + 1 < g->n; i++)
+    rows = between_ends(g, rows);
+    for (size_t i = rows.from; i < rows.to; i++)
         for (size_t j = 0; j < g->lines; j += VEC) {
             size_t k = ovr_strip_row(g, i) + j;
             const double *t = f.spread + k;

@@ -33,6 +33,7 @@
 #include <fftw3.h>
 
 #include "base/arena.h"
+#include "base/team.h"
 #include "multigrid/kernels.h"
 #include "overroll/error.h"
 #include "overroll/memory.h"
@@ -115,7 +116,8 @@ typedef struct ovr_strip_elastic {
     size_t length; /* of transforms along X, 2 (n - 1) */
     double *table; /* n x modes: the influence's transform, which is even */
     fftw_complex *spectrum; /* length x modes; shared between the grids */
-    fftw_plan to_modes, to_waves, from_waves, from_modes;
+    /* Of a block of rows or columns, and of those that remain */
+    fftw_plan to_modes[2], to_waves[2], from_waves[2], from_modes[2];
 } ovr_strip_elastic;
 
 typedef struct ovr_strip_level {
@@ -154,6 +156,7 @@ typedef struct ovr_strip_shape {
     size_t n, lines; /* of the finest grid */
     size_t coarsest; /* nodes along X of the coarsest, at most */
     double X_a, X_b, width;
+    int threads; /* that solve it, the caller's included; 0: 1 */
 } ovr_strip_shape;
 
 typedef struct ovr_strip {
@@ -164,7 +167,11 @@ typedef struct ovr_strip {
     ovr_fluid fluid;
     bool logarithmic; /* mean of phi at half nodes (faces.kernel.c) */
     double H0;
-    double *work;      /* of kernels, see ovr_strip_work() */
+    int threads;
+    ovr_team team;     /* of that many threads */
+    double *work;      /* of kernels, see ovr_strip_work(), of each thread */
+    size_t work_size;  /* of one thread */
+    double *sums;      /* of the rows of a grid */
     double *influence; /* of the coarsest grid (coarsest.c) */
     double *deps_dH;
     double *matrix, *solution; /* of the coarsest grid */
@@ -214,10 +221,9 @@ void ovr_strip_refresh(ovr_strip *strip, ovr_strip_level *level);
 void ovr_strip_deform(ovr_strip *strip, ovr_strip_level *level, double *P,
                       double *w);
 void ovr_strip_properties(ovr_strip *strip, ovr_strip_level *level);
-double ovr_strip_load(const ovr_strip *strip, const ovr_strip_level *level);
+double ovr_strip_load(ovr_strip *strip, ovr_strip_level *level);
 double ovr_strip_centre(const ovr_strip_level *level, const double *H);
-ovr_strip_defect ovr_strip_defect_of(const ovr_strip *strip,
-                                     const ovr_strip_level *level);
+ovr_strip_defect ovr_strip_defect_of(ovr_strip *strip, ovr_strip_level *level);
 bool ovr_strip_below(ovr_strip_defect d, double tolerance);
 
 /* One relaxation; film and flow are up to date before and after. */

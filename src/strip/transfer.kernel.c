@@ -14,14 +14,16 @@
 #include "strip/kernels.h"
 #include "strip/lines.h"
 
-double OVR_STRIP_KERNEL(sum)(const ovr_strip_grid *g, const double *x)
+void OVR_STRIP_KERNEL(sum)(const ovr_strip_grid *g, ovr_part rows,
+                           const double *x, double *sums)
 {
-    vec sum = all(0);
-    for (size_t i = 0; i < g->n; i++)
+    for (size_t i = rows.from; i < rows.to; i++) {
+        vec sum = all(0);
         for (size_t j = 0; j < g->lines; j += VEC)
             sum += choose(lines_before(j, g->lines),
                           load(x + ovr_strip_row(g, i) + j), all(0));
-    return sum_of_lanes(sum);
+        sums[i] = sum_of_lanes(sum);
+    }
 }
 
 /* Column sums of three rows with the weights 1 2 1. */
@@ -75,12 +77,13 @@ static inline void restrict_vector(const ovr_strip_fields *f, size_t s,
 /* Computes P, entry, the restricted residual in spread, and H - H0 in gap.  The
  * halos of P, H and r of the fine grid are up to date. */
 void OVR_STRIP_KERNEL(restrict_fields)(const ovr_strip_grid *coarse,
+                                       ovr_part rows,
                                        const ovr_strip_grid *fine,
                                        const ovr_strip_fields *own, double H0,
                                        const ovr_strip_fields *into)
 {
     const ovr_strip_fields f = *own, to = *into;
-    for (size_t i = 0; i < coarse->n; i++)
+    for (size_t i = rows.from; i < rows.to; i++)
         for (size_t j = 0; j < coarse->lines; j += VEC) {
             size_t k = ovr_strip_row(fine, 2 * i) + 2 * j;
             size_t K = ovr_strip_row(coarse, i) + j;
@@ -96,21 +99,22 @@ void OVR_STRIP_KERNEL(restrict_fields)(const ovr_strip_grid *coarse,
         }
 }
 
-void OVR_STRIP_KERNEL(coarse_gap)(const ovr_strip_grid *g, const double *w,
-                                  double *gap)
+void OVR_STRIP_KERNEL(coarse_gap)(const ovr_strip_grid *g, ovr_part rows,
+                                  const double *w, double *gap)
 {
-    for (size_t i = 0; i < g->n; i++)
+    for (size_t i = rows.from; i < rows.to; i++)
         for (size_t j = 0; j < g->lines; j += VEC) {
             size_t k = ovr_strip_row(g, i) + j;
             store(gap + k, load(gap + k) + load(w + k));
         }
 }
 
-void OVR_STRIP_KERNEL(coarse_side)(const ovr_strip_grid *g,
+void OVR_STRIP_KERNEL(coarse_side)(const ovr_strip_grid *g, ovr_part rows,
                                    const double *residual,
                                    const double *minus_N, double *F)
 {
-    for (size_t i = 1; i + 1 < g->n; i++)
+    rows = between_ends(g, rows);
+    for (size_t i = rows.from; i < rows.to; i++)
         for (size_t j = 0; j < g->lines; j += VEC) {
             size_t k = ovr_strip_row(g, i) + j;
             store(F + k, load(residual + k) - load(minus_N + k));
@@ -134,11 +138,13 @@ static inline vec change_at(const ovr_strip_fields *c, size_t K, size_t next)
 
 /* P's halo of the coarse grid and that of entry are up to date. */
 void OVR_STRIP_KERNEL(correct)(const ovr_strip_grid *coarse,
-                               const ovr_strip_grid *fine, double factor,
-                               const ovr_strip_fields *from, double *P)
+                               const ovr_strip_grid *fine, ovr_part rows,
+                               double factor, const ovr_strip_fields *from,
+                               double *P)
 {
     const ovr_strip_fields c = *from;
-    for (size_t i = 1; i + 1 < fine->n; i++) {
+    rows = between_ends(fine, rows);
+    for (size_t i = rows.from; i < rows.to; i++) {
         size_t next = i & 1 ? coarse->stride : 0;
         for (size_t j = 0; 2 * j < fine->lines; j += VEC) {
             size_t K = ovr_strip_row(coarse, i / 2) + j;
@@ -170,34 +176,36 @@ void OVR_STRIP_KERNEL(hold)(size_t n, const double *P_0, double *P)
               choose(load(P_0 + j) > 0, larger(all(0), load(P + j)), all(0)));
 }
 
-double OVR_STRIP_KERNEL(distance)(const ovr_strip_grid *g, const double *a,
-                                  const double *b)
+void OVR_STRIP_KERNEL(distance)(const ovr_strip_grid *g, ovr_part rows,
+                                const double *a, const double *b, double *sums)
 {
-    vec sum = all(0);
-    for (size_t i = 0; i < g->n; i++)
+    for (size_t i = rows.from; i < rows.to; i++) {
+        vec sum = all(0);
         for (size_t j = 0; j < g->lines; j += VEC) {
             size_t k = ovr_strip_row(g, i) + j;
             vec d = load(a + k) - load(b + k);
             sum += choose(lines_before(j, g->lines), larger(d, -d), all(0));
         }
-    return sum_of_lanes(sum);
+        sums[i] = sum_of_lanes(sum);
+    }
 }
 
 /* Complex numbers of row i and length - i times the table's row i. */
 void OVR_STRIP_KERNEL(multiply_modes)(size_t n, size_t length, size_t modes,
-                                      const double *table, double *spectrum)
+                                      ovr_part columns, const double *table,
+                                      double *spectrum)
 {
     for (size_t i = 0; i < length; i++) {
         const double *t = table + (i < n ? i : length - i) * modes;
         double *x = spectrum + 2 * i * modes;
-        size_t m = 0;
-        for (; m + VEC <= modes; m += VEC) {
+        size_t m = columns.from;
+        for (; m + VEC <= columns.to; m += VEC) {
             vec v = load(t + m);
             double *z = x + 2 * m;
             store(z, load(z) * woven_first(v, v));
             store(z + VEC, load(z + VEC) * woven_second(v, v));
         }
-        for (; m < modes; m++) {
+        for (; m < columns.to; m++) {
             x[2 * m] *= t[m];
             x[2 * m + 1] *= t[m];
         }

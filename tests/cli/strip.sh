@@ -73,6 +73,17 @@ for file in whole part; do
 done
 cmp whole.txt part.txt || fail "resumed run differs"
 
+# Nor does a run with threads, which may be others after it was resumed.
+expect 0 "$OVERROLL" run dent.ini -o shared.h5 -q --set strip.threads=2 \
+    --set time.end=0.45
+expect 0 "$OVERROLL" resume shared.h5 -q --set time.end=1 --set strip.threads=3
+for k in 0 2 4 last; do
+    for file in whole shared; do
+        "$OVERROLL" export $file.h5 --snapshot $k --areal >$file.csv
+    done
+    cmp whole.csv shared.csv || fail "snapshot $k with threads differs"
+done
+
 # Nor does a run differ that was killed after a checkpoint.
 "$OVERROLL" run dent.ini -o cut.h5 -q --set 'output.checkpoint=1 us' &
 run=$!

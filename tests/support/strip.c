@@ -10,7 +10,12 @@
 
 ovr_strip_shape test_strip_shape(size_t n, size_t lines)
 {
-    return (ovr_strip_shape){n, lines, 33, -4, 1.5, 2};
+    return (ovr_strip_shape){.n = n,
+                             .lines = lines,
+                             .coarsest = 33,
+                             .X_a = -4,
+                             .X_b = 1.5,
+                             .width = 2};
 }
 
 test_strip *test_strip_make(double M, double L, ovr_strip_shape shape,

@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The thread sanitizer finds nothing in runs whose stresses are followed and
-# whose file is written on threads of their own, nor where they are resumed (it
-# makes the program end with 66).
+# whose file is written on threads of their own, nor where they are resumed, nor
+# in strips that threads share (it makes the program end with 66).
 . "$TOP/tests/support/cli.sh"
 [ -z "$INSTRUMENTED" ] || skip "once is enough"
 
@@ -43,3 +43,30 @@ expect 0 "$tsan" run slide.ini -o slide.h5 -q --set 'output.checkpoint=0.1 s'
 expect 0 "$tsan" resume slide.h5 -q --set time.end=1.3
 expect 0 "$tsan" run slide.ini -q --set time.end=0.5
 expect 0 "$tsan" stress slide.h5
+
+cat >strip.ini <<'END'
+[contact]
+hertz_pressure = 1 GPa
+radius = 10 mm
+modulus = 226 GPa
+mean_speed = 2 m/s
+slide_to_roll = 0.5
+[lubricant]
+viscosity = 40 mPa.s
+alpha = 17 1/GPa
+rheology = eyring
+eyring_stress = 5 MPa
+[domain]
+level = 4
+[strip]
+threads = 3
+[time]
+end = 0.5
+[feature dent]
+shape = dent
+depth = 0.3 um
+width = 1
+start = -1.5
+END
+expect 0 "$tsan" run strip.ini -o strip.h5 -q
+expect 0 "$tsan" resume strip.h5 -q --set time.end=0.7

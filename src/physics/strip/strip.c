@@ -100,7 +100,8 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
                                    .coarsest = ovr_strip_coarsest(s->form->M),
                                    .X_a = o->inlet,
                                    .X_b = o->outlet,
-                                   .width = s->form->width};
+                                   .width = s->form->width,
+                                   .threads = s->form->threads};
     ovr_status status = ovr_strip_allocate(
         &s->strip, &shape, sim->grids.kernels, &sim->arena, err);
     if (!status)

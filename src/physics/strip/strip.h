@@ -15,7 +15,8 @@ typedef struct ovr_strip_form {
     int ends;     /* 1: periodic; 0: no strip */
     double shown; /* Y of the line in tables and pictures; NAN: the first
                      feature */
-    double M;     /* Moes number, for the coarsest grid */
+    int threads;
+    double M; /* Moes number, for the coarsest grid */
     double seconds;
 } ovr_strip_form;
 
