@@ -46,7 +46,8 @@ static void measure(size_t n, size_t lines, const char *set)
     for (int c = 0; c < CYCLES; c++)
         ovr_strip_cycle(&s->strip, s->strip.finest, &how.cycling);
     double cycle = (now() - start) / CYCLES;
-    last = ovr_strip_defect_of(&s->strip, test_strip_finest(s)).imbalance;
+    ovr_strip_level *finest = &s->strip.level[s->strip.finest];
+    last = ovr_strip_defect_of(&s->strip, finest).imbalance;
     double factor = pow(last / first.imbalance, 1. / CYCLES);
     printf("%6s %5zu x %4zu  full %8.4f s  cycle %5.0f ns a node, factor "
            "%.2f  %4.0f bytes a node\n",
