@@ -78,7 +78,7 @@ static void wait_for_members(ovr_team *team)
     pthread_mutex_unlock(&team->mutex);
 }
 
-/* Wakes those that sleep.  What they wait for has changed already. */
+/* Wakes sleeping members after `loop`, `busy` or `closing` has changed. */
 static void wake(ovr_team *team)
 {
     pthread_mutex_lock(&team->mutex);

@@ -4,8 +4,8 @@
  *
  * A loop over `count` items is divided into contiguous parts, one for each
  * member of the team.  The calling thread is member 0.  The parts depend on
- * `count` and on the number of members alone, so that a member has the same
- * data in its cache in all loops.
+ * `count` and on the number of members alone.  A member therefore finds the
+ * data of the loop before in its cache.
  *
  * A loop whose items are independent gives the same bits for any number of
  * members.  Sums over all items are to be stored item by item and added by the

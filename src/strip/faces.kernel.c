@@ -226,7 +226,7 @@ static INLINE void face_across(const faces *p, bool logarithmic, bool thins,
     put_face(p, logarithmic, thins, true, h, k, &to);
 }
 
-/* Half nodes behind and beside the nodes of the rows. */
+/* Half nodes i + 1/2 and j + 1/2 of the rows. */
 static INLINE void all_faces(const faces *p, ovr_part rows, bool logarithmic,
                              bool thins, double *work)
 {

@@ -189,8 +189,7 @@ void ovr_strip_relax_lines(ovr_strip *strip, ovr_strip_level *level,
 /* --------------------------------------------------------------- properties */
 
 /* Film of whole rows with their halos, which are one array of nodes to the
- * kernel.  Beside the nodes of its grid it computes OVR_HALO vectors before
- * them and one behind. */
+ * kernel.  The kernel adds OVR_HALO vectors at its begin and one at its end. */
 static void film_of(const pass *p, size_t from, size_t to)
 {
     const ovr_strip *strip = p->strip;

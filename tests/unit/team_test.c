@@ -79,8 +79,8 @@ TEST(sleeping_members_wake)
     ovr_team_end(&team);
 }
 
-/* What the caller wrote before a loop is seen in it, and what members wrote is
- * seen behind it. */
+/* Members read what the caller wrote before a loop.  The caller reads what
+ * members wrote in it. */
 static void add_before(void *data, int member, size_t from, size_t to)
 {
     long(*sums)[ITEMS] = data;
