@@ -21,17 +21,26 @@ static ovr_status failed(ovr_writer *w, ovr_error *err)
 
 /* ------------------------------------------------------------ a whole group */
 
+/* Bytes of its attributes. */
+static size_t group_bytes(const ovr_group *g)
+{
+    size_t bytes = 0;
+    for (size_t k = 0; k < g->attributes; k++)
+        bytes += OVR_ATTRIBUTE + strlen(g->attribute[k].name);
+    return bytes;
+}
+
 /* The group of a path, made with those above it. */
-static hid_t make_path(hid_t file, const char *path)
+static hid_t make_path(hid_t file, const char *path, size_t bytes)
 {
     char part[256];
     const char *slash = strchr(path, '/');
     if (slash) {
         snprintf(part, sizeof part, "%.*s", (int)(slash - path), path);
         if (H5Lexists(file, part, H5P_DEFAULT) <= 0)
-            ovr_h5_drop(ovr_header_group(file, part));
+            ovr_h5_drop(ovr_header_group(file, part, 0));
     }
-    return ovr_header_group(file, path);
+    return ovr_header_group(file, path, bytes);
 }
 
 static bool has_path(hid_t file, const char *path)
@@ -151,16 +160,18 @@ static bool make_array(const ovr_writer *w, hid_t group, const ovr_group *g,
     return ok;
 }
 
-static bool set_attribute(hid_t group, const ovr_group_attribute *a)
+/* `there`: it may exist already. */
+static bool set_attribute(hid_t group, const ovr_group_attribute *a, bool there)
 {
-    if (!a->text)
-        return ovr_h5_put_number(group, a->name, a->number);
-    return ovr_h5_change_string(group, a->name, a->text) ||
-           ovr_h5_set_string(group, a->name, a->text);
+    if (a->text)
+        return there ? ovr_h5_put_string(group, a->name, a->text)
+                     : ovr_h5_set_string(group, a->name, a->text);
+    return there ? ovr_h5_put_number(group, a->name, a->number)
+                 : ovr_h5_set_number(group, a->name, a->number);
 }
 
 static bool fill_group(const ovr_writer *w, hid_t group, const ovr_group *g,
-                       ovr_arena *arena)
+                       bool there, ovr_arena *arena)
 {
     hid_t axis[OVR_MAX_RANK] = {-1, -1, -1, -1};
     bool ok = group >= 0 && g->axes <= OVR_MAX_RANK;
@@ -169,7 +180,7 @@ static bool fill_group(const ovr_writer *w, hid_t group, const ovr_group *g,
     for (size_t k = 0; ok && k < g->arrays; k++)
         ok = make_array(w, group, g, &g->array[k], axis, arena);
     for (size_t k = 0; ok && k < g->attributes; k++)
-        ok = set_attribute(group, &g->attribute[k]);
+        ok = set_attribute(group, &g->attribute[k], there);
     for (size_t k = 0; k < OVR_MAX_RANK; k++)
         if (axis[k] >= 0)
             ovr_h5_drop(axis[k]);
@@ -184,8 +195,8 @@ static bool make_group(ovr_writer *w, const ovr_group *g, bool keep)
     if (there && keep)
         return true;
     group = there ? H5Gopen2(file, g->path, H5P_DEFAULT)
-                  : make_path(file, g->path);
-    ok = fill_group(w, group, g, &arena);
+                  : make_path(file, g->path, group_bytes(g));
+    ok = fill_group(w, group, g, there, &arena);
     if (group >= 0)
         ovr_h5_drop(group);
     ovr_arena_release(&arena);

@@ -32,25 +32,42 @@ void ovr_date_now(char date[OVR_DATE_SIZE])
     snprintf(date + used, OVR_DATE_SIZE - used, ".%06ldZ", now.tv_nsec / 1000);
 }
 
-hid_t ovr_header_creation(void)
+/* Attributes and links are stored in the header of the group, not in a heap.
+ * HDF5 1.10 cannot close a file that was opened again if such a heap has grown
+ * and was changed.  The size of the header is set in advance, as a number of
+ * links, because HDF5 copies the header to append an attribute. */
+static void set_group(hid_t creation, size_t bytes)
 {
+    enum { NAME = 43, LINK = 64, MOST = 60000 }; /* one message: 64 KiB */
     unsigned order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
-    hid_t creation = H5Pcreate(H5P_FILE_CREATE);
+    size_t links = (bytes < MOST ? bytes : MOST) / LINK;
     H5Pset_link_creation_order(creation, order);
     H5Pset_attr_creation_order(creation, order);
-    /* Attributes stay in the root's header, not in a heap: once that has grown,
-     * HDF5 1.10 cannot close a file that was opened again and changed there. */
+    H5Pset_link_phase_change(creation, 512, 256);
     H5Pset_attr_phase_change(creation, 512, 256);
+    H5Pset_est_link_info(creation, (unsigned)links + 4, NAME);
+}
+
+/* Attributes of the root: about 40, and the extremes in one or two units. */
+hid_t ovr_header_creation(void)
+{
+    hid_t creation = H5Pcreate(H5P_FILE_CREATE);
+    enum { ATTRIBUTE = OVR_ATTRIBUTE };
+    size_t bytes = 40 * (ATTRIBUTE + 24);
+    ovr_extreme e;
+    for (size_t k = 0; ovr_extreme_at(k, &e); k++) {
+        bytes += ATTRIBUTE + strlen(e.key);
+        if (*e.key_si)
+            bytes += ATTRIBUTE + strlen(e.key_si);
+    }
+    set_group(creation, bytes);
     return creation;
 }
 
-hid_t ovr_header_group(hid_t where, const char *name)
+hid_t ovr_header_group(hid_t where, const char *name, size_t bytes)
 {
-    unsigned order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
     hid_t creation = H5Pcreate(H5P_GROUP_CREATE), group;
-    H5Pset_link_creation_order(creation, order);
-    H5Pset_attr_creation_order(creation, order);
-    H5Pset_attr_phase_change(creation, 512, 256); /* see above */
+    set_group(creation, bytes);
     group = H5Gcreate2(where, name, H5P_DEFAULT, creation, H5P_DEFAULT);
     ovr_h5_drop(creation);
     return group;
@@ -83,6 +100,16 @@ static hid_t dataset_creation(const dataset *d)
     }
     set_fill(creation, d->type);
     return creation;
+}
+
+/* A cache of three chunks, which are written in order: that of the default
+ * takes 4 KiB for each dataset. */
+static hid_t dataset_access(void)
+{
+    hid_t access = H5Pcreate(H5P_DATASET_ACCESS);
+    H5Pset_chunk_cache(access, 3, H5D_CHUNK_CACHE_NBYTES_DEFAULT,
+                       H5D_CHUNK_CACHE_W0_DEFAULT);
+    return access;
 }
 
 static hid_t dataset_space(const dataset *d)
@@ -128,11 +155,16 @@ static bool place(hid_t set, const dataset *d)
 hid_t ovr_header_dataset(hid_t where, const dataset *d,
                          const ovr_scales *scales)
 {
-    hid_t creation = dataset_creation(d), space = dataset_space(d);
+    hid_t creation = d->creation > 0 ? d->creation : dataset_creation(d);
+    hid_t access = d->access > 0 ? d->access : dataset_access();
+    hid_t space = dataset_space(d);
     hid_t set = H5Dcreate2(where, d->name, d->type, space, H5P_DEFAULT,
-                           creation, H5P_DEFAULT);
+                           creation, access);
     ovr_h5_drop(space);
-    ovr_h5_drop(creation);
+    if (d->access <= 0)
+        ovr_h5_drop(access);
+    if (d->creation <= 0)
+        ovr_h5_drop(creation);
     if (set >= 0 && !(describe(set, d, scales) && place(set, d))) {
         ovr_h5_drop(set);
         set = -1;
@@ -290,40 +322,56 @@ static bool make_field(ovr_file *f, const ovr_scales *scales, hid_t x, hid_t y,
     return f->field[k] >= 0;
 }
 
-static bool make_column(ovr_file *f, hid_t group, const ovr_scales *scales,
-                        size_t c, bool attached_later)
+static dataset column_plan(const ovr_file *f, size_t c)
 {
     const ovr_observable *o = f->row[c];
-    dataset d = {.name = o->name,
-                 .long_name = o->long_name,
-                 .comment = o->comment,
-                 .kind = o->kind,
-                 .type = o->kind == OVR_KIND_COUNT  ? H5T_STD_I32LE
-                         : o->kind == OVR_KIND_FLAG ? H5T_STD_I8LE
-                                                    : H5T_IEEE_F64LE,
-                 .rows = OVR_ROW_CHUNK,
-                 .rank = 1,
-                 .along = {f->step},
-                 .attached_later = attached_later};
-    f->column[c] = ovr_header_dataset(group, &d, scales);
-    return f->column[c] >= 0;
+    return (dataset){.name = o->name,
+                     .long_name = o->long_name,
+                     .comment = o->comment,
+                     .kind = o->kind,
+                     .type = o->kind == OVR_KIND_COUNT  ? H5T_STD_I32LE
+                             : o->kind == OVR_KIND_FLAG ? H5T_STD_I8LE
+                                                        : H5T_IEEE_F64LE,
+                     .rows = OVR_ROW_CHUNK,
+                     .rank = 1,
+                     .along = {f->step}};
+}
+
+/* All columns, which share the properties of their creation by their type. */
+static bool make_columns(ovr_file *f, hid_t group, const ovr_scales *scales)
+{
+    hid_t access = dataset_access(), whole = -1, number = -1;
+    bool ok = true;
+    for (size_t c = 0; ok && c < f->columns; c++) {
+        dataset d = column_plan(f, c);
+        hid_t *creation = d.type == H5T_IEEE_F64LE ? &number : &whole;
+        if (*creation < 0)
+            *creation = dataset_creation(&d);
+        d.creation = *creation;
+        d.access = access;
+        d.attached_later = true;
+        f->column[c] = ovr_header_dataset(group, &d, scales);
+        ok = f->column[c] >= 0;
+    }
+    ovr_h5_drop(number);
+    ovr_h5_drop(whole);
+    ovr_h5_drop(access);
+    return ok;
 }
 
 static bool make_history(ovr_file *f, const ovr_scales *scales)
 {
+    enum { LINK = 60 }; /* bytes */
     dataset d = {.name = "step",
                  .long_name = "time step",
                  .kind = OVR_KIND_COUNT,
                  .type = H5T_STD_I32LE,
                  .rows = OVR_ROW_CHUNK,
                  .rank = 1};
-    hid_t group = ovr_header_group(f->file, "history");
+    hid_t group = ovr_header_group(f->file, "history", (f->columns + 1) * LINK);
     bool ok = group >= 0;
     f->step = ok ? ovr_header_dataset(group, &d, scales) : -1;
-    ok = f->step >= 0;
-    for (size_t c = 0; ok && c < f->columns; c++)
-        ok = make_column(f, group, scales, c, true);
-    ok = ok && attach_columns(f);
+    ok = f->step >= 0 && make_columns(f, group, scales) && attach_columns(f);
     ovr_h5_drop(group);
     return ok;
 }
@@ -341,9 +389,21 @@ static bool set_value(hid_t group, const ovr_case_value *value)
     return ovr_h5_set_string(group, name, value->unit);
 }
 
+/* A number with a unit has two attributes. */
+static size_t case_bytes(const ovr_write_options *o)
+{
+    size_t bytes = OVR_ATTRIBUTE;
+    for (size_t k = 0; k < o->value_count; k++) {
+        const ovr_case_value *value = &o->values[k];
+        size_t count = value->unit && value->unit[0] ? 2 : 1;
+        bytes += count * (OVR_ATTRIBUTE + 5 + strlen(value->name));
+    }
+    return bytes;
+}
+
 static bool make_case(const ovr_file *f, const ovr_write_options *o)
 {
-    hid_t group = ovr_header_group(f->file, "case");
+    hid_t group = ovr_header_group(f->file, "case", case_bytes(o));
     bool ok = group >= 0 && ovr_h5_set_string(group, "text",
                                               o->case_text ? o->case_text : "");
     for (size_t k = 0; ok && k < o->value_count; k++)
@@ -478,10 +538,10 @@ static bool open_columns(ovr_file *f, const ovr_scales *scales)
     f->step = ok ? H5Dopen2(group, "step", H5P_DEFAULT) : -1;
     ok = f->step >= 0;
     for (size_t c = 0; ok && c < f->columns; c++) {
-        if (H5Lexists(group, f->row[c]->name, H5P_DEFAULT) > 0)
-            f->column[c] = H5Dopen2(group, f->row[c]->name, H5P_DEFAULT);
-        else
-            make_column(f, group, scales, c, false);
+        dataset d = column_plan(f, c);
+        f->column[c] = H5Lexists(group, d.name, H5P_DEFAULT) > 0
+                           ? H5Dopen2(group, d.name, H5P_DEFAULT)
+                           : ovr_header_dataset(group, &d, scales);
         ok = f->column[c] >= 0;
     }
     ovr_h5_drop(group);

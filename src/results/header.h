@@ -18,12 +18,19 @@ typedef struct ovr_new_dataset {
     hid_t along[OVR_MAX_RANK];
     bool attached_later; /* to the datasets that it is along */
     int deflate;
+    hid_t creation, access; /* properties shared by several; else 0 */
 } ovr_new_dataset;
 
-/* Makes one, described; a group whose order is kept.  Negative: failed. */
+/* Makes one, described.  Negative: failed. */
 hid_t ovr_header_dataset(hid_t where, const ovr_new_dataset *d,
                          const ovr_scales *scales);
-hid_t ovr_header_group(hid_t where, const char *name);
+
+/* Maximum bytes of an attribute in a header without its name. */
+enum { OVR_ATTRIBUTE = 64 };
+
+/* A group that keeps the order of its links and attributes; `bytes` is their
+ * estimated size in the header. */
+hid_t ovr_header_group(hid_t where, const char *name, size_t bytes);
 
 /* Writes all headers into the open, empty file and opens its datasets. */
 bool ovr_header_write(ovr_file *file, const ovr_file_plan *plan);

@@ -174,7 +174,7 @@ ovr_status ovr_inputs_write(const ovr_file *f, const ovr_file_plan *plan,
     size_t made = 0;
     if (!o->input_count)
         return OVR_OK;
-    hid_t group = ovr_header_group(f->file, "inputs");
+    hid_t group = ovr_header_group(f->file, "inputs", 0);
     for (size_t k = 0; group >= 0 && !status && k < o->input_count; k++)
         if (o->inputs[k].first == k)
             status = write_input(f, plan, group, &o->inputs[k], &made, err);

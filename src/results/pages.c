@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-enum { FIRST_CAPACITY = 64 };
+enum { FIRST_CAPACITY = 16 };
 
 void ovr_pages_init(ovr_pages *p, ovr_arena *arena)
 {
@@ -39,7 +39,10 @@ static bool reserve(ovr_pages *p)
     size_t more = p->capacity ? p->capacity : FIRST_CAPACITY;
     ovr_page *list = ovr_arena_take(p->arena, p->capacity + more, sizeof *list,
                                     NULL);
+    bool blank = p->arena->blank;
+    p->arena->blank = true; /* pages are read from the file, not cleared */
     unsigned char *data = ovr_arena_take(p->arena, 2 * more, OVR_PAGE, NULL);
+    p->arena->blank = blank;
     if (!list || !data)
         return false;
     if (p->capacity)

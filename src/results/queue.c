@@ -3,19 +3,25 @@
 
 #include <signal.h>
 
+static bool take_parcel(ovr_parcel *p, size_t row_bytes, size_t columns,
+                        ovr_arena *arena, ovr_error *err)
+{
+    p->rows = ovr_arena_take(arena, row_bytes, 1, err);
+    p->step = ovr_arena_take(arena, OVR_PARCEL_STEPS, sizeof *p->step, err);
+    p->values = ovr_arena_take(arena, OVR_PARCEL_STEPS * columns,
+                               sizeof *p->values, err);
+    return p->rows && p->step && p->values;
+}
+
 ovr_status ovr_queue_prepare(ovr_queue *q, size_t row_bytes, size_t columns,
                              ovr_arena *arena, ovr_error *err)
 {
-    for (size_t k = 0; k < OVR_PARCELS; k++) {
-        ovr_parcel *p = &q->parcel[k];
-        p->rows = ovr_arena_take(arena, row_bytes, 1, err);
-        p->step = ovr_arena_take(arena, OVR_PARCEL_STEPS, sizeof *p->step, err);
-        p->values = ovr_arena_take(arena, OVR_PARCEL_STEPS * columns,
-                                   sizeof *p->values, err);
-        if (!p->rows || !p->step || !p->values)
-            return OVR_NO_MEMORY;
-    }
-    return OVR_OK;
+    bool blank = arena->blank, ok = true;
+    arena->blank = true; /* written before read, not cleared */
+    for (size_t k = 0; ok && k < OVR_PARCELS; k++)
+        ok = take_parcel(&q->parcel[k], row_bytes, columns, arena, err);
+    arena->blank = blank;
+    return ok ? OVR_OK : OVR_NO_MEMORY;
 }
 
 /* Drains a parcel unless something failed before, and empties it. */
@@ -78,7 +84,12 @@ void ovr_queue_start(ovr_queue *q, bool threaded, ovr_drain *drain,
     q->drain = drain;
     q->context = context;
     q->threaded = false;
-    if (!threaded || pthread_mutex_init(&q->mutex, NULL))
+    q->alone = threaded ? OVR_ALONE : 0;
+}
+
+static void start(ovr_queue *q)
+{
+    if (pthread_mutex_init(&q->mutex, NULL))
         return;
     if (pthread_cond_init(&q->changed, NULL)) {
         pthread_mutex_destroy(&q->mutex);
@@ -106,6 +117,8 @@ static ovr_status report(const ovr_queue *q, ovr_error *err)
 ovr_status ovr_queue_post(ovr_queue *q, ovr_error *err)
 {
     ovr_status status;
+    if (q->alone && --q->alone == 0)
+        start(q);
     if (!q->threaded) {
         drain_one(q, &q->parcel[0], q->error.status != OVR_OK, &q->error);
         return report(q, err);

@@ -5,8 +5,8 @@
  * The solver's thread fills a parcel and posts it; a thread of the writer's
  * own drains them in order, so that compression and the disk cost the solver
  * nothing but a copy.  Without that thread a posted parcel is drained at
- * once.  A failure stays: later parcels are dropped, every later call
- * returns it.
+ * once, and so are the first parcels, so that short runs have no thread.  A
+ * failure stays: later parcels are dropped, every later call returns it.
  */
 #ifndef OVR_RESULTS_QUEUE_H
 #define OVR_RESULTS_QUEUE_H
@@ -17,7 +17,7 @@
 
 #include "base/arena.h"
 
-enum { OVR_PARCELS = 6, OVR_PARCEL_STEPS = 64 };
+enum { OVR_PARCELS = 6, OVR_PARCEL_STEPS = 64, OVR_ALONE = 12 };
 
 typedef struct ovr_parcel {
     bool snapshot; /* rows holds one */
@@ -38,6 +38,7 @@ typedef struct ovr_queue {
     size_t filling;       /* the one that the solver's thread fills */
     ovr_drain *drain;
     void *context;
+    int alone; /* posts until the thread starts; 0: none will */
     bool threaded, closing;
     ovr_error error; /* the first failure */
     pthread_t thread;
@@ -49,7 +50,8 @@ typedef struct ovr_queue {
 ovr_status ovr_queue_prepare(ovr_queue *queue, size_t row_bytes, size_t columns,
                              ovr_arena *arena, ovr_error *err);
 
-/* Starts the thread when `threaded` and one can be had. */
+/* Has a thread start with the OVR_ALONE-th post, when `threaded` and one can be
+ * had. */
 void ovr_queue_start(ovr_queue *queue, bool threaded, ovr_drain *drain,
                      void *context);
 

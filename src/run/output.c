@@ -156,13 +156,26 @@ ovr_case_value *ovr_run_values(const ovr_case *c, ovr_arena *arena,
 /* ------------------------------------------------------------------ times */
 
 typedef struct moments {
-    size_t count;
+    size_t count, capacity;
     double *T;
+    ovr_arena *arena;
 } moments;
+
+static bool reserve_moments(moments *m, size_t capacity)
+{
+    double *T = ovr_arena_take(m->arena, capacity, sizeof *T, NULL);
+    if (T && m->count)
+        memcpy(T, m->T, m->count * sizeof *T);
+    m->T = T;
+    m->capacity = T ? capacity : 0;
+    return T;
+}
 
 static void add_moment(moments *m, double T)
 {
-    if (m->count < TIMES_MAX && isfinite(T))
+    if (!m->T || m->count == TIMES_MAX || !isfinite(T))
+        return;
+    if (m->count < m->capacity || reserve_moments(m, 2 * m->capacity))
         m->T[m->count++] = T;
 }
 
@@ -186,7 +199,8 @@ static double *make_times(const ovr_setup *setup, ovr_arena *arena,
                           size_t *count)
 {
     const ovr_output *out = setup->output;
-    moments m = {0, ovr_arena_take(arena, TIMES_MAX, sizeof *m.T, NULL)};
+    moments m = {.arena = arena};
+    reserve_moments(&m, 64);
     for (size_t i = 0; m.T && i < out->at.count; i++)
         add_moment(&m, out->at.values[i]);
     for (size_t i = 0; m.T && i < out->feature_at.count; i++)

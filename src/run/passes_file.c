@@ -221,7 +221,7 @@ static bool put_case(const table *t)
 {
     const char *text = ovr_case_text(t->run->c, NULL);
     const char *folder = ovr_case_directory(t->run->c);
-    hid_t group = ovr_header_group(t->rows.file, "case");
+    hid_t group = ovr_header_group(t->rows.file, "case", 0);
     bool good = group >= 0 && text && ovr_h5_set_string(group, "text", text) &&
                 ovr_h5_set_string(group, "path", folder ? folder : "");
     ovr_h5_drop(group);
