@@ -168,6 +168,9 @@ typedef enum ovr_summary_form {
                                 a text */
     OVR_SUMMARY_WORDS_BEHIND /* the same with a number before the text */
 } ovr_summary_form;
+/* Characters of the column of labels in reports. */
+enum { OVR_LABEL_WIDTH = 38 };
+
 typedef struct ovr_summary_line {
     const char *key; /* NULL: for people alone */
     ovr_summary_form form;

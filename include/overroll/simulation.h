@@ -349,14 +349,14 @@ typedef struct ovr_observable {
     unsigned needs;    /* physics without which it is not known; 0: none */
     const char *label; /* of its line in reports; NULL: it has none */
     const char *note;  /* remark there, or NULL; a note that begins with
-                          "|X|" is the range of X of the number */
+                          "|X|" or "X = " is where the number is taken */
     int digits;        /* of the number there; 0: 6 */
     size_t place;      /* where it is: another member's offset; 0: nowhere */
     /* Kept over a run, of a number that is a double: its extreme, with where
      * and when that was, and its mean; their JSON keys, NULL: not kept. */
     ovr_sense extreme;
     const char *extreme_key, *mean_key;
-    const char *extreme_label, *mean_label; /* in reports, or NULL */
+    bool extreme_reported, mean_reported; /* reports have a line for it */
     const char *saved; /* what the extreme was called in checkpoints of before
                           0.3.0; NULL: its key */
     bool steady;       /* also reported for steady solutions */
@@ -410,7 +410,8 @@ typedef enum ovr_kept_part {
 typedef struct ovr_extreme {
     char key[48];        /* "P_max_overall"; of JSON, and an attribute */
     char key_si[64];     /* the same in SI; "": a pure number */
-    char long_name[160]; /* one line for people */
+    char label[96];      /* "mean central film thickness" */
+    char long_name[160]; /* "mean central film thickness over the run" */
     ovr_unit_kind kind;
     ovr_kept_part part;
     const ovr_observable *of;

@@ -47,7 +47,7 @@ static void put_comment(void *data, const ovr_summary_line *line)
     if (!line->label)
         printf("# %s\n", line->text);
     else
-        printf("#   %-34s %s\n", line->label, line->text);
+        printf("#   %-*s %s\n", OVR_LABEL_WIDTH, line->label, line->text);
 }
 
 static void put_line(void *data, const char *name, const char *text)
@@ -55,7 +55,7 @@ static void put_line(void *data, const char *name, const char *text)
     if (!*(bool *)data)
         puts("# Models");
     *(bool *)data = true;
-    printf("#   %-34s %s\n", name, text);
+    printf("#   %-*s %s\n", OVR_LABEL_WIDTH, name, text);
 }
 
 /* ------------------------------------------------------------------- JSON */

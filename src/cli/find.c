@@ -92,38 +92,64 @@ static int digits_of(const ovr_find_info *i)
 
 static void put_table(const ovr_find *find, const ovr_find_info *i)
 {
-    printf("\n%-14s %-14s order level  seconds\n", i->key, i->quantity);
+    int key = (int)strlen(i->key), quantity = (int)strlen(i->quantity);
+    key = key > 14 ? key : 14;
+    quantity = quantity > 14 ? quantity : 14;
+    printf("\n%-*s %-*s order level  seconds\n", key, i->key, quantity,
+           i->quantity);
     for (size_t k = 0; k < i->evaluations; k++) {
         ovr_find_evaluation e = ovr_find_evaluation_at(find, k);
-        printf("%-14.8g %-14.8g ", e.value, e.quantity);
+        printf("%-*.8g %-*.8g ", key, e.value, quantity, e.quantity);
         if (i->exact)
             putchar('\n');
         else
             printf("%5d %5d %8.3g%s%s\n", e.order, e.level, e.seconds,
-                   e.marked     ? "  marked"
+                   e.marked     ? "  above tolerance"
                    : *e.message ? "  "
                                 : "",
                    e.message);
     }
 }
 
+/* A row of the report: quantity, value, unit and remark. */
+static void put_row(const char *label, int digits, double value,
+                    const char *unit, const char *remark)
+{
+    int wide = *remark ? 10 : 0;
+    printf("%-*s %-12.*g%s%-*s%s\n", OVR_LABEL_WIDTH, label, digits, value,
+           *unit || *remark ? " " : "", wide, unit, remark);
+}
+
+static void put_answer(const ovr_find_info *i)
+{
+    char remark[CAPACITY];
+    printf("%s = %.*g%s%s\n\n", i->key, digits_of(i), i->value,
+           *i->unit ? " " : "", i->unit);
+    printf("%-*s %-12s in units\n", OVR_LABEL_WIDTH, "quantity", "value");
+    snprintf(remark, sizeof remark, " (%s; condition: %s %.6g)", i->quantity,
+             !i->sense      ? "is"
+             : i->sense > 0 ? "at least"
+                            : "at most",
+             i->target);
+    put_row(i->name, 6, i->at_value, i->quantity_unit, remark);
+    snprintf(remark, sizeof remark, " (of %s)", i->key);
+    if (isfinite(i->error))
+        put_row("discretization error", 2, i->error, i->unit, remark);
+    if (isfinite(i->scatter) && i->end == OVR_FIND_SCATTERED)
+        put_row("scatter", 2, fabs(i->scatter * i->target / i->slope), i->unit,
+                remark);
+    snprintf(remark, sizeof remark, " (change of the quantity per 1 %% of %s)",
+             i->key);
+    if (isfinite(i->slope))
+        put_row("sensitivity", 3, i->slope * i->value / i->at_value, "%",
+                remark);
+}
+
 static void report_table(const cli_call *call, const ovr_find *find)
 {
     const ovr_find_info *i = ovr_find_about(find);
-    int digits = digits_of(i);
-    if (i->end == OVR_FIND_FOUND || i->end == OVR_FIND_SCATTERED) {
-        printf("%s = %.*g%s%s", i->key, digits, i->value, *i->unit ? " " : "",
-               i->unit);
-        printf("    %s is %.6g there\n", i->quantity, i->at_value);
-        if (isfinite(i->error))
-            printf("  discretization +- %.2g %s\n", i->error, i->unit);
-        if (isfinite(i->scatter) && i->end == OVR_FIND_SCATTERED)
-            printf("  scatter        +- %.2g %s\n",
-                   fabs(i->scatter * i->target / i->slope), i->unit);
-        if (isfinite(i->slope))
-            printf("  1 %% of it is %.3g %% of %s\n",
-                   i->slope * i->value / i->at_value, i->quantity);
-    }
+    if (i->end == OVR_FIND_FOUND || i->end == OVR_FIND_SCATTERED)
+        put_answer(i);
     if (i->evaluations &&
         (call->verbosity > 0 || (i->end != OVR_FIND_FOUND && !i->exact)))
         put_table(find, i);

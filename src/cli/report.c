@@ -22,10 +22,13 @@ static void put_words(const ovr_summary_line *line)
     if (!line->label)
         puts(line->text);
     else if (line->form == OVR_SUMMARY_WORDS)
-        printf("%-31s %s\n", line->label, line->text);
+        printf("%-*s %s\n", OVR_LABEL_WIDTH, line->label, line->text);
+    else if (*line->text)
+        printf("%-*s %-12.*g %s\n", OVR_LABEL_WIDTH, line->label, line->digits,
+               line->number, line->text);
     else
-        printf("%-31s %-12.*g%s%s\n", line->label, line->digits, line->number,
-               *line->text ? " " : "", line->text);
+        printf("%-*s %.*g\n", OVR_LABEL_WIDTH, line->label, line->digits,
+               line->number);
 }
 
 void cli_put_line(void *json, const ovr_summary_line *line)
@@ -133,7 +136,7 @@ static void put_answer(void *begun, const char *name, const char *text)
     if (!*(bool *)begun)
         puts("\nMachine element");
     *(bool *)begun = true;
-    printf("%-31s %s\n", name, text);
+    printf("%-*s %s\n", OVR_LABEL_WIDTH, name, text);
 }
 
 /* Prints the answers of a gear pair, cam or bearing: last, where it is looked

@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { FEW = 200 }; /* draws, below which indices have one digit */
+enum { FEW = 200 }; /* samples; fewer: shares are printed with one digit */
 
 /* -------------------------------------------------------------------- JSON */
 
@@ -94,74 +94,86 @@ static void put_range(const char *name, const int range[2])
         printf(", %ss %d to %d", name, range[0], range[1]);
 }
 
-/* First of all how many there are, and how many not. */
+/* Prints the number of samples and how they ended. */
 static void put_counts(const ovr_sample_row *r)
 {
-    printf("%s%s%zu draws: %zu finished, %zu failed, %zu marked", r->group,
-           *r->group ? ": " : "", r->draws, r->finished, r->failed, r->marked);
+    printf("%s%s%zu samples: %zu finished, %zu failed, %zu with steps accepted "
+           "above tolerance",
+           r->group, *r->group ? ": " : "", r->draws, r->finished, r->failed,
+           r->marked);
     put_range("order", r->order);
     put_range("level", r->level);
     putchar('\n');
     if ((double)r->failed > 0.01 * (double)r->draws)
-        printf("  %.2g %% of the samples failed and are excluded; the "
-               "statistics may be biased\n",
+        printf("%.2g %% of the samples failed and are excluded; the statistics "
+               "may be biased\n",
                100 * (double)r->failed / (double)r->draws);
     if (r->order[0] != r->order[1])
-        puts("  the samples contain solutions of different order; set "
+        puts("the samples contain solutions of different order; set "
              "domain.order = 2 in [set]");
 }
 
-static void put_end(double value, const char *word)
+/* Prints "LOW to HIGH", or the one that is known. */
+static void put_interval(double low, double high)
 {
-    if (isfinite(value))
-        printf("%s%.4g", word, value);
+    if (isnan(low) && isfinite(high))
+        printf(" below %.4g\n", high);
+    else if (isnan(high) && isfinite(low))
+        printf(" above %.4g\n", low);
+    else if (isfinite(low))
+        printf(" %.4g to %.4g\n", low, high);
     else
-        printf("%snot known", word);
+        putchar('\n');
+}
+
+static void put_value(const char *label, double value)
+{
+    printf("%-*s %-12.5g", OVR_LABEL_WIDTH, label, value);
 }
 
 static void put_moments(const ovr_sample_row *r)
 {
-    printf("%s: mean %.5g", r->quantity, r->mean);
-    if (isfinite(r->error))
-        printf(" +- %.2g (95 %%)", r->factor * r->error);
-    printf(", sd %.4g\n", r->sd);
+    double half = r->factor * r->error;
+    char label[64];
+    printf("\n%s%s%s (%s)\n", r->name, *r->unit ? ", " : "", r->unit,
+           r->quantity);
+    printf("%-*s %-12s 95 %% confidence interval\n", OVR_LABEL_WIDTH,
+           "statistic", "value");
+    put_value("mean", r->mean);
+    put_interval(r->mean - half, r->mean + half);
+    printf("%-*s %.5g\n", OVR_LABEL_WIDTH, "standard deviation", r->sd);
     for (int k = 0; k < OVR_SAMPLE_QUANTILES; k++) {
-        printf("  %2.0f %%  %-11.5g", 100 * r->p[k], r->quantile[k]);
-        if (isnan(r->low[k]) && isfinite(r->high[k]))
-            printf("< %.4g", r->high[k]);
-        else if (isnan(r->high[k]) && isfinite(r->low[k]))
-            printf("> %.4g", r->low[k]);
-        else {
-            put_end(r->low[k], "");
-            put_end(r->high[k], " to ");
-        }
-        putchar('\n');
+        snprintf(label, sizeof label, "%.0f %% quantile", 100 * r->p[k]);
+        put_value(label, r->quantile[k]);
+        put_interval(r->low[k], r->high[k]);
     }
 }
 
 static void put_limits(const ovr_sample_row *r)
 {
+    char label[64];
     for (size_t k = 0; k < r->limits; k++) {
-        printf("  %s %.6g: P = %.4g, ",
-               r->sense[k] > 0 ? "at least" : "at most", r->limit[k], r->P[k]);
-        if (r->P_low[k] <= 0)
-            printf("< %.3g\n", r->P_high[k]);
-        else
-            printf("%.4g to %.4g\n", r->P_low[k], r->P_high[k]);
+        snprintf(label, sizeof label, "probability of %s %.6g",
+                 r->sense[k] > 0 ? "at least" : "at most", r->limit[k]);
+        put_value(label, r->P[k]);
+        put_interval(r->P_low[k] <= 0 ? NAN : r->P_low[k], r->P_high[k]);
     }
 }
 
 static void put_inputs(const ovr_sample *sample, size_t row, size_t known)
 {
     const ovr_sample_input *in;
-    int digits = known < FEW ? 1 : 2;
+    int d = known < FEW ? 1 : 2;
+    if (ovr_sample_input_at(sample, row, 0))
+        printf("%-*s %-23s rank correlation rho\n", OVR_LABEL_WIDTH,
+               "effect of the input", "share of the variance");
     for (size_t k = 0; (in = ovr_sample_input_at(sample, row, k)); k++) {
-        printf("  %-22s ", in->key);
+        char share[64] = "";
         if (!in->related)
-            printf("share %.*f (%.*f to %.*f)  ", digits, in->share, digits,
-                   in->share_low, digits, in->share_high);
-        printf("rho %+.*f (%+.*f to %+.*f)\n", digits, in->rho, digits,
-               in->rho_low, digits, in->rho_high);
+            snprintf(share, sizeof share, "%.*f (%.*f to %.*f)", d, in->share,
+                     d, in->share_low, d, in->share_high);
+        printf("%-*s %-23s %+.*f (%+.*f to %+.*f)\n", OVR_LABEL_WIDTH, in->key,
+               share, d, in->rho, d, in->rho_low, d, in->rho_high);
     }
 }
 

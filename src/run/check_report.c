@@ -84,9 +84,9 @@ static void put_films(const ovr_told *to, const ovr_contact *c, bool fitted)
                        "flooded)");
     ovr_put_number(to, "H_cen_moes", central);
     if (!isnan(central))
-        (fitted ? ovr_tell_detail : ovr_tell)(to,
-                                              "central, Moes (incompressible)",
-                                              "%s", film_text(central, c).text);
+        (fitted ? ovr_tell_detail
+                : ovr_tell)(to, "central film thickness, Moes",
+                            "%s, incompressible", film_text(central, c).text);
     put_asymptote(to, "H_rigid_isoviscous", "  rigid-isoviscous asymptote",
                   film.rigid_iso, c);
     put_asymptote(to, "H_elastic_isoviscous", "  elastic-isoviscous asymptote",
@@ -151,8 +151,10 @@ static void put_fit(const ovr_told *to, const ovr_setup *setup,
     const ovr_contact *c = setup->contact;
     ovr_put_number(to, "H_cen_fit", fit.central);
     ovr_put_number(to, "H_min_fit", fit.minimum);
-    say_fit(to, "central, overroll fit", fit.central, "2.6 %", c);
-    say_fit(to, "minimum, overroll fit", fit.minimum, "1.7 %", c);
+    say_fit(to, "central film thickness, overroll fit", fit.central, "2.6 %",
+            c);
+    say_fit(to, "minimum film thickness, overroll fit", fit.minimum, "1.7 %",
+            c);
     if (!isnan(fit.central))
         ovr_tell_detail(to, "  compressible lubricant",
                         "relative density %.4g at p_h",
@@ -246,11 +248,12 @@ static void put_rough_film(const ovr_told *to, const ovr_setup *setup,
     ovr_tell_title(to, "Predicted film of the rough surfaces (amplitude "
                        "reduction)");
     if (film->why) {
-        ovr_tell(to, "film roughness", "no prediction: %s", film->why);
+        ovr_tell(to, "film thickness roughness Rq", "no prediction: %s",
+                 film->why);
         return;
     }
-    ovr_tell(to, "film roughness Rq", "%.4g%s; surfaces: %.4g%s", film->film_Rq,
-             in_metres(film->film_Rq, c->height).text, film->Rq,
+    ovr_tell(to, "film thickness roughness Rq", "%.4g%s; surfaces: %.4g%s",
+             film->film_Rq, in_metres(film->film_Rq, c->height).text, film->Rq,
              in_metres(film->Rq, c->height).text);
     ovr_tell(
         to, "minimum film thickness", "%s%s%s", film_text(film->H_min, c).text,

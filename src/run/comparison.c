@@ -7,6 +7,8 @@
 #include "base/error.h"
 #include "base/quantity.h"
 #include "overroll/simulation.h"
+#include "physics/stress/stress.h"
+#include "run/summary_lines.h"
 
 /* "at most", "<=" and so on at *text, which moves behind it. */
 static bool read_relation(const char **text, int *sense)
@@ -65,23 +67,66 @@ static bool is_key(const char *key, const char *bare, const char *si)
     return (bare && !strcmp(key, bare)) || (si && *si && !strcmp(key, si));
 }
 
-/* "minimum film thickness over the run" */
-static void name_extreme(const ovr_extreme *e, char *text, size_t size)
+/* Names of numbers of a summary that are neither quantities nor extremes. */
+static const char *other_name(const char *key)
 {
-    const ovr_observable *row = e->of;
-    const char *label = row->extreme_label, *before = "", *after = "";
-    if (e->part == OVR_KEPT_MEAN) {
-        label = row->mean_label;
-        before = label ? "" : "mean ";
-    } else if (!label) {
-        before = row->extreme == OVR_SMALLEST ? "smallest " : "largest ";
+    static const char *const names[][2] = {
+        {"H_cen_moes", "central film thickness, Moes"},
+        {"H_cen_fit", "central film thickness, overroll fit"},
+        {"H_min_fit", "minimum film thickness, overroll fit"},
+        {"film_Rq_predicted", "predicted film thickness roughness Rq"},
+        {"film_Rq_predicted_m", "predicted film thickness roughness Rq"},
+        {"H_min_predicted", "predicted minimum film thickness"},
+        {"H_min_predicted_m", "predicted minimum film thickness"},
+        {"lambda_ratio", "lambda ratio"},
+        {"lambda_ratio_predicted", "predicted lambda ratio"},
+        {"expected_error", "expected discretization error"},
+        {"power_loss_W", "friction power loss"},
+        {"efficiency", "efficiency"},
+        {"life_ratio", "life ratio"},
+        {"utilisation", "utilization of the fatigue limit"},
+        {"equivalent_length", "equivalent raceway length"},
+        {"equivalent_length_m", "equivalent raceway length"},
+        {"R_max", "shear path radius R"},
+        {"R_max_Pa", "shear path radius R"}};
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+        if (!strcmp(key, names[k][0]))
+            return names[k][1];
+    return NULL;
+}
+
+/* "maximum shear stress" of "tau_max" and "tau_max_Pa". */
+static const char *stress_name(const char *key)
+{
+    const ovr_stress_figure *f;
+    for (size_t k = 0; (f = ovr_stress_figure_at(k)); k++) {
+        size_t size = strlen(f->key);
+        if (f->label && !strncmp(key, f->key, size) &&
+            (!key[size] || !strcmp(key + size, "_Pa")))
+            return f->label;
     }
-    if (e->part == OVR_KEPT_PLACE)
-        after = ": position";
-    else if (e->part == OVR_KEPT_TIME)
-        after = ": time";
-    snprintf(text, size, "%s%s over the run%s", before,
-             label ? label : row->long_name, after);
+    return NULL;
+}
+
+/* Unit of a number in SI by the end of its key; "": none. */
+static const char *si_unit(const char *key)
+{
+    static const char *const units[][2] = {
+        {"_N_per_m", "N/m"}, {"_W_per_m", "W/m"},
+        {"_m_per_s", "m/s"}, {"_rad_per_s", "rad/s"},
+        {"_per_Pa", "1/Pa"}, {"_Pa_s", "Pa.s"},
+        {"_N_m", "N.m"},     {"_Pa", "Pa"},
+        {"_rpm", "rpm"},     {"_deg", "deg"},
+        {"_m", "m"},         {"_s", "s"},
+        {"_N", "N"},         {"_W", "W"},
+        {"_K", "K"}};
+    size_t size = strlen(key);
+    for (size_t k = 0; k < sizeof units / sizeof *units; k++) {
+        size_t ending = strlen(units[k][0]);
+        if (size > ending && !strcmp(key + size - ending, units[k][0]))
+            return units[k][1];
+    }
+    return "";
 }
 
 /* Unit of a dimensionless number of this kind. */
@@ -92,13 +137,15 @@ static const char *bare_unit(ovr_unit_kind kind)
     case OVR_KIND_HEIGHT: return "b^2/R";
     case OVR_KIND_PRESSURE: return "p_h";
     case OVR_KIND_TIME: return "b/u_m";
+    case OVR_KIND_TEMPERATURE: return "K";
     default: return "";
     }
 }
 
 ovr_quantity_name ovr_quantity_named(const char *key)
 {
-    ovr_quantity_name name = {.unit = ""};
+    ovr_quantity_name name = {.unit = si_unit(key)};
+    const char *other;
     const ovr_observable *o;
     ovr_extreme e;
     for (size_t k = 0; (o = ovr_observable_at(k)); k++)
@@ -110,12 +157,17 @@ ovr_quantity_name ovr_quantity_named(const char *key)
         }
     for (size_t k = 0; ovr_extreme_at(k, &e); k++)
         if (is_key(key, e.key, e.key_si)) {
-            name_extreme(&e, name.text, sizeof name.text);
+            snprintf(name.text, sizeof name.text, "%s", e.long_name);
             if (!strcmp(key, e.key))
                 name.unit = bare_unit(e.kind);
             return name;
         }
-    snprintf(name.text, sizeof name.text, "%.199s", key);
+    other = other_name(key);
+    if (!other)
+        other = ovr_contact_label(key);
+    if (!other)
+        other = stress_name(key);
+    snprintf(name.text, sizeof name.text, "%.199s", other ? other : key);
     return name;
 }
 

@@ -26,8 +26,8 @@ const char *ovr_quantity_bare(const char *quantity,
                               char buffer[OVR_QUANTITY_CAPACITY]);
 
 /* The full name of a number of a summary for people ("minimum film thickness
- * over the run"), or the key of a number without a quantity.  `unit` is the
- * symbol of its unit if the number is dimensionless, otherwise "". */
+ * over the run"), or the key of a number that has no name.  `unit` is its unit,
+ * for a dimensionless number the scale: "b^2/R"; "": none. */
 typedef struct ovr_quantity_name {
     char text[200];
     const char *unit;

@@ -442,6 +442,15 @@ static ovr_status open_results(ovr_find *f, ovr_error *err)
     return OVR_OK;
 }
 
+static ovr_status name_quantity(ovr_find_info *i, ovr_arena *arena,
+                                ovr_error *err)
+{
+    const ovr_quantity_name name = ovr_quantity_named(i->quantity);
+    i->name = ovr_arena_text(arena, name.text, err);
+    i->quantity_unit = name.unit;
+    return i->name ? OVR_OK : OVR_NO_MEMORY;
+}
+
 static ovr_status prepare(ovr_find *f, ovr_case *c,
                           const ovr_find_options *options, ovr_error *err)
 {
@@ -461,6 +470,8 @@ static ovr_status prepare(ovr_find *f, ovr_case *c,
     if (take_ends(f, err) || take_condition(f, err) || look_up(f, err) ||
         try_ends(f, err))
         return OVR_BAD_INPUT;
+    if (name_quantity(i, &f->arena, err))
+        return OVR_NO_MEMORY;
     if (f->how.results && open_results(f, err))
         return OVR_BAD_INPUT;
     if (!f->how.table)

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "run/report_words.h"
 #include "physics/heat/heat.h"
+#include "run/comparison.h"
 #include "simulation/simulation.h"
 
 #include <math.h>
@@ -216,11 +217,12 @@ static void say_heat(const ovr_told *to, const ovr_run_info *s)
     const ovr_observation *o = ovr_simulation_observation(s->sim);
     if (!ovr_setup_heat(s->setup))
         return;
-    ovr_tell_number(to, "maximum temperature of the film", 4,
-                    o->T_film_max - zero, "%-11s %.4g", "degC",
-                    o->X_T_film_max);
-    ovr_tell_number(to, "  of surface 1", 4, o->T_1_max - zero, "degC");
-    ovr_tell_number(to, "  of surface 2", 4, o->T_2_max - zero, "degC");
+    ovr_tell_number(to, "maximum film temperature", 4, o->T_film_max - zero,
+                    "%-11s %.4g", "degC", o->X_T_film_max);
+    ovr_tell_number(to, "maximum temperature of surface 1", 4,
+                    o->T_1_max - zero, "degC");
+    ovr_tell_number(to, "maximum temperature of surface 2", 4,
+                    o->T_2_max - zero, "degC");
     if (isnan(o->energy_defect))
         ovr_tell(to, "energy balance error", "unknown (set boundary.friction)");
     else
@@ -237,69 +239,54 @@ void ovr_say_conditions(const ovr_told *to, const ovr_run_info *s)
 
 /* ------------------------------------------------------------------ errors */
 
-/* Label of the quantity with this key. */
-static const char *label_of(const char *key, bool *extreme)
+/* The name without " over the run", which is longer than the column. */
+static ovr_words short_name(const char *name, const char **when)
 {
-    const ovr_observable *row;
-    for (size_t k = 0; (row = ovr_observable_at(k)); k++) {
-        if (row->key && row->label && !strcmp(row->key, key))
-            return row->label;
-        if (row->extreme_label && !strcmp(row->extreme_key, key)) {
-            *extreme = true;
-            return row->extreme_label;
-        }
-        if (row->mean_label && !strcmp(row->mean_key, key))
-            return row->mean_label;
-    }
-    return key;
+    const char *over = strstr(name, " over the run");
+    ovr_words w = {""};
+    *when = over ? "over the run" : "";
+    ovr_words_add(&w, "%.*s",
+                  (int)(over ? (size_t)(over - name) : strlen(name)), name);
+    return w;
 }
 
-/* Appends a relative error, and in nm, um or MPa; or that the quantity does not
- * converge. */
-static void add_error(ovr_words *w, const ovr_run_error *e,
-                      const ovr_run_info *s)
+/* Prints the relative error of a quantity, and in nm, um or MPa; or that the
+ * quantity does not converge. */
+static void say_error(const ovr_told *to, const ovr_run_error *e,
+                      const ovr_contact *contact)
 {
-    const ovr_contact *contact = s->setup->contact;
-    bool extreme = false;
-    const char *label = label_of(e->key, &extreme);
-    const char *when = extreme && s->transient ? " over the run" : "";
+    const ovr_quantity_name name = ovr_quantity_named(e->key);
     const char *unit = e->kind == OVR_KIND_HEIGHT   ? "nm"
                        : e->kind == OVR_KIND_LENGTH ? "um"
                                                     : "MPa";
     double scale = ovr_kind_scale(e->kind, contact) * (*unit == 'n'   ? 1e9
                                                        : *unit == 'u' ? 1e6
                                                                       : 1e-6);
-    const char *between = *w->text ? " " : "";
+    const char *when;
+    ovr_words label = short_name(name.text, &when), w = {""};
     if (!e->converges) {
-        ovr_words_add(w, "%s%s%s does not converge with the level", between,
-                      label, when);
+        ovr_tell(to, label.text, "%s%sdoes not converge with the level", when,
+                 *when ? ": " : "");
         return;
     }
-    ovr_words_add(w, "%s%s%s %.2g %%", between, label, when,
-                  100 * e->error / fabs(e->value[0]));
     if (isfinite(scale))
-        ovr_words_add(w, " (%.2g %s)", e->error * scale, unit);
+        ovr_words_add(&w, "%.2g %s%s%s", e->error * scale, unit,
+                      *when ? ", " : "", when);
+    else
+        ovr_words_add(&w, "%s", when);
+    ovr_tell_number(to, label.text, 2, 100 * e->error / fabs(e->value[0]), "%s",
+                    ovr_words_unit("%", "%s", w.text).text);
 }
 
-/* Prints two errors in a line. */
 void ovr_say_errors(const ovr_told *to, const ovr_run_info *s)
 {
     const ovr_run_errors *e = s->error;
-    const char *label = "estimated discretization errors";
-    ovr_words w = {""};
-    for (size_t k = 0; k < e->count; k++) {
-        bool last = k + 1 == e->count;
-        add_error(&w, &e->of[k], s);
-        ovr_words_add(&w, last ? "" : ",");
-        if (k % 2 || last) {
-            ovr_tell(to, label, "%s", w.text);
-            w.text[0] = '\0';
-            label = "";
-        }
-    }
+    bool three = e->count && isfinite(e->of[0].value[2]);
     bool steps = s->transient && !s->setup->march->adaptive;
-    ovr_tell(to, label, "(relative, by level %d%s%s)", e->level,
-             e->count && isfinite(e->of[0].value[2]) ? " and the next coarser"
-                                                     : "",
-             steps ? ", with time steps proportional to D" : "");
+    ovr_tell_title(to, "%s", "");
+    ovr_tell_title(to, "estimated discretization errors (from level %d%s%s)",
+                   e->level, three ? " and the next coarser" : "",
+                   steps ? ", time steps proportional to D" : "");
+    for (size_t k = 0; k < e->count; k++)
+        say_error(to, &e->of[k], s->setup->contact);
 }

@@ -14,6 +14,7 @@
 #include "mathematics/sample.h"
 #include "overroll/questions.h"
 #include "overroll/text.h"
+#include "run/comparison.h"
 #include "run/csv.h"
 #include "run/internal.h"
 #include "run/study_table.h"
@@ -301,7 +302,10 @@ static ovr_status take_row(sampling *w, size_t row, size_t group,
     r->mean = r->sd = r->error = r->factor = NAN;
     r->group = group_name(w, from);
     r->quantity = ovr_arena_text(&w->to->arena, of->name, w->err);
-    if (!r->group || !r->quantity)
+    const ovr_quantity_name name = ovr_quantity_named(of->name);
+    r->name = ovr_arena_text(&w->to->arena, name.text, w->err);
+    r->unit = name.unit;
+    if (!r->group || !r->quantity || !r->name)
         status = OVR_NO_MEMORY;
     if (!status) {
         count_states(w, from, r);

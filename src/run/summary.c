@@ -44,13 +44,14 @@ static void say_predicted(const ovr_told *to, const ovr_rough_film *film)
 {
     if (film->why)
         return;
-    ovr_tell_number(to, "predicted film roughness Rq", 4, film->film_Rq, "%s",
+    ovr_tell_number(to, "predicted film thickness roughness Rq", 4,
+                    film->film_Rq, "%s",
                     ovr_words_unit("b^2/R", "surface Rq %.4g", film->Rq).text);
-    ovr_tell_number(to, "predicted min. film thickness", 4, film->H_min, "%s",
-                    ovr_words_unit("b^2/R", "%s%s",
-                                   film->but ? "less certain: " : "",
-                                   film->but ? film->but : "")
-                        .text);
+    ovr_tell_number(
+        to, "predicted minimum film thickness", 4, film->H_min, "%s",
+        ovr_words_unit("b^2/R", "%s%s", film->but ? "less certain: " : "",
+                       film->but ? film->but : "")
+            .text);
 }
 
 /* Returns the remark on a pressure that the mesh does not resolve. */
@@ -82,6 +83,53 @@ static void say_observed(const ovr_told *to, const ovr_observable *row,
             ovr_words_columns(value, row, X, NAN, contact, more.text).text);
 }
 
+/* False for the lambda ratio of features if the ratio of the roughness that is
+ * not on the grid replaces it. */
+static bool is_reported(const ovr_extreme *e, const ovr_run_info *s)
+{
+    return !(s->setup->Rq > 0 && !strcmp(e->key, "lambda_ratio"));
+}
+
+/* Prints the row of an extreme or mean. */
+static void say_kept(const ovr_told *to, const ovr_extreme *e,
+                     const ovr_run_info *s)
+{
+    const ovr_statistics *total = ovr_simulation_statistics(s->sim);
+    const ovr_contact *contact = s->setup->contact;
+    const ovr_observable *row = e->of;
+    bool mean = e->part == OVR_KEPT_MEAN;
+    bool reported = mean ? row->mean_reported : row->extreme_reported;
+    double value = ovr_extreme_value(e, total), X = NAN, T = NAN;
+    ovr_words behind;
+    if (!reported || isnan(value) || (!mean && e->part != OVR_KEPT_EXTREME) ||
+        (row->friction && (!(fabs(value) > 0) || ovr_absurd_friction(s))))
+        return;
+    if (!mean) {
+        ovr_extreme at = *e;
+        at.part = OVR_KEPT_TIME;
+        T = ovr_extreme_value(&at, total);
+        at.part = OVR_KEPT_PLACE;
+        X = ovr_extreme_value(&at, total);
+    }
+    behind = ovr_words_columns(
+        value, row, X, T, contact,
+        unresolved(row, mean || !total->P_max_unresolved, true));
+    ovr_tell_number(to, e->label, row->digits, value, "%s", behind.text);
+}
+
+/* Prints the mean of a quantity that has no row for its value, in a steady
+ * solution, where both are equal. */
+static void say_mean(const ovr_told *to, const ovr_observable *row,
+                     const ovr_run_info *s)
+{
+    ovr_extreme e;
+    if (s->transient || row->label || !row->name || row->friction)
+        return;
+    for (size_t k = 0; ovr_extreme_at(k, &e); k++)
+        if (e.of == row && e.part == OVR_KEPT_MEAN && is_reported(&e, s))
+            say_kept(to, &e, s);
+}
+
 /* All quantities, as they are at the end. */
 static void put_observed(const ovr_told *to, const ovr_run_info *s)
 {
@@ -95,6 +143,7 @@ static void put_observed(const ovr_told *to, const ovr_run_info *s)
         if (o->offset == offsetof(ovr_observation, residual))
             ovr_say_conditions(to, s);
         say_observed(to, o, s);
+        say_mean(to, o, s);
         if (!o->key)
             continue;
         if (o->kind == OVR_KIND_COUNT)
@@ -141,36 +190,6 @@ static void put_of_width(const ovr_told *to, const ovr_run_info *s)
                      contact);
 }
 
-/* Prints the row of an extreme or mean.  In a steady solution these equal the
- * value itself; only means of columns without a row of their own are printed.
- */
-static void say_kept(const ovr_told *to, const ovr_extreme *e,
-                     const ovr_run_info *s)
-{
-    const ovr_statistics *total = ovr_simulation_statistics(s->sim);
-    const ovr_contact *contact = s->setup->contact;
-    const ovr_observable *row = e->of;
-    bool mean = e->part == OVR_KEPT_MEAN;
-    const char *label = mean ? row->mean_label : row->extreme_label;
-    double value = ovr_extreme_value(e, total), X = NAN, T = NAN;
-    ovr_words behind;
-    if (!label || isnan(value) || (!mean && e->part != OVR_KEPT_EXTREME) ||
-        (!s->transient && (!mean || row->label || !row->name)) ||
-        (row->friction && (!(fabs(value) > 0) || ovr_absurd_friction(s))))
-        return;
-    if (!mean) {
-        ovr_extreme at = *e;
-        at.part = OVR_KEPT_TIME;
-        T = ovr_extreme_value(&at, total);
-        at.part = OVR_KEPT_PLACE;
-        X = ovr_extreme_value(&at, total);
-    }
-    behind = ovr_words_columns(
-        value, row, X, T, contact,
-        unresolved(row, mean || !total->P_max_unresolved, true));
-    ovr_tell_number(to, label, row->digits, value, "%s", behind.text);
-}
-
 /* Extremes and means over the whole run. */
 static void put_extremes(const ovr_told *to, const ovr_run_info *s)
 {
@@ -179,9 +198,10 @@ static void put_extremes(const ovr_told *to, const ovr_run_info *s)
     ovr_extreme e;
     for (size_t k = 0; ovr_extreme_at(k, &e); k++)
         if ((s->transient || e.of->steady) && !(e.of->needs & ~physics)) {
-            if (s->setup->Rq > 0 && !strcmp(e.key, "lambda_ratio"))
-                continue; /* replaced by the ratio of subgrid roughness */
-            say_kept(to, &e, s);
+            if (!is_reported(&e, s))
+                continue;
+            if (s->transient)
+                say_kept(to, &e, s);
             ovr_put_both(to, e.key, *e.key_si ? e.key_si : NULL,
                          ovr_extreme_value(&e, total),
                          ovr_kind_scale(e.kind, s->setup->contact));
@@ -342,10 +362,9 @@ void ovr_run_report(const ovr_run_info *s, ovr_summary_taker *take, void *data)
     if (s->passes)
         put_passes(&to, s);
     ovr_say_contact(&to, s);
-    if (s->transient)
-        put_extremes(&to, s);
-    put_rough_film(&to, s);
     if (s->transient) {
+        put_extremes(&to, s);
+        put_rough_film(&to, s);
         put_steps(&to, s);
         ovr_stress_summary(s->stress, s->setup, take, data);
         say_elastic(&to, s);
@@ -354,6 +373,7 @@ void ovr_run_report(const ovr_run_info *s, ovr_summary_taker *take, void *data)
     put_observed(&to, s);
     put_of_width(&to, s);
     if (!s->transient) {
+        put_rough_film(&to, s);
         put_extremes(&to, s);
         ovr_stress_summary(s->stress, s->setup, take, data);
     }

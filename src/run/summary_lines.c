@@ -110,8 +110,8 @@ void ovr_tell_number(const ovr_told *to, const char *label, int digits,
 void ovr_tell_heading(const ovr_told *to, bool times, const char *title)
 {
     ovr_tell_title(to, "%s", "");
-    ovr_tell_title(to, "%-31s %-12s %-11s %-10s%s", title, "value", "in units",
-                   "at X = x/b", times ? " at T" : "");
+    ovr_tell_title(to, "%-*s %-12s %-11s %-10s%s", OVR_LABEL_WIDTH, title,
+                   "value", "in units", "at X = x/b", times ? " at T" : "");
 }
 
 void ovr_words_add(ovr_words *to, const char *format, ...)
@@ -215,7 +215,8 @@ ovr_words ovr_words_columns(double value, const ovr_observable *row, double X,
                             const char *more)
 {
     const double rounding = 1e-12; /* of a node's place at X = 0 */
-    bool range = row->note && !strncmp(row->note, "|X|", 3);
+    bool range = row->note && (!strncmp(row->note, "|X|", 3) ||
+                               !strncmp(row->note, "X = ", 4));
     char at[16] = "", when[16] = "";
     ovr_words w = {""}, remark = {""};
     if (fabs(X) < rounding)
@@ -223,7 +224,7 @@ ovr_words ovr_words_columns(double value, const ovr_observable *row, double X,
     if (isfinite(X))
         snprintf(at, sizeof at, "%.4g", X);
     else if (range)
-        snprintf(at, sizeof at, "%.15s", row->note);
+        snprintf(at, sizeof at, "%.15s", row->note + 4 * (*row->note == 'X'));
     if (isfinite(T))
         snprintf(when, sizeof when, " %-8.4g", T);
     add_si(&remark, value, row, X, T, contact);
@@ -271,9 +272,11 @@ static void put_scale(const ovr_told *to, const scale *s, bool before)
         ovr_put_number(to, s->key, s->value);
 }
 
-void ovr_put_contact(const ovr_told *to, const ovr_contact *c, bool before)
+enum { SCALES = 17 };
+
+static void contact_scales(const ovr_contact *c, scale rows[SCALES])
 {
-    const scale rows[] = {
+    const scale all[SCALES] = {
         {"M", "Moes' load number M", c->M, 1, "", false, false},
         {"L", "Moes' lubricant number L", c->L, 1, "", false, false},
         {"lambda", "dimensionless speed parameter", c->lambda, 1, "", false,
@@ -302,6 +305,24 @@ void ovr_put_contact(const ovr_told *to, const ovr_contact *c, bool before)
         {"viscosity_Pa_s", "viscosity eta0", c->viscosity, 1e-3, "mPa.s", true,
          true},
         {"alpha_per_Pa", NULL, c->alpha, 1, "", true, false}};
-    for (size_t k = 0; k < sizeof rows / sizeof *rows; k++)
+    memcpy(rows, all, sizeof all);
+}
+
+void ovr_put_contact(const ovr_told *to, const ovr_contact *c, bool before)
+{
+    scale rows[SCALES];
+    contact_scales(c, rows);
+    for (size_t k = 0; k < SCALES; k++)
         put_scale(to, &rows[k], before);
+}
+
+const char *ovr_contact_label(const char *key)
+{
+    const ovr_contact none = {0};
+    scale rows[SCALES];
+    contact_scales(&none, rows);
+    for (size_t k = 0; k < SCALES; k++)
+        if (!strcmp(rows[k].key, key))
+            return rows[k].label;
+    return NULL;
 }

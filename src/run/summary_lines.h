@@ -68,4 +68,7 @@ ovr_words ovr_words_columns(double value, const ovr_observable *row, double X,
 ovr_words ovr_words_unit(const char *unit, const char *format, ...)
     OVR_PRINTF(2, 3);
 
+/* The label of a number of ovr_put_contact; NULL: no such number. */
+const char *ovr_contact_label(const char *key);
+
 #endif

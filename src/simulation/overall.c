@@ -93,35 +93,48 @@ static int stem(const char *key)
                                               : strlen(key));
 }
 
-/* Names a part that is kept: its key, by the key of the extreme or the mean,
- * and in words, after the quantity's or by that key. */
+/* True if `name` begins with `word`, so that the word need not be added. */
+static bool begins(const char *name, const char *word)
+{
+    return !strncmp(name, word, strlen(word));
+}
+
+/* Writes the label: "minimum film thickness" of the quantity of that name,
+ * "maximum asperity load share", "mean central film thickness". */
+static void label(const ovr_observable *row, ovr_kept_part part,
+                  ovr_extreme *to)
+{
+    static const char *const senses[] = {[OVR_SMALLEST] = "minimum ",
+                                         [OVR_LARGEST] = "maximum ",
+                                         [OVR_OF_MAGNITUDE] = "largest "};
+    const char *word = part == OVR_KEPT_MEAN ? "mean " : senses[row->extreme];
+    PUT(to->label, "%s%s", begins(row->long_name, word) ? "" : word,
+        row->long_name);
+}
+
+/* Writes the key of a part that is kept, from the key of the extreme or the
+ * mean, and its name. */
 static void name(const ovr_observable *row, ovr_kept_part part, ovr_extreme *to)
 {
-    static const char *const senses[] = {
-        [OVR_SMALLEST] = "smallest",
-        [OVR_LARGEST] = "largest",
-        [OVR_OF_MAGNITUDE] = "of largest magnitude"};
     const char *key = row->extreme_key, *suffix;
     *to = (ovr_extreme){.kind = row->kind, .part = part, .of = row};
+    label(row, part, to);
+    PUT(to->long_name, "%s%s over the run",
+        part == OVR_KEPT_PLACE  ? "position of the "
+        : part == OVR_KEPT_TIME ? "time of the "
+                                : "",
+        to->label);
     switch (part) {
-    case OVR_KEPT_EXTREME:
-        PUT(to->key, "%s", key);
-        PUT(to->long_name, "%s: %s over the run", row->long_name,
-            senses[row->extreme]);
-        break;
+    case OVR_KEPT_EXTREME: PUT(to->key, "%s", key); break;
     case OVR_KEPT_PLACE:
         to->kind = OVR_KIND_LENGTH;
         PUT(to->key, "X_%s", key);
-        PUT(to->long_name, "where %s was", key);
         break;
     case OVR_KEPT_TIME:
         to->kind = OVR_KIND_TIME;
         PUT(to->key, "T_%.*s", stem(key), key);
-        PUT(to->long_name, "when %s was", key);
         break;
-    case OVR_KEPT_MEAN:
-        PUT(to->key, "%s", row->mean_key);
-        PUT(to->long_name, "%s: mean over the run", row->long_name);
+    case OVR_KEPT_MEAN: PUT(to->key, "%s", row->mean_key);
     }
     suffix = ovr_kind_about(to->kind)->suffix;
     if (*suffix)

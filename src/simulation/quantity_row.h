@@ -6,7 +6,7 @@
  *                    P_max, 0, "maximum pressure",
  *                    LABEL("maximum pressure"), PLACE(X_P_max),
  *                    LARGEST("P_max_overall"),
- *                    EXTREME_LABEL("maximum pressure"), PASS(LARGEST))
+ *                    EXTREME_REPORTED, PASS(LARGEST))
  *
  * is a column of the history, two keys of JSON, a line of reports with its
  * place, the largest of a run with where and when in JSON, reports, attributes
@@ -39,9 +39,9 @@
 #define SMALLEST(key) .extreme = OVR_SMALLEST, .extreme_key = (key)
 #define LARGEST(key) .extreme = OVR_LARGEST, .extreme_key = (key)
 #define OF_MAGNITUDE(key) .extreme = OVR_OF_MAGNITUDE, .extreme_key = (key)
-#define EXTREME_LABEL(text) .extreme_label = (text)
+#define EXTREME_REPORTED .extreme_reported = true
 #define MEAN(key) .mean_key = (key)
-#define MEAN_LABEL(text) .mean_label = (text)
+#define MEAN_REPORTED .mean_reported = true
 #define STEADY_TOO .steady = true
 #define PASS(column) .pass = OVR_PASS_##column
 #define PASS_HEAD(place, text) .pass_place = (place), .pass_head = (text)

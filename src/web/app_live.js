@@ -90,7 +90,7 @@ const ROWS = [
   ["sliding friction coefficient", "mu_slide", 1, ""],
   ["rolling friction coefficient", "mu_roll", 1, ""],
   ["friction force on surface 1", "F_1_N_per_m", 1, "N/m"],
-  ["maximum temperature rise", "T_max_rise", 1, "K"],
+  ["maximum film temperature rise", "T_max_rise", 1, "K"],
   ["starvation factor", "film_ratio", 1, ""],
   ["Moes' load number M", "M", 1, ""],
   ["Moes' lubricant number L", "L", 1, ""]];

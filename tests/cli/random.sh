@@ -32,7 +32,7 @@ contact.modulus = lognormal 226 GPa sd 2 %
 hertz_pressure_Pa <= 1.1 GPa
 END
 expect 0 "$OVERROLL" sweep lognormal.ini -j 2
-contains out '^500 draws: 500 finished, 0 failed, 0 marked, order 4, level 3'
+contains out '^500 samples: 500 finished, 0 failed, 0 with .*, order 4, level 3'
 contains lognormal/summary.csv '^group,quantity,draws,.*q05_low,.*share_load'
 expect 0 "$OVERROLL" sweep lognormal.ini --collect table.csv -q
 expect 0 "$OVERROLL" sweep lognormal.ini --statistics --json \
@@ -184,9 +184,10 @@ cmp few/*draw-0007.ini many/*draw-0007.ini || fail 'draw 7 depends on others'
 # the same draws in each case of [product]
 expect 0 "$OVERROLL" sweep plain.ini -q
 expect 0 "$OVERROLL" sweep plain.ini --statistics --quantity hertz_pressure_Pa
-contains out '^mean_speed=1m~s: 40 draws: 40 finished'
-[ "$(grep -c '^hertz_pressure_Pa' out)" -eq 2 ] || fail "$(cat out)"
-[ "$(grep '^hertz_pressure_Pa' out | sort -u | wc -l)" -eq 1 ] ||
+contains out '^mean_speed=1m~s: 40 samples: 40 finished'
+contains out '^maximum Hertzian pressure p_h, Pa .hertz_pressure_Pa.$'
+[ "$(grep -c '^mean ' out)" -eq 2 ] || fail "$(cat out)"
+[ "$(grep '^mean ' out | sort -u | wc -l)" -eq 1 ] ||
     fail "other draws: $(cat out)"
 grep -q share out && fail 'of 40 draws indices are told'
 
@@ -206,7 +207,7 @@ H_min >= 0
 END
 code=0
 "$OVERROLL" sweep failing.ini -j 2 >out 2>err || code=$?
-failed=$(sed -n 's/^64 draws: .* finished, \([0-9]*\) failed.*/\1/p' out)
+failed=$(sed -n 's/^64 samples: .* finished, \([0-9]*\) failed.*/\1/p' out)
 if [ "$code" -eq 1 ] && [ "${failed:-0}" -gt 0 ]; then
     contains out '% of the samples failed'
     expect 0 "$OVERROLL" sweep failing.ini --statistics --json

@@ -181,11 +181,11 @@ static double deepest(const ovr_simulation *sim, const layer *l)
 
 /* ----------------------------------------------------------------- observed */
 
-static const ovr_observable quantities[] = {OVR_NUMBER_ROW(
-    "worn_depth", "worn_depth", "worn_depth_m", HEIGHT, more[0], 1u << 20,
-    "largest depth that is worn of the layer", LABEL("worn depth"),
-    LARGEST("worn_depth_max"), EXTREME_LABEL("worn depth"),
-    MEAN("worn_depth_mean"), PASS(END))};
+static const ovr_observable quantities[] = {
+    OVR_NUMBER_ROW("worn_depth", "worn_depth", "worn_depth_m", HEIGHT, more[0],
+                   1u << 20, "largest depth that is worn of the layer",
+                   LABEL("worn depth"), LARGEST("worn_depth_max"),
+                   EXTREME_REPORTED, MEAN("worn_depth_mean"), PASS(END))};
 
 static void unknown(ovr_observation *o)
 {

@@ -390,15 +390,14 @@ enum {
                    __VA_ARGS__)
 
 /* One that wear changes, of a surface. */
-#define WORN(name, place, text, label)                                         \
+#define WORN(name, place, text, definition)                                    \
     OVR_NUMBER_ROW(name, name, name "_m", HEIGHT, more[place],                 \
-                   OVR_PHYSICS_WEAR, text, LABEL(label))
+                   OVR_PHYSICS_WEAR, text, COMMENT(definition), LABEL(text))
 
 static const ovr_observable quantities[] = {
     TOUCH("contact_share", "contact_share", NULL, NUMBER, SHARE,
           "asperity load share", LABEL("asperity load share"),
-          LARGEST("contact_share_max"),
-          EXTREME_LABEL("largest asperity load share"),
+          LARGEST("contact_share_max"), EXTREME_REPORTED,
           MEAN("contact_share_mean"), PASS(MEAN)),
     TOUCH("contact_area", "contact_area", "contact_area_m", LENGTH, AREA,
           "real contact length", COMMENT("along x, summed over the asperities"),
@@ -406,9 +405,10 @@ static const ovr_observable quantities[] = {
     TOUCH("max_contact_pressure", "A_max", "max_contact_pressure_Pa", PRESSURE,
           A_MAX, "maximum asperity pressure",
           LABEL("maximum asperity pressure"), LARGEST("A_max_overall"),
-          EXTREME_LABEL("maximum asperity pressure")),
+          EXTREME_REPORTED),
     TOUCH("contact_film", "H_contact", "contact_film_m", HEIGHT, H_CONTACT,
-          "minimum gap in asperity contact", LABEL("minimum gap in contact")),
+          "minimum gap in asperity contact",
+          LABEL("minimum gap in asperity contact")),
     TOUCH("mu_film", "mu_film", NULL, NUMBER, MU_FILM,
           "fluid friction coefficient", LABEL("fluid friction coefficient"),
           MEAN("mu_film_mean")),
@@ -423,21 +423,22 @@ static const ovr_observable quantities[] = {
     TOUCH("contact_share_estimate", "contact_share_estimate", NULL, NUMBER,
           ESTIMATE, "predicted asperity load share",
           COMMENT("by the film thickness formula of smooth surfaces"),
-          LABEL("  predicted")),
+          LABEL("predicted asperity load share")),
     OVR_NUMBER_ROW("passes", "passes", NULL, NUMBER, more[PASSES],
-                   OVR_PHYSICS_WEAR, "number of passes", LABEL("passes")),
+                   OVR_PHYSICS_WEAR, "number of passes",
+                   LABEL("number of passes")),
     WORN("wear_1", WEAR_1, "mean wear depth of surface 1",
-         "mean wear depth of surface 1"),
+         "mean over the profile"),
     WORN("wear_2", WEAR_2, "mean wear depth of surface 2",
-         "mean wear depth of surface 2"),
-    WORN("Rpk_1", PEAKS_1, "height of the peaks of surface 1 above its core",
-         "Rpk of surface 1"),
-    WORN("Rpk_2", PEAKS_2, "height of the peaks of surface 2 above its core",
-         "Rpk of surface 2"),
-    WORN("Rvk_1", VALLEYS_1, "depth of the valleys of surface 1 below its core",
-         "Rvk of surface 1"),
-    WORN("Rvk_2", VALLEYS_2, "depth of the valleys of surface 2 below its core",
-         "Rvk of surface 2")};
+         "mean over the profile"),
+    WORN("Rpk_1", PEAKS_1, "Rpk of surface 1",
+         "height of the peaks above its core"),
+    WORN("Rpk_2", PEAKS_2, "Rpk of surface 2",
+         "height of the peaks above its core"),
+    WORN("Rvk_1", VALLEYS_1, "Rvk of surface 1",
+         "depth of the valleys below its core"),
+    WORN("Rvk_2", VALLEYS_2, "Rvk of surface 2",
+         "depth of the valleys below its core")};
 
 /* Both forces, once the film's integral has those where it is wet. */
 static void observe_friction(const ovr_simulation *sim, const boundary *b,

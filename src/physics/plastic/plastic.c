@@ -445,17 +445,18 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
 }
 
 static const ovr_observable quantities[] = {
-    OVR_NUMBER_ROW(
-        "plastic_strain", "plastic_strain", NULL, NUMBER, plastic_strain,
-        OVR_PHYSICS_PLASTIC, "maximum plastic strain", LABEL("plastic strain"),
-        LARGEST("plastic_strain_max"), EXTREME_LABEL("maximum plastic strain"),
-        PASS(END), PASS_HEAD(10, "strain"), PASS_WITH(PLASTIC)),
-    OVR_NUMBER_ROW(
-        "profile_change", "profile_change", "profile_change_m", HEIGHT,
-        profile_change, OVR_PHYSICS_PLASTIC, "maximum profile change",
-        COMMENT("permanent depression of the profile"), LABEL("profile change"),
-        LARGEST("profile_change_max"), EXTREME_LABEL("maximum profile change"),
-        PASS(END), PASS_HEAD(8, "change"), PASS_WITH(PLASTIC)),
+    OVR_NUMBER_ROW("plastic_strain", "plastic_strain", NULL, NUMBER,
+                   plastic_strain, OVR_PHYSICS_PLASTIC,
+                   "maximum plastic strain", LABEL("maximum plastic strain"),
+                   LARGEST("plastic_strain_max"), EXTREME_REPORTED, PASS(END),
+                   PASS_HEAD(10, "strain"), PASS_WITH(PLASTIC)),
+    OVR_NUMBER_ROW("profile_change", "profile_change", "profile_change_m",
+                   HEIGHT, profile_change, OVR_PHYSICS_PLASTIC,
+                   "maximum profile change",
+                   COMMENT("permanent depression of the profile"),
+                   LABEL("maximum profile change"),
+                   LARGEST("profile_change_max"), EXTREME_REPORTED, PASS(END),
+                   PASS_HEAD(8, "change"), PASS_WITH(PLASTIC)),
     OVR_NUMBER_ROW("shoulder_height_leading", "shoulder_height_leading",
                    "shoulder_height_leading_m", HEIGHT, shoulder_leading,
                    OVR_PHYSICS_PLASTIC, "leading rim height",
