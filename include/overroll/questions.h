@@ -85,8 +85,8 @@ typedef struct ovr_find ovr_find;
 /* Returns the values in the unit of the key, as in `low` and `high`. */
 typedef struct ovr_find_info {
     const char *key, *quantity;
-    const char *name;          /* of the quantity, in words */
-    const char *quantity_unit; /* "b^2/R", "Pa"; "": none */
+    const char *name;          /* full name of the quantity */
+    const char *quantity_unit; /* "b^2/R", "Pa" or "" */
     const char *unit; /* of the values; of a bare number "b", ...; "" */
     const char *which;
     int sense; /* 0: is; 1: at least; -1: at most */
@@ -183,7 +183,7 @@ enum { OVR_SAMPLE_QUANTILES = 7, OVR_SAMPLE_LIMITS = 4 };
 typedef struct ovr_sample_row {
     const char *group; /* "slide_to_roll=0.5"; "": nothing else varies */
     const char *quantity;
-    const char *name, *unit; /* of the quantity: in words; "b^2/R", "" */
+    const char *name, *unit; /* full name and unit ("b^2/R", "m" or "") */
     size_t draws, finished, failed, marked;
     size_t known; /* finished, with a number: what follows is of these */
     int order[2], level[2]; /* minimum and maximum of their solutions */

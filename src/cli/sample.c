@@ -5,7 +5,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { FEW = 200 }; /* samples; fewer: shares are printed with one digit */
+enum { FEW = 200 }; /* samples, up to which shares have one digit */
 
 /* -------------------------------------------------------------------- JSON */
 

@@ -108,7 +108,7 @@ static const char *stress_name(const char *key)
     return NULL;
 }
 
-/* Unit of a number in SI by the end of its key; "": none. */
+/* Unit of a number in SI by the end of its key, or "". */
 static const char *si_unit(const char *key)
 {
     static const char *const units[][2] = {

@@ -182,7 +182,7 @@ contains out '^mass flow rate .* mm2/s'
 contains out '^minimum film thickness .* \([0-9.]+ um at .* um, [0-9.]+ ms\)$'
 contains out '^minimum film thickness at a node +[0-9.e-]+ +% +.*nm.$'
 contains out '^maximum pressure +[0-9.e-]+ +% +\([0-9.e-]+ MPa, over the run\)$'
-contains out '^estimated .* errors .from level 3 and the next coarser, time steps'
+contains out '^estimated .* .from level 3 and the next coarser, time steps'
 expect 0 "$OVERROLL" info physical.h5
 contains out 't = 0 to 0\.02[0-9]+ ms$'
 contains out ' at t, ms '

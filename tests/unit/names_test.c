@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A quantity has one name: that of its row is the one in reports, in result
- * files and over a run. */
+/* A quantity has one name.  Reports, result files and extremes over a run use
+ * the name in its row. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -131,7 +131,7 @@ static void check_report(const char *text, bool transient)
         if (strlen(p.label[k]) > OVR_LABEL_WIDTH)
             fail_msg("'%s' is wider than its column", p.label[k]);
     }
-    /* what must be there, by the table */
+    /* Quantities that these reports must contain. */
     assert_true(has(&p, ovr_observable_at(2)->label));
     assert_true(has(&p, "central film thickness"));
     assert_true(has(&p, "sliding friction coefficient"));
