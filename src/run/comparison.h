@@ -26,8 +26,8 @@ const char *ovr_quantity_bare(const char *quantity,
                               char buffer[OVR_QUANTITY_CAPACITY]);
 
 /* The full name of a number of a summary for people ("minimum film thickness
- * over the run"), or the key of a number that has no name, and its unit in SI
- * or, of a dimensionless number, its scale ("b^2/R"), or "". */
+ * over the run"), or its key if it has no name.  `unit` is the unit in SI, or
+ * the scale of a dimensionless number ("b^2/R"), or "". */
 typedef struct ovr_quantity_name {
     char text[200];
     const char *unit;
