@@ -534,7 +534,7 @@ ANALYZED := $(LIBSRC:%.c=$(BUILD)/%.analyzed) $(CLISRC:%.c=$(BUILD)/%.analyzed)
 lint-analyzer: $(ANALYZED)
 $(BUILD)/%.analyzed: %.c $(BUILD)/%.o
 	$(call say,ANALYZE $<)
-	$(Q)gcc $(OVR_CFLAGS) -O2 -fanalyzer -Werror -c -o /dev/null $<
+	$(Q)gcc $(OVR_CFLAGS) -O2 -Wcast-qual -fanalyzer -Werror -c -o /dev/null $<
 	@touch $@
 
 lint-shell: need-lint

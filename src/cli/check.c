@@ -80,14 +80,14 @@ static ovr_status report_json(const ovr_case *c, const ovr_setup *setup,
     return status;
 }
 
-static ovr_status report(const cli_call *call, const ovr_case *c,
+static ovr_status report(cli_call *call, const ovr_case *c,
                          const ovr_setup *setup, double live, ovr_error *err)
 {
     ovr_status status;
     bool begun = false;
     if (call->json)
         return report_json(c, setup, live, err);
-    status = ovr_setup_report(setup, live, put_comment, (void *)call, err);
+    status = ovr_setup_report(setup, live, put_comment, call, err);
     if (status)
         return status;
     cli_put_stations(setup);
@@ -110,7 +110,7 @@ static int run(cli_call *call)
     setup = ovr_case_resolve(c, &counted, &err);
     if (setup && !ovr_setup_prepare(setup, &counted, &err) &&
         !ovr_setup_stress_depth(setup, &depth, &err)) {
-        ovr_setup_review(setup, cli_say, (void *)call);
+        ovr_setup_review(setup, cli_say, call);
         if (report(call, c, setup, live, &err))
             code = cli_fail(&err);
     } else {

@@ -51,7 +51,7 @@ static void report_table(const ovr_sensitivity *found)
     }
 }
 
-int cli_sensitivity(const cli_call *call, ovr_case *c, bool steady)
+int cli_sensitivity(cli_call *call, ovr_case *c, bool steady)
 {
     const char *keys = cli_value(call, "sensitivity");
     ovr_sensitivity_options how = {0};
@@ -63,7 +63,7 @@ int cli_sensitivity(const cli_call *call, ovr_case *c, bool steady)
     how.keys = keys && *keys ? keys : NULL;
     how.steady = steady;
     how.estimate = cli_flag(call, "estimate-error");
-    how.data = (void *)call;
+    how.data = call;
     how.say = cli_say;
     how.stop = cli_stop;
     cli_silence_the_end();

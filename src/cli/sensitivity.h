@@ -14,6 +14,6 @@
     }
 
 /* --sensitivity of steady and run: a table of elasticities; the exit code. */
-int cli_sensitivity(const cli_call *call, ovr_case *c, bool steady);
+int cli_sensitivity(cli_call *call, ovr_case *c, bool steady);
 
 #endif

@@ -12,15 +12,10 @@ enum {
     TRIES = 8  /* of them have to gain a third */
 };
 
-static ovr_level *finest_of(const ovr_hierarchy *grids)
-{
-    return (ovr_level *)&grids->level[grids->finest];
-}
-
 ovr_status ovr_correction_prepare(ovr_hierarchy *grids, ovr_correction *c,
                                   ovr_arena *arena, ovr_error *err)
 {
-    size_t capacity = finest_of(grids)->grid.n + OVR_MAX_LANES;
+    size_t capacity = grids->level[grids->finest].grid.n + OVR_MAX_LANES;
     return OVR_TAKE_FIELDS(arena, capacity, err, &c->F, &c->gap, &c->mask,
                            &c->gap_only);
 }
@@ -41,7 +36,7 @@ static void evaluate(const ovr_hierarchy *grids, const ovr_correction *c,
 {
     const ovr_kernels *run = grids->kernels;
     const ovr_fluid *fluid = &grids->fluid;
-    const ovr_level *level = finest_of(grids);
+    const ovr_level *level = &grids->level[grids->finest];
     const ptrdiff_t ends = (ptrdiff_t)level->grid.n + OVR_HALO,
                     centre = (ptrdiff_t)ceil(-level->grid.X[0] / level->grid.D);
     const ovr_fourth how = {
@@ -74,7 +69,7 @@ void ovr_fourth_evaluate(const ovr_hierarchy *grids, const ovr_correction *c,
  * film and residual; the deformation is that of P already. */
 static void correct(ovr_hierarchy *grids, const ovr_correction *c, bool mask)
 {
-    ovr_level *level = finest_of(grids);
+    ovr_level *level = &grids->level[grids->finest];
     evaluate(grids, c, grids->op.speed, false, mask);
     memcpy(level->f.F, c->F, level->lanes.S * level->lanes.V * sizeof(double));
     grids->kernels->combine(length(level), 1, begin(level, c->gap_only), 1,
@@ -102,7 +97,7 @@ static bool correct_after(void *data, ovr_hierarchy *grids, ovr_level *level,
 bool ovr_fourth_solve(ovr_hierarchy *grids, const ovr_correction *c,
                       const ovr_full *how, ovr_defect *d, int *cycles)
 {
-    ovr_level *level = finest_of(grids);
+    ovr_level *level = &grids->level[grids->finest];
     correcting data = {.correction = c};
     const ovr_attached attached = {correct_after, &data, how->cycling.attached};
     ovr_full own = *how;

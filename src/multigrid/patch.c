@@ -22,11 +22,10 @@ static ovr_status take(ovr_patch *p, ovr_arena *arena, ovr_error *err)
     return OVR_OK;
 }
 
-ovr_status ovr_patch_base(const ovr_hierarchy *grids, ovr_patch *base,
+ovr_status ovr_patch_base(ovr_hierarchy *grids, ovr_patch *base,
                           ovr_arena *arena, ovr_error *err)
 {
-    *base = (ovr_patch){.level = (ovr_level *)&grids->level[grids->finest],
-                        .from = 1};
+    *base = (ovr_patch){.level = &grids->level[grids->finest], .from = 1};
     base->to = base->level->grid.n - 2;
     return take(base, arena, err);
 }

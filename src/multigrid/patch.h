@@ -48,7 +48,7 @@ typedef struct ovr_patch {
 } ovr_patch;
 
 /* The base: memory for what it needs beside its level. */
-ovr_status ovr_patch_base(const ovr_hierarchy *grids, ovr_patch *base,
+ovr_status ovr_patch_base(ovr_hierarchy *grids, ovr_patch *base,
                           ovr_arena *arena, ovr_error *err);
 
 /* A window of its parent, which is the patch before it in memory: memory, and

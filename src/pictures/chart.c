@@ -49,7 +49,7 @@ ovr_panel ovr_panel_make(const char *x_label, const char *y_label)
 void ovr_panel_add(ovr_panel *p, ovr_arena *arena, ovr_series series)
 {
     size_t n = p->count;
-    ovr_series *all = (ovr_series *)p->series;
+    ovr_series *all = p->series;
     if ((n & (n - 1)) == 0) {
         all = ovr_arena_take(arena, n ? 2 * n : 1, sizeof *all, NULL);
         if (!all)

@@ -69,7 +69,7 @@ typedef struct ovr_panel {
     bool log_x, log_y;
     double height; /* relative to the other rows (first column); 0: 1 */
     size_t count;
-    const ovr_series *series;
+    ovr_series *series;
     ovr_image image;
     bool ground; /* a thin line at y = 0, and numbers only above it; below it,
                     where anything is, a bar of round length is the scale */

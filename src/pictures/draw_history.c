@@ -94,7 +94,7 @@ static ovr_status add_columns(const ovr_drawing *drawing, const column *columns,
     ovr_status status = ovr_axis_make(kind, drawing->runs->result,
                                       drawing->options->units, high, &y, err);
     for (size_t k = 0; k < panel->count; k++)
-        ((ovr_series *)panel->series)[k].factor = y.factor;
+        panel->series[k].factor = y.factor;
     panel->y_label = y.label;
     panel->y_from = 0;
     panel->y_to = 1.08 * high * y.factor;

@@ -39,10 +39,14 @@ static int spawn(pid_t *pid, const char *const *argv, int end)
         code = posix_spawn_file_actions_adddup2(&files, end, fd);
     posix_spawnattr_setflags(&how, POSIX_SPAWN_SETPGROUP);
     posix_spawnattr_setpgroup(&how, 0);
-    /* The signature is older than const. */
+    /* posix_spawnp does not write to the words; its signature is older than
+     * const. */
+    union {
+        const char *const *ours;
+        char *const *theirs;
+    } words = {argv};
     if (!code)
-        code = posix_spawnp(pid, argv[0], &files, &how,
-                            (char *const *)(void *)argv, environ);
+        code = posix_spawnp(pid, argv[0], &files, &how, words.theirs, environ);
     posix_spawnattr_destroy(&how);
     posix_spawn_file_actions_destroy(&files);
     return code;

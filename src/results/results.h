@@ -63,7 +63,8 @@ typedef struct ovr_frame {
     const void *source;
     /* Makes `field` give the values of one line of a strip; of the shown line
      * if it is beyond the last. */
-    void (*show)(const void *source, size_t line);
+    void (*show)(void *shown, size_t line);
+    void *shown;
     const ovr_statistics *total; /* extremes of the run; or NULL */
 } ovr_frame;
 

@@ -12,9 +12,9 @@ static const double *field_of(const void *sim, const ovr_observable *which,
     return which->field(sim, workspace);
 }
 
-static void show_line(const void *sim, size_t line)
+static void show_line(void *sim, size_t line)
 {
-    ovr_simulation_show((ovr_simulation *)sim, line);
+    ovr_simulation_show(sim, line);
 }
 
 static ovr_frame frame_of(ovr_writer *w)
@@ -24,7 +24,8 @@ static ovr_frame frame_of(ovr_writer *w)
                        .seen = ovr_simulation_observation(sim),
                        .field = field_of,
                        .source = sim,
-                       .show = w->lines > 1 ? show_line : NULL,
+                       .show = w->lines > 1 && w->saved ? show_line : NULL,
+                       .shown = w->saved,
                        .total = ovr_simulation_statistics(sim)};
 }
 
@@ -58,11 +59,9 @@ static ovr_status visit_all(void *writer, ovr_visit *visit, void *context,
 {
     ovr_writer *w = writer;
     ovr_simulation *sim = w->saved;
-    const ovr_state *state = ovr_simulation_state(sim);
     ovr_status status = ovr_simulation_visit(sim, visit, context, err);
     if (status == OVR_OK)
-        status = visit(context, "S", (void *)state->S,
-                       state->n * sizeof *state->S, err);
+        status = ovr_simulation_visit_heights(sim, visit, context, err);
     if (status == OVR_OK && w->more.visit_all)
         status = w->more.visit_all(w->more.object, visit, context, err);
     return status;

@@ -61,11 +61,11 @@ void ovr_writer_fill(const ovr_writer *w, const ovr_frame *frame,
 {
     for (size_t line = 0; line < w->lines; line++) {
         if (frame->show)
-            frame->show(frame->source, line);
+            frame->show(frame->shown, line);
         fill_line(w, frame, line, rows);
     }
     if (frame->show)
-        frame->show(frame->source, w->lines);
+        frame->show(frame->shown, w->lines);
 }
 
 /* ------------------------------------------------------------------- Writer */

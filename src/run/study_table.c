@@ -67,14 +67,15 @@ static const ovr_table_column *take_number(ovr_table *t, size_t task,
     if (!c && t->columns < OVR_TABLE_COLUMNS) {
         double *number = new_numbers(t, err);
         name = number ? ovr_arena_text(&t->arena, name, err) : NULL;
-        if (name)
-            c = &t->column[t->columns++];
-        if (name)
-            t->column[t->columns - 1] = (ovr_table_column){
+        if (name) {
+            t->number[t->columns] = number;
+            t->column[t->columns] = (ovr_table_column){
                 .name = name, .unit = "", .number = number};
+            c = &t->column[t->columns++];
+        }
     }
     if (c)
-        ((double *)c->number)[task] = value;
+        t->number[c - t->column][task] = value;
     return c;
 }
 
@@ -178,8 +179,10 @@ static void drop_columns(ovr_table *t)
             continue;
         for (size_t i = 0; i < t->rows && !any; i++)
             any = !isnan(t->column[k].number[i]);
-        if (any)
-            t->column[kept++] = t->column[k];
+        if (!any)
+            continue;
+        t->number[kept] = t->number[k];
+        t->column[kept++] = t->column[k];
     }
     t->columns = kept;
 }
@@ -190,11 +193,12 @@ static ovr_status add_key(ovr_table *t, const ovr_study_key *key,
                           ovr_error *err)
 {
     const char **text = ovr_arena_take(&t->arena, t->rows, sizeof *text, err);
+    double *number = new_numbers(t, err);
     const ovr_table_column c = {
         .name = ovr_arena_text(&t->arena, key->shown, err),
         .unit = "",
         .varied = true,
-        .number = new_numbers(t, err),
+        .number = number,
         .text = text,
         .zip = key->zip ? ovr_arena_text(&t->arena, key->zip_name, err) : NULL};
     for (size_t i = 0; text && i < t->rows; i++) {
@@ -207,6 +211,7 @@ static ovr_status add_key(ovr_table *t, const ovr_study_key *key,
     if (!text || !c.name || !c.number || (key->zip && !c.zip))
         return OVR_NO_MEMORY;
     t->key[t->keys++] = key;
+    t->number[t->columns] = number;
     t->column[t->columns++] = c;
     return OVR_OK;
 }
@@ -224,7 +229,7 @@ static bool take_value(ovr_table *t, size_t k, const ovr_case *c, size_t task)
     ovr_case_entry e;
     if (!ovr_case_entry_of(c, where, strlen(where), &e))
         return false;
-    ((double *)t->column[k].number)[task] = e.number;
+    t->number[k][task] = e.number;
     if (e.unit && strcmp(e.unit, "1") != 0)
         t->column[k].unit = e.unit;
     return isfinite(ovr_parameter_at(e.parameter).minimum) &&
@@ -250,7 +255,7 @@ static ovr_status take_keys(ovr_table *t, ovr_error *err)
         return OVR_BAD_INPUT;
     for (size_t k = 0; k < t->keys; k++)
         for (size_t i = 0; none[k] && i < t->rows; i++)
-            ((double *)t->column[k].number)[i] = NAN;
+            t->number[k][i] = NAN;
     return OVR_OK;
 }
 
@@ -592,21 +597,20 @@ static size_t count_lines(const char *text)
 }
 
 /* Names; the columns between `name` and `status` are the study's keys. */
-static ovr_status read_heads(ovr_table *t, char **at, const char *path,
-                             ovr_error *err)
+static ovr_status read_heads(ovr_table *t, char **at, const char **text[],
+                             const char *path, ovr_error *err)
 {
     bool last = false, varied = false;
     while (!last && t->columns < OVR_TABLE_COLUMNS) {
-        ovr_table_column *c = &t->column[t->columns++];
-        double *number = ovr_arena_take(&t->arena, t->rows, sizeof *number,
-                                        err);
-        const char **text = ovr_arena_take(&t->arena, t->rows, sizeof *text,
-                                           err);
-        if (!number || !text)
+        size_t k = t->columns++;
+        ovr_table_column *c = &t->column[k];
+        t->number[k] = ovr_arena_take(&t->arena, t->rows, sizeof(double), err);
+        text[k] = ovr_arena_take(&t->arena, t->rows, sizeof **text, err);
+        if (!t->number[k] || !text[k])
             return OVR_NO_MEMORY;
         char *head = ovr_csv_cell(at, &last);
         const char *unit = ovr_csv_unit(head);
-        *c = (ovr_table_column){head, unit, false, number, text, NULL};
+        *c = (ovr_table_column){head, unit, false, t->number[k], text[k], NULL};
         varied = varied && strcmp(c->name, "status") != 0;
         c->varied = varied;
         varied = varied || !strcmp(c->name, "name");
@@ -619,7 +623,7 @@ static ovr_status read_heads(ovr_table *t, char **at, const char *path,
     return OVR_OK;
 }
 
-static void read_rows(ovr_table *t, char *at)
+static void read_rows(ovr_table *t, char *at, const char **text[])
 {
     size_t i = 0;
     for (; i < t->rows && *at; i++) {
@@ -631,8 +635,8 @@ static void read_rows(ovr_table *t, char *at)
                 continue;
             if (!ovr_number((ovr_line){cell, strlen(cell), 0}, false, &value))
                 value = NAN;
-            ((double *)t->column[k].number)[i] = value;
-            ((const char **)t->column[k].text)[i] = cell;
+            t->number[k][i] = value;
+            text[k][i] = cell;
         }
     }
     t->rows = i;
@@ -641,6 +645,7 @@ static void read_rows(ovr_table *t, char *at)
 static ovr_table *read_csv(const char *path, ovr_error *err)
 {
     ovr_table *t = ovr_table_make(NULL, err);
+    const char **cells[OVR_TABLE_COLUMNS];
     const char *text =
         t ? ovr_text_file(path, "table", MAX_BYTES, &t->arena, err) : NULL;
     char *at;
@@ -648,9 +653,9 @@ static ovr_table *read_csv(const char *path, ovr_error *err)
     if (!status) {
         at = ovr_arena_text(&t->arena, text, err);
         t->rows = count_lines(text);
-        status = at ? read_heads(t, &at, path, err) : OVR_NO_MEMORY;
+        status = at ? read_heads(t, &at, cells, path, err) : OVR_NO_MEMORY;
         if (!status)
-            read_rows(t, at);
+            read_rows(t, at, cells);
     }
     if (!status)
         return t;

@@ -16,6 +16,7 @@ struct ovr_table {
     ovr_arena arena;
     size_t rows, columns;
     ovr_table_column column[OVR_TABLE_COLUMNS];
+    double *number[OVR_TABLE_COLUMNS]; /* the numbers of the columns */
     /* if it belongs to a study, else NULL and 0 */
     const ovr_study *study;
     const ovr_study_key *key[OVR_STUDY_MAX_KEYS]; /* of the first columns */

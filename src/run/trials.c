@@ -198,7 +198,7 @@ static ovr_run *open_run(const ovr_trials *t, size_t k, ovr_run_options *how,
 
 /* A steady solution above its tolerance is rejected; a run with flagged steps
  * is accepted and flagged. */
-static ovr_status run_one(ovr_trials *t, size_t k, const asking *asked)
+static ovr_status run_one(ovr_trials *t, size_t k, asking *asked)
 {
     putting to = {t, k};
     ovr_run_options how = {0};
@@ -206,7 +206,7 @@ static ovr_status run_one(ovr_trials *t, size_t k, const asking *asked)
     how.steady = t->plan.steady;
     how.estimate_error = t->plan.estimate;
     how.no_thread = true;
-    how.data = (void *)asked;
+    how.data = asked;
     how.stop = how.interrupt = stop;
     ovr_run *run = open_run(t, k, &how, &err);
     if (run && ovr_run_go(run, &err) == OVR_OK) {
@@ -237,7 +237,7 @@ static void by_formulas(ovr_trials *t, size_t k)
 static int work(void *data, size_t k, ovr_shared shared)
 {
     ovr_trials *t = data;
-    const asking asked = {t, shared.stop};
+    asking asked = {t, shared.stop};
     return (int)run_one(t, k, &asked);
 }
 
@@ -284,7 +284,7 @@ static ovr_status by_processes(ovr_trials *t, ovr_error *err)
 
 ovr_status ovr_trials_go(ovr_trials *t, ovr_error *err)
 {
-    const asking asked = {t, NULL};
+    asking asked = {t, NULL};
     ovr_status status = OVR_OK;
     if (t->plan.formulas) {
         for (size_t k = 0; k < t->count; k++)

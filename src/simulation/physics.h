@@ -226,7 +226,7 @@ typedef struct ovr_physics_in_solve {
     const ovr_solver *solver;
 
     /* Adds to the elastic influence of a pressure. */
-    void (*influence)(const ovr_simulation *sim, const void *own,
+    void (*influence)(const ovr_simulation *sim, void *own,
                       ovr_influence *influence);
 
     /* Returns the temperature of surface k after a heat pulse relative to that

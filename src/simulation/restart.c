@@ -107,6 +107,12 @@ ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
     return state.status;
 }
 
+ovr_status ovr_simulation_visit_heights(ovr_simulation *sim, ovr_visit *visit,
+                                        void *context, ovr_error *err)
+{
+    return visit(context, "S", sim->shapes.S, sim->now.n * sizeof(double), err);
+}
+
 /* Film and properties follow from the pressure, and what is observed from
  * these. */
 void ovr_simulation_restored(ovr_simulation *sim)

@@ -101,6 +101,10 @@ const ovr_observable *ovr_observable_field(const char *name);
  * default.  Stops at the first status that is not OVR_OK and returns it. */
 ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
                                 void *context, ovr_error *err);
+/* Calls visit with "S", the heights of the surface at the nodes, by which a
+ * resumed run checks that it has the same surface. */
+ovr_status ovr_simulation_visit_heights(ovr_simulation *sim, ovr_visit *visit,
+                                        void *context, ovr_error *err);
 /* Has to be called after a visit that wrote into the simulation. */
 void ovr_simulation_restored(ovr_simulation *sim);
 

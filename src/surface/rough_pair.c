@@ -17,7 +17,8 @@ enum { MIN = 256, MAX = 2048, PLACES = 6, A_DECADE = 4, DECADES = 5 };
  */
 
 typedef struct source {
-    ovr_profile *profile;
+    const ovr_profile *profile;
+    ovr_profile *own; /* the same, if it was read for this contact */
     ovr_ends ends;
 } source;
 
@@ -34,7 +35,7 @@ static ovr_status read(const ovr_feature_form *form, const ovr_contact *contact,
     if (form->conditioning &&
         OVR_TAKE(ovr_conditioning, &how, form->conditioning, err))
         return OVR_BAD_INPUT;
-    s->profile = ovr_measured_profile(form, contact, allocator, err);
+    s->profile = s->own = ovr_measured_profile(form, contact, allocator, err);
     s->ends = (ovr_ends){how.taper,
                          how.extend == OVR_EXTEND_MIRROR ? OVR_EXTEND_MIRROR
                                                          : OVR_EXTEND_PERIODIC,
@@ -56,7 +57,7 @@ static void make_alike(source s[2], ovr_rough_pair *pair)
             mirror = mirror && s[k].ends.extend == OVR_EXTEND_MIRROR;
         }
     for (int k = 0; k < 2; k++) {
-        ovr_profile *p = s[k].profile;
+        ovr_profile *p = s[k].own;
         if (!p)
             continue;
         if (length_of(p) > length * (1 + rounding))
@@ -119,7 +120,7 @@ static ovr_status sample(const source *s, double left_by, ovr_rough_pair *pair,
  * the mesh where that is wider. */
 static void shorten_to(source *s, double mesh)
 {
-    ovr_profile *p = s->profile;
+    ovr_profile *p = s->own;
     size_t n = p->view.n;
     double spacing = length_of(p) / (double)(n - 1);
     double maximum = fmax(spacing, mesh / 8) * MAX;
@@ -155,7 +156,7 @@ static ovr_status make(ovr_rough_pair *pair,
                             : OVR_NO_MEMORY;
     }
     for (int k = 0; k < 2; k++)
-        ovr_profile_free(s[k].profile);
+        ovr_profile_free(s[k].own);
     return status;
 }
 
@@ -182,7 +183,8 @@ static ovr_status pair_of(ovr_rough_pair *pair, const ovr_profile *profile,
 {
     const ovr_profile_view *v = &profile->view;
     source s[2] = {
-        {(ovr_profile *)profile, {NAN, OVR_EXTEND_PERIODIC, true, false}}, {0}};
+        {.profile = profile, .ends = {NAN, OVR_EXTEND_PERIODIC, true, false}},
+        {0}};
     *pair = (ovr_rough_pair){.modulus = v->scaled_x ? 2 : 1, .n = nodes_of(s)};
     if (v->scaled_x != v->scaled_z)
         return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, 0,

@@ -95,8 +95,7 @@ static double spread_out(const void *data, double X, double D)
     return -given->compliance * D * exp(-x * x) / (l * sqrt(acos(-1.0)));
 }
 
-static void influence(const ovr_simulation *sim, const void *own,
-                      ovr_influence *of)
+static void influence(const ovr_simulation *sim, void *own, ovr_influence *of)
 {
     const layer_form *given = &((const layer *)own)->given;
     (void)sim;

@@ -468,10 +468,9 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
 
 /* The table begins where a node of the finest mesh is far, and ends behind all
  * that is asked: ghosts of the coarsest grids lie a domain's length outside. */
-static void influence(const ovr_simulation *sim, const void *own,
-                      ovr_influence *of)
+static void influence(const ovr_simulation *sim, void *own, ovr_influence *of)
 {
-    coating *c = (coating *)own;
+    coating *c = own;
     const coating_form *f = c->given;
     double whole = sim->options.outlet - sim->options.inlet;
     double D = whole / (double)(sim->finest->grid.n - 1);
