@@ -2,39 +2,48 @@
 #include "cli/profile_report.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stddef.h>
 #include <string.h>
 
 #include "cli/json.h"
+#include "overroll/run.h"
 
 /* ------------------------------------------------------------------- text */
 
-/* A number of a profile may have more behind its meaning. */
-typedef enum behind { NOTHING, SECTIONS, SLOPE, PEAKS, VALLEYS } behind;
+/* Remarks on a number of a profile. */
+typedef enum remark_kind {
+    NOTHING,
+    SECTIONS,   /* mean over the sampling lengths */
+    EVALUATION, /* of all sampling lengths */
+    GAUSSIAN,
+    SLOPE,
+    PEAKS,
+    VALLEYS
+} remark_kind;
 
-/* The numbers of both kinds: 'P' and 'R' go before the name.  A meaning is for
- * people. */
+/* The numbers of both kinds, with their names (ISO 21920-2).  'P' or 'R' goes
+ * before the symbol. */
 #define OF(member) offsetof(ovr_profile_numbers, member)
 static const struct row {
-    const char *name;
+    const char *symbol;
     size_t offset;
     bool is_height;
-    const char *meaning;
-    behind behind;
+    const char *name; /* NULL: in JSON only */
+    remark_kind remark;
 } rows[] = {
     {"a", OF(a), true, "arithmetic mean height", NOTHING},
     {"q", OF(q), true, "root mean square height", NOTHING},
-    {"z", OF(z), true, "highest peak to deepest valley", SECTIONS},
-    {"p", OF(p), true, "highest peak", SECTIONS},
-    {"v", OF(v), true, "deepest valley", SECTIONS},
-    {"t", OF(t), true, "highest peak to deepest valley of all sections",
-     NOTHING},
+    {"z", OF(z), true, "maximum height", SECTIONS},
+    {"p", OF(p), true, "peak height", SECTIONS},
+    {"v", OF(v), true, "valley depth", SECTIONS},
+    {"t", OF(t), true, "total height", EVALUATION},
     {"sk", OF(sk), false, "skewness", NOTHING},
-    {"ku", OF(ku), false, "kurtosis (3: Gaussian)", NOTHING},
+    {"ku", OF(ku), false, "kurtosis", GAUSSIAN},
     {"dq", OF(dq), false, "root mean square slope", SLOPE},
-    {"k", OF(k), true, "depth of the core", NOTHING},
-    {"pk", OF(pk), true, "peaks above it", PEAKS},
-    {"vk", OF(vk), true, "valleys below it", VALLEYS},
+    {"k", OF(k), true, "core height", NOTHING},
+    {"pk", OF(pk), true, "reduced peak height", PEAKS},
+    {"vk", OF(vk), true, "reduced valley depth", VALLEYS},
     {"mrk1", OF(mr1), false, NULL, NOTHING},
     {"mrk2", OF(mr2), false, NULL, NOTHING},
 };
@@ -75,86 +84,121 @@ static ovr_piece map_height(const ovr_areal *map, double value)
     return piece;
 }
 
+/* A line of the report: its label in the column of labels. */
+__attribute__((format(printf, 2, 3))) static void
+put_line(const char *label, const char *format, ...)
+{
+    va_list arguments;
+    printf("%-*s ", OVR_LABEL_WIDTH, label);
+    va_start(arguments, format);
+    vprintf(format, arguments);
+    va_end(arguments);
+    putchar('\n');
+}
+
+static void put_heading(const char *title)
+{
+    printf("\n%-*s value\n", OVR_LABEL_WIDTH, title);
+}
+
 static void print_map(const profile_report *r)
 {
     const ovr_areal *map = r->map;
     const ovr_areal_numbers *n = &r->areal;
-    printf("\nareal      %zu x %zu points at %s x %s, %s x %s\n", map->nx,
-           map->ny, map_length(map, map->dx).text,
-           map_length(map, map->dy).text,
-           map_length(map, map->dx * (double)map->nx).text,
-           map_length(map, map->dy * (double)map->ny).text);
+    put_heading("areal surface (ISO 25178-2)");
+    put_line("points", "%zu x %zu, spacing %s x %s", map->nx, map->ny,
+             map_length(map, map->dx).text, map_length(map, map->dy).text);
+    put_line("size", "%s x %s", map_length(map, map->dx * (double)map->nx).text,
+             map_length(map, map->dy * (double)map->ny).text);
     if (map->missing)
-        printf("           %zu heights missing\n", map->missing);
-    printf("Sa         %-14s arithmetic mean height about the mean plane\n",
-           map_height(map, n->Sa).text);
-    printf("Sq         %-14s root mean square height\n",
-           map_height(map, n->Sq).text);
-    if (!isnan(n->Ssk))
-        printf("Ssk        %-14.3g skewness\nSku        %-14.3g kurtosis (3: "
-               "Gaussian)\n",
-               n->Ssk, n->Sku);
+        put_line("missing heights", "%zu", map->missing);
+    put_line("arithmetic mean height Sa", "%-14s (about the mean plane)",
+             map_height(map, n->Sa).text);
+    put_line("root mean square height Sq", "%s", map_height(map, n->Sq).text);
+    if (!isnan(n->Ssk)) {
+        put_line("skewness Ssk", "%.3g", n->Ssk);
+        put_line("kurtosis Sku", "%-14.3g (Gaussian: 3)", n->Sku);
+    }
     if (!isnan(n->Str))
-        printf("Str        %s%-*.3g texture aspect ratio (1: isotropic)\n",
-               n->Str_is_bound ? "< " : "", n->Str_is_bound ? 12 : 14, n->Str);
+        put_line("texture aspect ratio Str", "%s%-*.3g (isotropic: 1)",
+                 n->Str_is_bound ? "< " : "", n->Str_is_bound ? 12 : 14,
+                 n->Str);
     if (!isnan(n->lay))
-        printf("lay        %-14.3g degrees to the x axis\n",
-               fabs(n->lay) < 5e-4 ? 0 : n->lay);
+        put_line("lay", "%-14.3g (degrees to the x axis)",
+                 fabs(n->lay) < 5e-4 ? 0 : n->lay);
     else
-        puts("lay        none");
-    puts("\nline");
+        put_line("lay", "none");
 }
 
 static void print_points(const profile_report *r)
 {
     const ovr_profile_view *v = r->view;
     const ovr_profile_numbers *n = &r->numbers;
-    printf("points     %zu, from x = %s to %s\n", v->n, along(r, v->x[0]).text,
-           along(r, v->x[v->n - 1]).text);
-    printf("length     %s\n", along(r, n->length).text);
+    if (r->map)
+        put_heading("line");
+    put_line("points", "%zu, from x = %s to %s", v->n, along(r, v->x[0]).text,
+             along(r, v->x[v->n - 1]).text);
+    put_line("length", "%s", along(r, n->length).text);
     if (v->uniform)
-        printf("spacing    %s, equal\n", along(r, n->spacing).text);
+        put_line("spacing", "%s, equal", along(r, n->spacing).text);
     else
-        printf("spacing    %s in the mean, from %s to %s\n",
-               along(r, n->spacing).text, along(r, n->spacing_min).text,
-               along(r, n->spacing_max).text);
-    printf("gaps       %zu heights missing, %zu filled\n", r->missing,
-           v->filled);
+        put_line("spacing", "%-14s (mean; %s to %s)", along(r, n->spacing).text,
+                 along(r, n->spacing_min).text, along(r, n->spacing_max).text);
+    put_line("missing heights", "%-14zu (filled: %zu)", r->missing, v->filled);
 }
 
 /* False for parameters of all sampling lengths if there is only one, and for
  * skewness and kurtosis of a flat profile. */
-static bool is_told(const struct row *row, const ovr_profile_numbers *n)
+static bool is_printed(const struct row *row, const ovr_profile_numbers *n)
 {
     bool of_all = row->offset == OF(t);
     bool of_shape = row->offset == OF(sk) || row->offset == OF(ku);
-    return row->meaning && !(of_all && n->sections <= 1) &&
+    return row->name && !(of_all && n->sections <= 1) &&
            !(of_shape && !(n->q > 0));
+}
+
+/* "(mean of 5 sections)", or "". */
+static ovr_piece remark_on(const struct row *row, const profile_report *r,
+                           const ovr_profile_numbers *n)
+{
+    ovr_piece p = {""};
+    if (row->remark == SECTIONS && n->sections > 1)
+        snprintf(p.text, sizeof p.text, "(mean of %d sections)", n->sections);
+    else if (row->remark == EVALUATION)
+        snprintf(p.text, sizeof p.text, "(all %d sections)", n->sections);
+    else if (row->remark == GAUSSIAN)
+        snprintf(p.text, sizeof p.text, "(Gaussian: 3)");
+    else if (row->remark == SLOPE && r->view->scaled_x)
+        snprintf(p.text, sizeof p.text, "((b^2/R)/b)");
+    else if (row->remark == PEAKS)
+        snprintf(p.text, sizeof p.text, "(%.1f %% of the length)",
+                 100 * n->mr1);
+    else if (row->remark == VALLEYS)
+        snprintf(p.text, sizeof p.text, "(%.1f %% of the length)",
+                 100 * (1 - n->mr2));
+    return p;
 }
 
 static void print_kind(const profile_report *r, const ovr_profile_numbers *n)
 {
     for (const struct row *row = rows; row < rows + ROWS; row++) {
         double value = value_of(row, n);
-        if (!is_told(row, n))
+        char label[64];
+        ovr_piece remark, height;
+        if (!is_printed(row, n))
             continue;
         /* Rounding of heights of this size, or of numbers of order 1. */
         if (fabs(value) < 1e-12 * (row->is_height ? n->t + fabs(n->mean) : 1))
             value = 0;
-        printf("%c%-9s ", n->kind, row->name);
+        remark = remark_on(row, r, n);
+        snprintf(label, sizeof label, "%s %c%s", row->name, n->kind,
+                 row->symbol);
         if (row->is_height)
-            printf("%-14s %s", across(r, value).text, row->meaning);
+            height = across(r, value);
         else
-            printf("%-14.4g %s", value, row->meaning);
-        if (row->behind == SECTIONS && n->sections > 1)
-            printf(" of a section, mean");
-        else if (row->behind == SLOPE && r->view->scaled_x)
-            printf(", (b^2/R)/b");
-        else if (row->behind == PEAKS)
-            printf(", %.1f %% of the length", 100 * n->mr1);
-        else if (row->behind == VALLEYS)
-            printf(", %.1f %%", 100 * (1 - n->mr2));
-        putchar('\n');
+            snprintf(height.text, sizeof height.text, "%.4g", value);
+        put_line(label, "%-*s%s%s", *remark.text ? 14 : 0, height.text,
+                 *remark.text ? " " : "", remark.text);
     }
 }
 
@@ -162,13 +206,13 @@ static void print_sections(const profile_report *r)
 {
     const ovr_profile_numbers *n = &r->filtered;
     double lc = r->view->lambda_c;
-    printf("\nR-         after lambda_c = %s, ", along(r, lc).text);
-    if (lc > n->length + n->spacing)
-        printf("which is longer than the profile\n");
-    else
-        printf("%d section%s of %s%s\n", n->sections,
-               n->sections > 1 ? "s" : "", along(r, n->section).text,
-               n->sections < 5 ? "; five are usual" : "");
+    put_heading("roughness profile (ISO 21920-2)");
+    put_line("cut-off lambda_c", "%s%s", along(r, lc).text,
+             lc > n->length + n->spacing ? " (longer than the profile)" : "");
+    if (lc <= n->length + n->spacing)
+        put_line("sections", "%d of %s%s", n->sections,
+                 along(r, n->section).text,
+                 n->sections < 5 ? " (usual: 5)" : "");
 }
 
 /* The cut-off to suggest, in metres; NAN: none, or no metres. */
@@ -181,19 +225,18 @@ static double profile_cutoff(const profile_report *r)
 static void print_suggestion(double metres)
 {
     if (isnan(metres))
-        puts("\nR-         need a filter, --lambda-c; too short for one of "
-             "ISO 21920-3\n           (five times 80 um is the least)");
+        puts("\nroughness parameters R: set --lambda-c (the profile is shorter "
+             "than five times\n80 um, the smallest cut-off of ISO 21920-3)");
     else
-        printf(
-            "\nR-         need a filter; ISO 21920-3 has --lambda-c '%s' for "
-            "this\n           length\n",
-            ovr_metres(metres).text);
+        printf("\nroughness parameters R: set --lambda-c '%s', the cut-off of "
+               "ISO 21920-3 for this\nlength\n",
+               ovr_metres(metres).text);
 }
 
 /* P- parameters, and R- parameters or the cut-off that would give them. */
 static void print_heights(const profile_report *r)
 {
-    puts("\nP-         levelled, not filtered (ISO 21920-2)");
+    put_heading("primary profile (ISO 21920-2)");
     print_kind(r, &r->numbers);
     if (r->filtered.kind) {
         print_sections(r);
@@ -217,21 +260,24 @@ static double reduction(const profile_report *r, double wavelength)
 static void print_waves(const profile_report *r)
 {
     if (!r->waves) {
-        puts("\nwaves      none");
+        puts("\nstrongest waves: none");
         return;
     }
-    printf("\nwaves      %-14s %-14s %-10s", "wavelength", "amplitude",
+    puts("\nstrongest waves");
+    printf("%-14s %-14s %-*s", "wavelength", "amplitude", r->contact ? 10 : 0,
            "variance");
     if (r->contact)
-        printf(" %-12s %s", "wavelength/b", "amplitude in the contact");
+        printf(" %-12s %-14s %s", "wavelength/b", "in the contact",
+               "amplitude ratio");
     putchar('\n');
     for (size_t k = 0; k < r->waves; k++) {
         const ovr_profile_wave *w = &r->wave[k];
-        printf("           %-14s %-14s %-4.1f %%    ",
-               along(r, w->wavelength).text, across(r, w->amplitude).text,
-               100 * w->part);
+        char variance[16];
+        snprintf(variance, sizeof variance, "%.1f %%", 100 * w->part);
+        printf("%-14s %-14s %-*s", along(r, w->wavelength).text,
+               across(r, w->amplitude).text, r->contact ? 10 : 0, variance);
         if (r->contact)
-            printf(" %-12.4g %s (x %.3g)", in_b(r, w->wavelength),
+            printf(" %-12.4g %-14s %.3g", in_b(r, w->wavelength),
                    across(r, w->amplitude * reduction(r, w->wavelength)).text,
                    reduction(r, w->wavelength));
         putchar('\n');
@@ -261,14 +307,13 @@ static void print_contact(const profile_report *r)
 {
     const ovr_profile_numbers *n = profile_pressed(r);
     double E = E_star(r);
-    puts(
-        "\ncontact    pressed against a smooth surface, dry, elastic, in plane "
-        "strain;\n           E* = E'/2, exponential: 0.38 exp(-2.15 gap/Rq)");
-    printf("           %-14s %-14s %-12s %-12s%s\n", "p/(E* slope)", "mean gap",
-           "touches", "exponential", isnan(E) ? "" : " p");
+    puts("\ndry contact with a smooth surface (elastic, plane strain; E* = "
+         "E'/2; exponential law:\n0.38 exp(-2.15 gap/Rq))");
+    printf("%-14s %-14s %-16s %-16s%s\n", "p/(E* slope)", "mean gap",
+           "contact fraction", "exponential law", isnan(E) ? "" : " p");
     for (size_t k = 0; k < r->points; k += 2) {
         const ovr_dry_point *at = &r->bears[k];
-        printf("           %-14.4g %-14s %-12.4g %-12.4g",
+        printf("%-14.4g %-14s %-16.4g %-16.4g",
                at->pressure / modulus(r) / n->dq, across(r, at->gap).text,
                at->area, 0.38 * exp(-2.15 * at->gap / n->q));
         if (!isnan(E))
@@ -280,11 +325,12 @@ static void print_contact(const profile_report *r)
 void profile_print_text(const profile_report *r)
 {
     const char *note = r->view->notes;
-    printf("file       %s\nformat     %s\n", r->file, r->view->format);
+    put_line("file", "%s", r->file);
+    put_line("format", "%s", r->view->format);
     while (*note) {
         int size = (int)strcspn(note, "\n");
-        printf("%-10s %.*s\n", note == r->view->notes ? "understood" : "", size,
-               note);
+        put_line(note == r->view->notes ? "interpretation" : "", "%.*s", size,
+                 note);
         note += size + (note[size] != 0);
     }
     if (r->map)
@@ -333,7 +379,7 @@ static void put_kind(json_writer *json, const profile_report *r, char kind,
     for (const struct row *row = rows; row < rows + ROWS; row++) {
         double value = n->kind ? value_of(row, n) : NAN;
         char name[8];
-        snprintf(name, sizeof name, "%c%s", kind, row->name);
+        snprintf(name, sizeof name, "%c%s", kind, row->symbol);
         if (row->is_height)
             put(json, r, name, value, true);
         else

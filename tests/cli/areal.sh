@@ -116,4 +116,4 @@ refuses 'an areal surface needs \[strip\]' check line.ini
 expect 0 "$OVERROLL" profile map.sdf --json
 contains out '"Ssk": '
 expect 0 "$OVERROLL" profile map.sdf --lambda-s '60 um'
-contains out '^Sku '
+contains out '^kurtosis Sku '
