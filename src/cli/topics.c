@@ -265,6 +265,8 @@ static const struct {
     {"parameterstudy", "study"},
     {"optimization", "find"},
     {"optimize", "find"},
+    {"sensitivity", "run"},
+    {"elasticity", "run"},
 };
 
 const char *cli_topic_name(size_t k)

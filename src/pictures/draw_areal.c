@@ -2,9 +2,9 @@
 /*
  * Maps of a strip.  Fields are interpolated bilinearly onto even cells, about
  * one for each two pixels; across rolling they are periodic.  Film thicknesses
- * far from the contact would take all colours, so that only |X| < 0.9 sets
- * their range, which begins at the smallest one.  Colours of pressure begin at
- * zero.
+ * far from the contact would take all colours, so that only |X| < 0.9 sets the
+ * upper end of their range, which begins at the smallest one.  Colours of
+ * pressure begin at zero.
  */
 #include "pictures/areal.h"
 
@@ -38,10 +38,10 @@ static void include(const ovr_areal_view *v, ovr_areal_field *field)
         double x = v->run->x[i];
         bool far = film && fabs(x) > INSIDE && v->x_from < INSIDE &&
                    v->x_to > -INSIDE;
-        for (size_t j = 0; !far && x >= v->x_from && x <= v->x_to && j < lines;
-             j++) {
+        for (size_t j = 0; x >= v->x_from && x <= v->x_to && j < lines; j++) {
             field->low = fmin(field->low, field->values[j * n + i]);
-            field->high = fmax(field->high, field->values[j * n + i]);
+            if (!far)
+                field->high = fmax(field->high, field->values[j * n + i]);
         }
     }
 }

@@ -73,9 +73,10 @@ static ovr_status find_levels(const maps *m, int f, ovr_levels *levels,
             return OVR_IO;
         for (size_t i = 0; i < m->columns; i++) {
             double x = m->view->run->x[m->first + i * m->stride];
-            for (size_t j = 0; j < m->rows && (!f || fabs(x) < 0.9); j++) {
+            for (size_t j = 0; j < m->rows; j++) {
                 low = fmin(low, value_at(m, i, j));
-                high = fmax(high, value_at(m, i, j));
+                if (!f || fabs(x) < 0.9)
+                    high = fmax(high, value_at(m, i, j));
             }
         }
     }

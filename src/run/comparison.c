@@ -16,9 +16,11 @@ static bool read_relation(const char **text, int *sense)
     static const struct {
         const char *words;
         int sense;
-    } forms[] = {{"is ", 0}, {"== ", 0},       {"= ", 0},   {"at least ", 1},
-                 {">= ", 1}, {"at most ", -1}, {"<= ", -1}, {"==", 0},
-                 {"=", 0},   {">=", 1},        {"<=", -1}};
+    } forms[] = {
+        {"is at least ", 1}, {"is at most ", -1}, {"is ", 0}, {"== ", 0},
+        {"= ", 0},           {"at least ", 1},    {">= ", 1}, {"at most ", -1},
+        {"<= ", -1},         {"==", 0},           {"=", 0},   {">=", 1},
+        {"<=", -1}};
     *text += strspn(*text, " \t");
     for (size_t k = 0; k < sizeof forms / sizeof *forms; k++)
         if (!strncmp(*text, forms[k].words, strlen(forms[k].words))) {

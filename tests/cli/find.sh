@@ -75,7 +75,7 @@ H_min_at() { # DEPTH
 }
 asked='feature.dent.depth between 0.01 and 0.5 so that H_min_overall'
 # shellcheck disable=SC2086 # words
-expect 0 "$OVERROLL" find dent.ini largest $asked at least 0.05 --json -j 2 \
+expect 0 "$OVERROLL" find dent.ini largest $asked is at least 0.05 --json -j 2 \
     --table made.csv
 at=$(number value)
 close "$(H_min_at "$at")" "$(number at_value)" 1e-15

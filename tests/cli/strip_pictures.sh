@@ -36,6 +36,17 @@ awk -v most="$(cat most)" 'BEGIN { found = 0 }
     END { exit !found }' map.dat ||
     fail "the largest pressure of the line, $(cat most), is not drawn"
 
+# Colours of the film begin at its smallest value, here at the exit.
+expect 0 "$OVERROLL" plot dent.h5 -o exit.png --at 1 --script exit.gp
+expect 0 "$OVERROLL" export dent.h5 --time 1 --areal --units hertzian \
+    -o areal.csv
+awk -F, 'NR > 1 && (!m || $4 < m) { m = $4; x = $1 } END { print m, x }' \
+    areal.csv >least
+awk '!($2 > 0.9) { exit 1 }' least || fail "the minimum: $(cat least)"
+grep '^array colour_from' exit.gp | tr -d ',' >from
+awk -v least="$(cat least)" '{ d = $5 - least; exit !(d * d < 1e-16) }' from ||
+    fail "$(cat from), not $(cat least)"
+
 # Frames have one scale of colours, and a cut is drawn like a line contact.
 expect 0 "$OVERROLL" frames dent.h5 -o all --size 640x480 --script
 n=$(find all -name 'frame_*.gp' | wc -l)

@@ -42,3 +42,14 @@ awk -v cut="$(cat place)" -F, 'BEGIN { split(cut, c, " ") }
         found = ($3 - c[3]) ^ 2 < 1e-6 && ($4 - c[4]) ^ 2 < 1e-8 }
     END { exit !found }' areal.csv || fail "cross-hair: $(cat place)"
 awk '$2 != 0.5 { exit 1 }' place || fail "the cross-hair is not on the dent"
+
+# Levels of the film begin at the smallest one of all snapshots.
+"$OVERROLL" info dent.h5 | sed -n 's/^snapshots *//p' >shots
+for k in $(seq 0 $(($(cat shots) - 1))); do
+    "$OVERROLL" export dent.h5 --snapshot "$k" --areal --units hertzian |
+        tail -n +2
+done | awk -F, '!m || $4 < m { m = $4; x = $1 } END { print m, x }' >least
+awk '!($2 > 0.9) { exit 1 }' least || fail "the minimum: $(cat least)"
+sed -n 's/.*"H":{"levels":2048,"from":\([0-9.e+-]*\),.*/\1/p' dent.html >from
+awk -v least="$(cat least)" '{ d = $1 - least; exit !(d * d < 1e-20) }' from ||
+    fail "levels from $(cat from), not $(cat least)"

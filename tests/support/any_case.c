@@ -22,7 +22,8 @@ typedef struct draw {
     uint64_t state;
     char base[2000];
     char key[MAX_KEYS][CAPACITY], value[MAX_KEYS][CAPACITY];
-    int keys, most; /* keys; steps, or cycles of a start */
+    int keys, most;       /* keys; steps, or cycles of a start */
+    double width, height; /* of a strip; of the highest feature over the film */
 } draw;
 
 static double between(draw *d, double low, double high)
@@ -180,13 +181,16 @@ static void wide_feature(draw *d, int number, double height, double W)
 static void wide_contact(draw *d)
 {
     wide_conditions(d);
-    double H = film_of(d), W = 0;
+    double H = film_of(d);
     if (chance(d, 0.5))
-        add(d, "[strip]\nwidth = %.15g\n", W = between(d, 1, 3));
+        add(d, "[strip]\nwidth = %.15g\n", d->width = between(d, 1, 3));
     if (!isfinite(H))
         H = 0.1;
-    for (int k = chance(d, 0.85) ? whole(d, 1, 2) : 0; k > 0; k--)
-        wide_feature(d, k, H / between(d, 0.1, 100), W);
+    for (int k = chance(d, 0.85) ? whole(d, 1, 2) : 0; k > 0; k--) {
+        double share = between(d, 0.01, 10);
+        d->height = fmax(d->height, share);
+        wide_feature(d, k, H * share, d->width);
+    }
 }
 
 /* --------------------------------------------------------------------- keys */
@@ -535,7 +539,8 @@ static int try(const draw *d, ending *e)
         wrong++;
     }
     if (getenv("OVERROLL_RUNS"))
-        print_message("    %s%s, cost %.2g of the estimate\n",
+        print_message("    %s, heights %.2g: %s%s, cost %.2g of the estimate\n",
+                      d->width > 0 ? "strip" : "line", d->height,
                       e->failed ? "failed: " : "solved",
                       e->failed ? err.message : "", e->cost);
     ovr_run_free(run);
@@ -594,7 +599,7 @@ void test_wide_case_survey(uint64_t seed, int runs)
         compared += !isnan(e.cost);
         dear += e.cost > 10;
         cheap += e.cost < 0.1;
-        tell_seed(&d, seed, k, fails || e.cost > 10);
+        tell_seed(&d, seed, k, fails || e.cost > 10 || runs == 1);
     }
     print_message("    %d cases, %d solved, %d at fault; of %d that took time "
                   "%d took more than ten times the estimate, %d less than a "
