@@ -102,7 +102,7 @@ spacing_across:distance of the rows
 round dent:shape = indent
 scratch:shape = groove
 oblique:from the y axis
-sensitivity:--sensitivity
+sensitivity:elasticities
 footprint:extent across rolling
 E
 expect 0 "$OVERROLL" help lambda ratio
