@@ -10,8 +10,10 @@
  *
  * no better than the order p of the scheme says, nor than the levels show.  In
  * time p = 1, what passes being seen at nodes and steps, or of a solution of
- * fourth order 2, and 3 of its films at the end.  Then e is taken 1.25 times,
- * as P. J. Roache does with three grids (J. Fluids Eng. 116, 1994).
+ * fourth order 2, and 3 of H_cen at the end.  H_min lies at the constriction
+ * behind the spike, of few nodes, and has p = 2 in all solutions of fourth
+ * order.  In time e is taken 1.25 times, as P. J. Roache does with three grids
+ * (J. Fluids Eng. 116, 1994).
  *
  * Three levels are no estimate where they do not fall in a known order: d1 and
  * d2 of different sign, or q not between 3/4 and one more than the scheme's
@@ -19,11 +21,12 @@
  * what there is, and e is not a number; nor is it of pressures in time where
  * there are two levels only.  Differences that are both below 3e-4 of the value
  * need no order; nor need films of fourth order, where errors of different
- * orders cancel, when d2 is below a tenth of them and d1 below 0.4 d2: they may
- * turn or fall faster, and e is d2 then.  Narrow peaks of pressure grow, some
- * of them on finer levels only, where nothing warns of them: of pressures in
- * time that are not resolved (ovr_maximum_is_resolved) q is 1/2, as of the
- * height of a spike, whatever two differences show.
+ * orders cancel, when d2 is below a tenth of them and d1 below 0.4 d2.  They
+ * may turn or fall faster: e follows from p and the larger of d1 and d2 2^-p.
+ * Narrow peaks of pressure grow, some of them on finer levels only, where
+ * nothing warns of them: of pressures in time that are not resolved
+ * (ovr_maximum_is_resolved) q is 1/2, as of the height of a spike, whatever two
+ * differences show.
  *
  * Of several passes each level has its own: what its passes leave feeds its
  * next ones, so that the errors that oil carries from pass to pass are seen.
@@ -212,12 +215,9 @@ static ovr_run_error judge(const char *key, ovr_unit_kind kind,
     }
     if (!film && m->in_time && m->peak)
         q = PEAK_ORDER;
+    e.converges = e.converges || (film && is_near(m, size, d1, d2));
     if (e.converges)
         e.error = m->safety * d / (exp2(q) - 1) + minimum;
-    else if (film && is_near(m, size, d1, d2)) {
-        e.converges = true;
-        e.error = m->safety * d2;
-    }
     return e;
 }
 
@@ -250,7 +250,9 @@ static void judge_end(ovr_run_errors *errors, const level_run *r,
         for (int i = 0; i < LEVELS; i++)
             v[i] = r[i].solved ? ovr_observable_value(o, &r[i].seen) : NAN;
         measure end = *m;
-        if (m->in_time && m->corrected && o->kind == OVR_KIND_HEIGHT)
+        if (m->corrected && k == 0)
+            end.order = 2;
+        if (m->corrected && k == 1 && m->in_time)
             end.order = 3;
         add(errors, judge(rows[k][0], o->kind, &end, v));
     }
