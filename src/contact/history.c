@@ -342,13 +342,15 @@ static double sine_slope(const ovr_history_form *form, double T)
     return form->amplitude * turn * cos(sine_phase(form, T));
 }
 
-/* At the ends it returns the inner one. */
+/* At the ends it returns the inner one.  It does so for an interval after the
+ * last point too, where the last step of a run to that point may end. */
 static double table_slope(const ovr_history *history, double T)
 {
+    const double *t = &history->T[history->form.points - 1];
     double slope = 0;
-    if (T >= history->T[0] && T <= history->T[history->form.points - 1])
-        gsl_interp_eval_deriv_e(history->interp, history->T, history->value, T,
-                                NULL, &slope);
+    if (T >= history->T[0] && T <= t[0] + (t[0] - t[-1]))
+        gsl_interp_eval_deriv_e(history->interp, history->T, history->value,
+                                fmin(T, t[0]), NULL, &slope);
     return slope;
 }
 

@@ -19,7 +19,7 @@
 
 #include "base/quantity.h"
 
-enum { UNIFORM = 1600, CORNERS = 32, POINTS = UNIFORM + 1 + CORNERS };
+enum { UNIFORM = 1600, CORNERS = 32, POINTS = UNIFORM + 2 + CORNERS };
 
 /* Curvatures of surface 1 below a thousandth of the nominal one are as good as
  * none, and beyond what a case may say. */
@@ -511,6 +511,7 @@ void ovr_resolved_element_free(ovr_resolved *r)
 typedef struct moments {
     double t[POINTS];
     size_t count;
+    double end;
     double T[POINTS], load[POINTS], speed[POINTS], sliding[POINTS],
         radius[POINTS], radius_1[POINTS];
 } moments;
@@ -562,6 +563,23 @@ static size_t cam_corners(const ovr_resolved *r, double *corner)
     return n;
 }
 
+/* The last step of a run may end after the end of contact.  There a table
+ * keeps its value and has no slope, and the inlet's gap, which follows from the
+ * slope of the radius (curvature.h), would jump.  So all go on linearly. */
+static void add_beyond(moments *m)
+{
+    const double longest = 0.1; /* of a step, in b/um */
+    double *const all[] = {m->T,       m->load,   m->speed,
+                           m->sliding, m->radius, m->radius_1};
+    size_t n = m->count++;
+    double share = fmax(1, longest / (m->T[n - 1] - m->T[n - 2]));
+    for (size_t k = 0; k < sizeof all / sizeof *all; k++) {
+        double *v = all[k], half = fabs(v[n - 1]) / 2;
+        double more = share * (v[n - 1] - v[n - 2]);
+        v[n] = v[n - 1] + (k ? fmax(-half, fmin(more, half)) : more);
+    }
+}
+
 static void take_moments(const ovr_resolved *r, moments *m)
 {
     const ovr_conditions *given = &r->values.contact;
@@ -583,6 +601,8 @@ static void take_moments(const ovr_resolved *r, moments *m)
         m->radius_1[k] = fmax(-FLATTEST,
                               fmin(at.R_1 / given->radius, FLATTEST));
     }
+    m->end = m->T[m->count - 1];
+    add_beyond(m);
 }
 
 static ovr_status make_histories(ovr_resolved *r, const moments *m,
@@ -634,7 +654,7 @@ ovr_status ovr_resolve_element_histories(ovr_resolved *r, ovr_error *err)
     if (r->element.cam && ovr_cam_of(r->element.cam)->jumps)
         r->values.curvature = OVR_CURVATURE_IMPOSED;
     ovr_status status = make_histories(r, m, err);
-    return status ? status : end_of_way(r, m->T[m->count - 1], err);
+    return status ? status : end_of_way(r, m->end, err);
 }
 
 /* ------------------------------------------------------------------ passes */

@@ -11,9 +11,9 @@
  * no better than the order p of the scheme says, nor than the levels show.  In
  * time p = 1, what passes being seen at nodes and steps, or of a solution of
  * fourth order 2, and 3 of H_cen at the end.  H_min lies at the constriction
- * behind the spike, of few nodes, and has p = 2 in all solutions of fourth
- * order.  In time e is taken 1.25 times, as P. J. Roache does with three grids
- * (J. Fluids Eng. 116, 1994).
+ * downstream of the spike, of few nodes, and has p = 2 in all solutions of
+ * fourth order.  In time e is taken 1.25 times, as P. J. Roache does with three
+ * grids (J. Fluids Eng. 116, 1994).
  *
  * Three levels are no estimate where they do not fall in a known order: d1 and
  * d2 of different sign, or q not between 3/4 and one more than the scheme's

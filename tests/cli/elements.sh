@@ -72,6 +72,22 @@ says 'entrainment speed u_m  *3.22346 m/s'
 expect 0 "$OVERROLL" run gear.ini -o gear.h5 -q --json
 says '"T_end": 45\.[01]' # the first step beyond 45.07
 expect 0 "$OVERROLL" info gear.h5
+# The step that ends behind the end of contact is as the one before it.
+expect 0 "$OVERROLL" export gear.h5 -o gear.csv
+awk -F, 'function share(a, b) { return a > b ? a / b - 1 : b / a - 1 }
+    NR == 1 {
+        for (k = 1; k <= NF; k++) {
+            sub(/ .*/, "", $k)
+            column[$k] = k
+        }
+        H = column["min_film_thickness"]
+        W = column["power_dissipated"]
+        next
+    }
+    { film = share($H, before_H); power = share($W, before_W)
+      before_H = $H; before_W = $W }
+    END { exit !(NR > 100 && H && W && film < 0.001 && power < 0.02) }' \
+    gear.csv || fail 'the last step of a gear jumps'
 
 # Given by the load at the pitch point, or by power, it is the same gear.
 expect 0 "$OVERROLL" check gear.ini --json
