@@ -40,7 +40,7 @@ extern "C" {
  *   indent   -depth g(xi) + shoulder [g((s - a)/c) + g((s + a)/c)],
  *            a = shoulder_at (width/2), c = shoulder_width (width/2)
  *            or, by rim_diameter and rim_height, the bowl of a ball (or of a
- *            hard particle) with a rim raised round it: src/surface/ball.c
+ *            hard particle) with a rim raised round it: src/surface/shape.c
  *   ridge    +height g(xi)                     (or -depth g(xi))
  *   step     +height sigma(1/2 - s/flank): what lies behind the edge (s < 0)
  *            is higher; with a length it comes down again at s = -length

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "cli/output.h"
-#include "cli/passes.h"
 #include "cli/picture_options.h"
 #include "cli/table.h"
 

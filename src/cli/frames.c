@@ -4,8 +4,8 @@
 #include <string.h>
 
 #include "cli/picture_options.h"
-#include "cli/progress.h"
 #include "cli/signals.h"
+#include "cli/watch.h"
 
 static const cli_option options[] = {
     {"o", "DIR", "folder for the frames", false},

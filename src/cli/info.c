@@ -8,7 +8,7 @@
 
 #include "cli/cli.h"
 #include "cli/json.h"
-#include "cli/passes.h"
+#include "cli/table.h"
 
 /* Smallest and largest value of a column of the history, and when. */
 typedef struct extremes {

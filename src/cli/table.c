@@ -3,6 +3,10 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
+
+#include "cli/cli.h"
+#include "cli/json.h"
 
 double *cli_table_add(cli_table *t, const char *name, const char *unit,
                       ovr_error *err)
@@ -82,4 +86,112 @@ void cli_table_print(const cli_table *t, cli_table_form form, FILE *to)
 {
     cli_table_heads(t, form, to);
     cli_table_rows(t, form, to);
+}
+
+/* ----------------------------------------------- the file of several passes */
+
+ovr_table *cli_passes_open(const char *path)
+{
+    ovr_table *table = ovr_table_read(path, NULL);
+    const ovr_table_column *first = table ? ovr_table_at(table, 0) : NULL;
+    if (first && strcmp(first->name, "pass") == 0)
+        return table;
+    ovr_table_free(table);
+    return NULL;
+}
+
+static const ovr_table_column *named(const ovr_table *t, const char *name)
+{
+    const ovr_table_column *c;
+    for (size_t k = 0; (c = ovr_table_at(t, k)); k++)
+        if (strcmp(c->name, name) == 0)
+            break;
+    return c;
+}
+
+/* ------------------------------------------------------------------- print */
+
+static void put_text(const ovr_table_column *c, size_t row)
+{
+    cli_put_foreign(c && c->text ? c->text[row] : NULL);
+}
+
+static void print_table(const char *path, const ovr_table *t)
+{
+    ovr_pass_head head;
+    printf("%s: %zu passes\n\n%4s", path, ovr_table_rows(t), "pass");
+    for (size_t k = 0; ovr_table_pass_head(t, k, &head); k++)
+        printf(" %11s", head.text);
+    printf("  file\n%4s", "");
+    for (size_t k = 0; ovr_table_pass_head(t, k, &head); k++)
+        printf(" %11s", head.of && *head.of->unit ? head.of->unit : "1");
+    putchar('\n');
+    for (size_t i = 0; i < ovr_table_rows(t); i++) {
+        printf("%4zu", i + 1);
+        for (size_t k = 0; ovr_table_pass_head(t, k, &head); k++)
+            if (head.of && isfinite(head.of->number[i]))
+                printf(" %11.5g", head.of->number[i]);
+            else
+                printf(" %11s", "-");
+        fputs("  ", stdout);
+        put_text(named(t, "file"), i);
+        fputs(", ", stdout);
+        put_text(named(t, "status"), i);
+        putchar('\n');
+    }
+}
+
+static void print_json(const char *path, const ovr_table *t)
+{
+    const ovr_table_column *c;
+    json_writer json = json_begin(stdout);
+    json_text(&json, "path", path);
+    json_integer(&json, "passes", (long long)ovr_table_rows(t));
+    for (size_t k = 0; (c = ovr_table_at(t, k)); k++) {
+        json_open_array(&json, c->name);
+        for (size_t i = 0; i < ovr_table_rows(t); i++)
+            if (c->text)
+                json_text(&json, NULL, c->text[i]);
+            else
+                json_number(&json, NULL, c->number[i]);
+        json_close_array(&json);
+    }
+    json_end(&json);
+}
+
+void cli_passes_print(const char *path, const ovr_table *passes, bool json)
+{
+    if (json)
+        print_json(path, passes);
+    else
+        print_table(path, passes);
+}
+
+/* ------------------------------------------------------------------ export */
+
+ovr_status cli_passes_export(const ovr_table *passes, cli_table_form form,
+                             FILE *to, ovr_error *err)
+{
+    cli_table *table = calloc(1, sizeof *table);
+    const ovr_table_column *c;
+    ovr_status status = OVR_OK;
+    if (!table) {
+        ovr_fail(err, OVR_NO_MEMORY, "out of memory");
+        return OVR_NO_MEMORY;
+    }
+    table->rows = ovr_table_rows(passes);
+    for (size_t k = 0; !status && (c = ovr_table_at(passes, k)); k++) {
+        double *values = c->text ? NULL
+                                 : cli_table_add(table, c->name,
+                                                 *c->unit ? c->unit : "1", err);
+        if (values)
+            memcpy(values, c->number, table->rows * sizeof *values);
+        else if (!c->text)
+            status = OVR_NO_MEMORY;
+    }
+    if (!status)
+        cli_table_print(table, form, to);
+    cli_table_clear(table);
+    free(table);
+    return status;
 }

@@ -14,6 +14,7 @@
 #include <stdio.h>
 
 #include "overroll/error.h"
+#include "overroll/overroll.h"
 
 enum { CLI_MAX_COLUMNS = 256 };
 
@@ -45,5 +46,17 @@ void cli_table_head(const char *name, const char *unit, cli_table_form form,
 void cli_table_number(double value, cli_table_form form, bool first, bool last,
                       FILE *to);
 void cli_table_clear(cli_table *table);
+
+/* The file of several passes, for the commands that print what is in a file. */
+
+/* Its rows; NULL: it is another file. */
+ovr_table *cli_passes_open(const char *path);
+
+/* Prints text or JSON on stdout. */
+void cli_passes_print(const char *path, const ovr_table *passes, bool json);
+
+/* The numbers, a row each pass. */
+ovr_status cli_passes_export(const ovr_table *passes, cli_table_form form,
+                             FILE *to, ovr_error *err);
 
 #endif

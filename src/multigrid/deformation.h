@@ -35,6 +35,13 @@
 
 #include "base/arena.h"
 
+/* Weights at the distances 1, 3, ..., 2h - 1 to either side for interpolating
+ * the kernel beyond the range.  Lagrange's for 2h > range or h > 6. */
+void ovr_mlmi_weights(size_t h, size_t range, double weight[]);
+
+/* The same by the fit itself, also where a table has its result. */
+void ovr_mlmi_fit_weights(size_t h, size_t range, double weight[]);
+
 /* BLOCK: vectors that the kernel makes in one go, at most */
 enum { OVR_MLMI_DEPTH = 24, OVR_MLMI_MAX = 16, OVR_MLMI_BLOCK = 8 };
 

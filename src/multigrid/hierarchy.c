@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "multigrid/hierarchy.h"
 
 #include <math.h>
 #include <string.h>
@@ -6,8 +7,47 @@
 #include "multigrid/coarsest.h"
 #include "multigrid/field.h"
 #include "multigrid/flow.h"
-#include "multigrid/hierarchy.h"
 #include "multigrid/tripoles.h"
+
+/* -------------------------------------------------------------------- grids */
+
+ovr_status ovr_grid_refine(ovr_grid *grid, const ovr_grid *parent,
+                           ovr_window window, ovr_arena *arena, ovr_error *err)
+{
+    *grid = (ovr_grid){.n = 2 * window.meshes + 1,
+                       .D = parent->D / 2,
+                       .X_a = parent->X_a + (double)window.first * parent->D,
+                       .first = window.first};
+    grid->X = ovr_arena_take(arena, grid->n, sizeof *grid->X, err);
+    return grid->X ? OVR_OK : OVR_NO_MEMORY;
+}
+
+double ovr_grid_mesh(const ovr_grid *grid)
+{
+    return grid->D;
+}
+
+static void grid_fill(ovr_grid *grid)
+{
+    for (size_t i = 0; i < grid->n; i++)
+        grid->X[i] = grid->X_a + (double)i * grid->D;
+}
+
+void ovr_grid_weights(const ovr_grid *grid, double *weights)
+{
+    for (size_t i = 0; i < grid->n; i++)
+        weights[i] = grid->D;
+    weights[0] = weights[grid->n - 1] = grid->D / 2;
+}
+
+double ovr_grid_distance(const ovr_grid *grid, const double *a, size_t stride,
+                         const double *b)
+{
+    double sum = 0;
+    for (size_t i = 0; i < grid->n; i++)
+        sum += fabs(a[stride * i] - b[i]);
+    return grid->D * sum;
+}
 
 /* Nodes of the lanes and beyond, for any machine's kernels. */
 static size_t capacity_of(const ovr_level *level)
@@ -144,7 +184,7 @@ ovr_status ovr_hierarchy_build(ovr_hierarchy *grids,
 void ovr_level_fill(const ovr_hierarchy *grids, ovr_level *level,
                     const ovr_level *like)
 {
-    ovr_grid_fill(&level->grid);
+    grid_fill(&level->grid);
     level->mlmi.part = grids->influence.part;
     level->mlmi.parts = grids->influence.parts;
     ovr_mlmi_fill(&level->mlmi, level->grid.D, like ? &like->mlmi : NULL);
@@ -181,8 +221,11 @@ void ovr_hierarchy_operator(ovr_hierarchy *grids, const ovr_operator *op)
         ovr_level_operator(op, &grids->level[l]);
 }
 
-ovr_status ovr_hierarchy_bear(ovr_hierarchy *grids, ovr_arena *arena,
-                              ovr_error *err)
+/* Memory for a pressure that the solids feel beside the film's on the finest
+ * level: what bears a part of the load.  It is frozen while a cycle lasts, so
+ * that coarser levels need not know of it. */
+static ovr_status hierarchy_bear(ovr_hierarchy *grids, ovr_arena *arena,
+                                 ovr_error *err)
 {
     ovr_level *finest = &grids->level[grids->finest];
     if (finest->borne)
@@ -227,7 +270,7 @@ ovr_status ovr_hierarchy_touch(ovr_hierarchy *grids, ovr_arena *arena,
         take_newton(grids, arena, err))
         return OVR_NO_MEMORY;
     ovr_newton_fill(grids);
-    return ovr_hierarchy_bear(grids, arena, err);
+    return hierarchy_bear(grids, arena, err);
 }
 
 static ovr_status take_skew(ovr_fields *f, size_t n, ovr_arena *arena,

@@ -4,8 +4,320 @@
 #include <math.h>
 #include <string.h>
 
-#include "multigrid/deflation.h"
 #include "multigrid/field.h"
+
+/* ------------------------------------------------------------ band matrices */
+
+static ovr_status banded_take(ovr_banded *A, size_t n, ovr_arena *arena,
+                              ovr_error *err)
+{
+    A->row = ovr_field(arena, n * OVR_BAND_WIDTH, err);
+    A->factor = A->row ? ovr_field(arena, n * OVR_BAND, err) : NULL;
+    A->pivot = A->factor ? ovr_arena_take(arena, n, sizeof *A->pivot, err)
+                         : NULL;
+    return A->pivot ? OVR_OK : OVR_NO_MEMORY;
+}
+
+/* A_ij to write. */
+static double *at(const ovr_banded *A, size_t i, size_t j)
+{
+    return A->row + i * OVR_BAND_WIDTH + j + OVR_BAND - i;
+}
+
+static size_t minimum(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+static size_t largest_in(const ovr_banded *A, size_t n, size_t c)
+{
+    size_t best = c, end = minimum(n, c + OVR_BAND + 1);
+    for (size_t i = c + 1; i < end; i++)
+        if (fabs(*at(A, i, c)) > fabs(*at(A, best, c)))
+            best = i;
+    return best;
+}
+
+/* Exchanges rows from column c on. */
+static void exchange(const ovr_banded *A, size_t c, size_t other, size_t count)
+{
+    double *a = at(A, c, c), *b = at(A, other, c);
+    for (size_t j = 0; j < count; j++) {
+        double value = a[j];
+        a[j] = b[j];
+        b[j] = value;
+    }
+}
+
+/* The factors of n rows, in place, the inverse of the diagonal in its place;
+ * false: it is singular. */
+static bool banded_factor(ovr_banded *A, size_t n)
+{
+    for (size_t c = 0; c < n; c++) {
+        size_t end = minimum(n, c + OVR_BAND + 1);
+        size_t count = minimum(n - c, 2 * OVR_BAND + 1);
+        size_t best = A->pivot[c] = largest_in(A, n, c);
+        if (best != c)
+            exchange(A, c, best, count);
+        double *top = at(A, c, c), inverse = 1 / top[0];
+        if (!(fabs(top[0]) > 0 && isfinite(top[0])))
+            return false;
+        for (size_t i = c + 1; i < end; i++) {
+            double *row = at(A, i, c), factor = row[0] * inverse;
+            A->factor[c * OVR_BAND + i - c - 1] = factor;
+            for (size_t j = 1; j < count; j++)
+                row[j] -= factor * top[j];
+        }
+        top[0] = inverse;
+    }
+    return true;
+}
+
+static void forward(const ovr_banded *A, size_t n, double *x)
+{
+    for (size_t c = 0; c < n; c++) {
+        const double *factor = A->factor + c * OVR_BAND;
+        size_t end = minimum(n, c + OVR_BAND + 1), best = A->pivot[c];
+        double value = x[best];
+        x[best] = x[c];
+        x[c] = value;
+        for (size_t i = c + 1; i < end; i++)
+            x[i] -= factor[i - c - 1] * value;
+    }
+}
+
+/* sum_j row_j x_j of the neighbours j = 2.. 2 BAND, in three chains. */
+static double beyond_the_next(const double *row, const double *x)
+{
+    double a = 0, b = 0, c = 0;
+    for (size_t j = 2; j < 2 * OVR_BAND; j += 3) {
+        a += row[j] * x[j];
+        b += row[j + 1] * x[j + 1];
+        c += row[j + 2] * x[j + 2];
+    }
+    return a + b + c;
+}
+_Static_assert((2 * OVR_BAND - 1) % 3 == 0, "neighbours in three chains");
+
+/* The neighbour that was found last is taken off last: what waits for it is
+ * two operations long, and the sums of several rows run beside each other. */
+static void backward(const ovr_banded *A, size_t n, double *x)
+{
+    for (size_t i = n; i-- > 0;) {
+        const double *row = at(A, i, i);
+        double value = x[i];
+        if (i + 2 * OVR_BAND < n)
+            value -= beyond_the_next(row, x + i);
+        else
+            for (size_t j = 2; i + j < n; j++)
+                value -= row[j] * x[i + j];
+        if (i + 1 < n)
+            value -= row[1] * x[i + 1];
+        x[i] = value * row[0];
+    }
+}
+
+/* A x = b, in place. */
+static void banded_solve(const ovr_banded *A, size_t n, double *x)
+{
+    forward(A, n, x);
+    backward(A, n, x);
+}
+
+/* -------------------------------------------------------- coarse correction */
+
+enum { STRIDE = 16, MOST = 128 };
+
+ovr_status ovr_deflation_take(ovr_deflation *d, size_t n, ovr_arena *arena,
+                              ovr_error *err)
+{
+    size_t s = STRIDE;
+    while ((n - 1) / s > MOST)
+        s *= 2;
+    const size_t count = (n - 1) / s > 2 ? (n - 1) / s - 1 : 0;
+    *d = (ovr_deflation){.stride = s, .count = count};
+    if (!count)
+        return OVR_OK;
+    const size_t width = (n - 1) / s + count + 2, m = count + 1;
+    d->hat = ovr_field(arena, s * width, err);
+    d->columns = d->hat ? ovr_field(arena, n * m, err) : NULL;
+    d->matrix = d->columns ? ovr_field(arena, m * m, err) : NULL;
+    d->value = d->matrix ? ovr_field(arena, m, err) : NULL;
+    d->pivot = d->value ? ovr_arena_take(arena, m, sizeof *d->pivot, err)
+                        : NULL;
+    return d->pivot ? OVR_OK : OVR_NO_MEMORY;
+}
+
+/* Influences of a hat on nodes r + s (far - x) away from its middle, r < s. */
+static void fill_hats(ovr_deflation *d, size_t n, const double *kernel)
+{
+    const ptrdiff_t s = (ptrdiff_t)d->stride, most = (ptrdiff_t)n;
+    const ptrdiff_t far = (most - 1) / s;
+    const ptrdiff_t width = far + (ptrdiff_t)d->count + 2;
+    for (ptrdiff_t r = 0; r < s; r++)
+        for (ptrdiff_t x = 0; x < width; x++) {
+            ptrdiff_t distance = r + s * (far - x);
+            double sum = 0;
+            for (ptrdiff_t m = 1 - s; m < s; m++) {
+                ptrdiff_t at = distance - m;
+                at = at > most ? most : at < -most ? -most : at;
+                sum += (1 - fabs((double)m) / (double)s) * kernel[at];
+            }
+            d->hat[r * width + x] = sum;
+        }
+}
+
+/* Influences of all hats on node j. */
+static const double *hats_on(const ovr_deflation *d, size_t n, size_t j)
+{
+    const size_t s = d->stride, far = (n - 1) / s;
+    return d->hat + (j % s) * (far + d->count + 2) + far + 1 - j / s;
+}
+
+/* Weights of the hats before and after node i; their numbers are i/s - 1 and
+ * i/s. */
+static double weight_after(const ovr_deflation *d, size_t i)
+{
+    return (double)(i % d->stride) / (double)d->stride;
+}
+
+/* Adds a row of A P with its weights to two rows of R A P. */
+static void restrict_row(const ovr_deflation *d, const ovr_kernels *run,
+                         size_t i, const double *from)
+{
+    const size_t m = d->count + 1, after = i / d->stride;
+    const double share = weight_after(d, i);
+    if (after > 0 && after <= d->count) {
+        double *to = d->matrix + (after - 1) * m;
+        run->combine(m, 1, to, 1 - share, from, to);
+    }
+    if (after < d->count) {
+        double *to = d->matrix + after * m;
+        run->combine(m, 1, to, share, from, to);
+    }
+}
+
+static void make_row(const ovr_deflation *d, const ovr_kernels *run,
+                     const ovr_newton_row *row, size_t n, size_t i)
+{
+    const size_t m = d->count + 1;
+    double *to = d->columns + i * m;
+    memset(to, 0, m * sizeof *to);
+    for (size_t k = i == 1; k < 4 && i + k < n + 2; k++) {
+        const size_t j = i + k - 2, after = j / d->stride;
+        const double share = weight_after(d, j);
+        run->combine(d->count, 1, to, row->e[k], hats_on(d, n, j), to);
+        if (after > 0 && after <= d->count)
+            to[after - 1] += row->local[k] * (1 - share);
+        if (after < d->count)
+            to[after] += row->local[k] * share;
+        to[d->count] -= row->e[k];
+    }
+}
+
+static bool factor_coarse(ovr_deflation *d, const ovr_kernels *run)
+{
+    const size_t m = d->count + 1;
+    for (size_t c = 0; c < m; c++) {
+        size_t best = c;
+        for (size_t i = c + 1; i < m; i++)
+            if (fabs(d->matrix[i * m + c]) > fabs(d->matrix[best * m + c]))
+                best = i;
+        double *top = d->matrix + c * m, *other = d->matrix + best * m;
+        for (size_t j = 0; best != c && j < m; j++) {
+            double value = top[j];
+            top[j] = other[j];
+            other[j] = value;
+        }
+        d->pivot[c] = best;
+        if (!(fabs(top[c]) > 0 && isfinite(top[c])))
+            return false;
+        top[c] = 1 / top[c];
+        for (size_t i = c + 1; i < m; i++) {
+            double *row = d->matrix + i * m, share = row[c] * top[c];
+            row[c] = share;
+            run->combine(m - c - 1, 1, row + c + 1, -share, top + c + 1,
+                         row + c + 1);
+        }
+    }
+    return true;
+}
+
+bool ovr_deflation_factor(ovr_deflation *d, const ovr_kernels *run,
+                          const ovr_newton_row *row, size_t n, double D,
+                          const double *kernel)
+{
+    const size_t m = d->count + 1;
+    double *force = d->matrix + d->count * m;
+    if (!d->count)
+        return false;
+    if (d->of != kernel[0]) { /* the influence does not change in a run */
+        fill_hats(d, n, kernel);
+        d->of = kernel[0];
+    }
+    memset(d->matrix, 0, m * m * sizeof *d->matrix);
+    for (size_t i = 1; i + 1 < n; i++) {
+        make_row(d, run, &row[i], n, i);
+        restrict_row(d, run, i, d->columns + i * m);
+    }
+    for (size_t j = 0; j < d->count; j++)
+        force[j] = D * (double)d->stride;
+    return factor_coarse(d, run);
+}
+
+static void solve(const ovr_deflation *d, double *x)
+{
+    const size_t m = d->count + 1;
+    for (size_t c = 0; c < m; c++) {
+        double value = x[d->pivot[c]];
+        x[d->pivot[c]] = x[c];
+        x[c] = value;
+    }
+    for (size_t i = 1; i < m; i++)
+        for (size_t j = 0; j < i; j++)
+            x[i] -= d->matrix[i * m + j] * x[j];
+    for (size_t i = m; i-- > 0;) {
+        for (size_t j = i + 1; j < m; j++)
+            x[i] -= d->matrix[i * m + j] * x[j];
+        x[i] *= d->matrix[i * m + i];
+    }
+}
+
+void ovr_deflation_apply(ovr_deflation *d, const ovr_kernels *run, size_t n,
+                         double D, const double *v, double *u)
+{
+    const size_t m = d->count + 1;
+    double *x = d->value, sum = 0;
+    memset(x, 0, m * sizeof *x);
+    for (size_t i = 1; i + 1 < n; i++) {
+        const size_t after = i / d->stride;
+        const double share = weight_after(d, i);
+        if (after > 0 && after <= d->count)
+            x[after - 1] += (1 - share) * v[i - 1];
+        if (after < d->count)
+            x[after] += share * v[i - 1];
+    }
+    x[d->count] = v[n - 2];
+    solve(d, x);
+    for (size_t i = 1; i + 1 < n; i++)
+        u[i - 1] = v[i - 1] - run->gain(m, d->columns + i * m, x, NULL);
+    for (size_t j = 0; j < d->count; j++)
+        sum += x[j];
+    u[n - 2] = v[n - 2] - D * (double)d->stride * sum;
+}
+
+void ovr_deflation_add(const ovr_deflation *d, size_t n, double *step)
+{
+    for (size_t i = 1; i + 1 < n; i++) {
+        const size_t after = i / d->stride;
+        const double share = weight_after(d, i);
+        if (after > 0 && after <= d->count)
+            step[i] += (1 - share) * d->value[after - 1];
+        if (after < d->count)
+            step[i] += share * d->value[after];
+    }
+    step[n] += d->value[d->count];
+}
 
 /* A vector of the system: the rows 1..n-2, then the force. */
 static size_t size_of(size_t n)
@@ -17,7 +329,7 @@ ovr_status ovr_tripoles_take(ovr_tripoles *t, size_t n, ovr_arena *arena,
                              ovr_error *err)
 {
     t->row = ovr_arena_take(arena, n, sizeof *t->row, err);
-    if (!t->row || ovr_banded_take(&t->band, n, arena, err))
+    if (!t->row || banded_take(&t->band, n, arena, err))
         return OVR_NO_MEMORY;
     t->basis = ovr_field(arena, (OVR_TRIPOLE_PRODUCTS + 1) * n, err);
     t->column = t->basis ? ovr_field(arena, n, err) : NULL;
@@ -75,7 +387,7 @@ static bool factor(ovr_tripoles *t, size_t n, const double *kernel)
         of[d + REACH] = kernel ? pressed(kernel, d) : 0;
     for (size_t i = 1; i + 1 < n; i++)
         fill_row(t, n, i, of + REACH);
-    return ovr_banded_factor(&t->band, n - 2);
+    return banded_factor(&t->band, n - 2);
 }
 
 /* Sum of dP of tripoles, without the factor D; their sum vanishes inside. */
@@ -90,7 +402,7 @@ static void border(ovr_tripoles *t, size_t n)
         const double *e = t->row[i].e;
         t->column[i - 1] = -(e[0] + e[1] + e[2] + e[3]);
     }
-    ovr_banded_solve(&t->band, n - 2, t->column);
+    banded_solve(&t->band, n - 2, t->column);
 }
 
 /* dP and dH0 of a right-hand side, by the band. */
@@ -99,7 +411,7 @@ static void by_band(const ovr_tripoles *t, size_t n, double D, const double *v,
 {
     double *q = t->q, H0;
     memcpy(q, v, (n - 2) * sizeof *q);
-    ovr_banded_solve(&t->band, n - 2, q);
+    banded_solve(&t->band, n - 2, q);
     H0 = (sum_of(q, n) - v[n - 2] / D) / sum_of(t->column, n);
     for (size_t j = 0; j < n - 2; j++)
         q[j] -= H0 * t->column[j];

@@ -10,14 +10,18 @@
  * tripoles, dP_j = q_j - (q_{j-1} + q_{j+1})/2, whose deformation falls with
  * the square of the distance; the part beyond OVR_BAND mesh sizes is omitted,
  * and the band is factored.  H0 and the force border it.  Smooth steps, for
- * which this is no good approximation, are deflated (deflation.h).  Rows are in
+ * which this is no good approximation, are deflated (below).  Rows are in
  * proportion to their largest part.
  */
 #ifndef OVR_MULTIGRID_TRIPOLES_H
 #define OVR_MULTIGRID_TRIPOLES_H
 
-#include "multigrid/banded.h"
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/arena.h"
 #include "multigrid/hierarchy.h"
+#include "multigrid/kernels.h"
 
 enum { OVR_TRIPOLE_PRODUCTS = 60 };
 
@@ -26,7 +30,32 @@ typedef struct ovr_newton_row {
     double e[4], local[4], r;
 } ovr_newton_row;
 
-/* See deflation.h. */
+/* Linear systems of a band, by Gaussian elimination with pivots in columns:
+ * A_ij = 0 beyond |i - j| <= OVR_BAND. */
+
+/* WIDTH: of a row, with what pivoting fills in. */
+enum { OVR_BAND = 8, OVR_BAND_WIDTH = 3 * OVR_BAND + 1 };
+
+typedef struct ovr_banded {
+    double *row; /* A_ij at i WIDTH + j - i + BAND; then the upper factor, with
+                    the inverse of its diagonal */
+    double *factor; /* BAND of each column, those of the lower one */
+    size_t *pivot;
+} ovr_banded;
+
+/*
+ * Coarse correction of the preconditioner B.  B neglects the
+ * deformation of distant tripoles, which smooth steps have.  Each of some n/50
+ * eigenvalues of A B^-1 far from 1 costs GMRES a product.  They are deflated:
+ *
+ *     v -> Q v + B^-1 (v - A Q v),   Q = P (R A P)^-1 R
+ *
+ * P has piecewise linear steps with a node in every `stride` nodes, and dH0.
+ * R sums rows with the same weights and has the force.  The columns A P are
+ * stored.  They follow from the influence of a hat, a function of the distance.
+ *
+ * Source: Nabben and Vuik 2006 (A-DEF1).
+ */
 typedef struct ovr_deflation {
     size_t stride, count;
     double *hat;     /* influence of a hat by the distance, see hats_on */
@@ -57,5 +86,23 @@ ovr_status ovr_tripoles_take(ovr_tripoles *t, size_t n, ovr_arena *arena,
  * one is taken, and at once in the next 1, 2, 4, ... steps of this solve. */
 bool ovr_tripoles_solve(ovr_hierarchy *grids, const ovr_level *level,
                         double missing, double *step);
+
+/* Allocates memory for n nodes; count = 0 if n is too small. */
+ovr_status ovr_deflation_take(ovr_deflation *d, size_t n, ovr_arena *arena,
+                              ovr_error *err);
+
+/* Makes A P from the rows and factors R A P.  kernel: k(0) of the influence,
+ * known up to a distance of n.  False: R A P is singular. */
+bool ovr_deflation_factor(ovr_deflation *d, const ovr_kernels *run,
+                          const ovr_newton_row *row, size_t n, double D,
+                          const double *kernel);
+
+/* Solves the coarse system of the right-hand side v (rows 1..n-2, force) and
+ * writes v - A Q v to u. */
+void ovr_deflation_apply(ovr_deflation *d, const ovr_kernels *run, size_t n,
+                         double D, const double *v, double *u);
+
+/* Adds Q v, which was found last, to a step (dP of n nodes, dH0). */
+void ovr_deflation_add(const ovr_deflation *d, size_t n, double *step);
 
 #endif

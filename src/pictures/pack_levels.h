@@ -33,8 +33,6 @@ uint16_t ovr_level_of(const ovr_levels *levels, double value);
 ovr_status ovr_pack_levels(ovr_text *to, uint16_t *level, size_t n, size_t rows,
                            ovr_arena *arena, ovr_error *err);
 
-void ovr_text_base64(ovr_text *to, const void *data, size_t bytes);
-
 /* "key":"...", of numbers as they are. */
 void ovr_text_doubles(ovr_text *to, const char *key, const double *values,
                       size_t n);

@@ -1,5 +1,4 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -12,6 +11,160 @@
 #include "pictures/view_run.h"
 #include "stress/layered.h"
 #include "surface/surfaces.h"
+
+/* -------------------------------------------------------------------- areal */
+
+/*
+ * Maps of a strip for the page: pressure and film thickness between X = -2 and
+ * 1.5, on every stride-th node and line.  The stride is the smallest one that
+ * keeps the maps of all snapshots below MAX_CELLS cells.  Values are rounded to
+ * LEVELS levels.  Film thicknesses are cut off at 1.2 times the largest one in
+ * |X| < 0.9.
+ */
+
+enum { MAX_CELLS = 12000000, LEVELS = 2048, MAPS = 2, LONGEST_STRIDE = 4 };
+
+typedef struct maps {
+    const ovr_view_run *view;
+    size_t first, stride, columns, rows, every, shots;
+    double *values; /* of a snapshot in the file */
+} maps;
+
+static const struct {
+    const char *key, *name;
+} fields[MAPS] = {{"P", "pressure"}, {"H", "film_thickness"}};
+
+/* Chooses nodes, lines and snapshots. */
+static void choose(maps *m)
+{
+    const ovr_stored *run = m->view->run;
+    const ovr_result_info *info = run->info;
+    size_t last = info->nodes;
+    while (m->first + 2 < info->nodes && run->x[m->first] < -2)
+        m->first++;
+    while (last > m->first + 2 && run->x[last - 1] > 1.5)
+        last--;
+    for (m->stride = 1;; m->stride++) {
+        m->columns = (last - m->first - 1) / m->stride + 1;
+        m->rows = (info->lines - 1) / m->stride + 1;
+        double cells = (double)(MAPS * m->columns * m->rows) *
+                       (double)m->view->shots;
+        m->every = 1;
+        if (cells <= MAX_CELLS)
+            break;
+        if (m->stride == LONGEST_STRIDE) {
+            m->every = (size_t)ceil(cells / MAX_CELLS);
+            break;
+        }
+    }
+    m->shots = (m->view->shots - 1) / m->every + 1;
+}
+
+/* Reads a field of the k-th stored snapshot. */
+static ovr_status read_map(const maps *m, int f, size_t k, ovr_error *err)
+{
+    return ovr_result_areal(m->view->run->result, fields[f].name,
+                            k * m->every * m->view->every, OVR_HERTZIAN,
+                            m->values, err);
+}
+
+static double value_at(const maps *m, size_t i, size_t j)
+{
+    return m->values[j * m->stride * m->view->run->info->nodes + m->first +
+                     i * m->stride];
+}
+
+/* Levels from the smallest value, or zero, to the largest that counts. */
+static ovr_status find_levels(const maps *m, int f, ovr_levels *levels,
+                              ovr_error *err)
+{
+    double low = f ? INFINITY : 0, high = -INFINITY;
+    for (size_t k = 0; k < m->shots; k++) {
+        if (read_map(m, f, k, err))
+            return OVR_IO;
+        for (size_t i = 0; i < m->columns; i++) {
+            double x = m->view->run->x[m->first + i * m->stride];
+            for (size_t j = 0; j < m->rows; j++) {
+                low = fmin(low, value_at(m, i, j));
+                if (!f || fabs(x) < 0.9)
+                    high = fmax(high, value_at(m, i, j));
+            }
+        }
+    }
+    double span = f ? 1.2 * high - low : high - low;
+    *levels = (ovr_levels){low, (span > 0 ? span : 1) / (LEVELS - 1), 0};
+    return OVR_OK;
+}
+
+static ovr_status put_map(const maps *m, int f, ovr_error *err)
+{
+    const ovr_view_run *w = m->view;
+    size_t cells = m->columns * m->rows;
+    uint16_t *level = ovr_arena_take(w->arena, cells * m->shots, sizeof *level,
+                                     err);
+    ovr_levels l;
+    if (!level)
+        return OVR_NO_MEMORY;
+    ovr_status status = find_levels(m, f, &l, err);
+    for (size_t k = 0; !status && k < m->shots; k++) {
+        status = read_map(m, f, k, err);
+        for (size_t c = 0; !status && c < cells; c++) {
+            double v = value_at(m, c % m->columns, c / m->columns);
+            double at = (v - l.from) / l.step;
+            level[k * cells + c] =
+                (uint16_t)(at > 0 ? fmin(at + 0.5, LEVELS - 1) : 0);
+        }
+    }
+    if (status)
+        return status;
+    ovr_text_print(w->to,
+                   "\"%s\":{\"levels\":%d,\"from\":%.17g,\"step\":%.17g,"
+                   "\"bend\":0,\"data\":\"",
+                   fields[f].key, LEVELS, l.from, l.step);
+    status = ovr_pack_levels(w->to, level, cells, m->shots, w->arena, err);
+    ovr_text_put(w->to, "\"},");
+    return status;
+}
+
+ovr_status ovr_view_areal(const ovr_view_run *view, ovr_error *err)
+{
+    const ovr_stored *run = view->run;
+    maps m = {.view = view};
+    if (run->info->lines < 2 || !run->pressure || !run->film)
+        return OVR_OK;
+    choose(&m);
+    m.values = ovr_arena_take(view->arena, run->info->nodes * run->info->lines,
+                              sizeof *m.values, err);
+    double *x = ovr_arena_take(view->arena, m.columns, sizeof *x, err);
+    double *y = ovr_arena_take(view->arena, run->info->lines, sizeof *y, err);
+    if (!m.values || !x || !y)
+        return OVR_NO_MEMORY;
+    double shown = NAN;
+    ovr_status status = ovr_result_across(run->result, &shown, err);
+    if (!status)
+        status = ovr_result_y(run->result, OVR_HERTZIAN, y, err);
+    for (size_t i = 0; i < m.columns; i++)
+        x[i] = run->x[m.first + i * m.stride];
+    for (size_t j = 0; j < m.rows; j++)
+        y[j] = y[j * m.stride];
+    ovr_text_print(view->to,
+                   "\"areal\":{\"columns\":%zu,\"rows\":%zu,\"every\":%zu,"
+                   "\"shots\":%zu,\"width\":%.17g,\"shown\":%.17g,",
+                   m.columns, m.rows, m.every, m.shots, run->info->width,
+                   shown);
+    ovr_text_doubles(view->to, "x", x, m.columns);
+    ovr_text_doubles(view->to, "y", y, m.rows);
+    for (int f = 0; !status && f < MAPS; f++)
+        status = put_map(&m, f, err);
+    if (m.stride > 1 || m.every > 1)
+        ovr_text_print(view->to,
+                       "\"coarser\":\"maps have every node of %zu along x and "
+                       "across and every snapshot of %zu\"},",
+                       m.stride, m.every);
+    else
+        ovr_text_put(view->to, "\"coarser\":\"\"},");
+    return status;
+}
 
 /* ------------------------------------------------------------------ Element */
 
@@ -103,10 +256,10 @@ typedef struct material {
 static const struct {
     const char *array, *name;
     bool pure; /* a number without a unit */
-} maps[] = {{"cumulative", "plastic strain", true},
-            {"residual_x", "residual stress along x", false},
-            {"residual_z", "residual stress along z", false},
-            {"residual_xz", "residual shear stress", false}};
+} material_maps[] = {{"cumulative", "plastic strain", true},
+                     {"residual_x", "residual stress along x", false},
+                     {"residual_z", "residual stress along z", false},
+                     {"residual_xz", "residual shear stress", false}};
 
 static bool find_group(material *m)
 {
@@ -137,12 +290,12 @@ static bool find_places(const material *m, size_t shots, size_t every,
 }
 
 /* Values of the layer and of the point that a cell lies in. */
-static ovr_status put_map(ovr_text *to, const material *m, size_t map,
-                          ovr_error *err)
+static ovr_status put_material_map(ovr_text *to, const material *m, size_t map,
+                                   ovr_error *err)
 {
     const ovr_material_group *in = &m->in;
-    const double *v = ovr_material_read(in, maps[map].array, in->depths,
-                                        in->points, err);
+    const double *v = ovr_material_read(in, material_maps[map].array,
+                                        in->depths, in->points, err);
     double low = 0, high = 0;
     if (!v)
         return OVR_BAD_INPUT;
@@ -160,9 +313,10 @@ static ovr_status put_map(ovr_text *to, const material *m, size_t map,
     }
     ovr_text_put(to, map ? ",{" : "{");
     ovr_text_doubles(to, "data", m->cell, ROWS * m->columns);
-    ovr_text_print(
-        to, "\"name\":\"%s\",\"pure\":%d,\"low\":%.17g,\"high\":%.17g}",
-        maps[map].name, maps[map].pure, low, high > low ? high : low + 1);
+    ovr_text_print(to,
+                   "\"name\":\"%s\",\"pure\":%d,\"low\":%.17g,\"high\":%.17g}",
+                   material_maps[map].name, material_maps[map].pure, low,
+                   high > low ? high : low + 1);
     return OVR_OK;
 }
 
@@ -193,8 +347,9 @@ ovr_status ovr_view_material(const ovr_view_run *view, ovr_error *err)
     ovr_text_doubles(to, "place", at, shots);
     ovr_text_put(to, "\"fields\":[");
     ovr_status status = OVR_OK;
-    for (size_t map = 0; !status && map < sizeof maps / sizeof *maps; map++)
-        status = put_map(to, &m, map, err);
+    for (size_t map = 0;
+         !status && map < sizeof material_maps / sizeof *material_maps; map++)
+        status = put_material_map(to, &m, map, err);
     ovr_text_put(to, "]},");
     return status;
 }

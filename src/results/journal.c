@@ -4,6 +4,7 @@
  * read, written at a commit and used to restore the last checkpoint.  The
  * checksums in them decide if a file is in a state that a commit left.
  */
+#define _GNU_SOURCE /* F_OFD_SETLK */
 #include "results/journal.h"
 
 #include <errno.h>
@@ -17,7 +18,79 @@
 
 #include "base/disk.h"
 #include "base/lock.h"
-#include "results/commit_lock.h"
+
+/* ----------------------------------------- lock between commits and readers */
+
+enum { TRIES = 1000, PAUSE = 200000 }; /* ns; a fifth of a second at most */
+
+/* Bytes that are locked: for the content, for the queue before it, and by a
+ * writer for its life. */
+enum { CONTENT, QUEUE, LIFE };
+
+static int set_lock(int journal, int byte, short kind)
+{
+#ifdef F_OFD_SETLK
+    struct flock lock;
+    memset(&lock, 0, sizeof lock);
+    lock.l_type = kind;
+    lock.l_whence = SEEK_SET;
+    lock.l_start = byte;
+    lock.l_len = 1;
+    return fcntl(journal, F_OFD_SETLK, &lock);
+#else
+    (void)journal;
+    (void)byte;
+    (void)kind;
+    return 0;
+#endif
+}
+
+/* Nobody waits where there are no such locks. */
+static bool is_taken(int journal, int byte, short kind)
+{
+    return set_lock(journal, byte, kind) != 0 &&
+           (errno == EAGAIN || errno == EACCES);
+}
+
+static void wait_for(int journal, int byte, short kind)
+{
+    const struct timespec pause = {0, PAUSE};
+    int tries = 0;
+    while (is_taken(journal, byte, kind) && ++tries < TRIES)
+        nanosleep(&pause, NULL);
+}
+
+void ovr_commit_lock(int journal, bool write)
+{
+    short kind = write ? F_WRLCK : F_RDLCK;
+    wait_for(journal, QUEUE, kind);
+    wait_for(journal, CONTENT, kind);
+    set_lock(journal, QUEUE, F_UNLCK);
+}
+
+void ovr_commit_unlock(int journal)
+{
+    set_lock(journal, CONTENT, F_UNLCK);
+}
+
+/* From now on a writer lives, until the descriptor is closed. */
+static void commit_alive(int journal)
+{
+    set_lock(journal, LIFE, F_WRLCK);
+}
+
+bool ovr_commit_is_settled(int journal)
+{
+#ifdef F_OFD_SETLK
+    struct flock lock = {
+        .l_type = F_WRLCK, .l_whence = SEEK_SET, .l_start = LIFE, .l_len = 1};
+    return set_lock(journal, CONTENT, F_RDLCK) == 0 &&
+           fcntl(journal, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
+#else
+    (void)journal;
+    return false;
+#endif
+}
 
 /* crc32, several times as fast as zlib's */
 static uint64_t checksum(uint64_t sum, const void *data, size_t bytes)
@@ -27,7 +100,8 @@ static uint64_t checksum(uint64_t sum, const void *data, size_t bytes)
 
 /* ------------------------------------------------------------------ Reading */
 
-bool ovr_journal_first(ovr_journal_walk *w, int journal)
+/* False: there is no header, or none that is whole. */
+static bool journal_first(ovr_journal_walk *w, int journal)
 {
     const ovr_journal_header *h = &w->header;
     struct stat about;
@@ -42,7 +116,9 @@ bool ovr_journal_first(ovr_journal_walk *w, int journal)
            h->sum == checksum(0, h, offsetof(ovr_journal_header, sum));
 }
 
-const unsigned char *ovr_journal_next(ovr_journal_walk *w, ovr_arena *arena)
+/* The next record, its content in memory of the arena, which is cleared with
+ * it; false: there is none. */
+static const unsigned char *journal_next(ovr_journal_walk *w, ovr_arena *arena)
 {
     ovr_journal_record *r = &w->record;
     unsigned char *content;
@@ -86,7 +162,7 @@ int ovr_journal_open(ovr_store *s)
         error = ovr_lock_file(fd, false);
         if (error != EWOULDBLOCK && ovr_file_is_named(fd, s->journal_path)) {
             s->journal = fd;
-            ovr_commit_alive(fd);
+            commit_alive(fd);
             s->unlocked = error != 0;
             return 0;
         }
@@ -344,7 +420,7 @@ static int put_back(const ovr_store *s, ovr_journal_walk *w, ovr_arena *arena)
     const ovr_journal_record *r = &w->record;
     const unsigned char *content;
     int error = 0;
-    while (error == 0 && (content = ovr_journal_next(w, arena)) != NULL) {
+    while (error == 0 && (content = journal_next(w, arena)) != NULL) {
         uint64_t at = r->where * OVR_PAGE;
         if (r->kind == OVR_JOURNAL_PAGE && r->bytes <= OVR_PAGE &&
             r->where < w->header.length / OVR_PAGE + 1 &&
@@ -363,8 +439,7 @@ int ovr_journal_roll_back(ovr_store *s)
     ovr_arena arena = ovr_arena_make(&s->changed.arena->allocator);
     ovr_journal_walk walk;
     int error = 0;
-    if (ovr_journal_first(&walk, s->journal) &&
-        is_meant(s, &walk.header, &arena)) {
+    if (journal_first(&walk, s->journal) && is_meant(s, &walk.header, &arena)) {
         s->repaired = ovr_journal_torn(s->journal, s->fd,
                                        &s->changed.arena->allocator);
         error = put_back(s, &walk, &arena);
@@ -433,7 +508,7 @@ static bool gather(promises *p, ovr_journal_walk *w, ovr_arena *scratch)
     const unsigned char *content;
     bool ok = true;
     p->length = w->header.length;
-    while (ok && (content = ovr_journal_next(w, scratch)) != NULL)
+    while (ok && (content = journal_next(w, scratch)) != NULL)
         if (r->kind == OVR_JOURNAL_STATE) {
             ok = add_promised_state(p, r, content);
         } else if (r->kind == OVR_JOURNAL_PAGE && r->bytes <= OVR_PAGE) {
@@ -488,7 +563,7 @@ bool ovr_journal_torn(int journal, int file, const ovr_allocator *allocator)
     promises p = {.arena = &arena};
     ovr_journal_walk walk;
     bool torn = false;
-    if (ovr_journal_first(&walk, journal) && gather(&p, &walk, &scratch) &&
+    if (journal_first(&walk, journal) && gather(&p, &walk, &scratch) &&
         p.states > 0 && p.count > 0) {
         qsort(p.list, p.count, sizeof *p.list, by_page);
         torn = !is_state(&p, file, p.states, p.length) &&

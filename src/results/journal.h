@@ -24,7 +24,34 @@
 #ifndef OVR_RESULTS_JOURNAL_H
 #define OVR_RESULTS_JOURNAL_H
 
+#include <stdbool.h>
+
 #include "results/store.h"
+
+/*
+ * A readers-writer lock between commits and our own readers: a byte of the
+ * journal is locked exclusively by the writer while it changes the file, shared
+ * by readers while they read.  A second byte is the queue before it: all lock
+ * it until they hold the first, so once the writer waits no further reader
+ * passes it, however many there are.
+ *
+ * Neither waits for ever: the other one may have been stopped in the middle.
+ * Whoever has waited too long goes ahead; a reader that then meets half a
+ * commit notices and tries again.  Readers that know nothing of this are kept
+ * from nothing.  (Locks of open file descriptions: Linux; elsewhere nobody
+ * waits and readers try again.)
+ *
+ * A third byte is locked as long as a writer lives.
+ */
+
+/* Acquires the lock on a descriptor of the journal, for writing or reading. */
+void ovr_commit_lock(int journal, bool write);
+void ovr_commit_unlock(int journal);
+
+/* Returns to a reader with the lock whether a writer exists and is not changing
+ * the file, so that this is as a commit left it.  False also where there are no
+ * such locks: then the file must be looked at (journal.c). */
+bool ovr_commit_is_settled(int journal);
 
 #define OVR_JOURNAL_MAGIC "overroll journal"
 
@@ -68,13 +95,6 @@ typedef struct ovr_journal_walk {
     ovr_journal_header header;
     ovr_journal_record record; /* the present one */
 } ovr_journal_walk;
-
-/* False: there is no header, or none that is whole. */
-bool ovr_journal_first(ovr_journal_walk *walk, int journal);
-
-/* The next record, its content in memory of the arena, which is cleared with
- * it; false: there is none. */
-const unsigned char *ovr_journal_next(ovr_journal_walk *walk, ovr_arena *arena);
 
 /* ---- using */
 

@@ -3,7 +3,7 @@
  * Reading a result file, also while it is written.
  *
  * The writer changes the file's metadata only in short bursts, its flushes,
- * and the reader locks them out (commit_lock.h).  Should that fail, a read
+ * and the reader locks them out (journal.h).  Should that fail, a read
  * across one may find the halves of two states: so every read is checked too
  * (checksums, or NaN where a complete row has none) and repeated with the file
  * opened again.  Rows are counted by their time: one that is still NaN does not
@@ -23,7 +23,6 @@
 #include <unistd.h>
 
 #include "base/given.h"
-#include "results/commit_lock.h"
 #include "results/journal.h"
 #include "results/results.h"
 

@@ -9,7 +9,6 @@
 #include <unistd.h>
 
 #include "base/disk.h"
-#include "results/commit_lock.h"
 #include "results/journal.h"
 
 /* --------------------------------------------------------------- Failures */

@@ -4,7 +4,7 @@
  *
  * HDF5 writes its file wherever it likes, whenever it likes; a program killed
  * in between leaves half a state.  This store stands between HDF5 and the
- * disk (driver.h) and keeps these rules:
+ * disk (file.h) and keeps these rules:
  *
  * 1. Bytes below the committed length, and below the length at the last
  *    checkpoint, change only in a commit.  Until then they are kept in memory,
@@ -30,7 +30,7 @@
  *    let believe that all is well until it is closed.  Nothing is committed
  *    any more; the file stays as the last commit left it.
  * 6. The journal carries the lock (flock) that keeps a second writer out, and
- *    the one between commits and our own readers (commit_lock.h); it is
+ *    the one between commits and our own readers (journal.h); it is
  *    removed at the end, when the file is synced.  Other readers are kept from
  *    nothing.
  * 7. A new file grows as OUT.h5.part and gets its name when its first commit

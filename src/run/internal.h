@@ -90,9 +90,6 @@ void ovr_run_review_after(ovr_run *run);
  * reaches it are not given. */
 #define OVR_IMPOSSIBLE_FRICTION 1.0
 
-/* Fills shear_over_pressure and unbearable_share. */
-void ovr_run_shear(ovr_run *run);
-
 /* Fails unless the file can be made; said before anything is solved. */
 ovr_status ovr_output_check(const char *path, const ovr_case *c, bool force,
                             ovr_error *err);

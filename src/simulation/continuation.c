@@ -18,8 +18,12 @@
 #include <math.h>
 #include <string.h>
 
+#include "contact/film_formula.h"
+#include "multigrid/film_end.h"
+#include "multigrid/local_newton.h"
 #include "simulation/mirror.h"
 #include "simulation/physics.h"
+#include "simulation/steady.h"
 #include "simulation/step_cycles.h"
 
 typedef struct path {
@@ -115,4 +119,260 @@ bool ovr_step_continued(ovr_simulation *sim, const ovr_cycling *cycle,
     }
     set_equations(&p, 1);
     return p.at == 1;
+}
+
+/* ------------------------------------ the steady solution of grown surfaces */
+
+/*
+ * Steady contacts of rough surfaces, which full multigrid does not find, by
+ * letting the film settle in a time of its own, t (pseudo-transient
+ * continuation; Kelley and Keyes, SIAM J. Numer. Anal. 35 (1998) 508):
+ *
+ *     N(P) - (q - q_before)/dt = F,  q = rho H
+ *     gap(t) = smooth gap - min(1, t) S
+ *
+ * The surfaces do not move and grow from smooth ones. In backward Euler steps
+ * pressure spikes and film ends move by a fraction of D, which local solves
+ * handle as in time (local_newton.h, film_end.h).  What was wrong at first
+ * flows out at the end of the domain by t = 6 or so, and steps that become
+ * longer and longer end in the steady film, by a factor of hundreds for each of
+ * the last.  A step that is not found is tried with smaller changes and half
+ * corrections, then by Newton's method (step.c), then halved.
+ */
+
+typedef struct settling {
+    ovr_simulation *sim;
+    const ovr_full *how;
+    double *gap, *F;  /* of the steady problem */
+    double *S;        /* what the gap lacks to be smooth */
+    double *q, *P;    /* of the last step */
+    double H0;        /* the same */
+    double t, dt;     /* of the last step; length of the next */
+    bool grown;       /* surfaces are there from the beginning */
+    double tolerance; /* of the steady film */
+    int cycles;
+} settling;
+
+/* The operator with the time derivative of a step; dt = INFINITY: without. */
+static void set_operator(ovr_simulation *sim, double dt)
+{
+    ovr_operator op = {.speed = sim->target.Cu, .cT = 1 / dt};
+    op.transient = dt < INFINITY;
+    ovr_reynolds_wedge(&op, sim->scheme->order == 2, op.speed);
+    OVR_EACH_PHYSICS(sim, p, in_step, operate)
+        p->is->in_step->operate(sim, p->own, op.transient ? dt : 0, &op);
+    ovr_hierarchy_operator(&sim->grids, &op);
+}
+
+/* Equations of a step dt; of the steady film. */
+static void set_grown(const settling *s, double dt)
+{
+    ovr_simulation *sim = s->sim;
+    double *side = ovr_work_take(sim);
+    set_operator(sim, dt);
+    sim->grids.kernels->combine(sim->now.n, 1, s->F, -1 / dt, s->q, side);
+    ovr_nodes_write(sim, sim->finest, side, sim->finest->f.F);
+    ovr_work_give(sim, side);
+}
+
+static void set_gap(const settling *s, double t)
+{
+    ovr_simulation *sim = s->sim;
+    double *gap = ovr_work_take(sim), missing = s->grown ? 0 : fmax(0, 1 - t);
+    sim->grids.kernels->combine(sim->now.n, 1, s->gap, missing, s->S, gap);
+    ovr_nodes_write(sim, sim->finest, gap, sim->finest->f.gap);
+    ovr_work_give(sim, gap);
+}
+
+static void keep_film(settling *s)
+{
+    ovr_simulation *sim = s->sim;
+    ovr_nodes_read(sim, sim->finest, sim->finest->f.q, s->q);
+    ovr_nodes_read(sim, sim->finest, sim->finest->f.P, s->P);
+    s->H0 = sim->grids.H0;
+}
+
+static void go_back(const settling *s)
+{
+    ovr_nodes_write(s->sim, s->sim->finest, s->P, s->sim->finest->f.P);
+    s->sim->grids.H0 = s->H0;
+}
+
+static void settle_spots(const settling *s, int times)
+{
+    const ovr_hierarchy *grids = &s->sim->grids;
+    while (!grids->touch.at && times-- > 0 &&
+           ovr_local_newton(grids, s->sim->finest))
+        continue;
+}
+
+static void settle_ends(const settling *s)
+{
+    if (!s->sim->grids.conserving)
+        ovr_film_ends(&s->sim->grids, s->sim->finest);
+}
+
+/* Cycles on a step's equations, whose residual need not fall below a share of
+ * what it begins with: what is left is made up for by the next step. */
+static bool relaxed(settling *s, const ovr_cycling *cycling, int maximum)
+{
+    const double share = 0.02, hopeless = 1e6, load_share = 0.1, load = 1e-6;
+    ovr_hierarchy *grids = &s->sim->grids;
+    ovr_level *finest = s->sim->finest;
+    double enough = 0;
+    ovr_level_refresh(grids, finest);
+    settle_spots(s, 2);
+    settle_ends(s);
+    for (int k = 0;; k++) {
+        ovr_defect d = ovr_cycle_defect(grids, finest);
+        if (!k)
+            enough = fmax(s->tolerance, share * d.imbalance);
+        else if (d.imbalance < enough &&
+                 d.load < fmax(load, load_share * d.imbalance))
+            return true;
+        if (!(d.imbalance < hopeless) || k == maximum ||
+            ovr_hierarchy_stops(grids))
+            return false;
+        ovr_cycle(grids, finest, *cycling);
+        s->cycles++;
+        if (!k)
+            settle_spots(s, 1);
+        settle_ends(s);
+    }
+}
+
+/* Solves a step on the finest grid only, with positive film thicknesses. */
+static bool stepped_by_newton(settling *s)
+{
+    ovr_cycling c = s->how->cycling;
+    ovr_outcome outcome = {0};
+    c.newton_limit = 1;
+    go_back(s);
+    set_gap(s, s->t + s->dt);
+    set_grown(s, s->dt);
+    bool found = ovr_step_newton(s->sim, &c, &outcome);
+    s->cycles += outcome.cycles;
+    return found;
+}
+
+/* A step in one of three ways, each slower and steadier; then by Newton's
+ * method. */
+static bool stepped(settling *s)
+{
+    static const struct {
+        int sweeps, maximum;
+        double limit, correction;
+    } ways[] = {{1, 15, 0.2, 1}, {2, 40, 0.05, 1}, {2, 40, 0.05, 0.5}};
+    for (int k = 0; k < 3; k++) {
+        ovr_cycling c = s->how->cycling;
+        c.sweeps_before = c.sweeps_after = ways[k].sweeps;
+        c.smoothing.limit = ways[k].limit;
+        c.correction = ways[k].correction;
+        go_back(s);
+        set_gap(s, s->t + s->dt);
+        set_grown(s, s->dt);
+        if (relaxed(s, &c, ways[k].maximum))
+            return true;
+    }
+    return stepped_by_newton(s);
+}
+
+static ovr_defect steady_defect(const settling *s)
+{
+    ovr_simulation *sim = s->sim;
+    set_operator(sim, INFINITY);
+    ovr_nodes_write(sim, sim->finest, s->F, sim->finest->f.F);
+    set_gap(s, 1);
+    ovr_level_refresh(&sim->grids, sim->finest);
+    return ovr_cycle_defect(&sim->grids, sim->finest);
+}
+
+/* True if the cycles of this solve, over all calls, have cost more than starts
+ * that were found (5e7 node cycles). */
+static bool is_spent(const settling *s)
+{
+    const double largest = 1e8, dense = 5e3;
+    const ovr_hierarchy *grids = &s->sim->grids;
+    double bottom = (double)grids->level[s->how->cycling.bottom].grid.n;
+    double cost = (double)s->sim->now.n + bottom * bottom * bottom / dense;
+    return (double)(s->sim->start.settling + s->cycles) * cost > largest;
+}
+
+/* Steps until the film is the steady one, no step is found, or too many cycles
+ * are spent. */
+static ovr_defect settle(settling *s)
+{
+    enum { MAX = 60000, QUICK = 6 };
+    const double D = ovr_mesh(s->sim), longer = 1.5, minimum = D / 512;
+    ovr_defect d = {.imbalance = INFINITY};
+    s->tolerance = s->how->tolerance(s->how->data, s->sim->finest,
+                                     s->sim->observation.H_cen);
+    keep_film(s);
+    while (s->cycles < MAX && s->dt >= minimum && !is_spent(s) &&
+           !ovr_hierarchy_stops(&s->sim->grids)) {
+        int before = s->cycles;
+        if (!stepped(s)) {
+            go_back(s);
+            s->dt /= 2;
+            continue;
+        }
+        s->t += s->dt;
+        if (s->cycles - before <= QUICK)
+            s->dt *= longer;
+        keep_film(s);
+        if (!s->grown && s->t < 1)
+            continue;
+        d = steady_defect(s);
+        s->tolerance = s->how->tolerance(s->how->data, s->sim->finest,
+                                         d.centre);
+        if (ovr_below(d, s->tolerance))
+            return d;
+    }
+    return steady_defect(s);
+}
+
+static settling begin_settling(ovr_simulation *sim, const ovr_full *how)
+{
+    settling s = {.sim = sim,
+                  .how = how,
+                  .gap = sim->start.lacking,
+                  .F = sim->past.q[1],
+                  .S = sim->start.saved_before,
+                  .q = sim->past.q[0],
+                  .P = sim->start.saved};
+    const ovr_smooth smooth = ovr_simulation_smooth(sim, 0);
+    ovr_nodes_read(sim, sim->finest, sim->finest->f.gap, s.gap);
+    for (size_t i = 0; i < sim->now.n; i++)
+        s.S[i] = ovr_smooth_at(&smooth, sim->now.X[i]) - s.gap[i];
+    return s;
+}
+
+ovr_defect ovr_steady_grown(ovr_simulation *sim, const ovr_full *how,
+                            int *cycles)
+{
+    ovr_full own = *how;
+    settling s = begin_settling(sim, how);
+    s.dt = ovr_mesh(sim);
+    own.watch = NULL;
+    set_gap(&s, 0);
+    ovr_full_multigrid(&sim->grids, &sim->target, own, cycles);
+    ovr_nodes_read(sim, sim->finest, sim->finest->f.F, s.F);
+    ovr_defect d = settle(&s);
+    *cycles += s.cycles;
+    sim->start.settling += s.cycles;
+    return d;
+}
+
+ovr_defect ovr_steady_settled(ovr_simulation *sim, const ovr_full *how,
+                              int *cycles)
+{
+    settling s = begin_settling(sim, how);
+    s.dt = 1;
+    s.grown = true;
+    ovr_nodes_read(sim, sim->finest, sim->finest->f.F, s.F);
+    ovr_level_refresh(&sim->grids, sim->finest);
+    ovr_defect d = settle(&s);
+    *cycles += s.cycles;
+    sim->start.settling += s.cycles;
+    return d;
 }

@@ -52,8 +52,8 @@ typedef struct ovr_work {
 /* The steady solve. */
 typedef struct ovr_start {
     int strategy;  /* of steady.c, by which the solution was found */
-    bool grown;    /* by it features grow (growth.c) */
-    long settling; /* cycles of growth.c */
+    bool grown;    /* by it features grow (continuation.c) */
+    long settling; /* cycles of continuation.c */
     double *saved; /* a P to go back to: of the level below */
     double *saved_before, *lacking; /* continuation.c */
     ovr_refinement refinement[OVR_LEVELS];

@@ -1,13 +1,59 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Observes what there is after a solve or step. */
+#include "simulation/observe.h"
+
 #include <math.h>
 
 #include "contact/contact.h"
-#include "simulation/extremes.h"
 #include "simulation/mirror.h"
-#include "simulation/observe.h"
 #include "simulation/physics.h"
 #include "simulation/refined.h"
+
+/* ------------------------------------------------------ extremes of a curve */
+
+double ovr_vertex(const double *X, const double *v, size_t i, double *value)
+{
+    double left = X[i] - X[i - 1], right = X[i + 1] - X[i];
+    double up = (v[i] - v[i - 1]) / left, down = (v[i + 1] - v[i]) / right;
+    double curvature = 2 * (down - up) / (left + right);
+    double slope = (up * right + down * left) / (left + right);
+    double shift = curvature != 0 ? -slope / curvature : 0;
+    double gain = shift * (slope + 0.5 * shift * curvature);
+    if (!(-left <= shift && shift <= right) ||
+        !(fabs(gain) <= 0.05 * fabs(v[i])))
+        shift = gain = 0;
+    *value = v[i] + gain;
+    return X[i] + shift;
+}
+
+/* Returns whether the mesh resolves the maximum of v at node i: on average, the
+ * values two nodes away are at least two thirds of it.  The pressure of a
+ * Newtonian film at a surface feature is singular like the logarithm of the
+ * distance; there, the ratio is about a half on any mesh. */
+static bool maximum_is_resolved(size_t n, const double *v, size_t i)
+{
+    double left = i > 1 ? v[i - 2] : v[0];
+    double right = i + 2 < n ? v[i + 2] : v[n - 1];
+    return !((left + right) / 2 < 2.0 / 3 * v[i]);
+}
+
+int ovr_prominent_maxima(size_t n, const double *P, size_t *last)
+{
+    double low = P[0]; /* lowest since the last that stood out */
+    int count = 0;
+    for (size_t i = 1; i + 1 < n; i++) {
+        low = P[i] < low ? P[i] : low;
+        if (!(P[i] > P[i - 1] && P[i] >= P[i + 1]))
+            continue;
+        if (P[i] > low + OVR_PROMINENCE)
+            count++;
+        else if (!count || !(P[i] > P[*last]))
+            continue; /* nothing, or a lower one of the same maximum */
+        *last = i;
+        low = P[i];
+    }
+    return count;
+}
 
 /* The nodes in a window, from `first` to before `behind`. */
 typedef struct inside {
@@ -135,7 +181,7 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
     o->P_max = P[high];
     o->X_P_max = sim->now.X[high];
     o->X_P_max_located = ovr_vertex(sim->now.X, P, high, &o->P_max_located);
-    o->P_max_resolved = ovr_maximum_is_resolved(n, P, high);
+    o->P_max_resolved = maximum_is_resolved(n, P, high);
     o->P_cen = ovr_value_at(&sim->now, P, 0);
     o->maxima = maxima;
     o->X_cavitation = sim->now.X[film_end(sim)];
@@ -144,7 +190,7 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
     o->P_spike_located = o->X_spike_located = NAN;
     if (maxima >= 2 && exit * sim->now.X[spike] > 0) {
         o->P_spike = P[spike];
-        o->P_spike_resolved = ovr_maximum_is_resolved(n, P, spike);
+        o->P_spike_resolved = maximum_is_resolved(n, P, spike);
         o->X_spike = sim->now.X[spike];
         o->X_spike_located = ovr_vertex(sim->now.X, P, spike,
                                         &o->P_spike_located);

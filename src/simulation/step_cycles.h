@@ -24,7 +24,7 @@ bool ovr_step_continued(ovr_simulation *sim, const ovr_cycling *cycle,
                         ovr_outcome *outcome);
 
 /* The steady solution of surfaces that grow out of smooth ones, and that from
- * the film as it is, in a time of its own (growth.c). */
+ * the film as it is, in a time of its own (continuation.c). */
 ovr_defect ovr_steady_grown(ovr_simulation *sim, const ovr_full *how,
                             int *cycles);
 ovr_defect ovr_steady_settled(ovr_simulation *sim, const ovr_full *how,

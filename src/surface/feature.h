@@ -37,7 +37,7 @@ typedef struct ovr_feature {
     double width, wavelength, wavelength_end, length;
     double shoulder, shoulder_at, shoulder_width;
     double flank;
-    bool ball;            /* an indent by its rim: ball.c */
+    bool ball;            /* an indent by its rim: shape.c */
     double behind, ahead; /* extent about the centre, as users see it */
     double reach_behind, reach_ahead; /* beyond them its height vanishes */
     double finest;                    /* shortest wavelength that matters */
@@ -64,19 +64,6 @@ static inline double ovr_smoothstep(double v)
  * its shape; `per_radius` is b/R, NAN without a physical contact. */
 ovr_status ovr_shape_make(ovr_feature *feature, const ovr_feature_form *form,
                           double per_radius, ovr_error *err);
-
-/* Sets its start from what the form gives: start, centre, edge, arrival or
- * origin; with none of them it starts at the end of the film.  `way`: how
- * far it moves until its arrival.  The shape
- * must be made. */
-ovr_status ovr_feature_place(ovr_feature *feature, const ovr_feature_form *form,
-                             double way, double inlet, double outlet,
-                             ovr_error *err);
-
-/* An indent by its rim, of the depth -A: its sizes (rim_height NAN: of steel),
- * and its height at s (ball.c). */
-void ovr_ball_sizes(ovr_feature *f, double rim_diameter, double rim_height);
-double ovr_ball_height(const ovr_feature *f, double s);
 
 /* True if a shape may have a size, by its name. */
 bool ovr_shape_has(int shape, const char *size);

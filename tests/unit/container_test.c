@@ -11,7 +11,7 @@
 #include <unistd.h>
 
 #include "results/hdf5read/hdf5read.h"
-#include "results/hdf5read/pieces.h"
+#include "results/hdf5read/heap.h"
 #include "results/results.h"
 #include "support/dent.h"
 

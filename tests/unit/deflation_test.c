@@ -7,8 +7,8 @@
 #include <stdlib.h>
 
 #include "mathematics/draws.h"
-#include "multigrid/deflation.h"
 #include "multigrid/kernels.h"
+#include "multigrid/tripoles.h"
 
 enum { N = 200, STRIDE = 16, HATS = 11 };
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "multigrid/deformation_weights.h"
+#include "multigrid/deformation.h"
 #include "multigrid/field.h"
 #include "support/deformation.h"
 #include "support/test.h"

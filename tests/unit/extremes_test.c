@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "overroll/overroll.h"
-#include "simulation/extremes.h"
+#include "simulation/observe.h"
 
 enum { N = 400 };
 

@@ -3,7 +3,7 @@
  * means against quadrature, energy, a free surface. */
 #include <math.h>
 
-#include "stress/plastic_waves.h"
+#include "stress/yielding.h"
 #include "support/test.h"
 
 static const double nu = 0.3;

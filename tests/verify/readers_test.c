@@ -10,7 +10,7 @@
  * Every reader looks twice a second: opens the file, reads the newest snapshot
  * and the history, closes it.
  *
- * What results/commit_lock.h is for: with its locks the writer waited less than
+ * What results/journal.h is for: with its locks the writer waited less than
  * 1 ms for readers in a whole run, and none failed.  With retries alone (five,
  * over 31 ms) that held as well, but in tests/unit/live_test.c, where a commit
  * follows the other within 0.6 ms, a reader failed in 4 of 6 attempts.

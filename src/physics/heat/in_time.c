@@ -297,7 +297,7 @@ static bool is_otherwise(const ovr_simulation *sim)
 void ovr_heat_anew(ovr_simulation *sim, void *own)
 {
     ovr_heat_steps *s = ((ovr_heated *)own)->steps;
-    if (!s->trying) /* cycles of a steady film that settles (growth.c) */
+    if (!s->trying) /* cycles of a steady film that settles (continuation.c) */
         return;
     ovr_simulation_read(sim);
     if (s->passes > 0 && is_otherwise(sim)) {

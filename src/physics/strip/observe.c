@@ -11,7 +11,6 @@
 
 #include "contact/contact.h"
 #include "physics/strip/strip.h"
-#include "simulation/extremes.h"
 #include "simulation/observe.h"
 #include "simulation/quantity_row.h"
 
