@@ -2,6 +2,7 @@
 /* Stresses below the surfaces in summaries, reports and the group
  * fatigue/surface_N of result files, from one table of rows. */
 #include <math.h>
+#include <stdarg.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
@@ -118,14 +119,32 @@ static void put_life(const ovr_told *to, const ovr_stress_report *r,
 /* Approximate yield stress of hardened bearing steel, Pa. */
 static const double YIELD = 1.7e9;
 
-/* Prints a stress, in MPa, and a remark. */
+/* Unit, position and remark of a number; an unknown X leaves its column empty.
+ */
+__attribute__((format(printf, 3, 4))) static ovr_words
+columns(const char *unit, double X, const char *format, ...)
+{
+    ovr_words w = {""};
+    char at[16] = "", remark[200];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(remark, sizeof remark, format, arguments);
+    va_end(arguments);
+    if (isfinite(X))
+        snprintf(at, sizeof at, "%.4g", X);
+    ovr_words_add(&w, "%-11s %-10s (%s)", unit, at, remark);
+    return w;
+}
+
+/* Prints a stress in p_h, with its value in MPa and a remark. */
 static void say_stress(const ovr_told *to, const char *label, double value,
-                       double ph, const char *behind)
+                       double ph, double X, const char *remark)
 {
     ovr_words si = {""};
     if (isfinite(ph))
-        ovr_words_add(&si, "%.4g MPa", value * ph * 1e-6);
-    ovr_tell_number(to, label, 4, value, "%s  %s", si.text, behind);
+        ovr_words_add(&si, "%.4g MPa; ", value * ph * 1e-6);
+    ovr_tell_number(to, label, 4, value, "%s",
+                    columns("p_h", X, "%s%s", si.text, remark).text);
 }
 
 /* Prints the rows of a part. */
@@ -138,14 +157,15 @@ static void say_part(const ovr_told *to, ovr_stress_part part,
         ovr_words at = {""};
         if (row->part != part)
             continue;
-        ovr_words_add(&at, "at X = %.4g, Z = %.4g, T = %.4g%s", e.X, e.Z, e.T,
+        ovr_words_add(&at, "Z = %.4g, T = %.4g%s", e.Z, e.T,
                       e.Z < r->unresolved_depth ? "; not resolved" : "");
         if (row->form == OVR_FIGURE_SHARE && !isnan(e.value))
-            ovr_tell_number(to, row->label, 4, e.value, "%s", row->words);
+            ovr_tell_number(to, row->label, 4, e.value, "%s",
+                            columns("", NAN, "%s", row->words).text);
         else if (row->form == OVR_FIGURE_TENSION && !(e.value > 0))
             ovr_tell(to, row->label, "none (compressive everywhere)");
         else if (row->form != OVR_FIGURE_SHARE)
-            say_stress(to, row->label, e.value, ph, at.text);
+            say_stress(to, row->label, e.value, ph, e.X, at.text);
     }
 }
 
@@ -173,7 +193,7 @@ static void say_circle(const ovr_told *to, const ovr_stress_report *r,
     ovr_words_add(&at, "at xi = %.4g%s, Z = %.4g; smooth %.4g%s", r->xi_R_max,
                   side_of(r, r->xi_R_max), r->Z_R_max, r->R_smooth,
                   r->Z_R_max < r->unresolved_depth ? "; not resolved" : "");
-    say_stress(to, "shear path radius R", r->R_max, ph, at.text);
+    say_stress(to, "shear path radius R", r->R_max, ph, NAN, at.text);
 }
 
 static void say_lengths(const ovr_told *to, const ovr_stress_report *r)
@@ -221,16 +241,21 @@ static void say_life(const ovr_told *to, const ovr_stress_report *r,
             "Z = %.3g downward",
             r->least_depth);
     if (isfinite(r->life->utilisation))
-        ovr_tell_number(to, "utilization", 4, r->life->utilisation,
-                        "of the fatigue limit %.4g p_h (%s), from Z = %.3g "
-                        "downward; at Z = %.3g",
-                        r->limit, ovr_criterion_name(s->criterion),
-                        r->least_depth, r->life->used_z);
+        ovr_tell_number(to, "utilization of the fatigue limit", 4,
+                        r->life->utilisation, "%s",
+                        columns("", NAN,
+                                "limit %.4g p_h, %s; from Z = %.3g downward, "
+                                "at Z = %.3g",
+                                r->limit, ovr_criterion_name(s->criterion),
+                                r->least_depth, r->life->used_z)
+                            .text);
     if (isfinite(r->ratio) && has_effect(r))
         ovr_tell_number(
-            to, "life ratio", 4, r->ratio,
-            "relative to the smooth raceway, from Z = %.3g downward",
-            r->least_depth);
+            to, "life ratio", 4, r->ratio, "%s",
+            columns("", NAN,
+                    "relative to the smooth raceway, from Z = %.3g downward",
+                    r->least_depth)
+                .text);
     ovr_tell(to, "",
              "exponents %.4g, %.4g, %.4g and limit are conventions; elastic, "
              "plane strain",
@@ -286,20 +311,28 @@ static void say_yield(const ovr_told *to, const ovr_stress_report *r,
     ovr_words_add(&Y, "%.4g ph", r->yield);
     if (isfinite(ph))
         ovr_words_add(&Y, " = %.4g MPa", r->yield * ph * 1e-6);
-    ovr_tell_number(to, "stress above yield, f/Y", 4, f->value,
-                    "von Mises stress / Y - 1, Y = %s; at X = %.4g, Z = %.4g, "
-                    "T = %.4g",
-                    Y.text, f->X, f->Z, f->T);
-    ovr_tell_number(to, "yielding volume share", 3, 100 * r->yielding_share,
-                    "%% of the material points from Z = %.4g downward",
-                    r->least_depth);
-    ovr_tell_number(to, "strip pressure ratio", 4, strip->value,
-                    "(P - P around)/(2.97 Y), %.3g b wide at X = %.4g, "
-                    "T = %.4g",
-                    strip->Z, strip->X, strip->T);
-    ovr_tell_number(to, "p_h / p_h at first yield", 4, r->of_first_yield,
-                    "smooth contact; %.4g of the p_h at the shakedown limit",
-                    r->of_shakedown);
+    ovr_tell_number(to, "stress above yield, f/Y", 4, f->value, "%s",
+                    columns("", f->X,
+                            "von Mises stress / Y - 1, Y = %s; Z = %.4g, "
+                            "T = %.4g",
+                            Y.text, f->Z, f->T)
+                        .text);
+    ovr_tell_number(
+        to, "yielding volume share", 3, 100 * r->yielding_share, "%s",
+        columns("%", NAN, "of the material points from Z = %.4g downward",
+                r->least_depth)
+            .text);
+    ovr_tell_number(to, "strip pressure ratio", 4, strip->value, "%s",
+                    columns("", strip->X,
+                            "(P - P around)/(2.97 Y); %.3g b wide, T = %.4g",
+                            strip->Z, strip->T)
+                        .text);
+    ovr_tell_number(to, "p_h / p_h at first yield", 4, r->of_first_yield, "%s",
+                    columns("", NAN,
+                            "smooth contact; %.4g of the p_h at the shakedown "
+                            "limit",
+                            r->of_shakedown)
+                        .text);
     say_whether(to, r, setup->features > 0);
 }
 
@@ -307,6 +340,7 @@ static void say_surface(const ovr_told *to, const ovr_stress_report *r,
                         const ovr_setup *setup)
 {
     double ph = setup->contact->ph;
+    ovr_tell_title(to, "%s", "");
     ovr_tell_title(to,
                    "Stresses below surface %d, from Z = %.4g (%.3g D) downward",
                    r->surface, r->least_depth, r->least_depth / setup->mesh);
@@ -314,6 +348,8 @@ static void say_surface(const ovr_told *to, const ovr_stress_report *r,
         ovr_tell(to, "stresses", "not available: %s", r->none);
         return;
     }
+    ovr_tell_title(to, "%-*s %-12s %-11s %s", OVR_LABEL_WIDTH, "quantity",
+                   "value", "in units", "at X = x/b");
     say_part(to, OVR_STRESS_BODY, r, ph);
     if (!isnan(r->layer_von_mises.value))
         say_part(to, OVR_STRESS_LAYERS, r, ph);

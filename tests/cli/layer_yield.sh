@@ -50,7 +50,7 @@ for upper in none '3 GPa'; do
 done
 expect 0 "$OVERROLL" run case.ini -o words.h5 --set 'coating 1.yield=3 GPa'
 contains out '^layer stress / yield stress '
-contains out '^tension across an interface +[0-9.e-]+ .* at X'
+contains out '^tension across an interface +[0-9.e-]+ +p_h .* Z = '
 contains out '^tension at the surface +none'
 for limit in upper:1:'2 GPa' lower:1b:'0.5 GPa'; do
     coat=${limit#*:}
