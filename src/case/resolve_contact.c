@@ -321,7 +321,7 @@ static ovr_status read_flow_table(ovr_resolved *r, ovr_error *err)
     if (!file)
         return ovr_fail_slot(
             err, ovr_block_get(block, "rheology"),
-            "read_flow_table needs 'rheology_file' in [lubricant]");
+            "table needs 'rheology_file' in [lubricant]");
     if (ovr_two_columns_read(&p, file, ovr_block_get(block, "rheology_file"),
                              &r->arena, err))
         return OVR_BAD_INPUT;

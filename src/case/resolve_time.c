@@ -52,7 +52,7 @@ static ovr_status load_table(ovr_resolved *r, const ovr_block *block,
     ovr_two_columns p = {.name = {"time", "value"},
                          .minimum = to->minimum,
                          .maximum = to->maximum,
-                         .of = " (of the nominal one)",
+                         .of = " (relative to the reference value)",
                          .unit = {1, 1}};
     ovr_status status;
     if (!change->file)

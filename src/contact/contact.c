@@ -131,7 +131,7 @@ static ovr_status resolve_speeds(const ovr_conditions *c, ovr_contact *to,
         return refuse(err, "speed_1",
                       "plus speed_2 must be positive: the fluid is carried "
                       "along +x; for squeeze or a start from rest give the "
-                      "nominal speeds here and their history in [speed]");
+                      "reference speeds here and their history in [speed]");
     to->u1_ratio = to->u2_ratio = 1;
     if (ovr_slip_ratio(c->speed_1, c->speed_2, to->um) != 0) {
         to->u1_ratio = c->speed_1 / to->um;

@@ -91,7 +91,7 @@ static ovr_status may_go_on(void *data, const ovr_simulation *sim,
     if (!run->how.interrupt || !run->how.interrupt(run->how.data))
         return OVR_OK;
     return ovr_fail(err, OVR_STOPPED,
-                    "stopped at T = %g of the estimate of errors",
+                    "stopped at T = %g of the run for the error estimate",
                     ovr_simulation_state(sim)->T);
 }
 

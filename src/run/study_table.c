@@ -467,8 +467,8 @@ static void explain(const ovr_table *t, const char *key, char *text,
     for (size_t k = 0; (o = ovr_observable_at(k)); k++)
         if ((o->key && !strcmp(o->key, key)) ||
             (o->key_si && !strcmp(o->key_si, key)))
-            snprintf(text, capacity, "%s%s",
-                     run ? "at the end of the run: " : "", o->long_name);
+            snprintf(text, capacity, "%s%s", o->long_name,
+                     run ? " at the end of the run" : "");
 }
 
 static bool put_key_variable(const ovr_table *t, const ovr_flat *rows, size_t k)

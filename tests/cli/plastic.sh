@@ -200,8 +200,8 @@ contains err 'is already complete'
 
 # What the case says, and what is refused.
 expect 0 "$OVERROLL" check plastic.ini
-contains out 'surface 1 at Y = 0.75 ph'
-contains out 'no shakedown above 1.732 ph'
+contains out 'surface 1: yield stress Y = 0.75 p_h'
+contains out 'shakedown limit 1.732 p_h'
 contains out '12 layers down to 0.2 b'
 refused() {
     pattern=$1

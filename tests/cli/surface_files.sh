@@ -40,7 +40,7 @@ contains out '^length +1 um'
     done
 } >v.csv
 expect 0 "$OVERROLL" profile v.csv --max-gap 2um
-contains out '^gaps +1 heights missing, 1 filled'
+contains out '^missing heights +1 +.filled: 1.'
 
 # Signs of missing heights, in words and in codes of instruments
 for sign in '#N/A' '-nan(ind)' '1.#QNAN' '*****' '--' '' -9999 1e30 -32768; do
@@ -51,13 +51,13 @@ for sign in '#N/A' '-nan(ind)' '1.#QNAN' '*****' '--' '' -9999 1e30 -32768; do
         done
     } >m.csv
     expect 0 "$OVERROLL" profile m.csv --max-gap 2um
-    contains out '^gaps +1 heights missing, 1 filled'
+    contains out '^missing heights +1 +.filled: 1.'
 done
 contains out '1 heights of -32768, far from all others'
 # Not a code among heights of its size; not a comment at the start of a row
 printf 'x um,z nm\n0,-9000\n1,-9999\n2,-8000\n3,-12000\n' >m.csv
 expect 0 "$OVERROLL" profile m.csv
-contains out '^gaps +0 heights missing'
+contains out '^missing heights +0 '
 printf 'z um\n1\n2\n#N/A\n1\n2\n1\n2\n' >m.csv
 expect 0 "$OVERROLL" profile m.csv --spacing 1um --max-gap 2um
 contains out '^points +7,'
@@ -75,7 +75,7 @@ expect 0 "$OVERROLL" profile "$TOP/profiles/dent.csv"
 # A flat profile: no rounding is printed as a height, no negative Rk
 printf 'x um,z um\n0,0.1\n1,0.1\n2,0.1\n3,0.1\n' >m.csv
 expect 0 "$OVERROLL" profile m.csv
-contains out '^Pk +0 m'
+contains out '^core height Pk +0 m'
 ! grep -Eq '^P[a-z]+ +-?[0-9.]+e-' out || fail "rounding: $(cat out)"
 
 # What lines cannot be chosen

@@ -129,26 +129,27 @@ static void tell_body(const ovr_setup *setup, int k, ovr_physics_line *line,
     const ovr_plastic_setup *how = ovr_setup_plastic(setup);
     double Y = how->body[k].hardening.yield, ph = setup->contact->ph * 1e-6;
     double nu = ovr_setup_stress(setup)->poisson[k];
-    char text[240], megapascals[40] = "", strain[40] = "not known";
+    char text[240], megapascals[40] = "", strain[40] = "unknown";
     ovr_plastic_plan plan;
     if (isfinite(ph))
         snprintf(megapascals, sizeof megapascals, " (%.4g MPa)", Y * ph);
     if (isfinite(how->body[k].strain))
         snprintf(strain, sizeof strain, "%.4g", 1 / how->body[k].strain);
-    snprintf(text, sizeof text,
-             "surface %d at Y = %.4g ph%s; smooth, first at %.4g ph, and no "
-             "shakedown above %.4g ph; E*/ph %s",
-             k + 1, Y, megapascals, ovr_first_yield(nu) * Y,
-             ovr_shakedown_limit() * Y, strain);
+    snprintf(
+        text, sizeof text,
+        "surface %d: yield stress Y = %.4g p_h%s, first yield of the smooth "
+        "contact at %.4g p_h, shakedown limit %.4g p_h, E*/p_h %s",
+        k + 1, Y, megapascals, ovr_first_yield(nu) * Y,
+        ovr_shakedown_limit() * Y, strain);
     line(data, "yields", text);
     if (!setup->nodes || ovr_plastic_planned(setup, k, &plan, NULL))
         return;
     snprintf(
         text, sizeof text,
         "%zu points from %.3g to %.3g b about %s, %zu layers down to %.3g "
-        "b; %.3g MB; some %.2g ms where it flows, an iteration",
+        "b; %.3g MB; about %.2g ms per iteration in plastic steps",
         plan.points, plan.first, plan.first + (double)plan.points * plan.mesh,
-        plan.stress.feature ? plan.stress.feature : "the middle", plan.layers,
+        plan.stress.feature ? plan.stress.feature : "X = 0", plan.layers,
         how->depth, memory_of(setup, k) / 1e6, 1e3 * iteration_seconds(&plan));
     line(data, "window", text);
 }

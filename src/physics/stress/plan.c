@@ -250,8 +250,8 @@ static ovr_status check_depths(const ovr_stress_setup *s,
                               least, half);
     if (least > s->depth_max)
         return ovr_fail_about(err, "depth_max",
-                              "depth_max = %.4g b is below the least depth, "
-                              "%.4g b (%s): set stress.depth_max to more, or "
+                              "depth_max = %.4g b is below the minimum depth, "
+                              "%.4g b (%s); increase stress.depth_max or "
                               "use a finer domain.level",
                               s->depth_max, least,
                               s->depth_min > 0 ? "stress.depth_min"

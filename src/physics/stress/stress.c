@@ -452,7 +452,7 @@ static void tell_limit(const ovr_setup *setup, int k, ovr_physics_line *line,
     if (s->life.limits) {
         snprintf(text, sizeof text,
                  "%s: limit by depth, %.4g MPa at %.3g um to %.4g MPa at %.3g "
-                 "um; smooth %.4g ph at Z = %.3g",
+                 "um; smooth contact %.4g p_h at Z = %.3g",
                  ovr_criterion_name(s->criterion), s->life.limit_A[0] * ph,
                  s->life.limit_z[0] * setup->contact->b * 1e6,
                  s->life.limit_A[s->life.limits - 1] * ph,
@@ -462,12 +462,12 @@ static void tell_limit(const ovr_setup *setup, int k, ovr_physics_line *line,
         return;
     }
     if (s->limit_pressure > 0 && isfinite(ph))
-        snprintf(limit, sizeof limit, "limit %.4g ph = %.4g MPa",
+        snprintf(limit, sizeof limit, "limit %.4g p_h = %.4g MPa",
                  hertz * s->limit_pressure, hertz * s->limit_pressure * ph);
     else if (s->limit_pressure > 0)
-        snprintf(limit, sizeof limit, "limit %.4g ph",
+        snprintf(limit, sizeof limit, "limit %.4g p_h",
                  hertz * s->limit_pressure);
-    snprintf(text, sizeof text, "%s: %s; smooth %.4g ph at Z = %.3g",
+    snprintf(text, sizeof text, "%s: %s; smooth contact %.4g p_h at Z = %.3g",
              ovr_criterion_name(s->criterion), limit, hertz, z);
     line(data, "fatigue", text);
 }
@@ -485,8 +485,8 @@ static void tell_yield(const ovr_setup *setup, int k, ovr_physics_line *line,
                  " (%.4g MPa: %.4g and %.4g MPa)", Y * ph, first * ph,
                  shakedown * ph);
     snprintf(text, sizeof text,
-             "surface %d at Y = %.4g ph; the smooth contact first at %.4g ph, "
-             "no shakedown above %.4g ph%s",
+             "surface %d: yield stress Y = %.4g p_h, first yield of the smooth "
+             "contact at %.4g p_h, shakedown limit %.4g p_h%s",
              k + 1, Y, first, shakedown, megapascals);
     line(data, "yield", text);
 }
