@@ -160,6 +160,12 @@ void ovr_hierarchy_allow(ovr_hierarchy *grids, double limit);
 /* Returns true if the limit was exceeded.  Further work has no limit then. */
 bool ovr_hierarchy_spent(ovr_hierarchy *grids);
 
+/* Limits the work that follows to a share of the limit.  Returns the limit,
+ * which ovr_hierarchy_widen restores.  That returns true if the work reached
+ * the narrower limit and not the other. */
+double ovr_hierarchy_narrow(ovr_hierarchy *grids, double share);
+bool ovr_hierarchy_widen(ovr_hierarchy *grids, double limit);
+
 /* Levels coarsest..finest on [X_a, X_b], with MLMI's order and range on each.
  */
 typedef struct ovr_hierarchy_form {

@@ -137,3 +137,22 @@ bool ovr_hierarchy_spent(ovr_hierarchy *grids)
         ovr_hierarchy_allow(grids, 0);
     return spent;
 }
+
+double ovr_hierarchy_narrow(ovr_hierarchy *grids, double share)
+{
+    ovr_stopping *s = &grids->stopping;
+    double limit = s->limit;
+    if (limit > 0)
+        s->limit = fmin(limit, s->work + share * limit);
+    return limit;
+}
+
+bool ovr_hierarchy_widen(ovr_hierarchy *grids, double limit)
+{
+    ovr_stopping *s = &grids->stopping;
+    bool reached = s->spent && s->work <= limit;
+    s->limit = limit;
+    if (reached)
+        s->now = s->spent = false;
+    return reached;
+}

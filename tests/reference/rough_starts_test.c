@@ -19,6 +19,7 @@ TEST(rough_starts_are_found)
     for (uint64_t seed = 33050; seed < 33060; seed++)
         start(seed, 8);
     start(33001, 8); /* a film that no cycles find, by Newton's method */
+    start(33069, 8); /* with heat, of second order: not found with order 4 */
     start(33060, 9);
     start(33065, 9);
 }

@@ -453,6 +453,21 @@ static bool are_renewed(int iteration, double change)
     return iteration < ALWAYS || change > settled;
 }
 
+/* Solves for the film with the temperatures in use.  Returns false if a film of
+ * rough surfaces with corrections of fourth order took a twentieth of the work
+ * of the start.  Films of second order take less. */
+static bool film_found(ovr_simulation *sim, const ovr_full *how,
+                       ovr_outcome *outcome)
+{
+    const double share = 0.05;
+    bool rough = sim->start.grown && sim->order == 4;
+    double limit = ovr_hierarchy_narrow(&sim->grids, rough ? share : 1);
+    outcome->defect = ovr_steady_cycles(sim, how, &outcome->cycles);
+    bool ended = ovr_hierarchy_widen(&sim->grids, limit);
+    ovr_simulation_read(sim);
+    return !ended;
+}
+
 /* Solves for temperatures and film in turn until neither changes.  `slowly`:
  * the skewed flow is added by quarters, and gamma is not zero where the stress
  * is limited. */
@@ -464,6 +479,7 @@ static void iterate(ovr_simulation *sim, const ovr_full *how, bool slowly,
     ovr_heated *h = sim->heated;
     double change = INFINITY;
     int lost = 0; /* solves in a row without a film */
+    bool found = true;
     ovr_heat_outer_begin(sim);
     h->skew_share = slowly ? 0 : 1;
     h->always_falls = slowly && isfinite(h->Sigma0);
@@ -476,17 +492,17 @@ static void iterate(ovr_simulation *sim, const ovr_full *how, bool slowly,
         if (are_renewed(k, change))
             ovr_fourth_renew(sim);
         ovr_heat_apply(sim);
-        outcome->defect = ovr_steady_cycles(sim, how, &outcome->cycles);
-        ovr_simulation_read(sim);
+        found = film_found(sim, how, outcome);
         h->cycles += outcome->cycles - before;
         lost = is_film(outcome) ? 0 : lost + 1;
-        if (lost == MAX_LOST || !(outcome->defect.imbalance < 1e6) ||
+        if (!found || lost == MAX_LOST || !(outcome->defect.imbalance < 1e6) ||
             ovr_hierarchy_stops(&sim->grids))
             break;
     }
     h->change = change;
     ovr_heat_skew_follow(sim);
-    h->strayed = !is_film(outcome) || change > far;
+    h->strayed = !found || !is_film(outcome) || change > far;
+    h->too_slow = !found;
     h->always_falls = false;
     if (!(change < enough) || h->skew_share < 1)
         outcome->defect.imbalance = ovr_larger(outcome->defect.imbalance,
@@ -497,10 +513,11 @@ static void iterate(ovr_simulation *sim, const ovr_full *how, bool slowly,
 static void iterate_again(ovr_simulation *sim, const ovr_full *how,
                           ovr_outcome *outcome)
 {
-    bool strayed = sim->heated->strayed;
-    if (strayed)
+    const ovr_heated *h = sim->heated;
+    bool slowly = h->strayed && !h->too_slow;
+    if (h->strayed)
         return_to_start(sim);
-    iterate(sim, how, strayed, outcome);
+    iterate(sim, how, slowly, outcome);
 }
 
 static bool is_over(ovr_simulation *sim, const ovr_outcome *outcome)
@@ -515,7 +532,7 @@ static void outer(ovr_simulation *sim, const ovr_full *how,
     iterate(sim, how, false, outcome);
     if (is_over(sim, outcome))
         return;
-    if (sim->heated->strayed) {
+    if (sim->heated->strayed && !sim->heated->too_slow) {
         iterate_again(sim, how, outcome);
         if (is_over(sim, outcome))
             return;

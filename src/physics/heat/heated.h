@@ -67,6 +67,7 @@ typedef struct ovr_heated {
     bool always_falls;                /* as in cross_film.h */
     double *start_P, *start_q, start_H0; /* the film without temperatures */
     bool strayed;  /* iterations ended without a film or with large changes */
+    bool too_slow; /* a film took too much work with order 4 */
     int cycles;    /* of a steady start, in all tries */
     double change; /* last change of temperatures, relative to the rise */
     double *th, *shift, *swell; /* in the order of the nodes */

@@ -26,6 +26,7 @@ void ovr_heat_outer_begin(ovr_simulation *sim)
 {
     ovr_heat_outer *t = sim->heated->outer;
     t->kept = 0;
+    t->helped = false;
     t->w = fabs(sim->heated->V) < 1 ? 0.6 : 0.35;
     t->small = ovr_heat_opposed(sim) ? 0.03 : 0.1;
     t->change = INFINITY;
@@ -156,12 +157,13 @@ double ovr_heat_iterate(ovr_simulation *sim)
     ovr_heated *h = sim->heated;
     ovr_heat_outer *t = h->outer;
     double change = largest_rest(sim), g[OVR_OUTER_KEPT] = {0};
-    if (!t->kept && change > t->change && t->w > min_w)
+    if (!t->helped && change > t->change && t->w > min_w)
         t->w *= lower;
     if (change > t->small || change > grows * t->change)
         t->kept = 0;
     t->change = change;
-    if (t->kept) {
+    t->helped = t->kept > 0;
+    if (t->helped) {
         minimum l = equations(sim);
         solve(t->kept, &l, g);
     }

@@ -45,6 +45,7 @@ typedef struct ovr_heat_outer {
     double *u[OVR_OUTER_KEPT][OVR_CROSS_FILM_MAX];
     double *r[OVR_OUTER_KEPT][OVR_CROSS_FILM_MAX];
     int kept;         /* of them */
+    bool helped;      /* the last iteration used those before it */
     double small;     /* change below which they are used */
     double w, change; /* the rest of the last over the largest rise */
 } ovr_heat_outer;
