@@ -224,14 +224,16 @@ bool ovr_inflow_third(ovr_simulation *sim, double T, double dT, double *third)
             if (j != k)
                 weight[k] /= t[k] - t[j];
     }
-    double now = ovr_history_integral(sim->speed, T);
-    if (!ovr_inflow_reaches(sim, now - ovr_history_integral(sim->speed, t[3])))
+    double now = ovr_history_integral(sim->histories.speed, T);
+    if (!ovr_inflow_reaches(
+            sim, now - ovr_history_integral(sim->histories.speed, t[3])))
         return false;
     for (size_t i = 0; i < n; i++)
         third[i] = weight[0] * sim->now.q[i];
     for (int k = 1; k < 4; k++)
         add_departure(sim, k - 1, weight[k],
-                      now - ovr_history_integral(sim->speed, t[k]), third);
+                      now - ovr_history_integral(sim->histories.speed, t[k]),
+                      third);
     return true;
 }
 
@@ -241,6 +243,6 @@ double ovr_travel_since(const ovr_simulation *sim, int past, double T)
     const ovr_past *known = &sim->past;
     double since = past == 0 || known->dT > 0 ? known->T[past]
                                               : 2 * known->T[0] - T;
-    return ovr_history_integral(sim->speed, T) -
-           ovr_history_integral(sim->speed, since);
+    return ovr_history_integral(sim->histories.speed, T) -
+           ovr_history_integral(sim->histories.speed, since);
 }

@@ -29,17 +29,19 @@ bool ovr_conserves(const ovr_simulation *sim)
 static double time_of_arrival(const ovr_simulation *sim, double T, double way)
 {
     enum { DOUBLINGS = 10, HALVINGS = 50 };
-    double to = ovr_history_integral(sim->speed, T) + way;
-    double low = T, high = T + way, Cu = ovr_history_value(sim->speed, T);
-    if (!ovr_history_varies(sim->speed))
+    double to = ovr_history_integral(sim->histories.speed, T) + way;
+    double low = T, high = T + way,
+           Cu = ovr_history_value(sim->histories.speed, T);
+    if (!ovr_history_varies(sim->histories.speed))
         return T + way / Cu;
     for (int k = 0; k < DOUBLINGS; k++)
-        if (ovr_history_integral(sim->speed, high) < to)
+        if (ovr_history_integral(sim->histories.speed, high) < to)
             high = T + 2 * (high - T);
     for (int k = 0; k < HALVINGS; k++) {
         double middle = 0.5 * (low + high);
-        *(ovr_history_integral(sim->speed, middle) < to ? &low
-                                                        : &high) = middle;
+        *(ovr_history_integral(sim->histories.speed, middle) < to
+              ? &low
+              : &high) = middle;
     }
     return 0.5 * (low + high);
 }

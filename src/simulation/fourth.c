@@ -104,11 +104,12 @@ static void withdraw(ovr_simulation *sim, const fourth *f)
 
 static bool varies(const ovr_simulation *sim)
 {
-    return ovr_history_varies(sim->load) || ovr_history_varies(sim->speed) ||
-           ovr_history_varies(sim->radius) ||
-           ovr_history_varies(sim->radius_1) ||
+    return ovr_history_varies(sim->histories.load) ||
+           ovr_history_varies(sim->histories.speed) ||
+           ovr_history_varies(sim->histories.radius) ||
+           ovr_history_varies(sim->histories.radius_1) ||
            (sim->lubricant.rheology != OVR_NEWTONIAN &&
-            ovr_history_varies(sim->sliding));
+            ovr_history_varies(sim->histories.sliding));
 }
 
 /* True if corrections hold for the whole run, and all that deforms is known to
@@ -275,7 +276,7 @@ static bool correct_after(void *data, ovr_hierarchy *grids, ovr_level *level,
 
 static fourth *fourth_of(const ovr_simulation *sim)
 {
-    for (const ovr_present *p = sim->physics; p->is; p++)
+    for (const ovr_present *p = sim->physics.on; p->is; p++)
         if (p->is == &ovr_physics_fourth)
             return p->own;
     return NULL;
@@ -408,15 +409,15 @@ static void fade(const ovr_simulation *sim, fourth *f, double *carried)
     const double *P = sim->now.P, *H = sim->now.H;
     size_t n = f->n, wet = 0, smooth = 0;
     double *image = ovr_work_take(sim);
-    if (sim->backward)
+    if (sim->histories.backward)
         ovr_mirror(n, P, image);
-    const double end = film_end(sim->backward ? image : P, n);
+    const double end = film_end(sim->histories.backward ? image : P, n);
     ovr_work_give(sim, image);
     /* Almost all nodes lie before this one and keep what they have. */
     const double fades = end - sharp - OVER - 1;
     for (size_t i = 0; i < n; i++) {
         bool inside = i >= OVR_FOURTH_MARGIN && i + OVR_FOURTH_MARGIN < n;
-        size_t along = sim->backward ? n - 1 - i : i, ahead = i + WET;
+        size_t along = sim->histories.backward ? n - 1 - i : i, ahead = i + WET;
         bool jump = ahead >= n || jumps(H[ahead - 1], H[ahead]);
         smooth = jump ? 0 : smooth + 1;
         wet = jump || !(P[ahead] > 0) ? 0 : wet + 1;
@@ -443,7 +444,8 @@ static void evaluate(ovr_simulation *sim, fourth *f, double T, double dT,
             ovr_fourth_content_third(sim, &f->content, T, dT, f->third);
         return;
     }
-    ovr_fourth_evaluate(&sim->grids, c, 0, sim->backward && !sim->mirrored);
+    ovr_fourth_evaluate(&sim->grids, c, 0,
+                        sim->histories.backward && !sim->histories.mirrored);
     ovr_nodes_read(sim, sim->finest, c->F, f->F);
     ovr_nodes_read(sim, sim->finest, c->gap, f->next);
     if (!ovr_inflow_third(sim, T, dT, f->third))
@@ -456,7 +458,8 @@ static void evaluate(ovr_simulation *sim, fourth *f, double T, double dT,
 static void begin(ovr_simulation *sim, void *own)
 {
     fourth *f = own;
-    double D = ovr_mesh(sim), Cu = fabs(ovr_history_value(sim->speed, 0));
+    double D = ovr_mesh(sim),
+           Cu = fabs(ovr_history_value(sim->histories.speed, 0));
     const double *q = sim->now.q;
     f->follows = sim->order == 4 && sim->scheme->characteristic;
     f->ahead = false;
@@ -479,7 +482,7 @@ static void rest(ovr_simulation *sim, fourth *f, double dT)
 {
     static const double bdf2[] = {1.5, -2, 0.5, 0},
                         third[] = {1. / 3, -1, 1, -1. / 3};
-    double a = fabs(ovr_history_value(sim->speed, 0)) * dT;
+    double a = fabs(ovr_history_value(sim->histories.speed, 0)) * dT;
     double *more = ovr_work_take(sim);
     size_t from = 0, n = f->n;
     memset(more, 0, n * sizeof *more);

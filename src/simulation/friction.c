@@ -40,14 +40,15 @@
 
 double ovr_sliding(const ovr_simulation *sim, double T)
 {
-    return ovr_slip_at(&sim->contact, sim->speed, sim->sliding, T);
+    return ovr_slip_at(&sim->contact, sim->histories.speed,
+                       sim->histories.sliding, T);
 }
 
 void ovr_simulation_sliding(ovr_simulation *sim, const ovr_history *sliding)
 {
     if (!sim)
         return;
-    sim->sliding = sliding;
+    sim->histories.sliding = sliding;
 }
 
 /* dS/dX at an inner node: of fourth order where nodes are equally spaced. */
@@ -127,9 +128,9 @@ static double beyond_inlet(const ovr_simulation *sim, const ovr_fluid *fluid,
                         weight[POINTS] = {
                             0.36268378337836198, 0.31370664587788729,
                             0.22238103445337447, 0.10122853629037626};
-    double T = sim->state.T, Cu = ovr_history_value(sim->speed, T);
-    double Cw = ovr_history_value(sim->load, T), sum = 0;
-    dry_gap gap = {Cw, sqrt(Cw * ovr_history_value(sim->radius, T))};
+    double T = sim->state.T, Cu = ovr_history_value(sim->histories.speed, T);
+    double Cw = ovr_history_value(sim->histories.load, T), sum = 0;
+    dry_gap gap = {Cw, sqrt(Cw * ovr_history_value(sim->histories.radius, T))};
     double X_a = sim->now.X[first];
     double H = sim->now.H[first] - dry_gap_at(&gap, X_a);
     for (int k = 0; k < 2 * POINTS; k++) {
@@ -148,7 +149,7 @@ static double rolling_loss(ovr_simulation *sim, const ovr_instant *at,
                            double X_a)
 {
     const double near = OVR_NEAREST_INLET;
-    ovr_inlet_share *kept = &sim->inlet_share;
+    ovr_inlet_share *kept = &sim->shear.inlet_share;
     double X = fmin(-fabs(X_a) / at->s, near);
     if (kept->M != at->M || kept->L != at->L || kept->X != X)
         *kept = (ovr_inlet_share){at->M, at->L, X,
@@ -162,18 +163,19 @@ static double inlet_power(ovr_simulation *sim, const ovr_fluid *fluid,
                           double Cu, double F_roll)
 {
     const ovr_solution *now = &sim->now;
-    size_t last = now->n - 1, first = sim->backward ? last : 0;
-    size_t half = sim->backward ? last - 1 : 0;
-    size_t inside = sim->backward ? last - 1 : 1;
-    double T = sim->state.T, Cw = ovr_history_value(sim->load, T);
+    size_t last = now->n - 1, first = sim->histories.backward ? last : 0;
+    size_t half = sim->histories.backward ? last - 1 : 0;
+    size_t inside = sim->histories.backward ? last - 1 : 1;
+    double T = sim->state.T, Cw = ovr_history_value(sim->histories.load, T);
     if (!(now->P[inside] > 0) || sim->finest->closed ||
         !(Cw >= OVR_MIN_START) || !(fabs(Cu) >= OVR_MIN_START) ||
-        (Cu < 0) != sim->backward)
+        (Cu < 0) != sim->histories.backward)
         return 0;
     double M = ovr_flux(sim, Cu, half), most = 0.5 * fabs(Cu) * now->H[first];
     double power = beyond_inlet(sim, fluid, first, fmax(-most, fmin(M, most)));
-    ovr_instant at = ovr_instant_of(&sim->contact, Cw, fabs(Cu),
-                                    1 / ovr_history_value(sim->radius, T));
+    ovr_instant at = ovr_instant_of(
+        &sim->contact, Cw, fabs(Cu),
+        1 / ovr_history_value(sim->histories.radius, T));
     return power +
            rolling_loss(sim, &at, now->X[first]) * (2 * Cu * F_roll + power);
 }
@@ -227,21 +229,22 @@ void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o)
     fluid.sliding = V;
     o->sliding = V;
     if (own->is)
-        own->is->in_output->stress(sim, own->own, &film, &fluid, sim->stress);
+        own->is->in_output->stress(sim, own->own, &film, &fluid,
+                                   sim->shear.stress);
     else
-        run->mean_stress(&film, &fluid, sim->stress);
+        run->mean_stress(&film, &fluid, sim->shear.stress);
     if (sim->lubricant.limiting_shear > 0)
         o->limiting_share = run->limit_stress(
             &film, sim->lubricant.limiting_shear / sim->contact.kappa,
-            sim->stress);
-    if (sim->film_stress)
-        memcpy(sim->film_stress, sim->stress,
-               now->n * sizeof *sim->film_stress);
+            sim->shear.stress);
+    if (sim->shear.film_stress)
+        memcpy(sim->shear.film_stress, sim->shear.stress,
+               now->n * sizeof *sim->shear.film_stress);
     OVR_EACH_PHYSICS(sim, p, in_output, friction)
-        p->is->in_output->friction(sim, p->own, sim->stress);
-    ovr_friction f = run->friction(&film, sim->stress);
+        p->is->in_output->friction(sim, p->own, sim->shear.stress);
+    ovr_friction f = run->friction(&film, sim->shear.stress);
     double inlet = inlet_power(sim, &fluid, Cu, f.roll);
-    sim->inlet_share.power = inlet;
+    sim->shear.inlet_share.power = inlet;
     observe_slopes(sim, o);
     o->F_slide = f.slide;
     o->F_roll = f.roll + (inlet != 0 ? inlet / (2 * Cu) : 0);
@@ -252,7 +255,7 @@ void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o)
 
 const double *ovr_film_stress(const ovr_simulation *sim)
 {
-    return sim->film_stress ? sim->film_stress : sim->stress;
+    return sim->shear.film_stress ? sim->shear.film_stress : sim->shear.stress;
 }
 
 /* t -+ H P_X/2 */
@@ -262,8 +265,8 @@ const double *ovr_wall_stress(const ovr_simulation *sim, int surface,
     const double *X = sim->now.X, *P = sim->now.P, *H = sim->now.H;
     double side = surface == 1 ? -0.25 : 0.25;
     for (size_t i = 0; i + 1 < sim->now.n; i++)
-        workspace[i] = sim->stress[i] + side * (H[i] + H[i + 1]) *
-                                            (P[i + 1] - P[i]) /
-                                            (X[i + 1] - X[i]);
+        workspace[i] = sim->shear.stress[i] + side * (H[i] + H[i + 1]) *
+                                                  (P[i + 1] - P[i]) /
+                                                  (X[i + 1] - X[i]);
     return workspace;
 }

@@ -174,7 +174,7 @@ static void guess_field(const ovr_simulation *sim, const formula *how,
 static double film_meshes(const ovr_simulation *sim, double dT)
 {
     double Cu = sim->grids.op.speed;
-    return (sim->backward ? -Cu : Cu) * dT / ovr_mesh(sim);
+    return (sim->histories.backward ? -Cu : Cu) * dT / ovr_mesh(sim);
 }
 
 /* The formula of what nobody told to move but with the surfaces' mean speed. */

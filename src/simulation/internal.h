@@ -34,12 +34,44 @@ typedef struct ovr_present {
     void *own;
 } ovr_present;
 
+/* The physics of a simulation. */
+typedef struct ovr_physics_set {
+    const ovr_physics *const *list; /* all there are, NULL after the last */
+    ovr_present on[OVR_MAX_PHYSICS + 1]; /* those in use */
+    const ovr_present *solver; /* the one with a solver, or NULL: the line */
+    unsigned features; /* conflicts.h: physics that options do not contain */
+} ovr_physics_set;
+
+/* Operating conditions in time, relative to the nominal ones (NULL: constant),
+ * and the rolling direction. */
+typedef struct ovr_histories {
+    const ovr_history *load, *speed, *sliding;
+    const ovr_history *radius, *radius_1;
+    bool convected; /* the curvature moves with the material */
+    bool backward;  /* um < 0 in the solution now (mirror.h) */
+    bool mirrored;  /* the grids hold the mirror image */
+} ovr_histories;
+
+/* Limits of a time step. */
+typedef struct ovr_step_limits {
+    double largest_error; /* adaptive: larger errors reject the step */
+    double step_work;     /* node cycles of a step; 0: a minute of CPU */
+    double work_done;     /* node cycles of all steps since the start */
+} ovr_step_limits;
+
 /* Loss of rolling friction by the domain's inlet (contact/starvation.h) and its
  * arguments at the last observation. */
 typedef struct ovr_inlet_share {
     double M, L, X, loss;
     double power; /* rolling power missing in the domain */
 } ovr_inlet_share;
+
+/* Shear of the film, for friction. */
+typedef struct ovr_shear {
+    double *stress;      /* mean over the film, at half nodes */
+    double *film_stress; /* mean shear stress of the oil alone, or NULL */
+    ovr_inlet_share inlet_share;
+} ovr_shear;
 
 /* Work arrays of a solution's nodes, a stack: given back in the reverse order
  * of taking, by the function that took them. */
@@ -63,8 +95,7 @@ typedef struct ovr_start {
 
 struct ovr_simulation {
     ovr_arena arena;
-    const ovr_physics *const *list; /* all there are, NULL behind the last */
-    ovr_present physics[OVR_MAX_PHYSICS + 1]; /* those that are on */
+    ovr_physics_set physics;
     ovr_contact contact;
     ovr_lubricant lubricant;
     ovr_options options;
@@ -72,11 +103,7 @@ struct ovr_simulation {
     ovr_hierarchy grids;
     ovr_level *finest;
 
-    const ovr_present *solver; /* a physics with a solver, or NULL: the line */
-    const ovr_history *load, *speed, *sliding;
-    const ovr_history *radius, *radius_1;
-    bool convected; /* the curvature, with the material */
-
+    ovr_histories histories;
     ovr_shapes shapes;
     ovr_solution now;
     ovr_work *work;
@@ -87,18 +114,10 @@ struct ovr_simulation {
     ovr_last_newton last_newton;
     bool started;
     bool restored;     /* the state is a checkpoint's, no step made since */
-    bool backward;     /* of what is solved now: um < 0 (mirror.h) */
-    bool mirrored;     /* the grids hold the mirror image */
     ovr_target target; /* the steady start */
     int order;         /* reached by it */
-    unsigned
-        features; /* conflicts.h, of physics that the options do not know */
-    double largest_error; /* adaptive: a step with more is not accepted */
-    double step_work;     /* node cycles that a step may take; 0: a minute's */
-    double work_done;     /* node cycles of all steps since the start */
-    double *stress;       /* mean over the film, at half nodes */
-    ovr_inlet_share inlet_share;
-    double *film_stress; /* mean shear stress of the oil alone, or NULL */
+    ovr_step_limits limits;
+    ovr_shear shear;
     /* beside the film's pressure, one, two and three steps ago; or NULL */
     double *borne, *borne_before[2];
     struct ovr_heated *heated; /* temperatures (physics/heat), or NULL */
@@ -218,8 +237,8 @@ void ovr_time_derivative(ovr_simulation *sim, double dT);
 void ovr_history_term(ovr_simulation *sim, double *F);
 
 /* One step to the time `next`, observed; *error is its local error.  A step
- * whose error is above sim->largest_error is taken back, with OVR_OK and *taken
- * false. */
+ * whose error is above sim->limits.largest_error is taken back, with OVR_OK and
+ * *taken false. */
 ovr_status ovr_simulation_attempt(ovr_simulation *sim, double next, bool *taken,
                                   double *error, ovr_error *err);
 

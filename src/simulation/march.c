@@ -93,7 +93,7 @@ static ovr_status adaptive_step(ovr_simulation *sim, const ovr_march *march,
     for (bool taken = false; !taken;) {
         double next = next_time(sim, march, dT), step = next - sim->state.T;
         bool shortest = step <= 1.01 * min_step * ovr_mesh(sim);
-        sim->largest_error = shortest ? DBL_MAX : 3 * target;
+        sim->limits.largest_error = shortest ? DBL_MAX : 3 * target;
         ovr_status status = ovr_simulation_attempt(sim, next, &taken, &error,
                                                    err);
         if (status)
@@ -149,7 +149,7 @@ static ovr_status check_work(ovr_simulation *sim, const ovr_march *march,
 {
     const ovr_statistics *s = &sim->statistics;
     double minute = ovr_minute_of_work(sim), limit = predicted(sim, march);
-    if (!(sim->work_done > fmax(minute, limit)) || s->retries < s->steps)
+    if (!(sim->limits.work_done > fmax(minute, limit)) || s->retries < s->steps)
         return OVR_OK;
     return ovr_fail(err, OVR_NOT_CONVERGED,
                     "stopped at T = %g after %ld steps with %ld further "
@@ -165,13 +165,14 @@ static ovr_status advance(ovr_simulation *sim, const ovr_march *march,
     double rate = march->steady_rate > 0 ? march->steady_rate : still_rate;
     ovr_past *past = &sim->past;
     ovr_status status;
-    sim->step_work = fmin(ovr_minute_of_work(sim), predicted(sim, march));
+    sim->limits.step_work = fmin(ovr_minute_of_work(sim),
+                                 predicted(sim, march));
     if (march->adaptive) {
         status = adaptive_step(sim, march, err);
     } else {
         double next = next_time(sim, march, step_of(sim, march)), error;
         bool taken;
-        sim->largest_error = INFINITY;
+        sim->limits.largest_error = INFINITY;
         status = ovr_simulation_attempt(sim, next, &taken, &error, err);
     }
     if (!status && (status = check_work(sim, march, err)) == OVR_OK) {

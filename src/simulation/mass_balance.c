@@ -36,9 +36,9 @@ static double twice_flow(const ovr_solution *now, size_t i)
 double ovr_upstream(const ovr_simulation *sim, const double *q, size_t i)
 {
     const double *u = sim->scheme->upstream;
-    if (sim->backward && i + 2 == sim->now.n)
+    if (sim->histories.backward && i + 2 == sim->now.n)
         return sim->scheme->order == 2 ? 0.5 * (q[i] + q[i + 1]) : q[i + 1];
-    if (sim->backward)
+    if (sim->histories.backward)
         return u[0] * q[i + 1] + u[1] * q[i + 2];
     if (i == 0)
         return sim->scheme->order == 2 ? 0.5 * (q[0] + q[1]) : q[0];
@@ -97,7 +97,7 @@ static double poiseuille(const ovr_simulation *sim, double T, const double *P,
 static double central_flux(const ovr_simulation *sim, double T, const double *P,
                            const double *q, size_t i)
 {
-    double Cu = ovr_history_value(sim->speed, T);
+    double Cu = ovr_history_value(sim->histories.speed, T);
     return 0.5 * Cu * (q[i] + q[i + 1]) + ovr_flow_beside(sim, i, true) -
            poiseuille(sim, T, P, q, i) * (P[i + 1] - P[i]) /
                (sim->now.X[i + 1] - sim->now.X[i]);
@@ -176,7 +176,7 @@ static double own_flow(const ovr_simulation *sim, double Cu, stretch s)
 double ovr_mass_balance(const ovr_simulation *sim)
 {
     const ovr_past *past = &sim->past;
-    bool reverses = ovr_history_reverses(sim->speed);
+    bool reverses = ovr_history_reverses(sim->histories.speed);
     stretch s = (reverses ? about_middle : from_inlet)(past, sim->now.n);
     double dT = past->dT, in[2], out[2], stored, scale;
     if (!(dT > 0) || s.last < s.first + 2)
@@ -190,7 +190,8 @@ double ovr_mass_balance(const ovr_simulation *sim)
         s.last - s.first, sim->now.weights + s.first + 1,
         past->q[0] + s.first + 1, past->q[1] + s.first + 1);
     double net = 0.5 * (in[0] - out[0] + in[1] - out[1]);
-    scale = own_flow(sim, ovr_history_value(sim->speed, past->T[0]), s);
+    scale = own_flow(sim, ovr_history_value(sim->histories.speed, past->T[0]),
+                     s);
     if (reverses)
         scale = fmax(scale, sim->observation.H_cen);
     double error = net - stored / dT;

@@ -18,31 +18,33 @@ static bool always(const ovr_options *o)
 static void before_step(ovr_simulation *sim, void *own, double T)
 {
     (void)own;
-    double Cu = ovr_history_value(sim->speed, T);
-    sim->backward = Cu < 0 || (sim->past.backward && !(Cu > 0));
-    sim->mirrored = sim->backward && !sim->scheme->characteristic;
+    double Cu = ovr_history_value(sim->histories.speed, T);
+    sim->histories.backward = Cu < 0 || (sim->past.backward && !(Cu > 0));
+    sim->histories.mirrored = sim->histories.backward &&
+                              !sim->scheme->characteristic;
 }
 
 static void before_back(ovr_simulation *sim, void *own)
 {
     (void)own;
-    sim->backward = sim->past.backward;
-    sim->mirrored = sim->backward && !sim->scheme->characteristic;
+    sim->histories.backward = sim->past.backward;
+    sim->histories.mirrored = sim->histories.backward &&
+                              !sim->scheme->characteristic;
 }
 
 /* The start has a wedge by any scheme. */
 static void before_start(ovr_simulation *sim, void *own)
 {
     (void)own;
-    sim->backward = ovr_history_begins_backward(sim->speed);
-    sim->mirrored = sim->backward;
+    sim->histories.backward = ovr_history_begins_backward(sim->histories.speed);
+    sim->histories.mirrored = sim->histories.backward;
 }
 
 /* The side of the solution becomes that of the past. */
 static void begin(ovr_simulation *sim, void *own)
 {
     (void)own;
-    sim->past.backward = sim->backward;
+    sim->past.backward = sim->histories.backward;
 }
 
 static void taken(ovr_simulation *sim, void *own, double dT)
@@ -60,7 +62,7 @@ static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
 void ovr_slide(ovr_simulation *sim, double T)
 {
     double V = ovr_sliding(sim, T);
-    sim->grids.fluid.sliding = sim->mirrored ? -V : V;
+    sim->grids.fluid.sliding = sim->histories.mirrored ? -V : V;
 }
 
 static ovr_status check(const ovr_simulation *sim, const void *own,
@@ -68,10 +70,10 @@ static ovr_status check(const ovr_simulation *sim, const void *own,
 {
     const double X_a = sim->options.inlet, X_b = sim->options.outlet;
     (void)own;
-    if (!ovr_history_reverses(sim->speed))
+    if (!ovr_history_reverses(sim->histories.speed))
         return OVR_OK;
     if (ovr_conflict_check(ovr_model_features_of(&sim->options) |
-                               sim->features |
+                               sim->physics.features |
                                ovr_model_feature_bit(OVR_MODEL_REVERSAL, true),
                            err))
         return OVR_BAD_INPUT;
@@ -105,7 +107,7 @@ void ovr_nodes_read(const ovr_simulation *sim, const ovr_level *level,
                     const double *values, double *along_x)
 {
     ovr_level_read(&sim->grids, level, values, along_x);
-    if (!sim->mirrored)
+    if (!sim->histories.mirrored)
         return;
     /* between nodes i and i + 1 */
     bool between = values == level->f.flow && values;
@@ -120,9 +122,9 @@ void ovr_nodes_write(const ovr_simulation *sim, const ovr_level *level,
                      const double *along_x, double *values)
 {
     double *image = ovr_work_take(sim);
-    if (sim->mirrored)
+    if (sim->histories.mirrored)
         ovr_mirror(level->grid.n, along_x, image);
-    ovr_level_write(&sim->grids, level, sim->mirrored ? image : along_x,
-                    values);
+    ovr_level_write(&sim->grids, level,
+                    sim->histories.mirrored ? image : along_x, values);
     ovr_work_give(sim, image);
 }

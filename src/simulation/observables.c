@@ -101,7 +101,7 @@ static const double *contact_pressure(const ovr_simulation *sim,
 
 static const double *mass_flow(const ovr_simulation *sim, double *workspace)
 {
-    double Cu = ovr_history_value(sim->speed, sim->state.T);
+    double Cu = ovr_history_value(sim->histories.speed, sim->state.T);
     for (size_t i = 0; i + 1 < sim->state.n; i++)
         workspace[i] = ovr_flux(sim, Cu, i);
     return workspace;

@@ -120,8 +120,9 @@ static void observe_film(const ovr_simulation *sim, ovr_observation *o)
 {
     const double *H = sim->now.H, T = sim->state.T;
     /* less than that of the nominal contact where the contact is narrower */
-    double narrower = fmin(1, sqrt(ovr_history_value(sim->load, T) *
-                                   ovr_history_value(sim->radius, T)));
+    double narrower = fmin(1,
+                           sqrt(ovr_history_value(sim->histories.load, T) *
+                                ovr_history_value(sim->histories.radius, T)));
     const inside in = nodes_inside(&sim->now, OVR_ROUGH_WINDOW * narrower);
     observe_minimum(sim, o);
     o->H_cen = ovr_value_at(&sim->now, H, 0);
@@ -142,14 +143,14 @@ static int maxima_of(const ovr_simulation *sim, size_t *last)
     size_t n = sim->now.n;
     int maxima;
     double *image = ovr_work_take(sim);
-    if (sim->backward) {
+    if (sim->histories.backward) {
         ovr_mirror(n, P, image);
         P = image;
     }
     maxima = run->peaks(n, P, last);
     if (maxima > 1) /* most of them may be noise */
         maxima = ovr_prominent_maxima(n, P, last);
-    if (sim->backward)
+    if (sim->histories.backward)
         *last = n - 1 - *last;
     ovr_work_give(sim, image);
     return maxima;
@@ -159,8 +160,8 @@ static int maxima_of(const ovr_simulation *sim, size_t *last)
 static size_t film_end(const ovr_simulation *sim)
 {
     const double *P = sim->now.P;
-    size_t n = sim->now.n, i = sim->backward ? 1 : n - 2;
-    if (sim->backward) {
+    size_t n = sim->now.n, i = sim->histories.backward ? 1 : n - 2;
+    if (sim->histories.backward) {
         while (i < n - 1 && !(P[i] > 0))
             i++;
         return i - 1;
@@ -177,7 +178,7 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
     size_t n = sim->now.n, spike = 0;
     size_t high = 1 + run->extreme(n - 2, -1, P + 1);
     int maxima = maxima_of(sim, &spike);
-    double exit = sim->backward ? -1 : 1;
+    double exit = sim->histories.backward ? -1 : 1;
     o->P_max = P[high];
     o->X_P_max = sim->now.X[high];
     o->X_P_max_located = ovr_vertex(sim->now.X, P, high, &o->P_max_located);
@@ -216,14 +217,14 @@ static double mean_flow_by_nodes(const ovr_simulation *sim, double Cu)
 /* The same inside, where it has two nodes upstream, over all that is wet. */
 static double mean_flow(const ovr_simulation *sim)
 {
-    double Cu = ovr_history_value(sim->speed, sim->state.T);
+    double Cu = ovr_history_value(sim->histories.speed, sim->state.T);
     const double *upstream = sim->scheme->upstream;
     const double u[2] = {upstream[0] * Cu, upstream[1] * Cu};
     double patches;
     OVR_LAST_PHYSICS(sim, beside, in_output, flow);
     if (ovr_refined_mean_flow(sim, &patches))
         return patches;
-    if (beside->is || sim->backward)
+    if (beside->is || sim->histories.backward)
         return mean_flow_by_nodes(sim, Cu);
     return sim->grids.kernels->mean_flow(sim->now.n, u, sim->now.X, sim->now.P,
                                          sim->now.q, sim->now.eps,
@@ -273,16 +274,17 @@ void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
     const ovr_state *state = &sim->state;
     ovr_publish_state(sim);
     *o = (ovr_observation){.T = state->T, .dT = dT};
-    for (int k = 0; sim->list[k]; k++) {
-        const ovr_physics_in_output *of = sim->list[k]->in_output;
+    for (int k = 0; sim->physics.list[k]; k++) {
+        const ovr_physics_in_output *of = sim->physics.list[k]->in_output;
         if (of && of->unknown)
             of->unknown(o);
     }
-    o->load_ratio = ovr_history_value(sim->load, state->T);
-    o->speed_ratio = ovr_history_value(sim->speed, state->T);
-    o->radius_ratio = ovr_history_value(sim->radius, state->T);
-    if (sim->solver) {
-        sim->solver->is->in_solve->solver->observe(sim, sim->solver->own, o);
+    o->load_ratio = ovr_history_value(sim->histories.load, state->T);
+    o->speed_ratio = ovr_history_value(sim->histories.speed, state->T);
+    o->radius_ratio = ovr_history_value(sim->histories.radius, state->T);
+    if (sim->physics.solver) {
+        sim->physics.solver->is->in_solve->solver->observe(
+            sim, sim->physics.solver->own, o);
     } else {
         ovr_observe_line(sim, o);
         o->mass_balance = dT > 0 ? ovr_mass_balance(sim) : 0;

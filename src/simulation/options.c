@@ -46,7 +46,8 @@ static double rounding_floor(double inlet, double D, double Cu, double H)
 static double whole_film_tolerance(const ovr_simulation *sim, double D,
                                    double H)
 {
-    double Cu = fmax(1, fabs(ovr_history_value(sim->speed, sim->state.T)));
+    double Cu = fmax(
+        1, fabs(ovr_history_value(sim->histories.speed, sim->state.T)));
     double floor = MARGIN * rounding_floor(sim->options.inlet, D, Cu, H);
     return floor < 1e-9 ? 1e-9 : floor < NO_SOLUTION ? floor : NO_SOLUTION;
 }

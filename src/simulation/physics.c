@@ -8,7 +8,7 @@
 static int place_of(const ovr_simulation *sim, const ovr_physics *physics)
 {
     int k = 0;
-    while (sim->list[k] && sim->list[k] != physics)
+    while (sim->physics.list[k] && sim->physics.list[k] != physics)
         k++;
     return k;
 }
@@ -17,7 +17,7 @@ static int place_of(const ovr_simulation *sim, const ovr_physics *physics)
  * place. */
 static ovr_present *place_for(ovr_simulation *sim, const ovr_physics *physics)
 {
-    ovr_present *all = sim->physics;
+    ovr_present *all = sim->physics.on;
     int at = 0, last;
     while (all[at].is && place_of(sim, all[at].is) < place_of(sim, physics))
         at++;
@@ -36,9 +36,10 @@ static ovr_present *place_for(ovr_simulation *sim, const ovr_physics *physics)
 static void bear(ovr_simulation *sim, const double *along_x)
 {
     double *image = ovr_work_take(sim);
-    if (sim->mirrored)
+    if (sim->histories.mirrored)
         ovr_mirror(sim->finest->grid.n, along_x, image);
-    ovr_level_bear(&sim->grids, sim->finest, sim->mirrored ? image : along_x);
+    ovr_level_bear(&sim->grids, sim->finest,
+                   sim->histories.mirrored ? image : along_x);
     ovr_work_give(sim, image);
 }
 
@@ -96,9 +97,9 @@ static ovr_status add(ovr_simulation *sim, const ovr_physics *physics,
                         "a simulation supports at most %d physical models",
                         OVR_MAX_PHYSICS);
     *at = (ovr_present){physics, own};
-    sim->solver = NULL;
+    sim->physics.solver = NULL;
     OVR_EACH_PHYSICS(sim, p, in_solve, solver)
-        sim->solver = p;
+        sim->physics.solver = p;
     if (solve && solve->influence)
         solve->influence(sim, own, &sim->grids.influence);
     return OVR_OK;
@@ -106,8 +107,8 @@ static ovr_status add(ovr_simulation *sim, const ovr_physics *physics,
 
 void ovr_physics_prepare(ovr_simulation *sim)
 {
-    for (int k = 0; sim->list[k]; k++) {
-        const ovr_physics_in_solve *p = sim->list[k]->in_solve;
+    for (int k = 0; sim->physics.list[k]; k++) {
+        const ovr_physics_in_solve *p = sim->physics.list[k]->in_solve;
         if (p && p->chosen && p->chosen(&sim->options) && p->prepare)
             p->prepare(&sim->grids);
     }
@@ -115,10 +116,10 @@ void ovr_physics_prepare(ovr_simulation *sim)
 
 ovr_status ovr_physics_choose(ovr_simulation *sim, ovr_error *err)
 {
-    for (int k = 0; sim->list[k]; k++) {
-        const ovr_physics_in_solve *p = sim->list[k]->in_solve;
+    for (int k = 0; sim->physics.list[k]; k++) {
+        const ovr_physics_in_solve *p = sim->physics.list[k]->in_solve;
         if (p && p->chosen && p->chosen(&sim->options) &&
-            add(sim, sim->list[k], NULL, err))
+            add(sim, sim->physics.list[k], NULL, err))
             return OVR_NO_MEMORY;
     }
     return OVR_OK;

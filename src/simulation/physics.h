@@ -427,12 +427,12 @@ extern const ovr_physics *const ovr_physics_list[];
 
 /* Those of a simulation that have the function. */
 #define OVR_EACH_PHYSICS(sim, p, part, function)                               \
-    for (const ovr_present *p = (sim)->physics; p->is; p++)                    \
+    for (const ovr_present *p = (sim)->physics.on; p->is; p++)                 \
         if (p->is->part && p->is->part->function)
 
 /* The last of them that has it, or none (is NULL). */
 #define OVR_LAST_PHYSICS(sim, p, part, function)                               \
-    const ovr_present *p = &(sim)->physics[OVR_MAX_PHYSICS];                   \
+    const ovr_present *p = &(sim)->physics.on[OVR_MAX_PHYSICS];                \
     OVR_EACH_PHYSICS(sim, each_##p, part, function)                            \
     p = each_##p
 

@@ -171,7 +171,7 @@ static double carried(const ovr_simulation *sim, const void *own, size_t i,
 {
     const double *q = sim->now.q;
     (void)own;
-    if (i == 0 || sim->backward)
+    if (i == 0 || sim->histories.backward)
         return flow;
     return q[i] + 0.5 * (q[i] - q[i - 1]) * ovr_spacing(&sim->now, i + 1) /
                       ovr_spacing(&sim->now, i);
@@ -276,7 +276,7 @@ const ovr_physics ovr_physics_patches = {.name = "patches (refine)",
 
 bool ovr_refined_mean_flow(const ovr_simulation *sim, double *flow)
 {
-    for (const ovr_present *p = sim->physics; p->is; p++)
+    for (const ovr_present *p = sim->physics.on; p->is; p++)
         if (p->is == &ovr_physics_patches) {
             *flow = mean_flow(sim, &((const ovr_refined *)p->own)->composite);
             return true;

@@ -55,7 +55,7 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
     if (OVR_TAKE_NODES(sim, err, &sim->now.weights, &sim->shapes.S,
                        &sim->shapes.S_past, &sim->start.saved,
                        &sim->start.saved_before, &sim->start.lacking,
-                       &sim->stress))
+                       &sim->shear.stress))
         return OVR_NO_MEMORY;
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++) {
         if (ovr_field_rows[k].shown && sim->finest->f.all[k] &&
@@ -170,7 +170,7 @@ static ovr_simulation *set_up(ovr_arena arena, const ovr_contact *contact,
     sim->lubricant = *lubricant;
     sim->options = *options;
     ovr_statistics_unknown(&sim->statistics);
-    sim->list = ovr_physics_list;
+    sim->physics.list = ovr_physics_list;
     sim->shapes.moving = NAN;
     sim->scheme = ovr_scheme_record(sim->options.scheme);
     if (build(sim, err)) {
@@ -279,8 +279,9 @@ void ovr_simulation_across(ovr_simulation *sim, ovr_heights_across *heights)
 
 void ovr_simulation_show(ovr_simulation *sim, size_t line)
 {
-    if (sim && sim->solver)
-        sim->solver->is->in_solve->solver->show(sim, sim->solver->own, line);
+    if (sim && sim->physics.solver)
+        sim->physics.solver->is->in_solve->solver->show(
+            sim, sim->physics.solver->own, line);
 }
 
 const double *ovr_simulation_lines(const ovr_simulation *sim, size_t *count,
@@ -288,9 +289,10 @@ const double *ovr_simulation_lines(const ovr_simulation *sim, size_t *count,
 {
     *count = 1;
     *shown = 0;
-    return sim && sim->solver ? sim->solver->is->in_solve->solver->lines(
-                                    sim->solver->own, count, shown)
-                              : NULL;
+    return sim && sim->physics.solver
+               ? sim->physics.solver->is->in_solve->solver->lines(
+                     sim->physics.solver->own, count, shown)
+               : NULL;
 }
 
 void ovr_simulation_histories(ovr_simulation *sim, const ovr_history *load,
@@ -298,8 +300,8 @@ void ovr_simulation_histories(ovr_simulation *sim, const ovr_history *load,
 {
     if (!sim)
         return;
-    sim->load = load;
-    sim->speed = speed;
+    sim->histories.load = load;
+    sim->histories.speed = speed;
 }
 
 void ovr_simulation_radius(ovr_simulation *sim, const ovr_history *radius,
@@ -307,9 +309,9 @@ void ovr_simulation_radius(ovr_simulation *sim, const ovr_history *radius,
 {
     if (!sim)
         return;
-    sim->radius = radius;
-    sim->radius_1 = radius_1;
-    sim->convected = convected;
+    sim->histories.radius = radius;
+    sim->histories.radius_1 = radius_1;
+    sim->histories.convected = convected;
 }
 
 const ovr_state *ovr_simulation_state(const ovr_simulation *sim)

@@ -125,12 +125,12 @@ double ovr_mesh(const ovr_simulation *sim)
 ovr_smooth ovr_simulation_smooth(const ovr_simulation *sim, double T)
 {
     const ovr_contact *c = &sim->contact;
-    return ovr_smooth_of(&(ovr_curving){sim->radius,
-                                        sim->radius_1,
-                                        sim->speed,
-                                        sim->sliding,
+    return ovr_smooth_of(&(ovr_curving){sim->histories.radius,
+                                        sim->histories.radius_1,
+                                        sim->histories.speed,
+                                        sim->histories.sliding,
                                         {c->u1_ratio, c->u2_ratio},
-                                        sim->convected},
+                                        sim->histories.convected},
                          T);
 }
 
@@ -140,10 +140,10 @@ ovr_status ovr_smooth_check(const ovr_simulation *sim, double T, ovr_error *err)
     ovr_smooth smooth = ovr_simulation_smooth(sim, T);
     if (ovr_smooth_opens(&smooth, fmax(-o->inlet, o->outlet)))
         return OVR_OK;
-    if (!(ovr_history_value(sim->radius, T) > 0))
+    if (!(ovr_history_value(sim->histories.radius, T) > 0))
         return ovr_fail(err, OVR_BAD_INPUT,
                         "radius ratio %g at T = %g: must be positive",
-                        ovr_history_value(sim->radius, T), T);
+                        ovr_history_value(sim->histories.radius, T), T);
     return ovr_fail(
         err, OVR_BAD_INPUT,
         "the curvature at T = %g changes too fast, or a surface "

@@ -297,17 +297,18 @@ void ovr_steady_conditions(ovr_simulation *sim)
 {
     const double minimum = OVR_MIN_START;
     ovr_target *target = &sim->target;
-    target->Cw = fmax(ovr_history_value(sim->load, 0), minimum);
-    target->Cu = fmax(fabs(ovr_history_value(sim->speed, 0)), minimum);
-    target->c = 1 / ovr_history_value(sim->radius, 0);
+    target->Cw = fmax(ovr_history_value(sim->histories.load, 0), minimum);
+    target->Cu = fmax(fabs(ovr_history_value(sim->histories.speed, 0)),
+                      minimum);
+    target->c = 1 / ovr_history_value(sim->histories.radius, 0);
     target->force = OVR_NOMINAL_LOAD * target->Cw;
 }
 
 /* The conditions of the start, where they are numbers. */
 static ovr_status begin_load_and_speed(ovr_simulation *sim, ovr_error *err)
 {
-    double Cw = ovr_history_value(sim->load, 0);
-    double Cu = fabs(ovr_history_value(sim->speed, 0));
+    double Cw = ovr_history_value(sim->histories.load, 0);
+    double Cu = fabs(ovr_history_value(sim->histories.speed, 0));
     if (!(Cw >= 0) || !(Cu >= 0))
         return ovr_fail(err, OVR_BAD_INPUT,
                         Cw >= 0
@@ -483,7 +484,7 @@ static double solve_line(ovr_simulation *sim, ovr_outcome *outcome)
 
 static ovr_status solve_steady(ovr_simulation *sim, ovr_error *err)
 {
-    const ovr_present *other = sim->solver;
+    const ovr_present *other = sim->physics.solver;
     ovr_outcome outcome = {0};
     sim->started = false;
     if (begin_load_and_speed(sim, err) || ovr_smooth_check(sim, 0, err))

@@ -351,7 +351,8 @@ static void begin_step(ovr_simulation *sim, double dT)
     OVR_EACH_PHYSICS(sim, p, in_step, step)
         p->is->in_step->step(sim, p->own, dT);
     ovr_simulation_gap(sim, T);
-    sim->finest->force = OVR_NOMINAL_LOAD * ovr_history_value(sim->load, T);
+    sim->finest->force = OVR_NOMINAL_LOAD *
+                         ovr_history_value(sim->histories.load, T);
 }
 
 /* The oldest of `count` becomes the newest, with these values. */
@@ -415,7 +416,7 @@ static bool advance(ovr_simulation *sim, double dT, int halvings,
             outcome->retries++;
         if (try_once(sim, dT, &attempts[k], outcome)) {
             outcome->error = ovr_step_error(sim, dT);
-            if (outcome->error > sim->largest_error)
+            if (outcome->error > sim->limits.largest_error)
                 return false;
             end_step(sim, dT);
             return true;
@@ -446,9 +447,10 @@ static bool advance(ovr_simulation *sim, double dT, int halvings,
 
 void ovr_simulation_step_back(ovr_simulation *sim)
 {
-    if (sim->solver) {
+    if (sim->physics.solver) {
         sim->state.T = sim->past.T[0];
-        sim->solver->is->in_solve->solver->step_back(sim, sim->solver->own);
+        sim->physics.solver->is->in_solve->solver->step_back(
+            sim, sim->physics.solver->own);
         return;
     }
     sim->grids.H0 = sim->past.H0[0];
@@ -525,17 +527,17 @@ ovr_status ovr_simulation_attempt(ovr_simulation *sim, double next, bool *taken,
     ovr_status status = check(sim, dT, err);
     if (status)
         return status;
-    const ovr_present *other = sim->solver;
-    ovr_hierarchy_allow(&sim->grids, sim->step_work > 0
-                                         ? sim->step_work
+    const ovr_present *other = sim->physics.solver;
+    ovr_hierarchy_allow(&sim->grids, sim->limits.step_work > 0
+                                         ? sim->limits.step_work
                                          : ovr_minute_of_work(sim));
     *taken = other ? other->is->in_solve->solver->attempt(sim, other->own, next,
                                                           &outcome)
                    : advance(sim, dT, 0, &outcome);
-    sim->work_done += sim->grids.stopping.work;
+    sim->limits.work_done += sim->grids.stopping.work;
     ovr_hierarchy_allow(&sim->grids, 0);
     *error = outcome.error;
-    if (!*taken && outcome.error > sim->largest_error) {
+    if (!*taken && outcome.error > sim->limits.largest_error) {
         ovr_simulation_step_back(sim);
         sim->statistics.retries++;
         sim->statistics.cycles += outcome.cycles;
@@ -565,7 +567,7 @@ ovr_status ovr_simulation_step(ovr_simulation *sim, double dT, ovr_error *err)
         return OVR_BAD_INPUT;
     bool taken;
     double error;
-    sim->largest_error = INFINITY;
+    sim->limits.largest_error = INFINITY;
     ovr_status status = ovr_simulation_attempt(sim, sim->past.T[0] + dT, &taken,
                                                &error, err);
     ovr_simulation_end(sim);

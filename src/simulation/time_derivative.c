@@ -74,9 +74,10 @@ void ovr_time_derivative(ovr_simulation *sim, double dT)
     const ovr_discretization *scheme = sim->scheme;
     OVR_LAST_PHYSICS(sim, p, in_step, history);
     double T = sim->past.T[0] + dT, c[2];
-    ovr_operator op = {.speed = fabs(ovr_history_value(sim->speed, T)),
-                       .transient = true,
-                       .characteristic = scheme->characteristic};
+    ovr_operator op = {
+        .speed = fabs(ovr_history_value(sim->histories.speed, T)),
+        .transient = true,
+        .characteristic = scheme->characteristic};
     scheme->difference(dT, sim->past.dT, &op.cT, c);
     if (!scheme->characteristic)
         ovr_reynolds_wedge(&op, scheme->order == 2, op.speed);
@@ -208,7 +209,7 @@ double ovr_step_error(ovr_simulation *sim, double h)
 {
     const ovr_past *past = &sim->past;
     double share = sim->scheme->characteristic ? 0.08 : 0.4, e[3];
-    if (past->steps < sim->scheme->order || isinf(sim->largest_error))
+    if (past->steps < sim->scheme->order || isinf(sim->limits.largest_error))
         return 0;
     double factor = sim->scheme->extrapolation(past, h, e);
     double H = ovr_value_at(&sim->now, sim->now.H, 0);

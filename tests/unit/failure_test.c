@@ -60,7 +60,7 @@ TEST(a_step_that_has_no_solution_ends_by_its_work)
         ovr_simulation *sim = test_simulation(20, 10, &o);
         ovr_simulation_surface(sim, plateau, NULL);
         CHECK_OK(ovr_simulation_steady(sim, &err), &err);
-        sim->step_work = most * (double)sim->now.n;
+        sim->limits.step_work = most * (double)sim->now.n;
         assert_int_equal(ovr_simulation_step(sim, 0.01, &err),
                          OVR_NOT_CONVERGED);
         print_message("    %s\n", err.message);

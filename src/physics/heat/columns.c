@@ -43,7 +43,7 @@ static double let_through(const ovr_simulation *sim, size_t wet)
     double q = sim->now.q[wet], Cu = h->u1 - h->V / 2, flow;
     if (wet == 0 || wet + 1 == sim->now.n || !(fabs(Cu) > OVR_MIN_START))
         return q;
-    flow = ovr_flux(sim, Cu, sim->backward ? wet - 1 : wet) / Cu;
+    flow = ovr_flux(sim, Cu, sim->histories.backward ? wet - 1 : wet) / Cu;
     return ovr_larger(minimum * q, ovr_smaller(flow, maximum * q));
 }
 
@@ -54,10 +54,10 @@ static void fill_oil(ovr_simulation *sim)
     ovr_heated *h = sim->heated;
     bool conserves = ovr_conserves(sim);
     size_t last = now->n - 1;
-    double left = now->q[sim->backward ? last : 0];
+    double left = now->q[sim->histories.backward ? last : 0];
     for (size_t k = 0; k <= last; k++) {
-        size_t i = sim->backward ? last - k : k;
-        size_t before = sim->backward ? i + 1 : i - 1;
+        size_t i = sim->histories.backward ? last - k : k;
+        size_t before = sim->histories.backward ? i + 1 : i - 1;
         h->oil[i] = now->H[i];
         h->content[i] = now->q[i];
         if (now->P[i] > 0)
@@ -247,7 +247,7 @@ void ovr_heat_march_begin(ovr_simulation *sim)
     for (int k = 0; k < 2; k++) {
         double u = h->u1 - k * h->V;
         h->speed[k] = ovr_solid_march_speed(&h->numbers, k, u);
-        h->way[k] = u < 0 || (!(u > 0) && sim->backward) ? -1 : 1;
+        h->way[k] = u < 0 || (!(u > 0) && sim->histories.backward) ? -1 : 1;
         ovr_memory_fit(D / h->speed[k],
                        fmax(h->longest[k], length / h->speed[k]),
                        &h->memory[k]);
@@ -345,7 +345,7 @@ void ovr_heat_speeds(ovr_simulation *sim, double T)
 {
     ovr_heated *h = sim->heated;
     h->V = ovr_sliding(sim, T);
-    h->u1 = ovr_history_value(sim->speed, T) + h->V / 2;
+    h->u1 = ovr_history_value(sim->histories.speed, T) + h->V / 2;
 }
 
 /* Injection of all to all grids. */

@@ -85,7 +85,7 @@ static ovr_status take_heat(ovr_simulation *sim, const void *form, void **own,
     if (take_arrays(sim, h, err))
         return OVR_NO_MEMORY;
     *own = sim->heated = h;
-    sim->features |= ovr_model_feature_bit(OVR_MODEL_HEAT, true);
+    sim->physics.features |= ovr_model_feature_bit(OVR_MODEL_HEAT, true);
     if (ovr_heat_skew_take(sim, err) || ovr_heat_film_take(sim, err) ||
         ovr_heat_outer_take(sim, err) || ovr_heat_steps_take(sim, err))
         return OVR_NO_MEMORY;
@@ -211,8 +211,10 @@ static bool is_uneven(double x, double rise)
 static bool may_grow_uneven(const ovr_simulation *sim)
 {
     bool passes = sim->shapes.heights && sim->shapes.moving != 0;
-    return passes || sim->sliding || ovr_history_varies(sim->load) ||
-           ovr_history_varies(sim->speed) || ovr_history_varies(sim->radius);
+    return passes || sim->histories.sliding ||
+           ovr_history_varies(sim->histories.load) ||
+           ovr_history_varies(sim->histories.speed) ||
+           ovr_history_varies(sim->histories.radius);
 }
 
 /* The largest x of a film that is hot enough for it to matter. */
@@ -259,13 +261,13 @@ static double power_of_forces(const ovr_simulation *sim,
     const ovr_solution *now = &sim->now;
     double worked = 0;
     if (sim->heated->steps->dT > 0)
-        return o->power_dissipated - sim->inlet_share.power;
+        return o->power_dissipated - sim->shear.inlet_share.power;
     for (size_t i = 0; i + 1 < now->n; i++)
         if (now->P[i] > 0 || now->P[i + 1] > 0)
             worked += (now->P[i + 1] - now->P[i]) *
                       (now->H[i] + now->H[i + 1]) / (now->q[i] + now->q[i + 1]);
     return 2 * o->speed_ratio * o->F_roll - o->sliding * o->F_slide -
-           sim->inlet_share.power - o->mass_flow * worked;
+           sim->shear.inlet_share.power - o->mass_flow * worked;
 }
 
 /* Largest rises, flows into the surfaces, defect of the balance. */
@@ -294,7 +296,7 @@ static double skewed(const ovr_simulation *sim, const void *own, size_t i,
     const double *v = ((const ovr_heated *)own)->skewed;
     if (mean)
         return (v[i] + v[i + 1]) / 2;
-    if (i == 0 && !sim->backward)
+    if (i == 0 && !sim->histories.backward)
         return v[0];
     return ovr_upstream(sim, v, i);
 }

@@ -114,11 +114,11 @@ void ovr_heat_step(ovr_simulation *sim, void *own, double dT)
     ovr_heated *h = own;
     ovr_heat_steps *s = h->steps;
     double D = ovr_mesh(sim), T = sim->past.T[0];
-    double way = ovr_history_integral(sim->speed, T + dT) -
-                 ovr_history_integral(sim->speed, T);
-    double slip = sim->sliding
-                      ? ovr_history_integral(sim->sliding, T + dT) -
-                            ovr_history_integral(sim->sliding, T)
+    double way = ovr_history_integral(sim->histories.speed, T + dT) -
+                 ovr_history_integral(sim->histories.speed, T);
+    double slip = sim->histories.sliding
+                      ? ovr_history_integral(sim->histories.sliding, T + dT) -
+                            ovr_history_integral(sim->histories.sliding, T)
                       : way * (sim->contact.u1_ratio - sim->contact.u2_ratio);
     withdraw(sim);
     s->dT = dT;
@@ -171,9 +171,9 @@ static void hold_film(ovr_simulation *sim)
 static void solve_nodes(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;
-    size_t entry = sim->backward ? sim->now.n - 1 : 0;
+    size_t entry = sim->histories.backward ? sim->now.n - 1 : 0;
     sim->grids.kernels->heat_cross_film(&h->film);
-    if (sim->backward)
+    if (sim->histories.backward)
         ovr_column_heat(&h->film, 0);
     h->mean[entry] = h->q[0][entry] = h->q[1][entry] = 0;
     for (int j = 0; j < h->cross_film.n; j++)
@@ -352,8 +352,9 @@ static bool load_jumped(const ovr_simulation *sim, double T)
 {
     const double while_after = 0.25, steps = 5, much = 0.01;
     double since = T - ovr_larger(while_after, steps * sim->past.dT);
-    double before = ovr_history_value(sim->load, ovr_larger(since, 0));
-    double now = ovr_history_value(sim->load, T);
+    double before = ovr_history_value(sim->histories.load,
+                                      ovr_larger(since, 0));
+    double now = ovr_history_value(sim->histories.load, T);
     return fabs(now - before) > much * ovr_larger(now, before);
 }
 

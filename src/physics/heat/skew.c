@@ -18,7 +18,7 @@ static const double LOW = 0.005;
 /* True if rows have no nodes upstream. */
 static bool is_explicit(const ovr_simulation *sim)
 {
-    return sim->backward && !sim->mirrored;
+    return sim->histories.backward && !sim->histories.mirrored;
 }
 
 ovr_status ovr_heat_skew_take(ovr_simulation *sim, ovr_error *err)
@@ -51,8 +51,9 @@ bool ovr_heat_opposed(const ovr_simulation *sim)
 double ovr_heat_film_end(const ovr_simulation *sim, ptrdiff_t *last)
 {
     const double *P = sim->now.P;
-    const ptrdiff_t n = (ptrdiff_t)sim->now.n, out = sim->backward ? -1 : 1;
-    ptrdiff_t i = sim->backward ? 0 : n - 1;
+    const ptrdiff_t n = (ptrdiff_t)sim->now.n,
+                    out = sim->histories.backward ? -1 : 1;
+    ptrdiff_t i = sim->histories.backward ? 0 : n - 1;
     while (i >= 0 && i < n && !(P[i] > 0))
         i -= out;
     *last = i;
@@ -66,7 +67,8 @@ double ovr_heat_film_end(const ovr_simulation *sim, ptrdiff_t *last)
 static void hold_end(const ovr_simulation *sim, double *s)
 {
     const double before_end = 2;
-    const ptrdiff_t n = (ptrdiff_t)sim->now.n, out = sim->backward ? -1 : 1;
+    const ptrdiff_t n = (ptrdiff_t)sim->now.n,
+                    out = sim->histories.backward ? -1 : 1;
     ptrdiff_t last;
     double share = ovr_heat_film_end(sim, &last);
     if (share < 0)
@@ -121,7 +123,8 @@ static void smooth(const ovr_simulation *sim, double *s)
  * viscosities at P + dP.  Slopes of small s do not matter. */
 static void find_slopes(ovr_simulation *sim)
 {
-    const double little = 0.02, dP = 1e-4, way = sim->mirrored ? -1 : 1;
+    const double little = 0.02, dP = 1e-4,
+                 way = sim->histories.mirrored ? -1 : 1;
     const double lowest = ovr_conserves(sim) ? LOW : 0;
     const double *q = sim->now.q;
     ovr_heated *h = sim->heated;
@@ -211,7 +214,7 @@ static void put_right_side(ovr_simulation *sim)
 static void put_rows(ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
-    const double sign = is_explicit(sim) ? 0 : sim->mirrored ? -1 : 1;
+    const double sign = is_explicit(sim) ? 0 : sim->histories.mirrored ? -1 : 1;
     double *workspace = ovr_work_take(sim);
     for (int l = sim->grids.finest; l >= sim->grids.coarsest; l--) {
         ovr_level *level = &sim->grids.level[l];

@@ -46,7 +46,7 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
         return OVR_NO_MEMORY;
     *own = b;
     if (OVR_TAKE_NODES(sim, err, &b->A, &b->saved, &b->bears,
-                       &sim->film_stress) ||
+                       &sim->shear.film_stress) ||
         ovr_physics_take_borne(sim, err) ||
         ovr_hierarchy_touch(&sim->grids, &sim->arena, err))
         return OVR_NO_MEMORY;

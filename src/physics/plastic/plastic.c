@@ -414,7 +414,7 @@ static void heights(const ovr_simulation *sim, const void *own, int surface,
 static const ovr_plastic *plastic_of(const ovr_simulation *sim)
 {
     const ovr_plastic *found = NULL;
-    for (const ovr_present *p = sim->physics; p->is; p++)
+    for (const ovr_present *p = sim->physics.on; p->is; p++)
         if (p->is == &ovr_physics_plastic)
             found = p->own;
     return found;

@@ -59,7 +59,7 @@ static double mass_flow(ovr_strip_solver *s, const ovr_simulation *sim)
     const ovr_strip_level *finest = ovr_strip_finest(s);
     const ovr_strip_grid *g = &finest->grid;
     const ovr_strip_fields *f = &finest->f;
-    const double Cu = ovr_history_value(sim->speed, sim->state.T);
+    const double Cu = ovr_history_value(sim->histories.speed, sim->state.T);
     double sum = 0, count = 0;
     for (size_t i = 0; i + 1 < s->n; i++) {
         size_t a = ovr_strip_row(g, i), b = a + g->stride;

@@ -296,8 +296,8 @@ static void set_step(ovr_simulation *sim, ovr_strip_solver *s, double next)
     double tolerance = STEP_TOLERANCE *
                        ovr_truncation_tolerance(sim, D, sim->observation.H_cen);
     set_fluid(sim, s, next);
-    m->speed = ovr_history_value(sim->speed, next);
-    m->force = OVR_NOMINAL_LOAD * ovr_history_value(sim->load, next);
+    m->speed = ovr_history_value(sim->histories.speed, next);
+    m->force = OVR_NOMINAL_LOAD * ovr_history_value(sim->histories.load, next);
     m->carried = sim->shapes.moving * m->speed;
     for (int k = 0; k < 2; k++)
         m->travel[k] = ovr_travel_since(sim, k, next);
@@ -412,9 +412,9 @@ static ovr_status check(const ovr_simulation *sim, const void *own,
 {
     (void)own;
     return ovr_conflict_check(
-        sim->features | ovr_model_features_of(&sim->options) |
+        sim->physics.features | ovr_model_features_of(&sim->options) |
             ovr_model_feature_bit(OVR_MODEL_REVERSAL,
-                                  ovr_history_reverses(sim->speed)) |
+                                  ovr_history_reverses(sim->histories.speed)) |
             ovr_model_feature_bit(OVR_MODEL_STRIP, true),
         err);
 }

@@ -47,14 +47,15 @@ static double time_of_entry(const ovr_simulation *sim, double T)
 {
     enum { HALVINGS = 60 };
     double way = sim->now.weights[0];
-    double from = ovr_history_integral(sim->speed, T) - way;
+    double from = ovr_history_integral(sim->histories.speed, T) - way;
     double low = 0, high = T;
     if (from <= 0)
         return 0;
     for (int k = 0; k < HALVINGS; k++) {
         double middle = 0.5 * (low + high);
-        *(ovr_history_integral(sim->speed, middle) < from ? &low
-                                                          : &high) = middle;
+        *(ovr_history_integral(sim->histories.speed, middle) < from
+              ? &low
+              : &high) = middle;
     }
     return 0.5 * (low + high);
 }
@@ -132,7 +133,7 @@ static double flow_at(const ovr_simulation *sim, size_t i, double T)
 {
     const ovr_carriage *c = &sim->arrival.carriage;
     if (!sim->scheme->characteristic || !(T > 0))
-        return ovr_flux(sim, ovr_history_value(sim->speed, T), i);
+        return ovr_flux(sim, ovr_history_value(sim->histories.speed, T), i);
     return ovr_flux(sim, 0, i) + c->flow[i > 0];
 }
 
@@ -146,8 +147,9 @@ static void taken(ovr_simulation *sim, void *own, double dT)
         ovr_carriage_taken(sim);
     if (!a->supply)
         return;
-    double arrives = along ? a->carriage.arrives
-                           : ovr_history_value(sim->speed, T) * a->face;
+    double arrives = along
+                         ? a->carriage.arrives
+                         : ovr_history_value(sim->histories.speed, T) * a->face;
     a->reservoir += dT * (arrives - flow_at(sim, 0, T));
     a->closed = sim->finest->closed;
 }
@@ -293,10 +295,11 @@ static void unknown(ovr_observation *o)
 /* Estimates by the film formula, in units of the nominal contact. */
 static double formula(const ovr_simulation *sim, double T)
 {
-    double Cw = fmax(ovr_history_value(sim->load, T), OVR_MIN_START);
-    double Cu = fmax(fabs(ovr_history_value(sim->speed, T)), OVR_MIN_START);
-    ovr_instant at = ovr_instant_of(&sim->contact, Cw, Cu,
-                                    1 / ovr_history_value(sim->radius, T));
+    double Cw = fmax(ovr_history_value(sim->histories.load, T), OVR_MIN_START);
+    double Cu = fmax(fabs(ovr_history_value(sim->histories.speed, T)),
+                     OVR_MIN_START);
+    ovr_instant at = ovr_instant_of(
+        &sim->contact, Cw, Cu, 1 / ovr_history_value(sim->histories.radius, T));
     return Cw * ovr_film_central_moes(at.M, at.L);
 }
 
@@ -305,10 +308,11 @@ static double formula(const ovr_simulation *sim, double T)
 static double flooded_since(const ovr_simulation *sim, double T)
 {
     const double minimum = 0.01;
-    if (!ovr_history_varies(sim->load) && !ovr_history_varies(sim->speed) &&
-        !ovr_history_varies(sim->radius))
+    if (!ovr_history_varies(sim->histories.load) &&
+        !ovr_history_varies(sim->histories.speed) &&
+        !ovr_history_varies(sim->histories.radius))
         return 1;
-    return fabs(ovr_history_value(sim->speed, T)) < minimum
+    return fabs(ovr_history_value(sim->histories.speed, T)) < minimum
                ? NAN
                : formula(sim, T) / formula(sim, 0);
 }
