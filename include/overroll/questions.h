@@ -127,9 +127,10 @@ OVR_API const ovr_find_info *ovr_find_about(const ovr_find *find);
 OVR_API ovr_find_evaluation ovr_find_evaluation_at(const ovr_find *find,
                                                    size_t k);
 
-/* The numbers of the run at the answer. */
-OVR_API void ovr_find_summary(const ovr_find *find, ovr_summary_taker *take,
-                              void *data);
+/* Lines about the search, or about its answer: the value under the name of the
+ * key, and the numbers of the run there. */
+OVR_API void ovr_find_summary(const ovr_find *find, bool answer,
+                              ovr_summary_taker *take, void *data);
 
 /* ------------------------------------------------------------ sensitivity */
 

@@ -310,9 +310,9 @@ typedef struct ovr_sweep_options {
         *run; /* output, force, steady do not count; or NULL */
     void *data;
     /* A run ended, as `err` says; it is NULL when it could not begin.  What is
-     * written to `summary` becomes its NAME.json (without result files: the
-     * numbers of its row), unless it failed; NULL: the numbers of
-     * ovr_run_summary do. */
+     * written to `summary` becomes its NAME.json, unless it failed; without
+     * `report`: the numbers of ovr_run_summary.  `summary` is NULL in studies
+     * without result files, whose rows have the numbers of ovr_run_report. */
     void (*report)(void *data, const ovr_run *run, const ovr_error *err,
                    FILE *summary);
     /* A few times a second, here: how many of how many ended, how many run,

@@ -357,10 +357,8 @@ typedef struct ovr_observable {
     ovr_sense extreme;
     const char *extreme_key, *mean_key;
     bool extreme_reported, mean_reported; /* reports have a line for it */
-    const char *saved; /* what the extreme was called in checkpoints of before
-                          0.3.0; NULL: its key */
-    bool steady;       /* also reported for steady solutions */
-    unsigned pass;     /* columns in the file of several passes */
+    bool steady;   /* also reported for steady solutions */
+    unsigned pass; /* columns in the file of several passes */
     /* Its place from the left in the table of passes that people read, 0: none,
      * the short name there, and the physics without which it is left out. */
     int pass_place;

@@ -158,27 +158,7 @@ static void report_table(const cli_call *call, const ovr_find *find)
 void cli_json_find(json_writer *json, const ovr_find *find)
 {
     const ovr_find_info *i = ovr_find_about(find);
-    bool found = i->end == OVR_FIND_FOUND || i->end == OVR_FIND_SCATTERED;
-    json_text(json, "key", i->key);
-    json_number(json, "value", i->value);
-    json_text(json, "unit", i->unit);
-    json_number(json, "low", i->low);
-    json_number(json, "high", i->high);
-    json_text(json, "quantity", i->quantity);
-    json_text(json, "relation",
-              !i->sense      ? "is"
-              : i->sense > 0 ? "at least"
-                             : "at most");
-    json_text(json, "which", i->which);
-    json_number(json, "target", i->target);
-    json_number(json, "at_value", i->at_value);
-    json_number(json, "slope", i->slope);
-    json_number(json, "key_error_discretization", i->error);
-    json_number(json, "scatter", i->scatter);
-    json_flag(json, "monotone", i->monotone);
-    json_flag(json, "order_pinned", i->pinned);
-    json_flag(json, "found", found);
-    json_text(json, "message", i->message);
+    ovr_find_summary(find, false, cli_put_line, json);
     json_open_array(json, "evaluations");
     for (size_t k = 0; k < i->evaluations; k++) {
         ovr_find_evaluation e = ovr_find_evaluation_at(find, k);

@@ -28,7 +28,7 @@ static void report_case(void *data, const ovr_run *run, const ovr_error *err,
                         FILE *summary)
 {
     const sweeping *w = data;
-    if (run && cli_has_result(run, err->status))
+    if (summary && run && cli_has_result(run, err->status))
         cli_report_json(ovr_run_about(run), summary);
     if (run)
         cli_run_code(&w->logged, run, err->status, err);
@@ -41,12 +41,10 @@ static void report_found(void *data, const ovr_find *find, const ovr_error *err,
                          FILE *summary)
 {
     const sweeping *w = data;
-    if (find && !err->status) {
+    if (summary && find && !err->status) {
         json_writer json = json_begin(summary);
         cli_json_find(&json, find);
-        json_number(&json, ovr_find_about(find)->key,
-                    ovr_find_about(find)->value);
-        ovr_find_summary(find, cli_put_line, &json);
+        ovr_find_summary(find, true, cli_put_line, &json);
         json_end(&json);
     }
     if (find)

@@ -580,15 +580,15 @@ static bool solve_by(const ovr_hierarchy *grids, const ovr_level *level,
 
 /* The elastic band, unless it has failed shortly before. */
 static bool solve_elastic(ovr_touch *touch, const ovr_hierarchy *grids,
-                          const ovr_level *level, double missing, double *step)
+                          const ovr_level *level, const double *kernel,
+                          double missing, double *step)
 {
     enum { MAX_DOUBLINGS = 10 };
     if (touch->omitted > 0) {
         touch->omitted--;
         return false;
     }
-    if (solve_by(grids, level, touch->kernel + level->grid.n + 2, missing,
-                 step)) {
+    if (solve_by(grids, level, kernel, missing, step)) {
         touch->failures = 0;
         return true;
     }
@@ -607,6 +607,6 @@ bool ovr_tripoles_solve(ovr_hierarchy *grids, const ovr_level *level,
     const double *kernel = grids->touch.kernel + level->grid.n + 2; /* k(0) */
     for (size_t i = 1; i + 1 < level->grid.n; i++)
         proportion(&t->row[i], kernel[0]);
-    return solve_elastic(&grids->touch, grids, level, missing, step) ||
+    return solve_elastic(&grids->touch, grids, level, kernel, missing, step) ||
            solve_by(grids, level, NULL, missing, step);
 }

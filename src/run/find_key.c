@@ -427,11 +427,48 @@ ovr_find_evaluation ovr_find_evaluation_at(const ovr_find *find, size_t k)
     return find && k < find->info.evaluations ? find->made[k] : none;
 }
 
-void ovr_find_summary(const ovr_find *find, ovr_summary_taker *take, void *data)
+static void take_search(const ovr_find_info *i, ovr_summary_taker *take,
+                        void *data)
 {
-    if (!find || !take || !find->answered)
+    const bool found = i->end == OVR_FIND_FOUND || i->end == OVR_FIND_SCATTERED;
+    const char *relation = !i->sense      ? "is"
+                           : i->sense > 0 ? "at least"
+                                          : "at most";
+    const ovr_summary_line lines[] = {
+        {.key = "key", .form = OVR_SUMMARY_TEXT, .text = i->key},
+        {.key = "value", .number = i->value},
+        {.key = "unit", .form = OVR_SUMMARY_TEXT, .text = i->unit},
+        {.key = "low", .number = i->low},
+        {.key = "high", .number = i->high},
+        {.key = "quantity", .form = OVR_SUMMARY_TEXT, .text = i->quantity},
+        {.key = "relation", .form = OVR_SUMMARY_TEXT, .text = relation},
+        {.key = "which", .form = OVR_SUMMARY_TEXT, .text = i->which},
+        {.key = "target", .number = i->target},
+        {.key = "at_value", .number = i->at_value},
+        {.key = "slope", .number = i->slope},
+        {.key = "key_error_discretization", .number = i->error},
+        {.key = "scatter", .number = i->scatter},
+        {.key = "monotone", .form = OVR_SUMMARY_FLAG, .number = i->monotone},
+        {.key = "order_pinned", .form = OVR_SUMMARY_FLAG, .number = i->pinned},
+        {.key = "found", .form = OVR_SUMMARY_FLAG, .number = found},
+        {.key = "message", .form = OVR_SUMMARY_TEXT, .text = i->message}};
+    for (size_t k = 0; k < sizeof lines / sizeof *lines; k++)
+        take(data, &lines[k]);
+}
+
+void ovr_find_summary(const ovr_find *find, bool answer,
+                      ovr_summary_taker *take, void *data)
+{
+    if (!find || !take)
         return;
-    for (size_t k = 0; k < find->answer.lines; k++) {
+    if (!answer) {
+        take_search(&find->info, take, data);
+        return;
+    }
+    const ovr_summary_line found = {.key = find->info.key,
+                                    .number = find->info.value};
+    take(data, &found);
+    for (size_t k = 0; find->answered && k < find->answer.lines; k++) {
         const ovr_summary_line line = {.key = find->answer.key[k],
                                        .number = find->answer.number[k]};
         take(data, &line);

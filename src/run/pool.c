@@ -15,6 +15,7 @@
 #include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
@@ -90,8 +91,10 @@ static void work_through(const pool *p, int slot, int to, pid_t parent)
             break;
         at->done = 0;
         at->task = next + 1;
-        ending told = {job->task[next],
-                       job->work(job->data, job->task[next], shared)};
+        ending told;
+        memset(&told, 0, sizeof told); /* what pads it is written too */
+        told.task = job->task[next];
+        told.code = job->work(job->data, job->task[next], shared);
         fflush(NULL);
         at->task = 0;
         if (write(to, &told, sizeof told) != (ssize_t)sizeof told)

@@ -472,37 +472,46 @@ void ovr_rows_release(ovr_rows *r, size_t task)
 
 /* -------------------------------------------------------------------- Rows */
 
-bool ovr_rows_pair(const char *line, char *key, size_t capacity,
-                   const char **value, size_t *length)
+ovr_status ovr_row_begin(ovr_row *row, ovr_error *err)
 {
-    const char *from = line + 2, *end;
-    if (strncmp(line, "  \"", 3) != 0 || !(end = strchr(from + 1, '"')) ||
-        strncmp(end, "\": ", 3) != 0)
-        return false;
-    snprintf(key, capacity, "%.*s", (int)(end - from - 1), from + 1);
-    *value = end + 3;
-    *length = strcspn(*value, ",\n");
-    return true;
+    *row = (ovr_row){{NULL}, {NULL}, {0}};
+    for (int k = 0; k < 2; k++)
+        row->to[k] = open_memstream(&row->text[k], &row->size[k]);
+    return row->to[0] && row->to[1]
+               ? OVR_OK
+               : ovr_fail(err, OVR_NO_MEMORY, "out of memory");
 }
 
-/* Splits the summary into the head and the row of a table: numbers, 1 and 0
- * for true and false, an empty cell for null. */
-static void put_numbers(const char *json, FILE *head, FILE *row)
+static void close_row(ovr_row *row)
 {
-    while (json && *json) {
-        char key[64];
-        const char *value, *next = strchr(json, '\n');
-        size_t length;
-        if (ovr_rows_pair(json, key, sizeof key, &value, &length) &&
-            *value != '"' && *value != '[' && *value != '{') {
-            fprintf(head, ",%s", key);
-            if (*value == 't' || *value == 'f')
-                fprintf(row, ",%d", *value == 't');
-            else
-                fprintf(row, ",%.*s", *value == 'n' ? 0 : (int)length, value);
-        }
-        json = next ? next + 1 : NULL;
-    }
+    for (int k = 0; k < 2; k++)
+        if (row->to[k])
+            fclose(row->to[k]);
+    row->to[0] = row->to[1] = NULL;
+}
+
+void ovr_row_free(ovr_row *row)
+{
+    close_row(row);
+    free(row->text[0]);
+    free(row->text[1]);
+}
+
+void ovr_row_add(void *data, const ovr_summary_line *line)
+{
+    ovr_row *row = data;
+    FILE *value = row->to[1];
+    if (!line->key || line->form > OVR_SUMMARY_FLAG)
+        return;
+    fprintf(row->to[0], ",%s", line->key);
+    if (line->form == OVR_SUMMARY_COUNT)
+        fprintf(value, ",%lld", (long long)line->number);
+    else if (line->form == OVR_SUMMARY_FLAG)
+        fprintf(value, ",%d", line->number > 0);
+    else if (isfinite(line->number))
+        fprintf(value, ",%.17g", line->number);
+    else
+        fputc(',', value);
 }
 
 /* Cuts off a row that a crash left unfinished; returns the end, -1 with errno.
@@ -600,37 +609,33 @@ static void put_first(const ovr_rows *r, size_t task, const char *status,
     fprintf(row, ",%lld", (long long)time(NULL));
 }
 
-static ovr_status add_row(ovr_rows *r, size_t task, const char *json,
+/* Appends the first columns and the numbers, which a failure has not. */
+static ovr_status add_row(ovr_rows *r, size_t task, ovr_row *numbers,
                           const char *message, ovr_error *err)
 {
-    char *text[2] = {NULL};
-    size_t size[2];
-    FILE *head = open_memstream(&text[0], &size[0]);
-    FILE *row = open_memstream(&text[1], &size[1]);
-    ovr_status status = head && row ? OVR_OK : OVR_NO_MEMORY;
+    ovr_row whole;
+    ovr_status status = ovr_row_begin(&whole, err);
+    if (numbers)
+        close_row(numbers);
     if (!status) {
-        fputs(first_columns, head);
-        put_first(r, task, json ? "finished" : "failed", message, row);
-        put_numbers(json, head, row);
-        fputc('\n', row);
+        fputs(first_columns, whole.to[0]);
+        put_first(r, task, numbers ? "finished" : "failed", message,
+                  whole.to[1]);
+        for (int k = 0; numbers && k < 2; k++)
+            fputs(numbers->text[k], whole.to[k]);
+        fputc('\n', whole.to[1]);
+        close_row(&whole);
+        status = append(r, task, numbers ? 'f' : 'x', whole.text[0],
+                        whole.text[1], err);
     }
-    if (head)
-        fclose(head);
-    if (row)
-        fclose(row);
-    if (!status)
-        status = append(r, task, json ? 'f' : 'x', text[0], text[1], err);
-    else
-        ovr_fail(err, OVR_NO_MEMORY, "out of memory");
-    free(text[0]);
-    free(text[1]);
+    ovr_row_free(&whole);
     return status;
 }
 
-ovr_status ovr_rows_finish(ovr_rows *r, size_t task, const char *json,
+ovr_status ovr_rows_finish(ovr_rows *r, size_t task, ovr_row *row,
                            ovr_error *err)
 {
-    return add_row(r, task, json, "", err);
+    return add_row(r, task, row, "", err);
 }
 
 ovr_status ovr_rows_fail(ovr_rows *r, size_t task, const char *message,

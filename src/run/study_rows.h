@@ -18,6 +18,8 @@
 #ifndef OVR_RUN_STUDY_ROWS_H
 #define OVR_RUN_STUDY_ROWS_H
 
+#include <stdio.h>
+
 #include "run/study.h"
 
 typedef struct ovr_rows ovr_rows;
@@ -36,9 +38,22 @@ bool ovr_rows_elsewhere(const ovr_rows *r, size_t task);
 int ovr_rows_claim(ovr_rows *r, size_t task);
 void ovr_rows_release(ovr_rows *r, size_t task);
 
-/* Append the row of a case that has finished, with the numbers of its summary
- * in JSON, or failed. */
-ovr_status ovr_rows_finish(ovr_rows *r, size_t task, const char *json,
+/* The numbers of a row in the making, as text: their names and their values. */
+typedef struct ovr_row {
+    FILE *to[2];
+    char *text[2];
+    size_t size[2];
+} ovr_row;
+
+ovr_status ovr_row_begin(ovr_row *row, ovr_error *err);
+void ovr_row_free(ovr_row *row);
+
+/* Adds a line to an ovr_row, an ovr_summary_taker: a number, 1 or 0 for a flag,
+ * an empty cell for an unknown number.  Texts are left out. */
+void ovr_row_add(void *row, const ovr_summary_line *line);
+
+/* Append the row of a case that has finished, or failed. */
+ovr_status ovr_rows_finish(ovr_rows *r, size_t task, ovr_row *row,
                            ovr_error *err);
 ovr_status ovr_rows_fail(ovr_rows *r, size_t task, const char *message,
                          ovr_error *err);
@@ -58,9 +73,5 @@ void ovr_rows_message(ovr_rows *r, size_t task, char *text, size_t capacity);
 /* Writes the name of the table with the case's row, "" if there is none. */
 void ovr_rows_table(const ovr_rows *r, size_t task, char *text,
                     size_t capacity);
-
-/* Splits a line `  "key": value,` of our own JSON, outside of inner objects. */
-bool ovr_rows_pair(const char *line, char *key, size_t capacity,
-                   const char **value, size_t *length);
 
 #endif

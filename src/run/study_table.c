@@ -79,15 +79,17 @@ static const ovr_table_column *take_number(ovr_table *t, size_t task,
     return c;
 }
 
-/* Reads a line of our own JSON: a number, NAN for null; false for a text or an
- * inner object. */
+/* Reads a line `  "key": value,` of our own JSON outside of inner objects: a
+ * number, NAN for null; false for a text or an inner object. */
 static bool read_pair(const char *line, char *key, size_t capacity,
                       double *value)
 {
-    const char *text;
-    size_t length;
-    if (!ovr_rows_pair(line, key, capacity, &text, &length))
+    const char *from = line + 2, *end, *text;
+    if (strncmp(line, "  \"", 3) != 0 || !(end = strchr(from + 1, '"')) ||
+        strncmp(end, "\": ", 3) != 0)
         return false;
+    snprintf(key, capacity, "%.*s", (int)(end - from - 1), from + 1);
+    text = end + 3;
     *value = NAN;
     if (!strncmp(text, "null", 4))
         return true;
@@ -120,7 +122,7 @@ static bool read_result(ovr_table *t, size_t task, ovr_error *err)
     return count > 0;
 }
 
-/* Reads the JSON of a task, which studies without result files have. */
+/* Reads the JSON of a task that has no result file: of a study with [find]. */
 static void read_json(ovr_table *t, size_t task, ovr_error *err)
 {
     char path[PATH_CAPACITY], line[512], key[64];

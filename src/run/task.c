@@ -221,6 +221,7 @@ typedef struct working {
     FILE *summary;
     int output, error; /* those of the process, put back afterwards */
     ovr_rows *rows;    /* of a study without result files, or NULL */
+    ovr_row *row;      /* of this case, with `rows`; there is no summary then */
 } working;
 
 static void say(void *data, ovr_say kind, const char *text)
@@ -314,7 +315,7 @@ static ovr_run *begin(working *w, ovr_case *c, bool resume, ovr_error *err)
                   : ovr_run_create(c, &how, NULL, err);
 }
 
-/* A line of JSON, as the table of a study reads it. */
+/* Writes a line of JSON. */
 static void put_line(void *summary, const ovr_summary_line *line)
 {
     if (line->form == OVR_SUMMARY_TEXT)
@@ -327,9 +328,11 @@ static void put_line(void *summary, const ovr_summary_line *line)
 
 static void report(const working *w, const ovr_run *run, const ovr_error *err)
 {
+    if (w->row && run && err->status == OVR_OK)
+        ovr_run_report(ovr_run_about(run), ovr_row_add, w->row);
     if (w->how->report) {
         w->how->report(w->how->data, run, err, w->summary);
-    } else if (run && err->status == OVR_OK) {
+    } else if (!w->row && run && err->status == OVR_OK) {
         fputs("{\n", w->summary);
         ovr_run_summary(ovr_run_about(run), put_line, w->summary);
         fputs("  \"finished\": true\n}\n", w->summary);
@@ -341,12 +344,14 @@ static void report(const working *w, const ovr_run *run, const ovr_error *err)
 static void report_find(const working *w, const ovr_find *find,
                         const ovr_error *err)
 {
-    const ovr_find_info *about = find ? ovr_find_about(find) : NULL;
+    if (w->row && find && err->status == OVR_OK)
+        for (int answer = 0; answer < 2; answer++)
+            ovr_find_summary(find, answer, ovr_row_add, w->row);
     if (w->how->report_find) {
         w->how->report_find(w->how->data, find, err, w->summary);
-    } else if (about && err->status == OVR_OK) {
-        fprintf(w->summary, "{\n  \"%s\": %.17g,\n", about->key, about->value);
-        ovr_find_summary(find, put_line, w->summary);
+    } else if (!w->row && find && err->status == OVR_OK) {
+        fputs("{\n", w->summary);
+        ovr_find_summary(find, true, put_line, w->summary);
         fputs("  \"finished\": true\n}\n", w->summary);
     }
 }
@@ -491,11 +496,11 @@ static void close_log(working *w, int log, off_t at)
         (void)!ftruncate(log, at);
 }
 
-static void keep_row(working *w, const char *json, ovr_error *err)
+static void keep_row(working *w, ovr_error *err)
 {
     ovr_error why = {0};
     if (err->status == OVR_OK)
-        ovr_rows_finish(w->rows, w->task, json, err);
+        ovr_rows_finish(w->rows, w->task, w->row, err);
     else if (err->status != OVR_STOPPED)
         ovr_rows_fail(w->rows, w->task, err->message, &why);
     if (err->status == OVR_OK)
@@ -504,27 +509,25 @@ static void keep_row(working *w, const char *json, ovr_error *err)
 
 static void work_claimed(working *w, ovr_error *err)
 {
-    char *json = NULL;
-    size_t size;
+    ovr_row row;
     int log = ovr_rows_log(w->rows);
     off_t at;
     if (!ovr_sweep_is_due(w->how, ovr_task_state(w->s, w->rows, w->task)))
         return; /* another process was faster */
     if (ovr_rows_elsewhere(w->rows, w->task) || w->how->redo)
         start_afresh(w->s, w->task);
-    w->summary = open_memstream(&json, &size);
-    if (log < 0 || !w->summary) {
+    if (ovr_row_begin(&row, err) == OVR_OK)
+        w->row = &row;
+    if (w->row && log < 0) {
         ovr_fail(err, OVR_IO, "%s: no log can be written: %s", w->s->output,
                  strerror(errno));
-    } else {
+    } else if (w->row) {
         at = open_log(w, log);
         run_case(w, false, -1, err);
         close_log(w, log, at);
     }
-    if (w->summary)
-        fclose(w->summary);
-    keep_row(w, json, err);
-    free(json);
+    keep_row(w, err);
+    ovr_row_free(&row);
 }
 
 /* ------------------------------------------------------------------- lock */
@@ -568,7 +571,7 @@ ovr_status ovr_task_work(const ovr_study *s, size_t task,
                          const ovr_sweep_options *how, ovr_shared shared,
                          ovr_rows *rows)
 {
-    working w = {s, task, how, {0}, shared, NULL, -1, -1, rows};
+    working w = {s, task, how, {0}, shared, NULL, -1, -1, rows, NULL};
     ovr_error err = {0};
     if (how->run)
         w.run = *how->run;

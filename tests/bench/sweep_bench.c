@@ -67,7 +67,8 @@ static void report(void *data, const ovr_run *run, const ovr_error *err,
     (void)data;
     (void)run;
     (void)err;
-    fputs("{\n}\n", summary);
+    if (summary)
+        fputs("{\n}\n", summary);
 }
 
 static double sweep_once(int workers)
