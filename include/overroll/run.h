@@ -309,10 +309,11 @@ typedef struct ovr_sweep_options {
     const ovr_run_options
         *run; /* output, force, steady do not count; or NULL */
     void *data;
-    /* A run ended, as `err` says; it is NULL when it could not begin.  What is
-     * written to `summary` becomes its NAME.json, unless it failed; without
-     * `report`: the numbers of ovr_run_summary.  `summary` is NULL in studies
-     * without result files, whose rows have the numbers of ovr_run_report. */
+    /* Called at the end of a run with its status in `err`; `run` is NULL if it
+     * could not begin.  The text written to `summary` becomes NAME.json.
+     * Without `report` the file has the numbers of ovr_run_summary.  A run
+     * that failed has no file.  `summary` is NULL in studies without result
+     * files, whose rows have the numbers of ovr_run_report. */
     void (*report)(void *data, const ovr_run *run, const ovr_error *err,
                    FILE *summary);
     /* A few times a second, here: how many of how many ended, how many run,

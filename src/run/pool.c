@@ -92,7 +92,7 @@ static void work_through(const pool *p, int slot, int to, pid_t parent)
         at->done = 0;
         at->task = next + 1;
         ending told;
-        memset(&told, 0, sizeof told); /* what pads it is written too */
+        memset(&told, 0, sizeof told); /* padding is written too */
         told.task = job->task[next];
         told.code = job->work(job->data, job->task[next], shared);
         fflush(NULL);

@@ -609,7 +609,7 @@ static void put_first(const ovr_rows *r, size_t task, const char *status,
     fprintf(row, ",%lld", (long long)time(NULL));
 }
 
-/* Appends the first columns and the numbers, which a failure has not. */
+/* Appends the first columns and, unless the case failed, the numbers. */
 static ovr_status add_row(ovr_rows *r, size_t task, ovr_row *numbers,
                           const char *message, ovr_error *err)
 {

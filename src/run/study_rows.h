@@ -38,7 +38,7 @@ bool ovr_rows_elsewhere(const ovr_rows *r, size_t task);
 int ovr_rows_claim(ovr_rows *r, size_t task);
 void ovr_rows_release(ovr_rows *r, size_t task);
 
-/* The numbers of a row in the making, as text: their names and their values. */
+/* Names and values of the numbers of a row, as text. */
 typedef struct ovr_row {
     FILE *to[2];
     char *text[2];

@@ -221,7 +221,7 @@ typedef struct working {
     FILE *summary;
     int output, error; /* those of the process, put back afterwards */
     ovr_rows *rows;    /* of a study without result files, or NULL */
-    ovr_row *row;      /* of this case, with `rows`; there is no summary then */
+    ovr_row *row; /* numbers of this case, with `rows` instead of a summary */
 } working;
 
 static void say(void *data, ovr_say kind, const char *text)
