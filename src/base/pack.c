@@ -46,18 +46,25 @@ static void shuffle(unsigned char *to, const unsigned char *from, size_t count,
             to[b * count + i] = from[i * size + b];
 }
 
-/* True if the bytes are equally frequent: the sum of the squared frequencies
- * is within a tenth of its mean for random bytes, count^2 / 256 + count. */
+/* True if the bytes are equally frequent, except for one value in at most an
+ * eighth of them (zero pressure, for example).  Without it the sum of the
+ * squared frequencies is within a tenth of its mean for random bytes,
+ * count^2 / 256 + count. */
 static bool is_noise(const unsigned char *plane, size_t count)
 {
     enum { BYTES = 256, FEW = 128 };
-    size_t seen[BYTES] = {0};
-    double squares = 0, random = (double)count * ((double)count / BYTES + 1);
+    size_t seen[BYTES] = {0}, most = 0, others;
+    double squares = 0, random;
     for (size_t i = 0; i < count; i++)
         seen[plane[i]]++;
-    for (size_t k = 0; k < BYTES; k++)
+    for (size_t k = 0; k < BYTES; k++) {
         squares += (double)(seen[k] * seen[k]);
-    return count >= FEW && squares < 1.1 * random;
+        most = seen[k] > most ? seen[k] : most;
+    }
+    others = count - most;
+    squares -= (double)(most * most);
+    random = (double)others * ((double)others / BYTES + 1);
+    return count >= FEW && most <= count / 8 && squares < 1.1 * random;
 }
 
 /* Writes bytes as stored blocks, which are not the last.  Returns their end. */

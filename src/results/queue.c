@@ -37,7 +37,8 @@ static ovr_status drain_one(ovr_queue *q, ovr_parcel *parcel, bool failed,
 }
 
 /* The mutex guards first, posted, closing and error; a posted parcel belongs
- * to this thread until `posted` is counted down. */
+ * to this thread until `posted` is counted down.  The thread is woken for half
+ * of the parcels at once, a flush, or one that waits. */
 static void *drain_all(void *queue)
 {
     ovr_queue *q = queue;
@@ -124,9 +125,11 @@ ovr_status ovr_queue_post(ovr_queue *q, ovr_error *err)
         return report(q, err);
     }
     pthread_mutex_lock(&q->mutex);
+    bool flush = ovr_queue_open(q)->flush;
     q->posted++;
     q->filling = (q->filling + 1) % OVR_PARCELS;
-    pthread_cond_broadcast(&q->changed);
+    if (flush || q->posted >= OVR_PARCELS / 2)
+        pthread_cond_broadcast(&q->changed);
     while (q->posted == OVR_PARCELS) /* one must be free to be filled */
         pthread_cond_wait(&q->changed, &q->mutex);
     status = report(q, err);
@@ -140,6 +143,7 @@ ovr_status ovr_queue_wait(ovr_queue *q, ovr_error *err)
     if (!q->threaded)
         return report(q, err);
     pthread_mutex_lock(&q->mutex);
+    pthread_cond_broadcast(&q->changed);
     while (q->posted > 0)
         pthread_cond_wait(&q->changed, &q->mutex);
     status = report(q, err);
