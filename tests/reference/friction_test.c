@@ -195,7 +195,9 @@ static void dent_is_met(double tolerance, double close)
 TEST(transient_truth_is_met)
 {
     dent_is_met(1e-8, 1e-6);
-    dent_is_met(0, 1e-5); /* as it comes */
+    /* By default: a third of the discretization error of H_min, 2e-4 rms.  It
+     * is 4.7e-5 in the step in which the dent leaves the minimum. */
+    dent_is_met(0, 6e-5);
 }
 
 /* Where nothing is as steep as a Newtonian spike. */
