@@ -14,13 +14,16 @@ static ovr_status missing(const char *name, ovr_error *err)
     return ovr_fail_about(err, name, "heat needs %s", name);
 }
 
-static ovr_status check_contact(const ovr_contact *c, ovr_error *err)
+static ovr_status check_contact(const ovr_contact *c, const ovr_lubricant *oil,
+                                ovr_error *err)
 {
     if (isnan(c->b) || isnan(c->height))
         return missing("radius and modulus", err);
     if (!(c->um > 0))
         return missing("viscosity and speeds", err);
-    return c->L > 0 ? OVR_OK : missing("alpha", err);
+    if (!(c->L > 0) && oil->viscosity_law != OVR_ISOVISCOUS)
+        return missing("alpha", err);
+    return OVR_OK;
 }
 
 /* S0 or beta, and the other from it at ambient pressure. */
@@ -98,7 +101,7 @@ ovr_status ovr_heat_make(const ovr_heat_form *form, const ovr_contact *contact,
         return OVR_BAD_INPUT;
     if (isnan(whole.temperature))
         return missing("temperature", err);
-    if (check_contact(&of, err) || viscosity(&whole, &oil, &made, err))
+    if (check_contact(&of, &oil, err) || viscosity(&whole, &oil, &made, err))
         return OVR_BAD_INPUT;
     make_numbers(&whole, &of, oil.density_law != OVR_INCOMPRESSIBLE, &made);
     *heat = made;

@@ -302,6 +302,20 @@ static void say_whether(const ovr_told *to, const ovr_stress_report *r,
                  r->material.z[0]);
 }
 
+static void say_yielding_share(const ovr_told *to, const ovr_stress_report *r)
+{
+    if (isnan(r->yielding_share))
+        ovr_tell(to, "yielding volume share",
+                 "unknown: no material point passed the contact; use a later "
+                 "time.end");
+    else
+        ovr_tell_number(
+            to, "yielding volume share", 3, 100 * r->yielding_share, "%s",
+            columns("%", NAN, "of the material points from Z = %.4g downward",
+                    r->least_depth)
+                .text);
+}
+
 static void say_yield(const ovr_told *to, const ovr_stress_report *r,
                       const ovr_setup *setup)
 {
@@ -317,11 +331,7 @@ static void say_yield(const ovr_told *to, const ovr_stress_report *r,
                             "T = %.4g",
                             Y.text, f->Z, f->T)
                         .text);
-    ovr_tell_number(
-        to, "yielding volume share", 3, 100 * r->yielding_share, "%s",
-        columns("%", NAN, "of the material points from Z = %.4g downward",
-                r->least_depth)
-            .text);
+    say_yielding_share(to, r);
     ovr_tell_number(to, "strip pressure ratio", 4, strip->value, "%s",
                     columns("", strip->X,
                             "(P - P around)/(2.97 Y); %.3g b wide, T = %.4g",

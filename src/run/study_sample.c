@@ -233,6 +233,7 @@ static ovr_status take_inputs(sampling *w, size_t from, const double *value,
                               size_t row)
 {
     enum { ENOUGH = 50 };
+    const double all = 0.995; /* bins hide less of a curve */
     ovr_sample_row *r = &w->to->row[row];
     ovr_arena arena = ovr_arena_make(&w->s->arena.allocator);
     double *x = ovr_arena_take(&arena, r->draws, sizeof *x, w->err);
@@ -263,7 +264,7 @@ static ovr_status take_inputs(sampling *w, size_t from, const double *value,
             i = ovr_bootstrap(ovr_first_order, x, y, n, &arena.allocator);
         }
         in->share_low = i.low > 0 || isnan(i.low) ? i.low : 0;
-        in->share_high = i.high < 1 || isnan(i.high) ? i.high : 1;
+        in->share_high = i.high < all || isnan(i.high) ? i.high : 1;
         in->rho = ovr_rank_correlation(x, y, n, &arena);
         i = ovr_bootstrap(ovr_rank_correlation, x, y, n, &arena.allocator);
         in->rho_low = i.low;

@@ -253,3 +253,19 @@ wrong "did you mean 'so_that'" 'sothat = H_min is 1\n'
 wrong 'two numbers' 'key = contact.M\nbetween = 3\nso_that = H_min is 1\n'
 wrong 'wrong.ini:6: .*use largest' \
     'key = contact.M\nbetween = 3, 5\nso_that = H_min <= 1\n'
+
+# A folder of results serves one find at a time.
+"$OVERROLL" find dent.ini feature.dent.depth between 0.02 and 0.2 \
+    so that H_min_overall is 0.06 --results shared -q --level 8 >first 2>&1 &
+first=$!
+tries=0
+until [ -e shared/question.lock ]; do
+    tries=$((tries + 1))
+    [ $tries -lt 100 ] || fail "no search: $(cat first)"
+    sleep 0.05
+done
+refuses 'shared: another find uses this folder; wait' find dent.ini \
+    feature.dent.depth between 0.02 and 0.2 so that H_min_overall is 0.06 \
+    --results shared -q --level 8
+kill $first
+wait $first || true

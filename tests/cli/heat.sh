@@ -200,3 +200,36 @@ contains err 'temperatures and fluxes are not stored, because .heat. is off'
 expect 0 "$OVERROLL" export cold.h5 --at 0
 contains out 'pressure'
 ! grep -q temperature out || fail "$(head -1 out)"
+
+# Laws without S0 need beta; an isoviscous oil needs no alpha.
+cat >beta.ini <<'END'
+[contact]
+modulus = 226 GPa
+hertz_pressure = 0.05 GPa
+radius = 12.7 mm
+mean_speed = 3 m/s
+slide_to_roll = 0.5
+[lubricant]
+viscosity = 20 mPa.s
+viscosity_law = isoviscous
+density_law = incompressible
+[heat]
+model = lobatto
+temperature = 60 degC
+[domain]
+level = 6
+END
+sed 's/^viscosity_law.*/alpha = 1e-3 1\/GPa\nviscosity_law = barus/' beta.ini \
+    >barus.ini
+for name in beta barus; do
+    refuses 'needs beta with this viscosity law; set beta' steady $name.ini
+    refuses 'S0: has no effect with viscosity_law' steady $name.ini \
+        --set lubricant.S0=1.1
+    expect 0 "$OVERROLL" steady $name.ini --set 'lubricant.beta=0.03 1/K' --json
+    number H_cen >H.$name
+    number T_max_rise >T.$name
+done
+paste H.beta H.barus T.beta T.barus | awk '{
+    exit !($1 > 0 && ($1 / $2 - 1) ^ 2 < 1e-6 &&
+           $3 > 0.1 && ($3 / $4 - 1) ^ 2 < 1e-4) }' ||
+    fail "isoviscous and Barus: $(cat H.beta H.barus T.beta T.barus)"

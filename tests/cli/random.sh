@@ -290,3 +290,32 @@ wrong "has no column 'w'" \
     'draws = 16\n[random file measured.csv]\ncontact.load = column w\n'
 wrong 'must be .random. or' 'draws = 16\n[random numbers]\n'
 wrong 'must be QUANTITY >= VALUE or' "draws = 16\n${load}[limits]\nH_min = 3\n"
+
+# One key that all depends on: a share of 1, inside its interval.
+cat >alone.ini <<'END'
+[contact]
+load = 300 kN/m
+radius = 8 mm
+modulus = 226 GPa
+mean_speed = 1 m/s
+viscosity = 40 mPa.s
+alpha = 20 1/GPa
+[domain]
+level = 4
+END
+cat >one.ini <<'END'
+[study]
+case = alone.ini
+results = no
+output = one
+[random]
+draws = 64
+contact.mean_speed = uniform 1 m/s to 3 m/s
+END
+expect 0 "$OVERROLL" sweep one.ini -q
+expect 0 "$OVERROLL" sweep one.ini --statistics
+[ "$(grep -c '^mean_speed  *1.0 (1.0 to 1.0) ' out)" -eq 2 ] ||
+    fail "$(cat out)"
+expect 0 "$OVERROLL" sweep one.ini --statistics --json
+grep '"share_high": [^1]' out && fail 'an interval without 1'
+true

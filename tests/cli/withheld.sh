@@ -49,6 +49,14 @@ contains out '^energy balance error +[-0-9.e]+ *$'
 expect 0 "$OVERROLL" steady mixed.ini --set boundary.friction=0.1 --json
 contains out '^  "power_in": 2\.[0-9]'
 
+# Shear stress over pressure is that of the oil, whatever the metal's friction.
+for mu in 0 0.3; do
+    expect 0 "$OVERROLL" steady mixed.ini --set boundary.friction=$mu --json
+    number shear_over_pressure >shear.$mu
+done
+awk '{ exit !($1 > 0 && $1 < 0.1) }' shear.0 || fail "shear $(cat shear.0)"
+cmp -s shear.0 shear.0.3 || fail "shear $(cat shear.0 shear.0.3)"
+
 # A Newtonian film that slides: friction no oil has, so no power of it.
 expect 0 "$OVERROLL" init gear --set gear.teeth_1=25 --set gear.teeth_2=57 \
     --set gear.module=2.5mm --set gear.torque=200N.m --set gear.speed=2000rpm \
@@ -98,6 +106,10 @@ contains out '^equivalent raceway length'
 expect 0 "$OVERROLL" run life.ini --set 'contact.bearable_pressure=8 GPa' \
     --set time.end=2
 contains out '^life +not given: no material point passes .* later time.end'
+expect 0 "$OVERROLL" run life.ini --set 'body 1.material=steel' \
+    --set 'body 2.material=steel' --set time.end=2
+contains out '^yielding volume share +unknown: no material point passed the '
+! grep -E '[ (]nan' out || fail 'nan in a report of stresses'
 
 # A film thinner than molecules
 cat >thin.ini <<'END'
@@ -112,3 +124,22 @@ alpha = 15 1/GPa
 END
 "$OVERROLL" steady thin.ini >out 2>err
 contains err 'minimum film thickness of 0\.[0-9]+ nm .* below the size of lubr'
+contains err 'the surfaces touch there, see .boundary.'
+
+# [boundary] and [plastic] are not advised where they are on.
+cat thin.ini - >touching.ini <<'END'
+[boundary]
+law = exponential
+Rq = 0.01 um
+slope = 0.01
+END
+expect 0 "$OVERROLL" steady touching.ini
+! grep 'see .boundary.' err || fail '[boundary] is on, and advised'
+expect 0 "$OVERROLL" init indented --set domain.level=5 \
+    --set contact.bearable_pressure=1GPa --set plastic.passes=1 -o indented.ini
+expect 0 "$OVERROLL" run indented.ini -o indented.h5
+contains err 'exceeds bearable_pressure = 1 GPa$'
+! grep 'would yield' err || fail '[plastic] is on, and advised'
+sed '/^.plastic/,/^$/d' indented.ini >elastic.ini
+expect 0 "$OVERROLL" run elastic.ini -o elastic.h5
+contains err 'exceeds bearable_pressure = 1 GPa: the body would yield; see .pla'
