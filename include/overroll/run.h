@@ -371,7 +371,8 @@ OVR_API const ovr_table_column *ovr_table_at(const ovr_table *table, size_t k);
 
 /* A column of several passes that people read; these go from left to right. */
 typedef struct ovr_pass_head {
-    const char *text;           /* short */
+    const char *text; /* "central" */
+    char name[160];   /* "central film thickness, mean over the pass" */
     const ovr_table_column *of; /* NULL: not known of these passes */
 } ovr_pass_head;
 

@@ -524,8 +524,9 @@ static int run(cli_call *call)
 
 static const cli_option options[] = {
     {"oil", "NAME", "paper, vg32, vg68, vg100, vg220", false},
-    {"o", "FILE", "write it there, not on standard output", false},
-    {"set", "KEY=VALUE", "put a value in, e.g. gear.module=3mm", true},
+    {"o", "FILE", "output file (default: standard output)", false},
+    {"set", "KEY=VALUE", "change a value of the case, e.g. gear.module=3mm",
+     true},
     {"force", NULL, "replace an existing file", false},
     {0}};
 
@@ -534,14 +535,19 @@ const cli_verb cli_init = {
     .arguments = "[KIND] [--set KEY=VALUE]... [-o FILE]",
     .summary = "write a commented case to start from",
     .help =
-        "Kinds: roller (a dented raceway), gear (a pair of teeth by its "
-        "drawing), cam\n(with a flat follower), bearing (the rollers that one "
-        "point meets), indented (a\nraceway that yields), coated (discs of "
-        "which "
-        "one has a layer), numbers (M and\nL), starved (several passes with "
-        "little oil), discs (a twin-disc machine), hot\n(the same with "
-        "heat), strip (round dent).\n"
-        "--set puts a value in: init gear --set gear.module=3mm.",
+        "Kinds of cases:\n"
+        "  roller     raceway with a dent (default)\n"
+        "  gear       tooth pair of a spur gear, from the drawing\n"
+        "  cam        cam with a flat follower\n"
+        "  bearing    roller positions met by a raceway point\n"
+        "  indented   raceway with plastic deformation below a dent\n"
+        "  coated     discs, one of them coated\n"
+        "  numbers    Moes' numbers M and L\n"
+        "  starved    several passes with a limited lubricant supply\n"
+        "  discs      twin-disc machine\n"
+        "  hot        twin-disc machine with heat\n"
+        "  strip      round dent, film that varies across rolling\n"
+        "--set changes a value of the case: init gear --set gear.module=3mm.",
     .options = options,
     .minimum = 0,
     .maximum = 1,

@@ -116,20 +116,31 @@ static void put_text(const ovr_table_column *c, size_t row)
     cli_put_foreign(c && c->text ? c->text[row] : NULL);
 }
 
+/* The k-th column from `*at` on that is known of a pass; false past the end. */
+static bool next_known(const ovr_table *t, size_t *at, ovr_pass_head *head)
+{
+    while (ovr_table_pass_head(t, (*at)++, head))
+        for (size_t i = 0; head->of && i < ovr_table_rows(t); i++)
+            if (isfinite(head->of->number[i]))
+                return true;
+    return false;
+}
+
+/* Prints the rows, and the full names of the columns. */
 static void print_table(const char *path, const ovr_table *t)
 {
     ovr_pass_head head;
     printf("%s: %zu passes\n\n%4s", path, ovr_table_rows(t), "pass");
-    for (size_t k = 0; ovr_table_pass_head(t, k, &head); k++)
+    for (size_t k = 0; next_known(t, &k, &head);)
         printf(" %11s", head.text);
     printf("  file\n%4s", "");
-    for (size_t k = 0; ovr_table_pass_head(t, k, &head); k++)
-        printf(" %11s", head.of && *head.of->unit ? head.of->unit : "1");
+    for (size_t k = 0; next_known(t, &k, &head);)
+        printf(" %11s", *head.of->unit ? head.of->unit : "1");
     putchar('\n');
     for (size_t i = 0; i < ovr_table_rows(t); i++) {
         printf("%4zu", i + 1);
-        for (size_t k = 0; ovr_table_pass_head(t, k, &head); k++)
-            if (head.of && isfinite(head.of->number[i]))
+        for (size_t k = 0; next_known(t, &k, &head);)
+            if (isfinite(head.of->number[i]))
                 printf(" %11.5g", head.of->number[i]);
             else
                 printf(" %11s", "-");
@@ -139,6 +150,9 @@ static void print_table(const char *path, const ovr_table *t)
         put_text(named(t, "status"), i);
         putchar('\n');
     }
+    putchar('\n');
+    for (size_t k = 0; next_known(t, &k, &head);)
+        printf("%-11s %s\n", head.text, head.name);
 }
 
 static void print_json(const char *path, const ovr_table *t)

@@ -33,8 +33,8 @@ typedef struct drawing {
 
 /* ----------------------------------------------------------------- choosing */
 
-/* Makes the axis title of full name and unit.  Lengths are drawn in um and
- * pressures in GPa.  Commands of gnuplot, '_' and '^', are escaped. */
+/* Makes the axis title of full name, symbol and unit.  Lengths are drawn in um
+ * and pressures in GPa.  Commands of gnuplot, '_' and '^', are escaped. */
 static void choose_axis(drawing *d)
 {
     const char *key = d->row[0]->quantity, *at;
@@ -42,7 +42,8 @@ static void choose_axis(drawing *d)
     const char *unit = name.unit;
     bool named = strcmp(name.text, key) != 0;
     size_t size = strlen(key), used = 0, text = strlen(name.text);
-    size_t ending = 0;
+    size_t ending = 0, length;
+    const char *symbol;
     char title[sizeof name.text + 40];
     d->factor = 1;
     if (size > 2 && !strcmp(key + size - 2, "_m")) {
@@ -54,15 +55,16 @@ static void choose_axis(drawing *d)
         unit = "GPa";
         ending = 3;
     }
-    snprintf(title, sizeof title, "%.*s%s%s%s",
-             (int)(named ? text : text - ending), name.text, *unit ? " (" : "",
-             unit, *unit ? ")" : "");
+    symbol = ovr_name_symbol(name.text, &length);
+    snprintf(title, sizeof title, "%.*s", (int)(named ? length : text - ending),
+             name.text);
     for (at = title; *at && used + 2 < LABEL; at++) {
         if (*at == '_' || *at == '^')
             d->label[used++] = '\\';
         d->label[used++] = *at;
     }
-    d->label[used] = '\0';
+    snprintf(d->label + used, LABEL - used, "%s%s%s%s%s", symbol ? ", " : "",
+             symbol ? symbol : "", *unit ? " (" : "", unit, *unit ? ")" : "");
 }
 
 /* The rows of the quantity, a group each. */
@@ -210,7 +212,8 @@ static void add_inputs(drawing *d, ovr_panel *tornado, ovr_panel *shares)
     for (size_t k = 0; k < n; k++) {
         double y = (double)(n - k);
         char label[LABEL];
-        snprintf(label, LABEL, "%.120s, rho %+.2f", in[k]->key, in[k]->rho);
+        snprintf(label, LABEL, "%.120s, rho %+.2f",
+                 ovr_key_named(in[k]->key).text, in[k]->rho);
         ovr_panel_line(
             tornado, d->arena, in[k]->lowest * d->factor,
             in[k]->highest * d->factor, y, y,
@@ -226,7 +229,7 @@ static void add_inputs(drawing *d, ovr_panel *tornado, ovr_panel *shares)
     }
     tornado->y_from = shares->y_from = 0.4;
     tornado->y_to = shares->y_to = (double)n + 0.6;
-    tornado->y_label = shares->y_label = "";
+    tornado->y_label = shares->y_label = "number of the input";
 }
 
 static ovr_status draw(drawing *d)
@@ -249,8 +252,8 @@ static ovr_status draw(drawing *d)
         panel[k].x_to = d->high + margin;
         panel[k].y_to = k ? 100 : 1.08 * maximum;
     }
-    panel[2].note = "mean where the input is lowest and highest";
-    panel[3].note = "share of the variance, with 95 %";
+    panel[2].note = "mean at the lowest and highest values of the input";
+    panel[3].note = "share of the variance with 95 % confidence interval";
     panel[3].x_label = "share of the variance";
     panel[3].x_from = 0;
     panel[3].x_to = 1;

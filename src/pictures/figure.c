@@ -315,7 +315,7 @@ static void put_plain(char *to, size_t capacity, const char *name, size_t size)
         if (c == '_')
             used += (size_t)snprintf(to + used, capacity - used, "\\_");
         else if ((c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') ||
-                 (c >= 'A' && c <= 'Z') || strchr(" .-/%", c) ||
+                 (c >= 'A' && c <= 'Z') || strchr(" .-/%',", c) ||
                  (unsigned char)c >= 0x80)
             to[used++] = c, to[used] = '\0';
     }
@@ -352,16 +352,23 @@ static const char *unit_written(const figure *f, const ovr_table_column *c,
     return unit;
 }
 
-/* "minimum film thickness (um)"; of a key the first `size` characters. */
+/* "minimum film thickness (um)", "reduced radius, R (mm)"; of a quantity
+ * without a name the first `size` characters of its key. */
 static void title_axis(axis *a, const ovr_table_column *c, size_t size)
 {
-    const ovr_quantity_name name = ovr_quantity_named(c->varied ? "" : c->name);
+    const ovr_quantity_name name = c->varied ? ovr_key_named(c->name)
+                                             : ovr_quantity_named(c->name);
+    size_t length;
+    const char *symbol = ovr_name_symbol(name.text, &length);
     if (!*a->unit)
         snprintf(a->unit, sizeof a->unit, "%s", printed(name.unit));
-    if (c->varied || !strcmp(name.text, c->name))
+    if (!c->varied && !strcmp(name.text, c->name))
         put_plain(a->label, LABEL, c->name, size);
     else
-        put_plain(a->label, LABEL, name.text, strlen(name.text));
+        put_plain(a->label, LABEL, name.text, length);
+    if (symbol)
+        snprintf(a->label + strlen(a->label), LABEL - strlen(a->label), ", %s",
+                 symbol);
     if (*a->unit) {
         snprintf(a->label + strlen(a->label), LABEL - strlen(a->label), " (");
         put_plain(a->label, LABEL, a->unit, strlen(a->unit));
@@ -433,8 +440,12 @@ static void name_group(const figure *f, const groups *g, size_t which,
     for (size_t k = 0; k < g->keys && used + 140 < capacity; k++) {
         const ovr_table_column *c = g->key[k];
         axis a = axis_of(f, c, fabs(c->number[row]));
+        const ovr_quantity_name name = ovr_key_named(c->name);
+        size_t length;
+        ovr_name_symbol(name.text, &length);
         used += (size_t)snprintf(text + used, capacity - used,
-                                 "%s%.60s = ", used ? ", " : "", c->name);
+                                 "%s%.*s = ", used ? ", " : "",
+                                 length < 60 ? (int)length : 60, name.text);
         if (isfinite(c->number[row]))
             used += (size_t)snprintf(text + used, capacity - used,
                                      "%.6g%s%.20s", c->number[row] * a.factor,
@@ -503,12 +514,14 @@ static bool make_line(const figure *f, size_t first, size_t end,
 static void name_band(const figure *f, char *text, size_t capacity)
 {
     const ovr_table_column *c;
-    size_t used = (size_t)snprintf(text, capacity, "band: least to most of");
+    size_t used = (size_t)snprintf(text, capacity,
+                                   "band: minimum to maximum over");
     bool any = false;
     for (size_t k = 0; (c = ovr_table_at(f->t, k)) && used + 70 < capacity; k++)
         if (c->varied && !is_told(f, c)) {
             used += (size_t)snprintf(text + used, capacity - used, "%s %.60s",
-                                     any ? "," : "", c->name);
+                                     any ? "," : "",
+                                     ovr_key_named(c->name).text);
             any = true;
         }
 }

@@ -9,7 +9,7 @@
 enum { CELLS_X = 420 };
 
 const char ovr_material_place[] =
-    "position in the material (b), trailing side at "
+    "position in the material, {/Symbol x} ({/:Italic b}), trailing side at "
     "the left";
 
 bool ovr_material_find(ovr_material_group *m, const char *group, int surface,

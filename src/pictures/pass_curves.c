@@ -1,7 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Several passes: film above, meniscus below, against the number of the pass.
- */
+/* Several passes: film thickness, and inlet meniscus or rim heights, against
+ * the pass number. */
 #include <math.h>
+#include <stdio.h>
+#include <string.h>
 
 #include "base/given.h"
 #include "pictures/axis.h"
@@ -45,6 +47,27 @@ static ovr_status add_lines(const ovr_table *t, const line *lines, size_t count,
     return OVR_OK;
 }
 
+static bool is_known(const ovr_table *t, const char *name)
+{
+    const ovr_table_column *c = ovr_table_named(t, name);
+    for (size_t i = 0; c && i < ovr_table_rows(t); i++)
+        if (isfinite(c->number[i]))
+            return true;
+    return false;
+}
+
+/* "rim height (um)" of "film thickness, h (um)". */
+static const char *name_rims(const char *label, ovr_arena *arena,
+                             ovr_error *err)
+{
+    enum { CAPACITY = 120 };
+    const char *unit = strrchr(label, '(');
+    char *text = ovr_arena_take(arena, CAPACITY, 1, err);
+    if (text)
+        snprintf(text, CAPACITY, "rim height %.80s", unit ? unit : "");
+    return text ? text : label;
+}
+
 /* No features: minimum and mean film thickness are equal. */
 static bool is_steady(const ovr_table *t)
 {
@@ -62,11 +85,17 @@ static ovr_status draw(const void *table, const ovr_figure_options *o,
 {
     const ovr_table *t = table;
     static const line films[] = {
-        {"central_film_thickness", "central film, mean", OVR_AMBER},
-        {"min_film_thickness", "minimum film", OVR_BLUE},
-        {"least_central_film_thickness", "central film, least", OVR_RED}};
+        {"central_film_thickness", "central film thickness, mean", OVR_AMBER},
+        {"min_film_thickness", "minimum film thickness", OVR_BLUE},
+        {"least_central_film_thickness", "central film thickness, minimum",
+         OVR_RED}};
     static const line menisci[] = {
         {"meniscus", "inlet meniscus position", OVR_STEEL}};
+    static const line rims[] = {
+        {"shoulder_height_leading", "leading rim height", OVR_BLUE},
+        {"shoulder_height_trailing", "trailing rim height", OVR_RED}};
+    bool starved = is_known(t, menisci[0].name);
+    bool dented = !starved && is_known(t, rims[0].name);
     double rows = (double)ovr_table_rows(t);
     ovr_panel panel[2];
     ovr_status status;
@@ -79,13 +108,17 @@ static ovr_status draw(const void *table, const ovr_figure_options *o,
     ovr_chart chart = {.kind = "passes",
                        .width = 960,
                        .height = 720,
-                       .rows = 2,
+                       .rows = starved || dented ? 2 : 1,
                        .columns = 1,
                        .share_x = true,
                        .panel = panel};
     status = add_lines(t, films, is_steady(t) ? 2 : 3, OVR_KIND_HEIGHT,
                        &panel[0], arena, err);
-    if (!status)
+    if (!status && dented)
+        status = add_lines(t, rims, 2, OVR_KIND_HEIGHT, &panel[1], arena, err);
+    if (!status && dented)
+        panel[1].y_label = name_rims(panel[1].y_label, arena, err);
+    if (!status && starved)
         status = add_lines(t, menisci, 1, OVR_KIND_LENGTH, &panel[1], arena,
                            err);
     return status ? status : ovr_figure_draw(&chart, o, arena, err);

@@ -173,6 +173,58 @@ ovr_quantity_name ovr_quantity_named(const char *key)
     return name;
 }
 
+ovr_quantity_name ovr_key_named(const char *key)
+{
+    static const char *const names[][2] = {
+        {"M", "Moes' load number M"},
+        {"L", "Moes' lubricant number L"},
+        {"lambda", "dimensionless speed parameter"},
+        {"alphabar", "alpha p_h"},
+        {"hertz_pressure", "maximum Hertzian pressure p_h"},
+        {"radius", "reduced radius R"},
+        {"modulus", "reduced modulus E'"},
+        {"viscosity", "viscosity eta0"},
+        {"alpha", "pressure-viscosity coefficient alpha"},
+        {"mean_speed", "entrainment speed u_m"},
+        {"speed_1", "speed of surface 1"},
+        {"speed_2", "speed of surface 2"},
+        {"slide_to_roll", "slide-to-roll ratio"},
+        {"Rq", "root mean square roughness Rq"},
+        {"limiting_shear", "limiting shear stress coefficient"},
+        {"iso_vg", "ISO viscosity grade"},
+        {"level", "grid level"}};
+    ovr_quantity_name name = {.unit = ""};
+    snprintf(name.text, sizeof name.text, "%.199s", key);
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+        if (!strcmp(key, names[k][0])) {
+            snprintf(name.text, sizeof name.text, "%s", names[k][1]);
+            return name;
+        }
+    for (char *c = name.text; *c; c++)
+        if (*c == '_' || *c == '.')
+            *c = ' ';
+    return name;
+}
+
+const char *ovr_name_symbol(const char *name, size_t *length)
+{
+    static const char *const symbols[][2] = {
+        {" p_h", "{/:Italic p}_h"}, {" u_m", "{/:Italic u}_m"},
+        {" eta0", "{/Symbol h}_0"}, {" alpha", "{/Symbol a}"},
+        {" E'", "{/:Italic E}'"},   {" M", "{/:Italic M}"},
+        {" L", "{/:Italic L}"},     {" R", "{/:Italic R}"},
+        {" b", "{/:Italic b}"},     {" Rq", "{/:Italic Rq}"}};
+    size_t size = strlen(name);
+    for (size_t k = 0; k < sizeof symbols / sizeof *symbols; k++) {
+        *length = size - strlen(symbols[k][0]);
+        if (size > strlen(symbols[k][0]) &&
+            !strcmp(name + *length, symbols[k][0]))
+            return symbols[k][1];
+    }
+    *length = size;
+    return NULL;
+}
+
 /* "N/m" stands as "_N_per_m" at the end of a key, "1/Pa" as "_per_Pa". */
 static bool ends_in(const char *key, const char *si)
 {

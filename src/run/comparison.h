@@ -34,4 +34,12 @@ typedef struct ovr_quantity_name {
 } ovr_quantity_name;
 ovr_quantity_name ovr_quantity_named(const char *key);
 
+/* The full name of a key of the case in a table ("slide-to-roll ratio" of
+ * "slide_to_roll"); of other keys their words, without underscores. */
+ovr_quantity_name ovr_key_named(const char *key);
+
+/* Returns the symbol with which a full name ends ("p_h"), in the markup of
+ * gnuplot, and in *length the length of the name before it; NULL: no symbol. */
+const char *ovr_name_symbol(const char *name, size_t *length);
+
 #endif

@@ -155,7 +155,8 @@ bool ovr_table_pass_head(const ovr_table *table, size_t k, ovr_pass_head *to)
                 last = c.place;
             if (c.place != place || !is_in(table, c.with) || k-- > 0)
                 continue;
-            *to = (ovr_pass_head){c.head, named(table, c.name)};
+            *to = (ovr_pass_head){.text = c.head, .of = named(table, c.name)};
+            snprintf(to->name, sizeof to->name, "%s", c.long_name);
             return true;
         }
     return false;

@@ -66,7 +66,7 @@ done
 contains study.gp "x_label.* = \['load .kN/m.'\]"
 contains study.gp "y_label.* = .'minimum film thickness at a node .b²/R.'"
 for label in 0.05 0.1; do
-    contains study.gp "Rq = $label µm"
+    contains study.gp "root mean square roughness = $label µm"
 done
 contains study.gp "mark.*'band'"
 
@@ -88,7 +88,7 @@ expect 0 "$OVERROLL" plot study.ini --quantity min_film_m --against Rq \
     --lines none --panels none --log x -o other.svg --script other.gp
 contains other.gp "y_label.* = .'minimum film thickness at a node .(nm|µm).'"
 contains other.gp 'log_x.* = \[1\]'
-contains other.gp 'band: least to most of load, seed'
+contains other.gp 'band: minimum to maximum over load, seed'
 refuses "no key of the study 'depth'; there are load, Rq, seed" \
     plot study.ini --against depth -o x.svg
 refuses "no quantity 'film'; .*there are .*H_min" \
@@ -105,7 +105,7 @@ refuses 'not an HDF5 file' plot no.nc -o x.svg
 expect 0 "$OVERROLL" plot study.ini -o plain.svg --script plain.gp
 contains plain.gp "^title = 'study'"
 contains plain.gp 'minimum film thickness over the run .(nm|µm).'
-contains plain.gp "label.*'band: least to most of seed'"
+contains plain.gp "label.*'band: minimum to maximum over seed'"
 
 # Against a seed: a histogram of all cases in %, and quantiles.
 expect 0 "$OVERROLL" plot study.ini --quantity H_min --against seed \
@@ -163,16 +163,16 @@ END
 expect 0 "$OVERROLL" sweep speeds.ini -q
 expect 0 "$OVERROLL" plot speeds.ini --against turning -o zip.svg \
     --script zip.gp
-contains zip.gp "x_label.* = \['speed._2 .rpm.'"
-contains zip.gp "note.* = \['viscosity = 20 mPa.s, level = 4', "
+contains zip.gp "x_label.* = \['speed of surface 2 .rpm.'"
+contains zip.gp "note.* = \['viscosity = 20 mPa.s, grid level = 4', "
 contains zip.gp 'x_from.* = \[920\.'
 grep -q 'band:' zip.gp && fail 'a band that no seed makes'
 expect 0 "$OVERROLL" plot speeds.ini --lines turning -o lines.svg
-contains lines.svg 'speed_2 = 3000 rpm'
+contains lines.svg 'speed of surface 2 = 3000 rpm'
 expect 0 "$OVERROLL" sweep speeds.ini --collect speeds.nc -q
 expect 0 "$OVERROLL" plot speeds.nc --against speed_1 -o rpm.svg \
     --script rpm.gp
 expect 0 "$OVERROLL" plot speeds.nc --against turning -o turning.svg
-contains rpm.gp "x_label.* = \['speed._1 .rpm.'"
+contains rpm.gp "x_label.* = \['speed of surface 1 .rpm.'"
 refuses "no key of the study 'wheels'; there are .*speed_1, turning, speed_2" \
     plot speeds.ini --against wheels -o x.svg

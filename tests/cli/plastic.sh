@@ -155,7 +155,12 @@ fi
 # contact; killed between two of them, the same end.
 expect 0 "$OVERROLL" run plastic.ini -o passes.h5 -q --set plastic.passes=3
 expect 0 "$OVERROLL" info passes.h5
-contains out 'trailing'
+contains out '^trailing +trailing rim height, at the end of the pass'
+grep -q meniscus out && fail 'a column without a number is listed'
+if command -v gnuplot >/dev/null; then
+    expect 0 "$OVERROLL" plot passes.h5 -o passes.svg
+    contains passes.svg 'rim height '
+fi
 expect 0 "$PYTHON" - <<'END'
 import h5py
 g = [h5py.File(n)["plastic/surface_1"] for n in

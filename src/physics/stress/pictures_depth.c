@@ -358,15 +358,23 @@ static void turn_over(double *cells)
         }
 }
 
-/* "maximum shear stress (p_h)", "von Mises stress (p_h)" */
+/* "normal stress, sigma_x (p_h)", with the markup of gnuplot. */
 static void put_label(const ovr_depth_field *f, char *label, size_t capacity)
 {
-    snprintf(label, capacity, "%s (p_h)",
-             f->which == OVR_STRESS_MAX_SHEAR ? "maximum shear stress"
-                                              : f->name);
-    for (char *c = label; *c; c++)
-        if (*c == '_' && c[1] != 'h')
-            *c = ' ';
+    static const char *const names[][2] = {
+        {"max_shear", "maximum shear stress"},
+        {"von_mises", "von Mises stress"},
+        {"tresca", "Tresca stress"},
+        {"hydrostatic", "hydrostatic stress"},
+        {"sigma_x", "normal stress, {/Symbol s}_x"},
+        {"sigma_y", "normal stress, {/Symbol s}_y"},
+        {"sigma_z", "normal stress, {/Symbol s}_z"},
+        {"tau_xz", "shear stress, {/Symbol t}_{xz}"}};
+    const char *name = f->name;
+    for (size_t k = 0; k < sizeof names / sizeof *names; k++)
+        if (!strcmp(f->name, names[k][0]))
+            name = names[k][1];
+    snprintf(label, capacity, "%s ({/:Italic p}_h)", name);
 }
 
 static ovr_image image_of(const ovr_depth_field *f, double worst,

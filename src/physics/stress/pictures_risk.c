@@ -200,7 +200,7 @@ static ovr_status risk_panel(const history *h, ovr_panel *panel, ovr_error *err)
         v[k] = fmax(h->risk[k] / h->risk_smooth, 1e-3);
         low = fmin(low, v[k]), high = fmax(high, v[k]);
     }
-    line_panel(h, "risk / smooth", v, OVR_MARK_LINE, panel);
+    line_panel(h, "relative risk", v, OVR_MARK_LINE, panel);
     panel->log_y = true;
     panel->y_from = pow(10, floor(log10(low)));
     panel->y_to = pow(10, ceil(log10(fmax(high, 2))));
@@ -214,9 +214,9 @@ static void describe_worst(const history *h, char *note, size_t capacity)
     const ovr_stored *run = h->in.run;
     bool shallow = ovr_stored_unresolved(run, -1, h->worst_z) != NULL;
     size_t used = (size_t)snprintf(note, capacity,
-                                   "maximum R = %.3g p_h at x = %.3g b, z = "
-                                   "%.3g b%s; smooth %.3g; from %.3g b "
-                                   "down",
+                                   "maximum R = %.3g p_h at xi = %.3g b, z = "
+                                   "%.3g b%s; smooth contact %.3g p_h; from "
+                                   "%.3g b down",
                                    h->worst, h->worst_xi, h->worst_z,
                                    shallow ? ", not resolved" : "",
                                    largest_smooth(h), h->minimum);
@@ -247,7 +247,7 @@ ovr_status ovr_draw_risk(const ovr_drawing *drawing, ovr_chart *chart,
     if (h.life && h.risk_smooth > 0 && risk_panel(&h, &panel[rows++], err))
         return OVR_NO_MEMORY;
     describe_worst(&h, note, NOTE);
-    chart->subtitle = note;
+    panel[h.S ? 1 : 0].note = note;
     chart->rows = rows;
     chart->panel = panel;
     return OVR_OK;
@@ -293,9 +293,9 @@ static double *worst_at_depths(const history *h, ovr_error *err)
 static size_t depth_panels(const history *h, const double *worst,
                            ovr_panel *panel)
 {
-    panel[0] = depth_panel(h, "{/:Italic R} (p_h)", 0);
-    add_over_depth(h, &panel[0], worst,
-                   "maximum shear path radius, {/:Italic R} ({/:Italic p}_h)",
+    panel[0] = depth_panel(
+        h, "shear path radius, {/:Italic R} ({/:Italic p}_h)", 0);
+    add_over_depth(h, &panel[0], worst, "maximum over all material points",
                    OVR_RED, OVR_MARK_LINE);
     add_over_depth(h, &panel[0], h->smooth, "smooth contact", OVR_STEEL,
                    OVR_MARK_DASHED);
@@ -303,8 +303,8 @@ static size_t depth_panels(const history *h, const double *worst,
         return 1;
     panel[1] = depth_panel(h, "equivalent length ({/:Italic b})", NAN);
     add_over_depth(h, &panel[1], h->length,
-                   "equivalent length from this depth downward ({/:Italic b})",
-                   OVR_BLUE, OVR_MARK_LINE);
+                   "equivalent length from this depth downward", OVR_BLUE,
+                   OVR_MARK_LINE);
     return 2;
 }
 

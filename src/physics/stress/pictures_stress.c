@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "physics/stress/pictures_depth.h"
+#include "pictures/axis.h"
 #include "pictures/picture.h"
 #include "pictures/snapshot.h"
 
@@ -29,19 +30,24 @@ ovr_status ovr_stress_panel_add(ovr_depth_field *f, const ovr_shot *shot,
     enum { NOTE = 400 };
     char *note = ovr_arena_take(arena, NOTE, 1, err);
     ovr_panel *panel = &to->panel[to->chart.rows];
+    ovr_axis x;
+    const char *unit;
     if (!note)
         return OVR_NO_MEMORY;
-    if (ovr_depth_field_solve(f, shot->k, err) ||
+    if (ovr_axis_make(OVR_KIND_LENGTH, f->run->result, look->options->units,
+                      f->x_to, &x, err) ||
+        ovr_depth_field_solve(f, shot->k, err) ||
         ovr_depth_field_panel(f, look->options->units, panel, arena, err))
         return OVR_BAD_INPUT;
     to->chart.rows++;
+    unit = *x.unit ? x.unit : "b";
     bool unresolved = ovr_stored_unresolved(f->run, (ptrdiff_t)shot->k,
                                             f->worst.Z);
     snprintf(note, NOTE,
-             "maximum %.3g p_h at x = %.3g b, z = %.3g b%s; smooth contact "
+             "maximum %.3g p_h at x = %.3g %s, z = %.3g %s%s; smooth contact "
              "%.3g p_h%s",
-             f->worst.value, f->worst.X, f->worst.Z,
-             unresolved ? ", not resolved" : "", f->smooth,
+             f->worst.value, f->worst.X * x.factor, unit, f->worst.Z * x.factor,
+             unit, unresolved ? ", not resolved" : "", f->smooth,
              f->traction == 0 ? "" : "; with traction");
     panel->note = note;
     return OVR_OK;
