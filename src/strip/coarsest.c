@@ -92,12 +92,13 @@ static size_t find_unknowns(const ovr_strip_level *level, int *place)
     return count;
 }
 
-static void fill_row(const ovr_strip *strip, const int *place, size_t count,
-                     size_t r, double *row)
+/* Fills row r of the matrix; `film` has the nodes of the grid. */
+static void fill_row(const ovr_strip *strip, size_t count, size_t r,
+                     double *film, double *row)
 {
+    const int *place = strip->unknown;
     const ovr_strip_level *level = &strip->level[0];
     const size_t lines = level->grid.lines;
-    double *film = strip->work;
     size_t i = (size_t)place[r] / lines, j = (size_t)place[r] % lines;
     stencil s = stencil_at(level, i, j);
     double by_H0 = 0;
@@ -138,6 +139,26 @@ static double apply(ovr_strip *strip, size_t count, bool shortened)
     return largest;
 }
 
+static size_t stride_of(size_t unknowns)
+{
+    return (unknowns + 8 + 7) / 8 * 8;
+}
+
+/* Arguments of the pass that fills the matrix. */
+typedef struct filling {
+    const ovr_strip *strip;
+    size_t count;
+} filling;
+
+static void fill_rows(void *data, int member, size_t from, size_t to)
+{
+    const filling *f = data;
+    double *film = ovr_strip_work_of(f->strip, member);
+    for (size_t r = from; r < to; r++)
+        fill_row(f->strip, f->count, r, film,
+                 f->strip->matrix + r * stride_of(f->count + 1));
+}
+
 double ovr_strip_newton(ovr_strip *strip, bool shortened)
 {
     ovr_strip_level *level = &strip->level[0];
@@ -145,9 +166,8 @@ double ovr_strip_newton(ovr_strip *strip, bool shortened)
     const ovr_strip_cycling any = ovr_strip_steady(&strip->fluid);
     ovr_strip_choose_nodes(strip, level, &any.smoothing);
     size_t count = find_unknowns(level, strip->unknown);
-    size_t m = count + 1, stride = (m + 8 + 7) / 8 * 8;
-    for (size_t r = 0; r < count; r++)
-        fill_row(strip, strip->unknown, count, r, strip->matrix + r * stride);
+    size_t m = count + 1, stride = stride_of(m);
+    ovr_team_run(&strip->team, count, fill_rows, &(filling){strip, count});
     double *last = strip->matrix + count * stride;
     for (size_t c = 0; c < count; c++)
         last[c] = 1;
