@@ -24,6 +24,7 @@
 #include "simulation/conflicts.h"
 #include "simulation/mirror.h"
 #include "simulation/steady.h"
+#include "strip/kernels.h"
 
 static const double STEP_TOLERANCE = 0.5, GUESS_SHARE = 1e-3, LOOSEST = 1e-2,
                     LOAD_TOLERANCE = 1e-4;
@@ -133,6 +134,38 @@ static void release(void *own)
 
 /* ---------------------------------------------------------------------- gap */
 
+/* Arguments of the loops that threads share. */
+typedef struct shared {
+    const ovr_simulation *sim;
+    ovr_strip_solver *s;
+    const ovr_strip_grid *grid;
+    double T;
+    ovr_smooth smooth;
+    double *to;
+} shared;
+
+/* Runs a loop over the rows of the finest grid, and returns the largest of the
+ * numbers that it left for each row. */
+static double largest_of(ovr_strip_solver *s, ovr_team_work *work, shared *data)
+{
+    double largest = -INFINITY;
+    ovr_strip_share(&s->strip, &ovr_strip_finest(s)->grid, s->n, work, data);
+    for (size_t i = 0; i < s->n; i++)
+        if (!(s->strip.sums[i] <= largest))
+            largest = s->strip.sums[i];
+    return largest;
+}
+
+static void add_heights(void *data, int member, size_t from, size_t to)
+{
+    const shared *d = data;
+    const ovr_strip_solver *s = d->s;
+    (void)member;
+    d->sim->shapes.across(d->sim->shapes.data, 0, d->T, to - from,
+                          s->along + from, d->grid->lines, s->located[0],
+                          d->grid->stride, d->to + from * d->grid->stride);
+}
+
 /* Heights of both surfaces at rows of a grid. */
 static void heights_at(const ovr_simulation *sim, double T,
                        const ovr_strip_grid *g, size_t n, double *S)
@@ -144,8 +177,8 @@ static void heights_at(const ovr_simulation *sim, double T,
         double *Y = s->located[0];
         for (size_t j = 0; j < g->lines; j++)
             Y[j] = s->Y[j * apart];
-        sim->shapes.across(sim->shapes.data, 0, T, n, s->along, g->lines, Y,
-                           g->stride, S);
+        shared d = {.sim = sim, .s = s, .grid = g, .T = T, .to = S};
+        ovr_strip_share(&s->strip, g, n, add_heights, &d);
         return;
     }
     ovr_surface_heights(sim, T, n, s->along, s->across);
@@ -172,34 +205,50 @@ static void gap_of(void *data, double T, const ovr_strip_grid *g,
         }
 }
 
+static void keep_lines(void *data, int member, size_t from, size_t to)
+{
+    const shared *d = data;
+    const ovr_strip_solver *s = d->s;
+    const ovr_strip_level *finest = ovr_strip_finest(s);
+    (void)member;
+    for (size_t j = from; j < to; j++)
+        for (size_t i = 0; i < s->n; i++)
+            s->S[j * s->n + i] =
+                ovr_smooth_at(&d->smooth, s->X[i]) -
+                finest->f.gap[ovr_strip_row(&finest->grid, i) + j];
+}
+
 /* Keeps the heights that belong to the gap at T. */
 static void keep_heights(const ovr_simulation *sim, ovr_strip_solver *s,
                          double T)
 {
-    const ovr_strip_level *finest = ovr_strip_finest(s);
-    const ovr_smooth smooth = ovr_simulation_smooth(sim, T);
-    if (!ovr_has_heights(sim))
-        return;
-    for (size_t j = 0; j < s->lines; j++)
-        for (size_t i = 0; i < s->n; i++)
-            s->S[j * s->n + i] =
-                ovr_smooth_at(&smooth, s->X[i]) -
-                finest->f.gap[ovr_strip_row(&finest->grid, i) + j];
+    shared d = {.s = s, .smooth = ovr_simulation_smooth(sim, T)};
+    if (ovr_has_heights(sim))
+        ovr_strip_share(&s->strip, &ovr_strip_finest(s)->grid, s->lines,
+                        keep_lines, &d);
 }
 
 /* --------------------------------------------------------------- the film */
 
-static double smallest_film(const ovr_strip_solver *s)
+/* -H where it is largest in each row; INFINITY where it is no number. */
+static void find_thinnest(void *data, int member, size_t from, size_t to)
 {
+    const ovr_strip_solver *s = ((const shared *)data)->s;
     const ovr_strip_level *finest = ovr_strip_finest(s);
-    double least = INFINITY;
-    for (size_t i = 0; i < s->n; i++) {
+    (void)member;
+    for (size_t i = from; i < to; i++) {
         const double *H = finest->f.H + ovr_strip_row(&finest->grid, i);
-        for (size_t j = 0; j < s->lines; j++)
+        double least = INFINITY;
+        for (size_t j = 0; j < s->lines && least > -INFINITY; j++)
             if (!(H[j] >= least))
-                least = H[j];
+                least = isnan(H[j]) ? -INFINITY : H[j];
+        s->strip.sums[i] = -least;
     }
-    return least;
+}
+
+static double smallest_film(ovr_strip_solver *s)
+{
+    return -largest_of(s, find_thinnest, &(shared){.s = s});
 }
 
 void ovr_strip_show(ovr_simulation *sim, const ovr_strip_solver *s, size_t j)
@@ -330,20 +379,42 @@ static void accept(ovr_simulation *sim, ovr_strip_solver *s, double next)
     s->mass[0] = mass_of(s);
 }
 
-/* Largest change of pressure and heights in the last step. */
-static double change_of(const ovr_simulation *sim, const ovr_strip_solver *s)
+static double largest_difference(size_t n, const double *a, const double *b)
 {
-    const ovr_strip_grid *g = &ovr_strip_finest(s)->grid;
     double largest = 0;
-    for (size_t i = 0; i < s->n; i++) {
-        const double *P = s->march.P[0] + ovr_strip_row(g, i);
-        const double *before = s->march.P[1] + ovr_strip_row(g, i);
-        for (size_t j = 0; j < s->lines; j++)
-            largest = fmax(largest, fabs(P[j] - before[j]));
+    for (size_t k = 0; k < n; k++) {
+        double d = fabs(a[k] - b[k]);
+        largest = d > largest ? d : largest;
     }
-    for (size_t k = 0; ovr_has_heights(sim) && k < s->n * s->lines; k++)
-        largest = fmax(largest, fabs(s->S[k] - s->S_before[k]));
     return largest;
+}
+
+static void find_changes(void *data, int member, size_t from, size_t to)
+{
+    const shared *d = data;
+    const ovr_strip_solver *s = d->s;
+    const ovr_strip_grid *g = &ovr_strip_finest(s)->grid;
+    (void)member;
+    for (size_t i = from; i < to; i++) {
+        size_t row = ovr_strip_row(g, i);
+        double *largest = &s->strip.sums[i];
+        *largest = largest_difference(s->lines, s->march.P[0] + row,
+                                      s->march.P[1] + row);
+        if (!d->sim)
+            continue;
+        /* As many heights, whichever: they are stored line after line. */
+        size_t k = i * s->lines;
+        double change = largest_difference(s->lines, s->S + k, s->S_before + k);
+        *largest = change > *largest ? change : *largest;
+    }
+}
+
+/* Largest change of pressure and heights in the last step. */
+static double change_of(const ovr_simulation *sim, ovr_strip_solver *s)
+{
+    return largest_of(
+        s, find_changes,
+        &(shared){.s = s, .sim = ovr_has_heights(sim) ? sim : NULL});
 }
 
 static bool advance(ovr_simulation *sim, ovr_strip_solver *s, double next,
