@@ -169,7 +169,7 @@ ovr_status ovr_strip_elastic_plan(ovr_strip_elastic *e, const ovr_strip_grid *g,
         ovr_strip_influence((double)m * wave, g->D, e->n, e->modes,
                             e->table + m);
     for (size_t d = 0; d < OVR_STRIP_NEAR && d < e->n; d++)
-        for (size_t line = 0; line < 2; line++)
+        for (size_t line = 0; line < OVR_STRIP_NEAR_LINES; line++)
             near->near[line][d] = at_lines(e, d, line);
     for (size_t d = 0; real_space && d < e->n; d++)
         for (size_t j = 0; j < 2 * e->lines; j++)

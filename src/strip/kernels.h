@@ -105,6 +105,9 @@ static inline size_t ovr_strip_work(const ovr_strip_grid *g)
     return solve > faces ? solve : faces;
 }
 
+/* Unknowns of a patch at most (spots.c). */
+enum { OVR_STRIP_SPOT = 49 };
+
 /* ------------------------------------------------------------------ passes.c
  */
 

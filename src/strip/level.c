@@ -67,6 +67,8 @@ static ovr_status take_coarsest(ovr_strip *strip, ovr_arena *arena,
 {
     const ovr_strip_grid *g = &strip->level[0].grid;
     size_t most = (g->n - 2) * g->lines + 1;
+    if (most < OVR_STRIP_SPOT)
+        most = OVR_STRIP_SPOT;
     strip->influence = ovr_field(arena, g->n * (2 * g->lines + 8), err);
     strip->deps_dH = ovr_field(arena, ovr_strip_size(g) + OVR_STRIP_HALO, err);
     strip->matrix = ovr_field(arena, most * (most + 16), err);

@@ -17,7 +17,8 @@
  *
  * Attempts: no single way to couple lines is best for all films.  Zebra needs
  * half the cycles of Jacobi for rough sliding at M = 20, but stalls at M = 5.
- * The later attempts start from the last film.
+ * Where cycles stall at few nodes, spots.c solves these.  The later attempts
+ * start from the last film.
  */
 #include "strip/march.h"
 
@@ -367,45 +368,110 @@ static void couple_otherwise(ovr_strip_smoothing *how)
     how->plain = how->zebra ? 1 : jacobi;
 }
 
-/* Cycles until R is below the tolerance; false if they do not get there.  The
- * first attempt couples lines the other way where two cycles reduce R by less
- * than a factor of 3, and later attempts end where eight cycles gain little. */
+/* State of the cycles of an attempt. */
+typedef struct progress {
+    ovr_strip_march *march;
+    ovr_strip_step *step;
+    ovr_strip_cycling how;
+    bool first;    /* attempt */
+    double enough; /* R that is to be reached */
+    double R, last[2];
+    double begun; /* R where the coupling was chosen, `since` cycles ago */
+    int since;
+    double rate[2]; /* of R a cycle with each coupling; 0: not known */
+} progress;
+
+/* Measures R; true if the film is solved. */
+static bool is_solved(progress *p)
+{
+    const double most = p->march->load;
+    ovr_strip_level *level = finest_of(p->march);
+    ovr_strip_defect d = ovr_strip_defect_of(p->march->strip, level);
+    p->step->imbalance = p->R = d.imbalance;
+    return ovr_strip_below(d, p->enough) && (!(most > 0) || d.load <= most);
+}
+
+/* Solves the nodes that have more than a hundredth of R by Newton's method;
+ * true if that solves the film. */
+static bool solve_spots(progress *p)
+{
+    enum { STEPS = 8 };
+    const double part = 0.01;
+    ovr_strip_level *level = finest_of(p->march);
+    const ovr_strip_grid *g = &level->grid;
+    for (int k = 0; k < STEPS; k++) {
+        double whole = p->R * ovr_strip_centre(level, level->f.H) *
+                       (double)g->lines / g->D;
+        if (!ovr_strip_spots(p->march->strip, level, &p->how.smoothing,
+                             part * whole))
+            return false;
+        if (is_solved(p))
+            return true;
+    }
+    return false;
+}
+
+/* Couples lines the other way if that reduces R faster or was not tried yet.
+ * Otherwise corrections are halved, or made whole again. */
+static void change_coupling(progress *p)
+{
+    const bool zebra = p->how.smoothing.zebra;
+    p->rate[zebra] = pow(p->R / p->begun, 1. / p->since);
+    if (p->rate[!zebra] < p->rate[zebra])
+        couple_otherwise(&p->how.smoothing);
+    else
+        p->how.correction = 1.5 - p->how.correction;
+    p->since = 0;
+    p->begun = p->R;
+}
+
+/* True if a cycle has reduced R too little, or has increased it. */
+static bool is_slow(const progress *p, int cycles)
+{
+    enum { PATIENCE = 4 };
+    return (p->since >= PATIENCE && p->R > 0.3 * p->last[1]) ||
+           (p->since >= 2 && cycles > 3 && p->R > 1.5 * p->last[0]);
+}
+
+/* Cycles until R is below the tolerance; false if they do not get there.  After
+ * the third cycle, Newton's method solves the spots where R stalls.  The first
+ * attempt changes the coupling of lines where cycles are slow.  Later attempts
+ * end where eight cycles gain little. */
 static bool cycle_until(ovr_strip_march *march, int attempt,
                         ovr_strip_step *step)
 {
-    enum { PATIENCE = 4, LONG = 8 };
+    enum { LONG = 8, FROM = 4 };
     const double hopeless = 1e7, slow = 0.5;
-    ovr_strip_cycling how = cycling_of(march, attempt);
-    ovr_strip_level *level = finest_of(march);
-    double R = ovr_strip_defect_of(march->strip, level).imbalance;
-    double enough = fmax(march->tolerance,
-                         fmin(march->share * R, march->loosest));
-    double last[2] = {R, R}, before = R;
-    for (int c = 1, since = 1; c <= settings[attempt].cycles; c++, since++) {
-        ovr_strip_cycle(march->strip, march->strip->finest, &how);
+    progress p = {.march = march,
+                  .step = step,
+                  .how = cycling_of(march, attempt),
+                  .first = !attempt};
+    is_solved(&p);
+    p.enough = fmax(march->tolerance, fmin(march->share * p.R, march->loosest));
+    p.last[0] = p.last[1] = p.begun = p.R;
+    double before = p.R;
+    for (int c = 1; c <= settings[attempt].cycles; c++) {
+        ovr_strip_cycle(march->strip, march->strip->finest, &p.how);
         step->cycles++;
-        ovr_strip_defect d = ovr_strip_defect_of(march->strip, level);
-        step->imbalance = R = d.imbalance;
-        march->strip->fluid.secants = attempt || !(R < slow * last[0]);
-        if (ovr_strip_below(d, enough) &&
-            (!(march->load > 0) || d.load <= march->load)) {
+        p.since++;
+        bool solved = is_solved(&p), stalls = !(p.R < slow * p.last[0]);
+        march->strip->fluid.secants = attempt || stalls;
+        if (!solved && !(p.R < hopeless))
+            return false;
+        if (p.first && !solved && is_slow(&p, c))
+            change_coupling(&p);
+        p.last[1] = p.last[0];
+        p.last[0] = p.R;
+        if (solved || (c >= FROM && stalls && solve_spots(&p))) {
             if (attempt < 2)
-                march->coupling = how.smoothing.zebra;
+                march->coupling = p.how.smoothing.zebra;
             return true;
         }
-        if (!(R < hopeless))
-            return false;
-        if (!attempt && since >= PATIENCE && R > 0.3 * last[1]) {
-            couple_otherwise(&how.smoothing);
-            since = 0;
-        }
         if (attempt && c % LONG == 0) {
-            if (R > before * 2 / 3)
+            if (p.R > before * 2 / 3)
                 return false;
-            before = R;
+            before = p.R;
         }
-        last[1] = last[0];
-        last[0] = R;
     }
     return false;
 }

@@ -38,7 +38,10 @@
 #include "overroll/error.h"
 #include "overroll/memory.h"
 
-enum { OVR_STRIP_HALO = 8, OVR_STRIP_LEVELS = 12, OVR_STRIP_NEAR = 8 };
+enum { OVR_STRIP_HALO = 8, OVR_STRIP_LEVELS = 12 };
+
+/* Rows and lines of the influence close by. */
+enum { OVR_STRIP_NEAR = 16, OVR_STRIP_NEAR_LINES = 8 };
 
 typedef struct ovr_strip_grid {
     size_t n;      /* nodes along X */
@@ -127,8 +130,8 @@ typedef struct ovr_strip_level {
     ovr_strip_weights weights;
     double force; /* target of D/lines sum P */
     ovr_strip_elastic elastic;
-    /* dH/dP at 0.. rows and 0, 1 lines away */
-    double near[2][OVR_STRIP_NEAR];
+    /* dH/dP at 0.. lines and rows away */
+    double near[OVR_STRIP_NEAR_LINES][OVR_STRIP_NEAR];
 } ovr_strip_level;
 
 /* Numbers of the relaxation (relax.kernel.c, ends.kernel.c). */
@@ -234,6 +237,12 @@ void ovr_strip_relax(ovr_strip *strip, ovr_strip_level *level,
  * would make, or -1 if the matrix is singular.  Changes of P are limited to
  * 0.3, if `shortened` by a shorter step. */
 double ovr_strip_newton(ovr_strip *strip, bool shortened);
+
+/* A Newton step on small patches about the nodes whose parts of the imbalance
+ * exceed `least` (spots.c); returns their number.  Film and flow are up to date
+ * before and after. */
+size_t ovr_strip_spots(ovr_strip *strip, ovr_strip_level *level,
+                       const ovr_strip_smoothing *how, double least);
 
 /* One FAS cycle from the given level down. */
 void ovr_strip_cycle(ovr_strip *strip, int number,

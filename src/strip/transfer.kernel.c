@@ -7,8 +7,11 @@
  *     r_c   full weighting of the residual of pressurized nodes
  *     gap_c = H_f + w_c(P_c) - H0, so that the film of P_c is the fine one
  *     F_c   = N_c(P_c) + r_c
- *     P_f  += bilinear (P_c - entry_c) where P_f > 0; negative results are set
- * to 0
+ *     P_f  += bilinear (P_c - entry_c) where P_f > 0; at least 0.2 P_f is kept
+ *
+ * A coarse grid cannot decide whether a pocket of few nodes is cavitated.  A
+ * correction that sets P to 0 there is reversed by the next relaxation, and R
+ * stalls.
  */
 #include "multigrid/vector.h"
 #include "strip/kernels.h"
@@ -123,7 +126,8 @@ void OVR_STRIP_KERNEL(coarse_side)(const ovr_strip_grid *g, ovr_part rows,
 
 static inline void add_to_wet(double factor, vec change, double *P)
 {
-    vec p = load(P), v = larger(all(0), fused(all(factor), change, p));
+    const double kept = 0.2;
+    vec p = load(P), v = larger(kept * p, fused(all(factor), change, p));
     store(P, choose(p > 0, v, p));
 }
 

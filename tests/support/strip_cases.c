@@ -149,7 +149,7 @@ void strip_survey_check(const strip_survey *found)
            (double)found->cycles / (double)found->steps, found->retries,
            found->flagged, found->broken);
     assert_int_equal(found->unsolved_steady, 0);
-    assert_true(found->broken * 20 <= found->cases);
+    assert_int_equal(found->broken, 0);
     assert_true(found->flagged * 1000 <= found->steps);
-    assert_true(found->retries * 100 <= 2 * found->steps);
+    assert_true(found->retries * 100 <= found->steps);
 }

@@ -17,11 +17,8 @@ typedef struct strip_survey {
 /* Solves the case of a seed on n nodes and prints a line about it. */
 void strip_survey_add(strip_survey *found, unsigned seed, size_t n);
 
-/* All steady films are solved.  At most two steps in 100 are tried again, one
- * in 1000 is flagged and one run in 20 ends early.  The aim is one step in 100,
- * one in 1000 and no run.  Newtonian roughness that slides at M = 42 and L = 20
- * (seed 7) takes all retries and the only flagged step of the first 20 cases.
- */
+/* All steady films are solved and no run ends early.  At most one step in 100
+ * is tried again, and one in 1000 is flagged. */
 void strip_survey_check(const strip_survey *found);
 
 #endif

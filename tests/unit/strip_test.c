@@ -148,6 +148,53 @@ TEST(solution_stays_in_a_cycle)
     }
 }
 
+/* Sum of |r| of the nodes up to `reach` rows and lines from a node. */
+static double residual_about(const test_strip *s, size_t i, size_t j,
+                             size_t reach)
+{
+    const ovr_strip_level *level = test_strip_finest(s);
+    const size_t lines = level->grid.lines;
+    double sum = 0;
+    for (size_t a = i - reach; a <= i + reach; a++)
+        for (size_t b = 0; b <= 2 * reach; b++)
+            sum += fabs(test_strip_at(s, level->f.r, a,
+                                      (j + lines - reach + b) % lines));
+    return sum;
+}
+
+/* Newton's method on patches converges with second order where two spots are
+ * disturbed, one of them at the side of the period. */
+TEST(patches_are_solved_by_newton)
+{
+    static const size_t spot[2][2] = {{60, 14}, {58, 1}};
+    test_strip *s = test_strip_make(20, 10, test_strip_shape(129, 28), NULL);
+    s->bump[s->bumps++] = dent;
+    test_strip_solve(s, 1e-11);
+    ovr_strip_level *level = &s->strip.level[s->strip.finest];
+    const ovr_strip_cycling how = ovr_strip_steady(&s->strip.fluid);
+    for (size_t k = 0; k < 2; k++)
+        level->f.P[ovr_strip_row(&level->grid, spot[k][0]) + spot[k][1]] +=
+            3e-3;
+    ovr_strip_refresh(&s->strip, level);
+    ovr_strip_defect_of(&s->strip, level);
+    double r[4][2];
+    for (int step = 0; step < 4; step++) {
+        for (size_t k = 0; k < 2; k++)
+            r[step][k] = residual_about(s, spot[k][0], spot[k][1], 3);
+        printf("residuals %.2e %.2e\n", r[step][0], r[step][1]);
+        double worst = fmax(r[step][0], r[step][1]);
+        size_t solved = ovr_strip_spots(&s->strip, level, &how.smoothing,
+                                        1e-3 * worst);
+        assert_in_range(solved, 1, 12);
+        ovr_strip_defect_of(&s->strip, level);
+    }
+    for (size_t k = 0; k < 2; k++) {
+        assert_true(r[2][k] < 1e-2 * r[1][k]);
+        assert_true(r[3][k] < 1e-4 * r[2][k]);
+    }
+    test_strip_free(s);
+}
+
 static ovr_status create(void *unused, const ovr_allocator *hook,
                          ovr_error *err)
 {
