@@ -8,13 +8,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
 #include "cli/report.h"
 #include "cli/signals.h"
-
-/* ----------------------------------------------------------------- progress */
 
 /* ----------------------------------------------------------------- Progress */
 
@@ -27,11 +26,21 @@ double cli_seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
+/* A file, the log of a job, gets a line for every tenth; a pipe gets none. */
+static bool is_file_or_terminal(void)
+{
+    struct stat standard_error;
+    return isatty(STDERR_FILENO) ||
+           (fstat(STDERR_FILENO, &standard_error) == 0 &&
+            S_ISREG(standard_error.st_mode));
+}
+
 cli_progress cli_progress_begin(int verbosity, double fraction)
 {
     const char *kind = getenv("TERM");
     cli_progress progress = {0};
-    progress.shown = verbosity >= 0;
+    progress.shown = verbosity > 0 ||
+                     (verbosity == 0 && is_file_or_terminal());
     progress.terminal = isatty(STDERR_FILENO) &&
                         (!kind || strcmp(kind, "dumb") != 0);
     progress.begun = cli_seconds();

@@ -188,3 +188,11 @@ contains out 't = 0 to 0\.02[0-9]+ ms$'
 contains out ' at t, ms '
 contains out '^minimum film thickness +[0-9.e-]+ .* m +min_film_thickness$'
 contains out '^Hertzian half-width b +[0-9.]+ um$'
+
+# Progress: a line for each tenth in a file, nothing in a pipe but for -v
+expect 0 "$OVERROLL" run dent.ini -o file.h5
+[ "$(grep -c '^ *[0-9]* %  T = ' err)" -eq 10 ] || fail "progress: $(cat err)"
+{ "$OVERROLL" run dent.ini -o quiet.h5 2>&1 >/dev/null; } | cat >piped
+! grep ' %  T = ' piped || fail 'progress in a pipe'
+{ "$OVERROLL" run dent.ini -o told.h5 -v 2>&1 >/dev/null; } | cat >piped
+contains piped '^100 %  T = '
