@@ -260,6 +260,21 @@ static void usual_level(ovr_resolved *r)
     s->accuracy = chosen ? unseen : 0;
 }
 
+/* True if the error of the film may be below the target; on the domain that
+ * features keep short, where they may (place_surfaces). */
+static bool may_reach(ovr_resolved *r, bool usual)
+{
+    ovr_setup *s = &r->setup;
+    double inlet = s->options->inlet;
+    if (usual && s->features > 0 && s->transient)
+        s->options->inlet = fmax(inlet, nearest_inlet(r));
+    measure(s);
+    bool reached = ovr_expected_of_mesh(s) < s->accuracy;
+    s->options->inlet = inlet;
+    measure(s);
+    return reached;
+}
+
 /* Returns the first level with the requested expected error; the effect of
  * features is evaluated only on levels whose grid error is small enough. */
 static ovr_status choose_level(ovr_resolved *r, bool usual,
@@ -280,9 +295,7 @@ static ovr_status choose_level(ovr_resolved *r, bool usual,
         s->options->inlet = inlet;
         s->options->level = level;
         status = resolve_options(r, err);
-        measure(s);
-        if (!status &&
-            (level == maximum || ovr_expected_of_mesh(s) < s->accuracy))
+        if (!status && (level == maximum || may_reach(r, usual)))
             status = make_grid(r, usual, allocator, err);
     }
     return status;

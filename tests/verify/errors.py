@@ -2,10 +2,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Errors of random cases on the level that the program chooses.
 
-errors.py PROGRAM SEED COUNT: each case next to two levels finer in steps of
-one mesh size.  Prints the root mean squares over time of the relative errors
-of H_cen, H_min and the sliding force, and the error that `check` expects.
-Fails where more than one case in eight exceeds that error.
+errors.py PROGRAM SEED COUNT: each case next to two finer levels, of which the
+second is solved where the level is 6 or less, or where the error is near one of
+the bounds, in steps of one mesh size.  Prints the root mean squares over time
+of the relative errors of H_cen, H_min and the sliding force, and the error that
+`check` expects.  Fails where more than one case in ten (at least one) exceeds
+that error, or one exceeds it four times.
 """
 import bisect
 import csv
@@ -19,6 +21,7 @@ import tempfile
 
 COLUMNS = {"H_cen": "central_film_thickness", "H_min": "min_film_thickness",
            "F": "sliding_force"}
+PROMISED = 1e-3
 
 
 def log_between(r, a, b):
@@ -112,9 +115,22 @@ def errors(ours, fine):
     return all_of
 
 
+def beside(program, folder, ours, said):
+    """Errors beside the first finer level that is far enough below them."""
+    level, e = said["level"], {}
+    for finer in (1, 2) if level > 6 else (2,):
+        fine = ours and history(program, folder, "time.step=grid",
+                                f"domain.level={level + finer}")
+        e = errors(ours, fine) if fine else e
+        if not e or max(e.values()) < min(PROMISED,
+                                          said["expected_error"]) / 2:
+            break
+    return e
+
+
 def main():
     program, seed, count = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
-    exceeded = solved = 0
+    exceeded = far = missed = solved = 0
     print(f"seed {seed}")
     for k in range(count):
         kind, text = case(seed + k)
@@ -126,21 +142,22 @@ def main():
                 [program, "check", path, "--json"], check=True,
                 capture_output=True, text=True).stdout)
             ours = history(program, folder)
-            fine = history(program, folder, "time.step=grid",
-                           f"domain.level={said['level'] + 2}")
-        if not ours or not fine:
+            e = beside(program, folder, ours, said)
+        if not e:
             print(f"{k:3} {kind:9} no solution")
             continue
-        e = errors(ours, fine)
         over = max(e.values()) / said["expected_error"]
         solved += 1
         exceeded += over > 1
+        far += over > 4
+        missed += max(e.values()) > PROMISED
         print(f"{k:3} {kind:9} level {said['level']}, expected "
               f"{said['expected_error']:.1e},",
               ", ".join(f"{key} {v:.1e}" for key, v in e.items()),
               f"({over:.2f})", flush=True)
-    print(f"{exceeded} of {solved} exceed the expected error")
-    sys.exit(not solved or 8 * exceeded > solved)
+    print(f"{exceeded} of {solved} exceed the expected error, {far} of them "
+          f"four times; {missed} are above {PROMISED:g}")
+    sys.exit(not solved or far > 0 or exceeded > max(1, solved // 10))
 
 
 if __name__ == "__main__":

@@ -1,0 +1,8 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# A tenth of tests/verify/errors.sh.
+. "$TOP/tests/support/cli.sh"
+need_python csv json
+
+"$PYTHON" "$TOP/tests/verify/errors.py" "$OVERROLL" 101 4 ||
+    fail 'errors exceed those expected'
