@@ -67,14 +67,14 @@ OVR_API const char *ovr_section_help(size_t k);
 
 /* ------------------------------------------------------------- listeners */
 
-typedef enum ovr_say {
-    OVR_SAY_WARNING, /* the result may not be what was meant */
-    OVR_SAY_NOTE,    /* what was assumed or done beyond the ordinary */
-    OVR_SAY_FILE     /* of the file resumed; begins with its name */
-} ovr_say;
+typedef enum ovr_message_kind {
+    OVR_MESSAGE_WARNING, /* the result may not be what was meant */
+    OVR_MESSAGE_NOTE,    /* what was assumed or done beyond the ordinary */
+    OVR_MESSAGE_FILE     /* of the file resumed; begins with its name */
+} ovr_message_kind;
 
 /* One line of text, without end of line. */
-typedef void ovr_listener(void *data, ovr_say kind, const char *text);
+typedef void ovr_listener(void *data, ovr_message_kind kind, const char *text);
 
 /* --------------------------------------------------------------- the case */
 
@@ -258,8 +258,8 @@ OVR_API ovr_status ovr_setup_prepare(ovr_setup *setup,
 /* Reports the numbers of each physical model of the case, one line per
  * number. */
 typedef void ovr_setup_line(void *data, const char *name, const char *text);
-OVR_API void ovr_setup_tell(const ovr_setup *setup, ovr_setup_line *line,
-                            void *data);
+OVR_API void ovr_setup_describe(const ovr_setup *setup, ovr_setup_line *line,
+                                void *data);
 
 OVR_API ovr_simulation *ovr_setup_simulation(ovr_setup *setup,
                                              const ovr_allocator *allocator,

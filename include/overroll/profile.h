@@ -80,7 +80,8 @@ OVR_API ovr_profile *ovr_profile_read(const ovr_profile_source *source,
 /* Makes a profile of n points in metres (scaled: in b and b^2/R), which are
  * copied. */
 OVR_API void ovr_profile_free(ovr_profile *profile);
-OVR_API const ovr_profile_view *ovr_profile_look(const ovr_profile *profile);
+OVR_API const ovr_profile_view *
+ovr_profile_get_view(const ovr_profile *profile);
 
 /* Writes X3P or SDF (binary, f64), both in metres, if the path ends in .x3p or
  * .sdf; otherwise text: two columns "x in m, z in m" (or in b, b^2/R) of 17

@@ -9,8 +9,8 @@
  *     how.condition = "H_min_overall at least 0.05";
  *     how.which = "largest";
  *     ovr_find *find = ovr_find_create(c, &how, &err);
- *     if (find && !ovr_find_go(find, &err))
- *         ... ovr_find_about(find)->value ...
+ *     if (find && !ovr_find_execute(find, &err))
+ *         ... ovr_find_get_info(find)->value ...
  *     ovr_find_free(find);
  */
 #ifndef OVERROLL_QUESTIONS_H
@@ -119,9 +119,9 @@ OVR_API ovr_find *ovr_find_create(ovr_case *c, const ovr_find_options *options,
 
 /* That there is no answer is a status too: OVR_BAD_INPUT (missed, several) or
  * OVR_NOT_CONVERGED (runs failed), with the evaluations to be looked at. */
-OVR_API ovr_status ovr_find_go(ovr_find *find, ovr_error *err);
+OVR_API ovr_status ovr_find_execute(ovr_find *find, ovr_error *err);
 OVR_API void ovr_find_free(ovr_find *find);
-OVR_API const ovr_find_info *ovr_find_about(const ovr_find *find);
+OVR_API const ovr_find_info *ovr_find_get_info(const ovr_find *find);
 
 /* Evaluations in the order of the values. */
 OVR_API ovr_find_evaluation ovr_find_evaluation_at(const ovr_find *find,

@@ -109,7 +109,7 @@ OVR_API ovr_result *ovr_result_open(const char *path,
                                     const ovr_allocator *allocator,
                                     ovr_error *err);
 OVR_API void ovr_result_close(ovr_result *result);
-OVR_API const ovr_result_info *ovr_result_about(const ovr_result *result);
+OVR_API const ovr_result_info *ovr_result_get_info(const ovr_result *result);
 
 /* A variable of the file: x, time, a field of the snapshots, a column of the
  * history, or what another program version stores in groups of its own. */

@@ -6,8 +6,8 @@
  *     how.output = "dent.h5";
  *     ovr_case *c = ovr_case_read("dent.ini", NULL, &err);
  *     ovr_run *run = c ? ovr_run_create(c, &how, NULL, &err) : NULL;
- *     if (run && !ovr_run_go(run, &err))
- *         ... ovr_run_about(run)->sim ...
+ *     if (run && !ovr_run_execute(run, &err))
+ *         ... ovr_run_get_info(run)->sim ...
  *     ovr_run_free(run), ovr_case_free(c);
  *
  * All that a run has to say goes through callbacks; each may be NULL, and all
@@ -86,7 +86,7 @@ OVR_API ovr_run *ovr_run_resume(const char *path,
                                 const ovr_allocator *allocator, ovr_error *err);
 
 /* Solves to the end and closes the file, whatever happens. */
-OVR_API ovr_status ovr_run_go(ovr_run *run, ovr_error *err);
+OVR_API ovr_status ovr_run_execute(ovr_run *run, ovr_error *err);
 OVR_API void ovr_run_free(ovr_run *run);
 
 /* Discretization errors, estimated from the same case one and two levels
@@ -155,7 +155,7 @@ typedef struct ovr_run_info {
                              nothing yields; NAN: there is none */
     bool shaken_down; /* the last pass of bodies that yield changed nothing */
 } ovr_run_info;
-OVR_API const ovr_run_info *ovr_run_about(const ovr_run *run);
+OVR_API const ovr_run_info *ovr_run_get_info(const ovr_run *run);
 
 /* A run is summed up line by line: the keys of `--json`, of the group
  * `summary` of its file and of a study's table. */
@@ -221,7 +221,7 @@ ovr_stored_stress_report(const ovr_stored_stress *stress, int surface);
  * necessary.  The run of that case computes the result again.  Files are
  * written into the folder itself, whatever their names were, and the case names
  * them so.  Existing ones are replaced with `force` only.  The listener gets
- * the path of each file (OVR_SAY_FILE), and warnings about inputs that the
+ * the path of each file (OVR_MESSAGE_FILE), and warnings about inputs that the
  * result file does not hold. */
 OVR_API ovr_status ovr_result_unpack(const char *path, const char *folder,
                                      bool force, ovr_listener *listener,

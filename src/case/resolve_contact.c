@@ -319,9 +319,8 @@ static ovr_status read_flow_table(ovr_resolved *r, ovr_error *err)
                          .header = {OVR_SHEAR_RATE, OVR_PRESSURE},
                          .example = "rate [1/s], stress [MPa]"};
     if (!file)
-        return ovr_fail_slot(
-            err, ovr_block_get(block, "rheology"),
-            "table needs 'rheology_file' in [lubricant]");
+        return ovr_fail_slot(err, ovr_block_get(block, "rheology"),
+                             "table needs 'rheology_file' in [lubricant]");
     if (ovr_two_columns_read(&p, file, ovr_block_get(block, "rheology_file"),
                              &r->arena, err))
         return OVR_BAD_INPUT;

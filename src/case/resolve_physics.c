@@ -555,7 +555,8 @@ double ovr_setup_memory(const ovr_setup *setup)
     return bytes;
 }
 
-void ovr_setup_tell(const ovr_setup *setup, ovr_setup_line *line, void *data)
+void ovr_setup_describe(const ovr_setup *setup, ovr_setup_line *line,
+                        void *data)
 {
     if (!line)
         return;

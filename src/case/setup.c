@@ -411,5 +411,5 @@ void ovr_warn(ovr_listener *say, void *data, const char *format, ...)
     vsnprintf(text, sizeof text, format, args);
     va_end(args);
     if (say)
-        say(data, OVR_SAY_WARNING, text);
+        say(data, OVR_MESSAGE_WARNING, text);
 }

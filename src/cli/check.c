@@ -60,9 +60,9 @@ static void put_line(void *data, const char *name, const char *text)
 
 /* ------------------------------------------------------------------- JSON */
 
-static void hear_json(void *data, ovr_say kind, const char *text)
+static void hear_json(void *data, ovr_message_kind kind, const char *text)
 {
-    if (kind == OVR_SAY_WARNING)
+    if (kind == OVR_MESSAGE_WARNING)
         json_text(data, NULL, text);
 }
 
@@ -91,7 +91,7 @@ static ovr_status report(cli_call *call, const ovr_case *c,
     if (status)
         return status;
     cli_put_stations(setup);
-    ovr_setup_tell(setup, put_line, &begun);
+    ovr_setup_describe(setup, put_line, &begun);
     if (call->verbosity > 0)
         cli_put_case(c);
     return OVR_OK;

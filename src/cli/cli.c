@@ -19,12 +19,12 @@ static const cli_option common[] = {
 
 /* -------------------------------------------------------------- messages */
 
-void cli_say(void *data, ovr_say kind, const char *text)
+void cli_say(void *data, ovr_message_kind kind, const char *text)
 {
     const cli_call *call = data;
     if (call->verbosity >= 0)
         fprintf(stderr, "overroll: %s%s\n",
-                kind == OVR_SAY_WARNING ? "warning: " : "", text);
+                kind == OVR_MESSAGE_WARNING ? "warning: " : "", text);
 }
 
 /* True if a message begins with the name of a file, option or key. */

@@ -98,7 +98,7 @@ size_t cli_count(const cli_call *call, const char *name, size_t maximum,
 int cli_fail(const ovr_error *err);
 
 /* A listener (`data`: the call): notes and warnings on stderr, unless -q. */
-void cli_say(void *data, ovr_say kind, const char *text);
+void cli_say(void *data, ovr_message_kind kind, const char *text);
 
 /* Prints a text that comes from a file, or the name of one, on stdout.  Control
  * characters are escaped: \x1b. */

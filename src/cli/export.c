@@ -474,7 +474,7 @@ static int run(cli_call *call)
     j.result = ovr_result_open(call->argument[0], NULL, &err);
     if (!j.result)
         return cli_fail(&err);
-    j.about = ovr_result_about(j.result);
+    j.about = ovr_result_get_info(j.result);
     code = cli_choose_across(call, j.result);
     if (code) {
         ovr_result_close(j.result);

@@ -147,7 +147,7 @@ static void put_answer(const ovr_find_info *i)
 
 static void report_table(const cli_call *call, const ovr_find *find)
 {
-    const ovr_find_info *i = ovr_find_about(find);
+    const ovr_find_info *i = ovr_find_get_info(find);
     if (i->end == OVR_FIND_FOUND || i->end == OVR_FIND_SCATTERED)
         put_answer(i);
     if (i->evaluations &&
@@ -157,7 +157,7 @@ static void report_table(const cli_call *call, const ovr_find *find)
 
 void cli_json_find(json_writer *json, const ovr_find *find)
 {
-    const ovr_find_info *i = ovr_find_about(find);
+    const ovr_find_info *i = ovr_find_get_info(find);
     ovr_find_summary(find, false, cli_put_line, json);
     json_open_array(json, "evaluations");
     for (size_t k = 0; k < i->evaluations; k++) {
@@ -179,7 +179,7 @@ void cli_json_find(json_writer *json, const ovr_find *find)
 int cli_report_find(const cli_call *call, const ovr_find *find,
                     ovr_status status, const ovr_error *err)
 {
-    const ovr_find_info *i = ovr_find_about(find);
+    const ovr_find_info *i = ovr_find_get_info(find);
     int code = CLI_DONE;
     if (call->json) {
         json_writer json = json_begin(stdout);
@@ -226,7 +226,7 @@ static int ask(cli_call *call, const question *q)
     if (find) {
         cli_silence_the_end();
         cli_catch_signals();
-        ovr_status status = ovr_find_go(find, &err);
+        ovr_status status = ovr_find_execute(find, &err);
         code = cli_report_find(call, find, status, &err);
     } else {
         code = cli_fail(&err);

@@ -381,9 +381,9 @@ static ovr_status read_times(report *r, ovr_error *err)
 }
 
 /* Prints the files that were written; warnings go where all do. */
-static void list_file(void *call, ovr_say kind, const char *text)
+static void list_file(void *call, ovr_message_kind kind, const char *text)
 {
-    if (kind == OVR_SAY_FILE)
+    if (kind == OVR_MESSAGE_FILE)
         printf("%s\n", text);
     else
         cli_say(call, kind, text);
@@ -409,7 +409,7 @@ static int run(cli_call *call)
     r.result = ovr_result_open(r.path, NULL, &err);
     if (!r.result)
         return cli_fail(&err);
-    r.about = ovr_result_about(r.result);
+    r.about = ovr_result_get_info(r.result);
     if (read_times(&r, &err) != OVR_OK)
         code = cli_fail(&err);
     else if (call->json)

@@ -132,7 +132,7 @@ int cli_choose_across(const cli_call *call, ovr_result *result)
 void cli_choose_areal(const cli_call *call, const ovr_result *result,
                       ovr_picture_options *o)
 {
-    if (ovr_result_about(result)->lines > 1 && call->arguments == 1 &&
+    if (ovr_result_get_info(result)->lines > 1 && call->arguments == 1 &&
         o->kind == OVR_PICTURE_SNAPSHOT && !cli_value(call, "kind") &&
         !cli_value(call, "across"))
         o->kind = OVR_PICTURE_AREAL;
@@ -171,7 +171,7 @@ void cli_say_units(const cli_call *call, ovr_result *const *results,
     const char *without = NULL;
     bool any = false;
     for (int k = 0; k < call->arguments; k++) {
-        const ovr_result_info *info = ovr_result_about(results[k]);
+        const ovr_result_info *info = ovr_result_get_info(results[k]);
         any |= info->physical;
         if (!without && !info->physical && !(info->ph > 0 && info->b > 0))
             without = call->argument[k];

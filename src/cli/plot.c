@@ -80,7 +80,7 @@ static int take_depth(const cli_call *call, ovr_picture_options *o)
 static ovr_status check_instant(ovr_result *result, const char *text, double T,
                                 ovr_error *err)
 {
-    size_t count = ovr_result_about(result)->snapshots;
+    size_t count = ovr_result_get_info(result)->snapshots;
     double *t = calloc(count + 1, sizeof *t);
     ovr_status status;
     if (!t)

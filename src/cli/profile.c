@@ -58,14 +58,14 @@ static ovr_status measure(const ovr_profile_source *source,
 {
     ovr_profile_numbers now = {.kind = 'P'};
     ovr_status status;
-    r->missing = ovr_profile_look(r->profile)->missing;
+    r->missing = ovr_profile_get_view(r->profile)->missing;
     status = ovr_profile_condition(r->profile, how, err);
     if (!status)
         status = ovr_profile_measure(r->profile, &now, err);
     if (!status)
         status = ovr_profile_waves(r->profile, PROFILE_WAVES, r->wave,
                                    &r->waves, err);
-    r->view = ovr_profile_look(r->profile);
+    r->view = ovr_profile_get_view(r->profile);
     if (status || now.kind == 'P') {
         r->numbers = now;
         return status;
@@ -114,7 +114,7 @@ static int report_profile(const cli_call *call,
 {
     ovr_conditioning how;
     ovr_error err;
-    int code = profile_take_conditioning(call, ovr_profile_look(r->profile),
+    int code = profile_take_conditioning(call, ovr_profile_get_view(r->profile),
                                          r->contact, &how);
     if (code)
         return code;
@@ -142,7 +142,7 @@ static int report_on(const cli_call *call, const ovr_profile_source *source,
     r.profile = ovr_profile_read(source, NULL, &err);
     if (!r.profile)
         return cli_fail(&err);
-    if (ovr_profile_look(r.profile)->rows > 1) {
+    if (ovr_profile_get_view(r.profile)->rows > 1) {
         r.map = ovr_areal_read(source, NULL, &err);
         if (!r.map || ovr_areal_measure(r.map, &r.areal, &err)) {
             ovr_areal_free(r.map);
@@ -150,7 +150,8 @@ static int report_on(const cli_call *call, const ovr_profile_source *source,
             return cli_fail(&err);
         }
     }
-    if (contact && !(contact->b > 0) && !ovr_profile_look(r.profile)->scaled_x)
+    if (contact && !(contact->b > 0) &&
+        !ovr_profile_get_view(r.profile)->scaled_x)
         code = cli_usage(call,
                          "%s has no physical scales; set contact.radius and "
                          "contact.modulus for a profile in metres",

@@ -29,7 +29,7 @@ static void report_case(void *data, const ovr_run *run, const ovr_error *err,
 {
     const sweeping *w = data;
     if (summary && run && cli_has_result(run, err->status))
-        cli_report_json(ovr_run_about(run), summary);
+        cli_report_json(ovr_run_get_info(run), summary);
     if (run)
         cli_run_code(&w->logged, run, err->status, err);
     else

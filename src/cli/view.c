@@ -159,7 +159,8 @@ static int run(cli_call *call)
     if (ovr_view(results, (size_t)call->arguments, &o, NULL, &err) != OVR_OK)
         code = cli_fail(&err);
     else if (cli_flag(call, "live"))
-        code = make_live(call, o.path, ovr_result_about(results[0])->case_text);
+        code = make_live(call, o.path,
+                         ovr_result_get_info(results[0])->case_text);
     if (code == CLI_DONE && call->verbosity >= 0)
         printf("%s\n", o.path);
     cli_close_results(call, results);

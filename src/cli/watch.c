@@ -142,7 +142,7 @@ void cli_silence_the_end(void)
     H5dont_atexit();
 }
 
-static void say(void *data, ovr_say kind, const char *text)
+static void say(void *data, ovr_message_kind kind, const char *text)
 {
     static const char *const before[] = {
         "overroll: warning: ", "overroll: ", ""};
@@ -156,12 +156,12 @@ static void say(void *data, ovr_say kind, const char *text)
 static void progress(void *data, const ovr_run *run, double fraction)
 {
     cli_watch *watch = data;
-    const ovr_simulation *sim = ovr_run_about(run)->sim;
+    const ovr_simulation *sim = ovr_run_get_info(run)->sim;
     const ovr_state *state = ovr_simulation_state(sim);
     char what[120];
     if (watch->progress.begun == 0) /* in a sweep, on the case's log */
         watch->progress = cli_progress_begin(watch->call->verbosity, fraction);
-    const ovr_run_info *info = ovr_run_about(run);
+    const ovr_run_info *info = ovr_run_get_info(run);
     int used = info->passes ? snprintf(what, sizeof what, "pass %d of %d  ",
                                        info->pass, info->passes)
                             : 0;
@@ -186,7 +186,7 @@ ovr_run_options cli_run_options(cli_watch *watch)
 /* There is no film before the steady start is solved. */
 static bool has_begun(const ovr_run *run)
 {
-    const ovr_simulation *sim = ovr_run_about(run)->sim;
+    const ovr_simulation *sim = ovr_run_get_info(run)->sim;
     return sim && ovr_simulation_observation(sim)->H_min != 0;
 }
 
@@ -199,7 +199,7 @@ bool cli_has_result(const ovr_run *run, ovr_status status)
 int cli_run_code(const cli_call *call, const ovr_run *run, ovr_status status,
                  const ovr_error *err)
 {
-    const ovr_run_info *info = ovr_run_about(run);
+    const ovr_run_info *info = ovr_run_get_info(run);
     if (status == OVR_STOPPED && cli_signal()) {
         if (call->verbosity >= 0 && !has_begun(run))
             fprintf(stderr,
@@ -236,11 +236,11 @@ int cli_finish_run(cli_watch *watch, ovr_run *run, ovr_error *err)
     if (!call->verb->steady)
         cli_catch_signals();
     watch->progress = cli_progress_begin(call->verbosity,
-                                         ovr_run_about(run)->fraction);
-    status = ovr_run_go(run, err);
+                                         ovr_run_get_info(run)->fraction);
+    status = ovr_run_execute(run, err);
     cli_progress_end(&watch->progress);
     if (cli_has_result(run, status))
-        cli_report(call, ovr_run_about(run));
+        cli_report(call, ovr_run_get_info(run));
     code = cli_run_code(call, run, status, err);
     ovr_run_free(run);
     return code;

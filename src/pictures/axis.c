@@ -85,7 +85,7 @@ ovr_status ovr_axis_make(ovr_unit_kind kind, ovr_result *result,
                          ovr_units units, double largest, ovr_axis *axis,
                          ovr_error *err)
 {
-    const ovr_result_info *info = ovr_result_about(result);
+    const ovr_result_info *info = ovr_result_get_info(result);
     double scale = ovr_result_scale(info, kind);
     const quantity *q = find(kind);
     if (!q)

@@ -111,7 +111,7 @@ double ovr_stored_hertz_pressure(const ovr_stored *run, size_t k)
 ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
                            const char *name, ovr_arena *arena, ovr_error *err)
 {
-    const ovr_result_info *info = ovr_result_about(result);
+    const ovr_result_info *info = ovr_result_get_info(result);
     ovr_status status;
     *run = (ovr_stored){.result = result, .info = info, .by = {1, 1, 1, 1}};
     run->name = name ? name : info->title;

@@ -340,7 +340,7 @@ static void go_on_from(ovr_writer *w, const ovr_restart *restart,
     const ovr_counts *counts = restart ? ovr_restart_counts(restart) : NULL;
     plan->created = restart ? ovr_restart_created(restart) : NULL;
     plan->number = restart ? ovr_restart_number(restart) : 0;
-    if (!restart || !ovr_restart_about(restart)->has_state)
+    if (!restart || !ovr_restart_get_info(restart)->has_state)
         return;
     w->last_step = (long)counts->step;
     w->last_T = counts->T;
@@ -352,7 +352,7 @@ static void go_on_from(ovr_writer *w, const ovr_restart *restart,
 static ovr_status reopen_file(ovr_writer *w, const ovr_restart *restart,
                               ovr_file_plan *plan, ovr_error *err)
 {
-    size_t steps = w->last_step < 0 ? 0 : ovr_restart_about(restart)->steps;
+    size_t steps = w->last_step < 0 ? 0 : ovr_restart_get_info(restart)->steps;
     ovr_status status = ovr_file_open(&w->file, plan, w->snapshots, steps, err);
     if (status == OVR_OK)
         snprintf(w->created, sizeof w->created, "%s", w->file.created);

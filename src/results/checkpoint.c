@@ -410,7 +410,7 @@ void ovr_restart_close(ovr_restart *r)
 
 /* ------------------------------------------------------------------ using */
 
-const ovr_restart_info *ovr_restart_about(const ovr_restart *r)
+const ovr_restart_info *ovr_restart_get_info(const ovr_restart *r)
 {
     return !r ? NULL : &r->info;
 }

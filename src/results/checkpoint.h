@@ -41,7 +41,7 @@ enum { OVR_RESTART_MAGIC_SIZE = 16, OVR_RESTART_FORMAT = 2 };
  * whole: a checkpoint of the run, with the case it belongs to.
  *
  *     ovr_restart *restart = ovr_restart_open("OUT.h5", NULL, &err);
- *     ... case from ovr_restart_about(restart), simulation as for a new run
+ *     ... case from ovr_restart_get_info(restart), simulation as for a new run
  *     if (about->has_state) ovr_restart_load(restart, sim, &err);
  *     else                  ovr_simulation_steady(sim, &err);
  *     w = ovr_writer_resume(&options, &contact, n, X, restart, NULL, &err);

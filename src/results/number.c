@@ -39,7 +39,7 @@ ovr_status ovr_result_number(const ovr_result *result, ovr_unit_kind kind,
 {
     if (!result || !text)
         return ovr_fail_null(err, __func__);
-    double scale = ovr_result_scale(ovr_result_about(result), kind);
+    double scale = ovr_result_scale(ovr_result_get_info(result), kind);
     ovr_quantity given;
     ovr_status status = ovr_quantity_read(text, dimension_of(kind), true,
                                           &given, err);

@@ -177,7 +177,7 @@ void ovr_result_close(ovr_result *r)
 
 /* ---------------------------------------------------------------- lists */
 
-const ovr_result_info *ovr_result_about(const ovr_result *r)
+const ovr_result_info *ovr_result_get_info(const ovr_result *r)
 {
     return !r ? NULL : &r->info;
 }

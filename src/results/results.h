@@ -129,7 +129,7 @@ ovr_status ovr_writer_close(ovr_writer *writer, ovr_run_status run,
 ovr_restart *ovr_restart_open(const char *result_path,
                               const ovr_allocator *allocator, ovr_error *err);
 void ovr_restart_close(ovr_restart *restart);
-const ovr_restart_info *ovr_restart_about(const ovr_restart *restart);
+const ovr_restart_info *ovr_restart_get_info(const ovr_restart *restart);
 
 /* Loads the state into a simulation created with the same options. */
 ovr_status ovr_restart_load(ovr_restart *restart, ovr_simulation *sim,

@@ -108,12 +108,12 @@ void ovr_run_free(ovr_run *run)
     ovr_arena_release(&arena);
 }
 
-const ovr_run_info *ovr_run_about(const ovr_run *run)
+const ovr_run_info *ovr_run_get_info(const ovr_run *run)
 {
     return !run ? NULL : &run->info;
 }
 
-ovr_status ovr_run_go(ovr_run *run, ovr_error *err)
+ovr_status ovr_run_execute(ovr_run *run, ovr_error *err)
 {
     if (!run)
         return ovr_fail_null(err, __func__);

@@ -45,7 +45,8 @@ void ovr_companions_foresee(const ovr_setup *setup, ovr_listener *say,
 
 static void pass_on(void *run, bool warning, const char *text)
 {
-    ovr_run_message(run, warning ? OVR_SAY_WARNING : OVR_SAY_NOTE, text);
+    ovr_run_message(run, warning ? OVR_MESSAGE_WARNING : OVR_MESSAGE_NOTE,
+                    text);
 }
 
 void ovr_companions_review(ovr_run *run)

@@ -23,7 +23,7 @@ static void tell(ovr_find *f, const char *format, ...)
     snprintf(f->message + used, sizeof f->message - used, "%s%s",
              used ? "; " : "", text);
     if (f->how.say)
-        f->how.say(f->how.data, OVR_SAY_WARNING, text);
+        f->how.say(f->how.data, OVR_MESSAGE_WARNING, text);
 }
 
 /* -------------------------------------------------------------- evaluations */
@@ -372,7 +372,7 @@ static int by_value(const void *a, const void *b)
     return (p->value > q->value) - (p->value < q->value);
 }
 
-ovr_status ovr_find_go(ovr_find *f, ovr_error *err)
+ovr_status ovr_find_execute(ovr_find *f, ovr_error *err)
 {
     ovr_search_result r;
     ovr_status status;
@@ -415,7 +415,7 @@ ovr_status ovr_find_go(ovr_find *f, ovr_error *err)
 
 /* ------------------------------------------------------------------ access */
 
-const ovr_find_info *ovr_find_about(const ovr_find *find)
+const ovr_find_info *ovr_find_get_info(const ovr_find *find)
 {
     return find ? &find->info : NULL;
 }

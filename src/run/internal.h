@@ -25,7 +25,7 @@ struct ovr_run {
     ovr_passes *passes;       /* NULL: one */
     bool resumed;             /* the case is its own */
     const char *title;        /* of a resumed run's file; NULL: by its case */
-    bool going, gone;         /* ovr_run_go is under way, was called */
+    bool going, gone;         /* ovr_run_execute is under way, was called */
     bool restored;            /* the state is a checkpoint's: no steady start */
     ovr_case_value *recorded; /* of a resumed run: what its file says */
     size_t recorded_count;

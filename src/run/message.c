@@ -42,12 +42,12 @@ static bool was_said(const ovr_run *run, const char *text)
     return false;
 }
 
-void ovr_run_message(void *data, ovr_say kind, const char *text)
+void ovr_run_message(void *data, ovr_message_kind kind, const char *text)
 {
     ovr_run *run = data;
-    if (kind == OVR_SAY_WARNING && was_said(run, text))
+    if (kind == OVR_MESSAGE_WARNING && was_said(run, text))
         return;
-    if (kind == OVR_SAY_WARNING)
+    if (kind == OVR_MESSAGE_WARNING)
         keep(run, text);
     if (run->how.say)
         run->how.say(run->how.data, kind, text);
@@ -75,10 +75,11 @@ void ovr_run_warn(ovr_run *run, const char *format, ...)
     va_start(args, format);
     vsnprintf(text + used, sizeof text - used, format, args);
     va_end(args);
-    ovr_run_message(run, OVR_SAY_WARNING, text);
+    ovr_run_message(run, OVR_MESSAGE_WARNING, text);
 }
 
-void ovr_review_say(const ovr_review *r, ovr_say kind, const char *format, ...)
+void ovr_review_say(const ovr_review *r, ovr_message_kind kind,
+                    const char *format, ...)
 {
     char text[OVR_MESSAGE_SIZE];
     va_list args;

@@ -390,7 +390,7 @@ static ovr_status have(ovr_run *run, ovr_writer *writer, ovr_error *err)
     ovr_writer_checkpoints(writer, run->sim);
     if (ovr_writer_unlocked(writer))
         ovr_run_message(
-            run, OVR_SAY_WARNING,
+            run, OVR_MESSAGE_WARNING,
             "the result's file system has no locks: nothing keeps a "
             "second run from writing the same file");
     return ovr_companions_open(run, err);
@@ -413,7 +413,7 @@ static void note_inputs(ovr_run *run, const ovr_write_options *o)
                      : "the result file does not hold %.600s, which is not "
                        "an ordinary file (%s)",
                  input->path, input->key);
-        ovr_run_message(run, OVR_SAY_NOTE, text);
+        ovr_run_message(run, OVR_MESSAGE_NOTE, text);
     }
 }
 
@@ -455,9 +455,9 @@ ovr_status ovr_output_reopen(ovr_run *run, bool write, ovr_error *err)
     if (status == OVR_OK && restart)
         status = ovr_values_same(run->recorded_count, run->recorded,
                                  w.options.value_count, w.values, err);
-    if (status == OVR_OK && restart && ovr_restart_about(restart)->has_state)
+    if (status == OVR_OK && restart && ovr_restart_get_info(restart)->has_state)
         status = ovr_restart_load(restart, run->sim, err);
-    if (status == OVR_OK && restart && ovr_restart_about(restart)->has_state)
+    if (status == OVR_OK && restart && ovr_restart_get_info(restart)->has_state)
         status = restore_companions(run, state->T, write, err);
     if (status == OVR_OK && write)
         writer = ovr_writer_resume(&w.options, run->setup->contact, state->n,

@@ -109,7 +109,7 @@ static ovr_status read_column(ovr_pass_history *h, int k, size_t rows,
 ovr_status ovr_pass_history_read(ovr_pass_history *h, ovr_result *result,
                                  ovr_error *err)
 {
-    size_t rows = ovr_result_about(result)->steps;
+    size_t rows = ovr_result_get_info(result)->steps;
     ovr_status status = OVR_OK;
     if (!rows) {
         ovr_fail(err, OVR_BAD_INPUT,

@@ -363,7 +363,7 @@ static void recall(ovr_run *run, ovr_result *result)
         if (strcmp(line[k].name, "steps_marked") == 0)
             run->info.marked += (long)line[k].number;
     }
-    ovr_run_recall(run, ovr_result_about(result)->warnings);
+    ovr_run_recall(run, ovr_result_get_info(result)->warnings);
 }
 
 void ovr_passes_recall(ovr_run *run)
@@ -379,7 +379,7 @@ static ovr_result *open_complete(const char *path)
     ovr_result *result = access(path, F_OK) == 0
                              ? ovr_result_open(path, NULL, NULL)
                              : NULL;
-    if (result && strcmp(ovr_result_about(result)->status, "complete") == 0)
+    if (result && strcmp(ovr_result_get_info(result)->status, "complete") == 0)
         return result;
     ovr_result_close(result);
     return NULL;
@@ -400,7 +400,7 @@ ovr_status ovr_passes_reopen(ovr_run *run, const char *path, ovr_error *err)
             break;
         ovr_passes_recall(run);
         run->title = ovr_arena_text(&run->arena,
-                                    ovr_result_about(complete)->title, NULL);
+                                    ovr_result_get_info(complete)->title, NULL);
         run->passes->before = complete;
     }
     run->info.output = file;

@@ -28,7 +28,7 @@ static void say(ovr_run *run, const char *format, ...)
     vsnprintf(what, sizeof what, format, args);
     va_end(args);
     snprintf(text, sizeof text, "%.880s: %s", run->info.output, what);
-    ovr_run_message(run, OVR_SAY_FILE, text);
+    ovr_run_message(run, OVR_MESSAGE_FILE, text);
 }
 
 static bool has_checkpoint(const char *path)
@@ -45,7 +45,7 @@ static ovr_case *read_result(ovr_run *run, double *complete, ovr_error *err)
 {
     const char *path = run->info.output;
     ovr_result *result = ovr_result_open(path, &run->arena.allocator, err);
-    const ovr_result_info *about = result ? ovr_result_about(result) : NULL;
+    const ovr_result_info *about = result ? ovr_result_get_info(result) : NULL;
     ovr_case *c = NULL;
     *complete = -INFINITY;
     if (about && !run->restart)
@@ -73,7 +73,7 @@ static ovr_case *find_case(ovr_run *run, double *complete, ovr_error *err)
     if (!run->restart)
         return NULL;
     read_result(run, complete, NULL);
-    about = ovr_restart_about(run->restart);
+    about = ovr_restart_get_info(run->restart);
     return ovr_case_read_stored(about->case_text, path, about->case_path,
                                 &run->arena.allocator, err);
 }
@@ -122,7 +122,8 @@ static ovr_status go_back(ovr_run *run, double complete, ovr_error *err)
         ovr_companions_told_of(run);
     if (ovr_output_reopen(run, !done, err))
         return OVR_BAD_INPUT;
-    run->restored = run->restart && ovr_restart_about(run->restart)->has_state;
+    run->restored = run->restart &&
+                    ovr_restart_get_info(run->restart)->has_state;
     report_state(run, done);
     return OVR_OK;
 }
@@ -175,7 +176,7 @@ static ovr_status all_are_there(ovr_run *run, int last, ovr_error *err)
              path);
     if (!has_checkpoint(run->info.output))
         return OVR_BAD_INPUT;
-    ovr_run_message(run, OVR_SAY_FILE, err->message);
+    ovr_run_message(run, OVR_MESSAGE_FILE, err->message);
     return prepare(run, run->info.output, err);
 }
 

@@ -15,8 +15,8 @@ typedef struct ovr_review {
     void *data;
 } ovr_review;
 
-void ovr_review_say(const ovr_review *r, ovr_say kind, const char *format, ...)
-    OVR_PRINTF(3, 4);
+void ovr_review_say(const ovr_review *r, ovr_message_kind kind,
+                    const char *format, ...) OVR_PRINTF(3, 4);
 
 /* Warns of oil that arrives as a film and fills the inlet all the same. */
 void ovr_review_inlet(const ovr_review *r, const ovr_state *state,

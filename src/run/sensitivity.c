@@ -210,7 +210,7 @@ static ovr_trials *run_alike(working *w)
     if (!t || !orders_differ(t))
         return t;
     if (w->how.say)
-        w->how.say(w->how.data, OVR_SAY_WARNING,
+        w->how.say(w->how.data, OVR_MESSAGE_WARNING,
                    "order = auto chose different orders; all runs are "
                    "repeated with order = 2");
     ovr_trials_free(t);

@@ -47,7 +47,7 @@ ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
     if (!run->setup)
         return OVR_BAD_INPUT;
     if (run->restart)
-        set_recorded_domain(run->setup, ovr_restart_about(run->restart));
+        set_recorded_domain(run->setup, ovr_restart_get_info(run->restart));
     if (run->resumed && !run->passes && run->setup->passes->number > 1)
         return ovr_fail(err, OVR_BAD_INPUT,
                         "%s: is the result of one of several passes; use "
@@ -237,7 +237,7 @@ static void say_strains_are_lost(ovr_run *run)
         return;
     if (run->passes)
         run->passes->level[1].lost = true;
-    ovr_run_message(run, OVR_SAY_WARNING,
+    ovr_run_message(run, OVR_MESSAGE_WARNING,
                     "errors cannot be estimated from here on: the bodies "
                     "start with plastic strains, which are unknown on "
                     "coarser levels; run the first pass alone on another "
@@ -252,7 +252,7 @@ static ovr_status estimate(ovr_run *run, ovr_error *err)
     if (!estimates(run))
         return OVR_OK;
     if (passes_are_lost(run)) {
-        ovr_run_message(run, OVR_SAY_WARNING,
+        ovr_run_message(run, OVR_MESSAGE_WARNING,
                         "errors cannot be estimated from here on: the coarser "
                         "passes before the run was stopped are not kept");
         return OVR_OK;

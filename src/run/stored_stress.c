@@ -35,7 +35,7 @@ typedef struct stored {
 
 static ovr_status read_axes(stored *f, ovr_arena *arena, ovr_error *err)
 {
-    const ovr_result_info *info = ovr_result_about(f->result);
+    const ovr_result_info *info = ovr_result_get_info(f->result);
     f->nodes = info->nodes;
     f->snapshots = info->snapshots;
     f->x = ovr_arena_take(arena, f->nodes, sizeof *f->x, err);
@@ -161,7 +161,7 @@ static ovr_status read_case(ovr_stored_stress *s, const stored *f,
                                                  ovr_error *err),
                             void *data, ovr_error *err)
 {
-    const char *text = ovr_result_about(f->result)->case_text;
+    const char *text = ovr_result_get_info(f->result)->case_text;
     ovr_lent lent;
     s->c = ovr_case_read_stored(text, f->path, NULL, NULL, err);
     if (!s->c)

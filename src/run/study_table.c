@@ -114,7 +114,7 @@ static bool read_result(ovr_table *t, size_t task, ovr_error *err)
     for (size_t k = 0; k < count; k++)
         take_number(t, task, line[k].name, line[k].number, 0, err);
     if (count) {
-        const ovr_result_info *about = ovr_result_about(result);
+        const ovr_result_info *about = ovr_result_get_info(result);
         take_number(t, task, "snapshots", (double)about->snapshots, 0, err);
         take_number(t, task, "seconds", about->seconds, 0, err);
     }

@@ -224,7 +224,7 @@ typedef struct working {
     ovr_row *row; /* numbers of this case, with `rows` instead of a summary */
 } working;
 
-static void say(void *data, ovr_say kind, const char *text)
+static void say(void *data, ovr_message_kind kind, const char *text)
 {
     const working *w = data;
     if (w->run.say)
@@ -329,12 +329,12 @@ static void put_line(void *summary, const ovr_summary_line *line)
 static void report(const working *w, const ovr_run *run, const ovr_error *err)
 {
     if (w->row && run && err->status == OVR_OK)
-        ovr_run_report(ovr_run_about(run), ovr_row_add, w->row);
+        ovr_run_report(ovr_run_get_info(run), ovr_row_add, w->row);
     if (w->how->report) {
         w->how->report(w->how->data, run, err, w->summary);
     } else if (!w->row && run && err->status == OVR_OK) {
         fputs("{\n", w->summary);
-        ovr_run_summary(ovr_run_about(run), put_line, w->summary);
+        ovr_run_summary(ovr_run_get_info(run), put_line, w->summary);
         fputs("  \"finished\": true\n}\n", w->summary);
     }
 }
@@ -369,7 +369,7 @@ static void find_case(working *w, ovr_case *c, ovr_error *err)
     how.say = say;
     how.stop = stop;
     ovr_find *find = ovr_find_create(c, &how, err);
-    if (find && ovr_find_go(find, err) == OVR_OK)
+    if (find && ovr_find_execute(find, err) == OVR_OK)
         err->status = OVR_OK;
     report_find(w, find, err);
     ovr_find_free(find);
@@ -392,7 +392,7 @@ static void run_case(working *w, bool resume, int fd, ovr_error *err)
         fail_to_write(w->s, w->task, err);
     else if (c && !w->s->find.how.key)
         run = begin(w, c, resume, err);
-    if (run && ovr_run_go(run, err) == OVR_OK)
+    if (run && ovr_run_execute(run, err) == OVR_OK)
         err->status = OVR_OK;
     if (c && w->s->find.how.key && !err->status)
         find_case(w, c, err);
@@ -534,7 +534,7 @@ static void work_claimed(working *w, ovr_error *err)
 
 static void warn_of_locks(working *w)
 {
-    say(w, OVR_SAY_WARNING,
+    say(w, OVR_MESSAGE_WARNING,
         "this file system has no locks; do not run two sweeps of this "
         "folder at the same time");
 }

@@ -209,8 +209,8 @@ static ovr_status run_one(ovr_trials *t, size_t k, asking *asked)
     how.data = asked;
     how.stop = how.interrupt = stop;
     ovr_run *run = open_run(t, k, &how, &err);
-    if (run && ovr_run_go(run, &err) == OVR_OK) {
-        const ovr_run_info *about = ovr_run_about(run);
+    if (run && ovr_run_execute(run, &err) == OVR_OK) {
+        const ovr_run_info *about = ovr_run_get_info(run);
         ovr_run_summary(about, put_line, &to);
         ovr_setup_scales(about->setup, put_line, &to);
         if (!about->transient && !about->converged)

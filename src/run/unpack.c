@@ -46,9 +46,10 @@ typedef struct unpacking {
     void *data;
 } unpacking;
 
-static void say(const unpacking *u, ovr_say kind, const char *format, ...)
-    OVR_PRINTF(3, 4);
-static void say(const unpacking *u, ovr_say kind, const char *format, ...)
+static void say(const unpacking *u, ovr_message_kind kind, const char *format,
+                ...) OVR_PRINTF(3, 4);
+static void say(const unpacking *u, ovr_message_kind kind, const char *format,
+                ...)
 {
     char text[OVR_MESSAGE_SIZE];
     va_list args;
@@ -146,7 +147,7 @@ static ovr_status choose_names(unpacking *u, ovr_error *err)
         size_t input = ovr_result_input_of(u->result, key->key);
         const ovr_result_input *of = ovr_result_input_at(u->result, input);
         if (!of) {
-            say(u, OVR_SAY_WARNING,
+            say(u, OVR_MESSAGE_WARNING,
                 "%.200s: the file %.300s of %s is not in "
                 "the result file",
                 u->path, key->name, key->key);
@@ -226,7 +227,7 @@ static ovr_status write_file(const unpacking *u, const target *to,
         cannot(path, error, err);
         return OVR_IO;
     }
-    say(u, OVR_SAY_FILE, "%s", path);
+    say(u, OVR_MESSAGE_FILE, "%s", path);
     return OVR_OK;
 }
 
@@ -235,7 +236,7 @@ static ovr_status write_input(const unpacking *u, const target *to,
 {
     const ovr_result_input *of = ovr_result_input_at(u->result, to->input);
     if (!of->kept) {
-        say(u, OVR_SAY_WARNING,
+        say(u, OVR_MESSAGE_WARNING,
             "%.200s: holds only the SHA-256 of %s (%s): copy it to %.300s",
             u->path, to->name, *of->sha256 ? of->sha256 : "unknown", u->folder);
         return OVR_OK;
@@ -275,9 +276,9 @@ static ovr_status write_files(unpacking *u, ovr_error *err)
 /* Numbers of another version may be others. */
 static void compare_versions(const unpacking *u)
 {
-    const char *source = ovr_result_about(u->result)->source;
+    const char *source = ovr_result_get_info(u->result)->source;
     if (strcmp(source, "overroll " OVERROLL_VERSION) != 0)
-        say(u, OVR_SAY_NOTE,
+        say(u, OVR_MESSAGE_NOTE,
             "%.200s was computed by %.40s and this is overroll %s, whose "
             "numbers may differ",
             u->path, source, OVERROLL_VERSION);
@@ -291,7 +292,7 @@ static ovr_status unpack(unpacking *u, ovr_error *err)
     u->result = path ? ovr_result_open(path, &u->arena.allocator, err) : NULL;
     if (!u->result)
         return OVR_BAD_INPUT;
-    const char *text = ovr_result_about(u->result)->case_text;
+    const char *text = ovr_result_get_info(u->result)->case_text;
     if (!*text)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: holds no case", u->path);
     u->c = ovr_case_read_stored(text, u->path, NULL, &u->arena.allocator, err);

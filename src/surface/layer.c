@@ -43,7 +43,7 @@ ovr_layer *ovr_layer_read(const char *file, const ovr_contact *contact,
     l->arena = arena;
     l->profile = ovr_profile_read(&source, allocator, err);
     if (l->profile) {
-        const ovr_profile_view *view = ovr_profile_look(l->profile);
+        const ovr_profile_view *view = ovr_profile_get_view(l->profile);
         l->n = view->n;
         l->x = view->x;
         l->z = view->z;

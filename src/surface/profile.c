@@ -90,7 +90,7 @@ void ovr_profile_free(ovr_profile *profile)
     }
 }
 
-const ovr_profile_view *ovr_profile_look(const ovr_profile *profile)
+const ovr_profile_view *ovr_profile_get_view(const ovr_profile *profile)
 {
     return !profile ? NULL : &profile->view;
 }

@@ -75,7 +75,7 @@ static void post_state(page_watch *w, const ovr_run *run,
 {
     const ovr_state *s = ovr_simulation_state(sim);
     const ovr_observation *now = ovr_simulation_observation(sim);
-    const unsigned physics = ovr_setup_physics(ovr_run_about(run)->setup);
+    const unsigned physics = ovr_setup_physics(ovr_run_get_info(run)->setup);
     double *workspace = malloc(s->n * sizeof *workspace);
     page_field(0, s->n, s->X);
     for (size_t k = 0; workspace && k < sizeof fields / sizeof *fields; k++) {
@@ -93,7 +93,7 @@ static void progress(void *data, const ovr_run *run, double fraction)
     page_watch *w = data;
     w->fraction = fraction;
     if (page_wants())
-        post_state(w, run, ovr_run_about(run)->sim);
+        post_state(w, run, ovr_run_get_info(run)->sim);
 }
 
 static bool stop(void *data)
@@ -134,11 +134,11 @@ static int finish(page_watch *w, ovr_run *run, ovr_error *err)
     if (!run)
         return err->status ? cli_fail(err) : CLI_DONE;
     w->watch.progress = cli_progress_begin(-1, 0);
-    status = ovr_run_go(run, err);
+    status = ovr_run_execute(run, err);
     if (cli_has_result(run, status)) {
-        w->fraction = ovr_run_about(run)->fraction;
-        post_state(w, run, ovr_run_about(run)->sim);
-        cli_report(call, ovr_run_about(run));
+        w->fraction = ovr_run_get_info(run)->fraction;
+        post_state(w, run, ovr_run_get_info(run)->sim);
+        cli_report(call, ovr_run_get_info(run));
     }
     code = status == OVR_STOPPED ? CLI_EARLY
                                  : cli_run_code(call, run, status, err);

@@ -127,7 +127,7 @@ static void read_series(const char *path, test_series *s)
     ovr_error err = {0};
     ovr_result *result = ovr_result_open(path, NULL, &err);
     CHECK_OK(result ? OVR_OK : OVR_BAD_INPUT, &err);
-    s->n = ovr_result_about(result)->steps;
+    s->n = ovr_result_get_info(result)->steps;
     assert_true(s->n <= TEST_SERIES);
     CHECK_OK(ovr_result_history(result, "time", OVR_HERTZIAN, s->T, &err),
              &err);

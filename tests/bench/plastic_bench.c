@@ -45,7 +45,7 @@ static void roll(void *data)
     const ovr_run_options how = {.output = "plastic_bench.h5"};
     ovr_run *run = ovr_run_create(c, &how, NULL, &err);
     assert_non_null(run);
-    CHECK_OK(ovr_run_go(run, &err), &err);
+    CHECK_OK(ovr_run_execute(run, &err), &err);
     ovr_run_free(run);
     ovr_case_free(c);
     unlink("plastic_bench.h5");

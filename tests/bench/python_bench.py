@@ -46,7 +46,7 @@ def steady_in_c():
         how = ffi.new("ovr_run_options *")
         how.steady = True
         run = lib.ovr_run_create(c, how, ffi.NULL, err)
-        assert not lib.ovr_run_go(run, err)
+        assert not lib.ovr_run_execute(run, err)
         lib.ovr_run_free(run)
         lib.ovr_case_free(c)
 

@@ -39,7 +39,7 @@ static inline void fuzz_fail_unless(int good)
 /* Points increase, notes end, and what follows reading bears them. */
 static inline void fuzz_use(ovr_profile *p)
 {
-    const ovr_profile_view *v = ovr_profile_look(p);
+    const ovr_profile_view *v = ovr_profile_get_view(p);
     ovr_conditioning how = ovr_conditioning_default();
     ovr_profile_numbers numbers;
     ovr_profile_wave wave[3];

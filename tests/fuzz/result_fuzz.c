@@ -113,7 +113,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         abort();
     if (!r)
         return 0;
-    const ovr_result_info *about = ovr_result_about(r);
+    const ovr_result_info *about = ovr_result_get_info(r);
     if (about->nodes > size || about->snapshots > size || about->steps > size)
         abort();
     read_fields(r, about);

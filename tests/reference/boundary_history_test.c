@@ -119,14 +119,14 @@ static ovr_run *gone(ovr_case *c)
     ovr_run_options how = {0};
     ovr_run *run = ovr_run_create(c, &how, NULL, &err);
     CHECK_OK(run ? OVR_OK : err.status, &err);
-    CHECK_OK(ovr_run_go(run, &err), &err);
+    CHECK_OK(ovr_run_execute(run, &err), &err);
     ovr_case_free(c);
     return run;
 }
 
 static const ovr_observation *end_of(const ovr_run *run)
 {
-    return ovr_simulation_observation(ovr_run_about(run)->sim);
+    return ovr_simulation_observation(ovr_run_get_info(run)->sim);
 }
 
 /* By a soft law and by a stiff one.  At the last node, where A is not zero, the
@@ -199,7 +199,7 @@ TEST(after_a_reversal_it_is_the_steady_film)
         assign(c, "time.end=20");
         run = gone(c);
         const ovr_observation *o = end_of(run);
-        double maximum = ovr_simulation_statistics(ovr_run_about(run)->sim)
+        double maximum = ovr_simulation_statistics(ovr_run_get_info(run)->sim)
                              ->extreme.more[SHARE];
         print_message("%s: share %.4f at most, %.6f at the end, %.6f steady\n",
                       turns ? "turned" : "from rest", maximum, o->more[SHARE],
@@ -215,7 +215,7 @@ static void go_through(const char *const *settings, const char *name)
 {
     ovr_run *run = gone(begin(settings));
     const ovr_statistics *s = ovr_simulation_statistics(
-        ovr_run_about(run)->sim);
+        ovr_run_get_info(run)->sim);
     print_message("%s: %ld steps, %.2f of Newton's method each, %ld retries, "
                   "share %.4f in the mean, %.4f at most\n",
                   name, s->steps, (double)s->cycles / (double)s->steps,
@@ -259,7 +259,7 @@ static const char *const sealed[] = {"contact.hertz_pressure=0.69 GPa",
 
 static double film_over(const ovr_run *run, double Rq)
 {
-    const ovr_contact *of = ovr_run_about(run)->setup->contact;
+    const ovr_contact *of = ovr_run_get_info(run)->setup->contact;
     return of->height * ovr_film_central_moes(of->M, of->L) / Rq;
 }
 
@@ -274,7 +274,7 @@ TEST(what_breaks_off_says_what_holds)
     assign(c, "boundary.law=layer");
     ovr_run *run = ovr_run_create(c, &how, NULL, &err);
     CHECK_OK(run ? OVR_OK : err.status, &err);
-    assert_int_equal(ovr_run_go(run, &err), OVR_NOT_CONVERGED);
+    assert_int_equal(ovr_run_execute(run, &err), OVR_NOT_CONVERGED);
     print_message("%s\n", err.message);
     const char *told = strstr(err.message, "lambda ratio is ");
     assert_non_null(told);

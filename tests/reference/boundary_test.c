@@ -82,7 +82,7 @@ static ovr_case *begin(const char *const *settings)
 
 static touching seen(const ovr_run *run)
 {
-    const ovr_simulation *sim = ovr_run_about(run)->sim;
+    const ovr_simulation *sim = ovr_run_get_info(run)->sim;
     const ovr_observation *o = ovr_simulation_observation(sim);
     assert_true(o->converged);
     return (touching){.H0 = o->H0,
@@ -105,7 +105,7 @@ static touching solved(ovr_case *c)
     ovr_run_options how = {0};
     ovr_run *run = ovr_run_create(c, &how, NULL, &err);
     CHECK_OK(run ? OVR_OK : err.status, &err);
-    CHECK_OK(ovr_run_go(run, &err), &err);
+    CHECK_OK(ovr_run_execute(run, &err), &err);
     touching t = seen(run);
     ovr_run_free(run);
     ovr_case_free(c);
@@ -404,9 +404,10 @@ TEST(slow_films_are_those_of_the_dry_contact)
 /* A law that bears 0.097 ph at no film is warned of before the run; as long as
  * the film is thick it has an answer, and where the film is as thin as half of
  * that asks for none, so that no curve ends in the law's plateau. */
-static void keep_warning(void *data, ovr_say kind, const char *text)
+static void keep_warning(void *data, ovr_message_kind kind, const char *text)
 {
-    if (kind == OVR_SAY_WARNING && strstr(text, "p_h at zero film thickness"))
+    if (kind == OVR_MESSAGE_WARNING &&
+        strstr(text, "p_h at zero film thickness"))
         (*(int *)data)++;
 }
 
@@ -423,7 +424,7 @@ TEST(weak_laws_have_no_answer_for_thin_films)
         assignf(c, "contact.mean_speed=%g m/s", speed[k]);
         ovr_run *run = ovr_run_create(c, &how, NULL, &err);
         CHECK_OK(run ? OVR_OK : err.status, &err);
-        ovr_status status = ovr_run_go(run, &err);
+        ovr_status status = ovr_run_execute(run, &err);
         assert_int_equal(warned, 1);
         assert_int_equal(status, k ? OVR_IMPOSSIBLE : OVR_OK);
         if (k)
@@ -459,14 +460,14 @@ TEST(energy_closes_with_what_summits_drag)
         assign(c, k ? "boundary.friction=0.11" : "boundary.friction=0");
         ovr_run *run = ovr_run_create(c, NULL, NULL, &err);
         CHECK_OK(run ? OVR_OK : err.status, &err);
-        CHECK_OK(ovr_run_go(run, &err), &err);
+        CHECK_OK(ovr_run_execute(run, &err), &err);
         const ovr_observation *o = ovr_simulation_observation(
-            ovr_run_about(run)->sim);
+            ovr_run_get_info(run)->sim);
         CHECK_NEAR(o->energy_defect, 0, 1e-3);
         flow[k] = o->heat_flow_1 + o->heat_flow_2;
         if (k) {
             double made = fabs(o->sliding * o->more[MU_BOUNDARY]) * o->load /
-                          ovr_run_about(run)->setup->contact->kappa;
+                          ovr_run_get_info(run)->setup->contact->kappa;
             print_message("summits make %.4f, the bodies take %.4f more\n",
                           made, flow[1] - flow[0]);
             /* a warmer film drags less */
@@ -507,9 +508,9 @@ TEST(heat_of_mixed_friction_is_its_power)
         assign(c, levels[k]);
         ovr_run *run = ovr_run_create(c, NULL, NULL, &err);
         CHECK_OK(run ? OVR_OK : err.status, &err);
-        CHECK_OK(ovr_run_go(run, &err), &err);
+        CHECK_OK(ovr_run_execute(run, &err), &err);
         const ovr_observation *o = ovr_simulation_observation(
-            ovr_run_about(run)->sim);
+            ovr_run_get_info(run)->sim);
         double heat = o->heat_flow_1 + o->heat_flow_2;
         off[k] = o->energy_defect;
         print_message("    power %.5f, into the surfaces %.5f, defect %.1e\n",

@@ -19,9 +19,9 @@ static ending run_to_end(const char *text, bool steady)
     how.steady = steady;
     ovr_case *c = ovr_case_read_text(text, "case", NULL, NULL, &err);
     ovr_run *run = c ? ovr_run_create(c, &how, NULL, &err) : NULL;
-    if (!run || ovr_run_go(run, &err))
+    if (!run || ovr_run_execute(run, &err))
         fail_msg("%s", err.message);
-    const ovr_simulation *sim = ovr_run_about(run)->sim;
+    const ovr_simulation *sim = ovr_run_get_info(run)->sim;
     ending end = {*ovr_simulation_observation(sim),
                   *ovr_simulation_statistics(sim)};
     ovr_run_free(run);

@@ -26,11 +26,11 @@ static heavy solve(double M, double L, int level)
     ovr_case *c = ovr_case_read_text(text, "case", NULL, NULL, &err);
     ovr_run *run = c ? ovr_run_create(c, NULL, NULL, &err) : NULL;
     CHECK_OK(run ? OVR_OK : err.status, &err);
-    ovr_run_go(run, &err);
+    ovr_run_execute(run, &err);
     const ovr_observation *o = ovr_simulation_observation(
-        ovr_run_about(run)->sim);
+        ovr_run_get_info(run)->sim);
     heavy h = {o->H_cen, o->H_min, o->P_cen, o->converged,
-               ovr_run_about(run)->setup->options->level};
+               ovr_run_get_info(run)->setup->options->level};
     print_message("M %g, L %g: level %d, H_cen %.6g, H_min %.6g, P_cen %.5f, "
                   "%d cycles\n",
                   M, L, h.level, h.H_cen, h.H_min, h.P_cen, o->cycles);

@@ -45,7 +45,7 @@ static ovr_run *run_of(ovr_case *c, const char *path)
     if (!run)
         print_message("%s\n", err.message);
     assert_non_null(run);
-    CHECK_OK(ovr_run_go(run, &err), &err);
+    CHECK_OK(ovr_run_execute(run, &err), &err);
     return run;
 }
 
@@ -54,8 +54,8 @@ static void same_as_line(const char *text, double tolerance)
 {
     ovr_case *line = read_case(text, ""), *strip = read_case(text, STRIP);
     ovr_run *one = run_of(line, NULL), *other = run_of(strip, NULL);
-    const ovr_simulation *a = ovr_run_about(one)->sim;
-    const ovr_simulation *b = ovr_run_about(other)->sim;
+    const ovr_simulation *a = ovr_run_get_info(one)->sim;
+    const ovr_simulation *b = ovr_run_get_info(other)->sim;
     const ovr_observation *o = ovr_simulation_observation(a);
     const ovr_observation *p = ovr_simulation_observation(b);
     const ovr_state *s = ovr_simulation_state(a), *t = ovr_simulation_state(b);
@@ -135,7 +135,7 @@ static solved solve(const char *more)
     snprintf(text, sizeof text, "%s%s", STRIP "lines = 56\n", more);
     solved one = {.c = read_case(CONTACT, text)};
     one.run = run_of(one.c, NULL);
-    one.s = ovr_strip_of(ovr_run_about(one.run)->sim);
+    one.s = ovr_strip_of(ovr_run_get_info(one.run)->sim);
     return one;
 }
 
@@ -220,7 +220,7 @@ TEST(two_periods)
     solved a = solve("[feature d]\n" OVAL "across = 0.3\n");
     solved b = {.c = read_case(CONTACT, text)};
     b.run = run_of(b.c, NULL);
-    b.s = ovr_strip_of(ovr_run_about(b.run)->sim);
+    b.s = ovr_strip_of(ovr_run_get_info(b.run)->sim);
     /* The lines of both begin at -W/2, where a is at 1 of the period of b. */
     for (size_t j = 0; j < 112; j++)
         for (size_t i = 0; i < a.s->n; i++)
@@ -278,18 +278,18 @@ TEST_IN_FOLDER(stopped_and_resumed_to_the_bit)
         .output = path, .force = true, .stop = stops, .data = &calls};
     ovr_run *part = ovr_run_create(c, &how, NULL, &err);
     assert_non_null(part);
-    CHECK_STATUS(ovr_run_go(part, &err), OVR_STOPPED, &err);
+    CHECK_STATUS(ovr_run_execute(part, &err), OVR_STOPPED, &err);
     ovr_run_free(part);
     how = (ovr_run_options){0};
     ovr_run *rest = ovr_run_resume(path, &how, NULL, &err);
     if (!rest)
         print_message("%s\n", err.message);
     assert_non_null(rest);
-    CHECK_OK(ovr_run_go(rest, &err), &err);
+    CHECK_OK(ovr_run_execute(rest, &err), &err);
     const ovr_strip_level *a = ovr_strip_finest(
-        ovr_strip_of(ovr_run_about(whole)->sim));
+        ovr_strip_of(ovr_run_get_info(whole)->sim));
     const ovr_strip_level *b = ovr_strip_finest(
-        ovr_strip_of(ovr_run_about(rest)->sim));
+        ovr_strip_of(ovr_run_get_info(rest)->sim));
     size_t bytes = ovr_strip_size(&a->grid) * sizeof(double);
     assert_memory_equal(a->f.P, b->f.P, bytes);
     assert_memory_equal(a->f.H, b->f.H, bytes);
@@ -325,7 +325,8 @@ TEST(few_lines)
     ovr_case *c = read_case("[contact]\nM = 20\nL = 10\n[domain]\nlevel = 4\n",
                             "[strip]\nwidth = 0.6\nlines = 12\n");
     ovr_run *run = run_of(c, NULL);
-    assert_true(ovr_simulation_observation(ovr_run_about(run)->sim)->converged);
+    assert_true(
+        ovr_simulation_observation(ovr_run_get_info(run)->sim)->converged);
     ovr_run_free(run);
     ovr_case_free(c);
 }

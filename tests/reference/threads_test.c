@@ -164,7 +164,7 @@ TEST(threads_write_files)
         snprintf(path, sizeof path, "threads_test_%d.h5", i);
         ovr_result *result = ovr_result_open(path, NULL, NULL);
         assert_non_null(result);
-        assert_true(ovr_result_about(result)->snapshots > 5);
+        assert_true(ovr_result_get_info(result)->snapshots > 5);
         ovr_result_close(result);
         remove(path);
     }

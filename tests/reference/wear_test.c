@@ -93,8 +93,8 @@ static seen run(ovr_case *c, const char *path)
     how.force = true;
     ovr_run *r = ovr_run_create(c, &how, NULL, &err);
     CHECK_OK(r ? OVR_OK : err.status, &err);
-    CHECK_OK(ovr_run_go(r, &err), &err);
-    assert_true(ovr_run_about(r)->converged);
+    CHECK_OK(ovr_run_execute(r, &err), &err);
+    assert_true(ovr_run_get_info(r)->converged);
     ovr_run_free(r);
     return s;
 }
@@ -186,7 +186,7 @@ static void run_killed(ovr_case *c, const char *path)
         how.stop = is_late;
         ovr_run *r = ovr_run_create(c, &how, NULL, NULL);
         if (r)
-            ovr_run_go(r, NULL);
+            ovr_run_execute(r, NULL);
         _exit(1);
     }
     assert_true(child > 0 && waitpid(child, &ended, 0) == child);
@@ -212,7 +212,7 @@ TEST(killed_runs_go_on)
     how.data = &rest;
     ovr_run *r = ovr_run_resume(path, &how, NULL, &err);
     CHECK_OK(r ? OVR_OK : err.status, &err);
-    CHECK_OK(ovr_run_go(r, &err), &err);
+    CHECK_OK(ovr_run_execute(r, &err), &err);
     ovr_run_free(r);
     assert_true(rest.count > 0 && rest.count < whole.count);
     for (int k = 1; k <= rest.count; k++) {

@@ -112,7 +112,7 @@ static void make_files(void)
     write_file("study.ini", study);
     own.c = made(ovr_case_read("dent.ini", NULL, &own.err), "case");
     own.run = made(new_run("made.h5"), "run");
-    if (ovr_run_go(own.run, &own.err))
+    if (ovr_run_execute(own.run, &own.err))
         made(NULL, "run");
     own.result = made(ovr_result_open("made.h5", NULL, &own.err), "result");
     own.results[0] = own.results[1] = own.results[2] = own.result;
@@ -148,7 +148,7 @@ static void heights(void *data, double T, size_t n, const double *X, double *S)
     memset(S, 0, n * sizeof *S);
 }
 
-static void listener(void *data, ovr_say kind, const char *text)
+static void listener(void *data, ovr_message_kind kind, const char *text)
 {
     (void)data, (void)kind, (void)text;
 }
@@ -202,7 +202,7 @@ static const char *const words[] = {"dent", "bump", NULL};
 #define GOOD_ovr_setup_to own.setup
 #define GOOD_ovr_simulation_to own.sim
 #define GOOD_ovr_run_to own.run
-#define GOOD_ovr_run_info_to ovr_run_about(own.run)
+#define GOOD_ovr_run_info_to ovr_run_get_info(own.run)
 #define GOOD_ovr_result_to own.result
 #define GOOD_ovr_result_to_const_to own.results
 #define GOOD_ovr_result_to_to own.results
@@ -216,7 +216,7 @@ static const char *const words[] = {"dent", "bump", NULL};
 #define GOOD_ovr_stress_report_to_const_to own.reports
 #define GOOD_ovr_stress_report_to_to own.reports
 #define GOOD_ovr_profile_to own.profile
-#define GOOD_ovr_profile_view_to ovr_profile_look(own.profile)
+#define GOOD_ovr_profile_view_to ovr_profile_get_view(own.profile)
 #define GOOD_ovr_history_to own.setup->speed
 #define GOOD_ovr_surfaces_to own.setup->surfaces
 #define GOOD_ovr_contact_to own.setup->contact

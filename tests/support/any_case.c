@@ -347,7 +347,7 @@ static bool has_word(const char *text)
     return false;
 }
 
-static void listen(void *data, ovr_say kind, const char *text)
+static void listen(void *data, ovr_message_kind kind, const char *text)
 {
     (void)kind;
     if (!has_word(text))
@@ -393,12 +393,12 @@ static int fields_at_fault(ovr_simulation *sim)
 
 static int closes(const ovr_run *run)
 {
-    const ovr_simulation *sim = ovr_run_about(run)->sim;
+    const ovr_simulation *sim = ovr_run_get_info(run)->sim;
     const ovr_observation *o = ovr_simulation_observation(sim);
     const ovr_statistics *all = ovr_simulation_statistics(sim);
     double load = fabs(all->extreme.load_error) / fmax(1, o->load_ratio);
     bool oil = !isfinite(o->mass_defect) || fabs(o->mass_defect) < 1e-2;
-    if (!ovr_run_about(run)->converged || (load < 1e-4 && oil))
+    if (!ovr_run_get_info(run)->converged || (load < 1e-4 && oil))
         return 0;
     print_message("    load off by %.2g, oil by %.2g\n", load, o->mass_defect);
     return 1;
@@ -451,8 +451,8 @@ static double film_on(const draw *d, const char *level, int *order,
     budget capacity = {(size_t)1 << 30};
     const ovr_allocator within = {take_within, give_back, &capacity};
     ovr_run *run = c ? ovr_run_create(c, &how, &within, &err) : NULL;
-    if (run && !ovr_run_go(run, &err)) {
-        const ovr_run_info *about = ovr_run_about(run);
+    if (run && !ovr_run_execute(run, &err)) {
+        const ovr_run_info *about = ovr_run_get_info(run);
         film = ovr_simulation_observation(about->sim)->H_cen;
         *order = ovr_simulation_order(about->sim);
         for (size_t k = 0; error && about->error && k < about->error->count;
@@ -523,14 +523,14 @@ static int try(const draw *d, ending *e)
     int wrong = 0;
     *e = (ending){.failed = !run, .cost = NAN};
     if (run) {
-        ovr_status status = ovr_run_go(run, &err);
+        ovr_status status = ovr_run_execute(run, &err);
         double seconds = (double)(clock() - begun) / CLOCKS_PER_SEC;
         e->solved = !status || status == OVR_STOPPED;
         e->failed = !e->solved;
         if (!status)
             e->cost = cost_of(d, seconds);
         if (e->solved) {
-            ovr_run_summary(ovr_run_about(run), take, &w);
+            ovr_run_summary(ovr_run_get_info(run), take, &w);
             wrong += fields_at_fault(run->sim) + closes(run);
         }
     }

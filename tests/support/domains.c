@@ -145,13 +145,13 @@ static bool solve(const char *words, seen *s, domain *d, const char *folder,
     how.force = true;
     ovr_run *run = c ? ovr_run_create(c, &how, NULL, err) : NULL;
     if (run) {
-        const ovr_setup *setup = ovr_run_about(run)->setup;
+        const ovr_setup *setup = ovr_run_get_info(run)->setup;
         *d = (domain){setup->options->inlet, setup->options->outlet,
                       setup->mesh, setup->options->level, setup->convected};
     }
     s->count = 0;
     s->halved = 0;
-    bool done = run && (!go || !ovr_run_go(run, err));
+    bool done = run && (!go || !ovr_run_execute(run, err));
     ovr_run_free(run);
     ovr_case_free(c);
     return done;

@@ -94,9 +94,9 @@ static void run(test_ground *g, const surface s[2], double speed)
     enum { SHARE = 0 };
     ovr_run_options how = {0};
     ovr_run *run = c ? ovr_run_create(c, &how, NULL, &g->err) : NULL;
-    g->status = run ? ovr_run_go(run, &g->err) : OVR_BAD_INPUT;
+    g->status = run ? ovr_run_execute(run, &g->err) : OVR_BAD_INPUT;
     if (run) {
-        const ovr_simulation *sim = ovr_run_about(run)->sim;
+        const ovr_simulation *sim = ovr_run_get_info(run)->sim;
         const ovr_statistics *total = ovr_simulation_statistics(sim);
         g->share = g->layer > 0 ? total->mean.more[SHARE] : 0;
         g->H_min = total->extreme.H_min_located;
@@ -221,9 +221,9 @@ double test_ground_share(double amplitude, double decay, int level)
     ovr_case *c = ovr_case_read_text(text, "case", NULL, NULL, &err);
     ovr_run *run = c ? ovr_run_create(c, &how, NULL, &err) : NULL;
     CHECK_OK(run ? OVR_OK : err.status, &err);
-    CHECK_OK(ovr_run_go(run, &err), &err);
+    CHECK_OK(ovr_run_execute(run, &err), &err);
     double share =
-        ovr_simulation_statistics(ovr_run_about(run)->sim)->mean.more[SHARE];
+        ovr_simulation_statistics(ovr_run_get_info(run)->sim)->mean.more[SHARE];
     ovr_run_free(run);
     ovr_case_free(c);
     return share;

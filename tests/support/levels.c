@@ -37,10 +37,10 @@ static ovr_status watch(void *data, const ovr_simulation *sim, ovr_error *err)
     return OVR_OK;
 }
 
-static void hear(void *data, ovr_say kind, const char *text)
+static void hear(void *data, ovr_message_kind kind, const char *text)
 {
     (void)data;
-    if (kind == OVR_SAY_WARNING && strstr(text, "was chosen for an error"))
+    if (kind == OVR_MESSAGE_WARNING && strstr(text, "was chosen for an error"))
         watched->told = true;
 }
 
@@ -63,8 +63,8 @@ static void solve(const char *text, const char *level, seen *into)
     how.observe = watch;
     how.say = hear;
     ovr_run *run = ovr_run_create(c, &how, NULL, &err);
-    CHECK_OK(run ? ovr_run_go(run, &err) : err.status, &err);
-    const ovr_run_info *about = ovr_run_about(run);
+    CHECK_OK(run ? ovr_run_execute(run, &err) : err.status, &err);
+    const ovr_run_info *about = ovr_run_get_info(run);
     into->level = about->setup->options->level;
     into->mesh = about->setup->mesh;
     into->H_min = ovr_simulation_statistics(about->sim)->extreme.H_min_located;

@@ -24,7 +24,7 @@ static bool heat_varies(const char *text)
 static void take(tally *t, const ovr_run *run, const char *text)
 {
     const ovr_statistics *s = ovr_simulation_statistics(
-        ovr_run_about(run)->sim);
+        ovr_run_get_info(run)->sim);
     t->steps += s->steps;
     t->cycles += s->cycles;
     t->retries += s->retries;
@@ -45,7 +45,7 @@ static void try(tally *t, uint64_t seed, int level)
     t->runs++;
     t->refused += run == NULL;
     if (run) {
-        ovr_run_go(run, &err);
+        ovr_run_execute(run, &err);
         take(t, run, d.text);
     }
     t->touching += run && err.status == OVR_IMPOSSIBLE;

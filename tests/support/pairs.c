@@ -191,7 +191,7 @@ typedef struct ending {
 
 static ending keep(const ovr_run *run)
 {
-    const ovr_state *s = ovr_simulation_state(ovr_run_about(run)->sim);
+    const ovr_state *s = ovr_simulation_state(ovr_run_get_info(run)->sim);
     ending e = {.n = s->n, .step = s->step, .T = s->T};
     e.P = malloc(s->n * sizeof *e.P);
     e.H = malloc(s->n * sizeof *e.H);
@@ -220,7 +220,7 @@ static void check_same(const ending *a, const ending *b)
  * leaves 0.153, 0.079, 0.040, 0.020 of the gear's flow.) */
 static void check_kept(const ovr_run *run, double first_order)
 {
-    const ovr_run_info *info = ovr_run_about(run);
+    const ovr_run_info *info = ovr_run_get_info(run);
     const ovr_observation *o = ovr_simulation_observation(info->sim);
     bool first = info->setup->options->scheme == OVR_UPSTREAM1;
     assert_true(info->converged && o->converged && !o->marked);
@@ -256,7 +256,7 @@ static void run_killed(ovr_case *c, const char *path)
         how.stop = is_late;
         ovr_run *run = ovr_run_create(c, &how, NULL, NULL);
         if (run)
-            ovr_run_go(run, NULL);
+            ovr_run_execute(run, NULL);
         _exit(1);
     }
     assert_true(child > 0 && waitpid(child, &how_it_ended, 0) == child);
@@ -272,7 +272,7 @@ static void check_resumed(ovr_case *c, const char *path, const ending *whole)
     if (!run)
         print_message("%s\n", err.message);
     assert_non_null(run);
-    CHECK_OK(ovr_run_go(run, &err), &err);
+    CHECK_OK(ovr_run_execute(run, &err), &err);
     ending resumed = keep(run);
     check_same(whole, &resumed);
     drop(&resumed);
@@ -355,9 +355,9 @@ static void check_works(ovr_case *c, const char *path, bool marches,
         ovr_run_free(run);
         return;
     }
-    CHECK_OK(ovr_run_go(run, &err), &err);
+    CHECK_OK(ovr_run_execute(run, &err), &err);
     check_kept(run, first_order);
-    bool transient = ovr_run_about(run)->transient;
+    bool transient = ovr_run_get_info(run)->transient;
     ending whole = keep(run);
     ovr_run_free(run);
     if (transient)

@@ -51,10 +51,10 @@ static void run(test_rough *r, const surface *s)
     ovr_case *c = make_case(r, s);
     ovr_run_options how = {0};
     ovr_run *run = c ? ovr_run_create(c, &how, NULL, &r->err) : NULL;
-    r->status = run ? ovr_run_go(run, &r->err) : OVR_BAD_INPUT;
+    r->status = run ? ovr_run_execute(run, &r->err) : OVR_BAD_INPUT;
     if (!r->status) {
         const ovr_statistics *total = ovr_simulation_statistics(
-            ovr_run_about(run)->sim);
+            ovr_run_get_info(run)->sim);
         r->film_Rq = total->extreme.film_Rq;
         r->H_min = total->extreme.H_min_located;
     }

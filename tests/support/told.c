@@ -29,14 +29,14 @@ static ovr_run *solved(const char *text, int level, double T, ovr_error *err)
     }
     ovr_run *run = ovr_run_create(c, &how, NULL, err);
     if (run)
-        ovr_run_go(run, err);
+        ovr_run_execute(run, err);
     ovr_case_free(c);
     return run;
 }
 
 static double value_of(const ovr_run *run, const char *key)
 {
-    const ovr_simulation *sim = ovr_run_about(run)->sim;
+    const ovr_simulation *sim = ovr_run_get_info(run)->sim;
     const ovr_observation *o = ovr_simulation_observation(sim);
     const ovr_statistics *s = ovr_simulation_statistics(sim);
     const struct {
@@ -56,7 +56,7 @@ static double value_of(const ovr_run *run, const char *key)
 static void compare(tally *t, uint64_t seed, const ovr_run *told,
                     const ovr_run *truth)
 {
-    const ovr_run_errors *e = ovr_run_about(told)->error;
+    const ovr_run_errors *e = ovr_run_get_info(told)->error;
     int low = 0;
     for (size_t k = 0; k < e->count; k++) {
         const ovr_run_error *of = &e->of[k];
@@ -84,7 +84,8 @@ static void take(tally *t, uint64_t seed, const char *text, int level,
     ovr_run *told = solved(text, level, NAN, &err), *truth = NULL;
     if (!err.status)
         truth = solved(text, level + finer,
-                       ovr_simulation_state(ovr_run_about(told)->sim)->T, &err);
+                       ovr_simulation_state(ovr_run_get_info(told)->sim)->T,
+                       &err);
     t->cases += !err.status;
     t->failed += err.status != OVR_OK;
     if (!err.status)

@@ -63,9 +63,9 @@ static void try(tally *t, uint64_t seed)
     ovr_case *c = ovr_case_read_text(text, "case", NULL, NULL, &err);
     ovr_run *run = c ? ovr_run_create(c, NULL, NULL, &err) : NULL;
     CHECK_OK(run ? OVR_OK : err.status, &err);
-    ovr_run_go(run, &err);
+    ovr_run_execute(run, &err);
     const ovr_observation *o = ovr_simulation_observation(
-        ovr_run_about(run)->sim);
+        ovr_run_get_info(run)->sim);
     bool failed = (err.status || !o->converged) && !withheld(c, o, &err);
     t->runs++;
     t->failed += failed;

@@ -46,7 +46,7 @@ static ovr_status run_again(void *data, const ovr_simulation *sim,
     ovr_error own = {0};
     (void)sim;
     (void)err;
-    assert_int_equal(ovr_run_go(w->run, &own), OVR_BAD_INPUT);
+    assert_int_equal(ovr_run_execute(w->run, &own), OVR_BAD_INPUT);
     CHECK_ERROR(&own, OVR_BAD_INPUT, "has started");
     w->refused++;
     return OVR_OK;
@@ -65,9 +65,9 @@ TEST(test_run_within_its_observer)
     how.observe = run_again;
     w.run = ovr_run_create(c, &how, NULL, &err);
     assert_non_null(w.run);
-    CHECK_OK(ovr_run_go(w.run, &err), &err);
+    CHECK_OK(ovr_run_execute(w.run, &err), &err);
     assert_true(w.refused > 2);
-    assert_int_equal(ovr_run_go(w.run, &err), OVR_BAD_INPUT);
+    assert_int_equal(ovr_run_execute(w.run, &err), OVR_BAD_INPUT);
     ovr_run_free(w.run);
     ovr_case_free(c);
 }

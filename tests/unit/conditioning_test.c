@@ -39,8 +39,8 @@ static void condition(size_t n, const ovr_conditioning *how)
     ovr_profile *p = make(n);
     ovr_error err;
     CHECK_OK(ovr_profile_condition(p, how, &err), &err);
-    assert_int_equal(ovr_profile_look(p)->n, n);
-    memcpy(z, ovr_profile_look(p)->z, n * sizeof *z);
+    assert_int_equal(ovr_profile_get_view(p)->n, n);
+    memcpy(z, ovr_profile_get_view(p)->z, n * sizeof *z);
     ovr_profile_free(p);
 }
 
@@ -142,12 +142,12 @@ TEST(circles_are_taken_off)
         assert_non_null(p);
         CHECK_OK(ovr_profile_condition(p, &how, &err), &err);
         for (size_t i = 0; i < 801; i++)
-            CHECK_NEAR(ovr_profile_look(p)->z[i], 0, 1e-13);
+            CHECK_NEAR(ovr_profile_get_view(p)->z[i], 0, 1e-13);
         snprintf(named, sizeof named, "radius %g %sm, a %s",
                  a[1] / (a[1] > 99 ? 1e3 : 1), a[1] > 99 ? "" : "m",
                  sign > 0 ? "crown" : "hollow");
-        if (!strstr(ovr_profile_look(p)->notes, named))
-            fail_msg("no '%s' in: %s", named, ovr_profile_look(p)->notes);
+        if (!strstr(ovr_profile_get_view(p)->notes, named))
+            fail_msg("no '%s' in: %s", named, ovr_profile_get_view(p)->notes);
         ovr_profile_free(p);
     }
 }
@@ -196,8 +196,9 @@ TEST(the_form_is_chosen)
         }
         p = make(1001);
         CHECK_OK(ovr_profile_condition(p, &how, &err), &err);
-        if (!strstr(ovr_profile_look(p)->notes, names[k]))
-            fail_msg("no '%s' in: %s", names[k], ovr_profile_look(p)->notes);
+        if (!strstr(ovr_profile_get_view(p)->notes, names[k]))
+            fail_msg("no '%s' in: %s", names[k],
+                     ovr_profile_get_view(p)->notes);
         ovr_profile_free(p);
     }
 }
@@ -253,13 +254,13 @@ TEST(gaps_are_bridged_and_limited)
     for (size_t i = 0; i < 101; i++)
         z[i] = i >= 40 && i < 44 ? NAN : 5 * x[i];
     p = make(101);
-    assert_int_equal(ovr_profile_look(p)->missing, 4);
+    assert_int_equal(ovr_profile_get_view(p)->missing, 4);
     CHECK_OK(ovr_profile_condition(p, &how, &err), &err);
-    assert_int_equal(ovr_profile_look(p)->filled, 4);
+    assert_int_equal(ovr_profile_get_view(p)->filled, 4);
     assert_non_null(
-        strstr(ovr_profile_look(p)->notes, "4 points interpolated"));
+        strstr(ovr_profile_get_view(p)->notes, "4 points interpolated"));
     for (size_t i = 0; i < 101; i++)
-        CHECK_NEAR(ovr_profile_look(p)->z[i], 5 * x[i], 1e-14);
+        CHECK_NEAR(ovr_profile_get_view(p)->z[i], 5 * x[i], 1e-14);
     ovr_profile_free(p);
     how.max_gap = 0.03;
     p = make(101);
@@ -283,7 +284,7 @@ TEST(missing_ends_are_cut)
         z[i] = i < 3 || i > 95 ? NAN : 1;
     p = make(101);
     CHECK_OK(ovr_profile_condition(p, &how, &err), &err);
-    assert_int_equal(ovr_profile_look(p)->n, 93);
+    assert_int_equal(ovr_profile_get_view(p)->n, 93);
     ovr_profile_free(p);
 }
 
@@ -315,7 +316,7 @@ TEST(window_scale_and_direction)
     how.offset = 1;
     p = make(101);
     CHECK_OK(ovr_profile_condition(p, &how, &err), &err);
-    v = ovr_profile_look(p);
+    v = ovr_profile_get_view(p);
     assert_int_equal(v->n, 61);
     for (size_t i = 0; i < v->n; i++) {
         double from = -v->x[i] / 2;
@@ -464,7 +465,7 @@ static ovr_profile_numbers filtered(size_t n, double lambda_c)
     how.lambda_c = lambda_c;
     CHECK_OK(ovr_profile_condition(p, &how, &err), &err);
     CHECK_OK(ovr_profile_measure(p, &r, &err), &err);
-    memcpy(z, ovr_profile_look(p)->z, n * sizeof *z);
+    memcpy(z, ovr_profile_get_view(p)->z, n * sizeof *z);
     ovr_profile_free(p);
     return r;
 }

@@ -445,7 +445,7 @@ static bool read_all(const char *path)
 {
     ovr_error err = {0};
     ovr_result *r = ovr_result_open(path, NULL, &err);
-    const ovr_result_info *about = r ? ovr_result_about(r) : NULL;
+    const ovr_result_info *about = r ? ovr_result_get_info(r) : NULL;
     const ovr_variable *column;
     size_t maximum;
     double *values;

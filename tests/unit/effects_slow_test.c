@@ -111,7 +111,7 @@ static void add(told *t, const char *text)
         t->sum = (t->sum ^ (unsigned char)*text) * UINT64_C(1099511628211);
 }
 
-static void hear(void *data, ovr_say kind, const char *text)
+static void hear(void *data, ovr_message_kind kind, const char *text)
 {
     told *t = data;
     (void)kind;
@@ -145,11 +145,11 @@ static bool run(ovr_case *c, told *t)
     ovr_run_options how = {.say = hear, .data = t, .force = true};
     *t = (told){.sum = UINT64_C(14695981039346656037)};
     ovr_run *r = ovr_run_create(c, &how, NULL, &err);
-    bool good = r && !ovr_run_go(r, &err);
+    bool good = r && !ovr_run_execute(r, &err);
     if (good) {
-        const ovr_run_info *info = ovr_run_about(r);
+        const ovr_run_info *info = ovr_run_get_info(r);
         ovr_run_summary(info, take, t);
-        ovr_setup_tell(info->setup, take_answer, t);
+        ovr_setup_describe(info->setup, take_answer, t);
         good = !ovr_setup_report(info->setup, 0, take, t, &err);
     }
     ovr_run_free(r);

@@ -68,7 +68,7 @@ static void take(void *data, const ovr_summary_line *line)
 
 static void keep(told *t, const ovr_run *run)
 {
-    const ovr_run_info *info = ovr_run_about(run);
+    const ovr_run_info *info = ovr_run_get_info(run);
     t->steps = ovr_simulation_statistics(info->sim)->steps;
     t->warnings = info->warnings;
     for (int k = 0; k < info->warnings; k++)
@@ -97,7 +97,7 @@ static told run(const char *text, const char *path, told t)
     ovr_case *c = ovr_case_read_text(text, "case", NULL, NULL, &err);
     ovr_run *r = c ? ovr_run_create(c, &how, NULL, &err) : NULL;
     CHECK_OK(r ? OVR_OK : err.status, &err);
-    t.status = ovr_run_go(r, &err);
+    t.status = ovr_run_execute(r, &err);
     CHECK_STATUS(t.status, stops ? OVR_STOPPED : OVR_OK, &err);
     keep(&t, r);
     ovr_run_free(r);
@@ -112,7 +112,7 @@ static told resume(const char *path)
     ovr_run_options how = options(&t, NULL);
     ovr_run *r = ovr_run_resume(path, &how, NULL, &err);
     CHECK_OK(r ? OVR_OK : err.status, &err);
-    t.status = ovr_run_go(r, &err);
+    t.status = ovr_run_execute(r, &err);
     CHECK_OK(t.status, &err);
     keep(&t, r);
     ovr_run_free(r);
@@ -207,7 +207,7 @@ TEST(a_long_start_is_stopped_at_once)
     how.interrupt = after_a_while;
     ovr_run *r = c ? ovr_run_create(c, &how, NULL, &err) : NULL;
     CHECK_OK(r ? OVR_OK : err.status, &err);
-    CHECK_STATUS(ovr_run_go(r, &err), OVR_STOPPED, &err);
+    CHECK_STATUS(ovr_run_execute(r, &err), OVR_STOPPED, &err);
     CHECK_ERROR(&err, OVR_STOPPED, "steady start");
     assert_true((double)clock() / CLOCKS_PER_SEC < when + 1);
     ovr_run_free(r);

@@ -26,7 +26,7 @@ static ovr_status run_with(const char *text, double M, ovr_error *err)
     CHECK_OK(ovr_case_set(c, "contact.M", number, "test", err), err);
     ovr_run *run = ovr_run_create(c, &how, NULL, err);
     assert_non_null(run);
-    ovr_status status = ovr_run_go(run, err);
+    ovr_status status = ovr_run_execute(run, err);
     ovr_run_free(run);
     ovr_case_free(c);
     return status;

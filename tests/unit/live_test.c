@@ -71,7 +71,7 @@ static size_t look(const char *path, test_dent *d, uint64_t *seed, bool *ended)
     size_t rows;
     if (!r)
         fail_msg("%s", err.message);
-    about = ovr_result_about(r);
+    about = ovr_result_get_info(r);
     rows = about->snapshots;
     *ended = strcmp(about->status, "complete") == 0;
     for (int k = 0; k < 5 && rows > 0; k++) {

@@ -122,9 +122,9 @@ static void check_report(const char *text, bool transient)
     assert_non_null(c);
     ovr_run *run = ovr_run_create(c, &how, NULL, &err);
     assert_non_null(run);
-    CHECK_OK(ovr_run_go(run, &err), &err);
+    CHECK_OK(ovr_run_execute(run, &err), &err);
     p.lines = 0;
-    ovr_run_report(ovr_run_about(run), keep, &p);
+    ovr_run_report(ovr_run_get_info(run), keep, &p);
     for (size_t k = 0; k < p.lines; k++) {
         if (!is_a_name(p.label[k]))
             fail_msg("'%s' is no quantity", p.label[k]);

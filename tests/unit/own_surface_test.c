@@ -33,18 +33,18 @@ TEST(a_run_is_on_the_heights_given)
     assert_non_null(run);
     ovr_setup *setup = ovr_case_resolve(c, NULL, &err);
     ovr_simulation *sim = ovr_setup_simulation(setup, NULL, &err);
-    CHECK_OK(ovr_run_go(run, &err), &err);
+    CHECK_OK(ovr_run_execute(run, &err), &err);
     ovr_simulation_surface(sim, heights, &calls[1]);
     ovr_simulation_moving(sim, NAN);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     CHECK_OK(ovr_simulation_march(sim, setup->march, &err), &err);
-    const ovr_state *a = ovr_simulation_state(ovr_run_about(run)->sim);
+    const ovr_state *a = ovr_simulation_state(ovr_run_get_info(run)->sim);
     const ovr_state *b = ovr_simulation_state(sim);
     assert_int_equal(a->step, b->step);
     assert_memory_equal(a->P, b->P, a->n * sizeof *a->P);
     CHECK_NEAR(a->S[0], 0.02 * cos(a->X[0] - a->T), 1e-15);
     assert_true(calls[0] > calls[1]); /* the coarser one too */
-    assert_true(ovr_run_about(run)->error->level == 3);
+    assert_true(ovr_run_get_info(run)->error->level == 3);
     ovr_simulation_free(sim), ovr_setup_free(setup);
     ovr_run_free(run), ovr_case_free(c);
 }

@@ -23,7 +23,7 @@ static char bytes[GAUGE_BYTES];
 static void compare(const ovr_profile *p, size_t line, double step,
                     double shift, const char *what)
 {
-    const ovr_profile_view *v = ovr_profile_look(p);
+    const ovr_profile_view *v = ovr_profile_get_view(p);
     assert_int_equal(v->n, g.n);
     for (size_t i = 0; i < g.n; i++) {
         double z = g.z[line][i], size = fabs(g.x[0]) + (double)g.n * g.dx;
@@ -126,7 +126,7 @@ TEST(saved_text_comes_back_exactly)
         CHECK_OK(ovr_profile_save(p, path, &err), &err);
         q = ovr_profile_read(&source, NULL, &err);
         assert_non_null(q);
-        a = ovr_profile_look(p), b = ovr_profile_look(q);
+        a = ovr_profile_get_view(p), b = ovr_profile_get_view(q);
         assert_int_equal(a->n, b->n);
         assert_true(a->scaled_x == b->scaled_x && a->scaled_z == b->scaled_z);
         for (size_t i = 0; i < a->n; i++) {

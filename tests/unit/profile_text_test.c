@@ -37,7 +37,7 @@ static void read_bytes(const char *data, size_t size)
     profile = ovr_profile_parse(&source, data, size, NULL, &err);
     if (!profile)
         fail_msg("%s", err.message);
-    view = ovr_profile_look(profile);
+    view = ovr_profile_get_view(profile);
 }
 
 static void read_text(const char *text)

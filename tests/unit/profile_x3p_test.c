@@ -204,7 +204,7 @@ TEST(member_names_are_no_paths)
         before = files_in(*state);
         p = read_back(path, &err);
         assert_non_null(p);
-        CHECK_NEAR(ovr_profile_look(p)->z[1], 2e-6, 1e-20);
+        CHECK_NEAR(ovr_profile_get_view(p)->z[1], 2e-6, 1e-20);
         ovr_profile_free(p);
         assert_int_equal(files_in(*state), before);
         assert_int_not_equal(access(outside, F_OK), 0);
@@ -273,7 +273,7 @@ TEST(damaged_content_is_refused)
     pack(path, xml, 3);
     p = read_back(path, &err);
     assert_non_null(p);
-    CHECK_NEAR(ovr_profile_look(p)->z[2], 4e-6, 1e-20);
+    CHECK_NEAR(ovr_profile_get_view(p)->z[2], 4e-6, 1e-20);
     ovr_profile_free(p);
     bytes = test_read(path, &size);
     for (size_t i = 0; i + sizeof three <= size; i++)

@@ -56,7 +56,7 @@ static ovr_status run(void *data, ovr_trials *trials, ovr_error *err)
     return OVR_OK;
 }
 
-static void say(void *data, ovr_say kind, const char *text)
+static void say(void *data, ovr_message_kind kind, const char *text)
 {
     made_up *u = data;
     (void)kind;
@@ -102,10 +102,10 @@ TEST(orders_are_not_mixed)
 {
     made_up u = {.of = power, .odd = 20};
     ovr_find *find = ask(&u, "H_cen is 0.03", NULL);
-    const ovr_find_info *i = ovr_find_about(find);
+    const ovr_find_info *i = ovr_find_get_info(find);
     ovr_error err = {0};
     double exact = pow(0.03 / sqrt(10), -1 / 1.5);
-    CHECK_OK(ovr_find_go(find, &err), &err);
+    CHECK_OK(ovr_find_execute(find, &err), &err);
     assert_true(i->pinned);
     assert_non_null(strstr(u.said, "order = 2"));
     CHECK_CLOSE(i->value, exact, 1e-3);
@@ -119,8 +119,8 @@ TEST(orders_are_not_mixed)
 
     u = (made_up){.of = power, .odd = -1};
     find = ask(&u, "H_cen is 0.03", NULL);
-    i = ovr_find_about(find);
-    CHECK_OK(ovr_find_go(find, &err), &err);
+    i = ovr_find_get_info(find);
+    CHECK_OK(ovr_find_execute(find, &err), &err);
     assert_false(i->pinned);
     CHECK_CLOSE(i->value, exact * pow(1.1, 1 / 1.5), 1e-3);
     ovr_find_free(find);
@@ -141,16 +141,16 @@ TEST(failures)
     made_up u = {.of = thin, .odd = -1};
     ovr_find *find = ask(&u, "H_cen at least 0.03", "largest");
     ovr_error err = {0};
-    CHECK_OK(ovr_find_go(find, &err), &err);
-    assert_non_null(strstr(ovr_find_about(find)->message, "no film at all"));
-    assert_true(ovr_find_about(find)->at_value >= 0.03);
+    CHECK_OK(ovr_find_execute(find, &err), &err);
+    assert_non_null(strstr(ovr_find_get_info(find)->message, "no film at all"));
+    assert_true(ovr_find_get_info(find)->at_value >= 0.03);
     ovr_find_free(find);
 
     u.of = nothing;
     find = ask(&u, "H_cen is 0.03", NULL);
-    CHECK_STATUS(ovr_find_go(find, &err), OVR_NOT_CONVERGED, &err);
+    CHECK_STATUS(ovr_find_execute(find, &err), OVR_NOT_CONVERGED, &err);
     CHECK_ERROR(&err, OVR_NOT_CONVERGED, "all runs failed: no film at all");
-    assert_int_equal(ovr_find_about(find)->end, OVR_FIND_FAILED);
+    assert_int_equal(ovr_find_get_info(find)->end, OVR_FIND_FAILED);
     ovr_find_free(find);
 }
 
@@ -159,8 +159,8 @@ TEST(stopped)
     made_up u = {.of = power, .odd = -1, .stop_after = 7};
     ovr_find *find = ask(&u, "H_cen is 0.03", NULL);
     ovr_error err = {0};
-    CHECK_STATUS(ovr_find_go(find, &err), OVR_STOPPED, &err);
-    assert_int_equal(ovr_find_about(find)->evaluations, 7);
+    CHECK_STATUS(ovr_find_execute(find, &err), OVR_STOPPED, &err);
+    assert_int_equal(ovr_find_get_info(find)->evaluations, 7);
     ovr_find_free(find);
 }
 

@@ -165,7 +165,8 @@ static ovr_result *open_result(const char *path)
 static void check_prefix(const char *part, const char *whole, bool all)
 {
     ovr_result *a = open_result(part), *b = open_result(whole);
-    const ovr_result_info *ia = ovr_result_about(a), *ib = ovr_result_about(b);
+    const ovr_result_info *ia = ovr_result_get_info(a),
+                          *ib = ovr_result_get_info(b);
     double x[STEPS + 1], y[STEPS + 1];
     ovr_error err = {0};
     assert_true(ia->snapshots <= ib->snapshots && ia->steps <= ib->steps);
@@ -194,7 +195,7 @@ static void check_prefix(const char *part, const char *whole, bool all)
 static ovr_status check(const ovr_restart *restart, size_t count,
                         const ovr_case_value *now, ovr_error *err)
 {
-    const ovr_restart_info *info = ovr_restart_about(restart);
+    const ovr_restart_info *info = ovr_restart_get_info(restart);
     return ovr_values_same(info->value_count, info->values, count, now, err);
 }
 
@@ -213,9 +214,9 @@ static void resume(const char *path, long last)
     test_dent_init(&dent, NODES, 0);
     start(&f, &dent);
     CHECK_OK(check(restart, 3, values, &err), &err);
-    if (ovr_restart_about(restart)->has_state) {
+    if (ovr_restart_get_info(restart)->has_state) {
         CHECK_OK(ovr_restart_load_into(restart, &source, &err), &err);
-        assert_int_equal(f.step, ovr_restart_about(restart)->step);
+        assert_int_equal(f.step, ovr_restart_get_info(restart)->step);
     }
     w = ovr_writer_resume(&o, &contact, NODES, dent.X, restart, NULL, &err);
     if (!w)
@@ -312,7 +313,7 @@ static ovr_status read_later(const char *path, later *l, ovr_error *err)
     ovr_state_source source = {visit_later, l};
     ovr_restart *r = ovr_restart_open(path, NULL, err);
     assert_non_null(r);
-    assert_true(ovr_restart_about(r)->has_state);
+    assert_true(ovr_restart_get_info(r)->has_state);
     ovr_status status = ovr_restart_load_into(r, &source, err);
     ovr_restart_close(r);
     return status;
@@ -412,10 +413,11 @@ TEST_IN_FOLDER(names_the_changed_parameter)
     run_whole(path, 20);
     restart = ovr_restart_open(path, NULL, &err);
     assert_non_null(restart);
-    assert_string_equal(ovr_restart_about(restart)->case_path, "/some/where");
-    assert_string_equal(ovr_restart_about(restart)->case_text,
+    assert_string_equal(ovr_restart_get_info(restart)->case_path,
+                        "/some/where");
+    assert_string_equal(ovr_restart_get_info(restart)->case_text,
                         "[contact]\nM = 20\n");
-    assert_int_equal(ovr_restart_about(restart)->step, 20);
+    assert_int_equal(ovr_restart_get_info(restart)->step, 20);
     memcpy(changed, values, sizeof changed);
     changed[1].text = "7";
     CHECK_OK(check(restart, 3, changed, &err), &err);

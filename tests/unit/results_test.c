@@ -62,7 +62,7 @@ static void check_field(ovr_result *r, const char *name, size_t k,
 
 static void every_snapshot(ovr_result *r, test_dent *d, double tolerance)
 {
-    for (size_t k = 0; k < ovr_result_about(r)->snapshots; k++) {
+    for (size_t k = 0; k < ovr_result_get_info(r)->snapshots; k++) {
         test_dent_move(d, 4 * (long)k);
         check_field(r, "pressure", k, OVR_AS_STORED, d->P, 1, tolerance);
         check_field(r, "film_thickness", k, OVR_AS_STORED, d->H, 1, tolerance);
@@ -102,7 +102,7 @@ TEST_IN_FOLDER(returns_what_was_written)
         o.force = variant > 0;
         write_run(&o, &contact, &d, STEPS);
         r = open_result(path);
-        info = ovr_result_about(r);
+        info = ovr_result_get_info(r);
         assert_string_equal(info->status, "complete");
         assert_string_equal(info->case_text, o.case_text);
         assert_int_equal(info->nodes, NODES);
@@ -128,7 +128,7 @@ TEST_IN_FOLDER(converts_units)
     test_dent_init(&d, NODES, 0);
     write_run(&o, &contact, &d, STEPS);
     r = open_result(path);
-    assert_true(ovr_result_about(r)->physical);
+    assert_true(ovr_result_get_info(r)->physical);
     assert_string_equal(ovr_result_field(r, 0)->unit, "Pa");
     assert_string_equal(ovr_result_field(r, 1)->unit, "m");
     check_field(r, "pressure", STEPS / 4, OVR_SI, d.P, contact.ph, 1e-15);
@@ -136,7 +136,7 @@ TEST_IN_FOLDER(converts_units)
     check_field(r, "film_thickness", STEPS / 4, OVR_HERTZIAN, d.H, 1, 1e-15);
     CHECK_OK(ovr_result_x(r, OVR_SI, x, &err), &err);
     CHECK_CLOSE(x[NODES - 1], 1.5 * contact.b, 1e-14);
-    CHECK_CLOSE(ovr_result_about(r)->end, 1, 1e-14);
+    CHECK_CLOSE(ovr_result_get_info(r)->end, 1, 1e-14);
     ovr_result_close(r);
     test_dent_free(&d);
 }
@@ -187,7 +187,7 @@ TEST_IN_FOLDER(stores_what_is_chosen)
     o.stride = 3;
     write_run(&o, &contact, &d, STEPS);
     r = open_result(path);
-    nodes = ovr_result_about(r)->nodes;
+    nodes = ovr_result_get_info(r)->nodes;
     assert_int_equal(ovr_result_fields(r), 7);
     CHECK_OK(ovr_result_x(r, OVR_AS_STORED, x, &err), &err);
     CHECK_OK(ovr_result_snapshot(r, "mass_flow", STEPS / 4, OVR_AS_STORED, flow,
@@ -316,7 +316,7 @@ TEST_IN_FOLDER(lists_times)
     o.time_count = 3;
     write_run(&o, &contact, &d, 10);
     r = open_result(path);
-    assert_int_equal(ovr_result_about(r)->snapshots, 5);
+    assert_int_equal(ovr_result_get_info(r)->snapshots, 5);
     CHECK_OK(ovr_result_times(r, OVR_AS_STORED, T, &err), &err);
     for (int k = 0; k < 5; k++)
         CHECK_NEAR(T[k], at[k], 1e-12);
@@ -407,9 +407,9 @@ TEST_IN_FOLDER(shows_no_controls)
     test_dent_init(&d, NODES, 0);
     write_run(&o, &contact, &d, 0);
     r = open_result(path);
-    assert_string_equal(ovr_result_about(r)->title,
+    assert_string_equal(ovr_result_get_info(r)->title,
                         "a\\x1b]0;b\\x07\\xc2\\x9bc\\x0ad\\x7f\xc3\xbc");
-    assert_string_equal(ovr_result_about(r)->case_text,
+    assert_string_equal(ovr_result_get_info(r)->case_text,
                         "[contact]\n\tM = 20 # \\x1b[2J\n");
     ovr_result_close(r);
     test_dent_free(&d);

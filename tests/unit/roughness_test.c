@@ -66,7 +66,7 @@ static double band_power(int first, int last, ovr_roughness form)
         ovr_profile *p;
         form.seed = seed;
         p = make(&form);
-        v = ovr_profile_look(p);
+        v = ovr_profile_get_view(p);
         for (int k = first; k <= last; k++) {
             double a = 0, b = 0;
             for (size_t i = 0; i + 1 < v->n; i++) {
@@ -100,11 +100,12 @@ TEST(seeds_make_surfaces)
 {
     ovr_roughness form = good();
     ovr_profile *p = make(&form), *q = make(&form), *other;
-    const ovr_profile_view *a = ovr_profile_look(p), *b = ovr_profile_look(q);
+    const ovr_profile_view *a = ovr_profile_get_view(p),
+                           *b = ovr_profile_get_view(q);
     assert_memory_equal(a->z, b->z, a->n * sizeof(double));
     form.seed = 2;
     other = make(&form);
-    assert_memory_not_equal(a->z, ovr_profile_look(other)->z,
+    assert_memory_not_equal(a->z, ovr_profile_get_view(other)->z,
                             a->n * sizeof(double));
     /* the first heights of seed 1, so that a change is noticed */
     CHECK_NEAR(a->z[0], 0.17077300627817546, 1e-12);

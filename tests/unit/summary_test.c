@@ -48,11 +48,11 @@ TEST_IN_FOLDER(a_file_holds_its_summary)
     assert_non_null(c);
     ovr_run *run = ovr_run_create(c, &how, NULL, &err);
     assert_non_null(run);
-    CHECK_OK(ovr_run_go(run, &err), &err);
+    CHECK_OK(ovr_run_execute(run, &err), &err);
     ovr_result *result = ovr_result_open(path, NULL, &err);
     assert_non_null(result);
     h.line = ovr_result_attributes(result, "summary", &h.count);
-    ovr_run_summary(ovr_run_about(run), compare, &h);
+    ovr_run_summary(ovr_run_get_info(run), compare, &h);
     assert_true(h.numbers > 60 && h.matched == h.numbers &&
                 h.count == h.numbers);
     assert_string_equal(h.line[0].name, "converged");

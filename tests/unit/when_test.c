@@ -219,12 +219,12 @@ typedef struct heard {
     char first[OVR_MESSAGE_SIZE], warning[OVR_MESSAGE_SIZE];
 } heard;
 
-static void hear(void *data, ovr_say kind, const char *text)
+static void hear(void *data, ovr_message_kind kind, const char *text)
 {
     heard *h = data;
-    if (kind == OVR_SAY_WARNING && !h->warnings++)
+    if (kind == OVR_MESSAGE_WARNING && !h->warnings++)
         snprintf(h->warning, sizeof h->warning, "%s", text);
-    if (kind == OVR_SAY_NOTE && !h->notes++)
+    if (kind == OVR_MESSAGE_NOTE && !h->notes++)
         snprintf(h->first, sizeof h->first, "%s", text);
 }
 

@@ -46,7 +46,7 @@ static bool look(const char *path, size_t *rows, bool *ended)
     static double values[MAX];
     ovr_error err = {0};
     ovr_result *r = ovr_result_open(path, NULL, &err);
-    const ovr_result_info *about = r ? ovr_result_about(r) : NULL;
+    const ovr_result_info *about = r ? ovr_result_get_info(r) : NULL;
     bool good = about && about->nodes <= MAX && about->snapshots >= *rows;
     if (good) {
         *rows = about->snapshots;

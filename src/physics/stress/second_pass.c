@@ -210,7 +210,7 @@ static ovr_status one_depth(pass *p, size_t j, ovr_error *err)
 
 static ovr_status all_depths(pass *p, ovr_error *err)
 {
-    const ovr_result_info *info = ovr_result_about(p->result);
+    const ovr_result_info *info = ovr_result_get_info(p->result);
     ovr_status status;
     p->snapshots = info->snapshots;
     if (info->nodes != p->plan->options.nodes || p->snapshots < 2)
@@ -238,7 +238,7 @@ ovr_status ovr_stress_second_pass(const ovr_stress_source *of,
     p.result = ovr_result_open(of->path, NULL, err);
     if (!p.result)
         return OVR_IO;
-    const ovr_result_info *info = ovr_result_about(p.result);
+    const ovr_result_info *info = ovr_result_get_info(p.result);
     p.T = ovr_arena_take(&arena, info->snapshots + 1, sizeof *p.T, err);
     p.P = ovr_arena_take(&arena, info->nodes, sizeof *p.P, err);
     if (plan->options.traction)

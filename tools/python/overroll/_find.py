@@ -171,7 +171,7 @@ def find(case: Union[None, Case, Path], key: str, *,
     if search == ffi.NULL:
         raise error_of(err)
     try:
-        status = lib.ovr_find_go(search, err)
+        status = lib.ovr_find_execute(search, err)
         if asked.trouble is not None:
             raise asked.trouble
         if status:
@@ -182,7 +182,7 @@ def find(case: Union[None, Case, Path], key: str, *,
 
 
 def _found(search: Any) -> Found:
-    info = lib.ovr_find_about(search)
+    info = lib.ovr_find_get_info(search)
     evaluations = []
     for k in range(info.evaluations):
         e = lib.ovr_find_evaluation_at(search, k)

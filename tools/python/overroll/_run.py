@@ -118,11 +118,11 @@ def _change(data: Any, c: Any, err: Any) -> int:
 def go(core: _RunCore, watch: _Watch) -> int:
     """Runs it; the status, or what the callbacks raised."""
     err = new_error()
-    watch.info = lib.ovr_run_about(core.run)
+    watch.info = lib.ovr_run_get_info(core.run)
     watch.core = core
     watch.state = State(core, watch.info)
     try:
-        status = lib.ovr_run_go(core.run, err)
+        status = lib.ovr_run_execute(core.run, err)
     finally:
         watch.teller.end()
     if watch.trouble is not None:
@@ -213,7 +213,7 @@ def run(case: Union[Case, Path], output: Optional[Path] = None, *,
 
 def _finished(core: _RunCore) -> "xarray.Dataset":
     from ._xarray import open
-    info = lib.ovr_run_about(core.run)
+    info = lib.ovr_run_get_info(core.run)
     warn(core)
     path = info.passes_file if info.passes else info.output
     return open(ffi.string(path).decode("utf-8", "surrogateescape"))
@@ -292,6 +292,6 @@ def unpack(path: Path, folder: Path, *, force: bool = False) -> list[str]:
     if status:
         raise error_of(err, status)
     for kind, message in said:
-        if kind == lib.OVR_SAY_WARNING:
+        if kind == lib.OVR_MESSAGE_WARNING:
             warnings.warn(message, OverrollWarning, stacklevel=2)
-    return [message for kind, message in said if kind == lib.OVR_SAY_FILE]
+    return [message for kind, message in said if kind == lib.OVR_MESSAGE_FILE]

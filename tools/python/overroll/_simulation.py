@@ -56,7 +56,7 @@ class Film(Solution):
     """
 
     def __init__(self, core: _RunCore) -> None:
-        info = lib.ovr_run_about(core.run)
+        info = lib.ovr_run_get_info(core.run)
         self._info = info
         self._attach(core, info.sim, info.setup)
 
@@ -93,7 +93,7 @@ class Film(Solution):
 
 def warn(core: _RunCore) -> None:
     """Says the warnings of a run, at the place where the user called."""
-    info = lib.ovr_run_about(core.run)
+    info = lib.ovr_run_get_info(core.run)
     depth, frame = 1, sys._getframe()
     while frame.f_back and frame.f_globals.get("__package__") == __package__:
         depth, frame = depth + 1, frame.f_back
@@ -137,8 +137,8 @@ def steady(case: Union[None, Path, Case] = None, *,
     if run == ffi.NULL:
         raise error_of(err)
     core = _RunCore(run, shared)
-    check(lib.ovr_run_go(run, err), err)
-    if lib.ovr_run_about(run).warnings:
+    check(lib.ovr_run_execute(run, err), err)
+    if lib.ovr_run_get_info(run).warnings:
         warn(core)
     return Film(core)
 

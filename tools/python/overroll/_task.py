@@ -28,7 +28,7 @@ def _take(data: Any, line: Any) -> None:
 def _summary(core: _RunCore) -> dict[str, Any]:
     """The numbers of a finished run, by their JSON keys; those that are not
     known are NaN."""
-    info = lib.ovr_run_about(core.run)
+    info = lib.ovr_run_get_info(core.run)
     found: dict[str, Any] = {}
     handle = ffi.new_handle(found)
     lib.ovr_run_summary(info, _take, handle)
