@@ -146,7 +146,8 @@ ovr_status ovr_given(void *to, size_t size, const void *from, const char *name,
     return OVR_OK;
 }
 
-ovr_status ovr_fillable(const void *to, const char *name, ovr_error *err)
+ovr_status ovr_check_output_argument(const void *to, const char *name,
+                                     ovr_error *err)
 {
     return to ? OVR_OK
               : ovr_fail(err, OVR_BAD_INPUT, "no %s to fill is given", name);

@@ -21,6 +21,7 @@ ovr_status ovr_given(void *to, size_t size, const void *from, const char *name,
     ovr_given(to, sizeof(type), from, #type, err)
 
 /* Fails unless there is a struct to fill. */
-ovr_status ovr_fillable(const void *to, const char *name, ovr_error *err);
+ovr_status ovr_check_output_argument(const void *to, const char *name,
+                                     ovr_error *err);
 
 #endif

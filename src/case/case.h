@@ -102,7 +102,7 @@ bool ovr_key_idle(const ovr_case *c, const ovr_block *block,
                   const ovr_slot *slot, ovr_idle *idle);
 
 /* Refuses the first key that is given and has no effect. */
-ovr_status ovr_case_check_idle(const ovr_case *c, ovr_error *err);
+ovr_status ovr_case_check_ineffective(const ovr_case *c, ovr_error *err);
 
 /* The case whose text a result file holds: a key without effect, of which an
  * earlier version said nothing, is no reason to refuse it. */

@@ -293,7 +293,7 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
     r->setup.march = &r->march;
     r->setup.passes = &r->values.passes;
     r->setup.output = &r->values.output;
-    status = ovr_case_check_idle(c, err);
+    status = ovr_case_check_ineffective(c, err);
     if (!status)
         status = ovr_resolve_contact(r, err);
     if (!status)

@@ -121,7 +121,7 @@ double ovr_resolved_width(const ovr_resolved *r);
 size_t ovr_resolved_lines(const ovr_resolved *r, double D);
 
 /* Returns the film that arrives at T = 0, INFINITY for flooded inlets. */
-double ovr_resolved_arrives(const ovr_resolved *r);
+double ovr_resolved_supply(const ovr_resolved *r);
 
 /* Frees what their forms hold. */
 void ovr_resolved_drop(ovr_resolved *r);

@@ -34,9 +34,9 @@ static bool is_on(const ovr_resolved *r, int k)
 }
 
 /* Returns the statements of the form of physics k, defaults where it is off. */
-static ovr_physics_says said(const ovr_resolved *r, int k)
+static ovr_physics_statement said(const ovr_resolved *r, int k)
 {
-    ovr_physics_says says = {.arrives = INFINITY};
+    ovr_physics_statement says = {.arrives = INFINITY};
     if (in_case(k)->says && is_on(r, k))
         in_case(k)->says(r->physics[k].form, &says);
     return says;
@@ -421,7 +421,7 @@ static double beside(const ovr_setup *setup)
     return bytes;
 }
 
-double ovr_setup_seconds_beside(const ovr_setup *setup, double node_steps)
+double ovr_setup_seconds_of_physics(const ovr_setup *setup, double node_steps)
 {
     const ovr_resolved *r = setup->resolved;
     double seconds = 0;
@@ -519,7 +519,7 @@ double ovr_setup_width(const ovr_setup *setup)
     return ovr_resolved_width(setup->resolved);
 }
 
-double ovr_resolved_arrives(const ovr_resolved *r)
+double ovr_resolved_supply(const ovr_resolved *r)
 {
     double film = INFINITY;
     for (int k = 0; ovr_physics_list[k]; k++)

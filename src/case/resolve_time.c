@@ -456,7 +456,7 @@ static bool has_hot_opposed(const ovr_resolved *r)
 static bool is_closer(ovr_resolved *r)
 {
     const double target = 1e-3;
-    double arriving = ovr_resolved_arrives(r), longer;
+    double arriving = ovr_resolved_supply(r), longer;
     if (r->setup.accuracy_of != OVR_ACCURACY_ALL)
         return false;
     r->march.dT = LONG_STEP * r->setup.mesh;

@@ -186,7 +186,7 @@ static ovr_status make_grid(ovr_resolved *r, bool usual,
     ovr_status status = place_surfaces(r, usual, allocator, err);
     if (!status) {
         ovr_resolve_step(r);
-        s->expected = ovr_expected(s, ovr_resolved_arrives(r));
+        s->expected = ovr_expected(s, ovr_resolved_supply(r));
     }
     return status;
 }

@@ -53,7 +53,7 @@ double ovr_setup_lag(const ovr_setup *setup);
 
 /* Seconds that its physics take a pass beside the film, about, for so many
  * nodes times steps. */
-double ovr_setup_seconds_beside(const ovr_setup *setup, double node_steps);
+double ovr_setup_seconds_of_physics(const ovr_setup *setup, double node_steps);
 
 /* Warns whoever listens to a run or a setup. */
 void ovr_warn(ovr_listener *say, void *data, const char *format, ...)

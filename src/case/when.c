@@ -301,7 +301,7 @@ bool ovr_key_idle(const ovr_case *c, const ovr_block *block,
     return true;
 }
 
-ovr_status ovr_case_check_idle(const ovr_case *c, ovr_error *err)
+ovr_status ovr_case_check_ineffective(const ovr_case *c, ovr_error *err)
 {
     ovr_idle idle;
     for (const ovr_block *b = c->blocks; b; b = b->next)

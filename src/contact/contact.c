@@ -344,7 +344,8 @@ ovr_status ovr_contact_resolve(const ovr_conditions *given,
     ovr_conditions own;
     ovr_contact made;
     if (OVR_TAKE(ovr_conditions, &own, given, err) ||
-        ovr_fillable(contact, "ovr_contact", err) || resolve(&own, &made, err))
+        ovr_check_output_argument(contact, "ovr_contact", err) ||
+        resolve(&own, &made, err))
         return OVR_BAD_INPUT;
     *contact = made;
     return OVR_OK;

@@ -78,8 +78,9 @@ double ovr_surface_speed(const ovr_history *speed, const ovr_history *sliding,
 /* The distance that a surface has moved from 0 to T, in b: ratio = u_k/um of
  * the nominal speeds times the integral of Cu; with a history of the sliding V
  * = (u1 - u2)/um0 the integral of Cu +- V/2. */
-double ovr_surface_way(const ovr_history *speed, const ovr_history *sliding,
-                       double ratio, int surface, double T);
+double ovr_surface_distance(const ovr_history *speed,
+                            const ovr_history *sliding, double ratio,
+                            int surface, double T);
 
 /* Value 1 at all times. */
 ovr_history_form ovr_history_form_default(void);

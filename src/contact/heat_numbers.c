@@ -97,7 +97,7 @@ ovr_status ovr_heat_make(const ovr_heat_form *form, const ovr_contact *contact,
     if (OVR_TAKE(ovr_heat_form, &whole, form, err) ||
         OVR_TAKE(ovr_contact, &of, contact, err) ||
         OVR_TAKE(ovr_lubricant, &oil, lubricant, err) ||
-        ovr_fillable(heat, "ovr_heat", err))
+        ovr_check_output_argument(heat, "ovr_heat", err))
         return OVR_BAD_INPUT;
     if (isnan(whole.temperature))
         return missing("temperature", err);

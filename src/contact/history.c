@@ -443,8 +443,9 @@ double ovr_surface_speed(const ovr_history *speed, const ovr_history *sliding,
     return Cu + (surface == 1 ? 0.5 : -0.5) * ovr_history_value(sliding, T);
 }
 
-double ovr_surface_way(const ovr_history *speed, const ovr_history *sliding,
-                       double ratio, int surface, double T)
+double ovr_surface_distance(const ovr_history *speed,
+                            const ovr_history *sliding, double ratio,
+                            int surface, double T)
 {
     double way = ovr_history_integral(speed, T);
     if (!sliding)

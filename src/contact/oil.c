@@ -394,7 +394,7 @@ ovr_status ovr_oil_scale(const ovr_oil *oil, const ovr_contact *contact,
     ovr_lubricant made;
     if (OVR_TAKE(ovr_oil, &whole, oil, err) ||
         OVR_TAKE(ovr_contact, &of, contact, err) ||
-        ovr_fillable(lubricant, "ovr_lubricant", err) ||
+        ovr_check_output_argument(lubricant, "ovr_lubricant", err) ||
         scale(&whole, &of, &made, err))
         return OVR_BAD_INPUT;
     *lubricant = made;

@@ -10,7 +10,8 @@ static const double HIGHEST = 25;
  * calculated of it. */
 static const double LOWEST = -60;
 
-static double exponential_at(const ovr_touch_law *law, double H, double *slope)
+static double exponential_at(const ovr_asperity_law *law, double H,
+                             double *slope)
 {
     double power = -H / law->decay;
     double A = power < LOWEST ? 0 : law->amplitude * exp(fmin(power, HIGHEST));
@@ -20,7 +21,7 @@ static double exponential_at(const ovr_touch_law *law, double H, double *slope)
 
 /* Below a thousandth of its decay length the layer continues as its tangent, so
  * that negative gaps during the iteration are opened. */
-static double layer_at(const ovr_touch_law *law, double H, double *slope)
+static double layer_at(const ovr_asperity_law *law, double H, double *slope)
 {
     const double minimum = 1e-3;
     double d = law->layer_decay, x = fmax(H / d, minimum);
@@ -36,7 +37,7 @@ static double layer_at(const ovr_touch_law *law, double H, double *slope)
  */
 
 /* The point at or before H; the last but one beyond the end. */
-static size_t before(const ovr_touch_table *t, double H)
+static size_t before(const ovr_asperity_table *t, double H)
 {
     size_t low = 0, high = t->n - 1;
     while (high - low > 1) {
@@ -50,7 +51,7 @@ static size_t before(const ovr_touch_table *t, double H)
 }
 
 /* ln A and its slope. */
-static double ln_at(const ovr_touch_table *t, double H, double *slope)
+static double ln_at(const ovr_asperity_table *t, double H, double *slope)
 {
     size_t last = t->n - 1, i;
     double h, v, rise, a, b;
@@ -71,7 +72,7 @@ static double ln_at(const ovr_touch_table *t, double H, double *slope)
     return t->ln_A[i] + v * rise + v * (1 - v) * (a * (1 - v) + b * v);
 }
 
-static double table_at(const ovr_touch_table *t, double H, double *slope)
+static double table_at(const ovr_asperity_table *t, double H, double *slope)
 {
     double by, ln_A = ln_at(t, H, &by);
     double A = ln_A < LOWEST ? 0 : exp(fmin(ln_A, HIGHEST));
@@ -81,7 +82,7 @@ static double table_at(const ovr_touch_table *t, double H, double *slope)
 
 /* The share in contact goes along with A: what is between the points is their
  * quotient. */
-static double table_area(const ovr_touch_table *t, double H)
+static double table_area(const ovr_asperity_table *t, double H)
 {
     size_t i = before(t, H);
     double slope, v = (H - t->H[i]) / (t->H[i + 1] - t->H[i]);
@@ -91,8 +92,8 @@ static double table_area(const ovr_touch_table *t, double H)
     return fmin(1, ((1 - v) * left + v * right) * table_at(t, H, &slope));
 }
 
-ovr_status ovr_touch_table_take(ovr_touch_table *table, size_t n,
-                                ovr_arena *arena, ovr_error *err)
+ovr_status ovr_asperity_table_take(ovr_asperity_table *table, size_t n,
+                                   ovr_arena *arena, ovr_error *err)
 {
     double **const all[] = {&table->H, &table->ln_A, &table->slope,
                             &table->area};
@@ -103,7 +104,7 @@ ovr_status ovr_touch_table_take(ovr_touch_table *table, size_t n,
     return OVR_OK;
 }
 
-void ovr_touch_table_slopes(ovr_touch_table *t)
+void ovr_asperity_table_slopes(ovr_asperity_table *t)
 {
     size_t last = t->n - 1;
     double *s = t->slope;
@@ -135,16 +136,16 @@ static double F(double m, double u)
     return sum * step;
 }
 
-ovr_status ovr_touch_greenwood_tripp(ovr_touch_table *t, double sigma,
-                                     double density, double sharpness,
-                                     double modulus, ovr_arena *arena,
-                                     ovr_error *err)
+ovr_status ovr_asperity_greenwood_tripp(ovr_asperity_table *t, double sigma,
+                                        double density, double sharpness,
+                                        double modulus, ovr_arena *arena,
+                                        ovr_error *err)
 {
     enum { POINTS = 181 };
     const double from = -3, step = 0.05, pi = acos(-1.0);
     double squared = density * density;
     double scale = 16 * sqrt(2) * pi / 15 * squared * sqrt(sharpness) * modulus;
-    ovr_status status = ovr_touch_table_take(t, POINTS, arena, err);
+    ovr_status status = ovr_asperity_table_take(t, POINTS, arena, err);
     for (size_t i = 0; !status && i < POINTS; i++) {
         double u = from + step * (double)i, value = F(2.5, u);
         t->H[i] = sigma * u;
@@ -157,9 +158,9 @@ ovr_status ovr_touch_greenwood_tripp(ovr_touch_table *t, double sigma,
 
 /* ---------------------------------------------------------------- together */
 
-void ovr_touch_law_at(const void *law, double H, double *A, double *slope)
+void ovr_asperity_law_at(const void *law, double H, double *A, double *slope)
 {
-    const ovr_touch_law *l = law;
+    const ovr_asperity_law *l = law;
     double steep = 0;
     *A = *slope = 0;
     if (l->amplitude > 0)
@@ -172,7 +173,7 @@ void ovr_touch_law_at(const void *law, double H, double *A, double *slope)
     }
 }
 
-double ovr_touch_law_area(const ovr_touch_law *law, double H)
+double ovr_asperity_law_area(const ovr_asperity_law *law, double H)
 {
     double slope;
     if (law->amplitude > 0)

@@ -27,35 +27,35 @@
 #include "base/arena.h"
 
 /* Points, H increasing, A falling. */
-typedef struct ovr_touch_table {
+typedef struct ovr_asperity_table {
     size_t n; /* 0: none */
     double *H, *ln_A, *slope, *area;
-} ovr_touch_table;
+} ovr_asperity_table;
 
-typedef struct ovr_touch_law {
+typedef struct ovr_asperity_law {
     double amplitude, decay;   /* exponential; 0: none */
     double layer, layer_decay; /* 0: none */
-    ovr_touch_table table;
-} ovr_touch_law;
+    ovr_asperity_table table;
+} ovr_asperity_law;
 
-/* A and -dA/dH; `law` is an ovr_touch_law. */
-void ovr_touch_law_at(const void *law, double H, double *A, double *slope);
+/* A and -dA/dH; `law` is an ovr_asperity_law. */
+void ovr_asperity_law_at(const void *law, double H, double *A, double *slope);
 
 /* The share of the surface that is in contact at H. */
-double ovr_touch_law_area(const ovr_touch_law *law, double H);
+double ovr_asperity_law_area(const ovr_asperity_law *law, double H);
 
 /* Space for n points. */
-ovr_status ovr_touch_table_take(ovr_touch_table *table, size_t n,
-                                ovr_arena *arena, ovr_error *err);
+ovr_status ovr_asperity_table_take(ovr_asperity_table *table, size_t n,
+                                   ovr_arena *arena, ovr_error *err);
 
 /* The slopes of what has no known ones: those of the monotone cubic of Fritsch
  * & Butland (SIAM J. Sci. Stat. Comput. 5 (1984) 300); n >= 2. */
-void ovr_touch_table_slopes(ovr_touch_table *table);
+void ovr_asperity_table_slopes(ovr_asperity_table *table);
 
 /* Greenwood & Tripp's, n beta sigma and sigma/beta pure numbers; E* in ph. */
-ovr_status ovr_touch_greenwood_tripp(ovr_touch_table *table, double sigma,
-                                     double density, double sharpness,
-                                     double modulus, ovr_arena *arena,
-                                     ovr_error *err);
+ovr_status ovr_asperity_greenwood_tripp(ovr_asperity_table *table, double sigma,
+                                        double density, double sharpness,
+                                        double modulus, ovr_arena *arena,
+                                        ovr_error *err);
 
 #endif

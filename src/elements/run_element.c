@@ -40,7 +40,7 @@ typedef struct answered {
 
 static void put(const answered *a, const char *key, double number)
 {
-    const ovr_told to = {a->take, a->data};
+    const ovr_report_sink to = {a->take, a->data};
     ovr_put_number(&to, key, number);
 }
 

@@ -96,7 +96,7 @@ static ovr_newton_row local_row(const ovr_hierarchy *grids,
     row_flow_by_film(f, c, J, row.e);
     row_by_pressure(f, c, J, row.local);
     if (grids->touch.at)
-        ovr_touch_wet_row(grids, level, i, &row);
+        ovr_asperity_pressurized_row(grids, level, i, &row);
     return row;
 }
 
@@ -168,20 +168,21 @@ static bool solve_touching(ovr_hierarchy *grids, const ovr_level *level,
                            const ovr_fields *f)
 {
     enum { TURNS = 5 };
-    const ovr_touch *touch = &grids->touch;
+    const ovr_asperity *touch = &grids->touch;
     double *step = touch->step;
     double missing = level->force - ovr_level_load(grids, level);
-    ovr_touch_open(grids, level, f);
+    ovr_asperity_open(grids, level, f);
     for (int turn = 0; turn < TURNS; turn++) {
         for (size_t i = 1; i + 1 < level->grid.n; i++) {
             row_weights c = weights_of(grids, level, f, i);
             touch->tripoles->row[i] = touch->dry[i]
-                                          ? ovr_touch_dry_row(grids, level, i)
+                                          ? ovr_asperity_cavitated_row(grids,
+                                                                       level, i)
                                           : local_row(grids, level, f, &c, i);
         }
         if (!ovr_tripoles_solve(grids, level, missing, step))
             return false;
-        if (!ovr_touch_close(grids, level, step))
+        if (!ovr_asperity_close(grids, level, step))
             break;
     }
     return true;
@@ -225,13 +226,13 @@ static void advance_touching(ovr_hierarchy *grids, ovr_level *level,
 {
     enum { PARTS = 6 };
     const double worse = 30;
-    const ovr_touch *touch = &grids->touch;
+    const ovr_asperity *touch = &grids->touch;
     double H0 = grids->H0, part = 1;
     double maximum = worse * fmax(ovr_level_imbalance(grids, level), 1);
-    ovr_touch_limit(touch, level->grid.n, limit);
+    ovr_asperity_limit(touch, level->grid.n, limit);
     for (int k = 0; k < PARTS; k++, part /= 4) {
         grids->H0 = H0 + part * touch->step[level->grid.n];
-        ovr_touch_advance(grids, level, f, part);
+        ovr_asperity_advance(grids, level, f, part);
         ovr_level_properties(grids, level);
         ovr_level_residual(grids, level);
         if (ovr_level_imbalance(grids, level) < maximum)
@@ -261,7 +262,7 @@ bool ovr_newton_step(ovr_hierarchy *grids, ovr_level *level, double limit)
     if (grids->conserving)
         order_states(grids, level, f);
     if (grids->touch.at) {
-        ovr_touch_prepare(grids, level, f);
+        ovr_asperity_prepare(grids, level, f);
         if (!solve_touching(grids, level, f))
             return false;
         advance_touching(grids, level, f, limit);

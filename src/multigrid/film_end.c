@@ -240,7 +240,7 @@ static void try_rigid(const ovr_hierarchy *grids, ovr_level *level,
     ovr_level_refresh(grids, level);
 }
 
-void ovr_film_ends(const ovr_hierarchy *grids, ovr_level *level)
+void ovr_move_cavitation_boundary(const ovr_hierarchy *grids, ovr_level *level)
 {
     const film f = {level, grids->band.b[0], grids->band.b[1], grids->band.b[2],
                     grids->band.b[3]};

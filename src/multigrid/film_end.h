@@ -34,6 +34,6 @@
 #include "multigrid/hierarchy.h"
 
 /* Film and residual of the level must be up to date, and are afterwards. */
-void ovr_film_ends(const ovr_hierarchy *grids, ovr_level *level);
+void ovr_move_cavitation_boundary(const ovr_hierarchy *grids, ovr_level *level);
 
 #endif

@@ -54,7 +54,7 @@ static inline double ovr_flow_gradient(const ovr_fluid *fluid, double D)
 }
 
 /* True if the fluid has a flow law. */
-static inline bool ovr_flow_thins(const ovr_fluid *fluid)
+static inline bool ovr_flow_is_shear_thinning(const ovr_fluid *fluid)
 {
     return fluid->lubricant.rheology != OVR_NEWTONIAN;
 }
@@ -63,8 +63,8 @@ static inline bool ovr_flow_thins(const ovr_fluid *fluid)
  * the half nodes' mean gap, phi: 2 E and all that follows from it,
  *     E <- phi E,  dE/dH_i <- phi dE/dH_i + phi' E/2
  * Stresses and the oil's properties know nothing of it. */
-void ovr_flow_through(const ovr_fluid *fluid, const ovr_lanes *g,
-                      const ovr_fields *f);
+void ovr_apply_flow_factor(const ovr_fluid *fluid, const ovr_lanes *g,
+                           const ovr_fields *f);
 
 /* Stores at half nodes what a level, or a part of it, needs of film and
  * properties that are up to date. */
@@ -72,12 +72,12 @@ static inline void ovr_flow_store(const ovr_kernels *run,
                                   const ovr_fluid *fluid, double D,
                                   const ovr_lanes *g, const ovr_fields *f)
 {
-    if (ovr_flow_thins(fluid))
+    if (ovr_flow_is_shear_thinning(fluid))
         run->flow(fluid, D, g, f);
     else if (f->flow)
         run->faces(fluid, g, f);
     if (fluid->factor)
-        ovr_flow_through(fluid, g, f);
+        ovr_apply_flow_factor(fluid, g, f);
 }
 
 /* E at the middle of two nodes that are dX apart. */

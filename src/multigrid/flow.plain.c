@@ -232,8 +232,8 @@ void ovr_faces_plain(const ovr_fluid *of, const ovr_lanes *g,
     }
 }
 
-void ovr_flow_through(const ovr_fluid *fluid, const ovr_lanes *g,
-                      const ovr_fields *f)
+void ovr_apply_flow_factor(const ovr_fluid *fluid, const ovr_lanes *g,
+                           const ovr_fields *f)
 {
     bool lanes = g->V > 1; /* else there are no halos */
     ptrdiff_t V = (ptrdiff_t)g->V, first = lanes ? -OVR_HALO * V : 0;
@@ -276,7 +276,7 @@ double ovr_flow_between(const ovr_fluid *fluid, double dX,
                             ? ovr_flow_factor_at(fluid->factor,
                                                  0.5 * (H[0] + H[1]), &slope)
                             : 1;
-    if (!ovr_flow_thins(fluid))
+    if (!ovr_flow_is_shear_thinning(fluid))
         return 0.5 * phi * twice_eps;
     double g = ovr_flow_gradient(fluid, dX) * (H[0] + H[1]) *
                (nodes->P[1] - nodes->P[0]);

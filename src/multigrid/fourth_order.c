@@ -52,7 +52,8 @@ static void evaluate(const ovr_hierarchy *grids, const ovr_correction *c,
         .F = c->F,
         .gap = c->gap,
         .linear = grids->influence.linear,
-        .reduced = fluid->logarithmic && !ovr_flow_thins(fluid) && !fluid->law,
+        .reduced = fluid->logarithmic && !ovr_flow_is_shear_thinning(fluid) &&
+                   !fluid->law,
         .local = level->local};
     if (mask)
         run->fourth_mask(&level->lanes, level->f.P, c->mask);

@@ -209,7 +209,7 @@ void OVR_KERNEL(fourth_order)(const ovr_lanes *g, const ovr_fourth *c,
         if (fields[k])
             repeat_ends(fields[k], S, REACH);
     logarithms(g, f->eps, c->log_eps);
-    if (ovr_flow_thins(c->fluid))
+    if (ovr_flow_is_shear_thinning(c->fluid))
         thinned_fluxes(g, c, f);
     else if (c->reduced)
         reduced_fluxes(g, c, f);

@@ -120,7 +120,7 @@ void OVR_KERNEL(mean_stress)(const ovr_sheared *f, const ovr_fluid *fluid,
 {
     if (fluid->lubricant.rheology == OVR_EYRING && fluid->sliding != 0)
         eyring_stress(f, fluid, t);
-    else if (ovr_flow_thins(fluid) && fluid->sliding != 0)
+    else if (ovr_flow_is_shear_thinning(fluid) && fluid->sliding != 0)
         table_stress(f, fluid, t);
     else
         newtonian(f, fluid, t);

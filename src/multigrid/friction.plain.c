@@ -52,7 +52,7 @@ void ovr_mean_stress_plain(const ovr_sheared *f, const ovr_fluid *fluid,
     for (size_t i = 0; i + 1 < f->n; i++) {
         double ratio = slid(f, fluid->by_gap, i);
         t[i] = -V / 12 * ratio;
-        if (ovr_flow_thins(fluid) && V != 0)
+        if (ovr_flow_is_shear_thinning(fluid) && V != 0)
             t[i] = thinning(fluid, ovr_flow_slide(fluid) * ratio,
                             slope(f, i) / Sigma0);
         if (!wet(f, i))

@@ -59,7 +59,7 @@ static size_t capacity_of(const ovr_level *level)
 static bool has(const ovr_hierarchy *grids, ovr_field_memory memory,
                 bool newton)
 {
-    bool thins = ovr_flow_thins(&grids->fluid);
+    bool thins = ovr_flow_is_shear_thinning(&grids->fluid);
     bool gap = grids->fluid.by_gap;
     switch (memory) {
     case OVR_NEWTON: return newton;
@@ -251,10 +251,10 @@ static ovr_status take_newton(ovr_hierarchy *grids, ovr_arena *arena,
     return take_natural(grids, finest->grid.n, arena, err);
 }
 
-ovr_status ovr_hierarchy_touch(ovr_hierarchy *grids, ovr_arena *arena,
-                               ovr_error *err)
+ovr_status ovr_hierarchy_take_asperities(ovr_hierarchy *grids, ovr_arena *arena,
+                                         ovr_error *err)
 {
-    ovr_touch *touch = &grids->touch;
+    ovr_asperity *touch = &grids->touch;
     size_t n = grids->level[grids->finest].grid.n;
     size_t capacity = capacity_of(&grids->level[grids->finest]);
     if (OVR_TAKE_FIELDS(arena, n + 1, err, &touch->A, &touch->g, &touch->whole,

@@ -96,7 +96,7 @@ typedef struct ovr_newton {
 } ovr_newton;
 
 /* Pressure that surfaces bear where they touch (touching.h). */
-typedef struct ovr_touch {
+typedef struct ovr_asperity {
     /* A >= 0 and -dA/dH >= 0 of a film H; NULL: they do not touch */
     void (*at)(const void *law, double H, double *A, double *slope);
     const void *law;
@@ -111,7 +111,7 @@ typedef struct ovr_touch {
     bool lifted; /* some film is above that of its pressures (touching.h) */
     double *lift, *gap;    /* by how much; the gap with it, in lanes */
     double *kernel, *step; /* as those of ovr_newton, of the finest level */
-} ovr_touch;
+} ovr_asperity;
 
 /* Asked between the cycles of a long solve.  Once it is to stop, cycles do
  * nothing and defects are infinite: whoever iterates gives up by himself.  A
@@ -144,7 +144,7 @@ typedef struct ovr_hierarchy {
     double *scratch[2]; /* two of them, for as long as a function */
     ovr_fields natural; /* fields in the order of the nodes, of `ordered` */
     ovr_newton newton;
-    ovr_touch touch;
+    ovr_asperity touch;
     ovr_stopping stopping;
 } ovr_hierarchy;
 
@@ -216,12 +216,13 @@ ovr_status ovr_hierarchy_skew(ovr_hierarchy *grids, bool second_order,
 
 /* Memory for what bears it by a law of the film; the caller sets that.  The
  * finest level is solved by Newton's method then. */
-ovr_status ovr_hierarchy_touch(ovr_hierarchy *grids, ovr_arena *arena,
-                               ovr_error *err);
+ovr_status ovr_hierarchy_take_asperities(ovr_hierarchy *grids, ovr_arena *arena,
+                                         ovr_error *err);
 
 /* Sets it, in the order of the nodes. */
-void ovr_level_bear(const ovr_hierarchy *grids, const ovr_level *level,
-                    const double *ordered);
+void ovr_level_set_asperity_pressure(const ovr_hierarchy *grids,
+                                     const ovr_level *level,
+                                     const double *ordered);
 
 /* Relative mass-flow imbalance R of a level whose residual is up to date. */
 double ovr_level_imbalance(const ovr_hierarchy *grids, const ovr_level *level);

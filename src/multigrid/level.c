@@ -18,8 +18,8 @@ void ovr_level_properties(const ovr_hierarchy *grids, ovr_level *level)
     if (grids->conserving)
         f.q = f.full;
     if (grids->touch.at) {
-        ovr_touch_split(grids, level);
-        gap = ovr_touch_gap(grids, level);
+        ovr_asperity_split(grids, level);
+        gap = ovr_asperity_gap(grids, level);
     }
     run->film(&grids->fluid, grids->H0, &level->lanes, gap, f.w, &f);
     ovr_flow_store(run, &grids->fluid, level->grid.D, &level->lanes, &f);
@@ -27,8 +27,9 @@ void ovr_level_properties(const ovr_hierarchy *grids, ovr_level *level)
         ovr_content_settle(grids, level);
 }
 
-void ovr_level_bear(const ovr_hierarchy *grids, const ovr_level *level,
-                    const double *ordered)
+void ovr_level_set_asperity_pressure(const ovr_hierarchy *grids,
+                                     const ovr_level *level,
+                                     const double *ordered)
 {
     ovr_level_write(grids, level, ordered, level->borne);
     if (!grids->touch.at) /* there `pressed` is the whole pressure */
@@ -47,7 +48,7 @@ static void press(const ovr_hierarchy *grids, const ovr_level *level)
 void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level)
 {
     if (grids->touch.at) {
-        ovr_touch_deform(grids, level);
+        ovr_asperity_deform(grids, level);
     } else {
         ovr_level_deform(grids, level, level->f.P, level->f.w);
         if (level->borne)
@@ -80,7 +81,7 @@ double ovr_level_imbalance(const ovr_hierarchy *grids, const ovr_level *level)
                      : run->imbalance(&level->lanes, &level->weights,
                                       &level->f);
     if (grids->touch.at)
-        sum += ovr_touch_defect(grids, level) / level->grid.D;
+        sum += ovr_asperity_defect(grids, level) / level->grid.D;
     return sum * level->grid.D / fabs(ovr_level_centre(level, level->f.H));
 }
 

@@ -14,7 +14,7 @@ static size_t places(const ovr_level *level)
 /* A and g of a node's film. */
 static void law_at(const ovr_hierarchy *grids, double H, double *A, double *g)
 {
-    const ovr_touch *touch = &grids->touch;
+    const ovr_asperity *touch = &grids->touch;
     touch->at(touch->law, H, A, g);
     *A *= touch->share;
     *g *= touch->share;
@@ -22,7 +22,7 @@ static void law_at(const ovr_hierarchy *grids, double H, double *A, double *g)
         *A = *g = 0;
 }
 
-void ovr_touch_deform(const ovr_hierarchy *grids, const ovr_level *level)
+void ovr_asperity_deform(const ovr_hierarchy *grids, const ovr_level *level)
 {
     double *whole = level->pressed;
     for (size_t J = 0; J < places(level); J++)
@@ -39,14 +39,15 @@ static void repeat(const ovr_hierarchy *grids, const ovr_level *level,
     ovr_level_write(grids, level, workspace, values);
 }
 
-const double *ovr_touch_gap(const ovr_hierarchy *grids, const ovr_level *level)
+const double *ovr_asperity_gap(const ovr_hierarchy *grids,
+                               const ovr_level *level)
 {
     return grids->touch.lifted ? grids->touch.gap : level->f.gap;
 }
 
-void ovr_touch_settle(ovr_hierarchy *grids)
+void ovr_asperity_settle(ovr_hierarchy *grids)
 {
-    ovr_touch *touch = &grids->touch;
+    ovr_asperity *touch = &grids->touch;
     touch->lifted = false;
     touch->rising = 0;
     touch->failures = touch->omitted = 0;
@@ -54,10 +55,10 @@ void ovr_touch_settle(ovr_hierarchy *grids)
            grids->level[grids->finest].grid.n * sizeof *touch->lift);
 }
 
-void ovr_touch_split(const ovr_hierarchy *grids, const ovr_level *level)
+void ovr_asperity_split(const ovr_hierarchy *grids, const ovr_level *level)
 {
     double *P = level->f.P, *borne = level->borne;
-    const double *gap = ovr_touch_gap(grids, level);
+    const double *gap = ovr_asperity_gap(grids, level);
     for (size_t J = 0; J < level->lanes.S * level->lanes.V; J++) {
         double whole = P[J] + borne[J], A, g;
         if (!(P[J] > 0))
@@ -70,7 +71,7 @@ void ovr_touch_split(const ovr_hierarchy *grids, const ovr_level *level)
     repeat(grids, level, borne);
 }
 
-double ovr_touch_defect(const ovr_hierarchy *grids, const ovr_level *level)
+double ovr_asperity_defect(const ovr_hierarchy *grids, const ovr_level *level)
 {
     double sum = 0, A, g;
     for (size_t i = 1; i + 1 < level->grid.n; i++) {
@@ -85,7 +86,8 @@ double ovr_touch_defect(const ovr_hierarchy *grids, const ovr_level *level)
     return level->grid.D * sum;
 }
 
-double ovr_touch_oil_share(const ovr_hierarchy *grids, const ovr_level *level)
+double ovr_asperity_oil_share(const ovr_hierarchy *grids,
+                              const ovr_level *level)
 {
     if (!grids->touch.at || !(level->force > 0))
         return 1;
@@ -93,10 +95,10 @@ double ovr_touch_oil_share(const ovr_hierarchy *grids, const ovr_level *level)
            level->force;
 }
 
-void ovr_touch_prepare(const ovr_hierarchy *grids, const ovr_level *level,
-                       const ovr_fields *f)
+void ovr_asperity_prepare(const ovr_hierarchy *grids, const ovr_level *level,
+                          const ovr_fields *f)
 {
-    const ovr_touch *touch = &grids->touch;
+    const ovr_asperity *touch = &grids->touch;
     ovr_level_read(grids, level, level->borne, touch->whole);
     for (size_t i = 0; i < level->grid.n; i++) {
         touch->whole[i] += f->P[i];
@@ -106,10 +108,11 @@ void ovr_touch_prepare(const ovr_hierarchy *grids, const ovr_level *level,
     }
 }
 
-void ovr_touch_wet_row(const ovr_hierarchy *grids, const ovr_level *level,
-                       size_t i, ovr_newton_row *row)
+void ovr_asperity_pressurized_row(const ovr_hierarchy *grids,
+                                  const ovr_level *level, size_t i,
+                                  ovr_newton_row *row)
 {
-    const ovr_touch *touch = &grids->touch;
+    const ovr_asperity *touch = &grids->touch;
     for (size_t m = 0; m < 4; m++) {
         size_t node = i + m - 2;
         if (i + m < 2 || node == 0 || node + 1 >= level->grid.n)
@@ -123,7 +126,8 @@ void ovr_touch_wet_row(const ovr_hierarchy *grids, const ovr_level *level,
 }
 
 /* The cavitated nodes about one. */
-static void open_about(const ovr_touch *touch, size_t n, size_t i, size_t reach)
+static void open_about(const ovr_asperity *touch, size_t n, size_t i,
+                       size_t reach)
 {
     size_t from = i > reach ? i - reach : 1;
     size_t to = i + reach + 1 < n ? i + reach + 1 : n - 1;
@@ -133,11 +137,11 @@ static void open_about(const ovr_touch *touch, size_t n, size_t i, size_t reach)
     }
 }
 
-void ovr_touch_open(ovr_hierarchy *grids, const ovr_level *level,
-                    const ovr_fields *f)
+void ovr_asperity_open(ovr_hierarchy *grids, const ovr_level *level,
+                       const ovr_fields *f)
 {
     enum { PATIENCE = 2, MAX = 7 };
-    ovr_touch *touch = &grids->touch;
+    ovr_asperity *touch = &grids->touch;
     size_t n = level->grid.n;
     bool any = false;
     int doublings = touch->rising - PATIENCE + 2;
@@ -163,10 +167,10 @@ static const double *given_way(const ovr_hierarchy *grids,
     return workspace;
 }
 
-bool ovr_touch_close(const ovr_hierarchy *grids, const ovr_level *level,
-                     const double *step)
+bool ovr_asperity_close(const ovr_hierarchy *grids, const ovr_level *level,
+                        const double *step)
 {
-    const ovr_touch *touch = &grids->touch;
+    const ovr_asperity *touch = &grids->touch;
     size_t n = level->grid.n;
     const double *w;
     bool any = false;
@@ -184,10 +188,10 @@ bool ovr_touch_close(const ovr_hierarchy *grids, const ovr_level *level,
     return any;
 }
 
-ovr_newton_row ovr_touch_dry_row(const ovr_hierarchy *grids,
-                                 const ovr_level *level, size_t i)
+ovr_newton_row ovr_asperity_cavitated_row(const ovr_hierarchy *grids,
+                                          const ovr_level *level, size_t i)
 {
-    const ovr_touch *touch = &grids->touch;
+    const ovr_asperity *touch = &grids->touch;
     double g = touch->g[i];
     double scale = 1 / (1 + g * fabs(level->k[0]) * (double)level->grid.n);
     return (ovr_newton_row){
@@ -197,7 +201,7 @@ ovr_newton_row ovr_touch_dry_row(const ovr_hierarchy *grids,
 }
 
 /* The film thickness closest to H that a step may produce. */
-static double allowed(const ovr_touch *touch, size_t i, double was, double H)
+static double allowed(const ovr_asperity *touch, size_t i, double was, double H)
 {
     const double minimum = 0.05, doubled = log(2), thin = 0.2, thick = 5;
     double A = touch->A[i], bottom = thin * was;
@@ -213,7 +217,7 @@ static double allowed(const ovr_touch *touch, size_t i, double was, double H)
 static void lift(ovr_hierarchy *grids, const ovr_level *level,
                  const double *was)
 {
-    ovr_touch *touch = &grids->touch;
+    ovr_asperity *touch = &grids->touch;
     double *w = grids->scratch[0], *gap = grids->scratch[1];
     ovr_level_read(grids, level, level->f.w, w);
     ovr_level_read(grids, level, level->f.gap, gap);
@@ -230,7 +234,7 @@ static void lift(ovr_hierarchy *grids, const ovr_level *level,
 /* The pressures after a part of the step, where they were `whole`. */
 static void put(ovr_hierarchy *grids, const ovr_level *level, double part)
 {
-    const ovr_touch *touch = &grids->touch;
+    const ovr_asperity *touch = &grids->touch;
     double *P = grids->scratch[0], *borne = grids->scratch[1];
     size_t n = level->grid.n;
     for (size_t i = 1; i + 1 < n; i++) {
@@ -243,7 +247,7 @@ static void put(ovr_hierarchy *grids, const ovr_level *level, double part)
     ovr_level_write(grids, level, borne, level->borne);
 }
 
-void ovr_touch_limit(const ovr_touch *touch, size_t n, double limit)
+void ovr_asperity_limit(const ovr_asperity *touch, size_t n, double limit)
 {
     double *step = touch->step;
     for (size_t i = 0; i < n; i++)
@@ -251,10 +255,10 @@ void ovr_touch_limit(const ovr_touch *touch, size_t n, double limit)
     step[n] = fmax(fmin(step[n], limit * 2 / 3), -limit * 2 / 3);
 }
 
-void ovr_touch_advance(ovr_hierarchy *grids, const ovr_level *level,
-                       const ovr_fields *f, double part)
+void ovr_asperity_advance(ovr_hierarchy *grids, const ovr_level *level,
+                          const ovr_fields *f, double part)
 {
     put(grids, level, part);
-    ovr_touch_deform(grids, level);
+    ovr_asperity_deform(grids, level);
     lift(grids, level, f->H);
 }

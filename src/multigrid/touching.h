@@ -47,50 +47,53 @@
 
 /* The deformation of a level by the whole pressure; P_f and what is borne
  * beside it by the film that this makes. */
-void ovr_touch_deform(const ovr_hierarchy *grids, const ovr_level *level);
-void ovr_touch_split(const ovr_hierarchy *grids, const ovr_level *level);
+void ovr_asperity_deform(const ovr_hierarchy *grids, const ovr_level *level);
+void ovr_asperity_split(const ovr_hierarchy *grids, const ovr_level *level);
 
 /* The undeformed gap of a level with its films' lift; no lift from now on. */
-const double *ovr_touch_gap(const ovr_hierarchy *grids, const ovr_level *level);
-void ovr_touch_settle(ovr_hierarchy *grids);
+const double *ovr_asperity_gap(const ovr_hierarchy *grids,
+                               const ovr_level *level);
+void ovr_asperity_settle(ovr_hierarchy *grids);
 
 /* D sum |P - A| of cavitated nodes, and of |lift|/H. */
-double ovr_touch_defect(const ovr_hierarchy *grids, const ovr_level *level);
+double ovr_asperity_defect(const ovr_hierarchy *grids, const ovr_level *level);
 
 /* Computes the share of the load that the oil carries; 1 without a law. */
-double ovr_touch_oil_share(const ovr_hierarchy *grids, const ovr_level *level);
+double ovr_asperity_oil_share(const ovr_hierarchy *grids,
+                              const ovr_level *level);
 
 /* Prepares for Newton's method, in the order of the nodes: A, g and the whole
  * pressure of a level whose film is up to date. */
-void ovr_touch_prepare(const ovr_hierarchy *grids, const ovr_level *level,
-                       const ovr_fields *f);
+void ovr_asperity_prepare(const ovr_hierarchy *grids, const ovr_level *level,
+                          const ovr_fields *f);
 
 /* Subtracts t_e and l_m of a pressurized row from e_m, m = -2..1, and out of
  * the columns of cavitated nodes; its right-hand side gets t_e times what nodes
  * that have just turned wet lack. */
-void ovr_touch_wet_row(const ovr_hierarchy *grids, const ovr_level *level,
-                       size_t i, ovr_newton_row *row);
+void ovr_asperity_pressurized_row(const ovr_hierarchy *grids,
+                                  const ovr_level *level, size_t i,
+                                  ovr_newton_row *row);
 
 /* Where cavitated nodes want to rise in step after step, as the film ends
  * elsewhere: up to 128 on either side of them are taken for wet. */
-void ovr_touch_open(ovr_hierarchy *grids, const ovr_level *level,
-                    const ovr_fields *f);
+void ovr_asperity_open(ovr_hierarchy *grids, const ovr_level *level,
+                       const ovr_fields *f);
 
 /* Those that a step would press below zero are dry; whether there were any, so
  * that the step is to be found again. */
-bool ovr_touch_close(const ovr_hierarchy *grids, const ovr_level *level,
-                     const double *step);
+bool ovr_asperity_close(const ovr_hierarchy *grids, const ovr_level *level,
+                        const double *step);
 
 /* A cavitated node's row. */
-ovr_newton_row ovr_touch_dry_row(const ovr_hierarchy *grids,
-                                 const ovr_level *level, size_t i);
+ovr_newton_row ovr_asperity_cavitated_row(const ovr_hierarchy *grids,
+                                          const ovr_level *level, size_t i);
 
 /* No change of a pressure in the step beyond a limit. */
-void ovr_touch_limit(const ovr_touch *touch, size_t n, double limit);
+void ovr_asperity_limit(const ovr_asperity *touch, size_t n, double limit);
 
 /* The pressures after a part of the step, and by them, its H0 being set, w and
  * lift; f as it was before the step. */
-void ovr_touch_advance(ovr_hierarchy *grids, const ovr_level *level,
-                       const ovr_fields *f, double part);
+void ovr_asperity_advance(ovr_hierarchy *grids, const ovr_level *level,
+                          const ovr_fields *f, double part);
 
 #endif

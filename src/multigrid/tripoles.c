@@ -579,7 +579,7 @@ static bool solve_by(const ovr_hierarchy *grids, const ovr_level *level,
 }
 
 /* The elastic band, unless it has failed shortly before. */
-static bool solve_elastic(ovr_touch *touch, const ovr_hierarchy *grids,
+static bool solve_elastic(ovr_asperity *touch, const ovr_hierarchy *grids,
                           const ovr_level *level, const double *kernel,
                           double missing, double *step)
 {

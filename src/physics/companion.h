@@ -42,7 +42,7 @@ typedef struct ovr_companion {
      * once more. */
     ovr_status (*open)(void *own, const ovr_accompanied_run *run,
                        ovr_error *err);
-    void (*told_of)(void *own, const ovr_accompanied_run *run);
+    void (*set_path)(void *own, const ovr_accompanied_run *run);
 
     /* Called after the steady start and each step. */
     ovr_status (*observe)(void *own, const ovr_simulation *sim, ovr_error *err);

@@ -129,7 +129,8 @@ ovr_status ovr_run_execute(ovr_run *run, ovr_error *err)
                   "start it again"
                 : "the run has already been executed; create another run");
     run->going = run->gone = true;
-    status = run->passes ? ovr_passes_go(run, err) : ovr_run_once(run, err);
+    status = run->passes ? ovr_passes_execute(run, err)
+                         : ovr_run_once(run, err);
     run->going = false;
     if (run->passes)
         run->info.seconds = ovr_run_clock() - begun;

@@ -29,7 +29,7 @@ static ovr_piece in_metres(double value, double scale)
 /* ------------------------------------------------------------------ radius */
 
 /* Ranges of reduced radius and half-width over a run with a known end. */
-static void say_radius(const ovr_told *to, const ovr_setup *setup)
+static void say_radius(const ovr_report_sink *to, const ovr_setup *setup)
 {
     enum { LOOKS = 1000 };
     const ovr_contact *contact = setup->contact;
@@ -49,11 +49,13 @@ static void say_radius(const ovr_told *to, const ovr_setup *setup)
     if (isfinite(contact->radius))
         ovr_words_add(&mm, ", %.4g to %.4g mm", R[0] * contact->radius * 1e3,
                       R[1] * contact->radius * 1e3);
-    ovr_tell(to, "radius over the run",
-             "%.4g to %.4g of the reference%s; half-width %.3g to %.3g b", R[0],
-             R[1], mm.text, b[0], b[1]);
-    ovr_tell(to, "curvature model", "%s",
-             setup->convected ? "convected with the material" : "imposed");
+    ovr_report_line(
+        to, "radius over the run",
+        "%.4g to %.4g of the reference%s; half-width %.3g to %.3g b", R[0],
+        R[1], mm.text, b[0], b[1]);
+    ovr_report_line(to, "curvature model", "%s",
+                    setup->convected ? "convected with the material"
+                                     : "imposed");
 }
 
 /* ------------------------------------------------------------------- films */
@@ -67,26 +69,27 @@ static ovr_words film_text(double H, const ovr_contact *contact)
     return w;
 }
 
-static void put_asymptote(const ovr_told *to, const char *key,
+static void put_asymptote(const ovr_report_sink *to, const char *key,
                           const char *label, double H, const ovr_contact *c)
 {
     ovr_put_number(to, key, H);
     if (!isnan(H))
-        ovr_tell_detail(to, label, "%s", film_text(H, c).text);
+        ovr_report_detail(to, label, "%s", film_text(H, c).text);
 }
 
 /* In the summary Moes' formula appears only where the fit does not hold. */
-static void put_films(const ovr_told *to, const ovr_contact *c, bool fitted)
+static void put_films(const ovr_report_sink *to, const ovr_contact *c,
+                      bool fitted)
 {
     ovr_film_asymptotes film = ovr_film_asymptotes_moes(c->M, c->L);
     double central = ovr_film_central_moes(c->M, c->L);
-    ovr_tell_title(to, "Predicted film thickness (smooth, steady, fully "
-                       "flooded)");
+    ovr_report_title(to, "Predicted film thickness (smooth, steady, fully "
+                         "flooded)");
     ovr_put_number(to, "H_cen_moes", central);
     if (!isnan(central))
-        (fitted ? ovr_tell_detail
-                : ovr_tell)(to, "central film thickness, Moes",
-                            "%s, incompressible", film_text(central, c).text);
+        (fitted ? ovr_report_detail : ovr_report_line)(
+            to, "central film thickness, Moes", "%s, incompressible",
+            film_text(central, c).text);
     put_asymptote(to, "H_rigid_isoviscous", "  rigid-isoviscous asymptote",
                   film.rigid_iso, c);
     put_asymptote(to, "H_elastic_isoviscous", "  elastic-isoviscous asymptote",
@@ -98,39 +101,40 @@ static void put_films(const ovr_told *to, const ovr_contact *c, bool fitted)
 }
 
 /* Prints alpha and the asymptotic alpha*. */
-static void put_alpha(const ovr_told *to, const ovr_setup *setup)
+static void put_alpha(const ovr_report_sink *to, const ovr_setup *setup)
 {
     double alpha = setup->contact->alpha;
     double star = ovr_asymptotic_alphabar(setup->lubricant) /
                   setup->contact->ph;
     ovr_put_number(to, "alpha_star_per_Pa", star);
     if (alpha > 0 && isfinite(star))
-        ovr_tell_detail(to, "alpha at p = 0",
-                        "%.5g 1/GPa, asymptotic alpha* = %.5g 1/GPa",
-                        alpha * 1e9, star * 1e9);
+        ovr_report_detail(to, "alpha at p = 0",
+                          "%.5g 1/GPa, asymptotic alpha* = %.5g 1/GPa",
+                          alpha * 1e9, star * 1e9);
 }
 
-static void say_fit(const ovr_told *to, const char *label, double H,
+static void say_fit(const ovr_report_sink *to, const char *label, double H,
                     const char *accuracy, const ovr_contact *c)
 {
     if (!isnan(H))
-        ovr_tell(to, label, "%s, within %s", film_text(H, c).text, accuracy);
+        ovr_report_line(to, label, "%s, within %s", film_text(H, c).text,
+                        accuracy);
 }
 
 /* Prints the ratio of the predicted minimum film thickness to contact.Rq_1 and
  * Rq_2. */
-static void put_lambda_ratio(const ovr_told *to, const ovr_setup *setup,
+static void put_lambda_ratio(const ovr_report_sink *to, const ovr_setup *setup,
                              double minimum)
 {
     if (!(setup->Rq > 0))
         return;
     ovr_put_number(to, "lambda_ratio_predicted", minimum / setup->Rq);
     if (!isnan(minimum))
-        ovr_tell(to, "lambda ratio",
-                 "%.3g (predicted minimum film thickness / Rq%s of "
-                 "contact.Rq_1 and contact.Rq_2)",
-                 minimum / setup->Rq,
-                 in_metres(setup->Rq, setup->contact->height).text);
+        ovr_report_line(to, "lambda ratio",
+                        "%.3g (predicted minimum film thickness / Rq%s of "
+                        "contact.Rq_1 and contact.Rq_2)",
+                        minimum / setup->Rq,
+                        in_metres(setup->Rq, setup->contact->height).text);
 }
 
 /* The fitted formula holds only for the lubricant laws it was fitted for. */
@@ -145,7 +149,7 @@ static ovr_film_fit fit_of(const ovr_setup *setup)
                : none;
 }
 
-static void put_fit(const ovr_told *to, const ovr_setup *setup,
+static void put_fit(const ovr_report_sink *to, const ovr_setup *setup,
                     ovr_film_fit fit)
 {
     const ovr_contact *c = setup->contact;
@@ -156,22 +160,23 @@ static void put_fit(const ovr_told *to, const ovr_setup *setup,
     say_fit(to, "minimum film thickness, overroll fit", fit.minimum, "1.7 %",
             c);
     if (!isnan(fit.central))
-        ovr_tell_detail(to, "  compressible lubricant",
-                        "relative density %.4g at p_h",
-                        ovr_density(setup->lubricant, 1));
+        ovr_report_detail(to, "  compressible lubricant",
+                          "relative density %.4g at p_h",
+                          ovr_density(setup->lubricant, 1));
     put_lambda_ratio(to, setup, fit.minimum);
 }
 
-static void say_lubricant(const ovr_told *to, const ovr_lubricant *lubricant)
+static void say_lubricant(const ovr_report_sink *to,
+                          const ovr_lubricant *lubricant)
 {
     static const char *const laws[] = {"", "Eyring", "Carreau", "Carreau",
                                        "flow law by table"};
     if (lubricant->viscosity_law == OVR_ROELANDS)
-        ovr_tell_detail(to, "Roelands", "z = %.6g, p0/ph = %.6g", lubricant->z,
-                        lubricant->P0);
+        ovr_report_detail(to, "Roelands", "z = %.6g, p0/ph = %.6g",
+                          lubricant->z, lubricant->P0);
     if (lubricant->rheology != OVR_NEWTONIAN)
-        ovr_tell_detail(to, laws[lubricant->rheology], "tau0/(ph b/R) = %.6g",
-                        lubricant->Sigma0);
+        ovr_report_detail(to, laws[lubricant->rheology], "tau0/(ph b/R) = %.6g",
+                          lubricant->Sigma0);
 }
 
 /* ---------------------------------------------------------------- features */
@@ -187,7 +192,8 @@ static ovr_words at_time(double T, const ovr_contact *contact)
 
 /* Prints when a feature passes X = 0; in the complete list also when it enters
  * the contact and leaves. */
-static void say_times(const ovr_told *to, const ovr_setup *setup, size_t k)
+static void say_times(const ovr_report_sink *to, const ovr_setup *setup,
+                      size_t k)
 {
     const ovr_options *o = setup->options;
     double end = setup->march->end;
@@ -201,13 +207,14 @@ static void say_times(const ovr_told *to, const ovr_setup *setup, size_t k)
                   {"  leaves the contact at", t.leaves}};
     for (int i = 0; i < 3; i++)
         if (isfinite(events[i].T))
-            (i == 1 ? ovr_tell : ovr_tell_detail)(
+            (i == 1 ? ovr_report_line : ovr_report_detail)(
                 to, events[i].what, "%s%s",
                 at_time(events[i].T, setup->contact).text,
                 events[i].T > end ? " (after the end)" : "");
 }
 
-static void say_feature(const ovr_told *to, const ovr_setup *setup, size_t k)
+static void say_feature(const ovr_report_sink *to, const ovr_setup *setup,
+                        size_t k)
 {
     ovr_feature_info info = ovr_surfaces_info(setup->surfaces, k);
     const ovr_contact *c = setup->contact;
@@ -216,56 +223,57 @@ static void say_feature(const ovr_told *to, const ovr_setup *setup, size_t k)
         ovr_words_add(&w, "stationary");
     else
         ovr_words_add(&w, "u = %.4g u_m", info.speed);
-    ovr_tell_title(to, "Feature %.100s: %s on surface %d, %s", info.name,
-                   ovr_shape_name((int)info.shape), info.surface, w.text);
-    ovr_tell(to, info.diameter > 0 ? "  depth" : "  height", "%.4g%s",
-             info.amplitude, in_metres(info.amplitude, c->height).text);
+    ovr_report_title(to, "Feature %.100s: %s on surface %d, %s", info.name,
+                     ovr_shape_name((int)info.shape), info.surface, w.text);
+    ovr_report_line(to, info.diameter > 0 ? "  depth" : "  height", "%.4g%s",
+                    info.amplitude, in_metres(info.amplitude, c->height).text);
     if (info.diameter > 0)
-        ovr_tell_detail(to, "  diameter at half depth", "%.4g%s", info.diameter,
-                        in_metres(info.diameter, c->b).text);
+        ovr_report_detail(to, "  diameter at half depth", "%.4g%s",
+                          info.diameter, in_metres(info.diameter, c->b).text);
     ovr_words label = {""};
     ovr_words_add(&label, "  %s wavelength", info.wavelength_is);
-    ovr_tell(to, label.text, "%.4g%s, %.4g nodes", info.wavelength,
-             in_metres(info.wavelength, c->b).text,
-             info.wavelength / setup->mesh);
+    ovr_report_line(to, label.text, "%.4g%s, %.4g nodes", info.wavelength,
+                    in_metres(info.wavelength, c->b).text,
+                    info.wavelength / setup->mesh);
     if (setup->transient)
         say_times(to, setup, k);
     for (const char *s = info.assumed; s && *s;) {
         size_t length = strcspn(s, "\n");
-        ovr_tell(to, "  assumed", "%.*s", (int)length, s);
+        ovr_report_line(to, "  assumed", "%.*s", (int)length, s);
         s += length + (s[length] == '\n');
     }
 }
 
 /* Predictions by amplitude reduction. */
-static void put_rough_film(const ovr_told *to, const ovr_setup *setup,
+static void put_rough_film(const ovr_report_sink *to, const ovr_setup *setup,
                            const ovr_rough_film *film)
 {
     const ovr_contact *c = setup->contact;
     if (!setup->features)
         return;
     ovr_put_rough_film(to, film, c);
-    ovr_tell_title(to, "Predicted film of the rough surfaces (amplitude "
-                       "reduction)");
+    ovr_report_title(to, "Predicted film of the rough surfaces (amplitude "
+                         "reduction)");
     if (film->why) {
-        ovr_tell(to, "film thickness roughness Rq", "no prediction: %s",
-                 film->why);
+        ovr_report_line(to, "film thickness roughness Rq", "no prediction: %s",
+                        film->why);
         return;
     }
-    ovr_tell(to, "film thickness roughness Rq", "%.4g%s; surfaces: %.4g%s",
-             film->film_Rq, in_metres(film->film_Rq, c->height).text, film->Rq,
-             in_metres(film->Rq, c->height).text);
-    ovr_tell(
+    ovr_report_line(to, "film thickness roughness Rq",
+                    "%.4g%s; surfaces: %.4g%s", film->film_Rq,
+                    in_metres(film->film_Rq, c->height).text, film->Rq,
+                    in_metres(film->Rq, c->height).text);
+    ovr_report_line(
         to, "minimum film thickness", "%s%s%s", film_text(film->H_min, c).text,
         film->but ? "; less certain here: " : "", film->but ? film->but : "");
-    ovr_tell_detail(to, "accuracy",
-                    "within 2 %% (half the cases), 12 %% at most");
+    ovr_report_detail(to, "accuracy",
+                      "within 2 %% (half the cases), 12 %% at most");
 }
 
 /* ----------------------------------------------------------- grid and cost */
 
 /* Spacing, loads and replenishment of successive rolling bodies. */
-static void say_bodies(const ovr_told *to, const ovr_setup *setup)
+static void say_bodies(const ovr_report_sink *to, const ovr_setup *setup)
 {
     const ovr_passes_setup *p = setup->passes;
     const ovr_contact *c = setup->contact;
@@ -274,19 +282,21 @@ static void say_bodies(const ovr_told *to, const ovr_setup *setup)
     for (size_t k = 0; k < p->loads.count; k++)
         maximum = fmax(maximum, p->loads.values[k]);
     if (maximum > 0)
-        ovr_tell(to, "load zone", "%.4g of the reference load at most",
-                 maximum);
+        ovr_report_line(to, "load zone", "%.4g of the reference load at most",
+                        maximum);
     if (isfinite(period))
-        ovr_tell(to, "roller spacing", "%.4g%s, %s", p->spacing,
-                 in_metres(p->spacing, c->b).text, at_time(period, c).text);
+        ovr_report_line(to, "roller spacing", "%.4g%s, %s", p->spacing,
+                        in_metres(p->spacing, c->b).text,
+                        at_time(period, c).text);
     if (isfinite(p->recovery))
-        ovr_tell(to, "replenishment",
-                 "%.3g %% of the missing layer is replenished between two "
-                 "rollers",
-                 100 * -expm1(-period / p->recovery));
+        ovr_report_line(
+            to, "replenishment",
+            "%.3g %% of the missing layer is replenished between two "
+            "rollers",
+            100 * -expm1(-period / p->recovery));
 }
 
-static void say_grid(const ovr_told *to, const ovr_setup *setup,
+static void say_grid(const ovr_report_sink *to, const ovr_setup *setup,
                      const ovr_cost *cost)
 {
     const char *const of[] = {"central film thickness",
@@ -294,70 +304,73 @@ static void say_grid(const ovr_told *to, const ovr_setup *setup,
                               "effect of the features",
                               "central and minimum film thickness, friction"};
     const ovr_options *o = setup->options;
-    ovr_tell_title(to, "Numerics");
-    ovr_tell(to, "grid", "level %d, %.0f nodes, mesh size D = %.6g%s", o->level,
-             cost->nodes, cost->mesh,
-             in_metres(cost->mesh, setup->contact->b).text);
-    ovr_tell_detail(to, "domain", "X = %g to %g", o->inlet, o->outlet);
+    ovr_report_title(to, "Numerics");
+    ovr_report_line(to, "grid", "level %d, %.0f nodes, mesh size D = %.6g%s",
+                    o->level, cost->nodes, cost->mesh,
+                    in_metres(cost->mesh, setup->contact->b).text);
+    ovr_report_detail(to, "domain", "X = %g to %g", o->inlet, o->outlet);
     if (o->refine && o->refine_level)
-        ovr_tell(to, "local refinement",
-                 "at the pressure spike, to level %d, mesh size %.3g",
-                 o->refine_level,
-                 ldexp(cost->mesh, o->level - o->refine_level));
+        ovr_report_line(to, "local refinement",
+                        "at the pressure spike, to level %d, mesh size %.3g",
+                        o->refine_level,
+                        ldexp(cost->mesh, o->level - o->refine_level));
     else if (o->refine)
-        ovr_tell(to, "local refinement",
-                 "at the pressure spike, until its height changes by less than "
-                 "%g",
-                 o->refine_change);
-    ovr_tell(to, "expected discretization error", "%.1g at most (%s)",
-             ovr_expected_at_most(setup), of[setup->accuracy_of]);
+        ovr_report_line(
+            to, "local refinement",
+            "at the pressure spike, until its height changes by less than "
+            "%g",
+            o->refine_change);
+    ovr_report_line(to, "expected discretization error", "%.1g at most (%s)",
+                    ovr_expected_at_most(setup), of[setup->accuracy_of]);
     if (setup->expected <= setup->accuracy)
-        ovr_tell(to, "level", "%d, the first with a likely error below %g%s",
-                 o->level, setup->accuracy,
-                 setup->confirm ? ", confirmed after the run" : "");
+        ovr_report_line(to, "level",
+                        "%d, the first with a likely error below %g%s",
+                        o->level, setup->accuracy,
+                        setup->confirm ? ", confirmed after the run" : "");
 }
 
 /* The time step, with the reason if it was chosen automatically. */
-static void say_step(const ovr_told *to, const ovr_setup *setup)
+static void say_step(const ovr_report_sink *to, const ovr_setup *setup)
 {
     double dT = ovr_setup_step(setup), meshes = dT / setup->mesh;
     const char *why = ovr_setup_step_reason(setup);
     if (setup->march->adaptive)
-        ovr_tell(to, "time step", "adaptive, target error %g",
-                 setup->march->error);
+        ovr_report_line(to, "time step", "adaptive, target error %g",
+                        setup->march->error);
     else
-        ovr_tell_detail(to, "time step", "%.6g = %.3g D%s%s", dT, meshes,
-                        why ? ": " : "", why ? why : "");
+        ovr_report_detail(to, "time step", "%.6g = %.3g D%s%s", dT, meshes,
+                          why ? ": " : "", why ? why : "");
 }
 
-static void say_cost(const ovr_told *to, const ovr_setup *setup,
+static void say_cost(const ovr_report_sink *to, const ovr_setup *setup,
                      const ovr_cost *cost)
 {
     ovr_words disk = {""};
     if (cost->passes > 1) {
-        ovr_tell(to, "passes",
-                 "%.0f, a run and a result file each; time steps are counted "
-                 "per pass, the cost includes all passes",
-                 cost->passes);
+        ovr_report_line(
+            to, "passes",
+            "%.0f, a run and a result file each; time steps are counted "
+            "per pass, the cost includes all passes",
+            cost->passes);
         say_bodies(to, setup);
     }
     if (cost->steps > 0) {
         say_step(to, setup);
-        ovr_tell(to, "time steps", "%s%.0f",
-                 setup->march->until_steady || setup->march->adaptive
-                     ? "at most "
-                     : "",
-                 cost->steps);
-        ovr_tell_detail(to, "snapshots", "%.0f, up to %.3g MB on disk",
-                        cost->stored.snapshots, cost->stored.bytes / 1e6);
+        ovr_report_line(to, "time steps", "%s%.0f",
+                        setup->march->until_steady || setup->march->adaptive
+                            ? "at most "
+                            : "",
+                        cost->steps);
+        ovr_report_detail(to, "snapshots", "%.0f, up to %.3g MB on disk",
+                          cost->stored.snapshots, cost->stored.bytes / 1e6);
         ovr_words_add(&disk, ", up to %.3g MB on disk",
                       cost->stored.bytes / 1e6);
     }
-    ovr_tell(to, "estimated cost", "%.2g s, %.3g MB of memory%s", cost->seconds,
-             cost->bytes / 1e6, disk.text);
+    ovr_report_line(to, "estimated cost", "%.2g s, %.3g MB of memory%s",
+                    cost->seconds, cost->bytes / 1e6, disk.text);
 }
 
-static void put_cost(const ovr_told *to, const ovr_setup *setup,
+static void put_cost(const ovr_report_sink *to, const ovr_setup *setup,
                      const ovr_cost *cost)
 {
     const ovr_options *options = setup->options;
@@ -383,10 +396,10 @@ static void put_cost(const ovr_told *to, const ovr_setup *setup,
     ovr_put_number(to, "estimated_seconds", cost->seconds);
 }
 
-static void put_formulas(const ovr_told *to, const ovr_setup *setup)
+static void put_formulas(const ovr_report_sink *to, const ovr_setup *setup)
 {
     const ovr_film_fit fit = fit_of(setup);
-    ovr_tell_title(to, "Operating conditions");
+    ovr_report_title(to, "Operating conditions");
     ovr_put_contact(to, setup->contact, true);
     put_alpha(to, setup);
     say_lubricant(to, setup->lubricant);
@@ -398,8 +411,8 @@ static void put_formulas(const ovr_told *to, const ovr_setup *setup)
 void ovr_setup_scales(const ovr_setup *setup, ovr_summary_taker *take,
                       void *data)
 {
-    ovr_told all = {take, data};
-    const ovr_told keyed = {ovr_put_keyed, &all};
+    ovr_report_sink all = {take, data};
+    const ovr_report_sink keyed = {ovr_put_keyed, &all};
     if (setup && take)
         put_formulas(&keyed, setup);
 }
@@ -407,7 +420,7 @@ void ovr_setup_scales(const ovr_setup *setup, ovr_summary_taker *take,
 ovr_status ovr_setup_report(const ovr_setup *setup, double live,
                             ovr_summary_taker *take, void *data, ovr_error *err)
 {
-    const ovr_told to = {take, data};
+    const ovr_report_sink to = {take, data};
     ovr_rough_film film;
     if (!setup || !take)
         return ovr_fail_null(err, __func__);

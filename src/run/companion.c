@@ -33,7 +33,7 @@ static const ovr_companion *companion_of(const ovr_setup *setup, int k)
     return has ? of->companion : &none;
 }
 
-void ovr_companions_foresee(const ovr_setup *setup, ovr_listener *say,
+void ovr_companions_predict(const ovr_setup *setup, ovr_listener *say,
                             void *data)
 {
     for (int k = 0; say && ovr_physics_list[k]; k++) {
@@ -104,11 +104,11 @@ ovr_status ovr_companions_open(ovr_run *run, ovr_error *err)
     return OVR_OK;
 }
 
-void ovr_companions_told_of(ovr_run *run)
+void ovr_companions_set_path(ovr_run *run)
 {
     const ovr_accompanied_run as = seen(run);
-    EACH(run, c, told_of)
-        c->is->told_of(c->own, &as);
+    EACH(run, c, set_path)
+        c->is->set_path(c->own, &as);
 }
 
 ovr_status ovr_companions_restore(ovr_run *run, double T, ovr_error *err)

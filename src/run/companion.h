@@ -14,7 +14,7 @@ typedef struct ovr_accompanied {
 
 /* Collects the warnings and notes of all physical models about a case or a
  * run. */
-void ovr_companions_foresee(const ovr_setup *setup, ovr_listener *say,
+void ovr_companions_predict(const ovr_setup *setup, ovr_listener *say,
                             void *data);
 void ovr_companions_review(ovr_run *run);
 
@@ -22,7 +22,7 @@ void ovr_companions_review(ovr_run *run);
 ovr_status ovr_companions_make(ovr_run *run, ovr_error *err);
 void ovr_companions_release(ovr_run *run);
 ovr_status ovr_companions_open(ovr_run *run, ovr_error *err);
-void ovr_companions_told_of(ovr_run *run);
+void ovr_companions_set_path(ovr_run *run);
 ovr_status ovr_companions_restore(ovr_run *run, double T, ovr_error *err);
 ovr_status ovr_companions_observe(void *data, const ovr_simulation *sim,
                                   ovr_error *err);

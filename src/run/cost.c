@@ -93,7 +93,7 @@ ovr_cost ovr_setup_cost(const ovr_setup *setup, double live)
     bool thins = setup->lubricant->rheology != OVR_NEWTONIAN;
     double node_step = NODE_STEP + (thins ? THINNING : 0);
     double pass = node_steps * node_step +
-                  ovr_setup_seconds_beside(setup, node_steps);
+                  ovr_setup_seconds_of_physics(setup, node_steps);
     pass += growing_steps(setup) * cost.nodes * node_step;
     cost.seconds = START + cost.passes * pass;
     cost.seconds += refine_seconds(setup->options, cost.nodes);

@@ -136,7 +136,7 @@ static ovr_trials *trials_at(ovr_find *f, size_t n, const double *x,
         t = ovr_trials_create(n, cases, plan, err);
     for (size_t k = 0; !t && k < made; k++)
         ovr_case_free(cases[k]);
-    if (t && ovr_trials_go(t, err)) {
+    if (t && ovr_trials_execute(t, err)) {
         ovr_trials_free(t);
         return NULL;
     }

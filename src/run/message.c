@@ -78,7 +78,7 @@ void ovr_run_warn(ovr_run *run, const char *format, ...)
     ovr_run_message(run, OVR_MESSAGE_WARNING, text);
 }
 
-void ovr_review_say(const ovr_review *r, ovr_message_kind kind,
+void ovr_review_add(const ovr_review *r, ovr_message_kind kind,
                     const char *format, ...)
 {
     char text[OVR_MESSAGE_SIZE];

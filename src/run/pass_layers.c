@@ -217,7 +217,8 @@ static ovr_layer *make_layer(const ended *e, int k,
         double u = ovr_surface_speed(s->speed, s->sliding, ratio, k + 1, T);
         double left = share * left_at(s, h, lies(s, k, j));
         double place = s->options->outlet -
-                       ovr_surface_way(s->speed, s->sliding, ratio, k + 1, T);
+                       ovr_surface_distance(s->speed, s->sliding, ratio, k + 1,
+                                            T);
         if (!isfinite(left) || (first < end && place > x[first] - apart))
             continue;
         x[--first] = place;

@@ -90,8 +90,8 @@ static double life_together(const ovr_run *run, int passes)
     return smooth / real;
 }
 
-ovr_status ovr_passes_learn(ovr_run *run, int pass, ovr_pass_end *end,
-                            ovr_error *err)
+ovr_status ovr_passes_update(ovr_run *run, int pass, ovr_pass_end *end,
+                             ovr_error *err)
 {
     ovr_passes *p = run->passes;
     end->flooded = p->oil_flooded;
@@ -142,7 +142,7 @@ ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err)
         if (pass < p->now - 1 &&
             isfinite(p->row[pass - 1].value[OVR_PASS_STEPS]))
             continue;
-        status = ovr_passes_learn(run, pass, &end, err);
+        status = ovr_passes_update(run, pass, &end, err);
         if (status)
             return status;
         if (pass == p->now - 1)
@@ -308,7 +308,7 @@ static ovr_status next(ovr_run *run, ovr_error *err)
 static ovr_status end_pass(ovr_run *run, ovr_error *err)
 {
     ovr_pass_end end;
-    ovr_status status = ovr_passes_learn(run, run->passes->now, &end, err);
+    ovr_status status = ovr_passes_update(run, run->passes->now, &end, err);
     if (!status)
         ovr_pass_end_free(&end);
     return status;
@@ -319,7 +319,7 @@ static ovr_status write_rows(ovr_run *run, const char *how, ovr_error *err)
     return run->passes->whole ? OVR_OK : ovr_passes_write(run, how, err);
 }
 
-ovr_status ovr_passes_go(ovr_run *run, ovr_error *err)
+ovr_status ovr_passes_execute(ovr_run *run, ovr_error *err)
 {
     static const char *const names[] = {"complete", "stopped", "failed"};
     ovr_passes *p = run->passes;

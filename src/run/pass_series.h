@@ -148,8 +148,8 @@ const char *ovr_passes_file_of(ovr_run *run, int pass, ovr_error *err);
 ovr_status ovr_passes_make_rows(ovr_run *run, int number, ovr_error *err);
 
 /* The row of a pass that ended, from its file, and what it left. */
-ovr_status ovr_passes_learn(ovr_run *run, int pass, ovr_pass_end *end,
-                            ovr_error *err);
+ovr_status ovr_passes_update(ovr_run *run, int pass, ovr_pass_end *end,
+                             ovr_error *err);
 
 /* Hands on to the setup of this pass what the one before left, a level coarser;
  * what was seen of it, before it begins and when it ended. */
@@ -174,7 +174,7 @@ ovr_status ovr_passes_begin(ovr_run *run, ovr_error *err);
 ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err);
 
 /* Runs the passes from the one that is set up to the last. */
-ovr_status ovr_passes_go(ovr_run *run, ovr_error *err);
+ovr_status ovr_passes_execute(ovr_run *run, ovr_error *err);
 
 /* The passes of a file that is resumed: `now` is the first that is not
  * complete. */

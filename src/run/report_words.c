@@ -11,22 +11,22 @@
 /* ---------------------------------------------------------------- the whole */
 
 /* Nodes, scheme, smoother; of a strip the lines across instead. */
-static void say_grid(const ovr_told *to, const ovr_simulation *sim)
+static void say_grid(const ovr_report_sink *to, const ovr_simulation *sim)
 {
     const ovr_options *options = ovr_simulation_options(sim);
     const size_t n = ovr_simulation_state(sim)->n;
     const char *scheme = ovr_scheme_name(options->scheme);
     size_t lines, shown;
     if (ovr_simulation_lines(sim, &lines, &shown))
-        ovr_tell_title(to, "Grid: level %d, %zu nodes x %zu lines; scheme %s",
-                       options->level, n, lines, scheme);
+        ovr_report_title(to, "Grid: level %d, %zu nodes x %zu lines; scheme %s",
+                         options->level, n, lines, scheme);
     else
-        ovr_tell_title(to, "Grid: level %d, %zu nodes; scheme %s; smoother %s",
-                       options->level, n, scheme,
-                       ovr_smoother_name(options->smoother));
+        ovr_report_title(
+            to, "Grid: level %d, %zu nodes; scheme %s; smoother %s",
+            options->level, n, scheme, ovr_smoother_name(options->smoother));
 }
 
-void ovr_say_contact(const ovr_told *to, const ovr_run_info *s)
+void ovr_report_contact(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_contact *contact = s->setup->contact;
     ovr_words w = {""};
@@ -34,38 +34,39 @@ void ovr_say_contact(const ovr_told *to, const ovr_run_info *s)
         ovr_words_add(&w, ", p_h = %.4g GPa", contact->ph * 1e-9);
     if (s->transient)
         ovr_words_add(&w, ", T = 0 to %.4g", ovr_simulation_state(s->sim)->T);
-    ovr_tell_title(to, "%s contact: M = %.6g, L = %.6g%s",
-                   s->transient ? "Transient" : "Steady", contact->M,
-                   contact->L, w.text);
+    ovr_report_title(to, "%s contact: M = %.6g, L = %.6g%s",
+                     s->transient ? "Transient" : "Steady", contact->M,
+                     contact->L, w.text);
     say_grid(to, s->sim);
     if (s->passes)
-        ovr_tell_title(to,
-                       "Pass %d of %d; all passes in %s; results of this pass "
-                       "in %s",
-                       s->pass, s->passes, s->passes_file, s->output);
-    ovr_tell_heading(to, s->transient,
-                     s->transient ? "over the run" : "quantity");
+        ovr_report_title(
+            to,
+            "Pass %d of %d; all passes in %s; results of this pass "
+            "in %s",
+            s->pass, s->passes, s->passes_file, s->output);
+    ovr_report_heading(to, s->transient,
+                       s->transient ? "over the run" : "quantity");
 }
 
-void ovr_say_steps(const ovr_told *to, const ovr_run_info *s)
+void ovr_report_steps(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
-    ovr_tell_number(to, "time steps", 0, (double)total->steps,
-                    "%ld cycles, %ld repeated, %ld accepted above tolerance",
-                    total->cycles, total->retries, total->marked);
+    ovr_report_number(to, "time steps", 0, (double)total->steps,
+                      "%ld cycles, %ld repeated, %ld accepted above tolerance",
+                      total->cycles, total->retries, total->marked);
     if (s->output)
-        ovr_tell(to, "result file", "%s, %zu snapshots", s->output,
-                 s->snapshots);
+        ovr_report_line(to, "result file", "%s, %zu snapshots", s->output,
+                        s->snapshots);
 }
 
-void ovr_say_end(const ovr_told *to, const ovr_run_info *s)
+void ovr_report_end(const ovr_report_sink *to, const ovr_run_info *s)
 {
     ovr_words w = {""};
     ovr_words_place(&w, "at the end, T", ovr_simulation_state(s->sim)->T,
                     OVR_KIND_TIME, s->setup->contact);
     if (ovr_simulation_statistics(s->sim)->settled)
         ovr_words_add(&w, ", settled");
-    ovr_tell_heading(to, false, w.text);
+    ovr_report_heading(to, false, w.text);
 }
 
 /* -------------------------------------------------------------- remarks */
@@ -125,7 +126,7 @@ bool ovr_absurd_friction(const ovr_run_info *s)
            (is_newtonian(s) || fabs(mu) > load);
 }
 
-static void say_force(const ovr_told *to, const char *label, double F,
+static void say_force(const ovr_report_sink *to, const char *label, double F,
                       const ovr_contact *contact)
 {
     double scale = ovr_kind_scale(OVR_KIND_FORCE, contact) * contact->width;
@@ -133,34 +134,35 @@ static void say_force(const ovr_told *to, const char *label, double F,
                       ? ovr_words_unit("p_h b^2/R", "%.4g N over the width",
                                        F * scale)
                       : ovr_words_unit("p_h b^2/R", "%s", "");
-    ovr_tell_number(to, label, 4, F, "%s", w.text);
+    ovr_report_number(to, label, 4, F, "%s", w.text);
 }
 
 /* Coefficients need b/R; without it, forces in p_h b^2/R are printed. */
-static void say_coefficients(const ovr_told *to, const ovr_run_info *s)
+static void say_coefficients(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_observation *o = ovr_simulation_observation(s->sim);
     const ovr_contact *contact = s->setup->contact;
     if (isnan(o->mu_slide) && isfinite(o->mu_roll)) {
-        ovr_tell(to, "friction coefficient", "unknown (set boundary.friction)");
-        ovr_tell_number(to, "rolling friction coefficient", 4, o->mu_roll, "%s",
-                        ovr_words_unit("", "film").text);
+        ovr_report_line(to, "friction coefficient",
+                        "unknown (set boundary.friction)");
+        ovr_report_number(to, "rolling friction coefficient", 4, o->mu_roll,
+                          "%s", ovr_words_unit("", "film").text);
         return;
     }
     if (isnan(o->F_slide)) {
-        ovr_tell(to, "friction coefficient", "unknown");
+        ovr_report_line(to, "friction coefficient", "unknown");
         return;
     }
     if (!isfinite(contact->kappa)) {
         say_force(to, "sliding friction force", o->F_slide, contact);
         say_force(to, "rolling friction force", o->F_roll, contact);
-        ovr_tell(to, "friction coefficient",
-                 "unknown (set contact.modulus or contact.G)");
+        ovr_report_line(to, "friction coefficient",
+                        "unknown (set contact.modulus or contact.G)");
         return;
     }
-    ovr_tell_number(to, "sliding friction coefficient", 4, o->mu_slide, "%s",
-                    "");
-    ovr_tell_number(
+    ovr_report_number(to, "sliding friction coefficient", 4, o->mu_slide, "%s",
+                      "");
+    ovr_report_number(
         to, "rolling friction coefficient", 4, o->mu_roll, "%s",
         ovr_words_unit("", "surface 1: %.4g, surface 2: %.4g", o->mu_1, o->mu_2)
             .text);
@@ -171,14 +173,15 @@ static void say_coefficients(const ovr_told *to, const ovr_run_info *s)
     }
 }
 
-static void say_friction(const ovr_told *to, const ovr_run_info *s)
+static void say_friction(const ovr_report_sink *to, const ovr_run_info *s)
 {
     if (ovr_absurd_friction(s))
-        ovr_tell(to, "friction is not realistic",
-                 "the shear stress reaches %.3g of the pressure and exceeds a "
-                 "tenth of it in %.2g %% of the contact; set lubricant.%s",
-                 s->shear_over_pressure, 100 * s->unbearable_share,
-                 is_newtonian(s) ? "rheology" : "limiting_shear");
+        ovr_report_line(
+            to, "friction is not realistic",
+            "the shear stress reaches %.3g of the pressure and exceeds a "
+            "tenth of it in %.2g %% of the contact; set lubricant.%s",
+            s->shear_over_pressure, 100 * s->unbearable_share,
+            is_newtonian(s) ? "rheology" : "limiting_shear");
     say_coefficients(to, s);
 }
 
@@ -186,7 +189,7 @@ static void say_friction(const ovr_told *to, const ovr_run_info *s)
 
 /* Starvation factor, and the position of the inlet meniscus or the part of the
  * supply that a flooded contact takes. */
-static void say_supply(const ovr_told *to, const ovr_run_info *s)
+static void say_supply(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_observation *o = ovr_simulation_observation(s->sim);
     ovr_words w = {""};
@@ -202,35 +205,36 @@ static void say_supply(const ovr_told *to, const ovr_run_info *s)
                       "at the inlet",
                       o->inflow / o->supply);
     if (isfinite(o->starvation_factor))
-        ovr_tell_number(to, "starvation factor", 0, o->starvation_factor, "%s",
-                        ovr_words_unit("", "%s", w.text).text);
+        ovr_report_number(to, "starvation factor", 0, o->starvation_factor,
+                          "%s", ovr_words_unit("", "%s", w.text).text);
     else
-        ovr_tell(to, "starvation factor",
-                 "undefined: the entrainment speed is nearly zero%s%s",
-                 *w.text ? "; " : "", w.text);
+        ovr_report_line(to, "starvation factor",
+                        "undefined: the entrainment speed is nearly zero%s%s",
+                        *w.text ? "; " : "", w.text);
 }
 
 /* Maximum temperatures, and the error of the energy balance. */
-static void say_heat(const ovr_told *to, const ovr_run_info *s)
+static void say_heat(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const double zero = 273.15; /* degC in K */
     const ovr_observation *o = ovr_simulation_observation(s->sim);
     if (!ovr_setup_heat(s->setup))
         return;
-    ovr_tell_number(to, "maximum film temperature", 4, o->T_film_max - zero,
-                    "%-11s %.4g", "degC", o->X_T_film_max);
-    ovr_tell_number(to, "maximum temperature of surface 1", 4,
-                    o->T_1_max - zero, "degC");
-    ovr_tell_number(to, "maximum temperature of surface 2", 4,
-                    o->T_2_max - zero, "degC");
+    ovr_report_number(to, "maximum film temperature", 4, o->T_film_max - zero,
+                      "%-11s %.4g", "degC", o->X_T_film_max);
+    ovr_report_number(to, "maximum temperature of surface 1", 4,
+                      o->T_1_max - zero, "degC");
+    ovr_report_number(to, "maximum temperature of surface 2", 4,
+                      o->T_2_max - zero, "degC");
     if (isnan(o->energy_defect))
-        ovr_tell(to, "energy balance error", "unknown (set boundary.friction)");
+        ovr_report_line(to, "energy balance error",
+                        "unknown (set boundary.friction)");
     else
-        ovr_tell_number(to, "energy balance error", 2, o->energy_defect, "%s",
-                        "");
+        ovr_report_number(to, "energy balance error", 2, o->energy_defect, "%s",
+                          "");
 }
 
-void ovr_say_conditions(const ovr_told *to, const ovr_run_info *s)
+void ovr_report_conditions(const ovr_report_sink *to, const ovr_run_info *s)
 {
     say_supply(to, s);
     say_friction(to, s);
@@ -252,7 +256,7 @@ static ovr_words short_name(const char *name, const char **when)
 
 /* Prints the relative error of a quantity, and in nm, um or MPa; or that the
  * quantity does not converge. */
-static void say_error(const ovr_told *to, const ovr_run_error *e,
+static void say_error(const ovr_report_sink *to, const ovr_run_error *e,
                       const ovr_contact *contact)
 {
     const ovr_quantity_name name = ovr_quantity_named(e->key);
@@ -265,8 +269,8 @@ static void say_error(const ovr_told *to, const ovr_run_error *e,
     const char *when;
     ovr_words label = short_name(name.text, &when), w = {""};
     if (!e->converges) {
-        ovr_tell(to, label.text, "%s%sdoes not converge with the level", when,
-                 *when ? ": " : "");
+        ovr_report_line(to, label.text, "%s%sdoes not converge with the level",
+                        when, *when ? ": " : "");
         return;
     }
     if (isfinite(scale))
@@ -274,19 +278,19 @@ static void say_error(const ovr_told *to, const ovr_run_error *e,
                       *when ? ", " : "", when);
     else
         ovr_words_add(&w, "%s", when);
-    ovr_tell_number(to, label.text, 2, 100 * e->error / fabs(e->value[0]), "%s",
-                    ovr_words_unit("%", "%s", w.text).text);
+    ovr_report_number(to, label.text, 2, 100 * e->error / fabs(e->value[0]),
+                      "%s", ovr_words_unit("%", "%s", w.text).text);
 }
 
-void ovr_say_errors(const ovr_told *to, const ovr_run_info *s)
+void ovr_report_errors(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_run_errors *e = s->error;
     bool three = e->count && isfinite(e->of[0].value[2]);
     bool steps = s->transient && !s->setup->march->adaptive;
-    ovr_tell_title(to, "%s", "");
-    ovr_tell_title(to, "estimated discretization errors (from level %d%s%s)",
-                   e->level, three ? " and the next coarser" : "",
-                   steps ? ", time steps proportional to D" : "");
+    ovr_report_title(to, "%s", "");
+    ovr_report_title(to, "estimated discretization errors (from level %d%s%s)",
+                     e->level, three ? " and the next coarser" : "",
+                     steps ? ", time steps proportional to D" : "");
     for (size_t k = 0; k < e->count; k++)
         say_error(to, &e->of[k], s->setup->contact);
 }

@@ -11,19 +11,19 @@
 bool ovr_absurd_friction(const ovr_run_info *s);
 
 /* The first lines and the heading of the rows. */
-void ovr_say_contact(const ovr_told *to, const ovr_run_info *s);
+void ovr_report_contact(const ovr_report_sink *to, const ovr_run_info *s);
 
 /* Further remark on a quantity: load and flow in SI, convergence. */
 ovr_words ovr_words_of(const ovr_observable *row, const ovr_run_info *s);
 
 /* Starvation, friction and temperatures. */
-void ovr_say_conditions(const ovr_told *to, const ovr_run_info *s);
+void ovr_report_conditions(const ovr_report_sink *to, const ovr_run_info *s);
 
 /* Steps and file of a run; the heading of the values at its end. */
-void ovr_say_steps(const ovr_told *to, const ovr_run_info *s);
-void ovr_say_end(const ovr_told *to, const ovr_run_info *s);
+void ovr_report_steps(const ovr_report_sink *to, const ovr_run_info *s);
+void ovr_report_end(const ovr_report_sink *to, const ovr_run_info *s);
 
 /* Estimated errors. */
-void ovr_say_errors(const ovr_told *to, const ovr_run_info *s);
+void ovr_report_errors(const ovr_report_sink *to, const ovr_run_info *s);
 
 #endif

@@ -119,7 +119,7 @@ static ovr_status go_back(ovr_run *run, double complete, ovr_error *err)
         return OVR_BAD_INPUT;
     done = done && run->restart;
     if (done)
-        ovr_companions_told_of(run);
+        ovr_companions_set_path(run);
     if (ovr_output_reopen(run, !done, err))
         return OVR_BAD_INPUT;
     run->restored = run->restart &&

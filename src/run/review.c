@@ -51,7 +51,7 @@ static bool is_usual(const ovr_review *r, const char *key)
 static void warn_of_kept_inlet(const ovr_review *r,
                                const ovr_domain_needs *needs)
 {
-    ovr_review_say(r, OVR_MESSAGE_WARNING,
+    ovr_review_add(r, OVR_MESSAGE_WARNING,
                    "a feature starts upstream of X = %.4g and keeps the inlet "
                    "boundary there, so that the central film thickness is %s "
                    "too low; start the feature upstream of X = %.4g",
@@ -67,13 +67,13 @@ static void say_usual_inlet(const ovr_review *r, const ovr_domain_needs *needs)
     const ovr_contact *contact = r->setup->contact;
     double loss = ovr_inlet_loss(contact->M, contact->L, OVR_USUAL_INLET);
     if (inlet < OVR_USUAL_INLET && needs->varies)
-        ovr_review_say(
+        ovr_review_add(
             r, OVR_MESSAGE_NOTE,
             "inlet boundary moved to X = %.4g for all film thicknesses and "
             "half-widths of the histories of load, speed and radius",
             inlet);
     else if (inlet < OVR_USUAL_INLET)
-        ovr_review_say(r, OVR_MESSAGE_NOTE,
+        ovr_review_add(r, OVR_MESSAGE_NOTE,
                        "inlet boundary moved to X = %.4g; at X = -4 the "
                        "central film thickness would be %s too low",
                        inlet, share_of(loss).text);
@@ -86,7 +86,7 @@ static void warn_of_near_inlet(const ovr_review *r,
 {
     if (!ovr_setup_supply(r->setup)->film &&
         needs->loss > 1.01 * OVR_USUAL_LOSS)
-        ovr_review_say(
+        ovr_review_add(
             r, OVR_MESSAGE_WARNING,
             "film thickness is too low because the inlet boundary X = %.4g is "
             "too close (error %s); set domain.inlet = %.4g",
@@ -99,7 +99,7 @@ static void warn_of_near_outlet(const ovr_review *r,
 {
     const ovr_options *o = r->setup->options;
     if (!is_usual(r, "outlet") && o->outlet < needs->film_end)
-        ovr_review_say(
+        ovr_review_add(
             r, OVR_MESSAGE_WARNING,
             "the outlet boundary X = %.4g cuts off part of the film, which "
             "extends to X = %.4g; set domain.outlet = %.4g",
@@ -123,7 +123,7 @@ void ovr_review_inlet(const ovr_review *r, const ovr_state *state, double H_cen)
     ovr_domain_needs needs = ovr_setup_needs(r->setup);
     if (needs.loss <= 1.01 * OVR_USUAL_LOSS)
         return;
-    ovr_review_say(r, OVR_MESSAGE_WARNING,
+    ovr_review_add(r, OVR_MESSAGE_WARNING,
                    "film thickness is too low because the inlet boundary X = "
                    "%.3g is too close: the gap there is only %.1f times the "
                    "central film thickness (error %s); set domain.inlet = %.4g",
@@ -230,7 +230,7 @@ static void say_assumed(const ovr_review *r)
         ovr_feature_info info = ovr_surfaces_info(surfaces, k);
         for (const char *s = info.assumed; *s;) {
             int size = (int)strcspn(s, "\n");
-            ovr_review_say(r, OVR_MESSAGE_NOTE, "feature '%s': %.*s", info.name,
+            ovr_review_add(r, OVR_MESSAGE_NOTE, "feature '%s': %.*s", info.name,
                            size, s);
             s += size + (s[size] == '\n');
         }
@@ -243,7 +243,7 @@ static void say_estimated(const ovr_review *r)
     const ovr_resolved *resolved = r->setup->resolved;
     if (!resolved->values.oil.mineral || !resolved->alpha_estimated)
         return;
-    ovr_review_say(r, OVR_MESSAGE_NOTE,
+    ovr_review_add(r, OVR_MESSAGE_NOTE,
                    "alpha = %.3g 1/GPa is an estimate from the viscosity "
                    "(Roelands' relation, z = 0.68); measured values are 0.6 to "
                    "1 times this, lower for synthetic oils, and film thickness "
@@ -264,7 +264,7 @@ static void say_idle(const ovr_review *r)
                 continue;
             if (slot->line)
                 snprintf(line, sizeof line, ":%ld", slot->line);
-            ovr_review_say(r, OVR_MESSAGE_NOTE, "%s%s: %s %s", slot->file, line,
+            ovr_review_add(r, OVR_MESSAGE_NOTE, "%s%s: %s %s", slot->file, line,
                            slot->key, idle.text);
         }
 }
@@ -275,7 +275,7 @@ static void say_left_out(const ovr_review *r)
     const ovr_physics *off = NULL;
     unsigned none = ovr_resolved_no_fields(r->setup->resolved, &off);
     if (none & ~r->setup->output->fields)
-        ovr_review_say(r, OVR_MESSAGE_NOTE,
+        ovr_review_add(r, OVR_MESSAGE_NOTE,
                        "output.fields: %s are not stored, because [%s] "
                        "is off",
                        off->in_case->own_fields->are,
@@ -286,12 +286,12 @@ static void say_left_out(const ovr_review *r)
 static void warn_of_start(const ovr_review *r)
 {
     if (fabs(ovr_history_value(r->setup->speed, 0)) < OVR_MIN_START)
-        ovr_review_say(r, OVR_MESSAGE_WARNING,
+        ovr_review_add(r, OVR_MESSAGE_WARNING,
                        "the run starts from rest without a film; the initial "
                        "film thickness is that of %g of the reference speed",
                        OVR_MIN_START);
     if (ovr_history_value(r->setup->load, 0) < OVR_MIN_START)
-        ovr_review_say(r, OVR_MESSAGE_WARNING,
+        ovr_review_add(r, OVR_MESSAGE_WARNING,
                        "the run starts without load; the initial film "
                        "thickness is that of %g of the reference load",
                        OVR_MIN_START);
@@ -311,7 +311,7 @@ static void warn_of_smearing(const ovr_review *r)
         double nodes = info.wavelength / s->mesh;
         if (info.speed == 0 || !(nodes < enough))
             continue;
-        ovr_review_say(r, OVR_MESSAGE_WARNING,
+        ovr_review_add(r, OVR_MESSAGE_WARNING,
                        "feature '%s' has only %.0f nodes per width; upstream "
                        "schemes smear it out. Use scheme = characteristic with "
                        "step = grid, or level %d",
@@ -340,7 +340,7 @@ static void warn_of_features(const ovr_review *r, bool transient)
     double wave = finest.wavelength;
     const char *inside;
     if (wave < MESHES_A_WAVE * D)
-        ovr_review_say(
+        ovr_review_add(
             r, OVR_MESSAGE_WARNING,
             "the grid is too coarse: the %s wavelength %.3g of feature '%s' "
             "has only %.1f mesh sizes; use level %d",
@@ -349,7 +349,7 @@ static void warn_of_features(const ovr_review *r, bool transient)
     warn_of_smearing(r);
     inside = ovr_surfaces_inside(surfaces, options->inlet, options->outlet);
     if (inside && transient)
-        ovr_review_say(
+        ovr_review_add(
             r, OVR_MESSAGE_WARNING,
             "feature '%s' starts inside the domain and is part of the steady "
             "solution; start it upstream of the inlet X = %.3g, or set "
@@ -369,7 +369,7 @@ static void warn_of_seeds(const ovr_review *r)
                 a->surface == b->surface ||
                 a->roughness->seed != b->roughness->seed)
                 continue;
-            ovr_review_say(
+            ovr_review_add(
                 r, OVR_MESSAGE_WARNING,
                 "surfaces 1 and 2 have the same roughness heights: features "
                 "'%s' and '%s' both have seed = %d; set feature.%s.seed to "
@@ -387,7 +387,7 @@ static void warn_of_left_out(const ovr_review *r)
         ovr_feature_info info = ovr_surfaces_info(r->setup->surfaces, k);
         if (info.speed == 0)
             continue;
-        ovr_review_say(
+        ovr_review_add(
             r, OVR_MESSAGE_WARNING,
             "feature '%s' moves and is left out of a steady solution; %s",
             info.name,
@@ -405,7 +405,7 @@ static void warn_of_histories(const ovr_review *r)
         const ovr_block *block = ovr_case_find_block(r->c, sections[k], NULL);
         const ovr_slot *how = block ? ovr_block_get(block, "history") : NULL;
         if (how && how->given && strcmp(how->text, "constant") != 0)
-            ovr_review_say(
+            ovr_review_add(
                 r, OVR_MESSAGE_WARNING,
                 "[%s] history = %s has no effect in a steady solution, which "
                 "uses the value at T = 0; set time.end for a transient run",
@@ -446,14 +446,14 @@ static void warn_of_material_history(const ovr_review *r, size_t k)
     reach(r->setup->surfaces, k, 0, &low, &high);
     reach(r->setup->surfaces, k, end, &a, &b);
     if (fmax(high, b) < o->inlet || fmin(low, a) > o->outlet)
-        ovr_review_say(
+        ovr_review_add(
             r, OVR_MESSAGE_WARNING,
             "feature '%s' is at %s when the run ends at T = %.4g and never "
             "reaches the domain, X = %.4g to %.4g",
             f.name, range_of(a, b).text, end, o->inlet, o->outlet);
     else if (f.speed != 0 && isfinite(f.last) && isfinite(a) && isfinite(b) &&
              a < o->outlet && b > o->inlet)
-        ovr_review_say(
+        ovr_review_add(
             r, OVR_MESSAGE_WARNING,
             "feature '%s' has not left when the run ends at T = %.4g: it is at "
             "%.4g <= X <= %.4g",
@@ -467,7 +467,7 @@ static void warn_of_time(const ovr_review *r)
     double dT = ovr_setup_step(r->setup);
     size_t n = surfaces ? ovr_surfaces_count(surfaces) : 0;
     if (march->end < 0.999 * dT)
-        ovr_review_say(r, OVR_MESSAGE_WARNING,
+        ovr_review_add(r, OVR_MESSAGE_WARNING,
                        "the end T = %.3g is shorter than one step, %.3g",
                        march->end, dT);
     for (size_t k = 0; k < n; k++)
@@ -479,7 +479,7 @@ static void warn_of_sliding(const ovr_review *r)
     const ovr_contact *contact = r->setup->contact;
     double slip = contact->u1_ratio - contact->u2_ratio;
     if (fabs(slip) > 2 * (1 + 1e-12))
-        ovr_review_say(r, OVR_MESSAGE_WARNING,
+        ovr_review_add(r, OVR_MESSAGE_WARNING,
                        "opposite sliding: the surfaces move in opposite "
                        "directions, because slide_to_roll %.4g is beyond +-2",
                        slip);
@@ -491,7 +491,7 @@ static void say_level(const ovr_review *r)
     const ovr_setup *s = r->setup;
     const double rounding = 1.05; /* as printed */
     if (s->accuracy > 0 && s->expected > rounding * s->accuracy)
-        ovr_review_say(
+        ovr_review_add(
             r, OVR_MESSAGE_WARNING,
             "level = %s uses at most level %d, whose expected error is %.2g "
             "instead of %.2g",
@@ -510,7 +510,7 @@ static void before(const ovr_review *r, bool transient)
     warn_of_sliding(r);
     review_domain(r);
     say_level(r);
-    ovr_companions_foresee(r->setup, r->say, r->data);
+    ovr_companions_predict(r->setup, r->say, r->data);
     warn_of_seeds(r);
     if (r->setup->surfaces)
         warn_of_features(r, transient);

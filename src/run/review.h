@@ -15,7 +15,7 @@ typedef struct ovr_review {
     void *data;
 } ovr_review;
 
-void ovr_review_say(const ovr_review *r, ovr_message_kind kind,
+void ovr_review_add(const ovr_review *r, ovr_message_kind kind,
                     const char *format, ...) OVR_PRINTF(3, 4);
 
 /* Warns of oil that arrives as a film and fills the inlet all the same. */

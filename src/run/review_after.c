@@ -54,13 +54,13 @@ static void warn_of_order(const ovr_review *r, const ovr_simulation *sim)
     const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);
     int maximum = r->setup->options->max_cycles;
     if (ovr_setup_corrected(r->setup))
-        ovr_review_say(
+        ovr_review_add(
             r, OVR_MESSAGE_WARNING,
             "the solution is of second order, because the fourth-order "
             "corrections did not converge on this grid%s; use level = %d",
             maximum ? " within max_cycles" : "", ovr_level_resolving(sim));
     else if (ovr_block_get(domain, "order")->given)
-        ovr_review_say(
+        ovr_review_add(
             r, OVR_MESSAGE_WARNING,
             "the solution is of second order: fourth-order corrections need "
             "constant load, speed and radius and cavitation.model = "
@@ -73,7 +73,7 @@ static void warn_of_pressure(const ovr_review *r, const ovr_statistics *total)
 {
     double ph = r->setup->contact->ph, bearable = r->setup->bearable;
     if (total->extreme.P_max * ph > bearable)
-        ovr_review_say(r, OVR_MESSAGE_WARNING,
+        ovr_review_add(r, OVR_MESSAGE_WARNING,
                        "the pressure of %.3g GPa at X = %.4g, T = %.4g exceeds "
                        "bearable_pressure = %.3g GPa%s",
                        total->extreme.P_max * ph * 1e-9, total->where.P_max,
@@ -91,7 +91,7 @@ static void warn_of_thin_film(const ovr_review *r, const ovr_statistics *total)
     if (!(h < OVR_MOLECULE) ||
         (ovr_setup_physics(r->setup) & OVR_PHYSICS_BOUNDARY))
         return;
-    ovr_review_say(
+    ovr_review_add(
         r, OVR_MESSAGE_WARNING,
         "the minimum film thickness of %.2g nm at X = %.4g, T = %.4g is "
         "below the size of lubricant molecules (1 nm); the surfaces touch "
@@ -112,7 +112,7 @@ static void warn_of_spike(const ovr_review *r, const ovr_statistics *total)
                                "shear-thin at such pressure gradients, or ");
     ovr_words_add(&remedy, "use a finer grid (domain.level = %d)",
                   r->setup->options->level + 1);
-    ovr_review_say(
+    ovr_review_add(
         r, OVR_MESSAGE_WARNING,
         "the maximum pressure %.4g p_h at X = %.4g, T = %.4g is not resolved, "
         "nor are stresses close to the surface: the pressure spike there is "
@@ -129,7 +129,7 @@ static void warn_of_roughness(const ovr_review *r, const ovr_statistics *total)
     double Rq = r->setup->surfaces ? ovr_surfaces_roughness(r->setup->surfaces)
                                    : 0;
     if (total->extreme.H_min_located < Rq)
-        ovr_review_say(r, OVR_MESSAGE_WARNING,
+        ovr_review_add(r, OVR_MESSAGE_WARNING,
                        "minimum film thickness H = %.3g (X = %.4g, T = %.4g) "
                        "is below the composite roughness Rq = %.3g; asperities "
                        "would touch, see [boundary]",
@@ -147,7 +147,7 @@ static void warn_of_full_outlet(const ovr_review *r,
     bool reverses = fabs(s->options->inlet + s->options->outlet) < s->mesh;
     if (reverses || !(end > s->options->outlet - 0.5 * s->mesh))
         return;
-    ovr_review_say(r, OVR_MESSAGE_WARNING,
+    ovr_review_add(r, OVR_MESSAGE_WARNING,
                    "the film reaches the outlet boundary X = %.4g at T = %.4g, "
                    "which cuts off its pressure; set domain.outlet = %.4g",
                    s->options->outlet, total->when.X_cavitation,
@@ -159,7 +159,7 @@ static void warn_of_cycles(const ovr_review *r, const ovr_statistics *total)
 {
     const long far = 20, start = 500;
     if (total->steps > 0 && total->cycles > far * total->steps + start)
-        ovr_review_say(r, OVR_MESSAGE_WARNING,
+        ovr_review_add(r, OVR_MESSAGE_WARNING,
                        "%ld cycles for %ld time steps (3 per step are usual); "
                        "the grid barely resolves this run, use a higher level",
                        total->cycles, total->steps);
@@ -182,7 +182,7 @@ static void warn_of_unrest(const ovr_review *r, double T, bool settled)
 {
     const ovr_march *march = r->setup->march;
     if (march->steady_from > 0 && !settled && T > 0.999 * march->end)
-        ovr_review_say(
+        ovr_review_add(
             r, OVR_MESSAGE_WARNING,
             "all features had left at T = %.4g, but the film is still not "
             "steady at T = %.4g, where end = auto stops",
@@ -199,13 +199,13 @@ void ovr_run_review_after(ovr_run *run)
     if (run->setup->options->order == 4 && ovr_simulation_order(sim) != 4)
         warn_of_order(&r, sim);
     if (ovr_mesh_too_coarse(sim))
-        ovr_review_say(&r, OVR_MESSAGE_WARNING,
+        ovr_review_add(&r, OVR_MESSAGE_WARNING,
                        "the film thickness may be wrong by tens of per cent: "
                        "the film is too thin for the grid, and the pressure "
                        "builds up within one or two mesh sizes; use level = %d",
                        ovr_level_resolving(sim));
     if (*strategy)
-        ovr_review_say(&r, OVR_MESSAGE_NOTE,
+        ovr_review_add(&r, OVR_MESSAGE_NOTE,
                        "the steady solution needed another strategy: %s",
                        strategy);
     if (state->n && H_cen > 0 && ovr_setup_supply(r.setup)->film &&

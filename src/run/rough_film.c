@@ -182,7 +182,7 @@ ovr_status ovr_setup_rough_film(const ovr_setup *setup,
                            .film_Rq = NAN,
                            .H_min = NAN,
                            .why = "the surfaces are smooth"};
-    ovr_status status = ovr_fillable(to, "ovr_rough_film", err);
+    ovr_status status = ovr_check_output_argument(to, "ovr_rough_film", err);
     if (setup->surfaces)
         film.why = refusal(setup);
     if (!status && !film.why)

@@ -185,7 +185,7 @@ static ovr_trials *run_all(working *w)
     for (size_t k = 0; !t && k < made; k++)
         ovr_case_free(cases[k]);
     ovr_arena_release(&arena);
-    if (t && ovr_trials_go(t, w->err)) {
+    if (t && ovr_trials_execute(t, w->err)) {
         ovr_trials_free(t);
         t = NULL;
     }

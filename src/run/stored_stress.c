@@ -169,7 +169,7 @@ static ovr_status read_case(ovr_stored_stress *s, const stored *f,
     ovr_status status = ovr_inputs_lend(f->result, f->path, s->c, &lent, err);
     if (!status)
         status = set_up(s, change, data, err);
-    ovr_inputs_take_back(&lent);
+    ovr_inputs_remove(&lent);
     return status;
 }
 

@@ -13,15 +13,15 @@
 
 /* ------------------------------------------------------------- for programs */
 
-static void put_named(const ovr_told *to, const char *format, const char *name,
-                      double value)
+static void put_named(const ovr_report_sink *to, const char *format,
+                      const char *name, double value)
 {
     char key[64];
     snprintf(key, sizeof key, format, name);
     ovr_put_number(to, key, value);
 }
 
-static void put_resolved(const ovr_told *to, const char *key, double Z,
+static void put_resolved(const ovr_report_sink *to, const char *key, double Z,
                          const ovr_stress_report *r)
 {
     char name[64];
@@ -29,7 +29,7 @@ static void put_resolved(const ovr_told *to, const char *key, double Z,
     ovr_put(to, name, OVR_SUMMARY_FLAG, !(Z < r->unresolved_depth));
 }
 
-static void put_row(const ovr_told *to, const ovr_stress_figure *row,
+static void put_row(const ovr_report_sink *to, const ovr_stress_figure *row,
                     const ovr_stress_report *r, const ovr_contact *c)
 {
     const ovr_stress_extreme e = ovr_stress_figure_of(row, r);
@@ -50,7 +50,7 @@ static void put_row(const ovr_told *to, const ovr_stress_figure *row,
         put_named(to, "%s_m", row->key, e.value * c->b);
 }
 
-static void put_part(const ovr_told *to, ovr_stress_part part,
+static void put_part(const ovr_report_sink *to, ovr_stress_part part,
                      const ovr_stress_report *r, const ovr_contact *c)
 {
     const ovr_stress_figure *row;
@@ -60,7 +60,7 @@ static void put_part(const ovr_told *to, ovr_stress_part part,
 }
 
 /* Adds the numbers of the surface with the higher utilization of its layers. */
-static void put_layers(const ovr_told *to, const ovr_stress_report *a,
+static void put_layers(const ovr_report_sink *to, const ovr_stress_report *a,
                        const ovr_stress_report *b, const ovr_contact *c)
 {
     ovr_stress_report worse;
@@ -89,7 +89,7 @@ static void put_layers(const ovr_told *to, const ovr_stress_report *a,
 
 /* Adds the numbers of the surface that exceeds its yield stress more, if one is
  * given. */
-static void put_yield(const ovr_told *to, const ovr_stress_report *a,
+static void put_yield(const ovr_report_sink *to, const ovr_stress_report *a,
                       const ovr_stress_report *b, const ovr_contact *c)
 {
     const ovr_stress_report *of = a ? a : b;
@@ -101,7 +101,7 @@ static void put_yield(const ovr_told *to, const ovr_stress_report *a,
     put_part(to, OVR_STRESS_YIELD, of, c);
 }
 
-static void put_life(const ovr_told *to, const ovr_stress_report *r,
+static void put_life(const ovr_report_sink *to, const ovr_stress_report *r,
                      const ovr_setup *setup)
 {
     ovr_put_text(to, "criterion",
@@ -137,18 +137,18 @@ columns(const char *unit, double X, const char *format, ...)
 }
 
 /* Prints a stress in p_h, with its value in MPa and a remark. */
-static void say_stress(const ovr_told *to, const char *label, double value,
-                       double ph, double X, const char *remark)
+static void say_stress(const ovr_report_sink *to, const char *label,
+                       double value, double ph, double X, const char *remark)
 {
     ovr_words si = {""};
     if (isfinite(ph))
         ovr_words_add(&si, "%.4g MPa; ", value * ph * 1e-6);
-    ovr_tell_number(to, label, 4, value, "%s",
-                    columns("p_h", X, "%s%s", si.text, remark).text);
+    ovr_report_number(to, label, 4, value, "%s",
+                      columns("p_h", X, "%s%s", si.text, remark).text);
 }
 
 /* Prints the rows of a part. */
-static void say_part(const ovr_told *to, ovr_stress_part part,
+static void say_part(const ovr_report_sink *to, ovr_stress_part part,
                      const ovr_stress_report *r, double ph)
 {
     const ovr_stress_figure *row;
@@ -160,10 +160,10 @@ static void say_part(const ovr_told *to, ovr_stress_part part,
         ovr_words_add(&at, "Z = %.4g, T = %.4g%s", e.Z, e.T,
                       e.Z < r->unresolved_depth ? "; not resolved" : "");
         if (row->form == OVR_FIGURE_SHARE && !isnan(e.value))
-            ovr_tell_number(to, row->label, 4, e.value, "%s",
-                            columns("", NAN, "%s", row->words).text);
+            ovr_report_number(to, row->label, 4, e.value, "%s",
+                              columns("", NAN, "%s", row->words).text);
         else if (row->form == OVR_FIGURE_TENSION && !(e.value > 0))
-            ovr_tell(to, row->label, "none (compressive everywhere)");
+            ovr_report_line(to, row->label, "none (compressive everywhere)");
         else if (row->form != OVR_FIGURE_SHARE)
             say_stress(to, row->label, e.value, ph, e.X, at.text);
     }
@@ -186,7 +186,7 @@ static const char *side_of(const ovr_stress_report *r, double xi)
                                           : ", leading side";
 }
 
-static void say_circle(const ovr_told *to, const ovr_stress_report *r,
+static void say_circle(const ovr_report_sink *to, const ovr_stress_report *r,
                        double ph)
 {
     ovr_words at = {""};
@@ -196,7 +196,7 @@ static void say_circle(const ovr_told *to, const ovr_stress_report *r,
     say_stress(to, "shear path radius R", r->R_max, ph, NAN, at.text);
 }
 
-static void say_lengths(const ovr_told *to, const ovr_stress_report *r)
+static void say_lengths(const ovr_report_sink *to, const ovr_stress_report *r)
 {
     const ovr_material *m = &r->material;
     const double depths[] = {r->least_depth, 0.05, 0.1};
@@ -210,7 +210,7 @@ static void say_lengths(const ovr_told *to, const ovr_stress_report *r)
                       r->length[j], m->z[j]);
         last = m->z[j];
     }
-    ovr_tell(to, "equivalent raceway length", "%s downward", w.text);
+    ovr_report_line(to, "equivalent raceway length", "%s downward", w.text);
 }
 
 /* Features increase the risk.  A risk below that of the smooth contact means
@@ -220,103 +220,108 @@ static bool has_effect(const ovr_stress_report *r)
     return !(r->life->equivalent_length < 0) && !(r->ratio > 1);
 }
 
-static void say_life(const ovr_told *to, const ovr_stress_report *r,
+static void say_life(const ovr_report_sink *to, const ovr_stress_report *r,
                      const ovr_stress_setup *s)
 {
     if (r->lifeless) {
-        ovr_tell(to, "life", "not given: %s", r->lifeless);
+        ovr_report_line(to, "life", "not given: %s", r->lifeless);
         return;
     }
     if (!has_effect(r))
-        ovr_tell(to, "equivalent raceway length",
-                 "below the error of the method, %.2g b from Z = %.3g downward",
-                 fmax(r->length_error, -r->life->equivalent_length),
-                 r->least_depth);
+        ovr_report_line(
+            to, "equivalent raceway length",
+            "below the error of the method, %.2g b from Z = %.3g downward",
+            fmax(r->length_error, -r->life->equivalent_length), r->least_depth);
     else if (isfinite(r->life->equivalent_length))
         say_lengths(to, r);
     else
-        ovr_tell(
+        ovr_report_line(
             to, "equivalent raceway length",
             "undefined: the smooth contact is below the fatigue limit from "
             "Z = %.3g downward",
             r->least_depth);
     if (isfinite(r->life->utilisation))
-        ovr_tell_number(to, "utilization of the fatigue limit", 4,
-                        r->life->utilisation, "%s",
-                        columns("", NAN,
-                                "limit %.4g p_h, %s; from Z = %.3g downward, "
-                                "at Z = %.3g",
-                                r->limit, ovr_criterion_name(s->criterion),
-                                r->least_depth, r->life->used_z)
-                            .text);
+        ovr_report_number(to, "utilization of the fatigue limit", 4,
+                          r->life->utilisation, "%s",
+                          columns("", NAN,
+                                  "limit %.4g p_h, %s; from Z = %.3g downward, "
+                                  "at Z = %.3g",
+                                  r->limit, ovr_criterion_name(s->criterion),
+                                  r->least_depth, r->life->used_z)
+                              .text);
     if (isfinite(r->ratio) && has_effect(r))
-        ovr_tell_number(
+        ovr_report_number(
             to, "life ratio", 4, r->ratio, "%s",
             columns("", NAN,
                     "relative to the smooth raceway, from Z = %.3g downward",
                     r->least_depth)
                 .text);
-    ovr_tell(to, "",
-             "exponents %.4g, %.4g, %.4g and limit are conventions; elastic, "
-             "plane strain",
-             s->life.exponent, s->life.depth_exponent, s->life.weibull);
+    ovr_report_line(
+        to, "",
+        "exponents %.4g, %.4g, %.4g and limit are conventions; elastic, "
+        "plane strain",
+        s->life.exponent, s->life.depth_exponent, s->life.weibull);
 }
 
 /* The depth to which the material yields counts, not the amount by which the
  * stress exceeds Y: a thinner layer deforms by nanometres only. */
 static const double SKIN = 0.02;
 
-static void say_whether(const ovr_told *to, const ovr_stress_report *r,
+static void say_whether(const ovr_report_sink *to, const ovr_stress_report *r,
                         bool rough)
 {
     if (r->of_shakedown > 1)
-        ovr_tell(
+        ovr_report_line(
             to, "",
             "plastic strain matters: the smooth contact exceeds its shakedown "
             "limit and deforms plastically in every pass");
     else if (r->of_first_yield > 1)
-        ovr_tell(
+        ovr_report_line(
             to, "",
             "plastic strain matters: the smooth contact yields and shakes down "
             "in its first passes");
     else if (r->yielding_depth >= SKIN)
-        ovr_tell(
+        ovr_report_line(
             to, "",
             "plastic strain matters: the stress exceeds yield down to Z = %.3g",
             r->yielding_depth);
     else if (r->yielding_depth > 0)
-        ovr_tell(to, "",
-                 "plastic strain does not matter: only a near-surface layer of "
-                 "Z = %.3g exceeds yield",
-                 r->yielding_depth);
+        ovr_report_line(
+            to, "",
+            "plastic strain does not matter: only a near-surface layer of "
+            "Z = %.3g exceeds yield",
+            r->yielding_depth);
     else if (rough && r->material.z[0] > SKIN)
-        ovr_tell(
+        ovr_report_line(
             to, "",
             "plastic strain matters at most in a near-surface layer, which "
             "needs a finer grid: below yield from Z = %.3g downward",
             r->material.z[0]);
     else
-        ovr_tell(to, "",
-                 "plastic strain does not matter: below yield from Z = %.3g "
-                 "downward",
-                 r->material.z[0]);
+        ovr_report_line(
+            to, "",
+            "plastic strain does not matter: below yield from Z = %.3g "
+            "downward",
+            r->material.z[0]);
 }
 
-static void say_yielding_share(const ovr_told *to, const ovr_stress_report *r)
+static void say_yielding_share(const ovr_report_sink *to,
+                               const ovr_stress_report *r)
 {
     if (isnan(r->yielding_share))
-        ovr_tell(to, "yielding volume share",
-                 "unknown: no material point passed the contact; use a later "
-                 "time.end");
+        ovr_report_line(
+            to, "yielding volume share",
+            "unknown: no material point passed the contact; use a later "
+            "time.end");
     else
-        ovr_tell_number(
+        ovr_report_number(
             to, "yielding volume share", 3, 100 * r->yielding_share, "%s",
             columns("%", NAN, "of the material points from Z = %.4g downward",
                     r->least_depth)
                 .text);
 }
 
-static void say_yield(const ovr_told *to, const ovr_stress_report *r,
+static void say_yield(const ovr_report_sink *to, const ovr_stress_report *r,
                       const ovr_setup *setup)
 {
     double ph = setup->contact->ph;
@@ -325,63 +330,66 @@ static void say_yield(const ovr_told *to, const ovr_stress_report *r,
     ovr_words_add(&Y, "%.4g ph", r->yield);
     if (isfinite(ph))
         ovr_words_add(&Y, " = %.4g MPa", r->yield * ph * 1e-6);
-    ovr_tell_number(to, "stress above yield, f/Y", 4, f->value, "%s",
-                    columns("", f->X,
-                            "von Mises stress / Y - 1, Y = %s; Z = %.4g, "
-                            "T = %.4g",
-                            Y.text, f->Z, f->T)
-                        .text);
+    ovr_report_number(to, "stress above yield, f/Y", 4, f->value, "%s",
+                      columns("", f->X,
+                              "von Mises stress / Y - 1, Y = %s; Z = %.4g, "
+                              "T = %.4g",
+                              Y.text, f->Z, f->T)
+                          .text);
     say_yielding_share(to, r);
-    ovr_tell_number(to, "strip pressure ratio", 4, strip->value, "%s",
-                    columns("", strip->X,
-                            "(P - P around)/(2.97 Y); %.3g b wide, T = %.4g",
-                            strip->Z, strip->T)
-                        .text);
-    ovr_tell_number(to, "p_h / p_h at first yield", 4, r->of_first_yield, "%s",
-                    columns("", NAN,
-                            "smooth contact; %.4g of the p_h at the shakedown "
-                            "limit",
-                            r->of_shakedown)
-                        .text);
+    ovr_report_number(to, "strip pressure ratio", 4, strip->value, "%s",
+                      columns("", strip->X,
+                              "(P - P around)/(2.97 Y); %.3g b wide, T = %.4g",
+                              strip->Z, strip->T)
+                          .text);
+    ovr_report_number(
+        to, "p_h / p_h at first yield", 4, r->of_first_yield, "%s",
+        columns("", NAN,
+                "smooth contact; %.4g of the p_h at the shakedown "
+                "limit",
+                r->of_shakedown)
+            .text);
     say_whether(to, r, setup->features > 0);
 }
 
-static void say_surface(const ovr_told *to, const ovr_stress_report *r,
+static void say_surface(const ovr_report_sink *to, const ovr_stress_report *r,
                         const ovr_setup *setup)
 {
     double ph = setup->contact->ph;
-    ovr_tell_title(to, "%s", "");
-    ovr_tell_title(to,
-                   "Stresses below surface %d, from Z = %.4g (%.3g D) downward",
-                   r->surface, r->least_depth, r->least_depth / setup->mesh);
+    ovr_report_title(to, "%s", "");
+    ovr_report_title(
+        to, "Stresses below surface %d, from Z = %.4g (%.3g D) downward",
+        r->surface, r->least_depth, r->least_depth / setup->mesh);
     if (r->none) {
-        ovr_tell(to, "stresses", "not available: %s", r->none);
+        ovr_report_line(to, "stresses", "not available: %s", r->none);
         return;
     }
-    ovr_tell_title(to, "%-*s %-12s %-11s %s", OVR_LABEL_WIDTH, "quantity",
-                   "value", "in units", "at X = x/b");
+    ovr_report_title(to, "%-*s %-12s %-11s %s", OVR_LABEL_WIDTH, "quantity",
+                     "value", "in units", "at X = x/b");
     say_part(to, OVR_STRESS_BODY, r, ph);
     if (!isnan(r->layer_von_mises.value))
         say_part(to, OVR_STRESS_LAYERS, r, ph);
     if (!isnan(r->R_max))
         say_circle(to, r, ph);
-    ovr_tell(to, "traction", "%s%s",
-             r->traction ? "shear stress of the film" : "none: ",
-             r->traction ? "" : r->no_traction);
+    ovr_report_line(to, "traction", "%s%s",
+                    r->traction ? "shear stress of the film" : "none: ",
+                    r->traction ? "" : r->no_traction);
     if (r->fatigue)
         say_life(to, r, ovr_setup_stress(setup));
     if (!isnan(r->yield))
         say_yield(to, r, setup);
     else if (r->von_mises.value * ph > YIELD)
-        ovr_tell(to, "",
-                 "von Mises stress above %.2g GPa: bearing steel would deform "
-                 "plastically",
-                 YIELD * 1e-9);
+        ovr_report_line(
+            to, "",
+            "von Mises stress above %.2g GPa: bearing steel would deform "
+            "plastically",
+            YIELD * 1e-9);
     if (r->incomplete)
-        ovr_tell(to, "",
-                 "%zu of %zu material points are ignored, because the start or "
-                 "end of the run cuts their stress history",
-                 r->incomplete, r->material.points);
+        ovr_report_line(
+            to, "",
+            "%zu of %zu material points are ignored, because the start or "
+            "end of the run cuts their stress history",
+            r->incomplete, r->material.points);
 }
 
 /* -------------------------------------------------------------------- whole */
@@ -392,7 +400,7 @@ void ovr_stress_summary(const ovr_stress_report *const report[2],
 {
     if (!report || !setup || !take)
         return;
-    const ovr_told to = {take, data};
+    const ovr_report_sink to = {take, data};
     const ovr_contact *c = setup->contact;
     const ovr_stress_report *a = report[0], *b = report[1];
     const ovr_stress_report *shear = a ? a : b, *circle = shear;

@@ -22,7 +22,7 @@
 
 /* Keys with "foreseen" are those of version 0.3 and are kept for one
  * version. */
-void ovr_put_rough_film(const ovr_told *to, const ovr_rough_film *film,
+void ovr_put_rough_film(const ovr_report_sink *to, const ovr_rough_film *film,
                         const ovr_contact *contact)
 {
     const char *note = film->why ? film->why : film->but;
@@ -40,14 +40,14 @@ void ovr_put_rough_film(const ovr_told *to, const ovr_rough_film *film,
 }
 
 /* Prints the predictions made before the run. */
-static void say_predicted(const ovr_told *to, const ovr_rough_film *film)
+static void say_predicted(const ovr_report_sink *to, const ovr_rough_film *film)
 {
     if (film->why)
         return;
-    ovr_tell_number(to, "predicted film thickness roughness Rq", 4,
-                    film->film_Rq, "%s",
-                    ovr_words_unit("b^2/R", "surface Rq %.4g", film->Rq).text);
-    ovr_tell_number(
+    ovr_report_number(
+        to, "predicted film thickness roughness Rq", 4, film->film_Rq, "%s",
+        ovr_words_unit("b^2/R", "surface Rq %.4g", film->Rq).text);
+    ovr_report_number(
         to, "predicted minimum film thickness", 4, film->H_min, "%s",
         ovr_words_unit("b^2/R", "%s%s", film->but ? "less certain: " : "",
                        film->but ? film->but : "")
@@ -65,7 +65,7 @@ static const char *unresolved(const ovr_observable *row, bool maximum,
 }
 
 /* Prints the row of a quantity at the end, if it has one and is known. */
-static void say_observed(const ovr_told *to, const ovr_observable *row,
+static void say_observed(const ovr_report_sink *to, const ovr_observable *row,
                          const ovr_run_info *s)
 {
     const ovr_observation *o = ovr_simulation_observation(s->sim);
@@ -78,7 +78,7 @@ static void say_observed(const ovr_told *to, const ovr_observable *row,
     ovr_words_add(&more, "%s",
                   unresolved(row, o->P_max_resolved, o->P_spike_resolved));
     if (!isnan(value))
-        ovr_tell_number(
+        ovr_report_number(
             to, row->label, row->digits, value, "%s",
             ovr_words_columns(value, row, X, NAN, contact, more.text).text);
 }
@@ -91,7 +91,7 @@ static bool is_reported(const ovr_extreme *e, const ovr_run_info *s)
 }
 
 /* Prints the row of an extreme or mean. */
-static void say_kept(const ovr_told *to, const ovr_extreme *e,
+static void say_kept(const ovr_report_sink *to, const ovr_extreme *e,
                      const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
@@ -114,12 +114,12 @@ static void say_kept(const ovr_told *to, const ovr_extreme *e,
     behind = ovr_words_columns(
         value, row, X, T, contact,
         unresolved(row, mean || !total->P_max_unresolved, true));
-    ovr_tell_number(to, e->label, row->digits, value, "%s", behind.text);
+    ovr_report_number(to, e->label, row->digits, value, "%s", behind.text);
 }
 
 /* Prints the mean of a quantity that has no row for its value, in a steady
  * solution, where both are equal. */
-static void say_mean(const ovr_told *to, const ovr_observable *row,
+static void say_mean(const ovr_report_sink *to, const ovr_observable *row,
                      const ovr_run_info *s)
 {
     ovr_extreme e;
@@ -131,7 +131,7 @@ static void say_mean(const ovr_told *to, const ovr_observable *row,
 }
 
 /* All quantities, as they are at the end. */
-static void put_observed(const ovr_told *to, const ovr_run_info *s)
+static void put_observed(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_observation *seen = ovr_simulation_observation(s->sim);
     unsigned physics = ovr_setup_physics(s->setup);
@@ -141,7 +141,7 @@ static void put_observed(const ovr_told *to, const ovr_run_info *s)
         if (o->needs & ~physics)
             continue;
         if (o->offset == offsetof(ovr_observation, residual))
-            ovr_say_conditions(to, s);
+            ovr_report_conditions(to, s);
         say_observed(to, o, s);
         say_mean(to, o, s);
         if (!o->key)
@@ -155,8 +155,9 @@ static void put_observed(const ovr_told *to, const ovr_run_info *s)
 }
 
 /* Adds a force or power times the width, with the key without "_per_m". */
-static void put_wide(const ovr_told *to, const char *key_si, ovr_unit_kind kind,
-                     double value, const ovr_contact *contact)
+static void put_wide(const ovr_report_sink *to, const char *key_si,
+                     ovr_unit_kind kind, double value,
+                     const ovr_contact *contact)
 {
     double scale = ovr_kind_scale(kind, contact) * contact->width;
     char key[64];
@@ -168,7 +169,7 @@ static void put_wide(const ovr_told *to, const char *key_si, ovr_unit_kind kind,
 }
 
 /* Adds forces and powers for the whole width, if it is known. */
-static void put_of_width(const ovr_told *to, const ovr_run_info *s)
+static void put_of_width(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_observation *seen = ovr_simulation_observation(s->sim);
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
@@ -191,7 +192,7 @@ static void put_of_width(const ovr_told *to, const ovr_run_info *s)
 }
 
 /* Extremes and means over the whole run. */
-static void put_extremes(const ovr_told *to, const ovr_run_info *s)
+static void put_extremes(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
     unsigned physics = ovr_setup_physics(s->setup);
@@ -208,7 +209,7 @@ static void put_extremes(const ovr_told *to, const ovr_run_info *s)
         }
 }
 
-static void put_steps(const ovr_told *to, const ovr_run_info *s)
+static void put_steps(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
     ovr_put_count(to, "steps", (double)total->steps);
@@ -220,11 +221,11 @@ static void put_steps(const ovr_told *to, const ovr_run_info *s)
     ovr_put_count(to, "snapshots", (double)s->snapshots);
     ovr_put_text(to, "output", s->passes ? s->passes_file : s->output);
     ovr_put_number(to, "T_end", ovr_simulation_state(s->sim)->T);
-    ovr_say_steps(to, s);
+    ovr_report_steps(to, s);
 }
 
 /* The other numbers are those of the last pass. */
-static void put_passes(const ovr_told *to, const ovr_run_info *s)
+static void put_passes(const ovr_report_sink *to, const ovr_run_info *s)
 {
     ovr_put_count(to, "pass", s->pass);
     ovr_put_count(to, "passes", s->passes);
@@ -245,21 +246,22 @@ static void put_passes(const ovr_told *to, const ovr_run_info *s)
 
 /* Prints the equivalent length by elastic stresses (pass 1) for comparison with
  * that of the last pass. */
-static void say_elastic(const ovr_told *to, const ovr_run_info *s)
+static void say_elastic(const ovr_report_sink *to, const ovr_run_info *s)
 {
     ovr_words life = {""};
     if (!isfinite(s->elastic_length))
         return;
     if (isfinite(s->elastic_ratio))
         ovr_words_add(&life, ", life ratio %.4g", s->elastic_ratio);
-    ovr_tell(to, "elastic reference",
-             "equivalent raceway length %.4g b%s (pass 1, without plastic "
-             "deformation)",
-             s->elastic_length, life.text);
+    ovr_report_line(
+        to, "elastic reference",
+        "equivalent raceway length %.4g b%s (pass 1, without plastic "
+        "deformation)",
+        s->elastic_length, life.text);
 }
 
 /* Estimated discretization errors, dimensionless and relative. */
-static void put_errors(const ovr_told *to, const ovr_run_errors *e)
+static void put_errors(const ovr_report_sink *to, const ovr_run_errors *e)
 {
     char key[64];
     ovr_put_count(to, "error_level", e->level);
@@ -275,7 +277,7 @@ static void put_errors(const ovr_told *to, const ovr_run_errors *e)
 /* ------------------------------------------------------------------- whole */
 
 /* Adds level, scheme and cost of the run. */
-static void put_options(const ovr_told *to, const ovr_run_info *s)
+static void put_options(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_options *options = ovr_simulation_options(s->sim);
     ovr_put_count(to, "nodes", (double)ovr_simulation_state(s->sim)->n);
@@ -305,7 +307,7 @@ static double subgrid_roughness(const ovr_run_info *s, const char **from)
 /* Adds the lambda ratio of roughness that is not on the grid, minimum film
  * thickness / Rq. That of features is a row of the quantities: mean film
  * thickness in |X| < 3/4 / Rq. */
-static void put_lambda_ratio(const ovr_told *to, const ovr_run_info *s)
+static void put_lambda_ratio(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
     const ovr_observation *o = ovr_simulation_observation(s->sim);
@@ -321,12 +323,13 @@ static void put_lambda_ratio(const ovr_told *to, const ovr_run_info *s)
                  : s->setup->features ? "features"
                                       : NULL);
     if (known)
-        ovr_tell_number(to, "lambda ratio", 4, H / Rq, "%s",
-                        ovr_words_unit("",
-                                       "minimum film thickness / composite Rq "
-                                       "of %s",
-                                       from)
-                            .text);
+        ovr_report_number(
+            to, "lambda ratio", 4, H / Rq, "%s",
+            ovr_words_unit("",
+                           "minimum film thickness / composite Rq "
+                           "of %s",
+                           from)
+                .text);
     if (s->transient)
         ovr_put_number(to, "lambda_ratio_at_H_min",
                        known ? H / Rq
@@ -334,7 +337,7 @@ static void put_lambda_ratio(const ovr_told *to, const ovr_run_info *s)
                                    total->H_mean_at_H_min / total->mean.H_mean);
 }
 
-static void put_rough_film(const ovr_told *to, const ovr_run_info *s)
+static void put_rough_film(const ovr_report_sink *to, const ovr_run_info *s)
 {
     put_lambda_ratio(to, s);
     if (s->setup->features) {
@@ -348,7 +351,7 @@ void ovr_run_report(const ovr_run_info *s, ovr_summary_taker *take, void *data)
 {
     if (!s || !take)
         return;
-    const ovr_told to = {take, data};
+    const ovr_report_sink to = {take, data};
     ovr_put(&to, "converged", OVR_SUMMARY_FLAG, s->converged);
     ovr_put_text(&to, "way", ovr_simulation_strategy(s->sim));
     ovr_put_contact(&to, s->setup->contact, false);
@@ -361,14 +364,14 @@ void ovr_run_report(const ovr_run_info *s, ovr_summary_taker *take, void *data)
     ovr_put_number(&to, "unbearable_share", s->unbearable_share);
     if (s->passes)
         put_passes(&to, s);
-    ovr_say_contact(&to, s);
+    ovr_report_contact(&to, s);
     if (s->transient) {
         put_extremes(&to, s);
         put_rough_film(&to, s);
         put_steps(&to, s);
         ovr_stress_summary(s->stress, s->setup, take, data);
         say_elastic(&to, s);
-        ovr_say_end(&to, s);
+        ovr_report_end(&to, s);
     }
     put_observed(&to, s);
     put_of_width(&to, s);
@@ -381,14 +384,14 @@ void ovr_run_report(const ovr_run_info *s, ovr_summary_taker *take, void *data)
     if (s->error->level)
         put_errors(&to, s->error);
     if (s->error->level)
-        ovr_say_errors(&to, s);
+        ovr_report_errors(&to, s);
     ovr_put_number(&to, "seconds", s->seconds);
-    ovr_tell_number(&to, "computing time", 3, s->seconds, "s");
+    ovr_report_number(&to, "computing time", 3, s->seconds, "s");
 }
 
 void ovr_run_summary(const ovr_run_info *s, ovr_summary_taker *take, void *data)
 {
-    ovr_told to = {take, data};
+    ovr_report_sink to = {take, data};
     if (take)
         ovr_run_report(s, ovr_put_keyed, &to);
 }

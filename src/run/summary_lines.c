@@ -14,28 +14,28 @@
 
 enum { USUAL_DIGITS = 6 };
 
-static void give(const ovr_told *to, const ovr_summary_line *line)
+static void give(const ovr_report_sink *to, const ovr_summary_line *line)
 {
     to->take(to->data, line);
 }
 
-void ovr_put(const ovr_told *to, const char *key, ovr_summary_form form,
+void ovr_put(const ovr_report_sink *to, const char *key, ovr_summary_form form,
              double value)
 {
     give(to, &(ovr_summary_line){.key = key, .form = form, .number = value});
 }
 
-void ovr_put_number(const ovr_told *to, const char *key, double value)
+void ovr_put_number(const ovr_report_sink *to, const char *key, double value)
 {
     ovr_put(to, key, OVR_SUMMARY_NUMBER, value);
 }
 
-void ovr_put_count(const ovr_told *to, const char *key, double value)
+void ovr_put_count(const ovr_report_sink *to, const char *key, double value)
 {
     ovr_put(to, key, OVR_SUMMARY_COUNT, value);
 }
 
-void ovr_put_text(const ovr_told *to, const char *key, const char *text)
+void ovr_put_text(const ovr_report_sink *to, const char *key, const char *text)
 {
     give(to, &(ovr_summary_line){.key = key,
                                  .form = OVR_SUMMARY_TEXT,
@@ -49,8 +49,8 @@ void ovr_put_keyed(void *told, const ovr_summary_line *line)
         give(told, line);
 }
 
-void ovr_put_both(const ovr_told *to, const char *key, const char *key_si,
-                  double value, double scale)
+void ovr_put_both(const ovr_report_sink *to, const char *key,
+                  const char *key_si, double value, double scale)
 {
     ovr_put_number(to, key, value);
     if (key_si)
@@ -59,8 +59,8 @@ void ovr_put_both(const ovr_told *to, const char *key, const char *key_si,
 
 /* -------------------------------------------------------------- for people */
 
-static void say(const ovr_told *to, const char *label, int digits, double value,
-                const char *text)
+static void say(const ovr_report_sink *to, const char *label, int digits,
+                double value, const char *text)
 {
     give(to, &(ovr_summary_line){.form = digits ? OVR_SUMMARY_WORDS_BEHIND
                                                 : OVR_SUMMARY_WORDS,
@@ -77,8 +77,8 @@ static void say(const ovr_told *to, const char *label, int digits, double value,
     vsnprintf((words).text, sizeof(words).text, format, args);                 \
     va_end(args)
 
-void ovr_tell_detail(const ovr_told *to, const char *label, const char *format,
-                     ...)
+void ovr_report_detail(const ovr_report_sink *to, const char *label,
+                       const char *format, ...)
 {
     FORMATTED(words, format);
     give(to, &(ovr_summary_line){.form = OVR_SUMMARY_WORDS,
@@ -88,30 +88,32 @@ void ovr_tell_detail(const ovr_told *to, const char *label, const char *format,
                                  .detail = true});
 }
 
-void ovr_tell(const ovr_told *to, const char *label, const char *format, ...)
+void ovr_report_line(const ovr_report_sink *to, const char *label,
+                     const char *format, ...)
 {
     FORMATTED(words, format);
     say(to, label, 0, NAN, words.text);
 }
 
-void ovr_tell_title(const ovr_told *to, const char *format, ...)
+void ovr_report_title(const ovr_report_sink *to, const char *format, ...)
 {
     FORMATTED(words, format);
     say(to, NULL, 0, NAN, words.text);
 }
 
-void ovr_tell_number(const ovr_told *to, const char *label, int digits,
-                     double value, const char *format, ...)
+void ovr_report_number(const ovr_report_sink *to, const char *label, int digits,
+                       double value, const char *format, ...)
 {
     FORMATTED(words, format);
     say(to, label, digits ? digits : USUAL_DIGITS, value, words.text);
 }
 
-void ovr_tell_heading(const ovr_told *to, bool times, const char *title)
+void ovr_report_heading(const ovr_report_sink *to, bool times,
+                        const char *title)
 {
-    ovr_tell_title(to, "%s", "");
-    ovr_tell_title(to, "%-*s %-12s %-11s %-10s%s", OVR_LABEL_WIDTH, title,
-                   "value", "in units", "at X = x/b", times ? " at T" : "");
+    ovr_report_title(to, "%s", "");
+    ovr_report_title(to, "%-*s %-12s %-11s %-10s%s", OVR_LABEL_WIDTH, title,
+                     "value", "in units", "at X = x/b", times ? " at T" : "");
 }
 
 void ovr_words_add(ovr_words *to, const char *format, ...)
@@ -258,15 +260,15 @@ typedef struct scale {
     bool detail; /* not part of the summary */
 } scale;
 
-static void put_scale(const ovr_told *to, const scale *s, bool before)
+static void put_scale(const ovr_report_sink *to, const scale *s, bool before)
 {
     if (before && s->label && isfinite(s->value)) {
         if (s->detail)
-            ovr_tell_detail(to, s->label, "%.6g%s%s", s->value / s->unit,
-                            *s->symbol ? " " : "", s->symbol);
+            ovr_report_detail(to, s->label, "%.6g%s%s", s->value / s->unit,
+                              *s->symbol ? " " : "", s->symbol);
         else
-            ovr_tell(to, s->label, "%.6g%s%s", s->value / s->unit,
-                     *s->symbol ? " " : "", s->symbol);
+            ovr_report_line(to, s->label, "%.6g%s%s", s->value / s->unit,
+                            *s->symbol ? " " : "", s->symbol);
     }
     if (before || !s->before)
         ovr_put_number(to, s->key, s->value);
@@ -308,7 +310,8 @@ static void contact_scales(const ovr_contact *c, scale rows[SCALES])
     memcpy(rows, all, sizeof all);
 }
 
-void ovr_put_contact(const ovr_told *to, const ovr_contact *c, bool before)
+void ovr_put_contact(const ovr_report_sink *to, const ovr_contact *c,
+                     bool before)
 {
     scale rows[SCALES];
     contact_scales(c, rows);

@@ -9,43 +9,45 @@
 #include "overroll/run.h"
 
 /* The receiver of the lines. */
-typedef struct ovr_told {
+typedef struct ovr_report_sink {
     ovr_summary_taker *take;
     void *data;
-} ovr_told;
+} ovr_report_sink;
 
-void ovr_put(const ovr_told *to, const char *key, ovr_summary_form form,
+void ovr_put(const ovr_report_sink *to, const char *key, ovr_summary_form form,
              double value);
-void ovr_put_number(const ovr_told *to, const char *key, double value);
-void ovr_put_count(const ovr_told *to, const char *key, double value);
-void ovr_put_text(const ovr_told *to, const char *key, const char *text);
+void ovr_put_number(const ovr_report_sink *to, const char *key, double value);
+void ovr_put_count(const ovr_report_sink *to, const char *key, double value);
+void ovr_put_text(const ovr_report_sink *to, const char *key, const char *text);
 
-/* Passes the lines that have a key on to the ovr_told in `data`. */
+/* Passes the lines that have a key on to the ovr_report_sink in `data`. */
 ovr_summary_taker ovr_put_keyed;
 
 /* Adds a number, and its SI value if `key_si` is not NULL. */
-void ovr_put_both(const ovr_told *to, const char *key, const char *key_si,
-                  double value, double scale);
+void ovr_put_both(const ovr_report_sink *to, const char *key,
+                  const char *key_si, double value, double scale);
 
-/* Lines of reports: a label and text (ovr_tell_detail: in complete lists only),
- * a title, and a number with `digits` digits (0: 6) and text after it. */
-void ovr_tell(const ovr_told *to, const char *label, const char *format, ...)
-    OVR_PRINTF(3, 4);
-void ovr_tell_detail(const ovr_told *to, const char *label, const char *format,
-                     ...) OVR_PRINTF(3, 4);
-void ovr_tell_title(const ovr_told *to, const char *format, ...)
+/* Lines of reports: a label and text (ovr_report_detail: in complete lists
+ * only), a title, and a number with `digits` digits (0: 6) and text after it.
+ */
+void ovr_report_line(const ovr_report_sink *to, const char *label,
+                     const char *format, ...) OVR_PRINTF(3, 4);
+void ovr_report_detail(const ovr_report_sink *to, const char *label,
+                       const char *format, ...) OVR_PRINTF(3, 4);
+void ovr_report_title(const ovr_report_sink *to, const char *format, ...)
     OVR_PRINTF(2, 3);
-void ovr_tell_number(const ovr_told *to, const char *label, int digits,
-                     double value, const char *format, ...) OVR_PRINTF(5, 6);
+void ovr_report_number(const ovr_report_sink *to, const char *label, int digits,
+                       double value, const char *format, ...) OVR_PRINTF(5, 6);
 
 /* Writes an empty line and a title over the columns of the rows that follow. */
-void ovr_tell_heading(const ovr_told *to, bool times, const char *title);
+void ovr_report_heading(const ovr_report_sink *to, bool times,
+                        const char *title);
 
 /* Adds the numbers of a contact (with text for the report if `before` the
  * solution), and the predictions for rough surfaces by key. */
-void ovr_put_contact(const ovr_told *to, const ovr_contact *contact,
+void ovr_put_contact(const ovr_report_sink *to, const ovr_contact *contact,
                      bool before);
-void ovr_put_rough_film(const ovr_told *to, const ovr_rough_film *film,
+void ovr_put_rough_film(const ovr_report_sink *to, const ovr_rough_film *film,
                         const ovr_contact *contact);
 
 /* Text that is appended to. */

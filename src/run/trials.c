@@ -282,7 +282,7 @@ static ovr_status by_processes(ovr_trials *t, ovr_error *err)
     return code ? ovr_fail(err, OVR_STOPPED, "stopped") : OVR_OK;
 }
 
-ovr_status ovr_trials_go(ovr_trials *t, ovr_error *err)
+ovr_status ovr_trials_execute(ovr_trials *t, ovr_error *err)
 {
     asking asked = {t, NULL};
     ovr_status status = OVR_OK;

@@ -36,7 +36,7 @@ void ovr_trials_free(ovr_trials *trials);
 
 /* OVR_STOPPED, or what somebody else's function returned; a failed run is no
  * failure of them all. */
-ovr_status ovr_trials_go(ovr_trials *trials, ovr_error *err);
+ovr_status ovr_trials_execute(ovr_trials *trials, ovr_error *err);
 
 const ovr_trial *ovr_trials_at(const ovr_trials *trials, size_t k);
 

@@ -379,7 +379,7 @@ ovr_status ovr_inputs_lend(ovr_result *result, const char *path, ovr_case *c,
     return status;
 }
 
-void ovr_inputs_take_back(ovr_lent *lent)
+void ovr_inputs_remove(ovr_lent *lent)
 {
     char path[PATH_SIZE];
     for (size_t k = 0; k < lent->files; k++) {

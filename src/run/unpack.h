@@ -15,13 +15,13 @@ typedef struct ovr_lent {
 } ovr_lent;
 
 /* Writes copies of the inputs that the result holds, and sets the keys of the
- * case to their paths.  The caller must remove them by ovr_inputs_take_back,
+ * case to their paths.  The caller must remove them by ovr_inputs_remove,
  * also after an error.  Without a place for temporary files, and for inputs
  * that are not kept, the case stays as it is. */
 ovr_status ovr_inputs_lend(ovr_result *result, const char *path, ovr_case *c,
                            ovr_lent *to, ovr_error *err);
 
 /* Removes the copies. */
-void ovr_inputs_take_back(ovr_lent *lent);
+void ovr_inputs_remove(ovr_lent *lent);
 
 #endif

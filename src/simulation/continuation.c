@@ -209,7 +209,7 @@ static void settle_spots(const settling *s, int times)
 static void settle_ends(const settling *s)
 {
     if (!s->sim->grids.conserving)
-        ovr_film_ends(&s->sim->grids, s->sim->finest);
+        ovr_move_cavitation_boundary(&s->sim->grids, s->sim->finest);
 }
 
 /* Cycles on a step's equations, whose residual need not fall below a share of

@@ -109,7 +109,7 @@ static double gradient_at(const ovr_fluid *fluid, double H, double wedge)
     const double dX = 1;
     double eps = ovr_flow(fluid, 0, H), P_X = wedge / eps;
     ovr_pair nodes = {.H = {H, H}, .q = {H, H}, .eps = {eps, eps}};
-    if (!ovr_flow_thins(fluid))
+    if (!ovr_flow_is_shear_thinning(fluid))
         return P_X;
     nodes.P[1] = P_X * dX;
     return wedge / ovr_flow_between(fluid, dX, &nodes);
@@ -189,8 +189,9 @@ static double dissipated_beside(const ovr_simulation *sim)
     double sum = 0;
     for (size_t i = 0; beside->is && i + 1 < now->n; i++)
         if (now->P[i] > 0 || now->P[i + 1] > 0)
-            sum -= ovr_flow_beside(sim, i, true) * (now->P[i + 1] - now->P[i]) *
-                   (now->H[i] + now->H[i + 1]) / (now->q[i] + now->q[i + 1]);
+            sum -= ovr_flow_of_physics(sim, i, true) *
+                   (now->P[i + 1] - now->P[i]) * (now->H[i] + now->H[i + 1]) /
+                   (now->q[i] + now->q[i + 1]);
     return sum;
 }
 

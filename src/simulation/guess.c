@@ -283,7 +283,7 @@ static bool all_known(const double *off, size_t count, const size_t number[])
     return known;
 }
 
-void ovr_guess_learn(ovr_simulation *sim, double dT)
+void ovr_guess_update(ovr_simulation *sim, double dT)
 {
     formula found[OVR_GUESSES];
     size_t number[OVR_GUESSES], count = follow(sim, dT, found, number);

@@ -54,7 +54,7 @@ static double carried(const ovr_simulation *sim, size_t i)
     return q;
 }
 
-double ovr_flow_beside(const ovr_simulation *sim, size_t i, bool mean)
+double ovr_flow_of_physics(const ovr_simulation *sim, size_t i, bool mean)
 {
     double flow = 0;
     OVR_EACH_PHYSICS(sim, p, in_output, flow)
@@ -67,7 +67,7 @@ double ovr_flow_beside(const ovr_simulation *sim, size_t i, bool mean)
 double ovr_flux(const ovr_simulation *sim, double Cu, size_t i)
 {
     const double *P = sim->now.P, *X = sim->now.X;
-    return Cu * carried(sim, i) + ovr_flow_beside(sim, i, false) -
+    return Cu * carried(sim, i) + ovr_flow_of_physics(sim, i, false) -
            0.5 * twice_flow(&sim->now, i) * (P[i + 1] - P[i]) /
                (X[i + 1] - X[i]);
 }
@@ -98,7 +98,7 @@ static double central_flux(const ovr_simulation *sim, double T, const double *P,
                            const double *q, size_t i)
 {
     double Cu = ovr_history_value(sim->histories.speed, T);
-    return 0.5 * Cu * (q[i] + q[i + 1]) + ovr_flow_beside(sim, i, true) -
+    return 0.5 * Cu * (q[i] + q[i + 1]) + ovr_flow_of_physics(sim, i, true) -
            poiseuille(sim, T, P, q, i) * (P[i + 1] - P[i]) /
                (sim->now.X[i + 1] - sim->now.X[i]);
 }
@@ -149,7 +149,7 @@ static double flow_size(const ovr_simulation *sim, double Cu, stretch s)
     for (size_t i = s.first; i <= s.last; i++) {
         double twice = flow ? flow[i] : eps[i] + eps[i + 1];
         double through = Cu * (q[i] + q[i + 1]) / 2 +
-                         ovr_flow_beside(sim, i, true);
+                         ovr_flow_of_physics(sim, i, true);
         sum += fabs(through * (X[i + 1] - X[i]) -
                     twice / 2 * (P[i + 1] - P[i]));
     }

@@ -31,7 +31,7 @@ double ovr_flux(const ovr_simulation *sim, double Cu, size_t i);
 /* Upstream value of a content q at i + 1/2 in the scheme; what flows
  * there beside the film's own (physics.h). */
 double ovr_upstream(const ovr_simulation *sim, const double *q, size_t i);
-double ovr_flow_beside(const ovr_simulation *sim, size_t i, bool mean);
+double ovr_flow_of_physics(const ovr_simulation *sim, size_t i, bool mean);
 
 /* Relative error of the mass balance over the step just made. */
 double ovr_mass_balance(const ovr_simulation *sim);

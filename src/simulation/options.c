@@ -87,7 +87,7 @@ static ovr_status check_rounding(const ovr_contact *contact,
 double ovr_negligible_tolerance(const ovr_simulation *sim, double D, double H)
 {
     const double largest = 1e-5;
-    const double share = ovr_touch_oil_share(&sim->grids, sim->finest);
+    const double share = ovr_asperity_oil_share(&sim->grids, sim->finest);
     double whole = whole_film_tolerance(sim, D, H);
     if (share >= 1 || whole >= largest)
         return whole;

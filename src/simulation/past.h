@@ -39,7 +39,7 @@ bool ovr_guess(ovr_simulation *sim, double dT, bool extrapolated);
 
 /* What each formula would have guessed for the step of dT that was solved just
  * now, before it becomes the past. */
-void ovr_guess_learn(ovr_simulation *sim, double dT);
+void ovr_guess_update(ovr_simulation *sim, double dT);
 
 /* The errors of steps like this one of h add this to the film on its way
  * through the contact, relative to H_cen; 0 when there is no past to judge

@@ -38,12 +38,12 @@ static void bear(ovr_simulation *sim, const double *along_x)
     double *image = ovr_work_take(sim);
     if (sim->histories.mirrored)
         ovr_mirror(sim->finest->grid.n, along_x, image);
-    ovr_level_bear(&sim->grids, sim->finest,
-                   sim->histories.mirrored ? image : along_x);
+    ovr_level_set_asperity_pressure(&sim->grids, sim->finest,
+                                    sim->histories.mirrored ? image : along_x);
     ovr_work_give(sim, image);
 }
 
-void ovr_physics_unburden(ovr_simulation *sim)
+void ovr_physics_clear_asperity_pressure(ovr_simulation *sim)
 {
     if (!sim->borne)
         return;
@@ -53,7 +53,7 @@ void ovr_physics_unburden(ovr_simulation *sim)
     ovr_work_give(sim, none);
 }
 
-void ovr_physics_keep_borne(ovr_simulation *sim)
+void ovr_physics_keep_asperity_pressure(ovr_simulation *sim)
 {
     size_t bytes = sim->now.n * sizeof *sim->borne;
     if (!sim->borne)
@@ -63,13 +63,14 @@ void ovr_physics_keep_borne(ovr_simulation *sim)
     ovr_nodes_read(sim, sim->finest, sim->finest->borne, sim->borne);
 }
 
-void ovr_physics_borne_back(ovr_simulation *sim)
+void ovr_physics_restore_asperity_pressure(ovr_simulation *sim)
 {
     if (sim->borne)
         bear(sim, sim->borne);
 }
 
-ovr_status ovr_physics_take_borne(ovr_simulation *sim, ovr_error *err)
+ovr_status ovr_physics_take_asperity_pressure(ovr_simulation *sim,
+                                              ovr_error *err)
 {
     double **const all[] = {&sim->borne, &sim->borne_before[0],
                             &sim->borne_before[1]};
@@ -143,7 +144,7 @@ ovr_status ovr_physics_check(const ovr_simulation *sim, ovr_error *err)
     return OVR_OK;
 }
 
-void ovr_physics_review(const ovr_simulation *sim, ovr_physics_say *say,
+void ovr_physics_review(const ovr_simulation *sim, ovr_physics_message *say,
                         void *data)
 {
     OVR_EACH_PHYSICS(sim, p, in_output, review)

@@ -91,7 +91,7 @@ typedef struct ovr_physics_case {
 typedef void ovr_physics_line(void *data, const char *name, const char *text);
 
 /* Callback that receives a note or a warning. */
-typedef void ovr_physics_say(void *data, bool warning, const char *text);
+typedef void ovr_physics_message(void *data, bool warning, const char *text);
 
 /* Fields that have no values without a physics. */
 typedef enum ovr_physics_field {
@@ -109,13 +109,13 @@ typedef struct ovr_own_fields {
 } ovr_own_fields;
 
 /* Statements of a form about its run. */
-typedef struct ovr_physics_says {
+typedef struct ovr_physics_statement {
     unsigned bits;       /* in addition to the physics' own */
     unsigned features;   /* of the model (conflicts.h) that it turns on */
     const char *fields;  /* that a file has in addition, ", " between them */
     double width_across; /* period across rolling, b; 0: none */
     double arrives;      /* film at T = 0; INFINITY: as much as is taken */
-} ovr_physics_says;
+} ovr_physics_statement;
 
 /* Part in the case. */
 typedef struct ovr_physics_in_case {
@@ -194,7 +194,7 @@ typedef struct ovr_physics_in_case {
 
     /* Fills in the statements of the form, of one that is on; defaults: zero,
      * `arrives` INFINITY. */
-    void (*says)(const void *form, ovr_physics_says *says);
+    void (*says)(const void *form, ovr_physics_statement *says);
 } ovr_physics_in_case;
 
 /* Part in the making of a simulation and in the steady solution. */
@@ -399,7 +399,7 @@ typedef struct ovr_physics_in_output {
 
     /* Called after a solve or run. */
     void (*review)(const ovr_simulation *sim, const void *own,
-                   ovr_physics_say *say, void *data);
+                   ovr_physics_message *say, void *data);
 
     /* A companion runs with the solver and writes into the result file
      * (physics/companion.h). */
@@ -446,16 +446,17 @@ ovr_status ovr_physics_add(ovr_simulation *sim, const ovr_physics *physics,
                            const void *form, ovr_error *err);
 
 /* Memory for the pressure that the solids feel beside the film's. */
-ovr_status ovr_physics_take_borne(ovr_simulation *sim, ovr_error *err);
+ovr_status ovr_physics_take_asperity_pressure(ovr_simulation *sim,
+                                              ovr_error *err);
 
 /* None of it; that of the finest level becomes the one of the last time
  * reached; goes back to that. */
-void ovr_physics_unburden(ovr_simulation *sim);
-void ovr_physics_keep_borne(ovr_simulation *sim);
-void ovr_physics_borne_back(ovr_simulation *sim);
+void ovr_physics_clear_asperity_pressure(ovr_simulation *sim);
+void ovr_physics_keep_asperity_pressure(ovr_simulation *sim);
+void ovr_physics_restore_asperity_pressure(ovr_simulation *sim);
 
 /* Collects the messages of all physical models after a solution or run. */
-void ovr_physics_review(const ovr_simulation *sim, ovr_physics_say *say,
+void ovr_physics_review(const ovr_simulation *sim, ovr_physics_message *say,
                         void *data);
 
 /* Fails if a step, or the steady start, may not be made at all. */

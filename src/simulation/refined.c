@@ -222,7 +222,7 @@ static void finish(ovr_simulation *sim, void *own, const ovr_full *how,
 
 /* Patches that did not do what was asked of them. */
 static void review(const ovr_simulation *sim, const void *own,
-                   ovr_physics_say *say, void *data)
+                   ovr_physics_message *say, void *data)
 {
     const ovr_options *target = &sim->options;
     const ovr_observation *o = &sim->observation;

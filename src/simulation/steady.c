@@ -288,7 +288,7 @@ static void begin_history(ovr_simulation *sim)
     past->still = 0;
     past->steps = 0;
     for (int ago = 0; ago < 3; ago++)
-        ovr_physics_keep_borne(sim);
+        ovr_physics_keep_asperity_pressure(sim);
     OVR_EACH_PHYSICS(sim, p, in_solve, begin)
         p->is->in_solve->begin(sim, p->own);
 }
@@ -345,7 +345,7 @@ static void attempt(ovr_simulation *sim, const ovr_full *how,
 {
     OVR_EACH_PHYSICS(sim, p, in_solve, forget)
         p->is->in_solve->forget(sim, p->own);
-    ovr_physics_unburden(sim);
+    ovr_physics_clear_asperity_pressure(sim);
     outcome->defect = solve(sim, how, &outcome->cycles);
     OVR_EACH_PHYSICS(sim, p, in_solve, complete)
         outcome->defect = p->is->in_solve->complete(sim, p->own, how,

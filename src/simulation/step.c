@@ -85,7 +85,7 @@ static void settle_spots(const ovr_hierarchy *grids, ovr_level *finest,
 static void settle_ends(const ovr_hierarchy *grids, ovr_level *finest)
 {
     if (!grids->conserving && !grids->touch.at)
-        ovr_film_ends(grids, finest);
+        ovr_move_cavitation_boundary(grids, finest);
 }
 
 /*
@@ -204,7 +204,7 @@ static bool take(ovr_simulation *sim)
         return true;
     }
     memcpy(before, sim->finest->f.all, sizeof before);
-    if (ovr_hierarchy_touch(&sim->grids, &sim->arena, &err))
+    if (ovr_hierarchy_take_asperities(&sim->grids, &sim->arena, &err))
         return false;
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         own->mine[k] = sim->finest->f.all[k] != before[k];
@@ -216,14 +216,14 @@ bool ovr_step_newton(ovr_simulation *sim, const ovr_cycling *how,
 {
     enum { STEPS = 60 };
     const double far = 1e15;
-    ovr_touch *touch = &sim->grids.touch;
+    ovr_asperity *touch = &sim->grids.touch;
     ovr_level *level = sim->finest;
     if (!can(sim) || !take(sim))
         return false;
     touch->at = bears_nothing;
     touch->share = 1;
     ovr_level_clear(level, level->borne);
-    ovr_touch_settle(&sim->grids);
+    ovr_asperity_settle(&sim->grids);
     bool solved = ovr_step_cycles(
         sim, (ovr_step_cycling){*how, false, STEPS, far, 0}, outcome);
     touch->at = NULL;
@@ -296,7 +296,7 @@ static bool were_apart(const ovr_simulation *sim)
  */
 static bool are_apart(const ovr_simulation *sim)
 {
-    const ovr_touch *touch = &sim->grids.touch;
+    const ovr_asperity *touch = &sim->grids.touch;
     const double *H = sim->now.H;
     double A, slope;
     size_t low = sim->grids.kernels->extreme(sim->now.n, 1, H);
@@ -329,8 +329,8 @@ static bool try_with(ovr_simulation *sim, double dT, const attempt *how,
 static bool try_once(ovr_simulation *sim, double dT, const attempt *how,
                      ovr_outcome *outcome)
 {
-    ovr_touch *touch = &sim->grids.touch;
-    const ovr_touch law = *touch;
+    ovr_asperity *touch = &sim->grids.touch;
+    const ovr_asperity law = *touch;
     if (!law.at || how != attempts || !were_apart(sim))
         return try_with(sim, dT, how, outcome);
     memset(sim->borne, 0, sim->now.n * sizeof *sim->borne);
@@ -366,8 +366,8 @@ static void keep(double *ages[], int count, const double *values, size_t n)
 static void end_step(ovr_simulation *sim, double dT)
 {
     ovr_past *past = &sim->past;
-    ovr_guess_learn(sim, dT);
-    ovr_physics_keep_borne(sim);
+    ovr_guess_update(sim, dT);
+    ovr_physics_keep_asperity_pressure(sim);
     OVR_EACH_PHYSICS(sim, p, in_step, taken)
         p->is->in_step->taken(sim, p->own, dT);
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
@@ -459,7 +459,7 @@ void ovr_simulation_step_back(ovr_simulation *sim)
     ovr_slide(sim, sim->state.T);
     ovr_nodes_write(sim, sim->finest, sim->past.P[0], sim->finest->f.P);
     ovr_simulation_gap(sim, sim->past.T[0]);
-    ovr_physics_borne_back(sim);
+    ovr_physics_restore_asperity_pressure(sim);
     OVR_EACH_PHYSICS(sim, p, in_step, step_back)
         p->is->in_step->step_back(sim, p->own);
     ovr_level_refresh(&sim->grids, sim->finest);

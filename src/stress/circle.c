@@ -126,7 +126,7 @@ static ovr_circle with_one(size_t n, const float *p, const float *a)
     return c;
 }
 
-ovr_circle ovr_smallest_circle(size_t n, const float *points)
+ovr_circle ovr_minimum_circle(size_t n, const float *points)
 {
     if (!points)
         return (ovr_circle){0};
@@ -164,7 +164,7 @@ double ovr_dang_van(size_t n, const float *points, const float *hydrostatic,
 {
     if (!points || !hydrostatic)
         return NAN;
-    ovr_circle c = ovr_smallest_circle(n, points);
+    ovr_circle c = ovr_minimum_circle(n, points);
     double maximum = -INFINITY;
     for (size_t k = 0; k < n; k++) {
         double r = hypot(points[2 * k] - c.d, points[2 * k + 1] - c.tau);

@@ -208,7 +208,7 @@ ovr_status ovr_life(const ovr_life_options *options, const ovr_amplitudes *of,
     ovr_life_options own, *o = &own;
     ovr_life_result made;
     if (OVR_TAKE(ovr_life_options, o, options, err) ||
-        ovr_fillable(result, "ovr_life_result", err))
+        ovr_check_output_argument(result, "ovr_life_result", err))
         return OVR_BAD_INPUT;
     if (!of || !of->material || !of->A || !of->smooth)
         return ovr_fail_null(err, __func__);

@@ -172,7 +172,7 @@ double ovr_life_ratio(const ovr_life_options *options, double equivalent_length,
                       double raceway, double count);
 
 /* The smallest circle round n points (d, tau), exactly. */
-ovr_circle ovr_smallest_circle(size_t n, const float *points);
+ovr_circle ovr_minimum_circle(size_t n, const float *points);
 
 /* Largest |s - c| + alpha sigma_h on a path of n points (d, tau) with
  * hydrostatic stresses. */

@@ -235,7 +235,7 @@ ovr_strip_cycling ovr_strip_steady(const ovr_fluid *fluid)
                              .correction = 1};
     /* Sliding makes the flow along X large in the whole contact.  The lines
      * solve it exactly, so that it is no reason to change nodes one by one. */
-    if (ovr_flow_thins(fluid)) {
+    if (ovr_flow_is_shear_thinning(fluid)) {
         how.smoothing.tau = 3;
         how.smoothing.along = 0.2;
     }
@@ -250,7 +250,7 @@ ovr_strip_cycling ovr_strip_transient(const ovr_fluid *fluid)
     how.smoothing.limit = 0.5;
     how.smoothing.tau = 6;
     how.smoothing.end_share = 300;
-    if (ovr_flow_thins(fluid))
+    if (ovr_flow_is_shear_thinning(fluid))
         how.smoothing.along = 0;
     return how;
 }

@@ -274,7 +274,7 @@ static void put_pressures(ovr_rough_pair *pair, size_t j, size_t shift,
 /* All pressures of a place, from the highest down; *least rises to the first
  * below which they are not all found. */
 static void press(ovr_rough_pair *pair, const ovr_dry_contact *dry, int k,
-                  double *z, ovr_touch_table *t, size_t *minimum)
+                  double *z, ovr_asperity_table *t, size_t *minimum)
 {
     size_t n = pair->n, shift = place(pair, k);
     double part = 1. / places_of(pair), *p = z + n;
@@ -292,7 +292,7 @@ static void press(ovr_rough_pair *pair, const ovr_dry_contact *dry, int k,
     }
 }
 
-ovr_status ovr_rough_pair_reserve(ovr_rough_pair *pair, ovr_touch_table *t,
+ovr_status ovr_rough_pair_reserve(ovr_rough_pair *pair, ovr_asperity_table *t,
                                   ovr_arena *arena, ovr_error *err)
 {
     if (pair->p)
@@ -302,7 +302,7 @@ ovr_status ovr_rough_pair_reserve(ovr_rough_pair *pair, ovr_touch_table *t,
     pair->workspace = ovr_arena_take(arena, 5 * pair->n,
                                      sizeof *pair->workspace, err);
     if (!pair->p || !pair->workspace ||
-        ovr_touch_table_take(t, pair->points, arena, err))
+        ovr_asperity_table_take(t, pair->points, arena, err))
         return OVR_NO_MEMORY;
     for (int k = 0; k < 2; k++) {
         if (!pair->z[k])
@@ -315,7 +315,7 @@ ovr_status ovr_rough_pair_reserve(ovr_rough_pair *pair, ovr_touch_table *t,
     return OVR_OK;
 }
 
-static void clear(ovr_rough_pair *pair, ovr_touch_table *t)
+static void clear(ovr_rough_pair *pair, ovr_asperity_table *t)
 {
     t->n = pair->points;
     memset(t->H, 0, t->n * sizeof *t->H);
@@ -329,7 +329,7 @@ static void clear(ovr_rough_pair *pair, ovr_touch_table *t)
 /* The points of full contact, where the gap is none, and those that were not
  * found leave the table. */
 static void shorten(const ovr_rough_pair *pair, size_t lightest,
-                    ovr_touch_table *t)
+                    ovr_asperity_table *t)
 {
     const double minimum = 1e-3 * pair->Rq;
     size_t kept = 0;
@@ -343,7 +343,7 @@ static void shorten(const ovr_rough_pair *pair, size_t lightest,
     t->n = kept;
 }
 
-ovr_status ovr_rough_pair_law(ovr_rough_pair *pair, ovr_touch_table *t,
+ovr_status ovr_rough_pair_law(ovr_rough_pair *pair, ovr_asperity_table *t,
                               ovr_arena *arena, ovr_error *err)
 {
     size_t lightest = 0;
@@ -372,7 +372,7 @@ ovr_status ovr_rough_pair_law(ovr_rough_pair *pair, ovr_touch_table *t,
                         "below %.3g p_h",
                         pair->p[lightest - 1]);
     shorten(pair, lightest, t);
-    ovr_touch_table_slopes(t);
+    ovr_asperity_table_slopes(t);
     return OVR_OK;
 }
 
@@ -384,7 +384,7 @@ ovr_status ovr_profile_contact(const ovr_profile *profile, size_t maximum,
         return ovr_fail_null(err, __func__);
     ovr_arena arena = ovr_arena_make(&profile->arena.allocator);
     ovr_rough_pair pair;
-    ovr_touch_table t = {0};
+    ovr_asperity_table t = {0};
     ovr_status status = pair_of(&pair, profile, &arena, err);
     if (!status)
         status = ovr_rough_pair_law(&pair, &t, &arena, err);

@@ -61,11 +61,12 @@ ovr_status ovr_rough_pair_take(ovr_rough_pair *pair, size_t n, double length,
                                ovr_error *err);
 
 /* Space for its laws and their table, unless it has it. */
-ovr_status ovr_rough_pair_reserve(ovr_rough_pair *pair, ovr_touch_table *table,
-                                  ovr_arena *arena, ovr_error *err);
+ovr_status ovr_rough_pair_reserve(ovr_rough_pair *pair,
+                                  ovr_asperity_table *table, ovr_arena *arena,
+                                  ovr_error *err);
 
 /* The law of its heights as they are; takes space where there is none. */
-ovr_status ovr_rough_pair_law(ovr_rough_pair *pair, ovr_touch_table *table,
+ovr_status ovr_rough_pair_law(ovr_rough_pair *pair, ovr_asperity_table *table,
                               ovr_arena *arena, ovr_error *err);
 
 /* Adds to w[points] what a stretch dX that bears A is. */

@@ -154,7 +154,8 @@ ovr_status ovr_profile_measure(const ovr_profile *profile,
     if (!profile)
         return ovr_fail_null(err, __func__);
     ovr_profile_numbers made = {0};
-    ovr_status status = ovr_fillable(numbers, "ovr_profile_numbers", err);
+    ovr_status status = ovr_check_output_argument(numbers,
+                                                  "ovr_profile_numbers", err);
     part w;
     if (status)
         return status;

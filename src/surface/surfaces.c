@@ -205,8 +205,8 @@ double ovr_feature_moved(const ovr_surfaces *surfaces, const ovr_feature *f,
 {
     if (f->ratio == 0 && !surfaces->sliding)
         return 0;
-    return ovr_surface_way(surfaces->speed, surfaces->sliding, f->ratio,
-                           f->surface, T);
+    return ovr_surface_distance(surfaces->speed, surfaces->sliding, f->ratio,
+                                f->surface, T);
 }
 
 /* ---------------------------------------------------------------- adding */

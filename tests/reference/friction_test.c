@@ -314,8 +314,10 @@ TEST(sliding_changes_sign)
         }
     }
     assert_int_equal(ovr_simulation_statistics(sim)->marked, 0);
-    CHECK_CLOSE(ovr_surface_way(NULL, V, 1, 1, 1), 1 + 0.5 / acos(-1), 1e-12);
-    CHECK_CLOSE(ovr_surface_way(NULL, V, 1, 2, 1), 1 - 0.5 / acos(-1), 1e-12);
+    CHECK_CLOSE(ovr_surface_distance(NULL, V, 1, 1, 1), 1 + 0.5 / acos(-1),
+                1e-12);
+    CHECK_CLOSE(ovr_surface_distance(NULL, V, 1, 2, 1), 1 - 0.5 / acos(-1),
+                1e-12);
     ovr_simulation_free(sim);
     ovr_history_free(V);
 }

@@ -111,7 +111,7 @@ static void evaluate(const ovr_fluid *fluid, pair *p)
     if (fluid->logarithmic)
         f.log_fluidity = p->log_fluidity, f.log_slope = p->log_slope;
     const ovr_lanes nodes = {2, 2, 1};
-    if (ovr_flow_thins(fluid))
+    if (ovr_flow_is_shear_thinning(fluid))
         test_kernels(0)->flow(fluid, 0.01, &nodes, &f);
     else
         test_kernels(0)->faces(fluid, &nodes, &f);

@@ -197,7 +197,7 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
 }
 
 static void review(const ovr_simulation *sim, const void *own,
-                   ovr_physics_say *say, void *data)
+                   ovr_physics_message *say, void *data)
 {
     double worn = deepest(sim, own);
     char text[100];

@@ -23,7 +23,7 @@ static double brute(size_t n, const float *p)
             for (size_t c = b; c < n; c++) {
                 float three[] = {p[2 * a],     p[2 * a + 1], p[2 * b],
                                  p[2 * b + 1], p[2 * c],     p[2 * c + 1]};
-                ovr_circle k = ovr_smallest_circle(c > b ? 3 : 2, three);
+                ovr_circle k = ovr_minimum_circle(c > b ? 3 : 2, three);
                 bool all = true;
                 for (size_t i = 0; all && i < n; i++)
                     all = hypot((double)p[2 * i] - k.d,
@@ -43,7 +43,7 @@ TEST(circles_are_the_smallest)
         float p[2 * N];
         for (size_t k = 0; k < sizeof p / sizeof *p; k++)
             p[k] = (float)test_random(&seed, -1, 1);
-        ovr_circle c = ovr_smallest_circle(N, p);
+        ovr_circle c = ovr_minimum_circle(N, p);
         CHECK_NEAR(c.radius, brute(N, p), 1e-9);
         for (size_t k = 0; k < N; k++)
             assert_true(
@@ -57,12 +57,12 @@ TEST(circles_of_few_points)
 {
     const float right[] = {0, 0, 4, 0, 0, 3}, line[] = {0, 0, 1, 1, 3, 3};
     const float flat[] = {0, 0, 4, 0, 2, 0.5F}, one[] = {2, 3, 2, 3, 2, 3};
-    CHECK_NEAR(ovr_smallest_circle(3, right).radius, 2.5, 1e-12);
-    CHECK_NEAR(ovr_smallest_circle(3, line).radius, 1.5 * sqrt(2), 1e-12);
-    CHECK_NEAR(ovr_smallest_circle(3, flat).radius, 2, 1e-12);
-    CHECK_NEAR(ovr_smallest_circle(3, one).radius, 0, 0);
-    CHECK_NEAR(ovr_smallest_circle(3, one).tau, 3, 0);
-    CHECK_NEAR(ovr_smallest_circle(0, one).radius, 0, 0);
+    CHECK_NEAR(ovr_minimum_circle(3, right).radius, 2.5, 1e-12);
+    CHECK_NEAR(ovr_minimum_circle(3, line).radius, 1.5 * sqrt(2), 1e-12);
+    CHECK_NEAR(ovr_minimum_circle(3, flat).radius, 2, 1e-12);
+    CHECK_NEAR(ovr_minimum_circle(3, one).radius, 0, 0);
+    CHECK_NEAR(ovr_minimum_circle(3, one).tau, 3, 0);
+    CHECK_NEAR(ovr_minimum_circle(0, one).radius, 0, 0);
 }
 
 /* From extents the radius is low by no more than 1 - cos(pi/32). */
@@ -88,7 +88,7 @@ TEST(circles_of_extents_bound_from_below)
                 low[m] = fmin(low[m], v);
             }
         }
-        double exact = ovr_smallest_circle(N, p).radius;
+        double exact = ovr_minimum_circle(N, p).radius;
         double R = ovr_circle_of_extents(high, low);
         assert_true(R <= exact * (1 + 1e-6));
         assert_true(R >= exact * cos(pi / 32) * (1 - 1e-6));

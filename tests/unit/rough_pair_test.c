@@ -12,7 +12,7 @@ static const double PI = 3.14159265358979323846;
 static double one[N], other[N], w[64];
 static ovr_arena arena;
 static ovr_rough_pair pair;
-static ovr_touch_table table;
+static ovr_asperity_table table;
 
 static void take(bool both)
 {
@@ -122,17 +122,17 @@ TEST(running_in_takes_the_peaks)
     const double load = 0.03;
     double high[2] = {0, 0}, A, slope, area[2], volume = 0, Rq;
     ovr_error err = {0};
-    ovr_touch_law law = {0};
+    ovr_asperity_law law = {0};
     waves(one, 4, 1.7);
     take(false);
     Rq = pair.Rq;
     for (int jump = 0; jump <= 60; jump++) {
         double mean = 0, p = load * 2 * pair.slope, H = 3 * Rq;
         law.table = table;
-        for (ovr_touch_law_at(&law, H, &A, &slope); A < p;
-             ovr_touch_law_at(&law, H -= 1e-3 * Rq, &A, &slope))
+        for (ovr_asperity_law_at(&law, H, &A, &slope); A < p;
+             ovr_asperity_law_at(&law, H -= 1e-3 * Rq, &A, &slope))
             ;
-        area[jump > 0] = ovr_touch_law_area(&law, H);
+        area[jump > 0] = ovr_asperity_law_area(&law, H);
         for (size_t i = 0; i < N; i++)
             mean += pair.z[0][i] / N;
         high[jump > 0] = 0;

@@ -9,14 +9,14 @@
 
 static ovr_arena arena;
 
-static ovr_touch_law greenwood_tripp(double sigma)
+static ovr_asperity_law greenwood_tripp(double sigma)
 {
     ovr_error err = {0};
-    ovr_touch_law law = {0};
+    ovr_asperity_law law = {0};
     arena = ovr_arena_make(NULL);
     /* 113 GPa in GPa: A is in GPa */
-    CHECK_OK(ovr_touch_greenwood_tripp(&law.table, sigma, 0.05, 0.01, 113,
-                                       &arena, &err),
+    CHECK_OK(ovr_asperity_greenwood_tripp(&law.table, sigma, 0.05, 0.01, 113,
+                                          &arena, &err),
              &err);
     return law;
 }
@@ -30,15 +30,15 @@ TEST(summits_bear_what_their_table_says)
         {2, 0.00542}, {2.5, 0.00106}, {3, 0.00017}};
     const double sigma = 0.02, pi = acos(-1.0);
     double scale = 16 * sqrt(2) * pi / 15 * 0.05 * 0.05 * 0.1 * 113, A, slope;
-    ovr_touch_law law = greenwood_tripp(sigma);
+    ovr_asperity_law law = greenwood_tripp(sigma);
     for (size_t k = 0; k < sizeof of / sizeof *of; k++) {
-        ovr_touch_law_at(&law, sigma * of[k][0], &A, &slope);
+        ovr_asperity_law_at(&law, sigma * of[k][0], &A, &slope);
         CHECK_NEAR(A / scale, of[k][1], 6e-6);
     }
-    ovr_touch_law_at(&law, 0, &A, &slope);
+    ovr_asperity_law_at(&law, 0, &A, &slope);
     CHECK_NEAR(A, 0.083, 5e-4);
     /* F_2(0) = 1/2 */
-    CHECK_CLOSE(ovr_touch_law_area(&law, 0), pi * pi * 0.0025 / 2, 1e-9);
+    CHECK_CLOSE(ovr_asperity_law_area(&law, 0), pi * pi * 0.0025 / 2, 1e-9);
     ovr_arena_release(&arena);
 }
 
@@ -47,9 +47,9 @@ TEST(layer_bears_hertz_pressure)
 {
     const double decays[] = {0.02, 0.1, 0.3, 1};
     for (size_t k = 0; k < sizeof decays / sizeof *decays; k++) {
-        ovr_touch_law law = {.layer = 0.3, .layer_decay = decays[k]};
+        ovr_asperity_law law = {.layer = 0.3, .layer_decay = decays[k]};
         double A, slope;
-        ovr_touch_law_at(&law, 0.3, &A, &slope);
+        ovr_asperity_law_at(&law, 0.3, &A, &slope);
         CHECK_CLOSE(A, 1, 1e-12);
         CHECK_CLOSE(slope, 1 / decays[k] / -expm1(-0.3 / decays[k]), 1e-12);
     }
@@ -59,16 +59,16 @@ TEST(layer_bears_hertz_pressure)
 TEST(slopes_are_those_of_the_pressures)
 {
     const double step = 1e-6;
-    ovr_touch_law law = greenwood_tripp(1);
+    ovr_asperity_law law = greenwood_tripp(1);
     law.layer = 0.3;
     law.layer_decay = 0.1;
     for (double H = -3.51; H < 8; H += 0.037) {
         double one, other, slope, A;
         if (fabs(H - 1e-4) < 2 * step) /* the layer's tangent begins */
             continue;
-        ovr_touch_law_at(&law, H - step, &one, &slope);
-        ovr_touch_law_at(&law, H + step, &other, &slope);
-        ovr_touch_law_at(&law, H, &A, &slope);
+        ovr_asperity_law_at(&law, H - step, &one, &slope);
+        ovr_asperity_law_at(&law, H + step, &other, &slope);
+        ovr_asperity_law_at(&law, H, &A, &slope);
         CHECK_CLOSE(slope, (one - other) / (2 * step), 1e-5);
         assert_true(A > 0 && slope > 0);
     }
@@ -80,33 +80,33 @@ TEST(slopes_are_those_of_the_pressures)
  * nowhere does it rise. */
 TEST(tables_go_through_their_points)
 {
-    ovr_touch_law law = {0};
+    ovr_asperity_law law = {0};
     ovr_error err = {0};
     double A, slope, last = INFINITY;
     arena = ovr_arena_make(NULL);
-    CHECK_OK(ovr_touch_table_take(&law.table, 5, &arena, &err), &err);
+    CHECK_OK(ovr_asperity_table_take(&law.table, 5, &arena, &err), &err);
     for (size_t k = 0; k < 5; k++) {
         law.table.H[k] = 0.3 * (double)(k * k);
         law.table.ln_A[k] = -law.table.H[k];
     }
-    ovr_touch_table_slopes(&law.table);
+    ovr_asperity_table_slopes(&law.table);
     for (double H = -2; H < 9; H += 0.1) {
-        ovr_touch_law_at(&law, H, &A, &slope);
+        ovr_asperity_law_at(&law, H, &A, &slope);
         CHECK_CLOSE(A, exp(-H), 1e-12);
     }
-    ovr_touch_law_at(&law, 59, &A, &slope);
+    ovr_asperity_law_at(&law, 59, &A, &slope);
     CHECK_CLOSE(A, exp(-59), 1e-12);
-    ovr_touch_law_at(&law, 61, &A, &slope);
+    ovr_asperity_law_at(&law, 61, &A, &slope);
     assert_true(A == 0 && slope == 0);
     for (size_t k = 0; k < 5; k++)
         law.table.ln_A[k] = -pow(law.table.H[k], 3) / 2;
-    ovr_touch_table_slopes(&law.table);
+    ovr_asperity_table_slopes(&law.table);
     for (size_t k = 0; k < 5; k++) {
-        ovr_touch_law_at(&law, law.table.H[k], &A, &slope);
+        ovr_asperity_law_at(&law, law.table.H[k], &A, &slope);
         CHECK_CLOSE(A, exp(law.table.ln_A[k]), 1e-12);
     }
     for (double H = -1; H < 6; H += 0.01, last = A) {
-        ovr_touch_law_at(&law, H, &A, &slope);
+        ovr_asperity_law_at(&law, H, &A, &slope);
         assert_true(A <= last && slope >= 0);
     }
     ovr_arena_release(&arena);

@@ -221,7 +221,7 @@ static void of_path(double mu, double z, double *radius, double *orthogonal)
         high = fmax(high, in.tau);
         low = fmin(low, in.tau);
     }
-    *radius = ovr_smallest_circle(N + 1, s).radius;
+    *radius = ovr_minimum_circle(N + 1, s).radius;
     *orthogonal = (high - low) / 2;
     free(s);
 }

@@ -501,7 +501,7 @@ static const ovr_coated *layers(const void *form, int body)
     return coated->body.layers ? coated : NULL;
 }
 
-static void says(const void *form, ovr_physics_says *says)
+static void says(const void *form, ovr_physics_statement *says)
 {
     (void)form;
     says->features = ovr_model_feature_bit(OVR_MODEL_COATING, true);

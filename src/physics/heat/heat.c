@@ -626,7 +626,7 @@ static const ovr_observable quantities[] = {
          "energy balance error", COMMENT("relative to the dissipated power"),
          OF_MAGNITUDE("energy_defect_max"), STEADY_TOO)};
 
-static void says(const void *form, ovr_physics_says *says)
+static void says(const void *form, ovr_physics_statement *says)
 {
     (void)form;
     says->features = ovr_model_feature_bit(OVR_MODEL_HEAT, true);
@@ -674,7 +674,7 @@ static const ovr_physics_in_output in_output = {
     .unknown = unknown,
     OVR_QUANTITIES(quantities),
     .observe = observe,
-    .marks = ovr_heat_lags};
+    .marks = ovr_heat_is_stale};
 
 const ovr_physics ovr_physics_heat = {.name = "heat",
                                       .bit = OVR_PHYSICS_HEAT,

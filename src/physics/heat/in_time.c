@@ -125,7 +125,7 @@ void ovr_heat_step(ovr_simulation *sim, void *own, double dT)
     ovr_heat_speeds(sim, T + dT);
     for (int k = 0; k < 2; k++) {
         ovr_heat_surface_step(sim, k, dT, (way + (k ? -slip : slip) / 2) / D);
-        ovr_heat_surface_look(sim, k, h->q[k]);
+        ovr_heat_surface_predict(sim, k, h->q[k]);
     }
     ovr_nodes_read(sim, sim->finest, sim->finest->f.F, s->F);
 }
@@ -336,7 +336,7 @@ void ovr_heat_taken(ovr_simulation *sim, void *own, double dT)
     if (pressed_otherwise(sim))
         heat(sim);
     for (int k = 0; k < 2; k++)
-        ovr_heat_surface_remember(sim, k, h->q[k]);
+        ovr_heat_surface_store(sim, k, h->q[k]);
     for (int j = 0; j < h->cross_film.n; j++)
         sim->grids.kernels->combine(sim->now.n, 1, h->T[j], -1, s->T_before[j],
                                     s->change[j]);
@@ -358,7 +358,7 @@ static bool load_jumped(const ovr_simulation *sim, double T)
     return fabs(now - before) > much * ovr_larger(now, before);
 }
 
-bool ovr_heat_lags(ovr_simulation *sim, void *own)
+bool ovr_heat_is_stale(ovr_simulation *sim, void *own)
 {
     const double far = 1, open = 0.1;
     const ovr_observation *o = &sim->observation;

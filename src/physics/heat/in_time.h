@@ -123,7 +123,7 @@ void ovr_heat_anew(ovr_simulation *sim, void *own);
 
 /* True if the step that was observed last has temperatures that are not those
  * of its film. */
-bool ovr_heat_lags(ovr_simulation *sim, void *own);
+bool ovr_heat_is_stale(ovr_simulation *sim, void *own);
 
 /* Back to the last time reached. */
 void ovr_heat_step_back(ovr_simulation *sim, void *own);

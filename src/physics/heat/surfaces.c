@@ -227,13 +227,13 @@ static const double *look(ovr_simulation *sim, ovr_heat_surface *s,
     return past + s->beyond;
 }
 
-void ovr_heat_surface_look(ovr_simulation *sim, int k, const double *q)
+void ovr_heat_surface_predict(ovr_simulation *sim, int k, const double *q)
 {
     ovr_heat_surface *s = &sim->heated->steps->surface[k];
     memcpy(s->past, look(sim, s, q), sim->now.n * sizeof *q);
 }
 
-void ovr_heat_surface_remember(ovr_simulation *sim, int k, const double *q)
+void ovr_heat_surface_store(ovr_simulation *sim, int k, const double *q)
 {
     ovr_heat_surface *s = &sim->heated->steps->surface[k];
     const ovr_departures departures = departures_of(sim, s);

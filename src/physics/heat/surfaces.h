@@ -54,10 +54,10 @@ ovr_status ovr_heat_surface_take(ovr_simulation *sim, int k, ovr_error *err);
  * of surface k, by its modes and the flux q before the step. */
 void ovr_heat_surface_step(ovr_simulation *sim, int k, double dT,
                            double meshes);
-void ovr_heat_surface_look(ovr_simulation *sim, int k, const double *q);
+void ovr_heat_surface_predict(ovr_simulation *sim, int k, const double *q);
 
 /* Its modes at the end of the step that was looked back from, by q then. */
-void ovr_heat_surface_remember(ovr_simulation *sim, int k, const double *q);
+void ovr_heat_surface_store(ovr_simulation *sim, int k, const double *q);
 
 /* The modes of a surface that has taken up nothing; those to save, each by
  * itself in the order of the nodes. */

@@ -29,11 +29,11 @@
 
 typedef struct boundary {
     const ovr_boundary_form *given;
-    double *A;                /* at the nodes, as observed last */
-    double *saved, *bears;    /* a film to go back to */
-    double wet_force;         /* of boundary friction where there is a film */
-    const ovr_touch_law *law; /* as it is now */
-    ovr_wear *wear;           /* NULL: none */
+    double *A;             /* at the nodes, as observed last */
+    double *saved, *bears; /* a film to go back to */
+    double wet_force;      /* of boundary friction where there is a film */
+    const ovr_asperity_law *law; /* as it is now */
+    ovr_wear *wear;              /* NULL: none */
 } boundary;
 
 /* ----------------------------------------------------------- its simulation */
@@ -47,8 +47,8 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
     *own = b;
     if (OVR_TAKE_NODES(sim, err, &b->A, &b->saved, &b->bears,
                        &sim->shear.film_stress) ||
-        ovr_physics_take_borne(sim, err) ||
-        ovr_hierarchy_touch(&sim->grids, &sim->arena, err))
+        ovr_physics_take_asperity_pressure(sim, err) ||
+        ovr_hierarchy_take_asperities(&sim->grids, &sim->arena, err))
         return OVR_NO_MEMORY;
     b->given = form;
     if (b->given->ridges)
@@ -62,7 +62,7 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
             return OVR_NO_MEMORY;
         b->law = &b->wear->bears;
     }
-    sim->grids.touch.at = ovr_touch_law_at;
+    sim->grids.touch.at = ovr_asperity_law_at;
     sim->grids.touch.law = b->law;
     sim->grids.touch.share = 1;
     return OVR_OK;
@@ -85,7 +85,7 @@ static bool reach(ovr_simulation *sim, boundary *b, double share,
     ovr_hierarchy *grids = &sim->grids;
     ovr_level *finest = sim->finest;
     ovr_defect was = *d;
-    ovr_touch_settle(grids);
+    ovr_asperity_settle(grids);
     double H0 = grids->H0, old = grids->touch.share;
     ovr_level_read(grids, finest, finest->f.P, b->saved);
     ovr_level_read(grids, finest, finest->borne, b->bears);
@@ -96,7 +96,7 @@ static bool reach(ovr_simulation *sim, boundary *b, double share,
     *d = was;
     grids->H0 = H0;
     grids->touch.share = old;
-    ovr_touch_settle(grids);
+    ovr_asperity_settle(grids);
     ovr_level_write(grids, finest, b->saved, finest->f.P);
     ovr_level_write(grids, finest, b->bears, finest->borne);
     ovr_level_refresh(grids, finest);
@@ -114,13 +114,13 @@ static ovr_defect solve_apart(ovr_simulation *sim, boundary *b, bool by_levels,
     ovr_defect d;
     on_finest.cycling.bottom = grids->finest;
     grids->touch.share = 0;
-    ovr_touch_settle(grids);
+    ovr_asperity_settle(grids);
     memset(b->A, 0, sim->now.n * sizeof *b->A);
     if (by_levels)
         grids->touch.at = NULL;
-    ovr_level_bear(grids, sim->finest, b->A);
+    ovr_level_set_asperity_pressure(grids, sim->finest, b->A);
     d = ovr_steady_film(sim, by_levels ? how : &on_finest, cycles);
-    grids->touch.at = ovr_touch_law_at;
+    grids->touch.at = ovr_asperity_law_at;
     sim->start.refinements = 0; /* those were of another film */
     return d;
 }
@@ -150,12 +150,12 @@ static ovr_defect solve_from(ovr_simulation *sim, boundary *b, bool by_levels,
 }
 
 /* The film that A(H) = P asks for, by bisection. */
-static double film_of(const ovr_touch_law *law, double P)
+static double film_of(const ovr_asperity_law *law, double P)
 {
     double low = 0, high = 1, A, slope;
     for (int k = 0; k < 60; k++) {
         double H = k < 20 ? high : 0.5 * (low + high);
-        ovr_touch_law_at(law, H, &A, &slope);
+        ovr_asperity_law_at(law, H, &A, &slope);
         if (A > P)
             low = H;
         else
@@ -181,7 +181,7 @@ static ovr_defect solve_from_dry(ovr_simulation *sim, boundary *b,
     ovr_simulation_gap(sim, 0);
     ovr_full_prepare(grids, target->force);
     grids->fluid = target->fluid;
-    ovr_touch_settle(grids);
+    ovr_asperity_settle(grids);
     grids->touch.share = 1;
     for (size_t i = 0; i < sim->finest->grid.n; i++) {
         double x = sim->finest->grid.X[i] / width;
@@ -191,7 +191,7 @@ static ovr_defect solve_from_dry(ovr_simulation *sim, boundary *b,
     }
     grids->H0 = film_of(b->law, mean * root) +
                 target->Cw * (-0.5966 + 0.5 * log(width));
-    ovr_level_bear(grids, sim->finest, b->A);
+    ovr_level_set_asperity_pressure(grids, sim->finest, b->A);
     ovr_level_write(grids, sim->finest, b->saved, sim->finest->f.P);
     if (!how->fixed && !sim->options.max_cycles)
         patient.max_cycles = PATIENT;
@@ -224,8 +224,8 @@ static void attempt(ovr_simulation *sim, void *own, bool first)
 {
     (void)own;
     (void)first;
-    ovr_touch_settle(&sim->grids);
-    ovr_physics_borne_back(sim);
+    ovr_asperity_settle(&sim->grids);
+    ovr_physics_restore_asperity_pressure(sim);
 }
 
 /* ---------------------------------------------------------------- running-in
@@ -280,7 +280,7 @@ static bool over(const ovr_simulation *sim, const void *own)
 static void before_back(ovr_simulation *sim, void *own)
 {
     boundary *b = own;
-    ovr_touch_settle(&sim->grids);
+    ovr_asperity_settle(&sim->grids);
     if (b->wear)
         ovr_wear_back(b->wear);
 }
@@ -331,8 +331,8 @@ static bool is_apart(const ovr_simulation *sim, const boundary *b)
     const double nothing = 1e-17, *H = sim->now.H;
     double A, slope;
     size_t low = sim->grids.kernels->extreme(sim->now.n, 1, H);
-    ovr_touch_law_at(b->law, H[low], &A, &slope);
-    return A < nothing && ovr_touch_law_area(b->law, H[low]) < nothing;
+    ovr_asperity_law_at(b->law, H[low], &A, &slope);
+    return A < nothing && ovr_asperity_law_area(b->law, H[low]) < nothing;
 }
 
 static void friction(ovr_simulation *sim, void *own, double *t)
@@ -346,7 +346,7 @@ static void friction(ovr_simulation *sim, void *own, double *t)
     for (size_t i = 0; i + 1 < sim->now.n; i++) {
         double drag = drag_at(sim, b, i);
         double H = 0.5 * (sim->now.H[i] + sim->now.H[i + 1]);
-        t[i] = (1 - ovr_touch_law_area(b->law, H)) * t[i] + drag;
+        t[i] = (1 - ovr_asperity_law_area(b->law, H)) * t[i] + drag;
         if (P[i] > 0 || P[i + 1] > 0)
             b->wet_force += drag * (X[i + 1] - X[i]);
     }
@@ -359,7 +359,7 @@ static void heat(ovr_simulation *sim, void *own, double *apart, double *power)
     if (V == 0 || is_apart(sim, b))
         return;
     for (size_t i = 0; i < sim->now.n; i++)
-        apart[i] *= 1 - ovr_touch_law_area(b->law, sim->now.H[i]);
+        apart[i] *= 1 - ovr_asperity_law_area(b->law, sim->now.H[i]);
     if (isnan(mu))
         return;
     read_borne(sim, b);
@@ -487,7 +487,7 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
     for (size_t i = 0; i < n; i++) {
         double w = sim->now.weights[i], A = b->A[i];
         borne += w * A;
-        area += w * ovr_touch_law_area(b->law, sim->now.H[i]);
+        area += w * ovr_asperity_law_area(b->law, sim->now.H[i]);
         maximum = fmax(maximum, A);
         if (A > touches)
             minimum = fmin(minimum, sim->now.H[i]);
@@ -506,7 +506,7 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
 
 /* Both before and after. */
 static void review_wear(const ovr_simulation *sim, const ovr_wear *wear,
-                        ovr_physics_say *say, void *data)
+                        ovr_physics_message *say, void *data)
 {
     const double nm = sim->contact.height * 1e9;
     char text[240];
@@ -551,7 +551,7 @@ static bool is_exhausted(const ovr_simulation *sim, const void *own)
     size_t low = sim->grids.kernels->extreme(sim->now.n, 1, sim->now.H);
     if (!ovr_boundary_is_weak(b->given, load))
         return false;
-    ovr_touch_law_at(b->law, sim->now.H[low], &A, &slope);
+    ovr_asperity_law_at(b->law, sim->now.H[low], &A, &slope);
     return A > used_up * b->given->at_no_film;
 }
 
@@ -578,14 +578,14 @@ static ovr_status refuse(const ovr_simulation *sim, const void *own,
 }
 
 static void review(const ovr_simulation *sim, const void *own,
-                   ovr_physics_say *say, void *data)
+                   ovr_physics_message *say, void *data)
 {
     const double enough = 1e-5;
     const boundary *b = own;
     const ovr_solution *now = &sim->now;
     double A, slope;
     char text[160];
-    ovr_touch_law_at(b->law, now->H[now->n - 1], &A, &slope);
+    ovr_asperity_law_at(b->law, now->H[now->n - 1], &A, &slope);
     if (A > enough) {
         snprintf(text, sizeof text,
                  "asperities are in contact at the outlet boundary (%.2g "
@@ -606,7 +606,7 @@ static void review(const ovr_simulation *sim, const void *own,
         review_wear(sim, b->wear, say, data);
 }
 
-static void says(const void *form, ovr_physics_says *says)
+static void says(const void *form, ovr_physics_statement *says)
 {
     const ovr_boundary_form *f = form;
     bool wears = f->passes > 0;
@@ -647,7 +647,7 @@ static const ovr_physics_in_case in_case = {.node_seconds = 1.8e-6,
                                             .says = says,
                                             .march = march_for,
                                             .keeps = ovr_boundary_keeps,
-                                            .tell = ovr_boundary_tell};
+                                            .tell = ovr_boundary_describe};
 
 static const ovr_physics_in_solve in_solve = {.take = take,
                                               .forget = forget,

@@ -157,8 +157,9 @@ static ovr_status resolve_summits(const ovr_physics_case *of,
         return ovr_fail_about(err, "law",
                               "law = greenwood-tripp needs the modulus, "
                               "which is unknown; set contact.modulus");
-    return ovr_touch_greenwood_tripp(&f->bears.table, f->Rq, f->summits,
-                                     f->sharpness, 2 / kappa, of->arena, err);
+    return ovr_asperity_greenwood_tripp(&f->bears.table, f->Rq, f->summits,
+                                        f->sharpness, 2 / kappa, of->arena,
+                                        err);
 }
 
 /* Where it bears what it bears at no gap, all is in contact, by the rule of the
@@ -167,7 +168,7 @@ static ovr_status take_points(const ovr_physics_case *of,
                               const ovr_physics_columns *c,
                               ovr_boundary_form *f, ovr_error *err)
 {
-    ovr_touch_table *t = &f->bears.table;
+    ovr_asperity_table *t = &f->bears.table;
     double maximum, slope;
     for (size_t k = 0; k < c->count; k++)
         if (!(c->y[k] > 0) ||
@@ -179,14 +180,14 @@ static ovr_status take_points(const ovr_physics_case *of,
     if (c->count < 2)
         return ovr_fail_at(err, OVR_BAD_INPUT, f->file, 0,
                            "has %zu points, but needs at least two", c->count);
-    if (ovr_touch_table_take(t, c->count, of->arena, err))
+    if (ovr_asperity_table_take(t, c->count, of->arena, err))
         return OVR_NO_MEMORY;
     for (size_t k = 0; k < c->count; k++) {
         t->H[k] = c->x[k] / of->contact->height;
         t->ln_A[k] = log(c->y[k] / of->contact->ph);
     }
-    ovr_touch_table_slopes(t);
-    ovr_touch_law_at(&f->bears, 0, &maximum, &slope);
+    ovr_asperity_table_slopes(t);
+    ovr_asperity_law_at(&f->bears, 0, &maximum, &slope);
     for (size_t k = 0; k < c->count; k++)
         t->area[k] = fmin(1, 0.95 * exp(t->ln_A[k]) / maximum);
     return OVR_OK;
@@ -271,7 +272,7 @@ static ovr_status resolve_layer(ovr_boundary_form *f, ovr_error *err)
 static ovr_status resolve_law(const ovr_physics_case *of, ovr_boundary_form *f,
                               ovr_error *err)
 {
-    f->bears = (ovr_touch_law){0};
+    f->bears = (ovr_asperity_law){0};
     if (f->law == OVR_BOUNDARY_EXPONENTIAL && resolve_exponential(of, f, err))
         return OVR_BAD_INPUT;
     if (f->law == OVR_BOUNDARY_EXPONENTIAL) {
@@ -357,7 +358,7 @@ static double ends_at(const ovr_boundary_form *f)
     double X = 1, A = 1, slope;
     while (A > enough && X < farthest) {
         X += 0.05;
-        ovr_touch_law_at(&f->bears, unloaded(X), &A, &slope);
+        ovr_asperity_law_at(&f->bears, unloaded(X), &A, &slope);
     }
     return X;
 }
@@ -388,11 +389,11 @@ static double smooth_film(const ovr_physics_case *of)
 }
 
 /* The share of Hertz's pressure that a film would bear. */
-static double share_of(const ovr_touch_law *law, double H)
+static double share_of(const ovr_asperity_law *law, double H)
 {
     enum { NODES = 200 };
     double A, slope, sum = 0;
-    ovr_touch_law_at(law, H, &A, &slope);
+    ovr_asperity_law_at(law, H, &A, &slope);
     for (int i = 0; i < NODES; i++) {
         double X = (i + 0.5) / NODES;
         sum += fmin(sqrt(1 - X * X), A) / NODES;
@@ -442,7 +443,7 @@ static double film_friction(const ovr_physics_case *of,
     const ovr_lubricant *oil = of->lubricant;
     const ovr_contact *c = of->contact;
     double V = fabs(c->u1_ratio - c->u2_ratio), A, slope, sum = 0;
-    ovr_touch_law_at(&f->bears, H, &A, &slope);
+    ovr_asperity_law_at(&f->bears, H, &A, &slope);
     for (int i = 0; i < NODES; i++) {
         double X = (i + 0.5) / NODES, P = fmax(sqrt(1 - X * X) - A, 0);
         double t = c->lambda / 12 * V * ovr_viscosity(oil, P) / H;
@@ -451,7 +452,7 @@ static double film_friction(const ovr_physics_case *of,
             t = fmin(t, oil->limiting_shear * P / c->kappa);
         sum += t / NODES;
     }
-    return (1 - ovr_touch_law_area(&f->bears, H)) * c->kappa * sum * 4 /
+    return (1 - ovr_asperity_law_area(&f->bears, H)) * c->kappa * sum * 4 /
            acos(-1.0);
 }
 
@@ -470,7 +471,7 @@ static void find_strength(ovr_boundary_form *f)
     f->share_at_no_film = 1;
     if (f->unresolved)
         return;
-    ovr_touch_law_at(&f->bears, 0, &f->at_no_film, &slope);
+    ovr_asperity_law_at(&f->bears, 0, &f->at_no_film, &slope);
     f->share_at_no_film = share_of(&f->bears, 0);
 }
 
@@ -515,7 +516,7 @@ ovr_status ovr_boundary_on_mesh(const ovr_physics_case *of, void *form,
         ovr_rough_pair_rest(&f->pair, profile, mesh, of->contact, of->arena,
                             err))
         return err->status;
-    f->bears.table = (ovr_touch_table){0};
+    f->bears.table = (ovr_asperity_table){0};
     if (ovr_rough_pair_law(&f->pair, &f->bears.table, of->arena, err)) {
         f->bears.table.n = 0;
         if (!(f->layer > 0))
@@ -569,10 +570,11 @@ static void tell_friction(const ovr_physics_case *of,
 
 /* The exponential of the roughness on the mesh in |X| < 1, and the layer: a
  * slope of H over X is kappa times as steep. */
-static ovr_touch_law mean_law(const ovr_touch_law *law, size_t n,
-                              const double *X, const double *S, double *Rq)
+static ovr_asperity_law mean_law(const ovr_asperity_law *law, size_t n,
+                                 const double *X, const double *S, double *Rq)
 {
-    ovr_touch_law all = {.layer = law->layer, .layer_decay = law->layer_decay};
+    ovr_asperity_law all = {.layer = law->layer,
+                            .layer_decay = law->layer_decay};
     double count = 0, sum = 0, squares = 0, slopes = 0;
     for (size_t i = 1; i < n; i++) {
         double slope = (S[i] - S[i - 1]) / (X[i] - X[i - 1]);
@@ -589,12 +591,12 @@ static ovr_touch_law mean_law(const ovr_touch_law *law, size_t n,
     return all;
 }
 
-void ovr_boundary_instead(const ovr_touch_law *law, double H, size_t n,
+void ovr_boundary_instead(const ovr_asperity_law *law, double H, size_t n,
                           const double *X, const double *S, size_t size,
                           char *text)
 {
     double Rq;
-    ovr_touch_law all = mean_law(law, n, X, S, &Rq);
+    ovr_asperity_law all = mean_law(law, n, X, S, &Rq);
     text[0] = '\0';
     if (Rq > 0)
         snprintf(
@@ -659,8 +661,8 @@ static void tell_wear(const ovr_boundary_form *f, ovr_physics_line *line,
     line(data, "running-in", text);
 }
 
-void ovr_boundary_tell(const ovr_physics_case *of, const void *form,
-                       ovr_physics_line *line, void *data)
+void ovr_boundary_describe(const ovr_physics_case *of, const void *form,
+                           ovr_physics_line *line, void *data)
 {
     const ovr_boundary_form *f = form;
     char text[160];
@@ -672,7 +674,7 @@ void ovr_boundary_tell(const ovr_physics_case *of, const void *form,
     }
     if (f->bears.table.n) {
         double A, slope;
-        ovr_touch_law_at(&f->bears, 0, &A, &slope);
+        ovr_asperity_law_at(&f->bears, 0, &A, &slope);
         snprintf(text, sizeof text,
                  "%.4g p_h at zero gap, falls by a factor e in %.4g b^2/R "
                  "there",

@@ -37,7 +37,7 @@ typedef struct ovr_boundary_form {
                                   H = 0, in ph; INFINITY: any */
     double share_at_no_film;   /* largest share of the load it can bear */
     ovr_rough_pair pair;       /* of profiles */
-    ovr_touch_law bears;       /* the resulting contact model */
+    ovr_asperity_law bears;    /* the resulting contact model */
 } ovr_boundary_form;
 
 extern const ovr_section ovr_boundary_section;
@@ -48,8 +48,8 @@ ovr_status ovr_boundary_resolve(const ovr_physics_case *of, void *form,
 ovr_status ovr_boundary_on_mesh(const ovr_physics_case *of, void *form,
                                 double mesh, ovr_error *err);
 bool ovr_boundary_keeps(const void *form, const ovr_feature_form *feature);
-void ovr_boundary_tell(const ovr_physics_case *of, const void *form,
-                       ovr_physics_line *line, void *data);
+void ovr_boundary_describe(const ovr_physics_case *of, const void *form,
+                           ovr_physics_line *line, void *data);
 
 /* True if the law bears clearly less than the Hertzian pressure at no film, at
  * a load relative to the nominal one. */
@@ -58,7 +58,7 @@ bool ovr_boundary_is_weak(const ovr_boundary_form *f, double load);
 /* Advice if the roughness S on the grid is too high for the film thickness H
  * with a contact model: its lambda, down to which such pairs hold, and what the
  * mean film makes of it; nothing where there is no roughness. */
-void ovr_boundary_instead(const ovr_touch_law *law, double H, size_t n,
+void ovr_boundary_instead(const ovr_asperity_law *law, double H, size_t n,
                           const double *X, const double *S, size_t size,
                           char *text);
 

@@ -31,8 +31,8 @@ typedef struct ovr_worn {
 typedef struct ovr_wear {
     const ovr_boundary_form *given;
     double c[2];
-    ovr_rough_pair pair; /* its heights are those of `now` */
-    ovr_touch_law bears; /* what they bear */
+    ovr_rough_pair pair;    /* its heights are those of `now` */
+    ovr_asperity_law bears; /* what they bear */
     ovr_worn before, now;
     double *w;            /* of the film reached last */
     double share, change; /* of it; by which the last step changed it */

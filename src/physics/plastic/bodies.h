@@ -59,8 +59,8 @@ ovr_yielding_options ovr_plastic_options(const ovr_plastic_setup *how, int k,
 /* The record of the physics has these of a case: memory, time, lines. */
 double ovr_plastic_memory(const void *form);
 double ovr_plastic_seconds(const void *form);
-void ovr_plastic_tell(const ovr_physics_case *of, const void *form,
-                      ovr_physics_line *line, void *data);
+void ovr_plastic_describe(const ovr_physics_case *of, const void *form,
+                          ovr_physics_line *line, void *data);
 
 /* Highest points of the profile as it is, before (1) or behind (-1) the middle
  * of the features, in the way that they go; as it came, without what yielded.

@@ -277,7 +277,7 @@ static bool yields_below_others(const ovr_plastic_setup *p)
     return false;
 }
 
-void ovr_plastic_says(const void *form, ovr_physics_says *says)
+void ovr_plastic_state(const void *form, ovr_physics_statement *says)
 {
     says->features = ovr_model_feature_bit(OVR_MODEL_PLASTIC, true) |
                      ovr_model_feature_bit(OVR_MODEL_OTHER_MODULI,

@@ -154,8 +154,8 @@ static void tell_body(const ovr_setup *setup, int k, ovr_physics_line *line,
     line(data, "window", text);
 }
 
-void ovr_plastic_tell(const ovr_physics_case *of, const void *form,
-                      ovr_physics_line *line, void *data)
+void ovr_plastic_describe(const ovr_physics_case *of, const void *form,
+                          ovr_physics_line *line, void *data)
 {
     const ovr_plastic_setup *how = form;
     (void)of;

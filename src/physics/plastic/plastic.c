@@ -83,7 +83,7 @@ static void find_shape(const ovr_plastic *p, ovr_yielding_body *b, double *X)
     for (size_t k = 0; k < count; k++)
         if (ovr_surfaces_info(s->surfaces, k).grows)
             T = s->march->end;
-    double at = b->plan.range.reference + ovr_stress_way(s, &b->plan, T);
+    double at = b->plan.range.reference + ovr_stress_distance(s, &b->plan, T);
     for (size_t i = 0; i < b->points; i++) {
         X[i] = at + b->first + (double)i * b->mesh;
         b->shape[i] = 0;
@@ -218,7 +218,7 @@ static place find_place(const ovr_plastic *p, const ovr_yielding_body *b,
                         double T)
 {
     double X0 = b->plan.range.reference + b->first +
-                ovr_stress_way(p->setup, &b->plan, T);
+                ovr_stress_distance(p->setup, &b->plan, T);
     double t = (X0 - b->field->start) / b->mesh, whole = floor(t + 1e-9);
     return (place){(long)whole, fmax(0, t - whole)};
 }
@@ -397,7 +397,7 @@ static void heights(const ovr_simulation *sim, const void *own, int surface,
         if (surface && surface != k + 1)
             continue;
         double X0 = b->plan.range.reference + b->first +
-                    ovr_stress_way(p->setup, &b->plan, T);
+                    ovr_stress_distance(p->setup, &b->plan, T);
         for (size_t i = 0; i < n; i++) {
             double t = (X[i] - X0) / b->mesh;
             if (t <= -2 || t >= (double)b->points + 1)
@@ -469,7 +469,7 @@ static const ovr_observable quantities[] = {
                    PASS_HEAD(9, "trailing"), PASS_WITH(PLASTIC))};
 
 static void review(const ovr_simulation *sim, const void *own,
-                   ovr_physics_say *say, void *data)
+                   ovr_physics_message *say, void *data)
 {
     const double enough = 0.02, small = 0.05;
     const ovr_plastic *p = own;
@@ -590,10 +590,10 @@ static const ovr_physics_in_case in_case = {.section = &ovr_plastic_section,
                                             .form = sizeof(ovr_plastic_setup),
                                             .resolve = ovr_plastic_resolve,
                                             .on_mesh = ovr_plastic_on_mesh,
-                                            .says = ovr_plastic_says,
+                                            .says = ovr_plastic_state,
                                             .one_mesh = "as strains grow from "
                                                         "step to step",
-                                            .tell = ovr_plastic_tell,
+                                            .tell = ovr_plastic_describe,
                                             .memory = ovr_plastic_memory,
                                             .seconds = ovr_plastic_seconds};
 

@@ -292,7 +292,7 @@ ovr_status ovr_stress_resolve(const ovr_physics_case *of, void *form, bool *on,
 }
 
 /* Fields are stored for `overroll stress`, the second pass and the pictures. */
-void ovr_stress_says(const void *form, ovr_physics_says *says)
+void ovr_stress_state(const void *form, ovr_physics_statement *says)
 {
     static const char *const of[] = {"", "shear_stress_1", "shear_stress_2",
                                      "shear_stress_1, shear_stress_2"};

@@ -45,7 +45,7 @@ ovr_status ovr_window_resolve(const ovr_list *window, const char *about,
 /* These are functions of a physics (simulation/physics.h). */
 ovr_status ovr_stress_resolve(const ovr_physics_case *of, void *form, bool *on,
                               ovr_error *err);
-void ovr_stress_says(const void *form, ovr_physics_says *says);
+void ovr_stress_state(const void *form, ovr_physics_statement *says);
 
 /* Stresses, surfaces = 0: there are none. */
 const ovr_stress_setup *ovr_setup_stress(const ovr_setup *setup);

@@ -29,11 +29,11 @@
 /* A motion is looked at in so many moments. */
 enum { LOOKS = 2000 };
 
-double ovr_stress_way(const ovr_setup *setup, const ovr_stress_plan *plan,
-                      double T)
+double ovr_stress_distance(const ovr_setup *setup, const ovr_stress_plan *plan,
+                           double T)
 {
-    return ovr_surface_way(setup->speed, setup->sliding, plan->ratio,
-                           plan->surface, T);
+    return ovr_surface_distance(setup->speed, setup->sliding, plan->ratio,
+                                plan->surface, T);
 }
 
 static double speed_of(const ovr_setup *setup, const ovr_stress_plan *plan,
@@ -108,7 +108,7 @@ static double struck_in_sliding(const ovr_setup *setup,
     double T = ovr_surfaces_times(setup->surfaces, feature, o->inlet, o->outlet,
                                   end)
                    .centre;
-    return -ovr_stress_way(setup, plan, fmin(T, end));
+    return -ovr_stress_distance(setup, plan, fmin(T, end));
 }
 
 double ovr_stress_struck(const ovr_setup *setup, const ovr_stress_plan *plan,
@@ -145,7 +145,7 @@ ovr_moment ovr_stress_moment(const ovr_setup *setup,
                              double before)
 {
     return (ovr_moment){.T = T,
-                        .U = ovr_stress_way(setup, plan, T),
+                        .U = ovr_stress_distance(setup, plan, T),
                         .dU = widest_way(setup, before, T),
                         .direction = direction_at(setup, plan, T),
                         .disturbed = disturbed(setup, T)};
@@ -169,8 +169,8 @@ static void find_material(const ovr_setup *setup, ovr_stress_plan *plan)
     bool own = false;
     end = ovr_history_integral(setup->speed, setup->march->end);
     plan->range.reference = ovr_stress_wanders(setup)
-                                ? -ovr_stress_way(setup, plan,
-                                                  setup->march->end / 2)
+                                ? -ovr_stress_distance(setup, plan,
+                                                       setup->march->end / 2)
                                 : -plan->ratio * end / 2;
     for (size_t k = 0; k < features_of(setup); k++) {
         ovr_feature_info info = ovr_surfaces_info(setup->surfaces, k);

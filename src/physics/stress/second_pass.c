@@ -135,7 +135,7 @@ static ovr_status make_depth(pass *p, double z, ovr_arena *arena,
         return OVR_NO_MEMORY;
     ovr_stress_row row = ovr_stress_at(p->stress, 0);
     for (size_t k = 1; k < p->snapshots; k++) {
-        way[k & 1] = ovr_stress_way(p->setup, p->plan, p->T[k]);
+        way[k & 1] = ovr_stress_distance(p->setup, p->plan, p->T[k]);
         shortest = fmin(shortest, fmax(fabs(way[1] - way[0]), 1e-9));
     }
     if (p->plan->direction == 0)

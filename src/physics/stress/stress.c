@@ -296,7 +296,7 @@ static ovr_status make(const ovr_accompanied_run *run, void **own,
     return status;
 }
 
-static void told_of(void *own, const ovr_accompanied_run *run)
+static void set_path(void *own, const ovr_accompanied_run *run)
 {
     ((run_stress *)own)->path = run->output;
 }
@@ -307,7 +307,7 @@ static ovr_status open_file(void *own, const ovr_accompanied_run *run,
     run_stress *s = own;
     ovr_status status = OVR_OK;
     s->writer = run->writer;
-    told_of(s, run);
+    set_path(s, run);
     for (int k = 0; !status && k < SURFACES; k++)
         if (s->field[k])
             status = open_fields(s, k, err);
@@ -426,7 +426,7 @@ static ovr_status finish(void *own, const ovr_accompanied_run *run,
 static const ovr_companion companion = {.make = make,
                                         .release = release,
                                         .open = open_file,
-                                        .told_of = told_of,
+                                        .set_path = set_path,
                                         .observe = observe,
                                         .visit = visit_state,
                                         .restored = restored,
@@ -524,7 +524,7 @@ static const ovr_physics_in_case in_case = {.section = ovr_stress_sections,
                                             .behind = "paper",
                                             .form = sizeof(ovr_stress_setup),
                                             .resolve = ovr_stress_resolve,
-                                            .says = ovr_stress_says,
+                                            .says = ovr_stress_state,
                                             .node_seconds = 2.5e-7,
                                             .tell = tell,
                                             .memory = memory};

@@ -44,8 +44,8 @@ ovr_status ovr_stress_planned(const ovr_setup *setup, int surface,
 
 /* Way of the plan's surface since T = 0; 1, -1, or 0 where it goes both ways;
  * whether that may be; largest speed of either surface or the film, over um. */
-double ovr_stress_way(const ovr_setup *setup, const ovr_stress_plan *plan,
-                      double T);
+double ovr_stress_distance(const ovr_setup *setup, const ovr_stress_plan *plan,
+                           double T);
 bool ovr_stress_wanders(const ovr_setup *setup);
 int ovr_stress_direction(const ovr_setup *setup, const ovr_stress_plan *plan);
 double ovr_stress_fastest(const ovr_setup *setup);

@@ -57,7 +57,7 @@ void ovr_strip_choose(const void *form, ovr_options *options)
         options->order = 2;
 }
 
-void ovr_strip_says(const void *form, ovr_physics_says *says)
+void ovr_strip_state(const void *form, ovr_physics_statement *says)
 {
     const ovr_strip_form *f = form;
     says->features = ovr_model_feature_bit(OVR_MODEL_STRIP, f->ends != 0);
@@ -186,8 +186,8 @@ double ovr_strip_seconds(const void *form)
     return ((const ovr_strip_form *)form)->seconds;
 }
 
-void ovr_strip_tell(const ovr_physics_case *of, const void *form,
-                    ovr_physics_line *line, void *data)
+void ovr_strip_describe(const ovr_physics_case *of, const void *form,
+                        ovr_physics_line *line, void *data)
 {
     const ovr_strip_form *f = form;
     const ovr_options *o = of->options;

@@ -31,9 +31,9 @@ ovr_status ovr_strip_on_mesh(const ovr_physics_case *of, void *form, double D,
 /* Nodes along x of the coarsest grid: heavily loaded contacts need more. */
 size_t ovr_strip_coarsest(double M);
 
-void ovr_strip_says(const void *form, ovr_physics_says *says);
-void ovr_strip_tell(const ovr_physics_case *of, const void *form,
-                    ovr_physics_line *line, void *data);
+void ovr_strip_state(const void *form, ovr_physics_statement *says);
+void ovr_strip_describe(const ovr_physics_case *of, const void *form,
+                        ovr_physics_line *line, void *data);
 double ovr_strip_seconds(const void *form);
 size_t ovr_strip_lines_across(const void *form, double D);
 

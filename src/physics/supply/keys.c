@@ -135,8 +135,8 @@ double ovr_supply_arriving(const ovr_supply_case *s, double T)
     double Cu = fmax(ovr_history_value(s->speed, T), minimum), both = 0;
     for (int k = 0; k < 2; k++) {
         const ovr_layer *layer = s->layer[k];
-        double way = layer ? ovr_surface_way(s->speed, s->sliding, ratio[k],
-                                             k + 1, T)
+        double way = layer ? ovr_surface_distance(s->speed, s->sliding,
+                                                  ratio[k], k + 1, T)
                            : 0;
         double h = layer ? ovr_layer_thickness(layer, way) : s->thickness[k];
         double u = s->sliding ? ovr_surface_speed(s->speed, s->sliding,
@@ -148,7 +148,7 @@ double ovr_supply_arriving(const ovr_supply_case *s, double T)
     return both * ovr_history_value(s->history, T);
 }
 
-void ovr_supply_says(const void *form, ovr_physics_says *says)
+void ovr_supply_state(const void *form, ovr_physics_statement *says)
 {
     const ovr_supply_case *s = form;
     double film = s->film ? ovr_supply_arriving(s, 0) : 0;

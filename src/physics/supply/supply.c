@@ -359,7 +359,7 @@ static void recalled(ovr_observation *o, const ovr_observation *saved)
 
 /* A film that begins too close to the inlet. */
 static void review(const ovr_simulation *sim, const void *own,
-                   ovr_physics_say *say, void *data)
+                   ovr_physics_message *say, void *data)
 {
     static const double meshes = 4;
     const ovr_options *o = &sim->options;
@@ -494,7 +494,7 @@ static const ovr_physics_in_case in_case = {.node_seconds = 1e-7,
                                             .choose = ovr_supply_choose,
                                             .resolve = ovr_supply_resolve,
                                             .drop = ovr_supply_drop,
-                                            .says = ovr_supply_says,
+                                            .says = ovr_supply_state,
                                             .one_mesh = "as menisci move",
                                             .tell = tell};
 
