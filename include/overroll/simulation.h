@@ -179,8 +179,15 @@ typedef struct ovr_state {
     const double *q;       /* rho H */
     const double *eps;     /* rho H^3/(eta lambda) */
     double H0;
+    size_t lines;    /* across rolling, of n nodes each; of a line contact 1 */
+    size_t line;     /* the one that P, H, S, q and eps are of, from 0 */
+    const double *Y; /* of the lines, b; NULL of a line contact */
 } ovr_state;
 OVR_API const ovr_state *ovr_simulation_state(const ovr_simulation *sim);
+
+/* Makes the state that of one line of a strip; of strip.shown if `line` is
+ * beyond the last.  A line contact stays as it is. */
+OVR_API void ovr_simulation_show(ovr_simulation *sim, size_t line);
 
 /* Half the width, in b, of what the film's roughness is seen in. */
 #define OVR_ROUGH_WINDOW 0.75

@@ -38,6 +38,7 @@ void ovr_trials_free(ovr_trials *trials);
  * failure of them all. */
 ovr_status ovr_trials_execute(ovr_trials *trials, ovr_error *err);
 
+size_t ovr_trials_count(const ovr_trials *trials);
 const ovr_trial *ovr_trials_at(const ovr_trials *trials, size_t k);
 
 /* The number of a key; NAN: there is none, which `known` (may be NULL) tells

@@ -279,9 +279,13 @@ void ovr_simulation_across(ovr_simulation *sim, ovr_heights_across *heights)
 
 void ovr_simulation_show(ovr_simulation *sim, size_t line)
 {
-    if (sim && sim->physics.solver)
-        sim->physics.solver->is->in_solve->solver->show(
-            sim, sim->physics.solver->own, line);
+    if (!sim || !sim->physics.solver)
+        return;
+    size_t lines, shown;
+    ovr_simulation_lines(sim, &lines, &shown);
+    sim->physics.solver->is->in_solve->solver->show(
+        sim, sim->physics.solver->own, line);
+    sim->state.line = line < lines ? line : shown;
 }
 
 const double *ovr_simulation_lines(const ovr_simulation *sim, size_t *count,

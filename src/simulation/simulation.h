@@ -65,10 +65,6 @@ void ovr_simulation_sides(ovr_simulation *sim, ovr_heights *heights_1,
  * ovr_simulation_surface, which removes them.  Only a strip asks for them. */
 void ovr_simulation_across(ovr_simulation *sim, ovr_heights_across *heights);
 
-/* Makes the state that of one line of a strip; of the shown line if `line` is
- * beyond the last.  Does nothing for a line contact. */
-void ovr_simulation_show(ovr_simulation *sim, size_t line);
-
 /* Returns the Y of the lines of a strip, b, their number and the shown line;
  * NULL, 1 and 0 for a line contact. */
 const double *ovr_simulation_lines(const ovr_simulation *sim, size_t *count,

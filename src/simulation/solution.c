@@ -110,6 +110,7 @@ void ovr_publish_state(ovr_simulation *sim)
     state->H = sim->now.H;
     state->S = sim->shapes.S;
     state->H0 = sim->grids.H0;
+    state->Y = ovr_simulation_lines(sim, &state->lines, &state->line);
 }
 
 /* ---------------------------------------------------------------------- Gap */

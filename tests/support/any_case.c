@@ -593,13 +593,15 @@ void test_wide_case_survey(uint64_t seed, int runs)
         wide_contact(&d);
         for (int tries = 0; tries < 12 && d.keys < MAX_KEYS / 2; tries++)
             add_key(&d);
+        if (runs == 1)
+            show(&d);
         bool fails = try(&d, &e);
         wrong += fails;
         solved += e.solved;
         compared += !isnan(e.cost);
         dear += e.cost > 10;
         cheap += e.cost < 0.1;
-        tell_seed(&d, seed, k, fails || e.cost > 10 || runs == 1);
+        tell_seed(&d, seed, k, fails || e.cost > 10);
     }
     print_message("    %d cases, %d solved, %d at fault; of %d that took time "
                   "%d took more than ten times the estimate, %d less than a "

@@ -33,7 +33,7 @@ static double number_of(const ovr_case *c, const char *key, const char **text)
 static ovr_status run(void *data, ovr_trials *trials, ovr_error *err)
 {
     made_up *u = data;
-    for (size_t k = 0; k < ovr_trials_count(trials); k++) {
+    for (size_t k = 0; ovr_trials_case(trials, k); k++) {
         const ovr_case *c = ovr_trials_case(trials, k);
         const char *asked = NULL;
         double M = number_of(c, "M", NULL), L = number_of(c, "L", NULL), q;

@@ -9,8 +9,8 @@ import numpy as np
 
 from . import _workers
 from ._case import Case, Path, case_of, value_text
-from ._library import (ORIGIN, BadInput, encoded, error_of, ffi,
-                       lib, new_error, text)
+from ._library import (ORIGIN, BadInput, encoded, error_of, ffi, lib,
+                       new_error, rows, text)
 from ._progress import Progress, Teller
 from ._tables import place
 from ._task import _take
@@ -62,8 +62,7 @@ def _run_trials(data: Any, trials: Any, err: Any) -> int:
     asked = ffi.from_handle(data)
     try:
         cases = []
-        for k in range(lib.ovr_trials_count(trials)):
-            c = lib.ovr_trials_case(trials, k)
+        for c in rows(lib.ovr_trials_case, trials):
             directory = lib.ovr_case_directory(c)
             cases.append(Case.from_text(
                 text(lib.ovr_case_text(c, ffi.NULL)),

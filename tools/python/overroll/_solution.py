@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from operator import attrgetter
 from types import SimpleNamespace
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Optional
 
 import numpy as np
 
@@ -67,7 +67,8 @@ class Solution:
     _seen: Any   # ovr_observation *
     _total: Any  # ovr_statistics *
 
-    X = _array("X", "Positions x/b of the nodes.")
+    X = _array("X", "Positions x/b of the nodes.  P, H, S, q and eps of a "
+                    "strip are those of the line `line` along x.")
     P = _array("P", "Pressure p/ph.")
     H = _array("H", "Film thickness h R/b^2.")
     S = _array("S", "Height of both surfaces' features, in b^2/R, positive "
@@ -77,7 +78,11 @@ class Solution:
     weights = _array("weights", "Weights of an integral: (weights * f).sum().")
     T = _number("T", "Time t um/b.")
     step_count = _number("step", "Steps since the steady start.")
-    n = _number("n", "Number of nodes.")
+    n = _number("n", "Number of nodes along x.")
+    lines = _number("lines", "Number of lines across rolling, of a line "
+                             "contact 1.")
+    line = _number("line", "The line of a strip that arrays along x show, "
+                           "from 0.")
     D = _number("D", "Mesh size, the smallest, in b.")
     H0 = _number("H0", "Rigid approach, in b^2/R.")
 
@@ -119,6 +124,49 @@ class Solution:
             else room[:n]
 
     @property
+    def Y(self) -> np.ndarray:
+        """Positions y/b of the lines of a strip, shape (lines,), without a
+        copy; [0.] of a line contact."""
+        if self._state.Y == ffi.NULL:
+            return np.zeros(1)
+        return view(self._core, self._state.Y, self.lines)
+
+    def show(self, Y: Optional[float] = None) -> Any:
+        """Makes P, H, S, q, eps and fields of a strip those of the line
+        nearest to Y (periodic, in b), or of `strip.shown`, until the next
+        step.  Returns the solution."""
+        line = self.lines
+        if Y is not None and self.lines > 1:
+            width = self.lines * (self.Y[1] - self.Y[0])
+            apart = np.abs(np.remainder(self.Y - Y + width / 2, width)
+                           - width / 2)
+            line = int(apart.argmin())
+        lib.ovr_simulation_show(self._sim, line)
+        return self
+
+    def areal(self, name: str) -> np.ndarray:
+        """A field of all lines of a strip by its name in result files: a new
+        array, float64, shape (lines, n), dimensionless.
+
+        >>> p = overroll.Simulation("strip.ini").steady().areal("pressure")
+        """
+        line, rows = self.line, []
+        try:
+            for k in range(self.lines):
+                lib.ovr_simulation_show(self._sim, k)
+                rows.append(self._at_nodes(name))
+        finally:
+            lib.ovr_simulation_show(self._sim, line)
+        return np.array(rows)
+
+    def _at_nodes(self, name: str) -> np.ndarray:
+        values = self.field(name)
+        if len(values) < self.n:  # at the half nodes: as files have them
+            ends = np.pad(values, 1, mode="edge")
+            values = 0.5 * (ends[:-1] + ends[1:])
+        return values
+
+    @property
     def contact(self) -> SimpleNamespace:
         """The contact: M, L, lambda, alphabar, and in SI ph, b, height
         (b^2/R), time (b/um), load, radius, ..., NaN where not known."""
@@ -150,15 +198,14 @@ class Solution:
     def _data(self, name: str) -> "xarray.DataArray":
         from ._xarray import xarray
         row = fields()[name]
-        values = self.field(name)
-        if len(values) < self.n:  # at the half nodes: as files have them
-            ends = np.pad(values, 1, mode="edge")
-            values = 0.5 * (ends[:-1] + ends[1:])
-        x, x_about = self._scaled(self.X, lib.OVR_KIND_LENGTH, "x")
+        strip = self.lines > 1
+        values = self.areal(name) if strip else self._at_nodes(name)
         value, about = self._scaled(values, row.kind, text(row.long_name))
-        return xarray.DataArray(
-            value, dims="x", coords={"x": ("x", x, x_about)}, name=name,
-            attrs=about)
+        places = {"y": self.Y, "x": self.X} if strip else {"x": self.X}
+        coords = {axis: (axis, *self._scaled(at, lib.OVR_KIND_LENGTH, axis))
+                  for axis, at in places.items()}
+        return xarray.DataArray(value, dims=tuple(places), coords=coords,
+                                name=name, attrs=about)
 
     def _scaled(self, values: np.ndarray, kind: int,
                 long_name: str) -> tuple[np.ndarray, dict[str, Any]]:
@@ -174,8 +221,8 @@ class Solution:
 
     @property
     def pressure(self) -> "xarray.DataArray":
-        """Pressure along x with its units: Pa and m where the contact is
-        physical, else ph and b ("1").  A copy."""
+        """Pressure along x, of a strip (y, x), with its units: Pa and m where
+        the contact is physical, else ph and b ("1").  A copy."""
         return self._data("pressure")
 
     @property
