@@ -36,7 +36,7 @@ typedef struct ovr_trials ovr_trials;
 typedef ovr_status ovr_trial_runner(void *data, ovr_trials *trials,
                                     ovr_error *err);
 
-/* NULL behind the last. */
+/* NULL after the last. */
 OVR_API ovr_case *ovr_trials_case(const ovr_trials *trials, size_t k);
 /* These mean what those of ovr_run_options mean. */
 OVR_API bool ovr_trials_steady(const ovr_trials *trials);

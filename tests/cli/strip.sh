@@ -112,3 +112,9 @@ sed '/strip/,/width = 2/d; /time/,$d' dent.ini >line.ini
 expect 0 "$OVERROLL" run line.ini -o line.h5 -q
 expect 2 "$OVERROLL" export line.h5 --across 0
 contains err 'has no lines across rolling'
+
+# A key without effect does not change the steps.
+expect 0 "$OVERROLL" check dent.ini --json
+number steps >steps
+expect 0 "$OVERROLL" check dent.ini --json --set boundary.passes=2
+number steps | cmp - steps || fail "steps with passes without a law"

@@ -622,7 +622,8 @@ static void says(const void *form, ovr_physics_statement *says)
  * (wear.h). */
 static bool march_for(const void *form, ovr_march *march, int *scheme)
 {
-    if (!(((const ovr_boundary_form *)form)->passes > 0))
+    const ovr_boundary_form *f = form;
+    if (f->law != OVR_BOUNDARY_PROFILE || !(f->passes > 0))
         return false;
     march->end = OVR_WEAR_STEP * OVR_WEAR_MAX;
     march->dT = OVR_WEAR_STEP;
