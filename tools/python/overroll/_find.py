@@ -191,7 +191,7 @@ def _found(search: Any) -> Found:
             "marked": e.marked, "seconds": e.seconds,
             "message": text(e.message)})
     numbers: dict[str, float] = {}
-    lib.ovr_find_summary(search, _take, ffi.new_handle(numbers))
+    lib.ovr_find_summary(search, True, _take, ffi.new_handle(numbers))
     return Found(text(info.key), info.value, text(info.unit),
                  text(info.quantity), info.at_value, info.low, info.high,
                  info.error, info.slope, info.scatter, bool(info.monotone),
