@@ -136,7 +136,7 @@ typedef struct ovr_run_info {
     double lambda_ratio; /* mean film in |X| < 3/4 and over the run, over the
                             composite Rq of both surfaces; NAN: smooth */
     /* The prediction of its rough film. */
-    const ovr_rough_film *foreseen;
+    const ovr_rough_film *predicted;
 
     double shear_over_pressure; /* the film's largest shear stress over its
                                    pressure, where that is 0.2 ph at least, at

@@ -94,7 +94,7 @@ ovr_status ovr_fail_meant(ovr_error *err, ovr_status status, const char *meant)
 
 /* The message; where an option is called as the key it sets ("--L"), without
  * that key before it. */
-static const char *behind_option(const char *file, const ovr_error *why)
+static const char *message_without_key(const char *file, const ovr_error *why)
 {
     size_t key = why->about ? strlen(why->about) : 0;
     bool same = key && !strncmp(file, "--", 2) && !strcmp(file + 2, why->about);
@@ -117,7 +117,8 @@ ovr_status ovr_fail_from(ovr_error *err, const ovr_error *why, const char *file,
         *err = copy;
         return status;
     }
-    ovr_fail_at(err, status, file, line, "%s", behind_option(file, &copy));
+    ovr_fail_at(err, status, file, line, "%s",
+                message_without_key(file, &copy));
     err->about = copy.about;
     err->meant = copy.meant;
     return status;

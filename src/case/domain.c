@@ -129,18 +129,18 @@ static loads loads_of_passes(const ovr_setup *s)
 
 /* All that a run goes through, its passes too; `width` is the largest dry half
  * width, in b. */
-typedef struct moments {
+typedef struct sampled_times {
     const ovr_setup *setup;
     loads loads;
     double width, behind; /* space behind the contact, b, for jumps */
     int last;             /* of its looks */
     bool convected; /* curvature that varies is convected with the material */
     bool strict;    /* films vary, and are compared with each other */
-} moments;
+} sampled_times;
 
 /* The first look is at T = 0, the last at the end; the others are spread so
  * that no period of a history falls in with theirs. */
-static double look(const moments *m, int k)
+static double sample_time(const sampled_times *m, int k)
 {
     const double golden = 0.6180339887498949;
     double end = ovr_setup_end(m->setup);
@@ -148,10 +148,10 @@ static double look(const moments *m, int k)
     return k && isfinite(end) ? end * (k + shift) / m->last : 0;
 }
 
-static ovr_instant instant_of(const moments *m, int k, double load)
+static ovr_instant instant_of(const sampled_times *m, int k, double load)
 {
     const ovr_setup *s = m->setup;
-    double T = look(m, k);
+    double T = sample_time(m, k);
     double w = fmax(load * ovr_history_value(s->load, T), OVR_MIN_START);
     double u = fmax(fabs(ovr_history_value(s->speed, T)), OVR_MIN_START);
     return ovr_instant_of(s->contact, w, u,
@@ -196,9 +196,9 @@ static double outlet_of_jump(double jump)
     return OVR_USUAL_OUTLET * pow(45 * jump, 0.4);
 }
 
-static moments moments_of(const ovr_setup *s)
+static sampled_times moments_of(const ovr_setup *s)
 {
-    moments m = {.setup = s, .loads = {1, 1}};
+    sampled_times m = {.setup = s, .loads = {1, 1}};
     if (s->transient) {
         m.loads = loads_of_passes(s);
         m.last = ovr_setup_varies(s) || s->passes->loads.count ? LOOKS : 0;
@@ -214,7 +214,7 @@ static moments moments_of(const ovr_setup *s)
  * films vary, and are compared with each other, than in a steady contact; but
  * not at moments of little load beside the largest, nor where the speed
  * reverses and the domain is as long on the other side. */
-static double usual_loss(const moments *m, const ovr_instant *at)
+static double usual_loss(const sampled_times *m, const ovr_instant *at)
 {
     const double little = 0.2;
     bool counts = at->s * at->s >= little * m->width * m->width;
@@ -222,7 +222,7 @@ static double usual_loss(const moments *m, const ovr_instant *at)
            ovr_inlet_uncertainty(at->M);
 }
 
-static double automatic_outlet(const moments *m, const ovr_instant *at)
+static double automatic_outlet(const sampled_times *m, const ovr_instant *at)
 {
     ovr_options own = {.inlet = OVR_USUAL_INLET, .outlet = NAN};
     ovr_contact now = *m->setup->contact;
@@ -238,10 +238,11 @@ static double automatic_outlet(const moments *m, const ovr_instant *at)
  * as comes with the wedge, Cu c X^2/2, times 1.2 (s^2)'/(c Cu |X|) and c'
  * |X|/(3 c Cu), which lose less and more by a cut at X_a than it does.  Where
  * curvature is convected with the material the gap there is not c X^2/2. */
-static double lost_by_change(const moments *m, int k, double load, double X_a)
+static double lost_by_change(const sampled_times *m, int k, double load,
+                             double X_a)
 {
     const ovr_setup *s = m->setup;
-    double T = look(m, k), R = ovr_history_value(s->radius, T), part = 1;
+    double T = sample_time(m, k), R = ovr_history_value(s->radius, T), part = 1;
     double u = fmax(fabs(ovr_history_value(s->speed, T)), OVR_MIN_START);
     double width = load * ovr_history_slope(s->load, T) * R; /* of s^2 */
     double more = 1 + 0.9 * R * fabs(width) / (u * fabs(X_a));
@@ -261,15 +262,15 @@ typedef struct extent {
 
 /* A moment, the share of the film that its inlet may cost, and the space that
  * it wants behind, in half widths of its own. */
-typedef struct wish {
+typedef struct inlet_request {
     ovr_instant at;
     double loss, outlet;
-} wish;
+} inlet_request;
 
 /* Returns the inlet position needed at sample k, or `inlet` if that is further
  * upstream. */
-static double widened(const moments *m, int k, double load, const wish *w,
-                      double inlet)
+static double widened(const sampled_times *m, int k, double load,
+                      const inlet_request *w, double inlet)
 {
     const double step = 1.05, farthest = 4;
     double s = w->at.s, M = w->at.M, L = w->at.L;
@@ -284,42 +285,46 @@ static double widened(const moments *m, int k, double load, const wish *w,
     return X_a;
 }
 
-static wish usual_wish(const moments *m, const ovr_instant *at)
+static inlet_request usual_request(const sampled_times *m,
+                                   const ovr_instant *at)
 {
-    return (wish){*at, usual_loss(m, at),
-                  fmax(ovr_film_end_bound(at->M, at->L), OVR_USUAL_OUTLET)};
+    return (inlet_request){
+        *at, usual_loss(m, at),
+        fmax(ovr_film_end_bound(at->M, at->L), OVR_USUAL_OUTLET)};
 }
 
-static wish automatic_wish(const moments *m, const ovr_instant *at)
+static inlet_request automatic_request(const sampled_times *m,
+                                       const ovr_instant *at)
 {
-    return (wish){*at, OVR_AUTO_LOSS, automatic_outlet(m, at)};
+    return (inlet_request){*at, OVR_AUTO_LOSS, automatic_outlet(m, at)};
 }
 
 /* The domain that all moments, of the smallest and of the largest load, ask
  * for. */
-static extent domain_of(const moments *m, extent e,
-                        wish (*wish_of)(const moments *, const ovr_instant *))
+static extent domain_of(const sampled_times *m, extent e,
+                        inlet_request (*request_of)(const sampled_times *,
+                                                    const ovr_instant *))
 {
     for (int k = 0; k <= 2 * m->last + 1; k++) {
         double load = k % 2 ? m->loads.maximum : m->loads.minimum;
         ovr_instant at = instant_of(m, k / 2, load);
-        wish w = wish_of(m, &at);
+        inlet_request w = request_of(m, &at);
         e.inlet = widened(m, k / 2, load, &w, e.inlet);
         e.outlet = fmax(e.outlet, at.s * w.outlet);
     }
     return e;
 }
 
-static extent usual_domain(const moments *m)
+static extent usual_domain(const sampled_times *m)
 {
     extent nearest = {OVR_USUAL_INLET, fmax(OVR_USUAL_OUTLET, m->behind)};
-    return domain_of(m, nearest, usual_wish);
+    return domain_of(m, nearest, usual_request);
 }
 
-static extent automatic_domain(const moments *m)
+static extent automatic_domain(const sampled_times *m)
 {
     extent nearest = {0, fmax(OVR_USUAL_OUTLET, m->behind)};
-    return domain_of(m, nearest, automatic_wish);
+    return domain_of(m, nearest, automatic_request);
 }
 
 static bool opens(const ovr_setup *s, extent e)
@@ -330,7 +335,7 @@ static bool opens(const ovr_setup *s, extent e)
 
 /* Curvature is convected only where it opens the gap to both ends, without
  * jolts: where it could on a shorter domain, as far out as it can. */
-static extent chosen_domain(moments *m)
+static extent chosen_domain(sampled_times *m)
 {
     enum { HALVINGS = 12 };
     extent near, far;
@@ -389,7 +394,7 @@ double ovr_setup_feature_outlet(const ovr_setup *setup)
 
 ovr_domain_needs ovr_setup_needs(const ovr_setup *s)
 {
-    moments m = moments_of(s);
+    sampled_times m = moments_of(s);
     extent usual = chosen_domain(&m);
     ovr_domain_needs needs = {.width = m.width,
                               .inlet = usual.inlet,
@@ -424,7 +429,7 @@ static ovr_status refuse(const ovr_resolved *r, const char *key, double end,
 ovr_status ovr_setup_domain(ovr_resolved *r, ovr_error *err)
 {
     ovr_options *o = r->setup.options;
-    moments m = moments_of(&r->setup);
+    sampled_times m = moments_of(&r->setup);
     extent usual = chosen_domain(&m);
     extent automatic = isnan(o->inlet) || isnan(o->outlet)
                            ? automatic_domain(&m)

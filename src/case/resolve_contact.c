@@ -56,7 +56,7 @@ static const ovr_block *block_of_body(const ovr_resolved *r, int k)
     return ovr_case_find_block(r->c, "body", k ? "2" : "1");
 }
 
-static bool says(const ovr_block *block, const char *key)
+static bool has_key(const ovr_block *block, const char *key)
 {
     return block && ovr_block_get(block, key)->given;
 }
@@ -95,9 +95,9 @@ static ovr_status fill_body(ovr_resolved *r, int k, ovr_error *err)
     fill_thermal(body);
     if (!block)
         return OVR_OK;
-    if (body->material && !says(block, "modulus"))
+    if (body->material && !has_key(block, "modulus"))
         body->modulus = materials[body->material].modulus;
-    if (body->material && !says(block, "poisson"))
+    if (body->material && !has_key(block, "poisson"))
         body->poisson = materials[body->material].poisson;
     if (body->radius == 0)
         return ovr_fail_slot(err, ovr_block_get(block, "radius"),
@@ -131,8 +131,8 @@ static ovr_status reduce_modulus(ovr_resolved *r, ovr_error *err)
     double *reduced = &r->values.contact.modulus;
     const double E[2] = {b[0].modulus, b[1].modulus};
     /* of a body without one the stresses alone may speak */
-    bool needed = isnan(*reduced) || says(block_of_body(r, 0), "modulus") ||
-                  says(block_of_body(r, 1), "modulus");
+    bool needed = isnan(*reduced) || has_key(block_of_body(r, 0), "modulus") ||
+                  has_key(block_of_body(r, 1), "modulus");
     if (!needed)
         return OVR_OK;
     if (both(r, "modulus", E, *reduced, err))
@@ -196,7 +196,7 @@ ovr_status ovr_resolve_yield(ovr_resolved *r, ovr_error *err)
     for (int k = 0; k < 2; k++) {
         ovr_body_form *body = &r->body[k], again = *body;
         const ovr_block *block = block_of_body(r, k);
-        bool given = says(block, "yield");
+        bool given = has_key(block, "yield");
         if (given && ovr_block_fill(r, block, &again, err))
             return OVR_BAD_INPUT;
         body->yield = given          ? again.yield

@@ -143,8 +143,8 @@ static alternative take_section(const ovr_case *c, const ovr_block *own,
                          .rest = ""};
 }
 
-static alternative take_apart(const ovr_case *c, const ovr_block *own,
-                              const char *text)
+static alternative parse_alternative(const ovr_case *c, const ovr_block *own,
+                                     const char *text)
 {
     if (*text == '[')
         return take_section(c, own, text);
@@ -197,7 +197,7 @@ static bool any_holds(const ovr_case *c, const ovr_block *block,
     char text[OVR_CONDITION_MAX];
     *off = false;
     while (ovr_condition_next(&condition, " or ", text, sizeof text)) {
-        alternative a = take_apart(c, block, text);
+        alternative a = parse_alternative(c, block, text);
         if (holds(&a))
             return true;
         *off = *off || (a.section->on && a.slot->key &&
@@ -268,7 +268,7 @@ bool ovr_key_applies(const ovr_case *c, const ovr_block *block,
 static void put_idle(const ovr_case *c, const ovr_block *block,
                      const char *condition, char *text, size_t capacity)
 {
-    alternative a = take_apart(c, block, condition);
+    alternative a = parse_alternative(c, block, condition);
     bool one = !strstr(condition, " or "), other = a.section != block->section;
     text[0] = '\0';
     ovr_condition_add(text, capacity, "has no effect");

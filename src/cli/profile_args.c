@@ -34,8 +34,8 @@ static int no_unit(const cli_call *call, const char *name)
 
 /* Converts a length to the unit of the profile. `unit` is b (or b^2/R) in
  * metres, or 0 if unknown. */
-static int resolve_size(const cli_call *call, size given, bool scaled,
-                        double unit, double *value)
+static int convert_length(const cli_call *call, size given, bool scaled,
+                          double unit, double *value)
 {
     if (!given.given)
         return CLI_DONE;
@@ -175,9 +175,9 @@ static int take_sizes(const cli_call *call, const ovr_profile_view *view,
         size given;
         code = take_size(call, sizes[k].name, tall, &given);
         if (!code)
-            code = resolve_size(call, given,
-                                tall ? view->scaled_z : view->scaled_x,
-                                tall ? height : b, sizes[k].value);
+            code = convert_length(call, given,
+                                  tall ? view->scaled_z : view->scaled_x,
+                                  tall ? height : b, sizes[k].value);
     }
     return code;
 }

@@ -66,7 +66,7 @@ static void progress(void *data, size_t ended, size_t cases, int running,
 /* --------------------------------------------------------------- the list */
 
 /* A path for the shell: in quotes, quotes inside broken out of. */
-static void put_quoted(const char *text)
+static void print_shell_quoted(const char *text)
 {
     if (!text[strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVW"
                            "XYZ0123456789_-./+=,")]) {
@@ -88,10 +88,10 @@ static void print_list(const sweeping *w)
         if (!ovr_sweep_is_due(&w->how, ovr_sweep_state_of(w->s, i)))
             continue;
         fputs("overroll sweep ", stdout);
-        put_quoted(w->call->argument[0]);
+        print_shell_quoted(w->call->argument[0]);
         if (cli_value(w->call, "o")) {
             fputs(" -o ", stdout);
-            put_quoted(ovr_study_output(w->s));
+            print_shell_quoted(ovr_study_output(w->s));
         }
         printf(" --task %zu%s%s%s\n", i + 1, w->how.retry ? " --retry" : "",
                w->how.redo ? " --redo" : "", w->how.force ? " --force" : "");

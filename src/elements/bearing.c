@@ -45,7 +45,7 @@ ovr_bearing_form ovr_bearing_form_default(void)
 /* ---------------------------------------------------- load distribution */
 
 /* The load that a roller at psi carries at the displacement d. */
-static double carried(const ovr_bearing *bearing, double d, double psi)
+static double roller_load(const ovr_bearing *bearing, double d, double psi)
 {
     double approach = d * cos(psi) - bearing->form.clearance / 2;
     return approach > 0 ? bearing->g.stiffness * pow(approach, 10.0 / 9) : 0;
@@ -57,7 +57,7 @@ static double resultant(const ovr_bearing *bearing, double d, double first)
     double sum = 0;
     for (int k = 0; k < n; k++) {
         double psi = first + 2 * pi * k / n;
-        sum += carried(bearing, d, psi) * cos(psi);
+        sum += roller_load(bearing, d, psi) * cos(psi);
     }
     return sum;
 }
@@ -247,8 +247,8 @@ double ovr_bearing_load(const ovr_bearing *bearing, int k)
 {
     if (!bearing)
         return NAN;
-    return carried(bearing, bearing->g.displacement,
-                   bearing->first + 2 * pi * k / bearing->form.rollers);
+    return roller_load(bearing, bearing->g.displacement,
+                       bearing->first + 2 * pi * k / bearing->form.rollers);
 }
 
 ovr_element_moment ovr_bearing_contact(const ovr_bearing *bearing, double load)
@@ -281,13 +281,13 @@ size_t ovr_bearing_passes(const ovr_bearing *bearing, double phase,
         double psi = phase + j * step;
         if (cos(psi) > 0 && fabs(psi) < pi)
             largest = fmax(largest,
-                           carried(bearing, displaced(bearing, psi), psi));
+                           roller_load(bearing, displaced(bearing, psi), psi));
     }
     for (int j = -reach; j <= reach && count < capacity; j++) {
         double psi = phase + j * step, Q;
         if (!(cos(psi) > 0 || step == 0) || fabs(psi) >= pi)
             continue;
-        Q = carried(bearing, displaced(bearing, psi), psi);
+        Q = roller_load(bearing, displaced(bearing, psi), psi);
         if (Q <= 0 || Q < minimum * largest)
             continue;
         angle[count] = psi;

@@ -527,7 +527,7 @@ static bool runs(const ovr_gear *gear, double t)
 
 /* Finds the edge between a time at which it runs and one at which it does
  * not. */
-static double edge(const ovr_gear *gear, double in, double out)
+static double find_contact_limit(const ovr_gear *gear, double in, double out)
 {
     for (int k = 0; k < 60; k++) {
         double middle = 0.5 * (in + out);
@@ -553,11 +553,11 @@ static ovr_status clip(ovr_gear *gear, ovr_error *err)
                               "no part of the path carries more than "
                               "min_share = %g of the load",
                               gear->form.min_share);
-    g->begin = first ? edge(gear, first * g->duration / LOOKS,
-                            (first - 1) * g->duration / LOOKS)
+    g->begin = first ? find_contact_limit(gear, first * g->duration / LOOKS,
+                                          (first - 1) * g->duration / LOOKS)
                      : 0;
-    g->end = last < LOOKS ? edge(gear, last * g->duration / LOOKS,
-                                 (last + 1) * g->duration / LOOKS)
+    g->end = last < LOOKS ? find_contact_limit(gear, last * g->duration / LOOKS,
+                                               (last + 1) * g->duration / LOOKS)
                           : g->duration;
     return OVR_OK;
 }

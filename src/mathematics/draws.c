@@ -150,7 +150,7 @@ static double sobol(size_t k, uint64_t n)
 }
 
 /* Off the ends of (0, 1), where normal numbers are infinite. */
-static double inside(double u)
+static double clamp_open_unit_interval(double u)
 {
     return u < 0x1p-54 ? 0x1p-54 : u > 1 - 0x1p-53 ? 1 - 0x1p-53 : u;
 }
@@ -159,7 +159,7 @@ static double shifted_sobol(const ovr_sampling *how, size_t k, size_t i)
 {
     double shift = ovr_uniform_at(how->seed, stream_of(how->key[k], "shift"),
                                   i % how->shifts);
-    return inside(fmod(sobol(k, i / how->shifts) + shift, 1));
+    return clamp_open_unit_interval(fmod(sobol(k, i / how->shifts) + shift, 1));
 }
 
 /* ------------------------------------------------------------------- Draws */

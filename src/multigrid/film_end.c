@@ -26,7 +26,7 @@ static bool is_wet(const film *f, ptrdiff_t i)
 }
 
 /* Dry or wet, by more than a share of its row's size. */
-static bool wants_to_rise(const film *f, ptrdiff_t i, double share)
+static bool must_become_pressurized(const film *f, ptrdiff_t i, double share)
 {
     double size = f->level->weights.a[0] * value(f, f->level->f.q, i);
     return value(f, f->level->f.r, i) < -share * size;
@@ -119,7 +119,8 @@ static bool find_film(const film *f, ptrdiff_t out, stretch *s)
     bool dry = false, moves = false;
     *s = (stretch){from, from - out, out};
     for (ptrdiff_t i = from; i > 0 && i < n - 1; i += out) {
-        bool wet = is_wet(f, i), up = !wet && wants_to_rise(f, i, 1e-9);
+        bool wet = is_wet(f, i),
+             up = !wet && must_become_pressurized(f, i, 1e-9);
         if (dry && (wet || up))
             break;
         dry = !wet && !up;
@@ -177,7 +178,7 @@ static bool moves_to(const film *f, ptrdiff_t i)
     if (i < 2 || i + 1 >= (ptrdiff_t)f->level->grid.n || is_wet(f, i) ||
         !is_wet(f, i - 1))
         return false;
-    return wants_to_rise(f, i, 1e-6);
+    return must_become_pressurized(f, i, 1e-6);
 }
 
 /* ------------------------------------------------------------ both of them */
@@ -201,7 +202,7 @@ static bool for_free(const film *f, bool (*look)(const film *, ptrdiff_t))
 static bool rises(const film *f, ptrdiff_t i)
 {
     return i > 0 && i + 1 < (ptrdiff_t)f->level->grid.n &&
-           wants_to_rise(f, i, 1e-9);
+           must_become_pressurized(f, i, 1e-9);
 }
 
 static bool extend_to(const film *f, ptrdiff_t i)

@@ -112,7 +112,7 @@ static bool is_numeric(const ovr_table *t, const ovr_table_column *c)
     return true;
 }
 
-static bool is_told(const figure *f, const ovr_table_column *c)
+static bool is_printed(const figure *f, const ovr_table_column *c)
 {
     bool told = tells(f->t, NULL, c) || (f->x && tells(f->t, f->x, c));
     for (size_t k = 0; !told && k < f->lines.keys; k++)
@@ -128,7 +128,7 @@ static const ovr_table_column *next_key(const figure *f, bool numeric,
 {
     const ovr_table_column *c;
     for (size_t k = 0; (c = ovr_table_at(f->t, k)) != NULL; k++)
-        if (c->varied && is_seed(c) == seed && !is_told(f, c) &&
+        if (c->varied && is_seed(c) == seed && !is_printed(f, c) &&
             (!numeric || is_numeric(f->t, c)))
             return c;
     return NULL;
@@ -518,7 +518,7 @@ static void name_band(const figure *f, char *text, size_t capacity)
                                    "band: minimum to maximum over");
     bool any = false;
     for (size_t k = 0; (c = ovr_table_at(f->t, k)) && used + 70 < capacity; k++)
-        if (c->varied && !is_told(f, c)) {
+        if (c->varied && !is_printed(f, c)) {
             used += (size_t)snprintf(text + used, capacity - used, "%s %.60s",
                                      any ? "," : "",
                                      ovr_key_named(c->name).text);

@@ -104,7 +104,7 @@ bool ovr_process_send(ovr_process *p, const void *data, size_t bytes)
 }
 
 /* The next byte, or -1 at the end. */
-static int hear(ovr_process *p)
+static int read_character(ovr_process *p)
 {
     while (p->from == p->to) {
         ssize_t got = recv(p->line, p->heard, sizeof p->heard, 0);
@@ -121,9 +121,9 @@ static int hear(ovr_process *p)
 bool ovr_process_line(ovr_process *p, char *line, size_t size)
 {
     size_t length = 0;
-    int c = hear(p);
+    int c = read_character(p);
     bool any = c >= 0;
-    for (; c >= 0 && c != '\n'; c = hear(p))
+    for (; c >= 0 && c != '\n'; c = read_character(p))
         if (length + 1 < size)
             line[length++] = (char)(c < ' ' ? ' ' : c);
     line[length] = '\0';

@@ -22,7 +22,7 @@ ovr_run *ovr_run_make(const ovr_run_options *options,
         return NULL;
     run->arena = arena;
     run->info.error = &run->error;
-    run->info.foreseen = &run->foreseen;
+    run->info.predicted = &run->predicted;
     if (options)
         run->how = *options;
     run->force = run->how.force;

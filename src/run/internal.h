@@ -32,7 +32,7 @@ struct ovr_run {
     const char **warning; /* space for so many */
     size_t warnings_capacity;
     ovr_run_errors error;
-    ovr_rough_film foreseen;
+    ovr_rough_film predicted;
     ovr_run_info info;
 };
 

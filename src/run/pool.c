@@ -156,7 +156,7 @@ static void reap(pool *p, int slot)
 }
 
 /* Reads the message or the end of a worker. */
-static void hear(pool *p, int slot)
+static void read_worker_message(pool *p, int slot)
 {
     ending told;
     if (read(p->end[slot].fd, &told, sizeof told) != (ssize_t)sizeof told) {
@@ -190,7 +190,7 @@ static int run(pool *p)
         if (poll(p->end, (nfds_t)p->job->workers, pause) > 0)
             for (int slot = 0; slot < p->job->workers; slot++)
                 if (p->end[slot].revents)
-                    hear(p, slot);
+                    read_worker_message(p, slot);
         if (p->job->stop(p->job->data))
             p->board->stop = 1;
     }

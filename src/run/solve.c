@@ -65,7 +65,7 @@ ovr_status ovr_run_set_up(ovr_run *run, ovr_error *err)
     run->info.elastic_length = run->info.elastic_ratio = NAN;
     run->info.shear_over_pressure = run->info.unbearable_share = NAN;
     run->info.sim = run->sim;
-    if (ovr_setup_rough_film(run->setup, allocator, &run->foreseen, err))
+    if (ovr_setup_rough_film(run->setup, allocator, &run->predicted, err))
         return OVR_NO_MEMORY;
     return run->how.steady ? OVR_OK : ovr_companions_make(run, err);
 }

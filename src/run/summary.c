@@ -341,8 +341,8 @@ static void put_rough_film(const ovr_report_sink *to, const ovr_run_info *s)
 {
     put_lambda_ratio(to, s);
     if (s->setup->features) {
-        ovr_put_rough_film(to, s->foreseen, s->setup->contact);
-        say_predicted(to, s->foreseen);
+        ovr_put_rough_film(to, s->predicted, s->setup->contact);
+        say_predicted(to, s->predicted);
     }
 }
 

@@ -284,7 +284,7 @@ static bool is_borne(double A)
 }
 
 /* True if surfaces that may touch bore nothing in the step before. */
-static bool were_apart(const ovr_simulation *sim)
+static bool had_no_asperity_contact(const ovr_simulation *sim)
 {
     for (size_t i = 0; i < sim->now.n; i++)
         if (is_borne(sim->borne[i]))
@@ -331,7 +331,7 @@ static bool try_once(ovr_simulation *sim, double dT, const attempt *how,
 {
     ovr_asperity *touch = &sim->grids.touch;
     const ovr_asperity law = *touch;
-    if (!law.at || how != attempts || !were_apart(sim))
+    if (!law.at || how != attempts || !had_no_asperity_contact(sim))
         return try_with(sim, dT, how, outcome);
     memset(sim->borne, 0, sim->now.n * sizeof *sim->borne);
     touch->at = NULL;

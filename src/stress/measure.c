@@ -41,7 +41,7 @@ static double circle(const ovr_material_history *p, path at)
 }
 
 /* The direction of the largest half range; tau_xz where they are equal. */
-static int worst_direction(path p)
+static int direction_of_maximum_half_range(path p)
 {
     int worst = OVR_HALF_DIRECTIONS / 2;
     for (int m = 0; m < OVR_HALF_DIRECTIONS; m++)
@@ -64,9 +64,11 @@ static double measure(const ovr_material_history *p, ovr_measure which,
     switch (which) {
     case OVR_MEASURE_CIRCLE: return circle(p, at);
     case OVR_MEASURE_ORTHOGONAL: return half_range(at, OVR_HALF_DIRECTIONS / 2);
-    case OVR_MEASURE_CRITICAL: return half_range(at, worst_direction(at));
+    case OVR_MEASURE_CRITICAL:
+        return half_range(at, direction_of_maximum_half_range(at));
     case OVR_MEASURE_ANGLE:
-        return 90. * worst_direction(at) / OVR_HALF_DIRECTIONS - 45;
+        return 90. * direction_of_maximum_half_range(at) / OVR_HALF_DIRECTIONS -
+               45;
     case OVR_MEASURE_VON_MISES: return sqrt(value(at, OVR_ROW_VON_MISES));
     case OVR_MEASURE_TRESCA: return value(at, OVR_ROW_TRESCA);
     case OVR_MEASURE_HYDRO_MAX:

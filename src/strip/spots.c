@@ -164,7 +164,7 @@ static double part_of(const ovr_strip_level *level, size_t k)
 }
 
 /* True if the patches of two centres have no common neighbour. */
-static bool is_apart(const ovr_strip_grid *g, place a, place b)
+static bool has_no_asperity_contact(const ovr_strip_grid *g, place a, place b)
 {
     size_t d = a.i > b.i ? a.i - b.i : b.i - a.i;
     return d > SIDE || lines_between(g, a.j, b.j) > SIDE;
@@ -200,7 +200,7 @@ size_t ovr_strip_spots(ovr_strip *strip, ovr_strip_level *level,
     for (size_t k = 0; k < count; k++) {
         bool apart = true;
         for (size_t m = 0; m < k && apart; m++)
-            apart = is_apart(g, centre[k], centre[m]);
+            apart = has_no_asperity_contact(g, centre[k], centre[m]);
         if (!apart)
             continue;
         solve_patch(strip, level, centre[k], how->limit);

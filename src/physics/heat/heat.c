@@ -303,8 +303,9 @@ static double skewed(const ovr_simulation *sim, const void *own, size_t i,
 
 /* Temperatures thin the oil at a node by this, and make its density less where
  * it expands. */
-static void thin(const ovr_simulation *sim, const void *own, size_t i,
-                 double *eps, double *rho)
+static void apply_temperature_to_viscosity(const ovr_simulation *sim,
+                                           const void *own, size_t i,
+                                           double *eps, double *rho)
 {
     const ovr_heated *h = own;
     const ovr_solution *now = &sim->now;
@@ -667,7 +668,7 @@ static const ovr_physics_in_step in_step = {.step = ovr_heat_step,
 static const ovr_physics_in_output in_output = {
     .companion = &ovr_heat_companion,
     .flow = skewed,
-    .oil = thin,
+    .oil = apply_temperature_to_viscosity,
     .stress = stress,
     .warm = warm,
     .field = field,

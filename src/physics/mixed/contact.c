@@ -326,7 +326,8 @@ static double drag_at(const ovr_simulation *sim, const boundary *b, size_t i)
 
 /* True if the law, which falls with the film, knows nothing of the thinnest:
  * then nothing is borne, and less than rounding in contact, anywhere. */
-static bool is_apart(const ovr_simulation *sim, const boundary *b)
+static bool has_no_asperity_contact(const ovr_simulation *sim,
+                                    const boundary *b)
 {
     const double nothing = 1e-17, *H = sim->now.H;
     double A, slope;
@@ -340,7 +341,7 @@ static void friction(ovr_simulation *sim, void *own, double *t)
     boundary *b = own;
     const double *P = sim->now.P, *X = sim->now.X;
     b->wet_force = 0;
-    if (is_apart(sim, b))
+    if (has_no_asperity_contact(sim, b))
         return;
     read_borne(sim, b);
     for (size_t i = 0; i + 1 < sim->now.n; i++) {
@@ -356,7 +357,7 @@ static void heat(ovr_simulation *sim, void *own, double *apart, double *power)
 {
     boundary *b = own;
     double V = fabs(ovr_sliding(sim, sim->state.T)), mu = b->given->friction;
-    if (V == 0 || is_apart(sim, b))
+    if (V == 0 || has_no_asperity_contact(sim, b))
         return;
     for (size_t i = 0; i < sim->now.n; i++)
         apart[i] *= 1 - ovr_asperity_law_area(b->law, sim->now.H[i]);
@@ -482,7 +483,7 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
     const double touches = 1e-3;
     boundary *b = own;
     double borne = 0, area = 0, maximum = 0, minimum = NAN;
-    size_t n = is_apart(sim, b) ? 0 : sim->now.n;
+    size_t n = has_no_asperity_contact(sim, b) ? 0 : sim->now.n;
     read_borne(sim, b);
     for (size_t i = 0; i < n; i++) {
         double w = sim->now.weights[i], A = b->A[i];
