@@ -85,16 +85,43 @@ static void change_pages(ovr_store *s, uint64_t at, uint64_t bytes,
     }
 }
 
-/* Writes what may go to the disk at once; after a failure it is kept in memory
- * like the rest, so that HDF5 sees a file in which every write succeeded. */
+/* Writes to the disk; after a failure the bytes are kept in memory like the
+ * rest, so that HDF5 sees a file in which every write succeeded. */
 static void write_through(ovr_store *s, uint64_t at, size_t bytes,
                           const unsigned char *from)
 {
-    int error = bytes ? ovr_write_all(s->fd, from, bytes, at) : 0;
+    int error = s->failed ? s->failed : ovr_write_all(s->fd, from, bytes, at);
     if (!ovr_store_note(s, error))
         change_pages(s, at, bytes, from);
-    if (bytes && at + bytes > s->on_disk) /* or part of it */
+    if (at + bytes > s->on_disk) /* or part of it */
         s->on_disk = at + bytes;
+}
+
+static void write_tail(ovr_store *s)
+{
+    size_t bytes = s->tail.bytes;
+    s->tail.bytes = 0;
+    if (bytes)
+        write_through(s, s->tail.at, bytes, s->tail.data);
+}
+
+enum { TAIL = 1 << 16 };
+
+/* Bytes at the end of the tail wait with it. */
+static void write_later(ovr_store *s, uint64_t at, size_t bytes,
+                        const unsigned char *from)
+{
+    ovr_tail *tail = &s->tail;
+    if (at != tail->at + tail->bytes || bytes > TAIL - tail->bytes)
+        write_tail(s);
+    if (bytes > TAIL || s->failed) {
+        write_through(s, at, bytes, from);
+        return;
+    }
+    if (!tail->bytes)
+        tail->at = at;
+    memcpy(tail->data + tail->bytes, from, bytes);
+    tail->bytes += bytes;
 }
 
 void ovr_store_write(ovr_store *s, uint64_t at, size_t bytes, const void *from)
@@ -104,8 +131,11 @@ void ovr_store_write(ovr_store *s, uint64_t at, size_t bytes, const void *from)
     size_t below = at < guard ? (size_t)minimum(bytes, guard - at) : 0;
     if (at + bytes > s->length)
         s->length = at + bytes;
+    if (s->failed)
+        write_tail(s);
     change_pages(s, at, below, next);
-    write_through(s, at + below, bytes - below, next + below);
+    if (bytes > below)
+        write_later(s, at + below, bytes - below, next + below);
 }
 
 /* Longer at once, so that no committed end lies behind the file's; shorter
@@ -113,6 +143,7 @@ void ovr_store_write(ovr_store *s, uint64_t at, size_t bytes, const void *from)
 void ovr_store_resize(ovr_store *s, uint64_t length)
 {
     uint64_t to = length > s->committed ? length : s->committed;
+    write_tail(s);
     s->length = length;
     if (s->failed || to == s->on_disk)
         return;
@@ -173,6 +204,7 @@ static int check_name(const ovr_store *s)
 
 ovr_status ovr_store_commit(ovr_store *s, ovr_error *err)
 {
+    write_tail(s);
     int error = s->failed ? s->failed : check_name(s);
     if (error == 0 && s->changed.count > 0)
         error = commit_pages(s);
@@ -185,6 +217,7 @@ ovr_status ovr_store_commit(ovr_store *s, ovr_error *err)
 
 ovr_status ovr_store_sync(ovr_store *s, ovr_error *err)
 {
+    write_tail(s);
     if (!ovr_store_note(s, fsync(s->fd) != 0 ? errno : 0))
         return ovr_store_failure(s, err);
     s->kept.needed = false;
@@ -224,7 +257,13 @@ ovr_status ovr_store_prepare(ovr_store *s, const char *path, ovr_arena *arena,
     s->part = ovr_path_with(arena, path, ".part", err);
     s->journal_path = ovr_path_with(arena, path, ".journal", err);
     ovr_pages_init(&s->changed, arena);
-    return s->path && s->part && s->journal_path ? OVR_OK : OVR_NO_MEMORY;
+    bool blank = arena->blank;
+    arena->blank = true; /* written before read, not cleared */
+    s->tail.data = ovr_arena_take(arena, TAIL, 1, err);
+    arena->blank = blank;
+    return s->path && s->part && s->journal_path && s->tail.data
+               ? OVR_OK
+               : OVR_NO_MEMORY;
 }
 
 static ovr_status take_lock(ovr_store *s, ovr_error *err)
@@ -312,6 +351,7 @@ static bool journal_is_done(ovr_store *s)
 /* What was written behind the committed length is given back. */
 void ovr_store_close(ovr_store *s)
 {
+    s->tail.bytes = 0;
     if (s->fd >= 0 && s->on_disk > s->committed && s->published && !s->halfway)
         (void)!ftruncate(s->fd, (off_t)s->committed);
     if (s->journal >= 0) {
@@ -349,6 +389,7 @@ size_t ovr_in_page(uint64_t at, uint64_t bytes)
 bool ovr_store_read(ovr_store *s, uint64_t at, size_t bytes, void *to)
 {
     unsigned char *next = to;
+    write_tail(s);
     if (!ovr_store_note(s, ovr_read_all(s->fd, to, bytes, at)))
         return false;
     while (bytes > 0) {

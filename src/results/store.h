@@ -64,6 +64,14 @@ typedef struct ovr_kept {
     size_t capacity;         /* bytes of those */
 } ovr_kept;
 
+/* Bytes above the committed length that are not written yet, so that many small
+ * pieces of HDF5 become one. */
+typedef struct ovr_tail {
+    unsigned char *data;
+    uint64_t at;
+    size_t bytes;
+} ovr_tail;
+
 typedef struct ovr_store {
     char *path, *part, *journal_path;
     char created[OVR_STORE_NAME]; /* stored in the file; "": unknown */
@@ -78,6 +86,7 @@ typedef struct ovr_store {
     uint64_t committed, length; /* bytes: promised; now (HDF5's end of file) */
     uint64_t on_disk;           /* length of the file itself */
     ovr_pages changed;
+    ovr_tail tail;
 } ovr_store;
 
 /* PATH and an ending, in the arena; NULL with *err filled. */
