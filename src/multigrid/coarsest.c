@@ -7,7 +7,7 @@
 #include "base/larger.h"
 #include "multigrid/content.h"
 #include "multigrid/field.h"
-#include "multigrid/touching.h"
+#include "multigrid/mixed_contact.h"
 #include "multigrid/tripoles.h"
 
 #include "multigrid/content_row.h"

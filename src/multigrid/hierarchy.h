@@ -95,7 +95,7 @@ typedef struct ovr_newton {
     double *wet;
 } ovr_newton;
 
-/* Pressure that surfaces bear where they touch (touching.h). */
+/* Pressure that surfaces bear where they touch (mixed_contact.h). */
 typedef struct ovr_asperity {
     /* A >= 0 and -dA/dH >= 0 of a film H; NULL: they do not touch */
     void (*at)(const void *law, double H, double *A, double *slope);
@@ -108,7 +108,8 @@ typedef struct ovr_asperity {
     int rising; /* steps in a row in which cavitated nodes asked for to rise */
     int failures, omitted; /* of GMRES with the elastic band (tripoles.h) */
     struct ovr_tripoles *tripoles;
-    bool lifted; /* some film is above that of its pressures (touching.h) */
+    bool
+        lifted; /* some film is above that of its pressures (mixed_contact.h) */
     double *lift, *gap;    /* by how much; the gap with it, in lanes */
     double *kernel, *step; /* as those of ovr_newton, of the finest level */
 } ovr_asperity;

@@ -8,7 +8,7 @@
 #include "multigrid/field.h"
 #include "multigrid/flow.h"
 #include "multigrid/hierarchy.h"
-#include "multigrid/touching.h"
+#include "multigrid/mixed_contact.h"
 
 void ovr_level_properties(const ovr_hierarchy *grids, ovr_level *level)
 {

@@ -7,7 +7,7 @@
 #include "contact/contact.h"
 #include "contact/film_formula.h"
 #include "contact/starvation.h"
-#include "multigrid/touching.h"
+#include "multigrid/mixed_contact.h"
 #include "simulation/conflicts.h"
 #include "simulation/internal.h"
 #include "simulation/limits.h"

@@ -22,7 +22,7 @@
 #include "multigrid/field.h"
 #include "multigrid/film_end.h"
 #include "multigrid/local_newton.h"
-#include "multigrid/touching.h"
+#include "multigrid/mixed_contact.h"
 #include "simulation/conflicts.h"
 #include "simulation/mirror.h"
 #include "simulation/observe.h"
@@ -157,9 +157,10 @@ bool ovr_step_cycles(ovr_simulation *sim, ovr_step_cycling how,
 
 /*
  * The last attempt of a step: Newton's method on the finest grid with the films
- * as unknowns of their own, which stay above nothing (multigrid/touching.h), of
- * surfaces that bear nothing where they would touch, A = 0.  Rough films below
- * lambda 1 by a flow law, that no cycles find, are found so.
+ * as unknowns of their own, which stay above nothing
+ * (multigrid/mixed_contact.h), of surfaces that bear nothing where they would
+ * touch, A = 0.  Rough films below lambda 1 by a flow law, that no cycles find,
+ * are found so.
  *
  * What it works in is taken when a step asks for it first, and out of the
  * finest level again when it is done: other steps know nothing of it.

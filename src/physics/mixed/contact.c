@@ -2,8 +2,8 @@
 /*
  * Mixed lubrication by the mean film: P = P_f + A(H), where A is what the
  * roughness of both surfaces, none of which is on the mesh, and layers of
- * boundary lubricant bear at the mean gap H (multigrid/touching.h).  Which law:
- * boundary_case.c.
+ * boundary lubricant bear at the mean gap H (multigrid/mixed_contact.h).  Which
+ * law: boundary_case.c.
  *
  * Boundary friction is mu_b A over the film's own shear stress, which acts on
  * the rest of the surface:
@@ -18,7 +18,7 @@
 
 #include "base/error.h"
 #include "multigrid/friction.h"
-#include "multigrid/touching.h"
+#include "multigrid/mixed_contact.h"
 #include "physics/mixed/mixed.h"
 #include "physics/mixed/wear.h"
 #include "simulation/conflicts.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "multigrid/touching.h"
+#include "multigrid/mixed_contact.h"
 
 #include <math.h>
 #include <string.h>

@@ -37,8 +37,8 @@
  * pressurized; those with a negative result are cavitated, and the step is
  * repeated.
  */
-#ifndef OVR_MULTIGRID_TOUCHING_H
-#define OVR_MULTIGRID_TOUCHING_H
+#ifndef OVR_MULTIGRID_MIXED_CONTACT_H
+#define OVR_MULTIGRID_MIXED_CONTACT_H
 
 #include "multigrid/tripoles.h"
 
