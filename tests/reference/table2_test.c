@@ -132,7 +132,7 @@ TEST(high_load_is_hertzian)
     for (size_t i = 0; i < now->n; i++)
         if (fabs(now->X[i]) < 0.9)
             CHECK_NEAR(now->P[i], sqrt(1 - now->X[i] * now->X[i]), 0.01);
-    CHECK_CLOSE(ovr_simulation_observation(sim)->histories.load, acos(0), 1e-6);
+    CHECK_CLOSE(ovr_simulation_observation(sim)->load, acos(0), 1e-6);
     ovr_simulation_free(sim);
 }
 
