@@ -32,7 +32,7 @@
  *   features            k/N^2.  2.5 times that in steps of 2 D.
  *     raised by r = S/H   k = 0.8 r/(1 - r): the film at its minimum is less
  *                         than H by S or so.  1 - r is no less than 0.05.
- *     waves               The same, 1 - r no less than 0.02.
+ *     waves, starved      The same, 1 - r no less than 0.02.
  *     dents               k = 0.15 A/H, 6 A/H in starved films.
  *     tables of heights   k = 13 r/(1 - r)^2, r = Rq/H.  Ridges are higher than
  *                         Rq and a quarter of the mean wavelength long.
@@ -222,11 +222,12 @@ double ovr_expected_of_mesh(const ovr_setup *s)
 static double likely_of_feature(const ovr_setup *s, const ovr_feature_info *f,
                                 double H, bool starved)
 {
-    const double thinnest = 0.05, thinnest_of_waves = 0.02, raised = 0.8;
+    const double thinnest = 0.05, thinnest_of_all = 0.02, raised = 0.8;
     const double sunk = starved ? 6 : 0.15, ridges = 13, longer = 2.5;
-    bool mean = strcmp(f->wavelength_is, "mean") == 0, waves = f->Rq > 0;
+    bool mean = strcmp(f->wavelength_is, "mean") == 0;
+    bool thin = starved || (f->Rq > 0 && !mean);
     double r = (mean ? f->Rq : f->raised) / H, part;
-    double left = fmax(1 - r, waves && !mean ? thinnest_of_waves : thinnest);
+    double left = fmax(1 - r, thin ? thinnest_of_all : thinnest);
     double steps = ovr_setup_step(s) / s->mesh;
     bool twice = s->transient && steps > 1.5;
     if (mean)

@@ -2,9 +2,8 @@
 /*
  * Fourth order against the limit of second order, (4 v_14 - v_13)/3, of random
  * contacts: M 5 to 200 (logarithmic), L 2.5 to 14, on [-4, 1.5], level 8.
- * Bounds of H_cen, and the largest error of H_min: twice what a prototype
- * showed on other cases of this distribution.  What is left of H_min's error
- * is the spike's and the exit's: its median is a third of second order's.
+ * Medians and largest errors.  With the logarithmic mean H_cen has 8e-7 and
+ * 3.9e-6, H_min 3.7e-5 and 4.1e-4; with the mean by the gap H_min had 1.5e-2.
  */
 #include <math.h>
 #include <stdio.h>
@@ -73,8 +72,8 @@ TEST(limit_of_second_order_is_met)
                   "%.1e\n",
                   SEED, H_cen[CASES / 2], H_cen[CASES - 1], H_min[CASES / 2],
                   H_min[CASES - 1]);
-    assert_true(H_cen[CASES / 2] < 2e-6 && H_cen[CASES - 1] < 2.5e-5);
-    assert_true(H_min[CASES - 1] < 1.5e-2);
+    assert_true(H_cen[CASES / 2] < 1e-6 && H_cen[CASES - 1] < 5e-6);
+    assert_true(H_min[CASES / 2] < 5e-5 && H_min[CASES - 1] < 5e-4);
     assert_true(H_min[CASES / 2] < 0.3 * second[CASES / 2]);
 }
 
