@@ -118,3 +118,10 @@ expect 0 "$OVERROLL" check dent.ini --json
 number steps >steps
 expect 0 "$OVERROLL" check dent.ini --json --set boundary.passes=2
 number steps | cmp - steps || fail "steps with passes without a law"
+
+# A long domain has long meshes: eight lines are halved, fewer are not.
+printf '%s\n' '[contact]' 'M = 0.2' 'L = 7' '[strip]' 'width = 2' >light.ini
+expect 0 "$OVERROLL" check light.ini --set domain.level=5
+contains out '2 b wide, periodic; 225 x 8 nodes'
+refuses 'is too narrow for mesh sizes of .* set a width of at least' \
+    check light.ini --set domain.level=5 --set strip.width=0.5

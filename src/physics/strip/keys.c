@@ -129,6 +129,9 @@ size_t ovr_strip_lines(const ovr_strip_form *f, double D)
         return (size_t)f->lines;
     if (least <= 4)
         return 4;
+    /* Eight lines can be halved, five to seven cannot. */
+    if (least < 8 && f->width >= 8 * LEAST_RATIO * D)
+        return 8;
     neighbours(least, allowed);
     return (size_t)(allowed[0] == least ? least : allowed[1]);
 }
@@ -137,14 +140,26 @@ size_t ovr_strip_lines(const ovr_strip_form *f, double D)
  * moving dent. */
 static const double STEADY_NODE = 6e-6, STEP_NODE = 1.6e-6;
 
+/* One elimination on a coarsest grid, for each node to the third power; those
+ * of a steady film. */
+static const double ELIMINATION = 8e-11, STEADY_ELIMINATIONS = 8;
+
+static double coarsest_nodes(const ovr_strip_form *f, double length, double D,
+                             size_t *n, size_t *lines)
+{
+    *n = (size_t)lround(length / D) + 1;
+    *lines = ovr_strip_lines(f, D);
+    ovr_strip_halvings(ovr_strip_coarsest(f->M), n, lines);
+    return (double)*n * (double)*lines;
+}
+
 /* The coarsest grid is solved by elimination. */
 static ovr_status check_coarsest(const ovr_strip_form *f, double length,
                                  double D, ovr_error *err)
 {
     const double most = 3000;
-    size_t n = (size_t)lround(length / D) + 1, lines = ovr_strip_lines(f, D);
-    ovr_strip_halvings(ovr_strip_coarsest(f->M), &n, &lines);
-    double nodes = (double)n * (double)lines;
+    size_t n, lines;
+    double nodes = coarsest_nodes(f, length, D, &n, &lines);
     if (nodes <= most)
         return OVR_OK;
     return ovr_fail_about(err, "width",
@@ -159,13 +174,23 @@ ovr_status ovr_strip_on_mesh(const ovr_physics_case *of, void *form, double D,
 {
     ovr_strip_form *f = form;
     const ovr_options *o = of->options;
-    double lines = (double)ovr_strip_lines(f, D);
-    double ratio = f->width / lines / D;
+    double lines = (double)ovr_strip_lines(f, D), length = o->outlet - o->inlet;
+    double ratio = f->width / lines / D, fewest = 4;
+    size_t n, rows;
     double steps = of->end > 0 ? of->end / D : 0;
-    f->seconds = ((o->outlet - o->inlet) / D + 1) * lines *
-                 (STEADY_NODE + steps * STEP_NODE);
+    f->seconds = (length / D + 1) * lines * (STEADY_NODE + steps * STEP_NODE) +
+                 pow(coarsest_nodes(f, length, D, &n, &rows), 3) * ELIMINATION *
+                     (STEADY_ELIMINATIONS + steps);
     if (ratio >= LEAST_RATIO && ratio <= LARGEST_RATIO)
-        return check_coarsest(f, o->outlet - o->inlet, D, err);
+        return check_coarsest(f, length, D, err);
+    if (f->width < fewest * LEAST_RATIO * D)
+        return ovr_fail_about(err, "width",
+                              "width: a strip %.4g b wide is too narrow for "
+                              "mesh sizes of %.3g b along x, which are long "
+                              "because the film begins at X = %.4g; set a "
+                              "width of at least %.3g b, or a higher "
+                              "domain.level",
+                              f->width, D, o->inlet, fewest * LEAST_RATIO * D);
     return ovr_fail_about(err, "lines",
                           "lines: %.0f have a mesh size across of %.2g times "
                           "that along x, which must be %.1f to %.0f times; set "
