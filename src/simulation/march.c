@@ -133,7 +133,7 @@ static bool has_ended(const ovr_simulation *sim, const ovr_march *march)
  */
 static double predicted(const ovr_simulation *sim, const ovr_march *march)
 {
-    const double start = 6e6, cycles = 64, adaptive = 0.3, least = 30;
+    const double start = 2e6, cycles = 64, adaptive = 0.07, least = 30;
     double steps = march->end / step_of(sim, march);
     double factor = sim->heated ? 4 : 1;
     if (sim->lubricant.rheology != OVR_NEWTONIAN)

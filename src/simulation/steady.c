@@ -408,11 +408,11 @@ static double largest_work(const ovr_simulation *sim, bool rough)
     bool resolved = ovr_mesh(sim) <= ovr_resolving_mesh(sim->contact.M, film);
     double bottom = (double)sim->grids.level[sim->grids.coarsest].grid.n;
     double cycle = (double)sim->now.n + bottom * bottom * bottom / 5000;
-    double start = 6e6, cycles = 1300;
+    double start = 2e6, cycles = 1300;
     if (!resolved || rough)
         cycles = resolved ? 25000 : 65000;
     else if (sim->heated)
-        start = 3e6, cycles = 6000;
+        cycles = 6000;
     return fmin(ovr_minute_of_work(sim), start + cycles * cycle);
 }
 

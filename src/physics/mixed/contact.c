@@ -640,7 +640,7 @@ static void advise(const ovr_simulation *sim, double H, size_t size, char *text)
                              sim->shapes.S, size, text);
 }
 
-static const ovr_physics_in_case in_case = {.node_seconds = 1.8e-6,
+static const ovr_physics_in_case in_case = {.node_seconds = 7e-7,
                                             .section = &ovr_boundary_section,
                                             .sections = 1,
                                             .form = sizeof(ovr_boundary_form),
