@@ -28,25 +28,26 @@ extern "C" {
 
 typedef struct ovr_profile ovr_profile;
 
-/* A profile as it is now; owned by it, valid until it is conditioned. */
+/* Current state of a profile, owned by it and valid until it is conditioned. */
 typedef struct ovr_profile_view {
     size_t n;
-    const double *x, *z;  /* x increasing; z NAN where missing */
-    bool scaled_x;        /* x in b, else in metres */
-    bool scaled_z;        /* z in b^2/R, else in metres */
-    const char *format;   /* "text", "SDF (binary)", ... */
-    const char *notes;    /* what was assumed and done: lines ending in '\n' */
-    size_t missing;       /* samples without a height, as read */
-    size_t filled;        /* samples interpolated since */
-    bool uniform;         /* equal distances (to 1 %) */
-    double lambda_c;      /* the high-pass filter it went through; NAN: none */
+    const double *x, *z; /* x increasing; z NAN where missing */
+    bool scaled_x;       /* x in b, otherwise in metres */
+    bool scaled_z;       /* z in b^2/R, otherwise in metres */
+    const char *format;  /* "text", "SDF (binary)", ... */
+    const char *notes;   /* assumptions and conditioning steps, lines that end
+                            with '\n' */
+    size_t missing;      /* points without a height in the file */
+    size_t filled;       /* points that were interpolated */
+    bool uniform;        /* equal distances within 1 % */
+    double lambda_c; /* cut-off of the applied high-pass filter; NAN: none */
     size_t rows, columns; /* size of the areal grid of which it is a line; 0:
                              the file holds lines only */
     double line[4];       /* x, y of that line's first and last point on the
                              grid, in the unit of x */
 } ovr_profile_view;
 
-/* The file to read, and what it may not say itself. */
+/* The file and information that it may lack. */
 typedef struct ovr_profile_source {
     const char *file;
     const char *unit_x; /* "um", "mm", ..., "b"; NULL: specified in the file */
@@ -77,8 +78,7 @@ OVR_API ovr_profile_source ovr_profile_source_default(void);
 OVR_API ovr_profile *ovr_profile_read(const ovr_profile_source *source,
                                       const ovr_allocator *allocator,
                                       ovr_error *err);
-/* Makes a profile of n points in metres (scaled: in b and b^2/R), which are
- * copied. */
+/* Releases a profile; NULL is allowed. */
 OVR_API void ovr_profile_free(ovr_profile *profile);
 OVR_API const ovr_profile_view *
 ovr_profile_get_view(const ovr_profile *profile);
@@ -101,37 +101,37 @@ typedef enum ovr_levelling {
                       notes */
 } ovr_levelling;
 
-/* Continuation of a profile beyond its ends. */
+/* Extension of a profile beyond its ends. */
 typedef enum ovr_extension {
-    OVR_EXTEND_NONE,     /* smooth surface; blended over `taper` */
-    OVR_EXTEND_PERIODIC, /* the profile again, blended over `taper` */
-    OVR_EXTEND_MIRROR    /* forwards and backwards by turns */
+    OVR_EXTEND_NONE,     /* smooth surface, blended over `taper` */
+    OVR_EXTEND_PERIODIC, /* periodic, blended over `taper` */
+    OVR_EXTEND_MIRROR    /* alternately mirrored */
 } ovr_extension;
 
-/* The steps are taken in this order: window, scale and invert, gaps, outliers,
- * level, lambda_c, lambda_s, offset, anti-alias, taper.  Lengths are in the
- * profile's x unit, heights in its z unit; NAN: not asked for. */
+/* Conditioning steps, in this order: window, scale and invert, gaps, outliers,
+ * level, lambda_c, lambda_s, offset, anti-aliasing, taper. Lengths are in the
+ * x unit of the profile, heights in its z unit; NAN: omitted. */
 typedef struct ovr_conditioning {
-    double from, to;      /* window in x */
-    double scale;         /* of heights, 1 */
-    bool invert;          /* heights change sign */
-    double stretch;       /* of lengths, 1 */
-    bool reverse;         /* x runs the other way */
-    double max_gap;       /* longest gap to fill; NAN: 5 % of the length */
-    double max_missing;   /* largest missing fraction, 0.2 */
-    double outliers;      /* points further than this many robust standard
-                             deviations from the median of their
-                             neighbours are replaced */
-    ovr_levelling level;  /* line */
-    int degree;           /* of the polynomial, 2 */
-    double lambda_c;      /* high-pass Gaussian cut-off (waviness removed) */
-    double lambda_s;      /* low-pass Gaussian cut-off (noise removed) */
-    double offset;        /* added after levelling */
-    double taper;         /* blend into the smooth surface at each end over
-                             this; NAN: 5 % of the length */
+    double from, to;     /* window in x */
+    double scale;        /* factor on heights; default 1 */
+    bool invert;         /* change the sign of heights */
+    double stretch;      /* of lengths, 1 */
+    bool reverse;        /* x runs the other way */
+    double max_gap;      /* longest gap to fill; NAN: 5 % of the length */
+    double max_missing;  /* largest missing fraction, 0.2 */
+    double outliers;     /* points further than this many robust standard
+                            deviations from the median of their
+                            neighbours are replaced */
+    ovr_levelling level; /* line */
+    int degree;          /* of the polynomial, 2 */
+    double lambda_c;     /* high-pass Gaussian cut-off (waviness removed) */
+    double lambda_s;     /* low-pass Gaussian cut-off (noise removed) */
+    double offset;       /* added after levelling */
+    double taper; /* length of the blend into the smooth surface at each end;
+                     NAN: 5 % of the length */
     ovr_extension extend; /* none */
-    /* Of areal surfaces alone. */
-    bool turn; /* rows become columns: y runs along rolling */
+    /* For areal surfaces only. */
+    bool turn; /* exchange rows and columns, so that y is along rolling */
     double from_across, to_across; /* window in y */
     double taper_across;           /* NAN: 5 % of the width */
     ovr_extension extend_across;   /* periodic */
@@ -139,8 +139,8 @@ typedef struct ovr_conditioning {
 
 OVR_API ovr_conditioning ovr_conditioning_default(void);
 
-/* All of it but anti-aliasing, taper and extension, which belong to a grid.
- * What was done is added to the notes. */
+/* Conditions a profile, except for anti-aliasing, taper and extension, which
+ * require a grid. The steps are listed in the notes. */
 OVR_API ovr_status ovr_profile_condition(ovr_profile *profile,
                                          const ovr_conditioning *how,
                                          ovr_error *err);
@@ -159,35 +159,36 @@ typedef struct ovr_profile_numbers {
     size_t n;
     double length, spacing, spacing_min, spacing_max;
     char kind;      /* 'P' or 'R': a is Pa or Ra, and so on */
-    int sections;   /* section lengths: P one, R up to five */
-    double section; /* the length of one */
+    int sections;   /* number of section lengths: P 1, R up to 5 */
+    double section; /* section length */
     double mean;
-    double a, q;   /* mean of |z|, root mean square of z */
-    double p, v;   /* highest peak, deepest valley (positive) of each section,
-                      their means */
-    double z;      /* peak to valley of each section, their mean: p + v */
-    double t;      /* peak to valley over all sections */
-    double sk, ku; /* skewness, kurtosis (3: Gaussian); NAN when q = 0 */
-    double dq;     /* root mean square slope */
-    double k, pk, vk; /* depth of the core of the material ratio curve, heights
-                         of the peaks above it and of the valleys below */
-    double mr1, mr2;  /* material ratios where the core begins and ends, 0..1 */
+    double a, q;      /* mean of |z|, root mean square of z */
+    double p, v;      /* peak height and valley depth (positive), means over the
+                         sections */
+    double z;         /* maximum height, mean over the sections: p + v */
+    double t;         /* total height over all sections */
+    double sk, ku;    /* skewness, kurtosis (3: Gaussian); NAN when q = 0 */
+    double dq;        /* root mean square slope */
+    double k, pk, vk; /* core height, reduced peak height and reduced valley
+                         depth of the material ratio curve */
+    double mr1, mr2;  /* material ratios at the upper and lower limit of the
+                         core, 0 to 1 */
 } ovr_profile_numbers;
 
 OVR_API ovr_status ovr_profile_measure(const ovr_profile *profile,
                                        ovr_profile_numbers *numbers,
                                        ovr_error *err);
 
-/* The cut-off lambda_c of ISO 21920-3 (0.08, 0.25, 0.8, 2.5, 8 mm) that a
- * trace of so many metres allows: the longest of which five fit.  NAN: the
- * trace is too short for any. */
+/* Returns the largest cut-off lambda_c of ISO 21920-3 (0.08, 0.25, 0.8, 2.5, 8
+ * mm) of which five fit into `length` in metres, or NAN if the trace is too
+ * short. */
 OVR_API double ovr_profile_cutoff(double length);
 
-/* The strongest waves, by the spectrum of the Hann-windowed profile. */
+/* A wave in the spectrum of the Hann-windowed profile. */
 typedef struct ovr_profile_wave {
     double wavelength; /* in the x unit */
-    double amplitude;  /* of a cosine that would look like it */
-    double part;       /* of the variance */
+    double amplitude;  /* amplitude of the equivalent cosine */
+    double part;       /* share of the variance */
 } ovr_profile_wave;
 
 /* Finds up to `maximum` waves above 0.1 % of the variance, strongest first;
@@ -196,14 +197,14 @@ OVR_API ovr_status ovr_profile_waves(const ovr_profile *profile, size_t maximum,
                                      ovr_profile_wave *waves, size_t *found,
                                      ovr_error *err);
 
-/* Amplitude of a wave under the contact over its undeformed one, in pure
- * rolling, wavelength in b (src/surface/amplitude.c).  0 for L = 0. */
+/* Returns the amplitude of a wave in the film divided by its undeformed
+ * amplitude, in pure rolling; the wavelength is in b
+ * (src/surface/amplitude.c). 0 for L = 0. */
 OVR_API double ovr_wave_reduction(double M, double L, double wavelength);
 
-/* A profile bears this load pressed against a smooth surface, dry and elastic,
- * in plane strain: the mean pressure, over E* = E'/2 (of a profile in b and
- * b^2/R in ph), and the mean gap and the part of its length that touches, then.
- */
+/* Dry elastic contact of a profile with a smooth surface, in plane strain:
+ * mean pressure divided by E* = E'/2 (profile in b and b^2/R: in p_h), mean
+ * gap, and share of the length in contact. */
 typedef struct ovr_dry_point {
     double pressure, gap, area;
 } ovr_dry_point;
@@ -214,9 +215,9 @@ OVR_API ovr_status ovr_profile_contact(const ovr_profile *profile,
                                        size_t maximum, ovr_dry_point *points,
                                        size_t *found, ovr_error *err);
 
-/* A length as people write it: "12 um", "0.3 b", "5".  `scaled` is the unit of
- * a dimensionless one, "b" or "b^2/R"; the message does not name what it is
- * of. */
+/* Parses a length such as "12 um", "0.3 b" or "5". `scaled` is the
+ * dimensionless unit, "b" or "b^2/R". The caller adds the name of the length
+ * to the message. */
 typedef struct ovr_length {
     enum { OVR_LENGTH_BARE, OVR_LENGTH_METRES, OVR_LENGTH_SCALED } unit;
     double value;
@@ -224,8 +225,8 @@ typedef struct ovr_length {
 OVR_API ovr_status ovr_length_read(const char *text, const char *scaled,
                                    ovr_length *length, ovr_error *err);
 
-/* Pieces of a message: metres, and a length or a height of the profile, with
- * its unit: "80 um", "0.3 b". */
+/* Format a length in metres, and a length or height of the profile with its
+ * unit: "80 um", "0.3 b". */
 typedef struct ovr_piece {
     char text[40];
 } ovr_piece;
@@ -246,17 +247,18 @@ typedef enum ovr_spectrum { OVR_SELF_AFFINE, OVR_EXPONENTIAL } ovr_spectrum;
  */
 typedef struct ovr_roughness {
     double Rq;     /* root mean square height */
-    double length; /* of one realization; it is periodic */
+    double length; /* period of a realization */
     ovr_spectrum spectrum;
-    double hurst;       /* 0.8 */
-    double rolloff;     /* longest correlated wavelength; NAN: length/8 */
-    double shortest;    /* shortest wavelength; NAN: length/256 */
-    double correlation; /* exponential; NAN: length/32 */
-    double skewness;    /* NAN: 0 */
-    double kurtosis;    /* NAN: 3 + 1.5 skewness^2; both NAN: Gaussian */
-    int seed;           /* 1 */
-    double peklenik;    /* of a strip: correlation length along rolling divided
-                           by that across, 1 */
+    double hurst;    /* 0.8 */
+    double rolloff;  /* roll-off wavelength; NAN: length/8 */
+    double shortest; /* shortest wavelength; NAN: length/256 */
+    double
+        correlation; /* correlation length of OVR_EXPONENTIAL; NAN: length/32 */
+    double skewness; /* NAN: 0 */
+    double kurtosis; /* NAN: 3 + 1.5 skewness^2; both NAN: Gaussian */
+    int seed;        /* 1 */
+    double peklenik; /* strips: correlation length along rolling divided by that
+                        across; default 1 */
 } ovr_roughness;
 
 #ifdef __cplusplus

@@ -20,19 +20,20 @@ extern "C" {
 
 /* ---------------------------------------------------------------- writer */
 
-enum { OVR_MAX_RANK = 4 }; /* dimensions of what is in a file */
+enum { OVR_MAX_RANK = 4 }; /* maximum number of dimensions of a dataset */
 
-/* The fields of a snapshot unless others are asked for, as bits: pressure, film
- * thickness and roughness. */
+/* Default fields of a snapshot, as bits: pressure, film thickness and surface
+ * height. */
 enum { OVR_FIELDS_DEFAULT = 7 };
 
 /* One parameter of the case, stored as an attribute of the group `case`. */
 typedef struct ovr_case_value {
     const char *name; /* "contact.M" */
     const char *text; /* as in a case file: "20", "22 1/GPa" */
-    double number;    /* value in SI, or bare; NAN: the text is stored */
+    double number; /* value in SI or without a unit; NAN: the text is stored */
     const char *unit; /* SI unit of the number, or NULL */
-    bool physics;     /* another value is another solution: resume refuses */
+    bool physics;     /* the value affects the solution, so that resuming with
+                         another value is an error */
 } ovr_case_value;
 
 typedef struct ovr_writer ovr_writer;
@@ -45,9 +46,9 @@ typedef enum ovr_run_status {
     OVR_RUN_FAILED
 } ovr_run_status;
 
-/* A group of its own below the root, "fatigue/surface_1": what is not along
- * the nodes of the film.  Dimensionless values; the file has them in its units.
- * An axis without values is the time of rows that are appended. */
+/* A separate group such as "fatigue/surface_1" for data that are not given at
+ * the nodes of the film. Values are dimensionless; the file stores them in its
+ * units. An axis without values is the time of appended rows. */
 typedef struct ovr_group_axis {
     const char *name, *long_name;
     ovr_unit_kind kind;
@@ -55,7 +56,8 @@ typedef struct ovr_group_axis {
     const double *values;
 } ovr_group_axis;
 
-/* An array along some of the axes; flags, floats, doubles, or rows to come. */
+/* An array along some of the axes: flags, floats, doubles, or rows that are
+ * appended later. */
 typedef struct ovr_group_array {
     const char *name, *long_name;
     ovr_unit_kind kind;
@@ -78,31 +80,31 @@ typedef ovr_status ovr_visited(void *object, ovr_visit *visit, void *context,
 /* ---------------------------------------------------------------- reader */
 
 /*
- * A file may be read while it is written: what is counted at the time of
- * opening is complete and can be read; to see more, open again.  A read that
- * meets the writer half-way is repeated by the library, a few times.
+ * A file may be read while it is written.  The rows counted when the file was
+ * opened are complete and can be read; open the file again for later rows.  A
+ * read that collides with the writer is repeated a few times.
  */
 typedef struct ovr_result ovr_result;
 
 /* The contents of a file.  Texts are owned by the result. */
 typedef struct ovr_result_info {
     const char *title, *status;     /* running, complete, stopped, failed */
-    const char *reason;             /* why it failed, or "" */
+    const char *reason;             /* reason of a failure, or "" */
     const char *source;             /* program and version */
     const char *created, *modified; /* dates, ISO 8601 */
     const char *case_text;          /* the case file the run was made from */
-    bool physical;                  /* stored in SI; else dimensionless */
-    double b, ph, height, time;     /* scales, SI; NAN where unknown */
+    bool physical;                  /* stored in SI, otherwise dimensionless */
+    double b, ph, height, time;     /* scales in SI; NAN: unknown */
     double M, L, alphabar, lambda;
     double u1_ratio, u2_ratio;
-    double end;           /* time the run is to reach, b/um; NAN unknown */
-    double seconds;       /* of wall time, as far as the run has ended */
+    double end;           /* end time of the run, b/u_m; NAN: unknown */
+    double seconds;       /* wall-clock time, once the run has ended */
     size_t nodes;         /* stored nodes along x */
     size_t lines;         /* lines of a strip; 1: a line contact */
     double width;         /* of a strip, b; 0: a line contact */
     size_t snapshots;     /* complete rows */
     size_t steps;         /* rows of history */
-    const char *warnings; /* what was warned of, a line each, or "" */
+    const char *warnings; /* warnings, one per line, or "" */
 } ovr_result_info;
 
 OVR_API ovr_result *ovr_result_open(const char *path,
@@ -115,58 +117,57 @@ OVR_API const ovr_result_info *ovr_result_get_info(const ovr_result *result);
  * history, or what another program version stores in groups of its own. */
 typedef struct ovr_variable {
     const char *name, *long_name;
-    const char *unit;   /* as stored; "1": dimensionless */
-    double scale;       /* SI value of the dimensionless 1; NAN unknown */
-    ovr_unit_kind kind; /* OVR_KINDS: one that this version does not know */
+    const char *unit;   /* unit as stored; dimensionless: "1" */
+    double scale;       /* SI value of a dimensionless 1; NAN: unknown */
+    ovr_unit_kind kind; /* OVR_KINDS: unknown to this version */
     const char *path;   /* "pressure", "history/load" */
-    int rank;           /* numbers of dimensions, and their lengths; */
-    size_t shape[OVR_MAX_RANK]; /* first those rows that are complete */
+    int rank;           /* number of dimensions, and their lengths; */
+    size_t shape[OVR_MAX_RANK]; /* the first is the number of complete rows */
 } ovr_variable;
 
-/* A variable by its path; NULL: there is none. */
+/* Returns a variable by its path, or NULL. */
 OVR_API const ovr_variable *ovr_result_find(const ovr_result *result,
                                             const char *path);
 
-/* A number as people write it, a length, height, pressure or time, in the
- * result's Hertzian units: "0.2 ms", "-0.1mm"; a bare one is Hertzian. */
+/* Converts a length, height, pressure or time such as "0.2 ms" or "-0.1mm" to
+ * the Hertzian units of the result. A number without a unit is in Hertzian
+ * units. */
 OVR_API ovr_status ovr_result_number(const ovr_result *result,
                                      ovr_unit_kind kind, const char *text,
                                      double *value, ovr_error *err);
 
-/* A number alone, with a point in every locale; false: the text is not one. */
+/* Parses a number without a unit; the decimal separator is a point in every
+ * locale. Returns false if the text is not a number. */
 OVR_API bool ovr_bare_number(const char *text, double *value);
 
-/* The fields of each snapshot ("pressure", ...) and the columns of the
- * history ("time", "min_film_thickness", ...): the count, and the k-th; NULL
- * past the end. */
+/* Number of fields of each snapshot ("pressure", ...), field k, and column k
+ * of the history ("time", "min_film_thickness", ...); NULL past the end. */
 OVR_API size_t ovr_result_fields(const ovr_result *result);
 OVR_API const ovr_variable *ovr_result_field(const ovr_result *result,
                                              size_t k);
 OVR_API const ovr_variable *ovr_result_column(const ovr_result *result,
                                               size_t k);
 
-/* An input file of the run, which the case names; several keys of a case may
- * name the same. */
+/* An input file named in the case; several keys may name the same file. */
 typedef struct ovr_result_input {
-    const char *key;  /* that names it first: "feature scratch.file" */
-    const char *name; /* as the case gives it */
-    const char
-        *sha256;  /* hexadecimal; "" unless the file was an ordinary one */
-    double bytes; /* its size; NAN: unknown */
-    bool kept;    /* the result file holds its bytes */
+    const char *key;    /* first key that names it: "feature scratch.file" */
+    const char *name;   /* as written in the case */
+    const char *sha256; /* hexadecimal; "" if it was not an ordinary file */
+    double bytes;       /* size; NAN: unknown */
+    bool kept;          /* the result file contains a copy */
 } ovr_result_input;
 
-/* The k-th input; NULL past the end. */
+/* Returns input k, or NULL past the end. */
 OVR_API const ovr_result_input *ovr_result_input_at(const ovr_result *result,
                                                     size_t k);
 
-/* Units of a read: as stored, dimensionless, or SI (which fails with
- * OVR_BAD_INPUT when the file does not know the scale). */
+/* Units of returned values: as stored, dimensionless, or SI, which fails with
+ * OVR_BAD_INPUT if the scales are unknown. */
 typedef enum ovr_units { OVR_AS_STORED, OVR_HERTZIAN, OVR_SI } ovr_units;
 
-/* x[0..nodes-1]; the snapshot times; one field of snapshot k; one column of
- * the history, steps values.  OVR_BAD_INPUT: there is no such thing; OVR_IO:
- * the file is damaged there. */
+/* Read x[0..nodes-1], the times of the snapshots, one field of snapshot k, and
+ * one column of the history (`steps` values). OVR_BAD_INPUT: no such field,
+ * snapshot or column; OVR_IO: the file is damaged. */
 OVR_API ovr_status ovr_result_x(ovr_result *result, ovr_units units, double *x,
                                 ovr_error *err);
 OVR_API ovr_status ovr_result_times(ovr_result *result, ovr_units units,
@@ -182,8 +183,8 @@ OVR_API ovr_status ovr_result_areal(ovr_result *result, const char *field,
                                     size_t k, ovr_units units, double *values,
                                     ovr_error *err);
 
-/* Chooses the line nearest to *Y (b), whose values ovr_result_snapshot returns,
- * and sets *Y to its place.  NAN: the line that [strip] shown names. */
+/* Selects the line nearest to *Y (b) for ovr_result_snapshot and sets *Y to
+ * its position. NAN: the line of strip.shown. */
 OVR_API ovr_status ovr_result_across(ovr_result *result, double *Y,
                                      ovr_error *err);
 

@@ -82,21 +82,19 @@ typedef enum ovr_shape {
     OVR_SHAPES /* how many there are */
 } ovr_shape;
 
-/* "dent", "bump", ...; NULL out of range, so that counting up from 0 lists
- * them all. */
+/* Returns the name of a shape ("dent", "bump", ...), or NULL past the last. */
 OVR_API const char *ovr_shape_name(int shape);
 
-/* Writes the keys of a shape in words, such as "needs depth, width; ...";
- * returns the length of the complete text, like snprintf. */
+/* Writes a description of the keys of a shape, such as "needs depth, width;
+ * ...", and returns the length of the complete text, like snprintf. */
 OVR_API int ovr_shape_takes(int shape, char *text, size_t capacity);
 
-/* The width of a shape at half its height or depth, over its width; an indent
- * without shoulders; NAN: it has no width. */
+/* Returns the width of a shape at half its height or depth divided by its
+ * width (indent: without rim), or NAN if the shape has no width. */
 OVR_API double ovr_shape_width_half(int shape);
 
-/* Every size that a shape may have: a height, which may be zero, or a length,
- * and what it is.  Which shapes have it is the matter of src/surface/shape.c.
- */
+/* All sizes of shapes, heights (may be zero) and lengths, with their help
+ * text. src/surface/shape.c lists the sizes of each shape. */
 /* clang-format off */
 #define OVR_FEATURE_SIZES(HEIGHT, LENGTH)                                     \
     HEIGHT(depth, "depth, a positive number")                                 \
@@ -131,70 +129,70 @@ OVR_API double ovr_shape_width_half(int shape);
     LENGTH(radius, "radius of the edges, instead of flank")
 /* clang-format on */
 
-/*
- * A feature as its user gives it.  Lengths in b, heights in b^2/R, times in
- * b/um; NAN: not given.  A field that the shape does not use must stay NAN.
- */
+/* Input of a feature. Lengths are in b, heights in b^2/R, times in b/u_m; NAN:
+ * not set. Members that the shape does not use must be NAN. */
 typedef struct ovr_feature_form {
-    const char *name; /* for messages: the section's [feature NAME] */
-    int surface;      /* 1 is convected at u1, 2 at u2 */
+    const char *name; /* name in messages: NAME of [feature NAME] */
+    int surface;      /* 1: convected at u1, 2: at u2 */
     ovr_shape shape;
 
-    /* The place, by at most one of these (wave and texture: origin or none).
-     * Without any, a feature starts at the end of the film, where that is
-     * known (ovr_surfaces_domain), as with start = -INFINITY. */
-    double start;   /* X at T = 0 of its centre (step: its edge); of profile
-                       and roughness: of their leading, largest-x end */
-    double centre;  /* X of its centre at T = 0, profiles included */
-    double edge;    /* X of its leading (largest-x) end at T = 0 */
-    double arrival; /* T at which its centre is at X = 0 */
+    /* Position, by at most one of these members (wave and texture: origin or
+     * none). By default a feature starts just upstream of the inlet, if the
+     * inlet is known (ovr_surfaces_domain), as with start = -INFINITY. */
+    double start;   /* X of the centre at T = 0; step: of the edge; profile and
+                       roughness: of the leading end (largest x) */
+    double centre;  /* X of the centre at T = 0, for profiles as well */
+    double edge;    /* X of the leading end (largest x) at T = 0 */
+    double arrival; /* T at which the centre is at X = 0 */
     double origin;  /* wave, texture: X of a crest (dimple) at T = 0 */
 
-    /* Sizes, as the shape's formula names them. */
+    /* Sizes, named as in the formulas of the shapes. */
 #define OVR_SIZE(name, help) double name;
     OVR_FEATURE_SIZES(OVR_SIZE, OVR_SIZE)
 #undef OVR_SIZE
 
-    /* Extent across rolling; of a strip alone. */
-    double across;            /* Y of its centre */
-    double width_across;      /* 0 if round, INFINITY if the same for all Y,
-                                 NAN by its shape */
-    double length_across;     /* of its length; NAN: endless */
-    double angle;             /* of its length from the y axis, radians */
-    double wavelength_across; /* of a crossing wave, of a texture */
-    double stagger;           /* texture: shift of every second row, share of
-                                 the pitch across */
+    /* Extent across rolling, for strips only. */
+    double across;        /* Y of the centre */
+    double width_across;  /* width across; 0: round, INFINITY: the same for all
+                             Y, NAN: by shape */
+    double length_across; /* length across; NAN: endless */
+    double angle;         /* angle between length and y axis, radians */
+    double
+        wavelength_across; /* wavelength across of a crossing wave or texture */
+    double stagger; /* texture: shift of every second row as a share of the
+                       pitch across */
 
     /* Changes in time and along the surface. */
-    double grow;      /* grows in place by sigma((T - grow_from)/grow) */
-    double grow_from; /* 0 */
-    double repeat;    /* copies at this distance behind it (both ways when it
-                         stands still) */
-    int copies;       /* how many in all; 0: endless */
+    double grow;      /* grows in height by sigma((T - grow_from)/grow) */
+    double grow_from; /* default 0 */
+    double repeat; /* distance of copies upstream (stationary features: in both
+                      directions) */
+    int copies;    /* total number of copies; 0: endless */
 
     /* Profiles and roughness; lengths in b, heights in b^2/R. */
     const ovr_profile_source *source;
-    const ovr_conditioning *conditioning; /* NULL: the defaults */
+    const ovr_conditioning *conditioning; /* NULL: defaults */
     const ovr_roughness *roughness;
 } ovr_feature_form;
 
-/* Surface 1, everything else not given. */
-
 typedef struct ovr_surfaces ovr_surfaces;
 
-/* S at time T at the n increasing positions X; an ovr_heights of
- * simulation.h with the ovr_surfaces as its data.  Allocates nothing. */
+/* Writes S at time T at the n increasing positions X. The function is an
+ * ovr_heights (simulation.h) with the ovr_surfaces as data. It allocates
+ * nothing. */
 OVR_API void ovr_surfaces_heights(void *surfaces, double T, size_t n,
                                   const double *X, double *S);
 
-/* The same of what stands still (u_k = 0), fully grown, whatever T. */
+/* Writes the height of the stationary features (u_k = 0), fully grown,
+ * independent of T. */
 OVR_API void ovr_surfaces_standing(void *surfaces, double T, size_t n,
                                    const double *X, double *S);
 
 /* ------------------------------------------------- what is on the surfaces */
 
-/* u_k/um of the surface with the steepest feature that moves, by its height
- * over its wavelength; NAN: nothing moves.  For ovr_simulation_moving. */
+/* Returns u_k/u_m of the surface with the steepest moving feature (height
+ * divided by wavelength) for ovr_simulation_moving, or NAN if no feature
+ * moves. */
 OVR_API double ovr_surfaces_speed(const ovr_surfaces *surfaces);
 
 #ifdef __cplusplus
