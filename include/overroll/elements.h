@@ -4,10 +4,10 @@
  * follower, of a roller and its raceway, from the numbers of a drawing.
  *
  * SI units, angles in rad.  An element is created from its form, which is
- * checked, and returns its contact at a time t.  Surface 1 is gear 1, the cam or
- * the raceway; +x is the direction in which surface 1 moves.  Where stated, NAN
- * in a form means "not set".  Each `create` function returns NULL on errors,
- * which name the member.  Forms and tables are copied.
+ * checked, and returns its contact at a time t.  Surface 1 is gear 1, the cam
+ * or the raceway; +x is the direction in which surface 1 moves.  Where stated,
+ * NAN in a form means "not set".  Each `create` function returns NULL on
+ * errors, which name the member.  Forms and tables are copied.
  */
 #ifndef OVERROLL_ELEMENTS_H
 #define OVERROLL_ELEMENTS_H
