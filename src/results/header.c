@@ -226,6 +226,7 @@ static bool attach_columns(ovr_file *f)
     return ok;
 }
 
+/* `axis` may be NULL. */
 static hid_t make_axis(const ovr_file *f, const ovr_file_plan *plan, dataset d,
                        const char *axis, const double *values)
 {
@@ -233,7 +234,7 @@ static hid_t make_axis(const ovr_file *f, const ovr_file_plan *plan, dataset d,
     d.type = H5T_IEEE_F64LE;
     d.rank = 1;
     hid_t set = ovr_header_dataset(f->file, &d, plan->scales);
-    bool ok = set_axis(set, axis) &&
+    bool ok = (!axis || set_axis(set, axis)) &&
               H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
                        values) >= 0;
     if (!ok)
@@ -249,13 +250,14 @@ static hid_t make_positions(const ovr_file *f, const ovr_file_plan *plan)
     return make_axis(f, plan, d, "X", plan->x);
 }
 
-/* Positions of the lines; -1 of a line contact. */
+/* Positions of the lines; -1 of a line contact.  ParaView takes axes named X and
+ * Y for longitude and latitude, hence only x is one. */
 static hid_t make_lines(const ovr_file *f, const ovr_file_plan *plan)
 {
     dataset d = {.name = "y",
                  .long_name = "position across rolling",
                  .shape = {f->lines}};
-    return f->lines > 1 ? make_axis(f, plan, d, "Y", plan->y) : -1;
+    return f->lines > 1 ? make_axis(f, plan, d, NULL, plan->y) : -1;
 }
 
 /* Weights of the nodes that are stored, by which sums are integrals over x,

@@ -32,11 +32,13 @@ number Y_H_min_overall >least
 if command -v ncdump >/dev/null; then
     ncdump -h whole.h5 >head.txt
     for line in 'float pressure(time, y, x)' 'float roughness(time, y, x)' \
-        'float film_thickness(time, y, x)' 'y:axis = "Y"' \
+        'float film_thickness(time, y, x)' 'x:axis = "X"' \
         ':format_version = 3' ':shown_over_b = 0.5' \
         'output.precision = "f32"'; do
         grep -qF "$line" head.txt || fail "no '$line' in the header"
     done
+    # With both axes ParaView draws the strip on a sphere.
+    ! grep -F 'y:axis' head.txt || fail "y has an axis"
 fi
 
 expect 0 "$OVERROLL" info whole.h5
