@@ -250,8 +250,8 @@ static hid_t make_positions(const ovr_file *f, const ovr_file_plan *plan)
     return make_axis(f, plan, d, "X", plan->x);
 }
 
-/* Positions of the lines; -1 of a line contact.  ParaView takes axes named X and
- * Y for longitude and latitude, hence only x is one. */
+/* Positions of the lines; -1 of a line contact.  ParaView takes axes named X
+ * and Y for longitude and latitude, hence only x is one. */
 static hid_t make_lines(const ovr_file *f, const ovr_file_plan *plan)
 {
     dataset d = {.name = "y",

@@ -71,11 +71,11 @@ static ovr_status does_not_close(const ovr_feature *f, const char *key,
         return ovr_fail_about(err, key,
                               "feature '%s': %s = %g does not close on the "
                               "width of the strip; the largest possible is "
-                              "%.6g",
+                              "%.9g",
                               f->name, key, value, whole);
     return ovr_fail_about(err, key,
                           "feature '%s': %s = %g does not close on the width "
-                          "of the strip; the nearest that do are %.6g and %.6g",
+                          "of the strip; the nearest that do are %.9g and %.9g",
                           f->name, key, value, whole / (k + 1), whole / k);
 }
 
@@ -118,7 +118,7 @@ static ovr_status check_oblique(ovr_feature *f, double W, ovr_error *err)
     if (isnan(f->repeat))
         return ovr_fail_about(err, "angle",
                               "feature '%s': an endless %s at an angle repeats "
-                              "along x; set repeat = %.6g or %.6g, or "
+                              "along x; set repeat = %.9g or %.9g, or "
                               "length_across",
                               f->name, shape, whole, whole / 2);
     if (is_whole(whole / f->repeat))
