@@ -199,7 +199,7 @@ OVR_API ovr_status ovr_profile_waves(const ovr_profile *profile, size_t maximum,
 
 /* Returns the amplitude of a wave in the film divided by its undeformed
  * amplitude, in pure rolling; the wavelength is in b
- * (src/surface/amplitude.c). 0 for L = 0. */
+ * (src/surface/local_roughness.c). 0 for L = 0. */
 OVR_API double ovr_wave_reduction(double M, double L, double wavelength);
 
 /* Dry elastic contact of a profile with a smooth surface, in plane strain:

@@ -1,12 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#include "base/text.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/error.h"
-#include "base/plain.h"
-#include "base/text.h"
 #include "overroll/text.h"
+
+/* ------------------------------------------------------------------- locale */
+
+locale_t ovr_plain_begin(void)
+{
+    locale_t plain = newlocale(LC_ALL_MASK, "C", (locale_t)0);
+    return plain ? uselocale(plain) : (locale_t)0;
+}
+
+void ovr_plain_end(locale_t before)
+{
+    if (before)
+        freelocale(uselocale(before));
+}
 
 int ovr_utf8_sequence(const unsigned char *s)
 {

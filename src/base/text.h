@@ -6,10 +6,18 @@
 #ifndef OVR_BASE_TEXT_H
 #define OVR_BASE_TEXT_H
 
+#include <locale.h>
 #include <stdbool.h>
 #include <stddef.h>
 
 #include "base/arena.h"
+
+/* Numbers in files have a point, whatever locale the program has chosen. */
+
+/* Makes printf use the C locale in this thread between begin and end; `end`
+ * restores the value returned by begin. */
+locale_t ovr_plain_begin(void);
+void ovr_plain_end(locale_t before);
 
 typedef struct ovr_bytes {
     const char *data;

@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "base/given.h"
 #include "contact/contact.h"
+#include "contact/laws/fluid.h"
 #include "contact/laws/law_table.h"
 
 static const double P0_PAPER = 1.98e8; /* Pa */
@@ -441,4 +442,32 @@ double ovr_asymptotic_alphabar(const ovr_lubricant *lubricant)
         width *= 1.2;
     }
     return NAN;
+}
+
+/* ------------------------------------------------- the laws at one pressure */
+
+/* The laws of a lubricant (contact/laws) at one pressure. */
+
+double ovr_viscosity(const ovr_lubricant *lubricant, double P)
+{
+    const ovr_lubricant *oil = lubricant;
+    fluid_laws c = {0};
+    if (!oil)
+        return NAN;
+    ovr_viscosity_law law = oil->viscosity_law;
+    fluid_laws_make(oil, &c);
+    double divisor = viscosity_divisor(&c, law, P), slope;
+    double power = viscosity_begin(&c, law, P, divisor, 1 / divisor, &slope);
+    return exp2(-viscosity_finish(&c, law, power, &slope));
+}
+
+double ovr_density(const ovr_lubricant *lubricant, double P)
+{
+    const ovr_lubricant *oil = lubricant;
+    fluid_laws c = {0};
+    double slope;
+    if (!oil)
+        return NAN;
+    fluid_laws_make(oil, &c);
+    return density_at(&c, oil->density_law, P, &slope);
 }

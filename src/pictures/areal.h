@@ -6,7 +6,6 @@
 #ifndef OVR_PICTURES_AREAL_H
 #define OVR_PICTURES_AREAL_H
 
-#include "pictures/axis.h"
 #include "pictures/chart.h"
 #include "pictures/picture.h"
 

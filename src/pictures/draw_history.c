@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "pictures/axis.h"
+#include "pictures/chart.h"
 #include "pictures/picture.h"
 #include "pictures/snapshot.h"
 

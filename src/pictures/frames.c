@@ -17,13 +17,18 @@
 #include <zlib.h>
 
 #include "base/given.h"
-#include "base/plain.h"
+#include "base/text.h"
 #include "physics/stress/pictures_depth.h"
 #include "pictures/areal.h"
 #include "pictures/gnuplot.h"
-#include "pictures/movie.h"
 #include "pictures/picture.h"
 #include "pictures/snapshot.h"
+
+typedef struct ovr_movie {
+    ovr_process process;
+    const char *path;
+    char made[OVR_PATH_SIZE];
+} ovr_movie;
 
 /* -------------------------------------------------------------------- Movie */
 
@@ -88,8 +93,9 @@ static ovr_status start(ovr_movie *m, const struct form *form, double rate,
     return ovr_process_start(&m->process, argv, "ffmpeg", err);
 }
 
-ovr_status ovr_movie_start(ovr_movie *m, const char *path, double rate,
-                           ovr_error *err)
+/* The form is by the path's suffix. */
+static ovr_status movie_start(ovr_movie *m, const char *path, double rate,
+                              ovr_error *err)
 {
     const struct form *form = form_of(path);
     ovr_status status;
@@ -120,7 +126,8 @@ static ovr_status failed(ovr_movie *m, ovr_error *err)
     return OVR_IO;
 }
 
-ovr_status ovr_movie_add(ovr_movie *m, const char *picture, ovr_error *err)
+/* Adds a PNG file. */
+static ovr_status movie_add(ovr_movie *m, const char *picture, ovr_error *err)
 {
     char data[16384];
     FILE *file = fopen(picture, "rb");
@@ -134,7 +141,8 @@ ovr_status ovr_movie_add(ovr_movie *m, const char *picture, ovr_error *err)
     return heard ? OVR_OK : failed(m, err);
 }
 
-ovr_status ovr_movie_finish(ovr_movie *m, ovr_error *err)
+/* The movie appears under its name. */
+static ovr_status movie_finish(ovr_movie *m, ovr_error *err)
 {
     char why[400];
     if (!ovr_process_end(&m->process, why, sizeof why)) {
@@ -149,7 +157,8 @@ ovr_status ovr_movie_finish(ovr_movie *m, ovr_error *err)
     return OVR_OK;
 }
 
-void ovr_movie_stop(ovr_movie *m)
+/* Cancels the movie unless it is finished or was never started. */
+static void movie_stop(ovr_movie *m)
 {
     if (!m->path)
         return;
@@ -447,7 +456,7 @@ static ovr_status finish_frame(studio *s, size_t i, ovr_error *err)
     ovr_status status = ovr_gnuplot_wait(worker_of(s, i), err);
     name_frame(s, i, ovr_form_names[s->form], path);
     if (status == OVR_OK && s->movie.path)
-        status = ovr_movie_add(&s->movie, path, err);
+        status = movie_add(&s->movie, path, err);
     if (s->temporary[0])
         unlink(path);
     if (status == OVR_OK && s->o->progress &&
@@ -500,7 +509,7 @@ static void clear_up(studio *s)
     char path[OVR_PATH_SIZE];
     for (size_t w = 0; s->gnuplot && w < s->workers; w++)
         ovr_gnuplot_stop(&s->gnuplot[w]);
-    ovr_movie_stop(&s->movie);
+    movie_stop(&s->movie);
     if (s->below)
         ovr_depth_field_free(&s->field);
     if (!s->temporary[0])
@@ -570,11 +579,11 @@ static ovr_status make(studio *s, ovr_error *err)
     if (status == OVR_OK)
         status = start_workers(s, err);
     if (status == OVR_OK && s->o->movie)
-        status = ovr_movie_start(&s->movie, s->o->movie, rate, err);
+        status = movie_start(&s->movie, s->o->movie, rate, err);
     if (status == OVR_OK)
         status = draw_all(s, keep, err);
     if (status == OVR_OK && s->o->movie)
-        status = ovr_movie_finish(&s->movie, err);
+        status = movie_finish(&s->movie, err);
     return status;
 }
 

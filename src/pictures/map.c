@@ -10,7 +10,7 @@
 #include <string.h>
 
 #include "overroll/text.h"
-#include "pictures/axis.h"
+#include "pictures/chart.h"
 #include "pictures/picture.h"
 #include "simulation/simulation.h"
 

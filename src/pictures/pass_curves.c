@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "base/given.h"
-#include "pictures/axis.h"
+#include "pictures/chart.h"
 #include "pictures/picture.h"
 
 typedef struct line {

@@ -10,7 +10,7 @@
 #include <unistd.h>
 
 #include "base/given.h"
-#include "base/plain.h"
+#include "base/text.h"
 #include "pictures/gnuplot.h"
 #include "pictures/page.h"
 

@@ -50,9 +50,6 @@ typedef struct ovr_drawn_to {
     const char *path, *script, *template_path;
 } ovr_drawn_to;
 
-/* A panel with the heights of a profile. */
-ovr_panel ovr_profile_panel(const ovr_profile_view *view, ovr_arena *arena);
-
 ovr_status ovr_chart_draw(const ovr_chart *chart, const ovr_drawn_to *to,
                           ovr_arena *arena, ovr_error *err);
 

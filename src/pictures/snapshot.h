@@ -9,7 +9,6 @@
 #define OVR_PICTURES_SNAPSHOT_H
 
 #include "overroll/pictures.h"
-#include "pictures/axis.h"
 #include "pictures/chart.h"
 #include "pictures/stored.h"
 

@@ -2,8 +2,8 @@
 #include "pictures/stored.h"
 #include "case/case.h"
 #include "case/setup.h"
-#include "physics/stress/stress.h"
 #include "results/results.h"
+#include "stress/stress.h"
 
 #include <math.h>
 #include <string.h>

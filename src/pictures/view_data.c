@@ -8,15 +8,13 @@
 #include <unistd.h>
 
 #include "base/given.h"
-#include "base/plain.h"
+#include "base/text.h"
 #include "case/case.h"
-#include "physics/stress/stress.h"
-#include "pictures/axis.h"
+#include "pictures/chart.h"
 #include "pictures/gnuplot.h"
-#include "pictures/pack_levels.h"
 #include "pictures/page.h"
 #include "pictures/picture.h"
-#include "pictures/view_run.h"
+#include "pictures/view_data.h"
 #include "run/run.h"
 
 /* ------------------------------------------------------------ Packed levels */
@@ -356,17 +354,6 @@ static void choose(ovr_view_run *w)
     w->shots = (i->snapshots - 1) / w->every + 1;
 }
 
-/* Its case asked for stresses. */
-static bool has_stress(const ovr_stored *run)
-{
-    ovr_case *c;
-    ovr_setup *setup = ovr_stored_setup(run, &c, NULL);
-    bool asked = setup && ovr_setup_stress(setup)->surfaces && run->pressure;
-    ovr_setup_free(setup);
-    ovr_case_free(c);
-    return asked;
-}
-
 static void put_answer(void *view, const char *name, const char *text)
 {
     ovr_view_run *w = view;
@@ -410,7 +397,7 @@ static ovr_status put_run(ovr_view_run *w, ovr_error *err)
     status = put_fields(w, err);
     if (status == OVR_OK)
         status = ovr_view_areal(w, err);
-    if (status == OVR_OK && (w->stress || has_stress(w->run)))
+    if (status == OVR_OK)
         status = ovr_view_stress(w, err);
     if (status == OVR_OK)
         status = ovr_view_material(w, err);

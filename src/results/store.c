@@ -11,6 +11,82 @@
 #include "base/disk.h"
 #include "results/journal.h"
 
+/* -------------------------------------------------------------------- pages */
+
+enum { FIRST_CAPACITY = 16 };
+
+static void pages_init(ovr_pages *p, ovr_arena *arena)
+{
+    memset(p, 0, sizeof *p);
+    p->arena = arena;
+}
+
+/* Place of the first page whose number is not smaller. */
+static size_t place_of(const ovr_pages *p, uint64_t number)
+{
+    size_t low = 0, high = p->count;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (p->page[middle].number < number)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* The page of this number, or NULL. */
+static ovr_page *pages_find(const ovr_pages *p, uint64_t number)
+{
+    size_t at = place_of(p, number);
+    if (at < p->count && p->page[at].number == number)
+        return &p->page[at];
+    return NULL;
+}
+
+/* Twice the list, and as many new pages in one piece. */
+static bool reserve(ovr_pages *p)
+{
+    size_t more = p->capacity ? p->capacity : FIRST_CAPACITY;
+    ovr_page *list = ovr_arena_take(p->arena, p->capacity + more, sizeof *list,
+                                    NULL);
+    bool blank = p->arena->blank;
+    p->arena->blank = true; /* pages are read from the file, not cleared */
+    unsigned char *data = ovr_arena_take(p->arena, 2 * more, OVR_PAGE, NULL);
+    p->arena->blank = blank;
+    if (!list || !data)
+        return false;
+    if (p->capacity)
+        memcpy(list, p->page, p->capacity * sizeof *list);
+    for (size_t k = 0; k < more; k++) {
+        list[p->capacity + k].data = data + 2 * k * OVR_PAGE;
+        list[p->capacity + k].was = data + (2 * k + 1) * OVR_PAGE;
+    }
+    p->page = list;
+    p->capacity += more;
+    return true;
+}
+
+/* A new page of this number, its content undefined; NULL without memory. */
+static ovr_page *pages_add(ovr_pages *p, uint64_t number)
+{
+    size_t at = place_of(p, number);
+    ovr_page added;
+    if (p->count == p->capacity && !reserve(p))
+        return NULL;
+    added = p->page[p->count];
+    added.number = number;
+    memmove(&p->page[at + 1], &p->page[at], (p->count - at) * sizeof added);
+    p->page[at] = added;
+    p->count++;
+    return &p->page[at];
+}
+
+void ovr_pages_clear(ovr_pages *p)
+{
+    p->count = 0;
+}
+
 /* --------------------------------------------------------------- Failures */
 
 static ovr_status say(const ovr_store *s, ovr_status status, int error,
@@ -57,11 +133,11 @@ static uint64_t maximum(uint64_t a, uint64_t b)
 /* The page to change, read from the file at its first change. */
 static ovr_page *changed_page(ovr_store *s, uint64_t number)
 {
-    ovr_page *page = ovr_pages_find(&s->changed, number);
+    ovr_page *page = pages_find(&s->changed, number);
     int error;
     if (page)
         return page;
-    page = ovr_pages_add(&s->changed, number);
+    page = pages_add(&s->changed, number);
     if (!page) {
         ovr_store_note(s, ENOMEM);
         return NULL;
@@ -256,7 +332,7 @@ ovr_status ovr_store_prepare(ovr_store *s, const char *path, ovr_arena *arena,
     s->path = ovr_path_with(arena, path, "", err);
     s->part = ovr_path_with(arena, path, ".part", err);
     s->journal_path = ovr_path_with(arena, path, ".journal", err);
-    ovr_pages_init(&s->changed, arena);
+    pages_init(&s->changed, arena);
     bool blank = arena->blank;
     arena->blank = true; /* written before read, not cleared */
     s->tail.data = ovr_arena_take(arena, TAIL, 1, err);
@@ -394,7 +470,7 @@ bool ovr_store_read(ovr_store *s, uint64_t at, size_t bytes, void *to)
         return false;
     while (bytes > 0) {
         size_t n = ovr_in_page(at, bytes);
-        const ovr_page *page = ovr_pages_find(&s->changed, at / OVR_PAGE);
+        const ovr_page *page = pages_find(&s->changed, at / OVR_PAGE);
         uint64_t guard = ovr_store_guarded(s);
         if (page && at < guard)
             memcpy(next, page->data + at % OVR_PAGE,

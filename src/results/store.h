@@ -47,7 +47,26 @@
 #include <stdint.h>
 #include <sys/types.h>
 
-#include "results/pages.h"
+#include "base/arena.h"
+
+/* Pages of a file that were changed but not yet written: page number, content
+ * and what the file has there until then, sorted by number. */
+
+enum { OVR_PAGE = 4096 };
+
+typedef struct ovr_page {
+    uint64_t number;
+    unsigned char *data, *was;
+} ovr_page;
+
+typedef struct ovr_pages {
+    ovr_page *page; /* `count` in use; those behind keep their memory */
+    size_t count, capacity;
+    ovr_arena *arena;
+} ovr_pages;
+
+/* Forgets all pages, keeping their memory for the next ones. */
+void ovr_pages_clear(ovr_pages *pages);
 
 /* Space for the date of creation. */
 enum { OVR_STORE_NAME = 32 };

@@ -8,15 +8,95 @@
  * OVR_ROW_CHUNK rows or at a flush, since a write a step would cost more than
  * the step.
  */
+#include "results/writer.h"
+
+#include <gsl/gsl_sort.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <time.h>
 
 #include "base/given.h"
 #include "results/h5.h"
 #include "results/results.h"
-#include "results/writer.h"
+
+/* --------------------------------------------------- when a snapshot is due */
+
+/* Two times nearer than this are one. */
+static double slack(double T)
+{
+    return 1e-10 * fmax(1, fabs(T));
+}
+
+ovr_status ovr_schedule_make(ovr_schedule *s, const ovr_write_options *o,
+                             ovr_arena *arena, ovr_error *err)
+{
+    if (o->every_steps < 0 || !(o->every_time >= 0))
+        return ovr_fail(err, OVR_BAD_INPUT,
+                        "snapshots every %ld steps or every %g b/u_m: must "
+                        "not be negative",
+                        o->every_steps, o->every_time);
+    for (size_t k = 0; k < o->time_count; k++)
+        if (!isfinite(o->times[k]))
+            return ovr_fail(err, OVR_BAD_INPUT,
+                            "snapshots: the time %g is not finite",
+                            o->times[k]);
+    s->every_steps = o->every_steps;
+    s->every_time = o->every_time;
+    s->count = o->time_count;
+    s->times = ovr_arena_take(arena, s->count, sizeof *s->times, err);
+    if (!s->times)
+        return OVR_NO_MEMORY;
+    if (s->count) {
+        memcpy(s->times, o->times, s->count * sizeof *s->times);
+        gsl_sort(s->times, 1, s->count);
+    }
+    return OVR_OK;
+}
+
+/* Number of given times up to T. */
+static size_t passed(const ovr_schedule *s, double T)
+{
+    size_t low = 0, high = s->count;
+    while (low < high) {
+        size_t middle = low + (high - low) / 2;
+        if (s->times[middle] <= T)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+/* The last multiple of every_time up to T; there is none before 0. */
+static double multiple(const ovr_schedule *s, double T)
+{
+    return T < 0 ? -1 : floor(T / s->every_time);
+}
+
+/* Is the state of this step at T due, the one before it having been at
+ * T_before (-INFINITY: there was none)? */
+static bool schedule_due(const ovr_schedule *s, long step, double T_before,
+                         double T)
+{
+    double from = T_before + slack(T), to = T + slack(T);
+    if (s->every_steps && step % s->every_steps == 0)
+        return true;
+    if (s->every_time > 0 && multiple(s, to) > multiple(s, from))
+        return true;
+    return passed(s, to) > passed(s, from);
+}
+
+/* First time after T to be hit, or INFINITY. */
+static double schedule_next(const ovr_schedule *s, double T)
+{
+    double from = T + slack(T), next = INFINITY;
+    size_t k = passed(s, from);
+    if (s->every_time > 0)
+        next = (multiple(s, from) + 1) * s->every_time;
+    return k < s->count ? fmin(next, s->times[k]) : next;
+}
 
 /* --------------------------------------------------------------------- Rows */
 
@@ -56,8 +136,9 @@ static void fill_line(const ovr_writer *w, const ovr_frame *frame, size_t line,
     }
 }
 
-void ovr_writer_fill(const ovr_writer *w, const ovr_frame *frame,
-                     unsigned char *rows)
+/* Writes the fields of a frame into rows, scaled and windowed as stored. */
+static void writer_fill(const ovr_writer *w, const ovr_frame *frame,
+                        unsigned char *rows)
 {
     for (size_t line = 0; line < w->lines; line++) {
         if (frame->show)
@@ -128,7 +209,7 @@ ovr_status ovr_writer_drain(void *writer, const ovr_parcel *parcel,
 /* Will the state of this step at T be stored? */
 static bool is_due(const ovr_writer *w, long step, double T)
 {
-    return ovr_schedule_due(&w->schedule, step, w->last_T, T);
+    return schedule_due(&w->schedule, step, w->last_T, T);
 }
 
 bool ovr_writer_stores(const ovr_writer *w, long step, double T)
@@ -153,7 +234,7 @@ void ovr_writer_store(ovr_writer *w, const ovr_frame *frame)
     ovr_parcel *parcel = ovr_queue_open(&w->queue);
     parcel->snapshot = true;
     parcel->time = frame->state->T * ovr_factor(&w->scales, OVR_KIND_TIME);
-    ovr_writer_fill(w, frame, parcel->rows);
+    writer_fill(w, frame, parcel->rows);
     w->snapshots++;
 }
 
@@ -225,7 +306,7 @@ double ovr_writer_next_time(void *writer, double T)
     if (!writer)
         return NAN;
     const ovr_writer *w = writer;
-    return ovr_schedule_next(&w->schedule, T);
+    return schedule_next(&w->schedule, T);
 }
 
 /* ------------------------------------------------------------ checkpoints */

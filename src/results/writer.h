@@ -3,12 +3,36 @@
 #ifndef OVR_RESULTS_WRITER_H
 #define OVR_RESULTS_WRITER_H
 
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "base/arena.h"
+#include "overroll/results.h"
 #include "results/checkpoint.h"
 #include "results/file.h"
 #include "results/header.h"
 #include "results/queue.h"
 #include "results/results.h"
-#include "results/schedule.h"
+
+/*
+ * Decides when a snapshot is due.
+ *
+ * By steps: at every multiple of every_steps.  By time: at the first state
+ * at or after each multiple of every_time and each given time.  The answer
+ * depends only on this state and the one before it, so that a resumed run
+ * stores what an uninterrupted one does.
+ */
+
+typedef struct ovr_schedule {
+    long every_steps;
+    double every_time;
+    size_t count;
+    double *times; /* increasing */
+} ovr_schedule;
+
+ovr_status ovr_schedule_make(ovr_schedule *schedule,
+                             const ovr_write_options *options, ovr_arena *arena,
+                             ovr_error *err);
 
 struct ovr_writer {
     ovr_arena arena;
@@ -73,10 +97,6 @@ ovr_status ovr_writer_checkpoint(ovr_writer *writer, uint64_t number,
 
 /* Flushes, syncs and writes a checkpoint. */
 ovr_status ovr_writer_save(ovr_writer *writer, ovr_error *err);
-
-/* Writes the fields of a frame into rows, scaled and windowed as stored. */
-void ovr_writer_fill(const ovr_writer *writer, const ovr_frame *frame,
-                     unsigned char *rows);
 
 /* Bytes that a writer and HDF5 take, counted through its real set-up;
  * INFINITY where it would be refused. */

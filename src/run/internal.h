@@ -5,7 +5,6 @@
 
 #include "base/arena.h"
 #include "overroll/run.h"
-#include "physics/stress/stress.h"
 #include "results/results.h"
 #include "run/companion.h"
 #include "simulation/physics.h"

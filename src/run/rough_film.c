@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The film of rough surfaces, before it is solved, by amplitude reduction
- * (surface/amplitude.c): what rolls through the contact within the run is laid
- * out along the surface, transformed, each wave reduced, and put together again
- * to the roughness s that the film carries.  Then
+ * (surface/local_roughness.c): what rolls through the contact within the run is
+ * laid out along the surface, transformed, each wave reduced, and put together
+ * again to the roughness s that the film carries.  Then
  *     film_Rq = the largest root mean square of s in a window,
  *     H_min = smooth minimum film - 0.75 highest s:
- * at the exit's constriction, where the film is thinnest, all that the film
+ * at the outlet's constriction, where the film is thinnest, all that the film
  * carries is lower as the film is, and long waves lower still.  0.75 is the
  * mean of a dozen runs; it was 0.55 to 0.87 in the 20 others that the errors
  * are stated from (verify/rough_film_test.c).
@@ -21,7 +21,7 @@
 #include "overroll/run.h"
 #include "physics/supply/supply.h"
 #include "run/run.h"
-#include "surface/amplitude.h"
+#include "surface/local_roughness.h"
 #include "surface/surfaces.h"
 
 /* Samples of the surface: those before `first` and from `end` on lead up to

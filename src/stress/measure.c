@@ -204,3 +204,14 @@ double ovr_stress_value(ovr_stress_field field, ovr_in_plane s, double poisson,
     default: return (x + y + z) / 3;
     }
 }
+
+/* Depth in mesh sizes D above which an unresolved pressure spike changes the
+ * stresses.  The load that the mesh misses, spread over about D, makes a stress
+ * in proportion to D/z at the depth z (line load on a half plane): below 16 D
+ * it is less than a twentieth of the spike's height. */
+static const double SPIKE_DEPTH = 16;
+
+double ovr_unresolved_depth(double mesh)
+{
+    return SPIKE_DEPTH * mesh;
+}

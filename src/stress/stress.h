@@ -179,6 +179,10 @@ ovr_circle ovr_minimum_circle(size_t n, const float *points);
 double ovr_dang_van(size_t n, const float *points, const float *hydrostatic,
                     double alpha);
 
+/* Returns the depth above which a pressure spike that the mesh does not resolve
+ * changes the stresses, in the unit of the mesh size. */
+double ovr_unresolved_depth(double mesh);
+
 ovr_stress_options ovr_stress_options_default(void);
 
 ovr_material_range ovr_material_range_default(void);

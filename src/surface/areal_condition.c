@@ -4,7 +4,7 @@
  *
  * Missing heights become the mean of their known neighbours, from the rim of a
  * gap inwards, smoothed by 100 Jacobi sweeps of the Laplace equation.  Outliers
- * (gaps.c) are replaced in the same way.
+ * (conditioning.c) are replaced in the same way.
  *
  * F-operation (ISO 25178-2): least-squares polynomial of total degree n in
  * products of Legendre polynomials, by normal equations (Cholesky).  Maps of

@@ -25,20 +25,10 @@ void ovr_level_ends(size_t n, const double *x, double *z);
 void ovr_gaussian(const ovr_points *of, double lambda, bool uniform,
                   double *mean, double *work);
 
-/* Marks as NAN what lies further than `limit` robust standard deviations from
- * the median of its 11 neighbours; returns how many.  `work` holds 2 n. */
-size_t ovr_mark_outliers(size_t n, double *z, double limit, double *work);
-
 /* Marks outliers of a map of ny rows of nx heights.  The median is that of
  * 5 x 5 neighbours, and `work` holds 2 nx ny. */
 size_t ovr_mark_map_outliers(size_t nx, size_t ny, double *z, double limit,
                              double *work);
-
-/* Fills NANs between points by straight lines; the longest gap, and the x
- * where it begins, go out. */
-size_t ovr_fill_gaps(size_t n, const double *x, double *z);
-void ovr_longest_gap(size_t n, const double *x, const double *z, double *length,
-                     double *where);
 
 /* Half the distance between a point's neighbours. */
 double ovr_share(size_t n, const double *x, size_t i);

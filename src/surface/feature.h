@@ -11,7 +11,7 @@
 #include "base/arena.h"
 #include "overroll/surface.h"
 #include "surface/areal_table.h"
-#include "surface/profile_table.h"
+#include "surface/spline.h"
 
 /* Extent across rolling, on a strip (footprint.h). */
 typedef struct ovr_footprint {

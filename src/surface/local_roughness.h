@@ -13,6 +13,13 @@
 
 #include <stddef.h>
 
+/* A rough surface as it is in the film of a rolling contact
+ * (local_roughness.c). */
+
+/* The heights z[n] (n a power of two), a period of them `step` b apart, become
+ * what is left of them under the contact. */
+void ovr_waves_reduce(double M, double L, double step, size_t n, double *z);
+
 /* Width of the contact, b. */
 #define OVR_CONTACT_WIDTH 2.
 

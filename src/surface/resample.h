@@ -4,7 +4,6 @@
 #define OVR_SURFACE_RESAMPLE_H
 
 #include "overroll/profile.h"
-#include "surface/profile_table.h"
 #include "surface/spline.h"
 
 /* The ways to treat the ends and what is beyond them. */

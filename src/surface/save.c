@@ -15,7 +15,7 @@
 
 #include "base/error.h"
 #include "base/given.h"
-#include "base/plain.h"
+#include "base/text.h"
 #include "surface/profile.h"
 #include "surface/zip.h"
 

@@ -12,17 +12,43 @@
 
 #include "base/arena.h"
 
+/*
+ * Heights tabulated at equal distances h, evaluated by the cubic spline
+ * through them (natural, or periodic when endless):
+ *
+ *     z(s) = (1-t) z_i + t z_{i+1} + [(1-t)^3 - (1-t)] c_i + [t^3 - t] c_{i+1}
+ *     t = s/h - i,  c = z'' h^2/6
+ *
+ * GSL finds z''; the evaluation is here so that it needs no search, no
+ * allocation and no error handler.
+ */
+
+typedef struct ovr_table {
+    size_t n;     /* entries; endless: the last equals the first */
+    double h;     /* distance of two entries */
+    double *z;    /* heights */
+    double *c;    /* z'' h^2/6 at the entries */
+    bool endless; /* again and again behind its leading end */
+    bool both;    /* endless ahead of it too */
+    double fade;  /* endless, not both: blended in over this distance */
+    double lost;  /* part of the variance of its profile that is not in it */
+} ovr_table;
+
+/* Finds c from n, h, z and endless. */
+ovr_status ovr_table_prepare(ovr_table *table, ovr_arena *arena,
+                             ovr_error *err);
+
+/* Distance from the first entry to the last. */
+double ovr_table_length(const ovr_table *table);
+
+/* Height at a distance s from the first entry. */
+double ovr_table_height(const ovr_table *table, double s);
+
 /* Points along x, borrowed. */
 typedef struct ovr_points {
     size_t n;
     const double *x, *y;
 } ovr_points;
-
-/* y2[i] = second derivative at x[i] of the natural (periodic: y[n-1] = y[0])
- * cubic spline through n >= 2 points; x must increase and all be finite. */
-ovr_status ovr_spline_second(const ovr_points *of, bool periodic,
-                             const ovr_allocator *allocator, double *y2,
-                             ovr_error *err);
 
 /* out[k] = the natural spline at at[k], held to the ends outside. */
 ovr_status ovr_spline_resample(const ovr_points *of, size_t m, const double *at,

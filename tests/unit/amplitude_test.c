@@ -9,13 +9,13 @@
 #include "run/run.h"
 #include "support/rough.h"
 #include "support/test.h"
-#include "surface/amplitude.h"
+#include "surface/local_roughness.h"
 
 static const double pi = 3.14159265358979323846;
 
 /* Venner, Couhier, Lubrecht & Greenwood 1997, M = 100, L = 11.  The error that
- * amplitude.c states of the curve; where waves are shortest the program too is
- * 0.05 above their solution. */
+ * local_roughness.c states of the curve; where waves are shortest the program
+ * too is 0.05 above their solution. */
 TEST(the_curve_is_that_of_the_paper)
 {
     static const double wave[] = {4, 2, 1, 0.5, 0.25, 0.125},

@@ -14,7 +14,7 @@
 #define OVR_PHYSICS_MIXED_WEAR_H
 
 #include "physics/mixed/mixed.h"
-#include "surface/material_ratio.h"
+#include "surface/statistics.h"
 
 /* A step, b/um; at most so many of them. */
 #define OVR_WEAR_STEP 1e3

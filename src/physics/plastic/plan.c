@@ -8,7 +8,6 @@
 #include "case/setup.h"
 #include "physics/plastic/bodies.h"
 #include "physics/plastic/plastic.h"
-#include "physics/stress/stress.h"
 #include "stress/stress.h"
 
 static const double margin = 1, min_window = 3, max_points = 65536;

@@ -14,7 +14,7 @@
 #include "case/case.h"
 #include "case/setup.h"
 #include "physics/stress/stress.h"
-#include "pictures/axis.h"
+#include "pictures/chart.h"
 #include "stress/layered.h"
 #include "stress/stress.h"
 

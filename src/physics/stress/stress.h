@@ -102,20 +102,11 @@ typedef struct ovr_stress_source {
     bool unresolved; /* the mesh does not resolve the maximum pressure */
 } ovr_stress_source;
 
-/* Returns the depth above which a pressure spike that the mesh does not resolve
- * changes the stresses, in the unit of the mesh size. */
-double ovr_unresolved_depth(double mesh);
-
 /* Results of a stress history of the material; the arrays are in the arena. */
 ovr_stress_report *ovr_stress_report_make(const ovr_stress_source *of,
                                           const ovr_stress_plan *plan,
                                           const ovr_material_history *history,
                                           ovr_arena *arena, ovr_error *err);
-
-/* Dang Van's amplitudes, from the pressure in the file, for a report. */
-ovr_status ovr_stress_second_pass(const ovr_stress_source *of,
-                                  const ovr_stress_plan *plan,
-                                  ovr_stress_report *r, ovr_error *err);
 
 /* Parts of a report: of the body, of its layers, of a body
  * that yields, of the circle round a path. */

@@ -1,4 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* A profile is measured: its heights, slopes and waves. */
+#ifndef OVR_SURFACE_STATISTICS_H
+#define OVR_SURFACE_STATISTICS_H
+
+#include <stddef.h>
+
 /*
  * The material ratio curve of heights: the share of the length at or above a
  * height.  Its core, and what stands out of it (ISO 21920-2, before that ISO
@@ -10,10 +16,6 @@
  *     pk, vk: height of the right-angled triangle over the ratio mr1 that the
  *     peaks above the core have (1 - mr2 the valleys below), of equal area
  */
-#ifndef OVR_SURFACE_MATERIAL_RATIO_H
-#define OVR_SURFACE_MATERIAL_RATIO_H
-
-#include <stddef.h>
 
 /* A height, and the length that has it. */
 typedef struct ovr_height {

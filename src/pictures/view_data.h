@@ -1,4 +1,37 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+/* The data of a page: parts for one run, and how fields are packed. */
+#ifndef OVR_PICTURES_VIEW_DATA_H
+#define OVR_PICTURES_VIEW_DATA_H
+
+#include <stdint.h>
+
+#include "pictures/growing_text.h"
+#include "pictures/stored.h"
+
+/* The page holds every stride-th node of every so many snapshots. */
+typedef struct ovr_view_run {
+    ovr_text *to;
+    ovr_arena *arena;
+    const ovr_stored *run;
+    const char *stress; /* field asked for; NULL: max_shear, or none */
+    size_t stride, every, nodes, shots;
+} ovr_view_run;
+
+/* Appends "element":{...}, where the case of the run has one. */
+void ovr_view_element(const ovr_view_run *view);
+
+/* Adds "areal":{...}, the maps of a strip; nothing for a line contact. */
+ovr_status ovr_view_areal(const ovr_view_run *view, ovr_error *err);
+
+/* Adds "stress":{...}, below the snapshots, where `stress` or the case asks for
+ * them. */
+ovr_status ovr_view_stress(const ovr_view_run *view, ovr_error *err);
+
+/* Adds "material":{...}, of the first body that yielded, as the run left it,
+ * with the place of its reference at each snapshot; nothing for a run without
+ * [plastic] or without a feature. */
+ovr_status ovr_view_material(const ovr_view_run *view, ovr_error *err);
+
 /*
  * Fields made small for a page, to be undone by page_data.js:
  *
@@ -10,12 +43,6 @@
  * 3. Zigzag (0, -1, 1, -2, ...), low bytes first and then high ones, deflate,
  *    base64.
  */
-#ifndef OVR_PICTURES_PACK_LEVELS_H
-#define OVR_PICTURES_PACK_LEVELS_H
-
-#include <stdint.h>
-
-#include "pictures/growing_text.h"
 
 enum { OVR_PACKED_LEVELS = 16384 };
 
