@@ -2,7 +2,6 @@
 /* The bits of a strip do not depend on the number of threads. */
 #include <math.h>
 #include <string.h>
-#include <time.h>
 
 #include "support/strip.h"
 #include "support/strip_cases.h"
@@ -30,7 +29,7 @@ static void add_features(test_strip *s, double u)
 }
 
 /* A steady film and some steps with so many threads. */
-static test_strip *solve(const variant *v, int threads, double *seconds)
+static test_strip *solve(const variant *v, int threads)
 {
     enum { STEPS = 6 };
     ovr_strip_shape shape = test_strip_shape(v->n, v->lines);
@@ -50,15 +49,10 @@ static test_strip *solve(const variant *v, int threads, double *seconds)
     march.carried = 1 + v->sliding / 2;
     march.coupling = v->coupling;
     double D = test_strip_finest(s)->grid.D;
-    struct timespec from, to;
-    clock_gettime(CLOCK_MONOTONIC, &from);
     for (int step = 1; step <= STEPS; step++) {
         ovr_strip_march_attempt(&march, step * D);
         ovr_strip_march_accept(&march);
     }
-    clock_gettime(CLOCK_MONOTONIC, &to);
-    *seconds = (double)(to.tv_sec - from.tv_sec) +
-               1e-9 * (double)(to.tv_nsec - from.tv_nsec);
     return s;
 }
 
@@ -81,29 +75,13 @@ TEST(threads_do_not_change_bits)
 {
     static const int threads[] = {2, 3, 5};
     for (size_t v = 0; v < sizeof variants / sizeof *variants; v++) {
-        double alone, seconds;
-        test_strip *one = solve(&variants[v], 1, &alone);
+        test_strip *one = solve(&variants[v], 1);
         for (size_t k = 0; k < sizeof threads / sizeof *threads; k++) {
-            test_strip *s = solve(&variants[v], threads[k], &seconds);
+            test_strip *s = solve(&variants[v], threads[k]);
             assert_int_equal(s->strip.team.members, threads[k]);
             check_same(one, s);
             test_strip_free(s);
         }
         test_strip_free(one);
     }
-}
-
-/* Reported only: other programs may use the processors. */
-TEST(time_of_two_threads)
-{
-    const variant dent = {513, 128, true, false, 0, 0, 0};
-    double best[2] = {INFINITY, INFINITY};
-    for (int k = 0; k < 4; k++) {
-        double seconds;
-        test_strip_free(solve(&dent, 1 + k % 2, &seconds));
-        best[k % 2] = fmin(best[k % 2], seconds);
-    }
-    printf("steps on 513 x 128 nodes: %.3f s, with two threads %.3f s, %.2f "
-           "times as fast\n",
-           best[0], best[1], best[0] / best[1]);
 }
