@@ -100,6 +100,9 @@ static inline vec mean_of(node a, node b)
     return density * choose(near, 0.5 * (m + n) * series, far);
 }
 
+/* Newtonian, Eyring's or another law. */
+typedef enum flow_kind { NEWTONIAN, BY_SINH, BY_CURVE } flow_kind;
+
 /* Arguments of a pass over a grid. */
 typedef struct faces {
     const ovr_strip_grid *g;
@@ -145,7 +148,7 @@ static inline void put_by_film(const faces *p, const face *h, vec dP, vec eps,
 }
 
 /* Stores the flow of a half node at k, by the law of thinning.h if it thins. */
-static INLINE void put_face(const faces *p, bool logarithmic, bool thins,
+static INLINE void put_face(const faces *p, bool logarithmic, flow_kind thins,
                             bool across, const face *h, size_t k,
                             const stored *to)
 {
@@ -169,8 +172,8 @@ static INLINE void put_face(const faces *p, bool logarithmic, bool thins,
         c = p->law.slide *
             (load(p->f.rho + h->at_a) + load(p->f.rho + h->at_b)) *
             (a2 * b2 / (a2 + b2));
-        flow = thinned_flow(&p->law, across, eps, c, films * h->along,
-                            films * h->across);
+        flow = (thins == BY_CURVE ? thinned_by_curve : thinned_flow)(
+            &p->law, across, eps, c, films * h->along, films * h->across);
         vec share = flow.by_eps / larger(eps, all(1e-280));
         before = fused(share, before - eps, flow.T);
         after = fused(share, after - eps, flow.T);
@@ -194,7 +197,7 @@ static inline vec slope_along(const faces *p, size_t k)
     return (load(p->f.P + k + s) - load(p->f.P + k - s)) / (2 * p->g->D);
 }
 
-static INLINE void face_along(const faces *p, bool logarithmic, bool thins,
+static INLINE void face_along(const faces *p, bool logarithmic, flow_kind thins,
                               size_t k, face *h)
 {
     const ovr_strip_fields *f = &p->f;
@@ -210,8 +213,8 @@ static INLINE void face_along(const faces *p, bool logarithmic, bool thins,
     put_face(p, logarithmic, thins, false, h, k, &to);
 }
 
-static INLINE void face_across(const faces *p, bool logarithmic, bool thins,
-                               size_t k, face *h)
+static INLINE void face_across(const faces *p, bool logarithmic,
+                               flow_kind thins, size_t k, face *h)
 {
     const ovr_strip_fields *f = &p->f;
     const stored to = {f->across, f->across_before, f->across_after,
@@ -228,7 +231,7 @@ static INLINE void face_across(const faces *p, bool logarithmic, bool thins,
 
 /* Half nodes i + 1/2 and j + 1/2 of the rows. */
 static INLINE void all_faces(const faces *p, ovr_part rows, bool logarithmic,
-                             bool thins, double *work)
+                             flow_kind thins, double *work)
 {
     const ovr_strip_grid *g = p->g;
     const size_t first = OVR_STRIP_HALO, s = g->stride;
@@ -264,21 +267,33 @@ void OVR_STRIP_KERNEL(faces)(const ovr_strip_grid *g, ovr_part rows,
                              const ovr_strip_fields *f, double *work)
 {
     const double Sigma0 = fluid->lubricant.Sigma0;
-    const bool thins = fluid->lubricant.rheology != OVR_NEWTONIAN;
+    const flow_kind kind = fluid->lubricant.rheology == OVR_NEWTONIAN
+                               ? NEWTONIAN
+                           : fluid->lubricant.flow_law ? BY_CURVE
+                                                       : BY_SINH;
     faces p = {.g = g, .f = *f, .secant = fluid->secants};
     make_log_table(0x1.62e42fefa39efp-1, &p.log);
-    if (thins) {
+    if (kind != NEWTONIAN) {
         p.law.slide = fabs(fluid->sliding) / (12 * Sigma0);
         p.law.gradient = 1 / (4 * Sigma0);
         p.law.log = p.log;
         make_exp_table(1, &p.law.exp);
     }
-    if (logarithmic && thins)
-        all_faces(&p, rows, true, true, work);
+    if (kind == BY_CURVE) {
+        p.law.curve = fluid->lubricant.flow_law;
+        make_log_table(1, &p.law.log2);
+        make_log_table(0x1.62e42fefa39efp-1 / OVR_CURVE_STEP, &p.law.steps);
+    }
+    if (logarithmic && kind == BY_CURVE)
+        all_faces(&p, rows, true, BY_CURVE, work);
+    else if (logarithmic && kind == BY_SINH)
+        all_faces(&p, rows, true, BY_SINH, work);
     else if (logarithmic)
-        all_faces(&p, rows, true, false, work);
-    else if (thins)
-        all_faces(&p, rows, false, true, work);
+        all_faces(&p, rows, true, NEWTONIAN, work);
+    else if (kind == BY_CURVE)
+        all_faces(&p, rows, false, BY_CURVE, work);
+    else if (kind == BY_SINH)
+        all_faces(&p, rows, false, BY_SINH, work);
     else
-        all_faces(&p, rows, false, false, work);
+        all_faces(&p, rows, false, NEWTONIAN, work);
 }

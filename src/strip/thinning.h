@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Flow of an Eyring film at a half node.  Pressure gradients are along and
- * across rolling, sliding is along.  Stresses are in units of Sigma0, s = -1..1
- * is the place across the film.
+ * Flow of a shear-thinning film at a half node, of Eyring's law.  Pressure
+ * gradients are along and across rolling, sliding is along.  Stresses are in
+ * units of Sigma0, s = -1..1 is the place across the film.
  *
  *     tau(s) = a + s G,   G = H grad P/(2 Sigma0),   F(t) = sinh(t)/t
  *     <F(|tau|) tau> = (c/eps, 0),   c = |V| rho H^2/(12 Sigma0)
@@ -19,11 +19,16 @@
  * Gradients are limited to twelve.  The viscosity occurs
  * in eps only, so that no quotient overflows.
  *
+ * Other laws have the same means with F(t) = f(t)/t of their curve
+ * (contact/flow_law.h), and a step of Newton's method for a.
+ *
  * Source: Conry, Wang and Cusano, J. Tribol. 109 (1987) 648, for flow along X.
  */
 #ifndef OVR_STRIP_THINNING_H
 #define OVR_STRIP_THINNING_H
 
+#include "contact/flow_law.h"
+#include "multigrid/flow_table.h"
 #include "multigrid/power.h"
 
 typedef struct thinning {
@@ -31,6 +36,9 @@ typedef struct thinning {
     double gradient; /* 1/(4 Sigma0) */
     log_table log;
     exp_table exp;
+    /* Of other laws than Eyring's: f and its table, log2 x, ln x by steps. */
+    const ovr_flow_law *curve;
+    log_table log2, steps;
 } thinning;
 
 /* E, T, eps dE/d eps and dE/dc. */
@@ -129,6 +137,96 @@ static INLINE thinned thinned_flow(const thinning *law, bool across, vec eps,
     vec third = 3 / (across ? gy : gx);
     thinned f = {
         .E = J * third, .T = 3 * (mm - vx * bx - vy * by), .by_c = vx * third};
+    f.by_eps = f.E - c * f.by_c;
+    return f;
+}
+
+/* f(t)/t of a law by its curve, and f'(t), t > 0 (contact/flow_law.h). */
+static INLINE vec rate_of_curve(const thinning *law, vec t, vec *slope)
+{
+    const ovr_curve *f = &law->curve->f;
+    const double step = OVR_CURVE_STEP, first = OVR_CURVE_MIN / OVR_CURVE_STEP;
+    vec place = scaled_log2(&law->steps, t) - first;
+    vec in = smaller(larger(place, all(0)), all(OVR_CURVE_POINTS - 1.5));
+    vec value, by_place;
+    for (int l = 0; l < VEC; l++) {
+        size_t k = (size_t)in[l];
+        double u = place[l] - (double)k, d = f->value[k + 1] - f->value[k];
+        double p = step * f->slope[k], q = step * f->slope[k + 1];
+        double c2 = 3 * d - 2 * p - q, c3 = p + q - 2 * d;
+        value[l] = u > 1 ? f->value[k + 1] + (u - 1) * q
+                         : f->value[k] + u * (p + u * (c2 + u * c3));
+        by_place[l] = u > 1 ? q : p + u * (2 * c2 + 3 * u * c3);
+    }
+    value = exponential(law, smaller(value, all(460))) / t;
+    *slope = choose(place > 0, value * by_place * (1 / step), all(1));
+    return choose(place > 0, value, all(1));
+}
+
+/* Means over the film at the mean stress (ax, ay): F tau, K_0, K_1, K_2. */
+typedef struct means {
+    vec Fx, Fy, kxx, kxy, kyy, lxx, lxy, lyy, J, mm;
+} means;
+
+static INLINE means means_of_curve(const thinning *law, bool across, vec ax,
+                                   vec ay, vec gx, vec gy)
+{
+    static const double place[] = {0.90617984593866396, 0.53846931010568311, 0,
+                                   -0.53846931010568311, -0.90617984593866396};
+    static const double weight[] = {0.1184634425280945, 0.23931433524968324,
+                                    0.28444444444444444, 0.23931433524968324,
+                                    0.1184634425280945};
+    means s = {0};
+    for (int k = 0; k < 5; k++) {
+        vec tx = fused(all(place[k]), gx, ax);
+        vec ty = fused(all(place[k]), gy, ay);
+        vec t2 = tx * tx + ty * ty + 1e-8, it = inverse_root(t2), slope;
+        vec F = rate_of_curve(law, t2 * it, &slope);
+        vec D = (slope - F) * it * it, dxy = weight[k] * D * tx * ty;
+        vec dxx = weight[k] * fused(D * tx, tx, F);
+        vec dyy = weight[k] * fused(D * ty, ty, F);
+        s.Fx += weight[k] * F * tx;
+        s.Fy += weight[k] * F * ty;
+        s.kxx += dxx;
+        s.kxy += dxy;
+        s.kyy += dyy;
+        s.lxx += place[k] * dxx;
+        s.lxy += place[k] * dxy;
+        s.lyy += place[k] * dyy;
+        s.J += weight[k] * place[k] * F * (across ? ty : tx);
+        s.mm += place[k] * place[k] * (across ? dyy : dxx);
+    }
+    return s;
+}
+
+/* Flow along X, or across, of a law by its curve.  The mean stress is that of
+ * the table without a gradient across, and a step of Newton's method. */
+static INLINE thinned thinned_by_curve(const thinning *law, bool across,
+                                       vec eps, vec c, vec gx, vec gy)
+{
+    const double steepest = 100, most = 1e100;
+    eps = larger(eps, all(1e-280));
+    gx = smaller(larger(larger(gx, -gx), all(across ? 0 : 1e-4)),
+                 all(steepest));
+    gy = smaller(larger(larger(gy, -gy), all(across ? 1e-4 : 0)),
+                 all(steepest));
+    vec s_N = smaller(c / eps, all(most));
+    law_value guess = law_at(law->curve->stress, s_N, gx);
+    vec ax = s_N * law_power(&law->exp, &law->log2, &guess), ay = all(0);
+    means s = means_of_curve(law, across, ax, ay, gx, gy);
+    vec inverse = 1 / (s.kxx * s.kyy - s.kxy * s.kxy), r = s_N - s.Fx;
+    ax += (s.kyy * r + s.kxy * s.Fy) * inverse;
+    ay -= (s.kxx * s.Fy + s.kxy * r) * inverse;
+    s = means_of_curve(law, across, ax, ay, gx, gy);
+    inverse = 1 / (s.kxx * s.kyy - s.kxy * s.kxy);
+    vec bx = across ? s.lxy : s.lxx, by = across ? s.lyy : s.lxy;
+    vec vx = (s.kyy * bx - s.kxy * by) * inverse;
+    vec vy = (s.kxx * by - s.kxy * bx) * inverse;
+    s.J += vx * (s_N - s.Fx) - vy * s.Fy;
+    vec third = 3 / (across ? gy : gx);
+    thinned f = {.E = eps * s.J * third,
+                 .T = 3 * eps * (s.mm - vx * bx - vy * by),
+                 .by_c = vx * third};
     f.by_eps = f.E - c * f.by_c;
     return f;
 }

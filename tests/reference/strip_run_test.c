@@ -35,11 +35,13 @@ static ovr_case *read_case(const char *text, const char *more)
     return c;
 }
 
-static ovr_run *run_of(ovr_case *c, const char *path)
+static ovr_run *run_at(ovr_case *c, const char *path, const char *at)
 {
     ovr_error err = {0};
     ovr_run_options how = {0};
     how.output = path;
+    how.steady = at != NULL;
+    how.at = at;
     how.force = true;
     ovr_run *run = ovr_run_create(c, &how, NULL, &err);
     if (!run)
@@ -49,11 +51,17 @@ static ovr_run *run_of(ovr_case *c, const char *path)
     return run;
 }
 
-/* A strip and a line contact with the same case end in the same film. */
-static void same_as_line(const char *text, double tolerance)
+static ovr_run *run_of(ovr_case *c, const char *path)
+{
+    return run_at(c, path, NULL);
+}
+
+/* A strip and a line contact with the same case end in the same film; the
+ * steady one of a station if `at` is not NULL. */
+static void same_at(const char *text, const char *at, double tolerance)
 {
     ovr_case *line = read_case(text, ""), *strip = read_case(text, STRIP);
-    ovr_run *one = run_of(line, NULL), *other = run_of(strip, NULL);
+    ovr_run *one = run_at(line, NULL, at), *other = run_at(strip, NULL, at);
     const ovr_simulation *a = ovr_run_get_info(one)->sim;
     const ovr_simulation *b = ovr_run_get_info(other)->sim;
     const ovr_observation *o = ovr_simulation_observation(a);
@@ -69,6 +77,7 @@ static void same_as_line(const char *text, double tolerance)
     CHECK_NEAR(p->load, o->load, 1e-7);
     CHECK_NEAR(p->F_slide, o->F_slide, 1e-5 * fabs(o->F_slide) + tolerance);
     CHECK_NEAR(p->F_roll, o->F_roll, tolerance);
+    CHECK_NEAR(p->limiting_share, o->limiting_share, 1e-6);
     CHECK_NEAR(p->power_dissipated, o->power_dissipated,
                1e-5 * fabs(o->power_dissipated) + tolerance);
     CHECK_NEAR(p->mass_flow, o->mass_flow, 2e-4);
@@ -79,6 +88,11 @@ static void same_as_line(const char *text, double tolerance)
     ovr_run_free(other);
     ovr_case_free(line);
     ovr_case_free(strip);
+}
+
+static void same_as_line(const char *text, double tolerance)
+{
+    same_at(text, NULL, tolerance);
 }
 
 /* The sums of MLMI are exact to 1e-8, of which films have a part. */
@@ -116,6 +130,104 @@ TEST(shear_thinning_upstream)
                  "scheme = upstream2\n[lubricant]\nrheology = eyring\n"
                  "eyring_stress = 5 MPa\n" EXACT RIDGE,
                  1e-6);
+}
+
+#define OILED(speeds)                                                          \
+    "[contact]\nload = 3e5 N/m\nradius = 10 mm\nmodulus = 226 GPa\n" speeds    \
+    "[lubricant]\nviscosity = 40 mPa.s\nalpha = 17 1/GPa\n[domain]\n"          \
+    "level = 5\norder = 2\nfaces = gap\n[solver]\ntolerance = 1e-9\n" EXACT
+#define UPSTREAM "[time]\nend = 0.2\nscheme = upstream2\n"
+#define FASTER "speed_1 = 1.4 m/s\nspeed_2 = 1.0 m/s\n"
+
+/* Strips integrate a flow law across the film by five points, line contacts of
+ * Carreau's by a table. */
+TEST(carreau)
+{
+    same_as_line(OILED(FASTER) UPSTREAM
+                 "[lubricant]\nrheology = carreau\ncarreau_stress = 3 MPa\n"
+                 "carreau_n = 0.5\n" RIDGE,
+                 2e-5);
+}
+
+/* A tenth of the load is at the limit. */
+TEST(limiting_shear_stress)
+{
+    const char *text = OILED(FASTER) UPSTREAM
+        "[lubricant]\nrheology = eyring\neyring_stress = 5 MPa\n"
+        "limiting_shear = 0.03\n" RIDGE;
+    same_as_line(text, 1e-6);
+    ovr_case *c = read_case(text, STRIP);
+    ovr_run *run = run_of(c, NULL);
+    const ovr_simulation *sim = ovr_run_get_info(run)->sim;
+    assert_true(ovr_simulation_observation(sim)->limiting_share > 0.1);
+    ovr_run_free(run);
+    ovr_case_free(c);
+}
+
+TEST(history_of_sliding)
+{
+    same_as_line(OILED(FASTER) UPSTREAM
+                 "[lubricant]\nrheology = eyring\neyring_stress = 5 MPa\n"
+                 "[sliding]\nhistory = ramp\nfrom = 0.1\nto = 0.8\n"
+                 "duration = 0.15\n",
+                 1e-6);
+}
+
+/* The ridge stands still, or moves against the film. */
+TEST(standing_and_opposed_surfaces)
+{
+    same_as_line(OILED("speed_1 = 0 m/s\nspeed_2 = 2 m/s\n") UPSTREAM RIDGE
+                 "grow = 0.1\n",
+                 1e-6);
+    same_as_line(OILED("speed_1 = -0.5 m/s\nspeed_2 = 2.5 m/s\n") UPSTREAM RIDGE
+                 "grow = 0.1\n",
+                 1e-6);
+}
+
+/* Both end where the film no longer changes, at 1e-6 of it. */
+TEST(until_steady)
+{
+    const char *text = CONTACT "[time]\nend = 40\nuntil_steady = yes\n"
+                               "scheme = upstream2\n[load]\nhistory = step\n"
+                               "from = 0.9\nto = 1\nstart = 0.1\n";
+    ovr_case *line = read_case(text, ""), *strip = read_case(text, STRIP);
+    ovr_run *one = run_of(line, NULL), *other = run_of(strip, NULL);
+    const ovr_simulation *a = ovr_run_get_info(one)->sim;
+    const ovr_simulation *b = ovr_run_get_info(other)->sim;
+    const ovr_state *s = ovr_simulation_state(a), *t = ovr_simulation_state(b);
+    assert_in_range((int)s->T, 5, 20);
+    CHECK_NEAR(t->T, s->T, 1);
+    for (size_t i = 0; i < s->n; i++)
+        CHECK_NEAR(t->H[i], s->H[i], 1e-6);
+    ovr_run_free(one);
+    ovr_run_free(other);
+    ovr_case_free(line);
+    ovr_case_free(strip);
+}
+
+#define ELEMENT                                                                \
+    "[contact]\nmodulus = 226 GPa\n[lubricant]\nviscosity = 40 mPa.s\n"        \
+    "alpha = 17 1/GPa\nrheology = eyring\neyring_stress = 5 MPa\n"             \
+    "[domain]\nlevel = 5\norder = 2\nfaces = gap\n[solver]\n"                  \
+    "tolerance = 1e-9\n" EXACT
+
+#define GEAR                                                                   \
+    "[gear]\nteeth_1 = 25\nteeth_2 = 57\nmodule = 2.5 mm\nface = 20 mm\n"      \
+    "speed = 3000 rpm\ntorque = 80 N.m\n" ELEMENT
+
+TEST(stations_of_elements)
+{
+    same_at(GEAR, "C", 1e-6);
+    same_at(GEAR, "B", 1e-6);
+    same_at("[cam]\nfollower = flat\nbase_radius = 26 mm\nface = 12 mm\n"
+            "speed = 1000 rpm\nlaw = 4567\nlift = 6 mm\nrise = 70 deg\n"
+            "spring = 30 N/mm\npreload = 250 N\nmass = 100 g\n" ELEMENT,
+            "nose", 1e-6);
+    same_as_line(
+        "[roller_bearing]\nroller = 10 mm\nrollers = 14\n"
+        "length = 9.6 mm\ninner = 54.991 mm\nclearance = 41 um\n"
+        "load = 4450 N\nspeed_inner = 1000 rpm\ncontact = inner\n" ELEMENT,
+        1e-6);
 }
 
 /* ---------------------------------------------------------------- features */
@@ -352,4 +464,12 @@ TEST(what_has_no_strip)
             "cannot be combined with a strip; use line");
     refused("[strip]\n[cavitation]\nmodel = conserving\n",
             "cannot be combined with a strip; use reynolds");
+    refused("[strip]\n[stress]\n", "with a strip; use no [stress]");
+    refused("[strip]\n[time]\nend = 1\nscheme = upstream1\n",
+            "with a strip; use upstream2");
+    refused("[strip]\n[time]\nend = 1\nstep = adaptive\n",
+            "with a strip; use auto");
+    refused("[strip]\n[time]\nend = 1\n[speed]\nhistory = ramp\nfrom = 1\n"
+            "to = -1\nduration = 0.5\n",
+            "with a strip; use a speed that keeps its direction");
 }
