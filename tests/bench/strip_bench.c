@@ -6,13 +6,6 @@
  * rolls through the contact, R < 1e-3 at each step of a mesh size.  Its seconds
  * are those of a clock, with one and with two threads.
  */
-/*
- * Times and memory of the strip from 65 x 16 to 2049 x 1024 nodes.  The case is
- * a round dent of one film at M = 20, L = 10.  Seconds are those of nested
- * iteration with two V(1,1) cycles a level.  The last table is of the dent that
- * rolls through the contact, R < 1e-3 at each step of a mesh size; its seconds
- * are those of a clock, with one and with two threads.
- */
 #include <math.h>
 #include <stdio.h>
 #include <time.h>
