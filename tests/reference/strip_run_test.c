@@ -446,7 +446,7 @@ TEST(few_lines)
 TEST(features_that_do_not_close)
 {
     refused(STRIP WAVE "0.7\nangle = 45 deg\n",
-            "the nearest that do are 0.471405 and 0.707107");
+            "the nearest that do are 0.471404521 and 0.707106781");
     refused(STRIP "[feature g]\nshape = groove\ndepth = 0.01\nwidth = 0.3\n"
                   "start = 0\nangle = 45 deg\n",
             "set repeat = 2 or 1");
