@@ -45,7 +45,7 @@
  *
  * Nine of ten cases are off by less than twice that (ovr_expected_at_most).
  *
- * Fitted to 189 random cases with common conditions and tested on 66 others.
+ * Fitted to 193 random cases with common conditions and tested on 147 others.
  * References are one or two levels finer, in steps of D.  Films thinner
  * than about a third of the features' height are less accurate on any usual
  * level.  Steady films of second order were measured on random contacts whose
