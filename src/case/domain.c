@@ -285,12 +285,28 @@ static double widened(const sampled_times *m, int k, double load,
     return X_a;
 }
 
+/*
+ * Returns the shortest usual domain.  Films of steady contacts above M = 3000
+ * build up and end within 0.01 b of the contact.  The nodes of a shorter domain
+ * are closer there.  M = 5000, L = 1.3 and 1.8 have no solution on the usual
+ * domain on levels 11 to 13.  Here level 11 solves them.  An inlet at -1.5 has
+ * the same film to 1e-5.
+ */
+static extent shortest_usual(const sampled_times *m)
+{
+    const double heavy = 3000;
+    const ovr_setup *s = m->setup;
+    if (!s->transient && !m->last && !s->surfaces && s->contact->M > heavy)
+        return (extent){OVR_NEAREST_INLET, 1.1};
+    return (extent){OVR_USUAL_INLET, OVR_USUAL_OUTLET};
+}
+
 static inlet_request usual_request(const sampled_times *m,
                                    const ovr_instant *at)
 {
     return (inlet_request){
         *at, usual_loss(m, at),
-        fmax(ovr_film_end_bound(at->M, at->L), OVR_USUAL_OUTLET)};
+        fmax(ovr_film_end_bound(at->M, at->L), shortest_usual(m).outlet)};
 }
 
 static inlet_request automatic_request(const sampled_times *m,
@@ -317,7 +333,8 @@ static extent domain_of(const sampled_times *m, extent e,
 
 static extent usual_domain(const sampled_times *m)
 {
-    extent nearest = {OVR_USUAL_INLET, fmax(OVR_USUAL_OUTLET, m->behind)};
+    extent nearest = shortest_usual(m);
+    nearest.outlet = fmax(nearest.outlet, m->behind);
     return domain_of(m, nearest, usual_request);
 }
 

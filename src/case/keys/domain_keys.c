@@ -38,13 +38,15 @@ static const ovr_word auto_zero[] = {{"auto", 0}, {NULL, 0}};
 static const ovr_parameter domain_keys[] = {
     {"inlet", LENGTH_OR(ends, -1e6, -1.05), "usual", AT(options.inlet), true,
      ALWAYS,
-     "X of the first node; usual: -4, or further upstream if the central film "
-     "thickness would be more than 0.5 % too low (5e-4 if load, speed or "
-     "radius vary in time); auto: at an error of 1e-4"},
+     "X of the first node; usual: -4 (-2 for steady contacts without features "
+     "above M = 3000), or further upstream if the central film thickness would "
+     "be more than 0.5 % too low (5e-4 if load, speed or radius vary in time); "
+     "auto: at an error of 1e-4"},
     {"outlet", LENGTH_OR(ends, 1.05, 1e6), "usual", AT(options.outlet), true,
      ALWAYS,
-     "X of the last node; usual: 1.5 at the largest load and radius of the run "
-     "and its passes, or further downstream where the film ends later, up to "
+     "X of the last node; usual: 1.5 (1.1 above M = 3000, as for the inlet) at "
+     "the largest load and radius of the run and its passes, or further "
+     "downstream where the film ends later, up to "
      "4.5 if load or radius jump and up to 3 if high features pass; auto: "
      "twice the film end of rigid bodies, "
      "if that is further"},
