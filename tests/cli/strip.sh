@@ -108,6 +108,13 @@ number disk_bytes >bytes
 awk '$1 < 72 * 113 * 28 || $1 > 78 * 113 * 28 { exit 1 }' bytes ||
     fail "size of the file: $(cat bytes)"
 
+# Two threads take less time, but more than half of it.
+number estimated_seconds >alone
+expect 0 "$OVERROLL" check dent.ini --json --set strip.threads=2
+number estimated_seconds | paste alone - >both
+awk '!($2 < 0.9 * $1 && $2 > 0.5 * $1) { exit 1 }' both ||
+    fail "times with one and two threads: $(cat both)"
+
 expect 2 "$OVERROLL" export whole.h5 --areal
 contains err '--areal needs --snapshot or --time'
 sed '/strip/,/width = 2/d; /time/,$d' dent.ini >line.ini
