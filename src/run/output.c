@@ -139,13 +139,14 @@ ovr_case_value *ovr_run_values(const ovr_case *c, ovr_arena *arena,
         ovr_case_entry entry = ovr_case_entry_at(c, k);
         if (!entry.text)
             continue;
-        ovr_parameter_info info = ovr_parameter_at(entry.parameter);
-        bool number = isfinite(info.minimum) && isfinite(entry.number);
+        const ovr_section *section;
+        const ovr_parameter *row = ovr_parameter_row(entry.parameter, &section);
+        bool number = isfinite(row->minimum) && isfinite(entry.number);
         values[n] = (ovr_case_value){.name = full_name(&entry, arena),
                                      .text = entry.text,
                                      .number = number ? entry.number : NAN,
                                      .unit = entry.unit,
-                                     .physics = info.physics};
+                                     .physics = row->physics};
         if (!values[n++].name)
             return NULL;
     }
