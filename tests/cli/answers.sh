@@ -29,6 +29,15 @@ film=$(sed -n 's/^minimum film thickness .*(\([0-9.]* um\).*/\1/p' out)
 contains out "^minimum film thickness +$film"
 contains out '^maximum pressure +[0-9.]+ GPa'
 
+# ... and of a bearing too
+expect 0 "$OVERROLL" init bearing --set domain.level=5 -o steady.ini
+expect 0 "$OVERROLL" steady steady.ini
+film=$(sed -n 's/^minimum film thickness .*(\([0-9.]* um\).*/\1/p' out)
+pressure=$(sed -n 's/^maximum pressure .*(\([0-9.]* GPa\) .*/\1/p' out)
+contains out '^bearing +[0-9]+ N at [0-9]+ rpm'
+[ "$(grep -c "^minimum film thickness  *$film" out)" = 1 ] || fail "no $film"
+[ "$(grep -c "^maximum pressure  *$pressure" out)" = 1 ] || fail "no $pressure"
+
 cat >gear.ini <<'END'
 [contact]
 modulus = 226 GPa

@@ -209,3 +209,17 @@ expect 0 ncdump -v seed,M,scheme,H_min all.nc
 contains out 'case = 12'
 contains out '^ seed = 1, 1, 1, 1, 2,'
 contains out 'upstream1'
+
+# Failures of eight kinds: five are printed.
+printf '[contact]\nM = 20\nL = 5\n[domain]\nlevel = 3\n' >thin.ini
+cat >kinds.ini <<'END'
+[study]
+case = thin.ini
+output = thin
+results = no
+[product]
+contact.M = 800, 1000, 1200, 1500, 2000, 2500, 3000, 4000
+END
+expect 1 "$OVERROLL" sweep kinds.ini
+[ "$(grep -c 'too thin for the grid' out)" = 5 ] || fail "$(cat out)"
+contains out '^  and 3 more, see manifest.csv'
