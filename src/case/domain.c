@@ -5,7 +5,7 @@
 
 #include "contact/contact.h"
 #include "contact/curvature.h"
-#include "contact/reversal.h"
+#include "contact/history.h"
 #include "contact/starvation.h"
 #include "simulation/internal.h"
 #include "surface/surfaces.h"

@@ -3,8 +3,8 @@
 #ifndef OVR_CASE_SETTINGS_H
 #define OVR_CASE_SETTINGS_H
 
-#include "contact/change.h"
 #include "contact/contact.h"
+#include "contact/history.h"
 #include "contact/oil.h"
 #include "overroll/case.h"
 #include "overroll/elements.h"

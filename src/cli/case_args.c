@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "cli/case_args.h"
-#include "cli/case_print.h"
 
 /* ----------------------------------------------------------- Opening a case */
 

@@ -4,6 +4,7 @@
 #define OVR_CLI_CASE_ARGS_H
 
 #include "cli/cli.h"
+#include "cli/json.h"
 
 /* Rows for the options of a verb that takes a case. */
 #define CLI_CASE_OPTIONS                                                       \
@@ -22,5 +23,11 @@ ovr_case *cli_open_case(const cli_call *call, int *code);
 
 /* Sets in a case what the options of the call say. */
 ovr_status cli_apply_options(const cli_call *call, ovr_case *c, ovr_error *err);
+
+/* Prints it as a case: whoever reads that reads the same case. */
+void cli_put_case(const ovr_case *c);
+
+/* Prints the parameters of the case and their meaning. */
+void cli_json_case(json_writer *json, const ovr_case *c);
 
 #endif

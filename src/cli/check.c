@@ -7,7 +7,6 @@
 #include <string.h>
 
 #include "cli/case_args.h"
-#include "cli/case_print.h"
 #include "cli/json.h"
 #include "cli/report.h"
 #include "overroll/case.h"

@@ -24,8 +24,7 @@
 #include "base/arena.h"
 #include "base/error.h"
 #include "base/interpolation.h"
-#include "contact/reversal.h"
-#include "contact/scaled_history.h"
+#include "contact/history.h"
 
 struct ovr_history {
     ovr_history_form form;

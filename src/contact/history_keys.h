@@ -5,7 +5,7 @@
 #define OVR_CONTACT_HISTORY_KEYS_H
 
 #include "base/rows.h"
-#include "contact/change.h"
+#include "contact/history.h"
 
 extern const ovr_word ovr_history_words[], ovr_time_unit_words[];
 

@@ -20,7 +20,7 @@
 #include <math.h>
 
 #include "contact/contact.h"
-#include "contact/reversal.h"
+#include "contact/history.h"
 #include "multigrid/flow.h"
 #include "simulation/observe.h"
 #include "simulation/physics.h"

@@ -5,7 +5,7 @@
 
 #include "base/error.h"
 #include "contact/contact.h"
-#include "contact/reversal.h"
+#include "contact/history.h"
 #include "simulation/conflicts.h"
 #include "simulation/physics.h"
 

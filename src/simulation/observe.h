@@ -53,7 +53,7 @@ const double *ovr_wall_stress(const ovr_simulation *sim, int surface,
 void ovr_publish_state(ovr_simulation *sim);
 
 /* Adds an observation to the extremes and means of the run; none of them
- * is known; where one of them is (overall.c). */
+ * is known; where one of them is. */
 void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
                          bool first);
 void ovr_statistics_unknown(ovr_statistics *s);

@@ -4,7 +4,6 @@
 #include <complex.h>
 #include <math.h>
 
-#include "stress/by_depth.h"
 #include "stress/stress.h"
 
 static const double pi = 3.14159265358979323846;

@@ -72,4 +72,20 @@ void ovr_layered_near(const ovr_layered_depth *of, double x, double to[3]);
 void ovr_layered_bin(const ovr_layered_depth *of, size_t m, size_t N, double x,
                      double to[3][2]);
 
+/* A number of a table by depth.  Linear between the depths z, which rise; the
+ * first and last value beyond. */
+static inline double ovr_by_depth(size_t count, const double *z,
+                                  const double *value, double at)
+{
+    size_t k = 1;
+    if (at <= z[0])
+        return value[0];
+    while (k < count && z[k] < at)
+        k++;
+    if (k == count)
+        return value[k - 1];
+    return value[k - 1] +
+           (at - z[k - 1]) / (z[k] - z[k - 1]) * (value[k] - value[k - 1]);
+}
+
 #endif

@@ -23,7 +23,7 @@
 #include <math.h>
 
 #include "base/given.h"
-#include "stress/by_depth.h"
+#include "stress/layered.h"
 #include "stress/stress.h"
 
 enum { PARTS = 5, MAX_DEPTHS = 1024 };

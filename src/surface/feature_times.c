@@ -8,7 +8,7 @@
 #include <math.h>
 
 #include "contact/contact.h"
-#include "contact/reversal.h"
+#include "contact/history.h"
 #include "surface/features.h"
 #include "surface/surfaces.h"
 

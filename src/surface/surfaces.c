@@ -17,7 +17,7 @@
 #include "base/given.h"
 #include "base/text.h"
 #include "contact/contact.h"
-#include "contact/reversal.h"
+#include "contact/history.h"
 #include "surface/feature.h"
 #include "surface/features.h"
 #include "surface/footprint.h"

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Elastic layers (contact/layers.h, multigrid/images.h): compliance, kernel and
- * dry contact against numbers of another solution, limits, sums without
- * multigrid, and films against the kernel by quadrature, without images. */
+/* Elastic layers (contact/layers.h, physics/coating/images.h): compliance,
+ * kernel and dry contact against numbers of another solution, limits, sums
+ * without multigrid, and films against the kernel by quadrature, without
+ * images. */
 #include "support/test.h"
 
 #include <gsl/gsl_integration.h>
@@ -11,8 +12,8 @@
 #include <string.h>
 
 #include "contact/layers.h"
-#include "multigrid/images.h"
 #include "overroll/case.h"
+#include "physics/coating/images.h"
 #include "physics/heat/solids.h"
 #include "reference/layers_truth.h"
 #include "simulation/internal.h"

@@ -6,8 +6,7 @@
 #include <math.h>
 
 #include "contact/contact.h"
-#include "contact/reversal.h"
-#include "contact/scaled_history.h"
+#include "contact/history.h"
 #include "support/test.h"
 
 static ovr_history *history(ovr_history_form form)

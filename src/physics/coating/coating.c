@@ -4,9 +4,10 @@
  * the one below it, and so on.
  *
  * What they change of the film is its elastic influence alone: images of the
- * surface (contact/layers.h), summed as multigrid/images.h says.  b, ph, M and
- * L are those of homogeneous bodies that touch, dry, over the same width under
- * the same load, so that the contact is [-1, 1] however soft its layers are.
+ * surface (contact/layers.h), summed as physics/coating/images.h says.  b, ph,
+ * M and L are those of homogeneous bodies that touch, dry, over the same width
+ * under the same load, so that the contact is [-1, 1] however soft its layers
+ * are.
  */
 #include <math.h>
 #include <stdio.h>
@@ -15,7 +16,7 @@
 #include "base/error.h"
 #include "base/rows.h"
 #include "case/setup.h"
-#include "multigrid/images.h"
+#include "physics/coating/images.h"
 #include "physics/companion.h"
 #include "results/results.h"
 #include "simulation/conflicts.h"

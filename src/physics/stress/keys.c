@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The sections [stress] and [fatigue], and what their keys mean. */
-#include "physics/stress/keys.h"
+#include "physics/stress/stress.h"
 
 #include <math.h>
 #include <string.h>

@@ -8,7 +8,7 @@
 #include "case/resolve.h"
 #include "case/setup.h"
 #include "contact/contact.h"
-#include "contact/reversal.h"
+#include "contact/history.h"
 #include "physics/stress/stress.h"
 #include "simulation/simulation.h"
 #include "stress/layered.h"

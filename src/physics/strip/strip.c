@@ -19,7 +19,7 @@
 #include "contact/contact.h"
 #include "contact/curvature.h"
 #include "contact/film_formula.h"
-#include "contact/reversal.h"
+#include "contact/history.h"
 #include "multigrid/flow.h"
 #include "simulation/conflicts.h"
 #include "simulation/mirror.h"

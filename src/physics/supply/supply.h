@@ -4,7 +4,7 @@
 #ifndef OVR_PHYSICS_SUPPLY_SUPPLY_H
 #define OVR_PHYSICS_SUPPLY_SUPPLY_H
 
-#include "contact/change.h"
+#include "contact/history.h"
 #include "overroll/case.h"
 #include "simulation/physics.h"
 #include "surface/layer.h"

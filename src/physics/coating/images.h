@@ -20,8 +20,8 @@
  * Chebyshev series for every octave of X, averaged by three points that are
  * exact up to the fifth power.
  */
-#ifndef OVR_MULTIGRID_IMAGES_H
-#define OVR_MULTIGRID_IMAGES_H
+#ifndef OVR_PHYSICS_COATING_IMAGES_H
+#define OVR_PHYSICS_COATING_IMAGES_H
 
 #include "contact/layers.h"
 #include "multigrid/deformation.h"

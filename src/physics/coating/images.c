@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "multigrid/images.h"
+#include "physics/coating/images.h"
 
 #include <math.h>
 
