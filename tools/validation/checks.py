@@ -1052,13 +1052,92 @@ def sliding_waves(contacts=((20, 10, 0.3), (50, 10, 0.1)),
     return s
 
 
+# ------------------------------------------------------- waves on a strip
+
+ACROSS = """[strip]
+width = {width!r}
+"""
+# A transverse wave needs no more lines than the coarsest grid has.
+NARROW = """[strip]
+width = 0.45
+lines = 64
+"""
+
+
+def oblique_standing_wave(M, L, length, angle, level):
+    """As standing_wave, of a wave whose crests are at `angle` degrees to the
+    y axis, along the line y = 0 of a strip one period wide."""
+    text = STANDING.format(M=M, L=L, level=level) + ACROSS.format(
+        width=length / math.sin(math.radians(angle)))
+    said, _, smooth = run_case(text)
+    A = 0.02 * said["H_cen"]
+    _, _, rough = run_case(text + STILL.format(A=A, length=length) +
+                           f"angle = {angle} deg\n")
+    along = length / math.cos(math.radians(angle))
+    half = max(along, 0.5) / 2 + 1e-9
+    x = [t for t in smooth["x"] if abs(t) <= half]
+    P, H = ([b - a for t, a, b in zip(smooth["x"], smooth[name], rough[name])
+             if abs(t) <= half] for name in ("pressure", "film_thickness"))
+    K = 2 * math.pi / along
+    return (said["H_cen"], said["hertz_pressure_Pa"] * 1e-9, A,
+            amplitude_of(x, P, K), amplitude_of(x, H, K))
+
+
+def strip_waves(rolling=(1, 0.5), contacts=((20, 10), (100, 11)),
+                lengths=(0.25, 0.125), angles=(30, 45, 60), level=8):
+    s = Section(
+        "Waves on a strip",
+        "Rolling: table 1 of Venner, Couhier, Lubrecht and Greenwood (1997), "
+        "as above. Standing: derived here. G. E. Morales-Espejel, V. "
+        "Brizmer, Tribol. Trans. 54 (2011) 625 was not reachable",
+        "A transverse wave that rolls through a strip leaves what it leaves in "
+        "a line contact, M = 100, L = 11, 0.1 of the central film. A wave at "
+        "an angle on a surface that stands still adds the pressure of the "
+        "transverse one. For rho h is constant along the flow at each y, and "
+        "the elastic bodies know only its number k, whatever its direction. "
+        "Longitudinal waves have no such theory: the film that they have in "
+        "the contact is made in the inlet.")
+    film = steady(100, 11, "lubricant.alpha=22 1/GPa",
+                  "domain.inlet=-4")["H_cen"]
+    for length in rolling:
+        s.rows.append(Comparison(
+            f"rolling, M = 100, L = 11, wavelength {length} b",
+            WAVES[length][0],
+            amplitude_left(100, 11, length, level=7, A=SHARES[0] * film,
+                           more=NARROW),
+            (-5e-3, 5e-3) if length > 0.3 else (-5e-3, 7e-3 / length),
+            "as of the line contact", relative=False))
+    for M, L in contacts:
+        for length in lengths:
+            for angle in angles:
+                H, ph, A, P_wave, H_wave = oblique_standing_wave(
+                    M, L, length, angle, level)
+                k = 2 * math.pi / length
+                along = length / math.cos(math.radians(angle))
+                c = density_slope(ph)
+                theory = A / (1 / k + H * c)
+                s.rows.append(Comparison(
+                    f"pressure, standing, M = {M}, L = {L}, wavelength "
+                    f"{length} b at {angle} degrees, over A k",
+                    theory / (A * k), P_wave / (A * k),
+                    (-0.005 - 0.02 * along, 0.005 + 0.02 * along),
+                    "pressure and density vary over a wave along x",
+                    derived=True))
+                s.rows.append(Comparison(
+                    "the same, film over A", H * c * theory / A, H_wave / A,
+                    (-0.02 - 0.1 * along, 0.01), "the same, and c is "
+                    "smaller where the pressure is lower", derived=True))
+    return s
+
+
 FAST = [lambda: regimes(), lambda: formulas(((20, 10), (100, 11))),
         lambda: paper_table((6, 8)), lambda: waviness((1, 0.5), ()),
         lambda: stresses((300,)), lambda: flash((3,)),
         lambda: rolling_friction(((20, 10),), (), ((20, 10),)),
         lambda: hot_inlets(((1, 10, 0.1),)), lambda: summits((3,)),
         thin_layers, lambda: standing_waves(((20, 10),), (0.25,)),
-        lambda: sliding_waves(((20, 10, 0.3),), (0.5, -0.5), (0.3,), 8)]
+        lambda: sliding_waves(((20, 10, 0.3),), (0.5, -0.5), (0.3,), 8),
+        lambda: strip_waves((), ((20, 10),), (0.25,), (45,), 7)]
 ALL = [regimes, formulas, lambda: paper_table(range(6, 15)), rolling_friction,
        hot_inlets, waviness, stresses, flash, summits,
-       thin_layers, standing_waves, sliding_waves]
+       thin_layers, standing_waves, sliding_waves, strip_waves]

@@ -129,9 +129,11 @@ size_t ovr_strip_lines(const ovr_strip_form *f, double D)
         return (size_t)f->lines;
     if (least <= 4)
         return 4;
-    /* Eight lines can be halved, five to seven cannot. */
-    if (least < 8 && f->width >= 8 * LEAST_RATIO * D)
-        return 8;
+    /* Powers of two have the smallest coarsest grid. */
+    for (size_t power = 8; power <= 16; power *= 2)
+        if (least > (int)power / 2 && least < (int)power &&
+            f->width >= (double)power * LEAST_RATIO * D)
+            return power;
     neighbours(least, allowed);
     return (size_t)(allowed[0] == least ? least : allowed[1]);
 }
