@@ -361,6 +361,26 @@ TEST(roughness_closes)
     drop(&b);
 }
 
+/* Roughness of twice the film thickness that slides through a Newtonian
+ * contact.  A step with retries in 100 is allowed, none may fail. */
+TEST(roughness_of_twice_the_film)
+{
+    ovr_case *c = read_case(
+        "[contact]\nM = 20\nL = 10\nslide_to_roll = 0.5\n[domain]\n"
+        "level = 5\n[time]\nend = 5\n",
+        STRIP "[feature r]\nshape = roughness\nRq = 0.168\nlength = 6\n"
+              "shortest = 0.3\nrolloff = 0.6\nstart = -3.9\n");
+    ovr_run *run = run_of(c, NULL);
+    const ovr_statistics *s = ovr_simulation_statistics(
+        ovr_run_get_info(run)->sim);
+    printf("%ld steps, %ld cycles, %ld retries, %ld flagged\n", s->steps,
+           s->cycles, s->retries, s->marked);
+    assert_true(s->steps > 150 && s->retries * 100 <= s->steps);
+    assert_int_equal(s->marked, 0);
+    ovr_run_free(run);
+    ovr_case_free(c);
+}
+
 /* A wave at 45 degrees is a sum of products of waves along and across. */
 TEST(an_oblique_wave)
 {
