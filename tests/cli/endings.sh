@@ -38,12 +38,14 @@ done
 refuses 'the output is a case, not a .nc file' init roller -o i.nc
 refuses 'the output is a gnuplot script' plot R.nc -o p.png --script p.csv
 refuses 'the output is a folder, not a .h5 file' frames R.nc -o f.h5
-find='contact.M between 10 and 30 so that H_min is 0.1'
-refuses 'the output is a table, not a .nc file' find dent.ini $find \
+set -- contact.M between 10 and 30 so that H_min is 0.1
+refuses 'the output is a table, not a .nc file' find dent.ini "$@" \
     --table t.nc
-refuses 'the output is a folder, not a .csv' find dent.ini $find \
+refuses 'the output is a folder, not a .csv' find dent.ini "$@" \
     --results t.csv
-[ ! -e e.h5 ] && [ ! -e i.nc ] && [ ! -e f.h5 ] || fail 'it was written'
+for name in e.h5 i.nc f.h5 t.nc t.csv; do
+    [ ! -e $name ] || fail "$name was written"
+done
 
 # steady names the moving feature that it leaves out
 expect 0 "$OVERROLL" steady dent.ini
