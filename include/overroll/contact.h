@@ -55,7 +55,7 @@ typedef struct ovr_conditions {
     double width;            /* m, for forces; nothing else depends on it */
 } ovr_conditions;
 
-/* All fields NAN. */
+/* Returns conditions with all members NAN. */
 OVR_API ovr_conditions ovr_conditions_default(void);
 
 /* The resolved contact.  Dimensionless numbers are always set; a physical scale
@@ -80,10 +80,10 @@ OVR_API ovr_status ovr_contact_resolve(const ovr_conditions *given,
 
 /* ---------------------------------------------------------------- kinds */
 
-/* The kind of quantity that a number is: its scale and units follow from it. */
+/* Kind of a quantity, which determines its scale and units. */
 typedef enum ovr_unit_kind {
     OVR_KIND_NUMBER,      /* a pure number */
-    OVR_KIND_COUNT,       /* a whole one */
+    OVR_KIND_COUNT,       /* a whole number */
     OVR_KIND_FLAG,        /* 0 or 1 */
     OVR_KIND_LENGTH,      /* along x: b */
     OVR_KIND_HEIGHT,      /* film thickness, roughness: b^2/R */
@@ -96,21 +96,21 @@ typedef enum ovr_unit_kind {
     OVR_KIND_TEMPERATURE, /* K */
     OVR_KIND_HEAT,        /* a heat flux: um ph b/R */
     OVR_KIND_POWER,       /* per unit width: um ph b^2/R */
-    OVR_KIND_AREA,        /* oil per unit width: b^3/R */
-    OVR_KINDS             /* how many; also: one that this version lacks */
+    OVR_KIND_AREA,        /* lubricant volume per unit width: b^3/R */
+    OVR_KINDS /* number of kinds, and a kind unknown to this version */
 } ovr_unit_kind;
 
 typedef struct ovr_kind_info {
     const char *name;     /* "pressure"; in result files */
     const char *si;       /* "Pa" */
     const char *hertzian; /* "ph" */
-    const char *suffix;   /* "_Pa": of JSON keys in SI; "": those have none */
+    const char *suffix;   /* suffix of JSON keys in SI ("_Pa"), or "" */
 } ovr_kind_info;
 OVR_API const ovr_kind_info *ovr_kind_about(ovr_unit_kind kind);
 OVR_API ovr_unit_kind ovr_kind_named(const char *name);
 
-/* SI value of the dimensionless 1; NAN where it is not known, 1 for what the
- * contact does not scale. */
+/* Returns the SI value of a dimensionless 1: NAN if it is unknown, and 1 for
+ * kinds that are not scaled. */
 OVR_API double ovr_kind_scale(ovr_unit_kind kind, const ovr_contact *contact);
 
 /* ------------------------------------------------------------ lubricant */
@@ -138,18 +138,17 @@ typedef struct ovr_yasutomi {
 } ovr_yasutomi;
 
 struct ovr_law_table;
-/* The law of shear stress against shear rate: gamma = (tau0/eta) f(tau/tau0).
- */
+/* Rheological model: shear rate gamma = (tau0/eta) f(tau/tau0). */
 typedef enum ovr_rheology {
     OVR_NEWTONIAN,
     OVR_EYRING,         /* f = sinh */
     OVR_CARREAU,        /* Carreau-Yasuda: tau = eta gamma
                            (1 + (eta gamma/tau0)^a)^((n - 1)/a) */
     OVR_CARREAU_STRESS, /* f(x) = x (1 + x^a)^((1/n - 1)/a) */
-    OVR_FLOW_TABLE      /* points of stress against rate */
+    OVR_FLOW_TABLE      /* table of shear stress against shear rate */
 } ovr_rheology;
 
-/* The integrals of a flow law over the film, in a table. */
+/* Table of the integrals of a rheological model across the film. */
 typedef struct ovr_flow_law ovr_flow_law;
 
 /* A lubricant in the contact's scaling:
@@ -171,11 +170,12 @@ typedef struct ovr_lubricant {
     double doolittle_B, doolittle_R0;
     ovr_yasutomi yasutomi; /* A2, b1 per ph */
     const struct ovr_law_table *viscosity_table, *density_table; /* or NULL */
-    double table_ph; /* Pa: what P is in for the tables */
+    double table_ph; /* unit of P in the tables, Pa */
     ovr_rheology rheology;
-    double Sigma0;         /* tau0 over ph b/R */
-    double limiting_shear; /* most shear stress over pressure; 0: no limit */
-    const ovr_flow_law *flow_law; /* of all but Eyring's; borrowed */
+    double Sigma0;         /* tau0/(p_h b/R) */
+    double limiting_shear; /* limiting shear stress coefficient; 0: no limit */
+    const ovr_flow_law
+        *flow_law; /* for all models except Newtonian and Eyring; borrowed */
 } ovr_lubricant;
 
 /* p0 in Pa (paper: 1.98e8); z dimensionless, NAN: 0.68, or from alpha and a

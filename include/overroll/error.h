@@ -27,19 +27,19 @@ extern "C" {
 #define OVR_API
 #endif
 
-/* Structs of options begin as {0} or, where NAME_default() is declared, with
- * what it returns; what is not set has its default.  Fields are added from one
- * minor version to the next, and the soname with them: programs are compiled
+/* Structs of options must be initialized as {0} or, where it is declared, with
+ * NAME_default(); members that are not set have their defaults. Minor versions
+ * may add members and change the soname, so that programs must be compiled
  * again. */
 
 typedef enum ovr_status {
     OVR_OK = 0,
-    OVR_BAD_INPUT,     /* the caller's data is wrong or missing: exit code 2 */
+    OVR_BAD_INPUT,     /* input is wrong or missing: exit code 2 */
     OVR_NOT_CONVERGED, /* a solve or step did not reach its tolerance: 1 */
-    OVR_IMPOSSIBLE,    /* the physics asked for has no solution here: 1 */
+    OVR_IMPOSSIBLE,    /* the requested model has no solution here: 1 */
     OVR_NO_MEMORY,     /* an allocation failed: 1 */
-    OVR_IO,            /* reading or writing failed on the way: 1 */
-    OVR_STOPPED        /* an observer asked to stop: 3 */
+    OVR_IO,            /* reading or writing failed: 1 */
+    OVR_STOPPED        /* stopped by an observer: 3 */
 } ovr_status;
 
 enum { OVR_MESSAGE_SIZE = 1024 };
@@ -47,16 +47,16 @@ enum { OVR_MESSAGE_SIZE = 1024 };
 typedef struct ovr_error {
     ovr_status status;
     char message[OVR_MESSAGE_SIZE];
-    const char *about; /* the key of a case, or field of a struct, that is
-                          wrong, or missing altogether: static, or NULL */
-    const char *meant; /* did you mean: the word that the message proposes:
+    const char *about; /* key of the case or member of a struct that is wrong or
+                          missing: static, or NULL */
+    const char *meant; /* word that the message proposes ("did you mean"):
                           static, or NULL */
-    size_t file; /* so many bytes of the message are the name it begins with,
-                    of a text file or another origin; 0: none */
-    long line;   /* in that file; 0: none */
+    size_t file; /* length in bytes of the file name (or other origin) at the
+                    start of the message; 0: no name */
+    long line;   /* line in that file; 0: none */
 } ovr_error;
 
-/* Name of a status ("bad input", ...), a static string. */
+/* Returns the name of a status ("bad input", ...), a static string. */
 OVR_API const char *ovr_status_name(ovr_status status);
 
 /* Fills *err (unless NULL) and returns `status`, so that a failing function

@@ -25,60 +25,65 @@ extern "C" {
 #endif
 
 typedef enum ovr_picture_kind {
-    OVR_PICTURE_SNAPSHOT, /* pressure, film and roughness at instants */
+    OVR_PICTURE_SNAPSHOT, /* pressure, film thickness and surface height at some
+                             times */
     OVR_PICTURE_HISTORY,  /* film and pressure against time */
     OVR_PICTURE_MAP,      /* colour over x and time */
-    OVR_PICTURE_TRACE,    /* film in the middle of the contact, with the
-                           roughness that passes there, against time */
-    OVR_PICTURE_STRESS,  /* pressure, film and the stresses below, at an instant
-                          */
-    OVR_PICTURE_RISK,    /* what the material went through, place by depth */
-    OVR_PICTURE_DEPTH,   /* the same over depth: worst, smooth, length */
-    OVR_PICTURE_ELEMENT, /* the gear pair, cam or bearing of its case, and what
-                           its contact goes through */
-    OVR_PICTURE_PLASTIC, /* what has yielded: profile, strain, stresses left */
-    OVR_PICTURE_AREAL    /* maps of a strip at an instant, with cuts */
+    OVR_PICTURE_TRACE,    /* film thickness and surface height at x = 0 against
+                             time */
+    OVR_PICTURE_STRESS,   /* pressure, film thickness and stresses below the
+                             surface at one time */
+    OVR_PICTURE_RISK, /* shear path radius and fatigue risk against position and
+                         depth */
+    OVR_PICTURE_DEPTH, /* shear path radius and equivalent length against depth
+                        */
+    OVR_PICTURE_ELEMENT, /* gear pair, cam or bearing of the case, with its
+                            load, radius and speeds */
+    OVR_PICTURE_PLASTIC, /* plastic deformation: profile, plastic strain,
+                            residual stress */
+    OVR_PICTURE_AREAL    /* maps of a strip at one time, with cuts */
 } ovr_picture_kind;
 
-/* Lengths in b, pressures in ph, heights in b^2/R, times in b/um, whatever
- * the units drawn; NAN or 0: chosen from the data. */
+/* Lengths are in b, pressures in p_h, heights in b^2/R, times in b/u_m,
+ * independent of the drawn units. NAN or 0: chosen from the data. */
 typedef struct ovr_picture_options {
     ovr_picture_kind kind;
-    const char *path; /* its suffix is the form: .png, .svg or .pdf */
+    const char *path; /* the suffix selects the format: .png, .svg or .pdf */
     bool force;       /* replace an existing file */
-    ovr_units units;  /* of the axes; as stored */
+    ovr_units units;  /* units of the axes; default: as stored */
     double x_from, x_to;
     double P_to, H_to; /* upper ends of the axes */
     double T_from, T_to;
-    size_t time_count; /* snapshot: instants; 0: a few are chosen */
+    size_t time_count; /* snapshot: number of times; 0: chosen automatically */
     const double *times;
-    bool overlay;  /* snapshot: all instants in one panel */
+    bool overlay;  /* snapshot: all times in one panel */
     bool no_hertz; /* without the Hertzian pressure */
     bool no_roughness;
-    const char *field;        /* map: any; "film_thickness" (NULL); stress:
-                                 "max_shear" (NULL) or another stress */
-    int surface;              /* stress, risk, depth: 1 (0) or 2 */
-    bool log_depth;           /* stress: depth logarithmic, from D */
-    double along;             /* areal: X of the cut across; NAN: 0 */
-    int width, height;        /* pixels; 0: 1280 by what the kind needs */
-    const char *title;        /* NULL: the file's own; "": none */
-    const char *const *names; /* of each result, for the legend; NULL: their
-                                 titles */
-    const char *script; /* also write PATH (suffix .gp) and its data beside it
-                           (.dat); NULL: no */
-    const char *template_path; /* gnuplot's program, as overroll-pictures(7) has
-                             it; NULL: the one that is built in */
+    const char *field; /* map: any; "film_thickness" (NULL); stress:
+                          "max_shear" (NULL) or another stress */
+    int surface;       /* stress, risk, depth: 1 (0) or 2 */
+    bool log_depth;    /* stress: depth logarithmic, from D */
+    double along;      /* areal: X of the cut across; NAN: 0 */
+    int width, height; /* pixels; 0: 1280 by what the kind needs */
+    const char *title; /* NULL: title of the file; "": none */
+    const char *const
+        *names; /* names of the results in the legend; NULL: their titles */
+    const char *script; /* gnuplot script to write (.gp), with its data in the
+                           same folder (.dat), or NULL */
+    const char
+        *template_path; /* gnuplot program as described in overroll-pictures(7);
+                           NULL: the built-in one */
 } ovr_picture_options;
 OVR_API ovr_picture_options ovr_picture_options_default(void);
 
-/* Draws one picture of `count` results (more than one: laid over each other;
- * a map takes one).  The file appears whole or not at all. */
+/* Draws one picture of `count` results, which are superimposed; maps need one
+ * result. On errors no file is written. */
 OVR_API ovr_status ovr_picture(ovr_result *const *results, size_t count,
                                const ovr_picture_options *options,
                                const ovr_allocator *allocator, ovr_error *err);
 
-/* The gear pair, cam or bearing of a case that need not have run; `kind` does
- * not count. */
+/* Draws the gear pair, cam or bearing of a case before its run; `kind` is
+ * ignored. */
 OVR_API ovr_status ovr_picture_element(const ovr_setup *setup,
                                        const ovr_picture_options *options,
                                        const ovr_allocator *allocator,
@@ -86,49 +91,49 @@ OVR_API ovr_status ovr_picture_element(const ovr_setup *setup,
 
 /* ---------------------------------------------------------------- studies */
 
-/* A quantity of a study's cases against one of its keys: a line for each value
- * of a second key, a panel for each of what else varies; over seeds the mean,
- * in a band from the smallest to the largest.  Against a seed: a histogram of
- * the quantity, with its quantiles.  A key may be the name of a [zip]. */
+/* A quantity of the cases of a study against a key, with one line per value of
+ * a second key and one panel per value of the other keys. For several seeds
+ * the mean is drawn with a band from minimum to maximum. Against a seed a
+ * histogram with quantiles is drawn. A key may be the name of a [zip]. */
 typedef struct ovr_figure_options {
     const char *path; /* .png, .svg or .pdf */
     bool force;
-    const char *y;  /* column; NULL: H_min_overall_m, else H_min_overall,
-                       min_film_m, H_min */
-    const char *x;  /* key; NULL: the first with numbers */
-    const char *by; /* key; NULL: the next that is not a seed; "": none */
+    const char *y; /* column; NULL: the first of H_min_overall_m, H_min_overall,
+                      min_film_m and H_min */
+    const char *x; /* key; NULL: the first numeric key */
+    const char *by; /* key; NULL: the next key that is not a seed; "": none */
     bool log_x, log_y;
     int width, height;
     const char *title;
     const char *script;
-    const char *template_path; /* as of a picture */
-    const char *panels; /* key; NULL: all that else varies, except for seeds;
-                           "": none */
+    const char *template_path; /* as in ovr_picture_options */
+    const char
+        *panels; /* key; NULL: all other keys except for seeds; "": none */
 } ovr_figure_options;
 
 OVR_API ovr_status ovr_figure(const ovr_table *table,
                               const ovr_figure_options *options,
                               const ovr_allocator *allocator, ovr_error *err);
 
-/* Film and meniscus against the number of the pass, from the file of several
- * passes; y, x, by and the logarithms do not count. */
+/* Draws film thickness and inlet meniscus position, or rim heights, against
+ * the pass number; y, x, by and the logarithms are ignored. */
 OVR_API ovr_status ovr_figure_passes(const ovr_table *passes,
                                      const ovr_figure_options *options,
                                      const ovr_allocator *allocator,
                                      ovr_error *err);
 
-/* Stribeck curve of a study over contact.mean_speed (or x) whose case has
- * [boundary]: friction coefficient, fluid friction and asperity load share; a
- * line for each value of `by`, or of the next key; y and panels do not count.
- */
+/* Draws the Stribeck curve of a study over contact.mean_speed (or x) with
+ * [boundary]: friction coefficient, fluid friction and asperity load share,
+ * with one line per value of `by` or of the next key; y and panels are
+ * ignored. */
 OVR_API ovr_status ovr_figure_stribeck(const ovr_table *table,
                                        const ovr_figure_options *options,
                                        const ovr_allocator *allocator,
                                        ovr_error *err);
 
-/* Draws the distribution of `y` over a study with [random] (default: the first
- * quantity of ovr_study_sample): histogram, distribution, and the effect of
- * each input; x, by, panels and the logarithms do not count. */
+/* Draws the distribution of `y` (default: first quantity of ovr_study_sample)
+ * over a study with [random]: histogram, cumulative distribution and effect of
+ * each input; x, by, panels and the logarithms are ignored. */
 OVR_API ovr_status ovr_figure_distribution(const ovr_study *study,
                                            const ovr_figure_options *options,
                                            const ovr_allocator *allocator,
@@ -137,24 +142,24 @@ OVR_API ovr_status ovr_figure_distribution(const ovr_study *study,
 /* ------------------------------------------------------ frames and movies */
 
 typedef struct ovr_frames_options {
-    const ovr_picture_options *look; /* of each; NULL: the defaults; path and
-                                        times are not used; kind:
-                                        OVR_PICTURE_STRESS, OVR_PICTURE_AREAL,
-                                        else a snapshot */
-    const char *folder; /* where the frames go; NULL: only the movie */
+    const ovr_picture_options
+        *look; /* options of each frame, or NULL; path and times are ignored;
+                  kinds other than OVR_PICTURE_STRESS and OVR_PICTURE_AREAL are
+                  drawn as snapshots */
+    const char *folder; /* folder of the frames; NULL: only the movie */
     const char *form;   /* "png" (NULL), "svg", "pdf" */
-    size_t every;       /* every so many snapshots; 0: all */
-    int workers;        /* gnuplots at once; 0: one a core */
-    bool scripts;       /* write each one's script and data too */
+    size_t every;       /* interval of snapshots; 0: all snapshots */
+    int workers;        /* number of gnuplot processes; 0: one per core */
+    bool scripts;       /* also write script and data of each frame */
     const char *movie;  /* NAME.mp4, .webm, .gif or .webp; NULL: none */
-    double rate;        /* of the movie, frames a second; 0: 25 */
-    /* Told after each frame; false stops with OVR_STOPPED.  May be NULL. */
+    double rate;        /* frames per second of the movie; 0: 25 */
+    /* Called after each frame; false stops with OVR_STOPPED. May be NULL. */
     bool (*progress)(void *data, size_t done, size_t count);
     void *data;
 } ovr_frames_options;
 
 typedef struct ovr_frames_made {
-    size_t drawn, kept; /* kept: were there from a run before */
+    size_t drawn, kept; /* kept: from an earlier call */
 } ovr_frames_made;
 
 /*
@@ -176,24 +181,24 @@ OVR_API ovr_status ovr_frames(ovr_result *const *results, size_t count,
 typedef struct ovr_view_options {
     const char *path;         /* PAGE.html */
     bool force;               /* replace an existing file */
-    const char *title;        /* NULL: the first file's own */
-    const char *const *names; /* of each result; NULL: their titles */
-    const char *stress; /* the stresses below the film: "max_shear", ...; NULL:
-                           max_shear of runs whose case has [stress] */
+    const char *title;        /* NULL: title of the first file */
+    const char *const *names; /* names of the results; NULL: their titles */
+    const char *stress; /* stresses below the surface: "max_shear", ...; NULL:
+                           max_shear for cases with [stress] */
 } ovr_view_options;
 
-/* One HTML page, with all it needs in it, that plays one run, or two side by
- * side. */
+/* Writes a self-contained HTML page that plays one run, or two side by side. */
 OVR_API ovr_status ovr_view(ovr_result *const *results, size_t count,
                             const ovr_view_options *options,
                             const ovr_allocator *allocator, ovr_error *err);
 
-/* Draws a profile; `path` as above.  An existing file is replaced. */
+/* Draws a profile; `path` as in ovr_picture_options. An existing file is
+ * replaced. */
 OVR_API ovr_status ovr_picture_profile(const ovr_profile_view *view,
                                        const char *title, const char *path,
                                        ovr_error *err);
 
-/* Draws an areal surface, with a profile that is a line of it below. */
+/* Draws an areal surface and, below, a profile taken from it. */
 OVR_API ovr_status ovr_picture_areal(const ovr_areal *areal,
                                      const ovr_profile_view *view,
                                      const char *title, const char *path,

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Words and bytes of people, for programs that talk to them as this one. */
+/* Suggestions for mistyped names, names of units, and UTF-8. */
 #ifndef OVERROLL_TEXT_H
 #define OVERROLL_TEXT_H
 
@@ -11,18 +11,18 @@
 extern "C" {
 #endif
 
-/* Did you mean ...: the nearest of `n` names to a mistyped one, with at most a
- * third of the letters wrong (capital letters do not count as wrong); else the
- * first of which it is a word, as vg of iso_vg; or NULL. */
+/* Returns the name most similar to a mistyped one, with at most a third of the
+ * letters wrong (ignoring case), otherwise the first name of which it is a
+ * part, as vg of iso_vg, or NULL. */
 OVR_API const char *ovr_suggest(const char *wrong, const char *const *names,
                                 size_t n);
 
-/* The k-th unit that a number may have, those of one quantity together, and the
- * SI unit of what it measures; NULL behind the last. */
+/* Returns unit k of numbers in a case, ordered by quantity, and in *si the SI
+ * unit of the quantity; NULL past the last. */
 OVR_API const char *ovr_unit_name(size_t k, const char **si);
 
-/* Length of the UTF-8 sequence at s (RFC 3629), 0 when it is none; the NUL at
- * the end is a sequence of length 1. */
+/* Returns the length of the UTF-8 sequence at s (RFC 3629), or 0 if it is
+ * invalid. The terminating NUL is a sequence of length 1. */
 OVR_API int ovr_utf8_sequence(const unsigned char *s);
 
 #ifdef __cplusplus
