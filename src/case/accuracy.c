@@ -152,9 +152,9 @@ static double largest_of_film(const ovr_setup *s)
     return maximum;
 }
 
-/* The root mean square over a run, relative to its mean film in units of the
- * nominal contact.  If the film comes to rest, its error is at most the film
- * thickness itself. */
+/* Returns the root mean square over a run relative to the mean film thickness,
+ * in units of the reference contact. If the entrainment speed becomes zero,
+ * the error is at most the film thickness itself. */
 static double mean_of_film(const ovr_setup *s)
 {
     double squares = 0, films = 0, end = ovr_setup_end(s);

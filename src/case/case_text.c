@@ -12,7 +12,9 @@
 #include "case/case.h"
 #include "case/inputs.h"
 
-enum { COMMENT_COLUMN = 28 }; /* where a case of `overroll init` has comments */
+enum {
+    COMMENT_COLUMN = 28
+}; /* column of the comments in cases of `overroll init` */
 
 typedef struct growing {
     char *text;

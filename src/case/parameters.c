@@ -18,8 +18,8 @@ static const ovr_section *const sections[] = {
     &ovr_gear_section,     &ovr_cam_section,       &ovr_roller_bearing_section};
 enum { SECTIONS = sizeof sections / sizeof sections[0] };
 
-/* Iterates over all keys: behind each of the case those of the physics that
- * say so, behind all those that say nothing. */
+/* Iterates over all keys: after each section of the case the keys of physical
+ * models that belong there, and at the end the remaining ones. */
 typedef struct walk {
     size_t at;   /* in the table; SECTIONS: behind it */
     bool inside; /* it has been met, and those behind it come */

@@ -227,8 +227,8 @@ static bool has_roughness(const ovr_resolved *r)
     return false;
 }
 
-/* Those of the options count where their keys are written; stop, smoother,
- * refine and the like are nothing unless written. */
+/* Returns the set of model features that the case selects explicitly. Defaults
+ * of solver options (stop, smoother, refine) do not count. */
 #define BY_SETUP(NAME, words, section, key, whole, options, setup) setup,
 static unsigned written(const ovr_resolved *r)
 {

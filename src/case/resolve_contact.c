@@ -130,7 +130,8 @@ static ovr_status reduce_modulus(ovr_resolved *r, ovr_error *err)
     const ovr_body_form *b = r->body;
     double *reduced = &r->values.contact.modulus;
     const double E[2] = {b[0].modulus, b[1].modulus};
-    /* of a body without one the stresses alone may speak */
+    /* a body without its own modulus is allowed if only [stress] uses the body
+     */
     bool needed = isnan(*reduced) || has_key(block_of_body(r, 0), "modulus") ||
                   has_key(block_of_body(r, 1), "modulus");
     if (!needed)

@@ -64,7 +64,7 @@ static void json_refinements(json_writer *json, const ovr_run_info *s)
     json_close_array(json);
 }
 
-/* Quantities whose estimated errors say little. */
+/* Lists the quantities whose error estimates do not converge. */
 static void json_not_converging(json_writer *json, const ovr_run_errors *e)
 {
     json_open_array(json, "not_converging");

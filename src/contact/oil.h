@@ -19,7 +19,7 @@ typedef struct ovr_law_table ovr_law_table;
 
 typedef enum ovr_table_of {
     OVR_TABLE_OF_VISCOSITY, /* Pa s */
-    OVR_TABLE_OF_DENSITY    /* kg/m3, or any unit: ratios count */
+    OVR_TABLE_OF_DENSITY    /* kg/m3, or any unit, as only ratios are used */
 } ovr_table_of;
 
 /* NAN: not given. */

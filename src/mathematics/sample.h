@@ -49,10 +49,11 @@ ovr_interval ovr_bin_ends(const double *x, const double *y, size_t n,
 double ovr_rank_correlation(const double *x, const double *y, size_t n,
                             ovr_arena *arena);
 
-/* 95 % of what `of` says of samples drawn again from this one, 200 times
- * (percentiles; Efron 1979), the same at each call; shifted so that their
- * median is what the sample itself says, since drawing some twice leans.
- * Only m = 4000 of more pairs are drawn; deviations are scaled by sqrt(m/n). */
+/* 95 % bootstrap confidence interval of `of` by percentiles of 200 resamples
+ * (Efron 1979), reproducible. The interval is shifted so that the median of
+ * the resamples equals the value of the sample, which removes the bias of
+ * repeated pairs. At most m = 4000 pairs are drawn; deviations are
+ * scaled by sqrt(m/n). */
 typedef double ovr_of_pairs(const double *x, const double *y, size_t n,
                             ovr_arena *arena);
 ovr_interval ovr_bootstrap(ovr_of_pairs *of, const double *x, const double *y,

@@ -102,8 +102,8 @@ static ovr_status scan(searching *w, point *to, size_t n)
     return status;
 }
 
-/* Tells from the scan the range of the function, and if it is monotone except
- * for a ten-thousandth of that. */
+/* Determines from the scan the range of the function and whether it is
+ * monotone within 1e-4 of that range. */
 static void judge(searching *w, const point *p, size_t n)
 {
     ovr_search_result *r = w->r;
@@ -176,7 +176,8 @@ static size_t list_changes(searching *w, const point *p, size_t n,
     return count;
 }
 
-/* Takes the outermost change of an inequality; its end there must not hold. */
+/* Returns the outermost sign change of an inequality. The condition must not
+ * hold at the outer end of the range. */
 static bracket outermost(searching *w, const bracket *changes, size_t count)
 {
     bool largest = w->p->which > 0;
@@ -344,8 +345,8 @@ static double interpolated(point a, point b, point c, double middle, double e)
     return 2 * p < fmin(3 * middle * q, fabs(e * q)) ? p / q : NAN;
 }
 
-/* Brent's method on q - target; *in shrinks to the last bracket, its first end
- * the better one, and `bad` says where a value was missing. */
+/* Solves q = target by Brent's method. *in becomes the last bracket with the
+ * better end first; *bad is the argument of a missing value. */
 static ovr_status brent(searching *w, bracket *in, double *bad)
 {
     double target = w->p->target, e, d;
@@ -396,7 +397,8 @@ static ovr_status brent(searching *w, bracket *in, double *bad)
 
 /* ------------------------------------------------------------------ answer */
 
-/* Takes of an equation the better end; of an inequality the one that holds. */
+/* Stores the answer: for an equation the bracket end closer to the target, for
+ * an inequality the end that satisfies it. */
 static void take_answer(searching *w, const bracket *in)
 {
     ovr_search_result *r = w->r;

@@ -61,7 +61,8 @@ typedef struct ovr_search_result {
     double place[OVR_SEARCH_PLACES][2];
 } ovr_search_result;
 
-/* The status of `evaluate`; how the search ended stands in the result. */
+/* Runs the search and returns the status of `evaluate`. result->end is the
+ * reason why the search ended. */
 ovr_status ovr_search_run(const ovr_search *search, ovr_search_result *result,
                           ovr_error *err);
 

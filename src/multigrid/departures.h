@@ -28,11 +28,11 @@ ovr_departures ovr_departures_of(size_t n, double meshes);
 double ovr_departures_at(const ovr_departures *departures, const double *v,
                          size_t i);
 
-/* v at i - meshes, for all i. */
+/* Interpolates v at i - meshes (in mesh sizes) for all nodes i. */
 void ovr_departures_cubic(size_t n, const double *v, double meshes,
                           double *at_departures);
 
-/* v at i - meshes, at the one node. */
+/* Interpolates v at i - meshes for one node. */
 double ovr_departure_linear(size_t n, const double *v, size_t i, double meshes);
 
 /* Lagrange's cubic at s in [0, 1) of the middle of four nodes. */

@@ -81,7 +81,8 @@ typedef struct ovr_shares {
 
 /* The correction to fourth order of one grid (fourth_order.h). */
 typedef struct ovr_fourth {
-    const ovr_fluid *fluid; /* whose flow law counts, if fields have tangents */
+    const ovr_fluid *fluid; /* lubricant; its rheological model is used if the
+                               fields have tangents */
     double D, Cu;
     ptrdiff_t first,
         behind; /* half nodes of the inlet's side: first <= i < behind */

@@ -13,7 +13,7 @@ enum {
     UNKNOWNS = 2 * HALF + 1,
     MARGIN = 3, /* nodes on each side that rows reach */
     NODES = UNKNOWNS + 2 * MARGIN,
-    REACH = 40, /* meshes over which other windows are felt */
+    REACH = 40, /* range of the influence of other windows, in mesh sizes */
     ASIDE = 3,  /* neighbours that define the usual value */
     STRIDE = UNKNOWNS + 2,
     HEATED = 4 /* arrays of a film with temperatures */

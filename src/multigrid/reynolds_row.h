@@ -47,8 +47,8 @@ static inline row_kind row_kind_of(const ovr_fields *f)
     return (f->flow ? ROW_STORED : ROW_SUMS) | (f->skew ? ROW_SKEWED : 0);
 }
 
-/* The weights of a row: a of q_i, q_{i-1}, q_{i-2}, half = 1/(2 D^2), b of the
- * skewed flow. */
+/* Weights of a row: a for q_i, q_{i-1} and q_{i-2}; half = 1/(2 D^2); b for
+ * the flow skewed by temperature differences. */
 typedef struct row_weights {
     num a[3], half, hold, b[3];
     row_kind kind;

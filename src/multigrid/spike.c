@@ -3,8 +3,8 @@
 
 #include <math.h>
 
-/* EXITS patches reach to behind the rupture: they have space for a way there of
- * EXIT_LENGTH from the spike, and go BEYOND meshes further. */
+/* The first EXITS patches extend across the film rupture. They have space for
+ * EXIT_LENGTH downstream of the spike and BEYOND further mesh sizes. */
 #define EXIT_LENGTH 0.8
 enum { EXITS = 3, BEYOND = 12 };
 
@@ -50,7 +50,8 @@ static double rupture(const ovr_patch *base)
     return base->level->grid.X[i + 1];
 }
 
-/* About X, the first patches to behind the rupture; no meshes: no space. */
+/* Places a patch around X; the first patches extend across the film rupture. A
+ * window without intervals means that there is no space. */
 static ovr_window lay(const ovr_composite *c, const ovr_spike_search *how,
                       double X)
 {

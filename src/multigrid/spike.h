@@ -18,12 +18,13 @@
 
 typedef struct ovr_spike_search {
     ovr_cycling cycling;
-    int level;        /* the finest, at most */
-    double change;    /* relative, of the height; 0: on to that level */
-    double half;      /* meshes of the parent to each side */
-    double tolerance; /* on the residual of the leaves */
-    int max_cycles;   /* at the end */
-    bool fourth;      /* the base's solution is of fourth order */
+    int level;        /* maximum level */
+    double change;    /* relative change of the spike height at which refinement
+                         stops; 0: refine up to `level` */
+    double half;      /* half-width of a patch in mesh sizes of its parent */
+    double tolerance; /* tolerance of the residual on the finest nodes */
+    int max_cycles;   /* maximum number of cycles on the finest patch */
+    bool fourth;      /* the solution on the base grid is of fourth order */
     /* X^2/2 - S at the n nodes X */
     void (*rigid)(void *data, size_t n, const double *X, double *gap);
     void *data;

@@ -285,10 +285,10 @@ static void put_back(ovr_hierarchy *grids, ovr_level *level, const double *P,
     close_inlet(grids, level, q);
 }
 
-/* Continues from nine tenths of the flooded flow by a fraction of the remaining
- * difference, half of it from the last solution where that fails: the meniscus
- * of almost all of it is far out in a gap that hardly narrows, and moves by
- * many meshes for a little supply. */
+/* Increases the supply from nine tenths of the flooded flow in steps of a
+ * fraction of the remaining difference, which is halved if a step fails. Close
+ * to the flooded flow the meniscus is far upstream in a nearly parallel gap
+ * and moves by many mesh sizes for a small change of the supply. */
 static ovr_defect approach(ovr_hierarchy *grids, const ovr_full *how,
                            double target, double flow, int *cycles)
 {

@@ -33,7 +33,7 @@ typedef struct ovr_newton_row {
 /* Linear systems of a band, by Gaussian elimination with pivots in columns:
  * A_ij = 0 beyond |i - j| <= OVR_BAND. */
 
-/* WIDTH: of a row, with what pivoting fills in. */
+/* WIDTH: entries of a row, including fill-in by pivoting. */
 enum { OVR_BAND = 8, OVR_BAND_WIDTH = 3 * OVR_BAND + 1 };
 
 typedef struct ovr_banded {
@@ -69,8 +69,8 @@ typedef struct ovr_deflation {
 typedef struct ovr_tripoles {
     ovr_newton_row *row; /* of a node, to be written */
     ovr_banded band;
-    double *basis;  /* of the subspace, one behind the other */
-    double *column; /* what the band makes of H0 */
+    double *basis;  /* basis vectors of the subspace, one after the other */
+    double *column; /* solution of the band matrix for the column of H0 */
     double *q, *w, *u;
     ovr_deflation smooth;
     bool deflated; /* `smooth` is factored */

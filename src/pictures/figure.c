@@ -60,7 +60,8 @@ static size_t some_row(const ovr_table *t, size_t k)
     return rows > ENOUGH ? k * 2654435761u % rows : k;
 }
 
-/* Rows that agree in `a` agree in `b`: keys of a zip, say.  NULL: all agree. */
+/* True if rows with equal values of `a` (NULL: all rows) have equal values of
+ * `b`, as for keys of a [zip]. */
 static bool tells(const ovr_table *t, const ovr_table_column *a,
                   const ovr_table_column *b)
 {

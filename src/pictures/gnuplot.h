@@ -56,10 +56,11 @@ ovr_status ovr_gnuplot_start(ovr_gnuplot *gnuplot, ovr_error *err);
 ovr_status ovr_gnuplot_ask(ovr_gnuplot *gnuplot, const ovr_text *script,
                            const char *path, ovr_error *err);
 
-/* Waits until the picture asked for is there (at once when none is). */
+/* Waits until the requested picture is complete; returns at once if there is
+ * none. */
 ovr_status ovr_gnuplot_wait(ovr_gnuplot *gnuplot, ovr_error *err);
 
-/* Ends it; a picture that is not yet there is given up. */
+/* Stops gnuplot; an incomplete picture is discarded. */
 void ovr_gnuplot_stop(ovr_gnuplot *gnuplot);
 
 /* FOLDER/.NAME.part, created empty: what becomes `path` once it is whole.

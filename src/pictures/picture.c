@@ -167,10 +167,11 @@ typedef struct maker {
     const char *name;
     ovr_status (*draw)(const ovr_drawing *drawing, ovr_chart *chart,
                        ovr_error *err);
-    const char *alone; /* says so; NULL: of several too */
+    const char *alone; /* message for several results, if only one can be drawn,
+                          or NULL */
     int height;
-    bool shots; /* made of snapshots: not of the history, nor of what the
-                   material went through */
+    bool shots; /* drawn from snapshots, not from the history or from stress
+                   histories */
 } maker;
 
 static const maker makers[] = {

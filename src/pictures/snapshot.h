@@ -52,8 +52,8 @@ typedef struct ovr_snapshot_chart {
     char note[OVR_SHOTS][240], name[OVR_SHOTS][300];
 } ovr_snapshot_chart;
 
-/* `instants` times of `runs` runs each: shot[instant * runs + run]; `about`
- * goes behind each time (NULL: nothing). */
+/* Draws `instants` times of `runs` runs each: shot[instant * runs + run].
+ * `about` is a text after each time, or NULL. */
 void ovr_snapshot_draw(ovr_snapshot_chart *to, const ovr_snapshot_style *look,
                        const ovr_shot *shot, size_t instants, size_t runs,
                        const char *const *about);

@@ -559,10 +559,9 @@ static bool mark(ovr_store *s, const char *reason)
     return ok;
 }
 
-/* After a failed write the file is as its last flush left it; what was written
- * behind that has been given back, so that there may be space for the word
- * that tells it from a run that goes on, and for the reason.  If not, "running"
- * stays. */
+/* After a failed write the file is restored to its last flush. The freed space
+ * usually suffices to record the status "failed" and the reason. If not, the
+ * status remains "running". */
 static void mark_failed(ovr_file *f)
 {
     ovr_store *s = &f->store;

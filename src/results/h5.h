@@ -39,7 +39,7 @@ bool ovr_h5_set_integer(hid_t object, const char *name, int value);
 bool ovr_h5_change_string(hid_t object, const char *name, const char *text);
 bool ovr_h5_change_number(hid_t object, const char *name, double value);
 
-/* A text or number that may be there already. */
+/* Write a text or number attribute, which may already exist. */
 bool ovr_h5_put_string(hid_t object, const char *name, const char *text);
 bool ovr_h5_put_number(hid_t object, const char *name, double value);
 

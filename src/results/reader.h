@@ -26,7 +26,8 @@ struct ovr_result {
     size_t variables, fields, columns, groups;
     double version; /* of the file's format */
     bool starved;   /* a text did not fit into memory */
-    bool looked_at; /* the file is whole by a journal that nobody writes */
+    bool looked_at; /* the file is complete according to a journal that no
+                       process writes */
 };
 
 /* Opens the file (again), with the lock held (a negative number: nobody

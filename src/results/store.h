@@ -146,8 +146,8 @@ ovr_status ovr_store_publish(ovr_store *store, bool force, ovr_error *err);
 /* Writes on to the disk itself. */
 ovr_status ovr_store_sync(ovr_store *store, ovr_error *err);
 
-/* What is committed and synced is the state to go back to from now on, by this
- * number. */
+/* Makes the committed and synced contents the state that a later restore
+ * returns to, identified by `number`. */
 void ovr_store_keep(ovr_store *store, uint64_t number);
 
 /* Ends it: what is not committed is lost, a file without a name is removed. */

@@ -47,8 +47,8 @@
 
 /* ----------------------------------------------------------------- Estimate */
 
-/* Relative differences that are of the solver's tolerances, not of the mesh;
- * such that need not fall. */
+/* NEGLIGIBLE: relative differences at the level of the solver's tolerance.
+ * SMALL: relative differences that need not decrease from level to level. */
 static const double NEGLIGIBLE = 1e-6, SMALL = 3e-4;
 static const double MIN_ORDER = 0.75, SAFETY = 1.25;
 static const double PEAK_ORDER = 0.5;
@@ -95,7 +95,7 @@ static ovr_status may_go_on(void *data, const ovr_simulation *sim,
                     ovr_simulation_state(sim)->T);
 }
 
-/* The coarser run to the same time, whatever would have ended it. */
+/* Solves the run on a coarser level up to the end time of the original run. */
 static ovr_status solve(ovr_run *run, ovr_setup *setup, ovr_simulation *coarse,
                         level_run *r, ovr_error *err)
 {

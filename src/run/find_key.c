@@ -284,8 +284,8 @@ static void take_result(ovr_find *f, const ovr_search_result *r)
         tell(f, "some runs have steps accepted above the tolerance");
 }
 
-/* Where no order of convergence is seen, or nobody looks for one, the error is
- * the difference that one level coarser makes. */
+/* Returns the difference from one level coarser as the error, if no order of
+ * convergence was observed or requested. */
 static double coarser_error(ovr_find *f)
 {
     const ovr_trial_plan plan = plan_of(f);

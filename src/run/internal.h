@@ -78,7 +78,7 @@ ovr_status ovr_run_keep_element(ovr_run *run, ovr_error *err);
  * they are larger or unknown; fails only if stopped. */
 ovr_status ovr_run_confirm(ovr_run *run, ovr_error *err);
 
-/* Gives the warnings before and after the solution. */
+/* Report the warnings before and after the solution. */
 void ovr_run_review_before(ovr_run *run);
 void ovr_run_review_after(ovr_run *run);
 

@@ -38,9 +38,9 @@ static bool has_checkpoint(const char *path)
     return length > 0 && length < (int)sizeof name && access(name, F_OK) == 0;
 }
 
-/* Reads what the result file says by itself: the case, for want of a
- * checkpoint, and where it ended, if it is complete; else -INFINITY.  With the
- * checkpoint of another run it is not: the writer will refuse that. */
+/* Reads the case from the result file, and in *complete the end time of a
+ * complete file, otherwise -INFINITY. A checkpoint of another run is rejected
+ * later by the writer. */
 static ovr_case *read_result(ovr_run *run, double *complete, ovr_error *err)
 {
     const char *path = run->info.output;

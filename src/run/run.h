@@ -13,9 +13,9 @@ ovr_status ovr_setup_rough_film(const ovr_setup *setup,
                                 const ovr_allocator *allocator,
                                 ovr_rough_film *to, ovr_error *err);
 
-/* Output of a prepared setup: snapshots (the instants of the maximum
- * pressure and the minimum film thickness may come on top), and bytes on the
- * disk before they are compressed. */
+/* Output of a prepared setup: number of snapshots, without the additional ones
+ * at maximum pressure and minimum film thickness, and bytes on disk before
+ * compression. */
 typedef struct ovr_storage {
     double snapshots, bytes;
 } ovr_storage;

@@ -85,7 +85,7 @@ typedef struct ovr_study_key {
 
 /* [find]: what each case is to find, in place of a run. */
 typedef struct ovr_study_find {
-    ovr_find_options how; /* key NULL: there is none */
+    ovr_find_options how; /* key NULL: no [find] */
     long line;
 } ovr_study_find;
 

@@ -86,8 +86,8 @@ static ovr_status take_asked(sampling *w, const char *names)
     return OVR_OK;
 }
 
-/* Smallest film and maximum pressure, in SI where they are; with what [limits]
- * and [find] are about. */
+/* Selects the default quantities: those of [limits], the key of [find],
+ * minimum film thickness and maximum pressure, in SI if available. */
 static ovr_status take_usual(sampling *w)
 {
     static const char *const films[] = {"H_min_overall_m", "H_min_overall",

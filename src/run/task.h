@@ -25,7 +25,7 @@ ovr_status ovr_task_work(const ovr_study *s, size_t task,
                          const ovr_sweep_options *how, ovr_shared shared,
                          ovr_rows *rows);
 
-/* The state of a task; `rows` as above. */
+/* Returns the state of a task; `rows` as in ovr_task_work. */
 ovr_sweep_state ovr_task_state(const ovr_study *s, const ovr_rows *rows,
                                size_t task);
 

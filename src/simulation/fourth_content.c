@@ -116,8 +116,8 @@ void ovr_fourth_content_evaluate(ovr_simulation *sim, ovr_fourth_content *of,
     ovr_nodes_read(sim, sim->finest, c->gap, gap);
 }
 
-/* G, of what was at the departure points one and two steps before, h1 and h2
- * ago; what it was goes to `before`. */
+/* Computes G from the values at the departure points one and two steps before,
+ * h[0] and h[1] ago; the previous value is stored in `before`. */
 static void bend(ovr_simulation *sim, ovr_fourth_content *of,
                  const double *const came[2], const double h[2], double *before)
 {

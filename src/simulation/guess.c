@@ -191,8 +191,9 @@ static formula untold(const ovr_simulation *sim, double dT)
     return line(past->dT > 0 ? dT / past->dT : 0);
 }
 
-/* The formulas to choose from for features that move by `a` meshes a step and
- * a film by so many, all of them for equal steps; how many. */
+/* Writes the extrapolation formulas for features that move by `a` mesh sizes
+ * per step and a film that moves by `film`, and returns their number. All
+ * formulas are available only for equal steps. */
 static size_t candidates(const ovr_simulation *sim, double a, double film,
                          bool three, formula found[OVR_GUESSES],
                          size_t number[OVR_GUESSES])

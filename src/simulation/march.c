@@ -184,7 +184,7 @@ static ovr_status advance(ovr_simulation *sim, const ovr_march *march,
     return status;
 }
 
-/* A run may have been stopped at its last step. */
+/* A restored run may already be settled, if it was stopped at its last step. */
 static void look_at_start(ovr_simulation *sim, const ovr_march *march)
 {
     sim->statistics.settled = sim->restored && has_settled(sim, march);

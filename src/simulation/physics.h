@@ -176,7 +176,7 @@ typedef struct ovr_physics_in_case {
     /* True if it has a feature for itself, which is then not on the mesh. */
     bool (*keeps)(const void *form, const struct ovr_feature_form *feature);
 
-    /* A line for each number of the form that a user wants to see. */
+    /* Passes one line for each number of the form that is shown to users. */
     void (*tell)(const ovr_physics_case *of, const void *form,
                  ovr_physics_line *line, void *data);
 

@@ -90,8 +90,8 @@ static void take_leaf(ovr_simulation *sim, ovr_refined *r,
     sim->now.eps[n] = part->eps[i];
 }
 
-/* Leaves from node `from` to `to` of a part, of which the next patch lies
- * somewhere between. */
+/* Collects the nodes `from` to `to` of a part that are not covered by the next
+ * patch. */
 static void take_leaves(ovr_simulation *sim, ovr_refined *r, int k, size_t from,
                         size_t to)
 {

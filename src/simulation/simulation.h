@@ -27,8 +27,8 @@ typedef double ovr_supply(void *data, double T);
 void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply, void *data,
                            double reservoir);
 
-/* Load and speed in time.  Borrowed; NULL: 1.  A speed below zero wants a
- * domain that is symmetric, and cavitation by Reynolds. */
+/* Sets the time histories of load and speed, which are borrowed; NULL: 1.
+ * Negative speeds require a symmetric domain and Reynolds cavitation. */
 void ovr_simulation_histories(ovr_simulation *sim, const ovr_history *load,
                               const ovr_history *speed);
 

@@ -257,9 +257,9 @@ static const attempt attempts[] = {
 };
 enum { ATTEMPTS = sizeof attempts / sizeof *attempts };
 
-/* Where surfaces touch a cycle is a step of Newton's method with a lift of its
- * own, which Eyring's sinh may throw far out and which then comes back (of 100
- * pairs of ground surfaces 60 steps find all but a few films). */
+/* With asperity contact a cycle is a step of Newton's method, which Eyring's
+ * sinh can throw far off before it returns. With 60 steps all but a few films
+ * of 100 pairs of ground surfaces are found. */
 static const struct {
     int max_cycles;
     double newton_limit, hopeless;
@@ -325,8 +325,9 @@ static bool try_with(ovr_simulation *sim, double dT, const attempt *how,
     return ovr_step_cycles(sim, cycling, outcome);
 }
 
-/* Surfaces that are apart cost what those without a law do: cycles know nothing
- * of it, and the next attempt does if it bears something after all. */
+/* First attempt without asperity contact, if no asperities were in contact
+ * before: cycles then cost the same as without [boundary]. If asperities come
+ * into contact, the next attempt includes them. */
 static bool try_once(ovr_simulation *sim, double dT, const attempt *how,
                      ovr_outcome *outcome)
 {

@@ -30,8 +30,8 @@ ovr_defect ovr_steady_grown(ovr_simulation *sim, const ovr_full *how,
 ovr_defect ovr_steady_settled(ovr_simulation *sim, const ovr_full *how,
                               int *cycles);
 
-/* The same by Newton's method, where cycles fail (step.c); false where
- * it knows no such films. */
+/* The same by Newton's method, if cycles fail (step.c). Returns false if the
+ * method does not support the film. */
 bool ovr_step_newton(ovr_simulation *sim, const ovr_cycling *how,
                      ovr_outcome *outcome);
 

@@ -24,7 +24,7 @@
 #include <string.h>
 
 static const double samples_of_depth = 64;
-/* Farther away a feature in the contact does not matter to a path. */
+/* Features farther than this from X = 0 have no effect on a path. */
 static const double near_contact = 2;
 enum { WHOLE = 1 << (OVR_STRESS_LEVELS - 1) };
 
@@ -272,9 +272,10 @@ static float run_through(float *v, size_t n, float first, bool low, bool upward)
     return carry;
 }
 
-/* A depth's nodes as a run begins or ends: node i = 0 ... n - 1 stands at point
- * k + i, or between it and the next.  Upward, a point takes all nodes below it,
- * and its own; downward those above. */
+/* Nodes of a depth at the start or end of a run.  Node i = 0 ... n - 1 is at
+ * material point k + i, or between it and the next point.  Upward, a point
+ * includes its own node and all nodes before it.  Downward, it includes all
+ * nodes after it. */
 typedef struct closing {
     size_t depth, n;
     long k;

@@ -82,12 +82,13 @@ bool ovr_yielding_is_near(const ovr_yielding *y, size_t layer, size_t i,
  * until strains change. */
 double ovr_yielding_reserve(ovr_yielding *y);
 
-/* Flows until nothing is `enough` beyond yield, so many times at most. */
+/* Repeats plastic flow until no stress exceeds yield by more than `enough`, up
+ * to a maximum number of iterations. */
 typedef struct ovr_flowed {
-    int iterations; /* that flowed; 0: nothing did */
-    size_t points;  /* that flowed in the first of them */
-    double left;    /* f/Y before the last, at most */
-    double maximum; /* largest flow of a point, p_h/E* */
+    int iterations; /* iterations with plastic flow; 0: no flow */
+    size_t points;  /* points with plastic flow in the first iteration */
+    double left;    /* maximum f/Y before the last iteration */
+    double maximum; /* maximum plastic strain increment of a point, p_h/E* */
     double work;    /* b^2 p_h^2/E* along the line */
 } ovr_flowed;
 ovr_flowed ovr_yielding_flow(ovr_yielding *y);

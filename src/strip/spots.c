@@ -92,7 +92,8 @@ static derivatives derivatives_at(const ovr_strip_level *level, place p)
     return d;
 }
 
-/* Lines between two of them, the shorter way round. */
+/* Returns the distance of two lines in lines, across the periodic boundary if
+ * that is shorter. */
 static size_t lines_between(const ovr_strip_grid *g, size_t a, size_t b)
 {
     size_t d = a > b ? a - b : b - a;

@@ -116,7 +116,7 @@ typedef struct ovr_strip_weights {
 typedef struct ovr_strip_elastic {
     size_t n, lines, stride;
     size_t modes;  /* lines/2 + 1 */
-    size_t length; /* of transforms along X, 2 (n - 1) */
+    size_t length; /* length of the transforms along X, 2 (n - 1) */
     double *table; /* n x modes: the influence's transform, which is even */
     fftw_complex *spectrum; /* length x modes; shared between the grids */
     /* Of a block of rows or columns, and of those that remain */

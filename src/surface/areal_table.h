@@ -36,7 +36,7 @@ typedef struct ovr_areal_fit {
     double mesh[2];  /* mesh sizes of the strip along x and y, b */
     double taper[2]; /* NAN: 5 % of the length */
     int extend[2];   /* ovr_extension */
-    bool both;       /* endless to both sides along x */
+    bool both;       /* extended to both sides along x */
     bool closed;     /* the last row and column equal the first */
 } ovr_areal_fit;
 

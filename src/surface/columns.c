@@ -64,7 +64,8 @@ ovr_status ovr_find_columns(ovr_text_table *t, ovr_error *err)
 
 typedef struct wanting {
     const ovr_text_table *t;
-    char what[300], give[200]; /* "no unit of x", "--unit-x um" */
+    char what[300], give[200]; /* missing information ("no unit of x") and its
+                                  remedy ("--unit-x um") */
     const char *about;         /* the first key */
     int count;
 } wanting;

@@ -22,9 +22,9 @@ struct ovr_surfaces {
     ovr_contact contact;
     const ovr_history *speed, *sliding;
     double mesh;
-    double width;         /* of a strip, b; 0: a line contact */
-    double mesh_across;   /* distance of its lines, b */
-    double inlet, outlet; /* NAN: not known */
+    double width;         /* width of a strip, b; 0: line contact */
+    double mesh_across;   /* distance between the lines of a strip, b */
+    double inlet, outlet; /* NAN: unknown */
     size_t count;
     ovr_placed_feature *first, **last;
 };

@@ -100,10 +100,10 @@ size_t ovr_surfaces_count(const ovr_surfaces *surfaces);
 ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces,
                                    size_t feature);
 
-/* The times when the first end of a feature enters the film between inlet and
- * outlet, when its centre (of the first of its copies) is at X = 0, and when
- * its last end, that of the last copy, has left: 0 where that is over at T = 0,
- * INFINITY where it never comes to pass up to `until`. */
+/* Times at which the leading end of a feature enters the domain, at which the
+ * centre of its first copy is at X = 0, and at which the trailing end of its
+ * last copy leaves the domain. 0: before T = 0; INFINITY: not before `until`.
+ */
 typedef struct ovr_feature_times {
     double enters, centre, leaves;
 } ovr_feature_times;

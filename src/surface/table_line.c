@@ -170,7 +170,7 @@ static bool scaled_unit(const words *w, ovr_line word)
     return word.size == 1 && word.text[0] == 'b';
 }
 
-/* Words beside an axis that are no attempt at a unit. */
+/* True for words in the name of an axis that are not units. */
 static bool is_plain_word(ovr_line word)
 {
     static const char *const plain[] = {"axis",      "coordinate", "data",

@@ -277,8 +277,9 @@ static ovr_status stiffness(const ovr_physics_case *of, void *form,
     return OVR_OK;
 }
 
-/* The surfaces approach each other by this, b^2/2R, over a thickness, except
- * for what the layer's modulus does not let it give way. */
+/* Returns the compression of a layer relative to its thickness: the approach
+ * b^2/2R of the surfaces divided by the thickness, limited by the modulus of
+ * the layer. */
 static double strain(const ovr_physics_case *of, const coating_form *f, int k,
                      int j)
 {
@@ -349,8 +350,8 @@ static void measure(const ovr_physics_case *of, coating_form *f)
     }
 }
 
-/* A stiff layer on a soft one hands its load on as a plate does: what a level
- * makes of waves as long as that only a finer coarsest grid puts right. */
+/* A stiff layer on a soft one distributes its load like a plate. Errors of
+ * such long waves are corrected only by a finer coarsest grid. */
 static void refine_coarsest(const ovr_physics_case *of, const coating_form *f)
 {
     const double like_a_plate = 3, highly_loaded = 90;

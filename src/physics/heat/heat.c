@@ -481,7 +481,7 @@ static void iterate(ovr_simulation *sim, const ovr_full *how, bool slowly,
     const double enough = OVR_HEAT_CHANGE, far = 0.1;
     ovr_heated *h = sim->heated;
     double change = INFINITY;
-    int lost = 0; /* solves in a row without a film */
+    int lost = 0; /* number of successive solutions without a film */
     bool found = true;
     ovr_heat_outer_begin(sim);
     h->skew_share = slowly ? 0 : 1;

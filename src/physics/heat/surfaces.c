@@ -139,7 +139,8 @@ void ovr_heat_surface_visit(ovr_simulation *sim, int k, ovr_pieces *state)
     }
 }
 
-/* The same for steps that differ in rounding alone. */
+/* Rounds a time step, so that steps that differ only by rounding errors are
+ * equal. */
 static double rounded(double dT)
 {
     int exponent;

@@ -33,12 +33,13 @@
 enum { OVR_HEAT_WORKSPACES = 3 };
 
 typedef struct ovr_heat_surface {
-    size_t beyond;          /* nodes beyond each end that it remembers too */
-    double *psi[OVR_BANKS]; /* Psi_m at the nodes and beyond; or NULL */
-    double *past;           /* (h - T_bulk)/N at the nodes */
-    double *along;          /* steady: what heat along x adds to it */
-    ovr_memory memory;      /* for steps of dT */
-    double meshes;          /* that it moves in the step */
+    size_t beyond; /* number of nodes beyond each end whose temperature history
+                      is stored */
+    double *psi[OVR_BANKS];       /* Psi_m at the nodes and beyond; or NULL */
+    double *past;                 /* (h - T_bulk)/N at the nodes */
+    double *along;                /* steady: what heat along x adds to it */
+    ovr_memory memory;            /* for steps of dT */
+    double meshes;                /* that it moves in the step */
     ovr_spread spread[OVR_BANKS]; /* in it */
     double *before; /* q of the step before, carried along and spread */
     double *next, *workspace[OVR_HEAT_WORKSPACES];

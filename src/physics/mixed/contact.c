@@ -324,8 +324,8 @@ static double drag_at(const ovr_simulation *sim, const boundary *b, size_t i)
     return side * mu * borne / sim->contact.kappa;
 }
 
-/* True if the law, which falls with the film, knows nothing of the thinnest:
- * then nothing is borne, and less than rounding in contact, anywhere. */
+/* True if the asperity pressure is negligible even at the minimum film
+ * thickness. */
 static bool has_no_asperity_contact(const ovr_simulation *sim,
                                     const boundary *b)
 {

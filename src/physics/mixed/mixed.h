@@ -55,9 +55,10 @@ void ovr_boundary_describe(const ovr_physics_case *of, const void *form,
  * a load relative to the nominal one. */
 bool ovr_boundary_is_weak(const ovr_boundary_form *f, double load);
 
-/* Advice if the roughness S on the grid is too high for the film thickness H
- * with a contact model: its lambda, down to which such pairs hold, and what the
- * mean film makes of it; nothing where there is no roughness. */
+/* Writes advice if the roughness S on the grid is too high for the film
+ * thickness H with an asperity contact model: the lambda ratio, its usual
+ * minimum, and the alternative of a mean film. Without roughness the text is
+ * empty. */
 void ovr_boundary_instead(const ovr_asperity_law *law, double H, size_t n,
                           const double *X, const double *S, size_t size,
                           char *text);

@@ -16,7 +16,7 @@
 #include "physics/mixed/mixed.h"
 #include "surface/statistics.h"
 
-/* A step, b/um; at most so many of them. */
+/* Time step of a running-in solution, b/u_m, and maximum number of steps. */
 #define OVR_WEAR_STEP 1e3
 enum { OVR_WEAR_MAX = 4000 };
 
