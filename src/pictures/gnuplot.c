@@ -254,8 +254,8 @@ static ovr_status send_script(ovr_gnuplot *g, const ovr_text *script,
     ovr_text_put(&file, "\n");
     ovr_text_add(&file, script->data, script->length);
     ovr_text_put(&file, "unset output\n");
-    /* An empty line first: should a picture have gone here, it is over; and
-     * a template may have had its own words printed elsewhere. */
+    /* An empty line first ends a picture that was written here. A template may
+     * redirect its own output. */
     ovr_text_print(&line, "\nset print\nprint ''\nprint '%s'\n", done);
     status = ovr_text_save_anew(&file, g->script, err);
     if (status == OVR_OK)

@@ -259,8 +259,8 @@ static ovr_status read_field(const ovr_shot *shot, const char *name, double by,
     return status;
 }
 
-/* Oil on either wall; what fills the gap is all on the lower one: where two
- * areas meet, a line shows. */
+/* Lubricant on each wall. Lubricant that fills the gap is drawn on the lower
+ * wall only, because a line is visible where two areas meet. */
 static void stand(double H, double *oil, double *hung)
 {
     const double full = 1 - 1e-6;

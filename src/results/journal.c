@@ -529,7 +529,7 @@ static int by_page(const void *a, const void *b)
     return (x->state > y->state) - (x->state < y->state);
 }
 
-/* What lies behind a state's end is not its own. */
+/* Bytes beyond the end of a state do not belong to it. */
 static bool holds(int file, const promise *p, uint64_t length)
 {
     unsigned char now[OVR_PAGE];

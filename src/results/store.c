@@ -244,7 +244,7 @@ static int apply_pages(const ovr_store *s)
     return error;
 }
 
-/* What lies behind the end goes, but nothing that the checkpoint had. */
+/* Removes bytes beyond the end, except for those of the checkpoint. */
 static int cut_tail(ovr_store *s)
 {
     uint64_t to = maximum(s->length, s->kept.length);

@@ -22,8 +22,8 @@
 #include "simulation/conflicts.h"
 #include "simulation/physics.h"
 
-/* Beyond these layers are not calculated: the images do not meet A(k); a layer
- * that no mesh sees; a contact much wider than its scale; large strains. */
+/* Limits of layers: error of the images of A(k), thickness in mesh sizes,
+ * width of the contact relative to its scale, and strain. */
 static const double FIT_MAX = 1e-5, MESH_MIN = 0.02, WIDTH_MAX = 3,
                     STRAIN_MAX = 0.1;
 
