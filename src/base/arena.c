@@ -98,23 +98,27 @@ static struct ovr_arena_block *add_block(ovr_arena *arena, size_t bytes)
     return block;
 }
 
+static void *fail(ovr_arena *arena, size_t bytes, ovr_error *err)
+{
+    arena->starved = true;
+    arena->lacking = bytes;
+    ovr_fail(err, OVR_NO_MEMORY, "out of memory: %zu bytes needed", bytes);
+    return NULL;
+}
+
 void *ovr_arena_take(ovr_arena *arena, size_t count, size_t size,
                      ovr_error *err)
 {
     struct ovr_arena_block *block = arena->blocks;
     size_t bytes = count * size, at;
-    if (size && count > (SIZE_MAX / 2) / size) {
-        ovr_fail(err, OVR_NO_MEMORY, "out of memory: %zu x %zu bytes needed",
-                 count, size);
-        return NULL;
-    }
+    if (arena->starved)
+        return fail(arena, arena->lacking, err);
+    if (size && count > (SIZE_MAX / 2) / size)
+        return fail(arena, SIZE_MAX, err);
     if (!block || aligned(block->used) + bytes > block->size - OVERHEAD)
         block = add_block(arena, bytes);
-    if (!block) {
-        arena->starved = true;
-        ovr_fail(err, OVR_NO_MEMORY, "out of memory: %zu bytes needed", bytes);
-        return NULL;
-    }
+    if (!block)
+        return fail(arena, bytes, err);
     at = aligned(block->used);
     block->used = at + bytes;
     arena->pieces++;
@@ -136,6 +140,7 @@ void ovr_arena_release(ovr_arena *arena)
     ovr_arena emptied = *arena;
     arena->blocks = NULL;
     arena->bytes = arena->pieces = 0;
+    arena->starved = false;
     arena->releases++;
     while (block) {
         struct ovr_arena_block *older = block->older;

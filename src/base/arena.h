@@ -23,7 +23,8 @@ typedef struct ovr_arena {
     size_t pieces;                  /* handed out */
     size_t releases;                /* how often it was emptied */
     bool blank;                     /* what the allocator gives is zero */
-    bool starved;                   /* an allocation has failed */
+    bool starved;                   /* an allocation has failed, */
+    size_t lacking;                 /* its size in bytes */
 } ovr_arena;
 
 /* An empty arena; `allocator` NULL means malloc and free. */
@@ -35,9 +36,17 @@ ovr_arena ovr_arena_make(const ovr_allocator *allocator);
 ovr_arena ovr_arena_counting(void);
 
 /* `count` zeroed elements of `size` bytes each, or NULL with *err filled.
- * A zero count gives a valid pointer. */
+ * A zero count gives a valid pointer.  Once an allocation has failed, every
+ * further one fails until the arena is released: a function that allocates
+ * several pieces checks ovr_arena_status once, before it uses any of them. */
 void *ovr_arena_take(ovr_arena *arena, size_t count, size_t size,
                      ovr_error *err);
+
+/* Returns OVR_NO_MEMORY if an allocation has failed. */
+static inline ovr_status ovr_arena_status(const ovr_arena *arena)
+{
+    return arena->starved ? OVR_NO_MEMORY : OVR_OK;
+}
 
 /* Copy of a string, or NULL with *err filled. */
 char *ovr_arena_text(ovr_arena *arena, const char *text, ovr_error *err);

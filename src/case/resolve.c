@@ -145,7 +145,7 @@ static ovr_status resolve_features(ovr_resolved *r, ovr_error *err)
         n += ovr_block_is_feature(b);
     settings = ovr_arena_take(&r->arena, n, sizeof *settings, err);
     form = ovr_arena_take(&r->arena, n, sizeof *form, err);
-    if (!settings || !form)
+    if (ovr_arena_status(&r->arena))
         return OVR_NO_MEMORY;
     r->feature = form;
     r->features = n;

@@ -28,7 +28,7 @@ static ovr_status grow(reading *r, ovr_error *err)
     size_t capacity = r->capacity ? 2 * r->capacity : 256;
     double *x = ovr_arena_take(r->arena, capacity, sizeof *x, err);
     double *y = ovr_arena_take(r->arena, capacity, sizeof *y, err);
-    if (!x || !y)
+    if (ovr_arena_status(r->arena))
         return OVR_NO_MEMORY;
     if (c->count) {
         memcpy(x, c->x, c->count * sizeof *x);

@@ -184,7 +184,7 @@ static ovr_status make_lift(ovr_cam_form *form, double **bending,
     double *height = ovr_arena_take(arena, n, sizeof *height, err);
     double *factor = ovr_arena_take(arena, n, sizeof *factor, err);
     *bending = ovr_arena_take(arena, n, sizeof **bending, err);
-    if (!angle || !height || !factor || !*bending)
+    if (ovr_arena_status(arena))
         return OVR_NO_MEMORY;
     for (size_t k = 0; k < n; k++) {
         angle[k] = form->angle[k];

@@ -593,7 +593,7 @@ static ovr_status copy_table(ovr_gear_form *form, ovr_arena *arena,
     size_t n = form->sharing == OVR_SHARING_TABLE ? form->shares : 0;
     double *way = ovr_arena_take(arena, n, sizeof *way, err);
     double *share = ovr_arena_take(arena, n, sizeof *share, err);
-    if (!way || !share)
+    if (ovr_arena_status(arena))
         return OVR_NO_MEMORY;
     for (size_t k = 0; k < n; k++) {
         way[k] = form->way[k];

@@ -46,12 +46,10 @@ ovr_status ovr_newton_prepare(ovr_hierarchy *grids, ovr_arena *arena,
     newton->matrix = ovr_field(arena, m * stride_of(top->grid.n), err);
     newton->change = ovr_field(arena, m, err);
     for (int k = 0; k < newton->levels; k++)
-        if (!(newton->kernel[k] = ovr_newton_kernel((level + k)->grid.n, arena,
-                                                    err)))
-            return OVR_NO_MEMORY;
-    if (grids->content && !(newton->wet = ovr_field(arena, m, err)))
-        return OVR_NO_MEMORY;
-    return newton->matrix && newton->change ? OVR_OK : OVR_NO_MEMORY;
+        newton->kernel[k] = ovr_newton_kernel((level + k)->grid.n, arena, err);
+    if (grids->content)
+        newton->wet = ovr_field(arena, m, err);
+    return ovr_arena_status(arena);
 }
 
 static void fill_kernel(const ovr_hierarchy *grids, const ovr_level *level,

@@ -274,15 +274,14 @@ ovr_status ovr_composite_prepare(ovr_composite *c, ovr_hierarchy *grids,
     for (int k = 0; k < patches; k++)
         n = maximum[k] > n ? maximum[k] : n;
     c->grids = grids;
-    if (ovr_patch_base(grids, &c->part[0], arena, err))
-        return OVR_NO_MEMORY;
-    if (OVR_TAKE_FIELDS(arena, n + OVR_MAX_LANES, err, &c->workspace[0],
-                        &c->workspace[1]) ||
-        count_bytes(c, maximum, patches, &c->size, err))
+    ovr_patch_base(grids, &c->part[0], arena, err);
+    OVR_TAKE_FIELDS(arena, n + OVR_MAX_LANES, err, &c->workspace[0],
+                    &c->workspace[1]);
+    if (count_bytes(c, maximum, patches, &c->size, err))
         return OVR_NO_MEMORY;
     c->size += (size_t)64 * 1024 * (size_t)(patches + 1);
     c->chunk = ovr_arena_take(arena, c->size, 1, err);
-    return c->chunk ? OVR_OK : OVR_NO_MEMORY;
+    return ovr_arena_status(arena);
 }
 
 void ovr_composite_begin(ovr_composite *c, double force)

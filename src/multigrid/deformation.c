@@ -372,7 +372,7 @@ double *ovr_mlmi_field(const ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
     return take(plan, 0, arena, err);
 }
 
-static ovr_status take_grids(ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
+static void take_grids(ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
 {
     plan->grid[0].left = 0;
     plan->grid[0].right = 2;
@@ -380,18 +380,14 @@ static ovr_status take_grids(ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
         ovr_mlmi_grid *grid = &plan->grid[s];
         grid->near_even = ovr_arena_take(arena, 3 * OVR_MLMI_MAX + 1,
                                          sizeof *grid->near_even, err);
-        if (!grid->near_even)
-            return OVR_NO_MEMORY;
-        grid->near_odd = grid->near_even + OVR_MLMI_MAX;
+        if (grid->near_even)
+            grid->near_odd = grid->near_even + OVR_MLMI_MAX;
         if (s) {
             count_ghosts(plan, &plan->grid[s - 1], grid);
             grid->u = take(plan, s, arena, err);
             grid->out = take(plan, s, arena, err);
-            if (!grid->u || !grid->out)
-                return OVR_NO_MEMORY;
         }
     }
-    return OVR_OK;
 }
 
 /* Nodes of the dense sum. */
@@ -403,16 +399,13 @@ static size_t dense_nodes(const ovr_mlmi *plan)
 }
 
 /* kernel[0] is the one at distance zero. */
-static ovr_status take_dense(ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
+static void take_dense(ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
 {
     size_t count = dense_nodes(plan);
     double *kernel = ovr_field(arena, 2 * count + OVR_FIELD_PAD, err);
     plan->natural = ovr_field(arena, count, err);
     plan->result = ovr_field(arena, count, err);
-    if (!kernel || !plan->natural || !plan->result)
-        return OVR_NO_MEMORY;
-    plan->kernel = kernel + count;
-    return OVR_OK;
+    plan->kernel = kernel ? kernel + count : NULL;
 }
 
 ovr_status ovr_mlmi_plan(ovr_mlmi *plan, size_t n, ovr_mlmi_form form,
@@ -425,9 +418,9 @@ ovr_status ovr_mlmi_plan(ovr_mlmi *plan, size_t n, ovr_mlmi_form form,
     plan->range = form.range;
     plan->depth = depth_of(n, form.range);
     plan->pad = 2 * (form.order + 4) + form.range + 2 * OVR_MLMI_BLOCK;
-    if (take_grids(plan, arena, err))
-        return OVR_NO_MEMORY;
-    return take_dense(plan, arena, err);
+    take_grids(plan, arena, err);
+    take_dense(plan, arena, err);
+    return ovr_arena_status(arena);
 }
 
 void ovr_mlmi_fill(ovr_mlmi *plan, double D, const ovr_mlmi *like)

@@ -28,12 +28,21 @@ ovr_departures ovr_departures_of(size_t n, double meshes);
 double ovr_departures_at(const ovr_departures *departures, const double *v,
                          size_t i);
 
+/* Interpolates v at the departure points of all nodes. */
+void ovr_carry_along(const ovr_departures *departures, const double *v,
+                     double *to);
+
 /* Interpolates v at i - meshes (in mesh sizes) for all nodes i. */
 void ovr_departures_cubic(size_t n, const double *v, double meshes,
                           double *at_departures);
 
 /* Interpolates v at i - meshes for one node. */
 double ovr_departure_linear(size_t n, const double *v, size_t i, double meshes);
+
+/* Interpolates v at i - meshes u_i for all nodes i of a layer of the film. The
+ * value beyond both ends is 0. */
+void ovr_film_departures(size_t n, double meshes, const double *u,
+                         const double *v, double *at_departures);
 
 /* Lagrange's cubic at s in [0, 1) of the middle of four nodes. */
 static inline void ovr_cubic_weights(double s, double c[4])

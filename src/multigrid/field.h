@@ -41,9 +41,8 @@ static inline ovr_status ovr_fields_take(ovr_arena *arena, size_t n,
                                          ovr_error *err, double **const to[])
 {
     for (; *to; to++)
-        if (!(**to = ovr_field(arena, n, err)))
-            return OVR_NO_MEMORY;
-    return OVR_OK;
+        **to = ovr_field(arena, n, err);
+    return ovr_arena_status(arena);
 }
 #define OVR_TAKE_FIELDS(arena, n, err, ...)                                    \
     ovr_fields_take(arena, n, err, (double **const[]){__VA_ARGS__, NULL})

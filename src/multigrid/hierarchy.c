@@ -79,19 +79,17 @@ void ovr_hierarchy_by_gap(ovr_hierarchy *grids)
         grids->level[l].f.log_fluidity = grids->level[l].f.log_slope = NULL;
 }
 
-static ovr_status take_sets(ovr_fields *f, size_t n, bool content,
-                            ovr_arena *arena, ovr_error *err)
+static void take_sets(ovr_fields *f, size_t n, bool content, ovr_arena *arena,
+                      ovr_error *err)
 {
     unsigned char **const all[] = {&f->wet,   &f->held, &f->dried, &f->limited,
                                    &f->spent, &f->left, &f->right};
     for (size_t k = 0; k < (content ? sizeof all / sizeof *all : 2); k++)
-        if (!(*all[k] = ovr_set(arena, n, err)))
-            return OVR_NO_MEMORY;
-    return OVR_OK;
+        *all[k] = ovr_set(arena, n, err);
 }
 
-static ovr_status take_fields(const ovr_hierarchy *grids, ovr_level *level,
-                              ovr_arena *arena, ovr_error *err)
+static void take_fields(const ovr_hierarchy *grids, ovr_level *level,
+                        ovr_arena *arena, ovr_error *err)
 {
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++) {
         ovr_field_memory memory = ovr_field_rows[k].memory;
@@ -101,22 +99,20 @@ static ovr_status take_fields(const ovr_hierarchy *grids, ovr_level *level,
         level->f.all[k] = memory == OVR_WIDE
                               ? ovr_mlmi_field(&level->mlmi, arena, err)
                               : ovr_field(arena, capacity_of(level), err);
-        if (!level->f.all[k])
-            return OVR_NO_MEMORY;
     }
-    return take_sets(&level->f, level->grid.n, grids->content, arena, err);
+    take_sets(&level->f, level->grid.n, grids->content, arena, err);
 }
 
-static ovr_status take_natural(ovr_hierarchy *grids, size_t n, ovr_arena *arena,
-                               ovr_error *err)
+static void take_natural(ovr_hierarchy *grids, size_t n, ovr_arena *arena,
+                         ovr_error *err)
 {
     ovr_fields *f = &grids->natural;
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         if (ovr_field_rows[k].ordered &&
-            has(grids, ovr_field_rows[k].memory, true) &&
-            !(f->all[k] = ovr_field(arena, n, err)))
-            return OVR_NO_MEMORY;
-    return grids->content ? take_sets(f, n, true, arena, err) : OVR_OK;
+            has(grids, ovr_field_rows[k].memory, true))
+            f->all[k] = ovr_field(arena, n, err);
+    if (grids->content)
+        take_sets(f, n, true, arena, err);
 }
 
 static void set_lanes(ovr_level *level, const ovr_kernels *kernels)
@@ -129,11 +125,11 @@ static void set_lanes(ovr_level *level, const ovr_kernels *kernels)
 ovr_status ovr_level_build(const ovr_hierarchy *grids, ovr_level *level,
                            ovr_mlmi_form mlmi, ovr_arena *arena, ovr_error *err)
 {
-    if (ovr_mlmi_plan(&level->mlmi, level->grid.n, mlmi, arena, err))
-        return OVR_NO_MEMORY;
+    ovr_mlmi_plan(&level->mlmi, level->grid.n, mlmi, arena, err);
     level->mlmi.linear = grids->influence.linear;
     set_lanes(level, grids->kernels);
-    return take_fields(grids, level, arena, err);
+    take_fields(grids, level, arena, err);
+    return ovr_arena_status(arena);
 }
 
 void ovr_hierarchy_kernels(ovr_hierarchy *grids, const ovr_kernels *kernels)
@@ -154,25 +150,21 @@ ovr_status ovr_hierarchy_build(ovr_hierarchy *grids,
     ovr_grid *first = &grids->level[coarsest].grid;
     *first = (ovr_grid){.n = ovr_level_nodes(coarsest), .X_a = form->X_a};
     first->D = (form->X_b - form->X_a) / (double)(first->n - 1);
-    if (!(first->X = ovr_arena_take(arena, first->n, sizeof *first->X, err)))
-        return OVR_NO_MEMORY;
+    first->X = ovr_arena_take(arena, first->n, sizeof *first->X, err);
     for (int l = coarsest; l <= finest; l++) {
         ovr_level *level = &grids->level[l];
         const ovr_grid *below = &(level - 1)->grid;
         level->number = l;
-        if (l > coarsest &&
+        if (l > coarsest)
             ovr_grid_refine(&level->grid, below, (ovr_window){0, below->n - 1},
-                            arena, err))
-            return OVR_NO_MEMORY;
-        if (ovr_level_build(grids, level, form->mlmi[l], arena, err))
-            return OVR_NO_MEMORY;
+                            arena, err);
+        ovr_level_build(grids, level, form->mlmi[l], arena, err);
     }
     size_t capacity = capacity_of(&grids->level[finest]);
     ovr_band *band = &grids->band;
-    if (OVR_TAKE_FIELDS(arena, capacity, err, &band->b[0], &band->b[1],
-                        &band->b[2], &band->b[3], &band->b[4], &band->delta) ||
-        take_natural(grids, grids->level[grids->ordered].grid.n, arena, err))
-        return OVR_NO_MEMORY;
+    OVR_TAKE_FIELDS(arena, capacity, err, &band->b[0], &band->b[1], &band->b[2],
+                    &band->b[3], &band->b[4], &band->delta);
+    take_natural(grids, grids->level[grids->ordered].grid.n, arena, err);
     double end = fmax(fmax(-form->X_a, form->X_b) / 4, 1);
     band->reach = end * end;
     grids->scratch[0] = band->b[0];
@@ -231,24 +223,21 @@ static ovr_status hierarchy_bear(ovr_hierarchy *grids, ovr_arena *arena,
     if (finest->borne)
         return OVR_OK;
     finest->pressed = ovr_mlmi_field(&finest->mlmi, arena, err);
-    if (finest->pressed)
-        finest->borne = ovr_mlmi_field(&finest->mlmi, arena, err);
-    return finest->borne ? OVR_OK : OVR_NO_MEMORY;
+    finest->borne = ovr_mlmi_field(&finest->mlmi, arena, err);
+    return ovr_arena_status(arena);
 }
 
 /* Allocates the arrays that Newton's method needs on the finest level. */
-static ovr_status take_newton(ovr_hierarchy *grids, ovr_arena *arena,
-                              ovr_error *err)
+static void take_newton(ovr_hierarchy *grids, ovr_arena *arena, ovr_error *err)
 {
     ovr_level *finest = &grids->level[grids->finest];
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
-        if (!finest->f.all[k] && has(grids, ovr_field_rows[k].memory, true) &&
-            !(finest->f.all[k] = ovr_field(arena, capacity_of(finest), err)))
-            return OVR_NO_MEMORY;
+        if (!finest->f.all[k] && has(grids, ovr_field_rows[k].memory, true))
+            finest->f.all[k] = ovr_field(arena, capacity_of(finest), err);
     if (grids->ordered == grids->finest)
-        return OVR_OK;
+        return;
     grids->ordered = grids->finest;
-    return take_natural(grids, finest->grid.n, arena, err);
+    take_natural(grids, finest->grid.n, arena, err);
 }
 
 ovr_status ovr_hierarchy_take_asperities(ovr_hierarchy *grids, ovr_arena *arena,
@@ -257,30 +246,27 @@ ovr_status ovr_hierarchy_take_asperities(ovr_hierarchy *grids, ovr_arena *arena,
     ovr_asperity *touch = &grids->touch;
     size_t n = grids->level[grids->finest].grid.n;
     size_t capacity = capacity_of(&grids->level[grids->finest]);
-    if (OVR_TAKE_FIELDS(arena, n + 1, err, &touch->A, &touch->g, &touch->whole,
-                        &touch->excess, &touch->step) ||
-        OVR_TAKE_FIELDS(arena, n, err, &touch->lift) ||
-        OVR_TAKE_FIELDS(arena, capacity, err, &touch->gap) ||
-        !(touch->kernel = ovr_newton_kernel(n, arena, err)) ||
-        !(touch->dry = ovr_set(arena, n, err)) ||
-        !(touch->opened = ovr_set(arena, n, err)) ||
-        !(touch->tripoles = ovr_arena_take(arena, 1, sizeof *touch->tripoles,
-                                           err)) ||
-        ovr_tripoles_take(touch->tripoles, n, arena, err) ||
-        take_newton(grids, arena, err))
+    OVR_TAKE_FIELDS(arena, n + 1, err, &touch->A, &touch->g, &touch->whole,
+                    &touch->excess, &touch->step);
+    touch->lift = ovr_field(arena, n, err);
+    touch->gap = ovr_field(arena, capacity, err);
+    touch->kernel = ovr_newton_kernel(n, arena, err);
+    touch->dry = ovr_set(arena, n, err);
+    touch->opened = ovr_set(arena, n, err);
+    touch->tripoles = ovr_tripoles_take(n, arena, err);
+    take_newton(grids, arena, err);
+    if (ovr_arena_status(arena))
         return OVR_NO_MEMORY;
     ovr_newton_fill(grids);
     return hierarchy_bear(grids, arena, err);
 }
 
-static ovr_status take_skew(ovr_fields *f, size_t n, ovr_arena *arena,
-                            ovr_error *err)
+static void take_skew(ovr_fields *f, size_t n, ovr_arena *arena, ovr_error *err)
 {
     if (!f->skew)
         f->skew = ovr_field(arena, n, err);
     if (!f->skew_by_P)
         f->skew_by_P = ovr_field(arena, n, err);
-    return f->skew && f->skew_by_P ? OVR_OK : OVR_NO_MEMORY;
 }
 
 ovr_status ovr_hierarchy_skew(ovr_hierarchy *grids, bool second_order,
@@ -296,11 +282,10 @@ ovr_status ovr_hierarchy_skew(ovr_hierarchy *grids, bool second_order,
             level->weights.skew[m] = w.a[m];
             level->weights.skew_first[m] = w.first[m];
         }
-        if (take_skew(&level->f, capacity_of(level), arena, err))
-            return OVR_NO_MEMORY;
+        take_skew(&level->f, capacity_of(level), arena, err);
     }
-    return take_skew(&grids->natural, grids->level[grids->ordered].grid.n,
-                     arena, err);
+    take_skew(&grids->natural, grids->level[grids->ordered].grid.n, arena, err);
+    return ovr_arena_status(arena);
 }
 
 /* ------------------------------------------------------- Order of the nodes */

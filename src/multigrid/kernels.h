@@ -23,7 +23,6 @@ struct ovr_mlmi;
 
 struct ovr_law;
 struct ovr_columns;
-struct ovr_departures;
 struct ovr_modes_step;
 struct ovr_swept;
 
@@ -193,11 +192,6 @@ enum { OVR_FOURTH_MARGIN = 8 };
                             const double *H, double *log_eta)) \
     K(void, flow_cross_film, (const struct ovr_columns *c)) \
     K(void, heat_cross_film, (const struct ovr_columns *c)) \
-    /* what surfaces and film carry along, see departures.h */ \
-    K(void, carry_along, (const struct ovr_departures *f, const double *v, \
-                          double *to)) \
-    K(void, film_departures, (size_t n, double meshes, const double *u, \
-                        const double *v, double *at_departures)) \
     /* memories of surfaces, see modes.h */ \
     K(void, sum_modes, (size_t n, const double *weight, const double *psi, \
                         double q_weight, const double *q, double *sum)) \

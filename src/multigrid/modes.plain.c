@@ -259,8 +259,8 @@ void ovr_modes_past(const ovr_modes_look *l)
     ovr_swept set = {.c = {0}};
     l->run->sum_modes(l->departures->n, l->weight, l->psi, own, l->q,
                       l->workspace);
-    l->run->carry_along(l->departures, l->workspace, l->past);
-    l->run->carry_along(l->departures, l->q, l->before);
+    ovr_carry_along(l->departures, l->workspace, l->past);
+    ovr_carry_along(l->departures, l->q, l->before);
     if (!s->on)
         return;
     put_ends(l, l->past);

@@ -12,14 +12,12 @@
 static ovr_status take(ovr_patch *p, ovr_arena *arena, ovr_error *err)
 {
     size_t capacity = p->level->grid.n + OVR_MAX_LANES;
-    if (OVR_TAKE_FIELDS(arena, capacity, err, &p->P, &p->q, &p->eps, &p->flow,
-                        &p->w, &p->entry, &p->rigid, &p->F, &p->g, &p->outer_w,
-                        &p->outer_P, &p->detail, &p->detail_w))
-        return OVR_NO_MEMORY;
+    OVR_TAKE_FIELDS(arena, capacity, err, &p->P, &p->q, &p->eps, &p->flow,
+                    &p->w, &p->entry, &p->rigid, &p->F, &p->g, &p->outer_w,
+                    &p->outer_P, &p->detail, &p->detail_w);
     for (int k = 0; k < 2; k++)
-        if (!(p->wide[k] = ovr_mlmi_field(&p->level->mlmi, arena, err)))
-            return OVR_NO_MEMORY;
-    return OVR_OK;
+        p->wide[k] = ovr_mlmi_field(&p->level->mlmi, arena, err);
+    return ovr_arena_status(arena);
 }
 
 ovr_status ovr_patch_base(ovr_hierarchy *grids, ovr_patch *base,
@@ -39,15 +37,13 @@ ovr_status ovr_patch_build(const ovr_hierarchy *grids, ovr_patch *patch,
     ovr_level *level = &patch->own;
     patch->opens = window.first > 0;
     patch->closes = window.first + window.meshes < outer->n - 1;
-    if (ovr_grid_refine(&level->grid, outer, window, arena, err))
-        return OVR_NO_MEMORY;
+    ovr_grid_refine(&level->grid, outer, window, arena, err);
     patch->from = patch->opens ? OVR_PATCH_EDGE + 1 : 1;
     patch->to = level->grid.n - 2 - (patch->closes ? OVR_PATCH_EDGE : 0);
     level->number = parent->number + 1;
     const ovr_mlmi_form mlmi = {2 * (int)parent->mlmi.half_order,
                                 (int)parent->mlmi.range};
-    if (ovr_level_build(grids, level, mlmi, arena, err))
-        return OVR_NO_MEMORY;
+    ovr_level_build(grids, level, mlmi, arena, err);
     return take(patch, arena, err);
 }
 

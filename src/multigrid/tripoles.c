@@ -8,14 +8,12 @@
 
 /* ------------------------------------------------------------ band matrices */
 
-static ovr_status banded_take(ovr_banded *A, size_t n, ovr_arena *arena,
-                              ovr_error *err)
+static void banded_take(ovr_banded *A, size_t n, ovr_arena *arena,
+                        ovr_error *err)
 {
     A->row = ovr_field(arena, n * OVR_BAND_WIDTH, err);
-    A->factor = A->row ? ovr_field(arena, n * OVR_BAND, err) : NULL;
-    A->pivot = A->factor ? ovr_arena_take(arena, n, sizeof *A->pivot, err)
-                         : NULL;
-    return A->pivot ? OVR_OK : OVR_NO_MEMORY;
+    A->factor = ovr_field(arena, n * OVR_BAND, err);
+    A->pivot = ovr_arena_take(arena, n, sizeof *A->pivot, err);
 }
 
 /* A_ij to write. */
@@ -140,12 +138,11 @@ ovr_status ovr_deflation_take(ovr_deflation *d, size_t n, ovr_arena *arena,
         return OVR_OK;
     const size_t width = (n - 1) / s + count + 2, m = count + 1;
     d->hat = ovr_field(arena, s * width, err);
-    d->columns = d->hat ? ovr_field(arena, n * m, err) : NULL;
-    d->matrix = d->columns ? ovr_field(arena, m * m, err) : NULL;
-    d->value = d->matrix ? ovr_field(arena, m, err) : NULL;
-    d->pivot = d->value ? ovr_arena_take(arena, m, sizeof *d->pivot, err)
-                        : NULL;
-    return d->pivot ? OVR_OK : OVR_NO_MEMORY;
+    d->columns = ovr_field(arena, n * m, err);
+    d->matrix = ovr_field(arena, m * m, err);
+    d->value = ovr_field(arena, m, err);
+    d->pivot = ovr_arena_take(arena, m, sizeof *d->pivot, err);
+    return ovr_arena_status(arena);
 }
 
 /* Influences of a hat on nodes r + s (far - x) away from its middle, r < s. */
@@ -325,18 +322,19 @@ static size_t size_of(size_t n)
     return n - 1;
 }
 
-ovr_status ovr_tripoles_take(ovr_tripoles *t, size_t n, ovr_arena *arena,
-                             ovr_error *err)
+ovr_tripoles *ovr_tripoles_take(size_t n, ovr_arena *arena, ovr_error *err)
 {
+    ovr_tripoles *t = ovr_arena_take(arena, 1, sizeof *t, err);
+    if (!t)
+        return NULL;
     t->row = ovr_arena_take(arena, n, sizeof *t->row, err);
-    if (!t->row || banded_take(&t->band, n, arena, err))
-        return OVR_NO_MEMORY;
+    banded_take(&t->band, n, arena, err);
     t->basis = ovr_field(arena, (OVR_TRIPOLE_PRODUCTS + 1) * n, err);
-    t->column = t->basis ? ovr_field(arena, n, err) : NULL;
-    t->q = t->column ? ovr_field(arena, n, err) : NULL;
-    t->w = t->q ? ovr_field(arena, n, err) : NULL;
-    t->u = t->w ? ovr_field(arena, n, err) : NULL;
-    return t->u ? ovr_deflation_take(&t->smooth, n, arena, err) : OVR_NO_MEMORY;
+    t->column = ovr_field(arena, n, err);
+    t->q = ovr_field(arena, n, err);
+    t->w = ovr_field(arena, n, err);
+    t->u = ovr_field(arena, n, err);
+    return ovr_deflation_take(&t->smooth, n, arena, err) ? NULL : t;
 }
 
 static void proportion(ovr_newton_row *row, double k0)

@@ -77,8 +77,7 @@ typedef struct ovr_tripoles {
     double triangle[OVR_TRIPOLE_PRODUCTS][OVR_TRIPOLE_PRODUCTS + 1];
 } ovr_tripoles;
 
-ovr_status ovr_tripoles_take(ovr_tripoles *t, size_t n, ovr_arena *arena,
-                             ovr_error *err);
+ovr_tripoles *ovr_tripoles_take(size_t n, ovr_arena *arena, ovr_error *err);
 
 /* The step from the rows of those of grids->touch, and from the force that is
  * missing: dP of all nodes and dH0 behind it.  The level's w is not kept.

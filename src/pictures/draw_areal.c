@@ -73,8 +73,7 @@ static ovr_status take_field(const ovr_areal_view *v, ovr_areal_field *field,
     field->image = ovr_arena_take(arena, (size_t)CELLS_X * CELLS_Y,
                                   sizeof(double), err);
     field->across = ovr_arena_take(arena, info->lines + 1, sizeof(double), err);
-    return field->values && field->image && field->across ? OVR_OK
-                                                          : OVR_NO_MEMORY;
+    return ovr_arena_status(arena);
 }
 
 ovr_status ovr_areal_view_make(ovr_areal_view *v, const ovr_stored *run,

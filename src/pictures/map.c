@@ -86,7 +86,7 @@ static ovr_status fill(map *m, ovr_arena *arena, ovr_error *err)
     m->row[1] = ovr_arena_take(arena, CELLS_X, sizeof(double), err);
     m->nodes = ovr_arena_take(arena, m->run->info->nodes, 8, err);
     m->held[0] = m->held[1] = none;
-    if (!m->values || !m->row[0] || !m->row[1] || !m->nodes)
+    if (ovr_arena_status(arena))
         return OVR_NO_MEMORY;
     for (size_t c = 0; status == OVR_OK && c < CELLS_T; c++)
         status = fill_row(m, c, &k, err);

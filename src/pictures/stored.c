@@ -118,7 +118,7 @@ ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
     run->x = ovr_arena_take(arena, info->nodes, sizeof *run->x, err);
     run->times = ovr_arena_take(arena, info->snapshots + 1, sizeof *run->times,
                                 err);
-    if (!run->x || !run->times)
+    if (ovr_arena_status(arena))
         return OVR_NO_MEMORY;
     run->pressure = ovr_result_find(result, "pressure") != NULL;
     run->film = ovr_result_find(result, "film_thickness") != NULL;

@@ -378,7 +378,7 @@ static ovr_status put_run(ovr_view_run *w, ovr_error *err)
     choose(w);
     x = ovr_arena_take(w->arena, w->nodes, sizeof *x, err);
     times = ovr_arena_take(w->arena, w->shots, sizeof *times, err);
-    if (!x || !times)
+    if (ovr_arena_status(w->arena))
         return OVR_NO_MEMORY;
     for (size_t i = 0; i < w->nodes; i++)
         x[i] = w->run->x[i * w->stride];

@@ -133,7 +133,7 @@ ovr_status ovr_view_areal(const ovr_view_run *view, ovr_error *err)
                               sizeof *m.values, err);
     double *x = ovr_arena_take(view->arena, m.columns, sizeof *x, err);
     double *y = ovr_arena_take(view->arena, run->info->lines, sizeof *y, err);
-    if (!m.values || !x || !y)
+    if (ovr_arena_status(view->arena))
         return OVR_NO_MEMORY;
     double shown = NAN;
     ovr_status status = ovr_result_across(run->result, &shown, err);

@@ -154,8 +154,7 @@ static ovr_status take_scratch(ovr_writer *w, ovr_error *err)
     w->pending_value = ovr_arena_take(a, OVR_ROW_CHUNK * w->file.columns,
                                       sizeof *w->pending_value, err);
     w->workspace = ovr_arena_take(a, w->n, sizeof *w->workspace, err);
-    return w->pending_step && w->pending_value && w->workspace ? OVR_OK
-                                                               : OVR_NO_MEMORY;
+    return ovr_arena_status(a);
 }
 
 static ovr_status take_names(ovr_writer *w, ovr_error *err)

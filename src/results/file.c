@@ -224,7 +224,7 @@ ovr_status ovr_file_prepare(ovr_file *f, const ovr_file_plan *plan,
     f->columns = ovr_layout_columns(physics, NULL);
     f->column = ovr_arena_take(arena, f->columns, sizeof *f->column, err);
     f->row = ovr_arena_take(arena, f->columns, sizeof *f->row, err);
-    if (!f->column || !f->row)
+    if (ovr_arena_status(arena))
         return OVR_NO_MEMORY;
     ovr_layout_columns(physics, f->row);
     forget_ids(f);

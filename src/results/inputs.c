@@ -282,7 +282,7 @@ ovr_status ovr_reader_inputs(ovr_result *r, ovr_error *err)
     r->input = ovr_arena_take(&r->arena, count, sizeof *r->input, err);
     r->input_path = ovr_arena_take(&r->arena, count, sizeof *r->input_path,
                                    err);
-    if (!r->input || !r->input_path)
+    if (ovr_arena_status(&r->arena))
         return OVR_NO_MEMORY;
     for (size_t k = 0; k < count; k++) {
         char path[80];

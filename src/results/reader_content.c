@@ -159,7 +159,7 @@ static ovr_status take_variables(ovr_result *r, ovr_error *err)
         r->field = ovr_arena_take(a, MAX_VARIABLES, sizeof *r->field, err);
         r->column = ovr_arena_take(a, MAX_VARIABLES, sizeof *r->column, err);
     }
-    if (!r->variable || !r->set || !r->field || !r->column)
+    if (ovr_arena_status(a))
         return OVR_NO_MEMORY;
     r->variables = r->fields = r->columns = r->groups = 0;
     r->sets_hold = true;

@@ -47,7 +47,7 @@ ovr_status ovr_passes_make_rows(ovr_run *run, int number, ovr_error *err)
     p->rows = number;
     p->file = ovr_arena_take(&run->arena, (size_t)number, sizeof *p->file, err);
     p->row = ovr_arena_take(&run->arena, (size_t)number, sizeof *p->row, err);
-    if (!p->file || !p->row)
+    if (ovr_arena_status(&run->arena))
         return OVR_NO_MEMORY;
     for (int k = 0; k < number; k++) {
         blank(&p->row[k]);

@@ -102,7 +102,7 @@ static ovr_status lay_out(const ovr_setup *s, ovr_arena *arena, rolled *r,
         r->n *= 2;
     r->X = ovr_arena_take(arena, r->n, sizeof *r->X, err);
     r->z = ovr_arena_take(arena, r->n, sizeof *r->z, err);
-    if (!r->X || !r->z)
+    if (ovr_arena_status(arena))
         return OVR_NO_MEMORY;
     for (size_t i = 0; i < r->n; i++)
         r->X[i] = from + (double)i * r->step;

@@ -75,7 +75,7 @@ static ovr_status add_key(working *w, const ovr_case_entry *e)
     snprintf(where, sizeof where, "%s%s%s.%s", e->section, e->name ? "." : "",
              e->name ? e->name : "", e->key);
     m->where = ovr_arena_text(&w->to->arena, where, w->err);
-    if (!suffix || !m->where)
+    if (ovr_arena_status(&w->to->arena))
         return OVR_NO_MEMORY;
     if (*unit) {
         suffix[0] = ' ';

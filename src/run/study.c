@@ -483,7 +483,7 @@ static ovr_status set_places(ovr_study *s, ovr_error *err)
     else
         snprintf(text, sizeof text, "%s.results", s->path);
     s->output = ovr_arena_text(&s->arena, text, err);
-    return s->folder && s->output ? OVR_OK : OVR_NO_MEMORY;
+    return ovr_arena_status(&s->arena);
 }
 
 /* All of [find] or none of it. */

@@ -665,10 +665,10 @@ bool ovr_rows_read(ovr_rows *r, size_t task, ovr_rows_number *number,
     const table *t;
     char *at = row_of(r, task, &t);
     bool last = false;
-    if (!at) {
+    if (!at && !ovr_arena_status(&r->arena))
         write_record(r, task, (record){0});
+    if (!at)
         return false;
-    }
     for (size_t k = 0; k < t->columns && !last; k++) {
         const char *cell = ovr_csv_cell(&at, &last);
         double value = NAN;

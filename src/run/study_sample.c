@@ -339,7 +339,7 @@ static ovr_status take_rows(sampling *w)
     to->rows = groups * w->quantities;
     to->row = ovr_arena_take(&to->arena, to->rows, sizeof *to->row, w->err);
     to->input = ovr_arena_take(&to->arena, to->rows, sizeof *to->input, w->err);
-    if (!to->row || !to->input)
+    if (ovr_arena_status(&to->arena))
         return OVR_NO_MEMORY;
     for (size_t k = 0; !status && k < to->rows; k++)
         status = take_row(w, k, k / w->quantities,

@@ -26,9 +26,7 @@ ovr_status ovr_inflow_take(ovr_simulation *sim, ovr_error *err)
     inflow->X = ovr_field(&sim->arena, OVR_GHOSTS, err);
     inflow->S = ovr_field(&sim->arena, OVR_GHOSTS, err);
     inflow->extended = ovr_field(&sim->arena, n + OVR_GHOSTS, err);
-    if (!inflow->kernel || !inflow->X || !inflow->S || !inflow->extended)
-        return OVR_NO_MEMORY;
-    return OVR_OK;
+    return ovr_arena_status(&sim->arena);
 }
 
 void ovr_inflow_fill(ovr_simulation *sim)

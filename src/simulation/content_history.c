@@ -116,9 +116,7 @@ ovr_status ovr_carriage_take(ovr_simulation *sim, ovr_error *err)
     c->coming = ovr_field(&sim->arena, n, err);
     c->coming_twice = ovr_field(&sim->arena, n, err);
     c->extended = ovr_field(&sim->arena, n + OVR_GHOSTS, err);
-    return c->came && c->coming && c->coming_twice && c->extended
-               ? OVR_OK
-               : OVR_NO_MEMORY;
+    return ovr_arena_status(&sim->arena);
 }
 
 /* ------------------------------------------------------------------ carried */

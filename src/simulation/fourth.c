@@ -78,11 +78,11 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
 {
     fourth *f = ovr_arena_take(&sim->arena, 1, sizeof *f, err);
     (void)form;
-    if (!f ||
-        ovr_correction_prepare(&sim->grids, &f->correction, &sim->arena, err))
+    if (!f)
         return OVR_NO_MEMORY;
     *own = f;
     f->n = sim->finest->grid.n;
+    ovr_correction_prepare(&sim->grids, &f->correction, &sim->arena, err);
     if (OVR_TAKE_NODES(sim, err, &f->F, &f->gap, &f->third, &f->next, &f->start,
                        &f->constant, &f->mask, &f->rest))
         return OVR_NO_MEMORY;

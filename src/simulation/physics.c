@@ -75,10 +75,9 @@ ovr_status ovr_physics_take_asperity_pressure(ovr_simulation *sim,
     double **const all[] = {&sim->borne, &sim->borne_before[0],
                             &sim->borne_before[1]};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        if (!(*all[k] = ovr_arena_take(&sim->arena, sim->maximum,
-                                       sizeof **all[k], err)))
-            return OVR_NO_MEMORY;
-    return OVR_OK;
+        *all[k] = ovr_arena_take(&sim->arena, sim->maximum, sizeof **all[k],
+                                 err);
+    return ovr_arena_status(&sim->arena);
 }
 
 static ovr_status add(ovr_simulation *sim, const ovr_physics *physics,

@@ -54,8 +54,6 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
     sim->maximum = r->maximum;
     r->X = ovr_arena_take(&sim->arena, r->maximum, sizeof *r->X, err);
     r->whole = ovr_arena_take(&sim->arena, n, sizeof *r->whole, err);
-    if (!r->X || !r->whole)
-        return OVR_NO_MEMORY;
     return ovr_composite_prepare(&r->composite, &sim->grids, maximum, patches,
                                  &sim->arena, err);
 }

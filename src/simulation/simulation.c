@@ -16,13 +16,11 @@
 
 /* ------------------------------------------------------------- work arrays */
 
-static ovr_status take_work(ovr_simulation *sim, ovr_error *err)
+static void take_work(ovr_simulation *sim, ovr_error *err)
 {
     sim->work = ovr_arena_take(&sim->arena, 1, sizeof *sim->work, err);
     for (int k = 0; sim->work && k < OVR_WORK_ARRAYS; k++)
-        if (OVR_TAKE_NODES(sim, err, &sim->work->array[k]))
-            return OVR_NO_MEMORY;
-    return sim->work ? OVR_OK : OVR_NO_MEMORY;
+        OVR_TAKE_NODES(sim, err, &sim->work->array[k]);
 }
 
 double *ovr_work_take(const ovr_simulation *sim)
@@ -52,21 +50,17 @@ void ovr_work_give(const ovr_simulation *sim, const double *array)
 
 static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
 {
-    if (OVR_TAKE_NODES(sim, err, &sim->now.weights, &sim->shapes.S,
-                       &sim->shapes.S_past, &sim->start.saved,
-                       &sim->start.saved_before, &sim->start.lacking,
-                       &sim->shear.stress))
-        return OVR_NO_MEMORY;
+    OVR_TAKE_NODES(sim, err, &sim->now.weights, &sim->shapes.S,
+                   &sim->shapes.S_past, &sim->start.saved,
+                   &sim->start.saved_before, &sim->start.lacking,
+                   &sim->shear.stress);
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++) {
-        if (ovr_field_rows[k].shown && sim->finest->f.all[k] &&
-            OVR_TAKE_NODES(sim, err, &sim->now.all[k]))
-            return OVR_NO_MEMORY;
+        if (ovr_field_rows[k].shown && sim->finest->f.all[k])
+            OVR_TAKE_NODES(sim, err, &sim->now.all[k]);
         for (int ago = 0; ago < ovr_field_rows[k].past; ago++)
-            if (OVR_TAKE_NODES(sim, err, &sim->past.all[k][ago]))
-                return OVR_NO_MEMORY;
+            OVR_TAKE_NODES(sim, err, &sim->past.all[k][ago]);
     }
-    if (take_work(sim, err))
-        return OVR_NO_MEMORY;
+    take_work(sim, err);
     return ovr_inflow_take(sim, err);
 }
 

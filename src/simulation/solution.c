@@ -51,10 +51,8 @@ ovr_status ovr_simulation_take(ovr_simulation *sim, double **const to[],
                                ovr_error *err)
 {
     for (; *to; to++)
-        if (!(**to = ovr_arena_take(&sim->arena, sim->now.n, sizeof ***to,
-                                    err)))
-            return OVR_NO_MEMORY;
-    return OVR_OK;
+        **to = ovr_arena_take(&sim->arena, sim->now.n, sizeof ***to, err);
+    return ovr_arena_status(&sim->arena);
 }
 
 void ovr_whole_domain(ovr_simulation *sim)

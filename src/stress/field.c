@@ -43,7 +43,7 @@ static ovr_status keep_spectrum(ovr_stress *s, size_t bins, ovr_bins *kept,
     ovr_fourier *f = &s->fourier;
     float *re = ovr_arena_take(&s->arena, bins + 1, sizeof *re, err);
     float *im = ovr_arena_take(&s->arena, bins + 1, sizeof *im, err);
-    if (!re || !im)
+    if (ovr_arena_status(&s->arena))
         return OVR_NO_MEMORY;
     fftw_execute(f->forward);
     for (size_t k = 0; k <= bins; k++) {
@@ -100,11 +100,9 @@ static ovr_status take_layer_capacity(ovr_arena *scratch, size_t N,
     for (int w = 0; w < 3; w++) {
         r->bins[w] = ovr_arena_take(scratch, r->n / 2 + 1, sizeof **r->bins,
                                     err);
-        if (!r->bins[w])
-            return OVR_NO_MEMORY;
     }
     r->values = ovr_arena_take(scratch, r->n, sizeof *r->values, err);
-    if (!r->values)
+    if (ovr_arena_status(scratch))
         return OVR_NO_MEMORY;
     return ovr_fourier_real(r->n, r->bins[0], r->values, &r->plan, err);
 }
@@ -224,7 +222,7 @@ static ovr_status take_depth(ovr_stress *s, size_t j, ovr_error *err)
     return depth->pair ? OVR_OK : OVR_NO_MEMORY;
 }
 
-static bool take_arrays(ovr_stress *s, ovr_error *err)
+static ovr_status take_arrays(ovr_stress *s, ovr_error *err)
 {
     ovr_fourier *f = &s->fourier;
     size_t N = s->capacity;
@@ -236,14 +234,11 @@ static bool take_arrays(ovr_stress *s, ovr_error *err)
     f->values = ovr_arena_take(&s->arena, N, sizeof *f->values, err);
     s->z = ovr_arena_take(&s->arena, s->depths, sizeof *s->z, err);
     s->depth = ovr_arena_take(&s->arena, s->depths, sizeof *s->depth, err);
-    bool whole = f->real && f->spectrum && f->waves && f->values && s->z &&
-                 s->depth;
-    for (int part = 0; whole && part < 2; part++) {
+    for (int part = 0; part < 2; part++) {
         s->p[part] = ovr_arena_take(&s->arena, N / 2 + 1, sizeof(float), err);
         s->q[part] = ovr_arena_take(&s->arena, N / 2 + 1, sizeof(float), err);
-        whole = s->p[part] && s->q[part];
     }
-    return whole;
+    return ovr_arena_status(&s->arena);
 }
 
 /* Uses the given depths, or (z NULL) those of the options. */
@@ -256,7 +251,7 @@ static ovr_status prepare(ovr_stress *s, size_t depths, const double *z,
     s->start = o->inlet + ceil((o->from - o->inlet) / o->mesh - 1e-9) * o->mesh;
     s->seam = s->capacity - o->nodes - ovr_stress_nodes(o);
     s->loops = ovr_stress_loops_choose(NULL);
-    if (!take_arrays(s, err))
+    if (take_arrays(s, err))
         return OVR_NO_MEMORY;
     if (z)
         memcpy(s->z, z, depths * sizeof *z);

@@ -266,7 +266,7 @@ static ovr_status make_wave(ovr_yielding *y, size_t m, ovr_error *err)
     y->table[m] = to = ovr_arena_take(&y->arena, values, sizeof *to, err);
     y->sinking[m] = ovr_arena_take(&y->arena, PARTS * o->layers,
                                    sizeof **y->sinking, err);
-    if (!to || !y->sinking[m])
+    if (ovr_arena_status(&y->arena))
         return OVR_NO_MEMORY;
     for (size_t j = 0; j < o->layers; j++) {
         ovr_strained_layer source = layer_at(o, j);
@@ -293,8 +293,7 @@ static ovr_status make_tables(ovr_yielding *y, ovr_error *err)
     y->sinking = ovr_arena_take(&y->arena, y->waves, sizeof *y->sinking, err);
     y->reach = ovr_arena_take(&y->arena, 2 * layers * y->waves,
                               sizeof *y->reach, err);
-    ovr_status status = y->table && y->sinking && y->reach ? OVR_OK
-                                                           : OVR_NO_MEMORY;
+    ovr_status status = ovr_arena_status(&y->arena);
     for (size_t m = 0; !status && m < y->waves; m++)
         status = make_wave(y, m, err);
     return status;
@@ -302,7 +301,7 @@ static ovr_status make_tables(ovr_yielding *y, ovr_error *err)
 
 /* ------------------------------------------------------------- the making */
 
-static ovr_status take_layer(ovr_yielding *y, size_t j, ovr_error *err)
+static void take_layer(ovr_yielding *y, size_t j, ovr_error *err)
 {
     size_t n = y->options.points;
     ovr_layer_load *load = &y->load[j];
@@ -311,9 +310,6 @@ static ovr_status take_layer(ovr_yielding *y, size_t j, ovr_error *err)
     load->h = ovr_arena_take(&y->arena, n, sizeof(float), err);
     load->d = ovr_arena_take(&y->arena, n, sizeof(float), err);
     load->tau = ovr_arena_take(&y->arena, n, sizeof(float), err);
-    return y->strain[j] && y->residual[j] && load->h && load->d && load->tau
-               ? OVR_OK
-               : OVR_NO_MEMORY;
 }
 
 static ovr_status take_arrays(ovr_yielding *y, ovr_error *err)
@@ -330,11 +326,9 @@ static ovr_status take_arrays(ovr_yielding *y, ovr_error *err)
     y->e = ovr_arena_take(&y->arena, bins, sizeof *y->e, err);
     y->s = ovr_arena_take(&y->arena, bins, sizeof *y->s, err);
     y->sum = ovr_arena_take(&y->arena, 2 * PARTS * layers, sizeof *y->sum, err);
-    bool whole = y->strain && y->residual && y->strained && y->load && y->w &&
-                 y->values && y->bins && y->e && y->s && y->sum;
-    for (size_t j = 0; whole && j < layers; j++)
-        whole = !take_layer(y, j, err);
-    return whole ? OVR_OK : OVR_NO_MEMORY;
+    for (size_t j = 0; !ovr_arena_status(&y->arena) && j < layers; j++)
+        take_layer(y, j, err);
+    return ovr_arena_status(&y->arena);
 }
 
 ovr_yielding *ovr_yielding_create(const ovr_yielding_options *options,

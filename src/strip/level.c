@@ -5,18 +5,19 @@
 #include "multigrid/flow.h"
 #include "strip/kernels.h"
 
-static ovr_status take_fields(ovr_strip_level *level, ovr_arena *arena,
-                              ovr_error *err)
+double *ovr_strip_field(size_t n, ovr_arena *arena, ovr_error *err)
+{
+    double *all = ovr_field(arena, n + OVR_STRIP_HALO, err);
+    return all ? all + OVR_STRIP_HALO : NULL;
+}
+
+static void take_fields(ovr_strip_level *level, ovr_arena *arena,
+                        ovr_error *err)
 {
     const size_t count = sizeof level->f.all / sizeof *level->f.all;
-    size_t n = ovr_strip_size(&level->grid) + OVR_STRIP_HALO;
-    for (size_t k = 0; k < count; k++) {
-        double *all = ovr_field(arena, n, err);
-        if (!all)
-            return OVR_NO_MEMORY;
-        level->f.all[k] = all + OVR_STRIP_HALO;
-    }
-    return OVR_OK;
+    for (size_t k = 0; k < count; k++)
+        level->f.all[k] = ovr_strip_field(ovr_strip_size(&level->grid), arena,
+                                          err);
 }
 
 /* Elements of a row with its halos: whole cache lines. */
@@ -62,32 +63,22 @@ static ovr_status make_grids(ovr_strip *strip, const ovr_strip_shape *shape,
 }
 
 /* Allocates the arrays of Newton's method on the coarsest grid. */
-static ovr_status take_coarsest(ovr_strip *strip, ovr_arena *arena,
-                                ovr_error *err)
+static void take_coarsest(ovr_strip *strip, ovr_arena *arena, ovr_error *err)
 {
     const ovr_strip_grid *g = &strip->level[0].grid;
     size_t most = (g->n - 2) * g->lines + 1;
     if (most < OVR_STRIP_SPOT)
         most = OVR_STRIP_SPOT;
     strip->influence = ovr_field(arena, g->n * (2 * g->lines + 8), err);
-    strip->deps_dH = ovr_field(arena, ovr_strip_size(g) + OVR_STRIP_HALO, err);
+    strip->deps_dH = ovr_strip_field(ovr_strip_size(g), arena, err);
     strip->matrix = ovr_field(arena, most * (most + 16), err);
     strip->solution = ovr_field(arena, 2 * most + 32, err);
     strip->unknown = ovr_arena_take(arena, most, sizeof *strip->unknown, err);
-    if (!strip->influence || !strip->deps_dH || !strip->matrix ||
-        !strip->solution || !strip->unknown)
-        return OVR_NO_MEMORY;
-    strip->deps_dH += OVR_STRIP_HALO;
     ovr_strip_fields *f = &strip->level[0].f;
     double **const by_film[] = {&f->along_by_film[0], &f->along_by_film[1],
                                 &f->across_by_film[0], &f->across_by_film[1]};
-    for (size_t k = 0; k < 4; k++) {
-        double *all = ovr_field(arena, ovr_strip_size(g) + OVR_STRIP_HALO, err);
-        if (!all)
-            return OVR_NO_MEMORY;
-        *by_film[k] = all + OVR_STRIP_HALO;
-    }
-    return OVR_OK;
+    for (size_t k = 0; k < 4; k++)
+        *by_film[k] = ovr_strip_field(ovr_strip_size(g), arena, err);
 }
 
 ovr_status ovr_strip_allocate(ovr_strip *strip, const ovr_strip_shape *shape,
@@ -110,17 +101,14 @@ ovr_status ovr_strip_allocate(ovr_strip *strip, const ovr_strip_shape *shape,
         strip->work_size = newton;
     strip->work = ovr_field(arena, members * strip->work_size, err);
     strip->sums = ovr_field(arena, finest->n, err);
-    if (!strip->spectrum || !strip->work || !strip->sums)
-        return OVR_NO_MEMORY;
-    status = take_coarsest(strip, arena, err);
-    for (int l = 0; l <= strip->finest && !status; l++) {
+    take_coarsest(strip, arena, err);
+    for (int l = 0; l <= strip->finest; l++) {
         ovr_strip_level *level = &strip->level[l];
-        status = take_fields(level, arena, err);
-        if (!status)
-            status = ovr_strip_elastic_allocate(&level->elastic, &level->grid,
-                                                strip->spectrum, arena, err);
+        take_fields(level, arena, err);
+        ovr_strip_elastic_allocate(&level->elastic, &level->grid,
+                                   strip->spectrum, arena, err);
     }
-    return status;
+    return ovr_arena_status(arena);
 }
 
 ovr_status ovr_strip_plan(ovr_strip *strip, ovr_error *err)

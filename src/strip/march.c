@@ -67,23 +67,16 @@ ovr_status ovr_strip_march_create(ovr_strip_march *march, ovr_strip *strip,
                                   ovr_error *err)
 {
     const ovr_strip_grid *g = &strip->level[strip->finest].grid;
-    size_t n = ovr_strip_size(g) + OVR_STRIP_HALO;
+    size_t n = ovr_strip_size(g);
     *march = (ovr_strip_march){
         .strip = strip, .speed = 1, .travel = {NAN, NAN}, .carried = NAN};
     march->ghosts = (size_t)ceil(2 * longest) + 2;
-    for (size_t k = 0; k < OVR_STRIP_PAST; k++) {
-        march->P[k] = ovr_field(arena, n, err);
-        if (!march->P[k])
-            return OVR_NO_MEMORY;
-        march->P[k] += OVR_STRIP_HALO;
-    }
-    for (size_t k = 0; k < 2; k++) {
-        march->q[k] = ovr_field(arena, n + march->ghosts * g->stride, err);
-        if (!march->q[k])
-            return OVR_NO_MEMORY;
-        march->q[k] += OVR_STRIP_HALO;
-    }
-    return OVR_OK;
+    for (size_t k = 0; k < OVR_STRIP_PAST; k++)
+        march->P[k] = ovr_strip_field(n, arena, err);
+    for (size_t k = 0; k < 2; k++)
+        march->q[k] = ovr_strip_field(n + march->ghosts * g->stride, arena,
+                                      err);
+    return ovr_arena_status(arena);
 }
 
 static ovr_strip_level *finest_of(const ovr_strip_march *march)

@@ -62,6 +62,9 @@ static inline size_t ovr_strip_size(const ovr_strip_grid *g)
     return g->n * g->stride;
 }
 
+/* An array of n values and its halos, or NULL with *err filled. */
+double *ovr_strip_field(size_t n, ovr_arena *arena, ovr_error *err);
+
 /*
  * Fields of a level.  Flow through the half nodes i + 1/2 and j + 1/2, divided
  * by the square of the mesh size:

@@ -72,7 +72,7 @@ static ovr_status make_weights(const direction *a, weights *w, ovr_arena *arena,
                               err);
     w->weight = ovr_arena_take(arena, w->entries * w->taps, sizeof *w->weight,
                                err);
-    if (!w->point || !w->weight)
+    if (ovr_arena_status(arena))
         return OVR_NO_MEMORY;
     for (size_t k = 0; k < w->entries; k++) {
         double at = (double)k * a->axis.h, sum = 0;

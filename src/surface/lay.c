@@ -244,7 +244,7 @@ static ovr_status measure_lay(const ovr_areal *a, const plane *p,
     size = 2 * c.cx * c.cy;
     c.heights = ovr_arena_take(arena, size, sizeof *c.heights, err);
     c.mask = ovr_arena_take(arena, size, sizeof *c.mask, err);
-    if (!c.heights || !c.mask)
+    if (ovr_arena_status(arena))
         return OVR_NO_MEMORY;
     fill(&c, a, p, bx, by);
     correlate(c.heights, c.cx, c.cy);

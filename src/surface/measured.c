@@ -355,7 +355,7 @@ static ovr_status tabulate(ovr_feature *f, const ovr_feature_form *form,
                    random ? (int)OVR_EXTEND_PERIODIC : (int)how->extend_across},
         .both = !isnan(form->origin),
         .closed = random};
-    if (!t || !x)
+    if (ovr_arena_status(arena))
         return OVR_NO_MEMORY;
     ovr_status status = ovr_areal_tabulate(map, &fit, t, arena, err);
     if (status)

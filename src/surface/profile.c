@@ -105,7 +105,7 @@ ovr_status ovr_profile_reserve(ovr_profile *profile, size_t n, ovr_error *err)
                            OVR_POINTS_MAX);
     profile->x = ovr_arena_take(&profile->arena, n, sizeof(double), err);
     profile->z = ovr_arena_take(&profile->arena, n, sizeof(double), err);
-    return profile->x && profile->z ? OVR_OK : OVR_NO_MEMORY;
+    return ovr_arena_status(&profile->arena);
 }
 
 void ovr_profile_note(ovr_profile *profile, const char *format, ...)

@@ -61,7 +61,7 @@ static ovr_status make_equal(const ovr_points *p, series *s, ovr_arena *arena,
     size_t m = (size_t)ceil(length / d - 1e-6) + 1;
     double *at = ovr_arena_take(arena, m, sizeof *at, err);
     double *out = ovr_arena_take(arena, m, sizeof *out, err);
-    if (!at || !out)
+    if (ovr_arena_status(arena))
         return OVR_NO_MEMORY;
     s->n = m;
     s->d = length / (double)(m - 1);

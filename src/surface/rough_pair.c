@@ -301,18 +301,12 @@ ovr_status ovr_rough_pair_reserve(ovr_rough_pair *pair, ovr_asperity_table *t,
     pair->p = ovr_arena_take(arena, pair->points, sizeof *pair->p, err);
     pair->workspace = ovr_arena_take(arena, 5 * pair->n,
                                      sizeof *pair->workspace, err);
-    if (!pair->p || !pair->workspace ||
-        ovr_asperity_table_take(t, pair->points, arena, err))
-        return OVR_NO_MEMORY;
-    for (int k = 0; k < 2; k++) {
-        if (!pair->z[k])
-            continue;
-        pair->pressure[k] = ovr_arena_take(arena, pair->points * pair->n,
-                                           sizeof **pair->pressure, err);
-        if (!pair->pressure[k])
-            return OVR_NO_MEMORY;
-    }
-    return OVR_OK;
+    ovr_asperity_table_take(t, pair->points, arena, err);
+    for (int k = 0; k < 2; k++)
+        if (pair->z[k])
+            pair->pressure[k] = ovr_arena_take(arena, pair->points * pair->n,
+                                               sizeof **pair->pressure, err);
+    return ovr_arena_status(arena);
 }
 
 static void clear(ovr_rough_pair *pair, ovr_asperity_table *t)

@@ -339,7 +339,7 @@ static ovr_status transform(const ovr_profile *p, spectrum *s, ovr_arena *arena,
     at = ovr_arena_take(arena, s->n, sizeof *at, err);
     work = ovr_arena_take(arena, s->n, 3 * sizeof *work, err);
     s->power = ovr_arena_take(arena, s->n / 2, sizeof(double), err);
-    if (!z || !at || !work || !s->power)
+    if (ovr_arena_status(arena))
         return OVR_NO_MEMORY;
     s->finest = points / 2 < s->n / 2 - 1 ? points / 2 : s->n / 2 - 1;
     s->step = length / (double)s->n;

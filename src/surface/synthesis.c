@@ -246,8 +246,7 @@ static ovr_status reserve(random_surface *s, ovr_arena *arena, ovr_error *err)
     s->target = ovr_arena_take(arena, s->n, sizeof(double), err);
     s->normal = ovr_arena_take(arena, s->n, sizeof(double), err);
     s->rank = ovr_arena_take(arena, s->n, sizeof(size_t), err);
-    return s->z && s->size && s->target && s->normal && s->rank ? OVR_OK
-                                                                : OVR_NO_MEMORY;
+    return ovr_arena_status(arena);
 }
 
 /* One period and its first point again. */
@@ -438,9 +437,7 @@ static ovr_status reserve_areal(areal_waves *a, ovr_arena *arena,
     s->target = ovr_arena_take(arena, s->n, sizeof(double), err);
     s->normal = ovr_arena_take(arena, s->n, sizeof(double), err);
     s->rank = ovr_arena_take(arena, s->n, sizeof(size_t), err);
-    return a->wave && s->z && s->size && s->target && s->normal && s->rank
-               ? OVR_OK
-               : OVR_NO_MEMORY;
+    return ovr_arena_status(arena);
 }
 
 /* One period, its first row and column again at the end. */

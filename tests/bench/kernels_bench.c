@@ -117,7 +117,7 @@ static void run_carry_along(void *sim)
     ovr_simulation *s = sim;
     ovr_heat_steps *h = s->heated->steps;
     const ovr_departures departures = ovr_departures_of(s->now.n, 1.25);
-    s->grids.kernels->carry_along(&departures, h->surface[0].past, h->P_T);
+    ovr_carry_along(&departures, h->surface[0].past, h->P_T);
 }
 
 /* Of a surface along which heat flows. */

@@ -112,20 +112,30 @@ TEST(every_allocation_may_fail)
     assert_true(test_every_allocation(build, NULL) >= 4);
 }
 
-/* After a failure the pieces taken before are whole and more can be had. */
-TEST(survives_a_failure)
+/* After a failure the pieces taken before are whole, and there are no more of
+ * any size until the arena is released.  The message is that of the first. */
+TEST(keeps_its_first_failure)
 {
     test_faults faults;
     ovr_arena arena;
+    ovr_error err = {0};
     char *text;
     test_faults_init(&faults);
     faults.fail = 2;
     arena = ovr_arena_make(&faults.hook);
     text = ovr_arena_text(&arena, "before", NULL);
+    assert_int_equal(ovr_arena_status(&arena), OVR_OK);
     assert_null(ovr_arena_take(&arena, 1, 1 << 20, NULL));
-    assert_non_null(ovr_arena_take(&arena, 1, 1 << 20, NULL));
+    assert_int_equal(ovr_arena_status(&arena), OVR_NO_MEMORY);
+    assert_null(ovr_arena_take(&arena, 1, 1 << 21, &err));
+    CHECK_ERROR(&err, OVR_NO_MEMORY, "out of memory: 1048576 bytes needed");
+    assert_null(ovr_arena_text(&arena, "after", NULL)); /* has space */
     assert_string_equal(text, "before");
-    assert_int_equal(faults.live, 2);
+    assert_int_equal(faults.live, 1);
+    ovr_arena_release(&arena);
+    assert_int_equal(faults.live, 0);
+    assert_int_equal(ovr_arena_status(&arena), OVR_OK);
+    assert_non_null(ovr_arena_text(&arena, "after", NULL));
     ovr_arena_release(&arena);
     assert_int_equal(faults.live, 0);
 }

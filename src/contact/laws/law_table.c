@@ -128,7 +128,7 @@ static ovr_status make(ovr_law_table *t, const ovr_law_points *of,
     t->mesh = of->p[n - 1] / CELLS;
     t->value = ovr_arena_take(&t->arena, CELLS + 2, sizeof *y, err);
     t->slope = ovr_arena_take(&t->arena, CELLS + 2, sizeof *y, err);
-    if (!y || !m || !t->value || !t->slope)
+    if (ovr_arena_status(&t->arena))
         return OVR_NO_MEMORY;
     for (size_t i = 0; i < n; i++)
         y[i] = of->of == OVR_TABLE_OF_VISCOSITY ? log(of->value[i])

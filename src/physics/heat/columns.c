@@ -22,14 +22,10 @@ ovr_status ovr_heat_film_take(ovr_simulation *sim, ovr_error *err)
 {
     ovr_heated *h = sim->heated;
     ovr_columns *c = &h->film;
-    if (OVR_TAKE_NODES(sim, err, &h->log_eta, &h->oil, &h->content, &h->apart,
-                       &c->fall))
-        return OVR_NO_MEMORY;
     for (int j = 0; j < h->cross_film.n; j++)
-        if (OVR_TAKE_NODES(sim, err, &c->u[j], &c->heating[j],
-                           &h->departure[j]))
-            return OVR_NO_MEMORY;
-    return OVR_OK;
+        OVR_TAKE_NODES(sim, err, &c->u[j], &c->heating[j], &h->departure[j]);
+    return OVR_TAKE_NODES(sim, err, &h->log_eta, &h->oil, &h->content,
+                          &h->apart, &c->fall);
 }
 
 /* The flow from a pressurized node to the dry one downstream of it, over the

@@ -39,25 +39,18 @@ static ovr_status check(const ovr_simulation *sim, ovr_error *err)
 static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
                               ovr_error *err)
 {
-    if (OVR_TAKE_NODES(sim, err, &h->q[0], &h->q[1], &h->mean, &h->t, &h->drag,
-                       &h->th, &h->shift, &h->swell, &h->start_P, &h->start_q))
-        return OVR_NO_MEMORY;
+    OVR_TAKE_NODES(sim, err, &h->q[0], &h->q[1], &h->mean, &h->t, &h->drag,
+                   &h->th, &h->shift, &h->swell, &h->start_P, &h->start_q);
     for (int j = 0; j < h->cross_film.n; j++)
-        if (OVR_TAKE_NODES(sim, err, &h->T[j], &h->used[j]))
-            return OVR_NO_MEMORY;
+        OVR_TAKE_NODES(sim, err, &h->T[j], &h->used[j]);
     for (int l = sim->grids.coarsest; l <= sim->grids.finest; l++) {
         ovr_level *level = &sim->grids.level[l];
         size_t capacity = level->grid.n + OVR_MAX_LANES;
         level->f.th = ovr_field(&sim->arena, capacity, err);
         level->f.shift = ovr_field(&sim->arena, capacity, err);
         level->f.drag = ovr_field(&sim->arena, capacity, err);
-        if (!level->f.th || !level->f.shift || !level->f.drag)
-            return OVR_NO_MEMORY;
-        if (h->numbers.density_expands) {
+        if (h->numbers.density_expands)
             level->f.swell = ovr_field(&sim->arena, capacity, err);
-            if (!level->f.swell)
-                return OVR_NO_MEMORY;
-        }
     }
     return OVR_OK;
 }

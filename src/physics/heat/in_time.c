@@ -32,20 +32,17 @@ ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err)
     if (!s)
         return OVR_NO_MEMORY;
     h->steps = s;
-    if (OVR_TAKE_NODES(sim, err, &s->F, &s->P_T, &s->heated_P))
-        return OVR_NO_MEMORY;
+    OVR_TAKE_NODES(sim, err, &s->F, &s->P_T, &s->heated_P);
     sim->F_before_heat = s->F;
     for (int j = 0; j < h->cross_film.n; j++)
-        if (OVR_TAKE_NODES(sim, err, &s->T_before[j], &s->change[j]))
-            return OVR_NO_MEMORY;
+        OVR_TAKE_NODES(sim, err, &s->T_before[j], &s->change[j]);
     for (int j = 0; j < h->cross_film.n + FIELDS; j++)
-        if (OVR_TAKE_NODES(sim, err, &s->kept[j]))
-            return OVR_NO_MEMORY;
-    for (int k = 0; k < 2; k++)
-        if (OVR_TAKE_NODES(sim, err, &s->q_before[k]) ||
-            ovr_heat_surface_take(sim, k, err))
-            return OVR_NO_MEMORY;
-    return OVR_OK;
+        OVR_TAKE_NODES(sim, err, &s->kept[j]);
+    for (int k = 0; k < 2; k++) {
+        OVR_TAKE_NODES(sim, err, &s->q_before[k]);
+        ovr_heat_surface_take(sim, k, err);
+    }
+    return ovr_arena_status(&sim->arena);
 }
 
 /* ------------------------------------------------ the last time reached */
@@ -183,7 +180,6 @@ static void solve_nodes(ovr_simulation *sim)
 /* Temperatures by the flow that those `used` give. */
 static void pass(ovr_simulation *sim)
 {
-    const ovr_kernels *run = sim->grids.kernels;
     ovr_heated *h = sim->heated;
     ovr_heat_steps *s = h->steps;
     ovr_columns *c = &h->film;
@@ -193,8 +189,8 @@ static void pass(ovr_simulation *sim)
     c->P_T = s->P_T;
     c->mean = h->mean;
     for (int j = 0; j < h->cross_film.n; j++) {
-        run->film_departures(c->n, s->dT / ovr_mesh(sim), c->u[j],
-                             s->T_before[j], h->departure[j]);
+        ovr_film_departures(c->n, s->dT / ovr_mesh(sim), c->u[j],
+                            s->T_before[j], h->departure[j]);
         c->departure[j] = h->departure[j];
         c->T[j] = h->T[j];
     }

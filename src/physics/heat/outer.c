@@ -17,9 +17,8 @@ ovr_status ovr_heat_outer_take(ovr_simulation *sim, ovr_error *err)
     h->outer = t;
     for (int k = 0; k < OVR_OUTER_KEPT; k++)
         for (int j = 0; j < h->cross_film.n; j++)
-            if (OVR_TAKE_NODES(sim, err, &t->u[k][j], &t->r[k][j]))
-                return OVR_NO_MEMORY;
-    return OVR_OK;
+            OVR_TAKE_NODES(sim, err, &t->u[k][j], &t->r[k][j]);
+    return ovr_arena_status(&sim->arena);
 }
 
 void ovr_heat_outer_begin(ovr_simulation *sim)

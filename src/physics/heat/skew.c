@@ -24,9 +24,8 @@ static bool is_explicit(const ovr_simulation *sim)
 ovr_status ovr_heat_skew_take(ovr_simulation *sim, ovr_error *err)
 {
     ovr_heated *h = sim->heated;
-    if (OVR_TAKE_NODES(sim, err, &h->skewed, &h->skew, &h->skew_by_P,
-                       &h->skewed_next, &h->unused))
-        return OVR_NO_MEMORY;
+    OVR_TAKE_NODES(sim, err, &h->skewed, &h->skew, &h->skew_by_P,
+                   &h->skewed_next, &h->unused);
     return ovr_hierarchy_skew(&sim->grids, sim->scheme->order == 2, &sim->arena,
                               err);
 }

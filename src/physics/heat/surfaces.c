@@ -7,11 +7,9 @@
 #include "physics/heat/in_time.h"
 #include "simulation/physics.h"
 
-static ovr_status take(ovr_simulation *sim, double **to, size_t count,
-                       ovr_error *err)
+static double *take(ovr_simulation *sim, size_t count, ovr_error *err)
 {
-    *to = ovr_arena_take(&sim->arena, count, sizeof **to, err);
-    return *to ? OVR_OK : OVR_NO_MEMORY;
+    return ovr_arena_take(&sim->arena, count, sizeof(double), err);
 }
 
 static double speed_of(const ovr_simulation *sim, int k)
@@ -68,20 +66,19 @@ ovr_status ovr_heat_surface_take(ovr_simulation *sim, int k, ovr_error *err)
     s->beyond = (size_t)fmin(ovr_solid_beyond(heat, k, u, D) / D, (double)n);
     N = n + 2 * s->beyond;
     for (int a = 0; a < OVR_HEAT_WORKSPACES; a++)
-        if (take(sim, &s->workspace[a], N, err))
-            return OVR_NO_MEMORY;
+        s->workspace[a] = take(sim, N, err);
     for (int b = 0; b < banks_of(sim, k); b++)
-        if (take(sim, &s->psi[b], N * OVR_MODES, err))
-            return OVR_NO_MEMORY;
-    if (banks_of(sim, k) > 1 &&
-        (take(sim, &s->none, N, err) || take(sim, &s->bank, N, err) ||
-         take(sim, &s->unused, N, err)))
-        return OVR_NO_MEMORY;
-    if (take(sim, &s->next, N * OVR_MODES, err) ||
-        take(sim, &s->before, N, err) || take(sim, &s->past, n, err) ||
-        take(sim, &s->along, n, err))
-        return OVR_NO_MEMORY;
-    return OVR_OK;
+        s->psi[b] = take(sim, N * OVR_MODES, err);
+    if (banks_of(sim, k) > 1) {
+        s->none = take(sim, N, err);
+        s->bank = take(sim, N, err);
+        s->unused = take(sim, N, err);
+    }
+    s->next = take(sim, N * OVR_MODES, err);
+    s->before = take(sim, N, err);
+    s->past = take(sim, n, err);
+    s->along = take(sim, n, err);
+    return ovr_arena_status(&sim->arena);
 }
 
 /* Psi_m of the nodes, of a bank. */

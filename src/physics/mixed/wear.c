@@ -36,14 +36,12 @@ ovr_status ovr_wear_take(ovr_wear *wear, const ovr_boundary_form *given,
             continue;
         wear->now.z[k] = ovr_arena_take(arena, n, sizeof(double), err);
         wear->before.z[k] = ovr_arena_take(arena, n, sizeof(double), err);
-        if (!wear->now.z[k] || !wear->before.z[k])
-            return OVR_NO_MEMORY;
         wear->pair.z[k] = wear->now.z[k];
     }
     if (ovr_rough_pair_reserve(&wear->pair, &wear->bears.table, arena, err))
         return OVR_NO_MEMORY;
     wear->w = ovr_arena_take(arena, wear->pair.points, sizeof *wear->w, err);
-    return wear->w ? OVR_OK : OVR_NO_MEMORY;
+    return ovr_arena_status(arena);
 }
 
 static void copy(const ovr_wear *wear, ovr_worn *to, const ovr_worn *from)

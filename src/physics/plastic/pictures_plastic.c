@@ -119,7 +119,7 @@ ovr_status ovr_draw_plastic(const ovr_drawing *drawing, ovr_chart *chart,
     ovr_panel *panel = ovr_arena_take(drawing->arena, PANELS, sizeof *panel,
                                       err);
     char *note = ovr_arena_take(drawing->arena, NOTE, 1, err);
-    if (!panel || !note)
+    if (ovr_arena_status(drawing->arena))
         return OVR_NO_MEMORY;
     panel[1].image.label = "plastic strain";
     panel[2].image.label = "residual stress, {/Symbol s}_x ({/:Italic p}_h)";

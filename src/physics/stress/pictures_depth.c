@@ -225,7 +225,7 @@ ovr_status ovr_depth_field_make(ovr_depth_field *f, const ovr_stored *run,
     f->Q = ovr_arena_take(arena, capacity, sizeof *f->Q, err);
     f->cells = ovr_arena_take(arena, (size_t)OVR_CELLS_X * OVR_CELLS_Z,
                               sizeof *f->cells, err);
-    if (!f->P || !f->Q || !f->cells)
+    if (ovr_arena_status(arena))
         return OVR_NO_MEMORY;
     f->stress = ovr_stress_create(&o, &arena->allocator, err);
     return f->stress ? look_through(f, err) : OVR_BAD_INPUT;

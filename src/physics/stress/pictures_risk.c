@@ -235,7 +235,7 @@ ovr_status ovr_draw_risk(const ovr_drawing *drawing, ovr_chart *chart,
     ovr_panel *panel = ovr_arena_take(drawing->arena, 3, sizeof *panel, err);
     char *note = ovr_arena_take(drawing->arena, NOTE, 1, err);
     size_t rows = 0;
-    if (!panel || !note)
+    if (ovr_arena_status(drawing->arena))
         return OVR_NO_MEMORY;
     if (read_history(&h, err))
         return OVR_BAD_INPUT;

@@ -42,7 +42,7 @@ static ovr_status read_axes(stored *f, ovr_arena *arena, ovr_error *err)
     f->P = ovr_arena_take(arena, f->nodes, sizeof *f->P, err);
     f->Q = ovr_arena_take(arena, f->nodes, sizeof *f->Q, err);
     f->T = ovr_arena_take(arena, f->snapshots + 1, sizeof *f->T, err);
-    if (!f->x || !f->P || !f->Q || !f->T)
+    if (ovr_arena_status(arena))
         return OVR_NO_MEMORY;
     if (f->nodes < 3 || f->snapshots < 1)
         return ovr_fail(err, OVR_BAD_INPUT,

@@ -154,7 +154,7 @@ static ovr_status open_fields(run_stress *s, int surface, ovr_error *err)
     name_fields(s, f);
     f->values = ovr_arena_take(&s->arena, f->group.arrays * depths * n,
                                sizeof *f->values, err);
-    if (!s->x || !f->values)
+    if (ovr_arena_status(&s->arena))
         return OVR_NO_MEMORY;
     return ovr_writer_group(s->writer, &f->group, true, err);
 }

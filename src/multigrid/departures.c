@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Values at the departure points of paths (departures.h). */
-#include <math.h>
-
-#include "multigrid/plain.h"
-
 #include "multigrid/departures.h"
+
+#include <math.h>
 
 /* The value is nothing beyond the end by which material comes, beyond the other
  * its last. */
@@ -50,12 +48,24 @@ double ovr_departures_at(const ovr_departures *departures, const double *v,
     return sum;
 }
 
+void ovr_carry_along(const ovr_departures *f, const double *v, double *to)
+{
+    const double *from = v + f->first;
+    const double c[4] = {f->c[0], f->c[1], f->c[2], f->c[3]};
+    for (size_t i = 0; i < f->from; i++)
+        to[i] = ovr_departures_at(f, v, i);
+    for (size_t i = f->from; i < f->to; i++)
+        to[i] = c[0] * from[i] + c[1] * from[i + 1] + c[2] * from[i + 2] +
+                c[3] * from[i + 3];
+    for (size_t i = f->to; i < f->n; i++)
+        to[i] = ovr_departures_at(f, v, i);
+}
+
 void ovr_departures_cubic(size_t n, const double *v, double meshes,
                           double *at_departures)
 {
     const ovr_departures f = ovr_departures_of(n, meshes);
-    for (size_t i = 0; i < n; i++)
-        at_departures[i] = ovr_departures_at(&f, v, i);
+    ovr_carry_along(&f, v, at_departures);
 }
 
 double ovr_departure_linear(size_t n, const double *v, size_t i, double meshes)
@@ -67,15 +77,18 @@ double ovr_departure_linear(size_t n, const double *v, size_t i, double meshes)
            s * value(n, v, first + 1, meshes);
 }
 
-void ovr_carry_along_plain(const ovr_departures *f, const double *v, double *to)
+/* The sum of 2 makes positive what is rounded towards zero. */
+void ovr_film_departures(size_t n, double meshes, const double *u,
+                         const double *v, double *at_departures)
 {
-    for (size_t i = 0; i < f->n; i++)
-        to[i] = ovr_departures_at(f, v, i);
-}
-
-void ovr_film_departures_plain(size_t n, double meshes, const double *u,
-                               const double *v, double *at_departures)
-{
-    for (size_t i = 0; i < n; i++)
-        at_departures[i] = ovr_departure_linear(n, v, i, meshes * u[i]);
+    const ptrdiff_t last = (ptrdiff_t)n - 1;
+    const double beyond = (double)(last + 1);
+    for (size_t i = 0; i < n; i++) {
+        double at = (double)i - meshes * u[i];
+        at = !(at > -1) ? -1 : at > beyond ? beyond : at; /* NAN: no index */
+        ptrdiff_t first = (ptrdiff_t)(at + 2) - 2;
+        double a = first >= 0 && first <= last ? v[first] : 0;
+        double b = first + 1 <= last ? v[first + 1] : 0;
+        at_departures[i] = a + (at - (double)first) * (b - a);
+    }
 }
