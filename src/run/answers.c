@@ -28,7 +28,7 @@ typedef struct page {
     size_t used;
 } page;
 
-/* Returns NAN if the number is missing or unknown. */
+/* Returns the number of a key; NAN if the key is missing or unknown. */
 static double of(const page *p, const char *key)
 {
     for (size_t k = 0; k < p->count; k++)
@@ -55,7 +55,8 @@ __attribute__((format(printf, 2, 3))) static void say(page *p,
         p->used = LINE - 1;
 }
 
-/* Passes the line on, unless it is empty. */
+/* Writes the line collected so far under the name `name`, unless it is
+ * empty. */
 static void end(page *p, const char *name)
 {
     if (p->used)
@@ -74,7 +75,8 @@ static bool of_bearing(const page *p)
     return has(p, "heaviest_roller_N");
 }
 
-/* " 0.31 mm before the pitch point", " at 41.2 deg", or nothing. */
+/* Appends the position: " 0.31 mm before the pitch point", " at 41.2 deg" or
+ * nothing. */
 static void say_place(page *p, const char *what)
 {
     char way[40], angle[40];
@@ -129,10 +131,11 @@ static void say_no_loss(page *p)
     end(p, "friction power loss");
 }
 
-/* The friction of an isothermal Newtonian film may not be realistic. */
+/* Writes the power loss, with a remark if friction is unrealistically high. */
 static void say_loss(page *p)
 {
-    const double much = 0.3; /* more than lubricants and metal have */
+    const double much = 0.3; /* higher than lubricants and dry metal contacts
+                              * have */
     if (!has(p, "power_loss_W")) {
         say_no_loss(p);
         return;
@@ -163,7 +166,7 @@ static void say_film(page *p)
     bool run = has(p, "H_min_overall_m");
     double h = of(p, run ? "H_min_overall_m" : "min_film_m");
     if (isnan(h))
-        return; /* nothing was solved */
+        return; /* no solution */
     say(p, "%.4g um", 1e6 * h);
     say_place(p, "H_min");
     if (h < OVR_MOLECULE)
@@ -204,7 +207,7 @@ static void say_heat(page *p)
     end(p, "maximum temperature");
 }
 
-/* Answers of a run with [stress] and [fatigue]. */
+/* Writes the results of a run with [stress] and [fatigue]. */
 static void say_stress(page *p)
 {
     if (!has(p, "tau_max_Pa"))
@@ -249,7 +252,8 @@ typedef struct numbers {
     ovr_group_attribute of[MAX];
 } numbers;
 
-/* The texts of keys last as long as the call. */
+/* Stores a line of the summary. The key's text must remain valid during the
+ * call. */
 static void collect(void *data, const ovr_summary_line *line)
 {
     numbers *n = data;

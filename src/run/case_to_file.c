@@ -29,7 +29,8 @@ ovr_run *ovr_run_make(const ovr_run_options *options,
     return run;
 }
 
-/* A steady solve has features fully grown: what the run in time ends in. */
+/* Removes the growth of features: a steady solution has fully grown features,
+ * as at the end of a run in time. */
 static void stop_growing(ovr_case *c)
 {
     for (size_t k = 0; k < ovr_case_entries(c); k++) {
@@ -42,8 +43,8 @@ static void stop_growing(ovr_case *c)
     }
 }
 
-/* Chooses where the result goes, and finds it possible before anything large
- * is made. */
+/* Chooses the path of the result file and checks that it can be written, before
+ * anything large is allocated. */
 static ovr_status choose_output(ovr_run *run, ovr_error *err)
 {
     const char *path = run->how.output;

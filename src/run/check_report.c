@@ -77,7 +77,8 @@ static void put_asymptote(const ovr_report_sink *to, const char *key,
         ovr_report_detail(to, label, "%s", film_text(H, c).text);
 }
 
-/* In the summary Moes' formula appears only where the fit does not hold. */
+/* Prints the predicted film thicknesses. The summary contains Moes' formula
+ * only if the fitted formula is not valid. */
 static void put_films(const ovr_report_sink *to, const ovr_contact *c,
                       bool fitted)
 {
@@ -137,7 +138,8 @@ static void put_lambda_ratio(const ovr_report_sink *to, const ovr_setup *setup,
                         in_metres(setup->Rq, setup->contact->height).text);
 }
 
-/* The fitted formula holds only for the lubricant laws it was fitted for. */
+/* Returns the film thickness by the fitted formula, or none if the formula is
+ * not valid for the lubricant's models. */
 static ovr_film_fit fit_of(const ovr_setup *setup)
 {
     const ovr_contact *c = setup->contact;
@@ -244,7 +246,8 @@ static void say_feature(const ovr_report_sink *to, const ovr_setup *setup,
     }
 }
 
-/* Predictions by amplitude reduction. */
+/* Prints the film thickness of rough surfaces as predicted by amplitude
+ * reduction. */
 static void put_rough_film(const ovr_report_sink *to, const ovr_setup *setup,
                            const ovr_rough_film *film)
 {

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The companions of a run (physics/companion.h), one after the other. */
+/* Calls the companions of a run (physics/companion.h) in turn. */
 #ifndef OVR_RUN_COMPANION_H
 #define OVR_RUN_COMPANION_H
 
 #include "overroll/run.h"
 #include "physics/companion.h"
 
-/* One of a run; is NULL behind the last. */
+/* A companion and its data in a run; `is` of the last element of a list is
+ * NULL. */
 typedef struct ovr_accompanied {
     const ovr_companion *is;
     void *own;
@@ -18,7 +19,7 @@ void ovr_companions_predict(const ovr_setup *setup, ovr_listener *say,
                             void *data);
 void ovr_companions_review(ovr_run *run);
 
-/* Those of a run; all functions take it (`data` is a run). */
+/* Functions of the companions of a run; `data` is the run. */
 ovr_status ovr_companions_make(ovr_run *run, ovr_error *err);
 void ovr_companions_release(ovr_run *run);
 ovr_status ovr_companions_open(ovr_run *run, ovr_error *err);

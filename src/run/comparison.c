@@ -10,7 +10,7 @@
 #include "physics/stress/stress.h"
 #include "run/summary_lines.h"
 
-/* "at most", "<=" and so on at *text, which moves behind it. */
+/* Reads a relation ("at most", "<=" ...) at *text and moves *text past it. */
 static bool read_relation(const char **text, int *sense)
 {
     static const struct {
@@ -31,8 +31,8 @@ static bool read_relation(const char **text, int *sense)
     return false;
 }
 
-/* The number of runs in SI that a quantity in Hertzian units has beside it,
- * into `buffer`; false: none. */
+/* Writes to `buffer` the key of the number in SI that corresponds to a quantity
+ * in Hertzian units. Returns false if there is none. */
 static bool twin_of(const char *quantity, char buffer[OVR_QUANTITY_CAPACITY])
 {
     const ovr_observable *o;
@@ -69,7 +69,8 @@ static bool is_key(const char *key, const char *bare, const char *si)
     return (bare && !strcmp(key, bare)) || (si && *si && !strcmp(key, si));
 }
 
-/* Names of numbers of a summary that are neither quantities nor extremes. */
+/* Returns the name of a summary's number that is neither a quantity of a state
+ * nor an extreme. */
 static const char *other_name(const char *key)
 {
     static const char *const names[][2] = {
@@ -97,7 +98,7 @@ static const char *other_name(const char *key)
     return NULL;
 }
 
-/* "maximum shear stress" of "tau_max" and "tau_max_Pa". */
+/* Returns "maximum shear stress" for "tau_max" and "tau_max_Pa". */
 static const char *stress_name(const char *key)
 {
     const ovr_stress_figure *f;
@@ -110,7 +111,7 @@ static const char *stress_name(const char *key)
     return NULL;
 }
 
-/* Unit of a number in SI by the end of its key, or "". */
+/* Returns the SI unit that the end of a key specifies, or "". */
 static const char *si_unit(const char *key)
 {
     static const char *const units[][2] = {
@@ -131,7 +132,7 @@ static const char *si_unit(const char *key)
     return "";
 }
 
-/* Unit of a dimensionless number of this kind. */
+/* Returns the Hertzian unit of a dimensionless number of this kind. */
 static const char *bare_unit(ovr_unit_kind kind)
 {
     switch (kind) {
@@ -225,7 +226,8 @@ const char *ovr_name_symbol(const char *name, size_t *length)
     return NULL;
 }
 
-/* "N/m" stands as "_N_per_m" at the end of a key, "1/Pa" as "_per_Pa". */
+/* True if the key ends in the SI unit `si`: "_N_per_m" for "N/m", "_per_Pa" for
+ * "1/Pa". */
 static bool ends_in(const char *key, const char *si)
 {
     char ending[40] = "_";
@@ -245,7 +247,8 @@ const char *ovr_amount_read(const char *text, double *number)
     return ovr_read_number(&text, number) ? text + strspn(text, " \t") : NULL;
 }
 
-/* A unit makes the target SI, and picks the quantity that is in it. */
+/* Reads the target. If it has a unit, converts it to SI and compares it with
+ * the quantity in SI. */
 static ovr_status take_target(ovr_comparison *c, const char *text,
                               ovr_arena *arena, ovr_error *err)
 {

@@ -9,19 +9,20 @@
 enum { OVR_QUANTITY_CAPACITY = 80 };
 
 typedef struct ovr_comparison {
-    const char *quantity; /* the one in SI where the target has a unit */
-    int sense;            /* 0: is; 1: at least; -1: at most */
-    double target;        /* SI, or bare */
+    const char *quantity; /* the quantity in SI if the target has a unit */
+    int sense;            /* 0: equal; 1: at least; -1: at most */
+    double target;        /* in SI or dimensionless */
 } ovr_comparison;
 
-/* "0.1 um": the number, and the unit as it stands; NULL: no number. */
+/* Reads the number of "0.1 um". Returns the unit as written; NULL if there is
+ * no number. */
 const char *ovr_amount_read(const char *text, double *number);
 
 ovr_status ovr_comparison_read(const char *text, ovr_comparison *c,
                                ovr_arena *arena, ovr_error *err);
 
-/* The number in Hertzian units that one in SI is beside, in `buffer`; itself
- * where there is none. */
+/* Returns, in `buffer`, the key in Hertzian units that corresponds to a key in
+ * SI; the same key if there is none. */
 const char *ovr_quantity_bare(const char *quantity,
                               char buffer[OVR_QUANTITY_CAPACITY]);
 

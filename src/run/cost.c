@@ -31,8 +31,9 @@ static double steady_steps(const ovr_setup *setup)
     return isfinite(S) ? fmin(slow + sliding * S * S, most) : most;
 }
 
-/* One cycle a patch down to the grid of the level, some more at the end; of
- * patches that go on until the spike changes little, eight. */
+/* Time of local refinement: one cycle per patch down to the grid of the
+ * refinement level and some more at the end. Patches that are refined until the
+ * spike changes little take eight. */
 static double refine_seconds(const ovr_options *o, double nodes)
 {
     const double nodes_a_patch = 300, usual = 8, last = 4;
@@ -43,8 +44,8 @@ static double refine_seconds(const ovr_options *o, double nodes)
            (nodes + levels * nodes_a_patch);
 }
 
-/* True if feature k is part of the steady start: it is at rest, or the run in
- * time begins with it inside the domain. */
+/* True if feature k is part of the steady start: it does not move, or lies in
+ * the domain at T = 0. */
 static bool starts_inside(const ovr_setup *setup, size_t k)
 {
     const ovr_options *o = setup->options;
@@ -56,10 +57,10 @@ static bool starts_inside(const ovr_setup *setup, size_t k)
            (centre + f.ahead > o->inlet && centre - f.behind < o->outlet);
 }
 
-/* Steps of one feature that is `relative` times as high as the film.  At rest:
- * 20 to 1500 steps in 60 random contacts.  In motion, 60 contacts:
- * single shapes up to 500 `relative`, waves and roughness without an end 100 to
- * 1000 `relative`. */
+/* Pseudo-time steps for a feature whose height is `relative` times the film
+ * thickness. Stationary features: 20 to 1500 steps in 60 random contacts.
+ * Moving features, 60 contacts: up to 500 `relative` for single shapes, 100 to
+ * 1000 `relative` for waves and roughness of unlimited length. */
 static double feature_steps(const ovr_feature_info *f, double relative)
 {
     const double at_rest = 300, single = 100, endless = 500, most = 3e4;
@@ -70,8 +71,9 @@ static double feature_steps(const ovr_feature_info *f, double relative)
     return f->speed == 0 ? at_rest : fmin(single * relative, most);
 }
 
-/* Steps in time of the steady start.  Features that are higher than the film
- * grow.  Grids that do not resolve the inlet: up to 4000 steps. */
+/* Pseudo-time steps of the steady start. Only features higher than the film
+ * thickness need them. Grids that do not resolve the inlet need up to 4000
+ * steps. */
 static double growing_steps(const ovr_setup *setup)
 {
     const double unresolved = 1000;

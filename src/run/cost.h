@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a case will cost, before it is run. */
+/* Predicts computing time, memory and disk space of a case before the run. */
 #ifndef OVR_RUN_COST_H
 #define OVR_RUN_COST_H
 
@@ -8,15 +8,15 @@
 
 typedef struct ovr_cost {
     double nodes, mesh, steps, passes;
-    double seconds;     /* on one core */
-    double bytes;       /* of memory */
-    ovr_storage stored; /* of all passes */
+    double seconds;     /* computing time on one core */
+    double bytes;       /* memory in bytes */
+    ovr_storage stored; /* disk space of all passes */
 } ovr_cost;
 
-/* Memory of what writes its result file, bytes. */
+/* Returns the memory in bytes for writing the result file. */
 double ovr_setup_output_memory(const ovr_setup *setup);
 
-/* `live`: bytes that the set-up has taken, its surfaces included. */
+/* `live`: bytes already allocated by the setup, including its surfaces. */
 ovr_cost ovr_setup_cost(const ovr_setup *setup, double live);
 
 #endif

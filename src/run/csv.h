@@ -14,7 +14,8 @@
 void ovr_csv_text(FILE *to, const char *text);
 void ovr_csv_number(FILE *to, double value, int digits);
 
-/* Closes a table that was written; `to` is NULL if it could not be opened. */
+/* Closes a table after writing; `to` is NULL if the table could not be
+ * opened. */
 ovr_status ovr_csv_end(FILE *to, const char *path, ovr_error *err);
 
 /* Returns the cell at *at without the blanks and quotes around it, terminated

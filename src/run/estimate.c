@@ -52,14 +52,16 @@
 static const double NEGLIGIBLE = 1e-6, SMALL = 3e-4;
 static const double MIN_ORDER = 0.75, SAFETY = 1.25;
 static const double PEAK_ORDER = 0.5;
-/* of films of fourth order: d2 over the value, d1 over d2 */
+/* Limits for corrected (fourth-order) films: d2 relative to the value, d1
+ * relative to d2. */
 static const double NEAR = 0.1, NEARER = 0.4;
 
 enum { LEVELS = OVR_PASS_LEVELS };
 
 /* A level's values at the time at which the finest run ended. */
 typedef struct level_run {
-    ovr_pass_level *pass; /* of several; NULL: there is one */
+    ovr_pass_level *pass; /* values of one of several passes; NULL: there is
+                           * only one */
     bool solved;
     double end;
     ovr_observation seen;
@@ -76,14 +78,16 @@ static ovr_status keep(void *data, const ovr_simulation *sim, ovr_error *err)
     return OVR_OK;
 }
 
-/* Steps of a coarser level are longer, and end elsewhere: the last is cut. */
+/* Returns the end time of the finest run, at which the last, longer step of a
+ * coarser level is cut. */
 static double end_of(void *data, double after)
 {
     const level_run *r = data;
     return r->end > after ? r->end : INFINITY;
 }
 
-/* The last of the observers. */
+/* Stops the run when the caller requests it. It is the last of the
+ * observers. */
 static ovr_status may_go_on(void *data, const ovr_simulation *sim,
                             ovr_error *err)
 {
@@ -117,7 +121,7 @@ static ovr_status solve(ovr_run *run, ovr_setup *setup, ovr_simulation *coarse,
     return status;
 }
 
-/* Steps have the same length in D as on the finest level. */
+/* Sets time steps that have the same length in D as on the finest level. */
 static void take_steps(const ovr_run *run, ovr_setup *setup)
 {
     ovr_march *march = &setup->resolved->march;
@@ -125,7 +129,8 @@ static void take_steps(const ovr_run *run, ovr_setup *setup)
     march->dT = dT > 0 ? dT * setup->mesh / run->setup->mesh : 0;
 }
 
-/* Its pass, of several, before it begins. */
+/* Adds the layers of the preceding pass on this level to the setup, before one
+ * of several passes begins. */
 static ovr_status begin(const ovr_run *run, ovr_setup *setup,
                         ovr_pass_level *pass, ovr_error *err)
 {
@@ -174,28 +179,30 @@ static ovr_status run_coarser(ovr_run *run, int down, level_run *r,
 
 /* ------------------------------------------------------------ the errors */
 
-/* The differences of a value are judged by this. */
+/* Expected order of the differences between levels, and how they are judged. */
 typedef struct measure {
     double order, safety;
-    bool in_time, corrected; /* a run; of fourth order */
+    bool in_time, corrected; /* run in time; fourth-order corrections */
     bool peak;               /* the maximum of P is not resolved */
 } measure;
 
-/* True if differences fall in a known order; d1 and d2 of different sign have
- * `turns`. */
+/* True if the differences decrease with a plausible order. `turns`: d1 and d2
+ * have different signs. */
 static bool falls(const measure *m, double d1, double d2, bool turns)
 {
     double q = log2(d2 / d1);
     return !turns && q >= MIN_ORDER && q <= fmax(m->order, 2) + 1;
 }
 
-/* Not in a known order, and yet near enough. */
+/* True if the differences have no plausible order but are small enough for a
+ * corrected film. */
 static bool is_near(const measure *m, double size, double d1, double d2)
 {
     return m->corrected && d2 <= NEAR * size && d1 <= NEARER * d2;
 }
 
-/* v: finest first; NAN at the end where only one coarser level was solved. */
+/* Estimates the error of a value from its values v on the levels, finest first.
+ * The last is NAN if only one coarser level was solved. */
 static ovr_run_error judge(const char *key, ovr_unit_kind kind,
                            const measure *m, const double v[LEVELS])
 {
@@ -258,8 +265,8 @@ static void judge_end(ovr_run_errors *errors, const level_run *r,
     }
 }
 
-/* Reads the extremes of film thickness and pressure over the whole run, of
- * physics that are on. */
+/* Estimates errors of the extremes of film thickness and pressure over the run,
+ * and of the extremes of active physical models. */
 static void judge_extremes(ovr_run_errors *errors, const level_run *r,
                            const measure *m, unsigned physics)
 {
@@ -274,7 +281,7 @@ static void judge_extremes(ovr_run_errors *errors, const level_run *r,
     }
 }
 
-/* Means over a pass, of several. */
+/* Estimates errors of the means over one of several passes. */
 static void judge_means(ovr_run_errors *errors, const ovr_passes *passes,
                         const level_run *r, const measure *m)
 {
@@ -328,7 +335,7 @@ static void warn(ovr_run *run, const ovr_run_error *e, int level)
             level);
 }
 
-/* The levels below, as far as they can be solved. */
+/* Solves the run on the coarser levels; stops at the first that fails. */
 static ovr_status run_levels(ovr_run *run, level_run r[LEVELS], ovr_error *err)
 {
     ovr_passes *p = run->passes;
@@ -388,7 +395,7 @@ ovr_status ovr_run_estimate(ovr_run *run, ovr_error *err)
 static const char *const names[] = {"H_cen", "H_min",
                                     "the effect of the features", "both films"};
 
-/* Infinite where it was not estimated. */
+/* Returns the relative error of a number, INFINITY if it was not estimated. */
 static double error_of(const ovr_run_errors *e, const char *key)
 {
     for (size_t k = 0; k < e->count; k++)

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A search is asked by one file (find_question.c) and made by another. */
+/* Search for the value of a key: shared by the files that check the question
+ * (find_question.c) and that solve it. */
 #ifndef OVR_RUN_FIND_H
 #define OVR_RUN_FIND_H
 
@@ -17,8 +18,9 @@ struct ovr_find {
     ovr_find_info info;
     double from, to;
     const char *suffix; /* " kN/m", or "" */
-    char variant[40];   /* of result files: what differs from the case */
-    bool checked;       /* the quantity is one of the runs' */
+    char variant[40];   /* what differs from the case, for the names of result
+                         * files */
+    bool checked;       /* the quantity is known to be a number of the runs */
     ovr_find_evaluation *made;
     ovr_trial answer;
     bool answered;
@@ -31,8 +33,8 @@ struct ovr_find {
 ovr_status ovr_find_set(const ovr_find *f, ovr_case *c, double x,
                         ovr_error *err);
 
-/* The first run determines the available numbers: fails unless the one asked
- * for is among them, and known. */
+/* Checks after the first run that the requested quantity is one of its numbers
+ * and is known. */
 ovr_status ovr_find_check(ovr_find *f, const ovr_trial *t, ovr_error *err);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The value of a key for which a number of the run has a value. */
+/* Finds the value of a key for which a number of the run reaches a target. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -9,8 +9,7 @@
 #include "base/given.h"
 #include "run/find.h"
 
-/* Notes what is to be known beside the answer: said, and kept in its
- * message. */
+/* Prints a note and appends it to the message of the answer. */
 OVR_PRINTF(2, 3)
 static void tell(ovr_find *f, const char *format, ...)
 {
@@ -81,7 +80,7 @@ static ovr_trial_plan plan_of(const ovr_find *f)
                             .run = f->how.run};
 }
 
-/* Writes as few digits as give the number back. */
+/* Writes a number with the fewest digits that reproduce it exactly. */
 static void put_exact(char *text, size_t capacity, double x)
 {
     for (int digits = 6; digits <= 17; digits++) {
@@ -91,8 +90,8 @@ static void put_exact(char *text, size_t capacity, double x)
     }
 }
 
-/* "FOLDER/depth=0.25~um.h5" of a run at x; the name contains the level if it
- * differs from that of the case. */
+/* Returns the path of the result of a run at x, "FOLDER/depth=0.25~um.h5". The
+ * name contains the level if it differs from that of the case. */
 static const char *result_path(ovr_find *f, double x, ovr_error *err)
 {
     const char *dot = strrchr(f->info.key, '.');
@@ -111,7 +110,7 @@ static const char *result_path(ovr_find *f, double x, ovr_error *err)
     return path;
 }
 
-/* Runs of the case at several values. */
+/* Creates trials of the case at n values of the key. */
 static ovr_trials *trials_at(ovr_find *f, size_t n, const double *x,
                              const ovr_trial_plan *as_planned, ovr_error *err)
 {
@@ -217,7 +216,7 @@ static ovr_status fail_several(const ovr_find *f, const ovr_search_result *r,
                     f->info.quantity, f->info.target, r->places, places);
 }
 
-/* Why there is no answer; OVR_OK: there is one. */
+/* Returns an error with the reason if there is no answer. */
 static ovr_status judge(ovr_find *f, const ovr_search_result *r, ovr_error *err)
 {
     const ovr_find_info *i = &f->info;
@@ -313,8 +312,8 @@ static double coarser_error(ovr_find *f)
     return fabs((q - f->info.at_value) / f->info.slope);
 }
 
-/* The run at the answer once more, with its discretization error; key by key
- * in SI it is that of the number in Hertzian units. */
+/* Repeats the run at the answer and estimates its discretization error. The
+ * error of a number in SI is that of the same number in Hertzian units. */
 static ovr_status run_answer(ovr_find *f, ovr_error *err)
 {
     ovr_find_info *i = &f->info;
@@ -351,7 +350,7 @@ static bool orders_differ(const ovr_find *f)
     return minimum < maximum;
 }
 
-/* All of order 2 from here on; what is so already stays. */
+/* Sets order 2 for all further runs. Evaluations of order 2 are kept. */
 static ovr_status pin_order(ovr_find *f, ovr_error *err)
 {
     size_t kept = 0;

@@ -27,8 +27,8 @@
 static const char heads[] =
     "value,quantity,order,level,converged,marked,seconds,message\n";
 
-/* The number before a comma at *text, which moves behind it; an empty cell is
- * none. */
+/* Reads the number before a comma at *text and moves *text past the comma. The
+ * value of an empty cell is NAN. */
 static bool read_cell(const char **text, double *value)
 {
     *value = NAN;
@@ -37,7 +37,7 @@ static bool read_cell(const char **text, double *value)
     return *(*text)++ == ',';
 }
 
-/* A whole line; the last one may be cut. */
+/* Reads a complete line; the last line of the file may be truncated. */
 static bool read_row(char *line, ovr_find_evaluation *e, ovr_arena *arena)
 {
     double cell[7] = {0};
@@ -76,7 +76,7 @@ static ovr_status cannot(const ovr_find_table *t, ovr_status status,
                     strerror(errno));
 }
 
-/* The whole rows of a file; what stands behind them is cut off. */
+/* Reads the complete rows of a file and truncates the file after them. */
 static size_t read_rows(const ovr_find_table *t, ovr_arena *arena)
 {
     FILE *from = t->file;
@@ -155,7 +155,8 @@ static bool row_of(const char *where, ovr_parameter_info *info)
     return false;
 }
 
-/* The key must be one number, and take both ends. */
+/* Checks that the key is a single number and accepts both ends of the search
+ * range. */
 static ovr_status take_ends(ovr_find *f, ovr_error *err)
 {
     const char *unit[2];
@@ -360,7 +361,8 @@ static ovr_status take_options(ovr_find *f, const ovr_find_options *options,
     return OVR_OK;
 }
 
-/* The case and what is asked, as it lies beside the results. */
+/* Returns the case and the search as text, for comparison with the text stored
+ * in the results' folder. */
 static char *question_of(ovr_find *f, ovr_error *err)
 {
     const ovr_find_options *o = &f->how;
@@ -376,9 +378,8 @@ static char *question_of(ovr_find *f, ovr_error *err)
     return all;
 }
 
-/* Keeps other processes out of the folder until the question is freed: two
- * searches at once would continue from each other's runs, and their answers
- * depend on which is first. */
+/* Locks the folder until the search is freed. Otherwise two searches would use
+ * each other's runs, and their answers would depend on the order. */
 static ovr_status lock_folder(ovr_find *f, const char *folder, ovr_error *err)
 {
     size_t capacity = strlen(folder) + 40;
@@ -399,7 +400,7 @@ static ovr_status lock_folder(ovr_find *f, const char *folder, ovr_error *err)
     return OVR_OK;
 }
 
-/* The folder of results, which holds those of one question only. */
+/* Opens the folder of results, which holds results of only one search. */
 static ovr_status open_results(ovr_find *f, ovr_error *err)
 {
     const char *folder = f->how.results;

@@ -10,9 +10,9 @@
 #include "overroll/questions.h"
 
 typedef struct ovr_find_table {
-    FILE *file; /* NULL: none is asked for */
+    FILE *file; /* NULL: no table */
     const char *path;
-    ovr_find_evaluation *made; /* space for the rows that it holds */
+    ovr_find_evaluation *made; /* space for the rows read from the table */
     size_t maximum, count;
 } ovr_find_table;
 
@@ -20,7 +20,7 @@ typedef struct ovr_find_table {
 ovr_status ovr_find_table_open(ovr_find_table *table, bool go_on, bool force,
                                ovr_arena *arena, ovr_error *err);
 
-/* The row is on the disk when it returns. */
+/* Appends a row and syncs it to the disk. */
 ovr_status ovr_find_table_add(ovr_find_table *table,
                               const ovr_find_evaluation *one, ovr_error *err);
 void ovr_find_table_close(ovr_find_table *table);

@@ -7,7 +7,8 @@
 #include "run/internal.h"
 #include "run/review.h"
 
-/* Space for twice as many; those that memory is lacking for are still said. */
+/* Doubles the capacity for warnings if it is used up. Returns false if memory
+ * is insufficient; the warning is then only printed. */
 static bool has_space(ovr_run *run)
 {
     size_t count = (size_t)run->info.warnings;
@@ -33,7 +34,7 @@ static void keep(ovr_run *run, const char *text)
         run->warning[run->info.warnings++] = copy;
 }
 
-/* One of several passes says again what another said. */
+/* True if another of several passes has issued the same warning. */
 static bool was_said(const ovr_run *run, const char *text)
 {
     for (int k = 0; run->passes && k < run->info.warnings; k++)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Makes from the [output] of a case the writer of its result file. */
+/* Creates the writer of the result file from [output] of the case. */
 #define _XOPEN_SOURCE 700 /* realpath */
 #include <errno.h>
 #include <limits.h>
@@ -45,8 +45,8 @@ static bool same_file(const char *one, const char *other)
            a.st_dev == b.st_dev;
 }
 
-/* The result, or what lies beside it, is a file of the case, which it would
- * replace. */
+/* True if the result or one of its additional files would replace an input file
+ * of the case. */
 static bool is_input(const char *path, const char *input)
 {
     static const char *const endings[] = {"", ".part", ".restart",
@@ -79,8 +79,8 @@ static ovr_status check_inputs(const char *path, const ovr_case *c,
                  : OVR_OK;
 }
 
-/* Returns the ending of a file that is a table, a picture, a text or a page by
- * its name; NULL: of any other. */
+/* Returns the suffix of `path` if it denotes a table, picture, text or page;
+ * otherwise NULL. */
 static const char *foreign_ending(const char *path)
 {
     static const char *const endings[] = {".csv",  ".txt", ".json", ".png",
@@ -129,7 +129,7 @@ static const char *full_name(const ovr_case_entry *entry, ovr_arena *arena)
     return ovr_arena_text(arena, name, NULL);
 }
 
-/* The attributes of the group `case`: every parameter with a value. */
+/* Returns the attributes of the group `case`: all parameters with a value. */
 ovr_case_value *ovr_run_values(const ovr_case *c, ovr_arena *arena,
                                size_t *count)
 {
@@ -180,7 +180,7 @@ static void add_moment(moments *m, double T)
         m->T[m->count++] = T;
 }
 
-/* The times when features (and their copies) are at the X asked for. */
+/* Adds the times at which features and their copies pass the requested X. */
 static void add_arrivals(moments *m, const ovr_setup *setup, double X)
 {
     double end = setup->march->end;
@@ -245,7 +245,7 @@ static double stored_nodes(const ovr_setup *setup)
     return floor(fmax(to - from, 0) / setup->mesh / setup->output->stride) + 1;
 }
 
-/* The size of the inputs that the file will hold. */
+/* Returns the size of the input files that the result file will contain. */
 static double input_bytes(const ovr_case *c)
 {
     ovr_arena arena = ovr_arena_make(NULL);
@@ -311,7 +311,7 @@ double ovr_setup_output_memory(const ovr_setup *setup)
     return bytes;
 }
 
-/* The writer gets these: texts and lists that end with the case. */
+/* Options of the writer. Texts and lists belong to the case. */
 typedef struct target {
     ovr_write_options options;
     ovr_arena arena;
@@ -319,7 +319,8 @@ typedef struct target {
     double *times;
 } target;
 
-/* The folder of the case, absolute: resume may start elsewhere. */
+/* Returns the absolute path of the case's folder, because a resumed run may
+ * start in another folder. */
 static const char *absolute(const char *folder, ovr_arena *arena)
 {
     char path[PATH_MAX];
@@ -327,7 +328,8 @@ static const char *absolute(const char *folder, ovr_arena *arena)
     return found ? ovr_arena_text(arena, found, NULL) : NULL;
 }
 
-/* "roller" of a case "cases/roller.ini"; NULL where it has no file. */
+/* Returns "roller" for a case "cases/roller.ini"; NULL if the case has no
+ * file. */
 static const char *title_of(const char *name, ovr_arena *arena)
 {
     if (!name)
@@ -434,8 +436,8 @@ ovr_status ovr_output_open(ovr_run *run, ovr_error *err)
     return have(run, writer, err);
 }
 
-/* The reports of companions of a complete run are repeated; with other depths
- * of stresses than it was computed with, say, it cannot be. */
+/* Repeats the reports of the companions of a complete run. They cannot be
+ * repeated if, for example, the depths of stresses have changed. */
 static ovr_status restore_companions(ovr_run *run, double T, bool write,
                                      ovr_error *err)
 {

@@ -63,7 +63,7 @@ ovr_pass_history ovr_pass_history_make(const ovr_allocator *allocator)
     return h;
 }
 
-/* Space for so many rows; the rows of before are kept. */
+/* Enlarges the history to at least `rows` rows and keeps the existing ones. */
 static ovr_status reserve(ovr_pass_history *h, size_t rows, ovr_error *err)
 {
     for (int k = 0; k < OVR_SEEN_MAX; k++) {
@@ -82,7 +82,8 @@ static ovr_status reserve(ovr_pass_history *h, size_t rows, ovr_error *err)
     return OVR_OK;
 }
 
-/* What belongs to a physics that is off has no column. */
+/* True if the result contains the quantity, that is, if its physical model is
+ * active. */
 static bool is_there(const ovr_result *result, const ovr_observable *which)
 {
     const ovr_variable *v;
@@ -92,7 +93,7 @@ static bool is_there(const ovr_result *result, const ovr_observable *which)
     return there || !which->needs;
 }
 
-/* A column of a file. */
+/* Reads a column of the history from a file. */
 static ovr_status read_column(ovr_pass_history *h, int k, size_t rows,
                               ovr_result *result, ovr_error *err)
 {
@@ -147,7 +148,7 @@ ovr_observer ovr_pass_history_observer(ovr_pass_history *h)
 
 /* ------------------------------------------------------------------ Layers */
 
-/* h', where the film leaves with the flow f. */
+/* Returns the film thickness h' that leaves at flow f. */
 static double leaving(const ovr_setup *s, double T, double f)
 {
     const ovr_contact *c = s->contact;
@@ -162,7 +163,8 @@ static double left_at(const ovr_setup *s, const ovr_pass_history *h, size_t j)
     return leaving(s, h->of[OVR_SEEN_TIME][j], h->of[OVR_SEEN_OUTFLOW][j]);
 }
 
-/* The same at nominal speeds, of a content. */
+/* Returns the film thickness h' of a lubricant content q at the reference
+ * speeds. */
 static double nominally(const ovr_setup *s, double q)
 {
     double split = s->passes->split;
@@ -170,7 +172,9 @@ static double nominally(const ovr_setup *s, double q)
                 (1 - split) * fmax(0, s->contact->u2_ratio));
 }
 
-/* `ratio`: speed of its surface. */
+/* Returns the layer thickness that enters the next pass, from the thickness h
+ * left by this one, after side flow, loss and replenishment. `ratio`:
+ * u_k/u_m. */
 static double after(const ovr_passes_setup *p, double h, double flooded,
                     double ratio)
 {
@@ -190,16 +194,16 @@ static size_t lies(const ovr_setup *s, int k, size_t j)
     return s->passes->again & 1 << k ? j : 0;
 }
 
-/* A pass that has ended, and space for what comes of it at its times: places
- * and thicknesses of a layer, and the flow that is lost, of both layers. */
+/* A finished pass, with working arrays at its times: positions and thicknesses
+ * of a layer, and the lost flow of both layers. */
 typedef struct ended {
     const ovr_setup *s;
     const ovr_pass_history *h;
-    double flooded; /* flow of a flooded contact */
+    double flooded; /* flow rate of a flooded contact */
     double *x, *thick, *lost;
 } ended;
 
-/* The layer on surface k. */
+/* Creates the layer on surface k for the next pass. */
 static ovr_layer *make_layer(const ended *e, int k,
                              const ovr_allocator *allocator, ovr_error *err)
 {
@@ -233,7 +237,8 @@ static ovr_layer *make_layer(const ended *e, int k,
 
 /* --------------------------------------------------------------------- Row */
 
-/* Mean over the time for which it is known; NAN: never. */
+/* Returns the time average over the times at which the value is known; NAN if
+ * there are none. */
 static double mean(const ovr_pass_history *h, const double *v)
 {
     const double *T = h->of[OVR_SEEN_TIME];
@@ -281,8 +286,8 @@ static void fill_row(const ovr_pass_history *h, const double *lost,
 
 /* ------------------------------------------------------------------- Whole */
 
-/* Returns the flow of a supplied film from its ratio, of a flooded contact what
- * leaves it. */
+/* Returns the flooded flow rate: from the supply ratio if the film is supplied,
+ * otherwise the outflow. */
 static double flooded_flow(const ovr_pass_history *h)
 {
     double supply = h->of[OVR_SEEN_SUPPLY][0];
@@ -328,8 +333,8 @@ void ovr_pass_end_free(ovr_pass_end *end)
 /* ------------------------------------------------------------- From its file
  */
 
-/* Errors that were estimated for the pass, of a steady one those of its end;
- * what it does to the material. */
+/* Reads the estimated errors of a pass (of a steady one, those of the final
+ * state) and the fatigue numbers. */
 static void read_summary(ovr_result *result, ovr_pass_row *row)
 {
     static const struct {

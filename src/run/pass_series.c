@@ -67,13 +67,14 @@ static void tell(ovr_run *run)
 }
 
 /*
- * Life of a raceway under all passes up to this one, again and again, over that
- * without features.  By the rule of Palmgren and Miner the shares of life add,
- * each pass's by its risk I of the whole raceway l, (I/ln(1/S))^(1/e) (life.c):
+ * Life of a raceway under all passes so far, repeated, relative to its life
+ * without features. By the Palmgren-Miner rule, with the risk I of the whole
+ * raceway of length l, the lives (I/ln(1/S))^(1/e) (life.c) of the passes
+ * combine to
  *
  *     ratio = sum_k i_k^(1/e) / sum_k (i_k (1 + count lambda_k/l))^(1/e)
  *
- * i the smooth risk per length, lambda the equivalent length, of one surface.
+ * i: smooth risk per length; lambda: equivalent length, of one surface.
  */
 static double life_together(const ovr_run *run, int passes)
 {
@@ -112,7 +113,8 @@ ovr_status ovr_passes_update(ovr_run *run, int pass, ovr_pass_end *end,
     return OVR_OK;
 }
 
-/* Layers of oil, but where passes are those of [plastic] alone; strains. */
+/* Passes lubricant layers (unless the passes have [plastic] with flooded
+ * contacts) and plastic strains to the setup of the next pass. */
 static void feed(const ovr_run *run, const char *file, ovr_pass_end *end)
 {
     ovr_plastic_setup *plastic = ovr_setup_plastic(run->setup);
@@ -164,8 +166,9 @@ static bool is_near(const ovr_run *run, int pass, const char *column,
     return isnan(now) || fabs(now - before) <= maximum * fabs(now);
 }
 
-/* True if plastic bodies have shaken down, by the rim heights and the risk;
- * pressure spikes that the grid cannot resolve never shake down. */
+/* True if plastic bodies have shaken down, judged by the rim heights and the
+ * fatigue risk. Pressure spikes that the grid cannot resolve prevent
+ * shakedown. */
 bool ovr_passes_at_rest(const ovr_run *run, int pass)
 {
     const double height = 1e-4, risk = 1e-3;
@@ -234,7 +237,7 @@ static ovr_status make(ovr_run *run, const char *path, ovr_error *err)
 
 /* ---------------------------------------------------------------- A new run */
 
-/* Files of passes from before, which would be resumed. */
+/* Removes result files of earlier passes, which would otherwise be resumed. */
 static ovr_status clear(ovr_run *run, ovr_error *err)
 {
     static const char *const endings[] = {"", ".restart", ".journal"};
@@ -279,7 +282,7 @@ ovr_status ovr_passes_begin(ovr_run *run, ovr_error *err)
 /* ------------------------------------------------------------- Going through
  */
 
-/* All of the pass that was. */
+/* Frees everything that belongs to the last pass. */
 static void forget(ovr_run *run)
 {
     ovr_companions_release(run);
@@ -304,7 +307,7 @@ static ovr_status next(ovr_run *run, ovr_error *err)
     return status ? status : ovr_output_open(run, err);
 }
 
-/* The row of a pass that ended. */
+/* Adds the row of a pass that ended. */
 static ovr_status end_pass(ovr_run *run, ovr_error *err)
 {
     ovr_pass_end end;
@@ -333,7 +336,7 @@ ovr_status ovr_passes_execute(ovr_run *run, ovr_error *err)
             status = end_pass(run, err);
         run->info.shaken_down = !status && ovr_passes_at_rest(run, p->now);
         if (run->info.shaken_down)
-            run->info.passes = p->rows = p->now; /* no more are asked for */
+            run->info.passes = p->rows = p->now; /* no further passes */
         more = p->now < p->rows;
         if (!status && more)
             status = next(run, err);
@@ -373,7 +376,8 @@ void ovr_passes_recall(ovr_run *run)
     ovr_passes_close(run->passes);
 }
 
-/* NULL: there is none, or it is not complete. */
+/* Opens the result file of a complete pass. Returns NULL if it does not exist
+ * or is incomplete. */
 static ovr_result *open_complete(const char *path)
 {
     ovr_result *result = access(path, F_OK) == 0

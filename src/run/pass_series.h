@@ -15,19 +15,19 @@
 /* --------------------------------------------------- Columns (passes_file.c)
  */
 
-/* The columns of the file of all passes: quantities with a PASS in their row,
- * and after these what is known of a pass in addition. */
+/* Columns of the file of all passes: first the quantities with a PASS in their
+ * row, then the OVR_PASS_BESIDE other numbers of a pass. */
 enum { OVR_PASS_MAX = 64 };
 
-/* Those beside the quantities, by their numbers. */
+/* Columns that are no quantities, by number. */
 typedef enum ovr_pass_beside {
     OVR_PASS_LOST,
     OVR_PASS_STEPS,
-    OVR_PASS_FILM_ERROR, /* from here on where they are known */
+    OVR_PASS_FILM_ERROR, /* this and the following only if known */
     OVR_PASS_MIN_ERROR,
     OVR_PASS_PRESSURE_ERROR,
     OVR_PASS_MENISCUS_ERROR,
-    OVR_PASS_LENGTH, /* of the stresses below a surface */
+    OVR_PASS_LENGTH, /* equivalent length, from the stresses below a surface */
     OVR_PASS_RISK,
     OVR_PASS_RATIO,
     OVR_PASS_TOGETHER,
@@ -37,20 +37,22 @@ typedef enum ovr_pass_beside {
 typedef struct ovr_pass_column {
     char name[64], long_name[160];
     ovr_unit_kind kind;
-    const ovr_observable *of; /* NULL: none of the quantities */
-    unsigned how;             /* of that: one of OVR_PASS_MEAN, ... */
-    /* Its place in the table that people read, 0: none, its head there and the
-     * physics without which it is left out, as rows of quantities have them. */
+    const ovr_observable *of; /* NULL: not one of the quantities */
+    unsigned how;             /* statistic of the quantity: one of
+                               * OVR_PASS_MEAN, ... */
+    /* Position in the printed table (0: not printed), heading there, and the
+     * physical models without which the column is omitted, as in the rows of
+     * quantities. */
     int place;
     const char *head;
     unsigned with;
 } ovr_pass_column;
 
-/* Column k: first the OVR_PASS_BESIDE, then those of the quantities.  false
- * past the end. */
+/* Fills *to with column k; false past the end. The first OVR_PASS_BESIDE
+ * columns are those that are no quantities. */
 bool ovr_pass_column_at(size_t k, ovr_pass_column *to);
 
-/* Finds a column by its name, which is one of them. */
+/* Returns the number of the column with this name, which must exist. */
 size_t ovr_pass_column_named(const char *name);
 
 /* ---------------------------------- History at the outlet (pass_layers.c) */
@@ -67,8 +69,8 @@ typedef enum ovr_pass_quantity {
 
 enum { OVR_SEEN_MAX = OVR_PASS_QUANTITIES + OVR_PASS_MAX };
 
-/* Behind the ones above the quantity of each column, OVR_PASS_QUANTITIES + k;
- * those of columns beside the quantities are empty. */
+/* After the quantities above: the quantity of each column, at
+ * OVR_PASS_QUANTITIES + k. Columns that are no quantities are empty. */
 typedef struct ovr_pass_history {
     ovr_arena arena;
     size_t n, capacity;
@@ -76,10 +78,10 @@ typedef struct ovr_pass_history {
     const ovr_observable *which[OVR_SEEN_MAX]; /* NULL: empty */
 } ovr_pass_history;
 
-/* Empty; ovr_arena_release(&h.arena) frees it. */
+/* Returns an empty history; ovr_arena_release(&h.arena) frees it. */
 ovr_pass_history ovr_pass_history_make(const ovr_allocator *allocator);
 
-/* All rows of a file. */
+/* Reads all rows of a file. */
 ovr_status ovr_pass_history_read(ovr_pass_history *h, ovr_result *result,
                                  ovr_error *err);
 
@@ -90,106 +92,113 @@ ovr_observer ovr_pass_history_observer(ovr_pass_history *h);
  */
 
 typedef struct ovr_pass_row {
-    double value[OVR_PASS_MAX]; /* by columns, dimensionless; NAN: not known
-                                 */
-    const char *status;         /* of its file; "waiting": none yet */
+    double value[OVR_PASS_MAX]; /* by column, dimensionless; NAN: unknown */
+    const char *status;         /* status of the result file; "waiting": no file
+                                 * yet */
 } ovr_pass_row;
 
-/* The two layers that enter the next pass, and the oil in the inlet
- * reservoir before it; the row of this one. */
+/* Result of a pass: the two lubricant layers that enter the next pass, the
+ * volume in its inlet reservoir, and the row of this pass. */
 typedef struct ovr_pass_end {
     ovr_layer *layer[2];
     double reservoir;
-    double flooded; /* rho H that a flooded contact takes; NAN: not known */
+    double flooded; /* flow rate rho H of the flooded contact; NAN: unknown */
     ovr_pass_row row;
 } ovr_pass_end;
 
-/* Makes the end of a pass from what was seen of it, for a setup that is
- * prepared; `flooded` is what the passes before know. */
+/* Computes the result of a pass from its recorded history. `setup` is prepared;
+ * `flooded` is the flooded flow rate known from earlier passes. */
 ovr_status ovr_pass_end_make(const ovr_setup *setup, ovr_pass_history *h,
                              ovr_pass_end *end, const ovr_allocator *allocator,
                              ovr_error *err);
 void ovr_pass_end_free(ovr_pass_end *end);
 
-/* The same from its file. */
+/* Computes the result of a pass from its file. */
 ovr_status ovr_pass_read(const char *file, const ovr_setup *setup,
                          ovr_pass_end *end, const ovr_allocator *allocator,
                          ovr_error *err);
 
-/* A pass on a level, as the estimate of errors needs it: 0 the run's own, k
- * that of the same passes k levels coarser, fed by its own pass before. */
+/* State of a pass on one level, for the error estimate: element 0 is the run
+ * itself, element k the same passes k levels coarser. Each level uses the
+ * layers of its own preceding pass. */
 enum { OVR_PASS_LEVELS = 3 };
 typedef struct ovr_pass_level {
-    bool lost; /* a pass failed on it: it has none from there on */
+    bool lost; /* a pass failed on this level: no estimate from there on */
     ovr_pass_history seen;
-    ovr_pass_end end; /* of the pass that was seen last */
+    ovr_pass_end end; /* result of the last recorded pass */
 } ovr_pass_level;
 
 struct ovr_passes {
     const char *path;  /* OUT.h5 */
-    int now;           /* under way, from 1 */
-    int rows;          /* with a name and a row so far */
-    const char **file; /* of each */
+    int now;           /* current pass, from 1 */
+    int rows;          /* passes that have a name and a row so far */
+    const char **file; /* result file of each pass */
     ovr_pass_row *row;
-    double oil_flooded; /* flow of the flooded contact; NAN: not known yet */
-    bool converged;     /* all so far */
-    bool whole;         /* the file of all has every row: it stays as it is */
-    struct ovr_result *before; /* resumed: complete, not reported yet */
+    double oil_flooded; /* flow rate of the flooded contact; NAN: not known
+                         * yet */
+    bool converged;     /* all passes so far have converged */
+    bool whole;         /* the file of all passes is complete and is not
+                         * rewritten */
+    struct ovr_result *before; /* last complete pass of a resumed series, not
+                                * reported yet */
     ovr_pass_level level[OVR_PASS_LEVELS];
 };
 
-/* The result file of a pass: OUT-3.h5 of OUT.h5. */
+/* Returns the name of the result file of a pass: OUT-3.h5 for OUT.h5. */
 const char *ovr_passes_name(const char *path, int pass, ovr_arena *arena,
                             ovr_error *err);
 
-/* Returns that name in the memory of a run; makes rows and names for so many.
- */
+/* Returns the file name of a pass in the memory of the run. The second function
+ * allocates rows and names for the passes. */
 const char *ovr_passes_file_of(ovr_run *run, int pass, ovr_error *err);
 ovr_status ovr_passes_make_rows(ovr_run *run, int number, ovr_error *err);
 
-/* The row of a pass that ended, from its file, and what it left. */
+/* Reads the row of a pass that ended from its file, together with the layers it
+ * left. */
 ovr_status ovr_passes_update(ovr_run *run, int pass, ovr_pass_end *end,
                              ovr_error *err);
 
-/* Hands on to the setup of this pass what the one before left, a level coarser;
- * what was seen of it, before it begins and when it ended. */
+/* Functions of a pass on a coarser level: feed adds the layers of the preceding
+ * pass to the setup, begin clears the recorded history, end evaluates it. */
 void ovr_pass_level_feed(ovr_pass_level *of, ovr_setup *setup);
 void ovr_pass_level_begin(ovr_pass_level *of, const ovr_allocator *allocator);
 ovr_status ovr_pass_level_end(ovr_pass_level *of, const ovr_setup *setup,
                               ovr_error *err);
 void ovr_passes_free(ovr_passes *passes);
 
-/* The file of all passes, written whole; its case, as it was written. */
+/* Writes the whole file of all passes. The second function writes the case as
+ * text. */
 ovr_status ovr_passes_write(const ovr_run *run, const char *status,
                             ovr_error *err);
 bool ovr_passes_file_is(const char *path);
-bool ovr_passes_file_complete(const char *path); /* every row is in it */
+bool ovr_passes_file_complete(const char *path); /* true if the file has all
+                                                  * rows */
 ovr_case *ovr_passes_case(const char *path, const ovr_allocator *allocator,
                           ovr_error *err);
 
-/* A new run: its file and the first pass. */
+/* Creates the file of all passes and begins the first pass. */
 ovr_status ovr_passes_begin(ovr_run *run, ovr_error *err);
 
 /* Adds the layers and strains of the preceding pass to the setup of a pass. */
 ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err);
 
-/* Runs the passes from the one that is set up to the last. */
+/* Solves the passes from the prepared one to the last. */
 ovr_status ovr_passes_execute(ovr_run *run, ovr_error *err);
 
-/* The passes of a file that is resumed: `now` is the first that is not
- * complete. */
+/* Reads the passes of a file to be resumed; `now` is the first incomplete
+ * pass. */
 ovr_status ovr_passes_reopen(ovr_run *run, const char *path, ovr_error *err);
 
-/* Reports the preceding pass to the whole run and closes its file. */
+/* Reports the last complete pass; closes its file. */
 void ovr_passes_recall(ovr_run *run);
 void ovr_passes_close(ovr_passes *passes);
 
-/* The rows of all passes, whose files are complete, into the file of them; then
- * the run is that of the last one. */
+/* Writes the rows of all passes, whose files are complete, to the file of all
+ * passes. The second function makes the run that of the last pass. */
 ovr_status ovr_passes_finish(ovr_run *run, int last, ovr_error *err);
 ovr_status ovr_passes_go_back(ovr_run *run, int last, ovr_error *err);
 
-/* True if bodies that yield have shaken down with this pass. */
+/* True if plastic bodies have shaken down with this pass. */
 bool ovr_passes_at_rest(const ovr_run *run, int pass);
 
 /* Sets the load of a pass; returns whether bodies deform plastically in it. */

@@ -69,8 +69,8 @@ static const ovr_pass_column beside[OVR_PASS_BESIDE] = {
                      "one",
         .kind = OVR_KIND_NUMBER}};
 
-/* A mean, or the value at the end, has the name of the quantity, and so has
- * what is alone; the same holds for the head. */
+/* Names a column. A mean, a final value, or the only statistic of a quantity
+ * has the quantity's name and heading. */
 static void name(const ovr_observable *row, unsigned how, ovr_pass_column *to)
 {
     bool second = row->pass & OVR_PASS_MEAN;
@@ -132,8 +132,8 @@ static const ovr_table_column *named(const ovr_table *t, const char *name)
     return c;
 }
 
-/* True if columns that need this physics are in the table; 0: none is needed.
- */
+/* True if the table has columns that need this physical model (0: none
+ * needed). */
 static bool is_in(const ovr_table *t, unsigned physics)
 {
     ovr_pass_column c;
@@ -166,8 +166,8 @@ bool ovr_table_pass_head(const ovr_table *table, size_t k, ovr_pass_head *to)
 
 typedef struct table {
     const ovr_run *run;
-    double *values;     /* a column */
-    const char **texts; /* the same */
+    double *values;     /* values of a column */
+    const char **texts; /* texts of a column */
     ovr_flat rows;
 } table;
 
@@ -181,7 +181,8 @@ static bool put_numbers(const table *t, size_t k, const ovr_pass_column *c)
                             c->long_name, t->values);
 }
 
-/* Quantities whose physics is on; errors and lives where they are known. */
+/* True if the column is written: the quantity's physical model is active;
+ * errors and lives are known. */
 static bool is_asked_for(const table *t, size_t k, const ovr_pass_column *c)
 {
     bool known = k < OVR_PASS_FILM_ERROR;
@@ -269,12 +270,12 @@ ovr_status ovr_passes_write(const ovr_run *run, const char *status,
 
 /* ----------------------------------------------------------------- Reading */
 
-/* The file says this of itself. */
+/* Attributes of a file of passes. */
 typedef struct told {
-    const char *text, *folder, *status; /* of the case; of the passes */
+    const char *text, *folder, *status; /* of the case; status of the passes */
 } told;
 
-/* false: no file of passes. */
+/* Returns false if the file is no file of passes. */
 static bool read_told(const char *path, ovr_arena *arena, told *t)
 {
     ovr_container c;

@@ -27,36 +27,36 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* A worker tells this of a task that it ended. */
+/* Message of a worker about a finished task. */
 typedef struct ending {
     size_t task;
     int code;
 } ending;
 
-/* Each worker has one, shared with it. */
+/* Progress of one worker, in shared memory. */
 typedef struct place {
-    double done;          /* of its task */
-    volatile size_t task; /* number in the list, from 1; 0: none */
+    double done;          /* completed fraction of the task */
+    volatile size_t task; /* number of the task in the list, from 1; 0: none */
 } place;
 
-/* Shared by all. */
+/* Data shared by all workers. */
 typedef struct board {
-    atomic_size_t next; /* number in the list */
+    atomic_size_t next; /* index of the next task in the list */
     volatile int stop;
     place at[];
 } board;
 
 typedef struct pool {
     const ovr_pool_job *job;
-    pid_t *process; /* of each worker; 0: free */
+    pid_t *process; /* process of each worker; 0: unused */
     struct pollfd *end;
     board *board;
     size_t ended;
     int running;
 } pool;
 
-/* What a task gives back the next one takes: without it each would have its
- * pages from the system again, a fifth of a short task. */
+/* Keeps freed memory in the process for the next task. Otherwise requesting
+ * pages from the system takes a fifth of a short task's time. */
 static void keep_memory(void)
 {
 #ifdef __GLIBC__
@@ -72,11 +72,11 @@ static void end_with(pid_t parent)
 #ifdef __linux__
     prctl(PR_SET_PDEATHSIG, SIGTERM);
 #endif
-    if (getppid() != parent) /* the parent had ended before */
+    if (getppid() != parent) /* the parent has already ended */
         _exit(1);
 }
 
-/* Tasks until there are no more, in the worker. */
+/* Processes tasks in the worker until there are none left. */
 static void work_through(const pool *p, int slot, int to, pid_t parent)
 {
     const ovr_pool_job *job = p->job;
@@ -84,7 +84,7 @@ static void work_through(const pool *p, int slot, int to, pid_t parent)
     const ovr_shared shared = {&at->done, &p->board->stop};
     keep_memory();
     end_with(parent);
-    /* the signal may be sent only to the worker, or reach it first */
+    /* The signal may reach only the worker, or reach it first. */
     while (!p->board->stop && !job->stop(job->data) && getppid() == parent) {
         size_t next = atomic_fetch_add(&p->board->next, 1);
         if (next >= job->count)
@@ -137,7 +137,7 @@ static int fill(pool *p)
     return 0;
 }
 
-/* A worker that ended with a task on its hands died of it. */
+/* Handles a worker that ended. Its current task, if any, has crashed. */
 static void reap(pool *p, int slot)
 {
     int status = 0;
@@ -155,7 +155,7 @@ static void reap(pool *p, int slot)
                   WIFSIGNALED(status) ? WTERMSIG(status) : 0);
 }
 
-/* Reads the message or the end of a worker. */
+/* Reads a worker's message, or detects its end. */
 static void read_worker_message(pool *p, int slot)
 {
     ending told;

@@ -10,7 +10,7 @@
 
 /* ---------------------------------------------------------------- the whole */
 
-/* Nodes, scheme, smoother; of a strip the lines across instead. */
+/* Prints nodes, scheme and smoother; for a strip the lines across instead. */
 static void say_grid(const ovr_report_sink *to, const ovr_simulation *sim)
 {
     const ovr_options *options = ovr_simulation_options(sim);
@@ -71,7 +71,7 @@ void ovr_report_end(const ovr_report_sink *to, const ovr_run_info *s)
 
 /* -------------------------------------------------------------- remarks */
 
-/* The load in N/m. */
+/* Appends the load in N/m. */
 static void add_load(ovr_words *w, const ovr_observation *o,
                      const ovr_contact *contact)
 {
@@ -79,7 +79,7 @@ static void add_load(ovr_words *w, const ovr_observation *o,
         ovr_words_add(w, "%.4g kN/m", o->load / acos(0) * contact->load * 1e-3);
 }
 
-/* The volume flow at ambient density. */
+/* Appends the volume flow rate at ambient density. */
 static void add_flow(ovr_words *w, const ovr_observation *o,
                      const ovr_contact *contact)
 {
@@ -116,8 +116,8 @@ static bool is_newtonian(const ovr_run_info *s)
     return s->setup->lubricant->rheology == OVR_NEWTONIAN;
 }
 
-/* A flow law without a bound of the shear stress is as unrealistic as a
- * Newtonian film once friction exceeds the load. */
+/* True if friction exceeds the load with a rheological model without limiting
+ * shear stress: then it is as unrealistic as for a Newtonian film. */
 bool ovr_absurd_friction(const ovr_run_info *s)
 {
     const double load = 1;
@@ -187,8 +187,8 @@ static void say_friction(const ovr_report_sink *to, const ovr_run_info *s)
 
 /* ------------------------------------------------------ starvation and heat */
 
-/* Starvation factor, and the position of the inlet meniscus or the part of the
- * supply that a flooded contact takes. */
+/* Prints the starvation factor and the position of the inlet meniscus, or the
+ * fraction of the supply that a flooded contact accepts. */
 static void say_supply(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_observation *o = ovr_simulation_observation(s->sim);
@@ -243,7 +243,8 @@ void ovr_report_conditions(const ovr_report_sink *to, const ovr_run_info *s)
 
 /* ------------------------------------------------------------------ errors */
 
-/* The name without " over the run", which is longer than the column. */
+/* Returns the name without " over the run", which does not fit into the
+ * column. */
 static ovr_words short_name(const char *name, const char **when)
 {
     const char *over = strstr(name, " over the run");
@@ -254,8 +255,8 @@ static ovr_words short_name(const char *name, const char **when)
     return w;
 }
 
-/* Prints the relative error of a quantity, and in nm, um or MPa; or that the
- * quantity does not converge. */
+/* Prints the relative error of a quantity and its error in nm, um or MPa, or
+ * that the quantity does not converge. */
 static void say_error(const ovr_report_sink *to, const ovr_run_error *e,
                       const ovr_contact *contact)
 {

@@ -13,7 +13,7 @@ bool ovr_absurd_friction(const ovr_run_info *s);
 /* The first lines and the heading of the rows. */
 void ovr_report_contact(const ovr_report_sink *to, const ovr_run_info *s);
 
-/* Further remark on a quantity: load and flow in SI, convergence. */
+/* Returns the remark on a quantity: load and flow rate in SI, convergence. */
 ovr_words ovr_words_of(const ovr_observable *row, const ovr_run_info *s);
 
 /* Starvation, friction and temperatures. */

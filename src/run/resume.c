@@ -78,8 +78,8 @@ static ovr_case *find_case(ovr_run *run, double *complete, ovr_error *err)
                                 &run->arena.allocator, err);
 }
 
-/* Begins again, without a checkpoint: what is in the file would be computed
- * again. */
+/* Fails unless the run may be repeated from the start, since there is no
+ * checkpoint and the results in the file would be lost. */
 static ovr_status begin_again(ovr_run *run, bool done, ovr_error *err)
 {
     if (run->how.from_start && run->how.force)
@@ -128,7 +128,7 @@ static ovr_status go_back(ovr_run *run, double complete, ovr_error *err)
     return OVR_OK;
 }
 
-/* Before anything is changed in it. */
+/* Stores the parameters recorded in the file, before the case is changed. */
 static ovr_status as_recorded(ovr_run *run, ovr_error *err)
 {
     ovr_case_mark_stored(run->c);
@@ -157,9 +157,9 @@ static ovr_status prepare(ovr_run *run, const char *path, ovr_error *err)
     return go_back(run, complete, err);
 }
 
-/* Each pass has its file, but one that was killed as the last of them ended
- * may not have its row yet.  The report of the run is that of the last pass, if
- * its checkpoint exists. */
+/* Completes a series whose passes all have files. The row of the last pass is
+ * added if the program was killed before writing it. The report is that of the
+ * last pass, if its checkpoint exists. */
 static ovr_status all_are_there(ovr_run *run, int last, ovr_error *err)
 {
     const char *path = run->passes->path;
@@ -180,7 +180,7 @@ static ovr_status all_are_there(ovr_run *run, int last, ovr_error *err)
     return prepare(run, run->info.output, err);
 }
 
-/* A pass that has no file yet. */
+/* Begins a pass that has no file yet. */
 static ovr_status begin_pass(ovr_run *run, ovr_error *err)
 {
     const ovr_run_options *how = &run->how;

@@ -20,9 +20,10 @@
 
 /* ------------------------------------------------------------------- Domain */
 
-/* Reviews the ends of the domain. */
+/* Warnings and notes about the ends of the domain. */
 
-/* "some 0.54 %": the loss is a fit to those up to a fifth. */
+/* A loss as text, "some 0.54 %"; the formula for the loss is valid up to 20
+ * %. */
 typedef struct share {
     char text[40];
 } share;
@@ -35,7 +36,7 @@ static share share_of(double loss)
     return s;
 }
 
-/* Rounds to four digits, away from the contact. */
+/* Rounds |X| up to four digits. */
 static double rounded_out(double X)
 {
     double digit = pow(10, floor(log10(fabs(X))) - 3);
@@ -59,8 +60,8 @@ static void warn_of_kept_inlet(const ovr_review *r,
                    r->setup->resolved->inlet_kept);
 }
 
-/* The default inlet is further upstream than usual, or prevented from it by a
- * feature. */
+/* Notes that the default inlet is further upstream than usual, or could not be
+ * moved because of a feature. */
 static void say_usual_inlet(const ovr_review *r, const ovr_domain_needs *needs)
 {
     double inlet = r->setup->options->inlet;
@@ -79,8 +80,8 @@ static void say_usual_inlet(const ovr_review *r, const ovr_domain_needs *needs)
                        inlet, share_of(loss).text);
 }
 
-/* Ends that were given, where films are cut by them.  An inlet that oil does
- * not fill is judged by the meniscus, when there is one (ovr_review_inlet). */
+/* Warns if the given inlet boundary is too close. A starved inlet is judged by
+ * the position of the meniscus (ovr_review_inlet). */
 static void warn_of_near_inlet(const ovr_review *r,
                                const ovr_domain_needs *needs)
 {
@@ -135,8 +136,8 @@ void ovr_review_inlet(const ovr_review *r, const ovr_state *state, double H_cen)
 
 typedef struct usual {
     const char *what, *unit;
-    double value, scale;     /* of the unit */
-    double minimum, maximum; /* in it */
+    double value, scale;     /* in the unit */
+    double minimum, maximum; /* usual range in the unit */
 } usual;
 
 static void judge(const usual *u, ovr_listener *say, void *data)
@@ -150,8 +151,8 @@ static void judge(const usual *u, ovr_listener *say, void *data)
              u->what, value, u->unit, u->minimum, u->maximum, u->unit);
 }
 
-/* Rubber to tungsten carbide on diamond; wires to rolls of mills; oils from
- * refrigerants to greases' base. */
+/* Warns of unusual values. The ranges include rubber and tungsten carbide on
+ * diamond, wires and mill rolls, refrigerants and grease base oils. */
 static void review_contact(const ovr_setup *s, ovr_listener *say, void *data)
 {
     const ovr_contact *c = s->contact;
@@ -166,8 +167,8 @@ static void review_contact(const ovr_setup *s, ovr_listener *say, void *data)
         judge(&all[k], say, data);
 }
 
-/* Bodies are parabolas and half-spaces where they touch, which cylinders are
- * only near the line of contact. */
+/* Warns if the half-width is not small compared with the radius: the parabola
+ * and half-space approximations then fail. */
 static void review_width(const ovr_setup *s, ovr_listener *say, void *data)
 {
     const double widest = 0.3;
@@ -217,11 +218,12 @@ static void review_plausible(const ovr_setup *setup, ovr_listener *say,
 
 /* ------------------------------------------------------------------- Review */
 
-/* Second-order schemes carry a wave of eight mesh sizes with a few per cent
- * lost (0.25 b at level 6 is 20 mesh sizes, 3.6 %). */
+/* Nodes per wavelength with little damping: second-order schemes damp a wave of
+ * eight mesh sizes by a few per cent (0.25 b at level 6 is 20 mesh sizes: 3.6
+ * %). */
 static const double MESHES_A_WAVE = 10;
 
-/* Notes how profiles were read and conditioned. */
+/* Prints notes on how profiles were read and filtered. */
 static void say_assumed(const ovr_review *r)
 {
     const ovr_surfaces *surfaces = r->setup->surfaces;
@@ -237,7 +239,8 @@ static void say_assumed(const ovr_review *r)
     }
 }
 
-/* Estimated from the viscosity: films go with its square root or so. */
+/* Notes properties that were estimated from the viscosity. Film thickness
+ * varies with about the square root of alpha. */
 static void say_estimated(const ovr_review *r)
 {
     const ovr_resolved *resolved = r->setup->resolved;
@@ -251,7 +254,7 @@ static void say_estimated(const ovr_review *r)
                    1e9 * r->setup->contact->alpha);
 }
 
-/* Keys without effect that are no reason to refuse the case. */
+/* Notes keys that have no effect but are allowed. */
 static void say_idle(const ovr_review *r)
 {
     ovr_idle idle;
@@ -269,7 +272,7 @@ static void say_idle(const ovr_review *r)
         }
 }
 
-/* Fields that were asked for and are not stored. */
+/* Notes requested fields that are not stored. */
 static void say_left_out(const ovr_review *r)
 {
     const ovr_physics *off = NULL;
@@ -282,7 +285,8 @@ static void say_left_out(const ovr_review *r)
                        off->in_case->section->name);
 }
 
-/* A run from rest or from no load starts a little above either. */
+/* Warns that a run from rest or without load starts at a small speed or
+ * load. */
 static void warn_of_start(const ovr_review *r)
 {
     if (fabs(ovr_history_value(r->setup->speed, 0)) < OVR_MIN_START)
@@ -297,8 +301,9 @@ static void warn_of_start(const ovr_review *r)
                        OVR_MIN_START);
 }
 
-/* Upstream schemes smear out what moves on few nodes; below so many a width
- * the characteristic scheme is clearly better (at 160 hardly, at 130 in P). */
+/* Warns if upstream schemes smear out moving features with few nodes. Below
+ * this number of nodes per width the characteristic scheme is clearly better
+ * (at 160 hardly, at 130 in P). */
 static void warn_of_smearing(const ovr_review *r)
 {
     const double enough = 150;
@@ -357,7 +362,8 @@ static void warn_of_features(const ovr_review *r, bool transient)
             inside, options->inlet);
 }
 
-/* Features with one seed have the same heights, up to their scale. */
+/* Warns of random features with the same seed, which have the same heights up
+ * to a factor. */
 static void warn_of_seeds(const ovr_review *r)
 {
     const ovr_resolved *resolved = r->setup->resolved;
@@ -379,7 +385,7 @@ static void warn_of_seeds(const ovr_review *r)
         }
 }
 
-/* In a steady solution nothing passes. */
+/* Warns of moving features, which a steady solution omits. */
 static void warn_of_left_out(const ovr_review *r)
 {
     size_t n = ovr_surfaces_count(r->setup->surfaces);
@@ -396,7 +402,7 @@ static void warn_of_left_out(const ovr_review *r)
     }
 }
 
-/* Nor does anything vary in it. */
+/* Warns of time histories in a steady solution. */
 static void warn_of_histories(const ovr_review *r)
 {
     static const char *const sections[] = {"load",   "speed",    "sliding",
@@ -413,7 +419,7 @@ static void warn_of_histories(const ovr_review *r)
     }
 }
 
-/* A feature with all its copies from `low` to `high` at T. */
+/* Computes the range low..high of a feature and its copies at T. */
 static void reach(const ovr_surfaces *surfaces, size_t k, double T, double *low,
                   double *high)
 {
@@ -423,7 +429,7 @@ static void reach(const ovr_surfaces *surfaces, size_t k, double T, double *low,
     *high = centre + f.ahead + (f.speed < 0 ? f.last : 0);
 }
 
-/* "-2 <= X <= 1.5", or its one side if the other has no end. */
+/* Returns "-2 <= X <= 1.5", or one inequality if the other end is infinite. */
 static ovr_words range_of(double low, double high)
 {
     ovr_words w = {""};
@@ -436,8 +442,8 @@ static ovr_words range_of(double low, double high)
     return w;
 }
 
-/* Warns of features that do not pass from `low` at T = 0 to `high` at the
- * end. */
+/* Warns of features that do not move from `low` at T = 0 to `high` at the end,
+ * so that stress histories are incomplete. */
 static void warn_of_material_history(const ovr_review *r, size_t k)
 {
     const ovr_options *o = r->setup->options;
@@ -485,11 +491,11 @@ static void warn_of_sliding(const ovr_review *r)
                        slip);
 }
 
-/* One that was chosen, where it is the finest that may be. */
+/* Notes an automatically chosen level if it is the finest allowed. */
 static void say_level(const ovr_review *r)
 {
     const ovr_setup *s = r->setup;
-    const double rounding = 1.05; /* as printed */
+    const double rounding = 1.05; /* printed numbers are rounded */
     if (s->accuracy > 0 && s->expected > rounding * s->accuracy)
         ovr_review_add(
             r, OVR_MESSAGE_WARNING,

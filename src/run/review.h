@@ -18,7 +18,8 @@ typedef struct ovr_review {
 void ovr_review_add(const ovr_review *r, ovr_message_kind kind,
                     const char *format, ...) OVR_PRINTF(3, 4);
 
-/* Warns of oil that arrives as a film and fills the inlet all the same. */
+/* Warns if the inlet is fully flooded although lubricant is supplied as
+ * layers. */
 void ovr_review_inlet(const ovr_review *r, const ovr_state *state,
                       double H_cen);
 

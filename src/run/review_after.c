@@ -16,14 +16,12 @@
 
 /* ------------------------------------------------------------- shear stress */
 
-/*
- * The share of its pressure that the film carries as shear stress, at the end
- * of a run: the largest ratio of both where the pressure is a fifth of Hertz's
- * at least, and the share of those nodes where it is above a tenth, which oils
- * do not carry.  A Newtonian isothermal film has such stresses wherever it is
- * pressed and slides; its thickness and pressure are none the worse for it, so
- * this belongs beside its friction.
- */
+/* Shear stress of the fluid relative to its pressure at the end of a run: the
+ * largest ratio at nodes with at least a fifth of p_h, and the fraction of
+ * these nodes where the ratio exceeds 0.1, which lubricants do not sustain. A
+ * Newtonian isothermal film has such stresses wherever it slides under
+ * pressure. Film thickness and pressure are not affected, so the warning
+ * belongs to friction. */
 
 static const double CARRIED = 0.1, CARRIES = 0.2;
 
@@ -48,7 +46,7 @@ static void run_shear(ovr_run *run)
                                                             : beyond / count;
 }
 
-/* Order four was taken or asked for, and is not what was reached. */
+/* Warns if fourth order was requested or chosen and not reached. */
 static void warn_of_order(const ovr_review *r, const ovr_simulation *sim)
 {
     const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);
@@ -68,7 +66,8 @@ static void warn_of_order(const ovr_review *r, const ovr_simulation *sim)
             "reverses");
 }
 
-/* Of a steady solution the first of these is the only state. */
+/* Warns of unusual pressures. For a steady solution the extremes are those of
+ * its only state. */
 static void warn_of_pressure(const ovr_review *r, const ovr_statistics *total)
 {
     double ph = r->setup->contact->ph, bearable = r->setup->bearable;
@@ -83,8 +82,8 @@ static void warn_of_pressure(const ovr_review *r, const ovr_statistics *total)
                            : ": the body would yield; see [plastic]");
 }
 
-/* Films thinner than molecules are no continuum; asperities of [boundary] do
- * not need one. */
+/* Warns of films thinner than molecules, which are not a continuum. Asperities
+ * of [boundary] do not need a continuum. */
 static void warn_of_thin_film(const ovr_review *r, const ovr_statistics *total)
 {
     double h = total->extreme.H_min_located * r->setup->contact->height;
@@ -137,8 +136,8 @@ static void warn_of_roughness(const ovr_review *r, const ovr_statistics *total)
                        total->when.H_min_located, Rq);
 }
 
-/* The pressure is zero at the last node, wherever the film would end.  Where
- * the speed reverses, the last node is the inlet of the other direction. */
+/* Warns if the film extends to the outlet boundary, where the pressure is set
+ * to zero. If the speed reverses, the last node is the inlet. */
 static void warn_of_full_outlet(const ovr_review *r,
                                 const ovr_statistics *total)
 {
@@ -154,7 +153,8 @@ static void warn_of_full_outlet(const ovr_review *r,
                    1.5 * s->options->outlet);
 }
 
-/* The ordinary is 3 cycles a step; the steady start has its own. */
+/* Warns of many cycles: 3 per step are usual, and the steady start has
+ * additional ones. */
 static void warn_of_cycles(const ovr_review *r, const ovr_statistics *total)
 {
     const long far = 20, start = 500;
@@ -167,7 +167,7 @@ static void warn_of_cycles(const ovr_review *r, const ovr_statistics *total)
 
 static void warn_of_extremes(const ovr_review *r, const ovr_statistics *total)
 {
-    if (!(total->extreme.H_min_located > 0)) /* nothing was solved */
+    if (!(total->extreme.H_min_located > 0)) /* no solution */
         return;
     warn_of_pressure(r, total);
     warn_of_spike(r, total);
@@ -177,7 +177,8 @@ static void warn_of_extremes(const ovr_review *r, const ovr_statistics *total)
     warn_of_cycles(r, total);
 }
 
-/* end = auto gives up some time after the last has left. */
+/* Warns if the film is not steady when end = auto stops, some time after the
+ * last feature has left. */
 static void warn_of_unrest(const ovr_review *r, double T, bool settled)
 {
     const ovr_march *march = r->setup->march;

@@ -24,15 +24,15 @@
 #include "surface/local_roughness.h"
 #include "surface/surfaces.h"
 
-/* Samples of the surface: those before `first` and from `end` on lead up to
- * what comes through. */
+/* Rough surface on a uniform grid. The samples before `first` and from `end` on
+ * are needed for the amplitude reduction but do not pass the contact. */
 typedef struct rolled {
     size_t n, first, end;
     double step;
     double *X, *z;
 } rolled;
 
-static const double LEAD = 8; /* b; more than the inlet's length */
+static const double LEAD = 8; /* in b; longer than the inlet */
 static const double AT_EXIT = 0.75;
 enum { MAX = 1 << 17, MIN_IN_WINDOW = 64 };
 
@@ -41,7 +41,8 @@ static bool slides(const ovr_setup *s)
     return fabs(s->contact->u1_ratio - s->contact->u2_ratio) > 1e-6;
 }
 
-/* u/um of what is rough; NAN: two speeds. */
+/* Returns u/u_m of the rough surface; NAN if both are rough and their speeds
+ * differ. */
 static double speed(const ovr_setup *s)
 {
     size_t n = ovr_surfaces_count(s->surfaces);
@@ -88,8 +89,8 @@ static const char *refusal(const ovr_setup *s)
     return NULL;
 }
 
-/* At the end of the run, what came to the contact's window first lies at its
- * way from there. */
+/* Samples the surface at the end of the run, over the distance that passes the
+ * contact. */
 static ovr_status lay_out(const ovr_setup *s, ovr_arena *arena, rolled *r,
                           ovr_error *err)
 {
@@ -112,7 +113,7 @@ static ovr_status lay_out(const ovr_setup *s, ovr_arena *arena, rolled *r,
     return OVR_OK;
 }
 
-/* The largest of all windows. */
+/* Returns the maximum Rq over all windows. */
 static double largest_Rq(const rolled *r)
 {
     size_t width = (size_t)(2 * OVR_ROUGH_WINDOW / r->step);

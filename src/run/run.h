@@ -1,21 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Summaries and cases of studies, for the floor above. */
+/* Summaries and cases of studies, for the layer above. */
 #ifndef OVR_RUN_RUN_H
 #define OVR_RUN_RUN_H
 
 #include "overroll/run.h"
 
-/* Like ovr_run_answers, from the summary of a file. */
+/* Like ovr_run_answers, but from the summary of a result file. */
 void ovr_result_answers(ovr_result *result, ovr_answer *put, void *data);
 
-/* Estimates the film of a prepared setup, in milliseconds. */
+/* Predicts the film thickness of rough surfaces for a prepared setup; takes
+ * milliseconds. */
 ovr_status ovr_setup_rough_film(const ovr_setup *setup,
                                 const ovr_allocator *allocator,
                                 ovr_rough_film *to, ovr_error *err);
 
-/* Output of a prepared setup: number of snapshots, without the additional ones
- * at maximum pressure and minimum film thickness, and bytes on disk before
- * compression. */
+/* Predicted output of a prepared setup: number of snapshots (without the
+ * additional ones at maximum pressure and minimum film thickness), and bytes on
+ * disk before compression. */
 typedef struct ovr_storage {
     double snapshots, bytes;
 } ovr_storage;

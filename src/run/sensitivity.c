@@ -18,11 +18,11 @@
 
 enum { KEYS = 64, QUANTITIES = 3, STEPS = 4, LEVELS = 2 };
 
-/* A key and the steps it takes. */
+/* A key and the values at which the case is solved. */
 typedef struct moved {
     char *where;
     const char *suffix; /* " kN/m", or "" */
-    double value, step; /* relative, or absolute */
+    double value, step; /* step relative to the value, or absolute */
     bool absolute;
 } moved;
 
@@ -39,7 +39,7 @@ typedef struct working {
     ovr_trials *trials;
     moved key[KEYS];
     size_t keys;
-    int level; /* of the case; 0: not known */
+    int level; /* level of the case; 0: unknown */
     ovr_error *err;
 } working;
 
@@ -55,7 +55,7 @@ static bool is_size(const char *key)
     return false;
 }
 
-/* True if a number given is one that everybody asks about. */
+/* True if the key is among those varied by default. */
 static bool is_usual(const ovr_case_entry *e)
 {
     if (!strcmp(e->section, "contact") || !strcmp(e->section, "lubricant") ||
@@ -131,7 +131,7 @@ static ovr_status take_keys(working *w)
 
 /* ------------------------------------------------------------------- runs */
 
-/* The value after step s: 2 % up and down, 1 % up and down. */
+/* Returns the value at step s: 2 % up and down, 1 % up and down. */
 static double value_at(const moved *m, int s)
 {
     double step = (s % 2 ? -1 : 1) * m->step / (s < 2 ? 1 : 2);
@@ -155,7 +155,7 @@ static ovr_case *case_at(const working *w, const moved *m, int s, int coarser)
     return NULL;
 }
 
-/* Trials in the order of keys, levels and steps. */
+/* Returns the index of a trial; trials are ordered by key, level and step. */
 static size_t place_of(const working *w, size_t key, int coarser, int s)
 {
     size_t levels = w->how.estimate ? LEVELS : 1;
@@ -197,13 +197,14 @@ static bool orders_differ(const ovr_trials *t)
     double minimum = INFINITY, maximum = 0;
     for (size_t k = 0; k < ovr_trials_count(t); k++) {
         double order = ovr_trial_number(ovr_trials_at(t, k), "order", NULL);
-        minimum = fmin(minimum, order); /* NAN: passed over */
+        minimum = fmin(minimum, order); /* NAN is ignored */
         maximum = fmax(maximum, order);
     }
     return minimum < maximum;
 }
 
-/* All of one order: where automatic ones differ, of the second. */
+/* Solves all trials with the same order. If order = auto chooses different
+ * orders, all are repeated with order 2. */
 static ovr_trials *run_alike(working *w)
 {
     ovr_trials *t = run_all(w);
@@ -221,7 +222,8 @@ static ovr_trials *run_alike(working *w)
 
 /* ------------------------------------------------------------------- slopes */
 
-/* The located minimum has no key in SI; its scale varies with the key too. */
+/* The interpolated minimum film thickness has no key in SI: computed from the
+ * dimensionless one and the film scale, which varies with the key. */
 static const char located[] = "H_min_located_m";
 static double number_of(const ovr_trial *t, const char *quantity)
 {
@@ -233,7 +235,8 @@ static double number_of(const ovr_trial *t, const char *quantity)
            ovr_trial_number(t, "film_scale_m", NULL);
 }
 
-/* Uses the larger (0) or the smaller step (1). */
+/* Returns the elasticity from the larger (smaller = 0) or the smaller (1)
+ * step. */
 static double slope(const working *w, size_t key, int coarser, int smaller,
                     const char *quantity)
 {
@@ -283,8 +286,8 @@ static void fill_row(working *w, size_t key, const char *quantity)
         r->why_none = "two levels disagree; use a finer level";
 }
 
-/* Chooses of a physical contact what is in SI: its film's scale varies with the
- * key. */
+/* Chooses the quantities. Numbers in SI are used if the contact is physical,
+ * because the film scale varies with the key. */
 static size_t choose(const ovr_trials *t, bool transient,
                      const char *chosen[QUANTITIES])
 {
@@ -335,7 +338,7 @@ static ovr_status work(working *w)
     return status;
 }
 
-/* A level that can be one coarser. */
+/* Chooses the level; it must have a coarser one. */
 static ovr_status take_level(working *w)
 {
     ovr_case_entry e;

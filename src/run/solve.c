@@ -26,8 +26,8 @@ void ovr_run_surface(const ovr_run *run, ovr_simulation *sim)
     ovr_simulation_sides(sim, NULL, NULL);
 }
 
-/* Replaces the domain that the case describes by the one of the checkpoint: a
- * resumed run keeps its grid even if a changed key would choose another. */
+/* Replaces the domain of the case by that of the checkpoint: a resumed run
+ * keeps its grid even if a changed key would choose another. */
 static void set_recorded_domain(ovr_setup *setup, const ovr_restart_info *of)
 {
     ovr_options *o = setup->options;
@@ -79,7 +79,7 @@ double ovr_run_clock(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* The last observer: reports the progress and may end the run. */
+/* Reports the progress and ends the run on request. It is the last observer. */
 static ovr_status look(void *data, const ovr_simulation *sim, ovr_error *err)
 {
     ovr_run *run = data;
@@ -96,15 +96,16 @@ static ovr_status look(void *data, const ovr_simulation *sim, ovr_error *err)
     return OVR_OK;
 }
 
-/* Discretization errors are asked for: not once more of a file that is
- * complete. */
+/* True if discretization errors are estimated. For complete files they are not
+ * estimated again. */
 static bool estimates(const ovr_run *run)
 {
     bool complete = run->resumed && !run->writer;
     return run->how.estimate_error || (run->setup->confirm && !complete);
 }
 
-/* The coarser levels have passes of their own, which no file keeps. */
+/* True for resumed passes: the preceding passes on coarser levels are not
+ * stored in any file. */
 static bool passes_are_lost(const ovr_run *run)
 {
     return run->resumed && run->passes;
@@ -146,14 +147,15 @@ static ovr_status solve(ovr_run *run, ovr_error *err)
     return status;
 }
 
-/* A run that is stopped in its steady start has none. */
+/* True if the run has a state to report; a run stopped in its steady start has
+ * none. */
 static bool has_state(const ovr_run *run, ovr_status status)
 {
     return !status || (status == OVR_STOPPED && run->sim->started) ||
            status == OVR_NOT_CONVERGED || status == OVR_IMPOSSIBLE;
 }
 
-/* The companions of a run that ended, or was stopped. */
+/* Calls the companions at the end of a run, also of a stopped one. */
 static ovr_status finish(ovr_run *run, ovr_status status, ovr_error *err)
 {
     ovr_error late = {0};
@@ -174,7 +176,7 @@ static ovr_run_status ending(ovr_status status)
     return status == OVR_STOPPED ? OVR_RUN_STOPPED : OVR_RUN_FAILED;
 }
 
-/* All warnings, a line each; NULL without memory. */
+/* Returns all warnings, one per line; NULL if memory is insufficient. */
 static const char *warnings_text(ovr_run *run)
 {
     const ovr_run_info *info = &run->info;
@@ -189,7 +191,7 @@ static const char *warnings_text(ovr_run *run)
     return text;
 }
 
-/* Closes the file whatever happened; the first error is the one told. */
+/* Closes the file also after an error. Returns the first error. */
 static ovr_status close_file(ovr_run *run, ovr_status status, ovr_error *err)
 {
     ovr_error late = {0};
@@ -209,7 +211,8 @@ static ovr_status close_file(ovr_run *run, ovr_status status, ovr_error *err)
     return closed;
 }
 
-/* Of several passes, those that can be had are no reason to stop. */
+/* Estimates errors of one of several passes. If the estimate fails, the passes
+ * continue without it. */
 static ovr_status estimate_pass(ovr_run *run, ovr_error *err)
 {
     ovr_error why = {0};
@@ -223,8 +226,8 @@ static ovr_status estimate_pass(ovr_run *run, ovr_error *err)
     return OVR_OK;
 }
 
-/* Strains that a body begins with are of this level's points alone: the coarser
- * levels would begin with steel that never yielded. */
+/* True if the body begins with plastic strains. They are stored at the points
+ * of this level only, so coarser levels would begin without them. */
 static bool strains_are_lost(const ovr_run *run)
 {
     const ovr_plastic_setup *plastic = ovr_setup_plastic(run->setup);
@@ -244,11 +247,11 @@ static void say_strains_are_lost(ovr_run *run)
                     "level");
 }
 
-/* The discretization errors, where they are asked for; before the file is
- * closed, which keeps them. */
+/* Estimates discretization errors if requested, before the file is closed, so
+ * that they are stored in it. */
 static ovr_status estimate(ovr_run *run, ovr_error *err)
 {
-    run->error = (ovr_run_errors){0}; /* not those of the pass before */
+    run->error = (ovr_run_errors){0}; /* clears those of the preceding pass */
     if (!estimates(run))
         return OVR_OK;
     if (passes_are_lost(run)) {
@@ -268,8 +271,9 @@ static ovr_status estimate(ovr_run *run, ovr_error *err)
     return ovr_run_estimate(run, err);
 }
 
-/* What is called converged carries its load; a tolerance of one's own may not
- * see to that.  A start without load has that of OVR_MIN_START. */
+/* True if the force balance is satisfied well enough to call the solution
+ * converged; a user's tolerance may not ensure that. A start without load has
+ * the load OVR_MIN_START. */
 static bool carries_load(ovr_run *run)
 {
     const double maximum = 1e-4;
@@ -308,7 +312,8 @@ ovr_status ovr_run_once(ovr_run *run, ovr_error *err)
     if (status)
         return close_file(run, status, err);
     late = estimate(run, err);
-    if (late == OVR_STOPPED) { /* what is solved stays, and is resumed */
+    if (late == OVR_STOPPED) { /* the solution so far stays and can be
+                                * resumed */
         run->info.converged = false;
         return close_file(run, late, err);
     }

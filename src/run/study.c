@@ -69,7 +69,7 @@ ovr_study_key *ovr_study_new_key(ovr_study *s, const char *where, long line,
 
 enum { VALUE_CAPACITY = 200 };
 
-/* Copies from..end without outer blanks. */
+/* Copies from..end without leading and trailing blanks. */
 static char *trimmed(const char *from, const char *end, ovr_arena *arena,
                      ovr_error *err)
 {
@@ -112,7 +112,8 @@ static ovr_status read_list(const char *text, ovr_arena *arena, char ***values,
 
 /* ------------------------------------------------------------------ Range */
 
-/* The unit behind a number with a blank before it, or "". */
+/* Reads a number and the unit after it, separated by a blank; the unit may be
+ * "". */
 static bool read_end(const char *text, double *number, char *unit,
                      size_t capacity)
 {
@@ -128,7 +129,7 @@ static void copy_trimmed(char *to, const char *from, const char *end)
     to[line.size] = '\0';
 }
 
-/* "A to B in N" taken apart. */
+/* Splits "A to B in N". */
 static bool split_range(const char *text, char *from, char *to, size_t capacity,
                         size_t *count)
 {
@@ -174,19 +175,19 @@ static ovr_status parse_range(const char *text, ovr_study_range *r,
 static double range_at(const ovr_study_range *r, size_t i)
 {
     double s = (double)i / (double)(r->count - 1);
-    if (i == 0 || i + 1 == r->count) /* the ends as given */
+    if (i == 0 || i + 1 == r->count) /* the ends exactly as given */
         return i ? r->to : r->from;
     return r->log ? r->from * pow(r->to / r->from, s)
                   : r->from + s * (r->to - r->from);
 }
 
-/* Ten digits: what is printed is what is computed, and reads well. */
+/* Writes ten digits. The printed value is the one used in the case. */
 void ovr_study_range_at(const ovr_study_range *r, size_t i, char *text)
 {
     snprintf(text, OVR_STUDY_VALUE, "%.10g%s", range_at(r, i), r->unit);
 }
 
-/* "1..8": whole numbers. */
+/* Reads a range of whole numbers, "1..8". */
 static bool is_count(const char *text, ovr_study_range *r)
 {
     char *end;
@@ -249,7 +250,7 @@ static const char *path_of(reading *r, const char *value)
     return ovr_study_path(r->s, value, r->err);
 }
 
-/* [random], or [random file TABLE]. */
+/* Begins a section [random] or [random file TABLE]. */
 static ovr_status open_random(reading *r)
 {
     const char *rest = r->zip_name;
@@ -317,7 +318,7 @@ static ovr_status take_values(reading *r, const char *key, const char *value)
     k->fixed = r->section == SET;
     k->zip = r->section == ZIP ? r->zips : 0;
     k->zip_name = r->zip_name;
-    if (k->fixed) { /* one value, commas and all */
+    if (k->fixed) { /* a single value, even if it contains commas */
         k->value = ovr_arena_take(&s->arena, 1, sizeof *k->value, r->err);
         if (!k->value)
             return OVR_NO_MEMORY;
@@ -335,7 +336,7 @@ static ovr_status take_values(reading *r, const char *key, const char *value)
     return OVR_OK;
 }
 
-/* "A, B" */
+/* Reads "A, B". */
 static ovr_status take_ends(reading *r, const char *value)
 {
     ovr_find_options *f = &r->s->find.how;
@@ -375,7 +376,8 @@ static ovr_status take_find(reading *r, const char *key, const char *value)
     return ovr_study_unknown(r->s, &words, key, r->line, r->err);
 }
 
-/* "min_film_m >= 0.2 um": the entry ends its key before the '='. */
+/* Reads a limit, "min_film_m >= 0.2 um". The parser ends its key before the
+ * '='. */
 static ovr_status take_limit(reading *r, const char *key, const char *value)
 {
     char text[400];
@@ -430,7 +432,7 @@ static ovr_status read_lines(reading *r)
 
 /* ----------------------------------------------------------- Combinations */
 
-/* Keys of one zip must have as many values. */
+/* Checks that all keys of a zip have the same number of values. */
 static ovr_status check_zips(ovr_study *s, ovr_error *err)
 {
     for (size_t i = 1; i < s->keys; i++) {
@@ -466,7 +468,8 @@ static ovr_status set_strides(ovr_study *s, ovr_error *err)
 
 /* ------------------------------------------------------------------ Study */
 
-/* Folder of the study, and results in a folder of its name. */
+/* Sets the folder of the study and that of its results, which has the study's
+ * name. */
 static ovr_status set_places(ovr_study *s, ovr_error *err)
 {
     char text[4096];
@@ -486,7 +489,7 @@ static ovr_status set_places(ovr_study *s, ovr_error *err)
     return ovr_arena_status(&s->arena);
 }
 
-/* All of [find] or none of it. */
+/* Checks that [find] is complete or absent. */
 static ovr_status check_find(const ovr_study *s, ovr_error *err)
 {
     const ovr_find_options *f = &s->find.how;

@@ -36,13 +36,13 @@
 
 enum {
     OVR_STUDY_VALUE = 256, /* capacity for a value as text */
-    OVR_STUDY_NAME = 160,  /* and for the name of a case */
+    OVR_STUDY_NAME = 160,  /* capacity for the name of a case */
     OVR_STUDY_MAX_KEYS = 64,
     OVR_STUDY_MAX_TASKS = 1000000,
     OVR_STUDY_MAX_LIMITS = 16
 };
 
-/* Values at equal distances or ratios. */
+/* Values at equal distances or equal ratios. */
 typedef struct ovr_study_range {
     double from, to;
     char unit[24]; /* " um", or "" */
@@ -50,11 +50,11 @@ typedef struct ovr_study_range {
     bool log;
 } ovr_study_range;
 
-/* How a key of [random] is drawn. */
+/* Distribution of a key of [random]. */
 typedef enum ovr_study_law {
-    OVR_DRAW_NUMBER, /* of a distribution */
-    OVR_DRAW_WHOLE,  /* one of `whole` whole numbers after `from` */
-    OVR_DRAW_CELL    /* one of the cells of a file */
+    OVR_DRAW_NUMBER, /* a number from a distribution */
+    OVR_DRAW_WHOLE,  /* one of `whole` integers from `from` on */
+    OVR_DRAW_CELL    /* a cell of a table */
 } ovr_study_law;
 
 typedef struct ovr_study_draw {
@@ -63,33 +63,36 @@ typedef struct ovr_study_draw {
     char unit[48]; /* " kN/m", or "" */
     double from, whole;
     char **cell;
-    size_t cells, dimension; /* of the design; not of whole numbers */
+    size_t cells, dimension; /* cells of a table; dimension of the design (not
+                              * for integers) */
 } ovr_study_draw;
 
 /* One parameter: task i has value number (i / stride) % count, which is
  * value[...] or, with value = NULL, computed from `draw` or `range`. */
 typedef struct ovr_study_key {
     const char *where; /* "feature.dent.depth" */
-    const char *shown; /* what it is called in names and tables */
+    const char *shown; /* short name for file names and tables */
     char **value;
     ovr_study_range range;
-    ovr_study_draw draw; /* if `random` */
+    ovr_study_draw draw; /* used if `random` */
     size_t count, stride;
-    long line;            /* in the study */
-    int zip;              /* keys of one number change together; 0: alone */
-    const char *zip_name; /* "" for a [zip] without one */
-    bool fixed;           /* of [set]: in no name and no table */
-    bool random;          /* of [random]: values are draws */
-    bool related;         /* drawn together with others, from rows of a file */
+    long line;            /* line number in the study */
+    int zip;              /* keys with the same number change together; 0:
+                           * changes alone */
+    const char *zip_name; /* "" for a [zip] without a name */
+    bool fixed;           /* from [set]: constant, in no name or table */
+    bool random;          /* from [random]: values are samples */
+    bool related;         /* sampled jointly with others from the rows of a
+                           * file */
 } ovr_study_key;
 
-/* [find]: what each case is to find, in place of a run. */
+/* [find]: search that each case performs instead of a run. */
 typedef struct ovr_study_find {
     ovr_find_options how; /* key NULL: no [find] */
     long line;
 } ovr_study_find;
 
-/* [random]: a key as it is written, before it is drawn. */
+/* Setting of [random] as written, before sampling. */
 typedef struct ovr_study_chance {
     const char *where, *text;
     const char *file; /* of [random file FILE]; or NULL */
@@ -97,12 +100,13 @@ typedef struct ovr_study_chance {
 } ovr_study_chance;
 
 typedef struct ovr_study_chances {
-    ovr_sampling how; /* draws 0: nothing is random */
-    bool grows;       /* shifts were given or are used */
+    ovr_sampling how; /* draws 0: no random keys */
+    bool grows;       /* shifts are given or used */
     long line;
     ovr_study_chance key[OVR_STUDY_MAX_KEYS];
     size_t keys;
-    const char *dimension[OVR_STUDY_MAX_KEYS]; /* of the design */
+    const char *dimension[OVR_STUDY_MAX_KEYS]; /* names of the design's
+                                                * dimensions */
 } ovr_study_chances;
 
 struct ovr_study {
@@ -119,7 +123,7 @@ struct ovr_study {
     ovr_comparison limit[OVR_STUDY_MAX_LIMITS];
     size_t limits;
     uint64_t signature; /* hash of the study, its base case and its files */
-    uint64_t base;      /* hash of what all cases share */
+    uint64_t base;      /* hash of everything that the cases have in common */
 };
 
 /* Return value number v of a key, or the value of a task.  Computed values are
@@ -136,18 +140,19 @@ const char *ovr_study_draw_at(const ovr_study *s, const ovr_study_key *key,
 /* Writes value i of a range, ends as given. */
 void ovr_study_range_at(const ovr_study_range *range, size_t i, char *text);
 
-/* A path in the folder of the results: NAME of the task, then `ending`. */
+/* Writes the path of a task's file in the results' folder: the name of the task
+ * followed by `ending`. */
 void ovr_study_file(const ovr_study *s, size_t task, const char *ending,
                     char *path, size_t capacity);
 
-/* A path in the study, which starts at its folder. */
+/* Returns a path of the study, which is relative to its folder. */
 const char *ovr_study_path(ovr_study *s, const char *path, ovr_error *err);
 
-/* A key that is given for the first time. */
+/* Adds a key; fails if it was already given. */
 ovr_study_key *ovr_study_new_key(ovr_study *s, const char *where, long line,
                                  ovr_error *err);
 
-/* The words of a section, or the sections. */
+/* Allowed words, for the error message about an unknown one. */
 typedef struct ovr_study_words {
     const char *in; /* " in [find]", or "" */
     const char *const *word;
@@ -163,13 +168,13 @@ ovr_status ovr_study_take_random(ovr_study *s, const ovr_entry *entry,
                                  const char *file, ovr_error *err);
 ovr_status ovr_study_add_random(ovr_study *s, int zip, ovr_error *err);
 
-/* Steps of reading: the short names of keys; every value of a list and the
- * first draw are set in the base case, which reports errors early. */
+/* Steps of reading a study: choose short names of keys; set every value of a
+ * list and the first draw in the base case, which reports errors early. */
 ovr_status ovr_study_name_keys(ovr_study *s, ovr_error *err);
 ovr_status ovr_study_try_values(const ovr_study *s, ovr_error *err);
 ovr_status ovr_study_try_find(const ovr_study *s, ovr_error *err);
 
-/* Checks all draws of the tasks first..last in the same way. */
+/* Checks the draws of the tasks first..last in the same way. */
 ovr_status ovr_study_try_draws(const ovr_study *s, size_t first, size_t last,
                                ovr_error *err);
 
@@ -183,12 +188,12 @@ ovr_status ovr_study_hash(ovr_study *s, ovr_error *err);
 /* Hash of the base case and the values of a task. */
 uint64_t ovr_study_identity(const ovr_study *s, size_t task);
 
-/* The work of a task as text; equal texts mean equal tasks. */
+/* Returns the case of a task as text. Tasks with equal texts are equal. */
 char *ovr_study_text(const ovr_study *s, ovr_case *c, ovr_arena *arena,
                      ovr_error *err);
 
-/* "1, 2, 5", "a, b | c, d", "1..8", "linear 1 to 5 in 3", "log 0.1 um to
- * 10 um in 5": the values one by one. */
+/* Expands "1, 2, 5", "a, b | c, d", "1..8", "linear 1 to 5 in 3" or "log 0.1 um
+ * to 10 um in 5" to a list of values. */
 ovr_status ovr_study_values(const char *text, ovr_arena *arena, char ***values,
                             size_t *count, ovr_error *err);
 

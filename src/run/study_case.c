@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The cases of a study: what they are called, and the case of each. */
+/* Creates the cases of a study and their names. */
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -36,8 +36,8 @@ const char *ovr_study_value(const ovr_study *s, const ovr_study_key *key,
     return ovr_study_value_at(s, key, value_number(key, task), text);
 }
 
-/* The draw of a task, from 0; the cases of one draw differ in keys that are not
- * random. */
+/* Returns the sample number of a task, from 0. Cases with the same sample
+ * differ in keys that are not random. */
 static size_t draw_of(const ovr_study *s, size_t task)
 {
     return s->random.how.draws ? task % s->random.how.draws : 0;
@@ -51,7 +51,7 @@ static bool same_end(const char *where, const char *end)
     return n > m && !strcmp(where + n - m, end) && where[n - m - 1] == '.';
 }
 
-/* The last parts of section.key that no other key ends with. */
+/* Returns the shortest end of section.key that no other key has. */
 static const char *short_name(const ovr_study *s, const char *where)
 {
     const char *end = where + strlen(where);
@@ -69,7 +69,8 @@ static const char *short_name(const ovr_study *s, const char *where)
     return where;
 }
 
-/* Keeps what is safe in a file name; blanks go, the rest becomes '~'. */
+/* Copies characters that are safe in a file name. Blanks are removed, others
+ * become '~'. */
 static size_t put_safe(char *to, size_t capacity, const char *text)
 {
     size_t n = 0;
@@ -93,8 +94,8 @@ static unsigned hash(const char *text)
     return h;
 }
 
-/* Writes what of the name is made of lists and ranges; returns the length
- * before the name is cut. */
+/* Appends the values of lists and ranges to the name. Returns its length before
+ * truncation. */
 static size_t put_values(const ovr_study *s, size_t task, char *name,
                          size_t capacity)
 {
@@ -148,7 +149,7 @@ static int by_hash(const void *a, const void *b)
     return (x->hash > y->hash) - (x->hash < y->hash);
 }
 
-/* Compares the names of `count` tasks, each `stride` after the other. */
+/* Checks that the names of `count` tasks, `stride` apart, differ. */
 static ovr_status check_names(const ovr_study *s, size_t count, size_t stride,
                               ovr_error *err)
 {
@@ -169,8 +170,8 @@ static ovr_status check_names(const ovr_study *s, size_t count, size_t stride,
     return status;
 }
 
-/* True if names differ wherever the values of one key or zip differ: none is
- * cut, and no value looks like a key. */
+/* True if names differ whenever the values of a key or zip differ: no name is
+ * truncated, and no value looks like a key. */
 static bool is_plain(const ovr_study *s)
 {
     size_t longest = 0;
@@ -199,7 +200,8 @@ static bool has_distinct_texts(const ovr_study_range *r)
     return step / (double)(r->count - 1) > 1e-8;
 }
 
-/* Keys of a zip have one stride and one number of values. */
+/* Checks the names of all tasks. Keys of a zip have the same stride and number
+ * of values. */
 static ovr_status check_all_names(const ovr_study *s, ovr_error *err)
 {
     const size_t draws = s->random.how.draws ? s->random.how.draws : 1;
@@ -241,7 +243,7 @@ static ovr_status put(const ovr_study *s, const ovr_study_key *k,
     return ovr_case_set(c, k->where, value, origin, err);
 }
 
-/* A draw that the case does not take: which, and what may be done. */
+/* Fails with a message about a draw that the case rejects, and the remedy. */
 static ovr_status bad_draw(const ovr_study *s, const ovr_study_key *k, size_t v,
                            const ovr_error *why, ovr_error *err)
 {
@@ -284,12 +286,12 @@ ovr_case *ovr_study_case(const ovr_study *s, size_t task, ovr_error *err)
         return NULL;
     }
     if (c)
-        ovr_case_unset(c, "output.file"); /* its place is the study's */
+        ovr_case_unset(c, "output.file"); /* set by the study */
     return c;
 }
 
-/* Every value of a list.  Of a range the first thousand and the last: a step
- * that the key refuses (of whole numbers) is among the first. */
+/* Checks every value of a list. Of a range, the first thousand and the last
+ * value are checked: an invalid step (of integers) is among the first. */
 ovr_status ovr_study_try_values(const ovr_study *s, ovr_error *err)
 {
     enum { FIRST = 1000 };
@@ -307,9 +309,9 @@ ovr_status ovr_study_try_values(const ovr_study *s, ovr_error *err)
     return status;
 }
 
-/* Checks the draws from..from+count-1.  Keys accept intervals, so the smallest
- * and the largest draw of a distribution are enough.  All are checked if one of
- * these is refused, or if cells of a file are drawn. */
+/* Checks the draws from..from+count-1. Allowed values are intervals, so the
+ * smallest and the largest draw of a distribution suffice. All draws are
+ * checked if one of these two is rejected, or if they are cells of a file. */
 static ovr_status try_key(const ovr_study *s, const ovr_study_key *k,
                           size_t from, size_t count, ovr_case *c,
                           ovr_error *err)
@@ -352,7 +354,7 @@ ovr_status ovr_study_try_draws(const ovr_study *s, size_t first, size_t last,
     return status;
 }
 
-/* Tries what [find] asks, of the first case. */
+/* Checks [find] with the first case. */
 ovr_status ovr_study_try_find(const ovr_study *s, ovr_error *err)
 {
     const ovr_find_options *how = &s->find.how;
@@ -394,7 +396,7 @@ static uint64_t joined(uint64_t hash, const char *text)
     return (hash ^ ovr_text_hash(text)) * 1099511628211u;
 }
 
-/* The base case is hashed with [set] and without varied keys. */
+/* Hashes the base case, including [set] and without varied keys. */
 ovr_status ovr_study_hash(ovr_study *s, ovr_error *err)
 {
     ovr_case *c = base_case(s, err);

@@ -107,7 +107,7 @@ ovr_status ovr_study_take_random(ovr_study *s, const ovr_entry *entry,
 
 /* ----------------------------------------------------------- distributions */
 
-/* A number with a unit, up to `end`. */
+/* A number with its unit, read from the text before `end`. */
 typedef struct amount {
     double value;
     char unit[40];
@@ -126,7 +126,7 @@ static bool read_amount(const char *from, const char *end, amount *a)
     return unit != NULL;
 }
 
-/* Converts to the unit of another; false: they measure different things. */
+/* Converts to another unit; false if its dimension differs. */
 static bool convert(amount *a, const char *unit)
 {
     ovr_dimension d = ovr_unit_dimension(unit);
@@ -138,7 +138,7 @@ static bool convert(amount *a, const char *unit)
     return isfinite(a->value);
 }
 
-/* "300 kN/m sd 10 %" */
+/* Reads "300 kN/m sd 10 %". */
 static bool read_moments(const char *from, const char *end, ovr_distribution *d,
                          char *unit)
 {
@@ -158,8 +158,8 @@ static bool read_moments(const char *from, const char *end, ovr_distribution *d,
     return true;
 }
 
-/* "7.9 mm to 8.1 mm", or three with commas: the last unit is that of all that
- * have none. */
+/* Reads "7.9 mm to 8.1 mm", or three numbers with commas. Numbers without unit
+ * have that of the last one. */
 static bool read_several(const char *from, const char *end, const char *mark,
                          double *to, char *unit)
 {
@@ -227,7 +227,7 @@ static bool read_distribution(const char *text, ovr_distribution *d, char *unit)
     return true;
 }
 
-/* "1..1000000000" */
+/* Reads "1..1000000000". */
 static bool read_range(const char *text, double *from, double *count)
 {
     char *end;
@@ -243,14 +243,15 @@ static bool read_range(const char *text, double *from, double *count)
 
 /* ------------------------------------------------------------------- files */
 
-/* A column of a table with commas, or all lines of a list (name NULL). */
+/* A column of a CSV table, or all lines of a list (name NULL). */
 typedef struct rows {
     const char *path, *name;
     char **cell;
     size_t count;
 } rows;
 
-/* A line of a list, which has comments, and no commas to heed. */
+/* Returns the next line of a list without its comment. Commas have no
+ * meaning. */
 static char *next_line(char **at)
 {
     char *line = *at + strspn(*at, " \t"), *end = line + strcspn(line, "\n");
@@ -263,7 +264,8 @@ static char *next_line(char **at)
     return line;
 }
 
-/* The column of this name in the head, and its unit; -1: there is none. */
+/* Returns the column with this name in the header, and its unit; -1 if there is
+ * none. */
 static int column_named(char **at, const char *name, const char **unit)
 {
     bool last = false;
@@ -277,7 +279,8 @@ static int column_named(char **at, const char *name, const char **unit)
     return found;
 }
 
-/* The cell of a column, the rest of the line passed over; NULL: too short. */
+/* Returns the cell in a column and skips the rest of the line; NULL if the line
+ * is too short. */
 static char *cell_of(char **at, int column)
 {
     bool last = false;
@@ -330,8 +333,9 @@ static ovr_status read_rows(ovr_study *s, const ovr_study_chance *c, rows *to,
 
 /* ------------------------------------------------------------------ drawing */
 
-/* The dimension that a key is drawn from: rows of one table share theirs; whole
- * numbers of a range have none and are drawn plainly. */
+/* Returns the name of the dimension from which a key is sampled. Keys from one
+ * table share a dimension. Ranges of integers have none (NULL) and are sampled
+ * independently. */
 static const char *dimension_of(const ovr_study_chance *c)
 {
     double from, count;

@@ -21,9 +21,9 @@
 
 enum {
     PATH_CAPACITY = 4400,
-    HEADER = 64, /* of the index, then a record for each case */
+    HEADER = 64, /* bytes of the index's header; one record per case follows */
     RECORD = 24,
-    COLUMNS = 256, /* of a table */
+    COLUMNS = 256, /* maximum number of columns */
     LINE = 1 << 16,
     FILES = 100000
 };
@@ -31,10 +31,10 @@ enum {
 static const char first_columns[] = "name,case,status,message,time";
 enum { FIRST_COLUMNS = 5 };
 
-/* A table that is open to read. */
+/* A table opened for reading. */
 typedef struct table {
     FILE *from;
-    char *head; /* taken apart */
+    char *head; /* split into column names */
     const char *column[COLUMNS];
     size_t columns;
 } table;
@@ -43,19 +43,24 @@ struct ovr_rows {
     ovr_arena arena;
     const ovr_study *s;
     int index, out, log;
-    unsigned number;   /* N of the table cases-N.csv to append to */
+    unsigned number;   /* number N of the table cases-N.csv that is appended
+                        * to */
     char *head, *line; /* head of this table; buffer for a row */
-    char *records;     /* with `whole`, else NULL */
-    table **table;     /* of each number read so far, or NULL */
+    char *records;     /* all records if `whole`, otherwise NULL */
+    table **table;     /* table of each number, or NULL if not read yet */
     size_t tables;
     time_t synced;
 };
 
 /* ------------------------------------------------------------------- Index */
 
-/* Record of a case: "f0000012 00000000123456\n", or zeros while it waits. */
+/*
+ * Record of a case: "f0000012 00000000123456
+ * ", or zeros if the case waits.
+ */
 typedef struct record {
-    char state; /* f finished, x failed, c changed, o in its own files */
+    char state; /* f finished, x failed, c changed, o result in files of its
+                 * own */
     unsigned file;
     uint64_t at;
 } record;
@@ -92,7 +97,7 @@ static void put_header(const ovr_study *s, char text[HEADER + 1])
     snprintf(text, HEADER + 1, "%-63.63s\n", line);
 }
 
-/* False if the index is missing or of another version of the study. */
+/* False if the index is missing or belongs to another version of the study. */
 static bool is_current(const ovr_rows *r)
 {
     char wanted[HEADER + 1], found[HEADER];
@@ -112,8 +117,8 @@ static record record_of(const ovr_rows *r, size_t task)
     return get_record(text);
 }
 
-/* Writes a record unless the index belongs to another version of the study by
- * now, which will find the row in its table. */
+/* Writes a record, unless the index now belongs to another version of the
+ * study, which will find the row in its table. */
 static int write_record(ovr_rows *r, size_t task, record what)
 {
     char text[RECORD + 1] = {0};
@@ -169,7 +174,7 @@ static table *open_table(ovr_rows *r, unsigned number)
     return t;
 }
 
-/* Reads a line as a row; false: cut off, or none of this kind. */
+/* Parses a line as a row; false if it is truncated or malformed. */
 static bool is_row(const char *line)
 {
     size_t length = strlen(line), commas = 0;
@@ -178,7 +183,7 @@ static bool is_row(const char *line)
     return length && line[length - 1] == '\n' && commas >= FIRST_COLUMNS - 1;
 }
 
-/* The row of a case, in r->line; NULL: destroyed. */
+/* Returns the row of a case, in r->line; NULL if it was destroyed. */
 static char *row_of(ovr_rows *r, size_t task, const table **of)
 {
     record place = record_of(r, task);
@@ -200,7 +205,7 @@ static char *row_of(ovr_rows *r, size_t task, const table **of)
 
 /* ------------------------------------------- The index made from the tables */
 
-/* Names of all cases by their hash, to find the case of a row. */
+/* Hash of a case's name, used to find the case of a row. */
 typedef struct named {
     uint64_t hash;
     size_t task;
@@ -229,10 +234,10 @@ typedef struct rebuilding {
     ovr_rows *r;
     ovr_arena arena;
     named *all;
-    double *time; /* time of the row of each case */
+    double *time; /* time stamp of the row of each case */
 } rebuilding;
 
-/* The youngest row of a case replaces others. */
+/* Stores the position of a row; the newest row of a case is used. */
 static void take_row(rebuilding *b, char *line, unsigned file, uint64_t at)
 {
     char *rest = line, *cell[FIRST_COLUMNS], text[RECORD + 1];
@@ -280,8 +285,8 @@ static bool ends_with(const char *name, const char *ending)
     return n > m && !strcmp(name + n - m, ending);
 }
 
-/* Cases of version 0.3.0, and of the study with result files, have files of
- * their own. */
+/* Marks cases with result files of their own, as version 0.3.0 and studies with
+ * result files write. */
 static void take_files(rebuilding *b)
 {
     const ovr_study *s = b->r->s;
@@ -346,7 +351,8 @@ static ovr_status make_records(ovr_rows *r, ovr_error *err)
     return status;
 }
 
-/* The header is written last: a crash before leaves no valid index. */
+/* Writes the index, the header last: after a crash before that no index is
+ * valid. */
 static ovr_status write_index(ovr_rows *r, ovr_error *err)
 {
     char header[HEADER + 1] = {0};
@@ -374,7 +380,7 @@ static ovr_status make_index(ovr_rows *r, ovr_error *err)
 {
     ovr_status status = OVR_OK;
     ovr_lock_bytes(r->index, 0, HEADER, true);
-    if (!is_current(r)) { /* no other process was faster */
+    if (!is_current(r)) { /* no other process has written it meanwhile */
         status = make_records(r, err);
         if (!status)
             status = write_index(r, err);
@@ -409,12 +415,12 @@ ovr_rows *ovr_rows_open(const ovr_study *s, bool whole, ovr_error *err)
     r->index = open(path, O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
     if (!r->line)
         status = OVR_NO_MEMORY;
-    else if (r->index < 0) /* a folder to read only, or none */
+    else if (r->index < 0) /* folder is read-only or missing */
         status = make_records(r, err);
     else if (!is_current(r))
         status = make_index(r, err);
     if (r->index >= 0 && !whole)
-        r->records = NULL; /* other processes change the file */
+        r->records = NULL; /* other processes may change the file */
     if (!status && whole && !r->records)
         status = load_index(r, err);
     if (!status)
@@ -514,8 +520,8 @@ void ovr_row_add(void *data, const ovr_summary_line *line)
         fputc(',', value);
 }
 
-/* Cuts off a row that a crash left unfinished; returns the end, -1 with errno.
- */
+/* Removes an incomplete last row left by a crash. Returns the end of the file;
+ * -1 with errno. */
 static off_t end_of(int fd)
 {
     off_t end = lseek(fd, 0, SEEK_END), whole = end;
@@ -525,7 +531,7 @@ static off_t end_of(int fd)
     return whole == end || ftruncate(fd, whole) == 0 ? whole : -1;
 }
 
-/* True if the table is new or has this head.  A row of a failure goes into any
+/* True if the table is new or has this header. Rows of failed cases fit any
  * table. */
 static bool has_head(int fd, const char *head, char *line)
 {
@@ -538,7 +544,7 @@ static bool has_head(int fd, const char *head, char *line)
            (any || line[length] == '\n');
 }
 
-/* Opens and locks the first file cases-N.ENDING that no other process uses. */
+/* Opens and locks the first file cases-N.ENDING not used by another process. */
 static int open_free(ovr_rows *r, const char *ending, const char *head,
                      unsigned *number)
 {
@@ -586,7 +592,7 @@ static ovr_status append(ovr_rows *r, size_t task, char state, const char *head,
         at = end_of(r->out);
     if (at < 0 || write(r->out, row, length) != (ssize_t)length)
         error = errno ? errno : ENOSPC;
-    if (!error && time(NULL) > r->synced) { /* not for each of short cases */
+    if (!error && time(NULL) > r->synced) { /* at most once per second */
         fdatasync(r->out);
         r->synced = time(NULL);
     }
@@ -609,7 +615,7 @@ static void put_first(const ovr_rows *r, size_t task, const char *status,
     fprintf(row, ",%lld", (long long)time(NULL));
 }
 
-/* Appends the first columns and, unless the case failed, the numbers. */
+/* Appends the first columns and, unless the case failed, its numbers. */
 static ovr_status add_row(ovr_rows *r, size_t task, ovr_row *numbers,
                           const char *message, ovr_error *err)
 {

@@ -30,7 +30,7 @@ void ovr_rows_close(ovr_rows *r);
 
 ovr_sweep_state ovr_rows_state(const ovr_rows *r, size_t task);
 
-/* True of a case that ended in files of its own (see run/task.h). */
+/* True if the results of a case are in files of its own (see run/task.h). */
 bool ovr_rows_elsewhere(const ovr_rows *r, size_t task);
 
 /* Locks a case until it is released: 0, or EWOULDBLOCK if another process runs
@@ -52,25 +52,25 @@ void ovr_row_free(ovr_row *row);
  * an empty cell for an unknown number.  Texts are left out. */
 void ovr_row_add(void *row, const ovr_summary_line *line);
 
-/* Append the row of a case that has finished, or failed. */
+/* Appends the row of a finished case; of a failed one. */
 ovr_status ovr_rows_finish(ovr_rows *r, size_t task, ovr_row *row,
                            ovr_error *err);
 ovr_status ovr_rows_fail(ovr_rows *r, size_t task, const char *message,
                          ovr_error *err);
 
-/* Opens this process's log to append to; -1 with errno. */
+/* Opens this process's log for appending; -1 with errno. */
 int ovr_rows_log(ovr_rows *r);
 
-/* Calls `number` for each number in the row of a case.  A row that a crash has
- * destroyed makes the case a waiting one and returns false. */
+/* Calls `number` for each number in the row of a case. If a crash has destroyed
+ * the row, returns false and marks the case as waiting. */
 typedef void ovr_rows_number(void *data, const char *name, double value);
 bool ovr_rows_read(ovr_rows *r, size_t task, ovr_rows_number *number,
                    void *data);
 
-/* Writes the message of a failure, "" if there is none. */
+/* Writes the error message of a failed case, "" if there is none. */
 void ovr_rows_message(ovr_rows *r, size_t task, char *text, size_t capacity);
 
-/* Writes the name of the table with the case's row, "" if there is none. */
+/* Writes the name of the table that contains the case, "" if there is none. */
 void ovr_rows_table(const ovr_rows *r, size_t task, char *text,
                     size_t capacity);
 

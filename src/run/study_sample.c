@@ -24,7 +24,7 @@ enum { QUANTITIES = 32, NAME_CAPACITY = 400 };
 struct ovr_sample {
     ovr_arena arena;
     ovr_sample_row *row;
-    ovr_sample_input **input; /* of each row */
+    ovr_sample_input **input; /* values of an input for each row */
     size_t rows;
 };
 
@@ -125,8 +125,8 @@ static void take_range(const sampling *w, size_t from, const char *name,
     }
 }
 
-/* A steady solution above its tolerance is no number of the case; of a run the
- * steps that were are marked. */
+/* True if the value counts: it is finite, and a steady solution has converged.
+ * Transient runs with flagged steps count and are marked. */
 static bool is_number(const sampling *w, size_t task, double value)
 {
     const ovr_table_column *converged = ovr_table_summary(w->t, "converged");
@@ -148,8 +148,8 @@ static void count_states(const sampling *w, size_t from, ovr_sample_row *r)
     take_range(w, from, "level", r->level);
 }
 
-/* Standard error of the mean: plain, that of independent draws; shifted points,
- * that of the means of the replicates, which are independent. */
+/* Stores the standard error of the mean: for independent samples the usual one,
+ * for shifted point sets that of the independent replicates' means. */
 static void take_error(const sampling *w, const double *value,
                        ovr_sample_row *r)
 {
@@ -174,8 +174,8 @@ static void take_error(const sampling *w, const double *value,
     r->factor = ovr_student(how->shifts);
 }
 
-/* Moments about the first value: films of a lognormal sample are near to each
- * other. */
+/* Computes moments about the first value to reduce cancellation, because values
+ * of a narrow sample are close to each other. */
 static void take_moments(const double *known, ovr_sample_row *r)
 {
     double n = (double)r->known, sum = 0, squares = 0;
@@ -221,19 +221,19 @@ static void take_limits(const sampling *w, const double *known,
     }
 }
 
-/* A seed has no high and low. */
+/* True for keys that are seeds, which have no correlation with results. */
 static bool is_seed(const char *where)
 {
     size_t size = strlen(where);
     return size > 5 && !strcmp(where + size - 5, ".seed");
 }
 
-/* Below 50 samples the influence of inputs is omitted. */
+/* Computes the influence of inputs; omitted below 50 samples. */
 static ovr_status take_inputs(sampling *w, size_t from, const double *value,
                               size_t row)
 {
     enum { ENOUGH = 50 };
-    const double all = 0.995; /* bins hide less of a curve */
+    const double all = 0.995; /* bins lose less than this fraction of a curve */
     ovr_sample_row *r = &w->to->row[row];
     ovr_arena arena = ovr_arena_make(&w->s->arena.allocator);
     double *x = ovr_arena_take(&arena, r->draws, sizeof *x, w->err);
@@ -278,7 +278,7 @@ static ovr_status take_inputs(sampling *w, size_t from, const double *value,
     return x && y && input ? OVR_OK : OVR_NO_MEMORY;
 }
 
-/* The names of a group's tasks begin with this. */
+/* Returns the common beginning of the names of a group's tasks. */
 static const char *group_name(sampling *w, size_t from)
 {
     char text[OVR_STUDY_NAME];

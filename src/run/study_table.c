@@ -39,7 +39,7 @@ static double *new_numbers(ovr_table *t, ovr_error *err)
     return values;
 }
 
-/* `hint`: the column that is looked at first. */
+/* Returns a column of the summaries by its key, trying `hint` first. */
 static const ovr_table_column *find_summary(const ovr_table *t,
                                             const char *name, size_t hint)
 {
@@ -79,8 +79,9 @@ static const ovr_table_column *take_number(ovr_table *t, size_t task,
     return c;
 }
 
-/* Reads a line `  "key": value,` of our own JSON outside of inner objects: a
- * number, NAN for null; false for a text or an inner object. */
+/* Reads a line ` "key": value,` of JSON written by this program, outside of
+ * inner objects: a number, NAN for null; false for a text or an inner
+ * object. */
 static bool read_pair(const char *line, char *key, size_t capacity,
                       double *value)
 {
@@ -99,7 +100,8 @@ static bool read_pair(const char *line, char *key, size_t capacity,
     return ovr_read_number(&text, value);
 }
 
-/* Reads from the result file; false: there is none, or none with a summary. */
+/* Reads the numbers of a task from its result file; false if there is no file
+ * or no summary. */
 static bool read_result(ovr_table *t, size_t task, ovr_error *err)
 {
     char path[PATH_CAPACITY];
@@ -122,7 +124,7 @@ static bool read_result(ovr_table *t, size_t task, ovr_error *err)
     return count > 0;
 }
 
-/* Reads the JSON of a task that has no result file: of a study with [find]. */
+/* Reads the JSON of a task without result file (a study with [find]). */
 static void read_json(ovr_table *t, size_t task, ovr_error *err)
 {
     char path[PATH_CAPACITY], line[512], key[64];
@@ -137,8 +139,8 @@ static void read_json(ovr_table *t, size_t task, ovr_error *err)
         fclose(from);
 }
 
-/* A row of a study without result files.  Its numbers are in the order of the
- * columns, except for another kind of case. */
+/* State of reading a row of a study without result files. The numbers are
+ * usually in the order of the columns. */
 typedef struct row_reader {
     ovr_table *t;
     size_t task, next;
@@ -161,7 +163,8 @@ static bool read_row(ovr_table *t, size_t task, ovr_error *err)
            ovr_rows_read(t->results, task, take_cell, &r);
 }
 
-/* Keys of the study that the summaries repeat (M, L) are omitted. */
+/* True if the summaries repeat a key of the study (M, L); it is then
+ * omitted. */
 static bool is_taken(const ovr_table *t, const char *name)
 {
     for (size_t k = 0; k < t->keys; k++)
@@ -171,7 +174,7 @@ static bool is_taken(const ovr_table *t, const char *name)
            !strcmp(name, "status");
 }
 
-/* A key that no case has a number for (a text) makes no column. */
+/* Removes columns of keys that have no number in any case (texts). */
 static void drop_columns(ovr_table *t)
 {
     size_t kept = t->keys;
@@ -278,7 +281,7 @@ static ovr_status gather(ovr_table *t, ovr_error *err)
         state[i] = ovr_task_state(s, t->results, i);
         if (state[i] == OVR_SWEEP_FINISHED && !read_row(t, i, err)) {
             if (t->results && !ovr_rows_elsewhere(t->results, i))
-                state[i] = OVR_SWEEP_WAITING; /* its row was destroyed */
+                state[i] = OVR_SWEEP_WAITING; /* the row was destroyed */
             else if (!read_result(t, i, err))
                 read_json(t, i, err);
         }
@@ -319,7 +322,8 @@ ovr_status ovr_table_fail_empty(const ovr_table *t, ovr_error *err)
 
 /* -------------------------------------------------------------------- CSV */
 
-/* Selects the extremes of runs in time, or the values of steady solutions. */
+/* True for the main numbers: extremes of transient runs, or values of steady
+ * solutions. */
 static bool is_main(const ovr_table *t, const char *name)
 {
     static const char *const names[] = {"P_max_overall",   "P_max_overall_Pa",
@@ -339,8 +343,8 @@ static bool is_main(const ovr_table *t, const char *name)
     return false;
 }
 
-/* Writes a key with the unit of its numbers; the manifest's values have their
- * own. */
+/* Writes a key and, unless the manifest is written, the unit of its numbers;
+ * values of the manifest contain their units. */
 static void put_key(const ovr_table_column *c, FILE *to, bool manifest)
 {
     char head[200];
@@ -364,7 +368,7 @@ static void put_heads(const ovr_table *t, FILE *to, bool manifest)
     fputs(manifest ? ",message\n" : "\n", to);
 }
 
-/* A file of the task, when it is there. */
+/* Writes the name of a task's file if the file exists. */
 static void put_file(const ovr_table *t, size_t task, const char *ending,
                      FILE *to)
 {
@@ -414,14 +418,15 @@ static void put_row(const ovr_table *t, size_t i, FILE *to, bool manifest)
     fputc('\n', to);
 }
 
-/* Written beside and renamed: whoever reads it finds a whole one. */
+/* Written to a temporary file and renamed, so that readers find a complete
+ * table. */
 ovr_status ovr_sweep_write_csv(const ovr_table *t, const char *path,
                                bool manifest, ovr_error *err)
 {
     char part[PATH_CAPACITY + 32];
     snprintf(part, sizeof part, "%s.%ld.part", path, (long)getpid());
     unlink(part);
-    FILE *to = fopen(part, "wx"); /* follows no link put there by somebody */
+    FILE *to = fopen(part, "wx"); /* does not follow an existing link */
     if (to) {
         put_heads(t, to, manifest);
         for (size_t i = 0; i < t->rows; i++)
@@ -438,9 +443,10 @@ ovr_status ovr_sweep_write_csv(const ovr_table *t, const char *path,
 
 /* ------------------------------------------------------------------- NetCDF */
 
-/* One dimension, `case`, and a variable over it for each key and number. */
+/* Structure: one dimension, `case`, and a variable with that dimension for each
+ * key and number. */
 
-/* Unit of a key of the summaries: it is in its name. */
+/* Returns the unit of a summary's key, which is part of its name. */
 static const char *unit_of(const char *name)
 {
     static const char *const units[][2] = {
@@ -455,7 +461,7 @@ static const char *unit_of(const char *name)
     return "1";
 }
 
-/* Returns the meaning of a key of the summaries, if the lists contain it. */
+/* Writes the meaning of a summary's key, if it is in the lists. */
 static void explain(const ovr_table *t, const char *key, char *text,
                     size_t capacity)
 {
@@ -511,7 +517,8 @@ static bool put_all(const ovr_table *t, const ovr_flat *rows, ovr_arena *arena)
     return good;
 }
 
-/* A table of cases has the variables `case` and `status`; a result has not. */
+/* True for a table of cases: it has the variables `case` and `status`, which a
+ * result has not. */
 ovr_status ovr_sweep_netcdf_ours(const char *path, ovr_error *err)
 {
     ovr_h5_handler before = ovr_h5_quiet();
@@ -598,7 +605,8 @@ static size_t count_lines(const char *text)
     return n;
 }
 
-/* Names; the columns between `name` and `status` are the study's keys. */
+/* Reads the header. The columns between `name` and `status` are the study's
+ * keys. */
 static ovr_status read_heads(ovr_table *t, char **at, const char **text[],
                              const char *path, ovr_error *err)
 {
@@ -667,8 +675,7 @@ static ovr_table *read_csv(const char *path, ovr_error *err)
 
 /* ------------------------------------------------------------- From netCDF */
 
-/* True of a key that varied and is explained by its place in the case,
- * section.key. */
+/* True if `about` is a varied key, section.key. */
 static bool is_place(const char *about)
 {
     return about && strchr(about, '.') && !strchr(about, ' ');
@@ -714,7 +721,8 @@ static bool find_axis(ovr_container *c, const char *name, ovr_dataset *axis)
            axis->shape[0] <= c->source.bytes;
 }
 
-/* All over one dimension: `case`, whose numbers say nothing, or `pass`. */
+/* Reads all variables; their dimension is `case`, whose numbers are not read,
+ * or `pass`. */
 static bool take_variables(ovr_table *t, ovr_container *c)
 {
     ovr_dataset axis;
@@ -733,7 +741,7 @@ static bool take_variables(ovr_table *t, ovr_container *c)
     return good;
 }
 
-/* Texts stay where they were read. */
+/* Reads a netCDF table; its texts remain in the container's memory. */
 static ovr_table *read_netcdf(const char *path, ovr_error *err)
 {
     ovr_table *t = ovr_table_make(NULL, err);

@@ -17,13 +17,14 @@ struct ovr_table {
     size_t rows, columns;
     ovr_table_column column[OVR_TABLE_COLUMNS];
     double *number[OVR_TABLE_COLUMNS]; /* the numbers of the columns */
-    /* if it belongs to a study, else NULL and 0 */
+    /* of the study, else NULL and 0 */
     const ovr_study *study;
-    const ovr_study_key *key[OVR_STUDY_MAX_KEYS]; /* of the first columns */
+    const ovr_study_key *key[OVR_STUDY_MAX_KEYS]; /* keys of the first
+                                                   * columns */
     size_t keys;
     const ovr_sweep_state *state;
     size_t count[OVR_SWEEP_STATES];
-    ovr_rows *results; /* of a study without result files, or NULL */
+    ovr_rows *results; /* results of a study without result files, or NULL */
 };
 
 ovr_table *ovr_table_make(const ovr_allocator *allocator, ovr_error *err);
@@ -38,17 +39,16 @@ const ovr_table_column *ovr_table_summary(const ovr_table *table,
 /* True if the key's value is a number in all tasks. */
 bool ovr_table_numeric(const ovr_table_column *key);
 
-/* Writes CSV, replaced whole: everything, or for the manifest a row each task
- * with values as in the study, state, files, the main numbers, messages of
- * failures.
- */
+/* Writes CSV and replaces an existing file. The complete table, or for the
+ * manifest one row per task with values as in the study, state, files, main
+ * numbers and error messages. */
 ovr_status ovr_sweep_write_csv(const ovr_table *table, const char *path,
                                bool manifest, ovr_error *err);
 
 /* Fails unless the HDF5 file `path` is a table of cases or does not exist. */
 ovr_status ovr_sweep_netcdf_ours(const char *path, ovr_error *err);
 
-/* Everything, as netCDF-4 over a dimension `case`. */
+/* Writes the complete table as netCDF-4 with the dimension `case`. */
 ovr_status ovr_sweep_write_netcdf(const ovr_table *table, const char *path,
                                   ovr_error *err);
 

@@ -130,7 +130,7 @@ static void say_mean(const ovr_report_sink *to, const ovr_observable *row,
             say_kept(to, &e, s);
 }
 
-/* All quantities, as they are at the end. */
+/* Prints the values of all quantities at the end. */
 static void put_observed(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_observation *seen = ovr_simulation_observation(s->sim);
@@ -154,7 +154,8 @@ static void put_observed(const ovr_report_sink *to, const ovr_run_info *s)
     }
 }
 
-/* Adds a force or power times the width, with the key without "_per_m". */
+/* Adds a force or power multiplied by the width, under the key without
+ * "_per_m". */
 static void put_wide(const ovr_report_sink *to, const char *key_si,
                      ovr_unit_kind kind, double value,
                      const ovr_contact *contact)
@@ -191,7 +192,7 @@ static void put_of_width(const ovr_report_sink *to, const ovr_run_info *s)
                      contact);
 }
 
-/* Extremes and means over the whole run. */
+/* Prints extremes and means over the whole run. */
 static void put_extremes(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
@@ -224,7 +225,8 @@ static void put_steps(const ovr_report_sink *to, const ovr_run_info *s)
     ovr_report_steps(to, s);
 }
 
-/* The other numbers are those of the last pass. */
+/* Prints the numbers of all passes. The other numbers of the summary are those
+ * of the last pass. */
 static void put_passes(const ovr_report_sink *to, const ovr_run_info *s)
 {
     ovr_put_count(to, "pass", s->pass);
@@ -406,7 +408,7 @@ typedef struct kept {
     ovr_group_attribute line[MAX_LINES];
 } kept;
 
-/* Keeps finite numbers; the file stores the number of snapshots and the
+/* Stores finite numbers. The file contains the number of snapshots and the
  * computing time elsewhere. */
 static void keep(void *data, const ovr_summary_line *line)
 {

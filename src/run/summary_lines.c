@@ -127,8 +127,8 @@ void ovr_words_add(ovr_words *to, const char *format, ...)
 
 /* ------------------------------------------------------------------ in SI */
 
-/* "12.3 um": film thicknesses in um, pressures in GPa, times in ms, lengths
- * with a prefix; "" if the number in SI is unknown. */
+/* Returns a number in SI, "12.3 um": film thicknesses in um, pressures in GPa,
+ * times in ms, lengths with a prefix; "" if the SI value is unknown. */
 static ovr_piece in_si(double value, ovr_unit_kind kind,
                        const ovr_contact *contact)
 {
@@ -156,7 +156,7 @@ static ovr_piece in_si(double value, ovr_unit_kind kind,
 void ovr_words_place(ovr_words *to, const char *name, double value,
                      ovr_unit_kind kind, const ovr_contact *contact)
 {
-    const double rounding = 1e-12; /* of a node's place at X = 0 */
+    const double rounding = 1e-12; /* of the coordinate X = 0 of a node */
     double shown = fabs(value) < rounding ? 0 : value;
     ovr_piece si = in_si(shown, kind, contact);
     ovr_words_add(to, "%s = %.4g", name, shown);
@@ -164,7 +164,7 @@ void ovr_words_place(ovr_words *to, const char *name, double value,
         ovr_words_add(to, " (%s)", si.text);
 }
 
-/* Symbols of the units of dimensionless numbers. */
+/* Returns the symbol of a quantity's dimensionless unit. */
 static const char *unit_of(const ovr_observable *row)
 {
     switch (row->offset) {
@@ -185,7 +185,7 @@ static const char *unit_of(const ovr_observable *row)
     }
 }
 
-/* "1.041 GPa at 12.3 um, 0.2 ms" */
+/* Appends "1.041 GPa at 12.3 um, 0.2 ms". */
 static void add_si(ovr_words *remark, double value, const ovr_observable *row,
                    double X, double T, const ovr_contact *contact)
 {
@@ -216,7 +216,7 @@ ovr_words ovr_words_columns(double value, const ovr_observable *row, double X,
                             double T, const ovr_contact *contact,
                             const char *more)
 {
-    const double rounding = 1e-12; /* of a node's place at X = 0 */
+    const double rounding = 1e-12; /* of the coordinate X = 0 of a node */
     bool range = row->note && (!strncmp(row->note, "|X|", 3) ||
                                !strncmp(row->note, "X = ", 4));
     char at[16] = "", when[16] = "";
@@ -253,8 +253,8 @@ ovr_words ovr_words_unit(const char *unit, const char *format, ...)
 /* ------------------------------------------------------------------ Contact */
 
 typedef struct scale {
-    const char *key, *label; /* label NULL: not for people */
-    double value, unit;      /* of the line for people */
+    const char *key, *label; /* label NULL: not printed */
+    double value, unit;      /* in the unit of the printed line */
     const char *symbol;
     bool before; /* printed before the solve only */
     bool detail; /* not part of the summary */

@@ -20,16 +20,16 @@ void ovr_put_number(const ovr_report_sink *to, const char *key, double value);
 void ovr_put_count(const ovr_report_sink *to, const char *key, double value);
 void ovr_put_text(const ovr_report_sink *to, const char *key, const char *text);
 
-/* Passes the lines that have a key on to the ovr_report_sink in `data`. */
+/* Forwards lines that have a key to the ovr_report_sink in `data`. */
 ovr_summary_taker ovr_put_keyed;
 
-/* Adds a number, and its SI value if `key_si` is not NULL. */
+/* Adds a number, and its SI value under `key_si` unless that is NULL. */
 void ovr_put_both(const ovr_report_sink *to, const char *key,
                   const char *key_si, double value, double scale);
 
-/* Lines of reports: a label and text (ovr_report_detail: in complete lists
- * only), a title, and a number with `digits` digits (0: 6) and text after it.
- */
+/* Print lines of reports: a label and text (ovr_report_detail: in complete
+ * lists only), a title, and a number with `digits` digits (0: 6) followed by
+ * text. */
 void ovr_report_line(const ovr_report_sink *to, const char *label,
                      const char *format, ...) OVR_PRINTF(3, 4);
 void ovr_report_detail(const ovr_report_sink *to, const char *label,
@@ -43,20 +43,20 @@ void ovr_report_number(const ovr_report_sink *to, const char *label, int digits,
 void ovr_report_heading(const ovr_report_sink *to, bool times,
                         const char *title);
 
-/* Adds the numbers of a contact (with text for the report if `before` the
- * solution), and the predictions for rough surfaces by key. */
+/* Adds the numbers of a contact (with printed text if `before` the solution),
+ * and the predictions for rough surfaces by key. */
 void ovr_put_contact(const ovr_report_sink *to, const ovr_contact *contact,
                      bool before);
 void ovr_put_rough_film(const ovr_report_sink *to, const ovr_rough_film *film,
                         const ovr_contact *contact);
 
-/* Text that is appended to. */
+/* Text buffer for appending. */
 typedef struct ovr_words {
     char text[400];
 } ovr_words;
 void ovr_words_add(ovr_words *to, const char *format, ...) OVR_PRINTF(2, 3);
 
-/* "X = 0.4 (12.3 um)" */
+/* Appends "X = 0.4 (12.3 um)". */
 void ovr_words_place(ovr_words *to, const char *name, double value,
                      ovr_unit_kind kind, const ovr_contact *contact);
 
@@ -66,7 +66,7 @@ ovr_words ovr_words_columns(double value, const ovr_observable *row, double X,
                             double T, const ovr_contact *contact,
                             const char *more);
 
-/* The same of a number without a row. */
+/* Returns the same columns for a number without a row. */
 ovr_words ovr_words_unit(const char *unit, const char *format, ...)
     OVR_PRINTF(2, 3);
 

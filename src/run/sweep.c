@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* All cases of a study, here or shared with other hosts. */
+/* Solves all cases of a study, alone or together with other hosts. */
 #include <errno.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -17,9 +17,9 @@ typedef struct sweeping {
     ovr_sweep_options how;
     ovr_run_options run;
     ovr_arena arena;
-    size_t *task; /* those to work on */
+    size_t *task; /* tasks to process */
     size_t tasks, failed;
-    ovr_rows *rows; /* in a worker, of a study without result files */
+    ovr_rows *rows; /* in a worker of a study without result files */
 } sweeping;
 
 /* ------------------------------------------------------------------- tasks */
@@ -57,7 +57,7 @@ static bool stop(void *data)
     return w->how.stop && w->how.stop(w->how.data);
 }
 
-/* The last task that is asked for; `only` is the first. */
+/* Returns the last requested task; `only` is the first. */
 static size_t last_of(const sweeping *w)
 {
     size_t last = w->s->tasks - 1;
@@ -112,8 +112,8 @@ static ovr_status check_manifest(const ovr_study *s, ovr_error *err)
     return ovr_file_ours(path, table_head, err);
 }
 
-/* Before anything runs: no file of somebody else has the name of a case that
- * is due, nor of the manifest. */
+/* Checks, before any run, that no foreign file has the name of a case to be
+ * solved or of the manifest. */
 static ovr_status check_files(const sweeping *w, ovr_error *err)
 {
     ovr_status status = w->how.one ? OVR_OK : check_manifest(w->s, err);
@@ -129,8 +129,8 @@ static ovr_status check_files(const sweeping *w, ovr_error *err)
     return status;
 }
 
-/* Fails if all draws that are due fail alike before they are solved: the
- * message would be repeated for each. */
+/* Checks the cases before they are solved. Fails if all of them have the same
+ * error, which would otherwise be repeated for each. */
 static ovr_status check_cases(const sweeping *w, ovr_error *err)
 {
     ovr_error first = {0};

@@ -51,8 +51,8 @@ static void discard(const ovr_study *s, size_t task, const char *ending)
     unlink(path);
 }
 
-/* The names are ours, not the user's: no link that somebody has put there is
- * followed. */
+/* Opens a file of a task. Links are not followed, because the name is not
+ * chosen by the user. */
 static int open_file(const ovr_study *s, size_t task, const char *ending,
                      int how)
 {
@@ -63,7 +63,7 @@ static int open_file(const ovr_study *s, size_t task, const char *ending,
 
 /* ------------------------------------------------------------------ state */
 
-/* True if what was run is what the study now asks for. */
+/* True if the stored case equals the task of the current study. */
 static bool same_case(const ovr_study *s, size_t task, int fd)
 {
     ovr_error err = {0};
@@ -82,7 +82,7 @@ static bool same_case(const ovr_study *s, size_t task, int fd)
     return same;
 }
 
-/* Judges by the files alone, the case being ours. */
+/* Returns the state by the files that exist, for a case of this study. */
 static ovr_sweep_state state_by_files(const ovr_study *s, size_t task)
 {
     if (exists(s, task, ".json"))
@@ -101,7 +101,7 @@ ovr_sweep_state ovr_task_state(const ovr_study *s, const ovr_rows *rows,
         return ovr_rows_state(rows, task);
     ovr_sweep_state state = state_by_files(s, task);
     int fd = open_file(s, task, ".ini", O_RDWR);
-    if (fd < 0) /* none: what lies there is not ours */
+    if (fd < 0) /* no case file: other files there are foreign */
         return state == OVR_SWEEP_WAITING ? OVR_SWEEP_WAITING
                                           : OVR_SWEEP_CHANGED;
     if (ovr_lock_file(fd, true) == EWOULDBLOCK)
@@ -122,7 +122,8 @@ ovr_sweep_state ovr_sweep_state_of(const ovr_study *s, size_t task)
     return state;
 }
 
-/* A case that was written before its study changed has results beside it. */
+/* True if the case's file is not of this study. A case with results is
+ * accepted, because its study may have changed since. */
 bool ovr_task_foreign(const ovr_study *s, size_t task)
 {
     bool foreign = false;
@@ -178,7 +179,7 @@ static void mark_failed(const ovr_study *s, size_t task, const char *message,
     fclose(to);
 }
 
-/* One that was killed may be resumed; one that crashed may not. */
+/* Records a failure after a crash; a killed case may be resumed. */
 void ovr_task_died(const ovr_study *s, size_t task, int number)
 {
     char message[80];
@@ -194,7 +195,7 @@ void ovr_task_died(const ovr_study *s, size_t task, int number)
     ovr_rows_close(rows);
 }
 
-/* The summary gets its name when it is whole. */
+/* Renames the summary after it is complete. */
 static ovr_status keep_summary(const ovr_study *s, size_t task, FILE *summary,
                                ovr_error *err)
 {
@@ -211,17 +212,19 @@ static ovr_status keep_summary(const ovr_study *s, size_t task, FILE *summary,
 
 /* ------------------------------------------------------------------- work */
 
-/* A task under way, in its own process. */
+/* A task that is being processed in this process. */
 typedef struct working {
     const ovr_study *s;
     size_t task;
     const ovr_sweep_options *how;
-    ovr_run_options run; /* the caller's */
+    ovr_run_options run; /* options of the caller */
     ovr_shared shared;
     FILE *summary;
-    int output, error; /* those of the process, put back afterwards */
-    ovr_rows *rows;    /* of a study without result files, or NULL */
-    ovr_row *row; /* numbers of this case, with `rows` instead of a summary */
+    int output, error; /* copies of the process's standard streams, restored
+                        * afterwards */
+    ovr_rows *rows;    /* results of a study without result files, or NULL */
+    ovr_row *row;      /* numbers of this case, used with `rows` instead of a
+                        * summary */
 } working;
 
 static void say(void *data, ovr_message_kind kind, const char *text)
@@ -264,7 +267,7 @@ static ovr_status change(void *data, ovr_case *c, ovr_error *err)
     return w->run.change ? w->run.change(w->run.data, c, err) : OVR_OK;
 }
 
-/* The case into the locked file, for those who come later. */
+/* Writes the case to its locked file, for comparison by later processes. */
 static bool write_case(const ovr_study *s, int fd, ovr_case *c)
 {
     ovr_arena arena = ovr_arena_make(&s->arena.allocator);
@@ -300,9 +303,9 @@ static ovr_run *begin(working *w, ovr_case *c, bool resume, ovr_error *err)
     char path[PATH_CAPACITY];
     ovr_run_options how = w->run;
     how.output = w->s->results ? path : NULL;
-    how.force = how.from_start = resume; /* the file is the sweep's own */
+    how.force = how.from_start = resume; /* the file belongs to the sweep */
     how.steady = false;
-    how.no_thread = true; /* the processors have cases of their own */
+    how.no_thread = true; /* the other processors solve other cases */
     how.data = w;
     how.say = say;
     how.stop = stop;
@@ -356,8 +359,8 @@ static void report_find(const working *w, const ovr_find *find,
     }
 }
 
-/* Evaluations lie in NAME.find.csv as they come: a search that was stopped
- * continues with them. */
+/* Performs the search of a case. Evaluations are stored in NAME.find.csv, from
+ * which an interrupted search continues. */
 static void find_case(working *w, ovr_case *c, ovr_error *err)
 {
     ovr_find_options how = w->s->find.how;
@@ -383,7 +386,7 @@ static void fail_to_write(const ovr_study *s, size_t task, ovr_error *err)
     ovr_fail(err, OVR_IO, "%s: cannot be written: %s", path, strerror(number));
 }
 
-/* The run and its summary. */
+/* Runs the case and writes its summary. */
 static void run_case(working *w, bool resume, int fd, ovr_error *err)
 {
     ovr_case *c = ovr_study_case(w->s, w->task, err);
@@ -404,7 +407,8 @@ static void run_case(working *w, bool resume, int fd, ovr_error *err)
     ovr_case_free(c);
 }
 
-/* Output and error of the process, which may have other tasks after this. */
+/* Saves standard output and error of the process, which may process further
+ * tasks. */
 static void keep_streams(working *w)
 {
     fflush(NULL);
@@ -427,7 +431,7 @@ static void put_streams_back(working *w)
     put_back(w->error, STDERR_FILENO);
 }
 
-/* Standard output and error to the log, the summary to its file. */
+/* Redirects standard output and error to the log and opens the summary. */
 static bool open_files(working *w)
 {
     int log = open_file(w->s, w->task, ".log", O_APPEND | O_CREAT | O_WRONLY);
@@ -447,7 +451,8 @@ static void work_locked(working *w, int fd, ovr_error *err)
     ovr_sweep_state state = state_by_files(s, w->task);
     if (state != OVR_SWEEP_WAITING && !same_case(s, w->task, fd))
         state = OVR_SWEEP_CHANGED;
-    if (!ovr_sweep_is_due(w->how, state)) /* another was faster */
+    if (!ovr_sweep_is_due(w->how, state)) /* another process has solved it
+                                           * meanwhile */
         return;
     if (state != OVR_SWEEP_STOPPED || w->how->redo) {
         start_afresh(s, w->task);
@@ -472,8 +477,8 @@ static void work_locked(working *w, int fd, ovr_error *err)
 
 /* --------------------------------------------- cases without result files */
 
-/* Standard output and error to the log of this process, after a line with the
- * name of the case.  Returns where this line begins. */
+/* Redirects standard output and error to the log of this process, after a line
+ * with the name of the case. Returns the offset of that line. */
 static off_t open_log(working *w, int log)
 {
     char name[OVR_STUDY_NAME];
@@ -486,7 +491,8 @@ static off_t open_log(working *w, int log)
     return at;
 }
 
-/* A case without messages leaves nothing in the log. */
+/* Restores the standard streams. Removes the log's line if the case printed
+ * nothing. */
 static void close_log(working *w, int log, off_t at)
 {
     char name[OVR_STUDY_NAME];
@@ -513,7 +519,7 @@ static void work_claimed(working *w, ovr_error *err)
     int log = ovr_rows_log(w->rows);
     off_t at;
     if (!ovr_sweep_is_due(w->how, ovr_task_state(w->s, w->rows, w->task)))
-        return; /* another process was faster */
+        return; /* another process solves it */
     if (ovr_rows_elsewhere(w->rows, w->task) || w->how->redo)
         start_afresh(w->s, w->task);
     if (ovr_row_begin(&row, err) == OVR_OK)
@@ -539,7 +545,8 @@ static void warn_of_locks(working *w)
         "folder at the same time");
 }
 
-/* Somebody who only looks at the state may have the lock for a moment. */
+/* Locks a task's file; retries because a process that reads the state may hold
+ * the lock briefly. */
 static bool lock(working *w, int fd)
 {
     const struct timespec moment = {0, 20000000};

@@ -19,13 +19,13 @@ struct ovr_trials {
     ovr_trial_plan plan;
     size_t count, bytes;
     ovr_case **cases;
-    ovr_trial *trial; /* shared with the processes that fill them */
+    ovr_trial *trial; /* in memory shared with the forked processes */
 };
 
-/* A run under way asks whether it is to stop. */
+/* Data of the interrupt function of a run. */
 typedef struct asking {
     const ovr_trials *t;
-    const volatile int *stop; /* of forked processes; or NULL */
+    const volatile int *stop; /* stop flag of forked processes, or NULL */
 } asking;
 
 /* ------------------------------------------------------------------ access */
@@ -156,7 +156,7 @@ ovr_case *ovr_case_apart(ovr_case *c, ovr_error *err)
 
 /* ----------------------------------------------------------------- running */
 
-/* The lines of a run go here. */
+/* Receiver of a run's summary. */
 typedef struct putting {
     ovr_trials *trials;
     size_t k;
@@ -176,9 +176,8 @@ static bool stop(void *data)
     return (a->stop && *a->stop) || (plan->stop && plan->stop(plan->data));
 }
 
-/* The run of a trial: what lies in its file is resumed; one that is whole
- * and has no checkpoint beside it says nothing of its extremes, and is made
- * again. */
+/* Opens the run of a trial. An existing file is resumed. A complete file
+ * without checkpoint has no extremes and is computed again. */
 static ovr_run *open_run(const ovr_trials *t, size_t k, ovr_run_options *how,
                          ovr_error *err)
 {

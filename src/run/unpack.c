@@ -29,7 +29,7 @@
 enum { NAME_SIZE = 112, PATH_SIZE = 4096 };
 
 typedef struct target {
-    size_t input; /* of the result */
+    size_t input; /* number of the input in the result */
     char name[NAME_SIZE];
 } target;
 
@@ -39,8 +39,8 @@ typedef struct unpacking {
     const char *path, *folder;
     bool force;
     ovr_case *c;
-    ovr_inputs keys; /* of the case */
-    target *to;      /* the case file first, then inputs */
+    ovr_inputs keys; /* keys of the case that name input files */
+    target *to;      /* first the case file, then the inputs */
     size_t targets;
     ovr_listener *say;
     void *data;
@@ -74,9 +74,10 @@ static void make_name(const char *path, char name[NAME_SIZE])
     const char *slash = strrchr(path, '/');
     const char *base = slash ? slash + 1 : path;
     size_t length = strlen(base);
-    if (length > LONGEST) { /* its end, with the ending */
+    if (length > LONGEST) { /* keep the end of the name, with its suffix */
         base += length - LONGEST;
-        while ((*base & 0xc0) == 0x80) /* within a character of UTF-8 */
+        while ((*base & 0xc0) == 0x80) /* not at the start of a UTF-8
+                                        * character */
             base++;
     }
     snprintf(name, NAME_SIZE, "%s", *base ? base : "input");
@@ -96,7 +97,7 @@ static bool is_taken(const unpacking *u, const char *name)
     return false;
 }
 
-/* Adds a file: "scratch.csv", or "scratch-2.csv" where that is taken. */
+/* Adds a file: "scratch.csv", or "scratch-2.csv" if that name is used. */
 static target *add_target(unpacking *u, size_t input, const char *path)
 {
     target *to = &u->to[u->targets];
@@ -121,7 +122,7 @@ static target *find_target(unpacking *u, size_t input)
     return NULL;
 }
 
-/* "dent.ini" of a result "runs/dent.h5". */
+/* Names the case file, "dent.ini" for a result "runs/dent.h5". */
 static void name_case(unpacking *u)
 {
     const char *slash = strrchr(u->path, '/');
@@ -132,7 +133,7 @@ static void name_case(unpacking *u)
     add_target(u, SIZE_MAX, name);
 }
 
-/* Lists the files and lets the case name them. */
+/* Lists the files to write and sets their names in the case. */
 static ovr_status choose_names(unpacking *u, ovr_error *err)
 {
     ovr_status status = ovr_case_inputs(u->c, &u->arena, &u->keys, err);
@@ -183,7 +184,7 @@ static ovr_status cannot(const char *path, int error, ovr_error *err)
                     text);
 }
 
-/* Fails if a file that would be written is there, or is no ordinary file. */
+/* Fails if a file to be written exists or is not a regular file. */
 static ovr_status check_target(const unpacking *u, const target *to,
                                ovr_error *err)
 {
@@ -273,7 +274,7 @@ static ovr_status write_files(unpacking *u, ovr_error *err)
 
 /* --------------------------------------------------------------- All of it */
 
-/* Numbers of another version may be others. */
+/* Notes that another version of the program may compute different numbers. */
 static void compare_versions(const unpacking *u)
 {
     const char *source = ovr_result_get_info(u->result)->source;
@@ -287,7 +288,7 @@ static void compare_versions(const unpacking *u)
 static ovr_status unpack(unpacking *u, ovr_error *err)
 {
     const char *path = u->path;
-    if (ovr_passes_file_is(path)) /* the case is that of each pass */
+    if (ovr_passes_file_is(path)) /* each pass has its own file with the case */
         path = ovr_passes_name(path, 1, &u->arena, err);
     u->result = path ? ovr_result_open(path, &u->arena.allocator, err) : NULL;
     if (!u->result)
@@ -333,7 +334,7 @@ static ovr_status lend(unpacking *u, ovr_error *err)
                                err);
     if (status || !u->to)
         return OVR_NO_MEMORY;
-    name_case(u); /* a name that no input gets */
+    name_case(u); /* reserves the case's name, so that no input has it */
     for (size_t k = 0; !status && k < u->keys.count; k++) {
         const ovr_input *key = &u->keys.input[k];
         size_t input = ovr_result_input_of(u->result, key->key);
@@ -361,7 +362,7 @@ ovr_status ovr_inputs_lend(ovr_result *result, const char *path, ovr_case *c,
     if (!ovr_result_input_at(result, 0))
         return OVR_OK;
     snprintf(to->folder, sizeof to->folder, "/tmp/overroll-XXXXXX");
-    if (!mkdtemp(to->folder)) { /* the files of the case, then */
+    if (!mkdtemp(to->folder)) { /* the inputs remain paths of the case */
         to->folder[0] = '\0';
         return OVR_OK;
     }

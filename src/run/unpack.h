@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The inputs that a result file holds, as files of a temporary folder. */
+/* Copies the inputs stored in a result file to a temporary folder. */
 #ifndef OVR_RUN_UNPACK_H
 #define OVR_RUN_UNPACK_H
 
@@ -9,15 +9,15 @@
 
 typedef struct ovr_lent {
     ovr_arena arena;
-    char folder[48]; /* "": there is none */
+    char folder[48]; /* "": no folder */
     size_t files;
     const char **file;
 } ovr_lent;
 
-/* Writes copies of the inputs that the result holds, and sets the keys of the
- * case to their paths.  The caller must remove them by ovr_inputs_remove,
- * also after an error.  Without a place for temporary files, and for inputs
- * that are not kept, the case stays as it is. */
+/* Writes copies of the inputs stored in the result and sets the keys of the
+ * case to their paths. The caller must remove them by ovr_inputs_remove, also
+ * after an error. The case does not change for inputs that are not stored, or
+ * if there is no temporary folder. */
 ovr_status ovr_inputs_lend(ovr_result *result, const char *path, ovr_case *c,
                            ovr_lent *to, ovr_error *err);
 
