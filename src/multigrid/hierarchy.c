@@ -221,7 +221,7 @@ static ovr_status hierarchy_bear(ovr_hierarchy *grids, ovr_arena *arena,
 {
     ovr_level *finest = &grids->level[grids->finest];
     if (finest->borne)
-        return OVR_OK;
+        return ovr_arena_status(arena);
     finest->pressed = ovr_mlmi_field(&finest->mlmi, arena, err);
     finest->borne = ovr_mlmi_field(&finest->mlmi, arena, err);
     return ovr_arena_status(arena);

@@ -61,7 +61,8 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
             OVR_TAKE_NODES(sim, err, &sim->past.all[k][ago]);
     }
     take_work(sim, err);
-    return ovr_inflow_take(sim, err);
+    ovr_inflow_take(sim, err);
+    return ovr_arena_status(&sim->arena);
 }
 
 ovr_cycling ovr_simulation_cycling(const ovr_simulation *sim, int finer_bottom)

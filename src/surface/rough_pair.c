@@ -296,7 +296,7 @@ ovr_status ovr_rough_pair_reserve(ovr_rough_pair *pair, ovr_asperity_table *t,
                                   ovr_arena *arena, ovr_error *err)
 {
     if (pair->p)
-        return OVR_OK;
+        return ovr_arena_status(arena);
     pair->points = A_DECADE * DECADES + A_DECADE / 2;
     pair->p = ovr_arena_take(arena, pair->points, sizeof *pair->p, err);
     pair->workspace = ovr_arena_take(arena, 5 * pair->n,

@@ -52,7 +52,7 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
         if (h->numbers.density_expands)
             level->f.swell = ovr_field(&sim->arena, capacity, err);
     }
-    return OVR_OK;
+    return ovr_arena_status(&sim->arena);
 }
 
 static ovr_status take_heat(ovr_simulation *sim, const void *form, void **own,
