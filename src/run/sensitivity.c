@@ -338,7 +338,7 @@ static ovr_status work(working *w)
     return status;
 }
 
-/* Chooses the level; it must have a coarser one. */
+/* Reads the level of the case; it must be above 2 if errors are estimated. */
 static ovr_status take_level(working *w)
 {
     ovr_case_entry e;

@@ -72,18 +72,18 @@ ovr_status ovr_areal_need_spacing(ovr_profile *p, const ovr_profile_source *s,
 
 /* --------------------------------------------------------------- lines */
 
-/* A line in the plane of the grid, in distances of points. */
+/* A straight line in the plane of the grid, in units of the grid spacings. */
 typedef struct line {
     double x, y;   /* first point */
-    double sx, sy; /* from a point to the next one */
-    double bx, by; /* from a line of the band to the next one */
+    double sx, sy; /* from one point to the next */
+    double bx, by; /* from one line of the band to the next */
     size_t n;
     long half;     /* lines of the band on each side */
-    double length; /* distance of the points, in the unit of lengths */
+    double length; /* distance between points, in the unit of lengths */
 } line;
 
-/* Bilinear interpolation; NAN outside the grid, and where a neighbour with a
- * weight is missing. */
+/* Interpolates bilinearly; NAN outside the grid, and if a neighbour with
+ * nonzero weight is missing. */
 static double height_at(const ovr_areal *map, double x, double y)
 {
     const double eps = 1e-9;
@@ -106,7 +106,8 @@ static double height_at(const ovr_areal *map, double x, double y)
     return sum;
 }
 
-/* Mean over the band's lines that have a height there; at least half must. */
+/* Returns the mean over those lines of the band that have a height; NAN if
+ * fewer than half have one. */
 static double band_height(const ovr_areal *map, const line *l, size_t k)
 {
     double sum = 0, x = l->x + (double)k * l->sx, y = l->y + (double)k * l->sy;
@@ -139,7 +140,8 @@ static line column_line(const ovr_areal *map, size_t column)
     return (line){(double)column, 0, 0, 1, 1, 0, map->ny, 0, map->dy};
 }
 
-/* The longest line through the centre at `angle` (radians) from the x axis. */
+/* Returns the longest line through the centre at `angle` (radians) from the x
+ * axis. */
 static line oblique_line(const ovr_areal *map, double angle)
 {
     const double eps = 1e-9;
@@ -155,7 +157,7 @@ static line oblique_line(const ovr_areal *map, double angle)
         step * c / map->dy, 2 * (size_t)half + 1, 0,  step};
 }
 
-/* Lines of the band on each side of the middle one. */
+/* Sets the number of lines of the band on each side of the middle one. */
 static void widen(const ovr_areal *map, double band, line *l)
 {
     double across = hypot(l->bx * map->dx, l->by * map->dy);
@@ -163,7 +165,7 @@ static void widen(const ovr_areal *map, double band, line *l)
         l->half = (long)fmin(floor(band / 2 / across + 1e-9), 1e6);
 }
 
-/* ---------------------------------------------------- which line is meant */
+/* ----------------------------------------------------- choice of the line */
 
 static ovr_status check_index(const ovr_profile *p, const char *key, int asked,
                               size_t count, ovr_error *err)
@@ -202,7 +204,8 @@ static ovr_status check_choice(const ovr_profile *p,
     return check_index(p, "column", s->column, map->nx, err);
 }
 
-/* The nearest line of the same direction that has two heights; -1: none. */
+/* Returns the nearest line of the same direction that has two heights; -1 if
+ * there is none. */
 static long nearest_filled(const ovr_areal *map, bool rows, size_t from)
 {
     long count = (long)(rows ? map->ny : map->nx), at = (long)from;
@@ -235,7 +238,7 @@ static ovr_status fail_empty(const ovr_profile *p, const char *key, size_t k,
                                  filled + 1));
 }
 
-/* A row or column, from 0, that was asked for. */
+/* Selects the requested row or column, counted from 0. */
 static ovr_status choose_given(ovr_profile *p, const ovr_profile_source *s,
                                line *chosen, ovr_error *err)
 {
@@ -255,7 +258,8 @@ static ovr_status choose_given(ovr_profile *p, const ovr_profile_source *s,
     return OVR_OK;
 }
 
-/* Names the nearest whole degrees of a line through the centre with heights. */
+/* Fails with a message that names the nearest directions, in whole degrees,
+ * whose lines have heights. */
 static ovr_status fail_direction(const ovr_profile *p, double degrees,
                                  ovr_error *err)
 {
@@ -290,14 +294,15 @@ static ovr_status choose_oblique(ovr_profile *p, double degrees, double band,
     return OVR_OK;
 }
 
-/* Across the lay where there is one, the middle row otherwise. */
+/* Selects the line perpendicular to the lay, or the middle row if the surface
+ * has no lay. */
 static ovr_status choose_default(ovr_profile *p, double band, line *chosen,
                                  ovr_error *err)
 {
     const ovr_areal *map = &p->map;
     ovr_areal_numbers numbers;
     ovr_status status = ovr_areal_measure(map, &numbers, err);
-    double lay = fabs(numbers.lay) < 5e-4 ? 0 : numbers.lay; /* rounding */
+    double lay = fabs(numbers.lay) < 5e-4 ? 0 : numbers.lay; /* avoids -0 */
     double tilt = fabs(lay);
     bool column;
     long k;

@@ -14,26 +14,27 @@
 ovr_status ovr_areal_reserve(ovr_profile *profile, size_t nx, size_t ny,
                              double dx, double dy, ovr_error *err);
 
-/* Spacings along and across and unit of heights of a file that has neither, as
- * the caller states them, with a note.  *scale: the unit in metres (1 for
- * b^2/R). */
+/* Determines the spacings along and across and the unit of heights from the
+ * caller's options if the file does not contain them; adds a note. *scale
+ * becomes the unit in metres (1 for b^2/R). */
 ovr_status ovr_areal_need_spacing(ovr_profile *profile,
                                   const ovr_profile_source *source, double *dx,
                                   double *dy, double *scale, ovr_error *err);
 
-/* Multiplies the heights by `scale` and makes a profile of the line chosen by
- * the source.  Missing values written as numbers (-9999, 1e30 ...) are removed
- * first.  A grid of one row is that profile. */
+/* Multiplies the heights by `scale` and extracts the profile of the selected
+ * line. Before that, numbers that denote missing values (-9999, 1e30 ...) are
+ * removed. A grid with one row is that profile. */
 ovr_status ovr_areal_finish(ovr_profile *profile,
                             const ovr_profile_source *source, double scale,
                             ovr_error *err);
 
-/* The least-squares plane of the heights: z0 + zx i + zy j, i and j counted
+/* Fits a plane to the heights by least squares: z0 + zx i + zy j with i and j
  * from 0. */
 void ovr_areal_plane(const ovr_areal *areal, double to[3]);
 
-/* Random areal roughness, periodic in length x width, b; the lay is at `angle`
- * (radians) from the y axis.  The last row and column equal the first. */
+/* Generates random areal roughness, periodic with the given length and width,
+ * in b. The lay is at `angle` (radians) from the y axis. The last row and
+ * column equal the first. */
 ovr_areal *ovr_areal_random(const ovr_roughness *form, double width,
                             double angle, const ovr_allocator *allocator,
                             ovr_error *err);

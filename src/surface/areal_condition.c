@@ -88,7 +88,7 @@ static ovr_status turn(ovr_areal *a, ovr_error *err)
     return OVR_OK;
 }
 
-/* Points with from <= k d <= to. */
+/* Finds the points with from <= k d <= to. */
 static void window(double from, double to, double d, size_t *first, size_t *n)
 {
     size_t last = *n - 1;
@@ -247,7 +247,7 @@ static ovr_status drop_outliers(ovr_areal *a, const ovr_conditioning *how,
 
 /* -------------------------------------------------------------------- form */
 
-/* Legendre polynomials up to `degree` at t in [-1, 1]. */
+/* Evaluates the Legendre polynomials up to `degree` at t in [-1, 1]. */
 static void legendre(double t, int degree, double *P)
 {
     P[0] = 1;
@@ -256,7 +256,7 @@ static void legendre(double t, int degree, double *P)
         P[k] = ((2 * k - 1) * t * P[k - 1] - (k - 1) * P[k - 2]) / k;
 }
 
-/* Terms of the form at point (i, j). */
+/* Evaluates the terms of the form at point (i, j); returns their number. */
 static int terms_at(const ovr_areal *a, size_t i, size_t j, int degree,
                     double *term)
 {
@@ -346,7 +346,7 @@ static void level(ovr_areal *a, const ovr_conditioning *how)
 
 /* ------------------------------------------------------------------ filters */
 
-/* The Gaussian filter of `count` lines of n heights. */
+/* Applies the Gaussian filter to `count` lines of n heights. */
 static void smooth_lines(double *z, size_t count, size_t n, double d,
                          size_t between, size_t apart, double lambda,
                          double *work)
@@ -365,7 +365,7 @@ static void smooth_lines(double *z, size_t count, size_t n, double d,
         double *of = z + j * between;
         for (size_t i = 0; i < n; i++)
             line[i] = of[i * apart];
-        /* Points near the ends by regression. */
+        /* Points near the ends are filtered with local regression. */
         size_t edge = 2 * reach + 1 < n ? 2 * reach + 1 : n;
         const ovr_points first = {edge, x, line};
         ovr_gaussian(&first, lambda, true, mean, rest);

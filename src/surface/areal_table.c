@@ -34,28 +34,30 @@ static const double PI = 3.14159265358979323846;
 
 /* ------------------------------------------------------------- 1. resample */
 
-/* Weights of the points for each entry. */
+/* Interpolation weights of the points for each entry of the table. */
 typedef struct weights {
     size_t entries, taps;
-    size_t *point; /* point[k taps + m]; entries with fewer have weights 0 */
+    size_t *point; /* point[k taps + m]; unused weights are 0 */
     double *weight;
 } weights;
 
 /* One direction of the map and its table. */
 typedef struct direction {
     size_t n;      /* points */
-    double d;      /* distance of points */
+    double d;      /* distance between points */
     double length; /* from the first point to the last */
     double fc, reach;
     bool closed;
     double taper;
     int extend;
     size_t m;       /* intervals of the table */
-    size_t entries; /* resampled: m + 1, or more to be blended */
+    size_t entries; /* resampled entries: m + 1, or more if the ends are
+                     * blended */
     ovr_areal_axis axis;
 } direction;
 
-/* The point that stands for number j: mirrored at the ends, or periodic. */
+/* Returns the index of the point at j, with mirrored or periodic
+ * continuation. */
 static size_t point_of(const direction *a, ptrdiff_t j)
 {
     ptrdiff_t last = (ptrdiff_t)a->n - 1, period = a->closed ? last : 2 * last;
@@ -129,7 +131,7 @@ static ovr_status check_taper(direction *a, double taper, const char *key,
                           key, a->taper, a->length / 2);
 }
 
-/* Chooses the entries of one direction, `share` of them for each mesh size. */
+/* Chooses the entries in one direction, `share` entries per mesh size. */
 static ovr_status plan(direction *a, const ovr_areal_fit *fit, int which,
                        ovr_error *err)
 {
@@ -162,8 +164,8 @@ static ovr_status plan(direction *a, const ovr_areal_fit *fit, int which,
 
 /* ---------------------------------------------------------------- 2. blend */
 
-/* Height of entry k from the resampled ones, which are `apart` from each
- * other. */
+/* Returns the blended height of entry k from the resampled ones, which are
+ * `apart` elements from each other. */
 static double blended(const direction *a, const double *z, size_t apart,
                       size_t k)
 {
@@ -183,7 +185,8 @@ static double blended(const direction *a, const double *z, size_t apart,
 
 /* --------------------------------------------------------------- 3. splines */
 
-/* Interpolation coefficients of n entries, `apart` from each other. */
+/* Computes the interpolation coefficients of n entries, `apart` elements from
+ * each other. */
 static void filter_line(double *z, size_t n, size_t apart, bool periodic)
 {
     enum { HORIZON = 40 };
@@ -234,8 +237,8 @@ static double variance(size_t n, const double *z)
     return squares / (double)n;
 }
 
-/* Sq, largest height and mean wavelength from the entries, before they become
- * coefficients. */
+/* Computes Sq, maximum height and mean wavelength from the entries, before they
+ * are replaced by coefficients. */
 static void measure(ovr_areal_table *t)
 {
     double slope = 0;
@@ -255,7 +258,7 @@ static void measure(ovr_areal_table *t)
 
 /* ------------------------------------------------------------------- table */
 
-/* Blends the resampled rows along x in place; `count` rows of `n`. */
+/* Blends the ends of `count` resampled rows of length n along x, in place. */
 static void blend_rows(const direction *a, double *z, size_t count, size_t n,
                        double *line)
 {
@@ -332,7 +335,7 @@ double ovr_areal_extent(const ovr_areal_axis *a)
     return (double)(a->endless ? a->n : a->n - 1) * a->h;
 }
 
-/* The four entries about s and their weights; false if s is outside. */
+/* Finds the four entries around s and their weights; false if s is outside. */
 static bool entries_at(const ovr_areal_axis *a, double s, size_t at[4],
                        double weight[4])
 {

@@ -21,7 +21,7 @@ static uint64_t bits(const char *at, size_t bytes)
     return value;
 }
 
-/* Two's complement of so many bits. */
+/* Converts a two's-complement number of `width` bits. */
 static double as_signed(uint64_t pattern, int width)
 {
     double value = (double)pattern, all = ldexp(1, width);

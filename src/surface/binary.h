@@ -14,13 +14,13 @@ typedef enum ovr_binary {
     OVR_BINARY_I16,
     OVR_BINARY_I32,
     OVR_BINARY_F64
-} ovr_binary; /* the numbers of SDF's DataType */
+} ovr_binary; /* in the order of SDF's DataType */
 
 size_t ovr_binary_size(ovr_binary type);
 double ovr_binary_value(const char *at, ovr_binary type);
 
-/* NAN for the code of SDF for a missing height: the lowest value of a signed
- * type. */
+/* Returns NAN for the code of a missing height in SDF: the lowest value of a
+ * signed type. The second function reads a height. */
 double ovr_missing_as_nan(double value, int type);
 double ovr_binary_height(const char *at, ovr_binary type);
 

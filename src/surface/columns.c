@@ -35,8 +35,9 @@ static bool spaced(const ovr_text_table *t)
     return t->source->spacing > 0 || t->header.spacing > 0;
 }
 
-/* Columns are found by name, by place, or as the caller says; one that is then
- * still -1 is not known, or is a spacing. */
+/* Finds the columns of x and z by name, by position, or from the caller's
+ * options. A column that is still -1 is unknown, or is replaced by a
+ * spacing. */
 ovr_status ovr_find_columns(ovr_text_table *t, ovr_error *err)
 {
     const ovr_profile_source *s = t->source;
@@ -60,7 +61,7 @@ ovr_status ovr_find_columns(ovr_text_table *t, ovr_error *err)
     return OVR_OK;
 }
 
-/* ------------------------------------------------------- what nobody says */
+/* ---------------------------------------------------- missing information */
 
 typedef struct wanting {
     const ovr_text_table *t;
@@ -109,7 +110,8 @@ static void want_columns(wanting *w)
         want(w, "if they are rows of a map", "row", "1");
 }
 
-/* Column of the axis; where it is not known, one that has a unit or none. */
+/* Returns the column of the axis; if it is unknown, a column with a unit, or
+ * none. */
 static const ovr_column *unit_column(const ovr_text_table *t, char axis)
 {
     int column = axis == 'x' ? t->x : t->z;
@@ -160,8 +162,8 @@ static void want_unit(wanting *w, char axis, const char *asked)
     want(w, what, axis == 'x' ? "unit_x" : "unit_z", "um");
 }
 
-/* Units of x are asked for of a column x, and of a spacing that the header
- * gives bare. */
+/* True if a unit of x is required: for a column x, or a spacing without a unit
+ * in the header. */
 static bool needs_unit_x(const ovr_text_table *t)
 {
     if (t->source->spacing > 0 && !t->source->column_x)

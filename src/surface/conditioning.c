@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Conditioning in the order given in profile.h; each step adds a note.
- */
+/* Conditions a profile in the order given in profile.h; each step adds a
+ * note. */
 #include "surface/conditioning.h"
 
 #include <gsl/gsl_sort.h>
@@ -17,12 +17,12 @@
 /* --------------------------------------------- missing heights and outliers */
 
 /*
- * Missing heights and outliers.
+ * Missing heights and outliers. Outliers are detected by Hampel's test:
  *
- * Outliers are detected by Hampel's test: r_i = z_i - median of its 11
- * neighbours; |r_i| > limit sigma with sigma = 1.4826 median |r|, which is the
- * standard deviation of Gaussian heights and does not feel the outliers.  The
- * neighbours in a map are 5 x 5 points.
+ *     r_i = z_i - median of its 11 neighbours; |r_i| > limit sigma
+ *
+ * sigma = 1.4826 median |r| is the standard deviation of Gaussian heights and
+ * is insensitive to outliers. The neighbours in a map are 5 x 5 points.
  */
 
 enum { HALF = 5, WINDOW = 2 * HALF + 1, HALF_OF_MAP = 2, WINDOW_OF_MAP = 25 };
@@ -59,7 +59,7 @@ static double median_in_map(size_t nx, size_t ny, const double *z, size_t i,
     return median_of(near, count);
 }
 
-/* Marks the heights whose distance r from the median is too large. */
+/* Sets heights to NAN whose distance r from the median is too large. */
 static size_t mark(size_t n, double *z, const double *r, double limit,
                    double *size)
 {
@@ -76,8 +76,9 @@ static size_t mark(size_t n, double *z, const double *r, double limit,
     return marked;
 }
 
-/* Marks as NAN what lies further than `limit` robust standard deviations from
- * the median of its 11 neighbours; returns how many.  `work` holds 2 n. */
+/* Sets to NAN the heights further than `limit` robust standard deviations from
+ * the median of their 11 neighbours; returns their number. `work` has 2 n
+ * elements. */
 static size_t mark_outliers(size_t n, double *z, double limit, double *work)
 {
     for (size_t i = 0; i < n; i++)
@@ -95,7 +96,7 @@ size_t ovr_mark_map_outliers(size_t nx, size_t ny, double *z, double limit,
     return mark(nx * ny, z, work, limit, work + nx * ny);
 }
 
-/* The gap after point i (which has a height): index of the next height. */
+/* Returns the index of the next height after point i. */
 static size_t next_height(size_t n, const double *z, size_t i)
 {
     do
@@ -118,8 +119,8 @@ static void longest_gap(size_t n, const double *x, const double *z,
     }
 }
 
-/* Fills NANs between points by straight lines; the longest gap, and the x
- * where it begins, go out. */
+/* Interpolates missing heights linearly. Stores the length of the longest gap
+ * and the x at which it begins. */
 static size_t fill_gaps(size_t n, const double *x, double *z)
 {
     size_t filled = 0;
@@ -270,8 +271,8 @@ static size_t count_missing(size_t n, const double *z)
     return missing;
 }
 
-/* Missing heights at the ends are cut off, those between bridged. */
-/* Cuts off the ends that have no height. */
+/* Missing heights at the ends are removed, others are interpolated. */
+/* Removes points without heights at both ends. */
 static ovr_status cut_ends(ovr_profile *p, size_t *n, ovr_error *err)
 {
     size_t first = 0, last = *n;
@@ -308,12 +309,12 @@ static ovr_status close_gaps(ovr_profile *p, const ovr_conditioning *how,
                         how->max_missing));
     if (cut_ends(p, n, err))
         return OVR_BAD_INPUT;
-    /* n points at one distance are n distances long. */
+    /* The length that n points represent is n spacings. */
     if (isnan(maximum))
         maximum = 0.05 * (p->x[*n - 1] - p->x[0]) * (double)*n /
                   (double)(*n - 1);
     longest_gap(*n, p->x, p->z, &length, &where);
-    if (length > maximum * (1 + 1e-9)) /* x is rounded */
+    if (length > maximum * (1 + 1e-9)) /* x has rounding errors */
         return ovr_about(
             err, "max_gap",
             ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,

@@ -12,25 +12,28 @@
 #include "base/arena.h"
 #include "surface/spline.h"
 
-/* Subtracts the least-squares polynomial of the degree (0: mean, 1: line),
- * each point weighted by the length it stands for.  `work` holds 3 n. */
+/* Subtracts the least-squares polynomial of the given degree (0: mean, 1:
+ * line). Each point is weighted by the length it represents. `work` has 3 n
+ * elements. */
 void ovr_level(size_t n, const double *x, double *z, int degree, double *work);
 
-/* Subtracts the line through the mean points of the first and last tenth: a
- * dent or scratch in between does not tilt or lift it. */
+/* Subtracts the line through the mean points of the first and last tenth. A
+ * dent or scratch between them does not affect it. */
 void ovr_level_ends(size_t n, const double *x, double *z);
 
-/* Mean line of the Gaussian filter of cut-off lambda (ISO 16610-21), into
- * `mean`; `uniform` x make it quicker.  `work` holds 2 n. */
+/* Computes the mean line of the Gaussian filter with cut-off lambda (ISO
+ * 16610-21). `uniform`: x is uniform, which is faster. `work` has 2 n
+ * elements. */
 void ovr_gaussian(const ovr_points *of, double lambda, bool uniform,
                   double *mean, double *work);
 
-/* Marks outliers of a map of ny rows of nx heights.  The median is that of
- * 5 x 5 neighbours, and `work` holds 2 nx ny. */
+/* Sets outliers of a map of ny rows of nx heights to NAN. The median is that of
+ * 5 x 5 neighbours; `work` has 2 nx ny elements. */
 size_t ovr_mark_map_outliers(size_t nx, size_t ny, double *z, double limit,
                              double *work);
 
-/* Half the distance between a point's neighbours. */
+/* Returns the length that point i represents: half the distance between its
+ * neighbours. */
 double ovr_share(size_t n, const double *x, size_t i);
 
 #endif

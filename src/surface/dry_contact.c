@@ -14,7 +14,8 @@ ovr_status ovr_dry_contact_take(ovr_dry_contact *of, size_t n, ovr_arena *arena,
     return of->workspace ? OVR_OK : OVR_NO_MEMORY;
 }
 
-/* w of p; its mean is nothing. */
+/* Computes the elastic deformation w of the pressure p; the mean of w is
+ * zero. */
 static void deform(const ovr_dry_contact *of, const double *p, double *w)
 {
     const double unit = 6.283185307179586 / of->length;
@@ -55,7 +56,7 @@ static void scale_to(size_t n, double *p, double mean)
         p[i] *= mean * (double)n / sum;
 }
 
-/* The gap, zero in the mean of the nodes that touch. */
+/* Computes the gap, with zero mean over the nodes in contact. */
 static void find_gap(const ovr_dry_contact *of, const double *z,
                      const double *p, double *gap)
 {
@@ -66,12 +67,13 @@ static void find_gap(const ovr_dry_contact *of, const double *z,
 }
 
 typedef struct search {
-    double *gap, *along, *curve; /* direction, and what it does */
-    double norm;                 /* of the gap at the last step; 0: none */
+    double *gap, *along, *curve; /* gap, search direction, its deformation */
+    double norm;                 /* squared norm of the gap at the last step; 0:
+                                  * none */
 } search;
 
-/* A node that touches alone has no gap to lead it: its step is its own pressure
- * over its own deformation. */
+/* Returns the step for a single node in contact, whose gap is always zero: its
+ * pressure divided by its own deformation. */
 static double alone(const ovr_dry_contact *of)
 {
     const double euler = 0.5772, pi = 3.14159265358979323846;
@@ -79,7 +81,7 @@ static double alone(const ovr_dry_contact *of)
     return of->modulus * pi * (double)of->n / (2 * of->length * waves);
 }
 
-/* The next direction, and how far along it. */
+/* Computes the next conjugate direction; returns the step length. */
 static double aim(const ovr_dry_contact *of, const double *p, search *s,
                   bool begins)
 {
@@ -100,8 +102,8 @@ static double aim(const ovr_dry_contact *of, const double *p, search *s,
     return bends > 0 ? falls / bends : alone(of);
 }
 
-/* Applies the step; returns whether a node came into contact, in which case the
- * next direction is a new one. */
+/* Applies the step. Returns true if a node came into contact; the next
+ * direction then starts again from the gap. */
 static bool take_step(const ovr_dry_contact *of, double far, const search *s,
                       double *p)
 {
@@ -118,7 +120,7 @@ static bool take_step(const ovr_dry_contact *of, double far, const search *s,
     return grown;
 }
 
-/* Computes the violation of complementarity of pressures and gaps, relative to
+/* Returns the violation of complementarity of pressures and gaps, relative to
  * the range of heights. */
 static double judge(const ovr_dry_contact *of, const double *z, const double *p,
                     const double *gap, ovr_dry_state *state)

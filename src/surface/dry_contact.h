@@ -17,27 +17,27 @@
 #include "base/arena.h"
 
 typedef struct ovr_dry_contact {
-    size_t n;       /* a power of two */
-    double length;  /* of the period */
-    double modulus; /* E* */
-    double enough;  /* gaps and pressures exclude each other to this, over the
-                       range of heights; 0: 1e-9 */
-    double *workspace; /* 3 n */
+    size_t n;          /* a power of two */
+    double length;     /* length of the period */
+    double modulus;    /* E* */
+    double enough;     /* tolerance of complementarity of gaps and pressures,
+                        * relative to the range of heights; 0: 1e-9 */
+    double *workspace; /* 3 n elements */
 } ovr_dry_contact;
 
-/* Memory for n nodes. */
+/* Allocates memory for n nodes. */
 ovr_status ovr_dry_contact_take(ovr_dry_contact *of, size_t n, ovr_arena *arena,
                                 ovr_error *err);
 
 typedef struct ovr_dry_state {
-    double gap;  /* its mean */
-    double area; /* the part of the nodes that touch */
+    double gap;  /* mean gap */
+    double area; /* fraction of the nodes in contact */
     int steps;
-    bool found; /* else the steps did not suffice */
+    bool found; /* converged */
 } ovr_dry_state;
 
-/* The pressure p of this mean, from the one that is in p, any with a mean above
- * zero. */
+/* Solves for the pressure p with this mean. On entry p is the initial guess;
+ * its mean must be positive. */
 ovr_dry_state ovr_dry_contact_solve(const ovr_dry_contact *of, const double *z,
                                     double mean, double *p);
 

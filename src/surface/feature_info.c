@@ -21,7 +21,7 @@ static double amplitude(const ovr_feature *f)
     return f->areal ? f->areal->largest : maximum;
 }
 
-/* Height above the smooth surface. */
+/* Returns the maximum height above the smooth surface. */
 static double raised(const ovr_feature *f)
 {
     bool both = f->shape == OVR_WAVE || f->shape == OVR_CHIRP;
@@ -96,7 +96,8 @@ double ovr_surfaces_wavelength(const ovr_surfaces *surfaces)
     return shortest;
 }
 
-/* Height over wavelength of a feature that moves; -1 of one that stands. */
+/* Returns height divided by wavelength of a moving feature; -1 if it does not
+ * move. */
 static double slope(const ovr_feature *f)
 {
     return f->ratio != 0 ? amplitude(f) / f->finest : -1;
@@ -107,7 +108,7 @@ double ovr_surfaces_speed(const ovr_surfaces *surfaces)
     if (!surfaces)
         return NAN;
     double maximum = -1, speed = NAN;
-    if (surfaces->sliding) /* not one */
+    if (surfaces->sliding) /* sliding varies: not a single speed */
         return NAN;
     for (const ovr_placed_feature *l = surfaces->first; l; l = l->next)
         if (slope(&l->feature) > maximum) {
@@ -132,7 +133,8 @@ const char *ovr_surfaces_inside(const ovr_surfaces *surfaces, double inlet,
 {
     if (!surfaces)
         return NULL;
-    const double trace = 1e-9; /* one that begins at the end is outside */
+    const double trace = 1e-9; /* a feature that starts at the boundary is
+                                * outside */
     for (const ovr_placed_feature *l = surfaces->first; l; l = l->next) {
         const ovr_feature *f = &l->feature;
         if (ovr_is_endless(f) || (f->grow > 0 && f->grow_from >= 0) ||

@@ -21,14 +21,15 @@ double ovr_surfaces_centre(const ovr_surfaces *surfaces, size_t feature,
     return f ? ovr_feature_centre(surfaces, f, T) : NAN;
 }
 
-/* True if what has come may go back. */
+/* True if the direction of motion can reverse. */
 static bool wanders(const ovr_surfaces *surfaces)
 {
     return surfaces->sliding || ovr_history_reverses(surfaces->speed);
 }
 
-/* The first T in [after, until] at which a feature has come as far as `far`,
- * where it may go back; to a twentieth of b/um, then by halving. */
+/* Returns the first T in [after, until] at which the feature has moved by
+ * `far`, if its motion can reverse. Searches in steps of 0.05 b/u_m, then
+ * bisects. */
 static double wandering_time_of(const ovr_surfaces *surfaces,
                                 const ovr_feature *f, double far, double after,
                                 double until)
@@ -55,7 +56,7 @@ static double wandering_time_of(const ovr_surfaces *surfaces,
     return INFINITY;
 }
 
-/* T in [after, until] with I(T) = way: I does not decrease. */
+/* Returns T in [after, until] with I(T) = way; I never decreases. */
 static double time_of(const ovr_surfaces *surfaces, const ovr_feature *f,
                       double way, double after, double until)
 {
@@ -78,7 +79,7 @@ static double time_of(const ovr_surfaces *surfaces, const ovr_feature *f,
     return high;
 }
 
-/* The time when the point at `offset` from the centre reaches X. */
+/* Returns the time at which the point at `offset` from the centre reaches X. */
 static double time_at(const ovr_surfaces *surfaces, const ovr_feature *f,
                       double offset, double X, double until)
 {
@@ -114,8 +115,8 @@ ovr_feature_times ovr_surfaces_times(const ovr_surfaces *surfaces,
     return times;
 }
 
-/* Where the motion reverses, the copies on both sides of X may reach it first;
- * a feature without copies is searched alone. */
+/* If the motion reverses, the copies on both sides of X may reach it first. A
+ * feature without copies is searched alone. */
 static double wandering_arrival(const ovr_surfaces *surfaces,
                                 const ovr_feature *f, double X, double after,
                                 double until)
@@ -150,7 +151,7 @@ double ovr_surfaces_arrival(const ovr_surfaces *surfaces, size_t feature,
     both = ovr_is_endless(f) && f->wavelength > 0;
     apart = (both ? f->wavelength : f->repeat) / fabs(f->ratio);
     gone = ovr_feature_moved(surfaces, f, after) / f->ratio;
-    if (apart > 0) { /* the first copy that has not gone by */
+    if (apart > 0) { /* the first copy that has not passed yet */
         k = floor((gone - way) / apart + 1e-9) + 1;
         if (!both && k < 0)
             k = 0;

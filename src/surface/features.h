@@ -29,7 +29,7 @@ struct ovr_surfaces {
     ovr_placed_feature *first, **last;
 };
 
-/* The k-th feature, or NULL. */
+/* Returns the k-th feature, or NULL. */
 static inline const ovr_feature *
 ovr_surfaces_feature(const ovr_surfaces *surfaces, size_t k)
 {
@@ -39,19 +39,19 @@ ovr_surfaces_feature(const ovr_surfaces *surfaces, size_t k)
     return l ? &l->feature : NULL;
 }
 
-/* The way that a feature has come between 0 and T, b. */
+/* Returns the distance in b that a feature has moved between 0 and T. */
 double ovr_feature_moved(const ovr_surfaces *surfaces,
                          const ovr_feature *feature, double T);
 
-/* X of its centre. */
+/* Returns X of the feature's centre. */
 static inline double ovr_feature_centre(const ovr_surfaces *surfaces,
                                         const ovr_feature *feature, double T)
 {
     return feature->start + ovr_feature_moved(surfaces, feature, T);
 }
 
-/* The distance of its last copy behind it, b: 0 without copies, INFINITY where
- * they have no end. */
+/* Returns the distance in b between a feature and its last copy: 0 without
+ * copies, INFINITY if they are endless. */
 static inline double ovr_feature_last_copy(const ovr_feature *feature)
 {
     if (isnan(feature->repeat))

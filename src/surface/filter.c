@@ -33,7 +33,7 @@ typedef struct basis {
     double *p, *older, *t;
 } basis;
 
-/* <f p, p> with f = 1 or t, or <z, p>. */
+/* Returns <f p, p> with f = 1 or t, or <z, p>. */
 static double product(const basis *b, const double *x, const double *f,
                       const double *g)
 {
@@ -43,7 +43,7 @@ static double product(const basis *b, const double *x, const double *f,
     return sum;
 }
 
-/* Step from degree k to k + 1. */
+/* Computes the orthogonal polynomial of degree k + 1 from that of degree k. */
 static void raise(basis *b, const double *x, double norm, double norm_older)
 {
     double a = 0, c = norm_older > 0 ? norm / norm_older : 0;
@@ -100,7 +100,7 @@ void ovr_level_ends(size_t n, const double *x, double *z)
 
 /* ------------------------------------------------------- Gaussian filter */
 
-/* Sums of the weighted line fit about one point. */
+/* Sums for the weighted line fit about one point. */
 typedef struct moments {
     double s0, s1, s2, t0, t1;
 } moments;

@@ -31,7 +31,8 @@
 #include "base/text.h"
 
 static const double TWO_PI = 6.283185307179586476925;
-static const double CLOSES = 1e-6; /* largest distance from a whole number */
+static const double CLOSES = 1e-6; /* largest accepted distance from an
+                                    * integer */
 
 static bool may_be_round(ovr_shape shape)
 {
@@ -49,7 +50,7 @@ static double or_else(double value, double otherwise)
     return isnan(value) ? otherwise : value;
 }
 
-/* The width along x as the form has it. */
+/* Returns the width along x given in the form. */
 static double given_width(const ovr_feature_form *form)
 {
     return or_else(form->width,
@@ -62,7 +63,8 @@ static bool is_whole(double x)
     return fabs(x - round(x)) < CLOSES;
 }
 
-/* Fails for a length that is no part of `whole`, and prints its neighbours. */
+/* Fails if a length does not divide `whole`, with a message that contains the
+ * nearest lengths that do. */
 static ovr_status does_not_close(const ovr_feature *f, const char *key,
                                  double value, double whole, ovr_error *err)
 {
@@ -139,7 +141,7 @@ static ovr_status check_texture(const ovr_feature *f, double W, ovr_error *err)
     return does_not_close(f, "wavelength_across", g->wavelength, W, err);
 }
 
-/* Refuses sizes that the shape does not have. */
+/* Rejects sizes that the shape does not have. */
 static ovr_status check_sizes(const ovr_feature *f,
                               const ovr_feature_form *form, ovr_error *err)
 {
@@ -162,7 +164,7 @@ static ovr_status check_sizes(const ovr_feature *f,
                           "", shape, key);
 }
 
-/* Extends the feature along x if its length is at an angle. */
+/* Enlarges the extent along x if the feature's length is inclined to y. */
 static void widen(ovr_feature *f)
 {
     const ovr_footprint *g = &f->footprint;
@@ -176,8 +178,8 @@ static void widen(ovr_feature *f)
     f->reach_ahead += more + g->fade;
 }
 
-/* Areal surfaces have their extent across, and roughness its angle, in their
- * heights. */
+/* Checks areal shapes: an areal surface includes its extent across, and areal
+ * roughness the angle of its lay. */
 static ovr_status make_areal(ovr_feature *f, const ovr_feature_form *form,
                              ovr_error *err)
 {
@@ -252,7 +254,7 @@ bool ovr_footprint_repeats(const ovr_feature *f)
 
 /* ----------------------------------------------------------- evaluation */
 
-/* Height at s, t from the centre of one image. */
+/* Returns the height at s, t from the centre of one image. */
 static double at_place(const ovr_feature *f, double s, double t)
 {
     const ovr_footprint *g = &f->footprint;
@@ -267,7 +269,7 @@ static double at_place(const ovr_feature *f, double s, double t)
     return fading * ovr_shape_height(f, u);
 }
 
-/* Sum of all images of a local feature. */
+/* Returns the sum of all images of a local feature. */
 static double of_images(const ovr_feature *f, double s, double t, double W,
                         double reach)
 {
@@ -298,7 +300,7 @@ static double of_wave(const ovr_feature *f, double s, double t)
     return f->A * cos(TWO_PI * u / f->wavelength) * crossed;
 }
 
-/* Sum of copies at the distance `step` along u. */
+/* Returns the sum of copies that are `step` apart along u. */
 static double of_copies(const ovr_feature *f, double u, double step)
 {
     const double reach = f->footprint.reach;
@@ -309,7 +311,7 @@ static double of_copies(const ovr_feature *f, double u, double step)
     return sum;
 }
 
-/* Height of a feature that is endless along its length. */
+/* Returns the height of a feature with endless length. */
 static double of_endless(const ovr_feature *f, double s, double t, double W)
 {
     const ovr_footprint *g = &f->footprint;
@@ -319,8 +321,8 @@ static double of_endless(const ovr_feature *f, double s, double t, double W)
     return g->cosine == 0 ? of_copies(f, u, W) : ovr_shape_height(f, u);
 }
 
-/* Adds a map with its centre at `across`.  A map without repeat is continued by
- * the smooth surface up to the width of the strip. */
+/* Adds a map with its centre at `across`. Outside a map without repeat, the
+ * strip is smooth. */
 static void add_areal(const ovr_feature *f, double factor, double centre,
                       const ovr_places *at, double *S)
 {
@@ -342,7 +344,7 @@ static void add_areal(const ovr_feature *f, double factor, double centre,
     }
 }
 
-/* Adds a shape that has a formula. */
+/* Adds a shape given by a formula. */
 static void add_shape(const ovr_feature *f, double factor, double centre,
                       const ovr_places *at, double *S)
 {

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Features on a strip: their extent across rolling. */
+/* Features on a strip: their extent across the rolling direction. */
 #ifndef OVR_SURFACE_FOOTPRINT_H
 #define OVR_SURFACE_FOOTPRINT_H
 
 #include "surface/feature.h"
 
-/* Sets the footprint of a feature whose shape is made, on a strip of width W.
- * Fails if the feature does not close on the period. */
+/* Sets the footprint of a feature, whose shape must be set, on a strip of width
+ * W. Fails if the feature is not periodic with the width. */
 ovr_status ovr_footprint_make(ovr_feature *feature,
                               const ovr_feature_form *form, double W,
                               ovr_error *err);
@@ -15,11 +15,11 @@ ovr_status ovr_footprint_make(ovr_feature *feature,
 typedef struct ovr_places {
     size_t n, lines, stride;
     const double *X, *Y;
-    double width; /* W, the period */
+    double width; /* width W, the period */
 } ovr_places;
 
-/* Adds factor times the height with the centre at `centre`, all images across
- * included. */
+/* Adds factor times the height with the centre at `centre`, including all
+ * images across. */
 void ovr_footprint_add(const ovr_feature *feature, double factor, double centre,
                        const ovr_places *at, double *S);
 

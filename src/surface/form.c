@@ -34,11 +34,12 @@
 
 typedef struct circle {
     double h, S, K;
-    double middle; /* x = 0 is there */
+    double middle; /* origin of x */
     double e;
 } circle;
 
-/* Height at x, and its slopes by h, S and K; false: beyond the circle. */
+/* Returns the height at x and its derivatives by h, S and K; false outside the
+ * circle. */
 static bool on_circle(const circle *o, double x, double *z, double by[3])
 {
     double s = o->e * (o->S + o->K * x), s0 = o->e * o->S;
@@ -53,8 +54,8 @@ static bool on_circle(const circle *o, double x, double *z, double by[3])
     return true;
 }
 
-/* Sum of squares left by the circle, and the normal equations of the next
- * step; INFINITY: it does not reach over the trace. */
+/* Returns the sum of squared residuals and computes the normal equations of the
+ * next step; INFINITY if the circle does not extend over the whole trace. */
 static double normal(const circle *o, const ovr_points *of, double A[3][3],
                      double g[3])
 {
@@ -77,7 +78,7 @@ static double normal(const circle *o, const ovr_points *of, double A[3][3],
     return sum;
 }
 
-/* Solves A d = g, A symmetric and positive definite, by elimination. */
+/* Solves A d = g by elimination; A is symmetric and positive definite. */
 static bool solve(double A[3][3], const double g[3], double d[3])
 {
     for (int k = 0; k < 3; k++)
@@ -109,7 +110,8 @@ static circle moved(const circle *o, const double d[3], double by)
     return next;
 }
 
-/* One step, halved until it leaves less; false: no step does. */
+/* Performs one Gauss-Newton step, halved until the residual decreases; false if
+ * it does not. */
 static bool improve(circle *o, const ovr_points *of, double *left)
 {
     double A[3][3], g[3], d[3], unused[3][3], aside[3];
@@ -147,9 +149,10 @@ static void subtract_circle(const circle *o, size_t n, const double *x,
             z[i] -= at;
 }
 
-/* -------------------------------------------------------------- the forms */
+/* ------------------------------------------------------------------ forms */
 
-/* Metres of height over metres of length of the profile's units. */
+/* Returns the ratio of the profile's height unit to its length unit, 0 if
+ * unknown. */
 static double ratio(const ovr_profile *p)
 {
     double along = p->view.scaled_x ? p->b : 1;
@@ -157,8 +160,8 @@ static double ratio(const ovr_profile *p)
     return along > 0 && across > 0 ? across / along : 0;
 }
 
-/* "circle of radius 12.7 mm, a crown": R = ell/(e K), in R where only b and
- * b^2/R are known. */
+/* Writes "circle of radius 12.7 mm, a crown": R = ell/(e K), in units of R if
+ * only b and b^2/R are known. */
 static void name_circle(const ovr_profile *p, const circle *o, char *text,
                         size_t capacity)
 {
@@ -174,15 +177,15 @@ static void name_circle(const ovr_profile *p, const circle *o, char *text,
 
 enum { CIRCLE = -1, FORM_NAME = 80 };
 
-/* The first n points of a profile; `work` holds 3 n. */
+/* The first n points of a profile; `work` has 3 n elements. */
 typedef struct trace {
     ovr_profile *p;
     size_t n;
     double *work;
 } trace;
 
-/* Subtracts a polynomial of the degree, or the circle, from heights z of the
- * trace; `text` names it. */
+/* Subtracts a polynomial of the given degree, or the circle, from the heights z
+ * of the trace; writes its name to `text`. */
 static void take(const trace *t, int degree, double *z, char text[FORM_NAME])
 {
     const double *x = t->p->x;
@@ -253,7 +256,7 @@ ovr_status ovr_take_form(ovr_profile *p, const ovr_conditioning *how, size_t n,
                          double *work, ovr_error *err)
 {
     const trace t = {p, n, work};
-    double dust = 1e-14 * largest(n, p->z); /* rounding, no roughness */
+    double dust = 1e-14 * largest(n, p->z); /* rounding error, not roughness */
     ovr_status status = OVR_OK;
     if (how->level == OVR_LEVEL_NONE)
         return OVR_OK;

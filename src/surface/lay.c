@@ -32,7 +32,8 @@ typedef struct plane {
     double z0, zx, zy; /* z0 + zx i + zy j */
 } plane;
 
-/* Least squares: the normal equations about the means of i and j. */
+/* Fits a plane by least squares, with normal equations about the means of i and
+ * j. */
 static plane fit_plane(const ovr_areal *a)
 {
     double n = 0, mi = 0, mj = 0, mz = 0;
@@ -103,11 +104,12 @@ static void measure_heights(const ovr_areal *a, const plane *p,
 
 typedef struct correlation {
     size_t nx, ny; /* after averaging */
-    size_t cx, cy; /* padded: powers of two */
+    size_t cx, cy; /* padded to powers of two */
     double dx, dy;
-    double *heights; /* complex, cx cy: of the heights, then of products */
-    double *mask;    /* the same of the mask */
-    double zero;     /* value at no shift */
+    double *heights; /* complex, cx cy elements: first of the heights, then of
+                      * the products */
+    double *mask;    /* the same for the mask */
+    double zero;     /* value at zero shift */
 } correlation;
 
 static size_t padded(size_t n)
@@ -118,7 +120,8 @@ static size_t padded(size_t n)
     return power;
 }
 
-/* Means over blocks of bx by by points; 0 and no mask where none exists. */
+/* Averages over blocks of bx by by points; blocks without heights get height 0
+ * and mask 0. */
 static void fill(correlation *c, const ovr_areal *a, const plane *p, size_t bx,
                  size_t by)
 {
@@ -151,7 +154,7 @@ static void transform(double *data, size_t cx, size_t cy, bool back)
     }
 }
 
-/* Sums of products at all shifts, in the real parts. */
+/* Computes the sums of products at all shifts, in the real parts. */
 static void correlate(double *data, size_t cx, size_t cy)
 {
     transform(data, cx, cy, false);
@@ -163,7 +166,7 @@ static void correlate(double *data, size_t cx, size_t cy)
     transform(data, cx, cy, true);
 }
 
-/* Product mean at a shift of whole points, of either sign. */
+/* Returns the mean product at an integer shift of either sign. */
 static double at_points(const correlation *c, long i, long j)
 {
     size_t u = (size_t)(i < 0 ? i + (long)c->cx : i);
@@ -188,7 +191,8 @@ static double at_shift(const correlation *c, double x, double y)
 
 /* ----------------------------------------------------------------- lay, Str */
 
-/* Along one direction: integral of A to R, and where A falls below 0.2. */
+/* Integrates the autocorrelation A along one direction up to R, and finds where
+ * A falls below 0.2. */
 static double follow(const correlation *c, double angle, double R, double *r)
 {
     double step = fmin(c->dx, c->dy) / 2, integral = 0, before = 1;

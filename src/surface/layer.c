@@ -11,8 +11,8 @@ struct ovr_layer {
     ovr_profile *profile;
     size_t n;
     const double *x, *z;
-    double length, height; /* what its units are in b and in b^2/R */
-    double first;          /* x that arrives first */
+    double length, height; /* units of x and thickness in b and b^2/R */
+    double first;          /* x that enters the contact first */
 };
 
 static ovr_status check(const ovr_layer *l, const char *file, ovr_error *err)

@@ -12,22 +12,24 @@
 
 typedef struct ovr_layer ovr_layer;
 
-/* OVR_BAD_INPUT: no profile, heights missing or below zero, a unit without a
- * physical contact. */
+/* Reads a layer from a file. Fails with OVR_BAD_INPUT if the file is no
+ * profile, a thickness is missing or negative, or a unit needs a physical
+ * contact. */
 ovr_layer *ovr_layer_read(const char *file, const ovr_contact *contact,
                           const ovr_allocator *allocator, ovr_error *err);
 void ovr_layer_free(ovr_layer *layer);
 
-/* Makes a layer of n points, x from small to large in b, thickness in b^2/R;
- * what lies at `first` arrives first.  Copied. */
+/* Creates a layer of n points with increasing x in b and thickness in b^2/R;
+ * the point at `first` enters first. The arrays are copied. */
 ovr_layer *ovr_layer_make(size_t n, const double *x, const double *thickness,
                           double first, const ovr_allocator *allocator,
                           ovr_error *err);
 
-/* b^2/R, where so much of it, in b, has gone by. */
+/* Returns the thickness in b^2/R at the distance `travelled`, in b. */
 double ovr_layer_thickness(const ovr_layer *layer, double travelled);
 
-/* Its mean over `length`, in b, that went by before `travelled`. */
+/* Returns the mean thickness over `length`, in b, that entered before
+ * `travelled`. */
 double ovr_layer_mean(const ovr_layer *layer, double travelled, double length);
 
 #endif

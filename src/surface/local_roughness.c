@@ -12,7 +12,7 @@ typedef struct sums {
     double width, z, squares;
 } sums;
 
-/* Adds the piece from point i to the next, or takes it away. */
+/* Adds or subtracts the segment from point i to the next. */
 static void add(sums *s, const double *x, const double *z, size_t i,
                 double sign)
 {
@@ -57,7 +57,7 @@ double ovr_local_roughness_of_wave(double amplitude, double wavelength,
     return fabs(amplitude) * sqrt(0.5 * (1 - mean * mean));
 }
 
-/* ----------------------------------- waves in the film of a rolling contact */
+/* --------------------------------- waves in the film of a rolling contact */
 
 /*
  * The share of a wave's amplitude that is left under a rolling line contact:

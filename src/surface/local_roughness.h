@@ -13,22 +13,21 @@
 
 #include <stddef.h>
 
-/* A rough surface as it is in the film of a rolling contact
- * (local_roughness.c). */
+/* Roughness in the film of a rolling contact (local_roughness.c). */
 
-/* The heights z[n] (n a power of two), a period of them `step` b apart, become
- * what is left of them under the contact. */
+/* Multiplies the waves of one period of heights z[n] (n a power of two, `step`
+ * b apart) by their amplitude reduction under the contact. */
 void ovr_waves_reduce(double M, double L, double step, size_t n, double *z);
 
 /* Width of the contact, b. */
 #define OVR_CONTACT_WIDTH 2.
 
-/* Evaluates a profile that is linear between its points, x ascending; one that
- * is shorter is one window. */
+/* Returns the local roughness of a profile that is linear between its points, x
+ * increasing. A profile shorter than the window is one window. */
 double ovr_local_roughness(size_t n, const double *x, const double *z,
                            double window);
 
-/* Evaluates a wave in the same way. */
+/* Returns the local roughness of a wave. */
 double ovr_local_roughness_of_wave(double amplitude, double wavelength,
                                    double window);
 

@@ -13,7 +13,7 @@
 #include "surface/resample.h"
 #include "surface/surfaces.h"
 
-/* --------------------------------------------------------- into b, b^2/R */
+/* ---------------------------------------------- conversion to b and b^2/R */
 
 static void divide(double *a, size_t n, double by)
 {
@@ -72,9 +72,9 @@ static ovr_profile *read(const ovr_feature_form *form, const ovr_contact *c,
     return NULL;
 }
 
-/* -------------------------------------------------------------- the table */
+/* ------------------------------------------------------------------ table */
 
-/* Mean wavelength from root mean square height and slope, 2 pi Rq/Rdq. */
+/* Returns the mean wavelength 2 pi Rq/Rdq. */
 static double mean_wavelength(const ovr_table *t)
 {
     double height = 0, slope = 0;
@@ -102,7 +102,7 @@ static void describe(ovr_profile *p, const ovr_table *t, double mesh)
 static void set_extents(ovr_feature *f, const ovr_table *t)
 {
     double half = ovr_table_length(t) / 2;
-    f->A = 0; /* its heights are the table's */
+    f->A = 0; /* the table contains the heights */
     f->shoulder = 0;
     f->behind = f->ahead = half;
     f->reach_behind = t->endless ? INFINITY : half;
@@ -115,7 +115,7 @@ static void set_extents(ovr_feature *f, const ovr_table *t)
     f->table = t;
 }
 
-/* As it was read and conditioned; roughness is as it was asked for. */
+/* Returns the profile as read and conditioned; roughness as specified. */
 ovr_profile *ovr_measured_profile(const ovr_feature_form *form,
                                   const ovr_contact *contact,
                                   const ovr_allocator *allocator,
@@ -169,7 +169,8 @@ ovr_status ovr_measured_make(ovr_feature *feature, const ovr_feature_form *form,
 {
     ovr_profile *p;
     ovr_status status;
-    ovr_error local; /* the status is asked for even if the caller's is NULL */
+    ovr_error local; /* the status is needed even if the caller's `err` is
+                      * NULL */
     if (!(mesh > 0) || !isfinite(mesh))
         return ovr_fail(err, OVR_BAD_INPUT,
                         "feature '%s': a profile needs the mesh size",
@@ -225,7 +226,7 @@ static ovr_areal *read_map(const ovr_feature_form *form, const ovr_contact *c,
     return NULL;
 }
 
-/* Width of `map` after which it repeats; 0: it does not. */
+/* Returns the width after which `map` repeats; 0 if it does not. */
 static double period_of(const ovr_areal *map, const ovr_conditioning *how)
 {
     double width = (double)(map->ny - 1) * map->dy;
@@ -241,7 +242,7 @@ ovr_status ovr_areal_period(const ovr_feature_form *form,
                             ovr_error *err)
 {
     ovr_conditioning how = *form->conditioning;
-    how.level = OVR_LEVEL_NONE; /* the size alone matters */
+    how.level = OVR_LEVEL_NONE; /* only the size is needed */
     how.lambda_c = how.lambda_s = NAN;
     ovr_areal *map = read_map(form, contact, &how, allocator, err);
     if (!map)
@@ -287,7 +288,7 @@ static ovr_status close_across(const ovr_feature *f, ovr_areal_table *t,
                           (below + 1) * period);
 }
 
-/* Rq of rows under a contact, root mean square of some of them. */
+/* Returns the root mean square of the local roughness of up to 32 rows. */
 static double rows_roughness(const ovr_areal *map, double *x)
 {
     enum { ROWS = 32 };

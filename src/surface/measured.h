@@ -14,7 +14,7 @@ ovr_status ovr_measured_make(ovr_feature *feature, const ovr_feature_form *form,
                              const ovr_contact *contact, double mesh,
                              ovr_arena *arena, ovr_error *err);
 
-/* Its heights alone, in b and b^2/R. */
+/* Returns only its heights, in b and b^2/R. */
 ovr_profile *ovr_measured_profile(const ovr_feature_form *form,
                                   const ovr_contact *contact,
                                   const ovr_allocator *allocator,
@@ -26,15 +26,16 @@ typedef struct ovr_strip_mesh {
 } ovr_strip_mesh;
 
 /* Fills the feature's areal table, extents and notes from the form's map (shape
- * OVR_AREAL) or areal roughness.  Fails if the map does not close on the width
- * of the strip. */
+ * OVR_AREAL) or areal roughness. Fails if the map is not periodic with the
+ * width of the strip. */
 ovr_status ovr_measured_areal(ovr_feature *feature,
                               const ovr_feature_form *form,
                               const ovr_contact *contact,
                               const ovr_strip_mesh *mesh, ovr_arena *arena,
                               ovr_error *err);
 
-/* The width, b, after which the form's map repeats across; 0: it does not. */
+/* Computes the width in b after which the form's map repeats across; 0 if it
+ * does not. */
 ovr_status ovr_areal_period(const ovr_feature_form *form,
                             const ovr_contact *contact,
                             const ovr_allocator *allocator, double *width,

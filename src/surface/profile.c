@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The life of a profile: created, read, looked at, saved, freed. */
+/* Creates, reads, describes, saves and frees profiles. */
 #include "surface/profile.h"
 
 #include <math.h>
@@ -122,16 +122,16 @@ void ovr_profile_note(ovr_profile *profile, const char *format, ...)
         profile->notes[used] = 0;
 }
 
-/* ------------------------------------------------- pieces of its messages */
+/* ------------------------------------------------------ parts of messages */
 
-/* Steps of a thousand below the metre: 0.32 mm, 88.4 nm. */
+/* Formats a length with a unit prefix: 0.32 mm, 88.4 nm. */
 ovr_piece ovr_metres(double metres)
 {
     static const char *const units[] = {"m", "mm", "um", "nm"};
     double size = fabs(metres);
     int k = 0;
     ovr_piece piece;
-    if (size < 1e-15) /* far below any atom: rounding */
+    if (size < 1e-15) /* rounding error */
         metres = size = 0;
     for (; size < 0.1 && size > 0 && k < 3; size *= 1e3, k++)
         metres *= 1e3;
@@ -181,7 +181,7 @@ void ovr_profile_regular(ovr_profile *profile, size_t n, double first,
         profile->x[i] = first + (double)i * spacing;
 }
 
-/* Values that instruments write for heights that they did not measure. */
+/* True for numbers that instruments write for missing heights. */
 static bool is_code(double z)
 {
     static const double codes[] = {-9999,  -99999, -999999,       -999,
@@ -218,7 +218,7 @@ void ovr_profile_drop_codes(ovr_profile *profile, double *z, size_t n)
                          dropped, code);
 }
 
-/* Fourth powers of heights must not overflow. */
+/* Limit of heights, so that their fourth powers do not overflow. */
 static const double HUGE_SIZE = 1e30;
 
 static bool is_uniform(size_t n, const double *x)
@@ -230,9 +230,9 @@ static bool is_uniform(size_t n, const double *x)
     return true;
 }
 
-/* Lengths and heights that surface texture does not have: the unit may be that
- * of another column or program.  Heights are taken about the line through the
- * ends; those of a form that is part of a profile grow with its length. */
+/* Warns of lengths and heights that are unusual for surface texture, because a
+ * unit may be wrong. Heights are measured from the line through the ends; form
+ * errors grow with the length of the profile. */
 static void question_size(ovr_profile *profile, size_t n)
 {
     const double *x = profile->x, *z = profile->z;
@@ -325,7 +325,7 @@ ovr_profile *ovr_profile_create(size_t n, const double *x, const double *z,
 
 /* ------------------------------------------------------ lengths with a unit */
 
-/* "12 um", "0.3 b" or a bare number: a length of a profile. */
+/* Parses a length of a profile: "12 um", "0.3 b" or a number without unit. */
 
 static bool is_scaled(const char *unit, const char *scaled)
 {

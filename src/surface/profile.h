@@ -11,24 +11,25 @@
 #include "overroll/profile.h"
 
 enum {
-    OVR_POINTS_MAX = 1 << 24,  /* of a profile */
-    OVR_CONTENT_MAX = 1 << 28, /* bytes of a file, unpacked */
+    OVR_POINTS_MAX = 1 << 24,  /* points of a profile */
+    OVR_CONTENT_MAX = 1 << 28, /* bytes of an uncompressed file */
     OVR_NOTES_SIZE = 4096
 };
 
 struct ovr_profile {
     ovr_arena arena;
     ovr_profile_view view;
-    double *x, *z; /* what the view shows */
+    double *x, *z; /* data of the view */
     const char *file;
-    bool questioned;     /* its size was checked once */
-    bool options;        /* messages name options, not keys */
-    double b, height;    /* metres in a b and a b^2/R of a profile in these;
-                            0: not known */
-    ovr_areal map;       /* of an areal file, while it is read */
+    bool questioned;     /* its size has been checked */
+    bool options;        /* messages name command-line options instead of
+                          * keys */
+    double b, height;    /* b and b^2/R in metres, for a profile in these units;
+                          * 0: unknown */
+    ovr_areal map;       /* of an areal file while it is read */
     ovr_arena map_arena; /* memory of map.z */
     double offset;       /* x of the first point of a row of the map */
-    bool map_only;       /* the caller needs the map, and no line of it */
+    bool map_only;       /* the caller needs the map only, without a line */
     char notes[OVR_NOTES_SIZE];
 };
 
@@ -38,20 +39,20 @@ typedef ovr_status ovr_reader(ovr_profile *profile,
 ovr_reader ovr_read_text, ovr_read_sdf, ovr_read_smd, ovr_read_x3p,
     ovr_read_sur, ovr_read_npy;
 
-/* An empty profile, and space for n points. */
+/* Creates an empty profile with space for n points. */
 ovr_profile *ovr_profile_new(const char *file, const ovr_allocator *allocator,
                              ovr_error *err);
 ovr_status ovr_profile_reserve(ovr_profile *profile, size_t n, ovr_error *err);
 
-/* One more line of notes; what does not fit any more is left out. */
+/* Adds a line to the notes; lines that do not fit are omitted. */
 void ovr_profile_note(ovr_profile *profile, const char *format, ...)
     OVR_PRINTF(2, 3);
 
-/* The name of what can be given, as "unit_x", or "--unit-x" on the command
+/* Returns the name of an option: "unit_x", or "--unit-x" on the command
  * line. */
 ovr_piece ovr_named(const ovr_profile *profile, const char *key);
 
-/* The failure `status` is about this key. */
+/* Sets the key that the failure `status` is about. */
 static inline ovr_status ovr_about(ovr_error *err, const char *key,
                                    ovr_status status)
 {
@@ -60,26 +61,25 @@ static inline ovr_status ovr_about(ovr_error *err, const char *key,
     return status;
 }
 
-/* Sets the number of points and what follows from them; the last step of
- * every reader and of conditioning. */
+/* Sets the number of points and derived values; the last step of every reader
+ * and of conditioning. */
 ovr_status ovr_profile_finish(ovr_profile *profile, size_t n, ovr_error *err);
 
-/* Sets heights to NAN that are codes of instruments for missing ones (-9999,
+/* Sets heights to NAN that are instrument codes for missing values (-9999,
  * 1e30, -32768 ...) if they are far from all other heights, and adds a note. */
 void ovr_profile_drop_codes(ovr_profile *profile, double *z, size_t n);
 
-/* x_i = first + i spacing. */
+/* Sets x_i = first + i spacing. */
 void ovr_profile_regular(ovr_profile *profile, size_t n, double first,
                          double spacing);
 
-/* Like ovr_profile_read, from memory; source->file is then only its
- * name in messages. */
+/* Like ovr_profile_read, from memory; source->file is used in messages only. */
 ovr_profile *ovr_profile_parse(const ovr_profile_source *source,
                                const void *data, size_t size,
                                const ovr_allocator *allocator, ovr_error *err);
 
-/* ovr_profile_read; with `map_only` a profile whose map, of at least one row,
- * has its heights, and no line of it was chosen. */
+/* Like ovr_profile_read. With `map_only`, only the map is read, and no line of
+ * it is selected. */
 ovr_profile *ovr_profile_read_file(const ovr_profile_source *source,
                                    bool map_only,
                                    const ovr_allocator *allocator,
@@ -89,7 +89,8 @@ ovr_profile *ovr_profile_create(size_t n, const double *x, const double *z,
                                 bool scaled, const ovr_allocator *allocator,
                                 ovr_error *err);
 
-/* One period of it, in b and b^2/R, the first point again at its end. */
+/* Creates one period of a random profile in b and b^2/R; the last point equals
+ * the first. */
 ovr_profile *ovr_profile_random(const ovr_roughness *form,
                                 const ovr_allocator *allocator, ovr_error *err);
 

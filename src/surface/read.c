@@ -16,9 +16,10 @@
 #include "base/given.h"
 #include "base/text.h"
 
-/* ----------------------------------------------------------- the content */
+/* ---------------------------------------------------------------- content */
 
-/* Up to one byte more than may be: that it is there is enough to know. */
+/* Enlarges the buffer to at most one byte more than the allowed size, which
+ * suffices to detect files that are too large. */
 static ovr_status grow(ovr_arena *arena, char **data, size_t *capacity,
                        ovr_error *err)
 {
@@ -33,7 +34,7 @@ static ovr_status grow(ovr_arena *arena, char **data, size_t *capacity,
     return OVR_OK;
 }
 
-/* gzread gives plain files as they are. */
+/* Reads the whole file; gzread also reads uncompressed files. */
 static ovr_status read_all(gzFile in, const char *file, ovr_arena *arena,
                            ovr_bytes *content, ovr_error *err)
 {
@@ -79,7 +80,7 @@ static ovr_status load(const char *file, ovr_arena *arena, ovr_bytes *content,
     return status;
 }
 
-/* -------------------------------------------------------------- sniffing */
+/* ------------------------------------------------------- format detection */
 
 static bool starts(ovr_bytes content, const char *magic)
 {
@@ -87,8 +88,8 @@ static bool starts(ovr_bytes content, const char *magic)
     return content.size >= n && memcmp(content.data, magic, n) == 0;
 }
 
-/* A softgauge has, before its first ETX, lines that begin with PRF (or SUR),
- * CX and CZ. */
+/* True for a softgauge file: before its first ETX it has lines that begin with
+ * PRF (or SUR), CX and CZ. */
 static bool is_smd(ovr_bytes content)
 {
     ovr_lines lines = ovr_lines_of(content);
@@ -104,7 +105,7 @@ static bool is_smd(ovr_bytes content)
     return cx && cz;
 }
 
-/* Formats that are not read, and what to do with them. */
+/* Fails for known formats that are not supported, with advice. */
 static ovr_status check_foreign(ovr_bytes content, const char *file,
                                 ovr_error *err)
 {
@@ -145,7 +146,7 @@ static ovr_status check_foreign(ovr_bytes content, const char *file,
                      !strcasecmp(file + length - end, formats[k].ending);
         bool begins = content.size >= formats[k].size &&
                       !memcmp(content.data, formats[k].magic, formats[k].size);
-        /* Text of this name is text. */
+        /* Text formats must not contain NUL bytes. */
         if (!formats[k].size)
             begins = named && memchr(content.data, 0, content.size);
         if (begins && (named || !end))
@@ -181,9 +182,9 @@ static ovr_reader *reader_of(ovr_bytes content)
     return is_smd(content) ? ovr_read_smd : ovr_read_text;
 }
 
-/* ------------------------------------------------------------ both doors */
+/* ----------------------------------------------------------- entry points */
 
-/* Columns can be chosen in text only. */
+/* Rejects the choice of columns for other formats than text. */
 static ovr_status check_idle(const ovr_profile *profile,
                              const ovr_profile_source *source, bool text,
                              ovr_error *err)
@@ -198,7 +199,7 @@ static ovr_status check_idle(const ovr_profile *profile,
                                  ovr_named(profile, key).text));
 }
 
-/* The choice of a line, in a file that holds a single one. */
+/* Rejects the choice of a line for a file that contains a single one. */
 static ovr_status check_single(const ovr_profile *p,
                                const ovr_profile_source *s, ovr_error *err)
 {

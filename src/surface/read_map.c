@@ -17,7 +17,8 @@
 #include "surface/areal.h"
 #include "surface/columns.h"
 
-/* One column of the first rows, at most `maximum`; returns their number. */
+/* Reads one column of the first rows, at most `maximum`; returns their
+ * number. */
 static size_t read_column(const ovr_text_table *t, size_t column,
                           size_t maximum, double *values)
 {
@@ -50,7 +51,7 @@ static bool is_matrix(const ovr_text_table *t)
 {
     const ovr_profile_source *s = t->source;
     double first[1000];
-    bool rises = true, falls = true; /* as x does */
+    bool rises = true, falls = true; /* monotonic like x */
     size_t n;
     if (t->header.columns > OVR_HEADER_FIELDS_MAX)
         return true;
@@ -81,7 +82,7 @@ static size_t count_rows(const ovr_text_table *t)
     return n;
 }
 
-/* Size and unit by the header, or by the caller. */
+/* Determines size and unit from the header or the caller's options. */
 static ovr_status find_scales(ovr_text_table *t, size_t nx, size_t ny,
                               double *dx, double *dy, double *scale,
                               ovr_error *err)
@@ -178,8 +179,8 @@ typedef struct axis {
     size_t count;
 } axis;
 
-/* Distinct values at equal distances, to a tenth of the distance; false: they
- * are not.  `sorted` is used as memory. */
+/* Finds distinct, equally spaced values (tolerance: a tenth of the spacing);
+ * false if there are none. `sorted` is working memory. */
 static bool find_axis(size_t n, const double *values, double *sorted, axis *a)
 {
     double span;
@@ -200,7 +201,7 @@ static bool find_axis(size_t n, const double *values, double *sorted, axis *a)
     return true;
 }
 
-/* Columns of x, y and z; false: it has no three such columns. */
+/* Finds the columns of x, y and z; false if there are none. */
 static bool find_triple(const ovr_text_table *t, int column[3])
 {
     if (t->source->column_x || t->source->column_z || t->header.columns < 3 ||

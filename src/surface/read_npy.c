@@ -18,12 +18,12 @@
 #include "surface/binary.h"
 
 typedef struct npy {
-    ovr_binary type; /* unsigned or signed, or floating point */
-    size_t bytes;    /* of a value */
-    bool big;        /* the most significant byte first */
-    bool columns;    /* column after column */
+    ovr_binary type; /* integer type or floating point */
+    size_t bytes;    /* bytes of a value */
+    bool big;        /* most significant byte first (big endian) */
+    bool columns;    /* stored by columns */
     size_t shape[2]; /* rows, columns */
-    size_t start;    /* of the values */
+    size_t start;    /* offset of the values */
 } npy;
 
 static ovr_status fail(const ovr_profile *p, ovr_error *err, const char *what)
@@ -32,7 +32,8 @@ static ovr_status fail(const ovr_profile *p, ovr_error *err, const char *what)
                        what);
 }
 
-/* The text after 'NAME': in the header, NUL-ended; NULL: absent. */
+/* Returns the text after 'NAME': in the header, NUL-terminated; NULL if
+ * absent. */
 static const char *value_of(const char *header, const char *name)
 {
     const char *at = strstr(header, name);
@@ -77,7 +78,7 @@ static bool read_shape(const char *text, npy *h)
         text += *text == ',';
         text += strspn(text, " ");
     }
-    if (count == 1) { /* a line */
+    if (count == 1) { /* a single line */
         h->shape[1] = h->shape[0];
         h->shape[0] = 1;
     }

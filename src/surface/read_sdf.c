@@ -49,8 +49,8 @@ static ovr_status check(const ovr_profile *p, const sdf *h, ovr_error *err)
     return OVR_OK;
 }
 
-/* Without a Yscale, which files of a single profile leave at 0, points are as
- * far apart as along x. */
+/* Without a Yscale (files of a single profile have 0), rows have the spacing of
+ * the points along x. */
 static ovr_status start(ovr_profile *p, const sdf *h, ovr_error *err)
 {
     ovr_status status = check(p, h, err);
@@ -70,7 +70,8 @@ static ovr_status finish(ovr_profile *p, const ovr_profile_source *source,
 
 /* ---------------------------------------------------------------- binary */
 
-/* `magic` is the size of the dialect's name, 8, of NIST-1.0 9. */
+/* Reads a binary file. `magic` is the length of the dialect's name: 8, for
+ * NIST-1.0 9. */
 static ovr_status read_binary(ovr_profile *p, const ovr_profile_source *source,
                               ovr_bytes c, size_t magic, ovr_error *err)
 {
@@ -78,10 +79,10 @@ static ovr_status read_binary(ovr_profile *p, const ovr_profile_source *source,
         OVR_BINARY_U8, OVR_BINARY_U16, OVR_BINARY_U32, OVR_BINARY_F32,
         OVR_BINARY_I8, OVR_BINARY_I16, OVR_BINARY_I32, OVR_BINARY_F64};
     const char *d = c.data;
-    const bool wide = memcmp(d, "bISO-2.0", 8) == 0; /* counts of 32 bits */
+    const bool wide = memcmp(d, "bISO-2.0", 8) == 0; /* 32-bit counts */
     const size_t header = magic + (wide ? 77 : 73);
     const ovr_binary count = wide ? OVR_BINARY_U32 : OVR_BINARY_U16;
-    const char *after = d + header - 35; /* the counts */
+    const char *after = d + header - 35; /* position of the counts */
     sdf h;
     size_t n, bytes;
     ovr_binary type;
@@ -163,7 +164,7 @@ static ovr_status read_entries(ovr_lines *lines, const char *file, sdf *h,
                        "truncated: the * after the SDF header is missing");
 }
 
-/* Heights in words of any layout. */
+/* Reads heights separated by blanks or line ends. */
 static ovr_status read_values(ovr_profile *p, const sdf *h, ovr_lines *lines,
                               ovr_error *err)
 {
@@ -190,8 +191,8 @@ short_of_values:
                        k, p->map.nx, p->map.ny);
 }
 
-/* A value takes two bytes at least: announced counts are checked before memory
- * is allocated for them. */
+/* True if the text is long enough for the announced counts (two bytes per
+ * value), checked before memory is allocated. */
 static bool is_long_enough(const ovr_lines *lines, const sdf *h)
 {
     return h->points * h->profiles <= (double)(lines->end - lines->at) / 2 + 1;
@@ -234,7 +235,7 @@ ovr_status ovr_read_sdf(ovr_profile *profile, const ovr_profile_source *source,
         if (content.size <= length ||
             memcmp(content.data + 1, dialects[k], length) != 0)
             continue;
-        /* "aISO-1.05" is another dialect; a binary header follows without a
+        /* "aISO-1.05" is another dialect. A binary header follows without a
          * separator. */
         if (content.data[0] == 'b')
             return read_binary(profile, source, content, length + 1, err);

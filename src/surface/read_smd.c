@@ -98,7 +98,7 @@ static ovr_status check(const char *file, const axes *of, ovr_error *err)
     return OVR_OK;
 }
 
-/* The k-th record from 0, without its ETX. */
+/* Returns the k-th record from 0, without its ETX. */
 static bool record(ovr_bytes content, int k, ovr_bytes *found, long *line)
 {
     const char *p = content.data, *end = p + content.size;
@@ -167,7 +167,7 @@ ovr_status ovr_read_smd(ovr_profile *profile, const ovr_profile_source *source,
     numbers.number = before;
     dx = x->increment * x->scale * x->metres;
     dy = y->increment * y->scale * y->metres;
-    /* A height takes two bytes at least. */
+    /* A height needs at least two bytes. */
     if (x->count * (y->given ? y->count : 1) > (double)part.size / 2 + 1)
         return ovr_fail_at(err, OVR_BAD_INPUT, profile->file, before,
                            "the file contains fewer than the announced %g x "

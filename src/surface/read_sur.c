@@ -29,10 +29,10 @@ enum { HEADER = 512 };
 
 typedef struct sur {
     double objects, type, bits, lowest, nx, ny;
-    double spacing[3]; /* metres */
-    double offset;     /* of z, metres */
-    bool special;      /* lowest - 2: missing */
-    size_t start;      /* of the values */
+    double spacing[3]; /* in metres */
+    double offset;     /* of z, in metres */
+    bool special;      /* lowest - 2 denotes a missing value */
+    size_t start;      /* offset of the values */
 } sur;
 
 static double whole16(const char *at)
@@ -45,7 +45,7 @@ static double whole32(const char *at)
     return ovr_binary_value(at, OVR_BINARY_I32);
 }
 
-/* Metres in the unit of 16 characters; 0: unknown. */
+/* Returns the unit in a field of 16 characters in metres; 0 if unknown. */
 static double unit_at(const char *at)
 {
     ovr_line unit = {at, 0, 0};
@@ -63,7 +63,7 @@ static ovr_status read_units(const ovr_profile *p, const char *d, sur *h,
         ovr_line text = {unit, strnlen(unit, 16), 0};
         h->spacing[k] = ovr_binary_value(d + 120 + 4 * k, OVR_BINARY_F32);
         if (!(metres > 0) && k == 1 && h->ny < 2)
-            metres = unit_at(d + 180); /* of no use in a profile */
+            metres = unit_at(d + 180); /* not used by profiles */
         if (!(metres > 0))
             return ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
                                "header: the unit '%s' of %c is not a length",
@@ -137,7 +137,7 @@ static ovr_status fail_cut(const ovr_profile *p, ovr_bytes c, ovr_error *err)
                        "offset %zu: truncated within the values", c.size);
 }
 
-/* Unpacks the streams into `values`, which has exactly the size of all. */
+/* Unpacks the streams into `values`, which has the size of all of them. */
 static ovr_status unpack(const ovr_profile *p, ovr_bytes c, size_t start,
                          char *values, size_t size, ovr_error *err)
 {
@@ -190,7 +190,7 @@ ovr_status ovr_read_sur(ovr_profile *p, const ovr_profile_source *source,
     type = h.bits == 16 ? OVR_BINARY_I16 : OVR_BINARY_I32;
     bytes = ovr_binary_size(type);
     all = (size_t)h.nx * (size_t)h.ny;
-    /* deflate packs at most 1032 bytes into one. */
+    /* The compression ratio of deflate is at most 1032. */
     if (c.size < h.start || (double)(c.size - h.start) * (packed ? 1032 : 1) <
                                 (double)(all * bytes))
         return fail_cut(p, c, err);

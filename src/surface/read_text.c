@@ -19,7 +19,8 @@
 
 /* ------------------------------------------------------ order of the points */
 
-/* Points of a text as they come: backwards, with x repeated by rounding. */
+/* Sorts the points of a text: reverses them, and separates points with the same
+ * rounded x. */
 
 static void reverse(double *a, size_t n)
 {
@@ -37,13 +38,13 @@ static void turn_round(ovr_profile *p, size_t n)
     reverse(p->x, n);
     reverse(p->z, n);
     for (size_t i = 0; i < n; i++)
-        p->x[i] += 0; /* no -0 */
+        p->x[i] += 0; /* avoids -0 */
     ovr_profile_note(p, "x decreases in the file; the profile was reversed");
 }
 
-/* Equal neighbours in x come from rounding.  When all x lie within a rounding
- * step's half (and a little) of a straight line they are put on it; else
- * points of the same x are averaged. */
+/* Equal neighbouring x result from rounding. If all x lie within half a
+ * rounding step (and a little more) of a straight line, they are replaced by
+ * the line. Otherwise points with the same x are averaged. */
 static bool regular_but_rounded(const ovr_profile *p, size_t n, double *first,
                                 double *step)
 {
@@ -79,8 +80,8 @@ static size_t average_repeats(ovr_profile *p, size_t n)
     return m;
 }
 
-/* Makes x increase, or fails with the line (of each point in `line`) where it
- * turns back; *n may shrink.  What was done is noted. */
+/* Makes x increase, or fails with the line number at which x turns back (`line`
+ * has that of each point). *n may decrease. Adds notes about changes. */
 static ovr_status put_in_order(ovr_profile *p, size_t *n, const long *line,
                                ovr_error *err)
 {
@@ -119,16 +120,18 @@ static ovr_status fail(const ovr_text_table *t, long line, ovr_error *err,
     return ovr_fail_at(err, OVR_BAD_INPUT, t->profile->file, line, "%s", words);
 }
 
-/* ----------------------------------------------------- 1. where data start */
+/* --------------------------------------------------- 1. start of the data */
 
-/* Number of columns if the line holds nothing but numbers, 0 otherwise. */
+/* Returns the number of columns if the line contains only numbers, otherwise
+ * 0. */
 static size_t columns_of(ovr_line line, ovr_layout *layout)
 {
     *layout = ovr_layout_of(line);
     return ovr_count_numbers(line, *layout);
 }
 
-/* A lone number above rows of more is the number of rows. */
+/* True if a single number above rows with several columns is the number of
+ * rows. */
 static bool is_count(ovr_lines after, size_t columns)
 {
     ovr_layout layout;
@@ -141,7 +144,8 @@ static bool is_count(ovr_lines after, size_t columns)
     return false;
 }
 
-/* The line that decides the layout: "0;1,5" is more informative than "0 0". */
+/* Finds the line that determines the layout of columns: "0;1,5" is more
+ * informative than "0 0". */
 static ovr_status find_data(ovr_text_table *t, ovr_error *err)
 {
     ovr_lines lines = ovr_lines_of(t->content), before;
@@ -181,7 +185,7 @@ static void read_header(ovr_text_table *t)
 
 /* ------------------------------------------------------------- 3. the rows */
 
-/* "#N/A" in the first column does not make a comment. */
+/* True for a comment; "#N/A" in the first column is none. */
 static bool is_comment(ovr_line line)
 {
     ovr_line piece;
@@ -201,7 +205,7 @@ bool ovr_next_row(ovr_lines *lines, ovr_line *line)
     return false;
 }
 
-/* Heights may be missing, x not. */
+/* Reads a cell; z may be missing, x may not. */
 static ovr_status read_cell(const ovr_text_table *t, const ovr_fields *fields,
                             long line, bool height, double *value,
                             ovr_error *err)
@@ -267,7 +271,8 @@ static ovr_status read_rows(ovr_text_table *t, size_t *n, ovr_error *err)
     return OVR_OK;
 }
 
-/* A count above a single column looks like its first value. */
+/* Removes a count of rows above a single column, which was read as its first
+ * value. */
 static void drop_count(ovr_text_table *t, size_t *n)
 {
     ovr_profile *p = t->profile;
@@ -286,8 +291,8 @@ static void drop_count(ovr_text_table *t, size_t *n)
                          t->counted, *n);
 }
 
-/* Lays out points without a column x, by the caller's spacing or the header's.
- */
+/* Computes x from the caller's or the header's spacing if there is no column
+ * x. */
 static ovr_status lay_out(ovr_text_table *t, size_t n, ovr_error *err)
 {
     const ovr_profile_source *s = t->source;
@@ -337,7 +342,8 @@ static ovr_status make_points(ovr_text_table *t, ovr_error *err)
     return ovr_profile_finish(p, n, err);
 }
 
-/* Semicolons separate numbers with points as well. */
+/* True if the decimal separator is a comma. Semicolons also separate numbers
+ * with decimal points. */
 static bool has_decimal_comma(const ovr_text_table *t)
 {
     ovr_lines lines = t->data;

@@ -19,8 +19,8 @@
 
 typedef struct ovr_x3p_axis {
     bool given;
-    char kind; /* I: index x increment, A: stored */
-    char type; /* I int16, L int32, F f32, D f64 */
+    char kind; /* I: index times increment, A: stored coordinates */
+    char type; /* I int16, L int32, F float, D double */
     double increment, offset;
 } ovr_x3p_axis;
 
@@ -29,9 +29,9 @@ typedef struct ovr_x3p {
     ovr_x3p_axis axis[3];
     double size[3]; /* MatrixDimension; 0: not given */
     double list;    /* ListDimension; 0: not given */
-    char data[256]; /* name of the binary file; "": inline */
+    char data[256]; /* name of the binary file; "": data in main.xml */
     char valid[256];
-    char *datum; /* inline: all <Datum> texts, each NUL-ended */
+    char *datum; /* data in main.xml: all <Datum> texts, NUL-terminated */
     size_t datum_size, datums;
 } ovr_x3p;
 
@@ -53,12 +53,12 @@ typedef struct reading {
     char text[TEXT];
     size_t used;
     bool too_long;
-    size_t capacity; /* for inline data */
+    size_t capacity; /* for data in main.xml */
     const char *wrong;
     long line;
 } reading;
 
-/* -------------------------------------------------------------- the texts */
+/* ------------------------------------------------------ texts of elements */
 
 static void wrong(reading *r, const char *what)
 {
@@ -113,7 +113,8 @@ static void end_datum(reading *r, ovr_line text)
     ovr_x3p *x = r->x3p;
     if (text.size + 1 > r->capacity - x->datum_size) {
         wrong(r,
-              "a Datum must contain numbers only"); /* letters grow as UTF-8 */
+              /* non-ASCII letters take more bytes in UTF-8 */
+              "a Datum must contain numbers only");
         return;
     }
     memcpy(x->datum + x->datum_size, text.text, text.size);
@@ -190,7 +191,8 @@ static void XMLCALL on_end(void *data, const XML_Char *name)
         r->depth--;
 }
 
-/* Texts longer than any of ours are skipped. */
+/* Collects the text of an element; texts longer than any expected one are
+ * ignored. */
 static void XMLCALL on_text(void *data, const XML_Char *text, int size)
 {
     reading *r = data;
@@ -228,7 +230,7 @@ static ovr_status run(reading *r, ovr_bytes xml, const char *file,
                        r->wrong ? r->wrong : "not XML");
 }
 
-/* Parses main.xml; inline data go into the arena. */
+/* Parses main.xml; data contained in it are stored in the arena. */
 static ovr_status x3p_parse(ovr_bytes xml, const char *file, ovr_arena *arena,
                             ovr_x3p *x3p, ovr_error *err)
 {
@@ -250,16 +252,16 @@ static ovr_status x3p_parse(ovr_bytes xml, const char *file, ovr_arena *arena,
 typedef struct package {
     ovr_zip zip;
     ovr_profile *profile;
-    char folder[256]; /* in front of main.xml */
-    ovr_arena arena;  /* for what is unpacked */
+    char folder[256]; /* path of main.xml's folder in the archive */
+    ovr_arena arena;  /* memory of unpacked files */
     ovr_x3p x;
-    size_t n, lines;     /* points of a line */
+    size_t n, lines;     /* points per line, and lines */
     double *x_of, *y_of; /* stored coordinates; NULL: increments */
 } package;
 
 /* --------------------------------------------------------------- the ZIP */
 
-/* main.xml, at the top or in a folder. */
+/* Finds main.xml, at the top or in a folder. */
 static const ovr_zip_entry *find_main(package *k)
 {
     for (size_t i = 0; i < k->zip.entries; i++) {
@@ -276,8 +278,8 @@ static const ovr_zip_entry *find_main(package *k)
     return NULL;
 }
 
-/* Sizes in a ZIP's directory are only promises: what is taken is bounded, and
- * the content must be as long as it says. */
+/* Unpacks an entry. Sizes in a ZIP's directory may be wrong, so the size is
+ * limited and must equal that of the content. */
 static ovr_status unpack(package *k, const ovr_zip_entry *entry,
                          const char *name, ovr_bytes *out, ovr_error *err)
 {
@@ -319,7 +321,7 @@ static ovr_status unpack_named(package *k, const char *link, ovr_bytes *out,
                   err);
 }
 
-/* ------------------------------------------------------- what is announced */
+/* ------------------------------------------ checks of the announced sizes */
 
 static ovr_status check(package *k, ovr_error *err)
 {
@@ -375,7 +377,7 @@ static double coordinate(const ovr_x3p_axis *a, double stored)
 
 /* -------------------------------------------------------------- the points */
 
-/* Distance of rows; without one that of points. */
+/* Returns the spacing of the rows; without one, that of the points. */
 static double row_distance(const ovr_x3p *x)
 {
     const ovr_x3p_axis *cx = &x->axis[0], *cy = &x->axis[1];
@@ -384,7 +386,7 @@ static double row_distance(const ovr_x3p *x)
     return cx->kind == 'I' ? cx->increment : 1;
 }
 
-/* Memory for the heights, and for coordinates that are stored. */
+/* Allocates memory for heights and stored coordinates. */
 static ovr_status reserve(package *k, ovr_error *err)
 {
     const ovr_x3p_axis *cx = &k->x.axis[0];
@@ -438,7 +440,8 @@ static ovr_status read_binary(package *k, ovr_error *err)
     return status;
 }
 
-/* "x;y;z" of the absolute axes; without text the point is missing. */
+/* Reads "x;y;z" of the absolute axes; the point is missing if there is no
+ * text. */
 static ovr_status read_datum(const package *k, const char *text, size_t i,
                              ovr_error *err)
 {
@@ -501,7 +504,7 @@ static ovr_status apply_mask(package *k, ovr_error *err)
     return OVR_OK;
 }
 
-/* A row, from 0, with its stored x. */
+/* Uses a row, counted from 0, as the profile, with its stored x. */
 static ovr_status place_row(package *k, size_t row, ovr_error *err)
 {
     ovr_profile *p = k->profile;
@@ -519,12 +522,12 @@ static ovr_status place_row(package *k, size_t row, ovr_error *err)
         ovr_profile_note(p, "row %zu of %zu", row + 1, k->lines);
     ovr_profile_note(p, "X3P is in metres: x as stored");
     if (k->lines > 1)
-        p->view.columns = k->n; /* and no rows: it is not a grid */
+        p->view.columns = k->n; /* no grid, so no rows */
     return ovr_profile_finish(p, k->n, err);
 }
 
-/* Stored x of a grid must be that of the first row in every row, and equally
- * spaced, to a tenth of the distance. */
+/* Checks that the stored x of a grid are the same in every row and equally
+ * spaced, within a tenth of the spacing. */
 static ovr_status check_grid(const package *k, double *dx, ovr_error *err)
 {
     double first = k->x_of[0], last = k->x_of[k->n - 1];
@@ -551,7 +554,7 @@ static ovr_status place_points(package *k, const ovr_profile_source *source,
     if (k->x_of && k->lines == 1)
         return place_row(k, 0, err);
     if (k->x_of && check_grid(k, &dx, err)) {
-        /* Rows can be used as they are. */
+        /* A selected row is used directly. */
         if (source->row > 0 && (size_t)source->row <= k->lines && !p->map_only)
             return place_row(k, (size_t)source->row - 1, err);
         return OVR_BAD_INPUT;

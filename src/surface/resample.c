@@ -33,13 +33,13 @@ static const double PI = 3.14159265358979323846;
 
 typedef struct series {
     size_t n;
-    double d;        /* distance of two samples */
+    double d;        /* distance between samples */
     const double *z; /* heights */
     double fc, reach;
     bool closed;
 } series;
 
-/* --------------------------------------------------------------- 1. equal */
+/* ------------------------------------------------------- 1. equal spacing */
 
 static double equal_distance(size_t n, const double *x)
 {
@@ -73,7 +73,8 @@ static ovr_status make_equal(const ovr_points *p, series *s, ovr_arena *arena,
 
 /* ---------------------------------------------------------------- 2. sinc */
 
-/* z_j for any j: turned about the end points, again and again, or periodic. */
+/* Returns z_j for any j: point-reflected at the ends repeatedly, or
+ * periodic. */
 static double sample(const series *s, ptrdiff_t j)
 {
     ptrdiff_t last = s->n > 2 ? (ptrdiff_t)s->n - 1 : 1;
@@ -120,8 +121,8 @@ static double variance(size_t n, const double *z)
     return square / (double)n;
 }
 
-/* Every so many samples of the profile: some thousand of them, fewer where
- * each costs much, so that all cost about 1000 n. */
+/* Returns the interval at which samples are evaluated for the removed variance,
+ * so that the total cost is about 1000 n. */
 static size_t sampling(const series *s)
 {
     double window = 2 * s->reach / s->d;
@@ -130,7 +131,7 @@ static size_t sampling(const series *s)
     return cheap > step ? cheap : step;
 }
 
-/* Share of the variance that is filtered out. */
+/* Returns the fraction of the variance that is filtered out. */
 static double part_lost(const series *s)
 {
     size_t step = sampling(s);
@@ -144,7 +145,8 @@ static double part_lost(const series *s)
 
 /* --------------------------------------------------------------- 3. table */
 
-/* Length of what the table holds before any mirror image. */
+/* Checks the treatment of the ends, and computes the length of the table
+ * without mirror images. */
 static ovr_status check_ends(const ovr_ends *ends, double length, double *taper,
                              ovr_error *err)
 {
@@ -160,7 +162,8 @@ static ovr_status check_ends(const ovr_ends *ends, double length, double *taper,
                  *taper, maximum));
 }
 
-/* One period ends where its blended beginning starts. */
+/* Returns a height of the periodic profile; its end is blended with its
+ * beginning. */
 static double height(const series *s, const ovr_ends *ends, double taper,
                      double length, double at)
 {

@@ -6,22 +6,23 @@
 #include "overroll/profile.h"
 #include "surface/spline.h"
 
-/* The ways to treat the ends and what is beyond them. */
+/* How the ends of a profile and its continuation are treated. */
 typedef struct ovr_ends {
-    double taper; /* blended over this at each end; NAN: 5 % of the length */
+    double taper; /* length blended at each end; NAN: 5 % of the length */
     ovr_extension extend;
-    bool both;   /* endless ahead of the leading end too */
-    bool closed; /* its last point is its first: periodic without blending */
+    bool both;   /* also endless ahead of the leading end */
+    bool closed; /* the last point equals the first: periodic without
+                  * blending */
 } ovr_ends;
 
-/* Fills the table from the points of a profile, without what a grid of mesh D
- * cannot carry (wavelengths below 2 D). */
+/* Fills the table from the points of a profile. Wavelengths below 2 D, which
+ * the grid cannot represent, are removed. */
 ovr_status ovr_resample(const ovr_points *profile, double mesh,
                         const ovr_ends *ends, ovr_table *table,
                         ovr_arena *arena, ovr_error *err);
 
-/* sinc(2 fc u) B(u/reach), |u| < reach: a low-pass filter of the cut-off
- * frequency fc.  B is the window of resample.c. */
+/* Returns sinc(2 fc u) B(u/reach) for |u| < reach: a low-pass filter with
+ * cut-off frequency fc and the window B of resample.c. */
 double ovr_windowed_sinc(double u, double fc, double reach);
 
 #endif

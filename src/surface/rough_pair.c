@@ -18,7 +18,7 @@ enum { MIN = 256, MAX = 2048, PLACES = 6, A_DECADE = 4, DECADES = 5 };
 
 typedef struct source {
     const ovr_profile *profile;
-    ovr_profile *own; /* the same, if it was read for this contact */
+    ovr_profile *own; /* the same profile, if read for this contact */
     ovr_ends ends;
 } source;
 
@@ -43,8 +43,9 @@ static ovr_status read(const ovr_feature_form *form, const ovr_contact *contact,
     return s->profile ? OVR_OK : err->status;
 }
 
-/* Both of one length, that of the shorter one; closed ends are no longer so
- * where one is cut, or where the other's are blended. */
+/* Shortens both profiles to the length of the shorter one. Profiles are not
+ * treated as closed if one is shortened, or if the ends of the other are
+ * blended. */
 static void make_alike(source s[2], ovr_rough_pair *pair)
 {
     const double rounding = 1e-6;
@@ -80,7 +81,7 @@ static size_t nodes_of(const source s[2])
     return n;
 }
 
-/* Adds the part of what a grid of that mesh carries of it. */
+/* Adds `part` times the heights that a grid with this mesh size represents. */
 static ovr_status add(const source *s, double mesh, double part,
                       ovr_rough_pair *pair, double *z, ovr_error *err)
 {
@@ -99,7 +100,8 @@ static ovr_status add(const source *s, double mesh, double part,
     return status;
 }
 
-/* Its heights, or those that a grid of that mesh leaves out. */
+/* Samples the heights. If left_by > 0, subtracts those that a grid with that
+ * mesh size represents. */
 static ovr_status sample(const source *s, double left_by, ovr_rough_pair *pair,
                          double *z, ovr_error *err)
 {
@@ -109,15 +111,15 @@ static ovr_status sample(const source *s, double left_by, ovr_rough_pair *pair,
         z[i] = 0;
     pair->length = length_of(s->profile);
     if (left_by > 0 && left_by <= mesh)
-        return OVR_OK; /* it carries all of them */
+        return OVR_OK; /* the grid represents all heights */
     status = add(s, mesh, 1, pair, z, err);
     if (status || left_by == 0)
         return status;
     return add(s, left_by, -1, pair, z, err);
 }
 
-/* A stretch of which MOST points have a profile's own spacing, or an eighth of
- * the mesh where that is wider. */
+/* Shortens a profile so that MAX points suffice for its own spacing, or for an
+ * eighth of the mesh size if that is larger. */
 static void shorten_to(source *s, double mesh)
 {
     ovr_profile *p = s->own;
@@ -176,8 +178,8 @@ ovr_status ovr_rough_pair_rest(ovr_rough_pair *pair,
     return make(pair, form, mesh, contact, arena, err);
 }
 
-/* Contact of one profile with a smooth surface, in metres with p over E*, or in
- * b and b^2/R with p in ph. */
+/* Makes the contact of one profile with a smooth surface, in metres and p/E*,
+ * or in b, b^2/R and p_h. */
 static ovr_status pair_of(ovr_rough_pair *pair, const ovr_profile *profile,
                           ovr_arena *arena, ovr_error *err)
 {
@@ -213,7 +215,7 @@ ovr_status ovr_rough_pair_take(ovr_rough_pair *pair, size_t n, double length,
 /* ---------------------------------------------------------------------- law
  */
 
-/* Squares and sums each surface's own numbers. */
+/* Computes roughness and slope as root sums of squares of both surfaces. */
 static void measure(ovr_rough_pair *pair)
 {
     size_t n = pair->n;
@@ -238,7 +240,8 @@ static int places_of(const ovr_rough_pair *pair)
     return pair->z[0] && pair->z[1] ? PLACES : 1;
 }
 
-/* The number of nodes by which the second is moved. */
+/* Returns the shift of the second surface, in nodes, for relative position
+ * k. */
 static size_t place(const ovr_rough_pair *pair, int k)
 {
     return places_of(pair) == 1 ? 0
@@ -258,7 +261,8 @@ static void lay_over(const ovr_rough_pair *pair, size_t shift, double *z)
         z[i] -= mean;
 }
 
-/* A part of the pressures of a place, at each surface's own x. */
+/* Adds the pressures of one relative position, weighted with `part`, to each
+ * surface at its own x. */
 static void put_pressures(ovr_rough_pair *pair, size_t j, size_t shift,
                           double part, const double *p)
 {
@@ -271,8 +275,8 @@ static void put_pressures(ovr_rough_pair *pair, size_t j, size_t shift,
     }
 }
 
-/* All pressures of a place, from the highest down; *least rises to the first
- * below which they are not all found. */
+/* Solves for all mean pressures of one relative position, from the highest
+ * down. *minimum becomes the first index below which some did not converge. */
 static void press(ovr_rough_pair *pair, const ovr_dry_contact *dry, int k,
                   double *z, ovr_asperity_table *t, size_t *minimum)
 {
@@ -282,7 +286,7 @@ static void press(ovr_rough_pair *pair, const ovr_dry_contact *dry, int k,
     for (size_t i = 0; i < n; i++)
         p[i] = 1;
     for (size_t j = pair->points; j-- > 0;) {
-        size_t i = pair->points - 1 - j; /* the gap rises */
+        size_t i = pair->points - 1 - j; /* in the order of increasing gaps */
         ovr_dry_state s = ovr_dry_contact_solve(dry, z, pair->p[j], p);
         if (!s.found && j >= *minimum)
             *minimum = j + 1;
@@ -320,8 +324,8 @@ static void clear(ovr_rough_pair *pair, ovr_asperity_table *t)
                    pair->points * pair->n * sizeof *pair->pressure[k]);
 }
 
-/* The points of full contact, where the gap is none, and those that were not
- * found leave the table. */
+/* Removes points of full contact, whose gap is zero, and points that did not
+ * converge from the table. */
 static void shorten(const ovr_rough_pair *pair, size_t lightest,
                     ovr_asperity_table *t)
 {

@@ -29,51 +29,56 @@
 typedef struct ovr_rough_pair {
     size_t n;       /* a power of two */
     double length;  /* of the period */
-    double *z[2];   /* NULL: smooth */
-    double modulus; /* E* in its units */
-    bool cut;       /* one was longer than the other */
+    double *z[2];   /* heights; NULL: smooth */
+    double modulus; /* E* in units of the pair */
+    bool cut;       /* the longer profile was shortened */
 
-    /* Numbers of both together, which ovr_rough_pair_law fills. */
+    /* Results for both surfaces together, computed by ovr_rough_pair_law. */
     double Rq, slope;
     size_t points;
-    double *p;           /* rising */
-    double *pressure[2]; /* P_sj, j by j; NULL: smooth */
-    double *workspace;   /* 5 n */
+    double *p;           /* mean pressures, increasing */
+    double *pressure[2]; /* P_sj, one row per j; NULL: smooth */
+    double *workspace;   /* 5 n elements */
 } ovr_rough_pair;
 
-/* Contact of features that are profiles or random roughness, one a surface and
- * at least one. */
+/* Makes the contact of features that are profiles or random roughness, at most
+ * one per surface. */
 ovr_status ovr_rough_pair_make(ovr_rough_pair *pair,
                                const ovr_feature_form *const form[2],
                                const ovr_contact *contact, ovr_arena *arena,
                                ovr_error *err);
 
-/* Computes the roughness finer than a grid of that mesh size (resample.h), on a
- * stretch of both that has points enough for it. */
+/* Computes the roughness that is too fine for a grid of this mesh size
+ * (resample.h). Both profiles are shortened to a length with enough points for
+ * it. */
 ovr_status ovr_rough_pair_rest(ovr_rough_pair *pair,
                                const ovr_feature_form *const form[2],
                                double mesh, const ovr_contact *contact,
                                ovr_arena *arena, ovr_error *err);
 
-/* The same of n heights that are there, a period; copied. */
+/* Makes the contact from one period of n heights per surface, which are
+ * copied. */
 ovr_status ovr_rough_pair_take(ovr_rough_pair *pair, size_t n, double length,
                                const double *const z[2], ovr_arena *arena,
                                ovr_error *err);
 
-/* Space for its laws and their table, unless it has it. */
+/* Allocates memory for the contact law and its table, unless allocated. */
 ovr_status ovr_rough_pair_reserve(ovr_rough_pair *pair,
                                   ovr_asperity_table *table, ovr_arena *arena,
                                   ovr_error *err);
 
-/* The law of its heights as they are; takes space where there is none. */
+/* Computes the contact law of the present heights; allocates memory if
+ * necessary. */
 ovr_status ovr_rough_pair_law(ovr_rough_pair *pair, ovr_asperity_table *table,
                               ovr_arena *arena, ovr_error *err);
 
-/* Adds to w[points] what a stretch dX that bears A is. */
+/* Adds to w[points] the weights of a length dX that carries the asperity
+ * pressure A. */
 void ovr_rough_pair_weigh(const ovr_rough_pair *pair, double A, double dX,
                           double *w);
 
-/* Removes c_s w from each surface; the largest depth over c. */
+/* Removes the wear depth c_s sum_j w_j P_sj from the heights of each surface s.
+ * The second function returns the largest of these depths. */
 void ovr_rough_pair_wear(ovr_rough_pair *pair, const double c[2],
                          const double *w);
 double ovr_rough_pair_deepest(const ovr_rough_pair *pair, const double c[2],

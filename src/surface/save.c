@@ -74,7 +74,7 @@ static char *put_number(char *at, double value)
     return put_whole(at, pattern, sizeof pattern);
 }
 
-/* Mean distance of the points. */
+/* Returns the mean distance between points. */
 static double spacing_of(const ovr_profile_view *v)
 {
     return (v->x[v->n - 1] - v->x[0]) / (double)(v->n - 1);
@@ -103,14 +103,14 @@ static ovr_status save_sdf(const ovr_profile *profile, const char *path,
     data = ovr_arena_take(arena, size, 1, err);
     if (!data)
         return OVR_NO_MEMORY;
-    /* Dates that are not known are zeros. */
+    /* Unknown dates are written as zeros. */
     memcpy(data, "bISO-1.0overroll  000000000000000000000000", 42);
     at = put_whole(data + 42, v->n, 2);
     at = put_whole(at, 1, 2);
     at = put_number(at, spacing_of(v));
     at = put_number(at, spacing_of(v));
     at = put_number(at, 1);  /* Zscale */
-    at = put_number(at, -1); /* Zresolution: not known */
+    at = put_number(at, -1); /* Zresolution: unknown */
     at = put_whole(at, 0, 1);
     at = put_whole(at, 7, 1); /* f64 */
     at = put_whole(at, 0, 1);
@@ -189,7 +189,7 @@ static ovr_status save_x3p(const ovr_profile *profile, const char *path,
     for (size_t i = 0; i < v->n; i++) {
         if (!v->uniform)
             at = put_number(at, v->x[i]);
-        at = put_number(at, v->z[i]); /* NaN: missing */
+        at = put_number(at, v->z[i]); /* NaN denotes a missing height */
     }
     length = make_xml(v, md5(data, size).text, xml, sizeof xml);
     snprintf(sums, sizeof sums, "%s *main.xml\n",

@@ -42,10 +42,10 @@
 
 static const double PILED_UP = 0.158536585365853659; /* c^2 - 1 */
 static const double HALF_ROOT_PI = 0.8862269254527580137;
-static const double NARROWEST = 0.25; /* l/s_c */
+static const double NARROWEST = 0.25; /* minimum of l/s_c */
 
-/* An indent by its rim, of the depth -A: its sizes (rim_height NAN: of steel),
- * and its height at s. */
+/* Set the sizes of an indentation given by its rim and depth -A (rim_height
+ * NAN: value for steel); return its height at s. */
 static void ball_sizes(ovr_feature *f, double rim_diameter, double rim_height)
 {
     double d = -f->A, h = isnan(rim_height) ? PILED_UP * d : rim_height;
@@ -71,7 +71,8 @@ static double ball_height(const ovr_feature *f, double s)
 
 static const double TWO_PI = 6.283185307179586476925;
 static const double TEN_LN_10 = 23.02585092994045684018; /* 10^(-10 v^2) */
-static const double VANISHED = 1.35;                 /* 10^(-10 v^2) < 1e-18 */
+/* Limit of v, from 10^(-10 v^2) < 1e-18 */
+static const double VANISHED = 1.35;
 static const double STEEPEST = 5.773502691896257645; /* max |sigma''| */
 
 static double bell(double v)
@@ -140,14 +141,14 @@ static double texture(const ovr_feature *f, double s)
 
 static double tabulated(const ovr_feature *f, double s)
 {
-    if (!f->table) /* areal: footprint.c */
+    if (!f->table) /* areal shapes: see footprint.c */
         return 0;
     return ovr_table_height(f->table, s + ovr_table_length(f->table) / 2);
 }
 
-/* ------------------------------------------------------------ the table */
+/* -------------------------------------------------------- table of shapes */
 
-/* Sizes a shape may be given, by number and as a set. */
+/* Sizes of a shape, as numbers and as a set. */
 #define NUMBER(name, help) SIZE_##name,
 enum { OVR_FEATURE_SIZES(NUMBER, NUMBER) SIZES };
 #define SET(name) (1U << SIZE_##name)
@@ -175,13 +176,14 @@ enum {
 #define DENT_HALF 0.24779376112514412
 #define BELL_HALF 0.3470043202405303
 
-/* `tall` are the ways to give its height: exactly one of them. */
+/* Rules of a shape. `tall`: alternatives for its height, exactly one of which
+ * must be given. */
 static const struct rule {
     const char *name;
     formula *height;
     unsigned tall, needed, allowed;
-    double half;      /* full width at half depth over the width */
-    const char *made; /* by this, which is no size; NULL */
+    double half;      /* full width at half depth divided by the width */
+    const char *made; /* other source of the shape than sizes, or NULL */
 } rules[OVR_SHAPES] = {
     [OVR_DENT] = {"dent", dent, SET(depth), SET(width), 0, DENT_HALF, NULL},
     [OVR_BUMP] = {"bump", dent, SET(height), SET(width), 0, DENT_HALF, NULL},
@@ -202,7 +204,8 @@ static const struct rule {
     [OVR_AREAL] = {"areal", tabulated, 0, 0, 0, NAN, "file"},
 };
 
-/* With a rim an indent has no width or shoulders of its own. */
+/* Returns the sizes that a shape can have. An indentation with a rim has no own
+ * width or shoulders. */
 static unsigned allowed_sizes(int shape, bool rim)
 {
     const struct rule *rule = &rules[shape];
@@ -246,7 +249,7 @@ const char *ovr_shape_name(int shape)
     return shape >= 0 && shape < OVR_SHAPES ? rules[shape].name : NULL;
 }
 
-/* ---------------------------------------------------- taking the sizes */
+/* ------------------------------------------------------- reading of sizes */
 
 static double size_of(const ovr_feature_form *form, const struct size *size)
 {
@@ -272,7 +275,7 @@ static ovr_status check_size(const ovr_feature_form *form,
                           size->zero ? "zero or positive" : "positive");
 }
 
-/* "depth or height", with what stands between two. */
+/* Lists the names of sizes: "depth or height", with `between` as separator. */
 static const char *names_of(unsigned set, const char *between, char *text,
                             size_t capacity)
 {
@@ -287,7 +290,7 @@ static const char *names_of(unsigned set, const char *between, char *text,
     return text;
 }
 
-/* Parts of a list, those that are there. */
+/* Joins the nonempty parts of a list. */
 static void join(char *text, size_t capacity, const char *const *part,
                  size_t parts)
 {
@@ -338,7 +341,7 @@ static const char *first_of(unsigned set)
     return sizes[k].name;
 }
 
-/* One of the ways to give the width. */
+/* Checks that exactly one size that determines the width is given. */
 static ovr_status check_width(const ovr_feature_form *form, unsigned given,
                               ovr_error *err)
 {
@@ -360,7 +363,7 @@ static ovr_status check_complete(const ovr_feature_form *form, unsigned given,
     if (rule->tall && !tall)
         missing = rule->tall;
     else if (missing)
-        missing &= ~(missing - 1); /* one at a time */
+        missing &= ~(missing - 1); /* only the first */
     if (missing)
         return ovr_fail_about(err, first_of(missing),
                               "feature '%s': %s %s needs its %s", form->name,
@@ -374,7 +377,8 @@ static ovr_status check_complete(const ovr_feature_form *form, unsigned given,
     return OVR_OK;
 }
 
-/* A rim is no higher than its dent is deep, and takes a depth to be there. */
+/* Checks that a rim is not higher than the indentation's depth and that a depth
+ * is given. */
 static ovr_status check_rim(const ovr_feature_form *form, ovr_error *err)
 {
     if (isnan(form->rim_diameter) ||
@@ -430,7 +434,7 @@ static ovr_status find_flank(ovr_feature *f, const ovr_feature_form *form,
             f->name);
     f->flank = sqrt(STEEPEST * fabs(f->A) * form->radius * per_radius);
     if (!(f->flank > 0))
-        f->flank = otherwise; /* of no height: any will do */
+        f->flank = otherwise; /* arbitrary without a height */
     return OVR_OK;
 }
 
@@ -451,7 +455,7 @@ static void take_sizes(ovr_feature *f, const ovr_feature_form *form)
         ball_sizes(f, form->rim_diameter, form->rim_height);
 }
 
-/* Finds it by bisection for an indent with shoulders, for they rise into its
+/* Uses bisection for an indentation with shoulders, because they overlap its
  * flanks. */
 double ovr_shape_diameter(const ovr_feature *f)
 {
@@ -488,7 +492,8 @@ static void find_extent(ovr_feature *f)
     case OVR_BUMP:
     case OVR_RIDGE: set_extent(f, w, w, VANISHED, w); break;
     case OVR_INDENT:
-        if (f->ball) { /* the rim's inner flank is a quarter of a wave */
+        if (f->ball) { /* the inner flank of the rim counts as a quarter
+                        * wavelength */
             double level = w * sqrt(-f->A / (f->shoulder - f->A));
             half = f->shoulder_at + sqrt(TEN_LN_10) * f->shoulder_width;
             set_extent(f, half, half, VANISHED, 4 * (f->shoulder_at - level));
@@ -512,7 +517,7 @@ static void find_extent(ovr_feature *f)
                    fmin(f->wavelength, f->wavelength_end));
         break;
     case OVR_TEXTURE: set_extent(f, INFINITY, INFINITY, 1, w); break;
-    default: break; /* tabulated: known when the table is */
+    default: break; /* tabulated: set with the table */
     }
 }
 
@@ -557,7 +562,7 @@ ovr_status ovr_shape_make(ovr_feature *feature, const ovr_feature_form *form,
 
 /* ----------------------------------------------------------- evaluation */
 
-/* First index with X[i] >= limit, X increasing. */
+/* Returns the first index with X[i] >= limit; X increases. */
 static size_t first_from(size_t n, const double *X, double limit)
 {
     size_t low = 0, high = n;

@@ -32,7 +32,7 @@ static ovr_status enough_memory(size_t n, const ovr_allocator *allocator,
     return enough ? OVR_OK : OVR_NO_MEMORY;
 }
 
-/* Two points have a straight line, three or more a spline. */
+/* Chooses linear interpolation for two points, a spline for more. */
 static ovr_status make(const ovr_points *of, bool periodic,
                        const ovr_allocator *allocator, gsl_interp **spline,
                        ovr_error *err)
@@ -49,8 +49,9 @@ static ovr_status make(const ovr_points *of, bool periodic,
     return *spline ? OVR_OK : OVR_NO_MEMORY;
 }
 
-/* y2[i] = second derivative at x[i] of the natural (periodic: y[n-1] = y[0])
- * cubic spline through n >= 2 points; x must increase and all be finite. */
+/* Computes the second derivatives y2 at x of the natural (or periodic, with
+ * y[n-1] = y[0]) cubic spline through n >= 2 points. x must increase and all
+ * values be finite. */
 static ovr_status spline_second(const ovr_points *of, bool periodic,
                                 const ovr_allocator *allocator, double *y2,
                                 ovr_error *err)
@@ -85,7 +86,7 @@ ovr_status ovr_spline_resample(const ovr_points *of, size_t m, const double *at,
     return OVR_OK;
 }
 
-/* -------------------------------------------------------- tables of heights */
+/* ------------------------------------------------------ tables of heights */
 
 ovr_status ovr_table_prepare(ovr_table *table, ovr_arena *arena, ovr_error *err)
 {
@@ -100,7 +101,7 @@ ovr_status ovr_table_prepare(ovr_table *table, ovr_arena *arena, ovr_error *err)
     status = spline_second(&(ovr_points){n, x, table->z}, table->endless,
                            &arena->allocator, table->c, err);
     for (size_t i = 0; i < n; i++)
-        table->c[i] /= 6; /* x in units of h already */
+        table->c[i] /= 6; /* x is in units of h */
     return status;
 }
 

@@ -24,33 +24,35 @@
  */
 
 typedef struct ovr_table {
-    size_t n;     /* entries; endless: the last equals the first */
-    double h;     /* distance of two entries */
+    size_t n;     /* entries; if endless, the last equals the first */
+    double h;     /* distance between entries */
     double *z;    /* heights */
     double *c;    /* z'' h^2/6 at the entries */
-    bool endless; /* again and again behind its leading end */
-    bool both;    /* endless ahead of it too */
-    double fade;  /* endless, not both: blended in over this distance */
-    double lost;  /* part of the variance of its profile that is not in it */
+    bool endless; /* endless behind its trailing end */
+    bool both;    /* also endless ahead of its leading end */
+    double fade;  /* endless behind only: distance over which its heights grow
+                   * from zero */
+    double lost;  /* fraction of the profile's variance that is not in the
+                   * table */
 } ovr_table;
 
-/* Finds c from n, h, z and endless. */
+/* Computes c from n, h, z and endless. */
 ovr_status ovr_table_prepare(ovr_table *table, ovr_arena *arena,
                              ovr_error *err);
 
-/* Distance from the first entry to the last. */
+/* Returns the distance from the first entry to the last. */
 double ovr_table_length(const ovr_table *table);
 
-/* Height at a distance s from the first entry. */
+/* Returns the height at distance s from the first entry. */
 double ovr_table_height(const ovr_table *table, double s);
 
-/* Points along x, borrowed. */
+/* Points along x, owned by the caller. */
 typedef struct ovr_points {
     size_t n;
     const double *x, *y;
 } ovr_points;
 
-/* out[k] = the natural spline at at[k], held to the ends outside. */
+/* Evaluates the natural spline at at[k]; constant outside its ends. */
 ovr_status ovr_spline_resample(const ovr_points *of, size_t m, const double *at,
                                const ovr_allocator *allocator, double *out,
                                ovr_error *err);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A profile is measured: its heights, slopes and waves. */
+/* Computes heights, slopes and waves of a profile. */
 #include "surface/statistics.h"
 
 #include <gsl/gsl_fft_real.h>
@@ -20,8 +20,9 @@ static int by_height(const void *one, const void *other)
     return (a < b) - (a > b);
 }
 
-/* The curve is linear between the middles of the lengths; there a height's
- * `length` is the ratio. */
+/* Sorts the heights and computes the material ratio curve, which is linear
+ * between the midpoints of their lengths. `length` of each height becomes its
+ * ratio. */
 static void make_curve(size_t n, ovr_height *at)
 {
     double whole = 0, above = 0;
@@ -35,7 +36,7 @@ static void make_curve(size_t n, ovr_height *at)
     }
 }
 
-/* The height at a ratio, and the ratio at a height. */
+/* Returns the height at a ratio; the ratio at a height. */
 static double height_at(size_t n, const ovr_height *at, double ratio)
 {
     size_t low = 0, high = n - 1;
@@ -69,7 +70,7 @@ static double ratio_at(size_t n, const ovr_height *at, double z)
 
 static const double CENTRAL = 0.4;
 
-/* Finds where the flattest secant begins. */
+/* Returns the ratio at which the secant with the smallest slope begins. */
 static double flattest(size_t n, const ovr_height *at)
 {
     double best = INFINITY, from = 0;
@@ -83,7 +84,8 @@ static double flattest(size_t n, const ovr_height *at)
     return from;
 }
 
-/* The line of least squares over the central part: its heights at 0 and 1. */
+/* Fits a line to the central part by least squares; returns its heights at 0
+ * and 1. */
 static void fit(size_t n, const ovr_height *at, double from, double line[2])
 {
     enum { PARTS = 4000 };
@@ -99,7 +101,7 @@ static void fit(size_t n, const ovr_height *at, double from, double line[2])
     line[1] = line[0] + slope;
 }
 
-/* The area between the curve and a height, above it. */
+/* Returns the area between the curve and a height z, above z. */
 static double area_above(size_t n, const ovr_height *at, double z)
 {
     double area = 0, ratio = 0, high = fmax(at[0].z - z, 0);
@@ -129,7 +131,8 @@ ovr_core ovr_material_ratio(size_t n, ovr_height *heights)
     ovr_core core = {0};
     make_curve(n, at);
     fit(n, at, flattest(n, at), line);
-    core.k = fmax(line[0] - line[1], 0); /* rounding of a plateau */
+    core.k = fmax(line[0] - line[1], 0); /* a plateau may have a slope from
+                                          * rounding */
     core.mr1 = ratio_at(n, at, line[0]);
     core.mr2 = ratio_at(n, at, line[1]);
     if (core.mr1 > 0)
@@ -139,8 +142,8 @@ ovr_core ovr_material_ratio(size_t n, ovr_height *heights)
     return core;
 }
 
-enum { SECTIONS = 5 };          /* of the standard */
-static const double EPS = 1e-9; /* rounding of lengths */
+enum { SECTIONS = 5 };          /* by the standard */
+static const double EPS = 1e-9; /* rounding errors of lengths */
 
 static ovr_status whole(const ovr_profile *p, ovr_error *err)
 {
@@ -169,13 +172,13 @@ static void measure_lengths(const ovr_profile *p, ovr_profile_numbers *r)
     }
 }
 
-/* The points that count: all of them, or those within the middle five section
- * lengths.  Each point stands for a spacing, the outer ones too: 4000 points
+/* The points that are evaluated: all, or those of the middle five section
+ * lengths. Each point represents one spacing, also the outer ones: 4000 points
  * at 1 um are five times 0.8 mm. */
 typedef struct part {
-    const double *x, *z; /* of the first point in it */
+    const double *x, *z; /* start of the evaluated part */
     size_t n;
-    double from; /* where the first section begins */
+    double from; /* start of the first section */
 } part;
 
 static part find_part(const ovr_profile *p, ovr_profile_numbers *r)
@@ -218,8 +221,8 @@ static void measure_heights(const part *w, ovr_profile_numbers *r)
     r->ku = m2 > 0 ? m4 / m2 / m2 : NAN;
 }
 
-/* Highest peak and deepest valley of each section; their means, and both of
- * all sections. */
+/* Computes the highest peak and deepest valley of each section, their means,
+ * and the extremes of all sections. */
 static void measure_peaks(const part *w, ovr_profile_numbers *r)
 {
     double top[SECTIONS], bottom[SECTIONS], high = -INFINITY, low = INFINITY;
@@ -234,7 +237,7 @@ static void measure_peaks(const part *w, ovr_profile_numbers *r)
     }
     for (int k = 0; k < r->sections; k++) {
         if (top[k] < bottom[k])
-            continue; /* no point in it */
+            continue; /* section without points */
         r->p += top[k];
         r->v -= bottom[k];
         high = fmax(high, top[k]);
@@ -321,9 +324,10 @@ double ovr_profile_cutoff(double length)
  */
 typedef struct spectrum {
     size_t n;
-    size_t finest; /* beyond it the spline made it up */
+    size_t finest; /* wave number above which the spectrum is an artefact of the
+                    * spline */
     double step;
-    double *power; /* n/2 */
+    double *power; /* n/2 elements */
 } spectrum;
 
 static ovr_status transform(const ovr_profile *p, spectrum *s, ovr_arena *arena,
@@ -400,7 +404,7 @@ ovr_status ovr_profile_waves(const ovr_profile *profile, size_t maximum,
     while (!status && *found < maximum && total > 0) {
         size_t k = strongest(&s);
         if (!k || s.power[k] < 1e-3 * total)
-            break; /* none, or less than a tenth of a percent */
+            break; /* no further peak, or less than 0.1 % of the power */
         waves[(*found)++] = wave_at(&s, k, total);
         for (size_t j = k > 2 ? k - 2 : 1; j <= k + 2 && j < s.n / 2; j++)
             s.power[j] = 0;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A profile is measured: its heights, slopes and waves. */
+/* Heights, slopes and waves of a profile. */
 #ifndef OVR_SURFACE_STATISTICS_H
 #define OVR_SURFACE_STATISTICS_H
 
@@ -17,7 +17,7 @@
  *     peaks above the core have (1 - mr2 the valleys below), of equal area
  */
 
-/* A height, and the length that has it. */
+/* A height and the length of the profile at this height. */
 typedef struct ovr_height {
     double z, length;
 } ovr_height;
@@ -26,7 +26,7 @@ typedef struct ovr_core {
     double k, pk, vk, mr1, mr2;
 } ovr_core;
 
-/* Sorts n >= 1 heights, the highest first. */
+/* Sorts n >= 1 heights in descending order and evaluates the curve. */
 ovr_core ovr_material_ratio(size_t n, ovr_height *heights);
 
 #endif

@@ -23,9 +23,9 @@
 #include "surface/footprint.h"
 #include "surface/measured.h"
 
-/* ------------------------------------------------------- where a feature is */
+/* -------------------------------------------------- position of a feature */
 
-/* Finds where a feature is at T = 0. */
+/* Finds where the centre is at T = 0. */
 
 /* Finds where the centre is at T = 0 when the feature's reference point
  * (start), its centre, its leading edge or its arrival at X = 0 was given. */
@@ -42,7 +42,7 @@ static double centre_at_start(double way, const ovr_feature_form *form,
     return tabulated ? form->start - f->ahead : form->start;
 }
 
-/* Just outside of the film, on the side that it comes from. */
+/* Starts a feature just outside the film, on the side from which it enters. */
 static ovr_status start_outside(ovr_feature *f, const ovr_feature_form *form,
                                 double inlet, double outlet, ovr_error *err)
 {
@@ -69,7 +69,7 @@ static ovr_status start_outside(ovr_feature *f, const ovr_feature_form *form,
                           f->name);
 }
 
-/* The key of the position, one of them if there are several. */
+/* Returns the key that gives the position; one of them if there are several. */
 static const char *place_of(const ovr_feature_form *form)
 {
     return !isnan(form->arrival)  ? "arrival"
@@ -79,10 +79,9 @@ static const char *place_of(const ovr_feature_form *form)
                                   : "origin";
 }
 
-/* Sets its start from what the form gives: start, centre, edge, arrival or
- * origin; with none of them it starts at the end of the film.  `way`: how
- * far it moves until its arrival.  The shape
- * must be made. */
+/* Sets the position at T = 0 from start, centre, edge, arrival or origin;
+ * without any of them the feature starts at the end of the film. `way`:
+ * distance that it moves until its arrival. The shape must be set. */
 static ovr_status feature_place(ovr_feature *f, const ovr_feature_form *form,
                                 double way, double inlet, double outlet,
                                 ovr_error *err)
@@ -237,7 +236,8 @@ static ovr_status check_common(const ovr_feature_form *form, ovr_error *err)
     return OVR_OK;
 }
 
-/* Copies may overlap, but not so that thousands meet at one node. */
+/* Checks the distance between copies: they may overlap, but not by thousands at
+ * one node. */
 static ovr_status check_repeat(const ovr_feature *f, ovr_error *err)
 {
     double size = f->reach_behind + f->reach_ahead;
@@ -257,7 +257,7 @@ static ovr_status check_repeat(const ovr_feature *f, ovr_error *err)
     return OVR_OK;
 }
 
-/* Heights of shapes that have no formula. */
+/* Creates the table of heights for shapes without a formula. */
 static ovr_status make_table(ovr_surfaces *surfaces,
                              const ovr_feature_form *form, ovr_feature *f,
                              ovr_error *err)
@@ -281,7 +281,8 @@ static ovr_status make_table(ovr_surfaces *surfaces,
     return OVR_OK;
 }
 
-/* Everything that can fail happens here, before the feature is linked in. */
+/* Creates a feature. All errors are detected here, before the feature is
+ * added. */
 static ovr_status make(ovr_surfaces *surfaces, const ovr_feature_form *form,
                        ovr_feature *f, ovr_error *err)
 {
@@ -350,8 +351,8 @@ static double grown(const ovr_feature *f, double T)
                : ovr_smoothstep((T - f->grow_from) / f->grow);
 }
 
-/* The copies k = low..high that touch [X_a, X_b]; copy k is at
- * centre - k * p. */
+/* Returns the copies k = low..high that overlap [X_a, X_b]; copy k is centred
+ * at centre - k p. */
 static void copies_within(const ovr_feature *f, double centre, double X_a,
                           double X_b, double *low, double *high)
 {

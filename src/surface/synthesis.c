@@ -44,7 +44,7 @@ typedef struct random_surface {
     double longest, shortest, correlation;
     size_t n, waves;
     double *z, *size; /* heights, amplitude of each wave */
-    double *target;   /* sorted heights asked for */
+    double *target;   /* sorted heights with the specified distribution */
     double *normal;   /* quantiles */
     size_t *rank;
 } random_surface;
@@ -80,7 +80,7 @@ static ovr_status draw(random_surface *s, ovr_arena *arena, ovr_error *err)
 
 /* --------------------------------------------------------------- 2. scale */
 
-/* Zero mean and unit variance; returns the skewness and kurtosis. */
+/* Scales to zero mean and unit variance; returns skewness and kurtosis. */
 static void standardize(size_t n, double *z, double *skewness, double *kurtosis)
 {
     double mean = 0, square = 0, m3 = 0, m4 = 0, sigma;
@@ -110,7 +110,8 @@ static void moments_of(random_surface *s, double c, double d, double *skewness,
     standardize(s->n, s->target, skewness, kurtosis);
 }
 
-/* Newton with differences on (skewness, kurtosis)(c, d), steps bounded. */
+/* Solves for c and d with the specified skewness and kurtosis by Newton's
+ * method with difference quotients and limited steps. */
 static bool find_target(random_surface *s, double skewness, double kurtosis)
 {
     const double e = 1e-6;
@@ -179,7 +180,7 @@ static ovr_status shape_heights(random_surface *s, ovr_error *err)
         return OVR_OK;
     if (!find_target(s, skewness, kurtosis))
         return no_heights(f, skewness, kurtosis, err);
-    /* the amplitudes as drawn, so that realizations stay random */
+    /* The amplitudes remain as drawn, so that realizations are random. */
     gsl_fft_real_radix2_transform(s->z, 1, s->n);
     for (size_t k = 1; k <= s->waves; k++)
         s->size[k] = hypot(s->z[k], s->z[s->n - k]);
@@ -192,7 +193,7 @@ static ovr_status shape_heights(random_surface *s, ovr_error *err)
     return OVR_OK;
 }
 
-/* ---------------------------------------------------------------- the form */
+/* ----------------------------------------------------- checks of the form */
 
 static ovr_status bad(ovr_error *err, const char *key, double value,
                       const char *right)
@@ -249,7 +250,7 @@ static ovr_status reserve(random_surface *s, ovr_arena *arena, ovr_error *err)
     return ovr_arena_status(arena);
 }
 
-/* One period and its first point again. */
+/* Copies one period and repeats its first point at the end. */
 static ovr_status hand_over(const random_surface *s, ovr_profile *p,
                             ovr_error *err)
 {
@@ -305,13 +306,13 @@ ovr_profile *ovr_profile_random(const ovr_roughness *form,
 /* -------------------------------------------------------- areal roughness */
 
 typedef struct areal_waves {
-    random_surface s; /* all heights; size of the wave at its place */
+    random_surface s; /* heights of all points; amplitudes of the waves */
     double width, sine, cosine;
     size_t nx, ny;
-    double *wave; /* complex, nx ny, row after row */
+    double *wave; /* complex, nx ny elements, by rows */
 } areal_waves;
 
-/* Spectrum of wave k along x and l across. */
+/* Returns the spectrum of wave k along x and l across. */
 static double areal_spectrum(const areal_waves *a, double k, double l)
 {
     const ovr_roughness *f = a->s.form;
@@ -339,7 +340,7 @@ static void transform(const areal_waves *a, bool back)
     }
 }
 
-/* Heights of the waves. */
+/* Computes heights from the waves by inverse FFT. */
 static void sum_waves(const areal_waves *a)
 {
     transform(a, true);
@@ -347,7 +348,7 @@ static void sum_waves(const areal_waves *a)
         a->s.z[i] = a->wave[2 * i];
 }
 
-/* Waves of the heights. */
+/* Computes waves from the heights by FFT. */
 static void find_waves(const areal_waves *a)
 {
     for (size_t i = 0; i < a->s.n; i++) {
@@ -357,7 +358,7 @@ static void find_waves(const areal_waves *a)
     transform(a, false);
 }
 
-/* Draws wave (k, l), and the conjugate that makes the heights real. */
+/* Draws wave (k, l) and its conjugate, so that heights are real. */
 static void draw_wave(const areal_waves *a, const gsl_rng *rng, long k, long l)
 {
     const ovr_roughness *f = a->s.form;
@@ -390,7 +391,7 @@ static ovr_status draw_areal(areal_waves *a, ovr_arena *arena, ovr_error *err)
     return OVR_OK;
 }
 
-/* Changes the heights to the skewness and kurtosis of the form. */
+/* Changes the heights so that they have the specified skewness and kurtosis. */
 static ovr_status shape_areal(areal_waves *a, ovr_error *err)
 {
     random_surface *s = &a->s;
@@ -440,7 +441,7 @@ static ovr_status reserve_areal(areal_waves *a, ovr_arena *arena,
     return ovr_arena_status(arena);
 }
 
-/* One period, its first row and column again at the end. */
+/* Copies one period and repeats its first row and column at the end. */
 static ovr_status fill_map(const areal_waves *a, ovr_profile *p, ovr_error *err)
 {
     const ovr_roughness *f = a->s.form;

@@ -11,7 +11,7 @@ static bool has(ovr_line line, char c)
     return line.size && memchr(line.text, c, line.size);
 }
 
-/* A comma within quotation marks, as in "0,5","1,2". */
+/* True if a comma is within quotation marks, as in "0,5","1,2". */
 static bool has_quoted_comma(ovr_line line)
 {
     bool inside = false;
@@ -23,8 +23,9 @@ static bool has_quoted_comma(ovr_line line)
     return false;
 }
 
-/* A comma is a decimal point where something else separates: always together
- * with semicolons, with tabs when no field uses a point, and in quotes. */
+/* Determines separator and decimal point. A comma is a decimal point if another
+ * character separates: always with semicolons, with tabs if no field has a
+ * point, and in quotes. */
 ovr_layout ovr_layout_of(ovr_line line)
 {
     line = ovr_trim(line);
@@ -108,7 +109,7 @@ size_t ovr_count_numbers(ovr_line line, ovr_layout layout)
 
 typedef struct words {
     ovr_line rest;
-    const char *begin; /* of the text they come from */
+    const char *begin; /* start of the text that contains them */
 } words;
 
 static bool in_word(char c)
@@ -158,8 +159,8 @@ static char axis_of(ovr_line word)
 
 /* ---------------------------------------------------------------- header */
 
-/* "in b" and "in b^2/R": the contact's own units, as ovr_profile_save writes
- * them. */
+/* True for "in b" and "in b^2/R", the contact's own units as written by
+ * ovr_profile_save. */
 static bool scaled_unit(const words *w, ovr_line word)
 {
     bool in = word.text - w->begin >= 3 && memcmp(word.text - 3, "in ", 3) == 0;
@@ -181,7 +182,7 @@ static bool is_plain_word(ovr_line word)
     return false;
 }
 
-/* "[furlong]", "in furlong", or the one word behind an axis. */
+/* True for "[furlong]", "in furlong", or the single word after an axis. */
 static bool looks_like_unit(const words *w, ovr_line word, char axis)
 {
     const char *p = word.text;
@@ -194,9 +195,9 @@ static bool looks_like_unit(const words *w, ovr_line word, char axis)
     return axis && !ovr_trim(w->rest).size;
 }
 
-/* "Lateral um", "x in nm", "X_(microns)", "[mm]": the first word that names
- * an axis, the last that is a unit.  With a number in it ("step 5 um") it is
- * about something else. */
+/* Reads the heading of a column: "Lateral um", "x in nm", "X_(microns)",
+ * "[mm]". Uses the first word that names an axis and the last that is a unit. A
+ * field with a number ("step 5 um") is no heading. */
 static ovr_column read_field(ovr_line field)
 {
     ovr_column column = {.from = field};
@@ -237,13 +238,13 @@ static void learn(ovr_column *column, ovr_column now)
     }
 }
 
-/* A statement in a header, such as "unit_x = um", "Z unit: nm", "units mm" or
+/* An assignment in a header: "unit_x = um", "Z unit: nm", "units mm" or
  * "spacing = 0.5 um". */
 typedef struct statement {
     bool unit, spacing;
     char axis;
     double metres, number;
-    ovr_line unknown; /* the last word behind = or : that is nothing else */
+    ovr_line unknown; /* last unrecognized word after = or : */
 } statement;
 
 static bool behind_sign(ovr_line line, ovr_line word)
@@ -294,8 +295,8 @@ static bool read_statement(ovr_header *header, ovr_line line)
     return s.unit || s.spacing;
 }
 
-/* Headers of maps as Gwyddion writes them: "Width: 40 um", "Height: 20 um",
- * "Value units: m". */
+/* Reads the size of a map as written by Gwyddion: "Width: 40 um", "Height: 20
+ * um", "Value units: m". */
 static bool read_map_size(ovr_header *header, ovr_line line)
 {
     const struct {
@@ -325,7 +326,8 @@ static bool read_map_size(ovr_header *header, ovr_line line)
     return false;
 }
 
-/* "x [mm]   z [um]": as many units or axes among the words as columns. */
+/* Reads headings in words, "x [mm]   z [um]": the line must have as many units
+ * or axes as columns. */
 static void read_words(ovr_header *header, ovr_line line)
 {
     size_t units = 0, axes = 0;
@@ -353,9 +355,9 @@ static void read_words(ovr_header *header, ovr_line line)
     }
 }
 
-/* True if there are as many fields as columns; or fewer, when the line ends
- * with a separator (the columns behind have no name); or more, when those are
- * empty. */
+/* True if the number of fields matches that of columns. Fewer are accepted if
+ * the line ends with a separator (the last columns have no name), more if they
+ * are empty. */
 static bool fits(const ovr_fields *fields, size_t columns)
 {
     size_t named = fields->count;
@@ -388,7 +390,7 @@ void ovr_header_line(ovr_header *header, ovr_line line, char separator)
         return;
     if (read_map_size(header, line) || header->columns > OVR_HEADER_FIELDS_MAX)
         return;
-    if (header->columns == 1) { /* its name stands just above the data */
+    if (header->columns == 1) { /* its name is just above the data */
         if (read_statement(header, line))
             header->stated |= header->column[0].metres > 0;
         else if (!header->stated)

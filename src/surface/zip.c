@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "surface/zip.h"
 
-#define ZLIB_CONST /* input is not changed */
+#define ZLIB_CONST /* for const input pointers */
 #include <limits.h>
 #include <string.h>
 #include <zlib.h>
@@ -9,14 +9,14 @@
 #include "base/error.h"
 
 enum {
-    END = 22, /* bytes of the record at the end, of others likewise */
+    END = 22, /* sizes of records in bytes; END: the one at the end */
     END_64 = 56,
     LOCATOR_64 = 20,
     CENTRAL = 46,
     LOCAL = 30,
     STORED = 0,
     DEFLATED = 8,
-    ENCRYPTED = 1 /* flag */
+    ENCRYPTED = 1 /* flag bit */
 };
 
 static const char end_mark[] = "PK\5\6", end_64_mark[] = "PK\6\6",
@@ -27,7 +27,7 @@ static const char cut_off[] = "its directory is cut off or damaged";
 
 /* --------------------------------------------------------------- directory */
 
-/* A little-endian number. */
+/* Reads a little-endian number. */
 static uint64_t number(const char *at, int bytes)
 {
     uint64_t value = 0;
@@ -43,8 +43,9 @@ static bool has_mark(ovr_bytes content, uint64_t at, size_t bytes,
            !memcmp(content.data + at, mark, 4);
 }
 
-/* The record at the end is followed by a comment of up to 64 kB, which may
- * contain the mark.  A record whose comment ends with the file is preferred. */
+/* Finds the end record. It is followed by a comment of up to 64 kB, which may
+ * contain its signature; a record whose comment ends with the file is
+ * preferred. */
 static bool find_end(ovr_bytes content, size_t *end)
 {
     bool found = false;
@@ -66,8 +67,8 @@ typedef struct directory {
     uint64_t entries, at;
 } directory;
 
-/* Counts and places that do not fit into the record at the end are in another
- * one before it. */
+/* Reads counts and offsets. If they do not fit into the end record, they are in
+ * another record before it. */
 static const char *find_directory(ovr_bytes content, directory *d)
 {
     size_t end;
@@ -90,8 +91,8 @@ static const char *find_directory(ovr_bytes content, directory *d)
     return NULL;
 }
 
-/* Reads 64-bit sizes from the extra field where the 32-bit ones have only ones.
- */
+/* Reads 64-bit sizes from the extra field if all bits of the 32-bit ones are
+ * set. */
 static void read_extra(ovr_zip_entry *e, const char *at, size_t bytes)
 {
     uint64_t *const value[] = {&e->size, &e->packed, &e->at};
@@ -111,8 +112,8 @@ static void read_extra(ovr_zip_entry *e, const char *at, size_t bytes)
     }
 }
 
-/* Reads an entry of the directory; returns its length, 0 if it is damaged or
- * there is no memory. */
+/* Reads an entry of the directory; returns its length, or 0 if it is damaged or
+ * memory is insufficient. */
 static size_t read_entry(const ovr_zip *zip, uint64_t at, ovr_zip_entry *e,
                          ovr_arena *arena, ovr_error *err)
 {
@@ -185,7 +186,7 @@ static bool inflate_all(ovr_bytes packed, char *to, size_t size)
                   .next_out = (Bytef *)to,
                   .avail_out = (uInt)size};
     char none;
-    if (!size) /* zlib needs a place */
+    if (!size) /* zlib needs a valid pointer */
         z.next_out = (Bytef *)&none;
     if (inflateInit2(&z, -MAX_WBITS) != Z_OK)
         return false;
@@ -194,7 +195,8 @@ static bool inflate_all(ovr_bytes packed, char *to, size_t size)
     return whole;
 }
 
-/* The local header repeats the name, and has an extra field of its own. */
+/* Finds the compressed data after the local header, which repeats the name and
+ * has its own extra field. */
 static bool find_packed(const ovr_zip *zip, const ovr_zip_entry *e,
                         ovr_bytes *packed)
 {
@@ -241,8 +243,8 @@ static char *put(char *at, uint64_t value, int bytes)
     return at;
 }
 
-/* From the version that is needed to the length of the extra field, which
- * local headers and the directory have in common. */
+/* Writes the fields from the required version to the length of the extra field,
+ * which local headers and the directory have in common. */
 static char *put_common(char *at, const ovr_zip_entry *e)
 {
     at = put(at, 20, 2);
@@ -290,7 +292,7 @@ static bool write_end(FILE *to, uint64_t entries, uint64_t from, uint64_t end)
     return write_record(to, record, END, "");
 }
 
-/* Deflated data where they are smaller. */
+/* Compresses the data if that makes them smaller. */
 static bool pack(const ovr_zip_file *file, bool stored, ovr_arena *arena,
                  ovr_zip_entry *e, const void **packed)
 {

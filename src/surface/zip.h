@@ -13,7 +13,7 @@
 typedef struct ovr_zip_entry {
     char *name;
     unsigned method, flags, crc;
-    uint64_t packed, size, at; /* bytes; place of the local header */
+    uint64_t packed, size, at; /* in bytes; offset of the local header */
 } ovr_zip_entry;
 
 typedef struct ovr_zip {
@@ -30,8 +30,8 @@ ovr_status ovr_zip_open(ovr_zip *zip, ovr_bytes content, const char *file,
 /* Returns the entry with this name, or NULL. */
 const ovr_zip_entry *ovr_zip_find(const ovr_zip *zip, const char *name);
 
-/* Unpacks an entry into `to`, which has its size.  Returns NULL or the reason
- * of the failure; the checksum is verified. */
+/* Unpacks an entry into `to`, which must have its size, and verifies the
+ * checksum. Returns NULL or the reason of the failure. */
 const char *ovr_zip_unpack(const ovr_zip *zip, const ovr_zip_entry *entry,
                            char *to);
 
@@ -42,8 +42,8 @@ typedef struct ovr_zip_file {
     size_t size;
 } ovr_zip_file;
 
-/* Writes an archive, deflated or stored; false: an error of the stream or of
- * memory.  All files are smaller than 4 GB. */
+/* Writes an archive, compressed or stored; all files must be smaller than 4 GB.
+ * Returns false after a write error or without memory. */
 bool ovr_zip_write(FILE *to, const ovr_zip_file *file, size_t files,
                    bool stored, ovr_arena *arena);
 
