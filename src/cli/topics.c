@@ -124,8 +124,10 @@ static const struct {
      "[boundary]:\n"
      "    [study]\n    case = rollers.ini\n    [product]\n"
      "    contact.mean_speed = log 0.01 to 100 m/s in 25\n"
-     "'overroll sweep STUDY.ini' runs it and 'overroll plot STUDY.ini' draws "
-     "it.\ntools/examples/stribeck.ini is a complete example."},
+     "'overroll sweep STUDY.ini' runs it and\n"
+     "'overroll plot STUDY.ini --kind stribeck -o PICTURE' draws friction, "
+     "contact share\nand film thickness.  overroll-recipes(7) has a complete "
+     "example."},
     {"life",
      "Stresses below a surface and the fatigue risk of the material:\n"
      "    [stress]\n    surface = 1\n    [fatigue]\n    criterion = circle\n"

@@ -229,10 +229,10 @@ static ovr_status judge(ovr_find *f, const ovr_search_result *r, ovr_error *err)
         f->info.end = OVR_FIND_MISSED;
         return ovr_fail(err, OVR_BAD_INPUT,
                         "the condition %s %s %.6g already holds at %g%s; "
-                        "extend the range: %s",
+                        "extend the range %s it",
                         i->quantity, i->sense > 0 ? "at least" : "at most",
                         i->target, *i->which == 'l' ? r->to : r->from,
-                        f->suffix, *i->which == 'l' ? "beyond" : "below");
+                        f->suffix, *i->which == 'l' ? "above" : "below");
     case OVR_SEARCH_SEVERAL:
         f->info.end = OVR_FIND_SEVERAL;
         return fail_several(f, r, err);

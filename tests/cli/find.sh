@@ -168,7 +168,7 @@ contains err 'go below 0.2'
 # shellcheck disable=SC2086
 expect 2 "$OVERROLL" find dent.ini largest feature.dent.depth between 0.01 \
     and 0.05 so that H_min_overall at least 0.05
-contains err 'already holds at 0.05; extend the range'
+contains err 'already holds at 0.05; extend the range above it'
 asks() { # PATTERN QUESTION...
     pattern=$1
     shift

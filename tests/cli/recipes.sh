@@ -23,6 +23,6 @@ expect 0 sh -e recipes
 contains out '^lubricant.iso_vg = '
 contains out '^feature.dent.depth = '
 for file in speed.svg dent.png dent.html centre.csv history.csv traction.svg \
-    trace.h5 gear.png; do
+    stribeck.png trace.h5 gear.png; do
     [ -s "$file" ] || fail "no $file"
 done
