@@ -5,10 +5,13 @@
 #include <string.h>
 
 #include "case/accuracy.h"
+#include "case/domain.h"
+#include "case/resolve.h"
 #include "case/setup.h"
 #include "contact/contact.h"
 #include "contact/film_formula.h"
 #include "contact/oil.h"
+#include "contact/starvation.h"
 #include "overroll/questions.h"
 #include "run/cost.h"
 #include "run/run.h"
@@ -299,6 +302,30 @@ static void say_bodies(const ovr_report_sink *to, const ovr_setup *setup)
             100 * -expm1(-period / p->recovery));
 }
 
+/* Ends of the domain; a detail unless the inlet was chosen automatically and is
+ * further upstream than usual. */
+static void say_domain(const ovr_report_sink *to, const ovr_setup *setup)
+{
+    const ovr_options *o = setup->options;
+    const ovr_contact *c = setup->contact;
+    const ovr_slot *inlet = ovr_slot_of(setup->resolved, "domain", "inlet");
+    double loss = ovr_inlet_loss(c->M, c->L, OVR_USUAL_INLET);
+    if (!inlet->word || inlet->number != 0 || o->inlet >= OVR_USUAL_INLET)
+        ovr_report_detail(to, "domain", "X = %.4g to %.4g", o->inlet,
+                          o->outlet);
+    else if (ovr_setup_needs(setup).varies)
+        ovr_report_line(to, "domain",
+                        "X = %.4g to %.4g; inlet upstream of X = %g for all "
+                        "film thicknesses and half-widths of the histories",
+                        o->inlet, o->outlet, OVR_USUAL_INLET);
+    else
+        ovr_report_line(to, "domain",
+                        "X = %.4g to %.4g; an inlet at X = %g would reduce the "
+                        "central film thickness by %s%.2g %%",
+                        o->inlet, o->outlet, OVR_USUAL_INLET,
+                        loss < 0.2 ? "" : "more than ", 100 * fmin(loss, 0.2));
+}
+
 static void say_grid(const ovr_report_sink *to, const ovr_setup *setup,
                      const ovr_cost *cost)
 {
@@ -311,7 +338,7 @@ static void say_grid(const ovr_report_sink *to, const ovr_setup *setup,
     ovr_report_line(to, "grid", "level %d, %.0f nodes, mesh size D = %.6g%s",
                     o->level, cost->nodes, cost->mesh,
                     in_metres(cost->mesh, setup->contact->b).text);
-    ovr_report_detail(to, "domain", "X = %g to %g", o->inlet, o->outlet);
+    say_domain(to, setup);
     if (o->refine && o->refine_level)
         ovr_report_line(to, "local refinement",
                         "at the pressure spike, to level %d, mesh size %.3g",

@@ -60,26 +60,6 @@ static void warn_of_kept_inlet(const ovr_review *r,
                    r->setup->resolved->inlet_kept);
 }
 
-/* Notes that the default inlet is further upstream than usual, or could not be
- * moved because of a feature. */
-static void say_usual_inlet(const ovr_review *r, const ovr_domain_needs *needs)
-{
-    double inlet = r->setup->options->inlet;
-    const ovr_contact *contact = r->setup->contact;
-    double loss = ovr_inlet_loss(contact->M, contact->L, OVR_USUAL_INLET);
-    if (inlet < OVR_USUAL_INLET && needs->varies)
-        ovr_review_add(
-            r, OVR_MESSAGE_NOTE,
-            "inlet boundary moved to X = %.4g for all film thicknesses and "
-            "half-widths of the histories of load, speed and radius",
-            inlet);
-    else if (inlet < OVR_USUAL_INLET)
-        ovr_review_add(r, OVR_MESSAGE_NOTE,
-                       "inlet boundary moved to X = %.4g; at X = -4 the "
-                       "central film thickness would be %s too low",
-                       inlet, share_of(loss).text);
-}
-
 /* Warns if the given inlet boundary is too close. A starved inlet is judged by
  * the position of the meniscus (ovr_review_inlet). */
 static void warn_of_near_inlet(const ovr_review *r,
@@ -112,9 +92,7 @@ static void review_domain(const ovr_review *r)
     ovr_domain_needs needs = ovr_setup_needs(r->setup);
     if (r->setup->resolved->inlet_kept < 0 && needs.loss > OVR_USUAL_LOSS)
         warn_of_kept_inlet(r, &needs);
-    else if (is_usual(r, "inlet"))
-        say_usual_inlet(r, &needs);
-    else
+    else if (!is_usual(r, "inlet"))
         warn_of_near_inlet(r, &needs);
     warn_of_near_outlet(r, &needs);
 }
