@@ -65,7 +65,7 @@
 #include "simulation/scheme.h"
 #include "surface/surfaces.h"
 
-/* The order that a solution reaches where nothing goes wrong. */
+/* Returns the order of the discretization that a solution normally reaches. */
 static int order_of(const ovr_setup *s)
 {
     if (ovr_setup_corrected(s))
@@ -73,13 +73,13 @@ static int order_of(const ovr_setup *s)
     return ovr_scheme_record(s->options->scheme)->order;
 }
 
-/* Of x^3, with l^4. */
+/* Returns the factor of x^3; l is the fourth power of min(L, 25)/17. */
 static double by_gap(const ovr_setup *s, double l)
 {
     return (ovr_history_varies(s->speed) ? 2 : 1) * (1.5 + 7 * l);
 }
 
-/* Features of either kind: waves, or tables of heights. */
+/* True if there are rough features of one kind: waves, or tables of heights. */
 static bool has_rough(const ovr_setup *s, bool tables)
 {
     size_t n = s->surfaces ? ovr_surfaces_count(s->surfaces) : 0;
@@ -99,8 +99,8 @@ static double by_logarithms(const ovr_setup *s, double l)
     return (s->transient && varies ? varying : constant) * (2 + l);
 }
 
-/* The error of the films of a contact of these M and L, whose own half width is
- * b. */
+/* Returns the error of the film thickness of a contact with these M and L and
+ * with the mesh size relative to its own half-width. */
 static double of_film(const ovr_setup *s, double M, double L, double mesh)
 {
     double x = mesh / pow(ovr_film_central_moes(M, L), 2. / 3);
@@ -109,7 +109,8 @@ static double of_film(const ovr_setup *s, double M, double L, double mesh)
     bool likely = s->accuracy_of == OVR_ACCURACY_ALL;
     bool minimum = likely || s->accuracy_of == OVR_ACCURACY_H_MIN;
     int order = order_of(s);
-    const double between_nodes = 3e-5; /* of a minimum on coarse nodes */
+    const double between_nodes = 3e-5; /* error of a minimum between coarse
+                                        * nodes */
     double spike = k * pow(x, 1.3), cube = x * x * x;
     bool gap = s->options->faces != OVR_FACES_LOGARITHMIC;
     l *= l * l * l;
@@ -127,7 +128,8 @@ static double of_film(const ovr_setup *s, double M, double L, double mesh)
     return order == 2 ? 1.5 * x * x + (minimum ? 0.55 * spike : 0) : 0.6 * x;
 }
 
-/* The contact at a time, and its curvature over the nominal one. */
+/* Returns the contact at time T, and its curvature relative to the reference
+ * curvature. */
 static ovr_instant instant(const ovr_setup *s, double T, double *curvature)
 {
     double w = fmax(ovr_history_value(s->load, T), OVR_MIN_START);
@@ -138,7 +140,7 @@ static ovr_instant instant(const ovr_setup *s, double T, double *curvature)
 
 enum { LOOKS = 64 };
 
-/* The largest over the run counts, where the radius varies. */
+/* Returns the maximum over the run, for a varying radius. */
 static double largest_of_film(const ovr_setup *s)
 {
     double maximum = of_film(s, s->contact->M, s->contact->L, s->mesh);
@@ -217,8 +219,8 @@ double ovr_expected_of_mesh(const ovr_setup *s)
     return largest_of_film(s);
 }
 
-/* The likely error that a feature makes in the minimum film thickness H, times
- * N^2. */
+/* Estimates the likely error of the minimum film thickness H caused by a
+ * feature, times N^2. */
 static double likely_of_feature(const ovr_setup *s, const ovr_feature_info *f,
                                 double H, bool starved)
 {
@@ -246,7 +248,7 @@ static double of_feature(const ovr_setup *s, const ovr_feature_info *f,
     bool likely = s->accuracy_of == OVR_ACCURACY_ALL;
     double thinner = fmin(H, arriving), part = A / (likely ? thinner : H);
     if (s->accuracy_of == OVR_ACCURACY_FEATURES)
-        part = 1; /* relative to their effect */
+        part = 1; /* relative to the effect of the features */
     double square = likely ? likely_of_feature(s, f, thinner, arriving < H)
                            : 8 * part;
     ovr_scheme scheme = f->speed != 0 ? s->options->scheme : OVR_CHARACTERISTIC;
@@ -277,6 +279,6 @@ double ovr_expected(const ovr_setup *s, double arriving)
 
 double ovr_expected_at_most(const ovr_setup *s)
 {
-    const double spread = 2; /* bounds have none */
+    const double spread = 2; /* bounds have no spread */
     return (s->accuracy_of == OVR_ACCURACY_ALL ? spread : 1) * s->expected;
 }

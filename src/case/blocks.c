@@ -74,7 +74,7 @@ bool ovr_block_is_feature(const ovr_block *block)
     return !strcmp(block->section->name, "feature");
 }
 
-/* A section that a study has. */
+/* True if `word` is the name of a section of studies. */
 static bool is_of_study(const char *word)
 {
     static const char *const names[] = {"study", "set", "product", "zip"};
@@ -133,7 +133,7 @@ static ovr_status no_section(const char *header, ovr_error *err)
                     OVR_NAME_MAX, header, there);
 }
 
-/* A name that survives being written as [section NAME]. */
+/* True if a name can be written as [section NAME] and read again. */
 static bool may_name(const char *name)
 {
     size_t size = strlen(name);

@@ -15,9 +15,9 @@
 
 /* --------------------------------------------------------------- settings */
 
-/* "section.key" taken apart at its last point. */
+/* "section.key" split at its last point. */
 typedef struct place {
-    ovr_slot *slot; /* NULL: there is none */
+    ovr_slot *slot; /* NULL: no such key */
     const ovr_parameter *row;
 } place;
 
@@ -47,7 +47,7 @@ static place find_place(ovr_case *c, const char *where, ovr_error *err)
     return at;
 }
 
-/* What is written into the text of a case is read from it again. */
+/* True if a text, written into a case, is read again unchanged. */
 static bool survives(const char *text)
 {
     for (const char *p = text; *p; p++) {
@@ -68,8 +68,8 @@ static const char *trimmed(const char *value, ovr_arena *arena, ovr_error *err)
     return copy;
 }
 
-/* viscosity and alpha are keys of [contact] and of [lubricant]: the later
- * setting of one replaces the other, as it replaces itself. */
+/* Clears the other key of the same quantity: viscosity and alpha are keys of
+ * [contact] and of [lubricant], and the later setting is used. */
 static void unset_other_name(ovr_case *c, const ovr_parameter *row)
 {
     static const char *const sections[] = {"contact", "lubricant"};
@@ -158,7 +158,7 @@ void ovr_case_unset(ovr_case *c, const char *where)
     *at.slot = fresh;
 }
 
-/* ---------------------------------------------------------------- looking */
+/* ----------------------------------------------------------------- access */
 
 const char *ovr_case_name(const ovr_case *c)
 {
@@ -211,7 +211,7 @@ ovr_case_entry ovr_case_entry_at(const ovr_case *c, size_t k)
     return entry;
 }
 
-/* Points and blanks part names alike. */
+/* Compares names; points and blanks are equal. */
 static bool is_same(const char *name, const char *where, size_t length)
 {
     if (strlen(name) != length)
@@ -233,10 +233,10 @@ bool ovr_entry_is(const ovr_case_entry *entry, const char *where, size_t length)
 
 /* ------------------------------------------------------------------ filling */
 
-/* The values of a block into the struct that its rows point into, in the units
- * of the contact; and where errors about them belong. */
+/* Stores the values of a block in the struct that its rows refer to, in the
+ * units of the contact. Adds the place of a key to errors. */
 
-/* ----------------------------------------------------- where errors belong */
+/* ------------------------------------------------------- places of errors */
 
 static const ovr_slot *given_slot(const ovr_block *block, const char *key)
 {
@@ -284,7 +284,7 @@ static ovr_status no_scale(const ovr_parameter *row, const ovr_slot *slot,
                          slot->text, add, ovr_hertzian_name(row->hertzian));
 }
 
-/* Hertzian value of a number of the slot, checked against the range. */
+/* Converts the number of a slot to Hertzian units and checks its range. */
 static ovr_status scale(const ovr_resolved *r, const ovr_parameter *row,
                         const ovr_slot *slot, double *number, ovr_error *err)
 {
@@ -292,7 +292,7 @@ static ovr_status scale(const ovr_resolved *r, const ovr_parameter *row,
     ovr_error why = {0};
     if (!slot->unit || !row->hertzian)
         return OVR_OK;
-    if (unit == 0) /* of what makes the contact: it is not known yet */
+    if (unit == 0) /* defines the contact, so the unit is not known yet */
         return OVR_OK;
     if (isnan(unit))
         return no_scale(row, slot, err);

@@ -16,13 +16,13 @@ enum { OVR_NAME_MAX = 48, OVR_LINE_MAX = 190, OVR_CASE_MAX = 1 << 20 };
 typedef struct ovr_slot {
     const char *key;
     bool given;
-    bool stored;      /* by the text in a result file */
-    const char *text; /* as given or the default; NULL: neither */
-    const char *file; /* or origin */
-    long line;        /* 0: not from a file */
-    long replaces;    /* line of the file that a later setting replaced */
-    double number;    /* SI or without a unit; for a word its value */
-    const char *unit; /* as written; NULL: bare or a word */
+    bool stored;      /* read from the text in a result file */
+    const char *text; /* as given, or the default; NULL: neither */
+    const char *file; /* file or other origin */
+    long line;        /* line number; 0: not from a file */
+    long replaces;    /* line of the file whose setting this one replaces */
+    double number;    /* in SI or without a unit; the value of a word */
+    const char *unit; /* as written; NULL: none, or a word */
     bool word;
     ovr_list list;
     unsigned bits;
@@ -30,31 +30,34 @@ typedef struct ovr_slot {
 
 typedef struct ovr_block {
     const ovr_section *section;
-    size_t first;     /* number of its first row among those of all sections */
-    const char *name; /* of a feature; else NULL */
-    long line;        /* of its header; 0: none */
-    size_t count;     /* of slots, one a row of the section */
+    size_t first;     /* index of its first row among the rows of all
+                       * sections */
+    const char *name; /* of a feature; otherwise NULL */
+    long line;        /* line of its header; 0: none */
+    size_t count;     /* number of slots, one per row of the section */
     ovr_slot *slots;
     struct ovr_block *next;
 } ovr_block;
 
 struct ovr_case {
     ovr_arena arena;
-    const char *name;      /* in messages; NULL: no file */
+    const char *name;      /* for messages; NULL: no file */
     const char *directory; /* NULL: the working directory */
     const char *source;    /* text read, or NULL */
-    ovr_block *blocks;     /* in the order of the sections, then features */
-    const char *standing;  /* of a steady solve of an element: a station's name,
-                              an angle or a time, "" the nominal; NULL: it runs
-                              its way */
+    ovr_block *blocks;     /* in the order of the sections, followed by
+                            * features */
+    const char *standing;  /* position of a steady solution of a machine
+                            * element: name of a contact point, an angle or a
+                            * time; "": reference position; NULL: solved along
+                            * its path */
 };
 
-/* Understands `text`; the error is about the key, which begins it. */
+/* Parses `text`. The error message begins with the key. */
 ovr_status ovr_slot_read(const ovr_parameter *row, const char *text,
                          ovr_arena *arena, ovr_slot *slot, ovr_error *err);
 
-/* Fails unless the number, as written in `text`, is in the row's range;
- * `number` is SI where `unit`, else bare. */
+/* Fails unless the number is in the row's range. `text`: the number as written.
+ * `number` is in SI if `unit` is given, otherwise without unit. */
 ovr_status ovr_range_check(const ovr_parameter *row, double number,
                            const char *text, ovr_error *err);
 
@@ -63,62 +66,64 @@ ovr_status ovr_range_check(const ovr_parameter *row, double number,
 bool ovr_entry_is(const ovr_case_entry *entry, const char *where,
                   size_t length);
 
-/* The block of a section; feature blocks by name, made when absent. */
+/* Returns the block of a section; of features by name, created if absent. */
 ovr_block *ovr_case_block(ovr_case *c, const ovr_section *section,
                           const char *name, ovr_error *err);
 const ovr_block *ovr_case_find_block(const ovr_case *c, const char *section,
                                      const char *name);
 
-/* A block of a feature, not of a body. */
+/* True for the block of a feature, false for that of a body. */
 bool ovr_block_is_feature(const ovr_block *block);
 
-/* The slot of a key, NULL with a message that suggests when there is none. */
+/* Returns the slot of a key. If there is none, returns NULL with a message that
+ * suggests a key. */
 ovr_slot *ovr_block_slot(const ovr_block *block, const char *key,
                          const ovr_parameter **row, ovr_error *err);
 
 /* Reports an unknown key of a section, with a suggestion. */
 void ovr_no_key(const ovr_section *section, const char *key, ovr_error *err);
 
-/* True if a section is in the case, even if it is empty; NULL: no. */
+/* True if a section is in the case, even if it is empty; false for NULL. */
 bool ovr_block_is_there(const ovr_block *block);
 
-/* Given and default value of a key that exists. */
+/* Returns the slot of an existing key, given or default. */
 const ovr_slot *ovr_block_get(const ovr_block *block, const char *key);
 
-/* True if conditions hold that are written as those of a row are. */
+/* True if the conditions hold, written as in a row. */
 bool ovr_conditions_hold(const ovr_case *c, const ovr_block *block,
                          const char *when);
 
-/* True if a key has an effect beside the values of the others. */
+/* True if a key has an effect with the present values of the other keys. */
 bool ovr_key_applies(const ovr_case *c, const ovr_block *block,
                      const ovr_parameter *row);
 
-/* The words about a key that is given and has no effect. */
+/* Explanation why a given key has no effect. */
 typedef struct ovr_idle {
-    bool said; /* in a note; else it is refused */
+    bool said; /* printed as a note; otherwise the key is rejected */
     char text[400];
 } ovr_idle;
 bool ovr_key_idle(const ovr_case *c, const ovr_block *block,
                   const ovr_slot *slot, ovr_idle *idle);
 
-/* Refuses the first key that is given and has no effect. */
+/* Rejects the first given key that has no effect. */
 ovr_status ovr_case_check_ineffective(const ovr_case *c, ovr_error *err);
 
-/* The case whose text a result file holds: a key without effect, of which an
- * earlier version said nothing, is no reason to refuse it. */
+/* Reads the case text stored in a result file. Keys without effect, which
+ * earlier versions accepted, are not rejected. */
 ovr_case *ovr_case_read_stored(const char *text, const char *name,
                                const char *directory,
                                const ovr_allocator *allocator, ovr_error *err);
 
-/* Makes what is given so far count as stored. */
+/* Marks all present settings as stored. */
 void ovr_case_mark_stored(ovr_case *c);
 
-/* "[feature NAME]" taken apart: section and name (NULL for plain ones). */
+/* Splits "[feature NAME]" into section and name (NULL for sections without a
+ * name). */
 const ovr_section *ovr_section_parse(const char *header, const char **name,
                                      ovr_error *err);
 
-/* OVR_BAD_INPUT about the slot's key: "file:line: key: " (or "origin: key: ")
- * and the message. */
+/* Fails with OVR_BAD_INPUT about the slot's key: "file:line: key: " (or
+ * "origin: key: ") and the message. */
 ovr_status ovr_fail_slot(ovr_error *err, const ovr_slot *slot,
                          const char *format, ...) OVR_PRINTF(3, 4);
 

@@ -105,7 +105,7 @@ ovr_case *ovr_case_read_stored(const char *text, const char *name,
     return c;
 }
 
-/* A result given in place of its case: what it is good for. */
+/* Rejects a result file given as a case, with advice. */
 static ovr_status refuse_result(const char *path, ovr_error *err)
 {
     static const char magic[] = "\211HDF\r\n\032\n";

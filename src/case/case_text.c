@@ -19,13 +19,13 @@ enum {
 typedef struct growing {
     char *text;
     size_t length, capacity;
-    bool moved; /* the case is in another folder than the working directory */
+    bool moved; /* the case's folder is not the working directory */
 } growing;
 
 static void put(growing *g, const char *text, size_t length)
 {
     if (g->length + length + 1 > g->capacity)
-        return; /* cannot be: the space is counted before */
+        return; /* cannot happen: the space was counted before */
     memcpy(g->text + g->length, text, length);
     g->length += length;
     g->text[g->length] = '\0';
@@ -41,9 +41,9 @@ static bool is_later(const ovr_slot *slot)
     return slot->given && slot->line == 0;
 }
 
-/* A path that was set later is relative to the working directory, and one in
- * the text to the folder of the case.  The path becomes absolute, if a line can
- * hold that. */
+/* Writes a path. A path that was set later is relative to the working
+ * directory, and one in the text to the folder of the case. It is made absolute
+ * if the line is long enough. */
 static void put_path(growing *g, const char *path)
 {
     enum { LONGEST = OVR_LINE_MAX - OVR_NAME_MAX };
@@ -68,7 +68,7 @@ static void put_setting(growing *g, const ovr_block *b, size_t k)
     put_text(g, "\n");
 }
 
-/* Settings of the block that have no line of the file to replace. */
+/* Writes the settings of the block that replace no line of the file. */
 static void put_new(growing *g, const ovr_block *b)
 {
     for (size_t k = 0; k < b->count; k++)
@@ -93,8 +93,8 @@ static void put_instead(growing *g, const ovr_block *b, size_t k,
     put_text(g, "\n");
 }
 
-/* Writes the replacement of a line (perhaps nothing);
- * false when the line stays. */
+/* Writes the replacement of a line, which may be empty. Returns false if the
+ * line is kept. */
 static bool put_replaced(growing *g, const ovr_case *c, long line,
                          const char *at)
 {

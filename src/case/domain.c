@@ -33,7 +33,7 @@ bool ovr_setup_corrected(const ovr_setup *s)
 double ovr_setup_end(const ovr_setup *s)
 {
     double end = s->march->end;
-    if (isinf(end)) /* auto */
+    if (isinf(end)) /* end = auto */
         end = fmax(ovr_history_end(s->load), ovr_history_end(s->speed));
     if (isinf(s->march->end) && isfinite(ovr_history_end(s->radius)))
         end = fmax(end, ovr_history_end(s->radius));
@@ -47,7 +47,7 @@ static bool varies_in_radius(const ovr_setup *s)
     return ovr_history_varies(s->radius) || ovr_history_varies(s->radius_1);
 }
 
-/* The gap at T if curvature is convected with the material. */
+/* Returns the gap at T if its curvature is convected with the material. */
 static ovr_smooth smooth_of(const ovr_setup *s, double T)
 {
     const ovr_contact *c = s->contact;
@@ -60,8 +60,8 @@ static ovr_smooth smooth_of(const ovr_setup *s, double T)
     return ovr_smooth_of(&g, T);
 }
 
-/* The first time that its cubic would close the gap within |X| < far; NAN:
- * never. */
+/* Returns the first time at which its cubic closes the gap within |X| < far;
+ * NAN if it never does. */
 static double closes(const ovr_setup *s, double far)
 {
     double end = ovr_setup_end(s);
@@ -85,11 +85,11 @@ static double mean_size_of_speeds(const ovr_setup *s, double T)
 }
 
 /* True if the cubic changes so fast that the gap at |X| = far opens or closes
- * by more than twice what the surfaces' wedge brings there.  The cubic is that
- * of the material in the contact; where its curvature has a kink, as the cam of
- * a law whose jerk jumps, it jumps over the whole domain at once and squeezes
- * oil that the material leaves alone.  (Pairs of gears came to 1.4; cams of law
- * 345, of which some broke off so, to 5 and more.) */
+ * by more than twice the change due to entrainment. The cubic describes the
+ * material in the contact. If its curvature has a kink (a cam law whose jerk
+ * jumps), the cubic changes in the whole domain at once and squeezes lubricant
+ * unphysically. (Gear pairs reached 1.4; cams of law 345, some of which failed
+ * for this reason, 5 and more.) */
 static bool jolts(const ovr_setup *s, double far)
 {
     const double share = 2;
@@ -108,7 +108,7 @@ static bool jolts(const ovr_setup *s, double far)
 
 /* ------------------------------------------------------------------ extent */
 
-/* Loads of a pass over that of the pass which this setup is of. */
+/* Range of the passes' loads relative to the load of the setup's pass. */
 typedef struct loads {
     double minimum, maximum;
 } loads;
@@ -127,19 +127,21 @@ static loads loads_of_passes(const ovr_setup *s)
     return all;
 }
 
-/* All that a run goes through, its passes too; `width` is the largest dry half
- * width, in b. */
+/* Operating conditions of a run with all its passes, at sampled times. `width`:
+ * maximum dry half-width in b. */
 typedef struct sampled_times {
     const ovr_setup *setup;
     loads loads;
-    double width, behind; /* space behind the contact, b, for jumps */
-    int last;             /* of its looks */
-    bool convected; /* curvature that varies is convected with the material */
-    bool strict;    /* films vary, and are compared with each other */
+    double width, behind; /* `behind`: outlet position needed by load jumps,
+                           * b */
+    int last;             /* last sample */
+    bool convected; /* a varying curvature is convected with the material */
+    bool strict;    /* film thickness varies in time, so that the inlet loss
+                     * must be small at all times */
 } sampled_times;
 
-/* The first look is at T = 0, the last at the end; the others are spread so
- * that no period of a history falls in with theirs. */
+/* Returns sample time k: the first is 0, the last the end of the run. The
+ * others are spaced so that no history's period coincides with theirs. */
 static double sample_time(const sampled_times *m, int k)
 {
     const double golden = 0.6180339887498949;
@@ -158,14 +160,14 @@ static ovr_instant instant_of(const sampled_times *m, int k, double load)
                           1 / ovr_history_value(s->radius, T));
 }
 
-/* Load times radius, which is the square of the dry half width. */
+/* Returns load times radius, the square of the dry half-width. */
 static double squared_width(const ovr_setup *s, double T)
 {
     return ovr_history_value(s->load, T) * ovr_history_value(s->radius, T);
 }
 
-/* The square of the dry half width grows by this within a moment, or falls,
- * which counts .7 of that; over its largest value. */
+/* Returns the largest increase of the squared dry half-width within a short
+ * time, relative to its maximum; a decrease counts 0.7. */
 static double jump_of(const ovr_setup *s)
 {
     const double moment = 0.035, fall = 0.7;
@@ -184,13 +186,14 @@ static double jump_of(const ovr_setup *s)
     return maximum > 0 ? jump / maximum : 0;
 }
 
-/* X of the outlet, in the largest half width, that a jump wants: the surfaces
- * squeeze oil out behind the contact too, where the gap is not full for long
- * and pressure builds up as far as the domain goes.  Cut at X_b, 1.2 j
- * (1.5/X_b)^3.2 % of the central film thickness is lost a little later; fitted
- * to jumps and ramps of .1 to .5 b/um between loads of 1 to 5, M 5 to 100, L 2
- * to 10, within a factor of 2.  So slow ramps have the usual outlet, and a jump
- * by half the load loses 1e-4, beside what the inlet does. */
+/* Returns the outlet position, in maximum half-widths, for a load jump. The
+ * surfaces also squeeze lubricant downstream, where the gap is not full for a
+ * short time and pressure extends as far as the domain. An outlet at X_b
+ * reduces the central film thickness a little later by 1.2 j (1.5/X_b)^3.2 %.
+ * Fitted within a factor of 2 to jumps and ramps of 0.1 to 0.5 b/u_m between
+ * loads of 1 to 5, M = 5 to 100, L = 2 to 10. Slow ramps thus have the usual
+ * outlet. A jump by half the load loses 1e-4 in addition to the inlet's
+ * error. */
 static double outlet_of_jump(double jump)
 {
     return OVR_USUAL_OUTLET * pow(45 * jump, 0.4);
@@ -210,10 +213,10 @@ static sampled_times moments_of(const ovr_setup *s)
     return m;
 }
 
-/* The share of the film that the usual inlet may cost at a moment: less where
- * films vary, and are compared with each other, than in a steady contact; but
- * not at moments of little load beside the largest, nor where the speed
- * reverses and the domain is as long on the other side. */
+/* Returns the allowed loss of film thickness due to the inlet at a time. It is
+ * smaller if films vary in time and are compared with each other than in a
+ * steady contact. It is not reduced at times of small load, or of reversed
+ * speed if the domain is equally long on the other side. */
 static double usual_loss(const sampled_times *m, const ovr_instant *at)
 {
     const double little = 0.2;
@@ -232,12 +235,13 @@ static double automatic_outlet(const sampled_times *m, const ovr_instant *at)
     return own.outlet;
 }
 
-/* The loss is so many times as large where load and radius vary, to first
- * order.  Far upstream a growing load squeezes the lubricant by the approach of
- * the bodies, 0.6 d(s^2)/dT (dry), and imposed curvature c by c' X^2/2: as much
- * as comes with the wedge, Cu c X^2/2, times 1.2 (s^2)'/(c Cu |X|) and c'
- * |X|/(3 c Cu), which lose less and more by a cut at X_a than it does.  Where
- * curvature is convected with the material the gap there is not c X^2/2. */
+/* Returns the factor by which varying load and radius increase the loss, to
+ * first order. Far upstream a growing load squeezes the lubricant by the
+ * approach of the bodies, 0.6 d(s^2)/dT (dry), and an imposed curvature c by c'
+ * X^2/2. Relative to the entrainment Cu c X^2/2 these are 1.2 (s^2)'/(c Cu |X|)
+ * and c' |X|/(3 c Cu). The first is less, the second more affected by an inlet
+ * at X_a. If the curvature is convected with the material, the gap there is not
+ * c X^2/2. */
 static double lost_by_change(const sampled_times *m, int k, double load,
                              double X_a)
 {
@@ -260,8 +264,8 @@ typedef struct extent {
     double inlet, outlet;
 } extent;
 
-/* A moment, the share of the film that its inlet may cost, and the space that
- * it wants behind, in half widths of its own. */
+/* A sampled time, the allowed loss of film thickness due to the inlet, and the
+ * required outlet length in its own half-widths. */
 typedef struct inlet_request {
     ovr_instant at;
     double loss, outlet;
@@ -315,8 +319,8 @@ static inlet_request automatic_request(const sampled_times *m,
     return (inlet_request){*at, OVR_AUTO_LOSS, automatic_outlet(m, at)};
 }
 
-/* The domain that all moments, of the smallest and of the largest load, ask
- * for. */
+/* Returns the domain needed at all sampled times, with the smallest and the
+ * largest load. */
 static extent domain_of(const sampled_times *m, extent e,
                         inlet_request (*request_of)(const sampled_times *,
                                                     const ovr_instant *))
@@ -350,8 +354,9 @@ static bool opens(const ovr_setup *s, extent e)
     return isnan(closes(s, far)) && !jolts(s, far);
 }
 
-/* Curvature is convected only where it opens the gap to both ends, without
- * jolts: where it could on a shorter domain, as far out as it can. */
+/* Chooses the domain. Curvature is convected only if it opens the gap up to
+ * both ends without jumps. If that holds only on a shorter domain, the longest
+ * such domain is used. */
 static extent chosen_domain(sampled_times *m)
 {
     enum { HALVINGS = 12 };
@@ -377,8 +382,8 @@ static extent chosen_domain(sampled_times *m)
 /* -------------------------------------------------------- Outlet by features
  */
 
-/* Height that surfaces bring to the film's end: of all that is rough together,
- * and of the highest single shape. */
+/* Returns the height of the surfaces at the end of the film: the sum of all
+ * rough features and the highest single shape. */
 static double raised_by_features(const ovr_surfaces *surfaces)
 {
     double rough = 0, single = 0;
@@ -428,7 +433,8 @@ ovr_domain_needs ovr_setup_needs(const ovr_setup *s)
     return needs;
 }
 
-/* An end that was given, inside the dry contact where it is widest. */
+/* Rejects a given end of the domain that lies inside the dry contact at its
+ * largest width. */
 static ovr_status refuse(const ovr_resolved *r, const char *key, double end,
                          double enough, ovr_error *err)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The files that a case names: profiles, lift tables, flow curves. */
+/* Files used by a case: profiles, lift tables, flow curves. */
 #ifndef OVR_CASE_INPUTS_H
 #define OVR_CASE_INPUTS_H
 
@@ -11,17 +11,17 @@ typedef struct ovr_inputs {
     size_t count;
 } ovr_inputs;
 
-/* Lists the files that have an effect, in the order of the case's keys; texts
+/* Lists the files that have an effect, in the order of the case's keys. Texts
  * and list are in the arena. */
 ovr_status ovr_case_inputs(const ovr_case *c, ovr_arena *arena, ovr_inputs *to,
                            ovr_error *err);
 
-/* Returns whether the value of a key is the path of an input file.  Paths of
- * output files are not physics. */
+/* True if the value of a key is the path of an input file. Paths of output
+ * files do not affect the solution. */
 bool ovr_key_is_input(const ovr_parameter *row);
 
-/* The path of a key from the working directory: one in a case file starts where
- * the file is. */
+/* Returns the path of a key relative to the working directory. Paths in a case
+ * file are relative to that file. */
 const char *ovr_slot_path(const ovr_case *c, const ovr_slot *slot,
                           ovr_arena *arena, ovr_error *err);
 

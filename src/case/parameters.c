@@ -8,7 +8,7 @@
 #include "case/when.h"
 #include "simulation/physics.h"
 
-/* Help and files have them in this order. */
+/* Order of sections in help and files. */
 static const ovr_section *const sections[] = {
     &ovr_contact_section,  &ovr_lubricant_section, &ovr_domain_section,
     &ovr_solver_section,   &ovr_time_section,      &ovr_load_section,
@@ -21,10 +21,11 @@ enum { SECTIONS = sizeof sections / sizeof sections[0] };
 /* Iterates over all keys: after each section of the case the keys of physical
  * models that belong there, and at the end the remaining ones. */
 typedef struct walk {
-    size_t at;   /* in the table; SECTIONS: behind it */
-    bool inside; /* it has been met, and those behind it come */
+    size_t at;   /* index in the table; SECTIONS: past its end */
+    bool inside; /* section `at` has been visited; physical models' keys
+                  * follow */
     const ovr_physics *const *physics;
-    size_t own; /* of that physics */
+    size_t own; /* index within that physical model */
 } walk;
 
 static bool stands_here(const ovr_physics_in_case *p, const walk *w)
@@ -36,7 +37,7 @@ static bool stands_here(const ovr_physics_in_case *p, const walk *w)
     return p->behind && !strcmp(p->behind, sections[w->at]->name);
 }
 
-/* The next; NULL behind the last. */
+/* Returns the next section; NULL at the end. */
 static const ovr_section *next(walk *w)
 {
     for (; w->at <= SECTIONS; w->at++, w->inside = false) {
@@ -105,7 +106,7 @@ const ovr_parameter *ovr_parameter_find(const ovr_section *section,
     return NULL;
 }
 
-/* ------------------------------------------------------------- for people */
+/* --------------------------------------------------------------- for help */
 
 size_t ovr_parameter_count(void)
 {

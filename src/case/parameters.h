@@ -9,25 +9,26 @@
 
 #include "base/parameter.h"
 
-/* The k-th row of all sections, NULL behind the last; *section (or NULL) is the
- * one it belongs to. */
+/* Returns row k of all sections, NULL past the end; *section (unless NULL)
+ * becomes its section. */
 const ovr_parameter *ovr_parameter_row(size_t k, const ovr_section **section);
 
-/* Sections in order; NULL behind the last. */
+/* Return sections in order; NULL past the end. */
 const ovr_section *ovr_section_row(size_t k);
 const ovr_section *ovr_section_find(const char *name);
 
-/* The number of rows that the sections before it have. */
+/* Returns the number of rows in the sections before this one. */
 size_t ovr_section_first(const ovr_section *section);
 
 /* "b", "b^2/R", "b/um", "ph" or "". */
 const char *ovr_hertzian_name(ovr_hertzian hertzian);
 
-/* The row of a key in a section, or NULL. */
+/* Returns the row of a key in a section, or NULL. */
 const ovr_parameter *ovr_parameter_find(const ovr_section *section,
                                         const char *key);
 
-/* The quantity that a usual symbol or name ("E", "entrainment_speed") means. */
+/* Quantity that a usual symbol or name ("E", "entrainment_speed") stands
+ * for. */
 typedef struct ovr_symbol {
     const char *section, *key;
     const char *name; /* of the quantity */
@@ -37,8 +38,8 @@ typedef struct ovr_symbol {
 /* Returns NULL if the symbol is unknown. */
 const ovr_symbol *ovr_symbol_find(const char *symbol);
 
-/* Returns the header of the section ("body 1") that `word` is another name of,
- * or NULL. */
+/* Returns the header of the section ("body 1") that has `word` as a synonym, or
+ * NULL. */
 const char *ovr_section_by_synonym(const char *word);
 
 #endif

@@ -114,7 +114,7 @@ static ovr_status fill_feature(ovr_resolved *r, const ovr_block *block,
         return ovr_fail_in(err, r->c, block, NULL, &why);
     }
     status = ovr_block_fill(r, block, to, err);
-    to->source.spacing_scaled = true; /* like all lengths here: in b */
+    to->source.spacing_scaled = true; /* lengths are in b here */
     if (form->shape == OVR_ROUGHNESS) {
         to->roughness.length = form->length;
         form->length = NAN;
@@ -122,8 +122,9 @@ static ovr_status fill_feature(ovr_resolved *r, const ovr_block *block,
     return status;
 }
 
-/* Chooses the seed of roughness without one, so that no two such features have
- * the same heights: 1, 3, 5 ... on surface 1 and 2, 4, 6 ... on surface 2. */
+/* Chooses the seed of random roughness without one, so that no two features
+ * have the same heights: 1, 3, 5 ... on surface 1 and 2, 4, 6 ... on surface
+ * 2. */
 static void choose_seed(ovr_feature_settings *s, const ovr_block *block,
                         int count[2])
 {
@@ -162,9 +163,9 @@ static ovr_status resolve_features(ovr_resolved *r, ovr_error *err)
 
 /* ------------------------------------------------------------------- Output */
 
-/* Refuses fields that have no values.  They are left out with a note if the
- * case has the section of their physics, but off: a study may turn it on and
- * off. */
+/* Rejects output fields without values. They are omitted with a note if the
+ * case has the section of their physical model but turned off, because a study
+ * may vary it. */
 static ovr_status leave_out(ovr_resolved *r, const ovr_slot *slot,
                             ovr_error *err)
 {
@@ -216,7 +217,8 @@ static bool is_given(const ovr_resolved *r, int feature)
     return ovr_slot_of(r, info.section, info.key)->given;
 }
 
-/* True if a feature on the mesh is rough. */
+/* True if a feature on the grid is a profile, an areal surface or random
+ * roughness. */
 static bool has_roughness(const ovr_resolved *r)
 {
     for (size_t k = 0; k < r->setup.features; k++)
@@ -243,7 +245,7 @@ static unsigned written(const ovr_resolved *r)
     return on;
 }
 
-/* "[heat] model = lobatto". */
+/* Writes the name of a model feature, "[heat] model = lobatto". */
 static void put_name(const ovr_resolved *r, int feature, size_t size,
                      char text[])
 {
@@ -272,7 +274,7 @@ static ovr_status resolve_conflicts(const ovr_resolved *r, ovr_error *err)
                          conflict->instead);
 }
 
-/* -------------------------------------------------------------- All of it */
+/* ---------------------------------------------------------- complete case */
 
 ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
                             ovr_error *err)

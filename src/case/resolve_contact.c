@@ -37,7 +37,7 @@
 
 static const double ALPHA_PAPER = 1.7e-8; /* 1/Pa */
 
-/* ------------------------------------------------------------------- Bodies */
+/* ----------------------------------------------------------------- bodies */
 
 static const struct {
     double modulus, poisson, yield;
@@ -105,7 +105,8 @@ static ovr_status fill_body(ovr_resolved *r, int k, ovr_error *err)
     return OVR_OK;
 }
 
-/* Both bodies give `what`, or neither; [contact] gives it or they do. */
+/* Checks that both bodies or neither give `what`, and that [contact] does not
+ * give it as well. */
 static ovr_status both(const ovr_resolved *r, const char *what,
                        const double value[2], double given, ovr_error *err)
 {
@@ -162,7 +163,7 @@ static ovr_status reduce_radius(ovr_resolved *r, ovr_error *err)
     return OVR_OK;
 }
 
-/* rad/s to m/s */
+/* Converts a rotational speed to m/s. */
 static ovr_status turn(ovr_resolved *r, int k, double *speed, ovr_error *err)
 {
     const ovr_slot *slot = ovr_block_get(ovr_block_of(r, "contact"),
@@ -217,9 +218,9 @@ static ovr_status resolve_bodies(ovr_resolved *r, ovr_error *err)
     return spread_load(r, err);
 }
 
-/* ---------------------------------------------------------------------- Oil */
+/* -------------------------------------------------------------- lubricant */
 
-/* A file of measured values over the pressure, of the key that names it. */
+/* Reads a file of values measured against pressure, named by a key. */
 static ovr_status read_table(ovr_resolved *r, const char *key, const char *file,
                              ovr_table_of what, ovr_error *err)
 {
@@ -244,7 +245,7 @@ static ovr_status read_table(ovr_resolved *r, const char *key, const char *file,
     return r->tables[what] ? OVR_OK : ovr_fail_from(err, &why, file, 0);
 }
 
-/* -------------------------------------------------------------------- Oil */
+/* -------------------------------------------------------------- lubricant */
 
 static ovr_status grade(ovr_resolved *r, ovr_error *err)
 {
@@ -297,11 +298,11 @@ static ovr_status resolve_oil(ovr_resolved *r, ovr_error *err)
     return OVR_OK;
 }
 
-/* ----------------------------------------------------------------- Flow law */
+/* ------------------------------------------------------ rheological model */
 
-/* The stress that scales it: where the film has thinned to 0.7 of what it was
- * (the last one if it never does), that the law's read_flow_table is fine
- * there. */
+/* Returns the shear stress that scales the table: that at which the viscosity
+ * has fallen to 0.7 of its initial value, or the last one. The table is fine
+ * near this stress. */
 static double knee(const ovr_two_columns *p)
 {
     const double *rate = p->x, *shear = p->y;
@@ -358,7 +359,7 @@ ovr_status ovr_resolve_flow(ovr_resolved *r, ovr_error *err)
 
 /* ------------------------------------------------------------------ Contact */
 
-/* viscosity and alpha may be set in [contact] or in [lubricant]. */
+/* Rejects viscosity or alpha given in both [contact] and [lubricant]. */
 static ovr_status check_twice(const ovr_resolved *r, const char *key,
                               ovr_error *err)
 {
@@ -370,7 +371,8 @@ static ovr_status check_twice(const ovr_resolved *r, const char *key,
                          "is also set in [contact]; remove one of the two");
 }
 
-/* Composite roughness; a surface without a value counts as smooth. */
+/* Returns the composite roughness; a surface without a value counts as
+ * smooth. */
 static double composite(const double Rq[2])
 {
     if (isnan(Rq[0]) && isnan(Rq[1]))

@@ -12,13 +12,13 @@
 #include "elements/elements.h"
 #include "results/results.h"
 
-/* A physics asks the case by this. */
+/* Data for a physical model's queries about the case. */
 typedef struct asker {
     ovr_resolved *r;
     const ovr_physics_in_case *physics;
 } asker;
 
-/* Part of physics k in the case; nothing of it where it has none. */
+/* Returns the case functions of physical model k; empty if it has none. */
 static const ovr_physics_in_case *in_case(int k)
 {
     static const ovr_physics_in_case none;
@@ -42,7 +42,7 @@ static ovr_physics_statement said(const ovr_resolved *r, int k)
     return says;
 }
 
-/* The slot of a key of one of its sections. */
+/* Returns the slot of a key in one of the model's sections. */
 static const ovr_slot *own_slot(const asker *a, const char *key)
 {
     const ovr_section *of = a->physics->section;
@@ -87,7 +87,8 @@ static ovr_status make_history(void *data, const char *section,
     return status;
 }
 
-/* Those that a key switches on: known before any is resolved. */
+/* Returns the physical models that are turned on by a key; available before any
+ * is resolved. */
 static unsigned switched_on(const ovr_resolved *r)
 {
     unsigned bits = 0;
@@ -141,9 +142,8 @@ static const ovr_section *section_named(const ovr_physics_in_case *p,
     return NULL;
 }
 
-/* Prefixes an error with the place of its subject: of "section.key", of a
- * section, of a block by its name, of a key of the first section or of
- * [lubricant]. */
+/* Adds the place of an error's subject: "section.key", a section, a block by
+ * its name, or a key of the first section or of [lubricant]. */
 static ovr_status fail(const ovr_resolved *r, const ovr_physics_in_case *p,
                        ovr_error *why, ovr_error *err)
 {
@@ -166,7 +166,7 @@ static ovr_status fail(const ovr_resolved *r, const ovr_physics_in_case *p,
     return ovr_fail_in(err, r->c, block, ovr_block_of(r, "lubricant"), why);
 }
 
-/* All blocks of a section with names, each to its place in the form. */
+/* Fills the data of all named blocks of a section. */
 static ovr_status fill_named(ovr_resolved *r, const ovr_physics_in_case *p,
                              void *form, ovr_error *err)
 {
@@ -239,10 +239,10 @@ static ovr_status resolve(ovr_resolved *r, int k, ovr_error *err)
     return fail(r, p, &why, err);
 }
 
-/* ------------------------------------------------------------ how stiff it is
- */
+/* -------------------------------------------------------------- stiffness */
 
-/* ln E' of what the physics says at a contact of the modulus E', less ln E'. */
+/* Computes ln E' of the coated bodies minus ln E', for a contact with the
+ * modulus E'. */
 static ovr_status stiffness_off(ovr_resolved *r, int k, double log_E,
                                 double *off, ovr_error *err)
 {
@@ -263,8 +263,8 @@ static ovr_status stiffness_off(ovr_resolved *r, int k, double log_E,
     return OVR_OK;
 }
 
-/* Settles the modulus by secants: the thicker the layer over b, the softer or
- * stiffer the contact, and the wider or narrower b. */
+/* Finds the modulus by the secant method, because the stiffness depends on the
+ * layer thickness relative to b and b depends on the modulus. */
 static ovr_status settle(ovr_resolved *r, int k, ovr_error *err)
 {
     enum { STEPS = 40 };
@@ -304,7 +304,7 @@ ovr_status ovr_resolve_stiffness(ovr_resolved *r, ovr_error *err)
     return status;
 }
 
-/* -------------------------------------------------------------- all of them */
+/* ------------------------------------------------------------- all models */
 
 static bool is_kept(const ovr_resolved *r, const ovr_feature_form *feature)
 {
@@ -315,7 +315,7 @@ static bool is_kept(const ovr_resolved *r, const ovr_feature_form *feature)
     return false;
 }
 
-/* Those that no physics has for itself are on the mesh. */
+/* Selects the features on the grid: those that no physical model uses alone. */
 static ovr_status choose_features(ovr_resolved *r, ovr_error *err)
 {
     const ovr_feature_form **on_mesh = ovr_arena_take(&r->arena, r->features,
@@ -410,7 +410,8 @@ const ovr_physics *ovr_setup_makes_nodes(const ovr_setup *setup)
     return NULL;
 }
 
-/* After the grid is known, also for companions of the simulation. */
+/* Returns the memory of physical models in bytes, also of companions of the
+ * simulation. The grid must be known. */
 static double beside(const ovr_setup *setup)
 {
     const ovr_resolved *r = setup->resolved;
@@ -443,7 +444,8 @@ unsigned ovr_resolved_features(const ovr_resolved *r)
     return on;
 }
 
-/* Bits of the fields that `names` has, ", " between them; NULL: none. */
+/* Returns the bits of the fields listed in `names`, separated by ", "; NULL:
+ * none. */
 static unsigned bits_of(const char *names)
 {
     char name[OVR_CONDITION_MAX];

@@ -31,7 +31,7 @@ static ovr_status missing(ovr_resolved *r, const ovr_block *block,
 
 /* ----------------------------------------------------------------- Tables */
 
-/* b/um for one unit of the table's times. */
+/* Returns the unit of the table's times in b/u_m. */
 static ovr_status time_unit(const ovr_resolved *r, const ovr_block *block,
                             int unit, double *value, ovr_error *err)
 {
@@ -67,9 +67,10 @@ static ovr_status load_table(ovr_resolved *r, const ovr_block *block,
     return status;
 }
 
-/* -------------------------------------------------------------------- All */
+/* ---------------------------------------------------------- all histories */
 
-/* It begins, swings about and ends at the slide_to_roll of the contact. */
+/* Sets missing values of a sliding history from the contact's slide_to_roll:
+ * mean, initial and final value. */
 static void of_sliding(const ovr_resolved *r, ovr_history_form *form)
 {
     form->mean = r->contact.u1_ratio - r->contact.u2_ratio;
@@ -112,7 +113,7 @@ ovr_status ovr_resolve_history(ovr_resolved *r, const char *section,
 
 /* ------------------------------------------------------------------- Passes */
 
-/* Time from one rolling body to the next; a load for each of them. */
+/* Checks the time between rolling bodies and their loads. */
 static ovr_status check_bodies(const ovr_resolved *r, ovr_error *err)
 {
     const ovr_passes_setup *p = &r->values.passes;
@@ -163,10 +164,10 @@ static ovr_status resolve_passes(ovr_resolved *r, ovr_error *err)
 
 /* ---------------------------------------------------------- Time and scheme */
 
-/* True for a given step up to which the characteristic scheme is the more
- * accurate one.  A rolling dent in steps of 0.032 b/um: errors of H_cen of
- * 1.8e-4, by upstream2 8.2e-3 of the film.  A ramp of load and speed in steps
- * of 0.107 b/um: 6.4e-3, by upstream2 2.2e-3 of the film. */
+/* True if the characteristic scheme is more accurate at the given step. A
+ * rolling dent in steps of 0.032 b/u_m has errors of H_cen of 1.8e-4
+ * (upstream2: 8.2e-3). A ramp of load and speed in steps of 0.107 b/u_m has
+ * errors of 6.4e-3 (upstream2: 2.2e-3). */
 static bool is_short(const ovr_setup *s)
 {
     bool varies = ovr_history_varies(s->load) || ovr_history_varies(s->speed) ||
@@ -175,19 +176,19 @@ static bool is_short(const ovr_setup *s)
     return s->march->dT <= (varies ? 0.02 : 0.05);
 }
 
-/* Steps of whole mesh sizes along the characteristic convect features without
- * error, and corrections of fourth order follow histories.  In long steps the
- * separate terms are more accurate. */
+/* Chooses the scheme. Steps of whole mesh sizes along the characteristic
+ * convect features without error, and fourth-order corrections include the
+ * histories. In longer steps the separate terms are more accurate. */
 static ovr_scheme choose_scheme(const ovr_resolved *r)
 {
     const ovr_setup *s = &r->setup;
     bool characteristic = s->transient && !s->march->adaptive &&
-                          is_short(s); /* grid: dT = 0 */
+                          is_short(s); /* step = grid: dT = 0 */
     if (r->values.scheme >= 0)
         return (ovr_scheme)r->values.scheme;
     if (!s->transient &&
         r->values.options.cavitation == OVR_CAVITATION_CONSERVING)
-        return OVR_CHARACTERISTIC; /* its order is 4 */
+        return OVR_CHARACTERISTIC; /* fourth order */
     return characteristic ? OVR_CHARACTERISTIC : OVR_UPSTREAM2;
 }
 
@@ -211,7 +212,8 @@ ovr_status ovr_resolve_time(ovr_resolved *r, ovr_error *err)
     r->march = (ovr_march){0};
     r->march.end = s->transient ? v->end : 0;
     r->march.adaptive = v->step == OVR_STEP_ADAPTIVE;
-    r->march.dT = fmax(v->step, 0); /* of auto: once the mesh is known */
+    r->march.dT = fmax(v->step, 0); /* step = auto: set when the mesh size is
+                                     * known */
     r->march.error = v->error;
     r->march.until_steady = v->until_steady && s->transient;
     r->ran = !r->c->standing && ovr_resolved_march(r);
@@ -240,17 +242,15 @@ ovr_status ovr_resolve_time(ovr_resolved *r, ovr_error *err)
 
 /* --------------------------------------------------------------- End = auto */
 
-/*
- * The end is the time after which only the film still settles, and the time for
- * that.  A change of the film moves at the mean speed.  On a fast surface it
- * leaves the domain later than its feature, by one passage of the domain at
- * most.
- */
+/* With end = auto the run ends after the last change, plus the time in which
+ * the film becomes steady. Changes of the film move at the mean speed. On a
+ * fast surface they leave the domain later than their feature, by at most one
+ * passage of the domain. */
 
-static const double LATEST = 1e5; /* b/um, as of a given end */
+static const double LATEST = 1e5; /* b/u_m, limit as for a given end */
 
-/* Pressure changes by less a b/um when the film is called steady again: a
- * hundred-thousandth of ph, far below the discretization error. */
+/* A film is steady if its pressure changes by less than this per b/u_m,
+ * relative to p_h; far below the discretization error. */
 static const double NEARLY = 1e-5;
 
 static ovr_status refuse(const ovr_slot *end, const ovr_feature_info *f,
@@ -268,7 +268,8 @@ static ovr_status wait_for(const ovr_setup *s, const ovr_slot *end, size_t k,
     const ovr_options *o = s->options;
     ovr_feature_info f = ovr_surfaces_info(s->surfaces, k);
     ovr_feature_times times;
-    if (f.speed == 0 && !s->sliding) { /* the film gets used to it */
+    if (f.speed == 0 && !s->sliding) { /* the film becomes steady with the
+                                        * feature in place */
         if (f.grows)
             *T = fmax(*T, s->feature[k]->grow_from + s->feature[k]->grow);
         return OVR_OK;
@@ -344,12 +345,14 @@ ovr_status ovr_resolve_end(ovr_resolved *r, ovr_error *err)
  * the next coarser level, at 0.6 of the cost (overroll-theory(7), Time).
  */
 
-static const double HEAVY = 100; /* M from which on inlets are short */
-static const double NARROW = 30; /* length of a feature, or of a change, in D */
-static const double COARSE = 0.01; /* b: level 6 and below, as a rule */
+static const double HEAVY = 100;   /* inlets are short above this M */
+static const double NARROW = 30;   /* shortest length of a feature or change, in
+                                    * D */
+static const double COARSE = 0.01; /* mesh size in b; usually level 6 and
+                                    * below */
 enum { LONG_STEP = 2, LOOKS = 64, INSTANTS = 1 << 14 };
 
-/* The largest M that the run goes through. */
+/* Returns the maximum M over the run. */
 static double heaviest(const ovr_setup *s)
 {
     double maximum = s->contact->M, end = ovr_setup_end(s);
@@ -377,9 +380,8 @@ static bool has_narrow(const ovr_setup *s)
     return false;
 }
 
-/* True if the second difference of a table over long steps, which is what a
- * step takes for a straight line, is ever more than 1e-3 of the nominal value.
- */
+/* True if the second difference of a table over long steps exceeds 1e-3 of the
+ * reference value, since a step assumes linear variation. */
 static bool swings(const ovr_history *history, double end, double h)
 {
     const double maximum = 1e-3;
@@ -410,7 +412,7 @@ static bool tables_swing(const ovr_resolved *r)
     return false;
 }
 
-/* True if it changes within so little time that steps see few moments of it. */
+/* True if a change is so fast that only few steps resolve it. */
 static bool is_quick(const ovr_change *c, double minimum)
 {
     switch (c->history) {
@@ -451,8 +453,8 @@ static bool has_hot_opposed(const ovr_resolved *r)
     return false;
 }
 
-/* True if the likely error stays below the usual target with steps of one
- * mesh, but not with longer ones. */
+/* True if the likely error is below the usual target with steps of one mesh
+ * size, but not with longer ones. */
 static bool is_closer(ovr_resolved *r)
 {
     const double target = 1e-3;
@@ -465,7 +467,7 @@ static bool is_closer(ovr_resolved *r)
     return longer > target && ovr_expected(&r->setup, arriving) <= target;
 }
 
-/* Why a step is one mesh; NULL: it may be longer. */
+/* Returns the reason for steps of one mesh size; NULL if they may be longer. */
 static const char *reason_of(ovr_resolved *r)
 {
     const ovr_setup *s = &r->setup;

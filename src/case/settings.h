@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Values of a case: what the rows of its keys point into. */
+/* Values of a case, which the rows of its keys refer to. */
 #ifndef OVR_CASE_SETTINGS_H
 #define OVR_CASE_SETTINGS_H
 
@@ -9,7 +9,7 @@
 #include "overroll/case.h"
 #include "overroll/elements.h"
 
-/* Levels that are chosen (case/setup.c). */
+/* Levels that are chosen automatically (case/setup.c). */
 enum {
     OVR_GRID_AUTO = 0,
     OVR_GRID_USUAL = -1,
@@ -17,7 +17,7 @@ enum {
     OVR_USUAL_STRIP = 6
 };
 
-/* Every value of a feature; the form points to the rest. */
+/* Values of a feature; the form refers to the others. */
 typedef struct ovr_feature_settings {
     ovr_feature_form form;
     ovr_profile_source source;
@@ -25,10 +25,10 @@ typedef struct ovr_feature_settings {
     ovr_roughness roughness;
 } ovr_feature_settings;
 
-/* Every value of [gear], [cam] and [roller_bearing]. */
+/* Values of [gear], [cam] and [roller_bearing]. */
 typedef struct ovr_element_settings {
     ovr_gear_form gear;
-    double power; /* W; NAN: not given */
+    double power; /* in W; NAN: not given */
     int sharing;
     const char *sharing_file;
     ovr_cam_form cam;
@@ -45,7 +45,7 @@ enum {
     OVR_ROLLER_PASSES_TURNS
 };
 
-/* Every value of a case but the features'. */
+/* Values of a case except those of its features. */
 typedef struct ovr_settings {
     ovr_conditions contact;
     double bearable;
@@ -61,9 +61,9 @@ typedef struct ovr_settings {
     const char *rheology_file;
     double carreau_stress, carreau_number;
     ovr_options options;
-    int scheme; /* -1: by the steps and histories */
+    int scheme; /* -1: chosen from steps and histories */
     int nodes;
-    double accuracy; /* with level = auto */
+    double accuracy; /* target with level = auto */
     int accuracy_of;
     double end, step, error;
     bool until_steady;
@@ -81,7 +81,7 @@ enum { OVR_SCALE_DRY, OVR_SCALE_SUBSTRATE };
 /* Values of [radius] curvature. */
 enum { OVR_CURVATURE_AUTO, OVR_CURVATURE_CONVECTED, OVR_CURVATURE_IMPOSED };
 
-/* Materials are called by name in [body 1] and [body 2]; values and sources in
+/* Materials with names in [body 1] and [body 2]; values and sources are in
  * resolve_contact.c. */
 typedef enum ovr_material_name {
     OVR_STEEL = 1,
@@ -92,18 +92,19 @@ typedef enum ovr_material_name {
     OVR_SAPPHIRE
 } ovr_material_name;
 
-/* The form that [body 1] and [body 2] fill; NAN, 0: not given. */
+/* Values of [body 1] and [body 2]; NAN, 0: not given. */
 typedef struct ovr_body_form {
     int material; /* ovr_material_name */
     double modulus, poisson, radius;
-    double yield; /* Mises, in p_h as soon as the contact is known; 0: none */
+    double yield; /* von Mises yield stress; in p_h once the contact is known;
+                   * 0: none */
     ovr_thermal thermal;
 } ovr_body_form;
 
 /* Value of `end = auto`. */
 #define OVR_END_AUTO INFINITY
 
-/* Values of `step = adaptive` and `auto`. */
+/* Values of `step = adaptive` and `step = auto`. */
 #define OVR_STEP_ADAPTIVE (-1.0)
 #define OVR_STEP_AUTO (-2.0)
 

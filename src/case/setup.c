@@ -25,10 +25,11 @@ static double memory_here(void)
     return pages > 0 && bytes > 0 ? (double)pages * (double)bytes : INFINITY;
 }
 
-/* The rest is for the system and its cache of files. */
+/* Usable fraction of the memory; the rest is for the system and its file
+ * cache. */
 static const double SHARE = 0.8;
 
-/* Said before anything of that size is allocated. */
+/* Checks the required memory before it is allocated. */
 static ovr_status check_memory(const ovr_resolved *r, ovr_error *err)
 {
     const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);
@@ -90,14 +91,14 @@ static void measure(ovr_setup *s)
               (double)(ovr_level_nodes(s->options->level) - 1);
 }
 
-/* The usual inlet, outside the contact where that is widest. */
+/* Returns the usual inlet, outside the contact at its largest width. */
 static double nearest_inlet(const ovr_resolved *r)
 {
     return fmin(OVR_USUAL_INLET, OVR_NEAREST_INLET * r->half_width);
 }
 
-/* True if a feature that should enter from upstream of the usual inlet would
- * begin inside a domain that was made longer. */
+/* True if a feature that starts upstream of the usual inlet would start inside
+ * the lengthened domain. */
 static bool is_overrun(const ovr_resolved *r)
 {
     const ovr_setup *s = &r->setup;
@@ -108,8 +109,8 @@ static bool is_overrun(const ovr_resolved *r)
            !ovr_surfaces_inside(s->surfaces, kept, o->outlet);
 }
 
-/* The paper's; where load, speed or radius vary, for which that may be far too
- * near, the farthest from which on nothing begins inside. */
+/* Returns the inlet of the paper or, if load, speed or radius vary (it may then
+ * be far too close), the furthest one for which no feature starts inside. */
 static double kept_inlet(const ovr_resolved *r)
 {
     enum { HALVINGS = 20 };
@@ -190,8 +191,8 @@ static ovr_status make_grid(ovr_resolved *r, bool usual,
     return status;
 }
 
-/* True of what takes time: a run, and surfaces in asperity contact, whose films
- * are solved on the finest grid alone. */
+/* True for expensive cases: transient runs, and asperity contact, whose films
+ * are solved on the finest grid only. */
 static bool takes_time(const ovr_resolved *r)
 {
     return r->setup.transient ||
@@ -199,9 +200,9 @@ static bool takes_time(const ovr_resolved *r)
                ovr_model_feature_bit(OVR_MODEL_BOUNDARY, true);
 }
 
-/* The first level from `least` on whose mesh is this part of the mesh that
- * resolves the inlet of the nominal contact, or finer.  Films that asperities
- * hold open need none finer. */
+/* Returns the first level from `least` on whose mesh size is at most `part` of
+ * the one that resolves the inlet of the reference contact. Films with asperity
+ * contact need no finer grid. */
 static int resolving_level(const ovr_resolved *r, int least, double part)
 {
     enum { MAX = 14 };
@@ -220,15 +221,16 @@ static int resolving_level(const ovr_resolved *r, int least, double part)
     return level;
 }
 
-/* Runs in time take a finer level than 8 only if that has no solution. */
+/* Returns the default level of transient runs: finer than 8 only if level 8 has
+ * no solution. */
 static int largest_usual_level(const ovr_resolved *r)
 {
     int level = resolving_level(r, OVR_USUAL_LEVEL, 1);
     return level > OVR_USUAL_LEVEL + 1 ? level : OVR_USUAL_LEVEL;
 }
 
-/* The level of a steady contact: one more than usual where the constriction at
- * the outlet needs it. */
+/* Returns the default level of a steady contact: one more than usual if the
+ * constriction at the outlet needs it. */
 static int steady_level(const ovr_resolved *r)
 {
     const double half = 0.5;
@@ -238,8 +240,9 @@ static int steady_level(const ovr_resolved *r)
     return inlet > OVR_USUAL_LEVEL || outlet < most ? inlet : most;
 }
 
-/* Other steady contacts take none; of what does the errors that most users
- * would not see in a film or a friction. */
+/* Resolves level = usual. For expensive cases the level is chosen for a likely
+ * error of 1e-3 of film thickness and friction. Other steady contacts use
+ * steady_level. */
 static void usual_level(ovr_resolved *r)
 {
     static const double unseen = 1e-3;
@@ -249,7 +252,8 @@ static void usual_level(ovr_resolved *r)
                  ovr_model_feature_bit(OVR_MODEL_STRIP, true);
     if (s->options->level != OVR_GRID_USUAL)
         return;
-    if (strip) { /* a step there takes as long as hundreds of a line */
+    if (strip) { /* a time step of a strip costs as much as hundreds of a line
+                  * contact */
         s->options->level = resolving_level(r, OVR_USUAL_STRIP, 1);
         s->accuracy = 0;
         return;
@@ -259,8 +263,8 @@ static void usual_level(ovr_resolved *r)
     s->accuracy = chosen ? unseen : 0;
 }
 
-/* True if the error of the film may be below the target; on the domain that
- * features keep short, where they may (place_surfaces). */
+/* True if the error of the film may be below the target, on the shorter domain
+ * if features prevent a longer one (place_surfaces). */
 static bool may_reach(ovr_resolved *r, bool usual)
 {
     ovr_setup *s = &r->setup;
@@ -300,8 +304,8 @@ static ovr_status choose_level(ovr_resolved *r, bool usual,
     return status;
 }
 
-/* Makes the domain symmetric if the mean speed reverses (simulation/mirror.h):
- * inlet and outlet change places then. */
+/* Makes the domain symmetric if the mean speed reverses (simulation/mirror.h),
+ * since inlet and outlet are then exchanged. */
 static ovr_status make_symmetric(ovr_resolved *r, bool inlet, bool outlet,
                                  ovr_error *err)
 {

@@ -17,8 +17,8 @@
         }                                                                      \
     }
 
-/* Symbols are compared with regard to case ("E", "e"), names of three or more
- * letters without. */
+/* Symbols are case-sensitive ("E", "e"); names of three or more letters are
+ * not. */
 static const struct {
     const char *symbol;
     ovr_symbol meaning;
@@ -134,7 +134,7 @@ const char *ovr_parameter_by_symbol(const char *symbol)
     return found ? found->path : NULL;
 }
 
-/* Other names of sections. */
+/* Synonyms of section names. */
 static const char *const sections[][2] = {
     {"oil", "lubricant"},       {"fluid", "lubricant"},
     {"body1", "body 1"},        {"body2", "body 2"},

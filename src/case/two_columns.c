@@ -15,10 +15,10 @@ typedef struct reading {
     ovr_two_columns *to;
     const char *file;
     size_t capacity;
-    bool headed;   /* its header was read */
+    bool headed;   /* the header has been read */
     bool swapped;  /* the second column comes first */
     bool found[2]; /* units in an optional header */
-    int decimals;  /* of the second, the most of all rows */
+    int decimals;  /* maximum number of decimals in the second column */
     ovr_arena *arena;
 } reading;
 
@@ -45,7 +45,7 @@ static const char *skip_separators(const char *s)
     return s + strspn(s, " \t,;");
 }
 
-/* Decimals of a number as it is written: 3 of "0.125", 5 of "1.25e-3". */
+/* Returns the number of decimals as written: 3 of "0.125", 5 of "1.25e-3". */
 static int decimals_of(const char *text)
 {
     const char *point = strpbrk(text, ".eE \t,;#\r\n");
@@ -60,7 +60,8 @@ static int decimals_of(const char *text)
 
 /* ------------------------------------------------------------------ header */
 
-/* The next word of a header: blanks, brackets and separators part them. */
+/* Reads the next word of a header; blanks, brackets and separators separate
+ * words. */
 static bool next_word(const char **at, char *word, size_t capacity)
 {
     static const char *const parting = " \t,;()[]#=_:\"\r\n";
@@ -71,7 +72,8 @@ static bool next_word(const char **at, char *word, size_t capacity)
     return length > 0;
 }
 
-/* Returns the unit for which a header may have another word. */
+/* Returns the unit that a header's word means ("degrees": deg); the word itself
+ * if it is none of these. */
 static const char *unit_meant(const char *word)
 {
     static const char *const words[][2] = {
@@ -86,7 +88,8 @@ static const char *unit_meant(const char *word)
     return word;
 }
 
-/* The units of a line in their order; false: they are not those of both. */
+/* Reads the units of both columns from a line, in any order; false if the line
+ * has not both. */
 static bool read_units(reading *r, const char *text)
 {
     ovr_two_columns *c = r->to;
@@ -108,7 +111,7 @@ static bool read_units(reading *r, const char *text)
 
 static ovr_status read_line(reading *r, long line, char *text, ovr_error *err);
 
-/* Notes the units that a line before the numbers names. */
+/* Stores the units named in a line before the numbers. */
 static void note_units(reading *r, const char *text)
 {
     ovr_two_columns *c = r->to;
@@ -131,10 +134,11 @@ static bool begins_with_number(const char *text)
     return ovr_read_number(&text, &number);
 }
 
-/* A line of a file whose header is optional; sets `headed` at the numbers. */
+/* Reads a line of a file with an optional header; sets `headed` at the first
+ * numbers. */
 static ovr_status read_before(reading *r, long line, char *text, ovr_error *err)
 {
-    static const char mark[] = "\357\273\277"; /* of UTF-8 */
+    static const char mark[] = "\357\273\277"; /* byte order mark of UTF-8 */
     ovr_two_columns *c = r->to;
     bool marked = line == 1 && strncmp(text, mark, strlen(mark)) == 0;
     if (marked)
@@ -159,7 +163,7 @@ static ovr_status read_header(reading *r, long line, char *text, ovr_error *err)
     const ovr_two_columns *c = r->to;
     char word[32];
     const char *s = text;
-    if (!next_word(&s, word, sizeof word)) /* an empty line */
+    if (!next_word(&s, word, sizeof word)) /* empty line */
         return OVR_OK;
     r->headed = read_units(r, text);
     if (r->headed)
@@ -173,7 +177,7 @@ static ovr_status read_header(reading *r, long line, char *text, ovr_error *err)
 
 /* -------------------------------------------------------------------- rows */
 
-/* Two numbers and nothing else, and where the second of them stands. */
+/* Reads a line with two numbers only, and the position of the second. */
 static bool read_pair(const reading *r, const char *text, double pair[2],
                       const char **second)
 {
@@ -190,7 +194,7 @@ static bool read_pair(const reading *r, const char *text, double pair[2],
     return !*skip_separators(text);
 }
 
-/* Two numbers, or nothing (a comment or an empty line), or an error. */
+/* Reads a line: two numbers, a comment or an empty line; otherwise fails. */
 static ovr_status read_line(reading *r, long line, char *text, ovr_error *err)
 {
     ovr_two_columns *c = r->to;

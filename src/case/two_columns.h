@@ -12,24 +12,25 @@
 
 typedef struct ovr_two_columns {
     const char *name[2];     /* "time", "value" */
-    double minimum, maximum; /* of the second, as it is written; 0, 0: any */
-    const char *of;          /* unit of the range in messages; "": none */
-    double unit[2];          /* that the numbers are multiplied by */
+    double minimum, maximum; /* range of the second column as written; 0, 0:
+                              * any */
+    const char *of;          /* unit of the range for messages, or "" */
+    double unit[2];          /* factors of the numbers */
     /* Dimensions of the units in the header, and an example of a unit;
-     * OVR_PURE, NULL: there is no header. */
+     * OVR_PURE, NULL: no header. */
     ovr_dimension header[2];
     const char *example;
-    /* Lines before the numbers, comments too, may name the units; `unit` holds
-     * where none does. */
+    /* Lines before the numbers, including comments, may name the units;
+     * otherwise `unit` is used. */
     bool optional;
-    bool named;      /* they did */
-    size_t count;    /* rows that were read */
+    bool named;      /* units were named */
+    size_t count;    /* rows read */
     double *x, *y;   /* in the arena */
-    double rounding; /* smallest decimal of the second as written, times its
-                        unit */
+    double rounding; /* smallest decimal of the second column as written, times
+                      * its unit */
 } ovr_two_columns;
 
-/* The slot is the key that names the file. */
+/* Reads a file. `slot` is the key that names it. */
 ovr_status ovr_two_columns_read(ovr_two_columns *columns, const char *file,
                                 const ovr_slot *slot, ovr_arena *arena,
                                 ovr_error *err);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One value of a case: its text against its row of the table. */
+/* Parses the value of a key according to its row in the table. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -54,7 +54,7 @@ static ovr_status unknown_word(const ovr_parameter *row, const char *text,
 
 /* ---------------------------------------------------------------- numbers */
 
-/* 1000000 as such, not as 1e+06. */
+/* Writes a limit without an exponent: 1000000 instead of 1e+06. */
 static void put_limit(char *text, size_t capacity, double limit)
 {
     bool whole = limit == floor(limit) && fabs(limit) < 1e10;
@@ -101,8 +101,8 @@ ovr_status ovr_range_check(const ovr_parameter *row, double number,
     return ovr_fail(err, OVR_BAD_INPUT, "%s must be %s", text, range);
 }
 
-/* Of a length, height or time with a unit only the sign is known before the
- * scales are. */
+/* Checks the sign of a length, height or time with a unit; its range is checked
+ * once the scales are known. */
 static ovr_status check_sign(const ovr_parameter *row, double number,
                              const char *text, ovr_error *err)
 {
@@ -115,7 +115,7 @@ static ovr_status check_sign(const ovr_parameter *row, double number,
     return OVR_OK;
 }
 
-/* "0.6 b" is the number that 0.6 is. */
+/* Removes a Hertzian unit: "0.6 b" is equal to 0.6. */
 static const char *without_hertzian(const ovr_parameter *row, const char *text,
                                     char *buffer, size_t size)
 {
@@ -145,7 +145,7 @@ static ovr_status read_quantity(const ovr_parameter *row, const char *text,
     meant = nearest_word(row->words, text);
     if (row->words && meant)
         return unknown_word(row, text, err);
-    if (why.about) /* the unit: those allowed are listed */
+    if (why.about) /* the unit is wrong: the message lists allowed ones */
         return ovr_fail_from(err, &why, NULL, 0);
     put_range(row, range, sizeof range);
     return ovr_fail(err, why.status, "%.500s; allowed: %s", why.message, range);
@@ -187,7 +187,8 @@ static size_t count_items(const char *text)
     return n;
 }
 
-/* Copies the next item, blanks around it cut off, and moves on. */
+/* Copies the next item without leading and trailing blanks and moves past
+ * it. */
 static void next_item(const char **text, const char *stops, char *item,
                       size_t capacity)
 {
@@ -204,7 +205,7 @@ static ovr_status read_list(const ovr_parameter *row, const char *text,
     double *values = ovr_arena_take(arena, n, sizeof *values, err);
     if (!values)
         return OVR_NO_MEMORY;
-    if (find_word(row->words, text)) /* in place of numbers: none */
+    if (find_word(row->words, text)) /* a word instead of numbers */
         return OVR_OK;
     for (size_t i = 0; i < n; i++) {
         ovr_quantity quantity;
@@ -276,8 +277,8 @@ static ovr_status no_value(const ovr_parameter *row, ovr_error *err)
                     allowed);
 }
 
-/* "b.h5" in quotes is b.h5; a quote at the begin alone is none that could be
- * written and read again. */
+/* Removes quotation marks: "b.h5" in quotes is b.h5. A single quotation mark at
+ * the start is rejected, because it could not be written and read again. */
 static ovr_status unquote(const char **text, ovr_arena *arena, ovr_error *err)
 {
     size_t size = strlen(*text);

@@ -37,7 +37,7 @@ void ovr_condition_add(char *text, size_t capacity, const char *format, ...)
     va_end(args);
 }
 
-/* "ramp | step | sine" as "ramp, step or sine". */
+/* Writes "ramp | step | sine" as "ramp, step or sine". */
 static void put_words(const char *words, char *text, size_t capacity)
 {
     char word[OVR_CONDITION_MAX];
@@ -49,7 +49,8 @@ static void put_words(const char *words, char *text, size_t capacity)
                           word);
 }
 
-/* "history = ramp, step or sine", "[heat] model = lobatto", "every above 0". */
+/* Writes a condition: "history = ramp, step or sine", "[heat] model = lobatto",
+ * "every above 0". */
 static void put_alternative(const char *from, char *text, size_t capacity)
 {
     size_t key = *from == '[' ? strlen(from) : strcspn(from, " ");
@@ -84,7 +85,7 @@ void ovr_condition_text(const char *condition, char *text, size_t capacity)
     }
 }
 
-/* "shape = dent | bump": those that have a size. */
+/* Writes "shape = dent | bump" with the shapes that have a size. */
 static void put_shapes(const char *size, char *text, size_t capacity)
 {
     ovr_condition_add(text, capacity, "shape = ");
@@ -122,15 +123,15 @@ void ovr_when_text(const ovr_parameter *row, char *text, size_t capacity)
 
 /* ------------------------------------------------------ Keys without effect */
 
-/* One of the alternatives of a condition, taken apart. */
+/* One alternative of a condition, parsed. */
 typedef struct alternative {
     const ovr_section *section;
     const ovr_slot *slot;
-    const char *rest; /* behind the key: "= words", "> number" or "" */
-    bool absent;      /* it must not be given */
+    const char *rest; /* after the key: "= words", "> number" or "" */
+    bool absent;      /* the key must not be given */
 } alternative;
 
-/* "[stress]": the section, as a key that is given or not. */
+/* Parses "[stress]": a section as a key that is given or not. */
 static alternative take_section(const ovr_case *c, const ovr_block *own,
                                 const char *text)
 {
@@ -148,7 +149,7 @@ static alternative parse_alternative(const ovr_case *c, const ovr_block *own,
 {
     if (*text == '[')
         return take_section(c, own, text);
-    /* of a section with names that has no block */
+    /* for a section with names that has no block */
     static const ovr_slot nothing = {.number = NAN};
     const ovr_block *block = own;
     alternative a = {.absent = !strncmp(text, "no ", 3)};
@@ -189,8 +190,8 @@ static bool holds(const alternative *a)
     return a->slot->given != a->absent;
 }
 
-/* True if any alternative of a condition holds; *off where one of those that do
- * not is the switch of its section. */
+/* True if any alternative of a condition holds. *off is set if a false
+ * alternative is the switch of its section. */
 static bool any_holds(const ovr_case *c, const ovr_block *block,
                       const char *condition, bool *off)
 {
@@ -206,8 +207,8 @@ static bool any_holds(const ovr_case *c, const ovr_block *block,
     return false;
 }
 
-/* Returns what a condition asks for: of "A => B" only B, where A holds; NULL:
- * nothing. */
+/* Returns the required condition: of "A => B" B if A holds; NULL if nothing is
+ * required. */
 static const char *asked(const ovr_case *c, const ovr_block *block,
                          const char *condition)
 {
@@ -224,10 +225,10 @@ static const char *asked(const ovr_case *c, const ovr_block *block,
 /* A condition that is false. */
 typedef struct failing {
     char condition[OVR_CONDITION_MAX];
-    bool off; /* it is about the switch of a section */
+    bool off; /* about the switch of a section */
 } failing;
 
-/* The first of them; false: all hold. */
+/* Returns the first false condition; false if all are true. */
 static bool first_failing(const ovr_case *c, const ovr_block *block,
                           const char *when, failing *first)
 {
@@ -249,7 +250,8 @@ bool ovr_conditions_hold(const ovr_case *c, const ovr_block *block,
     return !first_failing(c, block, when, &first);
 }
 
-/* The shape's own table knows which sizes it has, and refuses the others. */
+/* Returns the conditions of a row. Sizes of a shape are checked by the shape's
+ * own table. */
 static const char *conditions_of(const ovr_parameter *row)
 {
     bool shape = row->when && !strcmp(row->when, OVR_BY_SHAPE);
@@ -263,8 +265,9 @@ bool ovr_key_applies(const ovr_case *c, const ovr_block *block,
            ovr_conditions_hold(c, block, conditions_of(row));
 }
 
-/* "has no effect with history = constant; it needs history = ramp or step",
- * "has no effect beside [contact] modulus without [stress]" */
+/* Writes the explanation: "has no effect with history = constant; it needs
+ * history = ramp or step", "has no effect together with [contact] modulus
+ * without [stress]". */
 static void put_idle(const ovr_case *c, const ovr_block *block,
                      const char *condition, char *text, size_t capacity)
 {

@@ -9,10 +9,10 @@
 
 enum { OVR_CONDITION_MAX = 256 };
 
-/* Stands between where a condition is asked for and what it asks for. */
+/* Separates the premise of a condition from the required condition. */
 #define OVR_ONLY_WHERE " => "
 
-/* The text up to a separator, which moves on behind it; false at its end. */
+/* Returns the text up to a separator and moves past it; false at the end. */
 bool ovr_condition_next(const char **text, const char *separator, char *piece,
                         size_t capacity);
 
@@ -20,10 +20,11 @@ bool ovr_condition_next(const char **text, const char *separator, char *piece,
 void ovr_condition_add(char *text, size_t capacity, const char *format, ...)
     OVR_PRINTF(3, 4);
 
-/* "[heat] model = lobatto or history = ramp, step or sine", behind a text. */
+/* Appends a condition as text, "[heat] model = lobatto or history = ramp, step
+ * or sine". */
 void ovr_condition_text(const char *condition, char *text, size_t capacity);
 
-/* All conditions of a row in words; "" for none. */
+/* Writes all conditions of a row as text; "" if there are none. */
 void ovr_when_text(const ovr_parameter *row, char *text, size_t capacity);
 
 #endif

@@ -13,7 +13,7 @@ uint64_t ovr_text_hash(const char *text)
     return h;
 }
 
-/* The last step of splitmix64: a bijection that leaves no bit alone. */
+/* Returns the last step of splitmix64, a bijection that mixes all bits. */
 static uint64_t mixed(uint64_t x)
 {
     x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;
@@ -33,7 +33,7 @@ double ovr_uniform_at(uint64_t seed, uint64_t stream, uint64_t i)
     return ((double)(bits_at(seed, stream, i) >> 11) + 0.5) * 0x1p-53;
 }
 
-/* Streams of one key for different uses. */
+/* Returns the random stream of a key for one of several uses. */
 static uint64_t stream_of(const char *key, const char *use)
 {
     return mixed(ovr_text_hash(key)) ^ ovr_text_hash(use);
@@ -149,7 +149,8 @@ static double sobol(size_t k, uint64_t n)
     return (double)point * 0x1p-30;
 }
 
-/* Off the ends of (0, 1), where normal numbers are infinite. */
+/* Clamps u away from 0 and 1, where the inverse normal distribution is
+ * infinite. */
 static double clamp_open_unit_interval(double u)
 {
     return u < 0x1p-54 ? 0x1p-54 : u > 1 - 0x1p-53 ? 1 - 0x1p-53 : u;
@@ -162,7 +163,7 @@ static double shifted_sobol(const ovr_sampling *how, size_t k, size_t i)
     return clamp_open_unit_interval(fmod(sobol(k, i / how->shifts) + shift, 1));
 }
 
-/* ------------------------------------------------------------------- Draws */
+/* ------------------------------------------------------------------ draws */
 
 ovr_status ovr_sampling_check(const ovr_sampling *how, ovr_error *err)
 {
@@ -202,8 +203,9 @@ const char *ovr_distribution_wrong(const ovr_distribution *d)
     return NULL;
 }
 
-/* A lognormal number with this mean and deviation has a logarithm with mu = ln
- * mean - sigma^2/2, sigma^2 = ln(1 + (sd/mean)^2). */
+/* Returns sigma of the logarithm for a lognormal number with this mean and
+ * standard deviation: mu = ln mean - sigma^2/2, sigma^2 = ln(1 +
+ * (sd/mean)^2). */
 static double log_sigma(const ovr_distribution *d)
 {
     return sqrt(log1p(pow(d->b / d->a, 2)));

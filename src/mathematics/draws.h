@@ -30,16 +30,16 @@ typedef struct ovr_sampling {
     ovr_design design;
     uint64_t seed;
     size_t draws;
-    const char *const *key; /* a dimension each */
+    const char *const *key; /* one per dimension */
     size_t keys;
-    size_t shifts; /* of sobol; draw i is point i/shifts of replicate i%shifts:
-                      a sample grows without changing what is there */
+    size_t shifts; /* of sobol: draw i is point i/shifts of replicate i%shifts,
+                    * so that a larger sample contains the smaller one */
 } ovr_sampling;
 
 /* FNV-1a, 64 bits (Fowler, Noll & Vo). */
 uint64_t ovr_text_hash(const char *text);
 
-/* The i-th number of (0, 1) of a stream. */
+/* Returns the i-th random number of a stream, within (0, 1). */
 double ovr_uniform_at(uint64_t seed, uint64_t stream, uint64_t i);
 
 /* Fails if the design has fewer dimensions than there are keys. */
@@ -52,21 +52,22 @@ double ovr_draw_at(const ovr_sampling *how, size_t k, size_t i);
 
 typedef enum ovr_law_of_chance {
     OVR_NORMAL,    /* mean, standard deviation */
-    OVR_LOGNORMAL, /* both of the number itself, not of its logarithm */
+    OVR_LOGNORMAL, /* mean and standard deviation of the number itself, not of
+                    * its logarithm */
     OVR_UNIFORM,   /* ends */
-    OVR_TRIANGULAR /* least, likeliest, most */
+    OVR_TRIANGULAR /* minimum, mode, maximum */
 } ovr_law_of_chance;
 
 typedef struct ovr_distribution {
     ovr_law_of_chance law;
     double a, b, c;
-    double low, high; /* cut off here; infinite: not */
+    double low, high; /* truncation limits; infinite: none */
 } ovr_distribution;
 
-/* Describes the error in its numbers, or returns NULL. */
+/* Returns a description of the error in the parameters, or NULL. */
 const char *ovr_distribution_wrong(const ovr_distribution *d);
 
-/* Its value at the probability u, cut ends included. */
+/* Returns the quantile at the probability u of the truncated distribution. */
 double ovr_distribution_inverse(const ovr_distribution *d, double u);
 
 #endif

@@ -44,9 +44,8 @@ ovr_interval ovr_quantile_interval(const double *sorted, size_t n, double p)
                           u <= n ? sorted[u - 1] : NAN};
 }
 
-/* Finds by halving where a cumulative distribution that rises from below
- * `value` reaches it: GSL's own inverses end the program where they do not
- * converge. */
+/* Inverts a cumulative distribution by bisection. GSL's inverses abort the
+ * program if they do not converge. */
 static double inverse(double (*rising)(double x, double a, double b), double a,
                       double b, double from, double to, double value)
 {
@@ -105,7 +104,8 @@ static size_t bins_of(size_t n)
     return (size_t)lround(sqrt((double)n));
 }
 
-/* Mean and variance (ddof 1) of the y of a bin of sorted pairs. */
+/* Computes mean and variance (ddof 1) of the y in a bin of sorted pairs;
+ * returns their number. */
 static size_t look_into(const pair *p, size_t n, size_t bin, double *mean,
                         double *variance)
 {
@@ -121,8 +121,9 @@ static size_t look_into(const pair *p, size_t n, size_t bin, double *mean,
     return count;
 }
 
-/* The squares that a line fitted to the y of sorted pairs leaves, and its
- * degrees of freedom; a constant is fitted where all x are equal. */
+/* Returns the sum of squared residuals of a line fitted to the y of sorted
+ * pairs, and its degrees of freedom. If all x are equal, a constant is
+ * fitted. */
 static double residual_of_line(const pair *p, size_t count, double *freedom)
 {
     double x = 0, y = 0, xx = 0, xy = 0, squares = 0, n = (double)count;

@@ -1,7 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * A sample is summed up by pure functions of n numbers.
- */
+/* Statistics of a sample: functions of n numbers. */
 #ifndef OVR_MATHEMATICS_SAMPLE_H
 #define OVR_MATHEMATICS_SAMPLE_H
 
@@ -10,42 +8,43 @@
 
 #include "base/arena.h"
 
-/* 95 % between two ends. */
+/* 95 % confidence interval. */
 typedef struct ovr_interval {
-    double low, high; /* NAN: no end there */
+    double low, high; /* NAN: no limit */
 } ovr_interval;
 
-/* The quantile p of sorted numbers, by linear interpolation (type 7 of Hyndman
- * & Fan 1996). */
+/* Returns the quantile p of sorted numbers by linear interpolation (type 7 of
+ * Hyndman & Fan 1996). */
 double ovr_quantile(const double *sorted, size_t n, double p);
 
-/* Its interval by order statistics, whatever the distribution: the ranks l and
- * u (from 1; 0 and n + 1: none) between which the quantile lies with the
- * probability returned, l the largest with P(X <= l - 1) <= 2.5 %, u the
- * smallest with P(X >= u) <= 2.5 %, X binomial (n, p). */
+/* Returns the confidence interval of a quantile from order statistics, for any
+ * distribution. l and u are the ranks (from 1; 0 and n + 1: none) between which
+ * the quantile lies with the returned probability. l is the largest with P(X <=
+ * l - 1) <= 2.5 %, u the smallest with P(X >= u) <= 2.5 %, X binomial (n,
+ * p). */
 double ovr_quantile_ranks(size_t n, double p, size_t *l, size_t *u);
 ovr_interval ovr_quantile_interval(const double *sorted, size_t n, double p);
 
-/* A probability of which k of n were seen (Clopper & Pearson 1934). */
+/* Returns the confidence interval of a probability observed k times in n
+ * (Clopper & Pearson 1934). */
 ovr_interval ovr_proportion(size_t k, size_t n);
 
-/* The factor of a standard error from n values that makes it an interval of
- * 95 % (Student). */
+/* Returns Student's factor: the half-width of a 95 % interval divided by the
+ * standard error of n values. */
 double ovr_student(size_t n);
 
-/* The share of the variance of y that the input x makes by itself,
- * 1 - E(var(y | x)) / var(y), cut at 0.  var(y | x) is what a line leaves that
- * is fitted in each of round(sqrt n)/2 bins of equal counts in x, over its
- * degrees of freedom: bins of constants count the slope within a bin as noise,
- * and have no sample of y = x whose interval holds 1. */
+/* Returns the first-order sensitivity index 1 - E(var(y | x)) / var(y), at
+ * least 0: the fraction of the variance of y caused by x alone. var(y | x) is
+ * the residual variance of lines fitted in round(sqrt n)/2 bins of equal counts
+ * in x. Bins with constants would count the slope within a bin as noise. */
 double ovr_first_order(const double *x, const double *y, size_t n,
                        ovr_arena *arena);
 
-/* The bins' means in the lowest and the highest. */
+/* Returns the means of y in the lowest and the highest bin of x. */
 ovr_interval ovr_bin_ends(const double *x, const double *y, size_t n,
                           ovr_arena *arena);
 
-/* Spearman's rank correlation. */
+/* Returns Spearman's rank correlation. */
 double ovr_rank_correlation(const double *x, const double *y, size_t n,
                             ovr_arena *arena);
 

@@ -7,7 +7,7 @@
 
 enum { ATTEMPTS = 6, STEPS = 200, ABOUT = 5 };
 
-/* A value at x; s is x on the axis that the search goes along. */
+/* A value q at x; s is x on the search axis, linear or logarithmic. */
 typedef struct point {
     double s, q;
 } point;
@@ -16,14 +16,14 @@ typedef struct searching {
     const ovr_search *p;
     ovr_search_result *r;
     bool geometric;
-    point known[OVR_SEARCH_MAX]; /* in the order of their evaluation */
+    point known[OVR_SEARCH_MAX]; /* in the order of evaluation */
     size_t count;
     ovr_error *err;
 } searching;
 
 /* ------------------------------------------------------------------- axis */
 
-/* True if points between the ends are at equal ratios. */
+/* True if points between the ends have equal ratios (a logarithmic axis). */
 static bool is_geometric(double from, double to)
 {
     double ratio = fabs(to) > fabs(from) ? to / from : from / to;
@@ -37,7 +37,7 @@ static double along(const searching *w, double x)
     return x > 0 ? log(x) : -log(-x);
 }
 
-/* The ends as they were given, to the bit. */
+/* Converts s to x; at the ends returns exactly the given values. */
 static double back(const searching *w, double s)
 {
     const ovr_search *p = w->p;
@@ -51,8 +51,8 @@ static double back(const searching *w, double s)
     return fmin(fmax(x, p->from), p->to);
 }
 
-/* A relative distance at s, along the axis; about x = 0 relative to a hundredth
- * of the range. */
+/* Returns a relative distance at s along the axis; near x = 0 relative to a
+ * hundredth of the range. */
 static double distance(const searching *w, double s, double relative)
 {
     if (w->geometric)
@@ -60,7 +60,7 @@ static double distance(const searching *w, double s, double relative)
     return relative * fmax(fabs(s), 0.01 * (w->p->to - w->p->from));
 }
 
-/* True above the target; of an inequality, true where it holds. */
+/* True if q is above the target; for an inequality, true if it holds. */
 static bool side(const searching *w, double q)
 {
     return w->p->sense < 0 ? q <= w->p->target : q >= w->p->target;
@@ -115,7 +115,7 @@ static void judge(searching *w, const point *p, size_t n)
             continue;
         r->minimum = fmin(r->minimum, p[k].q);
         r->maximum = fmax(r->maximum, p[k].q);
-        up = fmax(up, p[k].q - last); /* NAN before the first: no change */
+        up = fmax(up, p[k].q - last); /* NAN before the first value: ignored */
         down = fmax(down, last - p[k].q);
         first = isnan(last) ? p[k].q : first;
         r->from = isnan(last) ? back(w, p[k].s) : r->from;
@@ -133,7 +133,8 @@ typedef struct bracket {
     bool found;
 } bracket;
 
-/* Between the last value and a failed end something may change yet. */
+/* Bisects between the last value and a point without a value for a further
+ * change of side. */
 static ovr_status towards(searching *w, point good, double bad, bracket *found)
 {
     ovr_status status = OVR_OK;
@@ -155,7 +156,7 @@ static ovr_status towards(searching *w, point good, double bad, bracket *found)
     return status;
 }
 
-/* All changes between values that are next to each other. */
+/* Lists all changes of side between neighbouring values. */
 static size_t list_changes(searching *w, const point *p, size_t n,
                            bracket *changes)
 {
@@ -221,8 +222,8 @@ static ovr_status find_bracket(searching *w, const point *p, size_t n,
 
 /* ------------------------------------------------------------------ Brent */
 
-/* Between two good values the one at `bad` is missing: halving towards them in
- * turn, until a bracket is free of it. */
+/* Finds a bracket without the point `bad` that has no value: bisects towards it
+ * from both ends in turn. */
 static ovr_status around(searching *w, bracket *in, double bad, int *attempts)
 {
     point near = in->a, far = in->b;
@@ -239,14 +240,15 @@ static ovr_status around(searching *w, bracket *in, double bad, int *attempts)
             *in = (bracket){near, m, true};
             break;
         }
-        near = far; /* its turn */
+        near = far; /* alternates the ends */
         far = m;
     }
     return status;
 }
 
-/* A least-squares parabola in s - s0, by orthogonal steps of Gauss: its slope
- * at s0, and the scatter of n values about it with n - 3 degrees of freedom. */
+/* Least-squares parabola in s - s0 by orthogonal polynomials: its slope at s0,
+ * and the standard deviation of n values about it with n - 3 degrees of
+ * freedom. */
 typedef struct fitted {
     double slope, scatter;
 } fitted;
@@ -279,8 +281,8 @@ static fitted parabola(const point *p, size_t n, double s0, double half)
     return (fitted){c[1] / half, sqrt(sum / (double)(n - 3))};
 }
 
-/* Values within sqrt(tolerance) of s0: there a parabola misses any smooth
- * function by less than the tolerance. */
+/* Lists the values within sqrt(tolerance) of s0. In this range a parabola
+ * approximates smooth functions within the tolerance. */
 static size_t list_about(const searching *w, double s0, double half, point *to)
 {
     size_t n = 0;
@@ -290,7 +292,8 @@ static size_t list_about(const searching *w, double s0, double half, point *to)
     return n;
 }
 
-/* Slope and scatter by what is known about s0; false: too little. */
+/* Computes slope and scatter from the known values near s0; false if there are
+ * too few. */
 static bool judge_about(searching *w, double s0)
 {
     point p[OVR_SEARCH_MAX];
@@ -304,12 +307,12 @@ static bool judge_about(searching *w, double s0)
     w->r->scatters = !w->p->exact &&
                      w->r->scatter >
                          fabs(w->r->slope) * distance(w, s0, w->p->tolerance);
-    if (w->geometric) /* dq/ds = x dq/dx */
+    if (w->geometric) /* chain rule for s = ln x */
         w->r->slope /= fabs(back(w, s0));
     return isfinite(w->r->slope);
 }
 
-/* Points on both sides of the answer, so that there are enough. */
+/* Evaluates further points on both sides of the answer. */
 static ovr_status probe(searching *w, double s0)
 {
     static const double at[] = {1, -1, 0.5, -0.5, 0.75, -0.75, 0.25};
@@ -324,8 +327,8 @@ static ovr_status probe(searching *w, double s0)
     return n ? evaluate(w, n, s, q) : OVR_OK;
 }
 
-/* The step from b by inverse quadratic interpolation or the secant, or NAN
- * where halving does better (Brent, 4.2). */
+/* Returns the step from b by inverse quadratic interpolation or the secant; NAN
+ * if bisection is better (Brent, 4.2). */
 static double interpolated(point a, point b, point c, double middle, double e)
 {
     double s = b.q / a.q, p, q, r;

@@ -25,13 +25,13 @@ enum { OVR_SEARCH_PLACES = 16, OVR_SEARCH_SCAN = 5, OVR_SEARCH_MAX = 1024 };
 typedef struct ovr_search {
     double from, to; /* from < to, both finite */
     double target;
-    int sense;        /* 0: the value is the target; 1: at least; -1: at most */
-    int which;        /* of an inequality: 1 the largest x, -1 the smallest */
-    double tolerance; /* of x, relative */
-    size_t scan;      /* points; 0: OVR_SEARCH_SCAN */
-    bool exact;       /* values have rounding errors alone: none scatter */
-    /* Fills q[k] with the value at x[k], NAN where there is none; what it
-     * returns but OVR_OK ends the search. */
+    int sense;        /* 0: equal to the target; 1: at least; -1: at most */
+    int which;        /* for an inequality: 1 the largest x, -1 the smallest */
+    double tolerance; /* relative tolerance of x */
+    size_t scan;      /* points of the scan; 0: OVR_SEARCH_SCAN */
+    bool exact;       /* values have rounding errors only, no scatter */
+    /* Fills q[k] with the value at x[k], NAN if there is none. A status other
+     * than OVR_OK ends the search. */
     ovr_status (*evaluate)(void *data, size_t n, const double *x, double *q,
                            ovr_error *err);
     void *data;
@@ -39,25 +39,28 @@ typedef struct ovr_search {
 
 typedef enum ovr_search_end {
     OVR_SEARCH_FOUND,
-    OVR_SEARCH_MISSED,  /* nothing changes between the ends */
-    OVR_SEARCH_BEYOND,  /* an inequality still holds at the end asked for */
-    OVR_SEARCH_SEVERAL, /* the value is met in several places */
-    OVR_SEARCH_BROKEN,  /* values are missing where the answer lies */
-    OVR_SEARCH_NOTHING  /* there is not one value */
+    OVR_SEARCH_MISSED,  /* no change of side between the ends */
+    OVR_SEARCH_BEYOND,  /* the inequality still holds at the end of the range */
+    OVR_SEARCH_SEVERAL, /* the target is reached at several x */
+    OVR_SEARCH_BROKEN,  /* values near the answer are missing */
+    OVR_SEARCH_NOTHING  /* no values at all */
 } ovr_search_end;
 
 typedef struct ovr_search_result {
     ovr_search_end end;
-    double value, at_value; /* the answer, evaluated: an inequality holds */
-    double low, high;       /* the bracket it lies in */
-    double slope;           /* d value/dx there; NAN: not known */
-    double scatter;         /* of values about a parabola; NAN: not known */
-    bool scatters;          /* by more than the tolerance: stopped there */
-    bool monotone;          /* as far as the scan tells */
+    double value, at_value; /* the answer and its value; an inequality holds
+                             * there */
+    double low, high;       /* bracket that contains the answer */
+    double slope;           /* d value/dx at the answer; NAN: unknown */
+    double scatter;         /* scatter of values about a parabola; NAN:
+                             * unknown */
+    bool scatters;          /* the scatter exceeds the tolerance, so the search
+                             * stopped */
+    bool monotone;          /* monotone according to the scan */
     bool rises;
-    double minimum, maximum; /* values of the scan */
-    double from, to;         /* where there are values */
-    size_t places;           /* brackets that the scan saw */
+    double minimum, maximum; /* range of the values of the scan */
+    double from, to;         /* range of x with values */
+    size_t places;           /* number of brackets found by the scan */
     double place[OVR_SEARCH_PLACES][2];
 } ovr_search_result;
 
