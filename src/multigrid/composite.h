@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Composite grids: the whole domain's finest grid, the base, and nested
- * patches about what is narrow, each of half its parent's mesh, in the full
- * approximation scheme:
+ * Composite grids: the finest grid of the whole domain (the base) and nested
+ * patches around narrow regions. A patch has half the mesh size of its parent.
+ * The full approximation scheme couples the grids:
  *
  *     cycle(l): relax; restrict; cycle(l - 1); correct; relax
  *
- * down to the base, which has cycles of its own (cycle.h).  A node that is not
- * strictly inside a finer patch is a leaf; the solution is that of the leaves.
+ * down to the base, which is solved by ordinary cycles (cycle.h).  A node that
+ * is not strictly inside a finer patch is a leaf; the solution consists of the
+ * values at the leaves.
  *
- * Restriction to the parent, ' its values:
+ * Restriction to the parent, whose values have a prime:
  *     P'    under the patch: full weighting where three nodes are wet, else,
  *           and within four nodes of the ends, injection
  *     gap'  under the patch injected H - H0 + w', outside rigid' less the
@@ -36,13 +37,13 @@
 #include "multigrid/patch.h"
 
 /*
- * The film of composite grids.
+ * Film thickness on composite grids.
  *
- * The pressure is linear between the leaves.  So the spaces are nested: a
- * parent's pressure P', continued linearly to the patch as I P', has the same
- * deformation on both grids at common nodes, whatever P' is under the patch.
- * With K_l the kernel of level l (deformation.h) and w' = K P' the parent's
- * whole deformation, that of the patch is
+ * The pressure is linear between the leaves.  The function spaces are therefore
+ * nested: a parent's pressure P', continued linearly to the patch as I P', has
+ * the same deformation on both grids at common nodes, whatever P' is under the
+ * patch. With K_l the kernel of level l (deformation.h) and w' = K P' the
+ * parent's whole deformation, the deformation of the patch is
  *
  *     w = o + K_l (P - I P')                           P = I P' at the edges
  *     o_{2I}   = w'_I
@@ -50,23 +51,25 @@
  *              + sum_{t<18} c_t (P'_{I-t} + P'_{I+1+t})
  *     c_t = k'(t + 1/2) - sum_m a_m [k'(t - m) + k'(t + 1 + m)]
  *
- * a_m Lagrange's weights of the midpoint, k' the parent's kernel; c_t/D' of the
- * logarithm does not depend on the level.  It is exact except for the far terms
- * of c_t, about 1e-13, in every sweep.
+ * a_m are Lagrange's interpolation weights for the midpoint and k' is the
+ * parent's kernel; for the logarithmic kernel c_t/D' does not depend on the
+ * level. The formula is exact in every sweep, except for the neglected far
+ * terms of c_t (about 1e-13).
  *
- * Outside the patch what it adds to its parent, P - I P' and what still finer
- * patches add, V, counts as pressures V' of the parent's nodes with the same
- * moments up to the fifth (hats of half the width have others of the second):
+ * Outside the patch, its contribution P - I P' and the contribution V of still
+ * finer patches are represented by pressures V' at the parent's nodes with the
+ * same moments up to the fifth. (Hat functions of half the width have other
+ * second moments.)
  *
  *     X = P - I P' + V
  *     Y_I = (X_{2I} + sum_{m<4} a_m (X_{2I+2m+1} + X_{2I-2m-1}))/2
  *     V' = (1 - delta2/16 + delta4/128) Y
  *
- * and the parent's film there is that of P' + V'.
+ * and the parent's film thickness there is computed from P' + V'.
  *
- * Fourth order on the base.  The hats of its leaves have the second moments
- * of D^2/12 P'' too much (fourth_order.h), m being 1 at leaves and 0 under the
- * patch:
+ * Fourth order on the base. The second moments of the hat functions at its
+ * leaves are too large by those of D^2/12 P'' (fourth_order.h). With m = 1 at
+ * leaves and m = 0 under the patch, the correction is
  *     g = K (m delta2 P/12) + m C D delta2 P
  * on the base, with C as there; in patches K's part alone, by cubic
  * interpolation of the parent's, which moves the minimum film thickness by less
@@ -76,17 +79,18 @@
 enum { OVR_FILM_MIDDLE = 5, OVR_DETAIL_MIDDLE = 4 };
 
 typedef struct ovr_composite_film {
-    double near[OVR_FILM_NEAR];       /* c_t/D', of the logarithm */
-    double middle[OVR_FILM_MIDDLE];   /* a_m of w */
-    double detail[OVR_DETAIL_MIDDLE]; /* a_m of V */
+    double near[OVR_FILM_NEAR];       /* c_t/D' of the logarithmic kernel */
+    double middle[OVR_FILM_MIDDLE];   /* a_m for interpolating w */
+    double detail[OVR_DETAIL_MIDDLE]; /* a_m for computing V' */
 } ovr_composite_film;
 
-/* w of the base, or a patch, for patch->P and what it has of its parent; in
- * its level and read. */
+/* Computes w of the base or of a patch from patch->P and from the parent's
+ * values. Writes w to the level and to the patch's arrays. */
 void ovr_patch_deform(const ovr_hierarchy *grids, ovr_patch *patch);
 
-/* g of a base with a patch, for the P it has read, and of a patch by that of
- * its parent; added to the rigid gap. */
+/* Computes the correction g for the P that has been read: of a base that has a
+ * patch, or of a patch by interpolating its parent's. Adds g to the rigid gap.
+ */
 void ovr_base_fourth(const ovr_hierarchy *grids, ovr_patch *base,
                      const ovr_patch *patch);
 void ovr_patch_fourth(ovr_patch *patch, const ovr_patch *parent);
@@ -94,36 +98,39 @@ void ovr_patch_fourth(ovr_patch *patch, const ovr_patch *parent);
 typedef struct ovr_composite {
     ovr_hierarchy *grids;
     ovr_composite_film film;
-    int patches;                /* beside the base */
-    ovr_patch part[OVR_LEVELS]; /* 0: the base; each the next one's parent */
-    double force;               /* target load */
+    int patches;                /* number of patches, without the base */
+    ovr_patch part[OVR_LEVELS]; /* part[0] is the base; part[k] is the parent of
+                                 * part[k + 1] */
+    double force;               /* required load */
     double *workspace[2];       /* for the nodes of any part */
-    /* Memory of patches, taken again for each solution. */
+    /* memory of patches, reused for each solution */
     ovr_arena memory;
     char *chunk;
     size_t size, used;
 } ovr_composite;
 
-/* Memory for `patches` patches of so many nodes at most, none with more than
- * the hierarchy's finest grid. */
+/* Allocates memory for `patches` patches; patch k has at most maximum[k] nodes,
+ * not more than the hierarchy's finest grid. */
 ovr_status ovr_composite_prepare(ovr_composite *c, ovr_hierarchy *grids,
                                  const size_t *maximum, int patches,
                                  ovr_arena *arena, ovr_error *err);
 
-/* No patches: the base alone, solved, its gap and F those of the solution. */
+/* Starts without patches, from the solved base: its gap and F are those of the
+ * solution. */
 void ovr_composite_begin(ovr_composite *c, double force);
 
-/* One more patch, of a window of the last one; its rigid gap is to be filled
- * by the caller, then ovr_composite_start gives it its first solution. */
+/* Adds a patch that covers a window of the last patch. The caller fills the
+ * patch's rigid gap and then calls ovr_composite_start, which interpolates the
+ * first solution. */
 ovr_status ovr_composite_add(ovr_composite *c, ovr_window window,
                              ovr_error *err);
 void ovr_composite_start(ovr_composite *c);
 
-/* One cycle from the last patch down. */
+/* Performs one cycle, starting on the last patch. */
 void ovr_composite_cycle(ovr_composite *c, const ovr_cycling *how);
 
-/* Residual of the leaves, load, film at X = 0; leaves every grid with the film
- * of the whole solution. */
+/* Returns residual of the leaves, load error and H at X = 0. Afterwards the
+ * film on every grid is that of the whole solution. */
 ovr_defect ovr_composite_defect(ovr_composite *c);
 
 /* True if node i of a part is a leaf. */

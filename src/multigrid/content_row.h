@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A row where cavitation is mass-conserving (content.h): the row of
- * reynolds_row.h with weights by what is limited, over `num` too. */
+/* A row of the discrete equation with mass-conserving cavitation (content.h):
+ * the row of reynolds_row.h with weights that depend on the flux limiters, for
+ * a number type `num`. */
 #ifndef OVR_MULTIGRID_CONTENT_ROW_H
 #define OVR_MULTIGRID_CONTENT_ROW_H
 
@@ -13,14 +14,14 @@ static inline truth in_set(const unsigned char *set, ptrdiff_t i)
 }
 #endif
 
-/* x in the nodes of a set, else 0 */
+/* x at the nodes of a set, 0 elsewhere */
 static inline num within_set(truth in, num x)
 {
     return choose(in, x, all(0));
 }
 
-/* The weights of row J, from those of a row that nothing limits, which are
- * nearly all. */
+/* Weights of row J, computed from the weights of a row without limiters, which
+ * apply to nearly all rows. */
 static inline row_weights row_limited(const ovr_fields *f, const ovr_weights *w,
                                       const row_weights *free, ptrdiff_t J)
 {
@@ -45,8 +46,8 @@ static inline num row_content_residual(const ovr_fields *f,
                        : r;
 }
 
-/* e[m + 2] of reynolds_row.h: the content of cavitated nodes does not follow
- * their film. */
+/* e[m + 2] of reynolds_row.h. The content of cavitated nodes does not depend on
+ * their film thickness. */
 static inline void row_content_by_film(const ovr_fields *f,
                                        const row_weights *c, ptrdiff_t J,
                                        num e[3])
@@ -56,8 +57,8 @@ static inline void row_content_by_film(const ovr_fields *f,
                    within_set(in_set(f->wet, J - m), at(f->rho, J - m));
 }
 
-/* A pressurized node with P = 0 that wants to fall, a dry one that is full and
- * wants to rise by more than rounding. */
+/* True for a pressurized node with P = 0 whose residual is negative, and for a
+ * full cavitated node whose residual is positive by more than rounding. */
 static inline truth row_falls(const ovr_fields *f, ptrdiff_t J)
 {
     truth empty = at(f->P, J) <= 0, falls = at(f->r, J) > 0;
@@ -72,7 +73,7 @@ static inline truth row_rises(const ovr_fields *f, bool stored, num half,
     return full & rises;
 }
 
-/* True if the content of a cavitated node is more than the gap holds. */
+/* True if the content of a cavitated node exceeds that of a full gap. */
 static inline truth row_overflows(num q, num full)
 {
     return q > full * (1 + 1e-12);

@@ -1,21 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Values at the departure points of paths: the material at a node was several
- * mesh sizes upstream one step ago.
+ * Interpolation at departure points: where the material that is at a node now
+ * was one time step ago, several mesh sizes upstream.
  *
- * All points of a surface move alike: Lagrange's cubic through four nodes is
- * used, which is exact for shifts by whole mesh sizes.  Each layer of the film
- * has its own speed: linear interpolation between two nodes, which makes no new
- * extremes.  At the inlet zero enters (a rise of 0); beyond the outlet values
- * are those at the end.
+ * All points of a surface have the same speed: Lagrange's cubic interpolation
+ * is used, which is exact for shifts by whole mesh sizes. Layers of the film
+ * have different speeds: interpolation between two nodes is linear and creates
+ * no new extrema. Values upstream of the inlet are 0 (temperature rise); values
+ * beyond the outlet are those at the outlet.
  */
 #ifndef OVR_MULTIGRID_DEPARTURES_H
 #define OVR_MULTIGRID_DEPARTURES_H
 
 #include <stddef.h>
 
-/* The departure points of a surface: node i takes c[0..3] of the nodes from i +
- * first on, all of them there for `from` <= i < `to`. */
+/* Departure points of a surface: the value for node i is the sum of c[0..3]
+ * times the values of the nodes i + first to i + first + 3. All these nodes
+ * exist for `from` <= i < `to`. */
 typedef struct ovr_departures {
     size_t n, from, to;
     ptrdiff_t first;
@@ -24,7 +25,7 @@ typedef struct ovr_departures {
 
 ovr_departures ovr_departures_of(size_t n, double meshes);
 
-/* v at the departure point of node i, wherever that is. */
+/* v at the departure point of node i, also outside the grid. */
 double ovr_departures_at(const ovr_departures *departures, const double *v,
                          size_t i);
 

@@ -30,7 +30,7 @@ static inline void eyring_small(vec square, eyring *f)
     f->B = fused(f->B, less(all(1), f->shc, f->B), f->B);
 }
 
-/* `growth`: the table of 2^y. */
+/* `growth` is the table of 2^y. */
 static inline eyring eyring_at(const exp_table *growth, vec g)
 {
     const double log2_e = 0x1.71547652b82fep0;
@@ -50,8 +50,8 @@ static inline eyring eyring_at(const exp_table *growth, vec g)
     return f;
 }
 
-/* scale asinh y, y >= 0: by the logarithm (beyond 1e100 of 2 y), by the series
- * where that would have no digits */
+/* scale asinh y for y >= 0: by the logarithm (of 2 y beyond 1e100), or by the
+ * series where the logarithm would lose all digits */
 static inline vec arsinh(const log_table *ln, double scale, vec y)
 {
     vec z = smaller(y, all(1e100)), square = z * z, whole = square + 1;

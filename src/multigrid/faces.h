@@ -1,20 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Means at half nodes, over `num` too (reynolds_row.h).
+ * Means of the flow coefficient at half nodes, also for a number type `num`
+ * (reynolds_row.h).
  *
  * Arithmetic: eps_i + eps_j is 2 E of a half node, as in the paper.  At a
- * constriction that is narrower than a mesh the wide node rules this sum, and
- * the film leaks through as if it were open.
+ * constriction narrower than D the node with the larger gap dominates this sum,
+ * and the computed flow is too large, as if there were no constriction.
  *
- * By the gap: what flows through a mesh flows through all of it, so that
- * resistances 1/eps are summed, but of the gap alone.  With eps = phi H^3,
- * phi = rho m, m = 1/(eta lambda), a = H_i^3, b = H_j^3, h = 2 a b/(a + b)
+ * By the gap: the flow is the same in the whole grid interval, so that the
+ * resistances 1/eps are added; only the factor H^3 is averaged in this way.
+ * With eps = phi H^3, phi = rho m, m = 1/(eta lambda), a = H_i^3, b = H_j^3, h
+ * = 2 a b/(a + b)
  *     2 E = (phi_i + phi_j) h = p eps_i + (2 - p) eps_j,   p = 2 b/(a + b)
  *     d(2 E)/dP_i = p d eps_i/dP
  *     d(2 E)/dH_i = p d eps_i/dH - (3/2) p (2 - p) (eps_i - eps_j)/H_i
  *
- * Logarithmic: the flow through the mesh is h times the integral of phi dP,
- * and ln m is nearly linear in P, so that the mean of m is
+ * Logarithmic: the flow through the mesh is h times the integral of phi dP, and
+ * ln m is nearly linear in P, so that the mean of m is
  *     (m_j - m_i)/d,   d = ln(m_j/m_i)
  *     2 E = h (rho_i + rho_j) (m_j - m_i)/d
  * The arithmetic mean exceeds it by the factor (d/2)/tanh(d/2): at the flank of
@@ -23,31 +25,31 @@
  * has the derivatives
  *     -[2 E - (s_i/d) (2 E - 2 p eps_i)] by P_i,
  *       2 E - (s_j/d) (2 E - 2 (2 - p) eps_j) by P_j
- * and where ln m is linear in P, s_i = s_j = d, these are -2 p eps_i and
- * 2 (2 - p) eps_j: the discrete operator is elliptic for any pressure
- * difference.  By Roelands' law s_j/d reaches 2 where the pressure falls by
- * several p_h in a mesh size; with 1 for it corrections overshoot by as much.
- * At the peak of a spike m is smallest, and the flow to a neighbour hardly
- * depends on the pressure there.  Far from the solution Newton's step is then
- * too large, and relaxations oscillate about the spike.  The slopes are at
- * least the secant 2 E there (cycle.c).  A steady contact of 0.6 GPa with a
- * wave of half the film takes 12 cycles on level 7; without secants there was
- * no solution.
- * The harmonic mean of phi is not: phi falls as exp(-alpha P), and its flow as
- * x/(1 + e^x) from x = alpha (P_j - P_i) = 1.28 on.  In a film with
- * temperatures m is the integral across the film divided by H^3
+ * and where ln m is linear in P, s_i = s_j = d, these are -2 p eps_i and 2 (2 -
+ * p) eps_j: the discrete operator is elliptic for any pressure difference.  By
+ * Roelands' law s_j/d reaches 2 where the pressure falls by several p_h in a
+ * mesh size; with 1 in its place, corrections are too large by this factor. At
+ * the peak of a spike m is smallest, and the flow to a neighbour hardly depends
+ * on the pressure there.  Far from the solution Newton's step is then too
+ * large, and relaxations oscillate about the spike.  The slopes are at least
+ * the secant 2 E there (cycle.c).  A steady contact of 0.6 GPa with a wave of
+ * half the film takes 12 cycles on level 7; without secants there was no
+ * solution. The harmonic mean of phi is not elliptic: phi falls as exp(-alpha
+ * P), and its flow as x/(1 + e^x) from x = alpha (P_j - P_i) = 1.28 on.  In a
+ * film with temperatures m is the integral across the film divided by H^3
  * (cross_film.h).  P and ln m are nearly linear in X between the nodes, so ln m
- * is linear in P there too.
- * rho H^2 of flow laws (flow.h) alike, with squares.
+ * is linear in P there too. The mean of rho H^2 in rheological models (flow.h)
+ * is formed in the same way, with squares.
  *
- * The stress of sliding (friction.h) is no resistance: rho H^2/eps is the mean
+ * The sliding stress (friction.h) is not a resistance: rho H^2/eps is the mean
  * of rho psi_c over that of phi, times the mean of 1/H over a gap that is
- * linear between the nodes, ln(H_i/H_j)/(H_i - H_j), whose inverse is within
- * 6 % for a ratio of 50 (2 G + A)/3, of their geometric and arithmetic means.
- * phi falls as exp(-alphabar P), so between two nodes with pressure its mean is
- * the geometric one: the arithmetic one makes the oil of steep pressures too
- * thin, and friction five times less exact.  Beside a node without pressure,
- * where phi stands for the share of the gap that is filled, it is arithmetic.
+ * linear between the nodes, ln(H_i/H_j)/(H_i - H_j), whose inverse is within 6
+ * % for a ratio of 50 (2 G + A)/3, of their geometric and arithmetic means. phi
+ * falls as exp(-alphabar P), so between two nodes with pressure its mean is the
+ * geometric one: the arithmetic mean underestimates the viscosity where the
+ * pressure gradient is large and makes the friction error five times larger.
+ * Next to a cavitated node, where phi represents the filled fraction of the
+ * gap, the mean is arithmetic.
  */
 #ifndef OVR_MULTIGRID_FACES_H
 #define OVR_MULTIGRID_FACES_H
@@ -56,7 +58,7 @@
 
 #include "multigrid/kernels.h"
 
-#ifdef VEC /* vector.h came before */
+#ifdef VEC /* vector.h is included */
 static inline num face_root(num x)
 {
     return x * inverse_root(x);
@@ -69,20 +71,21 @@ static inline num face_root(num x)
 }
 #endif
 
-/* A film, for what divides by it: iterates may touch. */
+/* A film thickness that can be a divisor: iterates may be 0. */
 static inline num face_film(num H)
 {
     return larger(H, all(1e-30));
 }
 
-/* 1/d, for ratios that are not taken where d is near 0. */
+/* 1/d; not used where d is near 0. */
 static inline num face_inverse(num d)
 {
     return 1 / choose(d * d < 1e-6, all(1), d);
 }
 
-/* The mean (y - x)/d of two numbers, d = ln(y/x), inverse = 1/d.  Near d = 0
- * the arithmetic mean times the series of tanh(d/2)/(d/2), to 1e-13. */
+/* The mean (y - x)/d of two numbers, with d = ln(y/x) and inverse = 1/d. Near d
+ * = 0, computed as the arithmetic mean times the series of tanh(d/2)/(d/2),
+ * with an error of 1e-13. */
 static inline num face_log_mean(num x, num y, num d, num inverse)
 {
     num square = 0.25 * d * d;
@@ -91,18 +94,19 @@ static inline num face_log_mean(num x, num y, num d, num inverse)
     return choose(square < 1e-4, 0.5 * (x + y) * series, (y - x) * inverse);
 }
 
-/* The flow between nodes i and j: 2 E; -d(2 E (P_j - P_i))/dP_i and
- * d(2 E (P_j - P_i))/dP_j at fixed film; p. */
+/* The flow between nodes i and j: 2 E; its derivatives -d(2 E (P_j - P_i))/dP_i
+ * and d(2 E (P_j - P_i))/dP_j at fixed film; p. */
 typedef struct face {
     num flow, left, right, share;
 } face;
 
-/* One of the two nodes.  deps is d eps/dP; cube = H^3, m = eps/(rho H^3). */
+/* Values of one of the two nodes. deps is d eps/dP; cube = H^3, m = eps/(rho
+ * H^3). */
 typedef struct face_node {
     num P, H, rho, eps, deps, log_fluidity, log_slope, cube, m;
 } face_node;
 
-/* p of H^3 and of H^2. */
+/* p for means of H^3 and of H^2. */
 static inline num face_share(num H, num G)
 {
     num h = face_film(H), g = face_film(G), a = h * h * h, b = g * g * g;
@@ -121,7 +125,8 @@ static inline num face_sum(num p, num x, num y)
     return fused(p, x, (2 - p) * y);
 }
 
-/* The mean by shares p: of both alike, p = 1, or by the gap. */
+/* The mean with weights p and 2 - p: p = 1 for the arithmetic mean, or p from
+ * the gap. */
 static inline face face_by_shares(num p, const face_node *i, const face_node *j)
 {
     num rise = j->P - i->P, flow = face_sum(p, i->eps, j->eps);
@@ -131,10 +136,11 @@ static inline face face_by_shares(num p, const face_node *i, const face_node *j)
                   .share = p};
 }
 
-/* The derivative of the flow by a node's pressure, flow - s ratio.  Arguments
- * are s = (d ln m/dP)_i (P_j - P_i), bound = 2 p eps_i and the ratio
- * (flow - bound)/d.  It is not below the smaller one of both, so that the rows
- * stay elliptic, nor below `least`, a part of the flow. */
+/* Derivative of the flow with respect to a node's pressure, flow - s ratio.
+ * Arguments: s = (d ln m/dP)_i (P_j - P_i), bound = 2 p eps_i, and ratio =
+ * (flow - bound)/d. The result is bounded below by the smaller of flow and
+ * bound, so that the rows stay elliptic, and by `least`, a fraction of the
+ * flow. */
 static inline num face_by_pressure(num flow, num bound, num s, num ratio,
                                    num least)
 {
@@ -165,7 +171,7 @@ static inline face face_logarithmic(const face_node *i, const face_node *j,
                   .share = 2 - h};
 }
 
-/* The kinds of means, a constant for the compiler. */
+/* Kind of mean; a compile-time constant. */
 typedef enum face_kind { FACE_SUMS, FACE_BY_GAP, FACE_LOGARITHMIC } face_kind;
 
 static inline face_kind face_kind_of(const ovr_fluid *fluid)
@@ -175,7 +181,7 @@ static inline face_kind face_kind_of(const ovr_fluid *fluid)
     return fluid->by_gap ? FACE_BY_GAP : FACE_SUMS;
 }
 
-/* Without what the logarithmic mean computes of a node. */
+/* Loads the values of a node, except those for the logarithmic mean. */
 static INLINE face_node face_loaded(const ovr_fields *f, face_kind kind,
                                     ptrdiff_t J)
 {
@@ -215,7 +221,7 @@ static INLINE face face_between(face_kind kind, double secant,
     return s;
 }
 
-/* The flow of eps between J and J + 1. */
+/* The flow coefficient between J and J + 1. */
 static INLINE face face_at(const ovr_fields *f, face_kind kind, double secant,
                            ptrdiff_t J)
 {
@@ -224,8 +230,8 @@ static INLINE face face_at(const ovr_fields *f, face_kind kind, double secant,
     return face_between(kind, secant, &left, &right);
 }
 
-/* d(2 E)/dH_i of the logarithmic mean: 3/2 p 2 E/H_i, and what the film changes
- * in the viscosity, by the share p. */
+/* d(2 E)/dH_i of the logarithmic mean: 3/2 p 2 E/H_i plus the effect of the
+ * film thickness on the viscosity, weighted by p. */
 static inline num face_logarithmic_by_film(num flow, num p, num H, num slope,
                                            num eps)
 {
@@ -233,8 +239,8 @@ static inline num face_logarithmic_by_film(num flow, num p, num H, num slope,
     return p * fused(1.5 * flow, inverse, choose(H > 0, viscous, all(0)));
 }
 
-/* Its change by the film H of x, which changes it by `slope`: by
- * p slope - power/2 p (2 - p) (x - y)/H. */
+/* Derivative of the mean with respect to the film thickness H at the node with
+ * value x, where dx/dH = `slope`: p slope - power/2 p (2 - p) (x - y)/H. */
 static inline num face_by_film(double power, num p, num H, num slope, num x,
                                num y)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Arrays over the nodes of a grid: aligned, zero, with OVR_FIELD_PAD zeros
- * before the first and after the last, so that stencils and whole vectors may
- * reach over the ends. */
+/* Arrays over the nodes of a grid: aligned, initialized to zero, with
+ * OVR_FIELD_PAD zeros before the first and after the last node, so that
+ * stencils and whole vectors may read beyond the ends. */
 #ifndef OVR_MULTIGRID_FIELD_H
 #define OVR_MULTIGRID_FIELD_H
 
@@ -13,12 +13,13 @@
 enum { OVR_FIELD_PAD = 64, OVR_FIELD_PAGE = 512 };
 
 /*
- * A kernel walks through some twenty arrays at once.  Where element i of them
- * all lies at nearly the same place of a 4 kB page they evict each other from
- * the cache and loads wait for stores they have nothing to do with (three
- * times slower on large grids).  So each array starts 11 cache lines further
- * into its page than the one before.  Small arrays lie one behind the other:
- * each is some quarters of a page and three lines long.
+ * Offsets that avoid cache conflicts. A kernel reads about twenty arrays at
+ * once. If element i of all of them has nearly the same address within a 4 kB
+ * page, the arrays evict each other from the cache, and loads wait for
+ * unrelated stores (three times slower on large grids). Therefore each array
+ * starts 11 cache lines later in its page than the previous one. Small arrays
+ * follow each other directly; each has a length of a multiple of a quarter page
+ * plus three lines.
  */
 static inline double *ovr_field(ovr_arena *arena, size_t n, ovr_error *err)
 {
@@ -36,7 +37,8 @@ static inline double *ovr_field(ovr_arena *arena, size_t n, ovr_error *err)
     return all + OVR_FIELD_PAD;
 }
 
-/* Several of them, to where the pointers point; NULL behind the last. */
+/* Allocates several fields and stores them in the pointers of the list `to`,
+ * which ends with NULL. */
 static inline ovr_status ovr_fields_take(ovr_arena *arena, size_t n,
                                          ovr_error *err, double **const to[])
 {
@@ -47,7 +49,7 @@ static inline ovr_status ovr_fields_take(ovr_arena *arena, size_t n,
 #define OVR_TAKE_FIELDS(arena, n, err, ...)                                    \
     ovr_fields_take(arena, n, err, (double **const[]){__VA_ARGS__, NULL})
 
-/* A set of nodes (lanes.h) for any number of lanes, halos included. */
+/* Allocates a set of nodes (lanes.h) for any number of lanes, with halos. */
 static inline unsigned char *ovr_set(ovr_arena *arena, size_t n, ovr_error *err)
 {
     unsigned char *all = ovr_arena_take(arena, n + 2 * OVR_FIELD_PAD, 1, err);

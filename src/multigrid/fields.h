@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The fields of a level, in one list: memory, copies in the order of the
- * nodes, the solution that is shown, guesses, the past and checkpoints follow
- * from it.
+ * List of the fields of a level. It determines allocation, copies in the order
+ * of the nodes, the visible solution, extrapolated guesses, stored time levels
+ * and checkpoints.
  *
  *     memory   LANES: the nodes, in lanes; WIDE: with the deformation's halos;
- *              NEWTON: on the grids that are solved by Newton's method alone;
+ *              NEWTON: only on grids solved by Newton's method;
  *              FLOW, SENSITIVE: as LANES, NEWTON where the flow at half nodes
  *              is stored, with a flow law or means by the gap (faces.h);
  *              FLUIDITY: where these means are logarithmic;
- *              CONTENT: where cavitation is mass-conserving (content.h) alone;
- *              SKEWED: in a film with temperatures alone
- *     ordered  read node by node too, by what does not run in lanes
- *     carried  full multigrid brings it down to all levels by full weighting
+ *              CONTENT: with mass-conserving cavitation only (content.h);
+ *              SKEWED: with temperatures across the film only
+ *     ordered  also stored in the order of the nodes, for code without lanes
+ *     carried  restricted to all levels by full weighting in full multigrid
  *     shown    of the finest level: part of the solution, read after a solve
- *     past     how many times ago it is kept and saved in checkpoints
- *     guessed  extrapolated in time, from all of its past
+ *     past     number of previous times kept and saved in checkpoints
+ *     guessed  extrapolated in time from all stored times
  */
 #ifndef OVR_MULTIGRID_FIELDS_H
 #define OVR_MULTIGRID_FIELDS_H
@@ -40,7 +40,8 @@
     FIELD(log_slope, FLUIDITY, 1, 0, 0, 0, 0) /* d ln(1/eta)/dP */ \
     FIELD(gap,     LANES,  0, 1, 0, 0, 0) /* undeformed gap (hierarchy.h) */ \
     FIELD(w,       WIDE,   0, 0, 0, 0, 0) /* deformation */ \
-    FIELD(entry,   LANES,  0, 0, 0, 0, 0) /* P when the cycle came to it */ \
+    FIELD(entry,   LANES,  0, 0, 0, 0, 0) /* P at the start of the cycle on this
+                                           * level */ \
     FIELD(flow,    FLOW,   1, 0, 1, 0, 0) /* 2 E at i + 1/2 (flow.h) */ \
     FIELD(out_left, FLOW,  1, 0, 0, 0, 0) /* -d(2 E dP)/dP_i, see flow.h */ \
     FIELD(out_right, FLOW, 1, 0, 0, 0, 0) /* d(2 E dP)/dP_{i+1} */ \
@@ -48,7 +49,7 @@
     FIELD(by_right, SENSITIVE, 1, 0, 0, 0, 0) /* 2 dE/dH_{i+1} */ \
     FIELD(skew,    SKEWED, 1, 0, 0, 0, 0) /* s_0 of reynolds_row.h */ \
     FIELD(skew_by_P, SKEWED, 1, 0, 0, 0, 0) /* s_1 of reynolds_row.h */ \
-    FIELD(full,    CONTENT, 0, 0, 0, 0, 0) /* rho H, of a gap full of oil */ \
+    FIELD(full,    CONTENT, 0, 0, 0, 0, 0) /* rho H of a full gap */ \
     FIELD(kept,    CONTENT, 0, 0, 0, 0, 0) /* kappa q^{k-1}/dT (content.h) */
 #define OVR_FIELD_INDEX(name, ...) OVR_FIELD_##name,
 #define OVR_FIELD_POINTER(name, ...) double *restrict name;
@@ -56,7 +57,7 @@
 
 enum { OVR_LEVEL_FIELDS(OVR_FIELD_INDEX) OVR_FIELD_COUNT, OVR_PAST = 4 };
 
-/* Arrays of one grid, by name or by row. */
+/* Arrays of one grid, accessible by name or by index. */
 typedef struct ovr_fields {
     union {
         struct {
@@ -64,18 +65,20 @@ typedef struct ovr_fields {
         };
         double *all[OVR_FIELD_COUNT];
     };
-    /* The phase of each node, as sets of nodes (lanes.h): wet, P > 0, in halos
-     * too; held dry, not wanting to rise (reynolds_row.h).  What is in neither
-     * is free: dry, and about to rise. */
+    /* phase of each node, as sets of nodes (lanes.h): wet, with P > 0, in halos
+     * too; held: cavitated and constrained to P = 0, because the residual would
+     * not make P positive (reynolds_row.h). Nodes in neither set are cavitated
+     * and about to become pressurized. */
     unsigned char *wet, *held;
-    /* Known in a film with temperatures, in lanes, else NULL: log2(1/eta) is th
-     * times that of the supply's temperature, plus shift; drag: psi_c, by which
-     * rho H^2 counts where the film slides (flow.h); swell: by which density is
-     * less, or NULL. */
+    /* set with temperatures in the film, in lanes, otherwise NULL: log2(1/eta)
+     * = th times its value at the supply temperature + shift; drag: psi_c,
+     * factor of rho H^2 in the sliding stress (flow.h); swell: divisor of the
+     * density, or NULL */
     double *th, *shift, *drag, *swell;
-    /* Known where cavitation is mass-conserving (content.h): dried in this
-     * sweep; outflow, time derivative limited; wet columns that share with the
-     * node before, after them. */
+    /* set with mass-conserving cavitation (content.h): nodes that became
+     * cavitated in this sweep; limited outflow; limited time derivative;
+     * pressurized nodes whose changes are distributed to the node before, and
+     * after */
     unsigned char *dried, *limited, *spent, *left, *right;
 } ovr_fields;
 

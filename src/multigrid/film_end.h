@@ -33,7 +33,8 @@
 
 #include "multigrid/hierarchy.h"
 
-/* Film and residual of the level must be up to date, and are afterwards. */
+/* Film and residual of the level must be up to date before the call, and are up
+ * to date after it. */
 void ovr_move_cavitation_boundary(const ovr_hierarchy *grids, ovr_level *level);
 
 #endif

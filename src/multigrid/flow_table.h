@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A flow law's table (contact/flow_law.h) for whole vectors: ln Phi or
- * ln(a/s_N) and its slopes by s_N and g.  The cell is what the first bits of 1
- * + s_N and 1 + g say; its corners lie side by side in pairs.
+ * Interpolation in the table of a rheological model (contact/flow_law.h) for
+ * whole vectors: ln Phi or ln(a/s_N) and the slopes with respect to s_N and g.
+ * The leading bits of 1 + s_N and 1 + g determine the cell; the values at its
+ * corners are stored next to each other in pairs.
  */
 #ifndef OVR_MULTIGRID_FLOW_TABLE_H
 #define OVR_MULTIGRID_FLOW_TABLE_H
@@ -12,14 +13,14 @@
 #include "contact/flow_law.h"
 #include "multigrid/power.h"
 
-/* A cell along s_N or g: its number; weights of value and slope at its first
- * node, at its second; the same for the derivative. */
+/* A cell along s_N or g: its number; the weights of value and slope at its
+ * first and second node; the same for the derivative. */
 typedef struct law_cell {
     uvec number;
     vec b[4], d[4];
 } law_cell;
 
-/* x = 1 + s, within the table */
+/* Cell of x = 1 + s within the table. */
 static inline law_cell law_cell_of(vec x)
 {
     const uint64_t one = 1023, octave = 0x7ffULL << 52, part = 1ULL << 50;
@@ -40,7 +41,7 @@ static inline law_cell law_cell_of(vec x)
     return c;
 }
 
-/* A table has this at the corners at both ends of a cell along g. */
+/* Loads the table values at the corners at both ends of a cell along g. */
 static inline void law_corners(const double *table, uvec place, vec v[8])
 {
     int64_t at[VEC];
@@ -58,15 +59,16 @@ static inline vec law_sum(const vec w[4], vec a, vec by_a, vec b, vec by_b)
     return fused(w[3], by_b, fused(w[2], b, fused(w[1], by_a, w[0] * a)));
 }
 
-/* A value of a table and its slopes by s_N and g; s_N and |g| as they are held
- * within the table, and by how much s_N is beyond. */
+/* A table value and its slopes with respect to s_N and g; s_N and |g| limited
+ * to the table, and the excess of s_N beyond the table. */
 typedef struct law_value {
     vec value, by_s, by_g, s, g, beyond;
 } law_value;
 
 static inline law_value law_at(const double *table, vec s_N, vec g)
 {
-    /* no film that was given up, crossed or without numbers, leads outside */
+    /* limits the argument to the table, also if it is NaN (films of failed or
+     * crossing iterates) */
     vec x = smaller(larger(s_N, all(0)) + 1, all(OVR_LAW_MAX_SLIDE));
     vec y = smaller(larger(g, -g) + 1, all(OVR_LAW_MAX_GRADIENT));
     law_cell by_s = law_cell_of(x), by_g = law_cell_of(y);
@@ -89,7 +91,7 @@ static inline law_value law_at(const double *table, vec s_N, vec g)
         larger(s_N * (1 / (OVR_LAW_MAX_SLIDE - 1)), all(1))};
 }
 
-/* e^value; beyond the last s_N a power of it. */
+/* e^value; a power of s_N beyond the last table entry. */
 static inline vec law_power(const exp_table *growth, const log_table *log2,
                             const law_value *at)
 {

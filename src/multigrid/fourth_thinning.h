@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The correction to fourth order where a film shears thin (fourth_order.h), for
- * whole vectors: the flux at a half node is E p, E by the flow law (flow.h)
- * from eps, rho H^2, H and the gradient there, each of fourth order:
+ * Fourth-order correction of shear-thinning films (fourth_order.h), for whole
+ * vectors: the flux at a half node is E p, with E of the rheological model
+ * (flow.h) for eps, rho H^2, H and the gradient there, each of fourth order:
  *     x_{i+1/2} = [9 (x_i + x_{i+1}) - x_{i-1} - x_{i+2}]/16
- * eps by its logarithms, held within 40 % of the mean of the two nodes that the
- * equation of second order has (faces.h).
+ * eps is interpolated by its logarithm and limited to within 40 % of the
+ * two-node mean of the second-order equation (faces.h).
  */
 #ifndef OVR_MULTIGRID_FOURTH_THINNING_H
 #define OVR_MULTIGRID_FOURTH_THINNING_H
@@ -15,7 +15,7 @@
 #include "multigrid/flow.h"
 #include "multigrid/flow_table.h"
 
-/* The law and the numbers that it takes. */
+/* The rheological model and its arguments. */
 typedef struct thinning {
     const double *table; /* NULL: Eyring's law */
     double slide, gradient;
@@ -47,13 +47,14 @@ static inline vec sixteen_at(const double *x, ptrdiff_t J)
     return sixteen(at(x, J - 1), at(x, J), at(x, J + 1), at(x, J + 2));
 }
 
-/* rho H, as it counts where a film with temperatures slides (fields.h). */
+/* rho H as used in the sliding stress with temperatures across the film
+ * (fields.h). */
 static inline vec sliding_content(const ovr_fields *f, ptrdiff_t J)
 {
     return f->drag ? at(f->drag, J) * at(f->q, J) : at(f->q, J);
 }
 
-/* 2 eps at i + 1/2, `log_eps` being log2(eps)/16. */
+/* 2 eps at i + 1/2; log_eps is log2(eps)/16. */
 static inline vec twice_eps(const thinning *t, const ovr_fields *f,
                             const double *log_eps, ptrdiff_t J)
 {
@@ -62,7 +63,8 @@ static inline vec twice_eps(const thinning *t, const ovr_fields *f,
     return smaller(larger(value, 0.6 * sum), 1.4 * sum);
 }
 
-/* 2 E at i + 1/2 by the difference of P over a mesh, all of fourth order. */
+/* 2 E at i + 1/2 from the pressure difference over D; all arguments of fourth
+ * order. */
 static inline vec thinned(const thinning *t, const ovr_fields *f,
                           const double *log_eps, vec rise, ptrdiff_t J)
 {

@@ -16,17 +16,18 @@
  * Force on a surface per unit width (ph b^2/R), power (um ph b^2/R):
  *     F_slide = int t dX,  F_roll = int H P_X/2 dX
  *     F_1 = F_slide - F_roll,  F_2 = -F_slide - F_roll
- *     Poiseuille's part of what is dissipated = int (E/rho) P_X^2 dX, E of
+ *     dissipation of the Poiseuille flow = int (E/rho) P_X^2 dX, E of
  *         the flow law, Newtonian eps: 2 F_roll in any steady film
- * over half nodes with pressure at a node beside them: streamers in a
- * cavitated film drag less than 1e-4 of it.  Of second order in D.
+ * The integrals include half nodes next to a pressurized node; the drag of
+ * streamers in the cavitated film is below 1e-4 of the total. Second order in
+ * D.
  */
 #ifndef OVR_MULTIGRID_FRICTION_H
 #define OVR_MULTIGRID_FRICTION_H
 
 #include <stddef.h>
 
-/* A film, in the order of the nodes. */
+/* Values of a film, in the order of the nodes. */
 typedef struct ovr_sheared {
     size_t n;
     const double *X, *P, *H, *q;
@@ -35,7 +36,7 @@ typedef struct ovr_sheared {
 
 typedef struct ovr_friction {
     double slide, roll; /* F_slide, F_roll */
-    double poiseuille;  /* dissipated by it */
+    double poiseuille;  /* power dissipated by the Poiseuille flow */
 } ovr_friction;
 
 #endif

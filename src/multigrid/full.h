@@ -1,31 +1,31 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Full multigrid (FMG): Newton on the coarsest grid from the Hertzian
- * pressure, then on each finer grid cubic interpolation and cycles.
+ * Full multigrid (FMG): Newton on the coarsest grid from the Hertzian pressure,
+ * then on each finer grid cubic interpolation and cycles.
  *
- * A load that the coarsest grid cannot carry, its film being too thin for the
- * mesh, is raised on the way: Newton at the largest fraction of the load that
- * converges, nested iteration to a grid that can, and there continuation in
- * load.
+ * If the film is too thin for the mesh size of the coarsest grid, the load is
+ * increased in steps: Newton's method at the largest fraction of the load that
+ * converges, nested iteration to a grid that resolves the film, and
+ * continuation in the load there.
  */
 #ifndef OVR_MULTIGRID_FULL_H
 #define OVR_MULTIGRID_FULL_H
 
 #include "multigrid/cycle.h"
 
-/* The contact whose solution is asked for, at loads, speeds and curvatures
- * relative to the nominal ones of M and L. */
+/* The steady contact to be solved: load, speed and curvature relative to the
+ * reference values of M and L. */
 typedef struct ovr_target {
     double M, L;
     double Cw, Cu; /* load, speed */
     double c;      /* R0/R */
-    double force;  /* D sum P */
+    double force;  /* required value of D sum P */
     ovr_fluid fluid;
 } ovr_target;
 
-/* Film thickness by formula, and the fluid, at a fraction of the load. */
+/* Film thickness by formula, and the fluid, at this fraction of the load. */
 double ovr_target_film(const ovr_target *target, double fraction);
-/* Reported of each level that carries the whole load. */
+/* Events reported for each level that carries the full load. */
 typedef enum ovr_full_event {
     OVR_FULL_BEGINS, /* the level below is solved */
     OVR_FULL_CYCLES, /* another cycle follows */
@@ -34,23 +34,27 @@ typedef enum ovr_full_event {
 
 typedef struct ovr_full_status {
     int cycles;    /* on this level */
-    double factor; /* of the last one on the residual */
+    double factor; /* reduction factor of the residual in the last cycle */
     ovr_defect defect;
 } ovr_full_status;
 
-/* Options of full multigrid, with who watches it and judges. */
+/* Options of full multigrid, with callbacks that report progress and test
+ * convergence. */
 typedef struct ovr_full {
     ovr_cycling cycling;
     double load_factor; /* largest step of the continuation in load */
-    double mesh;        /* of its level: D over H^(2/3), the inlet's rise */
-    bool fixed;         /* `max_cycles` on every level, no fewer */
-    bool thin_last;     /* Newtonian up to the finest level, and only there
-                           stress by stress down to that of the flow law */
+    double mesh;        /* level for the continuation: its D/H^(2/3), relative
+                         * to the inlet */
+    bool fixed;         /* exactly max_cycles on every level */
+    bool thin_last;     /* Newtonian on coarser levels; on the finest level the
+                         * Eyring stress decreases in steps to that of the
+                         * rheological model */
     int max_cycles;     /* on the finest level */
-    int min_cycles;     /* before a level may be done */
-    int trial; /* so many cycles have to gain a third: the largest R of them
-                  below 2/3 of that of as many before; 0: they need not */
-    /* where a level of this film at X = 0 is done */
+    int min_cycles;     /* minimum number of cycles on a level */
+    int trial; /* number of cycles after which the largest R must be below 2/3
+                * of that of the same number of cycles before; 0: no such test
+                */
+    /* tolerance of a level with film thickness H at X = 0 */
     double (*tolerance)(const void *data, const ovr_level *level, double H);
     void (*watch)(void *data, const ovr_level *level, ovr_full_event event,
                   const ovr_full_status *status);
@@ -58,16 +62,16 @@ typedef struct ovr_full {
     double *saved; /* space for a field of the finest size */
 } ovr_full;
 
-/* Cycles on a level whose film and residual are up to date, to its tolerance;
- * adds to the number of cycles. */
+/* Performs cycles on a level, whose film and residual are up to date, until its
+ * tolerance is reached. Adds to the number of cycles. */
 ovr_defect ovr_full_cycles(ovr_hierarchy *grids, ovr_level *level,
                            const ovr_full *how, int *cycles);
 
-/* gap, F and force of every level as if it were the finest. */
+/* Sets gap, F and force of every level as if it were the finest. */
 void ovr_full_prepare(ovr_hierarchy *grids, double force);
 
-/* Computes the solution on the finest level, whose gap X^2/2 - S is set; adds
- * to the number of cycles. */
+/* Computes the solution on the finest level, whose gap X^2/2 - S must be set.
+ * Adds to the number of cycles. */
 ovr_defect ovr_full_multigrid(ovr_hierarchy *grids, const ovr_target *target,
                               ovr_full how, int *cycles);
 

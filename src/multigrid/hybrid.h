@@ -8,11 +8,11 @@
  *   elsewhere, Jacobi dipole: P_i changes by delta_i and P_{i-1} by -delta_i,
  *     delta_i = relax_dipole r_i / (A_ii - A_{i,i-1})  when the sweep is done.
  * eps of the switch is the mean used in the row, (eps_{i-1} + 2 eps_i +
- * eps_{i+1})/4: at a jump of eps the node's own would send a row with strong
- * diffusion to the dipole, which smooths it by 0.8 a sweep only.
- * A_ij is the derivative given in line.h.  The kernel scales with D, so that
- * the switch eps/D^2 is independent of the grid; the paper's 0.01 on eps/D
- * belongs to its model problem (9) on its grids.
+ * eps_{i+1})/4: with the node's own eps, a row with strong diffusion at a jump
+ * of eps would be relaxed by the dipole, which reduces its error only by 0.8
+ * per sweep. A_ij is the derivative given in line.h.  The kernel scales with D,
+ * so that the switch eps/D^2 is independent of the grid; the paper's 0.01 on
+ * eps/D belongs to its model problem (9) on its grids.
  *
  * The algorithm of the paper alone stalls or diverges here. It was changed as
  * follows:

@@ -1,23 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The elastic influence of a pressure: what of the deformation is whose.
+ * Elastic deformation as a sum of contributions:
  *
  *     w_i = sum_j (K_ij + R_ij) P_j - c P_i,   H_i = H0 + gap_i - w_i
  *
- * K is the logarithm of two half-spaces.  R is a smooth remainder, of any
- * number of parts, which MLMI sums with it (deformation.h).  c is the
+ * K is the logarithm of two half-spaces.  R is a smooth remainder, the sum of
+ * any number of parts, which MLMI adds to K (deformation.h).  c is the
  * compliance of a Winkler foundation, which deforms only under the pressure,
- * such as a thin layer.  They are used by all modules that need the influence:
- * smoothers, the coarsest grids and the ghosts beyond the inlet.
+ * such as a thin layer. K, R and c are used by all modules that need the
+ * influence: smoothers, the coarsest grids and the ghosts beyond the inlet.
  *
- * The line relaxation takes a distributed change to press in its neighbours
- * only.  For the logarithm what is left out damps; where R falls steeply over a
- * mesh or two and is flat behind, as that of a soft layer as thick as a mesh
- * does, its sum changes sign and long waves grow by up to 56 a sweep.  So the
- * steps g_d = k_(d+1) - k_d of the band alone are held at
+ * The line relaxation assumes that a distributed change deforms neighbouring
+ * nodes only. With the logarithmic kernel, the neglected part has a damping
+ * effect. If R falls steeply within one or two mesh sizes and is flat beyond (a
+ * soft layer as thick as a mesh size), the sum of the neglected part changes
+ * sign, and long waves grow by up to 56 per sweep. Therefore the differences
+ * g_d = k_(d+1) - k_d of the band (only) are bounded:
  *     g_d >= c_d g_(d-1),  c = .05, .3, .5, .6
- * where those of the logarithm fall by .44, .57, .70 and .78; the film and the
- * coarsest grids have K + R as it is.
+ * The differences of the logarithmic kernel fall by .44, .57, .70 and .78. Film
+ * and coarsest grids use K + R unchanged.
  */
 #ifndef OVR_MULTIGRID_INFLUENCE_H
 #define OVR_MULTIGRID_INFLUENCE_H
@@ -35,20 +36,20 @@ typedef struct ovr_influence {
     int parts;
 } ovr_influence;
 
-/* Another part of R; false: there is no space for it. */
+/* Adds a part to R. Returns false if there is no space for it. */
 bool ovr_influence_add(ovr_influence *influence, ovr_influence_part part);
 
-/* The influence of a node on one d mesh sizes away: dw_i/dP_j; R alone. */
+/* Deformation at a distance of d mesh sizes, dw_i/dP_j; and that of R alone. */
 double ovr_influence_at(const ovr_influence *influence, double d, double D);
 double ovr_influence_rest(const ovr_influence *influence, double d, double D);
 
-/* The same at 0..5 mesh sizes, as the line relaxation has it. */
+/* The same at 0..5 mesh sizes, bounded for the line relaxation. */
 void ovr_influence_band(const ovr_influence *influence, double D, double k[6]);
 
-/* True if fourth order knows all of it; C of fourth_order.h, by the waves that
- * the mesh takes for longer ones,
+/* True if the fourth-order correction is known for all parts; C of
+ * fourth_order.h, a sum over the aliases of the grid,
  *     C = (1/2 pi^3) sum_n (-1)^(n+1) A(2 pi n/D)/n^3,
- * of linear pressures (1/4 pi^3) sum_n A(2 pi n/D)/n^3. */
+ * for linear pressures (1/4 pi^3) sum_n A(2 pi n/D)/n^3. */
 bool ovr_influence_corrected(const ovr_influence *influence);
 double ovr_influence_local(const ovr_influence *influence, double D);
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The kernels: the hot loops, compiled once for each instruction set
- * (*.kernel.c) and reached through one table that is chosen when a hierarchy
- * is created.  Each kernel is described above its code; beside it, in
- * *.plain.c, stands what it computes in plain C (plain.h).
+ * (*.kernel.c) and reached through one table that is chosen when a hierarchy is
+ * created.  Each kernel is described above its code. The neighbouring file
+ * *.plain.c contains the same computation in plain C (plain.h).
  *
  * Notation: n nodes i = 0..n-1, P = 0 at i = 0 and n-1; q = rho H.  Arrays are
  * in lanes (lanes.h) unless a kernel takes n instead of an ovr_lanes.
@@ -26,32 +26,34 @@ struct ovr_columns;
 struct ovr_modes_step;
 struct ovr_swept;
 
-/* The lubricant with the Reynolds equation's lambda, and how its flow is meant
- * between two nodes. */
+/* The lubricant, lambda of the Reynolds equation, and the kind of mean at half
+ * nodes. */
 typedef struct ovr_fluid {
     ovr_lubricant lubricant;
     double lambda;
-    const struct ovr_law *law; /* of viscosity, instead of the lubricant's */
+    const struct ovr_law *law; /* viscosity-pressure relation that replaces the
+                                * lubricant's */
     double sliding;            /* V = (u1 - u2)/um */
-    bool by_gap;               /* faces.h: harmonic in H^3 */
+    bool by_gap;               /* means harmonic in H^3 (faces.h) */
     bool logarithmic;          /* and logarithmic in 1/eta */
-    bool secants;              /* slopes by pressure are those at least */
+    bool secants;              /* secants as lower bounds of the derivatives */
     const struct ovr_flow_factor *factor; /* of rough surfaces; NULL: 1 */
 } ovr_fluid;
 
-/* eps of a film H at the pressure P. */
+/* eps for film thickness H and pressure P. */
 double ovr_flow(const ovr_fluid *fluid, double P, double H);
 
-/* Coefficients of one grid's discrete Reynolds equation, see reynolds.h. */
+/* Coefficients of the discrete Reynolds equation on one grid, see reynolds.h.
+ */
 typedef struct ovr_weights {
     double a[3];     /* of q_i, q_{i-1}, q_{i-2} */
     double first[3]; /* in row 1 */
     double half;     /* 1/(2 D^2) */
-    double hold;     /* r over q by which a cavitated node stays dry */
-    /* B of reynolds_row.h, in row 1 */
+    double hold;     /* threshold of r relative to q below which a cavitated
+                      * node stays cavitated */
+    /* B of reynolds_row.h, and in row 1 */
     double skew[3], skew_first[3];
-    /* where cavitation is mass-conserving (content.h): what limits change,
-     * inflow */
+    /* with mass-conserving cavitation (content.h): limiters, inflow */
     double closed[3]; /* in row 1 of a closed inlet */
     double out, time, source;
 } ovr_weights;
@@ -60,10 +62,10 @@ typedef struct ovr_weights {
 typedef struct ovr_band {
     double *b[5];  /* rows of the pentadiagonal system, b[d + 2] */
     double *delta; /* right-hand side, then solution */
-    double reach;  /* (X/4)^2 of the far end, 1 at least: band.kernel.c */
+    double reach;  /* (X/4)^2 at the further end, at least 1: band.kernel.c */
 } ovr_band;
 
-/* A row that says delta = 0: the ends of the grid. */
+/* Sets the row to delta = 0, for the end nodes of the grid. */
 static inline void ovr_band_hold(const ovr_band *band, size_t place)
 {
     for (size_t d = 0; d < 5; d++)
@@ -71,8 +73,8 @@ static inline void ovr_band_hold(const ovr_band *band, size_t place)
     band->delta[place] = 0;
 }
 
-/* A change delta_j of the line relaxation is shared in these parts with P_{j-1}
- * and P_{j+1}; in time by cavitated nodes too. */
+/* Fractions of a change delta_j of the line relaxation that are added to
+ * P_{j-1} and P_{j+1}; in transient steps also next to cavitated nodes. */
 typedef struct ovr_shares {
     double minus, plus;
     bool transient;
@@ -84,42 +86,42 @@ typedef struct ovr_fourth {
                                fields have tangents */
     double D, Cu;
     ptrdiff_t first,
-        behind; /* half nodes of the inlet's side: first <= i < behind */
+        behind; /* half nodes on the inlet side: first <= i < behind */
     double *log_eps, *flux, *rise; /* work arrays */
     double *mask;    /* 1 where the equation is corrected, else 0 */
-    double *F, *gap; /* what is added to the right-hand sides */
+    double *F, *gap; /* corrections of the right-hand sides */
     bool linear;     /* pressure between nodes, else constant */
-    bool reduced;    /* Poiseuille flow behind X = 0 by reduced pressures */
+    bool reduced;    /* Poiseuille flow for X > 0 from reduced pressures */
     double local;    /* C of fourth_order.h */
 } ovr_fourth;
 
-/* Nodes at both ends that are not corrected; eta(3)/(2 pi^3), the share of D
- * times the second difference of P that the film's correction takes, and that
- * of linear pressures, zeta(3)/(4 pi^3). */
+/* MARGIN: number of nodes at each end without correction. LOCAL: C of
+ * fourth_order.h for constant pressures, eta(3)/(2 pi^3). LINEAR: C for linear
+ * pressures, zeta(3)/(4 pi^3). */
 enum { OVR_FOURTH_MARGIN = 8 };
 #define OVR_FOURTH_LOCAL 0.014538067351
 #define OVR_FOURTH_LINEAR 0.009692044901
 
-/* Every kernel: what it returns, its name, what it takes.  The table, each
- * instruction set's declarations and its entries follow from this list. */
+/* List of all kernels: return type, name, arguments. The kernel table and the
+ * declarations and entries of each instruction set are generated from it. */
 /* clang-format off */
 #define OVR_EACH_KERNEL(K) \
-    /* to lanes, halos included, and back to the order of the nodes */ \
+    /* to lanes, with halos, and back to the order of the nodes */ \
     K(void, pack, (const ovr_lanes *g, const double *from, double *to)) \
     K(void, unpack, (const ovr_lanes *g, const double *from, double *to)) \
-    /* leaves P's halo up to date for all that follows */ \
+    /* updates P's halo for all following kernels */ \
     K(void, deformation, (const struct ovr_mlmi *plan, double *P, double *w)) \
     K(void, film, (const ovr_fluid *fluid, double H0, const ovr_lanes *g, \
                    const double *gap, const double *w, const ovr_fields *f)) \
-    /* at half nodes, where they are stored: of a flow law, and without */ \
+    /* values stored at half nodes: with a rheological model, and without */ \
     K(void, flow, (const ovr_fluid *fluid, double D, const ovr_lanes *g, \
                    const ovr_fields *f)) \
     K(void, faces, \
       (const ovr_fluid *fluid, const ovr_lanes *g, const ovr_fields *f)) \
-    /* and the phase by it */ \
+    /* and the phase from the residual */ \
     K(void, residual, (const ovr_lanes *g, const ovr_weights *w, \
                        const ovr_fields *f)) \
-    /* wet and held, from P and the residual that is there */ \
+    /* wet and held, from P and the present residual */ \
     K(void, phase, (const ovr_lanes *g, const ovr_weights *w, \
                     const ovr_fields *f)) \
     K(double, imbalance, (const ovr_lanes *g, const ovr_weights *w, \
@@ -192,7 +194,7 @@ enum { OVR_FOURTH_MARGIN = 8 };
                             const double *H, double *log_eta)) \
     K(void, flow_cross_film, (const struct ovr_columns *c)) \
     K(void, heat_cross_film, (const struct ovr_columns *c)) \
-    /* memories of surfaces, see modes.h */ \
+    /* thermal memory of surfaces, see modes.h */ \
     K(void, sum_modes, (size_t n, const double *weight, const double *psi, \
                         double q_weight, const double *q, double *sum)) \
     K(void, sweep_fields, (size_t n, const struct ovr_swept *set, double *v)) \
@@ -214,8 +216,8 @@ typedef struct ovr_kernels {
     OVR_EACH_KERNEL(OVR_KERNEL_POINTER)
 } ovr_kernels;
 
-/* The best table for this machine, or the named one ("plain", "base", "avx2",
- * "avx512"); NULL if there is no such table here. */
+/* Returns the best table for this machine or the named one ("plain", "base",
+ * "avx2", "avx512"), or NULL if there is no such table. */
 const ovr_kernels *ovr_kernels_choose(const char *name);
 
 #define OVR_KERNEL_JOIN(name, isa) ovr_##name##_##isa

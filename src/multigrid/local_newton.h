@@ -26,8 +26,8 @@
 
 #include "multigrid/hierarchy.h"
 
-/* Solves windows of a level whose film and residual are up to date; so they are
- * when it returns.  True if any window was solved. */
+/* Solves windows of a level. Film and residual must be up to date before the
+ * call and are up to date after it. Returns true if any window was solved. */
 bool ovr_local_newton(const ovr_hierarchy *grids, ovr_level *level);
 
 #endif

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Surfaces in asperity contact through their film: P = P_f + A(H).
+ * Mixed lubrication: the sum of fluid and asperity pressure, P = P_f + A(H).
  *
  *     H = H0 + gap - w(P)      the solids feel the whole pressure P
- *     Reynolds' equation in P_f, its oil's properties those of P_f
+ *     Reynolds' equation for P_f, with lubricant properties at P_f
  *     P_f > 0: wet; else P_f = 0, and the row is P - A(H) = 0: dry contact
  *     D sum P = force
  *
  * A law A(H) >= 0 falls with H: the pressure carried, at the mean gap H, by
- * asperities finer than the grid or by a boundary layer.  A level has P_f in
- * its field P, and P - P_f in `borne`: in a pressurized node A(H), in a dry one
- * what the last correction left there, A(H) when it is solved.
+ * asperities finer than the grid or by a boundary layer.  Field P of a level
+ * contains P_f, and `borne` contains P - P_f: A(H) at a pressurized node, the
+ * result of the last correction at a cavitated node (A(H) when solved).
  *
  * Newton's method with all derivatives, g = -dA/dH, k the elastic influence:
  *     dH = dH0 - k dP,   dP_f = dP + g dH in pressurized nodes, 0 in dry ones
@@ -21,17 +21,17 @@
  *                 (P - A - P_f)_e, otherwise several steps are needed
  *     dry row i:  dP_i + g_i (dH0 - sum_j k dP_j) = A_i - P_i, divided by
  *                 1 + g_i |k(0)| n
- * In the iteration a film is an unknown of its own: it falls at most to a
- * fifth in a step, nor so far that its A, an exponential that a tangent does
- * not represent, grows beyond twice itself, or a twentieth of ph where
- * it was less.  What it is then above H0 + gap - w is its lift, which the next
- * step takes back: dH = dH0 - k dP - lift.  A step that makes much more of the
- * residual is taken to a quarter, as those of Eyring's sinh may.  A node that
- * is dry stays so until its row of Reynolds' equation, with P_f = 0, wants to
- * rise: judged by the sign of P - A it would flip by rounding.
+ * During the iteration the film thickness is an additional unknown. In one step
+ * it falls at most to a fifth, and A(H), which is nearly exponential, at most
+ * doubles or grows to 0.05 p_h. The excess of the film thickness over H0 + gap
+ * - w is called lift and is removed by the next step: dH = dH0 - k dP - lift. A
+ * step that increases the residual much is reduced to a quarter, which can be
+ * necessary with Eyring's sinh. A cavitated node stays cavitated until the
+ * residual of its Reynolds equation with P_f = 0 would make P_f positive; the
+ * sign of P - A would be decided by rounding.
  *
- * The finest grid is solved by Newton's method alone (coarsest.h, tripoles.h),
- * in O(n log n) a step; its film begins with that of surfaces apart, by full
+ * The finest grid is solved by Newton's method only (coarsest.h, tripoles.h),
+ * in O(n log n) per step. The initial guess is the full-film solution of full
  * multigrid.  At the ends of the film nodes become pressurized one by one.
  * After three such steps, 2, 4, ... 128 nodes on either side are assumed
  * pressurized; those with a negative result are cavitated, and the step is
@@ -42,57 +42,61 @@
 
 #include "multigrid/tripoles.h"
 
-/* Pressures below this are none: an exponential never ends. */
+/* Asperity pressures below this value are set to zero, because an exponential
+ * has no end. */
 #define OVR_TOUCH_MIN 1e-9
 
-/* The deformation of a level by the whole pressure; P_f and what is borne
- * beside it by the film that this makes. */
+/* Computes the deformation of a level from the total pressure; splits the
+ * pressure into P_f and asperity pressure for the resulting film. */
 void ovr_asperity_deform(const ovr_hierarchy *grids, const ovr_level *level);
 void ovr_asperity_split(const ovr_hierarchy *grids, const ovr_level *level);
 
-/* The undeformed gap of a level with its films' lift; no lift from now on. */
+/* Returns the undeformed gap of a level plus lift, and resets the lift to zero.
+ */
 const double *ovr_asperity_gap(const ovr_hierarchy *grids,
                                const ovr_level *level);
 void ovr_asperity_settle(ovr_hierarchy *grids);
 
-/* D sum |P - A| of cavitated nodes, and of |lift|/H. */
+/* D sum of |P - A| at cavitated nodes plus D sum of |lift|/H. */
 double ovr_asperity_defect(const ovr_hierarchy *grids, const ovr_level *level);
 
-/* Computes the share of the load that the oil carries; 1 without a law. */
+/* Fraction of the load carried by the fluid; 1 without asperity contact model.
+ */
 double ovr_asperity_oil_share(const ovr_hierarchy *grids,
                               const ovr_level *level);
 
-/* Prepares for Newton's method, in the order of the nodes: A, g and the whole
- * pressure of a level whose film is up to date. */
+/* Prepares Newton's method, in the order of the nodes: computes A, g and the
+ * total pressure of a level whose film is up to date. */
 void ovr_asperity_prepare(const ovr_hierarchy *grids, const ovr_level *level,
                           const ovr_fields *f);
 
-/* Subtracts t_e and l_m of a pressurized row from e_m, m = -2..1, and out of
- * the columns of cavitated nodes; its right-hand side gets t_e times what nodes
- * that have just turned wet lack. */
+/* Subtracts t_e and l_m of a pressurized row from e_m, m = -2..1, and removes
+ * them from the columns of cavitated nodes. Adds to the right-hand side t_e
+ * times the missing pressure of nodes that have just become pressurized. */
 void ovr_asperity_pressurized_row(const ovr_hierarchy *grids,
                                   const ovr_level *level, size_t i,
                                   ovr_newton_row *row);
 
-/* Where cavitated nodes want to rise in step after step, as the film ends
- * elsewhere: up to 128 on either side of them are taken for wet. */
+/* If cavitated nodes should become pressurized in several consecutive steps,
+ * because the film ends elsewhere: assumes up to 128 nodes on either side to be
+ * pressurized. */
 void ovr_asperity_open(ovr_hierarchy *grids, const ovr_level *level,
                        const ovr_fields *f);
 
-/* Those that a step would press below zero are dry; whether there were any, so
- * that the step is to be found again. */
+/* Marks nodes as cavitated whose pressure the step would make negative. Returns
+ * true if there were any; the step must then be computed again. */
 bool ovr_asperity_close(const ovr_hierarchy *grids, const ovr_level *level,
                         const double *step);
 
-/* A cavitated node's row. */
+/* The row of a cavitated node. */
 ovr_newton_row ovr_asperity_cavitated_row(const ovr_hierarchy *grids,
                                           const ovr_level *level, size_t i);
 
-/* No change of a pressure in the step beyond a limit. */
+/* Limits the pressure changes of the step. */
 void ovr_asperity_limit(const ovr_asperity *touch, size_t n, double limit);
 
-/* The pressures after a part of the step, and by them, its H0 being set, w and
- * lift; f as it was before the step. */
+/* Applies a part of the step to the pressures, and computes w and lift from
+ * them for the H0 already set. f is the state before the step. */
 void ovr_asperity_advance(ovr_hierarchy *grids, const ovr_level *level,
                           const ovr_fields *f, double part);
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The table "plain": every kernel once more (NAME.plain.c beside
- * NAME.kernel.c) in the shortest C that states it, node by node.  It has one
- * lane, whose places are the nodes themselves; nothing is repeated in halos.
- * Tests hold the vectors' kernels against it; simulations run on it too.
+ * The kernel table "plain": all kernels in plain C (NAME.plain.c for
+ * NAME.kernel.c), node by node. There is one lane, in the order of the nodes,
+ * and halos are not copied. Tests compare the vector kernels with these;
+ * simulations can use them too.
  */
 #ifndef OVR_MULTIGRID_PLAIN_H
 #define OVR_MULTIGRID_PLAIN_H

@@ -7,20 +7,21 @@
  *     s 2^y    = 2^n (s 2^(j/16)) 2^f,                y = n + j/16 + f
  *
  * with c = 1/(1 + (j + 1/2)/16) for the j that the first four bits of m after
- * the point are: |r| <= 1/33.  A factor, z or s, costs nothing: it goes into a
- * table that is made before the loop.
+ * the point are: |r| <= 1/33.  The factors z and s cost nothing, because they
+ * are included in tables computed before the loop.
  *
- * The polynomials are interpolated at Chebyshev's nodes, in 60 digits:
- * log2(1 + r)/r by degree 7, error of log2 below 3e-17; (2^f - 1)/f, |f| <=
- * 1/32, by degree 5, error of 2^f below 2e-17.  So what counts is rounding: of
- * z log2 x below 2 ulp of its largest part z k, of 2^y below 1 ulp.  2^0 is 1.
+ * The polynomials are interpolated at Chebyshev's nodes, in 60 digits: log2(1 +
+ * r)/r by degree 7, error of log2 below 3e-17; (2^f - 1)/f, |f| <= 1/32, by
+ * degree 5, error of 2^f below 2e-17.  Rounding errors are therefore dominant:
+ * below 2 ulp of z k for z log2 x, and below 1 ulp for 2^y.  2^0 is 1.
  */
 #ifndef OVR_MULTIGRID_POWER_H
 #define OVR_MULTIGRID_POWER_H
 
 #include "multigrid/vector.h"
 
-/* Both tables want the alignment of a vector, or lookups straddle lines. */
+/* Both tables are aligned like a vector, so that no lookup spans two cache
+ * lines. */
 typedef struct table16 {
     _Alignas(64) double value[16];
 } table16;
@@ -61,7 +62,8 @@ static inline vec exponent(vec x)
 #if defined(__AVX512F__)
     return (vec)_mm512_getexp_pd((__m512d)x);
 #else
-    const double whole = 0x1p52; /* its last bits are a number's whole part */
+    const double whole = 0x1p52; /* adding it leaves the integer part in the
+                                  * last bits */
     return (vec)(((uvec)x >> 52) | (uvec)all(whole)) - (whole + 1023);
 #endif
 }
@@ -113,8 +115,8 @@ static inline vec scaled_log2(const log_table *table, vec x)
     return fused(r, polynomial(7, table->coefficient, r), whole);
 }
 
-/* s 2^(j/16) for scaled_exp2.  Less j at the bits where n + j/16 is added: the
- * exponent, and four bits after. */
+/* s 2^(j/16) for scaled_exp2, minus j at the bits to which n + j/16 is added:
+ * the exponent and the four bits below it. */
 typedef table16 exp_table;
 static inline void make_exp_table(double s, exp_table *table)
 {
@@ -134,14 +136,15 @@ static inline void make_exp_table(double s, exp_table *table)
     }
 }
 
-/* s 2^y where it is a normal number (not checked); for s = 0 at most 2^y
- * times the smallest of these */
+/* s 2^y if the result is a normal number (not checked); for s = 0 at most 2^y
+ * times the smallest normal number */
 static inline vec scaled_exp2(const exp_table *table, vec y)
 {
     static const double p[6] = {0x1.62e42fefa39f3p-1,  0x1.ebfbdff82c59p-3,
                                 0x1.c6b08d6f2a289p-5,  0x1.3b2ab6fb41213p-7,
                                 0x1.5d897e525c216p-10, 0x1.430a1d08ec681p-13};
-    const vec shift = all(0x1.8p48); /* leaves 16 y rounded as last bits */
+    const vec shift = all(0x1.8p48); /* leaves 16 y, rounded, in the last bits
+                                      */
     vec shifted = y + shift, f = y - (shifted - shift);
     uvec j = (uvec)shifted;
     vec root = (vec)((uvec)lookup(table, j) + (j << 48));

@@ -14,18 +14,18 @@
  *     characteristic  0, 0, 0       b0/dT     the same at the departure points
  * of the characteristic
  *
- * Steady is cT = 0, F = 0.  Row 1 has no q_{-1}: its wedge is first order.
- * BDF2 with steps dT after dT_old, s = dT/dT_old: b0 = (1 + 2s)/(1 + s),
- * b1 = -(1 + s), b2 = s^2/(1 + s).
+ * Steady is cT = 0, F = 0.  Row 1 has no q_{-1}: its wedge is first order. BDF2
+ * with steps dT after dT_old, s = dT/dT_old: b0 = (1 + 2s)/(1 + s), b1 = -(1 +
+ * s), b2 = s^2/(1 + s).
  *
- * The residual is r = F - N: a node with r < 0 wants a higher pressure.  Its
- * size is measured as a relative mass-flow imbalance
+ * The residual is r = F - N: if r < 0, the node's pressure is too low. The norm
+ * of the residual is the relative mass flow imbalance
  *     R = D sum rho_i / H_cen,
- *     rho_i = |r_i|                where the node wants to rise, dry or wet
- *             min(r_i, P_i d_i)    where it wants to fall,
+ *     rho_i = |r_i|                if r_i < 0 (P_i too low)
+ *             min(r_i, P_i d_i)    if r_i > 0,
  *             d_i = (eps_{i-1} + 2 eps_i + eps_{i+1})/(2 D^2)
- * (a nearly cavitated node that wants to fall is solved: falling takes it to
- * zero).
+ * (the second form because a nearly cavitated node with r_i > 0 is solved by
+ * setting P_i = 0).
  *
  * Source: equations 1, 3 of Venner, ten Napel & Bosma 1990, with time after
  * Venner & Lubrecht.
@@ -37,8 +37,7 @@
 
 #include "multigrid/kernels.h"
 
-/* The wedge and the time derivative are made of these numbers, on every
- * grid. */
+/* Coefficients of wedge and time derivative, the same on every grid. */
 typedef struct ovr_operator {
     double w[3];       /* wedge weights times Cu */
     double w_first[2]; /* in row 1 */
@@ -46,20 +45,21 @@ typedef struct ovr_operator {
     double speed;      /* Cu */
     bool transient;
     bool characteristic;
-    double limited[2]; /* content.h: outflow and time derivative; else zero */
+    double limited[2]; /* with limiters (content.h): outflow and time
+                        * derivative; otherwise zero */
 } ovr_operator;
 
-/* Sets w and w_first: the upstream wedge of first or second order at the speed
+/* Sets w and w_first to the upstream wedge of first or second order for speed
  * Cu; row 1 has no q_{-1} and is of first order. */
 void ovr_reynolds_wedge(ovr_operator *op, bool second_order, double Cu);
 
 /* Weights on a grid of mesh size D. */
 ovr_weights ovr_reynolds_weights(const ovr_operator *op, double D);
 
-/* A change delta_j of the line relaxation is shared with the neighbours P_{j-1}
- * and P_{j+1} in these parts: (minus, 1, plus).  theta = 1/(1 + (tau/0.2)^2),
- * tau = cT D/Cu: a dipole (-1, 1, 0) when steady, a tripole (-1/2, 1, -1/2)
- * when the time term rules, and along the characteristic. */
+/* Distribution of a change delta_j of the line relaxation to P_{j-1}, P_j,
+ * P_{j+1}: (minus, 1, plus). theta = 1/(1 + (tau/0.2)^2), tau = cT D/Cu: a
+ * dipole (-1, 1, 0) if steady, a tripole (-1/2, 1, -1/2) if the time derivative
+ * dominates, and with the characteristic scheme. */
 ovr_shares ovr_reynolds_shares(const ovr_operator *op, double D);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Row i of the discrete Reynolds equation (reynolds.h), stated once: residual,
- * derivatives, and when a cavitated node is held.  Over numbers of any type
+ * Row i of the discrete Reynolds equation (reynolds.h): residual, derivatives,
+ * and the condition for a cavitated node to stay at P = 0. For any number type
  * `num` with all(), at(), fused(), less(): vectors of nodes (vector.h), one
  * node (scalar.h).  `J` is the vector, or the node.
  *
@@ -9,10 +9,11 @@
  *     up = P_{i-1} - P_i       before = eps_{i-1} + eps_i
  *     down = P_{i+1} - P_i     after = eps_i + eps_{i+1}
  * Where the flow at half nodes is stored, by the gap (faces.h) or with a flow
- * law (flow.h), 2 E stands for before and after, and below the stored
- * derivatives of 2 E (P_{i+1} - P_i) for the terms with 1/(2 D^2): out_right of
- * i - 1 and out_left of i are those by P_i.
- * A hot film has a wedge of skewed flow (heat_skew.h), b at speed 1.
+ * law (flow.h), 2 E replaces before and after, and the stored derivatives of 2
+ * E (P_{i+1} - P_i) replace the terms below with 1/(2 D^2): out_right at i - 1
+ * and out_left at i are the derivatives with respect to P_i. Temperature
+ * differences across the film skew the flow and add a wedge (heat_skew.h), with
+ * weights b for unit speed:
  *     N <- N - sum_m b_m (s q)_{i-m},  s = s_0 + s_1 P
  * Weights of q are then a_m + b_m s.  Terms -b_m s_1 q add to dN/dP.
  *
@@ -35,11 +36,11 @@
 #include "base/scalar.h"
 #endif
 
-/* Rows read this at half nodes, a constant for the compiler in kernels. */
+/* Values stored at half nodes; a compile-time constant in kernels. */
 typedef enum row_kind {
-    ROW_SUMS = 0,   /* nothing: sums of eps */
+    ROW_SUMS = 0,   /* none: sums of eps */
     ROW_STORED = 1, /* 2 E and its derivatives */
-    ROW_SKEWED = 2  /* a bit: temperatures skew the flow */
+    ROW_SKEWED = 2  /* flag: temperatures skew the flow */
 } row_kind;
 
 static inline row_kind row_kind_of(const ovr_fields *f)
@@ -129,7 +130,8 @@ static inline num row_residual(const ovr_fields *f, const row_weights *c,
     return at(f->F, J) - N;
 }
 
-/* The flow out of a node by its own pressure: d of reynolds.h. */
+/* Derivative of the outflow of a node with respect to its pressure: d of
+ * reynolds.h. */
 static inline num row_outflow(const ovr_fields *f, bool stored, num half,
                               ptrdiff_t J)
 {
@@ -138,14 +140,16 @@ static inline num row_outflow(const ovr_fields *f, bool stored, num half,
 }
 
 /*
- * True if a node is held dry: P = 0, and the row does not want it to rise.
- * With allowance for rounding, which is some 1e-16 of the row's largest term,
- * a0 q: on coarse grids the residual of a cavitated node is nothing else, and
- * its sign would pick pressurized or cavitated at random (1e-14 to 1e-10 all
- * work).  A coarse grid solved twice (W) moves a node at the film's end back
- * and forth for 1e-7 of it: there 1e-6 hold it in a steady film, and the finest
- * grid has the last word. The outflow d_i P_i is no measure of it: far out,
- * where eps/D^2 is 1e10, it would hold hundreds of nodes that all want to rise.
+ * True if a node stays cavitated: P = 0, and its residual would not make P
+ * positive. The threshold for r exceeds rounding errors, about 1e-16 of the
+ * largest term a0 q of the row. On coarse grids the residual of a cavitated
+ * node is only rounding error, whose sign would select the phase at random
+ * (thresholds of 1e-14 to 1e-10 all work). In W cycles, a coarse grid that is
+ * solved twice moves the node at the film end back and forth for 1e-7 of a0 q;
+ * for steady films the threshold there is 1e-6, and the finest grid decides.
+ * The outflow d_i P_i is not a suitable scale: in the far inlet, where eps/D^2
+ * is 1e10, hundreds of nodes that should become pressurized would stay
+ * cavitated.
  */
 static inline truth row_holds(const ovr_fields *f, num r, num hold, ptrdiff_t J)
 {
@@ -161,7 +165,7 @@ static inline void row_by_film(const ovr_fields *f, const row_weights *c,
         e[2 - m] = row_content_weight(f, c, m, J) * at(f->rho, J - m);
 }
 
-/* e[m + 2], m = -2..1, takes d eps/dH in. */
+/* Adds the terms with d eps/dH to e[m + 2], m = -2..1. */
 static inline void row_flow_by_film(const ovr_fields *f, const row_weights *c,
                                     ptrdiff_t J, num e[4])
 {
@@ -199,7 +203,7 @@ static INLINE void row_by_stored(const ovr_fields *f, const row_weights *c,
     A[3] = fused(c->half, at(f->out_right, J), A[3]);
 }
 
-/* A[d + 2] takes in dN_i/dP_{i+d} at fixed film, d = -2..1. */
+/* Adds dN_i/dP_{i+d} at fixed film to A[d + 2], d = -2..1. */
 static INLINE void row_by_pressure(const ovr_fields *f, const row_weights *c,
                                    ptrdiff_t J, num A[4])
 {

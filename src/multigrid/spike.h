@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Patches about the pressure spike: full multigrid from a solved base up.
+ * Patches around the pressure spike: full multigrid, starting on a solved base.
  *
- * The next patch is laid about the spike of the solution so far, some 24 to 96
- * mesh sizes of its parent to each side, the first three to behind the rupture
- * of the film as well (with two the minimum film thickness is off by 3e-6 at M
- * = 20, L = 10, base 8, with three by 1e-6).  The spike is the highest local
- * maximum of P at X > 0.3, of nodes; where there is none, the sharpest bend.
- * One cycle a patch, from cubic interpolation, until the target level is
- * reached, or the height of the spike has changed less than was asked for on
- * two levels running (once may be by chance); then cycles to the tolerance.
+ * The next patch is centred at the spike of the present solution and extends 24
+ * to 96 parent mesh sizes to each side. The first three patches also include
+ * the film rupture (with two the minimum film thickness is off by 3e-6 at M =
+ * 20, L = 10, base 8, with three by 1e-6).  The spike is the highest local
+ * maximum of the nodal pressures at X > 0.3, or the point of largest curvature
+ * if there is no maximum. Each new patch starts from cubic interpolation and
+ * gets one cycle, until the target level is reached or the spike height has
+ * changed by less than `change` on two consecutive levels (one could be
+ * accidental). Then cycles are performed until the tolerance is reached.
  */
 #ifndef OVR_MULTIGRID_SPIKE_H
 #define OVR_MULTIGRID_SPIKE_H
@@ -32,16 +33,18 @@ typedef struct ovr_spike_search {
 
 typedef struct ovr_spike_found {
     int level;     /* of the finest patch; the base's where none fits */
-    double D;      /* its mesh */
-    double P, X;   /* height, at a node: NAN without a maximum; place */
-    double change; /* relative, of P from the level below; NAN */
+    double D;      /* mesh size of the finest patch */
+    double P, X;   /* height (nodal value; NAN without a maximum) and position
+                    */
+    double change; /* relative change of P from the next coarser level; NAN:
+                    * unknown */
     ovr_defect defect;
 } ovr_spike_found;
 
-/* Nodes of the k-th patch at most (k = 1, 2, ...) over a base. */
+/* Maximum number of nodes of the k-th patch (k = 1, 2, ...) on a base. */
 size_t ovr_spike_max(int k, double half, const ovr_grid *base);
 
-/* From the base as it is; adds to the number of cycles. */
+/* Computes the patches from the present base. Adds to the number of cycles. */
 ovr_status ovr_spike_solve(ovr_composite *c, const ovr_spike_search *how,
                            ovr_spike_found *found, int *cycles, ovr_error *err);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The kernels of one table, whose name is OVR_ISA. */
+/* Declares and lists the kernels of one instruction set, named OVR_ISA. */
 #ifndef OVR_MULTIGRID_TABLE_H
 #define OVR_MULTIGRID_TABLE_H
 

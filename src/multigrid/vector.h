@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Vectors as wide as the instruction set a kernel file is compiled for.
+ * Vector type of the width of the instruction set for which a kernel file is
+ * compiled.
  *
  * GCC's vector extension (gcc and clang, any machine).  Operations are
- * elementwise and fused only in fused(), on the machines that can: one machine
- * always gives the same bits, instruction sets agree to rounding. Arrays come
- * from ovr_field (field.h): aligned, with space for some vectors before the
- * first and after the last element.
+ * elementwise and fused only in fused(), if the machine has such an
+ * instruction: results on one machine are always bit-identical, and instruction
+ * sets agree to rounding. Arrays come from ovr_field (field.h): aligned, with
+ * space for some vectors before the first and after the last element.
  */
 #ifndef OVR_MULTIGRID_VECTOR_H
 #define OVR_MULTIGRID_VECTOR_H
@@ -62,7 +63,7 @@ static inline vec choose(ivec mask, vec a, vec b)
     return (vec)((mask & (ivec)a) | (~mask & (ivec)b));
 }
 
-/* True if a comparison held anywhere. */
+/* True if the mask is true in any element. */
 static inline bool any(ivec mask)
 {
 #if defined(__AVX512F__)
@@ -110,8 +111,8 @@ static inline vec less(vec c, vec a, vec b)
 #define SHUFFLE(a, b, ...) __builtin_shuffle(a, b, (ivec){__VA_ARGS__})
 #endif
 
-/* Steps of a transposition: a pair of vectors exchange halves of their
- * fours, pairs and single values. */
+/* Steps of a transposition: two vectors exchange halves, pairs or single
+ * values. */
 #if VEC == 8
 #define FOURS(a, b)                                                            \
     EXCHANGE(a, b, (0, 1, 2, 3, 8, 9, 10, 11), (4, 5, 6, 7, 12, 13, 14, 15))
@@ -135,7 +136,7 @@ static inline vec less(vec c, vec a, vec b)
     } while (0)
 /* NOLINTEND(bugprone-macro-parentheses) */
 
-/* v[i][l] <-> v[l][i]; written out, for registers. */
+/* v[i][l] <-> v[l][i]; unrolled so that all vectors stay in registers. */
 static inline void transpose(vec v[VEC])
 {
 #if VEC == 8
@@ -236,12 +237,12 @@ static inline void put_set(unsigned char *set, ptrdiff_t J, ivec mask)
 #endif
 }
 
-/* The whole part of numbers from 0 to 2^31, for elements of a table. */
+/* The integer part of numbers from 0 to 2^31, as table indices. */
 typedef uvec cell;
 
 static inline cell whole_part(vec x)
 {
-    vec whole = x + 0x1p52 - 0x1p52; /* the nearest */
+    vec whole = x + 0x1p52 - 0x1p52; /* rounded to nearest */
     whole -= (vec)((ivec)all(1) & (whole > x));
     return (uvec)(whole + 0x1p52) & 0xffffffff;
 }
@@ -259,8 +260,8 @@ static inline vec gather(const double *x, cell k)
     return found;
 }
 
-/* Repeats the ends of lanes of S nodes in `halo` vectors on both sides; what
- * lies beyond the ends of the grid stays. */
+/* Copies the ends of lanes of S nodes into `halo` vectors on both sides; values
+ * beyond the ends of the grid do not change. */
 static inline void repeat_ends(double *x, ptrdiff_t S, ptrdiff_t halo)
 {
     for (ptrdiff_t J = -halo; J < 0; J++)
@@ -295,7 +296,7 @@ static inline vec inverse_root(vec x)
 #endif
 }
 
-/* b where either is not a number */
+/* maximum of a and b; b if either is NaN */
 static inline vec larger(vec a, vec b)
 {
 #if defined(__AVX512F__)
@@ -318,9 +319,9 @@ static inline vec smaller(vec a, vec b)
 #endif
 }
 
-/* Arrays of n >= VEC in the order of the nodes, where the last vector overlaps
- * the one before: where the vector at i begins, and its elements that are new.
- */
+/* For arrays of n >= VEC elements in the order of the nodes, where the last
+ * vector overlaps the one before: start of the vector at i, and its new
+ * elements. */
 static inline size_t start_of(size_t i, size_t n)
 {
     return i + VEC <= n ? i : n - VEC;
