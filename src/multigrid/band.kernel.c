@@ -4,8 +4,8 @@
  *
  *     l2_i x_{i-2} + l1_i x_{i-1} + c_i x_i + u1_i x_{i+1} + u2_i x_{i+2} = d_i
  *
- * LU without pivoting is one chain of divisions.  Here each lane (lanes.h) is a
- * partition of its own:
+ * LU without pivoting is a sequential chain of divisions. Here each lane
+ * (lanes.h) is a separate partition:
  *  1. Elimination from the left within each partition.  L = the last two
  *     unknowns of the partition before stay as two columns, A and B:
  *         x_J = D - U1 x_{J+1} - U2 x_{J+2} - A L_0 - B L_1.
@@ -15,13 +15,13 @@
  *     terms of t of the partition before and h of the next: block elimination
  *     over the partitions, 2x2 blocks, scalar.
  *  3. Back substitution within each partition.
- * One division a row and vector.  Agrees with the scalar LU to rounding; like
- * it, relies on a dominant enough diagonal.
+ * One division per row and vector. The result agrees with the scalar LU to
+ * rounding; both require a sufficiently dominant diagonal.
  *
- * Where diffusion rules, as in the inlet on fine grids, the rows are third
- * differences, whose solutions grow as the square of the distance: step 2 then
- * knows the unknowns to some S^2 roundings, and residuals have a peak where two
- * partitions meet.  So
+ * Where diffusion dominates, as in the inlet on fine grids, the rows are third
+ * differences, whose solutions grow as the square of the distance. The unknowns
+ * of step 2 then have a relative error of about S^2 times the rounding error,
+ * and residuals have peaks at the partition boundaries. Therefore
  *  4. on fine grids, and on coarser ones with a long inlet, the rows around
  *     each boundary of partitions are solved again between fixed values on both
  *     sides: its error is spread over a window w rows wide, and its third
@@ -36,7 +36,7 @@ typedef struct row {
     vec U1, U2, D, A, B;
 } row;
 
-/* x_m by the two unknowns that come next */
+/* x_m in terms of the next two unknowns */
 typedef struct head {
     vec p, e, f, a, b;
 } head;
@@ -56,8 +56,8 @@ static inline chain begin_chain(void)
     return c;
 }
 
-/* U1 of the last row is the one that is waited for: it meets the division
- * as late as possible. */
+/* U1 of the last row is available last, so it enters the division as late as
+ * possible. */
 static inline row eliminate(const chain *c, vec l2, vec l1, vec diagonal,
                             vec u1, vec u2, vec d)
 {
@@ -88,11 +88,11 @@ static inline void advance(chain *c, row r)
     c->h[1] = follow(c->h[1], &r);
 }
 
-/* The partitions are coupled by this, by partition: first two unknowns (m = 0,
- * 1), then last two (m = 2, 3). */
+/* The reduced system that couples the partitions. For each partition: first two
+ * unknowns (m = 0, 1), then last two (m = 2, 3). */
 typedef struct reduced {
     double D[4][VEC], left[4][2][VEC], right[4][2][VEC];
-    double first[2][VEC + 1]; /* solution, 0 beyond the end */
+    double first[2][VEC + 1]; /* solution; 0 after the last partition */
     double last[2][VEC + 1];  /* of partition s at s + 1, 0 at 0 */
 } reduced;
 
@@ -125,7 +125,7 @@ typedef struct block {
     double xx, xy, yx, yy;
 } block;
 
-/* The block of the unknowns k and k + 1 of partition s. */
+/* Block of unknowns k and k + 1 of partition s. */
 static block block_of(double m[4][2][VEC], size_t k, size_t s)
 {
     return (block){m[k][0][s], m[k][1][s], m[k + 1][0][s], m[k + 1][1][s]};
@@ -221,14 +221,15 @@ static void backward(const ovr_band *band, ptrdiff_t S, const reduced *in)
     }
 }
 
-/* Rows on both sides of the meetings: the last HALF of each partition and the
- * first HALF of the next, in the element of the former. */
+/* Rows on both sides of the partition boundaries: the last HALF rows of each
+ * partition and the first HALF of the next, stored in the element of the first.
+ */
 enum { HALF = 24, MIN = 4 * HALF, FINE = 4096 };
 typedef struct window {
     vec b[5][2 * HALF], d[2 * HALF];
 } window;
 
-/* Behind the last partition delta = 0. */
+/* After the last partition delta = 0. */
 static void copy_window(const ovr_band *band, ptrdiff_t S, window *w)
 {
     for (ptrdiff_t k = 0; k < HALF; k++) {
@@ -241,8 +242,8 @@ static void copy_window(const ovr_band *band, ptrdiff_t S, window *w)
     }
 }
 
-/* The two unknowns before a window and the two behind it are known.  L
- * has no columns there, and its values are on the right-hand side. */
+/* The two unknowns before a window and the two after it are known. They are
+ * moved to the right-hand side, so L has no columns there. */
 static void solve_window(const ovr_band *band, ptrdiff_t S, const window *w)
 {
     chain c = begin_chain();

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "multigrid/plain.h"
 
-/* Pentadiagonal elimination without pivoting: row i, at column i + d b[d + 2],
- * is taken off the two rows below it. */
+/* Pentadiagonal elimination without pivoting: row i, with column i + d in b[d +
+ * 2], is subtracted from the two rows below it. */
 void ovr_band_solve_plain(const ovr_lanes *g, const ovr_band *band)
 {
     double *const *b = band->b, *x = band->delta, next = 0, after = 0;

@@ -12,7 +12,8 @@
 
 #include "multigrid/content_row.h"
 
-/* K/pi of a level is known at distances -(n + 1) .. n + 2, 0 at index n + 2. */
+/* Number of stored values of K/pi of a level: distances -(n + 1) .. n + 2.
+ * Distance 0 has index n + 2. */
 static size_t distances(size_t n)
 {
     return 2 * n + 5;
@@ -23,7 +24,8 @@ double *ovr_newton_kernel(size_t n, ovr_arena *arena, ovr_error *err)
     return ovr_field(arena, distances(n), err);
 }
 
-/* Values of a row: n + 1 unknowns, the right-hand side, whole vectors. */
+/* Number of values in a row: n + 1 unknowns and the right-hand side, rounded up
+ * to whole vectors. */
 static size_t stride_of(size_t n)
 {
     return (n + 2 + 14) / 8 * 8;
@@ -80,7 +82,8 @@ static row_weights weights_of(const ovr_hierarchy *grids,
     return grids->conserving ? row_limited(f, w, &c, (ptrdiff_t)i) : c;
 }
 
-/* Row i by films at i-2..i+1 and by pressures there. */
+/* Derivatives of row i with respect to film thickness and pressure at nodes
+ * i-2..i+1. */
 static ovr_newton_row local_row(const ovr_hierarchy *grids,
                                 const ovr_level *level, const ovr_fields *f,
                                 const row_weights *c, size_t i)
@@ -98,7 +101,7 @@ static ovr_newton_row local_row(const ovr_hierarchy *grids,
     return row;
 }
 
-/* k(0) of a level, k(d) d further. */
+/* Address of k(0) of a level; k(d) is d elements further. */
 static const double *kernel_of(const ovr_hierarchy *grids,
                                const ovr_level *level)
 {
@@ -106,9 +109,9 @@ static const double *kernel_of(const ovr_hierarchy *grids,
            level->grid.n + 2;
 }
 
-/* Row i of the Jacobian: elastic terms through dH at i-2..i+1,
- * dH_{i+d}/dP_j = -k(j - i - d), then the local ones; then dN_i/dH0 and the
- * right-hand side. */
+/* Row i of the Jacobian: elastic terms through dH at i-2..i+1, dH_{i+d}/dP_j =
+ * -k(j - i - d), then the local terms, dN_i/dH0 and the right-hand side.
+ */
 static void full_row(const ovr_hierarchy *grids, const ovr_level *level,
                      const ovr_newton_row *of, size_t i, double *row)
 {
@@ -129,13 +132,15 @@ static bool is_held(const ovr_hierarchy *grids, const ovr_level *level,
     return !grids->conserving && ovr_lanes_has(&level->lanes, level->f.held, i);
 }
 
-/* Rows 0..n-1 pressures, row n the force; right-hand side in column n + 1. */
+/* Assembles the matrix: rows 0..n-1 for pressures, row n for the force. The
+ * right-hand side is column n + 1. */
 static void assemble(const ovr_hierarchy *grids, const ovr_level *level,
                      const ovr_fields *f)
 {
     size_t n = level->grid.n, stride = stride_of(n);
     double *row = grids->newton.matrix;
-    const double *wet = grids->newton.wet; /* a cavitated node's unknown is q */
+    const double *wet = grids->newton.wet; /* at cavitated nodes the unknown is
+                                            * q */
     for (size_t i = 0; i < n; i++, row += stride) {
         row_weights c;
         ovr_newton_row of;
@@ -161,7 +166,8 @@ static void assemble(const ovr_hierarchy *grids, const ovr_level *level,
     row[n + 1] = level->force - ovr_level_load(grids, level);
 }
 
-/* The same system by tripoles, once for all but films whose end walks. */
+/* Solves the same system by tripoles. The system is solved again only if the
+ * cavitation boundary moves. */
 static bool solve_touching(ovr_hierarchy *grids, const ovr_level *level,
                            const ovr_fields *f)
 {
@@ -186,7 +192,8 @@ static bool solve_touching(ovr_hierarchy *grids, const ovr_level *level,
     return true;
 }
 
-/* The states of the nodes, once those on the kink have taken sides. */
+/* Copies the phases to the order of the nodes, after those of nodes with P = 0
+ * and q = rho H have been decided. */
 static void order_states(const ovr_hierarchy *grids, const ovr_level *level,
                          const ovr_fields *f)
 {
@@ -198,7 +205,8 @@ static void order_states(const ovr_hierarchy *grids, const ovr_level *level,
         grids->newton.wet[i] = f->wet[i];
 }
 
-/* P of pressurized nodes, which are dried at zero, q of dry ones. */
+/* Changes P of pressurized nodes, which become cavitated at zero, and q of
+ * cavitated nodes. */
 static void advance(const ovr_hierarchy *grids, const ovr_level *level,
                     const ovr_fields *f, double limit)
 {
@@ -218,7 +226,8 @@ static void advance(const ovr_hierarchy *grids, const ovr_level *level,
         ovr_level_write(grids, level, f->q, level->f.q);
 }
 
-/* A step that makes much more of the residual is taken in part. */
+/* Applies the step, or only a part of it if the full step increases the
+ * residual much. */
 static void advance_touching(ovr_hierarchy *grids, ovr_level *level,
                              const ovr_fields *f, double limit)
 {
@@ -238,8 +247,8 @@ static void advance_touching(ovr_hierarchy *grids, ovr_level *level,
     }
 }
 
-/* Returns the work of a Newton step in node cycles.  A dense solve takes as
- * long as n^3/5000 of them, one with asperity contact 5 n (levels 7 to 9). */
+/* Returns the work of a Newton step in node cycles: n^3/5000 for a dense solve,
+ * 5 n with asperity contact (levels 7 to 9). */
 static double work_of(const ovr_hierarchy *grids, double n)
 {
     const double dense = 1. / 5000, contact = 5;
@@ -271,7 +280,8 @@ bool ovr_newton_step(ovr_hierarchy *grids, ovr_level *level, double limit)
                                      newton->change))
         return false;
     advance(grids, level, f, limit);
-    /* in proportion where the film is thick: rigid contacts */
+    /* the limit is proportional to H if H > 1: rigid contacts with thick films
+     */
     H = fabs(ovr_level_centre(level, level->f.H));
     grids->H0 += ovr_clipped(newton->change[n],
                              limit * 2 / 3 * (H > 1 ? H : 1));

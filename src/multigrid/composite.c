@@ -9,7 +9,8 @@
 
 /* ------------------------------------------------------ the film on patches */
 
-/* Lagrange's weights of the midpoint of 2 h nodes, by distance. */
+/* Lagrange's weights for interpolation at the midpoint of 2 h nodes, by
+ * distance. */
 static void midpoint(int h, double *a)
 {
     for (int k = 0; k < h; k++) {
@@ -36,7 +37,7 @@ static void composite_film_make(ovr_composite_film *film)
     }
 }
 
-/* c_t/D' of one parent. */
+/* Computes c_t/D' for a parent. */
 static void composite_film_parent(const ovr_composite_film *film,
                                   const ovr_hierarchy *grids,
                                   const ovr_patch *parent, double *near)
@@ -57,7 +58,8 @@ static void composite_film_parent(const ovr_composite_film *film,
     }
 }
 
-/* w beyond the ends of a whole grid, where its patch ends too. */
+/* Extends w beyond the ends of the whole grid, for a patch that ends there too.
+ */
 static void extend(const ovr_influence *influence, ovr_patch *parent)
 {
     const ovr_grid *grid = &parent->level->grid;
@@ -73,7 +75,7 @@ static void extend(const ovr_influence *influence, ovr_patch *parent)
     }
 }
 
-/* Sums of the pairs about all midpoints, times c, to `sum`. */
+/* Adds c times the sums of node pairs around all midpoints to `sum`. */
 static void add_pairs(size_t count, double c, const double *from, ptrdiff_t out,
                       double *restrict sum)
 {
@@ -82,7 +84,7 @@ static void add_pairs(size_t count, double c, const double *from, ptrdiff_t out,
         sum[I] += c * (left[I] + right[I]);
 }
 
-/* o and I P' for the parent's w and P, which have been read. */
+/* Computes o and I P' from the parent's w and P, which have been read. */
 static void patch_outer(const ovr_composite_film *film,
                         const ovr_hierarchy *grids, ovr_patch *patch,
                         ovr_patch *parent)
@@ -90,7 +92,7 @@ static void patch_outer(const ovr_composite_film *film,
     const ovr_grid *grid = &patch->level->grid;
     const double *w = parent->w + grid->first, *P = parent->P + grid->first;
     size_t count = (grid->n - 1) / 2;
-    double *middle = patch->q; /* free until it is read again */
+    double *middle = patch->q; /* unused until it is read again */
     if (!patch->opens || !patch->closes)
         extend(&grids->influence, parent);
     memset(middle, 0, count * sizeof *middle);
@@ -108,7 +110,7 @@ static void patch_outer(const ovr_composite_film *film,
     }
 }
 
-/* K of values in the order of the nodes, to the same. */
+/* Computes K x; both arrays are in the order of the nodes. */
 static void deform(const ovr_hierarchy *grids, ovr_patch *p, const double *x,
                    double *w)
 {
@@ -126,7 +128,7 @@ static bool is_base(const ovr_patch *patch)
 void ovr_patch_deform(const ovr_hierarchy *grids, ovr_patch *patch)
 {
     const ovr_level *level = patch->level;
-    double *added = patch->q; /* free until it is read again */
+    double *added = patch->q; /* unused until it is read again */
     if (is_base(patch)) {
         deform(grids, patch, patch->P, patch->w);
     } else {
@@ -140,7 +142,7 @@ void ovr_patch_deform(const ovr_hierarchy *grids, ovr_patch *patch)
     ovr_level_write(grids, level, patch->w, level->f.w);
 }
 
-/* Y of node I of a patch, X zero beyond its ends. */
+/* Y at node I of a patch; X is zero beyond its ends. */
 static double gathered(const ovr_composite_film *film, const double *X,
                        ptrdiff_t n, ptrdiff_t i)
 {
@@ -153,7 +155,7 @@ static double gathered(const ovr_composite_film *film, const double *X,
     return 0.5 * sum;
 }
 
-/* X, and the load that it is. */
+/* Computes X and returns its load. */
 static double surplus(ovr_patch *patch, const ovr_patch *parent, double *X)
 {
     const double *P = parent->P + patch->level->grid.first;
@@ -170,8 +172,8 @@ static double surplus(ovr_patch *patch, const ovr_patch *parent, double *X)
     return patch->level->grid.D * load;
 }
 
-/* V' and its deformation for the parent, and the load that the patch adds to
- * it, once the parent's P under the patch is that of the patch. */
+/* Computes V' and its deformation for the parent, and the additional load of
+ * the patch. The parent's P under the patch must equal that of the patch. */
 static void patch_detail(const ovr_hierarchy *grids,
                          const ovr_composite_film *film, ovr_patch *patch,
                          ovr_patch *parent)
@@ -240,8 +242,8 @@ static void to_chunk(void *context, void *memory)
     (void)memory;
 }
 
-/* Counts the memory of patches of so many nodes; most are as large as the one
- * before. */
+/* Counts the memory of patches with these numbers of nodes; most are as large
+ * as the previous one. */
 static ovr_status count_bytes(const ovr_composite *c, const size_t *maximum,
                               int patches, size_t *bytes, ovr_error *err)
 {
@@ -315,7 +317,7 @@ ovr_status ovr_composite_add(ovr_composite *c, ovr_window window,
 
 /* -------------------------------------------------------------------- film */
 
-/* Film, residual and phase for P of a patch. */
+/* Computes film, residual and phase from P of a patch. */
 static void refresh(ovr_composite *c, ovr_patch *patch)
 {
     ovr_patch_write(c->grids, patch);
@@ -347,7 +349,7 @@ bool ovr_composite_leaf(const ovr_composite *c, int part, size_t i)
            (finer->closes && i >= ovr_patch_end(finer));
 }
 
-/* P' under the patch. */
+/* Restricts P to the parent under the patch. */
 static void restrict_pressure(ovr_patch *patch, ovr_patch *parent)
 {
     const double *P = patch->P;
@@ -363,8 +365,8 @@ static void restrict_pressure(ovr_patch *patch, ovr_patch *parent)
     memcpy(parent->entry, parent->P, parent->level->grid.n * sizeof *P);
 }
 
-/* The parent's gap: outside the patch the real one, under it what makes the
- * film that of the patch. */
+/* Computes the parent's gap: the real gap outside the patch and, under the
+ * patch, the gap for which the film thickness is that of the patch. */
 static void restrict_gap(ovr_composite *c, ovr_patch *patch, ovr_patch *parent)
 {
     const ovr_hierarchy *grids = c->grids;
@@ -378,7 +380,7 @@ static void restrict_gap(ovr_composite *c, ovr_patch *patch, ovr_patch *parent)
     ovr_level_write(grids, parent->level, gap, parent->level->f.gap);
 }
 
-/* The flow of the patch at the parent's half node I + 1/2. */
+/* Mass flow of the patch at the parent's half node I + 1/2. */
 static double inner_flux(const ovr_composite *c, const ovr_patch *patch,
                          size_t I)
 {
@@ -387,8 +389,8 @@ static double inner_flux(const ovr_composite *c, const ovr_patch *patch,
                   ovr_patch_flux(c->grids, patch, i + 1));
 }
 
-/* Residual at J*: what flows in through one grid less what flows out through
- * the other. */
+/* Residual at J*: inflow computed on one grid minus outflow computed on the
+ * other. */
 static double residual_at_end(const ovr_composite *c, const ovr_patch *patch,
                               const ovr_patch *parent, size_t J, bool begins)
 {
@@ -406,7 +408,7 @@ static double weighted(const double *P, const double *r)
     return P[0] > 0 ? sum / 4 : 0;
 }
 
-/* F' = N' + r under the patch and at its ends, elsewhere F0'. */
+/* F' = N' + r under the patch and at its ends, F0' elsewhere. */
 static void restrict_sides(ovr_composite *c, ovr_patch *patch,
                            ovr_patch *parent)
 {
@@ -433,8 +435,8 @@ static void restrict_sides(ovr_composite *c, ovr_patch *patch,
     ovr_level_write(grids, level, F, level->f.F);
 }
 
-/* Restricts to the parent; film and residual of the patch are up to date, then
- * those of the parent are. */
+/* Restricts to the parent. Film and residual of the patch must be up to date;
+ * those of the parent are up to date afterwards. */
 static void restrict_to(ovr_composite *c, ovr_patch *patch, ovr_patch *parent)
 {
     const ovr_hierarchy *grids = c->grids;
@@ -454,7 +456,7 @@ static void restrict_to(ovr_composite *c, ovr_patch *patch, ovr_patch *parent)
         ovr_patch_settle(grids, parent);
 }
 
-/* What the patches add is no longer the base's to carry. */
+/* Subtracts the load added by the patches from the load of the base. */
 static void restrict_force(ovr_composite *c)
 {
     double added = 0;
@@ -507,7 +509,7 @@ void ovr_composite_cycle(ovr_composite *c, const ovr_cycling *how)
     }
 }
 
-/* Sum of rho_i (reynolds.h) of the leaves of a part. */
+/* Sum of rho_i (reynolds.h) over the leaves of a part. */
 static double imbalance(const ovr_composite *c, int k)
 {
     const ovr_patch *part = &c->part[k];

@@ -19,7 +19,7 @@ static unsigned last_lane(const ovr_lanes *g)
     return (1U << g->V) >> 1;
 }
 
-/* Lane by lane: no division a node. */
+/* Copies lane by lane, to avoid a division per node. */
 void ovr_content_read(const ovr_level *level, const unsigned char *set,
                       unsigned char *ordered)
 {
@@ -42,7 +42,7 @@ void ovr_content_wet(ovr_level *level, const double *P)
     for (size_t lane = 0; lane < g->V; lane++)
         for (size_t J = 0; J < g->S && i < g->n; J++)
             wet[J] |= (unsigned char)((P[i++] > 0) << lane);
-    if (i < g->n) /* there too, where P = 0 */
+    if (i < g->n) /* at node n - 1 too, where P = 0 */
         wet[g->S] &= (unsigned char)~last_lane(g);
 }
 
@@ -82,8 +82,8 @@ void ovr_content_by_pressure(const ovr_hierarchy *grids, ovr_level *level)
     }
 }
 
-/* What lies behind the last node, and no row asks for: what flows there, as far
- * as it has space. */
+/* Extrapolates the content beyond the last node, which no equation determines:
+ * the flow is constant, limited by the gap. */
 static void extend_content(const ovr_level *level)
 {
     size_t last = level->grid.n - 1;
@@ -99,7 +99,7 @@ static void settle(const ovr_hierarchy *grids, const ovr_level *level)
                                    &level->f);
 }
 
-/* No Poiseuille flow between nodes 0 and 1. */
+/* Removes the Poiseuille flow between nodes 0 and 1. */
 static void close_face(const ovr_level *level)
 {
     const ovr_fields *f = &level->f;
@@ -142,7 +142,8 @@ void ovr_content_restrict(ovr_hierarchy *grids, const ovr_level *fine,
         ovr_content_open(coarse);
 }
 
-/* A node between two: dry if either is, with what the dry ones hold. */
+/* Values at a node between two coarse nodes: cavitated if either is, with the
+ * content of the cavitated ones. */
 static double between(const double q[2], const bool wet[2])
 {
     if (wet[0] == wet[1])

@@ -60,7 +60,7 @@
 /* Halo of node sets in vectors: the half width of the band. */
 enum { OVR_CONTENT_HALO = 3 };
 
-/* Sets the phases from the pressure alone: pressurized where P > 0; other nodes
+/* Sets the phases from the pressure alone: pressurized where P > 0. Other nodes
  * are cavitated and keep their content. */
 void ovr_content_by_pressure(const ovr_hierarchy *grids, ovr_level *level);
 
@@ -88,7 +88,8 @@ void ovr_content_refine(ovr_hierarchy *grids, const ovr_level *coarse,
  * is marked as cavitated. */
 void ovr_content_wet(ovr_level *level, const double *P);
 
-/* Sets of nodes: sets one node; copies a level's set to the order of the nodes.
+/* Sets of nodes: sets one node, or copies a level's set to the order of the
+ * nodes.
  */
 void ovr_content_mark(const ovr_level *level, unsigned char *set, size_t i,
                       bool in);

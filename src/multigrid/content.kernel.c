@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Mass-conserving cavitation: states, residual, line relaxation and transfer to
- * coarser grids */
+/* Mass-conserving cavitation: phases, residual, line relaxation and transfer to
+ * coarser grids. */
 #include "multigrid/content.h"
 #include "multigrid/vector.h"
 
@@ -16,8 +16,8 @@ static inline void put_node(const ovr_lanes *g, unsigned char *set, size_t i,
     set[place / VEC] = (unsigned char)(rest | (in ? bit : 0));
 }
 
-/* Repeats the ends of lanes, as repeat_ends of vector.h; beyond the ends of
- * the grid no node is in a set. */
+/* Copies the ends of lanes, as repeat_ends of vector.h does. Nodes beyond the
+ * ends of the grid are in no set. */
 static void repeat_set(unsigned char *set, ptrdiff_t S)
 {
     const unsigned mask = (1U << VEC) - 1;
@@ -98,13 +98,14 @@ static INLINE void residual_vectors(const ovr_weights *w, const ovr_fields *f,
         residual_vector(w, f, &rest, kind, J);
 }
 
-/* r in rows 1..n-2, zero at both ends. */
+/* r in rows 1..n-2; zero at both ends. */
 void OVR_KERNEL(content_residual)(const ovr_lanes *g, const ovr_weights *w,
                                   const ovr_fields *f)
 {
     const ovr_fields own = *f;
     ptrdiff_t S = (ptrdiff_t)g->S;
-    if (own.skew && own.flow) /* whatever made it */
+    if (own.skew && own.flow) /* in both cases, whether the flow is stored
+                               * because of a rheological model or not */
         residual_vectors(w, &own, ROW_STORED | ROW_SKEWED, S);
     else if (own.skew)
         residual_vectors(w, &own, ROW_SUMS | ROW_SKEWED, S);
@@ -141,7 +142,8 @@ static INLINE void take_sides(const ovr_fields *f, bool stored, vec half,
     }
 }
 
-/* The side that nodes on the kink take, and which columns share. */
+/* Decides the phase of nodes with P = 0 and q = rho H, and which columns are
+ * distributed. */
 void OVR_KERNEL(content_choose)(const ovr_lanes *g, const ovr_weights *w,
                                 const ovr_fields *f)
 {
@@ -183,8 +185,8 @@ static INLINE void derivatives(const line *l, const row_weights *c, ptrdiff_t J,
     row_by_pressure(&l->f, c, J, A + 1);
 }
 
-/* The columns of pressurized nodes put this into a row; when steady the shares
- * are -1, 0 and additions are cheaper. */
+/* Contribution of a pressurized node's column to a row. In steady solutions the
+ * shares are -1, 0, and additions are sufficient. */
 static inline vec wet_column(const line *l, bool transient, ptrdiff_t d,
                              ptrdiff_t J, const vec A[7])
 {
@@ -196,7 +198,7 @@ static inline vec wet_column(const line *l, bool transient, ptrdiff_t d,
     return fused(minus, A[d], fused(plus, A[d + 2], A[d + 1]));
 }
 
-/* Column d = -3 (line.h), between pressurized nodes. */
+/* Includes column d = -3 (line.h), between pressurized nodes. */
 static inline void fold(const line *l, const row_weights *c, ptrdiff_t J,
                         vec b[5])
 {
@@ -239,7 +241,8 @@ static INLINE void assemble(const line *l, ptrdiff_t S, row_kind kind,
         assemble_vector(l, &rest, kind, transient, J);
 }
 
-/* Assembles rows of a film with temperatures, compiled once for all kinds. */
+/* Assembles the rows with temperatures across the film; compiled once for all
+ * kinds. */
 static __attribute__((noinline)) void
 assemble_skewed(const line *l, ptrdiff_t S, row_kind kind, bool transient)
 {
@@ -276,7 +279,8 @@ void OVR_KERNEL(content_assemble)(const ovr_lanes *g, const ovr_weights *w,
         ovr_band_hold(band, ovr_lanes_place(g, i));
 }
 
-/* P + clipped change where wet, which is dried at zero; q + delta where dry. */
+/* P + limited change at pressurized nodes, which become cavitated at zero; q +
+ * delta at cavitated nodes. */
 static inline void advance_vector(const ovr_fields *f, double limit,
                                   const ovr_shares *s, const double *delta,
                                   ptrdiff_t J)

@@ -91,7 +91,7 @@ static void row_of_band(const row_weights *c, const double A[7],
     }
 }
 
-/* Column d = -3 (line.h), between pressurized nodes. */
+/* Includes column d = -3 (line.h), between pressurized nodes. */
 static void fold(const row_weights *c, double plus, const ovr_fields *f,
                  ptrdiff_t i, const ovr_band *band)
 {

@@ -24,7 +24,7 @@ static double legendre(int n, double x)
     return n ? value : 1;
 }
 
-/* The j-th of the Lagrange polynomials at x. */
+/* Lagrange polynomial j at x. */
 static double lagrange(const ovr_cross_film *a, int j, double x)
 {
     double value = 1;
@@ -53,7 +53,8 @@ static double derivative(const ovr_cross_film *a, int i, int j)
     return 2 * up / down;
 }
 
-/* Points from the middle to surface 2; the others mirror them. */
+/* Computes the points from the middle to surface 2; the others are symmetric.
+ */
 static void make_points(int points, ovr_cross_film *a)
 {
     static const double five[4] = {0, 0.65465367070797714380, 1};
@@ -89,7 +90,7 @@ void ovr_cross_film_make(int points, ovr_cross_film *a)
         for (int j = 0; j < points; j++) {
             a->K[i][j] = a->integral[i][j] = 0;
             for (int k = 0; k < points; k++) {
-                /* the quadrature, moved to the part from -1 to s_i */
+                /* quadrature points, mapped to the interval from -1 to s_i */
                 double x = (a->s[i] + 1) * (a->s[k] + 1) / 2 - 1;
                 a->K[i][j] += D[k][i] * a->w[k] * D[k][j];
                 a->integral[i][j] += (a->s[i] + 1) / 2 * a->w[k] *
@@ -110,7 +111,8 @@ void ovr_cross_film_move(const ovr_cross_film *from, const double *T,
 
 /* ------------------------------------------------------------------- flow */
 
-/* A dry film: what it holds moves with the surfaces. */
+/* Flow at a cavitated node: the lubricant moves with the surfaces, with a
+ * linear velocity profile. */
 static void linear(const ovr_cross_film *a, const ovr_sheet *sheet,
                    ovr_cross_film_flow *flow)
 {
@@ -121,8 +123,8 @@ static void linear(const ovr_cross_film *a, const ovr_sheet *sheet,
     }
 }
 
-/* A wet film at the points of `a`: ratios r of fluidities there, and moments m
- * of these; Y as in cross_film.h. */
+/* Pressurized film at the points of `a`: fluidity ratios r and their moments m,
+ * with Y as in cross_film.h. */
 typedef struct wet_film {
     const ovr_cross_film *a;
     const ovr_sheet *sheet;
@@ -130,7 +132,7 @@ typedef struct wet_film {
     const double *r, *m;
 } wet_film;
 
-/* Mean stress and, to `rate`, u_z of a Newtonian film. */
+/* Returns the mean stress of a Newtonian film and computes u_z in `rate`. */
 static double newtonian(const wet_film *f, double *rate)
 {
     double G = f->sheet->H * f->sheet->P_X / 2;
@@ -142,7 +144,7 @@ static double newtonian(const wet_film *f, double *rate)
 
 static double eyring(const wet_film *f, double *rate)
 {
-    const double maximum = 200; /* in powers of e */
+    const double maximum = 200; /* as a power of e */
     const ovr_cross_film *a = f->a;
     const double *r = f->r, Sigma0 = f->sheet->Sigma0;
     double g = f->sheet->H * f->sheet->P_X / (2 * Sigma0), A = 0, B = 0;
@@ -162,7 +164,8 @@ static double eyring(const wet_film *f, double *rate)
     return Sigma0 * asinh(sinh_a);
 }
 
-/* The film slid by mean stress a, over Y/Sigma0, and its slope by a. */
+/* Returns the velocity difference across the film for mean stress a, relative
+ * to Sigma0/Y, and its derivative with respect to a. */
 static double slid(const wet_film *f, double a, double g, double *by_a)
 {
     double sum = 0, slope;
@@ -176,13 +179,14 @@ static double slid(const wet_film *f, double a, double g, double *by_a)
     return sum;
 }
 
-/* Finds the rate by Newton's method between bounds, from the stress of a film
- * of the same mean fluidity: f(x) >= x where a film thins. */
+/* Computes the shear rate of a tabulated law by Newton's method between bounds.
+ * The first guess is the stress of a film with the same mean fluidity: f(x) >=
+ * x because the film is shear-thinning. */
 static double by_law(const wet_film *f, double *rate)
 {
     const ovr_sheet *sheet = f->sheet;
     double g = sheet->H * sheet->P_X / (2 * sheet->Sigma0), by_a;
-    g = ovr_larger(-300, ovr_smaller(300, g)); /* as far as tables go */
+    g = ovr_larger(-300, ovr_smaller(300, g)); /* limits of the tables */
     double b = -sheet->V * f->Y / sheet->Sigma0, uniform = fabs(b) / f->m[0];
     double high = fabs(g) + uniform, low = -high;
     double a = copysign(ovr_flow_stress(sheet->law, uniform, g), b);
@@ -211,7 +215,7 @@ static double stressed(const wet_film *f, double *rate)
     return newtonian(f, rate);
 }
 
-/* The stress of a film of the fluidity m_0 all over. */
+/* Mean stress of a film with uniform fluidity m_0. */
 static double uniform(const wet_film *of)
 {
     double r[OVR_CROSS_FILM_MAX], rate[OVR_CROSS_FILM_MAX];
@@ -234,8 +238,8 @@ void ovr_cross_film_flow_of(const ovr_cross_film *a, const ovr_heat *heat,
         flow->beta[j] = ovr_expansion(heat, sheet->P, T[j]);
         flow->mean += a->w[j] * T[j];
     }
-    /* ratios eta(T_m)/eta(T_j): within 1e43, and eta_m below 1e130, whatever
-     * T */
+    /* viscosity ratios eta(T_m)/eta(T_j) are limited to 1e43, and eta_m to
+     * 1e130, whatever T */
     double log_eta = ovr_heat_log_viscosity(heat, sheet->log_eta, flow->mean);
     for (int j = 0; j < a->n; j++) {
         double ln = log_eta -
@@ -275,7 +279,8 @@ double ovr_expansion(const ovr_heat *heat, double P, double T)
     return bT_f * expansion_lightness(heat, bT_f, T);
 }
 
-/* A x = b by elimination; A is nearly symmetric and heavy on its diagonal. */
+/* Solves A x = b by elimination; A is nearly symmetric with a dominant
+ * diagonal. */
 static void eliminate(int n, double A[][OVR_CROSS_FILM_MAX], double *b)
 {
     for (int k = 0; k < n; k++)

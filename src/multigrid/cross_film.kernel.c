@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Sums up the flow in columns of 5 or 7 points through the film (equations in
- * cross_film.h).  Arrays in the order of the nodes, of more than VEC + 1:
- * vectors begin at node 1, the last one overlaps the one before; the two ends
- * are dry and by themselves.
+ * Integrates the flow across the film, with 5 or 7 points per node (equations
+ * in cross_film.h).  Arrays in the order of the nodes, with more than VEC + 1
+ * nodes: vectors begin at node 1, and the last one overlaps the one before. The
+ * two end nodes are cavitated and are computed separately.
  *
  * With L and l of log2 eta = L l + K: Roelands L = (ln eta + C)/ln 2, l =
  * x^(-S0); others L = 1, l = -beta T/ln 2.
@@ -35,7 +35,8 @@ static INLINE void by_fluid(const fluid_laws *c, ovr_viscosity_law law,
     }
 }
 
-/* Uses the rheological model of the fluid. */
+/* Evaluates the viscosity-pressure relation that the fluid defines by
+ * functions. */
 static void by_object(const ovr_fluid *fluid, size_t n, const double *P,
                       const double *H, double *log_eta)
 {
@@ -68,9 +69,10 @@ void OVR_KERNEL(log_viscosity)(size_t n, const ovr_fluid *fluid,
 
 /* -------------------------------------------------------------------- flow */
 
-/* Numbers that all nodes share. */
+/* Constants of all nodes. */
 typedef struct shared {
-    ovr_columns c; /* a copy that no store can change */
+    ovr_columns c; /* a copy, so that the compiler can assume no store changes
+                    * it */
     ovr_cross_film cross_film;
     ovr_heat heat;
     log_table cooling; /* -S0 log2 x */
@@ -81,7 +83,7 @@ typedef struct shared {
     double inv_above; /* 1/(T0 - 138 K) */
 } shared;
 
-/* A vector of nodes. */
+/* Values at a vector of nodes. */
 typedef struct nodes {
     vec G, Y;                        /* H P_X/2; lambda eta_m/(12 H) */
     vec r[OVR_CROSS_FILM_MAX], m[3]; /* viscosity ratios, moments */
@@ -111,7 +113,7 @@ static INLINE vec level_of(const shared *s, bool by_power, vec T, vec *x)
     return (-s->heat.beta * INV_LN2) * T;
 }
 
-/* Temperatures to viscosity ratios, their moments, Y. */
+/* Computes viscosity ratios from temperatures, their moments, and Y. */
 static INLINE nodes temperatures(const shared *s, int n, bool by_power,
                                  size_t i)
 {
@@ -142,7 +144,7 @@ static INLINE nodes temperatures(const shared *s, int n, bool by_power,
     return v;
 }
 
-/* Mean stress and u_z, as the plain twin in cross_film.c has them. */
+/* Mean stress and u_z, as in cross_film.c. */
 static INLINE vec newtonian(const shared *s, int n, const nodes *v, vec *rate)
 {
     vec t = -fused(v->Y, all(s->c.V), v->G * v->m[1]) / v->m[0];
@@ -153,7 +155,8 @@ static INLINE vec newtonian(const shared *s, int n, const nodes *v, vec *rate)
     return t;
 }
 
-/* sinh and cosh of x: by series where the former would have no digits */
+/* sinh and cosh of x; sinh by a series where the difference of exponentials
+ * loses its digits */
 static INLINE void hyperbolic(const shared *s, vec x, vec *sh, vec *ch)
 {
     static const double series[] = {1, 1. / 6, 1. / 120, 1. / 5040,
@@ -193,7 +196,7 @@ static INLINE vec eyring_flow(const shared *s, int n, const nodes *v, vec *rate)
     return choose(sinh_a < 0, -t, t);
 }
 
-/* f at any x and its derivative (contact/flow_law.h) */
+/* f(x) and its derivative (contact/flow_law.h) */
 static vec curve_at(const shared *s, vec x, vec *by_x)
 {
     const ovr_curve *f = &s->c.law->f;
@@ -215,14 +218,14 @@ static vec curve_at(const shared *s, vec x, vec *by_x)
     return choose(x < 0, -value, value);
 }
 
-/* Begins with the stress of a film of the same mean fluidity. */
+/* Initial guess: the stress of a film with the same mean fluidity. */
 static vec first_stress(const shared *s, vec uniform, vec g)
 {
     law_value v = law_at(s->c.law->stress, smaller(uniform, all(1e280)), g);
     return uniform * law_power(&s->growth, &s->log2, &v);
 }
 
-/* The sliding beyond what it should be, and its slope. */
+/* Excess of the computed sliding speed, and its derivative. */
 static vec too_much(const shared *s, const nodes *v, vec a, vec g, vec b,
                     vec *by_a)
 {
@@ -237,8 +240,8 @@ static vec too_much(const shared *s, const nodes *v, vec a, vec g, vec b,
     return sum;
 }
 
-/* Mean stress over Sigma0 of a law by table; elements that have converged stay
- * as they are. */
+/* Mean stress relative to Sigma0 for a tabulated law. Elements that have
+ * converged do not change. */
 static vec law_stress(const shared *s, const nodes *v, vec g, vec b)
 {
     vec uniform = magnitude(b) / v->m[0], high = magnitude(g) + uniform;
@@ -283,7 +286,7 @@ static INLINE vec mean_cosh(const shared *s, int n, vec g)
     return sum;
 }
 
-/* The stress of a film of the fluidity m_0 all over. */
+/* Mean stress of a film with uniform fluidity m_0. */
 static INLINE vec uniform(const shared *s, int n, const nodes *v, int law)
 {
     double Sigma0 = s->c.Sigma0;
@@ -305,7 +308,8 @@ static INLINE vec uniform(const shared *s, int n, const nodes *v, int law)
 
 /* -------------------------------------------------------------- what it is */
 
-/* gamma over -d ln eta/dT: tanh(a)/a by Eyring's law, f/(a f') by any other */
+/* gamma relative to -d ln eta/dT: tanh(a)/a for Eyring's law, f/(a f') for
+ * other laws */
 static INLINE vec softer(const shared *s, int law, vec t)
 {
     vec a = magnitude(t) / s->c.Sigma0;
@@ -317,7 +321,7 @@ static INLINE vec softer(const shared *s, int law, vec t)
     return choose(a > 1e-3, (up - 1) / ((up + 1) * a), all(1));
 }
 
-/* Stores what Reynolds' equation needs. */
+/* Stores the coefficients of the Reynolds equation. */
 static INLINE void store_fields(const shared *s, bool by_power, const nodes *v,
                                 size_t i)
 {
@@ -334,7 +338,7 @@ static INLINE void store_fields(const shared *s, bool by_power, const nodes *v,
     store(c->skewed + i, (0.5 * c->V) * skew * load(c->q + i));
 }
 
-/* Stress and gamma. */
+/* Stores stress and gamma. */
 static INLINE void store_stress(const shared *s, bool by_power, int law,
                                 const nodes *v, vec t, ivec limited, size_t i)
 {
@@ -345,8 +349,8 @@ static INLINE void store_stress(const shared *s, bool by_power, int law,
     store(s->c.fall + i, choose(limited, all(0), fall * softer(s, law, t)));
 }
 
-/* Velocities and heating, of a wet film; else what there is moves with the
- * surfaces. */
+/* Stores velocities and heat source of a pressurized film. At cavitated nodes
+ * the velocity profile is linear. */
 static INLINE void store_flow(const shared *s, int n, const nodes *v, vec t,
                               const vec *rate, size_t i)
 {
@@ -365,7 +369,7 @@ static INLINE void store_flow(const shared *s, int n, const nodes *v, vec t,
     }
 }
 
-/* The law's number: Newtonian 0, Eyring 1, by table 2. */
+/* `law`: 0 Newtonian, 1 Eyring, 2 tabulated. */
 static INLINE void flow(const shared *s, int n, bool by_power, int law,
                         nodes *v, size_t i)
 {
@@ -416,7 +420,7 @@ void OVR_KERNEL(flow_cross_film)(const ovr_columns *c)
     int law = c->law ? 2 : c->Sigma0 < 1e300 ? 1 : 0;
     bool by_power = s.heat.C > 0;
     if (s.cross_film.n == 5 && law == 1 && by_power)
-        columns(&s, 5, true, 1); /* fastest */
+        columns(&s, 5, true, 1); /* unrolled for the usual case */
     else if (s.cross_film.n == 5)
         columns(&s, 5, by_power, law);
     else

@@ -69,13 +69,13 @@ static double fall(const ovr_columns *c, double log_eta,
     return ovr_heat_viscosity_fall(c->heat, log_eta, flow->mean) * softer;
 }
 
-/* Stores what Reynolds' equation needs. */
+/* Stores the coefficients of the Reynolds equation. */
 static void put_fields(const ovr_columns *c, const ovr_cross_film_flow *flow,
                        size_t i)
 {
     double skew = flow->m[1] / flow->m[0];
     double psi = 3 * (flow->m[2] - flow->m[1] * skew);
-    /* ln eta of 0 and 1 give th and shift of any law */
+    /* the viscosity at ln eta = 0 and 1 determines th and shift for any law */
     double at_0 = ovr_heat_log_viscosity(c->heat, 0, flow->mean);
     c->th[i] = ovr_heat_log_viscosity(c->heat, 1, flow->mean) - at_0;
     c->shift[i] = -at_0 * INV_LN2 + log2(psi);
@@ -93,7 +93,7 @@ void ovr_column_flow(const ovr_columns *c, size_t i)
     for (int j = 0; j < c->cross_film->n; j++)
         T[j] = c->used[j][i];
     if (c->th)
-        sheet.wet = false; /* the ratios alone are asked for */
+        sheet.wet = false; /* only the viscosity ratios are needed */
     ovr_cross_film_flow_of(c->cross_film, c->heat, &sheet, T, &flow);
     if (c->th) {
         put_fields(c, &flow, i);
@@ -109,7 +109,7 @@ void ovr_column_flow(const ovr_columns *c, size_t i)
     c->fall[i] = fall(c, sheet.log_eta, &flow);
 }
 
-/* Steady: the upstream node of a layer; n: an end. */
+/* Steady: index of the upstream node of a layer; n: none. */
 static size_t upstream(const ovr_columns *c, int j, size_t i)
 {
     return c->back || (c->both_ways && c->u[j][i] < 0) ? i + 1 : i - 1;

@@ -30,10 +30,10 @@ static void offer(ovr_hierarchy *grids, ovr_level *level,
             ovr_level_refresh(grids, level);
 }
 
-/* From this level on sweeps take tenths of a second. */
+/* Levels on which a relaxation sweep takes tenths of a second. */
 enum { LARGE = 13 };
 
-/* A cycle that leaves film and residual behind P. */
+/* One cycle; film and residual are not updated for the final P. */
 static void descend(ovr_hierarchy *grids, ovr_level *level,
                     const ovr_cycling *how)
 {
@@ -64,7 +64,8 @@ static void descend(ovr_hierarchy *grids, ovr_level *level,
     }
 }
 
-/* Cavitated nodes of coarse grids that are solved twice (reynolds_row.h). */
+/* Sets the threshold for cavitated nodes of coarse grids that are solved twice
+ * (reynolds_row.h). */
 static void hold_coarse(ovr_hierarchy *grids, const ovr_level *finest)
 {
     const double share = 1e-6;
@@ -74,9 +75,9 @@ static void hold_coarse(ovr_hierarchy *grids, const ovr_level *finest)
     }
 }
 
-/* True while Newton's steps are too large: far from the solution, or where the
- * last cycle has hardly gained.  A step in time begins close to the solution.
- * Where its cycles are slow, secants make them slower. */
+/* True while Newton steps are too large: far from the solution, or if the last
+ * cycle hardly reduced the residual. A time step starts close to the solution;
+ * if its cycles converge slowly, secants make them slower. */
 static bool wants_secants(const ovr_hierarchy *grids, double before,
                           double after)
 {
@@ -90,7 +91,7 @@ void ovr_cycle(ovr_hierarchy *grids, ovr_level *level, ovr_cycling how)
     if (ovr_hierarchy_stops(grids))
         return;
     grids->stopping.work += (double)level->grid.n;
-    /* Only the logarithmic mean has them, and Newton's method for asperity
+    /* Only the logarithmic mean has secants, and Newton's method for asperity
      * contact converges with exact slopes. */
     const bool logarithmic = grids->fluid.logarithmic && !grids->touch.at;
     double before = 0;
@@ -125,8 +126,8 @@ ovr_defect ovr_cycle_defect(const ovr_hierarchy *grids, const ovr_level *level)
     return d;
 }
 
-/* With a negative film the flow runs uphill, and the residual adds up to
- * anything, less than nothing included. */
+/* A negative film thickness reverses the flow; the residual then is meaningless
+ * and may even be negative. */
 bool ovr_below(ovr_defect d, double tolerance)
 {
     return d.imbalance >= 0 && d.imbalance <= tolerance &&

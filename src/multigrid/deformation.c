@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Planning: everything that depends on the grid only (see deformation.h). */
+/* Planning of the multilevel integration: computes all numbers that depend on
+ * the grid only (see deformation.h). */
 #include "multigrid/deformation.h"
 
 #include <math.h>
@@ -12,18 +13,18 @@
 /* --------------------------------------------- weights of the interpolation */
 
 /*
- * Interpolation weights for a logarithmic kernel: of all even weights at the
- * distances y_k = 1, 3, ..., 2h - 1 with sum 1 those that make
+ * Interpolation weights for a logarithmic kernel: symmetric weights at the
+ * distances y_k = 1, 3, ..., 2h - 1 with sum 1 that minimize
  *     max x^1.5 |e(x)|,
  *     e(x) = ln x - sum_k weight_k [ln(x + y_k) + ln(x - y_k)]
- * over x > range least.  (The errors of all distances add up: 1.5 was best of
- * 0, 0.5, ..., 2.)  Beside Lagrange's weights the deformation's error is 12
- * times smaller at p = 6, 60 at p = 8, 250 at p = 10.
+ * over x > range.  (The errors of all distances add up: 1.5 was best of 0, 0.5,
+ * ..., 2.)  Compared with Lagrange's weights, the deformation error is smaller
+ * by factors of 12 (p = 6), 60 (p = 8) and 250 (p = 10).
  *
- * Lawson's method: least squares with weights lambda(x), lambda <- lambda
- * x^1.5 |e|, until the largest errors are level.  The unknowns are the weights
- * but the first, which the sum gives; their columns are nearly dependent,
- * hence orthogonalization in extended precision.
+ * Lawson's method: least squares with weights lambda(x), lambda <- lambda x^1.5
+ * |e|, until the largest errors are equal. The unknowns are all weights except
+ * the first, which follows from the sum. Their columns are nearly linearly
+ * dependent; they are therefore orthogonalized in extended precision.
  */
 
 enum { POINTS = 120, ITERATIONS = 60 };
@@ -34,7 +35,8 @@ typedef struct fit {
     long double lambda[POINTS], importance[POINTS];
 } fit;
 
-/* Integers at first, then in growing steps: e changes slowly far out. */
+/* Sample points: integers at first, then with growing steps, because e changes
+ * slowly at large distances. */
 static long double point(size_t j, size_t range)
 {
     long double x = (long double)(range + 1 + j);
@@ -45,7 +47,7 @@ static void fill(fit *f, size_t h, size_t range)
 {
     for (size_t j = 0; j < POINTS; j++) {
         long double x = point(j, range);
-        /* ln(x^2 - y^2) - ln x^2: what all have in common is left out */
+        /* ln(x^2 - y^2) - ln x^2: the common part is subtracted */
         long double first = log1pl(-1 / (x * x));
         f->column[h - 1][j] = -0.5L * first;
         f->lambda[j] = 1;
@@ -65,8 +67,8 @@ static long double dot(const fit *f, const long double *a, const long double *b)
     return sum;
 }
 
-/* Least squares by Gram-Schmidt on copies of the columns; the error is left
- * in the last of them. */
+/* Least squares by Gram-Schmidt on copies of the columns. The last column then
+ * contains the error. */
 static void least_squares(fit *f, size_t unknowns, long double solution[])
 {
     long double(*q)[POINTS] = f->q;
@@ -94,7 +96,7 @@ static void least_squares(fit *f, size_t unknowns, long double solution[])
     }
 }
 
-/* Weights best infinitely far away. */
+/* Lagrange's weights, optimal at infinite distance. */
 static void lagrange(size_t h, double weight[])
 {
     for (size_t k = 0; k < h; k++) {
@@ -139,8 +141,8 @@ void ovr_mlmi_fit_weights(size_t h, size_t range, double weight[])
     weight[0] = (double)first;
 }
 
-/* The fit's results for the pairs that ovr_mlmi_choose knows: it takes as long
- * as a fifth of a steady solution at level 8. */
+/* Results of the fit for the pairs in ovr_mlmi_choose. Computing them takes as
+ * long as a fifth of a steady solution at level 8. */
 static const struct {
     size_t h, range;
     double weight[6];
@@ -179,14 +181,14 @@ void ovr_mlmi_weights(size_t h, size_t range, double weight[])
     ovr_mlmi_fit_weights(h, range, weight);
 }
 
-/* Dense below this: a coarsening no longer pays. */
+/* Below this number of nodes a dense sum is cheaper than further coarsening. */
 enum { DENSE_NODES = 70 };
 
 /*
- * f(d).  The closed form cancels at large d (terms of size d ln d for a
- * result of size ln d), so beyond 64 the series
+ * f(d).  At large d the closed form suffers from cancellation (terms of size d
+ * ln d, result of size ln d). Beyond 64 the series
  *     f = ln d - sum_k 1/(2k (2k+1) (2d)^(2k)),  k = 1, 2, ...
- * is used: from log1p(+-1/(2d)); four terms leave less than 1e-18.
+ * from log1p(+-1/(2d)) is used; the error of four terms is below 1e-18.
  */
 static double unit_kernel(double d)
 {
@@ -208,7 +210,7 @@ static double second_integral(double d)
 /*
  * f(d) of a linear pressure, beyond 8 by
  *     f = ln d - sum_k 1/(k (2k + 1) (2k + 2) d^(2k)),
- * of which eight terms leave less than 1e-19.
+ * of which eight terms are used, with an error below 1e-19.
  */
 static double linear_kernel(double d)
 {
@@ -222,7 +224,7 @@ static double linear_kernel(double d)
     return log(d) - sum;
 }
 
-/* f(d) of a plan, including the terms besides the logarithm. */
+/* f(d) of a plan, including the parts added to the logarithmic kernel. */
 static double kernel_of(const ovr_mlmi *plan, double d)
 {
     double f = plan->linear ? linear_kernel(d) : unit_kernel(d);
@@ -267,7 +269,8 @@ ovr_mlmi_form ovr_mlmi_choose(double target)
     return table[k].form;
 }
 
-/* The kernel of one grid at whole distances, as far as its corrections ask. */
+/* Kernel of one grid at integer distances, up to the longest one needed by
+ * corrections. */
 enum { FARTHEST = 4 * OVR_MLMI_MAX };
 
 typedef struct sampled {
@@ -294,8 +297,8 @@ static double interpolated(const ovr_mlmi *plan, const sampled *kernel,
     return sum;
 }
 
-/* The kernel as the even outputs see it at distance d after their
- * corrections. */
+/* Effective kernel of the even outputs at distance d, after their corrections.
+ */
 static double effective(const ovr_mlmi *plan, const sampled *kernel,
                         ptrdiff_t d)
 {
@@ -325,7 +328,8 @@ static void plan_corrections(const ovr_mlmi *plan, ovr_mlmi_grid *grid,
     }
 }
 
-/* Coarsenings until the grid is small, or the lanes shorter than the range. */
+/* Number of coarsenings until the grid is small or the lanes are shorter than
+ * the range. */
 static int depth_of(size_t n, ptrdiff_t range)
 {
     int depth = 0;
@@ -336,7 +340,8 @@ static int depth_of(size_t n, ptrdiff_t range)
     return depth;
 }
 
-/* Ghosts of a coarse grid: where the stencils of the finer one reach. */
+/* Number of ghost nodes of a coarse grid, from the reach of the finer grid's
+ * stencils. */
 static void count_ghosts(const ovr_mlmi *plan, const ovr_mlmi_grid *fine,
                          ovr_mlmi_grid *coarse)
 {
@@ -346,7 +351,7 @@ static void count_ghosts(const ovr_mlmi *plan, const ovr_mlmi_grid *fine,
     coarse->right = right + right % 2;
 }
 
-/* Nodes that the lanes hold, for whatever number of lanes. */
+/* Maximum number of nodes in the lanes, for any number of lanes. */
 static size_t max_nodes(const ovr_mlmi *plan)
 {
     size_t maximum = 0;
@@ -357,7 +362,7 @@ static size_t max_nodes(const ovr_mlmi *plan)
     return maximum;
 }
 
-/* An array of a grid after `coarsenings`. */
+/* Allocates an array of the grid after `coarsenings`. */
 static double *take(const ovr_mlmi *plan, int coarsenings, ovr_arena *arena,
                     ovr_error *err)
 {
@@ -390,7 +395,7 @@ static void take_grids(ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
     }
 }
 
-/* Nodes of the dense sum. */
+/* Number of nodes in the dense sum. */
 static size_t dense_nodes(const ovr_mlmi *plan)
 {
     const ovr_mlmi_grid *last = &plan->grid[plan->depth];
@@ -398,7 +403,7 @@ static size_t dense_nodes(const ovr_mlmi *plan)
            (size_t)(last->left + last->right);
 }
 
-/* kernel[0] is the one at distance zero. */
+/* kernel[0] is the value at distance zero. */
 static void take_dense(ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
 {
     size_t count = dense_nodes(plan);

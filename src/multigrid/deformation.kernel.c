@@ -3,20 +3,20 @@
  * Execution of an MLMI plan (method in deformation.h).
  *
  * P, w and the fields of coarser grids are stored in lanes (lanes.h).  Halos
- * are as wide as the stencils reach; there the first and the last lane hold the
- * ghost nodes outside the grid.
+ * are as wide as the stencils reach; In the first and last lane they contain
+ * the ghost nodes outside the grid.
  *
- * Down: transfer.  Dense sum in natural order.  Up: correct the even outputs,
- * interpolate and correct the odd ones, chunk by chunk, so that what one has
- * loaded the other finds in the cache.  Symmetric stencils add the pair of
- * values first.
+ * Coarsening: transfer P. Coarsest grid: dense sum in the order of the nodes.
+ * Refinement: correct the even outputs, interpolate and correct the odd
+ * outputs, chunk by chunk, so that data stay in the cache. Symmetric stencils
+ * add pairs of values first.
  */
 #include "multigrid/deformation.h"
 #include "multigrid/kernels.h"
 #include "multigrid/vector.h"
 
-/* Vectors made in one go, so that what one loads the next finds in a register;
- * loops overshoot by less than that. */
+/* Vectors computed together, so that loaded values are reused from registers.
+ * Loops may overshoot by less than a block. */
 enum { BLOCK = VEC == 8 ? 8 : 4, CHUNK = 8 * BLOCK };
 
 static inline ptrdiff_t downto(ptrdiff_t count)
@@ -87,7 +87,8 @@ static inline void interpolate_odd(ptrdiff_t h, ptrdiff_t range,
         UNROLL
         for (ptrdiff_t k = 0; k < h; k++)
             add_pair(sum, weight[k], even, 1, J + 1 + k, J - k);
-        /* in this order the next pairs but one are the last, shifted */
+        /* in this order the pairs of two steps later are the previous ones,
+         * shifted */
         UNROLL
         for (ptrdiff_t k = 1; k <= range; k += 2)
             add_pair(sum, near[k], u, 2, 2 * J + 1 + k, 2 * J + 1 - k);
@@ -104,8 +105,8 @@ static inline void interpolate_odd(ptrdiff_t h, ptrdiff_t range,
 /* Output vectors of the dense sum that are kept in registers. */
 enum { TILE = 5 };
 
-/* sum_b += kernel vectors b - t times U of input vector t, one element of each:
- * 2 TILE - 1 vectors of the kernel do for TILE^2 products. */
+/* Adds the products of kernel vectors b - t with U of input vector t, one
+ * element each: 2 TILE - 1 kernel vectors suffice for TILE^2 products. */
 static INLINE void add_tile(const double *kernel, const double *U,
                             vec sum[TILE])
 {
@@ -118,7 +119,7 @@ static INLINE void add_tile(const double *kernel, const double *U,
     }
 }
 
-/* w_i = sum_j kernel(i - j) U_j, `count` nodes; U is zero behind them. */
+/* w_i = sum_j kernel(i - j) U_j for `count` nodes; U is zero beyond them. */
 static void dense_sum(const double *kernel, ptrdiff_t count, const double *U,
                       double *w)
 {
@@ -132,8 +133,8 @@ static void dense_sum(const double *kernel, ptrdiff_t count, const double *U,
     }
 }
 
-/* The coarsest grid: left ghosts, the lanes one after another, right ghosts.
- */
+/* Dense sum on the coarsest grid: left ghosts, the lanes one after another,
+ * right ghosts. */
 static void dense_lanes(const ovr_mlmi *plan, ptrdiff_t S, ptrdiff_t left,
                         ptrdiff_t right, const double *u, double *out)
 {
@@ -149,7 +150,7 @@ static void dense_lanes(const ovr_mlmi *plan, ptrdiff_t S, ptrdiff_t left,
             out[J * VEC + l] = w[left + l * S + J];
 }
 
-/* The even outputs are complete first where the lanes meet. */
+/* Even outputs near the lane boundaries are completed first. */
 static inline void go_up(ptrdiff_t h, ptrdiff_t range, const ovr_mlmi *plan,
                          const ovr_mlmi_grid *fine, const ovr_mlmi_grid *coarse,
                          ptrdiff_t half, const double *u, double *out)
@@ -175,7 +176,7 @@ static inline void go_up(ptrdiff_t h, ptrdiff_t range, const ovr_mlmi *plan,
     }
 }
 
-/* h and range as constants unroll the stencils. */
+/* Constant h and range let the compiler unroll the stencils. */
 static inline void apply(ptrdiff_t h, ptrdiff_t range, const ovr_mlmi *plan,
                          ptrdiff_t S, double *P, double *w)
 {
@@ -198,9 +199,9 @@ static inline void apply(ptrdiff_t h, ptrdiff_t range, const ovr_mlmi *plan,
 void OVR_KERNEL(deformation)(const ovr_mlmi *plan, double *P, double *w)
 {
     ptrdiff_t S = (ptrdiff_t)ovr_mlmi_lane(plan, VEC);
-    /* The forms of coarse grids and of the finest one up to level 12
-     * (simulation/options.c).  Unrolling gains 2 % at most for those of finer
-     * levels, and each takes as long to compile as all the rest. */
+    /* Orders and ranges of coarse grids and of the finest grid up to level 12
+     * (simulation/options.c). Unrolling the others would gain at most 2 % and
+     * take as long to compile as all the rest. */
     if (plan->half_order == 3 && plan->range == 10)
         apply(3, 10, plan, S, P, w);
     else if (plan->half_order == 5 && plan->range == 10)

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Multilevel multi-integration in the steps of deformation.h.  Beyond nodes and
- * ghosts u is zero. */
+/* Multilevel multi-integration in the steps of deformation.h. Beyond nodes and
+ * ghost nodes, u is zero. */
 #include <stdlib.h>
 
 #include "multigrid/deformation.h"
 #include "multigrid/plain.h"
 
-/* Step 1: u of odd nodes to the even ones. */
+/* Step 1: moves u of odd nodes to the even nodes. */
 static void go_down(const ovr_mlmi *plan, const double *u, double *U,
                     ptrdiff_t from, ptrdiff_t to)
 {
@@ -18,7 +18,7 @@ static void go_down(const ovr_mlmi *plan, const double *u, double *U,
     }
 }
 
-/* Step 2: even outputs, at odd distances up to the range. */
+/* Step 2: corrects even outputs at odd distances up to the range. */
 static void correct_even(const ovr_mlmi *plan, const ovr_mlmi_grid *fine,
                          const double *u, double *even, ptrdiff_t from,
                          ptrdiff_t to)
@@ -29,7 +29,7 @@ static void correct_even(const ovr_mlmi *plan, const ovr_mlmi_grid *fine,
                        (u[2 * I + 1 + 2 * k] + u[2 * I - 1 - 2 * k]);
 }
 
-/* Step 3: odd outputs, between even ones. */
+/* Step 3: interpolates and corrects odd outputs. */
 static void go_up(const ovr_mlmi *plan, const ovr_mlmi_grid *fine,
                   const double *u, const double *even, double *out,
                   ptrdiff_t from, ptrdiff_t to)
@@ -45,7 +45,7 @@ static void go_up(const ovr_mlmi *plan, const ovr_mlmi_grid *fine,
     }
 }
 
-/* Step 4. */
+/* Step 4: dense sum. */
 static void dense_sum(const double *kernel, const double *u, double *out,
                       ptrdiff_t from, ptrdiff_t to)
 {
@@ -56,7 +56,7 @@ static void dense_sum(const double *kernel, const double *u, double *out,
     }
 }
 
-/* Grid s, which holds nodes 0..last. */
+/* Computes the outputs of grid s, which has nodes 0..last. */
 static void integrate(const ovr_mlmi *plan, int s, ptrdiff_t last,
                       const double *u, double *out)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Dense algebra of the coarsest grid.
+ * Dense linear algebra for the coarsest grid.
  */
 #include <math.h>
 #include <string.h>
@@ -20,8 +20,9 @@ void OVR_KERNEL(dense_row)(size_t n, const double c[4], const double *k,
     }
 }
 
-/* Rows that are taken off the rows below in one pass, and rows below that it
- * takes together: chains of operations enough to keep the machine busy. */
+/* PANEL: rows subtracted from the rows below in one pass. TOGETHER: number of
+ * rows below that are processed together, to have enough independent
+ * operations. */
 enum { PANEL = 4, TOGETHER = 4 };
 
 /* True if one of x_from .. x_{to-1} is more than ten times x_from. */
@@ -40,8 +41,8 @@ static bool has_larger(const double *x, size_t from, size_t to)
     return any(found);
 }
 
-/* The pivot among x_from .. x_{to-1}: the first unless another is much
- * larger, then the largest. */
+/* Index of the pivot among x_from .. x_{to-1}: the first, unless another one is
+ * much larger. Then the largest. */
 static size_t pivot(const double *x, size_t from, size_t to)
 {
     size_t best = from;
@@ -62,8 +63,8 @@ static void exchange_columns(double *A, size_t stride, size_t m, size_t c,
     }
 }
 
-/* The factors on `count` rows of the panel that begins at row and column c, to
- * be taken off a row; they come one from the other. */
+/* Computes the factors by which the `count` rows of the panel at row and column
+ * c are subtracted from a row; each depends on the previous ones. */
 static INLINE void find_factors(const double *row, const double *top,
                                 size_t stride, const double *inverse,
                                 size_t count, size_t c, double factor[PANEL])
@@ -78,8 +79,9 @@ static INLINE void find_factors(const double *row, const double *top,
     }
 }
 
-/* row_rj -= sum_q factor_rq top_qj for `rows` rows, j from the whole vector
- * with column c + count on to m: what stands left of it is not used again. */
+/* row_rj -= sum_q factor_rq top_qj for `rows` rows, j from the vector that
+ * contains column c + count up to m. Elements to the left are not used again.
+ */
 static INLINE void take_off(double *row, size_t rows, const double *top,
                             size_t stride, const double *inverse, size_t count,
                             size_t c, size_t m)
@@ -105,7 +107,8 @@ static INLINE void take_off(double *row, size_t rows, const double *top,
     }
 }
 
-/* b_i - sum_j A_ij x_j over what is solved so far; the rest of x is zero. */
+/* b_i minus the sum of A_ij x_j over the unknowns solved so far; the rest of x
+ * is zero. */
 static inline double remainder_of(const double *row, size_t from, size_t m,
                                   const double *x)
 {
@@ -115,7 +118,8 @@ static inline double remainder_of(const double *row, size_t from, size_t m,
     return row[m] - sum_of_lanes(dot);
 }
 
-/* Rows in panels, the last one first; the diagonal holds its inverse. */
+/* Back substitution in panels of rows, from the last; the diagonal contains its
+ * inverse. */
 static void back_substitute(const double *A, size_t stride, size_t m, double *x)
 {
     memset(x, 0, (m + VEC) * sizeof *x);
@@ -135,7 +139,8 @@ static void back_substitute(const double *A, size_t stride, size_t m, double *x)
     }
 }
 
-/* Factors of the panel of rows that begins at row c; false: singular. */
+/* Factors the panel of rows that begins at row c. Returns false if it is
+ * singular. */
 static bool factor_panel(double *A, size_t stride, size_t m, size_t c,
                          size_t width, double *inverse)
 {
@@ -155,7 +160,8 @@ static bool factor_panel(double *A, size_t stride, size_t m, size_t c,
     return true;
 }
 
-/* The panel off all rows below it; the counts are constants, for registers. */
+/* Subtracts the panel from all rows below it; constant counts let the compiler
+ * use registers. */
 static void take_off_below(double *A, size_t stride, size_t m, size_t c,
                            const double *inverse)
 {
@@ -167,8 +173,8 @@ static void take_off_below(double *A, size_t stride, size_t m, size_t c,
         take_off(A + i * stride, 1, top, stride, inverse, PANEL, c, m);
 }
 
-/* Whole vectors reach into the space behind b, where the infinite numbers of a
- * solve that failed would spoil all later ones: 0 inf is none. */
+/* Clears the space after b. Whole vectors extend into it, and infinite values
+ * from a failed solve would spoil later ones (0 times infinity is NaN). */
 static void clear_workspace(double *A, size_t stride, size_t m)
 {
     size_t end = (m + VEC) / VEC * VEC;
@@ -178,11 +184,11 @@ static void clear_workspace(double *A, size_t stride, size_t m)
 }
 
 /*
- * x of A x = b by Gaussian elimination.  The pivot of a row is its diagonal or
- * a much larger value, so that it is found, and columns are exchanged, without
- * walking down columns.  A has m rows of `stride` values, at least m + 8: b in
- * column m, then space for whole vectors and, behind b, for the exchanges.  x
- * has space for m + 8 values.  False when A is singular.
+ * Solves A x = b by Gaussian elimination. The pivot of a row is its diagonal,
+ * or a much larger value of the row, so that no search down a column is
+ * necessary; columns are exchanged. A has m rows of `stride` values, at least m
+ * + 8: b in column m, then space for whole vectors and for the exchanges. x has
+ * space for m + 8 values. Returns false if A is singular.
  */
 bool OVR_KERNEL(dense_solve)(size_t m, size_t stride, double *A, double *x)
 {

@@ -10,7 +10,7 @@ void ovr_dense_row_plain(size_t n, const double c[4], const double *k,
         row[j] = c[0] * k[2] + c[1] * k[1] + c[2] * k[0] + c[3] * k[-1];
 }
 
-/* Swaps the row with the largest value in column c, from row c on, into row
+/* Exchanges row c with the row, from c on, that has the largest value in column
  * c. */
 static void pivot(size_t m, size_t stride, double *A, size_t c)
 {

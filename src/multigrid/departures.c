@@ -4,8 +4,8 @@
 
 #include <math.h>
 
-/* The value is nothing beyond the end by which material comes, beyond the other
- * its last. */
+/* Value at node i, also outside the grid: 0 beyond the end where material
+ * enters, the end value beyond the other. */
 static double value(size_t n, const double *v, ptrdiff_t i, double meshes)
 {
     if (i >= 0 && i < (ptrdiff_t)n)
@@ -15,7 +15,7 @@ static double value(size_t n, const double *v, ptrdiff_t i, double meshes)
     return v[i < 0 ? 0 : n - 1];
 }
 
-/* No departure point is further away than this many domains. */
+/* Limits the distance of departure points to this many domain lengths. */
 static double bounded(size_t n, double meshes)
 {
     double maximum = 2 * (double)n;
@@ -77,7 +77,8 @@ double ovr_departure_linear(size_t n, const double *v, size_t i, double meshes)
            s * value(n, v, first + 1, meshes);
 }
 
-/* The sum of 2 makes positive what is rounded towards zero. */
+/* Adding 2 makes the number positive, because conversion to an integer rounds
+ * towards zero. */
 void ovr_film_departures(size_t n, double meshes, const double *u,
                          const double *v, double *at_departures)
 {
@@ -85,7 +86,8 @@ void ovr_film_departures(size_t n, double meshes, const double *u,
     const double beyond = (double)(last + 1);
     for (size_t i = 0; i < n; i++) {
         double at = (double)i - meshes * u[i];
-        at = !(at > -1) ? -1 : at > beyond ? beyond : at; /* NAN: no index */
+        /* NAN becomes a valid index */
+        at = !(at > -1) ? -1 : at > beyond ? beyond : at;
         ptrdiff_t first = (ptrdiff_t)(at + 2) - 2;
         double a = first >= 0 && first <= last ? v[first] : 0;
         double b = first + 1 <= last ? v[first + 1] : 0;

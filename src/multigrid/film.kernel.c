@@ -1,28 +1,28 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Film, lubricant properties and the Reynolds coefficient at all nodes, those
- * of the halo that stencils reach included, by the laws of contact/laws:
+ * Film thickness, lubricant properties and the Reynolds coefficient at all
+ * nodes, including the halo nodes that stencils read (laws: contact/laws):
  *
  *     H = H0 + gap - w
  *     eps = rho H^3/(eta lambda),  q = rho H
  *     d eps/dP (H fixed) = (rho' H - q eta'/eta) H^2/(eta lambda)
- *     d eps/dH (P fixed) = (3 rho - q (d eta/dH)/eta) H^2/(eta lambda), where
- *                          it has a place
- *     log2(1/eta) and d ln(1/eta)/dP, where they have one
+ *     d eps/dH (P fixed) = (3 rho - q (d eta/dH)/eta) H^2/(eta lambda), if
+ *                          allocated
+ *     log2(1/eta) and d ln(1/eta)/dP, if allocated
  *
- * With temperatures (fields.h), which are frozen in a cycle,
+ * With temperatures (fields.h), which are constant in a cycle,
  *     log2(1/eta) <- th log2(1/eta) + shift,  rho <- swell rho
  *
  * Error of eps: that of the logarithm in Roelands' law, below 1e-15 (5 + 1.2
- * stiffness), measured.  Numbers for P up to 1e150; 1/eta below 2^-900 is held
- * there.
+ * stiffness), measured.  Results are finite for P up to 1e150; 1/eta is at
+ * least 2^-900.
  *
  * Roelands' and Barus' laws with Dowson and Higginson's density are compiled
- * each by itself; all others share one loop that chooses by vector.
+ * separately; all others share one loop with a branch per vector.
  *
- * A node is a chain of some 60 dependent operations.  Three short passes over
- * a block keep more nodes in flight than one long one, and what one leaves for
- * the next stays in the nearest cache.
+ * A node needs a chain of about 60 dependent operations. Three short passes
+ * over a block process more nodes in parallel than one long pass, and the
+ * intermediate results stay in the nearest cache.
  */
 #include "multigrid/kernels.h"
 #include "multigrid/power.h"
@@ -32,15 +32,15 @@
 
 enum { BLOCK = 192 };
 
-/* One pass leaves this for the next: what the law begins with, then
- * log2(1/eta); the slopes of ln eta. */
+/* Intermediate results between the passes: first stage of the viscosity law,
+ * then log2(1/eta), and the slopes of ln eta. */
 typedef struct block {
     _Alignas(64) double power[BLOCK];
     double slope[BLOCK], by_film[BLOCK];
 } block;
 
-/* A film's evaluation.  `law`, of viscosity, and `other`, whether the fluid
- * brings its own, are constants for the compiler. */
+/* Arguments of an evaluation. `law` (viscosity) and `other` (the fluid has its
+ * own viscosity relation) are compile-time constants. */
 typedef struct film {
     const ovr_fluid *fluid;
     fluid_laws laws;
@@ -60,7 +60,7 @@ static inline void store_film(const film *c, ptrdiff_t i, vec rho, vec slope)
     store(c->f.dq + i, slope * H);
 }
 
-/* First pass: film, density and the first stage of the viscosity. */
+/* First pass: film thickness, density and first stage of the viscosity. */
 static INLINE void begin(const film *c, ovr_viscosity_law law, ptrdiff_t start,
                          ptrdiff_t end, block *work)
 {
@@ -77,7 +77,7 @@ static INLINE void begin(const film *c, ovr_viscosity_law law, ptrdiff_t start,
     }
 }
 
-/* The same of any law. */
+/* The same for any law. */
 static INLINE void begin_any(const film *c, ovr_viscosity_law law,
                              ptrdiff_t start, ptrdiff_t end, block *work)
 {
@@ -111,7 +111,7 @@ static INLINE void finish(const film *c, ovr_viscosity_law law, bool other,
     }
 }
 
-/* Density by temperature; the new rho H. */
+/* Applies the thermal expansion to the density; returns the new rho H. */
 static INLINE vec swelled(const ovr_fields *f, ptrdiff_t i)
 {
     vec swell = load(f->swell + i), q = load(f->q + i) * swell;
@@ -121,7 +121,7 @@ static INLINE vec swelled(const ovr_fields *f, ptrdiff_t i)
     return q;
 }
 
-/* Last pass: the viscosity. */
+/* Last pass: viscosity and flow coefficients. */
 static INLINE void flow(const film *c, bool other, ptrdiff_t start,
                         ptrdiff_t end, const block *work)
 {
@@ -170,7 +170,8 @@ static INLINE void by_law(const film *c, ovr_viscosity_law law, bool any_law,
     }
 }
 
-/* Laws of viscosity and density whose first stage shares a division. */
+/* True for laws of viscosity and density whose first stages share a division.
+ */
 static bool shares_division(const ovr_lubricant *oil)
 {
     return !viscosity_is_direct(oil->viscosity_law) &&

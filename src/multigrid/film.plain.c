@@ -5,7 +5,7 @@
 #include "contact/laws/fluid.h"
 #include "contact/laws/law.h"
 
-/* log2(1/eta), and the slopes of ln eta by P and by H */
+/* log2(1/eta), and the derivatives of ln eta with respect to P and H */
 static double viscosity(const ovr_fluid *fluid, const fluid_laws *c, double P,
                         double H, double slope[2])
 {

@@ -3,14 +3,15 @@
 
 #include <math.h>
 
-/* A level, and rows on the way: diagonal, right-hand side, coefficient of the
- * next node outwards. */
+/* A level and its rows during elimination: diagonal, right-hand side,
+ * coefficient of the next node away from the film. */
 typedef struct film {
     const ovr_level *level;
-    double *G, *b, *U, *before; /* the last: P of all nodes */
+    double *G, *b, *U, *before; /* before: P of all nodes before the change */
 } film;
 
-/* Nodes from the film's side outwards: to the right, out = 1, or left, -1. */
+/* Nodes in the direction away from the film: out = 1 to the right, -1 to the
+ * left. */
 typedef struct stretch {
     ptrdiff_t first, last, out;
 } stretch;
@@ -25,7 +26,8 @@ static bool is_wet(const film *f, ptrdiff_t i)
     return value(f, f->level->f.P, i) > 0;
 }
 
-/* Dry or wet, by more than a share of its row's size. */
+/* True if the node's pressure should become positive; the residual must exceed
+ * a fraction of the row's size. */
 static bool must_become_pressurized(const film *f, ptrdiff_t i, double share)
 {
     double size = f->level->weights.a[0] * value(f, f->level->f.q, i);
@@ -41,7 +43,8 @@ static double flow_before(const film *f, ptrdiff_t i)
     return value(f, x->eps, i - 1) + value(f, x->eps, i);
 }
 
-/* Returns -dN_i/dP_{i-m} of the wedge at fixed film (reynolds_row.h). */
+/* Returns -dN_i/dP_{i-m} of the wedge at fixed film thickness (reynolds_row.h).
+ */
 static double wedge_by_pressure(const film *f, int m, ptrdiff_t i)
 {
     const ovr_weights *w = &f->level->weights;
@@ -55,7 +58,7 @@ static double wedge_by_pressure(const film *f, int m, ptrdiff_t i)
            w->skew[m] * s_1 * value(f, x->q, i - m);
 }
 
-/* Row i; returns the coefficient of its neighbour inwards. */
+/* Computes row i; returns the coefficient of the neighbour on the film side. */
 static double row_of(const film *f, ptrdiff_t i, ptrdiff_t out)
 {
     const ovr_weights *w = &f->level->weights;
@@ -70,7 +73,8 @@ static double row_of(const film *f, ptrdiff_t i, ptrdiff_t out)
     return out > 0 ? L : after;
 }
 
-/* P before the first node stays, and so does its share. */
+/* P before the first node is constant; its term is moved to the right-hand
+ * side. */
 static void eliminate(const film *f, const stretch *s)
 {
     double inner = row_of(f, s->first, s->out);
@@ -95,7 +99,7 @@ static void put_in(const film *f, const stretch *s, double maximum)
 
 /* ----------------------------------------------------- beyond the contact */
 
-/* The node beside the contact. */
+/* Node from which on the film is rigid, next to the contact. */
 static ptrdiff_t rigid_from(const film *f, ptrdiff_t out)
 {
     enum { STIFF = 1000 }; /* 10 to 1e5 all work */
@@ -111,8 +115,8 @@ static ptrdiff_t rigid_from(const film *f, ptrdiff_t out)
     return i + out;
 }
 
-/* Finds the film end from the contact outward and the cavitated nodes beyond
- * it; returns whether a cavitated node must become pressurized. */
+/* Finds the film end from the contact outward, and the cavitated nodes beyond
+ * it. Returns true if a cavitated node must become pressurized. */
 static bool find_film(const film *f, ptrdiff_t out, stretch *s)
 {
     ptrdiff_t n = (ptrdiff_t)f->level->grid.n, from = rigid_from(f, out);
@@ -159,7 +163,7 @@ static bool move_rigid(const film *f)
 
 /* ------------------------------------------------------ behind other ends */
 
-/* Behind the pressurized node before `first`, as far as it is dry. */
+/* Solves the cavitated nodes after the pressurized node before `first`. */
 static void extend(const film *f, ptrdiff_t first)
 {
     enum { REACH = 32 };
@@ -172,7 +176,8 @@ static void extend(const film *f, ptrdiff_t first)
     put_in(f, &s, maximum);
 }
 
-/* True if a film ends before node i, which is dry and wants to rise. */
+/* True if a film ends before node i, which is cavitated and should become
+ * pressurized. */
 static bool moves_to(const film *f, ptrdiff_t i)
 {
     if (i < 2 || i + 1 >= (ptrdiff_t)f->level->grid.n || is_wet(f, i) ||
@@ -183,7 +188,8 @@ static bool moves_to(const film *f, ptrdiff_t i)
 
 /* ------------------------------------------------------------ both of them */
 
-/* Each node that is dry and not held is looked at; whether any said yes. */
+/* Calls `look` for each unconstrained cavitated node; returns true if any call
+ * did. */
 static bool for_free(const film *f, bool (*look)(const film *, ptrdiff_t))
 {
     const ovr_lanes *g = &f->level->lanes;
@@ -213,7 +219,8 @@ static bool extend_to(const film *f, ptrdiff_t i)
     return moves;
 }
 
-/* True if what cavitated nodes lack is a good part of the whole imbalance R. */
+/* True if the cavitated nodes contribute a considerable part of the total
+ * imbalance R. */
 static bool outweighs(const ovr_hierarchy *grids, const film *f)
 {
     const double share = 0.1;
@@ -225,8 +232,9 @@ static bool outweighs(const ovr_hierarchy *grids, const film *f)
     return lack * l->grid.D > share * H * ovr_level_imbalance(grids, l);
 }
 
-/* Discards the change if it increases R: where the film is thick all over the
- * zone is as long as the domain, and pressures deform it after all. */
+/* Applies the rigid solution and discards it if R increases: if the film is
+ * thick everywhere, the zone is as long as the domain, and deformation is not
+ * negligible. */
 static void try_rigid(const ovr_hierarchy *grids, ovr_level *level,
                       const film *f)
 {

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Flow of a film that shears thin (equations in flow.h): 2 E, 2 T, R at all
- * half nodes that rows reach, from P and the film. */
+/* Flow of a shear-thinning film (equations in flow.h): 2 E, 2 T and R at all
+ * half nodes that rows read, from P and the film. */
 #include "multigrid/flow.h"
 #include "multigrid/eyring.h"
 #include "multigrid/faces.h"
 #include "multigrid/flow_table.h"
 
-/* Sums over both nodes: eps, c, B c; 2 W and 1/(2 W); the share of the node
- * before in c. */
+/* Sums over both nodes: eps, c, B c; 2 W and 1/(2 W); fraction of c from the
+ * node before. */
 typedef struct half {
     face eps;
     vec c, bc, W, inv_W, square;
@@ -39,7 +39,8 @@ static INLINE half sums_at(const ovr_fields *f, face_kind kind, double secant,
 static INLINE half half_at(const ovr_fields *f, face_kind kind, double secant,
                            double slide, vec B, ptrdiff_t J)
 {
-    const double minimum = 1e-290; /* its root is W where all else vanishes */
+    const double minimum = 1e-290; /* its square root is W if all other terms
+                                    * vanish */
     half h = sums_at(f, kind, secant, slide, J);
     h.bc = B * h.c;
     vec square = fused(h.eps.flow, h.eps.flow, fused(h.bc, h.bc, all(minimum)));
@@ -48,8 +49,8 @@ static INLINE half half_at(const ovr_fields *f, face_kind kind, double secant,
     return h;
 }
 
-/* 2 E of a flow law and its derivatives by the pressures, from 2 T and R:
- * R d(2 eps)/dP_i dP = R (2 eps - left). */
+/* Stores 2 E of a rheological model and its derivatives with respect to the
+ * pressures, from 2 T and R: R d(2 eps)/dP_i dP = R (2 eps - left). */
 static INLINE void put_flow(const ovr_fields *f, ptrdiff_t J, const face *eps,
                             vec flow, vec tangent, vec R)
 {
@@ -58,7 +59,7 @@ static INLINE void put_flow(const ovr_fields *f, ptrdiff_t J, const face *eps,
     put(f->out_right, J, fused(R, eps->right - eps->flow, tangent));
 }
 
-/* d(2 eps)/dH of node J, the other being K, whose share is p. */
+/* d(2 eps)/dH of node J with weight p; K is the other node. */
 static INLINE vec eps_by_film(const ovr_fields *f, face_kind kind, ptrdiff_t J,
                               ptrdiff_t K, vec flow, vec p)
 {
@@ -71,7 +72,7 @@ static INLINE vec eps_by_film(const ovr_fields *f, face_kind kind, ptrdiff_t J,
                         at(f->eps, K));
 }
 
-/* The same of psi_c rho H^2. */
+/* The same for psi_c rho H^2. */
 static INLINE vec drag_by_film(const ovr_fields *f, face_kind kind, ptrdiff_t J,
                                ptrdiff_t K, vec p)
 {
@@ -81,7 +82,7 @@ static INLINE vec drag_by_film(const ovr_fields *f, face_kind kind, ptrdiff_t J,
     return face_by_film(2, p, H, 2 * d, d * H, dragged(f, K) * at(f->H, K));
 }
 
-/* 2 dE/dH of both nodes, by eps, c and g. */
+/* 2 dE/dH of both nodes, through eps, c and g. */
 static INLINE void put_by_film(const ovr_fields *f, face_kind kind, ptrdiff_t J,
                                const half *h, vec R, vec by_c, vec by_g)
 {
@@ -95,7 +96,7 @@ static INLINE void put_by_film(const ovr_fields *f, face_kind kind, ptrdiff_t J,
     put(f->by_right, J, fused(R, eps, fused(by_c, drag, by_g)));
 }
 
-/* `film`: whether changes by the film have a place. */
+/* `film`: derivatives with respect to the film thickness are stored. */
 static INLINE void by_table(const ovr_fluid *fluid, double D,
                             const ovr_lanes *g, const ovr_fields *f,
                             face_kind kind, bool film)
@@ -129,7 +130,8 @@ static INLINE void by_eyring(const ovr_fluid *fluid, double D,
                              const ovr_lanes *g, const ovr_fields *f,
                              face_kind kind, bool film)
 {
-    const ovr_fields own = *f; /* a copy that no store can change */
+    const ovr_fields own = *f; /* a copy, so that the compiler can assume no
+                                * store changes it */
     double slide = ovr_flow_slide(fluid), secant = fluid->secants;
     double gradient = ovr_flow_gradient(fluid, D);
     exp_table growth;
@@ -206,7 +208,7 @@ static INLINE void newtonian(const ovr_fluid *fluid, const ovr_lanes *g,
     }
 }
 
-/* Stores faces by the gap, without a flow law. */
+/* Stores half-node values by the gap, without rheological model. */
 void OVR_KERNEL(faces)(const ovr_fluid *fluid, const ovr_lanes *g,
                        const ovr_fields *f)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Flow of a film that shears thin (equations in flow.h). */
+/* Flow of a shear-thinning film (equations in flow.h). */
 #include <math.h>
 
 #include "multigrid/plain.h"
@@ -23,7 +23,7 @@ static double poiseuille(double x)
     return 3 * (cosh(x) - sinh(x) / x) / s;
 }
 
-/* eps, c: of both nodes, summed */
+/* eps and c are sums over both nodes */
 static half eyring(double g, double eps, double c)
 {
     double x = fmin(fabs(g), 200), A = poiseuille(x);
@@ -40,8 +40,9 @@ static double dragged(const ovr_fields *f, ptrdiff_t i)
     return f->drag ? f->drag[i] * f->q[i] : f->q[i];
 }
 
-/* A cell of a table along s_N or g: cubic between its ends, of which value and
- * slope are known.  Weights of these four, and of the derivative. */
+/* A table cell along s_N or g: cubic interpolation between its ends, where
+ * value and slope are known. Weights of these four values; and for the
+ * derivative. */
 typedef struct part {
     int number;
     double b[4], d[4];
@@ -59,15 +60,16 @@ static part part_of(double x)
                    6 * t * (1 - t) / w, t * (3 * t - 2)}};
 }
 
-/* A value of a table, its slopes by s_N and g, and where: beyond its ends s_N
- * and |g| are held; and by how much s_N is beyond. */
+/* A table value, its derivatives with respect to s_N and g, and the arguments
+ * limited to the table; `beyond` is the excess of s_N. */
 typedef struct value {
     double ln, by_s, by_g, s, g, beyond;
 } value;
 
 static value value_at(const double *table, double s_N, double g)
 {
-    /* no film that was given up, crossed or without numbers, leads outside */
+    /* limits the argument to the table, also if it is NaN (films of failed or
+     * crossing iterates) */
     double x = fmin(1 + fmax(s_N, 0), OVR_LAW_MAX_SLIDE);
     double y = fmin(1 + fabs(g), OVR_LAW_MAX_GRADIENT);
     part s = part_of(x), along = part_of(y);
@@ -111,8 +113,8 @@ double ovr_flow_stress(const ovr_flow_law *law, double s_N, double g)
     return s_N * exp(value_at(law->stress, s, g).ln);
 }
 
-/* Two nodes summed: eps or psi_c rho H^2, power 3 or 2 of the film, and its
- * slopes by it. */
+/* Sum over two nodes: eps or psi_c rho H^2, the power of H in it (3 or 2), and
+ * its derivatives with respect to the film thicknesses. */
 typedef struct sum {
     double value, share, by_film[2];
 } sum;
@@ -131,7 +133,8 @@ static sum sum_of(bool gap, double power, const double *H, const double *x,
     return s;
 }
 
-/* The flow of eps between two nodes; its slopes by pressure and film. */
+/* The flow coefficient between two nodes; its derivatives with respect to
+ * pressure and film thickness. */
 typedef struct between {
     double value, left, right, by_film[2];
 } between;
@@ -235,7 +238,7 @@ void ovr_faces_plain(const ovr_fluid *of, const ovr_lanes *g,
 void ovr_apply_flow_factor(const ovr_fluid *fluid, const ovr_lanes *g,
                            const ovr_fields *f)
 {
-    bool lanes = g->V > 1; /* else there are no halos */
+    bool lanes = g->V > 1; /* without lanes there are no halos */
     ptrdiff_t V = (ptrdiff_t)g->V, first = lanes ? -OVR_HALO * V : 0;
     ptrdiff_t end = lanes ? (ptrdiff_t)g->S * V : (ptrdiff_t)g->n - 1;
     for (ptrdiff_t m = first; m < end; m++) {

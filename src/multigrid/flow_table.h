@@ -14,7 +14,7 @@
 #include "multigrid/power.h"
 
 /* A cell along s_N or g: its number; the weights of value and slope at its
- * first and second node; the same for the derivative. */
+ * first and second node. The same for the derivative. */
 typedef struct law_cell {
     uvec number;
     vec b[4], d[4];

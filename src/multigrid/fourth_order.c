@@ -8,8 +8,9 @@
 #include "multigrid/flow.h"
 
 enum {
-    MASKS = 3, /* corrections that set the mask */
-    TRIES = 8  /* of them have to gain a third */
+    MASKS = 3, /* number of corrections that compute the mask */
+    TRIES = 8  /* number of corrections that must reduce the residual by a third
+                */
 };
 
 ovr_status ovr_correction_prepare(ovr_hierarchy *grids, ovr_correction *c,
@@ -20,7 +21,7 @@ ovr_status ovr_correction_prepare(ovr_hierarchy *grids, ovr_correction *c,
                            &c->gap_only);
 }
 
-/* Vectors of a level and of its halo, as one array. */
+/* Number of values of a field with its halo, as one array. */
 static size_t length(const ovr_level *level)
 {
     return (level->lanes.S + 2 * OVR_HALO) * level->lanes.V;
@@ -66,8 +67,8 @@ void ovr_fourth_evaluate(const ovr_hierarchy *grids, const ovr_correction *c,
     evaluate(grids, c, Cu, backward, true);
 }
 
-/* The correction by the solution so far, and with it the right-hand sides,
- * film and residual; the deformation is that of P already. */
+/* Computes the correction from the present solution, and updates right-hand
+ * sides, film and residual; the deformation is already that of P. */
 static void correct(ovr_hierarchy *grids, const ovr_correction *c, bool mask)
 {
     ovr_level *level = &grids->level[grids->finest];
@@ -79,10 +80,10 @@ static void correct(ovr_hierarchy *grids, const ovr_correction *c, bool mask)
     ovr_level_residual(grids, level);
 }
 
-/* One solution, corrected after each cycle. */
+/* A solution with corrections after each cycle. */
 typedef struct correcting {
     const ovr_correction *correction;
-    int done; /* corrections */
+    int done; /* number of corrections */
 } correcting;
 
 static bool correct_after(void *data, ovr_hierarchy *grids, ovr_level *level,

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The corrections of fourth_order.h: logarithms of eps, fluxes at half nodes,
- * their differences, each one pass. */
+/* Fourth-order corrections (fourth_order.h): logarithms of eps, fluxes at half
+ * nodes, and their differences, one pass each. */
 #include "multigrid/fourth_thinning.h"
 #include "multigrid/power.h"
 #include "multigrid/table.h"
 
 enum {
-    WET = 1,  /* nodes with pressure on each side of a corrected one */
+    WET = 1,  /* pressurized nodes required on each side of a corrected node */
     REACH = 3 /* nodes of a stencil on each side */
 };
 
-/* Numbers of the nodes in vector J; beyond the grid's ends they go on. */
+/* Indices of the nodes in vector J, also beyond the ends of the grid. */
 static inline ivec nodes(const ovr_lanes *g, ptrdiff_t J)
 {
     ivec number;
@@ -44,13 +44,13 @@ static void logarithms(const ovr_lanes *g, const double *eps, double *log_eps)
         put(log_eps, J, scaled_log2(&table, at(eps, J)));
 }
 
-/* 2 E of the equation of second order */
+/* 2 E of the second-order equation */
 static inline vec through(const ovr_fields *f, ptrdiff_t J)
 {
     return f->flow ? at(f->flow, J) : at(f->eps, J) + at(f->eps, J + 1);
 }
 
-/* eps at i + 1/2: by logarithms upstream, of nodes, elsewhere */
+/* eps at i + 1/2: interpolated by logarithms upstream, by values elsewhere */
 static inline vec middle(const table16 *table, const double *log_eps,
                          const ovr_fields *f, ivec upstream, ptrdiff_t J)
 {
@@ -70,7 +70,7 @@ static inline vec steepness(const ovr_fields *f, ptrdiff_t J)
            (at(f->P, J + 2) - at(f->P, J - 1));
 }
 
-/* The same where the film shears thin. */
+/* Fluxes of shear-thinning films. */
 static void thinned_fluxes(const ovr_lanes *g, const ovr_fourth *c,
                            const ovr_fields *f)
 {
@@ -95,7 +95,7 @@ static void fluxes(const ovr_lanes *g, const ovr_fourth *c, const ovr_fields *f)
     }
 }
 
-/* H^3, for what divides by it */
+/* H^3 as a divisor */
 static inline vec cube_at(const ovr_fields *f, ptrdiff_t J)
 {
     vec h = face_film(at(f->H, J));
@@ -108,7 +108,7 @@ static inline vec fluidity_at(const ovr_fields *f, ptrdiff_t J)
     return at(f->eps, J) / (at(f->rho, J) * cube_at(f, J));
 }
 
-/* The integral of m dP from node to node. */
+/* Integral of m dP between neighbouring nodes. */
 static void reduced_rises(const ovr_lanes *g, const ovr_fields *f, double *rise)
 {
     const double ln2 = 0x1.62e42fefa39efp-1, most = 0.3;
@@ -126,7 +126,7 @@ static void reduced_rises(const ovr_lanes *g, const ovr_fields *f, double *rise)
     }
 }
 
-/* H^3 and rho H^3 of nodes from J - 1 on, for the half node after J. */
+/* H^3 and rho H^3 of four nodes from J - 1 on, for the half node after J. */
 typedef struct around {
     vec cube[4], rho[4];
 } around;
@@ -137,7 +137,8 @@ static inline void look_at(const ovr_fields *f, ptrdiff_t J, around *a, int k)
     a->rho[k] = a->cube[k] * at(f->rho, J);
 }
 
-/* The flux at i + 1/2 by reduced pressure: rho H^3 there times its slope. */
+/* Flux at i + 1/2 by the reduced pressure: rho H^3 times the slope of the
+ * reduced pressure. */
 static inline vec reduced_flux(const ovr_fourth *c, const ovr_fields *f,
                                const around *n, ptrdiff_t J)
 {
@@ -154,7 +155,7 @@ static inline vec reduced_flux(const ovr_fourth *c, const ovr_fields *f,
     return (1 / c->D) * cubic * (rise + bend);
 }
 
-/* The same by reduced pressures downstream of X = 0. */
+/* Fluxes by reduced pressures, downstream of X = 0. */
 static void reduced_fluxes(const ovr_lanes *g, const ovr_fourth *c,
                            const ovr_fields *f)
 {
@@ -179,7 +180,7 @@ static void reduced_fluxes(const ovr_lanes *g, const ovr_fourth *c,
     }
 }
 
-/* The equation's left-hand side of fourth order less that of second. */
+/* Left-hand side of the equation of fourth order minus that of second order. */
 static inline vec excess(const ovr_fourth *c, const ovr_fields *f, ptrdiff_t J)
 {
     vec P = at(f->P, J), q = at(f->q, J);

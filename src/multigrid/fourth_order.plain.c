@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The corrections of fourth_order.h. */
+/* Fourth-order corrections in plain C (fourth_order.h). */
 #include <math.h>
 
 #include "multigrid/plain.h"
 
 #include "multigrid/flow.h"
 
-/* Far enough from both ends for every stencil. */
+/* True if node i is so far from both ends that every stencil fits. */
 static bool inside(ptrdiff_t i, size_t n)
 {
     return i >= OVR_FOURTH_MARGIN && i < (ptrdiff_t)n - OVR_FOURTH_MARGIN;
@@ -22,7 +22,7 @@ void ovr_fourth_mask_plain(const ovr_lanes *g, double *P, double *mask)
     }
 }
 
-/* 2 E of the equation of second order */
+/* 2 E of the second-order equation */
 static double through(const ovr_fields *f, ptrdiff_t i)
 {
     return f->flow ? f->flow[i] : f->eps[i] + f->eps[i + 1];
@@ -41,14 +41,15 @@ static double middle(const ovr_fields *f, ptrdiff_t i, bool upstream)
     return fmin(fmax(cubic, 0.6 * mean), 1.4 * mean);
 }
 
-/* rho H, as it counts where a film with temperatures slides (fields.h). */
+/* rho H as used in the sliding stress with temperatures across the film
+ * (fields.h). */
 static double sliding_content(const ovr_fields *f, ptrdiff_t i)
 {
     return f->drag ? f->drag[i] * f->q[i] : f->q[i];
 }
 
-/* E at i + 1/2 where the film shears thin, from a pressure that rises by `rise`
- * over a mesh. */
+/* E at i + 1/2 of a shear-thinning film, for a pressure difference `rise` over
+ * D. */
 static double thinned(const ovr_fourth *c, const ovr_fields *f, double rise,
                       ptrdiff_t i)
 {
@@ -64,12 +65,12 @@ static double thinned(const ovr_fourth *c, const ovr_fields *f, double rise,
     double q = (9 * (sliding_content(f, i) + sliding_content(f, i + 1)) -
                 sliding_content(f, i - 1) - sliding_content(f, i + 2)) /
                16;
-    /* alike on both sides, with any mean */
+    /* equal values at both nodes, so that all means agree */
     const ovr_pair nodes = {{0, rise}, {h, h}, {q, q}, {e, e}};
     return ovr_flow_between(c->fluid, c->D, &nodes);
 }
 
-/* The integral of m dP, m = eps/(rho H^3), from a node to the next. */
+/* Integral of m dP, m = eps/(rho H^3), from a node to the next. */
 static double reduced_rise(const ovr_fields *f, ptrdiff_t i)
 {
     double m[2], dP = f->P[i + 1] - f->P[i];
@@ -109,7 +110,7 @@ static double flux(const ovr_fourth *c, const ovr_fields *f, ptrdiff_t i)
     return middle(f, i, upstream) * slope;
 }
 
-/* The equation's left-hand side of fourth order less that of second. */
+/* Left-hand side of the equation of fourth order minus that of second order. */
 static double excess(const ovr_fourth *c, const ovr_fields *f, ptrdiff_t i)
 {
     const double *P = f->P + i, *q = f->q + i;

@@ -24,7 +24,7 @@ static inline vec drag_at(const ovr_sheared *f, size_t i)
                  load(f->q + i + 1) * load(f->H + i + 1));
 }
 
-/* Numbers of a half node: rho H^2 psi_c over eps, both up to a factor. */
+/* Values at a half node: rho H^2 psi_c and eps, both up to a common factor. */
 typedef struct slid {
     vec drag, eps;
 } slid;
@@ -46,12 +46,12 @@ static inline slid slid_at(const ovr_sheared *f, bool gap, size_t i)
     vec H = load(f->H + i), G = load(f->H + i + 1);
     vec h = face_film(H), g = face_film(G);
     vec drag = load(f->q + i) / h + load(f->q + i + 1) / g;
-    /* a film that was not solved may overlap */
+    /* films that were not solved may have H < 0 */
     return (slid){larger(drag, all(0)),
                   larger(face_sliding(H, G) * phi_at(f, h, g, i), all(1e-290))};
 }
 
-/* D P_X and D */
+/* D P_X, or D */
 static inline vec step_at(const double *x, size_t i)
 {
     return load(x + i + 1) - load(x + i);
@@ -114,7 +114,7 @@ static void table_stress(const ovr_sheared *f, const ovr_fluid *fluid,
     }
 }
 
-/* t at the half nodes 0..n-2, 0 where it is dry */
+/* t at half nodes 0..n-2; 0 where cavitated */
 void OVR_KERNEL(mean_stress)(const ovr_sheared *f, const ovr_fluid *fluid,
                              double *t)
 {
@@ -126,8 +126,8 @@ void OVR_KERNEL(mean_stress)(const ovr_sheared *f, const ovr_fluid *fluid,
         newtonian(f, fluid, t);
 }
 
-/* Cuts t off at limit P - |H P_X|/2; the share of the load that is carried
- * where it did. */
+/* Limits |t| to limit P - |H P_X|/2. Returns the fraction of the load carried
+ * where the limit is active. */
 double OVR_KERNEL(limit_stress)(const ovr_sheared *f, double limit, double *t)
 {
     vec load_all = all(0), load_cut = all(0);
@@ -142,7 +142,8 @@ double OVR_KERNEL(limit_stress)(const ovr_sheared *f, double limit, double *t)
         P *= dX;
         load_all += choose(fresh, P, all(0));
         load_cut += choose(fresh & cut, P, all(0));
-        /* what overlaps is cut already, and counts no more */
+        /* elements of the overlap have been limited already and are not counted
+         * again */
         store(t + i, smaller(larger(stress, -maximum), maximum));
     }
     double whole = sum_of_lanes(load_all);

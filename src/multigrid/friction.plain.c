@@ -30,13 +30,13 @@ static double thinning(const ovr_fluid *fluid, double c, double g)
     return copysign(Sigma0 * asinh(B * c), -fluid->sliding);
 }
 
-/* psi_c rho H^2 over eps */
+/* psi_c rho H^2 divided by eps */
 static double slid(const ovr_sheared *f, bool gap, size_t i)
 {
     const double *H = f->H + i, *q = f->q + i, *eps = f->eps + i;
     if (!gap)
         return (q[0] * H[0] + q[1] * H[1]) / fmax(eps[0] + eps[1], 1e-290);
-    double a = face_film(H[0]), b = face_film(H[1]); /* or they overlap */
+    double a = face_film(H[0]), b = face_film(H[1]); /* H may be negative */
     double left = fmax(eps[0] / (a * a * a), 1e-290);
     double right = fmax(eps[1] / (b * b * b), 1e-290);
     double phi = f->P[i] > 0 && f->P[i + 1] > 0 ? 2 * sqrt(left) * sqrt(right)

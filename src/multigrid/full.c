@@ -7,17 +7,17 @@
 #include "multigrid/coarsest.h"
 #include "multigrid/fas.h"
 
-/* One solution by nested iteration. */
+/* State of a solution by nested iteration. */
 typedef struct nested {
     ovr_hierarchy *grids;
     const ovr_target *target;
     const ovr_full *how;
     int *cycles;
-    bool reporting; /* the load is whole */
+    bool reporting; /* the full load is applied; progress is reported */
 } nested;
 
-/* Full weighting, in place; of the gap the weights' own effect on X^2/2, D^2/4
- * with the fine D, is taken out again. */
+/* Full weighting, in place. For the gap, the effect of the weighting on X^2/2
+ * (D^2/4 with the fine D) is subtracted. */
 static void coarsen(const ovr_level *fine, size_t field, double *g)
 {
     size_t last = (fine->grid.n - 1) / 2;
@@ -28,8 +28,8 @@ static void coarsen(const ovr_level *fine, size_t field, double *g)
     g[last] = g[2 * last];
 }
 
-/* Carries a field from the finest level to all others, so that none aliases
- * roughness. */
+/* Restricts a field from the finest level to all others, so that no level
+ * aliases roughness. */
 static void carry_down(ovr_hierarchy *grids, size_t field)
 {
     double *g = grids->scratch[0];
@@ -52,9 +52,9 @@ void ovr_full_prepare(ovr_hierarchy *grids, double force)
     }
 }
 
-/* With the load Cw relative to the reference load, Cu of the nominal speed and
- * c of the nominal curvature M is proportional to Cw sqrt(c/Cu), L with (Cu
- * c)^(1/4), and the unit of film b^2/R with Cw. */
+/* For load Cw, speed Cu and curvature c relative to their reference values, M
+ * is proportional to Cw sqrt(c/Cu), L to (Cu c)^(1/4), and the film thickness
+ * unit b^2/R to Cw. */
 double ovr_target_film(const ovr_target *target, double fraction)
 {
     double Cw = target->Cw, Cu = target->Cu;
@@ -62,7 +62,7 @@ double ovr_target_film(const ovr_target *target, double fraction)
     return Cw * ovr_film_central_moes(M, target->L * pow(Cu * target->c, 0.25));
 }
 
-/* ph is proportional to the square root of the load. */
+/* p_h is proportional to the square root of the load. */
 static ovr_fluid target_fluid(const ovr_target *target, double fraction)
 {
     double ratio = 1 / fraction, root = sqrt(ratio);
@@ -86,7 +86,8 @@ static ovr_fluid newtonian(ovr_fluid fluid)
     return fluid;
 }
 
-/* The fluid on the way up. */
+/* Fluid during nested iteration: Newtonian if the rheological model is applied
+ * last. */
 static ovr_fluid fluid_at(const nested *a, double fraction)
 {
     ovr_fluid fluid = target_fluid(a->target, fraction);
@@ -94,9 +95,10 @@ static ovr_fluid fluid_at(const nested *a, double fraction)
 }
 
 /*
- * Hertz's semi-ellipse, but no narrower than the film's own width sqrt(H/c)
- * where the film outgrows the deformation; H0 from the film formula above the
- * rigid approach of the dry contact, Cw (-0.5966 + ln(a)/2) at half-width a.
+ * Initial guess: Hertz's semi-ellipse, but at least as wide as the film,
+ * sqrt(H/c), if the film is thicker than the deformation. H0 is the film
+ * thickness by formula plus the rigid-body approach of the dry contact, Cw
+ * (-0.5966 + ln(a)/2) for half-width a.
  */
 static void hertzian_start(const nested *a, ovr_level *level, double fraction)
 {
@@ -125,7 +127,8 @@ static bool is_done(const nested *a, const ovr_level *level, ovr_defect d)
     return ovr_below(d, a->how->tolerance(a->how->data, level, d.centre));
 }
 
-/* Newton's method; where there is no finer grid, to what that is to reach. */
+/* Newton's method on the coarsest grid; to the final tolerance if there is no
+ * finer grid. */
 static ovr_defect solve_coarsest(const nested *a, ovr_level *level)
 {
     enum { STEPS = 100 };
@@ -143,14 +146,14 @@ static ovr_defect solve_coarsest(const nested *a, ovr_level *level)
     return d;
 }
 
-/* Largest residuals of the last cycles, as many as are on trial, and of those
- * before. */
+/* Largest residuals of the last `trial` cycles, and of the same number before.
+ */
 typedef struct progress {
     double before, now;
 } progress;
 
-/* Judges after each cycle; in a limit cycle R is often small, its largest is
- * not. */
+/* Called after each cycle. The maximum is used because in a limit cycle R is
+ * often small, but its maximum is not. */
 static bool gains(progress *p, const ovr_full_status *c, int trial)
 {
     p->now = fmax(p->now, c->defect.imbalance);
@@ -161,7 +164,7 @@ static bool gains(progress *p, const ovr_full_status *c, int trial)
     return enough;
 }
 
-/* Cycles on a level until below its tolerance. */
+/* Performs cycles on a level until the tolerance is reached. */
 static ovr_full_status cycle_until_done(const nested *a, ovr_level *level)
 {
     enum { ON_THE_WAY = 20 };
@@ -194,7 +197,7 @@ ovr_defect ovr_full_cycles(ovr_hierarchy *grids, ovr_level *level,
     return cycle_until_done(&a, level).defect;
 }
 
-/* Refines a solved level to the given one. */
+/* Refines a solved level up to level `top`. */
 static ovr_defect refine_to(const nested *a, ovr_level *level, int top)
 {
     ovr_full_status c = {.defect = ovr_cycle_defect(a->grids, level)};
@@ -211,8 +214,8 @@ static ovr_defect refine_to(const nested *a, ovr_level *level, int top)
 
 /*
  * Continuation in load on one level, from a solution at the fraction `from` to
- * the whole.  The pressure hardly changes, being nearly Hertzian; the
- * film gets thinner as a whole, so H0 follows the film formula.
+ * the full load. The pressure, nearly Hertzian, hardly changes. The film
+ * thickness decreases uniformly, so H0 follows the film thickness formula.
  */
 static ovr_defect raise_load(const nested *a, ovr_level *level, double from)
 {
@@ -239,9 +242,9 @@ static ovr_defect raise_load(const nested *a, ovr_level *level, double from)
 }
 
 /*
- * Continues on one level from the Newtonian solution to that of the rheological
- * model: at once, or stress by stress, in steps by which ln tau0 halves where
- * they fail.
+ * Continuation on one level from the Newtonian solution to that of the
+ * rheological model: in one step, or in several steps of tau0. A step that
+ * fails is halved in ln tau0.
  */
 static ovr_defect thin_out(const nested *a, ovr_level *level, ovr_fluid fluid,
                            bool newton)
@@ -269,8 +272,8 @@ static ovr_defect thin_out(const nested *a, ovr_level *level, ovr_fluid fluid,
     return d;
 }
 
-/* Solves the coarsest grid at the largest fraction of the load that it can:
- * its film must be thicker than D^1.5 or so (measured), and Newton converge. */
+/* Solves the coarsest grid at the largest fraction of the load for which the
+ * film is thicker than about D^1.5 (measured) and Newton's method converges. */
 static double solve_easy_load(const nested *a, ovr_level *level)
 {
     const double minimum = 1e-3;
@@ -290,7 +293,7 @@ static double solve_easy_load(const nested *a, ovr_level *level)
     }
 }
 
-/* The level on which the load is raised. */
+/* The level on which the load is increased. */
 static int load_level(const nested *a)
 {
     const ovr_hierarchy *grids = a->grids;

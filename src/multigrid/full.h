@@ -43,8 +43,8 @@ typedef struct ovr_full_status {
 typedef struct ovr_full {
     ovr_cycling cycling;
     double load_factor; /* largest step of the continuation in load */
-    double mesh;        /* level for the continuation: its D/H^(2/3), relative
-                         * to the inlet */
+    double mesh;        /* continuation on the first level with a smaller
+                         * D/H^(2/3) */
     bool fixed;         /* exactly max_cycles on every level */
     bool thin_last;     /* Newtonian on coarser levels; on the finest level the
                          * Eyring stress decreases in steps to that of the

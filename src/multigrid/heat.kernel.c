@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A step of temperatures across the film (equations in cross_film.h), node by
- * node: nodes 1 to n - 1, in vectors that begin at node 1, the last one over
- * part of the one before; the end by itself.  The matrix of a node is symmetric
- * and heavy on its diagonal: elimination without a search for pivots.
+ * A time step of temperatures across the film (equations in cross_film.h).
+ * Nodes 1 to n - 1 are processed in vectors that begin at node 1, of which the
+ * last overlaps the one before; the end is computed separately. The matrix of a
+ * node is symmetric with a dominant diagonal: elimination without pivoting.
  */
 #include "multigrid/cross_film.h"
 #include "multigrid/kernels.h"
@@ -11,7 +11,7 @@
 
 #include "multigrid/expansion.h" /* over vectors */
 
-/* Rows of the matrix from the diagonal on, and the right side. */
+/* Rows of the matrix from the diagonal on, and the right-hand side. */
 typedef struct rows {
     vec A[OVR_CROSS_FILM_MAX][OVR_CROSS_FILM_MAX], b[OVR_CROSS_FILM_MAX];
 } rows;
@@ -84,7 +84,9 @@ static INLINE void eliminate(int n, rows *m)
 
 static INLINE void columns(const ovr_columns *given, int n)
 {
-    const ovr_columns own = *given, *c = &own; /* that no store can change */
+    const ovr_columns own = *given, *c = &own; /* a copy, so that the compiler
+                                                * can assume no store changes it
+                                                */
     const ovr_cross_film cross_film = *c->cross_film;
     const ovr_heat heat = *c->heat;
     for (size_t at = 1; at < c->n - 1; at += VEC) {

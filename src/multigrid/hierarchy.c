@@ -49,7 +49,7 @@ double ovr_grid_distance(const ovr_grid *grid, const double *a, size_t stride,
     return grid->D * sum;
 }
 
-/* Nodes of the lanes and beyond, for any machine's kernels. */
+/* Number of nodes in lanes and halos, for any machine's kernels. */
 static size_t capacity_of(const ovr_level *level)
 {
     return level->grid.n + OVR_MAX_LANES;
@@ -213,9 +213,9 @@ void ovr_hierarchy_operator(ovr_hierarchy *grids, const ovr_operator *op)
         ovr_level_operator(op, &grids->level[l]);
 }
 
-/* Memory for a pressure that the solids feel beside the film's on the finest
- * level: what bears a part of the load.  It is frozen while a cycle lasts, so
- * that coarser levels need not know of it. */
+/* Allocates memory for an additional pressure on the solids at the finest level
+ * (asperity pressure). It is constant during a cycle, so that coarser levels do
+ * not need it. */
 static ovr_status hierarchy_bear(ovr_hierarchy *grids, ovr_arena *arena,
                                  ovr_error *err)
 {

@@ -37,7 +37,7 @@ typedef struct ovr_grid {
     size_t first; /* parent's node at the position of node 0 */
 } ovr_grid;
 
-/* Part of a parent: `meshes` grid intervals starting at node `first`. */
+/* Part of a parent: a number of grid intervals from node `first` on. */
 typedef struct ovr_window {
     size_t first, meshes;
 } ovr_window;
@@ -76,7 +76,7 @@ typedef struct ovr_level {
     ovr_shares shares; /* distribution of changes in the line relaxation */
     ovr_weights weights;
     ovr_mlmi mlmi;
-    /* mass-conserving cavitation (content.h): the right-hand sides are not
+    /* mass-conserving cavitation (content.h). The right-hand sides are not
      * those of a coarser grid; the inlet is closed; weights of row 1 with an
      * open inlet */
     bool leads, closed;

@@ -4,9 +4,9 @@
 #include "base/larger.h"
 #include "multigrid/reynolds_row.h"
 
-/* Row i with film and properties as they are, P as it is now: the residual,
- * dN_i/dP_i, dN_i/dP_{i-1}; whether the node is held, which this sweep changes
- * as it goes. */
+/* Row i for fixed film and properties and the present P: residual, dN_i/dP_i,
+ * dN_i/dP_{i-1}; whether the node stays cavitated, which can change during the
+ * sweep. */
 typedef struct row {
     double r, own, before;
     bool held;
@@ -38,8 +38,9 @@ static void seidel(const ovr_smoothing *how, const ovr_fields *f, size_t i,
         f->P[i] = next > 0 ? next : 0;
 }
 
-/* One line solve of rows first..last for fixed film, cavitated nodes that do
- * not want to rise held: Thomas algorithm, then projection. */
+/* Line solve of rows first..last for fixed film thickness by the Thomas
+ * algorithm, then projection to P >= 0. Cavitated nodes stay constrained unless
+ * their pressure should become positive. */
 static void exit_line(const ovr_hierarchy *grids, const ovr_level *level,
                       const ovr_fields *f, size_t first, size_t last)
 {
@@ -65,8 +66,8 @@ static void exit_line(const ovr_hierarchy *grids, const ovr_level *level,
     }
 }
 
-/* The rows near the end of the film that a line with fixed film may solve,
- * see hybrid.h. */
+/* Finds the rows near the film end in which a line solve with fixed film is
+ * stable, see hybrid.h. */
 static bool exit_window(const ovr_level *level, const ovr_fields *f,
                         size_t *first, size_t *last)
 {

@@ -48,7 +48,7 @@ bool ovr_influence_corrected(const ovr_influence *influence)
     return influence->compliance == 0;
 }
 
-/* A of the waves that are not summed is that of the shortest which is. */
+/* Aliases beyond the last summed one are assigned the A of the last one. */
 static double local_of(const ovr_influence_part *part, double D, bool linear)
 {
     enum { WAVES = 40 };

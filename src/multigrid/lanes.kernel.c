@@ -4,14 +4,14 @@
 #include "multigrid/kernels.h"
 #include "multigrid/vector.h"
 
-/* The tile at J begins here: the last one overlaps the one before.  Lanes
- * shorter than a vector have one tile, of which a part is used. */
+/* Start of the tile at J; the last tile overlaps the one before. Lanes shorter
+ * than a vector have one tile, of which a part is used. */
 static inline size_t tile_start(size_t J, size_t S)
 {
     return J + VEC <= S || S < VEC ? J : S - VEC;
 }
 
-/* Nodes 0..V S-1. */
+/* Copies nodes 0..V S-1 to lanes. */
 static void pack_tiles(size_t S, const double *from, double *to)
 {
     size_t used = S < VEC ? S : VEC;
@@ -26,7 +26,8 @@ static void pack_tiles(size_t S, const double *from, double *to)
     }
 }
 
-/* Lanes in order: what one writes beyond its end the next one mends. */
+/* Copies lanes in order: values written beyond the end of a lane are
+ * overwritten by the next lane. */
 static void unpack_tiles(size_t S, const double *from, double *to)
 {
     for (size_t J = 0; J < S; J += VEC) {
@@ -40,7 +41,8 @@ static void unpack_tiles(size_t S, const double *from, double *to)
     }
 }
 
-/* Tiles reach one node beyond the lanes at most, the last one. */
+/* True if tiles can be used: the last one extends at most one node beyond the
+ * lanes. */
 static bool has_tiles(const ovr_lanes *g)
 {
     return g->S + 1 >= VEC && g->S * VEC + 1 == g->n;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One level of a hierarchy that stands: its film, residual and load, and its
- * fields in the order of the nodes. */
+/* One level of a hierarchy: film, residual, load, and its fields in the order
+ * of the nodes. */
 #include <math.h>
 #include <string.h>
 
@@ -32,11 +32,12 @@ void ovr_level_set_asperity_pressure(const ovr_hierarchy *grids,
                                      const double *ordered)
 {
     ovr_level_write(grids, level, ordered, level->borne);
-    if (!grids->touch.at) /* there `pressed` is the whole pressure */
+    if (!grids->touch.at) /* with asperity contact, `pressed` contains the total
+                           * pressure */
         ovr_level_deform(grids, level, level->borne, level->pressed);
 }
 
-/* w += what the other pressure presses in, halos included. */
+/* Adds the deformation by the additional pressure to w, halos included. */
 static void press(const ovr_hierarchy *grids, const ovr_level *level)
 {
     size_t halo = OVR_HALO * level->lanes.V;
@@ -98,7 +99,7 @@ void ovr_level_clear(const ovr_level *level, double *values)
     memset(values, 0, level->lanes.S * level->lanes.V * sizeof *values);
 }
 
-/* A domain may be so long on one side that X = 0 is next to its end. */
+/* The index is limited because X = 0 can be next to an end of the domain. */
 double ovr_level_centre(const ovr_level *level, const double *values)
 {
     double at = -level->grid.X_a / level->grid.D, s, v[4];

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Distributive line relaxation: assembly and use of the pentadiagonal
- * system (equations in line.h; solution in band.kernel.c).
+ * Distributive line relaxation: assembly of the pentadiagonal system and
+ * application of its solution (equations in line.h; solver in band.kernel.c).
  */
 #include "multigrid/kernels.h"
 #include "multigrid/vector.h"
 
 #include "multigrid/reynolds_row.h"
 
-/* The rows of a grid are made of these: copies, that no store can change. */
+/* Data of the rows of a grid; copies, so that the compiler can assume no store
+ * changes them. */
 typedef struct line {
     ovr_fields f;
     double k[6];
@@ -16,13 +17,14 @@ typedef struct line {
     ovr_band band;
 } line;
 
-/* Vectors of columns lie in two stretches: the first ones have columns that
- * reach node 1. */
+/* Columns are processed in two parts: the first vectors, whose columns include
+ * node 1, and the others. */
 typedef enum stretch { LEFT_END, INSIDE } stretch;
 enum { EDGE = 5 };
 
-/* Node 1 is a monopole, and when steady so is a cavitated node that wants to
- * rise (a dry one that does not has delta = 0 anyway, as the ends have). */
+/* The change of node 1 is not distributed; in steady solutions neither is that
+ * of a cavitated node about to become pressurized. (Constrained nodes have
+ * delta = 0, as the ends have.) */
 static inline void column_shares(const ovr_shares *shares, bool transient,
                                  stretch where, const unsigned char *wet,
                                  ptrdiff_t J, vec *minus, vec *plus)
@@ -62,9 +64,8 @@ static inline void distributed(const line *l, bool transient, stretch where,
     }
 }
 
-/* Column d = -3, which the band has no space for, by delta_{i-3} = 2
- * delta_{i-2}
- * - delta_{i-1} (line.h). */
+/* Includes column d = -3, which is outside the band, by delta_{i-3} = 2
+ * delta_{i-2} - delta_{i-1} (line.h). */
 static inline void fold(const line *l, const row_weights *c, stretch where,
                         ptrdiff_t J, vec b[5])
 {
@@ -76,7 +77,7 @@ static inline void fold(const line *l, const row_weights *c, stretch where,
     b[1] += cut;
 }
 
-/* The same where the shares are -1, 0: additions are cheaper. */
+/* The same for shares -1, 0: additions are sufficient. */
 static inline void dipoles(const unsigned char *wet, ptrdiff_t J,
                            const vec A[7], vec b[5])
 {
@@ -84,7 +85,8 @@ static inline void dipoles(const unsigned char *wet, ptrdiff_t J,
         b[d] = A[d + 1] - choose(in_set(wet, J + d - 2), A[d], all(0));
 }
 
-/* Dry rows hold P_i: exactly in time, delta_i = 0 when steady. */
+/* Rows of cavitated nodes keep P_i constant: exactly in transient steps,
+ * delta_i = 0 in steady solutions. */
 static inline void hold_dry(const line *l, bool transient, stretch where,
                             ptrdiff_t J, ivec dry, vec b[5])
 {
@@ -99,8 +101,8 @@ static inline void hold_dry(const line *l, bool transient, stretch where,
         b[d] = choose(dry, held[d], b[d]);
 }
 
-/* Assembles vector J.  `kind` is a compile-time constant, unlike
- * weights->kind. */
+/* Assembles vector J. `kind` is a compile-time constant, unlike weights->kind.
+ */
 static INLINE void assemble_vector(const line *l, const row_weights *weights,
                                    row_kind kind, bool transient, stretch where,
                                    ptrdiff_t J)
@@ -123,8 +125,8 @@ static INLINE void assemble_vector(const line *l, const row_weights *weights,
     put(band->delta, J, choose(held, all(0), at(l->f.r, J)));
 }
 
-/* Column n - 2 has no share at node n - 1, which stays zero: rows n - 4 to n -
- * 2 as they are without it, where a film fills the outlet (line.h). */
+/* Column n - 2 is not distributed to node n - 1, whose P is zero: removes that
+ * share from rows n - 4 to n - 2 if the film extends to the outlet (line.h). */
 static void end_column(const line *l, const ovr_lanes *g, const row_weights *c)
 {
     if (!ovr_lanes_has(g, l->f.wet, g->n - 2))
@@ -154,7 +156,8 @@ static INLINE void assemble(const line *l, const ovr_lanes *g,
         end_column(l, g, &rest);
 }
 
-/* Assembles rows of a film with temperatures, compiled once for all kinds. */
+/* Assembles the rows with temperatures across the film; compiled once for all
+ * kinds. */
 static __attribute__((noinline)) void
 assemble_skewed(const line *l, const ovr_lanes *g, const ovr_weights *w,
                 bool transient, row_kind kind)
@@ -191,8 +194,8 @@ void OVR_KERNEL(band_assemble)(const ovr_lanes *g, const ovr_weights *w,
         ovr_band_hold(band, ovr_lanes_place(g, i));
 }
 
-/* P_J <- max(0, P_J + change), |change| <= limit; in time a node held dry stays
- * dry whatever the rounding of its row. */
+/* P_J <- max(0, P_J + change), |change| <= limit. In transient steps a
+ * constrained cavitated node keeps P = 0 exactly. */
 static inline void move(const ovr_fields *f, bool transient, ptrdiff_t J,
                         vec change, double limit)
 {
@@ -201,7 +204,8 @@ static inline void move(const ovr_fields *f, bool transient, ptrdiff_t J,
     put(f->P, J, transient ? choose(in_set(f->held, J), all(0), P) : P);
 }
 
-/* The change of a node: its own delta and what the neighbours' do here. */
+/* Applies the change of a node: its own delta plus the shares of its
+ * neighbours. */
 static INLINE void distribute_lanes(ptrdiff_t S, double limit,
                                     const ovr_shares *shares, bool transient,
                                     const double *delta, const ovr_fields *f)

@@ -19,8 +19,8 @@ static void derivatives(const ovr_weights *w, const double *k,
     row_by_pressure(f, &c, i, A + 1);
 }
 
-/* The share of delta_j that a neighbour gets: node 1 and, when steady, a
- * cavitated node give nothing away, and at the ends delta = 0. */
+/* Share of delta_j given to a neighbour: none from node 1 and, in steady
+ * solutions, none from cavitated nodes; at the ends delta = 0. */
 static double given(double share, const ovr_shares *shares, const ovr_fields *f,
                     ptrdiff_t j, ptrdiff_t last)
 {
@@ -28,7 +28,7 @@ static double given(double share, const ovr_shares *shares, const ovr_fields *f,
     return gives ? share : 0;
 }
 
-/* Column d = -3 of row i, which the band has no space for, by delta_{i-3} =
+/* Includes column d = -3 of row i, which is outside the band, by delta_{i-3} =
  * 2 delta_{i-2} - delta_{i-1} (line.h). */
 static void fold(const ovr_weights *w, const ovr_fields *f, ptrdiff_t i,
                  double plus, const ovr_band *band)
@@ -39,7 +39,8 @@ static void fold(const ovr_weights *w, const ovr_fields *f, ptrdiff_t i,
     band->b[1][i] += cut;
 }
 
-/* Row i keeps P_i constant: exactly in time, delta_i = 0 when steady. */
+/* Row i keeps P_i constant: exactly in transient steps, delta_i = 0 in steady
+ * solutions. */
 static void hold(const ovr_band *band, ptrdiff_t i, double before, double after)
 {
     const double row[5] = {0, before, 1, after, 0};

@@ -11,7 +11,7 @@ enum {
     WINDOWS = 8,
     HALF = 8, /* unknowns to each side of the centre */
     UNKNOWNS = 2 * HALF + 1,
-    MARGIN = 3, /* nodes on each side that rows reach */
+    MARGIN = 3, /* additional nodes on each side that rows read */
     NODES = UNKNOWNS + 2 * MARGIN,
     REACH = 40, /* range of the influence of other windows, in mesh sizes */
     ASIDE = 3,  /* neighbours that define the usual value */
@@ -19,7 +19,7 @@ enum {
     HEATED = 4 /* arrays of a film with temperatures */
 };
 
-/* Centres of windows, those that stand out most first. */
+/* Centres of the windows, largest pressure error first. */
 typedef struct windows {
     ptrdiff_t at[WINDOWS];
     double size[WINDOWS];
@@ -30,20 +30,23 @@ typedef struct windows {
 typedef struct window {
     const ovr_hierarchy *grids;
     const ovr_kernels *plain; /* in one lane */
-    ovr_fluid fluid;          /* with secants: the pressures are far off */
-    const double *k; /* the elastic influence at -REACH..REACH meshes */
+    ovr_fluid fluid;          /* with secants, because the pressures are far
+                               * from the solution */
+    const double
+        *k; /* elastic influence at distances of -REACH..REACH mesh sizes */
     double D;
     row_weights weights;
     ovr_fields f;
     double values[OVR_FIELD_COUNT][NODES], heat[HEATED][NODES];
-    double gap[NODES];       /* the film without this window's changes */
+    double gap[NODES];       /* film thickness without this window's changes */
     double change[UNKNOWNS]; /* of P */
     double matrix[UNKNOWNS * STRIDE], solution[UNKNOWNS];
 } window;
 
 /* ------------------------------------------------------------ which nodes */
 
-/* The largest ones, more than HALF nodes apart; i grows from call to call. */
+/* Inserts node i if it is among the largest, more than HALF nodes from the
+ * others; i increases from call to call. */
 static void take_in(windows *s, ptrdiff_t i, double size)
 {
     size_t k = 0;
@@ -63,8 +66,8 @@ static void take_in(windows *s, ptrdiff_t i, double size)
     s->size[k] = size;
 }
 
-/* d_i of reynolds.h, of a film that is there: `flow` holds 2 E of half nodes,
- * or eps of nodes. */
+/* d_i of reynolds.h for a present film: `flow` contains 2 E of half nodes, or
+ * eps of nodes. */
 static double outflow(const ovr_level *level, const double *flow, ptrdiff_t i)
 {
     double sum = level->f.flow ? flow[i - 1] + flow[i]
@@ -100,7 +103,8 @@ static void read_nodes(const ovr_level *level, const double *from,
             from[ovr_lanes_place(&level->lanes, (size_t)(first - MARGIN + i))];
 }
 
-/* True if oil that is conserved fills all of it, with nothing limited. */
+/* True if the window is in the full film and no limiter is active
+ * (mass-conserving cavitation). */
 static bool is_full(const ovr_level *level, ptrdiff_t first)
 {
     const ovr_fields *f = &level->f;
@@ -133,7 +137,8 @@ static void enter(window *w, const ovr_level *level, ptrdiff_t first)
         }
 }
 
-/* The film with the changes of a window that begins `away` nodes on. */
+/* Changes the film thickness by the pressure changes of a window that begins
+ * `away` nodes further. */
 static void follow(const window *w, const double change[UNKNOWNS],
                    ptrdiff_t away, double *film)
 {
@@ -145,7 +150,7 @@ static void follow(const window *w, const double change[UNKNOWNS],
         }
 }
 
-/* Film, properties and flow for the pressures that it has now. */
+/* Computes film, properties and flow from the present pressures. */
 static void properties(window *w)
 {
     const ovr_lanes one = {NODES, NODES, 1};
@@ -192,7 +197,7 @@ static void assemble(window *w, ptrdiff_t i)
     row[UNKNOWNS] = r;
 }
 
-/* The largest change that Newton's method wants, before it is limited. */
+/* Performs a Newton step; returns its largest change before limiting. */
 static double newton_step(window *w)
 {
     const double limit = 0.2;
@@ -239,7 +244,8 @@ static bool solve(window *w)
 
 /* -------------------------------------------------------------- the level */
 
-/* True of the fields that a window takes memory for, as the level has none. */
+/* True for fields that the window allocates because the level does not have
+ * them. */
 static bool has(const ovr_fields *f, size_t k)
 {
     switch (ovr_field_rows[k].memory) {

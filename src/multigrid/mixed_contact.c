@@ -4,8 +4,9 @@
 #include <math.h>
 #include <string.h>
 
-/* Counts places in lanes, the node in the halo included.  What lies beyond the
- * ends of the grid is zero in `pressed`, which never holds a deformation. */
+/* Number of elements in lanes, including the halo node. Elements beyond the
+ * ends of the grid are zero in `pressed`, which never contains a deformation
+ * here. */
 static size_t places(const ovr_level *level)
 {
     return level->lanes.S * level->lanes.V + level->lanes.V;
@@ -30,7 +31,7 @@ void ovr_asperity_deform(const ovr_hierarchy *grids, const ovr_level *level)
     ovr_level_deform(grids, level, whole, level->f.w);
 }
 
-/* Nodes that lanes repeat of each other get their values again. */
+/* Copies values to nodes that are stored in several lanes. */
 static void repeat(const ovr_hierarchy *grids, const ovr_level *level,
                    double *values)
 {
@@ -125,7 +126,7 @@ void ovr_asperity_pressurized_row(const ovr_hierarchy *grids,
     }
 }
 
-/* The cavitated nodes about one. */
+/* Marks the cavitated nodes within `reach` of node i. */
 static void open_about(const ovr_asperity *touch, size_t n, size_t i,
                        size_t reach)
 {
@@ -213,7 +214,8 @@ static double allowed(const ovr_asperity *touch, size_t i, double was, double H)
     return fmin(fmax(H, bottom), thick * was);
 }
 
-/* Node by node, what films are above those of their pressures. */
+/* Computes the lift of each node: excess of the film thickness over that of the
+ * pressures. */
 static void lift(ovr_hierarchy *grids, const ovr_level *level,
                  const double *was)
 {
@@ -231,7 +233,8 @@ static void lift(ovr_hierarchy *grids, const ovr_level *level,
     ovr_level_write(grids, level, gap, touch->gap);
 }
 
-/* The pressures after a part of the step, where they were `whole`. */
+/* Sets the pressures after a part of the step, from their previous values
+ * `whole`. */
 static void put(ovr_hierarchy *grids, const ovr_level *level, double part)
 {
     const ovr_asperity *touch = &grids->touch;

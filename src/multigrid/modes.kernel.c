@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Modes of a surface's memory (equations in modes.h), in vectors of modes, node
- * by node; near the ends each mode by itself. */
+/* Modes of a surface's thermal memory (equations in modes.h), in vectors of
+ * modes, node by node; near the ends mode by mode. */
 #include "multigrid/modes.h"
 #include "multigrid/kernels.h"
 #include "multigrid/vector.h"
@@ -26,7 +26,7 @@ void OVR_KERNEL(sum_modes)(size_t n, const double *weight, const double *psi,
     }
 }
 
-/* Modes of node i where they came from. */
+/* Modes of node i at its departure point. */
 static INLINE void carried(const ovr_modes_step *w, const ovr_departures *f,
                            const double *psi, size_t i, vec *v)
 {
@@ -49,7 +49,7 @@ static INLINE void carried(const ovr_modes_step *w, const ovr_departures *f,
     }
 }
 
-/* A step later, of what was carried along and spread. */
+/* Advances convected and diffused modes by a time step. */
 static INLINE void later(const ovr_modes_step *w, size_t i, const vec *v,
                          double *to)
 {
@@ -63,7 +63,8 @@ static INLINE void later(const ovr_modes_step *w, size_t i, const vec *v,
     }
 }
 
-/* A node of a sweep: x <- c v + b0 x - b1 before, `before` what x was. */
+/* One node of a sweep: x <- c v + b0 x - b1 before; `before` is the previous x.
+ */
 static INLINE void sweep(const ovr_sweeps *s, const vec *v, vec *x, vec *before)
 {
     UNROLL
@@ -75,7 +76,8 @@ static INLINE void sweep(const ovr_sweeps *s, const vec *v, vec *x, vec *before)
     }
 }
 
-/* The value that comes from beyond an end, where it is v. */
+/* Initial value of a sweep from outside the domain, where the end value is v.
+ */
 static INLINE void beyond(const double gain[2][OVR_MODES], const vec *v, vec *x,
                           vec *before)
 {
@@ -85,7 +87,7 @@ static INLINE void beyond(const double gain[2][OVR_MODES], const vec *v, vec *x,
     }
 }
 
-/* The sweep along x: y_i; what z begins with. */
+/* The sweep along x: y_i; and the initial values of z. */
 static INLINE void forth(const ovr_modes_step *w, const double *psi, double *to,
                          vec *z, vec *after)
 {
@@ -137,7 +139,7 @@ void OVR_KERNEL(step_modes)(const ovr_modes_step *given, const double *psi,
     }
 }
 
-/* A node of the sweeps of fields: x <- c v + b0 x - b1 before. */
+/* One node of a sweep of several fields: x <- c v + b0 x - b1 before. */
 static INLINE void sweep_node(const ovr_swept *s, double *at, vec *x,
                               vec *before)
 {

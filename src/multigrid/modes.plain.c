@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Modes of a surface's memory (equations in modes.h). */
+/* Modes of a surface's thermal memory (equations in modes.h). */
 #include <complex.h>
 #include <math.h>
 
@@ -7,20 +7,20 @@
 
 #include "multigrid/modes.h"
 
-/* c_l and d_l of w_1 (modes.h): least largest error, with sum c = 1 and sum c d
- * = 1/5, that of the first power of x. */
+/* c_l and d_l of w_1 (modes.h): minimal maximum error, with sum c = 1 and sum c
+ * d = 1/5 (exact to first order in x). */
 static const double OWN_WEIGHT[OVR_OWN_POLES][2] = {
     {0.020963912965770385, 8.146366438064549e-05},
     {0.13101958871322827, 0.0064770002090667935},
     {0.8480164983210014, 0.23484174111307513}};
 
-/* rho to a. */
+/* Computes a from rho. */
 static double complex pole(double complex rho)
 {
     return 2 * rho / (1 + 2 * rho + csqrt(1 + 4 * rho));
 }
 
-/* z_n and z_n+1 from y_n-1, y_n-2 and v_n-1, v falling by f from node to
+/* Computes z_n and z_n+1 from y_n-1, y_n-2 and v_n-1, where v falls by f per
  * node. */
 static void end_of(const ovr_sweeps *s, double complex a, double f,
                    const double y[2], double v, double z[2])
@@ -54,7 +54,7 @@ static ovr_sweeps sweeps_of(double r, double g, double h, double complex *a)
     return s;
 }
 
-/* Factors by which a mode continues beyond the ends. */
+/* Computes the factors by which a mode continues beyond the ends. */
 static void go_on(ovr_spread *s, double complex a, int m)
 {
     const double none[2] = {0, 0};
@@ -99,8 +99,8 @@ void ovr_modes_integrals(double dT, const double *rate, double *fade, double *a,
     }
 }
 
-/* Adds gain times the integral of q e^(-mu x) over what lies before each node
- * in the order of `way`. */
+/* Adds gain times the integral of q e^(-mu x) over the nodes before each node,
+ * in direction `way`. */
 static void integrate(size_t n, double D, const double *mu, const double *gain,
                       int way, const double *q, double *psi)
 {
@@ -134,7 +134,7 @@ void ovr_modes_steady(size_t n, double D, double kappa, double u,
     integrate(n, D, up, gain, u < 0 ? 1 : -1, q, psi);
 }
 
-/* The value so many nodes beyond an end, from which on it decays. */
+/* Value at a distance of `nodes` beyond an end, where the field decays. */
 static double far(const ovr_departures *f, const ovr_spread *s,
                   const double *psi, int m, int side, double nodes)
 {
@@ -142,7 +142,7 @@ static double far(const ovr_departures *f, const ovr_spread *s,
     return end * exp(s->logarithm[side][m] * nodes);
 }
 
-/* The value at node i, which may be beyond an end. */
+/* Value at node i, also beyond an end. */
 static double value(const ovr_departures *f, const ovr_spread *s,
                     const double *psi, int m, ptrdiff_t i)
 {
@@ -152,7 +152,7 @@ static double value(const ovr_departures *f, const ovr_spread *s,
         return psi[i * OVR_MODES + m];
     if (s->on)
         return far(f, s, psi, m, after, (double)(after ? i - last : -i));
-    return after == (f->meshes >= 0) /* as ovr_departures_at has it */
+    return after == (f->meshes >= 0) /* consistent with ovr_departures_at */
                ? psi[(after ? last * OVR_MODES : 0) + m]
                : 0;
 }
@@ -172,7 +172,8 @@ double ovr_mode_at(const ovr_departures *departures, const ovr_spread *s,
     return sum;
 }
 
-/* sum w_m Psi_m at nodes that came from beyond the ends. */
+/* Computes sum w_m Psi_m at nodes whose departure point is outside the domain.
+ */
 static void put_ends(const ovr_modes_look *l, double *sum)
 {
     const ovr_departures *f = l->departures;
@@ -185,7 +186,7 @@ static void put_ends(const ovr_modes_look *l, double *sum)
     }
 }
 
-/* Coefficients of a field, with nothing beyond the ends. */
+/* Coefficients of a field that is zero beyond the ends. */
 static void put_sweeps(const ovr_sweeps *s, int field, ovr_swept *set)
 {
     set->c[field] = s->c;
@@ -204,8 +205,8 @@ static ovr_sweeps of_pole(double a)
 
 enum { PAST, OWN_BEFORE, BEFORE, OWN }; /* OWN: as many as poles */
 
-/* The spreading of a sum is the sum of what is spread, except for what comes
- * from beyond the ends. */
+/* Diffusion is linear: the sum of fields is diffused once, except for the
+ * contributions from outside the domain. */
 static void put_set(const ovr_modes_look *l, ovr_swept *set)
 {
     const ovr_spread *s = l->spread;
@@ -314,7 +315,7 @@ void ovr_sweep_fields_plain(size_t n, const ovr_swept *set, double *v)
     }
 }
 
-/* Mode m, carried along, spreads. */
+/* Diffuses mode m after convection. */
 static void spread_mode(const ovr_modes_step *w, int m, double *mode)
 {
     const ovr_spread *s = w->spread;

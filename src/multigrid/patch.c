@@ -53,7 +53,7 @@ void ovr_patch_fill(const ovr_hierarchy *grids, ovr_patch *patch,
     ovr_level *level = patch->level;
     ovr_level_fill(grids, level, parent->level);
     ovr_level_operator(&grids->op, level);
-    if (patch->opens) /* an upstream node more than the whole grid has */
+    if (patch->opens) /* one more node is needed for the upstream stencil */
         memcpy(level->weights.first, level->weights.a,
                sizeof level->weights.first);
 }
@@ -146,7 +146,8 @@ void ovr_patch_settle(const ovr_hierarchy *grids, ovr_patch *patch)
         hold(level, i);
 }
 
-/* The first unknown shares with nobody, as node 1 of a whole grid. */
+/* The change of the first unknown is not distributed, as at node 1 of a whole
+ * grid. */
 void ovr_patch_relax(ovr_hierarchy *grids, ovr_patch *patch, double limit)
 {
     const ovr_kernels *run = grids->kernels;

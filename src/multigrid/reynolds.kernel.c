@@ -6,7 +6,7 @@
 
 #include "multigrid/reynolds_row.h"
 
-/* The phase of vector J by its residual.  The ends are not marked. */
+/* Sets the phase of vector J from its residual. The ends are in no set. */
 static inline void put_phase(const ovr_fields *f, vec hold, ptrdiff_t J, vec r)
 {
     put_set(f->wet, J, at(f->P, J) > 0);
@@ -43,9 +43,11 @@ static INLINE void put_rows(const ovr_lanes *g, const ovr_weights *w,
 void OVR_KERNEL(residual)(const ovr_lanes *g, const ovr_weights *w,
                           const ovr_fields *f)
 {
-    const ovr_fields own = *f; /* a copy that no store can change */
+    const ovr_fields own = *f; /* a copy, so that the compiler can assume no
+                                * store changes it */
     ptrdiff_t S = (ptrdiff_t)g->S;
-    if (own.skew && own.flow) /* whatever made it */
+    if (own.skew && own.flow) /* in both cases, whether the flow is stored
+                               * because of a rheological model or not */
         put_rows(g, w, ROW_STORED | ROW_SKEWED, &own);
     else if (own.skew)
         put_rows(g, w, ROW_SUMS | ROW_SKEWED, &own);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * These are looked for along the nodes after every step.  Arrays in the order
- * of the nodes, n >= VEC: the last vector overlaps the one before.
+ * Searches and sums over the nodes after each time step. Arrays in the order of
+ * the nodes, n >= VEC: the last vector overlaps the one before.
  */
 #include "multigrid/kernels.h"
 #include "multigrid/vector.h"
@@ -14,7 +14,7 @@ static inline double min_lane(vec x)
     return minimum;
 }
 
-/* Index of the first smallest of sign x. */
+/* Index of the first minimum of sign times x. */
 size_t OVR_KERNEL(extreme)(size_t n, double sign, const double *x)
 {
     vec best = sign * load(x);
@@ -27,7 +27,7 @@ size_t OVR_KERNEL(extreme)(size_t n, double sign, const double *x)
     return i;
 }
 
-/* True if all are positive; what is not a number is not. */
+/* True if all elements are positive; false if any is NaN. */
 bool OVR_KERNEL(positive)(size_t n, const double *x)
 {
     ivec failed = {0};
@@ -48,8 +48,8 @@ double OVR_KERNEL(difference)(size_t n, const double *a, const double *b)
     return -min_lane(-maximum);
 }
 
-/* Counts those of x_1..x_{n-2} that are above the one before and not below the
- * next; *last is the index of the last of them. */
+/* Counts elements of x_1..x_{n-2} that are larger than the one before and not
+ * smaller than the next; *last is the index of the last one. */
 int OVR_KERNEL(peaks)(size_t n, const double *x, size_t *last)
 {
     int count = 0;
@@ -69,7 +69,7 @@ int OVR_KERNEL(peaks)(size_t n, const double *x, size_t *last)
 
 /* Mean over the half nodes i + 1/2, i = 1..n-3, between pressurized nodes of
  *     Cu (u_0 q_i + u_1 q_{i-1}) - (eps_i + eps_{i+1})/2 (P_{i+1} - P_i)/D
- * with 2 E of the half nodes, `flow`, where there is a flow law. */
+ * with 2 E of the half nodes, `flow_at`, if there is a rheological model. */
 double OVR_KERNEL(mean_flow)(size_t n, const double u[2], const double *X,
                              const double *P, const double *q,
                              const double *eps, const double *flow_at)
@@ -90,7 +90,8 @@ double OVR_KERNEL(mean_flow)(size_t n, const double u[2], const double *X,
     return nodes > 0 ? sum_of_lanes(sum) / nodes : 0;
 }
 
-/* Integral of the flow's size over the half nodes between n >= VEC + 1 nodes,
+/* Integral of the absolute mass flow over the half nodes between n >= VEC + 1
+ * nodes,
  *     |Cu (q_i + q_{i+1})/2 (X_{i+1} - X_i) - E (P_{i+1} - P_i)|,
  * 2 E as in mean_flow. */
 double OVR_KERNEL(flow_size)(size_t n, double Cu, const double *X,
@@ -111,7 +112,8 @@ double OVR_KERNEL(flow_size)(size_t n, double Cu, const double *X,
     return sum_of_lanes(sum) / 2;
 }
 
-/* Integral of |q - sum_k e_k past_k| over pressurized nodes where q < most. */
+/* Integral of |q - sum_k e_k past_k| over pressurized nodes where q < maximum.
+ */
 double OVR_KERNEL(deviation)(size_t n, const double e[3], double maximum,
                              const double *weights, const double *P,
                              const double *q, double *const past[3])
@@ -129,7 +131,7 @@ double OVR_KERNEL(deviation)(size_t n, const double e[3], double maximum,
     return sum_of_lanes(sum);
 }
 
-/* Sum of weights (a - b), any n; without b of a alone. */
+/* Sum of weights (a - b), or of weights a if b is NULL; any n. */
 double OVR_KERNEL(gain)(size_t n, const double *weights, const double *a,
                         const double *b)
 {
@@ -144,8 +146,8 @@ double OVR_KERNEL(gain)(size_t n, const double *weights, const double *a,
     return sum;
 }
 
-/* Sums from which the film's mean and roughness follow, in one pass, any n: of
- * the weights w, of w H, w q/H, w (q - q_0) and w (q - q_0)^2. */
+/* Sums for the mean and the roughness of the film, in one pass, any n: of the
+ * weights w, w H, w q/H, w (q - q_0) and w (q - q_0)^2. */
 void OVR_KERNEL(film_sums)(size_t n, const double *weights, const double *q,
                            const double *H, double sums[5])
 {

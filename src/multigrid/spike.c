@@ -21,7 +21,7 @@ typedef struct spike {
     double P, X;
 } spike;
 
-/* Reads the spike of the last part. */
+/* Finds the spike in the last part. */
 static spike find(const ovr_patch *part)
 {
     const double *P = part->P, *X = part->level->grid.X;
@@ -115,7 +115,7 @@ static bool go_on(const ovr_composite *c, const ovr_spike_search *how,
     return !(how->change > 0) || *small < 2;
 }
 
-/* Cycles to the tolerance. */
+/* Performs cycles until the tolerance is reached. */
 static void finish(ovr_composite *c, const ovr_spike_search *how,
                    ovr_spike_found *found, int *cycles)
 {

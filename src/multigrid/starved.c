@@ -17,8 +17,8 @@ double ovr_content_leaving(const ovr_level *level)
     return level->f.q[place(level, level->grid.n - 2)];
 }
 
-/* Helps cycles that stall: twice the sweeps, then also a finer coarsest
- * grid. */
+/* Parameters for cycles that stall: twice the sweeps, then also a finer
+ * coarsest grid. */
 static void try_harder(const ovr_hierarchy *grids, const ovr_level *level,
                        ovr_cycling *c)
 {
@@ -57,13 +57,13 @@ ovr_defect ovr_content_cycles(ovr_hierarchy *grids, const ovr_full *how,
     return d;
 }
 
-/* The flow that the film at X = 0 carries. */
+/* Mass flow rate at X = 0. */
 static double central_flow(const ovr_level *level)
 {
     return ovr_level_centre(level, level->f.q);
 }
 
-/* Contents of cavitated nodes, of a flow that passes everywhere. */
+/* Sets the contents of cavitated nodes to those of a constant flow rate. */
 static void fill_dry(const ovr_level *level, double q)
 {
     for (size_t i = 1; i < level->grid.n; i++)
@@ -71,7 +71,8 @@ static void fill_dry(const ovr_level *level, double q)
             level->f.q[place(level, i)] = q;
 }
 
-/* Begins with the pressure of the Reynolds equation. */
+/* Starts mass-conserving cavitation from the pressure of the Reynolds equation.
+ */
 static void conserve(ovr_hierarchy *grids, ovr_level *level)
 {
     double q = central_flow(level);
@@ -108,8 +109,8 @@ static ovr_defect newton(ovr_hierarchy *grids, ovr_level *level, double limit,
     return d;
 }
 
-/* The level that the supply is reduced on, with its flooded solution, from
- * every second node of the next finer one. */
+/* Returns the level on which the supply is reduced, with its flooded solution,
+ * computed from every second node of the next finer level. */
 static ovr_level *start_level(ovr_hierarchy *grids, double force, double limit)
 {
     enum { STEPS = 60 };
@@ -137,8 +138,8 @@ static void close_inlet(const ovr_hierarchy *grids, ovr_level *level, double q)
     ovr_content_close(level, source, q);
 }
 
-/* The film falls as a whole; before the contact, where it is thicker than twice
- * the supply, there is none. */
+/* Scales the film with the supply. Upstream, where the gap is wider than twice
+ * the supply, the film is cavitated. */
 static void take_supply(ovr_hierarchy *grids, ovr_level *level, double q,
                         double before)
 {
@@ -155,8 +156,8 @@ static void take_supply(ovr_hierarchy *grids, ovr_level *level, double q,
     close_inlet(grids, level, q);
 }
 
-/* One step of the supply by Newton's method; false and all as before when it
- * does not converge. */
+/* One step of the supply by Newton's method. If it does not converge, restores
+ * the state and returns false. */
 static bool step(ovr_hierarchy *grids, ovr_level *level, double limit,
                  double before, double q)
 {
@@ -181,8 +182,8 @@ static bool step(ovr_hierarchy *grids, ovr_level *level, double limit,
     return false;
 }
 
-/* Changes the supply *q to the target by factors of at most this size, smaller
- * after a failure. */
+/* Changes the supply *q to the target by factors up to `factor`, smaller after
+ * a failure. */
 static bool travel(ovr_hierarchy *grids, ovr_level *level, double limit,
                    double *q, double target, double factor)
 {
@@ -209,7 +210,7 @@ static void reduce(ovr_hierarchy *grids, ovr_level *level, double limit,
         travel(grids, level, limit, &q, target, 0.95);
 }
 
-/* Each level's own share of the supply. */
+/* Supply of each level. */
 typedef struct shares {
     double q, ratio, c;
 } shares;
@@ -220,8 +221,8 @@ static double supply_of(const shares *s, const ovr_level *level, int finest)
     return s->q * (1 - error);
 }
 
-/* Solves by nested iteration from the start level, where the flooded solution
- * is found again. */
+/* Nested iteration from the start level, where the flooded solution is computed
+ * again. */
 static ovr_defect nested(ovr_hierarchy *grids, const ovr_full *how, double q,
                          double flow, int *cycles)
 {
@@ -264,7 +265,7 @@ static bool is_solved(const ovr_full *how, const ovr_level *level, ovr_defect d)
     return ovr_below(d, how->tolerance(how->data, level, d.centre));
 }
 
-/* A little more supply on the finest level. */
+/* Increases the supply slightly on the finest level. */
 static void raise_supply(ovr_hierarchy *grids, ovr_level *level, double before,
                          double q)
 {
@@ -273,8 +274,8 @@ static void raise_supply(ovr_hierarchy *grids, ovr_level *level, double before,
     close_inlet(grids, level, q);
 }
 
-/* Back to a solution: nodes are pressurized by their pressure, and what is not
- * passes everywhere. */
+/* Restores a solution: nodes with P > 0 are pressurized; in cavitated nodes the
+ * flow rate is constant. */
 static void put_back(ovr_hierarchy *grids, ovr_level *level, const double *P,
                      double H0, double q)
 {
@@ -312,7 +313,7 @@ static ovr_defect approach(ovr_hierarchy *grids, const ovr_full *how,
         put_back(grids, level, how->saved, H0, q);
         part *= 0.5;
     }
-    if (q < target) /* not that of this supply */
+    if (q < target) /* the solution is not that of this supply */
         d.imbalance = INFINITY;
     return d;
 }

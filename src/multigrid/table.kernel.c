@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* This instruction set's table of kernels. */
+/* Kernel table of one instruction set. */
 #include "multigrid/table.h"
 #include "multigrid/vector.h"
 

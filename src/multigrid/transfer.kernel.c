@@ -3,9 +3,8 @@
  * Transfers between a grid and the next coarser one (equations in fas.h), and
  * sums of arrays.
  *
- * Coarsening stays within the lanes where the coarse grid's are half as long.
- * Where they are not (the smallest grids on the widest vectors) the transfer
- * goes node by node.
+ * Coarsening stays within a lane if the coarse grid's lanes are half as long.
+ * Otherwise (smallest grids, widest vectors) the transfer works node by node.
  */
 #include "multigrid/kernels.h"
 #include "multigrid/vector.h"
@@ -22,7 +21,7 @@ double OVR_KERNEL(sum)(const ovr_lanes *g, const double *x)
     return sum_of_lanes((part[0] + part[1]) + (part[2] + part[3]));
 }
 
-/* result = a x + b y, which may be the place of either; any n */
+/* result = a x + b y for any n; result may be x or y */
 void OVR_KERNEL(combine)(size_t n, double a, const double *x, double b,
                          const double *y, double *result)
 {
@@ -33,7 +32,7 @@ void OVR_KERNEL(combine)(size_t n, double a, const double *x, double b,
         result[i] = a * x[i] + b * y[i];
 }
 
-/* gap = H - H0 + w, where the gap's place holds H. */
+/* gap = H - H0 + w; on entry gap contains H. */
 void OVR_KERNEL(coarse_gap)(const ovr_lanes *g, double H0, const double *w,
                             double *gap)
 {
@@ -41,7 +40,7 @@ void OVR_KERNEL(coarse_gap)(const ovr_lanes *g, double H0, const double *w,
         put(gap, J, at(gap, J) - H0 + at(w, J));
 }
 
-/* Full weighting of P where all three are wet, else injection. */
+/* Full weighting of P if all three nodes are pressurized, else injection. */
 static inline vec weighted_pressure(const vec P[3], const ivec wet[3])
 {
     return choose(wet[0] & wet[1] & wet[2],
@@ -83,7 +82,7 @@ static void restrict_lanes(ptrdiff_t S, const ovr_fields *f, double *Pc,
         put(Hc, J, lanes_up(at(Hc, J), at(Hc, S + J)));
 }
 
-/* Nodes in every lane. */
+/* Restricts node by node. */
 static void restrict_nodes(const ovr_lanes *coarse, const ovr_lanes *fine,
                            const ovr_fields *f, double *Pc, double *entry,
                            double *Hc, double *rc)
@@ -107,8 +106,8 @@ static void restrict_nodes(const ovr_lanes *coarse, const ovr_lanes *fine,
     repeat_ends(Hc, (ptrdiff_t)coarse->S, OVR_HALO);
 }
 
-/* P_c, H where the coarse nodes are, and the residual of pressurized nodes;
- * zero at both ends. */
+/* Computes P_c, H at coarse nodes, and the restricted residual of pressurized
+ * nodes; zero at both ends. */
 void OVR_KERNEL(restrict_fields)(const ovr_lanes *coarse, const ovr_lanes *fine,
                                  const ovr_fields *f, double *Pc, double *entry,
                                  double *Hc, double *rc)
@@ -120,7 +119,7 @@ void OVR_KERNEL(restrict_fields)(const ovr_lanes *coarse, const ovr_lanes *fine,
     Pc[0] = entry[0] = rc[0] = 0;
 }
 
-/* F = N + residual, for r = -N; then r is the residual. */
+/* F = N + residual, where r contains -N; afterwards r is the residual. */
 void OVR_KERNEL(coarse_side)(const ovr_lanes *g, const double *residual,
                              double *F, double *r)
 {
@@ -169,7 +168,7 @@ static void correct_nodes(const ovr_lanes *coarse, const ovr_lanes *fine,
     }
 }
 
-/* The pressurized nodes of the fine fields. */
+/* Corrects P at pressurized nodes. */
 void OVR_KERNEL(correct)(const ovr_lanes *coarse, const ovr_lanes *fine,
                          double factor, const double *Pc, const double *entry,
                          const ovr_fields *f)
@@ -180,9 +179,9 @@ void OVR_KERNEL(correct)(const ovr_lanes *coarse, const ovr_lanes *fine,
         correct_nodes(coarse, fine, factor, Pc, entry, f);
 }
 
-/* Extrapolation in time: the weighted sum where the first, which is the
- * newest, is wet, clipped at zero.  In the order of the nodes, n >= VEC: the
- * last vector overlaps. */
+/* Extrapolation in time: weighted sum at nodes that are pressurized in the
+ * newest state (the first), at least zero. In the order of the nodes, n >= VEC:
+ * the last vector overlaps. */
 void OVR_KERNEL(extrapolate)(size_t n, size_t count, const double weight[],
                              const double *const from[], double *P)
 {
@@ -200,7 +199,7 @@ static inline vec within(vec x, vec low, vec high)
     return smaller(larger(x, low), high);
 }
 
-/* The cubic through four nodes, within their range. */
+/* Cubic interpolation between four nodes, limited to their range. */
 static inline vec shifted(const double c[4], const double *x)
 {
     vec v = load(x), sum = c[0] * v, low = v, high = v;
@@ -214,11 +213,11 @@ static inline vec shifted(const double c[4], const double *x)
 }
 
 /*
- * Carries on what moved by a part of a mesh: from[0] + S from[1] - S from[2],
- * where the first is wet, clipped at zero; (S x)_i the cubic c through
- * x_i..x_{i+3}.  It stays in [low - r, high + r], low and high of the first
- * two, r = 0.1 (high - low) + 0.02, so that no pairs of spikes are thrown.  In
- * the order of the nodes, n >= VEC.
+ * Extrapolation along moving surfaces that moved by a fraction of D: from[0] +
+ * S from[1] - S from[2] where from[0] > 0, at least zero; (S x)_i is the cubic
+ * c through x_i..x_{i+3}. The result is limited to [low - r, high + r], where
+ * low and high are those of the first two, r = 0.1 (high - low) + 0.02, to
+ * avoid oscillating pairs of spikes. In the order of the nodes, n >= VEC.
  */
 void OVR_KERNEL(carry)(size_t n, const double c[4], const double *const from[3],
                        double *P)

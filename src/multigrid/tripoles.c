@@ -16,7 +16,7 @@ static void banded_take(ovr_banded *A, size_t n, ovr_arena *arena,
     A->pivot = ovr_arena_take(arena, n, sizeof *A->pivot, err);
 }
 
-/* A_ij to write. */
+/* Address of A_ij. */
 static double *at(const ovr_banded *A, size_t i, size_t j)
 {
     return A->row + i * OVR_BAND_WIDTH + j + OVR_BAND - i;
@@ -36,7 +36,7 @@ static size_t largest_in(const ovr_banded *A, size_t n, size_t c)
     return best;
 }
 
-/* Exchanges rows from column c on. */
+/* Exchanges two rows, from column c on. */
 static void exchange(const ovr_banded *A, size_t c, size_t other, size_t count)
 {
     double *a = at(A, c, c), *b = at(A, other, c);
@@ -47,8 +47,8 @@ static void exchange(const ovr_banded *A, size_t c, size_t other, size_t count)
     }
 }
 
-/* The factors of n rows, in place, the inverse of the diagonal in its place;
- * false: it is singular. */
+/* Factors n rows in place; the diagonal is replaced by its inverse. Returns
+ * false if the matrix is singular. */
 static bool banded_factor(ovr_banded *A, size_t n)
 {
     for (size_t c = 0; c < n; c++) {
@@ -84,7 +84,8 @@ static void forward(const ovr_banded *A, size_t n, double *x)
     }
 }
 
-/* sum_j row_j x_j of the neighbours j = 2.. 2 BAND, in three chains. */
+/* sum_j row_j x_j of the neighbours j = 2.. 2 BAND, in three independent sums.
+ */
 static double beyond_the_next(const double *row, const double *x)
 {
     double a = 0, b = 0, c = 0;
@@ -97,8 +98,8 @@ static double beyond_the_next(const double *row, const double *x)
 }
 _Static_assert((2 * OVR_BAND - 1) % 3 == 0, "neighbours in three chains");
 
-/* The neighbour that was found last is taken off last: what waits for it is
- * two operations long, and the sums of several rows run beside each other. */
+/* The neighbour computed last is subtracted last: the dependent chain is then
+ * two operations long, and sums of several rows overlap. */
 static void backward(const ovr_banded *A, size_t n, double *x)
 {
     for (size_t i = n; i-- > 0;) {
@@ -115,7 +116,7 @@ static void backward(const ovr_banded *A, size_t n, double *x)
     }
 }
 
-/* A x = b, in place. */
+/* Solves A x = b in place. */
 static void banded_solve(const ovr_banded *A, size_t n, double *x)
 {
     forward(A, n, x);
@@ -145,7 +146,8 @@ ovr_status ovr_deflation_take(ovr_deflation *d, size_t n, ovr_arena *arena,
     return ovr_arena_status(arena);
 }
 
-/* Influences of a hat on nodes r + s (far - x) away from its middle, r < s. */
+/* Deformation by a hat function at nodes r + s (far - x) from its middle, r <
+ * s. */
 static void fill_hats(ovr_deflation *d, size_t n, const double *kernel)
 {
     const ptrdiff_t s = (ptrdiff_t)d->stride, most = (ptrdiff_t)n;
@@ -164,15 +166,15 @@ static void fill_hats(ovr_deflation *d, size_t n, const double *kernel)
         }
 }
 
-/* Influences of all hats on node j. */
+/* Deformation at node j by all hat functions. */
 static const double *hats_on(const ovr_deflation *d, size_t n, size_t j)
 {
     const size_t s = d->stride, far = (n - 1) / s;
     return d->hat + (j % s) * (far + d->count + 2) + far + 1 - j / s;
 }
 
-/* Weights of the hats before and after node i; their numbers are i/s - 1 and
- * i/s. */
+/* Weight of the hat function after node i; those before and after it have the
+ * numbers i/s - 1 and i/s. */
 static double weight_after(const ovr_deflation *d, size_t i)
 {
     return (double)(i % d->stride) / (double)d->stride;
@@ -248,7 +250,7 @@ bool ovr_deflation_factor(ovr_deflation *d, const ovr_kernels *run,
     double *force = d->matrix + d->count * m;
     if (!d->count)
         return false;
-    if (d->of != kernel[0]) { /* the influence does not change in a run */
+    if (d->of != kernel[0]) { /* the kernel does not change during a run */
         fill_hats(d, n, kernel);
         d->of = kernel[0];
     }
@@ -316,7 +318,7 @@ void ovr_deflation_add(const ovr_deflation *d, size_t n, double *step)
     step[n] += d->value[d->count];
 }
 
-/* A vector of the system: the rows 1..n-2, then the force. */
+/* Size of a vector of the system: rows 1..n-2 and the force. */
 static size_t size_of(size_t n)
 {
     return n - 1;
@@ -351,7 +353,7 @@ static void proportion(ovr_newton_row *row, double k0)
         row->r /= maximum;
 }
 
-/* The influence of a tripole, d mesh sizes away. */
+/* Deformation by a tripole at a distance of d mesh sizes. */
 static double pressed(const double *kernel, ptrdiff_t d)
 {
     return kernel[d] - 0.5 * (kernel[d - 1] + kernel[d + 1]);
@@ -375,8 +377,8 @@ static void fill_row(const ovr_tripoles *t, size_t n, size_t i,
     }
 }
 
-/* Factors the band of local terms, with the influence of pressures unless
- * `kernel` is NULL. */
+/* Factors the band of local terms; includes the elastic terms unless `kernel`
+ * is NULL. */
 static bool factor(ovr_tripoles *t, size_t n, const double *kernel)
 {
     enum { REACH = OVR_BAND + 2 };
@@ -388,7 +390,8 @@ static bool factor(ovr_tripoles *t, size_t n, const double *kernel)
     return banded_factor(&t->band, n - 2);
 }
 
-/* Sum of dP of tripoles, without the factor D; their sum vanishes inside. */
+/* Sum of dP of tripoles without the factor D; interior tripoles have zero sum.
+ */
 static double sum_of(const double *q, size_t n)
 {
     return 0.5 * (q[0] + q[n - 3]);
@@ -403,7 +406,7 @@ static void border(ovr_tripoles *t, size_t n)
     banded_solve(&t->band, n - 2, t->column);
 }
 
-/* dP and dH0 of a right-hand side, by the band. */
+/* Computes dP and dH0 for a right-hand side by the band. */
 static void by_band(const ovr_tripoles *t, size_t n, double D, const double *v,
                     double *step)
 {
@@ -421,7 +424,7 @@ static void by_band(const ovr_tripoles *t, size_t n, double D, const double *v,
     step[n] = H0;
 }
 
-/* dP and dH0 of a right-hand side, by the coarse correction and the band. */
+/* Computes dP and dH0 for a right-hand side by coarse correction and band. */
 static void precondition(ovr_tripoles *t, const ovr_kernels *run, size_t n,
                          double D, const double *v, double *step)
 {
@@ -434,7 +437,7 @@ static void precondition(ovr_tripoles *t, const ovr_kernels *run, size_t n,
     ovr_deflation_add(&t->smooth, n, step);
 }
 
-/* Multiplies a step by the matrix: the change of all rows. */
+/* Multiplies a step by the matrix: changes of all rows. */
 static void multiply(const ovr_hierarchy *grids, const ovr_level *level,
                      const ovr_tripoles *t, const double *step, double *v)
 {
@@ -475,8 +478,8 @@ static void scale(double *a, double by, size_t n)
         a[i] *= by;
 }
 
-/* Givens' rotations of a column, the new one made of its last two; the
- * right-hand side follows. */
+/* Applies Givens rotations to a column and the right-hand side; the new
+ * rotation is computed from the last two elements. */
 static void rotate(double *column, int k, double *cosine, double *sine,
                    double *g)
 {
@@ -495,10 +498,11 @@ static void rotate(double *column, int k, double *cosine, double *sine,
     g[k] *= cosine[k];
 }
 
-/* Extends the basis until the remainder is 1e-4 of the right-hand side (2 to 5
- * products; with 1e-2 some steps of Newton's method diverge).  Returns the
- * number of vectors, 0 if they are of no use.  Where rounding or the number of
- * products ends it before, Newton's next step has the remainder. */
+/* Extends the basis until the residual is 1e-4 of the right-hand side (2 to 5
+ * products; with 1e-2 some Newton steps diverge). Returns the number of
+ * vectors, or 0 if they are unusable. If rounding or the maximum number of
+ * products ends the iteration earlier, the next Newton step reduces the
+ * remaining residual. */
 static int grow(const ovr_hierarchy *grids, const ovr_level *level,
                 ovr_tripoles *t, double *step, double *g)
 {
@@ -529,7 +533,8 @@ static int grow(const ovr_hierarchy *grids, const ovr_level *level,
                                                          : 0;
 }
 
-/* The sum of basis vectors that the triangle says. */
+/* Computes the linear combination of basis vectors by solving the triangular
+ * system. */
 static void combine(const ovr_kernels *run, ovr_tripoles *t, size_t m,
                     int count, double *g)
 {
@@ -543,7 +548,7 @@ static void combine(const ovr_kernels *run, ovr_tripoles *t, size_t m,
         add(run, t->basis, g[k], t->basis + (size_t)k * m, m);
 }
 
-/* Solves by one preconditioner; `kernel` is NULL for that of local terms. */
+/* Solves with one preconditioner; `kernel` is NULL for that of local terms. */
 static bool solve_by(const ovr_hierarchy *grids, const ovr_level *level,
                      const double *kernel, double missing, double *step)
 {
@@ -576,7 +581,7 @@ static bool solve_by(const ovr_hierarchy *grids, const ovr_level *level,
     return true;
 }
 
-/* The elastic band, unless it has failed shortly before. */
+/* Solves with the elastic band, unless it has failed shortly before. */
 static bool solve_elastic(ovr_asperity *touch, const ovr_hierarchy *grids,
                           const ovr_level *level, const double *kernel,
                           double missing, double *step)
@@ -596,8 +601,9 @@ static bool solve_elastic(ovr_asperity *touch, const ovr_hierarchy *grids,
     return false;
 }
 
-/* The band with its elastic part takes a tenth of the products, but is nearly
- * singular in contacts that asperities carry, far from the solution. */
+/* The band with its elastic part needs a tenth of the products, but it is
+ * nearly singular far from the solution if asperities carry most of the load.
+ */
 bool ovr_tripoles_solve(ovr_hierarchy *grids, const ovr_level *level,
                         double missing, double *step)
 {

@@ -2,9 +2,9 @@
 /*
  * q = rho H of past times at the departure points of the characteristic.
  *
- * Between nodes: Lagrange interpolation on six nodes (order 6, well above the
- * scheme's 2), shifted at the outlet to stay on the grid.  Beyond the inlet:
- * P = 0, so q = H = H0 + X^2/2 - S - w (curvature.h) with w summed directly for
+ * Between nodes: Lagrange interpolation on six nodes (order 6; the scheme has
+ * order 2), shifted at the outlet to stay on the grid. Upstream of the inlet: P
+ * = 0, so q = H = H0 + X^2/2 - S - w (curvature.h) with w summed directly for
  * the few ghost nodes needed.
  */
 #include <math.h>
@@ -45,8 +45,8 @@ bool ovr_inflow_reaches(const ovr_simulation *sim, double travel)
     return fabs(travel) / ovr_mesh(sim) < OVR_GHOSTS - POINTS;
 }
 
-/* The pressure that the solids feel, from the inlet on; workspace is where q
- * will be. */
+/* Returns the pressure on the solids, starting at the inlet; uses the array for
+ * q as workspace. */
 static const double *pressure_of(const ovr_simulation *sim, int past, bool back)
 {
     double *workspace = sim->inflow.extended + OVR_GHOSTS;
@@ -62,8 +62,8 @@ static const double *pressure_of(const ovr_simulation *sim, int past, bool back)
     return workspace;
 }
 
-/* q at the ghosts nearest the inlet, which is on the right where `back`,
- * written before extended[OVR_GHOSTS]. */
+/* Computes q at the ghost nodes nearest to the inlet, stored before
+ * extended[OVR_GHOSTS]. The inlet is on the right if `back`. */
 static void ghost_film(ovr_simulation *sim, int past, size_t ghosts, bool back)
 {
     const ovr_inflow *inflow = &sim->inflow;
@@ -105,12 +105,13 @@ void ovr_lagrange(double at, double weight[POINTS])
     }
 }
 
-/* The distance of a departure point: in whole nodes, rounded up where it is
- * between two. */
+/* Distance to a departure point in mesh sizes, and rounded up to whole nodes.
+ */
 typedef struct way {
     double meshes;
     size_t shift;
-    bool on_node, back; /* what follows is then of the mirror image */
+    bool on_node, back; /* back: the following data belong to the mirror image
+                         */
 } way;
 
 static way way_of(const ovr_simulation *sim, double a)
@@ -129,7 +130,7 @@ static void add(size_t n, double c, const double *restrict x,
         F[i] += c * x[i];
 }
 
-/* F_i += c q(X_i - a), q behind the ghosts in `extended` */
+/* F_i += c q(X_i - a), for q stored after the ghost nodes in `extended` */
 static void add_at_departures(const ovr_simulation *sim, const way *to,
                               double c, double *F)
 {
@@ -235,7 +236,7 @@ bool ovr_inflow_third(ovr_simulation *sim, double T, double dT, double *third)
     return true;
 }
 
-/* Before the first step the past is as long as the step. */
+/* Before the first step, the past is assumed to be as long as the step. */
 double ovr_travel_since(const ovr_simulation *sim, int past, double T)
 {
     const ovr_past *known = &sim->past;

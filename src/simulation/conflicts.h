@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The features of a model, and refusing what does not go together
+/* Features of a model, and pairs of features that cannot be combined
  * (overroll/conflicts.h). */
 #ifndef OVR_SIMULATION_CONFLICTS_H
 #define OVR_SIMULATION_CONFLICTS_H
@@ -10,11 +10,11 @@
 #include "overroll/simulation.h"
 
 /*
- * A feature in a row: its name and what people call it, where a case has it and
- * whether as a whole section, and when it is on: by the options `o` of a
- * simulation, which count in a case where their key is written, by the setup
- * `s` of the case `r` (case/resolve.c), or by the physics that it
- * belongs to (`features` in physics.h).
+ * Rows of the feature table: name; text for users; section and key in a case,
+ * and whether the whole section selects the feature; condition, in terms of the
+ * options `o` of a simulation (which count in a case only if their key is
+ * written), the setup `s` of the case `r` (case/resolve.c), or the physical
+ * model it belongs to (`features` in physics.h).
  */
 #define OVR_MODEL_FEATURE_ROWS(FEATURE)                                        \
     FEATURE(TIME, "a run in time", "time", "end", true, false,                 \
@@ -86,13 +86,13 @@ static inline unsigned ovr_model_feature_bit(ovr_model_feature feature, bool on)
     return on ? 1U << feature : 0;
 }
 
-/* Those of the options; order 4 where it is written. */
+/* Features selected by the options; order 4 only if it is set explicitly. */
 unsigned ovr_model_features_of(const ovr_options *o);
 
-/* The first pair of the table of which both are on, or NULL. */
+/* Returns the first conflicting pair in the table, or NULL. */
 const ovr_conflict *ovr_conflict_among(unsigned on);
 
-/* Fails with it, about its key. */
+/* Fails if two features conflict; the error names the key. */
 ovr_status ovr_conflict_check(unsigned on, ovr_error *err);
 
 #endif

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The history term where cavitation is mass-conserving (multigrid/content.h),
- * with s = dT/dT_old, kappa = s/(1 + s), b2 = s^2/(1 + s):
+ * History term with mass-conserving cavitation (multigrid/content.h), with s =
+ * dT/dT_old, kappa = s/(1 + s), b2 = s^2/(1 + s):
  *
  *     F = -(B + kappa q^k)/dT,   B = (1 + b2) q^k - b2 q^{k-1},
- *     where the node was dry  B = max(B, q^k/2)
+ *     if the node was cavitated  B = max(B, q^k/2)
  *
- * which is BDF2's wherever nothing is limited.  With equal steps B is what the
- * last step ended with, A, so that what is stored telescopes.
+ * which is that of BDF2 except for the limits. With equal steps B equals A of
+ * the previous step, so that the stored mass telescopes.
  */
 #include <math.h>
 #include <string.h>
@@ -24,8 +24,8 @@ bool ovr_conserves(const ovr_simulation *sim)
     return sim->options.cavitation == OVR_CAVITATION_CONSERVING;
 }
 
-/* The time when material that is `way` upstream of the inlet at T reaches it;
- * while all stands, some time later. */
+/* Time at which material that is `way` upstream of the inlet at T reaches the
+ * inlet; if the surfaces do not move, some later time. */
 static double time_of_arrival(const ovr_simulation *sim, double T, double way)
 {
     enum { DOUBLINGS = 10, HALVINGS = 50 };
@@ -66,43 +66,45 @@ void ovr_arrival_ghosts(const ovr_simulation *sim, double T, size_t ghosts,
 
 /*
  * Mass-conserving cavitation along the characteristic (multigrid/content.h has
- * it with a wedge).  No content flows but with the characteristic, so that the
- * history term of content_history.c is of what comes to a node, a = travel in
- * the step:
+ * it with a wedge).  All content moves along the characteristic, so the history
+ * term applies to the content that arrives at a node; a = travel in the step:
  *
  *     A_i = (1 + kappa) q_i - kappa q^k(X_i - a),   B_i = B(X_i - a),
  *     B(X) = (1 + b2) q^k(X) - b2 q^{k-1}(X - a_old),
- *     where the node was dry  B = max(B, q^k/2)
+ *     if the node was cavitated  B = max(B, q^k/2)
  *
- * and with equal steps B is A of the step before.  q^{k-1}(X - a_old) is what
- * came to the nodes then, so one step's travel is all that is ever looked back.
+ * and with equal steps B is A of the step before.  q^{k-1}(X - a_old) is the
+ * content that arrived at the nodes in the previous step, so that interpolation
+ * is needed over the travel of one step only.
  *
- * Cells are moved on as a whole and by a part p of a mesh, by what crosses
- * their faces, f_{i+1/2}: it leaves one and enters the next, whatever is taken
- * for it,
+ * Cells are moved by whole mesh sizes plus a fraction p. The fraction is
+ * computed from fluxes f_{i+1/2} through the faces, which conserve mass for any
+ * f,
  *
  *     q(X_i - p D) = q_i - f_{i+1/2} + f_{i-1/2},
  *
- * by six-point Lagrange interpolation between five wet cells.  Elsewhere, as
- * contents jump beside a meniscus, f = p (q_i + (1 - p) s_i/2) with van Leer's
- * limited slope s_i, which makes no new extreme and nothing less than nothing.
- * So
+ * by six-point Lagrange interpolation between five full cells. Elsewhere,
+ * because contents jump at a meniscus, f = p (q_i + (1 - p) s_i/2) with van
+ * Leer's limited slope s_i, which creates no new extremes and no negative
+ * contents. Therefore
  *
  *     D sum (A - B) = dT (inflow - outflow) + residuals
  *
- * with the Poiseuille flow and D/dT of what crosses the first and last face of
- * rows 1..n-2, for any travel.  A and B are contents half a step downstream; of
- * those at the nodes, (1 + kappa) q - kappa q^{k-1} and so on, the flows are,
- * X_B and X_q what crosses of B and q,
+ * where the flows are the Poiseuille flow plus D/dT times the content that
+ * crosses the first and last face of rows 1..n-2, for any travel.  A and B are
+ * contents half a step downstream; for contents at the nodes, (1 + kappa) q -
+ * kappa q^{k-1} etc., the flows are, with X_B and X_q the parts of B and q that
+ * cross the face,
  *
  *     Q = D (X_B + kappa X_q^k - b2 X_q^{k-1})/dT,
  *
- * which are told.  What crosses the first face is the film that arrives, where
- * the inlet is closed, else that of the flooded gap before it; in the step in
- * which it closes or opens Q = D X_B/dT there.
+ * which are reported. The content that crosses the first face is the supply if
+ * the inlet is closed, and otherwise that of the flooded gap upstream. In the
+ * step in which the inlet closes or opens, Q = D X_B/dT there.
  */
 
-/* Cells on either side whose content a face's high order asks for. */
+/* Number of cells on either side that determine the high-order flux through a
+ * face. */
 enum { SIDE = 2, FACE = 2 * SIDE + 1, POINTS = 6 };
 
 ovr_status ovr_carriage_take(ovr_simulation *sim, ovr_error *err)
@@ -121,8 +123,8 @@ ovr_status ovr_carriage_take(ovr_simulation *sim, ovr_error *err)
 
 /* ------------------------------------------------------------------ carried */
 
-/* A travel in whole mesh sizes and a part; what of five cells crosses a
- * face. */
+/* A travel in whole mesh sizes plus a fraction; weights of five cells in the
+ * content that crosses a face. */
 typedef struct move {
     ptrdiff_t whole;
     double part, weight[FACE];
@@ -143,8 +145,7 @@ static move move_of(const ovr_simulation *sim, double a)
     return m;
 }
 
-/* The slope of a cell's content, by those beside it: none where it is an
- * extreme. */
+/* Slope of the content in a cell from its neighbours; zero at an extreme. */
 static double limited_slope(const double *q)
 {
     double before = q[0] - q[-1], after = q[1] - q[0];
@@ -152,7 +153,7 @@ static double limited_slope(const double *q)
     return product > 0 ? 2 * product / (before + after) : 0;
 }
 
-/* The content that crosses from the cell *q into the next. */
+/* Content that crosses from cell *q into the next. */
 static double crosses(const move *m, const double *q, bool smooth)
 {
     double sum = 0;
@@ -171,8 +172,9 @@ static double sum_of(const double *q, ptrdiff_t first, ptrdiff_t last)
     return sum;
 }
 
-/* Carries contents q, with ghosts before them, to the nodes; in[0] what crosses
- * the first face of row 1, [1] the last of row n - 2, in cells. */
+/* Moves contents q, with ghost cells before them, to the nodes; across[0] is
+ * the content that crosses the first face of row 1, across[1] the last face of
+ * row n - 2, in cells. */
 static void carry(const ovr_simulation *sim, const move *m, const double *q,
                   double *to, double across[2])
 {
@@ -207,8 +209,8 @@ static void carry(const ovr_simulation *sim, const move *m, const double *q,
 
 /* ------------------------------------------------------------- what arrives */
 
-/* The contents that would arrive in the first row, while the inlet is open.
- */
+/* Contents that the supply would bring into the first row while the inlet is
+ * open. */
 static double arriving(const ovr_simulation *sim, const move *m)
 {
     double q[OVR_GHOSTS];
@@ -220,8 +222,9 @@ static double arriving(const ovr_simulation *sim, const move *m)
     return sum_of(last, 1 - (ptrdiff_t)s, 0) + m->part * last[-(ptrdiff_t)s];
 }
 
-/* Fills what lies before row 1: q and what came there from the gap before the
- * inlet, or what arrives, which does not change on its way. */
+/* Fills the ghost cells before row 1: q and its previous content, from the gap
+ * upstream of the inlet or from the supply, which does not change on its way.
+ */
 static void fill_ghosts(ovr_simulation *sim, const move *m, const move *old,
                         double *q, double *came)
 {
@@ -247,8 +250,9 @@ static void fill_ghosts(ovr_simulation *sim, const move *m, const move *old,
 
 /* ------------------------------------------------------------------- a step */
 
-/* Contents of now by nodes, and what came to these a step ago: before the first
- * step it was steady, and the step as long. */
+/* Present contents of the cells, and the contents that arrived there one step
+ * ago. Before the first step, a steady state of the same duration is assumed.
+ */
 static void fill_nodes(ovr_simulation *sim, const move *m, double *q,
                        double *came)
 {
@@ -262,7 +266,7 @@ static void fill_nodes(ovr_simulation *sim, const move *m, double *q,
     memcpy(came + 1, c->came + 1, bytes);
 }
 
-/* B at the cells, in place of what came there. */
+/* Computes B at the cells; overwrites the previous contents. */
 static void weigh(const ovr_simulation *sim, ptrdiff_t ghosts, double b2,
                   const double *q, double *came)
 {

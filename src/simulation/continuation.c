@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A step by continuation: where a load jumps, or a film fills the outlet, the
- * solution is tenths of ph from the past, and cycles find it from within some
- * 1/alphabar.  Between them lies a path (Keller's global homotopy)
+ * A time step by continuation. If the load jumps or the film fills the outlet,
+ * the new pressure differs from the last by tenths of p_h. Cycles converge only
+ * for initial errors up to about 1/alphabar. The two are connected by a path
+ * (Keller's global homotopy)
  *
  *     N(P) = F - (1 - s) r(P^k),   D sum P = w_s,   s = 0..1
  *
- * r(P^k) the residual that the last solution P^k leaves in the equations of
- * the step, w_s between its load and the one that is asked for: at s = 0 it is
- * the solution, at s = 1 nothing is added any more.  Where cavitation is
- * mass-conserving the rows of cavitated nodes are on the path as all others,
- * with their contents q, which are a solution's at both of its ends.  Each
- * solution on the path begins from the line through the two before it; a
- * stretch that fails is halved, from the last solution's pressure, contents and
- * inlet.
+ * where r(P^k) is the residual of the last solution P^k in the equations of the
+ * step, and w_s is interpolated between the last load and the new one. At s = 0
+ * the solution is P^k; at s = 1 it is that of the step. With mass-conserving
+ * cavitation the rows of cavitated nodes and their contents q are part of the
+ * path.  The initial guess on the path is extrapolated linearly from the two
+ * previous solutions. A step of s that fails is halved, after restoring
+ * pressure, contents and inlet of the last solution.
  */
 #include <math.h>
 #include <string.h>
@@ -29,12 +29,12 @@
 typedef struct path {
     ovr_simulation *sim;
     double load[2];
-    double s;          /* of the equations as they are */
-    double at, before; /* of the last two solutions */
+    double s;          /* s for which the equations are set */
+    double at, before; /* s of the last two solutions */
     double H0, H0_before;
 } path;
 
-/* The equations at s. */
+/* Sets the equations for s. */
 static void set_equations(path *p, double s)
 {
     ovr_simulation *sim = p->sim;
@@ -51,7 +51,8 @@ static void set_equations(path *p, double s)
     p->s = s;
 }
 
-/* P and H0 for s by the line through the last two solutions, where wet. */
+/* Extrapolates P and H0 for s from the last two solutions, at pressurized
+ * nodes. */
 static void begin_from(const path *p, double s)
 {
     ovr_simulation *sim = p->sim;
@@ -124,36 +125,37 @@ bool ovr_step_continued(ovr_simulation *sim, const ovr_cycling *cycle,
 /* ------------------------------------ the steady solution of grown surfaces */
 
 /*
- * Steady contacts of rough surfaces, which full multigrid does not find, by
- * letting the film settle in a time of its own, t (pseudo-transient
- * continuation; Kelley and Keyes, SIAM J. Numer. Anal. 35 (1998) 508):
+ * Pseudo-transient continuation for steady contacts of rough surfaces, in which
+ * full multigrid fails: the film approaches the steady state in a pseudo-time t
+ * ( Kelley and Keyes, SIAM J. Numer. Anal. 35 (1998) 508):
  *
  *     N(P) - (q - q_before)/dt = F,  q = rho H
  *     gap(t) = smooth gap - min(1, t) S
  *
  * The surfaces do not move and grow from smooth ones. In backward Euler steps
  * pressure spikes and film ends move by a fraction of D, which local solves
- * handle as in time (local_newton.h, film_end.h).  What was wrong at first
- * flows out at the end of the domain by t = 6 or so, and steps that become
- * longer and longer end in the steady film, by a factor of hundreds for each of
- * the last.  A step that is not found is tried with smaller changes and half
- * corrections, then by Newton's method (step.c), then halved.
+ * handle as in time (local_newton.h, film_end.h).  Initial errors leave the
+ * domain until about t = 6. Steps of increasing length then approach the steady
+ * film; each of the last steps reduces the error by a factor of hundreds. A
+ * step that fails is repeated with smaller changes and half corrections, then
+ * by Newton's method (step.c), and then halved.
  */
 
 typedef struct settling {
     ovr_simulation *sim;
     const ovr_full *how;
     double *gap, *F;  /* of the steady problem */
-    double *S;        /* what the gap lacks to be smooth */
+    double *S;        /* difference of the gap from the smooth one */
     double *q, *P;    /* of the last step */
-    double H0;        /* the same */
+    double H0;        /* of the last step */
     double t, dt;     /* of the last step; length of the next */
-    bool grown;       /* surfaces are there from the beginning */
-    double tolerance; /* of the steady film */
+    bool grown;       /* features have their full height from the beginning */
+    double tolerance; /* tolerance of the steady film */
     int cycles;
 } settling;
 
-/* The operator with the time derivative of a step; dt = INFINITY: without. */
+/* Sets the operator with the time derivative of a step; dt = INFINITY: steady.
+ */
 static void set_operator(ovr_simulation *sim, double dt)
 {
     ovr_operator op = {.speed = sim->target.Cu, .cT = 1 / dt};
@@ -164,7 +166,7 @@ static void set_operator(ovr_simulation *sim, double dt)
     ovr_hierarchy_operator(&sim->grids, &op);
 }
 
-/* Equations of a step dt; of the steady film. */
+/* Sets the equations of a step dt, or of the steady film. */
 static void set_grown(const settling *s, double dt)
 {
     ovr_simulation *sim = s->sim;
@@ -212,8 +214,9 @@ static void settle_ends(const settling *s)
         ovr_move_cavitation_boundary(&s->sim->grids, s->sim->finest);
 }
 
-/* Cycles on a step's equations, whose residual need not fall below a share of
- * what it begins with: what is left is made up for by the next step. */
+/* Performs cycles on the equations of a step. The residual need not fall below
+ * a fraction of its initial value, because the next step corrects the remaining
+ * error. */
 static bool relaxed(settling *s, const ovr_cycling *cycling, int maximum)
 {
     const double share = 0.02, hopeless = 1e6, load_share = 0.1, load = 1e-6;
@@ -255,8 +258,8 @@ static bool stepped_by_newton(settling *s)
     return found;
 }
 
-/* A step in one of three ways, each slower and steadier; then by Newton's
- * method. */
+/* Solves a step by one of three methods of increasing cost and robustness, then
+ * by Newton's method. */
 static bool stepped(settling *s)
 {
     static const struct {
@@ -287,8 +290,8 @@ static ovr_defect steady_defect(const settling *s)
     return ovr_cycle_defect(&sim->grids, sim->finest);
 }
 
-/* True if the cycles of this solve, over all calls, have cost more than starts
- * that were found (5e7 node cycles). */
+/* True if the total work of this solve exceeds that of successful starts (5e7
+ * node cycles). */
 static bool is_spent(const settling *s)
 {
     const double largest = 1e8, dense = 5e3;
@@ -298,8 +301,8 @@ static bool is_spent(const settling *s)
     return (double)(s->sim->start.settling + s->cycles) * cost > largest;
 }
 
-/* Steps until the film is the steady one, no step is found, or too many cycles
- * are spent. */
+/* Performs steps until the film is steady, a step fails, or the maximum work is
+ * reached. */
 static ovr_defect settle(settling *s)
 {
     enum { MAX = 60000, QUICK = 6 };

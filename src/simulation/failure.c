@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Why a solve failed, in words: what in the physics or the mesh prevents a
- * solution where that is known, else how far from converged it ended.
+ * Messages about the reason why a solve failed: the property of contact or grid
+ * that prevents a solution, if known; otherwise the convergence reached.
  *
- * The pressure builds up within about H^(2/3) before the contact.  A mesh
- * wider than 0.3 of that length follows the build-up badly; one wider than
- * 0.7 of it has no solution with a film at all, or one that is far off
- * (measured on 2,000 random contacts).  On one of 0.2 contacts of M = 1400 to
- * 5000 have one too, L = 1 to 15 (0.23 and 0.29 failed at M = 2000).
+ * The pressure builds up within a length of about H^(2/3) upstream of the
+ * contact. A mesh size above 0.3 of this length resolves the build-up poorly;
+ * above 0.7 there is no solution with a film, or one with a large error
+ * (measured on 2,000 random contacts). With 0.2, contacts with M = 1400 to 5000
+ * and L = 1 to 15 have a solution (0.23 and 0.29 failed at M = 2000).
  */
 #include <math.h>
 #include <stdio.h>
@@ -25,7 +25,7 @@ static double inlet_rise(const ovr_simulation *sim)
     return pow(ovr_target_film(&sim->target, 1), 2. / 3);
 }
 
-/* The mesh where the pressure builds up. */
+/* Mesh size relative to the length of the pressure build-up. */
 static double inlet_mesh(const ovr_simulation *sim)
 {
     return ovr_spacing(&sim->now, ovr_node_after(&sim->now, -1));
@@ -79,9 +79,10 @@ static ovr_status too_thin(const ovr_simulation *sim, ovr_error *err)
                     ovr_level_resolving(sim));
 }
 
-/* R was 1e-5 to 20 in solves with touching surfaces, 1e6 in diverged ones.  If
- * surfaces overlap by more than their heights and a nominal film thickness, the
- * solve had diverged, too.  Smooth surfaces have a film at every load. */
+/* True if the surfaces overlap. In solves with touching surfaces R was 1e-5 to
+ * 20, in diverged ones 1e6. If the overlap exceeds the feature heights plus a
+ * nominal film thickness, the solve has diverged, too. Smooth surfaces have a
+ * film at every load. */
 static bool surfaces_overlap(const ovr_simulation *sim, const ovr_defect *d)
 {
     if (!sim->shapes.heights)
@@ -118,7 +119,7 @@ static ovr_status too_few_cycles(const ovr_simulation *sim, ovr_error *err)
                     sim->options.cycles, last->algebraic, last->difference);
 }
 
-/* The end of a solve, in words; beyond all numbers where it diverged. */
+/* Text about the convergence reached; special text if the solve diverged. */
 typedef struct ending {
     char words[96];
 } ending;
@@ -164,7 +165,7 @@ ovr_status ovr_failure_steady(const ovr_simulation *sim,
                           "oil or a lower load may help");
 }
 
-/* Suggests by the contact at nominal load and speed. */
+/* Suggests a remedy, from the contact at reference load and speed. */
 static void instead(const ovr_simulation *sim, size_t size, char *text)
 {
     double H = ovr_film_central_moes(sim->contact.M, sim->contact.L);

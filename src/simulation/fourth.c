@@ -1,37 +1,39 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Fourth order of the steady solution, and of a run.
+ * Fourth-order corrections of the steady solution and of a run.
  *
- * Along the characteristic the corrections of a step are those of the solution
- * before it: what Poiseuille flow and film lack in space, evaluated again after
- * each step (multigrid/fourth_order.h), and what BDF2 lacks in time along the
- * characteristic,
+ * With the characteristic scheme, the corrections of a step are computed from
+ * the previous solution: the spatial corrections of Poiseuille flow and film,
+ * recomputed after each step (multigrid/fourth_order.h), and the correction of
+ * BDF2 in time along the characteristic,
  *     F_i = -m_i dN_Poiseuille + dT (dT + dT_old) q[t, t-1, t-2, t-3],
- * the third divided difference of q as a particle sees it: with equal steps
- * (q - 3 q_1 + 3 q_2 - q_3)/(3 dT), the term by which BDF3 differs.  It is zero
- * for what is only carried and the steady wedge's error for what stands, at any
- * step and speed.  Poiseuille's m_i is 1 where P > 0 at i - 3..i + 3, and fades
- * over eight nodes to the film's end, wherever that is between two nodes, so
- * that nothing jumps as the end crosses one: a spike close to it would answer
- * each jump with another.  The third difference and R below do not fade: the
- * minimum film thickness lies in these last nodes, and with steps of two mesh
- * sizes its error would be up to ten times larger.  Both are 0 about ridges
- * where the film halves within a mesh size.  A step that
- * fails is tried again without F.  With temperatures the
- * corrections of the steady film are made again after each of their outer
- * iterations; those that do not end so are of second order.
+ * with the third divided difference of q along the path of a particle: with
+ * equal steps (q - 3 q_1 + 3 q_2 - q_3)/(3 dT), the term by which BDF3 differs.
+ * It is zero for convected contents, and equals the error of the steady wedge
+ * for stationary films, for any step and speed.  Poiseuille's m_i is 1 where P
+ * > 0 at i - 3..i + 3, and decreases to 0 over eight nodes to the film end,
+ * whose position is interpolated between nodes, so that it does not jump when
+ * the end crosses a node: a spike close to the end would respond with a jump.
+ * The third difference and R below do not decrease: the minimum film thickness
+ * lies in these last nodes, and with steps of two mesh sizes its error would be
+ * up to ten times larger.  Both are 0 near ridges where the film thickness
+ * halves within a mesh size. A step that fails is repeated without F. With
+ * temperatures, the corrections of the steady film are recomputed after each
+ * outer iteration; if this does not converge, the solution is of second order.
  *
- * Where load, speed and radius are constant, the steady start solves the steps'
- * equations too, of any length: F takes in what the steady film q_s lacks,
+ * Where load, speed and radius are constant, the steady start also satisfies
+ * the equations of a step of any length: F includes the residual of the steady
+ * film q_s,
  *     R_i = F_s + Cu (1.5 q_i - 2 q_{i-1} + 0.5 q_{i-2})/D - BDF2(q_s) -
  * F(q_s), its own correction F_s and wedge minus those of a step.
  *
  * With upstream2 a run adds the corrections of its steady start to the
- * right-hand sides of every step: they take the background's error of second
- * order away, that of what moves stays.  So they must not hold what moves: they
- * are those of the smooth surfaces with what stands still, fully grown.  They
- * are right for one load, speed and radius, with a flow law one sliding speed;
- * where these vary, start and run are of second order.
+ * right-hand sides of every step: they remove the second-order error of the
+ * background, but not that of moving features. The corrections must not include
+ * moving features: they are computed for the smooth surfaces with stationary
+ * features of full height. They are valid for constant load, speed and radius
+ * (with a rheological model also constant sliding speed); if these vary, start
+ * and run are of second order.
  */
 #include <math.h>
 #include <string.h>
@@ -50,22 +52,24 @@ extern const ovr_physics ovr_physics_fourth;
 
 typedef struct fourth {
     ovr_correction correction;
-    double *F, *gap; /* what a run keeps of it, by nodes */
-    size_t n; /* of the finest grid of the whole domain, without patches */
-    /* along the characteristic: whether corrections follow the solution; the
-     * third divided difference and its weight in a step; the second attempt of
-     * a step omits F */
+    double *F, *gap; /* corrections kept for a run, by nodes */
+    size_t n; /* nodes of the finest grid of the whole domain, without patches
+               */
+    /* characteristic scheme: corrections follow the solution; third divided
+     * difference and its weight in a step; the second attempt of a step omits F
+     */
     int follows;
     double *third, factor;
     bool without;
-    double *next; /* the gap's correction of the step to come; the last step's,
-                     which its film was solved with, stays in `gap` */
-    bool ahead;   /* the step to come is being solved */
-    /* constant conditions: q_s; R except for what depends on the step; m,
-     * negative where R is left out; R of a step of rest_dT */
+    double *next; /* correction of the gap for the next step; `gap` is that of
+                   * the last step, with which its film was solved */
+    bool ahead;   /* the next step is being solved */
+    /* constant operating conditions: q_s; the part of R that does not depend on
+     * the step; m, negative where R is omitted; R of a step of length rest_dT
+     */
     int rests;
     double *start, *constant, *mask, *rest, rest_dT;
-    ovr_fourth_content content; /* where cavitation is mass-conserving */
+    ovr_fourth_content content; /* with mass-conserving cavitation */
 } fourth;
 
 static bool chosen(const ovr_options *o)
@@ -92,7 +96,7 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
 
 /* ------------------------------------------------------------------- steady */
 
-/* Second order after all. */
+/* Changes to second order. */
 static void withdraw(ovr_simulation *sim, const fourth *f)
 {
     size_t bytes = f->n * sizeof(double);
@@ -112,8 +116,8 @@ static bool varies(const ovr_simulation *sim)
             ovr_history_varies(sim->histories.sliding));
 }
 
-/* True if corrections hold for the whole run, and all that deforms is known to
- * them.  Another physics may have taken fourth order back. */
+/* True if the corrections are valid for the whole run and for all elastic
+ * parts. Another physical model may have changed to second order. */
 static bool applies(const ovr_simulation *sim)
 {
     bool fixed = !varies(sim) && !ovr_conserves(sim);
@@ -129,7 +133,7 @@ static void standing_heights(const ovr_simulation *sim, double *S)
                              sim->now.X, S);
 }
 
-/* True if a run has surfaces at T = 0 other than those that stand still. */
+/* True if a run has features at T = 0 that are not stationary. */
 static bool stands_apart(ovr_simulation *sim)
 {
     size_t n = sim->now.n;
@@ -143,7 +147,7 @@ static bool stands_apart(ovr_simulation *sim)
     return apart;
 }
 
-/* The finest gap of those alone. */
+/* Sets the finest gap of the stationary features alone. */
 static void standing_gap(ovr_simulation *sim)
 {
     const ovr_smooth smooth = ovr_simulation_smooth(sim, 0);
@@ -155,8 +159,7 @@ static void standing_gap(ovr_simulation *sim)
     ovr_work_give(sim, gap);
 }
 
-/* A solution to be corrected need not be better than its discretization error.
- */
+/* Tolerance of a solution that will be corrected: its discretization error. */
 static double first_tolerance(const void *data, const ovr_level *level,
                               double H)
 {
@@ -175,7 +178,7 @@ static ovr_defect film(ovr_simulation *sim, const ovr_full *how, int *cycles)
     return ovr_steady_film(sim, &first, cycles);
 }
 
-/* The solution found, to go back to. */
+/* A stored solution. */
 typedef struct found {
     double *P, H0;
 } found;
@@ -199,8 +202,8 @@ static ovr_defect fall_back(ovr_simulation *sim, const fourth *f,
     return ovr_steady_cycles(sim, how, cycles);
 }
 
-/* The film and its own corrections, for the gap as it is.  On a mesh that is
- * hardly fine enough they take up to 160 cycles. */
+/* Solves the film and computes its corrections, for the present gap. If the
+ * mesh is barely fine enough, this takes up to 160 cycles. */
 static ovr_defect solve_and_correct(ovr_simulation *sim, const fourth *f,
                                     const ovr_full *how, int *cycles)
 {
@@ -219,7 +222,7 @@ static ovr_defect solve_and_correct(ovr_simulation *sim, const fourth *f,
     return d;
 }
 
-/* The film, and the corrections of what stands still. */
+/* Solves the film, with corrections for stationary features. */
 static ovr_defect solve_corrected(ovr_simulation *sim, const fourth *f,
                                   const ovr_full *how, int *cycles)
 {
@@ -243,12 +246,12 @@ static void evaluate_content(ovr_simulation *sim, fourth *f)
                                 sim->grids.op.speed, f->F, f->gap);
 }
 
-/* F of the finest level with those of the film instead of what they were; film
- * and residual by them. */
+/* Replaces the corrections in F of the finest level by those of the present
+ * film, and updates film and residual. */
 static void correct_content(ovr_simulation *sim, fourth *f)
 {
     const ovr_kernels *run = sim->grids.kernels;
-    double *F = f->rest; /* of no use here */
+    double *F = f->rest; /* array is unused here */
     ovr_nodes_read(sim, sim->finest, sim->finest->f.F, F);
     run->combine(f->n, 1, F, -1, f->F, F);
     evaluate_content(sim, f);
@@ -297,7 +300,8 @@ void ovr_fourth_leave(ovr_simulation *sim)
     ovr_level_refresh(&sim->grids, sim->finest);
 }
 
-/* Cycles that are corrected each; where they do not end, the film that was. */
+/* Performs cycles with a correction each; if they do not converge, restores the
+ * previous film. */
 ovr_defect ovr_fourth_conserved(ovr_simulation *sim, const ovr_full *how,
                                 ovr_defect solved, int *cycles)
 {
@@ -328,7 +332,7 @@ ovr_defect ovr_fourth_conserved(ovr_simulation *sim, const ovr_full *how,
     return ovr_content_cycles(&sim->grids, how, level, cycles);
 }
 
-/* The corrections of a film whose temperatures are others. */
+/* Recomputes the corrections for changed temperatures. */
 void ovr_fourth_renew(ovr_simulation *sim)
 {
     fourth *f = fourth_of(sim);
@@ -356,14 +360,15 @@ bool ovr_fourth_give_up(ovr_simulation *sim)
     return true;
 }
 
-/* Of the surfaces as they are at T = 0. */
+/* Solves for the surfaces at T = 0. */
 static ovr_defect solve(ovr_simulation *sim, void *own, const ovr_full *how,
                         int *cycles)
 {
     fourth *f = own;
     withdraw(sim, f);
     f->follows = f->rests = f->ahead = false;
-    if (applies(sim) && !ovr_conserves(sim)) /* then once it is conserved */
+    if (applies(sim) && !ovr_conserves(sim)) /* otherwise after mass-conserving
+                                              * cavitation is enabled */
         sim->order = 4;
     if (sim->order == 4 && stands_apart(sim)) {
         standing_gap(sim);
@@ -379,16 +384,16 @@ static ovr_defect solve(ovr_simulation *sim, void *own, const ovr_full *how,
 
 /* ----------------------------------------------------------------- in a run */
 
-/* A ridge that the mesh does not resolve: what is left of a film there would be
- * corrected away. */
+/* True at a ridge that the mesh does not resolve, where a correction would
+ * remove the remaining film. */
 static bool jumps(double H, double next)
 {
     return H > 2 * next || next > 2 * H;
 }
 
-/* The place where the film ends, in mesh sizes: behind the last node e with a
- * pressure by P_e/(P_{e-1} - 2 P_e), from 0 where e gets wet to 1 where the
- * next one does, whose second difference is then P_e. */
+/* Position of the film end in mesh sizes: from the last pressurized node e
+ * onwards by P_e/(P_{e-1} - 2 P_e), from 0 when e becomes pressurized to 1 when
+ * the next node does, whose second difference is then P_e. */
 static double film_end(const double *P, size_t n)
 {
     size_t dry = n - 1;
@@ -398,10 +403,10 @@ static double film_end(const double *P, size_t n)
     return (double)dry - 1 + (bend > last ? last / bend : 1);
 }
 
-/* Multiplies F by m, and keeps the third difference where the film does not
- * jump: what a particle carries along is smooth where pressure ends.  `carried`
- * (may be NULL) is 1 there, else -1.  Where the speed is reversed the film ends
- * on the left. */
+/* Multiplies F by m, and keeps the third difference where the film thickness
+ * does not jump, because convected contents are smooth at the film end.
+ * `carried` (may be NULL) is 1 there, else -1. If the speed is reversed, the
+ * film ends on the left. */
 static void fade(const ovr_simulation *sim, fourth *f, double *carried)
 {
     enum { WET = 3, OVER = 8 };
@@ -413,7 +418,7 @@ static void fade(const ovr_simulation *sim, fourth *f, double *carried)
         ovr_mirror(n, P, image);
     const double end = film_end(sim->histories.backward ? image : P, n);
     ovr_work_give(sim, image);
-    /* Almost all nodes lie before this one and keep what they have. */
+    /* nodes upstream of this one, almost all, keep their values */
     const double fades = end - sharp - OVER - 1;
     for (size_t i = 0; i < n; i++) {
         bool inside = i >= OVR_FOURTH_MARGIN && i + OVR_FOURTH_MARGIN < n;
@@ -433,7 +438,8 @@ static void fade(const ovr_simulation *sim, fourth *f, double *carried)
     }
 }
 
-/* The corrections of the newest solution, at T; the step before it. */
+/* Computes the corrections from the newest solution at T; dT is the step before
+ * it. */
 static void evaluate(ovr_simulation *sim, fourth *f, double T, double dT,
                      double *mask)
 {
@@ -453,8 +459,8 @@ static void evaluate(ovr_simulation *sim, fourth *f, double T, double dT,
     fade(sim, f, mask);
 }
 
-/* Before the first step all was steady: what steps of a mesh would have seen.
- */
+/* Before the first step the state was steady: values for steps of one mesh
+ * size. */
 static void begin(ovr_simulation *sim, void *own)
 {
     fourth *f = own;
@@ -477,7 +483,7 @@ static void begin(ovr_simulation *sim, void *own)
         f->constant[i] -= f->F[i];
 }
 
-/* R of a step of dT. */
+/* Computes R for a step dT. */
 static void rest(ovr_simulation *sim, fourth *f, double dT)
 {
     static const double bdf2[] = {1.5, -2, 0.5, 0},
@@ -549,8 +555,8 @@ void ovr_fourth_sides(const ovr_simulation *sim, double *F)
         add_all(sim, f, 1, F);
 }
 
-/* A step that fails may fail by its corrections, made of a film that was
- * another. */
+/* A step can fail because of its corrections, which were computed from the
+ * previous film. */
 static void attempt(ovr_simulation *sim, void *own, bool first)
 {
     fourth *f = own;
@@ -600,7 +606,7 @@ static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
         ovr_show(state, "rest_start", f->start, bytes);
         ovr_show(state, "rest_constant", f->constant, bytes);
         ovr_show(state, "rest_mask", f->mask, bytes);
-        /* of a step as long except for rounding */
+        /* valid if the step length is the same except for rounding */
         ovr_show(state, "rest", f->rest, bytes);
         OVR_SHOW(state, "rest_dT", f->rest_dT);
     }

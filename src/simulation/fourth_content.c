@@ -17,8 +17,9 @@ ovr_status ovr_fourth_content_take(ovr_simulation *sim, ovr_fourth_content *of,
 /* ------------------------------------------------------------- inside the film
  */
 
-/* The places where the film begins and ends, in mesh sizes: between nodes, so
- * that nothing jumps as it takes or leaves one. */
+/* Positions where the full film begins and ends, in mesh sizes. They are
+ * interpolated between nodes, so that nothing jumps when the phase of a node
+ * changes. */
 typedef struct film {
     double begin, end;
 } film;
@@ -35,7 +36,7 @@ static double beginning(const ovr_solution *s, size_t first)
     return (double)first - 0.5 - fmin(fmax(part, 0), 1);
 }
 
-/* As film_end of fourth.c has it. */
+/* Same as film_end in fourth.c. */
 static double ending(const ovr_solution *s, size_t last)
 {
     const double *P = s->P + last;
@@ -55,7 +56,8 @@ static film film_of(const ovr_simulation *sim)
     return (film){beginning(s, first), ending(s, last)};
 }
 
-/* Rises from 0 within three mesh sizes of an end to 1 over so many. */
+/* Increases from 0 within three mesh sizes of an end to 1 over the length
+ * `over`. */
 static double away(double meshes, double over)
 {
     const double sharp = 3;
@@ -78,7 +80,7 @@ static void fade(const ovr_simulation *sim, double *m)
 /* ------------------------------------------------------------------- corrected
  */
 
-/* f and f2 of fourth_content.h, at half nodes. */
+/* Computes f and f2 of fourth_content.h, at half nodes. */
 static const double *flows(ovr_simulation *sim, ovr_fourth_content *of,
                            const double **second)
 {
@@ -116,8 +118,8 @@ void ovr_fourth_content_evaluate(ovr_simulation *sim, ovr_fourth_content *of,
     ovr_nodes_read(sim, sim->finest, c->gap, gap);
 }
 
-/* Computes G from the values at the departure points one and two steps before,
- * h[0] and h[1] ago; the previous value is stored in `before`. */
+/* Computes G from the values at the departure points one and two steps ago
+ * (times h[0] and h[1] before now); stores the previous value in `before`. */
 static void bend(ovr_simulation *sim, ovr_fourth_content *of,
                  const double *const came[2], const double h[2], double *before)
 {

@@ -1,23 +1,24 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Corrections of fourth order where cavitation is mass-conserving.  A starved
- * film is as thick as what arrives lets it be, so that corrections must make no
- * oil: they are differences of what they add to flows and to contents.  With m
- * = 1 inside the film, falling to 0 over eight mesh sizes towards its beginning
- * and over four towards its end,
+ * Fourth-order corrections with mass-conserving cavitation. The thickness of a
+ * starved film is determined by the supply, so the corrections must not create
+ * or destroy lubricant: they are differences of corrections of flows and
+ * contents.  With m = 1 inside the film, falling to 0 over eight mesh sizes
+ * towards its beginning and over four towards its end,
  *
  *     F_i = -(phi_{i+1/2} - phi_{i-1/2})/D,
  *     phi_{i+1/2} = min(m_i, m_{i+1}) {(26 f_i - f_{i+1} - f_{i-1})/24 - f2_i
  *                   - Cu (3 q_{i+1} - 5 q_i + q_{i-1} + q_{i-2})/12},
  *
  * f the Poiseuille flow p E of fourth order at half nodes (fourth_order.h), f2
- * that of second, the last the wedge's, of a steady film: summed up these are
- * the corrections of fourth_order.h.  Along the characteristic the third
- * divided difference is that of the second ones, G = m q[t, t-1, t-2],
+ * the flow of second order. The last term is the wedge of a steady film. The
+ * sum of these terms equals the corrections of fourth_order.h.  Along the
+ * characteristic the third divided difference is that of the second ones, G = m
+ * q[t, t-1, t-2],
  *
  *     (G^k - G^{k-1}(X - a))/(t - t-3),
  *
- * so that what it takes at one time it gives back at the next.
+ * so that lubricant removed in one step is returned in the next.
  */
 #ifndef OVR_SIMULATION_FOURTH_CONTENT_H
 #define OVR_SIMULATION_FOURTH_CONTENT_H
@@ -33,13 +34,13 @@ typedef struct ovr_fourth_content {
 ovr_status ovr_fourth_content_take(ovr_simulation *sim, ovr_fourth_content *of,
                                    ovr_error *err);
 
-/* F and gap of the film that was read last, with the wedge for Cu > 0. */
+/* Computes F and gap for the film last read, including the wedge if Cu > 0. */
 void ovr_fourth_content_evaluate(ovr_simulation *sim, ovr_fourth_content *of,
                                  const ovr_correction *c, double Cu, double *F,
                                  double *gap);
 
-/* The third divided difference of a step of dT to T that is solved and not yet
- * the past; of what was steady before a first step of dT. */
+/* Third divided difference for a step dT to T that is solved and not yet stored
+ * as past. Before a first step, the past is the steady solution, dT earlier. */
 void ovr_fourth_content_third(ovr_simulation *sim, ovr_fourth_content *of,
                               double T, double dT, double *third);
 void ovr_fourth_content_begin(ovr_simulation *sim, ovr_fourth_content *of,

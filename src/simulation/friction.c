@@ -6,7 +6,7 @@
  * Shear stress and pressure on the slopes of features act on the surfaces:
  *
  *     F_1 = F_slide - F_roll + G_1,   F_2 = -F_slide - F_roll + G_2
- *     G_k = int P dS_k/dX dX,   P that the solids bear, S_k outward
+ *     G_k = int P dS_k/dX dX,  P the pressure on the solids, S_k outward
  *     mu_k = kappa F_k/int P dX,  kappa = b/R
  *     put in      -(F_1 u1 + F_2 u2) = -V F_slide + 2 Cu F_roll - sum u_k G_k
  *     dissipated  -V F_slide + int (Cu H - Q) P_X dX,  Q the volume flow
@@ -16,14 +16,16 @@
  * pressure is symmetric.  overroll-theory(7) derives the balance of both
  * powers.
  *
- * Beyond the inlet X_a of a flooded contact viscosity and density have their
- * values at P = 0:
+ * Upstream of the inlet X_a of a flooded contact, viscosity and density have
+ * their values at P = 0:
  *
- *     P_X = (Cu H - M)/E,  M the mass flow, E = H^3/lambda or of the flow law
- *     H(X) = H(X_a) + h(X) - h(X_a),  h the gap beside a dry contact,
+ *     P_X = (Cu H - M)/E,  M the mass flow,
+ *     E = H^3/lambda or that of the rheological model
+ *     H(X) = H(X_a) + h(X) - h(X_a),  h the gap outside a dry contact,
  *     h = Cw (x sqrt(x^2 - 1) - arcosh x)/2,  x = |X|/s, s = sqrt(Cw/c)
  *     dissipated there  int (Cu H - M) P_X dX = 2 Cu times its part of F_roll
- * The part of F_roll is int H P_X/2 less M P(X_a)/(2 Cu).  The second term
+ *
+ * The part of F_roll is int H P_X/2 minus M P(X_a)/(2 Cu).  The second term
  * corrects the domain, whose pressure starts at 0 instead of P(X_a).  Gauss
  * quadrature in X_a/X with 8 points has an error of 1e-6.  The film in the
  * domain is also too thin: ovr_inlet_rolling_loss.
@@ -51,7 +53,7 @@ void ovr_simulation_sliding(ovr_simulation *sim, const ovr_history *sliding)
     sim->histories.sliding = sliding;
 }
 
-/* dS/dX at an inner node: of fourth order where nodes are equally spaced. */
+/* dS/dX at an inner node: fourth order if the nodes are equidistant. */
 static double slope_at(const ovr_solution *now, const double *S, size_t i)
 {
     const double even = 1e-6, *X = now->X;
@@ -103,7 +105,8 @@ static double dry_gap_at(const dry_gap *gap, double X)
     return gap->load * (x * sqrt(x * x - 1) - acosh(x)) / 2;
 }
 
-/* P_X where the film H is driven by the wedge Cu H - M at P = 0. */
+/* P_X for film thickness H, where the flow `wedge` = Cu H - M at P = 0 is the
+ * Poiseuille flow. */
 static double gradient_at(const ovr_fluid *fluid, double H, double wedge)
 {
     const double dX = 1;
@@ -115,8 +118,8 @@ static double gradient_at(const ovr_fluid *fluid, double H, double wedge)
     return wedge / ovr_flow_between(fluid, dX, &nodes);
 }
 
-/* Returns the power dissipated beyond the inlet node `first` for the mass flow
- * M.  Divided by 2 Cu it is the part of F_roll. */
+/* Returns the power dissipated upstream of the inlet node `first` for mass flow
+ * M. Divided by 2 Cu it is the contribution to F_roll. */
 static double beyond_inlet(const ovr_simulation *sim, const ovr_fluid *fluid,
                            size_t first, double M)
 {
@@ -157,8 +160,8 @@ static double rolling_loss(ovr_simulation *sim, const ovr_instant *at,
     return kept->loss;
 }
 
-/* Returns the rolling power missing in the domain, in which the rolling
- * friction is F_roll.  0: the inlet is starved, or the surfaces hardly move. */
+/* Returns the rolling power missing in the domain, whose rolling friction is
+ * F_roll. Returns 0 if the inlet is starved or the surfaces hardly move. */
 static double inlet_power(ovr_simulation *sim, const ovr_fluid *fluid,
                           double Cu, double F_roll)
 {
@@ -180,8 +183,8 @@ static double inlet_power(ovr_simulation *sim, const ovr_fluid *fluid,
            rolling_loss(sim, &at, now->X[first]) * (2 * Cu * F_roll + power);
 }
 
-/* Returns the power dissipated by flow in addition to Poiseuille flow, for
- * example by the skewed flow of heat.c. */
+/* Returns the power dissipated by flow other than Poiseuille flow, for example
+ * the skewed flow of heat.c. */
 static double dissipated_beside(const ovr_simulation *sim)
 {
     const ovr_solution *now = &sim->now;

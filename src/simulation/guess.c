@@ -1,22 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A step begins from a guess: P and H0 at T + dT, extrapolated from the past.
+ * Initial guess of a time step: P and H0 at T + dT, extrapolated from the past.
  *
  * E is one step back and S_s a shift by s D downstream. 1 - E removes
  * stationary parts, and 1 - S_a E removes parts that move by a D per step, as
- * does 1 - S_2a E^2, whose shift may be a whole number.  Of films and rolling
- * features a = Cu dT/D; when that is 1 the guess is the newest P of
+ * does 1 - S_2a E^2, whose shift may be a whole number.  For films and rolling
+ * features a = Cu dT/D. If a = 1, the guess is the newest P in
  *     (1 - E)^2 (1 - S E)^2 P = 0,
- * linear in time for both; else of (1 - E)^3 P = 0, the parabola through the
- * past, or for unequal steps the line.
+ * linear in time for both parts; otherwise that in (1 - E)^3 P = 0 (parabola
+ * through the past) or, for unequal steps, a line.
  *
- * For sliding features a = (u_k/um) Cu dT/D, if the speed is known.  Then there
- * are several formulas, of which each is the best somewhere: few terms at rough
- * surfaces and for shifts by parts of a mesh, many where the shift is whole;
- * and (1 - S_a E)(1 - S E) P = 0 where rough surfaces slide, for the film is
- * full of what they left in it.
- * After every fourth step it is seen what each would have guessed, sooner where
- * one is new; the next steps begin from the one that has been the nearest.
+ * For sliding features a = (u_k/um) Cu dT/D, if the speed is known. Several
+ * formulas are then available, each the best in some cases: few terms for rough
+ * surfaces and fractional shifts, many terms for whole shifts, and (1 - S_a
+ * E)(1 - S E) P = 0 for sliding rough surfaces, whose film contains
+ * disturbances that move with it. After every fourth step (earlier if a formula
+ * is new) the errors of all formulas are compared, and the following steps use
+ * the best one.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -25,28 +25,30 @@
 #include "multigrid/departures.h"
 #include "simulation/mirror.h"
 
-/* Formulas for moving features are worse than the last state in steps beyond
- * this many mesh sizes. */
+/* In steps longer than this number of mesh sizes, formulas for moving features
+ * are worse than the last state. */
 static const double longest_moved = 8.5;
 
 typedef struct term {
     double weight;
-    int ago, shifts; /* of a past P: its age in steps; S how many times */
+    int ago, shifts; /* a past P: its age in steps, and the number of
+                      * applications of S */
 } term;
 
 enum { MAX_TERMS = 8 };
 
-/* Steps from one look at all formulas to the next: a look costs as much as half
- * a cycle, and the nearest stays so for long. */
+/* Number of steps between comparisons of all formulas. A comparison costs as
+ * much as half a cycle, and the best formula rarely changes. */
 enum { LEARN_EVERY = 4 };
 
 typedef struct formula {
     size_t count;
-    term term[MAX_TERMS]; /* the first is P[0] as it is */
+    term term[MAX_TERMS]; /* the first is P[0] unchanged */
     double H0[4];
-    double meshes; /* that S shifts by */
+    double meshes; /* shift of S in mesh sizes */
     bool two_terms;
-    ptrdiff_t film; /* that S' shifts by, whole: of the first and last term */
+    ptrdiff_t film; /* shift of S' in whole mesh sizes, for the first and last
+                     * term */
 } formula;
 
 static const formula last = {1, {{1, 0, 0}}, {1, 0, 0, 0}, 0, false, 0};
@@ -84,7 +86,8 @@ static formula two_terms(int k, double meshes)
         0};
 }
 
-/* S' P_0 + S (P_0 - S' P_1): what moves with the features and with the film */
+/* S' P_0 + S (P_0 - S' P_1): one part moves with the features, the other with
+ * the film */
 static formula each_moves(double meshes, double film)
 {
     formula how = two_terms(0, meshes);
@@ -98,7 +101,7 @@ static formula line(double s)
         2, {{1 + s, 0, 0}, {-s, 1, 0}}, {1 + s, -s, 0, 0}, 0, false, 0};
 }
 
-/* The last so many steps, and the one to come, are equally long. */
+/* True if the last `steps` steps and the next one have the same length. */
 static bool equal_steps(const ovr_past *past, double dT, int steps)
 {
     bool equal = past->steps >= steps;
@@ -107,7 +110,7 @@ static bool equal_steps(const ovr_past *past, double dT, int steps)
     return equal;
 }
 
-/* S need only be right to a part of the guess's own error. */
+/* The accuracy of S need only be a fraction of the error of the guess. */
 static bool is_whole(double meshes)
 {
     return fabs(meshes - nearbyint(meshes)) < 0.01 && fabs(meshes) > 0.5;
@@ -119,7 +122,7 @@ static formula shifted(formula how, double meshes)
     return how;
 }
 
-/* A field from its past: what whole shifts bring is there already. */
+/* Extrapolates a field from its past, with whole shifts. */
 static void extrapolate(const ovr_simulation *sim, const formula *how,
                         ptrdiff_t margin, double *const past[OVR_PAST],
                         double *guess)
@@ -135,7 +138,7 @@ static void extrapolate(const ovr_simulation *sim, const formula *how,
                                     weight, from, guess + margin);
 }
 
-/* Two terms, by any shift. */
+/* Extrapolates with two terms and any shift. */
 static void carry(const ovr_simulation *sim, const formula *how,
                   ptrdiff_t margin, double *const past[OVR_PAST], double *guess)
 {
@@ -147,14 +150,15 @@ static void carry(const ovr_simulation *sim, const formula *how,
     size_t n = sim->now.n - 2 * (size_t)margin;
     ovr_cubic_weights(-how->meshes - whole, c);
     sim->grids.kernels->carry(n, c, from, guess + margin);
-    if (how->film) { /* nodes that are dry now stay so */
+    if (how->film) { /* cavitated nodes stay cavitated */
         const double *const wet[] = {past[0] + margin, guess + margin};
         sim->grids.kernels->extrapolate(n, 2, (const double[]){0, 1}, wet,
                                         guess + margin);
     }
 }
 
-/* Nodes at both ends that stay what they are: nothing lies beyond them. */
+/* Number of nodes at both ends that keep their values, because the formula
+ * would need nodes outside the grid. */
 static ptrdiff_t margin_of(const formula *how)
 {
     return 2 + 2 * (ptrdiff_t)ceil(fabs(how->meshes)) + labs(how->film);
@@ -170,14 +174,15 @@ static void guess_field(const ovr_simulation *sim, const formula *how,
                                            guess);
 }
 
-/* The distance by which the film moves along x in the step of dT at hand. */
+/* Distance that the film moves along x in a step dT, in mesh sizes. */
 static double film_meshes(const ovr_simulation *sim, double dT)
 {
     double Cu = sim->grids.op.speed;
     return (sim->histories.backward ? -Cu : Cu) * dT / ovr_mesh(sim);
 }
 
-/* The formula of what nobody told to move but with the surfaces' mean speed. */
+/* Formula for features whose speed is unknown: they move at the entrainment
+ * speed. */
 static formula untold(const ovr_simulation *sim, double dT)
 {
     const ovr_past *past = &sim->past;
@@ -198,7 +203,7 @@ static size_t candidates(const ovr_simulation *sim, double a, double film,
                          bool three, formula found[OVR_GUESSES],
                          size_t number[OVR_GUESSES])
 {
-    enum { NODES = 64 }; /* that no guess leaves alone */
+    enum { NODES = 64 }; /* grid too small for extrapolation */
     const formula all[OVR_GUESSES] = {shifted(standing_and_moving, a),
                                       shifted(by_two_steps, 2 * a),
                                       two_terms(0, a),
@@ -224,8 +229,8 @@ static size_t candidates(const ovr_simulation *sim, double a, double film,
     return count;
 }
 
-/* Finds if the features' motion is followed in a step of dT, and the formulas
- * for it. */
+/* Determines whether moving features are followed in a step dT, and the
+ * formulas for it. */
 static size_t follow(const ovr_simulation *sim, double dT,
                      formula found[OVR_GUESSES], size_t number[OVR_GUESSES])
 {
@@ -239,7 +244,8 @@ static size_t follow(const ovr_simulation *sim, double dT,
     return candidates(sim, a, film, equal_steps(past, dT, 3), found, number);
 }
 
-/* The formula that has been the nearest; OVR_GUESSES where none is known. */
+/* Index of the formula with the smallest recent error; OVR_GUESSES if none is
+ * known. */
 static size_t nearest_of(const double *off, size_t count, const size_t number[])
 {
     size_t best = OVR_GUESSES;
@@ -250,9 +256,9 @@ static size_t nearest_of(const double *off, size_t count, const size_t number[])
     return best;
 }
 
-/* Formulas of what stands and what moves come first, where all roll, if they
- * come this near (in ph): cycles from there need no sweeps after the
- * correction. */
+/* In rolling contacts, formulas with stationary and moving parts are preferred
+ * if their error (in p_h) is below this: cycles then need no sweeps after the
+ * coarse-grid correction. */
 static const double near_enough = 1e-5;
 
 static bool rolls_closely(const ovr_simulation *sim, size_t count,

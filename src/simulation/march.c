@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The time loop: knows steps and observers, nothing of files.
+ * The time loop: performs steps and calls observers; it does not access files.
  *
- * Fixed steps end at k dT exactly, without the rounding of a sum; the times
- * that observers ask for are hit on the way by dividing a step.
- * Adaptive steps follow the error e ~ dT^p that they add to the film on its way
- * through the contact (time_derivative.c), p the order.  They are D times a
- * power of 2 and are constant for a while, so that extrapolation remains valid:
- * shorter where e is above the asked for one, twice as long where it would stay
- * below 0.7 of it; a step with three times the target error is taken again.
+ * Fixed steps end at exactly k dT, without accumulated rounding errors. A step
+ * is divided to reach the times requested by observers. Adaptive steps follow
+ * the error e ~ dT^p that they add to the film on its way through the contact
+ * (time_derivative.c), p the order.  They are D times a power of 2 and are
+ * constant for a while, so that extrapolation remains valid: shorter if e
+ * exceeds the target error, twice as long if e would remain below 0.7 of it. A
+ * step with more than three times the target error is repeated.
  */
 #include <float.h>
 #include <math.h>
@@ -16,21 +16,21 @@
 #include "base/given.h"
 #include "simulation/physics.h"
 
-/* Nothing changes any more: neither P nor S by more than this times dT, so
- * many steps in a row.  The contact forgets within a few b/um, so P is that
- * close to its end value. */
+/* The state is considered constant if neither P nor S changes by more than this
+ * times dT in STILL consecutive steps. Disturbances leave the contact within a
+ * few b/um, so P is then close to its final value. */
 static const double still_rate = 1e-8;
 enum { STILL = 20 };
 
-/* The shortest adaptive step in mesh sizes: below it the errors of the mesh
+/* Minimum adaptive step in mesh sizes; with shorter steps spatial errors
  * dominate. */
 static const double min_step = 1. / 8;
 
 /*
- * Longer steps gain little and may miss features that enter.  With 32 mesh
- * sizes the error of the film at a start is 15 % larger, with 64 it is doubled.
- * Temperatures are not part of the error estimate.  In a load ramp (level 7)
- * their error is 7e-4 with 8 mesh sizes and 7e-3 with 16.
+ * Longer steps gain little and may miss features that enter.  With steps of 32
+ * mesh sizes the film thickness error at the start of motion is 15 % larger,
+ * with 64 it is doubled. Temperatures are not part of the error estimate.  In a
+ * load ramp (level 7) their error is 7e-4 with 8 mesh sizes and 7e-3 with 16.
  */
 double ovr_longest_step(const ovr_simulation *sim)
 {
@@ -47,8 +47,8 @@ static ovr_status observe(const ovr_simulation *sim, const ovr_march *march,
     return status;
 }
 
-/* The next time of the fixed grid, or of the adaptive step; a time that is
- * asked for before it comes first. */
+/* Returns the next time of the fixed grid or adaptive step, or a requested time
+ * if that is earlier. */
 static double next_time(const ovr_simulation *sim, const ovr_march *march,
                         double dT)
 {
@@ -84,7 +84,8 @@ static double regulated(const ovr_simulation *sim, const ovr_march *march,
     return fmin(ovr_longest_step(sim) * D, fmax(min_step * D, exp2(power) * D));
 }
 
-/* Shorter steps until one is taken; at the shortest any error will do. */
+/* Repeats a step with shorter lengths until it is accepted; at the minimum
+ * length any error is accepted. */
 static ovr_status adaptive_step(ovr_simulation *sim, const ovr_march *march,
                                 ovr_error *err)
 {
@@ -98,7 +99,8 @@ static ovr_status adaptive_step(ovr_simulation *sim, const ovr_march *march,
                                                    err);
         if (status)
             return status;
-        /* a step that was cut to hit a time says nothing against dT */
+        /* a step that was shortened to reach a requested time is no reason to
+         * change dT */
         if (!taken || step > 0.99 * dT || error > target)
             dT = regulated(sim, march, step, error);
         sim->past.dT_next = dT;
@@ -142,8 +144,8 @@ static double predicted(const ovr_simulation *sim, const ovr_march *march)
     return start + factor * cycles * steps * (double)sim->now.n;
 }
 
-/* Stops a run that took a minute of CPU and 20 times the predicted work, in
- * steps of which most needed further attempts. */
+/* Stops a run that has used a minute of CPU time and 20 times the predicted
+ * work, if most of its steps needed further attempts. */
 static ovr_status check_work(ovr_simulation *sim, const ovr_march *march,
                              ovr_error *err)
 {
@@ -184,7 +186,8 @@ static ovr_status advance(ovr_simulation *sim, const ovr_march *march,
     return status;
 }
 
-/* A restored run may already be settled, if it was stopped at its last step. */
+/* Checks whether a restored run was already constant, if it was stopped at its
+ * last step. */
 static void look_at_start(ovr_simulation *sim, const ovr_march *march)
 {
     sim->statistics.settled = sim->restored && has_settled(sim, march);

@@ -1,21 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Mass balance over a step, by quadratures of their own: the discrete
- * equation conserves its own fluxes to the algebraic error whatever the mesh,
- * so it cannot judge itself.
+ * Mass balance of a step, computed with independent quadrature rules: the
+ * discrete equation conserves its own fluxes to the algebraic error on any
+ * mesh, so its balance does not measure the discretization error.
  *
  *     error = [inflow - outflow]_{mean of both times}
- *             - (stored mass now - before)/dT,   over the contact's own flow
+ *             - (stored mass now - before)/dT,
+ *             relative to the flow in the contact
  *     flux  = Cu (q_i + q_{i+1})/2 - eps_{i+1/2} (P_{i+1} - P_i)/D
  *     mass  = sum of weights q over the nodes between the two half nodes
  *
- * from half node 1/2 to the last one that is under pressure at both times.
- * All rules are of second order in D and dT, and so is the error.  The
- * contact's own flow is the mean size of the flow over all half nodes between:
- * in steady rolling the mass flow, under a varying load what the approach
- * presses about as well.  The net inflow alone may vanish then.
- * Where um reverses, over the film about X = 0 as far as it is under pressure
- * at both times, and over H_cen at least: the flow of nominal speed.
+ * from half node 1/2 to the last one that is pressurized at both times. All
+ * rules are of second order in D and dT, and so is the error.  The flow in the
+ * contact is the mean absolute flow over these half nodes: in steady rolling
+ * the mass flow rate, under varying load also the squeeze flow (the net inflow
+ * can then be zero). If um reverses, the balance covers the pressurized film
+ * around X = 0 at both times, and the error is relative to at least H_cen, the
+ * flow at the reference speed.
  */
 #include <math.h>
 
@@ -45,7 +46,7 @@ double ovr_upstream(const ovr_simulation *sim, const double *q, size_t i)
     return u[0] * q[i] + u[1] * q[i - 1];
 }
 
-/* Content that the film carries along at half node i + 1/2. */
+/* Content convected with the film at half node i + 1/2. */
 static double carried(const ovr_simulation *sim, size_t i)
 {
     double q = ovr_upstream(sim, sim->now.q, i);
@@ -62,8 +63,8 @@ double ovr_flow_of_physics(const ovr_simulation *sim, size_t i, bool mean)
     return flow;
 }
 
-/* The scheme's own flux at half node i + 1/2: upstream wedge and Poiseuille
- * flow. */
+/* Mass flow of the discrete scheme at half node i + 1/2: upstream wedge and
+ * Poiseuille flow. */
 double ovr_flux(const ovr_simulation *sim, double Cu, size_t i)
 {
     const double *P = sim->now.P, *X = sim->now.X;
@@ -74,7 +75,7 @@ double ovr_flux(const ovr_simulation *sim, double Cu, size_t i)
 
 /* ------------------------------------------------------------------ Balance */
 
-/* E at the half node i + 1/2, at the time T; with temperatures of now. */
+/* E at half node i + 1/2 and time T, with the present temperatures. */
 static double poiseuille(const ovr_simulation *sim, double T, const double *P,
                          const double *q, size_t i)
 {
@@ -111,20 +112,20 @@ static size_t last_wet(const double *P, size_t n)
     return i;
 }
 
-/* Half nodes, between nodes that are wet at both times. */
+/* Range of half nodes between nodes that are pressurized at both times. */
 typedef struct stretch {
     size_t first, last;
 } stretch;
 
-/* The stretch from the inlet. */
+/* The range that starts at the inlet. */
 static stretch from_inlet(const ovr_past *past, size_t n)
 {
     size_t last = last_wet(past->P[0], n), before = last_wet(past->P[1], n);
     return (stretch){0, (before < last ? before : last) - 1};
 }
 
-/* All that hangs together with the middle, except for the nodes beside the
- * ends, where temperatures jump. */
+/* The connected range around X = 0, without the nodes next to the ends, where
+ * temperatures jump. */
 static stretch about_middle(const ovr_past *past, size_t n)
 {
     enum { BESIDE = 4 };
@@ -139,8 +140,8 @@ static stretch about_middle(const ovr_past *past, size_t n)
     return s;
 }
 
-/* Integral of the flow's size over these half nodes, with what flows beside the
- * film's own. */
+/* Integral of the absolute flow over these half nodes, including flow from
+ * physical models. */
 static double flow_size(const ovr_simulation *sim, double Cu, stretch s)
 {
     const double *P = sim->now.P, *q = sim->now.q, *eps = sim->now.eps;
@@ -156,10 +157,10 @@ static double flow_size(const ovr_simulation *sim, double Cu, stretch s)
     return sum;
 }
 
-/* Mean size of the flow at the end of the step over these half nodes. */
+/* Mean absolute flow over these half nodes at the end of the step. */
 static double own_flow(const ovr_simulation *sim, double Cu, stretch s)
 {
-    enum { NODES = 16 }; /* more than a vector has */
+    enum { NODES = 16 }; /* more than the number of vector elements */
     const ovr_solution *now = &sim->now;
     size_t first = s.first, n = s.last - first + 2;
     const double *flow = now->flow ? now->flow + first : NULL;

@@ -32,7 +32,7 @@ static void before_back(ovr_simulation *sim, void *own)
                               !sim->scheme->characteristic;
 }
 
-/* The start has a wedge by any scheme. */
+/* The steady start has a wedge in every scheme. */
 static void before_start(ovr_simulation *sim, void *own)
 {
     (void)own;
@@ -40,7 +40,7 @@ static void before_start(ovr_simulation *sim, void *own)
     sim->histories.mirrored = sim->histories.backward;
 }
 
-/* The side of the solution becomes that of the past. */
+/* The orientation of the solution becomes that of the past. */
 static void begin(ovr_simulation *sim, void *own)
 {
     (void)own;
@@ -109,7 +109,7 @@ void ovr_nodes_read(const ovr_simulation *sim, const ovr_level *level,
     ovr_level_read(&sim->grids, level, values, along_x);
     if (!sim->histories.mirrored)
         return;
-    /* between nodes i and i + 1 */
+    /* values at half nodes, between i and i + 1 */
     bool between = values == level->f.flow && values;
     for (size_t i = 0, j = level->grid.n - 1 - between; i < j; i++, j--) {
         double left = along_x[i];

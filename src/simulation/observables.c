@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The list of quantities, and how the fields among them are computed. */
+/* The table of quantities, and the computation of the fields among them. */
 #include <math.h>
 #include <string.h>
 
@@ -14,7 +14,7 @@
 
 /* ----------------------------------------------------------------- fields */
 
-/* Values of the physics that has the field; NAN where it is off. */
+/* Values of a field of the active physical models; NAN if no model has it. */
 static const double *field_of(const ovr_simulation *sim,
                               ovr_physics_field which, double *workspace)
 {
@@ -31,7 +31,7 @@ static void warm(const ovr_simulation *sim, double *viscosity, double *density)
         p->is->in_output->warm(sim, p->own, viscosity, density);
 }
 
-/* Fields that are there already, or that others find. */
+/* Fields that are available or computed elsewhere. */
 #define IS(name, values)                                                       \
     static const double *name(const ovr_simulation *sim, double *workspace)    \
     {                                                                          \
@@ -42,7 +42,7 @@ IS(pressure, sim->now.P)
 IS(film_thickness, sim->now.H)
 IS(roughness, sim->shapes.S)
 IS(oil_content, sim->now.q)
-/* `pressure` by the name that it has beside contact_pressure */
+/* `pressure` under its name in mixed lubrication */
 IS(fluid_pressure, sim->now.P)
 IS(shear_stress_1, ovr_wall_stress(sim, 1, workspace))
 IS(shear_stress_2, ovr_wall_stress(sim, 2, workspace))
@@ -76,7 +76,7 @@ static const double *cavitated(const ovr_simulation *sim, double *workspace)
     return workspace;
 }
 
-/* The density is that of the oil's temperature where P = 0. */
+/* Film fraction; the density is that at the lubricant temperature and P = 0. */
 static const double *filling(const ovr_simulation *sim, double *workspace)
 {
     for (size_t i = 0; i < sim->state.n; i++) {
@@ -116,7 +116,7 @@ static const double *mass_flow(const ovr_simulation *sim, double *workspace)
      .axes = OVR_AT_##along,                                                   \
      .field = (of)},
 
-/* Known where there is something on the surfaces. */
+/* Known if there are features on the surfaces. */
 #define ROUGH(name, key, si, kind, member, ...)                                \
     OVR_NUMBER_ROW(name, key, si, kind, member, OVR_PHYSICS_FEATURES,          \
                    __VA_ARGS__)
@@ -246,7 +246,7 @@ static const ovr_observable table[] = {
           SMALLEST("lambda_ratio_min"), EXTREME_REPORTED, MEAN("lambda_ratio"),
           MEAN_REPORTED, DIGITS(4), NOTE("|X| < 0.75"), STEADY_TOO)};
 
-/* Behind those of the physics: how it was solved, and the fields. */
+/* After the quantities of the physical models: solver statistics and fields. */
 static const ovr_observable last[] = {
     NUMBER("residual", "residual", NULL, NUMBER, residual, "residual",
            COMMENT("relative mass flow imbalance"), LABEL("residual"),

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The fields among the quantities, for the list and for the words of a case:
- * ROW(name and function, kind, axes, long name).  Bit k of a set of fields is
- * the k-th of them. */
+/* List of the fields among the quantities, for the quantity table and for the
+ * words of a case: ROW(name and function, kind, axes, long name). Bit k in a
+ * set of fields represents field k. */
 #ifndef OVR_SIMULATION_OBSERVABLES_H
 #define OVR_SIMULATION_OBSERVABLES_H
 

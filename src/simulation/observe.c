@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Observes what there is after a solve or step. */
+/* Observation of the state after a solve or step. */
 #include "simulation/observe.h"
 
 #include <math.h>
@@ -31,9 +31,9 @@ double ovr_vertex(const double *X, const double *v, size_t i, double *value)
 }
 
 /* Returns whether the mesh resolves the maximum of v at node i: on average, the
- * values two nodes away are at least two thirds of it.  The pressure of a
- * Newtonian film at a surface feature is singular like the logarithm of the
- * distance; there, the ratio is about a half on any mesh. */
+ * values two nodes away are at least two thirds of the maximum. At a surface
+ * feature, the pressure of a Newtonian film has a logarithmic singularity;
+ * there the ratio is about a half on any mesh. */
 static bool maximum_is_resolved(size_t n, const double *v, size_t i)
 {
     double left = i > 1 ? v[i - 2] : v[0];
@@ -43,7 +43,7 @@ static bool maximum_is_resolved(size_t n, const double *v, size_t i)
 
 int ovr_prominent_maxima(size_t n, const double *P, size_t *last)
 {
-    double low = P[0]; /* lowest since the last that stood out */
+    double low = P[0]; /* minimum since the last prominent maximum */
     int count = 0;
     for (size_t i = 1; i + 1 < n; i++) {
         low = P[i] < low ? P[i] : low;
@@ -52,14 +52,14 @@ int ovr_prominent_maxima(size_t n, const double *P, size_t *last)
         if (P[i] > low + OVR_PROMINENCE)
             count++;
         else if (!count || !(P[i] > P[*last]))
-            continue; /* nothing, or a lower one of the same maximum */
+            continue; /* none, or a lower one of the same peak */
         *last = i;
         low = P[i];
     }
     return count;
 }
 
-/* The nodes in a window, from `first` to before `behind`. */
+/* Range of nodes: from `first` to the one before `behind`. */
 typedef struct inside {
     size_t first, behind;
 } inside;
@@ -74,8 +74,9 @@ static inside nodes_inside(const ovr_solution *now, double window)
     return in;
 }
 
-/* The film's mean in the window; and the root mean square of rho H, which
- * neither compresses nor flows there, about its mean, over the mean density. */
+/* Mean film thickness of the range; and the root mean square deviation of rho
+ * H, which is unaffected by compression and flow there, relative to the mean
+ * density. */
 static double mean_film(const ovr_simulation *sim, inside in, double *roughness)
 {
     enum { WIDTH, FILM, DENSITY, CONTENT, SQUARES, SUMS };
@@ -88,15 +89,14 @@ static double mean_film(const ovr_simulation *sim, inside in, double *roughness)
     return sum[FILM] / sum[WIDTH];
 }
 
-/* True at nodes with pressure, of the film or of asperities, and next to
- * them. */
+/* True at nodes with fluid or asperity pressure, and next to these. */
 static bool bears(const double *P, size_t i)
 {
     return P[i - 1] > 0 || P[i] > 0 || P[i + 1] > 0;
 }
 
-/* Finds the minimum film thickness: the smallest gap that bears load.  Rough
- * surfaces may be closer to each other in the cavity. */
+/* Finds the minimum film thickness: the smallest gap that bears load.  In the
+ * cavitated region the gap of rough surfaces can be smaller. */
 static void observe_minimum(const ovr_simulation *sim, ovr_observation *o)
 {
     const double *X = sim->now.X, *H = sim->now.H;
@@ -110,7 +110,7 @@ static void observe_minimum(const ovr_simulation *sim, ovr_observation *o)
     for (size_t i = 1; i + 1 < n && low != smallest; i++)
         if (bears(P, i) && (!low || H[i] < H[low]))
             low = i;
-    if (!low) /* a film without pressure */
+    if (!low) /* no pressurized node */
         low = smallest;
     if (low != smallest)
         o->X_min_cavity = ovr_vertex(X, H, smallest, &o->H_min_cavity);
@@ -123,7 +123,7 @@ static void observe_minimum(const ovr_simulation *sim, ovr_observation *o)
 static void observe_film(const ovr_simulation *sim, ovr_observation *o)
 {
     const double *H = sim->now.H, T = sim->state.T;
-    /* less than that of the nominal contact where the contact is narrower */
+    /* smaller than that of the reference contact if the contact is narrower */
     double narrower = fmin(1,
                            sqrt(ovr_history_value(sim->histories.load, T) *
                                 ovr_history_value(sim->histories.radius, T)));
@@ -139,7 +139,7 @@ static void observe_film(const ovr_simulation *sim, ovr_observation *o)
     o->H0 = sim->grids.H0;
 }
 
-/* Maxima that stand out, and the last of them along the flow. */
+/* Number of prominent maxima; and the last of them in the direction of flow. */
 static int maxima_of(const ovr_simulation *sim, size_t *last)
 {
     const ovr_kernels *run = sim->grids.kernels;
@@ -152,7 +152,7 @@ static int maxima_of(const ovr_simulation *sim, size_t *last)
         P = image;
     }
     maxima = run->peaks(n, P, last);
-    if (maxima > 1) /* most of them may be noise */
+    if (maxima > 1) /* several maxima may be numerical noise */
         maxima = ovr_prominent_maxima(n, P, last);
     if (sim->histories.backward)
         *last = n - 1 - *last;
@@ -160,7 +160,7 @@ static int maxima_of(const ovr_simulation *sim, size_t *last)
     return maxima;
 }
 
-/* The cavitated node behind the last wet one along the flow. */
+/* The first cavitated node downstream of the film. */
 static size_t film_end(const ovr_simulation *sim)
 {
     const double *P = sim->now.P;
@@ -205,7 +205,8 @@ static void observe_pressure(const ovr_simulation *sim, ovr_observation *o)
     ovr_work_give(sim, solid);
 }
 
-/* Node by node, with what flows beside the film's own; either way. */
+/* Mean flow node by node, including flow from physical models; for both rolling
+ * directions. */
 static double mean_flow_by_nodes(const ovr_simulation *sim, double Cu)
 {
     const double *P = sim->now.P;
@@ -218,7 +219,7 @@ static double mean_flow_by_nodes(const ovr_simulation *sim, double Cu)
     return count > 0 ? sum / count : 0;
 }
 
-/* The same inside, where it has two nodes upstream, over all that is wet. */
+/* Mean flow over all pressurized half nodes that have two upstream nodes. */
 static double mean_flow(const ovr_simulation *sim)
 {
     double Cu = ovr_history_value(sim->histories.speed, sim->state.T);
@@ -235,8 +236,8 @@ static double mean_flow(const ovr_simulation *sim)
                                          sim->now.flow);
 }
 
-/* True if what a failed solve left is no approximation of a film: somewhere it
- * is not open, or R is of the size of the flow itself. */
+/* True if the result of a failed solve does not approximate a film: H <= 0
+ * somewhere, or R is as large as the flow. */
 static bool is_meaningless(const ovr_simulation *sim,
                            const ovr_outcome *outcome)
 {
@@ -245,7 +246,8 @@ static bool is_meaningless(const ovr_simulation *sim,
     return !ovr_surfaces_apart(sim) || !(fabs(outcome->defect.imbalance) <= 1);
 }
 
-/* Replaces numbers that follow from the film by NAN; counts and flags stay. */
+/* Replaces quantities that depend on the film by NAN; counts and flags are
+ * kept. */
 static void withhold(ovr_observation *o)
 {
     const ovr_observation given = *o;
@@ -309,10 +311,11 @@ void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
 
 /* ---------------------------------------------- extremes and means of a run */
 
-/* Keeps of the quantities over a whole run, step by step: extremes, with where
- * and when, and means.  The row of a quantity selects what is stored. */
+/* Extremes of quantities over a run, with place and time, and means. The table
+ * row of a quantity selects what is stored. */
 
-/* A member that is a double, of an observation or what has its members. */
+/* Address of a member of type double in an observation or a struct with the
+ * same members. */
 static double *member(ovr_observation *of, size_t offset)
 {
     return (double *)(void *)((char *)of + offset);
@@ -323,7 +326,7 @@ static double number(const ovr_observation *of, size_t offset)
     return *(const double *)(const void *)((const char *)of + offset);
 }
 
-/* What was not known until now is kept as it is. */
+/* A value is also stored if the stored one is unknown. */
 static bool is_beyond(ovr_sense what, double value, double kept)
 {
     if (isnan(kept))
@@ -347,7 +350,7 @@ static void take_extreme(ovr_statistics *s, const ovr_observable *row,
     *member(&s->where, row->offset) = row->place ? number(o, row->place) : NAN;
 }
 
-/* `part` of the time up to now is the step's. */
+/* Updates a mean; `part` is the fraction of the elapsed time in this step. */
 static void take_mean(ovr_statistics *s, const ovr_observable *row,
                       const ovr_observation *o, double part)
 {
@@ -388,7 +391,7 @@ void ovr_statistics_unknown(ovr_statistics *s)
 
 #define PUT(text, ...) snprintf(text, sizeof(text), __VA_ARGS__)
 
-/* The length of "P_max" in "P_max_overall". */
+/* Length of the stem of a key: of "P_max" in "P_max_overall". */
 static int stem(const char *key)
 {
     const char *end = strstr(key, "_overall");

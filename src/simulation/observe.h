@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The observed numbers of a state: film, pressure, flow, friction, extremes. */
+/* Observation of a state: film thickness, pressure, flow, friction, extremes.
+ */
 #ifndef OVR_SIMULATION_OBSERVE_H
 #define OVR_SIMULATION_OBSERVE_H
 
@@ -8,36 +9,36 @@
 
 #include "simulation/internal.h"
 
-/* Finds where a curve is smallest and largest between its nodes, and which of
- * its maxima stand out. */
+/* Finds the extremes of a curve between its nodes, and its prominent maxima. */
 
-/* A maximum stands out when it is more than this above the lowest value
- * between it and the maximum before it (in ph). */
+/* A maximum is prominent if it exceeds the lowest value between it and the
+ * previous maximum by more than this (in p_h). */
 #define OVR_PROMINENCE 1e-3
 
-/* The vertex of the parabola through nodes i-1, i, i+1, node i being an
- * extreme: its place, and *value.  Where the vertex
- * would be further than a mesh away, or differ from the node by more than 5 %
- * of the node's value, the mesh does not carry it: the node itself. */
+/* Vertex of the parabola through nodes i-1, i, i+1, where node i is an extreme:
+ * returns its position and sets *value. If the vertex is more than D away or
+ * differs from the nodal value by more than 5 %, the mesh does not resolve it,
+ * and the node itself is returned. */
 double ovr_vertex(const double *X, const double *v, size_t i, double *value);
 
-/* The number of maxima that stand out; *last is the last of them.  Of those
- * that do not stand out from each other the highest is taken. */
+/* Returns the number of prominent maxima; *last is the last of them. If
+ * neighbouring maxima are not separated by a sufficient minimum, only the
+ * highest counts. */
 int ovr_prominent_maxima(size_t n, const double *P, size_t *last);
 
-/* The scheme's own mass flow at the half node i + 1/2; Cu = um/um0. */
+/* Mass flow of the discrete scheme at half node i + 1/2; Cu = um/um0. */
 double ovr_flux(const ovr_simulation *sim, double Cu, size_t i);
 
-/* Upstream value of a content q at i + 1/2 in the scheme; what flows
- * there beside the film's own (physics.h). */
+/* Upstream value of a content q at i + 1/2 in the scheme; and the flow there
+ * contributed by physical models (physics.h). */
 double ovr_upstream(const ovr_simulation *sim, const double *q, size_t i);
 double ovr_flow_of_physics(const ovr_simulation *sim, size_t i, bool mean);
 
-/* Relative error of the mass balance over the step just made. */
+/* Relative mass balance error of the last step. */
 double ovr_mass_balance(const ovr_simulation *sim);
 
-/* Friction of the film that was read last (friction.c), its coefficients and
- * powers; shear stress in the film at a surface, at half nodes. */
+/* Computes friction coefficients and powers of the film last read (friction.c).
+ */
 void ovr_observe_friction(ovr_simulation *sim, ovr_observation *o);
 
 /* Returns 0 for a sliding force that is rounding; otherwise the force. */
@@ -49,17 +50,17 @@ void ovr_friction_forces(const ovr_simulation *sim, ovr_observation *o);
 const double *ovr_wall_stress(const ovr_simulation *sim, int surface,
                               double *workspace);
 
-/* Points the public state at the solution. */
+/* Sets the pointers of the public state to the solution. */
 void ovr_publish_state(ovr_simulation *sim);
 
-/* Adds an observation to the extremes and means of the run; none of them
- * is known; where one of them is. */
+/* Adds an observation to the extremes and means of the run; sets all to
+ * unknown; returns the address of one of them. */
 void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
                          bool first);
 void ovr_statistics_unknown(ovr_statistics *s);
 double *ovr_kept_number(const ovr_extreme *which, ovr_statistics *of);
 
-/* Film, pressure, mass flow and friction of the line that `now` holds. */
+/* Observes film, pressure, mass flow and friction of the line in `now`. */
 void ovr_observe_line(ovr_simulation *sim, ovr_observation *o);
 
 /* Fills the state's fields and the observation from the finest level. */

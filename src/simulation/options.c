@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Options: defaults, and what the program chooses itself. */
+/* Options: defaults and automatic choices. */
 #include <math.h>
 
 #include "base/error.h"
@@ -29,11 +29,11 @@ ovr_options ovr_options_default(void)
 }
 
 /*
- * R cannot fall below the rounding of the residual.  eps P is of the size of
- * Cu X_a^4/24 whatever the load, its second difference is divided by D^2, and R
- * by H_cen: 4.3e-10/H_cen measured at D = 5.5/7168, X_a = -4 for M = 20 to
- * 200; here four times that.  An R above 1e-3 is no solution, whatever the
- * rounding: from level 19 on there is none to be had in double precision.
+ * Rounding bounds R from below. eps P is about Cu X_a^4/24 for any load; its
+ * second difference is divided by D^2 and R by H_cen. Measured: 4.3e-10/H_cen
+ * at D = 5.5/7168, X_a = -4, M = 20 to 200; MARGIN times that is used. A
+ * solution with R above 1e-3 is not accepted: from level 19 on there is none in
+ * double precision.
  */
 static const double NO_SOLUTION = 1e-3, MARGIN = 4;
 
@@ -58,7 +58,8 @@ static double mesh_of(const ovr_options *o, int level)
     return (o->outlet - o->inlet) / (double)(ovr_level_nodes(level) - 1);
 }
 
-/* Refuses levels on which the rounding of the residual hides the solution. */
+/* Rejects levels on which rounding of the residual makes a solution impossible.
+ */
 static ovr_status check_rounding(const ovr_contact *contact,
                                  const ovr_options *o, ovr_error *err)
 {
@@ -77,12 +78,12 @@ static ovr_status check_rounding(const ovr_contact *contact,
 }
 
 /*
- * In mixed contact the film is held open by asperities: H is larger than that
- * of the oil alone, and eps, by which the rounding of P enters the residual,
- * grows as 1/share.  R is the relative error of the oil's pressure, of which
- * the total pressure, and with it H, has that share only: R times the share is
- * what the tolerance has to bound (measured: R ends at 4e-9 to 3e-8 for shares
- * of 8e-3 to 9e-4).  Up to 1e-5, the relative error of the oil's own pressure.
+ * In mixed lubrication asperities support part of the load: H is larger than
+ * with fluid only, and the effect of rounding of P on the residual grows as
+ * 1/share. R is the relative error of the fluid pressure, which is only a
+ * fraction (share) of the total pressure that determines H. The tolerance
+ * therefore bounds R times the share, up to 1e-5 (measured: R stalls at 4e-9 to
+ * 3e-8 for shares of 8e-3 to 9e-4).
  */
 double ovr_negligible_tolerance(const ovr_simulation *sim, double D, double H)
 {
@@ -94,9 +95,9 @@ double ovr_negligible_tolerance(const ovr_simulation *sim, double D, double H)
     return whole < largest * share ? whole / share : largest;
 }
 
-/* Keeps the algebraic error under a tenth of the discretization error; ten
- * times as much nearly does.  However coarse the mesh, it is near a solution.
- */
+/* Tolerance that keeps the algebraic error below a tenth of the discretization
+ * error (ten times the tolerance nearly suffices). It is bounded, so that the
+ * result is close to a solution on any mesh. */
 double ovr_truncation_tolerance(const ovr_simulation *sim, double D, double H)
 {
     double meshes = D / (5.5 / 1792);
@@ -107,10 +108,11 @@ double ovr_truncation_tolerance(const ovr_simulation *sim, double D, double H)
 
 ovr_mlmi_form ovr_options_mlmi(const ovr_options *options, int level)
 {
-    /* H0's error with the second-order wedge at M = 20, L = 10, measured:
-     * 2.6e-5 at level 8, falling as 4^-level */
+    /* error of H0 with the second-order wedge at M = 20, L = 10, measured:
+     * 2.6e-5 at level 8, proportional to 4^-level */
     double target = 0.1 * 2.6e-5 * ldexp(1, 2 * (8 - level));
-    if (level < options->level) /* corrects finer ones, which stay as exact */
+    if (level < options->level) /* coarser levels must not limit the accuracy of
+                                 * finer ones */
         target = 1e-6;
     else if (target > 1e-8)
         target = 1e-8;
@@ -124,9 +126,9 @@ ovr_mlmi_form ovr_options_mlmi(const ovr_options *options, int level)
     return form;
 }
 
-/* 57 nodes, more if the film or the inlet would not be resolved: two mesh sizes
- * over the width of the film.  At M = 5000 (L = 5) cycles reach the solution
- * from level 7 alone. */
+/* 57 nodes, or more if film or inlet would not be resolved: at least two mesh
+ * sizes per film width. At M = 5000 (L = 5) cycles converge only from level 7
+ * on. */
 static int automatic_coarsest(const ovr_contact *contact, const ovr_options *o)
 {
     double H = ovr_film_central_moes(contact->M, contact->L);
@@ -142,7 +144,7 @@ static int automatic_coarsest(const ovr_contact *contact, const ovr_options *o)
     return coarsest < o->level ? coarsest : o->level;
 }
 
-/* What no other check would meet before it does harm. */
+/* Checks numbers that no other check would reject. */
 static ovr_status check_numbers(const ovr_options *o, ovr_error *err)
 {
     const struct {
@@ -175,7 +177,7 @@ static ovr_status check_numbers(const ovr_options *o, ovr_error *err)
     return OVR_OK;
 }
 
-/* Even, or 0: automatic. */
+/* Checks that a value is even, or 0 (automatic). */
 static ovr_status check_even(const char *key, int value, int minimum,
                              int maximum, ovr_error *err)
 {
@@ -226,7 +228,7 @@ static ovr_status check(const ovr_options *o, ovr_error *err)
     return OVR_OK;
 }
 
-/* True where the corrections of fourth order apply. */
+/* True if fourth-order corrections apply. */
 static bool corrects(const ovr_options *o)
 {
     ovr_options with = *o;
@@ -264,9 +266,9 @@ static ovr_status check_refine(const ovr_options *o, ovr_error *err)
     return OVR_OK;
 }
 
-/* The inlet that is usual is the paper's, where it costs no more than half a
- * per cent, and the outlet, where the film ends before it; an automatic outlet
- * is twice as far as a rigid film ends, 0.475 sqrt(2 H) (Martin). */
+/* Default domain. Inlet: that of the paper if the error caused by it is at most
+ * half a per cent. Outlet: the film must end before it; the automatic outlet is
+ * twice the distance at which a rigid film ends, 0.475 sqrt(2 H) (Martin). */
 void ovr_options_domain(const ovr_contact *contact, ovr_options *o)
 {
     const double M = contact->M, L = contact->L;

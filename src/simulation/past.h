@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The past of a run, and the guess of the next state by it (guess.c). */
+/* Stored previous time levels, and the extrapolated guess of the next state
+ * (guess.c). */
 #ifndef OVR_SIMULATION_PAST_H
 #define OVR_SIMULATION_PAST_H
 
@@ -8,10 +9,10 @@
 
 #define OVR_FIELD_AGES(name, ...) double *name[OVR_PAST];
 
-/* Formulas to extrapolate what moves with the features (guess.c). */
+/* Number of formulas for extrapolating moving features (guess.c). */
 enum { OVR_GUESSES = 8 };
 
-/* The past that the time derivative and the extrapolation need: fields of
+/* Previous time levels for the time derivative and the extrapolation: fields of
  * multigrid/fields.h one, two, ... steps ago. */
 typedef struct ovr_past {
     union {
@@ -23,27 +24,26 @@ typedef struct ovr_past {
     double H0[OVR_PAST];
     double T[OVR_PAST];
     double dT;      /* length of the last step */
-    int steps;      /* how many steps lie behind P[0], 3 at most */
-    int still;      /* steps in a row that changed nothing */
-    double dT_next; /* adaptive: the step asked for next */
-    double change;  /* largest change of P, or of S, in the last step */
-    bool backward;  /* um < 0, or had been when it stopped (mirror.h) */
-    /* of P, of late, by each formula of guess.c; 0: not known */
+    int steps;      /* number of steps before P[0], at most 3 */
+    int still;      /* number of consecutive steps without change */
+    double dT_next; /* adaptive: length requested for the next step */
+    double change;  /* maximum change of P, or of S, in the last step */
+    bool backward;  /* um < 0, or um = 0 after um < 0 (mirror.h) */
+    /* recent error of P for each formula of guess.c; 0: unknown */
     double guess_error[OVR_GUESSES];
 } ovr_past;
 
-/* P and H0 at T + dT before the step is solved: extrapolated, or those of the
- * last time.  Whether it is close: not just the trend, but what moves has
- * been moved on. */
+/* Sets P and H0 at T + dT before the step is solved: extrapolated, or those of
+ * the last time. Returns true if the guess is close, because moving features
+ * have been followed and not only the trend. */
 bool ovr_guess(ovr_simulation *sim, double dT, bool extrapolated);
 
-/* What each formula would have guessed for the step of dT that was solved just
- * now, before it becomes the past. */
+/* Updates the errors of all formulas from the step dT that has just been
+ * solved, before it becomes the past. */
 void ovr_guess_update(ovr_simulation *sim, double dT);
 
-/* The errors of steps like this one of h add this to the film on its way
- * through the contact, relative to H_cen; 0 when there is no past to judge
- * by. */
+/* Estimated error of the film on its way through the contact due to steps of
+ * length h, relative to H_cen; 0 without sufficient past. */
 double ovr_step_error(ovr_simulation *sim, double h);
 
 #endif

@@ -13,7 +13,7 @@ static int place_of(const ovr_simulation *sim, const ovr_physics *physics)
     return k;
 }
 
-/* Places follow the order of the list; one that is there already keeps its
+/* Active models are stored in the order of the list; an active one keeps its
  * place. */
 static ovr_present *place_for(ovr_simulation *sim, const ovr_physics *physics)
 {
@@ -32,7 +32,8 @@ static ovr_present *place_for(ovr_simulation *sim, const ovr_physics *physics)
     return &all[at];
 }
 
-/* The grids may hold the mirror image (mirror.h). */
+/* Copies the pressure to the grids, which may contain the mirror image
+ * (mirror.h). */
 static void bear(ovr_simulation *sim, const double *along_x)
 {
     double *image = ovr_work_take(sim);

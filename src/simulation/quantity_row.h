@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The row of a quantity, with all its names and labels.
+ * A table row that defines a quantity with all its names and labels. For
+ * example,
  *
  *     OVR_NUMBER_ROW("max_pressure", "P_max", "max_pressure_Pa", PRESSURE,
  *                    P_max, 0, "maximum pressure",
@@ -8,18 +9,19 @@
  *                    LARGEST("P_max_overall"),
  *                    EXTREME_REPORTED, PASS(LARGEST))
  *
- * is a column of the history, two keys of JSON, a line of reports with its
- * place, the largest of a run with where and when in JSON, reports, attributes
- * and checkpoints, and a column in the file of several passes.
+ * defines a column of the history, two JSON keys, a report line with position,
+ * the maximum over a run with its place and time (JSON, reports, attributes,
+ * checkpoints), and a column in the file of several passes.
  */
 #ifndef OVR_SIMULATION_QUANTITY_ROW_H
 #define OVR_SIMULATION_QUANTITY_ROW_H
 
 #include "overroll/simulation.h"
 
-/* A number a step that needs these physics, 0: none; its key in JSON and that
- * in SI may be NULL.  Last its name for people, and what else its row says:
- * how reports, extremes, means and passes have it. */
+/* A quantity per step that requires the physical models `bits` (0: none). The
+ * JSON key and its SI variant may be NULL. The last arguments are its name for
+ * users and further members: how reports, extremes, means and passes show it.
+ */
 #define OVR_NUMBER_ROW(in_files, in_json, in_si, of_kind, member, bits, ...)   \
     {                                                                          \
         .name = (in_files), .key = (in_json), .key_si = (in_si),               \
@@ -30,7 +32,7 @@
 #define NUMBER(name, key, si, kind, member, ...)                               \
     OVR_NUMBER_ROW(name, key, si, kind, member, 0, __VA_ARGS__)
 
-/* A row may say these too. */
+/* Optional members of a row. */
 #define LABEL(text) .label = (text)
 #define NOTE(text) .note = (text)
 #define COMMENT(text) .comment = (text)

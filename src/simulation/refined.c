@@ -8,16 +8,17 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Half-width of a patch around the spike in mesh sizes of the parent; larger
- * patches change its height by less than two levels do (measured). */
+/* Half-width of a patch around the spike in parent mesh sizes; with larger
+ * patches the spike height changes by less than between two levels (measured).
+ */
 static double half_width(const ovr_simulation *sim)
 {
     double M = sim->contact.M;
     return M <= 50 ? 24 : M <= 150 ? 48 : M <= 500 ? 64 : 96;
 }
 
-/* Patches that go on until the spike changes little end here: uniform grids of
- * level 18 have 2 million nodes, here a level is 10 microseconds a cycle. */
+/* Last level of automatic refinement. A uniform grid of level 18 has 2 million
+ * nodes; with patches a level costs 10 microseconds per cycle. */
 enum { LAST_LEVEL = 22 };
 
 static int last_level(const ovr_options *o)
@@ -30,7 +31,7 @@ static bool chosen(const ovr_options *o)
     return o->refine != OVR_REFINE_NONE;
 }
 
-/* Patches want a pressure that is linear between the nodes. */
+/* Patches require a pressure that is linear between nodes. */
 static void prepare(ovr_hierarchy *grids)
 {
     grids->influence.linear = true;
@@ -76,7 +77,7 @@ static void rigid(void *data, size_t n, const double *X, double *gap)
 
 /* ------------------------------------------------------------------ leaves */
 
-/* Leaf i of a part becomes node n of the solution. */
+/* Copies leaf i of a part to node n of the solution. */
 static void take_leaf(ovr_simulation *sim, ovr_refined *r,
                       const ovr_patch *part, size_t i, const double *H)
 {
@@ -95,7 +96,7 @@ static void take_leaves(ovr_simulation *sim, ovr_refined *r, int k, size_t from,
 {
     ovr_composite *c = &r->composite;
     const ovr_patch *part = &c->part[k];
-    double *H = part->outer_w; /* free once all is solved */
+    double *H = part->outer_w; /* unused after the solve */
     ovr_level_read(&sim->grids, part->level, part->level->f.H, H);
     for (size_t i = from; i <= to; i++) {
         if (ovr_composite_leaf(c, k, i)) {
@@ -117,7 +118,7 @@ static void weigh(ovr_solution *now)
     }
 }
 
-/* 2 E between the leaves, where solutions show it. */
+/* 2 E between neighbouring leaves, if the solution contains the flow. */
 static void join(ovr_simulation *sim)
 {
     const ovr_solution *now = &sim->now;
@@ -142,8 +143,8 @@ static void read_leaves(ovr_simulation *sim, ovr_refined *r)
     ovr_surface_heights(sim, 0, sim->now.n, r->X, sim->shapes.S);
 }
 
-/* Uses the fluxes of the patches in the pressurized region: those of the whole
- * domain's grid are of second order, its solution of fourth. */
+/* Uses the fluxes of the patches in the pressurized region, because those of
+ * the grid of the whole domain are of second order only. */
 static double mean_flow(const ovr_simulation *sim, const ovr_composite *c)
 {
     double sum = 0, length = 0;
@@ -162,8 +163,8 @@ static double mean_flow(const ovr_simulation *sim, const ovr_composite *c)
     return length > 0 ? -sum / length : 0;
 }
 
-/* For nodes that are not equidistant; row 1 and what flows back are as on one
- * grid. */
+/* Convected content for nodes that are not equidistant; row 1 and reverse flow
+ * are as on a uniform grid. */
 static double carried(const ovr_simulation *sim, const void *own, size_t i,
                       double flow)
 {
@@ -212,13 +213,14 @@ static void finish(ovr_simulation *sim, void *own, const ovr_full *how,
     ovr_composite_begin(&r->composite, sim->target.force);
     if (ovr_spike_solve(&r->composite, &search, &r->found, &outcome->cycles,
                         &err))
-        outcome->defect.imbalance = INFINITY; /* cannot be: it has its space */
+        outcome->defect.imbalance = INFINITY; /* cannot happen, because the
+                                               * memory has been reserved */
     else
         outcome->defect = r->found.defect;
     read_leaves(sim, r);
 }
 
-/* Patches that did not do what was asked of them. */
+/* Reports patches that did not reach the requested accuracy. */
 static void review(const ovr_simulation *sim, const void *own,
                    ovr_physics_message *say, void *data)
 {

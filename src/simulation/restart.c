@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The numbers and arrays that make up the state between two steps, by name.
- * What is observed of it is not among them but follows from them; of the step
- * just made stay how it was solved, and the totals.  The domain is among them
- * for who makes the simulation again. */
+/* The numbers and arrays that define the state between two steps, by name.
+ * Observations are not included, because they are computed from the state;
+ * exceptions are solver statistics of the last step and totals. The domain is
+ * included for programs that recreate the simulation. */
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -12,7 +12,7 @@
 #include "simulation/physics.h"
 #include "simulation/simulation.h"
 
-/* The numbers, wherever a simulation has them. */
+/* Numbers of the state and their addresses in a simulation. */
 #define PART(name, member)                                                     \
     {                                                                          \
         name, offsetof(ovr_simulation, member),                                \
@@ -113,7 +113,7 @@ ovr_status ovr_simulation_visit_heights(ovr_simulation *sim, ovr_visit *visit,
     return visit(context, "S", sim->shapes.S, sim->now.n * sizeof(double), err);
 }
 
-/* Film and properties follow from the pressure, and what is observed from
+/* Computes film and properties from the pressure, and the observation from
  * these. */
 void ovr_simulation_restored(ovr_simulation *sim)
 {

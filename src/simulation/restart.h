@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The pieces of a state in a checkpoint (restart.c). */
+/* The parts of a state in a checkpoint (restart.c). */
 #ifndef OVR_SIMULATION_RESTART_H
 #define OVR_SIMULATION_RESTART_H
 
 #include "simulation/simulation.h"
 
-/* The pieces of memory that make up a state, shown one after the other by name
- * (ovr_simulation_visit): once one of them failed no other is. */
+/* Visitor of the parts of a state, each with a name (ovr_simulation_visit).
+ * After a failure no further part is visited. */
 typedef struct ovr_pieces {
     ovr_visit *visit;
     void *context;
@@ -15,7 +15,7 @@ typedef struct ovr_pieces {
 } ovr_pieces;
 void ovr_show(ovr_pieces *state, const char *name, void *memory, size_t bytes);
 
-/* A number; "NAME_3", an array of the solution's nodes. */
+/* Visits a number; or an array of the solution's nodes, named "NAME_3". */
 #define OVR_SHOW(state, name, number)                                          \
     ovr_show(state, name, &(number), sizeof(number))
 void ovr_show_nodes(const ovr_simulation *sim, ovr_pieces *state,

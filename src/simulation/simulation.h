@@ -11,18 +11,17 @@ typedef void ovr_heights_across(void *data, int surface, double T, size_t n,
                                 const double *X, size_t lines, const double *Y,
                                 size_t stride, double *S);
 
-/* Memory that ovr_simulation_create would take, bytes: counted in the same
- * set-up, which takes none here.  Where options are left automatic those of a
- * moderate contact count.  INFINITY: options that are refused, or more than
- * this process may address. */
+/* Memory in bytes that ovr_simulation_create would allocate, determined by the
+ * same set-up without allocation. Automatic options are those of a moderate
+ * contact. INFINITY: invalid options, or more than this process can address. */
 double ovr_simulation_memory(const ovr_options *options);
 
 /* For OVR_CAVITATION_CONSERVING: the supplied content q = rho H at the inlet at
  * time T >= 0 (before: that of T = 0). For layers h1, h2 it is (u1 h1 + u2
- * h2)/um. The excess over the flooded flow stays in the inlet reservoir;
- * `reservoir` of it, in b^3/R, is there at the start. When it is used up only
- * the film arrives.  INFINITY: the contact is flooded whatever comes.
- * Borrowed; NULL, the default: flooded. */
+ * h2)/um. Supply in excess of the flooded flow rate accumulates in the inlet
+ * reservoir, whose initial volume is `reservoir` (b^3/R). When the reservoir is
+ * empty, the inflow is the supply. INFINITY: always flooded. Borrowed; NULL,
+ * the default: flooded. */
 typedef double ovr_supply(void *data, double T);
 void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply, void *data,
                            double reservoir);
@@ -32,37 +31,38 @@ void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply, void *data,
 void ovr_simulation_histories(ovr_simulation *sim, const ovr_history *load,
                               const ovr_history *speed);
 
-/* V = (u1 - u2)/um0 in time, any sign, instead of Cu times that of the contact;
- * u_k/um0 = Cu +- V/2.  Borrowed; NULL: none. */
+/* Sets V = (u1 - u2)/um0 as a function of time, of any sign, in place of Cu
+ * times that of the contact; u_k/um0 = Cu +- V/2. Borrowed; NULL: none. */
 void ovr_simulation_sliding(ovr_simulation *sim, const ovr_history *sliding);
 
-/* R over the nominal one in time: the gap of the smooth surfaces is then
- * R0/R X^2/2, all else in units of the nominal contact.  `convected`: what
- * varies is the curvature of the material that comes by, as on an involute or a
- * cam, which a cubic term tells from one that is imposed (overroll-theory(7));
- * of surface 1 alone radius_1 = R_1/R0 (negative: concave) where that is known,
- * else NULL.  Not where the surfaces stand: a step is refused where the cubic
- * would close the gap within the domain.  Borrowed; NULL: 1. */
+/* Sets R relative to the reference radius as a function of time. The gap of the
+ * smooth surfaces is R0/R X^2/2; all units are those of the reference contact.
+ * `convected`: the curvature belongs to the material passing through, as on an
+ * involute or a cam; a cubic term distinguishes it from a curvature that
+ * changes everywhere at once (overroll-theory(7)). radius_1 = R_1/R0 of surface
+ * 1 alone (negative: concave) if known, else NULL. Not for stationary surfaces:
+ * a step is rejected if the cubic term would close the gap within the domain.
+ * Borrowed; NULL: 1. */
 void ovr_simulation_radius(ovr_simulation *sim, const ovr_history *radius,
                            const ovr_history *radius_1, bool convected);
 
-/* Heat in solutions of second order, steady and in time: temperatures of film
- * and surfaces, and the viscosity by them.  To be called before anything is
- * solved; OVR_BAD_INPUT where options do not go with it.  An order that was
- * left to the library (0) is 2 from then on, as ovr_simulation_options tells.
- */
+/* Enables heat in second-order solutions, steady and transient: temperatures of
+ * film and surfaces, and their effect on the viscosity. Must be called before
+ * anything is solved. Returns OVR_BAD_INPUT if an option is incompatible. An
+ * automatic order (0) becomes 2, as ovr_simulation_options then returns. */
 ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
                                ovr_error *err);
 
 /* Sets the heights on surface 1 and on surface 2 (NULL: none), called with the
  * data of ovr_simulation_surface.  Without this call all features are on one
- * surface.  Its speed is the argument of ovr_simulation_moving; surface 1 if
- * both have that speed or it is unknown. */
+ * surface. The speed of this surface is the argument of ovr_simulation_moving;
+ * surface 1 if both have that speed or it is unknown. */
 void ovr_simulation_sides(ovr_simulation *sim, ovr_heights *heights_1,
                           ovr_heights *heights_2);
 
-/* Features of both surfaces that vary across rolling, with the data of
- * ovr_simulation_surface, which removes them.  Only a strip asks for them. */
+/* Sets features of both surfaces that vary across the rolling direction, with
+ * the data of ovr_simulation_surface, which removes them. Used by strip
+ * contacts only. */
 void ovr_simulation_across(ovr_simulation *sim, ovr_heights_across *heights);
 
 /* Returns the Y of the lines of a strip, b, their number and the shown line;
@@ -70,41 +70,41 @@ void ovr_simulation_across(ovr_simulation *sim, ovr_heights_across *heights);
 const double *ovr_simulation_lines(const ovr_simulation *sim, size_t *count,
                                    size_t *shown);
 
-/* Returns the oil's mean shear stress across the film at half nodes, ph b/R,
- * without boundary friction. */
+/* Returns the mean shear stress of the lubricant across the film at half nodes,
+ * in p_h b/R, without boundary friction. */
 const double *ovr_film_stress(const ovr_simulation *sim);
 
-/* Points across the film: those asked for, else 5 or, where the steady solution
- * needs them, 7; 0: no heat. */
+/* Number of points across the film: the requested number, or by default 5 (7 if
+ * the steady solution needs them); 0: no heat. */
 int ovr_simulation_heat_points(const ovr_simulation *sim);
 
-/* Order of the last steady solution, and of what a run keeps of it: 4, 2 (also
- * where 4 was asked for but its corrections did not converge, or load, speed or
- * radius vary), or 1. */
+/* Order of the last steady solution and of a run starting from it: 4; 2 (also
+ * if order 4 was requested but its corrections did not converge, or load, speed
+ * or radius vary); or 1. */
 int ovr_simulation_order(const ovr_simulation *sim);
 
 /* Describes the strategy of the last steady solution; "" if the first attempt
  * succeeded. */
 const char *ovr_simulation_strategy(const ovr_simulation *sim);
 
-/* A field by name, or NULL. */
+/* Returns the field with this name, or NULL. */
 const ovr_observable *ovr_observable_field(const char *name);
 
-/* Calls visit(context, name, address, size in bytes) for every piece of
- * memory that makes up the state between two steps: writing them all and
- * reading them back, by name, into a simulation created alike continues bit for
- * bit.  A number (8 bytes at most) that is not written back has its
- * default.  Stops at the first status that is not OVR_OK and returns it. */
+/* Calls visit(context, name, address, size in bytes) for every piece of memory
+ * that makes up the state between two steps: writing all of them and reading
+ * them by name into a simulation with the same options continues the run bit
+ * for bit. A number (at most 8 bytes) that is not read keeps its default.
+ * Stops at the first status that is not OVR_OK and returns it. */
 ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
                                 void *context, ovr_error *err);
-/* Calls visit with "S", the heights of the surface at the nodes, by which a
- * resumed run checks that it has the same surface. */
+/* Visits "S", the heights of the surface at the nodes, which a resumed run
+ * compares with its own surface. */
 ovr_status ovr_simulation_visit_heights(ovr_simulation *sim, ovr_visit *visit,
                                         void *context, ovr_error *err);
-/* Has to be called after a visit that wrote into the simulation. */
+/* Must be called after a visit that has written to the simulation. */
 void ovr_simulation_restored(ovr_simulation *sim);
 
-/* "line", ...: the words of solver.smoother. */
+/* Names of the smoothers ("line", ...), the values of solver.smoother. */
 const char *ovr_smoother_name(ovr_smoother smoother);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The solution as all above multigrid sees it, node by node: the fields that
- * are `shown` (multigrid/fields.h) on nodes X at any distances.
+ * The solution for all layers above multigrid: the fields marked `shown`
+ * (multigrid/fields.h) at nodes X with any spacing.
  */
 #ifndef OVR_SIMULATION_SOLUTION_H
 #define OVR_SIMULATION_SOLUTION_H
@@ -10,9 +10,10 @@
 
 typedef struct ovr_solution {
     size_t n;
-    double D; /* the smallest mesh */
+    double D; /* minimum mesh size */
     const double *X;
-    double *weights; /* integral of f: sum of weights f */
+    double *weights; /* weights of quadrature: integral of f = sum of weights f
+                      */
     union {
         struct {
             OVR_LEVEL_FIELDS(OVR_FIELD_POINTER)
@@ -21,16 +22,17 @@ typedef struct ovr_solution {
     };
 } ovr_solution;
 
-/* The distance from the node before to node i > 0. */
+/* Distance between nodes i - 1 and i > 0. */
 static inline double ovr_spacing(const ovr_solution *s, size_t i)
 {
     return s->X[i] - s->X[i - 1];
 }
 
-/* The node i > 0 with X_{i-1} <= X < X_i; the first or the last beyond. */
+/* Node i > 0 with X_{i-1} <= X < X_i; the first or last one for X outside. */
 size_t ovr_node_after(const ovr_solution *s, double X);
 
-/* Interpolates f at X inside, by the cubic through the four nodes about it. */
+/* Interpolates f at X inside the domain by the cubic through the four nearest
+ * nodes. */
 double ovr_value_at(const ovr_solution *s, const double *f, double X);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The steady solution: full multigrid (multigrid/full.h), and when it fails
- * other strategies; then the changes by the physical models (physics.h).
+ * The steady solution: full multigrid (multigrid/full.h) and, if it fails,
+ * other strategies; then the effects of the physical models (physics.h).
  */
 #include "simulation/steady.h"
 
@@ -22,15 +22,15 @@
 /* ---------------------------------------------------- Record of refinements */
 
 /*
- * Convergence to the truncation error, checked as the paper does: converged
- * solutions of successive levels against each other.  All in the norm
+ * Convergence to the truncation error, checked as in the paper by comparing
+ * converged solutions of successive levels. The norm is
  *     |P| = D sum |P_i| / (pi/2),
  * the load that a pressure carries relative to the nominal one.
  *   difference  |P^l - P^(l-1)| at the nodes of level l-1: the discretization
  *               error of the coarser one, nearly;
  *   change      |dP| of the last cycle on level l;
- *   algebraic   change q/(1 - q), q the last cycle's factor on the residual:
- *               what all further cycles would change.
+ *   algebraic   change q/(1 - q), q the residual reduction factor of the last
+ *               cycle: the change by all further cycles
  */
 
 static double distance(const ovr_level *level, const double *a, size_t stride,
@@ -91,16 +91,16 @@ const ovr_refinement *ovr_simulation_refinements(const ovr_simulation *sim,
 
 /* ------------------------------------------------------- Film of a strategy */
 
-/* The film of a steady solve, for the strategy that steady.c tries and for the
- * physics that solve in their own way. */
+/* Computes the film of a steady solve for the present strategy, also for
+ * physical models with their own solution method. */
 
 /*
  * Returns a tolerance that keeps the algebraic error of smooth films far below
  * the discretization error.  R = 1e-7 leaves at most 6e-12 of H_cen and 1e-10
- * of H_min (levels 7 to 10, M = 5 to 200).  The discretization of order 4
- * leaves at least 4e-9 and 1.8e-7 there.  On finer grids the tolerance follows
- * D^2, as the discretization errors do.  Films that conserve mass end further
- * from the solution at the same R.
+ * of H_min (levels 7 to 10, M = 5 to 200).  The discretization error of order 4
+ * is at least 4e-9 and 1.8e-7 there.  On finer grids the tolerance follows D^2,
+ * as the discretization errors do.  With mass-conserving cavitation the error
+ * is larger at the same R.
  */
 static double smooth_tolerance(const ovr_simulation *sim,
                                const ovr_level *level)
@@ -110,14 +110,15 @@ static double smooth_tolerance(const ovr_simulation *sim,
 }
 
 /*
- * The tolerance of a level with film H at X = 0 so far.  On the way up a level
- * need not be better solved than its mesh is fine: fifty times the tolerance is
- * most often one cycle, and leaves less than the discretization error there.
- * The finest level ends in the same place (algebraic over discretization error
- * at M = 20, L = 10, levels 8, 10 and 12: 0.020, 0.022, 0.006 after two cycles
- * on it, 0.015, 0.017, 0.000 when all levels had two), a fifth sooner.  Rough
- * surfaces have waves of a few mesh sizes: what is negligible beside the mesh's
- * error of a smooth film is far below that of theirs.
+ * Tolerance of a level on which H at X = 0 is the given value. On coarser
+ * levels of nested iteration fifty times the final tolerance suffices; this is
+ * usually one cycle, with an error below the discretization error of the level.
+ * The result on the finest level is the same (algebraic divided by
+ * discretization error at M = 20, L = 10, levels 8, 10 and 12: 0.020, 0.022,
+ * 0.006 after two cycles on it; 0.015, 0.017, 0.000 with two cycles on all
+ * levels), and the solve is a fifth faster. Rough surfaces contain waves of a
+ * few mesh sizes; an error that is negligible for smooth films is far below
+ * their discretization error.
  */
 double ovr_steady_tolerance(const void *data, const ovr_level *level, double H)
 {
@@ -163,7 +164,7 @@ ovr_defect ovr_steady_film(ovr_simulation *sim, const ovr_full *how,
     return ovr_full_multigrid(&sim->grids, &sim->target, *how, cycles);
 }
 
-/* A fixed number of cycles has to reach the discretization error. */
+/* A fixed number of cycles must reach the discretization error. */
 bool ovr_steady_found(const ovr_simulation *sim, const ovr_outcome *outcome)
 {
     int done = sim->start.refinements;
@@ -179,27 +180,29 @@ bool ovr_steady_found(const ovr_simulation *sim, const ovr_outcome *outcome)
 
 /* --------------------------------------------------------------- Strategies */
 
-/* A solve tries these in turn until it converges: first the ordinary; then, if
- * there are any in the solution, features that grow out of smooth surfaces;
- * with a flow law more sweeps, then the Newtonian film first; then smaller
- * steps in load on a finer level, also with a finer coarsest grid, more sweeps
- * and stronger damping; then the same with the mean of faces = gap, whose
- * slopes are smaller on the flanks of a spike inside one mesh (M = 5, L = 15,
- * level 10, of 5 p_h: 258 cycles, none with the logarithmic mean); last, of
+/* Strategies that a solve tries in this order until it converges: the ordinary
+ * one; with surface features, features that grow from smooth surfaces; with a
+ * rheological model more sweeps, then the Newtonian film first; smaller steps
+ * in load on a finer level, also with a finer coarsest grid, more sweeps and
+ * stronger damping; the same with faces = gap, whose derivatives are smaller at
+ * the flanks of a spike narrower than a mesh size (M = 5, L = 15, level 10, of
+ * 5 p_h: 258 cycles, no solution with the logarithmic mean); finally, for
  * smooth surfaces, steps in time. */
 typedef struct strategy {
-    bool flow_law;      /* for flow laws alone */
-    bool thin_last;     /* of these */
+    bool flow_law;      /* only with a rheological model */
+    bool thin_last;     /* rheological model applied last, from the Newtonian
+                         * film */
     double load_factor; /* largest step of the continuation in load */
-    double mesh;        /* its D over H^(2/3), the length of the inlet's rise */
+    double mesh;        /* maximum D/H^(2/3), mesh size relative to the length
+                         * of the inlet */
     int sweeps, newton_steps, finer_bottom;
-    double limit, newton_limit; /* of changes in P */
+    double limit, newton_limit; /* maximum changes of P */
     const char *what;
-    bool grown; /* steps in time, in which features grow */
-    bool gap;   /* the mean of faces = gap, where it is logarithmic */
+    bool grown; /* pseudo-time steps in which features grow */
+    bool gap;   /* use faces = gap in place of the logarithmic mean */
 } strategy;
 
-/* The strategy by which features grow. */
+/* Index of the strategy with growing features. */
 enum { GROWTH = 1 };
 
 static const strategy strategies[] = {
@@ -261,7 +264,7 @@ static ovr_full full_of(ovr_simulation *sim, const strategy *how)
                       .saved = sim->start.saved};
 }
 
-/* Of the surfaces as they are at T = 0. */
+/* Solves for the surfaces at T = 0. */
 static ovr_defect solve(ovr_simulation *sim, const ovr_full *how, int *cycles)
 {
     OVR_LAST_PHYSICS(sim, p, in_solve, solve);
@@ -272,7 +275,7 @@ static ovr_defect solve(ovr_simulation *sim, const ovr_full *how, int *cycles)
     return ovr_steady_film(sim, how, cycles);
 }
 
-/* The past of a run that was steady before T = 0. */
+/* Sets the past of a run that was steady before T = 0. */
 static void begin_history(ovr_simulation *sim)
 {
     ovr_past *past = &sim->past;
@@ -304,7 +307,7 @@ void ovr_steady_conditions(ovr_simulation *sim)
     target->force = OVR_NOMINAL_LOAD * target->Cw;
 }
 
-/* The conditions of the start, where they are numbers. */
+/* Sets the operating conditions of the start, if they are valid numbers. */
 static ovr_status begin_load_and_speed(ovr_simulation *sim, ovr_error *err)
 {
     double Cw = ovr_history_value(sim->histories.load, 0);
@@ -326,7 +329,7 @@ static ovr_status begin_load_and_speed(ovr_simulation *sim, ovr_error *err)
     return OVR_OK;
 }
 
-/* The film as it is now, with the physics that are solved in turn with it. */
+/* Solves the present film alternately with the coupled physical models. */
 static bool found_with_all(ovr_simulation *sim, const ovr_full *how,
                            ovr_outcome *outcome)
 {
@@ -337,9 +340,9 @@ static bool found_with_all(ovr_simulation *sim, const ovr_full *how,
     return ovr_steady_found(sim, outcome);
 }
 
-/* Solves by one strategy, from the beginning: the film alone, on the whole
- * domain's grids; what it is by the physics beside it; with those that are
- * solved in turn with it; then what that is but the start for. */
+/* Solves by one strategy from scratch: the film alone on the grids of the whole
+ * domain; completion by other physical models; alternating solution with the
+ * coupled models; then models for which this film is the initial guess. */
 static void attempt(ovr_simulation *sim, const ovr_full *how,
                     ovr_outcome *outcome)
 {
@@ -366,8 +369,8 @@ void ovr_simulation_stop(ovr_simulation *sim, bool (*stop)(void *data),
     sim->start.stopping = (ovr_stopping){.asked = stop, .data = data};
 }
 
-/* True if surfaces in the steady solution have features of more than a
- * thousandth of the film; features that move are not in it. */
+/* True if the steady solution has surface features higher than a thousandth of
+ * the film thickness. Moving features are not part of it. */
 static bool has_features(ovr_simulation *sim)
 {
     const double small = 1e-3 * ovr_target_film(&sim->target, 1);
@@ -398,9 +401,9 @@ double ovr_minute_of_work(const ovr_simulation *sim)
 /*
  * Returns the work that a start may take, in node cycles: a minute of CPU or 20
  * times the time of other starts, the start of the program included.  Random
- * hot contacts with slide-to-roll ratios of 2 to 6 take 300 cycles in the mean.
- * Rough surfaces that rest and grids that do not resolve the inlet need up to
- * 14000 (time predicted by `check`: 320 and 1000 steps of 3 cycles).
+ * thermal contacts with slide-to-roll ratios of 2 to 6 take 300 cycles on
+ * average. Stationary rough surfaces and grids that do not resolve the inlet
+ * need up to 14000 (time predicted by `check`: 320 and 1000 steps of 3 cycles).
  */
 static double largest_work(const ovr_simulation *sim, bool rough)
 {
@@ -416,7 +419,8 @@ static double largest_work(const ovr_simulation *sim, bool rough)
     return fmin(ovr_minute_of_work(sim), start + cycles * cycle);
 }
 
-/* Ends the count of work; after a limit the defect is that of the film. */
+/* Ends counting of work. If the limit was reached, recomputes the defect of the
+ * film. */
 static void end_work(ovr_simulation *sim, ovr_outcome *outcome)
 {
     if (!ovr_hierarchy_spent(&sim->grids))
@@ -427,7 +431,7 @@ static void end_work(ovr_simulation *sim, ovr_outcome *outcome)
     ovr_simulation_read(sim);
 }
 
-/* True if a strategy is not for this contact. */
+/* True if a strategy does not apply to this contact. */
 static bool is_left_out(const ovr_simulation *sim, const strategy *s,
                         bool rough)
 {
@@ -439,7 +443,7 @@ static bool is_left_out(const ovr_simulation *sim, const strategy *s,
            (s->grown && (rough != (s == &strategies[GROWTH]) || marches));
 }
 
-/* Tries one after the other; returns the tolerance of the last. */
+/* Tries the strategies in order; returns the tolerance of the last one. */
 static double search(ovr_simulation *sim, ovr_outcome *outcome)
 {
     const bool rough = has_features(sim);
@@ -471,7 +475,7 @@ static double search(ovr_simulation *sim, ovr_outcome *outcome)
     return tolerance;
 }
 
-/* Solves with the line's solver; returns the tolerance. */
+/* Solves with the solver of the line contact; returns the tolerance. */
 static double solve_line(ovr_simulation *sim, ovr_outcome *outcome)
 {
     ovr_operator op = {.speed = sim->target.Cu};

@@ -31,12 +31,12 @@
 /* ------------------------------------------------------------------- Cycles */
 
 /*
- * A share of 0.15 of the steady tolerance, because errors of many steps meet in
- * one film.  Compared with a share of 0.07 ground surfaces on level 6 take 12 %
- * fewer cycles.  The total error of the central film thickness is 7 % larger
- * there, and the other errors change by 1 % or less.  Without relaxation after
- * the last correction a residual is rough and moves the film less, so that the
- * tolerance is three times as large.
+ * 0.15 of the steady tolerance, because errors of many steps accumulate in a
+ * film. Compared with 0.07, ground surfaces on level 6 take 12 % fewer cycles.
+ * The total error of the central film thickness is 7 % larger there, and the
+ * other errors change by 1 % or less.  Without relaxation after the last
+ * correction the residual is oscillatory and has a smaller effect on the film,
+ * so the tolerance is three times larger.
  */
 static double tolerance_of(const ovr_simulation *sim, bool relaxed)
 {
@@ -49,8 +49,9 @@ static double tolerance_of(const ovr_simulation *sim, bool relaxed)
     return tolerance > minimum ? tolerance : minimum;
 }
 
-/* Allows a share of the nominal load, or of the load where that is larger: half
- * of what a run may be off by (overroll(1)). */
+/* True if the load error is small enough: a fraction of the reference load or,
+ * if larger, of the present load; half of the error permitted in a run
+ * (overroll(1)). */
 static bool carries(const ovr_simulation *sim, const ovr_defect *defect)
 {
     const double maximum = 5e-5;
@@ -59,11 +60,13 @@ static bool carries(const ovr_simulation *sim, const ovr_defect *defect)
 }
 
 /*
- * Where the guess is far off, features move by a good part of their width in a
- * step, and the step's own error is as large (Milne's device: both are the
- * order's next difference).  R need not fall below 1e-4 of what it was at the
- * guess, nor beyond 300 times that of smooth features: on rough surfaces at
- * level 9 that moves the film by 7e-6, where mesh and step make 5e-4.
+ * Tolerance relative to the residual of the initial guess. If the guess is
+ * poor, features move by a considerable part of their width per step, and the
+ * time discretization error is equally large (Milne's device: both are the
+ * next-order difference). R need not fall below 1e-4 of its value for the
+ * guess, but must be below 300 times the tolerance for smooth features. On
+ * rough surfaces at level 9 this changes the film thickness by 7e-6, compared
+ * with 5e-4 from mesh and step.
  */
 static double tolerance_by_guess(const ovr_simulation *sim, double guess)
 {
@@ -74,7 +77,8 @@ static double tolerance_by_guess(const ovr_simulation *sim, double guess)
                 maximum * tolerance_of(sim, true));
 }
 
-/* Where a guess is far off, or the first cycle has left it so. */
+/* Solves local windows if the guess is poor, or if it is still poor after the
+ * first cycle. */
 static void settle_spots(const ovr_hierarchy *grids, ovr_level *finest,
                          int times)
 {
@@ -89,17 +93,17 @@ static void settle_ends(const ovr_hierarchy *grids, ovr_level *finest)
 }
 
 /*
- * Sweeps after the coarse correction are left out where they spoil it.  In
- * thick films (H of 4 and more on an inlet some 30 b long, M below 1) long
- * smooth changes of the pressure grow in a sweep, as what it leaves out of the
- * derivatives, d eps/dH and the wedge's farthest column, is not small beside
- * what it has: cycles with a sweep after the correction reduce R to 0.96 or
- * make it grow, those without to 0.12.  Elsewhere R falls to a hundredth a
- * cycle.  Where R is above 10, spikes settle that are slow without it.
+ * Detects films for which sweeps after the coarse-grid correction are harmful.
+ * In thick films (H of 4 and more, inlet about 30 b long, M below 1) a sweep
+ * amplifies long smooth pressure changes, because the neglected derivatives, d
+ * eps/dH and the outermost column of the wedge, are not small. Cycles with a
+ * sweep after the correction then reduce R by 0.96 or increase it; without it R
+ * falls by 0.12. In other films R falls to a hundredth per cycle. If R is above
+ * 10, spikes converge slowly without these sweeps.
  */
 typedef struct slowness {
     double last;
-    int cycles; /* running, that were slow */
+    int cycles; /* number of consecutive slow cycles */
 } slowness;
 
 static bool is_spoilt(slowness *s, double R)
@@ -111,8 +115,8 @@ static bool is_spoilt(slowness *s, double R)
     return s->cycles >= 2;
 }
 
-/* One cycle at least: the extrapolated guess satisfies the equations to some
- * tolerance at best, and a load that ramps would drift within it. */
+/* At least one cycle is performed: the extrapolated guess may satisfy the
+ * tolerance, and during a load ramp errors would accumulate. */
 bool ovr_step_cycles(ovr_simulation *sim, ovr_step_cycling how,
                      ovr_outcome *outcome)
 {
@@ -156,14 +160,14 @@ bool ovr_step_cycles(ovr_simulation *sim, ovr_step_cycling how,
 /* ------------------------------------------------------------------- Newton */
 
 /*
- * The last attempt of a step: Newton's method on the finest grid with the films
- * as unknowns of their own, which stay above nothing
- * (multigrid/mixed_contact.h), of surfaces that bear nothing where they would
- * touch, A = 0.  Rough films below lambda 1 by a flow law, that no cycles find,
- * are found so.
+ * Last attempt of a step: Newton's method on the finest grid with film
+ * thicknesses as additional unknowns that remain positive
+ * (multigrid/mixed_contact.h), without asperity pressure, A = 0. It solves
+ * rough films below lambda = 1 with a rheological model, for which cycles fail.
  *
- * What it works in is taken when a step asks for it first, and out of the
- * finest level again when it is done: other steps know nothing of it.
+ * Its memory is allocated when a step needs it for the first time and is
+ * detached from the finest level afterwards, so that other steps are not
+ * affected.
  */
 
 static void bears_nothing(const void *law, double H, double *A, double *slope)
@@ -172,7 +176,7 @@ static void bears_nothing(const void *law, double H, double *A, double *slope)
     *A = *slope = 0;
 }
 
-/* Films by Reynolds on one grid, and workspace. */
+/* True for Reynolds cavitation on one grid, if the memory is available. */
 static bool can(ovr_simulation *sim)
 {
     ovr_hierarchy *grids = &sim->grids;
@@ -181,8 +185,8 @@ static bool can(ovr_simulation *sim)
            !sim->options.paper_balance;
 }
 
-/* Exchanges what the finest level has only meanwhile: puts it in, or takes it
- * out. */
+/* Attaches the arrays for Newton's method to the finest level, or detaches
+ * them. */
 static void exchange(ovr_simulation *sim)
 {
     ovr_last_newton *own = &sim->last_newton;
@@ -236,12 +240,12 @@ bool ovr_step_newton(ovr_simulation *sim, const ovr_cycling *how,
 
 /* --------------------------------------------------------------------- Step */
 
-/* An attempt tries so hard. */
+/* Parameters of an attempt. */
 typedef struct attempt {
     bool extrapolate;
     int sweeps, newton_steps, finer_bottom, max_cycles;
     double limit, newton_limit, correction;
-    bool continued; /* from the last solution, by continuation */
+    bool continued; /* by continuation from the last solution */
     bool newton;    /* by Newton's method on the finest grid */
 } attempt;
 
@@ -249,17 +253,17 @@ static const attempt attempts[] = {
     {true, 0, 1, 0, 20, 0.2, 0.3, 1, false, false},
     {false, 0, 1, 0, 40, 0.2, 0.3, 1, false, false},
     {false, 2, 2, 1, 80, 0.05, 0.3, 1, false, false},
-    /* Half corrections into the finest level break a two-cycle at an isolated
-     * cavitated node that coarse grids cannot see */
+    /* halved corrections of the finest level prevent an oscillation between two
+     * states at an isolated cavitated node that coarse grids do not resolve */
     {false, 0, 1, 0, 80, 0.2, 0.3, 0.5, false, false},
     {false, 2, 1, 0, 0, 0.2, 0.3, 1, true, false},
     {false, 0, 1, 0, 0, 0.2, 1, 1, false, true},
 };
 enum { ATTEMPTS = sizeof attempts / sizeof *attempts };
 
-/* With asperity contact a cycle is a step of Newton's method, which Eyring's
- * sinh can throw far off before it returns. With 60 steps all but a few films
- * of 100 pairs of ground surfaces are found. */
+/* With asperity contact a cycle is a Newton step, which can diverge temporarily
+ * with Eyring's sinh. With 60 steps, all but a few films of 100 pairs of ground
+ * surfaces converge. */
 static const struct {
     int max_cycles;
     double newton_limit, hopeless;
@@ -284,7 +288,8 @@ static bool is_borne(double A)
     return A > OVR_TOUCH_MIN;
 }
 
-/* True if surfaces that may touch bore nothing in the step before. */
+/* True if there was no asperity load in the last step, in a case with an
+ * asperity contact model. */
 static bool had_no_asperity_contact(const ovr_simulation *sim)
 {
     for (size_t i = 0; i < sim->now.n; i++)
@@ -293,8 +298,8 @@ static bool had_no_asperity_contact(const ovr_simulation *sim)
     return true;
 }
 
-/* True if their law, which falls with the film, bears nothing by the thinnest.
- */
+/* True if the asperity pressure, which decreases with the film thickness, is
+ * zero at the minimum film thickness. */
 static bool are_apart(const ovr_simulation *sim)
 {
     const ovr_asperity *touch = &sim->grids.touch;
@@ -356,7 +361,8 @@ static void begin_step(ovr_simulation *sim, double dT)
                          ovr_history_value(sim->histories.load, T);
 }
 
-/* The oldest of `count` becomes the newest, with these values. */
+/* Rotates `count` stored arrays: the oldest becomes the newest, with these
+ * values. */
 static void keep(double *ages[], int count, const double *values, size_t n)
 {
     double *oldest = ages[count - 1];
@@ -364,7 +370,7 @@ static void keep(double *ages[], int count, const double *values, size_t n)
     ages[0] = memcpy(oldest, values, n * sizeof *values);
 }
 
-/* The solution becomes the newest of the past. */
+/* Stores the solution as the newest past. */
 static void end_step(ovr_simulation *sim, double dT)
 {
     ovr_past *past = &sim->past;
@@ -396,7 +402,7 @@ static void note_change(ovr_simulation *sim)
     sim->past.change = sim->shapes.heights && S > P ? S : P;
 }
 
-/* Ends a step that reached its limit of work, with the defect of its film. */
+/* Ends a step that reached its work limit, with the defect of its film. */
 static bool give_up(ovr_simulation *sim, ovr_outcome *outcome)
 {
     ovr_hierarchy_spent(&sim->grids);
@@ -407,7 +413,7 @@ static bool give_up(ovr_simulation *sim, ovr_outcome *outcome)
     return false;
 }
 
-/* A step, in halves if it must be. */
+/* Makes a step, if necessary in two halves. */
 static bool advance(ovr_simulation *sim, double dT, int halvings,
                     ovr_outcome *outcome)
 {
@@ -422,8 +428,8 @@ static bool advance(ovr_simulation *sim, double dT, int halvings,
             end_step(sim, dT);
             return true;
         }
-        /* a tolerance that rounding does not let R reach, which has come as
-         * far as it goes */
+        /* rounding does not permit the tolerance, and R has reached its minimum
+         */
         if (ovr_below_rounding(sim, &outcome->defect) &&
             ovr_surfaces_apart(sim)) {
             outcome->marked = true;
@@ -468,8 +474,8 @@ void ovr_simulation_step_back(ovr_simulation *sim)
     ovr_simulation_read(sim);
 }
 
-/* What a physics does not stand by is marked as a film that did not converge
- * is. */
+/* Flags results that a physical model rejects, like films that did not
+ * converge. */
 static void mark(ovr_simulation *sim, ovr_outcome *outcome)
 {
     OVR_EACH_PHYSICS(sim, p, in_output, marks)
@@ -488,7 +494,8 @@ static void count(ovr_simulation *sim, const ovr_outcome *outcome)
     s->marked += outcome->marked;
 }
 
-/* Nodes, or ghosts before them, where the film was one and two steps ago. */
+/* True if the departure points of the film one and two steps ago are on the
+ * grid or ghost nodes. */
 static bool departures_are_there(const ovr_simulation *sim, double dT)
 {
     double T = sim->past.T[0] + dT;

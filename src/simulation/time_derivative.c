@@ -3,16 +3,15 @@
  * Time in the discrete Reynolds equation (multigrid/reynolds.h): the operator
  * and the history term of a step.
  *
- * Backward Euler:  cT = 1/dT,   F = -q^k/dT
- * BDF2, s = dT/dT_old:
+ * Backward Euler:  cT = 1/dT,   F = -q^k/dT BDF2, s = dT/dT_old:
  *     cT dT = (1 + 2s)/(1 + s),  F dT = -(1 + s) q^k + s^2/(1 + s) q^{k-1}
  * At the first step the past is the steady solution, whatever its spacing.
  *
  * Along the characteristic dX/dT = Cu (after Venner & Lubrecht) wedge and
- * squeeze together are the derivative of q seen by a particle: no wedge on
- * the left, and q^k, q^{k-1} at the departure points X - a1, X - a2 of the
- * characteristic on the right.  With dT = D and Cu = 1 the departure points are
- * nodes.
+ * squeeze terms together are the derivative of q along the path of a particle:
+ * there is no wedge on the left, and q^k, q^{k-1} at the departure points X -
+ * a1, X - a2 of the characteristic on the right.  With dT = D and Cu = 1 the
+ * departure points are nodes.
  */
 #include "simulation/scheme.h"
 
@@ -152,23 +151,26 @@ const char *ovr_scheme_name(ovr_scheme scheme)
  *                   q - q_p = h (h + h1)(h + h1 + h2)/6 q''' (quadratic)
  *                   error = (q - q_p) h (h + h1)/((2h + h1)(h + h1 + h2))
  *
- * What moves carries the errors of its steps along and gathers more: the film
- * that has passed the contact, in a time of about 1, has those of 1/h steps.
- * The error of a step of h is therefore counted as
+ * Convected films accumulate the errors of all steps: a film that passes the
+ * contact in a time of about 1 has those of 1/h steps. The error of a step of h
+ * is therefore counted as
  *     E = 0.4/(h H_cen) int |error| dX
- * over the nodes that are wet and have a film below 3 H_cen, as thicker ones
- * before the contact are smoothed by its pressure.  The integral, as errors
- * beside a dent of either sign cancel on their way; 0.4 measured: on random
- * dents of 12 nodes a width or more, rolling and sliding, the error of H_cen
- * over the run, rms in time, is 0.1 to 3 E (verify/adaptive_test).
+ * over pressurized nodes with a film thickness below 3 H_cen; errors of the
+ * thicker film upstream are smoothed by the contact pressure. The integral is
+ * used because errors of opposite sign at a dent cancel on their way. The
+ * factor 0.4 is measured: on random dents of 12 nodes a width or more, rolling
+ * and sliding, the error of H_cen over the run, rms in time, is 0.1 to 3 E
+ * (verify/adaptive_test).
  *
- * Upstream schemes difference in time at fixed X and err by the change there,
- * of what moves too.  The characteristic scheme errs by the change that a
- * particle sees: q_p is that of the past at the departure points of the
- * characteristics. Each with the other's q_p takes more cycles for its error:
- * on 12 such dents the characteristic scheme 2.5 times as many (4.4 E at most
- * instead of 3.2), upstream2, along um or what slides, 1.7 times as many.  With
- * 0.08 in place of 0.4 the characteristic scheme's errors are 3.9 E at most.
+ * Upstream schemes difference in time at fixed X, and their error depends on
+ * changes there, including those by moving features. The error of the
+ * characteristic scheme depends on changes along the path of a particle: q_p is
+ * computed from the past at the departure points. Exchanging the two
+ * definitions of q_p increases the number of cycles for the same error: on 12
+ * such dents the characteristic scheme 2.5 times as many (4.4 E at most instead
+ * of 3.2), upstream2, along um or with sliding features, 1.7 times as many.
+ * With 0.08 in place of 0.4 the characteristic scheme's errors are 3.9 E at
+ * most.
  */
 
 double ovr_linear_extrapolation(const ovr_past *past, double h, double e[3])
