@@ -12,7 +12,7 @@ enum { ALIGNMENT = 64, BLOCK = 1 << 16 };
 struct ovr_arena_block {
     struct ovr_arena_block *older;
     size_t used; /* bytes from start_of() */
-    size_t size; /* bytes, this header and what aligns included */
+    size_t size; /* bytes, including this header and padding */
 };
 
 enum { OVERHEAD = sizeof(struct ovr_arena_block) + ALIGNMENT };
@@ -56,8 +56,8 @@ ovr_arena ovr_arena_counting(void)
     return (ovr_arena){.allocator = {reserve, give_back, NULL}, .blank = true};
 }
 
-/* The first aligned address behind the header: what is counted from it lies
- * alike in blocks from any allocator. */
+/* Returns the first aligned address after the header. Offsets are counted from
+ * it, so that alignment does not depend on the allocator. */
 static char *start_of(struct ovr_arena_block *block)
 {
     uintptr_t at = (uintptr_t)(block + 1);
@@ -69,8 +69,8 @@ static size_t aligned(size_t bytes)
     return (bytes + ALIGNMENT - 1) & ~(size_t)(ALIGNMENT - 1);
 }
 
-/* Large pieces have a block of their own, behind the newest, in which small
- * ones still find space. */
+/* Adds a block to the list. Large blocks are inserted after the newest one,
+ * which still has space for small pieces. */
 static void add_to_list(ovr_arena *arena, struct ovr_arena_block *block)
 {
     struct ovr_arena_block *newest = arena->blocks;

@@ -19,26 +19,27 @@
 typedef struct ovr_arena {
     ovr_allocator allocator;
     struct ovr_arena_block *blocks; /* newest first */
-    size_t bytes;                   /* asked of the allocator in all */
-    size_t pieces;                  /* handed out */
-    size_t releases;                /* how often it was emptied */
-    bool blank;                     /* what the allocator gives is zero */
-    bool starved;                   /* an allocation has failed, */
-    size_t lacking;                 /* its size in bytes */
+    size_t bytes;                   /* total bytes requested from the
+                                     * allocator */
+    size_t pieces;                  /* pieces allocated */
+    size_t releases;                /* number of releases */
+    bool blank;                     /* the allocator's memory is zeroed */
+    bool starved;                   /* an allocation has failed */
+    size_t lacking;                 /* size in bytes of the failed request */
 } ovr_arena;
 
-/* An empty arena; `allocator` NULL means malloc and free. */
+/* Returns an empty arena; `allocator` NULL means malloc and free. */
 ovr_arena ovr_arena_make(const ovr_allocator *allocator);
 
-/* One that counts: it gives addresses, behind which there is no memory before
- * something is written.  A set-up run through it, however large, tells by
- * `bytes` what it takes; only what it fills is really taken. */
+/* Returns an arena for measuring memory: its pages become real only when
+ * written. `bytes` of a setup created with it is the memory that the setup
+ * needs. */
 ovr_arena ovr_arena_counting(void);
 
-/* `count` zeroed elements of `size` bytes each, or NULL with *err filled.
- * A zero count gives a valid pointer.  Once an allocation has failed, every
- * further one fails until the arena is released: a function that allocates
- * several pieces checks ovr_arena_status once, before it uses any of them. */
+/* Allocates `count` zeroed elements of `size` bytes; NULL with *err filled on
+ * failure. A zero count returns a valid pointer. After a failure all further
+ * allocations fail until the arena is released, so a function with several
+ * allocations can check ovr_arena_status once. */
 void *ovr_arena_take(ovr_arena *arena, size_t count, size_t size,
                      ovr_error *err);
 
@@ -48,21 +49,29 @@ static inline ovr_status ovr_arena_status(const ovr_arena *arena)
     return arena->starved ? OVR_NO_MEMORY : OVR_OK;
 }
 
-/* Copy of a string, or NULL with *err filled. */
+/* Copies a string; NULL with *err filled on failure. */
 char *ovr_arena_text(ovr_arena *arena, const char *text, ovr_error *err);
 
 /* Frees everything; the arena is empty and usable again. */
 void ovr_arena_release(ovr_arena *arena);
 
 /*
- * A self-owning object: allocates `size` zeroed bytes for a struct whose
- * arena is then moved into it by the caller, freed last by
- * ovr_arena_release on a copy:
+ * A self-owning object: allocates `size` zeroed bytes for a struct. The caller
+ * moves the arena into the struct and frees both by ovr_arena_release on a
+ * copy:
+ *
  *     ovr_arena arena = ovr_arena_make(allocator);
  *     thing *t = ovr_arena_take(&arena, 1, sizeof *t, err);
- *     ...  t->arena = arena;                 (after the last take)
+ *     ...
+ *     t->arena = arena;                 (after the last take)
+ *
  *     void thing_free(thing *t)
- *     { if (t) { ovr_arena a = t->arena; ovr_arena_release(&a); } }
+ *     {
+ *         if (t) {
+ *             ovr_arena a = t->arena;
+ *             ovr_arena_release(&a);
+ *         }
+ *     }
  */
 
 #endif

@@ -68,7 +68,7 @@ ovr_status ovr_file_ours(const char *path, const char *head, ovr_error *err)
     size_t k = 0;
     int c = EOF;
     if (!from)
-        return OVR_OK; /* none, or its writer fails */
+        return OVR_OK; /* no journal, or its writer has failed */
     while (head[k] && (c = getc(from)) == (unsigned char)head[k])
         k++;
     fclose(from);

@@ -9,17 +9,17 @@
 
 #include "base/error.h"
 
-/* All bytes, in spite of interruptions. */
+/* Writes all bytes, also after interruptions. */
 int ovr_write_all(int fd, const void *from, size_t bytes, uint64_t at);
-/* As far as the file goes; the rest is zero. */
+/* Reads up to the end of the file; remaining bytes are zero. */
 int ovr_read_all(int fd, void *to, size_t bytes, uint64_t at);
 
-/* Names made, changed or removed in the folder of `path` are on the disk
- * itself, as far as its file system can promise it. */
+/* Syncs the folder of `path`, so that names created, changed or removed in it
+ * are on disk, if the file system supports that. */
 int ovr_sync_folder(const char *path);
 
-/* Fails where `path` exists, is not empty and does not begin with `head`, as
- * files of that kind of this program do. */
+/* Fails if `path` exists, is not empty and does not begin with `head`, the
+ * beginning of this program's files of that kind. */
 ovr_status ovr_file_ours(const char *path, const char *head, ovr_error *err);
 
 #endif

@@ -21,7 +21,7 @@ static ovr_status fail(const ovr_entries *e, const char *what, ovr_error *err)
     return ovr_fail_at(err, OVR_BAD_INPUT, e->file, e->line, "%s", what);
 }
 
-/* Length of a line without its comment. */
+/* Returns the length of a line without its comment. */
 static size_t without_comment(const char *from, size_t length)
 {
     for (size_t k = 0; k < length; k++)
@@ -31,7 +31,8 @@ static size_t without_comment(const char *from, size_t length)
     return length;
 }
 
-/* Copies the next line without comment, outer blanks and line end. */
+/* Copies the next line without comment, leading and trailing blanks and line
+ * end. */
 static ovr_status next_line(ovr_entries *e, ovr_error *err)
 {
     size_t length = strcspn(e->at, "\n");
@@ -54,7 +55,7 @@ static ovr_status next_line(ovr_entries *e, ovr_error *err)
     return OVR_OK;
 }
 
-/* The same text without outer blanks, ended where it stands. */
+/* Removes leading and trailing blanks and terminates the text in place. */
 static char *trimmed(char *text, size_t size)
 {
     ovr_line line = ovr_trim((ovr_line){text, size, 0});

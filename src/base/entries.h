@@ -16,25 +16,25 @@
 #include "base/arena.h"
 
 typedef struct ovr_entry {
-    long line;     /* from 1; 0: the end of the text */
-    char *section; /* text in [ ]; NULL: a key and its value */
+    long line;     /* line number from 1; 0: end of the text */
+    char *section; /* text in [ ]; NULL: the entry is a key with a value */
     char *key, *value;
 } ovr_entry;
 
 typedef struct ovr_entries {
-    const char *file; /* in messages */
+    const char *file; /* for messages */
     const char *at;   /* next line */
-    long line;        /* the one read last */
-    size_t maximum;   /* characters a line */
-    char *copy;       /* of that line */
-    bool inside;      /* a section */
+    long line;        /* number of the last line read */
+    size_t maximum;   /* maximum characters per line */
+    char *copy;       /* copy of the line */
+    bool inside;      /* within a section */
 } ovr_entries;
 
-/* Begins at `at` of `file` with lines of at most `maximum` characters, which
- * are given. */
+/* Starts reading the text at `at` of `file`, with at most `maximum` characters
+ * per line. */
 ovr_status ovr_entries_open(ovr_entries *e, ovr_arena *arena, ovr_error *err);
 
-/* The next section or key, valid until the one after it. */
+/* Reads the next section or key, which is valid until the next call. */
 ovr_status ovr_entries_next(ovr_entries *e, ovr_entry *entry, ovr_error *err);
 
 /* Reads a text file of at most `maximum` bytes. `what` ("case") names the kind

@@ -92,8 +92,8 @@ ovr_status ovr_fail_meant(ovr_error *err, ovr_status status, const char *meant)
     return status;
 }
 
-/* The message; where an option is called as the key it sets ("--L"), without
- * that key before it. */
+/* Returns the message without its leading key, if the error was caused by an
+ * option with the same name as that key ("--L"). */
 static const char *message_without_key(const char *file, const ovr_error *why)
 {
     size_t key = why->about ? strlen(why->about) : 0;

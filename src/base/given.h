@@ -7,20 +7,21 @@
 
 #include "overroll/error.h"
 
-/* OVR_BAD_INPUT, naming the function: `return ovr_fail_null(err, __func__)`. */
+/* Reports OVR_BAD_INPUT with the name of the function: `return
+ * ovr_fail_null(err, __func__)`. */
 ovr_status ovr_fail_null(ovr_error *err, const char *function);
 
-/* The same of a constructor, which returns NULL. */
+/* The same for a constructor, which returns NULL. */
 void *ovr_null(ovr_error *err, const char *function);
 
-/* A copy of the struct that a caller gives; OVR_BAD_INPUT, "no NAME is given",
- * where he gives none: `to` stays as it is. */
+/* Copies a struct passed by the caller. Without one, fails with OVR_BAD_INPUT,
+ * "no NAME is given", and `to` does not change. */
 ovr_status ovr_given(void *to, size_t size, const void *from, const char *name,
                      ovr_error *err);
 #define OVR_TAKE(type, to, from, err)                                          \
     ovr_given(to, sizeof(type), from, #type, err)
 
-/* Fails unless there is a struct to fill. */
+/* Fails if the pointer to an output struct is NULL. */
 ovr_status ovr_check_output_argument(const void *to, const char *name,
                                      ovr_error *err);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* GSL's interpolation, made without the risk of its error handler. */
+/* GSL's interpolation without its error handler. */
 #ifndef OVR_BASE_INTERPOLATION_H
 #define OVR_BASE_INTERPOLATION_H
 
@@ -7,9 +7,9 @@
 
 #include "overroll/error.h"
 
-/* An interpolation of y over increasing x, for gsl_interp_free(); NULL with
- * OVR_NO_MEMORY or OVR_BAD_INPUT.  GSL's handler would abort the caller's
- * program where its memory runs out. */
+/* Creates an interpolation of y as a function of increasing x, for
+ * gsl_interp_free(); NULL with OVR_NO_MEMORY or OVR_BAD_INPUT. GSL's handler
+ * would abort the program if memory is insufficient. */
 gsl_interp *ovr_interpolation(const gsl_interp_type *type, size_t n,
                               const double *x, const double *y, ovr_error *err);
 

@@ -17,7 +17,7 @@ static inline double ovr_smaller(double gathered, double x)
     return x < gathered ? x : gathered;
 }
 
-/* x from -limit to limit */
+/* Limits x to -limit..limit. */
 static inline double ovr_clipped(double x, double limit)
 {
     return x > limit ? limit : x < -limit ? -limit : x;

@@ -6,7 +6,7 @@
 #include <fcntl.h>
 #include <sys/file.h>
 
-/* One byte, far behind those of the commit lock. */
+/* Locks one byte, far after those of the commit lock. */
 static int lock_byte(int fd, bool shared)
 {
 #ifdef F_OFD_SETLK
@@ -71,7 +71,7 @@ bool ovr_bytes_locked(int fd, uint64_t at, uint64_t count)
     return lock_range(fd, F_OFD_GETLK, F_WRLCK, at, count, &lock) == 0 &&
            lock.l_type != F_UNLCK;
 }
-#else /* locks of the process, which end when it closes the file anywhere */
+#else /* process locks, which end when the process closes the file anywhere */
 int ovr_lock_bytes(int fd, uint64_t at, uint64_t count, bool wait)
 {
     struct flock lock;

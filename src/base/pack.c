@@ -37,7 +37,8 @@ ovr_status ovr_packer_prepare(ovr_packer *packer, size_t bytes, int level,
     return OVR_OK;
 }
 
-/* Byte b of element i to place b * count + i: bytes of like weight together. */
+/* Copies byte b of element i to position b * count + i, so that bytes of equal
+ * significance are contiguous. */
 static void shuffle(unsigned char *to, const unsigned char *from, size_t count,
                     size_t size)
 {
@@ -89,7 +90,8 @@ static unsigned char *store(unsigned char *to, const unsigned char *from,
 
 enum { ZLIB_HEAD = 2, ZLIB_TAIL = 4, BLOCK_HEAD = 5 };
 
-/* Packs `bytes` of `shuffled`, of which the first `stored` are noise. */
+/* Packs `bytes` of `shuffled`, of which the first `stored` cannot be
+ * compressed. */
 static size_t pack_rest(ovr_packer *packer, size_t bytes, size_t stored)
 {
     unsigned char *to = packer->packed;
@@ -130,7 +132,7 @@ size_t ovr_pack(ovr_packer *packer, const void *values, size_t count,
 
 void ovr_packer_release(ovr_packer *packer)
 {
-    if (packer->deflate) /* older versions do not take NULL */
+    if (packer->deflate) /* older versions do not accept NULL */
         libdeflate_free_compressor(packer->deflate);
     packer->deflate = NULL;
 }

@@ -19,12 +19,12 @@ typedef enum ovr_kind {
     OVR_CHOICE,  /* int; one of the words */
     OVR_FLAG,    /* bool */
     OVR_TEXT,    /* const char * */
-    OVR_PATH,    /* const char *, relative to the case */
+    OVR_PATH,    /* const char *, path relative to the case */
     OVR_NUMBERS, /* ovr_list, separated by commas */
     OVR_WORDS    /* unsigned, bit k for the k-th word */
 } ovr_kind;
 
-/* The Hertzian quantity that a bare number is measured in. */
+/* Hertzian unit of a number without a unit. */
 typedef enum ovr_hertzian {
     OVR_NOT_HERTZIAN,
     OVR_IN_B,        /* length along x */
@@ -42,46 +42,48 @@ typedef struct ovr_word {
 typedef struct ovr_parameter {
     const char *key;
     ovr_kind kind;
-    ovr_dimension dimension; /* of numbers */
+    ovr_dimension dimension; /* dimension of numbers */
     ovr_hertzian hertzian;
-    double minimum, maximum; /* SI or bare */
-    bool above;              /* `minimum` itself is refused */
+    double minimum, maximum; /* range in SI, or in the Hertzian unit */
+    bool above;              /* `minimum` itself is not allowed */
     const ovr_word *words;
-    const char *initial; /* NULL: not given */
-    size_t place;        /* in the form that its section fills */
-    bool physics;        /* another value is another solution */
-    const char *when;    /* it has an effect; NULL: always */
+    const char *initial; /* default; NULL: not given */
+    size_t place;        /* offset in the struct that its section fills */
+    bool physics;        /* affects the solution */
+    const char *when;    /* conditions under which it has an effect; NULL:
+                          * always */
     const char *help;
 } ovr_parameter;
 
 /*
- * The conditions under which a key has an effect.  They are about other keys
- * and set apart by "; ", and all of them must hold; of the alternatives of one,
- * set apart by " or ", any suffices.  Each is about a key of the same section,
- * or section.key:
- *     "history = ramp | step"   its value is one of these words,
- *     "every > 0"               its number is above this one,
- *     "helix_angle == 0"        it is this one, "!= 0": another,
- *     "time.end"                it is given,
- *     "no refine_level"         it is not given,
- *     "[stress]"                that section is there.
- * "history = ramp => from or to" asks for what is behind the arrow only where
- * what is before it holds.
- * Of a size of a feature its shape decides, in surface/shape.c, where it is
- * refused too.
+ * Conditions under which a key has an effect. They refer to other keys and are
+ * separated by "; "; all must hold. Alternatives of a condition are separated
+ * by " or "; one suffices. Each refers to a key of the same section, or to
+ * section.key:
+ *
+ *     "history = ramp | step"  its value is one of these words
+ *     "every > 0"              its number is larger
+ *     "helix_angle == 0"       it is equal; "!= 0": it differs
+ *     "time.end"               it is given
+ *     "no refine_level"        it is not given
+ *     "[stress]"               the section is in the case
+ *
+ * "history = ramp => from or to" requires the condition after the arrow only if
+ * the one before it holds. The sizes of a feature depend on its shape;
+ * surface/shape.c checks them.
  */
 #define OVR_BY_SHAPE "by shape"
 
-/* A section with its rows: a table of parameters is a list of sections. */
+/* A section with its rows; the table of parameters is a list of sections. */
 typedef struct ovr_section {
     const char *name;
-    bool named;     /* [feature NAME], any number */
-    const char *on; /* the key that switches it, or NULL: while it is off, keys
-                       that wait for it are noted, not refused */
+    bool named;     /* [feature NAME]: any number of them */
+    const char *on; /* key that turns the section on, or NULL. While it is off,
+                     * keys that depend on it cause a note, not an error */
     const char *help;
     const ovr_parameter *rows;
     size_t count;
-    bool whole; /* a section without effect unless it is in the case */
+    bool whole; /* has no effect unless it is in the case */
 } ovr_section;
 
 #endif

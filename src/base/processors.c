@@ -13,5 +13,5 @@ int ovr_processors(void)
     if (sched_getaffinity(0, sizeof allowed, &allowed) == 0 &&
         CPU_COUNT(&allowed) > 0)
         return CPU_COUNT(&allowed);
-    return all > 0 ? (int)all : 1; /* more than a set holds */
+    return all > 0 ? (int)all : 1; /* more than a set can hold */
 }

@@ -171,7 +171,8 @@ const char *ovr_units_allowed(ovr_dimension dimension)
     return "";
 }
 
-/* Loads and speeds may be given by another quantity that leads to them. */
+/* True if a quantity with this unit can be converted to the target: loads and
+ * speeds may be given by other quantities. */
 static bool leads_to(const struct unit *unit, ovr_dimension target)
 {
     ovr_dimension is = unit->dimension;
@@ -180,7 +181,7 @@ static bool leads_to(const struct unit *unit, ovr_dimension target)
     if (target == OVR_SURFACE_SPEED)
         return is == OVR_SPEED || is == OVR_ROTATION;
     if (target == OVR_STIFFNESS)
-        return is == OVR_LINE_LOAD; /* the same units */
+        return is == OVR_LINE_LOAD; /* has the same units */
     if (target == OVR_KELVINS)
         return is == OVR_TEMPERATURE && !strcmp(unit->name, "K");
     return is == target;
@@ -240,7 +241,7 @@ double ovr_length_unit(ovr_line piece, bool bracketed)
     char buffer[16];
     piece = ovr_spelled(piece, buffer);
     if (piece.size == 1 && piece.text[0] != 'm')
-        return 0; /* M is mega */
+        return 0; /* M means mega */
     if (bracketed && ovr_line_is(piece, "in"))
         return 0.0254;
     for (int k = 0; k < UNITS; k++)
@@ -271,7 +272,7 @@ static ovr_status no_number(const char *text, ovr_error *err)
     return ovr_fail(err, OVR_BAD_INPUT, "'%.60s' is not a number", text);
 }
 
-/* One that ends like what was written: degC for C. */
+/* Returns the unit with the same end as the given one: degC for C. */
 static const char *with_ending(const char *unit, const char *const *names,
                                size_t n)
 {
@@ -284,7 +285,8 @@ static const char *with_ending(const char *unit, const char *const *names,
     return NULL;
 }
 
-/* " did you mean 'MPa'?" and the unit; or nothing, and NULL. */
+/* Writes " did you mean 'MPa'?" and returns the unit; nothing and NULL if no
+ * unit is similar. */
 static const char *put_hint(const char *unit, ovr_dimension dimension,
                             char *hint, size_t capacity)
 {

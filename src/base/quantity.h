@@ -24,15 +24,16 @@ typedef enum ovr_dimension {
     OVR_LINE_LOAD,
     OVR_SPEED,
     OVR_DURATION,
-    OVR_SHARE, /* a pure number, or in % */
+    OVR_SHARE, /* a number without unit, or in % */
     OVR_FORCE,
-    OVR_LOAD, /* a line load, or a force that a width makes one */
+    OVR_LOAD, /* line load, or a force to be divided by the width */
     OVR_ROTATION,
-    OVR_SURFACE_SPEED, /* a speed, or a rotation that a radius makes one */
+    OVR_SURFACE_SPEED, /* speed, or a rotational speed to be multiplied by a
+                        * radius */
     OVR_TEMPERATURE,
     OVR_KINEMATIC_VISCOSITY,
     OVR_MASS_DENSITY,
-    OVR_KELVINS, /* a difference of temperatures */
+    OVR_KELVINS, /* temperature difference */
     OVR_PER_KELVIN,
     OVR_CONDUCTIVITY,
     OVR_HEAT_CAPACITY,
@@ -40,38 +41,39 @@ typedef enum ovr_dimension {
     OVR_ANGLE,
     OVR_TORQUE,
     OVR_POWER,
-    OVR_STIFFNESS, /* a force per way: in units of line loads */
+    OVR_STIFFNESS, /* force per displacement; units of line loads */
     OVR_MASS,
-    OVR_MESH_STIFFNESS, /* per width: N/(mm um) */
+    OVR_MESH_STIFFNESS, /* stiffness per width, N/(mm um) */
     OVR_SHEAR_RATE
 } ovr_dimension;
 
 typedef struct ovr_quantity {
-    double value;     /* SI, or as written when there is no unit */
+    double value;     /* SI, or as written if there is no unit */
     const char *unit; /* as in the table of units; NULL: none */
 } ovr_quantity;
 
-/* Reads a whole text; `bare`: the unit may be missing.  The message states the
- * error and what is allowed, and is about "unit" when the unit is wrong or
+/* Parses a complete text; `bare`: the unit may be missing. The message states
+ * the error and the allowed units, and is about "unit" if the unit is wrong or
  * missing. */
 ovr_status ovr_quantity_read(const char *text, ovr_dimension dimension,
                              bool bare, ovr_quantity *quantity, ovr_error *err);
 
-/* The dimension that a known unit measures; OVR_PURE: it is none. */
+/* Returns the dimension of `unit`, or OVR_PURE if the unit is unknown. */
 ovr_dimension ovr_unit_dimension(const char *unit);
 
-/* SI value of 1 `unit`, if it is one of the dimension; else NAN. */
+/* Returns the SI value of 1 `unit` if it has this dimension; otherwise NAN. */
 double ovr_unit_value(const char *unit, ovr_dimension dimension);
 
-/* Metres in a unit of length as instruments write it, in small letters or
- * capitals ("um", "Microns", "inch", ...); 0: not one.  `bracketed` lets in
- * what is otherwise a word ("in"). */
+/* Returns a unit of length, as written by instruments in any case ("um",
+ * "Microns", "inch", ...), in metres; 0 if unknown. `bracketed`: also accepts
+ * units that are usual words ("in"). */
 double ovr_length_unit(ovr_line piece, bool bracketed);
 
-/* The first unit of length of that size, "?" for none. */
+/* Returns the first unit of length of this size, or "?". */
 const char *ovr_length_unit_name(double metres);
 
-/* "Pa.s, mPa.s, cP", and the SI unit alone; "" for a pure number. */
+/* Return "Pa.s, mPa.s, cP", and only the SI unit; "" for a number without a
+ * unit. */
 const char *ovr_units_allowed(ovr_dimension dimension);
 const char *ovr_unit_si(ovr_dimension dimension);
 

@@ -62,10 +62,10 @@
 #define LIST(dimension, hertzian, minimum, maximum, list)                      \
     OVR_NUMBERS, dimension, hertzian, minimum, maximum, false, .words = list
 
-/* The key has an effect whatever the others are. */
+/* The key always has an effect. */
 #define ALWAYS NULL
 
-/* The rows of a section, and how many there are. */
+/* Rows of a section and their number. */
 #define ROWS(table) .rows = (table), .count = sizeof(table) / sizeof *(table)
 
 #endif

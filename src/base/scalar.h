@@ -30,19 +30,19 @@ static inline num at(const double *x, ptrdiff_t i)
     return x[i];
 }
 
-/* a b + c */
+/* Returns a b + c. */
 static inline num fused(num a, num b, num c)
 {
     return a * b + c;
 }
 
-/* c - a b */
+/* Returns c - a b. */
 static inline num less(num c, num a, num b)
 {
     return c - a * b;
 }
 
-/* b where either is not a number */
+/* Returns the larger number; b if one is NaN. */
 static inline num larger(num a, num b)
 {
     return a > b ? a : b;
@@ -53,13 +53,13 @@ static inline num smaller(num a, num b)
     return a < b ? a : b;
 }
 
-/* which ? a : b */
+/* Returns which ? a : b. */
 static inline num choose(truth which, num a, num b)
 {
     return which ? a : b;
 }
 
-/* The whole part of a number from 0 to 2^31, for elements of a table. */
+/* Integer part of a number from 0 to 2^31, used as a table index. */
 typedef size_t cell;
 
 static inline cell whole_part(num x)
@@ -77,7 +77,7 @@ static inline num gather(const double *x, cell k)
     return x[k];
 }
 
-/* z log2 x and s 2^y by tables that hold the factor. */
+/* Computes z log2 x and s 2^y from tables that include the factor. */
 typedef struct log_table {
     double z;
 } log_table;

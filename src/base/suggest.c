@@ -44,7 +44,7 @@ static size_t distance(const char *a, const char *b)
     return rows[la % 3][lb];
 }
 
-/* True if `word` is one of the words, between underscores, of `name`. */
+/* True if `word` is one of the words of `name` between underscores. */
 static bool has_word(const char *name, const char *word)
 {
     size_t length = strlen(word);
@@ -54,7 +54,7 @@ static bool has_word(const char *name, const char *word)
     return false;
 }
 
-/* The first name of which what was written is a word. */
+/* Returns the first name that contains `wrong` as a word. */
 static const char *with_word(const char *wrong, const char *const *names,
                              size_t n)
 {

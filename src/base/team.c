@@ -5,7 +5,8 @@
 #include <signal.h>
 #include <unistd.h>
 
-/* Checks in a row, and turns of them before a thread sleeps. */
+/* Checks between two yields of the processor, and number of yields before a
+ * thread sleeps. */
 enum { CHECKS = 100, TURNS = 50 };
 
 static inline void pause_briefly(void)
@@ -15,8 +16,8 @@ static inline void pause_briefly(void)
 #endif
 }
 
-/* Waits a short time for the loop after `last`.  Leaves the processor to other
- * programs that need it. */
+/* Waits a short time for the loop after `last` and yields the processor to
+ * other programs. */
 static bool loop_comes(ovr_team *team, unsigned last)
 {
     for (int turn = 0; turn < TURNS; turn++) {
@@ -51,7 +52,7 @@ static void do_part(const ovr_team *team, int number)
         team->work(team->data, number, from, to);
 }
 
-/* Waits for the loop after `last`; false: there is none any more. */
+/* Waits for the loop after `last`; false if the team is closing. */
 static bool wait_for_loop(ovr_team *team, unsigned last)
 {
     if (loop_comes(team, last))
@@ -99,7 +100,8 @@ static void *serve(void *data)
     return NULL;
 }
 
-/* A thread inherits the mask: signals are for the program's own threads. */
+/* Starts threads with all signals blocked: signals are handled by the program's
+ * own threads. */
 static void start_threads(ovr_team *team, int members)
 {
     sigset_t all, before;

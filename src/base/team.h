@@ -28,7 +28,7 @@ enum { OVR_TEAM_MOST = 64 };
 
 typedef struct ovr_team ovr_team;
 
-/* Work on the items from .. to - 1 of a loop. */
+/* Processes the items from .. to - 1 of a loop. */
 typedef void ovr_team_work(void *data, int member, size_t from, size_t to);
 
 typedef struct ovr_team_member {
@@ -37,20 +37,20 @@ typedef struct ovr_team_member {
     pthread_t thread;
 } ovr_team_member;
 
-/* Zeros are a team of the calling thread alone.  A team that was started stays
- * where it is. */
+/* A struct of zeros is a team of only the calling thread. A started team must
+ * not be moved. */
 struct ovr_team {
     int members;   /* 0 or 1: no thread was started */
-    pid_t process; /* in which the threads are */
+    pid_t process; /* process that started the threads */
     ovr_team_member member[OVR_TEAM_MOST];
-    /* The loop that is run.  Written by member 0 before `loop` is counted up,
-     * while all others wait. */
+    /* Current loop. Written by member 0 before it increments `loop`, while all
+     * others wait. */
     ovr_team_work *work;
     void *data;
     size_t count;
     atomic_uint loop; /* number of the loop */
-    atomic_int busy;  /* members of it other than 0 that are not done */
-    /* Guards what follows.  A member sleeps until `loop` changes, member 0
+    atomic_int busy;  /* members other than 0 that are not finished */
+    /* Protects the following. A member sleeps until `loop` changes, member 0
      * until `busy` is 0. */
     pthread_mutex_t mutex;
     pthread_cond_t changed;
@@ -58,13 +58,13 @@ struct ovr_team {
     bool closing;
 };
 
-/* Starts members - 1 threads, or fewer where the system has no more. */
+/* Starts members - 1 threads, or fewer if the system limits them. */
 void ovr_team_start(ovr_team *team, int members);
 
-/* Ends the threads; the team is that of the calling thread again. */
+/* Ends the threads; the team then consists of only the calling thread. */
 void ovr_team_end(ovr_team *team);
 
-/* Runs a loop and returns when all items are done. */
+/* Runs a loop and returns when all items are processed. */
 void ovr_team_run(ovr_team *team, size_t count, ovr_team_work *work,
                   void *data);
 

@@ -56,8 +56,9 @@ static size_t put_utf8(char *out, unsigned c)
         out[1] = (char)(0x80 | (c & 0x3F));
         return 2;
     }
-    out[0] = (char)(0xE0 | c >> 12); /* halves of surrogate pairs stay so: */
-    out[1] = (char)(0x80 | (c >> 6 & 0x3F)); /* they are only quoted */
+    out[0] = (char)(0xE0 | c >> 12); /* halves of surrogate pairs are kept: */
+    out[1] = (char)(0x80 | (c >> 6 & 0x3F)); /* they are only used in
+                                              * quotations */
     out[2] = (char)(0x80 | (c & 0x3F));
     return 3;
 }
@@ -106,7 +107,8 @@ ovr_lines ovr_lines_of(ovr_bytes content)
     return (ovr_lines){content.data, content.data + content.size, 0};
 }
 
-/* Behind the line end at p: CR...CR LF is one, a lone CR too. */
+/* Returns the position after the line end at p: CR...CR LF is one line end, and
+ * so is a single CR. */
 static const char *behind_end(const char *p, const char *end)
 {
     const char *q = p;
@@ -191,7 +193,7 @@ static const char *skip_digits(const char *s, const char *end)
     return s;
 }
 
-/* End of [+-] digits [. digits] [e [+-] digits], or NULL. */
+/* Returns the end of [+-] digits [. digits] [e [+-] digits], or NULL. */
 static const char *number_end(const char *s, const char *end, char point,
                               const char *exponents)
 {
@@ -201,7 +203,7 @@ static const char *number_end(const char *s, const char *end, char point,
     s = after = skip_digits(s, end);
     if (s < end && (*s == '.' || *s == point))
         s = skip_digits(s + 1, end);
-    if (s - from == (s > after)) /* no digit on either side */
+    if (s - from == (s > after)) /* no digits on either side */
         return NULL;
     if (s == end || !*s || !strchr(exponents, *s))
         return s;
@@ -210,7 +212,7 @@ static const char *number_end(const char *s, const char *end, char point,
     return skip_digits(digits, end) > digits ? skip_digits(digits, end) : s;
 }
 
-/* strtod, with a point for a point in every locale. */
+/* Converts like strtod, with a decimal point in every locale. */
 static bool convert(const char *from, const char *end, double *value)
 {
     char copy[128];
@@ -261,7 +263,7 @@ bool ovr_is_missing(ovr_line piece)
         "1.#SNAN", "-1.#SNAN", "bad",     "na",      "n/a",      "#n/a",
         "#na",     "#value!",  "#div/0!", "#num!",   "null",     "missing",
         "inf",     "-inf",     "+inf",    "invalid", "none"};
-    size_t same = 0; /* "-", "--", "*****": one character again and again */
+    size_t same = 0; /* the same character repeated: "-", "--", "*****" */
     while (same < piece.size && piece.text[same] == piece.text[0] &&
            (piece.text[0] == '-' || piece.text[0] == '*'))
         same++;
@@ -275,7 +277,8 @@ bool ovr_is_missing(ovr_line piece)
 
 /* ----------------------------------------------------------------- units */
 
-/* Bytes of a micro sign at the start: UTF-8 (micro or Greek mu), Latin-1. */
+/* Returns the bytes of a micro sign at the start: UTF-8 (micro or Greek mu),
+ * Latin-1. */
 static size_t micro(ovr_line piece)
 {
     if (ovr_line_starts(piece, "\xC2\xB5") ||
@@ -294,9 +297,9 @@ ovr_line ovr_spelled(ovr_line unit, char buffer[16])
     return (ovr_line){buffer, rest + 1, unit.number};
 }
 
-/* Writes the first character of a piece to `to` as UTF-8.  Returns its bytes
- * there, and `taken`, its bytes in the piece.  Bytes from 0xA0 on that are no
- * UTF-8 are Latin-1.  Control characters become '?'. */
+/* Writes the first character of a piece to `to` as UTF-8. Returns its bytes
+ * there; *taken becomes its bytes in the piece. Bytes from 0xA0 on that are not
+ * UTF-8 are read as Latin-1. Control characters become '?'. */
 static size_t put_character(ovr_line piece, char to[4], size_t *taken)
 {
     unsigned char s[5] = {0};
@@ -317,7 +320,7 @@ static size_t put_character(ovr_line piece, char to[4], size_t *taken)
     return 1;
 }
 
-/* Bytes of the control character at s; 0: no control character. */
+/* Returns the bytes of the control character at s; 0 if there is none. */
 static int control_bytes(const unsigned char *s, bool has_lines)
 {
     if (has_lines && (*s == '\n' || *s == '\t' || *s == '\r'))

@@ -12,7 +12,7 @@
 
 #include "base/arena.h"
 
-/* Numbers in files have a point, whatever locale the program has chosen. */
+/* Numbers in files have a decimal point in every locale. */
 
 /* Makes printf use the C locale in this thread between begin and end; `end`
  * restores the value returned by begin. */
@@ -27,52 +27,52 @@ typedef struct ovr_bytes {
 typedef struct ovr_line {
     const char *text;
     size_t size;
-    long number; /* from 1 */
+    long number; /* line number from 1 */
 } ovr_line;
 
 typedef struct ovr_lines {
     const char *at, *end;
-    long number; /* of the last line given */
+    long number; /* number of the last line returned */
 } ovr_lines;
 
-/* UTF-16 with a byte order mark becomes UTF-8 (in `arena`); a UTF-8 mark is
- * skipped; anything else stays as it is. */
+/* Converts UTF-16 with a byte order mark to UTF-8 (in `arena`) and skips a
+ * UTF-8 mark; other contents do not change. */
 ovr_status ovr_decode(ovr_bytes *content, const char *file, ovr_arena *arena,
                       const char **encoding, ovr_error *err);
 
-/* Lines end with LF, CR LF, CR CR LF or CR. */
+/* Iterate over lines, which end with LF, CR LF, CR CR LF or CR. */
 ovr_lines ovr_lines_of(ovr_bytes content);
 bool ovr_next_line(ovr_lines *lines, ovr_line *line);
-/* Blanks at both ends taken off. */
+/* Removes blanks at both ends. */
 ovr_line ovr_trim(ovr_line line);
 bool ovr_line_starts(ovr_line line, const char *word);
-bool ovr_line_is(ovr_line line, const char *word); /* without case */
+bool ovr_line_is(ovr_line line, const char *word); /* ignores case */
 
-/* The next word between blanks or NULs, taken off `rest`. */
+/* Removes the next word, separated by blanks or NULs, from `rest`. */
 bool ovr_next_piece(ovr_line *rest, ovr_line *piece);
 
-/* A decimal number with a point, whatever the locale, at *text, which moves
- * behind it; false when there is none or it is out of range. */
+/* Reads a decimal number with a point, in every locale, at *text and moves
+ * *text past it; false if there is none or it is out of range. */
 bool ovr_read_number(const char **text, double *value);
 
-/* The same as a whole piece, as instruments write it: with an exponent of 'd'
- * too and, if `comma`, a comma for the point. */
+/* Reads a piece that is a number as instruments write it: also with an exponent
+ * 'd' and, if `comma`, a decimal comma. */
 bool ovr_number(ovr_line piece, bool comma, double *value);
-/* The whole piece is a sign for no value: NaN, BAD, ---, nothing... */
+/* True if `piece` is a missing-value marker: NaN, BAD, --- or empty. */
 bool ovr_is_missing(ovr_line piece);
 
-/* "an" before a word that begins with a vowel, else "a". */
+/* Returns "an" before a vowel, otherwise "a". */
 const char *ovr_article(const char *word);
 
-/* "\302\265m" (of any encoding) becomes "um", in `buffer`. */
+/* Replaces "\302\265m" (in any encoding) by "um", in `buffer`. */
 ovr_line ovr_spelled(ovr_line unit, char buffer[16]);
 
-/* A copy in which the control characters that command a terminal are escaped
- * (\x1b), the C1 controls of UTF-8 (0xc2 0x80 to 0xc2 0x9f) among them.
- * Line ends and tabs stay if `has_lines`.  NULL: memory is out. */
+/* Copies a text and escapes control characters (\x1b), including the C1
+ * controls of UTF-8 (0xc2 0x80 to 0xc2 0x9f). Line ends and tabs are kept if
+ * `has_lines`. NULL without memory. */
 char *ovr_escaped(const char *text, bool has_lines, ovr_arena *arena);
 
-/* A piece fit for a message: printable UTF-8, shortened, NUL-ended. */
+/* A piece for messages: printable UTF-8, shortened, NUL-terminated. */
 typedef struct ovr_quoted {
     char text[48];
 } ovr_quoted;

@@ -39,14 +39,15 @@ long ovr_write_every(const ovr_write_options *o, double end, double dT,
     return every >= 1 && every < 1e9 ? (long)every : 1;
 }
 
-/* The length of NAME in a name NAME.unit, else 0. */
+/* Returns the length of NAME if the name is NAME.unit, otherwise 0. */
 static size_t length_before_unit(const char *name)
 {
     const char *dot = strrchr(name, '.');
     return dot && strcmp(dot, ".unit") == 0 ? (size_t)(dot - name) : 0;
 }
 
-/* Finds if value k has the name of an earlier value, or of the unit of any. */
+/* True if value k has the name of an earlier value, or the name of the unit of
+ * any value. */
 static bool is_name_taken(const ovr_write_options *o, size_t k)
 {
     const char *name = o->values[k].name;
@@ -61,8 +62,8 @@ static bool is_name_taken(const ovr_write_options *o, size_t k)
     return taken;
 }
 
-/* The names become attributes of the group `case`, whose attribute `text` is
- * the case itself. */
+/* Checks the names: they become attributes of the group `case`, whose attribute
+ * `text` is the case itself. */
 static ovr_status check_names(const ovr_write_options *o, ovr_error *err)
 {
     for (size_t k = 0; k < o->value_count; k++)
@@ -92,7 +93,7 @@ static ovr_status check_options(const ovr_write_options *o, ovr_error *err)
     return check_names(o, err);
 }
 
-/* The stored nodes: those in the window, from its first one on by strides. */
+/* Chooses the stored nodes: every stride-th node of the window. */
 static ovr_status choose_nodes(ovr_writer *w, const double *X, ovr_error *err)
 {
     const ovr_write_options *o = &w->options;
@@ -110,7 +111,8 @@ static ovr_status choose_nodes(ovr_writer *w, const double *X, ovr_error *err)
     return OVR_OK;
 }
 
-/* Positions of the lines in the unit of the file; NULL of a line contact. */
+/* Returns the positions of the lines in the unit of the file; NULL for a line
+ * contact. */
 static double *line_positions(ovr_writer *w, ovr_error *err)
 {
     double factor = ovr_factor(&w->scales, OVR_KIND_LENGTH);
@@ -129,8 +131,8 @@ static double *stored_positions(ovr_writer *w, const double *X, ovr_error *err)
     return x;
 }
 
-/* Computes weights of the trapezoidal rule, where patches make the nodes
- * unequally far from each other; else NULL. */
+/* Computes weights of the trapezoidal rule if refinement makes the node spacing
+ * nonuniform; otherwise NULL. */
 static ovr_status weigh(const ovr_writer *w, ovr_arena *arena,
                         ovr_file_plan *plan, ovr_error *err)
 {
@@ -173,7 +175,7 @@ static const char *keep_text(ovr_writer *w, const char *text, bool *kept,
     return copy;
 }
 
-/* The case goes into every checkpoint: copies of it are kept. */
+/* Copies the case, which is part of every checkpoint. */
 static ovr_status keep_case(ovr_writer *w, ovr_error *err)
 {
     ovr_write_options *o = &w->options;
@@ -231,18 +233,18 @@ static void release(ovr_writer *w)
     ovr_arena_release(&arena);
 }
 
-/* HDF5 does not survive that its memory runs out: it aborts, or crashes.  So
- * much as it needs for a file is asked for, and given back, before it is. */
+/* HDF5 aborts or crashes if memory is insufficient. The amount that it needs
+ * for a file is therefore allocated and freed as a test. */
 enum { HDF5_MEMORY = 4 << 20 };
 
-/* With less left HDF5 1.10 damages the heap instead of failing: 8 MB for a
- * file, and 16 MB for the stack and the heap of the writing thread. */
+/* With less memory HDF5 1.10 corrupts the heap instead of failing: 8 MB for a
+ * file, and 16 MB for stack and heap of the writing thread. */
 enum { HDF5_SPACE = 24 << 20 };
 
 static ovr_status space_for_hdf5(const ovr_allocator *allocator, ovr_error *err)
 {
     ovr_arena probe = ovr_arena_make(allocator);
-    probe.blank = true; /* is never read: not cleared */
+    probe.blank = true; /* is never read, so needs no clearing */
     bool enough = ovr_arena_take(&probe, HDF5_SPACE, 1, err) != NULL;
     ovr_arena_release(&probe);
     return enough ? OVR_OK : OVR_NO_MEMORY;
@@ -273,8 +275,8 @@ static ovr_writer *begin(const ovr_write_options *options,
     return w;
 }
 
-/* The checkpoint, still without a state, is on the disk before the file has its
- * name: a run killed at any later moment can be resumed. */
+/* Creates the file. A checkpoint, still without a state, is written before the
+ * file gets its name. A run killed later can always be resumed. */
 static ovr_status start_file(ovr_writer *w, const ovr_file_plan *plan,
                              ovr_error *err)
 {
@@ -287,7 +289,7 @@ static ovr_status start_file(ovr_writer *w, const ovr_file_plan *plan,
         status = ovr_store_publish(&w->file.store, w->options.force, err);
     if (status != OVR_IO)
         return status;
-    if (err) /* an output that cannot be made is known before the run */
+    if (err) /* reports an impossible output before the run */
         err->status = OVR_BAD_INPUT;
     return OVR_BAD_INPUT;
 }
@@ -331,8 +333,8 @@ double ovr_writer_memory(const ovr_write_options *options,
     return bytes;
 }
 
-/* Counts of a checkpoint with a state; else the run begins again, on the rows
- * of the same file. */
+/* Uses the counts of a checkpoint with a state; otherwise the run begins again
+ * and overwrites the rows of the file. */
 static void go_on_from(ovr_writer *w, const ovr_restart *restart,
                        ovr_file_plan *plan)
 {
@@ -383,7 +385,7 @@ ovr_writer *ovr_writer_resume(const ovr_write_options *options,
     return w;
 }
 
-/* True if there is a state to look at: it was solved for, and holds numbers. */
+/* True if there is a solved state with finite values. */
 static bool worth_a_look(const ovr_frame *frame)
 {
     const ovr_state *state = frame->state;
@@ -393,9 +395,9 @@ static bool worth_a_look(const ovr_frame *frame)
     return finite;
 }
 
-/* The state at the end of a complete or failed run, unless it is stored
- * already.  The checkpoint is written before: a run that is made longer later
- * forgets this snapshot, as if it had never ended. */
+/* Stores the state at the end of a complete or failed run, unless it is stored
+ * already. A resumed run with a later end time drops this snapshot, because the
+ * checkpoint was written before it. */
 static ovr_status store_last(ovr_writer *w, ovr_run_status run, ovr_error *err)
 {
     bool asked = w->options.every_steps || w->options.every_time > 0;
@@ -445,7 +447,8 @@ ovr_status ovr_writer_close(ovr_writer *w, ovr_run_status run,
         return ovr_fail_null(err, __func__);
     ovr_status status = OVR_OK, closed;
     ovr_h5_handler handler;
-    if (w->source.visit_all && w->last_step >= 0) /* else none was reached */
+    if (w->source.visit_all && w->last_step >= 0) /* otherwise no state was
+                                                   * reached */
         status = ovr_writer_save(w, err);
     if (status == OVR_OK && run != OVR_RUN_STOPPED)
         status = store_last(w, run, err);

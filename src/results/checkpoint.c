@@ -18,7 +18,7 @@
 #include "results/store.h"
 #include "simulation/simulation.h"
 
-/* A file being written, through a buffer, with its checksum. */
+/* A file that is being written, with buffer and checksum. */
 typedef struct sink {
     int fd, error;
     uint64_t sum;
@@ -146,14 +146,14 @@ ovr_status ovr_checkpoint_write(const ovr_checkpoint *c, ovr_error *err)
 
 /* ------------------------------------------------------------------ reading */
 
-/* Reading a checkpoint: its form is described in checkpoint.h. */
+/* A checkpoint being read (its format: checkpoint.h). */
 
 struct ovr_restart {
     ovr_arena arena;
     char *path;
-    unsigned char *data; /* the whole file */
+    unsigned char *data; /* complete contents of the file */
     size_t bytes;
-    size_t first_state; /* where the pieces of the state begin */
+    size_t first_state; /* offset of the records of the state */
     const char *version, *created;
     ovr_counts counts;
     uint64_t number, format;
@@ -161,15 +161,15 @@ struct ovr_restart {
     ovr_case_value *values;
 };
 
-/* A piece in the file's memory. */
+/* A record in the file's memory. */
 typedef struct piece {
     const char *name;
     const unsigned char *content;
     size_t name_length, bytes;
-    size_t next; /* where the piece behind it begins */
+    size_t next; /* offset of the next record */
 } piece;
 
-/* False if no complete record follows. */
+/* Reads the record at `at`; false if it is incomplete. */
 static bool piece_at(const ovr_restart *r, size_t at, piece *p)
 {
     uint64_t length[2];
@@ -246,12 +246,13 @@ static ovr_status load_file(ovr_restart *r, ovr_error *err)
     return status;
 }
 
-/* The end: a piece without a name that holds the checksum of all before. */
+/* Checks the end: a record without a name with the checksum of all preceding
+ * bytes. */
 static ovr_status check_whole(const ovr_restart *r, ovr_error *err)
 {
     enum { HEAD = OVR_RESTART_MAGIC_SIZE + 8, END = 24 };
     const uint64_t order = OVR_RESTART_ORDER;
-    const uint64_t lengths[2] = {0, 8}; /* of its name and content */
+    const uint64_t lengths[2] = {0, 8}; /* lengths of name and content */
     uint64_t sum, found;
     if (r->bytes < HEAD + END ||
         memcmp(r->data, OVR_RESTART_MAGIC, OVR_RESTART_MAGIC_SIZE) != 0)
@@ -366,8 +367,8 @@ static bool is_same_minor(const char *version)
     return strncmp(version, OVERROLL_VERSION, length) == 0;
 }
 
-/* Another minor version may have other defaults and another state, so that the
- * run would not continue as it began. */
+/* Rejects a checkpoint of another minor version, which may have other defaults
+ * and another state. */
 static ovr_status check_format(const ovr_restart *r, ovr_error *err)
 {
     if (r->format > OVR_RESTART_FORMAT || !is_same_minor(r->version))
@@ -465,10 +466,11 @@ ovr_status ovr_values_same(size_t were, const ovr_case_value *was, size_t count,
 
 typedef struct getting {
     ovr_restart *restart;
-    bool write; /* else only look whether all fits */
+    bool write; /* write values; otherwise only check that all fit */
 } getting;
 
-/* A number that the checkpoint does not know stays what it is. */
+/* Reads a value of the state. A number missing in the checkpoint keeps its
+ * value. */
 static ovr_status get_state(void *context, const char *name, void *memory,
                             size_t bytes, ovr_error *err)
 {
@@ -487,7 +489,8 @@ static ovr_status get_state(void *context, const char *name, void *memory,
     return OVR_OK;
 }
 
-/* First a look, so that nothing is half loaded. */
+/* Loads the state. A first pass checks that all records fit, so that no state
+ * is partly loaded. */
 ovr_status ovr_restart_load_into(ovr_restart *r, const ovr_state_source *source,
                                  ovr_error *err)
 {

@@ -37,13 +37,15 @@
 enum { OVR_RESTART_MAGIC_SIZE = 16, OVR_RESTART_FORMAT = 2 };
 
 /*
- * OUT.h5.restart lies beside OUT.h5 from its first moment on and is replaced
- * whole: a checkpoint of the run, with the case it belongs to.
+ * The checkpoint of a run, with its case. It exists together with OUT.h5 from
+ * the beginning and is always replaced as a whole.
  *
  *     ovr_restart *restart = ovr_restart_open("OUT.h5", NULL, &err);
  *     ... case from ovr_restart_get_info(restart), simulation as for a new run
- *     if (about->has_state) ovr_restart_load(restart, sim, &err);
- *     else                  ovr_simulation_steady(sim, &err);
+ *     if (about->has_state)
+ *         ovr_restart_load(restart, sim, &err);
+ *     else
+ *         ovr_simulation_steady(sim, &err);
  *     w = ovr_writer_resume(&options, &contact, n, X, restart, NULL, &err);
  *     ovr_writer_checkpoints(w, sim);
  *     ... march with the writer as its observer
@@ -52,10 +54,10 @@ typedef struct ovr_restart ovr_restart;
 
 typedef struct ovr_restart_info {
     bool has_state; /* false: the run ended before its first checkpoint */
-    long step;      /* of the checkpoint, and its time */
+    long step;      /* step number and time of the checkpoint */
     double T;
-    size_t snapshots, steps; /* rows of the file at that moment */
-    double inlet, outlet;    /* of the domain; NAN: not recorded */
+    size_t snapshots, steps; /* rows in the file at the checkpoint */
+    double inlet, outlet;    /* domain; NAN: not recorded */
     int level;               /* 0: not recorded */
     const char *case_text, *case_path;
     size_t value_count; /* parameters of the run; name, text, physics */
@@ -64,11 +66,11 @@ typedef struct ovr_restart_info {
 
 typedef struct ovr_counts {
     int64_t step, snapshots, steps;
-    int64_t stored; /* the state has its snapshot */
+    int64_t stored; /* nonzero: the state is stored as a snapshot */
     double T, seconds;
 } ovr_counts;
 
-/* Whose state is saved: `visit_all` shows every piece of `object`. */
+/* Source of the saved state: `visit_all` visits every part of `object`. */
 typedef struct ovr_state_source {
     ovr_status (*visit_all)(void *object, ovr_visit *visit, void *context,
                             ovr_error *err);
@@ -81,7 +83,7 @@ typedef struct ovr_checkpoint {
     size_t value_count;
     const ovr_case_value *values;
     ovr_counts counts;
-    uint64_t number;         /* counted in the store */
+    uint64_t number;         /* number of the checkpoint in the store */
     ovr_state_source source; /* visit_all NULL: no state yet */
     bool sync;
 } ovr_checkpoint;
@@ -89,21 +91,22 @@ typedef struct ovr_checkpoint {
 ovr_status ovr_checkpoint_write(const ovr_checkpoint *checkpoint,
                                 ovr_error *err);
 
-/* Reads the state of a checkpoint from any source. */
+/* Loads the state of a checkpoint into any source. */
 ovr_status ovr_restart_load_into(ovr_restart *restart,
                                  const ovr_state_source *source,
                                  ovr_error *err);
 
-/* True if the state has a piece of this name with these bytes. */
+/* True if the state has a record with this name and content. */
 bool ovr_restart_holds(const ovr_restart *restart, const char *name,
                        const void *memory, size_t bytes);
 
-/* The result file must have this as its date_created. */
+/* Returns the date_created that the result file must have. */
 const char *ovr_restart_created(const ovr_restart *restart);
 const ovr_counts *ovr_restart_counts(const ovr_restart *restart);
 uint64_t ovr_restart_number(const ovr_restart *restart);
 
-/* OVR_BAD_INPUT naming the first parameter of physics that differs. */
+/* Fails with OVR_BAD_INPUT if a parameter of physics differs; the message names
+ * the first. */
 ovr_status ovr_values_same(size_t were, const ovr_case_value *was, size_t count,
                            const ovr_case_value *values, ovr_error *err);
 

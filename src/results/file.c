@@ -19,9 +19,9 @@
 #include "results/inputs.h"
 #include "results/store.h"
 
-/* ------------------------------------------------------- the driver of HDF5 */
+/* ---------------------------------------------------- file driver of HDF5 */
 
-/* HDF5 on a store: a file driver whose bytes are the store's. */
+/* An HDF5 file driver that reads and writes the bytes of a store. */
 
 #if defined(__has_include)
 #if __has_include(<H5FDdevelop.h>)
@@ -31,14 +31,14 @@
 
 #include "results/h5.h"
 
-/* HDF5's part comes first: it sees nothing else. */
+/* HDF5's part must be first, because HDF5 uses only that. */
 typedef struct ovr_driven {
     H5FD_t hdf5;
     ovr_store *store;
     haddr_t allocated;
 } ovr_driven;
 
-/* The access properties carry this. */
+/* Data of the file access properties. */
 typedef struct driver_info {
     ovr_store *store;
 } driver_info;
@@ -71,7 +71,8 @@ static const ovr_driven *driven_const(const H5FD_t *file)
     return (const ovr_driven *)(const void *)file;
 }
 
-/* Its memory is the arena's; its end is a commit after H5Fclose. */
+/* Closes the file. Its memory belongs to the arena, and the commit follows
+ * H5Fclose. */
 static herr_t driver_close(H5FD_t *file)
 {
     (void)file;
@@ -135,7 +136,8 @@ static herr_t driver_truncate(H5FD_t *file, hid_t transfer, hbool_t closing)
 static const H5FD_class_t driver_class = {
 #ifdef H5FD_CLASS_VERSION
     .version = H5FD_CLASS_VERSION,
-    .value = (H5FD_class_value_t)512, /* HDF5 leaves 512 to 1023 to all */
+    .value = (H5FD_class_value_t)512, /* HDF5 reserves 512 to 1023 for all
+                                       * users */
 #endif
     .name = "overroll",
     .maxaddr = ((haddr_t)1 << 62) - 1,
@@ -153,9 +155,9 @@ static const H5FD_class_t driver_class = {
     .fl_map = H5FD_FLMAP_DICHOTOMY,
 };
 
-/* Access properties that lead to the store; registering the driver again for
- * each file keeps the library free of globals.  HDF5 uses the driver after
- * dropping its own reference to it, so that ours is held until the end. */
+/* Returns access properties for the store. The driver is registered for each
+ * file, so that the library has no globals. HDF5 uses the driver after dropping
+ * its own reference to it, so another one is held until the end. */
 static hid_t driver_access(ovr_store *store)
 {
     driver_info info = {store};
@@ -168,7 +170,7 @@ static hid_t driver_access(ovr_store *store)
     return access;
 }
 
-/* Has to be called when the file is closed. */
+/* Releases the driver; must be called when the file is closed. */
 static void driver_release(ovr_store *store)
 {
     if (store->driver > 0)
@@ -234,7 +236,7 @@ ovr_status ovr_file_prepare(ovr_file *f, const ovr_file_plan *plan,
                               arena, err);
 }
 
-/* The date identifies its file. */
+/* Sets the date that identifies the store's file. */
 static void name_store(ovr_file *f, const char *created)
 {
     snprintf(f->store.created, sizeof f->store.created, "%s",
@@ -271,7 +273,7 @@ ovr_status ovr_file_create(ovr_file *f, const ovr_file_plan *plan,
     return status ? status : ovr_file_flush(f, err);
 }
 
-/* Makes a dataset `rows` rows long; `nodes` 0 for a column. */
+/* Extends a dataset to `rows` rows; `nodes` is 0 for a column. */
 static bool grow(hid_t set, hsize_t rows, hsize_t nodes)
 {
     hsize_t size[2] = {rows, nodes};
@@ -296,7 +298,7 @@ static bool add_chunk(ovr_file *f, size_t k, const void *values)
     if (packed)
         return H5Dwrite_chunk(f->field[k], H5P_DEFAULT, 0, at, packed,
                               f->packer.packed) >= 0;
-    /* filter mask: shuffle and deflate both left out */
+    /* The filter mask skips shuffle and deflate, which are already applied. */
     return H5Dwrite_chunk(f->field[k], H5P_DEFAULT, f->deflate ? 3 : 0, at,
                           f->values * element, values) >= 0;
 }
@@ -349,7 +351,7 @@ ovr_status ovr_file_add_steps(ovr_file *f, size_t count, const int *steps,
     return OVR_OK;
 }
 
-/* --------------------------------------------------------------- going on */
+/* --------------------------------------------------------------- resuming */
 
 static ovr_status refuse(const ovr_file *f, const char *why, ovr_error *err)
 {
@@ -370,15 +372,15 @@ static bool same_axis(ovr_container *c, const char *name, size_t n,
            memcmp(found, values, n * sizeof *found) == 0;
 }
 
-/* The same domain, level, lines, window and stride. */
+/* Checks that domain, level, lines, window and stride are unchanged. */
 static bool same_positions(ovr_container *c, const ovr_file_plan *plan)
 {
     return same_axis(c, "x", plan->nodes, plan->x) &&
            (!plan->y || same_axis(c, "y", plan->lines, plan->y));
 }
 
-/* Precision and filters are as they were when the file was made; the first
- * field may be one that it did not store. */
+/* Checks that precision and filters are unchanged. The first field may be
+ * missing in the file. */
 static bool same_precision(ovr_file *f, ovr_container *c)
 {
     ovr_dataset set;
@@ -402,8 +404,8 @@ static bool has_rows(ovr_container *c, uint64_t group, const char *name,
            set.shape[0] >= rows;
 }
 
-/* A field that is new, or was not stored for a while, has fewer rows: they
- * read as NaN. */
+/* Truncates datasets to the counted rows. A field that is new or was not always
+ * stored has fewer rows, which are extended with NaN. */
 static bool drop_rows(ovr_file *f)
 {
     bool ok = grow(f->time, f->snapshots, 0) && grow(f->step, f->steps, 0);
@@ -414,8 +416,8 @@ static bool drop_rows(ovr_file *f)
     return ok;
 }
 
-/* Before HDF5 opens it: a file that is none of ours, or damaged, must not get
- * that far. */
+/* Checks the identity of the file before HDF5 opens it, because HDF5 may crash
+ * with foreign or damaged files. */
 static ovr_status check_identity(ovr_file *f, const ovr_file_plan *plan,
                                  ovr_container *c, ovr_error *err)
 {
@@ -491,7 +493,7 @@ ovr_status ovr_file_open(ovr_file *f, const ovr_file_plan *plan,
                             err);
     }
     if (status != OVR_OK) {
-        f->store.failed = ECANCELED; /* leave it as it is */
+        f->store.failed = ECANCELED; /* nothing more is written */
         return status;
     }
     if (!prepare_transfer(f) || !drop_rows(f) || !mark_running(f, plan) ||
@@ -500,7 +502,7 @@ ovr_status ovr_file_open(ovr_file *f, const ovr_file_plan *plan,
     return ovr_file_flush(f, err);
 }
 
-/* ------------------------------------------------------------ flush and end */
+/* ----------------------------------------------- flush and end of the run */
 
 ovr_status ovr_file_flush(ovr_file *f, ovr_error *err)
 {
@@ -538,7 +540,7 @@ ovr_status ovr_file_extremes(ovr_file *f, const ovr_scales *scales,
                                                        : write_failed(f, err);
 }
 
-/* `reason` NULL: the word alone. */
+/* Marks the file as failed; `reason` NULL: status without a reason. */
 static bool mark(ovr_store *s, const char *reason)
 {
     hid_t file;
@@ -587,7 +589,7 @@ ovr_status ovr_file_close(ovr_file *f, ovr_error *err)
     closed = !open || H5Fclose(f->file) >= 0;
     if (!closed || f->store.failed)
         status = write_failed(f, err);
-    else if (open) /* closing writes a little more */
+    else if (open) /* closing writes more bytes */
         status = ovr_store_commit(&f->store, err);
     driver_release(&f->store);
     ovr_store_close(&f->store);

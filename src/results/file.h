@@ -18,8 +18,8 @@
 #include "results/results.h"
 #include "results/store.h"
 
-/* Rows in a chunk of a history column or of `time`.  These chunks have no
- * filter: they are filled in place, row after row. */
+/* Rows per chunk of a history column or of `time`. These chunks have no filter
+ * and are filled row by row. */
 enum { OVR_ROW_CHUNK = 256 };
 
 /* Holds a date like 2026-01-31T12:00:00.123456Z. */
@@ -31,65 +31,67 @@ typedef struct ovr_file {
     hid_t time, field[OVR_FIELDS_MAX];
     hid_t step, *column;
     size_t fields, columns;
-    const ovr_observable *which[OVR_FIELDS_MAX], **row; /* the same order */
-    size_t nodes, lines; /* sizes of a snapshot; a line contact has one line */
-    size_t values;       /* nodes times lines */
-    size_t element;      /* bytes of a value */
+    const ovr_observable *which[OVR_FIELDS_MAX], **row; /* in the same order */
+    size_t nodes, lines; /* size of a snapshot; a line contact has one line */
+    size_t values;       /* values of a snapshot: nodes times lines */
+    size_t element;      /* bytes per value */
     int deflate;
-    char created[OVR_DATE_SIZE]; /* its date_created, when it was there */
+    char created[OVR_DATE_SIZE]; /* date_created of an existing file */
     hsize_t snapshots, steps;    /* rows written */
-    hsize_t shown;               /* snapshots that readers see */
-    hid_t transfer;              /* of columns; -1: not open */
+    hsize_t shown;               /* snapshots visible to readers */
+    hid_t transfer;              /* transfer properties of columns; -1: not
+                                  * open */
     ovr_packer packer;
 } ovr_file;
 
 typedef struct ovr_file_plan {
     const ovr_write_options *options;
     const ovr_scales *scales;
-    const double *x; /* stored positions, in the file's unit */
+    const double *x; /* stored positions in the file's unit */
     size_t nodes;
-    size_t lines;          /* 1: a line contact */
+    size_t lines;          /* 1 for a line contact */
     const double *y;       /* positions of the lines, in the file's unit */
-    const char *created;   /* its date_created */
-    uint64_t number;       /* of the checkpoint to continue from */
-    const double *weights; /* of x in integrals; NULL: not stored */
+    const char *created;   /* date_created */
+    uint64_t number;       /* number of the checkpoint to resume from */
+    const double *weights; /* integration weights along x; NULL: not stored */
 } ovr_file_plan;
 
-/* Bytes of a value of a field. */
+/* Returns the bytes per value of a field. */
 size_t ovr_file_element(const ovr_file *file, const ovr_observable *which);
 
-/* Memory of the file and what follows from the plan; no disk is touched. */
+/* Allocates the memory of the file and derives sizes from the plan; no disk
+ * access. */
 ovr_status ovr_file_prepare(ovr_file *file, const ovr_file_plan *plan,
                             ovr_arena *arena, ovr_error *err);
 
-/* Makes the file with all its headers, under its temporary name. */
+/* Creates the file with all headers under its temporary name. */
 ovr_status ovr_file_create(ovr_file *file, const ovr_file_plan *plan,
                            ovr_error *err);
 
-/* Opens one that is to be resumed, as it was at the last checkpoint; it
- * must have plan->created, these
- * positions and this precision.  Rows behind the counts are dropped. */
+/* Opens a file to be resumed and restores its last checkpoint. The file must
+ * have plan->created, these positions and this precision. Rows after the
+ * counted ones are dropped. */
 ovr_status ovr_file_open(ovr_file *file, const ovr_file_plan *plan,
                          size_t snapshots, size_t steps, ovr_error *err);
 
-/* One snapshot: its time and its fields one after the other, as they are to
- * lie in the file. */
+/* Appends a snapshot: its time, and its fields in the format of the file. */
 ovr_status ovr_file_add_snapshot(ovr_file *file, double time, const void *rows,
                                  ovr_error *err);
 
-/* `count` rows of history: step numbers, and columns of `stride` values. */
+/* Appends `count` rows of history: step numbers, and columns that are `stride`
+ * elements apart. */
 ovr_status ovr_file_add_steps(ovr_file *file, size_t count, const int *steps,
                               const double *columns, size_t stride,
                               ovr_error *err);
 
-/* Everything so far becomes what a reader finds. */
+/* Makes all data so far visible to readers. */
 ovr_status ovr_file_flush(ovr_file *file, ovr_error *err);
-/* Writes how the run ended, after how many seconds of wall time. */
+/* Writes the final status of the run and its wall time in seconds. */
 ovr_status ovr_file_status(ovr_file *file, ovr_run_status status,
                            const char *reason, double seconds, ovr_error *err);
-/* Writes the warnings, as an attribute. */
+/* Writes the warnings as an attribute. */
 ovr_status ovr_file_warnings(ovr_file *file, const char *text, ovr_error *err);
-/* The extremes of the run, as attributes. */
+/* Writes the extremes of the run as attributes. */
 ovr_status ovr_file_extremes(ovr_file *file, const ovr_scales *scales,
                              const ovr_statistics *total, ovr_error *err);
 ovr_status ovr_file_close(ovr_file *file, ovr_error *err);

@@ -8,7 +8,7 @@
 #include "overroll/version.h"
 #include "results/header.h"
 
-/* A variable; the first is the scale of the others. */
+/* Creates a variable; the first is the dimension scale of the others. */
 static hid_t create(const ovr_flat *r, const char *name, hid_t type)
 {
     hid_t set = H5Dcreate2(r->file, name, type, r->space, H5P_DEFAULT,
@@ -47,7 +47,7 @@ static bool put_scale(ovr_flat *r, const char *name, const char *about,
 bool ovr_flat_begin(ovr_flat *r, const char *path, const char *name,
                     const char *about, size_t count, ovr_arena *arena)
 {
-    /* netCDF-4 wants links and attributes in order of creation. */
+    /* netCDF-4 requires links and attributes in order of creation. */
     const unsigned order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
     hsize_t length = count;
     hid_t access = ovr_h5_access(), creation = ovr_header_creation();

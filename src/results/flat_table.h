@@ -16,21 +16,23 @@ typedef struct ovr_flat {
     hid_t file, space, properties, text, scale;
 } ovr_flat;
 
-/* A new file with the dimension `name`; its end is due whatever it returns. */
+/* Creates a file with the dimension `name`. ovr_flat_end must be called even
+ * after a failure. */
 bool ovr_flat_begin(ovr_flat *rows, const char *path, const char *name,
                     const char *about, size_t count, ovr_arena *arena);
 
-/* Variables with an element for each row; `unit` "1": none. */
+/* Write variables with one element per row; `unit` "1": dimensionless. */
 bool ovr_flat_numbers(const ovr_flat *rows, const char *name, const char *unit,
                       const char *about, const double *values);
 bool ovr_flat_texts(const ovr_flat *rows, const char *name, const char *about,
                     const char *const *texts);
 
-/* One more attribute of a variable. */
+/* Adds another attribute to a variable. */
 bool ovr_flat_note(const ovr_flat *rows, const char *name, const char *key,
                    const char *text);
 
-/* Writes the title, closes the file and has it on the disk; `good`: so far. */
+/* Writes the title, closes the file and syncs it to disk. `good`: no error so
+ * far. */
 bool ovr_flat_end(ovr_flat *rows, const char *path, const char *title,
                   bool good);
 

@@ -19,9 +19,9 @@ static ovr_status failed(ovr_writer *w, ovr_error *err)
     return ovr_store_failure(&w->file.store, err);
 }
 
-/* ------------------------------------------------------------ a whole group */
+/* ------------------------------------------------------- a complete group */
 
-/* Bytes of its attributes. */
+/* Returns the bytes of its attributes. */
 static size_t group_bytes(const ovr_group *g)
 {
     size_t bytes = 0;
@@ -30,7 +30,7 @@ static size_t group_bytes(const ovr_group *g)
     return bytes;
 }
 
-/* The group of a path, made with those above it. */
+/* Opens or creates the group of a path and its parents. */
 static hid_t make_path(hid_t file, const char *path, size_t bytes)
 {
     char part[256];
@@ -53,7 +53,8 @@ static bool has_path(hid_t file, const char *path)
            (!slash || H5Lexists(file, path, H5P_DEFAULT) > 0);
 }
 
-/* The factor of a kind in this file times each of n values, as doubles. */
+/* Writes n values multiplied by the scale of their kind in this file, as
+ * doubles. */
 static bool write_doubles(const ovr_writer *w, hid_t set, ovr_unit_kind kind,
                           size_t n, const double *values, ovr_arena *arena)
 {
@@ -76,7 +77,7 @@ static bool write_singles(const ovr_writer *w, hid_t set, ovr_unit_kind kind,
                               H5P_DEFAULT, scaled) >= 0;
 }
 
-/* A dataset of the plan's shape: an earlier run's, or a new one. */
+/* Opens the dataset of an earlier run, or creates it with the plan's shape. */
 static hid_t made_or_open(const ovr_writer *w, hid_t group,
                           const ovr_new_dataset *plan)
 {
@@ -160,7 +161,7 @@ static bool make_array(const ovr_writer *w, hid_t group, const ovr_group *g,
     return ok;
 }
 
-/* `there`: it may exist already. */
+/* Writes an attribute; `there`: it may exist already. */
 static bool set_attribute(hid_t group, const ovr_group_attribute *a, bool there)
 {
     if (a->text)
@@ -203,7 +204,7 @@ static bool make_group(ovr_writer *w, const ovr_group *g, bool keep)
     return ok;
 }
 
-/* Accepts data when the queue is empty. */
+/* Copies the caller's group and waits until the queue is empty. */
 static ovr_status begin(ovr_writer *w, const ovr_group *given, ovr_group *g,
                         ovr_error *err)
 {
@@ -226,9 +227,9 @@ ovr_status ovr_writer_group(ovr_writer *w, const ovr_group *given, bool keep,
     return ok ? OVR_OK : failed(w, err);
 }
 
-/* --------------------------------------------------------------- row by row */
+/* ------------------------------------------------------------------- rows */
 
-/* Row k of a dataset along time, which becomes the last. */
+/* Writes row k of a time-dependent dataset, which becomes the last row. */
 static bool write_row(hid_t group, const char *name, hsize_t k, hid_t type,
                       const void *values)
 {

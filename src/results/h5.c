@@ -35,7 +35,8 @@ hid_t ovr_h5_access(void)
     return access;
 }
 
-/* Characters of one length, or strings of any (length 0). */
+/* Returns a type of `length` characters, or of variable-length strings (length
+ * 0). */
 static hid_t text_type(size_t length)
 {
     hid_t type = H5Tcopy(H5T_C_S1);
@@ -83,7 +84,7 @@ bool ovr_h5_set_integer(hid_t object, const char *name, int value)
     return set(object, name, H5T_STD_I32LE, H5T_NATIVE_INT, &value);
 }
 
-/* An attribute, or a negative identifier: asked for only when it is there. */
+/* Opens an attribute if it exists; otherwise returns a negative identifier. */
 static hid_t open_attribute(hid_t object, const char *name)
 {
     if (H5Aexists(object, name) <= 0)
@@ -91,9 +92,9 @@ static hid_t open_attribute(hid_t object, const char *name)
     return H5Aopen(object, name, H5P_DEFAULT);
 }
 
-/* Texts of any length lie in heaps.  HDF5 makes a new heap, and the file 4 kB
- * longer, unless it has one with space in mind: that of the old text, once
- * read. */
+/* Replaces a variable-length text, which is stored in a heap. HDF5 creates a
+ * new heap (4 kB) unless one with free space is cached; reading the old text
+ * caches its heap. */
 bool ovr_h5_change_string(hid_t object, const char *name, const char *text)
 {
     hid_t attribute = open_attribute(object, name);

@@ -17,25 +17,28 @@ typedef struct ovr_h5_handler {
     void *data;
 } ovr_h5_handler;
 
-/* Turns automatic error printing of this thread off; returns what it was. */
+/* Turns off automatic error printing in this thread; returns the previous
+ * handler. */
 ovr_h5_handler ovr_h5_quiet(void);
 void ovr_h5_restore(ovr_h5_handler before);
 
-/* Drops one reference of any kind of identifier; negative ones are skipped. */
+/* Releases a reference to an identifier of any kind; negative ones are
+ * skipped. */
 void ovr_h5_drop(hid_t id);
 
-/* File access properties: format of HDF5 1.8, no locks of HDF5's own. */
+/* Returns file access properties: format of HDF5 1.8, without HDF5's own
+ * locks. */
 hid_t ovr_h5_access(void);
 
-/* Attributes.  Those that CF knows are characters of fixed length, as the
- * netCDF library itself writes them (old readers ask for nothing else); our
- * own texts are variable-length strings, which h5py gives as str. */
+/* Attributes. CF attributes are fixed-length characters as written by the
+ * netCDF library, because old readers accept nothing else. Other texts are
+ * variable-length strings, which h5py returns as str. */
 bool ovr_h5_set_chars(hid_t object, const char *name, const char *text);
 bool ovr_h5_set_string(hid_t object, const char *name, const char *text);
 bool ovr_h5_set_number(hid_t object, const char *name, double value);
 bool ovr_h5_set_integer(hid_t object, const char *name, int value);
 
-/* New values of attributes that are there. */
+/* Change the values of existing attributes. */
 bool ovr_h5_change_string(hid_t object, const char *name, const char *text);
 bool ovr_h5_change_number(hid_t object, const char *name, double value);
 

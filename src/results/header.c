@@ -38,7 +38,7 @@ void ovr_date_now(char date[OVR_DATE_SIZE])
  * links, because HDF5 copies the header to append an attribute. */
 static void set_group(hid_t creation, size_t bytes)
 {
-    enum { NAME = 43, LINK = 64, MOST = 60000 }; /* one message: 64 KiB */
+    enum { NAME = 43, LINK = 64, MOST = 60000 }; /* a message: 64 KiB */
     unsigned order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
     size_t links = (bytes < MOST ? bytes : MOST) / LINK;
     H5Pset_link_creation_order(creation, order);
@@ -48,7 +48,7 @@ static void set_group(hid_t creation, size_t bytes)
     H5Pset_est_link_info(creation, (unsigned)links + 4, NAME);
 }
 
-/* Attributes of the root: about 40, and the extremes in one or two units. */
+/* About 40 attributes of the root, and the extremes in one or two units. */
 hid_t ovr_header_creation(void)
 {
     hid_t creation = H5Pcreate(H5P_FILE_CREATE);
@@ -73,7 +73,8 @@ hid_t ovr_header_group(hid_t where, const char *name, size_t bytes)
     return group;
 }
 
-/* A row that is not written yet reads as NaN, an integer one as -1. */
+/* Sets the fill value: rows that are not written yet are NaN, or -1 for
+ * integers. */
 static void set_fill(hid_t creation, hid_t type)
 {
     double nan = NAN;
@@ -102,8 +103,8 @@ static hid_t dataset_creation(const dataset *d)
     return creation;
 }
 
-/* A cache of three chunks, which are written in order: that of the default
- * takes 4 KiB for each dataset. */
+/* Returns access properties with a cache of three chunks, which suffices for
+ * writing in order. The default uses 4 KiB for each dataset. */
 static hid_t dataset_access(void)
 {
     hid_t access = H5Pcreate(H5P_DATASET_ACCESS);
@@ -121,7 +122,7 @@ static hid_t dataset_space(const dataset *d)
     return H5Screate_simple(d->rank, d->shape, maximum);
 }
 
-/* What is per unit width has the width, where it is known. */
+/* Adds the width to quantities per unit width, if it is known. */
 static bool put_width(hid_t set, const dataset *d, const ovr_contact *contact)
 {
     bool wide = d->kind == OVR_KIND_FORCE || d->kind == OVR_KIND_POWER;
@@ -177,7 +178,7 @@ static bool set_axis(hid_t set, const char *axis)
     return set >= 0 && ovr_h5_set_chars(set, "axis", axis);
 }
 
-/* An attribute of values along one dimension; true if it was written. */
+/* Writes an attribute with several values; true on success. */
 static bool set_list(hid_t set, const char *name, hid_t type, hsize_t count,
                      const void *values)
 {
@@ -189,7 +190,7 @@ static bool set_list(hid_t set, const char *name, hid_t type, hsize_t count,
     return ok;
 }
 
-/* A place in REFERENCE_LIST: the first dimension of this dataset. */
+/* An element of REFERENCE_LIST: this dataset's first dimension. */
 typedef struct attachment {
     hobj_ref_t set;
     int dimension;
@@ -204,9 +205,8 @@ static hid_t attachment_type(void)
     return type;
 }
 
-/* Attaches the columns to their scale `step`, which has none yet, as
- * H5DSattach_scale would one by one: each call copies the scale's whole list.
- */
+/* Attaches all columns to their scale `step`. H5DSattach_scale would attach
+ * them one by one, and each call copies the scale's whole list. */
 static bool attach_columns(ovr_file *f)
 {
     ovr_arena arena = ovr_arena_make(&f->store.changed.arena->allocator);
@@ -226,7 +226,7 @@ static bool attach_columns(ovr_file *f)
     return ok;
 }
 
-/* `axis` may be NULL. */
+/* Creates an axis; `axis` may be NULL. */
 static hid_t make_axis(const ovr_file *f, const ovr_file_plan *plan, dataset d,
                        const char *axis, const double *values)
 {
@@ -250,8 +250,9 @@ static hid_t make_positions(const ovr_file *f, const ovr_file_plan *plan)
     return make_axis(f, plan, d, "X", plan->x);
 }
 
-/* Positions of the lines; -1 of a line contact.  ParaView takes axes named X
- * and Y for longitude and latitude, hence only x is one. */
+/* Creates the positions of the lines; -1 for a line contact. ParaView
+ * interprets two axes named X and Y as longitude and latitude, so only x has
+ * this attribute. */
 static hid_t make_lines(const ovr_file *f, const ovr_file_plan *plan)
 {
     dataset d = {.name = "y",
@@ -260,8 +261,8 @@ static hid_t make_lines(const ovr_file *f, const ovr_file_plan *plan)
     return f->lines > 1 ? make_axis(f, plan, d, NULL, plan->y) : -1;
 }
 
-/* Weights of the nodes that are stored, by which sums are integrals over x,
- * where the nodes are not equally far from each other. */
+/* Writes integration weights of the stored nodes along x if the nodes are not
+ * equally spaced. */
 static bool make_weights(const ovr_file *f, const ovr_file_plan *plan, hid_t x)
 {
     dataset d = {.name = "weight",
@@ -295,7 +296,7 @@ size_t ovr_file_element(const ovr_file *f, const ovr_observable *which)
     return which->kind == OVR_KIND_FLAG ? 1 : f->element;
 }
 
-/* `y` negative: a line contact. */
+/* Creates a field; `y` is negative for a line contact. */
 static bool make_field(ovr_file *f, const ovr_scales *scales, hid_t x, hid_t y,
                        size_t k)
 {
@@ -339,7 +340,7 @@ static dataset column_plan(const ovr_file *f, size_t c)
                      .along = {f->step}};
 }
 
-/* All columns, which share the properties of their creation by their type. */
+/* Creates all columns, which share creation properties by type. */
 static bool make_columns(ovr_file *f, hid_t group, const ovr_scales *scales)
 {
     hid_t access = dataset_access(), whole = -1, number = -1;
@@ -363,7 +364,7 @@ static bool make_columns(ovr_file *f, hid_t group, const ovr_scales *scales)
 
 static bool make_history(ovr_file *f, const ovr_scales *scales)
 {
-    enum { LINK = 60 }; /* bytes */
+    enum { LINK = 60 }; /* in bytes */
     dataset d = {.name = "step",
                  .long_name = "time step",
                  .kind = OVR_KIND_COUNT,
@@ -391,7 +392,7 @@ static bool set_value(hid_t group, const ovr_case_value *value)
     return ovr_h5_set_string(group, name, value->unit);
 }
 
-/* A number with a unit has two attributes. */
+/* Returns the bytes of the case's attributes; a number with a unit has two. */
 static size_t case_bytes(const ovr_write_options *o)
 {
     size_t bytes = OVR_ATTRIBUTE;
@@ -483,7 +484,7 @@ static bool set_scales(hid_t root, const ovr_scales *scales, double end)
     return ok;
 }
 
-/* Width of a strip, line that is shown by default. */
+/* Writes the width of a strip and the line shown by default. */
 static bool set_strip(hid_t root, const ovr_write_options *o)
 {
     return o->lines <= 1 ||

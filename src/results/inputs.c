@@ -19,11 +19,11 @@
 
 enum { CHUNK = 1 << 16 };
 
-/* An input as it was read: `bytes` NULL where it is not kept. */
+/* Contents of an input file; `bytes` is NULL if they are not stored. */
 typedef struct content {
     unsigned char *bytes;
     uint64_t size;
-    bool ordinary; /* a file that can be read twice */
+    bool ordinary; /* a regular file, which can be read twice */
     ovr_sha256 sum;
 } content;
 
@@ -54,7 +54,7 @@ static ovr_status cannot(const ovr_input *input, int error, ovr_error *err)
                     text);
 }
 
-/* Reads to the end of the file; keeps its bytes as far as they fit. */
+/* Reads to the end of the file; stores the bytes up to the capacity. */
 static ovr_status read_bytes(int fd, const ovr_input *input, size_t capacity,
                              content *to, ovr_error *err)
 {
@@ -80,7 +80,8 @@ static ovr_status read_bytes(int fd, const ovr_input *input, size_t capacity,
     return OVR_OK;
 }
 
-/* Pipes and devices gave their bytes to the reader of the case. */
+/* Reads an input file. Pipes and devices are skipped, since the reader of the
+ * case has consumed their bytes. */
 static ovr_status load(const ovr_input *input, ovr_arena *arena, content *to,
                        ovr_error *err)
 {
@@ -158,7 +159,7 @@ static ovr_status write_input(const ovr_file *f, const ovr_file_plan *plan,
     return status;
 }
 
-/* Names the dataset of an earlier key that has the same file. */
+/* Writes the name of the dataset of an earlier key with the same file. */
 static bool write_again(hid_t group, const ovr_input *inputs, size_t k)
 {
     size_t file = 1;
@@ -246,7 +247,7 @@ static const char *or_empty(const char *text)
     return text ? text : "";
 }
 
-/* False: the object is no dataset, or not that of an input. */
+/* Reads the attributes of an input's dataset; false for other objects. */
 static bool describe_found(ovr_result *r, const ovr_link *link,
                            ovr_result_input *to)
 {
@@ -302,7 +303,7 @@ const ovr_result_input *ovr_result_input_at(const ovr_result *r, size_t k)
 
 /* ------------------------------------------------------------------ Reading */
 
-/* Opens the file unless it is open; the lock is held until `leave`. */
+/* Opens the file unless it is open; holds the lock until `leave`. */
 static bool enter(ovr_result *r, int *lock)
 {
     *lock = ovr_reader_lock(r);
@@ -358,7 +359,7 @@ ovr_status ovr_result_input_read(ovr_result *r, size_t k, unsigned char *bytes,
                     r->path, input->name);
 }
 
-/* The place of a dataset in the list of inputs. */
+/* Returns the index of a dataset in the list of inputs. */
 static size_t find(const ovr_result *r, const char *name)
 {
     size_t k = 0;

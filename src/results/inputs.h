@@ -22,7 +22,7 @@ ovr_sha256 ovr_sha256_of(const void *bytes, size_t size);
 ovr_status ovr_inputs_write(const ovr_file *file, const ovr_file_plan *plan,
                             ovr_error *err);
 
-/* Fails if an input has other bytes than when the run began. */
+/* Fails if an input file has changed since the beginning of the run. */
 ovr_status ovr_inputs_check(ovr_container *container,
                             const ovr_write_options *options, ovr_error *err);
 

@@ -21,10 +21,9 @@
 
 /* ----------------------------------------- lock between commits and readers */
 
-enum { TRIES = 1000, PAUSE = 200000 }; /* ns; a fifth of a second at most */
+enum { TRIES = 1000, PAUSE = 200000 }; /* ns; 0.2 s in total */
 
-/* Bytes that are locked: for the content, for the queue before it, and by a
- * writer for its life. */
+/* Locked bytes: contents; queue for the contents; writer exists. */
 enum { CONTENT, QUEUE, LIFE };
 
 static int set_lock(int journal, int byte, short kind)
@@ -45,7 +44,8 @@ static int set_lock(int journal, int byte, short kind)
 #endif
 }
 
-/* Nobody waits where there are no such locks. */
+/* True if another process holds the lock; false on systems without such
+ * locks. */
 static bool is_taken(int journal, int byte, short kind)
 {
     return set_lock(journal, byte, kind) != 0 &&
@@ -73,7 +73,7 @@ void ovr_commit_unlock(int journal)
     set_lock(journal, CONTENT, F_UNLCK);
 }
 
-/* From now on a writer lives, until the descriptor is closed. */
+/* Marks that a writer exists, until the descriptor is closed. */
 static void commit_alive(int journal)
 {
     set_lock(journal, LIFE, F_WRLCK);
@@ -92,7 +92,7 @@ bool ovr_commit_is_settled(int journal)
 #endif
 }
 
-/* crc32, several times as fast as zlib's */
+/* Computes crc32, several times as fast as zlib. */
 static uint64_t checksum(uint64_t sum, const void *data, size_t bytes)
 {
     return libdeflate_crc32((uint32_t)sum, data, bytes);
@@ -100,7 +100,7 @@ static uint64_t checksum(uint64_t sum, const void *data, size_t bytes)
 
 /* ------------------------------------------------------------------ Reading */
 
-/* False: there is no header, or none that is whole. */
+/* Reads the header; false if it is missing or incomplete. */
 static bool journal_first(ovr_journal_walk *w, int journal)
 {
     const ovr_journal_header *h = &w->header;
@@ -116,8 +116,8 @@ static bool journal_first(ovr_journal_walk *w, int journal)
            h->sum == checksum(0, h, offsetof(ovr_journal_header, sum));
 }
 
-/* The next record, its content in memory of the arena, which is cleared with
- * it; false: there is none. */
+/* Returns the content of the next record, in memory of the arena, which is
+ * cleared first; NULL if there is none. */
 static const unsigned char *journal_next(ovr_journal_walk *w, ovr_arena *arena)
 {
     ovr_journal_record *r = &w->record;
@@ -150,7 +150,8 @@ bool ovr_file_is_named(int fd, const char *path)
            open.st_ino == named.st_ino && open.st_dev == named.st_dev;
 }
 
-/* The one who locked it before may have removed it meanwhile: then again. */
+/* Opens and locks the journal. Repeats this if another process removed the file
+ * between opening and locking. */
 int ovr_journal_open(ovr_store *s)
 {
     for (int attempt = 0; attempt < 100; attempt++) {
@@ -175,7 +176,7 @@ int ovr_journal_open(ovr_store *s)
 
 /* -------------------------------------------------------------- Writing */
 
-/* No two journals of a file have the same. */
+/* Returns a number that differs between journals of a file. */
 static uint64_t new_salt(void)
 {
     struct timespec now;
@@ -184,8 +185,8 @@ static uint64_t new_salt(void)
            ((uint64_t)getpid() << 40);
 }
 
-/* The names of the file and its checkpoint first: what the journal held until
- * now may belong to the file that had this name before. */
+/* Begins a journal. The names of the file and its checkpoint are written first,
+ * because the old contents may belong to another file of that name. */
 static int begin(ovr_store *s)
 {
     ovr_kept *k = &s->kept;
@@ -210,8 +211,8 @@ static size_t minimum(uint64_t a, uint64_t b)
     return (size_t)(a < b ? a : b);
 }
 
-/* A bit for each page of the checkpoint; more of them than before where the
- * file has grown since. */
+/* True if a page is saved. There is one bit per page of the checkpoint,
+ * extended when the file grows. */
 static bool is_kept(const ovr_kept *k, uint64_t number)
 {
     return number / 8 < k->capacity && k->pages[number / 8] >> number % 8 & 1;
@@ -236,13 +237,13 @@ static int note_kept(ovr_store *s, uint64_t number)
     return 0;
 }
 
-/* A commit appends this, written at once. */
+/* Data that a commit appends to the journal in one write. */
 typedef struct addition {
     ovr_arena arena;
     unsigned char *data;
     size_t bytes;
-    size_t state; /* bytes of the state, behind these */
-    bool pages;   /* some of it are pages */
+    size_t state; /* bytes of the state, after the pages */
+    bool pages;   /* contains pages */
 } addition;
 
 static uint64_t pages_of(uint64_t length)
@@ -250,8 +251,8 @@ static uint64_t pages_of(uint64_t length)
     return (length + OVR_PAGE - 1) / OVR_PAGE;
 }
 
-/* Pages whose checksums the state needs, at most: those changed, then those
- * written behind what was committed before. */
+/* Returns an upper bound of the number of page checksums in a state: changed
+ * pages plus pages appended since the last commit. */
 static size_t entries(const ovr_store *s)
 {
     uint64_t first = s->kept.summed / OVR_PAGE, end = pages_of(s->length);
@@ -269,7 +270,7 @@ static int reserve(const ovr_store *s, addition *a)
     return a->data ? 0 : ENOMEM;
 }
 
-/* The content is there already. */
+/* Completes a record whose content has been written. */
 static void end_record(const ovr_store *s, addition *a, uint64_t kind,
                        uint64_t where, size_t bytes)
 {
@@ -281,7 +282,7 @@ static void end_record(const ovr_store *s, addition *a, uint64_t kind,
     a->bytes += sizeof r + bytes;
 }
 
-/* What was not kept yet is in the file as the checkpoint had it. */
+/* Appends the old content of a page that was not saved since the checkpoint. */
 static int keep_page(ovr_store *s, addition *a, const ovr_page *page)
 {
     size_t bytes = minimum(OVR_PAGE, s->kept.length - page->number * OVR_PAGE);
@@ -305,7 +306,8 @@ static int keep_pages(ovr_store *s, addition *a)
     return error;
 }
 
-/* Notes a page, `now` being its content, as far as the file goes. */
+/* Appends the checksum of a page with the content `now`, up to the end of the
+ * file. */
 static void name_page(const ovr_store *s, addition *a, uint64_t page,
                       const unsigned char *now)
 {
@@ -317,7 +319,7 @@ static void name_page(const ovr_store *s, addition *a, uint64_t page,
     a->state += sizeof e;
 }
 
-/* Those that lie behind what was committed before, many at a time. */
+/* Appends the checksums of pages after the committed length, many at a time. */
 static int name_new_pages(ovr_store *s, addition *a)
 {
     enum { MANY = 16 };
@@ -334,7 +336,8 @@ static int name_new_pages(ovr_store *s, addition *a)
     return 0;
 }
 
-/* A page that ends behind what is committed is one of the new ones. */
+/* Appends the state. Pages that extend beyond the committed length are counted
+ * as new. */
 static int add_state(ovr_store *s, addition *a)
 {
     uint64_t first = s->kept.summed / OVR_PAGE;
@@ -355,7 +358,7 @@ static int append(ovr_store *s, const addition *a)
     int error = ovr_write_all(s->journal, a->data, a->bytes, s->kept.end);
     if (error == 0 && a->pages && fsync(s->journal) != 0)
         error = errno;
-    if (error) { /* the file is untouched: no state must say otherwise */
+    if (error) { /* the file is unchanged, so the state is withdrawn */
         (void)!ftruncate(s->journal, (off_t)s->kept.end);
         return error;
     }
@@ -382,7 +385,7 @@ int ovr_journal_write(ovr_store *s)
 
 /* ------------------------------------------------------------- Rolling back */
 
-/* The date stands among the headers, at the file's beginning. */
+/* True if the date is in the headers, at the beginning of the file. */
 static bool stands_in(int file, const char *created, ovr_arena *arena)
 {
     enum { MAX = 1 << 20 };
@@ -450,15 +453,13 @@ int ovr_journal_roll_back(ovr_store *s)
     return error;
 }
 
-/* -------------------------------------------------- Recognizing a torn file */
+/* ----------------------------------------------- detection of a torn file */
 
-/*
- * The journal records the checksum of each page changed since the checkpoint,
- * state by state.  The pages of a state are the last that it names and, before
- * them, those of the checkpoint.
- */
+/* Detection of a torn file. The journal records the checksums of the pages
+ * changed since the checkpoint, state by state. The expected checksum of a page
+ * in a state is the last one recorded up to that state. */
 
-/* The page is this from a state on; state 0 is the checkpoint. */
+/* Expected page content from a state on; state 0 is the checkpoint. */
 typedef struct promise {
     ovr_journal_entry entry;
     uint64_t state;
@@ -467,7 +468,8 @@ typedef struct promise {
 typedef struct promises {
     promise *list;
     size_t count, capacity;
-    uint64_t states, length, length_before; /* of the last state, and before */
+    uint64_t states, length, length_before; /* length of the last state and of
+                                             * the one before */
     ovr_arena *arena;
 } promises;
 
@@ -529,7 +531,8 @@ static int by_page(const void *a, const void *b)
     return (x->state > y->state) - (x->state < y->state);
 }
 
-/* Bytes beyond the end of a state do not belong to it. */
+/* True if the page has the expected checksum. Bytes beyond the end of the state
+ * are ignored. */
 static bool holds(int file, const promise *p, uint64_t length)
 {
     unsigned char now[OVR_PAGE];

@@ -28,29 +28,23 @@
 
 #include "results/store.h"
 
-/*
- * A readers-writer lock between commits and our own readers: a byte of the
- * journal is locked exclusively by the writer while it changes the file, shared
- * by readers while they read.  A second byte is the queue before it: all lock
- * it until they hold the first, so once the writer waits no further reader
- * passes it, however many there are.
- *
- * Neither waits for ever: the other one may have been stopped in the middle.
- * Whoever has waited too long goes ahead; a reader that then meets half a
- * commit notices and tries again.  Readers that know nothing of this are kept
- * from nothing.  (Locks of open file descriptions: Linux; elsewhere nobody
- * waits and readers try again.)
- *
- * A third byte is locked as long as a writer lives.
- */
+/* Readers-writer lock between commits and this library's readers. A byte of the
+ * journal is locked exclusively by the writer while it changes the file, and
+ * shared by readers. A second byte is a queue: everyone locks it until they
+ * hold the first, so that no new reader overtakes a waiting writer. Waiting is
+ * bounded, because the other process may have been stopped. After the timeout a
+ * process proceeds; a reader that finds a partial commit retries. Other
+ * programs are not affected. (Open file description locks: Linux only; on other
+ * systems nothing waits and readers retry.) A third byte is locked while a
+ * writer exists. */
 
 /* Acquires the lock on a descriptor of the journal, for writing or reading. */
 void ovr_commit_lock(int journal, bool write);
 void ovr_commit_unlock(int journal);
 
-/* Returns to a reader with the lock whether a writer exists and is not changing
- * the file, so that this is as a commit left it.  False also where there are no
- * such locks: then the file must be looked at (journal.c). */
+/* For a reader that holds the lock: true if a writer exists and is not changing
+ * the file, which is then as a commit left it. False also on systems without
+ * such locks; then the file must be checked (journal.c). */
 bool ovr_commit_is_settled(int journal);
 
 #define OVR_JOURNAL_MAGIC "overroll journal"
@@ -68,23 +62,24 @@ typedef struct ovr_journal_record {
     uint64_t salt, kind, where, bytes, sum;
 } ovr_journal_record;
 
-/* A page that a state names. */
+/* A page recorded in a state. */
 typedef struct ovr_journal_entry {
     uint64_t page;
     uint32_t bytes, sum;
 } ovr_journal_entry;
 
-/* Both return 0 or an errno. */
+/* The following functions return 0 or an errno. */
 
 /* True if the path is a name of the open file. */
 bool ovr_file_is_named(int fd, const char *path);
 
-/* Opens (or makes) and locks it; EWOULDBLOCK: another writer has it. */
+/* Opens or creates the journal and locks it; EWOULDBLOCK if another writer has
+ * it. */
 int ovr_journal_open(ovr_store *store);
 
-/* Writes what the commit of the changed pages needs: pages that are not kept
- * yet since the checkpoint, and the state to come; synced if there are any of
- * the former. */
+/* Writes the records for a commit of the changed pages: the old content of
+ * pages not saved since the checkpoint, and the new state. Synced if pages were
+ * written. */
 int ovr_journal_write(ovr_store *store);
 
 /* ---- reading: a walk through its records */
@@ -93,18 +88,17 @@ typedef struct ovr_journal_walk {
     int fd;
     uint64_t at, size;
     ovr_journal_header header;
-    ovr_journal_record record; /* the present one */
+    ovr_journal_record record; /* current record */
 } ovr_journal_walk;
 
 /* ---- using */
 
-/* True if the journal (of the file of that descriptor) knows a state of it, and
- * it is in none of those: see above.  Without memory it is not. */
+/* True if the journal (of the file of that descriptor) has states of the file
+ * and the file is in none of them. False without memory. */
 bool ovr_journal_torn(int journal, int file, const ovr_allocator *allocator);
 
-/* Restores the pages saved since the checkpoint, unless the journal
- * is of another file, or of a checkpoint that is no longer the store's; an
- * errno. */
+/* Restores the pages saved since the checkpoint, unless the journal belongs to
+ * another file or to an old checkpoint. Returns an errno. */
 int ovr_journal_roll_back(ovr_store *store);
 
 #endif

@@ -64,14 +64,16 @@ ovr_scales ovr_scales_of(const ovr_contact *contact)
     return scales;
 }
 
-/* Known by itself: viscosity and speed may lack where the rest is known. */
+/* Returns the scale of a kind, 1 if it is unknown. Each kind is checked,
+ * because viscosity and speed may be unknown when other scales are known. */
 double ovr_factor(const ovr_scales *scales, ovr_unit_kind kind)
 {
     double scale = ovr_kind_scale(kind, &scales->contact);
     return scales->physical && isfinite(scale) ? scale : 1;
 }
 
-/* A number that nothing scales is in its unit in any file. */
+/* Returns the unit of a kind. Kinds without a scale have their unit in any
+ * file. */
 const char *ovr_unit(const ovr_scales *scales, ovr_unit_kind kind)
 {
     double scale = ovr_kind_scale(kind, &scales->contact);
@@ -79,9 +81,9 @@ const char *ovr_unit(const ovr_scales *scales, ovr_unit_kind kind)
     return si ? ovr_kind_about(kind)->si : "1";
 }
 
-/* ----------------------------------------------- numbers that are asked for */
+/* ------------------------------------------------------ requested numbers */
 
-/* Numbers that people ask a result for, with a unit or bare. */
+/* Numbers given by users, with a unit or dimensionless. */
 
 static ovr_dimension dimension_of(ovr_unit_kind kind)
 {

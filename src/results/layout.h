@@ -16,9 +16,8 @@ enum {
     OVR_FIELDS_MAX = 32
 };
 
-/* The columns of the history where these physics are on, or the fields of a
- * set of them, in the order in which they are written: how many; into `rows`,
- * unless that is NULL. */
+/* Return the number of history columns for these physical models, or of fields
+ * in a set, and store them in file order in `rows` unless it is NULL. */
 size_t ovr_layout_columns(unsigned physics, const ovr_observable **rows);
 size_t ovr_layout_fields(unsigned set, const ovr_observable **rows);
 
@@ -29,7 +28,8 @@ typedef struct ovr_scales {
 
 ovr_scales ovr_scales_of(const ovr_contact *contact);
 
-/* The stored number is the dimensionless one times this, in this unit. */
+/* Return the factor from dimensionless to stored numbers, and the unit of the
+ * stored numbers. */
 double ovr_factor(const ovr_scales *scales, ovr_unit_kind kind);
 const char *ovr_unit(const ovr_scales *scales, ovr_unit_kind kind);
 

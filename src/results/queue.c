@@ -17,14 +17,14 @@ ovr_status ovr_queue_prepare(ovr_queue *q, size_t row_bytes, size_t columns,
                              ovr_arena *arena, ovr_error *err)
 {
     bool blank = arena->blank, ok = true;
-    arena->blank = true; /* written before read, not cleared */
+    arena->blank = true; /* written before it is read */
     for (size_t k = 0; ok && k < OVR_PARCELS; k++)
         ok = take_parcel(&q->parcel[k], row_bytes, columns, arena, err);
     arena->blank = blank;
     return ok ? OVR_OK : OVR_NO_MEMORY;
 }
 
-/* Drains a parcel unless something failed before, and empties it. */
+/* Writes a parcel unless an earlier one failed, and empties it. */
 static ovr_status drain_one(ovr_queue *q, ovr_parcel *parcel, bool failed,
                             ovr_error *err)
 {
@@ -36,9 +36,10 @@ static ovr_status drain_one(ovr_queue *q, ovr_parcel *parcel, bool failed,
     return status;
 }
 
-/* The mutex guards first, posted, closing and error; a posted parcel belongs
- * to this thread until `posted` is counted down.  The thread is woken for half
- * of the parcels at once, a flush, or one that waits. */
+/* Main function of the thread. The mutex protects first, posted, closing and
+ * error. A posted parcel belongs to this thread until `posted` is decremented.
+ * The thread is woken when half of the parcels are posted, for a flush, or if
+ * the other thread waits. */
 static void *drain_all(void *queue)
 {
     ovr_queue *q = queue;
@@ -67,7 +68,8 @@ static void *drain_all(void *queue)
     return NULL;
 }
 
-/* A thread inherits the mask: signals are for the program's own threads. */
+/* Starts the thread with all signals blocked: signals are handled by the
+ * program's own threads. */
 static bool start_thread(ovr_queue *q)
 {
     sigset_t all, before;
@@ -130,7 +132,7 @@ ovr_status ovr_queue_post(ovr_queue *q, ovr_error *err)
     q->filling = (q->filling + 1) % OVR_PARCELS;
     if (flush || q->posted >= OVR_PARCELS / 2)
         pthread_cond_broadcast(&q->changed);
-    while (q->posted == OVR_PARCELS) /* one must be free to be filled */
+    while (q->posted == OVR_PARCELS) /* waits for a free parcel */
         pthread_cond_wait(&q->changed, &q->mutex);
     status = report(q, err);
     pthread_mutex_unlock(&q->mutex);

@@ -20,12 +20,12 @@
 enum { OVR_PARCELS = 6, OVR_PARCEL_STEPS = 64, OVR_ALONE = 12 };
 
 typedef struct ovr_parcel {
-    bool snapshot; /* rows holds one */
+    bool snapshot; /* the parcel contains a snapshot */
     double time;   /* of the snapshot, in the file's unit */
     unsigned char *rows;
     size_t steps;   /* rows of history */
-    int *step;      /* their numbers */
-    double *values; /* their values, row after row */
+    int *step;      /* step numbers */
+    double *values; /* values, row by row */
     bool flush;
 } ovr_parcel;
 
@@ -34,32 +34,32 @@ typedef ovr_status ovr_drain(void *context, const ovr_parcel *parcel,
 
 typedef struct ovr_queue {
     ovr_parcel parcel[OVR_PARCELS];
-    size_t first, posted; /* parcels waiting */
-    size_t filling;       /* the one that the solver's thread fills */
+    size_t first, posted; /* posted parcels */
+    size_t filling;       /* parcel that the solver's thread fills */
     ovr_drain *drain;
     void *context;
-    int alone; /* posts until the thread starts; 0: none will */
+    int alone; /* remaining posts until the thread starts; 0: no thread */
     bool threaded, closing;
-    ovr_error error; /* the first failure */
+    ovr_error error; /* first failure */
     pthread_t thread;
     pthread_mutex_t mutex;
     pthread_cond_t changed;
 } ovr_queue;
 
-/* row_bytes: of one snapshot; columns: of the history. */
+/* Allocates the queue. row_bytes: bytes of a snapshot; columns: of the
+ * history. */
 ovr_status ovr_queue_prepare(ovr_queue *queue, size_t row_bytes, size_t columns,
                              ovr_arena *arena, ovr_error *err);
 
-/* Has a thread start with the OVR_ALONE-th post, when `threaded` and one can be
- * had. */
+/* Starts a thread at the OVR_ALONE-th post, if `threaded` and possible. */
 void ovr_queue_start(ovr_queue *queue, bool threaded, ovr_drain *drain,
                      void *context);
 
-/* The parcel being filled, empty after a post. */
+/* Returns the parcel to fill, which is empty after a post; posts it. */
 ovr_parcel *ovr_queue_open(ovr_queue *queue);
 ovr_status ovr_queue_post(ovr_queue *queue, ovr_error *err);
 
-/* Waits until everything posted is drained. */
+/* Waits until all posted parcels are written. */
 ovr_status ovr_queue_wait(ovr_queue *queue, ovr_error *err);
 
 /* Waits, then ends the thread. */

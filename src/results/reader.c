@@ -61,15 +61,15 @@ static ovr_status cut(const ovr_result *r, ovr_error *err)
                     r->path);
 }
 
-/* A file cut in the middle of a commit is a mixture of two states, of which
- * the checksums inside it find only some. */
+/* True if the file was cut within a commit. It is then a mixture of two states,
+ * only some of which its own checksums reveal. */
 static bool is_torn(ovr_result *r, int lock)
 {
     if (ovr_commit_is_settled(lock)) {
         r->looked_at = false;
         return false;
     }
-    if (r->looked_at) /* nobody writes, or this could not be known */
+    if (r->looked_at) /* no writer, or it could not be determined */
         return false;
     r->looked_at = !ovr_journal_torn(lock, r->fd, &r->arena.allocator);
     return !r->looked_at;
@@ -238,7 +238,7 @@ static ovr_status convert(const ovr_result *r, const ovr_variable *v,
     return OVR_OK;
 }
 
-/* The part to read: part of a dataset, NaN allowed in it or not. */
+/* Part of a dataset to read; whether it may contain NaN. */
 typedef struct part {
     const ovr_variable *variable;
     size_t row, count;
@@ -253,8 +253,8 @@ static bool any_nan(const double *values, size_t count)
     return false;
 }
 
-/* Where each dataset is was seen when the file was opened; if the file was
- * continued since, the place is looked up again. */
+/* Reads the values. The position of each dataset was read when the file was
+ * opened; it is read again if the file has been continued since. */
 static bool read_once(ovr_result *r, const part *what, double *values)
 {
     ovr_dataset set = r->set[what->variable - r->variable];
@@ -269,8 +269,8 @@ static bool read_once(ovr_result *r, const part *what, double *values)
     return ok || (held && read_once(r, what, values));
 }
 
-/* While a writer is there, the file is longer at the next read, and may have
- * been replaced: it is opened again for each. */
+/* Reads with the lock held. While a writer exists, the file is reopened for
+ * each read, because it may have grown or been replaced. */
 static bool read_locked(ovr_result *r, const part *what, double *values,
                         bool *locked)
 {
@@ -335,7 +335,7 @@ ovr_status ovr_result_times(ovr_result *r, ovr_units units, double *times,
     return read_values(r, &what, units, times, err);
 }
 
-/* `what` with the size of that row, if there is one. */
+/* Sets the extent of the row to be read; fails if there is no such row. */
 static ovr_status choose_row(const ovr_result *r, part *what, ovr_error *err)
 {
     const ovr_variable *v = what->variable;
@@ -388,7 +388,7 @@ ovr_status ovr_result_areal(ovr_result *r, const char *field, size_t k,
     return status ? status : read_values(r, &what, units, values, err);
 }
 
-/* The shown line of a snapshot of a strip. */
+/* Reads the shown line of a snapshot of a strip. */
 static ovr_status read_line(ovr_result *r, const part *what, ovr_units units,
                             double *values, ovr_error *err)
 {

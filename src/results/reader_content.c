@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Lists the contents of a result file and how many rows are complete. */
+/* Lists the contents of a result file and counts its complete rows. */
 #include "results/reader.h"
 
 #include <math.h>
@@ -8,7 +8,8 @@
 
 #include "base/text.h"
 
-/* Far more than a file has; groups in groups: stress/surface_1. */
+/* Limits, far larger than in any file; groups are nested as in
+ * stress/surface_1. */
 enum { MAX_VARIABLES = 512, MAX_GROUPS = 32, DEEPEST = 2 };
 
 /* ------------------------------------------------------------- datasets */
@@ -37,13 +38,13 @@ bool ovr_reader_dataset(ovr_result *r, const char *path, ovr_dataset *set)
            ovr_container_dataset(&r->container, object, set);
 }
 
-/* Cuts *rows to the values that stand before the first NaN, which begins the
- * rows that are not complete yet; false: they cannot be read. */
+/* Reduces *rows to the rows before the first NaN, which marks incomplete rows;
+ * false if they cannot be read. */
 static bool count_complete(ovr_result *r, const ovr_dataset *set, size_t *rows)
 {
     ovr_container *c = &r->container;
     size_t low = 0, high = *rows;
-    size_t at = *rows ? *rows - 1 : 0; /* most often they all are */
+    size_t at = *rows ? *rows - 1 : 0; /* usually all rows are complete */
     double value;
     while (low < high) {
         if (!ovr_container_values(c, set, at, 1, &value))
@@ -60,13 +61,14 @@ static bool count_complete(ovr_result *r, const ovr_dataset *set, size_t *rows)
 
 /* -------------------------------------------------------------- opening */
 
-/* Texts of strangers reach terminals.  Only a case and warnings have lines. */
+/* True for attributes that may contain line ends: the case and warnings. Other
+ * control characters are removed, because texts are printed on terminals. */
 static bool has_lines(const char *name)
 {
     return strcmp(name, "text") == 0 || strcmp(name, "warnings") == 0;
 }
 
-/* Notes when memory is out. */
+/* Reads a text attribute; records insufficient memory. */
 const char *ovr_reader_text(ovr_result *r, uint64_t object, const char *name)
 {
     const char *found = ovr_container_text(&r->container, object, name);
@@ -111,9 +113,9 @@ static ovr_status damaged(const ovr_result *r, const char *what, ovr_error *err)
     return ovr_fail(err, OVR_IO, "%s: damaged result file: %s", r->path, what);
 }
 
-/* All datasets of numbers in a group and the groups in it, in the order of
- * their making, those that this version does not know too: a newer one may
- * have written them.  What cannot be read is no dataset less. */
+/* Lists all numeric datasets of a group and its subgroups in order of creation,
+ * including unknown ones, which a newer version may have written. Unreadable
+ * objects are skipped. */
 static ovr_status take_group(ovr_result *r, uint64_t group, const char *name,
                              int depth, ovr_error *err)
 {
@@ -176,7 +178,7 @@ const ovr_variable *ovr_result_find(const ovr_result *r, const char *path)
     return NULL;
 }
 
-/* The lines of a strip, and the one that is shown. */
+/* Reads the lines of a strip and the line shown by default. */
 static bool open_lines(ovr_result *r)
 {
     double shown = ovr_container_number(&r->container, r->container.root,
@@ -191,8 +193,8 @@ static bool open_lines(ovr_result *r)
     return true;
 }
 
-/* x and time, and the number of rows that both have.  There are no more nodes
- * than positions, and those are in the file. */
+/* Reads x and time and their number of complete rows. There are as many nodes
+ * as positions in the file. */
 static ovr_status open_axes(ovr_result *r, ovr_error *err)
 {
     ovr_dataset x, time;
@@ -218,8 +220,8 @@ static void minimum(size_t *count, size_t rows)
         *count = rows;
 }
 
-/* The variables that are fields along x, and those that are a history; how
- * many rows all of them have. */
+/* Separates fields along x from history columns; computes their common number
+ * of rows. */
 static void sort_variables(ovr_result *r)
 {
     static const char history[] = "history/";

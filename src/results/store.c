@@ -21,7 +21,7 @@ static void pages_init(ovr_pages *p, ovr_arena *arena)
     p->arena = arena;
 }
 
-/* Place of the first page whose number is not smaller. */
+/* Returns the index of the first page whose number is not smaller. */
 static size_t place_of(const ovr_pages *p, uint64_t number)
 {
     size_t low = 0, high = p->count;
@@ -35,7 +35,7 @@ static size_t place_of(const ovr_pages *p, uint64_t number)
     return low;
 }
 
-/* The page of this number, or NULL. */
+/* Returns the page with this number, or NULL. */
 static ovr_page *pages_find(const ovr_pages *p, uint64_t number)
 {
     size_t at = place_of(p, number);
@@ -44,14 +44,14 @@ static ovr_page *pages_find(const ovr_pages *p, uint64_t number)
     return NULL;
 }
 
-/* Twice the list, and as many new pages in one piece. */
+/* Doubles the list and allocates the new pages as one block. */
 static bool reserve(ovr_pages *p)
 {
     size_t more = p->capacity ? p->capacity : FIRST_CAPACITY;
     ovr_page *list = ovr_arena_take(p->arena, p->capacity + more, sizeof *list,
                                     NULL);
     bool blank = p->arena->blank;
-    p->arena->blank = true; /* pages are read from the file, not cleared */
+    p->arena->blank = true; /* pages are filled from the file */
     unsigned char *data = ovr_arena_take(p->arena, 2 * more, OVR_PAGE, NULL);
     p->arena->blank = blank;
     if (!list || !data)
@@ -67,7 +67,7 @@ static bool reserve(ovr_pages *p)
     return true;
 }
 
-/* A new page of this number, its content undefined; NULL without memory. */
+/* Adds a page with undefined content; NULL without memory. */
 static ovr_page *pages_add(ovr_pages *p, uint64_t number)
 {
     size_t at = place_of(p, number);
@@ -98,7 +98,8 @@ static ovr_status say(const ovr_store *s, ovr_status status, int error,
     return ovr_fail(err, status, "%s: %s: %s", s->path, what, text);
 }
 
-/* ESTALE stands for a file that is no longer the one of its name. */
+/* Writes the error message. ESTALE means that the name now belongs to another
+ * file. */
 ovr_status ovr_store_failure(const ovr_store *s, ovr_error *err)
 {
     if (s->failed == ENOMEM)
@@ -130,7 +131,8 @@ static uint64_t maximum(uint64_t a, uint64_t b)
     return a > b ? a : b;
 }
 
-/* The page to change, read from the file at its first change. */
+/* Returns a page to be changed; it is read from the file at its first
+ * change. */
 static ovr_page *changed_page(ovr_store *s, uint64_t number)
 {
     ovr_page *page = pages_find(&s->changed, number);
@@ -161,15 +163,15 @@ static void change_pages(ovr_store *s, uint64_t at, uint64_t bytes,
     }
 }
 
-/* Writes to the disk; after a failure the bytes are kept in memory like the
- * rest, so that HDF5 sees a file in which every write succeeded. */
+/* Writes to the disk. After a failure the bytes are kept in memory, so that
+ * HDF5 sees a file in which every write succeeded. */
 static void write_through(ovr_store *s, uint64_t at, size_t bytes,
                           const unsigned char *from)
 {
     int error = s->failed ? s->failed : ovr_write_all(s->fd, from, bytes, at);
     if (!ovr_store_note(s, error))
         change_pages(s, at, bytes, from);
-    if (at + bytes > s->on_disk) /* or part of it */
+    if (at + bytes > s->on_disk) /* or a part of them */
         s->on_disk = at + bytes;
 }
 
@@ -183,7 +185,7 @@ static void write_tail(ovr_store *s)
 
 enum { TAIL = 1 << 16 };
 
-/* Bytes at the end of the tail wait with it. */
+/* Writes later; bytes that continue the tail are buffered with it. */
 static void write_later(ovr_store *s, uint64_t at, size_t bytes,
                         const unsigned char *from)
 {
@@ -214,8 +216,9 @@ void ovr_store_write(ovr_store *s, uint64_t at, size_t bytes, const void *from)
         write_later(s, at + below, bytes - below, next + below);
 }
 
-/* Longer at once, so that no committed end lies behind the file's; shorter
- * only down to what is committed, the rest at the commit. */
+/* Changes the length. The file is extended at once, so that it contains all
+ * committed bytes. It is shortened at most to the committed length; the commit
+ * does the rest. */
 void ovr_store_resize(ovr_store *s, uint64_t length)
 {
     uint64_t to = length > s->committed ? length : s->committed;
@@ -229,7 +232,7 @@ void ovr_store_resize(ovr_store *s, uint64_t length)
 
 /* ----------------------------------------------------------------- Commit */
 
-/* Page 0 is the first in the list and written last. */
+/* Writes the changed pages; page 0, the first in the list, is written last. */
 static int apply_pages(const ovr_store *s)
 {
     int error = 0;
@@ -244,7 +247,7 @@ static int apply_pages(const ovr_store *s)
     return error;
 }
 
-/* Removes bytes beyond the end, except for those of the checkpoint. */
+/* Removes bytes after the end, except those of the checkpoint. */
 static int cut_tail(ovr_store *s)
 {
     uint64_t to = maximum(s->length, s->kept.length);
@@ -256,7 +259,8 @@ static int cut_tail(ovr_store *s)
     return 0;
 }
 
-/* Before it has its name nobody goes back to a file. */
+/* Commits the changed pages. The journal is not needed before the file has its
+ * final name. */
 static int commit_pages(ovr_store *s)
 {
     int error = s->published ? ovr_journal_write(s) : 0;
@@ -272,7 +276,7 @@ static int commit_pages(ovr_store *s)
     return error;
 }
 
-/* 0, or ESTALE when the name stands for another file or for none. */
+/* Returns 0, or ESTALE if the name belongs to another file or to none. */
 static int check_name(const ovr_store *s)
 {
     return s->published && !ovr_file_is_named(s->fd, s->path) ? ESTALE : 0;
@@ -334,7 +338,7 @@ ovr_status ovr_store_prepare(ovr_store *s, const char *path, ovr_arena *arena,
     s->journal_path = ovr_path_with(arena, path, ".journal", err);
     pages_init(&s->changed, arena);
     bool blank = arena->blank;
-    arena->blank = true; /* written before read, not cleared */
+    arena->blank = true; /* written before it is read */
     s->tail.data = ovr_arena_take(arena, TAIL, 1, err);
     arena->blank = blank;
     return s->path && s->part && s->journal_path && s->tail.data
@@ -413,7 +417,7 @@ ovr_status ovr_store_open(ovr_store *s, ovr_error *err)
     return OVR_OK;
 }
 
-/* The journal is needed until the file is synced. */
+/* True if the journal can be removed: the file is synced. */
 static bool journal_is_done(ovr_store *s)
 {
     struct stat about = {0};
@@ -424,7 +428,7 @@ static bool journal_is_done(ovr_store *s)
     return !s->kept.needed || fsync(s->fd) == 0;
 }
 
-/* What was written behind the committed length is given back. */
+/* Closes the store. Bytes after the committed length are removed. */
 void ovr_store_close(ovr_store *s)
 {
     s->tail.bytes = 0;

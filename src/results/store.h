@@ -49,8 +49,8 @@
 
 #include "base/arena.h"
 
-/* Pages of a file that were changed but not yet written: page number, content
- * and what the file has there until then, sorted by number. */
+/* Changed pages of a file that are not yet written: page number, new content
+ * and the present content in the file, sorted by number. */
 
 enum { OVR_PAGE = 4096 };
 
@@ -60,31 +60,33 @@ typedef struct ovr_page {
 } ovr_page;
 
 typedef struct ovr_pages {
-    ovr_page *page; /* `count` in use; those behind keep their memory */
+    ovr_page *page; /* `count` in use; the others keep their memory */
     size_t count, capacity;
     ovr_arena *arena;
 } ovr_pages;
 
-/* Forgets all pages, keeping their memory for the next ones. */
+/* Removes all pages and keeps their memory. */
 void ovr_pages_clear(ovr_pages *pages);
 
-/* Space for the date of creation. */
+/* Size of the date of creation. */
 enum { OVR_STORE_NAME = 32 };
 
-/* Kept since the last checkpoint. */
+/* Pages saved in the journal since the last checkpoint. */
 typedef struct ovr_kept {
-    uint64_t number, length; /* the checkpoint's, and that of the file then */
-    bool begun;              /* the journal is of this checkpoint */
+    uint64_t number, length; /* number of the checkpoint, and length of the file
+                              * then */
+    bool begun;              /* the journal belongs to this checkpoint */
     bool needed;             /* pages were changed and not synced since */
-    bool named;              /* the folder was synced */
-    uint64_t salt, end;      /* of the journal, and where it ends */
-    uint64_t summed;         /* bytes whose checksums are in its states */
-    unsigned char *pages;    /* a bit each: is in the journal */
-    size_t capacity;         /* bytes of those */
+    bool named;              /* the folder has been synced */
+    uint64_t salt, end;      /* of the journal; its end */
+    uint64_t summed;         /* bytes whose checksums are in the journal's
+                              * states */
+    unsigned char *pages;    /* one bit per page: saved in the journal */
+    size_t capacity;         /* bytes of `pages` */
 } ovr_kept;
 
-/* Bytes above the committed length that are not written yet, so that many small
- * pieces of HDF5 become one. */
+/* Unwritten bytes after the committed length, collected so that many small
+ * writes of HDF5 become one. */
 typedef struct ovr_tail {
     unsigned char *data;
     uint64_t at;
@@ -93,43 +95,44 @@ typedef struct ovr_tail {
 
 typedef struct ovr_store {
     char *path, *part, *journal_path;
-    char created[OVR_STORE_NAME]; /* stored in the file; "": unknown */
+    char created[OVR_STORE_NAME]; /* date in the file; "": unknown */
     int fd, journal;              /* -1: not open */
     bool published;               /* has its final name */
-    bool halfway;                 /* a commit failed in the middle */
-    bool repaired;                /* it was torn when it was opened */
+    bool halfway;                 /* a commit failed halfway */
+    bool repaired;                /* was torn when opened */
     bool unlocked;                /* the file system has no locks */
     ovr_kept kept;
     int failed;     /* errno of the first failure; 0: none */
-    int64_t driver; /* HDF5's identifier for what leads here, or negative */
-    uint64_t committed, length; /* bytes: promised; now (HDF5's end of file) */
+    int64_t driver; /* HDF5's identifier of the driver, or negative */
+    uint64_t committed, length; /* committed bytes; present length (HDF5's end
+                                 * of file) */
     uint64_t on_disk;           /* length of the file itself */
     ovr_pages changed;
     ovr_tail tail;
 } ovr_store;
 
-/* PATH and an ending, in the arena; NULL with *err filled. */
+/* Returns PATH with an ending, in the arena; NULL with *err filled. */
 char *ovr_path_with(ovr_arena *arena, const char *path, const char *ending,
                     ovr_error *err);
 
-/* Names, no disk touched. */
+/* Prepares file names; no disk access. */
 ovr_status ovr_store_prepare(ovr_store *store, const char *path,
                              ovr_arena *arena, ovr_error *err);
 
-/* A new file, empty, locked, under its temporary name. */
+/* Creates an empty, locked file under its temporary name. */
 ovr_status ovr_store_create(ovr_store *store, bool force, ovr_error *err);
 
-/* An existing one, locked, as it was at its last checkpoint: the one of the
- * store's date of creation and kept.number, or where that date is "" whichever
- * the journal is of. */
+/* Opens and locks an existing file and restores its last checkpoint: that with
+ * the store's date of creation and kept.number or, if the date is "", the one
+ * in the journal. */
 ovr_status ovr_store_open(ovr_store *store, ovr_error *err);
 
-/* Reading and writing as HDF5 sees the file; failures are noted. */
+/* Read and write as seen by HDF5; failures are recorded. */
 bool ovr_store_read(ovr_store *store, uint64_t at, size_t bytes, void *to);
 
-/* Reading and writing share these: one keeps the first error, true without one;
- * bytes below this length are changed in memory only; how much of [at, at +
- * bytes) lies in one page. */
+/* Shared by reading and writing. note: records the first error; true if there
+ * is none. guarded: bytes below this offset are changed in memory only. Third:
+ * length of the part of [at, at + bytes) in one page. */
 bool ovr_store_note(ovr_store *store, int error);
 uint64_t ovr_store_guarded(const ovr_store *store);
 size_t ovr_in_page(uint64_t at, uint64_t bytes);
@@ -137,26 +140,28 @@ void ovr_store_write(ovr_store *store, uint64_t at, size_t bytes,
                      const void *from);
 void ovr_store_resize(ovr_store *store, uint64_t length);
 
-/* Makes the state now the one that readers find. */
+/* Makes the present state visible to readers. */
 ovr_status ovr_store_commit(ovr_store *store, ovr_error *err);
 
-/* Gives the file its name; an existing file is replaced only with `force`. */
+/* Renames the file to its final name; replaces an existing file only with
+ * `force`. */
 ovr_status ovr_store_publish(ovr_store *store, bool force, ovr_error *err);
 
-/* Writes on to the disk itself. */
+/* Syncs the file to the disk. */
 ovr_status ovr_store_sync(ovr_store *store, ovr_error *err);
 
 /* Makes the committed and synced contents the state that a later restore
  * returns to, identified by `number`. */
 void ovr_store_keep(ovr_store *store, uint64_t number);
 
-/* Ends it: what is not committed is lost, a file without a name is removed. */
+/* Closes the store. Uncommitted data are lost; a file without its final name is
+ * removed. */
 void ovr_store_close(ovr_store *store);
 
-/* HDF5 failed for a reason of its own: from now on nothing is committed. */
+/* Records that HDF5 failed; nothing is committed any more. */
 void ovr_store_fail(ovr_store *store);
 
-/* Why writing failed, with the file's name, as an error of OVR_IO. */
+/* Returns the reason of a failed write, with the file's name, as OVR_IO. */
 ovr_status ovr_store_failure(const ovr_store *store, ovr_error *err);
 
 #endif

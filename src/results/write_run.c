@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The writer as the observer of a run, and a simulation's state in
- * checkpoints. */
+/* The writer as an observer of a run; state of a simulation for checkpoints. */
 #include "base/given.h"
 #include "results/results.h"
 #include "results/writer.h"
@@ -53,7 +52,8 @@ static ovr_status visit_state(void *sim, ovr_visit *visit, void *context,
     return ovr_simulation_visit(sim, visit, context, err);
 }
 
-/* What is saved ends with the heights of the surface, to be compared later. */
+/* Visits all saved state. It ends with the surface heights, which are compared
+ * when the run is resumed. */
 static ovr_status visit_all(void *writer, ovr_visit *visit, void *context,
                             ovr_error *err)
 {

@@ -21,9 +21,9 @@
 #include "results/h5.h"
 #include "results/results.h"
 
-/* --------------------------------------------------- when a snapshot is due */
+/* -------------------------------------------------- schedule of snapshots */
 
-/* Two times nearer than this are one. */
+/* Returns the difference below which two times are equal. */
 static double slack(double T)
 {
     return 1e-10 * fmax(1, fabs(T));
@@ -55,7 +55,7 @@ ovr_status ovr_schedule_make(ovr_schedule *s, const ovr_write_options *o,
     return OVR_OK;
 }
 
-/* Number of given times up to T. */
+/* Returns the number of given times up to T. */
 static size_t passed(const ovr_schedule *s, double T)
 {
     size_t low = 0, high = s->count;
@@ -69,14 +69,14 @@ static size_t passed(const ovr_schedule *s, double T)
     return low;
 }
 
-/* The last multiple of every_time up to T; there is none before 0. */
+/* Returns the last multiple of every_time up to T; there is none below 0. */
 static double multiple(const ovr_schedule *s, double T)
 {
     return T < 0 ? -1 : floor(T / s->every_time);
 }
 
-/* Is the state of this step at T due, the one before it having been at
- * T_before (-INFINITY: there was none)? */
+/* True if the state of this step at T is due. T_before: time of the preceding
+ * state; -INFINITY: none. */
 static bool schedule_due(const ovr_schedule *s, long step, double T_before,
                          double T)
 {
@@ -88,7 +88,7 @@ static bool schedule_due(const ovr_schedule *s, long step, double T_before,
     return passed(s, to) > passed(s, from);
 }
 
-/* First time after T to be hit, or INFINITY. */
+/* Returns the next scheduled time after T, or INFINITY. */
 static double schedule_next(const ovr_schedule *s, double T)
 {
     double from = T + slack(T), next = INFINITY;
@@ -100,9 +100,10 @@ static double schedule_next(const ovr_schedule *s, double T)
 
 /* --------------------------------------------------------------------- Rows */
 
-/* A state becomes the row of a snapshot: scaled, windowed, thinned. */
+/* Conversion of a state to a snapshot row: scaling, window, stride. */
 
-/* The value at half nodes is the mean of the two that a node is between. */
+/* Returns the stored value of node k; for values at half nodes the mean of both
+ * neighbours. */
 static double value_at(const ovr_writer *w, const ovr_observable *which,
                        const double *values, size_t k)
 {
@@ -136,7 +137,7 @@ static void fill_line(const ovr_writer *w, const ovr_frame *frame, size_t line,
     }
 }
 
-/* Writes the fields of a frame into rows, scaled and windowed as stored. */
+/* Writes the fields of a frame to rows, scaled and windowed as stored. */
 static void writer_fill(const ovr_writer *w, const ovr_frame *frame,
                         unsigned char *rows)
 {
@@ -158,7 +159,7 @@ double ovr_now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* ------------------------------------------------------- the file's side */
+/* --------------------------------------------------------- writing thread */
 
 static ovr_status write_pending(ovr_writer *w, ovr_error *err)
 {
@@ -204,9 +205,9 @@ ovr_status ovr_writer_drain(void *writer, const ovr_parcel *parcel,
     return status;
 }
 
-/* ----------------------------------------------------- the solver's side */
+/* -------------------------------------------------------- solver's thread */
 
-/* Will the state of this step at T be stored? */
+/* True if the state of this step at T will be stored. */
 static bool is_due(const ovr_writer *w, long step, double T)
 {
     return schedule_due(&w->schedule, step, w->last_T, T);
@@ -238,8 +239,8 @@ void ovr_writer_store(ovr_writer *w, const ovr_frame *frame)
     w->snapshots++;
 }
 
-/* Readers see the newest snapshot half a second late at most; a run that
- * stores none for long still shows its history. */
+/* True if a flush is due. Readers see the newest snapshot at most half a second
+ * late; a run without snapshots for a long time still shows its history. */
 static bool flush_due(const ovr_writer *w, bool stored)
 {
     double wait = w->options.flush_interval * (stored ? 1 : 4);
@@ -273,7 +274,7 @@ ovr_status ovr_writer_record(ovr_writer *w, const ovr_frame *given,
         return OVR_BAD_INPUT;
     state = frame->state;
     due = is_due(w, state->step, state->T);
-    if (state->step <= w->last_step) /* the state a resumed run starts from */
+    if (state->step <= w->last_step) /* initial state of a resumed run */
         return OVR_OK;
     if (due && state->n != w->n)
         return ovr_fail(err, OVR_BAD_INPUT,
@@ -333,7 +334,7 @@ ovr_status ovr_writer_checkpoint(ovr_writer *w, uint64_t number, ovr_error *err)
                         .values = o->values,
                         .number = number,
                         .sync = true};
-    if (w->last_step >= 0) /* else the run has not begun */
+    if (w->last_step >= 0) /* the run has begun */
         c.source = w->source;
     c.counts = (ovr_counts){.step = w->last_step,
                             .snapshots = (int64_t)w->file.snapshots,

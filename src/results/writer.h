@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The writer's insides, for the files that make it up. */
+/* Internal data of the writer, shared by its files. */
 #ifndef OVR_RESULTS_WRITER_H
 #define OVR_RESULTS_WRITER_H
 
@@ -27,7 +27,7 @@ typedef struct ovr_schedule {
     long every_steps;
     double every_time;
     size_t count;
-    double *times; /* increasing */
+    double *times; /* in increasing order */
 } ovr_schedule;
 
 ovr_status ovr_schedule_make(ovr_schedule *schedule,
@@ -36,51 +36,51 @@ ovr_status ovr_schedule_make(ovr_schedule *schedule,
 
 struct ovr_writer {
     ovr_arena arena;
-    ovr_write_options options; /* texts and lists not kept */
+    ovr_write_options options; /* texts and lists are not kept */
 
     ovr_scales scales;
     ovr_schedule schedule;
     size_t n;            /* nodes of the run along x */
-    size_t lines;        /* of a strip; 1: a line contact */
-    size_t first, nodes; /* the stored ones: first + k * stride */
-    double *workspace;   /* for a field on its way */
+    size_t lines;        /* lines of a strip; 1 for a line contact */
+    size_t first, nodes; /* stored nodes: first + k * stride */
+    double *workspace;   /* for fields that are computed */
 
-    /* the solver's side */
+    /* Used by the solver's thread. */
     ovr_queue queue;
-    long last_step; /* recorded; -1: none yet */
+    long last_step; /* last recorded step; -1: none yet */
     double last_T;
-    bool last_stored; /* the last state has its snapshot */
-    size_t snapshots; /* stored, on their way included */
+    bool last_stored; /* the last state is stored as a snapshot */
+    size_t snapshots; /* stored snapshots, including queued ones */
     char reason[OVR_MESSAGE_SIZE];
-    const char *warnings; /* borrowed; NULL: none */
+    const char *warnings; /* owned by the caller; NULL: none */
     double started, last_flush, last_checkpoint, seconds_before;
 
-    /* checkpoints */
-    ovr_state_source source; /* visit_all NULL: there are none */
-    ovr_state_source more;   /* the same */
+    /* Checkpoints. */
+    ovr_state_source source; /* visit_all NULL: no checkpoints */
+    ovr_state_source more;   /* as `source` */
     char *restart, *restart_part;
     char created[OVR_DATE_SIZE];
 
-    /* the state now, as a frame; NULL: not known */
+    /* Returns the present state as a frame; NULL: unknown. */
     ovr_frame (*frame_of)(ovr_writer *writer);
     const ovr_simulation *observed;
-    ovr_simulation *saved; /* in checkpoints */
+    ovr_simulation *saved; /* simulation saved in checkpoints */
 
-    /* the other side of the queue */
+    /* Used by the writing thread. */
     ovr_file file;
     size_t pending;        /* history rows not yet in the file */
-    int *pending_step;     /* OVR_ROW_CHUNK of them */
-    double *pending_value; /* column after column, OVR_ROW_CHUNK each */
+    int *pending_step;     /* OVR_ROW_CHUNK elements */
+    double *pending_value; /* column by column, OVR_ROW_CHUNK elements each */
 };
 
-/* An ovr_drain: writes one parcel. */
+/* Writes one parcel (an ovr_drain). */
 ovr_status ovr_writer_drain(void *writer, const ovr_parcel *parcel,
                             ovr_error *err);
 
-/* Checkpoints hold this source's state from now on. */
+/* Sets the source of the state for further checkpoints. */
 void ovr_writer_source(ovr_writer *writer, ovr_state_source source);
 
-/* Seconds of a clock that only goes forward; and those the run took so far. */
+/* Return the seconds of a monotonic clock; the run's time so far. */
 double ovr_now(void);
 double ovr_writer_seconds(const ovr_writer *writer);
 
@@ -90,16 +90,16 @@ void ovr_writer_note(ovr_writer *writer, const ovr_frame *frame);
 /* Appends a snapshot to the batch that is being filled. */
 void ovr_writer_store(ovr_writer *writer, const ovr_frame *frame);
 
-/* A checkpoint of what is in the file, by this number, synced as the file must
- * be; the queue must be empty. */
+/* Writes a checkpoint with this number for the present contents of the file,
+ * and syncs both. The queue must be empty. */
 ovr_status ovr_writer_checkpoint(ovr_writer *writer, uint64_t number,
                                  ovr_error *err);
 
 /* Flushes, syncs and writes a checkpoint. */
 ovr_status ovr_writer_save(ovr_writer *writer, ovr_error *err);
 
-/* Bytes that a writer and HDF5 take, counted through its real set-up;
- * INFINITY where it would be refused. */
+/* Returns the memory in bytes of a writer and HDF5, counted during a real
+ * setup; INFINITY if the setup fails. */
 double ovr_writer_memory(const ovr_write_options *options,
                          const ovr_contact *contact, size_t n, const double *X);
 
