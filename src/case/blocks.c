@@ -10,6 +10,7 @@
 #include "case/case.h"
 #include "overroll/surface.h"
 #include "overroll/text.h"
+#include "surface/profile.h"
 
 /* ----------------------------------------------------------------- blocks */
 
@@ -261,6 +262,24 @@ ovr_status ovr_fail_slot(ovr_error *err, const ovr_slot *slot,
     va_end(args);
     ovr_fail_about(&why, slot->key, "%s: %s", slot->key, message);
     return ovr_fail_from(err, &why, slot->file, slot->line);
+}
+
+ovr_status ovr_slot_columns(const ovr_slot *slot, const char *file,
+                            ovr_two_columns *columns, ovr_arena *arena,
+                            ovr_error *err)
+{
+    ovr_arena scratch = ovr_arena_make(&arena->allocator);
+    ovr_bytes content;
+    ovr_error why = {0};
+    ovr_status status = ovr_file_bytes(file, &scratch, &content, &why);
+    if (status == OVR_BAD_INPUT)
+        ovr_fail_slot(err, slot, "%s", why.message);
+    else if (status)
+        ovr_fail_from(err, &why, NULL, 0);
+    else
+        status = ovr_two_columns_read(columns, file, content, arena, err);
+    ovr_arena_release(&scratch);
+    return status;
 }
 
 /* ------------------------------------------------------ making and freeing */

@@ -10,6 +10,7 @@
 #include "base/arena.h"
 #include "case/parameters.h"
 #include "overroll/case.h"
+#include "surface/two_columns.h"
 
 enum { OVR_NAME_MAX = 48, OVR_LINE_MAX = 190, OVR_CASE_MAX = 1 << 20 };
 
@@ -126,5 +127,10 @@ const ovr_section *ovr_section_parse(const char *header, const char **name,
  * "origin: key: ") and the message. */
 ovr_status ovr_fail_slot(ovr_error *err, const ovr_slot *slot,
                          const char *format, ...) OVR_PRINTF(3, 4);
+
+/* Reads the file of two columns that the slot's key names. */
+ovr_status ovr_slot_columns(const ovr_slot *slot, const char *file,
+                            ovr_two_columns *columns, ovr_arena *arena,
+                            ovr_error *err);
 
 #endif

@@ -30,7 +30,6 @@
 #include "base/entries.h"
 #include "base/error.h"
 #include "base/text.h"
-#include "case/two_columns.h"
 #include "contact/contact.h"
 #include "contact/oil.h"
 #include "elements/case_element.h"
@@ -235,9 +234,8 @@ static ovr_status read_table(ovr_resolved *r, const char *key, const char *file,
     ovr_status status;
     if (!file)
         return OVR_OK;
-    status = ovr_two_columns_read(
-        &c, file, ovr_block_get(ovr_block_of(r, "lubricant"), key), &r->arena,
-        err);
+    status = ovr_slot_columns(ovr_slot_of(r, "lubricant", key), file, &c,
+                              &r->arena, err);
     if (status)
         return status;
     const ovr_law_points points = {what, c.count, c.x, c.y};
@@ -323,8 +321,8 @@ static ovr_status read_flow_table(ovr_resolved *r, ovr_error *err)
     if (!file)
         return ovr_fail_slot(err, ovr_block_get(block, "rheology"),
                              "table needs 'rheology_file' in [lubricant]");
-    if (ovr_two_columns_read(&p, file, ovr_block_get(block, "rheology_file"),
-                             &r->arena, err))
+    if (ovr_slot_columns(ovr_block_get(block, "rheology_file"), file, &p,
+                         &r->arena, err))
         return OVR_BAD_INPUT;
     form->points = p.count;
     form->shear = p.y;

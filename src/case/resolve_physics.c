@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "case/resolve.h"
 #include "case/setup.h"
-#include "case/two_columns.h"
 #include "case/when.h"
 #include "elements/elements.h"
 #include "results/results.h"
@@ -52,17 +51,11 @@ static const ovr_slot *own_slot(const asker *a, const char *key)
 }
 
 static ovr_status read_columns(void *data, const char *key, const char *file,
-                               ovr_physics_columns *to, ovr_error *err)
+                               ovr_two_columns *to, ovr_error *err)
 {
     const asker *a = data;
-    ovr_two_columns c = {.name = {to->name[0], to->name[1]},
-                         .header = {to->of[0], to->of[1]},
-                         .example = to->example};
-    ovr_status status = ovr_two_columns_read(&c, file, own_slot(a, key),
-                                             &a->r->arena, err);
-    to->count = c.count;
-    to->x = c.x;
-    to->y = c.y;
+    ovr_status status = ovr_slot_columns(own_slot(a, key), file, to,
+                                         &a->r->arena, err);
     if (status)
         err->about = OVR_SAYS_WHERE;
     return status;

@@ -11,7 +11,6 @@
 #include "case/accuracy.h"
 #include "case/domain.h"
 #include "case/setup.h"
-#include "case/two_columns.h"
 #include "contact/contact.h"
 #include "contact/curvature.h"
 #include "elements/case_element.h"
@@ -59,8 +58,8 @@ static ovr_status load_table(ovr_resolved *r, const ovr_block *block,
         return missing(r, block, "file", err);
     if (time_unit(r, block, change->time_unit, &p.unit[0], err))
         return OVR_BAD_INPUT;
-    status = ovr_two_columns_read(&p, change->file,
-                                  ovr_block_get(block, "file"), &r->arena, err);
+    status = ovr_slot_columns(ovr_block_get(block, "file"), change->file, &p,
+                              &r->arena, err);
     form->points = p.count;
     form->T = p.x;
     form->value = p.y;

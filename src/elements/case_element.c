@@ -7,7 +7,6 @@
  */
 #include "elements/case_element.h"
 #include "base/error.h"
-#include "case/two_columns.h"
 #include "contact/contact.h"
 #include "elements/elements.h"
 
@@ -171,7 +170,7 @@ static ovr_status read_table(ovr_resolved *r, const ovr_block *block,
         return ovr_fail_slot(err, ovr_block_get(block, "sharing"),
                              "table needs 'file' in [%s]",
                              block->section->name);
-    return ovr_two_columns_read(columns, file, slot, &r->arena, err);
+    return ovr_slot_columns(slot, file, columns, &r->arena, err);
 }
 
 /* ---------------------------------------------------------- nominal contact */

@@ -23,6 +23,7 @@
 #include "overroll/heat.h"
 #include "simulation/internal.h"
 #include "simulation/solver.h"
+#include "surface/two_columns.h"
 
 /* In place of a key in an error: the message itself begins with its place. */
 #define OVR_SAYS_WHERE ""
@@ -33,16 +34,6 @@ typedef struct ovr_physics_body {
     double yield; /* yield stress (von Mises) relative to p_h; 0: none */
     ovr_thermal thermal;
 } ovr_physics_body;
-
-/* A text file of two columns, converted to SI by the units in its header: names
- * and dimensions of the columns, and an example header. */
-typedef struct ovr_physics_columns {
-    const char *name[2];
-    ovr_dimension of[2];
-    const char *example;
-    size_t count;
-    double *x, *y;
-} ovr_physics_columns;
 
 /* M(t): ratio of the surface temperature after a heat pulse to that of a
  * half-space (contact/layers.h). */
@@ -77,7 +68,7 @@ typedef struct ovr_physics_case {
 
     /* Reads the file that is the value of a key in the model's sections. */
     ovr_status (*read)(void *data, const char *key, const char *file,
-                       ovr_physics_columns *columns, ovr_error *err);
+                       ovr_two_columns *columns, ovr_error *err);
 
     /* True if a section is in the case; or, with `key`, if that key is set. */
     bool (*given)(void *data, const char *section, const char *key);

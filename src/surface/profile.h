@@ -73,6 +73,10 @@ void ovr_profile_drop_codes(ovr_profile *profile, double *z, size_t n);
 void ovr_profile_regular(ovr_profile *profile, size_t n, double first,
                          double spacing);
 
+/* The content of a file, decompressed if it is a gzip stream. */
+ovr_status ovr_file_bytes(const char *file, ovr_arena *arena,
+                          ovr_bytes *content, ovr_error *err);
+
 /* Like ovr_profile_read, from memory; source->file is used in messages only. */
 ovr_profile *ovr_profile_parse(const ovr_profile_source *source,
                                const void *data, size_t size,

@@ -50,8 +50,7 @@ static ovr_status read_all(gzFile in, const char *file, ovr_arena *arena,
         size += got > 0 ? (size_t)got : 0;
         if (size > OVR_CONTENT_MAX)
             return ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
-                               "is larger than %d MiB, too large for a "
-                               "profile",
+                               "is larger than %d MiB, which is the maximum",
                                OVR_CONTENT_MAX >> 20);
     }
     gzerror(in, &code);
@@ -65,8 +64,8 @@ static ovr_status read_all(gzFile in, const char *file, ovr_arena *arena,
     return OVR_OK;
 }
 
-static ovr_status load(const char *file, ovr_arena *arena, ovr_bytes *content,
-                       ovr_error *err)
+ovr_status ovr_file_bytes(const char *file, ovr_arena *arena,
+                          ovr_bytes *content, ovr_error *err)
 {
     ovr_status status;
     gzFile in;
@@ -276,7 +275,7 @@ ovr_profile *ovr_profile_read_file(const ovr_profile_source *source,
     ovr_bytes content = {NULL, 0};
     if (!source->file || !*source->file)
         ovr_fail(err, OVR_BAD_INPUT, "a profile needs a file; set file");
-    else if (!load(source->file, &arena, &content, err))
+    else if (!ovr_file_bytes(source->file, &arena, &content, err))
         profile = parse(source, map_only, content, allocator, err);
     ovr_arena_release(&arena);
     return profile;

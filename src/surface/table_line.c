@@ -25,13 +25,13 @@ static bool has_quoted_comma(ovr_line line)
 
 /* Determines separator and decimal point. A comma is a decimal point if another
  * character separates: always with semicolons, with tabs if no field has a
- * point, and in quotes. */
+ * point, and in quotes. Next to points and tabs, a comma separates. */
 ovr_layout ovr_layout_of(ovr_line line)
 {
     line = ovr_trim(line);
     if (has(line, ';'))
         return (ovr_layout){';', true};
-    if (has(line, '\t'))
+    if (has(line, '\t') && !(has(line, '.') && has(line, ',')))
         return (ovr_layout){'\t', !has(line, '.')};
     return (ovr_layout){has(line, ',') ? ',' : ' ', has_quoted_comma(line)};
 }

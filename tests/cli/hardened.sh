@@ -79,12 +79,13 @@ printf 'depth [um], limit [MPa]\n20, 250\n20, 240\n' >twice.csv
 printf 'depth [um], limit [MPa]\n20, 0\n' >zero.csv
 printf '20, 250\n' >bare.csv
 printf 'depth [um], limit [MPa]\n' >empty.csv
-refused 'point 2: depths must be at least 0 and increase' \
+refused 'twice.csv:3: the depth must increase: 20 follows 20' \
     --set fatigue.limit_table=twice.csv
-refused 'limits must be above 0' --set fatigue.limit_table=zero.csv
+refused 'zero.csv:2: depths must be at least 0, and limits must be' \
+    --set fatigue.limit_table=zero.csv
 refused 'must name the units' --set fatigue.limit_table=bare.csv
 refused 'has no points' --set fatigue.limit_table=empty.csv
-refused 'limit_table: cannot read' --set fatigue.limit_table=no.csv
+refused 'limit_table: no.csv: cannot be opened' --set fatigue.limit_table=no.csv
 refused 'limit_pressure is also set' --set fatigue.limit_table=same.csv \
     --set fatigue.limit_pressure='1 GPa'
 
@@ -126,4 +127,5 @@ expect 2 "$OVERROLL" check case.ini --set fatigue.residual_table=deep.csv \
     --set fatigue.residual_x='1 GPa'
 contains err 'residual_x: has no effect beside residual_table'
 printf 'depth [um], stress [MPa]\n20, 250\n20, 240\n' >twice.csv
-refused 'must be at least 0 and increase' --set fatigue.residual_table=twice.csv
+refused 'twice.csv:3: the depth must increase: 20 follows 20' \
+    --set fatigue.residual_table=twice.csv

@@ -127,7 +127,7 @@ contains err 'SHA-256 of big.txt only'
 expect 0 "$OVERROLL" info big.h5 --inputs big
 contains err "SHA-256 of big.txt \($(sum big.txt)\)"
 [ ! -e big/big.txt ] || fail 'written from nowhere'
-refuses "cannot read 'big/big.txt'" run big/big.ini -o big2.h5
+refuses "big/big.txt: cannot be opened" run big/big.ini -o big2.h5
 
 # Several passes
 sed 's/end = 0.5/end = 0.1/' cases/case.ini >cases/passes.ini

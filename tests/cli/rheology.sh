@@ -90,12 +90,12 @@ refused 'eyring_stress: has no effect with rheology = newtonian' \
 refused 'carreau_stress is missing' --set lubricant.rheology=carreau
 refused "needs 'rheology_file'" --set lubricant.rheology=table
 echo '1, 2' >bare.csv
-refused 'bare.csv:1: the first line must name the units' \
+refused 'bare.csv:1: the header must name the units' \
     --set lubricant.rheology=table --set lubricant.rheology_file=bare.csv
 printf 'rate [1/s], stress [MPa]\n1, 2\n2, 1\n' >falls.csv
 refused 'must be positive and increase' \
     --set lubricant.rheology=table --set lubricant.rheology_file=falls.csv
-refused 'rheology_file: cannot read' \
+refused 'rheology_file: no.csv: cannot be opened' \
     --set lubricant.rheology=table --set lubricant.rheology_file=no.csv
 
 # The same points with the columns the other way round, other units, a comment

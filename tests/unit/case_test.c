@@ -195,7 +195,7 @@ TEST(contradictions_name_their_line)
     refused(join(moes, "[load]\nhistory = sine\namplitude = 1\n"),
             "t.ini:5: history: sine");
     refused(join(moes, "[load]\nhistory = table\nfile = nowhere\n"),
-            "t.ini:6: file: cannot read");
+            "t.ini:6: file: nowhere: cannot be opened");
     refused(join(moes, "[paper]\nmlmi_order = 5\n"), "t.ini:5: mlmi_order");
     refused(join(moes, "[feature a]\nshape = dent\nwidth = 1\nstart=-5\n"),
             "t.ini:4: feature 'a': a dent needs its depth");
@@ -336,7 +336,8 @@ TEST_IN_FOLDER(load_from_a_table)
     CHECK_ERROR(&err, OVR_BAD_INPUT, "load.csv:2: must be two numbers");
     test_write_text(table, "0 1\n0 2\n");
     assert_null(ovr_case_resolve(c, NULL, &err));
-    CHECK_ERROR(&err, OVR_BAD_INPUT, "times must increase");
+    CHECK_ERROR(&err, OVR_BAD_INPUT,
+                "load.csv:2: the time must increase: 0 follows 0");
     ovr_case_free(c);
 }
 

@@ -165,18 +165,15 @@ static ovr_status resolve_summits(const ovr_physics_case *of,
 /* Where it bears what it bears at no gap, all is in contact, by the rule of the
  * exponential. */
 static ovr_status take_points(const ovr_physics_case *of,
-                              const ovr_physics_columns *c,
-                              ovr_boundary_form *f, ovr_error *err)
+                              const ovr_two_columns *c, ovr_boundary_form *f,
+                              ovr_error *err)
 {
     ovr_asperity_table *t = &f->bears.table;
     double maximum, slope;
     for (size_t k = 0; k < c->count; k++)
-        if (!(c->y[k] > 0) ||
-            (k && !(c->x[k] > c->x[k - 1] && c->y[k] < c->y[k - 1])))
-            return ovr_fail_at(err, OVR_BAD_INPUT, f->file, 0,
-                               "point %zu: gaps must increase, and pressures "
-                               "must decrease and be above 0",
-                               k + 1);
+        if (!(c->y[k] > 0) || (k && !(c->y[k] < c->y[k - 1])))
+            return ovr_fail_at(err, OVR_BAD_INPUT, f->file, c->line[k],
+                               "pressures must decrease and be above 0");
     if (c->count < 2)
         return ovr_fail_at(err, OVR_BAD_INPUT, f->file, 0,
                            "has %zu points, but needs at least two", c->count);
@@ -196,9 +193,9 @@ static ovr_status take_points(const ovr_physics_case *of,
 static ovr_status resolve_table(const ovr_physics_case *of,
                                 ovr_boundary_form *f, ovr_error *err)
 {
-    ovr_physics_columns c = {.name = {"gap", "pressure"},
-                             .of = {OVR_LENGTH, OVR_PRESSURE},
-                             .example = "gap [nm], pressure [MPa]"};
+    ovr_two_columns c = {.name = {"gap", "pressure"},
+                         .header = {OVR_LENGTH, OVR_PRESSURE},
+                         .example = "gap [nm], pressure [MPa]"};
     if (!f->file)
         return ovr_fail_about(err, "file",
                               "law = table needs a file of gaps and pressures");

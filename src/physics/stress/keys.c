@@ -152,7 +152,7 @@ static ovr_status check_motion(const ovr_physics_case *of,
     return OVR_OK;
 }
 
-static ovr_status check_depths(const ovr_physics_columns *c, const char *file,
+static ovr_status check_depths(const ovr_two_columns *c, const char *file,
                                bool limits, ovr_error *err)
 {
     if (!c->count)
@@ -160,11 +160,10 @@ static ovr_status check_depths(const ovr_physics_columns *c, const char *file,
             err, OVR_BAD_INPUT, file, 0,
             "has no points: it needs at least one line of depth and value");
     for (size_t k = 0; k < c->count; k++)
-        if ((limits && !(c->y[k] > 0)) || !(c->x[k] >= 0) ||
-            (k && !(c->x[k] > c->x[k - 1]))) {
-            ovr_fail_at(err, OVR_BAD_INPUT, file, 0,
-                        "point %zu: depths must be at least 0 and increase%s",
-                        k + 1, limits ? ", and limits must be above 0" : "");
+        if ((limits && !(c->y[k] > 0)) || !(c->x[k] >= 0)) {
+            ovr_fail_at(err, OVR_BAD_INPUT, file, c->line[k],
+                        "depths must be at least 0%s",
+                        limits ? ", and limits must be above 0" : "");
             break;
         }
     if (err->status)
@@ -174,7 +173,7 @@ static ovr_status check_depths(const ovr_physics_columns *c, const char *file,
 
 /* A table against the depth, of the key that names it, in p_h and b. */
 static ovr_status read_depths(const ovr_physics_case *of, const char *key,
-                              const char *file, ovr_physics_columns *c,
+                              const char *file, ovr_two_columns *c,
                               ovr_error *err)
 {
     const ovr_contact *contact = of->contact;
@@ -199,9 +198,9 @@ static ovr_status read_depths(const ovr_physics_case *of, const char *key,
 static ovr_status resolve_residual(const ovr_physics_case *of,
                                    ovr_stress_setup *s, ovr_error *err)
 {
-    ovr_physics_columns c = {.name = {"depth", "stress"},
-                             .of = {OVR_LENGTH, OVR_PRESSURE},
-                             .example = "depth [um], stress [MPa]"};
+    ovr_two_columns c = {.name = {"depth", "stress"},
+                         .header = {OVR_LENGTH, OVR_PRESSURE},
+                         .example = "depth [um], stress [MPa]"};
     if (!s->residual_table)
         return OVR_OK;
     ovr_status status = read_depths(of, "residual_table", s->residual_table, &c,
@@ -215,9 +214,9 @@ static ovr_status resolve_residual(const ovr_physics_case *of,
 static ovr_status resolve_limits(const ovr_physics_case *of,
                                  ovr_stress_setup *s, ovr_error *err)
 {
-    ovr_physics_columns c = {.name = {"depth", "limit"},
-                             .of = {OVR_LENGTH, OVR_PRESSURE},
-                             .example = "depth [um], limit [MPa]"};
+    ovr_two_columns c = {.name = {"depth", "limit"},
+                         .header = {OVR_LENGTH, OVR_PRESSURE},
+                         .example = "depth [um], limit [MPa]"};
     if (!s->limit_table)
         return OVR_OK;
     if (of->given(of->data, "fatigue", "limit_pressure"))

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* Text files of two columns of numbers, the first of which increases.
+ * Histories, lifts of cams, shares of load, laws of lubricants and of
+ * asperities, stresses and limits by depth are read from such files.
+ *
+ * Separators, decimal commas and encodings are those of profiles
+ * (table_line.h), and those of the first row hold for all.  "#" begins a
+ * comment; empty lines do not count.  Lines before the numbers, comments too,
+ * may name the units, in the order of the columns, whichever that is:
+ * "pressure [MPa], density [kg/m3]". */
+#ifndef OVR_SURFACE_TWO_COLUMNS_H
+#define OVR_SURFACE_TWO_COLUMNS_H
+
+#include "base/quantity.h"
+
+typedef struct ovr_two_columns {
+    const char *name[2];     /* "time", "value" */
+    double minimum, maximum; /* range of the second; 0, 0: any */
+    const char *of;          /* unit of the range in messages */
+    double unit[2];          /* that the numbers are multiplied by */
+    /* Dimensions of the units in the header, and an example of a header;
+     * OVR_PURE, NULL: there is no header. */
+    ovr_dimension header[2];
+    const char *example;
+    bool optional;   /* where no header names units, `unit` holds */
+    bool named;      /* a header names them */
+    size_t count;    /* rows that were read */
+    double *x, *y;   /* in the arena */
+    long *line;      /* of each row */
+    double rounding; /* smallest decimal of the second as written, times its
+                        unit */
+} ovr_two_columns;
+
+ovr_status ovr_two_columns_read(ovr_two_columns *columns, const char *file,
+                                ovr_bytes content, ovr_arena *arena,
+                                ovr_error *err);
+
+#endif
