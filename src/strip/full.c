@@ -108,14 +108,37 @@ static void interpolate(ovr_strip *strip, ovr_strip_level *coarse,
     }
 }
 
+/* Newton's method on patches where cycles on the finest grid stall; true if
+ * that solves the film. */
+static bool solve_spots(ovr_strip *strip, const ovr_strip_full *how,
+                        ovr_strip_defect *d)
+{
+    enum { STEPS = 8 };
+    const double part = 0.01;
+    ovr_strip_level *level = &strip->level[strip->finest];
+    const ovr_strip_grid *g = &level->grid;
+    for (int k = 0; k < STEPS && d->imbalance < 1e6; k++) {
+        double whole = d->imbalance * ovr_strip_centre(level, level->f.H) *
+                       (double)g->lines / g->D;
+        if (!ovr_strip_spots(strip, level, &how->cycling.smoothing,
+                             part * whole))
+            return false;
+        *d = ovr_strip_defect_of(strip, level);
+        if (ovr_strip_below(*d, how->tolerance))
+            return true;
+    }
+    return false;
+}
+
 /* Cycles on a level until done.  Corrections into this grid are halved, or made
  * whole again, where two cycles hardly reduce R.  Half corrections stop the end
  * of a film from alternating between two places.  Slopes are secants at least
- * (faces.kernel.c) far from the solution and after a slow cycle. */
+ * (faces.kernel.c) far from the solution and after a slow cycle.  Where cycles
+ * on the finest grid stall for long, patches are solved after each. */
 static ovr_strip_defect cycle_until(ovr_strip *strip, const ovr_strip_full *how,
                                     int l, int *cycles)
 {
-    enum { PATIENCE = 5 };
+    enum { PATIENCE = 5, LONG = 12 };
     const bool finest = l == strip->finest;
     const int most = finest ? how->max_cycles : how->cycles;
     const double near = 1e-3, slow = 0.5;
@@ -133,6 +156,9 @@ static ovr_strip_defect cycle_until(ovr_strip *strip, const ovr_strip_full *how,
                                  d.imbalance < slow * last[0]);
         if (!(d.imbalance < 1e6) ||
             (finest && ovr_strip_below(d, how->tolerance)))
+            break;
+        if (finest && *cycles >= LONG && d.imbalance > slow * last[0] &&
+            solve_spots(strip, how, &d))
             break;
         if (since > PATIENCE && d.imbalance > 0.7 * last[1]) {
             bool whole = cycling.correction == how->cycling.correction;
@@ -162,4 +188,16 @@ ovr_strip_defect ovr_strip_solve(ovr_strip *strip, const ovr_strip_full *how,
             break;
     }
     return d;
+}
+
+ovr_strip_defect ovr_strip_continue(ovr_strip *strip, const ovr_strip_full *how,
+                                    int *cycles)
+{
+    ovr_strip_level *level = &strip->level[strip->finest];
+    begin_level(strip, how, level);
+    ovr_strip_defect d = ovr_strip_defect_of(strip, level);
+    *cycles = 0;
+    if (!how->max_cycles || ovr_strip_below(d, how->tolerance))
+        return d;
+    return cycle_until(strip, how, strip->finest, cycles);
 }

@@ -275,6 +275,10 @@ typedef struct ovr_strip_full {
 ovr_strip_defect ovr_strip_solve(ovr_strip *strip, const ovr_strip_full *how,
                                  int *cycles);
 
+/* Steady cycles on the finest grid from its pressure. */
+ovr_strip_defect ovr_strip_continue(ovr_strip *strip, const ovr_strip_full *how,
+                                    int *cycles);
+
 /* ------------------------------------------------------------------- Parts */
 
 ovr_status ovr_strip_elastic_allocate(ovr_strip_elastic *e,

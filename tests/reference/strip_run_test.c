@@ -56,9 +56,10 @@ static ovr_run *run_of(ovr_case *c, const char *path)
     return run_at(c, path, NULL);
 }
 
-/* A strip and a line contact with the same case end in the same film; the
- * steady one of a station if `at` is not NULL. */
-static void same_at(const char *text, const char *at, double tolerance)
+/* A strip and a line contact with the same case end in the same film.  The
+ * steady film of a station is compared if `at` is not NULL.  Returns true if
+ * the features of the strip had to grow. */
+static bool same_at(const char *text, const char *at, double tolerance)
 {
     ovr_case *line = read_case(text, ""), *strip = read_case(text, STRIP);
     ovr_run *one = run_at(line, NULL, at), *other = run_at(strip, NULL, at);
@@ -84,10 +85,12 @@ static void same_at(const char *text, const char *at, double tolerance)
     CHECK_NEAR(p->mass_balance, 0, 0.03);
     CHECK_NEAR(p->more[OVR_STRIP_FILM_LOW], p->H_cen, tolerance);
     CHECK_NEAR(p->more[OVR_STRIP_FILM_HIGH], p->H_cen, tolerance);
+    bool grown = *ovr_simulation_strategy(b);
     ovr_run_free(one);
     ovr_run_free(other);
     ovr_case_free(line);
     ovr_case_free(strip);
+    return grown;
 }
 
 static void same_as_line(const char *text, double tolerance)
@@ -99,6 +102,15 @@ static void same_as_line(const char *text, double tolerance)
 TEST(steady)
 {
     same_as_line(CONTACT, 1e-8);
+}
+
+/* A groove of five film thicknesses.  Steady cycles with growing features end
+ * at a fifth of it, steps in time reach the whole. */
+TEST(high_features_grow)
+{
+    assert_true(same_at(CONTACT "[feature d]\nshape = groove\ndepth = 0.4\n"
+                                "width = 0.5\nstart = -0.3\n",
+                        NULL, 1e-6));
 }
 
 TEST(a_ridge_that_slides)

@@ -2,7 +2,7 @@
 /*
  * Strips: the solver of a film that varies across rolling (solver.h).
  *
- * Steady films are solved by nested iteration (strip/full.c).
+ * Steady films: start.c.
  * Steps are solved by strip/march.c, which tries several settings.
  * A step that fails is halved, up to OVR_HALVINGS times.
  * The last result is accepted and marked if R is below OVR_ACCEPTABLE.
@@ -82,9 +82,6 @@ static void fill_places(ovr_simulation *sim, ovr_strip_solver *s)
     sim->shapes.Y = s->Y[s->shown];
 }
 
-static void gap_of(void *data, double T, const ovr_strip_grid *g,
-                   ptrdiff_t from, size_t n, double *gap);
-
 static ovr_status take(ovr_simulation *sim, const void *form, void **own,
                        ovr_error *err)
 {
@@ -93,6 +90,7 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
     if (!s)
         return OVR_NO_MEMORY;
     s->form = form;
+    s->grown = 1;
     s->n = ovr_level_nodes(o->level);
     s->lines = ovr_strip_lines(s->form,
                                (o->outlet - o->inlet) / (double)(s->n - 1));
@@ -114,7 +112,7 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
         return status;
     *own = s;
     fill_places(sim, s);
-    s->march.gap = gap_of;
+    s->march.gap = ovr_strip_gap_of;
     s->march.data = sim;
     s->march.characteristic = sim->scheme->characteristic;
     s->strip.fluid = sim->grids.fluid;
@@ -187,13 +185,13 @@ static void heights_at(const ovr_simulation *sim, double T,
             S[i * g->stride + j] = s->across[i];
 }
 
-/* An ovr_strip_gap: of the smooth surfaces minus the heights on them. */
-static void gap_of(void *data, double T, const ovr_strip_grid *g,
-                   ptrdiff_t from, size_t n, double *gap)
+void ovr_strip_gap_of(void *data, double T, const ovr_strip_grid *g,
+                      ptrdiff_t from, size_t n, double *gap)
 {
     const ovr_simulation *sim = data;
     const ovr_smooth smooth = ovr_simulation_smooth(sim, T);
     const double *X = ovr_strip_of(sim)->along;
+    const double grown = ovr_strip_of(sim)->grown;
     for (size_t i = 0; i < n; i++)
         ovr_strip_of(sim)->along[i] = g->X_a +
                                       (double)(from + (ptrdiff_t)i) * g->D;
@@ -201,7 +199,7 @@ static void gap_of(void *data, double T, const ovr_strip_grid *g,
     for (size_t i = 0; i < n; i++)
         for (size_t j = 0; j < g->lines; j++) {
             double *at = gap + i * g->stride + j;
-            *at = ovr_smooth_at(&smooth, X[i]) - *at;
+            *at = ovr_smooth_at(&smooth, X[i]) - grown * *at;
         }
 }
 
@@ -219,8 +217,8 @@ static void keep_lines(void *data, int member, size_t from, size_t to)
 }
 
 /* Keeps the heights that belong to the gap at T. */
-static void keep_heights(const ovr_simulation *sim, ovr_strip_solver *s,
-                         double T)
+void ovr_strip_keep_heights(const ovr_simulation *sim, ovr_strip_solver *s,
+                            double T)
 {
     shared d = {.s = s, .smooth = ovr_simulation_smooth(sim, T)};
     if (ovr_has_heights(sim))
@@ -246,7 +244,7 @@ static void find_thinnest(void *data, int member, size_t from, size_t to)
     }
 }
 
-static double smallest_film(ovr_strip_solver *s)
+double ovr_strip_smallest_film(ovr_strip_solver *s)
 {
     return -largest_of(s, find_thinnest, &(shared){.s = s});
 }
@@ -273,43 +271,11 @@ void ovr_strip_show(ovr_simulation *sim, const ovr_strip_solver *s, size_t j)
 }
 
 /* The fluid of the conditions at T. */
-static void set_fluid(ovr_simulation *sim, ovr_strip_solver *s, double T)
+void ovr_strip_set_fluid(ovr_simulation *sim, ovr_strip_solver *s, double T)
 {
     ovr_slide(sim, T);
     s->strip.fluid = sim->grids.fluid;
     s->strip.logarithmic = s->strip.fluid.logarithmic;
-}
-
-static double steady(ovr_simulation *sim, void *own, ovr_outcome *outcome)
-{
-    enum { CYCLES = 3, MOST = 60 };
-    ovr_strip_solver *s = own;
-    const ovr_target *t = &sim->target;
-    const ovr_instant at = ovr_instant_of(&sim->contact, t->Cw, t->Cu, t->c);
-    const double tolerance = ovr_steady_tolerance(
-        sim, sim->finest, ovr_film_central_moes(at.M, at.L) * t->Cw);
-    sim->grids.fluid = t->fluid;
-    set_fluid(sim, s, 0);
-    const ovr_strip_full how = {.gap = gap_of,
-                                .data = sim,
-                                .force = t->force,
-                                .speed = t->Cu,
-                                .half_width = at.s,
-                                .film = ovr_film_central_moes(at.M, at.L) *
-                                        t->Cw,
-                                .cycling = ovr_strip_steady(&s->strip.fluid),
-                                .cycles = CYCLES,
-                                .max_cycles = ovr_steady_max_cycles(sim, MOST),
-                                .tolerance = tolerance};
-    ovr_strip_defect d = ovr_strip_solve(&s->strip, &how, &outcome->cycles);
-    outcome->defect = (ovr_defect){
-        .imbalance = d.imbalance, .load = d.load, .centre = d.centre};
-    outcome->converged = ovr_strip_below(d, tolerance) && smallest_film(s) > 0;
-    sim->order = sim->scheme->order;
-    sim->start.strategy = 0;
-    keep_heights(sim, s, 0);
-    ovr_strip_show(sim, s, s->shown);
-    return tolerance;
 }
 
 /* Mean of rho H over the width, integrated from the first half node to that
@@ -344,7 +310,7 @@ static void set_step(ovr_simulation *sim, ovr_strip_solver *s, double next)
     double D = sim->now.D, given = sim->options.tolerance;
     double tolerance = STEP_TOLERANCE *
                        ovr_truncation_tolerance(sim, D, sim->observation.H_cen);
-    set_fluid(sim, s, next);
+    ovr_strip_set_fluid(sim, s, next);
     m->speed = ovr_history_value(sim->histories.speed, next);
     m->force = OVR_NOMINAL_LOAD * ovr_history_value(sim->histories.load, next);
     m->carried = sim->shapes.moving * m->speed;
@@ -372,7 +338,7 @@ static void accept(ovr_simulation *sim, ovr_strip_solver *s, double next)
     past->steps += past->steps < 3;
     s->S = s->S_before;
     s->S_before = heights;
-    keep_heights(sim, s, next);
+    ovr_strip_keep_heights(sim, s, next);
     ovr_strip_march_accept(&s->march);
     s->mass[2] = s->mass[1];
     s->mass[1] = s->mass[0];
@@ -426,7 +392,7 @@ static bool advance(ovr_simulation *sim, ovr_strip_solver *s, double next,
     outcome->cycles += step.cycles;
     outcome->retries += step.attempts - 1;
     outcome->defect.imbalance = step.imbalance;
-    bool open = smallest_film(s) > 0;
+    bool open = ovr_strip_smallest_film(s) > 0;
     if (step.solved && open) {
         accept(sim, s, next);
         return true;
@@ -458,9 +424,9 @@ static bool attempt(ovr_simulation *sim, void *own, double next,
 static void step_back(ovr_simulation *sim, void *own)
 {
     ovr_strip_solver *s = own;
-    set_fluid(sim, s, sim->past.T[0]);
+    ovr_strip_set_fluid(sim, s, sim->past.T[0]);
     ovr_strip_march_back(&s->march);
-    keep_heights(sim, s, sim->past.T[0]);
+    ovr_strip_keep_heights(sim, s, sim->past.T[0]);
     ovr_strip_show(sim, s, s->shown);
 }
 
@@ -535,8 +501,9 @@ static const ovr_physics_in_case in_case = {
 static const ovr_physics_in_solve in_solve = {
     .take = take,
     .release = release,
-    .solver = &(const ovr_solver){steady, attempt, step_back, ovr_strip_observe,
-                                  show, lines_of},
+    .solver = &(const ovr_solver){ovr_strip_steady_film, attempt, step_back,
+                                  ovr_strip_observe, show, lines_of},
+    .explain = ovr_strip_explain,
     .begin = begin};
 
 static const ovr_physics_in_step in_step = {.check = check, .visit = visit};

@@ -68,6 +68,9 @@ typedef struct ovr_strip_solver {
     /* Mean of rho H up to `middle` now, one and two steps ago.  Mass flow at
      * both ends of that part. */
     double mass[3], flow[2];
+    double grown; /* part of their heights that features have */
+    /* Part of the heights that growing features have reached; NAN: none grew */
+    double reached;
     double least[2]; /* minimum film thickness over the run, and its Y */
 } ovr_strip_solver;
 
@@ -82,6 +85,26 @@ static inline const ovr_strip_level *ovr_strip_finest(const ovr_strip_solver *s)
 
 /* Copies line j to `now` and to the heights of the simulation. */
 void ovr_strip_show(ovr_simulation *sim, const ovr_strip_solver *s, size_t j);
+
+/* An ovr_strip_gap: of the smooth surfaces minus the heights on them. */
+void ovr_strip_gap_of(void *data, double T, const ovr_strip_grid *g,
+                      ptrdiff_t from, size_t n, double *gap);
+
+/* Keeps the heights that belong to the gap at T. */
+void ovr_strip_keep_heights(const ovr_simulation *sim, ovr_strip_solver *s,
+                            double T);
+
+/* The fluid of the conditions at T. */
+void ovr_strip_set_fluid(ovr_simulation *sim, ovr_strip_solver *s, double T);
+
+/* -INFINITY where a film is no number. */
+double ovr_strip_smallest_film(ovr_strip_solver *s);
+
+/* The steady film (start.c); returns the tolerance. */
+double ovr_strip_steady_film(ovr_simulation *sim, void *own,
+                             ovr_outcome *outcome);
+ovr_status ovr_strip_explain(const ovr_simulation *sim, const void *own,
+                             const ovr_outcome *outcome, ovr_error *err);
 
 /* Observes all lines. */
 void ovr_strip_observe(ovr_simulation *sim, void *own, ovr_observation *o);
