@@ -17,7 +17,8 @@ static const struct {
     {"smoother", "paper.smoother"},
 };
 
-/* --level wins over nodes in the file, --M and --L over lambda, alphabar. */
+/* Removes settings that options replace: --level replaces nodes, --M and --L
+ * replace lambda and alphabar. */
 static void remove_overridden(ovr_case *c, const char *option)
 {
     if (option[0] == 'l')
@@ -78,7 +79,7 @@ static bool has_nodes(const ovr_case *c)
     return false;
 }
 
-/* The default level does not count beside nodes. */
+/* True if an entry is printed; the default level is not if nodes are given. */
 static bool is_shown(const ovr_case *c, const ovr_case_entry *entry)
 {
     if (!entry->text || (!entry->given && !entry->applies))

@@ -11,15 +11,15 @@
 #include "cli/report.h"
 #include "overroll/case.h"
 
-/* --------------------------------------------------- stations of an element */
+/* ------------------------------------ contact points of a machine element */
 
-/* The table of an element's stations. */
+/* Table of the contact points of a machine element. */
 
-/* A column: its name and unit in the table, its key in JSON, its scale there,
- * and the number. */
+/* A column: heading and unit in the table, key in JSON, scale, and the
+ * number. */
 typedef struct column {
     const char *head, *key;
-    double unit; /* SI over that of the table */
+    double unit; /* SI value of the table's unit */
     double (*value)(const ovr_station *s);
 } column;
 
@@ -74,7 +74,8 @@ static const column columns[] = {
 };
 enum { COLUMNS = sizeof columns / sizeof *columns };
 
-/* Lines that begin with "#"; nothing without an element. */
+/* Prints the contact points as lines with "#"; nothing without a machine
+ * element. */
 static void put_stations(const ovr_setup *setup)
 {
     ovr_station station[OVR_STATIONS_MAX];

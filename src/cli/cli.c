@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Parses command lines by a verb's table of options; prints messages and help.
- */
+/* Parses command lines by a command's table of options; prints messages and
+ * help. */
 #include "cli/cli.h"
 
 #include <stdarg.h>
@@ -77,7 +77,7 @@ int cli_usage(const cli_call *call, const char *format, ...)
     return CLI_USAGE;
 }
 
-/* ------------------------------------------------------------ what is given */
+/* ------------------------------------------------------ access to options */
 
 const char *cli_value_at(const cli_call *call, const char *name, int k)
 {
@@ -143,7 +143,7 @@ static const cli_option *find(const cli_option *options, const char *name,
     return NULL;
 }
 
-/* Other spellings of options: --output is -o, -h is --help. */
+/* Synonyms of options: --output is -o, -h is --help. */
 static const char *const aliases[][2] = {
     {"h", "help"}, {"output", "o"}, {"quiet", "q"}, {"verbose", "v"}};
 
@@ -178,13 +178,13 @@ static int unknown_option(const cli_call *call, const char *given,
                      call->verb->name);
 }
 
-/* A number below zero is none. */
+/* True for an option; negative numbers are none. */
 static bool is_option(const char *text)
 {
     return text[0] == '-' && text[1] != '\0' && !strchr("0123456789.", text[1]);
 }
 
-/* Handles argv[*i]; moves *i on when the value is the next word. */
+/* Handles argv[*i]; increments *i if the value is the next argument. */
 static int take_option(cli_call *call, int argc, char **argv, int *i)
 {
     const char *given = argv[*i];
@@ -233,7 +233,8 @@ static bool is_folder(const char *path)
     return stat(path, &about) == 0 && S_ISDIR(about.st_mode);
 }
 
-/* The ending of a known kind of file other than those in `own`; NULL: none. */
+/* Returns the suffix of a known kind of file other than those in `own`, or
+ * NULL. */
 static const char *other_ending(const char *path, const char *own)
 {
     static const char *const known[] = {
@@ -247,8 +248,8 @@ static const char *other_ending(const char *path, const char *own)
     return NULL;
 }
 
-/* Refuses a name whose ending is that of another kind of file.  Results,
- * pictures, pages and movies refuse theirs where they are written. */
+/* Rejects an output name with the suffix of another kind of file. Results,
+ * pictures, pages and movies are checked where they are written. */
 static int check_ending(const cli_call *call)
 {
     static const struct {

@@ -23,19 +23,19 @@
 
 enum {
     CLI_DONE = 0,
-    CLI_FAILED = 1, /* did not converge; a write failed on the way */
-    CLI_USAGE = 2,  /* bad usage or input, output that cannot be made */
-    CLI_EARLY = 3,  /* stopped early or with marked steps; output valid */
+    CLI_FAILED = 1, /* did not converge; a write failed */
+    CLI_USAGE = 2,  /* invalid usage or input; output cannot be created */
+    CLI_EARLY = 3,  /* stopped early or with flagged steps; output is valid */
     CLI_SIGNAL = 128
 };
 
-/* An option: "force" is --force, a name of one lower-case letter (or "M",
- * "L" with both dashes) is -o.  With an argument: --name VALUE, --name=VALUE
- * or -o VALUE. */
+/* An option. "force" is --force; a name of one lower-case letter (or "M", "L"
+ * with two dashes) is -o. With an argument: --name VALUE, --name=VALUE or -o
+ * VALUE. */
 typedef struct cli_option {
     const char *name;
-    const char *argument; /* what follows, for help; NULL: a flag; in brackets:
-                             it may, unless it is a file */
+    const char *argument; /* name of the argument in the help text, in brackets
+                           * if optional (not for files); NULL: a flag */
     const char *help;
     bool repeats; /* may be given more than once */
 } cli_option;
@@ -48,10 +48,10 @@ typedef struct cli_verb {
     const char *summary;   /* one line */
     const char *help;      /* paragraphs for `overroll help NAME`, or NULL */
     const cli_option *options; /* ends with name NULL; may be NULL */
-    int minimum, maximum;      /* positional arguments */
+    int minimum, maximum;      /* allowed number of positional arguments */
     int (*run)(cli_call *call);
-    bool steady; /* does not march: signals end it, and what has not converged
-                    has failed */
+    bool steady; /* no time steps: signals end it, and a solution that has not
+                  * converged has failed */
 } cli_verb;
 
 extern const cli_verb cli_steady, cli_run, cli_resume, cli_check, cli_init;
@@ -65,61 +65,64 @@ typedef struct cli_given {
 
 /* A parsed command line. */
 struct cli_call {
-    const cli_verb *const *verbs; /* all; ends with NULL */
+    const cli_verb *const *verbs; /* all commands; ends with NULL */
     const cli_verb *verb;
     int verbosity; /* -1 quiet, 0, 1 verbose */
     bool json;
     int arguments;
-    const char **argument; /* positional */
+    const char **argument; /* positional arguments */
     int givens;
-    cli_given *given;      /* options in the order given */
-    volatile double *done; /* a march tells here how far it is, or NULL */
+    cli_given *given;      /* options in the given order */
+    volatile double *done; /* progress of a run, written by the march; or
+                            * NULL */
 };
 
-/* True if a flag was given; the value of an option or NULL; the k-th value of
- * one that repeats, or NULL behind the last. */
+/* Return whether a flag was given, the value of an option or NULL, and the k-th
+ * value of a repeated option or NULL past the last. */
 bool cli_flag(const cli_call *call, const char *name);
 const char *cli_value(const cli_call *call, const char *name);
 const char *cli_value_at(const cli_call *call, const char *name, int k);
 
-/* The place of a word in a list that ends with NULL; -1: it is none of them. */
+/* Returns the index of a word in a list that ends with NULL; -1 if it is not in
+ * the list. */
 int cli_choice(const char *word, const char *const *words);
 
-/* Writes the first n words of a list, or all up to a NULL, as "a, b, c". */
+/* Joins the first n words of a list, or all up to a NULL, as "a, b, c". */
 void cli_join(const char *const *words, size_t n, char *text, size_t capacity);
 
-/* The whole number from 1 to `maximum` that an option gives, `otherwise` where
- * it is not given; 0 after having said what is needed. */
+/* Returns the value of an option, an integer from 1 to `maximum`, or
+ * `otherwise` if it is not given. Prints an error and returns 0 for an invalid
+ * value. */
 size_t cli_count(const cli_call *call, const char *name, size_t maximum,
                  size_t otherwise);
 
-/* Prints the message as one line on stderr and returns the exit code that
- * belongs to its status. */
+/* Prints the message as one line on stderr and returns the exit code of its
+ * status. */
 int cli_fail(const ovr_error *err);
 
 /* A listener (`data`: the call): notes and warnings on stderr, unless -q. */
 void cli_say(void *data, ovr_message_kind kind, const char *text);
 
-/* Prints a text that comes from a file, or the name of one, on stdout.  Control
- * characters are escaped: \x1b. */
+/* Prints external text, or a file name, on stdout. Control characters are
+ * escaped: \x1b. */
 void cli_put_foreign(const char *text);
 
-/* "overroll VERB: message", exit code 2. */
+/* Prints "overroll VERB: message" and returns exit code 2. */
 int cli_usage(const cli_call *call, const char *format, ...) OVR_PRINTF(2, 3);
 
-/* CLI_USAGE after having said so when a file that an option would write is one
- * that is read, links followed. */
+/* Prints an error and returns CLI_USAGE if an output file is an input file;
+ * links are followed. */
 int cli_check_outputs(const cli_call *call);
 
-/* Parses argv behind the verb; returns CLI_DONE, or the exit code after
- * having printed why. `call` must be freed either way. */
+/* Parses the arguments after the command; returns CLI_DONE, or the exit code
+ * after printing an error. `call` must be freed in either case. */
 int cli_parse(cli_call *call, const cli_verb *verb, int argc, char **argv);
 void cli_free(cli_call *call);
 
-/* NULL: none of the verbs has this name. */
+/* Returns the command with this name, or NULL. */
 const cli_verb *cli_find_verb(const cli_verb *const *verbs, const char *name);
 
-/* Help of one verb: usage, summary, options. */
+/* Prints the help of a command: usage, summary, options. */
 void cli_print_help(const cli_verb *verb, FILE *to);
 
 /* Help topics that are neither a command nor a key.  The first function returns

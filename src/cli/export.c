@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* overroll export OUT.h5: tables of numbers for other programs. */
+/* The command overroll export OUT.h5: tables of numbers for other programs. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,7 +21,7 @@ typedef struct job {
 
 /* ---------------------------------------------------------------- columns */
 
-/* The unit of a variable in those asked for. */
+/* Returns the unit of a variable in the requested units. */
 static const char *unit_in(const job *j, const ovr_variable *v)
 {
     const ovr_kind_info *kind = ovr_kind_about(v->kind);
@@ -32,16 +32,15 @@ static const char *unit_in(const job *j, const ovr_variable *v)
     return unit;
 }
 
-/* The values of a new column. */
+/* Adds a column and returns its values. */
 static double *add_column(job *j, const char *name, const ovr_variable *v)
 {
     return cli_table_add(j->table, name, unit_in(j, v), j->err);
 }
 
-/* --------------------------------------------------------- what is asked for
- */
+/* --------------------------------------------------------- requested data */
 
-/* The fields given by --field, or all; NULL behind the last. */
+/* Returns the k-th field given by --field, or of all; NULL past the end. */
 static const ovr_variable *target_field(const job *j, size_t k)
 {
     const char *name = cli_value_at(j->call, "field", (int)k);
@@ -98,7 +97,7 @@ static ovr_status add_snapshot(job *j, size_t k)
     return OVR_OK;
 }
 
-/* A row for each node of a strip, line after line. */
+/* Adds a row for each node of a strip, line by line. */
 static ovr_status add_areal(job *j, size_t k)
 {
     const ovr_variable *field;
@@ -136,7 +135,7 @@ static ovr_status add_history(job *j)
     return OVR_OK;
 }
 
-/* Linear between the nodes; x increases. */
+/* Interpolates linearly between nodes; x increases. */
 static double interpolate(size_t n, const double *x, const double *v, double at)
 {
     size_t low = 0, high = n - 1;
@@ -154,7 +153,7 @@ static double interpolate(size_t n, const double *x, const double *v, double at)
     return weight == 0 ? v[low] : (1 - weight) * v[low] + weight * v[high];
 }
 
-/* A field at one X (in b) in every snapshot. */
+/* Adds a field at one X (in b) for every snapshot. */
 static ovr_status add_series(job *j, const ovr_variable *field, double X,
                              const double *x, double *row)
 {
@@ -220,7 +219,8 @@ static ovr_status series(job *j)
     return status;
 }
 
-/* The times of all snapshots, to be freed; NULL with the error filled. */
+/* Returns the times of all snapshots, to be freed; NULL with the error
+ * filled. */
 static double *times_in(const job *j, ovr_units units)
 {
     double *times = calloc(j->about->snapshots + 1, sizeof *times);
@@ -234,7 +234,7 @@ static double *times_in(const job *j, ovr_units units)
     return times;
 }
 
-/* Row of the snapshot that is nearest to T. */
+/* Finds the snapshot nearest to T. */
 static ovr_status nearest(const job *j, double T, size_t *row)
 {
     double *times = times_in(j, OVR_HERTZIAN);
@@ -281,7 +281,7 @@ static ovr_status snapshot(job *j)
     return OVR_OK;
 }
 
-/* The same time in all rows of a snapshot. */
+/* Adds the time of a snapshot to all its rows. */
 static ovr_status add_time(job *j, double T)
 {
     double *times;
@@ -292,7 +292,8 @@ static ovr_status add_time(job *j, double T)
     return times ? OVR_OK : j->err->status;
 }
 
-/* Blocks with two empty lines between: gnuplot's `index`. */
+/* Writes the snapshots as blocks separated by two empty lines (gnuplot's
+ * `index`). */
 static ovr_status long_table(job *j, const double *times)
 {
     for (size_t k = 0; k < j->about->snapshots; k++) {
@@ -308,8 +309,8 @@ static ovr_status long_table(job *j, const double *times)
     return OVR_OK;
 }
 
-/* A row for each x, a column for each field of each snapshot:
- * pressure(t=0.0012). */
+/* Adds the headings of a table with a row for each x and a column for each
+ * field and snapshot: pressure(t=0.0012). */
 static ovr_status wide_heads(job *j, const double *times)
 {
     const ovr_variable *field;

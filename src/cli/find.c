@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* overroll find CASE KEY between A and B so that QUANTITY is VALUE. */
+/* The command overroll find CASE KEY between A and B so that QUANTITY is
+ * VALUE. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,14 +14,14 @@
 
 enum { CAPACITY = 600 };
 
-/* The question as it was asked, taken apart. */
+/* The search from the command line, split into its parts. */
 typedef struct question {
-    char words[CAPACITY]; /* all of them, blanks between */
+    char words[CAPACITY]; /* all words, separated by blanks */
     const char *which;
     char key[CAPACITY], low[CAPACITY], high[CAPACITY], condition[CAPACITY];
 } question;
 
-/* The words between two marks of the question, without outer blanks. */
+/* Copies the words between two keywords without leading and trailing blanks. */
 static bool take_between(const char *from, const char *to, char *text)
 {
     while (from < to && *from == ' ')
@@ -80,7 +81,7 @@ static int take_numbers(const cli_call *call, ovr_find_options *how)
 
 /* ------------------------------------------------------------------- report */
 
-/* As many digits as the discretization error leaves. */
+/* Returns the number of digits that the discretization error justifies. */
 static int digits_of(const ovr_find_info *i)
 {
     double share = fabs(i->value / i->error);
@@ -111,7 +112,7 @@ static void put_table(const ovr_find *find, const ovr_find_info *i)
     }
 }
 
-/* A row of the report: quantity, value, unit and remark. */
+/* Prints a row: quantity, value, unit and remark. */
 static void put_row(const char *label, int digits, double value,
                     const char *unit, const char *remark)
 {

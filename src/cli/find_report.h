@@ -8,7 +8,7 @@
 /* Writes what a search found, as keys of an object. */
 void cli_json_find(json_writer *json, const ovr_find *find);
 
-/* The answer, or why there is none; the exit code. */
+/* Prints the answer, or why there is none; returns the exit code. */
 int cli_report_find(const cli_call *call, const ovr_find *find,
                     ovr_status status, const ovr_error *err);
 

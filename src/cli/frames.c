@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* overroll frames OUT.h5 -o DIR: a picture of each snapshot, a movie. */
+/* The command overroll frames OUT.h5 -o DIR: a picture of each snapshot, a
+ * movie. */
 #include <math.h>
 #include <string.h>
 

@@ -10,7 +10,7 @@
 
 #include "cli/cli.h"
 
-/* "[domain] order"; of a section that is there or not, its name. */
+/* Writes the name of a model feature, "[domain] order", or of its section. */
 static void place(int feature, size_t size, char *text)
 {
     ovr_model_feature_info info = ovr_model_feature_at(feature);
@@ -122,7 +122,7 @@ static void put_choices(const ovr_parameter_info *p)
     put_wrapped(text);
 }
 
-/* Describes the width of a feature by the width of each shape at half its
+/* Describes the width of a feature: the width of each shape at half its
  * height. */
 static void describe_widths(const ovr_parameter_info *p, char *text,
                             size_t capacity)
@@ -187,7 +187,7 @@ static bool help_section(const char *name)
     return found;
 }
 
-/* The keys that a shape of feature has and others have not. */
+/* Prints the keys that only some shapes of features have. */
 static bool help_shape(const char *shape)
 {
     char text[500];
@@ -296,7 +296,7 @@ static void roff_shape(int shape)
     puts(".");
 }
 
-/* Orders numbers of parameters. */
+/* Compares keys of parameters for sorting. */
 static int by_key(const void *a, const void *b)
 {
     ovr_parameter_info x = ovr_parameter_at(*(const size_t *)a);
@@ -305,7 +305,7 @@ static int by_key(const void *a, const void *b)
     return order ? order : strcmp(x.key, y.key);
 }
 
-/* Every key once, with its sections, a paragraph a letter. */
+/* Prints an index of all keys with their sections, one paragraph per letter. */
 static void roff_index(void)
 {
     size_t count = 0, number[KEYS] = {0};
@@ -326,7 +326,7 @@ static void roff_index(void)
     }
 }
 
-/* The part of overroll-case(5) that is made from the table. */
+/* Prints the part of overroll-case(5) that is generated from the table. */
 static int roff(void)
 {
     roff_index();
@@ -347,7 +347,7 @@ static int roff(void)
     return CLI_DONE;
 }
 
-/* The part of overroll.bash that is made from the tables. */
+/* Prints the part of overroll.bash that is generated from the tables. */
 static int bash(const cli_call *call)
 {
     for (const cli_verb *const *verb = call->verbs; *verb; verb++) {
@@ -362,7 +362,7 @@ static int bash(const cli_call *call)
     return CLI_DONE;
 }
 
-/* Keys for --set, each with its words. */
+/* Prints the keys for --set, each with its words. */
 static int bash_keys(void)
 {
     for (size_t i = 0; i < ovr_parameter_count(); i++) {
@@ -378,7 +378,8 @@ static int bash_keys(void)
 
 /* ------------------------------------------------------------------ Topics */
 
-/* All names that help explains: commands, sections, topics, shapes, keys. */
+/* Lists all names that help explains: commands, sections, topics, shapes,
+ * keys. */
 static size_t list_names(const cli_call *call, const char *names[TOPICS])
 {
     size_t n = 0;
@@ -395,7 +396,7 @@ static size_t list_names(const cli_call *call, const char *names[TOPICS])
     return n;
 }
 
-/* Prints what is known under this exact name; false if nothing is. */
+/* Prints the help of this exact name; false if there is none. */
 static bool help_name(const cli_call *call, const char *name)
 {
     const cli_verb *verb = cli_find_verb(call->verbs, name);
@@ -415,7 +416,8 @@ static bool help_name(const cli_call *call, const char *name)
     return true;
 }
 
-/* Prints what a synonym, a symbol or another spelling of a name stands for. */
+/* Prints the help of the name that a synonym, a symbol or another spelling
+ * stands for. */
 static bool help_synonym(const cli_call *call, const char *term)
 {
     const char *names[TOPICS], *topic = ovr_parameter_by_symbol(term);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* overroll info OUT.h5: what is in a result file. */
+/* The command overroll info OUT.h5: contents of a result file. */
 #include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 #include "cli/json.h"
 #include "cli/table.h"
 
-/* Smallest and largest value of a column of the history, and when. */
+/* Minimum and maximum of a history column, and their times. */
 typedef struct extremes {
     double minimum, T_min, maximum, T_max;
 } extremes;
@@ -19,8 +19,8 @@ typedef struct report {
     ovr_result *result;
     const ovr_result_info *about;
     const char *path;
-    double *T, *column; /* of the history; T in b/um */
-    double bytes;       /* of the file */
+    double *T, *column; /* history columns; T in b/u_m */
+    double bytes;       /* size of the file */
 } report;
 
 static extremes find_extremes(const report *r)
@@ -47,7 +47,7 @@ static double last_time(const report *r)
     return r->about->steps ? r->T[r->about->steps - 1] : NAN;
 }
 
-/* The share of the time to be run, between 0 and 1; NAN unknown. */
+/* Returns the completed fraction of the run time; NAN if unknown. */
 static double progress(const report *r)
 {
     if (strcmp(r->about->status, "complete") == 0)
@@ -55,7 +55,7 @@ static double progress(const report *r)
     return fmin(1, last_time(r) / r->about->end);
 }
 
-/* Reads a column into r->column; false where there is none. */
+/* Reads a column into r->column; false if it is missing. */
 static bool take(report *r, const char *name, ovr_units units)
 {
     return ovr_result_history(r->result, name, units, r->column, NULL) ==
@@ -80,7 +80,7 @@ static void put_label(const char *label)
     printf("%-*s ", LABEL, label);
 }
 
-/* Numbers of the contact.  `si`: the unit in SI units; 0: dimensionless. */
+/* Numbers of the contact. `si`: name of the SI unit; 0: dimensionless. */
 #define OF(member) offsetof(ovr_result_info, member)
 static const struct fact {
     const char *label;
@@ -169,22 +169,22 @@ static void print_sizes(report *r)
         }
 }
 
-/* Columns with a row of their own in the table of extremes. */
+/* True for columns with a row in the table of extremes. */
 static bool has_extremes(report *r, const ovr_variable *v)
 {
     return strcmp(v->name, "step") != 0 && strcmp(v->name, "time") != 0 &&
            take(r, v->name, OVR_AS_STORED);
 }
 
-/* The full name, or the dataset's where a file of an earlier version has a
- * sentence instead. */
+/* Returns the full name; the name of the dataset for files of earlier versions,
+ * which contain a sentence instead. */
 static const char *name_of(const ovr_variable *v)
 {
     enum { LONGEST = 45 };
     return strlen(v->long_name) <= LONGEST ? v->long_name : v->name;
 }
 
-/* "-" for NaN: the quantity is unknown. */
+/* Prints a number; "-" for NaN (unknown). */
 static void put_number(double value, int width, int digits)
 {
     if (isnan(value))
@@ -303,7 +303,7 @@ static void json_sizes(json_writer *j, const report *r)
     json_close_array(j);
 }
 
-/* Dimensionless, as all JSON of this program. */
+/* Writes the extremes, dimensionless like all JSON of this program. */
 static void json_extremes(json_writer *j, report *r)
 {
     json_open(j, "extremes");
@@ -380,7 +380,7 @@ static ovr_status read_times(report *r, ovr_error *err)
     return ovr_result_history(r->result, "time", OVR_HERTZIAN, r->T, err);
 }
 
-/* Prints the files that were written; warnings go where all do. */
+/* Prints the written files; warnings are forwarded. */
 static void list_file(void *call, ovr_message_kind kind, const char *text)
 {
     if (kind == OVR_MESSAGE_FILE)

@@ -1,18 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* overroll init [KIND]: a commented case to start from. */
+/* The command overroll init [KIND]: prints a commented case. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "cli/output.h"
 
-/*
- * Oils.  Viscosities of the ISO VG grades are those of ISO 3448 at 40 C, the
- * middle of the grade, times a density of 0.86 g/cm3; alpha follows by
- * Roelands' relation alpha = z (ln eta0 + 9.67)/p0 with z = 0.68 and
- * p0 = 198 MPa, typical of paraffinic mineral oils.  `paper` is the oil of
- * Venner, ten Napel & Bosma 1990, with a viscosity of its class.
- */
+/* Lubricants. Viscosities of the ISO VG grades are the mid-point values of ISO
+ * 3448 at 40 C, with a density of 0.86 g/cm3. alpha follows from Roelands'
+ * relation alpha = z (ln eta0 + 9.67)/p0 with z = 0.68 and p0 = 198 MPa,
+ * typical of paraffinic mineral oils. `paper` is the oil of Venner, ten Napel &
+ * Bosma 1990, with a viscosity of its class. */
 static const struct oil {
     const char *name, *what, *viscosity, *alpha;
 } oils[] = {
@@ -266,7 +264,8 @@ static const char starved_end[] =
     "file = starved.h5            # one row per pass; results: starved-1.h5 "
     "...\n";
 
-/* A disc machine with sliding speed and load at which heat matters. */
+/* A disc machine with sliding speed and load for which thermal effects
+ * matter. */
 static const char traction_hot[] =
     "# Two sliding steel discs: friction, film thickness and temperatures.\n"
     "[contact]\n"
@@ -298,7 +297,7 @@ static const char traction_hot[] =
     "fields = pressure, film_thickness, temperature_1, temperature_2, "
     "temperature_middle\n";
 
-/* The same with a hard coating that insulates the film. */
+/* The same with a hard coating of low thermal conductivity. */
 static const char coated[] =
     "# Two sliding steel discs, one with a DLC coating: friction, film\n"
     "# thickness, temperatures, and stresses in the coating and below.\n"
@@ -337,7 +336,7 @@ static const char coated[] =
     "[stress]\n"
     "surface = 1                  # in the coating and below\n";
 
-/* The roller's raceway, softer than bearing steel, after a deep dent. */
+/* The roller's raceway, softer than bearing steel, after a deep indentation. */
 static const char indented_end[] =
     "\n"
     "[domain]\n"
@@ -374,7 +373,7 @@ static const char indented_end[] =
     "file = indented.h5           # results of the passes: indented-1.h5 ...\n"
     "every = 8\n";
 
-/* The roller with a film that varies across rolling. */
+/* The roller with a film that varies across the rolling direction. */
 static const char strip_end[] =
     "\n"
     "[strip]                      # the film varies along x and y\n"
@@ -404,7 +403,8 @@ static const char strip_end[] =
 static const struct kind {
     const char *name, *head, *tail;
     bool physical;
-    const char *flow; /* lines of the rheology; NULL: Newtonian, or in head */
+    const char *flow; /* lines of the rheological model; NULL: Newtonian, or in
+                       * the first part */
 } kinds[] = {
     {"roller", roller, roller_end, true, THINS},
     {"gear", gear, gear_end, true, THINS},
@@ -413,7 +413,7 @@ static const struct kind {
     {"indented", roller, indented_end, true, THINS},
     {"numbers", numbers, numbers_end, false, THINS_BY_NUMBER},
     {"starved", starved, starved_end, true, NULL},
-    {"discs", discs, NULL, true, NULL}, /* with oils of their own */
+    {"discs", discs, NULL, true, NULL}, /* with lubricants of their own */
     {"hot", traction_hot, NULL, true, NULL},
     {"coated", coated, NULL, true, NULL},
     {"strip", roller, strip_end, true, THINS},
@@ -466,9 +466,8 @@ static const struct oil *find_oil(const cli_call *call, const char *name)
     return NULL;
 }
 
-/* Reads the template as a case and assigns the settings of --set, so that a
- * wrong key or value is refused as in any other command.  `text` belongs to the
- * case `c`. */
+/* Reads the template as a case and applies --set, so that wrong keys or values
+ * are rejected as in other commands. `text` belongs to the case `c`. */
 static int make_text(cli_call *call, const struct kind *kind,
                      const struct oil *oil, ovr_case **c, const char **text)
 {

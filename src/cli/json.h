@@ -19,24 +19,24 @@
 typedef struct json_writer {
     FILE *to;
     int depth;
-    bool first; /* nothing written yet at this depth */
+    bool first; /* nothing written yet at this level */
 } json_writer;
 
 json_writer json_begin(FILE *to);
 void json_end(json_writer *json);
 
-/* A NULL key writes an element of an array. */
+/* With a NULL key an element of an array is written. */
 void json_number(json_writer *json, const char *key, double value);
 void json_integer(json_writer *json, const char *key, long long value);
 void json_flag(json_writer *json, const char *key, bool value);
 /* NULL becomes null. */
 void json_text(json_writer *json, const char *key, const char *value);
 
-/* A nested object. */
+/* Write a nested object. */
 void json_open(json_writer *json, const char *key);
 void json_close(json_writer *json);
 
-/* A nested array, to be filled with NULL keys. */
+/* Write a nested array, whose elements have NULL keys. */
 void json_open_array(json_writer *json, const char *key);
 void json_close_array(json_writer *json);
 

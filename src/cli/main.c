@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The program: picks the subcommand. How to add one: see cli.h. */
+/* The program: calls the command (to add one, see cli.h). */
 #include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
@@ -12,7 +12,7 @@
 
 #include "cli/cli.h"
 
-/* a row each */
+/* one row each */
 /* clang-format off */
 static const cli_verb *const verbs[] = {
     &cli_steady,
@@ -43,7 +43,7 @@ static void print_version(void)
            minor, release, zlibVersion(), XML_ExpatVersion(), fftw_version);
 }
 
-/* Ten lines. */
+/* Prints the short help, ten lines. */
 static void print_short_help(void)
 {
     puts(
@@ -93,7 +93,7 @@ static int run_verb(const cli_verb *verb, int argc, char **argv)
     return code;
 }
 
-/* What did not reach stdout (a full disk) is a failure too. */
+/* Reports a failure to write stdout (a full disk). */
 static int close_stdout(int code)
 {
     if (fflush(stdout) == 0 && !ferror(stdout))
@@ -102,8 +102,8 @@ static int close_stdout(int code)
     return code == CLI_DONE ? CLI_FAILED : code;
 }
 
-/* A stream that was closed would give its number to a file of ours, and what
- * is printed would go there. */
+/* Opens missing standard streams. Otherwise an output file could have the
+ * number of a closed stream, and printed text would be written to it. */
 static bool open_missing(void)
 {
     for (int fd = 0; fd <= 2; fd++)

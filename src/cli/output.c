@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-/* FOLDER/.NAME.part */
+/* Returns FOLDER/.NAME.part. */
 static char *name_beside(const char *path)
 {
     const char *slash = strrchr(path, '/');
@@ -21,7 +21,8 @@ static char *name_beside(const char *path)
     return part;
 }
 
-/* Straight to what is not a file, or a link to nothing yet. */
+/* True for a regular file. Other files, and links without target, are written
+ * directly. */
 static bool is_plain(const char *path)
 {
     struct stat about;
@@ -37,7 +38,7 @@ static FILE *open_beside(cli_output *out)
     out->part = out->target ? name_beside(out->target) : NULL;
     if (!out->part)
         return NULL;
-    unlink(out->part); /* whatever lies there is no file of the user's */
+    unlink(out->part); /* a remainder of an earlier run */
     return fopen(out->part, "wx");
 }
 

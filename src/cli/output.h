@@ -15,10 +15,11 @@
 typedef struct cli_output {
     FILE *to;
     const char *path;
-    char *target, *part; /* NULL: straight to the path */
+    char *target, *part; /* NULL: written directly */
 } cli_output;
 
-/* `path` NULL: standard output.  What exists is replaced with --force only. */
+/* Opens an output; `path` NULL: standard output. An existing file is replaced
+ * only with --force. */
 int cli_output_open(const cli_call *call, const char *path, cli_output *out);
 
 /* Keeps the file if `code` is CLI_DONE; returns that or CLI_FAILED. */

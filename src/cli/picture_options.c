@@ -19,15 +19,15 @@ static int take_number(const cli_call *call, const ovr_result *result,
     return cli_usage(call, "--%s '%s': must be a positive number", name, text);
 }
 
-/* A range that is asked for: of a number that may have its unit. */
+/* A requested range of numbers that may have units. */
 typedef struct asked {
     const cli_call *call;
     const ovr_result *result;
     ovr_unit_kind kind;
-    const char *name; /* of the option */
+    const char *name; /* name of the option */
 } asked;
 
-/* One end of it, which may be left out. */
+/* Parses one end of the range, which may be omitted. */
 static int take_end(const asked *of, const char *text, size_t size,
                     double *value)
 {
@@ -42,7 +42,7 @@ static int take_end(const asked *of, const char *text, size_t size,
     return CLI_DONE;
 }
 
-/* FROM:TO, each with its unit or bare. */
+/* Parses FROM:TO, each with or without unit. */
 static int take_range(const asked *of, double *from, double *to)
 {
     const char *text = cli_value(of->call, of->name);
@@ -61,7 +61,7 @@ static int take_range(const asked *of, double *from, double *to)
                      of->name, text);
 }
 
-/* WIDTHxHEIGHT */
+/* Parses WIDTHxHEIGHT. */
 static int take_size(const cli_call *call, int *width, int *height)
 {
     const char *text = cli_value(call, "size");
@@ -164,7 +164,7 @@ int cli_open_results(const cli_call *call, ovr_result **results)
     return CLI_DONE;
 }
 
-/* If one result has no scales, all axes are Hertzian and a note is printed. */
+/* Prints a note if a result without scales makes all axes Hertzian. */
 void cli_say_units(const cli_call *call, ovr_result *const *results,
                    ovr_units units)
 {

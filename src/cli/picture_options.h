@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Options that plot, frames and view share. */
+/* Options of plot, frames and view. */
 #ifndef OVR_CLI_PICTURE_OPTIONS_H
 #define OVR_CLI_PICTURE_OPTIONS_H
 
 #include "cli/cli.h"
 
-/* Rows for a verb's table of options. */
+/* Rows of a command's table of options. */
 #define CLI_RANGE_OPTIONS                                                      \
     {"hertzian", NULL, "axes in Hertzian units", false},                       \
         {"si", NULL, "axes in SI units (fails when the scales are unknown)",   \
@@ -42,17 +42,18 @@
  * error. */
 int cli_picture_options(const cli_call *call, ovr_picture_options *options);
 
-/* Those with numbers that may have units, by the scales of the first result. */
+/* Reads the options whose numbers may have units, converted by the scales of
+ * the first result. */
 int cli_picture_ranges(const cli_call *call, const ovr_result *result,
                        ovr_picture_options *options);
 
 enum { CLI_RESULTS = 8 };
 
-/* Chooses the line of a strip that --across gives. */
+/* Selects the line of a strip given by --across. */
 int cli_choose_across(const cli_call *call, ovr_result *result);
 
-/* Makes maps of a strip the kind of picture, unless the kind, a line or an
- * overlay is asked for. */
+/* Selects maps as the kind of picture for a strip, unless a kind, a line or an
+ * overlay is requested. */
 void cli_choose_areal(const cli_call *call, const ovr_result *result,
                       ovr_picture_options *options);
 
@@ -63,8 +64,8 @@ void cli_say_units(const cli_call *call, ovr_result *const *results,
                    ovr_units units);
 void cli_close_results(const cli_call *call, ovr_result **results);
 
-/* Names several files for legends, what several files are called without their
- * folders; NULL for one file. */
+/* Returns names of several files for legends, without folders; NULL for a
+ * single file. */
 const char *const *cli_result_names(const cli_call *call, const char **names);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* overroll plot OUT.h5 -o PICTURE: one picture. */
+/* The command overroll plot OUT.h5 -o PICTURE: one picture. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -75,8 +75,8 @@ static int take_depth(const cli_call *call, ovr_picture_options *o)
     return CLI_DONE;
 }
 
-/* Beyond the first or last snapshot by more than half of the distance to its
- * neighbour, another instant would be drawn than the one asked for. */
+/* Rejects a time outside the snapshots by more than half their spacing, because
+ * the drawn time would differ. */
 static ovr_status check_instant(ovr_result *result, const char *text, double T,
                                 ovr_error *err)
 {
@@ -142,7 +142,7 @@ static bool ends_with(const char *text, const char *ending)
     return n >= m && strcmp(text + n - m, ending) == 0;
 }
 
-/* A netCDF file may be a result too. */
+/* True for a netCDF table; a netCDF file may also be a result. */
 static bool is_netcdf_table(const char *path)
 {
     ovr_table *table = ovr_table_read(path, NULL);
@@ -157,7 +157,7 @@ static bool is_study(const cli_call *call)
            is_netcdf_table(call->argument[0]);
 }
 
-/* Its one figure, unless another quantity is asked for. */
+/* Draws the figure of a pass table, unless another quantity is requested. */
 static bool of_passes(const cli_call *call, const ovr_table *table)
 {
     const ovr_table_column *first = ovr_table_at(table, 0);
@@ -205,7 +205,7 @@ static int take_figure(const cli_call *call, ovr_figure_options *f)
     return code;
 }
 
-/* "study" of "studies/study.ini" */
+/* Returns "study" for "studies/study.ini". */
 static const char *name_of(const char *path, char *buffer, size_t size)
 {
     const char *slash = strrchr(path, '/');
@@ -216,7 +216,7 @@ static const char *name_of(const char *path, char *buffer, size_t size)
     return buffer;
 }
 
-/* Said of a result file they would be passed over. */
+/* Rejects options of studies, which have no effect on a result file. */
 static int refuse_study_options(const cli_call *call)
 {
     static const char *const names[] = {"quantity", "against", "lines", "log"};
@@ -229,7 +229,8 @@ static int refuse_study_options(const cli_call *call)
     return CLI_DONE;
 }
 
-/* Draws from the study itself: limits and draws are not in its table. */
+/* Draws distributions from the study file, because its table has neither limits
+ * nor distributions. */
 static int draw_distribution(const cli_call *call, const ovr_figure_options *f)
 {
     ovr_error err = {0};
@@ -284,7 +285,7 @@ static bool of_element(const cli_call *call)
            ends_with(call->argument[0], ".ini");
 }
 
-/* Draws a case before it runs. */
+/* Draws the machine element of a case before a run. */
 static int draw_element(const cli_call *call, ovr_picture_options *o)
 {
     ovr_error err = {0};

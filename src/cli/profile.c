@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* overroll profile FILE: what a surface profile holds. */
+/* The command overroll profile FILE: parameters of a surface profile. */
 #include <math.h>
 #include <string.h>
 #include <unistd.h>
@@ -9,10 +9,10 @@
 
 /* ------------------------------------------------------------------ options */
 
-/* The options of `overroll profile` as the library takes them.  Each returns
- * the exit code after having printed why. */
+/* Conversion of the options of `overroll profile`. Functions print errors and
+ * return the exit code. */
 
-/* A bare number only a profile in b may have. */
+/* A number for an option; without unit only for a profile in b. */
 typedef struct size {
     const char *name; /* of the option */
     ovr_length length;
@@ -105,7 +105,7 @@ static int take_level(const cli_call *call, ovr_levelling *level)
     return CLI_DONE;
 }
 
-/* Its unit is that of x when bare: only b may be meant so. */
+/* Reads the spacing. Without a unit it has the unit of x, which must be b. */
 static int take_spacing(const cli_call *call, const char *name, double *spacing,
                         ovr_profile_source *source)
 {
@@ -150,7 +150,7 @@ static int profile_take_source(const cli_call *call, ovr_profile_source *source)
     if (!code)
         code = take_whole(call, "column-z", &source->column_z);
     if (!code)
-        code = take_whole(call, "line", &source->row); /* its former name */
+        code = take_whole(call, "line", &source->row); /* former name */
     if (!code)
         code = take_whole(call, "row", &source->row);
     if (!code)
@@ -190,8 +190,8 @@ static int take_sizes(const cli_call *call, const ovr_profile_view *view,
     return code;
 }
 
-/* For a profile that has been read: lengths are in its units, turned into them
- * with the contact's where these are known (contact may be NULL). */
+/* Reads the conditioning of a profile. Lengths are in the profile's units,
+ * converted with the contact if given (may be NULL). */
 static int profile_take_conditioning(const cli_call *call,
                                      const ovr_profile_view *view,
                                      const ovr_contact *contact,
@@ -243,7 +243,8 @@ static int write_outputs(const cli_call *call, const profile_report *r)
     return CLI_DONE;
 }
 
-/* The numbers before lambda_c: of the same profile, read again. */
+/* Computes the parameters before lambda_c from the same profile, which is read
+ * again. */
 static ovr_status measure_primary(const ovr_profile_source *source,
                                   const ovr_conditioning *how,
                                   ovr_profile_numbers *numbers, ovr_error *err)
@@ -282,7 +283,7 @@ static ovr_status measure(const ovr_profile_source *source,
     return measure_primary(source, how, &r->numbers, err);
 }
 
-/* The contact of --case; NULL without one. */
+/* Resolves the case of --case; NULL without one. */
 static int take_case(const cli_call *call, ovr_setup **setup)
 {
     const char *path = cli_value(call, "case");
@@ -297,7 +298,8 @@ static int take_case(const cli_call *call, ovr_setup **setup)
     return *setup ? CLI_DONE : cli_fail(&err);
 }
 
-/* Measures the map after the form and filters given for the profile. */
+/* Computes the parameters of the map after the form removal and filters given
+ * for the profile. */
 static ovr_status filter_map(const ovr_conditioning *line, profile_report *r,
                              ovr_error *err)
 {

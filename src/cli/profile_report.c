@@ -15,15 +15,15 @@
 typedef enum remark_kind {
     NOTHING,
     SECTIONS,   /* mean over the sampling lengths */
-    EVALUATION, /* of all sampling lengths */
+    EVALUATION, /* over all sampling lengths */
     GAUSSIAN,
     SLOPE,
     PEAKS,
     VALLEYS
 } remark_kind;
 
-/* The numbers of both kinds, with their names (ISO 21920-2).  'P' or 'R' goes
- * before the symbol. */
+/* Parameters of both kinds with their names (ISO 21920-2). The symbol is
+ * preceded by 'P' or 'R'. */
 #define OF(member) offsetof(ovr_profile_numbers, member)
 static const struct row {
     const char *symbol;
@@ -84,7 +84,7 @@ static ovr_piece map_height(const ovr_areal *map, double value)
     return piece;
 }
 
-/* A line of the report: its label in the column of labels. */
+/* Prints a line with its label. */
 __attribute__((format(printf, 2, 3))) static void
 put_line(const char *label, const char *format, ...)
 {
@@ -157,7 +157,7 @@ static bool is_printed(const struct row *row, const ovr_profile_numbers *n)
            !(of_shape && !(n->q > 0));
 }
 
-/* "(mean of 5 sections)", or "". */
+/* Returns "(mean of 5 sections)", or "". */
 static ovr_piece remark_on(const struct row *row, const profile_report *r,
                            const ovr_profile_numbers *n)
 {
@@ -187,7 +187,7 @@ static void print_kind(const profile_report *r, const ovr_profile_numbers *n)
         ovr_piece remark, height;
         if (!is_printed(row, n))
             continue;
-        /* Rounding of heights of this size, or of numbers of order 1. */
+        /* Rounding error of heights of this size, or of numbers of order 1. */
         if (fabs(value) < 1e-12 * (row->is_height ? n->t + fabs(n->mean) : 1))
             value = 0;
         remark = remark_on(row, r, n);
@@ -215,7 +215,8 @@ static void print_sections(const profile_report *r)
                  n->sections < 5 ? " (usual: 5)" : "");
 }
 
-/* The cut-off to suggest, in metres; NAN: none, or no metres. */
+/* Returns a suggested cut-off in metres; NAN if there is none or the unit is
+ * unknown. */
 static double profile_cutoff(const profile_report *r)
 {
     const ovr_profile_numbers *n = &r->numbers;
@@ -233,7 +234,7 @@ static void print_suggestion(double metres)
                ovr_metres(metres).text);
 }
 
-/* P- parameters, and R- parameters or the cut-off that would give them. */
+/* Prints P parameters, and R parameters or a suggested cut-off. */
 static void print_heights(const profile_report *r)
 {
     put_heading("primary profile (ISO 21920-2)");
@@ -284,7 +285,7 @@ static void print_waves(const profile_report *r)
     }
 }
 
-/* E* in the unit of the pressures, the denominator of the printed p/E*. */
+/* Returns E* in the unit of the pressures, for the printed p/E*. */
 static double modulus(const profile_report *r)
 {
     return r->view->scaled_x ? 2 : 1;
@@ -295,7 +296,7 @@ const ovr_profile_numbers *profile_pressed(const profile_report *r)
     return r->filtered.kind ? &r->filtered : &r->numbers;
 }
 
-/* E* of the case, Pa; NAN: none. */
+/* Returns E* of the case in Pa; NAN without a case. */
 static double E_star(const profile_report *r)
 {
     return r->contact && r->contact->kappa > 0 && !r->view->scaled_x
@@ -372,7 +373,7 @@ static void put_map(json_writer *json, const profile_report *r)
     json_close(json);
 }
 
-/* A kind that there is none of has numbers that are not known. */
+/* Writes the parameters of a kind; null if it does not exist. */
 static void put_kind(json_writer *json, const profile_report *r, char kind,
                      const ovr_profile_numbers *n)
 {

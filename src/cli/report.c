@@ -41,7 +41,7 @@ void cli_put_line(void *json, const ovr_summary_line *line)
 
 /* --------------------------------------------------------------------- JSON */
 
-/* Full multigrid level by level. */
+/* Writes the levels of full multigrid. */
 static void json_refinements(json_writer *json, const ovr_run_info *s)
 {
     int count;
@@ -139,8 +139,8 @@ static void put_answer(void *begun, const char *name, const char *text)
     printf("%-*s %s\n", OVR_LABEL_WIDTH, name, text);
 }
 
-/* Prints the answers of a gear pair, cam or bearing: last, where it is looked
- * for. */
+/* Prints the answers of a gear pair, cam or bearing at the end of the
+ * report. */
 static void table_answers(const ovr_run_info *s)
 {
     bool begun = false;

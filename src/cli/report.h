@@ -1,21 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The results of a solve or a run, as a table or as JSON. */
+/* Results of a solution or run, as a table or as JSON. */
 #ifndef OVR_CLI_REPORT_H
 #define OVR_CLI_REPORT_H
 
 #include "cli/cli.h"
 #include "cli/json.h"
 
-/* One object, or a table unless -q. */
+/* Writes one object, or a table unless -q. */
 void cli_report(const cli_call *call, const ovr_run_info *run);
 void cli_report_json(const ovr_run_info *s, FILE *to);
 
-/* Prints the lines of a report: those with a key to a json_writer, or, where
- * that is NULL, those with words as a table. */
+/* Prints the lines of a report: those with a key to a json_writer or, if that
+ * is NULL, those with text as a table. */
 ovr_summary_taker cli_put_line;
 
-/* Equivalent lengths counted from each depth down, of the worse body (either
- * may be NULL). */
+/* Writes equivalent lengths as functions of the smallest depth considered, for
+ * the more critical body (either may be NULL). */
 void cli_json_lengths(json_writer *json,
                       const ovr_stress_report *const report[2]);
 

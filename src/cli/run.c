@@ -65,7 +65,8 @@ static void report_table(const ovr_sensitivity *found)
     }
 }
 
-/* --sensitivity of steady and run: a table of elasticities; the exit code. */
+/* Performs --sensitivity of steady and run. Prints a table of elasticities and
+ * returns the exit code. */
 static int sensitivity(cli_call *call, ovr_case *c, bool steady)
 {
     const char *keys = cli_value(call, "sensitivity");
@@ -94,8 +95,8 @@ static int sensitivity(cli_call *call, ovr_case *c, bool steady)
     return CLI_DONE;
 }
 
-/* Runs the case of the call, as its options and its verb say, or asks for its
- * sensitivities; the exit code. */
+/* Runs the case according to options and command, or computes sensitivities;
+ * returns the exit code. */
 static int run_case(cli_call *call)
 {
     int code;

@@ -6,13 +6,13 @@
 
 #include <stdbool.h>
 
-/* Signals only ask from now on. */
+/* Installs handlers that only record a signal. */
 void cli_catch_signals(void);
 
-/* The signal that asked, or 0. */
+/* Returns the recorded signal, or 0. */
 int cli_signal(void);
 
-/* The same as an answer to the library's `stop`. */
+/* True if a signal was recorded; for the library's `stop`. */
 bool cli_stop(void *nothing);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* overroll stress OUT.h5: from the pressure that is stored. */
+/* The command overroll stress OUT.h5: stresses from the stored pressure. */
 #include "cli/case_args.h"
 #include "cli/report.h"
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* overroll sweep STUDY.ini: all cases of a study, here or on other hosts. */
+/* The command overroll sweep STUDY.ini: all cases of a study, alone or together
+ * with other hosts. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,7 +16,8 @@
 
 /* Prints the statistics of a study as text and JSON. */
 
-enum { FEW = 200 }; /* samples, up to which shares have one digit */
+/* Number of samples up to which percentages have one digit. */
+enum { FEW = 200 };
 
 /* -------------------------------------------------------------------- JSON */
 
@@ -68,7 +70,7 @@ static void json_inputs(json_writer *json, const ovr_sample *sample, size_t row)
     json_close_array(json);
 }
 
-/* The same as an array of objects. */
+/* Writes the statistics as an array of objects. */
 static void json_sample(json_writer *json, const ovr_sample *sample)
 {
     const ovr_sample_row *r;
@@ -124,7 +126,7 @@ static void put_counts(const ovr_sample_row *r)
              "domain.order = 2 in [set]");
 }
 
-/* Prints "LOW to HIGH", or the one that is known. */
+/* Prints "LOW to HIGH", or the finite limit. */
 static void put_interval(double low, double high)
 {
     if (isnan(low) && isfinite(high))
@@ -188,7 +190,7 @@ static void put_inputs(const ovr_sample *sample, size_t row, size_t known)
     }
 }
 
-/* Prints what the draws of a study say, as tables on standard output. */
+/* Prints the statistics of a study as tables on standard output. */
 static void put_sample(const ovr_sample *sample)
 {
     const ovr_sample_row *r;
@@ -210,7 +212,7 @@ typedef struct sweeping {
     ovr_study *s;
     ovr_sweep_options how;
     cli_progress progress;
-    cli_call logged; /* the messages of a case are written to its log */
+    cli_call logged; /* its messages are written to the case's log */
     cli_watch watch;
     ovr_run_options run;
     double begun;
@@ -218,7 +220,8 @@ typedef struct sweeping {
 
 /* -------------------------------------------------------------- callbacks */
 
-/* Reports in the case's process: its summary, and on its log how it ended. */
+/* Reports within the case's process: its summary, and on its log the final
+ * status. */
 static void report_case(void *data, const ovr_run *run, const ovr_error *err,
                         FILE *summary)
 {
@@ -231,7 +234,7 @@ static void report_case(void *data, const ovr_run *run, const ovr_error *err,
         cli_fail(err);
 }
 
-/* The same of what it found. */
+/* Reports the answer of a search in the same way. */
 static void report_found(void *data, const ovr_find *find, const ovr_error *err,
                          FILE *summary)
 {
@@ -260,7 +263,7 @@ static void progress(void *data, size_t ended, size_t cases, int running,
 
 /* --------------------------------------------------------------- the list */
 
-/* A path for the shell: in quotes, quotes inside broken out of. */
+/* Prints a path quoted for the shell. */
 static void print_shell_quoted(const char *text)
 {
     if (!text[strspn(text, "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVW"
@@ -310,7 +313,7 @@ static void report_json(const sweeping *w, const ovr_sweep_totals *t)
     json_end(&json);
 }
 
-/* The first case of each kind of message, five at most. */
+/* Prints the first case of each kind of message, at most five. */
 static void list_state(const sweeping *w, ovr_sweep_state state)
 {
     enum { KINDS = 5 };
@@ -373,7 +376,7 @@ static int tell_sample(const sweeping *w, json_writer *json)
     return code;
 }
 
-/* --statistics alone. */
+/* Performs --statistics without running cases. */
 static int show_sample(const sweeping *w)
 {
     json_writer json;
@@ -386,7 +389,7 @@ static int show_sample(const sweeping *w)
     return code;
 }
 
-/* Manifest, table, report; the exit code. */
+/* Writes manifest and table, prints the report and returns the exit code. */
 static int finish(sweeping *w)
 {
     ovr_sweep_totals totals = {0};
@@ -411,7 +414,7 @@ static int finish(sweeping *w)
 
 /* -------------------------------------------------------------------- run */
 
-/* True if the sweep was run; *code is then its exit code. */
+/* Runs the sweep; true if it ran, *code is then its exit code. */
 static bool start(sweeping *w, int *code)
 {
     ovr_error err = {0};
@@ -436,7 +439,7 @@ static int run_all(sweeping *w)
     return code ? code : left;
 }
 
-/* Prints how a task ended; the exit code. */
+/* Prints the final status of a task; returns the exit code. */
 static int report_task(const sweeping *w, size_t task)
 {
     ovr_sweep_state state = ovr_sweep_state_of(w->s, task);
@@ -451,8 +454,8 @@ static int report_task(const sweeping *w, size_t task)
     return state == OVR_SWEEP_FINISHED ? CLI_DONE : CLI_EARLY;
 }
 
-/* Runs a block of tasks, for job arrays: other tasks may be under way, so
- * there is no manifest. */
+/* Runs a block of tasks, for job arrays. Other tasks may be running, so no
+ * manifest is written. */
 static int run_block(sweeping *w, size_t first, size_t last)
 {
     int code, worst = CLI_DONE;
@@ -469,7 +472,7 @@ static int run_block(sweeping *w, size_t first, size_t last)
     return code ? code : worst;
 }
 
-/* Reads --tasks I-J, from 1, to numbers from 0. */
+/* Parses --tasks I-J, numbered from 1, to numbers from 0. */
 static bool read_block(const cli_call *call, size_t cases, size_t *first,
                        size_t *last)
 {

@@ -34,7 +34,7 @@ void cli_table_clear(cli_table *t)
     t->columns = t->rows = 0;
 }
 
-/* One word: blanks would part the columns, and names come from a file. */
+/* Prints external text as one word, because blanks would separate columns. */
 static void print_word(const char *text, FILE *to)
 {
     for (; *text; text++)
@@ -116,7 +116,7 @@ static void put_text(const ovr_table_column *c, size_t row)
     cli_put_foreign(c && c->text ? c->text[row] : NULL);
 }
 
-/* The k-th column from `*at` on that is known of a pass; false past the end. */
+/* Finds the next column from `*at` on that has values; false past the end. */
 static bool next_known(const ovr_table *t, size_t *at, ovr_pass_head *head)
 {
     while (ovr_table_pass_head(t, (*at)++, head))

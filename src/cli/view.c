@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* overroll view OUT.h5 [OTHER.h5] -o PAGE.html: a page that plays the run. */
+/* The command overroll view OUT.h5 [OTHER.h5] -o PAGE.html: a page that plays
+ * the run. */
 #define _GNU_SOURCE /* readlink */
 #include <errno.h>
 #include <stdio.h>
@@ -12,15 +13,13 @@
 
 /* --------------------------------------------------- the page with the case */
 
-/*
- * The option --live of overroll view: the page of the program (make web) with
- * the case and the player of a result.
- */
+/* The option --live of overroll view: the program's page (make web) with the
+ * case and the player of a result. */
 
 static const char MARK[] = "<script type=\"application/json\" id=\"given\">";
 static const char NONE[] = "null";
 
-/* The content of a file, to be freed; NULL with errno. */
+/* Returns the content of a file, to be freed; NULL with errno. */
 static char *content(const char *path)
 {
     FILE *from = fopen(path, "rb");
@@ -36,7 +35,7 @@ static char *content(const char *path)
     return text;
 }
 
-/* The page of the program: in the build folder, or where it is installed. */
+/* Returns the program's page from the build folder or the installed one. */
 static char *template(void)
 {
     static const char *const places[] = {"web/overroll.html",
@@ -55,7 +54,7 @@ static char *template(void)
     return text;
 }
 
-/* Writes a JSON string in which nothing ends a script element. */
+/* Writes a JSON string that cannot close a script element. */
 static void put_text(FILE *to, const char *text)
 {
     putc('"', to);
@@ -88,8 +87,8 @@ static bool write_page(const char *path, const char *program, const char *at,
     return fclose(to) == 0 && written;
 }
 
-/* Replaces the player at `path` by the page of the program with player and case
- * in it, and returns the exit code. */
+/* Replaces the player at `path` by the program's page that contains player and
+ * case; returns the exit code. */
 static int make_live(const cli_call *call, const char *path,
                      const char *case_text)
 {
@@ -124,7 +123,7 @@ static const cli_option options[] = {
     {NULL, NULL, NULL, false},
 };
 
-/* False for the name of a picture, film or table. */
+/* False for names of pictures, movies and tables. */
 static bool is_page(const char *path)
 {
     static const char *const others[] = {".png", ".svg", ".pdf",  ".gif",

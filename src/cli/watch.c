@@ -17,7 +17,7 @@
 
 /* ----------------------------------------------------------------- Progress */
 
-static const double INTERVAL = 0.1; /* s between two rewritings */
+static const double INTERVAL = 0.1; /* s between two updates */
 
 double cli_seconds(void)
 {
@@ -26,7 +26,8 @@ double cli_seconds(void)
     return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
-/* A file, the log of a job, gets a line for every tenth; a pipe gets none. */
+/* True if stderr is a terminal, or a file (a job's log), which has a line every
+ * 10 %. A pipe shows no progress. */
 static bool is_file_or_terminal(void)
 {
     struct stat standard_error;
@@ -39,8 +40,7 @@ cli_progress cli_progress_begin(int verbosity, double fraction)
 {
     const char *kind = getenv("TERM");
     cli_progress progress = {0};
-    progress.shown = verbosity > 0 ||
-                     (verbosity == 0 && is_file_or_terminal());
+    progress.shown = verbosity > 0 || (verbosity == 0 && is_file_or_terminal());
     progress.terminal = isatty(STDERR_FILENO) &&
                         (!kind || strcmp(kind, "dumb") != 0);
     progress.begun = cli_seconds();
@@ -123,7 +123,7 @@ void cli_catch_signals(void)
     sigaction(SIGINT, &action, NULL);
     sigaction(SIGTERM, &action, NULL);
     if (sigaction(SIGHUP, NULL, &before) == 0 && before.sa_handler != SIG_IGN)
-        sigaction(SIGHUP, &action, NULL); /* nohup: it stays ignored */
+        sigaction(SIGHUP, &action, NULL); /* nohup: still ignored */
 }
 
 int cli_signal(void)
@@ -159,7 +159,7 @@ static void progress(void *data, const ovr_run *run, double fraction)
     const ovr_simulation *sim = ovr_run_get_info(run)->sim;
     const ovr_state *state = ovr_simulation_state(sim);
     char what[120];
-    if (watch->progress.begun == 0) /* in a sweep, on the case's log */
+    if (watch->progress.begun == 0) /* in a sweep, to the case's log */
         watch->progress = cli_progress_begin(watch->call->verbosity, fraction);
     const ovr_run_info *info = ovr_run_get_info(run);
     int used = info->passes ? snprintf(what, sizeof what, "pass %d of %d  ",
@@ -183,7 +183,7 @@ ovr_run_options cli_run_options(cli_watch *watch)
     return how;
 }
 
-/* There is no film before the steady start is solved. */
+/* False before the steady start is solved: there is no film. */
 static bool has_begun(const ovr_run *run)
 {
     const ovr_simulation *sim = ovr_run_get_info(run)->sim;

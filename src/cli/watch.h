@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands that solve share this: how a run is listened to, and how it
- * ends. */
+/* Messages, progress and end of runs, for the commands that solve. */
 #ifndef OVR_CLI_WATCH_H
 #define OVR_CLI_WATCH_H
 
@@ -8,24 +7,25 @@
 
 #include "cli/cli.h"
 
-/* Shows on stderr how far a run is: one line rewritten on a terminal, else a
- * line each 10 %; nothing with -q. */
+/* Progress of a run on stderr: a line that is rewritten on a terminal,
+ * otherwise a line every 10 %. Nothing is shown with -q. */
 
 typedef struct cli_progress {
     bool shown, terminal;
-    double begun; /* s, of cli_seconds */
-    double last;  /* when the line was written last */
-    double from;  /* fraction done when it began (a resumed run) */
+    double begun; /* start time from cli_seconds, s */
+    double last;  /* time of the last output */
+    double from;  /* completed fraction at the start (of a resumed run) */
     int tenths;   /* lines written when not on a terminal */
     bool line;    /* an unfinished line is on the terminal */
 } cli_progress;
 
-/* Wall-clock time, s, from some beginning. */
+/* Returns the wall-clock time in seconds since an arbitrary moment. */
 double cli_seconds(void);
 
 cli_progress cli_progress_begin(int verbosity, double fraction);
 
-/* `fraction` of the whole is done; `what` is a few words on where it is. */
+/* Shows that `fraction` of the run is completed; `what` describes the present
+ * stage. */
 void cli_progress_show(cli_progress *progress, double fraction,
                        const char *what);
 
@@ -46,23 +46,25 @@ typedef struct cli_watch {
     cli_progress progress;
 } cli_watch;
 
-/* Messages and progress on stderr; signals stop. */
+/* Returns options with messages and progress on stderr; signals stop the
+ * run. */
 ovr_run_options cli_run_options(cli_watch *watch);
 
-/* Solves, until a signal but in `steady`, prints the summary, frees the run;
- * returns the exit code.  `run` NULL: prints the reason of the failure. */
+/* Solves, prints the summary, frees the run and returns the exit code. A signal
+ * stops the run, except in `steady`. `run` NULL: prints the reason of the
+ * failure. */
 int cli_finish_run(cli_watch *watch, ovr_run *run, ovr_error *err);
 
-/* Prints how a run ended on stderr; returns the exit code. */
+/* Prints the final status of a run on stderr; returns the exit code. */
 int cli_run_code(const cli_call *call, const ovr_run *run, ovr_status status,
                  const ovr_error *err);
 
-/* True if a run that ended so leaves something to report. */
+/* True if a run with this status has results to report. */
 bool cli_has_result(const ovr_run *run, ovr_status status);
 
-/* HDF5 would complain on stderr when the program ends after a write that
- * failed.  Not in main: a command that writes no result does not wake HDF5,
- * which dies where its memory runs out. */
+/* Prevents messages of HDF5 on stderr at the end of the program after a failed
+ * write. Not called in main: commands that write no result must not initialize
+ * HDF5, which aborts if memory is insufficient. */
 void cli_silence_the_end(void);
 
 #endif

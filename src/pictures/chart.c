@@ -22,7 +22,7 @@ typedef struct quantity {
     struct {
         double size;
         const char *unit, *label, *plain;
-    } unit[3]; /* the largest first */
+    } unit[3]; /* largest unit first */
 } quantity;
 
 #define LENGTH(size, unit, name, symbol)                                       \
@@ -65,7 +65,8 @@ bool ovr_axis_has(ovr_unit_kind kind)
     return find(kind) != NULL;
 }
 
-/* A prefix serves from a tenth of its unit on: 0.3 mm rather than 300 um. */
+/* Chooses a unit prefix, used from 0.1 of the unit upwards (0.3 mm instead of
+ * 300 um). */
 static ovr_axis with_unit(const quantity *q, double scale, double largest)
 {
     int k = 0;
@@ -79,7 +80,7 @@ double ovr_axis_reach(const double *values, size_t n)
 {
     double high = 0;
     for (size_t i = 0; i < n; i++)
-        high = fmax(high, fabs(values[i])); /* passes over NAN */
+        high = fmax(high, fabs(values[i])); /* ignores NAN */
     return high;
 }
 
@@ -146,7 +147,7 @@ ovr_panel ovr_panel_make(const char *x_label, const char *y_label)
                        .y_to = NAN};
 }
 
-/* The capacity is the next power of two of `count`. */
+/* Adds a curve. The capacity is the next power of two of `count`. */
 void ovr_panel_add(ovr_panel *p, ovr_arena *arena, ovr_series series)
 {
     size_t n = p->count;
@@ -178,13 +179,13 @@ void ovr_panel_line(ovr_panel *p, ovr_arena *arena, double x0, double x1,
 
 /* -------------------------------------------------------------- settings */
 
-/* Members that become arrays of settings, by their place in a struct. */
+/* Members that become arrays of settings, by their offset in a struct. */
 typedef enum kind { TEXT, NUMBER, COUNT, FLAG, MARK, COLOUR } kind;
 typedef struct member {
     const char *name;
     size_t at;
     kind kind;
-    double otherwise; /* for a number that is 0 */
+    double otherwise; /* value for a number that is 0 */
 } member;
 
 #define OF_PANEL(name, member, kind)                                           \
@@ -235,7 +236,8 @@ static void put_number(ovr_text *to, const char *format, double value)
         ovr_text_put(to, "NaN");
 }
 
-/* gnuplot divides whole numbers without a point as integers. */
+/* Writes a number with a decimal point, because gnuplot uses integer division
+ * otherwise. */
 static void put_real(ovr_text *to, double value)
 {
     char text[40];
@@ -245,7 +247,7 @@ static void put_real(ovr_text *to, double value)
         ovr_text_put(to, ".");
 }
 
-/* One element of an array: the member of the struct that begins at `from`. */
+/* Writes one element of an array: the member of the struct at `from`. */
 static void put_member(ovr_text *to, const member *m, const void *from)
 {
     const char *at = (const char *)from + m->at;
@@ -279,7 +281,7 @@ static size_t panels_of(const ovr_chart *chart)
     return chart->rows * chart->columns;
 }
 
-/* The curves of all panels are counted through, beginning with 1. */
+/* Writes the curves of all panels, numbered consecutively from 1. */
 static void put_curves(const ovr_chart *chart, ovr_text *to)
 {
     size_t panels = panels_of(chart), curves = 0, images = 0;

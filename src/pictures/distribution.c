@@ -21,11 +21,11 @@ enum { GROUPS = 6, INPUTS = 12, BINS = 60, LABEL = 200 };
 typedef struct drawing {
     const ovr_figure_options *o;
     const ovr_sample *sample;
-    const ovr_table_column *values; /* of all tasks */
+    const ovr_table_column *values; /* values of all tasks */
     const ovr_sample_row *row[GROUPS];
-    size_t of[GROUPS]; /* rows of the sample */
+    size_t of[GROUPS]; /* rows of the statistics */
     size_t rows;
-    double factor, low, high; /* all as drawn */
+    double factor, low, high; /* in drawn units */
     char label[LABEL];
     ovr_arena *arena;
     ovr_error *err;
@@ -67,7 +67,7 @@ static void choose_axis(drawing *d)
              symbol ? symbol : "", *unit ? " (" : "", unit, *unit ? ")" : "");
 }
 
-/* The rows of the quantity, a group each. */
+/* Finds the rows of the quantity, one per group. */
 static ovr_status choose_rows(drawing *d, const ovr_table *table)
 {
     const ovr_sample_row *first = ovr_sample_at(d->sample, 0), *r;
@@ -88,7 +88,7 @@ static ovr_status choose_rows(drawing *d, const ovr_table *table)
     return OVR_OK;
 }
 
-/* The values of a group, sorted, as drawn. */
+/* Returns the values of a group, sorted, in drawn units. */
 static double *sorted_values(const drawing *d, size_t group, size_t *count)
 {
     const ovr_sample_row *r = d->row[group];
@@ -119,7 +119,7 @@ static int colour(size_t k)
     return colours[k % (sizeof colours / sizeof *colours)];
 }
 
-/* Steps of a histogram in % of the draws, and the empirical distribution. */
+/* Adds a histogram in % of the samples, and the empirical distribution. */
 static void add_group(drawing *d, size_t group, ovr_panel panel[2],
                       double *maximum)
 {
@@ -127,7 +127,7 @@ static void add_group(drawing *d, size_t group, ovr_panel panel[2],
     double *v = sorted_values(d, group, &n);
     if (!v)
         return;
-    bins = (size_t)ceil(2 * cbrt((double)n)); /* Rice */
+    bins = (size_t)ceil(2 * cbrt((double)n)); /* Rice's rule */
     bins = bins > BINS ? BINS : bins;
     double *x = ovr_arena_take(d->arena, 4 * bins + 4 * n, sizeof *x, NULL);
     double width = (v[n - 1] - v[0]) / (double)bins;
@@ -167,7 +167,8 @@ static void add_upright(drawing *d, ovr_panel *to, double at, ovr_series look)
     ovr_panel_line(to, d->arena, at, at, 0, 1e3, look);
 }
 
-/* Upright lines: quantiles of a group, dotted, the median dashed; limits. */
+/* Adds vertical lines: quantiles of a group (dotted), its median (dashed), and
+ * limits. */
 static void add_uprights(drawing *d, size_t group, ovr_panel *to)
 {
     static const int shown[] = {1, 3, 5}; /* 5, 50, 95 % */
@@ -187,7 +188,7 @@ static void add_uprights(drawing *d, size_t group, ovr_panel *to)
     }
 }
 
-/* Inputs of the first group in the order of their effects. */
+/* Lists the inputs of the first group in the order of their influence. */
 static size_t list_inputs(const drawing *d, const ovr_sample_input **to)
 {
     const ovr_sample_input *in;

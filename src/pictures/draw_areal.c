@@ -16,7 +16,7 @@
 
 enum { CELLS_X = 420, CELLS_Y = 260 };
 
-/* Cells of the maps stay clear of the next interval. */
+/* Cells of the maps end before the next interval. */
 static const double INSIDE = 0.9;
 
 /* ------------------------------------------------------------------ ranges */
@@ -115,7 +115,8 @@ ovr_status ovr_areal_view_make(ovr_areal_view *v, const ovr_stored *run,
 
 /* ------------------------------------------------------------------- draw */
 
-/* The interval of x, and the share of its upper end, at a position. */
+/* Returns the interval of x that contains a position, and the weight of its
+ * upper end. */
 static size_t interval(const double *x, size_t n, double at, double *share)
 {
     size_t low = 0, high = n - 1;
@@ -130,8 +131,8 @@ static size_t interval(const double *x, size_t n, double at, double *share)
     return low;
 }
 
-/* Height of the field at node interval i, share u, between lines j and j + 1,
- * share t. */
+/* Interpolates the field at node interval i, weight u, between the lines j and
+ * j + 1, weight t. */
 static double between(const ovr_areal_view *v, const double *values, size_t i,
                       double u, size_t j, double t)
 {
@@ -160,7 +161,7 @@ static void fill_image(const ovr_areal_view *v, ovr_areal_field *field,
     }
 }
 
-/* "{/:Italic y} ..." of the label of x. */
+/* Derives the label of y from the label of x: "{/:Italic y} ...". */
 static void label_across(const char *x, char *label, size_t size)
 {
     const char *symbol = strstr(x, "Italic x");
@@ -241,7 +242,7 @@ static void draw_cuts(ovr_areal_view *v, int f, const ovr_axis *x,
     v->panel[f + 2 * OVR_AREAL_FIELDS] = panel;
 }
 
-/* Ranges asked for, and of colours that have one value. */
+/* Sets requested ranges, and widens colour ranges with a single value. */
 static void set_range(const ovr_areal_view *v, ovr_areal_field *field)
 {
     bool film = field->kind == OVR_KIND_HEIGHT;
@@ -252,7 +253,7 @@ static void set_range(const ovr_areal_view *v, ovr_areal_field *field)
         field->high = asked;
     if (!(field->high > field->low))
         field->high = field->low + 1e-6;
-    field->above = false; /* seen by fill_image */
+    field->above = false; /* set by fill_image */
 }
 
 static void note(ovr_areal_view *v, size_t k, const ovr_axis *T,
@@ -310,8 +311,8 @@ ovr_status ovr_areal_view_draw(ovr_areal_view *v, size_t k, ovr_chart *chart,
     return OVR_OK;
 }
 
-/* Finds the snapshot with the largest deviation across of the central film
- * thickness. */
+/* Returns the snapshot whose central film thickness varies most across the
+ * strip. */
 static size_t most_varied(const ovr_stored *run, ovr_arena *arena)
 {
     double *deviation = ovr_stored_history(

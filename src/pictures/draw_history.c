@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pictures against time: the history, and the film in the middle. */
+/* Pictures against time: the history, and the film thickness in the centre. */
 #include <math.h>
 #include <string.h>
 
@@ -9,11 +9,11 @@
 
 enum { RUNS = 4 };
 
-/* A column of the history to be drawn. */
+/* A column of the history that is drawn. */
 typedef struct column {
     const char *name, *label;
     int colour;
-    bool heads; /* of several results: names them in the legend */
+    bool heads; /* for several results: its curves are in the legend */
 } column;
 
 static ovr_status time_axis(const ovr_drawing *drawing, ovr_panel *panel,
@@ -51,8 +51,9 @@ static ovr_status time_axis(const ovr_drawing *drawing, ovr_panel *panel,
     return OVR_OK;
 }
 
-/* One run: a curve for each column; several: one for each run, told apart by
- * colour and dash, and the only column is named beside the axis. */
+/* Makes a curve of a column. For one run, columns differ in colour; for
+ * several, runs differ in colour and dash, and the single column is named at
+ * the axis. */
 static ovr_series series_of(const ovr_drawing *drawing, const ovr_stored *run,
                             const column *c, double T_factor)
 {
@@ -76,7 +77,7 @@ static ovr_status add_columns(const ovr_drawing *drawing, const column *columns,
 {
     double high = 0;
     ovr_axis y;
-    panel->count = 0; /* a copy of another's */
+    panel->count = 0; /* a copy of another panel's */
     for (size_t k = 0; k < count * drawing->count; k++) {
         const ovr_stored *run = &drawing->runs[k % drawing->count];
         const column *c = &columns[k / drawing->count];
@@ -115,7 +116,8 @@ static void fill(const ovr_drawing *drawing, const ovr_panel *panels,
     chart->panel = panels;
 }
 
-/* One result: both films in a panel; several: each in its own. */
+/* Draws the history. For one result both film thicknesses are in one panel; for
+ * several, each has its own. */
 ovr_status ovr_draw_history(const ovr_drawing *drawing, ovr_chart *chart,
                             ovr_error *err)
 {
@@ -147,7 +149,7 @@ ovr_status ovr_draw_history(const ovr_drawing *drawing, ovr_chart *chart,
 
 /* ------------------------------------------------------------------ trace */
 
-/* Linear between the two nodes about X = 0. */
+/* Interpolates linearly between the two nodes around X = 0. */
 static double at_centre(const ovr_stored *run, const double *values)
 {
     size_t i = 0, n = run->info->nodes;
@@ -166,7 +168,7 @@ static ovr_status roughness_there(const ovr_drawing *drawing, double *S,
     const ovr_stored *run = drawing->runs;
     ovr_shot shot;
     ovr_status status = ovr_shot_make(&shot, run, drawing->arena, err);
-    /* What is not needed is not read. */
+    /* Reads only the roughness. */
     shot = (ovr_shot){.run = run, .S = shot.S};
     for (size_t k = 0; status == OVR_OK && k < run->info->snapshots; k++) {
         status = ovr_shot_read(&shot, k, err);
@@ -176,7 +178,7 @@ static ovr_status roughness_there(const ovr_drawing *drawing, double *S,
     return status;
 }
 
-/* Of several results the first's is shown. */
+/* Returns the name of the first of several results, which is the one shown. */
 static const char *whose(const ovr_drawing *drawing, ovr_error *err)
 {
     ovr_text text = ovr_text_make(drawing->arena);

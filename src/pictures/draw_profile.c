@@ -6,7 +6,7 @@
 #include "pictures/picture.h"
 #include "surface/areal.h"
 
-/* A panel with the heights of a profile. */
+/* Makes a panel with the heights of a profile. */
 static ovr_panel profile_panel(const ovr_profile_view *view, ovr_arena *arena)
 {
     ovr_series heights = {.n = view->n,
@@ -44,14 +44,15 @@ ovr_status ovr_picture_profile(const ovr_profile_view *view, const char *title,
     return status;
 }
 
-/* The two panels draw these. */
+/* Data of the two panels of asperity contact. */
 typedef struct bearing {
     ovr_arena *arena;
     size_t count;
     double *pressure, *gap, *area, *exponential;
 } bearing;
 
-/* The exponential of Rq and slope is that of physics/mixed/keys.c. */
+/* Computes the curves. The exponential law from Rq and slope is that of
+ * physics/mixed/keys.c. */
 static ovr_status lay_out(bearing *b, const ovr_profile_numbers *n,
                           double modulus, const ovr_dry_point *points,
                           ovr_error *err)
@@ -131,24 +132,22 @@ ovr_status ovr_picture_contact(const ovr_profile_view *view,
 
 /* ---------------------------------------------------------------------- map */
 
-/*
- * An areal surface: its heights about their least-squares plane as colours, to
- * scale, with the line that is used as the profile, and that profile below.
- * Cells are means over blocks of points, at most 600 along a side.  The colours
- * end at the quantiles 0.001 and 0.999 of the cells.
- */
+/* Map of an areal surface: heights about their least-squares plane as colours,
+ * to scale. The line that is used as the profile is marked and drawn below.
+ * Cells are means over blocks of points, at most 600 along a side. The colours
+ * end at the quantiles 0.001 and 0.999 of the cells. */
 
 enum { SIDE = 600, WIDTH = 1200, MARGINS = 180, PROFILE_HEIGHT = 320 };
 
 typedef struct cells {
-    size_t nx, ny;    /* cells */
-    size_t block;     /* points of a side of a cell */
+    size_t nx, ny;    /* number of cells */
+    size_t block;     /* points along the side of a cell */
     double *values;   /* row by row; NAN: no height */
-    double low, high; /* of the colours */
-    bool above;       /* there are higher cells */
+    double low, high; /* range of the colours */
+    bool above;       /* some cells are higher */
 } cells;
 
-/* Mean height of a cell about the plane. */
+/* Returns the mean height of a cell above the plane. */
 static double cell_height(const ovr_areal *a, const double plane[3],
                           size_t block, size_t column, size_t row)
 {
@@ -210,7 +209,7 @@ static ovr_status make_cells(const ovr_areal *a, double factor, cells *c,
     return find_colours(c, arena, err);
 }
 
-/* Cells are centred at their points. */
+/* Makes the panel of the map, with cells centred at their points. */
 static ovr_panel map_panel(const ovr_areal *a, const cells *c,
                            const ovr_profile_view *view, double factor,
                            ovr_arena *arena)
@@ -242,8 +241,8 @@ static ovr_panel map_panel(const ovr_areal *a, const cells *c,
     return panel;
 }
 
-/* Height of the map, to scale as far as that is between 1/12 and 1 of its
- * width. */
+/* Returns the height of the map relative to its width: to scale, limited to
+ * 1/12 to 1. */
 static double map_height(const ovr_panel *map)
 {
     double ratio = (map->y_to - map->y_from) / (map->x_to - map->x_from);

@@ -26,7 +26,7 @@ typedef struct sample {
     double x, y;
 } sample;
 
-/* Keys whose values tell groups of cases apart, and a row of each group. */
+/* Keys whose values define groups of cases, and a row of each group. */
 typedef struct groups {
     const ovr_table_column *key[KEYS];
     size_t keys, row[LINES], count;
@@ -44,16 +44,16 @@ typedef struct figure {
     groups lines, panels;
     sample *sample;
     size_t samples;
-    bool banded; /* some points stand for several cases */
+    bool banded; /* some points represent several cases */
     axis x_axis, y_axis;
-    double x_from, x_to, y_from, y_to; /* drawn */
+    double x_from, x_to, y_from, y_to; /* drawn range */
     ovr_arena *arena;
 } figure;
 
 /* --------------------------------------------------------------- columns */
 
-/* Row k of those that tell: all, or of many some, in no order that the study
- * could have. */
+/* Returns row k of those that are compared: all rows, or a pseudorandom subset
+ * of many. */
 static size_t some_row(const ovr_table *t, size_t k)
 {
     size_t rows = ovr_table_rows(t);
@@ -80,8 +80,8 @@ static bool of_zip(const ovr_table_column *c, const char *name)
     return c->zip && strcmp(c->zip, name) == 0;
 }
 
-/* The column of a name; for a [zip NAME] the first key that identifies the
- * values. */
+/* Returns the column with a name; for a [zip NAME] the first key that
+ * identifies its values. */
 static const ovr_table_column *named(const ovr_table *t, const char *name)
 {
     const ovr_table_column *c, *other, *best = NULL;
@@ -123,7 +123,7 @@ static bool is_printed(const figure *f, const ovr_table_column *c)
     return told;
 }
 
-/* The first key that varies, by itself; a seed only where it is asked for. */
+/* Returns the first varying key that is not used yet; a seed only if `seed`. */
 static const ovr_table_column *next_key(const figure *f, bool numeric,
                                         bool seed)
 {
@@ -135,7 +135,7 @@ static const ovr_table_column *next_key(const figure *f, bool numeric,
     return NULL;
 }
 
-/* Lists for messages what there is: names of columns, and of zips for keys. */
+/* Lists for messages the names of columns, or of keys and zips. */
 static const char *list(const ovr_table *t, bool varied, char *text,
                         size_t capacity)
 {
@@ -156,7 +156,7 @@ static const char *list(const ovr_table *t, bool varied, char *text,
     return text;
 }
 
-/* The name that was meant, or NULL. */
+/* Returns the most similar name, or NULL. */
 static const char *nearest(const ovr_table *t, bool varied, const char *name)
 {
     const char *names[256];
@@ -182,8 +182,8 @@ static ovr_status no_column(const figure *f, const char *name, bool varied,
                     list(f->t, varied, there, sizeof there));
 }
 
-/* The minimum film thickness of a run or, of steady films, the smallest; in
- * metres where the contact has a size. */
+/* Returns the minimum film thickness over the run or, for steady films, the
+ * minimum; in metres if the contact is physical. */
 static const ovr_table_column *usual_quantity(const figure *f)
 {
     static const char *const names[] = {"H_min_overall_m", "H_min_overall",
@@ -194,7 +194,7 @@ static const ovr_table_column *usual_quantity(const figure *f)
     return c;
 }
 
-/* A key that is asked for, none when "", or the next one that varies. */
+/* Chooses the requested key, none for "", or the next one that varies. */
 static ovr_status choose_group(const figure *f, const char *asked, groups *to,
                                ovr_error *err)
 {
@@ -307,7 +307,7 @@ static ovr_status take_samples(figure *f, ovr_error *err)
 
 /* ------------------------------------------------------------------- axes */
 
-/* A name for gnuplot's enhanced text: nothing in it means anything. */
+/* Escapes a name for gnuplot's enhanced text. */
 static void put_plain(char *to, size_t capacity, const char *name, size_t size)
 {
     size_t used = strlen(to);
@@ -322,7 +322,7 @@ static void put_plain(char *to, size_t capacity, const char *name, size_t size)
     }
 }
 
-/* Units are typed in ASCII, and drawn as they are printed. */
+/* Returns a unit with its printed symbols instead of ASCII. */
 static const char *printed(const char *unit)
 {
     return strcmp(unit, "um") == 0      ? "µm"
@@ -332,8 +332,8 @@ static const char *printed(const char *unit)
                                         : unit;
 }
 
-/* The unit that all values of a key were written with ("rpm"), and one of it
- * in those of the table; NULL: several, none, or no texts. */
+/* Returns the unit in which all values of a key were written ("rpm"), and its
+ * size in the table's unit; NULL if there are several or none. */
 static const char *unit_written(const figure *f, const ovr_table_column *c,
                                 double *size)
 {
@@ -353,8 +353,8 @@ static const char *unit_written(const figure *f, const ovr_table_column *c,
     return unit;
 }
 
-/* "minimum film thickness (um)", "reduced radius, R (mm)"; of a quantity
- * without a name the first `size` characters of its key. */
+/* Makes an axis title, "minimum film thickness (um)", "reduced radius, R (mm)";
+ * for a quantity without a name the first `size` characters of its key. */
 static void title_axis(axis *a, const ovr_table_column *c, size_t size)
 {
     const ovr_quantity_name name = c->varied ? ovr_key_named(c->name)
@@ -377,8 +377,8 @@ static void title_axis(axis *a, const ovr_table_column *c, size_t size)
     }
 }
 
-/* SI numbers as they were written, else in the largest unit that leaves a
- * tenth; "H_min_m" is in m. */
+/* Makes an axis. SI numbers have the unit in which they were written, otherwise
+ * the largest one in which they exceed 0.1; "H_min_m" is in m. */
 static axis axis_of(const figure *f, const ovr_table_column *c, double largest)
 {
     static const struct {
@@ -432,7 +432,7 @@ static void make_axes(figure *f)
     f->y_axis = axis_of(f, f->y, max_y);
 }
 
-/* "Rq = 0.05 µm, level = 8": what a group has. */
+/* Names a group by its values: "Rq = 0.05 µm, level = 8". */
 static void name_group(const figure *f, const groups *g, size_t which,
                        char *text, size_t capacity)
 {
@@ -457,7 +457,7 @@ static void name_group(const figure *f, const groups *g, size_t which,
     }
 }
 
-/* The samples of a panel and a line: from *first to before the result. */
+/* Returns the end of the samples of a panel and line, which begin at *first. */
 static size_t end_of(const figure *f, size_t panel, size_t line, size_t *first)
 {
     size_t end;
@@ -473,8 +473,8 @@ static size_t end_of(const figure *f, size_t panel, size_t line, size_t *first)
 
 /* ------------------------------------------------------------------ lines */
 
-/* The samples first .. end-1 as points of mean, least, most: a band, a line
- * and points. */
+/* Makes points of mean, minimum and maximum from the samples first .. end-1: a
+ * band, a line and points. */
 static bool make_line(const figure *f, size_t first, size_t end,
                       ovr_curve_style as, ovr_series *series)
 {
@@ -510,8 +510,8 @@ static bool make_line(const figure *f, size_t first, size_t end,
     return true;
 }
 
-/* Names the keys that the band is over: those that nothing else tells
- * apart. */
+/* Names the keys that vary within the band because no other element shows
+ * them. */
 static void name_band(const figure *f, char *text, size_t capacity)
 {
     const ovr_table_column *c;
@@ -527,7 +527,7 @@ static void name_band(const figure *f, char *text, size_t capacity)
         }
 }
 
-/* Bands below, lines and points above. */
+/* Draws bands first, then lines and points. */
 static void draw_lines(figure *f, size_t panel, ovr_panel *to)
 {
     size_t lines = f->lines.count, first = 0;
@@ -568,7 +568,7 @@ static double quantile(const sample *s, size_t n, double part)
                      : s[n - 1].y;
 }
 
-/* A step for each bin, in % of the cases; then three upright lines. */
+/* Adds a histogram in % of the cases and three vertical lines. */
 static void add_bins(figure *f, const sample *s, size_t n, size_t bins,
                      ovr_curve_style as, const char *label, ovr_panel *to)
 {
@@ -609,8 +609,8 @@ static void add_quantiles(const figure *f, const double q[3],
                          .width = 1.6});
 }
 
-/* A line's quantiles: in its label for the legend, which the first panel has
- * or, where there are several panels, in the note of each. */
+/* Returns a line's quantiles: in its label for the legend, which is in the
+ * first panel, or with several panels in the note of each. */
 static const char *label_of(const figure *f, size_t panel, size_t line,
                             const double q[3], ovr_panel *to)
 {
@@ -630,8 +630,8 @@ static const char *label_of(const figure *f, size_t panel, size_t line,
                : NULL;
 }
 
-/* The panel's range, and as many bins as give the narrowest group those of
- * Rice's rule. */
+/* Sets the panel's range and chooses the number of bins by Rice's rule for the
+ * narrowest group. */
 static size_t count_bins(const figure *f, size_t panel, ovr_panel *to)
 {
     double low = INFINITY, high = -INFINITY, width = INFINITY;
@@ -673,7 +673,7 @@ static void draw_bins(figure *f, size_t panel, ovr_panel *to)
 
 /* ----------------------------------------------------------------- figure */
 
-/* The axis goes from the minimum to the maximum, with a little space beside. */
+/* Chooses the range of an axis: minimum to maximum with a margin. */
 static void spread(double low, double high, bool logarithmic, double *from,
                    double *to)
 {

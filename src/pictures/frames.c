@@ -32,10 +32,8 @@ typedef struct ovr_movie {
 
 /* -------------------------------------------------------------------- Movie */
 
-/*
- * ffmpeg reads the pictures from its standard input, so that none needs to
- * stay on the disk.  Sizes become even, which the codecs ask for.
- */
+/* ffmpeg reads the pictures from its standard input, so that none must be
+ * stored on disk. Sizes are made even, as codecs require. */
 
 #define EVEN "pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white,format=yuv420p"
 
@@ -82,7 +80,8 @@ static ovr_status start(ovr_movie *m, const struct form *form, double rate,
                             "-i",     "pipe:0"};
     size_t n = 14;
     snprintf(rate_text, sizeof rate_text, "%.6g", rate);
-    /* file: keeps ffmpeg from taking a name for a protocol or an option. */
+    /* The prefix "file:" prevents ffmpeg from interpreting a name as a protocol
+     * or option. */
     snprintf(output, sizeof output, "file:%s", m->made);
     for (int k = 0; k < CODEC_WORDS && form->codec[k]; k++)
         argv[n++] = form->codec[k];
@@ -93,7 +92,7 @@ static ovr_status start(ovr_movie *m, const struct form *form, double rate,
     return ovr_process_start(&m->process, argv, "ffmpeg", err);
 }
 
-/* The form is by the path's suffix. */
+/* Starts a movie; the suffix of `path` selects the format. */
 static ovr_status movie_start(ovr_movie *m, const char *path, double rate,
                               ovr_error *err)
 {
@@ -141,7 +140,7 @@ static ovr_status movie_add(ovr_movie *m, const char *picture, ovr_error *err)
     return heard ? OVR_OK : failed(m, err);
 }
 
-/* The movie appears under its name. */
+/* Completes the movie and renames it to its final name. */
 static ovr_status movie_finish(ovr_movie *m, ovr_error *err)
 {
     char why[400];
@@ -173,20 +172,20 @@ enum { WORKERS = 32 };
 
 typedef struct studio {
     const ovr_frames_options *o;
-    ovr_frames_options own;   /* what o points to */
-    ovr_picture_options each; /* what own.look points to */
+    ovr_frames_options own;   /* data of `o` */
+    ovr_picture_options each; /* data of own.look */
     ovr_arena *arena;
     ovr_stored *runs;
     ovr_shot *shots;
-    size_t count;       /* results */
+    size_t count;       /* number of results */
     size_t *which, n;   /* snapshots of the first result to be drawn */
-    const char *folder; /* theirs or a temporary one */
+    const char *folder; /* folder of the frames, or a temporary one */
     char temporary[OVR_PATH_SIZE];
     ovr_form form;
     ovr_snapshot_style look;
     ovr_snapshot_chart *chart;
-    bool below;            /* the stresses too */
-    ovr_areal_view *areal; /* maps of a strip; NULL: snapshots along x */
+    bool below;            /* with stresses below the surface */
+    ovr_areal_view *areal; /* maps of a strip; NULL: curves along x */
     ovr_chart areal_chart;
     ovr_depth_field field;
     ovr_text script, template;
@@ -216,7 +215,7 @@ static ovr_status choose_frames(studio *s, ovr_error *err)
     return OVR_OK;
 }
 
-/* Reads what frame i shows. */
+/* Reads the data of frame i. */
 static ovr_status read_frame(studio *s, size_t i, ovr_error *err)
 {
     double T = s->runs->times[s->which[i]];
@@ -227,7 +226,8 @@ static ovr_status read_frame(studio *s, size_t i, ovr_error *err)
     return status;
 }
 
-/* The field's one scale for the whole run, and its x for all panels. */
+/* Chooses the colour scale of the stress field for the whole run, and its x
+ * range for all panels. */
 static ovr_status find_field(studio *s, ovr_error *err)
 {
     ovr_picture_options *look = &s->each;
@@ -248,7 +248,7 @@ static ovr_status find_field(studio *s, ovr_error *err)
     return status;
 }
 
-/* One scale of colours for the whole run. */
+/* Chooses one colour scale for the whole run. */
 static ovr_status find_areal(studio *s, ovr_error *err)
 {
     ovr_picture_options *look = &s->each;
@@ -294,7 +294,7 @@ static void name_frame(const studio *s, size_t i, const char *suffix,
              suffix);
 }
 
-/* A frame looks as this and the snapshot alone say. */
+/* Writes all settings that determine a frame in addition to its snapshot. */
 static void describe(const studio *s, ovr_text *to)
 {
     const ovr_snapshot_style *l = &s->look;
@@ -347,8 +347,8 @@ static bool same_file(const char *path, const ovr_text *text)
     return c == EOF && i == text->length;
 }
 
-/* True if frames of these settings are kept in the folder; an error when those
- * there are made with others. */
+/* True if the folder contains frames with these settings, which are kept; fails
+ * if they have other settings. */
 static ovr_status open_folder(studio *s, bool *keep, ovr_error *err)
 {
     char path[OVR_PATH_SIZE], first[OVR_PATH_SIZE];
@@ -378,7 +378,7 @@ static ovr_status open_folder(studio *s, bool *keep, ovr_error *err)
     return status;
 }
 
-/* Creates a temporary folder next to a movie without stored frames. */
+/* Creates a temporary folder next to a movie whose frames are not stored. */
 static ovr_status make_temporary(studio *s, const char *movie, ovr_error *err)
 {
     const char *slash = strrchr(movie, '/');
@@ -449,7 +449,7 @@ static ovr_status ask_frame(studio *s, size_t i, ovr_error *err)
     return status;
 }
 
-/* Frame i is in its file. */
+/* Waits until frame i is in its file. */
 static ovr_status finish_frame(studio *s, size_t i, ovr_error *err)
 {
     char path[OVR_PATH_SIZE];

@@ -14,11 +14,9 @@
 
 /* ---------------------------------------------------------------- processes */
 
-/*
- * The line is a pair of sockets rather than of pipes, so that writing to a
- * child that has died gives an error and no SIGPIPE, whatever the program
- * around this library does with its signals.
- */
+/* The connection is a pair of sockets instead of pipes. Writing to a child that
+ * has ended then returns an error and causes no SIGPIPE, independent of the
+ * program's signal handling. */
 
 #ifndef MSG_NOSIGNAL
 #define MSG_NOSIGNAL 0
@@ -26,7 +24,8 @@
 
 extern char **environ;
 
-/* Its own process group: a Ctrl-C in the terminal is ours to handle. */
+/* Starts a process in its own process group, so that Ctrl-C in the terminal is
+ * handled by this program. */
 static int spawn(pid_t *pid, const char *const *argv, int end)
 {
     posix_spawn_file_actions_t files;
@@ -43,7 +42,7 @@ static int spawn(pid_t *pid, const char *const *argv, int end)
         code = posix_spawn_file_actions_adddup2(&files, end, fd);
     posix_spawnattr_setflags(&how, POSIX_SPAWN_SETPGROUP);
     posix_spawnattr_setpgroup(&how, 0);
-    /* posix_spawnp does not write to the words; its signature is older than
+    /* posix_spawnp does not change the strings; its signature predates
      * const. */
     union {
         const char *const *ours;
@@ -107,7 +106,7 @@ bool ovr_process_send(ovr_process *p, const void *data, size_t bytes)
     return true;
 }
 
-/* The next byte, or -1 at the end. */
+/* Returns the next byte, or -1 at the end. */
 static int read_character(ovr_process *p)
 {
     while (p->from == p->to) {
@@ -122,7 +121,8 @@ static int read_character(ovr_process *p)
     return (unsigned char)p->heard[p->from++];
 }
 
-/* The next line it says, without its end, cut to fit; false: it has ended. */
+/* Reads the next line of output without its line end, truncated to fit; false
+ * at the end. */
 static bool process_line(ovr_process *p, char *line, size_t size)
 {
     size_t length = 0;
@@ -143,7 +143,8 @@ static bool wait_for(ovr_process *p)
         pid = waitpid(p->pid, &status, 0);
     } while (pid < 0 && errno == EINTR);
     p->pid = 0;
-    /* Somebody else may have reaped it (SIGCHLD ignored): it is over. */
+    /* The child may have been reaped elsewhere (SIGCHLD ignored); it has then
+     * ended. */
     return pid < 0 || (WIFEXITED(status) && WEXITSTATUS(status) == 0);
 }
 
@@ -176,14 +177,15 @@ static const char done[] = "overroll: drawn";
 
 ovr_status ovr_gnuplot_start(ovr_gnuplot *g, ovr_error *err)
 {
-    /* -d: without anybody's start-up files. */
+    /* -d: without start-up files. */
     static const char *const argv[] = {"gnuplot", "-d", NULL};
     g->path[0] = '\0';
     return ovr_process_start(&g->process, argv, "gnuplot-nox", err);
 }
 
-/* In gnuplot a name that begins with '|' or '<' is a command and one with '~'
- * a home folder; a line cannot hold its own end. */
+/* Appends a path as a string of gnuplot. gnuplot interprets names that begin
+ * with '|' or '<' as commands and '~' as a home folder; a line end cannot be
+ * quoted. */
 ovr_status ovr_gnuplot_path(ovr_text *script, const char *path, ovr_error *err)
 {
     for (const char *c = path; *c; c++)
@@ -199,7 +201,7 @@ ovr_status ovr_gnuplot_path(ovr_text *script, const char *path, ovr_error *err)
     return OVR_OK;
 }
 
-/* FOLDER/.NAMEsuffix, OVR_PATH_SIZE bytes. */
+/* Writes FOLDER/.NAMEsuffix; `name` has OVR_PATH_SIZE bytes. */
 static ovr_status name_beside(char *name, const char *path, const char *suffix,
                               ovr_error *err)
 {
@@ -213,8 +215,7 @@ static ovr_status name_beside(char *name, const char *path, const char *suffix,
     return ovr_fail(err, OVR_BAD_INPUT, "%.60s...: the name is too long", path);
 }
 
-/* A new, empty file of this name and of our own: a link that somebody has put
- * there is not followed. */
+/* Creates an empty file of this name; existing links are not followed. */
 static bool make_anew(const char *path)
 {
     int file;
@@ -223,9 +224,9 @@ static bool make_anew(const char *path)
     return file >= 0 && close(file) == 0;
 }
 
-/* The part lies on the same file system as the path, and has no picture's
- * suffix.  That it cannot be created is better known now: gnuplot would go on,
- * and draw to its standard output. */
+/* Creates the temporary file, on the same file system as the path and without a
+ * picture's suffix. If it cannot be created, this fails now; gnuplot would
+ * continue and draw to its standard output. */
 ovr_status ovr_part_make(char *part, const char *path, ovr_error *err)
 {
     if (name_beside(part, path, ".part", err) != OVR_OK)
@@ -237,8 +238,8 @@ ovr_status ovr_part_make(char *part, const char *path, ovr_error *err)
                     strerror(errno));
 }
 
-/* gnuplot reads its standard input a byte at a time, 100,000 system calls for
- * a picture; a file it reads in blocks. */
+/* Sends the script as a file. gnuplot reads files in blocks but standard input
+ * byte by byte, 100,000 system calls per picture. */
 static ovr_status send_script(ovr_gnuplot *g, const ovr_text *script,
                               ovr_arena *arena, ovr_error *err)
 {
@@ -254,7 +255,7 @@ static ovr_status send_script(ovr_gnuplot *g, const ovr_text *script,
     ovr_text_put(&file, "\n");
     ovr_text_add(&file, script->data, script->length);
     ovr_text_put(&file, "unset output\n");
-    /* An empty line first ends a picture that was written here. A template may
+    /* The empty line ends a picture that was written here. A template may
      * redirect its own output. */
     ovr_text_print(&line, "\nset print\nprint ''\nprint '%s'\n", done);
     status = ovr_text_save_anew(&file, g->script, err);
@@ -292,7 +293,8 @@ ovr_status ovr_gnuplot_ask(ovr_gnuplot *g, const ovr_text *script,
     return status;
 }
 
-/* It writes an echo of the line, a caret and then what is wrong. */
+/* Keeps the reason of an error: gnuplot prints the line, a caret and then the
+ * error. */
 static void keep_reason(char *why, size_t size, const char *line)
 {
     line += strspn(line, " ");

@@ -16,7 +16,7 @@ ovr_text ovr_text_make(ovr_arena *arena)
     return (ovr_text){.arena = arena};
 }
 
-/* Makes space for `bytes` more; false when there is none. */
+/* Enlarges the buffer by at least `bytes`; false if memory is insufficient. */
 static bool grow(ovr_text *t, size_t bytes)
 {
     size_t capacity = t->capacity ? t->capacity : FIRST_CAPACITY;
@@ -77,7 +77,8 @@ ovr_status ovr_text_status(const ovr_text *t, ovr_error *err)
 
 /* ---------------------------------------------------------- from outside */
 
-/* Controls, the C1 ones (U+0080 to U+009F) and line separators included. */
+/* True for control characters, including C1 (U+0080 to U+009F) and line
+ * separators. */
 static bool is_control(const unsigned char *s)
 {
     return s[0] < 0x20 || s[0] == 0x7f || (s[0] == 0xc2 && s[1] < 0xa0) ||
@@ -99,9 +100,9 @@ void ovr_text_foreign(ovr_text *t, const char *foreign, ovr_text_rule *put)
     }
 }
 
-/* In single quotes gnuplot expands nothing; a backtick, which outside of them
- * runs a command, is nevertheless kept out of every script.  The SVG terminal
- * wraps text as CDATA, which "]]>" would end. */
+/* Escapes a character for a single-quoted string of gnuplot, in which nothing
+ * is expanded. A backtick, which runs a command elsewhere, is replaced as well.
+ * So is "]]>", because the SVG terminal writes text as CDATA. */
 static void put_gnuplot(ovr_text *t, const char *character, int bytes)
 {
     bool ends = t->length > 1 && memcmp(t->data + t->length - 2, "]]", 2) == 0;

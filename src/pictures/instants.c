@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pictures of snapshots: which instants, their data, the chart. */
+/* Pictures of snapshots: selected times, their data and the chart. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,8 +10,8 @@
 
 enum { CHOSEN = 4 };
 
-/* The place of the roughness: the mean position weighted with S^4, so that a
- * dent outweighs the texture around it; NAN on a smooth surface. */
+/* Returns the position of the roughness: its mean position weighted with S^4,
+ * so that a dent outweighs surrounding texture; NAN for a smooth surface. */
 static double centre_of(const ovr_shot *shot)
 {
     double sum = 0, moment = 0;
@@ -23,11 +23,11 @@ static double centre_of(const ovr_shot *shot)
     return sum > 0 ? moment / sum : NAN;
 }
 
-/* The instants of maximum pressure and minimum film thickness over all results,
- * and whose they are. */
+/* Times of maximum pressure and minimum film thickness over all results, and
+ * the results' names. */
 typedef struct extremes {
     double P, H;
-    double T_P, T_H; /* NAN: that field is not stored */
+    double T_P, T_H; /* NAN: field not stored */
     const char *name_P, *name_H;
 } extremes;
 
@@ -41,8 +41,8 @@ static void note_extremes(extremes *e, const ovr_shot *shot)
     }
 }
 
-/* The instants at which what is on the surface stands ahead of the contact, in
- * it twice, and at its exit; evenly when there is no such passage. */
+/* Chooses times at which the features are upstream of the contact, twice within
+ * it, and at its outlet; equally spaced times if they do not pass it. */
 static ovr_status choose_passage(const ovr_stored *run, ovr_shot *shot,
                                  double *times, extremes *e, ovr_error *err)
 {
@@ -92,7 +92,7 @@ static ovr_status look_through(const ovr_drawing *drawing, double *times,
     return status;
 }
 
-/* T takes the place of the nearest instant that is not `kept`. */
+/* Replaces the nearest time that is not `kept` by T. */
 static void put_among(double *times, double T, double kept)
 {
     size_t best = CHOSEN;
@@ -113,7 +113,8 @@ static int in_time(const void *a, const void *b)
     return (s > t) - (s < t);
 }
 
-/* ": p max" and of several results whose. */
+/* Returns the extreme at T as text, ": p max", with the result's name if there
+ * are several. */
 static const char *what_is_there(const ovr_drawing *drawing, const extremes *e,
                                  double T, ovr_error *err)
 {
@@ -130,8 +131,8 @@ static const char *what_is_there(const ovr_drawing *drawing, const extremes *e,
     return ovr_arena_text(drawing->arena, text, err);
 }
 
-/* Up to four times, fewer if several results share the picture, starting with
- * the maximum pressure. */
+/* Chooses up to four times, fewer if several results share the picture,
+ * starting with the maximum pressure. */
 static ovr_status choose(const ovr_drawing *drawing, double *times,
                          const char **about, size_t *count, ovr_error *err)
 {
@@ -143,7 +144,7 @@ static ovr_status choose(const ovr_drawing *drawing, double *times,
         return status;
     put_among(times, e.T_P, e.T_P);
     put_among(times, e.T_H, e.T_P);
-    if (capacity < CHOSEN) { /* the extremes alone, as far as there is space */
+    if (capacity < CHOSEN) { /* only the extremes, as far as they fit */
         times[0] = isnan(e.T_P) ? e.T_H : e.T_P;
         times[1] = isnan(e.T_H) ? e.T_P : e.T_H;
         for (int j = 0; j < 2; j++)

@@ -21,8 +21,8 @@ typedef struct map {
     const char *field;
     double x_from, x_to, T_from, T_to;
     double *values; /* CELLS_T rows of CELLS_X */
-    double *row[2]; /* the snapshots around a time, on the even grid */
-    size_t held[2]; /* which they are */
+    double *row[2]; /* snapshots around a time, on the uniform grid */
+    size_t held[2]; /* numbers of these snapshots */
     double *nodes;
 } map;
 
@@ -44,7 +44,7 @@ static void onto_cells(const map *m, double *row)
     }
 }
 
-/* Snapshot k on the even grid, in one of the two rows. */
+/* Interpolates snapshot k to the uniform grid, in one of the two rows. */
 static ovr_status hold(map *m, size_t k, const double **row, ovr_error *err)
 {
     size_t slot = k % 2;
@@ -93,8 +93,8 @@ static ovr_status fill(map *m, ovr_arena *arena, ovr_error *err)
     return status;
 }
 
-/* Film far from the contact would use up all colours: only |X| < 0.9 sets
- * their range, unless nothing of that is shown. */
+/* Chooses the colour range from |X| < 0.9, because the film far from the
+ * contact would use most colours; from all if that part is not shown. */
 static void find_range(const map *m, double *low, double *high)
 {
     bool film = strcmp(m->field, "film_thickness") == 0;
@@ -119,8 +119,8 @@ static double largest(const map *m)
     return maximum;
 }
 
-/* A spike one cell wide would take all colours but the darkest: where only
- * one cell in 500 is above, the colours end. */
+/* Returns the upper end of the colours: the 99.8 % quantile, so that a spike of
+ * one cell does not dominate. */
 static double common_high(const map *m, double low, double high)
 {
     enum { BINS = 500 };
@@ -135,8 +135,8 @@ static double common_high(const map *m, double low, double high)
     return low + (high - low) * (double)(bin + 1) / BINS;
 }
 
-/* A field whose kind has no symbol: in words, with a power of ten, so that the
- * numbers have few digits. */
+/* Makes the label of a field whose kind has no symbol, with a power of ten for
+ * short numbers. */
 static ovr_status words(const ovr_drawing *drawing, const ovr_variable *v,
                         double largest, ovr_axis *axis, ovr_error *err)
 {
@@ -174,7 +174,7 @@ static ovr_status degrees(const ovr_drawing *drawing, const map *m,
     return OVR_OK;
 }
 
-/* Labels what the colours mean. */
+/* Makes the axis of the colours. */
 static ovr_status colour_axis(const ovr_drawing *drawing, const map *m,
                               double largest, ovr_axis *axis, ovr_error *err)
 {
@@ -187,7 +187,7 @@ static ovr_status colour_axis(const ovr_drawing *drawing, const map *m,
                : words(drawing, v, largest, axis, err);
 }
 
-/* "cut at y/b = 0.5" of a strip; NULL of a line contact. */
+/* Returns "cut at y/b = 0.5" for a strip; NULL for a line contact. */
 static const char *note_cut(const ovr_drawing *drawing, const map *m,
                             const ovr_axis *x, ovr_error *err)
 {
@@ -210,7 +210,7 @@ static ovr_status make_panel(const ovr_drawing *drawing, map *m,
     double low, high, highest, reach = fmax(fabs(m->x_from), fabs(m->x_to));
     ovr_axis x = {0}, T = {0}, v = {0};
     ovr_status status;
-    if (kind == OVR_KIND_TEMPERATURE) /* degC, as everywhere in pictures */
+    if (kind == OVR_KIND_TEMPERATURE) /* degC in all pictures */
         for (size_t c = 0; c < (size_t)CELLS_T * CELLS_X; c++)
             m->values[c] -= 273.15;
     find_range(m, &low, &high);
@@ -247,7 +247,7 @@ static ovr_status make_panel(const ovr_drawing *drawing, map *m,
     return OVR_OK;
 }
 
-/* The meniscus at each step, where the history has it. */
+/* Adds the position of the meniscus at each step, if it is in the history. */
 static ovr_status add_meniscus(const ovr_drawing *s, const map *m,
                                ovr_panel *panel, ovr_error *err)
 {

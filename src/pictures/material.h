@@ -14,32 +14,32 @@ typedef struct ovr_material_group {
     ovr_arena *arena;
     char group[40]; /* "plastic/surface_1" */
     size_t depths, points;
-    double *z, *xi; /* b, from the surface down; places */
+    double *z, *xi; /* in b: depths, and positions along the surface */
 } ovr_material_group;
 
-/* Finds the group of a surface that has `array` by depth and place; false: the
- * file has none. */
+/* Finds the group of a surface that contains `array` as a function of depth and
+ * position; false if there is none. */
 bool ovr_material_find(ovr_material_group *m, const char *group, int surface,
                        const char *array);
 
 /* Reads its axes. */
 ovr_status ovr_material_axes(ovr_material_group *m, ovr_error *err);
 
-/* `rows` of n values; NULL with *err filled. */
+/* Reads `rows` of n values; NULL with *err filled on failure. */
 double *ovr_material_read(const ovr_material_group *m, const char *name,
                           size_t rows, size_t n, ovr_error *err);
 
-/* The value of a field at a place and depth. */
+/* Returns the value of a field at a position and depth. */
 typedef double ovr_material_at(const ovr_material_group *m, const double *field,
                                double xi, double z);
 
-/* A panel of a field over places and the logarithm of depth: from x_from to
- * x_to, which the panel has, in image.ny rows of cells. */
+/* Makes a panel of a field against position (x_from to x_to of the panel) and
+ * the logarithm of depth, in image.ny rows of cells. */
 ovr_status ovr_material_map(const ovr_material_group *m, const double *field,
                             ovr_material_at *at, ovr_panel *panel,
                             ovr_error *err);
 
-/* The axis of places. */
+/* Label of the axis of positions. */
 extern const char ovr_material_place[];
 
 #endif

@@ -14,7 +14,7 @@ typedef struct line {
     int colour;
 } line;
 
-/* Lines with their points; the axis by the first. */
+/* Adds lines with points; the first determines the axis. */
 static ovr_status add_lines(const ovr_table *t, const line *lines, size_t count,
                             ovr_unit_kind kind, ovr_panel *panel,
                             ovr_arena *arena, ovr_error *err)
@@ -56,7 +56,7 @@ static bool is_known(const ovr_table *t, const char *name)
     return false;
 }
 
-/* "rim height (um)" of "film thickness, h (um)". */
+/* Returns "rim height (um)" from "film thickness, h (um)". */
 static const char *name_rims(const char *label, ovr_arena *arena,
                              ovr_error *err)
 {
@@ -68,7 +68,7 @@ static const char *name_rims(const char *label, ovr_arena *arena,
     return text ? text : label;
 }
 
-/* No features: minimum and mean film thickness are equal. */
+/* True without features: minimum and mean film thickness are equal. */
 static bool is_steady(const ovr_table *t)
 {
     const ovr_table_column *minimum = ovr_table_named(

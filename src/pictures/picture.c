@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One picture: read, chart, gnuplot. */
+/* Draws one picture: reads results, makes a chart, runs gnuplot. */
 #include "pictures/picture.h"
 #include "elements/pictures_element.h"
 
@@ -39,7 +39,8 @@ ovr_status ovr_may_create(const char *path, bool force, ovr_error *err)
 
 /* --------------------------------------------------------------- template */
 
-/* The user's, in which a line "@chart@" stands for the one that is built in. */
+/* Reads the user's template; its line "@chart@" is replaced by the built-in
+ * one. */
 static ovr_status read_template(FILE *file, const char *path, ovr_text *to,
                                 ovr_error *err)
 {
@@ -72,7 +73,7 @@ ovr_status ovr_template_read(const char *path, ovr_text *to, ovr_error *err)
 
 /* ------------------------------------------------------- script and data */
 
-/* SCRIPT without its suffix, and another one. */
+/* Returns the path of SCRIPT with another suffix. */
 static char *beside(const char *script, const char *suffix, ovr_arena *arena,
                     ovr_error *err)
 {
@@ -161,17 +162,16 @@ ovr_status ovr_chart_draw(const ovr_chart *chart, const ovr_drawn_to *to,
 
 /* ---------------------------------------------------------------- picture */
 
-/* A kind: how it is drawn, of one result alone or of several, and its usual
- * size. */
+/* A kind of picture: functions that draw one or several results, and its
+ * default size. */
 typedef struct maker {
     const char *name;
     ovr_status (*draw)(const ovr_drawing *drawing, ovr_chart *chart,
                        ovr_error *err);
-    const char *alone; /* message for several results, if only one can be drawn,
-                          or NULL */
+    const char *alone; /* message if only one result can be drawn; or NULL */
     int height;
-    bool shots; /* drawn from snapshots, not from the history or from stress
-                   histories */
+    bool shots; /* drawn from snapshots instead of the history or stress
+                 * histories */
 } maker;
 
 static const maker makers[] = {
@@ -291,7 +291,7 @@ ovr_status ovr_picture_element(const ovr_setup *setup,
     return status;
 }
 
-/* --------------------------------------------------------------- of a table */
+/* ----------------------------------------------------- pictures of tables */
 
 bool ovr_table_same(const ovr_table_column *c, size_t i, size_t j)
 {

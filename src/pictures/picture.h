@@ -15,8 +15,7 @@ typedef struct ovr_drawing {
     ovr_arena *arena;
 } ovr_drawing;
 
-/* The runs of results, in units that they have in common, which go into
- * `options`. */
+/* Opens the runs of results and stores their common units in `options`. */
 ovr_status ovr_open_stored(ovr_result *const *results, size_t count,
                            ovr_picture_options *options, ovr_stored *runs,
                            ovr_arena *arena, ovr_error *err);
@@ -41,11 +40,11 @@ ovr_status ovr_draw_map(const ovr_drawing *drawing, ovr_chart *chart,
 ovr_status ovr_draw_areal(const ovr_drawing *drawing, ovr_chart *chart,
                           ovr_error *err);
 
-/* Appends the template of a path; NULL: the one that is built in. */
+/* Appends a user's template; NULL: the built-in one. */
 ovr_status ovr_template_read(const char *path, ovr_text *to, ovr_error *err);
 
-/* Draws a chart as a picture with the template of a path (NULL: the built-in
- * one), and, unless NULL, as a script with its data. */
+/* Output of a chart: a picture drawn with a template (NULL: built-in) and,
+ * unless NULL, a script with its data. */
 typedef struct ovr_drawn_to {
     const char *path, *script, *template_path;
 } ovr_drawn_to;
@@ -53,35 +52,35 @@ typedef struct ovr_drawn_to {
 ovr_status ovr_chart_draw(const ovr_chart *chart, const ovr_drawn_to *to,
                           ovr_arena *arena, ovr_error *err);
 
-/* Appends the script that draws it, the data within. */
+/* Appends the script that draws the chart, with its data. */
 void ovr_chart_script(const ovr_chart *chart, const ovr_text *template,
                       ovr_form form, ovr_text *to);
 
-/* Writes the script that draws it, in its own folder, to a picture of `path`'s
- * name, and its data beside. */
+/* Writes the script that draws the chart, with the name of `path` in its own
+ * folder, and its data next to it. */
 ovr_status ovr_chart_write(const ovr_chart *chart, const ovr_text *template,
                            const char *path, const char *script,
                            ovr_arena *arena, ovr_error *err);
 
-/* Refuses to replace a file unless forced. */
+/* Fails if the file exists, unless forced. */
 ovr_status ovr_may_create(const char *path, bool force, ovr_error *err);
 
-/* A picture of a table or a study, by what draws that with its options
- * filled. */
+/* Draws a table or a study; `options` has default values. */
 typedef ovr_status ovr_figure_maker(const void *of, const ovr_figure_options *o,
                                     ovr_arena *arena, ovr_error *err);
 ovr_status ovr_figure_of(const void *of, const ovr_figure_options *given,
                          const ovr_allocator *allocator, ovr_figure_maker *how,
                          ovr_error *err);
 
-/* Draws its chart, whose size and title the options may give. */
+/* Draws a chart; the options may set size and title. */
 ovr_status ovr_figure_draw(ovr_chart *chart, const ovr_figure_options *options,
                            ovr_arena *arena, ovr_error *err);
 
-/* True if two rows of a column hold the same. */
+/* True if two rows of a column are equal. */
 bool ovr_table_same(const ovr_table_column *column, size_t i, size_t j);
 
-/* A column by its name, or the end of it behind a dot; or NULL. */
+/* Returns the column with this name, or with this part of a name after the
+ * point; NULL if there is none. */
 const ovr_table_column *ovr_table_named(const ovr_table *table,
                                         const char *name);
 

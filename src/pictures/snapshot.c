@@ -16,7 +16,7 @@ static void make_hertz(ovr_snapshot_style *look)
     }
 }
 
-/* All runs have this in common. */
+/* Writes the values that all runs have in common. */
 void ovr_heading(const ovr_stored *runs, size_t count, char *heading,
                  size_t capacity)
 {
@@ -93,7 +93,7 @@ ovr_curve_style ovr_curve_style_of(size_t k)
     return (ovr_curve_style){colour[k % 7], mark[k / 7 % 3]};
 }
 
-/* Values of one field against x, where the picture shows them. */
+/* Makes the curve of a field against x within the range of the picture. */
 static ovr_series curve(const ovr_snapshot_style *look, const ovr_shot *shot,
                         const double *values, double factor)
 {
@@ -121,7 +121,8 @@ static ovr_series hertz(const ovr_snapshot_style *look, const ovr_shot *shot)
                         .width = 1.4};
 }
 
-/* Space between the film's zero and the roughness, and below it. */
+/* Returns the space between zero film thickness and the roughness, and below
+ * it. */
 static double gap(const ovr_snapshot_style *look)
 {
     return 0.1 * look->H_to;
@@ -162,11 +163,11 @@ static ovr_panel panel_of(const ovr_snapshot_style *look, ovr_series *series,
                        .series = series};
 }
 
-/* The label of a snapshot within its panel, in the legend of the pressure. */
+/* Label of a snapshot: within its panel, or in the legend of the pressure. */
 typedef struct labelled {
     const char *label;
     ovr_curve_style as;
-    bool alone; /* filled */
+    bool alone; /* the only one: filled */
 } labelled;
 
 static void add_pressure(const ovr_snapshot_style *look, const ovr_shot *shot,
@@ -183,7 +184,7 @@ static void add_pressure(const ovr_snapshot_style *look, const ovr_shot *shot,
     series[panel->count++] = s;
 }
 
-/* Lubricant layers on both walls in the partially filled gap. */
+/* Adds the lubricant layers on both walls in the partially filled gap. */
 static void add_oil(const ovr_snapshot_style *look, const ovr_shot *shot,
                     ovr_series *series, ovr_panel *panel)
 {
@@ -226,7 +227,8 @@ static void add_film(const ovr_snapshot_style *look, const ovr_shot *shot,
     }
 }
 
-/* The first run's, and that of each other whose scales are not the same. */
+/* Adds the Hertzian pressure of the first run, and of others with different
+ * scales. */
 static void add_hertz(const ovr_snapshot_style *look, const ovr_shot *shot,
                       size_t count, ovr_series *series, ovr_panel *panel)
 {
@@ -244,8 +246,8 @@ static void add_hertz(const ovr_snapshot_style *look, const ovr_shot *shot,
     }
 }
 
-/* Both surfaces and the middle of the film; of several snapshots only the
- * middle. */
+/* Adds temperatures of both surfaces and of the mid-film; with several
+ * snapshots only the mid-film. */
 static void add_temperatures(const ovr_snapshot_style *look,
                              const ovr_shot *shot, const labelled *as,
                              ovr_series *series, ovr_panel *panel)
@@ -264,7 +266,7 @@ static void add_temperatures(const ovr_snapshot_style *look,
     }
 }
 
-/* The row of temperatures, if any snapshot of the column has them. */
+/* Draws the row of temperatures if any snapshot of the column has them. */
 static void draw_temperatures(ovr_snapshot_chart *to,
                               const ovr_snapshot_style *look,
                               const ovr_shot *shot, size_t count, size_t column)

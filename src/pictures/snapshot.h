@@ -14,51 +14,50 @@
 
 enum { OVR_SHOTS = 8, OVR_HERTZ_POINTS = 121 };
 
-/* The style of a snapshot: axes and ranges, the same for all pictures of a
- * run. */
+/* Axes and ranges, equal for all pictures of a run. */
 typedef struct ovr_snapshot_style {
     const ovr_picture_options *options;
     ovr_axis x, P, H, T;
     ovr_extent extent;
-    double P_to, H_to; /* Hertzian upper ends */
+    double P_to, H_to; /* upper ends in Hertzian units */
     double hertz_x[OVR_HERTZ_POINTS], hertz_P[OVR_HERTZ_POINTS];
     const char *title;
     char heading[240];
 } ovr_snapshot_style;
 
-/* Makes the style from the extent of all snapshots of the `count` runs. */
+/* Computes axes and ranges from all snapshots of the `count` runs. */
 ovr_status ovr_snapshot_style_make(ovr_snapshot_style *look,
                                    const ovr_picture_options *options,
                                    const ovr_extent *extent,
                                    const ovr_stored *runs, size_t count,
                                    ovr_error *err);
 
-/* Colour and dash of the k-th of several curves: 21 that differ. */
+/* Returns colour and dash of the k-th curve; 21 are different. */
 typedef struct ovr_curve_style {
     int colour;
     ovr_mark mark;
 } ovr_curve_style;
 ovr_curve_style ovr_curve_style_of(size_t k);
 
-/* M, L and ph, as far as all runs have the same, as enhanced text. */
+/* Writes M, L and p_h, as far as all runs have the same, as enhanced text. */
 void ovr_heading(const ovr_stored *runs, size_t count, char *heading,
                  size_t capacity);
 
 /* Memory of a chart of up to OVR_SHOTS snapshots. */
 typedef struct ovr_snapshot_chart {
     ovr_chart chart;
-    ovr_panel panel[3 * OVR_SHOTS + 1]; /* one more for what lies below */
+    ovr_panel panel[3 * OVR_SHOTS + 1]; /* one more for the stresses */
     ovr_series series[3 * OVR_SHOTS][3 * OVR_SHOTS + 1];
     char note[OVR_SHOTS][240], name[OVR_SHOTS][300];
 } ovr_snapshot_chart;
 
-/* Draws `instants` times of `runs` runs each: shot[instant * runs + run].
+/* Draws `instants` times for each of `runs` runs: shot[instant * runs + run].
  * `about` is a text after each time, or NULL. */
 void ovr_snapshot_draw(ovr_snapshot_chart *to, const ovr_snapshot_style *look,
                        const ovr_shot *shot, size_t instants, size_t runs,
                        const char *const *about);
 
-/* A panel below the last row: the stresses of one snapshot. */
+/* Adds a panel below the last row: the stresses of one snapshot. */
 struct ovr_depth_field;
 ovr_status ovr_stress_panel_add(struct ovr_depth_field *field,
                                 const ovr_shot *shot,

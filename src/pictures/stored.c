@@ -10,9 +10,9 @@
 
 static const char *const temperatures[3] = {"temperature_1", "temperature_2",
                                             "temperature_middle"};
-static const double ZERO_DEGC = 273.15; /* K */
+static const double ZERO_DEGC = 273.15; /* in K */
 
-/* A column of the history; NULL without. */
+/* Reads a column of the history; NULL if it is missing. */
 static double *column(ovr_stored *run, const char *path, ovr_arena *arena)
 {
     double *v = NULL;
@@ -31,7 +31,8 @@ static bool varies(const double *v, size_t n)
     return false;
 }
 
-/* b is proportional to sqrt(w R), ph to sqrt(w/R). */
+/* Computes the Hertzian contact of each snapshot: b is proportional to sqrt(w
+ * R), p_h to sqrt(w/R). */
 static void find_hertz(ovr_stored *run, ovr_arena *arena)
 {
     size_t steps = run->info->steps, shots = run->info->snapshots, i = 0;
@@ -53,8 +54,8 @@ static void find_hertz(ovr_stored *run, ovr_arena *arena)
     run->hertz_P = width ? P : NULL;
 }
 
-/* Returns the remedy for a maximum pressure that the mesh does not resolve; a
- * shear-thinning lubricant bounds the pressure. */
+/* Returns the remedy for a maximum pressure not resolved by the mesh; a
+ * shear-thinning lubricant limits the pressure. */
 static const char *remedy(const ovr_stored *run)
 {
     ovr_case *c;
@@ -66,7 +67,7 @@ static const char *remedy(const ovr_stored *run)
                  : "set lubricant.rheology = eyring";
 }
 
-/* Reads which snapshots have a maximum pressure that the mesh resolves. */
+/* Finds the snapshots whose maximum pressure is resolved by the mesh. */
 static ovr_status find_resolved(ovr_stored *run, ovr_arena *arena,
                                 ovr_error *err)
 {
@@ -259,8 +260,8 @@ static ovr_status read_field(const ovr_shot *shot, const char *name, double by,
     return status;
 }
 
-/* Lubricant on each wall. Lubricant that fills the gap is drawn on the lower
- * wall only, because a line is visible where two areas meet. */
+/* Computes the lubricant on each wall. Lubricant that fills the gap is drawn on
+ * the lower wall only, because a line is visible between two areas. */
 static void stand(double H, double *oil, double *hung)
 {
     const double full = 1 - 1e-6;
@@ -317,8 +318,8 @@ double *ovr_stored_history(const ovr_stored *run, const char *name, double by,
 
 /* ----------------------------------------------------------------- extent */
 
-/* The right side is as long as the left one if lubricant may enter there: where
- * the speed reverses, domains are as long on both sides. */
+/* Returns the right end of the picture. If the speed reverses, lubricant enters
+ * on both sides, and domain and picture are symmetric. */
 static double right_end(const ovr_stored *run)
 {
     double last = run->x[run->info->nodes - 1];

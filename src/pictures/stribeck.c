@@ -17,7 +17,7 @@ enum { LINES = 8, LABEL = 120 };
 typedef struct curves {
     const ovr_table *t;
     const ovr_table_column *speed, *by, *mu, *film, *share;
-    size_t row[LINES], lines; /* one of each line's */
+    size_t row[LINES], lines; /* one row per line */
     char label[LINES][LABEL];
 } curves;
 
@@ -60,7 +60,7 @@ static ovr_status choose(curves *of, const ovr_figure_options *o,
     return OVR_OK;
 }
 
-/* "Rq = 50 nm". */
+/* Names a line, "Rq = 50 nm". */
 static void name_line(const ovr_table_column *by, size_t row, char label[LABEL])
 {
     double value = by->number[row];
@@ -95,7 +95,7 @@ static ovr_status find_lines(curves *of, ovr_error *err)
     return OVR_OK;
 }
 
-/* Sorts by insertion: a line has some dozens of points. */
+/* Sorts by insertion; a line has some dozens of points. */
 static void sort(size_t n, size_t *at, const double *speed)
 {
     for (size_t k = 1; k < n; k++) {
@@ -106,7 +106,7 @@ static void sort(size_t n, size_t *at, const double *speed)
     }
 }
 
-/* Adds a line's quantity over the speed. */
+/* Adds a line's quantity against speed. */
 static void add_line(const curves *of, size_t line, const ovr_table_column *c,
                      ovr_series look, ovr_panel *to, ovr_arena *arena)
 {

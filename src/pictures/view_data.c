@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A page has this of its runs. */
+/* Data of a page with its runs. */
 #include <errno.h>
 #include <libdeflate.h>
 #include <math.h>
@@ -55,7 +55,8 @@ uint16_t ovr_level_of(const ovr_levels *l, double value)
     return (uint16_t)(at > 0 ? fmin(at + 0.5, OVR_PACKED_LEVELS - 1) : 0);
 }
 
-/* Runs from the end, so that the neighbours are unchanged. */
+/* Replaces levels by prediction errors, from the end, so that neighbours are
+ * still unchanged. */
 static void take_differences(uint16_t *level, size_t n, size_t rows)
 {
     for (size_t i = n * rows; i-- > 0;) {
@@ -104,8 +105,7 @@ void ovr_text_doubles(ovr_text *to, const char *key, const double *values,
 
 /* --------------------------------------------------------- Data of the page */
 
-/* A page holds at most so much: beyond it nodes and snapshots are left out,
- * evenly. */
+/* Limits of a page. Above them nodes and snapshots are omitted uniformly. */
 enum { MAX_NODES = 4000, MAX_STEPS = 4000, MAX_VALUES = 4000000 };
 
 /* --------------------------------------------------------------- escaping */
@@ -127,12 +127,12 @@ static void put_string(ovr_text *to, const char *key, const char *foreign)
 
 /* ----------------------------------------------------------------- fields */
 
-/* Smallest positive, smallest and largest value, of what is kept. */
+/* Smallest positive, minimum and maximum of the stored values. */
 typedef struct span {
     double positive, low, high;
 } span;
 
-/* The levels of a field lie in one of these ways. */
+/* Distribution of the levels of a field. */
 typedef enum lie { FROM_ZERO, BENT, FROM_LOWEST } lie;
 
 typedef struct field {
@@ -236,7 +236,8 @@ static ovr_status put_fields(ovr_view_run *w, ovr_error *err)
 
 /* ---------------------------------------------------------------- history */
 
-/* One value for each bucket of steps: the first, the smallest, the largest. */
+/* Reduces each bucket of steps to one value: the first, the minimum or the
+ * maximum. */
 static size_t thin(double *values, size_t n, size_t bucket, char keep)
 {
     size_t count = 0;
@@ -251,7 +252,7 @@ static size_t thin(double *values, size_t n, size_t bucket, char keep)
     return count;
 }
 
-/* Half width and pressure of Hertz's contact, snapshot by snapshot. */
+/* Writes half-width and pressure of the Hertzian contact for each snapshot. */
 static void put_hertz(ovr_view_run *w)
 {
     double *two = ovr_arena_take(w->arena, 2 * w->shots, sizeof *two, NULL);
@@ -408,8 +409,8 @@ static ovr_status put_run(ovr_view_run *w, ovr_error *err)
     return status;
 }
 
-/* Writes the field of stresses that is chosen too, or none where `stress` is
- * NULL. */
+/* Writes the data of the page, with the chosen stress field, or none if
+ * `stress` is NULL. */
 static ovr_status view_data(ovr_text *to, const ovr_stored *runs, size_t count,
                             const char *stress, ovr_arena *arena,
                             ovr_error *err)
@@ -441,10 +442,8 @@ static ovr_status view_data(ovr_text *to, const ovr_stored *runs, size_t count,
 
 /* --------------------------------------------------------------------- page */
 
-/*
- * The page: page.html with the runs' data in it as JSON.  Everything from a
- * file is escaped where it is written: nothing in it can end an element.
- */
+/* The page: page.html with the data of the runs as JSON. Everything from a file
+ * is escaped when written, so that it cannot close an element. */
 
 static void put_html(ovr_text *to, const char *character, int bytes)
 {
@@ -501,7 +500,7 @@ static ovr_status save(const ovr_text *page, const char *path, ovr_error *err)
     return status;
 }
 
-/* The two of a comparison, where they differ. */
+/* Returns the title; for two results with different titles both. */
 static const char *title_of(const ovr_stored *runs, size_t count,
                             const char *given, ovr_arena *arena)
 {

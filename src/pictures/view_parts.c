@@ -10,20 +10,17 @@
 
 /* -------------------------------------------------------------------- areal */
 
-/*
- * Maps of a strip for the page: pressure and film thickness between X = -2 and
- * 1.5, on every stride-th node and line.  The stride is the smallest one that
- * keeps the maps of all snapshots below MAX_CELLS cells.  Values are rounded to
- * LEVELS levels.  Film thicknesses are cut off at 1.2 times the largest one in
- * |X| < 0.9.
- */
+/* Maps of a strip for the page: pressure and film thickness between X = -2 and
+ * 1.5, on every stride-th node and line. The stride is the smallest that keeps
+ * the maps of all snapshots below MAX_CELLS cells. Values are rounded to LEVELS
+ * levels. Film thickness is limited to 1.2 times its maximum in |X| < 0.9. */
 
 enum { MAX_CELLS = 12000000, LEVELS = 2048, MAPS = 2, LONGEST_STRIDE = 4 };
 
 typedef struct maps {
     const ovr_view_run *view;
     size_t first, stride, columns, rows, every, shots;
-    double *values; /* of a snapshot in the file */
+    double *values; /* of a stored snapshot */
 } maps;
 
 static const struct {
@@ -70,7 +67,8 @@ static double value_at(const maps *m, size_t i, size_t j)
                      i * m->stride];
 }
 
-/* Levels from the smallest value, or zero, to the largest that counts. */
+/* Chooses levels from the minimum, or zero, to the largest significant
+ * value. */
 static ovr_status find_levels(const maps *m, int f, ovr_levels *levels,
                               ovr_error *err)
 {
@@ -164,9 +162,9 @@ ovr_status ovr_view_areal(const ovr_view_run *view, ovr_error *err)
 
 /* ------------------------------------------------------------------ Element */
 
-/* Panels and curves of an element's figure, as pictures_page.js draws them. */
+/* Panels and curves of an element's figure, as drawn by pictures_page.js. */
 
-/* Labels and letters are ours: nothing in them ends a string. */
+/* Writes a curve. Labels and letters need no escaping. */
 static void put_curve(ovr_text *to, const ovr_series *s, ovr_arena *arena)
 {
     double *xy = ovr_arena_take(arena, 2 * s->n, sizeof *xy, NULL);
