@@ -26,7 +26,7 @@ static const double pi = 3.14159265358979323846;
 struct ovr_bearing {
     ovr_bearing_form form;
     ovr_bearing_geometry g;
-    double first; /* angle of roller 0 from the load */
+    double first; /* angle of roller 0, measured from the load */
     ovr_arena arena;
 };
 
@@ -44,7 +44,7 @@ ovr_bearing_form ovr_bearing_form_default(void)
 
 /* ---------------------------------------------------- load distribution */
 
-/* The load that a roller at psi carries at the displacement d. */
+/* Returns the load of a roller at the angle psi for the displacement d. */
 static double roller_load(const ovr_bearing *bearing, double d, double psi)
 {
     double approach = d * cos(psi) - bearing->form.clearance / 2;
@@ -62,9 +62,9 @@ static double resultant(const ovr_bearing *bearing, double d, double first)
     return sum;
 }
 
-/* Displacement at which the rollers, one of them at `first`, carry the load.
- * The resultant rises with it.  Bisection: faster iterations would save nothing
- * that counts. */
+/* Returns the displacement at which the rollers, one of them at `first`, carry
+ * the bearing load. The resultant increases with the displacement. Bisection is
+ * fast enough. */
 static double displaced(const ovr_bearing *bearing, double first)
 {
     double load = bearing->form.load, low = 0;
@@ -154,7 +154,7 @@ static double ring_speed(const ovr_bearing *bearing)
                                       : bearing->form.speed_outer;
 }
 
-/* Angle of roller 0 from the load. */
+/* Returns the angle of roller 0, measured from the load. */
 static double first_angle(const ovr_bearing_form *f)
 {
     if (f->position == OVR_ROLLER_AT)
@@ -170,7 +170,8 @@ static void measure(ovr_bearing *bearing)
                                : f->pitch - f->roller - f->clearance / 2;
     g->outer = g->inner + 2 * f->roller + f->clearance;
     g->pitch = (g->inner + g->outer) / 2;
-    /* Palmgren in mm and N; two contacts in series halve the approach each. */
+    /* Palmgren's formula in mm and N. The approach is that of one of two
+     * contacts in series, half the total. */
     double one = pow(pow(1e3 * f->length, 0.8) / 3.84e-5 / 2, 10.0 / 9);
     g->stiffness = isnan(f->stiffness) ? one * pow(1e3, 10.0 / 9)
                                        : f->stiffness;

@@ -22,21 +22,22 @@
 /* --------------------------------------------------------------------- Lift */
 
 /*
- * Laws of lift s = h f(y) with the passed part y of the rise; the fall is the
- * law reversed.  Tables are interpolated by the natural cubic spline, whose
- * second derivative, and with it the curvature of the cam, is continuous:
+ * Laws of lift s = h f(y), where y is the passed fraction of the rise; the fall
+ * is the reversed law. Tables are interpolated by the natural cubic spline. Its
+ * second derivative is continuous, and so is the curvature of the cam:
  *
- *   h_{k-1} m_{k-1} + 2 (h_{k-1} + h_k) m_k + h_k m_{k+1}
- *       = 6 ((s_{k+1} - s_k)/h_k - (s_k - s_{k-1})/h_{k-1}),  m_0 = m_{n-1} = 0
+ *     h_{k-1} m_{k-1} + 2 (h_{k-1} + h_k) m_k + h_k m_{k+1}
+ *         = 6 ((s_{k+1} - s_k)/h_k - (s_k - s_{k-1})/h_{k-1}),  m_0 = m_{n-1} =
+ * 0
  *
- * The second derivatives are wrong by up to 12 r/step^2 if heights are rounded
- * to r.  The largest row sum of the inverse is 2, the difference quotient
- * has 6.
+ * If heights are rounded to r, the second derivatives have errors of up to 12
+ * r/step^2. (The largest row sum of the inverse is 2, the difference quotient
+ * contributes a factor of 6.)
  */
 
 static const double pi = 3.14159265358979323846;
 
-/* f, f' and f'' of a law at y in 0..1. */
+/* Computes f, f' and f'' of a law at y in 0..1. */
 static void law_at(ovr_cam_law law, double y, double f[3])
 {
     double z = 1 - y;
@@ -71,7 +72,7 @@ static void by_law(const ovr_cam_form *form, double angle, double lift[3])
     if (angle < 0 || angle > top + form->fall)
         return;
     if (angle >= form->rise && angle <= top) {
-        /* The joints belong to the dwell, where nothing accelerates. */
+        /* The ends of the dwell belong to the dwell, without acceleration. */
         lift[0] = h;
         if (form->dwell > 0)
             return;
@@ -110,8 +111,8 @@ static void by_table(const ovr_cam_form *form, const double *m, double angle,
     lift[2] = a * m[low] + b * m[high];
 }
 
-/* Computes s, s' and s'' at an angle from the beginning of the rise; 0 outside.
- */
+/* Computes s, s' and s'' at an angle measured from the beginning of the rise; 0
+ * outside. */
 static void lift_at(const ovr_cam_form *form, const double *bending,
                     double angle, double lift[3])
 {
@@ -152,7 +153,8 @@ static ovr_status check_table(const ovr_cam_form *form, ovr_error *err)
     return OVR_OK;
 }
 
-/* Thomas's algorithm, with `factor` for the upper diagonal. */
+/* Solves the tridiagonal system by Thomas's algorithm; `factor` stores the
+ * upper diagonal. */
 static void solve_spline(size_t n, const double *x, const double *s, double *m,
                          double *factor)
 {
@@ -169,8 +171,8 @@ static void solve_spline(size_t n, const double *x, const double *s, double *m,
         m[k] -= factor[k] * m[k + 1];
 }
 
-/* Makes a natural cubic spline through a table of lifts: the second derivatives
- * at its points.  The form's own tables are replaced by copies in the arena. */
+/* Computes the natural cubic spline of a table of lifts: its second derivatives
+ * at the points. The tables of the form are replaced by copies in the arena. */
 static ovr_status make_lift(ovr_cam_form *form, double **bending,
                             ovr_arena *arena, ovr_error *err)
 {
@@ -201,7 +203,7 @@ static ovr_status make_lift(ovr_cam_form *form, double **bending,
 struct ovr_cam {
     ovr_cam_form form;
     ovr_cam_event event;
-    double *bending; /* of a table's spline */
+    double *bending; /* second derivatives of a table's spline */
     ovr_arena arena;
 };
 
@@ -222,7 +224,7 @@ ovr_cam_form ovr_cam_form_default(void)
 
 /* --------------------------------------------------------------- contact */
 
-/* Radius of the pitch curve of a roller. */
+/* Returns the radius of the pitch curve of a roller follower. */
 static double pitch_radius(double r, const double lift[3])
 {
     double q = r * r + lift[1] * lift[1];
@@ -292,9 +294,9 @@ static double degrees(double angle)
     return angle * 180 / pi;
 }
 
-/* Margin at an angle until the follower cannot follow.  Flat follower: the
- * cam's radius of curvature.  Roller: the radius of its pitch curve less its
- * own, where the curve is not concave. */
+/* Returns the margin at an angle; the follower cannot follow if it is negative.
+ * Flat follower: the cam's radius of curvature. Roller: radius of its pitch
+ * curve minus roller radius, if the curve is not concave. */
 static double clearance_at(const ovr_cam *cam, double angle)
 {
     const ovr_cam_form *f = &cam->form;
@@ -328,7 +330,7 @@ static ovr_status check_shape(const ovr_cam *cam, double angle, ovr_error *err)
                           1e3 * f->roller_radius);
 }
 
-/* ------------------------------------------------------------- the event */
+/* ------------------------------------------------------------- lift event */
 
 enum { LOOKS = 7200 };
 

@@ -20,13 +20,13 @@
 
 enum { UNIFORM = 1600, CORNERS = 32, POINTS = UNIFORM + 2 + CORNERS };
 
-/* Curvatures of surface 1 below a thousandth of the nominal one are as good as
- * none, and beyond what a case may say. */
+/* Surface 1 counts as flat if its curvature is below 1/1000 of the reference
+ * curvature; larger radii are outside the range of a case. */
 static const double FLATTEST = 1000;
 
 static const double PI = 3.14159265358979323846;
 
-/* ------------------------------------------------------------ which speaks */
+/* ---------------------------------------------------- element of the case */
 
 static bool speaks(const ovr_block *block)
 {
@@ -38,7 +38,7 @@ static bool speaks(const ovr_block *block)
 
 static const char *const names[] = {"gear", "cam", "roller_bearing"};
 
-/* The section of the element, NULL for none. */
+/* Returns the section of the machine element; NULL if there is none. */
 static const ovr_block *element_block(const ovr_resolved *r)
 {
     for (size_t k = 0; k < sizeof names / sizeof *names; k++)
@@ -96,7 +96,7 @@ static ovr_status check_said(const ovr_resolved *r, const ovr_block *block,
     return OVR_OK;
 }
 
-/* The keys that it cannot do without. */
+/* Checks that the required keys are given. */
 static ovr_status check_missing(const ovr_block *block, const char *const *keys,
                                 ovr_error *err)
 {
@@ -160,7 +160,7 @@ ovr_status ovr_resolve_element_keys(ovr_resolved *r, ovr_error *err)
     return OVR_OK;
 }
 
-/* A file of two columns, in units of its own. */
+/* Reads a file of two columns with units. */
 static ovr_status read_table(ovr_resolved *r, const ovr_block *block,
                              const char *file, ovr_two_columns *columns,
                              ovr_error *err)
@@ -173,7 +173,7 @@ static ovr_status read_table(ovr_resolved *r, const ovr_block *block,
     return ovr_slot_columns(slot, file, columns, &r->arena, err);
 }
 
-/* ---------------------------------------------------------- nominal contact */
+/* ------------------------------------------------------ reference contact */
 
 static void take_nominal(ovr_resolved *r, const ovr_element_moment *m)
 {
@@ -184,8 +184,7 @@ static void take_nominal(ovr_resolved *r, const ovr_element_moment *m)
     given->load = m->load;
 }
 
-/* Load per width of the nominal contact by [contact], NAN where it does not
- * say. */
+/* Returns the load per width given in [contact]; NAN if it is not given. */
 static double contact_load(const ovr_resolved *r, double R)
 {
     const ovr_conditions *given = &r->values.contact;
@@ -221,7 +220,8 @@ static ovr_gear *make_gear(const ovr_resolved *r, const ovr_block *block,
     return gear;
 }
 
-/* Shifts that are not given: 0, except for the one that the centre leaves. */
+/* Sets profile shifts that are not given: to 0, or to the value that results
+ * from the centre distance. */
 static void fill_shifts(ovr_gear_form *form)
 {
     bool follows = !isnan(form->centre);
@@ -239,8 +239,8 @@ static ovr_element_moment pitch_point(const ovr_gear *gear)
     return m;
 }
 
-/* The torque by the load at the pitch point: the gear is made with 1 N m first,
- * for its geometry does not depend on it. */
+/* Computes the torque from the load at the pitch point. The gear is first made
+ * with 1 N m, because its geometry does not depend on the torque. */
 static ovr_status torque_by_load(ovr_resolved *r, const ovr_block *block,
                                  ovr_error *err)
 {
@@ -260,9 +260,9 @@ static ovr_status torque_by_load(ovr_resolved *r, const ovr_block *block,
                          "pitch point)");
 }
 
-/* ------------------------------------------------------ where it stands */
+/* ------------------------------------------ position of a steady solution */
 
-/* Seconds since the beginning of the way, by a time. */
+/* Parses a time as seconds since the beginning of the path. */
 static ovr_status time_of(const char *text, double way, double *t,
                           ovr_error *err)
 {
@@ -283,7 +283,7 @@ static ovr_status time_of(const char *text, double way, double *t,
     return OVR_OK;
 }
 
-/* Selects A to E or a time; default: the pitch point. */
+/* Selects a contact point A to E or a time; default: the pitch point. */
 static ovr_status stand_gear(ovr_resolved *r, ovr_element_moment *m,
                              ovr_error *err)
 {
@@ -306,8 +306,8 @@ static ovr_status stand_gear(ovr_resolved *r, ovr_element_moment *m,
     return OVR_OK;
 }
 
-/* Selects an angle or a time; default: the nose.  A mean speed that
- * goes the other way is the same contact seen from the other side. */
+/* Selects an angle or a time; default: the nose. If the mean speed is negative,
+ * the contact is mirrored. */
 static ovr_status stand_cam(ovr_resolved *r, ovr_element_moment *m,
                             ovr_error *err)
 {
@@ -379,10 +379,10 @@ static ovr_status resolve_gear(ovr_resolved *r, const ovr_block *block,
 
 /* -------------------------------------------------------------------- cams */
 
-/* Lifts in metres or micrometres that are taken for millimetres give a contact
- * with a plausible, wrong curvature: that of the base circle, or a sharp edge.
- * Angles in radians give a cam a sixtieth as wide.  Units in a header of the
- * table are not questioned. */
+/* Checks the units of a lift table. Lifts in metres or micrometres read as
+ * millimetres give a plausible but wrong curvature: that of the base circle, or
+ * a sharp edge. Angles in radians give a cam a sixtieth as wide. Units in the
+ * header of the table are not questioned. */
 static ovr_status check_lifts(const ovr_two_columns *table,
                               const ovr_block *block, double base_radius,
                               ovr_error *err)
@@ -392,7 +392,7 @@ static ovr_status check_lifts(const ovr_two_columns *table,
         largest = fmax(largest, fabs(table->y[k]));
         angles = fmax(angles, (table->x[k] - table->x[0]) / table->unit[0]);
     }
-    if (table->named || table->count < 4) /* refused with its cam */
+    if (table->named || table->count < 4) /* checked with the cam */
         return OVR_OK;
     if (angles <= 2.001 * PI)
         return ovr_fail_slot(err, ovr_block_get(block, "file"),
@@ -515,8 +515,8 @@ typedef struct moments {
         radius[POINTS], radius_1[POINTS];
 } moments;
 
-/* Uniform times from begin to end with corners between them, in order; those
- * that lie too close to their neighbours for a table are left out. */
+/* Sorts uniform times from begin to end together with corners. Times too close
+ * to their neighbours for a table are omitted. */
 static void order_times(moments *m, double begin, double end,
                         const double *corner, size_t corners)
 {
@@ -535,7 +535,8 @@ static void order_times(moments *m, double begin, double end,
     m->count = kept;
 }
 
-/* Ends of the blend about B and D, where the share has its corners. */
+/* Returns the ends of the blend about B and D, where the slope of the load
+ * share jumps. */
 static size_t gear_corners(const ovr_resolved *r, double *corner)
 {
     const ovr_gear *gear = r->element.gear;
@@ -562,12 +563,13 @@ static size_t cam_corners(const ovr_resolved *r, double *corner)
     return n;
 }
 
-/* The last step of a run may end after the end of contact.  There a table
- * keeps its value and has no slope, and the inlet's gap, which follows from the
- * slope of the radius (curvature.h), would jump.  So all go on linearly. */
+/* Extends all histories linearly beyond the end of contact, because the last
+ * step of a run may end later. A table would be constant there, and the gap at
+ * the inlet, which follows from the slope of the radius (curvature.h), would
+ * jump. */
 static void add_beyond(moments *m)
 {
-    const double longest = 0.1; /* of a step, in b/um */
+    const double longest = 0.1; /* maximum step in b/u_m */
     double *const all[] = {m->T,       m->load,   m->speed,
                            m->sliding, m->radius, m->radius_1};
     size_t n = m->count++;
@@ -625,7 +627,8 @@ static ovr_status make_histories(ovr_resolved *r, const moments *m,
     return OVR_OK;
 }
 
-/* The run ends at the end of contact, or earlier if the case sets it. */
+/* Sets the end of the run: the end of contact, or an earlier time given in the
+ * case. */
 static ovr_status end_of_way(ovr_resolved *r, double end, ovr_error *err)
 {
     const ovr_slot *slot = ovr_slot_of(r, "time", "end");
@@ -649,7 +652,7 @@ ovr_status ovr_resolve_element_histories(ovr_resolved *r, ovr_error *err)
     if (!m)
         return OVR_NO_MEMORY;
     take_moments(r, m);
-    /* Where the law's curvature jumps, no material can carry it along. */
+    /* A jump of the law's curvature cannot be convected with the material. */
     if (r->element.cam && ovr_cam_of(r->element.cam)->jumps)
         r->values.curvature = OVR_CURVATURE_IMPOSED;
     ovr_status status = make_histories(r, m, err);
@@ -658,8 +661,8 @@ ovr_status ovr_resolve_element_histories(ovr_resolved *r, ovr_error *err)
 
 /* ------------------------------------------------------------------ passes */
 
-/* The loads in order, over the largest; those below a hundredth are left out.
- */
+/* Sets the loads of the passes in order, relative to the largest; loads below a
+ * hundredth are omitted. */
 static ovr_status zone_passes(ovr_resolved *r, ovr_error *err)
 {
     const ovr_bearing *bearing = r->element.bearing;

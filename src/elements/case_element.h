@@ -6,22 +6,24 @@
 
 #include "case/resolve.h"
 
-/* Fills the section that speaks, and refuses what it says already; gives the
- * contact its width. */
+/* Fills the section of the machine element and rejects keys that it determines;
+ * sets the contact's width. */
 ovr_status ovr_resolve_element_keys(ovr_resolved *r, ovr_error *err);
 
-/* Makes the element, once modulus and load are known; its nominal contact:
- * radius, speeds and load. */
+/* Creates the machine element once modulus and load are known, and sets its
+ * reference contact: radius, speeds and load. */
 ovr_status ovr_resolve_element(ovr_resolved *r, ovr_error *err);
 
-/* Its histories of load, speed, sliding and radii, once the contact is there.
- */
+/* Creates its histories of load, speed, sliding and radii once the contact is
+ * known. */
 ovr_status ovr_resolve_element_histories(ovr_resolved *r, ovr_error *err);
 
-/* The passes of a bearing's rollers, before those of the case are checked. */
+/* Sets the passes of a bearing's rollers, before those of the case are
+ * checked. */
 ovr_status ovr_resolve_element_passes(ovr_resolved *r, ovr_error *err);
 
-/* It has a way of its own, from beginning to end: a run in time. */
+/* True if the element moves along a path from beginning to end: a transient
+ * run. */
 bool ovr_element_moves(const ovr_resolved *r);
 
 void ovr_resolved_element_free(ovr_resolved *r);

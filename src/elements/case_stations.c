@@ -17,19 +17,19 @@
 
 typedef struct listing {
     const ovr_resolved *r;
-    double begin; /* s, at which the run begins */
+    double begin; /* start of the run in s */
     ovr_station *station;
     size_t count;
 } listing;
 
-/* Thermal contact coefficient sqrt(k rho c). */
+/* Returns the thermal effusivity sqrt(k rho c). */
 static double coefficient(const ovr_thermal *body)
 {
     return sqrt(body->conductivity * body->density * body->heat_capacity);
 }
 
-/* Sets speeds that are equal or opposite to rounding exactly so, and -0 to 0.
- */
+/* Sets speeds that are equal or opposite within rounding exactly so, and -0 to
+ * 0. */
 static void remove_rounding(ovr_element_moment *m)
 {
     double rounding = 1e-12 * fmax(fabs(m->u1), fabs(m->u2));
@@ -93,7 +93,7 @@ static void gear_stations(listing *l)
     l->begin = g->begin;
     for (size_t k = 0; k < sizeof points / sizeof *points; k++) {
         double t = ovr_gear_time(gear, points[k].way);
-        /* The way that runs may begin later and end earlier. */
+        /* Runs may begin later and end earlier than the path of contact. */
         bool whole = t >= g->begin && t <= g->end;
         t = fmin(fmax(t, g->begin), g->end);
         char name[24];

@@ -22,8 +22,8 @@ double ovr_flash_temperature(const ovr_element_moment *moment, double b,
 {
     if (!moment)
         return NAN;
-    /* Largest value of the integral over the half ellipse, for the whole width
-     * 2 b; the uniform source has 2/sqrt(pi) = 1.1284. */
+    /* Maximum of the integral over the half ellipse, for the full width 2 b; a
+     * uniform source has 2/sqrt(pi) = 1.1284. */
     const double half_ellipse = 1.1115;
     double slip = fabs(moment->u1 - moment->u2);
     double carried = B_1 * sqrt(fabs(moment->u1)) +

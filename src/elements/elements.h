@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Machine elements as the library makes and asks them. */
+/* Machine elements: creation and queries within the library. */
 #ifndef OVR_ELEMENTS_ELEMENTS_H
 #define OVR_ELEMENTS_ELEMENTS_H
 
@@ -8,17 +8,21 @@
 
 #include "overroll/elements.h"
 
-/* Blok's flash temperature (K) above that of the bodies, for a half-elliptic
- * pressure over the width 2 b, friction mu, and thermal contact coefficients
- * B = sqrt(k rho c) in W s^(1/2)/(m2 K):
+/*
+ * Returns Blok's flash temperature rise (K) for a half-elliptic pressure over
+ * the width 2 b, friction coefficient mu, and thermal effusivities B = sqrt(k
+ * rho c) in W s^(1/2)/(m2 K):
+ *
  *     T = 1.1115 mu w |u1 - u2|/((B_1 sqrt u1 + B_2 sqrt u2) sqrt(2 b))
+ *
  * Blok, Proc. Gen. Disc. Lubrication, IMechE, London 1937, vol. 2, p. 222; the
- * constant for the half ellipse is the largest value of its integral. */
+ * constant for the half ellipse is the maximum of its integral.
+ */
 double ovr_flash_temperature(const ovr_element_moment *moment, double b,
                              double mu, double B_1, double B_2);
 
-/* Spur gears of 20 degrees by elastic sharing; numbers of teeth, module, face,
- * speed and torque are still missing. */
+/* Returns spur gears with 20 degrees and elastic load sharing; numbers of
+ * teeth, module, face width, speed and torque must be set. */
 ovr_gear_form ovr_gear_form_default(void);
 
 ovr_gear *ovr_gear_create(const ovr_gear_form *form,
@@ -27,12 +31,13 @@ void ovr_gear_free(ovr_gear *gear);
 const ovr_gear_geometry *ovr_gear_of(const ovr_gear *gear);
 const ovr_gear_form *ovr_gear_form_of(const ovr_gear *gear);
 
-/* The contact t seconds after it began at A (driving 2: at E), from 0 to the
- * duration.  Helical teeth: at the slice across the face; the speeds are those
- * in the transverse plane, radii and load those across the contact line. */
+/* Returns the contact t seconds after it began at A (driving 2: at E), from 0
+ * to the duration. Helical teeth: in the slice across the face width. Speeds
+ * are those in the transverse plane; radii and load are perpendicular to the
+ * contact line. */
 ovr_element_moment ovr_gear_at(const ovr_gear *gear, double t);
 
-/* The moment at which the contact passes the point R1 of the path. */
+/* Returns the time at which the contact is at the point R1 of the path. */
 double ovr_gear_time(const ovr_gear *gear, double R1);
 
 ovr_cam_form ovr_cam_form_default(void);
@@ -41,14 +46,15 @@ ovr_cam *ovr_cam_create(const ovr_cam_form *form,
                         const ovr_allocator *allocator, ovr_error *err);
 void ovr_cam_free(ovr_cam *cam);
 
-/* Its event, and the form that it was made from. */
+/* Return the lift event of a cam and the form that it was made from. */
 const ovr_cam_event *ovr_cam_of(const ovr_cam *cam);
 const ovr_cam_form *ovr_cam_form_of(const ovr_cam *cam);
 
-/* The contact t seconds after `from`. */
+/* Returns the contact t seconds after `from`. */
 ovr_element_moment ovr_cam_at(const ovr_cam *cam, double t);
 
-/* Lift (m) and its first two derivatives by the angle at t. */
+/* Computes the lift (m) and its first two derivatives with respect to the angle
+ * at t. */
 void ovr_cam_lift(const ovr_cam *cam, double t, double lift[3]);
 
 ovr_bearing_form ovr_bearing_form_default(void);
@@ -59,30 +65,30 @@ void ovr_bearing_free(ovr_bearing *bearing);
 const ovr_bearing_geometry *ovr_bearing_of(const ovr_bearing *bearing);
 const ovr_bearing_form *ovr_bearing_form_of(const ovr_bearing *bearing);
 
-/* Load (N) of roller k, counted from the first roller below the load or next to
- * it. */
+/* Returns the load (N) of roller k, counted from the first roller at or after
+ * the load direction. */
 double ovr_bearing_load(const ovr_bearing *bearing, int k);
 
-/* The contact of a roller that carries `load` (N). */
+/* Returns the contact of a roller that carries `load` (N). */
 ovr_element_moment ovr_bearing_contact(const ovr_bearing *bearing, double load);
 
-/* The rollers that one point of the raceway meets in one crossing of the load
- * zone, one of them at the angle `phase` from the load: at most `capacity`
- * angles and loads (N), in the order in which they come; returns how many there
- * are. Loads below `minimum` times the largest are left out.  Of a ring that
- * stands still, one: it is met by every roller alike. */
+/* Finds the rollers that a point of the raceway meets while it crosses the load
+ * zone once, one of them at the angle `phase` from the load. Stores at most
+ * `capacity` angles and loads (N) in order and returns their number. Loads
+ * below `minimum` times the largest are omitted. For a stationary ring it is
+ * one, since every roller meets the point with the same load. */
 size_t ovr_bearing_passes(const ovr_bearing *bearing, double phase,
                           double minimum, size_t capacity, double *angle,
                           double *load);
 
-/* A number of a form that an element cannot do without. */
+/* A required number of a form. */
 typedef struct ovr_needed {
-    const char *about; /* the member of the form */
+    const char *about; /* name of the member */
     double value;
     bool zero; /* may be zero */
 } ovr_needed;
 
-/* The first of `count` numbers that is not finite, or not positive. */
+/* Fails for the first of `count` numbers that is not finite or not positive. */
 ovr_status ovr_check_needed(const ovr_needed *all, size_t count,
                             ovr_error *err);
 

@@ -25,26 +25,29 @@
 /* ------------------------------------------------------ Sharing of the load */
 
 /*
- * Sharing of the load among pairs of teeth; xi in base pitches from A, e the
- * contact ratio.  The pairs in contact are at xi + j, j whole, within 0..e.
+ * Load sharing among pairs of teeth. xi: position in base pitches from A; e:
+ * contact ratio. The pairs in contact are at xi + j with integer j, within
+ * 0..e.
  *
- * rule       from 1/3 at A to 2/3 at B, 1, 2/3 at D to 1/3 at E
- * elastic    least potential energy, all pairs of the unit stiffness
- *                v(xi) = cos(b0 (xi - e/2)),  b0 = ((1 + e/2)^2/2 - 1)^(-1/2)
- *            spur     w_i = w v(xi_i)/sum_j v(xi_j)
- *            helical  w = F_n v(xi)/S, S the integral of v along all contact
- *                     lines (Pedrero et al., Mech. Mach. Theory 45 (2010) 780)
- * stiffness  springs c' v(xi_j) with clearances e_j of tip relief: the
- *            deflection d solves sum_j c' v_j (d - e_j)+ = w
+ *     rule       from 1/3 at A to 2/3 at B, 1, 2/3 at D to 1/3 at E
+ *     elastic    minimum potential energy, all pairs of the unit stiffness
+ *                v(xi) = cos(b0 (xi - e/2)),
+ *                b0 = ((1 + e/2)^2/2 - 1)^(-1/2)
+ *                spur:    w_i = w v(xi_i)/sum_j v(xi_j)
+ *                helical: w = F_n v(xi)/S, S the integral of v along all
+ *                contact lines (Pedrero et al., Mech. Mach. Theory 45 (2010)
+ *                780)
+ *     stiffness  springs c' v(xi_j) with clearances e_j of tip relief: the
+ *                deflection d solves sum_j c' v_j (d - e_j)+ = w
  *
- * Where one pair takes over the whole load its share would jump: with `blend`
- * it goes over by the quintic smoothstep about B and D.
+ * At B and D the load share would jump. With `blend` it changes by the quintic
+ * smoothstep around B and D.
  */
 
 enum { PAIRS = 64 }; /* more than any gear pair has in contact */
 
-/* Ends of the path are met by times that were computed: rounding must not let
- * a pair out. */
+/* Tolerance for times computed at the ends of the path: rounding must not
+ * separate a pair. */
 static const double slack = 1e-12;
 
 static double unit_stiffness(double e, double xi)
@@ -53,8 +56,9 @@ static double unit_stiffness(double e, double xi)
     return cos(b0 * (xi - e / 2));
 }
 
-/* Compliance of a pair in the middle over that at xi: 1 there, less elsewhere
- * (Pedrero, Pleguezuelos, Artes & Antona, Mech. Mach. Theory 45 (2010) 780). */
+/* Returns the stiffness of a pair relative to that in the middle of the path: 1
+ * there, less elsewhere (Pedrero, Pleguezuelos, Artes & Antona, Mech. Mach.
+ * Theory 45 (2010) 780). */
 static double stiffness_at(const ovr_gear_geometry *g, double xi)
 {
     double e = g->contact_ratio;
@@ -70,7 +74,7 @@ static double iso_stiffness(const ovr_gear_form *form,
     double c = base * base * cosine;
     double zn1 = fabs(form->teeth_1 / c), zn2 = fabs(form->teeth_2 / c);
     double x1 = g->shift_1, x2 = g->shift_2;
-    /* A ring gear has no finite number of teeth in this formula. */
+    /* A ring gear has infinitely many teeth in this formula. */
     double one = form->teeth_1 > 0 ? 1 / zn1 : 0;
     double two = form->teeth_2 > 0 ? 1 / zn2 : 0;
     double q = 0.04723 + 0.15551 * one + 0.25791 * two - 0.00635 * x1 -
@@ -90,7 +94,8 @@ static double smoothstep(double y)
     return y >= 1 ? 1 : y * y * y * (10 + y * (6 * y - 15));
 }
 
-/* The share `two` of a pair that is not alone, and 1 between B and D. */
+/* Returns the share of a pair: `two` if two pairs are in contact, and 1 between
+ * B and D. */
 static double alone(const ovr_gear_form *form, const ovr_gear_geometry *g,
                     double xi, double two)
 {
@@ -116,7 +121,8 @@ static double by_energy(const ovr_gear_form *form, const ovr_gear_geometry *g,
 {
     double e = g->contact_ratio, own = unit_stiffness(e, xi);
     if (form->blend > 0) {
-        /* The other pair of two, as if it touched on beyond its end. */
+        /* Stiffness of the other tooth pair, continued beyond the end of its
+         * path of contact. */
         double other = unit_stiffness(e, xi <= e / 2 ? xi + 1 : xi - 1);
         return alone(form, g, xi, own / (own + other));
     }
@@ -133,7 +139,8 @@ static double relieved(double depth, double length, double way)
     return depth > 0 && length > 0 ? depth * fmax(0, 1 - way / length) : 0;
 }
 
-/* Clearance of a pair at xi, by the reliefs of both tips. */
+/* Returns the clearance of a pair at xi due to the tip reliefs of both
+ * gears. */
 static double clearance(const ovr_gear_form *form, const ovr_gear_geometry *g,
                         double xi)
 {
@@ -197,7 +204,7 @@ static double by_table(const ovr_gear_form *form, double xi)
 
 /* -------------------------------------------------------------- helical */
 
-/* Integral of v over the contact lines of all pairs, m. */
+/* Returns the integral of v over the contact lines of all pairs, in m. */
 static double along_lines(const ovr_gear_form *form, const ovr_gear_geometry *g,
                           double xi)
 {
@@ -268,8 +275,8 @@ static double involute(double angle)
     return tan(angle) - angle;
 }
 
-/* The angle whose involute function is `value`: Newton's iteration from above,
- * where it converges from any start, for inv is convex. */
+/* Returns the angle whose involute function is `value`. Newton's iteration
+ * starts from above, where it always converges because inv is convex. */
 static double inverse_involute(double value)
 {
     double angle = fmin(1.5, cbrt(3 * value) + 0.1);
@@ -366,7 +373,8 @@ static ovr_status check_sharing(const ovr_gear_form *f, ovr_error *err)
 
 /* ------------------------------------------------------------- geometry */
 
-/* Shifts and centre distance, of which one follows from the others. */
+/* Computes profile shifts and centre distance, one of which follows from the
+ * others. */
 static ovr_status mesh(const ovr_gear_form *f, ovr_gear_geometry *g, double at,
                        ovr_error *err)
 {
@@ -499,12 +507,12 @@ static void move(const ovr_gear_form *f, ovr_gear_geometry *g)
     double iso = iso_stiffness(f, g, &g->iso_applies);
     g->mesh_stiffness = isnan(f->mesh_stiffness) ? iso : f->mesh_stiffness;
     double b0 = 1 / sqrt(0.5 * pow(1 + g->contact_ratio / 2, 2) - 1);
-    /* The integral of v over the path is its mean over a base pitch, summed
+    /* The integral of v over the path is the mean over a base pitch of the sum
      * over all pairs. */
     g->stiffness_sum = 2 * sin(b0 * g->contact_ratio / 2) / b0;
 }
 
-/* ------------------------------------------------------- the way that runs */
+/* -------------------------------------------- part of the path in contact */
 
 static double xi_at(const ovr_gear *gear, double t)
 {
@@ -513,7 +521,8 @@ static double xi_at(const ovr_gear *gear, double t)
     return gear->form.driving == 1 ? way : g->contact_ratio - way;
 }
 
-/* It carries enough, on flanks that are round enough. */
+/* True if the load and the radius of curvature of the flanks are large
+ * enough. */
 static bool runs(const ovr_gear *gear, double t)
 {
     const ovr_gear_form *f = &gear->form;
@@ -525,8 +534,8 @@ static bool runs(const ovr_gear *gear, double t)
     return gear_load(f, g, xi) > f->min_share * whole;
 }
 
-/* Finds the edge between a time at which it runs and one at which it does
- * not. */
+/* Bisects for the time at which the tooth pair enters or leaves contact, given
+ * one time in contact and one out of contact. */
 static double find_contact_limit(const ovr_gear *gear, double in, double out)
 {
     for (int k = 0; k < 60; k++) {

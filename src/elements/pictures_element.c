@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* An element drawn to scale above what its contact goes through. */
+/* Draws a machine element to scale, and its operating conditions. */
 #include "elements/pictures_element.h"
 
 #include <math.h>
@@ -14,18 +14,19 @@ enum { LOOKS = 800, NAME = 160 };
 
 static const double pi = 3.14159265358979323846;
 
-/* A figure under way. */
+/* A figure that is being drawn. */
 typedef struct sketch {
     const ovr_setup *setup;
     const ovr_stored *run; /* or NULL */
     ovr_arena *arena;
     ovr_element_figure *to;
     ovr_error *err;
-    /* The moments: along the axis; of four panels; places of the contact. */
+    /* Sampled times: positions on the axis; values of four panels; positions of
+     * the contact. */
     double *at, *value[4], *x, *y;
 } sketch;
 
-/* ----------------------------------------------------------- what is in it */
+/* --------------------------------------------------------------- contents */
 
 static void add(sketch *s, ovr_panel *panel, ovr_series series)
 {
@@ -62,7 +63,7 @@ static ovr_panel *history_panel(sketch *s, const char *x_label,
     return panel;
 }
 
-/* The ends of the panel's values, 0 among them, with a little space. */
+/* Sets the range of the panel's values, including 0, with a margin. */
 static void set_range(ovr_panel *panel)
 {
     double low = 0, high = 0;
@@ -79,7 +80,7 @@ static void set_range(ovr_panel *panel)
     panel->y_to = high + margin;
 }
 
-/* Upright dotted lines at marked moments. */
+/* Adds vertical dotted lines at marked positions. */
 static void add_uprights(sketch *s, ovr_panel *panel, const double *at,
                          size_t n)
 {
@@ -98,7 +99,7 @@ static void add_uprights(sketch *s, ovr_panel *panel, const double *at,
                      .width = 1.2});
 }
 
-/* An axis of moments, with marks on it. */
+/* Axis of the panels, with marks. */
 typedef struct course {
     const char *axis;
     double from, till;
@@ -106,8 +107,8 @@ typedef struct course {
     size_t marks;
 } course;
 
-/* Smallest and central film thickness of the run, whose time is a factor of the
- * axis. */
+/* Adds minimum and central film thickness of the run; the axis is a multiple of
+ * its time. */
 static void add_film(sketch *s, const course *c)
 {
     static const struct {
@@ -142,9 +143,9 @@ static void add_film(sketch *s, const course *c)
     add_uprights(s, panel, c->mark, c->marks);
 }
 
-/* The curves over the moments that a panel has, at most two. */
+/* Curves of a panel, at most two. */
 typedef struct over_moments {
-    const char *label[2]; /* NULL: one is enough */
+    const char *label[2]; /* NULL: a single curve */
     int colour[2];
 } over_moments;
 
@@ -163,8 +164,8 @@ static void add_panel(sketch *s, const course *c, const char *y_label,
     add_uprights(s, panel, c->mark, c->marks);
 }
 
-/* Radius, speeds and load, and the film of the run; `of`: what the surfaces
- * are. */
+/* Adds radius, speeds, load and the film thickness of the run; `of`: names of
+ * the surfaces. */
 static void add_course(sketch *s, const course *c, const char *const of[2])
 {
     add_panel(s, c, "radius, {/:Italic R} (mm)", 0,
@@ -187,7 +188,8 @@ static bool take_workspace(sketch *s, size_t n)
     return s->at != NULL;
 }
 
-/* Moment k, whose place has been found in m. */
+/* Stores the operating conditions at sample k, and converts its position from m
+ * to mm. */
 static void note_moment(sketch *s, int k, const ovr_element_moment *m)
 {
     s->value[0][k] = 1e3 * m->R;
@@ -221,7 +223,8 @@ static void draw_teeth(sketch *s, double R1)
                     (ovr_series){.label = gear == 1 ? "gear 1" : "gear 2",
                                  .colour = gear == 1 ? OVR_BLUE : OVR_GREEN});
     }
-    /* The line of action between the base circles, and the path on it. */
+    /* Line of action between the base circles, and the path of contact on
+     * it. */
     ovr_outline line = ovr_outline_make(s->arena);
     ovr_outline path = line, points = line;
     const double ends[] = {0, g->line > 0 ? g->line : g->R1_E + g->base_pitch};
@@ -296,8 +299,7 @@ static void draw_gear(sketch *s)
 
 /* --------------------------------------------------------------------- cams */
 
-/* Draws a follower in the middle of what runs; returns how far out it reaches,
- * m. */
+/* Draws a follower; returns its outer radius in m. */
 static double draw_follower(sketch *s, ovr_outline *to)
 {
     const ovr_cam *cam = ovr_setup_cam(s->setup);
@@ -405,7 +407,8 @@ static void draw_cam(sketch *s)
 
 /* ----------------------------------------------------------------- bearings */
 
-/* The angle from the load, which points down, as one from +x. */
+/* Converts an angle measured from the load, which points down, to one measured
+ * from +x. */
 static double upright(double psi)
 {
     return psi - pi / 2;
@@ -418,7 +421,8 @@ static double first_angle(const ovr_bearing_form *form)
                                              : 0;
 }
 
-/* Rollers, and bars as long as what they carry outside of the ring. */
+/* Draws rollers, and bars outside the ring with lengths proportional to their
+ * loads. */
 static void draw_rollers(sketch *s, ovr_outline *rollers, ovr_outline *bars)
 {
     const ovr_bearing *bearing = ovr_setup_bearing(s->setup);
@@ -478,8 +482,8 @@ static void draw_rings(sketch *s, const double *met, size_t count)
     panel->y_to = size;
 }
 
-/* Draws what a roller would carry at each angle, were it there, over the
- * rollers that stand and those that a point meets. */
+/* Draws the load of a roller as a function of its angle, the present rollers,
+ * and those that a point of the raceway meets. */
 static void draw_bearing(sketch *s)
 {
     static const char *const axis = "angle from the load (degrees)";
@@ -523,7 +527,7 @@ static void draw_bearing(sketch *s)
     set_range(p);
 }
 
-/* -------------------------------------------------------------------- whole */
+/* -------------------------------------------------------- complete figure */
 
 ovr_status ovr_element_draw(const ovr_setup *setup, const ovr_stored *run,
                             ovr_arena *arena, ovr_element_figure *figure,

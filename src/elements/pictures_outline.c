@@ -70,11 +70,12 @@ void ovr_outline_arc(ovr_outline *to, double x, double y, double radius,
 /* -------------------------------------------------------------------- gears */
 
 typedef struct wheel {
-    double y;      /* of its centre */
-    double side;   /* of the contact: 1 above the centre, -1 below */
-    double mirror; /* -1: gear 2 drives, and the line leans the other way */
+    double y;      /* y of its centre */
+    double side;   /* side of the contact: 1 above the centre, -1 below */
+    double mirror; /* -1: gear 2 drives, and the line of action is inclined the
+                    * other way */
     double base, tip, foot;
-    double half, reference; /* angles: half a tooth and inv a_t */
+    double half, reference; /* half the tooth angle, and inv a_t */
     int teeth;
 } wheel;
 
@@ -83,7 +84,7 @@ static double involute(double cosine)
     return tan(acos(cosine)) - acos(cosine);
 }
 
-/* Half the angle of a tooth, of a ring's that of its tooth too. */
+/* Returns half the angle of a tooth at radius r, also for a ring gear. */
 static double half_tooth(const wheel *w, double r)
 {
     double psi = w->half + w->reference - involute(fmin(1, w->base / r));
@@ -104,8 +105,8 @@ static wheel wheel_of(const ovr_gear_form *f, const ovr_gear_geometry *g,
                .foot = fabs(d / 2 + f->module * (x - 1.25)),
                .half = (pi / 2 + 2 * x * tan(f->pressure_angle)) / z,
                .reference = involute(2 * base / d)};
-    /* Gear 1 is below the pitch point, and a ring about it too; a ring
-     * that is gear 1 above, with gear 2. */
+    /* An external gear 1 and a ring gear 2 have their centres below the pitch
+     * point, the others above. */
     bool below = (gear == 1) == (z > 0);
     w.y = below ? -rw : rw;
     w.side = below ? 1 : -1;
@@ -121,14 +122,16 @@ void ovr_gear_place(const ovr_gear_form *form, const ovr_gear_geometry *g,
     *y = way * sin(g->working_angle);
 }
 
-/* A point of the wheel, `angle` from the line of centres, positive to +x. */
+/* Appends a point of the wheel; `angle` is measured from the line of centres,
+ * positive to +x. */
 static void add_polar(ovr_outline *to, const wheel *w, double r, double angle)
 {
     ovr_outline_add(to, w->mirror * r * sin(angle),
                     w->y + w->side * r * cos(angle));
 }
 
-/* One flank of the tooth about `centre`, from `from` to `till`. */
+/* Appends one flank of the tooth about `centre`, from radius `from` to
+ * `till`. */
 static void add_flank(ovr_outline *to, const wheel *w, double centre,
                       double side, double from, double till)
 {
@@ -147,7 +150,7 @@ void ovr_outline_teeth(ovr_outline *to, const ovr_gear_form *form,
     ovr_gear_place(form, g, R1, &x, &y);
     double r = hypot(x, y - w.y);
     double at = atan2(w.mirror * x, w.side * (y - w.y));
-    /* The flank of gear 1 faces +x, that of gear 2 faces it. */
+    /* The active flank of gear 1 faces +x, that of gear 2 faces it. */
     double push = gear == 1 ? 1 : -1;
     double centre = at - push * half_tooth(&w, r),
            pitch = 2 * pi / abs(w.teeth);

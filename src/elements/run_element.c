@@ -44,8 +44,8 @@ static void put(const answered *a, const char *key, double number)
     ovr_put_number(&to, key, number);
 }
 
-/* Mean power put in by the surfaces, W/m.  NAN if the run is only a part of the
- * element's cycle, or if its friction is impossible. */
+/* Returns the mean power supplied by the surfaces, W/m. NAN if the run covers
+ * only a part of the element's cycle, or if its friction is unrealistic. */
 static double mean_power(const answered *a)
 {
     const ovr_statistics *total = ovr_simulation_statistics(a->run->sim);
@@ -66,7 +66,7 @@ static double seconds(const answered *a, double T)
 /* ------------------------------------------------------------------ gears */
 
 /* Returns the distance from the pitch point along the line of action, positive
- * behind it. */
+ * after it. */
 static double from_pitch_point(const answered *a, double T)
 {
     const ovr_gear *gear = a->r->element.gear;
@@ -91,8 +91,8 @@ static void put_gear(const answered *a)
     put(a, "contact_ratio", g->contact_ratio);
     put(a, "overlap_ratio", g->overlap_ratio);
     put(a, "power_loss_W", a->run->transient ? loss : NAN);
-    /* The torque is that of gear 1, which the loss has passed where it is
-     * driven. */
+    /* The torque is that of gear 1; if gear 1 is driven, the loss is already
+     * subtracted. */
     put(a, "efficiency",
         !a->run->transient   ? NAN
         : form->driving == 1 ? 1 - loss / power
@@ -112,8 +112,8 @@ static double degrees_at(const answered *a, double T)
     return (from + form->speed * seconds(a, T)) * 180 / pi;
 }
 
-/* The largest torque that lifts the follower: its force on the cam times the
- * follower's way by the angle, F s', without friction. */
+/* Returns the maximum torque that lifts the follower without friction: contact
+ * force times derivative of the lift with respect to the angle, F s'. */
 static double lifting_torque(const answered *a)
 {
     enum { LOOKS = 3600 };
@@ -177,13 +177,14 @@ void ovr_element_summary(const ovr_run_info *run, ovr_summary_taker *take,
 
 /* -------------------------------------------------------- Group of the file */
 
-/* The group `element` of a result file: the conditions of a gear or cam contact
- * in time, as computed by the machine element and not by the splines of the
- * run. */
+/* Group `element` of a result file: the operating conditions of a gear or cam
+ * contact as functions of time, computed by the machine element instead of the
+ * splines of the run. */
 
 enum { LOOKS = 401, ARRAYS = 7 };
 
-/* Lengths in b, speeds and load over the nominal ones; a flat is NAN. */
+/* Stores lengths in b, and speeds and load relative to their reference values;
+ * a flat surface has radius NAN. */
 static void look(const ovr_setup *setup, double *const column[ARRAYS + 1])
 {
     const ovr_gear *gear = ovr_setup_gear(setup);
@@ -263,8 +264,9 @@ ovr_status ovr_run_keep_element(ovr_run *run, ovr_error *err)
 
 /* ------------------------------------------------------------------- Review */
 
-/* The load of spur gears comes on about B and leaves about D within the blend,
- * where shares are those of no rule. */
+/* True if the blend changes the load sharing. Within the blend, pairs of spur
+ * gears take over the load around B and give it off around D, and the shares
+ * follow no rule. */
 static bool blends(const ovr_gear_form *f, const ovr_gear_geometry *g)
 {
     return f->blend > 0 && !(g->overlap_ratio > 0) &&
@@ -299,7 +301,8 @@ static void review_end(const ovr_setup *setup, ovr_listener *say, void *data)
              end, way, 1e3 * way * setup->contact->time);
 }
 
-/* Reviews the film of the fit, where that is smallest. */
+/* Warns if the smallest predicted minimum film thickness is below the composite
+ * roughness. */
 static void review_film(const ovr_setup *setup, ovr_listener *say, void *data)
 {
     ovr_station station[OVR_STATIONS_MAX];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Reviews a gear pair, cam or bearing before its run, and after. */
+/* Warnings about a gear pair, cam or bearing before and after its run. */
 #ifndef OVR_ELEMENTS_RUN_ELEMENT_H
 #define OVR_ELEMENTS_RUN_ELEMENT_H
 
@@ -7,7 +7,7 @@
 
 void ovr_review_element(const ovr_setup *setup, ovr_listener *say, void *data);
 
-/* Reads the extremes of a run. */
+/* Warns according to the extremes of a run. */
 void ovr_review_element_after(const ovr_setup *setup,
                               const ovr_statistics *total, ovr_listener *say,
                               void *data);
