@@ -271,11 +271,8 @@ static ovr_status resolve_oil(ovr_resolved *r, ovr_error *err)
             err, supplied, "is also set in [lubricant]; remove one of the two");
     if (supplied->given)
         oil->temperature = supplied->number;
-    oil->viscosity_law = (ovr_viscosity_law)v->viscosity_law;
-    oil->density_law = (ovr_density_law)v->density_law;
     oil->viscosity = v->contact.viscosity;
     oil->alpha = v->contact.alpha;
-    oil->mineral = v->oil_kind == 1;
     if (!status && oil->viscosity_law == OVR_VISCOSITY_TABLE)
         status = read_table(r, "viscosity_file", v->viscosity_file,
                             OVR_TABLE_OF_VISCOSITY, err);
@@ -336,12 +333,8 @@ ovr_status ovr_resolve_flow(ovr_resolved *r, ovr_error *err)
     ovr_flow_form *form = &r->values.flow;
     const ovr_block *block = ovr_block_of(r, "lubricant");
     ovr_error why = {0};
-    form->rheology = (ovr_rheology)r->values.rheology;
-    if (form->rheology == OVR_CARREAU) {
+    if (form->rheology == OVR_CARREAU)
         form->rheology = (ovr_rheology)r->values.carreau_form;
-        form->stress = r->values.carreau_stress;
-        form->number = r->values.carreau_number;
-    }
     if (form->rheology == OVR_FLOW_TABLE && read_flow_table(r, err))
         return err ? err->status : OVR_BAD_INPUT;
     if (form->rheology > OVR_EYRING) {
@@ -387,7 +380,6 @@ ovr_status ovr_resolve_contact(ovr_resolved *r, ovr_error *err)
     bool numbers;
     *given = ovr_conditions_default();
     r->values.flow = ovr_flow_form_default();
-    r->values.carreau_stress = r->values.carreau_number = NAN;
     if (check_twice(r, "viscosity", err) || check_twice(r, "alpha", err))
         return OVR_BAD_INPUT;
     r->values.oil = ovr_oil_default();

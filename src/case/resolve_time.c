@@ -84,19 +84,12 @@ ovr_status ovr_resolve_history(ovr_resolved *r, const char *section,
                                ovr_error *err)
 {
     const ovr_block *block = ovr_case_find_block(r->c, section, NULL);
-    ovr_history_form form = ovr_history_form_default();
+    ovr_history_form form = change->form;
     ovr_error why = {0};
-    form.kind = (ovr_history_kind)change->history;
-    form.from = change->from;
-    form.to = change->to;
-    form.start = change->start;
-    form.duration = change->duration;
-    form.amplitude = change->amplitude;
-    form.period = change->period;
     if (strcmp(section, "sliding") == 0)
         of_sliding(r, &form);
-    if (strcmp(section, "speed") == 0)
-        form.mean = change->mean;
+    else if (strcmp(section, "speed") != 0)
+        form.mean = 1;
     if (form.kind == OVR_HISTORY_CONSTANT)
         return OVR_OK;
     if (form.kind == OVR_HISTORY_SINE && !ovr_block_get(block, "period")->given)
@@ -226,7 +219,7 @@ ovr_status ovr_resolve_time(ovr_resolved *r, ovr_error *err)
         return err ? err->status : OVR_BAD_INPUT;
     if (ovr_resolve_history(r, "speed", &v->speed, &s->speed, err))
         return err ? err->status : OVR_BAD_INPUT;
-    v->sliding.from = v->sliding.to = NAN;
+    v->sliding.form.from = v->sliding.form.to = NAN;
     if (ovr_section_fill(r, "sliding", err))
         return OVR_BAD_INPUT;
     if (ovr_resolve_history(r, "sliding", &v->sliding, &s->sliding, err))
@@ -405,7 +398,7 @@ static bool tables_swing(const ovr_resolved *r)
     const ovr_change *const of[] = {&v->load, &v->speed, &v->sliding,
                                     &v->radius, &v->radius_1};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        if (of[k]->history == OVR_HISTORY_TABLE &&
+        if (of[k]->form.kind == OVR_HISTORY_TABLE &&
             swings(all[k], ovr_setup_end(s), LONG_STEP * s->mesh))
             return true;
     return false;
@@ -414,10 +407,10 @@ static bool tables_swing(const ovr_resolved *r)
 /* True if a change is so fast that only few steps resolve it. */
 static bool is_quick(const ovr_change *c, double minimum)
 {
-    switch (c->history) {
+    switch (c->form.kind) {
     case OVR_HISTORY_STEP: return true;
-    case OVR_HISTORY_RAMP: return c->duration < minimum;
-    case OVR_HISTORY_SINE: return c->period < minimum;
+    case OVR_HISTORY_RAMP: return c->form.duration < minimum;
+    case OVR_HISTORY_SINE: return c->form.period < minimum;
     default: return false;
     }
 }

@@ -29,13 +29,11 @@ typedef struct ovr_feature_settings {
 typedef struct ovr_element_settings {
     ovr_gear_form gear;
     double power; /* in W; NAN: not given */
-    int sharing;
     const char *sharing_file;
     ovr_cam_form cam;
-    int follower, law;
     const char *lift_file;
     ovr_bearing_form bearing;
-    int position, passes;
+    int passes;
 } ovr_element_settings;
 
 /* Values of [roller_bearing] passes. */
@@ -51,15 +49,12 @@ typedef struct ovr_settings {
     double bearable;
     double Rq[2]; /* roughness that is not on the grid, m; NAN: unknown */
     int scale;
-    int viscosity_law, density_law, oil_kind;
     ovr_oil oil;
     double iso_vg;
     const char *viscosity_file, *density_file;
-    const char *limit_table, *residual_table;
     ovr_flow_form flow;
-    int rheology, carreau_form;
+    int carreau_form;
     const char *rheology_file;
-    double carreau_stress, carreau_number;
     ovr_options options;
     int scheme; /* -1: chosen from steps and histories */
     int nodes;

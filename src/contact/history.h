@@ -4,13 +4,12 @@
 #ifndef OVR_CONTACT_HISTORY_H
 #define OVR_CONTACT_HISTORY_H
 
-#include "overroll/contact.h"
+#include "contact/contact.h"
 
 /* The keys of a history fill this (contact/history_keys.h). */
 typedef struct ovr_change {
-    int history; /* ovr_history_kind */
-    double from, to, start, duration, amplitude, period, mean;
-    const char *file;
+    ovr_history_form form; /* without the points of a table */
+    const char *file;      /* of the table */
     int time_unit;
 } ovr_change;
 

@@ -16,27 +16,27 @@ extern const ovr_word ovr_history_words[], ovr_time_unit_words[];
     "history = ramp | step => from or to; history = sine => amplitude"
 
 /* clang-format off */
-#define HISTORY(base, initial, low, high, swing, when)                        \
-    {"history", CHOICE(ovr_history_words), "constant",                        \
-     IN_CHANGE(base, history), true, when,                                    \
-     "time history relative to the reference value"},                          \
-    {"from", PLAIN(low, high), initial, IN_CHANGE(base, from), true,          \
-     "history = ramp | step", "value before the start"},                       \
-    {"to", PLAIN(low, high), initial, IN_CHANGE(base, to), true,              \
-     "history = ramp | step", "value at the end"},                            \
-    {"start", TIME(-1e6, 1e6), "0", IN_CHANGE(base, start), true,             \
-     "history = ramp | step | sine", "time at which the change begins"},      \
-    {"duration", TIME(0, 1e6), "0", IN_CHANGE(base, duration), true,          \
-     "history = ramp", "duration of the change (quintic smoothstep)"},         \
-    {"amplitude", PLAIN(-(swing), swing), "0", IN_CHANGE(base, amplitude),    \
-     true, "history = sine",                                                  \
-     "amplitude about 1; of the sliding speed about slide_to_roll"},           \
-    {"period", SPAN(NULL, 1e6), NULL, IN_CHANGE(base, period), true,          \
-     "history = sine", "period"},                                             \
-    {"file", PATH, NULL, IN_CHANGE(base, file), true, "history = table",      \
-     "text file of two columns, time and value"},                             \
-    {"time_unit", CHOICE(ovr_time_unit_words), "b/um",                        \
-     IN_CHANGE(base, time_unit), true, "history = table",                      \
+#define HISTORY(base, initial, low, high, swing, when)                    \
+    {"history", CHOICE(ovr_history_words), "constant",                    \
+     IN_CHANGE(base, form.kind), true, when,                              \
+     "time history relative to the reference value"},                     \
+    {"from", PLAIN(low, high), initial, IN_CHANGE(base, form.from), true, \
+     "history = ramp | step", "value before the start"},                  \
+    {"to", PLAIN(low, high), initial, IN_CHANGE(base, form.to), true,     \
+     "history = ramp | step", "value at the end"},                        \
+    {"start", TIME(-1e6, 1e6), "0", IN_CHANGE(base, form.start), true,    \
+     "history = ramp | step | sine", "time at which the change begins"},  \
+    {"duration", TIME(0, 1e6), "0", IN_CHANGE(base, form.duration), true, \
+     "history = ramp", "duration of the change (quintic smoothstep)"},    \
+    {"amplitude", PLAIN(-(swing), swing), "0",                            \
+     IN_CHANGE(base, form.amplitude), true, "history = sine",             \
+     "amplitude about 1; of the sliding speed about slide_to_roll"},      \
+    {"period", SPAN(NULL, 1e6), NULL, IN_CHANGE(base, form.period), true, \
+     "history = sine", "period"},                                         \
+    {"file", PATH, NULL, IN_CHANGE(base, file), true, "history = table",  \
+     "text file of two columns, time and value"},                         \
+    {"time_unit", CHOICE(ovr_time_unit_words), "b/um",                    \
+     IN_CHANGE(base, time_unit), true, "history = table",                 \
      "unit of the times in the file"}
 /* clang-format on */
 

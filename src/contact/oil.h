@@ -40,8 +40,8 @@ typedef struct ovr_oil {
     double S0, beta;        /* fall of viscosity with temperature: Roelands' S0;
                                -d ln eta/dT at p = 0, 1/K */
     const ovr_law_table *viscosity_table, *density_table;
-    bool mineral; /* alpha and density_15 that are not given are estimated as
-                     those of a mineral oil */
+    int mineral; /* 1: estimate alpha and density_15 of a mineral oil where
+                    they are not given */
 } ovr_oil;
 
 /* Points that a law was measured at. */

@@ -124,7 +124,7 @@ static const char *const *needed(const ovr_resolved *r, const ovr_block *block)
         return gear;
     if (!strcmp(block->section->name, "roller_bearing"))
         return bearing;
-    return r->values.element.law == OVR_CAM_TABLE ? table : law;
+    return r->values.element.cam.law == OVR_CAM_TABLE ? table : law;
 }
 
 ovr_status ovr_resolve_element_keys(ovr_resolved *r, ovr_error *err)
@@ -145,10 +145,6 @@ ovr_status ovr_resolve_element_keys(ovr_resolved *r, ovr_error *err)
         (status = ovr_block_fill(r, block, &r->values, err)) ||
         (status = check_missing(block, needed(r, block), err)))
         return status;
-    e->gear.sharing = (ovr_gear_sharing)e->sharing;
-    e->cam.law = (ovr_cam_law)e->law;
-    e->cam.follower = (ovr_cam_follower)e->follower;
-    e->bearing.position = (ovr_bearing_position)e->position;
     if (!isnan(*width))
         return ovr_fail_slot(err, ovr_slot_of(r, "contact", "width"),
                              "already determined by [%s]; remove width",

@@ -58,8 +58,7 @@ static const ovr_parameter gear_keys[] = {
      ALWAYS, "on gear 1"},
     {"power", WITH_UNIT(OVR_POWER, 1e-9, 1e15), NULL, AT(element.power), true,
      "no torque; teeth_1", "transmitted power, instead of the torque"},
-    {"sharing", CHOICE(sharings), "elastic", AT(element.sharing), true,
-     "teeth_1",
+    {"sharing", CHOICE(sharings), "elastic", GEAR(sharing), true, "teeth_1",
      "how pairs share the load: least elastic energy (Pedrero et al. 2010); "
      "1/3 to 2/3; springs by ISO 6336-1 with tip relief; a table"},
     {"file", PATH, NULL, AT(element.sharing_file), true,
@@ -112,8 +111,7 @@ static const ovr_word laws[] = {
 #define BY_LAW "law = 4567 | 345 | cycloidal | harmonic"
 
 static const ovr_parameter cam_keys[] = {
-    {"follower", CHOICE(followers), "flat", AT(element.follower), true,
-     "base_radius",
+    {"follower", CHOICE(followers), "flat", CAM(follower), true, "base_radius",
      "flat, or a roller; moves along a line through the axis "
      "of the cam"},
     {"base_radius", OF_LENGTH(1e-5, 1e2), NULL, CAM(base_radius), true, ALWAYS,
@@ -124,7 +122,7 @@ static const ovr_parameter cam_keys[] = {
      "width of the contact"},
     {"speed", WITH_UNIT(OVR_ROTATION, 1e-9, 1e6), NULL, CAM(speed), true,
      ALWAYS, "speed of the cam (surface 1)"},
-    {"law", CHOICE(laws), "4567", AT(element.law), true, "base_radius",
+    {"law", CHOICE(laws), "4567", CAM(law), true, "base_radius",
      "lift law: polynomials 4-5-6-7 or 3-4-5, cycloidal, harmonic, or a table"},
     {"lift", OF_LENGTH(1e-6, 1e2), NULL, CAM(lift), true,
      BY_LAW "; base_radius", "largest lift"},
@@ -196,7 +194,7 @@ static const ovr_parameter bearing_keys[] = {
      "raceway of the contact (surface 1)"},
     {"slip", WITH_UNIT(OVR_SHARE, -1.9, 1.9), "0", BEARING(slip), true,
      "rollers", "slide-to-roll ratio (u1 - u2)/u_m at the given raceway speed"},
-    {"position", CHOICE(positions), "roller", AT(element.position), true,
+    {"position", CHOICE(positions), "roller", BEARING(position), true,
      "rollers",
      "position of the rollers relative to the load direction: a roller, a gap, "
      "or a roller at an angle"},

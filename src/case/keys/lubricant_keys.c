@@ -30,11 +30,11 @@ static const ovr_word oils[] = {{"given", 0}, {"mineral", 1}, {NULL, 0}};
 static const ovr_word auto_nan[] = {{"auto", NAN}, {NULL, 0}};
 
 static const ovr_parameter lubricant_keys[] = {
-    {"viscosity_law", CHOICE(viscosity_laws), "roelands", AT(viscosity_law),
+    {"viscosity_law", CHOICE(viscosity_laws), "roelands", AT(oil.viscosity_law),
      true, ALWAYS, "viscosity against pressure"},
-    {"density_law", CHOICE(density_laws), "dowson-higginson", AT(density_law),
-     true, ALWAYS, "density against pressure"},
-    {"oil", CHOICE(oils), "given", AT(oil_kind), true,
+    {"density_law", CHOICE(density_laws), "dowson-higginson",
+     AT(oil.density_law), true, ALWAYS, "density against pressure"},
+    {"oil", CHOICE(oils), "given", AT(oil.mineral), true,
      "no alpha or iso_vg or viscosity_40; "
      "no contact.alpha or iso_vg or viscosity_40",
      "mineral: where alpha is not given, an estimate from the viscosity, and "
@@ -50,18 +50,18 @@ static const ovr_parameter lubricant_keys[] = {
      "viscosity_law = roelands",
      "Roelands' index; auto: alpha p0/(ln eta0 + 9.67) where alpha and "
      "viscosity are known, else 0.68"},
-    {"rheology", CHOICE(rheologies), "newtonian", AT(rheology), true, ALWAYS,
-     "shear stress against shear rate"},
+    {"rheology", CHOICE(rheologies), "newtonian", AT(flow.rheology), true,
+     ALWAYS, "shear stress against shear rate"},
     {"eyring_stress", WITH_UNIT(OVR_PRESSURE, 1, 1e12), NULL, AT(flow.stress),
      true, "rheology = eyring",
      "Eyring stress tau0, above which the "
      "lubricant is shear-thinning"},
     {"eyring_number", POSITIVE(1e12), NULL, AT(flow.number), true,
      "rheology = eyring", "tau0 divided by p_h b/R, instead of eyring_stress"},
-    {"carreau_stress", WITH_UNIT(OVR_PRESSURE, 1, 1e12), NULL,
-     AT(carreau_stress), true, "rheology = carreau",
+    {"carreau_stress", WITH_UNIT(OVR_PRESSURE, 1, 1e12), NULL, AT(flow.stress),
+     true, "rheology = carreau",
      "stress tau0 (G), above which the lubricant is shear-thinning"},
-    {"carreau_number", POSITIVE(1e12), NULL, AT(carreau_number), true,
+    {"carreau_number", POSITIVE(1e12), NULL, AT(flow.number), true,
      "rheology = carreau",
      "tau0 divided by p_h b/R, instead of "
      "carreau_stress"},

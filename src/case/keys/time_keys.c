@@ -57,7 +57,7 @@ const ovr_section ovr_load_section = {
 
 static const ovr_parameter speed_keys[] = {
     HISTORY(AT(speed), "1", -100, 100, 100, CHANGES " or mean"),
-    {"mean", PLAIN(-100, 100), "1", IN_CHANGE(AT(speed), mean), true,
+    {"mean", PLAIN(-100, 100), "1", IN_CHANGE(AT(speed), form.mean), true,
      "history = sine", "mean value of the oscillation; 0: the motion reverses"},
 };
 
