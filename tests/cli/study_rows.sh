@@ -4,6 +4,7 @@
 # The table is that of the study with files; a killed sweep, destroyed rows, a
 # lost index and a study that grows lose and repeat nothing.
 . "$TOP/tests/support/cli.sh"
+. "$TOP/tests/support/sweep_failures.sh"
 need setsid
 
 cat >case.ini <<'END'
@@ -120,27 +121,8 @@ rm rows/cases.index
 expect 0 "$OVERROLL" sweep rows.ini
 contains out '128 finished'
 
-# Failures are rows with the message, run again on request
-cat >bad.ini <<'END'
-[study]
-results = no
-[set]
-domain.level = 4
-[product]
-contact.M = 20
-contact.lambda = 1
-contact.L = 5, 6
-END
-expect 1 "$OVERROLL" sweep bad.ini -j 2
-contains out '2 cases: 2 failed'
-contains out '^  1 failed M=20_lambda=1_L=5: .*lambda'
-contains bad/manifest.csv '^1,.*,failed,,,.*lambda'
-expect 1 "$OVERROLL" sweep bad.ini
-[ ! -s err ] || fail "failed cases ran again: $(cat err)"
-expect 1 "$OVERROLL" sweep bad.ini --retry
-contains err '^100 %'
-expect 1 "$OVERROLL" sweep bad.ini --task 2 --retry
-contains out '^2 failed M=20_lambda=1_L=6: .*lambda'
+# Failures are rows with the message.
+lists_failures no
 
 # Files of each case, as version 0.3.0 and results = yes make them, count
 cat >old.ini <<'END'

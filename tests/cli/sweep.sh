@@ -4,6 +4,7 @@
 # listed and retried on request; the same results with one worker, with two,
 # by GNU parallel and as a job array.
 . "$TOP/tests/support/cli.sh"
+. "$TOP/tests/support/sweep_failures.sh"
 
 cat >base.ini <<'END'
 [contact]
@@ -152,28 +153,7 @@ contains out '^--redo'
 expect 0 "$OVERROLL" sweep study.ini --redo -j 2
 contains out '12 cases: 12 finished'
 
-# Failures are listed, left alone, and retried on request
-cat >bad.ini <<'END'
-[set]
-domain.level = 4
-[product]
-contact.M = 20
-contact.lambda = 1
-contact.L = 5, 6
-END
-expect 1 "$OVERROLL" sweep bad.ini -j 2
-contains out '2 cases: 2 failed'
-contains out '^  1 failed M=20_lambda=1_L=5: .*lambda'
-contains out '^  and 1 more, see manifest.csv'
-contains bad/manifest.csv '^1,.*,failed,,,.*lambda'
-expect 1 "$OVERROLL" sweep bad.ini
-[ ! -s err ] || fail "failed cases ran again: $(cat err)"
-expect 0 "$OVERROLL" sweep bad.ini --list
-[ ! -s out ] || fail "$(cat out)"
-expect 0 "$OVERROLL" sweep bad.ini --list --retry
-[ "$(wc -l <out)" -eq 2 ] || fail "$(cat out)"
-expect 1 "$OVERROLL" sweep bad.ini --retry
-contains err '^100 %'
+lists_failures yes
 
 # What is wrong is said before anything runs
 wrong() {
@@ -209,17 +189,3 @@ expect 0 ncdump -v seed,M,scheme,H_min all.nc
 contains out 'case = 12'
 contains out '^ seed = 1, 1, 1, 1, 2,'
 contains out 'upstream1'
-
-# Failures of eight kinds: five are printed.
-printf '[contact]\nM = 20\nL = 5\n[domain]\nlevel = 3\n' >thin.ini
-cat >kinds.ini <<'END'
-[study]
-case = thin.ini
-output = thin
-results = no
-[product]
-contact.M = 800, 1000, 1200, 1500, 2000, 2500, 3000, 4000
-END
-expect 1 "$OVERROLL" sweep kinds.ini
-[ "$(grep -c 'too thin for the grid' out)" = 5 ] || fail "$(cat out)"
-contains out '^  and 3 more, see manifest.csv'
