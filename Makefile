@@ -278,8 +278,10 @@ SURVEYS   := $(addprefix tests/,reference/any_case_slow_test.c \
                reference/stays_slow_test.c reference/touches_test.c \
                reference/elements_marched.sh reference/still_surfaces.sh \
                reference/mixes_slow.sh reference/wide_case_slow_test.c \
-               unit/effects_slow_test.c \
-               unit/restart_test.c \
+               reference/told_slow_test.c reference/histories_slow_test.c \
+               reference/hot_starts_test.c \
+               unit/effects_slow_test.c unit/jumps_test.c \
+               unit/levels_slow_test.c unit/restart_test.c \
                cli/power.sh cli/kills.sh cli/random_kills_slow.sh \
                cli/io_faults.sh)
 VERIFYSRC := $(wildcard tests/verify/*_test.c) $(filter %.c,$(SURVEYS))

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The level that is chosen for an accuracy; verify/levels_test has more. */
+/* The level that is chosen for an accuracy; more cases in make verify. */
 #include <stdio.h>
 
 #include "../support/levels.h"
@@ -8,14 +8,14 @@
 
 TEST(errors_are_asked_for)
 {
-    test_levels_steady(20261122, 10);
-    test_levels_in_time(7, 1);
+    test_levels_steady(1, test_draws(10, 100));
+    test_levels_in_time(2, test_draws(1, 12));
 }
 
 TEST(usual_levels_do)
 {
-    test_levels_usual(30, 5);
-    test_levels_touching(4, 6);
+    test_levels_usual(3, test_draws(5, 60));
+    test_levels_touching(5, test_draws(6, 40));
 }
 
 static double expected(const char *text, int *level)
