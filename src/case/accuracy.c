@@ -25,7 +25,7 @@
  *
  *   films of order 4    3e-5 + 0.035 x^2 + v (2 + l^4) x^3,
  *                       l = min(L, 25)/17, v = 0.7, or 2.8 where load, speed
- *                       or radius vary or waves pass.
+ *                       or radius vary, or waves or dents of a > 1 pass.
  *   the same, by gap    3e-5 + 0.035 x^2 + (1.5 + 7 l^4) x^3, twice the cube
  *                       where the speed varies
  *   steady, of order 2  (0.2 + 0.8 l^4) x^2; by gap (0.12 + 2.9 l^4) x^2
@@ -33,7 +33,9 @@
  *     raised by r = S/H   k = 0.8 r/(1 - r): the film at its minimum is less
  *                         than H by S or so.  1 - r is no less than 0.05.
  *     waves, starved      The same, 1 - r no less than 0.02.
- *     dents               k = 0.15 A/H, 6 A/H in starved films.
+ *     short waves         That times 1 + (0.3 b/wavelength)^2.
+ *     dents, a = A/H      k = 0.15 a or 0.5 a^2/(1 + a), the larger one, 2.5
+ *                         times that in a texture; 6 a in starved films.
  *     tables of heights   k = 13 r/(1 - r)^2, r = Rq/H.  Ridges are higher than
  *                         Rq and a quarter of the mean wavelength long.
  *     upstream2           12.5 times that; upstream1 3 a/N.
@@ -92,10 +94,24 @@ static bool has_rough(const ovr_setup *s, bool tables)
     return found;
 }
 
+/* True if a dent is deeper than the film: pressure spikes form at its edges. */
+static bool has_deep(const ovr_setup *s)
+{
+    double H = ovr_film_central_moes(s->contact->M, s->contact->L);
+    size_t n = s->surfaces ? ovr_surfaces_count(s->surfaces) : 0;
+    bool found = false;
+    for (size_t k = 0; k < n; k++) {
+        ovr_feature_info f = ovr_surfaces_info(s->surfaces, k);
+        bool table = strcmp(f.wavelength_is, "mean") == 0;
+        found = found || (!table && f.amplitude - f.raised > H);
+    }
+    return found;
+}
+
 static double by_logarithms(const ovr_setup *s, double l)
 {
     const double constant = 0.7, varying = 2.8;
-    bool varies = ovr_setup_varies(s) || has_rough(s, false);
+    bool varies = ovr_setup_varies(s) || has_rough(s, false) || has_deep(s);
     return (s->transient && varies ? varying : constant) * (2 + l);
 }
 
@@ -219,13 +235,33 @@ double ovr_expected_of_mesh(const ovr_setup *s)
     return largest_of_film(s);
 }
 
+/* Estimates the likely error caused by a dent that is a = A/H deep, times N^2.
+ * Dents deeper than the film have steep pressure gradients at their edges.  A
+ * texture always has a dent in the contact, a single one passes. */
+static double sunk(const ovr_feature_info *f, double a, bool starved)
+{
+    const double shallow = 0.15, deep = 0.5, always = 2.5, dry = 6;
+    double part = fmax(shallow * a, deep * a * a / (1 + a));
+    part *= f->shape == OVR_TEXTURE ? always : 1;
+    return starved ? fmax(part, dry * a) : part;
+}
+
+/* Returns the factor of short waves: the pressure of a wave grows as 1/length,
+ * and film thickness and viscosity depend on it. */
+static double shortness(const ovr_feature_info *f)
+{
+    const double length = 0.3;
+    double ratio = f->shape == OVR_WAVE ? length / f->wavelength : 0;
+    return 1 + ratio * ratio;
+}
+
 /* Estimates the likely error of the minimum film thickness H caused by a
  * feature, times N^2. */
 static double likely_of_feature(const ovr_setup *s, const ovr_feature_info *f,
                                 double H, bool starved)
 {
     const double thinnest = 0.05, thinnest_of_all = 0.02, raised = 0.8;
-    const double sunk = starved ? 6 : 0.15, ridges = 13, longer = 2.5;
+    const double ridges = 13, longer = 2.5;
     bool mean = strcmp(f->wavelength_is, "mean") == 0;
     bool thin = starved || (f->Rq > 0 && !mean);
     double r = (mean ? f->Rq : f->raised) / H, part;
@@ -235,7 +271,8 @@ static double likely_of_feature(const ovr_setup *s, const ovr_feature_info *f,
     if (mean)
         part = ridges * r / (left * left);
     else
-        part = fmax(raised * r / left, sunk * (f->amplitude - f->raised) / H);
+        part = fmax(shortness(f) * raised * r / left,
+                    sunk(f, (f->amplitude - f->raised) / H, starved));
     return (twice ? longer : 1) * part;
 }
 

@@ -6,3 +6,5 @@ need_python csv json
 
 "$PYTHON" "$TOP/tests/verify/errors.py" "$OVERROLL" 101 4 ||
     fail 'errors exceed those expected'
+"$PYTHON" "$TOP/tests/verify/errors.py" "$OVERROLL" 7 3 uncommon ||
+    fail 'errors of uncommon features exceed those expected'

@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Errors of random cases on the level that the program chooses.
 
-errors.py PROGRAM SEED COUNT: each case next to two finer levels, of which the
+errors.py PROGRAM SEED COUNT [uncommon]: each case, common ones or those with
+deep dents, textures and short waves, next to two finer levels, of which the
 second is solved where the level is 6 or less, or where the error is near one of
 the bounds, in steps of one mesh size.  Prints the root mean squares over time
 of the relative errors of H_cen, H_min and the sliding force, and the error that
@@ -28,11 +29,15 @@ def log_between(r, a, b):
     return math.exp(r.uniform(math.log(a), math.log(b)))
 
 
-def case(seed):
-    """A case with common conditions."""
+COMMON = ("dent", "ridge", "bump", "wave", "roughness", "load", "speed",
+          "starved")
+UNCOMMON = ("deep", "texture", "short")
+
+
+def case(seed, kinds=COMMON):
+    """A case with common conditions and a feature of one of these kinds."""
     r = random.Random(seed)
-    kind = r.choice(["dent", "ridge", "bump", "wave", "roughness", "load",
-                     "speed", "starved"])
+    kind = r.choice(kinds)
     slip = 0 if r.random() < 0.3 else r.choice([-1, 1]) * log_between(r, .05, 1)
     lines = ["[contact]", f"hertz_pressure = {r.uniform(.6, 1.8):.4f} GPa",
              f"radius = {log_between(r, 5, 30):.4f} mm", "modulus = 226 GPa",
@@ -53,6 +58,22 @@ def case(seed):
                   f"{size} = {log_between(r, .05, .4):.4f} um",
                   f"width = {log_between(r, .2, .8):.3f}", "start = -6",
                   "[time]", "end = 11"]
+    elif kind == "deep":
+        lines += ["[feature f]", "shape = dent",
+                  f"depth = {log_between(r, .5, 3):.4f} um",
+                  f"width = {log_between(r, .12, .8):.3f}", "start = -6",
+                  "[time]", "end = 11"]
+    elif kind == "texture":
+        lines += ["[feature f]", "shape = texture",
+                  f"depth = {log_between(r, .1, 1):.4f} um",
+                  f"width = {r.uniform(.15, .4):.3f}",
+                  f"wavelength = {r.uniform(.5, 1.2):.3f}", "grow = 1",
+                  "[time]", "end = 5"]
+    elif kind == "short":
+        lines += ["[feature f]", "shape = wave",
+                  f"amplitude = {log_between(r, .02, .1):.4f} um",
+                  f"wavelength = {r.uniform(.15, .3):.3f}", "grow = 1",
+                  "[time]", "end = 5"]
     elif kind == "wave":
         lines += ["[feature f]", "shape = wave",
                   f"amplitude = {log_between(r, .03, .2):.4f} um",
@@ -130,10 +151,11 @@ def beside(program, folder, ours, said):
 
 def main():
     program, seed, count = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
+    kinds = UNCOMMON if "uncommon" in sys.argv[4:] else COMMON
     exceeded = far = missed = solved = 0
     print(f"seed {seed}")
     for k in range(count):
-        kind, text = case(seed + k)
+        kind, text = case(seed + k, kinds)
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "case.ini")
             with open(path, "w") as f:
