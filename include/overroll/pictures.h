@@ -102,11 +102,13 @@ typedef struct ovr_figure_options {
                       min_film_m and H_min */
     const char *x; /* key; NULL: the first numeric key */
     const char *by; /* key; NULL: the next key that is not a seed; "": none */
-    bool log_x, log_y;
+    bool log_x, log_y; /* logarithmic axes */
     int width, height;
     const char *title;
     const char *script;
     const char *template_path; /* as in ovr_picture_options */
+    bool linear; /* x is logarithmic only if log_x is set; otherwise also if its
+                    values form a geometric series over a decade or more */
     const char
         *panels; /* key; NULL: all other keys except for seeds; "": none */
 } ovr_figure_options;

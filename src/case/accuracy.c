@@ -294,13 +294,15 @@ static double of_feature(const ovr_setup *s, const ovr_feature_info *f,
     return (scheme == OVR_UPSTREAM2 ? 12.5 : 1) * square / (N * N);
 }
 
+/* The largest part of a feature that the solution contains. */
 static double of_features(const ovr_setup *s, double arriving)
 {
     size_t n = s->surfaces ? ovr_surfaces_count(s->surfaces) : 0;
     double worst = 0;
     for (size_t k = 0; k < n; k++) {
         ovr_feature_info f = ovr_surfaces_info(s->surfaces, k);
-        worst = fmax(worst, of_feature(s, &f, arriving));
+        if (s->transient || f.speed == 0)
+            worst = fmax(worst, of_feature(s, &f, arriving));
     }
     return worst;
 }

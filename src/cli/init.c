@@ -388,7 +388,7 @@ static const char strip_end[] =
     "[feature dent]\n"
     "surface = 1\n"
     "shape = indent               # round, as a hard particle makes it\n"
-    "depth = 0.4 um\n"
+    "depth = 0.3 um\n"
     "width_half = 0.4             # diameter at half its depth, in b\n"
     "shoulder = 0.08 um           # the rim raised around it\n"
     "shoulder_at = 0.4            # radius of its crest\n"

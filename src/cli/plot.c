@@ -34,7 +34,10 @@ static const cli_option options[] = {
      "study: key with one panel per value, or none (default: the remaining "
      "key)",
      false},
-    {"log", "AXES", "of a study: x, y or xy logarithmic", false},
+    {"log", "AXES",
+     "of a study: x, y or xy logarithmic, or none (default: x if its values "
+     "form a geometric series over a decade or more)",
+     false},
     CLI_RANGE_OPTIONS,
     {NULL, NULL, NULL, false},
 };
@@ -198,8 +201,10 @@ static int take_figure(const cli_call *call, ovr_figure_options *f)
         f->by = "";
     if (f->panels && !strcmp(f->panels, "none"))
         f->panels = "";
-    if (log && strspn(log, "xy") != strlen(log))
-        return cli_usage(call, "--log %s: must be x, y or xy", log);
+    bool none = log && !strcmp(log, "none");
+    if (log && !none && strspn(log, "xy") != strlen(log))
+        return cli_usage(call, "--log %s: must be x, y, xy or none", log);
+    f->linear = log != NULL;
     f->log_x = log && strchr(log, 'x');
     f->log_y = log && strchr(log, 'y');
     return code;

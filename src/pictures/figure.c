@@ -47,6 +47,7 @@ typedef struct figure {
     bool banded; /* some points represent several cases */
     axis x_axis, y_axis;
     double x_from, x_to, y_from, y_to; /* drawn range */
+    bool log_x;
     ovr_arena *arena;
 } figure;
 
@@ -689,6 +690,38 @@ static void spread(double low, double high, bool logarithmic, double *from,
     }
 }
 
+static int by_x(const void *a, const void *b)
+{
+    double p = ((const sample *)a)->x, q = ((const sample *)b)->x;
+    return (p > q) - (p < q);
+}
+
+/* True if the values of x are positive, at least four, over a decade or more,
+ * and each exceeds the preceding one by the same factor. */
+static bool is_geometric(const figure *f)
+{
+    sample *sorted = ovr_arena_take(f->arena, f->samples, sizeof *sorted, NULL);
+    double factor = 0;
+    size_t values = 1;
+    if (!sorted || f->samples < 4)
+        return false;
+    memcpy(sorted, f->sample, f->samples * sizeof *sorted);
+    qsort(sorted, f->samples, sizeof *sorted, by_x);
+    double low = sorted[0].x, high = sorted[f->samples - 1].x;
+    if (!(low > 0 && high >= 10 * low * (1 - 1e-9)))
+        return false;
+    for (size_t i = 1; i < f->samples; i++) {
+        double ratio = sorted[i].x / sorted[i - 1].x;
+        if (ratio <= 1 + 1e-9)
+            continue;
+        values++;
+        if (factor > 0 && fabs(log(ratio) / log(factor) - 1) > 1e-3)
+            return false;
+        factor = ratio;
+    }
+    return values >= 4;
+}
+
 static void set_ranges(figure *f)
 {
     double x_low = INFINITY, x_high = -INFINITY;
@@ -699,13 +732,14 @@ static void set_ranges(figure *f)
         y_low = fmin(y_low, f->sample[i].y * f->y_axis.factor);
         y_high = fmax(y_high, f->sample[i].y * f->y_axis.factor);
     }
-    spread(x_low, x_high, f->o->log_x, &f->x_from, &f->x_to);
+    spread(x_low, x_high, f->log_x, &f->x_from, &f->x_to);
     spread(y_low, y_high, f->o->log_y, &f->y_from, &f->y_to);
 }
 
 static void draw_panels(figure *f, ovr_panel *panel)
 {
     bool bins = is_seed(f->x);
+    f->log_x = f->o->log_x || (!bins && !f->o->linear && is_geometric(f));
     if (!bins)
         set_ranges(f);
     for (size_t k = 0; k < f->panels.count; k++) {
@@ -715,7 +749,7 @@ static void draw_panels(figure *f, ovr_panel *panel)
                                                : f->x_axis.label,
                                .y_label = bins ? "cases (%)" : f->y_axis.label,
                                .note = ovr_arena_text(f->arena, note, NULL),
-                               .log_x = f->o->log_x && !bins,
+                               .log_x = f->log_x && !bins,
                                .log_y = f->o->log_y && !bins};
         (bins ? draw_bins : draw_lines)(f, k, &panel[k]);
     }

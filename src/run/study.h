@@ -101,7 +101,7 @@ typedef struct ovr_study_chance {
 
 typedef struct ovr_study_chances {
     ovr_sampling how; /* draws 0: no random keys */
-    bool grows;       /* shifts are given or used */
+    bool shifts_given;
     long line;
     ovr_study_chance key[OVR_STUDY_MAX_KEYS];
     size_t keys;

@@ -67,7 +67,7 @@ static ovr_status take_setting(ovr_study *s, const ovr_entry *entry,
                         "1 to 1000",
                         value, err);
         how->shifts = (size_t)count;
-        s->random.grows = true;
+        s->random.shifts_given = true;
         return OVR_OK;
     }
     for (int k = 0; !strcmp(key, "design") && k < 3; k++)
@@ -439,6 +439,36 @@ const char *ovr_study_draw_at(const ovr_study *s, const ovr_study_key *k,
     return text;
 }
 
+/* Chooses the number of replicates: 8 by default, otherwise the largest divisor
+ * of the number of draws from 7 to 4 or the smallest from 9 to 16. */
+static void choose_shifts(ovr_study_chances *r)
+{
+    const size_t draws = r->how.draws;
+    if (r->shifts_given || draws % SHIFTS == 0)
+        return;
+    for (size_t k = SHIFTS - 1; k >= SHIFTS / 2; k--)
+        if (draws % k == 0) {
+            r->how.shifts = k;
+            return;
+        }
+    for (size_t k = SHIFTS + 1; k <= 2 * SHIFTS; k++)
+        if (draws % k == 0) {
+            r->how.shifts = k;
+            return;
+        }
+}
+
+static ovr_status fail_shifts(const ovr_study *s, ovr_error *err)
+{
+    const ovr_sampling *how = &s->random.how;
+    const size_t below = how->draws - how->draws % how->shifts;
+    return ovr_fail_at(err, OVR_BAD_INPUT, s->path, s->random.line,
+                       "draws = %zu must be a multiple of shifts = %zu: use "
+                       "%zu or %zu",
+                       how->draws, how->shifts, below ? below : how->shifts,
+                       below + (below ? 1 : 2) * how->shifts);
+}
+
 static ovr_status check_settings(const ovr_study *s, ovr_error *err)
 {
     const ovr_study_chances *r = &s->random;
@@ -449,9 +479,7 @@ static ovr_status check_settings(const ovr_study *s, ovr_error *err)
         return ovr_fail_at(err, OVR_BAD_INPUT, s->path, r->line,
                            "[random]: no key of the case is random");
     if (r->how.design == OVR_SOBOL && r->how.draws % r->how.shifts)
-        return ovr_fail_at(err, OVR_BAD_INPUT, s->path, r->line,
-                           "draws = %zu must be a multiple of shifts = %zu",
-                           r->how.draws, r->how.shifts);
+        return fail_shifts(s, err);
     return OVR_OK;
 }
 
@@ -461,6 +489,7 @@ ovr_status ovr_study_add_random(ovr_study *s, int zip, ovr_error *err)
     ovr_status status = OVR_OK;
     if (!r->line)
         return OVR_OK;
+    choose_shifts(&s->random);
     if (check_settings(s, err))
         return OVR_BAD_INPUT;
     status = add_dimensions(s, err);

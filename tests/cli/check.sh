@@ -82,6 +82,19 @@ contains err 'e.ini:7: end: auto: the history of \[load\] never ends'
 expect 2 "$OVERROLL" check --M 20 --L 10 --set time.end=auto
 contains err 'nothing passes'
 
+# The expected error of a steady contact is without the features that it leaves
+# out.
+printf '[contact]\nM = 20\nL = 10\n[feature w]\nshape = wave\n' >left.ini
+printf 'amplitude = 0.02\nwavelength = 0.3\n' >>left.ini
+expected() {
+    expect 0 "$OVERROLL" check left.ini --json "$@"
+    sed -n 's/^ *"expected_error": \(.*\),$/\1/p' out
+}
+moving=$(expected)
+still=$(expected --set feature.w.amplitude=1e-9)
+[ -n "$moving" ] && [ "$moving" = "$still" ] || fail "error $moving, $still"
+[ "$(expected --set time.end=1)" != "$moving" ] || fail 'no error of a wave'
+
 # A level that is chosen, and what it is to reach
 expect 0 "$OVERROLL" check a.ini --level auto
 contains out '^#   grid +level 7, '

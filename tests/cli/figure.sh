@@ -89,6 +89,27 @@ expect 0 "$OVERROLL" plot study.ini --quantity min_film_m --against Rq \
 contains other.gp "y_label.* = .'minimum film thickness at a node .(nm|µm).'"
 contains other.gp 'log_x.* = \[1\]'
 contains other.gp 'band: minimum to maximum over load, seed'
+# Values of a geometric series over a decade are drawn logarithmically, unless
+# --log says otherwise; those of a smaller range are not.
+for range in 'log 50 to 500 kN/m in 4' 'log 50 to 400 kN/m in 4' \
+    'linear 50 to 500 kN/m in 4'; do
+    printf '[study]\ncase = base.ini\nresults = no\n[set]\ntime.end = 0.1\n' \
+        >range.ini
+    printf '[product]\ncontact.load = %s\n' "$range" >>range.ini
+    expect 0 "$OVERROLL" sweep range.ini -q
+    expect 0 "$OVERROLL" plot range.ini -o range.svg --script range.gp --force
+    case $range in
+    'log 50 to 500'*)
+        contains range.gp 'log_x.* = \[1\]'
+        expect 0 "$OVERROLL" plot range.ini --log none -o range.svg \
+            --script range.gp --force
+        contains range.gp 'log_x.* = \[0\]'
+        ;;
+    *) contains range.gp 'log_x.* = \[0\]' ;;
+    esac
+    rm -r range
+done
+refuses 'log z: must be x, y, xy or none' plot study.ini --log z -o x.svg
 refuses "no key of the study 'depth'; there are load, Rq, seed" \
     plot study.ini --against depth -o x.svg
 refuses "no quantity 'film'; .*there are .*H_min" \

@@ -271,7 +271,20 @@ load='contact.load = normal 300 kN/m sd 10 %\n'
 wrong 'draws is missing' "$load"
 wrong 'no key of the case is random' 'draws = 16\n'
 wrong 'wrong.ini:4: draws: .7. must be' "draws = 7\n$load"
-wrong 'must be a multiple of shifts' "draws = 20\n$load"
+wrong 'draws = 20 must be a multiple of shifts = 8: use 16 or 24' \
+    "draws = 20\nshifts = 8\n$load"
+wrong 'draws = 97 must be .*: use 96 or 104' "draws = 97\n$load"
+# Without shifts any number that is no large prime will do: 100 is 5 times 20
+for shifts in '' 'shifts = 5'; do
+    printf '[study]\ncase = contact.ini\nresults = no\n[random]\n%b%b\n' \
+        "draws = 100\n$load" "$shifts" >round.ini
+    expect 0 "$OVERROLL" sweep round.ini -q
+    expect 0 "$OVERROLL" sweep round.ini --collect all.csv --force
+    cut -d, -f1-8 all.csv >"round$shifts.csv"
+    rm -r round
+done
+cmp round.csv 'roundshifts = 5.csv' || fail 'the default of 100 is not 5'
+
 wrong 'must be plain, lhs or sobol' "draws = 16\ndesign = sobl\n$load"
 wrong "did you mean 'draws'" "draw = 16\n$load"
 wrong 'wrong.ini:5: .* must be normal A sd B' \

@@ -102,7 +102,9 @@ def test_random_needs_something_random(dent):
     with pytest.raises(ovr.BadInput, match="no key is random"):
         ovr.random(dent, M=20)
     with pytest.raises(ovr.BadInput, match="multiple of shifts"):
-        ovr.random(dent, M="normal 20 sd 1", draws=20)
+        ovr.random(dent, M="normal 20 sd 1", draws=20, shifts=8)
+    drawn = ovr.random(dent, M="normal 20 sd 1", level=4, draws=20)
+    assert drawn.sizes["draw"] == 20
 
 
 # -------------------------------------------------------------- executors

@@ -56,7 +56,7 @@ def _drawn(settings: dict[str, Any], keys: dict[str, str]) -> list[Case]:
 
 
 def random(case: Union[None, Case, Path] = None, *, draws: int = 200,
-           seed: int = 1, design: str = "sobol", shifts: int = 8,
+           seed: int = 1, design: str = "sobol", shifts: Optional[int] = None,
            workers: _workers.Workers = None, output: Optional[Path] = None,
            force: bool = False, progress: Progress = None,
            **keys: Any) -> "xarray.Dataset":
@@ -106,7 +106,7 @@ def random(case: Union[None, Case, Path] = None, *, draws: int = 200,
     base = base.copy() if base is case else base
     base["output.file"] = None
     settings = {"draws": draws, "seed": seed, "design": design}
-    if design == "sobol":
+    if design == "sobol" and shifts is not None:
         settings["shifts"] = shifts
     drawn = _drawn(settings, chances)
     values = {key: [c[place(key)] for c in drawn] for key in chances}
