@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Whole pieces of files, and what makes their names last.  Those that
- * return an int: 0 or an errno. */
+/* Complete reads and writes of files, and syncing of folders. Functions that
+ * return an int return 0 or an errno. */
 #ifndef OVR_BASE_DISK_H
 #define OVR_BASE_DISK_H
 

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Text of sections and values, as cases and studies are written:
+ * Parser for sections and values, the syntax of cases and studies:
  *
  *     [section]             # a comment; so is what follows a blank and ';'
  *     key = value
  *
- * Blanks around key, value and section do not count; a key may end with ':'
- * too.
+ * Blanks around key, value and section are ignored; a key may also end with
+ * ':'.
  */
 #ifndef OVR_BASE_ENTRIES_H
 #define OVR_BASE_ENTRIES_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Shuffle and deflate, as HDF5's filters of these names do them, so that a
- * chunk can be made outside HDF5 and handed over whole.
+ * Shuffle and deflate like HDF5's filters of these names, so that a complete
+ * chunk can be passed to HDF5.
  */
 #ifndef OVR_BASE_PACK_H
 #define OVR_BASE_PACK_H

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A row of the table of parameters, and a section of a case: what a key is
- * called, what it may be, and where its value goes.  The rows of the case are
- * in case/keys, those of a physics in its record (simulation/physics.h), which
- * is why their type lies below both.
+ * A row of the table of parameters, and a section of a case: name of a key,
+ * allowed values, and where its value is stored. The rows of the case are in
+ * case/keys, those of a physical model in its record (simulation/physics.h);
+ * both layers need this type.
  */
 #ifndef OVR_BASE_PARAMETER_H
 #define OVR_BASE_PARAMETER_H

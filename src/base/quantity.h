@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Numbers with units, as people write them: "22 1/GPa", "40 mPa.s", "1.2 um".
+ * Parser for numbers with units: "22 1/GPa", "40 mPa.s", "1.2 um".
  *
- * The whole text must be understood: a number in decimal notation with a
- * point (whatever the locale), then a unit of the dimension asked for or none.
- * NaN, infinities, hexadecimal, and numbers beyond the range of double are
- * refused.
+ * The whole text must be valid: a number in decimal notation with a point (in
+ * every locale), then a unit of the required dimension or none. NaN,
+ * infinities, hexadecimal numbers and numbers outside the range of double are
+ * rejected.
  */
 #ifndef OVR_BASE_QUANTITY_H
 #define OVR_BASE_QUANTITY_H

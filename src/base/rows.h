@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Short forms for rows of parameters (base/parameter.h): each stands for kind,
- * dimension, unit of a bare number, minimum and maximum, whether the smallest
- * itself is refused, and words.  Words are designated, for compilers take it
- * then that a row leaves out on purpose what it has not: a former name
- * (`once`).  Included only by files that hold rows.
+ * dimension, unit of a bare number, minimum and maximum, whether the minimum
+ * itself is rejected, and words. Words are designated initializers, because
+ * compilers then do not warn about omitted members. Included only by files that
+ * hold rows.
  */
 #ifndef OVR_BASE_ROWS_H
 #define OVR_BASE_ROWS_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One number as a vector of one: what is stated over `num` (the row of the
- * Reynolds equation, the lubricants' laws) by nodes in their order, as vector.h
- * and power.h have it by vectors of nodes. */
+/* A number as a vector of length one. Code written for `num` (the row of the
+ * Reynolds equation, lubricant models) then processes single nodes; with
+ * vector.h and power.h it processes vectors of nodes. */
 #ifndef OVR_BASE_SCALAR_H
 #define OVR_BASE_SCALAR_H
 

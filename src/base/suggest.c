@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Optimal string alignment distance (insert, delete, replace, swap of
- * neighbours), three rows of its table at a time; where no name is near, one of
- * which what was written is a word.
+ * neighbours), three rows of its table at a time; if no name is similar, a name
+ * that contains the given word is suggested.
  */
 #include "overroll/text.h"
 

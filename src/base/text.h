@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Text from anywhere: lines of any ending, fields of any separator, numbers.
+ * External text: lines with any line end, fields with any separator, numbers.
  * Nothing is copied; a piece of text is a pointer and a size.
  */
 #ifndef OVR_BASE_TEXT_H

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Discretization errors that are to be expected, relative to the film.
- * With x = D/H^(2/3), the mesh over the length of the inlet's rise (H after
- * Moes), and for spike and exit k = (L/15)^2 (M/25)^(1/2), both factors at
- * most 1:
+ * Expected discretization errors relative to the film thickness. With x =
+ * D/H^(2/3), the mesh over the length of the inlet's rise (H after Moes), and
+ * for spike and exit k = (L/15)^2 (M/25)^(1/2), both factors at most 1:
  *
  *   order   H_cen                   H_min: besides
  *     4     0.035 x^2 + 0.2 x^4     0.1 k x^1.3 + 3 x^3

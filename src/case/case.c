@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Settings of a case, and what it holds for who looks at it.  Its store is
- * blocks.c, its file case_file.c, what it resolves to resolve.c. */
+/* Settings of a case and access to its entries. Storage is in blocks.c, reading
+ * of files in case_file.c, evaluation in resolve.c. */
 #include "case/case.h"
 
 #include <math.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Inside a case: blocks (the sections present) of slots (one a parameter),
- * each of which remembers its text and where it came from, so that an error
- * found late still names file, line and key.
+ * Internal structure of a case: blocks (one per section present) of slots (one
+ * per parameter). A slot stores its text and origin, so that errors detected
+ * later also name file, line and key.
  */
 #ifndef OVR_CASE_CASE_H
 #define OVR_CASE_CASE_H

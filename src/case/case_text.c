@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The text of a case with later settings worked in: a replaced line keeps its
- * place, a new key comes right behind the header of its section, new sections
- * come last.  So what a result file stores can be read again.
+ * Text of a case including later settings. A replaced line keeps its position,
+ * a new key follows the header of its section, new sections are at the end. The
+ * text stored in a result file can thus be read as a case.
  */
 #include <stdio.h>
 #include <string.h>

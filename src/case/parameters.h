@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The one table of parameters: the sections of case/keys, one behind the other.
- * It drives parsing, defaults, ranges, help, the manual page, JSON and the
+ * The table of all parameters: the sections of case/keys in order. It
+ * determines parsing, defaults, ranges, help, the manual page, JSON and the
  * attributes in result files.
  */
 #ifndef OVR_CASE_PARAMETERS_H

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * From a case to everything that a run needs: first the contact, which gives
- * the scales, then options, times, features, physics and output in its units,
- * and the conflicts among them last.
+ * Evaluates a case to a setup of a run: first the contact, which determines the
+ * scales, then options, times, features, physical models and output in its
+ * units. Conflicts are checked last.
  */
 #include "case/resolve.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The contact of a case and its lubricant: [contact], [body 1], [body 2] and
- * [lubricant].  They come first, since all other numbers are scaled by them:
+ * [lubricant]. They are evaluated first, because they scale all other numbers:
  *
  *     2/E' = (1 - nu1^2)/E1 + (1 - nu2^2)/E2
  *     1/R = 1/R1 + 1/R2,  R_k negative where body k is concave

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The times of a case: [time], the histories of load, speed, sliding and radii,
- * [passes], and end and step where the case leaves them to the program.
+ * [passes], and automatic choice of end time and step.
  */
 #include "case/resolve.h"
 

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Decides if a key has an effect: the conditions of its row (base/parameter.h).
- * What applies is also what refuses: a key that is given and has no effect is a
- * mistake of whoever gave it.
+ * Evaluates the conditions under which a key has an effect (base/parameter.h).
+ * A given key without effect is rejected as a user error.
  */
 #include <math.h>
 #include <stdarg.h>

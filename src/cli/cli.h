@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The subcommands share this.
+ * Shared by the commands.
  *
  * To add a subcommand: write src/cli/NAME.c that defines
  *     const cli_verb cli_NAME = {.name = "NAME", ..., .run = run};
- * declare it in the list below and add one row to the table in main.c.
- * Its `run` gets the parsed command line and returns the exit code.  The
- * common options (-q, -v, --json, --help) are parsed for every verb; its own
- * ones are in its table of options.
+ * declare it in the list below and add one row to the table in main.c. Its
+ * `run` receives the parsed command line and returns the exit code. The common
+ * options (-q, -v, --json, --help) are parsed for every command; its own ones
+ * are in its table of options.
  *
- * stdout carries results, stderr messages.  A message is one line: what is
- * wrong and what would be right.
+ * stdout carries results, stderr messages. A message is one line with the error
+ * and the allowed values.
  */
 #ifndef OVR_CLI_CLI_H
 #define OVR_CLI_CLI_H

@@ -187,7 +187,8 @@ static bool help_section(const char *name)
     return found;
 }
 
-/* Prints the keys that only some shapes of features have. */
+/* Prints the keys that the features of a shape have and others have not; false
+ * if there is no such shape. */
 static bool help_shape(const char *shape)
 {
     char text[500];

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A file that a command writes: beside its name and renamed when it is whole,
- * so that a failure leaves neither half a file nor harms the one before.  A
- * link that the user named stays one; what is no file (a pipe, a device) is
- * written to as it is.
+ * An output file of a command. It is written under a temporary name and renamed
+ * when complete, so that a failure neither leaves an incomplete file nor
+ * damages an existing one. A link given by the user is followed; pipes and
+ * devices are written directly.
  */
 #ifndef OVR_CLI_OUTPUT_H
 #define OVR_CLI_OUTPUT_H

@@ -160,7 +160,7 @@ static bool is_study(const cli_call *call)
            is_netcdf_table(call->argument[0]);
 }
 
-/* Draws the figure of a pass table, unless another quantity is requested. */
+/* True for the default figure of a pass table: no quantity is requested. */
 static bool of_passes(const cli_call *call, const ovr_table *table)
 {
     const ovr_table_column *first = ovr_table_at(table, 0);

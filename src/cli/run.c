@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The commands run, steady and resume: a case in time from its steady start,
- * one steady contact, and a run that was stopped. */
+/* The commands run, steady and resume: a transient case from its steady start,
+ * a steady contact, and an interrupted run. */
 #include <math.h>
 
 #include "cli/case_args.h"

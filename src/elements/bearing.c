@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A cylindrical roller bearing whose radial load stands still in space.
+ * Cylindrical roller bearing with a radial load of constant direction.
  *
  * Rollers at the angles psi_k from the load carry
  *   Q_k = K (d cos psi_k - clearance/2)+^(10/9),  sum Q_k cos psi_k = load

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A cam and a follower whose way goes through the cam's axis; s(theta) the
- * lift, omega the cam's speed, rb and rr the radii of base circle and roller.
+ * Cam with a translating follower whose line of motion passes through the cam's
+ * axis. s(theta) is the lift, omega the cam's speed, rb and rr the radii of
+ * base circle and roller.
  *
  * Flat:    R_1 = rb + s + s'',  R_2 = infinite,  u1 = omega R_1,
  *          u2 = omega s'',  F = preload + spring s + mass omega^2 s''

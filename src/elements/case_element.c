@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The nominal contact of an element is that of a gear pair at its pitch point
- * with the whole load, of a cam at its nose with the largest mean speed and
- * load of its event, of a bearing at its heaviest roller.  Variations are given
+ * Reference contact of a machine element. Gear pair: at the pitch point, with
+ * the total load. Cam: at the nose, with the largest mean speed and load of the
+ * event. Bearing: at the most heavily loaded roller. Variations are given
  * relative to it by tables: 1601 times, and a point at every corner.
  */
 #include "elements/case_element.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* [gear], [cam] and [roller_bearing]: what their contact says in place of
- * [contact] and of the histories. */
+/* [gear], [cam] and [roller_bearing]: contact data that they determine instead
+ * of [contact] and the time histories. */
 #ifndef OVR_ELEMENTS_CASE_ELEMENT_H
 #define OVR_ELEMENTS_CASE_ELEMENT_H
 

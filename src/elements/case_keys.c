@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* [gear], [cam] and [roller_bearing]: an element of a machine, whose drawing
- * says radii, speeds and loads of the contact. */
+/* [gear], [cam] and [roller_bearing]: keys of machine elements, whose
+ * dimensions determine radii, speeds and loads of the contact. */
 #include "case/keys/keys.h"
 
 #define GEAR(field) AT(element.gear.field)

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Stations of an element: each moment in its own Hertzian scaling, as a steady
- * contact, with the film of the fit and Blok's flash temperature.
+ * Contact points of a machine element, each as a steady contact in its own
+ * Hertzian scaling, with film thickness by the fitted formula and Blok's flash
+ * temperature.
  */
 #include <math.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Shared by gears, cams and bearings: the check of their numbers, and Blok's
- * flash temperature, whose formula and source are in the header. */
+/* Functions for gears, cams and bearings: checks of their numbers, and Blok's
+ * flash temperature (formula and source in the header). */
 #include <math.h>
 
 #include "base/error.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A gear pair, cam or bearing drawn to scale, and what its contact goes
- * through: for pictures and for the page. */
+/* A gear pair, cam or bearing drawn to scale, and its operating conditions, for
+ * pictures and for the page. */
 #ifndef OVR_ELEMENTS_PICTURES_ELEMENT_H
 #define OVR_ELEMENTS_PICTURES_ELEMENT_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Sums up the gear pair, cam or bearing of a run's case.
+ * Computes results of the gear pair, cam or bearing of a run.
  *
  * Gears: one pair of teeth loses the energy e a width over its way, and a new
  * one begins after each base pitch: the mesh loses e/(p/v) over the length of

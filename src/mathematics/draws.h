@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Random numbers by their index: the i-th draw of a key is a function of the
- * seed, the key's name and i alone, so that any process on any host can make
- * any of them, in any order, to the same bit.
+ * seed, the key's name and i alone, so that any process on any host can compute
+ * any of them in any order with the same bits.
  *
  *   plain  splitmix64 (Steele, Lea & Flood 2014) of seed, FNV-1a of the key,
  *          and i; 53 bits and a half, so never 0 nor 1

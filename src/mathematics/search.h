@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finds where a function of one number has a value, when each of its values is
- * the outcome of a long computation that may fail and that scatters a little:
- * first comes a scan, several points at a time; then Brent's method in the
- * scan's bracket (R. P. Brent, Algorithms for Minimization without Derivatives,
- * 1973, ch. 4); at the end a parabola through what lies about the answer, for
- * slope and scatter.
+ * Finds the argument at which a function of one variable has a given value.
+ * Each value is the result of a long computation that may fail and scatters a
+ * little. First a scan with several points at a time; then Brent's method in
+ * the scan's bracket (R. P. Brent, Algorithms for Minimization without
+ * Derivatives, 1973, ch. 4); at the end a parabola through the values near the
+ * answer, for slope and scatter.
  *
- * Brent's own form is written out here and not taken from GSL's
- * gsl_root_fsolver_brent: that one evaluates its ends again, ends the program
- * where a value is missing, and closes its bracket to rounding alone, while an
- * answer to an inequality is the end of a closed bracket.
+ * GSL's gsl_root_fsolver_brent is not used: it evaluates the ends again, aborts
+ * the program if a value is missing, and reduces its bracket only to rounding
+ * error, whereas the answer to an inequality is the end of a reduced bracket.
  */
 #ifndef OVR_MATHEMATICS_SEARCH_H
 #define OVR_MATHEMATICS_SEARCH_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The lock under which FFTW's plans are made and destroyed: its planner is the
- * one part of it that is not reentrant, and there is one in a process.
+ * Lock for creating and destroying FFTW plans: the planner is the only part of
+ * FFTW that is not reentrant, and a process has one planner.
  *
  * Plans are made with FFTW_ESTIMATE, without measuring, so that equal inputs
  * give equal bits in every run.

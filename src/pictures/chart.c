@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * A chart as text for gnuplot: its settings, one array for each member of its
- * panels and of its curves, and its numbers as tables.  What draws them is
- * the template chart.gp, or its user's own.
+ * panels and of its curves, and its numbers as tables. They are drawn by the
+ * template chart.gp or a user's template.
  */
 #include "pictures/chart.h"
 

@@ -3,8 +3,8 @@
  * A chart: panels in rows and columns, curves in panels.  gnuplot draws it by
  * a template, from its settings and its tables.
  *
- * Labels of axes are written by us, in gnuplot's enhanced text ("p_h");
- * titles, notes and legends may be anybody's, and are drawn as they are.
+ * Axis labels use gnuplot's enhanced text ("p_h"). Titles, notes and legends
+ * may come from files and are drawn unchanged.
  */
 #ifndef OVR_PICTURES_CHART_H
 #define OVR_PICTURES_CHART_H

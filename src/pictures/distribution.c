@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Draws what the draws of a study say, in four panels: histogram with quantiles
- * and limits, empirical distribution; and for each input how far the quantity
- * goes from its lowest to its highest values, and its share of the variance.
+ * Draws the statistics of a study's samples in four panels: histogram with
+ * quantiles and limits, empirical distribution; and for each input the change
+ * of the quantity from the input's lowest to its highest values, and its share
+ * of the variance.
  */
 #include <math.h>
 #include <stdio.h>

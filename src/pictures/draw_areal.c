@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Maps of a strip.  Fields are interpolated bilinearly onto even cells, about
- * one for each two pixels; across rolling they are periodic.  Film thicknesses
- * far from the contact would take all colours, so that only |X| < 0.9 sets the
- * upper end of their range, which begins at the smallest one.  Colours of
- * pressure begin at zero.
+ * Maps of a strip. X| < 0.9 sets the upper end of their range, which begins at
+ * the smallest one. Colours of pressure begin at zero.|Fields are interpolated
+ * bilinearly to a uniform grid, about one cell per two pixels; they are
+ * periodic across the rolling direction. Film thickness far from the contact
+ * would use most colours, so its range is from the minimum to the maximum in
+ * |X| < 0.9. Colours of pressure begin at zero.|X| < 0.9 sets the upper end of
+ * their range, which begins at the smallest one. Colours of pressure begin at
+ * zero.
  */
 #include "pictures/areal.h"
 

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The figure of a study: a quantity of its cases against one key, a line for
- * each value of a second one, a panel for each value of what else varies.
- * Cases that differ in seeds alone share a point: their mean, in a band from
- * the smallest to the largest.  Against a seed the figure is a histogram of the
+ * The figure of a study: a quantity of its cases against one key, with a line
+ * for each value of a second key and a panel for each combination of the
+ * others. Cases that differ only in seeds share a point: their mean, with a
+ * band from minimum to maximum. Against a seed the figure is a histogram of the
  * quantity, with quantiles.
  */
 #include <math.h>

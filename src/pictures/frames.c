@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Frames: a first pass over the snapshots finds the ranges of the axes, a
- * second one draws.  This thread reads and writes scripts; as many gnuplots
- * as there are cores draw, each given its next frame when its last one is
- * there.  Frames are therefore finished in order, and a movie can take each
- * as it comes.
+ * Pictures of all snapshots. A first pass over the snapshots finds the ranges
+ * of the axes, a second one draws. This thread reads data and writes scripts;
+ * one gnuplot process per core draws and receives its next frame when its last
+ * one is complete. Frames are therefore completed in order and can be added to
+ * a movie at once.
  */
 #include <errno.h>
 #include <math.h>

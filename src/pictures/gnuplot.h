@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * gnuplot at the other end of a line: one process draws any number of
- * pictures, each of which appears whole under its name or not at all.
+ * Controls a gnuplot process, which draws any number of pictures. A picture
+ * file appears under its name only when it is complete.
  */
 #ifndef OVR_PICTURES_GNUPLOT_H
 #define OVR_PICTURES_GNUPLOT_H

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A text that grows, in an arena.  A failed allocation is remembered, and
- * what follows is dropped: ask once, at the end, with ovr_text_status.
+ * A text buffer for appending, in an arena. After a failed allocation further
+ * text is dropped; ovr_text_status returns the error and needs to be called
+ * only once, at the end.
  */
 #ifndef OVR_PICTURES_GROWING_TEXT_H
 #define OVR_PICTURES_GROWING_TEXT_H

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Position against time, the colour a field: moving features become slanted
- * lines, whose slope is their speed.  The field is brought onto an even grid
- * of about one cell a pixel, linear between nodes and between snapshots.  Where
- * a starved film begins, its meniscus, is a line over it.
+ * Map of a field as colour against position and time. Moving features appear as
+ * inclined lines whose slope is their speed. The field is interpolated
+ * linearly, in x and time, to a uniform grid of about one cell per pixel. The
+ * inlet meniscus of a starved film is drawn as a line.
  */
 #include <math.h>
 #include <stdio.h>

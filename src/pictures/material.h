@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A file holds arrays of the material below a surface, by depth and by place
- * along the surface, in the groups of [fatigue] and [plastic].
+ * Reads arrays of the material below a surface, as functions of depth and
+ * position along the surface, from the groups of [fatigue] and [plastic] of a
+ * result file.
  */
 #ifndef OVR_PICTURES_MATERIAL_H
 #define OVR_PICTURES_MATERIAL_H

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Texts that are built in, as arrays made when building: the page that plays a
- * run, from page.html, page.css and page_*.js, in which @TITLE@ and @DATA@ are
- * to be replaced; and chart.gp, the template by which gnuplot draws charts.
+ * Built-in texts, generated as arrays by the build: the page that plays a run,
+ * from page.html, page.css and page_*.js, in which @TITLE@ and @DATA@ are to be
+ * replaced; and chart.gp, the template by which gnuplot draws charts.
  */
 #ifndef OVR_PICTURES_PAGE_H
 #define OVR_PICTURES_PAGE_H

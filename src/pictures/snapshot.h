@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The chart of snapshots: pressure above, film below and, under the film,
- * the roughness as it would be undeformed; temperatures, where there are any,
- * below both.  One column for each instant, or
- * all in one; the frames of a movie are charts of one instant.
+ * The chart of snapshots: pressure above, film below and, under the film, the
+ * undeformed roughness; temperatures, if any, below both. One column for each
+ * time, or all times in one; a movie frame is a chart of one time.
  */
 #ifndef OVR_PICTURES_SNAPSHOT_H
 #define OVR_PICTURES_SNAPSHOT_H

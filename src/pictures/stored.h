@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A result as pictures need it: in memory as far as it is drawn, everything
- * in Hertzian units; of several, whose axes are physical, in those of the
- * first: values of another are multiplied by its own unit over the first's.
+ * Data of a result for pictures: the drawn part in memory, in Hertzian units.
+ * For several results with physical axes, values are converted to the Hertzian
+ * units of the first result.
  */
 #ifndef OVR_PICTURES_STORED_H
 #define OVR_PICTURES_STORED_H

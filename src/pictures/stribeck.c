@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Stribeck's curve of a study over speed: the coefficient of friction, that of
- * the film's share dashed, and the share of the load that surfaces bear where
- * they touch, a line for each value of a second key.
+ * Stribeck curve of a study: friction coefficient, fluid friction part (dashed)
+ * and asperity load share against speed, with a line for each value of a second
+ * key.
  */
 #include <math.h>
 #include <stdio.h>

@@ -14,15 +14,14 @@
  * parameter's text, "counts" (checkpoint_counts), "base" (the checkpoint's
  * number, 64 bit: store.h; 0 where it is missing), then "state NAME" for each
  * piece that ovr_simulation_visit shows, in any order, and "state S", the
- * surface at that moment; none of these before the first checkpoint.  Who reads
- * takes the pieces by name: one that he does not know he leaves, a number (8
- * bytes at most) that is not there keeps its value of before, and an array must
- * be there.
+ * surface at that moment; none of these before the first checkpoint. Readers
+ * find pieces by name. Unknown pieces are ignored, a missing number (8 bytes at
+ * most) keeps its previous value, and arrays must exist.
  *
- * It is written as OUT.h5.restart.part, synced, and renamed over the one
- * before, and the folder is synced: there is always a whole one.  The result
- * file is flushed and synced first, so that it contains the rows that the
- * checkpoint counts.
+ * It is written as OUT.h5.restart.part, synced and renamed to replace the
+ * preceding one, and the folder is synced. A complete checkpoint thus always
+ * exists. The result file is flushed and synced first, so that it contains the
+ * rows that the checkpoint counts.
  */
 #ifndef OVR_RESULTS_CHECKPOINT_H
 #define OVR_RESULTS_CHECKPOINT_H

@@ -2,9 +2,9 @@
 /*
  * Rows of a result file.
  *
- * A snapshot is one chunk of each field, compressed here and handed to HDF5
- * whole, then its time.  Nothing is visible to a reader before the next
- * flush; every flush is checked, since a full disk shows there.
+ * A snapshot is one chunk of each field, compressed here and passed to HDF5,
+ * and then its time. Readers see it after the next flush. Every flush is
+ * checked, because it fails if the disk is full.
  */
 #include "results/file.h"
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A result file that grows: its headers, one row at a time, its flushes.
- * Knows HDF5 and the layout; knows nothing of when a row is due, of threads
- * or of the simulation.
+ * A result file that grows: its headers, one row at a time, its flushes. This
+ * layer uses HDF5 and the layout. It is independent of the schedule, of threads
+ * and of the simulation.
  */
 #ifndef OVR_RESULTS_FILE_H
 #define OVR_RESULTS_FILE_H

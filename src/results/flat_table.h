@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A table as a netCDF-4 file: one dimension, whose numbers count from one, and
- * variables of numbers or texts over it.  It is written whole; functions that
- * can fail return false, and print nothing between ovr_h5_quiet and
- * ovr_h5_restore.
+ * A table as a netCDF-4 file: one dimension, numbered from one, and variables
+ * of numbers or texts with this dimension. Functions that can fail return
+ * false, and print nothing between ovr_h5_quiet and ovr_h5_restore.
  */
 #ifndef OVR_RESULTS_FLAT_TABLE_H
 #define OVR_RESULTS_FLAT_TABLE_H

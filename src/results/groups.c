@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Groups beside the snapshots: arrays along axes of their own, written whole
- * or row by row.  They are few: the solver's thread waits until the queue is
- * empty and writes them itself.  A group that is there is written over, value
- * by value: HDF5 1.10 cannot always close a file from which one was taken out.
+ * Additional groups of a result file: arrays along their own axes, written
+ * completely or row by row. They are few, so the solver's thread waits until
+ * the queue is empty and writes them itself. An existing group is overwritten
+ * value by value, because HDF5 1.10 cannot always close a file after a group
+ * was deleted.
  */
 #include <stdio.h>
 #include <string.h>

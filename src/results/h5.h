@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * HDF5 kept quiet, and a few of its phrases that the writer uses.  Functions
- * that can fail return false; nothing prints: every public function of this
- * floor brackets its work with ovr_h5_quiet and ovr_h5_restore, so that the
- * caller's own error handler is as it was.
+ * HDF5 without its error messages, and frequent sequences of its calls.
+ * Functions that can fail return false. Nothing is printed: every public
+ * function of this layer is enclosed in ovr_h5_quiet and ovr_h5_restore, which
+ * preserve the caller's error handler.
  */
 #ifndef OVR_RESULTS_H5_H
 #define OVR_RESULTS_H5_H

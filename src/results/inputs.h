@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The files that a case names (profiles, lift tables, flow curves), kept in its
- * result file.  The group `inputs` has a dataset of bytes for each file, with
- * its name, size and SHA-256 as attributes.  Attributes of the group name the
- * dataset of each key.  A file of more than OVR_INPUT_MAX bytes has a dataset
- * without bytes, and one that is no ordinary file no SHA-256 either.
+ * Input files of a case (profiles, lift tables, flow curves) stored in its
+ * result file. The group `inputs` has a dataset of bytes for each file, with
+ * its name, size and SHA-256 as attributes. Attributes of the group name the
+ * dataset of each key. A file of more than OVR_INPUT_MAX bytes has a dataset
+ * without bytes, and a file that is not regular also has no SHA-256.
  */
 #ifndef OVR_RESULTS_INPUTS_H
 #define OVR_RESULTS_INPUTS_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The journal of a store: how to go back to the last checkpoint, and what the
- * file must be since.
+ * The journal of a store: data to restore the last checkpoint, and checksums of
+ * the file's states since then.
  *
  *   header   16 bytes "overroll journal", then 64 bits each, as the machine
  *            lays them: 2, number of the checkpoint, length of the file then,

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A result file holds these quantities, each in a unit.  Which quantities, and
- * in what unit each.  A file is in SI when b, ph, b^2/R and b/um are all known,
- * else everything that they scale is dimensionless with unit "1".  stored =
- * dimensionless * factor.
+ * Quantities of a result file and their units. A file is in SI if b, p_h, b^2/R
+ * and b/u_m are all known. Otherwise all quantities scaled by them are
+ * dimensionless with unit "1". stored = dimensionless * factor.
  */
 #ifndef OVR_RESULTS_LAYOUT_H
 #define OVR_RESULTS_LAYOUT_H

@@ -2,11 +2,11 @@
 /*
  * Parcels on their way from the solver to the file.
  *
- * The solver's thread fills a parcel and posts it; a thread of the writer's
- * own drains them in order, so that compression and the disk cost the solver
- * nothing but a copy.  Without that thread a posted parcel is drained at
- * once, and so are the first parcels, so that short runs have no thread.  A
- * failure stays: later parcels are dropped, every later call returns it.
+ * The solver's thread fills a parcel and posts it. The writing thread processes
+ * parcels in order, so that compression and disk access cost the solver only a
+ * copy. Without that thread a posted parcel is written at once, and so are the
+ * first parcels, so that short runs have no thread. After a failure later
+ * parcels are dropped, and every later call returns the failure.
  */
 #ifndef OVR_RESULTS_QUEUE_H
 #define OVR_RESULTS_QUEUE_H

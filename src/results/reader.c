@@ -2,15 +2,14 @@
 /*
  * Reading a result file, also while it is written.
  *
- * The writer changes the file's metadata only in short bursts, its flushes,
- * and the reader locks them out (journal.h).  Should that fail, a read
- * across one may find the halves of two states: so every read is checked too
- * (checksums, or NaN where a complete row has none) and repeated with the file
- * opened again.  Rows are counted by their time: one that is still NaN does not
+ * The writer changes the file's metadata only during flushes, which take
+ * milliseconds, and a lock prevents reading meanwhile (journal.h). If the lock
+ * fails, a read may contain parts of two states. Every read is therefore
+ * checked (checksums, or NaN in a complete row) and repeated after reopening
+ * the file. Rows are counted by their time: a row whose time is NaN does not
  * exist yet.
  *
- * Nothing in the file is trusted: hdf5read.h holds all that is read against
- * the length of the file.
+ * hdf5read.h checks all sizes and offsets in the file against its length.
  */
 #include "results/reader.h"
 

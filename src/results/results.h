@@ -196,7 +196,8 @@ ovr_status ovr_result_read(ovr_result *result, const char *path, size_t row,
 ovr_status ovr_result_unresolved(ovr_result *result, ovr_arena *arena,
                                  bool *unresolved, ovr_error *err);
 
-/* Reads a stored input of input->bytes bytes; fails if its SHA-256 differs. */
+/* Reads a stored input into `bytes`, which has input->bytes bytes; fails if its
+ * SHA-256 differs. */
 ovr_status ovr_result_input_read(ovr_result *result, size_t k,
                                  unsigned char *bytes, ovr_error *err);
 

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The bytes of a growing result file, changed only in whole steps.
+ * The bytes of a growing result file, changed only by complete commits.
  *
- * HDF5 writes its file wherever it likes, whenever it likes; a program killed
- * in between leaves half a state.  This store stands between HDF5 and the
- * disk (file.h) and keeps these rules:
+ * HDF5 writes anywhere in its file at any time, so a program killed meanwhile
+ * would leave an inconsistent file. This store is the layer between HDF5 and
+ * the disk (file.h) and follows these rules:
  *
  * 1. Bytes below the committed length, and below the length at the last
  *    checkpoint, change only in a commit.  Until then they are kept in memory,

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The writer: what a run leaves on disk.
+ * Writes the results of a run.
  *
- * Two sides with a queue between them.  The solver's side takes each state,
- * notes its observation, fills a snapshot when one is due, decides on
- * flushes.  The other side writes: snapshots at once, history in batches of
- * OVR_ROW_CHUNK rows or at a flush, since a write a step would cost more than
- * the step.
+ * The solver's thread records an observation of each state, fills a snapshot if
+ * one is due, and decides on flushes. A queue passes them to the writing
+ * thread. Snapshots are written at once, history in batches of OVR_ROW_CHUNK
+ * rows or at a flush, because writing each step would cost more than the step.
  */
 #include "results/writer.h"
 

@@ -1,35 +1,35 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Discretization errors on request: the same case one and two levels coarser,
- * in steps as many times longer, to the same time.  Of a value v on levels l, l
- * - 1, l - 2, with the differences d1 = |v_l - v_{l-1}| and d2 = |v_{l-1} -
- * v_{l-2}|, the order seen is q = log2(d2/d1), and the error, that of
- * Richardson's extrapolation,
+ * Estimates discretization errors on request by solving the case one and two
+ * levels coarser, with time steps scaled accordingly, up to the same time. For
+ * a value v on levels l, l - 1, l - 2 with the differences d1 = |v_l - v_{l-1}|
+ * and d2 = |v_{l-1} - v_{l-2}|, the observed order is q = log2(d2/d1), and the
+ * error by Richardson extrapolation is
  *
  *     e = max(d1, d2 2^-p)/(2^min(p, q) - 1),    q no less than 1/2:
  *
- * no better than the order p of the scheme says, nor than the levels show.  In
- * time p = 1, what passes being seen at nodes and steps.  Solutions of fourth
- * order have p = 2, but 3 for H_cen and 2.5 for H_min at the end of a run, and
- * 2 for H_min of a steady state.  On 122 random runs the orders were 2.6
- * and 2.5 in the median, and 2.3 of the smallest H_min of a run.  In time e is
- * taken 1.25 times, as P. J. Roache does with three grids (J. Fluids Eng. 116,
- * 1994).
+ * Thus neither the order p of the scheme nor the observed order is exceeded.
+ * For transient runs p = 1, because extremes are sampled at nodes and steps.
+ * Solutions of fourth order have p = 2, but 3 for H_cen and 2.5 for H_min at
+ * the end of a run, and 2 for H_min of a steady state. On 122 random runs the
+ * orders were 2.6 and 2.5 in the median, and 2.3 of the smallest H_min of a
+ * run. For transient runs e is multiplied by 1.25, Roache's safety factor for
+ * three grids (J. Fluids Eng. 116, 1994).
  *
- * Three levels are no estimate where they do not fall in a known order: d1 and
- * d2 of different sign, or q not between 3/4 and one more than the scheme's
- * (two at least).  Then two of them may agree by chance, or only finer ones see
- * what there is, and e is not a number; nor is it of pressures in time where
- * there are two levels only.  Differences that are both below 3e-4 of the value
- * need no order.  Nor need films of fourth order, where errors of different
- * orders cancel, when d2 is below a tenth of them and d1 below 0.4 d2.
- * Narrow peaks of pressure grow, some of them on finer levels only, where
- * nothing warns of them: of pressures in time that are not resolved
- * (ovr_maximum_is_resolved) q is 1/2, as of the height of a spike, whatever two
- * differences show.
+ * There is no estimate (e is NAN) if the differences have no plausible order:
+ * d1 and d2 have different signs, or q is not between 3/4 and the scheme's
+ * order (at least two) plus one. Two values may then agree by chance, or the
+ * coarser levels may not resolve the solution. Nor is there an estimate of
+ * pressures in transient runs from only two levels. Differences that are both
+ * below 3e-4 of the value are accepted with any order. So are film thicknesses
+ * of fourth order, where errors of different orders cancel, if d2 is below a
+ * tenth of the value and d1 below 0.4 d2. Narrow pressure peaks grow on finer
+ * levels, some of them only there. For transient pressures that are not
+ * resolved (ovr_maximum_is_resolved), q is therefore 1/2, the order of a
+ * spike's height, independent of the differences.
  *
- * Of several passes each level has its own: what its passes leave feeds its
- * next ones, so that the errors that oil carries from pass to pass are seen.
+ * Each level has its own passes, fed by the layers of its own preceding pass,
+ * so that errors carried by the lubricant from pass to pass are included.
  */
 #include <math.h>
 #include <stddef.h>

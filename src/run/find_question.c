@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Checks the question of a search: a key, its ends, a condition on a number of
- * the run, and the folder that holds the results of this question alone. */
+/* Checks the specification of a search: a key, its range, a condition on a
+ * number of the run, and the folder for the results of only this search. */
 #include <errno.h>
 #include <fcntl.h>
 #include <math.h>

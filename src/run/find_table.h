@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The evaluations of a search as CSV, a row as soon as it is known: one that
- * was stopped resumes with them. */
+/* Evaluations of a search as CSV, written row by row, so that an interrupted
+ * search can continue. */
 #ifndef OVR_RUN_FIND_TABLE_H
 #define OVR_RUN_FIND_TABLE_H
 

@@ -1,29 +1,30 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A pass leaves layers of oil for the next one.
+ * Lubricant layers left by one pass and entering the next.
  *
  *     u1 h1 + u2 h2 = f,   h1 = s h',  h2 = (1 - s) h'
  *
- * f the flow that leaves at X_b, s the split.  A layer is convected with its
- * surface: what leaves at time T lies at x = X_b - (way of the surface up to
- * T), in the place that it has at T = 0, and so has the next pass, whose
- * features begin where they did.  Between two of these points it is linear,
- * beyond them as thick as there.  A pass begins steady with the mean of what
- * lies between inlet and outlet at T = 0: what arrives then may be a feature's
- * wake. Between two passes
+ * f is the outflow at X_b and s the split ratio (share of surface 1). Each
+ * layer is convected with its surface: lubricant that leaves at time T lies at
+ * x = X_b minus the distance moved by the surface up to T. The next pass uses
+ * the same coordinate, so its features start at the same position. Layers are
+ * interpolated linearly and extended with constant thickness. A pass starts
+ * from a steady film with the mean layer thickness between inlet and outlet at
+ * T = 0, because the thickness at the inlet may belong to a feature's wake.
+ * Between two passes
  *
  *     h <- (1 - loss) h,   or   h <- h_ff x/(1 + x^g)^(1/g),  x = h/h_ff,
  *     h <- h + replenish,   h <- h_ff - (h_ff - h) exp(-t/recovery)
  *
- * h_ff the layer that a flooded contact leaves, the first one; x^-g grows by 1
- * a pass; t = spacing/u_k, from one rolling body to the next.  A surface that
- * is each time another body's has the layer that was left before anything
- * passed.
+ * h_ff is the layer left by a flooded contact (that of the first pass). x^-g
+ * grows by 1 per pass. t = spacing/u_k is the time between two rolling bodies.
+ * A surface that belongs to a new body in each pass carries the layer from
+ * before the features.
  *
- * Method: the history of the result file, or of a simulation that runs.
- * Accuracy: that of a step.
- * Source: the second law has the form known of point contacts (Chevalier et
- * al. 1998, Damiens et al. 2004), its exponent is the user's.
+ * Method: uses the history of the result file or of the running simulation.
+ * Accuracy: one time step. Source: the second law has the form known from point
+ * contacts (Chevalier et al. 1998, Damiens et al. 2004); its exponent is an
+ * input.
  */
 #include <math.h>
 #include <string.h>

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Several passes: each a run of its own, with a file of its own, that takes
- * in what the one before left on the surfaces (pass_layers.c).  The file of
- * all of them, OUT.h5, has a row for each (passes_file.c); rows and layers
- * follow from the files OUT-1.h5, ... alone, so that a continued run equals an
+ * Several passes: each is a run with its own file that starts with the
+ * lubricant layers left by the preceding one (pass_layers.c). The file of all
+ * passes, OUT.h5, has a row for each (passes_file.c). Rows and layers are
+ * computed only from the files OUT-1.h5, ..., so that a continued run equals an
  * uninterrupted one.
  */
 #ifndef OVR_RUN_PASS_SERIES_H

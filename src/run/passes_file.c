@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The file of all passes: a netCDF-4 file with one dimension, `pass`, a row for
- * each pass, the names of their files, and the case.  It is small and is
- * written whole each time.  Its columns are those of quantities with a PASS in
- * their row and those of pass_columns; the table for people has the columns
- * with a PASS_HEAD, from left to right.
+ * each pass, the names of their files, and the case. It is small and is always
+ * rewritten completely. Its columns are the quantities with a PASS in their row
+ * and those of pass_columns. The printed table has the columns with a
+ * PASS_HEAD, from left to right.
  */
 #include <errno.h>
 #include <fcntl.h>

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Workers take the next task as they end one, so that a process is made for
- * many short ones: the place in the list is in memory shared with them, beside
- * the task that each is at, what it has done of it, and that they are to stop.
- * The parent holds the reading end of a pipe to each worker, which says by it
- * what ended and how; the pipe ends when the worker does, and to wait for that
- * takes no signal of the caller's.  One that dies takes its task with it alone:
- * another is started in its place.
+ * Worker processes that process one task after the other, so that a process
+ * serves many short tasks. Shared memory contains the position in the list,
+ * each worker's current task and its progress, and the request to stop. Each
+ * worker reports finished tasks through a pipe to the parent. The pipe closes
+ * when the worker ends, so the parent needs no signal handler. If a worker
+ * crashes, only its task is lost and a new worker is started.
  */
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 #include "run/pool.h"

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A run continues where it ended, from the checkpoint beside its file.  One
- * that was killed before its first checkpoint begins again, on the case in the
- * file; one whose checkpoint was lost only if that is asked for, as it replaces
- * what was computed.  A complete file is not touched.
+ * Resumes a run from the checkpoint of its file. A run killed before its first
+ * checkpoint starts again with the case in the file. If the checkpoint is lost,
+ * the run starts again only on request, because computed results are replaced.
+ * A complete file is not changed.
  */
 #include <math.h>
 #include <stdarg.h>

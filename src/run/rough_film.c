@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The film of rough surfaces, before it is solved, by amplitude reduction
- * (surface/local_roughness.c): what rolls through the contact within the run is
- * laid out along the surface, transformed, each wave reduced, and put together
- * again to the roughness s that the film carries.  Then
+ * Predicts the film thickness of rough surfaces before the solution by
+ * amplitude reduction (surface/local_roughness.c). The part of the surface that
+ * passes the contact during the run is Fourier-transformed, the amplitude of
+ * each wave is reduced, and the inverse transform is the film thickness
+ * roughness s. Then
  *     film_Rq = the largest root mean square of s in a window,
  *     H_min = smooth minimum film - 0.75 highest s:
  * at the outlet's constriction, where the film is thinnest, all that the film

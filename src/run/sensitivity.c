@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Elasticities e = ln(Q(x(1 + h))/Q(x(1 - h)))/ln((1 + h)/(1 - h)) for h = 2 %
- * and 1 %; about x = 0, and of temperatures, slopes by steps of a fixed size.
- * The derivative of the discrete solution itself (an adjoint's) is not what is
- * asked for: within a mesh it is that of the mesh.
+ * and 1 %; near x = 0 and for temperatures, slopes with steps of fixed size.
+ * Derivatives of the discrete solution (by an adjoint method) are not used,
+ * because within one mesh size they depend on the grid.
  */
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A study: a base case and the values to put into it, one case for each
- * combination; described in overroll-study(5).
+ * A study: a base case and values of its keys, one case for each combination;
+ * described in overroll-study(5).
  *
  *     [study]
  *     case = dent.ini

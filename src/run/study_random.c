@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* [random] in a study: keys with distributions, whose draws change together as
- * the values of a [zip] do.  Draw i of a key is computed when it is needed. */
+/* [random] in a study: keys with distributions, whose samples change together
+ * like the values of a [zip]. Sample i of a key is computed when needed. */
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>

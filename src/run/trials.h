@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Several cases and the numbers of their runs, made by forked processes, in
- * this one, by formulas, or by somebody else's function. */
+/* Several cases and the numbers of their runs, computed by forked processes, in
+ * this process, by formulas, or by a function of the caller. */
 #ifndef OVR_RUN_TRIALS_H
 #define OVR_RUN_TRIALS_H
 

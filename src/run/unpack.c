@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Writes what a result file holds of its run into a folder: the case, and the
- * input files that the case names.  The names come from a file that may
- * be a stranger's.  Each becomes the name of a file in the folder itself,
- * without path, control characters or a leading point.  Different files have
- * different names.  The case names the files as they are written.  Links are
- * not followed, and nothing is written if anything is in the way.
+ * Writes the case and the input files stored in a result file to a folder.
+ * Their names may be malicious, so each becomes the name of a file in the
+ * folder itself, without path, control characters or a leading point. Different
+ * files have different names, and the written case uses these names. Links are
+ * not followed, and nothing is written if any of the files exists.
  */
 #include <ctype.h>
 #include <errno.h>

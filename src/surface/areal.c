@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Areal grids and the lines that are chosen from them: a row, a column, the row
- * nearest to y, or a line of any direction through the centre, each as a single
- * line or as the mean over a band.
+ * Areal grids and lines selected from them: a row, a column, the row nearest to
+ * y, or a line of any direction through the centre, each as a single line or as
+ * the mean over a band.
  *
  * Points of an oblique line are interpolated bilinearly from their four
  * neighbours, at the smaller of both distances.  This damps a wave of three

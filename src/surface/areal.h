@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Grids of heights while a file is read.  A reader of an areal format calls
+ * Reading of grids of heights. A reader of an areal format calls
  * ovr_areal_reserve, fills profile->map.z (z[j nx + i], NAN: missing), and
- * returns ovr_areal_finish, which chooses the line that the source asks for.
+ * returns ovr_areal_finish, which selects the requested line.
  */
 #ifndef OVR_SURFACE_AREAL_H
 #define OVR_SURFACE_AREAL_H

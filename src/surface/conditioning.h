@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The parts of conditioning.  All work on n points (x, z), x increasing; z
- * without gaps unless said.
+ * Steps of conditioning. They use n points (x, z) with increasing x and, unless
+ * noted, without missing z.
  */
 #ifndef OVR_SURFACE_CONDITIONING_H
 #define OVR_SURFACE_CONDITIONING_H

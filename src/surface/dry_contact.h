@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Dry contact of a rough surface with a smooth one, elastic, in plane strain,
- * one period of heights z at n equal distances:
+ * Dry elastic contact of a rough surface with a smooth one in plane strain. One
+ * period of heights z is given at n equal distances:
  *
  *     gap = g0 + w - z,  w of a wave of pressure p cos(k x): 2 p/(E* k) cos(k
  * x) p >= 0,  gap >= 0,  p gap = 0,  mean of p given
  *
- * Lengths and heights may have units of their own, E* then the unit of pressure
- * over their slope: 2 where x is in b, z in b^2/R, p in ph.  Conjugate
- * gradients over the nodes that touch, which are found on the way; deformation
- * by FFT (Polonsky & Keer, Wear 231 (1999) 206).
+ * Lengths and heights may have different units; E* is then in units of pressure
+ * per slope: 2 for x in b, z in b^2/R and p in p_h. Method: conjugate gradients
+ * over the nodes in contact, which are determined during the iteration;
+ * deformation by FFT (Polonsky & Keer, Wear 231 (1999) 206).
  */
 #ifndef OVR_SURFACE_DRY_CONTACT_H
 #define OVR_SURFACE_DRY_CONTACT_H

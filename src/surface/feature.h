@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * One feature, ready to be evaluated: a shape about a centre that moves.
- * Lengths in b, heights in b^2/R.
+ * A feature that can be evaluated: a shape about a moving centre. Lengths in b,
+ * heights in b^2/R.
  */
 #ifndef OVR_SURFACE_FEATURE_H
 #define OVR_SURFACE_FEATURE_H

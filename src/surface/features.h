@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The features of two surfaces, one after the other as they were put on, and
- * how far each has come. */
+/* The features of both surfaces in the order in which they were added, and the
+ * distance that each has moved. */
 #ifndef OVR_SURFACE_FEATURES_H
 #define OVR_SURFACE_FEATURES_H
 

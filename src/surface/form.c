@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The form taken off a profile: mean, line, polynomial, circle, or the one
- * that the profile asks for.
+ * Form removal from profiles: mean, line, polynomial, circle, or automatic
+ * choice.
  *
  * Circle.  Its sine of slope is linear, sin = S + K x, x from the middle of
  * the trace, so that its height is, without a division by the curvature K,

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A layer of oil that a surface convects, thickness against x, as a profile
- * has it: its largest x arrives first.  Between points linear, beyond its ends
- * as thick as there.
+ * A lubricant layer convected with a surface: thickness as a function of x. As
+ * for profiles, the largest x enters first. Linear between points, constant
+ * outside.
  */
 #ifndef OVR_SURFACE_LAYER_H
 #define OVR_SURFACE_LAYER_H

@@ -1,12 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Roughness as a contact sees it: of a profile z the root of the mean of
+ * Local roughness relevant for a contact: for a profile z the root of the mean
+ * of
  *
  *     <z^2> - <z>^2,    < > the mean over a window as wide as the contact,
  *
- * over all windows that lie in the profile.  What is longer than the window
- * moves the surfaces as a whole and is no roughness: of a wave of amplitude A
- * and wavelength l this leaves A^2/2 (1 - s^2), s = sin(pi w/l)/(pi w/l).
+ * over all windows that lie in the profile. Wavelengths longer than the window
+ * shift the surfaces as a whole and do not count as roughness. A wave of
+ * amplitude A and wavelength l contributes A^2/2 (1 - s^2), s = sin(pi w/l)/(pi
+ * w/l).
  */
 #ifndef OVR_SURFACE_LOCAL_ROUGHNESS_H
 #define OVR_SURFACE_LOCAL_ROUGHNESS_H

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A profile from the inside, and the doors of its readers: each takes the
- * whole content of a file, which is bounded, and never trusts a count in it.
+ * Internal structure of a profile, and its file readers. Each reader receives
+ * the complete content of a file, whose size is limited, and checks all counts
+ * in it.
  */
 #ifndef OVR_SURFACE_PROFILE_H
 #define OVR_SURFACE_PROFILE_H

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Finds the reader of a file: the content is taken into memory (gzip undone on
- * the way, size bounded) and told apart by what it holds, not by its name.
+ * Chooses the reader of a file. The content is read into memory (gzip is
+ * decompressed, the size is limited) and its format is recognized by the
+ * content, not by the file name.
  */
 #include "surface/profile.h"
 

@@ -17,8 +17,8 @@
  *   3. The table has 4 entries for each max(d, D), where a cubic spline is
  *      good to 1e-4 of the shortest wave and far better for longer ones.
  *
- * Cost about 200 n; a profile shorter than the mesh, none of which would
- * pass, is refused.
+ * Cost about 200 n. A profile shorter than the mesh size is rejected, because
+ * nothing of it would pass the filter.
  */
 #include "surface/resample.h"
 

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Two surfaces as their own profiles have them, and what they bear when they
- * touch dry: the law of a mean film that has none of them on its mesh.
+ * Dry contact of two surfaces with measured profiles. Computes the asperity
+ * contact law for a mean film whose grid does not contain the profiles.
  *
- * A period of each, of the length of the shorter one, its ends blended; where
- * both are rough, in several positions along each other, the means of which
- * count.  At pressures p_j, from full contact down to single summits,
+ * One period of each profile, of the length of the shorter one and with blended
+ * ends, is used. If both are rough, results are averaged over several relative
+ * positions. At pressures p_j, from full contact down to single summits,
  *
  *     H_j = mean gap,  area_j = part that touches  (dry_contact.h)
  *     P_sj(x) = pressure on surface s at its own x, mean p_j

@@ -2,9 +2,9 @@
 /*
  * The shapes of surface.h as functions of the distance s from their centre.
  *
- * Each is one row of a table: how to take its sizes from a form, and how to
- * add itself to the heights at n positions.  Local shapes are cut off where
- * they have fallen below 1e-18 of their height.
+ * Each is a row of a table with its sizes and a function that adds it to the
+ * heights at n positions. Local shapes are set to zero below 1e-18 of their
+ * height.
  */
 #include <math.h>
 #include <stdint.h>

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * GSL's cubic splines behind a door that cannot abort: GSL's default error
- * handler ends the program, so everything it would complain of is checked
- * before it is called.
+ * GSL's cubic splines without aborting. GSL's default error handler ends the
+ * program, so all its error conditions are checked before it is called.
  */
 #ifndef OVR_SURFACE_SPLINE_H
 #define OVR_SURFACE_SPLINE_H

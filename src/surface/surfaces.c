@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The two moving surfaces: where each feature is, and the sum of them all.
+ * The two moving surfaces: positions of features and the sum of their heights.
  *
  *     X_k(T) = start + (u_k/um) I(T),   I(T) = integral of Cu from 0 to T
  * or, with a history of the sliding, start + integral of Cu +- V/2
  *
- * Copies of a repeated feature follow it: they are on the side it comes from,
- * and on both sides when it stands still.
+ * Copies of a repeated feature follow it upstream; a stationary feature has
+ * copies on both sides.
  */
 #include "surface/surfaces.h"
 
