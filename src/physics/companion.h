@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A companion is what of a physics goes along with a run: it looks on after
- * each step, may write into the file and has a place in its checkpoints.  A run
- * goes through its companions, those of the physics that its case has turned on
- * (simulation/physics.h), and names none of them.  Any function may be absent.
+ * A companion is the part of a physical model that accompanies a run: it is
+ * called after each step, may write to the result file and is included in
+ * checkpoints. A run calls the companions of the models that its case has
+ * switched on (simulation/physics.h), without naming any of them. Any function
+ * may be absent.
  */
 #ifndef OVR_PHYSICS_COMPANION_H
 #define OVR_PHYSICS_COMPANION_H
@@ -14,7 +15,7 @@
 #include "results/results.h"
 #include "simulation/internal.h"
 
-/* A run as its companions see it, for one call. */
+/* The run as passed to a companion, valid for one call. */
 typedef struct ovr_accompanied_run {
     const ovr_setup *setup;
     ovr_simulation *sim;
@@ -29,17 +30,17 @@ typedef struct ovr_accompanied_run {
 } ovr_accompanied_run;
 
 typedef struct ovr_companion {
-    /* Messages about a case before the solution; about a run after it. */
+    /* Messages about a case before the solution; and about a run after it. */
     void (*foresee)(const ovr_setup *setup, ovr_listener *say, void *data);
     void (*review)(const ovr_accompanied_run *run);
 
-    /* Makes what it keeps for itself, for a run whose nodes are known. */
+    /* Creates the companion's data for a run whose nodes are known. */
     ovr_status (*make)(const ovr_accompanied_run *run, void **own,
                        ovr_error *err);
     void (*release)(void *own);
 
-    /* The run's file is open to be written to; it is complete, and may be read
-     * once more. */
+    /* Called when the run's file has been opened for writing; and when the file
+     * is complete and may be read. */
     ovr_status (*open)(void *own, const ovr_accompanied_run *run,
                        ovr_error *err);
     void (*set_path)(void *own, const ovr_accompanied_run *run);
@@ -47,12 +48,14 @@ typedef struct ovr_companion {
     /* Called after the steady start and each step. */
     ovr_status (*observe)(void *own, const ovr_simulation *sim, ovr_error *err);
 
-    /* Its part of a checkpoint; that was read back, of the time T. */
+    /* Visits the companion's part of a checkpoint; called after the checkpoint
+     * of time T has been read. */
     ovr_status (*visit)(void *own, ovr_visit *visit, void *context,
                         ovr_error *err);
     ovr_status (*restored)(void *own, double T, ovr_error *err);
 
-    /* The end of a run, or a stop on the way: what it has to tell. */
+    /* Called at the end of a run, or when the run is stopped earlier; reports
+     * results. */
     ovr_status (*finish)(void *own, const ovr_accompanied_run *run,
                          ovr_error *err);
 } ovr_companion;

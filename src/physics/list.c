@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * All physics.  What one of them does after another is in this order: what the
- * bodies are made of; the side that the film comes from before all else; the
- * oil that is there before the temperatures of its film; patches over what all
- * others have found; stresses look on.
+ * The list of all physical models. Functions of the models are called in this
+ * order: materials of the bodies; orientation of the film; lubricant content
+ * before temperatures; patches after all models that change the film; stresses
+ * last.
  */
 #include "simulation/physics.h"
 

@@ -3,11 +3,10 @@
  * Layers on the bodies: [coating 1] is the topmost one of body 1, [coating 1b]
  * the one below it, and so on.
  *
- * What they change of the film is its elastic influence alone: images of the
- * surface (contact/layers.h), summed as physics/coating/images.h says.  b, ph,
- * M and L are those of homogeneous bodies that touch, dry, over the same width
- * under the same load, so that the contact is [-1, 1] however soft its layers
- * are.
+ * Layers affect the film only by the elastic influence: images of the surface
+ * (contact/layers.h), summed as in physics/coating/images.h. b, p_h, M and L
+ * are those of homogeneous bodies with the same dry contact width at the same
+ * load, so that the contact is [-1, 1] for any layers.
  */
 #include <math.h>
 #include <stdio.h>
@@ -34,8 +33,9 @@ typedef struct coat {
     ovr_thermal thermal;
     double residual[2]; /* ph */
     double yield;       /* ph; 0: unknown */
-    double limit;       /* of fatigue, as a Hertzian pressure, alike */
-    double strength;    /* of the interface below it, alike */
+    double limit;       /* fatigue limit as a Hertzian pressure, in p_h */
+    double strength;    /* strength of the interface below the layer, in the
+                         * same unit */
 } coat;
 
 typedef struct coating_form {
@@ -46,21 +46,21 @@ typedef struct coating_form {
     ovr_warmed warmed[2]; /* times in b/um */
     ovr_coated coated[2]; /* lengths in b */
     double unit;          /* the first thickness, b */
-    double stiffness;     /* E' over that of the substrates */
-    double pressure;      /* the dry contact's largest, ph */
-    double width;         /* its half width, b */
+    double stiffness;     /* E' relative to that of the substrates */
+    double pressure;      /* maximum pressure of the dry contact, p_h */
+    double width;         /* half-width of the dry contact, b */
 } coating_form;
 
 /* --------------------------------------------------------------- the case */
 
 /*
- * Materials, NAN where no source says.  DLC, hydrogenated (a-C:H, 20 at% H):
- * modulus and density Nat. Commun. 12 (2021), s41467-021-24766-6, table 1;
- * conductivity 0.3 to 1 W/m.K, Morath et al., J. Appl. Phys. 1994 (picosecond
- * optics), 1 of hard hydrogenated carbon, Shamsa et al., Appl. Phys. Lett. 2006
- * (3 omega); capacity Moelle et al., Diamond Relat. Mater. 7 (1998) 499.
- * Babbitt: MakeItFrom.com, Grade 1 (L13910) Tin-Base Babbitt Metal.  PTFE:
- * NETZSCH Analyzing & Testing, Polymers: PTFE, the middles of its ranges.
+ * Material data; NAN where no source is known.  DLC, hydrogenated (a-C:H, 20
+ * at% H): modulus and density Nat. Commun. 12 (2021), s41467-021-24766-6, table
+ * 1; conductivity 0.3 to 1 W/m.K, Morath et al., J. Appl. Phys. 1994
+ * (picosecond optics), 1 of hard hydrogenated carbon, Shamsa et al., Appl.
+ * Phys. Lett. 2006 (3 omega); capacity Moelle et al., Diamond Relat. Mater. 7
+ * (1998) 499. Babbitt: MakeItFrom.com, Grade 1 (L13910) Tin-Base Babbitt Metal.
+ * PTFE: NETZSCH Analyzing & Testing, Polymers: PTFE, the middles of its ranges.
  */
 enum { DLC = 1, BABBITT, PTFE };
 
@@ -145,7 +145,7 @@ static ovr_status block(void *form, const char *name, void **into,
     return OVR_OK;
 }
 
-/* "1", "1b"; static, for an error is about it. */
+/* Name of a layer in error messages ("1", "1b"); static memory. */
 static const char *name_of(int body, int layer)
 {
     static const char *const names[2][OVR_LAYERS_MAX] = {
@@ -217,8 +217,8 @@ static ovr_status check_case(const ovr_physics_case *of, coating_form *f,
     return OVR_OK;
 }
 
-/* Lays it in the unit of the first thickness; whether it differs from what is
- * there. */
+/* Converts the layers to units of the first thickness; returns true if anything
+ * has changed. */
 static bool lay(const ovr_physics_case *of, coating_form *f)
 {
     ovr_layered now[2] = {{0}};
@@ -242,7 +242,7 @@ static bool lay(const ovr_physics_case *of, coating_form *f)
     return other;
 }
 
-/* The dry contact, and what follows from it. */
+/* Computes the dry contact and the quantities that depend on it. */
 static void scale(coating_form *f, bool by_substrate)
 {
     double a = by_substrate ? ovr_images_half_width(&f->images, 1 / f->unit)
@@ -350,8 +350,9 @@ static void measure(const ovr_physics_case *of, coating_form *f)
     }
 }
 
-/* A stiff layer on a soft one distributes its load like a plate. Errors of
- * such long waves are corrected only by a finer coarsest grid. */
+/* A stiff layer on a soft one distributes its load like a plate. The
+ * corresponding errors are long waves, which only a finer coarsest grid
+ * corrects. */
 static void refine_coarsest(const ovr_physics_case *of, const coating_form *f)
 {
     const double like_a_plate = 3, highly_loaded = 90;
@@ -386,7 +387,8 @@ static ovr_status resolve(const ovr_physics_case *of, void *form, bool *on,
                         "[coating]: p_h is %.2g of the modulus E', which is "
                         "beyond the small-strain model; reduce the load",
                         of->contact->kappa / 4);
-    /* Interpolated images would not have the accuracy of the fit */
+    /* Interpolation of lower order would be less accurate than the fit of the
+     * images */
     if (!of->options->mlmi_order)
         of->options->mlmi_order = 12;
     if (!of->options->mlmi_range)
@@ -395,7 +397,7 @@ static ovr_status resolve(const ovr_physics_case *of, void *form, bool *on,
     return OVR_OK;
 }
 
-/* Refuses layers that the mesh does not resolve. */
+/* Rejects layers that the mesh does not resolve. */
 static ovr_status on_mesh(const ovr_physics_case *of, void *form, double mesh,
                           ovr_error *err)
 {
@@ -468,8 +470,9 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
     return OVR_OK;
 }
 
-/* The table begins where a node of the finest mesh is far, and ends behind all
- * that is asked: ghosts of the coarsest grids lie a domain's length outside. */
+/* The table starts at a distance that is large on the finest grid and ends
+ * beyond the largest distance. Ghost nodes of the coarsest grids are up to a
+ * domain length outside. */
 static void influence(const ovr_simulation *sim, void *own, ovr_influence *of)
 {
     coating *c = own;
@@ -529,7 +532,8 @@ static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
              of->strain);
 }
 
-/* A of a wave by A_top and the images: of each its weight. */
+/* Writes the layers' data: A of a wave from A_top and the images with their
+ * weights. */
 static ovr_status open_file(void *own, const ovr_accompanied_run *run,
                             ovr_error *err)
 {

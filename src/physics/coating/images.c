@@ -5,7 +5,7 @@
 
 /* ------------------------------------------------------------ near a node */
 
-/* I and J of the header, lengths in D. */
+/* I and J of the header file, with lengths in D. */
 static double once(double x, double a)
 {
     return 0.5 * x * log(x * x + a * a) - x + a * atan(x / a);
@@ -43,7 +43,7 @@ static double series(double x, double a, double r, bool linear)
     return u * re - v * im;
 }
 
-/* Mean of ln|z| over a node's pressure, in units of D. */
+/* Mean of ln|z| over the pressure of a node, in units of D. */
 static double image(double x, double a, bool linear)
 {
     double r = x * x + a * a;
@@ -54,7 +54,7 @@ static double image(double x, double a, bool linear)
 
 /* ----------------------------------------------------------- far from one */
 
-/* All images at X. */
+/* Sum of all images at X. */
 static double point(const ovr_image_sum *sum, double X)
 {
     const ovr_images *of = &sum->images;
@@ -80,7 +80,7 @@ static void fill_octave(const ovr_image_sum *sum, double first, double *c)
     }
 }
 
-/* The same by the table, which it lies in. */
+/* The same by interpolation in the table. */
 static double tabled(const ovr_image_sum *sum, double X)
 {
     int octave;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The film as columns, marched, and the coefficients it gives the film
- * equation. */
+/* Columns across the film, marching along x, and the coefficients for the
+ * Reynolds equation. */
 #include "physics/heat/columns.h"
 
 #include <math.h>
@@ -28,10 +28,9 @@ ovr_status ovr_heat_film_take(ovr_simulation *sim, ovr_error *err)
                           &h->apart, &c->fall);
 }
 
-/* The flow from a pressurized node to the dry one downstream of it, over the
- * speed: the pressurized node's own content would jump by O(D) with the node
- * that is the last, and outer iterations of film and heat go round for ever
- * between two of them. */
+/* Flow from a pressurized node to the cavitated node downstream, divided by the
+ * speed. (The pressurized node's own content would jump by O(D) when the last
+ * node changes, and the outer iteration could alternate between two nodes.) */
 static double let_through(const ovr_simulation *sim, size_t wet)
 {
     const double minimum = 0.5, maximum = 1.5;
@@ -43,7 +42,7 @@ static double let_through(const ovr_simulation *sim, size_t wet)
     return ovr_larger(minimum * q, ovr_smaller(flow, maximum * q));
 }
 
-/* Thickness and content of what is there. */
+/* Computes thickness and content of the present lubricant. */
 static void fill_oil(ovr_simulation *sim)
 {
     const ovr_solution *now = &sim->now;
@@ -60,7 +59,7 @@ static void fill_oil(ovr_simulation *sim)
             continue;
         if (k > 0 && now->P[before] > 0)
             left = let_through(sim, before);
-        if (conserves) /* of density 1 */
+        if (conserves) /* density 1 */
             h->content[i] = h->oil[i] = ovr_larger(1e-6, now->q[i]);
         else if (left < now->q[i]) {
             h->oil[i] *= ovr_larger(1e-6, left) / now->q[i];
@@ -69,7 +68,7 @@ static void fill_oil(ovr_simulation *sim)
     }
 }
 
-/* All inputs of a column. */
+/* Sets all inputs of the columns. */
 static void begin(ovr_simulation *sim)
 {
     const ovr_solution *now = &sim->now;
@@ -99,10 +98,9 @@ static void begin(ovr_simulation *sim)
                                       h->log_eta);
 }
 
-/* Returns the factor of the film's heating where the film drags on a share of
- * the surfaces.  The power -V t is reduced, the power of Poiseuille flow is
- * not.
- */
+/* Returns the factor of the heat source if fluid shear acts on a fraction of
+ * the surface only. The power -V t is reduced, the power of the Poiseuille flow
+ * is not. */
 static double share_left(const ovr_heated *h, size_t i)
 {
     double made = 0, slides = -h->V * h->film.t[i];
@@ -113,8 +111,8 @@ static double share_left(const ovr_heated *h, size_t i)
     return ovr_larger(0, 1 - (1 - h->apart[i]) * ovr_smaller(slides / made, 1));
 }
 
-/* Adds the power that other physics make in the film, evenly across it, and
- * reduces the film's own. */
+/* Adds the power dissipated by other models, uniformly across the film, and
+ * reduces the film's own heat source. */
 static void add_power(ovr_simulation *sim)
 {
     OVR_LAST_PHYSICS(sim, any, in_output, heat);
@@ -142,8 +140,8 @@ bool ovr_heat_counts(const ovr_simulation *sim, size_t i)
     return c->P[i] > 0 || c->heating[0][i] != 0;
 }
 
-/* Weights flow and heating of the last pressurized node by the share of its
- * mesh downstream that contains oil (heat_skew.h). */
+/* Multiplies flow and heat source of the last pressurized node by the fraction
+ * of its downstream grid interval that contains lubricant (heat_skew.h). */
 static void cover_end(const ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
@@ -174,7 +172,7 @@ void ovr_heat_film_fields(ovr_simulation *sim)
     ovr_heated *h = sim->heated;
     ovr_columns *c = &h->film;
     begin(sim);
-    c->q = sim->now.q; /* the gap's: wedges are of that */
+    c->q = sim->now.q; /* content of the full gap, as in the wedge */
     c->th = h->th;
     c->shift = h->shift;
     c->drag = h->drag;
@@ -229,12 +227,12 @@ double ovr_heat_stored(const ovr_simulation *sim)
 
 /* Marching along x (equations in heat.h). */
 
-/* Some layer between surfaces that move in opposite directions has no speed.  A
- * jump between the two smallest speeds would keep the iterations from ending.
- */
+/* Minimum speed of a layer: with opposite sliding, some layer has nearly zero
+ * speed. A jump between the two smallest speeds would prevent convergence. */
 static const double MIN_SPEED = 0.02, MIN_SPEED_OPPOSED = 1e-9;
 
-/* Speeds of the surfaces at T = 0, and their memories from node to node. */
+/* Sets the speeds of the surfaces at T = 0 and their memories for steps from
+ * node to node. */
 void ovr_heat_march_begin(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;
@@ -255,14 +253,14 @@ static bool opposed(const ovr_heated *h)
     return h->way[0] != h->way[1];
 }
 
-/* A march carries this from node to node. */
+/* State of a march, passed from node to node. */
 typedef struct march {
     int way; /* along x, or against it */
     double psi[2][OVR_MAX_MODES], q[2];
 } march;
 
-/* A surface that moves in the opposite direction carries the temperatures of
- * the last march. */
+/* Solves node i. A surface that moves in the opposite direction has the
+ * temperatures of the last march. */
 static void solve_node(ovr_simulation *sim, size_t i, march *m)
 {
     ovr_heated *h = sim->heated;
@@ -284,7 +282,7 @@ static void solve_node(ovr_simulation *sim, size_t i, march *m)
     }
 }
 
-/* All nodes but one, from node i on, along x or against it. */
+/* Solves all nodes except one, starting at node i, along x or against it. */
 static void march_from(ovr_simulation *sim, size_t i, int way)
 {
     march m = {.way = way};
@@ -334,8 +332,8 @@ void ovr_heat_march(ovr_simulation *sim)
 
 /* ------------------------------------------------------------- Coefficients */
 
-/* Temperatures change the film: the fields of Reynolds' equation (heat.h), and
- * how far they move on at once. */
+/* Effect of temperatures on the film: coefficients of the Reynolds equation
+ * (heat.h), and the maximum change per iteration. */
 
 void ovr_heat_speeds(ovr_simulation *sim, double T)
 {
@@ -344,7 +342,7 @@ void ovr_heat_speeds(ovr_simulation *sim, double T)
     h->u1 = ovr_history_value(sim->histories.speed, T) + h->V / 2;
 }
 
-/* Injection of all to all grids. */
+/* Transfers all coefficients to all grids by injection. */
 static void restrict_all(ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
@@ -391,8 +389,9 @@ double ovr_heat_bounded(const ovr_heated *heated, double rise)
     return ovr_larger(coldest, ovr_smaller(rise, hottest));
 }
 
-/* No temperature moves on by more than this share of itself and some kelvins:
- * the first are those of an isothermal film, which may be absurd. */
+/* A temperature rise changes by at most this fraction of itself plus some
+ * kelvins: the first temperatures, those of the isothermal film, may be
+ * extremely high. */
 void ovr_heat_relax(ovr_simulation *sim, double share)
 {
     const double maximum = 0.5, minimum = 10;

@@ -97,7 +97,7 @@ static void before_start(ovr_simulation *sim, void *own)
     h->change = 0;
 }
 
-/* Isothermal again. */
+/* Resets to the isothermal state. */
 static void forget(ovr_simulation *sim, void *own)
 {
     ovr_heated *h = own;
@@ -124,8 +124,9 @@ static void forget(ovr_simulation *sim, void *own)
 
 /* ------------------------------------------------------------- observed */
 
-/* The isothermal film's stress with the viscosities of this one, as Reynolds'
- * equation has them, and what their profile does beyond (cross_film.h). */
+/* Mean shear stress: that of the isothermal film with the present viscosities,
+ * as in the Reynolds equation, plus the effect of the temperature profile
+ * (cross_film.h). */
 static void stress(ovr_simulation *sim, void *own, const ovr_sheared *film,
                    const ovr_fluid *fluid, double *t)
 {
@@ -147,7 +148,7 @@ static void stress(ovr_simulation *sim, void *own, const ovr_sheared *film,
     ovr_work_give(sim, q);
 }
 
-/* Finds the largest value and where it is. */
+/* Finds the maximum and its position. */
 static void largest(const ovr_simulation *sim, const double *T, double *value,
                     double *X)
 {
@@ -191,16 +192,16 @@ static double last_cross_film(const ovr_simulation *sim, double rise)
     return rise > 0 ? maximum / rise : 0;
 }
 
-/* True if temperatures across the film ask for more points than 5: by x of
- * heat.h, and the largest rise. */
+/* True if the temperatures require more than 5 points across the film: by x of
+ * heat.h and the maximum rise. */
 static bool is_uneven(double x, double rise)
 {
     const double much = 0.05, hot = 20; /* K */
     return x > much && rise > hot;
 }
 
-/* True if temperatures may become more uneven in time than in the steady start:
- * histories, and features that pass. */
+/* True if temperature profiles can become less uniform in time than in the
+ * steady start: with time histories or moving features. */
 static bool may_grow_uneven(const ovr_simulation *sim)
 {
     bool passes = sim->shapes.heights && sim->shapes.moving != 0;
@@ -210,7 +211,7 @@ static bool may_grow_uneven(const ovr_simulation *sim)
            ovr_history_varies(sim->histories.radius);
 }
 
-/* The largest x of a film that is hot enough for it to matter. */
+/* Records the maximum x, if the film is hot enough for it to matter. */
 static void observe_points(ovr_simulation *sim, const ovr_observation *o)
 {
     ovr_statistics *s = &sim->statistics;
@@ -245,9 +246,10 @@ static void unknown(ovr_observation *o)
 }
 
 /* Returns the power that becomes heat, by forces, speeds and flow alone: in a
- * steady film -V F_slide + 2 Cu F_roll - M int dP/rho.  In a step, where oil
- * and solids store energy, the power dissipated.  Both without the part beyond
- * the inlet, which heats no film in the domain. */
+ * steady film -V F_slide + 2 Cu F_roll - M int dP/rho.  In a time step, in
+ * which lubricant and solids store energy, the dissipated power. Both exclude
+ * the region upstream of the inlet, which does not heat the film in the domain.
+ */
 static double power_of_forces(const ovr_simulation *sim,
                               const ovr_observation *o)
 {
@@ -263,7 +265,8 @@ static double power_of_forces(const ovr_simulation *sim,
            sim->shear.inlet_share.power - o->mass_flow * worked;
 }
 
-/* Largest rises, flows into the surfaces, defect of the balance. */
+/* Observes maximum rises, heat flows into the surfaces and the balance error.
+ */
 static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
 {
     ovr_heated *h = own;
@@ -282,7 +285,7 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
         o->energy_defect = (power_of_forces(sim, o) - taken) / h->balanced;
 }
 
-/* q D at the half node i + 1/2, as F has it or between the nodes. */
+/* q D at half node i + 1/2: as in F, or the mean of both nodes. */
 static double skewed(const ovr_simulation *sim, const void *own, size_t i,
                      bool mean)
 {
@@ -294,8 +297,8 @@ static double skewed(const ovr_simulation *sim, const void *own, size_t i,
     return ovr_upstream(sim, v, i);
 }
 
-/* Temperatures thin the oil at a node by this, and make its density less where
- * it expands. */
+/* Changes of the flow coefficient at a node by the temperature, and of the
+ * density if it expands. */
 static void apply_temperature_to_viscosity(const ovr_simulation *sim,
                                            const void *own, size_t i,
                                            double *eps, double *rho)
@@ -307,7 +310,7 @@ static void apply_temperature_to_viscosity(const ovr_simulation *sim,
         *rho *= h->swell[i];
 }
 
-/* Rises of a field; NULL: it is none of temperatures. */
+/* Temperature rises of a field; NULL if the field is not a temperature. */
 static const double *rises(const ovr_heated *h, ovr_physics_field which)
 {
     switch (which) {
@@ -373,7 +376,7 @@ static void keep_start(ovr_simulation *sim)
     h->start_H0 = sim->grids.H0;
 }
 
-/* Restores the isothermal film that the iterations began with. */
+/* Restores the isothermal film, the initial state of the iteration. */
 static void return_to_start(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;
@@ -388,8 +391,8 @@ static void return_to_start(ovr_simulation *sim)
     }
     forget(sim, h);
     h->cross_film = points;
-    /* Corrections of the gap follow from P, those of the flow from the film
-     * with the corrected gap. */
+    /* Gap corrections depend on P; flow corrections depend on the film with the
+     * corrected gap */
     for (int pass = 0; pass < 2; pass++) {
         ovr_level_refresh(&sim->grids, level);
         ovr_simulation_read(sim);
@@ -399,7 +402,7 @@ static void return_to_start(ovr_simulation *sim)
     ovr_simulation_read(sim);
 }
 
-/* Returns true if the cycles ended near a film. */
+/* True if the cycles ended close to a solution. */
 static bool is_film(const ovr_outcome *outcome)
 {
     const double imbalance = 1e-3, load = 1e-2;
@@ -408,8 +411,8 @@ static bool is_film(const ovr_outcome *outcome)
            d->centre > 0;
 }
 
-/* Adds a quarter of the skewed flow once temperatures have calmed.  Returns
- * true if a quarter was added. */
+/* Increases the fraction of the skewed flow by a quarter if temperatures have
+ * converged sufficiently. Returns true if it was increased. */
 static bool add_skew(ovr_heated *h, double change)
 {
     const double calm = 0.1, part = 0.25;
@@ -420,7 +423,8 @@ static bool add_skew(ovr_heated *h, double change)
     return true;
 }
 
-/* A start that found the isothermal film, but no temperatures. */
+/* Reports a start for which the isothermal film was found, but not the
+ * temperatures. */
 static ovr_status explain(const ovr_simulation *sim, const void *own,
                           const ovr_outcome *outcome, ovr_error *err)
 {
@@ -439,9 +443,10 @@ static ovr_status explain(const ovr_simulation *sim, const void *own,
         outcome->defect.imbalance);
 }
 
-/* Returns true if corrections of fourth order are computed again.  Frozen
- * before the temperatures settle, they make the result depend on the path.
- * Later they could alternate with the iterations. */
+/* Returns true if corrections of fourth order are computed again.  If they were
+ * fixed before the temperatures converge, the result would depend on the
+ * iteration path. If they were recomputed later, they could oscillate with the
+ * iteration. */
 static bool are_renewed(int iteration, double change)
 {
     enum { ALWAYS = 30 };
@@ -449,7 +454,7 @@ static bool are_renewed(int iteration, double change)
     return iteration < ALWAYS || change > settled;
 }
 
-/* Solves for the film with the temperatures in use.  Returns false if a film of
+/* Solves the film with the present temperatures.  Returns false if a film of
  * rough surfaces with corrections of fourth order took a twentieth of the work
  * of the start.  Films of second order take less. */
 static bool film_found(ovr_simulation *sim, const ovr_full *how,
@@ -464,9 +469,9 @@ static bool film_found(ovr_simulation *sim, const ovr_full *how,
     return !ended;
 }
 
-/* Solves for temperatures and film in turn until neither changes.  `slowly`:
- * the skewed flow is added by quarters, and gamma is not zero where the stress
- * is limited. */
+/* Solves temperatures and film alternately until both converge. `slowly`: the
+ * skewed flow is added in quarters, and gamma is not zero where the stress is
+ * limited. */
 static void iterate(ovr_simulation *sim, const ovr_full *how, bool slowly,
                     ovr_outcome *outcome)
 {
@@ -474,7 +479,7 @@ static void iterate(ovr_simulation *sim, const ovr_full *how, bool slowly,
     const double enough = OVR_HEAT_CHANGE, far = 0.1;
     ovr_heated *h = sim->heated;
     double change = INFINITY;
-    int lost = 0; /* number of successive solutions without a film */
+    int lost = 0; /* number of consecutive solves without a film */
     bool found = true;
     ovr_heat_outer_begin(sim);
     h->skew_share = slowly ? 0 : 1;
@@ -505,7 +510,8 @@ static void iterate(ovr_simulation *sim, const ovr_full *how, bool slowly,
                                                change);
 }
 
-/* Iterates again, from the isothermal film if the iterations left it far. */
+/* Iterates again, starting from the isothermal film if the last iteration
+ * diverged from it. */
 static void iterate_again(ovr_simulation *sim, const ovr_full *how,
                           ovr_outcome *outcome)
 {
@@ -537,7 +543,7 @@ static void outer(ovr_simulation *sim, const ovr_full *how,
         iterate_again(sim, how, outcome);
 }
 
-/* The same temperatures at more points. */
+/* Interpolates the temperatures to more points across the film. */
 static void refine_cross_film(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;
@@ -566,7 +572,7 @@ static double largest_rise(const ovr_simulation *sim)
     return rise;
 }
 
-/* Outer iterations that go round with 5 points may end with 7. */
+/* An outer iteration that oscillates with 5 points may converge with 7. */
 static void couple(ovr_simulation *sim, void *own, const ovr_full *how,
                    ovr_outcome *outcome)
 {
@@ -586,7 +592,7 @@ static void couple(ovr_simulation *sim, void *own, const ovr_full *how,
 #define HEAT(name, key, si, kind, member, ...)                                 \
     OVR_NUMBER_ROW(name, key, si, kind, member, OVR_PHYSICS_HEAT, __VA_ARGS__)
 
-/* The largest rise so far, over the run. */
+/* Maximum temperature rise over the run so far. */
 #define RISE(member, at, key, mean, ...)                                       \
     HEAT(NULL, NULL, NULL, TEMPERATURE, member, __VA_ARGS__, LARGEST(key),     \
          PLACE(at), MEAN(mean), STEADY_TOO)

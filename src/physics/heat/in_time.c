@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Heat in time (equations in heat_in_time.h). */
+/* Transient heat (equations in heat_in_time.h). */
 #include "physics/heat/in_time.h"
 
 #include <math.h>
@@ -12,15 +12,16 @@
 #include "physics/heat/skew.h"
 #include "simulation/mirror.h"
 
-/* Viscosities follow this share of the temperature change in a step. */
+/* Viscosities are updated by this fraction of the temperature change in a step.
+ */
 static const double SHARE = 0.5;
 
-/* Passes over a step's temperatures after the first, at most; those of them
- * that a pressure which moved is enough for. */
+/* Maximum number of further passes over the temperatures of a step; maximum
+ * number of passes caused by a changed pressure only. */
 enum { PASSES = 6, MOVED = 2 };
 
-/* Fields kept in addition to temperatures.  Checkpoints of 0.3.0 have the first
- * five. */
+/* Fields stored in addition to temperatures. Checkpoints of version 0.3.0
+ * contain the first five. */
 enum { FIELDS = OVR_HEAT_KEPT - OVR_CROSS_FILM_MAX, FIRST_FIELDS = 5 };
 
 /* --------------------------------------------------------------- creation */
@@ -47,7 +48,7 @@ ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err)
 
 /* ------------------------------------------------ the last time reached */
 
-/* The memory that is `kept`, by number. */
+/* The k-th array of `kept`. */
 static double *kept_of(const ovr_heated *h, int k)
 {
     double *const fields[] = {h->th,    h->shift, h->drag,     h->skewed,
@@ -72,7 +73,7 @@ static void swap_trial(ovr_heated *h)
     s->trying = !s->trying;
 }
 
-/* Temperatures and viscosities of the last time reached. */
+/* Restores temperatures and viscosities of the last completed time. */
 static void withdraw(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;
@@ -127,8 +128,8 @@ void ovr_heat_step(ovr_simulation *sim, void *own, double dT)
     ovr_nodes_read(sim, sim->finest, sim->finest->f.F, s->F);
 }
 
-/* No further from the last P than it may have come: as it moved there and
- * beside it in the step before, and some. */
+/* Limits the change of P from its last value: by the change there and at the
+ * neighbours in the previous step, plus a tolerance. */
 static void hold_guess(ovr_simulation *sim)
 {
     const double share = 0.05, low = 0.01 /* ph */, again = 0.7;
@@ -146,8 +147,9 @@ static void hold_guess(ovr_simulation *sim)
     }
 }
 
-/* No thinner than half of what was there or beside it: a guess that is none
- * may have no film left, and such a one would heat the oil without bounds. */
+/* Limits the film thickness to at least half of the previous one at the node or
+ * its neighbours: a poor guess may have no film, which would be heated without
+ * bounds. */
 static void hold_film(ovr_simulation *sim)
 {
     const double share = 0.5;
@@ -164,7 +166,8 @@ static void hold_film(ovr_simulation *sim)
     }
 }
 
-/* All nodes except the first node of the film, with the surfaces as before. */
+/* Solves all nodes except the first node of the film, whose temperatures are
+ * those of the surfaces. */
 static void solve_nodes(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;
@@ -177,7 +180,7 @@ static void solve_nodes(ovr_simulation *sim)
         h->T[j][entry] = 0;
 }
 
-/* Temperatures by the flow that those `used` give. */
+/* Computes temperatures with the flow at the temperatures `used`. */
 static void pass(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;
@@ -203,7 +206,7 @@ static void pass(ovr_simulation *sim)
     solve_nodes(sim);
 }
 
-/* The largest change of ln of what is made by T instead of `used`. */
+/* Maximum change of ln of the heat source between T and `used`. */
 static double lag(const ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
@@ -217,8 +220,8 @@ static double lag(const ovr_simulation *sim)
     return maximum;
 }
 
-/* Temperatures of the step, by the film as it is and by how fast it presses
- * the oil. */
+/* Computes the temperatures of the step for the present film and its rate of
+ * pressure change. */
 static void heat(ovr_simulation *sim)
 {
     const double *P = sim->now.P, *before = sim->past.P[0];
@@ -230,7 +233,7 @@ static void heat(ovr_simulation *sim)
     s->stored = ovr_heat_stored(sim);
 }
 
-/* Solves for the temperatures by a guess. */
+/* Solves for the temperatures with the initial guess. */
 static void solve(ovr_simulation *sim)
 {
     hold_film(sim);
@@ -239,7 +242,7 @@ static void solve(ovr_simulation *sim)
     heat(sim);
 }
 
-/* The film by temperatures that go half the way to those found. */
+/* Updates the film with temperatures changed by half of the difference. */
 static void apply(ovr_simulation *sim)
 {
     ovr_heat_relax(sim, SHARE);
@@ -248,7 +251,7 @@ static void apply(ovr_simulation *sim)
     ovr_level_residual(&sim->grids, sim->finest);
 }
 
-/* Temperatures used go on as temperatures went in the step before. */
+/* Extrapolates the temperatures used by their change in the previous step. */
 static void foresee(ovr_simulation *sim)
 {
     const double maximum = 0.15;
@@ -277,10 +280,10 @@ void ovr_heat_try(ovr_simulation *sim, void *own, bool first)
     apply(sim);
 }
 
-/* True of a film whose viscosities lag behind it, or that a cycle has moved
- * away from the film which was heated.  The second condition costs a
- * hot dent 675 cycles for 572 (level 7).  It reduces the error of the central
- * film thickness from 8.7e-4 to 1.9e-4. */
+/* True if the viscosities of a film lag, or if a cycle has changed the film
+ * much since the last temperature solve. The second condition increases the
+ * cycles for a hot dent from 572 to 675 (level 7) and reduces the error of the
+ * central film thickness from 8.7e-4 to 1.9e-4. */
 static bool is_otherwise(const ovr_simulation *sim)
 {
     const double enough = 0.15, far = 3e-4 /* ph */;
@@ -293,7 +296,8 @@ static bool is_otherwise(const ovr_simulation *sim)
 void ovr_heat_anew(ovr_simulation *sim, void *own)
 {
     ovr_heat_steps *s = ((ovr_heated *)own)->steps;
-    if (!s->trying) /* cycles of a steady film that settles (continuation.c) */
+    if (!s->trying) /* cycles of a steady film in pseudo-time (continuation.c)
+                     */
         return;
     ovr_simulation_read(sim);
     if (s->passes > 0 && is_otherwise(sim)) {
@@ -306,9 +310,8 @@ void ovr_heat_anew(ovr_simulation *sim, void *own)
         ovr_level_residual(&sim->grids, sim->finest);
 }
 
-/* True of a film that ended far from the guess that was heated: oil was
- * pressed, and so heated, by this share of all power more or less than it
- * should. */
+/* True if the compression heating of the final film differs from that of the
+ * guess by more than this fraction of the total power. */
 static bool pressed_otherwise(const ovr_simulation *sim)
 {
     const double share = 0.02;
@@ -342,8 +345,8 @@ void ovr_heat_taken(ovr_simulation *sim, void *own, double dT)
 
 /* -------------------------------------------------------------------- marks */
 
-/* True if the load jumped in the last quarter of b/um, or five steps: what the
- * load then pressed is heated late and by another pressure. */
+/* True if the load jumped within the last quarter of b/um or five steps:
+ * compression heating then appears late and at another pressure. */
 static bool load_jumped(const ovr_simulation *sim, double T)
 {
     const double while_after = 0.25, steps = 5, much = 0.01;
@@ -414,7 +417,7 @@ void ovr_heat_restored(ovr_simulation *sim, void *own)
         for (int j = 0; j < h->cross_film.n; j++)
             h->mean[i] += h->cross_film.w[j] * h->T[j][i];
     }
-    if (!(h->steps->dT > 0)) { /* the steady start */
+    if (!(h->steps->dT > 0)) { /* steady start */
         ovr_heat_march_begin(sim);
         ovr_heat_march_columns(sim);
     }

@@ -1,21 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Heat in time: a step of the temperatures of film and surfaces (cross_film.h,
- * solids.h), and what Reynolds' equation gets of them.
+ * solids.h), and their effect on the Reynolds equation.
  *
- * A layer j of the film was at X - u_j dT, T_j' is what is there a step
- * ago; a surface comes from X - int u_k dT with its q and Psi_m (departures.h).
- * A solve across the film at each node with H of the guess that the cycles
- * begin from, and its P no further from the P' before than
+ * Layer j of the film was at X - u_j dT one step ago, where its temperature was
+ * T_j'. A surface was at X - int u_k dT, with its q and Psi_m (departures.h).
+ * The energy equation across the film is solved at each node with H of the
+ * initial guess of the step. P of the guess is limited to
  *
  *     |P - P'| <= 0.05 (P' + 0.01) + 0.7 max |P' - P''| there and
  *                                           beside it
- *     P_T = (P - P')/dT, 0 in the first step and where nothing foretold a jump
+ *     P_T = (P - P')/dT, 0 in the first step and where an unpredicted jump
+ *                                           occurs
  *
- * A guess goes wrong by some of P where viscosities change, pressures of such
- * a guess heat the oil, and its viscosities change: a smooth film at 300 K and
- * a slip of um went to 1e5 K so, and in 10 cycles a step instead of 4.  What
- * passes in steps of D does not come near the limit.
+ * Without the limit, errors of the guess heat the lubricant, the viscosities
+ * change, and the next guess has a larger error: a smooth film at 300 K with u1
+ * - u2 = um reached 1e5 K, with 10 cycles per step instead of 4. Features that
+ * move by D per step do not reach the limit.
  *
  * Viscosities are those of the temperatures `used`. These are extrapolated from
  * the preceding step and then changed by half of the difference to the new
@@ -23,62 +24,61 @@
  *
  *     T_used += (T' - T'') dT/dT' + (T - T_used)/2,
  *
- * where the first term makes no more than gamma |dT| = 0.15, for an edge that
- * has passed a node comes not again.  What is left to relax is a second
- * difference: T_used lags by O(dT^2).  (Half of the new change alone leaves it
- * behind by a step, O(dT); all of the new change is a loop that swings.)  The
- * flow that heats is that by T_used before the step.  What is made falls as
- * the film gets hotter:
+ * where the first term is limited to gamma |dT| = 0.15, because the edge of a
+ * feature passes a node only once. The remaining difference is of second order:
+ * T_used lags by O(dT^2). (With half of the new change alone it would lag by
+ * O(dT); with the full change the iteration would oscillate.) The heat source
+ * is computed with the flow at T_used before the step. It decreases with the
+ * temperature:
  *
  *     tau u_z <- tau u_z (1 - gamma (T - T_used)),
  *     gamma = -(d ln eta/dT) tanh(a)/a,  a = |t|/Sigma0
  *
- * so that no film gets hotter by more than 1/gamma in one solve, be it
- * Newtonian.  It counts as a faster exchange with the departure point, which is
- * moved to T_used.  At the edge of a feature that moves a mesh a step oil may
- * get 100 K hotter at once; left colder by dT it is too viscous by e^(gamma
- * dT), powers of ten, does not let the pressure there go, and the next spike is
- * higher.  Therefore, if gamma |T - T_used| exceeds 0.15 under pressure, T_used
- * changes by half the difference, and heat is solved again with the film of a
- * cycle, six times at most: not by kelvins, of which a film of Eyring's law
- * bears many more. (The film knows no instability of its own: speeds are given
- * across it, not stresses, and what is made falls as it gets hotter.)  With the
- * film of the guess instead, whose pressures do not yet know the temperatures,
- * the same passes drive rough films, and long steps, apart: 2,100 K for 410.  A
- * film that is thinner than half of what was there, or none, heats as one of
- * half.
+ * so that the temperature rises by at most 1/gamma in one solve, also in
+ * Newtonian films. In the equation this term acts as a faster exchange with the
+ * departure point, at temperature T_used. At the edge of a feature that moves
+ * by D per step, the lubricant can become 100 K hotter in one step. If T_used
+ * remains too low by dT, the viscosity is too high by e^(gamma dT), the
+ * pressure does not decrease, and the next spike is higher.  Therefore, if
+ * gamma |T - T_used| exceeds 0.15 under pressure, T_used changes by half the
+ * difference, and the temperatures are solved again with the film after a
+ * cycle, at most six times. The criterion is not in kelvins, because Eyring
+ * films tolerate larger differences. (The film itself is stable: the velocities
+ * of the surfaces are given, not the stresses, and the heat source decreases
+ * with temperature.) If the film of the guess were used in these passes, rough
+ * films and long steps would diverge: 2,100 K in place of 410 K. A film thinner
+ * than half of the previous film thickness is replaced by half.
  *
- * So it is, twice at most, where a cycle has moved P by more than 3e-4 ph from
- * the P of the film that was heated.  And the flow q D that temperatures skew,
- * D = (V/2) m_1/m_0, is that of the content q as it is after each cycle.  Waves
- * of four or five mesh sizes in P, which hardly flow where the film is stiff,
- * see an explicit step in both otherwise: the guess, extrapolated, is off by
- * three times what alternates from step to step, D was up to a half at a slip
- * of
- * 1.77, and a steady contact of 1.65 GPa left its pressure by a factor of 2 to
- * 5 a step until it had 2.4 GPa.  It stays now to 1e-4, and of 500 runs at
- * random none breaks off (2 did).  What is extrapolated well, as smooth films
- * are, costs one solve a step; steps where the load jumps take half of the
- * cycles, rough hot films a quarter more.  (Six times, rough films take half as
- * many again, once, waves grow after all.)
+ * The temperatures are also solved again, at most twice, if a cycle has changed
+ * P by more than 3e-4 p_h since the last temperature solve. The skewed flow q
+ * D, D = (V/2) m_1/m_0, uses the content q after each cycle. Otherwise waves of
+ * P with four or five mesh sizes, which decay slowly in a stiff film, would be
+ * treated explicitly and grow: the extrapolated guess triples an alternating
+ * error, D was up to 0.5 at a slide-to-roll ratio of 1.77, and the error of a
+ * steady contact of 1.65 GPa grew by a factor of 2 to 5 per step, up to 2.4
+ * GPa. With these passes the contact remains steady within 1e-4, and all of 500
+ * random runs are completed (2 failed before). Smooth films, whose guess is
+ * accurate, need one solve per step. Steps with load jumps need half as many
+ * cycles as before, rough hot films a quarter more. (With up to six passes
+ * rough films would need half as many again; with one, waves grow.)
  *
- * Where the film ends so far from the guess that the oil was pressed by 2 % of
- * all power more, or less, temperatures are found once more by that film: films
- * whose curvature jumps were heated by a pressure that they never had.
+ * If the power of compression heating of the final film differs from that of
+ * the guess by more than 2 % of the total power, the temperatures are solved
+ * again with the final film. (Otherwise films with curvature jumps would be
+ * heated by the pressure of the guess.)
  *
- * A step is marked where gamma |T - T_used| stays above 1, where what is made
- * is off by a factor of e (0.5 to 1 in some steps left friction 0.6 % off), or
- * where energy does not close to a tenth of the most that was made in the run,
- * though the load did not jump just before.
+ * A step is flagged if gamma |T - T_used| remains above 1, that is, the heat
+ * source is wrong by a factor of e (0.5 to 1 in some steps caused a friction
+ * error of 0.6 %), or if the error of the energy balance exceeds a tenth of the
+ * maximum power of the run and the load has not just jumped.
  *
- * A step that is tried again begins from the temperatures of the last time
- * reached.  (With the viscosities of that time, as a steadier try, 24,000 K
- * came out where the load had jumped by a quarter, 550 K with those of the
- * step.)  Fluxes, memories of the surfaces and `used` move on when a step is
- * taken.
+ * Further attempts of a step start from the temperatures of the last completed
+ * time. (With the viscosities of that time, 24,000 K were computed after a load
+ * jump by a quarter; with those of the step, 550 K.) Heat fluxes, memories of
+ * the surfaces and `used` are updated when a step is accepted.
  *
- * A surface that stands still gets hotter as ln(T), for as long as its memory
- * reaches (heat_surfaces.h).
+ * The temperature of a stationary surface rises as ln(T), up to the length of
+ * its memory (heat_surfaces.h).
  */
 #ifndef OVR_PHYSICS_HEAT_IN_TIME_H
 #define OVR_PHYSICS_HEAT_IN_TIME_H
@@ -91,45 +91,48 @@ enum { OVR_HEAT_KEPT = OVR_CROSS_FILM_MAX + 7 };
 
 typedef struct ovr_heat_steps {
     double dT;
-    bool trying; /* T and q of ovr_heated are of a step not yet taken */
-    double *T_before[OVR_CROSS_FILM_MAX], *q_before[2]; /* then: a step ago */
-    double *change[OVR_CROSS_FILM_MAX]; /* of T, in the last step taken */
-    double *kept[OVR_HEAT_KEPT];        /* of the last time reached */
+    bool trying; /* T and q of ovr_heated belong to a step that is not yet
+                  * accepted */
+    /* T and q one step ago, in this case */
+    double *T_before[OVR_CROSS_FILM_MAX], *q_before[2];
+    double *change[OVR_CROSS_FILM_MAX]; /* change of T in the last accepted step
+                                         */
+    double *kept[OVR_HEAT_KEPT];        /* values of the last completed time */
     ovr_heat_surface surface[2];
     double *F;           /* history term of Reynolds' equation */
-    double *P_T;         /* that the step was heated by */
-    double *heated_P;    /* the P whose film was heated last */
-    double lag;          /* gamma |T - T_used|, at most */
-    int passes;          /* that this try may still make after the first */
-    double max_balanced; /* of ovr_heated in this run */
-    double stored;       /* power that the oil took up in the step */
+    double *P_T;         /* P_T used in the temperature solve */
+    double *heated_P;    /* P used in the last temperature solve */
+    double lag;          /* maximum of gamma |T - T_used| */
+    int passes;          /* further passes permitted in this attempt */
+    double max_balanced; /* maximum of ovr_heated.balanced in this run */
+    double stored;       /* power stored in the lubricant during the step */
 } ovr_heat_steps;
 
-/* Memory for them, with the rates of the surfaces' memories. */
+/* Allocates the arrays, and sets the rates of the surfaces' memories. */
 ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err);
 
-/* Those that follow are functions of a physics (physics.h), whose own is the
- * ovr_heated.  The steady solution, or a step just made, is the last time
- * reached. */
+/* The following are functions of a physical model (physics.h) with `own` the
+ * ovr_heated. They make the steady solution, or the step just made, the last
+ * completed time. */
 void ovr_heat_begin(ovr_simulation *sim, void *own);
 void ovr_heat_taken(ovr_simulation *sim, void *own, double dT);
 
-/* A step of dT from there, with its history term in place; a try of it, with
- * the guess in place: temperatures, and the film by them; the same after a
- * cycle, where they lag. */
+/* Called with the history term of a step dT in place; with the guess of an
+ * attempt in place: computes temperatures and the film with them; after a
+ * cycle: the same if the temperatures lag. */
 void ovr_heat_step(ovr_simulation *sim, void *own, double dT);
 void ovr_heat_try(ovr_simulation *sim, void *own, bool first);
 void ovr_heat_anew(ovr_simulation *sim, void *own);
 
-/* True if the step that was observed last has temperatures that are not those
- * of its film. */
+/* True if the temperatures of the last observed step are inconsistent with its
+ * film. */
 bool ovr_heat_is_stale(ovr_simulation *sim, void *own);
 
-/* Back to the last time reached. */
+/* Restores the last completed time. */
 void ovr_heat_step_back(ovr_simulation *sim, void *own);
 
-/* Arrays and numbers of the state between two steps; what follows from them,
- * once they are there. */
+/* Visits the arrays and numbers of the state between two steps; computes
+ * dependent values after they have been read. */
 void ovr_heat_visit(ovr_simulation *sim, void *own, ovr_pieces *state);
 void ovr_heat_restored(ovr_simulation *sim, void *own);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The section [heat], and what its keys mean. */
+/* The section [heat] and its keys. */
 #include "physics/heat/heat.h"
 
 #include <math.h>
@@ -53,8 +53,8 @@ static const ovr_parameter keys[] = {
 const ovr_section ovr_heat_section = {
     "heat", false, "model", "temperatures of film and surfaces", ROWS(keys)};
 
-/* -d ln eta/dT at the oil's temperature where its data sheet knows two
- * viscosities: that of nu, and of the density. */
+/* -d ln eta/dT at the lubricant temperature, if the data sheet has two
+ * viscosities: from the kinematic viscosity and the density. */
 static double fall_of_viscosity(const ovr_oil *oil, double expansion)
 {
     const double step = 0.5; /* K */
@@ -65,7 +65,8 @@ static double fall_of_viscosity(const ovr_oil *oil, double expansion)
            expansion;
 }
 
-/* Completes what is not given: by the data sheet, else S0 of the usual oil. */
+/* Sets missing values from the data sheet; S0 defaults to that of mineral oils.
+ */
 static void complete(const ovr_physics_case *of, ovr_heat_form *form)
 {
     const ovr_oil *oil = of->oil;
@@ -80,7 +81,7 @@ static void complete(const ovr_physics_case *of, ovr_heat_form *form)
         form->S0 = S0_USUAL;
 }
 
-/* Finds the slowest moments of the run where its speeds change. */
+/* Finds the minimum speeds of the surfaces during a run with variable speed. */
 static void find_slowest(const ovr_physics_case *of, ovr_heat *heat)
 {
     const int times = 500;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Temperatures and film in turn (equations in heat_outer.h). */
+/* Outer iteration of temperatures and film (equations in heat_outer.h). */
 #include "physics/heat/outer.h"
 
 #include <math.h>
@@ -38,7 +38,7 @@ void ovr_heat_outer_forget(ovr_heat_outer *outer)
 
 /* ------------------------------------------------------ Anderson's method */
 
-/* Normal equations of the g; A is symmetric. */
+/* Normal equations for the g_j; A is symmetric. */
 typedef struct minimum {
     double A[OVR_OUTER_KEPT][OVR_OUTER_KEPT], b[OVR_OUTER_KEPT];
 } minimum;
@@ -57,7 +57,7 @@ static void add_node(const ovr_heated *h, size_t i, minimum *l)
     }
 }
 
-/* Those of the nodes where rests count. */
+/* Sums the normal equations over the nodes included in the residual. */
 static minimum equations(const ovr_simulation *sim)
 {
     const double pressed = ovr_heat_pressed(sim);
@@ -68,8 +68,8 @@ static minimum equations(const ovr_simulation *sim)
     return l;
 }
 
-/* Solves by Cholesky's method; what is nearly dependent on iterations after it
- * is left out. */
+/* Solves by Cholesky's method; omits iterations that are nearly linearly
+ * dependent on more recent ones. */
 static void solve(int n, minimum *l, double *g)
 {
     const double min_part = 1e-10;
@@ -94,8 +94,8 @@ static void solve(int n, minimum *l, double *g)
     }
 }
 
-/* Space for this iteration before the others; that of the last is used again.
- */
+/* Makes space for the present iteration before the others; reuses the memory of
+ * the oldest one. */
 static void keep(ovr_heat_outer *t, int points)
 {
     const int last = OVR_OUTER_KEPT - 1;
@@ -112,7 +112,7 @@ static void keep(ovr_heat_outer *t, int points)
         t->kept++;
 }
 
-/* Keeps this iteration and makes the next u of it and of those before. */
+/* Stores this iteration and computes the next u from the stored ones. */
 static void move(ovr_heated *h, size_t n, const double *g)
 {
     const double maximum = 0.5, few = 10;
@@ -124,7 +124,7 @@ static void move(ovr_heated *h, size_t n, const double *g)
             double u = h->used[j][i], r = h->T[j][i] - u, step = t->w * r;
             double limit = maximum * fabs(u) + few;
             for (int k = 0; k < before; k++) {
-                int at = (k + 1) % OVR_OUTER_KEPT; /* where it is now */
+                int at = (k + 1) % OVR_OUTER_KEPT; /* present position */
                 step += g[k] *
                         (t->u[at][j][i] - u + t->w * (t->r[at][j][i] - r));
             }

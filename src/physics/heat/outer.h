@@ -1,30 +1,29 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Temperatures and film of a steady contact in turn.  An outer iteration takes
- * the temperatures u by which the film flows to those T(u) that it is heated
- * to; sought is u with the rest r = T(u) - u = 0.  By relaxing alone,
+ * Outer iteration of temperatures and film of a steady contact. An iteration
+ * computes from the temperatures u used in the film the new temperatures T(u).
+ * The solution has zero residual r = T(u) - u. With relaxation alone,
  *
  *     u <- u + w r
  *
- * films that slide fast need a hundred outer iterations and more, in which the
- * rest falls by a tenth an iteration: it heats less where it is hotter, and
- * each place heats what comes after it.  Where the rest is small (0.1 of the
- * rise, 0.03 where surfaces move in opposite directions) the last iterations,
- * u_j and r_j, help, with the g_j that make r + sum g_j (r_j - r) the smallest
- * (Anderson's method, for a linear T the same as GMRES):
+ * films with high sliding speed need a hundred or more outer iterations,
+ * because the residual falls by only a tenth per iteration. If the residual is
+ * small (0.1 of the temperature rise, 0.03 with opposite sliding), Anderson
+ * acceleration uses the previous iterations u_j, r_j, with g_j that minimize r
+ * + sum g_j (r_j - r) (equivalent to GMRES if T is linear):
  *
  *     u <- u + sum g_j (u_j - u) + w (r + sum g_j (r_j - r))
  *
- * w begins at 0.6, or 0.35 where the slip is at least um; it is lowered where
- * rests grow without that help, and the iterations before are forgotten where
- * they double with it.  No temperature moves on by more than half of itself and
- * 10 K an iteration: the first are those of an isothermal film, which may be
- * absurd.
+ * Initially w = 0.6, or 0.35 if |u1 - u2| >= um. If the residual grows without
+ * acceleration, w is reduced; if it doubles with acceleration, the stored
+ * iterations are discarded. A temperature rise changes by at most half of
+ * itself plus 10 K per iteration, because the first temperatures, those of the
+ * isothermal film, may be extremely high.
  *
- * Rests count where the film is pressed: its last node may be wet in one turn
- * and dry in the next, for ever, which at 1e-5 of p_h held the rest at 1e-3 of
- * the rise: one in eight contacts whose surfaces move against each other had no
- * solution so.
+ * The norm of the residual excludes the film end, whose last node may alternate
+ * between pressurized and cavitated. With a threshold of 1e-5 p_h this kept the
+ * residual at 1e-3 of the rise, and one in eight contacts with opposite sliding
+ * had no solution.
  *
  * Two iterations kept are as good as five: 12 Newtonian contacts of up to 1 GPa
  * took 1695 and 1671 cycles, and without them 2 did not end in 100 iterations.
@@ -40,26 +39,27 @@
 
 enum { OVR_OUTER_KEPT = 2 };
 
-/* The iterations before, the last first. */
+/* The previous iterations, the most recent first. */
 typedef struct ovr_heat_outer {
     double *u[OVR_OUTER_KEPT][OVR_CROSS_FILM_MAX];
     double *r[OVR_OUTER_KEPT][OVR_CROSS_FILM_MAX];
-    int kept;         /* of them */
-    bool helped;      /* the last iteration used those before it */
-    double small;     /* change below which they are used */
-    double w, change; /* the rest of the last over the largest rise */
+    int kept;         /* number of stored iterations */
+    bool helped;      /* the last iteration was accelerated */
+    double small;     /* residual below which acceleration is used */
+    double w, change; /* relaxation factor; last residual relative to the
+                       * maximum rise */
 } ovr_heat_outer;
 
 ovr_status ovr_heat_outer_take(ovr_simulation *sim, ovr_error *err);
 
-/* Begins without iterations. */
+/* Starts without stored iterations. */
 void ovr_heat_outer_begin(ovr_simulation *sim);
 
 /* Discards the iterations kept, after a change of the equations. */
 void ovr_heat_outer_forget(ovr_heat_outer *outer);
 
-/* Moves `used` on by the T that was found by it; the largest rest over the
- * largest rise. */
+/* Updates `used` from the computed T. Returns the maximum residual relative to
+ * the maximum rise. */
 double ovr_heat_iterate(ovr_simulation *sim);
 
 #endif

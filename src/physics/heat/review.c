@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Warns where the heat model is invalid: surfaces that never get a steady
- * temperature, before a run; films hotter than what laws are measured for and
- * domains that cut off what is warm, after it. */
+/* Warnings about the heat model. Before a run: surfaces that do not reach a
+ * steady temperature. After a run: temperatures outside the measured range of
+ * viscosity laws, and domains whose ends are heated. */
 #include <math.h>
 #include <stdio.h>
 
@@ -18,10 +18,12 @@ static double speed_of(const ovr_setup *s, int k, double T)
     return ovr_speed_at(s->contact, s->speed, s->sliding, k, T);
 }
 
-/* A surface that is slow at the start, or for some time. */
+/* A surface with low speed at the start, or during the run. */
 typedef struct slowness {
-    double Pe, u, T; /* the least of the start, or of all times; when */
-    double lasts;    /* so long it is below the smallest that is modelled */
+    double Pe, u, T; /* minimum at the start, or over all times; time of the
+                      * minimum */
+    double lasts;    /* duration below the smallest Peclet number of the model
+                      */
 } slowness;
 
 static slowness find_slowness(const ovr_setup *s, int k)
@@ -42,8 +44,8 @@ static slowness find_slowness(const ovr_setup *s, int k)
     return slow;
 }
 
-/* Reviews surfaces where no temperature is steady, or not within what they
- * remember; one that turns round is not slow for long. */
+/* Warns if a surface has no steady temperature, or none within its memory;
+ * surfaces that reverse are slow only for a short time. */
 static void review_speed(const ovr_setup *s, int k, ovr_listener *listener,
                          void *data)
 {
@@ -80,7 +82,8 @@ static void foresee(const ovr_setup *setup, ovr_listener *listener, void *data)
         review_speed(setup, k, listener, data);
 }
 
-/* Laws of viscosity and temperature are measured over some hundred kelvins. */
+/* Warns if the temperature rise exceeds some hundred kelvins, the measured
+ * range of viscosity-temperature laws. */
 static void warn_of_rise(const ovr_accompanied_run *run)
 {
     const double maximum = 100;
@@ -106,7 +109,8 @@ static void warn_of_lag(const ovr_accompanied_run *run)
              s->lagging, s->steps);
 }
 
-/* Warns by heat.h of the simulation: friction, in percent. */
+/* Warns by x of heat.h if there are too few points across the film; prints the
+ * friction error in per cent. */
 static void warn_of_points(const ovr_accompanied_run *run)
 {
     const ovr_statistics *s = ovr_simulation_statistics(run->sim);

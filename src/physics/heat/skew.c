@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The flow that temperatures skew (equations in heat_skew.h). */
+/* Skewed flow by temperature differences (equations in heat_skew.h). */
 #include "physics/heat/skew.h"
 
 #include <math.h>
@@ -12,10 +12,11 @@
 #include "simulation/mirror.h"
 #include "simulation/physics.h"
 
-/* Pressure below which s fades where cavitation is mass-conserving, p_h. */
+/* Pressure (p_h) below which s decreases to zero with mass-conserving
+ * cavitation. */
 static const double LOW = 0.005;
 
-/* True if rows have no nodes upstream. */
+/* True if rows do not contain the upstream nodes. */
 static bool is_explicit(const ovr_simulation *sim)
 {
     return sim->histories.backward && !sim->histories.mirrored;
@@ -62,7 +63,7 @@ double ovr_heat_film_end(const ovr_simulation *sim, ptrdiff_t *last)
     return bend > P[i] ? P[i] / bend : 1;
 }
 
-/* Holds s constant from 2 mesh sizes before the film's end on. */
+/* Sets s constant from 2 mesh sizes before the film end on. */
 static void hold_end(const ovr_simulation *sim, double *s)
 {
     const double before_end = 2;
@@ -87,8 +88,8 @@ static void fade(const ovr_simulation *sim, double *s)
 
 /* ------------------------------------------------------ Filter and slope */
 
-/* Means (1, 2, 1)/4 of neighbours, `times` in a row, of nodes with P > 0;
- * in `v`, with a workspace. */
+/* Applies means (1, 2, 1)/4 of neighbouring nodes with P > 0 `times` times to
+ * v. */
 static void mean(const ovr_simulation *sim, int times, double *v, double *work)
 {
     const double *P = sim->now.P;
@@ -118,8 +119,8 @@ static void smooth(const ovr_simulation *sim, double *s)
     ovr_work_give(sim, v);
 }
 
-/* Computes s_1 of the film whose s q was computed last, from s q with the
- * viscosities at P + dP.  Slopes of small s do not matter. */
+/* Computes s_1 of the film for which s q was computed last, from s q with the
+ * viscosities at P + dP. Slopes of small s are negligible. */
 static void find_slopes(ovr_simulation *sim)
 {
     const double little = 0.02, dP = 1e-4,
@@ -186,7 +187,7 @@ static void sides(const ovr_simulation *sim, double *F)
     ovr_fourth_sides(sim, F);
 }
 
-/* Adds the wedge of q s, upstream from the right. */
+/* Adds the wedge of q s for flow from the right. */
 static void add_wedge_from_right(const ovr_simulation *sim, double *F)
 {
     const double *v = sim->heated->skewed;
@@ -209,7 +210,8 @@ static void put_right_side(ovr_simulation *sim)
     ovr_work_give(sim, F);
 }
 
-/* Injection of s to all grids, with the sign of a wedge along them. */
+/* Transfers s to all grids by injection, with the sign of a wedge along the
+ * grid. */
 static void put_rows(ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
@@ -235,9 +237,9 @@ void ovr_heat_skew_give(ovr_simulation *sim)
     put_right_side(sim);
 }
 
-/* With the wedge of s q' on the right-hand side, a stiff film answers by a
- * change of q that is -s times the change of q'.  A share 1/(1 + s) of the
- * change finds both at once. */
+/* With the wedge of s q' on the right-hand side, a stiff film responds with a
+ * change of q that is -s times the change of q'. Applying the fraction 1/(1 +
+ * s) of the change solves both equations at once. */
 bool ovr_heat_skew_follow(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The memory of moving half-spaces (equations in solids.h). */
+/* Thermal memory of moving half-spaces (equations in solids.h). */
 #include "physics/heat/solids.h"
 
 #include <math.h>
@@ -24,7 +24,8 @@ double ovr_solid_reach(const ovr_heat *numbers, int k, double u)
 
 double ovr_solid_march_speed(const ovr_heat *numbers, int k, double u)
 {
-    const double without = 0.02; /* no heat flows along it */
+    const double without = 0.02; /* heat conduction along the surface is
+                                  * neglected above this */
     double minimum = numbers->min_peclet * numbers->diffusion[k];
     return fmax(fabs(u), minimum > 0 ? minimum : without);
 }
@@ -79,7 +80,7 @@ static double warmth(const ovr_memory *memory, double t)
     return memory->warmth.at ? memory->warmth.at(memory->warmth.data, t) : 1;
 }
 
-/* Simpson's rule; M has its limit at v = 0. */
+/* Integrates by Simpson's rule; M is evaluated as a limit at v = 0. */
 static void fit_step(ovr_memory *memory)
 {
     enum { PARTS = 64 };
@@ -98,7 +99,7 @@ static void fit_step(ovr_memory *memory)
     memory->more[1] = last - 1;
 }
 
-/* Rows sqrt(t) e^(-s t) against 1, at times that are geometric. */
+/* Rows sqrt(t) e^(-s t), right-hand side 1, at geometrically spaced times. */
 static void fill(fit *f, const ovr_memory *memory, double dT, double longest)
 {
     long double ratio = powl((long double)longest / dT, 1.0L / (SAMPLES - 1));
@@ -112,7 +113,8 @@ static void fill(fit *f, const ovr_memory *memory, double dT, double longest)
     }
 }
 
-/* Removes what the columns after m, and the right side, have along column m. */
+/* Subtracts from the later columns and the right-hand side their projection on
+ * column m. */
 static long double orthogonalize(fit *f, int m, long double part[])
 {
     long double norm = 0;
@@ -131,7 +133,8 @@ static long double orthogonalize(fit *f, int m, long double part[])
     return norm;
 }
 
-/* Modes that remember anything after a step; the others have no weight. */
+/* Number of modes that have not decayed after a step; the others get no weight.
+ */
 static int modes_alive(const ovr_memory *memory, double dT)
 {
     const double forgotten = 36; /* e^-36 is below rounding */

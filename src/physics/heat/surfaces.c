@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Memories of the surfaces (equations in heat_surfaces.h). */
+/* Thermal memory of the surfaces (equations in heat_surfaces.h). */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -17,16 +17,16 @@ static double speed_of(const ovr_simulation *sim, int k)
     return k ? sim->contact.u2_ratio : sim->contact.u1_ratio;
 }
 
-/* The time that two passages of the domain take. */
+/* Duration of two passages through the domain. */
 static double passages(const ovr_simulation *sim, double u)
 {
     double length = (double)(sim->now.n - 1) * ovr_mesh(sim);
     return 2 * length / fmax(fabs(u), 0.1);
 }
 
-/* Covers two passages, heat that flows along the slowest surface and what a
- * steady march looks back on (heat_march.c): no memory is fitted beyond its
- * rates. */
+/* Longest time of the memory: two passages, heat conduction along the slowest
+ * surface, and the memory of a steady march (heat_march.c). Kernels are not
+ * fitted beyond this time. */
 static double longest(const ovr_simulation *sim, int k)
 {
     const ovr_heat *numbers = &sim->heated->numbers;
@@ -55,7 +55,7 @@ static int banks_of(const ovr_simulation *sim, int k)
     return sim->heated->memory[k].banks;
 }
 
-/* Decides by the numbers alone, which are there where memory is but counted. */
+/* Uses only numbers that are known when memory is only counted. */
 ovr_status ovr_heat_surface_take(ovr_simulation *sim, int k, ovr_error *err)
 {
     const ovr_heat *heat = &sim->heated->numbers;
@@ -81,7 +81,7 @@ ovr_status ovr_heat_surface_take(ovr_simulation *sim, int k, ovr_error *err)
     return ovr_arena_status(&sim->arena);
 }
 
-/* Psi_m of the nodes, of a bank. */
+/* Psi_m at the nodes, for one bank. */
 static double *modes_of(const ovr_simulation *sim, int k, int bank)
 {
     const ovr_heat_surface *s = &sim->heated->steps->surface[k];
@@ -113,7 +113,7 @@ static void visit_nodes(ovr_simulation *sim, int k, int m, ovr_pieces *state)
         psi[i * OVR_MODES] = mode[i];
 }
 
-/* Shows the memory beyond the ends of the domain. */
+/* Visits the memory beyond the ends of the domain. */
 static void visit_ends(ovr_simulation *sim, int k, int bank, ovr_pieces *state)
 {
     const ovr_heat_surface *s = &sim->heated->steps->surface[k];
@@ -145,8 +145,8 @@ static double rounded(double dT)
     return ldexp(nearbyint(ldexp(part, 26)), exponent - 26);
 }
 
-/* Weights for this length of step, which most often is that of the step
- * before. */
+/* Computes the weights for this step length, unless it equals that of the last
+ * step. */
 static void fit(const ovr_heated *h, int k, double length)
 {
     ovr_memory *m = &h->steps->surface[k].memory;
@@ -173,7 +173,7 @@ void ovr_heat_surface_step(ovr_simulation *sim, int k, double dT, double meshes)
     fit(h, k, dT);
 }
 
-/* Counts with the nodes beyond both ends, where there are none. */
+/* Extends q by zeros at the nodes beyond both ends. */
 static const double *longer(const ovr_simulation *sim, ovr_heat_surface *s,
                             const double *q, double *workspace)
 {
@@ -209,8 +209,8 @@ static void look_at(ovr_simulation *sim, ovr_heat_surface *s, int bank,
     ovr_modes_past(&look);
 }
 
-/* Reads the contribution of the past at the nodes; the previous q is copied
- * into `before`. */
+/* Computes the contribution of the past at the nodes; copies the previous q to
+ * `before`. */
 static const double *look(ovr_simulation *sim, ovr_heat_surface *s,
                           const double *q)
 {
@@ -254,7 +254,8 @@ void ovr_heat_surface_store(ovr_simulation *sim, int k, const double *q)
 
 /* ------------------------------------------------------------------ steady */
 
-/* along <- K q - K_march q; `past` is of K, without the part of q itself. */
+/* along <- K q - K_march q; `past` contains K q except for the instantaneous
+ * part. */
 static void put_along(ovr_simulation *sim, int k, const double *past)
 {
     const ovr_heated *h = sim->heated;

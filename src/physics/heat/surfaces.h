@@ -1,28 +1,29 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Both surfaces have a memory at the nodes (solids.h, multigrid/modes.h): what
- * it says in a step, what it is a step later, and what it is of a steady
- * contact.
+ * Thermal memory of both surfaces at the nodes (solids.h, multigrid/modes.h):
+ * its contribution in a step, its update after the step, and its values in a
+ * steady contact.
  *
- * Heat flows along a surface too, exactly, where its Peclet number is at most
- * 50; of faster ones it changes the largest temperature by less than 1e-3 under
- * the flux of a smooth contact, and by 1 % at the edges of a flux that jumps.
+ * Heat conduction along a surface is included if the Peclet number is at most
+ * 50. At higher Peclet numbers it would change the maximum temperature by less
+ * than 1e-3 for the heat flux of a smooth contact, and by 1 % at jumps of the
+ * flux.
  *
  * The memories reach beyond both ends of the domain (ovr_solid_beyond): heat
  * absorbed at an end, where a cold surface enters under hot lubricant, is not
  * lost, and changes in time are not reflected.
  *
- * A steady film is marched along x (heat_march.c), which knows upstream alone:
- * without heat along x, at a Peclet number of at least 0.1 and at no other
- * floor (ovr_solid_march_speed).  What T/N lacks by that for the last q is
- * added to the next march:
+ * A steady film is computed by marching along x (heat_march.c), which uses
+ * upstream values only: without heat conduction along x, and with a Peclet
+ * number of at least 0.1 (ovr_solid_march_speed). The resulting error of T/N
+ * for the last q is added in the next march:
  *
  *     along = K q - K_march q
  *
- * where K q is what a step of D takes from steady modes, so that a run stays as
- * it began.  That contracts, for |K| <= |K_march| for every wave number,
- * sqrt(pi) over the roots of |i k u + kappa k^2| and |k| u_march, and they are
- * less than a right angle apart.
+ * where K q is the value of steady modes in a step of D, so that a run does not
+ * change a steady state. The iteration contracts, because |K| <= |K_march| for
+ * every wave number (sqrt(pi) divided by the roots of |i k u + kappa k^2| and
+ * |k| u_march), and their phases differ by less than a right angle.
  */
 #ifndef OVR_PHYSICS_HEAT_SURFACES_H
 #define OVR_PHYSICS_HEAT_SURFACES_H
@@ -37,38 +38,43 @@ typedef struct ovr_heat_surface {
                       is stored */
     double *psi[OVR_BANKS];       /* Psi_m at the nodes and beyond; or NULL */
     double *past;                 /* (h - T_bulk)/N at the nodes */
-    double *along;                /* steady: what heat along x adds to it */
+    double *along;                /* steady: contribution of heat conduction
+                                   * along x */
     ovr_memory memory;            /* for steps of dT */
-    double meshes;                /* that it moves in the step */
-    ovr_spread spread[OVR_BANKS]; /* in it */
-    double *before; /* q of the step before, carried along and spread */
+    double meshes;                /* distance moved in the step, in mesh sizes
+                                   */
+    ovr_spread spread[OVR_BANKS]; /* diffusion in the step */
+    double *before; /* q of the previous step, convected and diffused */
     double *next, *workspace[OVR_HEAT_WORKSPACES];
-    double *none, *bank, *unused; /* of the second bank: no q; what it says */
+    double *none, *bank, *unused; /* arrays of the second bank: zero flux; its
+                                   * contribution */
 } ovr_heat_surface;
 
-/* Memory for it, with the rates of its memory: from steps of part of a mesh to
- * two passages of the domain, or further where it is slow: they stay whatever
- * steps and speeds. */
+/* Allocates the memory of surface k and sets its rates, for times from a
+ * fraction of D to two passages of the domain, or longer for slow surfaces. The
+ * rates do not depend on steps and speeds of the run. */
 ovr_status ovr_heat_surface_take(ovr_simulation *sim, int k, ovr_error *err);
 
-/* Prepares a step of dT over a number of mesh sizes; contribution of the past
- * of surface k, by its modes and the flux q before the step. */
+/* Prepares a step dT, in which surface k moves by a number of mesh sizes;
+ * returns the contribution of the past from its modes and the flux q before the
+ * step. */
 void ovr_heat_surface_step(ovr_simulation *sim, int k, double dT,
                            double meshes);
 void ovr_heat_surface_predict(ovr_simulation *sim, int k, const double *q);
 
-/* Its modes at the end of the step that was looked back from, by q then. */
+/* Updates the modes to the end of the prepared step, with the flux q at that
+ * time. */
 void ovr_heat_surface_store(ovr_simulation *sim, int k, const double *q);
 
-/* The modes of a surface that has taken up nothing; those to save, each by
- * itself in the order of the nodes. */
+/* Resets the modes to those of a surface that has absorbed no heat; visits the
+ * modes to be saved, each as an array in the order of the nodes. */
 void ovr_heat_surface_reset(ovr_simulation *sim, int k);
 void ovr_heat_surface_visit(ovr_simulation *sim, int k, ovr_pieces *state);
 
-/* Its steady modes by the flux q, and `along` by them. */
+/* Computes the steady modes for the flux q, and `along` from them. */
 void ovr_heat_surface_steady(ovr_simulation *sim, int k);
 
-/* Keeps what a steady march leaves of a surface at a node. */
+/* Stores the modes of a surface at a node during a steady march. */
 void ovr_heat_steps_keep(const ovr_simulation *sim, int surface, size_t i,
                          const double *psi);
 

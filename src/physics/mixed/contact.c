@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Mixed lubrication by the mean film: P = P_f + A(H), where A is what the
- * roughness of both surfaces, none of which is on the mesh, and layers of
- * boundary lubricant bear at the mean gap H (multigrid/mixed_contact.h).  Which
- * law: boundary_case.c.
+ * Mixed lubrication by the mean film: P = P_f + A(H), where A is the asperity
+ * pressure at the mean gap H, carried by roughness that is not on the mesh and
+ * by boundary layers (multigrid/mixed_contact.h). The choice of model is in
+ * boundary_case.c.
  *
  * Boundary friction is mu_b A over the film's own shear stress, which acts on
  * the rest of the surface:
  *     t = (1 - phi) t_film - sgn(V) mu_b A/kappa
  * Its power mu_b A |V|/kappa heats the film of its node, together with the
  * power (1 - phi) t_film V and Poiseuille's.  Flash temperatures of single
- * summits are not included.  Without sliding boundary friction is 0.
+ * asperities are not included. Without sliding, boundary friction is zero.
  */
 #include <math.h>
 #include <stdio.h>
@@ -30,9 +30,9 @@
 typedef struct boundary {
     const ovr_boundary_form *given;
     double *A;             /* at the nodes, as observed last */
-    double *saved, *bears; /* a film to go back to */
-    double wet_force;      /* of boundary friction where there is a film */
-    const ovr_asperity_law *law; /* as it is now */
+    double *saved, *bears; /* a film that can be restored */
+    double wet_force;      /* boundary friction force at pressurized nodes */
+    const ovr_asperity_law *law; /* present asperity contact model */
     ovr_wear *wear;              /* NULL: none */
 } boundary;
 
@@ -77,7 +77,8 @@ static void forget(ovr_simulation *sim, void *own)
         ovr_wear_begin(b->wear);
 }
 
-/* The film by a share of the law; from where it was, if there is none. */
+/* Solves for a fraction of the asperity pressure; restores the previous film if
+ * there is no solution. */
 static bool reach(ovr_simulation *sim, boundary *b, double share,
                   const ovr_full *how, ovr_defect *d, int *cycles)
 {
@@ -103,8 +104,8 @@ static bool reach(ovr_simulation *sim, boundary *b, double share,
     return false;
 }
 
-/* The film of surfaces that do not touch: by full multigrid, as if there were
- * no law, or by Newton's method on the finest level alone, from Hertz's
+/* Solves the full film without asperity contact: by full multigrid, or by
+ * Newton's method on the finest level only, starting from the Hertzian
  * pressure. */
 static ovr_defect solve_apart(ovr_simulation *sim, boundary *b, bool by_levels,
                               const ovr_full *how, int *cycles)
@@ -121,12 +122,12 @@ static ovr_defect solve_apart(ovr_simulation *sim, boundary *b, bool by_levels,
     ovr_level_set_asperity_pressure(grids, sim->finest, b->A);
     d = ovr_steady_film(sim, by_levels ? how : &on_finest, cycles);
     grids->touch.at = ovr_asperity_law_at;
-    sim->start.refinements = 0; /* those were of another film */
+    sim->start.refinements = 0; /* those belong to another film */
     return d;
 }
 
-/* First the film of surfaces that do not touch; then of the law at once, or
- * share by share. */
+/* Starts with the full film, and applies the asperity contact model at once or
+ * in fractions. */
 static ovr_defect solve_from(ovr_simulation *sim, boundary *b, bool by_levels,
                              const ovr_full *how, int *cycles)
 {
@@ -149,7 +150,7 @@ static ovr_defect solve_from(ovr_simulation *sim, boundary *b, bool by_levels,
     return d;
 }
 
-/* The film that A(H) = P asks for, by bisection. */
+/* Film thickness with A(H) = P, by bisection. */
 static double film_of(const ovr_asperity_law *law, double P)
 {
     double low = 0, high = 1, A, slope;
@@ -166,8 +167,8 @@ static double film_of(const ovr_asperity_law *law, double P)
     return high;
 }
 
-/* Starts from a contact that asperities carry: Hertz's pressure, a film that
- * bears the mean of it, hardly any oil pressure. */
+/* Starts from a contact whose load is carried by asperities: Hertzian pressure,
+ * a film thickness that supports its mean, and almost no fluid pressure. */
 static ovr_defect solve_from_dry(ovr_simulation *sim, boundary *b,
                                  const ovr_full *how, int *cycles)
 {
@@ -198,8 +199,8 @@ static ovr_defect solve_from_dry(ovr_simulation *sim, boundary *b,
     return ovr_steady_cycles(sim, &patient, cycles);
 }
 
-/* Above this share of the load on asperities, estimated, the film of surfaces
- * apart is no start. */
+/* Above this predicted asperity load share, the full film is not a useful
+ * initial guess. */
 static const double mostly_dry = 0.9;
 
 static ovr_defect solve(ovr_simulation *sim, void *own, const ovr_full *how,
@@ -218,8 +219,8 @@ static ovr_defect solve(ovr_simulation *sim, void *own, const ovr_full *how,
     return d;
 }
 
-/* Each attempt begins with what was borne at the last time reached, the
- * grids' side of it where the speed has turned since. */
+/* Each attempt starts with the asperity pressure of the last completed time, in
+ * the present orientation of the grids. */
 static void attempt(ovr_simulation *sim, void *own, bool first)
 {
     (void)own;
@@ -299,7 +300,7 @@ static void restored(ovr_simulation *sim, void *own)
     (void)sim;
     if (!b->wear)
         return;
-    b->wear->now.passes = NAN; /* it is another state */
+    b->wear->now.passes = NAN; /* the state has changed */
     ovr_wear_back(b->wear);
 }
 
@@ -313,7 +314,7 @@ const ovr_wear *ovr_wear_of(const ovr_simulation *sim)
 
 /* ---------------------------------------------------------------- observed */
 
-/* -sgn(V) mu_b A/kappa at the half node i + 1/2. */
+/* Boundary friction -sgn(V) mu_b A/kappa at half node i + 1/2. */
 static double drag_at(const ovr_simulation *sim, const boundary *b, size_t i)
 {
     double borne = 0.5 * (b->A[i] + b->A[i + 1]), mu = b->given->friction;
@@ -390,7 +391,7 @@ enum {
     OVR_NUMBER_ROW(name, key, si, kind, more[place], OVR_PHYSICS_BOUNDARY,     \
                    __VA_ARGS__)
 
-/* One that wear changes, of a surface. */
+/* A quantity of a surface that wear changes. */
 #define WORN(name, place, text, definition)                                    \
     OVR_NUMBER_ROW(name, name, name "_m", HEIGHT, more[place],                 \
                    OVR_PHYSICS_WEAR, text, COMMENT(definition), LABEL(text))
@@ -441,7 +442,8 @@ static const ovr_observable quantities[] = {
     WORN("Rvk_2", VALLEYS_2, "Rvk of surface 2",
          "depth of the valleys below its core")};
 
-/* Both forces, once the film's integral has those where it is wet. */
+/* Observes both friction forces; the film's integral must already contain those
+ * at pressurized nodes. */
 static void observe_friction(const ovr_simulation *sim, const boundary *b,
                              ovr_observation *o)
 {
@@ -505,7 +507,7 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
     observe_friction(sim, b, o);
 }
 
-/* Both before and after. */
+/* Reports both quantities, before and after. */
 static void review_wear(const ovr_simulation *sim, const ovr_wear *wear,
                         ovr_physics_message *say, void *data)
 {
@@ -539,10 +541,10 @@ static void review_wear(const ovr_simulation *sim, const ovr_wear *wear,
 /*
  * A weak law (less than the Hertzian pressure at zero film thickness) is
  * exhausted if the pressure at the minimum film thickness exceeds half of that
- * at zero.  Below that, A(H) no longer rises as the load asks for: the oil
- * carries the rest on a film that asperities should keep open, and the contact
- * share of a Stribeck curve ends in a plateau that only follows from the law's
- * constants.
+ * at zero. Then A(H) does not increase enough with the load: the fluid carries
+ * the remaining load on a film that asperities should keep open, and the
+ * asperity load share in a Stribeck curve ends in a plateau that is determined
+ * by the model's constants.
  */
 static bool is_exhausted(const ovr_simulation *sim, const void *own)
 {
@@ -619,8 +621,7 @@ static void says(const void *form, ovr_physics_statement *says)
     says->fields = "contact_pressure, fluid_pressure";
 }
 
-/* Running-in of surfaces that wear goes in long steps of a time of its own
- * (wear.h). */
+/* Running-in uses long steps in a separate time variable (wear.h). */
 static bool march_for(const void *form, ovr_march *march, int *scheme)
 {
     const ovr_boundary_form *f = form;

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * The section [boundary]: choice and parameters of the asperity contact model.
- * The exponential form is Persson's (u0 of about Rq/2).  Its constants
- * are for dry contact of self-affine profiles in plane strain.  At pressures of
- * 0.003 to 0.2 of E* slope the error of the gap is less than 0.2 Rq.
+ * The exponential form is Persson's (u0 of about Rq/2).  Its constants are for
+ * dry contact of self-affine profiles in plane strain.  At pressures of 0.003
+ * to 0.2 of E* slope the error of the gap is less than 0.2 Rq.
  *
  *     s = Rq/2.15,  a1 = 0.38 (E'/2) slope/ph
  *
- * The share that is in contact, 2.5 A ph/(E* slope), is 0.95 A/a1.  Profiles
- * have laws of their own (surface/rough_pair.h).
+ * The real contact area fraction, 2.5 A p_h/(E* slope), is 0.95 A/a1. For
+ * profiles the model is computed (surface/rough_pair.h).
  */
 #include "physics/mixed/mixed.h"
 
@@ -162,8 +162,8 @@ static ovr_status resolve_summits(const ovr_physics_case *of,
                                         err);
 }
 
-/* Where it bears what it bears at no gap, all is in contact, by the rule of the
- * exponential. */
+/* At the pressure of zero gap the contact area fraction is 1, as in the
+ * exponential model. */
 static ovr_status take_points(const ovr_physics_case *of,
                               const ovr_two_columns *c, ovr_boundary_form *f,
                               ovr_error *err)
@@ -213,7 +213,7 @@ static bool is_rough(const ovr_feature_form *feature)
     return feature->shape == OVR_PROFILE || feature->shape == OVR_ROUGHNESS;
 }
 
-/* The profile of each surface, one at most. */
+/* The profile of each surface; at most one per surface. */
 static ovr_status profiles_of(const ovr_physics_case *of,
                               const ovr_feature_form *form[2], ovr_error *err)
 {
@@ -237,8 +237,8 @@ static ovr_status profiles_of(const ovr_physics_case *of,
     return OVR_OK;
 }
 
-/* Makes the law of all that the profiles have: where the mesh has part of them,
- * what they bear at most (on_mesh). */
+/* Computes the asperity contact model of the complete profiles. If the mesh
+ * resolves a part of them, this is an upper bound (on_mesh). */
 static ovr_status resolve_profiles(const ovr_physics_case *of,
                                    ovr_boundary_form *f, ovr_error *err)
 {
@@ -309,7 +309,7 @@ static ovr_status resolve_factor(const ovr_physics_case *of,
     return OVR_OK;
 }
 
-/* A surface that stands has no passes. */
+/* A stationary surface has no passes. */
 static ovr_status resolve_wear(const ovr_physics_case *of,
                                const ovr_boundary_form *f, ovr_error *err)
 {
@@ -348,7 +348,8 @@ static double unloaded(double X)
     return 0.5 * (X * root - log(X + root));
 }
 
-/* The gap of the dry contact bears less than this beyond that |X|. */
+/* |X| beyond which the asperity pressure at the gap of the dry contact is
+ * negligible. */
 static double ends_at(const ovr_boundary_form *f)
 {
     const double enough = 1e-5, farthest = 20;
@@ -372,11 +373,12 @@ static void resolve_options(const ovr_physics_case *of,
         o->outlet = fmax(with.outlet, end);
     if (o->inlet == 0 || isnan(o->inlet))
         o->inlet = fmin(with.inlet, -end);
-    if (!o->order) /* 4 is refused by the table of pairs */
+    if (!o->order) /* order 4 is rejected as a conflict */
         o->order = 2;
 }
 
-/* The film that smooth surfaces have, by the fit where it holds. */
+/* Film thickness of smooth surfaces, from the film thickness formula within its
+ * range. */
 static double smooth_film(const ovr_physics_case *of)
 {
     const ovr_contact *c = of->contact;
@@ -385,7 +387,8 @@ static double smooth_film(const ovr_physics_case *of)
     return isnan(fit) ? ovr_film_central_moes(c->M, c->L) : fit;
 }
 
-/* The share of Hertz's pressure that a film would bear. */
+/* Asperity pressure at a film thickness, as a fraction of the Hertzian
+ * pressure. */
 static double share_of(const ovr_asperity_law *law, double H)
 {
     enum { NODES = 200 };
@@ -398,7 +401,7 @@ static double share_of(const ovr_asperity_law *law, double H)
     return sum * 4 / acos(-1.0);
 }
 
-/* The film with a flow factor; NAN where no Rq is known. */
+/* Film thickness with flow factor; NAN if Rq is unknown. */
 static double film_with(const ovr_boundary_form *f, double H, ovr_ridges ridges)
 {
     ovr_flow_factor factor = {ridges, f->factor.sigma};
@@ -413,9 +416,9 @@ static double share_with(const ovr_boundary_form *f, double H,
     return share_of(&f->bears, film_with(f, H, ridges));
 }
 
-/* The mean shear stress over tau0 of a film without a pressure gradient, whose
- * Newtonian one is x: f(y) = x, by bisection of ln y where it has no closed
- * form. */
+/* Mean shear stress relative to tau0 of a film without pressure gradient, whose
+ * Newtonian value is x: f(y) = x, solved by bisection of ln y if there is no
+ * closed form. */
 static double thinned(const ovr_lubricant *oil, double x)
 {
     double low = log(1e-6), high = log(fmax(x, 1e-6)), slope;
@@ -431,8 +434,8 @@ static double thinned(const ovr_lubricant *oil, double x)
     return exp(high);
 }
 
-/* The coefficient of friction that such a film would add under what Hertz's
- * pressure leaves to it, at the supply's temperature. */
+/* Friction coefficient of this film at the fluid part of the Hertzian pressure
+ * and the supply temperature. */
 static double film_friction(const ovr_physics_case *of,
                             const ovr_boundary_form *f, double H)
 {
@@ -455,12 +458,13 @@ static double film_friction(const ovr_physics_case *of,
 
 bool ovr_boundary_is_weak(const ovr_boundary_form *f, double load)
 {
-    const double enough = 0.9; /* bears 0.96 of the load */
+    const double enough = 0.9; /* carries 0.96 of the load */
     return f->at_no_film < enough * sqrt(load);
 }
 
-/* A law of what is finer than the mesh has to bear what single crests bear,
- * which is not compared with the Hertzian pressure. */
+/* Finds the strength of the model. A model of the unresolved roughness is not
+ * compared with the Hertzian pressure, because it must carry the pressure of
+ * single crests. */
 static void find_strength(ovr_boundary_form *f)
 {
     double slope;
@@ -525,13 +529,13 @@ ovr_status ovr_boundary_on_mesh(const ovr_physics_case *of, void *form,
     }
     f->Rq = f->pair.Rq;
     f->slope = f->pair.slope * of->contact->kappa;
-    f->factor.sigma = 0; /* H is no mean gap of theirs */
+    f->factor.sigma = 0; /* H is not a mean gap of the profiles */
     f->estimate = share_with(f, smooth_film(of), OVR_RIDGES_NONE);
     return OVR_OK;
 }
 
-/* Computes the boundary, fluid and total friction coefficients for the bounds
- * of the asperity load share. */
+/* Reports boundary, fluid and total friction coefficients for the bounds of the
+ * asperity load share. */
 static void tell_friction(const ovr_physics_case *of,
                           const ovr_boundary_form *f, double H,
                           const double share[3], ovr_physics_line *line,
@@ -565,8 +569,8 @@ static void tell_friction(const ovr_physics_case *of,
     line(data, "  mu", text);
 }
 
-/* The exponential of the roughness on the mesh in |X| < 1, and the layer: a
- * slope of H over X is kappa times as steep. */
+/* Exponential model for the roughness on the mesh in |X| < 1 and the boundary
+ * layer. A slope dH/dX corresponds to a real slope of kappa dH/dX. */
 static ovr_asperity_law mean_law(const ovr_asperity_law *law, size_t n,
                                  const double *X, const double *S, double *Rq)
 {

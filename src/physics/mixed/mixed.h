@@ -19,30 +19,32 @@ typedef enum ovr_boundary_law {
 
 typedef struct ovr_boundary_form {
     int law;
-    int ridges;              /* ovr_ridges */
-    int unresolved;          /* the law is of what the mesh has not */
-    double Rq, slope;        /* of both surfaces: b^2/R, a pure number */
+    int ridges;              /* orientation of the roughness, ovr_ridges */
+    int unresolved;          /* the model describes only the roughness not
+                              * resolved by the mesh */
+    double Rq, slope;        /* combined roughness in b^2/R; combined slope */
     double amplitude, decay; /* a1, s; NAN: by those two */
     double layer, layer_decay;
-    double friction;           /* NAN: unknown */
+    double friction;           /* boundary friction coefficient; NAN: unknown */
     double summits, sharpness; /* n beta sigma, sigma/beta */
     const char *file;          /* of a table */
-    double wear[2];            /* K over hardness, 1/Pa */
+    double wear[2];            /* wear coefficient divided by hardness, 1/Pa */
     double passes;             /* 0: no wear */
-    double jump;               /* passes of a step; 0: as many as go */
-    double settled;            /* change of the share that ends it; 0: none */
-    ovr_flow_factor factor;    /* of a mean film */
-    double estimate;           /* of the share, before it is solved */
-    double at_no_film;         /* pressure that the mean film's law bears at
-                                  H = 0, in ph; INFINITY: any */
-    double share_at_no_film;   /* largest share of the load it can bear */
+    double jump;               /* passes per step; 0: automatic */
+    double settled;            /* change of the asperity load share at which
+                                * wear stops; 0: none */
+    ovr_flow_factor factor;    /* flow factor of the mean film */
+    double estimate;           /* predicted asperity load share */
+    double at_no_film;         /* asperity pressure of the model at H = 0 in
+                                * p_h; INFINITY: unlimited */
+    double share_at_no_film;   /* maximum asperity load share of the model */
     ovr_rough_pair pair;       /* of profiles */
     ovr_asperity_law bears;    /* the resulting contact model */
 } ovr_boundary_form;
 
 extern const ovr_section ovr_boundary_section;
 
-/* These are functions of a physics (physics.h). */
+/* The following are functions of a physical model (physics.h). */
 ovr_status ovr_boundary_resolve(const ovr_physics_case *of, void *form,
                                 bool *on, ovr_error *err);
 ovr_status ovr_boundary_on_mesh(const ovr_physics_case *of, void *form,
@@ -51,8 +53,8 @@ bool ovr_boundary_keeps(const void *form, const ovr_feature_form *feature);
 void ovr_boundary_describe(const ovr_physics_case *of, const void *form,
                            ovr_physics_line *line, void *data);
 
-/* True if the law bears clearly less than the Hertzian pressure at no film, at
- * a load relative to the nominal one. */
+/* True if the asperity pressure at H = 0 is clearly below the Hertzian
+ * pressure, at a load relative to the reference load. */
 bool ovr_boundary_is_weak(const ovr_boundary_form *f, double load);
 
 /* Writes advice if the roughness S on the grid is too high for the film

@@ -54,11 +54,11 @@ static void copy(const ovr_wear *wear, ovr_worn *to, const ovr_worn *from)
     }
 }
 
-/* The table keeps its space; without a law for the new heights the last one
- * stays. */
+/* Computes the contact model for the new heights. The table reuses its memory;
+ * if there is no model, the last one is kept. */
 static void find_law(ovr_wear *wear)
 {
-    ovr_arena none = ovr_arena_make(NULL); /* there is space */
+    ovr_arena none = ovr_arena_make(NULL); /* memory is already allocated */
     ovr_error err = {0};
     if (ovr_rough_pair_law(&wear->pair, &wear->bears.table, &none, &err))
         wear->lost = true;
@@ -90,7 +90,7 @@ void ovr_wear_see(ovr_wear *wear, size_t n, const double *A,
     wear->share = share;
 }
 
-/* int A dX of the film reached last. */
+/* Integral of A over the last film. */
 static double borne(const ovr_wear *wear)
 {
     double sum = 0;
@@ -110,8 +110,8 @@ static double passes_of(const ovr_wear *wear)
     return fmin(left, jump);
 }
 
-/* The weights are those of the pressures before: the law goes back to them
- * first. */
+/* The weights belong to the pressures of the last film, so the model of that
+ * film is restored first. */
 void ovr_wear_step(ovr_wear *wear, double part)
 {
     ovr_wear_back(wear);
@@ -164,7 +164,8 @@ ovr_core ovr_wear_core(const ovr_wear *wear, int surface, bool given)
 {
     const double *z = given ? wear->given->pair.z[surface]
                             : wear->now.z[surface];
-    ovr_height *heights = (ovr_height *)wear->pair.workspace; /* between laws */
+    /* unused between computations of the model */
+    ovr_height *heights = (ovr_height *)wear->pair.workspace;
     if (!z)
         return (ovr_core){NAN, NAN, NAN, NAN, NAN};
     for (size_t i = 0; i < wear->pair.n; i++)
@@ -174,11 +175,11 @@ ovr_core ovr_wear_core(const ovr_wear *wear, int surface, bool given)
 
 /* -------------------------------------------------------- Profiles of a run */
 
-/* Mixed lubrication beside its numbers: a warning of weak asperity laws, and of
- * surfaces that wear both profiles before and after, in the group `wear` of the
- * result file and as OUT-profile-1.csv and the like, for `overroll profile`. */
+/* Warning about weak asperity contact models, and profiles of worn surfaces
+ * before and after: in the group `wear` of the result file and as
+ * OUT-profile-1.csv etc., for `overroll profile`. */
 
-/* x of the period's n places, in b. */
+/* Coordinates x of the period's n points, in b. */
 static double *places(const ovr_accompanied_run *run,
                       const ovr_rough_pair *pair, ovr_error *err)
 {
@@ -196,13 +197,13 @@ static const char *const meanings[PROFILES] = {
     "profile of surface 1 before wear", "surface 1 as it is worn",
     "profile of surface 2 before wear", "surface 2 as it is worn"};
 
-/* The heights of profile k; NULL: that surface is smooth. */
+/* Heights of profile k; NULL for a smooth surface. */
 static const double *heights_of(const ovr_wear *wear, int k)
 {
     return k % 2 ? wear->now.z[k / 2] : wear->given->pair.z[k / 2];
 }
 
-/* OUT-profile-1-before.csv of OUT.h5 */
+/* Path OUT-profile-1-before.csv for OUT.h5. */
 static void path_of(const ovr_accompanied_run *run, int k, char *path,
                     size_t capacity)
 {
@@ -213,7 +214,7 @@ static void path_of(const ovr_accompanied_run *run, int k, char *path,
              output, k / 2 + 1, k % 2 ? "after" : "before");
 }
 
-/* Before the solve: profiles that exist are replaced with --force only. */
+/* Before the solve: existing profile files are replaced only with --force. */
 static ovr_status make(const ovr_accompanied_run *run, void **own,
                        ovr_error *err)
 {

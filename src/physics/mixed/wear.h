@@ -5,10 +5,10 @@
  *     in a pass, of surface s: c_s = k_s ph (R/b) |V|/|u_s|
  *     dz_s(x) = -c_s N sum_j w_j P_sj(x)     (surface/rough_pair.h)
  *
- * k_s is Archard's coefficient over the hardness, V and u_s over um; w_j are
- * those of the film before the step.  A step is so long that the film has
- * settled.  N: `jump`, or so that no place loses more than 2 % of the Rq that
- * both had at first.
+ * k_s is Archard's coefficient divided by the hardness; V and u_s are relative
+ * to um; w_j are those of the film before the step. The step is long enough for
+ * the film to become steady. N is `jump`, or such that no point loses more than
+ * 2 % of the initial combined Rq.
  */
 #ifndef OVR_PHYSICS_MIXED_WEAR_H
 #define OVR_PHYSICS_MIXED_WEAR_H
@@ -20,11 +20,10 @@
 #define OVR_WEAR_STEP 1e3
 enum { OVR_WEAR_MAX = 4000 };
 
-/* The wear so far: of the state that was reached last, or of the step that is
- * under way. */
+/* Wear up to the last completed step, or of the step in progress. */
 typedef struct ovr_worn {
     double passes;
-    double depth[2]; /* mean, b^2/R: volume over area */
+    double depth[2]; /* mean wear depth, b^2/R: volume per area */
     double *z[2];    /* NULL: smooth */
 } ovr_worn;
 
@@ -32,27 +31,28 @@ typedef struct ovr_wear {
     const ovr_boundary_form *given;
     double c[2];
     ovr_rough_pair pair;    /* its heights are those of `now` */
-    ovr_asperity_law bears; /* what they bear */
+    ovr_asperity_law bears; /* their asperity contact model */
     ovr_worn before, now;
-    double *w;            /* of the film reached last */
-    double share, change; /* of it; by which the last step changed it */
-    bool lost;            /* no law was found for the heights */
+    double *w;            /* weights w_j of the last film */
+    double share, change; /* asperity load share; its change in the last step */
+    bool lost;            /* no contact model was found for the heights */
 } ovr_wear;
 
-/* Memory; `wear` is nothing yet. */
+/* Allocates memory; does not initialize the wear. */
 ovr_status ovr_wear_take(ovr_wear *wear, const ovr_boundary_form *given,
                          const ovr_contact *contact, ovr_arena *arena,
                          ovr_error *err);
 
-/* From the profiles as they are given. */
+/* Starts from the profiles of the case. */
 void ovr_wear_begin(ovr_wear *wear);
 
-/* The film that was reached bears A over n weights dX; share: of the load. */
+/* Records the film of a completed step: asperity pressure A at n nodes with
+ * weights dX, and asperity load share. */
 void ovr_wear_see(ovr_wear *wear, size_t n, const double *A,
                   const double *weights, double share);
 
-/* A step, a part of it, from what was reached last; it is reached; back to
- * that. */
+/* Computes a step, or a part of it, from the last completed state; accepts it;
+ * restores the last completed state. */
 void ovr_wear_step(ovr_wear *wear, double part);
 void ovr_wear_taken(ovr_wear *wear);
 void ovr_wear_back(ovr_wear *wear);
@@ -61,11 +61,11 @@ bool ovr_wear_over(const ovr_wear *wear);
 
 void ovr_wear_visit(ovr_wear *wear, ovr_pieces *state);
 
-/* Peaks above the core of a surface (Rpk) and valleys below it (Rvk), as it was
- * given or as it is now; NAN: it is smooth. */
+/* Reduced peak height Rpk and valley depth Rvk of a surface, initially or at
+ * present; NAN: smooth surface. */
 ovr_core ovr_wear_core(const ovr_wear *wear, int surface, bool given);
 
-/* The wear of a simulation; NULL: it has none. */
+/* The wear of a simulation; NULL: no wear. */
 const ovr_wear *ovr_wear_of(const ovr_simulation *sim);
 
 extern const struct ovr_companion ovr_wear_companion;

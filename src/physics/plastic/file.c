@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A run's file keeps this of a body that yields, and a later run takes it from
- * there: strains, as shares of 1 where p_h/E* is known, residual stresses, the
- * profile before and after. */
+/* Data of a plastic body in a result file, which a later run can read: strains
+ * (absolute if p_h/E* is known), residual stresses, profile before and after.
+ */
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -179,7 +179,7 @@ ovr_status ovr_plastic_check_profiles(const ovr_plastic *p, ovr_error *err)
     return status;
 }
 
-/* x from the reference, in um where b is known. */
+/* Writes a profile; x is relative to the reference, in um if b is known. */
 static ovr_status write_profile(const ovr_plastic *p,
                                 const ovr_yielding_body *b, const char *end,
                                 bool after, ovr_error *err)
@@ -213,7 +213,7 @@ ovr_status ovr_plastic_write_profiles(const ovr_plastic *p, ovr_error *err)
 
 /* ----------------------------------------------------------------- reading */
 
-/* The same window and layers. */
+/* Checks that the file has the same window and layers. */
 static ovr_status check_file(ovr_result *result, const char *file,
                              const ovr_plastic *p, const ovr_yielding_body *b,
                              ovr_error *err)

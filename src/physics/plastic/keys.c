@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The section [plastic], and what its keys mean: laws of hardening in the units
- * of the contact. */
+/* The section [plastic] and its keys: hardening laws in units of the contact.
+ */
 #include "physics/plastic/plastic.h"
 
 #include <math.h>
@@ -80,7 +80,7 @@ const ovr_section ovr_plastic_section = {
     .help = "plastic deformation below a surface; needs [stress]",
     ROWS(plastic_keys)};
 
-/* "945 MPa, 20, 0.121" */
+/* Reads the parameters of Swift's law, such as "945 MPa, 20, 0.121". */
 static ovr_status read_swift(const ovr_physics_case *of, const char *text,
                              ovr_hardening *h, ovr_error *err)
 {
@@ -121,7 +121,7 @@ static ovr_status read_swift(const ovr_physics_case *of, const char *text,
     return OVR_OK;
 }
 
-/* Y of the section, of Swift's law, of the body. */
+/* Yield stress: from the section, from Swift's law, or from the body. */
 static ovr_status resolve_law(const ovr_physics_case *of, ovr_plastic_setup *p,
                               int k, ovr_error *err)
 {
@@ -219,7 +219,7 @@ ovr_status ovr_plastic_on_mesh(const ovr_physics_case *of, void *form,
                                 "history of the material; set time.end");
 }
 
-/* Its passes are those of the case, or more. */
+/* Number of passes: that of the case, or larger. */
 static ovr_status resolve_passes(ovr_plastic_setup *p, ovr_passes_setup *passes,
                                  ovr_error *err)
 {
@@ -260,7 +260,8 @@ ovr_status ovr_plastic_resolve(const ovr_physics_case *of, void *form, bool *on,
     return resolve_passes(p, of->passes, err);
 }
 
-/* True if a body that yields has a layer of other moduli than its own. */
+/* True if a plastic body has a layer with elastic moduli different from its
+ * own. */
 static bool yields_below_others(const ovr_plastic_setup *p)
 {
     const double same = 1e-9;

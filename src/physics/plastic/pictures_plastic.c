@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Draws what has yielded below a surface: its profile before and after, the
- * strain that has flowed and the stress that stays, place by depth. */
+/* Picture of plastic deformation below a surface: profile before and after,
+ * plastic strain and residual stress over position and depth. */
 #include <math.h>
 #include <stdio.h>
 
@@ -12,11 +12,11 @@
 typedef struct yielded {
     ovr_material_group in;
     double *before, *after, *flowed, *residual;
-    double from, to; /* xi of what has yielded, and some more */
+    double from, to; /* range of xi with plastic deformation and a margin */
 } yielded;
 
-/* The range is where anything flowed, with as much again on both sides; else
- * all. */
+/* Finds the range with plastic deformation, extended by its length on both
+ * sides; otherwise the whole window. */
 static void find_range(yielded *y)
 {
     double low = INFINITY, high = -INFINITY;
@@ -76,8 +76,7 @@ static void profile_panel(const yielded *y, ovr_panel *panel)
     ovr_panel_add(panel, y->in.arena, s);
 }
 
-/* The value of the layer and point that a cell lies in, over the logarithm of
- * the depth. */
+/* Value of the layer and point that contain a cell; depths are logarithmic. */
 static double at_cell(const ovr_material_group *in, const double *v, double xi,
                       double z)
 {
@@ -90,7 +89,7 @@ static double at_cell(const ovr_material_group *in, const double *v, double xi,
     return v[j * in->points + k];
 }
 
-/* Colours from 0, or from the negative where the values have signs. */
+/* Colour scale from 0, or from the negative maximum if values are signed. */
 static ovr_status map_panel(const yielded *y, const double *v, bool signs,
                             ovr_panel *panel, ovr_error *err)
 {
@@ -139,9 +138,9 @@ ovr_status ovr_draw_plastic(const ovr_drawing *drawing, ovr_chart *chart,
 /* ----------------------------------------------------------------- page */
 
 /*
- * Plastic strain and residual stress at the end of a run, for the page: values
- * at places in the material and at depths that grow geometrically from the
- * first layer, and where the material is at each snapshot.
+ * Plastic strain and residual stress at the end of a run, for the web page:
+ * values at positions in the material and at geometrically increasing depths
+ * from the first layer, and the position of the material at each snapshot.
  */
 
 enum { ROWS = 40, MATERIAL_COLUMNS = 400 };
@@ -189,7 +188,7 @@ static bool find_places(const material *m, size_t shots, size_t every,
     return k < n;
 }
 
-/* Values of the layer and of the point that a cell lies in. */
+/* Writes the values of the layer and point that contain each cell. */
 static ovr_status put_material_map(ovr_text *to, const material *m, size_t map,
                                    ovr_error *err)
 {

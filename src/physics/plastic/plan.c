@@ -92,16 +92,18 @@ double ovr_plastic_memory(const void *form)
     return bytes;
 }
 
-/* One iteration of flow and equilibrium, measured at 1024 points. */
+/* CPU time of one iteration of flow and equilibrium, measured at 1024 points.
+ */
 static double iteration_seconds(const ovr_plastic_plan *plan)
 {
     return 2.5e-3 * (double)plan->points / 1024 *
            pow((double)plan->layers / 24, 2);
 }
 
-/* Tables, stresses in the window while the contact is above it, and flow: of a
- * dent with shoulders in steel of .75 p_h some 6 of 100 of these steps flow,
- * four iterations each; in harder steel it is less. */
+/* CPU time of tables, stresses in the window while it is in the contact, and
+ * plastic flow. For a dent with raised rims in steel of .75 p_h about 6 % of
+ * these steps have plastic flow, with four iterations each; fewer in harder
+ * steel. */
 double ovr_plastic_seconds(const void *form)
 {
     const double flowing = 0.06, fields = 2e-4, tables = 60;

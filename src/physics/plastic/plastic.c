@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Bodies that yield under a run: before the step to T their material flows by
- * the film of the last time reached (yielding.c), and the gap of the step has
- * what that did to the surface:
+ * Plastic bodies in a run: before the step to T, plastic flow is computed for
+ * the film of the last completed time (yielding.c), and its surface
+ * displacement is added to the gap of the step:
  *
  *     S = ... - w E'/(4 E*),  at xi = X - X_0 - U(T)
  *
- * explicit, so that a step's film and its strains are solved one after the
- * other; the stresses at the material points by the material history's shift of
- * the nodes (stress/field.c), the profile between points by Lagrange's cubic.
- * Only where the window is under the contact, and a layer's stress comes near
- * yield on the nodes that its depth needs, are all of its points looked at.
+ * The coupling is explicit: film and strains of a step are solved one after the
+ * other. Stresses at material points are computed by shifting the nodes, as in
+ * stress histories (stress/field.c); the profile between points is interpolated
+ * by cubics. All points of a layer are evaluated only if the window is in the
+ * contact and the layer's stress on a coarse set of nodes is close to yield.
  */
 #include <math.h>
 #include <stdio.h>
@@ -29,9 +29,10 @@
 
 /* -------------------------------------------------------- Numbers of a body */
 
-/* Sums up in a number each what yielding made of a body. */
+/* Numbers that summarize the plastic deformation of a body. */
 
-/* For numbers other than NAN; inlined, because fmax is a function call. */
+/* Maximum of numbers other than NAN; inlined because fmax is a function call.
+ */
 static double larger(double a, double b)
 {
     return a > b ? a : b;
@@ -74,7 +75,8 @@ enum { BODIES = 2, STATE = OVR_PLASTIC_STATE };
 
 /* ------------------------------------------------------------------ window */
 
-/* Reads the features before the contact, fully grown. */
+/* Reads the shape of the features before they enter the contact, at full
+ * height. */
 static void find_shape(const ovr_plastic *p, ovr_yielding_body *b, double *X)
 {
     const ovr_setup *s = p->setup;
@@ -164,8 +166,8 @@ static void show(const ovr_plastic *p, int k)
         b->shown[i] = p->how->body[k].softness * w[i];
 }
 
-/* Restores the stored state; the profile of an earlier run stays where it
- * changes between passes alone. */
+/* Restores the stored state; if the profile changes only between passes, that
+ * of an earlier run is kept. */
 static void go_back(ovr_plastic *p, int k, bool profile)
 {
     ovr_yielding_body *b = &p->body[k];
@@ -207,8 +209,8 @@ static ovr_status make_ready(ovr_plastic *p, const ovr_simulation *sim,
 
 /* -------------------------------------------------------------------- flow */
 
-/* Node i of the fields is point i - off of the window; nodes are shifted by
- * `shift` in units of D. */
+/* Node i of the stress field is point i - off of the window; nodes are shifted
+ * by `shift` in units of D. */
 typedef struct place {
     long off;
     double shift;
@@ -229,7 +231,7 @@ static ovr_in_plane at_node(const ovr_stress_row *row, size_t i)
                           (double)row->shear[2 * i + 1]};
 }
 
-/* Nodes of a row that are points of the window. */
+/* Range of nodes in a row that are points of the window. */
 static bool nodes_within(const ovr_yielding_body *b, const ovr_stress_row *row,
                          place at, size_t *first, size_t *last)
 {
@@ -246,7 +248,7 @@ static bool nodes_within(const ovr_yielding_body *b, const ovr_stress_row *row,
     return from <= to;
 }
 
-/* True if any point of the layer comes near yield. */
+/* True if any point of the layer is close to yield. */
 static bool comes_near(const ovr_yielding_body *b, size_t j, place at)
 {
     const double near = 0.95;
@@ -282,11 +284,11 @@ static ovr_status load_layer(const ovr_yielding_body *b, size_t j, place at,
     return OVR_OK;
 }
 
-/* Pressures between 0 and P_max without traction make no shear stress in the
- * plane above P_max/pi (theirs is a quarter turn of the half plane), no mean
- * stress above P_max, and so no von Mises stress above
- * P_max sqrt(3/pi^2 + (1 - 2 nu)^2); to a residual stress it adds its
- * own von Mises stress at most. */
+/* Upper bound of the von Mises stress: pressures between 0 and P_max without
+ * traction cause at most a maximum shear stress in the plane of P_max/pi and a
+ * mean stress of P_max, hence a von Mises stress of at most P_max sqrt(3/pi^2 +
+ * (1 - 2 nu)^2). A residual stress increases it by at most its own von Mises
+ * stress. */
 static bool yields_by(const ovr_plastic *p, int k, double maximum)
 {
     const ovr_yielding_body *b = &p->body[k];
@@ -331,7 +333,7 @@ static void flow(ovr_plastic *p, int k, double T)
         show(p, k);
 }
 
-/* Finds what the solids felt at the last time reached. */
+/* Computes the pressure on the solids at the last completed time. */
 static void find_pressure(const ovr_simulation *sim, ovr_plastic *p)
 {
     for (size_t i = 0; i < sim->now.n; i++)
@@ -373,7 +375,8 @@ static void before_back(ovr_simulation *sim, void *own)
 
 /* ----------------------------------------------------------------- the gap */
 
-/* Interpolates between points i and i + 1 at t, nothing beyond the window. */
+/* Interpolates the surface displacement between points i and i + 1 at t; 0
+ * outside the window. */
 static double sunk_at(const ovr_yielding_body *b, long i, double t)
 {
     float v[4];
@@ -410,7 +413,7 @@ static void heights(const ovr_simulation *sim, const void *own, int surface,
 
 /* ---------------------------------------------------------------- observed */
 
-/* The plastic part of a simulation; NULL: nothing yields. */
+/* The plastic model of a simulation; NULL: no plastic body. */
 static const ovr_plastic *plastic_of(const ovr_simulation *sim)
 {
     const ovr_plastic *found = NULL;
@@ -426,7 +429,7 @@ static void unknown(ovr_observation *o)
     o->shoulder_leading = o->shoulder_trailing = NAN;
 }
 
-/* Shoulders are those of the first body that yields. */
+/* Raised rims are those of the first plastic body. */
 static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
 {
     ovr_plastic *p = own;
@@ -546,7 +549,7 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
     p->how = form;
     p->setup = p->how->setup;
     *own = p;
-    if (sim->arena.blank || !p->setup->nodes) /* it is counted alone */
+    if (sim->arena.blank || !p->setup->nodes) /* memory is only counted */
         return OVR_OK;
     ovr_status status = make_ready(p, sim, err);
     if (status)
@@ -564,13 +567,13 @@ static ovr_status finish(void *own, const ovr_accompanied_run *run,
     if (!p)
         return OVR_OK;
     EACH_BODY(p, k)
-    show(p, k); /* what the next pass begins with */
+    show(p, k); /* initial state of the next pass */
     if (run->writer && ovr_plastic_store(run->writer, p, err))
         return err->status;
     return p->how->profiles ? ovr_plastic_write_profiles(p, err) : OVR_OK;
 }
 
-/* Before the solve: files of somebody else are replaced with --force only. */
+/* Before the solve: existing files are replaced only with --force. */
 static ovr_status make_profiles(const ovr_accompanied_run *run, void **own,
                                 ovr_error *err)
 {

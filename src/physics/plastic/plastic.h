@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A case says this of bodies that yield (plastic.c). */
+/* Parameters of plastic bodies in a case (plastic.c). */
 #ifndef OVR_PHYSICS_PLASTIC_PLASTIC_H
 #define OVR_PHYSICS_PLASTIC_PLASTIC_H
 
@@ -7,11 +7,12 @@
 #include "simulation/physics.h"
 #include "stress/hardening.h"
 
-/* A body that yields. */
+/* A plastic body. */
 typedef struct ovr_plastic_body {
-    ovr_hardening hardening; /* in p_h, of strains over p_h/E* */
-    double strain;           /* p_h/E*; NAN: not known */
-    double softness;         /* b^2/R of the gap for a b p_h/E* that it sinks */
+    ovr_hardening hardening; /* stresses in p_h, strains in p_h/E* */
+    double strain;           /* p_h/E*; NAN: unknown */
+    double softness;         /* change of the gap in b^2/R per plastic
+                              * displacement of b p_h/E* */
 } ovr_plastic_body;
 
 typedef struct ovr_plastic_setup {
@@ -19,34 +20,36 @@ typedef struct ovr_plastic_setup {
     int surfaces; /* as bits; 0: none */
     ovr_plastic_body body[2];
     int hardening;  /* ovr_hardening_law */
-    double yield;   /* as given, p_h; NAN: that of the body, or by swift */
-    double modulus; /* of hardening, p_h */
+    double yield;   /* as given, p_h; NAN: that of the body, or from Swift's law
+                     */
+    double modulus; /* hardening modulus, p_h */
     const char *swift;
     int passes;
     ovr_list window;
-    double from, to; /* b; NAN: about the features */
+    double from, to; /* window in b; NAN: around the features */
     int layers, iterations;
     double depth;
-    int once;             /* the profile changes between passes alone */
-    const char *initial;  /* a result file; NULL: none */
-    const char *profiles; /* NULL: no files of them */
+    int once;             /* the profile changes only between passes */
+    const char *initial;  /* result file with the initial state; NULL: none */
+    const char *profiles; /* name of the profile files; NULL: none */
     bool anyway;
-    bool elastic; /* nothing yields in the first pass, to compare with */
+    bool elastic; /* an elastic first pass for comparison */
     bool rests;   /* this is that pass */
-    bool flooded; /* passes are its own: no oil goes from one to the next */
+    bool flooded; /* passes belong to this model: lubricant is not transferred
+                   * between them */
 } ovr_plastic_setup;
 
 extern const ovr_physics ovr_physics_plastic;
 extern const ovr_section ovr_plastic_section;
 
-/* These are functions of a physics (simulation/physics.h). */
+/* The following are functions of a physical model (simulation/physics.h). */
 ovr_status ovr_plastic_resolve(const ovr_physics_case *of, void *form, bool *on,
                                ovr_error *err);
 ovr_status ovr_plastic_on_mesh(const ovr_physics_case *of, void *form,
                                double mesh, ovr_error *err);
 void ovr_plastic_state(const void *form, ovr_physics_statement *says);
 
-/* NULL: nothing yields. */
+/* NULL: no plastic body. */
 ovr_plastic_setup *ovr_setup_plastic(const ovr_setup *setup);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The group fatigue/surface_N of a result file, of what is reported of a
- * material history. */
+/* The group fatigue/surface_N of a result file, with the results of a stress
+ * history. */
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -51,7 +51,7 @@ const ovr_stress_figure *ovr_stress_figure_at(size_t k)
     return k < sizeof figures / sizeof *figures ? &figures[k] : NULL;
 }
 
-/* A number alone is the value of one without a place. */
+/* Returns the value of a number; the position is NAN if the number has none. */
 ovr_stress_extreme ovr_stress_figure_of(const ovr_stress_figure *figure,
                                         const ovr_stress_report *report)
 {

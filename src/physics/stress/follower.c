@@ -5,7 +5,7 @@
  * The solver's thread copies pressure and traction into a ring buffer and
  * continues. The follower reads them in order, so that the history does not
  * depend on the speed of the threads.  A full ring makes the solver wait.
- * Without a thread a moment is taken at once.
+ * Without a thread, samples are processed immediately.
  */
 #include <pthread.h>
 #include <string.h>
@@ -18,7 +18,7 @@ enum { RING = 32 };
 typedef struct posted {
     ovr_post part;
     ovr_moment moment;
-    double *P, *Q; /* Q NULL: there is none */
+    double *P, *Q; /* NULL: no traction */
 } posted;
 
 struct ovr_follower {
@@ -26,7 +26,7 @@ struct ovr_follower {
     ovr_material_history *history;
     size_t nodes;
     posted ring[RING];
-    size_t first, count; /* posted and not yet taken */
+    size_t first, count; /* samples queued and not yet processed */
     bool threaded, closing;
     pthread_t thread;
     pthread_mutex_t mutex;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The sections [stress] and [fatigue], and what their keys mean. */
+/* The sections [stress] and [fatigue] and their keys. */
 #include "physics/stress/stress.h"
 
 #include <math.h>
@@ -132,8 +132,9 @@ ovr_status ovr_window_resolve(const ovr_list *window, const char *about,
     return OVR_OK;
 }
 
-/* A surface that stands still has no material history; one that changes its
- * speed may later, but not as it begins. */
+/* Checks that the surface moves: a stationary surface has no stress history. A
+ * surface with variable speed may start moving later, but must not be at rest
+ * at the start. */
 static ovr_status check_motion(const ovr_physics_case *of,
                                const ovr_stress_setup *s, ovr_error *err)
 {
@@ -171,7 +172,7 @@ static ovr_status check_depths(const ovr_two_columns *c, const char *file,
     return err->status;
 }
 
-/* A table against the depth, of the key that names it, in p_h and b. */
+/* Reads a table over depth from the file given by a key, in p_h and b. */
 static ovr_status read_depths(const ovr_physics_case *of, const char *key,
                               const char *file, ovr_two_columns *c,
                               ovr_error *err)
@@ -248,8 +249,8 @@ static ovr_status resolve_fatigue(const ovr_physics_case *of,
     return OVR_OK;
 }
 
-/* A Newtonian film's shear stress may be many times what any oil carries:
- * nothing to load a body with unasked. */
+/* Reason why traction is not applied by default: the shear stress of a
+ * Newtonian film can greatly exceed that of real lubricants. */
 static const char *no_traction(const ovr_physics_case *of, int loads)
 {
     const ovr_lubricant *l = of->lubricant;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Stresses below a snapshot, drawn on about a cell a pixel: linear along x
- * between the nodes of each depth and along ln z between depths, which go up
- * to D/2; above that linear to the surface, where -p stands, or with traction
- * what there is at D/2.
+ * Stress field below a snapshot, drawn with about one cell per pixel: linear in
+ * x between the nodes of each depth and linear in ln z between depths, up to
+ * D/2; from there linear to the surface value -p, or with traction constant as
+ * at D/2.
  */
 #include "physics/stress/pictures_depth.h"
 
@@ -22,7 +22,8 @@ static const double min_meshes = 8, deepest = 2.5, shown = 1.5;
 
 /* ------------------------------------------------------------------- making */
 
-/* Copies the table of the case, which ends with its setup. */
+/* Copies the residual stress table of the case, whose lifetime is that of its
+ * setup. */
 static void take_residuals(ovr_depth_field *f, const ovr_stress_setup *s,
                            ovr_arena *arena)
 {
@@ -85,8 +86,8 @@ static double value_at(const ovr_depth_field *f, const ovr_stress_row *row,
     return ovr_stress_value(f->which, s, at.poisson, at.x, at.y);
 }
 
-/* Nodes at the first distance of the file's, those of patches (refine) left
- * out: what they add does not reach the depths that are shown. */
+/* Chooses nodes with the first spacing of the file, without those of patches
+ * (refine), whose contribution is negligible at the depths shown. */
 static ovr_status choose_nodes(ovr_depth_field *f, ovr_arena *arena,
                                ovr_error *err)
 {
@@ -103,7 +104,8 @@ static ovr_status choose_nodes(ovr_depth_field *f, ovr_arena *arena,
     return f->even ? OVR_OK : OVR_NO_MEMORY;
 }
 
-/* Values at the chosen nodes, linear between the file's, in their place. */
+/* Interpolates values linearly from the file's nodes to the chosen nodes, in
+ * place. */
 static void put_even(const ovr_depth_field *f, double *values)
 {
     const double *x = f->run->x;
@@ -163,8 +165,8 @@ ovr_status ovr_depth_field_solve(ovr_depth_field *f, size_t k, ovr_error *err)
     return OVR_OK;
 }
 
-/* The colours end where the run's largest value is, but not far above what a
- * smooth contact has: an instant alone does not take them all. */
+/* The colour scale ends at the maximum of the run, limited relative to that of
+ * a smooth contact, so that a single instant does not determine the scale. */
 static ovr_status look_through(ovr_depth_field *f, ovr_error *err)
 {
     const ovr_result_info *info = f->run->info;
@@ -250,7 +252,7 @@ static double along_row(const ovr_depth_field *f, size_t j, double X)
     return a + fmin(t - (double)i, 1) * (b - a);
 }
 
-/* Depth of a row of cells, the first next to the surface. */
+/* Depth of a row of cells; row 0 is next to the surface. */
 static double depth_of(const ovr_depth_field *f, double row)
 {
     double part = row / OVR_CELLS_Z;
@@ -259,7 +261,7 @@ static double depth_of(const ovr_depth_field *f, double row)
     return f->mesh * exp(part * log(f->z_to / f->mesh));
 }
 
-/* The stress at the surface: sigma_x = sigma_z = -p, no shear. */
+/* Stress at the surface: sigma_x = sigma_z = -p, no shear stress. */
 static double at_surface(const ovr_depth_field *f, double X)
 {
     ovr_stress_row row = ovr_stress_at(f->stress, 0);
@@ -303,7 +305,7 @@ static double drawn_depth(const ovr_depth_field *f, double z, double factor)
     return f->logarithmic ? log10(z * factor) : z * factor;
 }
 
-/* Contours every 0.1 or 0.2, and where the smooth contact has its largest. */
+/* Contours every 0.1 or 0.2, and at the maximum of the smooth contact. */
 static void put_contours(const ovr_depth_field *f, ovr_image *image, char *thin,
                          char *bold, size_t capacity)
 {
@@ -329,8 +331,8 @@ static void add_mark(ovr_panel *panel, ovr_arena *arena, double X, double z)
                 .n = 1, .mark = OVR_MARK_CROSS, .colour = OVR_RED, .width = 3});
 }
 
-/* A line at a depth: dotted where the mesh begins to be seen, else at an
- * interface. */
+/* A line at a depth: dotted at the resolution limit of the mesh, otherwise at
+ * an interface. */
 static void add_line(ovr_panel *panel, ovr_arena *arena, double z,
                      ovr_mark mark)
 {
@@ -345,7 +347,8 @@ bool ovr_depth_field_is_pressed(const ovr_depth_field *f)
            f->which == OVR_STRESS_SIGMA_Y || f->which == OVR_STRESS_HYDROSTATIC;
 }
 
-/* Rows of an image go upward: the deepest first. */
+/* Reverses the order of rows: image rows go upwards, starting at the greatest
+ * depth. */
 static void turn_over(double *cells)
 {
     for (size_t r = 0; r < OVR_CELLS_Z / 2; r++)
@@ -358,7 +361,7 @@ static void turn_over(double *cells)
         }
 }
 
-/* "normal stress, sigma_x (p_h)", with the markup of gnuplot. */
+/* Label such as "normal stress, sigma_x (p_h)", with the markup of gnuplot. */
 static void put_label(const ovr_depth_field *f, char *label, size_t capacity)
 {
     static const char *const names[][2] = {
@@ -392,7 +395,8 @@ static ovr_image image_of(const ovr_depth_field *f, double worst,
     return image;
 }
 
-/* The axes; `x` and `buffer` for the depth's label live as long. */
+/* Sets the axes. `x` and `buffer`, which contains the depth label, must outlive
+ * the panel. */
 static void set_axes(const ovr_depth_field *f, const ovr_axis *x, char *buffer,
                      size_t size, ovr_panel *panel)
 {

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Draws what the material of a surface went through: the radius of the circle
- * over place and depth with the feature above it and the risk below; and the
- * same over depth alone.
+ * Picture of the stress history of a surface: radius of the circumscribed
+ * circle over position and depth, with the features above and the risk below;
+ * and over depth only.
  */
 #include <math.h>
 #include <stdio.h>
@@ -21,11 +21,12 @@ typedef struct history {
     int surface;
     double *R, *smooth, *risk, *length, *S;
     bool life;
-    double risk_smooth; /* NAN: not known */
+    double risk_smooth; /* NAN: unknown */
     double minimum, worst, worst_xi, worst_z;
 } history;
 
-/* The heights of the surface at T = 0 and the smooth risk, from the case. */
+/* Reads the heights of the surface at T = 0 and the smooth risk from the case.
+ */
 static void read_case(history *h, const double *A)
 {
     ovr_case *c;
@@ -137,7 +138,8 @@ static double largest_smooth(const history *h)
     return maximum;
 }
 
-/* Contours every 0.1, the smooth contact's largest, a cross at the worst. */
+/* Contours every 0.1, the maximum of the smooth contact, and a cross at the
+ * worst point. */
 static ovr_status map_panel(const history *h, ovr_panel *panel, ovr_error *err)
 {
     enum { CELLS_Z = 160, CAPACITY = 120 };
@@ -189,7 +191,7 @@ static void line_panel(const history *h, const char *label, const double *y,
                                .base = low - margin});
 }
 
-/* i / i_0 on a logarithmic axis; nothing of it where i_0 is not known. */
+/* i / i_0 on a logarithmic axis; omitted if i_0 is unknown. */
 static ovr_status risk_panel(const history *h, ovr_panel *panel, ovr_error *err)
 {
     double *v = ovr_arena_take(h->in.arena, h->in.points, sizeof *v, err);
@@ -207,8 +209,8 @@ static ovr_status risk_panel(const history *h, ovr_panel *panel, ovr_error *err)
     return OVR_OK;
 }
 
-/* Writes the largest circle and, below a pressure spike that the mesh does not
- * resolve, the depth from which circles are resolved. */
+/* Describes the largest circle and, below a pressure spike that the mesh does
+ * not resolve, the depth from which circles are resolved. */
 static void describe_worst(const history *h, char *note, size_t capacity)
 {
     const ovr_stored *run = h->in.run;
@@ -278,7 +280,7 @@ static ovr_panel depth_panel(const history *h, const char *label, double from)
     return panel;
 }
 
-/* The worst circle at each depth; NULL: no memory. */
+/* Largest circle at each depth; NULL if there is no memory. */
 static double *worst_at_depths(const history *h, ovr_error *err)
 {
     double *worst = ovr_arena_take(h->in.arena, h->in.depths, sizeof *worst,
@@ -289,7 +291,8 @@ static double *worst_at_depths(const history *h, ovr_error *err)
     return worst;
 }
 
-/* Circles above, equivalent lengths below, where there are any; how many. */
+/* Panels of circles and, below, of equivalent lengths if there are any; returns
+ * the number of panels. */
 static size_t depth_panels(const history *h, const double *worst,
                            ovr_panel *panel)
 {

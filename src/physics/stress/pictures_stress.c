@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The stresses at an instant: pressure, film, and the field below. */
+/* Picture of the stresses at an instant: pressure, film thickness and stress
+ * field. */
 #include <math.h>
 #include <stdio.h>
 
@@ -11,7 +12,7 @@
 #include "pictures/view_data.h"
 #include "stress/layered.h"
 
-/* The snapshot whose field has the largest value, where none is asked for. */
+/* Finds the snapshot with the largest stress, used by default. */
 static ovr_status find_worst(ovr_depth_field *f, size_t *worst, ovr_error *err)
 {
     double maximum = -1;
@@ -113,9 +114,10 @@ ovr_status ovr_draw_stress(const ovr_drawing *drawing, ovr_chart *chart,
 /* ----------------------------------------------------------------- page */
 
 /*
- * The stresses below each snapshot, for the page: values at columns along x and
- * at depths that grow geometrically from D, with the scale of the whole run,
- * the largest value of a smooth contact, and where the largest of each is.
+ * Stresses below each snapshot, for the web page: values at columns along x and
+ * at geometrically increasing depths from D, with the scale of the whole run,
+ * the maximum of a smooth contact, and the position of the maximum of each
+ * snapshot.
  */
 
 enum { ROWS = 40, MAX_COLUMNS = 180, MIN_COLUMNS = 60 };
@@ -140,7 +142,7 @@ static ovr_status prepare(sheet *s, ovr_arena *arena, ovr_error *err)
     for (int r = 0; r < ROWS; r++)
         s->z[r] = s->field.mesh *
                   pow(DEEPEST / s->field.mesh, (double)r / (ROWS - 1));
-    /* levels fine beside the colours, and far beyond them */
+    /* Fine steps compared with the colours, over a much larger range */
     s->levels = ovr_levels_even(0, 1);
     s->levels.step = s->field.high / STEPS;
     s->levels.from = -s->levels.step * OVR_PACKED_LEVELS / 2;
@@ -168,8 +170,8 @@ static ovr_status fill(sheet *s, size_t shot, ovr_error *err)
     return OVR_OK;
 }
 
-/* The remedy of each snapshot whose largest stress the mesh does not resolve,
- * or "". */
+/* Writes advice for each snapshot whose maximum stress the mesh does not
+ * resolve, or "". */
 static void put_unresolved(ovr_text *to, const sheet *s)
 {
     const ovr_stored *run = s->field.run;
@@ -184,7 +186,7 @@ static void put_unresolved(ovr_text *to, const sheet *s)
     ovr_text_put(to, "],");
 }
 
-/* Depths of the interfaces, where the body has layers. */
+/* Writes the depths of the interfaces, if the body has layers. */
 static void put_layers(ovr_text *to, const ovr_layered *body)
 {
     double bottom[OVR_LAYERS_MAX];
@@ -222,7 +224,7 @@ static ovr_status put(ovr_text *to, const sheet *s, ovr_arena *arena,
     return status;
 }
 
-/* Its case asked for stresses. */
+/* True if the case has stresses. */
 static bool is_asked(const ovr_stored *run)
 {
     ovr_case *c;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Plans what is followed of a case: depths, material, moments. */
+/* Plan of the stress histories of a case: depths, material, times. */
 #include <math.h>
 #include <string.h>
 
@@ -18,15 +18,15 @@
 /* --------------------------------------------------- Motion of the material */
 
 /*
- * The way that the material of a surface has come, and its speed:
+ * Distance moved by the material of a surface:
  *
  *     U_k = u_k/um int Cu dT;  with [sliding] V:  U_k = int (Cu +- V/2) dT
  *
- * exact for every history, so that material is followed through changes of
- * speed, halts and reversals as through steady motion.
+ * integrated exactly, so that material is followed through speed changes, stops
+ * and reversals.
  */
 
-/* A motion is looked at in so many moments. */
+/* Number of times at which a motion is sampled. */
 enum { LOOKS = 2000 };
 
 double ovr_stress_distance(const ovr_setup *setup, const ovr_stress_plan *plan,
@@ -46,7 +46,7 @@ static double speed_of(const ovr_setup *setup, const ovr_stress_plan *plan,
                     ovr_history_value(setup->sliding, T);
 }
 
-/* If the surface is at rest, it continues with the speed of slide_to_roll. */
+/* Direction of motion; a surface at rest has that of slide_to_roll. */
 static int direction_at(const ovr_setup *setup, const ovr_stress_plan *plan,
                         double T)
 {
@@ -85,7 +85,7 @@ double ovr_stress_fastest(const ovr_setup *setup)
     return fastest;
 }
 
-/* The way of the fastest of the film and both surfaces. */
+/* Largest distance moved by the film or a surface. */
 static double widest_way(const ovr_setup *setup, double before, double T)
 {
     double film = ovr_history_integral(setup->speed, T) -
@@ -123,7 +123,7 @@ double ovr_stress_struck(const ovr_setup *setup, const ovr_stress_plan *plan,
     return -plan->ratio * way;
 }
 
-/* A feature where pressure is: from 1 b before the contact to its exit. */
+/* True if a feature is between 1 b upstream of the contact and its exit. */
 static bool disturbed(const ovr_setup *setup, double T)
 {
     const double inlet = -2, outlet = 1.25;
@@ -153,7 +153,8 @@ ovr_moment ovr_stress_moment(const ovr_setup *setup,
 
 /* --------------------------------------------------------------------- Plan */
 
-/* Depths above 4 times the way between two moments are missed in part. */
+/* Minimum depth: in distances moved between two times (smaller depths are
+ * partly missed), in mesh sizes, and in mesh sizes for the life. */
 static const double WAY_OF_DEPTH = 4, MESHES_OF_DEPTH = 4, MESHES_OF_LIFE = 8;
 
 static size_t features_of(const ovr_setup *setup)
@@ -161,8 +162,8 @@ static size_t features_of(const ovr_setup *setup)
     return setup->surfaces ? ovr_surfaces_count(setup->surfaces) : 0;
 }
 
-/* xi = 0 at the first feature of the surface, of the other one, or where the
- * material is under the contact half-way through the run. */
+/* Sets xi = 0 at the first feature of the surface, of the other surface, or at
+ * the material that is in the contact half-way through the run. */
 static void find_material(const ovr_setup *setup, ovr_stress_plan *plan)
 {
     double low = INFINITY, high = -INFINITY, end;
@@ -207,8 +208,8 @@ static double round_down(double value)
     return floor(value / digit * (1 + 1e-12)) * digit;
 }
 
-/* Moments so far apart miss depths that are asked for; said of the step of a
- * run, and of `every` where stored moments are taken. */
+/* Returns an error: with these sample times, requested depths are missed. It
+ * names the step of a run, or `every` if stored snapshots are used. */
 static ovr_status refuse(const ovr_setup *setup, const char *key, double depth,
                          const ovr_stress_plan *plan, ovr_error *err)
 {
@@ -229,7 +230,8 @@ static ovr_status refuse(const ovr_setup *setup, const char *key, double depth,
         depth, round_down(share * dT * plan->every));
 }
 
-/* Exponents and limits are those of the body, below its layers. */
+/* Minimum depth to which exponents and limits of the body apply: just below its
+ * layers. */
 static double below_layers(const ovr_stress_plan *plan)
 {
     const ovr_layered *layers = plan->options.layers;
@@ -238,7 +240,7 @@ static double below_layers(const ovr_stress_plan *plan)
                   : 0;
 }
 
-/* Refuses depths that the mesh cannot resolve. */
+/* Rejects depths that the mesh cannot resolve. */
 static ovr_status check_depths(const ovr_stress_setup *s,
                                const ovr_stress_plan *plan, ovr_error *err)
 {
@@ -259,7 +261,8 @@ static ovr_status check_depths(const ovr_stress_setup *s,
     return OVR_OK;
 }
 
-/* A layer thinner than 4 mesh sizes has depths of its own. */
+/* Default minimum depth: 4 mesh sizes or, if smaller, half the thickness of the
+ * top layer, but at least D/2. */
 static double usual_depth(const ovr_stress_plan *plan)
 {
     const ovr_layered *layers = plan->options.layers;
@@ -290,7 +293,7 @@ static ovr_status find_depths(const ovr_setup *setup, ovr_stress_plan *plan,
     return check_depths(s, plan, err);
 }
 
-/* Depths, moduli and residual stresses of the layers on the surface. */
+/* Adds depths, moduli and residual stresses of the layers on the surface. */
 static void add_layers(const ovr_setup *setup, ovr_stress_plan *plan)
 {
     const ovr_coated *coated = ovr_setup_layers(setup, plan->surface - 1);
@@ -334,7 +337,8 @@ static ovr_status make_plan(const ovr_setup *setup, int surface,
     plan->range.residual_s = s->residual_s;
     plan->range.yield = s->yield[surface - 1];
     if (dang_van && (double)setup->output->every > plan->every)
-        plan->every = (double)setup->output->every; /* paths are stored ones */
+        /* paths are computed from stored snapshots */
+        plan->every = (double)setup->output->every;
     plan->coarsest = setup->transient
                          ? ovr_stress_fastest(setup) * dT * plan->every
                          : 0;
@@ -349,7 +353,7 @@ ovr_stress_sight ovr_stress_sight_of(const ovr_setup *setup)
                               1};
 }
 
-/* An error names the line of its key. */
+/* Errors name the line of the key concerned. */
 ovr_status ovr_stress_planned(const ovr_setup *setup, int surface,
                               ovr_stress_sight seen, ovr_stress_plan *plan,
                               ovr_error *err)
@@ -395,7 +399,7 @@ double ovr_material_histories_memory(const ovr_setup *setup)
                                NULL))
             continue;
         bytes += ovr_material_history_memory(&plan.options, &plan.range);
-        /* the follower's ring */
+        /* Ring buffer of the follower */
         bytes += (plan.options.traction ? 2 : 1) * 32. * 8 *
                  (double)setup->nodes;
     }
@@ -405,18 +409,18 @@ double ovr_material_histories_memory(const ovr_setup *setup)
 /* ----------------------------------------------------------------- Traction */
 
 /*
- * The film's shear stress as a traction on the body below it, along +X:
+ * Traction on each body by the shear stress of the film, along +X:
  *
  *     Q_1 = kappa tau_1,   Q_2 = -kappa tau_2      (p_h; kappa = b/R)
  *
  * tau_1, tau_2 being tau_xz in the film at the surfaces, z from 1 to 2: the
  * film lies above body 1 and below body 2, whose outward normals are z and -z.
  * In each body x goes along the surface and depth into it, so that the stresses
- * follow from P and Q in the same way.  At a node it is the mean of the half
- * nodes beside it, as files hold it: order 2.
+ * follow from P and Q in the same way.  The value at a node is the mean of the
+ * two neighbouring half nodes, as in result files (second order).
  *
- * What a tangential load does to the gap is left out: for two bodies of the
- * same material it is nothing (K. L. Johnson, Contact Mechanics, 1985, section
+ * The effect of tangential loads on the gap is neglected; it is zero for two
+ * bodies of the same material (K. L. Johnson, Contact Mechanics, 1985, section
  * 7.1).
  */
 
@@ -433,7 +437,8 @@ const double *ovr_traction_now(const ovr_stress_plan *plan,
     double before, *Q = workspace;
     if (!plan->options.traction)
         return NULL;
-    const double *tau = shear->field(sim, workspace); /* may lie in workspace */
+    /* may be in the workspace */
+    const double *tau = shear->field(sim, workspace);
     before = tau[0];
     for (size_t i = 0; i <= last; i++) {
         double behind = i < last ? tau[i] : before;

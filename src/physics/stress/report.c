@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Reports a material history: largest values, amplitudes, life. */
+/* Report of a stress history: maxima, amplitudes, life. */
 #include <math.h>
 #include <string.h>
 
@@ -14,28 +14,28 @@
 /* -------------------------------------------------------------- second pass */
 
 /*
- * Dang Van's criterion with its single line asks for the centre of the circle
- * round a path, which its extents give badly: the stored pressure is gone over
- * a second time, depth by depth, whole paths are kept, and the circle is
- * exact.
+ * Dang Van's criterion needs the centre of the circle around each shear stress
+ * path, which its extent determines poorly. Therefore the stored pressure is
+ * processed a second time, depth by depth; whole paths are stored and the
+ * circle is exact.
  */
 
-/* Material histories move their nodes by less than this, for every level at
- * once. */
+/* Stress histories shift their nodes by less than this, on every level. */
 enum { WHOLE = 32 };
 
 typedef struct pass {
     const ovr_setup *setup;
     const ovr_stress_plan *plan;
-    ovr_stress_report *report; /* whose amplitudes it finds */
+    ovr_stress_report *report; /* the report to be completed */
     ovr_result *result;
     size_t snapshots;
-    double *T, *P, *Q; /* T of all; one P and Q, NULL: none */
-    /* one depth */
+    double *T, *P, *Q; /* all times; pressure and traction of one time; Q NULL:
+                        * none */
+    /* data of one depth */
     ovr_stress *stress;
     long first; /* point k is at xi = (first + k) 2^c D */
     size_t points, capacity;
-    float *path, *hydro; /* `capacity` values of each point */
+    float *path, *hydro; /* `capacity` values for each point */
     size_t *count;
 } pass;
 
@@ -58,7 +58,7 @@ static void keep(pass *p, size_t k, const ovr_stress_row *row, size_t i)
     p->count[k]++;
 }
 
-/* Rows around the contact: node i is at point i + *offset. */
+/* Computes the rows around the contact: node i is at point i + *offset. */
 static ovr_stress_row look(pass *p, double U, long *offset)
 {
     const ovr_stress_plan *plan = p->plan;
@@ -80,7 +80,8 @@ static bool within(const pass *p, const ovr_stress_row *row, size_t i)
     return fabs(row->start + (double)i * row->step) <= p->plan->range.reach;
 }
 
-/* One moment; `side` -1: all earlier places too, 1: all later ones. */
+/* Adds one time to the paths; side = -1: all positions before the contact too,
+ * 1: all positions after it too. */
 static void follow(pass *p, const ovr_moment *m, int side)
 {
     long offset;
@@ -110,7 +111,8 @@ static ovr_status read_loads(pass *p, size_t k, ovr_error *err)
                   : ovr_traction_stored(p->plan, p->result, k, p->Q, err);
 }
 
-/* The steady contact at the start, from one side to the other. */
+/* Value of the steady contact at the start, for material that passes through
+ * it. */
 static double smooth_value(pass *p, ovr_arena *arena)
 {
     ovr_stress_row row = ovr_stress_at(p->stress, 0);
@@ -145,7 +147,7 @@ static ovr_status make_depth(pass *p, double z, ovr_arena *arena,
         shortest = fmin(shortest, fmax(fabs(way[1] - way[0]), 1e-9));
     }
     if (p->plan->direction == 0)
-        shortest = 1e-9; /* points may stay, or come again */
+        shortest = 1e-9; /* points may stay, or return */
     p->first = (long)floor(range->from / row.step) - 1;
     p->points = (size_t)((long)ceil(range->to / row.step) + 2 - p->first);
     p->capacity = 3 * row.count + 8 +
@@ -158,7 +160,8 @@ static ovr_status make_depth(pass *p, double z, ovr_arena *arena,
     p->count = ovr_arena_take(arena, p->points, sizeof *p->count, err);
     if (!p->path || !p->hydro || !p->count)
         return OVR_NO_MEMORY;
-    for (size_t k = 0; k < p->points; k++) { /* before all: no load */
+    for (size_t k = 0; k < p->points; k++) { /* without load before the contact
+                                              */
         p->hydro[k * p->capacity] = (float)hydrostatic(p, 0);
         p->count[k] = 1;
     }
@@ -181,7 +184,7 @@ static ovr_status follow_all(pass *p, double *smooth, ovr_arena *arena,
     return OVR_OK;
 }
 
-/* Onto the finest points, cubic between those of the level. */
+/* Interpolates from the level's points to the finest points by cubics. */
 static void spread(const pass *p, float *to)
 {
     const ovr_material *m = &p->report->material;
@@ -234,7 +237,7 @@ static ovr_status all_depths(pass *p, ovr_error *err)
     return status;
 }
 
-/* Dang Van's amplitudes, from the pressure in the file, for a report. */
+/* Computes Dang Van's amplitudes of a report from the pressure in the file. */
 static ovr_status stress_second_pass(const ovr_stress_source *of,
                                      const ovr_stress_plan *plan,
                                      ovr_stress_report *r, ovr_error *err)
@@ -275,7 +278,7 @@ static bool take_arrays(ovr_stress_report *r, ovr_arena *arena, ovr_error *err)
     return r->amplitude && r->amplitude_smooth && r->risk && r->length;
 }
 
-/* Copies what the material history owns and frees with itself. */
+/* Copies the arrays that the stress history owns. */
 static bool copy_material(ovr_stress_report *r, ovr_arena *arena,
                           ovr_error *err)
 {
@@ -291,7 +294,7 @@ static bool copy_material(ovr_stress_report *r, ovr_arena *arena,
     return true;
 }
 
-/* The largest circle of complete points from the smallest depth down. */
+/* Finds the largest circle of complete points from the minimum depth on. */
 static void find_worst(ovr_stress_report *r)
 {
     const ovr_material *m = &r->material;
@@ -310,7 +313,7 @@ static void find_worst(ovr_stress_report *r)
     }
 }
 
-/* The criterion's amplitude from what is measured already. */
+/* Computes the criterion's amplitude from the quantities already known. */
 static void combine(const ovr_stress_setup *s, ovr_stress_report *r)
 {
     static const ovr_measure of[] = {
@@ -349,8 +352,9 @@ static ovr_status find_amplitude(const ovr_stress_source *of,
     return stress_second_pass(of, plan, r, err);
 }
 
-/* Points at both ends of the material, a tenth of it each, see little of a
- * feature: what their risk is off by is the method's, of all the others too. */
+/* Points at both ends of the material, a tenth each, are hardly affected by a
+ * feature: their risk error is an estimate of the method's error at all points.
+ */
 static double length_error(const ovr_stress_report *r)
 {
     const ovr_material *m = &r->material;
@@ -411,8 +415,9 @@ static ovr_status find_life(const ovr_setup *setup, ovr_stress_report *r,
     return OVR_OK;
 }
 
-/* Stresses that no body bears, whatever it is made of: those of a film whose
- * law has left what oils do (Newtonian, at large sliding and pressure). */
+/* True if the stresses exceed those of any material: the film's law is outside
+ * the range of real lubricants (Newtonian at high sliding speed and pressure).
+ */
 static bool is_beyond(const ovr_stress_report *r)
 {
     const double maximum = 1e3;
@@ -431,7 +436,8 @@ static void find_layers(const ovr_stress_plan *plan,
     r->layer_von_mises = r->interface_shear = r->interface_tension = none;
     r->surface_tension = none;
     r->layer_utilisation = r->interface_utilisation = r->layer_fatigue = NAN;
-    /* times too far apart resolve no depth in the topmost layer */
+    /* The time interval is too large to resolve any depth in the topmost layer
+     */
     if (!layers || plan->options.depth_min >= layers->thickness[0])
         return;
     r->layer_von_mises = of.von_mises[0];
@@ -455,7 +461,7 @@ static void find_layers(const ovr_stress_plan *plan,
     r->surface_tension = of.surface;
 }
 
-/* The largest amplitude of complete points at the depths of a layer. */
+/* Maximum amplitude of complete points at the depths of a layer. */
 static double layer_amplitude(const ovr_layered *layers, int layer,
                               const ovr_stress_report *r)
 {
@@ -470,8 +476,8 @@ static double layer_amplitude(const ovr_layered *layers, int layer,
     return maximum;
 }
 
-/* The share of layers' own limits that is used: the amplitude over that of a
- * smooth dry contact of their material at the limiting pressure. */
+/* Utilization of the layers' own fatigue limits: amplitude relative to that of
+ * a smooth dry contact of their material at the limiting pressure. */
 static void find_layer_fatigue(const ovr_setup *setup,
                                const ovr_stress_plan *plan,
                                ovr_stress_report *r)
@@ -490,8 +496,8 @@ static void find_layer_fatigue(const ovr_setup *setup,
     }
 }
 
-/* Points beyond yield: how many of those from the smallest depth down, and how
- * deep any are. */
+/* Counts points above yield from the minimum depth on, and finds the maximum
+ * depth of any. */
 static void count_yielding(ovr_stress_report *r)
 {
     const ovr_material *m = &r->material;
@@ -551,7 +557,8 @@ static void withhold(ovr_stress_report *r, ovr_life_result *life)
     *life = (ovr_life_result){.equivalent_length = NAN, .utilisation = NAN};
 }
 
-/* A maximum at the least depth is one of the chosen depths only. */
+/* Depth down to which maxima are not resolved: that of a pressure spike, or the
+ * smallest depth of the plan; 0: all are resolved. */
 static double unresolved_depth(const ovr_stress_source *of, double least)
 {
     double spike = ovr_unresolved_depth(of->setup->mesh);

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stresses from the pressure that a result file holds. */
+/* Stresses from the pressure stored in a result file. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -19,11 +19,12 @@ struct ovr_stored_stress {
     ovr_case *c;
     ovr_setup *setup;
     ovr_stress_report *report[2];
-    double every; /* way between two snapshots over that of a step */
+    double every; /* distance between two snapshots relative to that of a step
+                   */
 };
 
-/* The stored snapshots are these: nodes, and the largest way between two
- * snapshots. */
+/* The stored snapshots: nodes, and the maximum distance moved between two of
+ * them. */
 typedef struct stored {
     const char *path;
     ovr_result *result;
@@ -92,8 +93,8 @@ static ovr_status follow(stored *f, const ovr_setup *setup,
     return OVR_OK;
 }
 
-/* A file without the shear stress gives stresses without traction, unless the
- * case insists on it. */
+/* If the file does not contain the shear stress, stresses are computed without
+ * traction, unless the case requires it. */
 static ovr_status look_for_traction(const stored *f, const ovr_setup *setup,
                                     ovr_stress_plan *plan, ovr_error *err)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stresses below the surfaces in summaries, reports and the group
- * fatigue/surface_N of result files, from one table of rows. */
+/* Table of the stress quantities in summaries, reports and the group
+ * fatigue/surface_N of result files. */
 #include <math.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The stresses of a run: an observer of its steps, with a follower for each
- * surface, and fields at some of the snapshots. */
+/* Stresses of a run: an observer of its steps, with a follower for each
+ * surface, and stress fields at some snapshots. */
 #include "physics/stress/stress.h"
 #include "base/error.h"
 #include "physics/companion.h"
@@ -15,7 +15,7 @@
 
 enum { FIELDS = 8, SURFACES = 2 };
 
-/* Fields of one surface on their way to the file. */
+/* Fields of one surface to be written to the file. */
 typedef struct shown {
     ovr_group group;
     ovr_group_axis axis[3]; /* time, depth, x */
@@ -29,20 +29,21 @@ typedef struct shown {
 typedef struct run_stress {
     ovr_arena arena;
     const ovr_setup *setup;
-    const char *path; /* of the run's file */
+    const char *path; /* path of the run's file */
     ovr_stress_plan plan[SURFACES];
     ovr_follower *follower[SURFACES];
     ovr_stress_report *report[SURFACES];
     ovr_writer *writer;
-    double *P;                   /* space for all that the solids feel */
-    double *Q[SURFACES];         /* of the last moment; NULL: none */
+    double *P;                   /* space for the total pressure on the solids
+                                  */
+    double *Q[SURFACES];         /* at the last time; NULL: none */
     ovr_stress *field[SURFACES]; /* NULL: no fields are stored */
     shown shown[SURFACES];
     double *x;
-    /* the state */
-    double before;    /* T of the step before */
-    double rows;      /* of fields, stored */
-    double snapshots; /* seen */
+    /* state of the run */
+    double before;    /* T of the previous step */
+    double rows;      /* number of stored field rows */
+    double snapshots; /* number of observed snapshots */
 } run_stress;
 
 /* ----------------------------------------------------------------- fields */
@@ -201,7 +202,8 @@ static ovr_status visit_state(void *data, ovr_visit *visit, void *context,
 
 /* ------------------------------------------------------------------ making */
 
-/* Both surfaces have the same, except for layers. */
+/* Creates the field of a surface; both have the same options except for layers.
+ */
 static ovr_status make_field(run_stress *s, int k,
                              const ovr_allocator *allocator, ovr_error *err)
 {
@@ -239,7 +241,8 @@ static ovr_status follow(run_stress *s, const ovr_state *state,
     return OVR_OK;
 }
 
-/* What a second pass will read has to be stored: said before the run. */
+/* Checks before the run that everything read by the second pass will be stored.
+ */
 static ovr_status check_second_pass(const ovr_setup *setup, const char *output,
                                     ovr_error *err)
 {
@@ -389,7 +392,7 @@ static ovr_status finish_surface(run_stress *s, int k,
     ovr_arena arena = ovr_arena_make(&s->arena.allocator);
     void **saved = save(history, &arena, err);
     s->plan[k].range.reference = ovr_material_history_reference(history);
-    /* the second pass reads what is stored */
+    /* The second pass reads what is stored */
     if (saved && s->writer && ovr_writer_flush(s->writer, err))
         saved = NULL;
     if (saved) {
@@ -491,7 +494,7 @@ static void tell_yield(const ovr_setup *setup, int k, ovr_physics_line *line,
     line(data, "yield", text);
 }
 
-/* Depths, memory, and the limits in MPa. */
+/* Reports depths, memory, and the limits in MPa. */
 static void tell(const ovr_physics_case *of, const void *form,
                  ovr_physics_line *line, void *data)
 {

@@ -104,10 +104,10 @@ static double mass_balance(const ovr_strip_solver *s)
 /* Sums over lines, and the lines with the extremes. */
 typedef struct lines {
     double sum[MEANS];
-    double Rq, H_mean, H_cen, P_cen; /* of squares */
+    double Rq, H_mean, H_cen, P_cen; /* sums of squares */
     double H_cen_least, H_cen_most;
-    ovr_observation low, high;  /* of the extremes at nodes */
-    size_t low_line, high_line; /* of the extremes between nodes */
+    ovr_observation low, high;  /* observations with the extremes at nodes */
+    size_t low_line, high_line; /* lines with the extremes between nodes */
 } lines;
 
 /* Adds line j. */
@@ -135,7 +135,8 @@ static void add_line(ovr_strip_solver *s, const ovr_observation *o, size_t j,
         all->high_line = j;
 }
 
-/* Observes every line, the shown one as the last, whose numbers stay in *o. */
+/* Observes every line; the shown line is the last, and its numbers remain in
+ * *o. */
 static lines observe_lines(ovr_simulation *sim, ovr_strip_solver *s,
                            ovr_observation *o)
 {
@@ -156,13 +157,14 @@ static lines observe_lines(ovr_simulation *sim, ovr_strip_solver *s,
     return all;
 }
 
-/* Standard deviation across, from the sum of squares over all lines. */
+/* Standard deviation over the lines, from the sum of squares. */
 static double deviation(const ovr_strip_solver *s, double squares, double mean)
 {
     return sqrt(fmax(squares / (double)s->lines - mean * mean, 0));
 }
 
-/* Means, and deviations of the central values across. */
+/* Computes means over the lines, and standard deviations of the central values.
+ */
 static void put_means(const ovr_simulation *sim, const ovr_strip_solver *s,
                       const lines *all, ovr_observation *o)
 {
@@ -180,8 +182,8 @@ static void put_means(const ovr_simulation *sim, const ovr_strip_solver *s,
     o->more[OVR_STRIP_PRESSURE_SPREAD] = deviation(s, all->P_cen, o->P_cen);
 }
 
-/* Minimum film thickness and maximum pressure of all lines; the least film of
- * the run. */
+/* Minimum film thickness and maximum pressure of all lines, and the minimum
+ * film thickness of the run. */
 static void put_extremes(ovr_strip_solver *s, const lines *all,
                          ovr_observation *o)
 {

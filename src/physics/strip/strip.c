@@ -1,15 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Strips: the solver of a film that varies across rolling (solver.h).
+ * Strips: solver of a film that varies across the rolling direction (solver.h).
  *
  * Steady films: start.c.
  * Steps are solved by strip/march.c, which tries several settings.
  * A step that fails is halved, up to OVR_HALVINGS times.
  * The last result is accepted and marked if R is below OVR_ACCEPTABLE.
  *
- * R of a step may be half the discretization error of the mesh.  It may also be
- * a thousandth of R at the guess, but 1e-2 is the limit.  Such limits change
- * films of moving dents and of roughness by less than 1e-4 (lambda = 1 and 3).
+ * The tolerance of R in a step is half the discretization error of the mesh or
+ * a thousandth of R of the initial guess, whichever is larger. It is at most
+ * 1e-2. It changes the film thickness of moving dents and of roughness by less
+ * than 1e-4 (lambda ratio 1 and 3).
  */
 #include "physics/strip/strip.h"
 
@@ -38,7 +39,7 @@ ovr_strip_solver *ovr_strip_of(const ovr_simulation *sim)
 
 /* ----------------------------------------------------------------- creation */
 
-/* Longest step in mesh sizes. */
+/* Maximum step length in mesh sizes. */
 enum { LONGEST = 16 };
 
 size_t ovr_strip_coarsest(double M)
@@ -132,7 +133,7 @@ static void release(void *own)
 
 /* ---------------------------------------------------------------------- gap */
 
-/* Arguments of the loops that threads share. */
+/* Arguments of loops shared by several threads. */
 typedef struct shared {
     const ovr_simulation *sim;
     ovr_strip_solver *s;
@@ -142,8 +143,8 @@ typedef struct shared {
     double *to;
 } shared;
 
-/* Runs a loop over the rows of the finest grid, and returns the largest of the
- * numbers that it left for each row. */
+/* Runs a loop over the rows of the finest grid; returns the maximum of the
+ * numbers stored for the rows. */
 static double largest_of(ovr_strip_solver *s, ovr_team_work *work, shared *data)
 {
     double largest = -INFINITY;
@@ -164,7 +165,7 @@ static void add_heights(void *data, int member, size_t from, size_t to)
                           d->grid->stride, d->to + from * d->grid->stride);
 }
 
-/* Heights of both surfaces at rows of a grid. */
+/* Heights of both surfaces at the rows of a grid. */
 static void heights_at(const ovr_simulation *sim, double T,
                        const ovr_strip_grid *g, size_t n, double *S)
 {
@@ -216,7 +217,7 @@ static void keep_lines(void *data, int member, size_t from, size_t to)
                 finest->f.gap[ovr_strip_row(&finest->grid, i) + j];
 }
 
-/* Keeps the heights that belong to the gap at T. */
+/* Stores the heights used in the gap at T. */
 void ovr_strip_keep_heights(const ovr_simulation *sim, ovr_strip_solver *s,
                             double T)
 {
@@ -228,7 +229,7 @@ void ovr_strip_keep_heights(const ovr_simulation *sim, ovr_strip_solver *s,
 
 /* --------------------------------------------------------------- the film */
 
-/* -H where it is largest in each row; INFINITY where it is no number. */
+/* Stores the maximum of -H for each row; INFINITY if it is not a number. */
 static void find_thinnest(void *data, int member, size_t from, size_t to)
 {
     const ovr_strip_solver *s = ((const shared *)data)->s;
@@ -323,7 +324,7 @@ static void set_step(ovr_simulation *sim, ovr_strip_solver *s, double next)
               fmin(1, m->force / OVR_NOMINAL_LOAD);
 }
 
-/* The attempt becomes the last time. */
+/* Makes the attempt the last completed time. */
 static void accept(ovr_simulation *sim, ovr_strip_solver *s, double next)
 {
     ovr_past *past = &sim->past;
@@ -368,14 +369,14 @@ static void find_changes(void *data, int member, size_t from, size_t to)
                                       s->march.P[1] + row);
         if (!d->sim)
             continue;
-        /* As many heights, whichever: they are stored line after line. */
+        /* Difference of the heights; both arrays have the same order */
         size_t k = i * s->lines;
         double change = largest_difference(s->lines, s->S + k, s->S_before + k);
         *largest = change > *largest ? change : *largest;
     }
 }
 
-/* Largest change of pressure and heights in the last step. */
+/* Maximum change of pressure and heights in the last step. */
 static double change_of(const ovr_simulation *sim, ovr_strip_solver *s)
 {
     return largest_of(

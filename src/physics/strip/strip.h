@@ -11,7 +11,7 @@
 
 typedef struct ovr_strip_form {
     double width; /* period across, b */
-    int lines;    /* 0: by the mesh along x */
+    int lines;    /* 0: from the mesh size along x */
     int ends;     /* 1: periodic; 0: no strip */
     double shown; /* Y of the line in tables and pictures; NAN: the first
                      feature */
@@ -50,7 +50,7 @@ enum {
     OVR_STRIP_FILM_HIGH,
     OVR_STRIP_FILM_SPREAD,
     OVR_STRIP_PRESSURE_SPREAD,
-    OVR_STRIP_Y_LEAST /* of the minimum film thickness over the run */
+    OVR_STRIP_Y_LEAST /* Y of the minimum film thickness over the run */
 };
 
 typedef struct ovr_strip_solver {
@@ -60,8 +60,8 @@ typedef struct ovr_strip_solver {
     size_t n, lines, shown;
     size_t middle;  /* last node with X <= 0 */
     double *X, *Y;  /* nodes along x; lines, from -W/2 on */
-    double *across; /* heights of a line contact, while they are broadcast */
-    double *along;  /* nodes that heights are asked for */
+    double *across; /* heights of a line contact, for copying to all lines */
+    double *along;  /* nodes at which heights are requested */
     double *S, *S_before; /* heights, line after line */
     double *located[2];   /* minimum film thickness and maximum pressure of each
                              line */
@@ -74,7 +74,7 @@ typedef struct ovr_strip_solver {
     double least[2]; /* minimum film thickness over the run, and its Y */
 } ovr_strip_solver;
 
-/* Returns the strip, or NULL of a line contact. */
+/* Returns the strip, or NULL for a line contact. */
 ovr_strip_solver *ovr_strip_of(const ovr_simulation *sim);
 
 /* The finest grid. */

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The sections [cavitation] and [supply], and what their keys mean: the film
- * that arrives. */
+/* The sections [cavitation] and [supply] and their keys. */
 #include "physics/supply/supply.h"
 
 #include <math.h>
@@ -101,7 +100,7 @@ static ovr_status read_layers(const ovr_physics_case *of, ovr_supply_case *s,
     return OVR_OK;
 }
 
-/* It is the options that turn it on. */
+/* The options switch the model on. */
 ovr_status ovr_supply_resolve(const ovr_physics_case *of, void *form, bool *on,
                               ovr_error *err)
 {
@@ -126,8 +125,9 @@ void ovr_supply_drop(void *form)
         ovr_layer_free(s->layer[k]);
 }
 
-/* Lubricant supplied at P = 0 on both surfaces; a layer moves with its surface.
- * A mean speed near zero brings nothing, whatever slides. */
+/* Supplied content at P = 0 on both surfaces; a layer moves with its surface.
+ * At nearly zero entrainment speed the supply is zero, whatever the sliding
+ * speed. */
 double ovr_supply_arriving(const ovr_supply_case *s, double T)
 {
     static const double minimum = 1e-3;
@@ -158,8 +158,7 @@ void ovr_supply_state(const void *form, ovr_physics_statement *says)
         says->arrives = film;
 }
 
-/* The oil that lies on the surfaces between inlet and outlet at T = 0, as
- * supply. */
+/* Lubricant on the surfaces between inlet and outlet at T = 0, as a supply. */
 static double lying(const ovr_supply_case *s)
 {
     const double ratio[2] = {s->contact->u1_ratio, s->contact->u2_ratio};

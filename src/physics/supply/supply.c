@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The oil that arrives at the inlet, and that in the inlet reservoir.
+ * Lubricant supply at the inlet, and volume V in the inlet reservoir.
  *
  *     dV/dT = Cu q_f - f,   q_f = q_s where the face of the first cell was
  *                           half a mesh of travel ago, f the inflow
  *
- * A contact that is flooded takes f; when V is used up its first node is dried
- * and only the film arrives, f = Cu q_f, until that node fills by itself.  V
- * may stay slightly negative: a debt, no loss.
+ * A flooded contact draws in f. When V is used up, the first node becomes
+ * cavitated and the inflow is the supply, f = Cu q_f, until that node becomes
+ * full again. V may remain slightly negative; no mass is lost.
  */
 #include <math.h>
 #include <stdio.h>
@@ -40,9 +40,8 @@ void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply, void *data,
 
 /* ------------------------------------------------------------------- a step */
 
-/* The time at which what is at X_a + D/2 at time T was at X_a: the distance
- * that the oil travels is the integral of Cu.  What came before T = 0 is what
- * comes then. */
+/* Time at which the lubricant that is at X_a + D/2 at time T was at X_a: the
+ * distance is the integral of Cu. Before T = 0 the supply is that at T = 0. */
 static double time_of_entry(const ovr_simulation *sim, double T)
 {
     enum { HALVINGS = 60 };
@@ -70,16 +69,15 @@ static void step(ovr_simulation *sim, void *own, double dT)
     a->face = a->supply(a->data, time_of_entry(sim, T));
 }
 
-/* The source of the inlet's row: what arrives has come along the characteristic
- * already.
- */
+/* Source term of the inlet row; zero along the characteristic, where the
+ * history term contains the supply. */
 static double source(const ovr_simulation *sim, const ovr_arrival *a)
 {
     const ovr_operator *op = &sim->grids.op;
     return op->characteristic ? 0 : op->speed * a->face / sim->now.weights[1];
 }
 
-/* Contents and states by the pressure, and the inlet: those of a solution. */
+/* Restores contents, phases and inlet of a solution from its pressure. */
 static void restore(ovr_simulation *sim, const ovr_arrival *a, const double *P,
                     const double *q, bool closed)
 {
@@ -94,7 +92,7 @@ static void restore(ovr_simulation *sim, const ovr_arrival *a, const double *P,
         ovr_content_open(level);
 }
 
-/* Contents, states and inlet that an attempt begins from. */
+/* Restores contents, phases and inlet at the start of an attempt. */
 static void begin_attempt(ovr_simulation *sim, void *own)
 {
     const ovr_arrival *a = own;
@@ -127,8 +125,8 @@ static void go_back(ovr_simulation *sim, void *own, const double *P)
     restore(sim, a, P, a->kept, a->closed_kept);
 }
 
-/* The flow through half node i + 1/2 of the first or the last row at T, after a
- * step: along the characteristic the content that crossed it. */
+/* Flow through half node i + 1/2 of the first or last row at T, after a step;
+ * along the characteristic, the content that crossed it. */
 static double flow_at(const ovr_simulation *sim, size_t i, double T)
 {
     const ovr_carriage *c = &sim->arrival.carriage;
@@ -137,7 +135,7 @@ static double flow_at(const ovr_simulation *sim, size_t i, double T)
     return ovr_flux(sim, 0, i) + c->flow[i > 0];
 }
 
-/* The inlet's account. */
+/* Updates the volume in the inlet reservoir. */
 static void taken(ovr_simulation *sim, void *own, double dT)
 {
     ovr_arrival *a = own;
@@ -156,8 +154,8 @@ static void taken(ovr_simulation *sim, void *own, double dT)
 
 /* ------------------------------------------------------------------- steady */
 
-/* Inlets that an attempt has closed are open again: a flooded film begins the
- * next. */
+/* Opens inlets that an attempt has closed: the next attempt starts from a
+ * flooded film. */
 static void forget(ovr_simulation *sim, void *own)
 {
     ovr_hierarchy *grids = &sim->grids;
@@ -168,7 +166,8 @@ static void forget(ovr_simulation *sim, void *own)
     grids->conserving = false;
 }
 
-/* Flooded, from the film of the Reynolds equation. */
+/* Computes the flooded film with mass-conserving cavitation from that of the
+ * Reynolds equation. */
 static ovr_defect complete(ovr_simulation *sim, void *own, const ovr_full *how,
                            int *cycles)
 {
@@ -180,7 +179,7 @@ static ovr_defect complete(ovr_simulation *sim, void *own, const ovr_full *how,
     return ovr_fourth_conserved(sim, how, d, cycles);
 }
 
-/* True if less arrives than the flooded contact takes. */
+/* True if the supply is less than the flooded flow rate. */
 static bool lacks(ovr_simulation *sim, ovr_arrival *a)
 {
     a->flooded = ovr_level_centre(sim->finest, sim->finest->f.H);
@@ -191,8 +190,9 @@ static bool lacks(ovr_simulation *sim, ovr_arrival *a)
     return a->q < a->flow && !isinf(a->before);
 }
 
-/* The supply may be more than the hot film takes and less than the cold one: it
- * is looked at when all else is found. */
+/* Starves the film if necessary. The supply may exceed the flow rate of the hot
+ * film but not the flow rate of the cold film; it is therefore compared after
+ * everything else has converged. */
 static bool starve(ovr_simulation *sim, void *own, const ovr_full *how,
                    ovr_outcome *outcome)
 {
@@ -209,8 +209,8 @@ static bool starve(ovr_simulation *sim, void *own, const ovr_full *how,
 /* --------------------------------------------------------------- the equation
  */
 
-/* Of second order, outflow and time derivative are limited where it is dry;
- * along the characteristic nothing flows out. */
+/* With second-order schemes, outflow and time derivative are limited at
+ * cavitated nodes; along the characteristic there is no outflow term. */
 static void operate(const ovr_simulation *sim, const void *own, double dT,
                     ovr_operator *op)
 {
@@ -230,8 +230,8 @@ static void history(ovr_simulation *sim, void *own, double dT,
     ovr_content_history(sim, dT, c);
 }
 
-/* The flow that arrives where the inlet is closed; limited where it is dry
- * (multigrid/content.h). */
+/* Content at the half node: the supply if the inlet is closed; limited at
+ * cavitated nodes (multigrid/content.h). */
 static double carried(const ovr_simulation *sim, const void *own, size_t i,
                       double q)
 {
@@ -245,9 +245,9 @@ static double carried(const ovr_simulation *sim, const void *own, size_t i,
 /* ----------------------------------------------------------- what is observed
  */
 
-/* The film begins with the run of pressurized nodes that holds the largest P;
- * the cell before it is filled in part, on its downstream side: a place that
- * goes on steadily when the film takes a node. */
+/* Position of the inlet meniscus: start of the pressurized region that contains
+ * the maximum P. The cell before it is filled in part, on its downstream side,
+ * so that the position is continuous when a node becomes pressurized. */
 static double meniscus(const ovr_simulation *sim)
 {
     const ovr_solution *s = &sim->now;
@@ -275,7 +275,8 @@ static double cavity_length(const ovr_solution *s)
     return length;
 }
 
-/* Inflow - outflow - stored change is, row by row, the residual. */
+/* Mass error: inflow - outflow - stored change is the sum of residuals of the
+ * rows. */
 static double mass_defect(const ovr_simulation *sim)
 {
     double *r = ovr_work_take(sim);
@@ -292,7 +293,7 @@ static void unknown(ovr_observation *o)
     o->oil_inside = o->oil_reservoir = o->cavity_length = o->mass_defect = NAN;
 }
 
-/* Estimates by the film formula, in units of the nominal contact. */
+/* Flooded film thickness by the formula, in units of the reference contact. */
 static double formula(const ovr_simulation *sim, double T)
 {
     double Cw = fmax(ovr_history_value(sim->histories.load, T), OVR_MIN_START);
@@ -303,8 +304,8 @@ static double formula(const ovr_simulation *sim, double T)
     return Cw * ovr_film_central_moes(at.M, at.L);
 }
 
-/* The flooded film of the conditions at T over that of the start, which was
- * solved; NAN: the surfaces hardly move, and nothing is drawn in. */
+/* Ratio of the flooded film thickness at T to that of the start, which was
+ * solved; NAN: the surfaces hardly move, and no lubricant is drawn in. */
 static double flooded_since(const ovr_simulation *sim, double T)
 {
     const double minimum = 0.01;
@@ -357,7 +358,7 @@ static void recalled(ovr_observation *o, const ovr_observation *saved)
     o->mass_defect = saved->mass_defect;
 }
 
-/* A film that begins too close to the inlet. */
+/* Warns about a film that begins too close to the inlet. */
 static void review(const ovr_simulation *sim, const void *own,
                    ovr_physics_message *say, void *data)
 {
@@ -383,7 +384,7 @@ static bool chosen(const ovr_options *o)
     return o->cavitation == OVR_CAVITATION_CONSERVING;
 }
 
-/* The limits of the model, where its user meets them. */
+/* Reports the limits of the model. */
 static void tell(const ovr_physics_case *of, const void *form,
                  ovr_physics_line *line, void *data)
 {
@@ -393,7 +394,7 @@ static void tell(const ovr_physics_case *of, const void *form,
          "contact passes all supplied lubricant");
 }
 
-/* Before T = 0, returns the supply of the steady start. */
+/* Supplied content; before T = 0 that of the steady start. */
 static double arriving(void *data, double T)
 {
     const ovr_supply_case *s = data;
@@ -452,8 +453,8 @@ static const ovr_observable quantities[] = {
 
 /* ------------------------------------------------------------- Beside a run */
 
-/* The formulas are not better; incompressible oil flows as its film is thick.
- */
+/* Tolerance of the film thickness formulas; also, the flow rate of
+ * incompressible lubricant is proportional to its film thickness. */
 static const double SURE = 1.1;
 
 static double flooded(const ovr_setup *s)
@@ -468,7 +469,8 @@ static double flooded(const ovr_setup *s)
     return ovr_film_central_moes(c->M, c->L);
 }
 
-/* More than a flooded contact takes, by the film formula. */
+/* Warns if the supply exceeds the flooded flow rate by the film thickness
+ * formula. */
 static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
 {
     const ovr_supply_case *supply = ovr_setup_supply(setup);
