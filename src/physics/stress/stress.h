@@ -95,8 +95,8 @@ ovr_status ovr_stress_planned(const ovr_setup *setup, int surface,
                               ovr_stress_sight seen, ovr_stress_plan *plan,
                               ovr_error *err);
 
-/* Distance moved by the plan's surface since T = 0; direction of motion 1, -1
- * or 0 for both; whether it can reverse; maximum speed of either surface or the
+/* Distance moved by the plan's surface since T = 0. Direction of motion: 1, -1
+ * or 0 for both. Whether it can reverse. Maximum speed of either surface or the
  * film, relative to um. */
 double ovr_stress_distance(const ovr_setup *setup, const ovr_stress_plan *plan,
                            double T);

@@ -7,10 +7,10 @@
  * A step that fails is halved, up to OVR_HALVINGS times.
  * The last result is accepted and marked if R is below OVR_ACCEPTABLE.
  *
- * The tolerance of R in a step is half the discretization error of the mesh or
- * a thousandth of R of the initial guess, whichever is larger. It is at most
- * 1e-2. It changes the film thickness of moving dents and of roughness by less
- * than 1e-4 (lambda ratio 1 and 3).
+ * The tolerance of R in a step is half the discretization error of the mesh. If
+ * larger, it is a thousandth of R of the initial guess. It is at most 1e-2. It
+ * changes the film thickness of moving dents and of roughness by less than 1e-4
+ * (lambda ratio 1 and 3).
  */
 #include "physics/strip/strip.h"
 
