@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Operating conditions and their scalings.  From the definitions in
- * overroll/contact.h follow, and are used here:
+ * Operating conditions and their scaling. The following relations are
+ * consequences of the definitions in overroll/contact.h:
  *     ph^2 = w E'/(2 pi R)        b = 4 R ph/E'       w = pi b ph/2
  *     W = w/(E' R) = pi b^2/(8 R^2)
  *     2U = (W/M)^2                us = 2U E' R/eta0
  *     M^2 = 3 pi^2/(8 lambda)     L = alphabar sqrt(2 pi/M)
- * Every error is about a field, a given one where it can be.
+ * Every error message names a field, if possible one that is given.
  */
 #include "contact/contact.h"
 
@@ -19,7 +19,7 @@
 
 static const double PI = 3.14159265358979323846;
 
-/* Redundant values may differ by their own rounding, no more. */
+/* Redundant values may differ only by rounding. */
 static const double AGREE = 1e-6;
 
 ovr_conditions ovr_conditions_default(void)
@@ -104,7 +104,7 @@ double ovr_slip_ratio(double u1, double u2, double um)
     return fabs(slip) <= rounding ? 0 : slip;
 }
 
-/* um and the ratios u1/um, u2/um = 1 +- SRR/2. */
+/* Computes um and the ratios u1/um, u2/um = 1 +- SRR/2. */
 static ovr_status resolve_speeds(const ovr_conditions *c, ovr_contact *to,
                                  ovr_error *err)
 {
@@ -142,7 +142,7 @@ static ovr_status resolve_speeds(const ovr_conditions *c, ovr_contact *to,
     return OVR_OK;
 }
 
-/* Two ways to the same number must agree. */
+/* Checks that two values of the same number agree. */
 static ovr_status agree(const char *name, double given, double follows,
                         const char *from, ovr_error *err)
 {
@@ -156,7 +156,7 @@ static ovr_status agree(const char *name, double given, double follows,
         name, given, from, follows);
 }
 
-/* Moes or Hertzian numbers: M, L, lambda, alphabar of *to. */
+/* Sets M, L, lambda and alphabar of *to from Moes' or Hertzian numbers. */
 static ovr_status resolve_numbers(const ovr_conditions *c, ovr_contact *to,
                                   ovr_error *err)
 {
@@ -187,7 +187,7 @@ static ovr_status resolve_numbers(const ovr_conditions *c, ovr_contact *to,
     return OVR_OK;
 }
 
-/* E' where G = alpha E' is given instead. */
+/* Computes E' from G = alpha E'. */
 static ovr_status modulus_from_G(const ovr_conditions *c, ovr_contact *to,
                                  ovr_error *err)
 {
@@ -205,7 +205,8 @@ static ovr_status modulus_from_G(const ovr_conditions *c, ovr_contact *to,
     return OVR_OK;
 }
 
-/* Scales that follow from the numbers and whatever physical is known. */
+/* Computes scales from the dimensionless numbers and the known dimensional
+ * values. */
 static ovr_status scales_from_numbers(const ovr_conditions *c, ovr_contact *to,
                                       ovr_error *err)
 {
@@ -355,7 +356,7 @@ ovr_status ovr_contact_resolve(const ovr_conditions *given,
 
 /* ------------------------------------------------------ kinds of quantities */
 
-/* The kinds of quantities: names, units, scales. */
+/* Kinds of quantities: names, units, scales. */
 
 #define ROW(name, si, hertzian, suffix)                                        \
     {                                                                          \

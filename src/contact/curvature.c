@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The gap of smooth surfaces whose radius varies, c = R0/R(T):
+ * Gap of smooth surfaces with time-varying radius, c = R0/R(T):
  *     gap = c X^2/2                                    imposed from outside
  *     gap = sum_k c_k X^2/2 - (dc_k/dT) X^3/(6 v_k)    convected with surface k
- * v_k = u_k/um0.  A surface whose curvature varies along its material is about
- * the contact z = c X^2/2 + (dc/ds) X^3/6, and the contact sees dc/dT =
- * -v dc/ds: what the cubic's motion squeezes is what c(T) pumps.  Without the
- * cubic the film is pumped, to first order in dc/dT.
+ * v_k = u_k/um0.  Near the contact, a surface whose curvature varies along the
+ * material has the shape z = c X^2/2 + (dc/ds) X^3/6, and dc/dT = -v dc/ds. The
+ * squeeze flow due to the motion of the cubic term cancels that due to c(T);
+ * without the cubic term there would be a squeeze flow of first order in dc/dT.
  *
- * Where only R is known all of the curvature moves with the mean speed, v = Cu.
- * A change without duration has no slope: it is imposed.
+ * If only R is known, all of the curvature moves with the entrainment speed, v
+ * = Cu. A jump has no slope and is imposed from outside.
  */
 #include "contact/curvature.h"
 #include "contact/contact.h"
@@ -28,8 +28,8 @@ static double rate(const ovr_history *radius, double T)
     return -c * c * ovr_history_slope(radius, T);
 }
 
-/* The cubic of both surfaces together, from the rates of their curvature; c_2 =
- * c - c_1. */
+/* Cubic coefficient of both surfaces, from the rates of change of their
+ * curvatures; c_2 = c - c_1. */
 static double cubic(const ovr_curving *g, double T)
 {
     double all = rate(g->radius, T), one;

@@ -53,8 +53,9 @@ ovr_film_asymptotes ovr_film_asymptotes_moes(double M, double L)
 /* --------------------------------------------------------- Fit to solutions */
 
 /*
- * Central and minimum film thickness with a compressible oil, fitted to this
- * program's own solutions.  Moes' asymptotes are blended with constants a to k:
+ * Central and minimum film thickness with a compressible lubricant, fitted to
+ * this program's own solutions.  Moes' asymptotes are blended with constants a
+ * to k:
  *
  *     H_RI = 3/M                H_EI = a M^b
  *     H_RP = c L^(2/3)          H_EP = d M^e L^f
@@ -63,8 +64,8 @@ ovr_film_asymptotes ovr_film_asymptotes_moes(double M, double L)
  *     s     = i + j exp(-k H_EI/H_RI)
  *     H     = (iso^s + piezo^s)^(1/s)
  *
- * The central film thickness is divided by the relative density at ph, since
- * the oil from the inlet is compressed.
+ * The central film thickness is divided by the relative density at ph, because
+ * the lubricant is compressed between inlet and centre.
  *
  * Error over 260 contacts of 2 <= M <= 1000 and 0.3 <= L <= 25 with ph below 4
  * GPa:

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Film thickness by formulas: Moes' and the program's own. */
+/* Film thickness formulas: that of Moes, and one fitted to this solver. */
 #ifndef OVR_CONTACT_FILM_FORMULA_H
 #define OVR_CONTACT_FILM_FORMULA_H
 
 #include "overroll/contact.h"
 
-/* The four asymptotes in the same scaling: rigid-isoviscous,
- * elastic-isoviscous, rigid-piezoviscous, elastic-piezoviscous. */
+/* Four asymptotes in the same scaling: rigid-isoviscous, elastic-isoviscous,
+ * rigid-piezoviscous, elastic-piezoviscous. */
 typedef struct ovr_film_asymptotes {
     double rigid_iso, elastic_iso, rigid_piezo, elastic_piezo;
 } ovr_film_asymptotes;
@@ -31,14 +31,14 @@ typedef struct ovr_film_fit {
 } ovr_film_fit;
 ovr_film_fit ovr_film_fitted(double M, double L, double density);
 
-/* The constants of the fit, which tests/verify/film_fit_test.c repeats. */
+/* Constants of the fit; tests/verify/film_fit_test.c recomputes them. */
 typedef struct ovr_film_constants {
     double a[11];
 } ovr_film_constants;
 
 extern const ovr_film_constants ovr_central_film, ovr_minimum_film;
 
-/* H of these constants, the density left out. */
+/* H from these constants, without the density. */
 double ovr_film_blend(const ovr_film_constants *constants, double M, double L);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The table of a flow law (flow_law.h).  f is evaluated some million times:
- * from a table of its own. */
+/* Table of a rheological model (flow_law.h). f is evaluated some million times,
+ * and is therefore tabulated first. */
 #include "contact/flow_law.h"
 
 #include <math.h>
@@ -14,8 +14,8 @@
 static const double MIN = OVR_CURVE_MIN, STEP = OVR_CURVE_STEP;
 enum { GAUSS = 64, POINTS = OVR_CURVE_POINTS };
 
-/* The B-splines: nodes a unit of asinh; intervals; coefficients a row, one more
- * on both sides. */
+/* B-splines: nodes per unit of asinh; number of intervals; coefficients per
+ * row, with one more on both sides. */
 enum {
     PER = 4,
     SLIDES = 86,
@@ -32,8 +32,8 @@ static double by_stress(const ovr_flow_form *form, double u)
     return u + (1 / form->n - 1) / form->a * log1p(exp(form->a * u));
 }
 
-/* The inverse of v + (n - 1)/a ln(1 + e^(a v)) = u by Newton's method: its
- * slope is between n and 1. */
+/* Inverts v + (n - 1)/a ln(1 + e^(a v)) = u by Newton's method; the slope is
+ * between n and 1. */
 static double by_rate(const ovr_flow_form *form, double u)
 {
     double n = form->n, a = form->a, v = fmax(u, u / n);
@@ -47,8 +47,9 @@ static double by_rate(const ovr_flow_form *form, double u)
     return v;
 }
 
-/* The measured points are joined by straight lines in the logarithms of stress
- * and rate, which go on beyond them; where rates are low a Newtonian film. */
+/* Measured points are connected by straight lines in the logarithms of stress
+ * and rate, which continue beyond the last point; below the first point the
+ * film is Newtonian. */
 static double by_points(const ovr_flow_form *form, double u)
 {
     size_t n = form->points, k = 0;
@@ -132,7 +133,7 @@ static void make_rule(rule *r)
     }
 }
 
-/* Half the integral of f(a + g s), and its slope by a. */
+/* Half the integral of f(a + g s), and its derivative with respect to a. */
 static double slid(const ovr_curve *f, const rule *r, double a, double g,
                    double *by_a)
 {
@@ -145,8 +146,9 @@ static double slid(const ovr_curve *f, const rule *r, double a, double g,
     return sum / 2;
 }
 
-/* a, by Newton's method between bounds, from `guess`; where that is nothing
- * beside g, in laws that thin steeply, it is exact, and sums have no digits. */
+/* Computes a by Newton's method between bounds, starting from `guess`. If a is
+ * negligible compared with g (strongly shear-thinning laws), the guess is exact
+ * and the sums would only contain rounding errors. */
 static double mean_stress(const ovr_curve *f, const rule *r, double s_N,
                           double g, double guess)
 {
@@ -185,9 +187,8 @@ static double node(int k)
 
 /* ---------------------------------------------------------------- splines */
 
-/* Turns values at n + 1 nodes, `apart` from each other and the first behind one
- * place, into coefficients of the spline; even about the first, straight beyond
- * the last. */
+/* Converts n + 1 values, `apart` from each other and starting at position 1, to
+ * spline coefficients; even at the first node, linear beyond the last. */
 static void to_spline(double *v, int n, int apart)
 {
     double pivot[SLIDES + 1];
@@ -204,7 +205,7 @@ static void to_spline(double *v, int n, int apart)
     c[(n + 1) * apart] = 2 * c[n * apart] - c[(n - 1) * apart];
 }
 
-/* Coefficients, [(i + 1) ROW + j + 1]. */
+/* Coefficients; node (i, j) is at [(i + 1) ROW + j + 1]. */
 typedef struct splines {
     double flow[SIZE], stress[SIZE];
 } splines;
@@ -242,8 +243,8 @@ static void solve(splines *to, const ovr_curve *f)
 
 /* ------------------------------------------------------------------ table */
 
-/* A place along s_N or g, where x = 2^k (1 + m/4) is 1 + s: the spline's
- * interval, its weights and their derivatives by s. */
+/* A position along s_N or g, 1 + s = 2^k (1 + m/4): interval of the spline,
+ * weights, and their derivatives with respect to s. */
 typedef struct place {
     int interval;
     double b[4], d[4];
@@ -285,8 +286,8 @@ static void tabulate(const double *spline, double *table)
 
 /* ----------------------------------------------------------------- public */
 
-/* Apparent viscosities that rise by less than this from point to point are
- * equal: tables have four digits or more, each rounded. */
+/* Apparent viscosities that increase by less than this between points are
+ * considered equal: tables have four or more digits, each rounded. */
 static const double ROUNDED = 1e-3;
 
 static ovr_status check_points(const ovr_flow_form *form, ovr_error *err)

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Numbers of heat (equations in overroll/heat.h). */
+/* Dimensionless numbers of heat (equations in overroll/heat.h). */
 #include "contact/heat_numbers.h"
 
 #include <math.h>
@@ -26,7 +26,7 @@ static ovr_status check_contact(const ovr_contact *c, const ovr_lubricant *oil,
     return OVR_OK;
 }
 
-/* S0 or beta, and the other from it at ambient pressure. */
+/* Sets S0 or beta, and computes the other one at ambient pressure. */
 static ovr_status viscosity(const ovr_heat_form *form, const ovr_lubricant *oil,
                             ovr_heat *heat, ovr_error *err)
 {
@@ -108,7 +108,7 @@ ovr_status ovr_heat_make(const ovr_heat_form *form, const ovr_contact *contact,
     return OVR_OK;
 }
 
-/* x of overroll/heat.h: no oil gets that cold. */
+/* x of overroll/heat.h, with a lower bound far below real temperatures. */
 static double warmth(const ovr_heat *heat, double T)
 {
     return fmax(1 + T / (heat->T0 - OVR_ROELANDS_T), 1e-3);

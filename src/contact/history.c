@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Load and speed change in time, relative to nominal.
+ * Time histories of load, speed etc., relative to the reference values.
  *
  * Ramps follow the quintic smoothstep s(y) = 6 y^5 - 15 y^4 + 10 y^3, whose
  * first and second derivatives vanish at both ends, so that second-order time
  * schemes keep their order; its integral is y^6 - 3 y^5 + 5/2 y^4.
  *
- * Tables go through GSL's Steffen spline: it has a continuous slope and never
- * leaves the range of neighbouring points, so a speed table that is nowhere
- * negative stays so in between; cubic and Akima splines overshoot.  Beyond
- * its ends a table keeps its end values.
+ * Tables are interpolated by GSL's Steffen spline. It has a continuous slope
+ * and stays within the range of neighbouring points, so that a speed table
+ * without negative values has none in between; cubic and Akima splines
+ * overshoot. Beyond its ends a table is constant.
  *
- * GSL calls its error handler, which aborts, where a point lies outside the
- * spline, where the points do not increase, and where malloc fails: the first
- * is checked before, for the others it is switched off.
+ * GSL's error handler, which aborts the program, is called if a point is
+ * outside the spline, if the points do not increase, and if malloc fails. The
+ * first is checked in advance; for the others the handler is switched off.
  */
 #include "base/given.h"
 #include "contact/contact.h"
@@ -28,11 +28,11 @@
 
 struct ovr_history {
     ovr_history_form form;
-    gsl_interp *interp; /* table only */
+    gsl_interp *interp; /* for tables */
     double *T, *value;
-    double *integral; /* table only: from the first point to each */
-    double minimum;   /* of all values before they are scaled */
-    double scale;     /* on all values */
+    double *integral; /* for tables: from the first point to each point */
+    double minimum;   /* minimum of all values before scaling */
+    double scale;     /* factor of all values */
     ovr_arena arena;
 };
 
@@ -98,7 +98,7 @@ static ovr_status check_form(const ovr_history_form *form, ovr_error *err)
 
 /* ------------------------------------------------------------- creation */
 
-/* Bytes a point takes inside GSL's Steffen state, with space to spare. */
+/* Upper bound of the bytes per point in GSL's Steffen state. */
 enum { GSL_BYTES_A_POINT = 8 * sizeof(double) };
 
 static ovr_status probe_memory(const ovr_history *history, ovr_error *err)
@@ -110,7 +110,7 @@ static ovr_status probe_memory(const ovr_history *history, ovr_error *err)
     return got ? OVR_OK : OVR_NO_MEMORY;
 }
 
-/* The integral from point k to T, which lies before point k + 1 or on it. */
+/* Integral from point k to T, which is between points k and k + 1. */
 static double beyond_point(const ovr_history *history, size_t k, double T)
 {
     double sum = 0;
@@ -219,7 +219,7 @@ static double smoothstep(double y)
     return y * y * y * (10 + y * (6 * y - 15));
 }
 
-/* At T = start the value is still `from`: a run that starts there begins
+/* At T = start the value is still `from`, so that a run starting there begins
  * before the jump. */
 static double ramp_value(const ovr_history_form *form, double T)
 {
@@ -341,8 +341,8 @@ static double sine_slope(const ovr_history_form *form, double T)
     return form->amplitude * turn * cos(sine_phase(form, T));
 }
 
-/* At the ends it returns the inner one.  It does so for an interval after the
- * last point too, where the last step of a run to that point may end. */
+/* At the ends, returns the slope inside. It also does so for an interval after
+ * the last point, in which the last step of a run to that point may end. */
 static double table_slope(const ovr_history *history, double T)
 {
     const double *t = &history->T[history->form.points - 1];
@@ -394,7 +394,7 @@ static double sine_integral(const ovr_history_form *form, double T)
     double half = sin(sine_phase(form, T) / 2);
     if (T <= form->start)
         return form->mean * (T - form->start);
-    /* 1 - cos(phase) = 2 sin^2(phase/2), without its cancellation */
+    /* 1 - cos(phase) = 2 sin^2(phase/2), without cancellation */
     return form->mean * (T - form->start) + form->amplitude * form->period /
                                                 3.14159265358979323846 * half *
                                                 half;

@@ -1,30 +1,31 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Histories for the floors above: the settings that make one, its least value
- * and its direction. */
+/* Time histories for higher layers: input from keys, minimum, and direction. */
 #ifndef OVR_CONTACT_HISTORY_H
 #define OVR_CONTACT_HISTORY_H
 
 #include "contact/contact.h"
 
-/* The keys of a history fill this (contact/history_keys.h). */
+/* Values of the keys of a history section (contact/history_keys.h). */
 typedef struct ovr_change {
     ovr_history_form form; /* without the points of a table */
     const char *file;      /* of the table */
     int time_unit;
 } ovr_change;
 
-/* A history with a mean speed below zero runs towards -x. */
+/* A history with negative entrainment speed moves towards -x. */
 
-/* The least value that it ever takes. */
+/* Minimum over all times. */
 double ovr_history_min(const ovr_history *history);
 
-/* True if it is ever below zero. */
+/* True if the value is negative at any time. */
 bool ovr_history_reverses(const ovr_history *history);
 
-/* True if it begins below zero, or goes there from zero at T = 0. */
+/* True if the value is negative at T = 0, or becomes negative from zero at T =
+ * 0. */
 bool ovr_history_begins_backward(const ovr_history *history);
 
-/* The history times a factor, in its place; of NULL a constant one. */
+/* Multiplies the history by a factor in place; NULL becomes a constant history.
+ */
 ovr_status ovr_history_scale(ovr_history **history, double factor,
                              const ovr_allocator *allocator, ovr_error *err);
 

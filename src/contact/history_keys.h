@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The keys of a section that is a history, [load] or [supply] say; included
- * only by files that hold rows. */
+/* Keys of a history section such as [load] or [supply]; included only by files
+ * with tables of keys. */
 #ifndef OVR_CONTACT_HISTORY_KEYS_H
 #define OVR_CONTACT_HISTORY_KEYS_H
 
@@ -11,7 +11,7 @@ extern const ovr_word ovr_history_words[], ovr_time_unit_words[];
 
 #define IN_CHANGE(base, field) ((base) + offsetof(ovr_change, field))
 
-/* A history that changes has something to change by. */
+/* A history that varies needs the value it varies to. */
 #define CHANGES                                                                \
     "history = ramp | step => from or to; history = sine => amplitude"
 

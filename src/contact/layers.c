@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Layers by reflection, their images, their dry contact (layers.h). */
+/* Layers: reflection matrices, images, and dry contact (layers.h). */
 #include "contact/layers.h"
 
 #include <complex.h>
@@ -31,7 +31,7 @@ static matrix inverse(matrix x)
 
 static const matrix T1 = {1, 0, -1, 1}, T2 = {1, 0, 1, 1};
 
-/* D1 for which = -1, of waves that die away downward, else D2. */
+/* D1 (which = -1) for waves that decay with depth, otherwise D2. */
 static matrix displaced(ovr_elastic of, double which)
 {
     double two_G = of.modulus / (1 + of.poisson), nu = of.poisson;
@@ -39,7 +39,7 @@ static matrix displaced(ovr_elastic of, double which)
                     which * 2 * (1 - nu) / two_G};
 }
 
-/* S at the top of a layer above what has S; R there. */
+/* S at the top of a layer, from S below it; also R there. */
 static matrix add_layer(matrix S, ovr_elastic of, double kt, matrix *reflection)
 {
     const matrix D1 = displaced(of, -1), D2 = displaced(of, 1);
@@ -64,7 +64,7 @@ void ovr_layered_reflections(const ovr_layered *body, double k,
     }
 }
 
-/* S_11 of a wave of k, in the unit of 1/thickness. */
+/* S_11 of wave k, in units of 1/thickness. */
 static double compliance_of(const ovr_layered *body, double k)
 {
     matrix S = times(displaced(body->below, -1), inverse(T1)), R;
@@ -83,7 +83,7 @@ static double substrates(const ovr_layered body[2])
     return half_space(body[0].below) + half_space(body[1].below);
 }
 
-/* A of the shortest waves, which see the topmost layers only. */
+/* A in the limit of short waves, which depends on the topmost layers only. */
 static double softness_of_top(const ovr_layered body[2])
 {
     double all = 0;
@@ -104,11 +104,13 @@ enum { SAMPLES = 200 };
 
 typedef struct fit {
     double k[SAMPLES], A[SAMPLES];
-    double column[OVR_IMAGES_MAX][SAMPLES]; /* the last is the right side */
+    double column[OVR_IMAGES_MAX][SAMPLES]; /* the last is the right-hand side
+                                             */
     double diagonal[OVR_IMAGES_MAX];
 } fit;
 
-/* The thinnest layer, and all layers of the body that has more. */
+/* Thickness of the thinnest layer, and the larger total thickness of both
+ * bodies. */
 static void extent(const ovr_layered body[2], double *thin, double *total)
 {
     *thin = INFINITY;
@@ -142,8 +144,8 @@ static double dot(const double *x, const double *y, int from)
     return all;
 }
 
-/* Column c becomes a multiple of the c-th unit vector; the same reflection of
- * those behind it, up to the last. */
+/* Householder reflection that makes column c a multiple of the c-th unit
+ * vector; applied to all columns up to the last. */
 static void reflect(fit *f, int c, int last)
 {
     double *v = f->column[c], size = sqrt(dot(v, v, c));
@@ -159,7 +161,7 @@ static void reflect(fit *f, int c, int last)
     }
 }
 
-/* Weights of n images whose depths stand; the first is what the sum leaves. */
+/* Weights of n images with given depths; the first follows from the sum. */
 static void weigh(fit *f, int n, ovr_images *to)
 {
     double all = 1 - to->top, size[OVR_IMAGES_MAX];
@@ -206,7 +208,8 @@ double ovr_images_softness(const ovr_images *images, double k)
     return A;
 }
 
-/* Asks between the samples, where the fit did not look. */
+/* Maximum error of the images, evaluated between the sample points of the fit.
+ */
 static double error_of(const ovr_images *images, const fit *f,
                        const ovr_layered body[2])
 {
@@ -219,8 +222,8 @@ static double error_of(const ovr_images *images, const fit *f,
     return maximum;
 }
 
-/* Half-spaces of other moduli than the substrates': no image, but A(0) = 1 is
- * not theirs. */
+/* True for half-spaces with moduli different from those of the substrates: no
+ * images, but A(0) is not 1. */
 static bool is_flat(const ovr_images *images, const fit *f)
 {
     for (int i = 0; i < SAMPLES; i++)
@@ -265,8 +268,8 @@ typedef struct system {
     double row[MAX][MAX + 1];
 } system;
 
-/* The slopes of all pressures at s; the deeper an image, the sooner its powers
- * are nothing. */
+/* Slopes of all pressure terms at s; terms of deep images become negligible
+ * first. */
 static void slopes(const ovr_images *images, double a, double s, int n,
                    double row[])
 {
@@ -297,7 +300,7 @@ static void slopes(const ovr_images *images, double a, double s, int n,
     }
 }
 
-/* Gauss with pivots; the solution in the last column. */
+/* Gauss elimination with pivoting; the solution is in the last column. */
 static void eliminate(system *of, int n)
 {
     double(*row)[MAX + 1] = of->row;
@@ -323,7 +326,7 @@ static void eliminate(system *of, int n)
     }
 }
 
-/* Solves for the right sides s: e = c_0, and all c_j over it. */
+/* Solves for the right-hand sides s: e = c_0, and all c_j divided by it. */
 ovr_layered_hertz ovr_images_dry(const ovr_images *images, double a)
 {
     const double pi = acos(-1.0);
@@ -348,7 +351,7 @@ static double too_wide(const ovr_images *images, double log_a, double log_b)
            log(ovr_images_dry(images, exp(log_a)).stiffness);
 }
 
-/* a with a^2 e(a) = b^2, by secants in ln a. */
+/* Finds a with a^2 e(a) = b^2 by the secant method in ln a. */
 double ovr_images_half_width(const ovr_images *images, double b)
 {
     enum { STEPS = 30 };

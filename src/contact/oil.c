@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Makes the laws of a contact from what is known of an oil.  Where a law has
- * constants of its own, alpha is the slope of ln eta at p = 0:
+ * Computes the laws of a contact from the known data of a lubricant. For laws
+ * without a parameter alpha, alpha is the slope of ln eta at p = 0:
  *     Doolittle  alpha = B R0/((1 - R0)^2 K0)
  *     Yasutomi   alpha = ln 10 C1 C2/(C2 + u0)^2 (A1 A2 - b1 b2 u0),
  *                eta0 = eta_g 10^(-C1 u0/(C2 + u0)), u0 = T - Tg0
@@ -21,12 +21,11 @@
 static const double P0_PAPER = 1.98e8; /* Pa */
 static const double Z_PAPER = 0.68;
 static const double DENSITY_A = 5.9e8; /* Pa */
-/* The density of mineral oils of VG 32 to 68 at 15 degC is the middle of the
- * densities in the table of lubricants of ROSS (github.com/petrobras/ross),
- * kg/m3. */
+/* Density of mineral oils of VG 32 to 68 at 15 degC: the middle of the range in
+ * the table of lubricants of ROSS (github.com/petrobras/ross), kg/m3. */
 static const double DENSITY_MINERAL = 870;
-/* The expansion of mineral oils near 40 degC, 1/K, takes their density to other
- * temperatures than 15 degC. */
+/* Thermal expansion of mineral oils near 40 degC, 1/K; converts their density
+ * from 15 degC to other temperatures. */
 static const double EXPANSION = 6.5e-4;
 
 ovr_oil ovr_oil_default(void)
@@ -243,17 +242,18 @@ static ovr_status by_data_sheet(ovr_oil *oil, ovr_error *err)
     return OVR_OK;
 }
 
-/* The index of a mineral oil by its viscosity (Pa s), 1/Pa: Roelands' relation
+/* Estimated pressure-viscosity coefficient of a mineral oil, 1/Pa, from its
+ * viscosity (Pa s): Roelands' relation
  *   alpha = z (ln eta0 + 9.67)/p0,  z = 0.68, p0 = 198 MPa
  * (Roelands, Vlugter & Waterman, J. Basic Eng. 85 (1963) 601; z of a paraffinic
- * oil as in Venner, ten Napel & Bosma 1990).  An estimate: measured ones lie at
- * 0.6 to 1 times it, see overroll-case(5). */
+ * oil as in Venner, ten Napel & Bosma 1990).  Measured values are 0.6 to 1
+ * times this estimate, see overroll-case(5). */
 static double estimated_alpha(double viscosity)
 {
     return Z_PAPER * (log(viscosity) + 9.67) / P0_PAPER;
 }
 
-/* Estimates of a mineral oil what is not given. */
+/* Estimates missing values of a mineral oil. */
 static ovr_status estimate(ovr_oil *oil, ovr_error *err)
 {
     bool slope = oil->viscosity_law == OVR_ROELANDS ||
@@ -402,8 +402,7 @@ ovr_status ovr_oil_scale(const ovr_oil *oil, const ovr_contact *contact,
     return OVR_OK;
 }
 
-/* Makes an oil of which no more is known than its laws and Roelands'
- * constants. */
+/* Creates a lubricant from its laws and Roelands' constants only. */
 ovr_status ovr_lubricant_make(const ovr_contact *contact,
                               ovr_viscosity_law viscosity_law,
                               ovr_density_law density_law, double p0, double z,
@@ -417,8 +416,8 @@ ovr_status ovr_lubricant_make(const ovr_contact *contact,
     return ovr_oil_scale(&oil, contact, lubricant, err);
 }
 
-/* Panels of Gauss and Legendre's 5 points, each 1.2 times the one before,
- * until eta is beyond 1e18 or the panels add nothing. */
+/* Integrates by 5-point Gauss-Legendre panels, each 1.2 times as long as the
+ * one before, until eta exceeds 1e18 or panels are negligible. */
 double ovr_asymptotic_alphabar(const ovr_lubricant *lubricant)
 {
     static const double x[] = {0, 0.5384693101056831, 0.9061798459386640};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The flow law of a lubricant. */
+/* Rheological model of a lubricant. */
 #include <math.h>
 
 #include "contact/contact.h"
@@ -14,7 +14,7 @@ ovr_flow_form ovr_flow_form_default(void)
     return defaults;
 }
 
-/* Keys of the stress: in Pa, and as a number. */
+/* Keys of the stress: in Pa, and as a dimensionless number. */
 static const char *const keys[][2] = {
     [OVR_NEWTONIAN] = {"eyring_stress", "eyring_number"},
     [OVR_EYRING] = {"eyring_stress", "eyring_number"},

@@ -1,29 +1,29 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Numerical starvation: a domain that begins at X_a leaves out the pressure
- * that the film before it would have built up.  With Hertz's gap
+ * Numerical starvation: a domain that begins at X_a neglects the pressure
+ * build-up upstream of X_a. With the gap of the Hertzian contact
  *     g = [X sqrt(X^2 - 1) - ln(X + sqrt(X^2 - 1))]/2
  * and the central film thickness H (Moes), dP/dX = lambda g/(g + H)^3 there;
- * the share of the film that is lost is
+ * the relative loss of film thickness is
  *     c f + 0.4 e^(-L/3) (2 lambda/pi) int X g/(g + H)^3 dX,   X > |X_a|,
  *     f = int g/(g + H)^3 dX, X > |X_a|, over the same for X > 1,
  *     c = 0.7 L/(L + 1) M/(M + 0.6):
- * the first where viscosity rises with pressure, so that what is missing at
- * X_a is missing at the contact's edge; the second the load that a film of
- * constant viscosity carries out there.
+ * The first term applies if the viscosity increases with pressure: the pressure
+ * missing at X_a is missing at the edge of the contact. The second term is the
+ * load carried upstream of X_a by a film of constant viscosity.
  *
- * Measured by moving the inlet out: M = 1 to 1000, L = 0 to 15, X_a = -2 to
- * -8, losses of 1e-5 to 20 %: within a factor of 1.5 (two thirds of all within
- * 1.15).  Half a per cent by inlets as far out as that takes, M = 1 to 30, L =
- * 0 to 18, four times as far for comparison: the loss is at most 1.1 + 0.75/M
- * times the estimate, most at M = 1 where films pass from rigid to elastic;
- * 2e-2 to 1e-4 at most 1.4 times that.
+ * Accuracy, measured by moving the inlet upstream: M = 1 to 1000, L = 0 to 15,
+ * X_a = -2 to -8, losses of 1e-5 to 20 %: within a factor of 1.5 (two thirds of
+ * all within 1.15).  Half a per cent by inlets as far out as that takes, M = 1
+ * to 30, L = 0 to 18, four times as far for comparison: the loss is at most 1.1
+ * + 0.75/M times the estimate, most at M = 1 where films pass from rigid to
+ * elastic; 2e-2 to 1e-4 at most 1.4 times that.
  *
- * The rolling friction with its part beyond X_a (simulation/friction.c) is too
- * low by 1.15 M^2/(M^2 + 4) times the first term less 0.6 times the second.
- * The usual inlet changes it by -3e-3 to 5e-3 (M = 1 to 300, L = 0 to 15,
- * compared with inlets four times as far out).  An error of 7e-4 remains, of
- * 2e-3 below M = 3.
+ * The rolling friction including the part upstream of X_a
+ * (simulation/friction.c) is too low by 1.15 M^2/(M^2 + 4) times the first term
+ * minus 0.6 times the second. The default inlet changes it by -3e-3 to 5e-3 (M
+ * = 1 to 300, L = 0 to 15, compared with inlets four times as far out).  An
+ * error of 7e-4 remains, of 2e-3 below M = 3.
  */
 #include "contact/starvation.h"
 
@@ -34,7 +34,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* X = 1 + d; near 1 the two terms cancel, which leaves a series. */
+/* X = 1 + d; near 1 the two terms cancel, and a series is used. */
 double ovr_hertz_gap(double d)
 {
     double r = sqrt(d * (d + 2));
@@ -52,7 +52,7 @@ static double integrand(double H, double d, int power)
 double ovr_inlet_integral(double H, double d, int power)
 {
     const double step = 0.2;
-    const int terms = 16; /* on both sides; beyond them nothing is left */
+    const int terms = 16; /* on both sides; further terms are negligible */
     double rise = H < 1 ? pow(H, 2. / 3) : sqrt(2 * H);
     double s = d > rise ? d : rise, sum = 0;
     for (int k = -terms; k <= terms; k++) {
@@ -62,7 +62,7 @@ double ovr_inlet_integral(double H, double d, int power)
     return 0.5 * pi * step * sum;
 }
 
-/* The two terms. */
+/* The two terms of the loss. */
 typedef struct losses {
     double viscous, carried;
 } losses;
@@ -95,8 +95,8 @@ double ovr_inlet_uncertainty(double M)
     return 1.1 + 0.75 / fmax(M, 1);
 }
 
-/* Far out the loss falls as a power of X_a: the line through two points in
- * logarithms, from both sides, and every third time the middle. */
+/* Far upstream the loss is a power of X_a: secant method in logarithms from
+ * both sides, with bisection in every third step. */
 double ovr_inlet_of_loss(double M, double L, double loss, double minimum)
 {
     double near = log(-minimum), far, above, below;
@@ -117,14 +117,14 @@ double ovr_inlet_of_loss(double M, double L, double loss, double minimum)
         *(y > 0 ? &near : &far) = x;
         *(y > 0 ? &above : &below) = y;
     }
-    /* Interpolates once more: otherwise the inlet depends on the number of
-     * steps above, and so on the rounding of log and exp. */
+    /* Interpolates once more; otherwise the inlet would depend on the number of
+     * steps, and therefore on rounding of log and exp. */
     return -exp(near + (far - near) * above / (above - below));
 }
 
-/* A rigid film ends at 0.475 sqrt(2 H) (Martin), that of a dry contact at 1:
- * steady films of M = 0.05 to 200, L = 0 to 18 end at 0.79 to 1.11 times
- * the root of the sum of their squares. */
+/* A rigid film ends at 0.475 sqrt(2 H) (Martin), a dry contact at 1. Steady
+ * films with M = 0.05 to 200 and L = 0 to 18 end at 0.79 to 1.11 times the root
+ * of the sum of squares of both. */
 double ovr_film_end_bound(double M, double L)
 {
     const double rigid = 2 * 0.475 * 0.475;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A domain that begins too close to the contact makes the film thinner; these
- * formulas say by how much. */
+/* Numerical starvation: loss of film thickness in a domain whose inlet is too
+ * close to the contact. */
 #ifndef OVR_CONTACT_STARVATION_H
 #define OVR_CONTACT_STARVATION_H
 
-/* Default X_a and X_b (of the paper); a loss above which the usual inlet
- * lies farther out, and one where load, speed or radius vary; the loss by an
- * automatic one.  No inlet that the program chooses lies nearer than half a
- * contact width to the contact. */
+/* Default X_a and X_b (those of the paper). Relative loss above which the
+ * default inlet is moved upstream; the same if load, speed or radius vary; loss
+ * by an automatic inlet. Automatic inlets are at least half a contact width
+ * upstream of the contact. */
 #define OVR_USUAL_INLET (-4.0)
 #define OVR_USUAL_OUTLET 1.5
 #define OVR_USUAL_LOSS 5e-3
@@ -19,24 +19,26 @@
 double ovr_hertz_gap(double d);
 
 /* Integral from X_a = 1 + d to infinity of g/(g + H)^3 X^power, power 0 or 1:
- * the pressure, over lambda, that the film there would build up, and what it
- * carries. */
+ * the pressure, divided by lambda, that the film builds up there, or its load.
+ */
 double ovr_inlet_integral(double H, double d, int power);
 
-/* Share of the central film thickness that a first node at X_a < -1 costs. */
+/* Relative loss of central film thickness for a domain that begins at X_a < -1.
+ */
 double ovr_inlet_loss(double M, double L, double X_a);
 
-/* Relative loss of rolling friction that the same node causes, without the
- * friction beyond X_a.  Negative: the friction is too large. */
+/* Relative loss of rolling friction for the same domain, without the friction
+ * upstream of X_a. Negative: the friction is too large. */
 double ovr_inlet_rolling_loss(double M, double L, double X_a);
 
-/* It costs so many times that at most, where that is half a per cent. */
+/* Maximum ratio of the loss to this estimate, for losses of half a per cent. */
 double ovr_inlet_uncertainty(double M);
 
-/* The X_a that costs this share, but not beyond `minimum` (-2, say). */
+/* X_a for which the estimated loss has this value, limited by `minimum` (for
+ * example -2). */
 double ovr_inlet_of_loss(double M, double L, double loss, double minimum);
 
-/* No steady film ends downstream of this X. */
+/* Upper bound of X for the end of a steady film. */
 double ovr_film_end_bound(double M, double L);
 
 #endif

@@ -3,11 +3,12 @@
 
 #include <math.h>
 
-/* Beyond exp(25) of ph no film is calculated: a start may ask. */
+/* Limit of ln(A/p_h): no film with a larger pressure occurs, except in initial
+ * guesses. */
 static const double HIGHEST = 25;
 
-/* exp(-60) = 1e-26 of ph is nothing, and most of a film is as thick: nothing is
- * calculated of it. */
+/* exp(-60) = 1e-26 p_h is negligible; for most nodes the evaluation can be
+ * skipped. */
 static const double LOWEST = -60;
 
 static double exponential_at(const ovr_asperity_law *law, double H,
@@ -19,8 +20,8 @@ static double exponential_at(const ovr_asperity_law *law, double H,
     return A;
 }
 
-/* Below a thousandth of its decay length the layer continues as its tangent, so
- * that negative gaps during the iteration are opened. */
+/* Below a thousandth of its decay length, the layer's pressure continues as its
+ * tangent, so that negative gaps during the iteration are opened. */
 static double layer_at(const ovr_asperity_law *law, double H, double *slope)
 {
     const double minimum = 1e-3;
@@ -36,7 +37,7 @@ static double layer_at(const ovr_asperity_law *law, double H, double *slope)
 /* ------------------------------------------------------------------- tables
  */
 
-/* The point at or before H; the last but one beyond the end. */
+/* Index of the point at or before H; the last but one beyond the end. */
 static size_t before(const ovr_asperity_table *t, double H)
 {
     size_t low = 0, high = t->n - 1;
@@ -80,8 +81,7 @@ static double table_at(const ovr_asperity_table *t, double H, double *slope)
     return A;
 }
 
-/* The share in contact goes along with A: what is between the points is their
- * quotient. */
+/* The contact area fraction is interpolated as its quotient with A. */
 static double table_area(const ovr_asperity_table *t, double H)
 {
     size_t i = before(t, H);

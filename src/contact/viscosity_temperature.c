@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Viscosity against temperature as data sheets give it, nu in mm2/s.
+ * Viscosity as a function of temperature from data sheets, nu in mm2/s.
  *
  * ASTM D341, Walther's form (nu above 2 mm2/s):
  *     log10 log10(nu + 0.7) = A - B log10 T
  *
- * ASTM D2270, ISO 2909: U the viscosity at 40 degC of an oil with Y at 100; L
- * and H those of oils of index 0 and 100 with the same Y, quadratics by parts
- * (the standard's annex; within 0.2 % of its table),
+ * ASTM D2270, ISO 2909: an oil has the viscosity U at 40 degC and Y at 100
+ * degC; L and H are the viscosities at 40 degC of oils with index 0 and 100 and
+ * the same Y, piecewise quadratic (annex of the standard; within 0.2 % of its
+ * table),
  *     L = a Y^2 + b Y + c,  H = d Y^2 + e Y + f
  *     VI = 100 (L - U)/(L - H),  up to 100
  *     VI = 100 + (10^N - 1)/0.00715,  Y^N = H/U, above
@@ -66,7 +67,7 @@ double ovr_viscosity_index(double nu_40, double nu_100)
     return 100 + (pow(10, log(H / U) / log(Y)) - 1) / 0.00715;
 }
 
-/* The index rises with Y at a given U: bisection. */
+/* The index increases with Y for given U: bisection. */
 double ovr_viscosity_at_100(double nu_40, double index)
 {
     double low = 2 * MM2, high = fmin(nu_40, MAX * MM2) * (1 - 1e-9);

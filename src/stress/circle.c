@@ -3,17 +3,16 @@
  * Smallest enclosing circles.
  *
  * From extents H_m = max over the path of u_m . s, in M = 32 directions: the
- * smallest R with H_m - u_m . c <= R for all m and some centre c.  Its dual
- * maximizes sum lambda_m H_m over lambda >= 0 with sum lambda_m u_m = 0 and
- * sum lambda_m = 1, whose corners have two directions that oppose or three
- * that span the plane: R is the largest of (H_m + H_m')/2 and of the 1120
+ * smallest R with H_m - u_m . c <= R for all m and some centre c.  The dual
+ * problem maximizes sum lambda_m H_m over lambda >= 0 with sum lambda_m u_m = 0
+ * and sum lambda_m = 1. Its corners have two opposite directions or three that
+ * span the plane. R is therefore the maximum of (H_m + H_m')/2 and of the 1120
  * triples, with lambda_a : lambda_b : lambda_c = the sines of the angles
- * between the other two.  A circle round the 32-gon of tangents is no larger
- * than the path's, and no smaller than cos(pi/32) times it.
- *
- * Of points: the circle round a few of them, to which the farthest point
- * outside is added until there is none; that of the few as Welzl's algorithm
- * does it (Smallest enclosing disks, 1991), without its shuffle.
+ * between the other two.  The result is at most the radius of the path's
+ * circle, and at least cos(pi/32) times it. For points: the circle around a few
+ * of them is computed; the farthest point outside is added to these until there
+ * is none. The circle of the few is computed by Welzl's algorithm (Smallest
+ * enclosing disks, 1991), without its shuffle.
  */
 #include "stress/circle.h"
 
@@ -24,7 +23,7 @@
 enum { M = 2 * OVR_HALF_DIRECTIONS };
 static const double pi = 3.14159265358979323846;
 
-/* Exactly 0 and 1 where they are. */
+/* Exact values for 0 and 1. */
 double ovr_direction_cos(int m)
 {
     return 2 * m == OVR_HALF_DIRECTIONS ? 0 : cos(pi * m / OVR_HALF_DIRECTIONS);
@@ -89,7 +88,8 @@ static ovr_circle of_two(const float *a, const float *b)
     return (ovr_circle){d, t, hypot(a[0] - d, a[1] - t)};
 }
 
-/* The circle through three points; on one line: round the two outermost. */
+/* Circle through three points; for collinear points, around the outermost two.
+ */
 static ovr_circle of_three(const float *a, const float *b, const float *c)
 {
     double bx = (double)b[0] - a[0], by = (double)b[1] - a[1];
@@ -105,7 +105,7 @@ static ovr_circle of_three(const float *a, const float *b, const float *c)
     return (ovr_circle){a[0] + x, a[1] + y, hypot(x, y)};
 }
 
-/* Round the first n points, with a and b on its rim. */
+/* Smallest circle around the first n points, with a and b on it. */
 static ovr_circle with_two(size_t n, const float *p, const float *a,
                            const float *b)
 {
@@ -116,7 +116,7 @@ static ovr_circle with_two(size_t n, const float *p, const float *a,
     return c;
 }
 
-/* Round the first n points, with a on its rim. */
+/* Smallest circle around the first n points, with a on it. */
 static ovr_circle with_one(size_t n, const float *p, const float *a)
 {
     ovr_circle c = {a[0], a[1], 0};

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Points of a level are joined by Lagrange's cubic. */
+/* Lagrange's cubic interpolation between the points of a level. */
 #ifndef OVR_STRESS_CUBIC_H
 #define OVR_STRESS_CUBIC_H
 

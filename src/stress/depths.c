@@ -6,8 +6,8 @@
 
 #include <math.h>
 
-/* Nodes that a shift may need beyond the last one asked for, and the least
- * space for the seam of the lags. */
+/* Additional nodes for a shift, and minimum length of the transition between
+ * lags. */
 enum { SHIFT_CAPACITY = 2 << (OVR_STRESS_LEVELS - 1), MIN_SEAM = 128 };
 
 ovr_stress_options ovr_stress_options_default(void)
@@ -39,7 +39,7 @@ static size_t put_depth(const ovr_stress_options *o, double depth, size_t count,
     return count + 1;
 }
 
-/* Both sides of each interface, and some depths inside each layer. */
+/* Inserts both sides of each interface and some depths inside each layer. */
 static size_t put_layers(const ovr_stress_options *o, size_t count, double *z)
 {
     enum { INSIDE = 4 };

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Depths, and the mesh that each needs.
+ * Depths of the stress field, and the mesh size required at each.
  *
- * The fields at depth z carry every wave with exp(-k z): on nodes 2^c D apart
- * they are whole to 1e-6 where z >= 4 2^c D.
+ * At depth z a wave of the load is reduced by exp(-k z). Nodes with spacing 2^c
+ * D therefore represent the field within 1e-6 if z >= 4 2^c D.
  */
 #ifndef OVR_STRESS_DEPTHS_H
 #define OVR_STRESS_DEPTHS_H
@@ -13,20 +13,21 @@
 
 enum { OVR_STRESS_LEVELS = 6 };
 
-/* Geometric from options->depth_min, and what layers ask for; writes z and
- * returns how many (z NULL: only that). */
+/* Computes the depths: a geometric series from options->depth_min, and
+ * additional depths in layers. Writes them to z unless z is NULL; returns their
+ * number. */
 size_t ovr_depths(const ovr_stress_options *options, double *z);
 
-/* c of a depth. */
+/* Level c of a depth. */
 int ovr_depth_level(const ovr_stress_options *options, double z);
 
-/* Nodes of the fields on the mesh, those that a shift may need included; and
- * the space of the transforms: a power of two that holds them, the pressure and
- * a seam. */
+/* Number of nodes of the fields, including those needed for a shift; length of
+ * the transforms: a power of two for the fields, the pressure and a transition
+ * between them. */
 size_t ovr_stress_nodes(const ovr_stress_options *options);
 size_t ovr_stress_capacity(const ovr_stress_options *options);
 
-/* Everything in range? */
+/* Checks that all options are in range. */
 ovr_status ovr_stress_check(const ovr_stress_options *options, ovr_error *err);
 
 #endif

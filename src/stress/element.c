@@ -7,14 +7,14 @@
  *     hat      C = i/pi sum_j c_j (w - j) ln(w - j),      c = 1, -2, 1
  *     B-spline C = i/(6 pi) sum_j c_j (w - j)^3 ln(w - j), c = 1, -4, 6, -4, 1
  *
- * The cardinal spline, 1 at its node and 0 at all others, is
- * sum_m a_m B(. - m), a_m = sqrt 3 (sqrt 3 - 2)^|m|.  The sums are differences
- * that cancel far off: long double, and beyond 100 mesh sizes the point, from
- * which the spline differs there by O(w^-4).
- *
- * Points are the trapezoidal rule, whose error at depth z is exp(-2 pi z/D):
- * 1e-11 from 4 D downward, where splines are no better; above, splines err
- * with D^4 (hats with D^2, and they lose sinc^2(k D/2) of every wave).
+ * The cardinal spline, 1 at its node and 0 at all others, is sum_m a_m B(. -
+ * m), a_m = sqrt 3 (sqrt 3 - 2)^|m|.  The sums suffer from cancellation at
+ * large distances. They are therefore computed in long double; beyond 100 mesh
+ * sizes the point element is used, which differs from the spline by O(w^-4).
+ * Point elements are equivalent to the trapezoidal rule, whose error at depth z
+ * is exp(-2 pi z/D): 1e-11 from 4 D downward, where splines are not better.
+ * Above, the error of splines is O(D^4) and that of hat functions O(D^2); the
+ * latter multiply every wave by sinc^2(k D/2).
  */
 #include "stress/element.h"
 #include "stress/stress.h"
@@ -41,7 +41,7 @@ static precise differences(precise w, int size, const int *c, int power)
     return sum;
 }
 
-/* Multiplies by conj(w)/|w|^2: w is far from where that could overflow. */
+/* Multiplies by conj(w)/|w|^2; |w| is far from overflow. */
 static ovr_potential point(double complex w)
 {
     double x = creal(w), z = cimag(w), scale = 1 / (x * x + z * z);
@@ -98,7 +98,7 @@ static ovr_potential spline(double x, double z)
     return cardinal(B + SPLINE_TAIL);
 }
 
-/* The element that stands for a density at this depth. */
+/* Element type for a density at this depth. */
 static ovr_element element_at(ovr_element element, double D, double z)
 {
     if (element != OVR_ELEMENT_AUTO)
@@ -106,7 +106,7 @@ static ovr_element element_at(ovr_element element, double D, double z)
     return z >= 4 * D * (1 - 1e-9) ? OVR_ELEMENT_POINT : OVR_ELEMENT_SPLINE;
 }
 
-/* The density is one element of height 1 at x = 0; z > 0. */
+/* Potential of one element of height 1 at x = 0; z > 0. */
 static ovr_potential potential_of(ovr_element element, double D, double x,
                                   double z)
 {
@@ -123,7 +123,7 @@ static ovr_potential potential_of(ovr_element element, double D, double x,
     return result;
 }
 
-/* Cardinal splines at x = -SPLINE_REACH ... SPLINE_REACH, each B-spline
+/* Cardinal splines at x = -SPLINE_REACH ... SPLINE_REACH; each B-spline is
  * evaluated once. */
 static void spline_line(double z, ovr_potential *out)
 {

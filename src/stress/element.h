@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The half plane under elements of pressure and traction.
+ * Stresses in a half plane loaded by elements of pressure and traction.
  *
  * With w = x + i z and C_f(w) = 1/(pi i) int f(s)/(s - w) ds of a density f on
  * the surface, C' = dC/dw, the stresses of p and q are
@@ -9,8 +9,8 @@
  *     (sigma_x + sigma_z)/2 = -Re F
  *     tau_xz + i (sigma_x - sigma_z)/2 = z F' - C_q
  *
- * (Flamant's kernels summed; Muskhelishvili's potentials of the half plane).
- * Re C is the harmonic extension of f into the body, Im C its conjugate.
+ * (Flamant's kernels summed; Muskhelishvili's potentials of the half plane). Re
+ * C is the harmonic extension of f into the body, Im C its conjugate.
  */
 #ifndef OVR_STRESS_ELEMENT_H
 #define OVR_STRESS_ELEMENT_H
@@ -28,10 +28,10 @@ typedef struct ovr_potential {
 void ovr_element_line(ovr_element element, double D, double z, long first,
                       size_t count, ovr_potential *out);
 
-/* Stresses of p times one density and q times another. */
+/* Stresses due to p times one density and q times another. */
 ovr_in_plane ovr_stress_of(double z, ovr_potential p, ovr_potential q);
 
-/* Adds the stresses of p and of q times the same density. */
+/* Adds the stresses due to p and q times the same density. */
 ovr_in_plane ovr_stress_of_both(double z, ovr_potential one, double p,
                                 double q);
 

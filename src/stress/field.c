@@ -1,20 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Fields of a snapshot, all depths.
+ * Stress fields of a snapshot at all depths.
  *
  *     f(X_m, z) = sum_j K_f(X_m - X_j, z) P_j,   f = h, d, tau
  *
- * is a convolution on the mesh: one transform of P forward, a product for each
- * field and depth, one back.  The kernels are sampled, not given by their
- * Fourier transform: with space for every lag there is no image of the
- * periodic continuation and no question of the mean.  What lies deep is
- * smooth: of a field whose nodes may be 2^c D apart (depths.h) only the first
- * N/2^(c+1) waves are transformed, in a transform of N/2^c values, which are
- * the field at every 2^c-th node without further ado; the same waves in a
- * transform of N values are the field at every node (a polynomial between the
- * nodes 2^c D apart would be off by 2e-3 of p_h where linear, 3e-4 where
- * cubic).  Two real fields make one complex transform: d + i tau, and h of two
- * depths.
+ * is a convolution on the mesh: a forward transform of P, a product for each
+ * field and depth, and a backward transform. The kernels are sampled, and their
+ * Fourier transform is computed: with space for all lags there are no periodic
+ * images, and the mean is correct. Deep fields are smooth: for a field whose
+ * node spacing can be 2^c D (depths.h), only the first N/2^(c+1) waves are
+ * needed. A transform of N/2^c values yields the field at every 2^c-th node; a
+ * transform of N values with the same waves yields it at every node
+ * (interpolation between nodes with spacing 2^c D would have an error of 2e-3
+ * p_h if linear, 3e-4 if cubic).  Two real fields make one complex transform: d
+ * + i tau, and h of two depths.
  *
  * Shifted nodes: the factor exp(2 pi i k s/N) shifts the nodes by s in units of
  * D, exactly for all waves on the grid.
@@ -36,7 +35,7 @@ static const double two_pi = 6.28318530717958647693;
 
 /* ------------------------------------------------------------- the tables */
 
-/* A table of N/2^(c+1) + 1 bins from the kernel's samples in f->real. */
+/* Stores a table of N/2^(c+1) + 1 bins from the kernel samples in f->real. */
 static ovr_status keep_spectrum(ovr_stress *s, size_t bins, ovr_bins *kept,
                                 ovr_error *err)
 {
@@ -54,9 +53,9 @@ static ovr_status keep_spectrum(ovr_stress *s, size_t bins, ovr_bins *kept,
     return OVR_OK;
 }
 
-/* Lags that no field needs lead smoothly from the last one around to the
- * first: a step there would be cut with the waves and ring far into the
- * field. */
+/* Samples at lags that no field needs. They connect the last lag smoothly with
+ * the first: a jump would be truncated with the waves and cause oscillations in
+ * the field. */
 static double seamed(const ovr_stress *s, const double *lag, size_t k)
 {
     size_t before = s->capacity - s->seam;
@@ -68,8 +67,8 @@ static double seamed(const ovr_stress *s, const double *lag, size_t k)
            first * lag[(ptrdiff_t)k - (ptrdiff_t)s->capacity];
 }
 
-/* The three kernels of a density on a line of lags: lag[0 ... 2], one behind
- * the other. */
+/* The three kernels of a density at a line of lags, stored one after the other.
+ */
 static void evaluate(double z, bool traction, size_t lags,
                      const ovr_potential *line, double *lag)
 {
@@ -83,8 +82,8 @@ static void evaluate(double z, bool traction, size_t lags,
     }
 }
 
-/* Space for what layers add: of four times the length, so that it has died away
- * where it begins again. */
+/* Space for the additions by layers: a transform of four times the length, at
+ * the end of which they have decayed. */
 enum { WIDER = 4 };
 typedef struct layer_capacity {
     size_t n;
@@ -107,14 +106,14 @@ static ovr_status take_layer_capacity(ovr_arena *scratch, size_t N,
     return ovr_fourier_real(r->n, r->bins[0], r->values, &r->plan, err);
 }
 
-/* A line of lags at one depth, starting with the lag `first`: stresses of
- * half-space and layers, three times as many values. */
+/* A line of lags at one depth, starting at lag `first`: stresses of half-space
+ * and layers, three values per lag. */
 typedef struct lag_line {
     long first;
     size_t lags;
     ovr_potential *potential;
     double *value;
-    layer_capacity layers; /* with a plan where there are layers */
+    layer_capacity layers; /* with a plan if there are layers */
 } lag_line;
 
 /* Adds the contribution of layers to the lags at a depth. */
@@ -148,8 +147,9 @@ static void add_layers(const ovr_stress *s, const ovr_depth *depth,
     }
 }
 
-/* One density's three kernels at one depth, from its line of lags, the seam's
- * before the first; lag k has the index k - nodes + 1. */
+/* Computes the three kernel spectra of a density at one depth from its line of
+ * lags, which starts with those of the transition; lag k has the index k -
+ * nodes + 1. */
 static ovr_status tabulate(ovr_stress *s, const ovr_depth *depth, bool traction,
                            const lag_line *line, ovr_depth_table *table,
                            ovr_error *err)
@@ -333,8 +333,9 @@ size_t ovr_stress_depths(const ovr_stress *s, const double **z)
 
 /* -------------------------------------------------------------- the solve */
 
-/* The spectrum of v, shifted by `shift` in units of D, in floats.  The turning
- * factor is multiplied up for 64 bins, then computed again. */
+/* Computes the spectrum of v, shifted by `shift` in units of D, in floats. The
+ * phase factor is obtained by multiplication for 64 bins and then computed
+ * again. */
 static void transform(ovr_stress *s, const double *v, double shift, float **to)
 {
     ovr_fourier *f = &s->fourier;
@@ -356,10 +357,10 @@ static void transform(ovr_stress *s, const double *v, double shift, float **to)
         t = c * s1 + t * c1;
         c = next;
     }
-    to[1][half] = 0; /* the wave that a mesh carries only at its nodes */
+    to[1][half] = 0; /* wave with the Nyquist frequency of the mesh */
 }
 
-/* Waves 0 and the last, which are their own mirrors: real. */
+/* Wave 0 and the last wave, which are real. */
 static void spread_ends(const ovr_depth *depth, const ovr_load_bins *load,
                         size_t loads, float *waves)
 {
@@ -376,7 +377,8 @@ static void spread_ends(const ovr_depth *depth, const ovr_load_bins *load,
     }
 }
 
-/* The depth's waves in a transform of n values; there are no others. */
+/* Writes the waves of a depth for a transform of n values; other waves are
+ * zero. */
 static void spread(ovr_stress *s, const ovr_depth *depth, size_t n,
                    const ovr_load_bins *load, size_t loads)
 {
@@ -387,7 +389,7 @@ static void spread(ovr_stress *s, const ovr_depth *depth, size_t n,
     s->loops->spread(bins, n, load, loads, waves);
 }
 
-/* Two fields of real values, from their tables of each density. */
+/* Computes two real fields from the tables of each density. */
 static void solve_pair(ovr_stress *s, const ovr_depth *depth, int level,
                        const ovr_load_bins load[2], float *to)
 {
@@ -438,7 +440,8 @@ void ovr_stress_solve(ovr_stress *s, const double *P, const double *Q,
             solve_depth(s, &s->depth[j]);
 }
 
-/* A depth's nodes 2^level D apart; as far as a shift reaches. */
+/* Row of a depth's nodes with spacing 2^level D, as far as needed for a shift.
+ */
 static ovr_stress_row row_of(const ovr_stress *s, const ovr_depth *depth,
                              int level, const float *shear, const float *mean)
 {

@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The transforms, by FFTW: one of real doubles forward, complex floats back
- * in every length N / 2^c.
+ * Fourier transforms by FFTW: real doubles forward, complex floats backward for
+ * all lengths N / 2^c.
  *
- * Of a run with fatigue (1.5 um dent, level 6, all that is written included)
- * FFTW takes 9 % of the instructions: transforms of our own that cost nothing
- * at all would make it 1.1 times faster, not the 1.3 that would be worth their
- * space here.
+ * In a run with fatigue (1.5 um dent, level 6, including output) FFTW takes 9 %
+ * of the instructions, so own transforms could make it at most 1.1 times
+ * faster.
  *
  * Plans are FFTW_ESTIMATE, chosen without measuring, so that equal inputs give
  * equal bits in every run; they are made and freed under the lock of
@@ -29,23 +28,24 @@ typedef struct ovr_fourier {
     fftwf_plan back[OVR_STRESS_LEVELS]; /* waves -> values, N / 2^c */
 } ovr_fourier;
 
-/* The arrays are given, at boundaries of 64 bytes. */
+/* The arrays are provided by the caller, aligned to 64 bytes. */
 ovr_status ovr_fourier_plan(ovr_fourier *f, ovr_error *err);
 void ovr_fourier_drop(ovr_fourier *f);
 
-/* One from n/2 + 1 bins to n real values, without their 1/n. */
+/* Plans a transform from n/2 + 1 bins to n real values, without the factor 1/n.
+ */
 ovr_status ovr_fourier_real(size_t n, fftw_complex *bins, double *values,
                             fftw_plan *plan, ovr_error *err);
 
-/* The way there. */
+/* Plans the inverse of it. */
 ovr_status ovr_fourier_bins(size_t n, double *values, fftw_complex *bins,
                             fftw_plan *plan, ovr_error *err);
 
-/* The end of either. */
+/* Destroys either plan. */
 void ovr_fourier_forget(fftw_plan plan);
 
-/* Transforms waves[] back into another array of N / 2^c complex values, equally
- * aligned. */
+/* Transforms waves[] backward into another array of N / 2^c complex values with
+ * the same alignment. */
 void ovr_fourier_back(ovr_fourier *f, int c, float *values);
 
 #endif

@@ -10,10 +10,10 @@
  *     swift       B (C + 1e6 e)^n        (H. W. Swift, J. Mech. Phys. Solids 1,
  *                                        1952)
  *
- * One step of the return flows by de = f/(3G + Y' + h).  What the body gives
- * back to a strain lies in [-2G, 0) of it (plastic.c), so that steps in turn
- * with the stresses that they leave contract.  In the units of plastic.c 2G = 1
- * - nu.
+ * One step of the return mapping has de = f/(3G + Y' + h). The stress response
+ * of the body to a plastic strain lies in [-2G, 0) times the strain
+ * (plastic.c), so the alternation of steps and stress updates contracts.  In
+ * the units of plastic.c 2G = 1 - nu.
  */
 #include <math.h>
 
@@ -40,7 +40,7 @@ static double along_strain(const ovr_hardening *h)
     return h->law == OVR_HARDENS_KINEMATIC ? h->modulus : 0;
 }
 
-/* dev s - a; the square of its von Mises stress is returned. */
+/* Computes dev s - a; returns the square of its von Mises stress. */
 static double driving(const ovr_hardening *h, ovr_strained e, ovr_stressed s,
                       ovr_stressed *by)
 {
@@ -75,7 +75,8 @@ double ovr_plastic_flow(const ovr_hardening *h, double poisson, ovr_stressed s,
     const double minimum = 1e-6;
     ovr_stressed by;
     double slope, square = driving(h, *e, s, &by);
-    if (!(square > h->yield * h->yield)) /* below what flow only raises */
+    if (!(square > h->yield * h->yield)) /* below the initial yield stress,
+                                          * which flow can only increase */
         return 0;
     double Y = ovr_yield_stress(h, e->all, &slope);
     double mises = sqrt(square), f = mises - Y;

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The amplitudes of all criteria in the smooth dry contact, P = sqrt(1 - X^2).
+ * Amplitudes of all criteria in a smooth dry contact, P = sqrt(1 - X^2).
  *     C = i (w - sqrt(w - 1) sqrt(w + 1)),
  *     C' = i (1 - w / (sqrt(w - 1) sqrt(w + 1)))
  *
- * equal to McEwen's form (K. L. Johnson, Contact Mechanics, 1985, section
- * 4.2).  In free rolling the path at depth z is symmetric in tau, so its
- * circle has the centre (d(x*), 0) and the radius |tau(x*)|, x* where |tau| is
- * largest.
+ * equal to McEwen's form (K. L. Johnson, Contact Mechanics, 1985, section 4.2).
+ * In free rolling the path at depth z is symmetric in tau, so its circle has
+ * the centre (d(x*), 0) and the radius |tau(x*)|, x* where |tau| is largest.
  */
 #include <math.h>
 
@@ -21,7 +20,7 @@ ovr_in_plane ovr_hertz_stress(double p, double q, double x, double z)
     return ovr_stress_of_both(z, one, p, q);
 }
 
-/* One criterion at one depth, as a function of x, in free rolling. */
+/* A criterion at one depth as a function of x, in free rolling. */
 typedef struct moment {
     ovr_criterion criterion;
     double alpha, poisson, z;
@@ -46,7 +45,8 @@ static double distance(const moment *m, double x)
 
 typedef double curve(const void *data, double x);
 
-/* Seeks between left and right, where f has one maximum, to the last digits. */
+/* Golden section search for the maximum of f between left and right, to the
+ * last digits. */
 static double golden(curve *f, const void *data, double left, double right,
                      double *where)
 {
@@ -68,7 +68,7 @@ static double golden(curve *f, const void *data, double left, double right,
     return f(data, *where);
 }
 
-/* The largest value of f on (a, b), by a scan and golden sections. */
+/* Maximum of f on (a, b), by a scan and golden section search. */
 static double maximum(curve *f, const void *data, double a, double b,
                       double *where)
 {
@@ -87,7 +87,7 @@ static double along(const void *data, double x)
     return distance(data, x);
 }
 
-/* The material history at depth z. */
+/* Amplitude of the stress history at depth z. */
 static double at_depth(const void *data, double z)
 {
     moment m = *(const moment *)data;

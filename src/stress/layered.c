@@ -8,7 +8,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* Waves that are nothing at a depth. */
+/* k z beyond which waves are negligible. */
 static const double GONE = 40;
 
 int ovr_layered_at(const ovr_layered *body, double z)
@@ -88,7 +88,7 @@ void ovr_layered_wave(const ovr_layered *body, double k, double z, bool q,
     f[2] = at[1];
 }
 
-/* h, d, tau that layers add to a wave's, without cos and sin. */
+/* Additions by layers to h, d and tau of a wave, without cos and sin. */
 static void added(const ovr_layered_depth *of, double k, double G[3])
 {
     double f[3], s = k * of->z, e = exp(-s);
@@ -101,8 +101,8 @@ static void added(const ovr_layered_depth *of, double k, double G[3])
     G[2] = of->q ? -f[2] : f[2];
 }
 
-/* The first four terms of G e^(ka) about k = 0, by a polynomial through
- * Chebyshev's points. */
+/* First four Taylor coefficients of G e^(ka) at k = 0, from a polynomial
+ * through Chebyshev points. */
 static void expand(ovr_layered_depth *of, double reach)
 {
     enum { POINTS = 10 };
@@ -129,8 +129,8 @@ static void expand(ovr_layered_depth *of, double reach)
     }
 }
 
-/* A stiff layer carries what stretches it over its thickness times its modulus
- * over that below. */
+/* A stiff layer distributes a stretching load over a length of its thickness
+ * times the ratio of its modulus to that below. */
 static double carried_over(const ovr_layered *body)
 {
     double length = 0;
@@ -154,8 +154,8 @@ ovr_layered_depth ovr_layered_depth_of(const ovr_layered *body, double z,
     return of;
 }
 
-/* Terms k^p e^-ka: p!/(a - i x)^(p + 1), its real part with cos, its imaginary
- * part with sin. */
+/* Transforms of k^p e^-ka: p!/(a - i x)^(p + 1); the real part belongs to cos,
+ * the imaginary part to sin. */
 void ovr_layered_near(const ovr_layered_depth *of, double x, double to[3])
 {
     double complex one = 1 / (of->a - I * x), power = one;
@@ -176,7 +176,7 @@ static double element(const ovr_layered_depth *of, double k)
     return of->hats ? square : square * square * 3 / (2 + cos(2 * x));
 }
 
-/* Adds the wave k, which may run against x. */
+/* Adds the wave k, which can have either direction along x. */
 static void add_wave(const ovr_layered_depth *of, double k, double share,
                      double complex to[3])
 {

@@ -4,21 +4,21 @@
  *
  *     ln(1/S) ~ N^e int int <A - A_u>^c z^-h dxi dz
  *
- * (G. Lundberg, A. Palmgren, Acta Polytechnica, Mech. Eng. Series 1, 1947;
- * with a limit A_u: E. Ioannides, T. A. Harris, ASME J. Tribology 107, 1985).
- * c = 31/3, h = 7/3, e = 9/8: fits to tests of 1947, convention since.
- * Without a limit the risk per length is proportional to p_h^c b^(1-h) and the
- * life of a line contact with p_h^-8.
+ * (G. Lundberg, A. Palmgren, Acta Polytechnica, Mech. Eng. Series 1, 1947; with
+ * a limit A_u: E. Ioannides, T. A. Harris, ASME J. Tribology 107, 1985). c =
+ * 31/3, h = 7/3, e = 9/8: fits to tests of 1947, convention since. Without a
+ * limit the risk per length is proportional to p_h^c b^(1-h) and the life of a
+ * line contact with p_h^-8.
  *
  *     i(xi) = int <A - A_u>^c z^-h dz,  lambda = int (i - i_0) dxi / i_0
  *
- * i_0 being the smooth contact's: lambda is the length of smooth raceway that
- * has the risk that the feature adds.  Both are counted from some depth down,
- * and say nothing without it.
+ * where i_0 is that of the smooth contact: lambda is the length of smooth
+ * raceway with the same risk as that added by the feature. Both are integrals
+ * from a minimum depth on and depend on it.
  *
- * A is monotone cubic in ln z between the depths (F. N. Fritsch, R. E.
- * Carlson, SIAM J. Numer. Anal. 17, 1980), the integral over ln z by Gauss's
- * rule of 5 points between two depths.
+ * A is monotone cubic in ln z between the depths (F. N. Fritsch, R. E. Carlson,
+ * SIAM J. Numer. Anal. 17, 1980), the integral over ln z by Gauss's rule of 5
+ * points between two depths.
  */
 #include <math.h>
 
@@ -43,9 +43,9 @@ ovr_life_options ovr_life_options_default(void)
     return defaults;
 }
 
-/* The depths alone decide these numbers, once for all points: of the interval
- * from z[j] its width in ln z, z^(1-h) times Gauss's weights, and the limits
- * there. */
+/* Numbers of the interval from z[j] that depend on the depths only, computed
+ * once for all points: width in ln z, z^(1-h) times Gauss's weights, and the
+ * limits there. */
 typedef struct interval {
     double width, weight[PARTS];
     double limit[PARTS], min_limit;
@@ -162,8 +162,8 @@ static void find_worst(const ovr_material *m, const float *A, size_t from,
             }
 }
 
-/* The largest share of the limit, which with limits by depth need not be where
- * the largest amplitude is. */
+/* Finds the maximum utilization of the limit. If limits vary with depth, it
+ * need not be at the maximum amplitude. */
 static void find_used(const ovr_life_options *o, const ovr_material *m,
                       const float *A, size_t from, ovr_life_result *r)
 {
@@ -182,14 +182,14 @@ static void find_used(const ovr_life_options *o, const ovr_material *m,
     }
 }
 
-/* Risks are counted by this, point by point; arrays are by depth. */
+/* Work data for integrating risks point by point; arrays are by depth. */
 typedef struct counting {
     interval of[MAX_DEPTHS];
-    double column[MAX_DEPTHS], i[MAX_DEPTHS]; /* of the point counted last */
+    double column[MAX_DEPTHS], i[MAX_DEPTHS]; /* of the last point */
     double i_0[MAX_DEPTHS], lambda[MAX_DEPTHS];
 } counting;
 
-/* One point's amplitudes and risks, added to lambda's sums. */
+/* Adds the amplitudes and risks of a point to the sums for lambda. */
 static void count_point(counting *c, const ovr_life_options *o,
                         const ovr_material *m, const float *A, size_t k)
 {

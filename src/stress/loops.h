@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The loops that take the time, of snapshots, material histories and their
- * circles: once for each instruction set (loops.kernel.c) and once as they read
+/* Loops that take most of the time of stress fields, stress histories and
+ * circles: compiled for each instruction set (loops.kernel.c) and in plain C
  * (loops.plain.c). */
 #ifndef OVR_STRESS_LOOPS_H
 #define OVR_STRESS_LOOPS_H
@@ -13,12 +13,12 @@ typedef struct ovr_bins {
     const float *re, *im;
 } ovr_bins;
 
-/* A load's spectrum and the two tables that it meets. */
+/* Spectrum of a load and the two tables to multiply it by. */
 typedef struct ovr_load_bins {
     ovr_bins P, A, B;
 } ovr_load_bins;
 
-/* The constants that turn (h, d, tau) into equivalent stresses. */
+/* Constants for computing equivalent stresses from (h, d, tau). */
 typedef struct ovr_state_constants {
     float poisson;
     float mean, half; /* of the residual stresses: residual_x / 2, both */
@@ -33,14 +33,15 @@ typedef struct ovr_node_states {
 typedef struct ovr_stress_loops {
     const char *name;
 
-    /* Sums over one load or two, with a = A P and b = B P bin by bin: wave k is
-     * a + i b, wave n - k conj(a) + i conj(b), for k = 1 ... bins - 1 of n
-     * waves (re, im, re, ...). */
+    /* Sums over one or two loads with a = A P and b = B P for each bin: wave k
+     * is a + i b, wave n - k is conj(a) + i conj(b), for k = 1 ... bins - 1 of
+     * n waves (re, im, re, ...) */
     void (*spread)(size_t bins, size_t n, const ovr_load_bins *load,
                    size_t loads, float *waves);
 
-    /* The state of n nodes: d and tau apart, h, and by them the largest shear
-     * in the plane squared, von Mises squared and Tresca's shear. */
+    /* Stresses at n nodes: d, tau, h, and from them the squared maximum shear
+     * stress in the plane, the squared von Mises stress and Tresca's shear
+     * stress */
     void (*states)(size_t n, const float *shear, const float *mean,
                    const ovr_state_constants *constants,
                    const ovr_node_states *to);
@@ -53,13 +54,13 @@ typedef struct ovr_stress_loops {
 
     float (*largest)(size_t n, const float *v); /* 0 when n = 0 */
 
-    /* Radii of the circles of n paths (circle.h): rows of high_m, then of
-     * low_m, `pitch` apart. */
+    /* Radii of the circles around n paths (circle.h): rows of high_m, then of
+     * low_m, `pitch` apart */
     void (*circles)(size_t n, const float *rows, size_t pitch, float *radius);
 } ovr_stress_loops;
 
-/* Selects the loops of a name ("plain", "base", ...); NULL: the best for this
- * machine. */
+/* Returns the loops with this name ("plain", "base", ...); NULL: the best for
+ * this machine. */
 const ovr_stress_loops *ovr_stress_loops_choose(const char *name);
 
 #endif

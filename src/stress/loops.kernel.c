@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The loops over bins, as vectors (real and imaginary parts interleaved, the
- * mirrored half backward), and over nodes, for the compiler to make vectors
- * of: every pass stands alone, and what is compared is chosen, not branched.
- * Nothing is summed over passes and nothing fused, so that every instruction
+ * Loops over bins, with explicit vectors (real and imaginary parts interleaved,
+ * mirrored half in reverse order), and over nodes, for automatic vectorization:
+ * passes are independent, and comparisons select values without branches. There
+ * are no sums over passes and no fused operations, so that every instruction
  * set gives the same bits.
  */
 #include <math.h>
@@ -65,7 +65,7 @@ static inline void store(float *x, two_vec v)
     *(loose_vec *)(x + LANES) = v.second;
 }
 
-/* One bin; `high` is its mirror. */
+/* One bin; `high` is its mirror image. */
 static inline void wave(size_t k, const ovr_load_bins *load, size_t loads,
                         float *low, float *high)
 {
@@ -83,7 +83,7 @@ static inline void wave(size_t k, const ovr_load_bins *load, size_t loads,
     high[1] = br - ai;
 }
 
-/* LANES of them: the mirrors lie before high + 2, in reverse. */
+/* LANES bins; the mirror images end at high + 2, in reverse order. */
 static inline void wave_lanes(size_t k, const ovr_load_bins *load, size_t loads,
                               float *low, float *high)
 {
@@ -132,7 +132,7 @@ static void states(size_t n, const float *restrict shear,
     for (size_t i = 0; i < n; i++) {
         float di = shear[2 * i], ti = shear[2 * i + 1], hi = mean[2 * i];
         float s = (di + d0) * (di + d0) + ti * ti;
-        /* mean of the plane less sigma_y */
+        /* Mean of the plane stresses minus sigma_y */
         float e = (m0 - hi) - (y0 - 2 * nu * hi);
         float shear_in = sqrtf(s), other = (fabsf(e) + shear_in) / 2;
         d[i] = di;
@@ -192,7 +192,8 @@ static inline vec larger(vec a, vec b)
     return (vec)(((whole_vec)a & above) | ((whole_vec)b & ~above));
 }
 
-/* Extents of LANES paths in all directions; beyond the last the first again. */
+/* Extents of LANES paths in all directions; the list is continued periodically.
+ */
 static void gather(size_t count, const float *rows, size_t pitch, vec *H)
 {
     for (size_t m = 0; m < OVR_HALF_DIRECTIONS; m++) {
@@ -206,7 +207,7 @@ static void gather(size_t count, const float *rows, size_t pitch, vec *H)
     }
 }
 
-/* Every a with the directions b and b + c further on, which span the plane. */
+/* All triples of directions a, a + b, a + b + c that span the plane. */
 static vec raise_triples(const vec *H, size_t b, size_t c, const float *sine,
                          vec best)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The loops in the shortest C. */
+/* The loops in plain C. */
 #include <complex.h>
 #include <math.h>
 

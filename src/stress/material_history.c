@@ -1,20 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Material histories through the fields.
+ * Stress histories of the material.
  *
- * A point of the surface is at X = reference + xi + U(T).  Each moment's
- * nodes are moved by the part of a mesh that puts them on material points of
- * every level (field.c): nothing is interpolated, in rolling or sliding.  Of
- * the path (d, tau) of each point its extents in 16 half directions are kept,
- * beside the largest von Mises and Tresca stresses and the range of h: maxima
- * and minima, so that their order does not matter.
+ * A point of the surface is at X = reference + xi + U(T).  At each time the
+ * nodes are shifted by the fraction of D that places them on material points of
+ * every level (field.c), so that no interpolation is needed, in rolling or
+ * sliding. For the path (d, tau) of each point the extents in 16 half
+ * directions are stored, together with the maximum von Mises and Tresca
+ * stresses and the range of h. These are maxima and minima, so that the order
+ * of times does not matter.
  *
- * A path at depth z is smooth on the scale of z: its largest value is low by
- * (way/z)^2/14 at most when it is seen once in so much way.  Levels are seen
- * when their way exceeds 1/64 of their shallowest depth: 2e-5, or every step.
+ * A path at depth z is smooth on the scale of z: if it is sampled at distances
+ * s, its maximum is too low by at most (s/z)^2/14. Levels are sampled when the
+ * distance moved exceeds 1/64 of their shallowest depth (an error of 2e-5), or
+ * every step.
  *
- * Before the first moment and after the last the contact was, and will be, as
- * it is then: the fields of that moment at all earlier, or later, places.
+ * Before the first time and after the last the contact is assumed to be steady:
+ * the fields of that time are applied at all earlier or later positions.
  */
 #include "stress/material_history.h"
 #include "base/given.h"
@@ -24,7 +26,7 @@
 #include <string.h>
 
 static const double samples_of_depth = 64;
-/* Features farther than this from X = 0 have no effect on a path. */
+/* Features at a larger distance from X = 0 have no effect on a path. */
 static const double near_contact = 2;
 enum { WHOLE = 1 << (OVR_STRESS_LEVELS - 1) };
 
@@ -37,8 +39,8 @@ ovr_material_range ovr_material_range_default(void)
 
 /* ------------------------------------------------------------ one moment */
 
-/* The place of the nodes among the material: node i of level c is material
- * point i - meshes 2^(5-c) of it, when the nodes are moved by `shift`. */
+/* Position of the nodes in the material: with nodes shifted by `shift`, node i
+ * of level c is at material point `i - meshes 2^(5-c)`. */
 typedef struct place {
     double shift;
     long meshes;
@@ -52,14 +54,14 @@ static place find_place(const ovr_material_history *p, double U)
     return (place){t - whole * WHOLE, (long)whole};
 }
 
-/* The nodes of a row within reach, at a time: n from the first on. */
+/* Nodes of a row within reach at one time: n from the first on. */
 typedef struct seen {
     ovr_stress_row row;
     size_t first, n;
     double T;
 } seen;
 
-/* Finds the states of a depth's nodes by the fields solved last. */
+/* Computes the stresses at a depth's nodes from the fields solved last. */
 static seen look_at(ovr_material_history *p, size_t depth, double T)
 {
     seen s = {.row = ovr_stress_at(p->stress, depth), .T = T};
@@ -97,8 +99,8 @@ static void note_extreme(const ovr_stress_loops *loops, const seen *s,
 
 typedef enum noted { SHEAR, ACROSS, ALONG } noted;
 
-/* |tau|, sigma_z = -d - h, or sigma_x = d - h with what is there without load.
- */
+/* Records |tau|, sigma_z = -d - h, or sigma_x = d - h including stresses
+ * without load. */
 static void note_value(const ovr_material_history *p, const seen *s,
                        noted which, ovr_stress_extreme *extreme)
 {
@@ -115,7 +117,8 @@ static void note_value(const ovr_material_history *p, const seen *s,
     }
 }
 
-/* Notes the extremes of the layers; below all of them the row is the body's. */
+/* Records the extremes of the layers; a row below all layers belongs to the
+ * body. */
 static void note_layers(ovr_material_history *p, const seen *s)
 {
     const ovr_layered *layers = p->stress->options.layers;
@@ -146,8 +149,8 @@ static void note_extremes(ovr_material_history *p, const seen *s)
 
 /* ------------------------------------------------------ strips of pressure */
 
-/* Strips are at most as wide as two contacts: that of the whole one is among
- * them. */
+/* Maximum width of a strip: two contact widths, so that the whole contact is
+ * included. */
 static const double widest_strip = 4;
 
 static void note_strip(ovr_material_history *p, const double *P, double T)
@@ -234,7 +237,7 @@ void ovr_material_history_step(ovr_material_history *history, const double *P,
 
 /* ------------------------------------------------------------- the closures */
 
-/* A row's values at n nodes of a moment. */
+/* Values of a row at n nodes at one time. */
 static void row_values(const ovr_material_history *p, int row, size_t n,
                        float *v)
 {
@@ -260,8 +263,9 @@ static float beyond(float a, float b, bool low)
     return (low ? b < a : b > a) ? b : a;
 }
 
-/* Each value becomes the largest (lowest) of `first` and all before it, the
- * ones behind it where the points are swept downward; returns that of all. */
+/* Replaces each value by the maximum (minimum) of `first` and all values before
+ * it, or after it if the points are swept downward; returns that of all values.
+ */
 static float run_through(float *v, size_t n, float first, bool low, bool upward)
 {
     float carry = first;
@@ -272,9 +276,9 @@ static float run_through(float *v, size_t n, float first, bool low, bool upward)
     return carry;
 }
 
-/* Nodes of a depth at the start or end of a run.  Node i = 0 ... n - 1 is at
- * material point k + i, or between it and the next point.  Upward, a point
- * includes its own node and all nodes before it.  Downward, it includes all
+/* Nodes of a depth at the start or end of a run. Node i = 0 ... n - 1 is at
+ * material point k + i, or between it and the next point. Upward, a point
+ * includes its own node and all nodes before it. Downward, it includes all
  * nodes after it. */
 typedef struct closing {
     size_t depth, n;
@@ -282,7 +286,8 @@ typedef struct closing {
     bool upward;
 } closing;
 
-/* One row of it, whose values are in v; the largest (lowest) of all. */
+/* Sweeps one row, whose values are in v; returns the maximum (minimum) of all.
+ */
 static float sweep_row(const ovr_material_history *p, const closing *c, int r,
                        float *v)
 {
@@ -304,8 +309,8 @@ static float sweep_row(const ovr_material_history *p, const closing *c, int r,
     return all;
 }
 
-/* One depth, its nodes `between` material points or on them; at the beginning
- * the whole of it is the smooth material history. */
+/* Processes one depth, whose nodes are `between` material points or on them. At
+ * the beginning, the total is the smooth stress history. */
 static void close_depth(ovr_material_history *p, closing c, place at,
                         bool between, bool begin)
 {
@@ -321,8 +326,8 @@ static void close_depth(ovr_material_history *p, closing c, place at,
     }
 }
 
-/* All earlier (from smaller X, if the material comes from there) or later
- * places of every point, one mesh apart: level c has 2^c shifts of its own. */
+/* Applies the contact at all earlier or later positions of every point, one
+ * mesh size apart: level c has 2^c shifts. */
 static void close_run(ovr_material_history *p, const double *P, const double *Q,
                       const ovr_moment *moment, bool begin)
 {
@@ -341,7 +346,7 @@ static void close_run(ovr_material_history *p, const double *P, const double *Q,
 }
 
 /* Marks points with a part of their path before the first or after the last
- * time, when that part was not that of a smooth contact. */
+ * time, if that part was not in a smooth contact. */
 static void mark(ovr_material_history *p, const ovr_moment *moment, bool begin)
 {
     double step = ldexp(p->stress->options.mesh, p->finest);
@@ -354,7 +359,7 @@ static void mark(ovr_material_history *p, const ovr_moment *moment, bool begin)
     }
 }
 
-/* The extremes of the first moment. */
+/* Records the extremes of the first time. */
 static void look(ovr_material_history *p, const double *P, const double *Q,
                  const ovr_moment *moment)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The history of the material: the insides. */
+/* Internal data of a stress history of the material. */
 #ifndef OVR_STRESS_MATERIAL_HISTORY_H
 #define OVR_STRESS_MATERIAL_HISTORY_H
 
@@ -9,10 +9,11 @@
 #include "stress/stress.h"
 #include "stress/yield.h"
 
-/* These rows are kept of the path of a material point at a depth. */
+/* Rows stored for the paths of the material points at a depth. */
 enum {
     OVR_ROW_HIGH,                                /* extents along u_m */
-    OVR_ROW_LOW = OVR_HALF_DIRECTIONS,           /* and against it */
+    OVR_ROW_LOW = OVR_HALF_DIRECTIONS,           /* and in the opposite
+                                                  * directions */
     OVR_ROW_VON_MISES = 2 * OVR_HALF_DIRECTIONS, /* squared */
     OVR_ROW_TRESCA,
     OVR_ROW_H_MAX,
@@ -20,24 +21,26 @@ enum {
     OVR_ROWS
 };
 
-/* The extremes of layers over a run: the largest von Mises stress of each,
- * shear and tension on interfaces, tension along the surface. */
+/* Extremes in layers over a run: maximum von Mises stress of each, shear and
+ * tension at interfaces, tension along the surface. */
 typedef struct ovr_layer_extremes {
     ovr_stress_extreme von_mises[OVR_LAYERS_MAX];
-    ovr_stress_extreme shear[OVR_LAYERS_MAX]; /* below each */
+    ovr_stress_extreme shear[OVR_LAYERS_MAX]; /* at the interface below each
+                                               * layer */
     ovr_stress_extreme tension, surface;
 } ovr_layer_extremes;
 
-/* Material points of a level lie at these places: xi = (first + k) 2^c D. */
+/* Positions of the material points of a level: xi = (first + k) 2^c D. */
 typedef struct ovr_material_grid {
     long first;
     size_t points;
     double top; /* shallowest depth of the level; 0: it has none */
 } ovr_material_grid;
 
-/* Single numbers of the state. */
+/* Numbers of the state. */
 typedef struct ovr_material_history_numbers {
-    double way[OVR_STRESS_LEVELS]; /* since the level's last moment */
+    double way[OVR_STRESS_LEVELS]; /* distance moved since the last time of the
+                                    * level */
     double widest;
     ovr_stress_extreme shear, von_mises; /* of squares */
 } ovr_material_history_numbers;
@@ -48,20 +51,22 @@ struct ovr_material_history {
     ovr_material_range range;
     /* of each layer, and of the body below them */
     ovr_state_constants constants[OVR_LAYERS_MAX + 1];
-    float rest[OVR_LAYERS_MAX + 1][OVR_ROWS]; /* of material before all */
+    float rest[OVR_LAYERS_MAX + 1][OVR_ROWS]; /* values before the material has
+                                               * been loaded */
     ovr_material_grid grid[OVR_STRESS_LEVELS];
     int finest; /* level of the shallowest depth */
-    long first; /* finest material points, without margins */
+    long first; /* first of the finest material points, without margins */
     size_t points;
-    float **row; /* of a depth: OVR_ROWS times its points */
+    float **row; /* rows of a depth: OVR_ROWS values for each point */
     float cosine[OVR_HALF_DIRECTIONS], sine[OVR_HALF_DIRECTIONS];
     float *smooth; /* OVR_ROWS of each depth */
     unsigned char *complete;
     ovr_material_history_numbers numbers;
     ovr_layer_extremes layers;
-    ovr_stress_extreme strip; /* of pressure above that around it */
+    ovr_stress_extreme
+        strip; /* largest excess of the mean pressure of a strip */
     ovr_pressure_sums sums;
-    float *d, *tau, *h, *in_plane, *von_mises, *tresca; /* one depth's */
+    float *d, *tau, *h, *in_plane, *von_mises, *tresca; /* at one depth */
     ovr_memory_piece piece[7];
     size_t pieces;
 };
@@ -69,7 +74,8 @@ struct ovr_material_history {
 /* Returns the extremes of a stress history with layers. */
 ovr_layer_extremes ovr_material_history_layers(const ovr_material_history *p);
 
-/* The layer of a depth, from 0; their number below them, or 0 without any. */
+/* Layer of a depth, counted from 0; the number of layers below them, or 0
+ * without layers. */
 static inline int ovr_material_history_layer(const ovr_material_history *p,
                                              double z)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Making and freeing of a material history. */
+/* Creation and release of a stress history. */
 #include <math.h>
 #include <string.h>
 
@@ -13,7 +13,7 @@ static double least_depth(const ovr_stress_options *o,
     return range->least_depth > 0 ? range->least_depth : 8 * o->mesh;
 }
 
-/* Level c covers the range with two points more on either side. */
+/* Level c covers the range with two additional points on either side. */
 static ovr_material_grid grid_of(const ovr_material_range *range, double step)
 {
     ovr_material_grid grid = {.first = (long)floor(range->from / step) - 1};
@@ -35,7 +35,7 @@ static void find_grids(ovr_material_history *p)
     p->points = p->grid[p->finest].points - 2;
 }
 
-/* The state without load: all zero, except for residual stresses. */
+/* State without load: zero except for residual stresses. */
 static void find_rest(ovr_material_history *p)
 {
     const ovr_material_range *range = &p->range;
@@ -82,7 +82,7 @@ static size_t values_of_all(const ovr_material_history *p)
     return values;
 }
 
-/* Nodes of a moment, or points of a level. */
+/* Size of work arrays: nodes at one time, or points of a level. */
 static size_t scratch_workspace(const ovr_material_history *p)
 {
     size_t points = p->grid[p->finest].points;
@@ -134,7 +134,8 @@ static ovr_status take_arrays(ovr_material_history *p, ovr_error *err)
         {"passage smooth", p->smooth, depths * OVR_ROWS * sizeof(float)},
         {"passage complete", p->complete, p->points},
         {"passage numbers", &p->numbers, sizeof p->numbers},
-        /* a run continued to another end would choose another value */
+        /* Depends on the end time of the run, so a continued run must keep it
+         */
         {"passage reference", &p->range.reference, sizeof p->range.reference},
     };
     memcpy(p->piece, pieces, sizeof pieces);

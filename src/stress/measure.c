@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Damage measures of a path, from the rows that are kept of it.
+ * Damage measures of a path, from its stored rows.
  *
- * tau on a plane at the angle phi to the surface is tau cos 2 phi - d sin 2
- * phi = u . s, u = (-sin 2 phi, cos 2 phi): half the extent along it is the
- * amplitude on that plane and on the one across.  tau_xz itself is exact,
- * planes are 5.6 degrees apart, and the amplitude on the worst of them is low
- * by 0.5 % at most, as is the circle's radius (circle.c).
+ * tau on a plane at the angle phi to the surface is tau cos 2 phi - d sin 2 phi
+ * = u . s, u = (-sin 2 phi, cos 2 phi): half the extent along u is the
+ * amplitude on that plane and on the perpendicular one. tau_xz itself is exact;
+ * the planes are 5.6 degrees apart, and the amplitude on the worst plane is too
+ * low by at most 0.5 %, as is the radius of the circle (circle.c).
  */
 #include <math.h>
 
@@ -17,7 +17,7 @@
 
 /* ----------------------------------------------------------------- Measures */
 
-/* The rows of one path in order; `pitch` apart. */
+/* Rows of one path; `pitch` apart. */
 typedef struct path {
     const float *row;
     size_t pitch;
@@ -40,7 +40,7 @@ static double circle(const ovr_material_history *p, path at)
     return radius;
 }
 
-/* The direction of the largest half range; tau_xz where they are equal. */
+/* Direction of the largest half range; that of tau_xz if several are equal. */
 static int direction_of_maximum_half_range(path p)
 {
     int worst = OVR_HALF_DIRECTIONS / 2;
@@ -50,7 +50,8 @@ static int direction_of_maximum_half_range(path p)
     return worst;
 }
 
-/* The value of the layer that the depth lies in, or of the body. */
+/* Hydrostatic stress with the Poisson's ratio of the layer at this depth, or of
+ * the body. */
 static double hydrostatic(const ovr_material_history *p, size_t depth, double h)
 {
     ovr_at_rest at = ovr_layered_rest(&p->stress->options, &p->range,
@@ -77,8 +78,8 @@ static double measure(const ovr_material_history *p, ovr_measure which,
     }
 }
 
-/* Interpolates between the points of level c: cubic through four, the angle of
- * the nearest; `nodes` are the level's. */
+/* Interpolates between the points of level c: values by cubics through four
+ * points, angles from the nearest point; `nodes` are values of the level. */
 static double between(const ovr_material_history *p, const float *nodes, int c,
                       size_t k, bool nearest)
 {
@@ -139,7 +140,7 @@ static ovr_measure measure_of(ovr_criterion criterion)
     }
 }
 
-/* alpha times the tension that a path saw, if any. */
+/* Adds alpha times the maximum tension of a path, if positive. */
 static void add_tension(const ovr_material_history *p, double alpha, float *A,
                         double *smooth)
 {
@@ -177,7 +178,7 @@ ovr_status ovr_material_history_amplitude(const ovr_material_history *history,
 
 /* ------------------------------------------------------------------- Values */
 
-/* Stresses made of h, d and tau: plane strain, residual stresses added. */
+/* Stresses computed from h, d and tau: plane strain plus residual stresses. */
 
 const char *ovr_stress_field_name(ovr_stress_field field)
 {
@@ -206,9 +207,9 @@ double ovr_stress_value(ovr_stress_field field, ovr_in_plane s, double poisson,
 }
 
 /* Depth in mesh sizes D above which an unresolved pressure spike changes the
- * stresses.  The load that the mesh misses, spread over about D, makes a stress
- * in proportion to D/z at the depth z (line load on a half plane): below 16 D
- * it is less than a twentieth of the spike's height. */
+ * stresses.  The unresolved part of the load acts over a width of about D; its
+ * stress at depth z is proportional to D/z (line load on a half plane). Below
+ * 16 D it is less than a twentieth of the spike height. */
 static const double SPIKE_DEPTH = 16;
 
 double ovr_unresolved_depth(double mesh)

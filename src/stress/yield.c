@@ -1,20 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The limits of a body that yields at a von Mises stress Y.
+ * Limits of a body with von Mises yield stress Y.
  *
  * First yield of the smooth dry contact: the p_h at which its largest von Mises
  * stress is Y.  Shakedown in free rolling: p_h = 4 k, k = Y/sqrt 3, above which
  * every pass flows again (K. L. Johnson, Contact Mechanics, 1985, section 9.2).
- * A strip of uniform pressure sinks in freely at (1 + pi/2) 2 k above the
- * pressure around it (Prandtl; R. Hill, Plasticity, 1950, section IX.5): its
- * slip lines come up in the width of a strip beside it, on the side that bears
- * less.  So of every strip of nodes
+ * A strip of uniform pressure penetrates the body without limit if it exceeds
+ * the surrounding pressure by (1 + pi/2) 2 k (Prandtl; R. Hill, Plasticity,
+ * 1950, section IX.5): the slip lines emerge next to it within the width of the
+ * strip, on the side with the lower pressure. Therefore for every strip of
+ * nodes
  *
  *     excess = mean of P in it - the smaller mean of its two neighbours,
  *
- * all three of one width.  Sums of P from the left give each mean at once;
- * widths are thirds of an octave, places a sixteenth of the width apart.  What
- * is narrower than `minimum` is left to the mesh.
+ * all three with the same width. Cumulative sums of P yield each mean. Widths
+ * increase by a third of an octave, positions by a sixteenth of the width.
+ * Strips narrower than `minimum` are not resolved by the mesh and are omitted.
  */
 #include <math.h>
 
@@ -38,7 +39,7 @@ double ovr_strip_collapse(void)
     return (1 + acos(0)) * 2 / sqrt(3);
 }
 
-/* Sums of P before node 0 ... n; beyond the ends there is none. */
+/* Sum of P before node i; P is zero outside. */
 static double before(const ovr_pressure_sums *s, long i)
 {
     return s->sum[i < 0 ? 0 : i > (long)s->nodes ? (long)s->nodes : i];
@@ -49,8 +50,8 @@ static double sum_of(const ovr_pressure_sums *s, long from, long width)
     return before(s, from + width) - before(s, from);
 }
 
-/* Strips whose mean is above what is known hold a node that is: they begin from
- * `first` - width + 1 to `last`. */
+/* Strips whose mean exceeds the known maximum contain a node that exceeds it.
+ * They begin between `first` - width + 1 and `last`. */
 static void look_at_width(const ovr_pressure_sums *s, long width, long first,
                           long last, ovr_strip *worst)
 {

@@ -1,19 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Strips of pressure that a body which yields does not bear. */
+/* Strips of pressure that exceed the load capacity of a plastic body. */
 #ifndef OVR_STRESS_YIELD_H
 #define OVR_STRESS_YIELD_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Space for sums of nodes + 1 pressures, the first of them 0. */
+/* Space for cumulative sums of nodes + 1 pressures, the first 0. */
 typedef struct ovr_pressure_sums {
     size_t nodes;
     double *sum;
 } ovr_pressure_sums;
 
-/* The pressure of a strip of `width` nodes above that around it; its middle, in
- * nodes from the first. */
+/* Excess of the mean pressure of a strip of `width` nodes over its
+ * surroundings; its middle, in nodes from the first. */
 typedef struct ovr_strip {
     double excess, middle, width;
 } ovr_strip;

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Plastic strains of a window in layers, and the stresses that they leave:
+ * Plastic strains of a window in layers, and the resulting residual stresses:
  *
  *     s^(k) = A(k) e^(k),  mean over the receiving layer   (plastic.c)
  *     w^(k) = B(k) e^(k),  k > 0
  *
- * A(k) is a matrix of 3 stresses times layers by 3 strains times layers for
- * each wave of the period, made once; stresses always follow from the strains
- * as they are, not from their changes, so that strains alone make up the state.
- * Layers further apart than e^-36 of a wave are not joined.  sigma_y is local:
- * sy = nu (sx + sz) + (1 - nu^2)(e_x + e_z).
+ * A(k) is a matrix (3 stresses times layers by 3 strains times layers) for each
+ * wave of the period, computed once. Stresses are always computed from the
+ * total strains, not from increments, so that the strains define the state. The
+ * influence between layers is neglected if the wave decays by e^-36 between
+ * them.  sigma_y is local: sy = nu (sx + sz) + (1 - nu^2)(e_x + e_z).
  */
 #include "stress/yielding.h"
 
@@ -36,19 +36,21 @@
  *
  * G is the biharmonic Green's function of Airy's stress that vanishes with its
  * slope on the surface (T. Mura, Micromechanics of Defects in Solids, 1987,
- * defines eigenstrains).  Everything is a derivative or an antiderivative
- * of g, and of (linear) e^-kz times (linear) e^-kzeta: integrals over the layer
- * that is strained, and means over the one that receives, are differences at
- * their ends, exactly.  With means the operator is symmetric and lies in
- * [-2G, 0); sampled in the middle of layers it has positive eigenvalues, and
- * plastic flow grows without bound.
+ * defines eigenstrains).  All terms are derivatives or antiderivatives of g and
+ * of (linear) e^-kz times (linear) e^-kzeta. Integrals over the strained layer
+ * and means over the receiving layer are therefore exact differences at their
+ * ends. With means the operator is symmetric, with eigenvalues in [-2G, 0);
+ * with values at the middle of layers it has positive eigenvalues, and plastic
+ * flow grows without bound.
  *
- * Reciprocity with a unit load on the surface gives its displacement
+ * The surface displacement follows from reciprocity with a unit load on the
+ * surface:
  *     w = int e^-kz [-(1 - kz) e_x - (1 + kz) e_z - 2 nu e_y - 2 kz s] dz
  */
 
-/* Derivative -2 ... 3 of g over k^(order - 3), at a = k d of either sign; what
- * is linear in d of the antiderivatives is left in, constants are not. */
+/* Derivatives of g of order -2 ... 3 divided by k^(order - 3), at a = k d of
+ * either sign. Linear terms of the antiderivatives are included, constants are
+ * not. */
 static double whole_space(int order, double a)
 {
     double sign = a < 0 ? -1 : 1, m = fabs(a), e = exp(-m);
@@ -117,14 +119,14 @@ static ovr_residual_stress stress(const influences *g, double poisson,
     return s;
 }
 
-/* A strain changes stresses in its own place by this, which equilibrium along x
- * and z does not see, over a share of the layer. */
+/* Local change of stresses by a strain, which does not affect equilibrium along
+ * x and z, over a fraction of the layer. */
 static double across(double poisson, ovr_plastic_strain e, double share)
 {
     return share * (1 - poisson * poisson) * (e.x + e.z);
 }
 
-/* k = 0: nothing but what holds the strain back along x. */
+/* k = 0: the strain is constrained along x only. */
 static ovr_residual_stress uniform(double poisson, ovr_plastic_strain e,
                                    double share)
 {
@@ -192,20 +194,22 @@ struct ovr_yielding {
     ovr_arena arena;
     ovr_yielding_options options;
     size_t waves;      /* points/2 + 1 */
-    double **table;    /* of each wave: source, its part, receiver, its part */
-    double **sinking;  /* of each wave: source, its part */
-    unsigned *reach;   /* of each wave and source: first receiver, one behind */
-    double **strain;   /* of each layer: x, z, xz, all */
-    double **residual; /* of each layer: x, z, xz */
+    double **table;    /* for each wave: source, its component, receiver, its
+                        * component */
+    double **sinking;  /* for each wave: source, its component */
+    unsigned *reach;   /* for each wave and source: first receiver, and last + 1
+                        */
+    double **strain;   /* for each layer: x, z, xz, all */
+    double **residual; /* for each layer: x, z, xz */
     bool *strained;
     double *w;
     ovr_layer_load *load;
     fftw_plan forward, back;
     double *values;      /* of one transform */
-    fftw_complex *bins;  /* of one */
+    fftw_complex *bins;  /* of one transform */
     fftw_complex *e, *s; /* of all layers */
     double *sum;         /* of one wave */
-    double reserve;      /* ovr_yielding_reserve */
+    double reserve;      /* value of ovr_yielding_reserve */
     bool reserve_known;
 };
 
@@ -235,7 +239,7 @@ static ovr_strained_layer layer_at(const ovr_yielding_options *o, size_t j)
     return (ovr_strained_layer){o->edge[j], o->edge[j + 1]};
 }
 
-/* First layer that a strain of layer j reaches, and the one behind the last. */
+/* First layer affected by a strain of layer j, and last + 1. */
 static void find_reach(const ovr_yielding_options *o, double k, size_t j,
                        unsigned reach[2])
 {
@@ -252,7 +256,8 @@ static void find_reach(const ovr_yielding_options *o, double k, size_t j,
 
 static const ovr_plastic_strain unit[PARTS] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-/* Rows of a source behind one another: those that it reaches alone. */
+/* Stores the rows of a source one after the other, for the affected layers
+ * only. */
 static ovr_status make_wave(ovr_yielding *y, size_t m, ovr_error *err)
 {
     const ovr_yielding_options *o = &y->options;
@@ -385,7 +390,7 @@ double ovr_yielding_memory(const ovr_yielding_options *o)
 
 /* ------------------------------------------------------------ equilibrium */
 
-/* The waves of a layer's strains, over the number of points. */
+/* Computes the waves of a layer's strains, divided by the number of points. */
 static void transform_layer(ovr_yielding *y, size_t j)
 {
     size_t n = y->options.points;
@@ -442,7 +447,8 @@ static void solve_wave(ovr_yielding *y, size_t m, size_t layers)
     y->bins[m][1] = w[1];
 }
 
-/* The surface, which at the ends of its window is as it was. */
+/* Computes the surface displacement, which is zero at the ends of the window.
+ */
 static void sink(ovr_yielding *y)
 {
     fftw_execute_dft_c2r(y->back, y->bins, y->values);
@@ -450,8 +456,7 @@ static void sink(ovr_yielding *y)
         y->w[i] = y->values[i] - y->values[0];
 }
 
-/* Computes equilibrium and sums up the stresses of the given number of layers
- * from the first. */
+/* Computes equilibrium and the stresses of the first `layers` layers. */
 static void equilibrate(ovr_yielding *y, size_t layers)
 {
     size_t n = y->options.points;
@@ -567,7 +572,7 @@ static bool flow_layer(ovr_yielding *y, size_t j, ovr_flowed *flowed)
     return any;
 }
 
-/* Layers that may flow: those behind them matter once all is done. */
+/* Number of layers that may flow; deeper layers are needed only at the end. */
 static size_t layers_loaded(const ovr_yielding *y)
 {
     size_t layers = y->options.layers;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A window of material that yields: points along x, again and again with their
- * period, in layers of depth. */
+/* A window of plastic material: points along x, continued periodically, in
+ * layers over depth. */
 #ifndef OVR_STRESS_YIELDING_H
 #define OVR_STRESS_YIELDING_H
 
@@ -8,37 +8,39 @@
 #include "overroll/stress.h"
 #include "stress/hardening.h"
 
-/* Stresses that plastic strains leave behind below a free surface, wave by
- * wave. */
+/* Residual stresses due to plastic strains below a free surface, for single
+ * waves. */
 
-/* A layer of constant plastic strain; depths in b. */
+/* A layer with constant plastic strain; depths in b. */
 typedef struct ovr_strained_layer {
     double top, bottom;
 } ovr_strained_layer;
 
-/* Amplitudes of strain over p_h/E*: x and z are cos kx, xz is sin kx. */
+/* Amplitudes of strain in p_h/E*: x and z multiply cos kx, xz multiplies sin
+ * kx. */
 typedef struct ovr_plastic_strain {
     double x, z, xz;
 } ovr_plastic_strain;
 
-/* Amplitudes of stress in p_h: x, y and z are cos kx, xz is -sin kx. */
+/* Amplitudes of stress in p_h: x, y and z multiply cos kx, xz multiplies -sin
+ * kx. */
 typedef struct ovr_residual_stress {
     double x, y, z, xz;
 } ovr_residual_stress;
 
-/* The stress at depth z from the strain of one layer; k = 0 is a strain that is
- * the same everywhere along x. */
+/* Residual stress at depth z due to the strain of one layer; k = 0: strain that
+ * is constant along x. */
 ovr_residual_stress ovr_residual_at(double k, double poisson,
                                     ovr_strained_layer source,
                                     ovr_plastic_strain strain, double z);
 
-/* Its mean over another layer, or over the same one. */
+/* Mean of the residual stress over another layer or the same one. */
 ovr_residual_stress ovr_residual_mean(double k, double poisson,
                                       ovr_strained_layer source,
                                       ovr_plastic_strain strain,
                                       ovr_strained_layer receiver);
 
-/* The distance by which the surface moves into the body, in b p_h/E*; k > 0. */
+/* Displacement of the surface into the body, in b p_h/E*; k > 0. */
 double ovr_plastic_sinking(double k, double poisson, ovr_strained_layer source,
                            ovr_plastic_strain strain);
 
@@ -46,11 +48,12 @@ typedef struct ovr_yielding_options {
     size_t points; /* a power of two */
     double mesh;   /* between them, b */
     size_t layers;
-    const double *edge; /* layers + 1 depths that rise from 0, borrowed */
+    const double *edge; /* layers + 1 increasing depths, starting at 0, borrowed
+                         */
     double poisson;
     ovr_hardening hardening;
     int iterations;
-    double enough; /* f/Y at which they end; 0: 1e-3 */
+    double enough; /* tolerance of f/Y; 0: 1e-3 */
 } ovr_yielding_options;
 
 typedef struct ovr_yielding ovr_yielding;
@@ -61,24 +64,26 @@ ovr_yielding *ovr_yielding_create(const ovr_yielding_options *options,
 void ovr_yielding_free(ovr_yielding *y);
 double ovr_yielding_memory(const ovr_yielding_options *options);
 
-/* Depths of `layers` layers, the first so thick, that grow to `depth`. */
+/* Depths of `layers` layers; the first has thickness `first`, the last ends at
+ * `depth`. */
 void ovr_yielding_layers(size_t layers, double first, double depth,
                          double *edge);
 
-/* The elastic stresses of a moment in the middle of a layer at every point, to
- * be filled; idle: nothing yields there, whatever they are. */
+/* Elastic stresses of a layer at every point, to be filled by the caller; idle:
+ * no point yields. */
 typedef struct ovr_layer_load {
     float *h, *d, *tau;
     bool idle;
 } ovr_layer_load;
 ovr_layer_load *ovr_yielding_load(ovr_yielding *y, size_t layer);
 
-/* True if a point is above this share of its yield under an elastic stress. */
+/* True if a point with this elastic stress exceeds this fraction of its yield
+ * stress. */
 bool ovr_yielding_is_near(const ovr_yielding *y, size_t layer, size_t i,
                           ovr_in_plane elastic, double share);
 
-/* The least von Mises stress that has to be added anywhere before anything
- * flows: yield less what is already borne, at the point nearest to it.  Kept
+/* Minimum von Mises stress that must be added anywhere to cause plastic flow:
+ * yield stress minus residual stress, at the point where it is least. Cached
  * until strains change. */
 double ovr_yielding_reserve(ovr_yielding *y);
 
@@ -93,16 +98,16 @@ typedef struct ovr_flowed {
 } ovr_flowed;
 ovr_flowed ovr_yielding_flow(ovr_yielding *y);
 
-/* The present state: strains, and residual stresses, of a layer's
- * point; how far each point of the surface has moved into the body, b p_h/E*, 0
- * at the ends of the window. */
+/* Present strains and residual stresses of a layer's point; displacement of
+ * each surface point into the body, b p_h/E*, 0 at the ends of the window. */
 ovr_strained ovr_yielding_strain(const ovr_yielding *y, size_t layer, size_t i);
 ovr_stressed ovr_yielding_residual(const ovr_yielding *y, size_t layer,
                                    size_t i);
 const double *ovr_yielding_sinking(const ovr_yielding *y);
 
-/* Strains of a layer from outside: `points` each of x, z, xz and all.  Once all
- * are set, settle makes stresses and surface of them. */
+/* Strains of a layer, to be set by the caller: `points` each of x, z, xz and
+ * all. After all are set, `settle` computes stresses and surface displacement.
+ */
 double *ovr_yielding_strains(ovr_yielding *y, size_t layer);
 void ovr_yielding_settle(ovr_yielding *y);
 

@@ -19,7 +19,7 @@
 
 #include "strip/kernels.h"
 
-/* Stencil of a row: the node, W, E, S, N, and the second one upstream. */
+/* Stencil of a row: the node, W, E, S, N, and the second node upstream. */
 enum { SELF, WEST, EAST, SOUTH, NORTH, FAR, STENCIL };
 
 typedef struct stencil {
@@ -65,7 +65,7 @@ static size_t padded(size_t lines)
     return (lines + 7) / 8 * 8;
 }
 
-/* sum_m dN/dH_m k(m, .) of all nodes of rows 1..n-2 into `to`. */
+/* Computes sum_m dN/dH_m k(m, .) for all nodes of rows 1..n-2. */
 static void spread_film(const ovr_strip *strip, const stencil *s, double *to)
 {
     const ovr_strip_grid *g = &strip->level[0].grid;
@@ -80,7 +80,7 @@ static void spread_film(const ovr_strip *strip, const stencil *s, double *to)
     }
 }
 
-/* Numbers of the nodes that move, row after row. */
+/* Numbers the unknowns row after row; returns their count. */
 static size_t find_unknowns(const ovr_strip_level *level, int *place)
 {
     const ovr_strip_grid *g = &level->grid;
@@ -92,7 +92,7 @@ static size_t find_unknowns(const ovr_strip_level *level, int *place)
     return count;
 }
 
-/* Fills row r of the matrix; `film` has the nodes of the grid. */
+/* Fills row r of the matrix; `film` has a value per node of the grid. */
 static void fill_row(const ovr_strip *strip, size_t count, size_t r,
                      double *film, double *row)
 {

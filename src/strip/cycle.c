@@ -2,15 +2,16 @@
 /*
  * The FAS cycle of the strip.  It relaxes, restricts the full solution
  * (transfer.kernel.c), corrects by the coarse grids and relaxes again.  H0
- * changes on the coarsest grid only.  The load that is missing on a fine grid
- * is added to the target of the next coarser one.
+ * changes on the coarsest grid only.  The load error of a fine grid is added to
+ * the required load of the next coarser one.
  *
  * A cycle costs 4/3 of the work on the finest grid.
  */
 #include "strip/kernels.h"
 
-/* Damping 1 and the weights of a time step: even lines, then odd ones with the
- * residual that even ones leave in the film as it was. */
+/* Zebra relaxation, with damping 1 and the weights of a time step: even lines,
+ * then odd lines with the residual after the change of the even ones, for
+ * unchanged film. */
 static void relax_zebra(ovr_strip *strip, ovr_strip_level *level,
                         const ovr_strip_smoothing *how)
 {

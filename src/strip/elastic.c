@@ -3,16 +3,16 @@
  * Deformation of two half-spaces by a pressure that is periodic in Y.
  *
  *     dH_i,q = sum_j k_q(|i - j|) P_j,q      q = 0..lines/2
- *     k_0(d) = -(1/pi) int ln|X| dX over the mesh at d: of the line contact
+ *     k_0(d) = -(1/pi) int ln|X| dX over the interval at d (line contact)
  *     k_q(0) = 2 I(k D/2)/(pi k),   k = 2 pi q/W
  *     k_q(d) = [I((d + 1/2) k D) - I((d - 1/2) k D)]/(pi k)
  *     I(z) = int_0^z K0 = pi/2 - J(z),  J = int_0^inf e^(-z cosh u)/cosh u du
  *
  * P_q is the discrete Fourier transform of P across.  Pressure is a
- * trigonometric polynomial across and constant over a mesh along.  The kernel
- * of a wave across is K0(k|X|)/pi.  The trapezoidal rule with step 0.2 computes
- * J to 1e-16.  Values below 1e-22, which are those beyond z = 50, are set to
- * zero.
+ * trigonometric polynomial across, and constant around each node along X.  The
+ * kernel of a wave across is K0(k|X|)/pi.  The trapezoidal rule with step 0.2
+ * computes J to 1e-16.  Values below 1e-22, which are those beyond z = 50, are
+ * set to zero.
  *
  * The sums over j are circular convolutions of the length 2 (n - 1).  The first
  * and last rows have no pressure, so that no offset of n - 1 occurs.  The
@@ -25,8 +25,8 @@
 #include "multigrid/field.h"
 #include "strip/kernels.h"
 
-/* Rows and columns of a transform.  FFTW's choice of a method depends on them,
- * which is why they do not depend on the number of threads. */
+/* Numbers of rows and columns per transform. FFTW's choice of an algorithm
+ * depends on them, so they must not depend on the number of threads. */
 enum { ROWS = 16, COLUMNS = 8 };
 
 static double integral_beyond(double z)
@@ -43,7 +43,7 @@ static double integral_beyond(double z)
     return sum * step;
 }
 
-/* Integral of ln|x| over the mesh at d. */
+/* Integral of ln|x| over the interval of length D at d. */
 static double logarithm(double d, double D)
 {
     double a = (d + 0.5) * D, b = (d - 0.5) * D;
@@ -70,7 +70,8 @@ size_t ovr_strip_spectrum_size(const ovr_strip_grid *g)
     return 2 * (g->n - 1) * (g->lines / 2 + 1);
 }
 
-/* dH/dP at d rows and e lines of the influence by modes. */
+/* dH/dP at a distance of d rows and e lines, from the modes of the influence.
+ */
 static double at_lines(const ovr_strip_elastic *e, size_t d, size_t line)
 {
     const double turn = 2 * acos(-1) / (double)e->lines;
@@ -84,7 +85,7 @@ static double at_lines(const ovr_strip_elastic *e, size_t d, size_t line)
 }
 
 /* Transforms the table along X, with the factors of all transforms.  The result
- * is real and even like the table. */
+ * is real and even, like the table. */
 static void transform_table(ovr_strip_elastic *e)
 {
     const double factor = 1 / ((double)e->length * (double)e->lines);
@@ -103,8 +104,8 @@ static void transform_table(ovr_strip_elastic *e)
         e->table[k] = -factor * x[k][0]; /* H = H0 + gap - w */
 }
 
-/* Plans transforms of `rows` rows and `columns` columns, k = 0, or of those
- * that remain, k = 1.  None need to remain. */
+/* Plans transforms of `rows` rows and `columns` columns (k = 0), or of the
+ * remaining ones (k = 1). None may remain. */
 static bool plan(ovr_strip_elastic *e, double *field, int k, int rows,
                  int columns)
 {
@@ -153,8 +154,10 @@ ovr_status ovr_strip_elastic_allocate(ovr_strip_elastic *e,
     return e->table ? OVR_OK : OVR_NO_MEMORY;
 }
 
-/* `near` gets dH/dP close by, real_space, unless it is NULL, that of all rows
- * and of 2 lines lines, shifted by a period: n rows of 2 lines + 8. */
+/* Sets the near-field dH/dP in `near`. If `real_space` is not NULL, also writes
+ * dH/dP for all rows and 2 lines lines. They are shifted by a period: n rows of
+ * 2 lines
+ * + 8. */
 ovr_status ovr_strip_elastic_plan(ovr_strip_elastic *e, const ovr_strip_grid *g,
                                   ovr_strip_level *near, double *real_space,
                                   ovr_error *err)
@@ -224,7 +227,7 @@ static void from_modes(void *data, int member, size_t from, size_t to)
     }
 }
 
-/* The convolution along X of blocks of columns. */
+/* Convolution along X of blocks of columns. */
 static void convolve(void *data, int member, size_t from, size_t to)
 {
     const deformation *d = data;

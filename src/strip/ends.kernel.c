@@ -1,26 +1,26 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Projected relaxation at the ends of the film.  Near the boundary of the film
- * the flow by pressure governs the equation.  It is a Poisson equation with the
- * obstacle P >= 0 for pressure.
+ * Projected relaxation at the film ends. Near the cavitation boundary the
+ * Poiseuille flow dominates. The equation is then a Poisson equation with the
+ * constraint P >= 0:
  *
- *     sum E_k (P_k - P) - a0 dq/dP (P - P_0) = F + a0 q_0 + a1 q_{i-1} + a2
- * q_{i-2}
+ *     sum E_k (P_k - P) - a0 dq/dP (P - P_0)
+ *         = F + a0 q_0 + a1 q_{i-1} + a2 q_{i-2}
  *
- * Flow coefficients, film and upstream q are frozen.  Method: Gauss-Seidel in
- * two colours across within a row and from row to row, down and up in turn. The
- * relaxation factor is 1.3, and negative pressures are set to 0.
+ * Flow coefficients, film thickness and upstream q are constant. Method:
+ * two-colour Gauss-Seidel within a row and from row to row, in alternating
+ * directions. The relaxation factor is 1.3, and negative pressures are set to
+ * 0.
  *
- * The relaxation of lines moves the boundary of the film by a node in a sweep.
- * Lines that are coupled by Jacobi's method follow each other slowly, and
- * coarse grids do not resolve the boundary.  Without these sweeps the boundary
- * oscillates between two states.  R is then not reduced at M = 5, and by 0.57 a
- * cycle at M = 20 (513 x 128 nodes).  With 8 double sweeps R is reduced by 0.19
- * a cycle.
+ * A line relaxation sweep moves the cavitation boundary by one node. Jacobi
+ * coupling transfers changes between lines slowly, and coarse grids do not
+ * resolve the boundary.  Without these sweeps the boundary oscillates between
+ * two states.  R is then not reduced at M = 5, and by 0.57 a cycle at M = 20
+ * (513 x 128 nodes).  With 8 double sweeps R is reduced by 0.19 a cycle.
  *
  * The sweeps cover rows within 8 rows of a cavitated node.  Of these rows only
- * nodes with sum E > end_share a0 rho k(0,0) change.  A share of 3 is unstable
- * in time.
+ * nodes with sum E > end_share a0 rho k(0,0) change.  end_share = 3 is unstable
+ * in transient steps.
  */
 #include "multigrid/vector.h"
 #include "strip/kernels.h"
@@ -36,8 +36,8 @@ static size_t dry_nodes(const ovr_strip_grid *g, const double *P)
     return count;
 }
 
-/* Finds the rows that are swept.  The number of cavitated nodes of row i is
- * dry[i], and 0 for the inlet. */
+/* Finds the rows to be swept. dry[i] is the number of cavitated nodes of row i;
+ * it is 0 for the inlet. */
 static size_t find_rows(const ovr_strip_grid *g, const double *P, double *dry,
                         double *rows)
 {
@@ -59,7 +59,8 @@ static size_t find_rows(const ovr_strip_grid *g, const double *P, double *dry,
     return found;
 }
 
-/* Derivatives of the four flows by the pressure difference, phi frozen. */
+/* Derivatives of the four flows with respect to the pressure difference, for
+ * constant phi. */
 typedef struct tangents {
     vec west, east, south, north;
 } tangents;
@@ -77,8 +78,8 @@ static inline tangents tangents_at(const ovr_strip_fields *f, size_t k,
     return t;
 }
 
-/* The right side of row i into delta, the inverse diagonal into spread, 0 where
- * the node stays. */
+/* Stores the right-hand side of row i in delta and the inverse diagonal in
+ * spread; 0 where the node does not change. */
 static void freeze(const ovr_strip_grid *g, const double a[3], size_t i,
                    const ovr_strip_smoothing *how, double k00,
                    const ovr_strip_fields *f)
@@ -142,7 +143,7 @@ static void sweep_row(const ovr_strip_grid *g, const ovr_strip_fields *f,
     }
 }
 
-/* `work`: 2 n numbers. */
+/* `work` has 2 n elements. */
 void OVR_STRIP_KERNEL(sweep_ends)(const ovr_strip_grid *g,
                                   const ovr_strip_weights *w,
                                   const ovr_strip_smoothing *how, double k00,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Flow by pressure at half nodes, along X and across, between two nodes a and b
- * at the distance h.
+ * Poiseuille flow at half nodes, along X and across, between two nodes a and b
+ * at distance h.
  *
  *     flow = E (P_b - P_a),   E = phi_ab a_ab/h^2,   eps = phi H^3,
  *     phi = rho m
@@ -13,15 +13,15 @@
  * is linear in pressure, the logarithmic mean is the mean of m over pressure.
  * The derivatives of the flow are then -phi_a a_ab/h^2 and phi_b a_ab/h^2 at
  * constant density, which is elliptic at any step of pressure.  With secants
- * both are at least E.  At the peak of a spike phi is smallest.  There, far
- * from the solution, Newton's step is too large without secants.
+ * both are at least E.  At the peak of a spike phi is smallest; without
+ * secants, Newton steps far from the solution are too large there.
  *
- * Both means are of second order.  At a pressure spike m changes by e^1 to
- * e^7 in a mesh size.  There the arithmetic mean is too large by the factor
+ * Both means are of second order.  At a pressure spike m changes by e^1 to e^7
+ * in a mesh size.  There the arithmetic mean is too large by the factor
  * (d/2)/tanh(d/2), d = ln(m_b/m_a).
  *
- * A film with a flow law has the E of thinning.h at this eps, with derivatives
- * by the chain rule.
+ * With a rheological model E is that of thinning.h for this eps, with
+ * derivatives by the chain rule.
  *
  * For |d| < 0.1 the quotient of the means is the series of tanh(d/2)/(d/2) to
  * the sixth power (error 1e-12).  In a_ab films below 1e-6 are replaced by
@@ -33,7 +33,7 @@
 #include "strip/kernels.h"
 #include "strip/thinning.h"
 
-/* Values of a node that its four half nodes use. */
+/* Values of a node used at its four half nodes. */
 typedef struct node {
     vec g;               /* 1/H^3 */
     vec phi, slope, log; /* log: of m */
@@ -112,8 +112,8 @@ typedef struct faces {
     double secant; /* 1 or 0 */
 } faces;
 
-/* A half node: the nodes on both sides, mesh size, gradients of P, and the
- * direction of the flow. */
+/* A half node: its two nodes, mesh size, gradients of P, and direction of the
+ * flow. */
 typedef struct face {
     node a, b;
     size_t at_a, at_b;
@@ -131,7 +131,8 @@ static inline vec film_at(const faces *p, size_t k)
     return larger(load(p->f.H + k), all(1e-6));
 }
 
-/* Derivatives of a flow by both films, from those of E by eps, c and H. */
+/* Stores the derivatives of a flow with respect to both film thicknesses, from
+ * those of E with respect to eps, c and H. */
 static inline void put_by_film(const faces *p, const face *h, vec dP, vec eps,
                                const thinned *flow, vec c, size_t k,
                                const stored *to)
@@ -147,7 +148,8 @@ static inline void put_by_film(const faces *p, const face *h, vec dP, vec eps,
     store(to->by_b + k, dP * by_b);
 }
 
-/* Stores the flow of a half node at k, by the law of thinning.h if it thins. */
+/* Stores the flow of a half node at k, with the rheological model of thinning.h
+ * if there is one. */
 static INLINE void put_face(const faces *p, bool logarithmic, flow_kind thins,
                             bool across, const face *h, size_t k,
                             const stored *to)
@@ -185,7 +187,7 @@ static INLINE void put_face(const faces *p, bool logarithmic, flow_kind thins,
         put_by_film(p, h, scale * dP, eps, &flow, c, k, to);
 }
 
-/* Central difference of P across at a node. */
+/* Central difference of P across lines at a node. */
 static inline vec slope_across(const faces *p, size_t k)
 {
     return (load(p->f.P + k + 1) - load(p->f.P + k - 1)) / (2 * p->g->Dy);
@@ -238,7 +240,7 @@ static INLINE void all_faces(const faces *p, ovr_part rows, bool logarithmic,
     const size_t end = first + (g->lines + VEC - 1) / VEC * VEC;
     double *here = work, *next = work + ROWS * s;
     for (size_t i = rows.from; i <= rows.to && i < g->n; i++) {
-        /* Elements from the halo before line 0 on. */
+        /* Elements start in the halo before line 0. */
         size_t row = ovr_strip_row(g, i) - first;
         for (size_t j = 0; j < end + VEC && j < s; j += VEC) {
             keep(g, logarithmic, node_at(&p->f, &p->log, logarithmic, row + j),
@@ -249,7 +251,7 @@ static INLINE void all_faces(const faces *p, ovr_part rows, bool logarithmic,
                       .b = kept(g, logarithmic, j, next)};
             face_along(p, logarithmic, thins, row - s + j, &h);
         }
-        /* No row of the equation uses the flow across at the ends. */
+        /* Flow across lines is not used in the end rows. */
         bool beside = i && i < rows.to && i + 1 < g->n;
         for (size_t j = first - VEC; beside && j < end; j += VEC) {
             face h = {.a = kept(g, logarithmic, j, next),

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Steady solution of the strip by nested iteration.  The coarsest grid is
- * solved by Newton's method from Hertz's pressure.  Each finer grid starts from
- * the pressure of the one before, interpolated by cubics in the film and
- * linearly at its ends.
+ * solved by Newton's method, starting from the Hertzian pressure. Each finer
+ * grid starts from the pressure of the next coarser one, interpolated by cubics
+ * in the film and linearly at its ends.
  *
- * Two V(1,1) cycles a level leave a fifth of the discretization error at M = 5
- * and
- * 20.  M = 100 needs three.
+ * With two V(1,1) cycles per level the algebraic error is a fifth of the
+ * discretization error at M = 5 and 20. M = 100 needs three cycles.
  */
 #include <math.h>
 #include <string.h>
@@ -56,7 +55,7 @@ static bool iterate(ovr_strip *strip)
     return change < 1e-3;
 }
 
-/* A film with a flow law starts from the Newtonian one. */
+/* With a rheological model, starts from the Newtonian film. */
 static bool solve_coarsest(ovr_strip *strip)
 {
     const ovr_rheology law = strip->fluid.lubricant.rheology;
@@ -70,7 +69,7 @@ static bool solve_coarsest(ovr_strip *strip)
     return iterate(strip);
 }
 
-/* The value midway between b and c. */
+/* Interpolates midway between b and c. */
 static double midway(double a, double b, double c, double d)
 {
     if (a > 0 && b > 0 && c > 0 && d > 0)

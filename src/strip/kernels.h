@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The strip's kernels: its hot loops, compiled once for each instruction set
- * (*.kernel.c), with vectors across lines.  Whole vectors reach past the last
- * line into the halo, which ovr_strip_kernels.wrap fills again.
+ * Kernels of the strip: the loops that take most of the time, compiled once for
+ * each instruction set (*.kernel.c), with vectors across lines. Whole vectors
+ * extend beyond the last line into the halo, which ovr_strip_kernels.wrap
+ * restores.
  *
  * Kernels work on a part of the rows, lines or columns, so that threads can
- * share a grid (passes.c).  They write to that part alone.  Sums are stored
- * for each row.
+ * share a grid (passes.c).  They write to that part only.  Sums are stored for
+ * each row.
  */
 #ifndef OVR_STRIP_KERNELS_H
 #define OVR_STRIP_KERNELS_H
@@ -20,7 +21,7 @@ typedef struct ovr_part {
 
 /* clang-format off */
 #define OVR_STRIP_EACH_KERNEL(K) \
-    /* Repeats the period beyond both ends of every row. */ \
+    /* Copies the period beyond both ends of every row */ \
     K(void, wrap, (const ovr_strip_grid *g, ovr_part rows, double *x)) \
     /* Computes the flow at half nodes. */ \
     K(void, faces, (const ovr_strip_grid *g, ovr_part rows, \
@@ -87,8 +88,8 @@ typedef struct ovr_strip_kernels {
     OVR_STRIP_EACH_KERNEL(OVR_STRIP_POINTER)
 } ovr_strip_kernels;
 
-/* The strip's kernels of a table of the line contact's; those of the base for
- * the plain one. */
+/* Returns the strip kernels for a kernel table of the line contact; those of
+ * the base instruction set for the plain table. */
 const ovr_strip_kernels *ovr_strip_kernels_of(const ovr_kernels *kernels);
 
 enum { OVR_STRIP_GROUP = 16 };
@@ -98,25 +99,26 @@ static inline size_t ovr_strip_groups(const ovr_strip_grid *g)
     return (g->lines + OVR_STRIP_GROUP - 1) / OVR_STRIP_GROUP;
 }
 
-/* Doubles that kernels take as `work`, in whole cache lines. */
+/* Size of the array `work` of kernels in doubles, in whole cache lines. */
 static inline size_t ovr_strip_work(const ovr_strip_grid *g)
 {
     size_t solve = g->n * 2 * OVR_STRIP_GROUP, faces = 8 * g->stride;
     return solve > faces ? solve : faces;
 }
 
-/* Unknowns of a patch at most (spots.c). */
+/* Maximum number of unknowns of a patch (spots.c). */
 enum { OVR_STRIP_SPOT = 49 };
 
 /* ------------------------------------------------------------------ passes.c
  */
 
-/* Runs a loop of `count` items on a grid: in one thread where it is small. */
+/* Runs a loop of `count` items on a grid, in one thread if the grid is small.
+ */
 void ovr_strip_share(ovr_strip *strip, const ovr_strip_grid *g, size_t count,
                      ovr_team_work *work, void *data);
 double *ovr_strip_work_of(const ovr_strip *strip, int member);
 
-/* Repeats the period of a field beyond both ends of all rows. */
+/* Copies the period of a field beyond both ends of all rows. */
 void ovr_strip_wrap(ovr_strip *strip, ovr_strip_level *level, double *x);
 /* Computes the residual, with its halos if `wrapped`. */
 void ovr_strip_residual(ovr_strip *strip, ovr_strip_level *level, bool wrapped);
@@ -126,8 +128,8 @@ double ovr_strip_sum(ovr_strip *strip, ovr_strip_level *level, const double *x);
 double ovr_strip_distance(ovr_strip *strip, ovr_strip_level *level,
                           const double *a, const double *b);
 
-/* Computes residual, `moves` and `share`; changes P by the solutions of lines
- * of one colour, or of all lines if it is -1. */
+/* Computes residual, `moves` and `share`; then changes P by line solves of one
+ * colour, or of all lines if the colour is -1. */
 void ovr_strip_choose_nodes(ovr_strip *strip, ovr_strip_level *level,
                             const ovr_strip_smoothing *how);
 void ovr_strip_relax_lines(ovr_strip *strip, ovr_strip_level *level,

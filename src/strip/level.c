@@ -20,7 +20,7 @@ static void take_fields(ovr_strip_level *level, ovr_arena *arena,
                                           err);
 }
 
-/* Elements of a row with its halos: whole cache lines. */
+/* Number of elements in a row with its halos, in whole cache lines. */
 static size_t stride_of(size_t lines)
 {
     return (lines + 7) / 8 * 8 + 2 * OVR_STRIP_HALO;
@@ -62,7 +62,7 @@ static ovr_status make_grids(ovr_strip *strip, const ovr_strip_shape *shape,
     return OVR_OK;
 }
 
-/* Allocates the arrays of Newton's method on the coarsest grid. */
+/* Allocates the arrays for Newton's method on the coarsest grid. */
 static void take_coarsest(ovr_strip *strip, ovr_arena *arena, ovr_error *err)
 {
     const ovr_strip_grid *g = &strip->level[0].grid;
@@ -221,8 +221,8 @@ ovr_strip_cycling ovr_strip_steady(const ovr_fluid *fluid)
                              .sweeps_after = 1,
                              .newton_steps = 1,
                              .correction = 1};
-    /* Sliding makes the flow along X large in the whole contact.  The lines
-     * solve it exactly, so that it is no reason to change nodes one by one. */
+    /* With sliding, the flow along X is large in the whole contact. Line solves
+     * treat it exactly, so nodes need not be relaxed individually. */
     if (ovr_flow_is_shear_thinning(fluid)) {
         how.smoothing.tau = 3;
         how.smoothing.along = 0.2;

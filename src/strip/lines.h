@@ -13,7 +13,7 @@ static inline ovr_part between_ends(const ovr_strip_grid *g, ovr_part rows)
                       rows.to < g->n ? rows.to : g->n - 1};
 }
 
-/* Elements of the vector at line j that are lines of the period. */
+/* Mask of the elements of the vector at line j that are lines of the period. */
 static inline ivec lines_before(size_t j, size_t lines)
 {
     ivec lane;

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A time step of the strip: right side, guess, attempts.
- *
- * Guesses are formulas in E and S (guess.c).  E is one step back.  S is a shift
- * by the distance that a feature moves in a step.
+ * A time step of the strip: right-hand side, initial guess, attempts. Guesses
+ * are formulas in E and S (guess.c).  E is one step back.  S is a shift by the
+ * distance that a feature moves in a step.
  *
  *     (1 - E) P = 0
  *     (1 - E)^3 P = 0
@@ -11,13 +10,12 @@
  *     (1 - E) (1 - S E) P = 0
  *     (1 - E) (1 - S E)^2 P = 0
  *
- * After every fourth step the distance of all guesses from the solution is
- * computed.
- * The next step starts from the formula with the smallest mean distance.
+ * After every fourth step the errors of all guesses are computed. The next step
+ * uses the formula with the smallest mean error.
  *
- * Attempts: no single way to couple lines is best for all films.  Zebra needs
- * half the cycles of Jacobi for rough sliding at M = 20, but stalls at M = 5.
- * Where cycles stall at few nodes, spots.c solves these.  The later attempts
+ * Attempts: no coupling of lines is best for all films. For rough sliding at M
+ * = 20 zebra coupling needs half the cycles of Jacobi coupling. At M = 5 it
+ * stalls. If cycles stall at few nodes, spots.c solves these. Later attempts
  * start from the last film.
  */
 #include "strip/march.h"
@@ -36,7 +34,7 @@ typedef struct term {
 enum { MAX_TERMS = 8, MAX_ROWS = 4 * MAX_TERMS };
 
 typedef struct formula {
-    size_t needs, count; /* times known */
+    size_t needs, count; /* number of known times required */
     term term[MAX_TERMS];
     double H0[OVR_STRIP_PAST];
 } formula;
@@ -84,8 +82,7 @@ static ovr_strip_level *finest_of(const ovr_strip_march *march)
     return &march->strip->level[march->strip->finest];
 }
 
-/* Computes q of all rows at the time T, including those upstream of the inlet.
- */
+/* Computes q of all rows at time T, including rows upstream of the inlet. */
 static void keep_content(ovr_strip_march *march, double T, double *q)
 {
     const ovr_strip_level *level = finest_of(march);
@@ -127,15 +124,15 @@ void ovr_strip_march_begin(ovr_strip_march *march, double T)
         keep_content(march, T, march->q[k]);
 }
 
-/* Rows and weights of a sum. */
+/* A linear combination of rows. */
 typedef struct rows {
     size_t count;
     double weight[MAX_ROWS];
     const double *from[MAX_ROWS];
 } rows;
 
-/* Adds weight times the value at i - shift rows of x, whose rows are first ..
- * first + n - 1; beyond them it is 0. */
+/* Adds weight times the value at position i - shift of x, interpolated between
+ * rows. x has rows first .. first + n - 1; other rows are 0. */
 static void add_shifted(rows *sum, const ovr_strip_grid *g, const double *x,
                         ptrdiff_t first, size_t n, ptrdiff_t i, double shift,
                         double weight)
@@ -171,8 +168,8 @@ static void weigh(const ovr_strip_march *march, double a[3])
     a[2] = r * r / (1 + r) / t1;
 }
 
-/* Rows of the right side: rows of the past, moved on by `way` mesh sizes, with
- * the weights a. */
+/* Right-hand side as a combination of past rows, shifted by `way` mesh sizes,
+ * with the weights a. */
 typedef struct side {
     const ovr_strip_march *march;
     double way[2], a[3];
@@ -227,7 +224,7 @@ static bool can_guess(const ovr_strip_march *march, int k)
     return march->known >= f->needs && (!shifts || isfinite(march->carried));
 }
 
-/* Rows of the pressure by a formula. */
+/* Pressure rows of the guess by a formula. */
 typedef struct guess {
     const ovr_strip_march *march;
     const formula *formula;
@@ -287,7 +284,7 @@ static void make_guess(ovr_strip_march *march)
 }
 
 /* Compares all guesses with the solution, at every fourth step and while new
- * formulas become possible. */
+ * formulas become available. */
 static void learn(ovr_strip_march *march)
 {
     enum { EVERY = 4 };
@@ -302,7 +299,7 @@ static void learn(ovr_strip_march *march)
     for (int k = 0; k < OVR_STRIP_GUESSES; k++) {
         if (!can_guess(march, k))
             continue;
-        /* The finest grid's entry is not used in a cycle. */
+        /* `entry` of the finest grid is not used in a cycle. */
         guess_pressure(march, k, level->f.entry);
         double apart = ovr_strip_distance(march->strip, level, level->f.entry,
                                           level->f.P);
@@ -317,10 +314,10 @@ static void learn(ovr_strip_march *march)
 
 /* Settings of the attempts after the first. */
 typedef struct setting {
-    int zebra; /* -1: the other way to couple lines */
+    int zebra; /* -1: the other coupling of lines */
     int sweeps, cycles;
     double correction, limit, plain;
-    bool afresh; /* from the last film */
+    bool afresh; /* start from the last film */
 } setting;
 
 static const setting settings[OVR_STRIP_ATTEMPTS] = {
@@ -366,15 +363,16 @@ typedef struct progress {
     ovr_strip_march *march;
     ovr_strip_step *step;
     ovr_strip_cycling how;
-    bool first;    /* attempt */
-    double enough; /* R that is to be reached */
+    bool first;    /* first attempt */
+    double enough; /* tolerance of R */
     double R, last[2];
-    double begun; /* R where the coupling was chosen, `since` cycles ago */
+    double begun; /* R when the coupling was selected, `since` cycles ago */
     int since;
-    double rate[2]; /* of R a cycle with each coupling; 0: not known */
+    double rate[2]; /* reduction of R per cycle with each coupling; 0: unknown
+                     */
 } progress;
 
-/* Measures R; true if the film is solved. */
+/* Computes R; returns true if the film is solved. */
 static bool is_solved(progress *p)
 {
     const double most = p->march->load;
@@ -384,8 +382,8 @@ static bool is_solved(progress *p)
     return ovr_strip_below(d, p->enough) && (!(most > 0) || d.load <= most);
 }
 
-/* Solves the nodes that have more than a hundredth of R by Newton's method;
- * true if that solves the film. */
+/* Solves the nodes that contribute more than a hundredth of R by Newton's
+ * method. Returns true if the film is then solved. */
 static bool solve_spots(progress *p)
 {
     enum { STEPS = 8 };
@@ -404,8 +402,8 @@ static bool solve_spots(progress *p)
     return false;
 }
 
-/* Couples lines the other way if that reduces R faster or was not tried yet.
- * Otherwise corrections are halved, or made whole again. */
+/* Changes the coupling of lines if the other one reduces R faster or has not
+ * been tried. Otherwise halves the corrections, or restores their full size. */
 static void change_coupling(progress *p)
 {
     const bool zebra = p->how.smoothing.zebra;
@@ -418,7 +416,7 @@ static void change_coupling(progress *p)
     p->begun = p->R;
 }
 
-/* True if a cycle has reduced R too little, or has increased it. */
+/* True if a cycle has reduced R too little or increased it. */
 static bool is_slow(const progress *p, int cycles)
 {
     enum { PATIENCE = 4 };
@@ -426,10 +424,10 @@ static bool is_slow(const progress *p, int cycles)
            (p->since >= 2 && cycles > 3 && p->R > 1.5 * p->last[0]);
 }
 
-/* Cycles until R is below the tolerance; false if they do not get there.  After
- * the third cycle, Newton's method solves the spots where R stalls.  The first
- * attempt changes the coupling of lines where cycles are slow.  Later attempts
- * end where eight cycles gain little. */
+/* Performs cycles until R is below the tolerance; returns false if they do not
+ * converge. After the third cycle, Newton's method is applied to patches where
+ * R stalls. The first attempt changes the coupling of lines if cycles are slow.
+ * Later attempts end if eight cycles gain little. */
 static bool cycle_until(ovr_strip_march *march, int attempt,
                         ovr_strip_step *step)
 {

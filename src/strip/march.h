@@ -8,14 +8,14 @@
  *     a0 = (1 + 2 r)/(1 + r)/t1,  a1 = -(1 + r)/t1,  a2 = r^2/(1 + r)/t1
  *     r = t1/(t2 - t1)
  *
- * BDF2 has these weights.  In the times t1 and t2 the mean speed moves the film
- * by the lengths s1 and s2 respectively.
+ * These are the weights of BDF2. In the times t1 and t2 the film moves by s1
+ * and s2 with the entrainment speed.
  *
- * The film has no pressure upstream of the inlet.  A parabola through three
- * rows extrapolates H0 - w to there.  Cubics interpolate q between rows.
+ * The film has no pressure upstream of the inlet.  There H0 - w is extrapolated
+ * by a parabola through three rows.  Cubics interpolate q between rows.
  *
- * A step starts from a guess extrapolated in time (march.c).  The settings of
- * march.c are attempted in turn until R is below the tolerance.
+ * The initial guess of a step is extrapolated in time (march.c). The settings
+ * of march.c are tried in turn until R is below the tolerance.
  */
 #ifndef OVR_STRIP_MARCH_H
 #define OVR_STRIP_MARCH_H
@@ -29,24 +29,24 @@ typedef struct ovr_strip_march {
     ovr_strip_gap *gap;
     void *data;
     bool characteristic;
-    double speed; /* mean speed at the next time, of upstream2 */
-    /* Way of the film since T[0], T[1] for the characteristic scheme; NAN: at
-     * the nominal speed */
+    double speed; /* entrainment speed at the next time, for upstream2 */
+    /* Distance moved by the film since T[0], T[1] for the characteristic
+     * scheme; NAN: at the reference speed */
     double travel[2];
-    double force;     /* target at the next time */
+    double force;     /* required value at the next time */
     double carried;   /* speed of the features; NAN if unknown */
     double tolerance; /* of R */
-    /* R may also be that share of R at the guess, up to `loosest` */
+    /* R may also be `share` times R of the guess, up to `loosest` */
     double share, loosest;
-    double load; /* largest relative error of the load; 0: 10 tolerances */
-    /* The past: 0 is the last time that was reached. */
+    double load; /* maximum relative load error; 0: 10 tolerances */
+    /* The past; index 0 is the last completed time. */
     double T[OVR_STRIP_PAST + 1];
-    size_t known; /* times of it that differ */
-    long steps;   /* since the begin */
+    size_t known; /* number of known times that differ */
+    long steps;   /* number of steps since the start */
     double *P[OVR_STRIP_PAST], H0[OVR_STRIP_PAST];
     double *q[2];          /* from row -ghosts on */
     size_t ghosts;         /* rows upstream of the inlet */
-    int formula, coupling; /* that begin the next step */
+    int formula, coupling; /* formula and coupling for the next step */
     double nearness[OVR_STRIP_GUESSES];
     double next; /* time of the attempt */
 } ovr_strip_march;
@@ -57,18 +57,21 @@ typedef struct ovr_strip_step {
     bool solved;
 } ovr_strip_step;
 
-/* `longest`: the longest step in mesh sizes.  The strip is there already. */
+/* Creates the time stepping of an existing strip. `longest`: maximum step
+ * length in mesh sizes. */
 ovr_status ovr_strip_march_create(ovr_strip_march *march, ovr_strip *strip,
                                   double longest, ovr_arena *arena,
                                   ovr_error *err);
 
-/* Begins at T from the strip's film, as if it had always been so. */
+/* Starts at T from the strip's film, which is assumed to have been steady
+ * before. */
 void ovr_strip_march_begin(ovr_strip_march *march, double T);
 
-/* Solves the film at the time `next`; the past stays. */
+/* Solves the film at the time `next`; the past does not change. */
 ovr_strip_step ovr_strip_march_attempt(ovr_strip_march *march, double next);
 
-/* Makes the attempt the last time that was reached, or returns to that. */
+/* Makes the attempt the last completed time, or restores the last completed
+ * time. */
 void ovr_strip_march_accept(ovr_strip_march *march);
 void ovr_strip_march_back(ovr_strip_march *march);
 

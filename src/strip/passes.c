@@ -9,7 +9,7 @@
 #include "multigrid/field.h"
 #include "strip/kernels.h"
 
-/* Nodes of a grid below which one thread is faster than several. */
+/* Minimum number of nodes for which several threads are faster than one. */
 enum { LEAST_NODES = 3000 };
 
 typedef struct pass {
@@ -188,8 +188,9 @@ void ovr_strip_relax_lines(ovr_strip *strip, ovr_strip_level *level,
 
 /* --------------------------------------------------------------- properties */
 
-/* Film of whole rows with their halos, which are one array of nodes to the
- * kernel.  The kernel adds OVR_HALO vectors at its begin and one at its end. */
+/* Computes the film of whole rows with their halos, which the kernel processes
+ * as one array of nodes. The kernel adds OVR_HALO vectors at the beginning and
+ * one at the end. */
 static void film_of(const pass *p, size_t from, size_t to)
 {
     const ovr_strip *strip = p->strip;

@@ -5,15 +5,16 @@
  *     N = flow_{i+1/2} - flow_{i-1/2} + flow_{j+1/2} - flow_{j-1/2}
  *         - a0 q_i - a1 q_{i-1} - a2 q_{i-2},      r = F - N
  *
- * An unknown delta_c of each moving node c changes P by +1 at c.  It changes P
- * by -s_c w_m at its four neighbours m that move.  The sum deforms the film
- * only nearby, so that lines can be solved one by one (Jacobi across).
+ * The unknown delta_c of a node c changes P by delta_c at c and by -s_c w_m
+ * delta_c at its four neighbours m, if these can change. The deformation of
+ * such a change is local, so that lines can be solved separately (Jacobi
+ * across).
  *
  *     s_c = 1/(1 + (e/(tau a0 rho k(0,0)))^4)
  *
- * Here e is the sum of the four E, weighted by `along` and `across`.  The share
- * is 1 where elasticity governs the equation, and 0 where the flow does.  A
- * line is a pentadiagonal system.
+ * Here e is the sum of the four E, weighted by `along` and `across`.  s_c is 1
+ * where elastic deformation dominates the equation and 0 where the flow
+ * dominates.  A line is a pentadiagonal system.
  *
  *     sum_d b_d delta_{i+d} = r_i,   d = -2..2,   c = i + d
  *     b_d = B_d - s_c w_left(c) B_{d-1} - s_c w_right(c) B_{d+1}
@@ -22,18 +23,18 @@
  *     Qe(d) = a0 rho_i k(d,e) + a1 rho_{i-1} k(d+1,e) + a2 rho_{i-2} k(d+2,e)
  *
  * The A_d = dN_i/dP_{i+d} are derivatives at fixed film, and k(d,e) is the
- * influence dH_i/dP_{i+d,j+e}.  Derivatives of E by the film are neglected.
- * Method: Gaussian elimination without pivoting, from the inlet on.  P then
- * changes by delta minus the parts of its neighbours, damped and by `limit` at
- * most.  Negative pressures are set to zero.
+ * influence dH_i/dP_{i+d,j+e}.  Derivatives of E with respect to the film
+ * thickness are neglected. Method: Gaussian elimination without pivoting,
+ * starting at the inlet. P then changes by delta minus the fractions of its
+ * neighbours, damped and limited to `limit`.  Negative pressures are set to
+ * zero.
  *
- * A V(1,1) cycle reduces R by a factor of 3 to 5 for M = 5 to 200 where Dy is
- * 0.9 to 5 times the mesh size along.  Source: Venner and Lubrecht (2000),
- * Multilevel Methods in Lubrication. Their weights are 1/4.  The weights 1/2
- * upstream and 0 downstream in steady films, the smooth share and the full
- * derivatives are new.
+ * A V(1,1) cycle reduces R by a factor of 3 to 5 (M = 5 to 200, Dy = 0.9 D to 5
+ * D).  Source: Venner and Lubrecht (2000), Multilevel Methods in Lubrication.
+ * Their weights are 1/4.  The weights 1/2 upstream and 0 downstream in steady
+ * films, the smooth share and the full derivatives are new.
  *
- * Cost: 100 vector operations a node, of which one is a division.
+ * Cost: 100 vector operations per vector of nodes, of which one is a division.
  */
 #include "multigrid/vector.h"
 #include "strip/kernels.h"
@@ -66,7 +67,8 @@ static inline const double *weights_at(const ovr_strip_weights *w, size_t i)
     return i == 1 ? w->first : w->a;
 }
 
-/* N of the nodes at k and the sum of their four E, which are reached by s. */
+/* N of the nodes at k and the sum of their four E; neighbours are at distance
+ * s. */
 static inline vec row_at(const ovr_strip_fields *f, const double a[3], size_t k,
                          size_t s, size_t far, vec *along, vec *across)
 {
@@ -90,8 +92,8 @@ static inline size_t second_before(const ovr_strip_grid *g, size_t i)
     return i >= 2 ? 2 * g->stride : g->stride;
 }
 
-/* Clears the first and the last row of the grid if they are of a part, and
- * returns the rows of the part between them. */
+/* Clears the first and last row of the grid if they belong to the part; returns
+ * the rows between them. */
 static ovr_part clear_ends(const ovr_strip_grid *g, ovr_part rows, double *x)
 {
     const size_t last = g->n - 1;
@@ -119,7 +121,7 @@ void OVR_STRIP_KERNEL(residual)(const ovr_strip_grid *g, ovr_part rows,
 }
 
 /*
- * A cavitated node is an unknown if its residual would raise P by more than
+ * A cavitated node is an unknown if its residual would increase P by more than
  * rounding, 1e-10.
  */
 void OVR_STRIP_KERNEL(choose)(const ovr_strip_grid *g, ovr_part rows,
@@ -154,7 +156,7 @@ void OVR_STRIP_KERNEL(choose)(const ovr_strip_grid *g, ovr_part rows,
     }
 }
 
-/* Sums |r| where P would rise, and min(r, P sum E) elsewhere. */
+/* Sums |r| where P should increase, and min(r, P sum E) elsewhere. */
 void OVR_STRIP_KERNEL(imbalance)(const ovr_strip_grid *g, ovr_part rows,
                                  const ovr_strip_fields *own, double *sums)
 {
@@ -183,8 +185,8 @@ void OVR_STRIP_KERNEL(imbalance)(const ovr_strip_grid *g, ovr_part rows,
 
 enum { BAND = 2, COLUMNS = 2 * BAND + 1, KEPT = 8, MOST = 2 };
 
-/* Parts of the change of a column c in the window: s_c w of its neighbours
- * that move. */
+/* Fractions of the change of column c in the window: s_c w of its neighbours
+ * that can change. */
 typedef struct column {
     vec left, right, side, moves;
 } column;
@@ -196,7 +198,7 @@ typedef struct lines {
     const ovr_strip_smoothing *how;
     const double *near; /* ovr_strip_level.near */
     ovr_strip_fields f;
-    double *kept; /* upper triangle: 2 numbers a node */
+    double *kept; /* upper triangle: 2 numbers per node */
 } lines;
 
 static inline column column_at(const lines *a, ptrdiff_t c, size_t j)
@@ -232,7 +234,7 @@ static INLINE vec elastic_at(const lines *a, bool wedge, const vec e[3],
     return sum;
 }
 
-/* Row i of the systems of VEC lines from j on. */
+/* Row i of the linear systems of VEC lines from j on. */
 static INLINE void assemble(const lines *a, bool wedge, size_t i, size_t j,
                             const column window[KEPT], vec b[COLUMNS],
                             vec *right_side)
@@ -284,13 +286,13 @@ static INLINE void assemble(const lines *a, bool wedge, size_t i, size_t j,
     *right_side = choose(moves > 0, load(f->r + k), all(0));
 }
 
-/* Elimination of `count` groups of VEC lines from line j on: rows are made as
+/* Eliminates `count` groups of VEC lines from line j on; rows are assembled as
  * they are eliminated. */
 static INLINE void eliminate(const lines *a, bool wedge, size_t count, size_t j)
 {
     const ovr_strip_grid *g = a->g;
     column window[MOST][KEPT];
-    vec u[MOST][BAND][BAND], x[MOST][BAND]; /* of the rows before */
+    vec u[MOST][BAND][BAND], x[MOST][BAND]; /* rows before the present one */
     UNROLL
     for (size_t v = 0; v < count; v++) {
         for (ptrdiff_t c = 1 - BAND; c < 1 + BAND; c++)

@@ -4,16 +4,17 @@
  *
  *     sum_c [A_rc + sum_m B_rm k(m - c)] dP_c = r_r,   B_rm = dN_r/dH_m
  *
- * Unknowns are the pressures of the nodes that move, at most 3 rows and 3 lines
- * away from the centre of the patch.  The influence k is complete within the
- * patch, and all other pressures and H0 are frozen.  P >= 0 is kept by setting
- * negative results to zero.  The derivative of the flow by the films is that of
- * the gap's mean (faces.kernel.c).
+ * Unknowns are the pressures of nodes that can change, at most 3 rows and 3
+ * lines away from the centre of the patch. The influence k is complete within
+ * the patch; all other pressures and H0 are constant. Negative results are set
+ * to zero.  The derivative of the flow by the films is that of the gap's mean
+ * (faces.kernel.c).
  *
- * The centres are the nodes with the largest part of the imbalance R.  In rough
- * films that slide, R stalls at few nodes.  Most of them are in pockets near
- * the outlet that are about to open or to close.  Relaxation and coarse grids
- * move the pressure of such a node back and forth.
+ * The centres are the nodes with the largest contributions to R. In rough
+ * sliding films, R stalls at few nodes. Most of them are in pockets near the
+ * outlet that are about to cavitate or to become pressurized. Relaxation and
+ * coarse-grid corrections change the pressure of such a node in opposite
+ * directions.
  *
  * Cost: 0.05 ms for a patch of 49 unknowns, and a refresh of the level.
  */
@@ -28,7 +29,8 @@ typedef struct place {
     size_t i, j;
 } place;
 
-/* Derivatives of row r: of the node, W, E, S, N and the second one upstream. */
+/* Derivatives of row r with respect to the node, W, E, S, N and the second node
+ * upstream. */
 enum { SELF, WEST, EAST, SOUTH, NORTH, FAR, STENCIL };
 
 typedef struct derivatives {
@@ -41,7 +43,8 @@ static size_t element(const ovr_strip_grid *g, place p)
     return ovr_strip_row(g, p.i) + p.j;
 }
 
-/* Adds the derivatives of a flow by the films of its nodes a and b. */
+/* Adds the derivatives of a flow with respect to the film thicknesses of its
+ * nodes a and b. */
 static void add_by_film(const ovr_strip_fields *f, size_t a, size_t b,
                         double flow, double *by_a, double *by_b)
 {
@@ -106,7 +109,7 @@ static double influence(const ovr_strip_level *level, place a, place b)
     return level->near[lines_between(&level->grid, a.j, b.j)][d];
 }
 
-/* Nodes of a patch that move. */
+/* Finds the nodes of a patch that can change. */
 static size_t find_nodes(const ovr_strip_level *level, place centre,
                          place node[MOST])
 {
@@ -123,7 +126,7 @@ static size_t find_nodes(const ovr_strip_level *level, place centre,
     return count;
 }
 
-/* A Newton step on a patch. */
+/* Solves a patch by one Newton step. */
 static void solve_patch(ovr_strip *strip, ovr_strip_level *level, place centre,
                         double limit)
 {
@@ -154,7 +157,7 @@ static void solve_patch(ovr_strip *strip, ovr_strip_level *level, place centre,
     }
 }
 
-/* The part of a node in the imbalance (relax.kernel.c). */
+/* Contribution of a node to the imbalance (relax.kernel.c). */
 static double part_of(const ovr_strip_level *level, size_t k)
 {
     const ovr_strip_fields *f = &level->f;

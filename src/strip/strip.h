@@ -9,8 +9,8 @@
  *
  * The scales are those of the line contact (reynolds.h).  Lengths are in b,
  * films in b^2/R and pressures in p_h.  The nominal load has force = pi/2.
- * Rolling and sliding are along X only.  Without variation across the strip is
- * a line contact.
+ * Rolling and sliding are along X only.  Without variation across the rolling
+ * direction the strip is a line contact.
  *
  * Grid: nodes X_i = X_a + i D, i = 0..n-1, and lines Y_j = j Dy, j =
  * 0..lines-1. Dy = W/lines.  There is no pressure at i = 0 and n-1.  Nodes of a
@@ -40,7 +40,7 @@
 
 enum { OVR_STRIP_HALO = 8, OVR_STRIP_LEVELS = 12 };
 
-/* Rows and lines of the influence close by. */
+/* Number of rows and lines of the near-field influence. */
 enum { OVR_STRIP_NEAR = 16, OVR_STRIP_NEAR_LINES = 8 };
 
 typedef struct ovr_strip_grid {
@@ -50,19 +50,21 @@ typedef struct ovr_strip_grid {
     double X_a, D, Dy;
 } ovr_strip_grid;
 
-/* The first place of a row. */
+/* Index of the first element of a row. */
 static inline size_t ovr_strip_row(const ovr_strip_grid *g, size_t i)
 {
     return i * g->stride;
 }
 
-/* Elements of a field from its first place to the end of its last row. */
+/* Number of elements of a field from the first element to the end of the last
+ * row. */
 static inline size_t ovr_strip_size(const ovr_strip_grid *g)
 {
     return g->n * g->stride;
 }
 
-/* An array of n values and its halos, or NULL with *err filled. */
+/* Allocates an array of n values with halos; returns NULL with *err filled if
+ * this fails. */
 double *ovr_strip_field(size_t n, ovr_arena *arena, ovr_error *err);
 
 /*
@@ -74,7 +76,7 @@ double *ovr_strip_field(size_t n, ovr_arena *arena, ovr_error *err);
 #define OVR_STRIP_FIELDS(FIELD)                                                \
     FIELD(P)     /* pressure */                                                \
     FIELD(H)     /* film thickness */                                          \
-    FIELD(gap)   /* undeformed gap; of coarse grids H - H0 + w at entry */     \
+    FIELD(gap)   /* undeformed gap; on coarse grids H - H0 + w at entry */     \
     FIELD(w)     /* deformation, H = H0 + gap - w */                           \
     FIELD(rho)   /* density */                                                 \
     FIELD(q)     /* rho H */                                                   \
@@ -83,14 +85,16 @@ double *ovr_strip_field(size_t n, ovr_arena *arena, ovr_error *err);
     FIELD(deps)  /* d eps/dP at fixed H */                                     \
     FIELD(F)     /* right-hand side */                                         \
     FIELD(r)     /* residual F - N */                                          \
-    FIELD(entry) /* P when the cycle came to this level */                     \
+    FIELD(entry) /* P at the start of the cycle on this level */               \
     FIELD(along) /* E at i + 1/2 */                                            \
     FIELD(along_before)                                                        \
     FIELD(along_after)                                                         \
     FIELD(across) /* E at j + 1/2 */                                           \
     FIELD(across_before)                                                       \
     FIELD(across_after)                                                        \
-    FIELD(moves)  /* 1 for unknowns of a sweep, 0 for nodes held at P = 0 */   \
+    FIELD(                                                                     \
+        moves) /* 1 for unknowns of a sweep, 0 for nodes constrained to P = 0  \
+                */                                                             \
     FIELD(share)  /* s of relax.kernel.c, 0..1 */                              \
     FIELD(delta)  /* change of the line solve */                               \
     FIELD(spread) /* s delta */
@@ -106,7 +110,8 @@ typedef struct ovr_strip_fields {
         };
         double *all[OVR_STRIP_FIELD_COUNT];
     };
-    /* Derivatives by both films on the coarsest grid, otherwise NULL */
+    /* Derivatives with respect to both film thicknesses, on the coarsest grid
+     * only; otherwise NULL */
     double *along_by_film[2], *across_by_film[2];
 } ovr_strip_fields;
 
@@ -120,9 +125,9 @@ typedef struct ovr_strip_elastic {
     size_t n, lines, stride;
     size_t modes;  /* lines/2 + 1 */
     size_t length; /* length of the transforms along X, 2 (n - 1) */
-    double *table; /* n x modes: the influence's transform, which is even */
+    double *table; /* n x modes: transform of the influence, an even function */
     fftw_complex *spectrum; /* length x modes; shared between the grids */
-    /* Of a block of rows or columns, and of those that remain */
+    /* For a block of rows or columns, and for the remaining ones */
     fftw_plan to_modes[2], to_waves[2], from_waves[2], from_modes[2];
 } ovr_strip_elastic;
 
@@ -131,28 +136,31 @@ typedef struct ovr_strip_level {
     ovr_strip_grid grid;
     ovr_strip_fields f;
     ovr_strip_weights weights;
-    double force; /* target of D/lines sum P */
+    double force; /* required value of D/lines sum P */
     ovr_strip_elastic elastic;
-    /* dH/dP at 0.. lines and rows away */
+    /* dH/dP at distances of 0.. lines and rows */
     double near[OVR_STRIP_NEAR_LINES][OVR_STRIP_NEAR];
 } ovr_strip_level;
 
-/* Numbers of the relaxation (relax.kernel.c, ends.kernel.c). */
+/* Parameters of the relaxation (relax.kernel.c, ends.kernel.c). */
 typedef struct ovr_strip_smoothing {
-    double to_left, to_right, to_side; /* parts of a distributed change */
-    double whole, plain;               /* damping where s is 1, 0 */
-    double limit;                      /* of a change of P */
-    double tau, along, across;         /* where s turns from 1 to 0 */
+    double to_left, to_right, to_side; /* fractions of a distributed change */
+    double whole, plain;               /* damping where s is 1, and where s is 0
+                                        */
+    double limit;                      /* maximum change of P */
+    double tau, along, across;         /* threshold at which s changes from 1 to
+                                        * 0 */
     bool zebra;
-    int end_sweeps;   /* double sweeps at the film's ends */
-    double end_share; /* of nodes whose flow exceeds so many a0 rho k(0,0) */
+    int end_sweeps;   /* double sweeps at the film ends */
+    double end_share; /* nodes whose flow exceeds this multiple of a0 rho k(0,0)
+                       */
 } ovr_strip_smoothing;
 
 typedef struct ovr_strip_cycling {
     ovr_strip_smoothing smoothing;
     int sweeps_before, sweeps_after;
     int newton_steps;
-    double correction; /* factor of the finest grid's corrections */
+    double correction; /* factor of the corrections of the finest grid */
 } ovr_strip_cycling;
 
 struct ovr_strip_kernels;
@@ -160,9 +168,9 @@ struct ovr_strip_kernels;
 /* Dimensions of a strip. */
 typedef struct ovr_strip_shape {
     size_t n, lines; /* of the finest grid */
-    size_t coarsest; /* nodes along X of the coarsest, at most */
+    size_t coarsest; /* maximum number of nodes along X of the coarsest grid */
     double X_a, X_b, width;
-    int threads; /* that solve it, the caller's included; 0: 1 */
+    int threads; /* threads of the solver, including the caller's; 0: 1 */
 } ovr_strip_shape;
 
 typedef struct ovr_strip {
@@ -175,7 +183,8 @@ typedef struct ovr_strip {
     double H0;
     int threads;
     ovr_team team;     /* of that many threads */
-    double *work;      /* of kernels, see ovr_strip_work(), of each thread */
+    double *work;      /* work arrays of kernels for all threads, see
+                        * ovr_strip_work() */
     size_t work_size;  /* of one thread */
     double *sums;      /* of the rows of a grid */
     double *influence; /* of the coarsest grid (coarsest.c) */
@@ -185,9 +194,9 @@ typedef struct ovr_strip {
     fftw_complex *spectrum;
 } ovr_strip;
 
-/* Deviation from a solution.  The imbalance R is the mean over all lines of
- * D sum |residual|/H_cen.  The load is relative to the target.  The centre is
- * the mean film thickness at X = 0. */
+/* Error of a solution.  The imbalance R is the mean over all lines of D sum
+ * |residual|/H_cen.  The load is relative to the target.  The centre is the
+ * mean film thickness at X = 0. */
 typedef struct ovr_strip_defect {
     double imbalance, load, centre;
 } ovr_strip_defect;
@@ -195,34 +204,36 @@ typedef struct ovr_strip_defect {
 /*
  * Allocates all levels of a zeroed strip in the arena.  Mesh sizes and lines
  * are halved from grid to grid.  The coarsest grid has n <= coarsest, or lines
- * that are odd or 4.  Fails with OVR_NO_MEMORY or OVR_BAD_INPUT.  The arena may
- * only count.
+ * that are odd or 4.  Fails with OVR_NO_MEMORY or OVR_BAD_INPUT. The arena may
+ * be one that only counts.
  */
 ovr_status ovr_strip_allocate(ovr_strip *strip, const ovr_strip_shape *shape,
                               const ovr_kernels *kernels, ovr_arena *arena,
                               ovr_error *err);
 
 /* Plans the transforms of an allocated strip and computes the elastic
- * influence.  The release destroys the transforms, also after a failure. */
+ * influence. The transforms must be released, also after a failure. */
 ovr_status ovr_strip_plan(ovr_strip *strip, ovr_error *err);
 
-/* Allocates and plans. */
+/* Allocates and plans a strip. */
 ovr_status ovr_strip_create(ovr_strip *strip, const ovr_strip_shape *shape,
                             const ovr_kernels *kernels, ovr_arena *arena,
                             ovr_error *err);
 void ovr_strip_release(ovr_strip *strip);
 
-/* Returns the default cycles of steady films and of time steps with a fluid. */
+/* Returns the default cycle parameters of steady films and of time steps with a
+ * fluid. */
 ovr_strip_cycling ovr_strip_steady(const ovr_fluid *fluid);
 ovr_strip_cycling ovr_strip_transient(const ovr_fluid *fluid);
 
-/* Sets the weights of the wedge of second order (upstream2) at a mean speed,
- * its first row of first order; `time` is the weight of q_i in d/dT. */
+/* Sets the weights of the second-order wedge (upstream2) for an entrainment
+ * speed; the first row is of first order. `time` is the weight of q_i in d/dT.
+ */
 void ovr_strip_wedge(ovr_strip *strip, double speed, double time);
-/* Sets the weights of the characteristic scheme: a0 alone. */
+/* Sets the weights of the characteristic scheme: only a0 is nonzero. */
 void ovr_strip_characteristic(ovr_strip *strip, double time);
 
-/* Film, properties and flow from P and H0. */
+/* Computes film, properties and flow from P and H0. */
 void ovr_strip_refresh(ovr_strip *strip, ovr_strip_level *level);
 void ovr_strip_deform(ovr_strip *strip, ovr_strip_level *level, double *P,
                       double *w);
@@ -232,26 +243,28 @@ double ovr_strip_centre(const ovr_strip_level *level, const double *H);
 ovr_strip_defect ovr_strip_defect_of(ovr_strip *strip, ovr_strip_level *level);
 bool ovr_strip_below(ovr_strip_defect d, double tolerance);
 
-/* One relaxation; film and flow are up to date before and after. */
+/* One relaxation; film and flow must be up to date before, and are up to date
+ * after it. */
 void ovr_strip_relax(ovr_strip *strip, ovr_strip_level *level,
                      const ovr_strip_smoothing *how);
 
-/* A Newton step on the coarsest grid; returns the largest change of P that it
- * would make, or -1 if the matrix is singular.  Changes of P are limited to
- * 0.3, if `shortened` by a shorter step. */
+/* A Newton step on the coarsest grid. Returns the largest change of P before
+ * limiting, or -1 if the matrix is singular. Changes of P are limited to 0.3,
+ * by shortening the step if `shortened`. */
 double ovr_strip_newton(ovr_strip *strip, bool shortened);
 
-/* A Newton step on small patches about the nodes whose parts of the imbalance
- * exceed `least` (spots.c); returns their number.  Film and flow are up to date
- * before and after. */
+/* Newton steps on small patches around the nodes whose contributions to R
+ * exceed `least` (spots.c). Returns the number of patches. Film and flow must
+ * be up to date before, and are up to date after it. */
 size_t ovr_strip_spots(ovr_strip *strip, ovr_strip_level *level,
                        const ovr_strip_smoothing *how, double least);
 
-/* One FAS cycle from the given level down. */
+/* One FAS cycle that starts on the given level. */
 void ovr_strip_cycle(ovr_strip *strip, int number,
                      const ovr_strip_cycling *how);
 
-/* Gap at rows i = from..from + n - 1 of a grid into `gap`, row after row. */
+/* Writes the gap at rows i = from..from + n - 1 of a grid to `gap`, row after
+ * row. */
 typedef void ovr_strip_gap(void *data, double T, const ovr_strip_grid *grid,
                            ptrdiff_t from, size_t n, double *gap);
 
@@ -259,19 +272,19 @@ typedef struct ovr_strip_full {
     ovr_strip_gap *gap;
     void *data;
     double T, force;
-    double speed; /* mean speed of the wedge */
-    /* The first guess: a semi-ellipse of that half width, whose integral is the
-     * force, and a film thickness in the centre. */
+    double speed; /* entrainment speed in the wedge */
+    /* Initial guess: a semi-ellipse of this half-width, whose integral is the
+     * force, and this film thickness at the centre */
     double half_width, film;
     ovr_strip_cycling cycling;
     int cycles;       /* on each level below the finest */
     int max_cycles;   /* on the finest */
-    double tolerance; /* of R there */
+    double tolerance; /* tolerance of R on the finest level */
 } ovr_strip_full;
 
-/* Steady solution by nested iteration; the weights are those of
- * ovr_strip_wedge.  Returns what is left; cycles on the finest grid in
- * *cycles. */
+/* Steady solution by nested iteration with the weights of ovr_strip_wedge.
+ * Returns the remaining error; *cycles is the number of cycles on the finest
+ * grid. */
 ovr_strip_defect ovr_strip_solve(ovr_strip *strip, const ovr_strip_full *how,
                                  int *cycles);
 
@@ -291,15 +304,16 @@ ovr_status ovr_strip_elastic_plan(ovr_strip_elastic *e,
                                   ovr_error *err);
 void ovr_strip_elastic_release(ovr_strip_elastic *e);
 
-/* Computes k_q(d) for d = 0..n-1 and the wave number k.  k = 0 is the line
- * contact. */
+/* Computes k_q(d), d = 0..n-1, for wave number k; k = 0 is the kernel of the
+ * line contact. */
 void ovr_strip_influence(double k, double D, size_t n, size_t step, double *to);
 
 /* Halves n and lines of the finest grid down to the coarsest grid; returns the
  * number of halvings. */
 int ovr_strip_halvings(size_t coarsest, size_t *n, size_t *lines);
 
-/* Complex elements of the spectrum that all grids of a shape share. */
+/* Number of complex elements of the spectrum that all grids of a shape share.
+ */
 size_t ovr_strip_spectrum_size(const ovr_strip_grid *g);
 
 #endif

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* This instruction set's table of the strip's kernels. */
+/* Strip kernel table of one instruction set. */
 #include "multigrid/vector.h"
 #include "strip/kernels.h"
 

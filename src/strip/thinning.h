@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Flow of a shear-thinning film at a half node, of Eyring's law.  Pressure
- * gradients are along and across rolling, sliding is along.  Stresses are in
- * units of Sigma0, s = -1..1 is the place across the film.
+ * Flow of a shear-thinning film at a half node, with Eyring's law. The pressure
+ * gradient has components along and across the rolling direction; sliding is
+ * along it.  Stresses are in units of Sigma0, s = -1..1 is the place across the
+ * film.
  *
  *     tau(s) = a + s G,   G = H grad P/(2 Sigma0),   F(t) = sinh(t)/t
  *     <F(|tau|) tau> = (c/eps, 0),   c = |V| rho H^2/(12 Sigma0)
@@ -16,11 +17,11 @@
  * flow to second order.  The error of E is 1e-7 where |G| < 0.3, 1e-4 where |G|
  * < 1 and one per cent at |G| = 3.
  *
- * Gradients are limited to twelve.  The viscosity occurs
- * in eps only, so that no quotient overflows.
+ * Gradients are limited to twelve. The viscosity occurs in eps only, so no
+ * quotient can overflow.
  *
- * Other laws have the same means with F(t) = f(t)/t of their curve
- * (contact/flow_law.h), and a step of Newton's method for a.
+ * For other laws the same means are computed with F(t) = f(t)/t
+ * (contact/flow_law.h), and a is corrected by a Newton step.
  *
  * Source: Conry, Wang and Cusano, J. Tribol. 109 (1987) 648, for flow along X.
  */
@@ -36,7 +37,8 @@ typedef struct thinning {
     double gradient; /* 1/(4 Sigma0) */
     log_table log;
     exp_table exp;
-    /* Of other laws than Eyring's: f and its table, log2 x, ln x by steps. */
+    /* For other laws than Eyring's: f and its table, log2 x, ln x in table
+     * steps */
     const ovr_flow_law *curve;
     log_table log2, steps;
 } thinning;
@@ -76,7 +78,7 @@ static inline vec held_gradient(vec g)
     return smaller(larger(g, -g), all(12));
 }
 
-/* Flow along X, or across. */
+/* Flow along X or across. */
 static INLINE thinned thinned_flow(const thinning *law, bool across, vec eps,
                                    vec c, vec gx, vec gy)
 {
@@ -141,7 +143,7 @@ static INLINE thinned thinned_flow(const thinning *law, bool across, vec eps,
     return f;
 }
 
-/* f(t)/t of a law by its curve, and f'(t), t > 0 (contact/flow_law.h). */
+/* f(t)/t of a tabulated law, and f'(t), t > 0 (contact/flow_law.h). */
 static INLINE vec rate_of_curve(const thinning *law, vec t, vec *slope)
 {
     const ovr_curve *f = &law->curve->f;
@@ -199,8 +201,8 @@ static INLINE means means_of_curve(const thinning *law, bool across, vec ax,
     return s;
 }
 
-/* Flow along X, or across, of a law by its curve.  The mean stress is that of
- * the table without a gradient across, and a step of Newton's method. */
+/* Flow along X or across with a tabulated law. The mean stress is that of the
+ * table without a gradient across, corrected by a Newton step. */
 static INLINE thinned thinned_by_curve(const thinning *law, bool across,
                                        vec eps, vec c, vec gx, vec gy)
 {

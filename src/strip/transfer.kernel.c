@@ -2,10 +2,10 @@
 /*
  * Transfer between a grid and the next coarser one, halved along X and across.
  *
- *     P_c   full weighting (1 2 1)/4 both ways where all nine nodes are wet,
+ *     P_c   full weighting (1 2 1)/4 both ways where all nine nodes have P > 0,
  *           injection elsewhere
  *     r_c   full weighting of the residual of pressurized nodes
- *     gap_c = H_f + w_c(P_c) - H0, so that the film of P_c is the fine one
+ *     gap_c = H_f + w_c(P_c) - H0, so that P_c yields the fine film
  *     F_c   = N_c(P_c) + r_c
  *     P_f  += bilinear (P_c - entry_c) where P_f > 0; at least 0.2 P_f is kept
  *
@@ -50,8 +50,7 @@ static inline void restrict_vector(const ovr_strip_fields *f, size_t s,
                                    size_t k, double H0,
                                    const ovr_strip_fields *to, size_t K)
 {
-    /* `even` are the fine nodes on coarse ones, between `before` and `after`.
-     */
+    /* `even`: fine nodes on coarse ones, between `before` and `after`. */
     const double *P = f->P + k, *H = f->H + k;
     vec even = evens(weighted(P, s), weighted(P + VEC, s));
     vec after = odds(weighted(P, s), weighted(P + VEC, s));
@@ -77,8 +76,8 @@ static inline void restrict_vector(const ovr_strip_fields *f, size_t s,
     store(to->gap + K, evens(load(H), load(H + VEC)) - H0);
 }
 
-/* Computes P, entry, the restricted residual in spread, and H - H0 in gap.  The
- * halos of P, H and r of the fine grid are up to date. */
+/* Computes P, entry, the restricted residual (in spread) and H - H0 (in gap).
+ * The halos of P, H and r of the fine grid must be up to date. */
 void OVR_STRIP_KERNEL(restrict_fields)(const ovr_strip_grid *coarse,
                                        ovr_part rows,
                                        const ovr_strip_grid *fine,
@@ -131,7 +130,8 @@ static inline void add_to_wet(double factor, vec change, double *P)
     store(P, choose(p > 0, v, p));
 }
 
-/* Changes of coarse P at line j and the next, of a row or the mean of two. */
+/* Changes of coarse P at line j and the next, of a row or the mean of two rows.
+ */
 static inline vec change_at(const ovr_strip_fields *c, size_t K, size_t next)
 {
     vec here = load(c->P + K) - load(c->entry + K);
@@ -140,7 +140,7 @@ static inline vec change_at(const ovr_strip_fields *c, size_t K, size_t next)
     return 0.5 * (here + load(c->P + K + next) - load(c->entry + K + next));
 }
 
-/* P's halo of the coarse grid and that of entry are up to date. */
+/* The halos of P and entry of the coarse grid must be up to date. */
 void OVR_STRIP_KERNEL(correct)(const ovr_strip_grid *coarse,
                                const ovr_strip_grid *fine, ovr_part rows,
                                double factor, const ovr_strip_fields *from,
@@ -194,7 +194,8 @@ void OVR_STRIP_KERNEL(distance)(const ovr_strip_grid *g, ovr_part rows,
     }
 }
 
-/* Complex numbers of row i and length - i times the table's row i. */
+/* Multiplies the complex numbers of rows i and length - i by row i of the
+ * table. */
 void OVR_STRIP_KERNEL(multiply_modes)(size_t n, size_t length, size_t modes,
                                       ovr_part columns, const double *table,
                                       double *spectrum)

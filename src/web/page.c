@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The program inside a page: its command line, and three commands more.
+ * The program inside a web page: its command line and three additional
+ * commands.
  *
  *     keys                            the table of keys and sections
  *     entries CASE                    the keys of a case
  *     solve CASE [-o OUT.h5] [--steady] [--resume] [--json] [--set ...]
  *
- * `solve` is `steady`, `run` and `resume` with the film passed to the page as
- * it comes, and asks the page whether to stop.
+ * `solve` is `steady`, `run` or `resume`; it passes each state to the page and
+ * asks the page whether to stop.
  */
 #include <math.h>
 #include <stdlib.h>
@@ -27,20 +28,20 @@ int overroll_main(int argc, char **argv);
 #define IMPORT(name)                                                           \
     __attribute__((import_module("page"), import_name(#name))) extern
 #define EXPORT(name) __attribute__((export_name(#name)))
-#else /* tests/unit/page_test.c is the page */
+#else /* In tests, tests/unit/page_test.c implements the page. */
 #define IMPORT(name) extern
 #define EXPORT(name)
 #endif
 
-/* True: the user asks for an end. */
+/* Returns nonzero if the user has requested a stop. */
 IMPORT(stop) int page_stop(void);
-/* True: the last state that the page has is old. */
+/* Returns nonzero if the page is ready for another state. */
 IMPORT(wants) int page_wants(void);
-/* The k-th field of `fields` below, n values in Hertzian units (temperatures
- * in K), which the page copies; X is k = 0. */
+/* Passes field k of `fields` below to the page, which copies it: n values in
+ * Hertzian units (temperatures in K). Field 0 is X. */
 IMPORT(field) void page_field(int k, size_t n, const double *values);
-/* All fields of the state at T have been passed. b and p are those of the dry
- * contact under the load and radius at T. */
+/* Called after all fields of the state at T have been passed. b and p are those
+ * of the dry contact for the load and radius at T. */
 IMPORT(state)
 void page_state(double T, double fraction, double b, double p);
 
@@ -52,7 +53,8 @@ EXPORT(page_free) void page_free(void *memory);
 /* ----------------------------------------------------------------- solving */
 
 typedef struct page_watch {
-    cli_watch watch; /* first: callbacks of the command line take it */
+    cli_watch watch; /* must be the first member: callbacks of the command line
+                      * use it */
     double fraction;
     bool steady;
 } page_watch;
@@ -60,7 +62,7 @@ typedef struct page_watch {
 /* Fields of a state that the player draws, in the order of worker.js. */
 static const struct {
     const char *name;
-    unsigned needs; /* physics; 0: always there */
+    unsigned needs; /* physical models; 0: always available */
 } fields[] = {{"pressure", 0},
               {"film_thickness", 0},
               {"roughness", OVR_PHYSICS_FEATURES},
@@ -125,7 +127,7 @@ static ovr_run *create(cli_call *call, page_watch *w, ovr_case *c,
     return ovr_run_create(c, &how, NULL, err);
 }
 
-/* As cli_finish_run, with the last state passed on. */
+/* Like cli_finish_run, but passes the last state to the page. */
 static int finish(page_watch *w, ovr_run *run, ovr_error *err)
 {
     const cli_call *call = w->watch.call;
@@ -235,7 +237,7 @@ static const cli_verb cli_keys = {
 };
 
 /* Prints every key of the sections of a case, given or not, and whether it has
- * an effect. A wrong case has its first error instead. */
+ * an effect. For an invalid case, prints its first error. */
 static int entries(cli_call *call)
 {
     ovr_error err = {0};

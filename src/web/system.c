@@ -24,7 +24,7 @@ int flock(int fd, int how)
     return 0;
 }
 
-/* Locks of ranges: nothing else has the file. */
+/* File locks always succeed, because no other process uses the file. */
 int ovr_web_fcntl(int fd, int what, ...)
 {
     va_list more;
@@ -92,7 +92,7 @@ int tzset(void)
     return 0;
 }
 
-/* There are no links: a path that is there is its own. */
+/* There are no symbolic links: returns the path itself if it exists. */
 char *realpath(const char *restrict path, char *restrict to)
 {
     if (access(path, F_OK) != 0)
@@ -109,8 +109,8 @@ char *mkdtemp(char *name)
 
 /* ------------------------------------------------- FFTW, single precision */
 
-/* The few transforms in single precision are done in double: a second FFTW
- * would be as large as the first. */
+/* The few single-precision transforms are done in double precision: a second
+ * FFTW library would be as large as the first. */
 struct single {
     int n;
     fftw_complex *work;

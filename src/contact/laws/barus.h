@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Viscosity by Barus 1893, over a number type (base/scalar.h); with alphabar =
- * 0 an isoviscous film:
+ * Viscosity by Barus 1893, for a number type `num` (base/scalar.h); isoviscous
+ * if alphabar = 0:
  *
  *     eta = exp(alphabar P),  log2(1/eta) = -alphabar P/ln 2
  *     (d eta/dP)/eta = alphabar

@@ -2,14 +2,14 @@
 /*
  * Viscosity by the free volume of Doolittle 1951 with the volume v of Tait's
  * equation (Cook, King, Herbst & Herschbach, J. Chem. Phys. 100, 1994; Bair,
- * Tribology Letters 22, 2006), over a number type (base/scalar.h):
+ * Tribology Letters 22, 2006), for a number type `num` (base/scalar.h):
  *
  *     ln eta = B R0 (1/(v - R0) - 1/(1 - R0))
  *     (d eta/dP)/eta = B R0/(v - R0)^2 (-dv/dP)
  *     alphabar = B R0/((1 - R0)^2 K)
  *
- * with R0 the share of the volume at ambient pressure that molecules occupy.
- * v - R0 is held where ln eta is 650.
+ * where R0 is the fraction of the volume at ambient pressure occupied by
+ * molecules. v - R0 is bounded below such that ln eta <= 650.
  */
 #ifndef OVR_CONTACT_LAWS_DOOLITTLE_H
 #define OVR_CONTACT_LAWS_DOOLITTLE_H

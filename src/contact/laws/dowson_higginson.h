@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Density by Dowson & Higginson 1966, over a number type (base/scalar.h); with
- * d = 0 an incompressible film:
+ * Density by Dowson & Higginson 1966, for a number type `num` (base/scalar.h);
+ * incompressible if d = 0:
  *
  *     rho = (A + 1.34 P)/(A + P) = 1 + d - d A/a,  a = A + P,  d = 0.34
  *     d rho/dP = d A/a^2
@@ -26,7 +26,7 @@ static inline void dowson_higginson_make(const ovr_lubricant *oil,
     law->range = compressible ? 0.34 : 0;
 }
 
-/* a, by which density and slope are divided. */
+/* The divisor a of density and slope. */
 static inline num dowson_higginson_divisor(const dowson_higginson *law, num P)
 {
     return law->A + P;

@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The laws of a lubricant behind one face, over a number type
+ * Common interface of all viscosity and density laws, for a number type `num`
  * (base/scalar.h, or vector.h with power.h):
  *
  *     a divisor of the density and one of the viscosity, both functions of P,
- *     that one division of 1 by their product serves both;
+ *     so that one division by their product is sufficient for both;
  *     begin and finish, the two stages of the viscosity: log2(1/eta) and the
  *     slope of ln eta.
  *
- * `law` is a constant where speed counts: what other laws need is not compiled.
+ * In fast loops `law` is a compile-time constant, so that code for other laws
+ * is omitted.
  */
 #ifndef OVR_CONTACT_LAWS_FLUID_H
 #define OVR_CONTACT_LAWS_FLUID_H
@@ -48,7 +49,7 @@ static inline void fluid_laws_make(const ovr_lubricant *oil, fluid_laws *c)
     tabulated_make(oil->density_table, oil->table_ph, 1, &c->density_table);
 }
 
-/* Laws in one stage, whose divisor is 1. */
+/* Laws evaluated in one stage, whose divisor is 1. */
 static inline bool viscosity_is_direct(ovr_viscosity_law law)
 {
     return law == OVR_DOOLITTLE || law == OVR_YASUTOMI ||
@@ -88,7 +89,7 @@ static inline num viscosity_divisor(const fluid_laws *c, ovr_viscosity_law law,
     return law == OVR_ROELANDS ? roelands_divisor(&c->roelands, P) : all(1);
 }
 
-/* Inverse: 1/divisor. */
+/* `inverse` is 1/divisor. */
 static inline num viscosity_begin(const fluid_laws *c, ovr_viscosity_law law,
                                   num P, num divisor, num inverse, num *slope)
 {

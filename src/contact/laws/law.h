@@ -1,16 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A law of viscosity that is an object: evaluated at blocks of nodes, whatever
- * eta depends on.  The film kernel takes it in place of the lubricant's own;
- * nothing behind it assumes how eps depends on pressure or film.  A law that
- * needs more of a node (temperature, sliding) gets it as further members.
+ * A viscosity law defined by functions: evaluated for blocks of nodes, with any
+ * dependence of eta. The film kernel uses it in place of the lubricant's law;
+ * the remaining code makes no assumption about how eps depends on pressure or
+ * film thickness. For laws with other arguments (temperature, sliding speed),
+ * members are added.
  */
 #ifndef OVR_CONTACT_LAWS_LAW_H
 #define OVR_CONTACT_LAWS_LAW_H
 
 #include <stddef.h>
 
-/* Nodes in any order: what is known, and what the law says. */
+/* Nodes in any order: arguments and results of the law. */
 typedef struct ovr_law_nodes {
     size_t count;
     const double *P, *H;

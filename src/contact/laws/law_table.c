@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Tables of laws: Steffen's monotone spline (Astron. Astrophys. 239, 1990)
- * through the points, with his slopes of parabolas at the ends, sampled with
- * its slope on a uniform mesh h, from which the kernels look up cubics.  In a
- * mesh without a point the cubic is the spline itself; with one it differs by
- * less than h^2/16 of the second derivative's jump there.
+ * through the points, with slopes from parabolas at the ends. Value and slope
+ * are sampled on a uniform grid of size h, on which the kernels use cubics. In
+ * an interval without a point the cubic equals the spline; with a point it
+ * differs by less than h^2/16 times the jump of the second derivative.
  */
 #include "contact/laws/law_table.h"
 #include "base/given.h"
@@ -13,7 +13,8 @@
 #include <math.h>
 
 enum { CELLS = 1024, MAX = 100000 };
-static const double FIRST_MAX = 1e6; /* Pa: what counts as ambient */
+static const double FIRST_MAX = 1e6; /* maximum pressure that is considered
+                                      * ambient */
 
 static ovr_status check_points(size_t n, const double *p, const double *value,
                                ovr_error *err)
@@ -42,8 +43,9 @@ static ovr_status check_points(size_t n, const double *p, const double *value,
                     p[0]);
 }
 
-/* The slope at an end, of the parabola through the three last points, so far
- * as it keeps the sign and twice the slope h0 across. */
+/* Slope at an end from the parabola through the last three points, limited such
+ * that it keeps the sign and is at most twice the slope of the last interval.
+ */
 static double end_slope(double h0, double s0, double h1, double s1)
 {
     double parabola = s0 + (s0 - s1) * h0 / (h0 + h1);
@@ -56,7 +58,7 @@ static double inner_slope(double h0, double s0, double h1, double s1)
     return fmin(2 * fmin(s0, s1), parabola);
 }
 
-/* Steffen's slopes of y, which nowhere falls. */
+/* Steffen's slopes of non-decreasing values y. */
 static void make_slopes(size_t n, const double *p, const double *y, double *m)
 {
     double before = p[1] - p[0], rise = (y[1] - y[0]) / before;
@@ -72,9 +74,9 @@ static void make_slopes(size_t n, const double *p, const double *y, double *m)
     }
 }
 
-/* The spline; straight on below its first point. */
+/* The spline; linear below its first point. */
 typedef struct spline {
-    size_t n, at; /* at: the piece last used */
+    size_t n, at; /* at: the interval used last */
     const double *p, *y;
     double *m;
 } spline;

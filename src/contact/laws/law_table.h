@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A table of a law (contact/oil.h) holds ln(eta/eta0) or rho/rho0 at pressures
- * k h, k = 0..cells, and a point more that is never reached. */
+/* Table of a law (contact/oil.h): ln(eta/eta0) or rho/rho0 at pressures k h, k
+ * = 0..cells, and one additional point that is never reached. */
 #ifndef OVR_CONTACT_LAWS_LAW_TABLE_H
 #define OVR_CONTACT_LAWS_LAW_TABLE_H
 
@@ -11,7 +11,8 @@ struct ovr_law_table {
     size_t cells;
     double mesh;           /* h, Pa */
     double *value, *slope; /* y, h dy/dp */
-    double ambient;        /* eta0, Pa s, or rho0: of the table at p = 0 */
+    double ambient;        /* eta0 in Pa s, or rho0: value of the table at p = 0
+                            */
     ovr_arena arena;
 };
 

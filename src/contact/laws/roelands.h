@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Viscosity by Roelands 1966, over a number type (base/scalar.h):
+ * Viscosity by Roelands 1966, for a number type `num` (base/scalar.h):
  *
  *     eta = exp(alphabar P0/z [t^z - 1]),  t = 1 + P/P0
  *     log2(1/eta) = S - S t^z,  S = alphabar P0/(z ln 2)
  *     (d eta/dP)/eta = alphabar t^z/t
  *
- * Powers are taken to the base 2, by tables that hold z and S as factors.  In
- * two stages, the logarithm and the power: vectors keep more nodes in flight.
- * The error of z log2 t, some 2^-51 for z <= 1, grows by the stiffness ln eta +
- * alphabar P0/z, up to 80 in contacts.
+ * Powers have the base 2. The factors z and S are included in the tables.
+ * Logarithm and power are two stages, so that more nodes can be processed in
+ * parallel. The error of z log2 t, some 2^-51 for z <= 1, grows by the
+ * stiffness ln eta + alphabar P0/z, up to 80 in contacts.
  */
 #ifndef OVR_CONTACT_LAWS_ROELANDS_H
 #define OVR_CONTACT_LAWS_ROELANDS_H
@@ -35,7 +35,7 @@ static inline void roelands_make(const ovr_lubricant *oil, roelands *law)
     make_exp_table(law->stiffness, &law->growth);
 }
 
-/* t, by which the slope is divided. */
+/* t, the divisor of the slope. */
 static inline num roelands_divisor(const roelands *law, num P)
 {
     return fused(P, all(law->inv_P0), all(1));
@@ -47,7 +47,8 @@ static inline num roelands_begin(const roelands *law, num t)
     return scaled_log2(&law->log, t);
 }
 
-/* Second: log2(1/eta), and the slope of ln eta, which contains 1/t on entry. */
+/* Second stage: log2(1/eta), and the slope of ln eta. On entry *slope contains
+ * 1/t. */
 static inline num roelands_finish(const roelands *law, num power, num *slope)
 {
     num growth = scaled_exp2(&law->growth, power);

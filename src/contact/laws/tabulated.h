@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A law by table (ovr_law_table), over a number type (base/scalar.h): cubics
- * between the points of a uniform mesh h, with value and slope at each,
+ * A tabulated law (ovr_law_table), for a number type `num` (base/scalar.h):
+ * cubics between the points of a uniform mesh h, with value and slope at each,
  *
  *     y = (1 - f) y_k + f y_{k+1} + f (1 - f) ((1 - f) d_k - f d_{k+1})
  *     d_k = h m_k - (y_{k+1} - y_k),  d_{k+1} = h m_{k+1} - (y_{k+1} - y_k)
  *
- * and straight on with the slope at the end beyond both ends.
+ * and linear beyond both ends, with the slope at the end.
  */
 #ifndef OVR_CONTACT_LAWS_TABULATED_H
 #define OVR_CONTACT_LAWS_TABULATED_H
@@ -17,12 +17,12 @@
 #endif
 
 typedef struct tabulated {
-    const double *value, *slope; /* by points: y, h m */
+    const double *value, *slope; /* y and h m at the points */
     double cells, per_P;         /* last point; ph/h */
     double scale;                /* of y */
 } tabulated;
 
-/* `scale` times the table, P in `ph` Pa. */
+/* `scale` times the table, for P in units of `ph` Pa. */
 static inline void tabulated_make(const ovr_law_table *table, double ph,
                                   double scale, tabulated *law)
 {

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Relative volume and density by the Tait equation in the form of Dymond &
- * Malhotra 1988, over a number type (base/scalar.h):
+ * Malhotra 1988, for a number type `num` (base/scalar.h):
  *
  *     v = 1/rho = 1 - ln(a)/(1 + K'),  a = 1 + P (1 + K')/K
  *     dv/dP = -1/(K a),  d rho/dP = rho^2/(K a)
  *
  * with K = K0/ph the bulk modulus at ambient pressure and K' its slope there,
  * about 11 in lubricants (Bair, High Pressure Rheology for Quantitative
- * Elastohydrodynamics, 2nd ed., 2019).  v is held at 0.2, which no liquid
- * reaches.
+ * Elastohydrodynamics, 2nd ed., 2019).  v is bounded below by 0.2, which no
+ * liquid reaches.
  */
 #ifndef OVR_CONTACT_LAWS_TAIT_H
 #define OVR_CONTACT_LAWS_TAIT_H

@@ -2,7 +2,7 @@
 /*
  * Viscosity by the distance from the glass transition: Yasutomi, Bair & Winer
  * 1984 in the improved form of Bair, Mary, Bouscharain & Vergne 2013 (Proc.
- * IMechE J 227), over a number type (base/scalar.h):
+ * IMechE J 227), for a number type `num` (base/scalar.h):
  *
  *     eta(p)/eta_g = 10^(-C1 u/(C2 + u)),  u = (T - Tg) F
  *     Tg = Tg0 + A1 ln(1 + A2 p),  F = (1 + b1 p)^b2
@@ -10,7 +10,7 @@
  *     (d eta/dp)/eta = -ln 10 C1 C2/(C2 + u)^2 du/dp
  *     du/dp = -A1 A2/(1 + A2 p) F + b1 b2/(1 + b1 p) u
  *
- * C2 + u is held where ln eta is 650.
+ * C2 + u is bounded below such that ln eta <= 650.
  */
 #ifndef OVR_CONTACT_LAWS_YASUTOMI_H
 #define OVR_CONTACT_LAWS_YASUTOMI_H

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* No libraries are loaded. */
+/* Declarations for builds without dynamic loading of libraries. */
 #ifndef OVR_WEB_DLFCN_H
 #define OVR_WEB_DLFCN_H
 enum { RTLD_LAZY, RTLD_LOCAL = 0 };

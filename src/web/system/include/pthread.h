@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* One thread: mutexes are always free, and no second thread can be had, which
- * every caller of the program is prepared for. */
+/* POSIX threads for a single thread: locking a mutex always succeeds, and
+ * creating a thread always fails, which all callers handle. */
 #ifndef OVR_WEB_PTHREAD_H
 #define OVR_WEB_PTHREAD_H
 #include <errno.h>

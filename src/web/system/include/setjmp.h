@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Missing in wasi. Nothing that the page calls jumps. */
+/* Missing in wasi. The page calls nothing that uses setjmp. */
 #ifndef OVR_WEB_SETJMP_H
 #define OVR_WEB_SETJMP_H
 typedef int jmp_buf[1];

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* No signals come. */
+/* Signals are never delivered. */
 #ifndef OVR_WEB_SIGNAL_H
 #define OVR_WEB_SIGNAL_H
 #include_next <signal.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* No process can be had. */
+/* Creating a process always fails. */
 #ifndef OVR_WEB_SPAWN_H
 #define OVR_WEB_SPAWN_H
 #include <errno.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Functions that the program calls and wasi does not have. Processes always
- * fail, locks always succeed. Included before every file.
+ * Functions that the program calls and wasi does not have. Creating processes
+ * always fails, locks always succeed. Included before every file.
  */
 #ifndef OVR_WEB_WASI_H
 #define OVR_WEB_WASI_H
