@@ -25,6 +25,36 @@ static void tell(ovr_find *f, const char *format, ...)
         f->how.say(f->how.data, OVR_MESSAGE_WARNING, text);
 }
 
+/* Notes that a quantity of a run in time is its value at the end, if the run
+ * has also the extreme of that quantity. */
+static void note_end(const ovr_find *f, const ovr_trial *t)
+{
+    const char *asked = f->info.quantity;
+    const ovr_observable *o;
+    ovr_extreme e;
+    char text[400];
+    for (size_t k = 0; (o = ovr_observable_at(k)); k++) {
+        const size_t length = o->key ? strlen(o->key) : 0;
+        const bool si = o->key_si && !strcmp(o->key_si, asked);
+        bool known = false;
+        if (!length || (!si && strcmp(o->key, asked) != 0))
+            continue;
+        for (size_t j = 0; ovr_extreme_at(j, &e); j++) {
+            const char *whole = si ? e.key_si : e.key;
+            if (strncmp(e.key, o->key, length) != 0 ||
+                strcmp(e.key + length, "_overall") != 0)
+                continue;
+            ovr_trial_number(t, whole, &known);
+            snprintf(text, sizeof text,
+                     "%.60s is the value at the end of the run; %.60s is the "
+                     "%.160s",
+                     asked, whole, e.long_name);
+            if (known && f->how.say)
+                f->how.say(f->how.data, OVR_MESSAGE_NOTE, text);
+        }
+    }
+}
+
 /* -------------------------------------------------------------- evaluations */
 
 static ovr_find_evaluation *made_at(const ovr_find *f, double x)
@@ -160,8 +190,11 @@ static ovr_status evaluate(void *data, size_t n, const double *x, double *q,
             return ovr_fail(err, why.status, "%s", why.message);
         for (size_t k = 0; !status && k < count; k++) {
             const ovr_trial *one = ovr_trials_at(t, k);
-            if (!one->failed && !f->checked)
+            if (!one->failed && !f->checked) {
                 status = ovr_find_check(f, one, err);
+                if (!status)
+                    note_end(f, one);
+            }
             if (!status)
                 status = keep(f, missing[k], one, err);
         }

@@ -169,6 +169,21 @@ contains err 'go below 0.2'
 expect 2 "$OVERROLL" find dent.ini largest feature.dent.depth between 0.01 \
     and 0.05 so that H_min_overall at least 0.05
 contains err 'already holds at 0.05; extend the range above it'
+# A number at the end of a run, where the extreme may be meant; not of the
+# extreme itself, nor of a steady contact.
+run_end='is the value at the end of the run'
+for q in 'H_min at least 0' 'H_min_overall at least 0'; do
+    # shellcheck disable=SC2086
+    "$OVERROLL" find dent.ini largest feature.dent.depth between 0.01 \
+        and 0.05 so that $q >out 2>err && fail "$q does not end"
+    case $q in
+    'H_min at'*) contains err "H_min $run_end; H_min_overall is the minimum" ;;
+    *) ! grep "$run_end" err || fail "a note on $q" ;;
+    esac
+done
+"$OVERROLL" find dent.ini largest contact.M between 20 and 30 \
+    so that H_min at least 0 --steady >out 2>err && fail 'steady does not end'
+! grep "$run_end" err || fail 'a note on a steady contact'
 asks() { # PATTERN QUESTION...
     pattern=$1
     shift

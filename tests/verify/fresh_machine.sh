@@ -56,3 +56,10 @@ sed -n '/^```sh$/,/^```$/p' "$TOP/README.md" | grep -v '^```' \
 expect 0 there 'TMPDIR=/tmp/tour sh -eu /tmp/tour/tour'
 find "$machine/tmp/tour" -name study.nc -size +0 | grep -q . ||
     fail "the tour ends without study.nc"
+# A case that init writes runs at its own level without a warning.
+for kind in roller gear cam bearing indented coated numbers starved discs hot \
+    strip; do
+    expect 0 there "cd /tmp && /overroll/build/overroll init $kind -o $kind.ini &&
+        /overroll/build/overroll run $kind.ini -o $kind.h5"
+    ! grep warning err || fail "init $kind warns: $(cat err)"
+done
