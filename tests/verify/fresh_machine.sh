@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What README.md promises a newcomer, on a fresh Debian 12 with git and nothing
 # else, made in a folder: tools/check, then again as a plain user once all is
-# there, tools/demo, the install, the program of overroll-library(3), the tour.
+# there, tools/demo, the install, the program of overroll-library(3), the
+# tour, the cases of init, the web page.
 # Takes root, debootstrap, a network and 1 GB.
 . "$TOP/tests/support/cli.sh"
 [ -z "$INSTRUMENTED" ] || skip "once is enough"
@@ -59,7 +60,10 @@ find "$machine/tmp/tour" -name study.nc -size +0 | grep -q . ||
 # A case that init writes runs at its own level without a warning.
 for kind in roller gear cam bearing indented coated numbers starved discs hot \
     strip; do
-    expect 0 there "cd /tmp && /overroll/build/overroll init $kind -o $kind.ini &&
-        /overroll/build/overroll run $kind.ini -o $kind.h5"
+    expect 0 there "build/overroll init $kind -o /tmp/$kind.ini &&
+        build/overroll run /tmp/$kind.ini -o /tmp/$kind.h5"
     ! grep warning err || fail "init $kind warns: $(cat err)"
 done
+# The web page, with the compilers and the Node of this system.
+expect 0 there 'tools/install-deps web && make web'
+[ -s "$machine/overroll/build/web/overroll.html" ] || fail "no web page"
