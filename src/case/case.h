@@ -90,10 +90,6 @@ bool ovr_block_is_there(const ovr_block *block);
 /* Returns the slot of an existing key, given or default. */
 const ovr_slot *ovr_block_get(const ovr_block *block, const char *key);
 
-/* True if the conditions hold, written as in a row. */
-bool ovr_conditions_hold(const ovr_case *c, const ovr_block *block,
-                         const char *when);
-
 /* True if a key has an effect with the present values of the other keys. */
 bool ovr_key_applies(const ovr_case *c, const ovr_block *block,
                      const ovr_parameter *row);

@@ -27,7 +27,9 @@ bool ovr_condition_next(const char **text, const char *separator, char *piece,
     return true;
 }
 
-void ovr_condition_add(char *text, size_t capacity, const char *format, ...)
+/* Appends to a text. */
+OVR_PRINTF(3, 4)
+static void condition_add(char *text, size_t capacity, const char *format, ...)
 {
     size_t used = strlen(text);
     va_list args;
@@ -41,11 +43,11 @@ static void put_words(const char *words, char *text, size_t capacity)
 {
     char word[OVR_CONDITION_MAX];
     for (int k = 0; ovr_condition_next(&words, " | ", word, sizeof word); k++)
-        ovr_condition_add(text, capacity, "%s%s",
-                          !k       ? ""
-                          : *words ? ", "
-                                   : " or ",
-                          word);
+        condition_add(text, capacity, "%s%s",
+                      !k       ? ""
+                      : *words ? ", "
+                               : " or ",
+                      word);
 }
 
 /* Writes a condition: "history = ramp, step or sine", "[heat] model = lobatto",
@@ -56,30 +58,32 @@ static void put_alternative(const char *from, char *text, size_t capacity)
     size_t section = strcspn(from, ". ");
     const char *rest = from + key + strspn(from + key, " ");
     if (section < key)
-        ovr_condition_add(text, capacity, "[%.*s] %.*s", (int)section, from,
-                          (int)(key - section - 1), from + section + 1);
+        condition_add(text, capacity, "[%.*s] %.*s", (int)section, from,
+                      (int)(key - section - 1), from + section + 1);
     else
-        ovr_condition_add(text, capacity, "%.*s", (int)key, from);
+        condition_add(text, capacity, "%.*s", (int)key, from);
     if (*rest == '>')
-        ovr_condition_add(text, capacity, " above%s", rest + 1);
+        condition_add(text, capacity, " above%s", rest + 1);
     else if (*rest == '!')
-        ovr_condition_add(text, capacity, " other than%s", rest + 2);
+        condition_add(text, capacity, " other than%s", rest + 2);
     else if (!strncmp(rest, "==", 2))
-        ovr_condition_add(text, capacity, " =%s", rest + 2);
+        condition_add(text, capacity, " =%s", rest + 2);
     else if (*rest == '=') {
-        ovr_condition_add(text, capacity, " = ");
+        condition_add(text, capacity, " = ");
         put_words(rest + 2, text, capacity);
     }
 }
 
-void ovr_condition_text(const char *condition, char *text, size_t capacity)
+/* Appends a condition as text, "[heat] model = lobatto or history = ramp, step
+ * or sine". */
+static void condition_text(const char *condition, char *text, size_t capacity)
 {
     char from[OVR_CONDITION_MAX];
     for (int k = 0; ovr_condition_next(&condition, " or ", from, sizeof from);
          k++) {
         bool absent = !strncmp(from, "no ", 3);
-        ovr_condition_add(text, capacity, "%s%s", k ? " or " : "",
-                          absent ? "no " : "");
+        condition_add(text, capacity, "%s%s", k ? " or " : "",
+                      absent ? "no " : "");
         put_alternative(from + 3 * absent, text, capacity);
     }
 }
@@ -87,12 +91,12 @@ void ovr_condition_text(const char *condition, char *text, size_t capacity)
 /* Writes "shape = dent | bump" with the shapes that have a size. */
 static void put_shapes(const char *size, char *text, size_t capacity)
 {
-    ovr_condition_add(text, capacity, "shape = ");
+    condition_add(text, capacity, "shape = ");
     for (int k = 0; ovr_shape_name(k); k++)
         if (ovr_shape_has(k, size))
-            ovr_condition_add(text, capacity, "%s%s",
-                              text[strlen(text) - 1] == ' ' ? "" : " | ",
-                              ovr_shape_name(k));
+            condition_add(text, capacity, "%s%s",
+                          text[strlen(text) - 1] == ' ' ? "" : " | ",
+                          ovr_shape_name(k));
 }
 
 void ovr_when_text(const ovr_parameter *row, char *text, size_t capacity)
@@ -103,20 +107,20 @@ void ovr_when_text(const ovr_parameter *row, char *text, size_t capacity)
     if (!strcmp(when, OVR_BY_SHAPE)) {
         const char *of = ovr_size_of_what(row->key);
         put_shapes(row->key, shapes, sizeof shapes);
-        ovr_condition_add(shapes, sizeof shapes, "%s%s", of ? "; " : "",
-                          of ? of : "");
+        condition_add(shapes, sizeof shapes, "%s%s", of ? "; " : "",
+                      of ? of : "");
         when = shapes;
     }
     while (ovr_condition_next(&when, "; ", condition, sizeof condition)) {
         char *arrow = strstr(condition, OVR_ONLY_WHERE);
         const char *part = arrow ? arrow + strlen(OVR_ONLY_WHERE) : condition;
-        ovr_condition_add(text, capacity, "%s", *text ? " and " : "");
-        ovr_condition_text(part, text, capacity);
+        condition_add(text, capacity, "%s", *text ? " and " : "");
+        condition_text(part, text, capacity);
         if (!arrow)
             continue;
         *arrow = '\0';
-        ovr_condition_add(text, capacity, " where ");
-        ovr_condition_text(condition, text, capacity);
+        condition_add(text, capacity, " where ");
+        condition_text(condition, text, capacity);
     }
 }
 
@@ -242,8 +246,9 @@ static bool first_failing(const ovr_case *c, const ovr_block *block,
     return false;
 }
 
-bool ovr_conditions_hold(const ovr_case *c, const ovr_block *block,
-                         const char *when)
+/* True if the conditions hold, written as in a row. */
+static bool conditions_hold(const ovr_case *c, const ovr_block *block,
+                            const char *when)
 {
     failing first;
     return !first_failing(c, block, when, &first);
@@ -261,7 +266,7 @@ bool ovr_key_applies(const ovr_case *c, const ovr_block *block,
                      const ovr_parameter *row)
 {
     return (!block->section->whole || ovr_block_is_there(block)) &&
-           ovr_conditions_hold(c, block, conditions_of(row));
+           conditions_hold(c, block, conditions_of(row));
 }
 
 /* Writes the explanation: "has no effect with history = constant; it needs
@@ -273,22 +278,22 @@ static void put_idle(const ovr_case *c, const ovr_block *block,
     alternative a = parse_alternative(c, block, condition);
     bool one = !strstr(condition, " or "), other = a.section != block->section;
     text[0] = '\0';
-    ovr_condition_add(text, capacity, "has no effect");
+    condition_add(text, capacity, "has no effect");
     if (a.absent)
-        ovr_condition_add(text, capacity, " beside %s%s%s%s", other ? "[" : "",
-                          other ? a.section->name : "", other ? "] " : "",
-                          a.slot->key);
+        condition_add(text, capacity, " beside %s%s%s%s", other ? "[" : "",
+                      other ? a.section->name : "", other ? "] " : "",
+                      a.slot->key);
     if (a.absent && !one)
         condition = strstr(condition, " or ") + 4;
     if (a.absent && one)
         return;
     if (one && *a.rest && a.slot->text)
-        ovr_condition_add(text, capacity, " with %s%s%s%s = %.40s; it needs ",
-                          other ? "[" : "", other ? a.section->name : "",
-                          other ? "] " : "", a.slot->key, a.slot->text);
+        condition_add(text, capacity, " with %s%s%s%s = %.40s; it needs ",
+                      other ? "[" : "", other ? a.section->name : "",
+                      other ? "] " : "", a.slot->key, a.slot->text);
     else
-        ovr_condition_add(text, capacity, " without ");
-    ovr_condition_text(condition, text, capacity);
+        condition_add(text, capacity, " without ");
+    condition_text(condition, text, capacity);
 }
 
 bool ovr_key_idle(const ovr_case *c, const ovr_block *block,

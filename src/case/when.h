@@ -16,14 +16,6 @@ enum { OVR_CONDITION_MAX = 256 };
 bool ovr_condition_next(const char **text, const char *separator, char *piece,
                         size_t capacity);
 
-/* Appends to a text. */
-void ovr_condition_add(char *text, size_t capacity, const char *format, ...)
-    OVR_PRINTF(3, 4);
-
-/* Appends a condition as text, "[heat] model = lobatto or history = ramp, step
- * or sine". */
-void ovr_condition_text(const char *condition, char *text, size_t capacity);
-
 /* Writes all conditions of a row as text; "" if there are none. */
 void ovr_when_text(const ovr_parameter *row, char *text, size_t capacity);
 

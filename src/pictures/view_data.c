@@ -41,7 +41,8 @@ ovr_levels ovr_levels_even(double low, double high)
     return (ovr_levels){low, span / (OVR_PACKED_LEVELS - 1), 0};
 }
 
-ovr_levels ovr_levels_bent(double small, double high)
+/* Returns levels with a small relative error for values above about `small`. */
+static ovr_levels levels_bent(double small, double high)
 {
     double bend = small > 0 ? small : 1;
     return (ovr_levels){
@@ -204,7 +205,7 @@ static ovr_status put_field(ovr_view_run *w, const field *f, ovr_error *err)
     if (status != OVR_OK)
         return status;
     if (f->lie == BENT)
-        levels = ovr_levels_bent(0.5 * s.positive, s.high);
+        levels = levels_bent(0.5 * s.positive, s.high);
     else
         levels = ovr_levels_even(f->lie == FROM_ZERO ? fmin(s.low, 0) : s.low,
                                  s.high);

@@ -51,8 +51,6 @@ typedef struct ovr_levels {
 } ovr_levels;
 
 ovr_levels ovr_levels_even(double low, double high);
-/* Returns levels with a small relative error for values above about `small`. */
-ovr_levels ovr_levels_bent(double small, double high);
 
 uint16_t ovr_level_of(const ovr_levels *levels, double value);
 

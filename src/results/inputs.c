@@ -37,7 +37,7 @@ static ovr_sha256 finish(struct sha256_ctx *context)
     return to;
 }
 
-ovr_sha256 ovr_sha256_of(const void *bytes, size_t size)
+static ovr_sha256 sha256_of(const void *bytes, size_t size)
 {
     struct sha256_ctx context;
     sha256_init(&context);
@@ -349,7 +349,7 @@ ovr_status ovr_result_input_read(ovr_result *r, size_t k, unsigned char *bytes,
     bool ok = enter(r, &lock) && read_part(r, k, bytes);
     leave(r, lock);
     if (ok &&
-        !strcmp(ovr_sha256_of(bytes, (size_t)input->bytes).text, input->sha256))
+        !strcmp(sha256_of(bytes, (size_t)input->bytes).text, input->sha256))
         return OVR_OK;
     return ovr_fail(err, OVR_IO,
                     ok ? "%s: its copy of '%.200s' does not have the SHA-256 "

@@ -16,7 +16,6 @@
 typedef struct ovr_sha256 {
     char text[65];
 } ovr_sha256;
-ovr_sha256 ovr_sha256_of(const void *bytes, size_t size);
 
 /* Reads the files and writes the group into a file without one. */
 ovr_status ovr_inputs_write(const ovr_file *file, const ovr_file_plan *plan,

@@ -114,7 +114,10 @@ static ovr_status open_once(ovr_result *r, int lock, ovr_error *err)
     return status;
 }
 
-bool ovr_reader_again(const ovr_result *r, int attempt, bool locked)
+/* True if a failed attempt should be repeated, after a pause, because commits
+ * take milliseconds. `attempt`: its number; `locked`: with the lock. False if
+ * there is no writer. */
+static bool reader_again(const ovr_result *r, int attempt, bool locked)
 {
     enum { MAX = 4 };
     struct timespec wait = {0, 1000000L << attempt};
@@ -136,7 +139,7 @@ static ovr_status open_result(ovr_result *r, ovr_error *err)
         lock = ovr_reader_lock(r);
         status = open_once(r, lock, err);
         ovr_reader_unlock(lock);
-    } while (status == OVR_IO && ovr_reader_again(r, attempt++, lock >= 0));
+    } while (status == OVR_IO && reader_again(r, attempt++, lock >= 0));
     if (status == OVR_IO && err)
         err->status = OVR_BAD_INPUT;
     return status == OVR_IO ? OVR_BAD_INPUT : status;
@@ -292,7 +295,7 @@ static ovr_status read_values(ovr_result *r, const part *what, ovr_units units,
     const bool *starved = &r->container.source.starved;
     bool locked = false;
     bool ok = what->count == 0 || read_locked(r, what, values, &locked);
-    for (int k = 0; !ok && !*starved && ovr_reader_again(r, k, locked); k++)
+    for (int k = 0; !ok && !*starved && reader_again(r, k, locked); k++)
         ok = read_locked(r, what, values, &locked);
     if (!ok && *starved)
         return ovr_fail(err, OVR_NO_MEMORY, "%s: out of memory", r->path);

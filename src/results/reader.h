@@ -42,11 +42,6 @@ void ovr_reader_close_file(ovr_result *result);
 int ovr_reader_lock(const ovr_result *result);
 void ovr_reader_unlock(int lock);
 
-/* True if a failed attempt should be repeated, after a pause, because commits
- * take milliseconds. `attempt`: its number; `locked`: with the lock. False if
- * there is no writer. */
-bool ovr_reader_again(const ovr_result *result, int attempt, bool locked);
-
 /* Reads the datasets and attributes of the open file. The second function fails
  * with a message that the file is no result file. */
 ovr_status ovr_reader_content(ovr_result *result, ovr_error *err);

@@ -149,11 +149,17 @@ static ovr_page *changed_page(ovr_store *s, uint64_t number)
     return ovr_store_note(s, error) ? page : NULL;
 }
 
+/* Length of the part of [at, at + bytes) in one page. */
+static size_t in_page(uint64_t at, uint64_t bytes)
+{
+    return (size_t)minimum(bytes, OVR_PAGE - at % OVR_PAGE);
+}
+
 static void change_pages(ovr_store *s, uint64_t at, uint64_t bytes,
                          const unsigned char *from)
 {
     while (bytes > 0) {
-        size_t n = ovr_in_page(at, bytes);
+        size_t n = in_page(at, bytes);
         ovr_page *page = changed_page(s, at / OVR_PAGE);
         if (page)
             memcpy(page->data + at % OVR_PAGE, from, n);
@@ -202,10 +208,16 @@ static void write_later(ovr_store *s, uint64_t at, size_t bytes,
     tail->bytes += bytes;
 }
 
+/* Bytes below this offset are changed in memory only. */
+static uint64_t guarded_end(const ovr_store *s)
+{
+    return s->failed ? UINT64_MAX : s->committed;
+}
+
 void ovr_store_write(ovr_store *s, uint64_t at, size_t bytes, const void *from)
 {
     const unsigned char *next = from;
-    uint64_t guard = ovr_store_guarded(s);
+    uint64_t guard = guarded_end(s);
     size_t below = at < guard ? (size_t)minimum(bytes, guard - at) : 0;
     if (at + bytes > s->length)
         s->length = at + bytes;
@@ -456,16 +468,6 @@ bool ovr_store_note(ovr_store *s, int error)
     return error == 0;
 }
 
-uint64_t ovr_store_guarded(const ovr_store *s)
-{
-    return s->failed ? UINT64_MAX : s->committed;
-}
-
-size_t ovr_in_page(uint64_t at, uint64_t bytes)
-{
-    return (size_t)minimum(bytes, OVR_PAGE - at % OVR_PAGE);
-}
-
 bool ovr_store_read(ovr_store *s, uint64_t at, size_t bytes, void *to)
 {
     unsigned char *next = to;
@@ -473,9 +475,9 @@ bool ovr_store_read(ovr_store *s, uint64_t at, size_t bytes, void *to)
     if (!ovr_store_note(s, ovr_read_all(s->fd, to, bytes, at)))
         return false;
     while (bytes > 0) {
-        size_t n = ovr_in_page(at, bytes);
+        size_t n = in_page(at, bytes);
         const ovr_page *page = pages_find(&s->changed, at / OVR_PAGE);
-        uint64_t guard = ovr_store_guarded(s);
+        uint64_t guard = guarded_end(s);
         if (page && at < guard)
             memcpy(next, page->data + at % OVR_PAGE,
                    (size_t)minimum(n, guard - at));

@@ -130,12 +130,8 @@ ovr_status ovr_store_open(ovr_store *store, ovr_error *err);
 /* Read and write as seen by HDF5; failures are recorded. */
 bool ovr_store_read(ovr_store *store, uint64_t at, size_t bytes, void *to);
 
-/* Shared by reading and writing. note: records the first error; true if there
- * is none. guarded: bytes below this offset are changed in memory only. Third:
- * length of the part of [at, at + bytes) in one page. */
+/* Records the first error; true if there is none. */
 bool ovr_store_note(ovr_store *store, int error);
-uint64_t ovr_store_guarded(const ovr_store *store);
-size_t ovr_in_page(uint64_t at, uint64_t bytes);
 void ovr_store_write(ovr_store *store, uint64_t at, size_t bytes,
                      const void *from);
 void ovr_store_resize(ovr_store *store, uint64_t length);

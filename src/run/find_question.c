@@ -98,8 +98,9 @@ static size_t read_rows(const ovr_find_table *t, ovr_arena *arena)
     return count;
 }
 
-ovr_status ovr_find_table_open(ovr_find_table *table, bool go_on, bool force,
-                               ovr_arena *arena, ovr_error *err)
+/* Creates the table, or reads an existing table and appends to it. */
+static ovr_status find_table_open(ovr_find_table *table, bool go_on, bool force,
+                                  ovr_arena *arena, ovr_error *err)
 {
     if (!force && ovr_file_ours(table->path, heads, err))
         return OVR_BAD_INPUT;
@@ -127,7 +128,7 @@ ovr_status ovr_find_table_add(ovr_find_table *table,
     return cannot(table, OVR_IO, err);
 }
 
-void ovr_find_table_close(ovr_find_table *table)
+static void find_table_close(ovr_find_table *table)
 {
     if (table->file)
         fclose(table->file);
@@ -479,8 +480,8 @@ static ovr_status prepare(ovr_find *f, ovr_case *c,
         return OVR_OK;
     f->table = (ovr_find_table){
         .path = f->how.table, .made = f->made, .maximum = OVR_FIND_MAX};
-    status = ovr_find_table_open(&f->table, f->how.go_on, f->how.force,
-                                 &f->arena, err);
+    status = find_table_open(&f->table, f->how.go_on, f->how.force, &f->arena,
+                             err);
     i->evaluations = f->table.count;
     for (size_t k = 0; k < i->evaluations; k++)
         i->marked = i->marked || f->made[k].marked > 0;
@@ -509,7 +510,7 @@ void ovr_find_free(ovr_find *find)
 {
     if (!find)
         return;
-    ovr_find_table_close(&find->table);
+    find_table_close(&find->table);
     if (find->lock)
         close(find->lock - 1);
     ovr_case_free(find->base);

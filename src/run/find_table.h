@@ -16,13 +16,8 @@ typedef struct ovr_find_table {
     size_t maximum, count;
 } ovr_find_table;
 
-/* Creates the table, or reads an existing table and appends to it. */
-ovr_status ovr_find_table_open(ovr_find_table *table, bool go_on, bool force,
-                               ovr_arena *arena, ovr_error *err);
-
 /* Appends a row and syncs it to the disk. */
 ovr_status ovr_find_table_add(ovr_find_table *table,
                               const ovr_find_evaluation *one, ovr_error *err);
-void ovr_find_table_close(ovr_find_table *table);
 
 #endif

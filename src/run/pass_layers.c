@@ -108,8 +108,9 @@ static ovr_status read_column(ovr_pass_history *h, int k, size_t rows,
     return OVR_OK;
 }
 
-ovr_status ovr_pass_history_read(ovr_pass_history *h, ovr_result *result,
-                                 ovr_error *err)
+/* Reads all rows of a file. */
+static ovr_status pass_history_read(ovr_pass_history *h, ovr_result *result,
+                                    ovr_error *err)
 {
     size_t rows = ovr_result_get_info(result)->steps;
     ovr_status status = OVR_OK;
@@ -366,8 +367,7 @@ ovr_status ovr_pass_read(const char *file, const ovr_setup *setup,
     ovr_result *result = ovr_result_open(file, allocator, err);
     ovr_pass_history h = ovr_pass_history_make(allocator);
     ovr_error why = {0};
-    ovr_status status = result ? ovr_pass_history_read(&h, result, &why)
-                               : OVR_IO;
+    ovr_status status = result ? pass_history_read(&h, result, &why) : OVR_IO;
     if (result && status)
         ovr_fail(err, status, "%s: %.900s", file, why.message);
     else if (result)

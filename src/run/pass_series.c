@@ -29,7 +29,8 @@ const char *ovr_passes_name(const char *path, int pass, ovr_arena *arena,
     return name;
 }
 
-const char *ovr_passes_file_of(ovr_run *run, int pass, ovr_error *err)
+/* Returns the file name of a pass in the memory of the run. */
+static const char *passes_file_of(ovr_run *run, int pass, ovr_error *err)
 {
     return ovr_passes_name(run->passes->path, pass, &run->arena, err);
 }
@@ -41,7 +42,8 @@ static void blank(ovr_pass_row *row)
     row->status = "waiting";
 }
 
-ovr_status ovr_passes_make_rows(ovr_run *run, int number, ovr_error *err)
+/* Allocates rows and names for the passes. */
+static ovr_status passes_make_rows(ovr_run *run, int number, ovr_error *err)
 {
     ovr_passes *p = run->passes;
     p->rows = number;
@@ -51,7 +53,7 @@ ovr_status ovr_passes_make_rows(ovr_run *run, int number, ovr_error *err)
         return OVR_NO_MEMORY;
     for (int k = 0; k < number; k++) {
         blank(&p->row[k]);
-        p->file[k] = ovr_passes_file_of(run, k + 1, err);
+        p->file[k] = passes_file_of(run, k + 1, err);
         if (!p->file[k])
             return OVR_NO_MEMORY;
     }
@@ -91,8 +93,10 @@ static double life_together(const ovr_run *run, int passes)
     return smooth / real;
 }
 
-ovr_status ovr_passes_update(ovr_run *run, int pass, ovr_pass_end *end,
-                             ovr_error *err)
+/* Reads the row of a pass that ended from its file, together with the layers it
+ * left. */
+static ovr_status passes_update(ovr_run *run, int pass, ovr_pass_end *end,
+                                ovr_error *err)
 {
     ovr_passes *p = run->passes;
     end->flooded = p->oil_flooded;
@@ -136,7 +140,7 @@ ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err)
     if (!status)
         status = ovr_setup_prepare(run->setup, allocator, err);
     if (!status && !p->file)
-        status = ovr_passes_make_rows(run, run->setup->passes->number, err);
+        status = passes_make_rows(run, run->setup->passes->number, err);
     if (status)
         return status;
     tell(run);
@@ -144,7 +148,7 @@ ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err)
         if (pass < p->now - 1 &&
             isfinite(p->row[pass - 1].value[OVR_PASS_STEPS]))
             continue;
-        status = ovr_passes_update(run, pass, &end, err);
+        status = passes_update(run, pass, &end, err);
         if (status)
             return status;
         if (pass == p->now - 1)
@@ -204,7 +208,7 @@ ovr_status ovr_pass_level_end(ovr_pass_level *of, const ovr_setup *setup,
     return status;
 }
 
-void ovr_passes_close(ovr_passes *passes)
+static void passes_close(ovr_passes *passes)
 {
     ovr_result_close(passes->before);
     passes->before = NULL;
@@ -213,7 +217,7 @@ void ovr_passes_close(ovr_passes *passes)
 void ovr_passes_free(ovr_passes *passes)
 {
     if (passes)
-        ovr_passes_close(passes);
+        passes_close(passes);
     for (int k = 0; passes && k < OVR_PASS_LEVELS; k++) {
         ovr_pass_end_free(&passes->level[k].end);
         ovr_arena_release(&passes->level[k].seen.arena);
@@ -269,7 +273,7 @@ ovr_status ovr_passes_begin(ovr_run *run, ovr_error *err)
                               "has no result files; use a study of the key");
     status = make(run, run->info.output, err);
     if (!status)
-        status = ovr_passes_make_rows(run, run->setup->passes->number, err);
+        status = passes_make_rows(run, run->setup->passes->number, err);
     if (!status)
         status = clear(run, err);
     if (!status)
@@ -311,7 +315,7 @@ static ovr_status next(ovr_run *run, ovr_error *err)
 static ovr_status end_pass(ovr_run *run, ovr_error *err)
 {
     ovr_pass_end end;
-    ovr_status status = ovr_passes_update(run, run->passes->now, &end, err);
+    ovr_status status = passes_update(run, run->passes->now, &end, err);
     if (!status)
         ovr_pass_end_free(&end);
     return status;
@@ -373,7 +377,7 @@ void ovr_passes_recall(ovr_run *run)
 {
     if (run->passes->before)
         recall(run, run->passes->before);
-    ovr_passes_close(run->passes);
+    passes_close(run->passes);
 }
 
 /* Opens the result file of a complete pass. Returns NULL if it does not exist
@@ -396,7 +400,7 @@ ovr_status ovr_passes_reopen(ovr_run *run, const char *path, ovr_error *err)
     if (status)
         return status;
     for (run->passes->now = 1;; run->passes->now++) {
-        file = ovr_passes_file_of(run, run->passes->now, err);
+        file = passes_file_of(run, run->passes->now, err);
         if (!file)
             return OVR_NO_MEMORY;
         ovr_result *complete = open_complete(file);
@@ -427,8 +431,8 @@ ovr_status ovr_passes_go_back(ovr_run *run, int last, ovr_error *err)
     forget(run);
     run->passes->now = last;
     run->passes->whole = true;
-    ovr_passes_close(run->passes);
-    run->info.output = ovr_passes_file_of(run, last, err);
+    passes_close(run->passes);
+    run->info.output = passes_file_of(run, last, err);
     return run->info.output ? OVR_OK : OVR_NO_MEMORY;
 }
 

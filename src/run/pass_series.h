@@ -81,10 +81,6 @@ typedef struct ovr_pass_history {
 /* Returns an empty history; ovr_arena_release(&h.arena) frees it. */
 ovr_pass_history ovr_pass_history_make(const ovr_allocator *allocator);
 
-/* Reads all rows of a file. */
-ovr_status ovr_pass_history_read(ovr_pass_history *h, ovr_result *result,
-                                 ovr_error *err);
-
 /* Stores a row at the start and at each step. */
 ovr_observer ovr_pass_history_observer(ovr_pass_history *h);
 
@@ -148,16 +144,6 @@ struct ovr_passes {
 const char *ovr_passes_name(const char *path, int pass, ovr_arena *arena,
                             ovr_error *err);
 
-/* Returns the file name of a pass in the memory of the run. The second function
- * allocates rows and names for the passes. */
-const char *ovr_passes_file_of(ovr_run *run, int pass, ovr_error *err);
-ovr_status ovr_passes_make_rows(ovr_run *run, int number, ovr_error *err);
-
-/* Reads the row of a pass that ended from its file, together with the layers it
- * left. */
-ovr_status ovr_passes_update(ovr_run *run, int pass, ovr_pass_end *end,
-                             ovr_error *err);
-
 /* Functions of a pass on a coarser level: feed adds the layers of the preceding
  * pass to the setup, begin clears the recorded history, end evaluates it. */
 void ovr_pass_level_feed(ovr_pass_level *of, ovr_setup *setup);
@@ -191,7 +177,6 @@ ovr_status ovr_passes_reopen(ovr_run *run, const char *path, ovr_error *err);
 
 /* Reports the last complete pass; closes its file. */
 void ovr_passes_recall(ovr_run *run);
-void ovr_passes_close(ovr_passes *passes);
 
 /* Writes the rows of all passes, whose files are complete, to the file of all
  * passes. The second function makes the run that of the last pass. */

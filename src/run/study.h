@@ -126,14 +126,12 @@ struct ovr_study {
     uint64_t base;      /* hash of everything that the cases have in common */
 };
 
-/* Return value number v of a key, or the value of a task.  Computed values are
+/* Returns the value of a task. A computed value is
  * written to `text` (OVR_STUDY_VALUE characters). */
-const char *ovr_study_value_at(const ovr_study *s, const ovr_study_key *key,
-                               size_t v, char *text);
 const char *ovr_study_value(const ovr_study *s, const ovr_study_key *key,
                             size_t task, char *text);
 
-/* Writes draw i of a key of [random], as ovr_study_value_at does. */
+/* Writes draw i of a key of [random], as ovr_study_value does. */
 const char *ovr_study_draw_at(const ovr_study *s, const ovr_study_key *key,
                               size_t i, char *text);
 

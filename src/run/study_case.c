@@ -14,8 +14,8 @@
 
 enum { NAME_MAX = 120 };
 
-const char *ovr_study_value_at(const ovr_study *s, const ovr_study_key *key,
-                               size_t v, char *text)
+static const char *value_at(const ovr_study *s, const ovr_study_key *key,
+                            size_t v, char *text)
 {
     if (key->value)
         return key->value[v];
@@ -33,7 +33,7 @@ static size_t value_number(const ovr_study_key *key, size_t task)
 const char *ovr_study_value(const ovr_study *s, const ovr_study_key *key,
                             size_t task, char *text)
 {
-    return ovr_study_value_at(s, key, value_number(key, task), text);
+    return value_at(s, key, value_number(key, task), text);
 }
 
 /* Returns the sample number of a task, from 0. Cases with the same sample
@@ -253,8 +253,7 @@ static ovr_status bad_draw(const ovr_study *s, const ovr_study_key *k, size_t v,
     return ovr_fail_at(err, OVR_BAD_INPUT, s->path, k->line,
                        "sample %zu of %s is %.60s: %.500s; use lognormal or "
                        "within",
-                       v + 1, k->where, ovr_study_value_at(s, k, v, text),
-                       what);
+                       v + 1, k->where, value_at(s, k, v, text), what);
 }
 
 static ovr_status put_value(const ovr_study *s, const ovr_study_key *k,
@@ -262,7 +261,7 @@ static ovr_status put_value(const ovr_study *s, const ovr_study_key *k,
 {
     char text[OVR_STUDY_VALUE];
     ovr_error why = {0};
-    ovr_status status = put(s, k, ovr_study_value_at(s, k, v, text), c,
+    ovr_status status = put(s, k, value_at(s, k, v, text), c,
                             k->random ? &why : err);
     return status && k->random ? bad_draw(s, k, v, &why, err) : status;
 }

@@ -43,10 +43,9 @@ bool ovr_conserves(const ovr_simulation *sim);
 /* History term with mass-conserving cavitation (content_history.c). */
 void ovr_content_history(ovr_simulation *sim, double dT, const double c[2]);
 
-/* The same along the characteristic (content_history.c): allocation, history
- * term, update after a step, checkpoint. */
+/* The same along the characteristic (content_history.c): allocation, update
+ * after a step, checkpoint. */
 ovr_status ovr_carriage_take(ovr_simulation *sim, ovr_error *err);
-void ovr_carriage_history(ovr_simulation *sim, double dT, const double c[2]);
 void ovr_carriage_taken(ovr_simulation *sim);
 
 /* Evaluates x at the departure points between the last time and T; x is 0

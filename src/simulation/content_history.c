@@ -279,7 +279,7 @@ static void weigh(const ovr_simulation *sim, ptrdiff_t ghosts, double b2,
     }
 }
 
-void ovr_carriage_history(ovr_simulation *sim, double dT, const double c[2])
+static void carriage_history(ovr_simulation *sim, double dT, const double c[2])
 {
     ovr_carriage *own = &sim->arrival.carriage;
     double *F = ovr_work_take(sim), *kept = ovr_work_take(sim);
@@ -354,7 +354,7 @@ void ovr_content_history(ovr_simulation *sim, double dT, const double c[2])
     const double *const *q = (const double *const *)sim->past.q;
     const double *P = sim->past.P[0];
     if (sim->scheme->characteristic) {
-        ovr_carriage_history(sim, dT, c);
+        carriage_history(sim, dT, c);
         return;
     }
     double *F = ovr_work_take(sim), *kept = ovr_work_take(sim);

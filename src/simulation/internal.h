@@ -194,10 +194,6 @@ const double *ovr_solid_pressure(const ovr_simulation *sim, double *workspace);
  * and speed. Predicted film thicknesses use these values. */
 void ovr_steady_conditions(ovr_simulation *sim);
 
-/* Records the progress of full multigrid (steady.c). */
-void ovr_refinement_watch(void *data, const ovr_level *level,
-                          ovr_full_event event, const ovr_full_status *status);
-
 /* Result of a solve or step. */
 typedef struct ovr_outcome {
     ovr_defect defect;

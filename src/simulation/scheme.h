@@ -26,16 +26,4 @@ typedef struct ovr_discretization {
 /* Returns the record of a scheme, or NULL if there is none. */
 const ovr_discretization *ovr_scheme_record(ovr_scheme scheme);
 
-/* time_derivative.c */
-void ovr_backward_euler(double dT, double dT_old, double *cT, double c[2]);
-void ovr_bdf2(double dT, double dT_old, double *cT, double c[2]);
-void ovr_history_at_nodes(ovr_simulation *sim, const double c[2], double T);
-void ovr_history_at_departures(ovr_simulation *sim, const double c[2],
-                               double T);
-
-double ovr_linear_extrapolation(const struct ovr_past *past, double h,
-                                double e[3]);
-double ovr_quadratic_extrapolation(const struct ovr_past *past, double h,
-                                   double e[3]);
-
 #endif

@@ -64,8 +64,10 @@ static void note(ovr_simulation *sim, const ovr_level *level,
     ovr_work_give(sim, now);
 }
 
-void ovr_refinement_watch(void *data, const ovr_level *level,
-                          ovr_full_event event, const ovr_full_status *status)
+/* Records the progress of full multigrid (steady.c). */
+static void refinement_watch(void *data, const ovr_level *level,
+                             ovr_full_event event,
+                             const ovr_full_status *status)
 {
     ovr_simulation *sim = data;
     if (event == OVR_FULL_ENDS)
@@ -259,7 +261,7 @@ static ovr_full full_of(ovr_simulation *sim, const strategy *how)
                       .max_cycles = fixed ? o->cycles
                                           : ovr_steady_max_cycles(sim, 60),
                       .tolerance = ovr_steady_tolerance,
-                      .watch = ovr_refinement_watch,
+                      .watch = refinement_watch,
                       .data = sim,
                       .saved = sim->start.saved};
 }

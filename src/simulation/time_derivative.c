@@ -26,7 +26,7 @@
 
 /* -------------------------------------------------------------- Differences */
 
-void ovr_backward_euler(double dT, double dT_old, double *cT, double c[2])
+static void backward_euler(double dT, double dT_old, double *cT, double c[2])
 {
     (void)dT_old;
     *cT = 1 / dT;
@@ -34,7 +34,7 @@ void ovr_backward_euler(double dT, double dT_old, double *cT, double c[2])
     c[1] = 0;
 }
 
-void ovr_bdf2(double dT, double dT_old, double *cT, double c[2])
+static void bdf2(double dT, double dT_old, double *cT, double c[2])
 {
     double s = dT_old > 0 ? dT / dT_old : 1;
     *cT = (1 + 2 * s) / (1 + s) / dT;
@@ -48,7 +48,8 @@ void ovr_history_term(ovr_simulation *sim, double *F)
     ovr_nodes_write(sim, sim->finest, F, sim->finest->f.F);
 }
 
-void ovr_history_at_nodes(ovr_simulation *sim, const double c[2], double T)
+/* time_derivative.c */
+static void history_at_nodes(ovr_simulation *sim, const double c[2], double T)
 {
     (void)T;
     double *F = ovr_work_take(sim);
@@ -58,7 +59,8 @@ void ovr_history_at_nodes(ovr_simulation *sim, const double c[2], double T)
     ovr_work_give(sim, F);
 }
 
-void ovr_history_at_departures(ovr_simulation *sim, const double c[2], double T)
+static void history_at_departures(ovr_simulation *sim, const double c[2],
+                                  double T)
 {
     const double a[2] = {ovr_travel_since(sim, 0, T),
                          ovr_travel_since(sim, 1, T)};
@@ -91,28 +93,47 @@ void ovr_time_derivative(ovr_simulation *sim, double dT)
 
 /* ------------------------------------------------------------------ Records */
 
+static double linear_extrapolation(const ovr_past *past, double h, double e[3])
+{
+    double h1 = past->T[0] - past->T[1];
+    e[0] = 1 + h / h1;
+    e[1] = -h / h1;
+    e[2] = 0;
+    return h / (h + h1);
+}
+
+static double quadratic_extrapolation(const ovr_past *past, double h,
+                                      double e[3])
+{
+    double h1 = past->T[0] - past->T[1], h2 = past->T[1] - past->T[2];
+    e[0] = (h + h1) * (h + h1 + h2) / (h1 * (h1 + h2));
+    e[1] = -h * (h + h1 + h2) / (h1 * h2);
+    e[2] = h * (h + h1) / ((h1 + h2) * h2);
+    return h * (h + h1) / ((2 * h + h1) * (h + h1 + h2));
+}
+
 static const ovr_discretization records[] = {
     [OVR_UPSTREAM1] = {"upstream1",
                        1,
                        {1, 0},
                        false,
-                       ovr_backward_euler,
-                       ovr_history_at_nodes,
-                       ovr_linear_extrapolation},
+                       backward_euler,
+                       history_at_nodes,
+                       linear_extrapolation},
     [OVR_UPSTREAM2] = {"upstream2",
                        2,
                        {1.5, -0.5},
                        false,
-                       ovr_bdf2,
-                       ovr_history_at_nodes,
-                       ovr_quadratic_extrapolation},
+                       bdf2,
+                       history_at_nodes,
+                       quadratic_extrapolation},
     [OVR_CHARACTERISTIC] = {"characteristic",
                             2,
                             {1.5, -0.5},
                             true,
-                            ovr_bdf2,
-                            ovr_history_at_departures,
-                            ovr_quadratic_extrapolation},
+                            bdf2,
+                            history_at_departures,
+                            quadratic_extrapolation},
 };
 
 const ovr_discretization *ovr_scheme_record(ovr_scheme scheme)
@@ -172,24 +193,6 @@ const char *ovr_scheme_name(ovr_scheme scheme)
  * With 0.08 in place of 0.4 the characteristic scheme's errors are 3.9 E at
  * most.
  */
-
-double ovr_linear_extrapolation(const ovr_past *past, double h, double e[3])
-{
-    double h1 = past->T[0] - past->T[1];
-    e[0] = 1 + h / h1;
-    e[1] = -h / h1;
-    e[2] = 0;
-    return h / (h + h1);
-}
-
-double ovr_quadratic_extrapolation(const ovr_past *past, double h, double e[3])
-{
-    double h1 = past->T[0] - past->T[1], h2 = past->T[1] - past->T[2];
-    e[0] = (h + h1) * (h + h1 + h2) / (h1 * (h1 + h2));
-    e[1] = -h * (h + h1 + h2) / (h1 * h2);
-    e[2] = h * (h + h1) / ((h1 + h2) * h2);
-    return h * (h + h1) / ((2 * h + h1) * (h + h1 + h2));
-}
 
 /* int |q - q_p| dX */
 static double deviation(ovr_simulation *sim, double h, const double e[3])

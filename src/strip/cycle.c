@@ -22,8 +22,10 @@ static void relax_zebra(ovr_strip *strip, ovr_strip_level *level,
     }
 }
 
-void ovr_strip_relax(ovr_strip *strip, ovr_strip_level *level,
-                     const ovr_strip_smoothing *how)
+/* One relaxation; film and flow must be up to date before, and are up to date
+ * after it. */
+static void strip_relax(ovr_strip *strip, ovr_strip_level *level,
+                        const ovr_strip_smoothing *how)
 {
     ovr_strip_choose_nodes(strip, level, how);
     if (how->zebra)
@@ -72,7 +74,7 @@ void ovr_strip_cycle(ovr_strip *strip, int number, const ovr_strip_cycling *how)
     }
     ovr_strip_level *level = &strip->level[number], *coarse = level - 1;
     for (int s = 0; s < how->sweeps_before; s++)
-        ovr_strip_relax(strip, level, &how->smoothing);
+        strip_relax(strip, level, &how->smoothing);
     restrict_to(strip, level, coarse);
     clear_spread(coarse);
     ovr_strip_cycle(strip, number - 1, how);
@@ -80,5 +82,5 @@ void ovr_strip_cycle(ovr_strip *strip, int number, const ovr_strip_cycling *how)
                       number == strip->finest ? how->correction : 1);
     ovr_strip_refresh(strip, level);
     for (int s = 0; s < how->sweeps_after; s++)
-        ovr_strip_relax(strip, level, &how->smoothing);
+        strip_relax(strip, level, &how->smoothing);
 }

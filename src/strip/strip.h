@@ -243,11 +243,6 @@ double ovr_strip_centre(const ovr_strip_level *level, const double *H);
 ovr_strip_defect ovr_strip_defect_of(ovr_strip *strip, ovr_strip_level *level);
 bool ovr_strip_below(ovr_strip_defect d, double tolerance);
 
-/* One relaxation; film and flow must be up to date before, and are up to date
- * after it. */
-void ovr_strip_relax(ovr_strip *strip, ovr_strip_level *level,
-                     const ovr_strip_smoothing *how);
-
 /* A Newton step on the coarsest grid. Returns the largest change of P before
  * limiting, or -1 if the matrix is singular. Changes of P are limited to 0.3,
  * by shortening the step if `shortened`. */

@@ -167,7 +167,8 @@ void ovr_heat_film(ovr_simulation *sim)
     add_power(sim);
 }
 
-void ovr_heat_film_fields(ovr_simulation *sim)
+/* Computes th, shift, drag and skewed of the film. */
+static void heat_film_fields(ovr_simulation *sim)
 {
     ovr_heated *h = sim->heated;
     ovr_columns *c = &h->film;
@@ -370,7 +371,7 @@ void ovr_heat_give(ovr_simulation *sim)
 
 void ovr_heat_apply(ovr_simulation *sim)
 {
-    ovr_heat_film_fields(sim);
+    heat_film_fields(sim);
     ovr_heat_skew_find(sim);
     ovr_heat_give(sim);
 }

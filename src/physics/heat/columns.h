@@ -19,9 +19,6 @@ ovr_status ovr_heat_film_take(ovr_simulation *sim, ovr_error *err);
 /* Computes velocities, heat source, stress and gamma. */
 void ovr_heat_film(ovr_simulation *sim);
 
-/* Computes th, shift, drag and skewed of the film. */
-void ovr_heat_film_fields(ovr_simulation *sim);
-
 /* True if node i is included in the heat balance: it is pressurized, or there
  * is frictional heating in asperity contact. */
 bool ovr_heat_counts(const ovr_simulation *sim, size_t i);

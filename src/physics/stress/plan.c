@@ -54,15 +54,17 @@ static int direction_at(const ovr_setup *setup, const ovr_stress_plan *plan,
     return u < 0 || (u == 0 && plan->ratio < 0) ? -1 : 1;
 }
 
-bool ovr_stress_wanders(const ovr_setup *setup)
+/* True if the direction of motion can reverse. */
+static bool stress_wanders(const ovr_setup *setup)
 {
     return setup->sliding || ovr_history_reverses(setup->speed);
 }
 
-int ovr_stress_direction(const ovr_setup *setup, const ovr_stress_plan *plan)
+/* Direction of motion: 1, -1 or 0 for both. */
+static int stress_direction(const ovr_setup *setup, const ovr_stress_plan *plan)
 {
     bool forward = false, backward = false;
-    if (!ovr_stress_wanders(setup))
+    if (!stress_wanders(setup))
         return plan->ratio < 0 ? -1 : 1;
     for (int k = 0; k <= LOOKS; k++) {
         double u = speed_of(setup, plan, setup->march->end * k / LOOKS);
@@ -72,7 +74,8 @@ int ovr_stress_direction(const ovr_setup *setup, const ovr_stress_plan *plan)
     return forward == backward ? 0 : forward ? 1 : -1;
 }
 
-double ovr_stress_fastest(const ovr_setup *setup)
+/* Maximum speed of either surface or the film, relative to um. */
+static double stress_fastest(const ovr_setup *setup)
 {
     const ovr_contact *c = setup->contact;
     double fastest = fmax(1, fmax(fabs(c->u1_ratio), fabs(c->u2_ratio)));
@@ -92,7 +95,7 @@ static double widest_way(const ovr_setup *setup, double before, double T)
                   ovr_history_integral(setup->speed, before);
     double half;
     if (!setup->sliding)
-        return ovr_stress_fastest(setup) * fabs(film);
+        return stress_fastest(setup) * fabs(film);
     half = (ovr_history_integral(setup->sliding, T) -
             ovr_history_integral(setup->sliding, before)) /
            2;
@@ -111,14 +114,16 @@ static double struck_in_sliding(const ovr_setup *setup,
     return -ovr_stress_distance(setup, plan, fmin(T, end));
 }
 
-double ovr_stress_struck(const ovr_setup *setup, const ovr_stress_plan *plan,
-                         size_t feature)
+/* X at T = 0 of the material under which the other surface's feature is at
+ * X = 0. */
+static double stress_struck(const ovr_setup *setup, const ovr_stress_plan *plan,
+                            size_t feature)
 {
     double speed = ovr_surfaces_info(setup->surfaces, feature).speed;
     double centre = ovr_surfaces_centre(setup->surfaces, feature, 0);
     double end = ovr_history_integral(setup->speed, setup->march->end);
     double way = speed != 0 ? fmax(-centre / speed, 0) : end / 2;
-    if (ovr_stress_wanders(setup))
+    if (stress_wanders(setup))
         return struck_in_sliding(setup, plan, feature);
     return -plan->ratio * way;
 }
@@ -169,7 +174,7 @@ static void find_material(const ovr_setup *setup, ovr_stress_plan *plan)
     double low = INFINITY, high = -INFINITY, end;
     bool own = false;
     end = ovr_history_integral(setup->speed, setup->march->end);
-    plan->range.reference = ovr_stress_wanders(setup)
+    plan->range.reference = stress_wanders(setup)
                                 ? -ovr_stress_distance(setup, plan,
                                                        setup->march->end / 2)
                                 : -plan->ratio * end / 2;
@@ -181,7 +186,7 @@ static void find_material(const ovr_setup *setup, ovr_stress_plan *plan)
         if (own && !mine)
             continue;
         if (!mine)
-            centre = ovr_stress_struck(setup, plan, k);
+            centre = stress_struck(setup, plan, k);
         if ((mine && !own) || !plan->feature) {
             plan->range.reference = centre;
             plan->feature = info.name;
@@ -339,10 +344,9 @@ static ovr_status make_plan(const ovr_setup *setup, int surface,
     if (dang_van && (double)setup->output->every > plan->every)
         /* paths are computed from stored snapshots */
         plan->every = (double)setup->output->every;
-    plan->coarsest = setup->transient
-                         ? ovr_stress_fastest(setup) * dT * plan->every
-                         : 0;
-    plan->direction = ovr_stress_direction(setup, plan);
+    plan->coarsest = setup->transient ? stress_fastest(setup) * dT * plan->every
+                                      : 0;
+    plan->direction = stress_direction(setup, plan);
     find_material(setup, plan);
     return find_depths(setup, plan, err);
 }

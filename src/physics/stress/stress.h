@@ -95,19 +95,9 @@ ovr_status ovr_stress_planned(const ovr_setup *setup, int surface,
                               ovr_stress_sight seen, ovr_stress_plan *plan,
                               ovr_error *err);
 
-/* Distance moved by the plan's surface since T = 0. Direction of motion: 1, -1
- * or 0 for both. Whether it can reverse. Maximum speed of either surface or the
- * film, relative to um. */
+/* Distance moved by the plan's surface since T = 0. */
 double ovr_stress_distance(const ovr_setup *setup, const ovr_stress_plan *plan,
                            double T);
-bool ovr_stress_wanders(const ovr_setup *setup);
-int ovr_stress_direction(const ovr_setup *setup, const ovr_stress_plan *plan);
-double ovr_stress_fastest(const ovr_setup *setup);
-
-/* X at T = 0 of the material that is below the other surface's feature when
- * this is at X = 0. */
-double ovr_stress_struck(const ovr_setup *setup, const ovr_stress_plan *plan,
-                         size_t feature);
 
 /* Position and motion of a surface at time T; `before` is the previous T. */
 ovr_moment ovr_stress_moment(const ovr_setup *setup,
