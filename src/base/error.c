@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/given.h"
+#include "base/text.h"
 
 const char *ovr_status_name(ovr_status status)
 {
@@ -21,13 +22,28 @@ const char *ovr_status_name(ovr_status status)
     return "unknown status";
 }
 
-/* Messages quote the contents of files: one line, and no word for the
- * terminal that shows it. */
-static void one_line(char *text)
+/* Messages quote the contents of files: line ends and tabs become blanks, other
+ * control characters are escaped (\x1b).  Those of a name are all escaped. */
+static void escape(char message[OVR_MESSAGE_SIZE], bool is_name)
 {
-    for (; *text; text++)
-        if ((unsigned char)*text < 0x20 || *text == 0x7f)
-            *text = ' ';
+    char given[OVR_MESSAGE_SIZE];
+    const char *s = given;
+    char *to = message, *stop = message + OVR_MESSAGE_SIZE;
+    memcpy(given, message, strlen(message) + 1);
+    while (*s) {
+        int control = ovr_control_bytes(s, false);
+        if (stop - to <= (control ? 4 * control : 1))
+            break;
+        if (!control)
+            *to++ = *s++;
+        else if (!is_name && !ovr_control_bytes(s, true)) {
+            *to++ = ' ';
+            s++;
+        } else
+            for (; control > 0; control--)
+                to += snprintf(to, 5, "\\x%02x", (unsigned)(unsigned char)*s++);
+    }
+    *to = '\0';
 }
 
 static void put(ovr_error *err, ovr_status status, const char *about,
@@ -41,6 +57,7 @@ static void put(ovr_error *err, ovr_status status, const char *about,
     *end = '\0';
     if (file)
         snprintf(end, sizeof err->message, "%s", file);
+    escape(err->message, true);
     err->file = strlen(end);
     end += err->file;
     if (err->line)
@@ -50,7 +67,7 @@ static void put(ovr_error *err, ovr_status status, const char *about,
     end += strlen(end);
     if (format)
         vsnprintf(end, (size_t)(stop - end), format, args);
-    one_line(err->message);
+    escape(err->message, false);
 }
 
 ovr_status ovr_fail(ovr_error *err, ovr_status status, const char *format, ...)

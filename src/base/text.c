@@ -320,14 +320,14 @@ static size_t put_character(ovr_line piece, char to[4], size_t *taken)
     return 1;
 }
 
-/* Returns the bytes of the control character at s; 0 if there is none. */
-static int control_bytes(const unsigned char *s, bool has_lines)
+int ovr_control_bytes(const char *s, bool has_lines)
 {
-    if (has_lines && (*s == '\n' || *s == '\t' || *s == '\r'))
+    unsigned char c = (unsigned char)s[0], next = c ? (unsigned char)s[1] : 0;
+    if (!c || (has_lines && (c == '\n' || c == '\t' || c == '\r')))
         return 0;
-    if (*s < 0x20 || *s == 0x7f)
+    if (c < 0x20 || c == 0x7f)
         return 1;
-    return *s == 0xc2 && s[1] >= 0x80 && s[1] < 0xa0 ? 2 : 0;
+    return c == 0xc2 && next >= 0x80 && next < 0xa0 ? 2 : 0;
 }
 
 char *ovr_escaped(const char *text, bool has_lines, ovr_arena *arena)
@@ -336,11 +336,11 @@ char *ovr_escaped(const char *text, bool has_lines, ovr_arena *arena)
     const unsigned char *s = (const unsigned char *)text;
     char *copy, *to;
     size_t size = 1;
-    for (const unsigned char *c = s; *c; c++)
-        size += control_bytes(c, has_lines) ? 8 : 1;
+    for (const char *c = text; *c; c++)
+        size += ovr_control_bytes(c, has_lines) ? 8 : 1;
     to = copy = ovr_arena_take(arena, size, 1, NULL);
     while (copy && *s) {
-        int control = control_bytes(s, has_lines);
+        int control = ovr_control_bytes((const char *)s, has_lines);
         if (!control)
             *to++ = (char)*s++;
         for (; control > 0; control--, s++) {

@@ -67,6 +67,10 @@ const char *ovr_article(const char *word);
 /* Replaces "\302\265m" (in any encoding) by "um", in `buffer`. */
 ovr_line ovr_spelled(ovr_line unit, char buffer[16]);
 
+/* Returns the bytes of the control character at the start of s; 0 if there is
+ * none, or a line end or tab, if `has_lines`. */
+int ovr_control_bytes(const char *s, bool has_lines);
+
 /* Copies a text and escapes control characters (\x1b), including the C1
  * controls of UTF-8 (0xc2 0x80 to 0xc2 0x9f). Line ends and tabs are kept if
  * `has_lines`. NULL without memory. */

@@ -99,10 +99,18 @@ TEST(cuts_what_is_too_long)
 TEST(is_one_line_without_controls)
 {
     ovr_error err;
-    ovr_fail(&err, OVR_IO, "unknown key '%s'", "a\nb\033[2Jc\177");
-    assert_string_equal(err.message, "unknown key 'a b [2Jc '");
-    ovr_fail_at(&err, OVR_IO, "f\tile", 3, "no\r");
-    assert_string_equal(err.message, "f ile:3: no ");
+    ovr_fail(&err, OVR_IO, "unknown key '%s'", "a\nb\033[2Jc\177\xc2\x9b");
+    assert_string_equal(err.message,
+                        "unknown key 'a b\\x1b[2Jc\\x7f\\xc2\\x9b'");
+    ovr_fail_at(&err, OVR_IO, "f\tile\n", 3, "no\r\xc3\xbc");
+    assert_string_equal(err.message, "f\\x09ile\\x0a:3: no \xc3\xbc");
+    assert_int_equal(err.file, strlen("f\\x09ile\\x0a"));
+    char text[2 * OVR_MESSAGE_SIZE];
+    memset(text, '\033', sizeof text - 1);
+    text[sizeof text - 1] = '\0';
+    ovr_fail(&err, OVR_IO, "%s", text);
+    assert_true(strlen(err.message) > OVR_MESSAGE_SIZE - 5);
+    assert_null(strchr(err.message, '\033'));
 }
 
 TEST(every_status_has_its_name)
