@@ -84,13 +84,29 @@ double ovr_wave_reduction(double M, double L, double wavelength)
     return L > 0 ? pow(1 + pow(N / 4.52, 2.38), -0.514) : 0;
 }
 
-void ovr_waves_reduce(double M, double L, double step, size_t n, double *z)
+double ovr_wave_factor(const ovr_wave_factors *factors, double wavelength)
+{
+    double x = log(wavelength / factors->first) / factors->step;
+    int last = OVR_WAVE_FACTORS - 1;
+    if (x <= 0)
+        return factors->value[0];
+    if (x >= last)
+        return factors->value[last];
+    int k = (int)x;
+    return factors->value[k] +
+           (x - k) * (factors->value[k + 1] - factors->value[k]);
+}
+
+void ovr_waves_reduce(double M, double L, const ovr_wave_factors *factors,
+                      double step, size_t n, double *z)
 {
     double length = (double)n * step;
     gsl_fft_real_radix2_transform(z, 1, n);
     z[0] = 0;
     for (size_t k = 1; k <= n / 2; k++) {
-        double left = ovr_wave_reduction(M, L, length / (double)k);
+        double wavelength = length / (double)k;
+        double left = ovr_wave_reduction(M, L, wavelength) *
+                      (factors ? ovr_wave_factor(factors, wavelength) : 1);
         z[k] *= left;
         if (k < n - k)
             z[n - k] *= left;

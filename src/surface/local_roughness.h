@@ -17,9 +17,22 @@
 
 /* Roughness in the film of a rolling contact (local_roughness.c). */
 
+/* Factors on the amplitudes of waves: value[k] at the wavelength
+ * first exp(k step), linear in the logarithm of the wavelength between them,
+ * constant beyond the ends. */
+enum { OVR_WAVE_FACTORS = 20 };
+typedef struct ovr_wave_factors {
+    double first, step; /* b */
+    double value[OVR_WAVE_FACTORS];
+} ovr_wave_factors;
+
+double ovr_wave_factor(const ovr_wave_factors *factors, double wavelength);
+
 /* Multiplies the waves of one period of heights z[n] (n a power of two, `step`
- * b apart) by their amplitude reduction under the contact. */
-void ovr_waves_reduce(double M, double L, double step, size_t n, double *z);
+ * b apart) by their amplitude reduction under the contact and, unless NULL, by
+ * the factors. */
+void ovr_waves_reduce(double M, double L, const ovr_wave_factors *factors,
+                      double step, size_t n, double *z);
 
 /* Width of the contact, b. */
 #define OVR_CONTACT_WIDTH 2.

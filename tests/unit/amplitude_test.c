@@ -37,7 +37,7 @@ TEST(waves_are_reduced)
     for (int i = 0; i < N; i++)
         z[i] = 3 + 0.2 * cos(2 * pi * 5 * i / N + 1) +
                0.1 * sin(2 * pi * 40 * i / N);
-    ovr_waves_reduce(50, 8, step, N, z);
+    ovr_waves_reduce(50, 8, NULL, step, N, z);
     for (int i = 0; i < N; i++)
         CHECK_NEAR(z[i],
                    0.2 * a * cos(2 * pi * 5 * i / N + 1) +
@@ -102,6 +102,52 @@ TEST(beyond_the_range_of_the_fit)
     for (size_t k = 0; k < sizeof runs / sizeof *runs; k++)
         assert_true(fabs(ovr_wave_reduction(runs[k].M, runs[k].L, 0.3) -
                          runs[k].left) < 0.065);
+}
+
+/* Runs of waves on surface 1, Newtonian and Eyring (stress in MPa), that the
+ * fit has not seen: Rq of H in |X| < 3/4, mean square over a period, without
+ * the start.  Levels 7 and 8; radius 10 mm, modulus 226 GPa. */
+TEST(sliding_waves)
+{
+    static const struct {
+        double M, L, alpha, tau, length, slide, A, Rq;
+    } runs[] = {{20.081, 5.4456, 15.809, 10, 0.1821, -0.5, 0.008462, 0.003097},
+                {179.96, 4.6602, 19.612, 10, 0.1268, 0.5, 0.0006526, 0.0001882},
+                {92.641, 5.071, 20.312, 5, 0.1053, 0.5, 0.001413, 0.0001907},
+                {172.69, 5.1875, 16.492, 0, 0.1163, 1, 0.0005398, 0.0002878},
+                {16.172, 4.623, 23.782, 0, 0.4614, 0.5, 0.009287, 0.004468},
+                {17.548, 18.494, 18.843, 5, 0.397, -1, 0.01214, 0.01138},
+                {213, 4.5948, 20.236, 0, 0.2569, -0.5, 0.000447, 8.848e-05},
+                {46.808, 10.853, 23.489, 0, 0.1152, -0.5, 0.00304, 0.001676},
+                {68.979, 13.104, 18.247, 5, 0.199, 1, 0.002316, 0.001507},
+                {16.44, 8.1969, 24.08, 5, 0.1642, -0.5, 0.009646, 0.006084},
+                {39.753, 4.5268, 16.94, 0, 0.2964, -0.5, 0.002547, 0.001383},
+                {20.514, 7.5634, 16.235, 0, 0.2527, 0.5, 0.00915, 0.004726}};
+    for (size_t k = 0; k < sizeof runs / sizeof *runs; k++) {
+        char text[600];
+        ovr_error err = {0};
+        ovr_rough_film film = {.film_Rq = NAN};
+        snprintf(text, sizeof text,
+                 "[contact]\nM = %g\nL = %g\nslide_to_roll = %g\n"
+                 "radius = 10 mm\nmodulus = 226 GPa\n"
+                 "[lubricant]\nalpha = %g 1/GPa\n"
+                 "rheology = %s\n%seyring_stress = %g MPa\n"
+                 "[domain]\nlevel = 7\n[time]\nend = 6\n"
+                 "[feature w]\nshape = wave\namplitude = %g\n"
+                 "wavelength = %g\n",
+                 runs[k].M, runs[k].L, runs[k].slide, runs[k].alpha,
+                 runs[k].tau > 0 ? "eyring" : "newtonian",
+                 runs[k].tau > 0 ? "" : "#", runs[k].tau, runs[k].A,
+                 runs[k].length);
+        ovr_case *c = ovr_case_read_text(text, "w.ini", NULL, NULL, &err);
+        ovr_setup *setup = c ? ovr_case_resolve(c, NULL, &err) : NULL;
+        CHECK_OK(setup ? ovr_setup_prepare(setup, NULL, &err) : OVR_BAD_INPUT,
+                 &err);
+        CHECK_OK(ovr_setup_rough_film(setup, NULL, &film, &err), &err);
+        CHECK_CLOSE(film.film_Rq, runs[k].Rq, 0.15);
+        ovr_setup_free(setup);
+        ovr_case_free(c);
+    }
 }
 
 TEST(what_is_not_foreseen)

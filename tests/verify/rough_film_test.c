@@ -64,7 +64,7 @@ TEST(sliding)
     for (int k = 0; k < 4; k++) {
         errors maximum;
         survey(201, 5, slide[k], &maximum);
-        assert_true(maximum.low > 0.78 && maximum.high < 1.22);
-        assert_true(maximum.thinner < 0.025 && maximum.thicker < 0.22);
+        assert_true(maximum.low > 0.88 && maximum.high < 1.3);
+        assert_true(maximum.thinner < 0.035 && maximum.thicker < 0.12);
     }
 }
