@@ -140,8 +140,8 @@ static double highest(const rolled *r)
     return maximum;
 }
 
-/* The predicted Rq over film_Rq_max of runs, of 110 single waves of 0.1 to 2 b
- * that the fit has not seen. */
+/* Returns the range of predicted Rq over film_Rq_max of runs.  The fit has not
+ * used these 110 single waves of 0.1 to 2 b. */
 static const char *sliding_error(bool thins, bool is_faster)
 {
     if (thins)

@@ -104,9 +104,9 @@ TEST(beyond_the_range_of_the_fit)
                          runs[k].left) < 0.065);
 }
 
-/* Runs of waves on surface 1, Newtonian and Eyring (stress in MPa), that the
- * fit has not seen: Rq of H in |X| < 3/4, mean square over a period, without
- * the start.  Levels 7 and 8; radius 10 mm, modulus 226 GPa. */
+/* Runs of waves on surface 1 that were not used for the fit, Newtonian and
+ * Eyring (stress in MPa).  Rq of H in |X| < 3/4 is the root mean square over a
+ * period after the start.  Levels 7 and 8; radius 10 mm, modulus 226 GPa. */
 TEST(sliding_waves)
 {
     static const struct {
