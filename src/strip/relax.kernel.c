@@ -331,6 +331,12 @@ static INLINE void eliminate(const lines *a, bool wedge, size_t count, size_t j)
             store(a->f.delta + ovr_strip_row(g, i) + j + v * VEC, x[v][0]);
         }
     }
+}
+
+/* Back substitution for the lines that `eliminate` has treated. */
+static INLINE void substitute(const lines *a, size_t count, size_t j)
+{
+    const ovr_strip_grid *g = a->g;
     vec next[MOST], second[MOST];
     UNROLL
     for (size_t v = 0; v < count; v++)
@@ -349,6 +355,13 @@ static INLINE void eliminate(const lines *a, bool wedge, size_t count, size_t j)
     }
 }
 
+static INLINE void solve_group(const lines *a, bool wedge, size_t count,
+                               size_t j)
+{
+    eliminate(a, wedge, count, j);
+    substitute(a, count, j);
+}
+
 static INLINE void all_lines(const lines *a, bool wedge, ovr_part groups)
 {
     size_t j = groups.from * OVR_STRIP_GROUP;
@@ -356,9 +369,9 @@ static INLINE void all_lines(const lines *a, bool wedge, ovr_part groups)
     if (end > a->g->lines)
         end = a->g->lines;
     for (; j + VEC < end; j += 2 * VEC)
-        eliminate(a, wedge, 2, j);
+        solve_group(a, wedge, 2, j);
     if (j < end)
-        eliminate(a, wedge, 1, j);
+        solve_group(a, wedge, 1, j);
 }
 
 void OVR_STRIP_KERNEL(solve_lines)(const ovr_strip_grid *g, ovr_part groups,

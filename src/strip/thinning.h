@@ -78,6 +78,29 @@ static inline vec held_gradient(vec g)
     return smaller(larger(g, -g), all(12));
 }
 
+/* Mean stress a, and the terms w e/2 and back/(2 e), e = exp(t - x), of the
+ * shear rate at a stress t. */
+typedef struct mean_stress {
+    vec x, y, w, back;
+} mean_stress;
+
+/* Guess of the mean stress: the linear response to sliding along and across
+ * the gradient. */
+static INLINE mean_stress guess_mean_stress(const thinning *law, vec eps, vec c,
+                                            vec gx, vec gy)
+{
+    vec square = gx * gx + gy * gy + 1e-12, g = square * inverse_root(square);
+    vec along = gx * gx / square;
+    vec series = 1. / 600 + square * (1. / 17000);
+    vec side = 1 / (1 + square * (1. / 18 + square * series));
+    vec cb = c * (sine_quotient(law, g) * along + side * (1 - along));
+    vec root = eps * eps + cb * cb + 1e-290;
+    vec w = cb + root * inverse_root(root);
+    vec a = natural_log(law, w / eps);
+    vec across = -gy * langevin(law, gx) * a * inverse_root(9 + a * a);
+    return (mean_stress){a, across, w, eps * (eps / w)};
+}
+
 /* Flow along X or across. */
 static INLINE thinned thinned_flow(const thinning *law, bool across, vec eps,
                                    vec c, vec gx, vec gy)
@@ -94,27 +117,16 @@ static INLINE thinned thinned_flow(const thinning *law, bool across, vec eps,
         gy = larger(gy, all(1e-4));
     else
         gx = larger(gx, all(1e-4));
-    /* Guess of the mean stress: the linear response to sliding along and across
-     * the gradient. */
-    vec square = gx * gx + gy * gy + 1e-12, g = square * inverse_root(square);
-    vec along = gx * gx / square;
-    vec series = 1. / 600 + square * (1. / 17000);
-    vec side = 1 / (1 + square * (1. / 18 + square * series));
-    vec cb = c * (sine_quotient(law, g) * along + side * (1 - along));
-    vec root = eps * eps + cb * cb + 1e-290;
-    vec w = cb + root * inverse_root(root);
-    vec a0 = natural_log(law, w / eps), ax = a0;
-    vec ay = -gy * langevin(law, gx) * ax * inverse_root(9 + ax * ax);
-    vec back = eps * (eps / w);
+    const mean_stress a = guess_mean_stress(law, eps, c, gx, gy);
     vec F0 = all(0), F1 = all(0), J = all(0), kxx = all(0), kxy = all(0);
     vec kyy = all(0), lxx = all(0), lxy = all(0), lyy = all(0), mm = all(0);
     UNROLL
     for (int k = 0; k < 5; k++) {
-        vec tx = fused(all(place[k]), gx, ax),
-            ty = fused(all(place[k]), gy, ay);
+        vec tx = fused(all(place[k]), gx, a.x),
+            ty = fused(all(place[k]), gy, a.y);
         vec t2 = tx * tx + ty * ty + 1e-8, it = inverse_root(t2);
-        vec e = exponential(law, fused(t2, it, -a0));
-        vec p = 0.5 * w * e, q = 0.5 * back / e, F = (p - q) * it;
+        vec e = exponential(law, fused(t2, it, -a.x));
+        vec p = 0.5 * a.w * e, q = 0.5 * a.back / e, F = (p - q) * it;
         vec D = ((p + q) - F) * it * it;
         vec ux = F * tx, uy = F * ty;
         vec dxx = fused(D * tx, tx, F), dxy = D * tx * ty;
