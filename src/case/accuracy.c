@@ -33,7 +33,7 @@
  *                         than H by S or so.  1 - r is no less than 0.05.
  *     waves, starved      The same, 1 - r no less than 0.02.
  *     short waves         That times 1 + (0.3 b/wavelength)^2.
- *     dents, a = A/H      k = 0.15 a or 0.5 a^2/(1 + a), the larger one, 2.5
+ *     dents, a = A/H      k = 0.15 a or 0.5 a^2/(1 + a), the larger one, 4
  *                         times that in a texture; 6 a in starved films.
  *     tables of heights   k = 13 r/(1 - r)^2, r = Rq/H.  Ridges are higher than
  *                         Rq and a quarter of the mean wavelength long.
@@ -239,7 +239,7 @@ double ovr_expected_of_mesh(const ovr_setup *s)
  * texture always has a dent in the contact, a single one passes. */
 static double sunk(const ovr_feature_info *f, double a, bool starved)
 {
-    const double shallow = 0.15, deep = 0.5, always = 2.5, dry = 6;
+    const double shallow = 0.15, deep = 0.5, always = 4, dry = 6;
     double part = fmax(shallow * a, deep * a * a / (1 + a));
     part *= f->shape == OVR_TEXTURE ? always : 1;
     return starved ? fmax(part, dry * a) : part;

@@ -1,11 +1,11 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Errors of 40 random cases, and 15 with deep dents, textures and short waves,
+# Errors of 40 random cases, and 25 with deep dents, textures and short waves,
 # next to the error that `check` expects.
 . "$TOP/tests/support/cli.sh"
 need_python csv json
 
 "$PYTHON" "$TOP/tests/verify/errors.py" "$OVERROLL" "${SEED:-1}" 40 ||
     fail 'errors exceed those expected'
-"$PYTHON" "$TOP/tests/verify/errors.py" "$OVERROLL" "${SEED:-1}" 15 uncommon ||
+"$PYTHON" "$TOP/tests/verify/errors.py" "$OVERROLL" "${SEED:-1}" 25 uncommon ||
     fail 'errors of uncommon features exceed those expected'
