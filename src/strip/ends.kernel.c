@@ -24,7 +24,7 @@
  */
 #include "multigrid/vector.h"
 #include "strip/kernels.h"
-#include "strip/lines.h"
+#include "strip/vectors.h"
 
 enum { REACH = 8, WET_REACH = 3 };
 

@@ -38,7 +38,7 @@
  */
 #include "multigrid/vector.h"
 #include "strip/kernels.h"
-#include "strip/lines.h"
+#include "strip/vectors.h"
 
 void OVR_STRIP_KERNEL(wrap)(const ovr_strip_grid *g, ovr_part rows, double *x)
 {

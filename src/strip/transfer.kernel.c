@@ -15,7 +15,7 @@
  */
 #include "multigrid/vector.h"
 #include "strip/kernels.h"
-#include "strip/lines.h"
+#include "strip/vectors.h"
 
 void OVR_STRIP_KERNEL(sum)(const ovr_strip_grid *g, ovr_part rows,
                            const double *x, double *sums)

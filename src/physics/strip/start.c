@@ -8,9 +8,9 @@
  * the way are solved to R = 1e-4.
  *
  * Where steps of a sixteenth fail, the features grow in time.  Time steps
- * continue until the film is steady.  R of the steady
- * equations falls by a factor of e per b/u_m.  A round dent of 7.7 film
- * thicknesses at M = 24 needs 16 b/u_m and 4700 cycles.
+ * continue until the film is steady.  R of the steady equations falls by a
+ * factor of e per b/u_m.  A round dent of 7.7 film thicknesses at M = 24 needs
+ * 16 b/u_m and 4700 cycles.
  */
 #include <math.h>
 #include <string.h>

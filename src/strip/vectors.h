@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Vectors across lines. */
-#ifndef OVR_STRIP_LINES_H
-#define OVR_STRIP_LINES_H
+#ifndef OVR_STRIP_VECTORS_H
+#define OVR_STRIP_VECTORS_H
 
 #include "multigrid/vector.h"
 #include "strip/kernels.h"
