@@ -269,9 +269,15 @@ static void put_rough_film(const ovr_report_sink *to, const ovr_setup *setup,
                     "%.4g%s; surfaces: %.4g%s", film->film_Rq,
                     in_metres(film->film_Rq, c->height).text, film->Rq,
                     in_metres(film->Rq, c->height).text);
-    ovr_report_line(
-        to, "minimum film thickness", "%s%s%s", film_text(film->H_min, c).text,
-        film->but ? "; less certain here: " : "", film->but ? film->but : "");
+    if (film->H_min > 0)
+        ovr_report_line(to, "minimum film thickness", "%s%s%s",
+                        film_text(film->H_min, c).text,
+                        film->but ? "; less certain here: " : "",
+                        film->but ? film->but : "");
+    else
+        ovr_report_line(to, "minimum film thickness",
+                        "no prediction: the predicted roughness is as high as "
+                        "the film thickness");
     ovr_report_detail(to, "accuracy",
                       "within 2 %% (half the cases), 12 %% at most");
 }

@@ -47,11 +47,12 @@ static void say_predicted(const ovr_report_sink *to, const ovr_rough_film *film)
     ovr_report_number(
         to, "predicted film thickness roughness Rq", 4, film->film_Rq, "%s",
         ovr_words_unit("b^2/R", "surface Rq %.4g", film->Rq).text);
-    ovr_report_number(
-        to, "predicted minimum film thickness", 4, film->H_min, "%s",
-        ovr_words_unit("b^2/R", "%s%s", film->but ? "less certain: " : "",
-                       film->but ? film->but : "")
-            .text);
+    if (film->H_min > 0)
+        ovr_report_number(
+            to, "predicted minimum film thickness", 4, film->H_min, "%s",
+            ovr_words_unit("b^2/R", "%s%s", film->but ? "less certain: " : "",
+                           film->but ? film->but : "")
+                .text);
 }
 
 /* Returns the remark on a pressure that the mesh does not resolve. */

@@ -82,6 +82,27 @@ contains err 'e.ini:7: end: auto: the history of \[load\] never ends'
 expect 2 "$OVERROLL" check --M 20 --L 10 --set time.end=auto
 contains err 'nothing passes'
 
+# A dent deeper than the film thickness leaves no prediction of its minimum, in
+# check and in the report of the run.
+expect 0 "$OVERROLL" init roller
+mv out deep.ini
+for depth in 0.4 5; do
+    expect 0 "$OVERROLL" check deep.ini --set "feature.dent.depth=$depth um"
+    mv out deep
+    expect 0 "$OVERROLL" run deep.ini --set "feature.dent.depth=$depth um" \
+        --level 5 --force
+    case $depth in
+    5)
+        contains deep '^#   minimum film thickness  +no prediction: '
+        ! grep '^predicted minimum film' out || fail 'a minimum of zero'
+        ;;
+    *)
+        contains deep '^#   minimum film thickness  +H = 0\.1'
+        contains out '^predicted minimum film thickness +0\.1'
+        ;;
+    esac
+done
+
 # The expected error of a steady contact is without the features that it leaves
 # out.
 printf '[contact]\nM = 20\nL = 10\n[feature w]\nshape = wave\n' >left.ini
