@@ -48,7 +48,7 @@ static place find_place(ovr_case *c, const char *where, ovr_error *err)
 }
 
 /* True if a text, written into a case, is read again unchanged. */
-static bool survives(const char *text)
+static bool is_readable(const char *text)
 {
     for (const char *p = text; *p; p++) {
         bool first = p == text || p[-1] == ' ' || p[-1] == '\t';
@@ -98,7 +98,7 @@ ovr_status ovr_case_set(ovr_case *c, const char *where, const char *value,
     if (strlen(value) > OVR_LINE_MAX - OVR_NAME_MAX)
         return ovr_fail_about(err, row->key, "%s: %s: the value is too long",
                               origin, row->key);
-    if (!survives(value))
+    if (!is_readable(value))
         return ovr_fail_about(
             err, row->key,
             "%s: %s: the value must not contain #, a ; after a blank (these "

@@ -62,7 +62,7 @@ static ovr_smooth smooth_of(const ovr_setup *s, double T)
 
 /* Returns the first time at which its cubic closes the gap within |X| < far;
  * NAN if it never does. */
-static double closes(const ovr_setup *s, double far)
+static double first_closure(const ovr_setup *s, double far)
 {
     double end = ovr_setup_end(s);
     for (int k = 0; k <= 4 * LOOKS; k++) {
@@ -90,7 +90,7 @@ static double mean_size_of_speeds(const ovr_setup *s, double T)
  * jumps), the cubic changes in the whole domain at once and squeezes lubricant
  * unphysically. (Gear pairs reached 1.4; cams of law 345, some of which failed
  * for this reason, 5 and more.) */
-static bool jolts(const ovr_setup *s, double far)
+static bool changes_abruptly(const ovr_setup *s, double far)
 {
     const double share = 2;
     double end = ovr_setup_end(s), dT = end / (4 * LOOKS);
@@ -351,7 +351,7 @@ static extent automatic_domain(const sampled_times *m)
 static bool opens(const ovr_setup *s, extent e)
 {
     double far = fmax(-e.inlet, e.outlet);
-    return isnan(closes(s, far)) && !jolts(s, far);
+    return isnan(first_closure(s, far)) && !changes_abruptly(s, far);
 }
 
 /* Chooses the domain. Curvature is convected only if it opens the gap up to
@@ -435,8 +435,8 @@ ovr_domain_needs ovr_setup_needs(const ovr_setup *s)
 
 /* Rejects a given end of the domain that lies inside the dry contact at its
  * largest width. */
-static ovr_status refuse(const ovr_resolved *r, const char *key, double end,
-                         double enough, ovr_error *err)
+static ovr_status reject_end(const ovr_resolved *r, const char *key, double end,
+                             double enough, ovr_error *err)
 {
     double width = r->half_width;
     const ovr_slot *slot = ovr_slot_of(r, "domain", key);
@@ -462,8 +462,8 @@ ovr_status ovr_setup_domain(ovr_resolved *r, ovr_error *err)
         o->inlet = isnan(o->inlet) ? automatic.inlet : usual.inlet;
     if (o->outlet == 0 || isnan(o->outlet))
         o->outlet = isnan(o->outlet) ? automatic.outlet : usual.outlet;
-    if (refuse(r, "inlet", o->inlet, usual.inlet, err) ||
-        refuse(r, "outlet", o->outlet, usual.outlet, err))
+    if (reject_end(r, "inlet", o->inlet, usual.inlet, err) ||
+        reject_end(r, "outlet", o->outlet, usual.outlet, err))
         return OVR_BAD_INPUT;
     return OVR_OK;
 }
@@ -474,10 +474,10 @@ ovr_status ovr_setup_curvature(ovr_resolved *r, ovr_error *err)
     double far = fmax(-s->options->inlet, s->options->outlet), T;
     if (!varies_in_radius(s))
         return OVR_OK;
-    T = closes(s, far);
+    T = first_closure(s, far);
     s->convected = isnan(T) && r->values.curvature != OVR_CURVATURE_IMPOSED &&
                    (r->values.curvature == OVR_CURVATURE_CONVECTED ||
-                    !jolts(s, far));
+                    !changes_abruptly(s, far));
     if (isnan(T) || r->values.curvature != OVR_CURVATURE_CONVECTED)
         return OVR_OK;
     return ovr_fail_slot(

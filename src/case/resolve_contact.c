@@ -106,8 +106,9 @@ static ovr_status fill_body(ovr_resolved *r, int k, ovr_error *err)
 
 /* Checks that both bodies or neither give `what`, and that [contact] does not
  * give it as well. */
-static ovr_status both(const ovr_resolved *r, const char *what,
-                       const double value[2], double given, ovr_error *err)
+static ovr_status check_both(const ovr_resolved *r, const char *what,
+                             const double value[2], double given,
+                             ovr_error *err)
 {
     const ovr_block *contact = ovr_block_of(r, "contact");
     if (isnan(value[0]) && isnan(value[1]))
@@ -136,7 +137,7 @@ static ovr_status reduce_modulus(ovr_resolved *r, ovr_error *err)
                   has_key(block_of_body(r, 1), "modulus");
     if (!needed)
         return OVR_OK;
-    if (both(r, "modulus", E, *reduced, err))
+    if (check_both(r, "modulus", E, *reduced, err))
         return OVR_BAD_INPUT;
     if (!isnan(E[0]))
         *reduced = 2 / ((1 - b[0].poisson * b[0].poisson) / E[0] +
@@ -148,7 +149,7 @@ static ovr_status reduce_radius(ovr_resolved *r, ovr_error *err)
 {
     const double R[2] = {r->body[0].radius, r->body[1].radius};
     double *reduced = &r->values.contact.radius, curvature;
-    if (both(r, "radius", R, *reduced, err))
+    if (check_both(r, "radius", R, *reduced, err))
         return OVR_BAD_INPUT;
     if (isnan(R[0]))
         return OVR_OK;
@@ -163,7 +164,8 @@ static ovr_status reduce_radius(ovr_resolved *r, ovr_error *err)
 }
 
 /* Converts a rotational speed to m/s. */
-static ovr_status turn(ovr_resolved *r, int k, double *speed, ovr_error *err)
+static ovr_status convert_rotation(ovr_resolved *r, int k, double *speed,
+                                   ovr_error *err)
 {
     const ovr_slot *slot = ovr_block_get(ovr_block_of(r, "contact"),
                                          k ? "speed_2" : "speed_1");
@@ -212,7 +214,8 @@ static ovr_status resolve_bodies(ovr_resolved *r, ovr_error *err)
     ovr_conditions *given = &r->values.contact;
     if (check_names(r, err) || fill_body(r, 0, err) || fill_body(r, 1, err) ||
         reduce_modulus(r, err) || reduce_radius(r, err) ||
-        turn(r, 0, &given->speed_1, err) || turn(r, 1, &given->speed_2, err))
+        convert_rotation(r, 0, &given->speed_1, err) ||
+        convert_rotation(r, 1, &given->speed_2, err))
         return OVR_BAD_INPUT;
     return spread_load(r, err);
 }
@@ -298,7 +301,7 @@ static ovr_status resolve_oil(ovr_resolved *r, ovr_error *err)
 /* Returns the shear stress that scales the table: that at which the viscosity
  * has fallen to 0.7 of its initial value, or the last one. The table is fine
  * near this stress. */
-static double knee(const ovr_two_columns *p)
+static double scaling_stress(const ovr_two_columns *p)
 {
     const double *rate = p->x, *shear = p->y;
     size_t k = 0;
@@ -324,7 +327,7 @@ static ovr_status read_flow_table(ovr_resolved *r, ovr_error *err)
     form->points = p.count;
     form->shear = p.y;
     form->rate = p.x;
-    form->stress = knee(&p);
+    form->stress = scaling_stress(&p);
     return OVR_OK;
 }
 

@@ -33,7 +33,7 @@ static bool is_on(const ovr_resolved *r, int k)
 }
 
 /* Returns the statements of the form of physics k, defaults where it is off. */
-static ovr_physics_statement said(const ovr_resolved *r, int k)
+static ovr_physics_statement statements(const ovr_resolved *r, int k)
 {
     ovr_physics_statement says = {.arrives = INFINITY};
     if (in_case(k)->says && is_on(r, k))
@@ -258,7 +258,7 @@ static ovr_status stiffness_off(ovr_resolved *r, int k, double log_E,
 
 /* Finds the modulus by the secant method, because the stiffness depends on the
  * layer thickness relative to b and b depends on the modulus. */
-static ovr_status settle(ovr_resolved *r, int k, ovr_error *err)
+static ovr_status find_modulus(ovr_resolved *r, int k, ovr_error *err)
 {
     enum { STEPS = 40 };
     const double enough = 1e-11;
@@ -293,7 +293,7 @@ ovr_status ovr_resolve_stiffness(ovr_resolved *r, ovr_error *err)
     r->substrate = r->values.contact.modulus;
     for (int k = 0; !status && ovr_physics_list[k]; k++)
         if (in_case(k)->stiffness && has_block(r, in_case(k)))
-            status = settle(r, k, err);
+            status = find_modulus(r, k, err);
     return status;
 }
 
@@ -353,7 +353,7 @@ unsigned ovr_setup_physics(const ovr_setup *setup)
     unsigned bits = setup->features ? OVR_PHYSICS_FEATURES : 0;
     for (int k = 0; ovr_physics_list[k]; k++) {
         if (is_on(r, k))
-            bits |= ovr_physics_list[k]->bit | said(r, k).bits;
+            bits |= ovr_physics_list[k]->bit | statements(r, k).bits;
     }
     return bits;
 }
@@ -405,7 +405,7 @@ const ovr_physics *ovr_setup_makes_nodes(const ovr_setup *setup)
 
 /* Returns the memory of physical models in bytes, also of companions of the
  * simulation. The grid must be known. */
-static double beside(const ovr_setup *setup)
+static double physics_memory(const ovr_setup *setup)
 {
     const ovr_resolved *r = setup->resolved;
     double bytes = 0;
@@ -433,7 +433,7 @@ unsigned ovr_resolved_features(const ovr_resolved *r)
 {
     unsigned on = 0;
     for (int k = 0; ovr_physics_list[k]; k++)
-        on |= said(r, k).features;
+        on |= statements(r, k).features;
     return on;
 }
 
@@ -452,7 +452,7 @@ unsigned ovr_resolved_fields(const ovr_resolved *r)
 {
     unsigned fields = 0;
     for (int k = 0; ovr_physics_list[k]; k++)
-        fields |= bits_of(said(r, k).fields);
+        fields |= bits_of(statements(r, k).fields);
     return fields;
 }
 
@@ -491,7 +491,7 @@ double ovr_resolved_width(const ovr_resolved *r)
 {
     double width = 0;
     for (int k = 0; ovr_physics_list[k]; k++)
-        width = fmax(width, said(r, k).width_across);
+        width = fmax(width, statements(r, k).width_across);
     return width;
 }
 
@@ -518,7 +518,7 @@ double ovr_resolved_supply(const ovr_resolved *r)
 {
     double film = INFINITY;
     for (int k = 0; ovr_physics_list[k]; k++)
-        film = fmin(film, said(r, k).arrives);
+        film = fmin(film, statements(r, k).arrives);
     return film;
 }
 
@@ -545,7 +545,7 @@ double ovr_setup_memory(const ovr_setup *setup)
     ovr_simulation *sim = ovr_simulation_counted(setup->options);
     double bytes = INFINITY;
     if (sim && !ovr_setup_add_physics(setup, sim, NULL))
-        bytes = (double)sim->arena.bytes + beside(setup);
+        bytes = (double)sim->arena.bytes + physics_memory(setup);
     ovr_simulation_free(sim);
     return bytes;
 }

@@ -28,7 +28,7 @@ static const double PI = 3.14159265358979323846;
 
 /* ---------------------------------------------------- element of the case */
 
-static bool speaks(const ovr_block *block)
+static bool is_given(const ovr_block *block)
 {
     for (size_t k = 0; block && k < block->count; k++)
         if (block->slots[k].given)
@@ -42,7 +42,7 @@ static const char *const names[] = {"gear", "cam", "roller_bearing"};
 static const ovr_block *element_block(const ovr_resolved *r)
 {
     for (size_t k = 0; k < sizeof names / sizeof *names; k++)
-        if (speaks(ovr_block_of(r, names[k])))
+        if (is_given(ovr_block_of(r, names[k])))
             return ovr_block_of(r, names[k]);
     return NULL;
 }
@@ -52,7 +52,7 @@ static ovr_status check_one(const ovr_resolved *r, const ovr_block *block,
 {
     for (size_t k = 0; k < sizeof names / sizeof *names; k++) {
         const ovr_block *other = ovr_block_of(r, names[k]);
-        if (other != block && speaks(other))
+        if (other != block && is_given(other))
             return ovr_fail_at(
                 err, OVR_BAD_INPUT, r->c->name, other->line,
                 "[%s] and [%s] are both given; a case has at most one "
@@ -87,7 +87,7 @@ static ovr_status check_said(const ovr_resolved *r, const ovr_block *block,
                                  name);
     for (size_t k = 0; k < sizeof sections / sizeof *sections; k++) {
         const ovr_block *b = ovr_block_of(r, sections[k]);
-        if (speaks(b))
+        if (is_given(b))
             return ovr_fail_at(
                 err, OVR_BAD_INPUT, r->c->name, b->line,
                 "[%s] already determines the time history of %s; remove [%s]",

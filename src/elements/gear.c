@@ -96,8 +96,8 @@ static double smoothstep(double y)
 
 /* Returns the share of a pair: `two` if two pairs are in contact, and 1 between
  * B and D. */
-static double alone(const ovr_gear_form *form, const ovr_gear_geometry *g,
-                    double xi, double two)
+static double blended_share(const ovr_gear_form *form,
+                            const ovr_gear_geometry *g, double xi, double two)
 {
     double e = g->contact_ratio, B = e - 1, D = 1;
     if (form->blend > 0)
@@ -113,7 +113,7 @@ static double by_rule(const ovr_gear_form *form, const ovr_gear_geometry *g,
 {
     double e = g->contact_ratio;
     double rise = fmin(1, fmin(xi, e - xi) / (e - 1));
-    return alone(form, g, xi, (1 + fmax(rise, 0)) / 3);
+    return blended_share(form, g, xi, (1 + fmax(rise, 0)) / 3);
 }
 
 static double by_energy(const ovr_gear_form *form, const ovr_gear_geometry *g,
@@ -124,7 +124,7 @@ static double by_energy(const ovr_gear_form *form, const ovr_gear_geometry *g,
         /* Stiffness of the other tooth pair, continued beyond the end of its
          * path of contact. */
         double other = unit_stiffness(e, xi <= e / 2 ? xi + 1 : xi - 1);
-        return alone(form, g, xi, own / (own + other));
+        return blended_share(form, g, xi, own / (own + other));
     }
     double sum = 0;
     for (int j = -(int)xi - 1; xi + j <= e + slack; j++)

@@ -185,7 +185,8 @@ enum { LOOKS = 401, ARRAYS = 7 };
 
 /* Stores lengths in b, and speeds and load relative to their reference values;
  * a flat surface has radius NAN. */
-static void look(const ovr_setup *setup, double *const column[ARRAYS + 1])
+static void sample_conditions(const ovr_setup *setup,
+                              double *const column[ARRAYS + 1])
 {
     const ovr_gear *gear = ovr_setup_gear(setup);
     const ovr_cam *cam = ovr_setup_cam(setup);
@@ -240,7 +241,7 @@ ovr_status ovr_run_keep_element(ovr_run *run, ovr_error *err)
         return OVR_NO_MEMORY;
     for (int i = 1; i <= ARRAYS; i++)
         column[i] = column[0] + (size_t)i * LOOKS;
-    look(setup, column);
+    sample_conditions(setup, column);
     for (int i = 0; i < ARRAYS; i++)
         array[i] = (ovr_group_array){.name = of[i].name,
                                      .long_name = of[i].long_name,

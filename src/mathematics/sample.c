@@ -106,8 +106,8 @@ static size_t bins_of(size_t n)
 
 /* Computes mean and variance (ddof 1) of the y in a bin of sorted pairs;
  * returns their number. */
-static size_t look_into(const pair *p, size_t n, size_t bin, double *mean,
-                        double *variance)
+static size_t bin_moments(const pair *p, size_t n, size_t bin, double *mean,
+                          double *variance)
 {
     size_t bins = bins_of(n), from = bin * n / bins, to = (bin + 1) * n / bins;
     size_t count = to - from;
@@ -169,8 +169,8 @@ ovr_interval ovr_bin_ends(const double *x, const double *y, size_t n,
     ovr_interval ends = {NAN, NAN};
     double variance;
     if (p) {
-        look_into(p, n, 0, &ends.low, &variance);
-        look_into(p, n, bins_of(n) - 1, &ends.high, &variance);
+        bin_moments(p, n, 0, &ends.low, &variance);
+        bin_moments(p, n, bins_of(n) - 1, &ends.high, &variance);
     }
     return ends;
 }

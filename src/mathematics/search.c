@@ -38,7 +38,7 @@ static double along(const searching *w, double x)
 }
 
 /* Converts s to x; at the ends returns exactly the given values. */
-static double back(const searching *w, double s)
+static double x_of(const searching *w, double s)
 {
     const ovr_search *p = w->p;
     double x = s;
@@ -61,7 +61,7 @@ static double distance(const searching *w, double s, double relative)
 }
 
 /* True if q is above the target; for an inequality, true if it holds. */
-static bool side(const searching *w, double q)
+static bool is_above(const searching *w, double q)
 {
     return w->p->sense < 0 ? q <= w->p->target : q >= w->p->target;
 }
@@ -78,7 +78,7 @@ static ovr_status evaluate(searching *w, size_t n, const double *s, double *q)
                         "narrower range or a larger tolerance",
                         OVR_SEARCH_MAX);
     for (size_t k = 0; k < n; k++) {
-        x[k] = back(w, s[k]);
+        x[k] = x_of(w, s[k]);
         q[k] = NAN;
     }
     status = w->p->evaluate(w->p->data, n, x, q, w->err);
@@ -118,8 +118,8 @@ static void judge(searching *w, const point *p, size_t n)
         up = fmax(up, p[k].q - last); /* NAN before the first value: ignored */
         down = fmax(down, last - p[k].q);
         first = isnan(last) ? p[k].q : first;
-        r->from = isnan(last) ? back(w, p[k].s) : r->from;
-        r->to = back(w, p[k].s);
+        r->from = isnan(last) ? x_of(w, p[k].s) : r->from;
+        r->to = x_of(w, p[k].s);
         last = p[k].q;
     }
     r->rises = last > first;
@@ -135,7 +135,8 @@ typedef struct bracket {
 
 /* Bisects between the last value and a point without a value for a further
  * change of side. */
-static ovr_status towards(searching *w, point good, double bad, bracket *found)
+static ovr_status bisect_towards(searching *w, point good, double bad,
+                                 bracket *found)
 {
     ovr_status status = OVR_OK;
     for (int k = 0; !status && k < ATTEMPTS && !found->found; k++) {
@@ -143,15 +144,15 @@ static ovr_status towards(searching *w, point good, double bad, bracket *found)
         status = evaluate(w, 1, &m.s, &m.q);
         if (isnan(m.q))
             bad = m.s;
-        else if (side(w, m.q) == side(w, good.q))
+        else if (is_above(w, m.q) == is_above(w, good.q))
             good = m;
         else
             *found = (bracket){good.s < m.s ? good : m, good.s < m.s ? m : good,
                                true};
         if (good.s < bad)
-            w->r->to = back(w, fmax(good.s, along(w, w->r->to)));
+            w->r->to = x_of(w, fmax(good.s, along(w, w->r->to)));
         else
-            w->r->from = back(w, fmin(good.s, along(w, w->r->from)));
+            w->r->from = x_of(w, fmin(good.s, along(w, w->r->from)));
     }
     return status;
 }
@@ -165,14 +166,14 @@ static size_t list_changes(searching *w, const point *p, size_t n,
     for (size_t k = 0; k < n; k++) {
         if (isnan(p[k].q))
             continue;
-        if (last && side(w, last->q) != side(w, p[k].q))
+        if (last && is_above(w, last->q) != is_above(w, p[k].q))
             changes[count++] = (bracket){*last, p[k], true};
         last = &p[k];
     }
     w->r->places = count < OVR_SEARCH_PLACES ? count : OVR_SEARCH_PLACES;
     for (size_t k = 0; k < w->r->places; k++) {
-        w->r->place[k][0] = back(w, changes[k].a.s);
-        w->r->place[k][1] = back(w, changes[k].b.s);
+        w->r->place[k][0] = x_of(w, changes[k].a.s);
+        w->r->place[k][1] = x_of(w, changes[k].b.s);
     }
     return count;
 }
@@ -183,7 +184,7 @@ static bracket outermost(searching *w, const bracket *changes, size_t count)
 {
     bool largest = w->p->which > 0;
     bracket c = changes[largest ? count - 1 : 0];
-    c.found = !side(w, largest ? c.b.q : c.a.q);
+    c.found = !is_above(w, largest ? c.b.q : c.a.q);
     if (!c.found)
         w->r->end = OVR_SEARCH_BEYOND;
     return c;
@@ -212,10 +213,10 @@ static ovr_status find_bracket(searching *w, const point *p, size_t n,
         return OVR_OK;
     }
     if (last + 1 < n)
-        status = towards(w, p[last], p[last + 1].s, found);
+        status = bisect_towards(w, p[last], p[last + 1].s, found);
     if (!status && !found->found && first > 0)
-        status = towards(w, p[first], p[first - 1].s, found);
-    if (!status && !found->found && w->p->sense && side(w, p[first].q))
+        status = bisect_towards(w, p[first], p[first - 1].s, found);
+    if (!status && !found->found && w->p->sense && is_above(w, p[first].q))
         w->r->end = OVR_SEARCH_BEYOND;
     return status;
 }
@@ -224,7 +225,8 @@ static ovr_status find_bracket(searching *w, const point *p, size_t n,
 
 /* Finds a bracket without the point `bad` that has no value: bisects towards it
  * from both ends in turn. */
-static ovr_status around(searching *w, bracket *in, double bad, int *attempts)
+static ovr_status bracket_without(searching *w, bracket *in, double bad,
+                                  int *attempts)
 {
     point near = in->a, far = in->b;
     ovr_status status = OVR_OK;
@@ -236,7 +238,7 @@ static ovr_status around(searching *w, bracket *in, double bad, int *attempts)
             bad = m.s;
             continue;
         }
-        if (side(w, m.q) != side(w, near.q)) {
+        if (is_above(w, m.q) != is_above(w, near.q)) {
             *in = (bracket){near, m, true};
             break;
         }
@@ -308,7 +310,7 @@ static bool judge_about(searching *w, double s0)
                      w->r->scatter >
                          fabs(w->r->slope) * distance(w, s0, w->p->tolerance);
     if (w->geometric) /* chain rule for s = ln x */
-        w->r->slope /= fabs(back(w, s0));
+        w->r->slope /= fabs(x_of(w, s0));
     return isfinite(w->r->slope);
 }
 
@@ -362,7 +364,7 @@ static ovr_status brent(searching *w, bracket *in, double *bad)
     *bad = NAN;
     for (int k = 0; !status && k < STEPS; k++) {
         double close, middle, step;
-        if (side(w, b.q + target) == side(w, c.q + target)) {
+        if (is_above(w, b.q + target) == is_above(w, c.q + target)) {
             c = a;
             d = e = b.s - a.s;
         }
@@ -405,12 +407,12 @@ static ovr_status brent(searching *w, bracket *in, double *bad)
 static void take_answer(searching *w, const bracket *in)
 {
     ovr_search_result *r = w->r;
-    bool second = w->p->sense && !side(w, in->a.q);
+    bool second = w->p->sense && !is_above(w, in->a.q);
     r->end = OVR_SEARCH_FOUND;
-    r->value = back(w, second ? in->b.s : in->a.s);
+    r->value = x_of(w, second ? in->b.s : in->a.s);
     r->at_value = second ? in->b.q : in->a.q;
-    r->low = back(w, fmin(in->a.s, in->b.s));
-    r->high = back(w, fmax(in->a.s, in->b.s));
+    r->low = x_of(w, fmin(in->a.s, in->b.s));
+    r->high = x_of(w, fmax(in->a.s, in->b.s));
 }
 
 static ovr_status close_in(searching *w, bracket *in)
@@ -420,7 +422,7 @@ static ovr_status close_in(searching *w, bracket *in)
     ovr_status status = brent(w, in, &bad);
     while (!status && !isnan(bad)) {
         w->r->end = OVR_SEARCH_BROKEN;
-        status = around(w, in, bad, &attempts);
+        status = bracket_without(w, in, bad, &attempts);
         if (status || !in->found)
             return status;
         status = brent(w, in, &bad);
@@ -432,7 +434,7 @@ static ovr_status close_in(searching *w, bracket *in)
         (status = probe(w, along(w, w->r->value))) == OVR_OK &&
         !judge_about(w, along(w, w->r->value))) {
         w->r->slope = (in->b.q - in->a.q) /
-                      (back(w, in->b.s) - back(w, in->a.s));
+                      (x_of(w, in->b.s) - x_of(w, in->a.s));
         w->r->scatter = NAN;
         w->r->scatters = false;
     }

@@ -179,7 +179,7 @@ static ovr_status roughness_there(const ovr_drawing *drawing, double *S,
 }
 
 /* Returns the name of the first of several results, which is the one shown. */
-static const char *whose(const ovr_drawing *drawing, ovr_error *err)
+static const char *first_name(const ovr_drawing *drawing, ovr_error *err)
 {
     ovr_text text = ovr_text_make(drawing->arena);
     ovr_text_put(&text, "surface height at x = 0 (undeformed)");
@@ -209,7 +209,7 @@ static ovr_status add_roughness(const ovr_drawing *drawing,
     if (status != OVR_OK)
         return status;
     margin = fmax(0.12 * (high - low), 1e-3 * film->y_to / factor);
-    *series = (ovr_series){.label = whose(drawing, err),
+    *series = (ovr_series){.label = first_name(drawing, err),
                            .n = run->info->snapshots,
                            .x = run->times,
                            .y = S,

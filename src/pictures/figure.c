@@ -63,8 +63,8 @@ static size_t some_row(const ovr_table *t, size_t k)
 
 /* True if rows with equal values of `a` (NULL: all rows) have equal values of
  * `b`, as for keys of a [zip]. */
-static bool tells(const ovr_table *t, const ovr_table_column *a,
-                  const ovr_table_column *b)
+static bool determines(const ovr_table *t, const ovr_table_column *a,
+                       const ovr_table_column *b)
 {
     for (size_t i = 1; i < ovr_table_rows(t) && i < ENOUGH; i++) {
         size_t row = some_row(t, i), first = 0;
@@ -92,7 +92,7 @@ static const ovr_table_column *named(const ovr_table *t, const char *name)
     for (size_t k = 0; !best && (c = ovr_table_at(t, k)) != NULL; k++) {
         bool all = of_zip(c, name);
         for (size_t j = 0; all && (other = ovr_table_at(t, j)) != NULL; j++)
-            all = !of_zip(other, name) || tells(t, c, other);
+            all = !of_zip(other, name) || determines(t, c, other);
         best = all ? c : NULL;
     }
     for (size_t k = 0; !best && (c = ovr_table_at(t, k)) != NULL; k++)
@@ -116,11 +116,12 @@ static bool is_numeric(const ovr_table *t, const ovr_table_column *c)
 
 static bool is_printed(const figure *f, const ovr_table_column *c)
 {
-    bool told = tells(f->t, NULL, c) || (f->x && tells(f->t, f->x, c));
+    bool told = determines(f->t, NULL, c) ||
+                (f->x && determines(f->t, f->x, c));
     for (size_t k = 0; !told && k < f->lines.keys; k++)
-        told = tells(f->t, f->lines.key[k], c);
+        told = determines(f->t, f->lines.key[k], c);
     for (size_t k = 0; !told && k < f->panels.keys; k++)
-        told = tells(f->t, f->panels.key[k], c);
+        told = determines(f->t, f->panels.key[k], c);
     return told;
 }
 
@@ -675,8 +676,8 @@ static void draw_bins(figure *f, size_t panel, ovr_panel *to)
 /* ----------------------------------------------------------------- figure */
 
 /* Chooses the range of an axis: minimum to maximum with a margin. */
-static void spread(double low, double high, bool logarithmic, double *from,
-                   double *to)
+static void axis_range(double low, double high, bool logarithmic, double *from,
+                       double *to)
 {
     double margin = 0.04 * (high - low);
     *from = *to = NAN;
@@ -732,8 +733,8 @@ static void set_ranges(figure *f)
         y_low = fmin(y_low, f->sample[i].y * f->y_axis.factor);
         y_high = fmax(y_high, f->sample[i].y * f->y_axis.factor);
     }
-    spread(x_low, x_high, f->log_x, &f->x_from, &f->x_to);
-    spread(y_low, y_high, f->o->log_y, &f->y_from, &f->y_to);
+    axis_range(x_low, x_high, f->log_x, &f->x_from, &f->x_to);
+    axis_range(y_low, y_high, f->o->log_y, &f->y_from, &f->y_to);
 }
 
 static void draw_panels(figure *f, ovr_panel *panel)

@@ -93,7 +93,7 @@ static ovr_status look_through(const ovr_drawing *drawing, double *times,
 }
 
 /* Replaces the nearest time that is not `kept` by T. */
-static void put_among(double *times, double T, double kept)
+static void replace_nearest(double *times, double T, double kept)
 {
     size_t best = CHOSEN;
     for (size_t j = 0; j < CHOSEN; j++) {
@@ -115,8 +115,8 @@ static int in_time(const void *a, const void *b)
 
 /* Returns the extreme at T as text, ": p max", with the result's name if there
  * are several. */
-static const char *what_is_there(const ovr_drawing *drawing, const extremes *e,
-                                 double T, ovr_error *err)
+static const char *extreme_at(const ovr_drawing *drawing, const extremes *e,
+                              double T, ovr_error *err)
 {
     const bool is[] = {T == e->T_P, T == e->T_H};
     const char *const what[] = {"p max", "h min"};
@@ -142,8 +142,8 @@ static ovr_status choose(const ovr_drawing *drawing, double *times,
     ovr_status status = look_through(drawing, times, &e, err);
     if (status != OVR_OK)
         return status;
-    put_among(times, e.T_P, e.T_P);
-    put_among(times, e.T_H, e.T_P);
+    replace_nearest(times, e.T_P, e.T_P);
+    replace_nearest(times, e.T_H, e.T_P);
     if (capacity < CHOSEN) { /* only the extremes, as far as they fit */
         times[0] = isnan(e.T_P) ? e.T_H : e.T_P;
         times[1] = isnan(e.T_H) ? e.T_P : e.T_H;
@@ -156,7 +156,7 @@ static ovr_status choose(const ovr_drawing *drawing, double *times,
         if (n > 0 && times[k] == times[n - 1])
             continue;
         times[n] = times[k];
-        about[n] = what_is_there(drawing, &e, times[n], err);
+        about[n] = extreme_at(drawing, &e, times[n], err);
         if (!about[n++])
             return OVR_NO_MEMORY;
     }

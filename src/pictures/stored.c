@@ -262,7 +262,7 @@ static ovr_status read_field(const ovr_shot *shot, const char *name, double by,
 
 /* Computes the lubricant on each wall. Lubricant that fills the gap is drawn on
  * the lower wall only, because a line is visible between two areas. */
-static void stand(double H, double *oil, double *hung)
+static void split_lubricant(double H, double *oil, double *hung)
 {
     const double full = 1 - 1e-6;
     bool fills = *oil > full;
@@ -285,7 +285,7 @@ ovr_status ovr_shot_read(ovr_shot *shot, size_t k, ovr_error *err)
     if (status == OVR_OK)
         status = read_field(shot, "filling", 1, shot->oil, err);
     for (size_t i = 0; shot->oil && i < shot->run->info->nodes; i++)
-        stand(shot->H[i], &shot->oil[i], &shot->hung[i]);
+        split_lubricant(shot->H[i], &shot->oil[i], &shot->hung[i]);
     for (int j = 0; status == OVR_OK && j < 3; j++) {
         status = read_field(shot, temperatures[j], 1, shot->hot[j], err);
         for (size_t i = 0; shot->hot[j] && i < shot->run->info->nodes; i++)

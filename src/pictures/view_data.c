@@ -58,7 +58,7 @@ uint16_t ovr_level_of(const ovr_levels *l, double value)
 
 /* Replaces levels by prediction errors, from the end, so that neighbours are
  * still unchanged. */
-static void take_differences(uint16_t *level, size_t n, size_t rows)
+static void replace_by_differences(uint16_t *level, size_t n, size_t rows)
 {
     for (size_t i = n * rows; i-- > 0;) {
         unsigned left = i % n ? level[i - 1] : 0;
@@ -84,7 +84,7 @@ ovr_status ovr_pack_levels(ovr_text *to, uint16_t *level, size_t n, size_t rows,
         libdeflate_free_compressor(deflate);
         return OVR_NO_MEMORY;
     }
-    take_differences(level, n, rows);
+    replace_by_differences(level, n, rows);
     for (size_t i = 0; i < count; i++) {
         planes[i] = (unsigned char)(level[i] & 0xff);
         planes[count + i] = (unsigned char)(level[i] >> 8);
@@ -239,7 +239,7 @@ static ovr_status put_fields(ovr_view_run *w, ovr_error *err)
 
 /* Reduces each bucket of steps to one value: the first, the minimum or the
  * maximum. */
-static size_t thin(double *values, size_t n, size_t bucket, char keep)
+static size_t reduce(double *values, size_t n, size_t bucket, char keep)
 {
     size_t count = 0;
     for (size_t i = 0; i < n; i += bucket) {
@@ -283,7 +283,7 @@ static ovr_status put_history(ovr_view_run *w, ovr_error *err)
         if (!v)
             return err->status;
         ovr_text_doubles(w->to, columns[k].key, v,
-                         thin(v, n, bucket, columns[k].keep));
+                         reduce(v, n, bucket, columns[k].keep));
     }
     ovr_text_put(w->to, "\"steps\":0},");
     return OVR_OK;

@@ -133,8 +133,8 @@ static double *stored_positions(ovr_writer *w, const double *X, ovr_error *err)
 
 /* Computes weights of the trapezoidal rule if refinement makes the node spacing
  * nonuniform; otherwise NULL. */
-static ovr_status weigh(const ovr_writer *w, ovr_arena *arena,
-                        ovr_file_plan *plan, ovr_error *err)
+static ovr_status set_weights(const ovr_writer *w, ovr_arena *arena,
+                              ovr_file_plan *plan, ovr_error *err)
 {
     if (!(w->options.physics & OVR_PHYSICS_REFINED))
         return OVR_OK;
@@ -214,7 +214,7 @@ static ovr_status prepare(ovr_writer *w, const double *X, ovr_file_plan *plan,
     if (w->lines > 1 && !plan->y)
         return OVR_NO_MEMORY;
     plan->x = stored_positions(w, X, err);
-    if (!plan->x || weigh(w, &w->arena, plan, err))
+    if (!plan->x || set_weights(w, &w->arena, plan, err))
         return OVR_NO_MEMORY;
     status = ovr_file_prepare(&w->file, plan, &w->arena, err);
     if (status)
@@ -335,8 +335,8 @@ double ovr_writer_memory(const ovr_write_options *options,
 
 /* Uses the counts of a checkpoint with a state; otherwise the run begins again
  * and overwrites the rows of the file. */
-static void go_on_from(ovr_writer *w, const ovr_restart *restart,
-                       ovr_file_plan *plan)
+static void restore_counts(ovr_writer *w, const ovr_restart *restart,
+                           ovr_file_plan *plan)
 {
     const ovr_counts *counts = restart ? ovr_restart_counts(restart) : NULL;
     plan->created = restart ? ovr_restart_created(restart) : NULL;
@@ -374,7 +374,7 @@ ovr_writer *ovr_writer_resume(const ovr_write_options *options,
     handler = ovr_h5_quiet();
     status = prepare(w, X, &plan, err);
     if (status == OVR_OK) {
-        go_on_from(w, restart, &plan);
+        restore_counts(w, restart, &plan);
         status = reopen_file(w, restart, &plan, err);
     }
     if (status != OVR_OK)
@@ -386,7 +386,7 @@ ovr_writer *ovr_writer_resume(const ovr_write_options *options,
 }
 
 /* True if there is a solved state with finite values. */
-static bool worth_a_look(const ovr_frame *frame)
+static bool is_storable(const ovr_frame *frame)
 {
     const ovr_state *state = frame->state;
     bool finite = frame->seen->H_min != 0;
@@ -405,7 +405,7 @@ static ovr_status store_last(ovr_writer *w, ovr_run_status run, ovr_error *err)
     if (w->last_stored || !w->frame_of || (run == OVR_RUN_COMPLETE && !asked))
         return OVR_OK;
     frame = w->frame_of(w);
-    if (run == OVR_RUN_FAILED && !worth_a_look(&frame))
+    if (run == OVR_RUN_FAILED && !is_storable(&frame))
         return OVR_OK;
     if (w->last_step < 0)
         ovr_writer_note(w, &frame);

@@ -386,7 +386,7 @@ int ovr_journal_write(ovr_store *s)
 /* ------------------------------------------------------------- Rolling back */
 
 /* True if the date is in the headers, at the beginning of the file. */
-static bool stands_in(int file, const char *created, ovr_arena *arena)
+static bool has_date(int file, const char *created, ovr_arena *arena)
 {
     enum { MAX = 1 << 20 };
     size_t length = strnlen(created, OVR_STORE_NAME), bytes;
@@ -415,7 +415,7 @@ static bool is_meant(const ovr_store *s, const ovr_journal_header *h,
         (strcmp(s->created, h->created) != 0 || s->kept.number != h->number))
         return false;
     return fstat(s->fd, &about) == 0 && (uint64_t)about.st_size >= h->length &&
-           stands_in(s->fd, h->created, arena);
+           has_date(s->fd, h->created, arena);
 }
 
 static int put_back(const ovr_store *s, ovr_journal_walk *w, ovr_arena *arena)

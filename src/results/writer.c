@@ -23,7 +23,7 @@
 /* -------------------------------------------------- schedule of snapshots */
 
 /* Returns the difference below which two times are equal. */
-static double slack(double T)
+static double time_tolerance(double T)
 {
     return 1e-10 * fmax(1, fabs(T));
 }
@@ -55,7 +55,7 @@ ovr_status ovr_schedule_make(ovr_schedule *s, const ovr_write_options *o,
 }
 
 /* Returns the number of given times up to T. */
-static size_t passed(const ovr_schedule *s, double T)
+static size_t times_up_to(const ovr_schedule *s, double T)
 {
     size_t low = 0, high = s->count;
     while (low < high) {
@@ -79,19 +79,19 @@ static double multiple(const ovr_schedule *s, double T)
 static bool schedule_due(const ovr_schedule *s, long step, double T_before,
                          double T)
 {
-    double from = T_before + slack(T), to = T + slack(T);
+    double from = T_before + time_tolerance(T), to = T + time_tolerance(T);
     if (s->every_steps && step % s->every_steps == 0)
         return true;
     if (s->every_time > 0 && multiple(s, to) > multiple(s, from))
         return true;
-    return passed(s, to) > passed(s, from);
+    return times_up_to(s, to) > times_up_to(s, from);
 }
 
 /* Returns the next scheduled time after T, or INFINITY. */
 static double schedule_next(const ovr_schedule *s, double T)
 {
-    double from = T + slack(T), next = INFINITY;
-    size_t k = passed(s, from);
+    double from = T + time_tolerance(T), next = INFINITY;
+    size_t k = times_up_to(s, from);
     if (s->every_time > 0)
         next = (multiple(s, from) + 1) * s->every_time;
     return k < s->count ? fmin(next, s->times[k]) : next;

@@ -57,7 +57,7 @@ __attribute__((format(printf, 2, 3))) static void say(page *p,
 
 /* Writes the line collected so far under the name `name`, unless it is
  * empty. */
-static void end(page *p, const char *name)
+static void finish_line(page *p, const char *name)
 {
     if (p->used)
         p->put(p->data, name, p->text);
@@ -77,7 +77,7 @@ static bool of_bearing(const page *p)
 
 /* Appends the position: " 0.31 mm before the pitch point", " at 41.2 deg" or
  * nothing. */
-static void say_place(page *p, const char *what)
+static void write_place(page *p, const char *what)
 {
     char way[40], angle[40];
     snprintf(way, sizeof way, "way_%s_m", what);
@@ -94,7 +94,7 @@ static void say_place(page *p, const char *what)
         say(p, " under roller %.0f", of(p, "pass"));
 }
 
-static void say_drive(page *p)
+static void write_drive(page *p)
 {
     double speed = of(p, "speed_rpm"), torque = of(p, "torque_N_m");
     if (of_gear(p)) {
@@ -102,23 +102,23 @@ static void say_drive(page *p)
             speed, 1e-3 * of(p, "power_W"), of(p, "contact_ratio"));
         if (of(p, "overlap_ratio") > 0)
             say(p, ", overlap ratio %.4g", of(p, "overlap_ratio"));
-        end(p, "gear pair");
+        finish_line(p, "gear pair");
     } else if (of_bearing(p)) {
         say(p,
             "%.4g N at %.4g rpm; %.0f loaded rollers, the most heavily loaded "
             "carries %.4g N",
             of(p, "bearing_load_N"), speed, of(p, "rollers_loaded"),
             of(p, "heaviest_roller_N"));
-        end(p, "bearing");
+        finish_line(p, "bearing");
     } else {
         say(p, "%.4g rpm; maximum drive torque of the lift %.4g N.m", speed,
             torque);
-        end(p, "cam");
+        finish_line(p, "cam");
     }
 }
 
 /* Writes the reason why the power loss of a run is unknown. */
-static void say_no_loss(page *p)
+static void write_no_loss(page *p)
 {
     double mu = fabs(of(p, "mu_slide_max"));
     if (mu > OVR_IMPOSSIBLE_FRICTION)
@@ -128,16 +128,16 @@ static void say_no_loss(page *p)
             mu);
     else if (has(p, "contact_share_mean") && isnan(mu))
         say(p, "unknown: set boundary.friction");
-    end(p, "friction power loss");
+    finish_line(p, "friction power loss");
 }
 
 /* Writes the power loss, with a remark if friction is unrealistically high. */
-static void say_loss(page *p)
+static void write_loss(page *p)
 {
     const double much = 0.3; /* higher than lubricants and dry metal contacts
                               * have */
     if (!has(p, "power_loss_W")) {
-        say_no_loss(p);
+        write_no_loss(p);
         return;
     }
     say(p, "%.4g W, ", of(p, "power_loss_W"));
@@ -158,17 +158,17 @@ static void say_loss(page *p)
     else if (fabs(of(p, "mu_slide_max")) > much)
         say(p, "; not realistic: the sliding friction coefficient reaches %.2g",
             fabs(of(p, "mu_slide_max")));
-    end(p, "friction power loss");
+    finish_line(p, "friction power loss");
 }
 
-static void say_film(page *p)
+static void write_film(page *p)
 {
     bool run = has(p, "H_min_overall_m");
     double h = of(p, run ? "H_min_overall_m" : "min_film_m");
     if (isnan(h))
         return; /* no solution */
     say(p, "%.4g um", 1e6 * h);
-    say_place(p, "H_min");
+    write_place(p, "H_min");
     if (h < OVR_MOLECULE)
         say(p, ", thinner than molecules of lubricants");
     if (has(p, "lambda_ratio_at_H_min"))
@@ -182,21 +182,21 @@ static void say_film(page *p)
         say(p, "; lambda ratio %.3g", of(p, "contact_lambda"));
     else
         say(p, "; lambda ratio unknown (set contact.Rq_1 and contact.Rq_2)");
-    end(p, "minimum film thickness");
+    finish_line(p, "minimum film thickness");
 }
 
-static void say_pressure(page *p)
+static void write_pressure(page *p)
 {
     bool run = has(p, "P_max_overall_Pa");
     if (!run && !has(p, "max_pressure_Pa"))
         return;
     say(p, "%.4g GPa",
         1e-9 * of(p, run ? "P_max_overall_Pa" : "max_pressure_Pa"));
-    say_place(p, "P_max");
-    end(p, "maximum pressure");
+    write_place(p, "P_max");
+    finish_line(p, "maximum pressure");
 }
 
-static void say_heat(page *p)
+static void write_heat(page *p)
 {
     double T = of(p, "T_supply_K") - 273.15;
     if (!has(p, "T_max_rise"))
@@ -204,42 +204,42 @@ static void say_heat(page *p)
     say(p, "%.4g degC in the film, %.4g and %.4g degC on surfaces 1 and 2",
         T + of(p, "T_max_rise"), T + of(p, "T_1_max_rise"),
         T + of(p, "T_2_max_rise"));
-    end(p, "maximum temperature");
+    finish_line(p, "maximum temperature");
 }
 
 /* Writes the results of a run with [stress] and [fatigue]. */
-static void say_stress(page *p)
+static void write_stress(page *p)
 {
     if (!has(p, "tau_max_Pa"))
         return;
     say(p, "%.4g GPa (von Mises stress %.4g GPa) below surface %.0f",
         1e-9 * of(p, "tau_max_Pa"), 1e-9 * of(p, "von_mises_max_Pa"),
         of(p, "surface_tau_max"));
-    end(p, "maximum shear stress");
+    finish_line(p, "maximum shear stress");
     if (has(p, "utilisation"))
         say(p, "utilization of the fatigue limit %.3g", of(p, "utilisation"));
     if (has(p, "risk_smooth"))
         say(p, "%srisk of the smooth contact %.3g", p->used ? "; " : "",
             of(p, "risk_smooth"));
-    end(p, "fatigue");
+    finish_line(p, "fatigue");
     if (!has(p, "life_ratio"))
         return;
     say(p, "%.3g relative to smooth surfaces", of(p, "life_ratio"));
     if (has(p, "life_ratio_together"))
         say(p, ", %.3g for all passes together", of(p, "life_ratio_together"));
-    end(p, "life ratio");
+    finish_line(p, "life ratio");
 }
 
 static void tell(page *p)
 {
     if (!has(p, "speed_rpm") || !has(p, "H_min"))
         return;
-    say_drive(p);
-    say_loss(p);
-    say_film(p);
-    say_pressure(p);
-    say_heat(p);
-    say_stress(p);
+    write_drive(p);
+    write_loss(p);
+    write_film(p);
+    write_pressure(p);
+    write_heat(p);
+    write_stress(p);
 }
 
 /* ------------------------------------------------------------ from a run */

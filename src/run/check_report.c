@@ -32,7 +32,7 @@ static ovr_piece in_metres(double value, double scale)
 /* ------------------------------------------------------------------ radius */
 
 /* Ranges of reduced radius and half-width over a run with a known end. */
-static void say_radius(const ovr_report_sink *to, const ovr_setup *setup)
+static void report_radius(const ovr_report_sink *to, const ovr_setup *setup)
 {
     enum { LOOKS = 1000 };
     const ovr_contact *contact = setup->contact;
@@ -72,8 +72,8 @@ static ovr_words film_text(double H, const ovr_contact *contact)
     return w;
 }
 
-static void put_asymptote(const ovr_report_sink *to, const char *key,
-                          const char *label, double H, const ovr_contact *c)
+static void report_asymptote(const ovr_report_sink *to, const char *key,
+                             const char *label, double H, const ovr_contact *c)
 {
     ovr_put_number(to, key, H);
     if (!isnan(H))
@@ -82,8 +82,8 @@ static void put_asymptote(const ovr_report_sink *to, const char *key,
 
 /* Prints the predicted film thicknesses. The summary contains Moes' formula
  * only if the fitted formula is not valid. */
-static void put_films(const ovr_report_sink *to, const ovr_contact *c,
-                      bool fitted)
+static void report_films(const ovr_report_sink *to, const ovr_contact *c,
+                         bool fitted)
 {
     ovr_film_asymptotes film = ovr_film_asymptotes_moes(c->M, c->L);
     double central = ovr_film_central_moes(c->M, c->L);
@@ -94,18 +94,18 @@ static void put_films(const ovr_report_sink *to, const ovr_contact *c,
         (fitted ? ovr_report_detail : ovr_report_line)(
             to, "central film thickness, Moes", "%s, incompressible",
             film_text(central, c).text);
-    put_asymptote(to, "H_rigid_isoviscous", "  rigid-isoviscous asymptote",
-                  film.rigid_iso, c);
-    put_asymptote(to, "H_elastic_isoviscous", "  elastic-isoviscous asymptote",
-                  film.elastic_iso, c);
-    put_asymptote(to, "H_rigid_piezoviscous", "  rigid-piezoviscous asymptote",
-                  film.rigid_piezo, c);
-    put_asymptote(to, "H_elastic_piezoviscous",
-                  "  elastic-piezoviscous asymptote", film.elastic_piezo, c);
+    report_asymptote(to, "H_rigid_isoviscous", "  rigid-isoviscous asymptote",
+                     film.rigid_iso, c);
+    report_asymptote(to, "H_elastic_isoviscous",
+                     "  elastic-isoviscous asymptote", film.elastic_iso, c);
+    report_asymptote(to, "H_rigid_piezoviscous",
+                     "  rigid-piezoviscous asymptote", film.rigid_piezo, c);
+    report_asymptote(to, "H_elastic_piezoviscous",
+                     "  elastic-piezoviscous asymptote", film.elastic_piezo, c);
 }
 
 /* Prints alpha and the asymptotic alpha*. */
-static void put_alpha(const ovr_report_sink *to, const ovr_setup *setup)
+static void report_alpha(const ovr_report_sink *to, const ovr_setup *setup)
 {
     double alpha = setup->contact->alpha;
     double star = ovr_asymptotic_alphabar(setup->lubricant) /
@@ -117,8 +117,8 @@ static void put_alpha(const ovr_report_sink *to, const ovr_setup *setup)
                           alpha * 1e9, star * 1e9);
 }
 
-static void say_fit(const ovr_report_sink *to, const char *label, double H,
-                    const char *accuracy, const ovr_contact *c)
+static void report_fit(const ovr_report_sink *to, const char *label, double H,
+                       const char *accuracy, const ovr_contact *c)
 {
     if (!isnan(H))
         ovr_report_line(to, label, "%s, within %s", film_text(H, c).text,
@@ -127,8 +127,8 @@ static void say_fit(const ovr_report_sink *to, const char *label, double H,
 
 /* Prints the ratio of the predicted minimum film thickness to contact.Rq_1 and
  * Rq_2. */
-static void put_lambda_ratio(const ovr_report_sink *to, const ovr_setup *setup,
-                             double minimum)
+static void report_lambda_ratio(const ovr_report_sink *to,
+                                const ovr_setup *setup, double minimum)
 {
     if (!(setup->Rq > 0))
         return;
@@ -154,25 +154,25 @@ static ovr_film_fit fit_of(const ovr_setup *setup)
                : none;
 }
 
-static void put_fit(const ovr_report_sink *to, const ovr_setup *setup,
-                    ovr_film_fit fit)
+static void report_fitted(const ovr_report_sink *to, const ovr_setup *setup,
+                          ovr_film_fit fit)
 {
     const ovr_contact *c = setup->contact;
     ovr_put_number(to, "H_cen_fit", fit.central);
     ovr_put_number(to, "H_min_fit", fit.minimum);
-    say_fit(to, "central film thickness, overroll fit", fit.central, "2.6 %",
-            c);
-    say_fit(to, "minimum film thickness, overroll fit", fit.minimum, "1.7 %",
-            c);
+    report_fit(to, "central film thickness, overroll fit", fit.central, "2.6 %",
+               c);
+    report_fit(to, "minimum film thickness, overroll fit", fit.minimum, "1.7 %",
+               c);
     if (!isnan(fit.central))
         ovr_report_detail(to, "  compressible lubricant",
                           "relative density %.4g at p_h",
                           ovr_density(setup->lubricant, 1));
-    put_lambda_ratio(to, setup, fit.minimum);
+    report_lambda_ratio(to, setup, fit.minimum);
 }
 
-static void say_lubricant(const ovr_report_sink *to,
-                          const ovr_lubricant *lubricant)
+static void report_lubricant(const ovr_report_sink *to,
+                             const ovr_lubricant *lubricant)
 {
     static const char *const laws[] = {"", "Eyring", "Carreau", "Carreau",
                                        "flow law by table"};
@@ -197,8 +197,8 @@ static ovr_words at_time(double T, const ovr_contact *contact)
 
 /* Prints when a feature passes X = 0; in the complete list also when it enters
  * the contact and leaves. */
-static void say_times(const ovr_report_sink *to, const ovr_setup *setup,
-                      size_t k)
+static void report_times(const ovr_report_sink *to, const ovr_setup *setup,
+                         size_t k)
 {
     const ovr_options *o = setup->options;
     double end = setup->march->end;
@@ -218,8 +218,8 @@ static void say_times(const ovr_report_sink *to, const ovr_setup *setup,
                 events[i].T > end ? " (after the end)" : "");
 }
 
-static void say_feature(const ovr_report_sink *to, const ovr_setup *setup,
-                        size_t k)
+static void report_feature(const ovr_report_sink *to, const ovr_setup *setup,
+                           size_t k)
 {
     ovr_feature_info info = ovr_surfaces_info(setup->surfaces, k);
     const ovr_contact *c = setup->contact;
@@ -241,7 +241,7 @@ static void say_feature(const ovr_report_sink *to, const ovr_setup *setup,
                     in_metres(info.wavelength, c->b).text,
                     info.wavelength / setup->mesh);
     if (setup->transient)
-        say_times(to, setup, k);
+        report_times(to, setup, k);
     for (const char *s = info.assumed; s && *s;) {
         size_t length = strcspn(s, "\n");
         ovr_report_line(to, "  assumed", "%.*s", (int)length, s);
@@ -251,8 +251,8 @@ static void say_feature(const ovr_report_sink *to, const ovr_setup *setup,
 
 /* Prints the film thickness of rough surfaces as predicted by amplitude
  * reduction. */
-static void put_rough_film(const ovr_report_sink *to, const ovr_setup *setup,
-                           const ovr_rough_film *film)
+static void report_rough_film(const ovr_report_sink *to, const ovr_setup *setup,
+                              const ovr_rough_film *film)
 {
     const ovr_contact *c = setup->contact;
     if (!setup->features)
@@ -285,7 +285,7 @@ static void put_rough_film(const ovr_report_sink *to, const ovr_setup *setup,
 /* ----------------------------------------------------------- grid and cost */
 
 /* Spacing, loads and replenishment of successive rolling bodies. */
-static void say_bodies(const ovr_report_sink *to, const ovr_setup *setup)
+static void report_bodies(const ovr_report_sink *to, const ovr_setup *setup)
 {
     const ovr_passes_setup *p = setup->passes;
     const ovr_contact *c = setup->contact;
@@ -310,7 +310,7 @@ static void say_bodies(const ovr_report_sink *to, const ovr_setup *setup)
 
 /* Ends of the domain; a detail unless the inlet was chosen automatically and is
  * further upstream than usual. */
-static void say_domain(const ovr_report_sink *to, const ovr_setup *setup)
+static void report_domain(const ovr_report_sink *to, const ovr_setup *setup)
 {
     const ovr_options *o = setup->options;
     const ovr_contact *c = setup->contact;
@@ -332,8 +332,8 @@ static void say_domain(const ovr_report_sink *to, const ovr_setup *setup)
                         loss < 0.2 ? "" : "more than ", 100 * fmin(loss, 0.2));
 }
 
-static void say_grid(const ovr_report_sink *to, const ovr_setup *setup,
-                     const ovr_cost *cost)
+static void report_grid(const ovr_report_sink *to, const ovr_setup *setup,
+                        const ovr_cost *cost)
 {
     const char *const of[] = {"central film thickness",
                               "minimum film thickness",
@@ -344,7 +344,7 @@ static void say_grid(const ovr_report_sink *to, const ovr_setup *setup,
     ovr_report_line(to, "grid", "level %d, %.0f nodes, mesh size D = %.6g%s",
                     o->level, cost->nodes, cost->mesh,
                     in_metres(cost->mesh, setup->contact->b).text);
-    say_domain(to, setup);
+    report_domain(to, setup);
     if (o->refine && o->refine_level)
         ovr_report_line(to, "local refinement",
                         "at the pressure spike, to level %d, mesh size %.3g",
@@ -366,7 +366,7 @@ static void say_grid(const ovr_report_sink *to, const ovr_setup *setup,
 }
 
 /* The time step, with the reason if it was chosen automatically. */
-static void say_step(const ovr_report_sink *to, const ovr_setup *setup)
+static void report_step(const ovr_report_sink *to, const ovr_setup *setup)
 {
     double dT = ovr_setup_step(setup), meshes = dT / setup->mesh;
     const char *why = ovr_setup_step_reason(setup);
@@ -378,8 +378,8 @@ static void say_step(const ovr_report_sink *to, const ovr_setup *setup)
                           why ? ": " : "", why ? why : "");
 }
 
-static void say_cost(const ovr_report_sink *to, const ovr_setup *setup,
-                     const ovr_cost *cost)
+static void report_cost(const ovr_report_sink *to, const ovr_setup *setup,
+                        const ovr_cost *cost)
 {
     ovr_words disk = {""};
     if (cost->passes > 1) {
@@ -388,10 +388,10 @@ static void say_cost(const ovr_report_sink *to, const ovr_setup *setup,
             "%.0f, a run and a result file each; time steps are counted "
             "per pass, the cost includes all passes",
             cost->passes);
-        say_bodies(to, setup);
+        report_bodies(to, setup);
     }
     if (cost->steps > 0) {
-        say_step(to, setup);
+        report_step(to, setup);
         ovr_report_line(to, "time steps", "%s%.0f",
                         setup->march->until_steady || setup->march->adaptive
                             ? "at most "
@@ -437,11 +437,11 @@ static void put_formulas(const ovr_report_sink *to, const ovr_setup *setup)
     const ovr_film_fit fit = fit_of(setup);
     ovr_report_title(to, "Operating conditions");
     ovr_put_contact(to, setup->contact, true);
-    put_alpha(to, setup);
-    say_lubricant(to, setup->lubricant);
-    say_radius(to, setup);
-    put_films(to, setup->contact, !isnan(fit.central));
-    put_fit(to, setup, fit);
+    report_alpha(to, setup);
+    report_lubricant(to, setup->lubricant);
+    report_radius(to, setup);
+    report_films(to, setup->contact, !isnan(fit.central));
+    report_fitted(to, setup, fit);
 }
 
 void ovr_setup_scales(const ovr_setup *setup, ovr_summary_taker *take,
@@ -471,10 +471,10 @@ ovr_status ovr_setup_report(const ovr_setup *setup, double live,
         return status;
     put_formulas(&to, setup);
     for (size_t k = 0, n = ovr_surfaces_count(setup->surfaces); k < n; k++)
-        say_feature(&to, setup, k);
-    put_rough_film(&to, setup, &film);
-    say_grid(&to, setup, &cost);
-    say_cost(&to, setup, &cost);
+        report_feature(&to, setup, k);
+    report_rough_film(&to, setup, &film);
+    report_grid(&to, setup, &cost);
+    report_cost(&to, setup, &cost);
     put_cost(&to, setup, &cost);
     return OVR_OK;
 }

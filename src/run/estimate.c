@@ -88,8 +88,8 @@ static double end_of(void *data, double after)
 
 /* Stops the run when the caller requests it. It is the last of the
  * observers. */
-static ovr_status may_go_on(void *data, const ovr_simulation *sim,
-                            ovr_error *err)
+static ovr_status stop_on_request(void *data, const ovr_simulation *sim,
+                                  ovr_error *err)
 {
     const ovr_run *run = data;
     if (!run->how.interrupt || !run->how.interrupt(run->how.data))
@@ -110,7 +110,7 @@ static ovr_status solve(ovr_run *run, ovr_setup *setup, ovr_simulation *coarse,
     march.count = 1;
     if (r->pass)
         observer[march.count++] = ovr_pass_history_observer(&r->pass->seen);
-    observer[march.count++] = (ovr_observer){may_go_on, NULL, run};
+    observer[march.count++] = (ovr_observer){stop_on_request, NULL, run};
     march.observers = observer;
     march.end = r->end;
     march.until_steady = false;
@@ -122,7 +122,7 @@ static ovr_status solve(ovr_run *run, ovr_setup *setup, ovr_simulation *coarse,
 }
 
 /* Sets time steps that have the same length in D as on the finest level. */
-static void take_steps(const ovr_run *run, ovr_setup *setup)
+static void set_steps(const ovr_run *run, ovr_setup *setup)
 {
     ovr_march *march = &setup->resolved->march;
     double dT = run->setup->march->dT;
@@ -140,7 +140,7 @@ static ovr_status begin(const ovr_run *run, ovr_setup *setup,
     if (!status)
         status = ovr_setup_prepare(setup, allocator, err);
     if (!status)
-        take_steps(run, setup);
+        set_steps(run, setup);
     if (pass && !status) {
         ovr_pass_level_feed(pass, setup);
         ovr_pass_level_begin(pass, allocator);
@@ -188,7 +188,8 @@ typedef struct measure {
 
 /* True if the differences decrease with a plausible order. `turns`: d1 and d2
  * have different signs. */
-static bool falls(const measure *m, double d1, double d2, bool turns)
+static bool has_plausible_order(const measure *m, double d1, double d2,
+                                bool turns)
 {
     double q = log2(d2 / d1);
     return !turns && q >= MIN_ORDER && q <= fmax(m->order, 2) + 1;
@@ -196,15 +197,15 @@ static bool falls(const measure *m, double d1, double d2, bool turns)
 
 /* True if the differences have no plausible order but are small enough for a
  * corrected film. */
-static bool is_near(const measure *m, double size, double d1, double d2)
+static bool is_small_enough(const measure *m, double size, double d1, double d2)
 {
     return m->corrected && d2 <= NEAR * size && d1 <= NEARER * d2;
 }
 
 /* Estimates the error of a value from its values v on the levels, finest first.
  * The last is NAN if only one coarser level was solved. */
-static ovr_run_error judge(const char *key, ovr_unit_kind kind,
-                           const measure *m, const double v[LEVELS])
+static ovr_run_error estimate_error(const char *key, ovr_unit_kind kind,
+                                    const measure *m, const double v[LEVELS])
 {
     ovr_run_error e = {key, kind, {v[0], v[1], v[2]}, NAN, NAN, true};
     bool film = kind != OVR_KIND_PRESSURE;
@@ -216,13 +217,14 @@ static ovr_run_error judge(const char *key, ovr_unit_kind kind,
         e.converges = film || !m->in_time;
     else {
         e.order = d1 > minimum && d2 > minimum ? log2(d2 / d1) : NAN;
-        e.converges = fmax(d1, d2) <= SMALL * size || falls(m, d1, d2, turns);
+        e.converges = fmax(d1, d2) <= SMALL * size ||
+                      has_plausible_order(m, d1, d2, turns);
         q = isnan(e.order) ? m->order : fmax(0.5, fmin(m->order, e.order));
         d = fmax(d1, d2 * exp2(-m->order));
     }
     if (!film && m->in_time && m->peak)
         q = PEAK_ORDER;
-    e.converges = e.converges || (film && is_near(m, size, d1, d2));
+    e.converges = e.converges || (film && is_small_enough(m, size, d1, d2));
     if (e.converges)
         e.error = m->safety * d / (exp2(q) - 1) + minimum;
     return e;
@@ -245,8 +247,8 @@ static const ovr_observable *observable_of(const char *key)
 }
 
 /* Reads the number at the end of the run. */
-static void judge_end(ovr_run_errors *errors, const level_run *r,
-                      const measure *m)
+static void estimate_end(ovr_run_errors *errors, const level_run *r,
+                         const measure *m)
 {
     /* minimum film thickness interpolated between nodes */
     static const char *const rows[][2] = {
@@ -261,14 +263,14 @@ static void judge_end(ovr_run_errors *errors, const level_run *r,
             end.order = m->in_time ? 2.5 : 2;
         if (m->corrected && k == 1 && m->in_time)
             end.order = 3;
-        add(errors, judge(rows[k][0], o->kind, &end, v));
+        add(errors, estimate_error(rows[k][0], o->kind, &end, v));
     }
 }
 
 /* Estimates errors of the extremes of film thickness and pressure over the run,
  * and of the extremes of active physical models. */
-static void judge_extremes(ovr_run_errors *errors, const level_run *r,
-                           const measure *m, unsigned physics)
+static void estimate_extremes(ovr_run_errors *errors, const level_run *r,
+                              const measure *m, unsigned physics)
 {
     ovr_extreme e;
     for (size_t k = 0; ovr_extreme_at(k, &e); k++) {
@@ -277,13 +279,13 @@ static void judge_extremes(ovr_run_errors *errors, const level_run *r,
             v[i] = r[i].solved ? ovr_extreme_value(&e, &r[i].total) : NAN;
         if (e.part == OVR_KEPT_EXTREME && !(e.of->needs & ~physics) &&
             (e.kind == OVR_KIND_HEIGHT || e.kind == OVR_KIND_PRESSURE))
-            add(errors, judge(e.of->extreme_key, e.kind, m, v));
+            add(errors, estimate_error(e.of->extreme_key, e.kind, m, v));
     }
 }
 
 /* Estimates errors of the means over one of several passes. */
-static void judge_means(ovr_run_errors *errors, const ovr_passes *passes,
-                        const level_run *r, const measure *m)
+static void estimate_means(ovr_run_errors *errors, const ovr_passes *passes,
+                           const level_run *r, const measure *m)
 {
     static const struct {
         const char *key;
@@ -296,7 +298,7 @@ static void judge_means(ovr_run_errors *errors, const ovr_passes *passes,
         double v[LEVELS];
         for (int i = 0; i < LEVELS; i++)
             v[i] = r[i].solved ? passes->level[i].end.row.value[of] : NAN;
-        add(errors, judge(rows[k].key, rows[k].kind, m, v));
+        add(errors, estimate_error(rows[k].key, rows[k].kind, m, v));
     }
 }
 
@@ -373,11 +375,11 @@ ovr_status ovr_run_estimate(ovr_run *run, ovr_error *err)
         return status;
     errors->level = level - 1;
     const measure m = measure_of(run);
-    judge_end(errors, r, &m);
+    estimate_end(errors, r, &m);
     if (run->info.transient)
-        judge_extremes(errors, r, &m, ovr_setup_physics(run->info.setup));
+        estimate_extremes(errors, r, &m, ovr_setup_physics(run->info.setup));
     if (run->passes)
-        judge_means(errors, run->passes, r, &m);
+        estimate_means(errors, run->passes, r, &m);
     for (size_t k = 0; k < errors->count; k++)
         warn(run, &errors->of[k], level);
     return OVR_OK;

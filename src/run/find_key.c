@@ -11,7 +11,7 @@
 
 /* Prints a note and appends it to the message of the answer. */
 OVR_PRINTF(2, 3)
-static void tell(ovr_find *f, const char *format, ...)
+static void add_note(ovr_find *f, const char *format, ...)
 {
     char text[600];
     size_t used = strlen(f->message);
@@ -250,7 +250,8 @@ static ovr_status fail_several(const ovr_find *f, const ovr_search_result *r,
 }
 
 /* Returns an error with the reason if there is no answer. */
-static ovr_status judge(ovr_find *f, const ovr_search_result *r, ovr_error *err)
+static ovr_status check_answer(ovr_find *f, const ovr_search_result *r,
+                               ovr_error *err)
 {
     const ovr_find_info *i = &f->info;
     switch (r->end) {
@@ -294,26 +295,26 @@ static void take_result(ovr_find *f, const ovr_search_result *r)
         return;
     i->end = r->scatters ? OVR_FIND_SCATTERED : OVR_FIND_FOUND;
     if (r->from > f->from)
-        tell(f, "below %g%s: %.300s", r->from, f->suffix, first_failure(f));
+        add_note(f, "below %g%s: %.300s", r->from, f->suffix, first_failure(f));
     if (r->to < f->to)
-        tell(f, "above %g%s: %.300s", r->to, f->suffix, first_failure(f));
+        add_note(f, "above %g%s: %.300s", r->to, f->suffix, first_failure(f));
     if (r->places > 1)
         for (size_t k = 0; k < r->places; k++)
-            tell(f, "%s passes %g between %.4g and %.4g%s", i->quantity,
-                 i->target, r->place[k][0], r->place[k][1], f->suffix);
+            add_note(f, "%s passes %g between %.4g and %.4g%s", i->quantity,
+                     i->target, r->place[k][0], r->place[k][1], f->suffix);
     else if (!r->monotone)
-        tell(f,
-             "%s is not monotonic between %g and %g%s; other answers may "
-             "exist",
-             i->quantity, f->from, f->to, f->suffix);
+        add_note(f,
+                 "%s is not monotonic between %g and %g%s; other answers may "
+                 "exist",
+                 i->quantity, f->from, f->to, f->suffix);
     if (r->scatters)
-        tell(f,
-             "%s varies by %.2g %% from grid to grid, which limits %s to "
-             "%.2g %%",
-             i->quantity, 100 * relative, i->key,
-             100 * fabs(r->scatter / (r->slope * r->value)));
+        add_note(f,
+                 "%s varies by %.2g %% from grid to grid, which limits %s to "
+                 "%.2g %%",
+                 i->quantity, 100 * relative, i->key,
+                 100 * fabs(r->scatter / (r->slope * r->value)));
     if (i->marked)
-        tell(f, "some runs have steps accepted above the tolerance");
+        add_note(f, "some runs have steps accepted above the tolerance");
 }
 
 /* Returns the difference from one level coarser as the error, if no order of
@@ -338,10 +339,10 @@ static double coarser_error(ovr_find *f)
     snprintf(text, sizeof text, "%d", (int)level);
     ovr_case_set(f->base, "domain.level", text, "find", NULL);
     if (isfinite(q))
-        tell(f,
-             "%s does not converge with a known order; its error is the "
-             "difference from one level coarser",
-             f->info.quantity);
+        add_note(f,
+                 "%s does not converge with a known order; its error is the "
+                 "difference from one level coarser",
+                 f->info.quantity);
     return fabs((q - f->info.at_value) / f->info.slope);
 }
 
@@ -367,7 +368,7 @@ static ovr_status run_answer(ovr_find *f, ovr_error *err)
     if (!i->exact && isnan(i->error))
         i->error = coarser_error(f);
     if (!i->exact && isnan(i->error))
-        tell(f, "the discretization error of %s is unknown", i->quantity);
+        add_note(f, "the discretization error of %s is unknown", i->quantity);
     return OVR_OK;
 }
 
@@ -388,8 +389,9 @@ static ovr_status pin_order(ovr_find *f, ovr_error *err)
 {
     size_t kept = 0;
     f->info.pinned = true;
-    tell(f, "order = auto chose different orders; all runs are repeated with "
-            "order = 2");
+    add_note(f,
+             "order = auto chose different orders; all runs are repeated with "
+             "order = 2");
     for (size_t k = 0; k < f->info.evaluations; k++)
         if (f->made[k].order == 2)
             f->made[kept++] = f->made[k];
@@ -432,7 +434,7 @@ ovr_status ovr_find_execute(ovr_find *f, ovr_error *err)
         status = ovr_search_run(&search, &r, err);
     if (!status) {
         take_result(f, &r);
-        status = judge(f, &r, err);
+        status = check_answer(f, &r, err);
         if (!status)
             status = run_answer(f, err);
         else if (err)

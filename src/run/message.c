@@ -35,7 +35,7 @@ static void keep(ovr_run *run, const char *text)
 }
 
 /* True if another of several passes has issued the same warning. */
-static bool was_said(const ovr_run *run, const char *text)
+static bool was_issued(const ovr_run *run, const char *text)
 {
     for (int k = 0; run->passes && k < run->info.warnings; k++)
         if (strcmp(run->warning[k], text) == 0)
@@ -46,7 +46,7 @@ static bool was_said(const ovr_run *run, const char *text)
 void ovr_run_message(void *data, ovr_message_kind kind, const char *text)
 {
     ovr_run *run = data;
-    if (kind == OVR_MESSAGE_WARNING && was_said(run, text))
+    if (kind == OVR_MESSAGE_WARNING && was_issued(run, text))
         return;
     if (kind == OVR_MESSAGE_WARNING)
         keep(run, text);
@@ -60,7 +60,7 @@ void ovr_run_recall(ovr_run *run, const char *warnings)
     while (*warnings) {
         size_t length = strcspn(warnings, "\n");
         snprintf(line, sizeof line, "%.*s", (int)length, warnings);
-        if (!was_said(run, line))
+        if (!was_issued(run, line))
             keep(run, line);
         warnings += length + (warnings[length] == '\n');
     }

@@ -151,7 +151,7 @@ ovr_observer ovr_pass_history_observer(ovr_pass_history *h)
 /* ------------------------------------------------------------------ Layers */
 
 /* Returns the film thickness h' that leaves at flow f. */
-static double leaving(const ovr_setup *s, double T, double f)
+static double outflow_thickness(const ovr_setup *s, double T, double f)
 {
     const ovr_contact *c = s->contact;
     double split = s->passes->split;
@@ -162,12 +162,13 @@ static double leaving(const ovr_setup *s, double T, double f)
 
 static double left_at(const ovr_setup *s, const ovr_pass_history *h, size_t j)
 {
-    return leaving(s, h->of[OVR_SEEN_TIME][j], h->of[OVR_SEEN_OUTFLOW][j]);
+    return outflow_thickness(s, h->of[OVR_SEEN_TIME][j],
+                             h->of[OVR_SEEN_OUTFLOW][j]);
 }
 
 /* Returns the film thickness h' of a lubricant content q at the reference
  * speeds. */
-static double nominally(const ovr_setup *s, double q)
+static double reference_thickness(const ovr_setup *s, double q)
 {
     double split = s->passes->split;
     return q / (split * fmax(0, s->contact->u1_ratio) +
@@ -177,8 +178,8 @@ static double nominally(const ovr_setup *s, double q)
 /* Returns the layer thickness that enters the next pass, from the thickness h
  * left by this one, after side flow, loss and replenishment. `ratio`:
  * u_k/u_m. */
-static double after(const ovr_passes_setup *p, double h, double flooded,
-                    double ratio)
+static double entering_layer(const ovr_passes_setup *p, double h,
+                             double flooded, double ratio)
 {
     double g = p->side_flow, x = h / flooded;
     if (isfinite(g) && x > 0)
@@ -191,7 +192,7 @@ static double after(const ovr_passes_setup *p, double h, double flooded,
 
 /* Returns the history row with the layer on surface k at the position of row
  * j. */
-static size_t lies(const ovr_setup *s, int k, size_t j)
+static size_t layer_row(const ovr_setup *s, int k, size_t j)
 {
     return s->passes->again & 1 << k ? j : 0;
 }
@@ -216,19 +217,19 @@ static ovr_layer *make_layer(const ended *e, int k,
     double *x = e->x, *thick = e->thick;
     const double ratio = k ? c->u2_ratio : c->u1_ratio;
     const double share = k ? 1 - s->passes->split : s->passes->split;
-    const double full = share * nominally(s, e->flooded);
+    const double full = share * reference_thickness(s, e->flooded);
     size_t end = h->n, first = end;
     for (size_t j = 0; j < h->n; j++) {
         double T = h->of[OVR_SEEN_TIME][j];
         double u = ovr_surface_speed(s->speed, s->sliding, ratio, k + 1, T);
-        double left = share * left_at(s, h, lies(s, k, j));
+        double left = share * left_at(s, h, layer_row(s, k, j));
         double place = s->options->outlet -
                        ovr_surface_distance(s->speed, s->sliding, ratio, k + 1,
                                             T);
         if (!isfinite(left) || (first < end && place > x[first] - apart))
             continue;
         x[--first] = place;
-        thick[first] = after(s->passes, fmax(0, left), full, ratio);
+        thick[first] = entering_layer(s->passes, fmax(0, left), full, ratio);
         e->lost[j] += fmax(0, u) * (left - thick[first]);
     }
     if (first == end)

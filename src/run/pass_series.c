@@ -119,7 +119,7 @@ static ovr_status passes_update(ovr_run *run, int pass, ovr_pass_end *end,
 
 /* Passes lubricant layers (unless the passes have [plastic] with flooded
  * contacts) and plastic strains to the setup of the next pass. */
-static void feed(const ovr_run *run, const char *file, ovr_pass_end *end)
+static void feed_setup(const ovr_run *run, const char *file, ovr_pass_end *end)
 {
     ovr_plastic_setup *plastic = ovr_setup_plastic(run->setup);
     if (!plastic || !plastic->flooded) {
@@ -152,7 +152,7 @@ ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err)
         if (status)
             return status;
         if (pass == p->now - 1)
-            feed(run, p->file[pass - 1], &end);
+            feed_setup(run, p->file[pass - 1], &end);
         ovr_pass_end_free(&end);
     }
     return OVR_OK;
@@ -287,7 +287,7 @@ ovr_status ovr_passes_begin(ovr_run *run, ovr_error *err)
  */
 
 /* Frees everything that belongs to the last pass. */
-static void forget(ovr_run *run)
+static void free_pass(ovr_run *run)
 {
     ovr_companions_release(run);
     ovr_simulation_free(run->sim);
@@ -305,7 +305,7 @@ static void forget(ovr_run *run)
 static ovr_status next(ovr_run *run, ovr_error *err)
 {
     ovr_status status;
-    forget(run);
+    free_pass(run);
     run->passes->now++;
     status = ovr_run_set_up(run, err);
     return status ? status : ovr_output_open(run, err);
@@ -359,7 +359,7 @@ ovr_status ovr_passes_execute(ovr_run *run, ovr_error *err)
 
 /* ---------------------------------------------------------------- Resuming */
 
-static void recall(ovr_run *run, ovr_result *result)
+static void recall_pass(ovr_run *run, ovr_result *result)
 {
     size_t count = 0;
     const ovr_group_attribute *line = ovr_result_attributes(result, "summary",
@@ -376,7 +376,7 @@ static void recall(ovr_run *run, ovr_result *result)
 void ovr_passes_recall(ovr_run *run)
 {
     if (run->passes->before)
-        recall(run, run->passes->before);
+        recall_pass(run, run->passes->before);
     passes_close(run->passes);
 }
 
@@ -428,7 +428,7 @@ ovr_status ovr_passes_finish(ovr_run *run, int last, ovr_error *err)
 
 ovr_status ovr_passes_go_back(ovr_run *run, int last, ovr_error *err)
 {
-    forget(run);
+    free_pass(run);
     run->passes->now = last;
     run->passes->whole = true;
     passes_close(run->passes);

@@ -271,12 +271,13 @@ ovr_status ovr_passes_write(const ovr_run *run, const char *status,
 /* ----------------------------------------------------------------- Reading */
 
 /* Attributes of a file of passes. */
-typedef struct told {
+typedef struct pass_attributes {
     const char *text, *folder, *status; /* of the case; status of the passes */
-} told;
+} pass_attributes;
 
 /* Returns false if the file is no file of passes. */
-static bool read_told(const char *path, ovr_arena *arena, told *t)
+static bool read_attributes(const char *path, ovr_arena *arena,
+                            pass_attributes *t)
 {
     ovr_container c;
     ovr_dataset pass;
@@ -287,11 +288,11 @@ static bool read_told(const char *path, ovr_arena *arena, told *t)
                 ovr_container_find(&c, c.root, "pass", &object) &&
                 ovr_container_dataset(&c, object, &pass) &&
                 ovr_container_find(&c, c.root, "case", &object);
-    *t = (told){NULL, NULL, NULL};
+    *t = (pass_attributes){NULL, NULL, NULL};
     if (good)
-        *t = (told){ovr_container_text(&c, object, "text"),
-                    ovr_container_text(&c, object, "path"),
-                    ovr_container_text(&c, c.root, "status")};
+        *t = (pass_attributes){ovr_container_text(&c, object, "text"),
+                               ovr_container_text(&c, object, "path"),
+                               ovr_container_text(&c, c.root, "status")};
     if (fd >= 0)
         close(fd);
     return t->text != NULL;
@@ -300,8 +301,8 @@ static bool read_told(const char *path, ovr_arena *arena, told *t)
 bool ovr_passes_file_is(const char *path)
 {
     ovr_arena arena = ovr_arena_make(NULL);
-    told t;
-    bool is = read_told(path, &arena, &t);
+    pass_attributes t;
+    bool is = read_attributes(path, &arena, &t);
     ovr_arena_release(&arena);
     return is;
 }
@@ -309,8 +310,8 @@ bool ovr_passes_file_is(const char *path)
 bool ovr_passes_file_complete(const char *path)
 {
     ovr_arena arena = ovr_arena_make(NULL);
-    told t;
-    bool complete = read_told(path, &arena, &t) && t.status &&
+    pass_attributes t;
+    bool complete = read_attributes(path, &arena, &t) && t.status &&
                     strcmp(t.status, "complete") == 0;
     ovr_arena_release(&arena);
     return complete;
@@ -320,9 +321,9 @@ ovr_case *ovr_passes_case(const char *path, const ovr_allocator *allocator,
                           ovr_error *err)
 {
     ovr_arena arena = ovr_arena_make(allocator);
-    told t;
+    pass_attributes t;
     ovr_case *c = NULL;
-    if (read_told(path, &arena, &t))
+    if (read_attributes(path, &arena, &t))
         c = ovr_case_read_stored(t.text, path,
                                  t.folder && *t.folder ? t.folder : NULL,
                                  allocator, err);

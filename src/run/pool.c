@@ -90,13 +90,13 @@ static void work_through(const pool *p, int slot, int to, pid_t parent)
             break;
         at->done = 0;
         at->task = next + 1;
-        ending told;
-        memset(&told, 0, sizeof told); /* padding is written too */
-        told.task = job->task[next];
-        told.code = job->work(job->data, job->task[next], shared);
+        ending message;
+        memset(&message, 0, sizeof message); /* padding is written too */
+        message.task = job->task[next];
+        message.code = job->work(job->data, job->task[next], shared);
         fflush(NULL);
         at->task = 0;
-        if (write(to, &told, sizeof told) != (ssize_t)sizeof told)
+        if (write(to, &message, sizeof message) != (ssize_t)sizeof message)
             _exit(1);
     }
     _exit(0);
@@ -157,13 +157,14 @@ static void reap(pool *p, int slot)
 /* Reads a worker's message, or detects its end. */
 static void read_worker_message(pool *p, int slot)
 {
-    ending told;
-    if (read(p->end[slot].fd, &told, sizeof told) != (ssize_t)sizeof told) {
+    ending message;
+    if (read(p->end[slot].fd, &message, sizeof message) !=
+        (ssize_t)sizeof message) {
         reap(p, slot);
         return;
     }
     p->ended++;
-    p->job->ended(p->job->data, told.task, told.code, 0);
+    p->job->ended(p->job->data, message.task, message.code, 0);
 }
 
 static void tick(const pool *p)

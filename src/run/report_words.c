@@ -11,7 +11,7 @@
 /* ---------------------------------------------------------------- the whole */
 
 /* Prints nodes, scheme and smoother; for a strip the lines across instead. */
-static void say_grid(const ovr_report_sink *to, const ovr_simulation *sim)
+static void report_grid(const ovr_report_sink *to, const ovr_simulation *sim)
 {
     const ovr_options *options = ovr_simulation_options(sim);
     const size_t n = ovr_simulation_state(sim)->n;
@@ -37,7 +37,7 @@ void ovr_report_contact(const ovr_report_sink *to, const ovr_run_info *s)
     ovr_report_title(to, "%s contact: M = %.6g, L = %.6g%s",
                      s->transient ? "Transient" : "Steady", contact->M,
                      contact->L, w.text);
-    say_grid(to, s->sim);
+    report_grid(to, s->sim);
     if (s->passes)
         ovr_report_title(
             to,
@@ -126,8 +126,8 @@ bool ovr_absurd_friction(const ovr_run_info *s)
            (is_newtonian(s) || fabs(mu) > load);
 }
 
-static void say_force(const ovr_report_sink *to, const char *label, double F,
-                      const ovr_contact *contact)
+static void report_force(const ovr_report_sink *to, const char *label, double F,
+                         const ovr_contact *contact)
 {
     double scale = ovr_kind_scale(OVR_KIND_FORCE, contact) * contact->width;
     ovr_words w = isfinite(scale)
@@ -138,7 +138,8 @@ static void say_force(const ovr_report_sink *to, const char *label, double F,
 }
 
 /* Coefficients need b/R; without it, forces in p_h b^2/R are printed. */
-static void say_coefficients(const ovr_report_sink *to, const ovr_run_info *s)
+static void report_coefficients(const ovr_report_sink *to,
+                                const ovr_run_info *s)
 {
     const ovr_observation *o = ovr_simulation_observation(s->sim);
     const ovr_contact *contact = s->setup->contact;
@@ -154,8 +155,8 @@ static void say_coefficients(const ovr_report_sink *to, const ovr_run_info *s)
         return;
     }
     if (!isfinite(contact->kappa)) {
-        say_force(to, "sliding friction force", o->F_slide, contact);
-        say_force(to, "rolling friction force", o->F_roll, contact);
+        report_force(to, "sliding friction force", o->F_slide, contact);
+        report_force(to, "rolling friction force", o->F_roll, contact);
         ovr_report_line(to, "friction coefficient",
                         "unknown (set contact.modulus or contact.G)");
         return;
@@ -168,12 +169,12 @@ static void say_coefficients(const ovr_report_sink *to, const ovr_run_info *s)
             .text);
     if (isfinite(contact->width) &&
         isfinite(ovr_kind_scale(OVR_KIND_FORCE, contact))) {
-        say_force(to, "friction force on surface 1", o->F_1, contact);
-        say_force(to, "friction force on surface 2", o->F_2, contact);
+        report_force(to, "friction force on surface 1", o->F_1, contact);
+        report_force(to, "friction force on surface 2", o->F_2, contact);
     }
 }
 
-static void say_friction(const ovr_report_sink *to, const ovr_run_info *s)
+static void report_friction(const ovr_report_sink *to, const ovr_run_info *s)
 {
     if (ovr_absurd_friction(s))
         ovr_report_line(
@@ -182,14 +183,14 @@ static void say_friction(const ovr_report_sink *to, const ovr_run_info *s)
             "tenth of it in %.2g %% of the contact; set lubricant.%s",
             s->shear_over_pressure, 100 * s->unbearable_share,
             is_newtonian(s) ? "rheology" : "limiting_shear");
-    say_coefficients(to, s);
+    report_coefficients(to, s);
 }
 
 /* ------------------------------------------------------ starvation and heat */
 
 /* Prints the starvation factor and the position of the inlet meniscus, or the
  * fraction of the supply that a flooded contact accepts. */
-static void say_supply(const ovr_report_sink *to, const ovr_run_info *s)
+static void report_supply(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_observation *o = ovr_simulation_observation(s->sim);
     ovr_words w = {""};
@@ -214,7 +215,7 @@ static void say_supply(const ovr_report_sink *to, const ovr_run_info *s)
 }
 
 /* Maximum temperatures, and the error of the energy balance. */
-static void say_heat(const ovr_report_sink *to, const ovr_run_info *s)
+static void report_heat(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const double zero = 273.15; /* degC in K */
     const ovr_observation *o = ovr_simulation_observation(s->sim);
@@ -236,9 +237,9 @@ static void say_heat(const ovr_report_sink *to, const ovr_run_info *s)
 
 void ovr_report_conditions(const ovr_report_sink *to, const ovr_run_info *s)
 {
-    say_supply(to, s);
-    say_friction(to, s);
-    say_heat(to, s);
+    report_supply(to, s);
+    report_friction(to, s);
+    report_heat(to, s);
 }
 
 /* ------------------------------------------------------------------ errors */
@@ -257,8 +258,8 @@ static ovr_words short_name(const char *name, const char **when)
 
 /* Prints the relative error of a quantity and its error in nm, um or MPa, or
  * that the quantity does not converge. */
-static void say_error(const ovr_report_sink *to, const ovr_run_error *e,
-                      const ovr_contact *contact)
+static void report_error(const ovr_report_sink *to, const ovr_run_error *e,
+                         const ovr_contact *contact)
 {
     const ovr_quantity_name name = ovr_quantity_named(e->key);
     const char *unit = e->kind == OVR_KIND_HEIGHT   ? "nm"
@@ -293,5 +294,5 @@ void ovr_report_errors(const ovr_report_sink *to, const ovr_run_info *s)
                      e->level, three ? " and the next coarser" : "",
                      steps ? ", time steps proportional to D" : "");
     for (size_t k = 0; k < e->count; k++)
-        say_error(to, &e->of[k], s->setup->contact);
+        report_error(to, &e->of[k], s->setup->contact);
 }

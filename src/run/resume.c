@@ -129,7 +129,7 @@ static ovr_status go_back(ovr_run *run, double complete, ovr_error *err)
 }
 
 /* Stores the parameters recorded in the file, before the case is changed. */
-static ovr_status as_recorded(ovr_run *run, ovr_error *err)
+static ovr_status store_recorded(ovr_run *run, ovr_error *err)
 {
     ovr_case_mark_stored(run->c);
     run->recorded = ovr_run_values(run->c, &run->arena, &run->recorded_count);
@@ -143,7 +143,7 @@ static ovr_status prepare(ovr_run *run, const char *path, ovr_error *err)
     double complete = -INFINITY;
     run->info.output = ovr_arena_text(&run->arena, path, err);
     run->c = run->info.output ? find_case(run, &complete, err) : NULL;
-    if (!run->c || as_recorded(run, err) ||
+    if (!run->c || store_recorded(run, err) ||
         (how->change && how->change(how->data, run->c, err)))
         return OVR_BAD_INPUT;
     if (ovr_run_set_up(run, err))
@@ -160,7 +160,7 @@ static ovr_status prepare(ovr_run *run, const char *path, ovr_error *err)
 /* Completes a series whose passes all have files. The row of the last pass is
  * added if the program was killed before writing it. The report is that of the
  * last pass, if its checkpoint exists. */
-static ovr_status all_are_there(ovr_run *run, int last, ovr_error *err)
+static ovr_status complete_series(ovr_run *run, int last, ovr_error *err)
 {
     const char *path = run->passes->path;
     bool whole = ovr_passes_file_complete(path);
@@ -192,11 +192,11 @@ static ovr_status begin_pass(ovr_run *run, ovr_error *err)
     if (!run->setup)
         return OVR_BAD_INPUT;
     if (p->now > run->setup->passes->number)
-        return all_are_there(run, run->setup->passes->number, err);
+        return complete_series(run, run->setup->passes->number, err);
     if (ovr_run_set_up(run, err))
         return OVR_BAD_INPUT;
     if (ovr_passes_at_rest(run, p->now - 1))
-        return all_are_there(run, p->now - 1, err);
+        return complete_series(run, p->now - 1, err);
     ovr_passes_recall(run);
     return ovr_output_open(run, err);
 }

@@ -118,7 +118,7 @@ typedef struct usual {
     double minimum, maximum; /* usual range in the unit */
 } usual;
 
-static void judge(const usual *u, ovr_listener *say, void *data)
+static void check_range(const usual *u, ovr_listener *say, void *data)
 {
     double value = u->value / u->scale;
     if (!isfinite(value) || (value >= u->minimum && value <= u->maximum))
@@ -142,7 +142,7 @@ static void review_contact(const ovr_setup *s, ovr_listener *say, void *data)
         {"viscosity", "Pa.s", c->viscosity, 1, 1e-4, 20},
         {"alpha", "1/GPa", stiffens ? c->alpha : NAN, 1e-9, 3, 60}};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
-        judge(&all[k], say, data);
+        check_range(&all[k], say, data);
 }
 
 /* Warns if the half-width is not small compared with the radius: the parabola
@@ -173,7 +173,7 @@ static void review_feature(const ovr_setup *s, const ovr_feature_form *f,
     double width = size * s->contact->b;
     double depth = f->depth * s->contact->height;
     snprintf(what, sizeof what, "feature '%.40s': width", f->name);
-    judge(&(usual){what, "um", width, 1e-6, 0.1, 1e5}, say, data);
+    check_range(&(usual){what, "um", width, 1e-6, 0.1, 1e5}, say, data);
     if (f->shape != OVR_INDENT || !(depth > steepest * width))
         return;
     ovr_warn(say, data,
@@ -202,7 +202,7 @@ static void review_plausible(const ovr_setup *setup, ovr_listener *say,
 static const double MESHES_A_WAVE = 10;
 
 /* Prints notes on how profiles were read and filtered. */
-static void say_assumed(const ovr_review *r)
+static void note_assumptions(const ovr_review *r)
 {
     const ovr_surfaces *surfaces = r->setup->surfaces;
     size_t n = surfaces ? ovr_surfaces_count(surfaces) : 0;
@@ -219,7 +219,7 @@ static void say_assumed(const ovr_review *r)
 
 /* Notes properties that were estimated from the viscosity. Film thickness
  * varies with about the square root of alpha. */
-static void say_estimated(const ovr_review *r)
+static void note_estimates(const ovr_review *r)
 {
     const ovr_resolved *resolved = r->setup->resolved;
     if (!resolved->values.oil.mineral || !resolved->alpha_estimated)
@@ -233,7 +233,7 @@ static void say_estimated(const ovr_review *r)
 }
 
 /* Notes keys that have no effect but are allowed. */
-static void say_idle(const ovr_review *r)
+static void note_ineffective(const ovr_review *r)
 {
     ovr_idle idle;
     for (const ovr_block *b = r->c->blocks; b; b = b->next)
@@ -251,7 +251,7 @@ static void say_idle(const ovr_review *r)
 }
 
 /* Notes requested fields that are not stored. */
-static void say_left_out(const ovr_review *r)
+static void note_omitted_fields(const ovr_review *r)
 {
     const ovr_physics *off = NULL;
     unsigned none = ovr_resolved_no_fields(r->setup->resolved, &off);
@@ -470,7 +470,7 @@ static void warn_of_sliding(const ovr_review *r)
 }
 
 /* Notes an automatically chosen level if it is the finest allowed. */
-static void say_level(const ovr_review *r)
+static void note_level(const ovr_review *r)
 {
     const ovr_setup *s = r->setup;
     const double rounding = 1.05; /* printed numbers are rounded */
@@ -485,15 +485,15 @@ static void say_level(const ovr_review *r)
 
 static void before(const ovr_review *r, bool transient)
 {
-    say_estimated(r);
+    note_estimates(r);
     review_plausible(r->setup, r->say, r->data);
     ovr_review_element(r->setup, r->say, r->data);
-    say_idle(r);
-    say_left_out(r);
+    note_ineffective(r);
+    note_omitted_fields(r);
     warn_of_start(r);
     warn_of_sliding(r);
     review_domain(r);
-    say_level(r);
+    note_level(r);
     ovr_companions_predict(r->setup, r->say, r->data);
     warn_of_seeds(r);
     if (r->setup->surfaces)
@@ -518,6 +518,6 @@ void ovr_setup_review(const ovr_setup *setup, ovr_listener *listener,
 void ovr_run_review_before(ovr_run *run)
 {
     ovr_review r = {run->c, run->setup, ovr_run_message, run};
-    say_assumed(&r);
+    note_assumptions(&r);
     before(&r, run->info.transient);
 }

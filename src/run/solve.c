@@ -80,7 +80,8 @@ double ovr_run_clock(void)
 }
 
 /* Reports the progress and ends the run on request. It is the last observer. */
-static ovr_status look(void *data, const ovr_simulation *sim, ovr_error *err)
+static ovr_status report_progress(void *data, const ovr_simulation *sim,
+                                  ovr_error *err)
 {
     ovr_run *run = data;
     const ovr_run_options *how = &run->how;
@@ -139,7 +140,7 @@ static ovr_status solve(ovr_run *run, ovr_error *err)
     if (run->how.observe)
         observer[how.count++] = (ovr_observer){run->how.observe, NULL,
                                                run->how.data};
-    observer[how.count++] = (ovr_observer){look, NULL, run};
+    observer[how.count++] = (ovr_observer){report_progress, NULL, run};
     if (!status && run->info.transient)
         return ovr_simulation_march(run->sim, &how, err);
     for (size_t k = 0; !status && k < how.count; k++)
@@ -234,7 +235,7 @@ static bool strains_are_lost(const ovr_run *run)
     return plastic && plastic->initial;
 }
 
-static void say_strains_are_lost(ovr_run *run)
+static void warn_of_lost_strains(ovr_run *run)
 {
     if (run->passes && run->passes->level[1].lost)
         return;
@@ -261,7 +262,7 @@ static ovr_status estimate(ovr_run *run, ovr_error *err)
         return OVR_OK;
     }
     if (strains_are_lost(run)) {
-        say_strains_are_lost(run);
+        warn_of_lost_strains(run);
         return OVR_OK;
     }
     if (run->setup->confirm)

@@ -40,7 +40,8 @@ void ovr_put_rough_film(const ovr_report_sink *to, const ovr_rough_film *film,
 }
 
 /* Prints the predictions made before the run. */
-static void say_predicted(const ovr_report_sink *to, const ovr_rough_film *film)
+static void report_predicted(const ovr_report_sink *to,
+                             const ovr_rough_film *film)
 {
     if (film->why)
         return;
@@ -66,8 +67,8 @@ static const char *unresolved(const ovr_observable *row, bool maximum,
 }
 
 /* Prints the row of a quantity at the end, if it has one and is known. */
-static void say_observed(const ovr_report_sink *to, const ovr_observable *row,
-                         const ovr_run_info *s)
+static void report_observed(const ovr_report_sink *to,
+                            const ovr_observable *row, const ovr_run_info *s)
 {
     const ovr_observation *o = ovr_simulation_observation(s->sim);
     const ovr_contact *contact = s->setup->contact;
@@ -92,8 +93,8 @@ static bool is_reported(const ovr_extreme *e, const ovr_run_info *s)
 }
 
 /* Prints the row of an extreme or mean. */
-static void say_kept(const ovr_report_sink *to, const ovr_extreme *e,
-                     const ovr_run_info *s)
+static void report_extreme(const ovr_report_sink *to, const ovr_extreme *e,
+                           const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
     const ovr_contact *contact = s->setup->contact;
@@ -120,15 +121,15 @@ static void say_kept(const ovr_report_sink *to, const ovr_extreme *e,
 
 /* Prints the mean of a quantity that has no row for its value, in a steady
  * solution, where both are equal. */
-static void say_mean(const ovr_report_sink *to, const ovr_observable *row,
-                     const ovr_run_info *s)
+static void report_mean(const ovr_report_sink *to, const ovr_observable *row,
+                        const ovr_run_info *s)
 {
     ovr_extreme e;
     if (s->transient || row->label || !row->name || row->friction)
         return;
     for (size_t k = 0; ovr_extreme_at(k, &e); k++)
         if (e.of == row && e.part == OVR_KEPT_MEAN && is_reported(&e, s))
-            say_kept(to, &e, s);
+            report_extreme(to, &e, s);
 }
 
 /* Prints the values of all quantities at the end. */
@@ -143,8 +144,8 @@ static void put_observed(const ovr_report_sink *to, const ovr_run_info *s)
             continue;
         if (o->offset == offsetof(ovr_observation, residual))
             ovr_report_conditions(to, s);
-        say_observed(to, o, s);
-        say_mean(to, o, s);
+        report_observed(to, o, s);
+        report_mean(to, o, s);
         if (!o->key)
             continue;
         if (o->kind == OVR_KIND_COUNT)
@@ -204,7 +205,7 @@ static void put_extremes(const ovr_report_sink *to, const ovr_run_info *s)
             if (!is_reported(&e, s))
                 continue;
             if (s->transient)
-                say_kept(to, &e, s);
+                report_extreme(to, &e, s);
             ovr_put_both(to, e.key, *e.key_si ? e.key_si : NULL,
                          ovr_extreme_value(&e, total),
                          ovr_kind_scale(e.kind, s->setup->contact));
@@ -249,7 +250,7 @@ static void put_passes(const ovr_report_sink *to, const ovr_run_info *s)
 
 /* Prints the equivalent length by elastic stresses (pass 1) for comparison with
  * that of the last pass. */
-static void say_elastic(const ovr_report_sink *to, const ovr_run_info *s)
+static void report_elastic(const ovr_report_sink *to, const ovr_run_info *s)
 {
     ovr_words life = {""};
     if (!isfinite(s->elastic_length))
@@ -345,7 +346,7 @@ static void put_rough_film(const ovr_report_sink *to, const ovr_run_info *s)
     put_lambda_ratio(to, s);
     if (s->setup->features) {
         ovr_put_rough_film(to, s->predicted, s->setup->contact);
-        say_predicted(to, s->predicted);
+        report_predicted(to, s->predicted);
     }
 }
 
@@ -373,7 +374,7 @@ void ovr_run_report(const ovr_run_info *s, ovr_summary_taker *take, void *data)
         put_rough_film(&to, s);
         put_steps(&to, s);
         ovr_stress_summary(s->stress, s->setup, take, data);
-        say_elastic(&to, s);
+        report_elastic(&to, s);
         ovr_report_end(&to, s);
     }
     put_observed(&to, s);

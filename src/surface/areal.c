@@ -158,7 +158,7 @@ static line oblique_line(const ovr_areal *map, double angle)
 }
 
 /* Sets the number of lines of the band on each side of the middle one. */
-static void widen(const ovr_areal *map, double band, line *l)
+static void set_band(const ovr_areal *map, double band, line *l)
 {
     double across = hypot(l->bx * map->dx, l->by * map->dy);
     if (band > 0)
@@ -250,7 +250,7 @@ static ovr_status choose_given(ovr_profile *p, const ovr_profile_source *s,
     if (!column && k > map->ny - 1)
         k = map->ny - 1;
     *chosen = column ? column_line(map, k) : row_line(map, k);
-    widen(map, s->band, chosen);
+    set_band(map, s->band, chosen);
     if (!has_heights(map, chosen))
         return fail_empty(p, column ? "column" : s->row ? "row" : "y", k, err);
     ovr_profile_note(p, "%s %zu of %zu", column ? "column" : "row", k + 1,
@@ -286,7 +286,7 @@ static ovr_status choose_oblique(ovr_profile *p, double degrees, double band,
                                  line *chosen, ovr_error *err)
 {
     *chosen = oblique_line(&p->map, degrees * pi / 180);
-    widen(&p->map, band, chosen);
+    set_band(&p->map, band, chosen);
     if (chosen->n < 2 || !has_heights(&p->map, chosen))
         return fail_direction(p, degrees, err);
     ovr_profile_note(p, "line through the centre at %.4g degrees to the x axis",
@@ -327,7 +327,7 @@ static ovr_status choose_default(ovr_profile *p, double band, line *chosen,
                            "no %s of the %zu x %zu points has two heights",
                            column ? "column" : "row", map->nx, map->ny);
     *chosen = column ? column_line(map, (size_t)k) : row_line(map, (size_t)k);
-    widen(map, band, chosen);
+    set_band(map, band, chosen);
     if (isnan(lay))
         ovr_profile_note(p, "row %ld of %zu (%s selects another)", k + 1,
                          map->ny, ovr_named(p, "row").text);

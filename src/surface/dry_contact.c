@@ -74,7 +74,7 @@ typedef struct search {
 
 /* Returns the step for a single node in contact, whose gap is always zero: its
  * pressure divided by its own deformation. */
-static double alone(const ovr_dry_contact *of)
+static double single_node_step(const ovr_dry_contact *of)
 {
     const double euler = 0.5772, pi = 3.14159265358979323846;
     double waves = log((double)of->n / 2) + euler;
@@ -82,8 +82,8 @@ static double alone(const ovr_dry_contact *of)
 }
 
 /* Computes the next conjugate direction; returns the step length. */
-static double aim(const ovr_dry_contact *of, const double *p, search *s,
-                  bool begins)
+static double next_direction(const ovr_dry_contact *of, const double *p,
+                             search *s, bool begins)
 {
     double norm = 0, falls = 0, bends = 0;
     for (size_t i = 0; i < of->n; i++)
@@ -99,7 +99,7 @@ static double aim(const ovr_dry_contact *of, const double *p, search *s,
             falls += s->gap[i] * s->along[i];
             bends += s->curve[i] * s->along[i];
         }
-    return bends > 0 ? falls / bends : alone(of);
+    return bends > 0 ? falls / bends : single_node_step(of);
 }
 
 /* Applies the step. Returns true if a node came into contact; the next
@@ -122,8 +122,9 @@ static bool take_step(const ovr_dry_contact *of, double far, const search *s,
 
 /* Returns the violation of complementarity of pressures and gaps, relative to
  * the range of heights. */
-static double judge(const ovr_dry_contact *of, const double *z, const double *p,
-                    const double *gap, ovr_dry_state *state)
+static double violation(const ovr_dry_contact *of, const double *z,
+                        const double *p, const double *gap,
+                        ovr_dry_state *state)
 {
     double worst = 0, sum = 0, high = z[0], low = z[0];
     size_t count = 0;
@@ -152,10 +153,10 @@ ovr_dry_state ovr_dry_contact_solve(const ovr_dry_contact *of, const double *z,
     scale_to(n, p, mean);
     for (; state.steps < MAX; state.steps++) {
         find_gap(of, z, p, s.gap);
-        state.found = judge(of, z, p, s.gap, &state) < enough;
+        state.found = violation(of, z, p, s.gap, &state) < enough;
         if (state.found)
             break;
-        double far = aim(of, p, &s, begins);
+        double far = next_direction(of, p, &s, begins);
         begins = take_step(of, far, &s, p);
         scale_to(n, p, mean);
     }

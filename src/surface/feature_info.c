@@ -22,7 +22,7 @@ static double amplitude(const ovr_feature *f)
 }
 
 /* Returns the maximum height above the smooth surface. */
-static double raised(const ovr_feature *f)
+static double maximum_height(const ovr_feature *f)
 {
     bool both = f->shape == OVR_WAVE || f->shape == OVR_CHIRP;
     double maximum = fmax(both ? fabs(f->A) : f->A, f->shoulder);
@@ -65,7 +65,7 @@ static ovr_feature_info info_of(const ovr_feature *f)
         .shape = f->shape,
         .speed = f->ratio,
         .amplitude = amplitude(f),
-        .raised = raised(f),
+        .raised = maximum_height(f),
         .wavelength = f->finest,
         .wavelength_is = f->table || f->areal ? "mean" : "shortest",
         .diameter = ovr_shape_diameter(f),

@@ -22,7 +22,7 @@ double ovr_surfaces_centre(const ovr_surfaces *surfaces, size_t feature,
 }
 
 /* True if the direction of motion can reverse. */
-static bool wanders(const ovr_surfaces *surfaces)
+static bool may_reverse(const ovr_surfaces *surfaces)
 {
     return surfaces->sliding || ovr_history_reverses(surfaces->speed);
 }
@@ -30,7 +30,7 @@ static bool wanders(const ovr_surfaces *surfaces)
 /* Returns the first T in [after, until] at which the feature has moved by
  * `far`, if its motion can reverse. Searches in steps of 0.05 b/u_m, then
  * bisects. */
-static double wandering_time_of(const ovr_surfaces *surfaces,
+static double reversing_time_of(const ovr_surfaces *surfaces,
                                 const ovr_feature *f, double far, double after,
                                 double until)
 {
@@ -62,8 +62,8 @@ static double time_of(const ovr_surfaces *surfaces, const ovr_feature *f,
 {
     const ovr_history *speed = surfaces->speed;
     double low = after, high = until;
-    if (wanders(surfaces))
-        return wandering_time_of(surfaces, f, f->ratio * way, after, until);
+    if (may_reverse(surfaces))
+        return reversing_time_of(surfaces, f, f->ratio * way, after, until);
     if (!speed)
         return way > after && way <= until ? way : INFINITY;
     if (!(ovr_history_integral(speed, low) < way) ||
@@ -84,10 +84,10 @@ static double time_at(const ovr_surfaces *surfaces, const ovr_feature *f,
                       double offset, double X, double until)
 {
     double far = X - f->start - offset, way = far / f->ratio;
-    if (wanders(surfaces) && !isnan(far))
+    if (may_reverse(surfaces) && !isnan(far))
         return (f->back ? far >= 0 : far <= 0)
                    ? 0
-                   : wandering_time_of(surfaces, f, far, 0, until);
+                   : reversing_time_of(surfaces, f, far, 0, until);
     if (f->ratio == 0 || isnan(way))
         return INFINITY;
     return way <= 0 ? 0 : time_of(surfaces, f, way, 0, until);
@@ -117,7 +117,7 @@ ovr_feature_times ovr_surfaces_times(const ovr_surfaces *surfaces,
 
 /* If the motion reverses, the copies on both sides of X may reach it first. A
  * feature without copies is searched alone. */
-static double wandering_arrival(const ovr_surfaces *surfaces,
+static double reversing_arrival(const ovr_surfaces *surfaces,
                                 const ovr_feature *f, double X, double after,
                                 double until)
 {
@@ -126,12 +126,12 @@ static double wandering_arrival(const ovr_surfaces *surfaces,
     double far = X - f->start, here = ovr_feature_moved(surfaces, f, after),
            T = INFINITY;
     if (isnan(p))
-        return wandering_time_of(surfaces, f, far, after, until);
+        return reversing_time_of(surfaces, f, far, after, until);
     double next = floor((here - far) / p);
     for (double k = next - 1; k <= next + 2; k++)
         if (both || (k >= 0 && (!f->copies || k < (double)f->copies)))
             T = fmin(T,
-                     wandering_time_of(surfaces, f, far + k * p, after, until));
+                     reversing_time_of(surfaces, f, far + k * p, after, until));
     return T;
 }
 
@@ -146,7 +146,7 @@ double ovr_surfaces_arrival(const ovr_surfaces *surfaces, size_t feature,
     if (!f || f->ratio == 0)
         return INFINITY;
     if (ovr_history_reverses(surfaces->speed))
-        return wandering_arrival(surfaces, f, X, after, until);
+        return reversing_arrival(surfaces, f, X, after, until);
     way = (X - f->start) / f->ratio;
     both = ovr_is_endless(f) && f->wavelength > 0;
     apart = (both ? f->wavelength : f->repeat) / fabs(f->ratio);

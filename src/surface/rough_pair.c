@@ -277,8 +277,9 @@ static void put_pressures(ovr_rough_pair *pair, size_t j, size_t shift,
 
 /* Solves for all mean pressures of one relative position, from the highest
  * down. *minimum becomes the first index below which some did not converge. */
-static void press(ovr_rough_pair *pair, const ovr_dry_contact *dry, int k,
-                  double *z, ovr_asperity_table *t, size_t *minimum)
+static void solve_pressures(ovr_rough_pair *pair, const ovr_dry_contact *dry,
+                            int k, double *z, ovr_asperity_table *t,
+                            size_t *minimum)
 {
     size_t n = pair->n, shift = place(pair, k);
     double part = 1. / places_of(pair), *p = z + n;
@@ -326,8 +327,8 @@ static void clear(ovr_rough_pair *pair, ovr_asperity_table *t)
 
 /* Removes points of full contact, whose gap is zero, and points that did not
  * converge from the table. */
-static void shorten(const ovr_rough_pair *pair, size_t lightest,
-                    ovr_asperity_table *t)
+static void drop_invalid(const ovr_rough_pair *pair, size_t lightest,
+                         ovr_asperity_table *t)
 {
     const double minimum = 1e-3 * pair->Rq;
     size_t kept = 0;
@@ -363,13 +364,13 @@ ovr_status ovr_rough_pair_law(ovr_rough_pair *pair, ovr_asperity_table *t,
         pair->p[j] = pair->modulus * pair->slope *
                      pow(10, (double)j / A_DECADE - DECADES);
     for (int k = 0; k < places_of(pair); k++)
-        press(pair, &dry, k, pair->workspace, t, &lightest);
+        solve_pressures(pair, &dry, k, pair->workspace, t, &lightest);
     if (2 * lightest > pair->points)
         return ovr_fail(err, OVR_NOT_CONVERGED,
                         "the dry contact of the profiles did not converge "
                         "below %.3g p_h",
                         pair->p[lightest - 1]);
-    shorten(pair, lightest, t);
+    drop_invalid(pair, lightest, t);
     ovr_asperity_table_slopes(t);
     return OVR_OK;
 }
