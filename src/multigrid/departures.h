@@ -30,8 +30,7 @@ double ovr_departures_at(const ovr_departures *departures, const double *v,
                          size_t i);
 
 /* Interpolates v at the departure points of all nodes. */
-void ovr_carry_along(const ovr_departures *departures, const double *v,
-                     double *to);
+void ovr_carry_along(const ovr_departures *f, const double *v, double *to);
 
 /* Interpolates v at i - meshes (in mesh sizes) for all nodes i. */
 void ovr_departures_cubic(size_t n, const double *v, double meshes,

@@ -29,8 +29,6 @@
 #endif
 #endif
 
-#include "results/h5.h"
-
 /* HDF5's part must be first, because HDF5 uses only that. */
 typedef struct ovr_driven {
     H5FD_t hdf5;

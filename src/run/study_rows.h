@@ -50,7 +50,7 @@ void ovr_row_free(ovr_row *row);
 
 /* Adds a line to an ovr_row, an ovr_summary_taker: a number, 1 or 0 for a flag,
  * an empty cell for an unknown number.  Texts are left out. */
-void ovr_row_add(void *row, const ovr_summary_line *line);
+void ovr_row_add(void *data, const ovr_summary_line *line);
 
 /* Appends the row of a finished case; of a failed one. */
 ovr_status ovr_rows_finish(ovr_rows *r, size_t task, ovr_row *row,

@@ -533,6 +533,7 @@ static void work_claimed(working *w, ovr_error *err)
         close_log(w, log, at);
     }
     keep_row(w, err);
+    w->row = NULL;
     ovr_row_free(&row);
 }
 
