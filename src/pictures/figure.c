@@ -512,8 +512,8 @@ static bool make_line(const figure *f, size_t first, size_t end,
     return true;
 }
 
-/* Names the keys that vary within the band because no other element shows
- * them. */
+/* Writes the names of the keys over which the band extends: those shown by
+ * neither axis, line nor panel. */
 static void name_band(const figure *f, char *text, size_t capacity)
 {
     const ovr_table_column *c;

@@ -23,7 +23,8 @@
 
 enum { TRIES = 1000, PAUSE = 200000 }; /* ns; 0.2 s in total */
 
-/* Locked bytes: contents; queue for the contents; writer exists. */
+/* Bytes of the journal used as locks: contents (see above), queue before it,
+ * and a byte held while a writer exists. */
 enum { CONTENT, QUEUE, LIFE };
 
 static int set_lock(int journal, int byte, short kind)

@@ -93,8 +93,9 @@ typedef struct ovr_journal_walk {
 
 /* ---- using */
 
-/* True if the journal (of the file of that descriptor) has states of the file
- * and the file is in none of them. False without memory. */
+/* True if the file is torn: the journal (of the file of that descriptor) has
+ * states of the file, and its pages match none of them. False without
+ * memory. */
 bool ovr_journal_torn(int journal, int file, const ovr_allocator *allocator);
 
 /* Restores the pages saved since the checkpoint, unless the journal belongs to

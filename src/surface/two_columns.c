@@ -15,13 +15,14 @@ typedef struct reading {
     ovr_layout layout; /* of the first row; 0: unknown */
     bool found[2];     /* units in the header */
     bool swapped;      /* the second column comes first */
-    int decimals;      /* of the second, the most of all rows */
-    double last;       /* first number of the row before */
+    int decimals;      /* maximum number of decimals in the second column */
+    double last;       /* first number of the preceding row */
 } reading;
 
 /* ------------------------------------------------------------------ header */
 
-/* The next word of a header: blanks, brackets and separators part them. */
+/* Reads the next word of a header; blanks, brackets and separators separate
+ * words. */
 static bool next_word(ovr_line *rest, char *word, size_t capacity)
 {
     static const char parting[] = " \t,;()[]#=_:\"";
@@ -37,7 +38,7 @@ static bool next_word(ovr_line *rest, char *word, size_t capacity)
     return length > 0;
 }
 
-/* SI value of a unit as headers spell it; NAN: another word. */
+/* Returns the SI value of a unit as written in headers; NAN for other words. */
 static double unit_of(const char *word, ovr_dimension dimension)
 {
     static const char *const angles[][2] = {
@@ -51,7 +52,7 @@ static double unit_of(const char *word, ovr_dimension dimension)
     return metres > 0 ? metres : ovr_unit_value(word, dimension);
 }
 
-/* Notes the units that a line before the numbers names. */
+/* Stores the units named in a line before the numbers. */
 static void note_units(reading *r, ovr_line line)
 {
     ovr_two_columns *c = r->to;
@@ -69,7 +70,7 @@ static void note_units(reading *r, ovr_line line)
         }
 }
 
-/* At the first row. */
+/* Checks the units when the first row is reached. */
 static ovr_status check_units(reading *r, long line, ovr_error *err)
 {
     ovr_two_columns *c = r->to;
@@ -92,7 +93,7 @@ static ovr_status check_units(reading *r, long line, ovr_error *err)
 
 /* -------------------------------------------------------------------- rows */
 
-/* Decimals of a number as it is written: 3 of "0.125", 5 of "1.25e-3". */
+/* Returns the number of decimals as written: 3 of "0.125", 5 of "1.25e-3". */
 static int decimals_of(ovr_line number)
 {
     const char *s = number.text, *end = s + number.size;
@@ -144,7 +145,8 @@ static ovr_status take_pair(reading *r, const double pair[2], long line,
     return OVR_OK;
 }
 
-/* Two numbers, or nothing (a comment or an empty line), or an error. */
+/* Reads a line: two numbers, a comment or an empty line. Other lines are
+ * errors. */
 static ovr_status read_row(reading *r, ovr_line line, ovr_error *err)
 {
     const char *comment = memchr(line.text, '#', line.size);
@@ -169,7 +171,7 @@ static ovr_status read_row(reading *r, ovr_line line, ovr_error *err)
     return take_pair(r, pair, line.number, err);
 }
 
-/* Space for as many rows as there are lines. */
+/* Allocates space for as many rows as there are lines. */
 static ovr_status reserve(ovr_two_columns *c, ovr_lines lines, ovr_arena *arena,
                           ovr_error *err)
 {

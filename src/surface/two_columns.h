@@ -15,20 +15,20 @@
 
 typedef struct ovr_two_columns {
     const char *name[2];     /* "time", "value" */
-    double minimum, maximum; /* range of the second; 0, 0: any */
-    const char *of;          /* unit of the range in messages */
-    double unit[2];          /* that the numbers are multiplied by */
+    double minimum, maximum; /* range of the second column; 0, 0: any */
+    const char *of;          /* unit of the range for messages */
+    double unit[2];          /* factors of the numbers */
     /* Dimensions of the units in the header, and an example of a header;
-     * OVR_PURE, NULL: there is no header. */
+     * OVR_PURE, NULL: no header. */
     ovr_dimension header[2];
     const char *example;
-    bool optional;   /* where no header names units, `unit` holds */
-    bool named;      /* a header names them */
-    size_t count;    /* rows that were read */
+    bool optional;   /* without units in a header, `unit` is used */
+    bool named;      /* the header names units */
+    size_t count;    /* rows read */
     double *x, *y;   /* in the arena */
-    long *line;      /* of each row */
-    double rounding; /* smallest decimal of the second as written, times its
-                        unit */
+    long *line;      /* line number of each row */
+    double rounding; /* smallest decimal of the second column as written, times
+                      * its unit */
 } ovr_two_columns;
 
 ovr_status ovr_two_columns_read(ovr_two_columns *columns, const char *file,
