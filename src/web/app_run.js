@@ -317,7 +317,7 @@ async function linkedCase() {
 // ---------------------------------------------------------------- beginning
 
 const KINDS = ["roller", "discs", "hot", "gear", "cam", "bearing", "starved",
-  "indented", "coated", "numbers"];
+  "indented", "coated", "numbers", "strip"];
 const kinds = {}, helpOf = {}; // text of each; what its help has of it
 
 // What is written here has a name of the page's own.

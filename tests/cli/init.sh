@@ -73,6 +73,14 @@ expect 0 "$OVERROLL" init bearing --set 'feature.dent.depth=0.2 um' -o own.ini
 contains own.ini '^depth = 0.2 um'
 expect 0 "$OVERROLL" check own.ini
 
+# The web page offers the same kinds.
+expect 0 "$OVERROLL" init --help
+sed -n '/^Kinds of cases/,/^--set/s/^  \([a-z]*\)  .*/\1/p' out | sort >kinds
+sed -n '/^const KINDS = /,/;$/p' "$TOP/src/web/app_run.js" |
+    grep -o '"[a-z]*"' | tr -d '"' | sort >offered
+grep -qx strip kinds || fail "kinds: $(cat kinds)"
+diff kinds offered || fail 'the page offers other kinds'
+
 # The depths of a coated contact follow its level.
 expect 0 "$OVERROLL" init coated -o layered.ini
 for level in 5 6 7 8 9; do
