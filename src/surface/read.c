@@ -55,6 +55,8 @@ static ovr_status read_all(gzFile in, const char *file, ovr_arena *arena,
                                OVR_CONTENT_MAX >> 20);
     }
     gzerror(in, &code);
+    if (code == Z_MEM_ERROR)
+        return ovr_fail(err, OVR_NO_MEMORY, "%s: out of memory", file);
     if (got < 0 || code < 0)
         return ovr_fail_at(err, OVR_BAD_INPUT, file, 0, "cannot be read: %s",
                            code == Z_ERRNO ? strerror(errno)
