@@ -159,6 +159,7 @@ typedef struct ovr_sensitivity_options {
 
 typedef struct ovr_sensitivity_row {
     const char *key, *quantity;
+    const char *name; /* full name of the quantity */
     const char *unit; /* unit of the key of an absolute slope; NULL: the slope
                          is relative */
     double step;      /* the larger difference step, relative or in that unit */

@@ -91,13 +91,23 @@ static int digits_of(const ovr_find_info *i)
     return digits < 2 ? 2 : digits > 9 ? 9 : digits;
 }
 
+/* The heading of a column: "minimum film thickness (b^2/R)". */
+static void put_heading(const char *name, const char *unit, char *to,
+                        size_t size)
+{
+    snprintf(to, size, "%s%s%s%s", name, *unit ? " (" : "", unit,
+             *unit ? ")" : "");
+}
+
 static void put_table(const ovr_find *find, const ovr_find_info *i)
 {
-    int key = (int)strlen(i->key), quantity = (int)strlen(i->quantity);
+    char at[CAPACITY], of[CAPACITY];
+    put_heading(i->key, i->unit, at, sizeof at);
+    put_heading(i->name, i->quantity_unit, of, sizeof of);
+    int key = (int)strlen(at), quantity = (int)strlen(of);
     key = key > 14 ? key : 14;
     quantity = quantity > 14 ? quantity : 14;
-    printf("\n%-*s %-*s order level  seconds\n", key, i->key, quantity,
-           i->quantity);
+    printf("\n%-*s %-*s order level  seconds\n", key, at, quantity, of);
     for (size_t k = 0; k < i->evaluations; k++) {
         ovr_find_evaluation e = ovr_find_evaluation_at(find, k);
         printf("%-*.8g %-*.8g ", key, e.value, quantity, e.quantity);

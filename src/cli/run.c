@@ -2,6 +2,7 @@
 /* The commands run, steady and resume: a transient case from its steady start,
  * a steady contact, and an interrupted run. */
 #include <math.h>
+#include <string.h>
 
 #include "cli/case_args.h"
 #include "cli/cli.h"
@@ -47,11 +48,17 @@ static void report_json(const ovr_sensitivity *found)
 static void report_table(const ovr_sensitivity *found)
 {
     const ovr_sensitivity_row *r;
+    size_t key = strlen("key"), name = strlen("quantity");
+    for (size_t k = 0; (r = ovr_sensitivity_at(found, k)); k++) {
+        key = strlen(r->key) > key ? strlen(r->key) : key;
+        name = strlen(r->name) > name ? strlen(r->name) : name;
+    }
     puts("change of a quantity in % per 1 % of a key (for keys that may be "
          "zero: per\n"
          "unit of the key)\n");
+    printf("%-*s  %-*s  change\n", (int)key, "key", (int)name, "quantity");
     for (size_t k = 0; (r = ovr_sensitivity_at(found, k)); k++) {
-        printf("%-24s %-18s ", r->key, r->quantity);
+        printf("%-*s  %-*s  ", (int)key, r->key, (int)name, r->name);
         if (r->why_none)
             printf("-          %s\n", r->why_none);
         else {

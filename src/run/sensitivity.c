@@ -266,13 +266,16 @@ static const char *failure(const working *w, size_t key)
 static void fill_row(working *w, size_t key, const char *quantity)
 {
     const moved *m = &w->key[key];
+    const ovr_quantity_name name = ovr_quantity_named(
+        quantity == located ? "H_min_located" : quantity);
     ovr_sensitivity_row *r = &w->to->row[w->to->rows++];
     double coarse = slope(w, key, 0, 0, quantity);
-    *r = (ovr_sensitivity_row){.key = m->where,
-                               .quantity = quantity,
-                               .unit = m->absolute ? m->suffix + !!*m->suffix
-                                                   : NULL,
-                               .step = m->step};
+    *r = (ovr_sensitivity_row){
+        .key = m->where,
+        .quantity = quantity,
+        .name = ovr_arena_text(&w->to->arena, name.text, w->err),
+        .unit = m->absolute ? m->suffix + !!*m->suffix : NULL,
+        .step = m->step};
     r->slope = slope(w, key, 0, 1, quantity);
     r->doubt = fabs(r->slope - coarse);
     r->coarser = w->how.estimate ? slope(w, key, 1, 1, quantity) : NAN;

@@ -21,7 +21,7 @@ near "$(row contact.M H_min_located elasticity)" -1.1171 2e-3
 near "$(row contact.L H_cen elasticity)" 0.5459 2e-4
 near "$(row contact.L H_min_located elasticity)" 0.5962 2e-3
 expect 0 "$OVERROLL" steady --M 20 --L 10 --sensitivity contact.M --level 8
-contains out '^contact.M  *H_cen  *-1.14  *\+- '
+contains out '^contact.M  *central film thickness  *-1.14  *\+- '
 [ "$(grep -c contact.L out)" -eq 0 ] || fail "$(cat out)"
 
 # h = R f(w/(E R), eta u/(E R), alpha E): what is multiplied together with
@@ -75,8 +75,8 @@ start = -4.6
 END
 expect 0 "$OVERROLL" run dent.ini --sensitivity feature.dent.depth \
     --estimate-error -j 2
-contains out 'depth  *P_max_overall  *-  *two .*(steps|levels) disagree'
-contains out 'depth  *H_min_overall  *-0.[12].*one level coarser'
+contains out 'depth  *maximum pressure over the run  *-  *two .*(steps|levels) disagree'
+contains out 'depth  *minimum film thickness over the run  *-0.[12].*one level coarser'
 expect 0 "$OVERROLL" run dent.ini --sensitivity feature.dent.depth --json
 found=$(row feature.dent.depth H_min_overall elasticity)
 for depth in 0.097 0.103; do
