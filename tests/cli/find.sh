@@ -94,7 +94,8 @@ close "$(number slope)" "$(awk -v a="$one" -v b="$other" -v at="$at" \
 expect 0 "$OVERROLL" find dent.ini $asked is 0.05 -v
 contains out '^feature.dent.depth = 0[.0-9]* b.2/R$'
 contains out '^minimum film thickness over the run +0.0[45].* b.2/R +.H_min'
-contains out '^feature.dent.depth \(b.2/R\) +minimum film thickness over the run \(b.2/R\) +order level'
+name='minimum film thickness over the run'
+contains out "^feature.dent.depth \(b.2/R\) +$name \(b.2/R\) +order level"
 
 # Several: refused but with the largest or smallest (P_max rises and falls; it
 # stands in a spike that the grid does not resolve, hence the mean is given)
