@@ -113,7 +113,9 @@ expected() {
 }
 moving=$(expected)
 still=$(expected --set feature.w.amplitude=1e-9)
-[ -n "$moving" ] && [ "$moving" = "$still" ] || fail "error $moving, $still"
+if [ -z "$moving" ] || [ "$moving" != "$still" ]; then
+    fail "error $moving, $still"
+fi
 [ "$(expected --set time.end=1)" != "$moving" ] || fail 'no error of a wave'
 
 # A level that is chosen, and what it is to reach
