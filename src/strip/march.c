@@ -318,14 +318,13 @@ typedef struct setting {
     int sweeps, cycles;
     double correction, limit, plain;
     bool afresh; /* start from the last film */
+    double tau;  /* factor of tau */
 } setting;
 
 static const setting settings[OVR_STRIP_ATTEMPTS] = {
-    {0, 1, 30, 1, 0.5, 0.7, false},
-    {-1, 1, 25, 1, 0.5, 0.7, true},
-    {0, 2, 40, 0.7, 0.5, 0.7, true},
-    {0, 2, 40, 0.5, 0.2, 0.7, true},
-    {0, 3, 80, 0.3, 0.1, 0.5, true}};
+    {0, 1, 30, 1, 0.5, 0.7, false, 1},  {0, 1, 25, 1, 0.5, 0.7, true, 4},
+    {-1, 1, 25, 1, 0.5, 0.7, true, 1},  {0, 2, 40, 0.7, 0.5, 0.7, true, 1},
+    {0, 2, 40, 0.5, 0.2, 0.7, true, 1}, {0, 3, 80, 0.3, 0.1, 0.5, true, 1}};
 
 static ovr_strip_cycling cycling_of(const ovr_strip_march *march, int attempt)
 {
@@ -338,6 +337,7 @@ static ovr_strip_cycling cycling_of(const ovr_strip_march *march, int attempt)
     if (zebra)
         how.smoothing.whole = 0.8;
     how.smoothing.limit = s->limit;
+    how.smoothing.tau *= s->tau;
     how.correction = s->correction;
     how.sweeps_before = how.sweeps_after = s->sweeps;
     return how;
@@ -454,7 +454,7 @@ static bool cycle_until(ovr_strip_march *march, int attempt,
         p.last[1] = p.last[0];
         p.last[0] = p.R;
         if (solved || (c >= FROM && stalls && solve_spots(&p))) {
-            if (attempt < 2)
+            if (attempt < 3)
                 march->coupling = p.how.smoothing.zebra;
             return true;
         }

@@ -22,7 +22,7 @@
 
 #include "strip/strip.h"
 
-enum { OVR_STRIP_PAST = 4, OVR_STRIP_GUESSES = 5, OVR_STRIP_ATTEMPTS = 5 };
+enum { OVR_STRIP_PAST = 4, OVR_STRIP_GUESSES = 5, OVR_STRIP_ATTEMPTS = 6 };
 
 typedef struct ovr_strip_march {
     ovr_strip *strip;
