@@ -196,12 +196,12 @@ static void film_of(const pass *p, size_t from, size_t to)
     const ovr_strip *strip = p->strip;
     const ovr_strip_fields *f = &p->level->f;
     const size_t V = strip->kernels->lanes;
-    size_t first = ovr_strip_row(&p->level->grid, from);
-    size_t count = ovr_strip_row(&p->level->grid, to) - first;
+    ptrdiff_t first = (ptrdiff_t)ovr_strip_row(&p->level->grid, from);
+    size_t count = ovr_strip_row(&p->level->grid, to - from);
     ovr_lanes nodes = {.n = count, .S = count / V, .V = V};
     first -= OVR_STRIP_HALO;
     if (V > 1) {
-        first += OVR_HALO * V;
+        first += OVR_HALO * (ptrdiff_t)V;
         nodes.S -= OVR_HALO + 1;
     }
     const ovr_fields film = {
