@@ -91,6 +91,6 @@ END
 } >thin.csv
 expect 0 "$OVERROLL" check table.ini
 # thickening by a hundredth is refused
-sed '5s/.*/3320, 0.168/' thin.csv >thick.csv
+sed '6s/.*/3320, 0.168/' thin.csv >thick.csv
 refuses 'only shear thinning is modelled' check table.ini \
     --set lubricant.rheology_file=thick.csv

@@ -74,8 +74,8 @@ static const struct {
 
 /* Taken in silence, and why: what they set is of files that none of these runs
  * writes; comes later than their ends (a steady film, the whole material
- * history of the indent, its yielding, layers that are not even); or is of
- * finer grids. */
+ * history of the indent, its yielding, layers that are not even); is of
+ * finer grids; or shares the work without changing a bit. */
 static const char *const later[] = {"output.",
                                     "stress.every",
                                     "stress.fields",
@@ -88,6 +88,7 @@ static const char *const later[] = {"output.",
                                     "plastic.",
                                     "paper.mlmi_",
                                     "passes.again",
+                                    "strip.threads",
                                     NULL};
 
 static bool is_later(const char *where)
