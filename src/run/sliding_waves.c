@@ -61,7 +61,7 @@ static double dry_gap(double X)
     return x > 1 ? 0.5 * (x * sqrt(x * x - 1) - acosh(x)) : 0;
 }
 
-/* Where the dry gap is H, from X = -1. */
+/* Distance upstream of X = -1 at which the dry gap is H. */
 static double inlet_length(double H)
 {
     double low = 0, high = -BEGIN - 1;
@@ -75,7 +75,7 @@ static double inlet_length(double H)
     return low;
 }
 
-/* H/Hc - 1 that the pressure ahead of Hertz's makes, s = (X + 1)/l; of four
+/* H/Hc - 1 without the dry gap, at s = (X + 1)/l, as read from four computed
  * solutions. */
 static double excess(double s)
 {
@@ -83,7 +83,7 @@ static double excess(double s)
     return s < 0 ? 0.36 * exp(-t * t) : 0.345 / (1 + pow(s / 0.45, 1.6));
 }
 
-/* P of the integral q of dP/eta, by steps upwards. */
+/* State of the inversion of q(P), the integral of dP/eta, for increasing q. */
 typedef struct upwards {
     const ovr_lubricant *lubricant;
     double P, q, fluidity;

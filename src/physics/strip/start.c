@@ -49,6 +49,14 @@ static bool is_solved(ovr_strip_solver *s, ovr_strip_defect d, double tolerance)
     return ovr_strip_below(d, tolerance) && ovr_strip_smallest_film(s) > 0;
 }
 
+static void set_outcome(ovr_outcome *outcome, ovr_strip_solver *s,
+                        ovr_strip_defect d, double tolerance)
+{
+    outcome->defect = (ovr_defect){
+        .imbalance = d.imbalance, .load = d.load, .centre = d.centre};
+    outcome->converged = is_solved(s, d, tolerance);
+}
+
 /* The film of a height that was reached. */
 typedef struct reached {
     double grown, H0;
@@ -237,9 +245,7 @@ static double solve_grown(ovr_simulation *sim, ovr_strip_solver *s,
         d = march(sim, s, &how, outcome);
     }
     s->grown = 1;
-    outcome->defect = (ovr_defect){
-        .imbalance = d.imbalance, .load = d.load, .centre = d.centre};
-    outcome->converged = is_solved(s, d, tolerance);
+    set_outcome(outcome, s, d, tolerance);
     return tolerance;
 }
 
@@ -256,9 +262,7 @@ double ovr_strip_steady_film(ovr_simulation *sim, void *own,
     const ovr_strip_full how = full_of(sim, s);
     double tolerance = how.tolerance;
     ovr_strip_defect d = ovr_strip_solve(&s->strip, &how, &outcome->cycles);
-    outcome->defect = (ovr_defect){
-        .imbalance = d.imbalance, .load = d.load, .centre = d.centre};
-    outcome->converged = is_solved(s, d, tolerance);
+    set_outcome(outcome, s, d, tolerance);
     if (!outcome->converged && ovr_has_heights(sim) &&
         !is_stopped(sim, s, outcome))
         tolerance = solve_grown(sim, s, outcome);
