@@ -61,6 +61,7 @@ $(WEB)/overroll.html: src/web/app.html src/web/app.css $(PAGE).css $(WEB_JS) \
 	  -e '/^@WORKER@$$/{' $(WEB_WORKER:%=-e 'r %') -e 'd' -e '}' \
 	  -e '/^@PROGRAM@$$/{r $@.program' -e 'd' -e '}' \
 	  -e '/^@JS@$$/{' $(WEB_JS:%=-e 'r %') -e 'd' -e '}' src/web/app.html >$@
+	@rm $@.program
 	@[ $$(wc -c <$@) -le 6000000 ] || { echo "$@: more than 6 MB"; exit 1; }
 web: $(WEB)/overroll.html ## the program as one web page: build/web/overroll.html
 .PHONY: web web-objects web-flags

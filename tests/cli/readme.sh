@@ -45,10 +45,6 @@ done
     for link in $(sed -n 's/.*](\([^):#]*\)).*/\1/p' proofs.md | sort -u); do
         [ -e "$link" ] || echo "$link"
     done
-    # shellcheck disable=SC2013 # names without blanks
-    for test in $(grep -o '`[a-z_/]*\.\(c\|sh\)`' proofs.md | tr -d '`'); do
-        [ -e "../../tests/$test" ] || echo "$test"
-    done
 ) >missing
 [ ! -s missing ] || fail "proofs.md names what is not there: $(cat missing)"
 [ "$(wc -l <"$TOP/README.md")" -le 150 ] || fail 'README.md is too long'

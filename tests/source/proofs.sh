@@ -1,0 +1,50 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Every test that tools/validation/proofs.md names is there: `FOLDER/FILE` below
+# tests, whose ending `.c` may be left out, and in `FOLDER/FILE:NAME` one of its
+# TESTs or Python functions; `make GOAL` is a goal of the Makefile.
+. "$TOP/tests/support/cli.sh"
+
+list=$TOP/tools/validation/proofs.md
+folders='unit|reference|verify|cli|python|pictures|paper|source|fuzz|soak|bench'
+
+# names FILE: what stands between ` and `, a line each.
+names() {
+    tr '\n' ' ' <"$1" | grep -oE '`[^`]+`' | tr -d '`'
+}
+
+# missing FILE: what it names and what is not there.
+missing() {
+    names "$1" | grep -E "^($folders)/" | while read -r name; do
+        file=$TOP/tests/${name%%:*}
+        [ -f "$file" ] || file=$file.c
+        if [ ! -f "$file" ]; then
+            echo "no test ${name%%:*}"
+        elif [ "$name" != "${name#*:}" ]; then
+            grep -qE "^(TEST[A-Z_]*\(|def )${name#*:}\>" "$file" ||
+                echo "no ${name#*:} in $file"
+        fi
+    done
+    names "$1" | sed -n 's/^make \([a-z-]*\).*/\1/p' | while read -r goal; do
+        grep -qE "^$goal:" "$TOP/Makefile" "$TOP/src/web/web.mk" ||
+            echo "no goal $goal"
+    done
+}
+
+count=$(names "$list" | grep -cE "^($folders)/")
+[ "$count" -ge 60 ] || fail "proofs.md names $count tests"
+missing "$list" >gone
+[ ! -s gone ] || fail "proofs.md names what is not there: $(cat gone)"
+
+# What is not there is found, also across lines and beside what is.
+cat >wrong.md <<'END'
+A file `unit/nothing_test`, `cli/run.sh`, a test in one
+`unit/memory_test.c:heat_is_announced`, `unit/memory_test:nothing_is_tested`,
+`python/test_run.py:test_units`, `python/test_run.py:test_nothing`, `make
+paper`, `make proofs`, 1e-3 `not/a_test`.
+END
+missing wrong.md >gone
+[ "$(wc -l <gone)" -eq 4 ] && grep -q 'no test unit/nothing_test' gone &&
+    grep -q 'no nothing_is_tested in .*/unit/memory_test.c' gone &&
+    grep -q 'no test_nothing in' gone && grep -q 'no goal proofs' gone ||
+    fail "wrong names found: $(cat gone)"
