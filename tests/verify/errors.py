@@ -132,7 +132,8 @@ def ground(r):
     lines = between_rollers(r)
     for surface in (1, 2) if r.random() < .4 else (1,):
         lines += [f"[feature g{surface}]", f"surface = {surface}",
-                  "shape = roughness", f"Rq = {log_between(r, .03, 1.1):.4f} um",
+                  "shape = roughness",
+                  f"Rq = {log_between(r, .03, 1.1):.4f} um",
                   "length = 14", f"shortest = {r.uniform(.25, .3):.3f}",
                   f"seed = {r.randint(1, 999)}", "start = 3", "grow = 1"]
     return lines + ["[time]", "end = 8"]
