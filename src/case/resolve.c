@@ -8,6 +8,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "base/error.h"
 #include "base/given.h"
@@ -251,27 +252,53 @@ static void put_name(const ovr_resolved *r, int feature, size_t size,
 {
     ovr_model_feature_info info = ovr_model_feature_at(feature);
     const ovr_slot *slot = ovr_slot_of(r, info.section, info.key);
-    if (slot->given && feature != OVR_MODEL_REVERSAL)
+    if (slot->given && !info.whole && feature != OVR_MODEL_REVERSAL)
         snprintf(text, size, "[%s] %s = %s", info.section, info.key,
                  slot->text);
     else
         snprintf(text, size, "%s", info.name);
 }
 
+static ovr_status refuse(const ovr_resolved *r, const ovr_conflict *conflict,
+                         ovr_error *err)
+{
+    const ovr_model_feature_info feature = ovr_model_feature_at(
+        conflict->feature);
+    const ovr_slot *slot = ovr_slot_of(r, feature.section, feature.key);
+    char beside[100];
+    put_name(r, conflict->other, sizeof beside, beside);
+    return ovr_fail_slot(err, slot, "%s cannot be combined with %s; use %s",
+                         slot->given && !feature.whole ? slot->text
+                                                       : feature.name,
+                         beside, conflict->instead);
+}
+
+/* Refuses what a strip does not support before inputs are checked that it would
+ * need in a line contact. */
+static ovr_status refuse_in_strip(const ovr_resolved *r, ovr_error *err)
+{
+    static const int needy[] = {OVR_MODEL_HEAT,    OVR_MODEL_SUPPLY,
+                                OVR_MODEL_PASSES,  OVR_MODEL_BOUNDARY,
+                                OVR_MODEL_COATING, OVR_MODEL_PLASTIC};
+    if (!ovr_block_is_there(ovr_case_find_block(r->c, "strip", NULL)))
+        return OVR_OK;
+    for (size_t k = 0; k < sizeof needy / sizeof *needy; k++) {
+        ovr_model_feature_info feature = ovr_model_feature_at(needy[k]);
+        const ovr_conflict *conflict = ovr_conflict_among(
+            1U << needy[k] | 1U << OVR_MODEL_STRIP);
+        const ovr_block *block = ovr_block_of(r, feature.section);
+        const ovr_slot *slot = block ? ovr_block_get(block, feature.key) : NULL;
+        if (conflict && slot && slot->given &&
+            strcmp(slot->text, conflict->instead))
+            return refuse(r, conflict, err);
+    }
+    return OVR_OK;
+}
+
 static ovr_status resolve_conflicts(const ovr_resolved *r, ovr_error *err)
 {
     const ovr_conflict *conflict = ovr_conflict_among(written(r));
-    const ovr_slot *slot;
-    ovr_model_feature_info feature;
-    char beside[100];
-    if (!conflict)
-        return OVR_OK;
-    feature = ovr_model_feature_at(conflict->feature);
-    slot = ovr_slot_of(r, feature.section, feature.key);
-    put_name(r, conflict->other, sizeof beside, beside);
-    return ovr_fail_slot(err, slot, "%s cannot be combined with %s; use %s",
-                         slot->given ? slot->text : feature.name, beside,
-                         conflict->instead);
+    return conflict ? refuse(r, conflict, err) : OVR_OK;
 }
 
 /* ---------------------------------------------------------- complete case */
@@ -296,6 +323,8 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
     r->setup.passes = &r->values.passes;
     r->setup.output = &r->values.output;
     status = ovr_case_check_ineffective(c, err);
+    if (!status)
+        status = refuse_in_strip(r, err);
     if (!status)
         status = ovr_resolve_contact(r, err);
     if (!status)

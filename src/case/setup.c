@@ -29,24 +29,47 @@ static double memory_here(void)
  * cache. */
 static const double SHARE = 0.8;
 
-/* Checks the required memory before it is allocated. */
-static ovr_status check_memory(const ovr_resolved *r, ovr_error *err)
+static void measure(ovr_setup *s)
+{
+    s->mesh = (s->options->outlet - s->options->inlet) /
+              (double)(ovr_level_nodes(s->options->level) - 1);
+}
+
+/* Checks the required memory before it is allocated. The physics refuse first,
+ * because a narrower strip may fit where a lower level does not help. */
+static ovr_status check_memory(ovr_resolved *r, ovr_error *err)
 {
     const ovr_block *domain = ovr_case_find_block(r->c, "domain", NULL);
     const ovr_slot *nodes = ovr_block_get(domain, "nodes");
     const ovr_slot *slot = nodes->given ? nodes
                                         : ovr_block_get(domain, "level");
+    ovr_options *o = r->setup.options;
     double target = ovr_setup_memory(&r->setup);
-    double here = SHARE * memory_here();
-    ovr_options fits = *r->setup.options;
+    double here = SHARE * memory_here(), needed = target;
+    int level = o->level;
+    char takes[60] = "more memory than can be addressed";
     if (target <= here)
         return OVR_OK;
-    while (fits.level > 1 && ovr_simulation_memory(&fits) > here)
-        fits.level--;
+    measure(&r->setup);
+    if (ovr_resolve_on_mesh(r, err))
+        return OVR_BAD_INPUT;
+    while (o->level > 1 && needed > here) {
+        o->level--;
+        needed = ovr_setup_memory(&r->setup);
+    }
+    int fits = needed <= here ? o->level : 0;
+    o->level = level;
+    if (isfinite(target))
+        snprintf(takes, sizeof takes, "about %.1f GB of memory", target / 1e9);
+    if (!fits)
+        return ovr_fail_slot(err, slot,
+                             "%s takes %s, and this machine can spare %.1f "
+                             "GB: no level fits",
+                             slot->text, takes, here / 1e9);
     return ovr_fail_slot(err, slot,
-                         "%s takes about %.1f GB of memory, and this machine "
-                         "can spare %.1f GB: level %d fits",
-                         slot->text, target / 1e9, here / 1e9, fits.level);
+                         "%s takes %s, and this machine can spare %.1f GB: "
+                         "level %d fits",
+                         slot->text, takes, here / 1e9, fits);
 }
 
 static ovr_status add_features(ovr_resolved *r, ovr_error *err)
@@ -83,12 +106,6 @@ static ovr_status make_surfaces(ovr_resolved *r, const ovr_allocator *allocator,
         s->surfaces = NULL;
     }
     return status;
-}
-
-static void measure(ovr_setup *s)
-{
-    s->mesh = (s->options->outlet - s->options->inlet) /
-              (double)(ovr_level_nodes(s->options->level) - 1);
 }
 
 /* Returns the usual inlet, outside the contact at its largest width. */

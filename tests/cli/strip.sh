@@ -134,3 +134,35 @@ expect 0 "$OVERROLL" check light.ini --set domain.level=5
 contains out '2 b wide, periodic; 225 x 8 nodes'
 refuses 'is too narrow for mesh sizes of .* set a width of at least' \
     check light.ini --set domain.level=5 --set strip.width=0.5
+
+# The level that a refusal offers fits.
+refuses 'level: 14 takes .*memory.*, and .*: level [0-9]+ fits' \
+    check dent.ini --set domain.level=14
+level=$(sed 's/.*level \([0-9]*\) fits.*/\1/' err)
+expect 0 "$OVERROLL" check dent.ini --set domain.level="$level"
+refuses "level: $((level + 1)) takes .*: level $level fits" check dent.ini \
+    --set domain.level=$((level + 1))
+refuses 'width: .* coarsest grid .* set a width of at most' check dent.ini \
+    --set strip.width=1000
+
+# The numbers of lines that a refusal offers are accepted.
+refuses 'lines: 64 have .* set 10 to 40 lines' check dent.ini \
+    --set strip.lines=64
+for lines in 10 40; do
+    expect 0 "$OVERROLL" check dent.ini --set strip.lines=$lines
+done
+
+# Refused at once, whatever a line contact would need in addition.
+while read -r setting words; do
+    refuses "$words cannot be combined with a strip" check dent.ini \
+        --set "$setting"
+done <<'END'
+heat.model=lobatto model: lobatto
+supply.model=film model: film
+passes.number=3 number: 3
+boundary.law=profile law: surfaces that touch
+plastic.surface=1 surface: plastic deformation
+stress.surface=1 surface: stresses
+END
+refuses 'thickness: a coating cannot be combined with a strip' check dent.ini \
+    --set 'coating 1.material=dlc' --set 'coating 1.thickness=2 um'

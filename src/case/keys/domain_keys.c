@@ -112,8 +112,7 @@ static const ovr_parameter solver_keys[] = {
      "the discretization error, or a fixed number of cycles"},
     {"max_cycles", WHOLE_OR(auto_zero, 1, OVR_MAX_CYCLES_MAX), "auto",
      AT(options.max_cycles), true, ALWAYS,
-     "maximum number of number of "
-     "cycles on each level (steady)"},
+     "maximum number of cycles on each level (steady)"},
     {"tolerance", PLAIN_OR(auto_zero, 1e-16, OVR_TOLERANCE_MAX), "auto",
      AT(options.tolerance), true, ALWAYS,
      "tolerance of the relative mass-flow imbalance"},

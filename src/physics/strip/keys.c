@@ -178,7 +178,8 @@ ovr_status ovr_strip_on_mesh(const ovr_physics_case *of, void *form, double D,
     ovr_strip_form *f = form;
     const ovr_options *o = of->options;
     double lines = (double)ovr_strip_lines(f, D), length = o->outlet - o->inlet;
-    double ratio = f->width / lines / D, fewest = 4;
+    double ratio = f->width / lines / D, fewest = 4, least, most;
+    int allowed[2], first;
     size_t n, rows;
     double steps = of->end > 0 ? of->end / D : 0;
     f->seconds = (length / D + 1) * lines * (STEADY_NODE + steps * STEP_NODE) *
@@ -195,13 +196,17 @@ ovr_status ovr_strip_on_mesh(const ovr_physics_case *of, void *form, double D,
                               "width of at least %.3g b, or a higher "
                               "domain.level",
                               f->width, D, o->inlet, fewest * LEAST_RATIO * D);
+    least = ceil(f->width / (LARGEST_RATIO * D) - 1e-9);
+    most = floor(f->width / (LEAST_RATIO * D) + 1e-9);
+    neighbours((int)fmax(4, least), allowed);
+    first = allowed[0] < (int)least ? allowed[1] : allowed[0];
+    neighbours((int)most, allowed);
     return ovr_fail_about(err, "lines",
                           "lines: %.0f have a mesh size across of %.2g times "
                           "that along x, which must be %.1f to %.0f times; set "
-                          "%.0f to %.0f lines, or another domain.level",
-                          lines, ratio, LEAST_RATIO, LARGEST_RATIO,
-                          ceil(f->width / (LARGEST_RATIO * D)),
-                          floor(f->width / (LEAST_RATIO * D)));
+                          "%d to %d lines, or another domain.level",
+                          lines, ratio, LEAST_RATIO, LARGEST_RATIO, first,
+                          allowed[0]);
 }
 
 size_t ovr_strip_lines_across(const void *form, double D)
