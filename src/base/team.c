@@ -16,26 +16,15 @@ static inline void pause_briefly(void)
 #endif
 }
 
-/* Waits a short time for the loop after `last` and yields the processor to
- * other programs. */
-static bool loop_comes(ovr_team *team, unsigned last)
+/* Waits a short time until `number` has the value `wanted`, or another value
+ * than that, and yields the processor to other programs. Returns false if the
+ * time has passed. */
+static bool wait_awake(atomic_uint *number, unsigned wanted, bool another)
 {
     for (int turn = 0; turn < TURNS; turn++) {
         for (int check = 0; check < CHECKS; check++) {
-            if (atomic_load_explicit(&team->loop, memory_order_acquire) != last)
-                return true;
-            pause_briefly();
-        }
-        sched_yield();
-    }
-    return false;
-}
-
-static bool members_end(ovr_team *team)
-{
-    for (int turn = 0; turn < TURNS; turn++) {
-        for (int check = 0; check < CHECKS; check++) {
-            if (!atomic_load_explicit(&team->busy, memory_order_acquire))
+            unsigned now = atomic_load_explicit(number, memory_order_acquire);
+            if ((now != wanted) == another)
                 return true;
             pause_briefly();
         }
@@ -55,7 +44,7 @@ static void do_part(const ovr_team *team, int number)
 /* Waits for the loop after `last`; false if the team is closing. */
 static bool wait_for_loop(ovr_team *team, unsigned last)
 {
-    if (loop_comes(team, last))
+    if (wait_awake(&team->loop, last, true))
         return true;
     pthread_mutex_lock(&team->mutex);
     team->asleep++;
@@ -69,7 +58,7 @@ static bool wait_for_loop(ovr_team *team, unsigned last)
 
 static void wait_for_members(ovr_team *team)
 {
-    if (members_end(team))
+    if (wait_awake(&team->busy, 0, false))
         return;
     pthread_mutex_lock(&team->mutex);
     team->asleep++;
@@ -159,7 +148,7 @@ void ovr_team_run(ovr_team *team, size_t count, ovr_team_work *work, void *data)
     team->work = work;
     team->data = data;
     team->count = count;
-    atomic_store(&team->busy, team->members - 1);
+    atomic_store(&team->busy, (unsigned)team->members - 1);
     atomic_fetch_add(&team->loop, 1);
     wake(team);
     do_part(team, 0);

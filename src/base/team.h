@@ -49,7 +49,7 @@ struct ovr_team {
     void *data;
     size_t count;
     atomic_uint loop; /* number of the loop */
-    atomic_int busy;  /* members other than 0 that are not finished */
+    atomic_uint busy; /* members other than 0 that are not finished */
     /* Protects the following. A member sleeps until `loop` changes, member 0
      * until `busy` is 0. */
     pthread_mutex_t mutex;

@@ -24,11 +24,11 @@
 #include "pictures/picture.h"
 #include "pictures/snapshot.h"
 
-typedef struct ovr_movie {
+typedef struct movie_file {
     ovr_process process;
     const char *path;
     char made[OVR_PATH_SIZE];
-} ovr_movie;
+} movie_file;
 
 /* -------------------------------------------------------------------- Movie */
 
@@ -70,7 +70,7 @@ static const struct form *form_of(const char *path)
     return NULL;
 }
 
-static ovr_status start(ovr_movie *m, const struct form *form, double rate,
+static ovr_status start(movie_file *m, const struct form *form, double rate,
                         ovr_error *err)
 {
     char rate_text[40], output[OVR_PATH_SIZE + 8];
@@ -93,7 +93,7 @@ static ovr_status start(ovr_movie *m, const struct form *form, double rate,
 }
 
 /* Starts a movie; the suffix of `path` selects the format. */
-static ovr_status movie_start(ovr_movie *m, const char *path, double rate,
+static ovr_status movie_start(movie_file *m, const char *path, double rate,
                               ovr_error *err)
 {
     const struct form *form = form_of(path);
@@ -114,7 +114,7 @@ static ovr_status movie_start(ovr_movie *m, const char *path, double rate,
     return status;
 }
 
-static ovr_status failed(ovr_movie *m, ovr_error *err)
+static ovr_status failed(movie_file *m, ovr_error *err)
 {
     char why[400];
     ovr_process_end(&m->process, why, sizeof why);
@@ -126,7 +126,7 @@ static ovr_status failed(ovr_movie *m, ovr_error *err)
 }
 
 /* Adds a PNG file. */
-static ovr_status movie_add(ovr_movie *m, const char *picture, ovr_error *err)
+static ovr_status movie_add(movie_file *m, const char *picture, ovr_error *err)
 {
     char data[16384];
     FILE *file = fopen(picture, "rb");
@@ -141,7 +141,7 @@ static ovr_status movie_add(ovr_movie *m, const char *picture, ovr_error *err)
 }
 
 /* Completes the movie and renames it to its final name. */
-static ovr_status movie_finish(ovr_movie *m, ovr_error *err)
+static ovr_status movie_finish(movie_file *m, ovr_error *err)
 {
     char why[400];
     if (!ovr_process_end(&m->process, why, sizeof why)) {
@@ -157,7 +157,7 @@ static ovr_status movie_finish(ovr_movie *m, ovr_error *err)
 }
 
 /* Cancels the movie unless it is finished or was never started. */
-static void movie_stop(ovr_movie *m)
+static void movie_stop(movie_file *m)
 {
     if (!m->path)
         return;
@@ -191,7 +191,7 @@ typedef struct studio {
     ovr_text script, template;
     ovr_gnuplot *gnuplot;
     size_t workers;
-    ovr_movie movie;
+    movie_file movie;
     ovr_frames_made *made;
 } studio;
 

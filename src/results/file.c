@@ -30,11 +30,11 @@
 #endif
 
 /* HDF5's part must be first, because HDF5 uses only that. */
-typedef struct ovr_driven {
+typedef struct driven_file {
     H5FD_t hdf5;
     ovr_store *store;
     haddr_t allocated;
-} ovr_driven;
+} driven_file;
 
 /* Data of the file access properties. */
 typedef struct driver_info {
@@ -45,9 +45,9 @@ static H5FD_t *open_file(const char *name, unsigned flags, hid_t access,
                          haddr_t largest)
 {
     const driver_info *info = H5Pget_driver_info(access);
-    ovr_driven *file = info ? ovr_arena_take(info->store->changed.arena, 1,
-                                             sizeof *file, NULL)
-                            : NULL;
+    driven_file *file = info ? ovr_arena_take(info->store->changed.arena, 1,
+                                              sizeof *file, NULL)
+                             : NULL;
     (void)name;
     (void)flags;
     (void)largest;
@@ -59,14 +59,14 @@ static H5FD_t *open_file(const char *name, unsigned flags, hid_t access,
     return &file->hdf5;
 }
 
-static ovr_driven *driven(H5FD_t *file)
+static driven_file *driven(H5FD_t *file)
 {
-    return (ovr_driven *)(void *)file;
+    return (driven_file *)(void *)file;
 }
 
-static const ovr_driven *driven_const(const H5FD_t *file)
+static const driven_file *driven_const(const H5FD_t *file)
 {
-    return (const ovr_driven *)(const void *)file;
+    return (const driven_file *)(const void *)file;
 }
 
 /* Closes the file. Its memory belongs to the arena, and the commit follows
@@ -123,7 +123,7 @@ static herr_t driver_write(H5FD_t *file, H5FD_mem_t type, hid_t transfer,
 
 static herr_t driver_truncate(H5FD_t *file, hid_t transfer, hbool_t closing)
 {
-    ovr_driven *f = driven(file);
+    driven_file *f = driven(file);
     (void)transfer;
     (void)closing;
     if (f->allocated != f->store->length)

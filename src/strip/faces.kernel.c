@@ -174,7 +174,7 @@ static INLINE void put_face(const faces *p, bool logarithmic, flow_kind thins,
         c = p->law.slide *
             (load(p->f.rho + h->at_a) + load(p->f.rho + h->at_b)) *
             (a2 * b2 / (a2 + b2));
-        flow = (thins == BY_CURVE ? thinned_by_curve : thinned_flow)(
+        flow = (thins == BY_CURVE ? thinned_by_curve : thinned_by_eyring)(
             &p->law, across, eps, c, films * h->along, films * h->across);
         vec share = flow.by_eps / larger(eps, all(1e-280));
         before = fused(share, before - eps, flow.T);

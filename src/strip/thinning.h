@@ -101,15 +101,70 @@ static INLINE mean_stress guess_mean_stress(const thinning *law, vec eps, vec c,
     return (mean_stress){a, across, w, eps * (eps / w)};
 }
 
-/* Flow along X or across. */
-static INLINE thinned thinned_flow(const thinning *law, bool across, vec eps,
-                                   vec c, vec gx, vec gy)
+/* Means over the film at the mean stress (ax, ay): F tau, K_0, K_1, K_2. */
+typedef struct means {
+    vec Fx, Fy, kxx, kxy, kyy, lxx, lxy, lyy, J, mm;
+} means;
+
+static const double gauss_place[] = {0.90617984593866396, 0.53846931010568311,
+                                     0, -0.53846931010568311,
+                                     -0.90617984593866396};
+static const double gauss_weight[] = {0.1184634425280945, 0.23931433524968324,
+                                      0.28444444444444444, 0.23931433524968324,
+                                      0.1184634425280945};
+
+static INLINE means means_of_eyring(const thinning *law, bool across,
+                                    const mean_stress *a, vec gx, vec gy)
 {
-    static const double place[] = {0.90617984593866396, 0.53846931010568311, 0,
-                                   -0.53846931010568311, -0.90617984593866396};
-    static const double weight[] = {0.1184634425280945, 0.23931433524968324,
-                                    0.28444444444444444, 0.23931433524968324,
-                                    0.1184634425280945};
+    means s = {0};
+    UNROLL
+    for (int k = 0; k < 5; k++) {
+        const double place = gauss_place[k], weight = gauss_weight[k];
+        vec tx = fused(all(place), gx, a->x), ty = fused(all(place), gy, a->y);
+        vec t2 = tx * tx + ty * ty + 1e-8, it = inverse_root(t2);
+        vec e = exponential(law, fused(t2, it, -a->x));
+        vec p = 0.5 * a->w * e, q = 0.5 * a->back / e, F = (p - q) * it;
+        vec D = ((p + q) - F) * it * it;
+        vec ux = F * tx, uy = F * ty;
+        vec dxx = fused(D * tx, tx, F), dxy = D * tx * ty;
+        vec dyy = fused(D * ty, ty, F);
+        double first = weight * place, second = first * place;
+        s.Fx += weight * ux;
+        s.Fy += weight * uy;
+        s.kxx += weight * dxx;
+        s.kxy += weight * dxy;
+        s.kyy += weight * dyy;
+        s.lxx += first * dxx;
+        s.lxy += first * dxy;
+        s.lyy += first * dyy;
+        s.J += first * (across ? uy : ux);
+        s.mm += second * (across ? dyy : dxx);
+    }
+    return s;
+}
+
+/* Flow from the means, corrected to the stress <F tau> = (stress, 0). `eps`
+ * multiplies the means; c is the sliding. */
+static INLINE thinned flow_of_means(const means *s, bool across, vec eps,
+                                    vec stress, vec c, vec g)
+{
+    vec inverse = 1 / (s->kxx * s->kyy - s->kxy * s->kxy);
+    vec bx = across ? s->lxy : s->lxx, by = across ? s->lyy : s->lxy;
+    vec vx = (s->kyy * bx - s->kxy * by) * inverse;
+    vec vy = (s->kxx * by - s->kxy * bx) * inverse;
+    vec J = s->J + (vx * (stress - s->Fx) - vy * s->Fy);
+    vec third = 3 / g;
+    thinned f = {.E = eps * J * third,
+                 .T = 3 * eps * (s->mm - vx * bx - vy * by),
+                 .by_c = vx * third};
+    f.by_eps = f.E - c * f.by_c;
+    return f;
+}
+
+/* Flow along X or across with Eyring's law. */
+static INLINE thinned thinned_by_eyring(const thinning *law, bool across,
+                                        vec eps, vec c, vec gx, vec gy)
+{
     eps = larger(eps, all(1e-280));
     gx = held_gradient(gx);
     gy = held_gradient(gy);
@@ -118,41 +173,8 @@ static INLINE thinned thinned_flow(const thinning *law, bool across, vec eps,
     else
         gx = larger(gx, all(1e-4));
     const mean_stress a = guess_mean_stress(law, eps, c, gx, gy);
-    vec F0 = all(0), F1 = all(0), J = all(0), kxx = all(0), kxy = all(0);
-    vec kyy = all(0), lxx = all(0), lxy = all(0), lyy = all(0), mm = all(0);
-    UNROLL
-    for (int k = 0; k < 5; k++) {
-        vec tx = fused(all(place[k]), gx, a.x),
-            ty = fused(all(place[k]), gy, a.y);
-        vec t2 = tx * tx + ty * ty + 1e-8, it = inverse_root(t2);
-        vec e = exponential(law, fused(t2, it, -a.x));
-        vec p = 0.5 * a.w * e, q = 0.5 * a.back / e, F = (p - q) * it;
-        vec D = ((p + q) - F) * it * it;
-        vec ux = F * tx, uy = F * ty;
-        vec dxx = fused(D * tx, tx, F), dxy = D * tx * ty;
-        vec dyy = fused(D * ty, ty, F);
-        double first = weight[k] * place[k], second = first * place[k];
-        F0 += weight[k] * ux;
-        F1 += weight[k] * uy;
-        kxx += weight[k] * dxx;
-        kxy += weight[k] * dxy;
-        kyy += weight[k] * dyy;
-        lxx += first * dxx;
-        lxy += first * dxy;
-        lyy += first * dyy;
-        J += first * (across ? uy : ux);
-        mm += second * (across ? dyy : dxx);
-    }
-    vec inverse = 1 / (kxx * kyy - kxy * kxy);
-    vec bx = across ? lxy : lxx, by = across ? lyy : lxy;
-    vec vx = (kyy * bx - kxy * by) * inverse;
-    vec vy = (kxx * by - kxy * bx) * inverse;
-    J += vx * (c - F0) - vy * F1;
-    vec third = 3 / (across ? gy : gx);
-    thinned f = {
-        .E = J * third, .T = 3 * (mm - vx * bx - vy * by), .by_c = vx * third};
-    f.by_eps = f.E - c * f.by_c;
-    return f;
+    const means s = means_of_eyring(law, across, &a, gx, gy);
+    return flow_of_means(&s, across, all(1), c, c, across ? gy : gx);
 }
 
 /* f(t)/t of a tabulated law, and f'(t), t > 0 (contact/flow_law.h). */
@@ -177,38 +199,29 @@ static INLINE vec rate_of_curve(const thinning *law, vec t, vec *slope)
     return choose(place > 0, value, all(1));
 }
 
-/* Means over the film at the mean stress (ax, ay): F tau, K_0, K_1, K_2. */
-typedef struct means {
-    vec Fx, Fy, kxx, kxy, kyy, lxx, lxy, lyy, J, mm;
-} means;
-
 static INLINE means means_of_curve(const thinning *law, bool across, vec ax,
                                    vec ay, vec gx, vec gy)
 {
-    static const double place[] = {0.90617984593866396, 0.53846931010568311, 0,
-                                   -0.53846931010568311, -0.90617984593866396};
-    static const double weight[] = {0.1184634425280945, 0.23931433524968324,
-                                    0.28444444444444444, 0.23931433524968324,
-                                    0.1184634425280945};
     means s = {0};
     for (int k = 0; k < 5; k++) {
-        vec tx = fused(all(place[k]), gx, ax);
-        vec ty = fused(all(place[k]), gy, ay);
+        const double place = gauss_place[k], weight = gauss_weight[k];
+        vec tx = fused(all(place), gx, ax);
+        vec ty = fused(all(place), gy, ay);
         vec t2 = tx * tx + ty * ty + 1e-8, it = inverse_root(t2), slope;
         vec F = rate_of_curve(law, t2 * it, &slope);
-        vec D = (slope - F) * it * it, dxy = weight[k] * D * tx * ty;
-        vec dxx = weight[k] * fused(D * tx, tx, F);
-        vec dyy = weight[k] * fused(D * ty, ty, F);
-        s.Fx += weight[k] * F * tx;
-        s.Fy += weight[k] * F * ty;
+        vec D = (slope - F) * it * it, dxy = weight * D * tx * ty;
+        vec dxx = weight * fused(D * tx, tx, F);
+        vec dyy = weight * fused(D * ty, ty, F);
+        s.Fx += weight * F * tx;
+        s.Fy += weight * F * ty;
         s.kxx += dxx;
         s.kxy += dxy;
         s.kyy += dyy;
-        s.lxx += place[k] * dxx;
-        s.lxy += place[k] * dxy;
-        s.lyy += place[k] * dyy;
-        s.J += weight[k] * place[k] * F * (across ? ty : tx);
-        s.mm += place[k] * place[k] * (across ? dyy : dxx);
+        s.lxx += place * dxx;
+        s.lxy += place * dxy;
+        s.lyy += place * dyy;
+        s.J += weight * place * F * (across ? ty : tx);
+        s.mm += place * place * (across ? dyy : dxx);
     }
     return s;
 }
@@ -232,17 +245,7 @@ static INLINE thinned thinned_by_curve(const thinning *law, bool across,
     ax += (s.kyy * r + s.kxy * s.Fy) * inverse;
     ay -= (s.kxx * s.Fy + s.kxy * r) * inverse;
     s = means_of_curve(law, across, ax, ay, gx, gy);
-    inverse = 1 / (s.kxx * s.kyy - s.kxy * s.kxy);
-    vec bx = across ? s.lxy : s.lxx, by = across ? s.lyy : s.lxy;
-    vec vx = (s.kyy * bx - s.kxy * by) * inverse;
-    vec vy = (s.kxx * by - s.kxy * bx) * inverse;
-    s.J += vx * (s_N - s.Fx) - vy * s.Fy;
-    vec third = 3 / (across ? gy : gx);
-    thinned f = {.E = eps * s.J * third,
-                 .T = 3 * eps * (s.mm - vx * bx - vy * by),
-                 .by_c = vx * third};
-    f.by_eps = f.E - c * f.by_c;
-    return f;
+    return flow_of_means(&s, across, eps, s_N, c, across ? gy : gx);
 }
 
 #endif

@@ -17,23 +17,23 @@
 #include "surface/profile.h"
 #include "surface/zip.h"
 
-typedef struct ovr_x3p_axis {
+typedef struct x3p_axis {
     bool given;
     char kind; /* I: index times increment, A: stored coordinates */
     char type; /* I int16, L int32, F float, D double */
     double increment, offset;
-} ovr_x3p_axis;
+} x3p_axis;
 
-typedef struct ovr_x3p {
+typedef struct x3p_file {
     char feature[8]; /* PRF, SUR, ... */
-    ovr_x3p_axis axis[3];
+    x3p_axis axis[3];
     double size[3]; /* MatrixDimension; 0: not given */
     double list;    /* ListDimension; 0: not given */
     char data[256]; /* name of the binary file; "": data in main.xml */
     char valid[256];
     char *datum; /* data in main.xml: all <Datum> texts, NUL-terminated */
     size_t datum_size, datums;
-} ovr_x3p;
+} x3p_file;
 
 /* ----------------------------------------------------------------- main.xml */
 
@@ -46,7 +46,7 @@ typedef struct ovr_x3p {
 enum { DEPTH = 16, NAME = 32, TEXT = 256 };
 
 typedef struct reading {
-    ovr_x3p *x3p;
+    x3p_file *x3p;
     XML_Parser parser;
     char path[DEPTH][NAME];
     int depth;
@@ -94,8 +94,7 @@ static void copy_text(reading *r, ovr_line text, char *into, size_t capacity)
     into[text.size] = 0;
 }
 
-static void end_axis(reading *r, ovr_x3p_axis *a, const char *name,
-                     ovr_line text)
+static void end_axis(reading *r, x3p_axis *a, const char *name, ovr_line text)
 {
     a->given = true;
     if (path_ends(r, name, "AxisType"))
@@ -110,7 +109,7 @@ static void end_axis(reading *r, ovr_x3p_axis *a, const char *name,
 
 static void end_datum(reading *r, ovr_line text)
 {
-    ovr_x3p *x = r->x3p;
+    x3p_file *x = r->x3p;
     if (text.size + 1 > r->capacity - x->datum_size) {
         wrong(r,
               /* non-ASCII letters take more bytes in UTF-8 */
@@ -138,7 +137,7 @@ static void end_leaf(reading *r, ovr_line text)
 {
     static const char *const axes[] = {"CX", "CY", "CZ"};
     static const char *const sizes[] = {"SizeX", "SizeY", "SizeZ"};
-    ovr_x3p *x = r->x3p;
+    x3p_file *x = r->x3p;
     for (int k = 0; k < 3; k++) {
         if (r->depth >= 2 && strcmp(r->path[r->depth - 2], axes[k]) == 0)
             end_axis(r, &x->axis[k], axes[k], text);
@@ -232,7 +231,7 @@ static ovr_status run(reading *r, ovr_bytes xml, const char *file,
 
 /* Parses main.xml; data contained in it are stored in the arena. */
 static ovr_status x3p_parse(ovr_bytes xml, const char *file, ovr_arena *arena,
-                            ovr_x3p *x3p, ovr_error *err)
+                            x3p_file *x3p, ovr_error *err)
 {
     reading r = {.x3p = x3p, .capacity = xml.size + 1};
     ovr_status status;
@@ -254,7 +253,7 @@ typedef struct package {
     ovr_profile *profile;
     char folder[256]; /* path of main.xml's folder in the archive */
     ovr_arena arena;  /* memory of unpacked files */
-    ovr_x3p x;
+    x3p_file x;
     size_t n, lines;     /* points per line, and lines */
     double *x_of, *y_of; /* stored coordinates; NULL: increments */
 } package;
@@ -326,8 +325,8 @@ static ovr_status unpack_named(package *k, const char *link, ovr_bytes *out,
 static ovr_status check(package *k, ovr_error *err)
 {
     const char *file = k->profile->file;
-    const ovr_x3p *x = &k->x;
-    const ovr_x3p_axis *cx = &x->axis[0], *cz = &x->axis[2];
+    const x3p_file *x = &k->x;
+    const x3p_axis *cx = &x->axis[0], *cz = &x->axis[2];
     double points = x->list > 0 ? x->list : x->size[0], rows = 1;
     if (x->list <= 0 && x->size[1] > 1)
         rows = x->size[1];
@@ -365,12 +364,12 @@ static bool binary_type(char letter, ovr_binary *type)
     }
 }
 
-static bool is_stored(const ovr_x3p *x, int axis)
+static bool is_stored(const x3p_file *x, int axis)
 {
     return x->axis[axis].given && x->axis[axis].kind == 'A';
 }
 
-static double coordinate(const ovr_x3p_axis *a, double stored)
+static double coordinate(const x3p_axis *a, double stored)
 {
     return a->offset + stored * a->increment;
 }
@@ -378,9 +377,9 @@ static double coordinate(const ovr_x3p_axis *a, double stored)
 /* -------------------------------------------------------------- the points */
 
 /* Returns the spacing of the rows; without one, that of the points. */
-static double row_distance(const ovr_x3p *x)
+static double row_distance(const x3p_file *x)
 {
-    const ovr_x3p_axis *cx = &x->axis[0], *cy = &x->axis[1];
+    const x3p_axis *cx = &x->axis[0], *cy = &x->axis[1];
     if (cy->given && cy->kind == 'I' && cy->increment > 0)
         return cy->increment;
     return cx->kind == 'I' ? cx->increment : 1;
@@ -389,7 +388,7 @@ static double row_distance(const ovr_x3p *x)
 /* Allocates memory for heights and stored coordinates. */
 static ovr_status reserve(package *k, ovr_error *err)
 {
-    const ovr_x3p_axis *cx = &k->x.axis[0];
+    const x3p_axis *cx = &k->x.axis[0];
     size_t all = k->n * k->lines;
     if (cx->kind == 'A' &&
         !(k->x_of = ovr_arena_take(&k->arena, all, sizeof *k->x_of, err)))
@@ -405,7 +404,7 @@ static ovr_status reserve(package *k, ovr_error *err)
 static ovr_status read_binary(package *k, ovr_error *err)
 {
     ovr_profile *p = k->profile;
-    const ovr_x3p *x = &k->x;
+    const x3p_file *x = &k->x;
     const size_t all = k->n * k->lines;
     ovr_binary type[3] = {OVR_BINARY_U8, OVR_BINARY_U8, OVR_BINARY_U8};
     size_t place[3] = {0}, stride = 0;
@@ -468,7 +467,7 @@ static ovr_status read_datum(const package *k, const char *text, size_t i,
 
 static ovr_status read_inline(package *k, ovr_error *err)
 {
-    const ovr_x3p *x = &k->x;
+    const x3p_file *x = &k->x;
     const char *text = x->datum;
     ovr_status status = OVR_OK;
     if (x->datums < k->n * k->lines)
@@ -508,7 +507,7 @@ static ovr_status apply_mask(package *k, ovr_error *err)
 static ovr_status place_row(package *k, size_t row, ovr_error *err)
 {
     ovr_profile *p = k->profile;
-    const ovr_x3p_axis *cx = &k->x.axis[0], *cz = &k->x.axis[2];
+    const x3p_axis *cx = &k->x.axis[0], *cz = &k->x.axis[2];
     const double *x = k->x_of + row * k->n, *z = p->map.z + row * k->n;
     ovr_status status = ovr_profile_reserve(p, k->n, err);
     if (status)
@@ -547,8 +546,8 @@ static ovr_status place_points(package *k, const ovr_profile_source *source,
                                ovr_error *err)
 {
     ovr_profile *p = k->profile;
-    const ovr_x3p_axis *cx = &k->x.axis[0], *cy = &k->x.axis[1];
-    const ovr_x3p_axis *cz = &k->x.axis[2];
+    const x3p_axis *cx = &k->x.axis[0], *cy = &k->x.axis[1];
+    const x3p_axis *cz = &k->x.axis[2];
     size_t all = k->n * k->lines;
     double dx = p->map.dx, dy = p->map.dy;
     if (k->x_of && k->lines == 1)
