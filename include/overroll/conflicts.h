@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The features of the model that a simulation is put together from, and the
- * conflicts between two of them, which are refused.  Every other pair works: it
- * marches, is resumed to the same bits and keeps mass and load
- * (tests/verify/pairs_test.c walks them all).
+ * Features of a model, and pairs of features that cannot be combined.
+ *
+ * A simulation with such a pair is rejected. Every other pair can be marched in
+ * time, is resumed to the same bits and conserves mass and load
+ * (tests/verify/pairs_test.c checks all of them).
  */
 #ifndef OVERROLL_CONFLICTS_H
 #define OVERROLL_CONFLICTS_H

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Errors: one habit for the whole library.
+ * Errors: one convention for the whole library.
  *
  * A function that can fail returns an ovr_status (or NULL for a constructor)
- * and takes an `ovr_error *` as its last argument.  The message is one line
+ * and has an `ovr_error *` as its last argument. The message is one line
  * without a trailing newline. It states the place (file, line, key), the error
- * and what is allowed. The members after it contain the same for programs.  The
- * library never prints, exits or aborts. Every function accepts a NULL error
- * when only the status is of interest.
+ * and the allowed values. The other members contain the same for programs. The
+ * library never prints, exits or aborts. Every function accepts a NULL error if
+ * only the status is of interest.
  */
 #ifndef OVERROLL_ERROR_H
 #define OVERROLL_ERROR_H

@@ -124,9 +124,9 @@ OVR_API ovr_status ovr_figure_passes(const ovr_table *passes,
                                      const ovr_allocator *allocator,
                                      ovr_error *err);
 
-/* Draws the Stribeck curve of a study over contact.mean_speed (or x) with
- * [boundary]: friction coefficient, fluid friction and asperity load share,
- * with one line per value of `by` or of the next key; y and panels are
+/* Draws the Stribeck curve of a study with [boundary]: friction coefficient,
+ * fluid friction and asperity load share as functions of contact.mean_speed (or
+ * x). There is one line per value of `by` or of the next key; y and panels are
  * ignored. */
 OVR_API ovr_status ovr_figure_stribeck(const ovr_table *table,
                                        const ovr_figure_options *options,

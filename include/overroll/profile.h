@@ -83,9 +83,9 @@ OVR_API void ovr_profile_free(ovr_profile *profile);
 OVR_API const ovr_profile_view *
 ovr_profile_get_view(const ovr_profile *profile);
 
-/* Writes X3P or SDF (binary, f64), both in metres, if the path ends in .x3p or
- * .sdf; otherwise text: two columns "x in m, z in m" (or in b, b^2/R) of 17
- * digits, which read back to the same numbers. */
+/* Writes a profile in metres as X3P or SDF (binary, f64) if the path ends in
+ * .x3p or .sdf. Otherwise writes text: two columns "x in m, z in m" (or in b,
+ * b^2/R) of 17 digits, which read back to the same numbers. */
 OVR_API ovr_status ovr_profile_save(const ovr_profile *profile,
                                     const char *path, ovr_error *err);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Questions whose answer takes several runs: the value of a key for which a
- * number of the run has a value; see overroll(1).
+ * Searches that need several runs: the value of a key for which a result of the
+ * run reaches a target; see overroll(1).
  *
  *     ovr_find_options how = {0};
  *     how.key = "feature.dent.depth";
@@ -141,7 +141,7 @@ OVR_API void ovr_find_summary(const ovr_find *find, bool answer,
 /* ------------------------------------------------------------ sensitivity */
 
 /* Elasticities d ln Q/d ln x of numbers of a run with respect to keys, by
- * central differences of 2 % and 1 %; the difference of both is the
+ * central differences of 2 % and 1 %. The difference of both is the
  * uncertainty. Steps of this size move film rupture and pressure spike by
  * several mesh sizes; smaller steps would measure grid effects. */
 typedef struct ovr_sensitivity_options {

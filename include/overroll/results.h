@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Result files: HDF5 that is also netCDF-4, written as the run goes, readable
- * while it is written.  Layout: see overroll-result(5) in the tree.
+ * Result files: HDF5 that is also netCDF-4, written during the run and readable
+ * at the same time. Layout: see overroll-result(5).
  */
 #ifndef OVERROLL_RESULTS_H
 #define OVERROLL_RESULTS_H

@@ -155,7 +155,7 @@ OVR_API void ovr_simulation_standing(ovr_simulation *sim, ovr_heights *standing,
 
 /* Solves the steady problem at T = 0 by full multigrid; every run starts with
  * it. If speed or load are zero at T = 0, the start is the steady film at
- * OVR_MIN_START of the reference speed or load; the histories apply from the
+ * OVR_MIN_START of the reference speed or load. The histories apply from the
  * first step on. */
 #define OVR_MIN_START 0.01
 OVR_API ovr_status ovr_simulation_steady(ovr_simulation *sim, ovr_error *err);

@@ -11,9 +11,9 @@
 extern "C" {
 #endif
 
-/* Returns the name most similar to a mistyped one, with at most a third of the
- * letters wrong (ignoring case), otherwise the first name of which it is a
- * part, as vg of iso_vg, or NULL. */
+/* Returns the name most similar to a mistyped one if at most a third of the
+ * letters are wrong (ignoring case). Otherwise returns the first name that
+ * contains it, as iso_vg contains vg, or NULL. */
 OVR_API const char *ovr_suggest(const char *wrong, const char *const *names,
                                 size_t n);
 

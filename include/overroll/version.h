@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The one place where the version stands. */
+/* The version of the library, defined only here. */
 #ifndef OVERROLL_VERSION_H
 #define OVERROLL_VERSION_H
 

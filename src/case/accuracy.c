@@ -1,57 +1,65 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Expected discretization errors relative to the film thickness. With x =
- * D/H^(2/3), the mesh over the length of the inlet's rise (H after Moes), and
- * for spike and exit k = (L/15)^2 (M/25)^(1/2), both factors at most 1:
+ * Predicts discretization errors relative to the film thickness.
  *
- *   order   H_cen                   H_min: besides
- *     4     0.035 x^2 + 0.2 x^4     0.1 k x^1.3 + 3 x^3
- *     by gap                        0.4 k x^1.3 + 2 x^3
- *     2     1.5 x^2                 0.55 k x^1.3
- *     1     0.6 x
+ * H is the central film thickness by Moes. x = D/H^(2/3) is the mesh size
+ * relative to the length over which pressure builds up in the inlet. k = min(1,
+ * (L/15)^2) min(1, (M/25)^(1/2)) is a factor of pressure spike and
+ * constriction.
  *
- * which bounds what was measured on random contacts, M = 5 to 1000, L = 1 to
- * 16, levels 4 to 10, beside level 13; where L is below 10 errors of order 4
- * are 5 to 20 times smaller.  A feature of height A with a width or wavelength
- * of N D adds K (A/H)/N^2,  K = 8 along the characteristic, 100 by upstream2,
- * or 3 (A/H)/N by upstream1, measured on dents of 0.05 to 0.5 b and waves of
- * 0.1 b, rolling and sliding; what stands still, or is rough (A = Rq),
- * likewise.
+ * Bounds of one film thickness:
  *
- * Of all (both films and the friction) the likely error counts, not its bound,
- * and of a run its root mean square over time.  It is the error of H_min, the
- * least accurate of the films, or of the friction:
+ *   order              H_cen                   H_min, in addition
+ *     4                0.035 x^2 + 0.2 x^4     0.1 k x^1.3 + 3 x^3
+ *     4, means by gap  the same                0.4 k x^1.3 + 2 x^3
+ *     2                1.5 x^2                 0.55 k x^1.3
+ *     1                0.6 x
  *
- *   films of order 4    3e-5 + 0.035 x^2 + v (2 + l^4) x^3,
- *                       l = min(L, 25)/17, v = 0.7, or 2.8 where load, speed
- *                       or radius vary, or waves or dents of a > 1 pass.
- *   the same, by gap    3e-5 + 0.035 x^2 + (1.5 + 7 l^4) x^3, twice the cube
- *                       where the speed varies
+ * A feature of height A with a width or wavelength of N D adds 8 (A/H)/N^2 with
+ * the characteristic scheme, 100 (A/H)/N^2 with upstream2, or 3 (A/H)/N with
+ * upstream1. Stationary features always add 8 (A/H)/N^2.
+ * Tables of heights have A = Rq.
+ *
+ * These bounds exceed all measured errors. Random contacts had M = 5 to 1000, L
+ * = 1 to 16, and levels 4 to 10 were compared with level 13. Features were
+ * dents of 0.05 to 0.5 b and waves of 0.1 b in rolling and sliding. With L
+ * below 10, errors of order 4 are 5 to 20 times smaller.
+ *
+ * Likely error of all quantities: the error of H_min, the least accurate film
+ * thickness, or that of the friction if larger. For a run the film error is its
+ * root mean square over time.
+ *
+ *   films of order 4    3e-5 + 0.035 x^2 + v (2 + l^4) x^3, l = min(L, 25)/17.
+ *                       v = 0.7. In runs with varying load, speed or radius,
+ *                       with waves, or with dents of a > 1, v = 2.8.
+ *   the same, by gap    3e-5 + 0.035 x^2 + (1.5 + 7 l^4) x^3; if the speed
+ *                       varies, the cubic term is doubled.
  *   steady, of order 2  (0.2 + 0.8 l^4) x^2; by gap (0.12 + 2.9 l^4) x^2
- *   features            k/N^2.  2.5 times that in steps of 2 D.
- *     raised by r = S/H   k = 0.8 r/(1 - r): the film at its minimum is less
- *                         than H by S or so.  1 - r is no less than 0.05.
- *     waves, starved      The same, 1 - r no less than 0.02.
- *     short waves         That times 1 + (0.3 b/wavelength)^2.
- *     dents, a = A/H      k = 0.15 a or 0.5 a^2/(1 + a), the larger one, 4
+ *   features            k/N^2, and 2.5 k/N^2 with time steps of 2 D.
+ *     raised by r = S/H   k = 0.8 r/(1 - r): the minimum film thickness is
+ *                         smaller by about S. 1 - r is at least 0.05.
+ *     waves, starved      The same, but 1 - r is at least 0.02.
+ *     short waves         The same times 1 + (0.3 b/wavelength)^2.
+ *     dents, a = A/H      k = 0.15 a or 0.5 a^2/(1 + a), the larger one; 4
  *                         times that in a texture; 6 a in starved films.
- *     tables of heights   k = 13 r/(1 - r)^2, r = Rq/H.  Ridges are higher than
+ *     tables of heights   k = 13 r/(1 - r)^2, r = Rq/H. Ridges are higher than
  *                         Rq and a quarter of the mean wavelength long.
- *     upstream2           12.5 times that; upstream1 3 a/N.
- *   temperatures        0.05 dT: they are of first order in time.
- *   friction            (1 + 0.3/V) D^2 for the sliding V, at most 12 D^2.
- *                       Stress follows viscosity where V is small.
- *                       0.6 with waves and roughness for 0.3.  2.5 D^2 where
- *                       the sliding passes zero.  4 D^2 of steady films.
+ *     upstream2           12.5 k/N^2; upstream1 3 a/N.
+ *   temperatures        0.05 dT, because they are of first order in time
+ *   friction            (1 + 0.3/V) D^2 for the sliding speed V, at most 12
+ * D^2: at small V the stress is proportional to viscosity. With waves and
+ * roughness 0.6 replaces 0.3. 2.5 D^2 if the sliding speed passes zero. 4 D^2
+ * for steady films.
  *
- * Nine of ten cases are off by less than twice that (ovr_expected_at_most).
+ * In nine of ten cases the error is below twice the likely error
+ * (ovr_expected_at_most).
  *
- * Fitted to 193 random cases with common conditions and tested on 147 others.
- * References are one or two levels finer, in steps of D.  Films thinner
- * than about a third of the features' height are less accurate on any usual
- * level.  Steady films of second order were measured on random contacts whose
- * surfaces touch, .5 to 1.5 GPa.  Shares of metal beyond a half make the error
- * smaller.
+ * The formulas are fitted to 193 random cases with common conditions and were
+ * tested on 147 others. Reference solutions were one or two levels finer, with
+ * steps of D. Films thinner than about a third of the features' height are less
+ * accurate on any usual level. Errors of steady films of second order were
+ * measured on random mixed contacts at 0.5 to 1.5 GPa. Asperity load shares
+ * above one half make the error smaller.
  */
 #include "case/accuracy.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* SIGINT and SIGTERM ask the run to stop behind its step; a second one ends
- * the program at once. */
+/* SIGINT and SIGTERM request that the run stops after its present step. A
+ * second signal ends the program immediately. */
 #ifndef OVR_CLI_SIGNALS_H
 #define OVR_CLI_SIGNALS_H
 

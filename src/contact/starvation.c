@@ -1,29 +1,32 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Numerical starvation: a domain that begins at X_a neglects the pressure
- * build-up upstream of X_a. With the gap of the Hertzian contact
+ * build-up upstream of X_a.
+ *
+ * With the gap of the Hertzian contact
  *     g = [X sqrt(X^2 - 1) - ln(X + sqrt(X^2 - 1))]/2
  * and the central film thickness H (Moes), dP/dX = lambda g/(g + H)^3 there;
  * the relative loss of film thickness is
  *     c f + 0.4 e^(-L/3) (2 lambda/pi) int X g/(g + H)^3 dX,   X > |X_a|,
- *     f = int g/(g + H)^3 dX, X > |X_a|, over the same for X > 1,
- *     c = 0.7 L/(L + 1) M/(M + 0.6):
+ *     f = int g/(g + H)^3 dX, X > |X_a|, divided by the same for X > 1,
+ *     c = 0.7 L/(L + 1) M/(M + 0.6).
  * The first term applies if the viscosity increases with pressure: the pressure
  * missing at X_a is missing at the edge of the contact. The second term is the
  * load carried upstream of X_a by a film of constant viscosity.
  *
- * Accuracy, measured by moving the inlet upstream: M = 1 to 1000, L = 0 to 15,
- * X_a = -2 to -8, losses of 1e-5 to 20 %: within a factor of 1.5 (two thirds of
- * all within 1.15).  Half a per cent by inlets as far out as that takes, M = 1
- * to 30, L = 0 to 18, four times as far for comparison: the loss is at most 1.1
- * + 0.75/M times the estimate, most at M = 1 where films pass from rigid to
- * elastic; 2e-2 to 1e-4 at most 1.4 times that.
+ * Accuracy, measured by moving the inlet upstream (M = 1 to 1000, L = 0 to 15,
+ * X_a = -2 to -8, losses of 1e-5 to 20 %): within a factor of 1.5, in two
+ * thirds of the cases within 1.15. Inlets chosen for an estimated loss of 0.5 %
+ * were compared with inlets four times as far upstream (M = 1 to 30, L = 0 to
+ * 18): the loss is at most 1.1 + 0.75/M times the estimate, with the largest
+ * ratio at M = 1, where films change from rigid to elastic. For estimates of
+ * 2e-2 to 1e-4 the ratio is at most 1.4.
  *
  * The rolling friction including the part upstream of X_a
  * (simulation/friction.c) is too low by 1.15 M^2/(M^2 + 4) times the first term
  * minus 0.6 times the second. The default inlet changes it by -3e-3 to 5e-3 (M
- * = 1 to 300, L = 0 to 15, compared with inlets four times as far out).  An
- * error of 7e-4 remains, of 2e-3 below M = 3.
+ * = 1 to 300, L = 0 to 15, compared with inlets four times as far upstream). An
+ * error of 7e-4 remains, or of 2e-3 below M = 3.
  */
 #include "contact/starvation.h"
 

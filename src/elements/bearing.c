@@ -2,17 +2,20 @@
 /*
  * Cylindrical roller bearing with a radial load of constant direction.
  *
- * Rollers at the angles psi_k from the load carry
- *   Q_k = K (d cos psi_k - clearance/2)+^(10/9),  sum Q_k cos psi_k = load
- * for the displacement d of the inner ring; K of both contacts by Palmgren's
- * approach of a roller, 3.84e-5 Q^0.9/l^0.8 (mm, N) at each of them (Harris,
- * Rolling Bearing Analysis).  Rolling: the raceways' speeds are v = omega d/2,
- * the cage's (v_i + v_o)/pitch, a roller's spin (v_o - v_i)/roller.
+ * The roller at the angle psi_k from the load carries
  *
- * A point of the raceway of contact k turns by omega_k against the load and
- * meets the next roller after 2 pi/(n |omega_k - cage|), 2 pi omega_k/(n
- * |omega_k - cage|) further on: that position of all rollers decides what the
- * roller carries then.
+ *   Q_k = K (d cos psi_k - clearance/2)+^(10/9),  sum Q_k cos psi_k = load,
+ *
+ * where d is the displacement of the inner ring. The stiffness K of the two
+ * contacts in series follows from Palmgren's approach of a roller and a
+ * raceway, 3.84e-5 Q^0.9/l^0.8 (mm, N; Harris, Rolling Bearing Analysis).
+ * Without sliding the raceways have the speeds v = omega d/2, the cage rotates
+ * at (v_i + v_o)/pitch, and a roller at (v_o - v_i)/roller.
+ *
+ * A point of the raceway of contact k rotates by omega_k relative to the load.
+ * It meets the next roller after the time 2 pi/(n |omega_k - cage|), at an
+ * angle larger by 2 pi omega_k/(n |omega_k - cage|). The load of that roller is
+ * computed with all rollers in the positions of that time.
  */
 #include "elements/elements.h"
 

@@ -1,18 +1,20 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Cam with a translating follower whose line of motion passes through the cam's
- * axis. s(theta) is the lift, omega the cam's speed, rb and rr the radii of
- * base circle and roller.
+ * axis. s(theta) is the lift, omega the rotational speed of the cam, rb and rr
+ * the radii of base circle and roller.
  *
  * Flat:    R_1 = rb + s + s'',  R_2 = infinite,  u1 = omega R_1,
  *          u2 = omega s'',  F = preload + spring s + mass omega^2 s''
  * Roller:  r = rb + rr + s,  q = r^2 + s'^2
  *          rho = q^(3/2)/(r^2 + 2 s'^2 - r s'')       of the pitch curve
  *          R_1 = rho - rr,  R_2 = rr,  u1 = omega sqrt(q) (rho - rr)/rho
- *          the contact carries F sqrt(q)/r
- * (the pitch curve in polar coordinates; the speed of the contact along the cam
- * is that of its pitch point less the roller's part).  A flat follower's mean
- * speed omega (rb + s + 2 s'')/2 may pass zero, a roller's never does.
+ *          load of the contact: F sqrt(q)/r
+ *
+ * The pitch curve of the roller is in polar coordinates. The contact moves
+ * along the cam at the speed of the pitch point times (rho - rr)/rho. The
+ * entrainment speed of a flat follower, omega (rb + s + 2 s'')/2, may pass
+ * zero; that of a roller follower does not.
  */
 #include <math.h>
 

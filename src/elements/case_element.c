@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Reference contact of a machine element. Gear pair: at the pitch point, with
- * the total load. Cam: at the nose, with the largest mean speed and load of the
- * event. Bearing: at the most heavily loaded roller. Variations are given
- * relative to it by tables: 1601 times, and a point at every corner.
+ * the total load. Cam: at the nose, with the largest entrainment speed and load
+ * of the event. Bearing: at the most heavily loaded roller. Time histories
+ * relative to the reference are tables of 1601 times and of every corner.
  */
 #include "elements/case_element.h"
 #include "base/error.h"

@@ -7,13 +7,15 @@
  *   inv aw = inv at + 2 (x1 + x2) tan an/(z1 + z2),  a = a_d cos at/cos aw
  *   L = a sin aw,  p = pi mt cos at,  s = sign z2
  *   R1_A = L - s sqrt(da2^2/4 - rb2^2),  R1_E = sqrt(da1^2/4 - rb1^2)
- * (Niemann & Winter, Maschinenelemente 2; ISO 21771), signs of an internal gear
- * by z2 < 0.  At the distance R1 from the base circle of gear 1 the flanks have
- * the radii R1 and L - R1 and the speeds omega_k R_k.
+ *
+ * z2 < 0 is an internal gear. At the distance R1 from the base circle of gear 1
+ * the flanks have the radii R1 and L - R1 and the speeds omega_k R_k.
  *
  * Helical teeth touch along lines that lie in the plane of action at the angle
- * bb to the axes: what moves across such a line is the transverse speed, and
- * radii across it are the transverse ones over cos bb.
+ * bb to the axes. The speed across such a line is the transverse speed. Radii
+ * across it are the transverse radii divided by cos bb.
+ *
+ * Source: Niemann & Winter, Maschinenelemente 2; ISO 21771.
  */
 #include <math.h>
 #include <stdlib.h>

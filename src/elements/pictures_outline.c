@@ -1,18 +1,22 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Outlines of teeth and cams, as their drawing has them.
+ * Outlines of teeth and cams for scale drawings.
  *
- * Teeth, in the transverse section: at the radius r half a tooth takes the
+ * Teeth, in the transverse section: half a tooth subtends at the radius r the
  * angle
- *   psi(r) = (pi/2 + 2 x tan a_n)/z + inv a_t - inv(acos(r_b/r))
- * of its gear; of an internal one z < 0, and what the formula gives is minus
- * the half angle of the ring's tooth.  The gears are turned so that the flanks
- * meet at the place of the contact: gear 1 pushes the tooth before it, which is
- * gear 2's.  Feet are drawn 1.25 modules deep, without fillets.
  *
- * Cams: the contact lies at the follower's place less what the follower is
- * about it: flat, (rb + s) e_r + s' e_t; a roller, r e_r less rr times the
- * outward normal (r e_r - s' e_t)/sqrt(r^2 + s'^2).
+ *   psi(r) = (pi/2 + 2 x tan a_n)/z + inv a_t - inv(acos(r_b/r)).
+ *
+ * For an internal gear z < 0, and the formula gives minus the half angle of the
+ * ring's tooth. The gears are rotated so that the flanks meet at the contact
+ * point; the active flank of gear 1 faces gear 2. Teeth extend 1.25 modules
+ * below the reference circle and have no fillets.
+ *
+ * Cams: position of the contact on the cam, with the unit vectors e_r and e_t
+ * at the follower's angle:
+ *
+ *   flat    (rb + s) e_r + s' e_t
+ *   roller  r e_r - rr (r e_r - s' e_t)/sqrt(r^2 + s'^2)
  */
 #include <math.h>
 #include <stdlib.h>

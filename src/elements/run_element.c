@@ -2,14 +2,14 @@
 /*
  * Computes results of the gear pair, cam or bearing of a run.
  *
- * Gears: one pair of teeth loses the energy e a width over its way, and a new
- * one begins after each base pitch: the mesh loses e/(p/v) over the length of
- * its contact lines, face/cos of the base helix, p the base pitch and v the
- * speed along the line of action.  It is the mean power of the run times the
- * number of pairs that touch on average.  A slice of helical teeth stands for
- * the whole face.
+ * Gears: a pair of teeth dissipates the energy e per unit width along its path
+ * of contact, and a new pair enters after each base pitch p. The power loss of
+ * the mesh is e v/p times the length of the contact lines, face width/cos(base
+ * helix angle), where v is the speed along the line of action. It equals the
+ * mean power of the run times the mean number of pairs in contact. A slice of
+ * helical teeth represents the whole face width.
  *
- * Cams: the energy of the event, once a turn.  Bearings: one roller on the
+ * Cams: the energy of one event per revolution. Bearings: one roller on the
  * raceway.
  */
 #include "elements/run_element.h"

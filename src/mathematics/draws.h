@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Random numbers by their index: the i-th draw of a key is a function of the
- * seed, the key's name and i alone, so that any process on any host can compute
- * any of them in any order with the same bits.
+ * Random numbers by their index: the i-th draw of a key depends only on the
+ * seed, the key's name and i. Any process on any host can therefore compute any
+ * draw in any order with the same bits.
  *
  *   plain  splitmix64 (Steele, Lea & Flood 2014) of seed, FNV-1a of the key,
- *          and i; 53 bits and a half, so never 0 nor 1
+ *          and i; 53 bits and a half, so that no draw is 0 or 1
  *   lhs    (p(i) + u(i))/draws with a permutation p that is evaluated for one
  *          i: each of as many equal strata has one draw (McKay, Beckman &
  *          Conover 1979)
  *   sobol  points of Sobol' (directions of Bratley & Fox 1988, as in GSL; point
- *          0 is the origin, which GSL leaves out), shifted modulo 1 by a random
+ *          0 is the origin, which GSL omits), shifted modulo 1 by a random
  *          vector for each replicate (Cranley & Patterson 1976): replicates
  *          are independent, and their spread is the error of the mean
  */

@@ -6,28 +6,29 @@
  *
  *     cycle(l): relax; restrict; cycle(l - 1); correct; relax
  *
- * down to the base, which is solved by ordinary cycles (cycle.h).  A node that
+ * down to the base, which is solved by ordinary cycles (cycle.h). A node that
  * is not strictly inside a finer patch is a leaf; the solution consists of the
  * values at the leaves.
  *
  * Restriction to the parent, whose values have a prime:
- *     P'    under the patch: full weighting where three nodes are wet, else,
- *           and within four nodes of the ends, injection
- *     gap'  under the patch injected H - H0 + w', outside rigid' less the
- *           deformation of what the patches add (below)
- *     F'    under the patch N' + full weighting of the residual, outside F0';
- *           at J*, where it ends,
+ *     P'    under the patch: full weighting where three nodes are pressurized;
+ *           injection elsewhere and within four nodes of the ends
+ *     gap'  under the patch: injected H - H0 + w'; outside: rigid' less the
+ *           deformation by the additional pressure of the patches (below)
+ *     F'    under the patch: N' + full weighting of the residual; outside: F0';
+ *           at J*, where the patch ends,
  *           N' + F0' - (Phi_{J+1/2} - Phi_{J-1/2})/D'
- *           with Phi = eps dP/dX - Cu (1.5 q_i - 0.5 q_{i-1}) of the parent
- *           outside and inside the mean of the two of the patch that lie a
- *           quarter of D' on either side: what flows out of one grid flows
- *           into the other
- *     force of the base: asked for less what the patches add
+ *           with the mass flow Phi = eps dP/dX - Cu (1.5 q_i - 0.5 q_{i-1}).
+ *           On the outer side Phi is that of the parent, on the inner side the
+ *           mean of two values of the patch, D'/4 to either side. Thus the
+ *           flow out of one grid equals the flow into the other.
+ *     force of the base: required force less the additional force of the
+ * patches
  *
- * Correction: P += I (P' - P' at entry) in pressurized nodes, the edges and the
- * film by the parent's pressures as they have become.
+ * Correction: P += I (P' - P' at entry) in pressurized nodes. The edges of the
+ * patch and its film follow from the corrected pressures of the parent.
  *
- * After Bai & Brandt's and McCormick's fast adaptive composite grids; measured
+ * After Bai & Brandt's and McCormick's fast adaptive composite grids; compared
  * with dense Newton solutions on the same leaves.
  */
 #ifndef OVR_MULTIGRID_COMPOSITE_H

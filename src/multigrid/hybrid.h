@@ -2,38 +2,40 @@
 /*
  * The paper's hybrid relaxation (section 5 of Venner, ten Napel & Bosma 1990).
  *
- * One sweep in order of X, film and properties fixed:
+ * One sweep in order of X, with fixed film and properties:
  *   where eps/D^2 > switch_value, Gauss-Seidel:
- *     P_i <- max(0, P_i + relax_seidel r_i / A_ii)     at once;
+ *     P_i <- max(0, P_i + relax_seidel r_i / A_ii)     immediately;
  *   elsewhere, Jacobi dipole: P_i changes by delta_i and P_{i-1} by -delta_i,
- *     delta_i = relax_dipole r_i / (A_ii - A_{i,i-1})  when the sweep is done.
- * eps of the switch is the mean used in the row, (eps_{i-1} + 2 eps_i +
- * eps_{i+1})/4: with the node's own eps, a row with strong diffusion at a jump
- * of eps would be relaxed by the dipole, which reduces its error only by 0.8
- * per sweep. A_ij is the derivative given in line.h.  The kernel scales with D,
- * so that the switch eps/D^2 is independent of the grid; the paper's 0.01 on
- * eps/D belongs to its model problem (9) on its grids.
+ *     delta_i = relax_dipole r_i / (A_ii - A_{i,i-1})  after the sweep.
+ *
+ * A_ij is the derivative given in line.h. eps of the switch is the mean used in
+ * the row, (eps_{i-1} + 2 eps_i + eps_{i+1})/4. With the node's own eps, a row
+ * with strong diffusion at a jump of eps would be relaxed by the dipole, which
+ * reduces its error only by 0.8 per sweep. The kernel scales with D, so that
+ * the switch eps/D^2 is independent of the grid; the paper's 0.01 on eps/D
+ * belongs to its model problem (9) on its grids.
  *
  * The algorithm of the paper alone stalls or diverges here. It was changed as
- * follows:
- *  1. Cavitated nodes that do not want to rise are held, with allowance for
- *     rounding (line.h).  The residual of a coarse cavitated node is rounding
- *     error, whose sign made it pressurized at random: a limit cycle of the
- *     last pressurized nodes.
- *  2. A pointwise sweep moves the end of the film by a node, a coarse grid by
- *     several.  So each sweep ends with a few line solves (tridiagonal, film
- *     fixed, projected) of the last rows before the end.
- *  3. How many rows: a solve with fixed film over a length l is stable only
- *     while diffusion, eps (pi/l)^2, outweighs the elastic response of the
- *     wedge, of order 1.  The rows taken have l^2 < 3 eps at the first of
- *     them.  Fewer do, more diverge: at M = 20, L = 2.5 a window 56 nodes
- *     long failed, and the more surely the more often it was solved.
- *  4. The switch.  Gauss-Seidel on the second-order wedge amplifies what
- *     travels downstream where eps/D^2 is 0.4 to 2; it is slow (1.25 a cycle
- *     at M = 50, L = 10, level 12, X = 0.75), but fine grids have wide zones
- *     of such eps.  3 instead of 0.3 ended that.
- *  5. V(2,2): with one sweep after the coarse grid what the correction leaves
- *     at the spike came back in the next one (M = 50, L = 15, level 10).
+ * follows: 1. Cavitated nodes keep P = 0 unless their residual, with allowance
+ * for
+ *     rounding (line.h), would make P positive. The residual of a coarse
+ *     cavitated node is rounding error. Its sign would make nodes pressurized
+ *     at random and cause a limit cycle of the last pressurized nodes.
+ * 2. A pointwise sweep moves the cavitation boundary by one node, a coarse
+ *     grid by several. Each sweep therefore ends with a few line solves
+ *     (tridiagonal, film fixed, projected) of the last rows before it.
+ * 3. Number of rows: a solve with fixed film over a length l is stable only
+ *     if diffusion, eps (pi/l)^2, exceeds the elastic response of the wedge,
+ *     which is of order 1. The rows therefore have l^2 < 3 eps at the first
+ *     of them. Longer windows diverge: at M = 20, L = 2.5 a window of 56
+ *     nodes failed, and repeated solves increased its error.
+ * 4. The switch value is 3 instead of 0.3. Gauss-Seidel on the second-order
+ *     wedge amplifies disturbances that travel downstream where eps/D^2 is
+ *     0.4 to 2. The growth is slow (1.25 a cycle at M = 50, L = 10, level 12,
+ *     X = 0.75), but fine grids have wide zones with such eps.
+ * 5. V(2,2) cycles: with one sweep after the coarse-grid correction, the
+ *     error that the correction leaves at the spike returned in the next
+ *     cycle (M = 50, L = 15, level 10).
  */
 #ifndef OVR_MULTIGRID_HYBRID_H
 #define OVR_MULTIGRID_HYBRID_H

@@ -2,25 +2,27 @@
 /*
  * Mixed lubrication: the sum of fluid and asperity pressure, P = P_f + A(H).
  *
- *     H = H0 + gap - w(P)      the solids feel the whole pressure P
+ *     H = H0 + gap - w(P)      the solids deform under the sum P
  *     Reynolds' equation for P_f, with lubricant properties at P_f
- *     P_f > 0: wet; else P_f = 0, and the row is P - A(H) = 0: dry contact
+ *     P_f > 0: pressurized node; otherwise P_f = 0, and the row of the node is
+ *              P - A(H) = 0 (dry contact)
  *     D sum P = force
  *
- * A law A(H) >= 0 falls with H: the pressure carried, at the mean gap H, by
- * asperities finer than the grid or by a boundary layer.  Field P of a level
- * contains P_f, and `borne` contains P - P_f: A(H) at a pressurized node, the
- * result of the last correction at a cavitated node (A(H) when solved).
+ * The law A(H) >= 0 decreases with H. It is the pressure carried, at the mean
+ * gap H, by asperities finer than the grid or by a boundary layer. Field P of a
+ * level contains P_f, and `borne` contains P - P_f: A(H) at a pressurized node,
+ * the result of the last correction at a cavitated node (A(H) when solved).
  *
  * Newton's method with all derivatives, g = -dA/dH, k the elastic influence:
- *     dH = dH0 - k dP,   dP_f = dP + g dH in pressurized nodes, 0 in dry ones
- *     wet row i:  t_e = dN_i/dP_f of node e at fixed film; the entry
- *                 for -dN_i/dH_e is less by t_e g_e
- *                 a node that has just turned wet has P < P_f + A, as its
- *                 state was another: the right-hand side is less by t_e
- *                 (P - A - P_f)_e, otherwise several steps are needed
- *     dry row i:  dP_i + g_i (dH0 - sum_j k dP_j) = A_i - P_i, divided by
- *                 1 + g_i |k(0)| n
+ *     dH = dH0 - k dP,   dP_f = dP + g dH in pressurized nodes, 0 elsewhere
+ *     pressurized row i:  t_e = dN_i/dP_f of node e at fixed film; the entry
+ *                 for -dN_i/dH_e is reduced by t_e g_e. A node that has just
+ *                 become pressurized has P < P_f + A because of its former
+ *                 state: the right-hand side is reduced by
+ *                 t_e (P - A - P_f)_e, otherwise several steps are needed
+ *     cavitated row i:  dP_i + g_i (dH0 - sum_j k dP_j) = A_i - P_i, divided
+ *                 by 1 + g_i |k(0)| n
+ *
  * During the iteration the film thickness is an additional unknown. In one step
  * it falls at most to a fifth, and A(H), which is nearly exponential, at most
  * doubles or grows to 0.05 p_h. The excess of the film thickness over H0 + gap
@@ -32,10 +34,9 @@
  *
  * The finest grid is solved by Newton's method only (coarsest.h, tripoles.h),
  * in O(n log n) per step. The initial guess is the full-film solution of full
- * multigrid.  At the ends of the film nodes become pressurized one by one.
- * After three such steps, 2, 4, ... 128 nodes on either side are assumed
- * pressurized; those with a negative result are cavitated, and the step is
- * repeated.
+ * multigrid. At the ends of the film nodes become pressurized one by one. After
+ * three such steps, 2, 4, ... 128 nodes on either side are assumed pressurized;
+ * those with a negative result are cavitated, and the step is repeated.
  */
 #ifndef OVR_MULTIGRID_MIXED_CONTACT_H
 #define OVR_MULTIGRID_MIXED_CONTACT_H

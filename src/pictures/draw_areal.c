@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Maps of a strip. X| < 0.9 sets the upper end of their range, which begins at
- * the smallest one. Colours of pressure begin at zero.|Fields are interpolated
- * bilinearly to a uniform grid, about one cell per two pixels; they are
- * periodic across the rolling direction. Film thickness far from the contact
- * would use most colours, so its range is from the minimum to the maximum in
- * |X| < 0.9. Colours of pressure begin at zero.|X| < 0.9 sets the upper end of
- * their range, which begins at the smallest one. Colours of pressure begin at
+ * Maps of a strip: fields at one time as colours in the plane of the contact.
+ *
+ * Fields are interpolated bilinearly to a uniform grid with about one cell per
+ * two pixels; they are periodic across the rolling direction. The range of film
+ * thickness extends to the maximum in |X| < 0.9 only, because film thicknesses
+ * far from the contact would use most colours. Colours of pressure begin at
  * zero.
  */
 #include "pictures/areal.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The kinds of single pictures: each makes a chart from runs, in an arena,
- * and hands it on. */
+/* The kinds of single pictures: each function makes a chart from runs, in an
+ * arena, and passes it to a drawing function. */
 #ifndef OVR_PICTURES_PICTURE_H
 #define OVR_PICTURES_PICTURE_H
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The chart of snapshots: pressure above, film below and, under the film, the
- * undeformed roughness; temperatures, if any, below both. One column for each
- * time, or all times in one; a movie frame is a chart of one time.
+ * The chart of snapshots. Panels from top to bottom: pressure, film thickness
+ * with the undeformed roughness, temperatures if there are any. One column for
+ * each time, or all times in one column; a movie frame is a chart of one time.
  */
 #ifndef OVR_PICTURES_SNAPSHOT_H
 #define OVR_PICTURES_SNAPSHOT_H

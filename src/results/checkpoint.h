@@ -3,25 +3,35 @@
  * The checkpoint file OUT.h5.restart.
  *
  *   magic   16 bytes "overroll restart"
- *   order   64-bit 0x0102030405060708 as the machine lays it
- *   pieces  each: length of its name and of its content (64 bit each), name,
- *           content, neither with an end
- *   end     a piece without name, holding the crc32 of all before it (64 bit)
+ *   order   64-bit 0x0102030405060708 in the machine's byte order
+ *   pieces  each: length of its name and of its content (64 bits each), name
+ *           and content without terminators
+ *   end     a piece without a name that contains the crc32 of all preceding
+ *           bytes (64 bits)
  *
- * Pieces: "format" (a number of 64 bit), "version" (of the program), "created"
- * (the result file's date_created, which ties the two together), "case path",
- * "case text", "value +NAME" or "value -NAME" (physics or not) with the
- * parameter's text, "counts" (checkpoint_counts), "base" (the checkpoint's
- * number, 64 bit: store.h; 0 where it is missing), then "state NAME" for each
- * piece that ovr_simulation_visit shows, in any order, and "state S", the
- * surface at that moment; none of these before the first checkpoint. Readers
- * find pieces by name. Unknown pieces are ignored, a missing number (8 bytes at
- * most) keeps its previous value, and arrays must exist.
+ * Pieces before the first checkpoint:
  *
- * It is written as OUT.h5.restart.part, synced and renamed to replace the
- * preceding one, and the folder is synced. A complete checkpoint thus always
- * exists. The result file is flushed and synced first, so that it contains the
- * rows that the checkpoint counts.
+ *   "format"         64-bit number
+ *   "version"        of the program
+ *   "created"        date_created of the result file, which identifies it
+ *   "case path", "case text"
+ *   "value +NAME"    text of a parameter of the physics, or
+ *   "value -NAME"    of another parameter
+ *   "counts"         checkpoint_counts
+ *
+ * Pieces of a checkpoint, in any order:
+ *
+ *   "base"           number of the checkpoint (64 bits, store.h); default: 0
+ *   "state NAME"     each part of the state (ovr_simulation_visit)
+ *   "state S"        the surface at that time
+ *
+ * Readers find pieces by name. Unknown pieces are ignored. A missing number (at
+ * most 8 bytes) keeps its previous value; a missing array is an error.
+ *
+ * The file is written as OUT.h5.restart.part, synced and renamed to replace the
+ * preceding checkpoint, and the folder is synced. A complete checkpoint thus
+ * always exists. The result file is flushed and synced first, so that it
+ * contains the rows that the checkpoint counts.
  */
 #ifndef OVR_RESULTS_CHECKPOINT_H
 #define OVR_RESULTS_CHECKPOINT_H

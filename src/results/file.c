@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Rows of a result file.
+ * Writes rows of a result file.
  *
- * A snapshot is one chunk of each field, compressed here and passed to HDF5,
- * and then its time. Readers see it after the next flush. Every flush is
- * checked, because it fails if the disk is full.
+ * A snapshot is one chunk of each field, compressed here and passed to HDF5;
+ * its time is written last. Readers see the snapshot after the next flush.
+ * Every flush is checked, because it fails if the disk is full.
  */
 #include "results/file.h"
 

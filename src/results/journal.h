@@ -3,23 +3,25 @@
  * The journal of a store: data to restore the last checkpoint, and checksums of
  * the file's states since then.
  *
- *   header   16 bytes "overroll journal", then 64 bits each, as the machine
- *            lays them: 2, number of the checkpoint, length of the file then,
- *            a salt; 32 bytes of the file's date_created; checksum of these
- *   records  each: the header's salt, its kind, where, bytes of its content
- *            (64 bits each), checksum (crc32) of these and of the content
- *       page     where: number of a page; as it was at the checkpoint.  It
- *                stands here, synced, before it is changed in the file
- *       state    where: length of the file that a commit is about to leave;
- *                number, bytes and checksum of each page changed by it
+ *   header   16 bytes "overroll journal"; then 64 bits each, in the machine's
+ *            byte order: the version 2, number of the checkpoint, length of
+ *            the file at that time, a salt; 32 bytes of the file's
+ *            date_created; checksum of these
+ *   records  each: the header's salt, kind, position, number of bytes (64 bits
+ *            each), checksum (crc32) of these and of the content, content
+ *       page     position: page number. Content: the page as it was at the
+ *                checkpoint. The record is synced before the page is changed in
+ *                the file.
+ *       state    position: length of the file after the commit. Content:
+ *                number, bytes and checksum of each page that it changes
  *
- * The log ends at the first record that is not whole or has another salt: the
- * commit that wrote it had not touched the file yet.  A journal with an
+ * The log ends at the first record that is incomplete or has another salt. The
+ * commit that wrote this record had not changed the file yet. A journal with an
  * incomplete header means that nothing was changed since the checkpoint.
  *
  * A file is complete if its pages match the last state or the preceding one (or
- * the checkpoint, if there is only one).  Otherwise a commit was
- * interrupted by the end of the process or of the machine.
+ * the checkpoint, if there is only one). Otherwise a commit was interrupted by
+ * the end of the process or of the machine.
  */
 #ifndef OVR_RESULTS_JOURNAL_H
 #define OVR_RESULTS_JOURNAL_H

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Parcels on their way from the solver to the file.
+ * Parcels: blocks of data that the solver's thread passes to the writing
+ * thread.
  *
  * The solver's thread fills a parcel and posts it. The writing thread processes
  * parcels in order, so that compression and disk access cost the solver only a
- * copy. Without that thread a posted parcel is written at once, and so are the
- * first parcels, so that short runs have no thread. After a failure later
- * parcels are dropped, and every later call returns the failure.
+ * copy. Without that thread a posted parcel is written at once. This also
+ * applies to the first parcels, so that short runs have no thread. After a
+ * failure later parcels are dropped, and every later call returns the failure.
  */
 #ifndef OVR_RESULTS_QUEUE_H
 #define OVR_RESULTS_QUEUE_H

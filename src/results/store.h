@@ -2,42 +2,47 @@
 /*
  * The bytes of a growing result file, changed only by complete commits.
  *
- * HDF5 writes anywhere in its file at any time, so a program killed meanwhile
+ * HDF5 may write anywhere in its file at any time, so that a killed program
  * would leave an inconsistent file. This store is the layer between HDF5 and
- * the disk (file.h) and follows these rules:
+ * the disk (file.h). It follows these rules:
  *
  * 1. Bytes below the committed length, and below the length at the last
- *    checkpoint, change only in a commit.  Until then they are kept in memory,
- *    by pages.  Bytes above may be written at once: nothing that is committed
- *    refers to them.
- * 2. A commit first puts the pages that it will change, as they were at the
- *    last checkpoint, into OUT.h5.journal, unless they are there, with the
- *    checksums of what it will leave; if there were such pages it syncs the
- *    journal.  Then it writes the changed pages to the file, page 0 (HDF5's
- *    superblock) last.  So whoever opens the file to write can always go back
- *    to the last checkpoint, whatever of the pages written since has reached
- *    the disk; and readers see whether a file is in a state that a commit left
- *    (journal.c).
- * 3. A checkpoint syncs the file, writes and syncs the state of the run, which
- *    names the checkpoint's number, and its name; then the journal begins
- *    anew, with that number.  A journal of another number than the state has is
- *    not used: it is that of the checkpoint before, and nothing was changed
- *    since this one.
- * 4. A journal is used only for a file in which its date of creation stands;
- *    else it belongs to another.
- * 5. A failed write (a full disk) is noted and its bytes are kept in memory,
- *    and so are all after it: HDF5, which does not survive failing writes, is
- *    let believe that all is well until it is closed.  Nothing is committed
- *    any more; the file stays as the last commit left it.
- * 6. The journal carries the lock (flock) that keeps a second writer out, and
- *    the one between commits and our own readers (journal.h); it is
- *    removed at the end, when the file is synced.  Other readers are kept from
- *    nothing.
- * 7. A new file grows as OUT.h5.part and gets its name when its first commit
- *    is synced.
+ * checkpoint, change only in a commit. Until then their pages are kept in
+ * memory. Bytes beyond that length may be written at once, because no committed
+ * data refer to them.
  *
- * A commit that changes only pages that are kept already does not sync: what
- * the death of the machine takes is what came after the last checkpoint.
+ * 2. A commit first writes to OUT.h5.journal the pages that it will change, as
+ * they were at the last checkpoint, unless the journal contains them already,
+ * and the checksums of the new state. If it has written pages, it syncs the
+ * journal. It then writes the changed pages to the file, page 0 (HDF5's
+ * superblock) last. A writer that opens the file later can therefore always
+ * restore the last checkpoint, even if only some of the new pages have reached
+ * the disk. Readers can check whether the file is in a committed state
+ * (journal.c).
+ *
+ * 3. A checkpoint syncs the file. It then writes, syncs and renames the state
+ * of the run, which contains the number of the checkpoint. Then a new journal
+ * with that number begins. A journal with another number
+ * than the state belongs to the preceding checkpoint. It is not used, because
+ * the file has not changed since the new checkpoint.
+ *
+ * 4. A journal is used only for the file whose date of creation it contains.
+ *
+ * 5. A failed write (a full disk) is recorded. Its bytes and those of all later
+ * writes are kept in memory, because HDF5 does not survive failing writes. HDF5
+ * is not informed of the failure. There are no further commits, and the file
+ * keeps the state of the last commit.
+ *
+ * 6. A lock of the journal (flock) excludes a second writer. Another one
+ * separates commits from this library's readers (journal.h). Readers of other
+ * programs are not excluded. The journal is removed at the end, when the file
+ * is synced.
+ *
+ * 7. A new file is written as OUT.h5.part and gets its name when its first
+ * commit is synced.
+ *
+ * A commit that changes only pages in the journal does not sync. If the machine
+ * fails, data written after the last checkpoint are lost.
  */
 #ifndef OVR_RESULTS_STORE_H
 #define OVR_RESULTS_STORE_H

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* "H_min_overall at least 0.05", "P_max <= 2 GPa": a number of a run and what
- * it is compared with. */
+/* A condition on a number of a run, such as "H_min_overall at least 0.05" or
+ * "P_max <= 2 GPa". */
 #ifndef OVR_RUN_COMPARISON_H
 #define OVR_RUN_COMPARISON_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Comma-separated tables (RFC 4180): writer and reader of studies, searches and
+/* Reads and writes comma-separated tables (RFC 4180) of studies, searches and
  * lists of values. */
 #ifndef OVR_RUN_CSV_H
 #define OVR_RUN_CSV_H

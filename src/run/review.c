@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Reviews a run before the solve: a grid too coarse for its features and the
- * like. */
+/* Warnings about a case before it is solved, such as a grid that is too coarse
+ * for its features. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

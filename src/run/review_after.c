@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Reviews a run that has been made. */
+/* Warnings about a completed run. */
 #include <math.h>
 
 #include "case/domain.h"

@@ -1,25 +1,27 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A wave s = exp(i (k X - w T)), w = k u, is on one surface.  It changes the
- * film thickness by h = d - s with the deformation d.  To first order
- *     (eps p' + a h + b p - rho h - rho_P H p)' + i w (rho h + rho_P H p) = 0
- * with a = P' d eps/dH, b = P' d eps/dP of the smooth contact.
- * All waves have positive wave numbers, so that d = p/k becomes p = -i d' and
- * the equation is local.
- * Its solution contains the wave that moves with the surface and the wave that
- * comes from the inlet with the oil, at um.
- * In the middle of the contact it agrees with the theory in tools/validation.
- * Under shear eps is the mobility for small gradients, eps f'(t/tau0).
+ * Film roughness of sliding surfaces, relative to that of rolling ones, by the
+ * linear theory of small waves.
  *
- * With P and H of computed solutions the median error of 63 waves was 2 %.
- * Under heavy loads long waves were up to three times too large.
- * The error for rolling waves is nearly the same, so the ratio is used.
- * P and H are approximations.
+ * A wave s = exp(i (k X - w T)), w = k u, is on one surface. It changes the
+ * film thickness by h = d - s with the deformation d. To first order
+ *     (eps p' + a h + b p - rho h - rho_P H p)' + i w (rho h + rho_P H p) = 0
+ * with a = P' d eps/dH, b = P' d eps/dP of the smooth contact. All waves have
+ * positive wave numbers, so that d = p/k becomes p = -i d' and the equation is
+ * local. Its solution contains the wave that moves with the surface and the
+ * wave that comes from the inlet with the lubricant, at um. In the middle of
+ * the contact the solution agrees with the theory in tools/validation. With
+ * shear thinning eps is the mobility for small gradients, eps f'(t/tau0).
+ *
+ * Accuracy: with P and H of computed solutions the median error of 63 waves was
+ * 2 %. Under heavy loads long waves were up to three times too large. The error
+ * of rolling waves is nearly the same, so that the ratio of the two is used.
+ *
+ * Approximate P and H of the smooth contact:
  *     H = dry gap + (1 + excess) Hc
- * P is Hertzian, rounded at X = -1 in proportion to the inlet length l.
- * At X = -1 - l the dry gap is Hc.
- * In the inlet P is at most the solution of the Reynolds equation for this H,
- * scaled to end at 1.5 P(-1).
+ * P is Hertzian, rounded at X = -1 in proportion to the inlet length l. At X =
+ * -1 - l the dry gap is Hc. In the inlet P is at most the solution of the
+ * Reynolds equation for this H, scaled to end at 1.5 P(-1).
  */
 #include "run/sliding_waves.h"
 

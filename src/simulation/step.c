@@ -3,13 +3,13 @@
  * One implicit step:
  *   1. operator, history term, gap and force at T + dT;
  *   2. a guess by extrapolation in time (guess.c);
- *   3. cycles until residual and load are below tolerance;
- *   4. failing that, further attempts that are slower and steadier, the last
- *      by continuation (continuation.c);
- *   5. failing that, two half steps; at the smallest step a result that is
- *      poor is accepted and flagged, otherwise the state returns to the last
- *      time reached with an error;
- *   6. the past moves on, and the step is observed.
+ *   3. cycles until residual and load error are below tolerance;
+ *   4. if that fails, further attempts that are slower but more stable, the
+ *      last by continuation (continuation.c);
+ *   5. if they fail, two half steps. At the smallest step a result above the
+ *      tolerance is accepted and flagged if its residual is acceptable;
+ *      otherwise the state returns to the last completed time with an error;
+ *   6. the stored past is updated, and the step is observed.
  */
 #include "simulation/step_cycles.h"
 

@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The time when a feature, one of its copies or an end of it reaches a
- * position: the inverse of X_k(T) = start + (u_k/um) I(T), I the integral of
- * Cu, and of a way that turns where the speed does or where the sliding has a
- * history.
+ * Times at which a feature, one of its copies or one of its ends reaches a
+ * position.
+ *
+ * The position X_k(T) = start + (u_k/um) I(T), where I is the integral of Cu,
+ * is inverted by bisection. If the motion can reverse (entrainment speed with
+ * reversals, or a history of the sliding), the time is searched in steps and
+ * then bisected.
  */
 #include <math.h>
 

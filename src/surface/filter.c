@@ -1,18 +1,25 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Levelling and the Gaussian filter.
+ * Levelling of profiles, and the Gaussian filter.
  *
- * Gaussian filter, ISO 16610-21: weight s(d) = exp(-pi (d/(alpha lambda))^2),
- * alpha = sqrt(ln 2/pi), whose transmission is 2^(-(lambda/wavelength)^2):
- * one half at the cut-off.  The weight is cut at d = lambda, where it is
- * 7e-7.  Near the ends the window is one-sided; a straight line is fitted
- * under the weights and its value taken (regression of first order, ISO
- * 16610-28): where the window is symmetric this is the plain filter, and a
- * straight line passes unchanged everywhere.  Cost O(n lambda/spacing).
+ * Gaussian filter (ISO 16610-21). The weight at distance d is
  *
- * Levelling: polynomials orthogonal on the points by the three-term
- * recurrence (Forsythe 1957), p_(k+1) = (t - a_k) p_k - b_k p_(k-1), t in
- * [-1, 1]; each degree is subtracted as it is found.
+ *     s(d) = exp(-pi (d/(alpha lambda))^2),  alpha = sqrt(ln 2/pi).
+ *
+ * A wave is multiplied by 2^(-(lambda/wavelength)^2), which is one half at the
+ * cut-off lambda. The weight is set to zero beyond d = lambda, where it is
+ * 7e-7. A straight line is fitted with these weights, and its value at the
+ * point is the result (regression of first order, ISO 16610-28). In a symmetric
+ * window this equals the plain filter. Near the ends, where the window is
+ * one-sided, straight lines are still reproduced exactly. Cost O(n
+ * lambda/spacing).
+ *
+ * Levelling: polynomials p_k that are orthogonal on the points are computed by
+ * the three-term recurrence (Forsythe 1957),
+ *
+ *     p_(k+1) = (t - a_k) p_k - b_k p_(k-1),  t in [-1, 1].
+ *
+ * The component of the profile along each p_k is subtracted.
  */
 #include "surface/conditioning.h"
 

@@ -3,24 +3,26 @@
  * Form removal from profiles: mean, line, polynomial, circle, or automatic
  * choice.
  *
- * Circle.  Its sine of slope is linear, sin = S + K x, x from the middle of
- * the trace, so that its height is, without a division by the curvature K,
+ * Circle. With x measured from the middle of the trace, the sine of the slope
+ * is S + K x, where K is the curvature. The height is
  *
  *     z(x) = h + x (2S + K x)/(c_0 + c),  c = sqrt(1 - (S + K x)^2),
  *
- * c_0 = c(0): a line at K = 0, concave for K > 0, radius 1/|K|.  Of least
- * squares in height by Gauss and Newton, from h = S = K = 0, where the first
- * step is the parabola of least squares, with (q = S (2S + K x)/(c_0 + c)
- * + c_0)
+ * with c_0 = c(0). There is no division by K: K = 0 is a line, K > 0 a concave
+ * circle, and the radius is 1/|K|. The circle minimizes the sum of squared
+ * height differences (Gauss-Newton method). The start is h = S = K = 0, so that
+ * the first step yields the least-squares parabola. With q = S (2S + K x)/(c_0
+ * + c) + c_0,
  *
  *     dz/dS = x q/(c c_0),  dz/dK = x^2 q^2/((1 + S (S + K x) + c c_0) c).
  *
- * Where heights and lengths have units of their own (eta and ell metres), the
- * same holds with the sine e (S + K x), e = eta/ell; e = 0, the parabola, is
- * what is left where only b and b^2/R are known.
+ * If heights are in units of eta metres and lengths in units of ell metres, the
+ * sine is e (S + K x) with e = eta/ell. If only the units b and b^2/R are
+ * known, e is 0, and the circle becomes a parabola.
  *
- * Auto goes from the simple to the less simple and takes the next form where
- * it leaves less than a quarter of the variance.
+ * The automatic choice tries a line, a circle and polynomials of degree 4 and
+ * 6. A later form is used only if its residual has less than a quarter of the
+ * variance.
  */
 #include "surface/form.h"
 

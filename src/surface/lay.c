@@ -3,16 +3,16 @@
  * Parameters of an areal surface: Sa, Sq, Ssk, Sku, texture aspect ratio Str
  * and the direction of the lay (ISO 25178-2).
  *
- * z is taken about its least-squares plane.  The autocorrelation
+ * z is measured from its least-squares plane. The autocorrelation
  *
  *     A(s) = (sum of z(r) z(r + s) over pairs) / (number of pairs) / Sq^2
  *
  * is the quotient of two transforms by FFT, of the heights and of the mask of
- * heights that exist, padded with zeros; grids of more than 256 points a side
- * are averaged over blocks first.  Along the direction t, r(t) is where A falls
- * below 0.2, at most R, half the shorter side.  Str = min r / max r.  The lay
- * is the direction of the largest integral of A from 0 to R, to about half a
- * degree for a lay of parallel grooves.
+ * existing heights, padded with zeros. Grids of more than 256 points a side are
+ * averaged over blocks first. r(t) is the distance in the direction t at which
+ * A falls below 0.2, at most R, half the shorter side. Str = min r / max r. The
+ * lay is the direction with the largest integral of A from 0 to R. For parallel
+ * grooves its error is about half a degree.
  */
 #include <gsl/gsl_fft_complex.h>
 #include <math.h>

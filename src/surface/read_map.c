@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Areal surfaces in text: a matrix, of which each line is a row of heights, or
+ * Areal surfaces in text: a matrix, each line of which is a row of heights, or
  * points x y z on a regular grid in any order.
  *
  * A matrix is recognized by its header (Gwyddion writes width, height and
- * unit), by more columns than a table has (64), by the choice of a line, or by
- * three or more nameless columns of which the first neither rises nor falls
- * throughout.  Points are recognized by three columns whose x and y form a grid
- * that is at least half full.
+ * unit), by more than 64 columns, by the selection of a line, or by three or
+ * more columns without names of which the first is not monotonic. Points are
+ * recognized by three columns whose x and y form a grid that is at least half
+ * full.
  */
 #include <math.h>
 #include <stdlib.h>

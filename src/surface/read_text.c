@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Profiles in text: two columns x z (or the two of more that the header or
- * the caller names), or one column z with a spacing.
+ * Profiles in text: two columns x z (or two of more columns, named by the
+ * header or the caller), or one column z with a spacing.
  *
- *   1. The encoding is undone; the first line whose fields are all numbers
- *      starts the data (a lone count above it is taken as such).
+ *   1. The encoding is detected. The first line whose fields are all numbers
+ *      starts the data; a single number above it is the number of points.
  *   2. The lines above specify units and columns; the caller's values take
  *      precedence. One error lists all missing information.
- *   3. Rows become points; rows run backwards, x repeated by rounding and
+ *   3. Rows become points. Rows in reverse order, x repeated by rounding, and
  *      missing heights are corrected or marked, with notes.
  */
 #include <math.h>

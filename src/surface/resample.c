@@ -4,21 +4,22 @@
  *
  *   1. Points at unequal distances are interpolated by GSL's natural spline to
  *      equal distances d (the mean distance, or the smallest if that is not
- *      below 1/8 of it).
- *   2. A windowed sinc gives the profile at any place,
+ *      below 1/8 of the mean).
+ *   2. A windowed sinc interpolates the profile between the points,
  *          z(s) = sum_j z_j w_j / sum_j w_j,
  *          w_j = sinc(2 fc u) B(u/W),  u = s - s_j,
  *      B the four-term Blackman-Harris window (side lobes -92 dB; Harris,
- *      Proc. IEEE 66, 1978).  When the profile is coarser than the grid, fc
- *      is the profile's own Nyquist frequency 1/(2 d) and the samples are
- *      kept; when finer, fc = 0.875/(2 D) and W = 24 D, so that wavelengths
- *      above 2.7 D pass and those below 2 D vanish.  Beyond its ends the
- *      profile is continued by point reflection at its end points.
- *   3. The table has 4 entries for each max(d, D), where a cubic spline is
- *      good to 1e-4 of the shortest wave and far better for longer ones.
+ *      Proc. IEEE 66, 1978). If the profile is coarser than the grid, fc is
+ *      the profile's Nyquist frequency 1/(2 d), and the samples are reproduced.
+ *      If it is finer, fc = 0.875/(2 D) and W = 24 D, so that wavelengths above
+ *      2.7 D pass and those below 2 D vanish. Beyond its ends the profile is
+ *      continued by point reflection at its end points.
+ *   3. The table has 4 entries for each max(d, D). Its cubic spline has an
+ *      error of 1e-4 of the amplitude for the shortest wave, and much less for
+ *      longer waves.
  *
  * Cost about 200 n. A profile shorter than the mesh size is rejected, because
- * nothing of it would pass the filter.
+ * the filter would remove all of it.
  */
 #include "surface/resample.h"
 

@@ -3,22 +3,25 @@
  * Dry contact of two surfaces with measured profiles. Computes the asperity
  * contact law for a mean film whose grid does not contain the profiles.
  *
- * One period of each profile, of the length of the shorter one and with blended
- * ends, is used. If both are rough, results are averaged over several relative
- * positions. At pressures p_j, from full contact down to single summits,
+ * One period of each profile is used, with blended ends and the length of the
+ * shorter profile. If both surfaces are rough, results are averaged over
+ * several relative positions. At mean pressures p_j, from full contact down to
+ * single summits, the results are
  *
- *     H_j = mean gap,  area_j = part that touches  (dry_contact.h)
- *     P_sj(x) = pressure on surface s at its own x, mean p_j
+ *     H_j     mean gap
+ *     area_j  contact area fraction (dry_contact.h)
+ *     P_sj(x) pressure on surface s at its own x, with mean p_j
  *
- * X in b, z and H in b^2/R, p in ph.  Pressures of the contact wear each
- * surface (Archard, J. Appl. Phys. 24 (1953) 981): over a contact that bears
- * A(X) the mean of the depth that surface s loses in a pass is
- * c_s int A dX; where it loses it,
+ * X is in b, z and H in b^2/R, p in p_h.
  *
- *     dz_s(x) = -c_s sum_j w_j P_sj(x),  sum_j w_j p_j = int A dX
+ * Wear of surface s in a pass (Archard, J. Appl. Phys. 24 (1953) 981): in a
+ * contact with the asperity pressure A(X) the mean worn depth is c_s int A dX,
+ * with the distribution
  *
- * with w_j from A = sum of its two neighbours in the p_j: the volume is kept to
- * rounding.
+ *     dz_s(x) = -c_s sum_j w_j P_sj(x),  sum_j w_j p_j = int A dX.
+ *
+ * The weights w_j interpolate A linearly between neighbouring p_j, so that the
+ * worn volume is correct to rounding.
  */
 #ifndef OVR_SURFACE_ROUGH_PAIR_H
 #define OVR_SURFACE_ROUGH_PAIR_H

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * The shapes of surface.h as functions of the distance s from their centre.
+ * Feature shapes of surface.h as functions of the distance s from their centre.
  *
- * Each is a row of a table with its sizes and a function that adds it to the
- * heights at n positions. Local shapes are set to zero below 1e-18 of their
- * height.
+ * Each shape is a row of a table with its sizes and a function that adds the
+ * shape to the heights at n positions. Local shapes are set to zero below 1e-18
+ * of their height.
  */
 #include <math.h>
 #include <stdint.h>

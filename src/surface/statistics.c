@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Computes heights, slopes and waves of a profile. */
+/* Computes height, slope and wavelength parameters of a profile. */
 #include "surface/statistics.h"
 
 #include <gsl/gsl_fft_real.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Heights, slopes and waves of a profile. */
+/* Height, slope and wavelength parameters of a profile. */
 #ifndef OVR_SURFACE_STATISTICS_H
 #define OVR_SURFACE_STATISTICS_H
 

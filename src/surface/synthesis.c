@@ -1,25 +1,27 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Random roughness of a given spectrum, from a seed.
+ * Random roughness with a given spectrum, from a seed.
  *
  *   1. z_i = sum_k sqrt(C_k) (a_k cos(2 pi k i/N) + b_k sin(2 pi k i/N)),
  *      k = 1 .. length/shortest; a_k, b_k Gaussian (GSL's MT19937, polar
  *      method), C_k the spectrum of profile.h; by GSL's radix-2 transform.
  *      N is the power of two with at least 8 points in the shortest wave.
- *   2. Scaled to Rq exactly; the mean is zero exactly (k >= 1).
- *   3. Skewness and kurtosis: the heights become, rank by rank, those of
- *      g(q) = q + c (q^2 - 1) + d q^3 at the N normal quantiles q (Fleishman
- *      1978), c and d found by Newton's method for the moments of just these
- *      N numbers; ranks and spectrum are restored by turns (Schreiber &
- *      Schmitz 1996), ranks last: the moments are exact, the spectrum nearly.
+ *   2. Heights are scaled to Rq exactly; the mean is exactly zero (k >= 1).
+ *   3. Skewness and kurtosis: the heights are replaced, rank by rank, by those
+ *      of g(q) = q + c (q^2 - 1) + d q^3 at the N normal quantiles q (Fleishman
+ *      1978). Newton's method yields c and d for the moments of these N
+ *      numbers. Ranks and spectrum are restored alternately (Schreiber &
+ *      Schmitz 1996), ranks last: the moments are exact, the spectrum is
+ *      approximate.
  *
- * Areal roughness is periodic in length x width.  Its waves (k, l) have
+ * Areal roughness is periodic in length x width. Its waves (k, l) have
  * k^2/length^2 + l^2/width^2 <= 1/shortest^2, with 4 points in the shortest
- * one.  The axes u and v are turned by the angle of the lay.  The spectrum is a
- * function of kappa^2 = k_u^2 + (k_v/peklenik)^2.  It is 1 below 2 pi/rolloff
+ * wave. The axes u and v are rotated by the angle of the lay. The spectrum is a
+ * function of kappa^2 = k_u^2 + (k_v/peklenik)^2. It is 1 below 2 pi/rolloff
  * and kappa^(-2 - 2 hurst) beyond, or (1 + (kappa correlation)^2)^(-3/2).
  *
- * Only +, *, sqrt, log, sin and cos enter: machines agree to rounding.
+ * Only +, *, sqrt, log, sin and cos are used, so that machines agree to
+ * rounding.
  */
 #include "overroll/profile.h"
 

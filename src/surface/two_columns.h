@@ -1,13 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Text files of two columns of numbers, the first of which increases.
- * Histories, lifts of cams, shares of load, laws of lubricants and of
- * asperities, stresses and limits by depth are read from such files.
+/*
+ * Text files of two columns of numbers, the first of which increases: time
+ * histories, cam lifts, load shares, lubricant laws, asperity contact laws, and
+ * stresses or fatigue limits as functions of depth.
  *
  * Separators, decimal commas and encodings are those of profiles
- * (table_line.h), and those of the first row hold for all.  "#" begins a
- * comment; empty lines do not count.  Lines before the numbers, comments too,
- * may name the units, in the order of the columns, whichever that is:
- * "pressure [MPa], density [kg/m3]". */
+ * (table_line.h); the form of the first row applies to all rows. "#" begins a
+ * comment; empty lines are ignored. Lines before the numbers, including
+ * comments, may name the units in the order of the columns, for example
+ * "pressure [MPa], density [kg/m3]".
+ */
 #ifndef OVR_SURFACE_TWO_COLUMNS_H
 #define OVR_SURFACE_TWO_COLUMNS_H
 

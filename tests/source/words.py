@@ -49,14 +49,24 @@ def c_tokens(text):
             yield "string", match.start(), token
 
 
-def comment_text(comment):
+def comment_text(comment, paragraphs):
     """Text of a comment without stars, and without lines of formulas."""
     comment = re.sub(r"^/\*+|\*+/$|^//", "", comment)
     lines = [re.sub(r"^\s*\*? ?", "", line) for line in comment.split("\n")]
-    kept = [line for k, line in enumerate(lines)
-            if not (k and line.startswith("   ") and
-                    not re.match(r"\s*[A-Za-z]+ [a-z]+ [a-z]+", line))]
-    return re.sub(r"\s+", " ", " ".join(kept)).strip(" -")
+    kept = []
+    for k, line in enumerate(lines):
+        if k and line.startswith("   ") and \
+                not re.match(r"\s*[A-Za-z]+ [a-z]+ [a-z]+", line):
+            continue
+        # A paragraph and an item of a list end the sentence before them.
+        if paragraphs and kept and (
+                not line.strip() or
+                re.match(r"\s*(\d+\.|-)\s+[A-Za-z]", line)):
+            kept.append(END)
+            line = re.sub(r"^\s*(\d+\.|-)\s+", "", line)
+        kept.append(line)
+    text = re.sub(r"\s+", " ", " ".join(kept))
+    return re.sub("( ?" + END + ")+ ?", END, text).strip(" -" + END)
 
 
 def texts_of_c(path, test):
@@ -82,7 +92,7 @@ def texts_of_c(path, test):
             continue
         if re.match(r"/\* -{9}", token):
             continue  # the title of a section
-        words = comment_text(token)
+        words = comment_text(token, not test)
         if "SPDX" in words or len(words.split()) < 2:
             continue
         first = not re.sub(r"/\*.*?\*/|//[^\n]*|\s", "", text[:start],

@@ -1,16 +1,19 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Mixed lubrication by the mean film: P = P_f + A(H), where A is the asperity
- * pressure at the mean gap H, carried by roughness that is not on the mesh and
- * by boundary layers (multigrid/mixed_contact.h). The choice of model is in
- * boundary_case.c.
+ * pressure at the mean gap H. It is carried by boundary layers and by roughness
+ * that is not on the grid (multigrid/mixed_contact.h). The choice of model is
+ * in keys.c.
  *
- * Boundary friction is mu_b A over the film's own shear stress, which acts on
- * the rest of the surface:
+ * On the contact area fraction phi the boundary shear stress replaces the
+ * film's shear stress:
+ *
  *     t = (1 - phi) t_film - sgn(V) mu_b A/kappa
- * Its power mu_b A |V|/kappa heats the film of its node, together with the
- * power (1 - phi) t_film V and Poiseuille's.  Flash temperatures of single
- * asperities are not included. Without sliding, boundary friction is zero.
+ *
+ * The power mu_b A |V|/kappa heats the film of its node, together with the
+ * power (1 - phi) t_film V and the dissipation of the Poiseuille flow. Flash
+ * temperatures of single asperities are not included. Without sliding, boundary
+ * friction is zero.
  */
 #include <math.h>
 #include <stdio.h>

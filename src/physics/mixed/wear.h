@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Running-in under constant operating conditions: in each step of the run the
- * two profiles wear in N passes, and their contact model changes.
- *     in a pass, of surface s: c_s = k_s ph (R/b) |V|/|u_s|
+ * Running-in under constant operating conditions. In each step of the run the
+ * two profiles wear in N passes, and their contact model changes. In a pass of
+ * surface s
+ *
+ *     c_s = k_s ph (R/b) |V|/|u_s|
  *     dz_s(x) = -c_s N sum_j w_j P_sj(x)     (surface/rough_pair.h)
  *
- * k_s is Archard's coefficient divided by the hardness; V and u_s are relative
- * to um; w_j are those of the film before the step. The step is long enough for
- * the film to become steady. N is `jump`, or such that no point loses more than
- * 2 % of the initial combined Rq.
+ * k_s is Archard's coefficient divided by the hardness. V and u_s are relative
+ * to um. The w_j are those of the film before the step. The step is long enough
+ * for the film to become steady. N is `jump`, or such that no point loses more
+ * than 2 % of the initial combined Rq.
  */
 #ifndef OVR_PHYSICS_MIXED_WEAR_H
 #define OVR_PHYSICS_MIXED_WEAR_H

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Superblock, headers of objects, links and attributes. */
+/* Reads superblock, object headers, links and attributes. */
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Datasets: their types, dimensions and layouts, and the values in them. */
+/* Reads datasets: types, dimensions, layouts and values. */
 #include "results/hdf5read/elements.h"
 
 #include <limits.h>

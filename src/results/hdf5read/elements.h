@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Types, dimensions and values. */
+/* Types, dimensions and values of datasets and attributes. */
 #ifndef OVR_HDF5READ_ELEMENTS_H
 #define OVR_HDF5READ_ELEMENTS_H
 

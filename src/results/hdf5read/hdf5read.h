@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * A result file as HDF5 lays it out, read without the library HDF5.
+ * Reads a result file without the HDF5 library.
  *
- * That library trusts what it reads: a damaged or a made-up file can make it
- * crash, follow a link into another file, or ask for any amount of memory.
- * Result files may be from unknown sources, so that the reader parses the
- * part of the format that the writer uses (the one of HDF5 1.8, which the
- * writer pins) and its forms by h5repack and ncks, and refuses everything
- * else: other groups, filters, types, links that are not hard, data in other
- * files.  Every address and every length is held against the length of the
- * file, and no table is longer than the bytes that it was read from.
+ * The HDF5 library does not check all data that it reads: a damaged or
+ * malicious file can make it crash, follow a link into another file, or
+ * allocate any amount of memory. Result files may be from unknown sources. This
+ * reader therefore parses only the part of the format that the writer uses
+ * (HDF5 1.8, which the writer selects) and its forms by h5repack and ncks. It
+ * rejects other groups, filters and types, links that are not hard, and data in
+ * other files. Every address and length is compared with the length of the
+ * file, and no table is longer than the bytes from which it was read.
  *
- * This header is all that others see of the folder.
+ * Other folders include only this header.
  *
  * Source: The HDF Group, HDF5 File Format Specification, Version 3.0.
  */

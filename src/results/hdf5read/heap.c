@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Fractal heaps (FRHP, FHIB, FHDB), B-trees of version 2 (BTHD, BTIN, BTLF)
- * and global heaps (GCOL).
+ * Reads fractal heaps (FRHP, FHIB, FHDB), B-trees of version 2 (BTHD, BTIN,
+ * BTLF) and global heaps (GCOL).
  *
- * Source: The HDF Group, HDF5 File Format Specification, Version 3.0,
- * sections III.A.2, III.E and III.G.
+ * Source: The HDF Group, HDF5 File Format Specification, Version 3.0, sections
+ * III.A.2, III.E and III.G.
  */
 #include "results/hdf5read/heap.h"
 

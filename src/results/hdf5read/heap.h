@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * HDF5 keeps in heaps what does not fit into an object's header: links and
- * attributes in fractal heaps that a B-tree (version 2) lists, texts in global
- * heaps.
+ * Heaps of an HDF5 file contain the data that do not fit into an object's
+ * header: fractal heaps with a version 2 B-tree contain links and attributes,
+ * global heaps contain texts.
  */
 #ifndef OVR_HDF5READ_HEAP_H
 #define OVR_HDF5READ_HEAP_H

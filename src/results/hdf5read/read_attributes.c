@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Attributes: numbers and texts that an object carries by name. */
+/* Reads attributes of an object, numbers and texts, by name. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
