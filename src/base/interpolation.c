@@ -4,8 +4,8 @@
 #include <gsl/gsl_errno.h>
 #include <pthread.h>
 
-/* The handler belongs to the whole program: one thread at a time switches
- * it off, so that the one found is the one put back. */
+/* GSL's error handler is global. Only one thread at a time switches it off, so
+ * that each thread restores the original handler. */
 static pthread_mutex_t lock = PTHREAD_MUTEX_INITIALIZER;
 
 static int make(const gsl_interp_type *type, size_t n, const double *x,

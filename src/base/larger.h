@@ -3,9 +3,10 @@
 #define OVR_BASE_LARGER_H
 
 /*
- * fmax and fmin for loops over nodes: those of the C library are calls, since a
- * NaN on either side has to give the other.  Here a NaN that comes second gives
- * the first, so that a maximum that is gathered passes it over as fmax does.
+ * fmax and fmin for loops over nodes. The C library's fmax is a function call,
+ * because the result must be the other argument if either is NaN. Here a NaN as
+ * the second argument yields the first one, so that a running maximum ignores
+ * NaN.
  */
 static inline double ovr_larger(double gathered, double x)
 {

@@ -2,8 +2,8 @@
 #ifndef OVR_BASE_PROCESSORS_H
 #define OVR_BASE_PROCESSORS_H
 
-/* The number of processors that this process may run on: what taskset, a batch
- * system or a container leaves of them. */
+/* Returns the number of processors that this process may use, within the limits
+ * of taskset, a batch system or a container. */
 int ovr_processors(void);
 
 #endif

@@ -8,8 +8,9 @@
 #include "base/error.h"
 #include "overroll/text.h"
 
-/* Factors are kept as times/over, one of them 1, so that 17 1/GPa is the
- * double nearest to 1.7e-8 and not a product of roundings. */
+/* Factors are stored as numerator `times` and denominator `over`, one of which
+ * is 1. Thus 17 1/GPa is the double nearest to 1.7e-8, without the rounding
+ * errors of a product. */
 static const struct unit {
     const char *name;
     ovr_dimension dimension;

@@ -397,10 +397,11 @@ static double raised_by_features(const ovr_surfaces *surfaces)
     return rough + single;
 }
 
-/* Hertz's gap at the end of the film grows by 1.2 times that height at most.
- * M = 3 to 90, L = 7 to 22, rough surfaces, waves and ridges of up to 0.7 b^2/R
- * gave that.  Bumps that slide grow by 1.3 times the height, hollows by 0.15
- * times the depth, and others by 0.9 times. */
+/* Returns the outlet beyond the end of the film with features. At the end of
+ * the film the Hertzian gap grows by at most 1.2 times the height of the
+ * features (M = 3 to 90, L = 7 to 22, rough surfaces, waves and ridges of up to
+ * 0.7 b^2/R). Sliding bumps increase it by 1.3 times their height, dents by
+ * 0.15 times their depth, and other features by 0.9 times their height. */
 double ovr_setup_feature_outlet(const ovr_setup *setup)
 {
     const double growth = 1.2, longest = 2, tenths = 10;

@@ -64,7 +64,8 @@ ovr_history *ovr_history_create(const ovr_history_form *given,
                                 const ovr_allocator *allocator, ovr_error *err);
 void ovr_history_free(ovr_history *history);
 
-/* Slope at T: at the ends of a sine or a table that inside; 0 at jumps. */
+/* Slope at T. At the ends of a sine or a table it is the slope inside; at jumps
+ * it is 0. */
 double ovr_history_slope(const ovr_history *history, double T);
 
 /* Time after which the value is constant; INFINITY: never. */

@@ -265,9 +265,9 @@ ovr_status ovr_run_keep_element(ovr_run *run, ovr_error *err)
 
 /* ------------------------------------------------------------------- Review */
 
-/* True if the blend changes the load sharing. Within the blend, pairs of spur
- * gears take over the load around B and give it off around D, and the shares
- * follow no rule. */
+/* True if the blend changes the load sharing. Within the blend the load of a
+ * pair of spur gears rises around B and falls around D, and the load shares do
+ * not follow the rule. */
 static bool blends(const ovr_gear_form *f, const ovr_gear_geometry *g)
 {
     return f->blend > 0 && !(g->overlap_ratio > 0) &&

@@ -12,12 +12,13 @@
  * the row, (eps_{i-1} + 2 eps_i + eps_{i+1})/4. With the node's own eps, a row
  * with strong diffusion at a jump of eps would be relaxed by the dipole, which
  * reduces its error only by 0.8 per sweep. The kernel scales with D, so that
- * the switch eps/D^2 is independent of the grid; the paper's 0.01 on eps/D
+ * the switch eps/D^2 is independent of the grid. The paper's 0.01 on eps/D
  * belongs to its model problem (9) on its grids.
  *
  * The algorithm of the paper alone stalls or diverges here. It was changed as
- * follows: 1. Cavitated nodes keep P = 0 unless their residual, with allowance
- * for
+ * follows:
+ *
+ * 1. Cavitated nodes keep P = 0 unless their residual, with allowance for
  *     rounding (line.h), would make P positive. The residual of a coarse
  *     cavitated node is rounding error. Its sign would make nodes pressurized
  *     at random and cause a limit cycle of the last pressurized nodes.
@@ -46,11 +47,11 @@ ovr_relax ovr_relax_hybrid;
 
 /*
  * The coarsest grid as the paper treats it: sweeps of the hybrid relaxation,
- * each followed by H0 <- H0 - c (force - D sum P), c = 0.02.  The pressures
- * follow H0 slowly, so that few sweeps with a large c make the load swing for
- * dozens of cycles (10 sweeps, c = 0.05: R falls tenfold in 30 V-cycles at
- * M = 20, L = 10, level 8).  100 sweeps a visit in V-cycles; in W-cycles,
- * which come by 2^(levels) times as often, 20.
+ * each followed by H0 <- H0 - c (force - D sum P), c = 0.02. The pressures
+ * follow H0 slowly. With few sweeps and a large c, the load therefore
+ * oscillates for dozens of cycles (10 sweeps, c = 0.05: R falls tenfold in 30
+ * V-cycles at M = 20, L = 10, level 8). A visit has 100 sweeps in V-cycles. In
+ * W-cycles, which visit the coarsest grid 2^(levels) times as often, it has 20.
  */
 void ovr_coarsest_paper(ovr_hierarchy *grids, ovr_level *level,
                         const ovr_smoothing *how, int cycle_index);

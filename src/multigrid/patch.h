@@ -39,16 +39,16 @@ typedef struct ovr_patch {
     double *w;           /* deformation by the pressures of all grids */
     double *entry;       /* P at the time of restriction from the finer patch */
     double *rigid, *F;   /* gap and right-hand side without a finer patch */
-    double *g;           /* fourth-order part of rigid (composite_film.h) */
+    double *g;           /* fourth-order part of rigid (composite.h) */
     double *outer_w, *outer_P;  /* deformation and pressure of the parent at
                                  * these nodes */
     double *detail;             /* contribution of finer patches, as pressures
-                                 * at this grid's nodes (composite_film.h) */
+                                 * at this grid's nodes (composite.h) */
     double *detail_w;           /* deformation by `detail` */
     double *wide[2];            /* in lanes, with halos */
     double added;               /* load added to the parent's: difference of D
                                  * sum P */
-    double near[OVR_FILM_NEAR]; /* c_t/D' of the parent (composite_film.h) */
+    double near[OVR_FILM_NEAR]; /* c_t/D' of the parent (composite.h) */
 } ovr_patch;
 
 /* Allocates the arrays of the base that its level does not have. */

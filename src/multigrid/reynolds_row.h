@@ -12,7 +12,7 @@
  * law (flow.h), 2 E replaces before and after, and the stored derivatives of 2
  * E (P_{i+1} - P_i) replace the terms below with 1/(2 D^2): out_right at i - 1
  * and out_left at i are the derivatives with respect to P_i. Temperature
- * differences across the film skew the flow and add a wedge (heat_skew.h), with
+ * differences across the film skew the flow and add a wedge (physics/heat/skew.h), with
  * weights b for unit speed:
  *     N <- N - sum_m b_m (s q)_{i-m},  s = s_0 + s_1 P
  * Weights of q are then a_m + b_m s.  Terms -b_m s_1 q add to dN/dP.

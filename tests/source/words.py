@@ -66,6 +66,8 @@ def comment_text(comment, paragraphs):
             line = re.sub(r"^\s*(\d+\.|-)\s+", "", line)
         kept.append(line)
     text = re.sub(r"\s+", " ", " ".join(kept))
+    if paragraphs:
+        text = re.sub(r"(?<=[0-9])\. (?=[A-Z][a-z])", "." + END, text)
     return re.sub("( ?" + END + ")+ ?", END, text).strip(" -" + END)
 
 

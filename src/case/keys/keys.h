@@ -29,8 +29,8 @@ extern const ovr_section ovr_gear_section;
 extern const ovr_section ovr_cam_section;
 extern const ovr_section ovr_roller_bearing_section;
 
-/* A run in time: it has an end, or an element of a machine with a way of its
- * own. */
+/* Condition of a transient run: it has an end time, or a machine element that
+ * determines the end. */
 #define IN_TIME "time.end or gear.teeth_1 or cam.base_radius"
 
 #endif

@@ -141,7 +141,7 @@ bool ovr_heat_counts(const ovr_simulation *sim, size_t i)
 }
 
 /* Multiplies flow and heat source of the last pressurized node by the fraction
- * of its downstream grid interval that contains lubricant (heat_skew.h). */
+ * of its downstream grid interval that contains lubricant (skew.h). */
 static void cover_end(const ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
@@ -226,7 +226,7 @@ double ovr_heat_stored(const ovr_simulation *sim)
 
 /* -------------------------------------------------------------------- March */
 
-/* Marching along x (equations in heat.h). */
+/* Marching along x (equations in heated.h). */
 
 /* Minimum speed of a layer: with opposite sliding, some layer has nearly zero
  * speed. A jump between the two smallest speeds would prevent convergence. */
@@ -334,7 +334,7 @@ void ovr_heat_march(ovr_simulation *sim)
 /* ------------------------------------------------------------- Coefficients */
 
 /* Effect of temperatures on the film: coefficients of the Reynolds equation
- * (heat.h), and the maximum change per iteration. */
+ * (heated.h), and the maximum change per iteration. */
 
 void ovr_heat_speeds(ovr_simulation *sim, double T)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Heat in a steady contact (equations in heat.h). */
+/* Heat in a steady contact (equations in heated.h). */
 #include "physics/heat/heat.h"
 #include "base/given.h"
 #include "base/larger.h"
@@ -178,7 +178,7 @@ static void observe_temperatures(const ovr_simulation *sim, ovr_observation *o)
     o->T_2_max = T0 + o->T_2_max_rise;
 }
 
-/* x of heat.h. */
+/* x of heated.h. */
 static double last_cross_film(const ovr_simulation *sim, double rise)
 {
     const ovr_heated *h = sim->heated;
@@ -193,7 +193,7 @@ static double last_cross_film(const ovr_simulation *sim, double rise)
 }
 
 /* True if the temperatures require more than 5 points across the film: by x of
- * heat.h and the maximum rise. */
+ * heated.h and the maximum rise. */
 static bool is_uneven(double x, double rise)
 {
     const double much = 0.05, hot = 20; /* K */

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Heat in a steady contact (in time: heat_in_time.h): temperatures of film and
+ * Heat in a steady contact (in time: in_time.h): temperatures of film and
  * surfaces by marching along x (cross_film.h, solids.h), and their effect on
  * the Reynolds equation, computed alternately with multigrid cycles until both
  * converge.
  *
  * The departure point of a node is the node upstream, t_j = D/u_j, with u_j at
  * least 0.02. Heat conduction along a slow surface is corrected iteratively
- * from march to march (heat_surfaces.h). At the inlet the lubricant has the
+ * from march to march (surfaces.h). At the inlet the lubricant has the
  * supply temperature, and the surfaces have absorbed no heat.
  *
  * With opposite sliding each surface enters at its own end, and layers that
@@ -37,7 +37,7 @@
  *     shift = beta T_m/ln 2 + log2 psi_e, th = 1    others
  *     rho <- rho swell, where density expands (cross_film.h)
  *
- * These coefficients and the skewed flow (heat_skew.h) are transferred to all
+ * These coefficients and the skewed flow (skew.h) are transferred to all
  * grids by injection.
  */
 #ifndef OVR_PHYSICS_HEAT_HEATED_H
@@ -64,7 +64,7 @@ typedef struct ovr_heated {
     double *mean;                     /* T_m of T */
     double *t;                        /* mean stress at the nodes */
     double *drag;                     /* psi_c */
-    double *skewed;                   /* q s (heat_skew.h) */
+    double *skewed;                   /* q s (skew.h) */
     double *skew, *skew_by_P;         /* s_0 and s_1 of s = s_0 + s_1 P */
     double *skewed_next, *unused;     /* s q at P + dP; outputs not needed */
     double skew_share;                /* fraction of s in use, below 1 during
@@ -80,15 +80,15 @@ typedef struct ovr_heated {
     ovr_heat_power made;        /* at the last computation of stresses */
     double left;                /* error of the discrete heat balance */
     double balanced; /* reference power of the reported balance error */
-    struct ovr_heat_outer *outer; /* heat_outer.h */
-    struct ovr_heat_steps *steps; /* heat_in_time.h */
+    struct ovr_heat_outer *outer; /* outer.h */
+    struct ovr_heat_steps *steps; /* in_time.h */
     double Sigma0, limit;         /* as in cross_film.h; limit of (|t| +
                                    * |G_P|)/P */
     ovr_columns film;
     double *log_eta;       /* at T0 */
     double *apart;         /* fraction of the surface on which fluid shear acts
                             */
-    double *oil, *content; /* H and q of the present lubricant (heat_film.h) */
+    double *oil, *content; /* H and q of the present lubricant (columns.h) */
     double *departure[OVR_CROSS_FILM_MAX]; /* T at the departure points of a
                                             * step */
 } ovr_heated;

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Transient heat (equations in heat_in_time.h). */
+/* Transient heat (equations in in_time.h). */
 #include "physics/heat/in_time.h"
 
 #include <math.h>

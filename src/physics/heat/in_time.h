@@ -78,7 +78,7 @@
  * the surfaces and `used` are updated when a step is accepted.
  *
  * The temperature of a stationary surface rises as ln(T), up to the length of
- * its memory (heat_surfaces.h).
+ * its memory (surfaces.h).
  */
 #ifndef OVR_PHYSICS_HEAT_IN_TIME_H
 #define OVR_PHYSICS_HEAT_IN_TIME_H

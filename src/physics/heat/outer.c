@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Outer iteration of temperatures and film (equations in heat_outer.h). */
+/* Outer iteration of temperatures and film (equations in outer.h). */
 #include "physics/heat/outer.h"
 
 #include <math.h>

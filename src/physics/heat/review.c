@@ -109,7 +109,7 @@ static void warn_of_lag(const ovr_accompanied_run *run)
              s->lagging, s->steps);
 }
 
-/* Warns by x of heat.h if there are too few points across the film; prints the
+/* Warns by x of heated.h if there are too few points across the film; prints the
  * friction error in per cent. */
 static void warn_of_points(const ovr_accompanied_run *run)
 {

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Skewed flow by temperature differences (equations in heat_skew.h). */
+/* Skewed flow by temperature differences (equations in skew.h). */
 #include "physics/heat/skew.h"
 
 #include <math.h>

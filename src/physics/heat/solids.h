@@ -19,7 +19,7 @@
  * with ' one step ago. If heat conduction along the surface is included, with
  * kappa = k/(rho c um b), the kernel of each wave number k along x is e^(-kappa
  * k^2 t)/sqrt(t): the past q and the Psi_m diffuse in the same way, without
- * further approximation (heat_surfaces.h),
+ * further approximation (surfaces.h),
  *
  *     Psi_T + u Psi_X = q - s_m Psi + kappa Psi_XX
  *

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Thermal memory of the surfaces (equations in heat_surfaces.h). */
+/* Thermal memory of the surfaces (equations in surfaces.h). */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -25,7 +25,7 @@ static double passages(const ovr_simulation *sim, double u)
 }
 
 /* Longest time of the memory: two passages, heat conduction along the slowest
- * surface, and the memory of a steady march (heat_march.c). Kernels are not
+ * surface, and the memory of a steady march (columns.c). Kernels are not
  * fitted beyond this time. */
 static double longest(const ovr_simulation *sim, int k)
 {

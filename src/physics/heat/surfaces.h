@@ -13,7 +13,7 @@
  * absorbed at an end, where a cold surface enters under hot lubricant, is not
  * lost, and changes in time are not reflected.
  *
- * A steady film is computed by marching along x (heat_march.c), which uses
+ * A steady film is computed by marching along x (columns.c), which uses
  * upstream values only: without heat conduction along x, and with a Peclet
  * number of at least 0.1 (ovr_solid_march_speed). The resulting error of T/N
  * for the last q is added in the next march:
