@@ -3,10 +3,9 @@
 #define OVR_BASE_LARGER_H
 
 /*
- * fmax and fmin for loops over nodes. The C library's fmax is a function call,
- * because the result must be the other argument if either is NaN. Here a NaN as
- * the second argument yields the first one, so that a running maximum ignores
- * NaN.
+ * fmax and fmin for loops over nodes. The C library's fmax is a function call:
+ * its result is the other argument if either is NaN. Here a NaN as the second
+ * argument yields the first one. A running maximum therefore ignores NaN.
  */
 static inline double ovr_larger(double gathered, double x)
 {

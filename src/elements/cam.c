@@ -22,6 +22,8 @@
 #include "base/error.h"
 #include "elements/elements.h"
 
+/* --------------------------------------------------------------------- Lift */
+
 /*
  * Laws of lift s = h f(y), where y is the passed fraction of the rise; the fall
  * is the reversed law. Tables are interpolated by the natural cubic spline. Its
@@ -30,20 +32,6 @@
  *     h_{k-1} m_{k-1} + 2 (h_{k-1} + h_k) m_k + h_k m_{k+1}
  *         = 6 ((s_{k+1} - s_k)/h_k - (s_k - s_{k-1})/h_{k-1}),
  *     m_0 = m_{n-1} = 0
- *
- * If heights are rounded to r, the second derivatives have errors of up to 12
- * r/step^2. (The largest row sum of the inverse is 2, the difference quotient
- * contributes a factor of 6.)
- */
-
-/*
- * Laws of lift s = h f(y), where y is the passed fraction of the rise; the fall
- * is the reversed law. Tables are interpolated by the natural cubic spline. Its
- * second derivative is continuous, and so is the curvature of the cam:
- *
- *     h_{k-1} m_{k-1} + 2 (h_{k-1} + h_k) m_k + h_k m_{k+1}
- *         = 6 ((s_{k+1} - s_k)/h_k - (s_k - s_{k-1})/h_{k-1}),  m_0 = m_{n-1} =
- * 0
  *
  * If heights are rounded to r, the second derivatives have errors of up to 12
  * r/step^2. (The largest row sum of the inverse is 2, the difference quotient

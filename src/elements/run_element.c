@@ -178,8 +178,8 @@ void ovr_element_summary(const ovr_run_info *run, ovr_summary_taker *take,
 /* -------------------------------------------------------- Group of the file */
 
 /* Group `element` of a result file: the operating conditions of a gear or cam
- * contact as functions of time, computed by the machine element instead of the
- * splines of the run. */
+ * contact as functions of time. They are computed by the machine element, not
+ * by the splines of the run. */
 
 enum { LOOKS = 401, ARRAYS = 7 };
 

@@ -17,24 +17,23 @@
  *
  * The algorithm of the paper alone stalls or diverges here. It was changed as
  * follows:
- *
- * 1. Cavitated nodes keep P = 0 unless their residual, with allowance for
+ *  1. Cavitated nodes keep P = 0 unless their residual, with allowance for
  *     rounding (line.h), would make P positive. The residual of a coarse
  *     cavitated node is rounding error. Its sign would make nodes pressurized
  *     at random and cause a limit cycle of the last pressurized nodes.
- * 2. A pointwise sweep moves the cavitation boundary by one node, a coarse
+ *  2. A pointwise sweep moves the cavitation boundary by one node, a coarse
  *     grid by several. Each sweep therefore ends with a few line solves
  *     (tridiagonal, film fixed, projected) of the last rows before it.
- * 3. Number of rows: a solve with fixed film over a length l is stable only
+ *  3. Number of rows: a solve with fixed film over a length l is stable only
  *     if diffusion, eps (pi/l)^2, exceeds the elastic response of the wedge,
  *     which is of order 1. The rows therefore have l^2 < 3 eps at the first
  *     of them. Longer windows diverge: at M = 20, L = 2.5 a window of 56
  *     nodes failed, and repeated solves increased its error.
- * 4. The switch value is 3 instead of 0.3. Gauss-Seidel on the second-order
+ *  4. The switch value is 3 instead of 0.3. Gauss-Seidel on the second-order
  *     wedge amplifies disturbances that travel downstream where eps/D^2 is
  *     0.4 to 2. The growth is slow (1.25 a cycle at M = 50, L = 10, level 12,
  *     X = 0.75), but fine grids have wide zones with such eps.
- * 5. V(2,2) cycles: with one sweep after the coarse-grid correction, the
+ *  5. V(2,2) cycles: with one sweep after the coarse-grid correction, the
  *     error that the correction leaves at the spike returned in the next
  *     cycle (M = 50, L = 15, level 10).
  */

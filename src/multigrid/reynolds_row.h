@@ -3,19 +3,23 @@
  * Row i of the discrete Reynolds equation (reynolds.h): residual, derivatives,
  * and the condition for a cavitated node to stay at P = 0. For any number type
  * `num` with all(), at(), fused(), less(): vectors of nodes (vector.h), one
- * node (scalar.h).  `J` is the vector, or the node.
+ * node (scalar.h). `J` is the vector, or the node.
  *
  *     N = [before up + after down]/(2 D^2) - a0 q_i - a1 q_{i-1} - a2 q_{i-2}
  *     up = P_{i-1} - P_i       before = eps_{i-1} + eps_i
  *     down = P_{i+1} - P_i     after = eps_i + eps_{i+1}
+ *
  * Where the flow at half nodes is stored, by the gap (faces.h) or with a flow
- * law (flow.h), 2 E replaces before and after, and the stored derivatives of 2
- * E (P_{i+1} - P_i) replace the terms below with 1/(2 D^2): out_right at i - 1
- * and out_left at i are the derivatives with respect to P_i. Temperature
- * differences across the film skew the flow and add a wedge (physics/heat/skew.h), with
- * weights b for unit speed:
+ * law (flow.h), 2 E replaces before and after. The stored derivatives of 2 E
+ * (P_{i+1} - P_i) replace the terms below with 1/(2 D^2): out_right at i - 1
+ * and out_left at i are the derivatives with respect to P_i.
+ *
+ * Temperature differences across the film skew the flow and add a wedge
+ * (physics/heat/skew.h), with weights b for unit speed:
+ *
  *     N <- N - sum_m b_m (s q)_{i-m},  s = s_0 + s_1 P
- * Weights of q are then a_m + b_m s.  Terms -b_m s_1 q add to dN/dP.
+ *
+ * Weights of q are then a_m + b_m s. Terms -b_m s_1 q add to dN/dP.
  *
  * dN_i/dP_{i+d} at fixed film, eps' = d eps/dP:
  *     d = -2:  -a2 rho'_{i-2} H_{i-2}

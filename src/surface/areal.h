@@ -14,9 +14,9 @@
 ovr_status ovr_areal_reserve(ovr_profile *profile, size_t nx, size_t ny,
                              double dx, double dy, ovr_error *err);
 
-/* Determines the spacings along and across and the unit of heights from the
- * caller's options if the file does not contain them; adds a note. *scale
- * becomes the unit in metres (1 for b^2/R). */
+/* Determines the spacings along and across and the unit of heights. They are
+ * taken from the caller's options if the file does not contain them, which adds
+ * a note. *scale becomes the unit in metres (1 for b^2/R). */
 ovr_status ovr_areal_need_spacing(ovr_profile *profile,
                                   const ovr_profile_source *source, double *dx,
                                   double *dy, double *scale, ovr_error *err);

@@ -49,9 +49,9 @@ static ovr_status make(const ovr_points *of, bool periodic,
     return *spline ? OVR_OK : OVR_NO_MEMORY;
 }
 
-/* Computes the second derivatives y2 at x of the natural (or periodic, with
- * y[n-1] = y[0]) cubic spline through n >= 2 points. x must increase and all
- * values be finite. */
+/* Computes the second derivatives y2 at x of the cubic spline through n >= 2
+ * points. The spline is natural or, with y[n-1] = y[0], periodic. x must
+ * increase and all values be finite. */
 static ovr_status spline_second(const ovr_points *of, bool periodic,
                                 const ovr_allocator *allocator, double *y2,
                                 ovr_error *err)

@@ -109,8 +109,8 @@ static void warn_of_lag(const ovr_accompanied_run *run)
              s->lagging, s->steps);
 }
 
-/* Warns by x of heated.h if there are too few points across the film; prints the
- * friction error in per cent. */
+/* Warns by x of heated.h if there are too few points across the film; prints
+ * the friction error in per cent. */
 static void warn_of_points(const ovr_accompanied_run *run)
 {
     const ovr_statistics *s = ovr_simulation_statistics(run->sim);
