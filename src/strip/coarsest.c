@@ -118,8 +118,10 @@ static void fill_row(const ovr_strip *strip, size_t count, size_t r,
 
 static double apply(ovr_strip *strip, size_t count, bool shortened)
 {
-    const double most = 0.3, most_film = 0.2;
+    const double most = 0.3;
     ovr_strip_level *level = &strip->level[0];
+    /* Light loads have films of hundreds of b^2/R. */
+    double most_film = 0.2 * fmax(1, fabs(ovr_strip_centre(level, level->f.H)));
     const size_t lines = level->grid.lines;
     const double *x = strip->solution;
     double largest = 0, factor = 1;

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * Steady solution of the strip by nested iteration.  The coarsest grid is
- * solved by Newton's method, starting from the Hertzian pressure. Each finer
- * grid starts from the pressure of the next coarser one, interpolated by cubics
- * in the film and linearly at its ends.
+ * solved by Newton's method, starting from the Hertzian pressure, or from a
+ * semi-ellipse as wide as the film if that is thicker than the deformation.
+ * Shear thinning is applied to the Newtonian film.  Each finer grid starts from
+ * the pressure of the next coarser one, interpolated by cubics in the film and
+ * linearly at its ends.
  *
  * With two V(1,1) cycles per level the algebraic error is a fifth of the
  * discretization error at M = 5 and 20. M = 100 needs three cycles.
@@ -48,14 +50,44 @@ static bool iterate(ovr_strip *strip)
     const double enough = 1e-9;
     double change = 1;
     for (int step = 0; step < STEPS && change > enough; step++) {
-        change = ovr_strip_newton(strip, true);
+        change = ovr_strip_stops(strip) ? -1 : ovr_strip_newton(strip, true);
         if (change < 0)
             return false;
     }
     return change < 1e-3;
 }
 
-/* With a rheological model, starts from the Newtonian film. */
+/* Copies the pressure of the coarsest grid. */
+static void copy_pressure(const ovr_strip_level *level, const double *from,
+                          double *to)
+{
+    memcpy(to, from, ovr_strip_size(&level->grid) * sizeof *to);
+}
+
+/* Continuation from the Newtonian film to that of the rheological model: in one
+ * step, or in several of tau0.  A step that fails is halved in ln tau0. */
+static bool thin_out(ovr_strip *strip)
+{
+    const double least = 1.05, tau0 = strip->fluid.lubricant.Sigma0;
+    const ovr_strip_level *level = &strip->level[0];
+    double from = 1e3, step = from; /* tau0 relative to that of the model */
+    while (from > 1 && step > least && !ovr_strip_stops(strip)) {
+        double to = fmax(from / step, 1), H0 = strip->H0;
+        copy_pressure(level, level->f.P, level->f.entry);
+        strip->fluid.lubricant.Sigma0 = to * tau0;
+        ovr_strip_refresh(strip, &strip->level[0]);
+        if (iterate(strip)) {
+            from = to;
+            continue;
+        }
+        step = sqrt(step);
+        copy_pressure(level, level->f.entry, level->f.P);
+        strip->H0 = H0;
+    }
+    strip->fluid.lubricant.Sigma0 = tau0;
+    return from <= 1;
+}
+
 static bool solve_coarsest(ovr_strip *strip)
 {
     const ovr_rheology law = strip->fluid.lubricant.rheology;
@@ -63,10 +95,7 @@ static bool solve_coarsest(ovr_strip *strip)
     ovr_strip_refresh(strip, &strip->level[0]);
     bool found = iterate(strip);
     strip->fluid.lubricant.rheology = law;
-    if (law == OVR_NEWTONIAN || !found)
-        return found;
-    ovr_strip_refresh(strip, &strip->level[0]);
-    return iterate(strip);
+    return found && (law == OVR_NEWTONIAN || thin_out(strip));
 }
 
 /* Interpolates midway between b and c. */
@@ -145,7 +174,7 @@ static ovr_strip_defect cycle_until(ovr_strip *strip, const ovr_strip_full *how,
     ovr_strip_defect d = {INFINITY, INFINITY, 0};
     double last[2] = {INFINITY, INFINITY};
     *cycles = 0;
-    for (int since = 1; *cycles < most; since++) {
+    for (int since = 1; *cycles < most && !ovr_strip_stops(strip); since++) {
         last[1] = last[0];
         last[0] = d.imbalance;
         ovr_strip_cycle(strip, l, &cycling);
@@ -180,6 +209,8 @@ ovr_strip_defect ovr_strip_solve(ovr_strip *strip, const ovr_strip_full *how,
         return d;
     d = ovr_strip_defect_of(strip, &strip->level[0]);
     for (int l = 1; l <= strip->finest; l++) {
+        if (ovr_strip_stops(strip))
+            return (ovr_strip_defect){INFINITY, INFINITY, 0};
         interpolate(strip, &strip->level[l - 1], &strip->level[l]);
         begin_level(strip, how, &strip->level[l]);
         d = cycle_until(strip, how, l, cycles);

@@ -442,6 +442,8 @@ static bool cycle_until(ovr_strip_march *march, int attempt,
     p.last[0] = p.last[1] = p.begun = p.R;
     double before = p.R;
     for (int c = 1; c <= settings[attempt].cycles; c++) {
+        if (ovr_strip_stops(march->strip))
+            return false;
         ovr_strip_cycle(march->strip, march->strip->finest, &p.how);
         step->cycles++;
         p.since++;
@@ -476,7 +478,8 @@ ovr_strip_step ovr_strip_march_attempt(ovr_strip_march *march, double next)
     make_side(march);
     level->force = march->force;
     make_guess(march);
-    while (!step.solved && step.attempts < OVR_STRIP_ATTEMPTS) {
+    while (!step.solved && step.attempts < OVR_STRIP_ATTEMPTS &&
+           !(step.attempts && ovr_strip_stops(march->strip))) {
         if (settings[step.attempts].afresh)
             restore(march);
         march->strip->fluid.secants = step.attempts > 0;

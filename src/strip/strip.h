@@ -173,6 +173,9 @@ typedef struct ovr_strip_shape {
     int threads; /* threads of the solver, including the caller's; 0: 1 */
 } ovr_strip_shape;
 
+/* Interruption of long solves. Once it has returned true, it always does. */
+typedef bool ovr_strip_stop(void *data);
+
 typedef struct ovr_strip {
     int finest;
     ovr_strip_level level[OVR_STRIP_LEVELS];
@@ -181,6 +184,9 @@ typedef struct ovr_strip {
     ovr_fluid fluid;
     bool logarithmic; /* mean of phi at half nodes (faces.kernel.c) */
     double H0;
+    ovr_strip_stop *stop; /* called before each cycle and each Newton step of
+                           * the coarsest grid; NULL: never end */
+    void *stop_data;
     int threads;
     ovr_team team;     /* of that many threads */
     double *work;      /* work arrays of kernels for all threads, see
@@ -253,6 +259,12 @@ double ovr_strip_newton(ovr_strip *strip, bool shortened);
  * be up to date before, and are up to date after it. */
 size_t ovr_strip_spots(ovr_strip *strip, ovr_strip_level *level,
                        const ovr_strip_smoothing *how, double least);
+
+/* True if solves are to end. */
+static inline bool ovr_strip_stops(const ovr_strip *strip)
+{
+    return strip->stop && strip->stop(strip->stop_data);
+}
 
 /* One FAS cycle that starts on the given level. */
 void ovr_strip_cycle(ovr_strip *strip, int number,

@@ -104,6 +104,21 @@ TEST(steady)
     same_as_line(CONTACT, 1e-8);
 }
 
+/* Films of light loads are hundreds of b^2/R thick and many b wide; strong
+ * shear thinning makes one a seventh as thick. */
+TEST(thick_films)
+{
+#define LIGHT                                                                  \
+    "[domain]\nlevel = 5\norder = 2\nfaces = gap\ninlet = -60\n[solver]\n"     \
+    "tolerance = 1e-8\n" EXACT
+    same_as_line(LIGHT "[contact]\nM = 0.07\nL = 13\n", 1e-5);
+    same_as_line(LIGHT "[contact]\nM = 0.15\nL = 0.015\n", 1e-5);
+    same_as_line(LIGHT "[contact]\nM = 0.025\nL = 176\nslide_to_roll = 8.5\n"
+                       "[lubricant]\nrheology = eyring\n"
+                       "eyring_number = 0.1086\n",
+                 1e-6);
+}
+
 /* A groove of five film thicknesses.  Steady cycles with growing features end
  * at a fifth of it, steps in time reach the whole. */
 TEST(high_features_grow)

@@ -214,6 +214,51 @@ TEST(a_long_start_is_stopped_at_once)
     ovr_case_free(c);
 }
 
+#define STRIP                                                                  \
+    "[contact]\nM = 20\nL = 10\n[domain]\nlevel = 5\n[strip]\n"                \
+    "[feature groove]\nshape = groove\nwidth = 0.5\nstart = -0.3\n"
+
+/* The steady film of a strip; returns the number of cycles. */
+static long start_of_strip(const char *depth, told *t)
+{
+    ovr_error err = {0};
+    ovr_run_options how = options(t, NULL);
+    how.steady = true;
+    ovr_case *c = ovr_case_read_text(STRIP, "case", NULL, NULL, &err);
+    CHECK_OK(ovr_case_set(c, "feature groove.depth", depth, "test", &err),
+             &err);
+    ovr_run *r = ovr_run_create(c, &how, NULL, &err);
+    CHECK_OK(r ? OVR_OK : err.status, &err);
+    t->status = ovr_run_execute(r, &err);
+    long cycles = ovr_simulation_statistics(ovr_run_get_info(r)->sim)->cycles;
+    ovr_run_free(r);
+    ovr_case_free(c);
+    return cycles;
+}
+
+/* Nested iteration, and features that grow after nested iteration has failed.
+ * The callback is called at every cycle of the finest grid and on the grids
+ * below, and not after it has returned true. */
+TEST(the_start_of_a_strip_is_stopped)
+{
+    static const char *const depth[] = {"0.01", "0.4"};
+    static const double share[] = {0, 0.02, 0.1, 0.5, 0.9};
+    for (size_t k = 0; k < sizeof depth / sizeof *depth; k++) {
+        told whole = {.stop = NEVER}, part;
+        long cycles = start_of_strip(depth[k], &whole);
+        assert_int_equal(whole.status, OVR_OK);
+        assert_true(k ? cycles > 200 : cycles < 20);
+        assert_true(whole.asked > cycles + 5);
+        for (size_t i = 0; i < sizeof share / sizeof *share; i++) {
+            long when = 1 + (long)(share[i] * (double)whole.asked);
+            part = (told){.stop = NEVER, .stop_when = when};
+            start_of_strip(depth[k], &part);
+            assert_int_equal(part.status, OVR_STOPPED);
+            assert_int_equal(part.asked, when);
+        }
+    }
+}
+
 /* On a level chosen before, which the run then shows to do worse. */
 TEST_IN_FOLDER(warnings_of_a_chosen_level)
 {

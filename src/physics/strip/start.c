@@ -36,7 +36,7 @@ static ovr_strip_full full_of(ovr_simulation *sim, ovr_strip_solver *s)
         .data = sim,
         .force = t->force,
         .speed = t->Cu,
-        .half_width = at.s,
+        .half_width = at.s * sqrt(fmax(1, film / t->Cw)), /* thick films */
         .film = film,
         .cycling = ovr_strip_steady(&s->strip.fluid),
         .cycles = CYCLES,

@@ -83,6 +83,13 @@ static void fill_places(ovr_simulation *sim, ovr_strip_solver *s)
     sim->shapes.Y = s->Y[s->shown];
 }
 
+/* An ovr_strip_stop. */
+static bool stops(void *data)
+{
+    ovr_simulation *sim = data;
+    return ovr_hierarchy_stops(&sim->grids);
+}
+
 static ovr_status take(ovr_simulation *sim, const void *form, void **own,
                        ovr_error *err)
 {
@@ -113,6 +120,8 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
         return status;
     *own = s;
     fill_places(sim, s);
+    s->strip.stop = stops;
+    s->strip.stop_data = sim;
     s->march.gap = ovr_strip_gap_of;
     s->march.data = sim;
     s->march.characteristic = sim->scheme->characteristic;
