@@ -69,6 +69,16 @@ static void put_header(const ovr_case_entry *entry)
         printf("\n[%s]\n", entry->section);
 }
 
+static bool has_section(const ovr_case *c, const char *name)
+{
+    for (size_t k = 0; k < ovr_case_entries(c); k++) {
+        ovr_case_entry entry = ovr_case_entry_at(c, k);
+        if (entry.given && !strcmp(entry.section, name))
+            return true;
+    }
+    return false;
+}
+
 static bool has_nodes(const ovr_case *c)
 {
     for (size_t k = 0; k < ovr_case_entries(c); k++) {
@@ -79,13 +89,31 @@ static bool has_nodes(const ovr_case *c)
     return false;
 }
 
-/* True if an entry is printed; the default level is not if nodes are given. */
+/* True if the default of this key depends on other keys, or if the key is
+ * rejected there. Machine elements determine histories and passes, nodes the
+ * level. */
+static bool depends(const ovr_case *c, const ovr_case_entry *entry)
+{
+    const char *section = entry->section;
+    if (!strcmp(section, "domain"))
+        return !strcmp(entry->key, "level") && has_nodes(c);
+    if (!strcmp(section, "output"))
+        return !strcmp(entry->key, "fields") ||
+               !strcmp(entry->key, "precision");
+    if (!strcmp(section, "passes"))
+        return !strcmp(entry->key, "number") &&
+               has_section(c, "roller_bearing");
+    if (strcmp(entry->key, "history") != 0)
+        return false;
+    return has_section(c, "gear") || has_section(c, "cam") ||
+           has_section(c, "roller_bearing");
+}
+
+/* True if an entry is printed. */
 static bool is_shown(const ovr_case *c, const ovr_case_entry *entry)
 {
-    if (!entry->text || (!entry->given && !entry->applies))
-        return false;
-    return entry->given || strcmp(entry->section, "domain") != 0 ||
-           strcmp(entry->key, "level") != 0 || !has_nodes(c);
+    return entry->text &&
+           (entry->given || (entry->applies && !depends(c, entry)));
 }
 
 void cli_put_case(const ovr_case *c)

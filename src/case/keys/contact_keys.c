@@ -91,7 +91,7 @@ static const ovr_parameter body_keys[] = {
     {"modulus", WITH_UNIT(OVR_PRESSURE, 1e3, 1e13), NULL,
      offsetof(ovr_body_form, modulus), true, ALWAYS,
      "Young's modulus E; both bodies determine the reduced modulus"},
-    {"poisson", PLAIN(0, 0.5), "0.3", offsetof(ovr_body_form, poisson), true,
+    {"poisson", PLAIN(0, 0.5), NULL, offsetof(ovr_body_form, poisson), true,
      "no contact.modulus or [stress]; modulus or material or [stress]",
      "Poisson's ratio; default: that of the material, otherwise 0.3"},
     {"conductivity", WITH_UNIT(OVR_CONDUCTIVITY, 1e-3, 1e4), NULL,
