@@ -62,15 +62,15 @@ static double flash_of(const ovr_station *s)
 }
 
 static const column columns[] = {
-    {"t ms", "t_s", 1e-3, time_of},
-    {"R mm", "R_m", 1e-3, radius_of},
-    {"u1 m/s", "u1_m_per_s", 1, u1_of},
-    {"u2 m/s", "u2_m_per_s", 1, u2_of},
-    {"slide/roll", "slide_to_roll", 1, slip_of},
-    {"load kN/m", "load_N_per_m", 1e3, load_of},
-    {"ph GPa", "hertz_pressure_Pa", 1e9, pressure_of},
-    {"h_min um", "h_min_m", 1e-6, film_of},
-    {"flash K", "flash_K", 1, flash_of},
+    {"t (ms)", "t_s", 1e-3, time_of},
+    {"R (mm)", "R_m", 1e-3, radius_of},
+    {"u1 (m/s)", "u1_m_per_s", 1, u1_of},
+    {"u2 (m/s)", "u2_m_per_s", 1, u2_of},
+    {"SRR", "slide_to_roll", 1, slip_of},
+    {"w (kN/m)", "load_N_per_m", 1e3, load_of},
+    {"p_h (GPa)", "hertz_pressure_Pa", 1e9, pressure_of},
+    {"h_min (um)", "h_min_m", 1e-6, film_of},
+    {"flash (K)", "flash_K", 1, flash_of},
 };
 enum { COLUMNS = sizeof columns / sizeof *columns };
 
@@ -82,7 +82,7 @@ static void put_stations(const ovr_setup *setup)
     size_t n = ovr_setup_stations(setup, station);
     if (!n)
         return;
-    printf("# %-10s", "station");
+    printf("# %-10s", "position");
     for (int k = 0; k < COLUMNS; k++)
         printf(" %10s", columns[k].head);
     putchar('\n');
@@ -97,8 +97,9 @@ static void put_stations(const ovr_setup *setup)
         }
         putchar('\n');
     }
-    printf("#   h_min by the film thickness formula, flooded and steady; "
-           "flash temperature after Blok at mu = %g\n",
+    printf("#   SRR: slide-to-roll ratio; w: load per unit width; h_min: film "
+           "thickness formula, flooded and steady; flash: Blok's flash "
+           "temperature at mu = %g\n",
            OVR_STATION_FRICTION);
 }
 

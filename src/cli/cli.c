@@ -3,6 +3,7 @@
  * help. */
 #include "cli/cli.h"
 
+#include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
@@ -53,6 +54,25 @@ static int control_bytes(const char *s)
     if ((c > 0 && c < 0x20) || c == 0x7f)
         return 1;
     return c == 0xc2 && next >= 0x80 && next < 0xa0 ? 2 : 0;
+}
+
+cli_unit cli_choose_unit(const char *si, double size)
+{
+    static const struct {
+        const char *si;
+        cli_unit of;
+    } units[] = {
+        {"m", {"m", 1}},    {"m", {"mm", 1e3}},    {"m", {"um", 1e6}},
+        {"m", {"nm", 1e9}}, {"Pa", {"GPa", 1e-9}}, {"Pa", {"MPa", 1e-6}},
+        {"s", {"s", 1}},    {"s", {"ms", 1e3}},    {"s", {"us", 1e6}}};
+    cli_unit chosen = {si, 1};
+    for (size_t k = 0; k < sizeof units / sizeof *units; k++)
+        if (!strcmp(units[k].si, si)) {
+            chosen = units[k].of;
+            if (fabs(size) * chosen.factor >= 0.1)
+                break;
+        }
+    return chosen;
 }
 
 void cli_put_foreign(const char *text)

@@ -107,6 +107,17 @@ void cli_say(void *data, ovr_message_kind kind, const char *text);
  * escaped: \x1b. */
 void cli_put_foreign(const char *text);
 
+/* Unit in which values are printed: "um" and 1e6 for metres. */
+typedef struct cli_unit {
+    const char *name;
+    double factor;
+} cli_unit;
+
+/* Returns the largest unit of which `size`, in the unit `si`, is at least a
+ * tenth: mm, um or nm for small lengths, GPa or MPa for pressures. Units other
+ * than m, Pa and s are kept. */
+cli_unit cli_choose_unit(const char *si, double size);
+
 /* Prints "overroll VERB: message" and returns exit code 2. */
 int cli_usage(const cli_call *call, const char *format, ...) OVR_PRINTF(2, 3);
 

@@ -110,9 +110,15 @@ static void put_table(const ovr_find *find, const ovr_find_info *i)
     printf("\n%-*s %-*s order level  seconds\n", key, at, quantity, of);
     for (size_t k = 0; k < i->evaluations; k++) {
         ovr_find_evaluation e = ovr_find_evaluation_at(find, k);
-        printf("%-*.8g %-*.8g ", key, e.value, quantity, e.quantity);
+        printf("%-*.8g ", key, e.value);
+        if (isnan(e.quantity))
+            printf("%-*s ", quantity, "-");
+        else
+            printf("%-*.8g ", quantity, e.quantity);
         if (i->exact)
             putchar('\n');
+        else if (!e.order)
+            printf("%5s %5s %8s  %s\n", "-", "-", "-", e.message);
         else
             printf("%5d %5d %8.3g%s%s\n", e.order, e.level, e.seconds,
                    e.marked     ? "  above tolerance"

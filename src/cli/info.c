@@ -131,7 +131,7 @@ static void print_history(const report *r)
 {
     const ovr_result_info *a = r->about;
     put_label("history");
-    printf("%zu steps", a->steps);
+    printf("%zu step%s", a->steps, a->steps == 1 ? "" : "s");
     if (a->steps)
         printf(", T = %g to %g", r->T[0], last_time(r));
     if (!isnan(a->end))
@@ -180,7 +180,7 @@ static bool has_extremes(report *r, const ovr_variable *v)
  * which contain a sentence instead. */
 static const char *name_of(const ovr_variable *v)
 {
-    enum { LONGEST = 45 };
+    enum { LONGEST = 48 };
     return strlen(v->long_name) <= LONGEST ? v->long_name : v->name;
 }
 
@@ -207,16 +207,18 @@ static void print_extremes(report *r)
            at, "maximum", at, "unit", "dataset");
     for (size_t k = 0; (v = ovr_result_column(r->result, k)); k++) {
         extremes e;
+        cli_unit as;
         if (!has_extremes(r, v))
             continue;
         e = find_extremes(r);
         cli_put_foreign(name_of(v));
         printf("%*s", width - (int)strlen(name_of(v)), "");
-        put_number(e.minimum, 13, 6);
+        as = cli_choose_unit(v->unit, fmax(fabs(e.minimum), fabs(e.maximum)));
+        put_number(e.minimum * as.factor, 13, 6);
         put_number(e.T_min * ms, 9, 4);
-        put_number(e.maximum, 13, 6);
+        put_number(e.maximum * as.factor, 13, 6);
         put_number(e.T_max * ms, 9, 4);
-        printf("  %-7s %s\n", v->unit, v->name);
+        printf("  %-7s %s\n", as.name, v->name);
     }
 }
 
@@ -433,12 +435,13 @@ const cli_verb cli_info = {
     .arguments = "OUT.h5 [--inputs DIR]",
     .options = options,
     .summary = "print the contents of a result file",
-    .help = "Of the file of several passes: its rows.\nWorks while the file is "
+    .help = "For the table of several passes, its rows are printed.\nWorks "
+            "while the file is "
             "being written. With -v the case is "
             "printed too.\nWith --inputs DIR the case and the files that it "
             "names are written into DIR; running that case computes the "
-            "result again.\nThe table is in the units of the file, --json is "
-            "dimensionless.",
+            "result again.\nLengths are printed in mm, um or nm, pressures in "
+            "GPa or MPa, times in ms or us; --json is dimensionless.",
     .minimum = 1,
     .maximum = 1,
     .run = run,

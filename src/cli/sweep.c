@@ -127,14 +127,14 @@ static void put_counts(const ovr_sample_row *r)
 }
 
 /* Prints "LOW to HIGH", or the finite limit. */
-static void put_interval(double low, double high)
+static void put_interval(double low, double high, double factor)
 {
     if (isnan(low) && isfinite(high))
-        printf(" below %.4g\n", high);
+        printf(" below %.4g\n", high * factor);
     else if (isnan(high) && isfinite(low))
-        printf(" above %.4g\n", low);
+        printf(" above %.4g\n", low * factor);
     else if (isfinite(low))
-        printf(" %.4g to %.4g\n", low, high);
+        printf(" %.4g to %.4g\n", low * factor, high * factor);
     else
         putchar('\n');
 }
@@ -144,32 +144,34 @@ static void put_value(const char *label, double value)
     printf("%-*s %-12.5g", OVR_LABEL_WIDTH, label, value);
 }
 
-static void put_moments(const ovr_sample_row *r)
+static void put_moments(const ovr_sample_row *r, cli_unit as)
 {
     double half = r->factor * r->error;
     char label[64];
-    printf("\n%s%s%s (%s)\n", r->name, *r->unit ? ", " : "", r->unit,
+    printf("\n%s%s%s (%s)\n", r->name, *as.name ? ", " : "", as.name,
            r->quantity);
     printf("%-*s %-12s 95 %% confidence interval\n", OVR_LABEL_WIDTH,
            "statistic", "value");
-    put_value("mean", r->mean);
-    put_interval(r->mean - half, r->mean + half);
-    printf("%-*s %.5g\n", OVR_LABEL_WIDTH, "standard deviation", r->sd);
+    put_value("mean", r->mean * as.factor);
+    put_interval(r->mean - half, r->mean + half, as.factor);
+    printf("%-*s %.5g\n", OVR_LABEL_WIDTH, "standard deviation",
+           r->sd * as.factor);
     for (int k = 0; k < OVR_SAMPLE_QUANTILES; k++) {
         snprintf(label, sizeof label, "%.0f %% quantile", 100 * r->p[k]);
-        put_value(label, r->quantile[k]);
-        put_interval(r->low[k], r->high[k]);
+        put_value(label, r->quantile[k] * as.factor);
+        put_interval(r->low[k], r->high[k], as.factor);
     }
 }
 
-static void put_limits(const ovr_sample_row *r)
+static void put_limits(const ovr_sample_row *r, cli_unit as)
 {
     char label[64];
     for (size_t k = 0; k < r->limits; k++) {
-        snprintf(label, sizeof label, "probability of %s %.6g",
-                 r->sense[k] > 0 ? "at least" : "at most", r->limit[k]);
+        snprintf(label, sizeof label, "probability of at %s %.6g%s%s",
+                 r->sense[k] > 0 ? "least" : "most", r->limit[k] * as.factor,
+                 *as.name ? " " : "", as.name);
         put_value(label, r->P[k]);
-        put_interval(r->P_low[k] <= 0 ? NAN : r->P_low[k], r->P_high[k]);
+        put_interval(r->P_low[k] <= 0 ? NAN : r->P_low[k], r->P_high[k], 1);
     }
 }
 
@@ -201,8 +203,10 @@ static void put_sample(const ovr_sample *sample)
         group = r->group;
         if (!r->known)
             continue;
-        put_moments(r);
-        put_limits(r);
+        cli_unit as = cli_choose_unit(r->unit,
+                                      r->quantile[OVR_SAMPLE_QUANTILES / 2]);
+        put_moments(r, as);
+        put_limits(r, as);
         put_inputs(sample, k, r->known);
     }
 }
@@ -358,7 +362,7 @@ static void report_table(const sweeping *w, const ovr_sweep_totals *t)
 }
 
 /* Prints the statistics of the samples and writes summary.csv. */
-static int tell_sample(const sweeping *w, json_writer *json)
+static int report_sample(const sweeping *w, json_writer *json)
 {
     char path[4400];
     ovr_error err = {0};
@@ -382,9 +386,9 @@ static int show_sample(const sweeping *w)
     json_writer json;
     int code;
     if (!w->call->json)
-        return tell_sample(w, NULL);
+        return report_sample(w, NULL);
     json = json_begin(stdout);
-    code = tell_sample(w, &json);
+    code = report_sample(w, &json);
     json_end(&json);
     return code;
 }
@@ -402,7 +406,7 @@ static int finish(sweeping *w)
     else if (w->call->verbosity >= 0)
         report_table(w, &totals);
     if (ovr_study_random(w->s) && totals.count[OVR_SWEEP_FINISHED] &&
-        !w->call->json && tell_sample(w, NULL))
+        !w->call->json && report_sample(w, NULL))
         return CLI_FAILED;
     if (totals.count[OVR_SWEEP_FAILED])
         return CLI_FAILED;

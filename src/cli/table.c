@@ -126,6 +126,16 @@ static bool next_known(const ovr_table *t, size_t *at, ovr_pass_head *head)
     return false;
 }
 
+/* Returns the unit of a column: that of its largest value. */
+static cli_unit unit_of(const ovr_table_column *c, size_t rows)
+{
+    double largest = 0;
+    for (size_t i = 0; i < rows; i++)
+        if (fabs(c->number[i]) > largest)
+            largest = fabs(c->number[i]);
+    return cli_choose_unit(*c->unit ? c->unit : "1", largest);
+}
+
 /* Prints the rows, and the full names of the columns. */
 static void print_table(const char *path, const ovr_table *t)
 {
@@ -135,13 +145,15 @@ static void print_table(const char *path, const ovr_table *t)
         printf(" %11s", head.text);
     printf("  file\n%4s", "");
     for (size_t k = 0; next_known(t, &k, &head);)
-        printf(" %11s", *head.of->unit ? head.of->unit : "1");
+        printf(" %11s", unit_of(head.of, ovr_table_rows(t)).name);
     putchar('\n');
     for (size_t i = 0; i < ovr_table_rows(t); i++) {
         printf("%4zu", i + 1);
         for (size_t k = 0; next_known(t, &k, &head);)
             if (isfinite(head.of->number[i]))
-                printf(" %11.5g", head.of->number[i]);
+                printf(" %11.5g",
+                       head.of->number[i] *
+                           unit_of(head.of, ovr_table_rows(t)).factor);
             else
                 printf(" %11s", "-");
         fputs("  ", stdout);

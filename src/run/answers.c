@@ -13,6 +13,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "overroll/profile.h"
 #include "results/results.h"
 #include "run/internal.h"
 #include "run/run.h"
@@ -167,7 +168,7 @@ static void write_film(page *p)
     double h = of(p, run ? "H_min_overall_m" : "min_film_m");
     if (isnan(h))
         return; /* no solution */
-    say(p, "%.4g um", 1e6 * h);
+    say(p, "%s", ovr_metres(h).text);
     write_place(p, "H_min");
     if (h < OVR_MOLECULE)
         say(p, ", thinner than molecules of lubricants");

@@ -12,6 +12,7 @@
 #include "contact/film_formula.h"
 #include "contact/oil.h"
 #include "contact/starvation.h"
+#include "overroll/profile.h"
 #include "overroll/questions.h"
 #include "run/cost.h"
 #include "run/run.h"
@@ -68,7 +69,7 @@ static ovr_words film_text(double H, const ovr_contact *contact)
     ovr_words w = {""};
     ovr_words_add(&w, "H = %.5g", H);
     if (isfinite(contact->height))
-        ovr_words_add(&w, " (%.4g um)", H * contact->height * 1e6);
+        ovr_words_add(&w, " (%s)", ovr_metres(H * contact->height).text);
     return w;
 }
 
@@ -272,7 +273,7 @@ static void report_rough_film(const ovr_report_sink *to, const ovr_setup *setup,
     if (film->H_min > 0)
         ovr_report_line(to, "minimum film thickness", "%s%s%s",
                         film_text(film->H_min, c).text,
-                        film->but ? "; less certain here: " : "",
+                        film->but ? "; less certain: " : "",
                         film->but ? film->but : "");
     else
         ovr_report_line(to, "minimum film thickness",

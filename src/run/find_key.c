@@ -223,15 +223,16 @@ static ovr_status fail_missed(const ovr_find *f, const ovr_search_result *r,
     const char *failure = first_failure(f);
     char beyond[200] = "";
     if (r->monotone && (above || i->target < r->minimum))
-        snprintf(beyond, sizeof beyond, "; it %s with %s: go %s %g%s",
-                 r->rises ? "rises" : "falls", i->key, up ? "beyond" : "below",
+        snprintf(beyond, sizeof beyond,
+                 "; it %s with %s: extend the range %s %g%s",
+                 r->rises ? "rises" : "falls", i->key, up ? "above" : "below",
                  up ? r->to : r->from, f->suffix);
     return ovr_fail(err, OVR_BAD_INPUT,
-                    "%s is %.6g to %.6g between %g and %g%s, so that %.6g is "
-                    "not reached%s%s%.300s",
+                    "%s is %.6g to %.6g between %g and %g%s and does not "
+                    "reach %.6g%s%s%.300s",
                     i->quantity, r->minimum, r->maximum, r->from, r->to,
                     f->suffix, i->target, beyond,
-                    *failure ? "; runs failed: " : "", failure);
+                    *failure ? "; the first run that failed: " : "", failure);
 }
 
 static ovr_status fail_several(const ovr_find *f, const ovr_search_result *r,

@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <math.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -205,7 +206,12 @@ ovr_status ovr_find_set(const ovr_find *f, ovr_case *c, double x,
                         ovr_error *err)
 {
     char text[120];
-    snprintf(text, sizeof text, "%.17g%.60s", x, f->suffix);
+    for (int digits = 15; digits <= 17;
+         digits++) { /* the fewest that suffice */
+        snprintf(text, sizeof text, "%.*g%.60s", digits, x, f->suffix);
+        if (strtod(text, NULL) == x)
+            break;
+    }
     return ovr_case_set(c, f->info.key, text, "between", err);
 }
 

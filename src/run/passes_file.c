@@ -80,7 +80,7 @@ static void name(const ovr_observable *row, unsigned how, ovr_pass_column *to)
     to->with = row->pass_with;
     if (how == OVR_PASS_SMALLEST) {
         before = second ? "least_" : "";
-        to->head = second ? "least" : to->head;
+        to->head = second ? "h_cen, min" : to->head;
         behind = "minimum over the pass";
     } else if (how == OVR_PASS_LARGEST) {
         before = second ? "largest_" : "";

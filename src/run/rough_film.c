@@ -164,14 +164,14 @@ static const char *reservation(const ovr_setup *s, const ovr_rough_film *film)
         return sliding_error(s->lubricant->rheology != OVR_NEWTONIAN,
                              speed(s) > 1);
     if (s->sliding)
-        return "the sliding changes";
+        return "the sliding speed varies";
     if (ovr_history_varies(s->load) || ovr_history_varies(s->speed) ||
         ovr_history_varies(s->radius) || s->passes->loads.count)
         return "load, speed or radius vary; the prediction is for the "
                "reference contact";
     for (size_t k = 0; k < n; k++)
         if (!(ovr_surfaces_info(s->surfaces, k).Rq > 0))
-            return "single features are no waves";
+            return "the theory describes waves, not single features";
     return film->H_min > 0 ? NULL
                            : "the remaining roughness is as high as "
                              "the film thickness";

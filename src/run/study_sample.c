@@ -90,8 +90,9 @@ static ovr_status take_asked(sampling *w, const char *names)
  * minimum film thickness and maximum pressure, in SI if available. */
 static ovr_status take_usual(sampling *w)
 {
-    static const char *const films[] = {"H_min_overall_m", "H_min_overall",
-                                        "min_film_m", "H_min"};
+    static const char *const films[] = {"H_min_overall_m",    "H_min_overall",
+                                        "min_film_located_m", "H_min_located",
+                                        "min_film_m",         "H_min"};
     static const char *const pressures[] = {"P_max_overall_Pa", "P_max_overall",
                                             "max_pressure_Pa", "P_max"};
     const ovr_study *s = w->s;
@@ -100,11 +101,11 @@ static ovr_status take_usual(sampling *w)
             return no_quantity(w, s->limit[k].quantity);
     if (s->find.how.key)
         add_quantity(w, s->find.how.key);
-    for (size_t k = 0; k < 4 && !add_quantity(w, films[k]); k++)
+    for (size_t k = 0; k < 6 && !add_quantity(w, films[k]); k++)
         ;
     for (size_t k = 0; k < 4 && !add_quantity(w, pressures[k]); k++)
         ;
-    return w->quantities ? OVR_OK : no_quantity(w, "H_min");
+    return w->quantities ? OVR_OK : no_quantity(w, "H_min_located");
 }
 
 /* --------------------------------------------------------------------- rows */

@@ -127,8 +127,8 @@ void ovr_words_add(ovr_words *to, const char *format, ...)
 
 /* ------------------------------------------------------------------ in SI */
 
-/* Returns a number in SI, "12.3 um": film thicknesses in um, pressures in GPa,
- * times in ms, lengths with a prefix; "" if the SI value is unknown. */
+/* Returns a number in SI, "12.3 um": lengths with a prefix, pressures in GPa,
+ * times in ms; "" if the SI value is unknown. */
 static ovr_piece in_si(double value, ovr_unit_kind kind,
                        const ovr_contact *contact)
 {
@@ -136,14 +136,12 @@ static ovr_piece in_si(double value, ovr_unit_kind kind,
     ovr_piece p = {""};
     if (!isfinite(si))
         return p;
-    if (kind == OVR_KIND_HEIGHT)
-        snprintf(p.text, sizeof p.text, "%.4g um", si * 1e6);
+    if (kind == OVR_KIND_HEIGHT || kind == OVR_KIND_LENGTH)
+        p = ovr_metres(si);
     else if (kind == OVR_KIND_PRESSURE)
         snprintf(p.text, sizeof p.text, "%.4g GPa", si * 1e-9);
     else if (kind == OVR_KIND_TIME)
         snprintf(p.text, sizeof p.text, "%.4g ms", si * 1e3);
-    else if (kind == OVR_KIND_LENGTH)
-        p = ovr_metres(si);
     else if (kind == OVR_KIND_FORCE)
         snprintf(p.text, sizeof p.text, "%.4g N/m", si);
     else if (kind == OVR_KIND_POWER)

@@ -190,9 +190,9 @@ echo "$own $foreseen" | awk '{ exit !($1 > 0.8*$2 && $1 < 1.2*$2) }' ||
 expect 0 "$OVERROLL" check rough.ini --set contact.M=1.5
 contains out 'film thickness roughness Rq +no prediction: .* is valid for'
 expect 0 "$OVERROLL" check rough.ini --set contact.slide_to_roll=0.2
-contains out 'less certain here: the surfaces slide: Rq was predicted 0.8 to'
+contains out 'less certain: the surfaces slide: Rq was predicted 0.8 to'
 expect 0 "$OVERROLL" check rough.ini --set contact.slide_to_roll=-0.2
-contains out 'less certain here: the surfaces slide'
+contains out 'less certain: the surfaces slide'
 
 # A moving wave that the run begins with is grown into the steady start.  Its
 # cost is predicted within ten times, also in a shear-thinning film that is a

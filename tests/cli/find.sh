@@ -162,10 +162,10 @@ refuses 'kept.d: contains results of another question' \
 depth='dent.ini feature.dent.depth between'
 # shellcheck disable=SC2086
 expect 2 "$OVERROLL" find $depth 0.01 and 0.05 so that H_min_overall is 0.05
-contains err '0.05 is not reached; it falls with .*depth: go beyond 0.05'
+contains err 'does not reach 0.05; it falls with .*depth: extend the range above 0.05'
 # shellcheck disable=SC2086
 expect 2 "$OVERROLL" find $depth 0.2 and 0.5 so that H_min_overall is 0.05
-contains err 'go below 0.2'
+contains err 'extend the range below 0.2'
 # shellcheck disable=SC2086
 expect 2 "$OVERROLL" find dent.ini largest feature.dent.depth between 0.01 \
     and 0.05 so that H_min_overall at least 0.05
@@ -219,7 +219,7 @@ H='so that H_min_overall'
 # a number below zero is no option
 expect 2 "$OVERROLL" find dent.ini contact.slide_to_roll between -0.5 and 0.5 \
     so that H_min is 9 --steady
-contains err '9 is not reached'
+contains err 'does not reach 9;'
 
 # In a study: a curve; the table has a column of the key's name; a case that
 # was stopped is resumed with what it has

@@ -28,8 +28,8 @@ file = hot.h5
 fields = pressure, temperature_1, temperature_2, temperature_mean
 END
 expect 0 "$OVERROLL" check hot.ini
-contains out '^#   heat +Theta = .*; 5 or 7 points across'
-contains out '^#   surfaces +Peclet '
+contains out '^#   thermal parameters +Theta = .*; 5 or 7 points across'
+contains out '^#   Peclet numbers of the surfaces +[0-9]'
 expect 0 "$OVERROLL" run hot.ini --json
 for key in T_max_rise T_1_max_rise T_2_max_rise; do
     awk -v x="$(number $key)" 'BEGIN { exit !(x > 1 && x < 100) }' ||

@@ -186,7 +186,7 @@ contains out '^estimated .* .from level 3 and the next coarser, time steps'
 expect 0 "$OVERROLL" info physical.h5
 contains out 't = 0 to 0\.02[0-9]+ ms$'
 contains out ' at t, ms '
-contains out '^minimum film thickness +[0-9.e-]+ .* m +min_film_thickness$'
+contains out '^minimum film thickness +[0-9.e-]+ .* [un]m +min_film_thickness$'
 contains out '^Hertzian half-width b +[0-9.]+ um$'
 
 # Progress: a line for each tenth in a file, nothing in a pipe but for -v

@@ -198,7 +198,7 @@ refuses "body 3.* must be .body 1. or" run dent.ini \
     --set 'body 3.poisson=0.2'
 refuses 'less than D/2|of travel' run dent.ini --set stress.depth_min=0.001
 expect 0 "$OVERROLL" check dent.ini -v
-contains out '^#   stresses below .* MB'
+contains out '^#   stress grid .* MB'
 contains out '^#   fatigue .*circle: no limit; smooth'
 contains out '^\[fatigue\]'
 "$OVERROLL" check dent.ini -v >checked.ini

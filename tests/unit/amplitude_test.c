@@ -165,12 +165,12 @@ TEST(what_is_not_foreseen)
         {"[radius]\nhistory = ramp\nto = 1.2\nduration = 1\n", NULL, NULL,
          "radius"},
         {"[sliding]\nhistory = ramp\nto = 0.2\nduration = 1\n", NULL, NULL,
-         "sliding changes"},
+         "sliding speed varies"},
         {"", "contact.slide_to_roll=-0.1", NULL, "slide"},
         {"", "contact.M=1.9", "2 <= M", NULL},
         {"", "contact.L=1", "2 <= L", NULL},
         {"[feature d]\nshape = dent\ndepth = 0.01\nwidth = 0.5\n", NULL, NULL,
-         "no waves"},
+         "not single features"},
         {"", "feature.w.amplitude=0.3", NULL, "as high as"},
     };
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {

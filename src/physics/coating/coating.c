@@ -423,10 +423,10 @@ static void tell_layer(const ovr_physics_case *of, const coating_form *f, int k,
     char name[40], text[160];
     size_t used;
     snprintf(name, sizeof name, "coating %s", name_of(k, j));
-    used = (size_t)snprintf(text, sizeof text, "%.3g b thick", t);
+    used = (size_t)snprintf(text, sizeof text, "thickness %.3g b", t);
     if (o->level > 0 && o->outlet > o->inlet)
-        used += (size_t)snprintf(text + used, sizeof text - used,
-                                 ", %.3g meshes", t / D);
+        used += (size_t)snprintf(text + used, sizeof text - used, " = %.3g D",
+                                 t / D);
     if (strain(of, f, k, j) > STRAIN_MAX)
         snprintf(text + used, sizeof text - used,
                  "; strains of %.2g are not small", strain(of, f, k, j));
@@ -445,10 +445,10 @@ static void tell(const ovr_physics_case *of, const void *form,
              "E' %.4g GPa, substrates %.4g GPa; relative error of the "
              "compliance %.1g",
              of->contact->modulus / 1e9, of->substrate / 1e9, f->images.error);
-    line(data, "layered contact", text);
+    line(data, "effective modulus", text);
     snprintf(text, sizeof text, "half-width %.4g b, maximum pressure %.4g p_h",
              f->width, f->pressure);
-    line(data, "dry contact with the layers", text);
+    line(data, "dry contact with coating", text);
 }
 
 /* ----------------------------------------------------------- its simulation */

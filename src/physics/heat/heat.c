@@ -347,23 +347,24 @@ static void warm(const ovr_simulation *sim, const void *own, double *viscosity,
 
 /* ----------------------------------------------------------------- physics */
 
-static void tell(const ovr_physics_case *of, const void *form,
-                 ovr_physics_line *line, void *data)
+static void describe(const ovr_physics_case *of, const void *form,
+                     ovr_physics_line *line, void *data)
 {
     const ovr_heat *heat = form;
     char text[120], points[20] = "5 or 7";
     (void)of;
     if (heat->points)
         snprintf(points, sizeof points, "%d", heat->points);
-    snprintf(text, sizeof text, "Theta = %.5g K, Kf = %.5g; %s points across",
+    snprintf(text, sizeof text,
+             "Theta = %.5g K, Kf = %.5g; %s points across the film",
              heat->theta, heat->conduction, points);
-    line(data, "heat", text);
-    snprintf(text, sizeof text, "Peclet %.4g and %.4g", heat->peclet[0],
+    line(data, "thermal parameters", text);
+    snprintf(text, sizeof text, "%.4g and %.4g", heat->peclet[0],
              heat->peclet[1]);
-    line(data, "surfaces", text);
+    line(data, "Peclet numbers of the surfaces", text);
     snprintf(text, sizeof text, "S0 = %.4g, beta = %.4g 1/K at p = 0", heat->S0,
              heat->beta);
-    line(data, "viscosity and temperature", text);
+    line(data, "viscosity-temperature relation", text);
 }
 
 /* ------------------------------------------------ Film and heat in turn */
@@ -647,7 +648,7 @@ static const ovr_physics_in_case in_case = {.node_seconds = 5e-7,
                                             .says = says,
                                             .own_fields = &own_fields,
                                             .lag = 0.05,
-                                            .tell = tell};
+                                            .tell = describe};
 
 static const ovr_physics_in_solve in_solve = {.take = take_heat,
                                               .before_start = before_start,

@@ -536,10 +536,10 @@ ovr_status ovr_boundary_on_mesh(const ovr_physics_case *of, void *form,
 
 /* Reports boundary, fluid and total friction coefficients for the bounds of the
  * asperity load share. */
-static void tell_friction(const ovr_physics_case *of,
-                          const ovr_boundary_form *f, double H,
-                          const double share[3], ovr_physics_line *line,
-                          void *data)
+static void describe_friction(const ovr_physics_case *of,
+                              const ovr_boundary_form *f, double H,
+                              const double share[3], ovr_physics_line *line,
+                              void *data)
 {
     double minimum[3] = {NAN, NAN, NAN}, maximum[3] = {NAN, NAN, NAN};
     bool known = of->lubricant->rheology != OVR_NEWTONIAN &&
@@ -556,17 +556,17 @@ static void tell_friction(const ovr_physics_case *of,
     }
     if (known)
         snprintf(text, sizeof text,
-                 "%.2g to %.2g for this range of contact shares: boundary "
+                 "%.2g to %.2g for this range of load shares: boundary "
                  "friction %.2g to %.2g, fluid friction %.2g to %.2g at the "
                  "supply temperature",
                  minimum[2], maximum[2], minimum[0], maximum[0], minimum[1],
                  maximum[1]);
     else
         snprintf(text, sizeof text,
-                 "boundary friction %.2g to %.2g for this range of contact "
+                 "boundary friction %.2g to %.2g for this range of load "
                  "shares; fluid friction needs a rheological model",
                  minimum[0], maximum[0]);
-    line(data, "  mu", text);
+    line(data, "predicted friction coefficient", text);
 }
 
 /* Exponential model for the roughness on the mesh in |X| < 1 and the boundary
@@ -612,9 +612,9 @@ void ovr_boundary_instead(const ovr_asperity_law *law, double H, size_t n,
             share_of(&all, H));
 }
 
-static void tell_estimate(const ovr_physics_case *of,
-                          const ovr_boundary_form *f, ovr_physics_line *line,
-                          void *data)
+static void describe_estimate(const ovr_physics_case *of,
+                              const ovr_boundary_form *f,
+                              ovr_physics_line *line, void *data)
 {
     double H = smooth_film(of), share[3];
     char text[240];
@@ -623,30 +623,29 @@ static void tell_estimate(const ovr_physics_case *of,
                  "%.3g: central film thickness of smooth surfaces (film "
                  "thickness formula) divided by the composite Rq",
                  H / f->factor.sigma);
-        line(data, "lambda", text);
+        line(data, "lambda ratio", text);
     }
     for (int k = 0; k < 3; k++)
         share[k] = share_with(f, H, (ovr_ridges)k);
     snprintf(text, sizeof text,
-             "about %.2g of the load for the smooth film thickness without "
-             "trapped lubricant, an upper bound (within 8 %% for lambda "
-             "ratios above 1, too high below)",
+             "at most %.2g (smooth film thickness, no trapped lubricant); "
+             "within 8 %% for lambda ratios above 1, too high below",
              share[0]);
-    line(data, "surfaces that touch", text);
+    line(data, "predicted asperity load share", text);
     if (isfinite(share[1])) {
         snprintf(text, sizeof text,
                  "%.2g with the flow factor of isotropic roughness, %.2g "
-                 "with that of ridges across the flow; ridges on the grid "
-                 "trap lubricant and have even less contact",
+                 "with that of ridges across the flow; less if the grid "
+                 "resolves the ridges, because they trap lubricant",
                  share[1], share[2]);
-        line(data, "  other bounds", text);
+        line(data, "  with a flow factor", text);
     }
     if (!isnan(f->friction))
-        tell_friction(of, f, H, share, line, data);
+        describe_friction(of, f, H, share, line, data);
 }
 
-static void tell_wear(const ovr_boundary_form *f, ovr_physics_line *line,
-                      void *data)
+static void describe_wear(const ovr_boundary_form *f, ovr_physics_line *line,
+                          void *data)
 {
     char text[160];
     if (f->jump > 0)
@@ -671,7 +670,7 @@ void ovr_boundary_describe(const ovr_physics_case *of, const void *form,
         snprintf(text, sizeof text,
                  "%.4g p_h at zero gap, falls by a factor e in %.4g b^2/R",
                  f->amplitude, f->decay);
-        line(data, "roughness bears", text);
+        line(data, "asperity contact model", text);
     }
     if (f->bears.table.n) {
         double A, slope;
@@ -680,29 +679,30 @@ void ovr_boundary_describe(const ovr_physics_case *of, const void *form,
                  "%.4g p_h at zero gap, falls by a factor e in %.4g b^2/R "
                  "there",
                  A, A / slope);
-        line(data, "roughness bears", text);
+        line(data, "asperity contact model", text);
     }
     if (f->law == OVR_BOUNDARY_PROFILE && !f->bears.table.n)
-        line(data, "both profiles", "completely resolved by the grid");
+        line(data, "asperity contact model",
+             "none: the grid resolves both profiles completely");
     if (f->law == OVR_BOUNDARY_PROFILE && f->bears.table.n) {
         snprintf(text, sizeof text,
-                 "Rq %.4g b^2/R, slope %.4g, %d of their pressures up to %.4g "
-                 "ph%s",
+                 "composite Rq %.4g b^2/R, slope %.4g; asperity pressure "
+                 "tabulated at %d gaps, at most %.4g p_h%s",
                  f->Rq, f->slope, (int)f->bears.table.n,
                  exp(f->bears.table.ln_A[0]),
                  f->unresolved ? "; only roughness finer than the grid"
                  : f->pair.cut ? "; the longer profile is cut to the shorter"
                                : "");
-        line(data, "both profiles", text);
+        line(data, "profiles of both surfaces", text);
     }
     if (f->layer > 0) {
         snprintf(text, sizeof text,
                  "p_h at a film thickness of %.4g b^2/R, falls by a factor e "
                  "in %.4g",
                  f->layer, f->layer_decay);
-        line(data, "a layer bears", text);
+        line(data, "boundary layer", text);
     }
-    tell_estimate(of, f, line, data);
+    describe_estimate(of, f, line, data);
     if (f->passes > 0)
-        tell_wear(f, line, data);
+        describe_wear(f, line, data);
 }

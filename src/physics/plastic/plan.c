@@ -124,8 +124,8 @@ double ovr_plastic_seconds(const void *form)
     return all;
 }
 
-static void tell_body(const ovr_setup *setup, int k, ovr_physics_line *line,
-                      void *data)
+static void describe_body(const ovr_setup *setup, int k, ovr_physics_line *line,
+                          void *data)
 {
     const ovr_plastic_setup *how = ovr_setup_plastic(setup);
     double Y = how->body[k].hardening.yield, ph = setup->contact->ph * 1e-6;
@@ -142,7 +142,7 @@ static void tell_body(const ovr_setup *setup, int k, ovr_physics_line *line,
         "contact at %.4g p_h, shakedown limit %.4g p_h, E*/p_h %s",
         k + 1, Y, megapascals, ovr_first_yield(nu) * Y,
         ovr_shakedown_limit() * Y, strain);
-    line(data, "yields", text);
+    line(data, "plastic material", text);
     if (!setup->nodes || ovr_plastic_planned(setup, k, &plan, NULL))
         return;
     snprintf(
@@ -152,7 +152,7 @@ static void tell_body(const ovr_setup *setup, int k, ovr_physics_line *line,
         plan.points, plan.first, plan.first + (double)plan.points * plan.mesh,
         plan.stress.feature ? plan.stress.feature : "X = 0", plan.layers,
         how->depth, memory_of(setup, k) / 1e6, 1e3 * iteration_seconds(&plan));
-    line(data, "window", text);
+    line(data, "plastic window", text);
 }
 
 void ovr_plastic_describe(const ovr_physics_case *of, const void *form,
@@ -162,5 +162,5 @@ void ovr_plastic_describe(const ovr_physics_case *of, const void *form,
     (void)of;
     for (int k = 0; k < 2; k++)
         if (how->surfaces >> k & 1)
-            tell_body(how->setup, k, line, data);
+            describe_body(how->setup, k, line, data);
 }

@@ -459,7 +459,7 @@ static const ovr_observable quantities[] = {
                    COMMENT("permanent depression of the profile"),
                    LABEL("maximum profile change"),
                    LARGEST("profile_change_max"), EXTREME_REPORTED, PASS(END),
-                   PASS_HEAD(8, "change"), PASS_WITH(PLASTIC)),
+                   PASS_HEAD(8, "profile"), PASS_WITH(PLASTIC)),
     OVR_NUMBER_ROW("shoulder_height_leading", "shoulder_height_leading",
                    "shoulder_height_leading_m", HEIGHT, shoulder_leading,
                    OVR_PHYSICS_PLASTIC, "leading rim height",

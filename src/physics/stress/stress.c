@@ -488,10 +488,10 @@ static void tell_yield(const ovr_setup *setup, int k, ovr_physics_line *line,
                  " (%.4g MPa: %.4g and %.4g MPa)", Y * ph, first * ph,
                  shakedown * ph);
     snprintf(text, sizeof text,
-             "surface %d: yield stress Y = %.4g p_h, first yield of the smooth "
+             "surface %d: Y = %.4g p_h, first yield of the smooth "
              "contact at %.4g p_h, shakedown limit %.4g p_h%s",
              k + 1, Y, first, shakedown, megapascals);
-    line(data, "yield", text);
+    line(data, "yield stress", text);
 }
 
 /* Reports depths, memory, and the limits in MPa. */
@@ -506,10 +506,10 @@ static void tell(const ovr_physics_case *of, const void *form,
     if (ovr_setup_stress_depth(setup, &minimum, NULL))
         return;
     snprintf(text, sizeof text,
-             "Z = %.4g to %.4g, %g per octave; %.3g MB, doubles the time of "
-             "the run",
+             "Z = %.4g to %.4g, %g depths per octave; %.3g MB, doubles the "
+             "computing time",
              minimum, s->depth_max, s->per_octave, memory(s) / 1e6);
-    line(data, "stresses below", text);
+    line(data, "stress grid", text);
     snprintf(text, sizeof text, "%s%s",
              s->traction ? "shear stress of the film" : "none: ",
              s->traction ? "" : s->no_traction);

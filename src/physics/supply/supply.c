@@ -389,8 +389,8 @@ static void tell(const ovr_physics_case *of, const void *form,
                  ovr_physics_line *line, void *data)
 {
     (void)of, (void)form;
-    line(data, "cavities",
-         "moves at the entrainment speed in cavities; an infinitely long "
+    line(data, "cavitated lubricant",
+         "moves at the entrainment speed; an infinitely long "
          "contact passes all supplied lubricant");
 }
 
