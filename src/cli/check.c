@@ -97,9 +97,9 @@ static void put_stations(const ovr_setup *setup)
         }
         putchar('\n');
     }
-    printf("#   SRR: slide-to-roll ratio; w: load per unit width; h_min: film "
-           "thickness formula, flooded and steady; flash: Blok's flash "
-           "temperature at mu = %g\n",
+    puts("#   SRR: slide-to-roll ratio, w: load per unit width");
+    printf("#   h_min by the film thickness formula (flooded, steady), flash "
+           "temperature after Blok at mu = %g\n",
            OVR_STATION_FRICTION);
 }
 

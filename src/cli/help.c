@@ -435,6 +435,23 @@ static bool help_synonym(const cli_call *call, const char *term)
     return help_name(call, topic);
 }
 
+/* Prints the help of the keys of which `word` is a value, such as "eyring". */
+static bool help_value(const char *word)
+{
+    bool found = false;
+    for (size_t k = 0; k < ovr_parameter_count(); k++) {
+        ovr_parameter_info p = ovr_parameter_at(k);
+        for (int i = 0; p.choices[i]; i++)
+            if (cli_same_term(p.choices[i], word)) {
+                printf("%s%s: a value of %s.%s\n\n[%s]\n", found ? "\n" : "",
+                       p.choices[i], p.section, p.key, p.section);
+                put_parameter(&p);
+                found = true;
+            }
+    }
+    return found;
+}
+
 static int no_topic(const cli_call *call, const char *topic)
 {
     const char *names[TOPICS];
@@ -458,8 +475,13 @@ static int run(cli_call *call)
         return !strcmp(topic, "keys") ? bash_keys() : bash(call);
     if (call->arguments == 0)
         return list_topics(call);
-    if (!help_name(call, topic) && !help_synonym(call, topic))
-        return no_topic(call, topic);
+    const char *also = cli_synonym(topic);
+    if (!help_name(call, topic)) {
+        if (!help_synonym(call, topic) && !help_value(topic))
+            return no_topic(call, topic);
+    } else if (also && !cli_same_term(also, topic)) {
+        printf("\nSee also: overroll help %s\n", also);
+    }
     return CLI_DONE;
 }
 

@@ -162,7 +162,7 @@ refuses 'kept.d: contains results of another question' \
 depth='dent.ini feature.dent.depth between'
 # shellcheck disable=SC2086
 expect 2 "$OVERROLL" find $depth 0.01 and 0.05 so that H_min_overall is 0.05
-contains err 'does not reach 0.05; it falls with .*depth: extend the range above 0.05'
+contains err 'not reach 0.05; it falls with .*: extend the range above 0.05'
 # shellcheck disable=SC2086
 expect 2 "$OVERROLL" find $depth 0.2 and 0.5 so that H_min_overall is 0.05
 contains err 'extend the range below 0.2'

@@ -73,6 +73,11 @@ roughness:shape = roughness
 Rq:[boundary]
 sigma:boundary.Rq
 SRR:contact.slide_to_roll
+Eyring:a value of lubricant.rheology
+carreau:a value of lubricant.rheology
+Young's modulus:[body]
+maximum pressure:p_h
+traction:See also: overroll help friction
 slide-to-roll:(u1 - u2)
 Viscosity:[lubricant]
 VI:viscosity_index

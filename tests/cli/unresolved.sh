@@ -55,7 +55,8 @@ with open("fine.csv", "w") as out:
 END
 for level in 6 7 8; do
     expect 0 "$OVERROLL" check un.ini --level "$level"
-    sed -n 's/.*profiles of both surfaces  *composite Rq \([^ ]*\) .*/\1/p' out >"Rq.$level"
+    sed -n 's/.*of both surfaces  *composite Rq \([^ ]*\) .*/\1/p' out \
+        >"Rq.$level"
 done
 expect 0 "$OVERROLL" check un.ini --json
 expect 0 "$PYTHON" - <<'END'

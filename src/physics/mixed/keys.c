@@ -635,7 +635,7 @@ static void describe_estimate(const ovr_physics_case *of,
     if (isfinite(share[1])) {
         snprintf(text, sizeof text,
                  "%.2g with the flow factor of isotropic roughness, %.2g "
-                 "with that of ridges across the flow; less if the grid "
+                 "with the factor of transverse ridges; less if the grid "
                  "resolves the ridges, because they trap lubricant",
                  share[1], share[2]);
         line(data, "  with a flow factor", text);

@@ -299,7 +299,7 @@ static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
         "contact share and friction of thin films will be wrong: the "
         "[boundary] law carries %.3g p_h at zero film thickness, at "
         "most %.2g of the load; films at which it carries more than "
-        "half of that are rejected; set boundary.law = exponential with Rq and "
+        "half of that are rejected. Set boundary.law = exponential with Rq and "
         "slope, or constants that carry p_h at zero film thickness",
         f->at_no_film, f->share_at_no_film);
 }
