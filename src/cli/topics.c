@@ -270,6 +270,8 @@ static const struct {
     {"pressure", "hertz"},
     {"maximumpressure", "hertz"},
     {"young", "body.modulus"},
+    {"youngsmodulus", "body.modulus"},
+    {"elasticmodulus", "body.modulus"},
     {"barus", "viscosity_law"},
     {"moes", "contact.M"},
     {"u", "contact.mean_speed"},
@@ -330,8 +332,8 @@ bool cli_help_topic(const char *topic)
 bool cli_same_term(const char *a, const char *b)
 {
     for (;; a++, b++) {
-        a += strspn(a, " -_");
-        b += strspn(b, " -_");
+        a += strspn(a, " -_'");
+        b += strspn(b, " -_'");
         if (tolower((unsigned char)*a) != tolower((unsigned char)*b))
             return false;
         if (!*a)
