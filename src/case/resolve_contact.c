@@ -274,8 +274,6 @@ static ovr_status resolve_oil(ovr_resolved *r, ovr_error *err)
             err, supplied, "is also set in [lubricant]; remove one of the two");
     if (supplied->given)
         oil->temperature = supplied->number;
-    oil->viscosity = v->contact.viscosity;
-    oil->alpha = v->contact.alpha;
     if (!status && oil->viscosity_law == OVR_VISCOSITY_TABLE)
         status = read_table(r, "viscosity_file", v->viscosity_file,
                             OVR_TABLE_OF_VISCOSITY, err);
@@ -291,8 +289,6 @@ static ovr_status resolve_oil(ovr_resolved *r, ovr_error *err)
         return ovr_fail_in(err, r->c, ovr_block_of(r, "lubricant"),
                            ovr_block_of(r, "contact"), &why);
     r->alpha_estimated = oil->mineral && !given;
-    v->contact.viscosity = oil->viscosity;
-    v->contact.alpha = oil->alpha;
     return OVR_OK;
 }
 
@@ -395,6 +391,8 @@ ovr_status ovr_resolve_contact(ovr_resolved *r, ovr_error *err)
     if (ovr_resolve_element_keys(r, err) || resolve_bodies(r, err) ||
         ovr_resolve_element(r, err) || resolve_oil(r, err))
         return err ? err->status : OVR_BAD_INPUT;
+    given->viscosity = r->values.oil.viscosity;
+    given->alpha = r->values.oil.alpha;
     numbers = !isnan(given->M) || !isnan(given->L) || !isnan(given->lambda) ||
               !isnan(given->alphabar);
     if (numbers && isnan(given->alpha) && isnan(given->hertz_pressure))

@@ -45,7 +45,7 @@ enum {
 
 /* Values of a case except those of its features. */
 typedef struct ovr_settings {
-    ovr_conditions contact;
+    ovr_conditions contact; /* viscosity and alpha are keys of `oil` */
     double bearable;
     double Rq[2]; /* roughness that is not on the grid, m; NAN: unknown */
     int scale;

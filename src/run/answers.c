@@ -10,6 +10,7 @@
  */
 #include <math.h>
 #include <stdarg.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -18,30 +19,104 @@
 #include "run/internal.h"
 #include "run/run.h"
 
+/* The numbers that the answers need, under their keys in the summary; NAN:
+ * missing or unknown. */
+typedef struct numbers {
+    double H_min, min_film_m, max_pressure_Pa;
+    double H_min_overall_m, way_H_min_m, angle_H_min_deg;
+    double P_max_overall_Pa, way_P_max_m, angle_P_max_deg;
+    double lambda_ratio, lambda_ratio_at_H_min;
+    double contact_lambda, contact_lambda_mean, contact_share_mean;
+    double speed_rpm, torque_N_m, power_W, contact_ratio, overlap_ratio;
+    double bearing_load_N, rollers_loaded, heaviest_roller_N, pass;
+    double power_loss_W, efficiency, mu_slide_max;
+    double unbearable_share, shear_over_pressure;
+    double T_supply_K, T_max_rise, T_1_max_rise, T_2_max_rise;
+    double tau_max_Pa, von_mises_max_Pa, surface_tau_max;
+    double utilisation, risk_smooth, life_ratio, life_ratio_together;
+} numbers;
+
+#define ROW(key)                                                               \
+    {                                                                          \
+#key, offsetof(numbers, key)                                           \
+    }
+static const struct number_row {
+    const char *key;
+    size_t offset;
+} number_rows[] = {ROW(H_min),
+                   ROW(min_film_m),
+                   ROW(max_pressure_Pa),
+                   ROW(H_min_overall_m),
+                   ROW(way_H_min_m),
+                   ROW(angle_H_min_deg),
+                   ROW(P_max_overall_Pa),
+                   ROW(way_P_max_m),
+                   ROW(angle_P_max_deg),
+                   ROW(lambda_ratio),
+                   ROW(lambda_ratio_at_H_min),
+                   ROW(contact_lambda),
+                   ROW(contact_lambda_mean),
+                   ROW(contact_share_mean),
+                   ROW(speed_rpm),
+                   ROW(torque_N_m),
+                   ROW(power_W),
+                   ROW(contact_ratio),
+                   ROW(overlap_ratio),
+                   ROW(bearing_load_N),
+                   ROW(rollers_loaded),
+                   ROW(heaviest_roller_N),
+                   ROW(pass),
+                   ROW(power_loss_W),
+                   ROW(efficiency),
+                   ROW(mu_slide_max),
+                   ROW(unbearable_share),
+                   ROW(shear_over_pressure),
+                   ROW(T_supply_K),
+                   ROW(T_max_rise),
+                   ROW(T_1_max_rise),
+                   ROW(T_2_max_rise),
+                   ROW(tau_max_Pa),
+                   ROW(von_mises_max_Pa),
+                   ROW(surface_tau_max),
+                   ROW(utilisation),
+                   ROW(risk_smooth),
+                   ROW(life_ratio),
+                   ROW(life_ratio_together)};
+
+enum { NUMBERS = sizeof number_rows / sizeof *number_rows };
+_Static_assert(NUMBERS == sizeof(numbers) / sizeof(double),
+               "each number has a row");
+
+static double *number_at(numbers *n, size_t row)
+{
+    return (double *)(void *)((char *)n + number_rows[row].offset);
+}
+
+static numbers no_numbers(void)
+{
+    numbers n;
+    for (size_t k = 0; k < NUMBERS; k++)
+        *number_at(&n, k) = NAN;
+    return n;
+}
+
+/* Stores a number of the summary if the answers need it. */
+static void store_number(numbers *n, const char *key, double value)
+{
+    for (size_t k = 0; k < NUMBERS; k++)
+        if (!strcmp(number_rows[k].key, key))
+            *number_at(n, k) = value;
+}
+
 enum { LINE = 320 };
 
 typedef struct page {
-    const ovr_group_attribute *number;
-    size_t count;
+    numbers n;
     ovr_answer *put;
     void *data;
     char text[LINE];
     size_t used;
 } page;
-
-/* Returns the number of a key; NAN if the key is missing or unknown. */
-static double of(const page *p, const char *key)
-{
-    for (size_t k = 0; k < p->count; k++)
-        if (!p->number[k].text && !strcmp(p->number[k].name, key))
-            return p->number[k].number;
-    return NAN;
-}
-
-static bool has(const page *p, const char *key)
-{
-    return isfinite(of(p, key));
-}
 
 __attribute__((format(printf, 2, 3))) static void say(page *p,
                                                       const char *format, ...)
@@ -68,48 +143,44 @@ static void finish_line(page *p, const char *name)
 
 static bool of_gear(const page *p)
 {
-    return has(p, "contact_ratio");
+    return isfinite(p->n.contact_ratio);
 }
 
 static bool of_bearing(const page *p)
 {
-    return has(p, "heaviest_roller_N");
+    return isfinite(p->n.heaviest_roller_N);
 }
 
 /* Appends the position: " 0.31 mm before the pitch point", " at 41.2 deg" or
  * nothing. */
-static void write_place(page *p, const char *what)
+static void write_place(page *p, double way, double angle)
 {
-    char way[40], angle[40];
-    snprintf(way, sizeof way, "way_%s_m", what);
-    snprintf(angle, sizeof angle, "angle_%s_deg", what);
-    double at = of(p, way);
-    if (fabs(at) < 5e-6)
+    if (fabs(way) < 5e-6)
         say(p, " at the pitch point");
-    else if (isfinite(at))
-        say(p, " %.3g mm %s the pitch point", 1e3 * fabs(at),
-            at < 0 ? "before" : "after");
-    if (has(p, angle))
-        say(p, " at %.4g deg", of(p, angle));
-    if (of_bearing(p) && has(p, "pass"))
-        say(p, " under roller %.0f", of(p, "pass"));
+    else if (isfinite(way))
+        say(p, " %.3g mm %s the pitch point", 1e3 * fabs(way),
+            way < 0 ? "before" : "after");
+    if (isfinite(angle))
+        say(p, " at %.4g deg", angle);
+    if (of_bearing(p) && isfinite(p->n.pass))
+        say(p, " under roller %.0f", p->n.pass);
 }
 
 static void write_drive(page *p)
 {
-    double speed = of(p, "speed_rpm"), torque = of(p, "torque_N_m");
+    double speed = p->n.speed_rpm, torque = p->n.torque_N_m;
     if (of_gear(p)) {
         say(p, "%.4g N.m at %.4g rpm: %.4g kW; contact ratio %.4g", torque,
-            speed, 1e-3 * of(p, "power_W"), of(p, "contact_ratio"));
-        if (of(p, "overlap_ratio") > 0)
-            say(p, ", overlap ratio %.4g", of(p, "overlap_ratio"));
+            speed, 1e-3 * p->n.power_W, p->n.contact_ratio);
+        if (p->n.overlap_ratio > 0)
+            say(p, ", overlap ratio %.4g", p->n.overlap_ratio);
         finish_line(p, "gear pair");
     } else if (of_bearing(p)) {
         say(p,
             "%.4g N at %.4g rpm; %.0f loaded rollers, the most heavily loaded "
             "carries %.4g N",
-            of(p, "bearing_load_N"), speed, of(p, "rollers_loaded"),
-            of(p, "heaviest_roller_N"));
+            p->n.bearing_load_N, speed, p->n.rollers_loaded,
+            p->n.heaviest_roller_N);
         finish_line(p, "bearing");
     } else {
         say(p, "%.4g rpm; maximum drive torque of the lift %.4g N.m", speed,
@@ -121,13 +192,13 @@ static void write_drive(page *p)
 /* Writes the reason why the power loss of a run is unknown. */
 static void write_no_loss(page *p)
 {
-    double mu = fabs(of(p, "mu_slide_max"));
+    double mu = fabs(p->n.mu_slide_max);
     if (mu > OVR_IMPOSSIBLE_FRICTION)
         say(p,
             "not given: the sliding friction coefficient reaches %.2g, which "
             "no lubricant sustains; set lubricant.rheology",
             mu);
-    else if (has(p, "contact_share_mean") && isnan(mu))
+    else if (isfinite(p->n.contact_share_mean) && isnan(mu))
         say(p, "unknown: set boundary.friction");
     finish_line(p, "friction power loss");
 }
@@ -137,50 +208,50 @@ static void write_loss(page *p)
 {
     const double much = 0.3; /* higher than lubricants and dry metal contacts
                               * have */
-    if (!has(p, "power_loss_W")) {
+    if (!isfinite(p->n.power_loss_W)) {
         write_no_loss(p);
         return;
     }
-    say(p, "%.4g W, ", of(p, "power_loss_W"));
+    say(p, "%.4g W, ", p->n.power_loss_W);
     if (of_gear(p))
         say(p,
             "mean over one meshing cycle, full face width; efficiency %.4g %%",
-            100 * of(p, "efficiency"));
+            100 * p->n.efficiency);
     else if (of_bearing(p))
         say(p, "one roller%s on this raceway",
-            has(p, "pass") ? "" : ", the most heavily loaded,");
+            isfinite(p->n.pass) ? "" : ", the most heavily loaded,");
     else
         say(p, "mean over one revolution of the cam");
-    if (of(p, "unbearable_share") > 0 && !has(p, "T_max_rise"))
+    if (p->n.unbearable_share > 0 && !isfinite(p->n.T_max_rise))
         say(p,
             "; not realistic: the shear stress reaches %.2g of the pressure, "
             "set lubricant.rheology",
-            of(p, "shear_over_pressure"));
-    else if (fabs(of(p, "mu_slide_max")) > much)
+            p->n.shear_over_pressure);
+    else if (fabs(p->n.mu_slide_max) > much)
         say(p, "; not realistic: the sliding friction coefficient reaches %.2g",
-            fabs(of(p, "mu_slide_max")));
+            fabs(p->n.mu_slide_max));
     finish_line(p, "friction power loss");
 }
 
 static void write_film(page *p)
 {
-    bool run = has(p, "H_min_overall_m");
-    double h = of(p, run ? "H_min_overall_m" : "min_film_m");
+    bool run = isfinite(p->n.H_min_overall_m);
+    double h = run ? p->n.H_min_overall_m : p->n.min_film_m;
     if (isnan(h))
         return; /* no solution */
     say(p, "%s", ovr_metres(h).text);
-    write_place(p, "H_min");
+    write_place(p, p->n.way_H_min_m, p->n.angle_H_min_deg);
     if (h < OVR_MOLECULE)
         say(p, ", thinner than molecules of lubricants");
-    if (has(p, "lambda_ratio_at_H_min"))
+    if (isfinite(p->n.lambda_ratio_at_H_min))
         say(p, "; lambda ratio at this position %.3g, over the run %.3g",
-            of(p, "lambda_ratio_at_H_min"), of(p, "lambda_ratio"));
-    else if (has(p, "lambda_ratio"))
-        say(p, "; lambda ratio %.3g", of(p, "lambda_ratio"));
-    else if (has(p, "contact_lambda_mean"))
-        say(p, "; lambda ratio %.3g", of(p, "contact_lambda_mean"));
-    else if (has(p, "contact_lambda"))
-        say(p, "; lambda ratio %.3g", of(p, "contact_lambda"));
+            p->n.lambda_ratio_at_H_min, p->n.lambda_ratio);
+    else if (isfinite(p->n.lambda_ratio))
+        say(p, "; lambda ratio %.3g", p->n.lambda_ratio);
+    else if (isfinite(p->n.contact_lambda_mean))
+        say(p, "; lambda ratio %.3g", p->n.contact_lambda_mean);
+    else if (isfinite(p->n.contact_lambda))
+        say(p, "; lambda ratio %.3g", p->n.contact_lambda);
     else
         say(p, "; lambda ratio unknown (set contact.Rq_1 and contact.Rq_2)");
     finish_line(p, "minimum film thickness");
@@ -188,52 +259,51 @@ static void write_film(page *p)
 
 static void write_pressure(page *p)
 {
-    bool run = has(p, "P_max_overall_Pa");
-    if (!run && !has(p, "max_pressure_Pa"))
+    bool run = isfinite(p->n.P_max_overall_Pa);
+    if (!run && !isfinite(p->n.max_pressure_Pa))
         return;
     say(p, "%.4g GPa",
-        1e-9 * of(p, run ? "P_max_overall_Pa" : "max_pressure_Pa"));
-    write_place(p, "P_max");
+        1e-9 * (run ? p->n.P_max_overall_Pa : p->n.max_pressure_Pa));
+    write_place(p, p->n.way_P_max_m, p->n.angle_P_max_deg);
     finish_line(p, "maximum pressure");
 }
 
 static void write_heat(page *p)
 {
-    double T = of(p, "T_supply_K") - 273.15;
-    if (!has(p, "T_max_rise"))
+    double T = p->n.T_supply_K - 273.15;
+    if (!isfinite(p->n.T_max_rise))
         return;
     say(p, "%.4g degC in the film, %.4g and %.4g degC on surfaces 1 and 2",
-        T + of(p, "T_max_rise"), T + of(p, "T_1_max_rise"),
-        T + of(p, "T_2_max_rise"));
+        T + p->n.T_max_rise, T + p->n.T_1_max_rise, T + p->n.T_2_max_rise);
     finish_line(p, "maximum temperature");
 }
 
 /* Writes the results of a run with [stress] and [fatigue]. */
 static void write_stress(page *p)
 {
-    if (!has(p, "tau_max_Pa"))
+    if (!isfinite(p->n.tau_max_Pa))
         return;
     say(p, "%.4g GPa (von Mises stress %.4g GPa) below surface %.0f",
-        1e-9 * of(p, "tau_max_Pa"), 1e-9 * of(p, "von_mises_max_Pa"),
-        of(p, "surface_tau_max"));
+        1e-9 * p->n.tau_max_Pa, 1e-9 * p->n.von_mises_max_Pa,
+        p->n.surface_tau_max);
     finish_line(p, "maximum shear stress");
-    if (has(p, "utilisation"))
-        say(p, "utilization of the fatigue limit %.3g", of(p, "utilisation"));
-    if (has(p, "risk_smooth"))
+    if (isfinite(p->n.utilisation))
+        say(p, "utilization of the fatigue limit %.3g", p->n.utilisation);
+    if (isfinite(p->n.risk_smooth))
         say(p, "%srisk of the smooth contact %.3g", p->used ? "; " : "",
-            of(p, "risk_smooth"));
+            p->n.risk_smooth);
     finish_line(p, "fatigue");
-    if (!has(p, "life_ratio"))
+    if (!isfinite(p->n.life_ratio))
         return;
-    say(p, "%.3g relative to smooth surfaces", of(p, "life_ratio"));
-    if (has(p, "life_ratio_together"))
-        say(p, ", %.3g for all passes together", of(p, "life_ratio_together"));
+    say(p, "%.3g relative to smooth surfaces", p->n.life_ratio);
+    if (isfinite(p->n.life_ratio_together))
+        say(p, ", %.3g for all passes together", p->n.life_ratio_together);
     finish_line(p, "life ratio");
 }
 
-static void tell(page *p)
+static void write_answers(page *p)
 {
-    if (!has(p, "speed_rpm") || !has(p, "H_min"))
+    if (!isfinite(p->n.speed_rpm) || !isfinite(p->n.H_min))
         return;
     write_drive(p);
     write_loss(p);
@@ -243,44 +313,31 @@ static void tell(page *p)
     write_stress(p);
 }
 
-/* ------------------------------------------------------------ from a run */
-
-enum { MAX = 256 };
-
-typedef struct numbers {
-    ovr_arena arena;
-    size_t count;
-    ovr_group_attribute of[MAX];
-} numbers;
-
-/* Stores a line of the summary. The key's text must remain valid during the
- * call. */
-static void collect(void *data, const ovr_summary_line *line)
+static void store_line(void *data, const ovr_summary_line *line)
 {
-    numbers *n = data;
-    const char *key = line->form != OVR_SUMMARY_TEXT && n->count < MAX
-                          ? ovr_arena_text(&n->arena, line->key, NULL)
-                          : NULL;
-    if (key)
-        n->of[n->count++] = (ovr_group_attribute){key, NULL, line->number};
+    if (line->form != OVR_SUMMARY_TEXT)
+        store_number(data, line->key, line->number);
 }
 
 void ovr_run_answers(const ovr_run_info *run, ovr_answer *put, void *data)
 {
     if (!run || !put)
         return;
-    numbers n = {.arena = ovr_arena_make(NULL)};
-    ovr_run_summary(run, collect, &n);
-    tell(&(page){.number = n.of, .count = n.count, .put = put, .data = data});
-    ovr_arena_release(&n.arena);
+    page p = {.n = no_numbers(), .put = put, .data = data};
+    ovr_run_summary(run, store_line, &p.n);
+    write_answers(&p);
 }
 
 void ovr_result_answers(ovr_result *result, ovr_answer *put, void *data)
 {
     size_t count = 0;
-    const ovr_group_attribute *number;
+    const ovr_group_attribute *of;
     if (!result || !put)
         return;
-    number = ovr_result_attributes(result, "summary", &count);
-    tell(&(page){.number = number, .count = count, .put = put, .data = data});
+    page p = {.n = no_numbers(), .put = put, .data = data};
+    of = ovr_result_attributes(result, "summary", &count);
+    for (size_t k = 0; k < count; k++)
+        if (!of[k].text)
+            store_number(&p.n, of[k].name, of[k].number);
+    write_answers(&p);
 }

@@ -208,6 +208,26 @@ expect 0 "$OVERROLL" run bearing.ini -o bearing.h5
 contains out '^bearing +4450 N at 1000 rpm; [35] loaded rollers, .* 1967 N'
 contains out '^minimum film thickness +.* under roller 3'
 
+# Each number that the answers use is a key of some summary.
+{
+    sed '/^\[feature/,$d' gear.ini
+    printf '[time]\nend = 1\n[heat]\nmodel = lobatto\ntemperature = 60 degC\n'
+    printf '[boundary]\nlaw = exponential\nRq = 0.3 um\nslope = 0.03\n'
+    printf 'friction = 0.1\n[stress]\nsurface = both\n'
+    printf '[fatigue]\nlimit_pressure = 1 GPa\n'
+} >all.ini
+expect 0 "$OVERROLL" run all.ini -o all.h5 --json -q
+cp out all.json
+printf '[fatigue]\nlimit_pressure = 0.3 GPa\n' | cat bearing.ini - >worn.ini
+expect 0 "$OVERROLL" run worn.ini -o worn.h5 --json -q \
+    --set stress.surface=1 --set time.end=1 --set domain.level=5
+keys=$(grep -oE 'ROW\([A-Z]?[a-z_A-Z0-9]+\)[,}]' "$TOP/src/run/answers.c" |
+    sed 's/ROW(\(.*\)).*/\1/')
+[ "$(echo "$keys" | wc -l)" -gt 30 ] || fail "few keys: $keys"
+for key in $keys; do
+    grep -q "^  \"$key\":" all.json cam.json out || fail "no summary has $key"
+done
+
 # Another contact has none.
 expect 0 "$OVERROLL" init roller --set domain.level=5 -o other.ini
 expect 0 "$OVERROLL" run other.ini -o other.h5
