@@ -146,7 +146,7 @@ typedef struct ovr_list {
 typedef struct ovr_output {
     const char *file;  /* relative to the working directory, or NULL */
     const char *title; /* or NULL */
-    long every;        /* number of steps between snapshots; 0: not by steps */
+    int every;         /* number of steps between snapshots; 0: not by steps */
     double interval;   /* time between snapshots; 0: not by time */
     ovr_list at;       /* given times */
     ovr_list feature_at; /* X at which the centre of a feature is at the time of

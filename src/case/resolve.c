@@ -199,7 +199,6 @@ static ovr_status resolve_output(ovr_resolved *r, ovr_error *err)
         out->fields |= ovr_resolved_fields(r);
     else if (leave_out(r, fields, err))
         return OVR_BAD_INPUT;
-    out->every = r->values.every;
     out->single = r->values.precision == 1;
     if (ovr_resolved_width(r) > 0 &&
         !ovr_slot_of(r, "output", "precision")->given)
@@ -319,7 +318,7 @@ ovr_setup *ovr_case_resolve(const ovr_case *c, const ovr_allocator *allocator,
     r->setup.contact = &r->contact;
     r->setup.lubricant = &r->lubricant;
     r->setup.options = &r->values.options;
-    r->setup.march = &r->march;
+    r->setup.march = &r->values.march;
     r->setup.passes = &r->values.passes;
     r->setup.output = &r->values.output;
     status = ovr_case_check_ineffective(c, err);

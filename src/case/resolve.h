@@ -23,7 +23,6 @@ struct ovr_resolved {
     ovr_lubricant lubricant;
     ovr_body_form body[2];
     ovr_law_table *tables[2]; /* tables of viscosity and density; or NULL */
-    ovr_march march;
     ovr_flow_law *flow_law;
     ovr_resolved_physics physics[OVR_MAX_PHYSICS]; /* in the order of the
                                                     * list */

@@ -106,7 +106,9 @@ static ovr_physics_case about(ovr_resolved *r)
         .options = &r->values.options,
         .passes = &r->values.passes,
         .transient = r->setup.transient,
-        .end = r->setup.transient && isfinite(r->march.end) ? r->march.end : 0,
+        .end = r->setup.transient && isfinite(r->values.march.end)
+                   ? r->values.march.end
+                   : 0,
         .speed = r->setup.speed,
         .sliding = r->setup.sliding,
         .oil = &r->values.oil,
@@ -212,7 +214,7 @@ bool ovr_resolved_march(ovr_resolved *r)
     bool makes = false;
     for (int k = 0; ovr_physics_list[k]; k++)
         if (r->physics[k].form && in_case(k)->march)
-            makes |= in_case(k)->march(r->physics[k].form, &r->march,
+            makes |= in_case(k)->march(r->physics[k].form, &r->values.march,
                                        &r->values.scheme);
     return makes;
 }

@@ -201,17 +201,16 @@ ovr_status ovr_resolve_time(ovr_resolved *r, ovr_error *err)
     ovr_settings *v = &r->values;
     ovr_setup *s = &r->setup;
     s->transient = ovr_slot_of(r, "time", "end")->given || ovr_element_moves(r);
-    r->march = (ovr_march){0};
-    r->march.end = s->transient ? v->end : 0;
-    r->march.adaptive = v->step == OVR_STEP_ADAPTIVE;
-    r->march.dT = fmax(v->step, 0); /* step = auto: set when the mesh size is
+    if (!s->transient)
+        v->march.end = 0;
+    v->march.adaptive = v->step == OVR_STEP_ADAPTIVE;
+    v->march.dT = fmax(v->step, 0); /* step = auto: set when the mesh size is
                                      * known */
-    r->march.error = v->error;
-    r->march.until_steady = v->until_steady && s->transient;
+    v->march.until_steady &= s->transient;
     r->ran = !r->c->standing && ovr_resolved_march(r);
     if (r->ran) {
         s->transient = true;
-        v->step = r->march.dT;
+        v->step = v->march.dT;
     }
     if (ovr_section_fill(r, "load", err) || ovr_section_fill(r, "speed", err))
         return OVR_BAD_INPUT;
@@ -305,7 +304,7 @@ ovr_status ovr_resolve_end(ovr_resolved *r, ovr_error *err)
     size_t n = s->surfaces ? ovr_surfaces_count(s->surfaces) : 0;
     double T = 0, passage = s->options->outlet - s->options->inlet;
     ovr_status status = OVR_OK;
-    if (!s->transient || r->values.end != OVR_END_AUTO)
+    if (!s->transient || s->march->end != OVR_END_AUTO)
         return OVR_OK;
     for (size_t k = 0; !status && k < n; k++)
         status = wait_for(s, end, k, &T, err);
@@ -315,10 +314,10 @@ ovr_status ovr_resolve_end(ovr_resolved *r, ovr_error *err)
         status = ovr_fail_slot(err, end,
                                "auto: nothing passes and nothing changes; "
                                "remove time.end for a steady solution");
-    r->march.until_steady = true;
-    r->march.steady_from = T;
-    r->march.steady_rate = NEARLY;
-    r->march.end = T + 2 * passage;
+    r->values.march.until_steady = true;
+    r->values.march.steady_from = T;
+    r->values.march.steady_rate = NEARLY;
+    r->values.march.end = T + 2 * passage;
     return status;
 }
 
@@ -453,9 +452,9 @@ static bool is_closer(ovr_resolved *r)
     double arriving = ovr_resolved_supply(r), longer;
     if (r->setup.accuracy_of != OVR_ACCURACY_ALL)
         return false;
-    r->march.dT = LONG_STEP * r->setup.mesh;
+    r->values.march.dT = LONG_STEP * r->setup.mesh;
     longer = ovr_expected(&r->setup, arriving);
-    r->march.dT = 0;
+    r->values.march.dT = 0;
     return longer > target && ovr_expected(&r->setup, arriving) <= target;
 }
 
@@ -490,7 +489,7 @@ void ovr_resolve_step(ovr_resolved *r)
     if (!s->transient || r->values.step != OVR_STEP_AUTO)
         return;
     r->step_reason = reason_of(r);
-    r->march.dT = r->step_reason ? 0 : LONG_STEP * s->mesh;
+    r->values.march.dT = r->step_reason ? 0 : LONG_STEP * s->mesh;
 }
 
 void ovr_setup_step_reached(ovr_setup *setup, int order)
@@ -500,7 +499,7 @@ void ovr_setup_step_reached(ovr_setup *setup, int order)
         setup->options->order == order || r->step_reason)
         return;
     r->step_reason = "without corrections of fourth order";
-    r->march.dT = 0;
+    r->values.march.dT = 0;
 }
 
 double ovr_setup_step(const ovr_setup *setup)

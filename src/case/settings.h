@@ -60,13 +60,13 @@ typedef struct ovr_settings {
     int nodes;
     double accuracy; /* target with level = auto */
     int accuracy_of;
-    double end, step, error;
-    bool until_steady;
+    ovr_march march;
+    double step; /* of [time] */
     ovr_change load, speed, sliding, radius, radius_1;
     int curvature; /* of [radius], see below */
     ovr_passes_setup passes;
     ovr_output output;
-    int every, precision;
+    int precision;
     ovr_element_settings element;
 } ovr_settings;
 

@@ -628,15 +628,16 @@ static ovr_status make_histories(ovr_resolved *r, const moments *m,
 static ovr_status end_of_way(ovr_resolved *r, double end, ovr_error *err)
 {
     const ovr_slot *slot = ovr_slot_of(r, "time", "end");
+    double *given = &r->values.march.end;
     r->element.end = end;
-    if (slot->given && r->values.end != OVR_END_AUTO) {
-        if (r->values.end <= end * (1 + 1e-12))
+    if (slot->given && *given != OVR_END_AUTO) {
+        if (*given <= end * (1 + 1e-12))
             return OVR_OK;
         return ovr_fail_slot(err, slot, "%g: [%s] ends at %.4g ms (T = %.4g)",
-                             r->values.end, r->element.gear ? "gear" : "cam",
+                             *given, r->element.gear ? "gear" : "cam",
                              1e3 * end * r->contact.time, end);
     }
-    r->values.end = r->march.end = end;
+    *given = end;
     return OVR_OK;
 }
 

@@ -124,7 +124,7 @@ static ovr_status solve(ovr_run *run, ovr_setup *setup, ovr_simulation *coarse,
 /* Sets time steps that have the same length in D as on the finest level. */
 static void set_steps(const ovr_run *run, ovr_setup *setup)
 {
-    ovr_march *march = &setup->resolved->march;
+    ovr_march *march = setup->march;
     double dT = run->setup->march->dT;
     march->dT = dT > 0 ? dT * setup->mesh / run->setup->mesh : 0;
 }

@@ -14,7 +14,7 @@ static const ovr_parameter output_keys[] = {
     {"file", PATH, NULL, AT(output.file), false, ALWAYS, "result file"},
     {"title", TEXT, NULL, AT(output.title), false, ALWAYS,
      "title in the result file and pictures; default: name of the case file"},
-    {"every", WHOLE(1, 1000000000), NULL, AT(every), false, IN_TIME,
+    {"every", WHOLE(1, 1000000000), NULL, AT(output.every), false, IN_TIME,
      "store a snapshot every N steps"},
     {"interval", SPAN(NULL, 1e6), NULL, AT(output.interval), false, IN_TIME,
      "store snapshots at multiples of this time"},

@@ -22,7 +22,7 @@ static const ovr_word curvatures[] = {{"auto", OVR_CURVATURE_AUTO},
 static const ovr_word auto_end[] = {{"auto", OVR_END_AUTO}, {NULL, 0}};
 
 static const ovr_parameter time_keys[] = {
-    {"end", SPAN(auto_end, 1e5), NULL, AT(end), false, ALWAYS,
+    {"end", SPAN(auto_end, 1e5), NULL, AT(march.end), false, ALWAYS,
      "end of the run, which starts at 0; auto: when all features have left, "
      "load and speed do not change any more and the film is steady again; "
      "without an end the case is steady"},
@@ -35,11 +35,11 @@ static const ovr_parameter time_keys[] = {
      "with BDF2, or narrow second order along the characteristic; auto: "
      "characteristic in runs with step = auto, grid or at most 0.05 b/um "
      "(0.02 where load, speed or radius vary); upstream2 else"},
-    {"error", PLAIN(1e-9, 0.1), "1e-3", AT(error), true,
+    {"error", PLAIN(1e-9, 0.1), "1e-3", AT(march.error), true,
      IN_TIME "; step = adaptive",
      "relative error of the film thickness due to the time steps during one "
      "passage of the contact"},
-    {"until_steady", FLAG, "no", AT(until_steady), false, IN_TIME,
+    {"until_steady", FLAG, "no", AT(march.until_steady), false, IN_TIME,
      "end the run when the contact is steady again"},
 };
 
