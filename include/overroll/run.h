@@ -116,8 +116,8 @@ typedef struct ovr_run_errors {
 typedef struct ovr_rough_film {
     double Rq;      /* of the undeformed surfaces */
     double film_Rq; /* of the film thickness in the contact */
-    double H_min; /* minimum film thickness; 0: the reduced roughness is as high
-                     as the film */
+    double H_min;   /* minimum film thickness; also NAN if the reduced roughness
+                       is as high as the film */
     const char *why; /* reason why there is no prediction, or NULL */
     const char *but; /* reason why it is less accurate than stated in
                         overroll(1), or NULL */

@@ -257,11 +257,11 @@ typedef struct ovr_observation {
     double T_2_max, X_T_2_max, T_2_max_rise;
     double heat_flow_1, heat_flow_2, energy_defect;
     double residual; /* relative mass-flow imbalance R */
-    int order;       /* ovr_simulation_order */
-    int cycles;      /* multigrid cycles of this step */
-    int retries;     /* number of repeated attempts */
-    int maxima;      /* number of maxima of P, as defined at P_spike */
-    bool converged;  /* R and load error below tolerance */
+    int order;      /* of the step: that of the run, or 2 without corrections */
+    int cycles;     /* multigrid cycles of this step */
+    int retries;    /* number of repeated attempts */
+    int maxima;     /* number of maxima of P, as defined at P_spike */
+    bool converged; /* R and load error below tolerance */
     bool
         marked; /* accepted above tolerance or with inconsistent temperatures */
     /* mass-conserving cavitation, otherwise NAN */
@@ -421,6 +421,7 @@ typedef struct ovr_statistics {
     ovr_observation extreme, where, when, mean;
     double H_mean_at_H_min; /* mean film thickness in |X| < 3/4 at the time of
                                the minimum of H_min_located */
+    long uncorrected; /* steps of a run of order 4 solved without corrections */
 } ovr_statistics;
 OVR_API const ovr_statistics *
 ovr_simulation_statistics(const ovr_simulation *sim);

@@ -51,9 +51,12 @@ void ovr_report_contact(const ovr_report_sink *to, const ovr_run_info *s)
 void ovr_report_steps(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
-    ovr_report_number(to, "time steps", 0, (double)total->steps,
-                      "%ld cycles, %ld repeated, %ld accepted above tolerance",
-                      total->cycles, total->retries, total->marked);
+    ovr_words w = {""};
+    ovr_words_add(&w, "%ld cycles, %ld repeated, %ld accepted above tolerance",
+                  total->cycles, total->retries, total->marked);
+    if (total->uncorrected)
+        ovr_words_add(&w, ", %ld of order 2", total->uncorrected);
+    ovr_report_number(to, "time steps", 0, (double)total->steps, "%s", w.text);
     if (s->output)
         ovr_report_line(to, "result file", "%s, %zu snapshots", s->output,
                         s->snapshots);

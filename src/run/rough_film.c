@@ -160,6 +160,8 @@ static const char *sliding_error(bool thins, bool is_faster)
 static const char *reservation(const ovr_setup *s, const ovr_rough_film *film)
 {
     size_t n = ovr_surfaces_count(s->surfaces);
+    if (isnan(film->H_min))
+        return "the remaining roughness is as high as the film thickness";
     if (slides(s))
         return sliding_error(s->lubricant->rheology != OVR_NEWTONIAN,
                              speed(s) > 1);
@@ -172,9 +174,7 @@ static const char *reservation(const ovr_setup *s, const ovr_rough_film *film)
     for (size_t k = 0; k < n; k++)
         if (!(ovr_surfaces_info(s->surfaces, k).Rq > 0))
             return "the theory describes waves, not single features";
-    return film->H_min > 0 ? NULL
-                           : "the remaining roughness is as high as "
-                             "the film thickness";
+    return NULL;
 }
 
 static ovr_status predict(const ovr_setup *s, ovr_arena *arena,
@@ -195,7 +195,9 @@ static ovr_status predict(const ovr_setup *s, ovr_arena *arena,
     ovr_waves_reduce(c->M, c->L, slides(s) ? &sliding.factors : NULL, r.step,
                      r.n, r.z);
     film->film_Rq = hypot(largest_Rq(&r, 1 / speed(s)), sliding.smooth_Rq);
-    film->H_min = fmax(0, smooth_film(s).minimum - AT_EXIT * highest(&r));
+    film->H_min = smooth_film(s).minimum - AT_EXIT * highest(&r);
+    if (!(film->H_min > 0))
+        film->H_min = NAN;
     film->but = reservation(s, film);
     return OVR_OK;
 }

@@ -220,6 +220,7 @@ static void put_steps(const ovr_report_sink *to, const ovr_run_info *s)
     ovr_put_count(to, "cycles_total", (double)total->cycles);
     ovr_put_count(to, "retries", (double)total->retries);
     ovr_put_count(to, "substeps", (double)total->substeps);
+    ovr_put_count(to, "steps_uncorrected", (double)total->uncorrected);
     ovr_put(to, "settled", OVR_SUMMARY_FLAG, total->settled);
     ovr_put_count(to, "snapshots", (double)s->snapshots);
     ovr_put_text(to, "output", s->passes ? s->passes_file : s->output);

@@ -17,7 +17,7 @@
  * The third difference and R below do not decrease: the minimum film thickness
  * lies in these last nodes, and with steps of two mesh sizes its error would be
  * up to ten times larger.  Both are 0 near ridges where the film thickness
- * halves within a mesh size. A step that fails is repeated without F. With
+ * halves within a mesh size. Later attempts of a step (step.c) omit F. With
  * temperatures, the corrections of the steady film are recomputed after each
  * outer iteration; if this does not converge, the solution is of second order.
  *
@@ -56,7 +56,7 @@ typedef struct fourth {
     size_t n; /* nodes of the finest grid of the whole domain, without patches
                */
     /* characteristic scheme: corrections follow the solution; third divided
-     * difference and its weight in a step; the second attempt of a step omits F
+     * difference and its weight in a step; the later attempts of a step omit F
      */
     int follows;
     double *third, factor;
@@ -505,6 +505,19 @@ static void rest(ovr_simulation *sim, fourth *f, double dT)
     ovr_work_give(sim, more);
 }
 
+/* Computes the third difference of the start for a first step dT. */
+static void third_at_start(ovr_simulation *sim, fourth *f, double dT)
+{
+    double D = ovr_mesh(sim);
+    if (fabs(sim->grids.op.speed * dT - D) < 1e-9 * D)
+        return; /* begin() has assumed this length */
+    if (!ovr_inflow_third(sim, sim->past.T[0], dT, f->third))
+        memset(f->third, 0, f->n * sizeof *f->third);
+    for (size_t i = 0; i < f->n; i++)
+        if (f->mask[i] < 0)
+            f->third[i] = 0;
+}
+
 static void before_step(ovr_simulation *sim, void *own, double T)
 {
     fourth *f = own;
@@ -515,6 +528,8 @@ static void before_step(ovr_simulation *sim, void *own, double T)
     f->factor = dT * (dT + (old > 0 ? old : dT));
     if (f->follows && ovr_conserves(sim) && !(old > 0))
         ovr_fourth_content_begin(sim, &f->content, dT, f->third);
+    else if (f->follows && !(old > 0))
+        third_at_start(sim, f, dT);
     if (f->rests && reaches && fabs(dT - f->rest_dT) > 1e-9 * dT)
         rest(sim, f, dT);
     else if (f->rests && !reaches)
@@ -548,6 +563,12 @@ static void add_all(const ovr_simulation *sim, const fourth *f, double sign,
         add(sim, f->n, F, sign, f->rest);
 }
 
+bool ovr_fourth_follows(const ovr_simulation *sim)
+{
+    const fourth *f = fourth_of(sim);
+    return f && f->follows;
+}
+
 void ovr_fourth_sides(const ovr_simulation *sim, double *F)
 {
     const fourth *f = fourth_of(sim);
@@ -557,10 +578,10 @@ void ovr_fourth_sides(const ovr_simulation *sim, double *F)
 
 /* A step can fail because of its corrections, which were computed from the
  * previous film. */
-static void attempt(ovr_simulation *sim, void *own, bool first)
+static void attempt(ovr_simulation *sim, void *own, bool corrected)
 {
     fourth *f = own;
-    if (first || f->without || !f->follows)
+    if (corrected || f->without || !f->follows)
         return;
     double *F = ovr_work_take(sim);
     f->without = true;

@@ -17,6 +17,9 @@ void ovr_fourth_leave(ovr_simulation *sim);
 void ovr_fourth_renew(ovr_simulation *sim);
 bool ovr_fourth_give_up(ovr_simulation *sim);
 
+/* True if the corrections of a run are recomputed after each step. */
+bool ovr_fourth_follows(const ovr_simulation *sim);
+
 /* Adds the corrections to the right-hand side, and to the discrete gap at the
  * nodes. */
 void ovr_fourth_sides(const ovr_simulation *sim, double *F);

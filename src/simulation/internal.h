@@ -200,7 +200,8 @@ typedef struct ovr_outcome {
     int cycles, retries;
     double error; /* local error of a step */
     bool converged, marked;
-    bool spent; /* ended by the work limit */
+    bool spent;       /* ended by the work limit */
+    bool uncorrected; /* a step of a run of order 4 without its corrections */
 } ovr_outcome;
 
 /* Returns the number of node cycles that take a minute of CPU time. */

@@ -297,7 +297,7 @@ void ovr_observe(ovr_simulation *sim, double dT, const ovr_outcome *outcome)
     }
     o->load_error = o->load / OVR_NOMINAL_LOAD - o->load_ratio;
     o->residual = outcome->defect.imbalance;
-    o->order = sim->order;
+    o->order = outcome->uncorrected ? sim->scheme->order : sim->order;
     o->cycles = outcome->cycles;
     o->retries = outcome->retries;
     o->converged = outcome->converged;

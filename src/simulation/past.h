@@ -23,12 +23,13 @@ typedef struct ovr_past {
     };
     double H0[OVR_PAST];
     double T[OVR_PAST];
-    double dT;      /* length of the last step */
-    int steps;      /* number of steps before P[0], at most 3 */
-    int still;      /* number of consecutive steps without change */
-    double dT_next; /* adaptive: length requested for the next step */
-    double change;  /* maximum change of P, or of S, in the last step */
-    bool backward;  /* um < 0, or um = 0 after um < 0 (mirror.h) */
+    double dT;       /* length of the last step */
+    int steps;       /* number of steps before P[0], at most 3 */
+    int still;       /* number of consecutive steps without change */
+    double dT_next;  /* adaptive: length requested for the next step */
+    double failures; /* failures of long steps, decreasing with time (step.c) */
+    double change;   /* maximum change of P, or of S, in the last step */
+    bool backward;   /* um < 0, or um = 0 after um < 0 (mirror.h) */
     /* recent error of P for each formula of guess.c; 0: unknown */
     double guess_error[OVR_GUESSES];
 } ovr_past;

@@ -300,8 +300,9 @@ typedef struct ovr_physics_in_step {
     /* Called after the equation of the step dT is set. */
     void (*step)(ovr_simulation *sim, void *own, double dT);
 
-    /* Called when the initial guess of an attempt has been set. */
-    void (*attempt)(ovr_simulation *sim, void *own, bool first);
+    /* Called when the initial guess of an attempt has been set. `corrected`:
+     * with fourth-order corrections. */
+    void (*attempt)(ovr_simulation *sim, void *own, bool corrected);
 
     /* Called after a cycle of the step: updates the model with the new film, if
      * necessary, and recomputes film and residual. */

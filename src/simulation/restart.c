@@ -28,6 +28,7 @@ static const struct {
              PART("still", past.still),
              PART("dT_next", past.dT_next),
              PART("change", past.change),
+             PART("failures", past.failures),
              PART("step", state.step),
              PART("T", state.T),
              PART("time_step", observation.dT),
@@ -36,11 +37,13 @@ static const struct {
              PART("retries", observation.retries),
              PART("converged", observation.converged),
              PART("marked", observation.marked),
+             PART("step_order", observation.order),
              PART("total_steps", statistics.steps),
              PART("total_cycles", statistics.cycles),
              PART("total_retries", statistics.retries),
              PART("total_substeps", statistics.substeps),
              PART("total_marked", statistics.marked),
+             PART("total_uncorrected", statistics.uncorrected),
              PART("total_lagging", statistics.lagging),
              PART("last_across", statistics.last_cross_film),
              PART("mean_until", statistics.averaged),
@@ -124,7 +127,9 @@ void ovr_simulation_restored(ovr_simulation *sim)
                                  .cycles = seen.cycles,
                                  .retries = seen.retries,
                                  .converged = seen.converged,
-                                 .marked = seen.marked};
+                                 .marked = seen.marked,
+                                 .uncorrected = seen.order > 0 &&
+                                                seen.order < sim->order};
     ovr_steady_conditions(sim);
     sim->grids.fluid = sim->target.fluid;
     OVR_EACH_PHYSICS(sim, p, in_step, restored)

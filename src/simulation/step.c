@@ -5,7 +5,9 @@
  *   2. a guess by extrapolation in time (guess.c);
  *   3. cycles until residual and load error are below tolerance;
  *   4. if that fails, further attempts that are slower but more stable, the
- *      last by continuation (continuation.c);
+ *      last by continuation (continuation.c). A step longer than the mesh size
+ *      with fourth-order corrections is halved instead, and after repeated
+ *      failures all steps are;
  *   5. if they fail, two half steps. At the smallest step a result above the
  *      tolerance is accepted and flagged if its residual is acceptable;
  *      otherwise the state returns to the last completed time with an error;
@@ -24,6 +26,7 @@
 #include "multigrid/local_newton.h"
 #include "multigrid/mixed_contact.h"
 #include "simulation/conflicts.h"
+#include "simulation/fourth.h"
 #include "simulation/mirror.h"
 #include "simulation/observe.h"
 #include "simulation/physics.h"
@@ -247,17 +250,19 @@ typedef struct attempt {
     double limit, newton_limit, correction;
     bool continued; /* by continuation from the last solution */
     bool newton;    /* by Newton's method on the finest grid */
+    bool corrected; /* with fourth-order corrections */
 } attempt;
 
 static const attempt attempts[] = {
-    {true, 0, 1, 0, 20, 0.2, 0.3, 1, false, false},
-    {false, 0, 1, 0, 40, 0.2, 0.3, 1, false, false},
-    {false, 2, 2, 1, 80, 0.05, 0.3, 1, false, false},
+    {true, 0, 1, 0, 20, 0.2, 0.3, 1, false, false, true},
+    {false, 0, 1, 0, 20, 0.2, 0.3, 1, false, false, true},
+    {false, 0, 1, 0, 40, 0.2, 0.3, 1, false, false, false},
+    {false, 2, 2, 1, 80, 0.05, 0.3, 1, false, false, false},
     /* halved corrections of the finest level prevent an oscillation between two
      * states at an isolated cavitated node that coarse grids do not resolve */
-    {false, 0, 1, 0, 80, 0.2, 0.3, 0.5, false, false},
-    {false, 2, 1, 0, 0, 0.2, 0.3, 1, true, false},
-    {false, 0, 1, 0, 0, 0.2, 1, 1, false, true},
+    {false, 0, 1, 0, 80, 0.2, 0.3, 0.5, false, false, false},
+    {false, 2, 1, 0, 0, 0.2, 0.3, 1, true, false, false},
+    {false, 0, 1, 0, 0, 0.2, 1, 1, false, true, false},
 };
 enum { ATTEMPTS = sizeof attempts / sizeof *attempts };
 
@@ -317,7 +322,7 @@ static bool try_with(ovr_simulation *sim, double dT, const attempt *how,
     bool close = ovr_guess(sim, dT, how->extrapolate) &&
                  sim->options.smoother == OVR_LINE && c.sweeps_before > 0;
     OVR_EACH_PHYSICS(sim, p, in_step, attempt)
-        p->is->in_step->attempt(sim, p->own, how == attempts);
+        p->is->in_step->attempt(sim, p->own, how->corrected);
     if (how->continued)
         return ovr_step_continued(sim, &c, outcome);
     if (how->newton)
@@ -403,41 +408,79 @@ static void note_change(ovr_simulation *sim)
 }
 
 /* Ends a step that reached its work limit, with the defect of its film. */
-static bool give_up(ovr_simulation *sim, ovr_outcome *outcome)
+static void give_up(ovr_simulation *sim, ovr_outcome *outcome)
 {
     ovr_hierarchy_spent(&sim->grids);
     ovr_level_refresh(&sim->grids, sim->finest);
     outcome->defect = ovr_cycle_defect(&sim->grids, sim->finest);
     outcome->marked = outcome->spent = true;
     ovr_simulation_read(sim);
+}
+
+/* Makes the attempts of a step; true if it is over, with *taken or in vain. */
+static bool try_all(ovr_simulation *sim, double dT, bool halve,
+                    ovr_outcome *outcome, bool *taken)
+{
+    bool follows = ovr_fourth_follows(sim);
+    for (size_t k = 0; k < ATTEMPTS; k++) {
+        if (k == 1 && !follows)
+            continue; /* the same as the next one */
+        if (k)
+            outcome->retries++;
+        *taken = try_once(sim, dT, &attempts[k], outcome);
+        if (*taken) {
+            outcome->error = ovr_step_error(sim, dT);
+            *taken = outcome->error <= sim->limits.largest_error;
+        } else if (ovr_below_rounding(sim, &outcome->defect) &&
+                   ovr_surfaces_apart(sim)) {
+            /* rounding does not permit the tolerance, and R has reached its
+             * minimum */
+            *taken = outcome->marked = true;
+        } else if (ovr_hierarchy_stops(&sim->grids)) {
+            give_up(sim, outcome);
+        } else if (halve) {
+            return false;
+        } else {
+            continue;
+        }
+        outcome->uncorrected |= *taken && follows && !attempts[k].corrected;
+        if (*taken)
+            end_step(sim, dT);
+        return true;
+    }
     return false;
+}
+
+/*
+ * Steps longer than the mesh size D, with fourth-order corrections, are made in
+ * two halves if their first attempt fails: repeated without corrections, their
+ * errors would be ten times larger than with steps of D.  Where this happens
+ * often, as with a pressure spike two mesh sizes wide, it costs less to halve
+ * all further steps.
+ */
+enum { FAILURE = 16, FAILURES = 4 * FAILURE };
+
+static bool is_long(const ovr_simulation *sim, double dT)
+{
+    return ovr_fourth_follows(sim) && dT > 1.5 * ovr_mesh(sim) &&
+           isinf(sim->limits.largest_error);
 }
 
 /* Makes a step, if necessary in two halves. */
 static bool advance(ovr_simulation *sim, double dT, int halvings,
                     ovr_outcome *outcome)
 {
-    begin_step(sim, dT);
-    for (size_t k = 0; k < ATTEMPTS; k++) {
-        if (k)
-            outcome->retries++;
-        if (try_once(sim, dT, &attempts[k], outcome)) {
-            outcome->error = ovr_step_error(sim, dT);
-            if (outcome->error > sim->limits.largest_error)
-                return false;
-            end_step(sim, dT);
-            return true;
+    double *failures = &sim->past.failures;
+    bool halve = !halvings && is_long(sim, dT), taken;
+    if (!halve || *failures < FAILURES) {
+        begin_step(sim, dT);
+        if (try_all(sim, dT, halve, outcome, &taken)) {
+            if (halve)
+                *failures = fmax(*failures - 1, 0);
+            return taken;
         }
-        /* rounding does not permit the tolerance, and R has reached its minimum
-         */
-        if (ovr_below_rounding(sim, &outcome->defect) &&
-            ovr_surfaces_apart(sim)) {
-            outcome->marked = true;
-            end_step(sim, dT);
-            return true;
-        }
-        if (ovr_hierarchy_stops(&sim->grids))
-            return give_up(sim, outcome);
+        if (halve)
+            *failures += FAILURE;
     }
     if (halvings < OVR_HALVINGS) {
         sim->statistics.substeps++;
@@ -492,6 +535,7 @@ static void count(ovr_simulation *sim, const ovr_outcome *outcome)
     s->cycles += outcome->cycles;
     s->retries += outcome->retries;
     s->marked += outcome->marked;
+    s->uncorrected += outcome->uncorrected;
 }
 
 /* True if the departure points of the film one and two steps ago are on the

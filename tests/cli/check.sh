@@ -95,6 +95,11 @@ for depth in 0.4 5; do
     5)
         contains deep '^#   minimum film thickness  +no prediction: '
         ! grep '^predicted minimum film' out || fail 'a minimum of zero'
+        expect 0 "$OVERROLL" check deep.ini --json \
+            --set "feature.dent.depth=$depth um"
+        contains out '"H_min_predicted": null'
+        contains out '"H_min_predicted_m": null'
+        contains out '"prediction_missing": "the remaining roughness is'
         ;;
     *)
         contains deep '^#   minimum film thickness  +H = 0\.1'

@@ -265,10 +265,10 @@ static void foresee(ovr_simulation *sim)
         }
 }
 
-void ovr_heat_try(ovr_simulation *sim, void *own, bool first)
+void ovr_heat_try(ovr_simulation *sim, void *own, bool corrected)
 {
     ovr_heated *h = own;
-    (void)first;
+    (void)corrected;
     ovr_level_refresh(&sim->grids, sim->finest);
     withdraw(sim);
     ovr_simulation_read(sim);

@@ -121,7 +121,7 @@ void ovr_heat_taken(ovr_simulation *sim, void *own, double dT);
  * attempt in place: computes temperatures and the film with them; after a
  * cycle: the same if the temperatures lag. */
 void ovr_heat_step(ovr_simulation *sim, void *own, double dT);
-void ovr_heat_try(ovr_simulation *sim, void *own, bool first);
+void ovr_heat_try(ovr_simulation *sim, void *own, bool corrected);
 void ovr_heat_anew(ovr_simulation *sim, void *own);
 
 /* True if the temperatures of the last observed step are inconsistent with its

@@ -224,10 +224,10 @@ static ovr_defect solve(ovr_simulation *sim, void *own, const ovr_full *how,
 
 /* Each attempt starts with the asperity pressure of the last completed time, in
  * the present orientation of the grids. */
-static void attempt(ovr_simulation *sim, void *own, bool first)
+static void attempt(ovr_simulation *sim, void *own, bool corrected)
 {
     (void)own;
-    (void)first;
+    (void)corrected;
     ovr_asperity_settle(&sim->grids);
     ovr_physics_restore_asperity_pressure(sim);
 }

@@ -106,9 +106,9 @@ static void begin_attempt(ovr_simulation *sim, void *own)
     }
 }
 
-static void attempt(ovr_simulation *sim, void *own, bool first)
+static void attempt(ovr_simulation *sim, void *own, bool corrected)
 {
-    (void)first;
+    (void)corrected;
     begin_attempt(sim, own);
 }
 
