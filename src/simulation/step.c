@@ -454,9 +454,8 @@ static bool try_all(ovr_simulation *sim, double dT, bool halve,
 /*
  * Steps longer than the mesh size D, with fourth-order corrections, are halved
  * if their first attempt fails. Without corrections their errors would be ten
- * times larger than with steps of D.  Some contacts, like those with a pressure
- * spike two mesh sizes wide, fail often: after FAILURES all further steps are
- * halved, which costs less.
+ * times larger than with steps of D.  Contacts with a pressure spike two mesh
+ * sizes wide fail often. After FAILURES all further steps are halved.
  */
 enum { FAILURE = 16, FAILURES = 4 * FAILURE };
 
