@@ -208,7 +208,8 @@ bool ovr_inflow_prediction(ovr_simulation *sim, double T, const double e[3],
     return true;
 }
 
-bool ovr_inflow_third(ovr_simulation *sim, double T, double dT, double *third)
+bool ovr_inflow_third(ovr_simulation *sim, const double *q, double T, double dT,
+                      double *third)
 {
     const ovr_past *past = &sim->past;
     size_t n = sim->now.n;
@@ -228,7 +229,7 @@ bool ovr_inflow_third(ovr_simulation *sim, double T, double dT, double *third)
             sim, now - ovr_history_integral(sim->histories.speed, t[3])))
         return false;
     for (size_t i = 0; i < n; i++)
-        third[i] = weight[0] * sim->now.q[i];
+        third[i] = weight[0] * q[i];
     for (int k = 1; k < 4; k++)
         add_departure(sim, k - 1, weight[k],
                       now - ovr_history_integral(sim->histories.speed, t[k]),

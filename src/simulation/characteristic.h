@@ -42,10 +42,11 @@ size_t ovr_inflow_departure(const ovr_simulation *sim, const double *q,
                             double c, double a, double *F);
 
 /* Third divided difference q[t, t-1, t-2, t-3] along the characteristics, of
- * the newest solution at T and the past, at the nodes. The time before the
+ * the newest solution q at T and the past, at the nodes. The time before the
  * first known one is assumed to be dT earlier. Returns false and does nothing
  * if there are not enough ghost nodes. */
-bool ovr_inflow_third(ovr_simulation *sim, double T, double dT, double *third);
+bool ovr_inflow_third(ovr_simulation *sim, const double *q, double T, double dT,
+                      double *third);
 
 /* Distance travelled by a particle since the k-th past time, at T. */
 double ovr_travel_since(const ovr_simulation *sim, int past, double T);

@@ -403,13 +403,27 @@ static double film_end(const double *P, size_t n)
     return (double)dry - 1 + (bend > last ? last / bend : 1);
 }
 
+/* True if the film thickness does not jump WET nodes ahead; true if it has not
+ * for `smooth` nodes, so that the third difference is valid. */
+enum { WET = 3 };
+static bool is_smooth_ahead(const double *H, size_t i, size_t n)
+{
+    return i + WET < n && !jumps(H[i + WET - 1], H[i + WET]);
+}
+
+static bool carries_at(size_t i, size_t smooth, size_t n)
+{
+    return i >= OVR_FOURTH_MARGIN && i + OVR_FOURTH_MARGIN < n &&
+           smooth > 2 * WET;
+}
+
 /* Multiplies F by m, and keeps the third difference where the film thickness
  * does not jump, because convected contents are smooth at the film end.
  * `carried` (may be NULL) is 1 there, else -1. If the speed is reversed, the
  * film ends on the left. */
 static void fade(const ovr_simulation *sim, fourth *f, double *carried)
 {
-    enum { WET = 3, OVER = 8 };
+    enum { OVER = 8 };
     const double sharp = 3.5;
     const double *P = sim->now.P, *H = sim->now.H;
     size_t n = f->n, wet = 0, smooth = 0;
@@ -423,10 +437,10 @@ static void fade(const ovr_simulation *sim, fourth *f, double *carried)
     for (size_t i = 0; i < n; i++) {
         bool inside = i >= OVR_FOURTH_MARGIN && i + OVR_FOURTH_MARGIN < n;
         size_t along = sim->histories.backward ? n - 1 - i : i, ahead = i + WET;
-        bool jump = ahead >= n || jumps(H[ahead - 1], H[ahead]);
+        bool jump = !is_smooth_ahead(H, i, n);
         smooth = jump ? 0 : smooth + 1;
         wet = jump || !(P[ahead] > 0) ? 0 : wet + 1;
-        bool carries = inside && smooth > 2 * WET;
+        bool carries = carries_at(i, smooth, n);
         double m = inside && wet > 2 * WET ? 1 : 0;
         if (m > 0 && (double)along > fades)
             m = fmin(fmax((end - (double)along - sharp) / OVER, 0), 1);
@@ -454,7 +468,7 @@ static void evaluate(ovr_simulation *sim, fourth *f, double T, double dT,
                         sim->histories.backward && !sim->histories.mirrored);
     ovr_nodes_read(sim, sim->finest, c->F, f->F);
     ovr_nodes_read(sim, sim->finest, c->gap, f->next);
-    if (!ovr_inflow_third(sim, T, dT, f->third))
+    if (!ovr_inflow_third(sim, sim->now.q, T, dT, f->third))
         memset(f->third, 0, f->n * sizeof *f->third);
     fade(sim, f, mask);
 }
@@ -505,17 +519,22 @@ static void rest(ovr_simulation *sim, fourth *f, double dT)
     ovr_work_give(sim, more);
 }
 
-/* Computes the third difference of the start for a first step dT. */
+/* Computes the third difference for a first step dT, from stored contents, so
+ * that a resumed run has the same. begin() has assumed one mesh size. */
 static void third_at_start(ovr_simulation *sim, fourth *f, double dT)
 {
-    double D = ovr_mesh(sim);
-    if (fabs(sim->grids.op.speed * dT - D) < 1e-9 * D)
-        return; /* begin() has assumed this length */
-    if (!ovr_inflow_third(sim, sim->past.T[0], dT, f->third))
+    double D = ovr_mesh(sim),
+           Cu = fabs(ovr_history_value(sim->histories.speed, 0));
+    const double *q = sim->past.q[0];
+    if (fabs(Cu * dT - D) < 1e-9 * D)
+        return;
+    if (!ovr_inflow_third(sim, q, sim->past.T[0], dT, f->third))
         memset(f->third, 0, f->n * sizeof *f->third);
-    for (size_t i = 0; i < f->n; i++)
-        if (f->mask[i] < 0)
+    for (size_t i = 0, smooth = 0; i < f->n; i++) {
+        smooth = is_smooth_ahead(q, i, f->n) ? smooth + 1 : 0;
+        if (!carries_at(i, smooth, f->n))
             f->third[i] = 0;
+    }
 }
 
 static void before_step(ovr_simulation *sim, void *own, double T)
