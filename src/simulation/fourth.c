@@ -403,8 +403,8 @@ static double film_end(const double *P, size_t n)
     return (double)dry - 1 + (bend > last ? last / bend : 1);
 }
 
-/* True if the film thickness does not jump WET nodes ahead; true if it has not
- * for `smooth` nodes, so that the third difference is valid. */
+/* True if H, or q, does not jump WET nodes downstream. The third difference is
+ * valid after more than 2 WET such nodes. */
 enum { WET = 3 };
 static bool is_smooth_ahead(const double *H, size_t i, size_t n)
 {
