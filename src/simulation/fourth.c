@@ -403,8 +403,8 @@ static double film_end(const double *P, size_t n)
     return (double)dry - 1 + (bend > last ? last / bend : 1);
 }
 
-/* True if H, or q, does not jump WET nodes downstream. The third difference is
- * valid after more than 2 WET such nodes. */
+/* True if H, or q, does not jump three nodes downstream. The third difference
+ * is valid after more than six such nodes. */
 enum { WET = 3 };
 static bool is_smooth_ahead(const double *H, size_t i, size_t n)
 {
