@@ -79,7 +79,8 @@ paste auto.txt grid.txt | awk 'NF == 2 { d = $1 / $2 - 1; s += d * d; n++ }
 "$OVERROLL" run wave.ini -o part.h5 -q &
 pid=$!
 tries=0
-while [ ! -e part.h5.restart ] && [ "$tries" -lt 500 ]; do
+while { [ ! -e part.h5 ] || [ ! -e part.h5.restart ]; } &&
+    [ "$tries" -lt 500 ]; do
     sleep 0.01
     tries=$((tries + 1))
 done
