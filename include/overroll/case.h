@@ -135,7 +135,7 @@ typedef struct ovr_case_entry {
 OVR_API size_t ovr_case_entries(const ovr_case *c);
 OVR_API ovr_case_entry ovr_case_entry_at(const ovr_case *c, size_t k);
 
-/* ---------------------------------------------------- what it resolves to */
+/* ---------------------------------------------------------- resolved case */
 
 typedef struct ovr_list {
     size_t count;

@@ -188,7 +188,7 @@ OVR_API void ovr_surfaces_heights(void *surfaces, double T, size_t n,
 OVR_API void ovr_surfaces_standing(void *surfaces, double T, size_t n,
                                    const double *X, double *S);
 
-/* ------------------------------------------------- what is on the surfaces */
+/* ------------------------------------------------- information on features */
 
 /* Returns u_k/u_m of the surface with the steepest moving feature (height
  * divided by wavelength) for ovr_simulation_moving, or NAN if no feature

@@ -282,7 +282,7 @@ ovr_status ovr_slot_columns(const ovr_slot *slot, const char *file,
     return status;
 }
 
-/* ------------------------------------------------------ making and freeing */
+/* ---------------------------------------------------- creation and release */
 
 ovr_case *ovr_case_create(const ovr_allocator *allocator, ovr_error *err)
 {

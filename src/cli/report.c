@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-/* -------------------------------------------------------------- the printer */
+/* ---------------------------------------------------------- output of lines */
 
 static void put_json(json_writer *json, const ovr_summary_line *line)
 {

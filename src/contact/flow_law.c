@@ -284,7 +284,7 @@ static void tabulate(const double *spline, double *table)
         }
 }
 
-/* ----------------------------------------------------------------- public */
+/* ------------------------------------------------------- public functions */
 
 /* Apparent viscosities that increase by less than this between points are
  * considered equal: tables have four or more digits, each rounded. */

@@ -61,7 +61,7 @@ ovr_oil ovr_oil_default(void)
     return oil;
 }
 
-/* ---------------------------------------------------------- what is given */
+/* ------------------------------------------------------------- given data */
 
 typedef struct need {
     const char *name;

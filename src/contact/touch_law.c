@@ -156,7 +156,7 @@ ovr_status ovr_asperity_greenwood_tripp(ovr_asperity_table *t, double sigma,
     return status;
 }
 
-/* ---------------------------------------------------------------- together */
+/* ------------------------------------------------------------ complete law */
 
 void ovr_asperity_law_at(const void *law, double H, double *A, double *slope)
 {

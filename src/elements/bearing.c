@@ -245,7 +245,7 @@ const ovr_bearing_form *ovr_bearing_form_of(const ovr_bearing *bearing)
     return bearing ? &bearing->form : NULL;
 }
 
-/* --------------------------------------------------------------- answers */
+/* --------------------------------------------------------------- results */
 
 double ovr_bearing_load(const ovr_bearing *bearing, int k)
 {

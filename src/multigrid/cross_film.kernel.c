@@ -306,7 +306,7 @@ static INLINE vec uniform(const shared *s, int n, const nodes *v, int law)
     return Sigma0 * law_stress(s, &even, bounded(g, 300), b);
 }
 
-/* -------------------------------------------------------------- what it is */
+/* ----------------------------------------------------------------- results */
 
 /* gamma relative to -d ln eta/dT: tanh(a)/a for Eyring's law, f/(a f') for
  * other laws */

@@ -161,7 +161,7 @@ static bool move_rigid(const film *f)
     return moved;
 }
 
-/* ------------------------------------------------------ behind other ends */
+/* ----------------------------------------------------- at other film ends */
 
 /* Solves the cavitated nodes after the pressurized node before `first`. */
 static void extend(const film *f, ptrdiff_t first)
@@ -186,7 +186,7 @@ static bool moves_to(const film *f, ptrdiff_t i)
     return must_become_pressurized(f, i, 1e-6);
 }
 
-/* ------------------------------------------------------------ both of them */
+/* ---------------------------------------------------------- both solutions */
 
 /* Calls `look` for each unconstrained cavitated node; returns true if any call
  * did. */

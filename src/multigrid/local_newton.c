@@ -43,7 +43,7 @@ typedef struct window {
     double matrix[UNKNOWNS * STRIDE], solution[UNKNOWNS];
 } window;
 
-/* ------------------------------------------------------------ which nodes */
+/* ----------------------------------------------------- selection of nodes */
 
 /* Inserts node i if it is among the largest, more than HALF nodes from the
  * others; i increases from call to call. */

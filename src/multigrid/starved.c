@@ -130,7 +130,7 @@ static ovr_level *start_level(ovr_hierarchy *grids, double force, double limit)
     return level;
 }
 
-/* ------------------------------------------------------------- less supply */
+/* ---------------------------------------------------------- reduced supply */
 
 static void close_inlet(const ovr_hierarchy *grids, ovr_level *level, double q)
 {

@@ -75,7 +75,7 @@ ovr_status ovr_text_status(const ovr_text *t, ovr_error *err)
     return ovr_fail(err, t->why.status, "%s", t->why.message);
 }
 
-/* ---------------------------------------------------------- from outside */
+/* --------------------------------------------------------- external text */
 
 /* True for control characters, including C1 (U+0080 to U+009F) and line
  * separators. */

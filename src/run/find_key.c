@@ -205,7 +205,7 @@ static ovr_status evaluate(void *data, size_t n, const double *x, double *q,
     return status;
 }
 
-/* ----------------------------------------------------------------- answers */
+/* ----------------------------------------------------------------- results */
 
 static const char *first_failure(const ovr_find *f)
 {

@@ -343,7 +343,7 @@ ovr_status ovr_find_check(ovr_find *f, const ovr_trial *t, ovr_error *err)
     return no_quantity(f->info.quantity, &n, err);
 }
 
-/* ------------------------------------------------------------------ making */
+/* ---------------------------------------------------------------- creation */
 
 static ovr_status take_options(ovr_find *f, const ovr_find_options *options,
                                ovr_error *err)

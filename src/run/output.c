@@ -25,7 +25,7 @@
 
 enum { NAME_CAPACITY = 128, TIMES_MAX = 100000 };
 
-/* ------------------------------------------------------------- can it be */
+/* -------------------------------------------------- checks of the output */
 
 static void folder_of(const char *path, char *folder, size_t capacity)
 {

@@ -287,7 +287,7 @@ static void fill_row(const ovr_pass_history *h, const double *lost,
     row->value[OVR_PASS_STEPS] = (double)h->n - 1;
 }
 
-/* ------------------------------------------------------------------- Whole */
+/* ----------------------------------------------------------- Complete pass */
 
 /* Returns the flooded flow rate: from the supply ratio if the film is supplied,
  * otherwise the outflow. */

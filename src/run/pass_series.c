@@ -13,7 +13,7 @@
 #include "physics/supply/supply.h"
 #include "results/results.h"
 
-/* ------------------------------------------------------- What a pass leaves */
+/* --------------------------------------------------------- Result of a pass */
 
 const char *ovr_passes_name(const char *path, int pass, ovr_arena *arena,
                             ovr_error *err)
@@ -158,7 +158,7 @@ ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err)
     return OVR_OK;
 }
 
-/* ----------------------------------------------------------------- At rest */
+/* --------------------------------------------------------------- Shakedown */
 
 static bool is_near(const ovr_run *run, int pass, const char *column,
                     double maximum)
@@ -224,7 +224,7 @@ void ovr_passes_free(ovr_passes *passes)
     }
 }
 
-/* ----------------------------------------------- Passes one after the other */
+/* --------------------------------------------------------- Series of passes */
 
 static ovr_status make(ovr_run *run, const char *path, ovr_error *err)
 {
@@ -283,8 +283,7 @@ ovr_status ovr_passes_begin(ovr_run *run, ovr_error *err)
     return status ? status : ovr_output_open(run, err);
 }
 
-/* ------------------------------------------------------------- Going through
- */
+/* ------------------------------------------------ Solution of the passes */
 
 /* Frees everything that belongs to the last pass. */
 static void free_pass(ovr_run *run)

@@ -8,7 +8,7 @@
 #include <stddef.h>
 #include <string.h>
 
-/* ---------------------------------------------------------------- the whole */
+/* --------------------------------------------------------- contact and grid */
 
 /* Prints nodes, scheme and smoother; for a strip the lines across instead. */
 static void report_grid(const ovr_report_sink *to, const ovr_simulation *sim)

@@ -128,7 +128,7 @@ void ovr_study_name(const ovr_study *s, size_t k, char *text, size_t capacity)
     snprintf(text, capacity, "%s", *name ? name : "case");
 }
 
-/* ------------------------------------------------------- names there twice */
+/* --------------------------------------------------------- duplicate names */
 
 static ovr_status fail_twice(const ovr_study *s, size_t task, ovr_error *err)
 {

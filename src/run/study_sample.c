@@ -348,7 +348,7 @@ static ovr_status take_rows(sampling *w)
     return status;
 }
 
-/* ------------------------------------------------------------------- making */
+/* ----------------------------------------------------------------- creation */
 
 ovr_sample *ovr_study_sample(const ovr_study *study, const char *quantities,
                              ovr_error *err)

@@ -18,7 +18,7 @@
 #include "simulation/simulation.h"
 #include "stress/stress.h"
 
-/* ---------------------------------------------------------------- its parts */
+/* ----------------------------------------------------- parts of the summary */
 
 /* Keys with "foreseen" are those of version 0.3 and are kept for one
  * version. */
@@ -279,7 +279,7 @@ static void put_errors(const ovr_report_sink *to, const ovr_run_errors *e)
     }
 }
 
-/* ------------------------------------------------------------------- whole */
+/* -------------------------------------------------------- complete summary */
 
 /* Adds level, scheme and cost of the run. */
 static void put_options(const ovr_report_sink *to, const ovr_run_info *s)
@@ -401,7 +401,7 @@ void ovr_run_summary(const ovr_run_info *s, ovr_summary_taker *take, void *data)
         ovr_run_report(s, ovr_put_keyed, &to);
 }
 
-/* ------------------------------------------------------------ in its file */
+/* --------------------------------------------- storage in the result file */
 
 enum { MAX_LINES = 256 };
 

@@ -93,7 +93,7 @@ double ovr_trial_number(const ovr_trial *trial, const char *key, bool *known)
     return NAN;
 }
 
-/* ------------------------------------------------------------------ making */
+/* ---------------------------------------------------------------- creation */
 
 ovr_trials *ovr_trials_create(size_t count, ovr_case *const *cases,
                               const ovr_trial_plan *plan, ovr_error *err)

@@ -271,7 +271,7 @@ static ovr_status write_files(unpacking *u, ovr_error *err)
     return status ? status : write_file(u, &u->to[0], text, strlen(text), err);
 }
 
-/* --------------------------------------------------------------- All of it */
+/* ------------------------------------------------------ Complete unpacking */
 
 /* Notes that another version of the program may compute different numbers. */
 static void compare_versions(const unpacking *u)
@@ -320,8 +320,7 @@ ovr_status ovr_result_unpack(const char *path, const char *folder, bool force,
     return status;
 }
 
-/* ------------------------------------------------------- for a single reading
- */
+/* ------------------------------------------------------ temporary copies */
 
 /* Lists and writes the inputs that the result holds, and sets their keys to the
  * paths. */

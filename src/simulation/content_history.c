@@ -17,7 +17,7 @@
 #include "simulation/internal.h"
 #include "simulation/mirror.h"
 
-/* ----------------------------------------------------- Oil before the inlet */
+/* ------------------------------------------ Lubricant upstream of the inlet */
 
 bool ovr_conserves(const ovr_simulation *sim)
 {
@@ -121,7 +121,7 @@ ovr_status ovr_carriage_take(ovr_simulation *sim, ovr_error *err)
     return ovr_arena_status(&sim->arena);
 }
 
-/* ------------------------------------------------------------------ carried */
+/* -------------------------------------------------------- convected content */
 
 /* A travel in whole mesh sizes plus a fraction; weights of five cells in the
  * content that crosses a face. */
@@ -207,7 +207,7 @@ static void carry(const ovr_simulation *sim, const move *m, const double *q,
     to[n - 1] = q[n - 1 - s];
 }
 
-/* ------------------------------------------------------------- what arrives */
+/* ------------------------------------------------------------------- supply */
 
 /* Contents that the supply would bring into the first row while the inlet is
  * open. */

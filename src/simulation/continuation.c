@@ -122,7 +122,7 @@ bool ovr_step_continued(ovr_simulation *sim, const ovr_cycling *cycle,
     return p.at == 1;
 }
 
-/* ------------------------------------ the steady solution of grown surfaces */
+/* ------------------------------------ steady solution with growing features */
 
 /*
  * Pseudo-transient continuation for steady contacts of rough surfaces, in which

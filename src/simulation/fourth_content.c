@@ -14,8 +14,7 @@ ovr_status ovr_fourth_content_take(ovr_simulation *sim, ovr_fourth_content *of,
                           &of->bend, &of->workspace[0], &of->workspace[1]);
 }
 
-/* ------------------------------------------------------------- inside the film
- */
+/* ---------------------------------------------------- extent of the film */
 
 /* Positions where the full film begins and ends, in mesh sizes. They are
  * interpolated between nodes, so that nothing jumps when the phase of a node
@@ -77,8 +76,7 @@ static void fade(const ovr_simulation *sim, double *m)
     }
 }
 
-/* ------------------------------------------------------------------- corrected
- */
+/* ----------------------------------------------------------- corrections */
 
 /* Computes f and f2 of fourth_content.h, at half nodes. */
 static const double *flows(ovr_simulation *sim, ovr_fourth_content *of,

@@ -198,7 +198,7 @@ static ovr_status tabulate_all(ovr_stress *s, ovr_arena *scratch,
     return status;
 }
 
-/* ------------------------------------------------------------- the making */
+/* --------------------------------------------------------------- creation */
 
 static ovr_status take_depth(ovr_stress *s, size_t j, ovr_error *err)
 {

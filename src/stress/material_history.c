@@ -235,7 +235,7 @@ void ovr_material_history_step(ovr_material_history *history, const double *P,
             follow_depth(history, j, at, moment->T);
 }
 
-/* ------------------------------------------------------------- the closures */
+/* ----------------------------------------------- start and end of a history */
 
 /* Values of a row at n nodes at one time. */
 static void row_values(const ovr_material_history *p, int row, size_t n,
@@ -390,7 +390,7 @@ void ovr_material_history_end(ovr_material_history *history, const double *P,
     mark(history, moment, false);
 }
 
-/* ----------------------------------------------------- what is asked of it */
+/* ----------------------------------------------------------------- results */
 
 static ovr_stress_extreme root(ovr_stress_extreme of_square)
 {

@@ -304,7 +304,7 @@ static ovr_status make_tables(ovr_yielding *y, ovr_error *err)
     return status;
 }
 
-/* ------------------------------------------------------------- the making */
+/* --------------------------------------------------------------- creation */
 
 static void take_layer(ovr_yielding *y, size_t j, ovr_error *err)
 {

@@ -15,7 +15,7 @@
 #include "base/text.h"
 #include "surface/feature.h"
 
-/* ----------------------------------------------------- the indent of a ball */
+/* ---------------------------------------------------- indentation of a ball */
 
 /*
  * The indent of a ball, or of a hard particle that stays whole, by its depth d

@@ -273,7 +273,7 @@ static const cli_verb cli_entries = {
     .run = entries,
 };
 
-/* --------------------------------------------------------------- the way in */
+/* -------------------------------------------------------------- entry point */
 
 void *page_alloc(size_t bytes)
 {

@@ -451,7 +451,7 @@ static void tell(const ovr_physics_case *of, const void *form,
     line(data, "dry contact with coating", text);
 }
 
-/* ----------------------------------------------------------- its simulation */
+/* --------------------------------------------------------------- simulation */
 
 typedef struct coating {
     const coating_form *given;
@@ -512,7 +512,7 @@ static void says(const void *form, ovr_physics_statement *says)
     says->features = ovr_model_feature_bit(OVR_MODEL_COATING, true);
 }
 
-/* ------------------------------------------------------------- Beside a run */
+/* ------------------------------------------------------- Companion of a run */
 
 static const ovr_coated *coated_of(const ovr_setup *setup)
 {

@@ -52,7 +52,7 @@ static double image(double x, double a, bool linear)
     return 0.5 * log(r) - series(x, a, r, linear);
 }
 
-/* ----------------------------------------------------------- far from one */
+/* -------------------------------------------------------- far from a node */
 
 /* Sum of all images at X. */
 static double point(const ovr_image_sum *sum, double X)
@@ -109,7 +109,7 @@ static double far(const ovr_image_sum *sum, double X, double D, bool linear)
            0.5 * share * (tabled(sum, X - out) + tabled(sum, X + out));
 }
 
-/* ---------------------------------------------------------------- the part */
+/* --------------------------------------------------- part of the influence */
 
 static double add(const ovr_image_sum *sum, double X, double D, bool linear)
 {

@@ -87,7 +87,7 @@ static ovr_status take_heat(ovr_simulation *sim, const void *form, void **own,
     return OVR_OK;
 }
 
-/* --------------------------------------------------------- to the film */
+/* -------------------------------------------------- effect on the film */
 
 static void before_start(ovr_simulation *sim, void *own)
 {
@@ -122,7 +122,7 @@ static void forget(ovr_simulation *sim, void *own)
     ovr_heat_give(sim);
 }
 
-/* ------------------------------------------------------------- observed */
+/* -------------------------------------------------- observed quantities */
 
 /* Mean shear stress: that of the isothermal film with the present viscosities,
  * as in the Reynolds equation, plus the effect of the temperature profile
@@ -367,7 +367,7 @@ static void describe(const ovr_physics_case *of, const void *form,
     line(data, "viscosity-temperature relation", text);
 }
 
-/* ------------------------------------------------ Film and heat in turn */
+/* ------------------------------------------- Iteration of film and heat */
 
 static void keep_start(ovr_simulation *sim)
 {

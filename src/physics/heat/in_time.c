@@ -46,7 +46,7 @@ ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err)
     return ovr_arena_status(&sim->arena);
 }
 
-/* ------------------------------------------------ the last time reached */
+/* -------------------------------------------------- last completed time */
 
 /* The k-th array of `kept`. */
 static double *kept_of(const ovr_heated *h, int k)
@@ -343,7 +343,7 @@ void ovr_heat_taken(ovr_simulation *sim, void *own, double dT)
     keep(sim);
 }
 
-/* -------------------------------------------------------------------- marks */
+/* ------------------------------------------------------------ flagged steps */
 
 /* True if the load jumped within the last quarter of b/um or five steps:
  * compression heating then appears late and at another pressure. */
@@ -371,7 +371,7 @@ bool ovr_heat_is_stale(ovr_simulation *sim, void *own)
     return lags;
 }
 
-/* -------------------------------------------------------------------- saved */
+/* -------------------------------------------------------------- saved state */
 
 void ovr_heat_visit(ovr_simulation *sim, void *own, ovr_pieces *state)
 {

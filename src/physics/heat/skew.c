@@ -40,7 +40,7 @@ void ovr_heat_skew_forget(ovr_simulation *sim)
     memset(h->skew_by_P, 0, bytes);
 }
 
-/* ------------------------------------------------------- Where a film ends */
+/* ---------------------------------------------------------------- Film end */
 
 bool ovr_heat_opposed(const ovr_simulation *sim)
 {

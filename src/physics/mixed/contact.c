@@ -39,7 +39,7 @@ typedef struct boundary {
     ovr_wear *wear;              /* NULL: none */
 } boundary;
 
-/* ----------------------------------------------------------- its simulation */
+/* --------------------------------------------------------------- simulation */
 
 static ovr_status take(ovr_simulation *sim, const void *form, void **own,
                        ovr_error *err)
@@ -315,7 +315,7 @@ const ovr_wear *ovr_wear_of(const ovr_simulation *sim)
     return NULL;
 }
 
-/* ---------------------------------------------------------------- observed */
+/* ----------------------------------------------------- observed quantities */
 
 /* Boundary friction -sgn(V) mu_b A/kappa at half node i + 1/2. */
 static double drag_at(const ovr_simulation *sim, const boundary *b, size_t i)

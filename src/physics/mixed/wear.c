@@ -13,7 +13,7 @@
 #include "results/results.h"
 #include "surface/profile.h"
 
-/* ----------------------------------------------------------- Loss of height */
+/* --------------------------------------------------------------- Wear depth */
 
 static const double LARGEST_JUMP = 0.02; /* of Rq */
 

@@ -61,8 +61,7 @@ void ovr_plastic_edges(const ovr_plastic_setup *how,
     ovr_yielding_layers(plan->layers, first, how->depth, edge);
 }
 
-/* -------------------------------------------------------- what it takes, says
- */
+/* ------------------------------------------------------- cost and report */
 
 static double memory_of(const ovr_setup *setup, int k)
 {

@@ -140,7 +140,7 @@ static ovr_status make_body(ovr_plastic *p, int k, const ovr_simulation *sim,
     return b->y ? OVR_OK : OVR_NO_MEMORY;
 }
 
-/* ----------------------------------------------------------- the two states */
+/* ------------------------------------------------- stored and present state */
 
 static size_t bytes_of(const ovr_yielding_body *b)
 {
@@ -411,7 +411,7 @@ static void heights(const ovr_simulation *sim, const void *own, int surface,
     }
 }
 
-/* ---------------------------------------------------------------- observed */
+/* ----------------------------------------------------- observed quantities */
 
 /* The plastic model of a simulation; NULL: no plastic body. */
 static const ovr_plastic *plastic_of(const ovr_simulation *sim)
@@ -527,7 +527,7 @@ static void restored(ovr_simulation *sim, void *own)
     p->fresh = false;
 }
 
-/* ------------------------------------------------------------------ making */
+/* ---------------------------------------------------------------- creation */
 
 static void release(void *own)
 {

@@ -20,7 +20,7 @@
 
 static const double min_meshes = 8, deepest = 2.5, shown = 1.5;
 
-/* ------------------------------------------------------------------- making */
+/* ----------------------------------------------------------------- creation */
 
 /* Copies the residual stress table of the case, whose lifetime is that of its
  * setup. */

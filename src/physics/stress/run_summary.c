@@ -392,7 +392,7 @@ static void say_surface(const ovr_report_sink *to, const ovr_stress_report *r,
             r->incomplete, r->material.points);
 }
 
-/* -------------------------------------------------------------------- whole */
+/* ---------------------------------------------------------- complete report */
 
 void ovr_stress_summary(const ovr_stress_report *const report[2],
                         const ovr_setup *setup, ovr_summary_taker *take,

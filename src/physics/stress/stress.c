@@ -200,7 +200,7 @@ static ovr_status visit_state(void *data, ovr_visit *visit, void *context,
     return status;
 }
 
-/* ------------------------------------------------------------------ making */
+/* ---------------------------------------------------------------- creation */
 
 /* Creates the field of a surface; both have the same options except for layers.
  */
@@ -357,7 +357,7 @@ static ovr_status observe(void *data, const ovr_simulation *sim, ovr_error *err)
     return due ? store_fields(s, P, state->T, err) : OVR_OK;
 }
 
-/* ------------------------------------------------------------------ the end */
+/* ------------------------------------------------------------- end of a run */
 
 /* The end closes a stress history; a run that is continued later must remain
  * open. */
@@ -435,8 +435,7 @@ static const ovr_companion companion = {.make = make,
                                         .restored = restored,
                                         .finish = finish};
 
-/* ------------------------------------------------------------------ its case
- */
+/* ------------------------------------------------------------------ case */
 
 static double memory(const void *form)
 {

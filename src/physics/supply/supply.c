@@ -242,8 +242,7 @@ static double carried(const ovr_simulation *sim, const void *own, size_t i,
     return !(sim->now.P[i] > 0) && q < half ? half : q;
 }
 
-/* ----------------------------------------------------------- what is observed
- */
+/* --------------------------------------------------- observed quantities */
 
 /* Position of the inlet meniscus: start of the pressurized region that contains
  * the maximum P. The cell before it is filled in part, on its downstream side,
@@ -451,7 +450,7 @@ static const ovr_observable quantities[] = {
         "mass balance error of the scheme",
         COMMENT("relative to the central film thickness"))};
 
-/* ------------------------------------------------------------- Beside a run */
+/* ------------------------------------------------------- Companion of a run */
 
 /* Tolerance of the film thickness formulas; also, the flow rate of
  * incompressible lubricant is proportional to its film thickness. */

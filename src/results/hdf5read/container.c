@@ -8,14 +8,15 @@
 
 #include "results/hdf5read/elements.h"
 
-/* Kinds of messages in an object's header. */
+/* Types of messages in an object's header. */
 enum { LINK_INFO = 0x02, CONTINUATION = 0x10, ATTRIBUTE_INFO = 0x15 };
 
 /* -------------------------------------------------------------- superblock */
 
 static const char signature[8] = "\211HDF\r\n\032\n";
 
-/* Version 0 has more tables and no checksum, and names the root group last. */
+/* Parses version and sizes of the superblock. Version 0 has more fields and no
+ * checksum, and the address of the root group is last. */
 static bool read_form(ovr_source *source, ovr_piece *b, size_t size)
 {
     bool first = b->at[sizeof signature] == 0;
@@ -32,7 +33,8 @@ static bool read_form(ovr_source *source, ovr_piece *b, size_t size)
            length == 8;
 }
 
-/* Addresses and lengths of 8 bytes, no user block. */
+/* Reads a superblock with addresses and lengths of 8 bytes and without a user
+ * block. */
 static ovr_found read_superblock(ovr_container *c)
 {
     enum { SIZE = 48, SIZE_0 = 72 };
@@ -79,15 +81,16 @@ enum { MAX_BLOCKS = 32 };
 typedef struct header {
     ovr_source *source;
     ovr_piece block;
-    bool first;   /* of version 1: no letters, no checksums */
-    bool ordered; /* messages are numbered */
-    size_t order; /* of the last one, among those of its kind */
+    bool first;   /* version 1: no signature, no checksum */
+    bool ordered; /* messages have creation order numbers */
+    size_t order; /* creation order of the last message */
     bool damaged;
     uint64_t at[MAX_BLOCKS], size[MAX_BLOCKS];
     size_t blocks, read;
 } header;
 
-/* Version 1: that and a zero, how many messages, links here, bytes. */
+/* Opens a header of version 1: version, reserved byte, number of messages,
+ * reference count, size. */
 static void open_first(header *h, uint64_t at)
 {
     enum { PREFIX = 16 };
@@ -98,8 +101,8 @@ static void open_first(header *h, uint64_t at)
                  !ovr_load(h->source, at + PREFIX, ovr_take(&b, 4), &h->block);
 }
 
-/* Letters, version, flags, what the flags announce, the length of what
- * follows. */
+/* Opens a header: signature, version, flags, optional fields, size of the first
+ * block. */
 static void open_header(header *h, ovr_source *source, uint64_t at)
 {
     enum { MIN = 6, MAX = MIN + 16 + 4 + 8 };
@@ -149,8 +152,8 @@ static void note_block(header *h, ovr_piece message)
     h->size[h->blocks++] = size;
 }
 
-/* The next message of any kind; false: the end, or damage.  Shared ones, which
- * stand elsewhere, are damage too: the writer makes none. */
+/* Reads the next message; false at the end or if the header is damaged. Shared
+ * messages, which the writer does not use, count as damage. */
 static bool next_message(header *h, unsigned *kind, ovr_piece *body)
 {
     size_t minimum = h->first ? 8 : h->ordered ? 6 : 4;
@@ -187,7 +190,8 @@ bool ovr_object_message(ovr_source *source, uint64_t object, unsigned target,
 /* ------------------------------------------------------------------- links
  */
 
-/* Those that a heap holds: its address and its index by name. */
+/* Reads items from a heap, given the message with the addresses of heap and
+ * index. */
 static bool stored_apart(ovr_source *source, unsigned kind, ovr_piece info,
                          ovr_items *items)
 {

@@ -8,7 +8,7 @@
 
 #include "base/pack.h"
 
-/* Kinds of messages. */
+/* Types of messages in an object's header. */
 enum {
     SPACE = 0x01,
     TYPE = 0x03,
@@ -19,7 +19,7 @@ enum {
 
 /* -------------------------------------------------------------------- types */
 
-/* Whole numbers: little-endian, with a sign, all bits used. */
+/* True for little-endian signed integers without padding bits. */
 static bool is_integer(const ovr_datatype *e, uint64_t bits, ovr_piece rest)
 {
     uint64_t offset = ovr_take(&rest, 2), precision = ovr_take(&rest, 2);
@@ -27,7 +27,7 @@ static bool is_integer(const ovr_datatype *e, uint64_t bits, ovr_piece rest)
            offset == 0 && precision == 8 * e->size;
 }
 
-/* IEEE 754, little-endian. */
+/* True for little-endian IEEE 754 numbers. */
 static bool is_real(const ovr_datatype *e, uint64_t bits, ovr_piece rest)
 {
     static const unsigned char form[2][12] = {
@@ -56,7 +56,8 @@ bool ovr_element_read(ovr_piece type, ovr_datatype *e)
     }
 }
 
-/* No row is so wide that its bytes, four or eight a value, are no int. */
+/* Rows are limited so that their size in bytes, with up to eight bytes per
+ * value, is a valid int. */
 bool ovr_shape_read(ovr_piece space, ovr_dataset *set)
 {
     enum { WIDEST = INT_MAX / 8 };
@@ -104,7 +105,8 @@ void ovr_element_values(const ovr_datatype *e, const unsigned char *from,
 
 /* ----------------------------------------------------------------- datasets */
 
-/* The next filter's number; version 1 has names, and rounds up to 8 bytes. */
+/* Returns the identifier of the next filter. In version 1 filters have names,
+ * and their size is rounded up to 8 bytes. */
 static uint64_t take_filter(ovr_piece *b, bool first)
 {
     uint64_t filter = ovr_take(b, 2), name = ovr_take(b, first ? 2 : 0);
@@ -115,7 +117,7 @@ static uint64_t take_filter(ovr_piece *b, bool first)
     return filter;
 }
 
-/* Shuffle, then deflate; or no filters at all. */
+/* Accepts either shuffle followed by deflate, or no filters. */
 static bool read_filters(ovr_source *source, uint64_t object, bool *packed)
 {
     enum { DEFLATE = 1, SHUFFLE = 2 };
@@ -155,10 +157,11 @@ static bool read_layout(ovr_piece b, ovr_dataset *set)
            set->chunk > 0;
 }
 
-/* What has no chunks lies in the file as it is.  A dataset of one dimension has
- * no more rows than the file has bytes (other columns are as long), or, if
- * packed, than an input has bytes.  Of more, a row is a chunk, which
- * deflate makes a thousand times smaller at most. */
+/* Checks sizes against the size of the file. Datasets without chunks are not
+ * compressed. A one-dimensional dataset has at most as many rows as the file
+ * has bytes, because other columns are as long; a compressed one (an input
+ * file) at most LARGEST rows. With several dimensions a row is a chunk, and
+ * deflate compresses at most by a factor of about 1000. */
 static bool sizes_are_possible(const ovr_source *source, const ovr_dataset *set)
 {
     enum { SMALLEST = 1032, LARGEST = 4 << 20 };
@@ -208,13 +211,14 @@ ovr_object ovr_container_object(ovr_container *c, uint64_t object)
 /* ------------------------------------------------------------------- chunks */
 
 typedef struct chunk {
-    uint64_t from;                /* its first row */
-    uint64_t at, bytes, left_out; /* the latter: filters, by bit */
+    uint64_t from; /* first row of the chunk */
+    uint64_t at, bytes,
+        left_out; /* `left_out`: bits of filters that were not applied */
 } chunk;
 
 typedef enum search { FOUND, NOT_THERE, DAMAGED } search;
 
-/* A node of a tree of version 1: pairs of a key and a child. */
+/* Loads a node of a version 1 B-tree: pairs of a key and a child. */
 static bool load_node(ovr_source *source, uint64_t at, uint64_t pair,
                       uint64_t *level, ovr_piece *pairs)
 {
@@ -229,7 +233,7 @@ static bool load_node(ovr_source *source, uint64_t at, uint64_t pair,
     return ovr_load(source, at + HEAD, count * pair, pairs);
 }
 
-/* The last pair that starts at or before `row`. */
+/* Finds the last pair whose first row is at most `row`. */
 static bool pick(ovr_piece pairs, uint64_t pair, uint64_t row, chunk *picked)
 {
     bool any = false;
@@ -248,7 +252,8 @@ static bool pick(ovr_piece pairs, uint64_t pair, uint64_t row, chunk *picked)
     return any;
 }
 
-/* Every level is one below the last, so that the search ends. */
+/* Finds the chunk that starts at `row`. Each level must be one below the
+ * preceding one, so that the search terminates. */
 static search find_chunk(ovr_source *source, const ovr_dataset *set,
                          uint64_t row, chunk *c)
 {
@@ -275,7 +280,7 @@ static void fill(const ovr_datatype *e, uint64_t count, double *values)
         values[k] = e->kind == 'f' ? NAN : -1;
 }
 
-/* `count` values that lie in the file as they are. */
+/* Reads `count` uncompressed values. */
 static bool plain(ovr_source *source, const ovr_datatype *e, uint64_t at,
                   uint64_t count, double *values)
 {
@@ -286,7 +291,7 @@ static bool plain(ovr_source *source, const ovr_datatype *e, uint64_t at,
     return true;
 }
 
-/* `count` values of a chunk, from its value `first` on. */
+/* Reads `count` values of a chunk from value `first` on. */
 static bool part_of(ovr_source *source, const ovr_dataset *set, const chunk *c,
                     uint64_t first, uint64_t count, double *values)
 {
@@ -305,8 +310,9 @@ static bool part_of(ovr_source *source, const ovr_dataset *set, const chunk *c,
     return data != NULL;
 }
 
-/* Chunk after chunk, whose memory is given back before the next is read: the
- * part of it that is asked for.  Of more dimensions a row is a chunk. */
+/* Reads the requested parts of chunks one after another. The memory of a chunk
+ * is released before the next one is read. With several dimensions a chunk is a
+ * row. */
 static bool chunks(ovr_source *source, const ovr_dataset *set, uint64_t row,
                    uint64_t count, double *values)
 {

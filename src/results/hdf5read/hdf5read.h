@@ -24,32 +24,36 @@
 
 #include "base/arena.h"
 
-/* A file to read pieces of.  Their memory is the arena's; `starved` notes that
- * it had none, which is no fault of the file. */
+/* A file from which pieces are read into memory of the arena. `starved` is set
+ * if memory was insufficient, which is not an error of the file. */
 typedef struct ovr_source {
     int fd;
-    uint64_t bytes; /* pieces end there */
+    uint64_t
+        bytes; /* size of the file, or its end according to the superblock */
     ovr_arena *arena;
     bool starved;
-    struct ovr_kept_block *kept; /* blocks of metadata that were read */
-    size_t kept_since;           /* `releases` of the arena that they are in */
+    struct ovr_kept_block *kept; /* cache of metadata blocks */
+    size_t kept_since; /* `releases` of the arena when the cache was created */
 } ovr_source;
 
 typedef struct ovr_container {
     ovr_source source;
-    uint64_t root; /* the root group: an object, as all addresses below */
+    uint64_t root; /* address of the root group; all addresses of objects are
+                      offsets in the file */
 } ovr_container;
 
-/* The outcomes of ovr_container_open. */
+/* Results of ovr_container_open. */
 typedef enum ovr_found {
     OVR_FOUND_CONTAINER,
-    OVR_FOUND_OTHER_HDF5, /* none of those that the writer makes */
-    OVR_FOUND_TRUNCATED,  /* or damaged */
+    OVR_FOUND_OTHER_HDF5, /* an HDF5 file of a form that the writer does not use
+                           */
+    OVR_FOUND_TRUNCATED,  /* truncated or damaged */
     OVR_FOUND_NO_HDF5,
     OVR_FOUND_NO_MEMORY
 } ovr_found;
 
-/* The file stays open with the caller; all memory is the arena's. */
+/* Opens a container in an open file, which the caller must keep open. All
+ * memory belongs to the arena. */
 ovr_found ovr_container_open(ovr_container *container, int fd,
                              ovr_arena *arena);
 
@@ -58,25 +62,26 @@ typedef struct ovr_link {
     uint64_t order, object;
 } ovr_link;
 
-/* An object by name in a group; false: none, or none that can be read. */
+/* Finds an object in a group by its name; false if it does not exist or cannot
+ * be read. */
 bool ovr_container_find(ovr_container *container, uint64_t group,
                         const char *name, uint64_t *object);
 
-/* All objects in a group, in the order of their making; NULL: damaged.  Names
- * that no variable of this program has (other than letters, digits and _) are
- * left out. */
+/* Lists all objects of a group in order of creation; NULL if the file is
+ * damaged. Names that this program never gives to variables (with characters
+ * other than letters, digits and _) are omitted. */
 ovr_link *ovr_container_links(ovr_container *container, uint64_t group,
                               size_t *count);
 
-/* Attributes: a text of either form, NULL when there is none; a number, NAN
- * when there is none. */
+/* Return an attribute: a text of fixed or variable length (NULL if there is
+ * none), or a number (NAN if there is none). */
 char *ovr_container_text(ovr_container *container, uint64_t object,
                          const char *name);
 double ovr_container_number(ovr_container *container, uint64_t object,
                             const char *name);
 
-/* All attributes that are one number and have a plain name, in the order of
- * their making; NULL: damaged. */
+/* An attribute that is a single number. ovr_container_numbers lists those with
+ * a plain name in order of creation; NULL if the file is damaged. */
 typedef struct ovr_named_number {
     char name[64];
     size_t order;
@@ -85,38 +90,43 @@ typedef struct ovr_named_number {
 ovr_named_number *ovr_container_numbers(ovr_container *container,
                                         uint64_t object, size_t *count);
 
-/* An object that is no dataset of numbers is one of these. */
+/* Kind of an object that is not a dataset of numbers. */
 typedef enum ovr_object {
     OVR_OBJECT_GROUP,
-    OVR_OBJECT_TEXTS,  /* a dataset of those */
-    OVR_OBJECT_UNKNOWN /* or damaged, or laid out as the writer never does */
+    OVR_OBJECT_TEXTS,  /* a dataset of texts */
+    OVR_OBJECT_UNKNOWN /* unknown, damaged, or of a layout that the writer does
+                          not use */
 } ovr_object;
 ovr_object ovr_container_object(ovr_container *container, uint64_t object);
 
-/* The form that numbers have in the file. */
+/* Data type of the elements in the file. */
 typedef struct ovr_datatype {
     char kind; /* 'f' number, 'i' integer, 's' characters, 'v' text */
     size_t size;
 } ovr_datatype;
 
-/* A dataset of numbers, of any number of dimensions up to this (rows first). */
+/* A dataset of numbers with at most OVR_DIMENSIONS dimensions, the rows
+ * first. */
 enum { OVR_DIMENSIONS = 4 };
 typedef struct ovr_dataset {
     ovr_datatype element;
     int rank;
-    uint64_t shape[OVR_DIMENSIONS], width; /* values in a row */
+    uint64_t shape[OVR_DIMENSIONS], width; /* `width`: values per row */
     bool chunked, packed;
-    uint64_t at, chunk; /* the values, or the tree of the chunks; its rows */
+    uint64_t at, chunk; /* address of the values or of the chunk B-tree; rows
+                           per chunk */
 } ovr_dataset;
 bool ovr_container_dataset(ovr_container *container, uint64_t object,
                            ovr_dataset *set);
 
-/* A dataset of texts of one dimension; NULL: none, or damaged. */
+/* Reads a one-dimensional dataset of texts; NULL if there is none or it is
+ * damaged. */
 const char **ovr_container_texts(ovr_container *container, uint64_t object,
                                  size_t *count);
 
-/* `count` values from row `row` of one dimension, or row `row` of more, that is
- * `count` wide.  Rows that were never written are NaN (integers: -1). */
+/* Reads values. One dimension: `count` values from row `row` on. Several
+ * dimensions: row `row`, which has `count` values. Rows that were never written
+ * are NaN (integers: -1). */
 bool ovr_container_values(ovr_container *container, const ovr_dataset *set,
                           uint64_t row, uint64_t count, double *values);
 

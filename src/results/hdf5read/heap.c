@@ -60,8 +60,9 @@ static uint32_t checksum(const unsigned char *data, size_t size)
     return w[2];
 }
 
-/* The checksum of HDF5's metadata (lookup3 of Bob Jenkins, public domain);
- * true where fuzzing would not get past it. */
+/* True if the checksum of HDF5's metadata (lookup3 by Bob Jenkins, public
+ * domain) is correct. Always true in builds for fuzzing, which would otherwise
+ * not pass this check. */
 static bool checksum_holds(const unsigned char *data, size_t size,
                            uint64_t found)
 {
@@ -107,7 +108,8 @@ ovr_piece ovr_cut(ovr_piece *b, uint64_t size)
     return piece;
 }
 
-/* A file may name the same bytes any number of times. */
+/* True if far more bytes were read than the file has. A malicious file may
+ * refer to the same bytes any number of times. */
 static bool is_enough(const ovr_source *s)
 {
     enum { BASE = 64 << 20, TIMES = 8 };
@@ -130,29 +132,29 @@ bool ovr_load(ovr_source *s, uint64_t at, uint64_t size, ovr_piece *out)
     return true;
 }
 
-/* A block that was read and whose checksum holds: an object's header is asked
- * for as often as it has attributes. */
+/* Cache of blocks with correct checksums. The header of an object is read once
+ * for each of its attributes. */
 enum { KEPT_BLOCKS = 64 };
 struct ovr_kept_block {
     uint64_t at;
-    ovr_piece whole; /* of no bytes: none is kept here */
+    ovr_piece whole; /* empty: no block is cached here */
 };
 
-/* The place of a block among those that are kept; NULL: there is no memory.
- * They go with the arena's other pieces. */
+/* Returns the cache entry for an address; NULL if memory is insufficient. The
+ * cache is freed with the arena. */
 static struct ovr_kept_block *kept_place(ovr_source *s, uint64_t at)
 {
     if (!s->kept || s->kept_since != s->arena->releases) {
         s->kept = ovr_arena_take(s->arena, KEPT_BLOCKS, sizeof *s->kept, NULL);
         s->kept_since = s->arena->releases;
     }
-    /* Multiplied by 2^64 over the golden ratio, neighbours are far apart. */
+    /* Fibonacci hashing: the factor is 2^64 divided by the golden ratio. */
     return s->kept ? &s->kept[at * UINT64_C(0x9e3779b97f4a7c15) >> 58] : NULL;
 }
 
 enum { LETTERS = 4, SUM = 4 };
 
-/* A whole block, letters and checksum included. */
+/* Loads a block including signature and checksum. */
 static bool load_whole(ovr_source *s, uint64_t at, uint64_t size,
                        ovr_piece *whole)
 {
@@ -188,18 +190,19 @@ bool ovr_load_block(ovr_source *s, uint64_t at, uint64_t size,
 
 enum { ID_CAPACITY = 8, DEEPEST = 6, MAX_NODES = 1024 };
 
-/* Lists names of objects in a heap. */
+/* B-tree whose records contain identifiers of objects in a heap. */
 typedef struct tree {
     ovr_source *source;
-    size_t node, record;        /* bytes */
-    size_t id_at, id_size;      /* in a record */
-    size_t count_size;          /* of the number of records of a node ... */
-    size_t total_size[DEEPEST]; /* ... and of those at and below that depth */
+    size_t node, record;   /* size of a node and of a record in bytes */
+    size_t id_at, id_size; /* offset and size of the identifier in a record */
+    size_t count_size;     /* size of the record count of a node */
+    size_t total_size[DEEPEST]; /* size of the total record count of a node and
+                                   its descendants, by depth */
     unsigned char *id;          /* ID_CAPACITY bytes each */
     size_t count, maximum, nodes;
 } tree;
 
-/* The number of bytes that hold numbers up to `maximum`. */
+/* Returns the number of bytes of integers up to `maximum`. */
 static size_t bytes_for(uint64_t maximum)
 {
     size_t bytes = 1;
@@ -215,7 +218,7 @@ static size_t pointer_size(const tree *t, size_t depth)
 
 static void find_sizes(tree *t)
 {
-    const size_t frame = 4 + 2 + 4; /* letters, version and kind, checksum */
+    const size_t frame = 4 + 2 + 4; /* signature, version and type, checksum */
     uint64_t all = (t->node - frame) / t->record;
     t->count_size = bytes_for(all);
     t->total_size[0] = 0;
@@ -228,7 +231,8 @@ static void find_sizes(tree *t)
     }
 }
 
-/* The records of a node, without those of its children. */
+/* Appends the identifiers in the records of a node, without those of its
+ * children. */
 static bool add_records(tree *t, ovr_piece *node, uint64_t count)
 {
     for (uint64_t k = 0; k < count && node->good; k++) {
@@ -261,7 +265,8 @@ static bool add_node(tree *t, uint64_t at, uint64_t count, size_t depth)
     return good;
 }
 
-/* Kind 5 lists links, kind 8 attributes, both by a hash of the name. */
+/* Sets the record form: type 5 indexes links, type 8 attributes, both by a hash
+ * of the name. Returns false for other forms. */
 static bool find_form(tree *t, uint64_t kind)
 {
     t->id_at = kind == 5 ? 4 : 0;
@@ -298,15 +303,17 @@ static bool list(tree *t, uint64_t at)
 
 /* ------------------------------------------------------------ fractal heap */
 
-/* Blocks of one width form rows; those of row 0 and 1 have `start` bytes,
- * those of each row after it twice as many as the last; above `largest` they
- * are tables of smaller ones. */
+/* A fractal heap. Its doubling table has rows of `width` blocks of equal size.
+ * The blocks of rows 0 and 1 have `start` bytes, and the size doubles with each
+ * further row. Blocks larger than `largest` are indirect: tables of smaller
+ * blocks. */
 typedef struct heap {
     ovr_source *source;
     uint64_t at, width, start, largest, root, rows;
     size_t id_size, offset_size, length_size;
     bool summed;
-    ovr_piece block; /* the last one that was read */
+    ovr_piece
+        block; /* direct block read last, which starts at heap offset `from` */
     uint64_t from;
 } heap;
 
@@ -356,7 +363,8 @@ static bool open_heap(heap *h)
            1 + h->offset_size + h->length_size <= h->id_size;
 }
 
-/* The checksum of a direct block is in its header and counts as zero. */
+/* True if the checksum of the direct block is correct. Its field in the block's
+ * header counts as zero. */
 static bool direct_holds(heap *h, size_t at)
 {
     ovr_piece sum = h->block;
@@ -392,7 +400,7 @@ static bool load_direct(heap *h, uint64_t at, uint64_t from, uint64_t size)
     return true;
 }
 
-/* The place of an offset in the heap's table. */
+/* Position of a heap offset in the doubling table. */
 typedef struct place {
     uint64_t row, column, from, size;
 } place;
@@ -413,7 +421,7 @@ static place place_of(const heap *h, uint64_t offset)
     return p;
 }
 
-/* The address of entry `number` in a table of blocks. */
+/* Reads the address of entry `number` of an indirect block. */
 static bool find_child(const heap *h, uint64_t at, uint64_t rows,
                        uint64_t number, uint64_t *child)
 {
@@ -430,7 +438,7 @@ static bool find_child(const heap *h, uint64_t at, uint64_t rows,
     return b.good && *child != OVR_NOWHERE;
 }
 
-/* Reads the direct block that `offset` lies in. */
+/* Loads the direct block that contains `offset`. */
 static bool find_block(heap *h, uint64_t offset)
 {
     uint64_t at = h->root, rows = h->rows, base = 0;
@@ -502,7 +510,7 @@ bool ovr_heap_text(ovr_source *source, uint64_t at, uint64_t index,
         uint64_t length;
         ovr_take(&b, 6);
         length = ovr_take(&b, 8);
-        if (number == 0) /* what is free */
+        if (number == 0) /* free space */
             return false;
         *out = ovr_cut(&b, length);
         if (number == index)

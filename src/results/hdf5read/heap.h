@@ -10,48 +10,49 @@
 #include "results/hdf5read/hdf5read.h"
 
 /*
- * Pieces of a file that nobody vouches for: what is read lies inside the file,
- * what is taken from it lies inside the piece.
+ * Checked access to a file: a piece lies within the file, and values taken from
+ * a piece lie within the piece.
  */
 
-/* Bytes that are left to be taken; once more was asked for than is there,
- * `good` is false and everything taken is zero. */
+/* The remaining bytes of a piece. If more bytes are requested than remain,
+ * `good` becomes false, and all further values are zero. */
 typedef struct ovr_piece {
     const unsigned char *at;
     size_t left;
     bool good;
 } ovr_piece;
 
-/* Little-endian, 1 to 8 bytes. */
+/* Reads a little-endian integer of 1 to 8 bytes and moves past it. */
 uint64_t ovr_take(ovr_piece *bytes, size_t size);
-/* The next `size` bytes as a piece of their own. */
+/* Returns the next `size` bytes as a separate piece and moves past them. */
 ovr_piece ovr_cut(ovr_piece *bytes, uint64_t size);
 
 bool ovr_load(ovr_source *source, uint64_t at, uint64_t size, ovr_piece *out);
 
-/* A block of metadata: its four letters first, its checksum last; `out` is
- * what lies between. */
+/* Loads a metadata block and checks its signature (four letters) and checksum.
+ * `out` is the content between them. */
 bool ovr_load_block(ovr_source *source, uint64_t at, uint64_t size,
                     const char *letters, ovr_piece *out);
 
-/* No group or object has more links or attributes than this. */
+/* Maximum number of links of a group, or of attributes of an object. */
 enum { OVR_MAX_ITEMS = 4096 };
 
 typedef struct ovr_items {
     ovr_piece *item;
-    size_t *order; /* of their making; NULL: as they come */
+    size_t *order; /* creation order; NULL: not recorded */
     size_t count;
 } ovr_items;
 
-/* All that a tree lists and a heap holds; false: damaged. */
+/* Reads all objects of a fractal heap that are indexed by a B-tree; false if
+ * they are damaged. */
 bool ovr_heap_items(ovr_source *source, uint64_t heap, uint64_t tree,
                     ovr_items *items);
 
-/* One object of a global heap. */
+/* Reads an object of a global heap. */
 bool ovr_heap_text(ovr_source *source, uint64_t heap, uint64_t index,
                    ovr_piece *out);
 
-/* Nothing lies there: the address that HDF5 calls undefined. */
+/* HDF5's undefined address. */
 #define OVR_NOWHERE UINT64_MAX
 
 #endif

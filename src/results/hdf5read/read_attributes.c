@@ -6,13 +6,13 @@
 
 #include "results/hdf5read/elements.h"
 
-/* One as it lies in the file. */
+/* Parts of an attribute message. */
 typedef struct attribute {
     ovr_piece name, type, space, value;
 } attribute;
 
-/* Name, type, dimensions and value follow each other: closely but in version
- * 1, where each begins at a multiple of 8 bytes. */
+/* Splits an attribute message into name, data type, dataspace and value. In
+ * version 1 the first three are padded to multiples of 8 bytes. */
 static bool read_attribute(ovr_piece b, attribute *to)
 {
     uint64_t version = ovr_take(&b, 1), shared = ovr_take(&b, 1);
@@ -105,7 +105,8 @@ static int by_order(const void *a, const void *b)
     return (first->order > second->order) - (first->order < second->order);
 }
 
-/* Where a message lies says nothing: HDF5 moves them as headers grow. */
+/* Sorts by creation order. The position of a message is not significant,
+ * because HDF5 moves messages when headers grow. */
 ovr_named_number *ovr_container_numbers(ovr_container *c, uint64_t object,
                                         size_t *count)
 {
@@ -137,9 +138,9 @@ ovr_named_number *ovr_container_numbers(ovr_container *c, uint64_t object,
 
 /* ---------------------------------------------------------- tables of texts */
 
-/* Datasets of texts: each element names a piece of a global heap. */
+/* Datasets of texts. Each element refers to an object of a global heap. */
 
-/* Reads `count` texts of one dimension that lie as they are. */
+/* Finds the elements of a one-dimensional, contiguous dataset of texts. */
 static bool find_texts(ovr_source *source, uint64_t object, uint64_t *at,
                        uint64_t *count)
 {
