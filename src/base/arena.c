@@ -45,7 +45,7 @@ static void *reserve(void *context, size_t bytes)
     return at == MAP_FAILED ? NULL : at;
 }
 
-static void give_back(void *context, void *block)
+static void unmap_block(void *context, void *block)
 {
     (void)context;
     munmap(block, ((struct ovr_arena_block *)block)->size);
@@ -53,7 +53,8 @@ static void give_back(void *context, void *block)
 
 ovr_arena ovr_arena_counting(void)
 {
-    return (ovr_arena){.allocator = {reserve, give_back, NULL}, .blank = true};
+    return (ovr_arena){.allocator = {reserve, unmap_block, NULL},
+                       .blank = true};
 }
 
 /* Returns the first aligned address after the header. Offsets are counted from

@@ -64,7 +64,8 @@ static char *trimmed(char *text, size_t size)
     return text;
 }
 
-static ovr_status take_section(ovr_entries *e, ovr_entry *entry, ovr_error *err)
+static ovr_status parse_section(ovr_entries *e, ovr_entry *entry,
+                                ovr_error *err)
 {
     char *line = e->copy, *end = strchr(line, ']');
     if (!end || end[1])
@@ -75,7 +76,7 @@ static ovr_status take_section(ovr_entries *e, ovr_entry *entry, ovr_error *err)
     return OVR_OK;
 }
 
-static ovr_status take_pair(ovr_entries *e, ovr_entry *entry, ovr_error *err)
+static ovr_status parse_pair(ovr_entries *e, ovr_entry *entry, ovr_error *err)
 {
     char *line = e->copy;
     size_t size = strcspn(line, "=:");
@@ -99,8 +100,8 @@ ovr_status ovr_entries_next(ovr_entries *e, ovr_entry *entry, ovr_error *err)
         if (status || !*e->copy)
             continue;
         entry->line = e->line;
-        status = *e->copy == '[' ? take_section(e, entry, err)
-                                 : take_pair(e, entry, err);
+        status = *e->copy == '[' ? parse_section(e, entry, err)
+                                 : parse_pair(e, entry, err);
     }
     return status;
 }

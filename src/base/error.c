@@ -46,8 +46,9 @@ static void escape(char message[OVR_MESSAGE_SIZE], bool is_name)
     *to = '\0';
 }
 
-static void put(ovr_error *err, ovr_status status, const char *about,
-                const char *file, long line, const char *format, va_list args)
+static void write_message(ovr_error *err, ovr_status status, const char *about,
+                          const char *file, long line, const char *format,
+                          va_list args)
 {
     char *end = err->message, *stop = end + sizeof err->message;
     err->status = status;
@@ -75,7 +76,7 @@ ovr_status ovr_fail(ovr_error *err, ovr_status status, const char *format, ...)
     va_list args;
     va_start(args, format);
     if (err)
-        put(err, status, NULL, NULL, 0, format, args);
+        write_message(err, status, NULL, NULL, 0, format, args);
     va_end(args);
     return status;
 }
@@ -86,7 +87,7 @@ ovr_status ovr_fail_at(ovr_error *err, ovr_status status, const char *file,
     va_list args;
     va_start(args, format);
     if (err)
-        put(err, status, NULL, file, line, format, args);
+        write_message(err, status, NULL, file, line, format, args);
     va_end(args);
     return status;
 }
@@ -97,7 +98,7 @@ ovr_status ovr_fail_about(ovr_error *err, const char *about, const char *format,
     va_list args;
     va_start(args, format);
     if (err)
-        put(err, OVR_BAD_INPUT, about, NULL, 0, format, args);
+        write_message(err, OVR_BAD_INPUT, about, NULL, 0, format, args);
     va_end(args);
     return OVR_BAD_INPUT;
 }

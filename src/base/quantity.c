@@ -288,8 +288,8 @@ static const char *with_ending(const char *unit, const char *const *names,
 
 /* Writes " did you mean 'MPa'?" and returns the unit; nothing and NULL if no
  * unit is similar. */
-static const char *put_hint(const char *unit, ovr_dimension dimension,
-                            char *hint, size_t capacity)
+static const char *write_hint(const char *unit, ovr_dimension dimension,
+                              char *hint, size_t capacity)
 {
     const char *names[UNITS], *meant;
     size_t n = 0;
@@ -318,7 +318,7 @@ static ovr_status wrong_unit(const char *text, const char *unit,
         return ovr_fail(err, OVR_BAD_INPUT,
                         "'%.60s' must be a number without a unit%s", text,
                         dimension == OVR_SHARE ? ", or in %" : "");
-    meant = put_hint(unit, dimension, hint, sizeof hint);
+    meant = write_hint(unit, dimension, hint, sizeof hint);
     ovr_fail_about(err, "unit", "'%.60s': %s unit '%.30s';%s allowed: %s", text,
                    find_unit(unit) ? "wrong" : "unknown", unit, hint,
                    ovr_units_allowed(dimension));

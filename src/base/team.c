@@ -77,7 +77,7 @@ static void wake(ovr_team *team)
     pthread_mutex_unlock(&team->mutex);
 }
 
-static void *serve(void *data)
+static void *run_member(void *data)
 {
     const ovr_team_member *m = data;
     ovr_team *team = m->team;
@@ -98,7 +98,7 @@ static void start_threads(ovr_team *team, int members)
     pthread_sigmask(SIG_SETMASK, &all, &before);
     for (int k = 1; k < members; k++) {
         team->member[k] = (ovr_team_member){.team = team, .number = k};
-        if (pthread_create(&team->member[k].thread, NULL, serve,
+        if (pthread_create(&team->member[k].thread, NULL, run_member,
                            &team->member[k]))
             break;
         team->members++;

@@ -45,7 +45,7 @@ static unsigned unit16(const unsigned char *p, bool big)
     return big ? (unsigned)(p[0] << 8 | p[1]) : (unsigned)(p[1] << 8 | p[0]);
 }
 
-static size_t put_utf8(char *out, unsigned c)
+static size_t encode_utf8(char *out, unsigned c)
 {
     if (c < 0x80) {
         out[0] = (char)c;
@@ -77,7 +77,7 @@ static ovr_status from_utf16(ovr_bytes *content, bool big, const char *file,
                            "the file is truncated",
                            content->size);
     for (size_t i = 0; i < units; i++)
-        used += put_utf8(out + used, unit16(in + 2 * i, big));
+        used += encode_utf8(out + used, unit16(in + 2 * i, big));
     *content = (ovr_bytes){out, used};
     return OVR_OK;
 }
@@ -300,7 +300,7 @@ ovr_line ovr_spelled(ovr_line unit, char buffer[16])
 /* Writes the first character of a piece to `to` as UTF-8. Returns its bytes
  * there; *taken becomes its bytes in the piece. Bytes from 0xA0 on that are not
  * UTF-8 are read as Latin-1. Control characters become '?'. */
-static size_t put_character(ovr_line piece, char to[4], size_t *taken)
+static size_t copy_character(ovr_line piece, char to[4], size_t *taken)
 {
     unsigned char s[5] = {0};
     memcpy(s, piece.text, piece.size < 4 ? piece.size : 4);
@@ -363,7 +363,7 @@ ovr_quoted ovr_quote(ovr_line piece)
         char character[4] = {'u'};
         size_t sign = micro(piece), taken = sign, bytes = 1;
         if (!sign)
-            bytes = put_character(piece, character, &taken);
+            bytes = copy_character(piece, character, &taken);
         if (used + bytes > capacity)
             break;
         memcpy(quoted.text + used, character, bytes);

@@ -25,8 +25,8 @@ static ovr_status open_section(ovr_case *c, const ovr_entry *entry,
     return OVR_OK;
 }
 
-static ovr_status take_value(ovr_case *c, const ovr_entry *entry,
-                             const ovr_block *block, ovr_error *err)
+static ovr_status store_value(ovr_case *c, const ovr_entry *entry,
+                              const ovr_block *block, ovr_error *err)
 {
     const ovr_parameter *row;
     ovr_slot *slot;
@@ -64,7 +64,7 @@ static ovr_status parse(ovr_case *c, ovr_error *err)
             return ovr_fail_at(err, OVR_BAD_INPUT, c->name, entry.line,
                                "a key comes before the first [section]");
         status = entry.section ? open_section(c, &entry, &block, &why)
-                               : take_value(c, &entry, block, &why);
+                               : store_value(c, &entry, block, &why);
         if (status)
             return ovr_fail_from(err, &why, c->name, entry.line);
     }

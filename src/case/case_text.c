@@ -22,7 +22,7 @@ typedef struct growing {
     bool moved; /* the case's folder is not the working directory */
 } growing;
 
-static void put(growing *g, const char *text, size_t length)
+static void append(growing *g, const char *text, size_t length)
 {
     if (g->length + length + 1 > g->capacity)
         return; /* cannot happen: the space was counted before */
@@ -31,9 +31,9 @@ static void put(growing *g, const char *text, size_t length)
     g->text[g->length] = '\0';
 }
 
-static void put_text(growing *g, const char *text)
+static void append_text(growing *g, const char *text)
 {
-    put(g, text, strlen(text));
+    append(g, text, strlen(text));
 }
 
 static bool is_later(const ovr_slot *slot)
@@ -44,84 +44,84 @@ static bool is_later(const ovr_slot *slot)
 /* Writes a path. A path that was set later is relative to the working
  * directory, and one in the text to the folder of the case. It is made absolute
  * if the line is long enough. */
-static void put_path(growing *g, const char *path)
+static void append_path(growing *g, const char *path)
 {
     enum { LONGEST = OVR_LINE_MAX - OVR_NAME_MAX };
     char folder[LONGEST + 1];
     if (g->moved && path[0] != '/' && getcwd(folder, sizeof folder) &&
         strlen(folder) + 1 + strlen(path) <= LONGEST) {
-        put_text(g, folder);
-        put_text(g, "/");
+        append_text(g, folder);
+        append_text(g, "/");
     }
-    put_text(g, path);
+    append_text(g, path);
 }
 
-static void put_setting(growing *g, const ovr_block *b, size_t k)
+static void append_setting(growing *g, const ovr_block *b, size_t k)
 {
     const ovr_parameter *row = &b->section->rows[k];
-    put_text(g, row->key);
-    put_text(g, " = ");
+    append_text(g, row->key);
+    append_text(g, " = ");
     if (ovr_key_is_input(row))
-        put_path(g, b->slots[k].text);
+        append_path(g, b->slots[k].text);
     else
-        put_text(g, b->slots[k].text);
-    put_text(g, "\n");
+        append_text(g, b->slots[k].text);
+    append_text(g, "\n");
 }
 
 /* Writes the settings of the block that replace no line of the file. */
-static void put_new(growing *g, const ovr_block *b)
+static void append_new_settings(growing *g, const ovr_block *b)
 {
     for (size_t k = 0; k < b->count; k++)
         if (is_later(&b->slots[k]) && !b->slots[k].replaces)
-            put_setting(g, b, k);
+            append_setting(g, b, k);
 }
 
 /* Writes a setting in place of the line `line` and keeps that line's comment in
  * its column. */
-static void put_instead(growing *g, const ovr_block *b, size_t k,
-                        const char *line)
+static void append_replacement(growing *g, const ovr_block *b, size_t k,
+                               const char *line)
 {
     const char *comment = line + strcspn(line, "#;\n");
     size_t from = g->length;
-    put_setting(g, b, k);
+    append_setting(g, b, k);
     if (*comment != '#' && *comment != ';')
         return;
     for (g->length--; g->length < from + COMMENT_COLUMN;)
-        put_text(g, " ");
-    put_text(g, " ");
-    put(g, comment, strcspn(comment, "\n"));
-    put_text(g, "\n");
+        append_text(g, " ");
+    append_text(g, " ");
+    append(g, comment, strcspn(comment, "\n"));
+    append_text(g, "\n");
 }
 
 /* Writes the replacement of a line, which may be empty. Returns false if the
  * line is kept. */
-static bool put_replaced(growing *g, const ovr_case *c, long line,
-                         const char *at)
+static bool append_replaced_line(growing *g, const ovr_case *c, long line,
+                                 const char *at)
 {
     for (const ovr_block *b = c->blocks; b; b = b->next)
         for (size_t k = 0; k < b->count; k++)
             if (b->slots[k].replaces == line) {
                 if (is_later(&b->slots[k]))
-                    put_instead(g, b, k, at);
+                    append_replacement(g, b, k, at);
                 return true;
             }
     return false;
 }
 
-static void put_source(growing *g, const ovr_case *c)
+static void append_source(growing *g, const ovr_case *c)
 {
     const char *at = c->source;
     for (long line = 1; *at; line++) {
         size_t length = strcspn(at, "\n");
         length += at[length] == '\n';
-        if (!put_replaced(g, c, line, at)) {
-            put(g, at, length);
+        if (!append_replaced_line(g, c, line, at)) {
+            append(g, at, length);
             if (at[length - 1] != '\n')
-                put_text(g, "\n");
+                append_text(g, "\n");
         }
         for (const ovr_block *b = c->blocks; b; b = b->next)
             if (b->line == line)
-                put_new(g, b);
+                append_new_settings(g, b);
         at += length;
     }
 }
@@ -134,18 +134,18 @@ static bool has_new(const ovr_block *b)
     return false;
 }
 
-static void put_new_sections(growing *g, const ovr_case *c)
+static void append_new_sections(growing *g, const ovr_case *c)
 {
     for (const ovr_block *b = c->blocks; b; b = b->next)
         if (!b->line && has_new(b)) {
-            put_text(g, "[");
-            put_text(g, b->section->name);
+            append_text(g, "[");
+            append_text(g, b->section->name);
             if (b->name) {
-                put_text(g, " ");
-                put_text(g, b->name);
+                append_text(g, " ");
+                append_text(g, b->name);
             }
-            put_text(g, "]\n");
-            put_new(g, b);
+            append_text(g, "]\n");
+            append_new_settings(g, b);
         }
 }
 
@@ -171,7 +171,7 @@ const char *ovr_case_text(ovr_case *c, ovr_error *err)
     if (!g.text)
         return NULL;
     if (c->source)
-        put_source(&g, c);
-    put_new_sections(&g, c);
+        append_source(&g, c);
+    append_new_sections(&g, c);
     return g.text;
 }

@@ -28,7 +28,7 @@ typedef struct walk {
     size_t own; /* index within that physical model */
 } walk;
 
-static bool stands_here(const ovr_physics_in_case *p, const walk *w)
+static bool follows_section(const ovr_physics_in_case *p, const walk *w)
 {
     if (!p || w->own >= p->sections)
         return false;
@@ -49,7 +49,7 @@ static const ovr_section *next(walk *w)
                 return sections[w->at];
         }
         for (; *w->physics; w->physics++, w->own = 0)
-            if (stands_here((*w->physics)->in_case, w))
+            if (follows_section((*w->physics)->in_case, w))
                 return &(*w->physics)->in_case->section[w->own++];
     }
     return NULL;

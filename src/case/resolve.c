@@ -246,8 +246,8 @@ static unsigned written(const ovr_resolved *r)
 }
 
 /* Writes the name of a model feature, "[heat] model = lobatto". */
-static void put_name(const ovr_resolved *r, int feature, size_t size,
-                     char text[])
+static void write_name(const ovr_resolved *r, int feature, size_t size,
+                       char text[])
 {
     ovr_model_feature_info info = ovr_model_feature_at(feature);
     const ovr_slot *slot = ovr_slot_of(r, info.section, info.key);
@@ -265,7 +265,7 @@ static ovr_status refuse(const ovr_resolved *r, const ovr_conflict *conflict,
         conflict->feature);
     const ovr_slot *slot = ovr_slot_of(r, feature.section, feature.key);
     char beside[100];
-    put_name(r, conflict->other, sizeof beside, beside);
+    write_name(r, conflict->other, sizeof beside, beside);
     return ovr_fail_slot(err, slot, "%s cannot be combined with %s; use %s",
                          slot->given && !feature.whole ? slot->text
                                                        : feature.name,

@@ -55,19 +55,19 @@ static ovr_status unknown_word(const ovr_parameter *row, const char *text,
 /* ---------------------------------------------------------------- numbers */
 
 /* Writes a limit without an exponent: 1000000 instead of 1e+06. */
-static void put_limit(char *text, size_t capacity, double limit)
+static void write_limit(char *text, size_t capacity, double limit)
 {
     bool whole = limit == floor(limit) && fabs(limit) < 1e10;
     snprintf(text, capacity, whole ? "%.0f" : "%g", limit);
 }
 
-static void put_range(const ovr_parameter *row, char *text, size_t capacity)
+static void write_range(const ovr_parameter *row, char *text, size_t capacity)
 {
     char minimum[32], maximum[32], words[200];
     const char *unit = row->hertzian ? ovr_hertzian_name(row->hertzian)
                                      : ovr_unit_si(row->dimension);
-    put_limit(minimum, sizeof minimum, row->minimum);
-    put_limit(maximum, sizeof maximum, row->maximum);
+    write_limit(minimum, sizeof minimum, row->minimum);
+    write_limit(maximum, sizeof maximum, row->maximum);
     list_words(row->words, words, sizeof words);
     snprintf(text, capacity, "%s%s %s %s%s%s%s%s", row->above ? "above " : "",
              minimum, row->above ? "and at most" : "to", maximum,
@@ -75,12 +75,12 @@ static void put_range(const ovr_parameter *row, char *text, size_t capacity)
 }
 
 /* Describes the allowed values for messages. */
-static void put_allowed(const ovr_parameter *row, char *text, size_t capacity)
+static void write_allowed(const ovr_parameter *row, char *text, size_t capacity)
 {
     switch (row->kind) {
     case OVR_NUMBER:
     case OVR_INTEGER:
-    case OVR_NUMBERS: put_range(row, text, capacity); break;
+    case OVR_NUMBERS: write_range(row, text, capacity); break;
     case OVR_CHOICE:
     case OVR_WORDS: list_words(row->words, text, capacity); break;
     case OVR_FLAG: snprintf(text, capacity, "yes, no"); break;
@@ -97,7 +97,7 @@ ovr_status ovr_range_check(const ovr_parameter *row, double number,
     char range[300];
     if (!low && number <= row->maximum)
         return OVR_OK;
-    put_range(row, range, sizeof range);
+    write_range(row, range, sizeof range);
     return ovr_fail(err, OVR_BAD_INPUT, "%s must be %s", text, range);
 }
 
@@ -147,7 +147,7 @@ static ovr_status read_quantity(const ovr_parameter *row, const char *text,
         return unknown_word(row, text, err);
     if (why.about) /* the unit is wrong: the message lists allowed ones */
         return ovr_fail_from(err, &why, NULL, 0);
-    put_range(row, range, sizeof range);
+    write_range(row, range, sizeof range);
     return ovr_fail(err, why.status, "%.500s; allowed: %s", why.message, range);
 }
 
@@ -155,7 +155,7 @@ static ovr_status no_whole_number(const ovr_parameter *row, const char *text,
                                   ovr_error *err)
 {
     char range[300];
-    put_range(row, range, sizeof range);
+    write_range(row, range, sizeof range);
     return ovr_fail(err, OVR_BAD_INPUT, "%s must be a whole number, %s", text,
                     range);
 }
@@ -272,7 +272,7 @@ static ovr_status read_choice(const ovr_parameter *row, const char *text,
 static ovr_status no_value(const ovr_parameter *row, ovr_error *err)
 {
     char allowed[300];
-    put_allowed(row, allowed, sizeof allowed);
+    write_allowed(row, allowed, sizeof allowed);
     return ovr_fail(err, OVR_BAD_INPUT, "the value is missing; allowed: %s",
                     allowed);
 }

@@ -39,7 +39,7 @@ static void condition_add(char *text, size_t capacity, const char *format, ...)
 }
 
 /* Writes "ramp | step | sine" as "ramp, step or sine". */
-static void put_words(const char *words, char *text, size_t capacity)
+static void write_words(const char *words, char *text, size_t capacity)
 {
     char word[OVR_CONDITION_MAX];
     for (int k = 0; ovr_condition_next(&words, " | ", word, sizeof word); k++)
@@ -52,7 +52,7 @@ static void put_words(const char *words, char *text, size_t capacity)
 
 /* Writes a condition: "history = ramp, step or sine", "[heat] model = lobatto",
  * "every above 0". */
-static void put_alternative(const char *from, char *text, size_t capacity)
+static void write_alternative(const char *from, char *text, size_t capacity)
 {
     size_t key = *from == '[' ? strlen(from) : strcspn(from, " ");
     size_t section = strcspn(from, ". ");
@@ -70,7 +70,7 @@ static void put_alternative(const char *from, char *text, size_t capacity)
         condition_add(text, capacity, " =%s", rest + 2);
     else if (*rest == '=') {
         condition_add(text, capacity, " = ");
-        put_words(rest + 2, text, capacity);
+        write_words(rest + 2, text, capacity);
     }
 }
 
@@ -84,12 +84,12 @@ static void condition_text(const char *condition, char *text, size_t capacity)
         bool absent = !strncmp(from, "no ", 3);
         condition_add(text, capacity, "%s%s", k ? " or " : "",
                       absent ? "no " : "");
-        put_alternative(from + 3 * absent, text, capacity);
+        write_alternative(from + 3 * absent, text, capacity);
     }
 }
 
 /* Writes "shape = dent | bump" with the shapes that have a size. */
-static void put_shapes(const char *size, char *text, size_t capacity)
+static void write_shapes(const char *size, char *text, size_t capacity)
 {
     condition_add(text, capacity, "shape = ");
     for (int k = 0; ovr_shape_name(k); k++)
@@ -106,7 +106,7 @@ void ovr_when_text(const ovr_parameter *row, char *text, size_t capacity)
     text[0] = '\0';
     if (!strcmp(when, OVR_BY_SHAPE)) {
         const char *of = ovr_size_of_what(row->key);
-        put_shapes(row->key, shapes, sizeof shapes);
+        write_shapes(row->key, shapes, sizeof shapes);
         condition_add(shapes, sizeof shapes, "%s%s", of ? "; " : "",
                       of ? of : "");
         when = shapes;
@@ -135,8 +135,8 @@ typedef struct alternative {
 } alternative;
 
 /* Parses "[stress]": a section as a key that is given or not. */
-static alternative take_section(const ovr_case *c, const ovr_block *own,
-                                const char *text)
+static alternative parse_section(const ovr_case *c, const ovr_block *own,
+                                 const char *text)
 {
     static const ovr_slot there = {.given = true}, missing = {.number = NAN};
     char name[OVR_NAME_MAX];
@@ -151,7 +151,7 @@ static alternative parse_alternative(const ovr_case *c, const ovr_block *own,
                                      const char *text)
 {
     if (*text == '[')
-        return take_section(c, own, text);
+        return parse_section(c, own, text);
     /* for a section with names that has no block */
     static const ovr_slot nothing = {.number = NAN};
     const ovr_block *block = own;
@@ -212,8 +212,8 @@ static bool any_holds(const ovr_case *c, const ovr_block *block,
 
 /* Returns the required condition: of "A => B" B if A holds; NULL if nothing is
  * required. */
-static const char *asked(const ovr_case *c, const ovr_block *block,
-                         const char *condition)
+static const char *required_condition(const ovr_case *c, const ovr_block *block,
+                                      const char *condition)
 {
     const char *arrow = strstr(condition, OVR_ONLY_WHERE);
     char where[OVR_CONDITION_MAX];
@@ -237,7 +237,7 @@ static bool first_failing(const ovr_case *c, const ovr_block *block,
 {
     char whole[OVR_CONDITION_MAX];
     while (when && ovr_condition_next(&when, "; ", whole, sizeof whole)) {
-        const char *part = asked(c, block, whole);
+        const char *part = required_condition(c, block, whole);
         if (!part || any_holds(c, block, part, &first->off))
             continue;
         snprintf(first->condition, sizeof first->condition, "%s", part);
@@ -272,8 +272,8 @@ bool ovr_key_applies(const ovr_case *c, const ovr_block *block,
 /* Writes the explanation: "has no effect with history = constant; it needs
  * history = ramp or step", "has no effect together with [contact] modulus
  * without [stress]". */
-static void put_idle(const ovr_case *c, const ovr_block *block,
-                     const char *condition, char *text, size_t capacity)
+static void write_idle(const ovr_case *c, const ovr_block *block,
+                       const char *condition, char *text, size_t capacity)
 {
     alternative a = parse_alternative(c, block, condition);
     bool one = !strstr(condition, " or "), other = a.section != block->section;
@@ -304,7 +304,7 @@ bool ovr_key_idle(const ovr_case *c, const ovr_block *block,
     if (!slot->given || !first_failing(c, block, conditions_of(row), &first))
         return false;
     idle->said = first.off || slot->stored;
-    put_idle(c, block, first.condition, idle->text, sizeof idle->text);
+    write_idle(c, block, first.condition, idle->text, sizeof idle->text);
     return true;
 }
 

@@ -61,7 +61,7 @@ ovr_case *cli_open_case(const cli_call *call, int *code)
 
 /* ------------------------------------------------------------------- text */
 
-static void put_header(const ovr_case_entry *entry)
+static void print_header(const ovr_case_entry *entry)
 {
     if (entry->name)
         printf("\n[%s %s]\n", entry->section, entry->name);
@@ -124,7 +124,7 @@ void cli_put_case(const ovr_case *c)
         if (!is_shown(c, &entry))
             continue;
         if (strcmp(section, entry.section) != 0 || name != entry.name)
-            put_header(&entry);
+            print_header(&entry);
         section = entry.section;
         name = entry.name;
         printf("%s = %s%s\n", entry.key, entry.text,

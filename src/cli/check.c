@@ -76,7 +76,7 @@ enum { COLUMNS = sizeof columns / sizeof *columns };
 
 /* Prints the contact points as lines with "#"; nothing without a machine
  * element. */
-static void put_stations(const ovr_setup *setup)
+static void print_stations(const ovr_setup *setup)
 {
     ovr_station station[OVR_STATIONS_MAX];
     size_t n = ovr_setup_stations(setup, station);
@@ -128,7 +128,7 @@ static void json_stations(json_writer *json, const ovr_setup *setup)
  */
 enum { HEAD = sizeof(max_align_t) };
 
-static void *take(void *live, size_t bytes)
+static void *count_allocation(void *live, size_t bytes)
 {
     unsigned char *piece = malloc(HEAD + bytes);
     if (!piece)
@@ -138,7 +138,7 @@ static void *take(void *live, size_t bytes)
     return piece + HEAD;
 }
 
-static void give(void *live, void *memory)
+static void count_release(void *live, void *memory)
 {
     unsigned char *piece = (unsigned char *)memory - HEAD;
     size_t bytes;
@@ -151,7 +151,7 @@ static void give(void *live, void *memory)
 
 /* Prints a line as a comment of a case; lines of the complete list only with
  * -v. */
-static void put_comment(void *data, const ovr_summary_line *line)
+static void print_comment(void *data, const ovr_summary_line *line)
 {
     const cli_call *call = data;
     if (line->key || (line->detail && call->verbosity <= 0))
@@ -162,7 +162,7 @@ static void put_comment(void *data, const ovr_summary_line *line)
         printf("#   %-*s %s\n", OVR_LABEL_WIDTH, line->label, line->text);
 }
 
-static void put_line(void *data, const char *name, const char *text)
+static void print_line(void *data, const char *name, const char *text)
 {
     if (!*(bool *)data)
         puts("# Models");
@@ -199,11 +199,11 @@ static ovr_status report(cli_call *call, const ovr_case *c,
     bool begun = false;
     if (call->json)
         return report_json(c, setup, live, err);
-    status = ovr_setup_report(setup, live, put_comment, call, err);
+    status = ovr_setup_report(setup, live, print_comment, call, err);
     if (status)
         return status;
-    put_stations(setup);
-    ovr_setup_describe(setup, put_line, &begun);
+    print_stations(setup);
+    ovr_setup_describe(setup, print_line, &begun);
     if (call->verbosity > 0)
         cli_put_case(c);
     return OVR_OK;
@@ -216,7 +216,7 @@ static int run(cli_call *call)
     ovr_setup *setup;
     ovr_error err = {0};
     double live = 0, depth;
-    const ovr_allocator counted = {take, give, &live};
+    const ovr_allocator counted = {count_allocation, count_release, &live};
     if (!c)
         return code;
     setup = ovr_case_resolve(c, &counted, &err);

@@ -205,7 +205,7 @@ static bool is_option(const char *text)
 }
 
 /* Handles argv[*i]; increments *i if the value is the next argument. */
-static int take_option(cli_call *call, int argc, char **argv, int *i)
+static int parse_option(cli_call *call, int argc, char **argv, int *i)
 {
     const char *given = argv[*i];
     const char *name = given + (given[1] == '-' ? 2 : 1);
@@ -346,7 +346,7 @@ int cli_parse(cli_call *call, const cli_verb *verb, int argc, char **argv)
         if (options && !strcmp(argv[i], "--"))
             options = false;
         else if (options && is_option(argv[i]))
-            code = take_option(call, argc, argv, &i);
+            code = parse_option(call, argc, argv, &i);
         else
             call->argument[call->arguments++] = argv[i];
         if (code)

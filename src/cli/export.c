@@ -384,7 +384,7 @@ static ovr_status history(job *j)
     return OVR_OK;
 }
 
-static bool wants_all(const job *j)
+static bool has_all(const job *j)
 {
     return cli_flag(j->call, "all") || cli_flag(j->call, "long") ||
            cli_flag(j->call, "wide");
@@ -396,7 +396,7 @@ static ovr_status write_table(job *j)
     bool one = cli_value(j->call, "snapshot") || cli_value(j->call, "time");
     if (check_fields(j))
         return j->err->status;
-    if (!at && !one && !wants_all(j))
+    if (!at && !one && !has_all(j))
         return history(j);
     if (j->about->snapshots == 0)
         return ovr_fail(j->err, OVR_BAD_INPUT,

@@ -22,7 +22,7 @@ typedef struct question {
 } question;
 
 /* Copies the words between two keywords without leading and trailing blanks. */
-static bool take_between(const char *from, const char *to, char *text)
+static bool copy_trimmed(const char *from, const char *to, char *text)
 {
     while (from < to && *from == ' ')
         from++;
@@ -55,15 +55,15 @@ static bool parse(question *q)
     between = strstr(at, " between ");
     and = between ? strstr(between, " and ") : NULL;
     so = and? strstr(and, " so that ") : NULL;
-    return so && take_between(at, between, q->key) &&
-           take_between(between + 9, and, q->low) &&
-           take_between(and+5, so, q->high) &&
-           take_between(so + 9, so + strlen(so), q->condition);
+    return so && copy_trimmed(at, between, q->key) &&
+           copy_trimmed(between + 9, and, q->low) &&
+           copy_trimmed(and+5, so, q->high) &&
+           copy_trimmed(so + 9, so + strlen(so), q->condition);
 }
 
 /* ----------------------------------------------------------------- options */
 
-static int take_numbers(const cli_call *call, ovr_find_options *how)
+static int parse_numbers(const cli_call *call, ovr_find_options *how)
 {
     const char *tolerance = cli_value(call, "tolerance");
     char *end;
@@ -92,18 +92,18 @@ static int digits_of(const ovr_find_info *i)
 }
 
 /* The heading of a column: "minimum film thickness (b^2/R)". */
-static void put_heading(const char *name, const char *unit, char *to,
-                        size_t size)
+static void write_heading(const char *name, const char *unit, char *to,
+                          size_t size)
 {
     snprintf(to, size, "%s%s%s%s", name, *unit ? " (" : "", unit,
              *unit ? ")" : "");
 }
 
-static void put_table(const ovr_find *find, const ovr_find_info *i)
+static void print_table(const ovr_find *find, const ovr_find_info *i)
 {
     char at[CAPACITY], of[CAPACITY];
-    put_heading(i->key, i->unit, at, sizeof at);
-    put_heading(i->name, i->quantity_unit, of, sizeof of);
+    write_heading(i->key, i->unit, at, sizeof at);
+    write_heading(i->name, i->quantity_unit, of, sizeof of);
     int key = (int)strlen(at), quantity = (int)strlen(of);
     key = key > 14 ? key : 14;
     quantity = quantity > 14 ? quantity : 14;
@@ -129,15 +129,15 @@ static void put_table(const ovr_find *find, const ovr_find_info *i)
 }
 
 /* Prints a row: quantity, value, unit and remark. */
-static void put_row(const char *label, int digits, double value,
-                    const char *unit, const char *remark)
+static void print_row(const char *label, int digits, double value,
+                      const char *unit, const char *remark)
 {
     int wide = *remark ? 10 : 0;
     printf("%-*s %-12.*g%s%-*s%s\n", OVR_LABEL_WIDTH, label, digits, value,
            *unit || *remark ? " " : "", wide, unit, remark);
 }
 
-static void put_answer(const ovr_find_info *i)
+static void print_answer(const ovr_find_info *i)
 {
     char remark[CAPACITY];
     printf("%s = %.*g%s%s\n\n", i->key, digits_of(i), i->value,
@@ -148,28 +148,28 @@ static void put_answer(const ovr_find_info *i)
              : i->sense > 0 ? "at least"
                             : "at most",
              i->target);
-    put_row(i->name, 6, i->at_value, i->quantity_unit, remark);
+    print_row(i->name, 6, i->at_value, i->quantity_unit, remark);
     snprintf(remark, sizeof remark, " (of %s)", i->key);
     if (isfinite(i->error))
-        put_row("discretization error", 2, i->error, i->unit, remark);
+        print_row("discretization error", 2, i->error, i->unit, remark);
     if (isfinite(i->scatter) && i->end == OVR_FIND_SCATTERED)
-        put_row("scatter", 2, fabs(i->scatter * i->target / i->slope), i->unit,
-                remark);
+        print_row("scatter", 2, fabs(i->scatter * i->target / i->slope),
+                  i->unit, remark);
     snprintf(remark, sizeof remark, " (change of the quantity per 1 %% of %s)",
              i->key);
     if (isfinite(i->slope))
-        put_row("sensitivity", 3, i->slope * i->value / i->at_value, "%",
-                remark);
+        print_row("sensitivity", 3, i->slope * i->value / i->at_value, "%",
+                  remark);
 }
 
 static void report_table(const cli_call *call, const ovr_find *find)
 {
     const ovr_find_info *i = ovr_find_get_info(find);
     if (i->end == OVR_FIND_FOUND || i->end == OVR_FIND_SCATTERED)
-        put_answer(i);
+        print_answer(i);
     if (i->evaluations &&
         (call->verbosity > 0 || (i->end != OVR_FIND_FOUND && !i->exact)))
-        put_table(find, i);
+        print_table(find, i);
 }
 
 void cli_json_find(json_writer *json, const ovr_find *find)
@@ -216,7 +216,7 @@ int cli_report_find(const cli_call *call, const ovr_find *find,
 
 /* --------------------------------------------------------------------- run */
 
-static int ask(cli_call *call, const question *q)
+static int create_find(cli_call *call, const question *q)
 {
     int code;
     ovr_error err = {0};
@@ -235,7 +235,7 @@ static int ask(cli_call *call, const question *q)
     how.data = call;
     how.say = cli_say;
     how.stop = cli_stop;
-    code = take_numbers(call, &how);
+    code = parse_numbers(call, &how);
     c = code ? NULL : cli_open_case(call, &code);
     if (!c)
         return code;
@@ -257,7 +257,7 @@ static int run(cli_call *call)
 {
     question q = {.which = NULL};
     if (join_words(call, q.words) && parse(&q))
-        return ask(call, &q);
+        return create_find(call, &q);
     return cli_usage(call,
                      "'%.80s' must be [largest | smallest] KEY between A and B "
                      "so that QUANTITY is VALUE (at most, at least)",

@@ -41,8 +41,8 @@ static bool watch(void *data, size_t done, size_t count)
     return cli_signal() == 0;
 }
 
-static int take_count(const cli_call *call, const char *name, double maximum,
-                      double *value)
+static int parse_count(const cli_call *call, const char *name, double maximum,
+                       double *value)
 {
     const char *text = cli_value(call, name);
     if (text && (!ovr_bare_number(text, value) || *value < 1 ||
@@ -52,8 +52,8 @@ static int take_count(const cli_call *call, const char *name, double maximum,
     return CLI_DONE;
 }
 
-static int take_options(const cli_call *call, ovr_frames_options *o,
-                        ovr_picture_options *look)
+static int parse_options(const cli_call *call, ovr_frames_options *o,
+                         ovr_picture_options *look)
 {
     double every = 0, jobs = 0, rate = 0;
     int code = cli_picture_options(call, look);
@@ -71,11 +71,11 @@ static int take_options(const cli_call *call, ovr_frames_options *o,
     if (!code && o->scripts && !o->folder)
         code = cli_usage(call, "--script needs a folder; set -o DIR");
     if (!code)
-        code = take_count(call, "every", 1e9, &every);
+        code = parse_count(call, "every", 1e9, &every);
     if (!code)
-        code = take_count(call, "jobs", 32, &jobs);
+        code = parse_count(call, "jobs", 32, &jobs);
     if (!code)
-        code = take_count(call, "rate", 240, &rate);
+        code = parse_count(call, "rate", 240, &rate);
     o->every = (size_t)every;
     o->workers = (int)jobs;
     o->rate = rate;
@@ -133,7 +133,7 @@ static int run(cli_call *call)
     ovr_frames_options o = {0};
     ovr_picture_options look = ovr_picture_options_default();
     const char *names[CLI_RESULTS];
-    int code = take_options(call, &o, &look);
+    int code = parse_options(call, &o, &look);
     look.names = cli_result_names(call, names);
     o.look = &look;
     return code ? code : draw(call, &o, &look);

@@ -18,7 +18,7 @@ static void place(int feature, size_t size, char *text)
              info.whole ? "" : info.key);
 }
 
-static void put_conflicts(bool roff)
+static void print_conflict_rows(bool roff)
 {
     const ovr_conflict *r;
     for (size_t k = 0; (r = ovr_conflict_at(k)); k++) {
@@ -35,7 +35,7 @@ static int print_conflicts(void)
 {
     puts("The following combinations are rejected before anything is solved.  "
          "Every other\npair works; defaults adapt automatically.\n");
-    put_conflicts(false);
+    print_conflict_rows(false);
     return CLI_DONE;
 }
 
@@ -45,7 +45,7 @@ static void print_roff_conflicts(void)
          "Any two features of a case can be combined, except the following.  "
          "They are\nrejected before anything is solved if the case sets both; "
          "defaults adapt\nautomatically.");
-    put_conflicts(true);
+    print_conflict_rows(true);
 }
 
 /* --------------------------------------------------------------------- Help */
@@ -54,7 +54,7 @@ enum { WIDTH = 78, INDENT = 17, TOPICS = 1000, KEYS = 1000 };
 
 /* ------------------------------------------------------------------ Lists */
 
-static void put_wrapped(const char *text)
+static void print_wrapped(const char *text)
 {
     int column = INDENT;
     printf("%*s", INDENT, "");
@@ -85,7 +85,7 @@ static int list_topics(const cli_call *call)
          "\nSections of a case file (overroll help SECTION lists its keys):\n");
     for (size_t k = 0; ovr_section_name(k); k++) {
         printf("  %s\n", ovr_section_name(k));
-        put_wrapped(ovr_section_help(k));
+        print_wrapped(ovr_section_help(k));
     }
     puts("\noverroll help units      how numbers and units are written\n"
          "overroll help conflicts  combinations that are rejected, and why\n"
@@ -114,12 +114,12 @@ static void describe_range(const ovr_parameter_info *p, char *text,
              *unit ? " " : "", unit);
 }
 
-static void put_choices(const ovr_parameter_info *p)
+static void print_choices(const ovr_parameter_info *p)
 {
     char text[400];
     cli_join(p->choices, sizeof p->choices / sizeof *p->choices, text,
              sizeof text);
-    put_wrapped(text);
+    print_wrapped(text);
 }
 
 /* Describes the width of a feature: the width of each shape at half its
@@ -140,33 +140,33 @@ static void describe_widths(const ovr_parameter_info *p, char *text,
                                      ovr_shape_width_half(k));
 }
 
-static void put_parameter(const ovr_parameter_info *p)
+static void print_parameter(const ovr_parameter_info *p)
 {
     char text[300];
     printf("  %-14s ", p->key);
     if (p->initial)
         printf("(%s)", p->initial);
     putchar('\n');
-    put_wrapped(p->help);
+    print_wrapped(p->help);
     describe_widths(p, text, sizeof text);
     if (*text)
-        put_wrapped(text);
+        print_wrapped(text);
     if (!isnan(p->minimum)) {
         describe_range(p, text, sizeof text);
-        put_wrapped(text);
+        print_wrapped(text);
     } else if (!p->choices[0]) {
-        put_wrapped(p->type);
+        print_wrapped(p->type);
     }
     if (p->choices[0])
-        put_choices(p);
+        print_choices(p);
     if (*p->units) {
         snprintf(text, sizeof text, "%s: %s",
                  *p->bare ? "or with a unit" : "unit", p->units);
-        put_wrapped(text);
+        print_wrapped(text);
     }
     if (*p->when) {
         snprintf(text, sizeof text, "has an effect with %s", p->when);
-        put_wrapped(text);
+        print_wrapped(text);
     }
 }
 
@@ -182,7 +182,7 @@ static bool help_section(const char *name)
     for (size_t k = 0; found && k < ovr_parameter_count(); k++) {
         ovr_parameter_info p = ovr_parameter_at(k);
         if (!strcmp(p.section, name))
-            put_parameter(&p);
+            print_parameter(&p);
     }
     return found;
 }
@@ -199,7 +199,7 @@ static bool help_shape(const char *shape)
         return false;
     ovr_shape_takes(k, text, sizeof text);
     printf("[feature NAME]\nshape = %s\n", shape);
-    put_wrapped(text);
+    print_wrapped(text);
     putchar('\n');
     for (size_t i = 0; i < ovr_parameter_count(); i++) {
         ovr_parameter_info p = ovr_parameter_at(i);
@@ -210,7 +210,7 @@ static bool help_shape(const char *shape)
             at[-1] != ' ')
             continue;
         printf("  %s\n", p.key);
-        put_wrapped(p.help);
+        print_wrapped(p.help);
     }
     return true;
 }
@@ -228,7 +228,7 @@ static bool help_key(const char *key)
         if (!same)
             continue;
         printf("[%s]\n", p.section);
-        put_parameter(&p);
+        print_parameter(&p);
         found = true;
     }
     return found;
@@ -237,7 +237,7 @@ static bool help_key(const char *key)
 /* ------------------------------------------------------------ Manual page */
 
 /* Prints text with the special characters of roff escaped. */
-static void put_roff(const char *text)
+static void print_roff(const char *text)
 {
     for (; *text; text++)
         if (*text == '-')
@@ -252,9 +252,9 @@ static void roff_parameter(const ovr_parameter_info *p)
 {
     char text[300];
     printf(".TP\n.B ");
-    put_roff(p->key);
+    print_roff(p->key);
     putchar('\n');
-    put_roff(p->help);
+    print_roff(p->help);
     puts(".");
     describe_widths(p, text, sizeof text);
     if (*text)
@@ -262,7 +262,7 @@ static void roff_parameter(const ovr_parameter_info *p)
     if (!isnan(p->minimum)) {
         describe_range(p, text, sizeof text);
         printf("A ");
-        put_roff(text);
+        print_roff(text);
         puts(".");
     } else if (!p->choices[0]) {
         printf("A value: %s.\n", p->type);
@@ -271,19 +271,19 @@ static void roff_parameter(const ovr_parameter_info *p)
         puts(isnan(p->minimum) ? "One of" : "Or");
     for (int i = 0; p->choices[i]; i++) {
         printf(".BR ");
-        put_roff(p->choices[i]);
+        print_roff(p->choices[i]);
         puts(p->choices[i + 1] ? " ," : " .");
     }
     if (*p->units)
         printf("%s: %s.\n", *p->bare ? "Or with a unit" : "Unit", p->units);
     if (p->initial) {
         printf("Default: ");
-        put_roff(p->initial);
+        print_roff(p->initial);
         puts(".");
     }
     if (*p->when) {
         printf("Has an effect with ");
-        put_roff(p->when);
+        print_roff(p->when);
         puts(".");
     }
 }
@@ -293,7 +293,7 @@ static void roff_shape(int shape)
     char text[500];
     ovr_shape_takes(shape, text, sizeof text);
     printf(".TP\n.B %s\n", ovr_shape_name(shape));
-    put_roff(text);
+    print_roff(text);
     puts(".");
 }
 
@@ -321,7 +321,7 @@ static void roff_index(void)
         if (tolower(p.key[0]) != tolower(*before))
             puts(".PP");
         fputs(again ? "" : ".B ", stdout);
-        put_roff(again ? "" : p.key);
+        print_roff(again ? "" : p.key);
         printf("%s[%s]\n", again ? "" : "\n", p.section);
         before = p.key;
     }
@@ -333,7 +333,7 @@ static int roff(void)
     roff_index();
     for (size_t k = 0; ovr_section_name(k); k++) {
         printf(".SS [%s]\n", ovr_section_name(k));
-        put_roff(ovr_section_help(k));
+        print_roff(ovr_section_help(k));
         puts(".");
         for (int i = 0;
              !strcmp(ovr_section_name(k), "feature") && ovr_shape_name(i); i++)

@@ -56,7 +56,7 @@ static double progress(const report *r)
 }
 
 /* Reads a column into r->column; false if it is missing. */
-static bool take(report *r, const char *name, ovr_units units)
+static bool read_column(report *r, const char *name, ovr_units units)
 {
     return ovr_result_history(r->result, name, units, r->column, NULL) ==
            OVR_OK;
@@ -75,7 +75,7 @@ static double sum(const report *r)
 /* Width of the labels, as in the reports of runs. */
 enum { LABEL = 31 };
 
-static void put_label(const char *label)
+static void print_label(const char *label)
 {
     printf("%-*s ", LABEL, label);
 }
@@ -116,13 +116,13 @@ static void print_contact(const ovr_result_info *a)
     for (const struct fact *f = facts; f < facts + FACTS; f++) {
         if (f->si > 0 && !a->physical)
             continue;
-        put_label(f->label);
+        print_label(f->label);
         printf("%.*g%s%s\n", f->digits,
                value_of(f, a) / (f->si > 0 ? f->si : 1), *f->unit ? " " : "",
                f->unit);
     }
     if (!a->physical) {
-        put_label("units");
+        print_label("units");
         puts("dimensionless");
     }
 }
@@ -130,7 +130,7 @@ static void print_contact(const ovr_result_info *a)
 static void print_history(const report *r)
 {
     const ovr_result_info *a = r->about;
-    put_label("history");
+    print_label("history");
     printf("%zu step%s", a->steps, a->steps == 1 ? "" : "s");
     if (a->steps)
         printf(", T = %g to %g", r->T[0], last_time(r));
@@ -146,24 +146,24 @@ static void print_sizes(report *r)
 {
     const ovr_result_info *a = r->about;
     const ovr_observable *of;
-    put_label("nodes");
+    print_label("nodes");
     printf("%zu", a->nodes);
     if (a->lines > 1)
         printf(" x %zu lines, a strip %.6g b wide", a->lines, a->width);
     putchar('\n');
-    put_label("fields");
+    print_label("fields");
     for (size_t k = 0; k < ovr_result_fields(r->result); k++)
         printf("%s%s [%s]", k ? ", " : "", ovr_result_field(r->result, k)->name,
                ovr_result_field(r->result, k)->unit);
     putchar('\n');
-    put_label("snapshots");
+    print_label("snapshots");
     printf("%zu\n", a->snapshots);
     print_history(r);
-    put_label("size");
+    print_label("size");
     printf("%.3g MB\n", r->bytes / 1e6);
     for (size_t k = 0; (of = ovr_observable_at(k)); k++)
-        if (of->total_label && take(r, of->name, OVR_AS_STORED)) {
-            put_label(of->total_label);
+        if (of->total_label && read_column(r, of->name, OVR_AS_STORED)) {
+            print_label(of->total_label);
             printf("%.0f%s\n", sum(r),
                    of->kind == OVR_KIND_FLAG ? " steps" : "");
         }
@@ -173,7 +173,7 @@ static void print_sizes(report *r)
 static bool has_extremes(report *r, const ovr_variable *v)
 {
     return strcmp(v->name, "step") != 0 && strcmp(v->name, "time") != 0 &&
-           take(r, v->name, OVR_AS_STORED);
+           read_column(r, v->name, OVR_AS_STORED);
 }
 
 /* Returns the full name; the name of the dataset for files of earlier versions,
@@ -185,7 +185,7 @@ static const char *name_of(const ovr_variable *v)
 }
 
 /* Prints a number; "-" for NaN (unknown). */
-static void put_number(double value, int width, int digits)
+static void print_number(double value, int width, int digits)
 {
     if (isnan(value))
         printf(" %*s", width, "-");
@@ -214,33 +214,33 @@ static void print_extremes(report *r)
         cli_put_foreign(name_of(v));
         printf("%*s", width - (int)strlen(name_of(v)), "");
         as = cli_choose_unit(v->unit, fmax(fabs(e.minimum), fabs(e.maximum)));
-        put_number(e.minimum * as.factor, 13, 6);
-        put_number(e.T_min * ms, 9, 4);
-        put_number(e.maximum * as.factor, 13, 6);
-        put_number(e.T_max * ms, 9, 4);
+        print_number(e.minimum * as.factor, 13, 6);
+        print_number(e.T_min * ms, 9, 4);
+        print_number(e.maximum * as.factor, 13, 6);
+        print_number(e.T_max * ms, 9, 4);
         printf("  %-7s %s\n", as.name, v->name);
     }
 }
 
-static void put_foreign(const char *before, const char *text);
+static void print_foreign(const char *before, const char *text);
 
 static void print_inputs(const report *r)
 {
     const ovr_result_input *input;
     for (size_t k = 0; (input = ovr_result_input_at(r->result, k)); k++) {
-        put_label("input");
-        put_foreign("", input->name);
-        put_foreign(" (", input->key);
+        print_label("input");
+        print_foreign("", input->name);
+        print_foreign(" (", input->key);
         printf(")");
         if (input->bytes >= 0)
             printf(", %.0f bytes", input->bytes);
         if (*input->sha256)
-            put_foreign(", SHA-256 ", input->sha256);
+            print_foreign(", SHA-256 ", input->sha256);
         printf("%s\n", input->kept ? "" : ", not in the file");
     }
 }
 
-static void put_foreign(const char *before, const char *text)
+static void print_foreign(const char *before, const char *text)
 {
     fputs(before, stdout);
     cli_put_foreign(text);
@@ -249,21 +249,21 @@ static void put_foreign(const char *before, const char *text)
 static void print_text(report *r, bool verbose)
 {
     const ovr_result_info *a = r->about;
-    put_foreign("", r->path);
-    put_foreign(": ", a->title);
+    print_foreign("", r->path);
+    print_foreign(": ", a->title);
     putchar('\n');
-    put_label("status");
-    put_foreign("", a->status);
+    print_label("status");
+    print_foreign("", a->status);
     if (*a->reason)
-        put_foreign(": ", a->reason);
+        print_foreign(": ", a->reason);
     putchar('\n');
-    put_label("written");
-    put_foreign("", a->created);
-    put_foreign(" to ", a->modified);
-    put_foreign(" by ", a->source);
+    print_label("written");
+    print_foreign("", a->created);
+    print_foreign(" to ", a->modified);
+    print_foreign(" by ", a->source);
     putchar('\n');
     if (a->seconds > 0) {
-        put_label("computing time");
+        print_label("computing time");
         printf("%.3g s\n", a->seconds);
     }
     print_contact(a);
@@ -312,7 +312,7 @@ static void json_extremes(json_writer *j, report *r)
     const ovr_variable *v;
     for (size_t k = 0; (v = ovr_result_column(r->result, k)); k++) {
         extremes e;
-        if (!strcmp(v->name, "step") || !take(r, v->name, OVR_HERTZIAN))
+        if (!strcmp(v->name, "step") || !read_column(r, v->name, OVR_HERTZIAN))
             continue;
         e = find_extremes(r);
         json_open(j, v->name);
@@ -358,7 +358,7 @@ static void print_json(report *r)
     json_sizes(&j, r);
     json_inputs(&j, r);
     for (size_t k = 0; (of = ovr_observable_at(k)); k++)
-        if (of->total_key && take(r, of->name, OVR_AS_STORED))
+        if (of->total_key && read_column(r, of->name, OVR_AS_STORED))
             json_integer(&j, of->total_key, (long long)sum(r));
     json_extremes(&j, r);
     json_text(&j, "case", a->case_text);

@@ -422,7 +422,7 @@ enum { KINDS = sizeof kinds / sizeof kinds[0] };
 
 /* ---------------------------------------------------------------- writing */
 
-static void put_case(const struct kind *kind, const struct oil *oil, FILE *to)
+static void write_case(const struct kind *kind, const struct oil *oil, FILE *to)
 {
     fputs(kind->head, to);
     if (!kind->tail)
@@ -479,7 +479,7 @@ static int make_text(cli_call *call, const struct kind *kind,
     int code = CLI_DONE;
     if (!to)
         return CLI_FAILED;
-    put_case(kind, oil, to);
+    write_case(kind, oil, to);
     if (fclose(to))
         return CLI_FAILED;
     *c = ovr_case_read_text(whole, "init", NULL, NULL, &err);

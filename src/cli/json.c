@@ -7,7 +7,7 @@
 
 /* ------------------------------------------------------------------- text */
 
-static void put_plain(FILE *to, unsigned char c)
+static void write_plain(FILE *to, unsigned char c)
 {
     switch (c) {
     case '"': fputs("\\\"", to); break;
@@ -23,7 +23,7 @@ static void put_plain(FILE *to, unsigned char c)
     }
 }
 
-static void put_text(FILE *to, const char *text)
+static void write_text(FILE *to, const char *text)
 {
     const unsigned char *s = (const unsigned char *)text;
     fputc('"', to);
@@ -33,7 +33,7 @@ static void put_text(FILE *to, const char *text)
             fputs("\\ufffd", to);
             s++;
         } else if (n == 1) {
-            put_plain(to, *s++);
+            write_plain(to, *s++);
         } else {
             while (n--)
                 fputc(*s++, to);
@@ -42,7 +42,7 @@ static void put_text(FILE *to, const char *text)
     fputc('"', to);
 }
 
-static void put_number(FILE *to, double value)
+static void write_number(FILE *to, double value)
 {
     if (isfinite(value))
         fprintf(to, "%.17g", value);
@@ -64,7 +64,7 @@ static void key_of(json_writer *json, const char *key)
     fputc('\n', json->to);
     for (int i = 0; i < json->depth; i++)
         fputs("  ", json->to);
-    put_text(json->to, key);
+    write_text(json->to, key);
     fputs(": ", json->to);
 }
 
@@ -91,7 +91,7 @@ void json_end(json_writer *json)
 void json_number(json_writer *json, const char *key, double value)
 {
     key_of(json, key);
-    put_number(json->to, value);
+    write_number(json->to, value);
 }
 
 void json_integer(json_writer *json, const char *key, long long value)
@@ -110,7 +110,7 @@ void json_text(json_writer *json, const char *key, const char *value)
 {
     key_of(json, key);
     if (value)
-        put_text(json->to, value);
+        write_text(json->to, value);
     else
         fputs("null", json->to);
 }

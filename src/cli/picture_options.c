@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int take_number(const cli_call *call, const ovr_result *result,
-                       ovr_unit_kind kind, const char *name, double *value)
+static int parse_number(const cli_call *call, const ovr_result *result,
+                        ovr_unit_kind kind, const char *name, double *value)
 {
     const char *text = cli_value(call, name);
     ovr_error err = {0};
@@ -28,8 +28,8 @@ typedef struct asked {
 } asked;
 
 /* Parses one end of the range, which may be omitted. */
-static int take_end(const asked *of, const char *text, size_t size,
-                    double *value)
+static int parse_end(const asked *of, const char *text, size_t size,
+                     double *value)
 {
     char end[64];
     ovr_error err = {0};
@@ -43,7 +43,7 @@ static int take_end(const asked *of, const char *text, size_t size,
 }
 
 /* Parses FROM:TO, each with or without unit. */
-static int take_range(const asked *of, double *from, double *to)
+static int parse_range(const asked *of, double *from, double *to)
 {
     const char *text = cli_value(of->call, of->name);
     const char *colon = text ? strchr(text, ':') : NULL;
@@ -51,9 +51,9 @@ static int take_range(const asked *of, double *from, double *to)
     if (!text)
         return CLI_DONE;
     if (colon && strlen(text) <= 60) {
-        code = take_end(of, text, (size_t)(colon - text), from);
+        code = parse_end(of, text, (size_t)(colon - text), from);
         if (!code)
-            code = take_end(of, colon + 1, strlen(colon + 1), to);
+            code = parse_end(of, colon + 1, strlen(colon + 1), to);
         if (code || !(*from >= *to))
             return code;
     }
@@ -62,7 +62,7 @@ static int take_range(const asked *of, double *from, double *to)
 }
 
 /* Parses WIDTHxHEIGHT. */
-static int take_size(const cli_call *call, int *width, int *height)
+static int parse_size(const cli_call *call, int *width, int *height)
 {
     const char *text = cli_value(call, "size");
     char *end;
@@ -94,7 +94,7 @@ int cli_picture_options(const cli_call *call, ovr_picture_options *o)
     o->no_roughness = cli_flag(call, "no-roughness");
     o->title = cli_value(call, "title");
     o->template_path = cli_value(call, "template");
-    return take_size(call, &o->width, &o->height);
+    return parse_size(call, &o->width, &o->height);
 }
 
 int cli_picture_ranges(const cli_call *call, const ovr_result *result,
@@ -102,13 +102,13 @@ int cli_picture_ranges(const cli_call *call, const ovr_result *result,
 {
     const asked x = {call, result, OVR_KIND_LENGTH, "x"};
     const asked T = {call, result, OVR_KIND_TIME, "time"};
-    int code = take_range(&x, &o->x_from, &o->x_to);
+    int code = parse_range(&x, &o->x_from, &o->x_to);
     if (!code)
-        code = take_range(&T, &o->T_from, &o->T_to);
+        code = parse_range(&T, &o->T_from, &o->T_to);
     if (!code)
-        code = take_number(call, result, OVR_KIND_PRESSURE, "p-max", &o->P_to);
+        code = parse_number(call, result, OVR_KIND_PRESSURE, "p-max", &o->P_to);
     if (!code)
-        code = take_number(call, result, OVR_KIND_HEIGHT, "h-max", &o->H_to);
+        code = parse_number(call, result, OVR_KIND_HEIGHT, "h-max", &o->H_to);
     const char *along = cli_value(call, "along");
     ovr_error err = {0};
     if (!code && along &&

@@ -42,7 +42,7 @@ static const cli_option options[] = {
     {NULL, NULL, NULL, false},
 };
 
-static int take_kind(const cli_call *call, ovr_picture_options *o)
+static int parse_kind(const cli_call *call, ovr_picture_options *o)
 {
     static const char *const kinds[] = {
         "snapshot", "history", "map",     "trace", "stress", "risk",
@@ -65,7 +65,7 @@ static int take_kind(const cli_call *call, ovr_picture_options *o)
         text);
 }
 
-static int take_depth(const cli_call *call, ovr_picture_options *o)
+static int parse_depth(const cli_call *call, ovr_picture_options *o)
 {
     const char *surface = cli_value(call, "surface");
     const char *depth = cli_value(call, "depth");
@@ -100,8 +100,8 @@ static ovr_status check_instant(ovr_result *result, const char *text, double T,
     return status;
 }
 
-static int take_instants(const cli_call *call, ovr_result *result,
-                         ovr_picture_options *o, double *times)
+static int parse_instants(const cli_call *call, ovr_result *result,
+                          ovr_picture_options *o, double *times)
 {
     const char *text;
     o->times = times;
@@ -125,7 +125,7 @@ static int draw(const cli_call *call, ovr_result *const *results,
     ovr_error err = {0};
     int code = cli_picture_ranges(call, results[0], o);
     if (!code)
-        code = take_instants(call, results[0], o, times);
+        code = parse_instants(call, results[0], o, times);
     if (code)
         return code;
     cli_choose_areal(call, results[0], o);
@@ -180,7 +180,7 @@ static ovr_table *open_table(const char *path, ovr_error *err)
     return table;
 }
 
-static int take_figure(const cli_call *call, ovr_figure_options *f)
+static int parse_figure(const cli_call *call, ovr_figure_options *f)
 {
     ovr_picture_options shared = ovr_picture_options_default();
     const char *log = cli_value(call, "log");
@@ -259,7 +259,7 @@ static int draw_study(const cli_call *call)
     ovr_error err = {0};
     char name[200];
     ovr_table *table;
-    int code = take_figure(call, &f);
+    int code = parse_figure(call, &f);
     if (!code && call->arguments > 1)
         code = cli_usage(call, "a picture shows one study only");
     if (code)
@@ -329,12 +329,12 @@ static int run(cli_call *call)
         return code;
     o.overlay = cli_flag(call, "overlay");
     o.field = cli_value(call, "field");
-    if (take_depth(call, &o))
+    if (parse_depth(call, &o))
         return CLI_USAGE;
     o.names = cli_result_names(call, names);
     code = cli_picture_options(call, &o);
     if (!code)
-        code = take_kind(call, &o);
+        code = parse_kind(call, &o);
     if (!code)
         code = cli_open_results(call, results);
     if (code)

@@ -19,8 +19,8 @@ typedef struct size {
     bool given;
 } size;
 
-static int take_size(const cli_call *call, const char *name, bool is_height,
-                     size *given)
+static int parse_size(const cli_call *call, const char *name, bool is_height,
+                      size *given)
 {
     const char *text = cli_value(call, name);
     ovr_error err = {0};
@@ -63,7 +63,7 @@ static int convert_length(const cli_call *call, size given, bool scaled,
     return CLI_DONE;
 }
 
-static int take_number(const cli_call *call, const char *name, double *value)
+static int parse_number(const cli_call *call, const char *name, double *value)
 {
     const char *text = cli_value(call, name);
     ovr_length number;
@@ -77,10 +77,10 @@ static int take_number(const cli_call *call, const char *name, double *value)
     return cli_usage(call, "--%s %s: must be a number", name, text);
 }
 
-static int take_whole(const cli_call *call, const char *name, int *value)
+static int parse_whole(const cli_call *call, const char *name, int *value)
 {
     double number = *value;
-    int code = take_number(call, name, &number);
+    int code = parse_number(call, name, &number);
     if (code)
         return code;
     if (!(number >= 0 && number <= 1e9) || number != floor(number))
@@ -90,7 +90,7 @@ static int take_whole(const cli_call *call, const char *name, int *value)
     return CLI_DONE;
 }
 
-static int take_level(const cli_call *call, ovr_levelling *level)
+static int parse_level(const cli_call *call, ovr_levelling *level)
 {
     static const char *const words[] = {"none", "mean",   "line", "polynomial",
                                         "ends", "circle", "auto", NULL};
@@ -106,11 +106,11 @@ static int take_level(const cli_call *call, ovr_levelling *level)
 }
 
 /* Reads the spacing. Without a unit it has the unit of x, which must be b. */
-static int take_spacing(const cli_call *call, const char *name, double *spacing,
-                        ovr_profile_source *source)
+static int parse_spacing(const cli_call *call, const char *name,
+                         double *spacing, ovr_profile_source *source)
 {
     size given;
-    int code = take_size(call, name, false, &given);
+    int code = parse_size(call, name, false, &given);
     bool in_b = source->unit_x && !strcmp(source->unit_x, "b");
     if (code || !given.given)
         return code;
@@ -121,10 +121,10 @@ static int take_spacing(const cli_call *call, const char *name, double *spacing,
     return CLI_DONE;
 }
 
-static int take_metres(const cli_call *call, const char *name, double *value)
+static int parse_metres(const cli_call *call, const char *name, double *value)
 {
     size given;
-    int code = take_size(call, name, false, &given);
+    int code = parse_size(call, name, false, &given);
     if (code || !given.given)
         return code;
     if (given.length.unit != OVR_LENGTH_METRES)
@@ -141,29 +141,29 @@ static int profile_take_source(const cli_call *call, ovr_profile_source *source)
     source->file = call->argument[0];
     source->unit_x = cli_value(call, "unit-x");
     source->unit_z = cli_value(call, "unit-z");
-    code = take_spacing(call, "spacing-across", &source->spacing_across,
-                        source);
+    code = parse_spacing(call, "spacing-across", &source->spacing_across,
+                         source);
     if (!code)
-        code = take_spacing(call, "spacing", &source->spacing, source);
+        code = parse_spacing(call, "spacing", &source->spacing, source);
     if (!code)
-        code = take_whole(call, "column-x", &source->column_x);
+        code = parse_whole(call, "column-x", &source->column_x);
     if (!code)
-        code = take_whole(call, "column-z", &source->column_z);
+        code = parse_whole(call, "column-z", &source->column_z);
     if (!code)
-        code = take_whole(call, "line", &source->row); /* former name */
+        code = parse_whole(call, "line", &source->row); /* former name */
     if (!code)
-        code = take_whole(call, "row", &source->row);
+        code = parse_whole(call, "row", &source->row);
     if (!code)
-        code = take_whole(call, "column", &source->column);
+        code = parse_whole(call, "column", &source->column);
     if (!code)
-        code = take_number(call, "direction", &source->direction);
+        code = parse_number(call, "direction", &source->direction);
     if (!code)
-        code = take_metres(call, "y", &source->y);
-    return code ? code : take_metres(call, "band", &source->band);
+        code = parse_metres(call, "y", &source->y);
+    return code ? code : parse_metres(call, "band", &source->band);
 }
 
-static int take_sizes(const cli_call *call, const ovr_profile_view *view,
-                      const ovr_contact *contact, ovr_conditioning *how)
+static int parse_sizes(const cli_call *call, const ovr_profile_view *view,
+                       const ovr_contact *contact, ovr_conditioning *how)
 {
     const double b = contact ? contact->b : 0;
     const double height = contact ? contact->height : 0;
@@ -181,7 +181,7 @@ static int take_sizes(const cli_call *call, const ovr_profile_view *view,
     for (size_t k = 0; !code && k < sizeof sizes / sizeof sizes[0]; k++) {
         bool tall = sizes[k].is_height;
         size given;
-        code = take_size(call, sizes[k].name, tall, &given);
+        code = parse_size(call, sizes[k].name, tall, &given);
         if (!code)
             code = convert_length(call, given,
                                   tall ? view->scaled_z : view->scaled_x,
@@ -192,24 +192,23 @@ static int take_sizes(const cli_call *call, const ovr_profile_view *view,
 
 /* Reads the conditioning of a profile. Lengths are in the profile's units,
  * converted with the contact if given (may be NULL). */
-static int profile_take_conditioning(const cli_call *call,
-                                     const ovr_profile_view *view,
-                                     const ovr_contact *contact,
-                                     ovr_conditioning *how)
+static int parse_conditioning(const cli_call *call,
+                              const ovr_profile_view *view,
+                              const ovr_contact *contact, ovr_conditioning *how)
 {
     int code;
     *how = ovr_conditioning_default();
-    code = take_level(call, &how->level);
+    code = parse_level(call, &how->level);
     if (!code)
-        code = take_sizes(call, view, contact, how);
+        code = parse_sizes(call, view, contact, how);
     if (!code)
-        code = take_whole(call, "degree", &how->degree);
+        code = parse_whole(call, "degree", &how->degree);
     if (!code)
-        code = take_number(call, "outliers", &how->outliers);
+        code = parse_number(call, "outliers", &how->outliers);
     if (!code)
-        code = take_number(call, "scale", &how->scale);
+        code = parse_number(call, "scale", &how->scale);
     if (!code)
-        code = take_number(call, "max-missing", &how->max_missing);
+        code = parse_number(call, "max-missing", &how->max_missing);
     how->invert = cli_flag(call, "invert");
     how->reverse = cli_flag(call, "reverse");
     return code;
@@ -284,7 +283,7 @@ static ovr_status measure(const ovr_profile_source *source,
 }
 
 /* Resolves the case of --case; NULL without one. */
-static int take_case(const cli_call *call, ovr_setup **setup)
+static int resolve_case(const cli_call *call, ovr_setup **setup)
 {
     const char *path = cli_value(call, "case");
     ovr_error err;
@@ -324,8 +323,8 @@ static int report_profile(const cli_call *call,
 {
     ovr_conditioning how;
     ovr_error err;
-    int code = profile_take_conditioning(call, ovr_profile_get_view(r->profile),
-                                         r->contact, &how);
+    int code = parse_conditioning(call, ovr_profile_get_view(r->profile),
+                                  r->contact, &how);
     if (code)
         return code;
     if (r->map && filter_map(&how, r, &err))
@@ -383,7 +382,7 @@ static int run(cli_call *call)
     if (!code)
         code = check_output(call, "plot");
     if (!code)
-        code = take_case(call, &setup);
+        code = resolve_case(call, &setup);
     if (!code)
         code = report_on(call, &source, setup ? setup->contact : NULL);
     ovr_setup_free(setup);

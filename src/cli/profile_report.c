@@ -86,7 +86,7 @@ static ovr_piece map_height(const ovr_areal *map, double value)
 
 /* Prints a line with its label. */
 __attribute__((format(printf, 2, 3))) static void
-put_line(const char *label, const char *format, ...)
+print_line(const char *label, const char *format, ...)
 {
     va_list arguments;
     printf("%-*s ", OVR_LABEL_WIDTH, label);
@@ -96,7 +96,7 @@ put_line(const char *label, const char *format, ...)
     putchar('\n');
 }
 
-static void put_heading(const char *title)
+static void print_heading(const char *title)
 {
     printf("\n%-*s value\n", OVR_LABEL_WIDTH, title);
 }
@@ -105,29 +105,30 @@ static void print_map(const profile_report *r)
 {
     const ovr_areal *map = r->map;
     const ovr_areal_numbers *n = &r->areal;
-    put_heading("areal surface (ISO 25178-2)");
-    put_line("points", "%zu x %zu, spacing %s x %s", map->nx, map->ny,
-             map_length(map, map->dx).text, map_length(map, map->dy).text);
-    put_line("size", "%s x %s", map_length(map, map->dx * (double)map->nx).text,
-             map_length(map, map->dy * (double)map->ny).text);
+    print_heading("areal surface (ISO 25178-2)");
+    print_line("points", "%zu x %zu, spacing %s x %s", map->nx, map->ny,
+               map_length(map, map->dx).text, map_length(map, map->dy).text);
+    print_line("size", "%s x %s",
+               map_length(map, map->dx * (double)map->nx).text,
+               map_length(map, map->dy * (double)map->ny).text);
     if (map->missing)
-        put_line("missing heights", "%zu", map->missing);
-    put_line("arithmetic mean height Sa", "%-14s (about the mean plane)",
-             map_height(map, n->Sa).text);
-    put_line("root mean square height Sq", "%s", map_height(map, n->Sq).text);
+        print_line("missing heights", "%zu", map->missing);
+    print_line("arithmetic mean height Sa", "%-14s (about the mean plane)",
+               map_height(map, n->Sa).text);
+    print_line("root mean square height Sq", "%s", map_height(map, n->Sq).text);
     if (!isnan(n->Ssk)) {
-        put_line("skewness Ssk", "%.3g", n->Ssk);
-        put_line("kurtosis Sku", "%-14.3g (Gaussian: 3)", n->Sku);
+        print_line("skewness Ssk", "%.3g", n->Ssk);
+        print_line("kurtosis Sku", "%-14.3g (Gaussian: 3)", n->Sku);
     }
     if (!isnan(n->Str))
-        put_line("texture aspect ratio Str", "%s%-*.3g (isotropic: 1)",
-                 n->Str_is_bound ? "< " : "", n->Str_is_bound ? 12 : 14,
-                 n->Str);
+        print_line("texture aspect ratio Str", "%s%-*.3g (isotropic: 1)",
+                   n->Str_is_bound ? "< " : "", n->Str_is_bound ? 12 : 14,
+                   n->Str);
     if (!isnan(n->lay))
-        put_line("lay", "%-14.3g (degrees to the x axis)",
-                 fabs(n->lay) < 5e-4 ? 0 : n->lay);
+        print_line("lay", "%-14.3g (degrees to the x axis)",
+                   fabs(n->lay) < 5e-4 ? 0 : n->lay);
     else
-        put_line("lay", "none");
+        print_line("lay", "none");
 }
 
 static void print_points(const profile_report *r)
@@ -135,16 +136,18 @@ static void print_points(const profile_report *r)
     const ovr_profile_view *v = r->view;
     const ovr_profile_numbers *n = &r->numbers;
     if (r->map)
-        put_heading("line");
-    put_line("points", "%zu, from x = %s to %s", v->n, along(r, v->x[0]).text,
-             along(r, v->x[v->n - 1]).text);
-    put_line("length", "%s", along(r, n->length).text);
+        print_heading("line");
+    print_line("points", "%zu, from x = %s to %s", v->n, along(r, v->x[0]).text,
+               along(r, v->x[v->n - 1]).text);
+    print_line("length", "%s", along(r, n->length).text);
     if (v->uniform)
-        put_line("spacing", "%s, equal", along(r, n->spacing).text);
+        print_line("spacing", "%s, equal", along(r, n->spacing).text);
     else
-        put_line("spacing", "%-14s (mean; %s to %s)", along(r, n->spacing).text,
-                 along(r, n->spacing_min).text, along(r, n->spacing_max).text);
-    put_line("missing heights", "%-14zu (filled: %zu)", r->missing, v->filled);
+        print_line("spacing", "%-14s (mean; %s to %s)",
+                   along(r, n->spacing).text, along(r, n->spacing_min).text,
+                   along(r, n->spacing_max).text);
+    print_line("missing heights", "%-14zu (filled: %zu)", r->missing,
+               v->filled);
 }
 
 /* False for parameters of all sampling lengths if there is only one, and for
@@ -197,8 +200,8 @@ static void print_kind(const profile_report *r, const ovr_profile_numbers *n)
             height = across(r, value);
         else
             snprintf(height.text, sizeof height.text, "%.4g", value);
-        put_line(label, "%-*s%s%s", *remark.text ? 14 : 0, height.text,
-                 *remark.text ? " " : "", remark.text);
+        print_line(label, "%-*s%s%s", *remark.text ? 14 : 0, height.text,
+                   *remark.text ? " " : "", remark.text);
     }
 }
 
@@ -206,13 +209,13 @@ static void print_sections(const profile_report *r)
 {
     const ovr_profile_numbers *n = &r->filtered;
     double lc = r->view->lambda_c;
-    put_heading("roughness profile (ISO 21920-2)");
-    put_line("cut-off lambda_c", "%s%s", along(r, lc).text,
-             lc > n->length + n->spacing ? " (longer than the profile)" : "");
+    print_heading("roughness profile (ISO 21920-2)");
+    print_line("cut-off lambda_c", "%s%s", along(r, lc).text,
+               lc > n->length + n->spacing ? " (longer than the profile)" : "");
     if (lc <= n->length + n->spacing)
-        put_line("sections", "%d of %s%s", n->sections,
-                 along(r, n->section).text,
-                 n->sections < 5 ? " (usual: 5)" : "");
+        print_line("sections", "%d of %s%s", n->sections,
+                   along(r, n->section).text,
+                   n->sections < 5 ? " (usual: 5)" : "");
 }
 
 /* Returns a suggested cut-off in metres; NAN if there is none or the unit is
@@ -237,7 +240,7 @@ static void print_suggestion(double metres)
 /* Prints P parameters, and R parameters or a suggested cut-off. */
 static void print_heights(const profile_report *r)
 {
-    put_heading("primary profile (ISO 21920-2)");
+    print_heading("primary profile (ISO 21920-2)");
     print_kind(r, &r->numbers);
     if (r->filtered.kind) {
         print_sections(r);
@@ -326,12 +329,12 @@ static void print_contact(const profile_report *r)
 void profile_print_text(const profile_report *r)
 {
     const char *note = r->view->notes;
-    put_line("file", "%s", r->file);
-    put_line("format", "%s", r->view->format);
+    print_line("file", "%s", r->file);
+    print_line("format", "%s", r->view->format);
     while (*note) {
         int size = (int)strcspn(note, "\n");
-        put_line(note == r->view->notes ? "interpretation" : "", "%.*s", size,
-                 note);
+        print_line(note == r->view->notes ? "interpretation" : "", "%.*s", size,
+                   note);
         note += size + (note[size] != 0);
     }
     if (r->map)
@@ -345,8 +348,8 @@ void profile_print_text(const profile_report *r)
 
 /* ------------------------------------------------------------------- JSON */
 
-static void put(json_writer *json, const profile_report *r, const char *name,
-                double value, bool is_height)
+static void write_number(json_writer *json, const profile_report *r,
+                         const char *name, double value, bool is_height)
 {
     char key[64];
     bool scaled = is_height ? r->view->scaled_z : r->view->scaled_x;
@@ -354,17 +357,17 @@ static void put(json_writer *json, const profile_report *r, const char *name,
     json_number(json, key, value);
 }
 
-static void put_map(json_writer *json, const profile_report *r)
+static void write_map(json_writer *json, const profile_report *r)
 {
     const ovr_areal *map = r->map;
     json_open(json, "map");
     json_integer(json, "columns", (long long)map->nx);
     json_integer(json, "rows", (long long)map->ny);
-    put(json, r, "dx", map->dx, false);
-    put(json, r, "dy", map->dy, false);
+    write_number(json, r, "dx", map->dx, false);
+    write_number(json, r, "dy", map->dy, false);
     json_integer(json, "missing", (long long)map->missing);
-    put(json, r, "Sa", r->areal.Sa, true);
-    put(json, r, "Sq", r->areal.Sq, true);
+    write_number(json, r, "Sa", r->areal.Sa, true);
+    write_number(json, r, "Sq", r->areal.Sq, true);
     json_number(json, "Ssk", r->areal.Ssk);
     json_number(json, "Sku", r->areal.Sku);
     json_number(json, "Str", r->areal.Str);
@@ -374,28 +377,28 @@ static void put_map(json_writer *json, const profile_report *r)
 }
 
 /* Writes the parameters of a kind; null if it does not exist. */
-static void put_kind(json_writer *json, const profile_report *r, char kind,
-                     const ovr_profile_numbers *n)
+static void write_kind(json_writer *json, const profile_report *r, char kind,
+                       const ovr_profile_numbers *n)
 {
     for (const struct row *row = rows; row < rows + ROWS; row++) {
         double value = n->kind ? value_of(row, n) : NAN;
         char name[8];
         snprintf(name, sizeof name, "%c%s", kind, row->symbol);
         if (row->is_height)
-            put(json, r, name, value, true);
+            write_number(json, r, name, value, true);
         else
             json_number(json, name, value);
     }
 }
 
-static void put_waves(json_writer *json, const profile_report *r)
+static void write_waves(json_writer *json, const profile_report *r)
 {
     json_open_array(json, "waves");
     for (size_t k = 0; k < r->waves; k++) {
         const ovr_profile_wave *w = &r->wave[k];
         json_open(json, NULL);
-        put(json, r, "wavelength", w->wavelength, false);
-        put(json, r, "amplitude", w->amplitude, true);
+        write_number(json, r, "wavelength", w->wavelength, false);
+        write_number(json, r, "amplitude", w->amplitude, true);
         json_number(json, "part_of_variance", w->part);
         if (r->contact) {
             json_number(json, "wavelength_over_b", in_b(r, w->wavelength));
@@ -406,7 +409,7 @@ static void put_waves(json_writer *json, const profile_report *r)
     json_close_array(json);
 }
 
-static void put_contact(json_writer *json, const profile_report *r)
+static void write_contact(json_writer *json, const profile_report *r)
 {
     json_open_array(json, "contact");
     for (size_t k = 0; k < r->points; k++) {
@@ -415,7 +418,7 @@ static void put_contact(json_writer *json, const profile_report *r)
         json_number(json,
                     r->view->scaled_x ? "pressure" : "pressure_over_E_star",
                     at->pressure);
-        put(json, r, "mean_gap", at->gap, true);
+        write_number(json, r, "mean_gap", at->gap, true);
         json_number(json, "area", at->area);
         if (!isnan(E_star(r)))
             json_number(json, "pressure_Pa", at->pressure * E_star(r));
@@ -432,22 +435,22 @@ void profile_print_json(const profile_report *r)
     json_text(&json, "format", r->view->format);
     json_text(&json, "understood", r->view->notes);
     if (r->map)
-        put_map(&json, r);
+        write_map(&json, r);
     json_integer(&json, "points", (long long)n->n);
     json_integer(&json, "missing", (long long)r->missing);
     json_integer(&json, "filled", (long long)r->view->filled);
     json_flag(&json, "uniform", r->view->uniform);
-    put(&json, r, "length", n->length, false);
-    put(&json, r, "spacing", n->spacing, false);
-    put(&json, r, "spacing_least", n->spacing_min, false);
-    put(&json, r, "spacing_most", n->spacing_max, false);
-    put(&json, r, "lambda_c", r->view->lambda_c, false);
+    write_number(&json, r, "length", n->length, false);
+    write_number(&json, r, "spacing", n->spacing, false);
+    write_number(&json, r, "spacing_least", n->spacing_min, false);
+    write_number(&json, r, "spacing_most", n->spacing_max, false);
+    write_number(&json, r, "lambda_c", r->view->lambda_c, false);
     json_number(&json, "lambda_c_suggested_m", profile_cutoff(r));
     json_integer(&json, "sections", r->filtered.sections);
-    put_kind(&json, r, 'P', &r->numbers);
-    put_kind(&json, r, 'R', &r->filtered);
-    put_waves(&json, r);
+    write_kind(&json, r, 'P', &r->numbers);
+    write_kind(&json, r, 'R', &r->filtered);
+    write_waves(&json, r);
     if (r->points)
-        put_contact(&json, r);
+        write_contact(&json, r);
     json_end(&json);
 }

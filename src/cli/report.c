@@ -5,7 +5,7 @@
 
 /* ---------------------------------------------------------- output of lines */
 
-static void put_json(json_writer *json, const ovr_summary_line *line)
+static void write_line(json_writer *json, const ovr_summary_line *line)
 {
     switch (line->form) {
     case OVR_SUMMARY_NUMBER: json_number(json, line->key, line->number); break;
@@ -17,7 +17,7 @@ static void put_json(json_writer *json, const ovr_summary_line *line)
     }
 }
 
-static void put_words(const ovr_summary_line *line)
+static void print_words(const ovr_summary_line *line)
 {
     if (!line->label)
         puts(line->text);
@@ -34,9 +34,9 @@ static void put_words(const ovr_summary_line *line)
 void cli_put_line(void *json, const ovr_summary_line *line)
 {
     if (json && line->key)
-        put_json(json, line);
+        write_line(json, line);
     else if (!json && !line->key)
-        put_words(line);
+        print_words(line);
 }
 
 /* --------------------------------------------------------------------- JSON */
@@ -131,7 +131,7 @@ static void table_refinements(const ovr_run_info *s)
     }
 }
 
-static void put_answer(void *begun, const char *name, const char *text)
+static void print_answer(void *begun, const char *name, const char *text)
 {
     if (!*(bool *)begun)
         puts("\nMachine element");
@@ -144,7 +144,7 @@ static void put_answer(void *begun, const char *name, const char *text)
 static void table_answers(const ovr_run_info *s)
 {
     bool begun = false;
-    ovr_run_answers(s, put_answer, &begun);
+    ovr_run_answers(s, print_answer, &begun);
 }
 
 static void report_table(const cli_call *call, const ovr_run_info *s)

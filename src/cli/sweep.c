@@ -99,7 +99,7 @@ static void json_sample(json_writer *json, const ovr_sample *sample)
 
 /* ------------------------------------------------------------------- tables */
 
-static void put_range(const char *name, const int range[2])
+static void print_range(const char *name, const int range[2])
 {
     if (range[0] == range[1] && range[0])
         printf(", %s %d", name, range[0]);
@@ -108,14 +108,14 @@ static void put_range(const char *name, const int range[2])
 }
 
 /* Prints the number of samples and how they ended. */
-static void put_counts(const ovr_sample_row *r)
+static void print_counts(const ovr_sample_row *r)
 {
     printf("%s%s%zu samples: %zu finished, %zu failed, %zu with steps accepted "
            "above tolerance",
            r->group, *r->group ? ": " : "", r->draws, r->finished, r->failed,
            r->marked);
-    put_range("order", r->order);
-    put_range("level", r->level);
+    print_range("order", r->order);
+    print_range("level", r->level);
     putchar('\n');
     if ((double)r->failed > 0.01 * (double)r->draws)
         printf("%.2g %% of the samples failed and are excluded; the statistics "
@@ -127,7 +127,7 @@ static void put_counts(const ovr_sample_row *r)
 }
 
 /* Prints "LOW to HIGH", or the finite limit. */
-static void put_interval(double low, double high, double factor)
+static void print_interval(double low, double high, double factor)
 {
     if (isnan(low) && isfinite(high))
         printf(" below %.4g\n", high * factor);
@@ -139,12 +139,12 @@ static void put_interval(double low, double high, double factor)
         putchar('\n');
 }
 
-static void put_value(const char *label, double value)
+static void print_value(const char *label, double value)
 {
     printf("%-*s %-12.5g", OVR_LABEL_WIDTH, label, value);
 }
 
-static void put_moments(const ovr_sample_row *r, cli_unit as)
+static void print_moments(const ovr_sample_row *r, cli_unit as)
 {
     double half = r->factor * r->error;
     char label[64];
@@ -152,30 +152,30 @@ static void put_moments(const ovr_sample_row *r, cli_unit as)
            r->quantity);
     printf("%-*s %-12s 95 %% confidence interval\n", OVR_LABEL_WIDTH,
            "statistic", "value");
-    put_value("mean", r->mean * as.factor);
-    put_interval(r->mean - half, r->mean + half, as.factor);
+    print_value("mean", r->mean * as.factor);
+    print_interval(r->mean - half, r->mean + half, as.factor);
     printf("%-*s %.5g\n", OVR_LABEL_WIDTH, "standard deviation",
            r->sd * as.factor);
     for (int k = 0; k < OVR_SAMPLE_QUANTILES; k++) {
         snprintf(label, sizeof label, "%.0f %% quantile", 100 * r->p[k]);
-        put_value(label, r->quantile[k] * as.factor);
-        put_interval(r->low[k], r->high[k], as.factor);
+        print_value(label, r->quantile[k] * as.factor);
+        print_interval(r->low[k], r->high[k], as.factor);
     }
 }
 
-static void put_limits(const ovr_sample_row *r, cli_unit as)
+static void print_limits(const ovr_sample_row *r, cli_unit as)
 {
     char label[64];
     for (size_t k = 0; k < r->limits; k++) {
         snprintf(label, sizeof label, "probability of at %s %.6g%s%s",
                  r->sense[k] > 0 ? "least" : "most", r->limit[k] * as.factor,
                  *as.name ? " " : "", as.name);
-        put_value(label, r->P[k]);
-        put_interval(r->P_low[k] <= 0 ? NAN : r->P_low[k], r->P_high[k], 1);
+        print_value(label, r->P[k]);
+        print_interval(r->P_low[k] <= 0 ? NAN : r->P_low[k], r->P_high[k], 1);
     }
 }
 
-static void put_inputs(const ovr_sample *sample, size_t row, size_t known)
+static void print_inputs(const ovr_sample *sample, size_t row, size_t known)
 {
     const ovr_sample_input *in;
     int d = known < FEW ? 1 : 2;
@@ -193,21 +193,21 @@ static void put_inputs(const ovr_sample *sample, size_t row, size_t known)
 }
 
 /* Prints the statistics of a study as tables on standard output. */
-static void put_sample(const ovr_sample *sample)
+static void print_sample(const ovr_sample *sample)
 {
     const ovr_sample_row *r;
     const char *group = NULL;
     for (size_t k = 0; (r = ovr_sample_at(sample, k)); k++) {
         if (!group || strcmp(group, r->group) != 0)
-            put_counts(r);
+            print_counts(r);
         group = r->group;
         if (!r->known)
             continue;
         cli_unit as = cli_choose_unit(r->unit,
                                       r->quantile[OVR_SAMPLE_QUANTILES / 2]);
-        put_moments(r, as);
-        put_limits(r, as);
-        put_inputs(sample, k, r->known);
+        print_moments(r, as);
+        print_limits(r, as);
+        print_inputs(sample, k, r->known);
     }
 }
 
@@ -375,7 +375,7 @@ static int report_sample(const sweeping *w, json_writer *json)
     else if (json)
         json_sample(json, sample);
     else if (w->call->verbosity >= 0)
-        put_sample(sample);
+        print_sample(sample);
     ovr_sample_free(sample);
     return code;
 }

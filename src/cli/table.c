@@ -111,7 +111,7 @@ static const ovr_table_column *named(const ovr_table *t, const char *name)
 
 /* ------------------------------------------------------------------- print */
 
-static void put_text(const ovr_table_column *c, size_t row)
+static void print_text(const ovr_table_column *c, size_t row)
 {
     cli_put_foreign(c && c->text ? c->text[row] : NULL);
 }
@@ -157,9 +157,9 @@ static void print_table(const char *path, const ovr_table *t)
             else
                 printf(" %11s", "-");
         fputs("  ", stdout);
-        put_text(named(t, "file"), i);
+        print_text(named(t, "file"), i);
         fputs(", ", stdout);
-        put_text(named(t, "status"), i);
+        print_text(named(t, "status"), i);
         putchar('\n');
     }
     putchar('\n');

@@ -352,7 +352,7 @@ const char *cli_synonym(const char *term)
 /* ------------------------------------------------------------------ units */
 
 /* Prints the units of each quantity in a line, the SI unit first. */
-static void put_units(void)
+static void print_units(void)
 {
     const char *name, *si, *before = "";
     int column = 0;
@@ -385,5 +385,5 @@ void cli_help_units(void)
         "radius, modulus, viscosity,\nalpha, speeds and pressures always need "
         "a unit.  slide_to_roll is a bare number or\nin %.\n\n"
         "All units, by quantity:\n");
-    put_units();
+    print_units();
 }

@@ -55,7 +55,7 @@ static char *template(void)
 }
 
 /* Writes a JSON string that cannot close a script element. */
-static void put_text(FILE *to, const char *text)
+static void write_text(FILE *to, const char *text)
 {
     putc('"', to);
     for (; *text; text++) {
@@ -78,9 +78,9 @@ static bool write_page(const char *path, const char *program, const char *at,
     at += strlen(MARK);
     fwrite(program, 1, (size_t)(at - program), to);
     fputs("{\"case\":", to);
-    put_text(to, case_text ? case_text : "");
+    write_text(to, case_text ? case_text : "");
     fputs(",\"page\":", to);
-    put_text(to, player);
+    write_text(to, player);
     putc('}', to);
     fputs(at + strlen(NONE), to);
     written = !ferror(to);

@@ -49,7 +49,7 @@ cli_progress cli_progress_begin(int verbosity, double fraction)
     return progress;
 }
 
-static void put_time(double seconds)
+static void print_time(double seconds)
 {
     if (seconds < 3600)
         fprintf(stderr, "%.0f:%02.0f", floor(seconds / 60),
@@ -59,15 +59,15 @@ static void put_time(double seconds)
                 floor(fmod(seconds, 3600) / 60));
 }
 
-static void put_line(const cli_progress *progress, double fraction,
-                     const char *what)
+static void print_line(const cli_progress *progress, double fraction,
+                       const char *what)
 {
     double spent = cli_seconds() - progress->begun;
     double done = fraction - progress->from;
     fprintf(stderr, "%3.0f %%  %s", floor(100 * fraction), what);
     if (done > 1e-3 && fraction < 1) {
         fputs("  left ", stderr);
-        put_time(spent * (1 - fraction) / done);
+        print_time(spent * (1 - fraction) / done);
     }
 }
 
@@ -82,7 +82,7 @@ void cli_progress_show(cli_progress *progress, double fraction,
         if ((int)(10 * fraction + 1e-9) <= progress->tenths)
             return;
         progress->tenths = (int)(10 * fraction + 1e-9);
-        put_line(progress, fraction, what);
+        print_line(progress, fraction, what);
         fputc('\n', stderr);
         return;
     }
@@ -92,7 +92,7 @@ void cli_progress_show(cli_progress *progress, double fraction,
     progress->last = now;
     progress->line = true;
     fputc('\r', stderr);
-    put_line(progress, fraction, what);
+    print_line(progress, fraction, what);
     fputs("\033[K", stderr);
     fflush(stderr);
 }
@@ -142,7 +142,7 @@ void cli_silence_the_end(void)
     H5dont_atexit();
 }
 
-static void say(void *data, ovr_message_kind kind, const char *text)
+static void print_message(void *data, ovr_message_kind kind, const char *text)
 {
     static const char *const before[] = {
         "overroll: warning: ", "overroll: ", ""};
@@ -176,7 +176,7 @@ ovr_run_options cli_run_options(cli_watch *watch)
 {
     ovr_run_options how = {0};
     how.data = watch;
-    how.say = say;
+    how.say = print_message;
     how.stop = how.interrupt = cli_stop;
     how.progress = progress;
     how.estimate_error = cli_flag(watch->call, "estimate-error");

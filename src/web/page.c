@@ -185,7 +185,7 @@ static const cli_verb cli_solve = {
 
 /* ------------------------------------------------------------------- table */
 
-static void put_key(json_writer *json, const ovr_parameter_info *p)
+static void write_key(json_writer *json, const ovr_parameter_info *p)
 {
     json_open(json, NULL);
     json_text(json, "section", p->section);
@@ -222,7 +222,7 @@ static int keys(cli_call *call)
     json_open_array(&json, "keys");
     for (size_t k = 0; k < ovr_parameter_count(); k++) {
         ovr_parameter_info p = ovr_parameter_at(k);
-        put_key(&json, &p);
+        write_key(&json, &p);
     }
     json_close_array(&json);
     json_end(&json);
