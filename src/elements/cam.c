@@ -337,7 +337,7 @@ static ovr_status check_shape(const ovr_cam *cam, double angle, ovr_error *err)
 
 enum { LOOKS = 7200 };
 
-static double look(const ovr_cam_event *e, int k)
+static double sample_angle(const ovr_cam_event *e, int k)
 {
     return e->from + (e->to - e->from) * k / LOOKS;
 }
@@ -366,9 +366,11 @@ static void find_reversals(ovr_cam *cam)
     ovr_cam_event *e = &cam->event;
     size_t capacity = sizeof e->reversal / sizeof *e->reversal;
     for (int k = 0; k < LOOKS && e->reversals < capacity; k++)
-        if (mean_speed(cam, look(e, k)) * mean_speed(cam, look(e, k + 1)) < 0)
-            e->reversal[e->reversals++] = reversal_between(cam, look(e, k),
-                                                           look(e, k + 1));
+        if (mean_speed(cam, sample_angle(e, k)) *
+                mean_speed(cam, sample_angle(e, k + 1)) <
+            0)
+            e->reversal[e->reversals++] = reversal_between(
+                cam, sample_angle(e, k), sample_angle(e, k + 1));
 }
 
 static ovr_status check_event(ovr_cam *cam, ovr_error *err)
@@ -378,17 +380,17 @@ static ovr_status check_event(ovr_cam *cam, ovr_error *err)
     double minimum = clearance_at(cam, e->from);
     e->min_force = INFINITY;
     for (int k = 0; k <= LOOKS; k++) {
-        double clearance = clearance_at(cam, look(e, k));
+        double clearance = clearance_at(cam, sample_angle(e, k));
         if (clearance < minimum) {
             minimum = clearance;
-            tightest = look(e, k);
+            tightest = sample_angle(e, k);
         }
     }
     ovr_status status = check_shape(cam, tightest, err);
     if (status)
         return status;
     for (int k = 0; k <= LOOKS; k++) {
-        double lift[3], now, angle = look(e, k);
+        double lift[3], now, angle = sample_angle(e, k);
         lift_at(&cam->form, cam->bending, angle, lift);
         now = force(&cam->form, lift);
         e->min_force = fmin(e->min_force, now);

@@ -63,8 +63,8 @@ static ovr_status check_one(const ovr_resolved *r, const ovr_block *block,
 }
 
 /* Rejects keys and sections that a machine element already determines. */
-static ovr_status check_said(const ovr_resolved *r, const ovr_block *block,
-                             ovr_error *err)
+static ovr_status check_conflicts(const ovr_resolved *r, const ovr_block *block,
+                                  ovr_error *err)
 {
     static const char *const keys[] = {
         "M",       "L",       "lambda",     "alphabar",     "radius",
@@ -141,7 +141,7 @@ ovr_status ovr_resolve_element_keys(ovr_resolved *r, ovr_error *err)
     if (!block)
         return OVR_OK;
     if ((status = check_one(r, block, err)) ||
-        (status = check_said(r, block, err)) ||
+        (status = check_conflicts(r, block, err)) ||
         (status = ovr_block_fill(r, block, &r->values, err)) ||
         (status = check_missing(block, needed(r, block), err)))
         return status;
@@ -171,7 +171,7 @@ static ovr_status read_table(ovr_resolved *r, const ovr_block *block,
 
 /* ------------------------------------------------------ reference contact */
 
-static void take_nominal(ovr_resolved *r, const ovr_element_moment *m)
+static void set_reference(ovr_resolved *r, const ovr_element_moment *m)
 {
     ovr_conditions *given = &r->values.contact;
     given->radius = m->R;
@@ -280,8 +280,8 @@ static ovr_status time_of(const char *text, double way, double *t,
 }
 
 /* Selects a contact point A to E or a time; default: the pitch point. */
-static ovr_status stand_gear(ovr_resolved *r, ovr_element_moment *m,
-                             ovr_error *err)
+static ovr_status position_gear(ovr_resolved *r, ovr_element_moment *m,
+                                ovr_error *err)
 {
     const ovr_gear_geometry *g = ovr_gear_of(r->element.gear);
     const double ways[] = {g->R1_A, g->R1_B, g->R1_C, g->R1_D, g->R1_E};
@@ -304,8 +304,8 @@ static ovr_status stand_gear(ovr_resolved *r, ovr_element_moment *m,
 
 /* Selects an angle or a time; default: the nose. If the mean speed is negative,
  * the contact is mirrored. */
-static ovr_status stand_cam(ovr_resolved *r, ovr_element_moment *m,
-                            ovr_error *err)
+static ovr_status position_cam(ovr_resolved *r, ovr_element_moment *m,
+                               ovr_error *err)
 {
     const ovr_cam_event *event = ovr_cam_of(r->element.cam);
     const char *at = r->c->standing;
@@ -365,10 +365,10 @@ static ovr_status resolve_gear(ovr_resolved *r, const ovr_block *block,
     if (!r->element.gear)
         return OVR_BAD_INPUT;
     ovr_element_moment nominal = pitch_point(r->element.gear);
-    status = r->c->standing ? stand_gear(r, &nominal, err) : OVR_OK;
+    status = r->c->standing ? position_gear(r, &nominal, err) : OVR_OK;
     if (status)
         return status;
-    take_nominal(r, &nominal);
+    set_reference(r, &nominal);
     r->values.contact.hertz_pressure = NAN;
     return OVR_OK;
 }
@@ -448,8 +448,8 @@ static ovr_status resolve_cam(ovr_resolved *r, const ovr_block *block,
         nominal.load = fmax(nominal.load, m.load);
     }
     nominal.u1 = nominal.u2 = fastest;
-    status = r->c->standing ? stand_cam(r, &nominal, err) : OVR_OK;
-    take_nominal(r, &nominal);
+    status = r->c->standing ? position_cam(r, &nominal, err) : OVR_OK;
+    set_reference(r, &nominal);
     return status;
 }
 
@@ -467,7 +467,7 @@ static ovr_status resolve_bearing(ovr_resolved *r, const ovr_block *block,
         return ovr_fail_in(err, r->c, block, NULL, &why);
     ovr_element_moment nominal = ovr_bearing_contact(
         r->element.bearing, ovr_bearing_of(r->element.bearing)->heaviest);
-    take_nominal(r, &nominal);
+    set_reference(r, &nominal);
     return OVR_OK;
 }
 
@@ -577,7 +577,7 @@ static void add_beyond(moments *m)
     }
 }
 
-static void take_moments(const ovr_resolved *r, moments *m)
+static void sample_element(const ovr_resolved *r, moments *m)
 {
     const ovr_conditions *given = &r->values.contact;
     double mean = (given->speed_1 + given->speed_2) / 2, corner[CORNERS];
@@ -625,7 +625,7 @@ static ovr_status make_histories(ovr_resolved *r, const moments *m,
 
 /* Sets the end of the run: the end of contact, or an earlier time given in the
  * case. */
-static ovr_status end_of_way(ovr_resolved *r, double end, ovr_error *err)
+static ovr_status set_end(ovr_resolved *r, double end, ovr_error *err)
 {
     const ovr_slot *slot = ovr_slot_of(r, "time", "end");
     double *given = &r->values.march.end;
@@ -648,12 +648,12 @@ ovr_status ovr_resolve_element_histories(ovr_resolved *r, ovr_error *err)
     moments *m = ovr_arena_take(&r->arena, 1, sizeof *m, err);
     if (!m)
         return OVR_NO_MEMORY;
-    take_moments(r, m);
+    sample_element(r, m);
     /* A jump of the law's curvature cannot be convected with the material. */
     if (r->element.cam && ovr_cam_of(r->element.cam)->jumps)
         r->values.curvature = OVR_CURVATURE_IMPOSED;
     ovr_status status = make_histories(r, m, err);
-    return status ? status : end_of_way(r, m->end, err);
+    return status ? status : set_end(r, m->end, err);
 }
 
 /* ------------------------------------------------------------------ passes */

@@ -176,7 +176,7 @@ static void add_course(sketch *s, const course *c, const char *const of[2])
     add_film(s, c);
 }
 
-static bool take_workspace(sketch *s, size_t n)
+static bool allocate_workspace(sketch *s, size_t n)
 {
     s->at = ovr_arena_take(s->arena, 7 * n, sizeof *s->at, s->err);
     for (size_t k = 0; s->at && k < 4; k++)
@@ -542,8 +542,8 @@ ovr_status ovr_element_draw(const ovr_setup *setup, const ovr_stored *run,
         return ovr_fail(err, OVR_BAD_INPUT,
                         "only cases with [gear], [cam] or [roller_bearing] "
                         "have a machine element to draw");
-    if (take_workspace(&s, ovr_setup_bearing(setup) ? OVR_ROLLERS_MAX
-                                                    : LOOKS + 1)) {
+    if (allocate_workspace(&s, ovr_setup_bearing(setup) ? OVR_ROLLERS_MAX
+                                                        : LOOKS + 1)) {
         if (ovr_setup_gear(setup))
             draw_gear(&s);
         else if (ovr_setup_cam(setup))

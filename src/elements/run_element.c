@@ -38,7 +38,7 @@ typedef struct answered {
     void *data;
 } answered;
 
-static void put(const answered *a, const char *key, double number)
+static void add_number(const answered *a, const char *key, double number)
 {
     const ovr_report_sink to = {a->take, a->data};
     ovr_put_number(&to, key, number);
@@ -75,7 +75,7 @@ static double from_pitch_point(const answered *a, double T)
     return t * g->base_1 * g->omega_1;
 }
 
-static void put_gear(const answered *a)
+static void add_gear(const answered *a)
 {
     const ovr_gear_geometry *g = ovr_gear_of(a->r->element.gear);
     const ovr_gear_form *form = &a->r->values.element.gear;
@@ -85,22 +85,23 @@ static void put_gear(const answered *a)
     double width = form->face / cos(g->base_helix);
     double pitch = g->base_pitch / (g->base_1 * g->omega_1);
     double loss = mean_power(a) * width * seconds(a, a->r->element.end) / pitch;
-    put(a, "torque_N_m", torque);
-    put(a, "speed_rpm", g->omega_1 * 30 / pi);
-    put(a, "power_W", power);
-    put(a, "contact_ratio", g->contact_ratio);
-    put(a, "overlap_ratio", g->overlap_ratio);
-    put(a, "power_loss_W", a->run->transient ? loss : NAN);
+    add_number(a, "torque_N_m", torque);
+    add_number(a, "speed_rpm", g->omega_1 * 30 / pi);
+    add_number(a, "power_W", power);
+    add_number(a, "contact_ratio", g->contact_ratio);
+    add_number(a, "overlap_ratio", g->overlap_ratio);
+    add_number(a, "power_loss_W", a->run->transient ? loss : NAN);
     /* The torque is that of gear 1; if gear 1 is driven, the loss is already
      * subtracted. */
-    put(a, "efficiency",
-        !a->run->transient   ? NAN
-        : form->driving == 1 ? 1 - loss / power
-                             : power / (power + loss));
+    add_number(a, "efficiency",
+               !a->run->transient   ? NAN
+               : form->driving == 1 ? 1 - loss / power
+                                    : power / (power + loss));
     if (!a->run->transient)
         return;
-    put(a, "way_H_min_m", from_pitch_point(a, total->when.H_min_located));
-    put(a, "way_P_max_m", from_pitch_point(a, total->when.P_max));
+    add_number(a, "way_H_min_m",
+               from_pitch_point(a, total->when.H_min_located));
+    add_number(a, "way_P_max_m", from_pitch_point(a, total->when.P_max));
 }
 
 /* ------------------------------------------------------------------- cams */
@@ -130,33 +131,33 @@ static double lifting_torque(const answered *a)
     return largest;
 }
 
-static void put_cam(const answered *a)
+static void add_cam(const answered *a)
 {
     const ovr_cam_form *form = &a->r->values.element.cam;
     const ovr_statistics *total = ovr_simulation_statistics(a->run->sim);
     double event = ovr_cam_of(a->r->element.cam)->duration;
     double loss = mean_power(a) * form->face * event * form->speed / (2 * pi);
-    put(a, "torque_N_m", lifting_torque(a));
-    put(a, "speed_rpm", form->speed * 30 / pi);
-    put(a, "power_loss_W", a->run->transient ? loss : NAN);
+    add_number(a, "torque_N_m", lifting_torque(a));
+    add_number(a, "speed_rpm", form->speed * 30 / pi);
+    add_number(a, "power_loss_W", a->run->transient ? loss : NAN);
     if (!a->run->transient)
         return;
-    put(a, "angle_H_min_deg", degrees_at(a, total->when.H_min_located));
-    put(a, "angle_P_max_deg", degrees_at(a, total->when.P_max));
+    add_number(a, "angle_H_min_deg", degrees_at(a, total->when.H_min_located));
+    add_number(a, "angle_P_max_deg", degrees_at(a, total->when.P_max));
 }
 
 /* --------------------------------------------------------------- bearings */
 
-static void put_bearing(const answered *a)
+static void add_bearing(const answered *a)
 {
     const ovr_bearing_form *form = &a->r->values.element.bearing;
     const ovr_bearing_geometry *g = ovr_bearing_of(a->r->element.bearing);
     double speed = fabs(form->speed_inner - form->speed_outer);
-    put(a, "speed_rpm", speed * 30 / pi);
-    put(a, "bearing_load_N", form->load);
-    put(a, "heaviest_roller_N", g->heaviest);
-    put(a, "rollers_loaded", g->loaded);
-    put(a, "power_loss_W", mean_power(a) * form->length);
+    add_number(a, "speed_rpm", speed * 30 / pi);
+    add_number(a, "bearing_load_N", form->load);
+    add_number(a, "heaviest_roller_N", g->heaviest);
+    add_number(a, "rollers_loaded", g->loaded);
+    add_number(a, "power_loss_W", mean_power(a) * form->length);
 }
 
 void ovr_element_summary(const ovr_run_info *run, ovr_summary_taker *take,
@@ -165,14 +166,14 @@ void ovr_element_summary(const ovr_run_info *run, ovr_summary_taker *take,
     const ovr_resolved *r = run->setup->resolved;
     const answered a = {run, r, take, data};
     if (r->element.gear)
-        put_gear(&a);
+        add_gear(&a);
     if (r->element.cam)
-        put_cam(&a);
+        add_cam(&a);
     if (r->element.bearing)
-        put_bearing(&a);
+        add_bearing(&a);
     if (ovr_setup_heat(run->setup) &&
         (r->element.gear || r->element.cam || r->element.bearing))
-        put(&a, "T_supply_K", ovr_setup_heat(run->setup)->T0);
+        add_number(&a, "T_supply_K", ovr_setup_heat(run->setup)->T0);
 }
 
 /* -------------------------------------------------------- Group of the file */

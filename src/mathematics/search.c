@@ -404,7 +404,7 @@ static ovr_status brent(searching *w, bracket *in, double *bad)
 
 /* Stores the answer: for an equation the bracket end closer to the target, for
  * an inequality the end that satisfies it. */
-static void take_answer(searching *w, const bracket *in)
+static void store_answer(searching *w, const bracket *in)
 {
     ovr_search_result *r = w->r;
     bool second = w->p->sense && !is_above(w, in->a.q);
@@ -429,7 +429,7 @@ static ovr_status close_in(searching *w, bracket *in)
     }
     if (status)
         return status;
-    take_answer(w, in);
+    store_answer(w, in);
     if (!judge_about(w, along(w, w->r->value)) &&
         (status = probe(w, along(w, w->r->value))) == OVR_OK &&
         !judge_about(w, along(w, w->r->value))) {

@@ -228,7 +228,7 @@ enum {
     SERIES_MEMBERS = sizeof of_series / sizeof *of_series
 };
 
-static void put_number(ovr_text *to, const char *format, double value)
+static void append_number(ovr_text *to, const char *format, double value)
 {
     if (isfinite(value))
         ovr_text_print(to, format, value);
@@ -238,7 +238,7 @@ static void put_number(ovr_text *to, const char *format, double value)
 
 /* Writes a number with a decimal point, because gnuplot uses integer division
  * otherwise. */
-static void put_real(ovr_text *to, double value)
+static void append_real(ovr_text *to, double value)
 {
     char text[40];
     snprintf(text, sizeof text, "%.9g", value);
@@ -248,7 +248,7 @@ static void put_real(ovr_text *to, double value)
 }
 
 /* Writes one element of an array: the member of the struct at `from`. */
-static void put_member(ovr_text *to, const member *m, const void *from)
+static void append_member(ovr_text *to, const member *m, const void *from)
 {
     const char *at = (const char *)from + m->at;
     const char *text;
@@ -260,7 +260,7 @@ static void put_member(ovr_text *to, const member *m, const void *from)
         break;
     case NUMBER:
         memcpy(&number, at, sizeof number);
-        put_real(to, number == 0 ? m->otherwise : number);
+        append_real(to, number == 0 ? m->otherwise : number);
         break;
     case COUNT:
         ovr_text_print(to, "%zu", *(const size_t *)(const void *)at);
@@ -282,7 +282,7 @@ static size_t panels_of(const ovr_chart *chart)
 }
 
 /* Writes the curves of all panels, numbered consecutively from 1. */
-static void put_curves(const ovr_chart *chart, ovr_text *to)
+static void append_curves(const ovr_chart *chart, ovr_text *to)
 {
     size_t panels = panels_of(chart), curves = 0, images = 0;
     for (size_t k = 0; k < panels; k++)
@@ -294,7 +294,7 @@ static void put_curves(const ovr_chart *chart, ovr_text *to)
         for (size_t k = 0; k < panels; k++)
             for (size_t j = 0; j < chart->panel[k].count; j++) {
                 ovr_text_put(to, comma);
-                put_member(to, &of_series[m], &chart->panel[k].series[j]);
+                append_member(to, &of_series[m], &chart->panel[k].series[j]);
                 comma = ", ";
             }
         ovr_text_put(to, curves ? "]\n" : "0]\n");
@@ -331,11 +331,11 @@ void ovr_chart_settings(const ovr_chart *chart, ovr_form form, ovr_text *to)
         ovr_text_print(to, "array %s[%zu] = [", of_panels[m].name, panels);
         for (size_t k = 0; k < panels; k++) {
             ovr_text_put(to, k ? ", " : "");
-            put_member(to, &of_panels[m], &chart->panel[k]);
+            append_member(to, &of_panels[m], &chart->panel[k]);
         }
         ovr_text_put(to, "]\n");
     }
-    put_curves(chart, to);
+    append_curves(chart, to);
 }
 
 /* ---------------------------------------------------------------- tables */
@@ -355,15 +355,16 @@ double ovr_series_y(const ovr_series *s, size_t i)
     return s->y[i] * factor_of(s->factor) + s->shift;
 }
 
-static void put_series(const ovr_series *s, const char *digits, ovr_text *to)
+static void append_series(const ovr_series *s, const char *digits, ovr_text *to)
 {
     for (size_t i = 0; i < s->n; i++) {
-        put_number(to, digits, ovr_series_x(s, i));
+        append_number(to, digits, ovr_series_x(s, i));
         ovr_text_put(to, " ");
-        put_number(to, digits, ovr_series_y(s, i));
+        append_number(to, digits, ovr_series_y(s, i));
         if (s->mark == OVR_MARK_BAND) {
             ovr_text_put(to, " ");
-            put_number(to, digits, s->to[i] * factor_of(s->factor) + s->shift);
+            append_number(to, digits,
+                          s->to[i] * factor_of(s->factor) + s->shift);
         }
         ovr_text_put(to, "\n");
     }
@@ -371,27 +372,28 @@ static void put_series(const ovr_series *s, const char *digits, ovr_text *to)
         ovr_text_put(to, "NaN NaN NaN\n"); /* a table must not be empty */
 }
 
-static void put_image(const ovr_image *image, const char *digits, ovr_text *to)
+static void append_image(const ovr_image *image, const char *digits,
+                         ovr_text *to)
 {
     for (size_t j = 0; j < image->ny; j++) {
         for (size_t i = 0; i < image->nx; i++) {
-            put_number(to, digits, image->values[j * image->nx + i]);
+            append_number(to, digits, image->values[j * image->nx + i]);
             ovr_text_put(to, " ");
         }
         ovr_text_put(to, "\n");
     }
 }
 
-static void put_letter(ovr_text *to, const char *character, int bytes)
+static void append_letter(ovr_text *to, const char *character, int bytes)
 {
     ovr_text_add(to, character, (size_t)bytes);
 }
 
 /* Writes a comment with the contents of a table. */
-static void put_heading(const char *label, const ovr_panel *p, ovr_text *to)
+static void append_heading(const char *label, const ovr_panel *p, ovr_text *to)
 {
     ovr_text_put(to, "# ");
-    ovr_text_foreign(to, label ? label : "-", put_letter);
+    ovr_text_foreign(to, label ? label : "-", append_letter);
     ovr_text_print(to, ": %s, %s\n", p->x_label, p->y_label);
 }
 
@@ -404,12 +406,12 @@ void ovr_chart_tables(const ovr_chart *chart, const char *digits, ovr_text *to)
             size_t tables = images ? p->image.values != NULL : p->count;
             for (size_t j = 0; j < tables; j++) {
                 ovr_text_put(to, between);
-                put_heading(images ? p->image.label : p->series[j].label, p,
-                            to);
+                append_heading(images ? p->image.label : p->series[j].label, p,
+                               to);
                 if (images)
-                    put_image(&p->image, digits, to);
+                    append_image(&p->image, digits, to);
                 else
-                    put_series(&p->series[j], digits, to);
+                    append_series(&p->series[j], digits, to);
                 between = "\n\n";
             }
         }

@@ -58,8 +58,8 @@ ovr_status ovr_areal_view_include(ovr_areal_view *v, size_t k, ovr_error *err)
 
 /* ------------------------------------------------------------------- make */
 
-static ovr_status take_field(const ovr_areal_view *v, ovr_areal_field *field,
-                             ovr_arena *arena, ovr_error *err)
+static ovr_status prepare_field(const ovr_areal_view *v, ovr_areal_field *field,
+                                ovr_arena *arena, ovr_error *err)
 {
     const ovr_result_info *info = v->run->info;
     const ovr_variable *variable = ovr_result_find(v->run->result, field->name);
@@ -110,7 +110,7 @@ ovr_status ovr_areal_view_make(ovr_areal_view *v, const ovr_stored *run,
             v->shown = j;
     v->y[info->lines] = v->y[0] + info->width;
     for (int f = 0; !status && f < OVR_AREAL_FIELDS; f++)
-        status = take_field(v, &v->field[f], arena, err);
+        status = prepare_field(v, &v->field[f], arena, err);
     ovr_heading(run, 1, v->heading, sizeof v->heading);
     return status;
 }

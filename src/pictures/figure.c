@@ -278,7 +278,7 @@ static int in_order(const void *a, const void *b)
     return (p->x > q->x) - (p->x < q->x);
 }
 
-static ovr_status take_samples(figure *f, ovr_error *err)
+static ovr_status collect_samples(figure *f, ovr_error *err)
 {
     size_t rows = ovr_table_rows(f->t);
     f->sample = ovr_arena_take(f->arena, rows, sizeof *f->sample, err);
@@ -310,7 +310,8 @@ static ovr_status take_samples(figure *f, ovr_error *err)
 /* ------------------------------------------------------------------- axes */
 
 /* Escapes a name for gnuplot's enhanced text. */
-static void put_plain(char *to, size_t capacity, const char *name, size_t size)
+static void append_plain(char *to, size_t capacity, const char *name,
+                         size_t size)
 {
     size_t used = strlen(to);
     for (size_t i = 0; i < size && used + 5 < capacity; i++) {
@@ -366,15 +367,15 @@ static void title_axis(axis *a, const ovr_table_column *c, size_t size)
     if (!*a->unit)
         snprintf(a->unit, sizeof a->unit, "%s", printed(name.unit));
     if (!c->varied && !strcmp(name.text, c->name))
-        put_plain(a->label, LABEL, c->name, size);
+        append_plain(a->label, LABEL, c->name, size);
     else
-        put_plain(a->label, LABEL, name.text, length);
+        append_plain(a->label, LABEL, name.text, length);
     if (symbol)
         snprintf(a->label + strlen(a->label), LABEL - strlen(a->label), ", %s",
                  symbol);
     if (*a->unit) {
         snprintf(a->label + strlen(a->label), LABEL - strlen(a->label), " (");
-        put_plain(a->label, LABEL, a->unit, strlen(a->unit));
+        append_plain(a->label, LABEL, a->unit, strlen(a->unit));
         snprintf(a->label + strlen(a->label), LABEL - strlen(a->label), ")");
     }
 }
@@ -790,7 +791,7 @@ static ovr_status draw_table(const void *table, const ovr_figure_options *o,
     figure f = {.o = o, .t = table, .arena = arena};
     ovr_status status = choose_columns(&f, err);
     if (!status)
-        status = take_samples(&f, err);
+        status = collect_samples(&f, err);
     return status ? status : draw(&f, err);
 }
 

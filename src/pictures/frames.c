@@ -422,7 +422,7 @@ static ovr_status draw_shot(studio *s, ovr_arena *once, ovr_error *err)
                     : OVR_OK;
 }
 
-static ovr_status ask_frame(studio *s, size_t i, ovr_error *err)
+static ovr_status request_frame(studio *s, size_t i, ovr_error *err)
 {
     char path[OVR_PATH_SIZE], script[OVR_PATH_SIZE];
     ovr_status status = read_frame(s, i, err);
@@ -479,7 +479,7 @@ static ovr_status draw_all(studio *s, bool keep, ovr_error *err)
         if (keep && access(path, F_OK) == 0)
             s->made->kept++;
         else
-            status = ask_frame(s, i, err);
+            status = request_frame(s, i, err);
     }
     return status;
 }
@@ -587,7 +587,7 @@ static ovr_status make(studio *s, ovr_error *err)
     return status;
 }
 
-static ovr_status take_options(studio *s, const ovr_frames_options *given,
+static ovr_status copy_options(studio *s, const ovr_frames_options *given,
                                ovr_error *err)
 {
     ovr_status status = OVR_TAKE(ovr_frames_options, &s->own, given, err);
@@ -611,7 +611,7 @@ ovr_status ovr_frames(ovr_result *const *results, size_t count,
     locale_t before;
     if (!s)
         return OVR_NO_MEMORY;
-    status = take_options(s, options, err);
+    status = copy_options(s, options, err);
     if (status) {
         ovr_arena_release(&arena);
         return status;

@@ -103,7 +103,7 @@ void ovr_text_foreign(ovr_text *t, const char *foreign, ovr_text_rule *put)
 /* Escapes a character for a single-quoted string of gnuplot, in which nothing
  * is expanded. A backtick, which runs a command elsewhere, is replaced as well.
  * So is "]]>", because the SVG terminal writes text as CDATA. */
-static void put_gnuplot(ovr_text *t, const char *character, int bytes)
+static void append_gnuplot(ovr_text *t, const char *character, int bytes)
 {
     bool ends = t->length > 1 && memcmp(t->data + t->length - 2, "]]", 2) == 0;
     if (*character == '\'')
@@ -119,7 +119,7 @@ static void put_gnuplot(ovr_text *t, const char *character, int bytes)
 void ovr_text_gnuplot(ovr_text *t, const char *foreign)
 {
     ovr_text_put(t, "'");
-    ovr_text_foreign(t, foreign, put_gnuplot);
+    ovr_text_foreign(t, foreign, append_gnuplot);
     ovr_text_put(t, "'");
 }
 

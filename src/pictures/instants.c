@@ -71,8 +71,8 @@ static ovr_status choose_passage(const ovr_stored *run, ovr_shot *shot,
     return OVR_OK;
 }
 
-static ovr_status look_through(const ovr_drawing *drawing, double *times,
-                               extremes *e, ovr_error *err)
+static ovr_status scan_snapshots(const ovr_drawing *drawing, double *times,
+                                 extremes *e, ovr_error *err)
 {
     ovr_status status = OVR_OK;
     *e = (extremes){-INFINITY, INFINITY, NAN, NAN, "", ""};
@@ -139,7 +139,7 @@ static ovr_status choose(const ovr_drawing *drawing, double *times,
     size_t fit = OVR_SHOTS / drawing->count, n = 0;
     size_t capacity = fit < 1 ? 1 : fit < CHOSEN ? fit : CHOSEN;
     extremes e;
-    ovr_status status = look_through(drawing, times, &e, err);
+    ovr_status status = scan_snapshots(drawing, times, &e, err);
     if (status != OVR_OK)
         return status;
     replace_nearest(times, e.T_P, e.T_P);

@@ -111,7 +111,7 @@ enum { MAX_NODES = 4000, MAX_STEPS = 4000, MAX_VALUES = 4000000 };
 
 /* --------------------------------------------------------------- escaping */
 
-static void put_json(ovr_text *to, const char *character, int bytes)
+static void append_json(ovr_text *to, const char *character, int bytes)
 {
     if (bytes == 1 && strchr("<>&\"'\\", *character))
         ovr_text_print(to, "\\u%04x", (unsigned)*character);
@@ -119,10 +119,10 @@ static void put_json(ovr_text *to, const char *character, int bytes)
         ovr_text_add(to, character, (size_t)bytes);
 }
 
-static void put_string(ovr_text *to, const char *key, const char *foreign)
+static void append_string(ovr_text *to, const char *key, const char *foreign)
 {
     ovr_text_print(to, "\"%s\":\"", key);
-    ovr_text_foreign(to, foreign, put_json);
+    ovr_text_foreign(to, foreign, append_json);
     ovr_text_put(to, "\",");
 }
 
@@ -169,9 +169,9 @@ static ovr_status find_span(const ovr_view_run *w, const char *name,
     return OVR_OK;
 }
 
-static ovr_status put_levels(ovr_view_run *w, const field *f,
-                             const ovr_levels *l, double *values,
-                             ovr_error *err)
+static ovr_status append_levels(ovr_view_run *w, const field *f,
+                                const ovr_levels *l, double *values,
+                                ovr_error *err)
 {
     uint16_t *level = ovr_arena_take(w->arena, w->nodes * w->shots,
                                      sizeof *level, err);
@@ -192,7 +192,7 @@ static ovr_status put_levels(ovr_view_run *w, const field *f,
     return status;
 }
 
-static ovr_status put_field(ovr_view_run *w, const field *f, ovr_error *err)
+static ovr_status append_field(ovr_view_run *w, const field *f, ovr_error *err)
 {
     double *values = ovr_arena_take(w->arena, w->run->info->nodes,
                                     sizeof *values, err);
@@ -209,10 +209,10 @@ static ovr_status put_field(ovr_view_run *w, const field *f, ovr_error *err)
     else
         levels = ovr_levels_even(f->lie == FROM_ZERO ? fmin(s.low, 0) : s.low,
                                  s.high);
-    return put_levels(w, f, &levels, values, err);
+    return append_levels(w, f, &levels, values, err);
 }
 
-static ovr_status put_fields(ovr_view_run *w, ovr_error *err)
+static ovr_status append_fields(ovr_view_run *w, ovr_error *err)
 {
     static const field fields[] = {
         {"P", "pressure", FROM_ZERO},
@@ -231,7 +231,7 @@ static ovr_status put_fields(ovr_view_run *w, ovr_error *err)
     ovr_status status = OVR_OK;
     for (size_t k = 0; !status && k < sizeof fields / sizeof *fields; k++)
         if (there[k])
-            status = put_field(w, &fields[k], err);
+            status = append_field(w, &fields[k], err);
     return status;
 }
 
@@ -254,7 +254,7 @@ static size_t reduce(double *values, size_t n, size_t bucket, char keep)
 }
 
 /* Writes half-width and pressure of the Hertzian contact for each snapshot. */
-static void put_hertz(ovr_view_run *w)
+static void append_hertz(ovr_view_run *w)
 {
     double *two = ovr_arena_take(w->arena, 2 * w->shots, sizeof *two, NULL);
     if (!w->run->hertz_P || !two)
@@ -266,7 +266,7 @@ static void put_hertz(ovr_view_run *w)
     ovr_text_doubles(w->to, "hertz", two, 2 * w->shots);
 }
 
-static ovr_status put_history(ovr_view_run *w, ovr_error *err)
+static ovr_status append_history(ovr_view_run *w, ovr_error *err)
 {
     static const struct {
         const char *key, *name;
@@ -291,7 +291,7 @@ static ovr_status put_history(ovr_view_run *w, ovr_error *err)
 
 /* ------------------------------------------------------------------ units */
 
-static ovr_status put_axes(ovr_view_run *w, ovr_units units, ovr_error *err)
+static ovr_status append_axes(ovr_view_run *w, ovr_units units, ovr_error *err)
 {
     const ovr_stored *run = w->run;
     const struct {
@@ -310,24 +310,24 @@ static ovr_status put_axes(ovr_view_run *w, ovr_units units, ovr_error *err)
         if (status != OVR_OK)
             return status;
         ovr_text_print(w->to, "\"%c\":{\"f\":%.17g,", axes[k].key, a.factor);
-        put_string(w->to, "unit", a.unit);
-        put_string(w->to, "name", a.plain);
+        append_string(w->to, "unit", a.unit);
+        append_string(w->to, "name", a.plain);
         ovr_text_put(w->to, "\"kind\":0},");
     }
     ovr_text_put(w->to, "\"end\":0}");
     return OVR_OK;
 }
 
-static ovr_status put_units(ovr_view_run *w, ovr_error *err)
+static ovr_status append_units(ovr_view_run *w, ovr_error *err)
 {
     const ovr_result_info *i = w->run->info;
     bool scales = i->b > 0 && i->ph > 0 && i->height > 0 && i->time > 0;
     ovr_status status;
     ovr_text_put(w->to, "\"units\":[");
-    status = put_axes(w, OVR_HERTZIAN, err);
+    status = append_axes(w, OVR_HERTZIAN, err);
     if (status == OVR_OK && scales) {
         ovr_text_put(w->to, ",");
-        status = put_axes(w, OVR_SI, err);
+        status = append_axes(w, OVR_SI, err);
     }
     ovr_text_put(w->to, "]}");
     return status;
@@ -335,7 +335,7 @@ static ovr_status put_units(ovr_view_run *w, ovr_error *err)
 
 /* ------------------------------------------------------------------- runs */
 
-static void put_about(ovr_view_run *w)
+static void append_about(ovr_view_run *w)
 {
     const ovr_result_info *i = w->run->info;
     ovr_text_print(w->to, "\"about\":\"M = %.4g, L = %.4g", i->M, i->L);
@@ -356,24 +356,24 @@ static void choose(ovr_view_run *w)
     w->shots = (i->snapshots - 1) / w->every + 1;
 }
 
-static void put_answer(void *view, const char *name, const char *text)
+static void append_answer(void *view, const char *name, const char *text)
 {
     ovr_view_run *w = view;
     ovr_text_put(w->to, "{");
-    put_string(w->to, "name", name);
-    put_string(w->to, "text", text);
+    append_string(w->to, "name", name);
+    append_string(w->to, "text", text);
     ovr_text_put(w->to, "\"kind\":0},");
 }
 
 /* Writes the numbers of a gear pair, cam or bearing. */
-static void put_answers(ovr_view_run *w)
+static void append_answers(ovr_view_run *w)
 {
     ovr_text_put(w->to, "\"answers\":[");
-    ovr_result_answers(w->run->result, put_answer, w);
+    ovr_result_answers(w->run->result, append_answer, w);
     ovr_text_put(w->to, "0],");
 }
 
-static ovr_status put_run(ovr_view_run *w, ovr_error *err)
+static ovr_status append_run(ovr_view_run *w, ovr_error *err)
 {
     double *x, *times;
     ovr_status status;
@@ -387,16 +387,16 @@ static ovr_status put_run(ovr_view_run *w, ovr_error *err)
     for (size_t k = 0; k < w->shots; k++)
         times[k] = w->run->times[k * w->every];
     ovr_text_put(w->to, "{");
-    put_string(w->to, "name", w->run->name);
-    put_about(w);
-    put_answers(w);
+    append_string(w->to, "name", w->run->name);
+    append_about(w);
+    append_answers(w);
     ovr_view_element(w);
     ovr_text_print(w->to, "\"nodes\":%zu,\"snapshots\":%zu,", w->nodes,
                    w->shots);
     ovr_text_doubles(w->to, "x", x, w->nodes);
     ovr_text_doubles(w->to, "time", times, w->shots);
-    put_hertz(w);
-    status = put_fields(w, err);
+    append_hertz(w);
+    status = append_fields(w, err);
     if (status == OVR_OK)
         status = ovr_view_areal(w, err);
     if (status == OVR_OK)
@@ -404,9 +404,9 @@ static ovr_status put_run(ovr_view_run *w, ovr_error *err)
     if (status == OVR_OK)
         status = ovr_view_material(w, err);
     if (status == OVR_OK)
-        status = put_history(w, err);
+        status = append_history(w, err);
     if (status == OVR_OK)
-        status = put_units(w, err);
+        status = append_units(w, err);
     return status;
 }
 
@@ -424,7 +424,7 @@ static ovr_status view_data(ovr_text *to, const ovr_stored *runs, size_t count,
         if (k > 0)
             ovr_text_put(to, ",");
         w.run = &runs[k];
-        status = put_run(&w, err);
+        status = append_run(&w, err);
     }
     ovr_text_print(to,
                    "],\"precision\":\"Values in this page are rounded: "
@@ -446,7 +446,7 @@ static ovr_status view_data(ovr_text *to, const ovr_stored *runs, size_t count,
 /* The page: page.html with the data of the runs as JSON. Everything from a file
  * is escaped when written, so that it cannot close an element. */
 
-static void put_html(ovr_text *to, const char *character, int bytes)
+static void append_html(ovr_text *to, const char *character, int bytes)
 {
     switch (*character) {
     case '<': ovr_text_put(to, "&lt;"); break;
@@ -479,7 +479,7 @@ static ovr_status write_page(ovr_text *page, const char *title,
             ovr_text_add(page, data->data, data->length);
             at += strlen("@DATA@");
         } else if (name < end) {
-            ovr_text_foreign(page, title, put_html);
+            ovr_text_foreign(page, title, append_html);
             at += strlen("@TITLE@");
         }
     }

@@ -90,7 +90,7 @@ static ovr_status find_levels(const maps *m, int f, ovr_levels *levels,
     return OVR_OK;
 }
 
-static ovr_status put_map(const maps *m, int f, ovr_error *err)
+static ovr_status append_map(const maps *m, int f, ovr_error *err)
 {
     const ovr_view_run *w = m->view;
     size_t cells = m->columns * m->rows;
@@ -149,7 +149,7 @@ ovr_status ovr_view_areal(const ovr_view_run *view, ovr_error *err)
     ovr_text_doubles(view->to, "x", x, m.columns);
     ovr_text_doubles(view->to, "y", y, m.rows);
     for (int f = 0; !status && f < MAPS; f++)
-        status = put_map(&m, f, err);
+        status = append_map(&m, f, err);
     if (m.stride > 1 || m.every > 1)
         ovr_text_print(view->to,
                        "\"coarser\":\"maps have every node of %zu along x and "
@@ -165,7 +165,7 @@ ovr_status ovr_view_areal(const ovr_view_run *view, ovr_error *err)
 /* Panels and curves of an element's figure, as drawn by pictures_page.js. */
 
 /* Writes a curve. Labels and letters need no escaping. */
-static void put_curve(ovr_text *to, const ovr_series *s, ovr_arena *arena)
+static void append_curve(ovr_text *to, const ovr_series *s, ovr_arena *arena)
 {
     double *xy = ovr_arena_take(arena, 2 * s->n, sizeof *xy, NULL);
     if (!xy)
@@ -185,7 +185,7 @@ static void put_curve(ovr_text *to, const ovr_series *s, ovr_arena *arena)
     ovr_text_put(to, "\"kind\":0},");
 }
 
-static void put_panel(ovr_text *to, const ovr_panel *p, ovr_arena *arena)
+static void append_panel(ovr_text *to, const ovr_panel *p, ovr_arena *arena)
 {
     ovr_text_print(to,
                    "{\"xName\":\"%s\",\"yName\":\"%s\",\"x0\":%.9g,\"x1\":%.9g,"
@@ -193,12 +193,12 @@ static void put_panel(ovr_text *to, const ovr_panel *p, ovr_arena *arena)
                    p->x_label, p->y_label, p->x_from, p->x_to, p->y_from,
                    p->y_to, p->equal);
     for (size_t k = 0; k < p->count; k++)
-        put_curve(to, &p->series[k], arena);
+        append_curve(to, &p->series[k], arena);
     ovr_text_put(to, "0]}");
 }
 
-static void put_figure(ovr_text *to, const ovr_element_figure *f,
-                       double seconds, ovr_arena *arena)
+static void append_figure(ovr_text *to, const ovr_element_figure *f,
+                          double seconds, ovr_arena *arena)
 {
     ovr_text_put(to, "\"element\":{");
     ovr_text_doubles(to, "at", f->at, f->points);
@@ -210,7 +210,7 @@ static void put_figure(ovr_text *to, const ovr_element_figure *f,
                    f->unit, f->begin, seconds);
     for (size_t k = 0; k < f->panels; k++) {
         ovr_text_put(to, k ? "," : "");
-        put_panel(to, &f->panel[k], arena);
+        append_panel(to, &f->panel[k], arena);
     }
     ovr_text_put(to, "]},");
 }
@@ -225,7 +225,7 @@ void ovr_view_element(const ovr_view_run *view)
     if (!setup)
         return;
     if (!ovr_element_draw(setup, NULL, arena, figure, &err))
-        put_figure(view->to, figure, view->run->info->time, arena);
+        append_figure(view->to, figure, view->run->info->time, arena);
     ovr_setup_free(setup);
     ovr_case_free(c);
 }

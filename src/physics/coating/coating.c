@@ -414,8 +414,8 @@ static ovr_status on_mesh(const ovr_physics_case *of, void *form, double mesh,
     return OVR_OK;
 }
 
-static void tell_layer(const ovr_physics_case *of, const coating_form *f, int k,
-                       int j, ovr_physics_line *line, void *data)
+static void report_layer(const ovr_physics_case *of, const coating_form *f,
+                         int k, int j, ovr_physics_line *line, void *data)
 {
     double t = f->coat[k][j].thickness;
     const ovr_options *o = of->options;
@@ -433,14 +433,14 @@ static void tell_layer(const ovr_physics_case *of, const coating_form *f, int k,
     line(data, name, text);
 }
 
-static void tell(const ovr_physics_case *of, const void *form,
-                 ovr_physics_line *line, void *data)
+static void report(const ovr_physics_case *of, const void *form,
+                   ovr_physics_line *line, void *data)
 {
     const coating_form *f = form;
     char text[200];
     for (int k = 0; k < 2; k++)
         for (int j = 0; j < f->body[k].layers; j++)
-            tell_layer(of, f, k, j, line, data);
+            report_layer(of, f, k, j, line, data);
     snprintf(text, sizeof text,
              "E' %.4g GPa, substrates %.4g GPa; relative error of the "
              "compliance %.1g",
@@ -459,8 +459,8 @@ typedef struct coating {
     ovr_image_sum sum;
 } coating;
 
-static ovr_status take(ovr_simulation *sim, const void *form, void **own,
-                       ovr_error *err)
+static ovr_status create(ovr_simulation *sim, const void *form, void **own,
+                         ovr_error *err)
 {
     coating *c = ovr_arena_take(&sim->arena, 1, sizeof *c, err);
     if (!c)
@@ -573,11 +573,11 @@ static const ovr_physics_in_case in_case = {.node_seconds = 5e-8,
                                             .resolve = resolve,
                                             .layers = layers,
                                             .says = says,
-                                            .tell = tell,
+                                            .tell = report,
                                             .on_mesh = on_mesh};
 
 static const ovr_physics_in_solve in_solve = {
-    .take = take, .influence = influence, .warmth = warmth};
+    .take = create, .influence = influence, .warmth = warmth};
 
 static const ovr_physics_in_output in_output = {.companion = &companion};
 

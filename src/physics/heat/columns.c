@@ -31,7 +31,7 @@ ovr_status ovr_heat_film_take(ovr_simulation *sim, ovr_error *err)
 /* Flow from a pressurized node to the cavitated node downstream, divided by the
  * speed. (The pressurized node's own content would jump by O(D) when the last
  * node changes, and the outer iteration could alternate between two nodes.) */
-static double let_through(const ovr_simulation *sim, size_t wet)
+static double outflow_content(const ovr_simulation *sim, size_t wet)
 {
     const double minimum = 0.5, maximum = 1.5;
     const ovr_heated *h = sim->heated;
@@ -58,7 +58,7 @@ static void fill_oil(ovr_simulation *sim)
         if (now->P[i] > 0)
             continue;
         if (k > 0 && now->P[before] > 0)
-            left = let_through(sim, before);
+            left = outflow_content(sim, before);
         if (conserves) /* density 1 */
             h->content[i] = h->oil[i] = ovr_larger(1e-6, now->q[i]);
         else if (left < now->q[i]) {

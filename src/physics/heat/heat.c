@@ -36,8 +36,8 @@ static ovr_status check(const ovr_simulation *sim, ovr_error *err)
                               err);
 }
 
-static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
-                              ovr_error *err)
+static ovr_status allocate_arrays(ovr_simulation *sim, ovr_heated *h,
+                                  ovr_error *err)
 {
     OVR_TAKE_NODES(sim, err, &h->q[0], &h->q[1], &h->mean, &h->t, &h->drag,
                    &h->th, &h->shift, &h->swell, &h->start_P, &h->start_q);
@@ -55,8 +55,8 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_heated *h,
     return ovr_arena_status(&sim->arena);
 }
 
-static ovr_status take_heat(ovr_simulation *sim, const void *form, void **own,
-                            ovr_error *err)
+static ovr_status create_heat(ovr_simulation *sim, const void *form, void **own,
+                              ovr_error *err)
 {
     const ovr_heat *heat = form;
     const ovr_lubricant *oil = &sim->lubricant;
@@ -75,7 +75,7 @@ static ovr_status take_heat(ovr_simulation *sim, const void *form, void **own,
     h->chooses = numbers.points == 0;
     ovr_cross_film_make(h->chooses ? OVR_CROSS_FILM_MAX : numbers.points,
                         &h->cross_film);
-    if (take_arrays(sim, h, err))
+    if (allocate_arrays(sim, h, err))
         return OVR_NO_MEMORY;
     *own = sim->heated = h;
     sim->physics.features |= ovr_model_feature_bit(OVR_MODEL_HEAT, true);
@@ -650,7 +650,7 @@ static const ovr_physics_in_case in_case = {.node_seconds = 5e-7,
                                             .lag = 0.05,
                                             .tell = describe};
 
-static const ovr_physics_in_solve in_solve = {.take = take_heat,
+static const ovr_physics_in_solve in_solve = {.take = create_heat,
                                               .before_start = before_start,
                                               .forget = forget,
                                               .couple = couple,

@@ -252,7 +252,7 @@ static void apply(ovr_simulation *sim)
 }
 
 /* Extrapolates the temperatures used by their change in the previous step. */
-static void foresee(ovr_simulation *sim)
+static void extrapolate_used(ovr_simulation *sim)
 {
     const double maximum = 0.15;
     ovr_heated *h = sim->heated;
@@ -276,7 +276,7 @@ void ovr_heat_try(ovr_simulation *sim, void *own, bool corrected)
     swap_trial(h);
     h->steps->passes = PASSES;
     solve(sim);
-    foresee(sim);
+    extrapolate_used(sim);
     apply(sim);
 }
 
@@ -284,7 +284,7 @@ void ovr_heat_try(ovr_simulation *sim, void *own, bool corrected)
  * much since the last temperature solve. The second condition increases the
  * cycles for a hot dent from 572 to 675 (level 7) and reduces the error of the
  * central film thickness from 8.7e-4 to 1.9e-4. */
-static bool is_otherwise(const ovr_simulation *sim)
+static bool is_inconsistent(const ovr_simulation *sim)
 {
     const double enough = 0.15, far = 3e-4 /* ph */;
     const ovr_heat_steps *s = sim->heated->steps;
@@ -300,7 +300,7 @@ void ovr_heat_anew(ovr_simulation *sim, void *own)
                      */
         return;
     ovr_simulation_read(sim);
-    if (s->passes > 0 && is_otherwise(sim)) {
+    if (s->passes > 0 && is_inconsistent(sim)) {
         s->passes--;
         solve(sim);
         apply(sim);
@@ -312,7 +312,7 @@ void ovr_heat_anew(ovr_simulation *sim, void *own)
 
 /* True if the compression heating of the final film differs from that of the
  * guess by more than this fraction of the total power. */
-static bool pressed_otherwise(const ovr_simulation *sim)
+static bool has_other_compression(const ovr_simulation *sim)
 {
     const double share = 0.02;
     const ovr_heated *h = sim->heated;
@@ -332,7 +332,7 @@ void ovr_heat_taken(ovr_simulation *sim, void *own, double dT)
     ovr_heated *h = own;
     ovr_heat_steps *s = h->steps;
     (void)dT;
-    if (pressed_otherwise(sim))
+    if (has_other_compression(sim))
         heat(sim);
     for (int k = 0; k < 2; k++)
         ovr_heat_surface_store(sim, k, h->q[k]);

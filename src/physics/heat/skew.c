@@ -200,7 +200,7 @@ static void add_wedge_from_right(const ovr_simulation *sim, double *F)
     }
 }
 
-static void put_right_side(ovr_simulation *sim)
+static void set_right_side(ovr_simulation *sim)
 {
     double *F = ovr_work_take(sim);
     sides(sim, F);
@@ -212,7 +212,7 @@ static void put_right_side(ovr_simulation *sim)
 
 /* Transfers s to all grids by injection, with the sign of a wedge along the
  * grid. */
-static void put_rows(ovr_simulation *sim)
+static void set_rows(ovr_simulation *sim)
 {
     const ovr_heated *h = sim->heated;
     const double sign = is_explicit(sim) ? 0 : sim->histories.mirrored ? -1 : 1;
@@ -233,8 +233,8 @@ static void put_rows(ovr_simulation *sim)
 
 void ovr_heat_skew_give(ovr_simulation *sim)
 {
-    put_rows(sim);
-    put_right_side(sim);
+    set_rows(sim);
+    set_right_side(sim);
 }
 
 /* With the wedge of s q' on the right-hand side, a stiff film responds with a
@@ -251,6 +251,6 @@ bool ovr_heat_skew_follow(ovr_simulation *sim)
         h->skewed[i] += on_right ? change / (1 + ovr_larger(s, 0)) : change;
     }
     if (on_right)
-        put_right_side(sim);
+        set_right_side(sim);
     return on_right;
 }

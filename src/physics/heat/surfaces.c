@@ -7,7 +7,7 @@
 #include "physics/heat/in_time.h"
 #include "simulation/physics.h"
 
-static double *take(ovr_simulation *sim, size_t count, ovr_error *err)
+static double *allocate(ovr_simulation *sim, size_t count, ovr_error *err)
 {
     return ovr_arena_take(&sim->arena, count, sizeof(double), err);
 }
@@ -66,18 +66,18 @@ ovr_status ovr_heat_surface_take(ovr_simulation *sim, int k, ovr_error *err)
     s->beyond = (size_t)fmin(ovr_solid_beyond(heat, k, u, D) / D, (double)n);
     N = n + 2 * s->beyond;
     for (int a = 0; a < OVR_HEAT_WORKSPACES; a++)
-        s->workspace[a] = take(sim, N, err);
+        s->workspace[a] = allocate(sim, N, err);
     for (int b = 0; b < banks_of(sim, k); b++)
-        s->psi[b] = take(sim, N * OVR_MODES, err);
+        s->psi[b] = allocate(sim, N * OVR_MODES, err);
     if (banks_of(sim, k) > 1) {
-        s->none = take(sim, N, err);
-        s->bank = take(sim, N, err);
-        s->unused = take(sim, N, err);
+        s->none = allocate(sim, N, err);
+        s->bank = allocate(sim, N, err);
+        s->unused = allocate(sim, N, err);
     }
-    s->next = take(sim, N * OVR_MODES, err);
-    s->before = take(sim, N, err);
-    s->past = take(sim, n, err);
-    s->along = take(sim, n, err);
+    s->next = allocate(sim, N * OVR_MODES, err);
+    s->before = allocate(sim, N, err);
+    s->past = allocate(sim, n, err);
+    s->along = allocate(sim, n, err);
     return ovr_arena_status(&sim->arena);
 }
 
@@ -190,35 +190,37 @@ static ovr_departures departures_of(const ovr_simulation *sim,
     return ovr_departures_of(sim->now.n + 2 * s->beyond, s->meshes);
 }
 
-static void look_at(ovr_simulation *sim, ovr_heat_surface *s, int bank,
-                    const double *q, double *past, double *before)
+static void sum_modes_of(ovr_simulation *sim, ovr_heat_surface *s, int bank,
+                         const double *q, double *past, double *before)
 {
     const ovr_departures departures = departures_of(sim, s);
-    const ovr_modes_look look = {.run = sim->grids.kernels,
-                                 .departures = &departures,
-                                 .spread = &s->spread[bank],
-                                 .dT = s->memory.dT,
-                                 .more = {s->memory.more[0], s->memory.more[1]},
-                                 .weight = s->memory.weight + bank * OVR_MODES,
-                                 .psi = s->psi[bank],
-                                 .q = q,
-                                 .workspace = s->workspace[2],
-                                 .fields = s->next,
-                                 .past = past,
-                                 .before = before};
-    ovr_modes_past(&look);
+    const ovr_modes_look sum_past = {
+        .run = sim->grids.kernels,
+        .departures = &departures,
+        .spread = &s->spread[bank],
+        .dT = s->memory.dT,
+        .more = {s->memory.more[0], s->memory.more[1]},
+        .weight = s->memory.weight + bank * OVR_MODES,
+        .psi = s->psi[bank],
+        .q = q,
+        .workspace = s->workspace[2],
+        .fields = s->next,
+        .past = past,
+        .before = before};
+    ovr_modes_past(&sum_past);
 }
 
 /* Computes the contribution of the past at the nodes; copies the previous q to
  * `before`. */
-static const double *look(ovr_simulation *sim, ovr_heat_surface *s,
-                          const double *q)
+static const double *sum_past(ovr_simulation *sim, ovr_heat_surface *s,
+                              const double *q)
 {
     double *past = s->workspace[1];
     size_t N = sim->now.n + 2 * s->beyond;
-    look_at(sim, s, 0, longer(sim, s, q, s->workspace[0]), past, s->before);
+    sum_modes_of(sim, s, 0, longer(sim, s, q, s->workspace[0]), past,
+                 s->before);
     if (s->memory.banks > 1) {
-        look_at(sim, s, 1, s->none, s->bank, s->unused);
+        sum_modes_of(sim, s, 1, s->none, s->bank, s->unused);
         for (size_t i = 0; i < N; i++)
             past[i] += s->bank[i];
     }
@@ -228,7 +230,7 @@ static const double *look(ovr_simulation *sim, ovr_heat_surface *s,
 void ovr_heat_surface_predict(ovr_simulation *sim, int k, const double *q)
 {
     ovr_heat_surface *s = &sim->heated->steps->surface[k];
-    memcpy(s->past, look(sim, s, q), sim->now.n * sizeof *q);
+    memcpy(s->past, sum_past(sim, s, q), sim->now.n * sizeof *q);
 }
 
 void ovr_heat_surface_store(ovr_simulation *sim, int k, const double *q)
@@ -256,7 +258,7 @@ void ovr_heat_surface_store(ovr_simulation *sim, int k, const double *q)
 
 /* along <- K q - K_march q; `past` contains K q except for the instantaneous
  * part. */
-static void put_along(ovr_simulation *sim, int k, const double *past)
+static void set_along(ovr_simulation *sim, int k, const double *past)
 {
     const ovr_heated *h = sim->heated;
     const ovr_heat_surface *s = &h->steps->surface[k];
@@ -287,7 +289,7 @@ void ovr_heat_surface_steady(ovr_simulation *sim, int k)
                          h->way[k] * fabs(u), h->memory[k].rate + b * OVR_MODES,
                          s->workspace[0], s->psi[b]);
     ovr_heat_surface_step(sim, k, D, u);
-    put_along(sim, k, look(sim, s, h->q[k]));
+    set_along(sim, k, sum_past(sim, s, h->q[k]));
 }
 
 void ovr_heat_steps_keep(const ovr_simulation *sim, int surface, size_t i,

@@ -41,8 +41,8 @@ typedef struct boundary {
 
 /* --------------------------------------------------------------- simulation */
 
-static ovr_status take(ovr_simulation *sim, const void *form, void **own,
-                       ovr_error *err)
+static ovr_status create(ovr_simulation *sim, const void *form, void **own,
+                         ovr_error *err)
 {
     boundary *b = ovr_arena_take(&sim->arena, 1, sizeof *b, err);
     if (!b)
@@ -240,7 +240,7 @@ static void read_borne(ovr_simulation *sim, boundary *b)
     ovr_nodes_read(sim, sim->finest, sim->finest->borne, b->A);
 }
 
-static void see(ovr_simulation *sim, boundary *b)
+static void record_film(ovr_simulation *sim, boundary *b)
 {
     double borne = 0;
     read_borne(sim, b);
@@ -254,7 +254,7 @@ static void begin(ovr_simulation *sim, void *own)
 {
     boundary *b = own;
     if (b->wear)
-        see(sim, b);
+        record_film(sim, b);
 }
 
 static void before_step(ovr_simulation *sim, void *own, double T)
@@ -271,7 +271,7 @@ static void taken(ovr_simulation *sim, void *own, double dT)
     if (!b->wear)
         return;
     ovr_wear_taken(b->wear);
-    see(sim, b);
+    record_film(sim, b);
 }
 
 static bool over(const ovr_simulation *sim, const void *own)
@@ -655,7 +655,7 @@ static const ovr_physics_in_case in_case = {.node_seconds = 7e-7,
                                             .keeps = ovr_boundary_keeps,
                                             .tell = ovr_boundary_describe};
 
-static const ovr_physics_in_solve in_solve = {.take = take,
+static const ovr_physics_in_solve in_solve = {.take = create,
                                               .forget = forget,
                                               .solve = solve,
                                               .begin = begin,

@@ -164,9 +164,9 @@ static ovr_status resolve_summits(const ovr_physics_case *of,
 
 /* At the pressure of zero gap the contact area fraction is 1, as in the
  * exponential model. */
-static ovr_status take_points(const ovr_physics_case *of,
-                              const ovr_two_columns *c, ovr_boundary_form *f,
-                              ovr_error *err)
+static ovr_status set_points(const ovr_physics_case *of,
+                             const ovr_two_columns *c, ovr_boundary_form *f,
+                             ovr_error *err)
 {
     ovr_asperity_table *t = &f->bears.table;
     double maximum, slope;
@@ -205,7 +205,7 @@ static ovr_status resolve_table(const ovr_physics_case *of,
                               "with dimensions; set radius, modulus and alpha");
     if (of->read(of->data, "file", f->file, &c, err))
         return err->status;
-    return take_points(of, &c, f, err);
+    return set_points(of, &c, f, err);
 }
 
 static bool is_rough(const ovr_feature_form *feature)

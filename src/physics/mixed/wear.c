@@ -251,8 +251,8 @@ static ovr_status save(const ovr_accompanied_run *run, const ovr_wear *wear,
     return status;
 }
 
-static ovr_status put_group(ovr_writer *writer, const ovr_wear *wear,
-                            const double *x, ovr_error *err)
+static ovr_status write_group(ovr_writer *writer, const ovr_wear *wear,
+                              const double *x, ovr_error *err)
 {
     ovr_group_array array[PROFILES];
     const ovr_group_axis along = {"profile_x", "position along the profiles",
@@ -282,7 +282,7 @@ static ovr_status finish(void *own, const ovr_accompanied_run *run,
     double *x = places(run, &wear->pair, err);
     ovr_status status = x ? OVR_OK : OVR_NO_MEMORY;
     if (!status && run->writer)
-        status = put_group(run->writer, wear, x, err);
+        status = write_group(run->writer, wear, x, err);
     for (int k = 0; !status && k < PROFILES; k++)
         if (wear->now.z[k / 2])
             status = save(run, wear, x, k, err);

@@ -189,8 +189,8 @@ static bool find_places(const material *m, size_t shots, size_t every,
 }
 
 /* Writes the values of the layer and point that contain each cell. */
-static ovr_status put_material_map(ovr_text *to, const material *m, size_t map,
-                                   ovr_error *err)
+static ovr_status write_material_map(ovr_text *to, const material *m,
+                                     size_t map, ovr_error *err)
 {
     const ovr_material_group *in = &m->in;
     const double *v = ovr_material_read(in, material_maps[map].array,
@@ -248,7 +248,7 @@ ovr_status ovr_view_material(const ovr_view_run *view, ovr_error *err)
     ovr_status status = OVR_OK;
     for (size_t map = 0;
          !status && map < sizeof material_maps / sizeof *material_maps; map++)
-        status = put_material_map(to, &m, map, err);
+        status = write_material_map(to, &m, map, err);
     ovr_text_put(to, "]},");
     return status;
 }

@@ -168,7 +168,7 @@ static void show(const ovr_plastic *p, int k)
 
 /* Restores the stored state; if the profile changes only between passes, that
  * of an earlier run is kept. */
-static void go_back(ovr_plastic *p, int k, bool profile)
+static void restore(ovr_plastic *p, int k, bool profile)
 {
     ovr_yielding_body *b = &p->body[k];
     size_t a = STATE * b->points;
@@ -202,7 +202,7 @@ static ovr_status make_ready(ovr_plastic *p, const ovr_simulation *sim,
             (p->how->initial &&
              ovr_plastic_read(p->how->initial, p, &p->body[k], err)))
             return err ? err->status : OVR_BAD_INPUT;
-        go_back(p, k, true);
+        restore(p, k, true);
     }
     return OVR_OK;
 }
@@ -249,7 +249,7 @@ static bool nodes_within(const ovr_yielding_body *b, const ovr_stress_row *row,
 }
 
 /* True if any point of the layer is close to yield. */
-static bool comes_near(const ovr_yielding_body *b, size_t j, place at)
+static bool is_near_yield(const ovr_yielding_body *b, size_t j, place at)
 {
     const double near = 0.95;
     ovr_stress_row row = ovr_stress_at(b->field, j);
@@ -318,7 +318,7 @@ static void flow(ovr_plastic *p, int k, double T)
     ovr_stress_solve(b->field, p->P, b->Q, at.shift, OVR_STRESS_ALL_LEVELS);
     for (size_t j = 0; j < b->layers; j++) {
         ovr_layer_load *load = ovr_yielding_load(b->y, j);
-        load->idle = !comes_near(b, j, at) || load_layer(b, j, at, load);
+        load->idle = !is_near_yield(b, j, at) || load_layer(b, j, at, load);
         any = any || !load->idle;
     }
     if (!any)
@@ -369,7 +369,7 @@ static void before_back(ovr_simulation *sim, void *own)
     (void)sim;
     EACH_BODY(p, k)
     if (p->body[k].changed)
-        go_back(p, k, !p->how->once);
+        restore(p, k, !p->how->once);
     p->fresh = false;
 }
 
@@ -523,7 +523,7 @@ static void restored(ovr_simulation *sim, void *own)
     ovr_plastic *p = own;
     (void)sim;
     EACH_BODY(p, k)
-    go_back(p, k, !p->how->once);
+    restore(p, k, !p->how->once);
     p->fresh = false;
 }
 
@@ -539,8 +539,8 @@ static void release(void *own)
     ovr_arena_release(&p->arena);
 }
 
-static ovr_status take(ovr_simulation *sim, const void *form, void **own,
-                       ovr_error *err)
+static ovr_status create(ovr_simulation *sim, const void *form, void **own,
+                         ovr_error *err)
 {
     ovr_plastic *p = ovr_arena_take(&sim->arena, 1, sizeof *p, err);
     if (!p)
@@ -601,7 +601,7 @@ static const ovr_physics_in_case in_case = {.section = &ovr_plastic_section,
                                             .seconds = ovr_plastic_seconds};
 
 static const ovr_physics_in_solve in_solve = {
-    .take = take, .release = release, .heights = heights};
+    .take = create, .release = release, .heights = heights};
 
 static const ovr_physics_in_step in_step = {.before_step = before_step,
                                             .taken = taken,

@@ -33,7 +33,7 @@ struct ovr_follower {
     pthread_cond_t changed;
 };
 
-static void take(ovr_material_history *p, const posted *m)
+static void process(ovr_material_history *p, const posted *m)
 {
     if (m->part == OVR_POST_BEGIN)
         ovr_material_history_begin(p, m->P, m->Q, &m->moment);
@@ -53,7 +53,7 @@ static void *follow(void *data)
         if (!f->count)
             break;
         pthread_mutex_unlock(&f->mutex);
-        take(f->history, &f->ring[f->first]);
+        process(f->history, &f->ring[f->first]);
         pthread_mutex_lock(&f->mutex);
         f->first = (f->first + 1) % RING;
         f->count--;
@@ -106,7 +106,7 @@ void ovr_follower_post(ovr_follower *f, ovr_post part, const double *P,
     if (f->threaded)
         f->count++;
     else
-        take(f->history, m);
+        process(f->history, m);
     pthread_cond_broadcast(&f->changed);
     pthread_mutex_unlock(&f->mutex);
 }

@@ -24,7 +24,7 @@ static const double min_meshes = 8, deepest = 2.5, shown = 1.5;
 
 /* Copies the residual stress table of the case, whose lifetime is that of its
  * setup. */
-static void take_residuals(ovr_depth_field *f, const ovr_stress_setup *s,
+static void copy_residuals(ovr_depth_field *f, const ovr_stress_setup *s,
                            ovr_arena *arena)
 {
     size_t n = s->residuals;
@@ -51,7 +51,7 @@ static void read_body(ovr_depth_field *f, int surface, ovr_arena *arena)
         f->poisson = ovr_setup_stress(setup)->poisson[surface - 1];
         f->residual_x = ovr_setup_stress(setup)->residual_x;
         f->residual_y = ovr_setup_stress(setup)->residual_y;
-        take_residuals(f, ovr_setup_stress(setup), arena);
+        copy_residuals(f, ovr_setup_stress(setup), arena);
         f->shear = surface == 1 ? "shear_stress_1" : "shear_stress_2";
         if (ovr_setup_stress(setup)->traction &&
             ovr_result_find(f->run->result, f->shear))
@@ -106,7 +106,7 @@ static ovr_status choose_nodes(ovr_depth_field *f, ovr_arena *arena,
 
 /* Interpolates values linearly from the file's nodes to the chosen nodes, in
  * place. */
-static void put_even(const ovr_depth_field *f, double *values)
+static void interpolate_to_even(const ovr_depth_field *f, double *values)
 {
     const double *x = f->run->x;
     size_t last = f->run->info->nodes - 1, i = 0;
@@ -127,13 +127,13 @@ static ovr_status read_loads(ovr_depth_field *f, size_t k, ovr_error *err)
     ovr_status status = ovr_result_snapshot(result, "pressure", k, OVR_HERTZIAN,
                                             f->P, err);
     if (!status)
-        put_even(f, f->P);
+        interpolate_to_even(f, f->P);
     if (status || f->traction == 0)
         return status;
     status = ovr_result_snapshot(result, f->shear, k, OVR_HERTZIAN, f->Q, err);
     for (size_t i = 0; i < f->run->info->nodes; i++)
         f->Q[i] *= f->traction;
-    put_even(f, f->Q);
+    interpolate_to_even(f, f->Q);
     return status;
 }
 
@@ -167,7 +167,7 @@ ovr_status ovr_depth_field_solve(ovr_depth_field *f, size_t k, ovr_error *err)
 
 /* The colour scale ends at the maximum of the run, limited relative to that of
  * a smooth contact, so that a single instant does not determine the scale. */
-static ovr_status look_through(ovr_depth_field *f, ovr_error *err)
+static ovr_status scan_snapshots(ovr_depth_field *f, ovr_error *err)
 {
     const ovr_result_info *info = f->run->info;
     double maximum = 0;
@@ -230,7 +230,7 @@ ovr_status ovr_depth_field_make(ovr_depth_field *f, const ovr_stored *run,
     if (ovr_arena_status(arena))
         return OVR_NO_MEMORY;
     f->stress = ovr_stress_create(&o, &arena->allocator, err);
-    return f->stress ? look_through(f, err) : OVR_BAD_INPUT;
+    return f->stress ? scan_snapshots(f, err) : OVR_BAD_INPUT;
 }
 
 void ovr_depth_field_free(ovr_depth_field *f)
@@ -306,8 +306,8 @@ static double drawn_depth(const ovr_depth_field *f, double z, double factor)
 }
 
 /* Contours every 0.1 or 0.2, and at the maximum of the smooth contact. */
-static void put_contours(const ovr_depth_field *f, ovr_image *image, char *thin,
-                         char *bold, size_t capacity)
+static void write_contours(const ovr_depth_field *f, ovr_image *image,
+                           char *thin, char *bold, size_t capacity)
 {
     bool both = image->from < 0;
     double step = f->high > 0.6 ? 0.2 : 0.1;
@@ -362,7 +362,7 @@ static void turn_over(double *cells)
 }
 
 /* Label such as "normal stress, sigma_x (p_h)", with the markup of gnuplot. */
-static void put_label(const ovr_depth_field *f, char *label, size_t capacity)
+static void write_label(const ovr_depth_field *f, char *label, size_t capacity)
 {
     static const char *const names[][2] = {
         {"max_shear", "maximum shear stress"},
@@ -429,9 +429,9 @@ ovr_status ovr_depth_field_panel(ovr_depth_field *f, ovr_units units,
     turn_over(f->cells);
     *panel = (ovr_panel){0};
     set_axes(f, &x, depth, 80, panel);
-    put_label(f, label, 80);
+    write_label(f, label, 80);
     panel->image = image_of(f, f->worst.value, label);
-    put_contours(f, &panel->image, levels, levels + CAPACITY, CAPACITY);
+    write_contours(f, &panel->image, levels, levels + CAPACITY, CAPACITY);
     add_line(panel, arena, drawn_depth(f, f->minimum, x.factor),
              OVR_MARK_DOTTED);
     for (int j = 0; j < f->coated.body.layers; j++) {

@@ -172,7 +172,7 @@ static ovr_status fill(sheet *s, size_t shot, ovr_error *err)
 
 /* Writes advice for each snapshot whose maximum stress the mesh does not
  * resolve, or "". */
-static void put_unresolved(ovr_text *to, const sheet *s)
+static void write_unresolved(ovr_text *to, const sheet *s)
 {
     const ovr_stored *run = s->field.run;
     if (!run->unresolved)
@@ -187,7 +187,7 @@ static void put_unresolved(ovr_text *to, const sheet *s)
 }
 
 /* Writes the depths of the interfaces, if the body has layers. */
-static void put_layers(ovr_text *to, const ovr_layered *body)
+static void write_layers(ovr_text *to, const ovr_layered *body)
 {
     double bottom[OVR_LAYERS_MAX];
     for (int j = 0; j < body->layers; j++)
@@ -196,8 +196,8 @@ static void put_layers(ovr_text *to, const ovr_layered *body)
         ovr_text_doubles(to, "layers", bottom, (size_t)body->layers);
 }
 
-static ovr_status put(ovr_text *to, const sheet *s, ovr_arena *arena,
-                      ovr_error *err)
+static ovr_status write_stress(ovr_text *to, const sheet *s, ovr_arena *arena,
+                               ovr_error *err)
 {
     const ovr_depth_field *f = &s->field;
     bool both = f->which == OVR_STRESS_TAU_XZ;
@@ -212,8 +212,8 @@ static ovr_status put(ovr_text *to, const sheet *s, ovr_arena *arena,
                    f->smooth, f->minimum);
     ovr_text_doubles(to, "z", s->z, ROWS);
     ovr_text_doubles(to, "worst", s->worst, 3 * s->shots);
-    put_layers(to, &f->coated.body);
-    put_unresolved(to, s);
+    write_layers(to, &f->coated.body);
+    write_unresolved(to, s);
     ovr_text_print(to,
                    "\"levels\":%d,\"from\":%.17g,\"step\":%.17g,\"bend\":0,"
                    "\"data\":\"",
@@ -248,7 +248,7 @@ ovr_status ovr_view_stress(const ovr_view_run *view, ovr_error *err)
     for (size_t k = 0; !status && k < s.shots; k++)
         status = fill(&s, k, err);
     if (!status)
-        status = put(view->to, &s, view->arena, err);
+        status = write_stress(view->to, &s, view->arena, err);
     ovr_depth_field_free(&s.field);
     return status;
 }

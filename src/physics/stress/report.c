@@ -59,7 +59,7 @@ static void keep(pass *p, size_t k, const ovr_stress_row *row, size_t i)
 }
 
 /* Computes the rows around the contact: node i is at point i + *offset. */
-static ovr_stress_row look(pass *p, double U, long *offset)
+static ovr_stress_row solve_rows(pass *p, double U, long *offset)
 {
     const ovr_stress_plan *plan = p->plan;
     double D = plan->options.mesh, start, t, whole;
@@ -85,7 +85,7 @@ static bool within(const pass *p, const ovr_stress_row *row, size_t i)
 static void follow(pass *p, const ovr_moment *m, int side)
 {
     long offset;
-    ovr_stress_row row = look(p, m->U, &offset);
+    ovr_stress_row row = solve_rows(p, m->U, &offset);
     bool upward = m->direction > 0;
     for (size_t k = 0; k < p->points; k++) {
         long own = (long)k - offset;
@@ -260,7 +260,8 @@ static ovr_status stress_second_pass(const ovr_stress_source *of,
     return status;
 }
 
-static bool take_arrays(ovr_stress_report *r, ovr_arena *arena, ovr_error *err)
+static bool allocate_arrays(ovr_stress_report *r, ovr_arena *arena,
+                            ovr_error *err)
 {
     size_t n = r->material.points, depths = r->material.depths;
     bool ok = true;
@@ -592,7 +593,7 @@ ovr_stress_report *ovr_stress_report_make(const ovr_stress_source *of,
         r->least_depth = 4 * ovr_material_history_widest(
                                  history); /* adaptive steps */
     r->unresolved_depth = unresolved_depth(of, r->least_depth);
-    if (!take_arrays(r, arena, err))
+    if (!allocate_arrays(r, arena, err))
         return NULL;
     for (int m = 0; m < OVR_MEASURES; m++)
         ovr_material_history_measure(history, (ovr_measure)m, r->measure[m],

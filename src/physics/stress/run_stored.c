@@ -95,8 +95,8 @@ static ovr_status follow(stored *f, const ovr_setup *setup,
 
 /* If the file does not contain the shear stress, stresses are computed without
  * traction, unless the case requires it. */
-static ovr_status look_for_traction(const stored *f, const ovr_setup *setup,
-                                    ovr_stress_plan *plan, ovr_error *err)
+static ovr_status check_traction(const stored *f, const ovr_setup *setup,
+                                 ovr_stress_plan *plan, ovr_error *err)
 {
     if (!plan->options.traction || ovr_traction_is_stored(plan, f->result))
         return OVR_OK;
@@ -123,7 +123,7 @@ static ovr_status one_surface(ovr_stored_stress *s, stored *f, int k,
     ovr_stress_sight seen = {f->x[0], f->mesh, f->nodes, s->every};
     ovr_status status = ovr_stress_planned(s->setup, k + 1, seen, &plan, err);
     if (!status)
-        status = look_for_traction(f, s->setup, &plan, err);
+        status = check_traction(f, s->setup, &plan, err);
     if (status)
         return status;
     p = ovr_material_history_create(&plan.options, &plan.range, NULL, err);

@@ -13,7 +13,7 @@
 
 /* ------------------------------------------------------------- for programs */
 
-static void put_named(const ovr_report_sink *to, const char *format,
+static void add_named(const ovr_report_sink *to, const char *format,
                       const char *name, double value)
 {
     char key[64];
@@ -21,7 +21,7 @@ static void put_named(const ovr_report_sink *to, const char *format,
     ovr_put_number(to, key, value);
 }
 
-static void put_resolved(const ovr_report_sink *to, const char *key, double Z,
+static void add_resolved(const ovr_report_sink *to, const char *key, double Z,
                          const ovr_stress_report *r)
 {
     char name[64];
@@ -29,7 +29,7 @@ static void put_resolved(const ovr_report_sink *to, const char *key, double Z,
     ovr_put(to, name, OVR_SUMMARY_FLAG, !(Z < r->unresolved_depth));
 }
 
-static void put_row(const ovr_report_sink *to, const ovr_stress_figure *row,
+static void add_row(const ovr_report_sink *to, const ovr_stress_figure *row,
                     const ovr_stress_report *r, const ovr_contact *c)
 {
     const ovr_stress_extreme e = ovr_stress_figure_of(row, r);
@@ -37,30 +37,30 @@ static void put_row(const ovr_report_sink *to, const ovr_stress_figure *row,
         return;
     ovr_put_number(to, row->key, e.value);
     if (row->form >= OVR_FIGURE_MOMENT) {
-        put_named(to, "X_%s", row->key, e.X);
-        put_named(to, row->form == OVR_FIGURE_STRIP ? "width_%s" : "Z_%s",
+        add_named(to, "X_%s", row->key, e.X);
+        add_named(to, row->form == OVR_FIGURE_STRIP ? "width_%s" : "Z_%s",
                   row->key, e.Z);
-        put_named(to, "T_%s", row->key, e.T);
+        add_named(to, "T_%s", row->key, e.T);
     }
     if (row->form >= OVR_FIGURE_STRESS)
-        put_resolved(to, row->key, e.Z, r);
+        add_resolved(to, row->key, e.Z, r);
     if (row->form == OVR_FIGURE_PRESSURE || row->form >= OVR_FIGURE_STRESS)
-        put_named(to, "%s_Pa", row->key, e.value * c->ph);
+        add_named(to, "%s_Pa", row->key, e.value * c->ph);
     if (row->form == OVR_FIGURE_LENGTH)
-        put_named(to, "%s_m", row->key, e.value * c->b);
+        add_named(to, "%s_m", row->key, e.value * c->b);
 }
 
-static void put_part(const ovr_report_sink *to, ovr_stress_part part,
+static void add_part(const ovr_report_sink *to, ovr_stress_part part,
                      const ovr_stress_report *r, const ovr_contact *c)
 {
     const ovr_stress_figure *row;
     for (size_t k = 0; (row = ovr_stress_figure_at(k)); k++)
         if (row->part == part)
-            put_row(to, row, r, c);
+            add_row(to, row, r, c);
 }
 
 /* Adds the numbers of the surface with the higher utilization of its layers. */
-static void put_layers(const ovr_report_sink *to, const ovr_stress_report *a,
+static void add_layers(const ovr_report_sink *to, const ovr_stress_report *a,
                        const ovr_stress_report *b, const ovr_contact *c)
 {
     ovr_stress_report worse;
@@ -84,12 +84,12 @@ static void put_layers(const ovr_report_sink *to, const ovr_stress_report *a,
         worse.interface_utilisation = fmax(a->interface_utilisation,
                                            b->interface_utilisation);
     }
-    put_part(to, OVR_STRESS_LAYERS, &worse, c);
+    add_part(to, OVR_STRESS_LAYERS, &worse, c);
 }
 
 /* Adds the numbers of the surface that exceeds its yield stress more, if one is
  * given. */
-static void put_yield(const ovr_report_sink *to, const ovr_stress_report *a,
+static void add_yield(const ovr_report_sink *to, const ovr_stress_report *a,
                       const ovr_stress_report *b, const ovr_contact *c)
 {
     const ovr_stress_report *of = a ? a : b;
@@ -98,10 +98,10 @@ static void put_yield(const ovr_report_sink *to, const ovr_stress_report *a,
     if (isnan(of->yield))
         return;
     ovr_put_count(to, "surface_yield", of->surface);
-    put_part(to, OVR_STRESS_YIELD, of, c);
+    add_part(to, OVR_STRESS_YIELD, of, c);
 }
 
-static void put_life(const ovr_report_sink *to, const ovr_stress_report *r,
+static void add_life(const ovr_report_sink *to, const ovr_stress_report *r,
                      const ovr_setup *setup)
 {
     ovr_put_text(to, "criterion",
@@ -137,8 +137,8 @@ columns(const char *unit, double X, const char *format, ...)
 }
 
 /* Prints a stress in p_h, with its value in MPa and a remark. */
-static void say_stress(const ovr_report_sink *to, const char *label,
-                       double value, double ph, double X, const char *remark)
+static void report_stress(const ovr_report_sink *to, const char *label,
+                          double value, double ph, double X, const char *remark)
 {
     ovr_words si = {""};
     if (isfinite(ph))
@@ -148,8 +148,8 @@ static void say_stress(const ovr_report_sink *to, const char *label,
 }
 
 /* Prints the rows of a part. */
-static void say_part(const ovr_report_sink *to, ovr_stress_part part,
-                     const ovr_stress_report *r, double ph)
+static void report_part(const ovr_report_sink *to, ovr_stress_part part,
+                        const ovr_stress_report *r, double ph)
 {
     const ovr_stress_figure *row;
     for (size_t k = 0; (row = ovr_stress_figure_at(k)); k++) {
@@ -165,7 +165,7 @@ static void say_part(const ovr_report_sink *to, ovr_stress_part part,
         else if (row->form == OVR_FIGURE_TENSION && !(e.value > 0))
             ovr_report_line(to, row->label, "none (compressive everywhere)");
         else if (row->form != OVR_FIGURE_SHARE)
-            say_stress(to, row->label, e.value, ph, e.X, at.text);
+            report_stress(to, row->label, e.value, ph, e.X, at.text);
     }
 }
 
@@ -186,17 +186,18 @@ static const char *side_of(const ovr_stress_report *r, double xi)
                                           : ", leading side";
 }
 
-static void say_circle(const ovr_report_sink *to, const ovr_stress_report *r,
-                       double ph)
+static void report_circle(const ovr_report_sink *to, const ovr_stress_report *r,
+                          double ph)
 {
     ovr_words at = {""};
     ovr_words_add(&at, "at xi = %.4g%s, Z = %.4g; smooth %.4g%s", r->xi_R_max,
                   side_of(r, r->xi_R_max), r->Z_R_max, r->R_smooth,
                   r->Z_R_max < r->unresolved_depth ? "; not resolved" : "");
-    say_stress(to, "shear path radius R", r->R_max, ph, NAN, at.text);
+    report_stress(to, "shear path radius R", r->R_max, ph, NAN, at.text);
 }
 
-static void say_lengths(const ovr_report_sink *to, const ovr_stress_report *r)
+static void report_lengths(const ovr_report_sink *to,
+                           const ovr_stress_report *r)
 {
     const ovr_material *m = &r->material;
     const double depths[] = {r->least_depth, 0.05, 0.1};
@@ -220,8 +221,8 @@ static bool has_effect(const ovr_stress_report *r)
     return !(r->life->equivalent_length < 0) && !(r->ratio > 1);
 }
 
-static void say_life(const ovr_report_sink *to, const ovr_stress_report *r,
-                     const ovr_stress_setup *s)
+static void report_life(const ovr_report_sink *to, const ovr_stress_report *r,
+                        const ovr_stress_setup *s)
 {
     if (r->lifeless) {
         ovr_report_line(to, "life", "not given: %s", r->lifeless);
@@ -233,7 +234,7 @@ static void say_life(const ovr_report_sink *to, const ovr_stress_report *r,
             "below the error of the method, %.2g b from Z = %.3g downward",
             fmax(r->length_error, -r->life->equivalent_length), r->least_depth);
     else if (isfinite(r->life->equivalent_length))
-        say_lengths(to, r);
+        report_lengths(to, r);
     else
         ovr_report_line(
             to, "equivalent raceway length",
@@ -267,8 +268,8 @@ static void say_life(const ovr_report_sink *to, const ovr_stress_report *r,
  * stress exceeds Y: a thinner layer deforms by nanometres only. */
 static const double SKIN = 0.02;
 
-static void say_whether(const ovr_report_sink *to, const ovr_stress_report *r,
-                        bool rough)
+static void report_shakedown(const ovr_report_sink *to,
+                             const ovr_stress_report *r, bool rough)
 {
     if (r->of_shakedown > 1)
         ovr_report_line(
@@ -305,8 +306,8 @@ static void say_whether(const ovr_report_sink *to, const ovr_stress_report *r,
             r->material.z[0]);
 }
 
-static void say_yielding_share(const ovr_report_sink *to,
-                               const ovr_stress_report *r)
+static void report_yielding_share(const ovr_report_sink *to,
+                                  const ovr_stress_report *r)
 {
     if (isnan(r->yielding_share))
         ovr_report_line(
@@ -321,8 +322,8 @@ static void say_yielding_share(const ovr_report_sink *to,
                 .text);
 }
 
-static void say_yield(const ovr_report_sink *to, const ovr_stress_report *r,
-                      const ovr_setup *setup)
+static void report_yield(const ovr_report_sink *to, const ovr_stress_report *r,
+                         const ovr_setup *setup)
 {
     double ph = setup->contact->ph;
     const ovr_stress_extreme *f = &r->yield_ratio, *strip = &r->strip;
@@ -336,7 +337,7 @@ static void say_yield(const ovr_report_sink *to, const ovr_stress_report *r,
                               "T = %.4g",
                               Y.text, f->Z, f->T)
                           .text);
-    say_yielding_share(to, r);
+    report_yielding_share(to, r);
     ovr_report_number(to, "strip pressure ratio", 4, strip->value, "%s",
                       columns("", strip->X,
                               "(P - P around)/(2.97 Y); %.3g b wide, T = %.4g",
@@ -349,11 +350,11 @@ static void say_yield(const ovr_report_sink *to, const ovr_stress_report *r,
                 "limit",
                 r->of_shakedown)
             .text);
-    say_whether(to, r, setup->features > 0);
+    report_shakedown(to, r, setup->features > 0);
 }
 
-static void say_surface(const ovr_report_sink *to, const ovr_stress_report *r,
-                        const ovr_setup *setup)
+static void report_surface(const ovr_report_sink *to,
+                           const ovr_stress_report *r, const ovr_setup *setup)
 {
     double ph = setup->contact->ph;
     ovr_report_title(to, "%s", "");
@@ -366,18 +367,18 @@ static void say_surface(const ovr_report_sink *to, const ovr_stress_report *r,
     }
     ovr_report_title(to, "%-*s %-12s %-11s %s", OVR_LABEL_WIDTH, "quantity",
                      "value", "in units", "at X = x/b");
-    say_part(to, OVR_STRESS_BODY, r, ph);
+    report_part(to, OVR_STRESS_BODY, r, ph);
     if (!isnan(r->layer_von_mises.value))
-        say_part(to, OVR_STRESS_LAYERS, r, ph);
+        report_part(to, OVR_STRESS_LAYERS, r, ph);
     if (!isnan(r->R_max))
-        say_circle(to, r, ph);
+        report_circle(to, r, ph);
     ovr_report_line(to, "traction", "%s%s",
                     r->traction ? "shear stress of the film" : "none: ",
                     r->traction ? "" : r->no_traction);
     if (r->fatigue)
-        say_life(to, r, ovr_setup_stress(setup));
+        report_life(to, r, ovr_setup_stress(setup));
     if (!isnan(r->yield))
-        say_yield(to, r, setup);
+        report_yield(to, r, setup);
     else if (r->von_mises.value * ph > YIELD)
         ovr_report_line(
             to, "",
@@ -406,20 +407,20 @@ void ovr_stress_summary(const ovr_stress_report *const report[2],
     const ovr_stress_report *shear = a ? a : b, *circle = shear;
     for (int k = 0; k < 2; k++)
         if (report[k])
-            say_surface(&to, report[k], setup);
+            report_surface(&to, report[k], setup);
     if (!shear)
         return;
     if (a && b && b->max_shear.value > a->max_shear.value)
         shear = b;
     if (a && b && b->R_max > a->R_max)
         circle = b;
-    put_part(&to, OVR_STRESS_BODY, shear, c);
-    put_layers(&to, a, b, c);
-    put_yield(&to, a, b, c);
+    add_part(&to, OVR_STRESS_BODY, shear, c);
+    add_layers(&to, a, b, c);
+    add_yield(&to, a, b, c);
     ovr_put_count(&to, "surface_tau_max", shear->surface);
-    put_part(&to, OVR_STRESS_CIRCLE, circle, c);
+    add_part(&to, OVR_STRESS_CIRCLE, circle, c);
     ovr_put_number(&to, "R_max_Pa", circle->R_max * c->ph);
-    put_resolved(&to, "R_max", circle->Z_R_max, circle);
+    add_resolved(&to, "R_max", circle->Z_R_max, circle);
     ovr_put_number(&to, "R_smooth", circle->R_smooth);
     ovr_put_count(&to, "surface_R_max", circle->surface);
     ovr_put_number(&to, "least_depth", circle->least_depth);
@@ -427,5 +428,5 @@ void ovr_stress_summary(const ovr_stress_report *const report[2],
     ovr_put_count(&to, "material_points", (double)circle->material.points);
     ovr_put_count(&to, "material_incomplete", (double)circle->incomplete);
     if (circle->fatigue)
-        put_life(&to, circle, setup);
+        add_life(&to, circle, setup);
 }

@@ -443,8 +443,8 @@ static double memory(const void *form)
         ((const ovr_stress_setup *)form)->setup);
 }
 
-static void tell_limit(const ovr_setup *setup, int k, ovr_physics_line *line,
-                       void *data)
+static void report_limit(const ovr_setup *setup, int k, ovr_physics_line *line,
+                         void *data)
 {
     const ovr_stress_setup *s = ovr_setup_stress(setup);
     double ph = setup->contact->ph * 1e-6, z;
@@ -474,8 +474,8 @@ static void tell_limit(const ovr_setup *setup, int k, ovr_physics_line *line,
     line(data, "fatigue", text);
 }
 
-static void tell_yield(const ovr_setup *setup, int k, ovr_physics_line *line,
-                       void *data)
+static void report_yield(const ovr_setup *setup, int k, ovr_physics_line *line,
+                         void *data)
 {
     double Y = ovr_setup_stress(setup)->yield[k],
            ph = setup->contact->ph * 1e-6;
@@ -494,8 +494,8 @@ static void tell_yield(const ovr_setup *setup, int k, ovr_physics_line *line,
 }
 
 /* Reports depths, memory, and the limits in MPa. */
-static void tell(const ovr_physics_case *of, const void *form,
-                 ovr_physics_line *line, void *data)
+static void report_case(const ovr_physics_case *of, const void *form,
+                        ovr_physics_line *line, void *data)
 {
     const ovr_stress_setup *s = form;
     const ovr_setup *setup = s->setup;
@@ -515,10 +515,10 @@ static void tell(const ovr_physics_case *of, const void *form,
     line(data, "traction", text);
     for (int k = 0; k < SURFACES; k++)
         if ((s->surfaces >> k & 1) && s->yield[k] > 0)
-            tell_yield(setup, k, line, data);
+            report_yield(setup, k, line, data);
     for (int k = 0; s->fatigue && k < SURFACES; k++)
         if (s->surfaces >> k & 1)
-            tell_limit(setup, k, line, data);
+            report_limit(setup, k, line, data);
 }
 
 static const ovr_physics_in_case in_case = {.section = ovr_stress_sections,
@@ -528,7 +528,7 @@ static const ovr_physics_in_case in_case = {.section = ovr_stress_sections,
                                             .resolve = ovr_stress_resolve,
                                             .says = ovr_stress_state,
                                             .node_seconds = 2.5e-7,
-                                            .tell = tell,
+                                            .tell = report_case,
                                             .memory = memory};
 
 static const ovr_physics_in_output in_output = {.companion = &companion};

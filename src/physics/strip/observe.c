@@ -165,7 +165,7 @@ static double deviation(const ovr_strip_solver *s, double squares, double mean)
 
 /* Computes means over the lines, and standard deviations of the central values.
  */
-static void put_means(const ovr_simulation *sim, const ovr_strip_solver *s,
+static void set_means(const ovr_simulation *sim, const ovr_strip_solver *s,
                       const lines *all, ovr_observation *o)
 {
     const double count = (double)s->lines;
@@ -184,7 +184,7 @@ static void put_means(const ovr_simulation *sim, const ovr_strip_solver *s,
 
 /* Minimum film thickness and maximum pressure of all lines, and the minimum
  * film thickness of the run. */
-static void put_extremes(ovr_strip_solver *s, const lines *all,
+static void set_extremes(ovr_strip_solver *s, const lines *all,
                          ovr_observation *o)
 {
     const ovr_observation *low = &all->low, *high = &all->high;
@@ -212,8 +212,8 @@ void ovr_strip_observe(ovr_simulation *sim, void *own, ovr_observation *o)
 {
     ovr_strip_solver *s = own;
     const lines all = observe_lines(sim, s, o);
-    put_means(sim, s, &all, o);
-    put_extremes(s, &all, o);
+    set_means(sim, s, &all, o);
+    set_extremes(s, &all, o);
     o->mass_flow = mass_flow(s, sim);
     o->mass_balance = mass_balance(s);
     ovr_friction_forces(sim, o);

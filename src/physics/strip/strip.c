@@ -47,8 +47,8 @@ size_t ovr_strip_coarsest(double M)
     return M < 90 ? 29 : 57;
 }
 
-static ovr_status take_arrays(ovr_simulation *sim, ovr_strip_solver *s,
-                              ovr_error *err)
+static ovr_status allocate_arrays(ovr_simulation *sim, ovr_strip_solver *s,
+                                  ovr_error *err)
 {
     ovr_arena *a = &sim->arena;
     size_t all = s->n * s->lines, most = s->n + 2 * LONGEST + 8;
@@ -90,8 +90,8 @@ static bool stops(void *data)
     return ovr_hierarchy_stops(&sim->grids);
 }
 
-static ovr_status take(ovr_simulation *sim, const void *form, void **own,
-                       ovr_error *err)
+static ovr_status create(ovr_simulation *sim, const void *form, void **own,
+                         ovr_error *err)
 {
     const ovr_options *o = &sim->options;
     ovr_strip_solver *s = ovr_arena_take(&sim->arena, 1, sizeof *s, err);
@@ -115,7 +115,7 @@ static ovr_status take(ovr_simulation *sim, const void *form, void **own,
         status = ovr_strip_march_create(&s->march, &s->strip, LONGEST,
                                         &sim->arena, err);
     if (!status)
-        status = take_arrays(sim, s, err);
+        status = allocate_arrays(sim, s, err);
     if (status || sim->arena.blank)
         return status;
     *own = s;
@@ -509,7 +509,7 @@ static const ovr_physics_in_case in_case = {
     .one_mesh = "of a strip"};
 
 static const ovr_physics_in_solve in_solve = {
-    .take = take,
+    .take = create,
     .release = release,
     .solver = &(const ovr_solver){ovr_strip_steady_film, attempt, step_back,
                                   ovr_strip_observe, show, lines_of},

@@ -119,7 +119,7 @@ static void keep(ovr_simulation *sim, void *own)
     a->closed_kept = sim->finest->closed;
 }
 
-static void go_back(ovr_simulation *sim, void *own, const double *P)
+static void restore_kept(ovr_simulation *sim, void *own, const double *P)
 {
     const ovr_arrival *a = own;
     restore(sim, a, P, a->kept, a->closed_kept);
@@ -384,8 +384,8 @@ static bool chosen(const ovr_options *o)
 }
 
 /* Reports the limits of the model. */
-static void tell(const ovr_physics_case *of, const void *form,
-                 ovr_physics_line *line, void *data)
+static void report(const ovr_physics_case *of, const void *form,
+                   ovr_physics_line *line, void *data)
 {
     (void)of, (void)form;
     line(data, "cavitated lubricant",
@@ -412,8 +412,8 @@ static void prepare(ovr_hierarchy *grids)
     grids->content = true;
 }
 
-static ovr_status take(ovr_simulation *sim, const void *form, void **own,
-                       ovr_error *err)
+static ovr_status create(ovr_simulation *sim, const void *form, void **own,
+                         ovr_error *err)
 {
     ovr_arrival *a = &sim->arrival;
     (void)form;
@@ -470,7 +470,8 @@ static double flooded(const ovr_setup *s)
 
 /* Warns if the supply exceeds the flooded flow rate by the film thickness
  * formula. */
-static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
+static void warn_of_flooding(const ovr_setup *setup, ovr_listener *say,
+                             void *data)
 {
     const ovr_supply_case *supply = ovr_setup_supply(setup);
     double arrives, taken = flooded(setup);
@@ -485,7 +486,7 @@ static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
              arrives, taken / arrives);
 }
 
-static const ovr_companion companion = {.foresee = foresee};
+static const ovr_companion companion = {.foresee = warn_of_flooding};
 
 static const ovr_physics_in_case in_case = {.node_seconds = 1e-7,
                                             .section = ovr_supply_sections,
@@ -497,12 +498,12 @@ static const ovr_physics_in_case in_case = {.node_seconds = 1e-7,
                                             .drop = ovr_supply_drop,
                                             .says = ovr_supply_state,
                                             .one_mesh = "as menisci move",
-                                            .tell = tell};
+                                            .tell = report};
 
 static const ovr_physics_in_solve in_solve = {.equip = equip,
                                               .chosen = chosen,
                                               .prepare = prepare,
-                                              .take = take,
+                                              .take = create,
                                               .forget = forget,
                                               .complete = complete,
                                               .proceed = starve};
@@ -512,7 +513,7 @@ static const ovr_physics_in_step in_step = {.operate = operate,
                                             .step = step,
                                             .attempt = attempt,
                                             .keep = keep,
-                                            .go_back = go_back,
+                                            .go_back = restore_kept,
                                             .taken = taken,
                                             .step_back = begin_attempt,
                                             .visit = visit,
