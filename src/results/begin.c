@@ -148,7 +148,7 @@ static ovr_status set_weights(const ovr_writer *w, ovr_arena *arena,
     return weights ? OVR_OK : OVR_NO_MEMORY;
 }
 
-static ovr_status take_scratch(ovr_writer *w, ovr_error *err)
+static ovr_status allocate_rows(ovr_writer *w, ovr_error *err)
 {
     ovr_arena *a = &w->arena;
     w->pending_step = ovr_arena_take(a, OVR_ROW_CHUNK, sizeof *w->pending_step,
@@ -159,7 +159,7 @@ static ovr_status take_scratch(ovr_writer *w, ovr_error *err)
     return ovr_arena_status(a);
 }
 
-static ovr_status take_names(ovr_writer *w, ovr_error *err)
+static ovr_status make_names(ovr_writer *w, ovr_error *err)
 {
     const char *path = w->options.path = w->file.store.path;
     w->restart = ovr_path_with(&w->arena, path, ".restart", err);
@@ -219,7 +219,7 @@ static ovr_status prepare(ovr_writer *w, const double *X, ovr_file_plan *plan,
     status = ovr_file_prepare(&w->file, plan, &w->arena, err);
     if (status)
         return status;
-    if (take_names(w, err) || keep_case(w, err) || take_scratch(w, err))
+    if (make_names(w, err) || keep_case(w, err) || allocate_rows(w, err))
         return OVR_NO_MEMORY;
     return ovr_queue_prepare(&w->queue,
                              w->file.values * w->file.fields * w->file.element,

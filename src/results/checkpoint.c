@@ -42,7 +42,7 @@ static void empty(sink *s)
     }
 }
 
-static void put(sink *s, const void *data, size_t bytes)
+static void write_bytes(sink *s, const void *data, size_t bytes)
 {
     const unsigned char *next = data;
     while (bytes > 0 && !s->error) {
@@ -59,51 +59,51 @@ static void put(sink *s, const void *data, size_t bytes)
     }
 }
 
-static void put_piece(sink *s, const char *prefix, const char *name,
-                      const void *data, size_t bytes)
+static void write_piece(sink *s, const char *prefix, const char *name,
+                        const void *data, size_t bytes)
 {
     uint64_t length[2] = {strlen(prefix) + strlen(name), bytes};
-    put(s, length, sizeof length);
-    put(s, prefix, strlen(prefix));
-    put(s, name, strlen(name));
-    put(s, data, bytes);
+    write_bytes(s, length, sizeof length);
+    write_bytes(s, prefix, strlen(prefix));
+    write_bytes(s, name, strlen(name));
+    write_bytes(s, data, bytes);
 }
 
-static void put_text(sink *s, const char *name, const char *text)
+static void write_text(sink *s, const char *name, const char *text)
 {
-    put_piece(s, name, "", text ? text : "", text ? strlen(text) : 0);
+    write_piece(s, name, "", text ? text : "", text ? strlen(text) : 0);
 }
 
-static ovr_status put_state(void *context, const char *name, void *memory,
-                            size_t bytes, ovr_error *err)
+static ovr_status write_state(void *context, const char *name, void *memory,
+                              size_t bytes, ovr_error *err)
 {
     (void)err;
-    put_piece(context, "state ", name, memory, bytes);
+    write_piece(context, "state ", name, memory, bytes);
     return OVR_OK;
 }
 
-static ovr_status put_all(sink *s, const ovr_checkpoint *c, ovr_error *err)
+static ovr_status write_all(sink *s, const ovr_checkpoint *c, ovr_error *err)
 {
     const uint64_t order = OVR_RESTART_ORDER, format = OVR_RESTART_FORMAT;
     ovr_status status = OVR_OK;
     uint64_t sum;
-    put(s, OVR_RESTART_MAGIC, OVR_RESTART_MAGIC_SIZE);
-    put(s, &order, sizeof order);
-    put_piece(s, "format", "", &format, sizeof format);
-    put_text(s, "version", OVERROLL_VERSION);
-    put_text(s, "created", c->created);
-    put_text(s, "case path", c->case_path);
-    put_text(s, "case text", c->case_text);
+    write_bytes(s, OVR_RESTART_MAGIC, OVR_RESTART_MAGIC_SIZE);
+    write_bytes(s, &order, sizeof order);
+    write_piece(s, "format", "", &format, sizeof format);
+    write_text(s, "version", OVERROLL_VERSION);
+    write_text(s, "created", c->created);
+    write_text(s, "case path", c->case_path);
+    write_text(s, "case text", c->case_text);
     for (size_t k = 0; k < c->value_count; k++)
-        put_piece(s, c->values[k].physics ? "value +" : "value -",
-                  c->values[k].name, c->values[k].text,
-                  strlen(c->values[k].text));
-    put_piece(s, "counts", "", &c->counts, sizeof c->counts);
-    put_piece(s, "base", "", &c->number, sizeof c->number);
+        write_piece(s, c->values[k].physics ? "value +" : "value -",
+                    c->values[k].name, c->values[k].text,
+                    strlen(c->values[k].text));
+    write_piece(s, "counts", "", &c->counts, sizeof c->counts);
+    write_piece(s, "base", "", &c->number, sizeof c->number);
     if (c->source.visit_all)
-        status = c->source.visit_all(c->source.object, put_state, s, err);
+        status = c->source.visit_all(c->source.object, write_state, s, err);
     sum = s->sum;
-    put_piece(s, "", "", &sum, sizeof sum);
+    write_piece(s, "", "", &sum, sizeof sum);
     empty(s);
     return status;
 }
@@ -128,7 +128,7 @@ ovr_status ovr_checkpoint_write(const ovr_checkpoint *c, ovr_error *err)
     s.error = 0;
     s.sum = 0;
     s.used = 0;
-    status = put_all(&s, c, err);
+    status = write_all(&s, c, err);
     if (!s.error && c->sync && fsync(s.fd) != 0)
         s.error = errno;
     if (close(s.fd) != 0 && !s.error)
@@ -267,7 +267,7 @@ static ovr_status check_whole(const ovr_restart *r, ovr_error *err)
     return OVR_OK;
 }
 
-static bool take_value(ovr_restart *r, const piece *p, ovr_error *err)
+static bool read_value(ovr_restart *r, const piece *p, ovr_error *err)
 {
     size_t prefix = strlen("value +");
     ovr_case_value *value = &r->values[r->info.value_count++];
@@ -278,7 +278,7 @@ static bool take_value(ovr_restart *r, const piece *p, ovr_error *err)
     return value->name && value->text;
 }
 
-static bool take_piece(ovr_restart *r, const piece *p, ovr_error *err)
+static bool read_piece(ovr_restart *r, const piece *p, ovr_error *err)
 {
     const struct {
         const char *name;
@@ -299,7 +299,7 @@ static bool take_piece(ovr_restart *r, const piece *p, ovr_error *err)
     if (is_named(p, "base") && p->bytes == sizeof r->number)
         memcpy(&r->number, p->content, sizeof r->number);
     if (begins(p, "value "))
-        return take_value(r, p, err);
+        return read_value(r, p, err);
     return true;
 }
 
@@ -322,7 +322,7 @@ static bool find_state(const ovr_restart *r, const char *name, piece *p)
     return false;
 }
 
-static void take_domain(ovr_restart *r)
+static void read_domain(ovr_restart *r)
 {
     ovr_restart_info *info = &r->info;
     piece p;
@@ -335,7 +335,7 @@ static void take_domain(ovr_restart *r)
         memcpy(&info->level, p.content, sizeof info->level);
 }
 
-static ovr_status take_pieces(ovr_restart *r, ovr_error *err)
+static ovr_status read_pieces(ovr_restart *r, ovr_error *err)
 {
     size_t at = OVR_RESTART_MAGIC_SIZE + 8;
     piece p;
@@ -346,11 +346,11 @@ static ovr_status take_pieces(ovr_restart *r, ovr_error *err)
     if (!r->values)
         return OVR_NO_MEMORY;
     for (; piece_at(r, at, &p) && !begins(&p, "state "); at = p.next)
-        if (!take_piece(r, &p, err))
+        if (!read_piece(r, &p, err))
             return OVR_NO_MEMORY;
     r->first_state = at;
     r->info.has_state = piece_at(r, at, &p);
-    take_domain(r);
+    read_domain(r);
     r->info.values = r->values;
     r->info.step = (long)r->counts.step;
     r->info.T = r->counts.T;
@@ -394,7 +394,7 @@ ovr_restart *ovr_restart_open(const char *result_path,
     r->arena = arena;
     r->path = ovr_path_with(&r->arena, result_path, ".restart", err);
     if (!r->path || load_file(r, err) || check_whole(r, err) ||
-        take_pieces(r, err) || check_format(r, err)) {
+        read_pieces(r, err) || check_format(r, err)) {
         ovr_restart_close(r);
         return NULL;
     }

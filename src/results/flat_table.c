@@ -20,8 +20,8 @@ static hid_t create(const ovr_flat *r, const char *name, hid_t type)
     return set;
 }
 
-static bool put(hid_t set, hid_t type, const void *values, const char *unit,
-                const char *about)
+static bool write_variable(hid_t set, hid_t type, const void *values,
+                           const char *unit, const char *about)
 {
     bool good = set >= 0 &&
                 H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >=
@@ -31,8 +31,8 @@ static bool put(hid_t set, hid_t type, const void *values, const char *unit,
     return set >= 0 && H5Dclose(set) >= 0 && good;
 }
 
-static bool put_scale(ovr_flat *r, const char *name, const char *about,
-                      ovr_arena *arena)
+static bool write_scale(ovr_flat *r, const char *name, const char *about,
+                        ovr_arena *arena)
 {
     int *number = ovr_arena_take(arena, r->count, sizeof *number, NULL);
     for (size_t i = 0; number && i < r->count; i++)
@@ -61,20 +61,21 @@ bool ovr_flat_begin(ovr_flat *r, const char *path, const char *name,
     H5Tset_cset(r->text, H5T_CSET_UTF8);
     ovr_h5_drop(creation);
     ovr_h5_drop(access);
-    return r->file >= 0 && put_scale(r, name, about, arena);
+    return r->file >= 0 && write_scale(r, name, about, arena);
 }
 
 bool ovr_flat_numbers(const ovr_flat *r, const char *name, const char *unit,
                       const char *about, const double *values)
 {
-    return put(create(r, name, H5T_IEEE_F64LE), H5T_NATIVE_DOUBLE, values, unit,
-               about);
+    return write_variable(create(r, name, H5T_IEEE_F64LE), H5T_NATIVE_DOUBLE,
+                          values, unit, about);
 }
 
 bool ovr_flat_texts(const ovr_flat *r, const char *name, const char *about,
                     const char *const *texts)
 {
-    return put(create(r, name, r->text), r->text, texts, NULL, about);
+    return write_variable(create(r, name, r->text), r->text, texts, NULL,
+                          about);
 }
 
 bool ovr_flat_note(const ovr_flat *r, const char *name, const char *key,

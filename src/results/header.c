@@ -123,7 +123,7 @@ static hid_t dataset_space(const dataset *d)
 }
 
 /* Adds the width to quantities per unit width, if it is known. */
-static bool put_width(hid_t set, const dataset *d, const ovr_contact *contact)
+static bool write_width(hid_t set, const dataset *d, const ovr_contact *contact)
 {
     bool wide = d->kind == OVR_KIND_FORCE || d->kind == OVR_KIND_POWER;
     return !wide || isnan(contact->width) ||
@@ -132,7 +132,7 @@ static bool put_width(hid_t set, const dataset *d, const ovr_contact *contact)
 
 static bool describe(hid_t set, const dataset *d, const ovr_scales *scales)
 {
-    return put_width(set, d, &scales->contact) &&
+    return write_width(set, d, &scales->contact) &&
            ovr_h5_set_chars(set, "long_name", d->long_name) &&
            (!d->comment || ovr_h5_set_chars(set, "comment", d->comment)) &&
            ovr_h5_set_chars(set, "units", ovr_unit(scales, d->kind)) &&

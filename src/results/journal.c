@@ -419,7 +419,8 @@ static bool is_meant(const ovr_store *s, const ovr_journal_header *h,
            has_date(s->fd, h->created, arena);
 }
 
-static int put_back(const ovr_store *s, ovr_journal_walk *w, ovr_arena *arena)
+static int restore_page(const ovr_store *s, ovr_journal_walk *w,
+                        ovr_arena *arena)
 {
     const ovr_journal_record *r = &w->record;
     const unsigned char *content;
@@ -446,7 +447,7 @@ int ovr_journal_roll_back(ovr_store *s)
     if (journal_first(&walk, s->journal) && is_meant(s, &walk.header, &arena)) {
         s->repaired = ovr_journal_torn(s->journal, s->fd,
                                        &s->changed.arena->allocator);
-        error = put_back(s, &walk, &arena);
+        error = restore_page(s, &walk, &arena);
         s->kept.needed = error != 0;
         s->kept.number = walk.header.number;
     }

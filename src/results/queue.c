@@ -3,8 +3,8 @@
 
 #include <signal.h>
 
-static bool take_parcel(ovr_parcel *p, size_t row_bytes, size_t columns,
-                        ovr_arena *arena, ovr_error *err)
+static bool allocate_parcel(ovr_parcel *p, size_t row_bytes, size_t columns,
+                            ovr_arena *arena, ovr_error *err)
 {
     p->rows = ovr_arena_take(arena, row_bytes, 1, err);
     p->step = ovr_arena_take(arena, OVR_PARCEL_STEPS, sizeof *p->step, err);
@@ -19,7 +19,7 @@ ovr_status ovr_queue_prepare(ovr_queue *q, size_t row_bytes, size_t columns,
     bool blank = arena->blank, ok = true;
     arena->blank = true; /* written before it is read */
     for (size_t k = 0; ok && k < OVR_PARCELS; k++)
-        ok = take_parcel(&q->parcel[k], row_bytes, columns, arena, err);
+        ok = allocate_parcel(&q->parcel[k], row_bytes, columns, arena, err);
     arena->blank = blank;
     return ok ? OVR_OK : OVR_NO_MEMORY;
 }

@@ -116,7 +116,7 @@ static ovr_status damaged(const ovr_result *r, const char *what, ovr_error *err)
 /* Lists all numeric datasets of a group and its subgroups in order of creation,
  * including unknown ones, which a newer version may have written. Unreadable
  * objects are skipped. */
-static ovr_status take_group(ovr_result *r, uint64_t group, const char *name,
+static ovr_status list_group(ovr_result *r, uint64_t group, const char *name,
                              int depth, ovr_error *err)
 {
     size_t count;
@@ -142,7 +142,7 @@ static ovr_status take_group(ovr_result *r, uint64_t group, const char *name,
         case OVR_OBJECT_TEXTS: break;
         case OVR_OBJECT_GROUP:
             if (depth < DEEPEST && r->groups++ < MAX_GROUPS)
-                status = take_group(r, object, path, depth + 1, err);
+                status = list_group(r, object, path, depth + 1, err);
             break;
         default:
             return ovr_fail(err, OVR_IO, "%s: cannot read '%s'", r->path, path);
@@ -151,7 +151,7 @@ static ovr_status take_group(ovr_result *r, uint64_t group, const char *name,
     return status;
 }
 
-static ovr_status take_variables(ovr_result *r, ovr_error *err)
+static ovr_status list_variables(ovr_result *r, ovr_error *err)
 {
     ovr_arena *a = &r->arena;
     if (!r->variable) {
@@ -165,7 +165,7 @@ static ovr_status take_variables(ovr_result *r, ovr_error *err)
         return OVR_NO_MEMORY;
     r->variables = r->fields = r->columns = r->groups = 0;
     r->sets_hold = true;
-    return take_group(r, r->container.root, "", 0, err);
+    return list_group(r, r->container.root, "", 0, err);
 }
 
 const ovr_variable *ovr_result_find(const ovr_result *r, const char *path)
@@ -330,7 +330,7 @@ ovr_status ovr_reader_content(ovr_result *r, ovr_error *err)
 {
     ovr_status status = check_format(r, err);
     if (status == OVR_OK)
-        status = take_variables(r, err);
+        status = list_variables(r, err);
     if (status == OVR_OK)
         status = open_axes(r, err);
     if (status == OVR_OK)

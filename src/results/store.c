@@ -89,8 +89,8 @@ void ovr_pages_clear(ovr_pages *p)
 
 /* --------------------------------------------------------------- Failures */
 
-static ovr_status say(const ovr_store *s, ovr_status status, int error,
-                      const char *what, ovr_error *err)
+static ovr_status fail_with(const ovr_store *s, ovr_status status, int error,
+                            const char *what, ovr_error *err)
 {
     char text[128] = "";
     if (strerror_r(error, text, sizeof text) != 0)
@@ -109,8 +109,8 @@ ovr_status ovr_store_failure(const ovr_store *s, ovr_error *err)
                         "%s: was removed or replaced while the "
                         "run was writing it",
                         s->path);
-    return say(s, OVR_IO, s->failed ? s->failed : EIO, "cannot be written",
-               err);
+    return fail_with(s, OVR_IO, s->failed ? s->failed : EIO,
+                     "cannot be written", err);
 }
 
 void ovr_store_fail(ovr_store *s)
@@ -358,18 +358,18 @@ ovr_status ovr_store_prepare(ovr_store *s, const char *path, ovr_arena *arena,
                : OVR_NO_MEMORY;
 }
 
-static ovr_status take_lock(ovr_store *s, ovr_error *err)
+static ovr_status lock_journal(ovr_store *s, ovr_error *err)
 {
     int error = ovr_journal_open(s);
     if (error == EWOULDBLOCK)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: another process is writing it",
                         s->path);
     if (error)
-        return say(s, OVR_BAD_INPUT, error, "cannot be written", err);
+        return fail_with(s, OVR_BAD_INPUT, error, "cannot be written", err);
     return OVR_OK;
 }
 
-static ovr_status in_the_way(const ovr_store *s, ovr_error *err)
+static ovr_status fail_existing(const ovr_store *s, ovr_error *err)
 {
     return ovr_fail(err, OVR_BAD_INPUT,
                     "%s: exists already; --force replaces it", s->path);
@@ -384,23 +384,23 @@ ovr_status ovr_store_create(ovr_store *s, bool force, ovr_error *err)
         return ovr_fail(err, OVR_BAD_INPUT, "%s: is not an ordinary file",
                         s->path);
     if (there && !force)
-        return in_the_way(s, err);
-    status = take_lock(s, err);
+        return fail_existing(s, err);
+    status = lock_journal(s, err);
     if (status != OVR_OK)
         return status;
     s->fd = open(s->part, O_RDWR | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC,
                  0666);
     if (s->fd < 0)
-        return say(s, OVR_BAD_INPUT, errno, "cannot be created", err);
+        return fail_with(s, OVR_BAD_INPUT, errno, "cannot be created", err);
     return OVR_OK;
 }
 
 ovr_status ovr_store_publish(ovr_store *s, bool force, ovr_error *err)
 {
     if (!force && access(s->path, F_OK) == 0)
-        return in_the_way(s, err);
+        return fail_existing(s, err);
     if (rename(s->part, s->path) != 0)
-        return say(s, OVR_BAD_INPUT, errno, "cannot be created", err);
+        return fail_with(s, OVR_BAD_INPUT, errno, "cannot be created", err);
     s->published = true;
     ovr_store_keep(s, 0);
     return OVR_OK;
@@ -413,17 +413,17 @@ ovr_status ovr_store_open(ovr_store *s, ovr_error *err)
     int error;
     s->fd = open(s->path, O_RDWR | O_CLOEXEC);
     if (s->fd < 0 || fstat(s->fd, &about) != 0)
-        return say(s, OVR_BAD_INPUT, errno, "cannot be opened", err);
+        return fail_with(s, OVR_BAD_INPUT, errno, "cannot be opened", err);
     s->published = true;
-    status = take_lock(s, err);
+    status = lock_journal(s, err);
     if (status != OVR_OK)
         return status;
     error = ovr_journal_roll_back(s);
     if (error)
-        return say(s, OVR_IO, error, "the last checkpoint cannot be restored",
-                   err);
+        return fail_with(s, OVR_IO, error,
+                         "the last checkpoint cannot be restored", err);
     if (fstat(s->fd, &about) != 0)
-        return say(s, OVR_IO, errno, "cannot be read", err);
+        return fail_with(s, OVR_IO, errno, "cannot be read", err);
     s->on_disk = s->length = (uint64_t)about.st_size;
     ovr_store_keep(s, s->kept.number);
     return OVR_OK;

@@ -168,7 +168,7 @@ static ovr_status write_pending(ovr_writer *w, ovr_error *err)
                               w->pending_value, OVR_ROW_CHUNK, err);
 }
 
-static ovr_status take_steps(ovr_writer *w, const ovr_parcel *parcel,
+static ovr_status copy_steps(ovr_writer *w, const ovr_parcel *parcel,
                              ovr_error *err)
 {
     for (size_t r = 0; r < parcel->steps; r++) {
@@ -184,7 +184,7 @@ static ovr_status take_steps(ovr_writer *w, const ovr_parcel *parcel,
 
 static ovr_status drain(ovr_writer *w, const ovr_parcel *parcel, ovr_error *err)
 {
-    ovr_status status = take_steps(w, parcel, err);
+    ovr_status status = copy_steps(w, parcel, err);
     if (status == OVR_OK && parcel->snapshot)
         status = ovr_file_add_snapshot(&w->file, parcel->time, parcel->rows,
                                        err);

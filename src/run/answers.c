@@ -118,8 +118,8 @@ typedef struct page {
     size_t used;
 } page;
 
-__attribute__((format(printf, 2, 3))) static void say(page *p,
-                                                      const char *format, ...)
+__attribute__((format(printf, 2, 3))) static void
+append(page *p, const char *format, ...)
 {
     va_list arguments;
     va_start(arguments, format);
@@ -156,35 +156,36 @@ static bool of_bearing(const page *p)
 static void write_place(page *p, double way, double angle)
 {
     if (fabs(way) < 5e-6)
-        say(p, " at the pitch point");
+        append(p, " at the pitch point");
     else if (isfinite(way))
-        say(p, " %.3g mm %s the pitch point", 1e3 * fabs(way),
-            way < 0 ? "before" : "after");
+        append(p, " %.3g mm %s the pitch point", 1e3 * fabs(way),
+               way < 0 ? "before" : "after");
     if (isfinite(angle))
-        say(p, " at %.4g deg", angle);
+        append(p, " at %.4g deg", angle);
     if (of_bearing(p) && isfinite(p->n.pass))
-        say(p, " under roller %.0f", p->n.pass);
+        append(p, " under roller %.0f", p->n.pass);
 }
 
 static void write_drive(page *p)
 {
     double speed = p->n.speed_rpm, torque = p->n.torque_N_m;
     if (of_gear(p)) {
-        say(p, "%.4g N.m at %.4g rpm: %.4g kW; contact ratio %.4g", torque,
-            speed, 1e-3 * p->n.power_W, p->n.contact_ratio);
+        append(p, "%.4g N.m at %.4g rpm: %.4g kW; contact ratio %.4g", torque,
+               speed, 1e-3 * p->n.power_W, p->n.contact_ratio);
         if (p->n.overlap_ratio > 0)
-            say(p, ", overlap ratio %.4g", p->n.overlap_ratio);
+            append(p, ", overlap ratio %.4g", p->n.overlap_ratio);
         finish_line(p, "gear pair");
     } else if (of_bearing(p)) {
-        say(p,
+        append(
+            p,
             "%.4g N at %.4g rpm; %.0f loaded rollers, the most heavily loaded "
             "carries %.4g N",
             p->n.bearing_load_N, speed, p->n.rollers_loaded,
             p->n.heaviest_roller_N);
         finish_line(p, "bearing");
     } else {
-        say(p, "%.4g rpm; maximum drive torque of the lift %.4g N.m", speed,
-            torque);
+        append(p, "%.4g rpm; maximum drive torque of the lift %.4g N.m", speed,
+               torque);
         finish_line(p, "cam");
     }
 }
@@ -194,12 +195,13 @@ static void write_no_loss(page *p)
 {
     double mu = fabs(p->n.mu_slide_max);
     if (mu > OVR_IMPOSSIBLE_FRICTION)
-        say(p,
+        append(
+            p,
             "not given: the sliding friction coefficient reaches %.2g, which "
             "no lubricant sustains; set lubricant.rheology",
             mu);
     else if (isfinite(p->n.contact_share_mean) && isnan(mu))
-        say(p, "unknown: set boundary.friction");
+        append(p, "unknown: set boundary.friction");
     finish_line(p, "friction power loss");
 }
 
@@ -212,24 +214,27 @@ static void write_loss(page *p)
         write_no_loss(p);
         return;
     }
-    say(p, "%.4g W, ", p->n.power_loss_W);
+    append(p, "%.4g W, ", p->n.power_loss_W);
     if (of_gear(p))
-        say(p,
+        append(
+            p,
             "mean over one meshing cycle, full face width; efficiency %.4g %%",
             100 * p->n.efficiency);
     else if (of_bearing(p))
-        say(p, "one roller%s on this raceway",
-            isfinite(p->n.pass) ? "" : ", the most heavily loaded,");
+        append(p, "one roller%s on this raceway",
+               isfinite(p->n.pass) ? "" : ", the most heavily loaded,");
     else
-        say(p, "mean over one revolution of the cam");
+        append(p, "mean over one revolution of the cam");
     if (p->n.unbearable_share > 0 && !isfinite(p->n.T_max_rise))
-        say(p,
+        append(
+            p,
             "; not realistic: the shear stress reaches %.2g of the pressure, "
             "set lubricant.rheology",
             p->n.shear_over_pressure);
     else if (fabs(p->n.mu_slide_max) > much)
-        say(p, "; not realistic: the sliding friction coefficient reaches %.2g",
-            fabs(p->n.mu_slide_max));
+        append(p,
+               "; not realistic: the sliding friction coefficient reaches %.2g",
+               fabs(p->n.mu_slide_max));
     finish_line(p, "friction power loss");
 }
 
@@ -239,21 +244,21 @@ static void write_film(page *p)
     double h = run ? p->n.H_min_overall_m : p->n.min_film_m;
     if (isnan(h))
         return; /* no solution */
-    say(p, "%s", ovr_metres(h).text);
+    append(p, "%s", ovr_metres(h).text);
     write_place(p, p->n.way_H_min_m, p->n.angle_H_min_deg);
     if (h < OVR_MOLECULE)
-        say(p, ", thinner than molecules of lubricants");
+        append(p, ", thinner than molecules of lubricants");
     if (isfinite(p->n.lambda_ratio_at_H_min))
-        say(p, "; lambda ratio at this position %.3g, over the run %.3g",
-            p->n.lambda_ratio_at_H_min, p->n.lambda_ratio);
+        append(p, "; lambda ratio at this position %.3g, over the run %.3g",
+               p->n.lambda_ratio_at_H_min, p->n.lambda_ratio);
     else if (isfinite(p->n.lambda_ratio))
-        say(p, "; lambda ratio %.3g", p->n.lambda_ratio);
+        append(p, "; lambda ratio %.3g", p->n.lambda_ratio);
     else if (isfinite(p->n.contact_lambda_mean))
-        say(p, "; lambda ratio %.3g", p->n.contact_lambda_mean);
+        append(p, "; lambda ratio %.3g", p->n.contact_lambda_mean);
     else if (isfinite(p->n.contact_lambda))
-        say(p, "; lambda ratio %.3g", p->n.contact_lambda);
+        append(p, "; lambda ratio %.3g", p->n.contact_lambda);
     else
-        say(p, "; lambda ratio unknown (set contact.Rq_1 and contact.Rq_2)");
+        append(p, "; lambda ratio unknown (set contact.Rq_1 and contact.Rq_2)");
     finish_line(p, "minimum film thickness");
 }
 
@@ -262,8 +267,8 @@ static void write_pressure(page *p)
     bool run = isfinite(p->n.P_max_overall_Pa);
     if (!run && !isfinite(p->n.max_pressure_Pa))
         return;
-    say(p, "%.4g GPa",
-        1e-9 * (run ? p->n.P_max_overall_Pa : p->n.max_pressure_Pa));
+    append(p, "%.4g GPa",
+           1e-9 * (run ? p->n.P_max_overall_Pa : p->n.max_pressure_Pa));
     write_place(p, p->n.way_P_max_m, p->n.angle_P_max_deg);
     finish_line(p, "maximum pressure");
 }
@@ -273,8 +278,8 @@ static void write_heat(page *p)
     double T = p->n.T_supply_K - 273.15;
     if (!isfinite(p->n.T_max_rise))
         return;
-    say(p, "%.4g degC in the film, %.4g and %.4g degC on surfaces 1 and 2",
-        T + p->n.T_max_rise, T + p->n.T_1_max_rise, T + p->n.T_2_max_rise);
+    append(p, "%.4g degC in the film, %.4g and %.4g degC on surfaces 1 and 2",
+           T + p->n.T_max_rise, T + p->n.T_1_max_rise, T + p->n.T_2_max_rise);
     finish_line(p, "maximum temperature");
 }
 
@@ -283,21 +288,21 @@ static void write_stress(page *p)
 {
     if (!isfinite(p->n.tau_max_Pa))
         return;
-    say(p, "%.4g GPa (von Mises stress %.4g GPa) below surface %.0f",
-        1e-9 * p->n.tau_max_Pa, 1e-9 * p->n.von_mises_max_Pa,
-        p->n.surface_tau_max);
+    append(p, "%.4g GPa (von Mises stress %.4g GPa) below surface %.0f",
+           1e-9 * p->n.tau_max_Pa, 1e-9 * p->n.von_mises_max_Pa,
+           p->n.surface_tau_max);
     finish_line(p, "maximum shear stress");
     if (isfinite(p->n.utilisation))
-        say(p, "utilization of the fatigue limit %.3g", p->n.utilisation);
+        append(p, "utilization of the fatigue limit %.3g", p->n.utilisation);
     if (isfinite(p->n.risk_smooth))
-        say(p, "%srisk of the smooth contact %.3g", p->used ? "; " : "",
-            p->n.risk_smooth);
+        append(p, "%srisk of the smooth contact %.3g", p->used ? "; " : "",
+               p->n.risk_smooth);
     finish_line(p, "fatigue");
     if (!isfinite(p->n.life_ratio))
         return;
-    say(p, "%.3g relative to smooth surfaces", p->n.life_ratio);
+    append(p, "%.3g relative to smooth surfaces", p->n.life_ratio);
     if (isfinite(p->n.life_ratio_together))
-        say(p, ", %.3g for all passes together", p->n.life_ratio_together);
+        append(p, ", %.3g for all passes together", p->n.life_ratio_together);
     finish_line(p, "life ratio");
 }
 

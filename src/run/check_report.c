@@ -407,8 +407,8 @@ static void report_cost(const ovr_report_sink *to, const ovr_setup *setup,
                     cost->seconds, cost->bytes / 1e6, disk.text);
 }
 
-static void put_cost(const ovr_report_sink *to, const ovr_setup *setup,
-                     const ovr_cost *cost)
+static void report_grid_cost(const ovr_report_sink *to, const ovr_setup *setup,
+                             const ovr_cost *cost)
 {
     const ovr_options *options = setup->options;
     ovr_put_count(to, "level", options->level);
@@ -433,7 +433,7 @@ static void put_cost(const ovr_report_sink *to, const ovr_setup *setup,
     ovr_put_number(to, "estimated_seconds", cost->seconds);
 }
 
-static void put_formulas(const ovr_report_sink *to, const ovr_setup *setup)
+static void report_formulas(const ovr_report_sink *to, const ovr_setup *setup)
 {
     const ovr_film_fit fit = fit_of(setup);
     ovr_report_title(to, "Operating conditions");
@@ -451,7 +451,7 @@ void ovr_setup_scales(const ovr_setup *setup, ovr_summary_taker *take,
     ovr_report_sink all = {take, data};
     const ovr_report_sink keyed = {ovr_put_keyed, &all};
     if (setup && take)
-        put_formulas(&keyed, setup);
+        report_formulas(&keyed, setup);
 }
 
 ovr_status ovr_setup_report(const ovr_setup *setup, double live,
@@ -470,12 +470,12 @@ ovr_status ovr_setup_report(const ovr_setup *setup, double live,
     ovr_status status = ovr_setup_rough_film(setup, NULL, &film, err);
     if (status)
         return status;
-    put_formulas(&to, setup);
+    report_formulas(&to, setup);
     for (size_t k = 0, n = ovr_surfaces_count(setup->surfaces); k < n; k++)
         report_feature(&to, setup, k);
     report_rough_film(&to, setup, &film);
     report_grid(&to, setup, &cost);
     report_cost(&to, setup, &cost);
-    put_cost(&to, setup, &cost);
+    report_grid_cost(&to, setup, &cost);
     return OVR_OK;
 }

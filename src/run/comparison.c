@@ -249,7 +249,7 @@ const char *ovr_amount_read(const char *text, double *number)
 
 /* Reads the target. If it has a unit, converts it to SI and compares it with
  * the quantity in SI. */
-static ovr_status take_target(ovr_comparison *c, const char *text,
+static ovr_status read_target(ovr_comparison *c, const char *text,
                               ovr_arena *arena, ovr_error *err)
 {
     const char *at = ovr_amount_read(text, &c->target), *si;
@@ -295,5 +295,5 @@ ovr_status ovr_comparison_read(const char *text, ovr_comparison *c,
             "'%.80s' must be QUANTITY is VALUE, at most VALUE "
             "or at least VALUE",
             text);
-    return take_target(c, at + strspn(at, " \t"), arena, err);
+    return read_target(c, at + strspn(at, " \t"), arena, err);
 }

@@ -111,7 +111,7 @@ static ovr_trial_plan plan_of(const ovr_find *f)
 }
 
 /* Writes a number with the fewest digits that reproduce it exactly. */
-static void put_exact(char *text, size_t capacity, double x)
+static void write_exact(char *text, size_t capacity, double x)
 {
     for (int digits = 6; digits <= 17; digits++) {
         snprintf(text, capacity, "%.*g", digits, x);
@@ -130,7 +130,7 @@ static const char *result_path(ovr_find *f, double x, ovr_error *err)
     char unit[80], number[40];
     if (!path)
         return NULL;
-    put_exact(number, sizeof number, x);
+    write_exact(number, sizeof number, x);
     snprintf(unit, sizeof unit, "%s", *f->suffix ? f->suffix + 1 : "");
     for (char *c = unit; *c; c++)
         if (strchr("/ .*^", *c))
@@ -281,7 +281,7 @@ static ovr_status check_answer(ovr_find *f, const ovr_search_result *r,
                     first_failure(f));
 }
 
-static void take_result(ovr_find *f, const ovr_search_result *r)
+static void store_result(ovr_find *f, const ovr_search_result *r)
 {
     ovr_find_info *i = &f->info;
     double relative = r->scatter / fabs(i->target);
@@ -434,7 +434,7 @@ ovr_status ovr_find_execute(ovr_find *f, ovr_error *err)
         !(status = pin_order(f, err)))
         status = ovr_search_run(&search, &r, err);
     if (!status) {
-        take_result(f, &r);
+        store_result(f, &r);
         status = check_answer(f, &r, err);
         if (!status)
             status = run_answer(f, err);
@@ -462,8 +462,8 @@ ovr_find_evaluation ovr_find_evaluation_at(const ovr_find *find, size_t k)
     return find && k < find->info.evaluations ? find->made[k] : none;
 }
 
-static void take_search(const ovr_find_info *i, ovr_summary_taker *take,
-                        void *data)
+static void report_search(const ovr_find_info *i, ovr_summary_taker *take,
+                          void *data)
 {
     const bool found = i->end == OVR_FIND_FOUND || i->end == OVR_FIND_SCATTERED;
     const char *relation = !i->sense      ? "is"
@@ -497,7 +497,7 @@ void ovr_find_summary(const ovr_find *find, bool answer,
     if (!find || !take)
         return;
     if (!answer) {
-        take_search(&find->info, take, data);
+        report_search(&find->info, take, data);
         return;
     }
     const ovr_summary_line found = {.key = find->info.key,

@@ -57,7 +57,7 @@ static bool read_row(char *line, ovr_find_evaluation *e, ovr_arena *arena)
     return isfinite(e->value) && e->message;
 }
 
-static void put_row(FILE *to, const ovr_find_evaluation *e)
+static void write_row(FILE *to, const ovr_find_evaluation *e)
 {
     ovr_csv_number(to, e->value, 17);
     fputc(',', to);
@@ -123,7 +123,7 @@ ovr_status ovr_find_table_add(ovr_find_table *table,
 {
     if (!table->file)
         return OVR_OK;
-    put_row(table->file, one);
+    write_row(table->file, one);
     if (fflush(table->file) == 0 && fsync(fileno(table->file)) == 0)
         return OVR_OK;
     return cannot(table, OVR_IO, err);
@@ -159,7 +159,7 @@ static bool row_of(const char *where, ovr_parameter_info *info)
 
 /* Checks that the key is a single number and accepts both ends of the search
  * range. */
-static ovr_status take_ends(ovr_find *f, ovr_error *err)
+static ovr_status read_ends(ovr_find *f, ovr_error *err)
 {
     const char *unit[2];
     double end[2];
@@ -233,7 +233,7 @@ static ovr_status try_ends(ovr_find *f, ovr_error *err)
     return status;
 }
 
-static ovr_status take_condition(ovr_find *f, ovr_error *err)
+static ovr_status read_condition(ovr_find *f, ovr_error *err)
 {
     const char *which = f->how.which;
     ovr_comparison said;
@@ -302,7 +302,7 @@ static ovr_status no_quantity(const char *quantity, const names *n,
 
 /* Finds a quantity among those of formulas or the known results of runs. A
  * similar name is suggested; other names are checked after the first run. */
-static ovr_status look_up(ovr_find *f, ovr_error *err)
+static ovr_status find_quantity(ovr_find *f, ovr_error *err)
 {
     names scales = {.count = 0}, all;
     const ovr_observable *o;
@@ -345,7 +345,7 @@ ovr_status ovr_find_check(ovr_find *f, const ovr_trial *t, ovr_error *err)
 
 /* ---------------------------------------------------------------- creation */
 
-static ovr_status take_options(ovr_find *f, const ovr_find_options *options,
+static ovr_status copy_options(ovr_find *f, const ovr_find_options *options,
                                ovr_error *err)
 {
     ovr_find_options *o = &f->how;
@@ -463,7 +463,7 @@ static ovr_status prepare(ovr_find *f, ovr_case *c,
                           const ovr_find_options *options, ovr_error *err)
 {
     ovr_find_info *i = &f->info;
-    ovr_status status = take_options(f, options, err);
+    ovr_status status = copy_options(f, options, err);
     *i = (ovr_find_info){.message = f->message};
     i->value = i->at_value = i->low = i->high = NAN;
     i->slope = i->error = i->scatter = NAN;
@@ -475,7 +475,7 @@ static ovr_status prepare(ovr_find *f, ovr_case *c,
     f->base = f->made ? ovr_case_apart(c, err) : NULL;
     if (!f->base)
         return OVR_NO_MEMORY;
-    if (take_ends(f, err) || take_condition(f, err) || look_up(f, err) ||
+    if (read_ends(f, err) || read_condition(f, err) || find_quantity(f, err) ||
         try_ends(f, err))
         return OVR_BAD_INPUT;
     if (name_quantity(i, &f->arena, err))

@@ -343,7 +343,7 @@ static const char *title_of(const char *name, ovr_arena *arena)
     return title;
 }
 
-static ovr_status want_inputs(target *w, const ovr_run *run, ovr_error *err)
+static ovr_status list_inputs(target *w, const ovr_run *run, ovr_error *err)
 {
     ovr_inputs inputs;
     ovr_status status = ovr_case_inputs(run->c, &w->arena, &inputs, err);
@@ -352,7 +352,7 @@ static ovr_status want_inputs(target *w, const ovr_run *run, ovr_error *err)
     return status;
 }
 
-static ovr_status want(target *w, ovr_run *run, ovr_error *err)
+static ovr_status make_options(target *w, ovr_run *run, ovr_error *err)
 {
     w->options = ovr_write_options_default();
     w->arena = ovr_arena_make(&run->arena.allocator);
@@ -362,7 +362,7 @@ static ovr_status want(target *w, ovr_run *run, ovr_error *err)
     w->options.times = w->times;
     w->options.values = w->values;
     w->options.case_text = ovr_case_text(run->c, err);
-    ovr_status status = want_inputs(w, run, err);
+    ovr_status status = list_inputs(w, run, err);
     if (status)
         return status;
     w->options.case_path = absolute(ovr_case_directory(run->c), &w->arena);
@@ -425,7 +425,7 @@ ovr_status ovr_output_open(ovr_run *run, ovr_error *err)
     const ovr_state *state = ovr_simulation_state(run->sim);
     target w;
     ovr_writer *writer = NULL;
-    if (want(&w, run, err) == OVR_OK) {
+    if (make_options(&w, run, err) == OVR_OK) {
         w.options.force = run->how.force;
         writer = ovr_writer_create(&w.options, run->setup->contact, state->n,
                                    state->X, &run->arena.allocator, err);
@@ -454,7 +454,7 @@ ovr_status ovr_output_reopen(ovr_run *run, bool write, ovr_error *err)
     ovr_restart *restart = run->restart;
     target w;
     ovr_writer *writer = NULL;
-    ovr_status status = want(&w, run, err);
+    ovr_status status = make_options(&w, run, err);
     if (status == OVR_OK && restart)
         status = ovr_values_same(run->recorded_count, run->recorded,
                                  w.options.value_count, w.values, err);

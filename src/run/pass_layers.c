@@ -126,8 +126,8 @@ static ovr_status pass_history_read(ovr_pass_history *h, ovr_result *result,
     return status;
 }
 
-static ovr_status take_down(void *data, const ovr_simulation *sim,
-                            ovr_error *err)
+static ovr_status record_row(void *data, const ovr_simulation *sim,
+                             ovr_error *err)
 {
     enum { FIRST = 256 };
     ovr_pass_history *h = data;
@@ -143,7 +143,7 @@ static ovr_status take_down(void *data, const ovr_simulation *sim,
 
 ovr_observer ovr_pass_history_observer(ovr_pass_history *h)
 {
-    return (ovr_observer){take_down, NULL, h};
+    return (ovr_observer){record_row, NULL, h};
 }
 
 /* ------------------------------------------------------------------- Layers */

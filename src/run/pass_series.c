@@ -60,7 +60,7 @@ static ovr_status passes_make_rows(ovr_run *run, int number, ovr_error *err)
     return OVR_OK;
 }
 
-static void tell(ovr_run *run)
+static void update_info(ovr_run *run)
 {
     run->info.pass = run->passes->now;
     run->info.passes = run->passes->rows;
@@ -143,7 +143,7 @@ ovr_status ovr_passes_feed(ovr_run *run, ovr_error *err)
         status = passes_make_rows(run, run->setup->passes->number, err);
     if (status)
         return status;
-    tell(run);
+    update_info(run);
     for (int pass = 1; pass < p->now; pass++) {
         if (pass < p->now - 1 &&
             isfinite(p->row[pass - 1].value[OVR_PASS_STEPS]))

@@ -171,7 +171,7 @@ typedef struct table {
     ovr_flat rows;
 } table;
 
-static bool put_numbers(const table *t, size_t k, const ovr_pass_column *c)
+static bool write_numbers(const table *t, size_t k, const ovr_pass_column *c)
 {
     const ovr_scales scales = ovr_scales_of(t->run->setup->contact);
     double factor = ovr_factor(&scales, c->kind);
@@ -191,12 +191,12 @@ static bool is_asked_for(const table *t, size_t k, const ovr_pass_column *c)
     return c->of ? !(c->of->needs & ~ovr_setup_physics(t->run->setup)) : known;
 }
 
-static bool put_columns(const table *t)
+static bool write_columns(const table *t)
 {
     ovr_pass_column c;
     bool good = true;
     for (size_t k = 0; good && ovr_pass_column_at(k, &c); k++)
-        good = !is_asked_for(t, k, &c) || put_numbers(t, k, &c);
+        good = !is_asked_for(t, k, &c) || write_numbers(t, k, &c);
     return good;
 }
 
@@ -206,7 +206,7 @@ static const char *base_name(const char *path)
     return slash ? slash + 1 : path;
 }
 
-static bool put_names(const table *t)
+static bool write_names(const table *t)
 {
     const ovr_passes *p = t->run->passes;
     for (size_t i = 0; i < t->rows.count; i++)
@@ -219,7 +219,7 @@ static bool put_names(const table *t)
                           t->texts);
 }
 
-static bool put_case(const table *t)
+static bool write_case(const table *t)
 {
     const char *text = ovr_case_text(t->run->c, NULL);
     const char *folder = ovr_case_directory(t->run->c);
@@ -236,9 +236,9 @@ static bool write_part(table *t, const char *part, const char *status,
     const char *title = t->run->setup->output->title;
     bool good = ovr_flat_begin(&t->rows, part, "pass", "number of the pass",
                                (size_t)t->run->passes->rows, arena) &&
-                put_names(t) && put_case(t) &&
+                write_names(t) && write_case(t) &&
                 ovr_h5_set_string(t->rows.file, "status", status) &&
-                put_columns(t);
+                write_columns(t);
     return ovr_flat_end(&t->rows, part,
                         title ? title : "passes of a line contact", good);
 }

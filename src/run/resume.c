@@ -19,8 +19,8 @@
 #include "run/internal.h"
 #include "run/pass_series.h"
 
-static void say(ovr_run *run, const char *format, ...) OVR_PRINTF(2, 3);
-static void say(ovr_run *run, const char *format, ...)
+static void note(ovr_run *run, const char *format, ...) OVR_PRINTF(2, 3);
+static void note(ovr_run *run, const char *format, ...)
 {
     char what[120], text[OVR_MESSAGE_SIZE];
     va_list args;
@@ -97,21 +97,22 @@ static void report_state(ovr_run *run, bool done)
 {
     const ovr_state *state = ovr_simulation_state(run->sim);
     if (run->writer && ovr_writer_repaired(run->writer))
-        say(run,
+        note(
+            run,
             "last write was interrupted; file restored to the last checkpoint");
     if (done && run->passes) /* already reported for all passes */
         return;
     if (done)
-        say(run, "run is already complete");
+        note(run, "run is already complete");
     else if (run->restored)
-        say(run, "continuing from T = %g, step %ld", state->T, state->step);
+        note(run, "continuing from T = %g, step %ld", state->T, state->step);
     else
-        say(run, "has no checkpoint; the run starts again");
+        note(run, "has no checkpoint; the run starts again");
     if (run->restored && run->info.transient)
         run->info.fraction = state->T / run->setup->march->end;
 }
 
-static ovr_status go_back(ovr_run *run, double complete, ovr_error *err)
+static ovr_status restore_state(ovr_run *run, double complete, ovr_error *err)
 {
     bool done = !run->info.transient || run->setup->march->end <= complete;
     done = done && complete > -INFINITY;
@@ -154,7 +155,7 @@ static ovr_status prepare(ovr_run *run, const char *path, ovr_error *err)
                         "%s: a solution with %s is not computed in steps and "
                         "cannot be resumed",
                         path, maker->name);
-    return go_back(run, complete, err);
+    return restore_state(run, complete, err);
 }
 
 /* Completes a series whose passes all have files. The row of the last pass is

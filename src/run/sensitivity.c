@@ -89,7 +89,7 @@ static ovr_status add_key(working *w, const ovr_case_entry *e)
     return OVR_OK;
 }
 
-static ovr_status take_asked(working *w, ovr_line asked)
+static ovr_status add_requested_key(working *w, ovr_line asked)
 {
     ovr_case_entry e;
     if (!ovr_case_entry_of(w->base, asked.text, asked.size, &e))
@@ -105,14 +105,14 @@ static ovr_status take_asked(working *w, ovr_line asked)
     return add_key(w, &e);
 }
 
-static ovr_status take_keys(working *w)
+static ovr_status add_keys(working *w)
 {
     const char *list = w->how.keys;
     ovr_status status = OVR_OK;
     while (list && *list && !status) {
         size_t size = strcspn(list, ",");
         ovr_line one = ovr_trim((ovr_line){list, size, 0});
-        status = one.size ? take_asked(w, one) : OVR_OK;
+        status = one.size ? add_requested_key(w, one) : OVR_OK;
         list += size + (list[size] == ',');
     }
     for (size_t k = 0; !w->how.keys && !status && k < ovr_case_entries(w->base);
@@ -342,7 +342,7 @@ static ovr_status work(working *w)
 }
 
 /* Reads the level of the case; it must be above 2 if errors are estimated. */
-static ovr_status take_level(working *w)
+static ovr_status read_level(working *w)
 {
     ovr_case_entry e;
     double level = ovr_case_entry_of(w->base, "domain.level",
@@ -376,9 +376,9 @@ ovr_sensitivity *ovr_sensitivity_create(ovr_case *c,
     if (!w.base)
         status = OVR_NO_MEMORY;
     if (!status)
-        status = take_keys(&w);
+        status = add_keys(&w);
     if (!status)
-        status = take_level(&w);
+        status = read_level(&w);
     if (!status)
         status = work(&w);
     ovr_case_free(w.base);

@@ -332,7 +332,7 @@ static double smooth_roughness(const smooth *at, double H)
     return Rq * thinner * thinner;
 }
 
-static ovr_status take(smooth *at, ovr_arena *arena, ovr_error *err)
+static ovr_status allocate(smooth *at, ovr_arena *arena, ovr_error *err)
 {
     double **const arrays[] = {&at->P,    &at->H,   &at->eps,  &at->of_h,
                                &at->of_p, &at->rho, &at->rho_p};
@@ -359,7 +359,8 @@ ovr_status ovr_sliding_waves_make(const ovr_contact *contact,
     slides = rolls;
     row *a = ovr_arena_take(arena, most, sizeof *a, err);
     double complex *x = ovr_arena_take(arena, most, sizeof *x, err);
-    if (!a || !x || take(&rolls, arena, err) || take(&slides, arena, err))
+    if (!a || !x || allocate(&rolls, arena, err) ||
+        allocate(&slides, arena, err))
         return OVR_NO_MEMORY;
     fill_smooth(contact, lubricant, H, &rolls);
     fill_smooth(contact, lubricant, H, &slides);

@@ -291,7 +291,7 @@ static ovr_status open_section(reading *r, const char *header)
     return ovr_study_unknown(r->s, &words, name, r->line, r->err);
 }
 
-static ovr_status take_setting(reading *r, const char *key, const char *value)
+static ovr_status read_setting(reading *r, const char *key, const char *value)
 {
     static const char *const names[] = {"case", "output", "results"};
     const ovr_study_words words = {" in [study]", names, 3, ""};
@@ -308,7 +308,7 @@ static ovr_status take_setting(reading *r, const char *key, const char *value)
     return ovr_study_unknown(r->s, &words, key, r->line, r->err);
 }
 
-static ovr_status take_values(reading *r, const char *key, const char *value)
+static ovr_status read_values(reading *r, const char *key, const char *value)
 {
     ovr_study *s = r->s;
     ovr_study_key *k = ovr_study_new_key(s, key, r->line, r->err);
@@ -337,7 +337,7 @@ static ovr_status take_values(reading *r, const char *key, const char *value)
 }
 
 /* Reads "A, B". */
-static ovr_status take_ends(reading *r, const char *value)
+static ovr_status read_ends(reading *r, const char *value)
 {
     ovr_find_options *f = &r->s->find.how;
     char **ends;
@@ -350,7 +350,7 @@ static ovr_status take_ends(reading *r, const char *value)
     return OVR_OK;
 }
 
-static ovr_status take_find(reading *r, const char *key, const char *value)
+static ovr_status read_find(reading *r, const char *key, const char *value)
 {
     static const char *const names[] = {"key", "between", "so_that", "which",
                                         "tolerance"};
@@ -360,7 +360,7 @@ static ovr_status take_find(reading *r, const char *key, const char *value)
     const char *at = value, **to = NULL;
     r->s->find.line = r->line;
     if (!strcmp(key, "between"))
-        return take_ends(r, value);
+        return read_ends(r, value);
     if (!strcmp(key, "tolerance"))
         return ovr_read_number(&at, &f->tolerance) && !*at
                    ? OVR_OK
@@ -378,7 +378,7 @@ static ovr_status take_find(reading *r, const char *key, const char *value)
 
 /* Reads a limit, "min_film_m >= 0.2 um". The parser ends its key before the
  * '='. */
-static ovr_status take_limit(reading *r, const char *key, const char *value)
+static ovr_status read_limit(reading *r, const char *key, const char *value)
 {
     char text[400];
     ovr_error why = {0};
@@ -397,7 +397,7 @@ static ovr_status take_limit(reading *r, const char *key, const char *value)
     return OVR_OK;
 }
 
-static ovr_status take_entry(reading *r, const ovr_entry *entry)
+static ovr_status read_entry(reading *r, const ovr_entry *entry)
 {
     r->line = entry->line;
     if (entry->section)
@@ -405,11 +405,11 @@ static ovr_status take_entry(reading *r, const ovr_entry *entry)
     if (!*entry->value)
         return fail(r, "%.60s: the value is missing", entry->key);
     switch (r->section) {
-    case STUDY: return take_setting(r, entry->key, entry->value);
-    case FIND: return take_find(r, entry->key, entry->value);
+    case STUDY: return read_setting(r, entry->key, entry->value);
+    case FIND: return read_find(r, entry->key, entry->value);
     case RANDOM: return ovr_study_take_random(r->s, entry, r->table, r->err);
-    case LIMITS: return take_limit(r, entry->key, entry->value);
-    default: return take_values(r, entry->key, entry->value);
+    case LIMITS: return read_limit(r, entry->key, entry->value);
+    default: return read_values(r, entry->key, entry->value);
     }
 }
 
@@ -426,7 +426,7 @@ static ovr_status read_lines(reading *r)
     s->signature = all.at ? ovr_text_hash(all.at) : 0;
     while (!status && !(status = ovr_entries_next(&all, &entry, r->err)) &&
            entry.line)
-        status = take_entry(r, &entry);
+        status = read_entry(r, &entry);
     return status;
 }
 

@@ -71,7 +71,7 @@ static const char *short_name(const ovr_study *s, const char *where)
 
 /* Copies characters that are safe in a file name. Blanks are removed, others
  * become '~'. */
-static size_t put_safe(char *to, size_t capacity, const char *text)
+static size_t append_safe(char *to, size_t capacity, const char *text)
 {
     size_t n = 0;
     for (; *text && n + 1 < capacity; text++) {
@@ -96,8 +96,8 @@ static unsigned hash(const char *text)
 
 /* Appends the values of lists and ranges to the name. Returns its length before
  * truncation. */
-static size_t put_values(const ovr_study *s, size_t task, char *name,
-                         size_t capacity)
+static size_t append_values(const ovr_study *s, size_t task, char *name,
+                            size_t capacity)
 {
     size_t n = 0, whole;
     name[0] = '\0';
@@ -107,7 +107,7 @@ static size_t put_values(const ovr_study *s, size_t task, char *name,
             continue;
         snprintf(part, sizeof part, "%s%s=%s", n ? "_" : "", s->key[i].shown,
                  ovr_study_value(s, &s->key[i], task, value));
-        n += put_safe(name + n, capacity - n, part);
+        n += append_safe(name + n, capacity - n, part);
     }
     whole = n;
     if (n > NAME_MAX)
@@ -121,7 +121,7 @@ void ovr_study_name(const ovr_study *s, size_t k, char *text, size_t capacity)
     size_t n;
     if (!s || !text || k >= s->tasks)
         return;
-    n = put_values(s, k, name, sizeof name) ? strlen(name) : 0;
+    n = append_values(s, k, name, sizeof name) ? strlen(name) : 0;
     if (s->random.how.draws)
         snprintf(name + n, sizeof name - n, "%sdraw-%04zu", n ? "_" : "",
                  draw_of(s, k) + 1);
@@ -235,8 +235,8 @@ static ovr_case *base_case(const ovr_study *s, ovr_error *err)
     return ovr_case_read_text("", s->path, s->folder, NULL, err);
 }
 
-static ovr_status put(const ovr_study *s, const ovr_study_key *k,
-                      const char *value, ovr_case *c, ovr_error *err)
+static ovr_status set_key(const ovr_study *s, const ovr_study_key *k,
+                          const char *value, ovr_case *c, ovr_error *err)
 {
     char origin[300];
     snprintf(origin, sizeof origin, "%.280s:%ld", s->path, k->line);
@@ -256,20 +256,20 @@ static ovr_status bad_draw(const ovr_study *s, const ovr_study_key *k, size_t v,
                        v + 1, k->where, value_at(s, k, v, text), what);
 }
 
-static ovr_status put_value(const ovr_study *s, const ovr_study_key *k,
+static ovr_status set_value(const ovr_study *s, const ovr_study_key *k,
                             size_t v, ovr_case *c, ovr_error *err)
 {
     char text[OVR_STUDY_VALUE];
     ovr_error why = {0};
-    ovr_status status = put(s, k, value_at(s, k, v, text), c,
-                            k->random ? &why : err);
+    ovr_status status = set_key(s, k, value_at(s, k, v, text), c,
+                                k->random ? &why : err);
     return status && k->random ? bad_draw(s, k, v, &why, err) : status;
 }
 
 ovr_status ovr_study_put(const ovr_study *s, const ovr_study_key *key,
                          size_t task, ovr_case *c, ovr_error *err)
 {
-    return put_value(s, key, value_number(key, task), c, err);
+    return set_value(s, key, value_number(key, task), c, err);
 }
 
 ovr_case *ovr_study_case(const ovr_study *s, size_t task, ovr_error *err)
@@ -300,9 +300,9 @@ ovr_status ovr_study_try_values(const ovr_study *s, ovr_error *err)
         const ovr_study_key *k = &s->key[i];
         size_t first = k->random ? 1 : k->value ? k->count : FIRST;
         for (size_t v = 0; !status && v < k->count && v < first; v++)
-            status = put_value(s, k, v, c, err);
+            status = set_value(s, k, v, c, err);
         if (!status && !k->random)
-            status = put_value(s, k, k->count - 1, c, err);
+            status = set_value(s, k, k->count - 1, c, err);
     }
     ovr_case_free(c);
     return status;
@@ -327,11 +327,11 @@ static ovr_status try_key(const ovr_study *s, const ovr_study_key *k,
         if (u > high)
             high = u, most = v;
     }
-    if (k->draw.law != OVR_DRAW_CELL && !put_value(s, k, least, c, &why) &&
-        !put_value(s, k, most, c, &why))
+    if (k->draw.law != OVR_DRAW_CELL && !set_value(s, k, least, c, &why) &&
+        !set_value(s, k, most, c, &why))
         return OVR_OK;
     for (size_t v = from; !status && v < from + count; v++)
-        status = put_value(s, k, v, c, err);
+        status = set_value(s, k, v, c, err);
     return status;
 }
 
@@ -404,7 +404,7 @@ ovr_status ovr_study_hash(ovr_study *s, ovr_error *err)
     for (size_t i = 0; !status && i < s->keys; i++) {
         const ovr_study_key *k = &s->key[i];
         if (k->fixed)
-            status = put_value(s, k, 0, c, err);
+            status = set_value(s, k, 0, c, err);
         else
             ovr_case_unset(c, k->where);
         for (size_t n = 0; n < k->draw.cells; n++)

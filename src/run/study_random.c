@@ -32,7 +32,7 @@ static bool read_count(const char *text, double maximum, double *count)
            *count >= 0 && *count <= maximum;
 }
 
-static ovr_status take_setting(ovr_study *s, const ovr_entry *entry,
+static ovr_status read_setting(ovr_study *s, const ovr_entry *entry,
                                ovr_error *err)
 {
     static const char *const names[] = {"draws", "seed", "design", "shifts"};
@@ -92,7 +92,7 @@ ovr_status ovr_study_take_random(ovr_study *s, const ovr_entry *entry,
         r->how.shifts = SHIFTS;
     }
     if (!strchr(entry->key, '.') && !file)
-        return take_setting(s, entry, err);
+        return read_setting(s, entry, err);
     if (r->keys == OVR_STUDY_MAX_KEYS)
         return fail(s, entry->line,
                     "'%.60s': a study has at most 64 random "

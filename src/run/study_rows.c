@@ -65,7 +65,7 @@ typedef struct record {
     uint64_t at;
 } record;
 
-static void put_record(char text[RECORD + 1], record r)
+static void write_record_text(char text[RECORD + 1], record r)
 {
     snprintf(text, RECORD + 1, "%c%07u %014" PRIu64 "\n", r.state, r.file,
              r.at);
@@ -89,7 +89,7 @@ static uint64_t place_of(size_t task)
     return HEADER + (uint64_t)task * RECORD;
 }
 
-static void put_header(const ovr_study *s, char text[HEADER + 1])
+static void write_header(const ovr_study *s, char text[HEADER + 1])
 {
     char line[HEADER + 1];
     snprintf(line, sizeof line, "overroll study 1 %016" PRIx64 " %zu",
@@ -101,7 +101,7 @@ static void put_header(const ovr_study *s, char text[HEADER + 1])
 static bool is_current(const ovr_rows *r)
 {
     char wanted[HEADER + 1], found[HEADER];
-    put_header(r->s, wanted);
+    write_header(r->s, wanted);
     return ovr_read_all(r->index, found, HEADER, 0) == 0 &&
            !memcmp(found, wanted, HEADER);
 }
@@ -123,7 +123,7 @@ static int write_record(ovr_rows *r, size_t task, record what)
 {
     char text[RECORD + 1] = {0};
     if (what.state)
-        put_record(text, what);
+        write_record_text(text, what);
     if (r->records)
         memcpy(r->records + (size_t)RECORD * task, text, RECORD);
     return is_current(r) ? ovr_write_all(r->index, text, RECORD, place_of(task))
@@ -238,7 +238,7 @@ typedef struct rebuilding {
 } rebuilding;
 
 /* Stores the position of a row; the newest row of a case is used. */
-static void take_row(rebuilding *b, char *line, unsigned file, uint64_t at)
+static void index_row(rebuilding *b, char *line, unsigned file, uint64_t at)
 {
     char *rest = line, *cell[FIRST_COLUMNS], text[RECORD + 1];
     bool last = false;
@@ -261,21 +261,21 @@ static void take_row(rebuilding *b, char *line, unsigned file, uint64_t at)
     if (known ? !same || time < b->time[found->task] : *to && !same)
         return;
     b->time[found->task] = time;
-    put_record(text, (record){!same                          ? 'c'
-                              : !strcmp(cell[2], "finished") ? 'f'
-                                                             : 'x',
-                              file, at});
+    write_record_text(text, (record){!same                          ? 'c'
+                                     : !strcmp(cell[2], "finished") ? 'f'
+                                                                    : 'x',
+                                     file, at});
     memcpy(to, text, RECORD);
 }
 
-static void take_table(rebuilding *b, unsigned number)
+static void index_table(rebuilding *b, unsigned number)
 {
     table *t = open_table(b->r, number);
     while (t && t->head) {
         uint64_t at = (uint64_t)ftello(t->from);
         if (!fgets(b->r->line, LINE, t->from))
             break;
-        take_row(b, b->r->line, number, at);
+        index_row(b, b->r->line, number, at);
     }
 }
 
@@ -287,7 +287,7 @@ static bool ends_with(const char *name, const char *ending)
 
 /* Marks cases with result files of their own, as version 0.3.0 and studies with
  * result files write. */
-static void take_files(rebuilding *b)
+static void index_files(rebuilding *b)
 {
     const ovr_study *s = b->r->s;
     for (size_t i = 0; i < s->tasks; i++) {
@@ -300,7 +300,7 @@ static void take_files(rebuilding *b)
         found = found || access(path, F_OK) == 0;
         if (!found || *to)
             continue;
-        put_record(text, (record){'o', 0, 0});
+        write_record_text(text, (record){'o', 0, 0});
         memcpy(to, text, RECORD);
     }
 }
@@ -331,12 +331,12 @@ static ovr_status read_folder(rebuilding *b)
             continue;
         if (!b->all && !(b->all = name_all(b->r->s, &b->arena)))
             return OVR_NO_MEMORY;
-        take_table(b, number);
+        index_table(b, number);
     }
     if (folder)
         closedir(folder);
     if (files)
-        take_files(b);
+        index_files(b);
     return OVR_OK;
 }
 
@@ -358,7 +358,7 @@ static ovr_status write_index(ovr_rows *r, ovr_error *err)
     char header[HEADER + 1] = {0};
     const size_t bytes = (size_t)RECORD * r->s->tasks;
     int error = ovr_write_all(r->index, header, HEADER, 0);
-    put_header(r->s, header);
+    write_header(r->s, header);
     if (!error && ftruncate(r->index, HEADER) != 0)
         error = errno;
     for (size_t at = 0, n; !error && at < bytes; at += n) {
@@ -604,8 +604,8 @@ static ovr_status append(ovr_rows *r, size_t task, char state, const char *head,
                  : OVR_OK;
 }
 
-static void put_first(const ovr_rows *r, size_t task, const char *status,
-                      const char *message, FILE *row)
+static void write_first(const ovr_rows *r, size_t task, const char *status,
+                        const char *message, FILE *row)
 {
     char name[OVR_STUDY_NAME];
     ovr_study_name(r->s, task, name, sizeof name);
@@ -625,8 +625,8 @@ static ovr_status add_row(ovr_rows *r, size_t task, ovr_row *numbers,
         close_row(numbers);
     if (!status) {
         fputs(first_columns, whole.to[0]);
-        put_first(r, task, numbers ? "finished" : "failed", message,
-                  whole.to[1]);
+        write_first(r, task, numbers ? "finished" : "failed", message,
+                    whole.to[1]);
         for (int k = 0; numbers && k < 2; k++)
             fputs(numbers->text[k], whole.to[k]);
         fputc('\n', whole.to[1]);

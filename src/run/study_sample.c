@@ -71,7 +71,7 @@ static ovr_status no_quantity(const sampling *w, const char *name)
     return OVR_BAD_INPUT;
 }
 
-static ovr_status take_asked(sampling *w, const char *names)
+static ovr_status add_requested(sampling *w, const char *names)
 {
     while (*names) {
         char name[NAME_CAPACITY];
@@ -88,7 +88,7 @@ static ovr_status take_asked(sampling *w, const char *names)
 
 /* Selects the default quantities: those of [limits], the key of [find],
  * minimum film thickness and maximum pressure, in SI if available. */
-static ovr_status take_usual(sampling *w)
+static ovr_status add_usual(sampling *w)
 {
     static const char *const films[] = {"H_min_overall_m",    "H_min_overall",
                                         "min_film_located_m", "H_min_located",
@@ -110,7 +110,7 @@ static ovr_status take_usual(sampling *w)
 
 /* --------------------------------------------------------------------- rows */
 
-static void take_range(const sampling *w, size_t from, const char *name,
+static void find_range(const sampling *w, size_t from, const char *name,
                        int range[2])
 {
     const ovr_table_column *c = ovr_table_summary(w->t, name);
@@ -145,14 +145,14 @@ static void count_states(const sampling *w, size_t from, ovr_sample_row *r)
         r->failed += w->t->state[i] == OVR_SWEEP_FAILED;
         r->marked += marked && marked->number[i] > 0;
     }
-    take_range(w, from, "order", r->order);
-    take_range(w, from, "level", r->level);
+    find_range(w, from, "order", r->order);
+    find_range(w, from, "level", r->level);
 }
 
 /* Stores the standard error of the mean: for independent samples the usual one,
  * for shifted point sets that of the independent replicates' means. */
-static void take_error(const sampling *w, const double *value,
-                       ovr_sample_row *r)
+static void compute_error(const sampling *w, const double *value,
+                          ovr_sample_row *r)
 {
     const ovr_sampling *how = &w->s->random.how;
     double mean = 0, squares = 0, n = (double)how->shifts;
@@ -177,7 +177,7 @@ static void take_error(const sampling *w, const double *value,
 
 /* Computes moments about the first value to reduce cancellation, because values
  * of a narrow sample are close to each other. */
-static void take_moments(const double *known, ovr_sample_row *r)
+static void compute_moments(const double *known, ovr_sample_row *r)
 {
     double n = (double)r->known, sum = 0, squares = 0;
     for (size_t i = 0; i < r->known; i++)
@@ -188,7 +188,7 @@ static void take_moments(const double *known, ovr_sample_row *r)
     r->sd = sqrt(squares / (n - 1));
 }
 
-static void take_quantiles(const double *sorted, ovr_sample_row *r)
+static void compute_quantiles(const double *sorted, ovr_sample_row *r)
 {
     static const double p[OVR_SAMPLE_QUANTILES] = {0.01, 0.05, 0.1, 0.5,
                                                    0.9,  0.95, 0.99};
@@ -201,8 +201,8 @@ static void take_quantiles(const double *sorted, ovr_sample_row *r)
     }
 }
 
-static void take_limits(const sampling *w, const double *known,
-                        ovr_sample_row *r)
+static void compute_limits(const sampling *w, const double *known,
+                           ovr_sample_row *r)
 {
     size_t unknown = r->failed;
     for (size_t j = 0; j < w->s->limits; j++) {
@@ -230,8 +230,8 @@ static bool is_seed(const char *where)
 }
 
 /* Computes the influence of inputs; omitted below 50 samples. */
-static ovr_status take_inputs(sampling *w, size_t from, const double *value,
-                              size_t row)
+static ovr_status compute_inputs(sampling *w, size_t from, const double *value,
+                                 size_t row)
 {
     enum { ENOUGH = 50 };
     const double all = 0.995; /* bins lose less than this fraction of a curve */
@@ -291,8 +291,8 @@ static const char *group_name(sampling *w, size_t from)
     return name;
 }
 
-static ovr_status take_row(sampling *w, size_t row, size_t group,
-                           const ovr_table_column *of)
+static ovr_status compute_row(sampling *w, size_t row, size_t group,
+                              const ovr_table_column *of)
 {
     size_t draws = w->s->random.how.draws, from = group * draws;
     ovr_arena arena = ovr_arena_make(&w->s->arena.allocator);
@@ -320,19 +320,19 @@ static ovr_status take_row(sampling *w, size_t row, size_t group,
         r->failed += r->finished - r->known;
         r->finished = r->known;
         if (r->known)
-            take_moments(known, r);
-        take_error(w, value, r);
+            compute_moments(known, r);
+        compute_error(w, value, r);
         gsl_sort(known, 1, r->known);
-        take_quantiles(known, r);
+        compute_quantiles(known, r);
         if (r->known)
-            take_limits(w, known, r);
-        status = take_inputs(w, from, value, row);
+            compute_limits(w, known, r);
+        status = compute_inputs(w, from, value, row);
     }
     ovr_arena_release(&arena);
     return status;
 }
 
-static ovr_status take_rows(sampling *w)
+static ovr_status compute_rows(sampling *w)
 {
     ovr_sample *to = w->to;
     size_t groups = w->s->tasks / w->s->random.how.draws;
@@ -343,8 +343,8 @@ static ovr_status take_rows(sampling *w)
     if (ovr_arena_status(&to->arena))
         return OVR_NO_MEMORY;
     for (size_t k = 0; !status && k < to->rows; k++)
-        status = take_row(w, k, k / w->quantities,
-                          w->quantity[k % w->quantities]);
+        status = compute_row(w, k, k / w->quantities,
+                             w->quantity[k % w->quantities]);
     return status;
 }
 
@@ -370,9 +370,9 @@ ovr_sample *ovr_study_sample(const ovr_study *study, const char *quantities,
         status = OVR_NO_MEMORY;
     sampling w = {.to = to, .s = study, .t = t, .err = err};
     if (!status)
-        status = quantities ? take_asked(&w, quantities) : take_usual(&w);
+        status = quantities ? add_requested(&w, quantities) : add_usual(&w);
     if (!status)
-        status = take_rows(&w);
+        status = compute_rows(&w);
     ovr_table_free(t);
     if (!status)
         return to;
@@ -405,32 +405,32 @@ const ovr_sample_input *ovr_sample_input_at(const ovr_sample *sample,
 
 /* ------------------------------------------------------------------ writing */
 
-static void put(FILE *to, double value)
+static void write_number(FILE *to, double value)
 {
     fputc(',', to);
     ovr_csv_number(to, isfinite(value) ? value : NAN, 17);
 }
 
-static void put_row(const ovr_sample *s, size_t k, FILE *to)
+static void write_row(const ovr_sample *s, size_t k, FILE *to)
 {
     const ovr_sample_row *r = &s->row[k];
     fprintf(to, "%s,%s,%zu,%zu,%zu,%zu", r->group, r->quantity, r->draws,
             r->finished, r->failed, r->marked);
-    put(to, r->mean);
-    put(to, r->error);
-    put(to, r->sd);
+    write_number(to, r->mean);
+    write_number(to, r->error);
+    write_number(to, r->sd);
     for (int i = 0; i < OVR_SAMPLE_QUANTILES; i++) {
-        put(to, r->quantile[i]);
-        put(to, r->low[i]);
-        put(to, r->high[i]);
+        write_number(to, r->quantile[i]);
+        write_number(to, r->low[i]);
+        write_number(to, r->high[i]);
     }
-    put(to, r->limits ? r->limit[0] : NAN);
-    put(to, r->limits ? r->P[0] : NAN);
-    put(to, r->limits ? r->P_low[0] : NAN);
-    put(to, r->limits ? r->P_high[0] : NAN);
+    write_number(to, r->limits ? r->limit[0] : NAN);
+    write_number(to, r->limits ? r->P[0] : NAN);
+    write_number(to, r->limits ? r->P_low[0] : NAN);
+    write_number(to, r->limits ? r->P_high[0] : NAN);
     for (size_t i = 0; i < r->inputs; i++) {
-        put(to, s->input[k][i].share);
-        put(to, s->input[k][i].rho);
+        write_number(to, s->input[k][i].share);
+        write_number(to, s->input[k][i].rho);
     }
     fputc('\n', to);
 }
@@ -456,6 +456,6 @@ ovr_status ovr_sample_write(const ovr_sample *sample, const char *path,
                 sample->input[0][i].key);
     fputc('\n', to);
     for (size_t k = 0; k < sample->rows; k++)
-        put_row(sample, k, to);
+        write_row(sample, k, to);
     return ovr_csv_end(to, path, err);
 }

@@ -59,9 +59,9 @@ const ovr_table_column *ovr_table_summary(const ovr_table *t, const char *name)
 
 /* Stores a number of a task in the column `name`.  A new name adds a column, up
  * to OVR_TABLE_COLUMNS. */
-static const ovr_table_column *take_number(ovr_table *t, size_t task,
-                                           const char *name, double value,
-                                           size_t hint, ovr_error *err)
+static const ovr_table_column *store_number(ovr_table *t, size_t task,
+                                            const char *name, double value,
+                                            size_t hint, ovr_error *err)
 {
     const ovr_table_column *c = find_summary(t, name, hint);
     if (!c && t->columns < OVR_TABLE_COLUMNS) {
@@ -114,11 +114,11 @@ static bool read_result(ovr_table *t, size_t task, ovr_error *err)
                  : NULL;
     line = result ? ovr_result_attributes(result, "summary", &count) : NULL;
     for (size_t k = 0; k < count; k++)
-        take_number(t, task, line[k].name, line[k].number, 0, err);
+        store_number(t, task, line[k].name, line[k].number, 0, err);
     if (count) {
         const ovr_result_info *about = ovr_result_get_info(result);
-        take_number(t, task, "snapshots", (double)about->snapshots, 0, err);
-        take_number(t, task, "seconds", about->seconds, 0, err);
+        store_number(t, task, "snapshots", (double)about->snapshots, 0, err);
+        store_number(t, task, "seconds", about->seconds, 0, err);
     }
     ovr_result_close(result);
     return count > 0;
@@ -134,7 +134,7 @@ static void read_json(ovr_table *t, size_t task, ovr_error *err)
     from = fopen(path, "r");
     while (from && fgets(line, sizeof line, from))
         if (read_pair(line, key, sizeof key, &value))
-            take_number(t, task, key, value, 0, err);
+            store_number(t, task, key, value, 0, err);
     if (from)
         fclose(from);
 }
@@ -147,11 +147,11 @@ typedef struct row_reader {
     ovr_error *err;
 } row_reader;
 
-static void take_cell(void *data, const char *name, double value)
+static void store_cell(void *data, const char *name, double value)
 {
     row_reader *r = data;
-    const ovr_table_column *c = take_number(r->t, r->task, name, value, r->next,
-                                            r->err);
+    const ovr_table_column *c = store_number(r->t, r->task, name, value,
+                                             r->next, r->err);
     if (c)
         r->next = (size_t)(c - r->t->column) + 1;
 }
@@ -160,7 +160,7 @@ static bool read_row(ovr_table *t, size_t task, ovr_error *err)
 {
     row_reader r = {t, task, t->keys, err};
     return t->results && !ovr_rows_elsewhere(t->results, task) &&
-           ovr_rows_read(t->results, task, take_cell, &r);
+           ovr_rows_read(t->results, task, store_cell, &r);
 }
 
 /* True if the summaries repeat a key of the study (M, L); it is then
@@ -228,7 +228,7 @@ bool ovr_table_numeric(const ovr_table_column *key)
 
 /* Stores the key's number in a task; returns false if its value is no number.
  */
-static bool take_value(ovr_table *t, size_t k, const ovr_case *c, size_t task)
+static bool store_value(ovr_table *t, size_t k, const ovr_case *c, size_t task)
 {
     const char *where = t->key[k]->where;
     ovr_case_entry e;
@@ -243,7 +243,7 @@ static bool take_value(ovr_table *t, size_t k, const ovr_case *c, size_t task)
 
 /* Adds the columns of the keys.  A key whose value is no number in some task
  * has no numbers in any. */
-static ovr_status take_keys(ovr_table *t, ovr_error *err)
+static ovr_status add_keys(ovr_table *t, ovr_error *err)
 {
     const ovr_study *s = t->study;
     bool none[OVR_STUDY_MAX_KEYS] = {false};
@@ -254,7 +254,7 @@ static ovr_status take_keys(ovr_table *t, ovr_error *err)
     for (size_t i = 0; c && i < t->rows; i++)
         for (size_t k = 0; k < t->keys; k++)
             none[k] |= ovr_study_put(s, t->key[k], i, c, NULL) ||
-                       !take_value(t, k, c, i);
+                       !store_value(t, k, c, i);
     ovr_case_free(c);
     if (t->keys && !c)
         return OVR_BAD_INPUT;
@@ -273,7 +273,7 @@ static ovr_status gather(ovr_table *t, ovr_error *err)
                                             err);
     t->rows = s->tasks;
     t->state = state;
-    if (!state || take_keys(t, err))
+    if (!state || add_keys(t, err))
         return OVR_NO_MEMORY;
     if (!s->results && !(t->results = ovr_rows_open(s, true, err)))
         return OVR_IO;
@@ -345,7 +345,7 @@ static bool is_main(const ovr_table *t, const char *name)
 
 /* Writes a key and, unless the manifest is written, the unit of its numbers;
  * values of the manifest contain their units. */
-static void put_key(const ovr_table_column *c, FILE *to, bool manifest)
+static void write_key(const ovr_table_column *c, FILE *to, bool manifest)
 {
     char head[200];
     bool pure = manifest || !ovr_table_numeric(c) || !*c->unit;
@@ -354,12 +354,12 @@ static void put_key(const ovr_table_column *c, FILE *to, bool manifest)
     ovr_csv_text(to, head);
 }
 
-static void put_heads(const ovr_table *t, FILE *to, bool manifest)
+static void write_heads(const ovr_table *t, FILE *to, bool manifest)
 {
     fputs("task,name", to);
     for (size_t k = 0; k < t->keys; k++) {
         fputc(',', to);
-        put_key(&t->column[k], to, manifest);
+        write_key(&t->column[k], to, manifest);
     }
     fputs(manifest ? ",status,output,summary" : ",status", to);
     for (size_t k = t->keys; k < t->columns; k++)
@@ -369,8 +369,8 @@ static void put_heads(const ovr_table *t, FILE *to, bool manifest)
 }
 
 /* Writes the name of a task's file if the file exists. */
-static void put_file(const ovr_table *t, size_t task, const char *ending,
-                     FILE *to)
+static void write_file(const ovr_table *t, size_t task, const char *ending,
+                       FILE *to)
 {
     char path[PATH_CAPACITY];
     fputc(',', to);
@@ -384,7 +384,7 @@ static void put_file(const ovr_table *t, size_t task, const char *ending,
         ovr_csv_text(to, strrchr(path, '/') + 1);
 }
 
-static void put_row(const ovr_table *t, size_t i, FILE *to, bool manifest)
+static void write_row(const ovr_table *t, size_t i, FILE *to, bool manifest)
 {
     char message[1100], name[OVR_STUDY_NAME];
     fprintf(to, "%zu,", i + 1);
@@ -400,8 +400,8 @@ static void put_row(const ovr_table *t, size_t i, FILE *to, bool manifest)
     }
     fprintf(to, ",%s", ovr_sweep_state_name(t->state[i]));
     if (manifest) {
-        put_file(t, i, ".h5", to);
-        put_file(t, i, ".json", to);
+        write_file(t, i, ".h5", to);
+        write_file(t, i, ".json", to);
     }
     for (size_t k = t->keys; k < t->columns; k++)
         if (!manifest || is_main(t, t->column[k].name)) {
@@ -428,9 +428,9 @@ ovr_status ovr_sweep_write_csv(const ovr_table *t, const char *path,
     unlink(part);
     FILE *to = fopen(part, "wx"); /* does not follow an existing link */
     if (to) {
-        put_heads(t, to, manifest);
+        write_heads(t, to, manifest);
         for (size_t i = 0; i < t->rows; i++)
-            put_row(t, i, to, manifest);
+            write_row(t, i, to, manifest);
     }
     ovr_status status = ovr_csv_end(to, path, err);
     if (!status && rename(part, path) == 0)
@@ -479,7 +479,8 @@ static void explain(const ovr_table *t, const char *key, char *text,
                      run ? " at the end of the run" : "");
 }
 
-static bool put_key_variable(const ovr_table *t, const ovr_flat *rows, size_t k)
+static bool write_key_variable(const ovr_table *t, const ovr_flat *rows,
+                               size_t k)
 {
     const ovr_table_column *c = &t->column[k];
     const char *where = t->key[k]->where;
@@ -490,7 +491,8 @@ static bool put_key_variable(const ovr_table *t, const ovr_flat *rows, size_t k)
     return good && (!c->zip || ovr_flat_note(rows, c->name, "zip", c->zip));
 }
 
-static bool put_all(const ovr_table *t, const ovr_flat *rows, ovr_arena *arena)
+static bool write_all(const ovr_table *t, const ovr_flat *rows,
+                      ovr_arena *arena)
 {
     const char **state = ovr_arena_take(arena, t->rows, sizeof *state, NULL);
     const char **name = ovr_arena_take(arena, t->rows, sizeof *name, NULL);
@@ -506,7 +508,7 @@ static bool put_all(const ovr_table *t, const ovr_flat *rows, ovr_arena *arena)
         state[i] = ovr_sweep_state_name(t->state[i]);
     good = good && ovr_flat_texts(rows, "status", "status of the case", state);
     for (size_t k = 0; good && k < t->keys; k++)
-        good = put_key_variable(t, rows, k);
+        good = write_key_variable(t, rows, k);
     for (size_t k = t->keys; good && k < t->columns; k++) {
         const ovr_table_column *c = &t->column[k];
         char about[160];
@@ -549,7 +551,7 @@ ovr_status ovr_sweep_write_netcdf(const ovr_table *t, const char *path,
     snprintf(part, sizeof part, "%.4400s.%ld.part", path, (long)getpid());
     good = ovr_flat_begin(&rows, part, "case", "number of the case", t->rows,
                           &arena) &&
-           put_all(t, &rows, &arena);
+           write_all(t, &rows, &arena);
     made = rows.file >= 0;
     good = ovr_flat_end(&rows, part, t->study->path, good);
     ovr_arena_release(&arena);
@@ -723,7 +725,7 @@ static bool find_axis(ovr_container *c, const char *name, ovr_dataset *axis)
 
 /* Reads all variables; their dimension is `case`, whose numbers are not read,
  * or `pass`. */
-static bool take_variables(ovr_table *t, ovr_container *c)
+static bool read_variables(ovr_table *t, ovr_container *c)
 {
     ovr_dataset axis;
     size_t count;
@@ -749,7 +751,7 @@ static ovr_table *read_netcdf(const char *path, ovr_error *err)
     int fd = t ? open(path, O_RDONLY | O_CLOEXEC) : -1;
     bool good = fd >= 0 &&
                 ovr_container_open(&c, fd, &t->arena) == OVR_FOUND_CONTAINER &&
-                take_variables(t, &c);
+                read_variables(t, &c);
     if (t && fd < 0)
         ovr_fail(err, OVR_BAD_INPUT, "%s: %s", path, strerror(errno));
     else if (!good && t)

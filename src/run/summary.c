@@ -133,7 +133,8 @@ static void report_mean(const ovr_report_sink *to, const ovr_observable *row,
 }
 
 /* Prints the values of all quantities at the end. */
-static void put_observed(const ovr_report_sink *to, const ovr_run_info *s)
+static void report_all_observed(const ovr_report_sink *to,
+                                const ovr_run_info *s)
 {
     const ovr_observation *seen = ovr_simulation_observation(s->sim);
     unsigned physics = ovr_setup_physics(s->setup);
@@ -158,7 +159,7 @@ static void put_observed(const ovr_report_sink *to, const ovr_run_info *s)
 
 /* Adds a force or power multiplied by the width, under the key without
  * "_per_m". */
-static void put_wide(const ovr_report_sink *to, const char *key_si,
+static void add_wide(const ovr_report_sink *to, const char *key_si,
                      ovr_unit_kind kind, double value,
                      const ovr_contact *contact)
 {
@@ -172,7 +173,7 @@ static void put_wide(const ovr_report_sink *to, const char *key_si,
 }
 
 /* Adds forces and powers for the whole width, if it is known. */
-static void put_of_width(const ovr_report_sink *to, const ovr_run_info *s)
+static void add_of_width(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_observation *seen = ovr_simulation_observation(s->sim);
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
@@ -186,16 +187,16 @@ static void put_of_width(const ovr_report_sink *to, const ovr_run_info *s)
                    seen->load_ratio * contact->load * contact->width);
     for (size_t k = 0; (o = ovr_observable_at(k)); k++)
         if (o->key_si && !(o->needs & ~physics))
-            put_wide(to, o->key_si, o->kind, ovr_observable_value(o, seen),
+            add_wide(to, o->key_si, o->kind, ovr_observable_value(o, seen),
                      contact);
     for (size_t k = 0; ovr_extreme_at(k, &e); k++)
         if ((s->transient || e.of->steady) && !(e.of->needs & ~physics))
-            put_wide(to, e.key_si, e.kind, ovr_extreme_value(&e, total),
+            add_wide(to, e.key_si, e.kind, ovr_extreme_value(&e, total),
                      contact);
 }
 
 /* Prints extremes and means over the whole run. */
-static void put_extremes(const ovr_report_sink *to, const ovr_run_info *s)
+static void report_extremes(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
     unsigned physics = ovr_setup_physics(s->setup);
@@ -212,7 +213,7 @@ static void put_extremes(const ovr_report_sink *to, const ovr_run_info *s)
         }
 }
 
-static void put_steps(const ovr_report_sink *to, const ovr_run_info *s)
+static void add_steps(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
     ovr_put_count(to, "steps", (double)total->steps);
@@ -230,7 +231,7 @@ static void put_steps(const ovr_report_sink *to, const ovr_run_info *s)
 
 /* Prints the numbers of all passes. The other numbers of the summary are those
  * of the last pass. */
-static void put_passes(const ovr_report_sink *to, const ovr_run_info *s)
+static void add_passes(const ovr_report_sink *to, const ovr_run_info *s)
 {
     ovr_put_count(to, "pass", s->pass);
     ovr_put_count(to, "passes", s->passes);
@@ -266,7 +267,7 @@ static void report_elastic(const ovr_report_sink *to, const ovr_run_info *s)
 }
 
 /* Estimated discretization errors, dimensionless and relative. */
-static void put_errors(const ovr_report_sink *to, const ovr_run_errors *e)
+static void add_errors(const ovr_report_sink *to, const ovr_run_errors *e)
 {
     char key[64];
     ovr_put_count(to, "error_level", e->level);
@@ -282,7 +283,7 @@ static void put_errors(const ovr_report_sink *to, const ovr_run_errors *e)
 /* -------------------------------------------------------- complete summary */
 
 /* Adds level, scheme and cost of the run. */
-static void put_options(const ovr_report_sink *to, const ovr_run_info *s)
+static void add_options(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_options *options = ovr_simulation_options(s->sim);
     ovr_put_count(to, "nodes", (double)ovr_simulation_state(s->sim)->n);
@@ -312,7 +313,7 @@ static double subgrid_roughness(const ovr_run_info *s, const char **from)
 /* Adds the lambda ratio of roughness that is not on the grid, minimum film
  * thickness / Rq. That of features is a row of the quantities: mean film
  * thickness in |X| < 3/4 / Rq. */
-static void put_lambda_ratio(const ovr_report_sink *to, const ovr_run_info *s)
+static void add_lambda_ratio(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
     const ovr_observation *o = ovr_simulation_observation(s->sim);
@@ -342,9 +343,9 @@ static void put_lambda_ratio(const ovr_report_sink *to, const ovr_run_info *s)
                                    total->H_mean_at_H_min / total->mean.H_mean);
 }
 
-static void put_rough_film(const ovr_report_sink *to, const ovr_run_info *s)
+static void add_rough_film(const ovr_report_sink *to, const ovr_run_info *s)
 {
-    put_lambda_ratio(to, s);
+    add_lambda_ratio(to, s);
     if (s->setup->features) {
         ovr_put_rough_film(to, s->predicted, s->setup->contact);
         report_predicted(to, s->predicted);
@@ -360,7 +361,7 @@ void ovr_run_report(const ovr_run_info *s, ovr_summary_taker *take, void *data)
     ovr_put(&to, "converged", OVR_SUMMARY_FLAG, s->converged);
     ovr_put_text(&to, "way", ovr_simulation_strategy(s->sim));
     ovr_put_contact(&to, s->setup->contact, false);
-    put_options(&to, s);
+    add_options(&to, s);
     ovr_put(&to, "P_max_resolved", OVR_SUMMARY_FLAG,
             !ovr_simulation_statistics(s->sim)->P_max_unresolved);
     ovr_put(&to, "P_spike_resolved", OVR_SUMMARY_FLAG,
@@ -368,26 +369,26 @@ void ovr_run_report(const ovr_run_info *s, ovr_summary_taker *take, void *data)
     ovr_put_number(&to, "shear_over_pressure", s->shear_over_pressure);
     ovr_put_number(&to, "unbearable_share", s->unbearable_share);
     if (s->passes)
-        put_passes(&to, s);
+        add_passes(&to, s);
     ovr_report_contact(&to, s);
     if (s->transient) {
-        put_extremes(&to, s);
-        put_rough_film(&to, s);
-        put_steps(&to, s);
+        report_extremes(&to, s);
+        add_rough_film(&to, s);
+        add_steps(&to, s);
         ovr_stress_summary(s->stress, s->setup, take, data);
         report_elastic(&to, s);
         ovr_report_end(&to, s);
     }
-    put_observed(&to, s);
-    put_of_width(&to, s);
+    report_all_observed(&to, s);
+    add_of_width(&to, s);
     if (!s->transient) {
-        put_rough_film(&to, s);
-        put_extremes(&to, s);
+        add_rough_film(&to, s);
+        report_extremes(&to, s);
         ovr_stress_summary(s->stress, s->setup, take, data);
     }
     ovr_element_summary(s, take, data);
     if (s->error->level)
-        put_errors(&to, s->error);
+        add_errors(&to, s->error);
     if (s->error->level)
         ovr_report_errors(&to, s);
     ovr_put_number(&to, "seconds", s->seconds);

@@ -14,7 +14,7 @@
 
 enum { USUAL_DIGITS = 6 };
 
-static void give(const ovr_report_sink *to, const ovr_summary_line *line)
+static void send(const ovr_report_sink *to, const ovr_summary_line *line)
 {
     to->take(to->data, line);
 }
@@ -22,7 +22,7 @@ static void give(const ovr_report_sink *to, const ovr_summary_line *line)
 void ovr_put(const ovr_report_sink *to, const char *key, ovr_summary_form form,
              double value)
 {
-    give(to, &(ovr_summary_line){.key = key, .form = form, .number = value});
+    send(to, &(ovr_summary_line){.key = key, .form = form, .number = value});
 }
 
 void ovr_put_number(const ovr_report_sink *to, const char *key, double value)
@@ -37,7 +37,7 @@ void ovr_put_count(const ovr_report_sink *to, const char *key, double value)
 
 void ovr_put_text(const ovr_report_sink *to, const char *key, const char *text)
 {
-    give(to, &(ovr_summary_line){.key = key,
+    send(to, &(ovr_summary_line){.key = key,
                                  .form = OVR_SUMMARY_TEXT,
                                  .number = NAN,
                                  .text = text});
@@ -46,7 +46,7 @@ void ovr_put_text(const ovr_report_sink *to, const char *key, const char *text)
 void ovr_put_keyed(void *told, const ovr_summary_line *line)
 {
     if (line->key)
-        give(told, line);
+        send(told, line);
 }
 
 void ovr_put_both(const ovr_report_sink *to, const char *key,
@@ -59,10 +59,10 @@ void ovr_put_both(const ovr_report_sink *to, const char *key,
 
 /* -------------------------------------------------------------- for people */
 
-static void say(const ovr_report_sink *to, const char *label, int digits,
-                double value, const char *text)
+static void send_words(const ovr_report_sink *to, const char *label, int digits,
+                       double value, const char *text)
 {
-    give(to, &(ovr_summary_line){.form = digits ? OVR_SUMMARY_WORDS_BEHIND
+    send(to, &(ovr_summary_line){.form = digits ? OVR_SUMMARY_WORDS_BEHIND
                                                 : OVR_SUMMARY_WORDS,
                                  .number = value,
                                  .text = text,
@@ -81,7 +81,7 @@ void ovr_report_detail(const ovr_report_sink *to, const char *label,
                        const char *format, ...)
 {
     FORMATTED(words, format);
-    give(to, &(ovr_summary_line){.form = OVR_SUMMARY_WORDS,
+    send(to, &(ovr_summary_line){.form = OVR_SUMMARY_WORDS,
                                  .number = NAN,
                                  .text = words.text,
                                  .label = label,
@@ -92,20 +92,20 @@ void ovr_report_line(const ovr_report_sink *to, const char *label,
                      const char *format, ...)
 {
     FORMATTED(words, format);
-    say(to, label, 0, NAN, words.text);
+    send_words(to, label, 0, NAN, words.text);
 }
 
 void ovr_report_title(const ovr_report_sink *to, const char *format, ...)
 {
     FORMATTED(words, format);
-    say(to, NULL, 0, NAN, words.text);
+    send_words(to, NULL, 0, NAN, words.text);
 }
 
 void ovr_report_number(const ovr_report_sink *to, const char *label, int digits,
                        double value, const char *format, ...)
 {
     FORMATTED(words, format);
-    say(to, label, digits ? digits : USUAL_DIGITS, value, words.text);
+    send_words(to, label, digits ? digits : USUAL_DIGITS, value, words.text);
 }
 
 void ovr_report_heading(const ovr_report_sink *to, bool times,
@@ -258,7 +258,7 @@ typedef struct scale {
     bool detail; /* not part of the summary */
 } scale;
 
-static void put_scale(const ovr_report_sink *to, const scale *s, bool before)
+static void add_scale(const ovr_report_sink *to, const scale *s, bool before)
 {
     if (before && s->label && isfinite(s->value)) {
         if (s->detail)
@@ -314,7 +314,7 @@ void ovr_put_contact(const ovr_report_sink *to, const ovr_contact *c,
     scale rows[SCALES];
     contact_scales(c, rows);
     for (size_t k = 0; k < SCALES; k++)
-        put_scale(to, &rows[k], before);
+        add_scale(to, &rows[k], before);
 }
 
 const char *ovr_contact_label(const char *key)

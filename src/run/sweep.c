@@ -152,7 +152,7 @@ static ovr_status check_cases(const sweeping *w, ovr_error *err)
                         : OVR_OK;
 }
 
-static void take_options(sweeping *w, const ovr_sweep_options *options)
+static void copy_options(sweeping *w, const ovr_sweep_options *options)
 {
     w->how = (ovr_sweep_options){0};
     w->run = (ovr_run_options){0};
@@ -192,7 +192,7 @@ ovr_status ovr_sweep(const ovr_study *study, const ovr_sweep_options *options,
     if (!study)
         return ovr_fail_null(err, __func__);
     sweeping w = {.s = study};
-    take_options(&w, options);
+    copy_options(&w, options);
     if (w.how.one && w.how.only >= study->tasks)
         return OVR_OK;
     ovr_status status = ovr_study_try_draws(study, first_of(&w), last_of(&w),

@@ -227,7 +227,7 @@ typedef struct working {
                         * summary */
 } working;
 
-static void say(void *data, ovr_message_kind kind, const char *text)
+static void forward_message(void *data, ovr_message_kind kind, const char *text)
 {
     const working *w = data;
     if (w->run.say)
@@ -307,7 +307,7 @@ static ovr_run *begin(working *w, ovr_case *c, bool resume, ovr_error *err)
     how.steady = false;
     how.no_thread = true; /* the other processors solve other cases */
     how.data = w;
-    how.say = say;
+    how.say = forward_message;
     how.stop = stop;
     how.interrupt = interrupt;
     how.progress = progress;
@@ -319,7 +319,7 @@ static ovr_run *begin(working *w, ovr_case *c, bool resume, ovr_error *err)
 }
 
 /* Writes a line of JSON. */
-static void put_line(void *summary, const ovr_summary_line *line)
+static void write_line(void *summary, const ovr_summary_line *line)
 {
     if (line->form == OVR_SUMMARY_TEXT)
         return;
@@ -337,7 +337,7 @@ static void report(const working *w, const ovr_run *run, const ovr_error *err)
         w->how->report(w->how->data, run, err, w->summary);
     } else if (!w->row && run && err->status == OVR_OK) {
         fputs("{\n", w->summary);
-        ovr_run_summary(ovr_run_get_info(run), put_line, w->summary);
+        ovr_run_summary(ovr_run_get_info(run), write_line, w->summary);
         fputs("  \"finished\": true\n}\n", w->summary);
     }
 }
@@ -354,7 +354,7 @@ static void report_find(const working *w, const ovr_find *find,
         w->how->report_find(w->how->data, find, err, w->summary);
     } else if (!w->row && find && err->status == OVR_OK) {
         fputs("{\n", w->summary);
-        ovr_find_summary(find, true, put_line, w->summary);
+        ovr_find_summary(find, true, write_line, w->summary);
         fputs("  \"finished\": true\n}\n", w->summary);
     }
 }
@@ -369,7 +369,7 @@ static void find_case(working *w, ovr_case *c, ovr_error *err)
     how.table = path;
     how.go_on = true;
     how.data = w;
-    how.say = say;
+    how.say = forward_message;
     how.stop = stop;
     ovr_find *find = ovr_find_create(c, &how, err);
     if (find && ovr_find_execute(find, err) == OVR_OK)
@@ -416,7 +416,7 @@ static void keep_streams(working *w)
     w->error = dup(STDERR_FILENO);
 }
 
-static void put_back(int kept, int stream)
+static void restore_stream(int kept, int stream)
 {
     if (kept < 0)
         return;
@@ -424,11 +424,11 @@ static void put_back(int kept, int stream)
     close(kept);
 }
 
-static void put_streams_back(working *w)
+static void restore_streams(working *w)
 {
     fflush(NULL);
-    put_back(w->output, STDOUT_FILENO);
-    put_back(w->error, STDERR_FILENO);
+    restore_stream(w->output, STDOUT_FILENO);
+    restore_stream(w->error, STDERR_FILENO);
 }
 
 /* Redirects standard output and error to the log and opens the summary. */
@@ -465,7 +465,7 @@ static void work_locked(working *w, int fd, ovr_error *err)
     } else {
         err->status = OVR_IO;
     }
-    put_streams_back(w);
+    restore_streams(w);
     if (!w->summary)
         return;
     if (err->status)
@@ -496,7 +496,7 @@ static off_t open_log(working *w, int log)
 static void close_log(working *w, int log, off_t at)
 {
     char name[OVR_STUDY_NAME];
-    put_streams_back(w);
+    restore_streams(w);
     ovr_study_name(w->s, w->task, name, sizeof name);
     if (at >= 0 && lseek(log, 0, SEEK_END) == at + (off_t)strlen(name) + 1)
         (void)!ftruncate(log, at);
@@ -541,7 +541,8 @@ static void work_claimed(working *w, ovr_error *err)
 
 static void warn_of_locks(working *w)
 {
-    say(w, OVR_MESSAGE_WARNING,
+    forward_message(
+        w, OVR_MESSAGE_WARNING,
         "this file system has no locks; do not run two sweeps of this "
         "folder at the same time");
 }

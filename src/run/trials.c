@@ -162,7 +162,7 @@ typedef struct putting {
     size_t k;
 } putting;
 
-static void put_line(void *data, const ovr_summary_line *line)
+static void store_line(void *data, const ovr_summary_line *line)
 {
     const putting *p = data;
     if (line->key && line->form <= OVR_SUMMARY_FLAG)
@@ -210,8 +210,8 @@ static ovr_status run_one(ovr_trials *t, size_t k, asking *asked)
     ovr_run *run = open_run(t, k, &how, &err);
     if (run && ovr_run_execute(run, &err) == OVR_OK) {
         const ovr_run_info *about = ovr_run_get_info(run);
-        ovr_run_summary(about, put_line, &to);
-        ovr_setup_scales(about->setup, put_line, &to);
+        ovr_run_summary(about, store_line, &to);
+        ovr_setup_scales(about->setup, store_line, &to);
         if (!about->transient && !about->converged)
             ovr_trials_fail(t, k, "the solution did not converge");
     } else if (err.status != OVR_STOPPED) {
@@ -227,7 +227,7 @@ static void by_formulas(ovr_trials *t, size_t k)
     ovr_error err = {0};
     ovr_setup *setup = ovr_case_resolve(t->cases[k], NULL, &err);
     if (setup)
-        ovr_setup_scales(setup, put_line, &to);
+        ovr_setup_scales(setup, store_line, &to);
     else
         ovr_trials_fail(t, k, err.message);
     ovr_setup_free(setup);

@@ -45,10 +45,10 @@ typedef struct unpacking {
     void *data;
 } unpacking;
 
-static void say(const unpacking *u, ovr_message_kind kind, const char *format,
-                ...) OVR_PRINTF(3, 4);
-static void say(const unpacking *u, ovr_message_kind kind, const char *format,
-                ...)
+static void report(const unpacking *u, ovr_message_kind kind,
+                   const char *format, ...) OVR_PRINTF(3, 4);
+static void report(const unpacking *u, ovr_message_kind kind,
+                   const char *format, ...)
 {
     char text[OVR_MESSAGE_SIZE];
     va_list args;
@@ -147,10 +147,10 @@ static ovr_status choose_names(unpacking *u, ovr_error *err)
         size_t input = ovr_result_input_of(u->result, key->key);
         const ovr_result_input *of = ovr_result_input_at(u->result, input);
         if (!of) {
-            say(u, OVR_MESSAGE_WARNING,
-                "%.200s: the file %.300s of %s is not in "
-                "the result file",
-                u->path, key->name, key->key);
+            report(u, OVR_MESSAGE_WARNING,
+                   "%.200s: the file %.300s of %s is not in "
+                   "the result file",
+                   u->path, key->name, key->key);
             continue;
         }
         const target *to = find_target(u, input);
@@ -227,7 +227,7 @@ static ovr_status write_file(const unpacking *u, const target *to,
         cannot(path, error, err);
         return OVR_IO;
     }
-    say(u, OVR_MESSAGE_FILE, "%s", path);
+    report(u, OVR_MESSAGE_FILE, "%s", path);
     return OVR_OK;
 }
 
@@ -236,9 +236,10 @@ static ovr_status write_input(const unpacking *u, const target *to,
 {
     const ovr_result_input *of = ovr_result_input_at(u->result, to->input);
     if (!of->kept) {
-        say(u, OVR_MESSAGE_WARNING,
-            "%.200s: holds only the SHA-256 of %s (%s): copy it to %.300s",
-            u->path, to->name, *of->sha256 ? of->sha256 : "unknown", u->folder);
+        report(u, OVR_MESSAGE_WARNING,
+               "%.200s: holds only the SHA-256 of %s (%s): copy it to %.300s",
+               u->path, to->name, *of->sha256 ? of->sha256 : "unknown",
+               u->folder);
         return OVR_OK;
     }
     ovr_arena arena = ovr_arena_make(&u->arena.allocator);
@@ -278,10 +279,10 @@ static void compare_versions(const unpacking *u)
 {
     const char *source = ovr_result_get_info(u->result)->source;
     if (strcmp(source, "overroll " OVERROLL_VERSION) != 0)
-        say(u, OVR_MESSAGE_NOTE,
-            "%.200s was computed by %.40s and this is overroll %s, whose "
-            "numbers may differ",
-            u->path, source, OVERROLL_VERSION);
+        report(u, OVR_MESSAGE_NOTE,
+               "%.200s was computed by %.40s and this is overroll %s, whose "
+               "numbers may differ",
+               u->path, source, OVERROLL_VERSION);
 }
 
 static ovr_status unpack(unpacking *u, ovr_error *err)

@@ -107,7 +107,7 @@ void ovr_element_values(const ovr_datatype *e, const unsigned char *from,
 
 /* Returns the identifier of the next filter. In version 1 filters have names,
  * and their size is rounded up to 8 bytes. */
-static uint64_t take_filter(ovr_piece *b, bool first)
+static uint64_t read_filter(ovr_piece *b, bool first)
 {
     uint64_t filter = ovr_take(b, 2), name = ovr_take(b, first ? 2 : 0);
     uint64_t values;
@@ -129,8 +129,8 @@ static bool read_filters(ovr_source *source, uint64_t object, bool *packed)
     version = ovr_take(&b, 1);
     count = ovr_take(&b, 1);
     ovr_cut(&b, version == 1 ? 6 : 0);
-    first = take_filter(&b, version == 1);
-    second = take_filter(&b, version == 1);
+    first = read_filter(&b, version == 1);
+    second = read_filter(&b, version == 1);
     return b.good && (version == 1 || version == 2) && count == 2 &&
            first == SHUFFLE && second == DEFLATE;
 }

@@ -169,7 +169,7 @@ static char *copy_text(ovr_source *source, ovr_piece text)
     return made;
 }
 
-static char *take_text(ovr_source *source, ovr_piece *elements)
+static char *read_text(ovr_source *source, ovr_piece *elements)
 {
     uint64_t length = ovr_take(elements, 4), heap = ovr_take(elements, 8);
     uint64_t index = ovr_take(elements, 4);
@@ -196,7 +196,7 @@ const char **ovr_container_texts(ovr_container *c, uint64_t object,
     texts = ovr_arena_take(source->arena, (size_t)n, sizeof *texts, NULL);
     source->starved = source->starved || !texts;
     for (size_t k = 0; texts && k < n; k++)
-        if (!(texts[k] = take_text(source, &b)))
+        if (!(texts[k] = read_text(source, &b)))
             return NULL;
     *count = (size_t)n;
     return texts;
