@@ -8,8 +8,8 @@
 
 /* ---------------------------------------------------------- sets of nodes */
 
-static inline void put_node(const ovr_lanes *g, unsigned char *set, size_t i,
-                            bool in)
+static inline void mark_node(const ovr_lanes *g, unsigned char *set, size_t i,
+                             bool in)
 {
     size_t place = ovr_lanes_place(g, i);
     unsigned bit = 1U << place % VEC, rest = set[place / VEC] & ~bit;
@@ -30,7 +30,7 @@ static void repeat_set(unsigned char *set, ptrdiff_t S)
 static void drop_end(const ovr_lanes *g, unsigned char *set)
 {
     for (size_t i = g->n - 1; i <= g->S * VEC; i++)
-        put_node(g, set, i, false);
+        mark_node(g, set, i, false);
 }
 
 static void zero_end(const ovr_lanes *g, double *x)
@@ -75,7 +75,7 @@ void OVR_KERNEL(content_settle)(const ovr_lanes *g, const ovr_weights *w,
         return;
     for (ptrdiff_t J = 0; J < S; J++)
         limit_vector(w, &own, J);
-    put_node(g, own.limited, 0, false);
+    mark_node(g, own.limited, 0, false);
     repeat_set(own.limited, S);
 }
 
@@ -132,8 +132,8 @@ double OVR_KERNEL(content_imbalance)(const ovr_lanes *g, const ovr_fields *f)
 
 /* --------------------------------------------------------- line relaxation */
 
-static INLINE void take_sides(const ovr_fields *f, bool stored, vec half,
-                              ptrdiff_t S)
+static INLINE void restrict_sides(const ovr_fields *f, bool stored, vec half,
+                                  ptrdiff_t S)
 {
     for (ptrdiff_t J = 0; J < S; J++) {
         ivec wet = in_set(f->wet, J), falls = row_falls(f, J);
@@ -151,17 +151,17 @@ void OVR_KERNEL(content_choose)(const ovr_lanes *g, const ovr_weights *w,
     ptrdiff_t S = (ptrdiff_t)g->S;
     bool open = own.wet[0] & 1;
     if (own.flow)
-        take_sides(&own, true, all(w->half), S);
+        restrict_sides(&own, true, all(w->half), S);
     else
-        take_sides(&own, false, all(w->half), S);
-    put_node(g, own.wet, 0, open);
+        restrict_sides(&own, false, all(w->half), S);
+    mark_node(g, own.wet, 0, open);
     drop_end(g, own.wet);
     repeat_set(own.wet, S);
     for (ptrdiff_t J = 0; J < S; J++) {
         own.left[J] = own.wet[J] & own.wet[J - 1];
         own.right[J] = own.wet[J] & own.wet[J + 1];
     }
-    put_node(g, own.left, 1, false);
+    mark_node(g, own.left, 1, false);
     repeat_set(own.left, S);
     repeat_set(own.right, S);
 }
@@ -310,8 +310,8 @@ void OVR_KERNEL(content_advance)(const ovr_lanes *g, double limit,
     repeat_ends(band->delta, S, 1);
     for (ptrdiff_t J = 0; J < S; J++)
         advance_vector(&own, limit, shares, band->delta, J);
-    put_node(g, own.wet, 0, open);
-    put_node(g, own.dried, 0, false);
+    mark_node(g, own.wet, 0, open);
+    mark_node(g, own.dried, 0, false);
     own.P[0] = 0;
     zero_end(g, own.P);
 }
@@ -345,10 +345,10 @@ static void restrict_nodes(const ovr_lanes *coarse, const ovr_lanes *fine,
     for (size_t I = 0; I + 1 < coarse->n; I++) {
         size_t i = 2 * I, at = ovr_lanes_place(coarse, I);
         to->q[at] = f->q[ovr_lanes_place(fine, i)];
-        put_node(coarse, to->wet, I, has(fine, f->wet, i));
-        put_node(coarse, to->dried, I, has(fine, f->dried, i));
-        put_node(coarse, to->limited, I, has(fine, f->limited, i));
-        put_node(coarse, to->spent, I, has(fine, f->spent, i));
+        mark_node(coarse, to->wet, I, has(fine, f->wet, i));
+        mark_node(coarse, to->dried, I, has(fine, f->dried, i));
+        mark_node(coarse, to->limited, I, has(fine, f->limited, i));
+        mark_node(coarse, to->spent, I, has(fine, f->spent, i));
         if (I)
             rc[at] = 0.25 * (f->r[ovr_lanes_place(fine, i - 1)] +
                              2 * f->r[ovr_lanes_place(fine, i)] +

@@ -70,8 +70,8 @@ static double fall(const ovr_columns *c, double log_eta,
 }
 
 /* Stores the coefficients of the Reynolds equation. */
-static void put_fields(const ovr_columns *c, const ovr_cross_film_flow *flow,
-                       size_t i)
+static void store_fields(const ovr_columns *c, const ovr_cross_film_flow *flow,
+                         size_t i)
 {
     double skew = flow->m[1] / flow->m[0];
     double psi = 3 * (flow->m[2] - flow->m[1] * skew);
@@ -96,7 +96,7 @@ void ovr_column_flow(const ovr_columns *c, size_t i)
         sheet.wet = false; /* only the viscosity ratios are needed */
     ovr_cross_film_flow_of(c->cross_film, c->heat, &sheet, T, &flow);
     if (c->th) {
-        put_fields(c, &flow, i);
+        store_fields(c, &flow, i);
         return;
     }
     for (int j = 0; j < c->cross_film->n; j++) {

@@ -78,7 +78,7 @@ static void hold_coarse(ovr_hierarchy *grids, const ovr_level *finest)
 /* True while Newton steps are too large: far from the solution, or if the last
  * cycle hardly reduced the residual. A time step starts close to the solution;
  * if its cycles converge slowly, secants make them slower. */
-static bool wants_secants(const ovr_hierarchy *grids, double before,
+static bool needs_secants(const ovr_hierarchy *grids, double before,
                           double after)
 {
     double far = grids->op.transient ? 1 : 1e-3;
@@ -98,7 +98,7 @@ void ovr_cycle(ovr_hierarchy *grids, ovr_level *level, ovr_cycling how)
     if (logarithmic) {
         before = ovr_level_imbalance(grids, level);
         grids->fluid.secants = grids->fluid.secants ||
-                               wants_secants(grids, INFINITY, before);
+                               needs_secants(grids, INFINITY, before);
     }
     if (grids->touch.at) {
         how.bottom = level->number;
@@ -109,7 +109,7 @@ void ovr_cycle(ovr_hierarchy *grids, ovr_level *level, ovr_cycling how)
     descend(grids, level, &how);
     ovr_level_refresh(grids, level);
     if (logarithmic)
-        grids->fluid.secants = wants_secants(grids, before,
+        grids->fluid.secants = needs_secants(grids, before,
                                              ovr_level_imbalance(grids, level));
     offer(grids, level, &how, OVR_AFTER_CYCLE);
 }

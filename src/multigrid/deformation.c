@@ -363,8 +363,8 @@ static size_t max_nodes(const ovr_mlmi *plan)
 }
 
 /* Allocates an array of the grid after `coarsenings`. */
-static double *take(const ovr_mlmi *plan, int coarsenings, ovr_arena *arena,
-                    ovr_error *err)
+static double *allocate(const ovr_mlmi *plan, int coarsenings, ovr_arena *arena,
+                        ovr_error *err)
 {
     size_t nodes = max_nodes(plan) >> coarsenings;
     size_t pad = (size_t)plan->pad * OVR_MAX_LANES - OVR_FIELD_PAD;
@@ -374,10 +374,10 @@ static double *take(const ovr_mlmi *plan, int coarsenings, ovr_arena *arena,
 
 double *ovr_mlmi_field(const ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
 {
-    return take(plan, 0, arena, err);
+    return allocate(plan, 0, arena, err);
 }
 
-static void take_grids(ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
+static void allocate_grids(ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
 {
     plan->grid[0].left = 0;
     plan->grid[0].right = 2;
@@ -389,8 +389,8 @@ static void take_grids(ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
             grid->near_odd = grid->near_even + OVR_MLMI_MAX;
         if (s) {
             count_ghosts(plan, &plan->grid[s - 1], grid);
-            grid->u = take(plan, s, arena, err);
-            grid->out = take(plan, s, arena, err);
+            grid->u = allocate(plan, s, arena, err);
+            grid->out = allocate(plan, s, arena, err);
         }
     }
 }
@@ -404,7 +404,7 @@ static size_t dense_nodes(const ovr_mlmi *plan)
 }
 
 /* kernel[0] is the value at distance zero. */
-static void take_dense(ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
+static void allocate_dense(ovr_mlmi *plan, ovr_arena *arena, ovr_error *err)
 {
     size_t count = dense_nodes(plan);
     double *kernel = ovr_field(arena, 2 * count + OVR_FIELD_PAD, err);
@@ -423,8 +423,8 @@ ovr_status ovr_mlmi_plan(ovr_mlmi *plan, size_t n, ovr_mlmi_form form,
     plan->range = form.range;
     plan->depth = depth_of(n, form.range);
     plan->pad = 2 * (form.order + 4) + form.range + 2 * OVR_MLMI_BLOCK;
-    take_grids(plan, arena, err);
-    take_dense(plan, arena, err);
+    allocate_grids(plan, arena, err);
+    allocate_dense(plan, arena, err);
     return ovr_arena_status(arena);
 }
 

@@ -151,9 +151,10 @@ static void dense_lanes(const ovr_mlmi *plan, ptrdiff_t S, ptrdiff_t left,
 }
 
 /* Even outputs near the lane boundaries are completed first. */
-static inline void go_up(ptrdiff_t h, ptrdiff_t range, const ovr_mlmi *plan,
-                         const ovr_mlmi_grid *fine, const ovr_mlmi_grid *coarse,
-                         ptrdiff_t half, const double *u, double *out)
+static inline void refine(ptrdiff_t h, ptrdiff_t range, const ovr_mlmi *plan,
+                          const ovr_mlmi_grid *fine,
+                          const ovr_mlmi_grid *coarse, ptrdiff_t half,
+                          const double *u, double *out)
 {
     double *even = coarse->out;
     ptrdiff_t first = upto(h + coarse->left) - coarse->left;
@@ -192,8 +193,8 @@ static inline void apply(ptrdiff_t h, ptrdiff_t range, const ovr_mlmi *plan,
     dense_lanes(plan, S >> last, grid[last].left, grid[last].right,
                 last ? grid[last].u : P, last ? grid[last].out : w);
     for (int s = last - 1; s >= 0; s--)
-        go_up(h, range, plan, &grid[s], &grid[s + 1], S >> (s + 1),
-              s ? grid[s].u : P, s ? grid[s].out : w);
+        refine(h, range, plan, &grid[s], &grid[s + 1], S >> (s + 1),
+               s ? grid[s].u : P, s ? grid[s].out : w);
 }
 
 void OVR_KERNEL(deformation)(const ovr_mlmi *plan, double *P, double *w)

@@ -7,7 +7,7 @@
 #include "multigrid/plain.h"
 
 /* Step 1: moves u of odd nodes to the even nodes. */
-static void go_down(const ovr_mlmi *plan, const double *u, double *U,
+static void coarsen(const ovr_mlmi *plan, const double *u, double *U,
                     ptrdiff_t from, ptrdiff_t to)
 {
     for (ptrdiff_t I = from; I < to; I++) {
@@ -30,9 +30,9 @@ static void correct_even(const ovr_mlmi *plan, const ovr_mlmi_grid *fine,
 }
 
 /* Step 3: interpolates and corrects odd outputs. */
-static void go_up(const ovr_mlmi *plan, const ovr_mlmi_grid *fine,
-                  const double *u, const double *even, double *out,
-                  ptrdiff_t from, ptrdiff_t to)
+static void refine(const ovr_mlmi *plan, const ovr_mlmi_grid *fine,
+                   const double *u, const double *even, double *out,
+                   ptrdiff_t from, ptrdiff_t to)
 {
     for (ptrdiff_t I = from; I < to; I++) {
         ptrdiff_t i = 2 * I + 1;
@@ -66,11 +66,11 @@ static void integrate(const ovr_mlmi *plan, int s, ptrdiff_t last,
         return;
     }
     ptrdiff_t from = -coarse->left, to = last / 2 + coarse->right;
-    go_down(plan, u, coarse->u, from, to);
+    coarsen(plan, u, coarse->u, from, to);
     integrate(plan, s + 1, last / 2, coarse->u, coarse->out);
     correct_even(plan, fine, u, coarse->out, from, to);
-    go_up(plan, fine, u, coarse->out, out, -fine->left / 2,
-          (last + fine->right) / 2);
+    refine(plan, fine, u, coarse->out, out, -fine->left / 2,
+           (last + fine->right) / 2);
 }
 
 void ovr_deformation_plain(const ovr_mlmi *plan, double *P, double *w)

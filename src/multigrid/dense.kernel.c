@@ -82,9 +82,9 @@ static INLINE void find_factors(const double *row, const double *top,
 /* row_rj -= sum_q factor_rq top_qj for `rows` rows, j from the vector that
  * contains column c + count up to m. Elements to the left are not used again.
  */
-static INLINE void take_off(double *row, size_t rows, const double *top,
-                            size_t stride, const double *inverse, size_t count,
-                            size_t c, size_t m)
+static INLINE void subtract_panel(double *row, size_t rows, const double *top,
+                                  size_t stride, const double *inverse,
+                                  size_t count, size_t c, size_t m)
 {
     double factor[TOGETHER][PANEL];
     UNROLL
@@ -148,7 +148,7 @@ static bool factor_panel(double *A, size_t stride, size_t m, size_t c,
     for (size_t q = 0; q < width; q++) {
         double *row = top + q * stride;
         if (q)
-            take_off(row, 1, top, stride, inverse, q, c, m);
+            subtract_panel(row, 1, top, stride, inverse, q, c, m);
         size_t best = pivot(row, c + q, m);
         row[m + 1] = (double)best;
         if (best != c + q)
@@ -162,15 +162,16 @@ static bool factor_panel(double *A, size_t stride, size_t m, size_t c,
 
 /* Subtracts the panel from all rows below it; constant counts let the compiler
  * use registers. */
-static void take_off_below(double *A, size_t stride, size_t m, size_t c,
+static void subtract_below(double *A, size_t stride, size_t m, size_t c,
                            const double *inverse)
 {
     const double *top = A + c * stride;
     size_t i = c + PANEL;
     for (; i + TOGETHER <= m; i += TOGETHER)
-        take_off(A + i * stride, TOGETHER, top, stride, inverse, PANEL, c, m);
+        subtract_panel(A + i * stride, TOGETHER, top, stride, inverse, PANEL, c,
+                       m);
     for (; i < m; i++)
-        take_off(A + i * stride, 1, top, stride, inverse, PANEL, c, m);
+        subtract_panel(A + i * stride, 1, top, stride, inverse, PANEL, c, m);
 }
 
 /* Clears the space after b. Whole vectors extend into it, and infinite values
@@ -198,7 +199,7 @@ bool OVR_KERNEL(dense_solve)(size_t m, size_t stride, double *A, double *x)
         double inverse[PANEL];
         if (!factor_panel(A, stride, m, c, width, inverse))
             return false;
-        take_off_below(A, stride, m, c, inverse);
+        subtract_below(A, stride, m, c, inverse);
     }
     back_substitute(A, stride, m, x);
     for (size_t c = m; c-- > 0;) {

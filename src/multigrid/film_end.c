@@ -88,7 +88,7 @@ static void eliminate(const film *f, const stretch *s)
     }
 }
 
-static void put_in(const film *f, const stretch *s, double maximum)
+static void substitute(const film *f, const stretch *s, double maximum)
 {
     double *P = f->level->f.P, next = value(f, P, s->last + s->out);
     for (ptrdiff_t i = s->last; i != s->first - s->out; i -= s->out) {
@@ -140,7 +140,7 @@ static void keep(const film *f)
         f->before[i] = value(f, f->level->f.P, (ptrdiff_t)i);
 }
 
-static void put_back(const film *f)
+static void restore(const film *f)
 {
     for (size_t i = 0; i < f->level->grid.n; i++)
         f->level->f.P[ovr_lanes_place(&f->level->lanes, i)] = f->before[i];
@@ -155,7 +155,7 @@ static bool move_rigid(const film *f)
         if (!find_film(f, out, &s))
             continue;
         eliminate(f, &s);
-        put_in(f, &s, INFINITY);
+        substitute(f, &s, INFINITY);
         moved = true;
     }
     return moved;
@@ -173,7 +173,7 @@ static void extend(const film *f, ptrdiff_t first)
     while (s.last < end && s.last < first - 1 + REACH && !is_wet(f, s.last + 1))
         s.last++;
     eliminate(f, &s);
-    put_in(f, &s, maximum);
+    substitute(f, &s, maximum);
 }
 
 /* True if a film ends before node i, which is cavitated and should become
@@ -245,7 +245,7 @@ static void try_rigid(const ovr_hierarchy *grids, ovr_level *level,
     ovr_level_refresh(grids, level);
     if (ovr_level_imbalance(grids, level) <= worse * R)
         return;
-    put_back(f);
+    restore(f);
     ovr_level_refresh(grids, level);
 }
 

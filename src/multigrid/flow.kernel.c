@@ -51,8 +51,8 @@ static INLINE half half_at(const ovr_fields *f, face_kind kind, double secant,
 
 /* Stores 2 E of a rheological model and its derivatives with respect to the
  * pressures, from 2 T and R: R d(2 eps)/dP_i dP = R (2 eps - left). */
-static INLINE void put_flow(const ovr_fields *f, ptrdiff_t J, const face *eps,
-                            vec flow, vec tangent, vec R)
+static INLINE void store_flow(const ovr_fields *f, ptrdiff_t J, const face *eps,
+                              vec flow, vec tangent, vec R)
 {
     put(f->flow, J, flow);
     put(f->out_left, J, fused(R, eps->left - eps->flow, tangent));
@@ -83,8 +83,9 @@ static INLINE vec drag_by_film(const ovr_fields *f, face_kind kind, ptrdiff_t J,
 }
 
 /* 2 dE/dH of both nodes, through eps, c and g. */
-static INLINE void put_by_film(const ovr_fields *f, face_kind kind, ptrdiff_t J,
-                               const half *h, vec R, vec by_c, vec by_g)
+static INLINE void store_by_film(const ovr_fields *f, face_kind kind,
+                                 ptrdiff_t J, const half *h, vec R, vec by_c,
+                                 vec by_g)
 {
     const face *e = &h->eps;
     ptrdiff_t K = J + 1;
@@ -119,10 +120,10 @@ static INLINE void by_table(const ovr_fluid *fluid, double D,
         vec Phi = law_power(&growth, &log, &v), flow = Phi * eps;
         vec R = Phi * less(all(1), v.s, v.by_s);
         vec tangent = flow * fused(v.g, v.by_g, all(1));
-        put_flow(&own, J, &h.eps, flow, tangent, R);
+        store_flow(&own, J, &h.eps, flow, tangent, R);
         if (film)
-            put_by_film(&own, kind, J, &h, R, slide * Phi * v.by_s / v.beyond,
-                        (tangent - flow) / H);
+            store_by_film(&own, kind, J, &h, R, slide * Phi * v.by_s / v.beyond,
+                          (tangent - flow) / H);
     }
 }
 
@@ -144,11 +145,11 @@ static INLINE void by_eyring(const ovr_fluid *fluid, double D,
         vec flow = e.A * h.W, R = e.A * h.eps.flow * h.inv_W;
         vec bend = (1. / 3) * e.A * e.A * e.B * e.square * h.bc * h.bc;
         vec tangent = less((3 * e.shc - 2 * e.A) * h.W, bend, h.inv_W);
-        put_flow(&own, J, &h.eps, flow, tangent, R);
+        store_flow(&own, J, &h.eps, flow, tangent, R);
         if (film)
-            put_by_film(&own, kind, J, &h, R,
-                        slide * e.A * e.B * h.bc * h.inv_W,
-                        (tangent - flow) / H);
+            store_by_film(&own, kind, J, &h, R,
+                          slide * e.A * e.B * h.bc * h.inv_W,
+                          (tangent - flow) / H);
     }
 }
 

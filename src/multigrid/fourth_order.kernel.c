@@ -131,7 +131,8 @@ typedef struct around {
     vec cube[4], rho[4];
 } around;
 
-static inline void look_at(const ovr_fields *f, ptrdiff_t J, around *a, int k)
+static inline void load_around(const ovr_fields *f, ptrdiff_t J, around *a,
+                               int k)
 {
     a->cube[k] = cube_at(f, J);
     a->rho[k] = a->cube[k] * at(f->rho, J);
@@ -165,10 +166,10 @@ static void reduced_fluxes(const ovr_lanes *g, const ovr_fourth *c,
     around n;
     reduced_rises(g, f, c->rise);
     for (int k = 0; k < 3; k++)
-        look_at(f, k - REACH, &n, k);
+        load_around(f, k - REACH, &n, k);
     for (ptrdiff_t J = 1 - REACH; J < (ptrdiff_t)g->S + REACH - 2; J++) {
         ivec i = nodes(g, J), upstream = (i >= c->first) & (i < c->behind);
-        look_at(f, J + 2, &n, 3);
+        load_around(f, J + 2, &n, 3);
         vec eps = middle(&table, c->log_eps, f, upstream, J);
         put(c->flux, J,
             choose(upstream, eps * (scale * steepness(f, J)),

@@ -79,8 +79,8 @@ void ovr_hierarchy_by_gap(ovr_hierarchy *grids)
         grids->level[l].f.log_fluidity = grids->level[l].f.log_slope = NULL;
 }
 
-static void take_sets(ovr_fields *f, size_t n, bool content, ovr_arena *arena,
-                      ovr_error *err)
+static void allocate_sets(ovr_fields *f, size_t n, bool content,
+                          ovr_arena *arena, ovr_error *err)
 {
     unsigned char **const all[] = {&f->wet,   &f->held, &f->dried, &f->limited,
                                    &f->spent, &f->left, &f->right};
@@ -88,8 +88,8 @@ static void take_sets(ovr_fields *f, size_t n, bool content, ovr_arena *arena,
         *all[k] = ovr_set(arena, n, err);
 }
 
-static void take_fields(const ovr_hierarchy *grids, ovr_level *level,
-                        ovr_arena *arena, ovr_error *err)
+static void allocate_fields(const ovr_hierarchy *grids, ovr_level *level,
+                            ovr_arena *arena, ovr_error *err)
 {
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++) {
         ovr_field_memory memory = ovr_field_rows[k].memory;
@@ -100,11 +100,11 @@ static void take_fields(const ovr_hierarchy *grids, ovr_level *level,
                               ? ovr_mlmi_field(&level->mlmi, arena, err)
                               : ovr_field(arena, capacity_of(level), err);
     }
-    take_sets(&level->f, level->grid.n, grids->content, arena, err);
+    allocate_sets(&level->f, level->grid.n, grids->content, arena, err);
 }
 
-static void take_natural(ovr_hierarchy *grids, size_t n, ovr_arena *arena,
-                         ovr_error *err)
+static void allocate_natural(ovr_hierarchy *grids, size_t n, ovr_arena *arena,
+                             ovr_error *err)
 {
     ovr_fields *f = &grids->natural;
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
@@ -112,7 +112,7 @@ static void take_natural(ovr_hierarchy *grids, size_t n, ovr_arena *arena,
             has(grids, ovr_field_rows[k].memory, true))
             f->all[k] = ovr_field(arena, n, err);
     if (grids->content)
-        take_sets(f, n, true, arena, err);
+        allocate_sets(f, n, true, arena, err);
 }
 
 static void set_lanes(ovr_level *level, const ovr_kernels *kernels)
@@ -128,7 +128,7 @@ ovr_status ovr_level_build(const ovr_hierarchy *grids, ovr_level *level,
     ovr_mlmi_plan(&level->mlmi, level->grid.n, mlmi, arena, err);
     level->mlmi.linear = grids->influence.linear;
     set_lanes(level, grids->kernels);
-    take_fields(grids, level, arena, err);
+    allocate_fields(grids, level, arena, err);
     return ovr_arena_status(arena);
 }
 
@@ -164,7 +164,7 @@ ovr_status ovr_hierarchy_build(ovr_hierarchy *grids,
     ovr_band *band = &grids->band;
     OVR_TAKE_FIELDS(arena, capacity, err, &band->b[0], &band->b[1], &band->b[2],
                     &band->b[3], &band->b[4], &band->delta);
-    take_natural(grids, grids->level[grids->ordered].grid.n, arena, err);
+    allocate_natural(grids, grids->level[grids->ordered].grid.n, arena, err);
     double end = fmax(fmax(-form->X_a, form->X_b) / 4, 1);
     band->reach = end * end;
     grids->scratch[0] = band->b[0];
@@ -228,7 +228,8 @@ static ovr_status hierarchy_bear(ovr_hierarchy *grids, ovr_arena *arena,
 }
 
 /* Allocates the arrays that Newton's method needs on the finest level. */
-static void take_newton(ovr_hierarchy *grids, ovr_arena *arena, ovr_error *err)
+static void allocate_newton(ovr_hierarchy *grids, ovr_arena *arena,
+                            ovr_error *err)
 {
     ovr_level *finest = &grids->level[grids->finest];
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
@@ -237,7 +238,7 @@ static void take_newton(ovr_hierarchy *grids, ovr_arena *arena, ovr_error *err)
     if (grids->ordered == grids->finest)
         return;
     grids->ordered = grids->finest;
-    take_natural(grids, finest->grid.n, arena, err);
+    allocate_natural(grids, finest->grid.n, arena, err);
 }
 
 ovr_status ovr_hierarchy_take_asperities(ovr_hierarchy *grids, ovr_arena *arena,
@@ -254,14 +255,15 @@ ovr_status ovr_hierarchy_take_asperities(ovr_hierarchy *grids, ovr_arena *arena,
     touch->dry = ovr_set(arena, n, err);
     touch->opened = ovr_set(arena, n, err);
     touch->tripoles = ovr_tripoles_take(n, arena, err);
-    take_newton(grids, arena, err);
+    allocate_newton(grids, arena, err);
     if (ovr_arena_status(arena))
         return OVR_NO_MEMORY;
     ovr_newton_fill(grids);
     return hierarchy_bear(grids, arena, err);
 }
 
-static void take_skew(ovr_fields *f, size_t n, ovr_arena *arena, ovr_error *err)
+static void allocate_skew(ovr_fields *f, size_t n, ovr_arena *arena,
+                          ovr_error *err)
 {
     if (!f->skew)
         f->skew = ovr_field(arena, n, err);
@@ -282,9 +284,10 @@ ovr_status ovr_hierarchy_skew(ovr_hierarchy *grids, bool second_order,
             level->weights.skew[m] = w.a[m];
             level->weights.skew_first[m] = w.first[m];
         }
-        take_skew(&level->f, capacity_of(level), arena, err);
+        allocate_skew(&level->f, capacity_of(level), arena, err);
     }
-    take_skew(&grids->natural, grids->level[grids->ordered].grid.n, arena, err);
+    allocate_skew(&grids->natural, grids->level[grids->ordered].grid.n, arena,
+                  err);
     return ovr_arena_status(arena);
 }
 

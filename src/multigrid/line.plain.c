@@ -21,8 +21,8 @@ static void derivatives(const ovr_weights *w, const double *k,
 
 /* Share of delta_j given to a neighbour: none from node 1 and, in steady
  * solutions, none from cavitated nodes; at the ends delta = 0. */
-static double given(double share, const ovr_shares *shares, const ovr_fields *f,
-                    ptrdiff_t j, ptrdiff_t last)
+static double share_given(double share, const ovr_shares *shares,
+                          const ovr_fields *f, ptrdiff_t j, ptrdiff_t last)
 {
     bool gives = j > 1 && j < last && (shares->transient || f->wet[j]);
     return gives ? share : 0;
@@ -58,15 +58,16 @@ void ovr_band_assemble_plain(const ovr_lanes *g, const ovr_weights *w,
         double minus[5], plus[5], A[7]; /* A[d + 3] */
         derivatives(w, k, f, i, A);
         for (ptrdiff_t d = 0; d < 5; d++) {
-            minus[d] = given(shares->minus, shares, f, i + d - 2, last);
-            plus[d] = given(shares->plus, shares, f, i + d - 2, last);
+            minus[d] = share_given(shares->minus, shares, f, i + d - 2, last);
+            plus[d] = share_given(shares->plus, shares, f, i + d - 2, last);
             if (shares->transient && i + d - 1 == last && f->wet[last - 1])
                 plus[d] = 0;
             band->b[d][i] = A[d + 1] + minus[d] * A[d] + plus[d] * A[d + 2];
         }
         bool transient = shares->transient;
         if (transient && i > 2)
-            fold(w, f, i, given(shares->plus, shares, f, i - 3, last), band);
+            fold(w, f, i, share_given(shares->plus, shares, f, i - 3, last),
+                 band);
         band->delta[i] = f->r[i];
         if (f->held[i])
             hold(band, i, transient ? plus[1] : 0, transient ? minus[3] : 0);
@@ -84,9 +85,9 @@ void ovr_distribute_plain(const ovr_lanes *g, double limit,
     double from_left = 0;
     for (ptrdiff_t i = 1; i < last; i++) {
         double change = delta[i] + from_left +
-                        given(shares->minus, shares, f, i + 1, last) *
+                        share_given(shares->minus, shares, f, i + 1, last) *
                             delta[i + 1];
-        from_left = given(shares->plus, shares, f, i, last) * delta[i];
+        from_left = share_given(shares->plus, shares, f, i, last) * delta[i];
         change = fmax(-limit, fmin(limit, change));
         P[i] = shares->transient && f->held[i] ? 0 : fmax(0, P[i] + change);
     }

@@ -47,7 +47,7 @@ typedef struct window {
 
 /* Inserts node i if it is among the largest, more than HALF nodes from the
  * others; i increases from call to call. */
-static void take_in(windows *s, ptrdiff_t i, double size)
+static void insert(windows *s, ptrdiff_t i, double size)
 {
     size_t k = 0;
     while (k < s->count && i - s->at[k] > HALF)
@@ -89,7 +89,7 @@ static void find(const ovr_hierarchy *grids, const ovr_level *level, windows *s)
         double lacks = fabs(r[i] - usual);
         if (lacks > minimum * stiff &&
             lacks > minimum * (stiff + outflow(level, flow, i)))
-            take_in(s, i, lacks / (stiff + outflow(level, flow, i)));
+            insert(s, i, lacks / (stiff + outflow(level, flow, i)));
     }
 }
 

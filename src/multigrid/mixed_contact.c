@@ -158,8 +158,8 @@ void ovr_asperity_open(ovr_hierarchy *grids, const ovr_level *level,
 }
 
 /* Elastic deformation due to a step, without H0, in the order of the nodes. */
-static const double *given_way(const ovr_hierarchy *grids,
-                               const ovr_level *level, const double *dP)
+static const double *step_deformation(const ovr_hierarchy *grids,
+                                      const ovr_level *level, const double *dP)
 {
     double *w = level->f.w, *workspace = grids->scratch[0];
     ovr_level_write(grids, level, dP, level->pressed);
@@ -177,7 +177,7 @@ bool ovr_asperity_close(const ovr_hierarchy *grids, const ovr_level *level,
     bool any = false;
     if (!memchr(touch->opened, 1, n))
         return false;
-    w = given_way(grids, level, step);
+    w = step_deformation(grids, level, step);
     for (size_t i = 1; i + 1 < n; i++) {
         double rises = touch->excess[i] + step[i] +
                        touch->g[i] * (step[n] - w[i] - touch->lift[i]);
@@ -235,7 +235,8 @@ static void lift(ovr_hierarchy *grids, const ovr_level *level,
 
 /* Sets the pressures after a part of the step, from their previous values
  * `whole`. */
-static void put(ovr_hierarchy *grids, const ovr_level *level, double part)
+static void set_pressures(ovr_hierarchy *grids, const ovr_level *level,
+                          double part)
 {
     const ovr_asperity *touch = &grids->touch;
     double *P = grids->scratch[0], *borne = grids->scratch[1];
@@ -261,7 +262,7 @@ void ovr_asperity_limit(const ovr_asperity *touch, size_t n, double limit)
 void ovr_asperity_advance(ovr_hierarchy *grids, const ovr_level *level,
                           const ovr_fields *f, double part)
 {
-    put(grids, level, part);
+    set_pressures(grids, level, part);
     ovr_asperity_deform(grids, level);
     lift(grids, level, f->H);
 }

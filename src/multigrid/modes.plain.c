@@ -55,7 +55,7 @@ static ovr_sweeps sweeps_of(double r, double g, double h, double complex *a)
 }
 
 /* Computes the factors by which a mode continues beyond the ends. */
-static void go_on(ovr_spread *s, double complex a, int m)
+static void find_factors(ovr_spread *s, double complex a, int m)
 {
     const double none[2] = {0, 0};
     double f = exp(s->logarithm[0][m]), z[2];
@@ -82,7 +82,7 @@ ovr_spread ovr_spread_of(double kappa, double u, double dT, double D,
         double root = sqrt(u * u + 4 * kappa * rate[m]) + fabs(u);
         s.logarithm[upstream][m] = -D * root / (2 * kappa);
         s.logarithm[!upstream][m] = -D * 2 * rate[m] / root;
-        go_on(&s, a, m);
+        find_factors(&s, a, m);
     }
     return s;
 }
@@ -174,7 +174,7 @@ double ovr_mode_at(const ovr_departures *departures, const ovr_spread *s,
 
 /* Computes sum w_m Psi_m at nodes whose departure point is outside the domain.
  */
-static void put_ends(const ovr_modes_look *l, double *sum)
+static void add_ends(const ovr_modes_look *l, double *sum)
 {
     const ovr_departures *f = l->departures;
     for (size_t i = 0; i < f->n; i++) {
@@ -187,7 +187,7 @@ static void put_ends(const ovr_modes_look *l, double *sum)
 }
 
 /* Coefficients of a field that is zero beyond the ends. */
-static void put_sweeps(const ovr_sweeps *s, int field, ovr_swept *set)
+static void set_sweeps(const ovr_sweeps *s, int field, ovr_swept *set)
 {
     set->c[field] = s->c;
     for (int k = 0; k < 2; k++) {
@@ -207,15 +207,15 @@ enum { PAST, OWN_BEFORE, BEFORE, OWN }; /* OWN: as many as poles */
 
 /* Diffusion is linear: the sum of fields is diffused once, except for the
  * contributions from outside the domain. */
-static void put_set(const ovr_modes_look *l, ovr_swept *set)
+static void fill_set(const ovr_modes_look *l, ovr_swept *set)
 {
     const ovr_spread *s = l->spread;
-    put_sweeps(&s->past, PAST, set);
-    put_sweeps(&s->before, OWN_BEFORE, set);
-    put_sweeps(&s->past, BEFORE, set);
+    set_sweeps(&s->past, PAST, set);
+    set_sweeps(&s->before, OWN_BEFORE, set);
+    set_sweeps(&s->past, BEFORE, set);
     for (int p = 0; p < OVR_OWN_POLES; p++) {
         const ovr_sweeps pole = of_pole(s->own[p]);
-        put_sweeps(&pole, OWN + p, set);
+        set_sweeps(&pole, OWN + p, set);
     }
     for (int m = 0; m < OVR_MODES; m++) {
         size_t last = l->departures->n - 1;
@@ -228,7 +228,7 @@ static void put_set(const ovr_modes_look *l, ovr_swept *set)
     }
 }
 
-static void put_fields(const ovr_modes_look *l)
+static void write_fields(const ovr_modes_look *l)
 {
     for (size_t i = 0; i < l->departures->n; i++) {
         double *at = l->fields + i * OVR_SWEPT;
@@ -239,7 +239,7 @@ static void put_fields(const ovr_modes_look *l)
     }
 }
 
-static void take_fields(const ovr_modes_look *l)
+static void read_fields(const ovr_modes_look *l)
 {
     double gain = 4. / 3 * sqrt(l->dT);
     for (size_t i = 0; i < l->departures->n; i++) {
@@ -264,11 +264,11 @@ void ovr_modes_past(const ovr_modes_look *l)
     ovr_carry_along(l->departures, l->q, l->before);
     if (!s->on)
         return;
-    put_ends(l, l->past);
-    put_set(l, &set);
-    put_fields(l);
+    add_ends(l, l->past);
+    fill_set(l, &set);
+    write_fields(l);
     l->run->sweep_fields(l->departures->n, &set, l->fields);
-    take_fields(l);
+    read_fields(l);
 }
 
 /* ----------------------------------------------------------------- kernels */

@@ -9,7 +9,7 @@
 
 /* ------------------------------------------------------------------ memory */
 
-static ovr_status take(ovr_patch *p, ovr_arena *arena, ovr_error *err)
+static ovr_status allocate(ovr_patch *p, ovr_arena *arena, ovr_error *err)
 {
     size_t capacity = p->level->grid.n + OVR_MAX_LANES;
     OVR_TAKE_FIELDS(arena, capacity, err, &p->P, &p->q, &p->eps, &p->flow,
@@ -25,7 +25,7 @@ ovr_status ovr_patch_base(ovr_hierarchy *grids, ovr_patch *base,
 {
     *base = (ovr_patch){.level = &grids->level[grids->finest], .from = 1};
     base->to = base->level->grid.n - 2;
-    return take(base, arena, err);
+    return allocate(base, arena, err);
 }
 
 ovr_status ovr_patch_build(const ovr_hierarchy *grids, ovr_patch *patch,
@@ -44,7 +44,7 @@ ovr_status ovr_patch_build(const ovr_hierarchy *grids, ovr_patch *patch,
     const ovr_mlmi_form mlmi = {2 * (int)parent->mlmi.half_order,
                                 (int)parent->mlmi.range};
     ovr_level_build(grids, level, mlmi, arena, err);
-    return take(patch, arena, err);
+    return allocate(patch, arena, err);
 }
 
 void ovr_patch_fill(const ovr_hierarchy *grids, ovr_patch *patch,

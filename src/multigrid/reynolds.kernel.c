@@ -7,21 +7,22 @@
 #include "multigrid/reynolds_row.h"
 
 /* Sets the phase of vector J from its residual. The ends are in no set. */
-static inline void put_phase(const ovr_fields *f, vec hold, ptrdiff_t J, vec r)
+static inline void store_phase(const ovr_fields *f, vec hold, ptrdiff_t J,
+                               vec r)
 {
     put_set(f->wet, J, at(f->P, J) > 0);
     put_set(f->held, J, row_holds(f, r, hold, J));
 }
 
-static INLINE void put_row(const ovr_fields *f, const row_weights *c,
-                           ptrdiff_t J)
+static INLINE void store_row(const ovr_fields *f, const row_weights *c,
+                             ptrdiff_t J)
 {
     vec r = row_residual(f, c, J);
-    put_phase(f, c->hold, J, r);
+    store_phase(f, c->hold, J, r);
     put(f->r, J, r);
 }
 
-static inline void put_halo_phase(const ovr_fields *f, ptrdiff_t S)
+static inline void store_halo_phase(const ovr_fields *f, ptrdiff_t S)
 {
     for (ptrdiff_t J = 0; J < OVR_HALO; J++) {
         put_set(f->wet, -1 - J, at(f->P, -1 - J) > 0);
@@ -29,14 +30,14 @@ static inline void put_halo_phase(const ovr_fields *f, ptrdiff_t S)
     }
 }
 
-static INLINE void put_rows(const ovr_lanes *g, const ovr_weights *w,
-                            row_kind kind, const ovr_fields *f)
+static INLINE void store_rows(const ovr_lanes *g, const ovr_weights *w,
+                              row_kind kind, const ovr_fields *f)
 {
     row_weights first = row_first(w, kind), rest = row_inner(w, kind);
-    put_row(f, &rest, 0);
-    put_row(f, &first, 1);
+    store_row(f, &rest, 0);
+    store_row(f, &first, 1);
     for (ptrdiff_t J = 2; J < (ptrdiff_t)g->S; J++)
-        put_row(f, &rest, J);
+        store_row(f, &rest, J);
 }
 
 /* r in rows 1..n-2, zero at both ends; and the phase. */
@@ -48,18 +49,18 @@ void OVR_KERNEL(residual)(const ovr_lanes *g, const ovr_weights *w,
     ptrdiff_t S = (ptrdiff_t)g->S;
     if (own.skew && own.flow) /* in both cases, whether the flow is stored
                                * because of a rheological model or not */
-        put_rows(g, w, ROW_STORED | ROW_SKEWED, &own);
+        store_rows(g, w, ROW_STORED | ROW_SKEWED, &own);
     else if (own.skew)
-        put_rows(g, w, ROW_SUMS | ROW_SKEWED, &own);
+        store_rows(g, w, ROW_SUMS | ROW_SKEWED, &own);
     else if (own.flow)
-        put_rows(g, w, ROW_STORED, &own);
+        store_rows(g, w, ROW_STORED, &own);
     else
-        put_rows(g, w, ROW_SUMS, &own);
+        store_rows(g, w, ROW_SUMS, &own);
     own.r[0] = 0;
     for (size_t i = g->n - 1; i <= g->S * VEC; i++)
         own.r[ovr_lanes_place(g, i)] = 0;
     repeat_ends(own.r, S, 1);
-    put_halo_phase(&own, S);
+    store_halo_phase(&own, S);
 }
 
 void OVR_KERNEL(phase)(const ovr_lanes *g, const ovr_weights *w,
@@ -68,8 +69,8 @@ void OVR_KERNEL(phase)(const ovr_lanes *g, const ovr_weights *w,
     const ovr_fields own = *f;
     const vec hold = all(w->hold);
     for (ptrdiff_t J = 0; J < (ptrdiff_t)g->S; J++)
-        put_phase(&own, hold, J, at(own.r, J));
-    put_halo_phase(&own, (ptrdiff_t)g->S);
+        store_phase(&own, hold, J, at(own.r, J));
+    store_halo_phase(&own, (ptrdiff_t)g->S);
 }
 
 static INLINE double sum_imbalance(const ovr_lanes *g, const ovr_weights *w,

@@ -6,7 +6,7 @@
 
 #include "multigrid/reynolds_row.h"
 
-static void put_phase(const ovr_fields *f, const ovr_weights *w, ptrdiff_t i)
+static void store_phase(const ovr_fields *f, const ovr_weights *w, ptrdiff_t i)
 {
     f->wet[i] = f->P[i] > 0;
     f->held[i] = row_holds(f, f->r[i], w->hold, i);
@@ -20,7 +20,7 @@ void ovr_residual_plain(const ovr_lanes *g, const ovr_weights *w,
         row_kind kind = row_kind_of(f);
         row_weights c = i == 1 ? row_first(w, kind) : row_inner(w, kind);
         f->r[i] = row_residual(f, &c, i);
-        put_phase(f, w, i);
+        store_phase(f, w, i);
     }
     f->r[0] = f->r[last] = 0;
 }
@@ -30,7 +30,7 @@ void ovr_phase_plain(const ovr_lanes *g, const ovr_weights *w,
 {
     ptrdiff_t last = (ptrdiff_t)g->n - 1;
     for (ptrdiff_t i = 1; i < last; i++)
-        put_phase(f, w, i);
+        store_phase(f, w, i);
 }
 
 double ovr_imbalance_plain(const ovr_lanes *g, const ovr_weights *w,

@@ -103,8 +103,8 @@ static ovr_status add(ovr_composite *c, const ovr_spike_search *how,
 
 /* True if another level is needed after the last one changed the spike from
  * `before`; *small counts how often it changed little. */
-static bool go_on(const ovr_composite *c, const ovr_spike_search *how,
-                  spike before, ovr_spike_found *found, int *small)
+static bool needs_level(const ovr_composite *c, const ovr_spike_search *how,
+                        spike before, ovr_spike_found *found, int *small)
 {
     const ovr_patch *last = &c->part[c->patches];
     double change = fabs(found->P - before.P) / fabs(found->P);
@@ -139,7 +139,7 @@ ovr_status ovr_spike_solve(ovr_composite *c, const ovr_spike_search *how,
                                .P = now.P,
                                .X = now.X,
                                .change = NAN};
-    while (go_on(c, how, before, found, &small)) {
+    while (needs_level(c, how, before, found, &small)) {
         ovr_window w = lay(c, how, now.X);
         if (!w.meshes)
             break;

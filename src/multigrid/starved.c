@@ -140,8 +140,8 @@ static void close_inlet(const ovr_hierarchy *grids, ovr_level *level, double q)
 
 /* Scales the film with the supply. Upstream, where the gap is wider than twice
  * the supply, the film is cavitated. */
-static void take_supply(ovr_hierarchy *grids, ovr_level *level, double q,
-                        double before)
+static void scale_film(ovr_hierarchy *grids, ovr_level *level, double q,
+                       double before)
 {
     double H = ovr_level_centre(level, level->f.H), fall = (1 - q / before) * H;
     grids->H0 -= fall;
@@ -167,7 +167,7 @@ static bool step(ovr_hierarchy *grids, ovr_level *level, double limit,
     bool closed = level->closed;
     ovr_level_read(grids, level, level->f.P, P);
     ovr_level_read(grids, level, level->f.q, content);
-    take_supply(grids, level, q, before);
+    scale_film(grids, level, q, before);
     if (ovr_below(newton(grids, level, limit, STEPS), 1e-6))
         return true;
     ovr_level_write(grids, level, P, level->f.P);
@@ -276,8 +276,8 @@ static void raise_supply(ovr_hierarchy *grids, ovr_level *level, double before,
 
 /* Restores a solution: nodes with P > 0 are pressurized; in cavitated nodes the
  * flow rate is constant. */
-static void put_back(ovr_hierarchy *grids, ovr_level *level, const double *P,
-                     double H0, double q)
+static void restore(ovr_hierarchy *grids, ovr_level *level, const double *P,
+                    double H0, double q)
 {
     ovr_level_write(grids, level, P, level->f.P);
     grids->H0 = H0;
@@ -310,7 +310,7 @@ static ovr_defect approach(ovr_hierarchy *grids, const ovr_full *how,
             part = fmin(1.5 * part, maximum);
             continue;
         }
-        put_back(grids, level, how->saved, H0, q);
+        restore(grids, level, how->saved, H0, q);
         part *= 0.5;
     }
     if (q < target) /* the solution is not that of this supply */

@@ -194,7 +194,7 @@ static void keep_film(settling *s)
     s->H0 = sim->grids.H0;
 }
 
-static void go_back(const settling *s)
+static void restore(const settling *s)
 {
     ovr_nodes_write(s->sim, s->sim->finest, s->P, s->sim->finest->f.P);
     s->sim->grids.H0 = s->H0;
@@ -250,7 +250,7 @@ static bool stepped_by_newton(settling *s)
     ovr_cycling c = s->how->cycling;
     ovr_outcome outcome = {0};
     c.newton_limit = 1;
-    go_back(s);
+    restore(s);
     set_gap(s, s->t + s->dt);
     set_grown(s, s->dt);
     bool found = ovr_step_newton(s->sim, &c, &outcome);
@@ -271,7 +271,7 @@ static bool stepped(settling *s)
         c.sweeps_before = c.sweeps_after = ways[k].sweeps;
         c.smoothing.limit = ways[k].limit;
         c.correction = ways[k].correction;
-        go_back(s);
+        restore(s);
         set_gap(s, s->t + s->dt);
         set_grown(s, s->dt);
         if (relaxed(s, &c, ways[k].maximum))
@@ -315,7 +315,7 @@ static ovr_defect settle(settling *s)
            !ovr_hierarchy_stops(&s->sim->grids)) {
         int before = s->cycles;
         if (!stepped(s)) {
-            go_back(s);
+            restore(s);
             s->dt /= 2;
             continue;
         }

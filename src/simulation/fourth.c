@@ -77,8 +77,8 @@ static bool chosen(const ovr_options *o)
     return o->order == 4;
 }
 
-static ovr_status take(ovr_simulation *sim, const void *form, void **own,
-                       ovr_error *err)
+static ovr_status create(ovr_simulation *sim, const void *form, void **own,
+                         ovr_error *err)
 {
     fourth *f = ovr_arena_take(&sim->arena, 1, sizeof *f, err);
     (void)form;
@@ -134,7 +134,7 @@ static void standing_heights(const ovr_simulation *sim, double *S)
 }
 
 /* True if a run has features at T = 0 that are not stationary. */
-static bool stands_apart(ovr_simulation *sim)
+static bool has_moving_features(ovr_simulation *sim)
 {
     size_t n = sim->now.n;
     if (!sim->shapes.standing_given || !sim->shapes.heights)
@@ -370,7 +370,7 @@ static ovr_defect solve(ovr_simulation *sim, void *own, const ovr_full *how,
     if (applies(sim) && !ovr_conserves(sim)) /* otherwise after mass-conserving
                                               * cavitation is enabled */
         sim->order = 4;
-    if (sim->order == 4 && stands_apart(sim)) {
+    if (sim->order == 4 && has_moving_features(sim)) {
         standing_gap(sim);
         solve_and_correct(sim, f, how, cycles);
         ovr_simulation_gap(sim, 0);
@@ -483,7 +483,7 @@ static void begin(ovr_simulation *sim, void *own)
     const double *q = sim->now.q;
     f->follows = sim->order == 4 && sim->scheme->characteristic;
     f->ahead = false;
-    f->rests = f->follows && !varies(sim) && !stands_apart(sim) &&
+    f->rests = f->follows && !varies(sim) && !has_moving_features(sim) &&
                !ovr_conserves(sim);
     f->rest_dT = 0;
     if (!f->follows)
@@ -653,7 +653,7 @@ static void visit(ovr_simulation *sim, void *own, ovr_pieces *state)
 }
 
 static const ovr_physics_in_solve in_solve = {
-    .chosen = chosen, .take = take, .solve = solve, .begin = begin};
+    .chosen = chosen, .take = create, .solve = solve, .begin = begin};
 
 static const ovr_physics_in_step in_step = {.before_step = before_step,
                                             .attempt = attempt,

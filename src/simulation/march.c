@@ -188,7 +188,7 @@ static ovr_status advance(ovr_simulation *sim, const ovr_march *march,
 
 /* Checks whether a restored run was already constant, if it was stopped at its
  * last step. */
-static void look_at_start(ovr_simulation *sim, const ovr_march *march)
+static void check_start(ovr_simulation *sim, const ovr_march *march)
 {
     sim->statistics.settled = sim->restored && has_settled(sim, march);
     sim->restored = false;
@@ -199,7 +199,7 @@ static ovr_status follow(ovr_simulation *sim, const ovr_march *march,
 {
     ovr_status status = OVR_OK;
     bool more;
-    look_at_start(sim, march);
+    check_start(sim, march);
     more = !has_ended(sim, march);
     if (sim->state.step == 0)
         status = observe(sim, march, err);
@@ -208,7 +208,8 @@ static ovr_status follow(ovr_simulation *sim, const ovr_march *march,
     return status;
 }
 
-static ovr_status take(ovr_march *how, const ovr_march *given, ovr_error *err)
+static ovr_status copy_options(ovr_march *how, const ovr_march *given,
+                               ovr_error *err)
 {
     if (OVR_TAKE(ovr_march, how, given, err))
         return OVR_BAD_INPUT;
@@ -226,7 +227,8 @@ ovr_status ovr_simulation_march(ovr_simulation *sim, const ovr_march *march,
     if (!sim)
         return ovr_fail_null(err, __func__);
     ovr_march how;
-    if (take(&how, march, err) || ovr_simulation_begin(sim, __func__, err))
+    if (copy_options(&how, march, err) ||
+        ovr_simulation_begin(sim, __func__, err))
         return OVR_BAD_INPUT;
     ovr_status status = follow(sim, &how, err);
     ovr_simulation_end(sim);
@@ -241,9 +243,10 @@ ovr_status ovr_simulation_advance(ovr_simulation *sim, const ovr_march *march,
     ovr_march how;
     ovr_status status = OVR_OK;
     *more = false;
-    if (take(&how, march, err) || ovr_simulation_begin(sim, __func__, err))
+    if (copy_options(&how, march, err) ||
+        ovr_simulation_begin(sim, __func__, err))
         return OVR_BAD_INPUT;
-    look_at_start(sim, &how);
+    check_start(sim, &how);
     if (!has_ended(sim, &how))
         status = advance(sim, &how, more, err);
     ovr_simulation_end(sim);

@@ -338,8 +338,8 @@ static bool is_beyond(ovr_sense what, double value, double kept)
     }
 }
 
-static void take_extreme(ovr_statistics *s, const ovr_observable *row,
-                         const ovr_observation *o, bool first)
+static void update_extreme(ovr_statistics *s, const ovr_observable *row,
+                           const ovr_observation *o, bool first)
 {
     double value = number(o, row->offset);
     if (!first &&
@@ -351,8 +351,8 @@ static void take_extreme(ovr_statistics *s, const ovr_observable *row,
 }
 
 /* Updates a mean; `part` is the fraction of the elapsed time in this step. */
-static void take_mean(ovr_statistics *s, const ovr_observable *row,
-                      const ovr_observation *o, double part)
+static void update_mean(ovr_statistics *s, const ovr_observable *row,
+                        const ovr_observation *o, double part)
 {
     double *mean = member(&s->mean, row->offset);
     double value = number(o, row->offset);
@@ -369,9 +369,9 @@ void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
     const ovr_observable *row;
     for (size_t k = 0; (row = ovr_observable_at(k)); k++) {
         if (row->extreme_key)
-            take_extreme(s, row, o, first);
+            update_extreme(s, row, o, first);
         if (row->mean_key)
-            take_mean(s, row, o, part);
+            update_mean(s, row, o, part);
     }
     s->averaged = o->T;
     if (s->when.H_min_located == o->T)

@@ -34,7 +34,7 @@ static ovr_present *place_for(ovr_simulation *sim, const ovr_physics *physics)
 
 /* Copies the pressure to the grids, which may contain the mirror image
  * (mirror.h). */
-static void bear(ovr_simulation *sim, const double *along_x)
+static void set_asperity_pressure(ovr_simulation *sim, const double *along_x)
 {
     double *image = ovr_work_take(sim);
     if (sim->histories.mirrored)
@@ -50,7 +50,7 @@ void ovr_physics_clear_asperity_pressure(ovr_simulation *sim)
         return;
     double *none = ovr_work_take(sim);
     memset(none, 0, sim->finest->grid.n * sizeof *none);
-    bear(sim, none);
+    set_asperity_pressure(sim, none);
     ovr_work_give(sim, none);
 }
 
@@ -67,7 +67,7 @@ void ovr_physics_keep_asperity_pressure(ovr_simulation *sim)
 void ovr_physics_restore_asperity_pressure(ovr_simulation *sim)
 {
     if (sim->borne)
-        bear(sim, sim->borne);
+        set_asperity_pressure(sim, sim->borne);
 }
 
 ovr_status ovr_physics_take_asperity_pressure(ovr_simulation *sim,

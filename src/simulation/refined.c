@@ -37,8 +37,8 @@ static void prepare(ovr_hierarchy *grids)
     grids->influence.linear = true;
 }
 
-static ovr_status take(ovr_simulation *sim, const void *form, void **own,
-                       ovr_error *err)
+static ovr_status create(ovr_simulation *sim, const void *form, void **own,
+                         ovr_error *err)
 {
     size_t maximum[OVR_LEVELS], n = sim->finest->grid.n;
     int patches = last_level(&sim->options) - sim->options.level;
@@ -78,7 +78,7 @@ static void rigid(void *data, size_t n, const double *X, double *gap)
 /* ------------------------------------------------------------------ leaves */
 
 /* Copies leaf i of a part to node n of the solution. */
-static void take_leaf(ovr_simulation *sim, ovr_refined *r,
+static void copy_leaf(ovr_simulation *sim, ovr_refined *r,
                       const ovr_patch *part, size_t i, const double *H)
 {
     size_t n = sim->now.n++;
@@ -91,7 +91,7 @@ static void take_leaf(ovr_simulation *sim, ovr_refined *r,
 
 /* Collects the nodes `from` to `to` of a part that are not covered by the next
  * patch. */
-static void take_leaves(ovr_simulation *sim, ovr_refined *r, int k, size_t from,
+static void copy_leaves(ovr_simulation *sim, ovr_refined *r, int k, size_t from,
                         size_t to)
 {
     ovr_composite *c = &r->composite;
@@ -100,10 +100,10 @@ static void take_leaves(ovr_simulation *sim, ovr_refined *r, int k, size_t from,
     ovr_level_read(&sim->grids, part->level, part->level->f.H, H);
     for (size_t i = from; i <= to; i++) {
         if (ovr_composite_leaf(c, k, i)) {
-            take_leaf(sim, r, part, i, H);
+            copy_leaf(sim, r, part, i, H);
             continue;
         }
-        take_leaves(sim, r, k + 1, part[1].from, part[1].to);
+        copy_leaves(sim, r, k + 1, part[1].from, part[1].to);
         i = ovr_patch_end(part + 1) - 1;
     }
 }
@@ -137,7 +137,7 @@ static void read_leaves(ovr_simulation *sim, ovr_refined *r)
     sim->now.n = 0;
     sim->now.X = r->X;
     sim->now.D = r->found.D;
-    take_leaves(sim, r, 0, 0, sim->finest->grid.n - 1);
+    copy_leaves(sim, r, 0, 0, sim->finest->grid.n - 1);
     weigh(&sim->now);
     join(sim);
     ovr_surface_heights(sim, 0, sim->now.n, r->X, sim->shapes.S);
@@ -259,7 +259,7 @@ static const ovr_observable quantities[] = {
 static const ovr_physics_in_solve in_solve = {.makes_nodes = true,
                                               .chosen = chosen,
                                               .prepare = prepare,
-                                              .take = take,
+                                              .take = create,
                                               .forget = forget,
                                               .finish = finish};
 

@@ -16,7 +16,7 @@
 
 /* ------------------------------------------------------------- work arrays */
 
-static void take_work(ovr_simulation *sim, ovr_error *err)
+static void allocate_work(ovr_simulation *sim, ovr_error *err)
 {
     sim->work = ovr_arena_take(&sim->arena, 1, sizeof *sim->work, err);
     for (int k = 0; sim->work && k < OVR_WORK_ARRAYS; k++)
@@ -48,7 +48,7 @@ void ovr_work_give(const ovr_simulation *sim, const double *array)
 
 /* -------------------------------------------------------------- simulation */
 
-static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
+static ovr_status allocate_arrays(ovr_simulation *sim, ovr_error *err)
 {
     OVR_TAKE_NODES(sim, err, &sim->now.weights, &sim->shapes.S,
                    &sim->shapes.S_past, &sim->start.saved,
@@ -60,7 +60,7 @@ static ovr_status take_arrays(ovr_simulation *sim, ovr_error *err)
         for (int ago = 0; ago < ovr_field_rows[k].past; ago++)
             OVR_TAKE_NODES(sim, err, &sim->past.all[k][ago]);
     }
-    take_work(sim, err);
+    allocate_work(sim, err);
     ovr_inflow_take(sim, err);
     return ovr_arena_status(&sim->arena);
 }
@@ -146,7 +146,7 @@ static ovr_status build(ovr_simulation *sim, ovr_error *err)
     if (ovr_physics_choose(sim, err))
         return OVR_NO_MEMORY;
     sim->now.n = sim->maximum;
-    ovr_status status = take_arrays(sim, err);
+    ovr_status status = allocate_arrays(sim, err);
     sim->now.n = sim->finest->grid.n;
     return status;
 }

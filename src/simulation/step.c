@@ -82,8 +82,8 @@ static double tolerance_by_guess(const ovr_simulation *sim, double guess)
 
 /* Solves local windows if the guess is poor, or if it is still poor after the
  * first cycle. */
-static void settle_spots(const ovr_hierarchy *grids, ovr_level *finest,
-                         int times)
+static void solve_windows(const ovr_hierarchy *grids, ovr_level *finest,
+                          int times)
 {
     while (!grids->touch.at && times-- > 0 && ovr_local_newton(grids, finest))
         continue;
@@ -130,7 +130,7 @@ bool ovr_step_cycles(ovr_simulation *sim, ovr_step_cycling how,
     double loose = 0;
     slowness slow = {.last = INFINITY};
     ovr_level_refresh(grids, sim->finest);
-    settle_spots(grids, sim->finest, 2);
+    solve_windows(grids, sim->finest, 2);
     settle_ends(grids, sim->finest);
     for (int cycle = 0, after = c.sweeps_after;; cycle++) {
         double target = tolerance_of(sim, c.sweeps_after > 0);
@@ -150,7 +150,7 @@ bool ovr_step_cycles(ovr_simulation *sim, ovr_step_cycling how,
         c.sweeps_after = how.close && cycle < SHORT_CYCLES ? 0 : after;
         ovr_cycle(grids, sim->finest, c);
         if (!cycle)
-            settle_spots(grids, sim->finest, 1);
+            solve_windows(grids, sim->finest, 1);
         settle_ends(grids, sim->finest);
         OVR_EACH_PHYSICS(sim, p, in_step, anew)
             p->is->in_step->anew(sim, p->own);
@@ -180,7 +180,7 @@ static void bears_nothing(const void *law, double H, double *A, double *slope)
 }
 
 /* True for Reynolds cavitation on one grid, if the memory is available. */
-static bool can(ovr_simulation *sim)
+static bool has_newton(ovr_simulation *sim)
 {
     ovr_hierarchy *grids = &sim->grids;
     return sim->options.smoother == OVR_LINE && !grids->touch.at &&
@@ -202,7 +202,7 @@ static void exchange(ovr_simulation *sim)
 }
 
 /* Stores the result in the level. */
-static bool take(ovr_simulation *sim)
+static bool allocate_newton(ovr_simulation *sim)
 {
     ovr_last_newton *own = &sim->last_newton;
     ovr_error err = {0};
@@ -226,7 +226,7 @@ bool ovr_step_newton(ovr_simulation *sim, const ovr_cycling *how,
     const double far = 1e15;
     ovr_asperity *touch = &sim->grids.touch;
     ovr_level *level = sim->finest;
-    if (!can(sim) || !take(sim))
+    if (!has_newton(sim) || !allocate_newton(sim))
         return false;
     touch->at = bears_nothing;
     touch->share = 1;

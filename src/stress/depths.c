@@ -26,8 +26,8 @@ static double minimum(const ovr_stress_options *o)
 }
 
 /* Inserts z into the sorted depths, if requested. */
-static size_t put_depth(const ovr_stress_options *o, double depth, size_t count,
-                        double *z)
+static size_t insert_depth(const ovr_stress_options *o, double depth,
+                           size_t count, double *z)
 {
     size_t j = count;
     if (depth <= minimum(o) || depth >= o->depth_max)
@@ -40,17 +40,18 @@ static size_t put_depth(const ovr_stress_options *o, double depth, size_t count,
 }
 
 /* Inserts both sides of each interface and some depths inside each layer. */
-static size_t put_layers(const ovr_stress_options *o, size_t count, double *z)
+static size_t insert_layers(const ovr_stress_options *o, size_t count,
+                            double *z)
 {
     enum { INSIDE = 4 };
     double top = 0;
     for (int k = 0; o->layers && k < o->layers->layers; k++) {
         double bottom = ovr_layered_bottom(o->layers, k);
         for (int i = 1; i < INSIDE; i++)
-            count = put_depth(o, top + (bottom - top) * i / INSIDE * 1.0001,
-                              count, z);
-        count = put_depth(o, bottom * (1 - OVR_BESIDE), count, z);
-        count = put_depth(o, bottom * (1 + OVR_BESIDE), count, z);
+            count = insert_depth(o, top + (bottom - top) * i / INSIDE * 1.0001,
+                                 count, z);
+        count = insert_depth(o, bottom * (1 - OVR_BESIDE), count, z);
+        count = insert_depth(o, bottom * (1 + OVR_BESIDE), count, z);
         top = bottom;
     }
     return count;
@@ -62,7 +63,7 @@ size_t ovr_depths(const ovr_stress_options *o, double *z)
     size_t count = 1 + (size_t)floor(octaves * o->per_octave + 1e-9);
     for (size_t j = 0; z && j < count; j++)
         z[j] = minimum(o) * exp2((double)j / o->per_octave);
-    return put_layers(o, count, z);
+    return insert_layers(o, count, z);
 }
 
 int ovr_depth_level(const ovr_stress_options *o, double z)

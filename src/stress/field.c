@@ -92,8 +92,8 @@ typedef struct layer_capacity {
     fftw_plan plan;
 } layer_capacity;
 
-static ovr_status take_layer_capacity(ovr_arena *scratch, size_t N,
-                                      layer_capacity *r, ovr_error *err)
+static ovr_status allocate_layers(ovr_arena *scratch, size_t N,
+                                  layer_capacity *r, ovr_error *err)
 {
     r->n = WIDER * N;
     for (int w = 0; w < 3; w++) {
@@ -180,8 +180,7 @@ static ovr_status tabulate_all(ovr_stress *s, ovr_arena *scratch,
     line.value = ovr_arena_take(scratch, 3 * line.lags, sizeof *line.value,
                                 err);
     if (!line.potential || !line.value ||
-        (o->layers &&
-         take_layer_capacity(scratch, s->capacity, &line.layers, err)))
+        (o->layers && allocate_layers(scratch, s->capacity, &line.layers, err)))
         return OVR_NO_MEMORY;
     line.first = lround((s->start - o->inlet) / o->mesh) -
                  (long)(o->nodes - 1 + s->seam);
@@ -200,7 +199,7 @@ static ovr_status tabulate_all(ovr_stress *s, ovr_arena *scratch,
 
 /* --------------------------------------------------------------- creation */
 
-static ovr_status take_depth(ovr_stress *s, size_t j, ovr_error *err)
+static ovr_status allocate_depth(ovr_stress *s, size_t j, ovr_error *err)
 {
     ovr_depth *depth = &s->depth[j];
     depth->z = s->z[j];
@@ -222,7 +221,7 @@ static ovr_status take_depth(ovr_stress *s, size_t j, ovr_error *err)
     return depth->pair ? OVR_OK : OVR_NO_MEMORY;
 }
 
-static ovr_status take_arrays(ovr_stress *s, ovr_error *err)
+static ovr_status allocate_arrays(ovr_stress *s, ovr_error *err)
 {
     ovr_fourier *f = &s->fourier;
     size_t N = s->capacity;
@@ -251,7 +250,7 @@ static ovr_status prepare(ovr_stress *s, size_t depths, const double *z,
     s->start = o->inlet + ceil((o->from - o->inlet) / o->mesh - 1e-9) * o->mesh;
     s->seam = s->capacity - o->nodes - ovr_stress_nodes(o);
     s->loops = ovr_stress_loops_choose(NULL);
-    if (take_arrays(s, err))
+    if (allocate_arrays(s, err))
         return OVR_NO_MEMORY;
     if (z)
         memcpy(s->z, z, depths * sizeof *z);
@@ -259,7 +258,7 @@ static ovr_status prepare(ovr_stress *s, size_t depths, const double *z,
         ovr_depths(o, s->z);
     ovr_status status = ovr_fourier_plan(&s->fourier, err);
     for (size_t j = 0; !status && j < s->depths; j++)
-        status = take_depth(s, j, err);
+        status = allocate_depth(s, j, err);
     if (status)
         return status;
     ovr_arena scratch = ovr_arena_make(&s->arena.allocator);

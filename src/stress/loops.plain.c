@@ -12,7 +12,7 @@ static double complex product(ovr_bins a, ovr_bins b, size_t k)
            ((double)b.re[k] + I * (double)b.im[k]);
 }
 
-static void put(float *waves, size_t k, double complex value)
+static void store(float *waves, size_t k, double complex value)
 {
     waves[2 * k] = (float)creal(value);
     waves[2 * k + 1] = (float)cimag(value);
@@ -27,8 +27,8 @@ static void spread(size_t bins, size_t n, const ovr_load_bins *load,
             a += product(load[l].A, load[l].P, k);
             b += product(load[l].B, load[l].P, k);
         }
-        put(waves, k, a + I * b);
-        put(waves, n - k, conj(a) + I * conj(b));
+        store(waves, k, a + I * b);
+        store(waves, n - k, conj(a) + I * conj(b));
     }
 }
 

@@ -62,7 +62,7 @@ typedef struct seen {
 } seen;
 
 /* Computes the stresses at a depth's nodes from the fields solved last. */
-static seen look_at(ovr_material_history *p, size_t depth, double T)
+static seen evaluate_row(ovr_material_history *p, size_t depth, double T)
 {
     seen s = {.row = ovr_stress_at(p->stress, depth), .T = T};
     const ovr_stress_row *row = &s.row;
@@ -192,7 +192,7 @@ static long point_at(const ovr_material_history *p, int c, place at)
 static void follow_depth(ovr_material_history *p, size_t depth, place at,
                          double T)
 {
-    const seen s = look_at(p, depth, T);
+    const seen s = evaluate_row(p, depth, T);
     if (!s.n)
         return;
     note_extremes(p, &s);
@@ -314,7 +314,7 @@ static float sweep_row(const ovr_material_history *p, const closing *c, int r,
 static void close_depth(ovr_material_history *p, closing c, place at,
                         bool between, bool begin)
 {
-    const seen s = look_at(p, c.depth, 0);
+    const seen s = evaluate_row(p, c.depth, 0);
     c.n = s.n;
     c.k = (long)s.first + point_at(p, s.row.level, at) + (between && c.upward);
     for (int r = 0; r < OVR_ROWS; r++) {
@@ -360,12 +360,12 @@ static void mark(ovr_material_history *p, const ovr_moment *moment, bool begin)
 }
 
 /* Records the extremes of the first time. */
-static void look(ovr_material_history *p, const double *P, const double *Q,
-                 const ovr_moment *moment)
+static void record_extremes(ovr_material_history *p, const double *P,
+                            const double *Q, const ovr_moment *moment)
 {
     ovr_stress_solve(p->stress, P, Q, 0, OVR_STRESS_ALL_LEVELS);
     for (size_t j = 0; j < p->stress->depths; j++) {
-        const seen s = look_at(p, j, moment->T);
+        const seen s = evaluate_row(p, j, moment->T);
         note_extremes(p, &s);
     }
 }
@@ -376,7 +376,7 @@ void ovr_material_history_begin(ovr_material_history *history, const double *P,
     if (!history || !P || !moment)
         return;
     note_strip(history, P, moment->T);
-    look(history, P, Q, moment);
+    record_extremes(history, P, Q, moment);
     close_run(history, P, Q, moment, true);
     mark(history, moment, true);
 }

@@ -89,7 +89,7 @@ static size_t scratch_workspace(const ovr_material_history *p)
     return points > p->stress->capacity ? points : p->stress->capacity;
 }
 
-static bool take_scratch(ovr_material_history *p, ovr_error *err)
+static bool allocate_scratch(ovr_material_history *p, ovr_error *err)
 {
     size_t capacity = scratch_workspace(p);
     float **scratch[] = {&p->d,        &p->tau,       &p->h,
@@ -103,7 +103,7 @@ static bool take_scratch(ovr_material_history *p, ovr_error *err)
 }
 
 /* Allocates the sums of strips of pressure for a plastic body. */
-static ovr_status take_sums(ovr_material_history *p, ovr_error *err)
+static ovr_status allocate_sums(ovr_material_history *p, ovr_error *err)
 {
     size_t n = p->stress->options.nodes;
     if (!(p->range.yield > 0))
@@ -115,7 +115,7 @@ static ovr_status take_sums(ovr_material_history *p, ovr_error *err)
     return p->sums.sum ? OVR_OK : OVR_NO_MEMORY;
 }
 
-static ovr_status take_arrays(ovr_material_history *p, ovr_error *err)
+static ovr_status allocate_arrays(ovr_material_history *p, ovr_error *err)
 {
     size_t depths = p->stress->depths, all = values_of_all(p);
     float *rows = ovr_arena_take(&p->arena, all, sizeof *rows, err);
@@ -123,7 +123,8 @@ static ovr_status take_arrays(ovr_material_history *p, ovr_error *err)
     p->smooth = ovr_arena_take(&p->arena, depths * OVR_ROWS, sizeof(float),
                                err);
     p->complete = ovr_arena_take(&p->arena, p->points, 1, err);
-    if (!rows || !p->row || !p->smooth || !p->complete || !take_scratch(p, err))
+    if (!rows || !p->row || !p->smooth || !p->complete ||
+        !allocate_scratch(p, err))
         return OVR_NO_MEMORY;
     p->row[0] = rows;
     for (size_t j = 1; j < depths; j++)
@@ -143,7 +144,7 @@ static ovr_status take_arrays(ovr_material_history *p, ovr_error *err)
     if (p->stress->options.layers)
         p->piece[p->pieces++] = (ovr_memory_piece){"passage layers", &p->layers,
                                                    sizeof p->layers};
-    return take_sums(p, err);
+    return allocate_sums(p, err);
 }
 
 static ovr_status check(const ovr_stress_options *o,
@@ -175,15 +176,16 @@ static ovr_status prepare(ovr_material_history *p, ovr_error *err)
     }
     find_grids(p);
     find_rest(p);
-    ovr_status status = take_arrays(p, err);
+    ovr_status status = allocate_arrays(p, err);
     if (!status)
         start_at_rest(p);
     return status;
 }
 
-static ovr_status take(const ovr_stress_options *o,
-                       const ovr_material_range *range, ovr_stress_options *to,
-                       ovr_material_range *to_range, ovr_error *err)
+static ovr_status copy_options(const ovr_stress_options *o,
+                               const ovr_material_range *range,
+                               ovr_stress_options *to,
+                               ovr_material_range *to_range, ovr_error *err)
 {
     ovr_status status = OVR_TAKE(ovr_stress_options, to, o, err);
     return status ? status : OVR_TAKE(ovr_material_range, to_range, range, err);
@@ -197,7 +199,7 @@ ovr_material_history_create(const ovr_stress_options *given,
     ovr_arena arena = ovr_arena_make(allocator);
     ovr_stress_options own, *options = &own;
     ovr_material_range own_range, *range = &own_range;
-    if (take(given, given_range, options, range, err) ||
+    if (copy_options(given, given_range, options, range, err) ||
         ovr_stress_check(options, err) || check(options, range, err))
         return NULL;
     ovr_material_history *p = ovr_arena_take(&arena, 1, sizeof *p, err);
@@ -229,7 +231,7 @@ double ovr_material_history_memory(const ovr_stress_options *given,
     ovr_stress_options own, *o = &own;
     ovr_material_range own_range, *range = &own_range;
     double bytes = ovr_stress_memory(given);
-    if (isnan(bytes) || take(given, given_range, o, range, NULL) ||
+    if (isnan(bytes) || copy_options(given, given_range, o, range, NULL) ||
         check(o, range, NULL))
         return NAN;
     double minimum = o->depth_min > 0 ? o->depth_min : 4 * o->mesh;

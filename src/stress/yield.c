@@ -52,8 +52,8 @@ static double sum_of(const ovr_pressure_sums *s, long from, long width)
 
 /* Strips whose mean exceeds the known maximum contain a node that exceeds it.
  * They begin between `first` - width + 1 and `last`. */
-static void look_at_width(const ovr_pressure_sums *s, long width, long first,
-                          long last, ovr_strip *worst)
+static void search_width(const ovr_pressure_sums *s, long width, long first,
+                         long last, ovr_strip *worst)
 {
     long step = (long)fmax(1, floor((double)width / places_of_width));
     long begin = first - width + 1 > 0 ? first - width + 1 : 0;
@@ -86,6 +86,6 @@ bool ovr_strip_find(ovr_pressure_sums *s, const double *P, double minimum,
         s->sum[i + 1] = s->sum[i] + P[i];
     for (double w = fmax(minimum, 1); w <= maximum;
          w *= exp2(1 / widths_of_octave))
-        look_at_width(s, lround(w), first, last, worst);
+        search_width(s, lround(w), first, last, worst);
     return worst->excess > old;
 }

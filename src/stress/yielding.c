@@ -306,7 +306,7 @@ static ovr_status make_tables(ovr_yielding *y, ovr_error *err)
 
 /* --------------------------------------------------------------- creation */
 
-static void take_layer(ovr_yielding *y, size_t j, ovr_error *err)
+static void allocate_layer(ovr_yielding *y, size_t j, ovr_error *err)
 {
     size_t n = y->options.points;
     ovr_layer_load *load = &y->load[j];
@@ -317,7 +317,7 @@ static void take_layer(ovr_yielding *y, size_t j, ovr_error *err)
     load->tau = ovr_arena_take(&y->arena, n, sizeof(float), err);
 }
 
-static ovr_status take_arrays(ovr_yielding *y, ovr_error *err)
+static ovr_status allocate_arrays(ovr_yielding *y, ovr_error *err)
 {
     size_t layers = y->options.layers, n = y->options.points;
     size_t bins = PARTS * layers * y->waves;
@@ -332,7 +332,7 @@ static ovr_status take_arrays(ovr_yielding *y, ovr_error *err)
     y->s = ovr_arena_take(&y->arena, bins, sizeof *y->s, err);
     y->sum = ovr_arena_take(&y->arena, 2 * PARTS * layers, sizeof *y->sum, err);
     for (size_t j = 0; !ovr_arena_status(&y->arena) && j < layers; j++)
-        take_layer(y, j, err);
+        allocate_layer(y, j, err);
     return ovr_arena_status(&y->arena);
 }
 
@@ -354,7 +354,7 @@ ovr_yielding *ovr_yielding_create(const ovr_yielding_options *options,
     if (edge)
         memcpy(edge, options->edge, (options->layers + 1) * sizeof *edge);
     y->options.edge = edge;
-    if (edge && !take_arrays(y, err) &&
+    if (edge && !allocate_arrays(y, err) &&
         !ovr_fourier_real(options->points, y->bins, y->values, &y->back, err) &&
         !ovr_fourier_bins(options->points, y->values, y->bins, &y->forward,
                           err) &&

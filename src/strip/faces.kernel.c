@@ -133,9 +133,9 @@ static inline vec film_at(const faces *p, size_t k)
 
 /* Stores the derivatives of a flow with respect to both film thicknesses, from
  * those of E with respect to eps, c and H. */
-static inline void put_by_film(const faces *p, const face *h, vec dP, vec eps,
-                               const thinned *flow, vec c, size_t k,
-                               const stored *to)
+static inline void store_by_film(const faces *p, const face *h, vec dP, vec eps,
+                                 const thinned *flow, vec c, size_t k,
+                                 const stored *to)
 {
     vec H = film_at(p, h->at_a), G = film_at(p, h->at_b);
     vec share = 3 / (h->a.g + h->b.g), a2 = H * H, b2 = G * G;
@@ -150,9 +150,9 @@ static inline void put_by_film(const faces *p, const face *h, vec dP, vec eps,
 
 /* Stores the flow of a half node at k, with the rheological model of thinning.h
  * if there is one. */
-static INLINE void put_face(const faces *p, bool logarithmic, flow_kind thins,
-                            bool across, const face *h, size_t k,
-                            const stored *to)
+static INLINE void store_face(const faces *p, bool logarithmic, flow_kind thins,
+                              bool across, const face *h, size_t k,
+                              const stored *to)
 {
     const double scale = 1 / (h->mesh * h->mesh);
     vec dP = load(p->f.P + h->at_b) - load(p->f.P + h->at_a);
@@ -184,7 +184,7 @@ static INLINE void put_face(const faces *p, bool logarithmic, flow_kind thins,
     store(to->before + k, scale * before);
     store(to->after + k, scale * after);
     if (to->by_a)
-        put_by_film(p, h, scale * dP, eps, &flow, c, k, to);
+        store_by_film(p, h, scale * dP, eps, &flow, c, k, to);
 }
 
 /* Central difference of P across lines at a node. */
@@ -212,7 +212,7 @@ static INLINE void face_along(const faces *p, bool logarithmic, flow_kind thins,
         h->along = (load(f->P + h->at_b) - load(f->P + k)) / p->g->D;
         h->across = 0.5 * (slope_across(p, k) + slope_across(p, h->at_b));
     }
-    put_face(p, logarithmic, thins, false, h, k, &to);
+    store_face(p, logarithmic, thins, false, h, k, &to);
 }
 
 static INLINE void face_across(const faces *p, bool logarithmic,
@@ -228,7 +228,7 @@ static INLINE void face_across(const faces *p, bool logarithmic,
         h->across = (load(f->P + k + 1) - load(f->P + k)) / p->g->Dy;
         h->along = 0.5 * (slope_along(p, k) + slope_along(p, k + 1));
     }
-    put_face(p, logarithmic, thins, true, h, k, &to);
+    store_face(p, logarithmic, thins, true, h, k, &to);
 }
 
 /* Half nodes i + 1/2 and j + 1/2 of the rows. */

@@ -11,8 +11,8 @@ double *ovr_strip_field(size_t n, ovr_arena *arena, ovr_error *err)
     return all ? all + OVR_STRIP_HALO : NULL;
 }
 
-static void take_fields(ovr_strip_level *level, ovr_arena *arena,
-                        ovr_error *err)
+static void allocate_fields(ovr_strip_level *level, ovr_arena *arena,
+                            ovr_error *err)
 {
     const size_t count = sizeof level->f.all / sizeof *level->f.all;
     for (size_t k = 0; k < count; k++)
@@ -63,7 +63,8 @@ static ovr_status make_grids(ovr_strip *strip, const ovr_strip_shape *shape,
 }
 
 /* Allocates the arrays for Newton's method on the coarsest grid. */
-static void take_coarsest(ovr_strip *strip, ovr_arena *arena, ovr_error *err)
+static void allocate_coarsest(ovr_strip *strip, ovr_arena *arena,
+                              ovr_error *err)
 {
     const ovr_strip_grid *g = &strip->level[0].grid;
     size_t most = (g->n - 2) * g->lines + 1;
@@ -101,10 +102,10 @@ ovr_status ovr_strip_allocate(ovr_strip *strip, const ovr_strip_shape *shape,
         strip->work_size = newton;
     strip->work = ovr_field(arena, members * strip->work_size, err);
     strip->sums = ovr_field(arena, finest->n, err);
-    take_coarsest(strip, arena, err);
+    allocate_coarsest(strip, arena, err);
     for (int l = 0; l <= strip->finest; l++) {
         ovr_strip_level *level = &strip->level[l];
-        take_fields(level, arena, err);
+        allocate_fields(level, arena, err);
         ovr_strip_elastic_allocate(&level->elastic, &level->grid,
                                    strip->spectrum, arena, err);
     }

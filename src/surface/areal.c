@@ -341,7 +341,7 @@ static ovr_status choose_default(ovr_profile *p, double band, line *chosen,
     return OVR_OK;
 }
 
-static ovr_status take_line(ovr_profile *p, const line *l, ovr_error *err)
+static ovr_status extract_line(ovr_profile *p, const line *l, ovr_error *err)
 {
     ovr_status status = ovr_profile_reserve(p, l->n, err);
     if (status)
@@ -403,7 +403,7 @@ ovr_status ovr_areal_finish(ovr_profile *p, const ovr_profile_source *source,
         status = choose(p, source, &chosen, err);
     }
     if (!status)
-        status = take_line(p, &chosen, err);
+        status = extract_line(p, &chosen, err);
     ovr_arena_release(&p->map_arena);
     p->map_arena = ovr_arena_make(&p->arena.allocator);
     map->z = NULL;

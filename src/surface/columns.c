@@ -15,8 +15,8 @@ static int column_named(const ovr_text_table *t, char axis)
     return -1;
 }
 
-static ovr_status asked_column(const ovr_text_table *t, int asked,
-                               const char *key, int *column, ovr_error *err)
+static ovr_status requested_column(const ovr_text_table *t, int asked,
+                                   const char *key, int *column, ovr_error *err)
 {
     if (asked < 0 || (size_t)asked > t->header.columns)
         return ovr_about(
@@ -50,8 +50,8 @@ ovr_status ovr_find_columns(ovr_text_table *t, ovr_error *err)
         t->x = -1, t->z = 0;
     if (columns == 2 && (t->x < 0 || t->z < 0 || t->x == t->z))
         t->x = 0, t->z = 1;
-    if (asked_column(t, s->column_x, "column_x", &t->x, err) ||
-        asked_column(t, s->column_z, "column_z", &t->z, err))
+    if (requested_column(t, s->column_x, "column_x", &t->x, err) ||
+        requested_column(t, s->column_z, "column_z", &t->z, err))
         return OVR_BAD_INPUT;
     if (s->spacing > 0 && !s->column_x)
         t->x = -1;
@@ -78,8 +78,8 @@ static void join(char *text, size_t capacity, const char *between,
     snprintf(text + used, capacity - used, "%s%s", used ? between : "", more);
 }
 
-static void want(wanting *w, const char *what, const char *key,
-                 const char *example)
+static void require(wanting *w, const char *what, const char *key,
+                    const char *example)
 {
     char give[80];
     bool options = w->t->profile->options;
@@ -91,23 +91,23 @@ static void want(wanting *w, const char *what, const char *key,
         w->about = key;
 }
 
-static void want_columns(wanting *w)
+static void require_columns(wanting *w)
 {
     const ovr_text_table *t = w->t;
     if (t->header.columns == 1) {
         if (!spaced(t))
-            want(w, "one column of heights needs a spacing", "spacing",
-                 t->profile->options ? "'0.5 um'" : "0.5 um");
+            require(w, "one column of heights needs a spacing", "spacing",
+                    t->profile->options ? "'0.5 um'" : "0.5 um");
         return;
     }
     if (t->x < 0 && !spaced(t))
-        want(w, "the header does not specify the column of x", "column_x",
-             t->z == 0 ? "2" : "1");
+        require(w, "the header does not specify the column of x", "column_x",
+                t->z == 0 ? "2" : "1");
     if (t->z < 0)
-        want(w, "the header does not specify the column of the heights",
-             "column_z", t->x == 1 ? "1" : "2");
+        require(w, "the header does not specify the column of the heights",
+                "column_z", t->x == 1 ? "1" : "2");
     if (t->x < 0 && t->z < 0 && t->header.columns > 2)
-        want(w, "if they are rows of a map", "row", "1");
+        require(w, "if they are rows of a map", "row", "1");
 }
 
 /* Returns the column of the axis; if it is unknown, a column with a unit, or
@@ -141,7 +141,7 @@ static bool is_said(const char *asked)
     return asked && *asked;
 }
 
-static void want_unit(wanting *w, char axis, const char *asked)
+static void require_unit(wanting *w, char axis, const char *asked)
 {
     const ovr_column *said = unit_column(w->t, axis);
     char what[160];
@@ -159,7 +159,7 @@ static void want_unit(wanting *w, char axis, const char *asked)
         snprintf(what, sizeof what, "the unit of %c is not in the header",
                  axis);
     }
-    want(w, what, axis == 'x' ? "unit_x" : "unit_z", "um");
+    require(w, what, axis == 'x' ? "unit_x" : "unit_z", "um");
 }
 
 /* True if a unit of x is required: for a column x, or a spacing without a unit
@@ -175,10 +175,10 @@ static bool needs_unit_x(const ovr_text_table *t)
 ovr_status ovr_check_given(const ovr_text_table *t, ovr_error *err)
 {
     wanting w = {.t = t};
-    want_columns(&w);
+    require_columns(&w);
     if (needs_unit_x(t))
-        want_unit(&w, 'x', t->source->unit_x);
-    want_unit(&w, 'z', t->source->unit_z);
+        require_unit(&w, 'x', t->source->unit_x);
+    require_unit(&w, 'z', t->source->unit_z);
     if (!w.count)
         return OVR_OK;
     return ovr_about(err, w.about,

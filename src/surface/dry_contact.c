@@ -104,8 +104,8 @@ static double next_direction(const ovr_dry_contact *of, const double *p,
 
 /* Applies the step. Returns true if a node came into contact; the next
  * direction then starts again from the gap. */
-static bool take_step(const ovr_dry_contact *of, double far, const search *s,
-                      double *p)
+static bool apply_step(const ovr_dry_contact *of, double far, const search *s,
+                       double *p)
 {
     bool grown = false;
     for (size_t i = 0; i < of->n; i++) {
@@ -157,7 +157,7 @@ ovr_dry_state ovr_dry_contact_solve(const ovr_dry_contact *of, const double *z,
         if (state.found)
             break;
         double far = next_direction(of, p, &s, begins);
-        begins = take_step(of, far, &s, p);
+        begins = apply_step(of, far, &s, p);
         scale_to(n, p, mean);
     }
     return state;

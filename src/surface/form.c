@@ -188,7 +188,8 @@ typedef struct trace {
 
 /* Subtracts a polynomial of the given degree, or the circle, from the heights z
  * of the trace; writes its name to `text`. */
-static void take(const trace *t, int degree, double *z, char text[FORM_NAME])
+static void subtract_form(const trace *t, int degree, double *z,
+                          char text[FORM_NAME])
 {
     const double *x = t->p->x;
     if (degree == CIRCLE) {
@@ -214,7 +215,8 @@ static double root_mean_square(size_t n, const double *x, const double *z)
     return sqrt(sum);
 }
 
-static ovr_status take_auto(const trace *t, double dust, ovr_error *err)
+static ovr_status subtract_best_form(const trace *t, double dust,
+                                     ovr_error *err)
 {
     static const int degrees[] = {CIRCLE, 4, 6};
     ovr_profile *p = t->p;
@@ -226,12 +228,12 @@ static ovr_status take_auto(const trace *t, double dust, ovr_error *err)
         return OVR_NO_MEMORY;
     tried = kept + t->n;
     memcpy(kept, p->z, t->n * sizeof *kept);
-    take(t, 1, p->z, best);
+    subtract_form(t, 1, p->z, best);
     line = left = root_mean_square(t->n, p->x, p->z);
     for (size_t k = 0; k < 3 && left > dust; k++) {
         double now;
         memcpy(tried, kept, t->n * sizeof *tried);
-        take(t, degrees[k], tried, other);
+        subtract_form(t, degrees[k], tried, other);
         now = root_mean_square(t->n, p->x, tried);
         if (!(now < left / 2))
             continue;
@@ -266,15 +268,15 @@ ovr_status ovr_take_form(ovr_profile *p, const ovr_conditioning *how, size_t n,
         ovr_level_ends(n, p->x, p->z);
         ovr_profile_note(p, "levelled: line through its ends subtracted");
     } else if (how->level == OVR_LEVEL_AUTO) {
-        status = take_auto(&t, dust, err);
+        status = subtract_best_form(&t, dust, err);
     } else {
         char text[FORM_NAME];
-        take(&t,
-             how->level == OVR_LEVEL_MEAN     ? 0
-             : how->level == OVR_LEVEL_LINE   ? 1
-             : how->level == OVR_LEVEL_CIRCLE ? CIRCLE
-                                              : how->degree,
-             p->z, text);
+        subtract_form(&t,
+                      how->level == OVR_LEVEL_MEAN     ? 0
+                      : how->level == OVR_LEVEL_LINE   ? 1
+                      : how->level == OVR_LEVEL_CIRCLE ? CIRCLE
+                                                       : how->degree,
+                      p->z, text);
         ovr_profile_note(p, "levelled: %s subtracted", text);
     }
     if (!status && largest(n, p->z) < dust)

@@ -82,8 +82,8 @@ static size_t average_repeats(ovr_profile *p, size_t n)
 
 /* Makes x increase, or fails with the line number at which x turns back (`line`
  * has that of each point). *n may decrease. Adds notes about changes. */
-static ovr_status put_in_order(ovr_profile *p, size_t *n, const long *line,
-                               ovr_error *err)
+static ovr_status sort_points(ovr_profile *p, size_t *n, const long *line,
+                              ovr_error *err)
 {
     bool backwards = *n > 1 && p->x[*n - 1] < p->x[0];
     size_t repeats = 0, m;
@@ -332,7 +332,7 @@ static ovr_status make_points(ovr_text_table *t, ovr_error *err)
         return status;
     drop_count(t, &n);
     ovr_profile_drop_codes(p, p->z, n);
-    status = t->x >= 0 ? put_in_order(p, &n, t->number, err)
+    status = t->x >= 0 ? sort_points(p, &n, t->number, err)
                        : lay_out(t, n, err);
     if (status)
         return status;

@@ -263,7 +263,7 @@ static void lay_over(const ovr_rough_pair *pair, size_t shift, double *z)
 
 /* Adds the pressures of one relative position, weighted with `part`, to each
  * surface at its own x. */
-static void put_pressures(ovr_rough_pair *pair, size_t j, size_t shift,
+static void add_pressures(ovr_rough_pair *pair, size_t j, size_t shift,
                           double part, const double *p)
 {
     size_t n = pair->n;
@@ -293,7 +293,7 @@ static void solve_pressures(ovr_rough_pair *pair, const ovr_dry_contact *dry,
             *minimum = j + 1;
         t->H[i] += part * s.gap;
         t->area[i] += part * s.area;
-        put_pressures(pair, j, shift, part, p);
+        add_pressures(pair, j, shift, part, p);
     }
 }
 

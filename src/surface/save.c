@@ -60,18 +60,18 @@ static ovr_status save_text(const ovr_profile *profile, const char *path,
 
 /* ---------------------------------------------------------- little-endian */
 
-static char *put_whole(char *at, uint64_t value, size_t bytes)
+static char *write_integer(char *at, uint64_t value, size_t bytes)
 {
     for (size_t k = 0; k < bytes; k++)
         *at++ = (char)(value >> 8 * k & 255);
     return at;
 }
 
-static char *put_number(char *at, double value)
+static char *write_number(char *at, double value)
 {
     uint64_t pattern;
     memcpy(&pattern, &value, sizeof pattern);
-    return put_whole(at, pattern, sizeof pattern);
+    return write_integer(at, pattern, sizeof pattern);
 }
 
 /* Returns the mean distance between points. */
@@ -105,17 +105,17 @@ static ovr_status save_sdf(const ovr_profile *profile, const char *path,
         return OVR_NO_MEMORY;
     /* Unknown dates are written as zeros. */
     memcpy(data, "bISO-1.0overroll  000000000000000000000000", 42);
-    at = put_whole(data + 42, v->n, 2);
-    at = put_whole(at, 1, 2);
-    at = put_number(at, spacing_of(v));
-    at = put_number(at, spacing_of(v));
-    at = put_number(at, 1);  /* Zscale */
-    at = put_number(at, -1); /* Zresolution: unknown */
-    at = put_whole(at, 0, 1);
-    at = put_whole(at, 7, 1); /* f64 */
-    at = put_whole(at, 0, 1);
+    at = write_integer(data + 42, v->n, 2);
+    at = write_integer(at, 1, 2);
+    at = write_number(at, spacing_of(v));
+    at = write_number(at, spacing_of(v));
+    at = write_number(at, 1);  /* Zscale */
+    at = write_number(at, -1); /* Zresolution: unknown */
+    at = write_integer(at, 0, 1);
+    at = write_integer(at, 7, 1); /* f64 */
+    at = write_integer(at, 0, 1);
     for (size_t i = 0; i < v->n; i++)
-        at = put_number(at, isnan(v->z[i]) ? -DBL_MAX : v->z[i]);
+        at = write_number(at, isnan(v->z[i]) ? -DBL_MAX : v->z[i]);
     out = fopen(path, "wb");
     if (!out)
         return fail_opened(err, path);
@@ -188,8 +188,8 @@ static ovr_status save_x3p(const ovr_profile *profile, const char *path,
         return OVR_NO_MEMORY;
     for (size_t i = 0; i < v->n; i++) {
         if (!v->uniform)
-            at = put_number(at, v->x[i]);
-        at = put_number(at, v->z[i]); /* NaN denotes a missing height */
+            at = write_number(at, v->x[i]);
+        at = write_number(at, v->z[i]); /* NaN denotes a missing height */
     }
     length = make_xml(v, md5(data, size).text, xml, sizeof xml);
     snprintf(sums, sizeof sums, "%s *main.xml\n",

@@ -438,7 +438,7 @@ static ovr_status find_flank(ovr_feature *f, const ovr_feature_form *form,
     return OVR_OK;
 }
 
-static void take_sizes(ovr_feature *f, const ovr_feature_form *form)
+static void set_sizes(ovr_feature *f, const ovr_feature_form *form)
 {
     f->A = or_else(form->amplitude, or_else(form->height, -form->depth));
     f->width = or_else(form->width,
@@ -551,7 +551,7 @@ ovr_status ovr_shape_make(ovr_feature *feature, const ovr_feature_form *form,
     if (status)
         return status;
     feature->shape = form->shape;
-    take_sizes(feature, form);
+    set_sizes(feature, form);
     status = find_flank(feature, form, per_radius, err);
     if (!status)
         status = check_proportions(feature, err);

@@ -141,7 +141,7 @@ static bool find_target(random_surface *s, double skewness, double kurtosis)
     return false;
 }
 
-static void take_ranks(random_surface *s)
+static void restore_ranks(random_surface *s)
 {
     gsl_sort_index(s->rank, s->z, 1, s->n);
     for (size_t i = 0; i < s->n; i++)
@@ -188,10 +188,10 @@ static ovr_status shape_heights(random_surface *s, ovr_error *err)
         s->size[k] = hypot(s->z[k], s->z[s->n - k]);
     gsl_fft_halfcomplex_radix2_backward(s->z, 1, s->n);
     for (int k = 0; k < ITERATIONS; k++) {
-        take_ranks(s);
+        restore_ranks(s);
         restore_spectrum(s);
     }
-    take_ranks(s);
+    restore_ranks(s);
     return OVR_OK;
 }
 
@@ -407,7 +407,7 @@ static ovr_status shape_areal(areal_waves *a, ovr_error *err)
     for (size_t i = 0; i < s->n; i++)
         s->size[i] = hypot(a->wave[2 * i], a->wave[2 * i + 1]);
     for (int k = 0; k < AREAL_ITERATIONS; k++) {
-        take_ranks(s);
+        restore_ranks(s);
         find_waves(a);
         for (size_t i = 0; i < s->n; i++) {
             double size = hypot(a->wave[2 * i], a->wave[2 * i + 1]);
@@ -417,7 +417,7 @@ static ovr_status shape_areal(areal_waves *a, ovr_error *err)
         }
         sum_waves(a);
     }
-    take_ranks(s);
+    restore_ranks(s);
     return OVR_OK;
 }
 

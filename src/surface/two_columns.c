@@ -121,8 +121,8 @@ static bool begins_with_number(ovr_line line)
            ovr_number(piece, comma, &number);
 }
 
-static ovr_status take_pair(reading *r, const double pair[2], long line,
-                            ovr_error *err)
+static ovr_status store_pair(reading *r, const double pair[2], long line,
+                             ovr_error *err)
 {
     ovr_two_columns *c = r->to;
     if (c->minimum < c->maximum &&
@@ -168,7 +168,7 @@ static ovr_status read_row(reading *r, ovr_line line, ovr_error *err)
                            r->to->name[r->swapped], r->to->name[!r->swapped]);
     int decimals = decimals_of(f.field[!r->swapped]);
     r->decimals = decimals > r->decimals ? decimals : r->decimals;
-    return take_pair(r, pair, line.number, err);
+    return store_pair(r, pair, line.number, err);
 }
 
 /* Allocates space for as many rows as there are lines. */

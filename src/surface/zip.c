@@ -236,7 +236,7 @@ const char *ovr_zip_unpack(const ovr_zip *zip, const ovr_zip_entry *e, char *to)
 
 /* ----------------------------------------------------------------- writing */
 
-static char *put(char *at, uint64_t value, int bytes)
+static char *write_integer(char *at, uint64_t value, int bytes)
 {
     for (int k = 0; k < bytes; k++)
         *at++ = (char)(value >> (8 * k) & 0xff);
@@ -245,17 +245,18 @@ static char *put(char *at, uint64_t value, int bytes)
 
 /* Writes the fields from the required version to the length of the extra field,
  * which local headers and the directory have in common. */
-static char *put_common(char *at, const ovr_zip_entry *e)
+static char *write_common(char *at, const ovr_zip_entry *e)
 {
-    at = put(at, 20, 2);
-    at = put(at, e->flags, 2);
-    at = put(at, e->method, 2);
-    at = put(at, 0x21 << 16, 4); /* 1980-01-01: same input, same bytes */
-    at = put(at, e->crc, 4);
-    at = put(at, e->packed, 4);
-    at = put(at, e->size, 4);
-    at = put(at, strlen(e->name), 2);
-    return put(at, 0, 2);
+    at = write_integer(at, 20, 2);
+    at = write_integer(at, e->flags, 2);
+    at = write_integer(at, e->method, 2);
+    at = write_integer(at, 0x21 << 16,
+                       4); /* 1980-01-01: same input, same bytes */
+    at = write_integer(at, e->crc, 4);
+    at = write_integer(at, e->packed, 4);
+    at = write_integer(at, e->size, 4);
+    at = write_integer(at, strlen(e->name), 2);
+    return write_integer(at, 0, 2);
 }
 
 static bool write_record(FILE *to, const char *record, size_t bytes,
@@ -268,7 +269,7 @@ static bool write_local(FILE *to, const ovr_zip_entry *e)
 {
     char record[LOCAL];
     memcpy(record, local_mark, 4);
-    put_common(record + 4, e);
+    write_common(record + 4, e);
     return write_record(to, record, LOCAL, e->name);
 }
 
@@ -276,8 +277,8 @@ static bool write_central(FILE *to, const ovr_zip_entry *e)
 {
     char record[CENTRAL] = {0};
     memcpy(record, central_mark, 4);
-    put_common(put(record + 4, 20, 2), e);
-    put(record + 42, e->at, 4);
+    write_common(write_integer(record + 4, 20, 2), e);
+    write_integer(record + 42, e->at, 4);
     return write_record(to, record, CENTRAL, e->name);
 }
 
@@ -285,10 +286,10 @@ static bool write_end(FILE *to, uint64_t entries, uint64_t from, uint64_t end)
 {
     char record[END] = {0};
     memcpy(record, end_mark, 4);
-    put(record + 8, entries, 2);
-    put(record + 10, entries, 2);
-    put(record + 12, end - from, 4);
-    put(record + 16, from, 4);
+    write_integer(record + 8, entries, 2);
+    write_integer(record + 10, entries, 2);
+    write_integer(record + 12, end - from, 4);
+    write_integer(record + 16, from, 4);
     return write_record(to, record, END, "");
 }
 
