@@ -445,7 +445,7 @@ static bool help_value(const char *word)
             if (cli_same_term(p.choices[i], word)) {
                 printf("%s%s: a value of %s.%s\n\n[%s]\n", found ? "\n" : "",
                        p.choices[i], p.section, p.key, p.section);
-                put_parameter(&p);
+                print_parameter(&p);
                 found = true;
             }
     }
