@@ -70,7 +70,7 @@ snippets octave >read.m
 [ "$(grep -c ncread read.m)" -eq 5 ] || fail "$(cat read.m)"
 expect 0 octave-cli --norc --eval \
     "set(0, 'defaultfigurevisible', 'off'); source('read.m')"
-contains out '^[0-9]+ times, smallest film [0-9.]+e-0'
+contains out '^[0-9]+ times, minimum film thickness [0-9.]+e-0'
 "$PYTHON" - <<'END' || fail "$(cat out)"
 import h5py
 f = h5py.File("dent.h5")
