@@ -483,8 +483,8 @@ ovr_status ovr_setup_curvature(ovr_resolved *r, ovr_error *err)
         return OVR_OK;
     return ovr_fail_slot(
         err, ovr_slot_of(r, "radius", "curvature"),
-        "rides: at T = %.4g the curvature changes too fast, or a surface moves "
-        "too slowly, for it to be convected with the material from X = %.3g to "
-        "%.3g",
-        T, s->options->inlet, s->options->outlet);
+        "the curvature cannot be convected with the material from X = %.3g to "
+        "%.3g, because at T = %.4g it changes too fast or a surface moves too "
+        "slowly; use radius.curvature = imposed",
+        s->options->inlet, s->options->outlet, T);
 }

@@ -63,11 +63,11 @@ static ovr_status check_memory(ovr_resolved *r, ovr_error *err)
         snprintf(takes, sizeof takes, "about %.1f GB of memory", target / 1e9);
     if (!fits)
         return ovr_fail_slot(err, slot,
-                             "%s takes %s, and this machine can spare %.1f "
-                             "GB: no level fits",
+                             "%s needs %s, but this machine has %.1f GB "
+                             "free; no level fits",
                              slot->text, takes, here / 1e9);
     return ovr_fail_slot(err, slot,
-                         "%s takes %s, and this machine can spare %.1f GB: "
+                         "%s needs %s, but this machine has %.1f GB free; "
                          "level %d fits",
                          slot->text, takes, here / 1e9, fits);
 }

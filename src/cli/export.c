@@ -524,7 +524,7 @@ const cli_verb cli_export = {
     .summary = "export tables for other programs",
     .help = "Without a choice of snapshots: the history, one row per time "
             "step.\n"
-            "For the file of several passes: one row per pass.",
+            "For a file of several passes, one row per pass is exported.",
     .options = options,
     .minimum = 1,
     .maximum = 1,

@@ -286,11 +286,11 @@ const cli_verb cli_find = {
         "is | at most | at least VALUE",
     .summary = "find the value of a key at which a result has a given value",
     .help =
-        "Runs the case at values of KEY from A to B, at both ends and between, "
-        "and closes\nin on the one asked for.  QUANTITY is any number of the "
-        "summary by its name in\n--json; a unit in VALUE picks the one in SI.  "
-        "Scales and formulas of 'check' are\nfound at once.  An answer to at "
-        "most or at least has been run, and holds.\n\n"
+        "Runs the case at values of KEY from A to B and finds the value by "
+        "Brent's method.\nQUANTITY is any number of the summary by its name "
+        "in --json; if VALUE has a unit,\nthe quantity in SI is used.  Scales "
+        "and formulas of 'check' need no runs.\nThe answer to at most or at "
+        "least has been run and satisfies the condition.\n\n"
         "  overroll find dent.ini feature.dent.depth between 0.1 um and 2 um "
         "\\\n"
         "      so that H_min_overall is 0.05\n"

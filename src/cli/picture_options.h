@@ -8,7 +8,7 @@
 /* Rows of a command's table of options. */
 #define CLI_RANGE_OPTIONS                                                      \
     {"hertzian", NULL, "axes in Hertzian units", false},                       \
-        {"si", NULL, "axes in SI units (fails when the scales are unknown)",   \
+        {"si", NULL, "axes in SI units (an error if the scales are unknown)",  \
          false},                                                               \
         {"x", "FROM:TO",                                                       \
          "range of positions, such as -0.1mm:0.2mm or, in b, -2:1.5", false},  \
@@ -35,7 +35,7 @@
          "overroll-pictures(7)",                                               \
          false},                                                               \
     {                                                                          \
-        "force", NULL, "replace what exists", false                            \
+        "force", NULL, "replace existing files", false                         \
     }
 
 /* Reads these options; returns CLI_DONE, or the exit code after printing an

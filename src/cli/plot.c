@@ -13,7 +13,7 @@ static const cli_option options[] = {
      "snapshot (default), areal (default of a strip), history, map, trace, "
      "stress, risk, depth, plastic, passes or element; of a study stribeck",
      false},
-    {"at", "T", "snapshot: an instant, like 0.2ms or, in b/um, 1.5", true},
+    {"at", "T", "snapshot: time, such as 0.2ms or, in b/u_m, 1.5", true},
     {"overlay", NULL, "snapshot: all times in one panel", false},
     {"field", "FIELD",
      "field of a map (default: film_thickness) or stress (default: max_shear)",

@@ -425,9 +425,9 @@ static const cli_option options[] = {
      "largest missing share of the heights (default: "
      "0.2)",
      false},
-    {"scale", "FACTOR", "heights times this", false},
+    {"scale", "FACTOR", "factor of the heights", false},
     {"offset", "LENGTH", "offset added to the heights", false},
-    {"invert", NULL, "peaks become valleys", false},
+    {"invert", NULL, "change the sign of the heights", false},
     {"reverse", NULL, "reverse x", false},
     {"case", "CASE",
      "predict the deformation of its waves in the contact of "
@@ -454,10 +454,11 @@ const cli_verb cli_profile = {
         "Reads text (also gzipped), SDF, SMD, X3P, SUR, PRO and NumPy files, "
         "recognized by their content. Prints the assumptions of the reader, "
         "size and lay of an areal file, the P-parameters of the levelled "
-        "profile, its R-parameters where --lambda-c is given (ISO 21920-2), "
+        "profile, with --lambda-c its R-parameters (ISO 21920-2), "
         "and its strongest waves. Missing information (units, spacing, "
         "columns) is an error, not guessed.\nA LENGTH has its unit, like '80 "
-        "um' or '0.3 b'; a bare number is taken for a profile in b alone.",
+        "um' or '0.3 b'; numbers without a unit are accepted only for a "
+        "profile in b.",
     .options = options,
     .minimum = 1,
     .maximum = 1,

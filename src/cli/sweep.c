@@ -584,7 +584,7 @@ static const cli_option options[] = {
      "quantities of the statistics (names of the "
      "summary)",
      false},
-    {"retry", NULL, "failed cases again", false},
+    {"retry", NULL, "run failed cases again", false},
     {"redo", NULL, "repeat all cases from the start", false},
     {"force", NULL, "replace files of other programs", false},
     {0}};

@@ -110,7 +110,7 @@ static int make_live(const cli_call *call, const char *path,
 }
 
 static const cli_option options[] = {
-    {"o", "PAGE.html", "where to", false},
+    {"o", "PAGE.html", "web page to be written", false},
     {"title", "TEXT", "title instead of that of the file", false},
     {"stress", "FIELD",
      "also draw stresses below the surface: max_shear, tau_xz, ... (default "
@@ -119,7 +119,7 @@ static const cli_option options[] = {
     {"live", NULL,
      "include the program: inputs can be changed and solved in the page",
      false},
-    {"force", NULL, "replace what exists", false},
+    {"force", NULL, "replace existing files", false},
     {NULL, NULL, NULL, false},
 };
 
@@ -170,10 +170,9 @@ const cli_verb cli_view = {
     .name = "view",
     .arguments = "OUT.h5 [OTHER.h5] -o PAGE.html",
     .summary = "make a web page that plays the run",
-    .help =
-        "The page holds everything it needs: no network, nothing to\n"
-        "install. Two files are played side by side. With --live it is the\n"
-        "page of the program (make web) with this result and its case.",
+    .help = "The page needs no network and no installation. Two files are\n"
+            "played side by side. With --live the page also contains the\n"
+            "program (make web) and the case of the result.",
     .options = options,
     .minimum = 1,
     .maximum = 2,

@@ -393,16 +393,16 @@ static ovr_status check_lifts(const ovr_two_columns *table,
     if (angles <= 2.001 * PI)
         return ovr_fail_slot(err, ovr_block_get(block, "file"),
                              "the angles span %.3g degrees: without a header "
-                             "the table must hold degrees and mm; a header "
-                             "such as '%s' names other units",
+                             "the table must be in degrees and mm; set other "
+                             "units in a header such as '%s'",
                              angles, table->example);
     if (largest >= 1e-3 * base_radius && largest <= 10 * base_radius)
         return OVR_OK;
     return ovr_fail_slot(err, ovr_block_get(block, "file"),
                          "the largest lift, %.3g mm, is %s the base radius, "
-                         "%.3g mm: without a header the table must hold "
-                         "degrees and mm; a header such as 'angle [deg], lift "
-                         "[m]' names other units",
+                         "%.3g mm: without a header the table must be in "
+                         "degrees and mm; set other units in a header such as "
+                         "'angle [deg], lift [m]'",
                          1e3 * largest,
                          largest < base_radius ? "below a thousandth of"
                                                : "above ten times",

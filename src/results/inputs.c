@@ -342,7 +342,7 @@ ovr_status ovr_result_input_read(ovr_result *r, size_t k, unsigned char *bytes,
     if (!r || !bytes)
         return ovr_fail_null(err, __func__);
     if (k >= r->inputs || !r->input[k].kept)
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: does not hold input %zu",
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: does not contain input %zu",
                         r->path, k + 1);
     const ovr_result_input *input = &r->input[k];
     int lock;

@@ -411,9 +411,9 @@ static void note_inputs(ovr_run *run, const ovr_write_options *o)
             continue;
         snprintf(text, sizeof text,
                  S_ISREG(about.st_mode)
-                     ? "the result file holds the SHA-256 of %.600s only, "
+                     ? "the result file contains only the SHA-256 of %.600s, "
                        "which is larger than 4 MB (%s)"
-                     : "the result file does not hold %.600s, which is not "
+                     : "the result file does not contain %.600s, which is not "
                        "an ordinary file (%s)",
                  input->path, input->key);
         ovr_run_message(run, OVR_MESSAGE_NOTE, text);

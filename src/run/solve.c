@@ -242,7 +242,7 @@ static void warn_of_lost_strains(ovr_run *run)
     if (run->passes)
         run->passes->level[1].lost = true;
     ovr_run_message(run, OVR_MESSAGE_WARNING,
-                    "errors cannot be estimated from here on: the bodies "
+                    "no error estimates from this pass on, because the bodies "
                     "start with plastic strains, which are unknown on "
                     "coarser levels; run the first pass alone on another "
                     "level");

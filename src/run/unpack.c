@@ -237,7 +237,8 @@ static ovr_status write_input(const unpacking *u, const target *to,
     const ovr_result_input *of = ovr_result_input_at(u->result, to->input);
     if (!of->kept) {
         report(u, OVR_MESSAGE_WARNING,
-               "%.200s: holds only the SHA-256 of %s (%s): copy it to %.300s",
+               "%.200s: contains only the SHA-256 of %s (%s); copy the file to "
+               "%.300s",
                u->path, to->name, *of->sha256 ? of->sha256 : "unknown",
                u->folder);
         return OVR_OK;
@@ -295,7 +296,7 @@ static ovr_status unpack(unpacking *u, ovr_error *err)
         return OVR_BAD_INPUT;
     const char *text = ovr_result_get_info(u->result)->case_text;
     if (!*text)
-        return ovr_fail(err, OVR_BAD_INPUT, "%s: holds no case", u->path);
+        return ovr_fail(err, OVR_BAD_INPUT, "%s: contains no case", u->path);
     u->c = ovr_case_read_stored(text, u->path, NULL, &u->arena.allocator, err);
     if (!u->c || choose_names(u, err))
         return OVR_BAD_INPUT;

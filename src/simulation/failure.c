@@ -104,7 +104,7 @@ static ovr_status touching(const ovr_simulation *sim, double T, ovr_error *err)
         "higher level may help",
         T, sim->now.H[low], sim->now.X[low], sim->shapes.S[low],
         sim->grids.touch.at
-            ? ": the asperity contact model carries too little there"
+            ? "; the asperity contact model carries too little load there"
             : "; asperity contact is modelled only with [boundary]");
 }
 

@@ -174,7 +174,7 @@ static ovr_status check_index(const ovr_profile *p, const char *key, int asked,
         return OVR_OK;
     return ovr_about(err, key,
                      ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                                 "%s = %d: the file has %s%zu",
+                                 "%s = %d must be %s%zu",
                                  ovr_named(p, key).text, asked,
                                  count > 1 ? "1 to " : "", count));
 }

@@ -111,14 +111,15 @@ static ovr_status choose_window(ovr_areal *a, const ovr_conditioning *how,
         const char *key = along ? "to" : "to_across";
         double d = along ? a->dx : a->dy;
         size_t n = along ? a->nx : a->ny;
-        return ovr_about(err, key,
-                         ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
-                                     "the window of the map holds %zu points "
-                                     "%s and must hold 4; the map is %s %s",
-                                     along ? nx : ny,
-                                     along ? "along x" : "across",
-                                     ovr_along(p, d * (double)(n - 1)).text,
-                                     along ? "long" : "wide"));
+        return ovr_about(
+            err, key,
+            ovr_fail_at(err, OVR_BAD_INPUT, p->file, 0,
+                        "the window of the map contains %zu points "
+                        "%s; at least 4 are needed (the map is %s "
+                        "%s)",
+                        along ? nx : ny, along ? "along x" : "across",
+                        ovr_along(p, d * (double)(n - 1)).text,
+                        along ? "long" : "wide"));
     }
     if (nx < a->nx || ny < a->ny)
         ovr_profile_note(p, "window: %zu x %zu of %zu x %zu points", nx, ny,

@@ -71,13 +71,12 @@ static ovr_status does_not_close(const ovr_feature *f, const char *key,
     double k = floor(whole / value);
     if (k < 1)
         return ovr_fail_about(err, key,
-                              "feature '%s': %s = %g does not close on the "
-                              "width of the strip; the largest possible is "
-                              "%.9g",
+                              "feature '%s': %s = %g is not periodic in the "
+                              "width of the strip; must be at most %.9g",
                               f->name, key, value, whole);
     return ovr_fail_about(err, key,
-                          "feature '%s': %s = %g does not close on the width "
-                          "of the strip; the nearest that do are %.9g and %.9g",
+                          "feature '%s': %s = %g is not periodic in the width "
+                          "of the strip; the nearest values are %.9g and %.9g",
                           f->name, key, value, whole / (k + 1), whole / k);
 }
 
@@ -114,8 +113,9 @@ static ovr_status check_oblique(ovr_feature *f, double W, ovr_error *err)
     if (f->shape != OVR_RIDGE && f->shape != OVR_GROOVE &&
         f->shape != OVR_DENT && f->shape != OVR_BUMP && f->shape != OVR_INDENT)
         return ovr_fail_about(err, "angle",
-                              "feature '%s': %s %s at an angle does not close "
-                              "on the width of the strip; set length_across",
+                              "feature '%s': %s %s at an angle is not "
+                              "periodic in the width of the strip; set "
+                              "length_across",
                               f->name, ovr_article(shape), shape);
     if (isnan(f->repeat))
         return ovr_fail_about(err, "angle",

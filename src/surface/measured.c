@@ -280,8 +280,8 @@ static ovr_status close_across(const ovr_feature *f, ovr_areal_table *t,
     }
     double below = fmax(1, floor(k));
     return ovr_fail_about(err, "extend_across",
-                          "feature '%s': a map that repeats after %.6g b "
-                          "across does not close on a strip %.6g b wide; set "
+                          "feature '%s': a map with a period of %.6g b "
+                          "across is not periodic in a strip %.6g b wide; set "
                           "strip.width to %.6g or %.6g, or extend_across = "
                           "none",
                           f->name, period, width, below * period,

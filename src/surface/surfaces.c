@@ -267,8 +267,8 @@ static ovr_status make_table(ovr_surfaces *surfaces,
     if (f->shape == OVR_AREAL && !(surfaces->width > 0))
         return ovr_fail_about(
             err, "shape",
-            "feature '%s': an areal surface needs [strip]; a "
-            "line contact takes a line of it, shape = profile",
+            "feature '%s': an areal surface needs [strip]; in a line "
+            "contact use shape = profile, one line of the surface",
             f->name);
     if (f->shape == OVR_AREAL ||
         (f->shape == OVR_ROUGHNESS && surfaces->width > 0)) {

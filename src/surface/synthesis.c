@@ -431,9 +431,10 @@ static ovr_status reserve_areal(areal_waves *a, ovr_arena *arena,
         a->ny *= 2;
     s->n = a->nx * a->ny;
     if (s->n > 1 << 22)
-        return bad(err, "shortest", s->shortest,
-                   "longer: length x width hold at most 4 million points, 4 in "
-                   "the shortest wave");
+        return bad(
+            err, "shortest", s->shortest,
+            "longer, because length x width may contain 4 million points, "
+            "4 per shortest wave");
     a->wave = ovr_arena_take(arena, 2 * s->n, sizeof(double), err);
     s->z = ovr_arena_take(arena, s->n, sizeof(double), err);
     s->size = ovr_arena_take(arena, s->n, sizeof(double), err);

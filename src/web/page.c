@@ -167,8 +167,8 @@ static int solve(cli_call *call)
 
 static const cli_option solve_options[] = {
     {"o", "OUT.h5", "result file", false},
-    {"steady", NULL, "the steady contact alone", false},
-    {"resume", NULL, "CASE is a result file to go on with", false},
+    {"steady", NULL, "solve only the steady contact", false},
+    {"resume", NULL, "CASE is a result file to be resumed", false},
     CLI_ESTIMATE_OPTION,
     CLI_CASE_OPTIONS,
     {0}};
@@ -176,7 +176,7 @@ static const cli_option solve_options[] = {
 static const cli_verb cli_solve = {
     .name = "solve",
     .arguments = "CASE",
-    .summary = "solve, and pass on what comes",
+    .summary = "solve a case and send messages and results to the page",
     .options = solve_options,
     .minimum = 1,
     .maximum = 1,

@@ -95,7 +95,7 @@ expect 0 "$OVERROLL" check map.ini --set 'feature.map.to_across=0.1 mm' \
 contains out 'window: 60 x 51 of 60 x 80 points'
 contains out 'polynomial of degree 4 removed'
 contains out 'L-filter: Gaussian, nesting index 0.1 mm'
-refuses 'does not close on a strip 2 b wide; set strip.width to 1\.36[0-9]*' \
+refuses 'is not periodic in a strip 2 b wide; set strip.width to 1\.36[0-9]*' \
     check map.ini --set strip.width=2
 expect 0 "$OVERROLL" check map.ini --set strip.width=2 \
     --set feature.map.extend_across=none

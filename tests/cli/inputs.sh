@@ -122,7 +122,7 @@ sed -e 's/^file = load.txt/file = big.txt/' -e '/^\[feature/,$d' \
     -e '/viscosity_f/d' -e 's/^viscosity_law.*/alpha = 17 1\/GPa/' \
     cases/case.ini >big.ini
 expect 0 "$OVERROLL" run big.ini -o big.h5
-contains err 'SHA-256 of big.txt only'
+contains err 'contains only the SHA-256 of big.txt'
 [ "$(wc -c <big.h5)" -lt 1000000 ] || fail 'big.txt is in the result file'
 expect 0 "$OVERROLL" info big.h5 --inputs big
 contains err "SHA-256 of big.txt \($(sum big.txt)\)"

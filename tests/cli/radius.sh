@@ -46,7 +46,7 @@ refuses() {
     expect 2 "$OVERROLL" check tooth.ini "$@"
     contains err "$what"
 }
-refuses 'rides: at T = 0 the curvature changes too fast' \
+refuses 'because at T = 0 it changes too fast' \
     --set radius.period=2 --set radius.curvature=rides
 refuses 'amplitude' --set radius.amplitude=1
 refuses 'must be 0.01 to 100' --set radius.history=ramp --set radius.to=0 \

@@ -77,5 +77,5 @@ f = h5py.File("dent.h5")
 words = open("out").read().split()
 assert int(words[0]) == len(f["time"])
 least = f["history/min_film_thickness"][...].min()
-assert abs(float(words[4]) - least) < 1e-5 * least
+assert abs(float(words[5]) - least) < 1e-5 * least
 END

@@ -25,9 +25,9 @@ try() {
 
 wave='shape = wave'
 try 2 wavelength 0.3 "$wave" 'amplitude = 0.01' 'angle = 40 deg'
-contains err 'wavelength = 0.3 does not close .* the nearest that do are'
+contains err 'wavelength = 0.3 is not periodic .* the nearest values are'
 try 1 wavelength 1.9 "$wave" 'amplitude = 0.01' 'angle = 40 deg'
-contains err 'the largest possible is'
+contains err 'must be at most'
 try 2 wavelength_across 0.3 "$wave" 'amplitude = 0.01' 'wavelength = 0.5'
 try 2 wavelength 0.31 "$wave" 'amplitude = 0.01' 'angle = 30 deg' \
     'wavelength_across = 0.34641016151377546'
@@ -56,7 +56,7 @@ for shape in step chirp; do
         printf '%s\n' 'amplitude = 0.02' 'wavelength = 0.4' \
             'wavelength_end = 0.2' 'length = 3' >>case.ini
     fi
-    refuses "a $shape at an angle does not close on the width of the strip" \
+    refuses "a $shape at an angle is not periodic in the width" \
         check case.ini
 done
 

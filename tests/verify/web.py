@@ -439,7 +439,7 @@ def hostile(browser):
                                "document.querySelector('img, main b b')")
         assert time.time() - began < 20, line[:9]
     load(browser, fragment_of("x" * 70000))
-    assert "holds no case" in text(browser, "trouble")
+    assert "contains no case" in text(browser, "trouble")
 
 
 def fragment_of(case):
@@ -486,7 +486,7 @@ def links(browser):
     load(browser, fragment)
     assert browser.run("return document.getElementById('text').value") == case
     load(browser, "#case=AAAA")
-    assert "holds no case" in text(browser, "trouble")
+    assert "contains no case" in text(browser, "trouble")
 
 
 def by_keys(browser):

@@ -45,9 +45,9 @@ static const ovr_parameter contact_keys[] = {
      "reduced modulus E', 2/E' = (1-nu1^2)/E1 + (1-nu2^2)/E2; or from [body "
      "1] and [body 2]"},
     {"viscosity", WITH_UNIT(OVR_DYNAMIC_VISCOSITY, 1e-7, 1e7), NULL,
-     AT(oil.viscosity), true, ALWAYS, "the same as viscosity in [lubricant]"},
+     AT(oil.viscosity), true, ALWAYS, "the same as lubricant.viscosity"},
     {"alpha", WITH_UNIT(OVR_PER_PRESSURE, 0, 1e-5), NULL, AT(oil.alpha), true,
-     ALWAYS, "the same as alpha in [lubricant]"},
+     ALWAYS, "the same as lubricant.alpha"},
     {"speed_1", WITH_UNIT(OVR_SURFACE_SPEED, -1e4, 1e4), NULL,
      AT(contact.speed_1), true, ALWAYS, "speed of surface 1 along +x, u1"},
     {"speed_2", WITH_UNIT(OVR_SURFACE_SPEED, -1e4, 1e4), NULL,

@@ -47,7 +47,8 @@ static const ovr_word spectra[] = {{"self-affine", OVR_SELF_AFFINE},
 static const ovr_parameter feature_keys[] = {
     {"surface", WHOLE(1, 2), "1", IN_FORM(surface), true, ALWAYS,
      "surface of the feature: 1 moves at u1, 2 at u2"},
-    {"shape", CHOICE(shapes), NULL, IN_FORM(shape), true, ALWAYS, "what it is"},
+    {"shape", CHOICE(shapes), NULL, IN_FORM(shape), true, ALWAYS,
+     "shape of the feature"},
     {"start", LENGTH_OR(at_inlet, -1e6, 1e6), NULL, IN_FORM(start), true,
      ALWAYS,
      "X of the centre at T = 0 (of a step its edge, of a profile or roughness "
@@ -74,7 +75,8 @@ static const ovr_parameter feature_keys[] = {
      "extent across rolling, measured like the width along x: a length, "
      "round, or endless (the same for all y)"},
     {"length_across", SIZE, NULL, IN_FORM(length_across), true, "[strip]",
-     "length of a ridge, groove or step, faded at its ends; default: endless"},
+     "length of a ridge, groove or step across rolling, tapered at both ends; "
+     "default: endless"},
     {"angle", WITH_UNIT(OVR_ANGLE, -QUARTER, QUARTER), "0 deg", IN_FORM(angle),
      true, "[strip]",
      "angle of the length, of the crests of a wave or of the lay of "
@@ -130,9 +132,9 @@ static const ovr_parameter feature_keys[] = {
     {"to", LENGTH(-1e6, 1e6), NULL, IN_FEATURE(conditioning.to), true,
      "shape = profile | areal", "end of the used range of x"},
     {"scale", PLAIN(0, 1e6), "1", IN_FEATURE(conditioning.scale), true,
-     "shape = profile | areal", "heights times this"},
+     "shape = profile | areal", "factor of the heights"},
     {"invert", FLAG, "no", IN_FEATURE(conditioning.invert), true,
-     "shape = profile | areal", "peaks become valleys"},
+     "shape = profile | areal", "change the sign of the heights"},
     {"stretch", POSITIVE(1e6), "1", IN_FEATURE(conditioning.stretch), true,
      "shape = profile | areal", "lengths times this"},
     {"reverse", FLAG, "no", IN_FEATURE(conditioning.reverse), true,
@@ -164,7 +166,8 @@ static const ovr_parameter feature_keys[] = {
      "length over which the profile is tapered to zero; default: 5 % of its "
      "length"},
     {"extend", CHOICE(extensions), "none", IN_FEATURE(conditioning.extend),
-     true, "shape = profile | areal | roughness", "beyond its ends"},
+     true, "shape = profile | areal | roughness",
+     "continuation of the profile beyond its ends"},
     {"turn", FLAG, "no", IN_FEATURE(conditioning.turn), true, "shape = areal",
      "the map is turned: its y runs along rolling"},
     {"from_across", LENGTH(-1e6, 1e6), NULL,
@@ -186,7 +189,7 @@ static const ovr_parameter feature_keys[] = {
     {"Rq", HEIGHT, NULL, IN_FEATURE(roughness.Rq), true, "shape = roughness",
      "root mean square height"},
     {"spectrum", CHOICE(spectra), "self-affine", IN_FEATURE(roughness.spectrum),
-     true, "shape = roughness", "its spectrum"},
+     true, "shape = roughness", "spectrum of the heights"},
     {"hurst", PLAIN(0, 1), "0.8", IN_FEATURE(roughness.hurst), true,
      "shape = roughness; spectrum = self-affine", "Hurst exponent"},
     {"rolloff", SIZE, NULL, IN_FEATURE(roughness.rolloff), true,

@@ -40,7 +40,8 @@ static const ovr_parameter lubricant_keys[] = {
      "mineral: where alpha is not given, an estimate from the viscosity, and "
      "870 kg/m3 at 15 degC where density_15 is not"},
     {"viscosity", WITH_UNIT(OVR_DYNAMIC_VISCOSITY, 1e-7, 1e7), NULL,
-     AT(oil.viscosity), true, ALWAYS, "at ambient pressure, eta0"},
+     AT(oil.viscosity), true, ALWAYS,
+     "dynamic viscosity eta0 at ambient pressure"},
     {"alpha", WITH_UNIT(OVR_PER_PRESSURE, 0, 1e-5), NULL, AT(oil.alpha), true,
      ALWAYS, "pressure-viscosity coefficient; default with M and L: 17 1/GPa"},
     {"p0", WITH_UNIT(OVR_PRESSURE, 1e5, 1e11), "198 MPa", AT(oil.p0), true,

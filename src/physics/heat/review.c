@@ -69,9 +69,9 @@ static void review_speed(const ovr_setup *s, int k, ovr_listener *listener,
                  k + 1, when, reach * second, 1e-4 / kappa);
     else
         ovr_warn(listener, data,
-                 "heat: surface %d is computed too cold below a Peclet "
-                 "number of 0.05; it has %.3g%s. Its temperature needs %.3g "
-                 "s to become steady, and the model covers %.3g s",
+                 "heat: the temperature of surface %d is too low, because its "
+                 "Peclet number %.3g%s is below 0.05: the temperature needs "
+                 "%.3g s to become steady, and the model covers %.3g s",
                  k + 1, slow.Pe, when,
                  20 * kappa / pow(slow.u * s->contact->um, 2), reach * second);
 }

@@ -436,14 +436,14 @@ static const ovr_observable quantities[] = {
          "mean over the profile"),
     WORN("wear_2", WEAR_2, "mean wear depth of surface 2",
          "mean over the profile"),
-    WORN("Rpk_1", PEAKS_1, "Rpk of surface 1",
-         "height of the peaks above its core"),
-    WORN("Rpk_2", PEAKS_2, "Rpk of surface 2",
-         "height of the peaks above its core"),
-    WORN("Rvk_1", VALLEYS_1, "Rvk of surface 1",
-         "depth of the valleys below its core"),
-    WORN("Rvk_2", VALLEYS_2, "Rvk of surface 2",
-         "depth of the valleys below its core")};
+    WORN("Rpk_1", PEAKS_1, "reduced peak height Rpk of surface 1",
+         "of the worn profile"),
+    WORN("Rpk_2", PEAKS_2, "reduced peak height Rpk of surface 2",
+         "of the worn profile"),
+    WORN("Rvk_1", VALLEYS_1, "reduced valley depth Rvk of surface 1",
+         "of the worn profile"),
+    WORN("Rvk_2", VALLEYS_2, "reduced valley depth Rvk of surface 2",
+         "of the worn profile")};
 
 /* Observes both friction forces; the film's integral must already contain those
  * at pressurized nodes. */
