@@ -228,7 +228,7 @@ for file in metres radians swapped named; do
 done
 for file in metres radians; do
     sed 1d $file.txt | tr ';' ' ' >bare.txt
-    no less 'must be in degrees and mm; set other units in a header' cam.law=table \
+    no less 'must be in degrees and mm; set other units' cam.law=table \
         cam.file=bare.txt
 done
 sed '1s/.*/angle, lift [mm]/' plain.txt >half.txt
