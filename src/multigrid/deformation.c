@@ -245,16 +245,6 @@ double ovr_deformation_linear(double d, double D)
     return D / acos(-1.0) * (linear_kernel(d) + log(D));
 }
 
-void ovr_deformation_direct(size_t n, double D, const double *P, double *w)
-{
-    for (size_t i = 0; i < n; i++) {
-        double sum = 0;
-        for (size_t j = 0; j < n; j++)
-            sum += ovr_deformation_kernel((double)i - (double)j, D) * P[j];
-        w[i] = sum;
-    }
-}
-
 /* Measured errors of the method relative to max |w| (tests/unit). */
 ovr_mlmi_form ovr_mlmi_choose(double target)
 {

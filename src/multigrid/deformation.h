@@ -132,7 +132,4 @@ double ovr_deformation_kernel(double d, double D);
 /* The same for a pressure that is linear between the nodes. */
 double ovr_deformation_linear(double d, double D);
 
-/* w = K P/pi by direct summation, O(n^2); a reference for tests. */
-void ovr_deformation_direct(size_t n, double D, const double *P, double *w);
-
 #endif

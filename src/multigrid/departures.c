@@ -61,22 +61,6 @@ void ovr_carry_along(const ovr_departures *f, const double *v, double *to)
         to[i] = ovr_departures_at(f, v, i);
 }
 
-void ovr_departures_cubic(size_t n, const double *v, double meshes,
-                          double *at_departures)
-{
-    const ovr_departures f = ovr_departures_of(n, meshes);
-    ovr_carry_along(&f, v, at_departures);
-}
-
-double ovr_departure_linear(size_t n, const double *v, size_t i, double meshes)
-{
-    double at = (double)i - bounded(n, meshes), whole = floor(at);
-    double s = at - whole;
-    ptrdiff_t first = (ptrdiff_t)whole;
-    return (1 - s) * value(n, v, first, meshes) +
-           s * value(n, v, first + 1, meshes);
-}
-
 /* Adding 2 makes the number positive, because conversion to an integer rounds
  * towards zero. */
 void ovr_film_departures(size_t n, double meshes, const double *u,

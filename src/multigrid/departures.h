@@ -32,13 +32,6 @@ double ovr_departures_at(const ovr_departures *departures, const double *v,
 /* Interpolates v at the departure points of all nodes. */
 void ovr_carry_along(const ovr_departures *f, const double *v, double *to);
 
-/* Interpolates v at i - meshes (in mesh sizes) for all nodes i. */
-void ovr_departures_cubic(size_t n, const double *v, double meshes,
-                          double *at_departures);
-
-/* Interpolates v at i - meshes for one node. */
-double ovr_departure_linear(size_t n, const double *v, size_t i, double meshes);
-
 /* Interpolates v at i - meshes u_i for all nodes i of a layer of the film. The
  * value beyond both ends is 0. */
 void ovr_film_departures(size_t n, double meshes, const double *u,

@@ -21,6 +21,10 @@ typedef struct ovr_carriage {
     double arrives; /* content that the supplied film would add */
 } ovr_carriage;
 
+/* The supplied content q = rho H at the inlet at time T >= 0 (before: that of
+ * T = 0). For layers h1, h2 it is (u1 h1 + u2 h2)/um. */
+typedef double ovr_supply(void *data, double T);
+
 /* Lubricant supply (supply.c). */
 typedef struct ovr_arrival {
     ovr_supply *supply; /* NULL: flooded */

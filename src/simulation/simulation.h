@@ -16,16 +16,6 @@ typedef void ovr_heights_across(void *data, int surface, double T, size_t n,
  * contact. INFINITY: invalid options, or more than this process can address. */
 double ovr_simulation_memory(const ovr_options *options);
 
-/* For OVR_CAVITATION_CONSERVING: the supplied content q = rho H at the inlet at
- * time T >= 0 (before: that of T = 0). For layers h1, h2 it is (u1 h1 + u2
- * h2)/um. Supply in excess of the flooded flow rate accumulates in the inlet
- * reservoir, whose initial volume is `reservoir` (b^3/R). When the reservoir is
- * empty, the inflow is the supply. INFINITY: always flooded. Borrowed; NULL,
- * the default: flooded. */
-typedef double ovr_supply(void *data, double T);
-void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply, void *data,
-                           double reservoir);
-
 /* Sets the time histories of load and speed, which are borrowed; NULL: 1.
  * Negative speeds require a symmetric domain and Reynolds cavitation. */
 void ovr_simulation_histories(ovr_simulation *sim, const ovr_history *load,
@@ -45,13 +35,6 @@ void ovr_simulation_sliding(ovr_simulation *sim, const ovr_history *sliding);
  * Borrowed; NULL: 1. */
 void ovr_simulation_radius(ovr_simulation *sim, const ovr_history *radius,
                            const ovr_history *radius_1, bool convected);
-
-/* Enables heat in second-order solutions, steady and transient: temperatures of
- * film and surfaces, and their effect on the viscosity. Must be called before
- * anything is solved. Returns OVR_BAD_INPUT if an option is incompatible. An
- * automatic order (0) becomes 2, as ovr_simulation_options then returns. */
-ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
-                               ovr_error *err);
 
 /* Sets the heights on surface 1 and on surface 2 (NULL: none), called with the
  * data of ovr_simulation_surface.  Without this call all features are on one

@@ -86,16 +86,6 @@ ovr_feature_info ovr_surfaces_info(const ovr_surfaces *surfaces, size_t feature)
     return f ? info_of(f) : none;
 }
 
-double ovr_surfaces_wavelength(const ovr_surfaces *surfaces)
-{
-    if (!surfaces)
-        return NAN;
-    double shortest = INFINITY;
-    for (const ovr_placed_feature *l = surfaces->first; l; l = l->next)
-        shortest = fmin(shortest, l->feature.finest);
-    return shortest;
-}
-
 /* Returns height divided by wavelength of a moving feature; -1 if it does not
  * move. */
 static double slope(const ovr_feature *f)

@@ -70,10 +70,6 @@ void ovr_surfaces_heights_2(void *data, double T, size_t n, const double *X,
                             double *S);
 bool ovr_surfaces_has(const ovr_surfaces *surfaces, int surface);
 
-/* Returns the shortest wavelength of all features, b; INFINITY for smooth
- * surfaces. */
-double ovr_surfaces_wavelength(const ovr_surfaces *surfaces);
-
 /* Returns the composite roughness Rq of both surfaces in b^2/R, before the
  * grid's filter: the root sum of squares of all features' root mean square
  * heights. The mean over windows of 2 b is subtracted first. 0 without rough

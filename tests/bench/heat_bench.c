@@ -8,7 +8,7 @@
 #include <stdio.h>
 
 #include "bench.h"
-#include "contact/heat_numbers.h"
+#include "physics/heat/heat.h"
 #include "simulation/internal.h"
 #include "simulation/simulation.h"
 #include "support/hot.h"
@@ -40,7 +40,8 @@ static ovr_simulation *contact(const struct kind *kind, const char *set)
     sim = ovr_simulation_create(&hot.contact, &hot.oil, &o, NULL, &err);
     assert_non_null(sim);
     if (kind->points)
-        CHECK_OK(ovr_simulation_heat(sim, &hot.heat, &err), &err);
+        CHECK_OK(ovr_physics_add(sim, &ovr_physics_heat, &hot.heat, &err),
+                 &err);
     ovr_hierarchy_kernels(&sim->grids, ovr_kernels_choose(set));
     ovr_simulation_surface(sim, test_feature_heights, &wave);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);

@@ -9,6 +9,7 @@
 #include <stdio.h>
 
 #include "bench.h"
+#include "physics/supply/supply.h"
 #include "simulation/internal.h"
 #include "simulation/simulation.h"
 #include "support/test.h"

@@ -7,6 +7,7 @@
 
 #include "cavitation_truth.h"
 #include "contact/contact.h"
+#include "physics/supply/supply.h"
 #include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/test.h"

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "contact/contact.h"
+#include "physics/supply/supply.h"
 #include "simulation/internal.h"
 #include "support/contact.h"
 #include "support/test.h"

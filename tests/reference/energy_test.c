@@ -4,6 +4,7 @@
 #include <stdlib.h>
 
 #include "contact/contact.h"
+#include "physics/supply/supply.h"
 #include "simulation/internal.h"
 #include "simulation/observables.h"
 #include "simulation/simulation.h"

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "contact/contact.h"
-#include "contact/heat_numbers.h"
+#include "physics/heat/heat.h"
 #include "physics/heat/heated.h"
 #include "simulation/simulation.h"
 #include "support/contact.h"
@@ -486,7 +486,7 @@ TEST(order_left_to_the_library)
     options.order = 2;
     ovr_simulation *sim = ovr_simulation_create(&c.contact, &c.oil, &options,
                                                 NULL, &err);
-    CHECK_OK(ovr_simulation_heat(sim, &c.heat, &err), &err);
+    CHECK_OK(ovr_physics_add(sim, &ovr_physics_heat, &c.heat, &err), &err);
     assert_int_equal(ovr_simulation_options(sim)->order, 2);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     assert_int_equal(ovr_simulation_order(sim), 2);
@@ -494,7 +494,7 @@ TEST(order_left_to_the_library)
     ovr_simulation_free(sim);
     options.order = 0;
     sim = ovr_simulation_create(&c.contact, &c.oil, &options, NULL, &err);
-    CHECK_OK(ovr_simulation_heat(sim, &c.heat, &err), &err);
+    CHECK_OK(ovr_physics_add(sim, &ovr_physics_heat, &c.heat, &err), &err);
     CHECK_OK(ovr_simulation_steady(sim, &err), &err);
     assert_int_equal(ovr_simulation_order(sim), 4);
     ovr_simulation_free(sim);

@@ -4,6 +4,7 @@
  * share of the flooded one that arrives, waves of supply ride in unharmed. */
 #include <math.h>
 
+#include "physics/supply/supply.h"
 #include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/test.h"

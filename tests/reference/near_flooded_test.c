@@ -10,6 +10,7 @@
 #include <stdlib.h>
 
 #include "contact/contact.h"
+#include "physics/supply/supply.h"
 #include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/starved.h"

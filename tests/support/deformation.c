@@ -27,3 +27,13 @@ void test_deform(const test_deformation *plan, const double *P, double *w)
     plan->kernels->deformation(&plan->plan, plan->P, plan->w);
     plan->kernels->unpack(&plan->lanes, plan->w, w);
 }
+
+void test_deform_directly(size_t n, double D, const double *P, double *w)
+{
+    for (size_t i = 0; i < n; i++) {
+        double sum = 0;
+        for (size_t j = 0; j < n; j++)
+            sum += ovr_deformation_kernel((double)i - (double)j, D) * P[j];
+        w[i] = sum;
+    }
+}

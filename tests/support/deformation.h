@@ -21,4 +21,7 @@ test_deformation test_deformation_plan(const char *kernels, size_t n, double D,
 /* w of P, n values each. */
 void test_deform(const test_deformation *plan, const double *P, double *w);
 
+/* w = K P/pi by direct summation, O(n^2). */
+void test_deform_directly(size_t n, double D, const double *P, double *w);
+
 #endif

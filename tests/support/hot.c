@@ -4,7 +4,7 @@
 #include <math.h>
 
 #include "contact/contact.h"
-#include "contact/heat_numbers.h"
+#include "physics/heat/heat.h"
 #include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/test.h"
@@ -57,7 +57,7 @@ ovr_simulation *test_hot_made(const test_hot *hot, const ovr_options *options)
     ovr_simulation *sim = ovr_simulation_create(&hot->contact, &hot->oil,
                                                 options, NULL, &err);
     assert_non_null(sim);
-    CHECK_OK(ovr_simulation_heat(sim, &hot->heat, &err), &err);
+    CHECK_OK(ovr_physics_add(sim, &ovr_physics_heat, &hot->heat, &err), &err);
     return sim;
 }
 

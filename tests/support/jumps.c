@@ -2,6 +2,7 @@
 #include "jumps.h"
 
 #include "overroll/case.h"
+#include "physics/supply/supply.h"
 #include "random_case.h"
 #include "simulation/simulation.h"
 #include "test.h"

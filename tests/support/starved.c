@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "contact/contact.h"
+#include "physics/supply/supply.h"
 #include "simulation/simulation.h"
 #include "support/contact.h"
 #include "support/test.h"

@@ -44,7 +44,7 @@ static double error_of(bench *b)
 {
     double worst = 0, size = 0;
     apply(b);
-    ovr_deformation_direct(b->n, b->D, b->P, b->direct);
+    test_deform_directly(b->n, b->D, b->P, b->direct);
     for (size_t i = 0; i < b->n; i++) {
         worst = fmax(worst, fabs(b->w[i] - b->direct[i]));
         size = fmax(size, fabs(b->direct[i]));

@@ -18,6 +18,13 @@ static double bell(double x)
     return exp(-x * x / 200);
 }
 
+/* Computes the values at the departure points of all nodes. */
+static void carry(const double *v, double meshes, double *to)
+{
+    const ovr_departures departures = ovr_departures_of(N, meshes);
+    ovr_carry_along(&departures, v, to);
+}
+
 /* Whole meshes exactly, parts of one by a cubic; what enters is nothing, what
  * left is as the end. */
 TEST(values_at_departures)
@@ -26,27 +33,20 @@ TEST(values_at_departures)
     for (int i = 0; i < N; i++)
         v[i] = 1 + 1e-6 * i * i * i;
     for (double shift = -7.75; shift < 8; shift += 0.25) {
-        ovr_departures_cubic(N, v, shift, at);
+        carry(v, shift, at);
         for (int i = 10; i < N - 10; i++)
             CHECK_CLOSE(at[i], 1 + 1e-6 * pow(i - shift, 3), 1e-12);
     }
-    ovr_departures_cubic(N, v, 3, at);
+    carry(v, 3, at);
     assert_memory_equal(at + 3, v, (N - 3) * sizeof *v);
     for (int i = 0; i < 3; i++)
         assert_true(at[i] == 0);
-    ovr_departures_cubic(N, v, -2, at);
+    carry(v, -2, at);
     assert_memory_equal(at, v + 2, (N - 2) * sizeof *v);
     assert_true(at[N - 1] == 0 && at[N - 2] == 0);
-    ovr_departures_cubic(N, v, 1e9, at);
+    carry(v, 1e9, at);
     for (int i = 0; i < N; i++)
         assert_true(at[i] == 0);
-    for (int i = 1; i < N; i++) {
-        double upstream = ovr_departure_linear(N, v, (size_t)i, 0.25);
-        CHECK_CLOSE(upstream, 0.75 * v[i] + 0.25 * v[i - 1], 1e-14);
-    }
-    assert_true(ovr_departure_linear(N, v, 2, 5) == 0);
-    assert_true(ovr_departure_linear(N, v, N - 2, -0.5) ==
-                0.5 * (v[N - 2] + v[N - 1]));
 }
 
 /* There and back: cubic, and no drift. */
@@ -56,7 +56,7 @@ TEST(carried_far)
     for (int i = 0; i < N; i++)
         v[i] = bell(i - 100);
     for (int k = 0; k < 1000; k++) {
-        ovr_departures_cubic(N, v, 0.3, at);
+        carry(v, 0.3, at);
         memcpy(v, at, sizeof v);
     }
     for (int i = 0; i < N; i++)
@@ -84,12 +84,12 @@ static void step(surface *s, double D, double u, double dT, const double *q_now)
             psi[m] = s->psi[m][i];
         s->at[i] = ovr_memory_past(&s->memory, psi, s->q[i]);
     }
-    ovr_departures_cubic(N, s->at, meshes, s->T);
+    carry(s->at, meshes, s->T);
     for (int i = 0; i < N; i++)
         s->T[i] += 4. / 3 * sqrt(dT) * q_now[i];
-    ovr_departures_cubic(N, s->q, meshes, s->before);
+    carry(s->q, meshes, s->before);
     for (int m = 0; m < OVR_MODES; m++) {
-        ovr_departures_cubic(N, s->psi[m], meshes, s->at);
+        carry(s->psi[m], meshes, s->at);
         for (int i = 0; i < N; i++)
             s->psi[m][i] = s->memory.fade[m] * s->at[i] +
                            s->memory.now[m] * q_now[i] +

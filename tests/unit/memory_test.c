@@ -2,7 +2,7 @@
 /* Memory of a simulation: taken once, little of it, and as announced. */
 #include <math.h>
 
-#include "contact/heat_numbers.h"
+#include "physics/heat/heat.h"
 #include "simulation/internal.h"
 #include "simulation/simulation.h"
 #include "support/contact.h"
@@ -132,10 +132,12 @@ TEST(heat_is_announced)
             &(kind){10, OVR_UPSTREAM2, OVR_LINE, false}, &faults.hook);
         const ovr_options *options = ovr_simulation_options(sim);
         double before = faults.bytes;
-        CHECK_OK(ovr_simulation_heat(sim, &hot.heat, &err), &err);
+        CHECK_OK(ovr_physics_add(sim, &ovr_physics_heat, &hot.heat, &err),
+                 &err);
         ovr_simulation *counted = ovr_simulation_counted(options);
         double announced = -(double)counted->arena.bytes;
-        CHECK_OK(ovr_simulation_heat(counted, &hot.heat, &err), &err);
+        CHECK_OK(ovr_physics_add(counted, &ovr_physics_heat, &hot.heat, &err),
+                 &err);
         announced += (double)counted->arena.bytes;
         ovr_simulation_free(counted);
         print_message("%d points: %.0f bytes a node\n", points,

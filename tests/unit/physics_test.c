@@ -6,6 +6,7 @@
  * read, refused and explained, is solved, marches, is observed and summed up,
  * is counted by `check`, and goes on, to the bit, where it was killed.
  */
+#include "support/deformation.h"
 #include "support/test.h"
 
 #include <math.h>
@@ -162,7 +163,7 @@ TEST(layer_gives_way_where_it_is_pressed)
     solution hard = solve(""), s = solve(soft);
     size_t n = s.state->n;
     double *w = malloc(n * sizeof *w);
-    ovr_deformation_direct(n, s.state->D, s.state->P, w);
+    test_deform_directly(n, s.state->D, s.state->P, w);
     for (size_t i = 0; i < n; i++) {
         double X = s.state->X[i], P = s.state->P[i];
         CHECK_NEAR(s.state->H[i], s.state->H0 + X * X / 2 - w[i] + 0.5 * P,
@@ -184,7 +185,7 @@ TEST(layer_gives_way_over_a_length)
     size_t n = s.state->n;
     const double *X = s.state->X, *P = s.state->P;
     double *w = malloc(n * sizeof *w), D = s.state->D;
-    ovr_deformation_direct(n, D, P, w);
+    test_deform_directly(n, D, P, w);
     for (size_t i = 0; i < n; i++) {
         for (size_t j = 0; j < n; j++)
             w[i] -= 0.5 * D * P[j] * exp(-pow((X[i] - X[j]) / 1.5, 2)) /

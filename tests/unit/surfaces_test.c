@@ -119,7 +119,6 @@ TEST(features_add_up)
     for (int i = 0; i < N; i++)
         assert_true(fabs(S[i] - S1[i] - S2[i]) < 1e-15);
     assert_int_equal(ovr_surfaces_count(both), 3);
-    assert_true(fabs(ovr_surfaces_wavelength(both) - 0.3) < 1e-15);
     ovr_surfaces_free(both), ovr_surfaces_free(one), ovr_surfaces_free(other);
 }
 

@@ -683,11 +683,3 @@ const ovr_physics ovr_physics_heat = {.name = "heat",
                                       .in_solve = &in_solve,
                                       .in_step = &in_step,
                                       .in_output = &in_output};
-
-ovr_status ovr_simulation_heat(ovr_simulation *sim, const ovr_heat *heat,
-                               ovr_error *err)
-{
-    if (!sim)
-        return ovr_fail_null(err, __func__);
-    return ovr_physics_add(sim, &ovr_physics_heat, heat, err);
-}

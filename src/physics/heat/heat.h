@@ -15,6 +15,10 @@ typedef struct ovr_heat_case {
     ovr_heat_form given;
 } ovr_heat_case;
 
+/* Heat of second-order solutions, steady and in time: temperatures of film and
+ * surfaces, and their effect on the viscosity. An automatic order (0) becomes
+ * 2. */
+extern const ovr_physics ovr_physics_heat;
 extern const ovr_section ovr_heat_section;
 
 ovr_status ovr_heat_resolve(const ovr_physics_case *of, void *form, bool *on,

@@ -6,6 +6,7 @@
 
 #include "contact/history.h"
 #include "overroll/case.h"
+#include "simulation/arrival.h"
 #include "simulation/physics.h"
 #include "surface/layer.h"
 
@@ -28,6 +29,13 @@ typedef struct ovr_supply_case {
 
 extern const ovr_physics ovr_physics_conserving;
 extern const ovr_section ovr_supply_sections[2];
+
+/* Sets the supply of a contact with OVR_CAVITATION_CONSERVING. Supply in excess
+ * of the flooded flow rate accumulates in the inlet reservoir, whose initial
+ * volume is `reservoir` (b^3/R). When the reservoir is empty, the inflow is the
+ * supply. INFINITY: always flooded. `supply` is borrowed (NULL: flooded). */
+void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply, void *data,
+                           double reservoir);
 
 /* Supplied content rho H at the inlet at time T. */
 double ovr_supply_arriving(const ovr_supply_case *supply, double T);
