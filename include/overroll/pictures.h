@@ -99,7 +99,7 @@ typedef struct ovr_figure_options {
     const char *path; /* .png, .svg or .pdf */
     bool force;
     const char *y; /* column; NULL: the first of H_min_overall_m, H_min_overall,
-                      min_film_m and H_min */
+                      min_film_located_m and H_min_located */
     const char *x; /* key; NULL: the first numeric key */
     const char *by; /* key; NULL: the next key that is not a seed; "": none */
     bool log_x, log_y; /* logarithmic axes */

@@ -188,8 +188,9 @@ static ovr_status no_column(const figure *f, const char *name, bool varied,
  * minimum; in metres if the contact is physical. */
 static const ovr_table_column *usual_quantity(const figure *f)
 {
-    static const char *const names[] = {"H_min_overall_m", "H_min_overall",
-                                        "min_film_m", "H_min"};
+    static const char *const names[] = {"H_min_overall_m",    "H_min_overall",
+                                        "min_film_located_m", "H_min_located",
+                                        "min_film_m",         "H_min"};
     const ovr_table_column *c = NULL;
     for (size_t k = 0; !c && k < sizeof names / sizeof *names; k++)
         c = named(f->t, names[k]);

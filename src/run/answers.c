@@ -22,7 +22,7 @@
 /* The numbers that the answers need, under their keys in the summary; NAN:
  * missing or unknown. */
 typedef struct numbers {
-    double H_min, min_film_m, max_pressure_Pa;
+    double H_min_located, min_film_located_m, max_pressure_Pa;
     double H_min_overall_m, way_H_min_m, angle_H_min_deg;
     double P_max_overall_Pa, way_P_max_m, angle_P_max_deg;
     double lambda_ratio, lambda_ratio_at_H_min;
@@ -43,8 +43,8 @@ typedef struct numbers {
 static const struct number_row {
     const char *key;
     size_t offset;
-} number_rows[] = {ROW(H_min),
-                   ROW(min_film_m),
+} number_rows[] = {ROW(H_min_located),
+                   ROW(min_film_located_m),
                    ROW(max_pressure_Pa),
                    ROW(H_min_overall_m),
                    ROW(way_H_min_m),
@@ -241,7 +241,7 @@ static void write_loss(page *p)
 static void write_film(page *p)
 {
     bool run = isfinite(p->n.H_min_overall_m);
-    double h = run ? p->n.H_min_overall_m : p->n.min_film_m;
+    double h = run ? p->n.H_min_overall_m : p->n.min_film_located_m;
     if (isnan(h))
         return; /* no solution */
     append(p, "%s", ovr_metres(h).text);
@@ -308,7 +308,7 @@ static void write_stress(page *p)
 
 static void write_answers(page *p)
 {
-    if (!isfinite(p->n.speed_rpm) || !isfinite(p->n.H_min))
+    if (!isfinite(p->n.speed_rpm) || !isfinite(p->n.H_min_located))
         return;
     write_drive(p);
     write_loss(p);

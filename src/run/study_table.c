@@ -326,17 +326,26 @@ ovr_status ovr_table_fail_empty(const ovr_table *t, ovr_error *err)
  * solutions. */
 static bool is_main(const ovr_table *t, const char *name)
 {
-    static const char *const names[] = {"P_max_overall",   "P_max_overall_Pa",
-                                        "T_P_max",         "H_min_overall",
-                                        "H_min_overall_m", "T_H_min",
-                                        "load_error_max",  "steps_marked",
-                                        "seconds",         "H_min",
-                                        "min_film_m",      "H_cen",
-                                        "central_film_m",  "P_max",
+    static const char *const names[] = {"P_max_overall",
+                                        "P_max_overall_Pa",
+                                        "T_P_max",
+                                        "H_min_overall",
+                                        "H_min_overall_m",
+                                        "T_H_min",
+                                        "load_error_max",
+                                        "steps_marked",
+                                        "seconds",
+                                        "H_min",
+                                        "min_film_m",
+                                        "H_min_located",
+                                        "min_film_located_m",
+                                        "H_cen",
+                                        "central_film_m",
+                                        "P_max",
                                         "max_pressure_Pa"};
     size_t maximum = sizeof names / sizeof names[0];
     if (ovr_table_summary(t, "P_max_overall"))
-        maximum -= 6;
+        maximum -= 8;
     for (size_t i = 0; i < maximum; i++)
         if (!strcmp(names[i], name))
             return true;

@@ -81,7 +81,7 @@ function redraw() {
 // Name, key in SI, its factor and unit, key of the same in Hertzian units.
 const ROWS = [
   ["central film thickness", "central_film_m", 1e6, "\u00b5m", "H_cen"],
-  ["minimum film thickness", "min_film_m", 1e6, "\u00b5m", "H_min"],
+  ["minimum film thickness", "min_film_located_m", 1e6, "\u00b5m", "H_min_located"],
   ["maximum pressure", "max_pressure_Pa", 1e-9, "GPa", "P_max"],
   ["maximum Hertzian pressure", "hertz_pressure_Pa", 1e-9, "GPa"],
   ["Hertzian half-width b", "half_width_m", 1e3, "mm"],
@@ -447,8 +447,8 @@ function drawStudy() {
   canvas.dataset.points = curve.points.length;
   const { c, width, height } = prepare(canvas);
   const si = curve.points.every(([, n]) => typeof n.central_film_m === "number");
-  const films = si ? [["central_film_m", colour.film], ["min_film_m", colour.min]]
-    : [["H_cen", colour.film], ["H_min", colour.min]];
+  const films = si ? [["central_film_m", colour.film], ["min_film_located_m", colour.min]]
+    : [["H_cen", colour.film], ["H_min_located", colour.min]];
   const f = si ? 1e6 : 1, x = curve.points.map((p) => p[0]);
   const most = Math.max(...curve.points.map(([, n]) => n[films[0][0]] * f));
   const axes = { x0: Math.min(...x), x1: Math.max(...x), y0: 0, y1: 1.1 * most,
