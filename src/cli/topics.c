@@ -62,14 +62,13 @@ static const struct {
      "'overroll sweep STUDY.ini' runs the samples; --statistics prints means, "
      "quantiles\nand the probability of each limit.  See overroll-study(5)."},
     {"film",
-     "Results contain the minimum film thickness H_min_located and the central "
-     "film\nthickness H_cen (at X = 0), in b^2/R and, for a case with "
-     "dimensions, in metres.\nH_min is the smallest value at a node, "
-     "H_min_overall the minimum over a whole run.\n'overroll check' prints "
-     "predictions by formulas before anything is solved; 'overroll\nplot' "
-     "draws "
-     "the film thickness.  [output] fields selects what is stored.  See also\n"
-     "'overroll help lambda-ratio'."},
+     "Results contain the minimum film thickness H_min_located and the\n"
+     "central film thickness H_cen (at X = 0), in b^2/R and, for a case with "
+     "dimensions, in\nmetres.  H_min is the minimum of the values at nodes, "
+     "H_min_overall the minimum over\na run.  'overroll check' prints "
+     "predictions by formulas before anything is solved;\n'overroll plot' "
+     "draws the film thickness.  [output] fields selects what is stored.\n"
+     "See also 'overroll help lambda-ratio'."},
     {"lambda-ratio",
      "The lambda ratio (specific film thickness) is a film thickness divided "
      "by the\ncomposite roughness sqrt(Rq_1^2 + Rq_2^2) of both surfaces:\n"

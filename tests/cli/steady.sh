@@ -13,7 +13,9 @@ printed=$(sed -n 's/^minimum film thickness  *\([0-9.]*\) .*/\1/p' out)
 expect 0 "$OVERROLL" steady --M 20 --L 10 --level 7 --json
 awk -v p="$printed" -v l="$(number H_min_located)" -v n="$(number H_min)" '
     function off(x, y) { return x > y ? x - y : y - x }
-    BEGIN { exit !(off(p, l) < 1e-7 && off(l, 0.073573) < off(n, 0.073573)) }' ||
+    BEGIN {
+        exit !(off(p, l) < 1e-7 && off(l, 0.073573) < off(n, 0.073573))
+    }' ||
     fail "$printed is printed, H_min_located is $(number H_min_located)"
 
 expect 0 "$OVERROLL" steady --M 20 --L 10 --level 6 -q
