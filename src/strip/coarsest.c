@@ -17,6 +17,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "strip/across.h"
 #include "strip/kernels.h"
 
 /* Stencil of a row: the node, W, E, S, N, and the second node upstream. */
@@ -33,7 +34,8 @@ static stencil stencil_at(const ovr_strip_level *level, size_t i, size_t j)
     const ovr_strip_fields *f = &level->f;
     const double *a = i == 1 ? level->weights.first : level->weights.a;
     size_t far = i >= 2 ? i - 2 : i - 1;
-    size_t south = j ? j - 1 : g->lines - 1, north = (j + 1) % g->lines;
+    size_t south = ovr_across_line(g->lines, (ptrdiff_t)j - 1);
+    size_t north = ovr_across_line(g->lines, (ptrdiff_t)j + 1);
     stencil s = {.i = {i, i - 1, i + 1, i, i, far},
                  .j = {j, j, j, south, north, j}};
     size_t k = ovr_strip_row(g, i) + j, w = k - g->stride;
@@ -69,12 +71,11 @@ static size_t padded(size_t lines)
 static void spread_film(const ovr_strip *strip, const stencil *s, double *to)
 {
     const ovr_strip_grid *g = &strip->level[0].grid;
-    const size_t width = 2 * g->lines + 8;
     for (size_t c = 1; c + 1 < g->n; c++, to += padded(g->lines)) {
         const double *k[STENCIL];
         for (int m = 0; m < STENCIL; m++) {
             size_t d = s->i[m] > c ? s->i[m] - c : c - s->i[m];
-            k[m] = strip->influence + d * width + (g->lines - s->j[m]);
+            k[m] = ovr_strip_influence_of(strip, d, s->j[m]);
         }
         strip->run->blend(g->lines, STENCIL, s->by_film, k, to);
     }
@@ -174,7 +175,7 @@ double ovr_strip_newton(ovr_strip *strip, bool shortened)
     for (size_t c = 0; c < count; c++)
         last[c] = 1;
     last[count] = 0;
-    last[m] = level->force * (double)g->lines / g->D -
+    last[m] = level->force * (double)ovr_across_intervals(g->lines) / g->D -
               ovr_strip_sum(strip, level, level->f.P);
     if (!strip->kernels->dense_solve(m, stride, strip->matrix, strip->solution))
         return -1;

@@ -23,6 +23,7 @@
 
 #include "mathematics/transform.h"
 #include "multigrid/field.h"
+#include "strip/across.h"
 #include "strip/kernels.h"
 
 /* Numbers of rows and columns per transform. FFTW's choice of an algorithm
@@ -176,8 +177,8 @@ ovr_status ovr_strip_elastic_plan(ovr_strip_elastic *e, const ovr_strip_grid *g,
             near->near[line][d] = at_lines(e, d, line);
     for (size_t d = 0; real_space && d < e->n; d++)
         for (size_t j = 0; j < 2 * e->lines; j++)
-            real_space[d * (2 * e->lines + 8) + j] = at_lines(e, d,
-                                                              j % e->lines);
+            real_space[d * (2 * e->lines + 8) + j] = at_lines(
+                e, d, ovr_across_line(e->lines, (ptrdiff_t)j));
     transform_table(e);
     return OVR_OK;
 }

@@ -23,6 +23,7 @@
  * in transient steps.
  */
 #include "multigrid/vector.h"
+#include "strip/across.h"
 #include "strip/kernels.h"
 #include "strip/vectors.h"
 
@@ -109,12 +110,6 @@ static void freeze(const ovr_strip_grid *g, const double a[3], size_t i,
     }
 }
 
-static inline void close_period(const ovr_strip_grid *g, double *P)
-{
-    P[-1] = P[g->lines - 1];
-    P[g->lines] = P[0];
-}
-
 static void sweep_row(const ovr_strip_grid *g, const ovr_strip_fields *f,
                       size_t i)
 {
@@ -123,7 +118,7 @@ static void sweep_row(const ovr_strip_grid *g, const ovr_strip_fields *f,
     ivec odd;
     for (int l = 0; l < VEC; l++)
         odd[l] = -(l & 1);
-    close_period(g, f->P + row);
+    ovr_across_close(g->lines, 1, f->P + row);
     for (int colour = 0; colour < 2; colour++) {
         for (size_t j = 0; j < g->lines; j += VEC) {
             const size_t k = row + j;
@@ -139,7 +134,7 @@ static void sweep_row(const ovr_strip_grid *g, const ovr_strip_fields *f,
                          lines_before(j, g->lines);
             store(P, choose(moves, v, p));
         }
-        close_period(g, f->P + row);
+        ovr_across_close(g->lines, 1, f->P + row);
     }
 }
 

@@ -13,6 +13,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "strip/across.h"
 #include "strip/kernels.h"
 
 static void begin_level(ovr_strip *strip, const ovr_strip_full *how,
@@ -147,7 +148,7 @@ static bool solve_spots(ovr_strip *strip, const ovr_strip_full *how,
     const ovr_strip_grid *g = &level->grid;
     for (int k = 0; k < STEPS && d->imbalance < 1e6; k++) {
         double whole = d->imbalance * ovr_strip_centre(level, level->f.H) *
-                       (double)g->lines / g->D;
+                       (double)ovr_across_intervals(g->lines) / g->D;
         if (!ovr_strip_spots(strip, level, &how->cycling.smoothing,
                              part * whole))
             return false;

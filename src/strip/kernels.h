@@ -106,6 +106,15 @@ static inline size_t ovr_strip_work(const ovr_strip_grid *g)
     return solve > faces ? solve : faces;
 }
 
+/* Influence dH/dP of a node on line j on the lines 0.. of a row at a distance
+ * of d rows, on the coarsest grid (elastic.c). */
+static inline const double *ovr_strip_influence_of(const ovr_strip *strip,
+                                                   size_t d, size_t j)
+{
+    const size_t lines = strip->level[0].grid.lines;
+    return strip->influence + d * (2 * lines + 8) + (lines - j);
+}
+
 /* Maximum number of unknowns of a patch (spots.c). */
 enum { OVR_STRIP_SPOT = 49 };
 

@@ -3,6 +3,7 @@
 
 #include "multigrid/field.h"
 #include "multigrid/flow.h"
+#include "strip/across.h"
 #include "strip/kernels.h"
 
 double *ovr_strip_field(size_t n, ovr_arena *arena, ovr_error *err)
@@ -29,10 +30,9 @@ static size_t stride_of(size_t lines)
 int ovr_strip_halvings(size_t coarsest, size_t *n, size_t *lines)
 {
     int halvings = 0;
-    while (*n > coarsest && *n % 2 && *n > 9 && *lines % 2 == 0 &&
-           *lines >= 8) {
+    while (*n > coarsest && *n % 2 && *n > 9 && ovr_across_halved(*lines)) {
         *n = (*n + 1) / 2;
-        *lines /= 2;
+        *lines = ovr_across_halved(*lines);
         halvings++;
     }
     return halvings;
@@ -57,7 +57,7 @@ static ovr_status make_grids(ovr_strip *strip, const ovr_strip_shape *shape,
             .stride = stride_of(lines << l),
             .X_a = shape->X_a,
             .D = (shape->X_b - shape->X_a) / (double)((n - 1) << l),
-            .Dy = shape->width / (double)(lines << l)};
+            .Dy = ovr_across_mesh(shape->width, lines << l)};
     }
     return OVR_OK;
 }
@@ -170,7 +170,8 @@ void ovr_strip_refresh(ovr_strip *strip, ovr_strip_level *level)
 double ovr_strip_load(ovr_strip *strip, ovr_strip_level *level)
 {
     const ovr_strip_grid *g = &level->grid;
-    return ovr_strip_sum(strip, level, level->f.P) * g->D / (double)g->lines;
+    return ovr_strip_sum(strip, level, level->f.P) * g->D /
+           (double)ovr_across_intervals(g->lines);
 }
 
 double ovr_strip_centre(const ovr_strip_level *level, const double *H)
@@ -187,7 +188,7 @@ double ovr_strip_centre(const ovr_strip_level *level, const double *H)
     for (size_t j = 0; j < g->lines; j++)
         for (size_t m = 0; m < 4; m++)
             sum += c[m] * H[ovr_strip_row(g, i - 1 + m) + j];
-    return sum / (double)g->lines;
+    return sum / (double)ovr_across_intervals(g->lines);
 }
 
 ovr_strip_defect ovr_strip_defect_of(ovr_strip *strip, ovr_strip_level *level)
@@ -195,7 +196,7 @@ ovr_strip_defect ovr_strip_defect_of(ovr_strip *strip, ovr_strip_level *level)
     const ovr_strip_grid *g = &level->grid;
     ovr_strip_defect d = {.centre = ovr_strip_centre(level, level->f.H)};
     d.imbalance = ovr_strip_imbalance(strip, level) * g->D /
-                  ((double)g->lines * d.centre);
+                  ((double)ovr_across_intervals(g->lines) * d.centre);
     d.load = fabs(level->force - ovr_strip_load(strip, level)) / level->force;
     return d;
 }

@@ -24,6 +24,7 @@
 #include <string.h>
 
 #include "multigrid/field.h"
+#include "strip/across.h"
 #include "strip/kernels.h"
 
 typedef struct term {
@@ -392,7 +393,7 @@ static bool solve_spots(progress *p)
     const ovr_strip_grid *g = &level->grid;
     for (int k = 0; k < STEPS; k++) {
         double whole = p->R * ovr_strip_centre(level, level->f.H) *
-                       (double)g->lines / g->D;
+                       (double)ovr_across_intervals(g->lines) / g->D;
         if (!ovr_strip_spots(p->march->strip, level, &p->how.smoothing,
                              part * whole))
             return false;

@@ -40,27 +40,6 @@
 #include "strip/kernels.h"
 #include "strip/vectors.h"
 
-void OVR_STRIP_KERNEL(wrap)(const ovr_strip_grid *g, ovr_part rows, double *x)
-{
-    enum { HALO = OVR_STRIP_HALO };
-    const size_t lines = g->lines;
-    x += ovr_strip_row(g, rows.from);
-    for (size_t i = rows.from; i < rows.to; i++, x += g->stride) {
-        if (lines >= HALO) {
-            for (size_t j = 0; j < HALO; j += VEC) {
-                vec last = load(x + lines - HALO + j), first = load(x + j);
-                store(x + j - HALO, last);
-                store(x + lines + j, first);
-            }
-            continue;
-        }
-        for (size_t h = 0; h < HALO; h++)
-            x[lines + h] = x[h];
-        for (ptrdiff_t h = 1; h <= HALO; h++)
-            x[-h] = x[(ptrdiff_t)lines - h];
-    }
-}
-
 /* Weights of row i. */
 static inline const double *weights_at(const ovr_strip_weights *w, size_t i)
 {

@@ -21,6 +21,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "strip/across.h"
 #include "strip/kernels.h"
 
 enum { REACH = 3, SIDE = 2 * REACH + 1, MOST = OVR_STRIP_SPOT, PATCHES = 12 };
@@ -61,7 +62,8 @@ static derivatives derivatives_at(const ovr_strip_level *level, place p)
     const ovr_strip_fields *f = &level->f;
     const double *a = p.i == 1 ? level->weights.first : level->weights.a;
     size_t far = p.i >= 2 ? p.i - 2 : p.i - 1;
-    size_t south = p.j ? p.j - 1 : g->lines - 1, north = (p.j + 1) % g->lines;
+    size_t south = ovr_across_line(g->lines, (ptrdiff_t)p.j - 1);
+    size_t north = ovr_across_line(g->lines, (ptrdiff_t)p.j + 1);
     derivatives d = {.at = {p,
                             {p.i - 1, p.j},
                             {p.i + 1, p.j},
@@ -95,18 +97,10 @@ static derivatives derivatives_at(const ovr_strip_level *level, place p)
     return d;
 }
 
-/* Returns the distance of two lines in lines, across the periodic boundary if
- * that is shorter. */
-static size_t lines_between(const ovr_strip_grid *g, size_t a, size_t b)
-{
-    size_t d = a > b ? a - b : b - a;
-    return d > g->lines - d ? g->lines - d : d;
-}
-
 static double influence(const ovr_strip_level *level, place a, place b)
 {
     size_t d = a.i > b.i ? a.i - b.i : b.i - a.i;
-    return level->near[lines_between(&level->grid, a.j, b.j)][d];
+    return level->near[ovr_across_apart(level->grid.lines, a.j, b.j)][d];
 }
 
 /* Finds the nodes of a patch that can change. */
@@ -119,7 +113,8 @@ static size_t find_nodes(const ovr_strip_level *level, place centre,
     for (size_t i = centre.i > REACH ? centre.i - REACH : 1;
          i <= centre.i + REACH && i + 1 < g->n; i++)
         for (size_t k = 0; k < side; k++) {
-            place p = {i, (centre.j + g->lines - side / 2 + k) % g->lines};
+            ptrdiff_t j = (ptrdiff_t)(centre.j + k) - (ptrdiff_t)(side / 2);
+            place p = {i, ovr_across_line(g->lines, j)};
             if (level->f.moves[element(g, p)] > 0)
                 node[count++] = p;
         }
@@ -171,7 +166,7 @@ static double part_of(const ovr_strip_level *level, size_t k)
 static bool has_no_asperity_contact(const ovr_strip_grid *g, place a, place b)
 {
     size_t d = a.i > b.i ? a.i - b.i : b.i - a.i;
-    return d > SIDE || lines_between(g, a.j, b.j) > SIDE;
+    return d > SIDE || ovr_across_apart(g->lines, a.j, b.j) > SIDE;
 }
 
 /* Inserts a centre into the list, which is ordered by the parts. */

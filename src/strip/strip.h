@@ -19,7 +19,7 @@
  * Memory: element (i, j) of a field is at i stride + j.  The lines of a row are
  * contiguous, so that vectors extend across lines and stencils along X are
  * whole vectors.  OVR_STRIP_HALO elements on both sides of a row repeat the
- * period.
+ * period.  The boundary across rolling is defined in across.h.
  *
  * Solver: FAS multigrid (cycle.c) with distributive relaxation of lines
  * (relax.kernel.c) and projected sweeps at the ends of the film

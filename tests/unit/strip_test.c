@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "multigrid/influence.h"
+#include "strip/across.h"
 #include "strip/kernels.h"
 #include "support/strip.h"
 #include "support/test.h"
@@ -51,6 +52,38 @@ TEST(waves_across_agree_with_quadrature)
             CHECK_NEAR(k[d], quadrature(space, waves[m], (double)d, D), 1e-11);
     }
     gsl_integration_workspace_free(space);
+}
+
+/* Neighbours, distances, halos and coarse lines agree with coordinates on a
+ * circle of circumference W. */
+TEST(lines_are_on_a_circle)
+{
+    static const size_t counts[] = {4, 5, 7, 8, 20, 48};
+    const double W = 1.7, turn = 2 * acos(-1) / W;
+    for (size_t c = 0; c < sizeof counts / sizeof *counts; c++) {
+        const size_t n = counts[c], coarse = ovr_across_halved(n);
+        const double Dy = ovr_across_mesh(W, n);
+        double row[48 + 2 * OVR_STRIP_HALO], *x = row + OVR_STRIP_HALO;
+        for (size_t j = 0; j < n; j++)
+            x[j] = sin(turn * ovr_across_Y(W, Dy, j));
+        ovr_across_close(n, OVR_STRIP_HALO, x);
+        for (ptrdiff_t j = -(ptrdiff_t)n; j < 2 * (ptrdiff_t)n; j++) {
+            double value = sin(turn * (-W / 2 + (double)j * Dy));
+            size_t line = ovr_across_line(n, j);
+            assert_true(line < n);
+            CHECK_NEAR(x[line], value, 1e-13);
+            if (j >= -OVR_STRIP_HALO && j < (ptrdiff_t)n + OVR_STRIP_HALO)
+                CHECK_NEAR(x[j], value, 1e-13);
+            double apart = ovr_across_offset(W, (double)(j - 1) * Dy);
+            CHECK_NEAR((double)ovr_across_apart(n, line, 1) * Dy, fabs(apart),
+                       1e-13);
+        }
+        for (size_t j = 0; j < coarse; j++)
+            CHECK_NEAR(ovr_across_Y(W, ovr_across_mesh(W, coarse), j),
+                       ovr_across_Y(W, Dy, j * ovr_across_spacing(n, coarse)),
+                       1e-13);
+        assert_int_equal(coarse, n == 8 || n >= 20 ? n / 2 : 0);
+    }
 }
 
 /* Deformation of random pressures against the sums of all nodes by all. */

@@ -16,6 +16,7 @@
 #include "multigrid/hierarchy.h"
 #include "overroll/surface.h"
 #include "simulation/conflicts.h"
+#include "strip/across.h"
 #include "strip/strip.h"
 #include "surface/measured.h"
 
@@ -233,7 +234,7 @@ void ovr_strip_describe(const ovr_physics_case *of, const void *form,
         size_t lines = ovr_strip_lines(f, D);
         snprintf(text + used, sizeof text - (size_t)used,
                  "; %zu x %zu nodes, mesh sizes %.3g x %.3g b", n, lines, D,
-                 f->width / (double)lines);
+                 ovr_across_mesh(f->width, lines));
     }
     line(data, "strip", text);
 }

@@ -13,6 +13,7 @@
 #include "physics/strip/strip.h"
 #include "simulation/observe.h"
 #include "simulation/quantity_row.h"
+#include "strip/across.h"
 
 /* Numbers of lines whose mean is that of the strip. */
 static const size_t means[] = {offsetof(ovr_observation, H_cen),
@@ -42,14 +43,14 @@ static double mean_of(const ovr_observation *o, size_t k)
 static double vertex_across(const ovr_strip_solver *s, const double *value,
                             size_t j, double *at)
 {
-    const double W = s->form->width, Dy = W / (double)s->lines;
-    size_t last = s->lines - 1;
-    double left = value[j ? j - 1 : last], right = value[j < last ? j + 1 : 0];
+    const double W = s->form->width, Dy = ovr_across_mesh(W, s->lines);
+    double left = value[ovr_across_line(s->lines, (ptrdiff_t)j - 1)];
+    double right = value[ovr_across_line(s->lines, (ptrdiff_t)j + 1)];
     double bend = left - 2 * value[j] + right, slope = (right - left) / 2;
     double off = bend != 0 ? -slope / bend : 0;
     if (!(fabs(off) <= 1))
         off = 0;
-    *at = remainder(s->Y[j] + off * Dy, W);
+    *at = ovr_across_offset(W, s->Y[j] + off * Dy);
     return value[j] + off * (slope + off * bend / 2);
 }
 
@@ -78,9 +79,9 @@ static double mass_flow(ovr_strip_solver *s, const ovr_simulation *sim)
             }
         }
         if (i == 0)
-            s->flow[0] = row / (double)s->lines;
+            s->flow[0] = row / (double)ovr_across_intervals(s->lines);
         if (i == s->middle)
-            s->flow[1] = row / (double)s->lines;
+            s->flow[1] = row / (double)ovr_across_intervals(s->lines);
     }
     return count > 0 ? sum / count : 0;
 }
@@ -160,7 +161,8 @@ static lines observe_lines(ovr_simulation *sim, ovr_strip_solver *s,
 /* Standard deviation over the lines, from the sum of squares. */
 static double deviation(const ovr_strip_solver *s, double squares, double mean)
 {
-    return sqrt(fmax(squares / (double)s->lines - mean * mean, 0));
+    return sqrt(fmax(
+        squares / (double)ovr_across_intervals(s->lines) - mean * mean, 0));
 }
 
 /* Computes means over the lines, and standard deviations of the central values.
@@ -168,7 +170,7 @@ static double deviation(const ovr_strip_solver *s, double squares, double mean)
 static void set_means(const ovr_simulation *sim, const ovr_strip_solver *s,
                       const lines *all, ovr_observation *o)
 {
-    const double count = (double)s->lines;
+    const double count = (double)ovr_across_intervals(s->lines);
     for (size_t m = 0; m < MEANS; m++)
         *number(o, m) = all->sum[m] / count;
     o->film_Rq = sqrt(all->Rq / count +

@@ -25,6 +25,7 @@
 #include "simulation/conflicts.h"
 #include "simulation/mirror.h"
 #include "simulation/steady.h"
+#include "strip/across.h"
 #include "strip/kernels.h"
 
 static const double STEP_TOLERANCE = 0.5, GUESS_SHARE = 1e-3, LOOSEST = 1e-2,
@@ -73,8 +74,8 @@ static void fill_places(ovr_simulation *sim, ovr_strip_solver *s)
             s->middle = i;
     }
     for (size_t j = 0; j < s->lines; j++) {
-        s->Y[j] = -W / 2 + (double)j * g->Dy;
-        double apart = fabs(remainder(s->Y[j] - s->form->shown, W));
+        s->Y[j] = ovr_across_Y(W, g->Dy, j);
+        double apart = fabs(ovr_across_offset(W, s->Y[j] - s->form->shown));
         if (apart < best - 1e-9) {
             best = apart;
             s->shown = j;
@@ -179,7 +180,7 @@ static void heights_at(const ovr_simulation *sim, double T,
                        const ovr_strip_grid *g, size_t n, double *S)
 {
     ovr_strip_solver *s = ovr_strip_of(sim);
-    const size_t apart = s->lines / g->lines;
+    const size_t apart = ovr_across_spacing(s->lines, g->lines);
     if (sim->shapes.across) {
         /* Coarse grids have every second, fourth ... line of the finest. */
         double *Y = s->located[0];
@@ -299,7 +300,7 @@ static double mass_of(const ovr_strip_solver *s)
         for (size_t j = 0; j < s->lines; j++)
             sum += q[j];
     }
-    return sum * g->D / (double)s->lines;
+    return sum * g->D / (double)ovr_across_intervals(s->lines);
 }
 
 static void begin(ovr_simulation *sim, void *own)
