@@ -1,4 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
+#define _GNU_SOURCE /* sched_getaffinity */
 #include "base/team.h"
 
 #include <sched.h>
@@ -153,4 +154,15 @@ void ovr_team_run(ovr_team *team, size_t count, ovr_team_work *work, void *data)
     wake(team);
     do_part(team, 0);
     wait_for_members(team);
+}
+
+int ovr_processors(void)
+{
+    long all = sysconf(_SC_NPROCESSORS_ONLN);
+    cpu_set_t allowed;
+    CPU_ZERO(&allowed);
+    if (sched_getaffinity(0, sizeof allowed, &allowed) == 0 &&
+        CPU_COUNT(&allowed) > 0)
+        return CPU_COUNT(&allowed);
+    return all > 0 ? (int)all : 1; /* more than a set can hold */
 }

@@ -58,6 +58,10 @@ struct ovr_team {
     bool closing;
 };
 
+/* Returns the number of processors that this process may use, within the limits
+ * of taskset, a batch system or a container. */
+int ovr_processors(void);
+
 /* Starts members - 1 threads, or fewer if the system limits them. */
 void ovr_team_start(ovr_team *team, int members);
 

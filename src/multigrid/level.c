@@ -10,6 +10,10 @@
 #include "multigrid/hierarchy.h"
 #include "multigrid/mixed_contact.h"
 
+#define ROW(name, memory, ...) {#name, OVR_##memory, __VA_ARGS__},
+
+const ovr_field_row ovr_field_rows[OVR_FIELD_COUNT] = {OVR_LEVEL_FIELDS(ROW)};
+
 void ovr_level_properties(const ovr_hierarchy *grids, ovr_level *level)
 {
     const ovr_kernels *run = grids->kernels;

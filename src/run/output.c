@@ -10,7 +10,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "base/processors.h"
+#include "base/team.h"
 #include "case/inputs.h"
 #include "case/resolve.h"
 #include "case/setup.h"

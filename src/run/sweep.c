@@ -7,7 +7,7 @@
 
 #include "base/disk.h"
 #include "base/given.h"
-#include "base/processors.h"
+#include "base/team.h"
 #include "run/internal.h"
 #include "run/study_table.h"
 #include "run/task.h"

@@ -27,11 +27,41 @@
 #include <string.h>
 
 #include "base/given.h"
+#include "multigrid/kernels.h"
 #include "stress/element.h"
 #include "stress/layered.h"
 #include "stress/stress.h"
 
 static const double two_pi = 6.28318530717958647693;
+
+/* --------------------------------------------------- instruction sets */
+
+extern const ovr_stress_loops ovr_stress_loops_base, ovr_stress_loops_plain;
+#if defined __x86_64__ && !defined OVR_NO_AVX2
+extern const ovr_stress_loops ovr_stress_loops_avx2;
+#ifndef OVR_NO_AVX512
+extern const ovr_stress_loops ovr_stress_loops_avx512;
+#endif
+#endif
+
+const ovr_stress_loops *ovr_stress_loops_choose(const char *name)
+{
+    static const ovr_stress_loops *const all[] = {
+#if defined __x86_64__ && !defined OVR_NO_AVX2
+#ifndef OVR_NO_AVX512
+        &ovr_stress_loops_avx512,
+#endif
+        &ovr_stress_loops_avx2,
+#endif
+        &ovr_stress_loops_base,
+        &ovr_stress_loops_plain
+    };
+    const ovr_kernels *kernels = ovr_kernels_choose(name);
+    for (size_t k = 0; kernels && k < sizeof all / sizeof *all; k++)
+        if (!strcmp(all[k]->name, kernels->name))
+            return all[k];
+    return NULL;
+}
 
 /* ------------------------------------------------------------- the tables */
 

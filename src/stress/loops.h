@@ -59,8 +59,8 @@ typedef struct ovr_stress_loops {
     void (*circles)(size_t n, const float *rows, size_t pitch, float *radius);
 } ovr_stress_loops;
 
-/* Returns the loops with this name ("plain", "base", ...); NULL: the best for
- * this machine. */
+/* Returns the loops for the kernels of this name (multigrid/kernels.h), NULL:
+ * of the best ones for this machine. */
 const ovr_stress_loops *ovr_stress_loops_choose(const char *name);
 
 #endif
