@@ -75,7 +75,7 @@ typedef struct ovr_gear_form {
     double min_radius; /* external gears: minimum R_1 and R_2 there, relative to
                           the length of the line of action */
     size_t shares;     /* number of points of the table */
-    const double *way,
+    const double *distance,
         *share; /* distance from A in base pitches, and load share */
 } ovr_gear_form;
 

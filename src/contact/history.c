@@ -453,8 +453,9 @@ double ovr_surface_distance(const ovr_history *speed,
                             const ovr_history *sliding, double ratio,
                             int surface, double T)
 {
-    double way = ovr_history_integral(speed, T);
+    double distance = ovr_history_integral(speed, T);
     if (!sliding)
-        return ratio * way;
-    return way + (surface == 1 ? 0.5 : -0.5) * ovr_history_integral(sliding, T);
+        return ratio * distance;
+    return distance +
+           (surface == 1 ? 0.5 : -0.5) * ovr_history_integral(sliding, T);
 }

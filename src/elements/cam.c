@@ -255,14 +255,15 @@ static ovr_element_moment contact(const ovr_cam *cam, double angle)
         return m;
     }
     double r = f->base_radius + f->roller_radius + lift[0];
-    double way = sqrt(r * r + lift[1] * lift[1]), rho = pitch_radius(r, lift);
+    double root_q = sqrt(r * r + lift[1] * lift[1]),
+           rho = pitch_radius(r, lift);
     m.R_1 = rho - f->roller_radius;
     m.R_2 = f->roller_radius;
     m.R = f->roller_radius * m.R_1 / rho;
-    m.u1 = f->speed * way * m.R_1 / rho;
+    m.u1 = f->speed * root_q * m.R_1 / rho;
     double mean = m.u1 / (1 + f->slip / 2);
     m.u2 = mean * (1 - f->slip / 2);
-    m.load *= way / r;
+    m.load *= root_q / r;
     return m;
 }
 

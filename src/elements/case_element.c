@@ -259,7 +259,7 @@ static ovr_status torque_by_load(ovr_resolved *r, const ovr_block *block,
 /* ------------------------------------------ position of a steady solution */
 
 /* Parses a time as seconds since the beginning of the path. */
-static ovr_status time_of(const char *text, double way, double *t,
+static ovr_status time_of(const char *text, double duration, double *t,
                           ovr_error *err)
 {
     ovr_error why = {0};
@@ -270,11 +270,11 @@ static ovr_status time_of(const char *text, double way, double *t,
                         "gears, nose of cams), an angle of the cam or a "
                         "time: %s",
                         text, why.message);
-    if (!(q.value >= 0 && q.value <= way))
+    if (!(q.value >= 0 && q.value <= duration))
         return ovr_fail(err, OVR_BAD_INPUT,
                         "--at %s: must lie within the path of contact, from "
                         "0 to %.4g ms",
-                        text, 1e3 * way);
+                        text, 1e3 * duration);
     *t = q.value;
     return OVR_OK;
 }
@@ -284,14 +284,14 @@ static ovr_status position_gear(ovr_resolved *r, ovr_element_moment *m,
                                 ovr_error *err)
 {
     const ovr_gear_geometry *g = ovr_gear_of(r->element.gear);
-    const double ways[] = {g->R1_A, g->R1_B, g->R1_C, g->R1_D, g->R1_E};
+    const double points_R1[] = {g->R1_A, g->R1_B, g->R1_C, g->R1_D, g->R1_E};
     const char *at = r->c->standing;
     double t;
     r->element.stands = true;
     if (!*at)
         return OVR_OK;
     if (strchr("ABCDE", *at) && !at[1]) {
-        t = ovr_gear_time(r->element.gear, ways[*at - 'A']);
+        t = ovr_gear_time(r->element.gear, points_R1[*at - 'A']);
         t = fmin(fmax(t, g->begin), g->end);
     } else if (time_of(at, g->end - g->begin, &t, err)) {
         return OVR_BAD_INPUT;
@@ -340,11 +340,13 @@ static ovr_status resolve_gear(ovr_resolved *r, const ovr_block *block,
     ovr_status status = OVR_OK;
     fill_shifts(form);
     if (form->sharing == OVR_SHARING_TABLE) {
-        ovr_two_columns table = {
-            .name = {"way", "share"}, .maximum = 1, .of = "", .unit = {1, 1}};
+        ovr_two_columns table = {.name = {"distance", "share"},
+                                 .maximum = 1,
+                                 .of = "",
+                                 .unit = {1, 1}};
         status = read_table(r, block, e->sharing_file, &table, err);
         form->shares = table.count;
-        form->way = table.x;
+        form->distance = table.x;
         form->share = table.y;
     }
     if (!status && (!isnan(form->torque) || !isnan(e->power)))
@@ -538,12 +540,12 @@ static size_t gear_corners(const ovr_resolved *r, double *corner)
     const ovr_gear *gear = r->element.gear;
     const ovr_gear_geometry *g = ovr_gear_of(gear);
     double half = r->values.element.gear.blend / 2 * g->base_pitch;
-    const double ways[] = {g->R1_B - half, g->R1_B, g->R1_B + half,
-                           g->R1_D - half, g->R1_D, g->R1_D + half,
-                           g->R1_C};
-    size_t n = sizeof ways / sizeof *ways;
+    const double points_R1[] = {g->R1_B - half, g->R1_B, g->R1_B + half,
+                                g->R1_D - half, g->R1_D, g->R1_D + half,
+                                g->R1_C};
+    size_t n = sizeof points_R1 / sizeof *points_R1;
     for (size_t k = 0; k < n; k++)
-        corner[k] = ovr_gear_time(gear, ways[k]);
+        corner[k] = ovr_gear_time(gear, points_R1[k]);
     return n;
 }
 

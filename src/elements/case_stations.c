@@ -85,7 +85,7 @@ static void gear_stations(listing *l)
     const ovr_gear_geometry *g = ovr_gear_of(gear);
     const struct {
         const char *name;
-        double way;
+        double R1;
     } points[] = {{"A", g->R1_A},
                   {"B", g->R1_B},
                   {"C", g->R1_C},
@@ -93,7 +93,7 @@ static void gear_stations(listing *l)
                   {"E", g->R1_E}};
     l->begin = g->begin;
     for (size_t k = 0; k < sizeof points / sizeof *points; k++) {
-        double t = ovr_gear_time(gear, points[k].way);
+        double t = ovr_gear_time(gear, points[k].R1);
         /* Runs may begin later and end earlier than the path of contact. */
         bool whole = t >= g->begin && t <= g->end;
         t = fmin(fmax(t, g->begin), g->end);

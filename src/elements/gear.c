@@ -136,9 +136,9 @@ static double by_energy(const ovr_gear_form *form, const ovr_gear_geometry *g,
 
 /* -------------------------------------------------------------- springs */
 
-static double relieved(double depth, double length, double way)
+static double relieved(double depth, double length, double distance)
 {
-    return depth > 0 && length > 0 ? depth * fmax(0, 1 - way / length) : 0;
+    return depth > 0 && length > 0 ? depth * fmax(0, 1 - distance / length) : 0;
 }
 
 /* Returns the clearance of a pair at xi due to the tip reliefs of both
@@ -192,7 +192,7 @@ static double by_springs(const ovr_gear_form *form, const ovr_gear_geometry *g,
 
 static double by_table(const ovr_gear_form *form, double xi)
 {
-    const double *x = form->way;
+    const double *x = form->distance;
     size_t k = 1;
     if (xi <= x[0])
         return form->share[0];
@@ -364,7 +364,8 @@ static ovr_status check_sharing(const ovr_gear_form *f, ovr_error *err)
             return ovr_fail_about(err, "file",
                                   "point %zu: a share of %g, must be 0 to 1",
                                   k + 1, f->share[k]);
-        if (!isfinite(f->way[k]) || (k && !(f->way[k] > f->way[k - 1])))
+        if (!isfinite(f->distance[k]) ||
+            (k && !(f->distance[k] > f->distance[k - 1])))
             return ovr_fail_about(err, "file",
                                   "point %zu: positions must "
                                   "increase",
@@ -519,8 +520,8 @@ static void move(const ovr_gear_form *f, ovr_gear_geometry *g)
 static double xi_at(const ovr_gear *gear, double t)
 {
     const ovr_gear_geometry *g = &gear->g;
-    double way = t * g->base_1 * g->omega_1 / g->base_pitch;
-    return gear->form.driving == 1 ? way : g->contact_ratio - way;
+    double distance = t * g->base_1 * g->omega_1 / g->base_pitch;
+    return gear->form.driving == 1 ? distance : g->contact_ratio - distance;
 }
 
 /* True if the load and the radius of curvature of the flanks are large
@@ -602,15 +603,15 @@ static ovr_status copy_table(ovr_gear_form *form, ovr_arena *arena,
                              ovr_error *err)
 {
     size_t n = form->sharing == OVR_SHARING_TABLE ? form->shares : 0;
-    double *way = ovr_arena_take(arena, n, sizeof *way, err);
+    double *distance = ovr_arena_take(arena, n, sizeof *distance, err);
     double *share = ovr_arena_take(arena, n, sizeof *share, err);
     if (ovr_arena_status(arena))
         return OVR_NO_MEMORY;
     for (size_t k = 0; k < n; k++) {
-        way[k] = form->way[k];
+        distance[k] = form->distance[k];
         share[k] = form->share[k];
     }
-    form->way = way;
+    form->distance = distance;
     form->share = share;
     return OVR_OK;
 }
@@ -677,6 +678,6 @@ double ovr_gear_time(const ovr_gear *gear, double R1)
     if (!gear)
         return NAN;
     const ovr_gear_geometry *g = &gear->g;
-    double way = gear->form.driving == 1 ? R1 - g->R1_A : g->R1_E - R1;
-    return way / (g->base_1 * g->omega_1);
+    double distance = gear->form.driving == 1 ? R1 - g->R1_A : g->R1_E - R1;
+    return distance / (g->base_1 * g->omega_1);
 }

@@ -267,8 +267,9 @@ static void gear_moments(sketch *s)
     for (int k = 0; k <= LOOKS; k++) {
         double t = g->begin + (g->end - g->begin) * k / LOOKS;
         ovr_element_moment m = ovr_gear_at(gear, t);
-        double way = t * g->base_1 * g->omega_1;
-        double R1 = form->driving == 1 ? g->R1_A + way : g->R1_E - way;
+        double distance = t * g->base_1 * g->omega_1;
+        double R1 = form->driving == 1 ? g->R1_A + distance
+                                       : g->R1_E - distance;
         s->at[k] = 1e3 * (t - g->begin);
         ovr_gear_place(form, g, R1, &s->x[k], &s->y[k]);
         note_moment(s, k, &m);

@@ -121,9 +121,9 @@ static wheel wheel_of(const ovr_gear_form *f, const ovr_gear_geometry *g,
 void ovr_gear_place(const ovr_gear_form *form, const ovr_gear_geometry *g,
                     double R1, double *x, double *y)
 {
-    double way = R1 - g->R1_C;
-    *x = (form->driving == 1 ? way : -way) * cos(g->working_angle);
-    *y = way * sin(g->working_angle);
+    double distance = R1 - g->R1_C;
+    *x = (form->driving == 1 ? distance : -distance) * cos(g->working_angle);
+    *y = distance * sin(g->working_angle);
 }
 
 /* Appends a point of the wheel; `angle` is measured from the line of centres,

@@ -199,16 +199,13 @@ static void sample_conditions(const ovr_setup *setup,
     for (size_t k = 0; k < LOOKS; k++) {
         double t = begin + (end - begin) * (double)k / (LOOKS - 1);
         ovr_element_moment m = gear ? ovr_gear_at(gear, t) : ovr_cam_at(cam, t);
-        double way = gear ? (t - ovr_gear_time(gear, g->R1_C)) * v / c->b
-                          : (ovr_cam_of(cam)->from + v * t) * 180 / acos(-1);
-        const double values[] = {(t - begin) / c->time,
-                                 way,
-                                 m.R / c->b,
-                                 m.R_1 / c->b,
-                                 m.R_2 / c->b,
-                                 m.u1 / c->um,
-                                 m.u2 / c->um,
-                                 m.load / c->load};
+        double position = gear ? (t - ovr_gear_time(gear, g->R1_C)) * v / c->b
+                               : (ovr_cam_of(cam)->from + v * t) * 180 /
+                                     acos(-1);
+        const double values[] = {
+            (t - begin) / c->time, position,        m.R / c->b,
+            m.R_1 / c->b,          m.R_2 / c->b,    m.u1 / c->um,
+            m.u2 / c->um,          m.load / c->load};
         for (int i = 0; i <= ARRAYS; i++)
             column[i][k] = isfinite(values[i]) ? values[i] : NAN;
     }
@@ -294,13 +291,14 @@ static void review_blend(const ovr_setup *setup, ovr_listener *say, void *data)
 static void review_end(const ovr_setup *setup, ovr_listener *say, void *data)
 {
     const ovr_resolved *r = setup->resolved;
-    double way = r->element.end, end = setup->march->end;
-    if (!(way > 0) || !setup->transient || end >= way * (1 - 1e-9))
+    double end_of_contact = r->element.end, end = setup->march->end;
+    if (!(end_of_contact > 0) || !setup->transient ||
+        end >= end_of_contact * (1 - 1e-9))
         return;
     ovr_warn(say, data,
              "[time] end = %.4g: the run ends before the end of contact at "
              "%.4g (%.4g ms)",
-             end, way, 1e3 * way * setup->contact->time);
+             end, end_of_contact, 1e3 * end_of_contact * setup->contact->time);
 }
 
 /* Warns if the smallest predicted minimum film thickness is below the composite
@@ -342,11 +340,11 @@ void ovr_review_element_after(const ovr_setup *setup,
     const ovr_gear_geometry *g = ovr_gear_of(gear);
     if (!gear || !say || !blends(f, g) || !setup->transient)
         return;
-    const double way[] = {g->R1_B, g->R1_D};
+    const double R1[] = {g->R1_B, g->R1_D};
     double t = g->begin + total->when.P_max * setup->contact->time;
     double v = g->base_1 * g->omega_1, maximum = f->blend * g->base_pitch;
     for (int k = 0; k < 2; k++) {
-        double off = fabs(t - ovr_gear_time(gear, way[k])) * v;
+        double off = fabs(t - ovr_gear_time(gear, R1[k])) * v;
         if (!(off <= maximum))
             continue;
         ovr_warn(say, data,

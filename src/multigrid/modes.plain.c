@@ -100,15 +100,15 @@ void ovr_modes_integrals(double dT, const double *rate, double *fade, double *a,
 }
 
 /* Adds gain times the integral of q e^(-mu x) over the nodes before each node,
- * in direction `way`. */
+ * in direction `direction`. */
 static void integrate(size_t n, double D, const double *mu, const double *gain,
-                      int way, const double *q, double *psi)
+                      int direction, const double *q, double *psi)
 {
     double before = 0, last[OVR_MODES] = {0};
     double e[OVR_MODES], a[OVR_MODES], b[OVR_MODES];
     ovr_modes_integrals(D, mu, e, a, b);
     for (size_t j = 0; j < n; j++) {
-        size_t i = way > 0 ? j : n - 1 - j;
+        size_t i = direction > 0 ? j : n - 1 - j;
         double *here = psi + i * OVR_MODES;
         for (int m = 0; m < OVR_MODES; m++) {
             last[m] = e[m] * last[m] + a[m] * q[i] + b[m] * before;

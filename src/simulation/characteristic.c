@@ -107,20 +107,20 @@ void ovr_lagrange(double at, double weight[POINTS])
 
 /* Distance to a departure point in mesh sizes, and rounded up to whole nodes.
  */
-typedef struct way {
+typedef struct departure_offset {
     double meshes;
     size_t shift;
     bool on_node, back; /* back: the following data belong to the mirror image
                          */
-} way;
+} departure_offset;
 
-static way way_of(const ovr_simulation *sim, double a)
+static departure_offset offset_of(const ovr_simulation *sim, double a)
 {
     double meshes = fabs(a) / ovr_mesh(sim), whole = nearbyint(meshes);
     bool on_node = fabs(meshes - whole) < 1e-9;
     if (!on_node)
         whole = ceil(meshes);
-    return (way){meshes, (size_t)whole, on_node, a < 0};
+    return (departure_offset){meshes, (size_t)whole, on_node, a < 0};
 }
 
 static void add(size_t n, double c, const double *restrict x,
@@ -131,8 +131,8 @@ static void add(size_t n, double c, const double *restrict x,
 }
 
 /* F_i += c q(X_i - a), for q stored after the ghost nodes in `extended` */
-static void add_at_departures(const ovr_simulation *sim, const way *to,
-                              double c, double *F)
+static void add_at_departures(const ovr_simulation *sim,
+                              const departure_offset *to, double c, double *F)
 {
     const double *q = sim->inflow.extended;
     double weight[POINTS];
@@ -168,7 +168,7 @@ static void add_departure(ovr_simulation *sim, int past, double c, double a,
 {
     double *q = sim->inflow.extended;
     size_t n = sim->now.n;
-    const way to = way_of(sim, a);
+    const departure_offset to = offset_of(sim, a);
     ghost_film(sim, past, to.shift + (to.on_node ? 0 : BEFORE), to.back);
     if (to.back)
         ovr_mirror(n, sim->past.q[past], q + OVR_GHOSTS);
@@ -181,7 +181,7 @@ size_t ovr_inflow_departure(const ovr_simulation *sim, const double *q,
                             double c, double a, double *F)
 {
     double *extended = sim->inflow.extended;
-    const way to = way_of(sim, a);
+    const departure_offset to = offset_of(sim, a);
     memset(extended, 0, OVR_GHOSTS * sizeof *extended);
     memcpy(extended + OVR_GHOSTS, q, sim->now.n * sizeof *q);
     add_at_departures(sim, &to, c, F);

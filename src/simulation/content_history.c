@@ -24,16 +24,17 @@ bool ovr_conserves(const ovr_simulation *sim)
     return sim->options.cavitation == OVR_CAVITATION_CONSERVING;
 }
 
-/* Time at which material that is `way` upstream of the inlet at T reaches the
- * inlet; if the surfaces do not move, some later time. */
-static double time_of_arrival(const ovr_simulation *sim, double T, double way)
+/* Time at which material that is `distance` upstream of the inlet at T reaches
+ * the inlet; if the surfaces do not move, some later time. */
+static double time_of_arrival(const ovr_simulation *sim, double T,
+                              double distance)
 {
     enum { DOUBLINGS = 10, HALVINGS = 50 };
-    double to = ovr_history_integral(sim->histories.speed, T) + way;
-    double low = T, high = T + way,
+    double to = ovr_history_integral(sim->histories.speed, T) + distance;
+    double low = T, high = T + distance,
            Cu = ovr_history_value(sim->histories.speed, T);
     if (!ovr_history_varies(sim->histories.speed))
-        return T + way / Cu;
+        return T + distance / Cu;
     for (int k = 0; k < DOUBLINGS; k++)
         if (ovr_history_integral(sim->histories.speed, high) < to)
             high = T + 2 * (high - T);
@@ -57,8 +58,9 @@ void ovr_arrival_ghosts(const ovr_simulation *sim, double T, size_t ghosts,
 {
     const ovr_arrival *a = &sim->arrival;
     for (size_t g = 0; g < ghosts; g++) {
-        double way = (double)(g + 1) * ovr_mesh(sim);
-        last[-(ptrdiff_t)g] = a->supply(a->data, time_of_arrival(sim, T, way));
+        double distance = (double)(g + 1) * ovr_mesh(sim);
+        last[-(ptrdiff_t)g] = a->supply(a->data,
+                                        time_of_arrival(sim, T, distance));
     }
 }
 

@@ -265,16 +265,16 @@ static bool stepped(settling *s)
     static const struct {
         int sweeps, maximum;
         double limit, correction;
-    } ways[] = {{1, 15, 0.2, 1}, {2, 40, 0.05, 1}, {2, 40, 0.05, 0.5}};
+    } methods[] = {{1, 15, 0.2, 1}, {2, 40, 0.05, 1}, {2, 40, 0.05, 0.5}};
     for (int k = 0; k < 3; k++) {
         ovr_cycling c = s->how->cycling;
-        c.sweeps_before = c.sweeps_after = ways[k].sweeps;
-        c.smoothing.limit = ways[k].limit;
-        c.correction = ways[k].correction;
+        c.sweeps_before = c.sweeps_after = methods[k].sweeps;
+        c.smoothing.limit = methods[k].limit;
+        c.correction = methods[k].correction;
         restore(s);
         set_gap(s, s->t + s->dt);
         set_grown(s, s->dt);
-        if (relaxed(s, &c, ways[k].maximum))
+        if (relaxed(s, &c, methods[k].maximum))
             return true;
     }
     return stepped_by_newton(s);

@@ -209,9 +209,9 @@ static unsigned levels_due(ovr_material_history *p, double dU)
     unsigned due = 0;
     for (int c = 0; c < OVR_STRESS_LEVELS; c++) {
         double limit = p->grid[c].top / samples_of_depth * (1 + 1e-9);
-        p->numbers.way[c] += dU;
-        if (p->grid[c].top > 0 && p->numbers.way[c] + dU > limit) {
-            p->numbers.way[c] = 0;
+        p->numbers.distance[c] += dU;
+        if (p->grid[c].top > 0 && p->numbers.distance[c] + dU > limit) {
+            p->numbers.distance[c] = 0;
             due |= 1u << c;
         }
     }

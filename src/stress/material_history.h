@@ -39,8 +39,8 @@ typedef struct ovr_material_grid {
 
 /* Numbers of the state. */
 typedef struct ovr_material_history_numbers {
-    double way[OVR_STRESS_LEVELS]; /* distance moved since the last time of the
-                                    * level */
+    double distance[OVR_STRESS_LEVELS]; /* distance moved since the last time of
+                                         * the level */
     double widest;
     ovr_stress_extreme shear, von_mises; /* of squares */
 } ovr_material_history_numbers;

@@ -169,11 +169,11 @@ static void weigh(const ovr_strip_march *march, double a[3])
     a[2] = r * r / (1 + r) / t1;
 }
 
-/* Right-hand side as a combination of past rows, shifted by `way` mesh sizes,
- * with the weights a. */
+/* Right-hand side as a combination of past rows, shifted by `distance` mesh
+ * sizes, with the weights a. */
 typedef struct side {
     const ovr_strip_march *march;
-    double way[2], a[3];
+    double distance[2], a[3];
 } side;
 
 static void fill_side(void *data, int member, size_t from, size_t to)
@@ -188,8 +188,8 @@ static void fill_side(void *data, int member, size_t from, size_t to)
     for (size_t i = from ? from : 1; i < to && i + 1 < g->n; i++) {
         rows sum = {0};
         for (int k = 0; k < 2; k++)
-            add_shifted(&sum, g, march->q[k], first, n, (ptrdiff_t)i, s->way[k],
-                        s->a[k + 1]);
+            add_shifted(&sum, g, march->q[k], first, n, (ptrdiff_t)i,
+                        s->distance[k], s->a[k + 1]);
         march->strip->run->blend(g->lines, sum.count, sum.weight, sum.from,
                                  level->f.F + ovr_strip_row(g, i));
     }
@@ -199,15 +199,15 @@ static void make_side(const ovr_strip_march *march)
 {
     const ovr_strip_grid *g = &finest_of(march)->grid;
     double moved = march->characteristic ? 1 / g->D : 0;
-    double way[2] = {march->next - march->T[0], march->next - march->T[1]};
+    double distance[2] = {march->next - march->T[0], march->next - march->T[1]};
     side s = {.march = march};
     if (!(march->T[0] > march->T[1]))
-        way[1] = 2 * way[0];
+        distance[1] = 2 * distance[0];
     for (size_t k = 0; k < 2; k++)
         if (!isnan(march->travel[k]))
-            way[k] = march->travel[k];
+            distance[k] = march->travel[k];
     for (size_t k = 0; k < 2; k++)
-        s.way[k] = way[k] * moved;
+        s.distance[k] = distance[k] * moved;
     weigh(march, s.a);
     ovr_strip_share(march->strip, g, g->n, fill_side, &s);
     if (march->characteristic)
@@ -238,14 +238,14 @@ static void fill_guess(void *data, int member, size_t from, size_t to)
     const formula *f = ((const guess *)data)->formula;
     double *P = ((const guess *)data)->P;
     const ovr_strip_grid *g = &finest_of(march)->grid;
-    double way = march->carried * (march->next - march->T[0]) / g->D;
+    double distance = march->carried * (march->next - march->T[0]) / g->D;
     (void)member;
     for (size_t i = from ? from : 1; i < to && i + 1 < g->n; i++) {
         rows sum = {0};
         for (size_t t = 0; t < f->count; t++)
             add_shifted(&sum, g, march->P[f->term[t].ago], 0, g->n,
                         (ptrdiff_t)i,
-                        f->term[t].shifts ? f->term[t].shifts * way : 0,
+                        f->term[t].shifts ? f->term[t].shifts * distance : 0,
                         f->term[t].weight);
         size_t row = ovr_strip_row(g, i);
         march->strip->run->blend(g->lines, sum.count, sum.weight, sum.from,

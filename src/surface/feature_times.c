@@ -61,20 +61,21 @@ static double reversing_time_of(const ovr_surfaces *surfaces,
 
 /* Returns T in [after, until] with I(T) = way; I never decreases. */
 static double time_of(const ovr_surfaces *surfaces, const ovr_feature *f,
-                      double way, double after, double until)
+                      double distance, double after, double until)
 {
     const ovr_history *speed = surfaces->speed;
     double low = after, high = until;
     if (may_reverse(surfaces))
-        return reversing_time_of(surfaces, f, f->ratio * way, after, until);
+        return reversing_time_of(surfaces, f, f->ratio * distance, after,
+                                 until);
     if (!speed)
-        return way > after && way <= until ? way : INFINITY;
-    if (!(ovr_history_integral(speed, low) < way) ||
-        ovr_history_integral(speed, high) < way)
+        return distance > after && distance <= until ? distance : INFINITY;
+    if (!(ovr_history_integral(speed, low) < distance) ||
+        ovr_history_integral(speed, high) < distance)
         return INFINITY;
     for (int k = 0; k < 200 && high - low > 1e-15 * high; k++) {
         double middle = low + 0.5 * (high - low);
-        if (ovr_history_integral(speed, middle) < way)
+        if (ovr_history_integral(speed, middle) < distance)
             low = middle;
         else
             high = middle;
@@ -86,14 +87,14 @@ static double time_of(const ovr_surfaces *surfaces, const ovr_feature *f,
 static double time_at(const ovr_surfaces *surfaces, const ovr_feature *f,
                       double offset, double X, double until)
 {
-    double far = X - f->start - offset, way = far / f->ratio;
+    double far = X - f->start - offset, distance = far / f->ratio;
     if (may_reverse(surfaces) && !isnan(far))
         return (f->back ? far >= 0 : far <= 0)
                    ? 0
                    : reversing_time_of(surfaces, f, far, 0, until);
-    if (f->ratio == 0 || isnan(way))
+    if (f->ratio == 0 || isnan(distance))
         return INFINITY;
-    return way <= 0 ? 0 : time_of(surfaces, f, way, 0, until);
+    return distance <= 0 ? 0 : time_of(surfaces, f, distance, 0, until);
 }
 
 ovr_feature_times ovr_surfaces_times(const ovr_surfaces *surfaces,
@@ -144,23 +145,23 @@ double ovr_surfaces_arrival(const ovr_surfaces *surfaces, size_t feature,
     if (!surfaces)
         return NAN;
     const ovr_feature *f = ovr_surfaces_feature(surfaces, feature);
-    double way, apart, k, gone;
+    double distance, apart, k, gone;
     bool both;
     if (!f || f->ratio == 0)
         return INFINITY;
     if (ovr_history_reverses(surfaces->speed))
         return reversing_arrival(surfaces, f, X, after, until);
-    way = (X - f->start) / f->ratio;
+    distance = (X - f->start) / f->ratio;
     both = ovr_is_endless(f) && f->wavelength > 0;
     apart = (both ? f->wavelength : f->repeat) / fabs(f->ratio);
     gone = ovr_feature_moved(surfaces, f, after) / f->ratio;
     if (apart > 0) { /* the first copy that has not passed yet */
-        k = floor((gone - way) / apart + 1e-9) + 1;
+        k = floor((gone - distance) / apart + 1e-9) + 1;
         if (!both && k < 0)
             k = 0;
         if (f->copies && k > (double)(f->copies - 1))
             return INFINITY;
-        way += k * apart;
+        distance += k * apart;
     }
-    return time_of(surfaces, f, way, after, until);
+    return time_of(surfaces, f, distance, after, until);
 }

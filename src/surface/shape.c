@@ -310,9 +310,9 @@ int ovr_shape_takes(int shape, char *text, size_t capacity)
         return 0;
     const struct rule *rule = &rules[shape];
     unsigned allowed = rule->allowed, edge = EDGES;
-    unsigned ways = WIDTHS &
-                    ~(unsigned)(shape == OVR_INDENT ? SET(width)
-                                                    : SET(width) | RIM);
+    unsigned widths = WIDTHS &
+                      ~(unsigned)(shape == OVR_INDENT ? SET(width)
+                                                      : SET(width) | RIM);
     char tall[40], sizes_of[80], flank[40], needed[160], may[160];
     names_of(rule->tall, " or ", tall, sizeof tall);
     names_of(rule->needed, ", ", sizes_of, sizeof sizes_of);
@@ -329,7 +329,7 @@ int ovr_shape_takes(int shape, char *text, size_t capacity)
     return used + snprintf(left ? text + used : NULL, left,
                            ".  Instead of width: %s; at half its depth it is "
                            "%.3g of its width",
-                           names_of(ways, " or ", sizes_of, sizeof sizes_of),
+                           names_of(widths, " or ", sizes_of, sizeof sizes_of),
                            rule->half);
 }
 
@@ -345,13 +345,13 @@ static const char *first_of(unsigned set)
 static ovr_status check_width(const ovr_feature_form *form, unsigned given,
                               ovr_error *err)
 {
-    unsigned ways = given & WIDTHS;
+    unsigned widths = given & WIDTHS;
     char text[160];
-    if (!(ways & (ways - 1)))
+    if (!(widths & (widths - 1)))
         return OVR_OK;
-    return ovr_fail_about(err, first_of(ways & ~SET(width)),
+    return ovr_fail_about(err, first_of(widths & ~SET(width)),
                           "feature '%s': set only one of %s", form->name,
-                          names_of(ways, " or ", text, sizeof text));
+                          names_of(widths, " or ", text, sizeof text));
 }
 
 static ovr_status check_complete(const ovr_feature_form *form, unsigned given,

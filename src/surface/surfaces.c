@@ -29,7 +29,7 @@
 
 /* Finds where the centre is at T = 0 when the feature's reference point
  * (start), its centre, its leading edge or its arrival at X = 0 was given. */
-static double centre_at_start(double way, const ovr_feature_form *form,
+static double centre_at_start(double distance, const ovr_feature_form *form,
                               const ovr_feature *f)
 {
     bool tabulated = f->table || f->areal;
@@ -38,7 +38,7 @@ static double centre_at_start(double way, const ovr_feature_form *form,
     if (!isnan(form->edge))
         return form->edge - f->ahead;
     if (!isnan(form->arrival))
-        return -way;
+        return -distance;
     return tabulated ? form->start - f->ahead : form->start;
 }
 
@@ -80,10 +80,10 @@ static const char *place_of(const ovr_feature_form *form)
 }
 
 /* Sets the position at T = 0 from start, centre, edge, arrival or origin;
- * without any of them the feature starts at the end of the film. `way`:
+ * without any of them the feature starts at the end of the film. `distance`:
  * distance that it moves until its arrival. The shape must be set. */
 static ovr_status feature_place(ovr_feature *f, const ovr_feature_form *form,
-                                double way, double inlet, double outlet,
+                                double distance, double inlet, double outlet,
                                 ovr_error *err)
 {
     int given = !isnan(form->start) + !isnan(form->centre) +
@@ -109,7 +109,7 @@ static ovr_status feature_place(ovr_feature *f, const ovr_feature_form *form,
                               "%d does not move; set start instead of arrival",
                               f->name, f->surface);
     } else {
-        f->start = centre_at_start(way, form, f);
+        f->start = centre_at_start(distance, form, f);
     }
     if (!isfinite(f->start))
         return ovr_fail_about(err, place_of(form),

@@ -242,7 +242,8 @@ void ovr_heat_march_begin(ovr_simulation *sim)
     for (int k = 0; k < 2; k++) {
         double u = h->u1 - k * h->V;
         h->speed[k] = ovr_solid_march_speed(&h->numbers, k, u);
-        h->way[k] = u < 0 || (!(u > 0) && sim->histories.backward) ? -1 : 1;
+        h->direction[k] = u < 0 || (!(u > 0) && sim->histories.backward) ? -1
+                                                                         : 1;
         ovr_memory_fit(D / h->speed[k],
                        fmax(h->longest[k], length / h->speed[k]),
                        &h->memory[k]);
@@ -251,12 +252,12 @@ void ovr_heat_march_begin(ovr_simulation *sim)
 
 static bool opposed(const ovr_heated *h)
 {
-    return h->way[0] != h->way[1];
+    return h->direction[0] != h->direction[1];
 }
 
 /* State of a march, passed from node to node. */
 typedef struct march {
-    int way; /* along x, or against it */
+    int direction; /* along x, or against it */
     double psi[2][OVR_MAX_MODES], q[2];
 } march;
 
@@ -267,7 +268,7 @@ static void solve_node(ovr_simulation *sim, size_t i, march *m)
     ovr_heated *h = sim->heated;
     ovr_heat_surface *s = h->steps->surface;
     for (int k = 0; k < 2; k++)
-        if (h->way[k] == m->way)
+        if (h->direction[k] == m->direction)
             s[k].past[i] = ovr_memory_past(&h->memory[k], m->psi[k], m->q[k]) +
                            s[k].along[i];
     ovr_column_heat(&h->film, i);
@@ -275,7 +276,7 @@ static void solve_node(ovr_simulation *sim, size_t i, march *m)
         h->T[j][i] = ovr_heat_bounded(h, h->T[j][i]);
     for (int k = 0; k < 2; k++) {
         double q = h->q[k][i];
-        if (h->way[k] != m->way)
+        if (h->direction[k] != m->direction)
             continue;
         ovr_memory_step(&h->memory[k], m->q[k], q, m->psi[k]);
         ovr_heat_steps_keep(sim, k, i, m->psi[k]);
@@ -284,10 +285,10 @@ static void solve_node(ovr_simulation *sim, size_t i, march *m)
 }
 
 /* Solves all nodes except one, starting at node i, along x or against it. */
-static void march_from(ovr_simulation *sim, size_t i, int way)
+static void march_from(ovr_simulation *sim, size_t i, int direction)
 {
-    march m = {.way = way};
-    for (size_t k = 1; k < sim->now.n; k++, i += (size_t)way)
+    march m = {.direction = direction};
+    for (size_t k = 1; k < sim->now.n; k++, i += (size_t)direction)
         solve_node(sim, i, &m);
 }
 
@@ -298,7 +299,7 @@ void ovr_heat_march_columns(ovr_simulation *sim)
     c->P_T = NULL;
     c->min_u = opposed(h) ? MIN_SPEED_OPPOSED : MIN_SPEED;
     c->both_ways = opposed(h);
-    c->back = !opposed(h) && h->way[0] < 0;
+    c->back = !opposed(h) && h->direction[0] < 0;
     c->mean = h->mean;
     for (int j = 0; j < h->cross_film.n; j++)
         c->departure[j] = c->T[j] = h->T[j];

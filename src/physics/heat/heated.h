@@ -54,7 +54,7 @@ typedef struct ovr_heated {
     ovr_cross_film cross_film;
     ovr_memory memory[2];
     double speed[2];                  /* |u_k|/um used in the march */
-    int way[2];                       /* along x: 1; against it: -1 */
+    int direction[2];                 /* along x: 1; against it: -1 */
     double longest[2];                /* maximum time of a surface's memory */
     double *T[OVR_CROSS_FILM_MAX];    /* temperature rises at the nodes, by
                                        * points */

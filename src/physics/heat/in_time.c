@@ -112,17 +112,19 @@ void ovr_heat_step(ovr_simulation *sim, void *own, double dT)
     ovr_heated *h = own;
     ovr_heat_steps *s = h->steps;
     double D = ovr_mesh(sim), T = sim->past.T[0];
-    double way = ovr_history_integral(sim->histories.speed, T + dT) -
-                 ovr_history_integral(sim->histories.speed, T);
+    double distance = ovr_history_integral(sim->histories.speed, T + dT) -
+                      ovr_history_integral(sim->histories.speed, T);
     double slip = sim->histories.sliding
                       ? ovr_history_integral(sim->histories.sliding, T + dT) -
                             ovr_history_integral(sim->histories.sliding, T)
-                      : way * (sim->contact.u1_ratio - sim->contact.u2_ratio);
+                      : distance *
+                            (sim->contact.u1_ratio - sim->contact.u2_ratio);
     withdraw(sim);
     s->dT = dT;
     ovr_heat_speeds(sim, T + dT);
     for (int k = 0; k < 2; k++) {
-        ovr_heat_surface_step(sim, k, dT, (way + (k ? -slip : slip) / 2) / D);
+        ovr_heat_surface_step(sim, k, dT,
+                              (distance + (k ? -slip : slip) / 2) / D);
         ovr_heat_surface_predict(sim, k, h->q[k]);
     }
     ovr_nodes_read(sim, sim->finest, sim->finest->f.F, s->F);

@@ -124,7 +124,7 @@ static void smooth(const ovr_simulation *sim, double *s)
 static void find_slopes(ovr_simulation *sim)
 {
     const double little = 0.02, dP = 1e-4,
-                 way = sim->histories.mirrored ? -1 : 1;
+                 direction = sim->histories.mirrored ? -1 : 1;
     const double lowest = ovr_conserves(sim) ? LOW : 0;
     const double *q = sim->now.q;
     ovr_heated *h = sim->heated;
@@ -146,8 +146,8 @@ static void find_slopes(ovr_simulation *sim)
     for (size_t i = 0; i < n; i++) {
         double rise = next.skewed[i] - h->skewed[i];
         if (sim->now.P[i] > lowest && fabs(h->skewed[i]) > little * q[i])
-            h->skew_by_P[i] = way * h->skew_share *
-                              ovr_larger(0, way * rise / (q[i] * dP));
+            h->skew_by_P[i] = direction * h->skew_share *
+                              ovr_larger(0, direction * rise / (q[i] * dP));
     }
     ovr_work_give(sim, log_eta);
     ovr_work_give(sim, P);

@@ -270,7 +270,7 @@ static void set_along(ovr_simulation *sim, int k, const double *past)
                   sqrt(march->dT) * (1 + march->more[0]));
     size_t n = sim->now.n;
     for (size_t j = 0; j < n; j++) {
-        size_t i = h->way[k] > 0 ? j : n - 1 - j;
+        size_t i = h->direction[k] > 0 ? j : n - 1 - j;
         s->along[i] = past[i] + own * q[i] -
                       ovr_memory_past(march, psi, before);
         ovr_memory_step(march, before, q[i], psi);
@@ -286,8 +286,9 @@ void ovr_heat_surface_steady(ovr_simulation *sim, int k)
     longer(sim, s, h->q[k], s->workspace[0]);
     for (int b = 0; b < banks_of(sim, k); b++)
         ovr_modes_steady(sim->now.n + 2 * s->beyond, D, h->numbers.diffusion[k],
-                         h->way[k] * fabs(u), h->memory[k].rate + b * OVR_MODES,
-                         s->workspace[0], s->psi[b]);
+                         h->direction[k] * fabs(u),
+                         h->memory[k].rate + b * OVR_MODES, s->workspace[0],
+                         s->psi[b]);
     ovr_heat_surface_step(sim, k, D, u);
     set_along(sim, k, sum_past(sim, s, h->q[k]));
 }

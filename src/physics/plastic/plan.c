@@ -114,8 +114,9 @@ double ovr_plastic_seconds(const void *form)
         if (!(how->surfaces >> k & 1) ||
             ovr_plastic_planned(setup, k, &plan, NULL))
             continue;
-        double way = (double)plan.points * plan.mesh + 2 * OVR_PLASTIC_REACH;
-        double steps = fmin(way, setup->march->end) / dT;
+        double distance = (double)plan.points * plan.mesh +
+                          2 * OVR_PLASTIC_REACH;
+        double steps = fmin(distance, setup->march->end) / dT;
         double once = iteration_seconds(&plan);
         all += tables * once + steps * fields * (double)plan.layers / 24 +
                steps * flowing * fmin(how->iterations, 4) * once;

@@ -59,10 +59,10 @@ double ovr_plastic_deepest(const ovr_yielding_body *b)
 
 double ovr_plastic_shoulder(const ovr_yielding_body *b, int side, bool yielded)
 {
-    double maximum = -INFINITY, way = b->plan.direction < 0 ? -1 : 1;
+    double maximum = -INFINITY, direction = b->plan.direction < 0 ? -1 : 1;
     for (size_t i = 0; i < b->points; i++) {
         double xi = b->first + (double)i * b->mesh;
-        if (xi * way * side >= 0)
+        if (xi * direction * side >= 0)
             maximum = larger(maximum,
                              b->shape[i] - (yielded ? b->shown[i] : 0));
     }

@@ -89,7 +89,7 @@ static double stress_fastest(const ovr_setup *setup)
 }
 
 /* Largest distance moved by the film or a surface. */
-static double widest_way(const ovr_setup *setup, double before, double T)
+static double largest_distance(const ovr_setup *setup, double before, double T)
 {
     double film = ovr_history_integral(setup->speed, T) -
                   ovr_history_integral(setup->speed, before);
@@ -122,10 +122,10 @@ static double stress_struck(const ovr_setup *setup, const ovr_stress_plan *plan,
     double speed = ovr_surfaces_info(setup->surfaces, feature).speed;
     double centre = ovr_surfaces_centre(setup->surfaces, feature, 0);
     double end = ovr_history_integral(setup->speed, setup->march->end);
-    double way = speed != 0 ? fmax(-centre / speed, 0) : end / 2;
+    double distance = speed != 0 ? fmax(-centre / speed, 0) : end / 2;
     if (stress_wanders(setup))
         return struck_in_sliding(setup, plan, feature);
-    return -plan->ratio * way;
+    return -plan->ratio * distance;
 }
 
 /* True if a feature is between 1 b upstream of the contact and its exit. */
@@ -151,7 +151,7 @@ ovr_moment ovr_stress_moment(const ovr_setup *setup,
 {
     return (ovr_moment){.T = T,
                         .U = ovr_stress_distance(setup, plan, T),
-                        .dU = widest_way(setup, before, T),
+                        .dU = largest_distance(setup, before, T),
                         .direction = direction_at(setup, plan, T),
                         .disturbed = disturbed(setup, T)};
 }
@@ -160,7 +160,8 @@ ovr_moment ovr_stress_moment(const ovr_setup *setup,
 
 /* Minimum depth: in distances moved between two times (smaller depths are
  * partly missed), in mesh sizes, and in mesh sizes for the life. */
-static const double WAY_OF_DEPTH = 4, MESHES_OF_DEPTH = 4, MESHES_OF_LIFE = 8;
+static const double DISTANCE_OF_DEPTH = 4, MESHES_OF_DEPTH = 4,
+                    MESHES_OF_LIFE = 8;
 
 static size_t features_of(const ovr_setup *setup)
 {
@@ -219,20 +220,22 @@ static ovr_status refuse(const ovr_setup *setup, const char *key, double depth,
                          const ovr_stress_plan *plan, ovr_error *err)
 {
     double dT = ovr_setup_step(setup);
-    double way = plan->coarsest, share = depth / WAY_OF_DEPTH / way;
+    double distance = plan->coarsest,
+           share = depth / DISTANCE_OF_DEPTH / distance;
     double target = floor(share * plan->every + 1e-9);
     if (target >= 1)
         return ovr_fail_about(
             err, key,
             "%s = %g: the stored times are %g b of travel apart and resolve "
             "depths from %.3g only; set every = %.0f",
-            key, depth, way, WAY_OF_DEPTH * way, target);
+            key, depth, distance, DISTANCE_OF_DEPTH * distance, target);
     return ovr_fail_about(
         err, "step",
         "step: %.3g b/u_m is %.3g b of travel, which resolves depths from "
         "%.3g b only, but %s.%s = %g; use a step of %.3g",
-        dT, way, WAY_OF_DEPTH * way, *key == 'l' ? "fatigue" : "stress", key,
-        depth, round_down(share * dT * plan->every));
+        dT, distance, DISTANCE_OF_DEPTH * distance,
+        *key == 'l' ? "fatigue" : "stress", key, depth,
+        round_down(share * dT * plan->every));
 }
 
 /* Minimum depth to which exponents and limits of the body apply: just below its
@@ -279,7 +282,8 @@ static ovr_status find_depths(const ovr_setup *setup, ovr_stress_plan *plan,
                               ovr_error *err)
 {
     const ovr_stress_setup *s = ovr_setup_stress(setup);
-    double D = plan->options.mesh, possible = WAY_OF_DEPTH * plan->coarsest;
+    double D = plan->options.mesh,
+           possible = DISTANCE_OF_DEPTH * plan->coarsest;
     double allowed = possible * (1 - 1e-6);
     plan->options.depth_min = s->depth_min;
     if (s->depth_max < allowed)

@@ -136,15 +136,15 @@ static ovr_status make_depth(pass *p, double z, ovr_arena *arena,
 {
     ovr_stress_options o = p->plan->options;
     const ovr_material_range *range = &p->plan->range;
-    double shortest = INFINITY, way[2] = {0, 0};
+    double shortest = INFINITY, distance[2] = {0, 0};
     o.depth_min = o.depth_max = z;
     p->stress = ovr_stress_create(&o, &arena->allocator, err);
     if (!p->stress)
         return OVR_NO_MEMORY;
     ovr_stress_row row = ovr_stress_at(p->stress, 0);
     for (size_t k = 1; k < p->snapshots; k++) {
-        way[k & 1] = ovr_stress_distance(p->setup, p->plan, p->T[k]);
-        shortest = fmin(shortest, fmax(fabs(way[1] - way[0]), 1e-9));
+        distance[k & 1] = ovr_stress_distance(p->setup, p->plan, p->T[k]);
+        shortest = fmin(shortest, fmax(fabs(distance[1] - distance[0]), 1e-9));
     }
     if (p->plan->direction == 0)
         shortest = 1e-9; /* points may stay, or return */

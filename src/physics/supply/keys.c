@@ -135,10 +135,11 @@ double ovr_supply_arriving(const ovr_supply_case *s, double T)
     double Cu = fmax(ovr_history_value(s->speed, T), minimum), both = 0;
     for (int k = 0; k < 2; k++) {
         const ovr_layer *layer = s->layer[k];
-        double way = layer ? ovr_surface_distance(s->speed, s->sliding,
-                                                  ratio[k], k + 1, T)
-                           : 0;
-        double h = layer ? ovr_layer_thickness(layer, way) : s->thickness[k];
+        double distance = layer ? ovr_surface_distance(s->speed, s->sliding,
+                                                       ratio[k], k + 1, T)
+                                : 0;
+        double h = layer ? ovr_layer_thickness(layer, distance)
+                         : s->thickness[k];
         double u = s->sliding ? ovr_surface_speed(s->speed, s->sliding,
                                                   ratio[k], k + 1, T) /
                                     Cu

@@ -45,8 +45,8 @@ void ovr_simulation_supply(ovr_simulation *sim, ovr_supply *supply, void *data,
 static double time_of_entry(const ovr_simulation *sim, double T)
 {
     enum { HALVINGS = 60 };
-    double way = sim->now.weights[0];
-    double from = ovr_history_integral(sim->histories.speed, T) - way;
+    double distance = sim->now.weights[0];
+    double from = ovr_history_integral(sim->histories.speed, T) - distance;
     double low = 0, high = T;
     if (from <= 0)
         return 0;
