@@ -166,14 +166,14 @@ static ovr_status roughness_there(const ovr_drawing *drawing, double *S,
                                   ovr_error *err)
 {
     const ovr_stored *run = drawing->runs;
-    ovr_shot shot;
-    ovr_status status = ovr_shot_make(&shot, run, drawing->arena, err);
+    ovr_snapshot snapshot;
+    ovr_status status = ovr_snapshot_make(&snapshot, run, drawing->arena, err);
     /* Reads only the roughness. */
-    shot = (ovr_shot){.run = run, .S = shot.S};
+    snapshot = (ovr_snapshot){.run = run, .S = snapshot.S};
     for (size_t k = 0; status == OVR_OK && k < run->info->snapshots; k++) {
-        status = ovr_shot_read(&shot, k, err);
+        status = ovr_snapshot_read(&snapshot, k, err);
         if (status == OVR_OK)
-            S[k] = at_centre(run, shot.S);
+            S[k] = at_centre(run, snapshot.S);
     }
     return status;
 }

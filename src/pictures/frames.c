@@ -176,7 +176,7 @@ typedef struct studio {
     ovr_picture_options each; /* data of own.look */
     ovr_arena *arena;
     ovr_stored *runs;
-    ovr_shot *shots;
+    ovr_snapshot *snapshots;
     size_t count;       /* number of results */
     size_t *which, n;   /* snapshots of the first result to be drawn */
     const char *folder; /* folder of the frames, or a temporary one */
@@ -219,10 +219,10 @@ static ovr_status choose_frames(studio *s, ovr_error *err)
 static ovr_status read_frame(studio *s, size_t i, ovr_error *err)
 {
     double T = s->runs->times[s->which[i]];
-    ovr_status status = ovr_shot_read(&s->shots[0], s->which[i], err);
+    ovr_status status = ovr_snapshot_read(&s->snapshots[0], s->which[i], err);
     for (size_t j = 1; status == OVR_OK && j < s->count; j++)
-        status = ovr_shot_read(&s->shots[j], ovr_stored_nearest(&s->runs[j], T),
-                               err);
+        status = ovr_snapshot_read(&s->snapshots[j],
+                                   ovr_stored_nearest(&s->runs[j], T), err);
     return status;
 }
 
@@ -277,7 +277,7 @@ static ovr_status find_ranges(studio *s, ovr_error *err)
     for (size_t i = 0; status == OVR_OK && i < s->n; i++) {
         status = read_frame(s, i, err);
         for (size_t j = 0; status == OVR_OK && j < s->count; j++)
-            ovr_extent_add(&extent, &s->shots[j]);
+            ovr_extent_add(&extent, &s->snapshots[j]);
     }
     if (status == OVR_OK)
         status = ovr_snapshot_style_make(&s->look, look, &extent, s->runs,
@@ -413,11 +413,11 @@ static ovr_status draw_areal(studio *s, size_t i, const ovr_chart **chart,
     return ovr_areal_view_draw(s->areal, s->which[i], &s->areal_chart, err);
 }
 
-static ovr_status draw_shot(studio *s, ovr_arena *once, ovr_error *err)
+static ovr_status draw_snapshot(studio *s, ovr_arena *once, ovr_error *err)
 {
-    ovr_snapshot_draw(s->chart, &s->look, s->shots, 1, s->count, NULL);
+    ovr_snapshot_draw(s->chart, &s->look, s->snapshots, 1, s->count, NULL);
     s->chart->chart.kind = s->below ? "stress" : "snapshot";
-    return s->below ? ovr_stress_panel_add(&s->field, s->shots, &s->look,
+    return s->below ? ovr_stress_panel_add(&s->field, s->snapshots, &s->look,
                                            s->chart, once, err)
                     : OVR_OK;
 }
@@ -435,7 +435,7 @@ static ovr_status request_frame(studio *s, size_t i, ovr_error *err)
     if (s->areal)
         status = draw_areal(s, i, &chart, err);
     else
-        status = draw_shot(s, &once, err);
+        status = draw_snapshot(s, &once, err);
     s->script.length = 0;
     if (status == OVR_OK)
         ovr_chart_script(chart, &s->template, s->form, &s->script);
@@ -537,9 +537,9 @@ static ovr_status check_form(studio *s, ovr_error *err)
                         "frames need a folder or the name of a movie");
     if (s->o->movie && s->form != OVR_FORM_PNG)
         return ovr_fail(err, OVR_BAD_INPUT, "a movie is made of png frames");
-    if (s->count > OVR_SHOTS)
+    if (s->count > OVR_SNAPSHOTS)
         return ovr_fail(err, OVR_BAD_INPUT,
-                        "at most %d results fit into a picture", OVR_SHOTS);
+                        "at most %d results fit into a picture", OVR_SNAPSHOTS);
     return OVR_OK;
 }
 
@@ -549,15 +549,17 @@ static ovr_status prepare(studio *s, ovr_result *const *results, ovr_error *err)
     if (status == OVR_OK)
         status = ovr_template_read(s->each.template_path, &s->template, err);
     s->runs = ovr_arena_take(s->arena, s->count, sizeof *s->runs, err);
-    s->shots = ovr_arena_take(s->arena, s->count, sizeof *s->shots, err);
+    s->snapshots = ovr_arena_take(s->arena, s->count, sizeof *s->snapshots,
+                                  err);
     s->chart = ovr_arena_take(s->arena, 1, sizeof *s->chart, err);
-    if (status == OVR_OK && (!s->runs || !s->shots || !s->chart))
+    if (status == OVR_OK && (!s->runs || !s->snapshots || !s->chart))
         status = OVR_NO_MEMORY;
     if (status == OVR_OK)
         status = ovr_open_stored(results, s->count, &s->each, s->runs, s->arena,
                                  err);
     for (size_t j = 0; status == OVR_OK && j < s->count; j++)
-        status = ovr_shot_make(&s->shots[j], &s->runs[j], s->arena, err);
+        status = ovr_snapshot_make(&s->snapshots[j], &s->runs[j], s->arena,
+                                   err);
     if (status == OVR_OK)
         status = choose_frames(s, err);
     if (status == OVR_OK)

@@ -12,13 +12,13 @@ enum { CHOSEN = 4 };
 
 /* Returns the position of the roughness: its mean position weighted with S^4,
  * so that a dent outweighs surrounding texture; NAN for a smooth surface. */
-static double centre_of(const ovr_shot *shot)
+static double centre_of(const ovr_snapshot *snapshot)
 {
     double sum = 0, moment = 0;
-    for (size_t i = 0; shot->S && i < shot->run->info->nodes; i++) {
-        double weight = pow(shot->S[i], 4);
+    for (size_t i = 0; snapshot->S && i < snapshot->run->info->nodes; i++) {
+        double weight = pow(snapshot->S[i], 4);
         sum += weight;
-        moment += weight * shot->run->x[i];
+        moment += weight * snapshot->run->x[i];
     }
     return sum > 0 ? moment / sum : NAN;
 }
@@ -31,30 +31,32 @@ typedef struct extremes {
     const char *name_P, *name_H;
 } extremes;
 
-static void note_extremes(extremes *e, const ovr_shot *shot)
+static void note_extremes(extremes *e, const ovr_snapshot *snapshot)
 {
-    for (size_t i = 0; i < shot->run->info->nodes; i++) {
-        if (shot->P && shot->P[i] > e->P)
-            e->P = shot->P[i], e->T_P = shot->T, e->name_P = shot->run->name;
-        if (shot->H && shot->H[i] < e->H)
-            e->H = shot->H[i], e->T_H = shot->T, e->name_H = shot->run->name;
+    for (size_t i = 0; i < snapshot->run->info->nodes; i++) {
+        if (snapshot->P && snapshot->P[i] > e->P)
+            e->P = snapshot->P[i], e->T_P = snapshot->T,
+            e->name_P = snapshot->run->name;
+        if (snapshot->H && snapshot->H[i] < e->H)
+            e->H = snapshot->H[i], e->T_H = snapshot->T,
+            e->name_H = snapshot->run->name;
     }
 }
 
 /* Chooses times at which the features are upstream of the contact, twice within
  * it, and at its outlet; equally spaced times if they do not pass it. */
-static ovr_status choose_passage(const ovr_stored *run, ovr_shot *shot,
+static ovr_status choose_passage(const ovr_stored *run, ovr_snapshot *snapshot,
                                  double *times, extremes *e, ovr_error *err)
 {
     static const double target[CHOSEN] = {-1.1, -0.5, 0.15, 0.8};
     double best[CHOSEN] = {INFINITY, INFINITY, INFINITY, INFINITY};
     size_t found[CHOSEN] = {0}, last = run->info->snapshots - 1;
     for (size_t k = 0; k <= last; k++) {
-        ovr_status status = ovr_shot_read(shot, k, err);
-        double centre = status == OVR_OK ? centre_of(shot) : NAN;
+        ovr_status status = ovr_snapshot_read(snapshot, k, err);
+        double centre = status == OVR_OK ? centre_of(snapshot) : NAN;
         if (status != OVR_OK)
             return status;
-        note_extremes(e, shot);
+        note_extremes(e, snapshot);
         for (int j = 0; j < CHOSEN; j++)
             if (fabs(centre - target[j]) < best[j]) {
                 best[j] = fabs(centre - target[j]);
@@ -78,15 +80,15 @@ static ovr_status scan_snapshots(const ovr_drawing *drawing, double *times,
     *e = (extremes){-INFINITY, INFINITY, NAN, NAN, "", ""};
     for (size_t j = 0; status == OVR_OK && j < drawing->count; j++) {
         const ovr_stored *run = &drawing->runs[j];
-        ovr_shot shot;
-        status = ovr_shot_make(&shot, run, drawing->arena, err);
+        ovr_snapshot snapshot;
+        status = ovr_snapshot_make(&snapshot, run, drawing->arena, err);
         if (status == OVR_OK && j == 0)
-            status = choose_passage(run, &shot, times, e, err);
+            status = choose_passage(run, &snapshot, times, e, err);
         for (size_t k = 0; status == OVR_OK && j && k < run->info->snapshots;
              k++) {
-            status = ovr_shot_read(&shot, k, err);
+            status = ovr_snapshot_read(&snapshot, k, err);
             if (status == OVR_OK)
-                note_extremes(e, &shot);
+                note_extremes(e, &snapshot);
         }
     }
     return status;
@@ -136,7 +138,7 @@ static const char *extreme_at(const ovr_drawing *drawing, const extremes *e,
 static ovr_status choose(const ovr_drawing *drawing, double *times,
                          const char **about, size_t *count, ovr_error *err)
 {
-    size_t fit = OVR_SHOTS / drawing->count, n = 0;
+    size_t fit = OVR_SNAPSHOTS / drawing->count, n = 0;
     size_t capacity = fit < 1 ? 1 : fit < CHOSEN ? fit : CHOSEN;
     extremes e;
     ovr_status status = scan_snapshots(drawing, times, &e, err);
@@ -164,20 +166,21 @@ static ovr_status choose(const ovr_drawing *drawing, double *times,
     return OVR_OK;
 }
 
-static ovr_status read_shots(const ovr_drawing *drawing, const double *times,
-                             size_t count, ovr_shot *shots, ovr_extent *extent,
-                             ovr_error *err)
+static ovr_status read_snapshots(const ovr_drawing *drawing,
+                                 const double *times, size_t count,
+                                 ovr_snapshot *snapshots, ovr_extent *extent,
+                                 ovr_error *err)
 {
     ovr_status status = OVR_OK;
     for (size_t k = 0; status == OVR_OK && k < count * drawing->count; k++) {
         const ovr_stored *run = &drawing->runs[k % drawing->count];
-        status = ovr_shot_make(&shots[k], run, drawing->arena, err);
+        status = ovr_snapshot_make(&snapshots[k], run, drawing->arena, err);
         if (status == OVR_OK)
-            status = ovr_shot_read(
-                &shots[k], ovr_stored_nearest(run, times[k / drawing->count]),
-                err);
+            status = ovr_snapshot_read(
+                &snapshots[k],
+                ovr_stored_nearest(run, times[k / drawing->count]), err);
         if (status == OVR_OK)
-            ovr_extent_add(extent, &shots[k]);
+            ovr_extent_add(extent, &snapshots[k]);
     }
     return status;
 }
@@ -189,28 +192,28 @@ ovr_status ovr_draw_snapshots(const ovr_drawing *drawing, ovr_chart *chart,
     ovr_extent extent = ovr_extent_make(o->x_from, o->x_to, drawing->runs,
                                         drawing->count);
     double chosen[CHOSEN];
-    const char *about[OVR_SHOTS] = {"", "", "", "", "", "", "", ""};
+    const char *about[OVR_SNAPSHOTS] = {"", "", "", "", "", "", "", ""};
     const double *times = o->time_count ? o->times : chosen;
     size_t count = o->time_count;
-    ovr_shot shots[OVR_SHOTS];
+    ovr_snapshot snapshots[OVR_SNAPSHOTS];
     ovr_snapshot_chart *to = ovr_arena_take(drawing->arena, 1, sizeof *to, err);
     ovr_snapshot_style *look = ovr_arena_take(drawing->arena, 1, sizeof *look,
                                               err);
     ovr_status status = to && look ? OVR_OK : OVR_NO_MEMORY;
     if (status == OVR_OK && count == 0)
         status = choose(drawing, chosen, about, &count, err);
-    if (status == OVR_OK && count * drawing->count > OVR_SHOTS)
+    if (status == OVR_OK && count * drawing->count > OVR_SNAPSHOTS)
         status = ovr_fail(err, OVR_BAD_INPUT,
                           "a picture shows at most %d snapshots; %zu times "
                           "of %zu results were requested",
-                          OVR_SHOTS, count, drawing->count);
+                          OVR_SNAPSHOTS, count, drawing->count);
     if (status == OVR_OK)
-        status = read_shots(drawing, times, count, shots, &extent, err);
+        status = read_snapshots(drawing, times, count, snapshots, &extent, err);
     if (status == OVR_OK)
         status = ovr_snapshot_style_make(look, o, &extent, drawing->runs,
                                          drawing->count, err);
     if (status == OVR_OK) {
-        ovr_snapshot_draw(to, look, shots, count, drawing->count, about);
+        ovr_snapshot_draw(to, look, snapshots, count, drawing->count, about);
         *chart = to->chart;
     }
     return status;

@@ -170,8 +170,8 @@ typedef struct maker {
                        ovr_error *err);
     const char *alone; /* message if only one result can be drawn; or NULL */
     int height;
-    bool shots; /* drawn from snapshots instead of the history or stress
-                 * histories */
+    bool snapshots; /* drawn from snapshots instead of the history or stress
+                     * histories */
 } maker;
 
 static const maker makers[] = {
@@ -226,8 +226,8 @@ ovr_status ovr_open_stored(ovr_result *const *results, size_t count,
     for (size_t k = 0; status == OVR_OK && k < count; k++)
         status = ovr_stored_make(&runs[k], results[k],
                                  o->names ? o->names[k] : NULL, arena, err);
-    for (size_t k = 0; status == OVR_OK && k < count && makers[o->kind].shots;
-         k++)
+    for (size_t k = 0;
+         status == OVR_OK && k < count && makers[o->kind].snapshots; k++)
         status = ovr_stored_need_snapshots(&runs[k], err);
     if (status == OVR_OK)
         status = ovr_common_units(runs, count, &o->units, err);

@@ -94,28 +94,30 @@ ovr_curve_style ovr_curve_style_of(size_t k)
 }
 
 /* Makes the curve of a field against x within the range of the picture. */
-static ovr_series curve(const ovr_snapshot_style *look, const ovr_shot *shot,
-                        const double *values, double factor)
+static ovr_series curve(const ovr_snapshot_style *look,
+                        const ovr_snapshot *snapshot, const double *values,
+                        double factor)
 {
     ovr_series s = {.x_factor = look->x.factor, .factor = factor, .width = 2.2};
     size_t a, b;
-    ovr_extent_nodes(&look->extent, shot->run, &a, &b);
+    ovr_extent_nodes(&look->extent, snapshot->run, &a, &b);
     s.n = b - a;
-    s.x = shot->run->x + a;
+    s.x = snapshot->run->x + a;
     s.y = values + a;
     return s;
 }
 
-static ovr_series hertz(const ovr_snapshot_style *look, const ovr_shot *shot)
+static ovr_series hertz(const ovr_snapshot_style *look,
+                        const ovr_snapshot *snapshot)
 {
-    const ovr_stored *run = shot->run;
+    const ovr_stored *run = snapshot->run;
     return (ovr_series){.n = OVR_HERTZ_POINTS,
                         .x = look->hertz_x,
                         .y = look->hertz_P,
                         .x_factor = look->x.factor * run->by.x *
-                                    ovr_stored_hertz_width(run, shot->k),
+                                    ovr_stored_hertz_width(run, snapshot->k),
                         .factor = look->P.factor * run->by.pressure *
-                                  ovr_stored_hertz_pressure(run, shot->k),
+                                  ovr_stored_hertz_pressure(run, snapshot->k),
                         .mark = OVR_MARK_DASHED,
                         .colour = OVR_STEEL,
                         .width = 1.4};
@@ -137,9 +139,10 @@ static double bottom(const ovr_snapshot_style *look)
     return -2.2 * gap(look) - span;
 }
 
-static ovr_series ground(const ovr_snapshot_style *look, const ovr_shot *shot)
+static ovr_series ground(const ovr_snapshot_style *look,
+                         const ovr_snapshot *snapshot)
 {
-    ovr_series s = curve(look, shot, shot->S, look->H.factor);
+    ovr_series s = curve(look, snapshot, snapshot->S, look->H.factor);
     s.mark = OVR_MARK_AREA;
     s.shift = -(look->extent.S_high + gap(look)) * look->H.factor;
     s.base = bottom(look) * look->H.factor;
@@ -170,14 +173,14 @@ typedef struct labelled {
     bool alone; /* the only one: filled */
 } labelled;
 
-static void add_pressure(const ovr_snapshot_style *look, const ovr_shot *shot,
-                         const labelled *as, ovr_series *series,
-                         ovr_panel *panel)
+static void add_pressure(const ovr_snapshot_style *look,
+                         const ovr_snapshot *snapshot, const labelled *as,
+                         ovr_series *series, ovr_panel *panel)
 {
     ovr_series s;
-    if (!shot->P)
+    if (!snapshot->P)
         return;
-    s = curve(look, shot, shot->P, look->P.factor);
+    s = curve(look, snapshot, snapshot->P, look->P.factor);
     s.label = as->label;
     s.colour = as->as.colour;
     s.mark = as->alone ? OVR_MARK_AREA : as->as.mark;
@@ -185,39 +188,41 @@ static void add_pressure(const ovr_snapshot_style *look, const ovr_shot *shot,
 }
 
 /* Adds the lubricant layers on both walls in the partially filled gap. */
-static void add_oil(const ovr_snapshot_style *look, const ovr_shot *shot,
-                    ovr_series *series, ovr_panel *panel)
+static void add_oil(const ovr_snapshot_style *look,
+                    const ovr_snapshot *snapshot, ovr_series *series,
+                    ovr_panel *panel)
 {
-    const double *const from[] = {shot->wall, shot->hung};
-    const double *const to[] = {shot->oil, shot->H};
+    const double *const from[] = {snapshot->wall, snapshot->hung};
+    const double *const to[] = {snapshot->oil, snapshot->H};
     for (int k = 0; k < 2; k++) {
-        ovr_series s = curve(look, shot, from[k], look->H.factor);
-        s.to = curve(look, shot, to[k], look->H.factor).y;
+        ovr_series s = curve(look, snapshot, from[k], look->H.factor);
+        s.to = curve(look, snapshot, to[k], look->H.factor).y;
         s.colour = OVR_AMBER;
         s.mark = OVR_MARK_BAND;
         series[panel->count++] = s;
     }
 }
 
-static void add_film(const ovr_snapshot_style *look, const ovr_shot *shot,
-                     const labelled *as, ovr_series *series, ovr_panel *panel)
+static void add_film(const ovr_snapshot_style *look,
+                     const ovr_snapshot *snapshot, const labelled *as,
+                     ovr_series *series, ovr_panel *panel)
 {
     ovr_series s;
-    bool oil = as->alone && shot->oil;
+    bool oil = as->alone && snapshot->oil;
     if (oil)
-        add_oil(look, shot, series, panel);
-    if (shot->H) {
-        s = curve(look, shot, shot->H, look->H.factor);
-        s.label = oil         ? "film thickness, lubricant shaded"
-                  : as->alone ? "film thickness"
-                  : shot->P   ? NULL
-                              : as->label;
+        add_oil(look, snapshot, series, panel);
+    if (snapshot->H) {
+        s = curve(look, snapshot, snapshot->H, look->H.factor);
+        s.label = oil           ? "film thickness, lubricant shaded"
+                  : as->alone   ? "film thickness"
+                  : snapshot->P ? NULL
+                                : as->label;
         s.colour = as->alone ? OVR_AMBER : as->as.colour;
         s.mark = oil ? OVR_MARK_LINE : as->alone ? OVR_MARK_AREA : as->as.mark;
         series[panel->count++] = s;
     }
-    if (shot->S && bottom(look) < 0) {
-        s = ground(look, shot);
+    if (snapshot->S && bottom(look) < 0) {
+        s = ground(look, snapshot);
         s.label = as->alone ? "surface height (undeformed)" : NULL;
         if (!as->alone) {
             s.mark = as->as.mark;
@@ -229,18 +234,19 @@ static void add_film(const ovr_snapshot_style *look, const ovr_shot *shot,
 
 /* Adds the Hertzian pressure of the first run, and of others with different
  * scales. */
-static void add_hertz(const ovr_snapshot_style *look, const ovr_shot *shot,
-                      size_t count, ovr_series *series, ovr_panel *panel)
+static void add_hertz(const ovr_snapshot_style *look,
+                      const ovr_snapshot *snapshot, size_t count,
+                      ovr_series *series, ovr_panel *panel)
 {
     for (size_t k = 0; k < count; k++) {
-        ovr_series s = hertz(look, &shot[k]);
+        ovr_series s = hertz(look, &snapshot[k]);
         bool seen = false;
         for (size_t j = 0; j < k; j++)
-            seen |= shot[j].run == shot[k].run;
-        if (seen || (k > 0 && !ovr_stored_differs(shot[k].run)))
+            seen |= snapshot[j].run == snapshot[k].run;
+        if (seen || (k > 0 && !ovr_stored_differs(snapshot[k].run)))
             continue;
         s.label = k == 0 ? "Hertzian pressure" : NULL;
-        if (ovr_stored_differs(shot[k].run))
+        if (ovr_stored_differs(snapshot[k].run))
             s.colour = ovr_curve_style_of(k).colour;
         series[panel->count++] = s;
     }
@@ -249,16 +255,16 @@ static void add_hertz(const ovr_snapshot_style *look, const ovr_shot *shot,
 /* Adds temperatures of both surfaces and of the mid-film; with several
  * snapshots only the mid-film. */
 static void add_temperatures(const ovr_snapshot_style *look,
-                             const ovr_shot *shot, const labelled *as,
+                             const ovr_snapshot *snapshot, const labelled *as,
                              ovr_series *series, ovr_panel *panel)
 {
     static const char *const names[3] = {"surface 1", "surface 2",
                                          "middle of the film"};
     static const int colours[3] = {OVR_BLUE, OVR_GREEN, OVR_RED};
     for (int k = as->alone ? 0 : 2; k < 3; k++) {
-        if (!shot->hot[k])
+        if (!snapshot->hot[k])
             continue;
-        ovr_series s = curve(look, shot, shot->hot[k], 1);
+        ovr_series s = curve(look, snapshot, snapshot->hot[k], 1);
         s.label = as->alone ? names[k] : NULL;
         s.colour = as->alone ? colours[k] : as->as.colour;
         s.mark = as->alone ? OVR_MARK_LINE : as->as.mark;
@@ -269,7 +275,8 @@ static void add_temperatures(const ovr_snapshot_style *look,
 /* Draws the row of temperatures if any snapshot of the column has them. */
 static void draw_temperatures(ovr_snapshot_chart *to,
                               const ovr_snapshot_style *look,
-                              const ovr_shot *shot, size_t count, size_t column)
+                              const ovr_snapshot *snapshot, size_t count,
+                              size_t column)
 {
     static const ovr_axis degC = {1, "{/:Italic T}  [°C]",
                                   "temperature in degC", "°C"};
@@ -280,7 +287,7 @@ static void draw_temperatures(ovr_snapshot_chart *to,
     ovr_panel *panel = &to->panel[to->chart.rows * columns + column];
     bool any = false;
     for (size_t k = 0; k < count; k++)
-        any |= shot[k].hot[0] || shot[k].hot[1] || shot[k].hot[2];
+        any |= snapshot[k].hot[0] || snapshot[k].hot[1] || snapshot[k].hot[2];
     if (!any)
         return;
     *panel = panel_of(look, series, &degC, e->hot_low - margin,
@@ -289,15 +296,15 @@ static void draw_temperatures(ovr_snapshot_chart *to,
     panel->height = 0.8;
     for (size_t k = 0; k < count; k++) {
         labelled as = {NULL, ovr_curve_style_of(k), count == 1};
-        add_temperatures(look, &shot[k], &as, series, panel);
+        add_temperatures(look, &snapshot[k], &as, series, panel);
     }
     to->chart.rows++;
 }
 
 /* Snapshots of a column; empty rows are omitted. */
 static void draw_column(ovr_snapshot_chart *to, const ovr_snapshot_style *look,
-                        const ovr_shot *shot, size_t count, size_t column,
-                        const char *const *labels)
+                        const ovr_snapshot *snapshot, size_t count,
+                        size_t column, const char *const *labels)
 {
     size_t columns = to->chart.columns;
     bool above = false, below = false;
@@ -305,8 +312,8 @@ static void draw_column(ovr_snapshot_chart *to, const ovr_snapshot_style *look,
                *films = to->series[columns + column];
     ovr_panel unused = {0}, *P, *H;
     for (size_t k = 0; k < count; k++) {
-        above |= shot[k].P != NULL;
-        below |= shot[k].H != NULL || shot[k].S != NULL;
+        above |= snapshot[k].P != NULL;
+        below |= snapshot[k].H != NULL || snapshot[k].S != NULL;
     }
     above |= !below;
     P = above ? &to->panel[column] : &unused;
@@ -322,13 +329,13 @@ static void draw_column(ovr_snapshot_chart *to, const ovr_snapshot_style *look,
     for (size_t k = 0; k < count; k++) {
         labelled as = {count > 1 ? labels[k] : "pressure",
                        ovr_curve_style_of(k), count == 1};
-        add_pressure(look, &shot[k], &as, pressures, P);
+        add_pressure(look, &snapshot[k], &as, pressures, P);
         if (below)
-            add_film(look, &shot[k], &as, films, H);
+            add_film(look, &snapshot[k], &as, films, H);
     }
     if (!look->options->no_hertz && above)
-        add_hertz(look, shot, count, pressures, P);
-    draw_temperatures(to, look, shot, count, column);
+        add_hertz(look, snapshot, count, pressures, P);
+    draw_temperatures(to, look, snapshot, count, column);
 }
 
 static void write_time(char *note, size_t size, const ovr_snapshot_style *look,
@@ -342,26 +349,27 @@ static void write_time(char *note, size_t size, const ovr_snapshot_style *look,
 }
 
 /* Names a snapshot by its run, its time, or both. */
-static const char *name_shot(ovr_snapshot_chart *to, size_t k,
-                             const ovr_shot *shot, size_t instants, size_t runs)
+static const char *name_snapshot(ovr_snapshot_chart *to, size_t k,
+                                 const ovr_snapshot *snapshot, size_t instants,
+                                 size_t runs)
 {
     const char *note = to->note[k / runs];
     if (instants == 1)
-        return shot->run->name;
+        return snapshot->run->name;
     if (runs == 1)
         return note;
-    snprintf(to->name[k], sizeof to->name[k], "%.40s, %s", shot->run->name,
+    snprintf(to->name[k], sizeof to->name[k], "%.40s, %s", snapshot->run->name,
              note);
     return to->name[k];
 }
 
 void ovr_snapshot_draw(ovr_snapshot_chart *to, const ovr_snapshot_style *look,
-                       const ovr_shot *shot, size_t instants, size_t runs,
-                       const char *const *about)
+                       const ovr_snapshot *snapshot, size_t instants,
+                       size_t runs, const char *const *about)
 {
     const ovr_picture_options *o = look->options;
     size_t columns = o->overlay ? 1 : instants;
-    const char *label[OVR_SHOTS];
+    const char *label[OVR_SNAPSHOTS];
     memset(to, 0, sizeof *to);
     to->chart = (ovr_chart){.title = look->title,
                             .subtitle = look->heading,
@@ -373,14 +381,15 @@ void ovr_snapshot_draw(ovr_snapshot_chart *to, const ovr_snapshot_style *look,
                             .share_y = true,
                             .panel = to->panel};
     for (size_t k = 0; k < instants; k++)
-        write_time(to->note[k], sizeof to->note[k], look, shot[k * runs].T,
+        write_time(to->note[k], sizeof to->note[k], look, snapshot[k * runs].T,
                    about ? about[k] : "");
     for (size_t k = 0; k < instants * runs; k++)
-        label[k] = name_shot(to, k, &shot[k], o->overlay ? instants : 1, runs);
+        label[k] = name_snapshot(to, k, &snapshot[k], o->overlay ? instants : 1,
+                                 runs);
     if (o->overlay)
-        draw_column(to, look, shot, instants * runs, 0, label);
+        draw_column(to, look, snapshot, instants * runs, 0, label);
     for (size_t k = 0; !o->overlay && k < instants; k++) {
-        draw_column(to, look, shot + k * runs, runs, k, label + k * runs);
+        draw_column(to, look, snapshot + k * runs, runs, k, label + k * runs);
         to->panel[k].note = to->note[k];
     }
 }

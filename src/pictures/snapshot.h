@@ -11,7 +11,7 @@
 #include "pictures/chart.h"
 #include "pictures/stored.h"
 
-enum { OVR_SHOTS = 8, OVR_HERTZ_POINTS = 121 };
+enum { OVR_SNAPSHOTS = 8, OVR_HERTZ_POINTS = 121 };
 
 /* Axes and ranges, equal for all pictures of a run. */
 typedef struct ovr_snapshot_style {
@@ -42,24 +42,24 @@ ovr_curve_style ovr_curve_style_of(size_t k);
 void ovr_heading(const ovr_stored *runs, size_t count, char *heading,
                  size_t capacity);
 
-/* Memory of a chart of up to OVR_SHOTS snapshots. */
+/* Memory of a chart of up to OVR_SNAPSHOTS snapshots. */
 typedef struct ovr_snapshot_chart {
     ovr_chart chart;
-    ovr_panel panel[3 * OVR_SHOTS + 1]; /* one more for the stresses */
-    ovr_series series[3 * OVR_SHOTS][3 * OVR_SHOTS + 1];
-    char note[OVR_SHOTS][240], name[OVR_SHOTS][300];
+    ovr_panel panel[3 * OVR_SNAPSHOTS + 1]; /* one more for the stresses */
+    ovr_series series[3 * OVR_SNAPSHOTS][3 * OVR_SNAPSHOTS + 1];
+    char note[OVR_SNAPSHOTS][240], name[OVR_SNAPSHOTS][300];
 } ovr_snapshot_chart;
 
-/* Draws `instants` times for each of `runs` runs: shot[instant * runs + run].
- * `about` is a text after each time, or NULL. */
+/* Draws `instants` times for each of `runs` runs: snapshot[instant * runs +
+ * run]. `about` is a text after each time, or NULL. */
 void ovr_snapshot_draw(ovr_snapshot_chart *to, const ovr_snapshot_style *look,
-                       const ovr_shot *shot, size_t instants, size_t runs,
-                       const char *const *about);
+                       const ovr_snapshot *snapshot, size_t instants,
+                       size_t runs, const char *const *about);
 
 /* Adds a panel below the last row: the stresses of one snapshot. */
 struct ovr_depth_field;
 ovr_status ovr_stress_panel_add(struct ovr_depth_field *field,
-                                const ovr_shot *shot,
+                                const ovr_snapshot *snapshot,
                                 const ovr_snapshot_style *look,
                                 ovr_snapshot_chart *to, ovr_arena *arena,
                                 ovr_error *err);

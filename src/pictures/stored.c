@@ -35,15 +35,15 @@ static bool varies(const double *v, size_t n)
  * R), p_h to sqrt(w/R). */
 static void find_hertz(ovr_stored *run, ovr_arena *arena)
 {
-    size_t steps = run->info->steps, shots = run->info->snapshots, i = 0;
+    size_t steps = run->info->steps, snapshots = run->info->snapshots, i = 0;
     double *T = column(run, "history/time", arena);
     double *load = column(run, "history/load_ratio", arena);
     double *radius = column(run, "history/radius_ratio", arena);
     if (!T || !load || (!varies(load, steps) && !varies(radius, steps)))
         return;
-    double *width = ovr_arena_take(arena, shots, sizeof *width, NULL);
-    double *P = ovr_arena_take(arena, shots, sizeof *P, NULL);
-    for (size_t k = 0; width && P && k < shots; k++) {
+    double *width = ovr_arena_take(arena, snapshots, sizeof *width, NULL);
+    double *P = ovr_arena_take(arena, snapshots, sizeof *P, NULL);
+    for (size_t k = 0; width && P && k < snapshots; k++) {
         while (i + 1 < steps && T[i] < run->times[k])
             i++;
         double R = radius ? radius[i] : 1;
@@ -71,19 +71,19 @@ static const char *remedy(const ovr_stored *run)
 static ovr_status find_resolved(ovr_stored *run, ovr_arena *arena,
                                 ovr_error *err)
 {
-    size_t steps = run->info->steps, shots = run->info->snapshots, i = 0;
+    size_t steps = run->info->steps, snapshots = run->info->snapshots, i = 0;
     bool unresolved;
     ovr_status status = ovr_result_unresolved(run->result, arena, &unresolved,
                                               err);
     if (status || !unresolved)
         return status;
     run->unresolved = remedy(run);
-    run->resolved = ovr_arena_take(arena, shots + 1, sizeof(bool), err);
+    run->resolved = ovr_arena_take(arena, snapshots + 1, sizeof(bool), err);
     double *T = column(run, "history/time", arena);
     double *flag = column(run, "history/max_pressure_resolved", arena);
     if (!run->resolved || !T || !flag)
         return OVR_NO_MEMORY;
-    for (size_t k = 0; k < shots; k++) {
+    for (size_t k = 0; k < snapshots; k++) {
         while (i + 1 < steps && T[i] < run->times[k])
             i++;
         run->resolved[k] = flag[i] != 0;
@@ -228,35 +228,35 @@ bool ovr_stored_differs(const ovr_stored *run)
 
 /* --------------------------------------------------------------- snapshots */
 
-ovr_status ovr_shot_make(ovr_shot *shot, const ovr_stored *run,
-                         ovr_arena *arena, ovr_error *err)
+ovr_status ovr_snapshot_make(ovr_snapshot *snapshot, const ovr_stored *run,
+                             ovr_arena *arena, ovr_error *err)
 {
     size_t n = run->info->nodes;
     double *block = ovr_arena_take(arena, 9 * n, sizeof *block, err);
     if (!block)
         return OVR_NO_MEMORY;
-    *shot = (ovr_shot){.run = run};
-    shot->P = run->pressure ? block : NULL;
-    shot->H = run->film ? block + n : NULL;
-    shot->S = run->roughness ? block + 2 * n : NULL;
-    shot->oil = run->filling ? block + 3 * n : NULL;
-    shot->hung = block + 4 * n;
-    shot->wall = block + 5 * n;
+    *snapshot = (ovr_snapshot){.run = run};
+    snapshot->P = run->pressure ? block : NULL;
+    snapshot->H = run->film ? block + n : NULL;
+    snapshot->S = run->roughness ? block + 2 * n : NULL;
+    snapshot->oil = run->filling ? block + 3 * n : NULL;
+    snapshot->hung = block + 4 * n;
+    snapshot->wall = block + 5 * n;
     for (size_t k = 0; k < 3; k++)
-        shot->hot[k] = run->hot[k] ? block + (6 + k) * n : NULL;
+        snapshot->hot[k] = run->hot[k] ? block + (6 + k) * n : NULL;
     return OVR_OK;
 }
 
-static ovr_status read_field(const ovr_shot *shot, const char *name, double by,
-                             double *values, ovr_error *err)
+static ovr_status read_field(const ovr_snapshot *snapshot, const char *name,
+                             double by, double *values, ovr_error *err)
 {
     ovr_status status;
     if (!values)
         return OVR_OK;
-    status = ovr_result_snapshot(shot->run->result, name, shot->k, OVR_HERTZIAN,
-                                 values, err);
+    status = ovr_result_snapshot(snapshot->run->result, name, snapshot->k,
+                                 OVR_HERTZIAN, values, err);
     if (status == OVR_OK)
-        multiply(values, shot->run->info->nodes, by);
+        multiply(values, snapshot->run->info->nodes, by);
     return status;
 }
 
@@ -270,26 +270,29 @@ static void split_lubricant(double H, double *oil, double *hung)
     *hung = fills ? H : H - *oil;
 }
 
-ovr_status ovr_shot_read(ovr_shot *shot, size_t k, ovr_error *err)
+ovr_status ovr_snapshot_read(ovr_snapshot *snapshot, size_t k, ovr_error *err)
 {
     ovr_status status;
-    shot->k = k;
-    shot->T = shot->run->times[k];
-    status = read_field(shot, "pressure", shot->run->by.pressure, shot->P, err);
+    snapshot->k = k;
+    snapshot->T = snapshot->run->times[k];
+    status = read_field(snapshot, "pressure", snapshot->run->by.pressure,
+                        snapshot->P, err);
     if (status == OVR_OK)
-        status = read_field(shot, "film_thickness", shot->run->by.film, shot->H,
-                            err);
+        status = read_field(snapshot, "film_thickness", snapshot->run->by.film,
+                            snapshot->H, err);
     if (status == OVR_OK)
-        status = read_field(shot, "roughness", shot->run->by.film, shot->S,
-                            err);
+        status = read_field(snapshot, "roughness", snapshot->run->by.film,
+                            snapshot->S, err);
     if (status == OVR_OK)
-        status = read_field(shot, "filling", 1, shot->oil, err);
-    for (size_t i = 0; shot->oil && i < shot->run->info->nodes; i++)
-        split_lubricant(shot->H[i], &shot->oil[i], &shot->hung[i]);
+        status = read_field(snapshot, "filling", 1, snapshot->oil, err);
+    for (size_t i = 0; snapshot->oil && i < snapshot->run->info->nodes; i++)
+        split_lubricant(snapshot->H[i], &snapshot->oil[i], &snapshot->hung[i]);
     for (int j = 0; status == OVR_OK && j < 3; j++) {
-        status = read_field(shot, temperatures[j], 1, shot->hot[j], err);
-        for (size_t i = 0; shot->hot[j] && i < shot->run->info->nodes; i++)
-            shot->hot[j][i] -= ZERO_DEGC;
+        status = read_field(snapshot, temperatures[j], 1, snapshot->hot[j],
+                            err);
+        for (size_t i = 0; snapshot->hot[j] && i < snapshot->run->info->nodes;
+             i++)
+            snapshot->hot[j][i] -= ZERO_DEGC;
     }
     return status;
 }
@@ -356,24 +359,24 @@ void ovr_extent_nodes(const ovr_extent *e, const ovr_stored *run, size_t *a,
         --*b;
 }
 
-void ovr_extent_add(ovr_extent *e, const ovr_shot *shot)
+void ovr_extent_add(ovr_extent *e, const ovr_snapshot *snapshot)
 {
-    const double *x = shot->run->x;
+    const double *x = snapshot->run->x;
     size_t a, b;
-    ovr_extent_nodes(e, shot->run, &a, &b);
+    ovr_extent_nodes(e, snapshot->run, &a, &b);
     for (size_t i = a; i < b; i++) {
-        if (shot->P)
-            e->P_high = fmax(e->P_high, shot->P[i]);
-        if (shot->H && fabs(x[i]) < 0.9 * shot->run->by.x)
-            e->H_high = fmax(e->H_high, shot->H[i]);
+        if (snapshot->P)
+            e->P_high = fmax(e->P_high, snapshot->P[i]);
+        if (snapshot->H && fabs(x[i]) < 0.9 * snapshot->run->by.x)
+            e->H_high = fmax(e->H_high, snapshot->H[i]);
         for (int j = 0; j < 3; j++)
-            if (shot->hot[j]) {
-                e->hot_low = fmin(e->hot_low, shot->hot[j][i]);
-                e->hot_high = fmax(e->hot_high, shot->hot[j][i]);
+            if (snapshot->hot[j]) {
+                e->hot_low = fmin(e->hot_low, snapshot->hot[j][i]);
+                e->hot_high = fmax(e->hot_high, snapshot->hot[j][i]);
             }
-        if (shot->S) {
-            e->S_low = fmin(e->S_low, shot->S[i]);
-            e->S_high = fmax(e->S_high, shot->S[i]);
+        if (snapshot->S) {
+            e->S_low = fmin(e->S_low, snapshot->S[i]);
+            e->S_high = fmax(e->S_high, snapshot->S[i]);
         }
     }
 }

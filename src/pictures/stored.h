@@ -69,7 +69,7 @@ ovr_setup *ovr_stored_setup(const ovr_stored *run, ovr_case **c,
 
 /* A snapshot. Missing fields are NULL, and so is roughness that is zero
  * everywhere. */
-typedef struct ovr_shot {
+typedef struct ovr_snapshot {
     const ovr_stored *run;
     size_t k;
     double T;
@@ -78,11 +78,11 @@ typedef struct ovr_shot {
      * to `oil`, and from `hung` to H; `wall` is 0. */
     double *oil, *hung, *wall;
     double *hot[3]; /* in degC, as in ovr_stored */
-} ovr_shot;
+} ovr_snapshot;
 
-ovr_status ovr_shot_make(ovr_shot *shot, const ovr_stored *run,
-                         ovr_arena *arena, ovr_error *err);
-ovr_status ovr_shot_read(ovr_shot *shot, size_t k, ovr_error *err);
+ovr_status ovr_snapshot_make(ovr_snapshot *snapshot, const ovr_stored *run,
+                             ovr_arena *arena, ovr_error *err);
+ovr_status ovr_snapshot_read(ovr_snapshot *snapshot, size_t k, ovr_error *err);
 
 /* Returns the snapshot nearest to a time. */
 size_t ovr_stored_nearest(const ovr_stored *run, double T);
@@ -105,7 +105,7 @@ typedef struct ovr_extent {
  * domain, limited to the domains of the runs. */
 ovr_extent ovr_extent_make(double x_from, double x_to, const ovr_stored *runs,
                            size_t count);
-void ovr_extent_add(ovr_extent *extent, const ovr_shot *shot);
+void ovr_extent_add(ovr_extent *extent, const ovr_snapshot *snapshot);
 
 /* Returns the nodes a..b-1 within the extent, with one more at each end. */
 void ovr_extent_nodes(const ovr_extent *extent, const ovr_stored *run,

@@ -155,7 +155,7 @@ static ovr_status find_span(const ovr_view_run *w, const char *name,
                             double *values, span *s, ovr_error *err)
 {
     *s = (span){INFINITY, INFINITY, -INFINITY};
-    for (size_t k = 0; k < w->shots; k++) {
+    for (size_t k = 0; k < w->snapshots; k++) {
         ovr_status status = read_row(w, name, k, values, err);
         if (status != OVR_OK)
             return status;
@@ -173,10 +173,10 @@ static ovr_status append_levels(ovr_view_run *w, const field *f,
                                 const ovr_levels *l, double *values,
                                 ovr_error *err)
 {
-    uint16_t *level = ovr_arena_take(w->arena, w->nodes * w->shots,
+    uint16_t *level = ovr_arena_take(w->arena, w->nodes * w->snapshots,
                                      sizeof *level, err);
     ovr_status status = level ? OVR_OK : OVR_NO_MEMORY;
-    for (size_t k = 0; status == OVR_OK && k < w->shots; k++) {
+    for (size_t k = 0; status == OVR_OK && k < w->snapshots; k++) {
         status = read_row(w, f->name, k, values, err);
         for (size_t i = 0; status == OVR_OK && i < w->nodes; i++)
             level[k * w->nodes + i] = ovr_level_of(l, values[i]);
@@ -187,7 +187,8 @@ static ovr_status append_levels(ovr_view_run *w, const field *f,
                    "\"%s\":{\"levels\":%d,\"from\":%.17g,\"step\":%.17g,"
                    "\"bend\":%.17g,\"data\":\"",
                    f->key, OVR_PACKED_LEVELS, l->from, l->step, l->bend);
-    status = ovr_pack_levels(w->to, level, w->nodes, w->shots, w->arena, err);
+    status = ovr_pack_levels(w->to, level, w->nodes, w->snapshots, w->arena,
+                             err);
     ovr_text_put(w->to, "\"},");
     return status;
 }
@@ -256,14 +257,14 @@ static size_t reduce(double *values, size_t n, size_t bucket, char keep)
 /* Writes half-width and pressure of the Hertzian contact for each snapshot. */
 static void append_hertz(ovr_view_run *w)
 {
-    double *two = ovr_arena_take(w->arena, 2 * w->shots, sizeof *two, NULL);
+    double *two = ovr_arena_take(w->arena, 2 * w->snapshots, sizeof *two, NULL);
     if (!w->run->hertz_P || !two)
         return;
-    for (size_t k = 0; k < w->shots; k++) {
+    for (size_t k = 0; k < w->snapshots; k++) {
         two[2 * k] = w->run->hertz_width[k * w->every];
         two[2 * k + 1] = w->run->hertz_P[k * w->every];
     }
-    ovr_text_doubles(w->to, "hertz", two, 2 * w->shots);
+    ovr_text_doubles(w->to, "hertz", two, 2 * w->snapshots);
 }
 
 static ovr_status append_history(ovr_view_run *w, ovr_error *err)
@@ -353,7 +354,7 @@ static void choose(ovr_view_run *w)
     w->stride = (i->nodes - 1) / MAX_NODES + 1;
     w->nodes = (i->nodes - 1) / w->stride + 1;
     w->every = w->nodes * i->snapshots / MAX_VALUES + 1;
-    w->shots = (i->snapshots - 1) / w->every + 1;
+    w->snapshots = (i->snapshots - 1) / w->every + 1;
 }
 
 static void append_answer(void *view, const char *name, const char *text)
@@ -379,12 +380,12 @@ static ovr_status append_run(ovr_view_run *w, ovr_error *err)
     ovr_status status;
     choose(w);
     x = ovr_arena_take(w->arena, w->nodes, sizeof *x, err);
-    times = ovr_arena_take(w->arena, w->shots, sizeof *times, err);
+    times = ovr_arena_take(w->arena, w->snapshots, sizeof *times, err);
     if (ovr_arena_status(w->arena))
         return OVR_NO_MEMORY;
     for (size_t i = 0; i < w->nodes; i++)
         x[i] = w->run->x[i * w->stride];
-    for (size_t k = 0; k < w->shots; k++)
+    for (size_t k = 0; k < w->snapshots; k++)
         times[k] = w->run->times[k * w->every];
     ovr_text_put(w->to, "{");
     append_string(w->to, "name", w->run->name);
@@ -392,9 +393,9 @@ static ovr_status append_run(ovr_view_run *w, ovr_error *err)
     append_answers(w);
     ovr_view_element(w);
     ovr_text_print(w->to, "\"nodes\":%zu,\"snapshots\":%zu,", w->nodes,
-                   w->shots);
+                   w->snapshots);
     ovr_text_doubles(w->to, "x", x, w->nodes);
-    ovr_text_doubles(w->to, "time", times, w->shots);
+    ovr_text_doubles(w->to, "time", times, w->snapshots);
     append_hertz(w);
     status = append_fields(w, err);
     if (status == OVR_OK)

@@ -14,7 +14,7 @@ typedef struct ovr_view_run {
     ovr_arena *arena;
     const ovr_stored *run;
     const char *stress; /* requested field; NULL: max_shear, or none */
-    size_t stride, every, nodes, shots;
+    size_t stride, every, nodes, snapshots;
 } ovr_view_run;
 
 /* Appends "element":{...} if the case has a machine element. */

@@ -19,7 +19,7 @@ enum { MAX_CELLS = 12000000, LEVELS = 2048, MAPS = 2, LONGEST_STRIDE = 4 };
 
 typedef struct maps {
     const ovr_view_run *view;
-    size_t first, stride, columns, rows, every, shots;
+    size_t first, stride, columns, rows, every, snapshots;
     double *values; /* of a stored snapshot */
 } maps;
 
@@ -41,7 +41,7 @@ static void choose(maps *m)
         m->columns = (last - m->first - 1) / m->stride + 1;
         m->rows = (info->lines - 1) / m->stride + 1;
         double cells = (double)(MAPS * m->columns * m->rows) *
-                       (double)m->view->shots;
+                       (double)m->view->snapshots;
         m->every = 1;
         if (cells <= MAX_CELLS)
             break;
@@ -50,7 +50,7 @@ static void choose(maps *m)
             break;
         }
     }
-    m->shots = (m->view->shots - 1) / m->every + 1;
+    m->snapshots = (m->view->snapshots - 1) / m->every + 1;
 }
 
 /* Reads a field of the k-th stored snapshot. */
@@ -73,7 +73,7 @@ static ovr_status find_levels(const maps *m, int f, ovr_levels *levels,
                               ovr_error *err)
 {
     double low = f ? INFINITY : 0, high = -INFINITY;
-    for (size_t k = 0; k < m->shots; k++) {
+    for (size_t k = 0; k < m->snapshots; k++) {
         if (read_map(m, f, k, err))
             return OVR_IO;
         for (size_t i = 0; i < m->columns; i++) {
@@ -94,13 +94,13 @@ static ovr_status append_map(const maps *m, int f, ovr_error *err)
 {
     const ovr_view_run *w = m->view;
     size_t cells = m->columns * m->rows;
-    uint16_t *level = ovr_arena_take(w->arena, cells * m->shots, sizeof *level,
-                                     err);
+    uint16_t *level = ovr_arena_take(w->arena, cells * m->snapshots,
+                                     sizeof *level, err);
     ovr_levels l;
     if (!level)
         return OVR_NO_MEMORY;
     ovr_status status = find_levels(m, f, &l, err);
-    for (size_t k = 0; !status && k < m->shots; k++) {
+    for (size_t k = 0; !status && k < m->snapshots; k++) {
         status = read_map(m, f, k, err);
         for (size_t c = 0; !status && c < cells; c++) {
             double v = value_at(m, c % m->columns, c / m->columns);
@@ -115,7 +115,7 @@ static ovr_status append_map(const maps *m, int f, ovr_error *err)
                    "\"%s\":{\"levels\":%d,\"from\":%.17g,\"step\":%.17g,"
                    "\"bend\":0,\"data\":\"",
                    fields[f].key, LEVELS, l.from, l.step);
-    status = ovr_pack_levels(w->to, level, cells, m->shots, w->arena, err);
+    status = ovr_pack_levels(w->to, level, cells, m->snapshots, w->arena, err);
     ovr_text_put(w->to, "\"},");
     return status;
 }
@@ -144,7 +144,7 @@ ovr_status ovr_view_areal(const ovr_view_run *view, ovr_error *err)
     ovr_text_print(view->to,
                    "\"areal\":{\"columns\":%zu,\"rows\":%zu,\"every\":%zu,"
                    "\"shots\":%zu,\"width\":%.17g,\"shown\":%.17g,",
-                   m.columns, m.rows, m.every, m.shots, run->info->width,
+                   m.columns, m.rows, m.every, m.snapshots, run->info->width,
                    shown);
     ovr_text_doubles(view->to, "x", x, m.columns);
     ovr_text_doubles(view->to, "y", y, m.rows);

@@ -170,7 +170,7 @@ static bool find_group(material *m)
 }
 
 /* X of the reference, the centre of the surface's first feature. */
-static bool find_places(const material *m, size_t shots, size_t every,
+static bool find_places(const material *m, size_t snapshots, size_t every,
                         double *at)
 {
     ovr_case *c = NULL;
@@ -180,9 +180,9 @@ static bool find_places(const material *m, size_t shots, size_t every,
     size_t k = 0;
     while (k < n && ovr_surfaces_info(setup->surfaces, k).surface != m->surface)
         k++;
-    for (size_t shot = 0; k < n && shot < shots; shot++)
-        at[shot] = ovr_surfaces_centre(setup->surfaces, k,
-                                       m->in.run->times[shot * every]);
+    for (size_t snapshot = 0; k < n && snapshot < snapshots; snapshot++)
+        at[snapshot] = ovr_surfaces_centre(setup->surfaces, k,
+                                           m->in.run->times[snapshot * every]);
     ovr_setup_free(setup);
     ovr_case_free(c);
     return k < n;
@@ -223,13 +223,13 @@ ovr_status ovr_view_material(const ovr_view_run *view, ovr_error *err)
 {
     ovr_text *to = view->to;
     ovr_arena *arena = view->arena;
-    const size_t shots = view->shots;
+    const size_t snapshots = view->snapshots;
     material m = {.in = {.run = view->run, .arena = arena}};
     const ovr_material_group *in = &m.in;
-    double *at = ovr_arena_take(arena, shots, sizeof *at, err);
+    double *at = ovr_arena_take(arena, snapshots, sizeof *at, err);
     if (!at)
         return OVR_NO_MEMORY;
-    if (!find_group(&m) || !find_places(&m, shots, view->every, at))
+    if (!find_group(&m) || !find_places(&m, snapshots, view->every, at))
         return OVR_OK;
     m.columns = in->points > MATERIAL_COLUMNS ? MATERIAL_COLUMNS : in->points;
     m.cell = ovr_arena_take(arena, ROWS * m.columns, sizeof *m.cell, err);
@@ -243,7 +243,7 @@ ovr_status ovr_view_material(const ovr_view_run *view, ovr_error *err)
                    "\"x1\":%.17g,",
                    m.columns, ROWS, in->xi[0], in->xi[in->points - 1]);
     ovr_text_doubles(to, "z", m.depth, ROWS);
-    ovr_text_doubles(to, "place", at, shots);
+    ovr_text_doubles(to, "place", at, snapshots);
     ovr_text_put(to, "\"fields\":[");
     ovr_status status = OVR_OK;
     for (size_t map = 0;

@@ -26,7 +26,8 @@ static ovr_status find_worst(ovr_depth_field *f, size_t *worst, ovr_error *err)
     return OVR_OK;
 }
 
-ovr_status ovr_stress_panel_add(ovr_depth_field *f, const ovr_shot *shot,
+ovr_status ovr_stress_panel_add(ovr_depth_field *f,
+                                const ovr_snapshot *snapshot,
                                 const ovr_snapshot_style *look,
                                 ovr_snapshot_chart *to, ovr_arena *arena,
                                 ovr_error *err)
@@ -40,12 +41,12 @@ ovr_status ovr_stress_panel_add(ovr_depth_field *f, const ovr_shot *shot,
         return OVR_NO_MEMORY;
     if (ovr_axis_make(OVR_KIND_LENGTH, f->run->result, look->options->units,
                       f->x_to, &x, err) ||
-        ovr_depth_field_solve(f, shot->k, err) ||
+        ovr_depth_field_solve(f, snapshot->k, err) ||
         ovr_depth_field_panel(f, look->options->units, panel, arena, err))
         return OVR_BAD_INPUT;
     to->chart.rows++;
     unit = *x.unit ? x.unit : "b";
-    bool unresolved = ovr_stored_unresolved(f->run, (ptrdiff_t)shot->k,
+    bool unresolved = ovr_stored_unresolved(f->run, (ptrdiff_t)snapshot->k,
                                             f->worst.Z);
     snprintf(note, NOTE,
              "maximum %.3g p_h at x = %.3g %s, z = %.3g %s%s; smooth contact "
@@ -64,28 +65,29 @@ static ovr_status draw(const ovr_drawing *drawing, ovr_depth_field *f,
     ovr_snapshot_style *look = ovr_arena_take(drawing->arena, 1, sizeof *look,
                                               err);
     ovr_snapshot_chart *to = ovr_arena_take(drawing->arena, 1, sizeof *to, err);
-    ovr_shot *shot = ovr_arena_take(drawing->arena, 1, sizeof *shot, err);
+    ovr_snapshot *snapshot = ovr_arena_take(drawing->arena, 1, sizeof *snapshot,
+                                            err);
     ovr_extent extent = ovr_extent_make(f->x_from, f->x_to, drawing->runs, 1);
     size_t k = 0;
-    if (!look || !to || !shot ||
-        ovr_shot_make(shot, drawing->runs, drawing->arena, err))
+    if (!look || !to || !snapshot ||
+        ovr_snapshot_make(snapshot, drawing->runs, drawing->arena, err))
         return OVR_NO_MEMORY;
     if (o->time_count)
         k = ovr_stored_nearest(drawing->runs, o->times[0]);
     else if (find_worst(f, &k, err))
         return OVR_BAD_INPUT;
     for (size_t j = 0; j < drawing->runs->info->snapshots; j += 8) {
-        if (ovr_shot_read(shot, j, err))
+        if (ovr_snapshot_read(snapshot, j, err))
             return OVR_BAD_INPUT;
-        ovr_extent_add(&extent, shot);
+        ovr_extent_add(&extent, snapshot);
     }
-    if (ovr_shot_read(shot, k, err))
+    if (ovr_snapshot_read(snapshot, k, err))
         return OVR_BAD_INPUT;
-    ovr_extent_add(&extent, shot);
+    ovr_extent_add(&extent, snapshot);
     if (ovr_snapshot_style_make(look, o, &extent, drawing->runs, 1, err))
         return OVR_BAD_INPUT;
-    ovr_snapshot_draw(to, look, shot, 1, 1, NULL);
-    if (ovr_stress_panel_add(f, shot, look, to, drawing->arena, err))
+    ovr_snapshot_draw(to, look, snapshot, 1, 1, NULL);
+    if (ovr_stress_panel_add(f, snapshot, look, to, drawing->arena, err))
         return OVR_BAD_INPUT;
     to->chart.height = chart->height;
     *chart = to->chart;
@@ -127,7 +129,7 @@ static const double DEEPEST = 2.5;
 
 typedef struct sheet {
     ovr_depth_field field;
-    size_t columns, shots, every;
+    size_t columns, snapshots, every;
     double *worst, z[ROWS];
     uint16_t *level;
     ovr_levels levels;
@@ -135,7 +137,7 @@ typedef struct sheet {
 
 static ovr_status prepare(sheet *s, ovr_arena *arena, ovr_error *err)
 {
-    size_t maximum = MAX_VALUES / ROWS / s->shots;
+    size_t maximum = MAX_VALUES / ROWS / s->snapshots;
     s->columns = maximum > MAX_COLUMNS   ? MAX_COLUMNS
                  : maximum < MIN_COLUMNS ? MIN_COLUMNS
                                          : maximum;
@@ -146,18 +148,18 @@ static ovr_status prepare(sheet *s, ovr_arena *arena, ovr_error *err)
     s->levels = ovr_levels_even(0, 1);
     s->levels.step = s->field.high / STEPS;
     s->levels.from = -s->levels.step * OVR_PACKED_LEVELS / 2;
-    s->worst = ovr_arena_take(arena, 3 * s->shots, sizeof *s->worst, err);
-    s->level = ovr_arena_take(arena, ROWS * s->columns * s->shots,
+    s->worst = ovr_arena_take(arena, 3 * s->snapshots, sizeof *s->worst, err);
+    s->level = ovr_arena_take(arena, ROWS * s->columns * s->snapshots,
                               sizeof *s->level, err);
     return s->worst && s->level ? OVR_OK : OVR_NO_MEMORY;
 }
 
-static ovr_status fill(sheet *s, size_t shot, ovr_error *err)
+static ovr_status fill(sheet *s, size_t snapshot, ovr_error *err)
 {
     ovr_depth_field *f = &s->field;
-    uint16_t *level = s->level + shot * ROWS * s->columns;
-    double *worst = s->worst + 3 * shot;
-    if (ovr_depth_field_solve(f, shot * s->every, err))
+    uint16_t *level = s->level + snapshot * ROWS * s->columns;
+    double *worst = s->worst + 3 * snapshot;
+    if (ovr_depth_field_solve(f, snapshot * s->every, err))
         return OVR_BAD_INPUT;
     worst[0] = f->worst.X, worst[1] = f->worst.Z, worst[2] = f->worst.value;
     for (size_t r = 0; r < ROWS; r++)
@@ -178,7 +180,7 @@ static void write_unresolved(ovr_text *to, const sheet *s)
     if (!run->unresolved)
         return;
     ovr_text_put(to, "\"unresolved\":[");
-    for (size_t k = 0; k < s->shots; k++) {
+    for (size_t k = 0; k < s->snapshots; k++) {
         const char *remedy = ovr_stored_unresolved(
             run, (ptrdiff_t)(k * s->every), s->worst[3 * k + 1]);
         ovr_text_print(to, "%s\"%s\"", k ? "," : "", remedy ? remedy : "");
@@ -211,15 +213,15 @@ static ovr_status write_stress(ovr_text *to, const sheet *s, ovr_arena *arena,
                    both || pressed ? -f->high : 0, pressed ? 0 : f->high,
                    f->smooth, f->minimum);
     ovr_text_doubles(to, "z", s->z, ROWS);
-    ovr_text_doubles(to, "worst", s->worst, 3 * s->shots);
+    ovr_text_doubles(to, "worst", s->worst, 3 * s->snapshots);
     write_layers(to, &f->coated.body);
     write_unresolved(to, s);
     ovr_text_print(to,
                    "\"levels\":%d,\"from\":%.17g,\"step\":%.17g,\"bend\":0,"
                    "\"data\":\"",
                    OVR_PACKED_LEVELS, s->levels.from, s->levels.step);
-    status = ovr_pack_levels(to, s->level, ROWS * s->columns, s->shots, arena,
-                             err);
+    status = ovr_pack_levels(to, s->level, ROWS * s->columns, s->snapshots,
+                             arena, err);
     ovr_text_put(to, "\"},");
     return status;
 }
@@ -239,13 +241,13 @@ ovr_status ovr_view_stress(const ovr_view_run *view, ovr_error *err)
 {
     if (!view->stress && !is_asked(view->run))
         return OVR_OK;
-    sheet s = {.shots = view->shots, .every = view->every};
+    sheet s = {.snapshots = view->snapshots, .every = view->every};
     const ovr_depth_look look = {view->stress, false, 1, -1.8, 1.5};
     ovr_status status = ovr_depth_field_make(&s.field, view->run, &look,
                                              view->arena, err);
     if (!status)
         status = prepare(&s, view->arena, err);
-    for (size_t k = 0; !status && k < s.shots; k++)
+    for (size_t k = 0; !status && k < s.snapshots; k++)
         status = fill(&s, k, err);
     if (!status)
         status = write_stress(view->to, &s, view->arena, err);
