@@ -33,12 +33,12 @@ static bool is_on(const ovr_resolved *r, int k)
 }
 
 /* Returns the statements of the form of physics k, defaults where it is off. */
-static ovr_physics_statement statements(const ovr_resolved *r, int k)
+static ovr_physics_effects effects_of(const ovr_resolved *r, int k)
 {
-    ovr_physics_statement says = {.arrives = INFINITY};
-    if (in_case(k)->says && is_on(r, k))
-        in_case(k)->says(r->physics[k].form, &says);
-    return says;
+    ovr_physics_effects effects = {.arrives = INFINITY};
+    if (in_case(k)->effects && is_on(r, k))
+        in_case(k)->effects(r->physics[k].form, &effects);
+    return effects;
 }
 
 /* Returns the slot of a key in one of the model's sections. */
@@ -57,7 +57,7 @@ static ovr_status read_columns(void *data, const char *key, const char *file,
     ovr_status status = ovr_slot_columns(own_slot(a, key), file, to,
                                          &a->r->arena, err);
     if (status)
-        err->about = OVR_SAYS_WHERE;
+        err->about = OVR_HAS_PLACE;
     return status;
 }
 
@@ -76,7 +76,7 @@ static ovr_status make_history(void *data, const char *section,
     ovr_status status = ovr_resolve_history(a->r, section, change, history,
                                             err);
     if (status)
-        err->about = OVR_SAYS_WHERE;
+        err->about = OVR_HAS_PLACE;
     return status;
 }
 
@@ -144,7 +144,7 @@ static ovr_status fail(const ovr_resolved *r, const ovr_physics_in_case *p,
 {
     const char *about = why->about ? why->about : "";
     size_t length = strcspn(about, ".");
-    if (why->about && !strcmp(why->about, OVR_SAYS_WHERE))
+    if (why->about && !strcmp(why->about, OVR_HAS_PLACE))
         return ovr_fail_from(err, why, NULL, 0);
     const ovr_section *of = section_named(p, about, length);
     const ovr_block *block = of ? ovr_block_of(r, of->name) : NULL;
@@ -355,7 +355,7 @@ unsigned ovr_setup_physics(const ovr_setup *setup)
     unsigned bits = setup->features ? OVR_PHYSICS_FEATURES : 0;
     for (int k = 0; ovr_physics_list[k]; k++) {
         if (is_on(r, k))
-            bits |= ovr_physics_list[k]->bit | statements(r, k).bits;
+            bits |= ovr_physics_list[k]->bit | effects_of(r, k).bits;
     }
     return bits;
 }
@@ -435,7 +435,7 @@ unsigned ovr_resolved_features(const ovr_resolved *r)
 {
     unsigned on = 0;
     for (int k = 0; ovr_physics_list[k]; k++)
-        on |= statements(r, k).features;
+        on |= effects_of(r, k).features;
     return on;
 }
 
@@ -454,7 +454,7 @@ unsigned ovr_resolved_fields(const ovr_resolved *r)
 {
     unsigned fields = 0;
     for (int k = 0; ovr_physics_list[k]; k++)
-        fields |= bits_of(statements(r, k).fields);
+        fields |= bits_of(effects_of(r, k).fields);
     return fields;
 }
 
@@ -493,7 +493,7 @@ double ovr_resolved_width(const ovr_resolved *r)
 {
     double width = 0;
     for (int k = 0; ovr_physics_list[k]; k++)
-        width = fmax(width, statements(r, k).width_across);
+        width = fmax(width, effects_of(r, k).width_across);
     return width;
 }
 
@@ -520,7 +520,7 @@ double ovr_resolved_supply(const ovr_resolved *r)
 {
     double film = INFINITY;
     for (int k = 0; ovr_physics_list[k]; k++)
-        film = fmin(film, statements(r, k).arrives);
+        film = fmin(film, effects_of(r, k).arrives);
     return film;
 }
 
@@ -562,6 +562,6 @@ void ovr_setup_describe(const ovr_setup *setup, ovr_setup_line *line,
     ovr_resolved *r = setup->resolved;
     const ovr_physics_case of = about(r);
     for (int k = 0; ovr_physics_list[k]; k++)
-        if (is_on(r, k) && in_case(k)->tell)
-            in_case(k)->tell(&of, r->physics[k].form, line, data);
+        if (is_on(r, k) && in_case(k)->describe)
+            in_case(k)->describe(&of, r->physics[k].form, line, data);
 }

@@ -220,10 +220,10 @@ static ovr_status hierarchy_bear(ovr_hierarchy *grids, ovr_arena *arena,
                                  ovr_error *err)
 {
     ovr_level *finest = &grids->level[grids->finest];
-    if (finest->borne)
+    if (finest->asperity_P)
         return ovr_arena_status(arena);
     finest->pressed = ovr_mlmi_field(&finest->mlmi, arena, err);
-    finest->borne = ovr_mlmi_field(&finest->mlmi, arena, err);
+    finest->asperity_P = ovr_mlmi_field(&finest->mlmi, arena, err);
     return ovr_arena_status(arena);
 }
 

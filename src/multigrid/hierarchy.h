@@ -83,7 +83,7 @@ typedef struct ovr_level {
     double opened[3];
     /* pressure on the solids in addition to the film pressure, and its
      * deformation; NULL: none */
-    double *borne, *pressed;
+    double *asperity_P, *pressed;
 } ovr_level;
 
 typedef struct ovr_newton {

@@ -35,10 +35,10 @@ void ovr_level_set_asperity_pressure(const ovr_hierarchy *grids,
                                      const ovr_level *level,
                                      const double *ordered)
 {
-    ovr_level_write(grids, level, ordered, level->borne);
+    ovr_level_write(grids, level, ordered, level->asperity_P);
     if (!grids->touch.at) /* with asperity contact, `pressed` contains the total
                            * pressure */
-        ovr_level_deform(grids, level, level->borne, level->pressed);
+        ovr_level_deform(grids, level, level->asperity_P, level->pressed);
 }
 
 /* Adds the deformation by the additional pressure to w, halos included. */
@@ -56,7 +56,7 @@ void ovr_level_film(const ovr_hierarchy *grids, ovr_level *level)
         ovr_asperity_deform(grids, level);
     } else {
         ovr_level_deform(grids, level, level->f.P, level->f.w);
-        if (level->borne)
+        if (level->asperity_P)
             press(grids, level);
     }
     ovr_level_properties(grids, level);
@@ -93,8 +93,8 @@ double ovr_level_imbalance(const ovr_hierarchy *grids, const ovr_level *level)
 double ovr_level_load(const ovr_hierarchy *grids, const ovr_level *level)
 {
     double sum = grids->kernels->sum(&level->lanes, level->f.P);
-    if (level->borne)
-        sum += grids->kernels->sum(&level->lanes, level->borne);
+    if (level->asperity_P)
+        sum += grids->kernels->sum(&level->lanes, level->asperity_P);
     return level->grid.D * sum;
 }
 

@@ -27,7 +27,7 @@ void ovr_asperity_deform(const ovr_hierarchy *grids, const ovr_level *level)
 {
     double *whole = level->pressed;
     for (size_t J = 0; J < places(level); J++)
-        whole[J] = level->f.P[J] + level->borne[J];
+        whole[J] = level->f.P[J] + level->asperity_P[J];
     ovr_level_deform(grids, level, whole, level->f.w);
 }
 
@@ -58,18 +58,18 @@ void ovr_asperity_settle(ovr_hierarchy *grids)
 
 void ovr_asperity_split(const ovr_hierarchy *grids, const ovr_level *level)
 {
-    double *P = level->f.P, *borne = level->borne;
+    double *P = level->f.P, *asperity_P = level->asperity_P;
     const double *gap = ovr_asperity_gap(grids, level);
     for (size_t J = 0; J < level->lanes.S * level->lanes.V; J++) {
-        double whole = P[J] + borne[J], A, g;
+        double whole = P[J] + asperity_P[J], A, g;
         if (!(P[J] > 0))
             continue;
         law_at(grids, grids->H0 + gap[J] - level->f.w[J], &A, &g);
         P[J] = fmax(whole - A, 0);
-        borne[J] = whole - P[J];
+        asperity_P[J] = whole - P[J];
     }
     repeat(grids, level, P);
-    repeat(grids, level, borne);
+    repeat(grids, level, asperity_P);
 }
 
 double ovr_asperity_defect(const ovr_hierarchy *grids, const ovr_level *level)
@@ -82,7 +82,7 @@ double ovr_asperity_defect(const ovr_hierarchy *grids, const ovr_level *level)
         if (level->f.P[J] > 0)
             continue;
         law_at(grids, level->f.H[J], &A, &g);
-        sum += fabs(level->borne[J] - A);
+        sum += fabs(level->asperity_P[J] - A);
     }
     return level->grid.D * sum;
 }
@@ -100,7 +100,7 @@ void ovr_asperity_prepare(const ovr_hierarchy *grids, const ovr_level *level,
                           const ovr_fields *f)
 {
     const ovr_asperity *touch = &grids->touch;
-    ovr_level_read(grids, level, level->borne, touch->whole);
+    ovr_level_read(grids, level, level->asperity_P, touch->whole);
     for (size_t i = 0; i < level->grid.n; i++) {
         touch->whole[i] += f->P[i];
         law_at(grids, f->H[i], &touch->A[i], &touch->g[i]);
@@ -239,16 +239,16 @@ static void set_pressures(ovr_hierarchy *grids, const ovr_level *level,
                           double part)
 {
     const ovr_asperity *touch = &grids->touch;
-    double *P = grids->scratch[0], *borne = grids->scratch[1];
+    double *P = grids->scratch[0], *asperity_P = grids->scratch[1];
     size_t n = level->grid.n;
     for (size_t i = 1; i + 1 < n; i++) {
         double whole = fmax(touch->whole[i] + part * touch->step[i], 0);
         P[i] = touch->dry[i] ? 0 : whole;
-        borne[i] = touch->dry[i] ? whole : 0;
+        asperity_P[i] = touch->dry[i] ? whole : 0;
     }
-    P[0] = P[n - 1] = borne[0] = borne[n - 1] = 0;
+    P[0] = P[n - 1] = asperity_P[0] = asperity_P[n - 1] = 0;
     ovr_level_write(grids, level, P, level->f.P);
-    ovr_level_write(grids, level, borne, level->borne);
+    ovr_level_write(grids, level, asperity_P, level->asperity_P);
 }
 
 void ovr_asperity_limit(const ovr_asperity *touch, size_t n, double limit)

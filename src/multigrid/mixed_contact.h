@@ -10,8 +10,9 @@
  *
  * The law A(H) >= 0 decreases with H. It is the pressure carried, at the mean
  * gap H, by asperities finer than the grid or by a boundary layer. Field P of a
- * level contains P_f, and `borne` contains P - P_f: A(H) at a pressurized node,
- * the result of the last correction at a cavitated node (A(H) when solved).
+ * level contains P_f, and `asperity_P` contains P - P_f: A(H) at a pressurized
+ * node, the result of the last correction at a cavitated node (A(H) when
+ * solved).
  *
  * Newton's method with all derivatives, g = -dA/dH, k the elastic influence:
  *     dH = dH0 - k dP,   dP_f = dP + g dH in pressurized nodes, 0 elsewhere

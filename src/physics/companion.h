@@ -31,7 +31,8 @@ typedef struct ovr_accompanied_run {
 
 typedef struct ovr_companion {
     /* Messages about a case before the solution; and about a run after it. */
-    void (*foresee)(const ovr_setup *setup, ovr_listener *say, void *data);
+    void (*review_before)(const ovr_setup *setup, ovr_listener *say,
+                          void *data);
     void (*review)(const ovr_accompanied_run *run);
 
     /* Creates the companion's data for a run whose nodes are known. */

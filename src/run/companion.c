@@ -38,8 +38,8 @@ void ovr_companions_predict(const ovr_setup *setup, ovr_listener *say,
 {
     for (int k = 0; say && ovr_physics_list[k]; k++) {
         const ovr_companion *c = companion_of(setup, k);
-        if (c->foresee)
-            c->foresee(setup, say, data);
+        if (c->review_before)
+            c->review_before(setup, say, data);
     }
 }
 

@@ -51,13 +51,14 @@ static const double *pressure_of(const ovr_simulation *sim, int past, bool back)
 {
     double *workspace = sim->inflow.extended + OVR_GHOSTS;
     const double *P = sim->past.P[past];
-    const double *borne = past ? sim->borne_before[past - 1] : sim->borne;
+    const double *asperity_P = past ? sim->asperity_P_before[past - 1]
+                                    : sim->asperity_P;
     size_t n = sim->now.n;
-    if (!back && !borne)
+    if (!back && !asperity_P)
         return P;
     for (size_t i = 0; i < n; i++) {
         size_t from = back ? n - 1 - i : i;
-        workspace[i] = P[from] + (borne ? borne[from] : 0);
+        workspace[i] = P[from] + (asperity_P ? asperity_P[from] : 0);
     }
     return workspace;
 }

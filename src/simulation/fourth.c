@@ -555,7 +555,7 @@ static void before_step(ovr_simulation *sim, void *own, double T)
         memset(f->rest, 0, f->n * sizeof *f->rest);
 }
 
-static void taken(ovr_simulation *sim, void *own, double dT)
+static void accepted(ovr_simulation *sim, void *own, double dT)
 {
     fourth *f = own;
     if (!f->follows)
@@ -657,7 +657,7 @@ static const ovr_physics_in_solve in_solve = {
 
 static const ovr_physics_in_step in_step = {.before_step = before_step,
                                             .attempt = attempt,
-                                            .taken = taken,
+                                            .accepted = accepted,
                                             .before_back = before_back,
                                             .visit = visit};
 

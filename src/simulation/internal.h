@@ -24,7 +24,7 @@
  * does not use it. */
 typedef struct ovr_last_newton {
     bool taken, mine[OVR_FIELD_COUNT];
-    double *field[OVR_FIELD_COUNT], *borne, *pressed;
+    double *field[OVR_FIELD_COUNT], *asperity_P, *pressed;
 } ovr_last_newton;
 
 /* A physical model (physics.h) in a simulation; `is` is NULL after the last. */
@@ -126,7 +126,7 @@ struct ovr_simulation {
     ovr_shear shear;
     /* pressure on the solids in addition to the fluid pressure, one, two and
      * three steps ago; or NULL */
-    double *borne, *borne_before[2];
+    double *asperity_P, *asperity_P_before[2];
     struct ovr_heated *heated; /* temperatures (physics/heat), or NULL */
     /* F of a step without the heat terms that change in each cycle, or NULL */
     double *F_before_heat;

@@ -47,7 +47,7 @@ static void begin(ovr_simulation *sim, void *own)
     sim->past.backward = sim->histories.backward;
 }
 
-static void taken(ovr_simulation *sim, void *own, double dT)
+static void accepted(ovr_simulation *sim, void *own, double dT)
 {
     (void)dT;
     begin(sim, own);
@@ -90,7 +90,7 @@ static const ovr_physics_in_solve in_solve = {
 
 static const ovr_physics_in_step in_step = {.check = check,
                                             .before_step = before_step,
-                                            .taken = taken,
+                                            .accepted = accepted,
                                             .before_back = before_back,
                                             .visit = visit};
 

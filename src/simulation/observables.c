@@ -92,10 +92,10 @@ static const double *filling(const ovr_simulation *sim, double *workspace)
 static const double *contact_pressure(const ovr_simulation *sim,
                                       double *workspace)
 {
-    const double *borne = sim->finest->borne;
+    const double *asperity_P = sim->finest->asperity_P;
     memset(workspace, 0, sim->state.n * sizeof *workspace);
-    if (borne)
-        ovr_nodes_read(sim, sim->finest, borne, workspace);
+    if (asperity_P)
+        ovr_nodes_read(sim, sim->finest, asperity_P, workspace);
     return workspace;
 }
 

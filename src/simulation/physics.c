@@ -46,7 +46,7 @@ static void set_asperity_pressure(ovr_simulation *sim, const double *along_x)
 
 void ovr_physics_clear_asperity_pressure(ovr_simulation *sim)
 {
-    if (!sim->borne)
+    if (!sim->asperity_P)
         return;
     double *none = ovr_work_take(sim);
     memset(none, 0, sim->finest->grid.n * sizeof *none);
@@ -56,25 +56,25 @@ void ovr_physics_clear_asperity_pressure(ovr_simulation *sim)
 
 void ovr_physics_keep_asperity_pressure(ovr_simulation *sim)
 {
-    size_t bytes = sim->now.n * sizeof *sim->borne;
-    if (!sim->borne)
+    size_t bytes = sim->now.n * sizeof *sim->asperity_P;
+    if (!sim->asperity_P)
         return;
-    memcpy(sim->borne_before[1], sim->borne_before[0], bytes);
-    memcpy(sim->borne_before[0], sim->borne, bytes);
-    ovr_nodes_read(sim, sim->finest, sim->finest->borne, sim->borne);
+    memcpy(sim->asperity_P_before[1], sim->asperity_P_before[0], bytes);
+    memcpy(sim->asperity_P_before[0], sim->asperity_P, bytes);
+    ovr_nodes_read(sim, sim->finest, sim->finest->asperity_P, sim->asperity_P);
 }
 
 void ovr_physics_restore_asperity_pressure(ovr_simulation *sim)
 {
-    if (sim->borne)
-        set_asperity_pressure(sim, sim->borne);
+    if (sim->asperity_P)
+        set_asperity_pressure(sim, sim->asperity_P);
 }
 
 ovr_status ovr_physics_take_asperity_pressure(ovr_simulation *sim,
                                               ovr_error *err)
 {
-    double **const all[] = {&sim->borne, &sim->borne_before[0],
-                            &sim->borne_before[1]};
+    double **const all[] = {&sim->asperity_P, &sim->asperity_P_before[0],
+                            &sim->asperity_P_before[1]};
     for (size_t k = 0; k < sizeof all / sizeof *all; k++)
         *all[k] = ovr_arena_take(&sim->arena, sim->maximum, sizeof **all[k],
                                  err);

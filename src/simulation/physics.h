@@ -26,7 +26,7 @@
 #include "surface/two_columns.h"
 
 /* In place of a key in an error: the message itself begins with its place. */
-#define OVR_SAYS_WHERE ""
+#define OVR_HAS_PLACE ""
 
 /* Properties of a body; NAN: unknown. */
 typedef struct ovr_physics_body {
@@ -102,7 +102,7 @@ typedef struct ovr_own_fields {
 } ovr_own_fields;
 
 /* Effects of a form on the run. */
-typedef struct ovr_physics_statement {
+typedef struct ovr_physics_effects {
     unsigned bits;       /* bits in addition to the model's own */
     unsigned features;   /* model features (conflicts.h) that are switched on */
     const char *fields;  /* additional fields of a result file, separated by ",
@@ -110,7 +110,7 @@ typedef struct ovr_physics_statement {
     double width_across; /* period across the rolling direction in b; 0: none */
     double arrives;      /* supplied film thickness at T = 0; INFINITY: flooded
                           */
-} ovr_physics_statement;
+} ovr_physics_effects;
 
 /* Part in the case. */
 typedef struct ovr_physics_in_case {
@@ -139,7 +139,7 @@ typedef struct ovr_physics_in_case {
 
     /* Resolves the form in units of the contact; *on: the model is active. An
      * error names a key of its rows or of [lubricant], a block, a section,
-     * "section.key", or OVR_SAYS_WHERE. */
+     * "section.key", or OVR_HAS_PLACE. */
     ovr_status (*resolve)(const ovr_physics_case *of, void *form, bool *on,
                           ovr_error *err);
 
@@ -173,8 +173,8 @@ typedef struct ovr_physics_in_case {
     bool (*keeps)(const void *form, const struct ovr_feature_form *feature);
 
     /* Calls `line` for each number of the form that is shown to users. */
-    void (*tell)(const ovr_physics_case *of, const void *form,
-                 ovr_physics_line *line, void *data);
+    void (*describe)(const ovr_physics_case *of, const void *form,
+                     ovr_physics_line *line, void *data);
 
     /* Memory in bytes in addition to that of the simulation, for a prepared
      * case. */
@@ -189,7 +189,7 @@ typedef struct ovr_physics_in_case {
 
     /* Fills in the effects of an active form; they are initialized to zero and
      * `arrives` to INFINITY. */
-    void (*says)(const void *form, ovr_physics_statement *says);
+    void (*effects)(const void *form, ovr_physics_effects *effects);
 } ovr_physics_in_case;
 
 /* Part in the creation of a simulation and in the steady solution. */
@@ -306,7 +306,7 @@ typedef struct ovr_physics_in_step {
 
     /* Called after a cycle of the step: updates the model with the new film, if
      * necessary, and recomputes film and residual. */
-    void (*anew)(ovr_simulation *sim, void *own);
+    void (*update)(ovr_simulation *sim, void *own);
 
     /* During continuation (continuation.c): stores the model's data of the last
      * solution on the finest level; restores those data, whose pressure was P.
@@ -315,7 +315,7 @@ typedef struct ovr_physics_in_step {
     void (*go_back)(ovr_simulation *sim, void *own, const double *P);
 
     /* Called after the step dT is accepted and before it becomes the past. */
-    void (*taken)(ovr_simulation *sim, void *own, double dT);
+    void (*accepted)(ovr_simulation *sim, void *own, double dT);
 
     /* Writes advice for a step that did not converge, appended to the reason; H
      * is the film thickness of the reference contact. */

@@ -79,12 +79,12 @@ static void visit_order(ovr_simulation *sim, ovr_pieces *state)
                                  sim->order, sim->options.order);
 }
 
-static void visit_borne(ovr_simulation *sim, ovr_pieces *state)
+static void visit_asperity_P(ovr_simulation *sim, ovr_pieces *state)
 {
-    size_t bytes = sim->now.n * sizeof *sim->borne;
-    ovr_show(state, "borne", sim->borne, bytes);
-    ovr_show(state, "borne_1", sim->borne_before[0], bytes);
-    ovr_show(state, "borne_2", sim->borne_before[1], bytes);
+    size_t bytes = sim->now.n * sizeof *sim->asperity_P;
+    ovr_show(state, "borne", sim->asperity_P, bytes);
+    ovr_show(state, "borne_1", sim->asperity_P_before[0], bytes);
+    ovr_show(state, "borne_2", sim->asperity_P_before[1], bytes);
 }
 
 ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
@@ -96,8 +96,8 @@ ovr_status ovr_simulation_visit(ovr_simulation *sim, ovr_visit *visit,
     ovr_extreme e;
     visit_past(sim, &state);
     visit_order(sim, &state);
-    if (sim->borne)
-        visit_borne(sim, &state);
+    if (sim->asperity_P)
+        visit_asperity_P(sim, &state);
     OVR_EACH_PHYSICS(sim, p, in_step, visit)
         p->is->in_step->visit(sim, p->own, &state);
     for (size_t k = 0; k < sizeof parts / sizeof *parts; k++)

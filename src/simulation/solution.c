@@ -80,9 +80,9 @@ double ovr_integral(const ovr_simulation *sim, const double *f)
 const double *ovr_solid_pressure(const ovr_simulation *sim, double *workspace)
 {
     const double *P = sim->now.P;
-    if (!sim->borne)
+    if (!sim->asperity_P)
         return P;
-    ovr_nodes_read(sim, sim->finest, sim->finest->borne, workspace);
+    ovr_nodes_read(sim, sim->finest, sim->finest->asperity_P, workspace);
     sim->grids.kernels->combine(sim->now.n, 1, workspace, 1, P, workspace);
     return workspace;
 }

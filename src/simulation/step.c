@@ -152,8 +152,8 @@ bool ovr_step_cycles(ovr_simulation *sim, ovr_step_cycling how,
         if (!cycle)
             solve_windows(grids, sim->finest, 1);
         settle_ends(grids, sim->finest);
-        OVR_EACH_PHYSICS(sim, p, in_step, anew)
-            p->is->in_step->anew(sim, p->own);
+        OVR_EACH_PHYSICS(sim, p, in_step, update)
+            p->is->in_step->update(sim, p->own);
         outcome->cycles++;
     }
     ovr_simulation_read(sim);
@@ -184,7 +184,7 @@ static bool has_newton(ovr_simulation *sim)
 {
     ovr_hierarchy *grids = &sim->grids;
     return sim->options.smoother == OVR_LINE && !grids->touch.at &&
-           !grids->content && !sim->finest->borne &&
+           !grids->content && !sim->finest->asperity_P &&
            !sim->options.paper_balance;
 }
 
@@ -197,7 +197,7 @@ static void exchange(ovr_simulation *sim)
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         if (own->mine[k])
             ovr_swap(&level->f.all[k], &own->field[k]);
-    ovr_swap(&level->borne, &own->borne);
+    ovr_swap(&level->asperity_P, &own->asperity_P);
     ovr_swap(&level->pressed, &own->pressed);
 }
 
@@ -230,7 +230,7 @@ bool ovr_step_newton(ovr_simulation *sim, const ovr_cycling *how,
         return false;
     touch->at = bears_nothing;
     touch->share = 1;
-    ovr_level_clear(level, level->borne);
+    ovr_level_clear(level, level->asperity_P);
     ovr_asperity_settle(&sim->grids);
     bool solved = ovr_step_cycles(
         sim, (ovr_step_cycling){*how, false, STEPS, far, 0}, outcome);
@@ -288,7 +288,7 @@ static ovr_cycling cycling_of(const ovr_simulation *sim, const attempt *how)
     return c;
 }
 
-static bool is_borne(double A)
+static bool is_asperity_pressure(double A)
 {
     return A > OVR_TOUCH_MIN;
 }
@@ -298,7 +298,7 @@ static bool is_borne(double A)
 static bool had_no_asperity_contact(const ovr_simulation *sim)
 {
     for (size_t i = 0; i < sim->now.n; i++)
-        if (is_borne(sim->borne[i]))
+        if (is_asperity_pressure(sim->asperity_P[i]))
             return false;
     return true;
 }
@@ -312,7 +312,7 @@ static bool are_apart(const ovr_simulation *sim)
     double A, slope;
     size_t low = sim->grids.kernels->extreme(sim->now.n, 1, H);
     touch->at(touch->law, H[low], &A, &slope);
-    return !is_borne(A);
+    return !is_asperity_pressure(A);
 }
 
 static bool try_with(ovr_simulation *sim, double dT, const attempt *how,
@@ -345,7 +345,7 @@ static bool try_once(ovr_simulation *sim, double dT, const attempt *how,
     const ovr_asperity law = *touch;
     if (!law.at || how != attempts || !had_no_asperity_contact(sim))
         return try_with(sim, dT, how, outcome);
-    memset(sim->borne, 0, sim->now.n * sizeof *sim->borne);
+    memset(sim->asperity_P, 0, sim->now.n * sizeof *sim->asperity_P);
     touch->at = NULL;
     bool solved = try_with(sim, dT, how, outcome);
     touch->at = law.at;
@@ -381,8 +381,8 @@ static void end_step(ovr_simulation *sim, double dT)
     ovr_past *past = &sim->past;
     ovr_guess_update(sim, dT);
     ovr_physics_keep_asperity_pressure(sim);
-    OVR_EACH_PHYSICS(sim, p, in_step, taken)
-        p->is->in_step->taken(sim, p->own, dT);
+    OVR_EACH_PHYSICS(sim, p, in_step, accepted)
+        p->is->in_step->accepted(sim, p->own, dT);
     for (size_t k = 0; k < OVR_FIELD_COUNT; k++)
         if (ovr_field_rows[k].past)
             keep(past->all[k], ovr_field_rows[k].past, sim->now.all[k],

@@ -61,8 +61,8 @@ static ovr_status resolve(const ovr_physics_case *of, void *form, bool *on,
     return OVR_OK;
 }
 
-static void tell(const ovr_physics_case *of, const void *form,
-                 ovr_physics_line *line, void *data)
+static void describe(const ovr_physics_case *of, const void *form,
+                     ovr_physics_line *line, void *data)
 {
     const layer_form *given = form;
     char text[80];
@@ -157,7 +157,7 @@ static void before_step(ovr_simulation *sim, void *own, double T)
         l->worn[i] = l->before[i] + wear * sim->past.P[0][i];
 }
 
-static void taken(ovr_simulation *sim, void *own, double dT)
+static void accepted(ovr_simulation *sim, void *own, double dT)
 {
     layer *l = own;
     (void)dT;
@@ -218,14 +218,14 @@ static const ovr_physics_in_case in_case = {.section = &section,
                                             .sections = 1,
                                             .form = sizeof(layer_form),
                                             .resolve = resolve,
-                                            .tell = tell,
+                                            .describe = describe,
                                             .node_seconds = 1e-6};
 
 static const ovr_physics_in_solve in_solve = {
     .take = take, .influence = influence, .forget = forget, .heights = heights};
 
 static const ovr_physics_in_step in_step = {.before_step = before_step,
-                                            .taken = taken,
+                                            .accepted = accepted,
                                             .before_back = before_back,
                                             .visit = visit};
 

@@ -507,10 +507,10 @@ static const ovr_coated *layers(const void *form, int body)
     return coated->body.layers ? coated : NULL;
 }
 
-static void says(const void *form, ovr_physics_statement *says)
+static void effects(const void *form, ovr_physics_effects *effects)
 {
     (void)form;
-    says->features = ovr_model_feature_bit(OVR_MODEL_COATING, true);
+    effects->features = ovr_model_feature_bit(OVR_MODEL_COATING, true);
 }
 
 /* ------------------------------------------------------- Companion of a run */
@@ -521,7 +521,7 @@ static const ovr_coated *coated_of(const ovr_setup *setup)
     return first ? first : ovr_setup_layers(setup, 1);
 }
 
-static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
+static void review_before(const ovr_setup *setup, ovr_listener *say, void *data)
 {
     const double small = 0.1;
     const ovr_coated *of = coated_of(setup);
@@ -563,7 +563,8 @@ static ovr_status open_file(void *own, const ovr_accompanied_run *run,
     return ovr_writer_group(run->writer, &group, true, err);
 }
 
-static const ovr_companion companion = {.foresee = foresee, .open = open_file};
+static const ovr_companion companion = {.review_before = review_before,
+                                        .open = open_file};
 
 static const ovr_physics_in_case in_case = {.node_seconds = 5e-8,
                                             .section = &section,
@@ -573,8 +574,8 @@ static const ovr_physics_in_case in_case = {.node_seconds = 5e-8,
                                             .stiffness = stiffness,
                                             .resolve = resolve,
                                             .layers = layers,
-                                            .says = says,
-                                            .tell = report,
+                                            .effects = effects,
+                                            .describe = report,
                                             .on_mesh = on_mesh};
 
 static const ovr_physics_in_solve in_solve = {

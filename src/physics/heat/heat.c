@@ -627,11 +627,11 @@ static const ovr_observable quantities[] = {
          "energy balance error", COMMENT("relative to the dissipated power"),
          OF_MAGNITUDE("energy_defect_max"), STEADY_TOO)};
 
-static void says(const void *form, ovr_physics_statement *says)
+static void effects(const void *form, ovr_physics_effects *effects)
 {
     (void)form;
-    says->features = ovr_model_feature_bit(OVR_MODEL_HEAT, true);
-    says->fields = "temperature_1, temperature_2, temperature_middle";
+    effects->features = ovr_model_feature_bit(OVR_MODEL_HEAT, true);
+    effects->fields = "temperature_1, temperature_2, temperature_middle";
 }
 
 static const ovr_own_fields own_fields = {
@@ -645,10 +645,10 @@ static const ovr_physics_in_case in_case = {.node_seconds = 5e-7,
                                             .behind = "lubricant",
                                             .form = sizeof(ovr_heat_case),
                                             .resolve = ovr_heat_resolve,
-                                            .says = says,
+                                            .effects = effects,
                                             .own_fields = &own_fields,
                                             .lag = 0.05,
-                                            .tell = describe};
+                                            .describe = describe};
 
 static const ovr_physics_in_solve in_solve = {.take = create_heat,
                                               .before_start = before_start,
@@ -659,8 +659,8 @@ static const ovr_physics_in_solve in_solve = {.take = create_heat,
 
 static const ovr_physics_in_step in_step = {.step = ovr_heat_step,
                                             .attempt = ovr_heat_try,
-                                            .anew = ovr_heat_anew,
-                                            .taken = ovr_heat_taken,
+                                            .update = ovr_heat_update,
+                                            .accepted = ovr_heat_accepted,
                                             .step_back = ovr_heat_step_back,
                                             .visit = ovr_heat_visit,
                                             .restored = ovr_heat_restored};

@@ -295,7 +295,7 @@ static bool is_inconsistent(const ovr_simulation *sim)
                                    sim->now.n, sim->now.P, s->heated_P) > far);
 }
 
-void ovr_heat_anew(ovr_simulation *sim, void *own)
+void ovr_heat_update(ovr_simulation *sim, void *own)
 {
     ovr_heat_steps *s = ((ovr_heated *)own)->steps;
     if (!s->trying) /* cycles of a steady film in pseudo-time (continuation.c)
@@ -329,7 +329,7 @@ static bool has_other_compression(const ovr_simulation *sim)
     return h->numbers.T0 * power > share * s->max_balanced;
 }
 
-void ovr_heat_taken(ovr_simulation *sim, void *own, double dT)
+void ovr_heat_accepted(ovr_simulation *sim, void *own, double dT)
 {
     ovr_heated *h = own;
     ovr_heat_steps *s = h->steps;

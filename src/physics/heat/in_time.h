@@ -115,14 +115,14 @@ ovr_status ovr_heat_steps_take(ovr_simulation *sim, ovr_error *err);
  * ovr_heated. They make the steady solution, or the step just made, the last
  * completed time. */
 void ovr_heat_begin(ovr_simulation *sim, void *own);
-void ovr_heat_taken(ovr_simulation *sim, void *own, double dT);
+void ovr_heat_accepted(ovr_simulation *sim, void *own, double dT);
 
 /* Called with the history term of a step dT in place; with the guess of an
  * attempt in place: computes temperatures and the film with them; after a
  * cycle: the same if the temperatures lag. */
 void ovr_heat_step(ovr_simulation *sim, void *own, double dT);
 void ovr_heat_try(ovr_simulation *sim, void *own, bool corrected);
-void ovr_heat_anew(ovr_simulation *sim, void *own);
+void ovr_heat_update(ovr_simulation *sim, void *own);
 
 /* True if the temperatures of the last observed step are inconsistent with its
  * film. */

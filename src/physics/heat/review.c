@@ -76,7 +76,8 @@ static void review_speed(const ovr_setup *s, int k, ovr_listener *listener,
                  20 * kappa / pow(slow.u * s->contact->um, 2), reach * second);
 }
 
-static void foresee(const ovr_setup *setup, ovr_listener *listener, void *data)
+static void review_before(const ovr_setup *setup, ovr_listener *listener,
+                          void *data)
 {
     for (int k = 0; k < 2; k++)
         review_speed(setup, k, listener, data);
@@ -172,4 +173,5 @@ static void review(const ovr_accompanied_run *run)
     warn_of_domain(run);
 }
 
-const ovr_companion ovr_heat_companion = {.foresee = foresee, .review = review};
+const ovr_companion ovr_heat_companion = {.review_before = review_before,
+                                          .review = review};

@@ -92,7 +92,7 @@ static bool reach(ovr_simulation *sim, boundary *b, double share,
     ovr_asperity_settle(grids);
     double H0 = grids->H0, old = grids->touch.share;
     ovr_level_read(grids, finest, finest->f.P, b->saved);
-    ovr_level_read(grids, finest, finest->borne, b->bears);
+    ovr_level_read(grids, finest, finest->asperity_P, b->bears);
     grids->touch.share = share;
     *d = ovr_steady_cycles(sim, how, cycles);
     if (ovr_below(*d, enough))
@@ -102,7 +102,7 @@ static bool reach(ovr_simulation *sim, boundary *b, double share,
     grids->touch.share = old;
     ovr_asperity_settle(grids);
     ovr_level_write(grids, finest, b->saved, finest->f.P);
-    ovr_level_write(grids, finest, b->bears, finest->borne);
+    ovr_level_write(grids, finest, b->bears, finest->asperity_P);
     ovr_level_refresh(grids, finest);
     return false;
 }
@@ -235,19 +235,19 @@ static void attempt(ovr_simulation *sim, void *own, bool corrected)
 /* ---------------------------------------------------------------- running-in
  */
 
-static void read_borne(ovr_simulation *sim, boundary *b)
+static void read_asperity_P(ovr_simulation *sim, boundary *b)
 {
-    ovr_nodes_read(sim, sim->finest, sim->finest->borne, b->A);
+    ovr_nodes_read(sim, sim->finest, sim->finest->asperity_P, b->A);
 }
 
 static void record_film(ovr_simulation *sim, boundary *b)
 {
-    double borne = 0;
-    read_borne(sim, b);
+    double asperity_load = 0;
+    read_asperity_P(sim, b);
     for (size_t i = 0; i < sim->now.n; i++)
-        borne += sim->now.weights[i] * b->A[i];
+        asperity_load += sim->now.weights[i] * b->A[i];
     ovr_wear_see(b->wear, sim->now.n, b->A, sim->now.weights,
-                 borne / OVR_NOMINAL_LOAD);
+                 asperity_load / OVR_NOMINAL_LOAD);
 }
 
 static void begin(ovr_simulation *sim, void *own)
@@ -264,7 +264,7 @@ static void before_step(ovr_simulation *sim, void *own, double T)
         ovr_wear_step(b->wear, (T - sim->past.T[0]) / OVR_WEAR_STEP);
 }
 
-static void taken(ovr_simulation *sim, void *own, double dT)
+static void accepted(ovr_simulation *sim, void *own, double dT)
 {
     boundary *b = own;
     (void)dT;
@@ -320,12 +320,12 @@ const ovr_wear *ovr_wear_of(const ovr_simulation *sim)
 /* Boundary friction -sgn(V) mu_b A/kappa at half node i + 1/2. */
 static double drag_at(const ovr_simulation *sim, const boundary *b, size_t i)
 {
-    double borne = 0.5 * (b->A[i] + b->A[i + 1]), mu = b->given->friction;
-    if (isnan(mu) || !(borne > 0))
+    double pressure = 0.5 * (b->A[i] + b->A[i + 1]), mu = b->given->friction;
+    if (isnan(mu) || !(pressure > 0))
         return 0;
     double V = ovr_sliding(sim, sim->state.T);
     double side = V > 0 ? -1 : V < 0 ? 1 : 0;
-    return side * mu * borne / sim->contact.kappa;
+    return side * mu * pressure / sim->contact.kappa;
 }
 
 /* True if the asperity pressure is negligible even at the minimum film
@@ -347,7 +347,7 @@ static void friction(ovr_simulation *sim, void *own, double *t)
     b->wet_force = 0;
     if (has_no_asperity_contact(sim, b))
         return;
-    read_borne(sim, b);
+    read_asperity_P(sim, b);
     for (size_t i = 0; i + 1 < sim->now.n; i++) {
         double drag = drag_at(sim, b, i);
         double H = 0.5 * (sim->now.H[i] + sim->now.H[i + 1]);
@@ -367,7 +367,7 @@ static void heat(ovr_simulation *sim, void *own, double *apart, double *power)
         apart[i] *= 1 - ovr_asperity_law_area(b->law, sim->now.H[i]);
     if (isnan(mu))
         return;
-    read_borne(sim, b);
+    read_asperity_P(sim, b);
     for (size_t i = 0; i < sim->now.n; i++)
         power[i] += mu * b->A[i] * V / sim->contact.kappa;
 }
@@ -487,18 +487,18 @@ static void observe(ovr_simulation *sim, void *own, ovr_observation *o)
 {
     const double touches = 1e-3;
     boundary *b = own;
-    double borne = 0, area = 0, maximum = 0, minimum = NAN;
+    double asperity_load = 0, area = 0, maximum = 0, minimum = NAN;
     size_t n = has_no_asperity_contact(sim, b) ? 0 : sim->now.n;
-    read_borne(sim, b);
+    read_asperity_P(sim, b);
     for (size_t i = 0; i < n; i++) {
         double w = sim->now.weights[i], A = b->A[i];
-        borne += w * A;
+        asperity_load += w * A;
         area += w * ovr_asperity_law_area(b->law, sim->now.H[i]);
         maximum = fmax(maximum, A);
         if (A > touches)
             minimum = fmin(minimum, sim->now.H[i]);
     }
-    o->more[SHARE] = o->load > 0 ? borne / o->load : NAN;
+    o->more[SHARE] = o->load > 0 ? asperity_load / o->load : NAN;
     o->more[AREA] = area;
     o->more[A_MAX] = maximum;
     o->more[H_CONTACT] = minimum;
@@ -612,16 +612,16 @@ static void review(const ovr_simulation *sim, const void *own,
         review_wear(sim, b->wear, say, data);
 }
 
-static void says(const void *form, ovr_physics_statement *says)
+static void effects(const void *form, ovr_physics_effects *effects)
 {
     const ovr_boundary_form *f = form;
     bool wears = f->passes > 0;
-    says->bits = wears ? OVR_PHYSICS_WEAR : 0;
-    says->features = ovr_model_feature_bit(OVR_MODEL_BOUNDARY, true) |
-                     ovr_model_feature_bit(OVR_MODEL_MEAN_FILM,
-                                           !f->unresolved) |
-                     ovr_model_feature_bit(OVR_MODEL_WEAR, wears);
-    says->fields = "contact_pressure, fluid_pressure";
+    effects->bits = wears ? OVR_PHYSICS_WEAR : 0;
+    effects->features = ovr_model_feature_bit(OVR_MODEL_BOUNDARY, true) |
+                        ovr_model_feature_bit(OVR_MODEL_MEAN_FILM,
+                                              !f->unresolved) |
+                        ovr_model_feature_bit(OVR_MODEL_WEAR, wears);
+    effects->fields = "contact_pressure, fluid_pressure";
 }
 
 /* Running-in uses long steps in a separate time variable (wear.h). */
@@ -650,10 +650,10 @@ static const ovr_physics_in_case in_case = {.node_seconds = 7e-7,
                                             .form = sizeof(ovr_boundary_form),
                                             .resolve = ovr_boundary_resolve,
                                             .on_mesh = ovr_boundary_on_mesh,
-                                            .says = says,
+                                            .effects = effects,
                                             .march = march_for,
                                             .keeps = ovr_boundary_keeps,
-                                            .tell = ovr_boundary_describe};
+                                            .describe = ovr_boundary_describe};
 
 static const ovr_physics_in_solve in_solve = {.take = create,
                                               .forget = forget,
@@ -664,7 +664,7 @@ static const ovr_physics_in_solve in_solve = {.take = create,
 static const ovr_physics_in_step in_step = {.attempt = attempt,
                                             .advise = advise,
                                             .before_step = before_step,
-                                            .taken = taken,
+                                            .accepted = accepted,
                                             .over = over,
                                             .before_back = before_back,
                                             .visit = visit,

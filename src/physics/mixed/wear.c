@@ -91,7 +91,7 @@ void ovr_wear_see(ovr_wear *wear, size_t n, const double *A,
 }
 
 /* Integral of A over the last film. */
-static double borne(const ovr_wear *wear)
+static double asperity_load(const ovr_wear *wear)
 {
     double sum = 0;
     for (size_t j = 0; j < wear->pair.points; j++)
@@ -115,7 +115,7 @@ static double passes_of(const ovr_wear *wear)
 void ovr_wear_step(ovr_wear *wear, double part)
 {
     ovr_wear_back(wear);
-    double N = part * passes_of(wear), all = borne(wear);
+    double N = part * passes_of(wear), all = asperity_load(wear);
     double c[2] = {N * wear->c[0], N * wear->c[1]};
     ovr_rough_pair_wear(&wear->pair, c, wear->w);
     wear->now.passes += N;
@@ -289,7 +289,7 @@ static ovr_status finish(void *own, const ovr_accompanied_run *run,
     return status;
 }
 
-static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
+static void review_before(const ovr_setup *setup, ovr_listener *say, void *data)
 {
     const ovr_boundary_form *f = ovr_setup_form(setup, "boundary");
     if (!f || !f->law || !ovr_boundary_is_weak(f, 1))
@@ -305,4 +305,4 @@ static void foresee(const ovr_setup *setup, ovr_listener *say, void *data)
 }
 
 const ovr_companion ovr_wear_companion = {
-    .foresee = foresee, .make = make, .finish = finish};
+    .review_before = review_before, .make = make, .finish = finish};

@@ -278,11 +278,11 @@ static bool yields_below_others(const ovr_plastic_setup *p)
     return false;
 }
 
-void ovr_plastic_state(const void *form, ovr_physics_statement *says)
+void ovr_plastic_state(const void *form, ovr_physics_effects *effects)
 {
-    says->features = ovr_model_feature_bit(OVR_MODEL_PLASTIC, true) |
-                     ovr_model_feature_bit(OVR_MODEL_OTHER_MODULI,
-                                           yields_below_others(form));
+    effects->features = ovr_model_feature_bit(OVR_MODEL_PLASTIC, true) |
+                        ovr_model_feature_bit(OVR_MODEL_OTHER_MODULI,
+                                              yields_below_others(form));
 }
 
 ovr_plastic_setup *ovr_setup_plastic(const ovr_setup *setup)

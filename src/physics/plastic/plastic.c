@@ -337,7 +337,8 @@ static void flow(ovr_plastic *p, int k, double T)
 static void find_pressure(const ovr_simulation *sim, ovr_plastic *p)
 {
     for (size_t i = 0; i < sim->now.n; i++)
-        p->P[i] = sim->past.P[0][i] + (sim->borne ? sim->borne[i] : 0);
+        p->P[i] = sim->past.P[0][i] +
+                  (sim->asperity_P ? sim->asperity_P[i] : 0);
 }
 
 static void before_step(ovr_simulation *sim, void *own, double T)
@@ -353,7 +354,7 @@ static void before_step(ovr_simulation *sim, void *own, double T)
     p->fresh = true;
 }
 
-static void taken(ovr_simulation *sim, void *own, double dT)
+static void accepted(ovr_simulation *sim, void *own, double dT)
 {
     ovr_plastic *p = own;
     (void)sim;
@@ -593,10 +594,10 @@ static const ovr_physics_in_case in_case = {.section = &ovr_plastic_section,
                                             .form = sizeof(ovr_plastic_setup),
                                             .resolve = ovr_plastic_resolve,
                                             .on_mesh = ovr_plastic_on_mesh,
-                                            .says = ovr_plastic_state,
+                                            .effects = ovr_plastic_state,
                                             .one_mesh = "as strains grow from "
                                                         "step to step",
-                                            .tell = ovr_plastic_describe,
+                                            .describe = ovr_plastic_describe,
                                             .memory = ovr_plastic_memory,
                                             .seconds = ovr_plastic_seconds};
 
@@ -604,7 +605,7 @@ static const ovr_physics_in_solve in_solve = {
     .take = create, .release = release, .heights = heights};
 
 static const ovr_physics_in_step in_step = {.before_step = before_step,
-                                            .taken = taken,
+                                            .accepted = accepted,
                                             .before_back = before_back,
                                             .visit = visit,
                                             .restored = restored};

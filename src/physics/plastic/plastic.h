@@ -47,7 +47,7 @@ ovr_status ovr_plastic_resolve(const ovr_physics_case *of, void *form, bool *on,
                                ovr_error *err);
 ovr_status ovr_plastic_on_mesh(const ovr_physics_case *of, void *form,
                                double mesh, ovr_error *err);
-void ovr_plastic_state(const void *form, ovr_physics_statement *says);
+void ovr_plastic_state(const void *form, ovr_physics_effects *effects);
 
 /* NULL: no plastic body. */
 ovr_plastic_setup *ovr_setup_plastic(const ovr_setup *setup);

@@ -169,7 +169,7 @@ static ovr_status check_depths(const ovr_two_columns *c, const char *file,
             break;
         }
     if (err->status)
-        err->about = OVR_SAYS_WHERE;
+        err->about = OVR_HAS_PLACE;
     return err->status;
 }
 
@@ -293,14 +293,14 @@ ovr_status ovr_stress_resolve(const ovr_physics_case *of, void *form, bool *on,
 }
 
 /* Fields are stored for `overroll stress`, the second pass and the pictures. */
-void ovr_stress_state(const void *form, ovr_physics_statement *says)
+void ovr_stress_state(const void *form, ovr_physics_effects *effects)
 {
     static const char *const of[] = {"", "shear_stress_1", "shear_stress_2",
                                      "shear_stress_1, shear_stress_2"};
     const ovr_stress_setup *s = form;
-    says->features = ovr_model_feature_bit(OVR_MODEL_STRESS, true) |
-                     ovr_model_feature_bit(OVR_MODEL_FATIGUE, s->fatigue);
-    says->fields = of[s->traction ? s->surfaces : 0];
+    effects->features = ovr_model_feature_bit(OVR_MODEL_STRESS, true) |
+                        ovr_model_feature_bit(OVR_MODEL_FATIGUE, s->fatigue);
+    effects->fields = of[s->traction ? s->surfaces : 0];
 }
 
 const ovr_stress_setup *ovr_setup_stress(const ovr_setup *setup)

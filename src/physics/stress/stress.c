@@ -526,9 +526,9 @@ static const ovr_physics_in_case in_case = {.section = ovr_stress_sections,
                                             .behind = "paper",
                                             .form = sizeof(ovr_stress_setup),
                                             .resolve = ovr_stress_resolve,
-                                            .says = ovr_stress_state,
+                                            .effects = ovr_stress_state,
                                             .node_seconds = 2.5e-7,
-                                            .tell = report_case,
+                                            .describe = report_case,
                                             .memory = memory};
 
 static const ovr_physics_in_output in_output = {.companion = &companion};

@@ -55,7 +55,7 @@ ovr_status ovr_window_resolve(const ovr_list *window, const char *about,
 /* The following are functions of a physical model (simulation/physics.h). */
 ovr_status ovr_stress_resolve(const ovr_physics_case *of, void *form, bool *on,
                               ovr_error *err);
-void ovr_stress_state(const void *form, ovr_physics_statement *says);
+void ovr_stress_state(const void *form, ovr_physics_effects *effects);
 
 /* Stress parameters; surfaces = 0: no stresses. */
 const ovr_stress_setup *ovr_setup_stress(const ovr_setup *setup);

@@ -58,11 +58,11 @@ void ovr_strip_choose(const void *form, ovr_options *options)
         options->order = 2;
 }
 
-void ovr_strip_state(const void *form, ovr_physics_statement *says)
+void ovr_strip_state(const void *form, ovr_physics_effects *effects)
 {
     const ovr_strip_form *f = form;
-    says->features = ovr_model_feature_bit(OVR_MODEL_STRIP, f->ends != 0);
-    says->width_across = f->ends ? f->width : 0;
+    effects->features = ovr_model_feature_bit(OVR_MODEL_STRIP, f->ends != 0);
+    effects->width_across = f->ends ? f->width : 0;
 }
 
 /* The largest allowed number of lines that is at most `lines`, and the next. */

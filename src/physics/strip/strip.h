@@ -31,7 +31,7 @@ ovr_status ovr_strip_on_mesh(const ovr_physics_case *of, void *form, double D,
 /* Nodes along x of the coarsest grid: heavily loaded contacts need more. */
 size_t ovr_strip_coarsest(double M);
 
-void ovr_strip_state(const void *form, ovr_physics_statement *says);
+void ovr_strip_state(const void *form, ovr_physics_effects *effects);
 void ovr_strip_describe(const ovr_physics_case *of, const void *form,
                         ovr_physics_line *line, void *data);
 double ovr_strip_seconds(const void *form);

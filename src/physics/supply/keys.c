@@ -149,14 +149,14 @@ double ovr_supply_arriving(const ovr_supply_case *s, double T)
     return both * ovr_history_value(s->history, T);
 }
 
-void ovr_supply_state(const void *form, ovr_physics_statement *says)
+void ovr_supply_state(const void *form, ovr_physics_effects *effects)
 {
     const ovr_supply_case *s = form;
     double film = s->film ? ovr_supply_arriving(s, 0) : 0;
-    says->features = ovr_model_feature_bit(OVR_MODEL_SUPPLY, s->film);
-    says->fields = "filling, oil_content";
+    effects->features = ovr_model_feature_bit(OVR_MODEL_SUPPLY, s->film);
+    effects->fields = "filling, oil_content";
     if (film > 0)
-        says->arrives = film;
+        effects->arrives = film;
 }
 
 /* Lubricant on the surfaces between inlet and outlet at T = 0, as a supply. */

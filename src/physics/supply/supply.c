@@ -136,7 +136,7 @@ static double flow_at(const ovr_simulation *sim, size_t i, double T)
 }
 
 /* Updates the volume in the inlet reservoir. */
-static void taken(ovr_simulation *sim, void *own, double dT)
+static void accepted(ovr_simulation *sim, void *own, double dT)
 {
     ovr_arrival *a = own;
     double T = sim->past.T[0] + dT;
@@ -486,7 +486,7 @@ static void warn_of_flooding(const ovr_setup *setup, ovr_listener *say,
              arrives, taken / arrives);
 }
 
-static const ovr_companion companion = {.foresee = warn_of_flooding};
+static const ovr_companion companion = {.review_before = warn_of_flooding};
 
 static const ovr_physics_in_case in_case = {.node_seconds = 1e-7,
                                             .section = ovr_supply_sections,
@@ -496,9 +496,9 @@ static const ovr_physics_in_case in_case = {.node_seconds = 1e-7,
                                             .choose = ovr_supply_choose,
                                             .resolve = ovr_supply_resolve,
                                             .drop = ovr_supply_drop,
-                                            .says = ovr_supply_state,
+                                            .effects = ovr_supply_state,
                                             .one_mesh = "as menisci move",
-                                            .tell = report};
+                                            .describe = report};
 
 static const ovr_physics_in_solve in_solve = {.equip = equip,
                                               .chosen = chosen,
@@ -514,7 +514,7 @@ static const ovr_physics_in_step in_step = {.operate = operate,
                                             .attempt = attempt,
                                             .keep = keep,
                                             .go_back = restore_kept,
-                                            .taken = taken,
+                                            .accepted = accepted,
                                             .step_back = begin_attempt,
                                             .visit = visit,
                                             .restored = restored,

@@ -51,7 +51,7 @@ void ovr_supply_choose(const void *form, ovr_options *options);
 ovr_status ovr_supply_resolve(const ovr_physics_case *of, void *form, bool *on,
                               ovr_error *err);
 void ovr_supply_drop(void *form);
-void ovr_supply_state(const void *form, ovr_physics_statement *says);
+void ovr_supply_state(const void *form, ovr_physics_effects *effects);
 
 /* The lubricant supply; film = false: flooded. */
 ovr_supply_case *ovr_setup_supply(const ovr_setup *setup);
