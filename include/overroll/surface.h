@@ -35,7 +35,7 @@ extern "C" {
  * xi = s/width, g(v) = 10^(-10 v^2) and sigma the quintic smoothstep
  * 6v^5 - 15v^4 + 10v^3 held at 0 and 1 outside 0 < v < 1:
  *
- *   dent     -depth  g(xi) cos(2 pi xi)        (has small shoulders)
+ *   dent     -depth  g(xi) cos(2 pi xi)        (with small rims)
  *   bump     +height g(xi) cos(2 pi xi)
  *   indent   -depth g(xi) + shoulder [g((s - a)/c) + g((s + a)/c)],
  *            a = shoulder_at (width/2), c = shoulder_width (width/2)
@@ -59,7 +59,7 @@ extern "C" {
  *
  * Instead of its width a shape may be given width_half (or diameter, the same),
  * the full width at half its depth or height (0.2478 width of a dent or bump,
- * 0.3470 of an indent without shoulders or a ridge, 1/2 of a texture's dimple,
+ * 0.3470 of an indent without rims or a ridge, 1/2 of a texture's dimple,
  * the width itself of a groove), or half of that, half_width.
  *
  * A step's or groove's flank may be given by the radius r of its edges
@@ -109,23 +109,22 @@ OVR_API double ovr_shape_width_half(int shape);
     LENGTH(half_width, "half of width_half, instead of width")                \
     LENGTH(rim_diameter,                                                      \
            "diameter of the rim, crest to crest, instead of width and "       \
-           "shoulders; for indents of balls or hard particles")               \
+           "shoulder; for indents of balls or hard particles")               \
     HEIGHT(rim_height,                                                        \
            "height of the rim; default: 0.159 of the depth, as in hardened "  \
            "steel")                                                           \
     LENGTH(wavelength,                                                        \
-           "wavelength; at the rear of a chirp, or the distance between two "  \
-           "dimples of a texture")                                             \
-    LENGTH(wavelength_end, "wavelength at its leading end")                   \
+           "wavelength; chirp: at the rear; texture: distance of the dimples")  \
+    LENGTH(wavelength_end, "wavelength at the leading end")                   \
     LENGTH(length, "length along x")                                          \
-    HEIGHT(shoulder, "height of its shoulders")                               \
+    HEIGHT(shoulder, "height of the raised rims")                             \
     LENGTH(shoulder_at,                                                       \
-           "distance of the shoulders from the centre; default: half the "    \
+           "distance of the rims from the centre; default: half the "         \
            "width")                                                           \
     LENGTH(shoulder_width,                                                    \
-           "width of the shoulders; default: half the width")                 \
+           "width of the rims; default: half the width")                      \
     LENGTH(flank,                                                             \
-           "width of the flank; chirp: width of the fades at its ends")       \
+           "width of the flank; chirp: length of the tapers at both ends")    \
     LENGTH(radius, "radius of the edges, instead of flank")
 /* clang-format on */
 

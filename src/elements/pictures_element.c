@@ -170,9 +170,10 @@ static void add_course(sketch *s, const course *c, const char *const of[2])
 {
     add_panel(s, c, "radius, {/:Italic R} (mm)", 0,
               &(over_moments){{"reduced radius"}, {OVR_INK}});
-    add_panel(s, c, "speed (m/s)", 1,
+    add_panel(s, c, "speed, {/:Italic u} (m/s)", 1,
               &(over_moments){{of[0], of[1]}, {OVR_BLUE, OVR_GREEN}});
-    add_panel(s, c, "load (kN/m)", 3, &(over_moments){{"load"}, {OVR_VIOLET}});
+    add_panel(s, c, "load, {/:Italic w} (kN/m)", 3,
+              &(over_moments){{"load"}, {OVR_VIOLET}});
     add_film(s, c);
 }
 
@@ -295,7 +296,8 @@ static void draw_gear(sketch *s)
     gear_moments(s);
     draw_teeth(s, g->R1_C);
     const course c = {"time, {/:Italic t} (ms)", 0, end, marks, 5};
-    add_course(s, &c, (const char *const[]){"surface of gear 1", "of gear 2"});
+    add_course(s, &c,
+               (const char *const[]){"surface of gear 1", "surface of gear 2"});
 }
 
 /* --------------------------------------------------------------------- cams */

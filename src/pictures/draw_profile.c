@@ -94,7 +94,7 @@ static ovr_status draw_bearing(const bearing *b, const ovr_profile_view *view,
     law.mark = OVR_MARK_DASHED;
     law.colour = OVR_AMBER;
     ovr_panel panel[] = {ovr_panel_make(gap, pressure),
-                         ovr_panel_make(pressure, "part that touches")};
+                         ovr_panel_make(pressure, "contact length fraction")};
     ovr_panel_add(&panel[0], b->arena, dry);
     ovr_panel_add(&panel[0], b->arena, law);
     ovr_panel_add(

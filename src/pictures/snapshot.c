@@ -278,7 +278,7 @@ static void draw_temperatures(ovr_snapshot_chart *to,
                               const ovr_snapshot *snapshot, size_t count,
                               size_t column)
 {
-    static const ovr_axis degC = {1, "{/:Italic T}  [°C]",
+    static const ovr_axis degC = {1, "temperature, {/:Italic T} (°C)",
                                   "temperature in degC", "°C"};
     size_t columns = to->chart.columns;
     const ovr_extent *e = &look->extent;

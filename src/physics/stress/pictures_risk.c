@@ -300,7 +300,7 @@ static size_t depth_panels(const history *h, const double *worst,
         h, "shear path radius, {/:Italic R} ({/:Italic p}_h)", 0);
     add_over_depth(h, &panel[0], worst, "maximum over all material points",
                    OVR_RED, OVR_MARK_LINE);
-    add_over_depth(h, &panel[0], h->smooth, "smooth contact", OVR_STEEL,
+    add_over_depth(h, &panel[0], h->smooth, "smooth reference", OVR_STEEL,
                    OVR_MARK_DASHED);
     if (!h->length || !isfinite(h->length[0]))
         return 1;
