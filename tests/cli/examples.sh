@@ -41,6 +41,6 @@ done
 awk '$NF == "min_film_thickness" { least[$1] = $5 }
     $NF == "max_pressure" { most[$1] = $6 }
     END { exit !(least["round:"] > 1.03 * least["endless:"] &&
-                 most["round:"] > 1e9 &&
+                 most["round:"] > 1 &&
                  most["round:"] < 0.985 * most["endless:"]) }' out ||
     fail "round dent and groove: $(cat out)"

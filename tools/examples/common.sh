@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # shellcheck shell=sh
-# For the examples: builds the program if need be; sets $overroll, $name, and
-# the folder $out; pictures have one look.
+# Common part of the examples: builds the program if necessary and sets
+# $overroll, $name and the output folder $out. All pictures have one style.
 set -eu
 cd "$(dirname "$0")/../.."
 name=$(basename "$0")
@@ -10,15 +10,15 @@ overroll=${OVERROLL:-build/overroll}
 [ -x "$overroll" ] || make -s -j"$(nproc 2>/dev/null || echo 2)" "$overroll"
 mkdir -p "$out"
 
-# Runs the study of this name and gathers its table.
+# Runs the study of this name and writes its table.
 run_study() {
     "$overroll" sweep "tools/examples/$name.ini" -o "$out/$name"
     "$overroll" sweep "tools/examples/$name.ini" -o "$out/$name" \
         --collect "$out/$name.csv" -q
 }
 
-# column NAME: its number in the table of the study, or in the history of the
-# run, by its name without unit.
+# column NAME: prints the number of the column NAME (without unit) in the table
+# of the study or in the history of the run.
 column() {
     found=$(head -n 1 "$out/$name.csv" | tr ',' '\n' | sed 's/ \[.*\]$//' |
         grep -nxF "$1") || {
@@ -28,7 +28,7 @@ column() {
     echo "${found%%:*}"
 }
 
-# picture WxH: gnuplot commands on standard input, the look before them.
+# picture WxH: draws a picture from gnuplot commands on standard input.
 picture() {
     {
         cat <<END
