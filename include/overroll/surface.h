@@ -109,12 +109,13 @@ OVR_API double ovr_shape_width_half(int shape);
     LENGTH(half_width, "half of width_half, instead of width")                \
     LENGTH(rim_diameter,                                                      \
            "diameter of the rim, crest to crest, instead of width and "       \
-           "shoulder; for indents of balls or hard particles")               \
+           "shoulder; for indents of balls or hard particles")                \
     HEIGHT(rim_height,                                                        \
            "height of the rim; default: 0.159 of the depth, as in hardened "  \
            "steel")                                                           \
     LENGTH(wavelength,                                                        \
-           "wavelength; chirp: at the rear; texture: distance of the dimples")  \
+           "wavelength (at the rear of a chirp), or distance of the dimples " \
+           "of a texture")                                                    \
     LENGTH(wavelength_end, "wavelength at the leading end")                   \
     LENGTH(length, "length along x")                                          \
     HEIGHT(shoulder, "height of the raised rims")                             \
