@@ -363,23 +363,6 @@ static void warn_of_seeds(const ovr_review *r)
         }
 }
 
-/* Warns of moving features, which a steady solution omits. */
-static void warn_of_left_out(const ovr_review *r)
-{
-    size_t n = ovr_surfaces_count(r->setup->surfaces);
-    for (size_t k = 0; k < n; k++) {
-        ovr_feature_info info = ovr_surfaces_info(r->setup->surfaces, k);
-        if (info.speed == 0)
-            continue;
-        ovr_review_add(
-            r, OVR_MESSAGE_WARNING,
-            "feature '%s' moves and is left out of a steady solution; %s",
-            info.name,
-            r->setup->transient ? "use overroll run"
-                                : "set time.end, for example to auto");
-    }
-}
-
 /* Warns of time histories in a steady solution. */
 static void warn_of_histories(const ovr_review *r)
 {
@@ -405,6 +388,29 @@ static void reach(const ovr_surfaces *surfaces, size_t k, double T, double *low,
     double centre = ovr_surfaces_centre(surfaces, k, T);
     *low = centre - f.behind - (f.speed < 0 ? 0 : f.last);
     *high = centre + f.ahead + (f.speed < 0 ? f.last : 0);
+}
+
+/* Warns of moving features. A steady solution omits them, or holds those that
+ * are inside the domain at T = 0. */
+static void warn_of_left_out(const ovr_review *r)
+{
+    const ovr_options *o = r->setup->options;
+    size_t n = ovr_surfaces_count(r->setup->surfaces);
+    for (size_t k = 0; k < n; k++) {
+        ovr_feature_info info = ovr_surfaces_info(r->setup->surfaces, k);
+        double low, high;
+        if (info.speed == 0 || info.uniform)
+            continue;
+        reach(r->setup->surfaces, k, 0, &low, &high);
+        bool inside = !info.grows && high > o->inlet + 1e-9 &&
+                      low < o->outlet - 1e-9;
+        ovr_review_add(
+            r, OVR_MESSAGE_WARNING, "feature '%s' moves and %s; %s", info.name,
+            inside ? "is held where it is at T = 0 in a steady solution"
+                   : "is left out of a steady solution",
+            r->setup->transient ? "use overroll run"
+                                : "set time.end, for example to auto");
+    }
 }
 
 /* Returns "-2 <= X <= 1.5", or one inequality if the other end is infinite. */

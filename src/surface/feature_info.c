@@ -57,6 +57,14 @@ static double local_roughness(const ovr_feature *f)
     return sqrt((a * a + b * b) / 2);
 }
 
+/* True for an endless longitudinal feature of a strip. */
+static bool is_uniform(const ovr_feature *f)
+{
+    const ovr_footprint *g = &f->footprint;
+    return g->cosine == 0 && !g->round && isinf(g->length) &&
+           isnan(g->wavelength);
+}
+
 static ovr_feature_info info_of(const ovr_feature *f)
 {
     return (ovr_feature_info){
@@ -72,6 +80,7 @@ static ovr_feature_info info_of(const ovr_feature *f)
         .behind = f->behind,
         .ahead = f->ahead,
         .grows = !isnan(f->grow) && f->grow > 0,
+        .uniform = is_uniform(f),
         .Rq = roughness(f),
         .last = ovr_feature_last_copy(f),
         .assumed = f->assumed};

@@ -21,6 +21,7 @@ typedef struct ovr_feature_info {
                                 * shapes without a width */
     double behind, ahead; /* extent about the centre, b (may be infinite) */
     bool grows;           /* grows from zero height */
+    bool uniform;         /* the same for all x, so that motion has no effect */
     double Rq;            /* Rq of rough features (profiles, roughness, wave,
                            * chirp), b^2/R; 0: single shape */
     double last;          /* distance to its last copy, b; 0 without copies,

@@ -123,7 +123,8 @@ function showNumbers(n) {
     Number(byId("numbers").dataset.solved || 0) + 1;
 }
 
-const LEFT_OUT = /(is left out of a steady solution); .*$/;
+const LEFT_OUT =
+  /(is (?:left out of|held .* in) a steady solution); .*$/;
 function showNotes(lines, inTime) {
   const notes = byId("notes");
   notes.replaceChildren();

@@ -39,5 +39,11 @@ wave = checks.film_wave
 checks.film_wave = lambda k, s, E, Hc: wave(k, s, 1.1 * E, Hc)
 rows = checks.sliding_waves(((20, 10, 0.3),), (0.5,), (0.3,), 8).rows
 assert not any(row.inside for row in rows), rows  # ten per cent more flow
+
+left = checks.small_waves.amplitude_left
+checks.small_waves.amplitude_left = lambda c, length, angle, *more, **stride: \
+    left(c, length, angle - 5, *more, **stride)
+rows = checks.directions((), (), ((20, 10, 45, (0.5,), 0),), (), (), 5, 8).rows
+assert rows and not any(row.inside for row in rows), rows  # at 40 degrees
 END
 expect 2 "$TOP/tools/validation/run" a b

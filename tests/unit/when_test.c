@@ -302,4 +302,18 @@ TEST(features_left_out_are_said)
                     "[feature e]\nshape = ridge\nheight = 0.1\nwidth = 9\n"
                     "start = 0\nsurface = 2\n");
     assert_null(strstr(h.warning, "'e'")); /* it stands still */
+    h = review(MOES "[feature d]\nshape = dent\ndepth = 0.03\nwidth = 9\n"
+                    "start = 0\n");
+    assert_non_null(strstr(h.warning, "'d' moves and is held where it is at T "
+                                      "= 0 in a steady solution; set"));
+    /* Longitudinal features are the same at all times. */
+    h = review("[contact]\nM = 20\nL = 10\n[strip]\n[feature g]\n"
+               "shape = groove\ndepth = 0.01\nwidth = 0.6\nangle = 90 deg\n"
+               "[feature w]\nshape = wave\namplitude = 0.01\n"
+               "wavelength = 1\nangle = 90 deg\n");
+    assert_int_equal(h.warnings, 0);
+    h = review("[contact]\nM = 20\nL = 10\n[strip]\n[feature g]\n"
+               "shape = groove\ndepth = 0.01\nwidth = 0.6\nangle = 90 deg\n"
+               "length_across = 1\n");
+    assert_non_null(strstr(h.warning, "'g' moves"));
 }

@@ -48,7 +48,7 @@ static double vertex_across(const ovr_strip_solver *s, const double *value,
     double right = value[ovr_across_line(s->lines, (ptrdiff_t)j + 1)];
     double bend = left - 2 * value[j] + right, slope = (right - left) / 2;
     double off = bend != 0 ? -slope / bend : 0;
-    if (!(fabs(off) <= 1))
+    if (!(fabs(off) <= 1) || fabs(off) < 1e-9) /* rounding errors */
         off = 0;
     *at = ovr_across_offset(W, s->Y[j] + off * Dy);
     return value[j] + off * (slope + off * bend / 2);
