@@ -23,7 +23,7 @@ void ovr_heading(const ovr_stored *runs, size_t count, char *heading,
     static const char *const formats[] = {"{/:Italic M} = %.4g",
                                           "{/:Italic L} = %.4g",
                                           "{/:Italic p}_h = %.3g GPa"};
-    size_t used = 0;
+    size_t used = 0, flagged = 0;
     *heading = 0;
     for (size_t k = 0; k < sizeof formats / sizeof *formats; k++) {
         double value = NAN;
@@ -43,11 +43,17 @@ void ovr_heading(const ovr_stored *runs, size_t count, char *heading,
     }
     for (size_t j = 0; j < count; j++)
         if (runs[j].unresolved && used + 90 <= capacity) {
-            snprintf(heading + used, capacity - used,
-                     "%smaximum pressure not resolved (%s)", used ? ",  " : "",
-                     runs[j].unresolved);
+            used += (size_t)snprintf(heading + used, capacity - used,
+                                     "%smaximum pressure not resolved (%s)",
+                                     used ? ",  " : "", runs[j].unresolved);
             break;
         }
+    for (size_t j = 0; j < count; j++)
+        flagged += runs[j].flagged;
+    if (flagged && used + 60 <= capacity)
+        snprintf(heading + used, capacity - used,
+                 "%s%zu flagged step%s (not converged)", used ? ",  " : "",
+                 flagged, flagged > 1 ? "s" : "");
 }
 
 ovr_status ovr_snapshot_style_make(ovr_snapshot_style *look,

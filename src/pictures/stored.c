@@ -91,6 +91,15 @@ static ovr_status find_resolved(ovr_stored *run, ovr_arena *arena,
     return OVR_OK;
 }
 
+/* Counts the flagged steps of the history. */
+static ovr_status count_flagged(ovr_stored *run, ovr_arena *arena)
+{
+    const double *flag = column(run, "history/marked", arena);
+    for (size_t k = 0; flag && k < run->info->steps; k++)
+        run->flagged += flag[k] > 0;
+    return ovr_arena_status(arena);
+}
+
 const char *ovr_stored_unresolved(const ovr_stored *run, ptrdiff_t k, double z)
 {
     double deepest = ovr_unresolved_depth(run->x[1] - run->x[0]);
@@ -133,6 +142,8 @@ ovr_status ovr_stored_make(ovr_stored *run, ovr_result *result,
         status = ovr_result_times(result, OVR_HERTZIAN, run->times, err);
     if (status == OVR_OK)
         status = find_resolved(run, arena, err);
+    if (status == OVR_OK)
+        status = count_flagged(run, arena);
     if (status == OVR_OK)
         find_hertz(run, arena);
     return status;

@@ -21,8 +21,9 @@ typedef struct ovr_stored {
     double *hertz_width, *hertz_P;
     bool film, pressure, roughness, filling, touches;
     const char *unresolved; /* remedy; NULL: the maximum pressure is resolved */
-    bool *resolved;         /* by snapshot; NULL if `unresolved` is NULL */
-    bool hot[3];            /* temperatures of surface 1, surface 2, mid-film */
+    size_t flagged; /* number of flagged steps, which did not converge */
+    bool *resolved; /* by snapshot; NULL if `unresolved` is NULL */
+    bool hot[3];    /* temperatures of surface 1, surface 2, mid-film */
     struct {
         double x, film, pressure, time;
     } by; /* its units in units of the first result */

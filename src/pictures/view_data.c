@@ -345,6 +345,9 @@ static void append_about(ovr_view_run *w)
     if (w->run->unresolved)
         ovr_text_print(w->to, ", maximum pressure not resolved (%s)",
                        w->run->unresolved);
+    if (w->run->flagged)
+        ovr_text_print(w->to, ", %zu flagged step%s (not converged)",
+                       w->run->flagged, w->run->flagged > 1 ? "s" : "");
     ovr_text_put(w->to, "\",");
 }
 

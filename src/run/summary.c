@@ -15,6 +15,7 @@
 #include "run/report_words.h"
 #include "run/run.h"
 #include "run/summary_lines.h"
+#include "simulation/observe.h"
 #include "simulation/simulation.h"
 #include "stress/stress.h"
 
@@ -113,9 +114,12 @@ static void report_extreme(const ovr_report_sink *to, const ovr_extreme *e,
         at.part = OVR_KEPT_PLACE;
         X = ovr_extreme_value(&at, total);
     }
-    behind = ovr_words_columns(
-        value, row, X, T, contact,
-        unresolved(row, mean || !total->P_max_unresolved, true));
+    ovr_words remark = {""};
+    ovr_words_add(&remark, "%s",
+                  unresolved(row, mean || !total->P_max_unresolved, true));
+    if (ovr_extreme_is_flagged(e, total))
+        ovr_words_add(&remark, "%sflagged step", *remark.text ? "; " : "");
+    behind = ovr_words_columns(value, row, X, T, contact, remark.text);
     ovr_report_number(to, e->label, row->digits, value, "%s", behind.text);
 }
 
@@ -213,11 +217,25 @@ static void report_extremes(const ovr_report_sink *to, const ovr_run_info *s)
         }
 }
 
+/* Adds the keys of the extremes that are from flagged steps. */
+static void add_flagged(const ovr_report_sink *to, const ovr_statistics *total)
+{
+    char keys[1600] = "";
+    size_t used = 0;
+    ovr_extreme e;
+    for (size_t k = 0; ovr_extreme_at(k, &e); k++)
+        if (ovr_extreme_is_flagged(&e, total) && used + 60 < sizeof keys)
+            used += (size_t)snprintf(keys + used, sizeof keys - used, "%s%s",
+                                     used ? ", " : "", e.key);
+    ovr_put_text(to, "extremes_flagged", used ? keys : NULL);
+}
+
 static void add_steps(const ovr_report_sink *to, const ovr_run_info *s)
 {
     const ovr_statistics *total = ovr_simulation_statistics(s->sim);
     ovr_put_count(to, "steps", (double)total->steps);
     ovr_put_count(to, "steps_marked", (double)total->marked);
+    add_flagged(to, total);
     ovr_put_count(to, "cycles_total", (double)total->cycles);
     ovr_put_count(to, "retries", (double)total->retries);
     ovr_put_count(to, "substeps", (double)total->substeps);

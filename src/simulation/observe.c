@@ -338,6 +338,16 @@ static bool is_beyond(ovr_sense what, double value, double kept)
     }
 }
 
+/* Bit of a quantity in flagged_extremes. */
+static unsigned long long bit_of(const ovr_observable *row)
+{
+    const ovr_observable *other;
+    int bit = 0;
+    for (size_t k = 0; (other = ovr_observable_at(k)) && other != row; k++)
+        bit += other->extreme_key != NULL;
+    return 1ULL << bit % 64;
+}
+
 static void update_extreme(ovr_statistics *s, const ovr_observable *row,
                            const ovr_observation *o, bool first)
 {
@@ -347,6 +357,8 @@ static void update_extreme(ovr_statistics *s, const ovr_observable *row,
         return;
     *member(&s->extreme, row->offset) = value;
     *member(&s->when, row->offset) = o->T;
+    if (s->flagged_extremes)
+        s->flagged_extremes &= ~bit_of(row);
     *member(&s->where, row->offset) = row->place ? number(o, row->place) : NAN;
 }
 
@@ -358,6 +370,20 @@ static void update_mean(ovr_statistics *s, const ovr_observable *row,
     double value = number(o, row->offset);
     if (part > 0)
         *mean = part < 1 ? *mean + part * (value - *mean) : value;
+}
+
+void ovr_statistics_flag(ovr_statistics *s, const ovr_observation *o)
+{
+    const ovr_observable *row;
+    for (size_t k = 0; (row = ovr_observable_at(k)); k++)
+        if (row->extreme_key && number(&s->when, row->offset) == o->T)
+            s->flagged_extremes |= bit_of(row);
+}
+
+bool ovr_extreme_is_flagged(const ovr_extreme *which, const ovr_statistics *of)
+{
+    return which->part == OVR_KEPT_EXTREME &&
+           of->flagged_extremes & bit_of(which->of);
 }
 
 /* A value is weighted by the preceding step, or the start value before the
@@ -378,6 +404,8 @@ void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
         s->H_mean_at_H_min = o->H_mean;
     if (s->when.P_max == o->T)
         s->P_max_unresolved = !o->P_max_resolved;
+    if (o->marked)
+        ovr_statistics_flag(s, o);
 }
 
 void ovr_statistics_unknown(ovr_statistics *s)

@@ -58,6 +58,10 @@ void ovr_publish_state(ovr_simulation *sim);
 void ovr_statistics_take(ovr_statistics *s, const ovr_observation *o,
                          bool first);
 void ovr_statistics_unknown(ovr_statistics *s);
+/* Flags the extremes that this observation has set. */
+void ovr_statistics_flag(ovr_statistics *s, const ovr_observation *o);
+/* True if the extreme is from a flagged step. */
+bool ovr_extreme_is_flagged(const ovr_extreme *which, const ovr_statistics *of);
 double *ovr_kept_number(const ovr_extreme *which, ovr_statistics *of);
 
 /* Observes film, pressure, mass flow and friction of the line in `now`. */

@@ -44,6 +44,7 @@ static const struct {
              PART("total_substeps", statistics.substeps),
              PART("total_marked", statistics.marked),
              PART("total_uncorrected", statistics.uncorrected),
+             PART("flagged_extremes", statistics.flagged_extremes),
              PART("total_lagging", statistics.lagging),
              PART("last_across", statistics.last_cross_film),
              PART("mean_until", statistics.averaged),

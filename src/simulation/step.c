@@ -524,6 +524,7 @@ static void mark(ovr_simulation *sim, ovr_outcome *outcome)
         if (p->is->in_output->marks(sim, p->own)) {
             sim->observation.marked = outcome->marked = true;
             sim->observation.converged = outcome->converged = false;
+            ovr_statistics_flag(&sim->statistics, &sim->observation);
         }
 }
 
