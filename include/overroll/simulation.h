@@ -422,7 +422,7 @@ typedef struct ovr_statistics {
     double H_mean_at_H_min; /* mean film thickness in |X| < 3/4 at the time of
                                the minimum of H_min_located */
     long uncorrected; /* steps of a run of order 4 solved without corrections */
-    /* bit k: the extreme of the k-th quantity with an extreme is from a flagged
+    /* Bit k: the extreme of the k-th quantity with an extreme is from a flagged
      * step, which did not converge */
     unsigned long long flagged_extremes;
 } ovr_statistics;
