@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Accuracy per second of runs in time: the error of H_cen(T), rms over the run
- * relative to the film, against CPU seconds on each level, by what is taken
- * where nothing is written, by steps of D, and by what was taken before: by an
- * older program where BEFORE=PATH names it (its files and start-up included),
- * else by this one told to do as version 0.1.0 did (second order, upstream2,
- * arithmetic faces, steps of D), which has the same errors but fewer cycles.
- * The truth is the default on a finer level, in steps of D.
- */
+/* Accuracy of transient runs against CPU time, on each level: root mean square
+ * error of H_cen(T) over the run, relative to the film thickness. Three
+ * settings are compared: the defaults, steps of D, and the previous version.
+ * The previous version is an older program if BEFORE=PATH names one (its files
+ * and start-up are included). Otherwise it is this program with the settings of
+ * version 0.1.0 (second order, upstream2, arithmetic means, steps of D), which
+ * has the same errors but needs fewer cycles. The reference is the default on a
+ * finer level, in steps of D. */
 #define _DEFAULT_SOURCE /* wait4 */
 #include <math.h>
 #include <stdio.h>

@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Time, and what was measured as a JSON file.
- *
- * Pieces of work that are compared take turns, so that a machine that slows
- * down slows them all; each time is CPU time of this thread, the median over
- * the rounds.  No timing decides whether anything passes.
- */
+/* Timing, and measured values as a JSON file. Compared pieces of work are run
+ * alternately, so that a machine that slows down affects all of them. A time is
+ * CPU time of this thread, the median over the rounds. No test passes or fails
+ * because of a time. */
 #ifndef TESTS_BENCH_BENCH_H
 #define TESTS_BENCH_BENCH_H
 

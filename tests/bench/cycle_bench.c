@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Where the time of a V(1,1) cycle goes, all levels together: the share of
- * each kernel, by a table of kernels that keep their own time.
- */
+/* Time of a V(1,1) cycle on all levels: share of each kernel, measured by a
+ * table of kernels that record their own time. */
 #include <stdio.h>
 #include <string.h>
 #include <time.h>

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Multigrid beside Newton's method with the full matrix of the same equations,
- * from the same start (Hertz's pressure) to the same tolerance, the matrix
- * factored by LAPACK on one core; and beside the times of the paper's Table 1.
- */
+/* Multigrid compared with Newton's method with the full matrix of the same
+ * equations, from the same initial guess (Hertzian pressure) to the same
+ * tolerance. LAPACK factors the matrix on one core. The times of Table 1 of the
+ * paper are printed for comparison. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

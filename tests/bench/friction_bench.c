@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * What a flow law costs: a dent that rolls through, M = 20, L = 10, SRR 0.5,
- * with a Newtonian film and with Eyring's and Carreau's, taking turns; and
- * the law's kernel by itself.  Goals: a step after Eyring 1.35 times a
- * Newtonian one, after Carreau 1.5 times.
- */
+/* Cost of a rheological model: a rolling and sliding dent, M = 20, L = 10, SRR
+ * = 0.5, with Newtonian, Eyring and Carreau films in alternation, and the
+ * kernel of the model alone. Goals: an Eyring step takes 1.35 times, a Carreau
+ * step 1.5 times as long as a Newtonian step. */
 #include <math.h>
 #include <stdio.h>
 

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Pairs of ground surfaces below lambda 1, M and oil drawn by a seed
- * (support/ground.h): what a step costs where cycles find the films, and where
- * the last attempt of some steps is Newton's method (simulation/last_newton.c).
- */
+/* Cost of a time step for random pairs of ground surfaces below a lambda ratio
+ * of 1 (support/ground.h; M and the lubricant are random). Some films are found
+ * by multigrid cycles, others only by Newton's method as the last attempt
+ * (simulation/last_newton.c). */
 #include <stdio.h>
 
 #include "bench.h"

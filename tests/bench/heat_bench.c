@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * What heat costs: a wave that rolls through, M = 20, L = 10, SRR 0.5, with a
- * Newtonian film, Eyring's, and Eyring's with heat, taking turns.  Goal: a step
- * with both at most 3 times a Newtonian isothermal one.
- */
+/* Cost of heat: a rolling and sliding wave, M = 20, L = 10, SRR = 0.5, with a
+ * Newtonian film, an Eyring film and a thermal Eyring film in alternation.
+ * Goal: a thermal Eyring step takes at most 3 times as long as a Newtonian
+ * isothermal step. */
 #include <math.h>
 #include <stdio.h>
 

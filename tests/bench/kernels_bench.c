@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Each kernel by itself: ns a node, and what that is of the machine's peaks,
- * which are measured in the same run: of multiply-adds from registers, and of
- * a triad over as many bytes.  The larger share says what limits a kernel;
- * where both are small it waits for results of its own (chains of dependent
- * operations, divisions).  Reading costs less than writing, of which a triad
- * has much: a kernel that mostly reads can do better than it.
- */
+/* Each kernel alone: ns per node, and fractions of the peak performance of the
+ * machine, measured in the same run. The peaks are those of multiply-adds in
+ * registers and of a triad with the same number of bytes. The larger fraction
+ * is the limit of a kernel. If both fractions are small, the kernel is limited
+ * by dependent operations or divisions. Reading is faster than writing, of
+ * which the triad contains much, so that kernels that mostly read can exceed
+ * its peak. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Bytes a node, all levels together: what a simulation asks of its allocator
- * at set-up, after which it asks for nothing more; steady solutions and runs
- * take the same.
- */
+/* Memory per node, all levels together: bytes that a simulation allocates in
+ * its constructor. It allocates nothing later, and the value is the same for
+ * steady solutions and runs. */
 #include <stdio.h>
 
 #include "bench.h"

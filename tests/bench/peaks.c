@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * What this machine can do at best, measured: multiply-adds from registers by
- * instruction set, and a triad c = a + s b over so many bytes in all.
- */
+/* Measures the peak performance of this machine: multiply-adds in registers for
+ * each instruction set, and a triad c = a + s b for a given total of bytes. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

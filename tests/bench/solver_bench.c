@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * How fast the solver is, beside its goals: MLMI, a V(1,1) cycle and full
- * multigrid in units of one FFTW convolution of the same n that took turns
- * with them; the largest steady solution; the reference dent; growth per
- * doubling of n.  All instruction sets from this one binary.
- */
+/* Speed of the solver relative to its goals: MLMI, a V(1,1) cycle and full
+ * multigrid in units of one FFTW convolution of the same n (in alternation),
+ * the largest steady solution, the reference dent, and the growth per doubling
+ * of n. All instruction sets are measured with one program. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

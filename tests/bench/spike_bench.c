@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The pressure spike: its height, the smallest film and the time of a steady
- * solution from nothing, on uniform grids of order two and with patches.
- */
+/* Pressure spike: height, minimum film thickness and computing time of a steady
+ * solution on uniform grids of second order and with patches. */
 #include <stdio.h>
 
 #include "bench.h"

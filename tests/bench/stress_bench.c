@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * What stresses cost a step, in FFT convolutions of the same length: one real
- * transform forward, one back, in double precision; by the pressure alone and
- * with traction.
- */
+/* Cost of stresses per step in units of FFT convolutions of the same length
+ * (one forward and one backward real transform in double precision), for
+ * pressure only and with traction. */
 #include <fftw3.h>
 #include <math.h>
 #include <stdbool.h>

@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Times and memory of the strip from 65 x 16 to 2049 x 1024 nodes.  The case is
- * a round dent of one film at M = 20, L = 10.  Seconds are those of nested
- * iteration with two V(1,1) cycles a level.  The last table is of the dent that
- * rolls through the contact, R < 1e-3 at each step of a mesh size.  Its seconds
- * are those of a clock, with one and with two threads.
- */
+/* Computing time and memory of strips from 65 x 16 to 2049 x 1024 nodes. The
+ * case is a round dent as deep as the film thickness, M = 20, L = 10. Times of
+ * steady solutions are those of nested iteration with two V(1,1) cycles per
+ * level. The last table is for the dent rolling through the contact with R <
+ * 1e-3 in each step of D, in wall-clock time with one and two threads. */
 #include <math.h>
 #include <stdio.h>
 #include <time.h>

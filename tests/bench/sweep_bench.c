@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * A study of 64 cases in time, snapshots stored, by one worker and by two:
- * wall time, processor time of all processes, and how much faster two are.
- *
- * Wall time is what counts and what a busy machine spoils: two processes that
- * only reckon are timed beside, for what the machine gives to two at all.
- */
+/* A study of 64 transient cases with snapshots, run by one and by two workers:
+ * wall-clock time, CPU time of all processes, and speed-up. Wall-clock time
+ * depends on other load. Therefore two processes that only compute are timed
+ * for comparison. */
 #define _GNU_SOURCE /* getloadavg, mkdtemp */
 #include <math.h>
 #include <stdio.h>

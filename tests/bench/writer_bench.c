@@ -1,16 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * What writing adds to the reference dent at level 8 (1955 steps, about 250
- * snapshots of pressure, film and roughness).
+/* Cost of writing results for the reference dent at level 8 (1955 steps, about
+ * 250 snapshots of pressure, film thickness and roughness).
  *
- * Wall time is what counts and what a busy machine spoils; so the processor
- * time of the solver's own thread is told too (what writing costs when
- * another core is free) and that of the whole process (when none is).  The
- * variants take turns, the best of each is kept.
+ * Wall-clock time is relevant but depends on other load. Therefore the CPU time
+ * of the solver's thread (the cost if another core is free) and of the whole
+ * process (the cost if none is free) are also printed. The variants are run in
+ * alternation, and the best time of each is used.
  *
- * A checkpoint waits for the disk: its price is told for a run with one every
- * 10 s (syncs of file, state, folder and journal; 0.3 s there are 3 %).
- */
+ * A checkpoint waits for the disk. Its cost is printed for a run with a
+ * checkpoint every 10 s (syncs of file, state, folder and journal; 0.3 s are 3
+ * %). */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

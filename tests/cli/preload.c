@@ -1,22 +1,21 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Put before a program with LD_PRELOAD, makes the system fail it:
+/* Library for LD_PRELOAD that makes system calls of a program fail:
  *
- *     FAULT_MALLOC=k   the k-th malloc, calloc or realloc gives NULL
+ *     FAULT_MALLOC=k   the k-th malloc, calloc or realloc returns NULL
  *     FAULT_WRITE=k    the k-th write to a file and all later ones fail ...
  *     FAULT_ERRNO=e    ... with this errno (28: no space; 5: I/O error)
- *     FAULT_KILL=k     at the k-th write to a file the process is killed
+ *     FAULT_KILL=k     the process is killed at the k-th write to a file
  *     FAULT_READ=k     the k-th read from a file fails
  *     FAULT_SYNC=1     every fsync fails
- *     FAULT_SHORT=1    writes and reads move half of what was asked for
- *     FAULT_KEEP=s     what is named ...s cannot be unlinked, as if it were
- *                      another user's in a shared folder
+ *     FAULT_SHORT=1    writes and reads process half of the requested bytes
+ *     FAULT_KEEP=s     files with names ...s cannot be unlinked, like those of
+ *                      another user in a shared folder
  *     FAULT_LOCK=e     the file system has no locks: that errno
- *     FAULT_FLOCK=e    it has no flock, but locks of open descriptions
- *     FAULT_REPORT=f   appends to f how often it was asked, at the end
+ *     FAULT_FLOCK=e    the file system has no flock, but locks of open file
+ *                      descriptions
+ *     FAULT_REPORT=f   appends the numbers of calls to f at the end
  *
- * Standard input, output and error are spared.
- */
+ * Standard input, output and error are not affected. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Case files: whatever the text, a case or one line that says what is wrong;
- * and a case with a setting worked into its text can be read again, as it can
- * in today's words.
- */
+/* Fuzz target: case files. Any text is either read as a case or rejected with a
+ * message of one line. The text of a case with an added setting can be read
+ * again. */
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>

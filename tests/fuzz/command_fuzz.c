@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The command line, one word a line: whatever the words, the program ends
- * with a code of its own.  Commands that solve are checked only, paths with a
- * slash are left out, and all happens in an empty folder.
- */
+/* Fuzz target: command lines, one word per line. For any words the program ends
+ * with one of its exit codes. Commands that solve are only checked, paths with
+ * a slash are omitted, and all files are in an empty folder. */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>

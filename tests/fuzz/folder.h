@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Files of targets that read them by their names: in an empty folder, which
- * goes with the process. */
+/* Temporary folder for files of fuzz targets that read files by name; removed
+ * at the end of the process. */
 #ifndef TESTS_FUZZ_FOLDER_H
 #define TESTS_FUZZ_FOLDER_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the targets of the profile readers share. */
+/* Common part of the fuzz targets of profile readers. */
 #ifndef TESTS_FUZZ_PROFILE_H
 #define TESTS_FUZZ_PROFILE_H
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Whatever it is: the door that tells formats apart. */
+/* Fuzz target: profile files of any format, including the recognition of the
+ * format. */
 #include "fuzz/profile.h"
 #include "surface/profile.h"
 

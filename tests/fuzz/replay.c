@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Feeds files to a target of libFuzzer, without libFuzzer.  Every target is in
- * here under a name of its own, replay_NAME; the Makefile defines TARGETS, a
- * TARGET(NAME) each.
- */
+/* Runs files through a target of libFuzzer without libFuzzer. Each target is
+ * linked with the name replay_NAME; the Makefile defines TARGETS as a list of
+ * TARGET(NAME). */
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Result files: a file of any content is read or refused in one line, and
- * what its tables promise can be asked for.  No count is larger than the file:
- * what a caller allocates for it is bounded.  (Built for fuzzing, the reader
- * takes any checksum, so that what lies behind is reached.)
- */
+/* Fuzz target: result files. A file with any content is read or rejected with a
+ * message of one line, and all entries of its tables can be read. No count
+ * exceeds the file size, so that the memory allocated by a caller is bounded.
+ * The reader built for fuzzing accepts any checksum, so that the code after the
+ * checksum is reached. */
 #define _GNU_SOURCE /* memfd_create */
 #include <stdint.h>
 #include <stdio.h>

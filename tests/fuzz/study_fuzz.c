@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Studies: a file of any text is read or refused in one line, and the cases of
- * one that is read can be made.  Inputs with a slash are left out: they may
- * name any file of this machine.
- */
+/* Fuzz target: studies. A file with any text is read or rejected with a message
+ * of one line, and all cases of an accepted study can be created. Inputs with a
+ * slash are skipped, because they could name any file of this machine. */
 #include "fuzz/folder.h"
 
 #include "overroll/overroll.h"

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Tables: columns of a history, a cam's lift, a gear's sharing, laws of an oil,
- * layers that arrive and stresses against the depth, and the table of a study.
- * Whatever the file, it is read or refused in one line; the last byte says what
- * it is taken for.
- */
+/* Fuzz target: tables of two columns (histories, lift of a cam, load shares of
+ * a gear, lubricant properties, supplied layers, stresses against depth) and
+ * tables of a study. Any file is read or rejected with a message of one line;
+ * the last byte selects the kind. */
 #include "fuzz/folder.h"
 
 #include <math.h>

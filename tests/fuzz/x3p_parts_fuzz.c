@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * X3P from the inside: a ZIP's checksums keep libFuzzer out, so the ZIP is
- * made here from main.xml, a NUL, the points, a NUL and the mask.
- */
+/* Fuzz target: contents of X3P files. libFuzzer cannot produce the checksums of
+ * a ZIP archive. Therefore the archive is created here from main.xml, a NUL,
+ * the points, a NUL and the mask. */
 #include "fuzz/profile.h"
 
 #include "surface/zip.h"

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * A sample of the loads (all 64 are in tests/verify/loads_test.c), the rigid
- * limit, and when a solve stops.
- */
+/* Sample of the loads of the paper (all 64 are in tests/verify/loads_test.c),
+ * the rigid limit, and the stopping criterion. */
 #include "support/contact.h"
 #include "support/test.h"
 

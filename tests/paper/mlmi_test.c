@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * What the order of the MLMI transfers does to H_m, P_s and H0 at M = 20,
- * L = 10, first-order wedge: differences from the automatic choice.  The paper
- * took 6th order to level 12 and 10th above.
- */
+/* Effect of the order of the MLMI transfers on H_m, P_s and H0 at M = 20, L =
+ * 10, first-order wedge: differences from the automatic order. The paper used
+ * sixth order up to level 12 and tenth order above. */
 #include "support/contact.h"
 #include "support/test.h"
 

@@ -1,14 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The model problems of section 5 of the paper, with the library's kernel:
+/* Model problems of section 5 of the paper with the kernel of the library:
  *
  *     [eps_{i-1/2} (P_{i-1} - P_i) + eps_{i+1/2} (P_{i+1} - P_i)]/D^2
  *         - (H_i - H_{i-1})/D = f_i,     H = -K P/pi
  *
- * (equation 8 over D; equation 9 when eps is constant), P = 0 at both ends.
- * Linear, so a relaxation can be measured on random errors of a problem whose
- * solution is zero, and multigrid is the plain correction scheme.
- */
+ * (equation 8 divided by D; equation 9 if eps is constant), P = 0 at both ends.
+ * The problems are linear. Therefore a relaxation is measured on random errors
+ * of a problem with zero solution, and multigrid is the correction scheme. */
 #include "support/deformation.h"
 #include "support/test.h"
 

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The smoothers side by side: cycles on all levels together, the last cycle's
- * factor on the residual of the finest one, and time; upstream2, to a
- * negligible algebraic error.
- */
+/* Comparison of the smoothers: number of cycles on all levels, reduction of the
+ * finest residual by the last cycle, and time, with upstream2 and a negligible
+ * algebraic error. */
 #include "support/test.h"
 
 #include <math.h>

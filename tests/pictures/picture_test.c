@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pictures: files of the right form and size, data that is the file's, and
- * text from outside that stays text. */
+/* Pictures: format and size of the files, data equal to those of the result
+ * file, and external text that remains text. */
 #include "support/test.h"
 
 #include <expat.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A few cases of verify/adaptive_test, on a coarser mesh. */
+/* Sample of verify/adaptive_test on a coarser grid. */
 #include <stdio.h>
 
 #include "../support/adaptive.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random cases from the table of keys: 25, 1,000 in make verify, others by
- * OVERROLL_SEED and OVERROLL_RUNS. */
+/* Random cases from the table of keys: 25, in make verify 1,000; OVERROLL_SEED
+ * and OVERROLL_RUNS select others. */
 #include <stdlib.h>
 
 #include "../support/any_case.h"

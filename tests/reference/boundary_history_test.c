@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Surfaces that touch through a mean film whose speed changes: it stops to
- * rest, starts from there, turns; a cam and a gear over their whole way.
- *
- * Truth at rest, P = A(H), A = exp(-H/s) on [-1.5, 1.5], 449 nodes: dense
- * Newton's method in another language, without any oil; residual 2e-13; copied
- * from truth/contact.json of the project's shared folder.
- */
+/* Mixed lubrication with a varying speed, which stops, starts from rest and
+ * reverses, and a cam and a gear over the complete cycle. Reference at rest: P
+ * = A(H), A = exp(-H/s) on [-1.5, 1.5], 449 nodes, without lubricant, by dense
+ * Newton's method in another language; residual 2e-13; copied from
+ * truth/contact.json of the project's shared folder. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

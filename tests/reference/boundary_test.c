@@ -1,12 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Surfaces that touch through their film, P = P_f + A(H).
- *
- * Truth: dense Newton's method on the same discrete equations with P as its
- * unknown and its own active set, in another language; residual below 1e-11;
- * copied from truth/contact.json of the project's shared folder.  M, L,
- * [-4, 1.5], A = exp(-H/s), arithmetic means.
- */
+/* Steady mixed lubrication, P = P_f + A(H). Reference: dense Newton's method on
+ * the same discrete equations with P as unknown and its own active set, in
+ * another language; residual below 1e-11; copied from truth/contact.json of the
+ * project's shared folder. M, L, domain [-4, 1.5], A = exp(-H/s), arithmetic
+ * means. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>

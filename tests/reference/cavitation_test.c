@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Mass-conserving cavitation, against an independent solution, against the
- * Reynolds equation where the contact is flooded, and against its own identity.
- */
+/* Mass-conserving cavitation compared with an independent solution, with the
+ * Reynolds equation for flooded contacts, and with its own mass balance. */
 #include <math.h>
 #include <string.h>
 

@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Values of an independent solution with pressure and filling both unknown:
- * dense Newton's method on the Fischer-Burmeister function, no multigrid, no
- * active set, no limiter; copied from truth/cavitation.json of the project's
- * shared folder.  M = 20, L = 10, [-4, 1.5], upstream2, BDF2 with dT = D, oil
- * conserved.  supply: q at X_a, 0: flooded.  The dents have A = -0.1, width
- * 0.5, start -4.6.
- */
+/* Values of an independent solution for mass-conserving cavitation with
+ * pressure and film fraction as unknowns: dense Newton's method on the Fischer-
+ * Burmeister function, without multigrid, active set or limiter; copied from
+ * truth/cavitation.json of the project's shared folder. M = 20, L = 10, [-4,
+ * 1.5], upstream2, BDF2 with dT = D. supply: q at X_a, 0: flooded. The dents
+ * have A = -0.1, width 0.5, start -4.6. */
 #ifndef TESTS_REFERENCE_CAVITATION_TRUTH_H
 #define TESTS_REFERENCE_CAVITATION_TRUTH_H
 

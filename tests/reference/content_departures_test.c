@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Mass-conserving cavitation along the characteristic: what is carried is
- * carried exactly, what flows in and out is what is stored, in steps of any
- * length, while the inlet closes and opens and the surfaces come to a halt, and
- * films are those of the upstream scheme's limit. */
+/* Mass-conserving cavitation along the characteristic: the content is
+ * transported exactly, and inflow minus outflow equals the stored change in
+ * steps of any length while the inlet closes and opens and the surfaces stop.
+ * Film thicknesses agree with the limit of the upstream scheme. */
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The domain follows load, speed and radius: random histories. */
+/* Domain chosen for the load, speed and radius of random histories. */
 #include "../support/domains.h"
 #include "../support/test.h"
 

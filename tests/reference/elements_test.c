@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Gears, cams and roller bearings: against an independent program to 1e-9,
- * identities of their geometry, closed forms, and what is refused. */
+/* Gears, cams and roller bearings compared with an independent program (1e-9),
+ * geometric identities and closed forms; rejected inputs. */
 #include <math.h>
 #include <string.h>
 

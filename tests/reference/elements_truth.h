@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Gears, cams and roller bearings of an independent program (Python and scipy),
- * copied from truth/elements.json of the project's shared folder: all of them,
- * some moments of each.  SI units and radians; NAN: not given.
- */
+/* Gears, cams and roller bearings computed by an independent program (Python
+ * and scipy), copied from truth/elements.json of the project's shared folder:
+ * all of them, at some times each. SI units and radians; NAN: not set. */
 #ifndef TESTS_REFERENCE_ELEMENTS_TRUTH_H
 #define TESTS_REFERENCE_ELEMENTS_TRUTH_H
 

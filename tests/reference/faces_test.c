@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The flow between two nodes by the gap, and arithmetic: errors of second order
- * at levels 6 to 9 against the limit of the arithmetic mean's own fine levels;
- * and by the logarithmic mean, of fourth order. */
+/* Means between two nodes: errors of the gap and the arithmetic mean at second
+ * order on levels 6 to 9, relative to the limit of the arithmetic mean on fine
+ * levels, and of the logarithmic mean at fourth order. */
 #include <math.h>
 #include <stdio.h>
 

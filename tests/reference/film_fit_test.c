@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The fitted films beside solved ones: a tenth of the survey that they are
- * from (tests/verify/film_fit_test.c), to the errors that check states. */
+/* Fitted film thickness formulas compared with solutions: a tenth of the survey
+ * to which they were fitted (tests/verify/film_fit_test.c), within the errors
+ * printed by check. */
 #include <math.h>
 
 #include "contact/film_formula.h"

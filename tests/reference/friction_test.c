@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Friction against brute-force solutions and identities. */
+/* Friction compared with brute-force solutions and identities. */
 #include "reference/rheology_truth.h"
 
 #include "support/contact.h"

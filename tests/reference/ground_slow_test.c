@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pairs of ground surfaces of verify/ground_test.c whose films drain through
- * zero with the arithmetic mean between nodes, at lambda 0.3 to 3, hot too: by
- * the gap they run to their end. */
+/* Pairs of ground surfaces of verify/ground_test.c, at lambda ratios of 0.3 to
+ * 3, some thermal. With the arithmetic mean their films drain below zero; with
+ * the gap mean these runs are complete. */
 #include "support/ground.h"
 #include "support/test.h"
 

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Contacts with heat in time against what must hold of them: the ends of long
- * runs are the steady contacts, energy is conserved to the order of the
- * scheme, surfaces may be swapped, a film that cannot be heated is isothermal,
- * a run that was interrupted goes on alike. */
+/* Properties of transient thermal contacts: long runs end in the steady
+ * contact, energy is conserved to the order of the scheme, surfaces may be
+ * exchanged, a film without heat sources is isothermal, and a resumed run gives
+ * the same result. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

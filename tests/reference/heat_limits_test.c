@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Hot films at their limits: supply between what the cold and the hot contact
- * take, and a film so hot that its viscosities follow every pressure. */
+/* Limits of thermal films: a supply between the flow rates of the cold and the
+ * hot flooded contact, and a film so hot that its viscosity changes with every
+ * pressure change. */
 #include <math.h>
 #include <stdio.h>
 

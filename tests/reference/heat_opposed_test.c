@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Heat between surfaces that move against each other: each comes in cold at an
- * end of its own. */
+/* Heat with opposite sliding: each surface enters cold at its own end. */
 #include <math.h>
 
 #include "physics/heat/heated.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Heat where the mean speed reverses: the surfaces go back with what they have
- * taken up. */
+/* Heat with a reversing entrainment speed: the surfaces return with the heat
+ * that they have absorbed. */
 #include <math.h>
 
 #include "contact/contact.h"

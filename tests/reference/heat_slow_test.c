@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Contacts whose surfaces are slow for the heat in them: temperatures against
- * the full solution for their own heat flux, and runs of constant conditions,
- * which stay as they began. */
+/* Thermal contacts with low Peclet numbers: temperatures compared with the full
+ * solution for the same heat flux, and runs at constant conditions that remain
+ * steady. */
 #include <gsl/gsl_sf_bessel.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Steady contacts with heat against an independent solution of the same model
- * (dense Newton and Picard turns, walls by product integration), on its own
- * levels. */
+/* Steady thermal contacts compared with an independent solution of the same
+ * model (dense Newton alternating with Picard iterations, walls by product
+ * integration) on its levels. */
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Heavily loaded steady contacts, on the level that is chosen by itself. */
+/* Heavily loaded steady contacts on the automatic level. */
 #include <math.h>
 #include <stdio.h>
 

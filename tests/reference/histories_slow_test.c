@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* No step fails that has a solution: 10 runs whose loads and speeds jump, swing
- * and ramp, 500 in make verify. */
+/* Every step that has a solution converges: 10 runs with jumps, oscillations
+ * and ramps of load and speed, 500 in make verify. */
 #include "support/histories.h"
 #include "support/test.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* 10 hot contacts that slide fast, 100 in make verify (support/hot_starts.h).
- */
+/* Steady starts of 10 hot contacts with high sliding speed, 100 in make verify
+ * (support/hot_starts.h). */
 #include "support/hot_starts.h"
 #include "support/test.h"
 

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The surface of a layered body under heat that changes in time, as a run finds
- * it from memories (solids.h), against conduction in depth itself,
+/* Surface temperature of a layered body under a varying heat flux, computed
+ * from the modes of the surface (solids.h), compared with heat conduction in
+ * depth,
  *
  *     rho c T_t = (k T_z)_z,  -k T_z = q(t) at z = 0
  *
- * by finite volumes, cells that grow with depth down to where nothing is felt,
- * backward differences of second order, ten to a step.  q is that of a point
- * that passes an elliptic contact and then a spike, linear within steps.
- * Lengths and times are the body's own: e_0 = 1, and tau = d^2 rho c/k.
- */
+ * by finite volumes that grow with depth to where the temperature does not
+ * change, with second-order backward differences and ten steps per step of the
+ * run. q is that of a point passing an elliptic contact and then a spike,
+ * linear within steps. Lengths and times are in units of the body: e_0 = 1, and
+ * tau = d^2 rho c/k. */
 #include <math.h>
 #include <stdlib.h>
 

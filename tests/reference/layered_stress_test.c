@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Stresses in layers and below (stress/layered.h) against those of another
- * solution, and what must hold whatever the numbers. */
+/* Stresses in and below layers (stress/layered.h) compared with another
+ * solution, and general properties. */
 #include "support/test.h"
 
 #include <math.h>

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Elastic layers (contact/layers.h, physics/coating/images.h): compliance,
- * kernel and dry contact against numbers of another solution, limits, sums
- * without multigrid, and films against the kernel by quadrature, without
- * images. */
+ * kernel and dry contact compared with another solution, limits, sums without
+ * multigrid, and film thicknesses compared with the kernel by quadrature,
+ * without images. */
 #include "support/test.h"
 
 #include <gsl/gsl_integration.h>

@@ -1,12 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Contacts of bodies with layers, from another solution: K(X) by quadrature of
- * the softness, the dry contact by Chebyshev collocation with Bessel functions,
- * stresses of it by Fourier quadrature, checked by continuity over the
- * interfaces and by Hertz.  No image, no multigrid.  Body 1 has the layers,
- * body 2 none; E in units of the substrates', lengths in b, stresses in ph of
- * the scale; sigma tension positive, z into the body.
- */
+/* Contacts of bodies with layers from another solution: K(X) by quadrature of
+ * the compliance, the dry contact by Chebyshev collocation with Bessel
+ * functions, its stresses by Fourier quadrature, checked by continuity at the
+ * interfaces and by Hertzian contact, without images or multigrid. Body 1 has
+ * the layers, body 2 none. E is relative to the substrates, lengths are in b,
+ * stresses in p_h; sigma is positive in tension, z points into the body. */
 #ifndef OVR_TESTS_LAYERS_TRUTH_H
 #define OVR_TESTS_LAYERS_TRUTH_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The time loop: orders in dT, adaptive steps, asked-for times, rest, squeeze,
- * the fixed point of standing roughness. */
+/* Time loop: order in dT, adaptive steps, requested times, rest, squeeze, and
+ * steady films of stationary roughness. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

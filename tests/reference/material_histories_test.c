@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Whole material histories of dents against an independent sum along the exact
- * paths (stress_truth.h).  The cases stand as the truth had them: inlet at -4,
- * second order, scheme written out.
- */
+/* Complete stress histories of material points for dents compared with an
+ * independent sum along the exact paths (stress_truth.h). The cases are those
+ * of the reference: inlet at -4, second order, the same scheme. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

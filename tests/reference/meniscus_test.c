@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Starved contacts against what is known of them: the meniscus converges with
- * second order and lies where Ertel and Grubin's inlet has it, the film is the
- * share of the flooded one that arrives, waves of supply ride in unharmed. */
+/* Properties of starved contacts: the meniscus position converges with second
+ * order to that of Ertel and Grubin's inlet, the film thickness is the supplied
+ * share of the flooded one, and waves of the supply are transported without
+ * change. */
 #include <math.h>
 
 #include "physics/supply/supply.h"

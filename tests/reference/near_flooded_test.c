@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * A supply just below what a flooded contact takes, M = 50, L = 2.5, 0.99 of
- * it: cycles used to stall there.  Judged by Newton's method with a full
- * Jacobian, on the equations written down once more: one unknown u a node,
- * P = max(u, 0), theta = 1 + min(u, 0), from the solution stirred up.
- */
+/* A supply of 0.99 of the flooded flow rate, M = 50, L = 2.5, for which cycles
+ * stalled in an earlier version. Reference: Newton's method with a full
+ * Jacobian on the equations programmed separately, with one unknown u per node,
+ * P = max(u, 0), theta = 1 + min(u, 0), started from the perturbed solution. */
 #include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <stdlib.h>

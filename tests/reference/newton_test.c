@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The multigrid solver against the dense Newton solution of the same discrete
- * equations: steady, with a feature, and some time steps; with logarithmic
- * means between nodes, by the gap and arithmetic. */
+/* Multigrid solver compared with the dense Newton solution of the same discrete
+ * equations: steady, with a feature, and some time steps, with logarithmic, gap
+ * and arithmetic means between nodes. */
 #include "support/contact.h"
 #include "support/newton.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A radius that varies in time: at an instant, slowly, and its balances. */
+/* Time-dependent radius: instantaneous and slow changes, and balances. */
 #include "simulation/simulation.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Some of the runs of verify/reversal_test, shorter. */
+/* Sample of verify/reversal_test with shorter runs. */
 #include "support/reversal.h"
 #include "support/test.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A mean speed that goes through zero: runs against the dense Newton solution,
- * which knows no mirror, against their mirror images, and their order at the
- * instant of reversal. */
+/* Entrainment speed passing through zero: runs compared with the dense Newton
+ * solution, which uses no mirror image, and with their mirror images; order at
+ * the time of reversal. */
 #include <math.h>
 #include <string.h>
 

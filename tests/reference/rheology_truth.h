@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Friction by an independent brute-force Newton solution (no multigrid) of the
+/* Friction by an independent brute-force Newton solution (no multigrid) of the
  * same discrete equations, copied from truth/rheology.json of the project's
  * shared folder (steady_eyring), with twelve digits: domain [-4, 1.5], second
- * order upstream, alpha = 17 1/GPa.  H_m: least at a node.
- */
+ * order upstream, alpha = 17 1/GPa. H_m: minimum film thickness at a node. */
 #ifndef TESTS_REFERENCE_RHEOLOGY_TRUTH_H
 #define TESTS_REFERENCE_RHEOLOGY_TRUTH_H
 

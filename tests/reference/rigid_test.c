@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Mass-conserving cavitation in rigid gaps, whose solutions are known by
- * quadrature: a parabolic gap whose film ruptures and forms again, a starved
- * roller, plates that are squeezed and drawn apart.  The plain kernels alone,
- * on a gap that nothing deforms: rupture, meniscus and what a cavity holds are
- * of second order.
- */
+/* Mass-conserving cavitation in rigid gaps, with solutions known by quadrature:
+ * a parabolic gap with film rupture and reformation, a starved roller, and
+ * plates that are squeezed and separated. Only the plain kernels are used, in a
+ * gap without deformation. Rupture position, meniscus and cavity content are of
+ * second order. */
 #include <math.h>
 #include <string.h>
 

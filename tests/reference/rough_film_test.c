@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What amplitude reduction foresees of the film of rough surfaces, beside runs:
- * a tenth of verify/rough_film_test.c, two levels coarser, whose films are
- * within 0.03 of that. */
+/* Predicted film thickness of rough surfaces (amplitude reduction) compared
+ * with runs: a tenth of verify/rough_film_test.c, two levels coarser, whose
+ * film thicknesses are within 0.03 of those of the survey. */
 #include <math.h>
 
 #include "support/rough.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Steady starts with ground surfaces under the whole film, of the kind that
- * verify/rough_start_test.c has 100 of: flow laws and heat among them. */
+/* Steady starts with ground surfaces under the whole film, a sample of
+ * verify/rough_start_test.c, also with rheological models and heat. */
 #include "support/ground.h"
 #include "support/test.h"
 

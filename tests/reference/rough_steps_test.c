@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What steps of rough surfaces that slide take: no more than three cycles each
- * (3.6 where they are two meshes long), and a retry in 1,000; one in
- * these short runs. */
+/* Cycles per step of sliding rough surfaces: at most three (3.6 for steps of 2
+ * D), with one repeated step in 1,000; at most one in these short runs. */
 #include "support/sliding.h"
 #include "support/test.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Patches about the spike: a sample of tests/verify/spike_test.c. */
+/* Patches around the pressure spike: sample of tests/verify/spike_test.c. */
 #include <math.h>
 
 #include "support/contact.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Mass-conserving cavitation with the first-order scheme, and with a film that
- * shears thin: what holds of any of them, and where they meet what is known. */
+/* Mass-conserving cavitation with the first-order scheme and with shear-
+ * thinning films: general properties, and limits with known solutions. */
 #include <math.h>
 
 #include "contact/contact.h"

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Strips in time: the line contact where nothing varies across, a moving round
- * dent of another program, mirror and shift, steps in parts of a mesh, random
- * films.
- */
+/* Transient strips: the line contact if nothing varies across, a moving round
+ * dent of another program, mirror image and shift, steps of fractions of D,
+ * random films. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Runs of cases with [strip]: the film of the line contact where nothing varies
- * across, with every kind of history, stop and resume, refusals.
- */
+/* Runs of cases with [strip]: the film of the line contact if nothing varies
+ * across, with every kind of history; stop and resume; rejected options. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

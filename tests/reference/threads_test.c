@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Several simulations at once in one process: each comes to the bits that it
- * comes to alone, steady, transient, and written to files. */
+/* Several simultaneous simulations in one process give the same bits as single
+ * ones: steady, transient, and with result files. */
 #include <hdf5.h>
 #include <pthread.h>
 #include <stdio.h>

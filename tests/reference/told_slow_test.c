@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Estimated errors of random cases of mixed physics (support/told.h).  There
- * are 5 cases at level 5.  In make verify there are 70, and 30 at level 6.  In
- * one run of five an estimate is by overroll(1) below half of the error, mostly
- * of a pressure peak.  A sample of n may exceed n/5 by two standard deviations,
- * 2 sqrt(n/5 4/5).  These limits are 2 of 5, 10 of 30 and 20 of 70. */
+/* Estimated discretization errors of random cases of mixed physics
+ * (support/told.h): 5 cases at level 5; in make verify 70, and 30 at level 6.
+ * According to overroll(1) some estimate is below half of the error in one run
+ * of five, mostly for a pressure peak. A sample of n may exceed n/5 by two
+ * standard deviations, 2 sqrt(n/5 4/5). These limits are 2 of 5, 10 of 30 and
+ * 20 of 70. */
 #include <math.h>
 
 #include "support/test.h"

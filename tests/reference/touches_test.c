@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Steady contacts whose surfaces touch (support/touches.h). */
+/* Steady contacts with asperity contact (support/touches.h). */
 #include "../support/test.h"
 #include "../support/touches.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Ground surfaces that touch under a law of roughness finer than the mesh: a
- * twentieth of the pairs of verify/touching_ground_test, a level below. */
+/* Ground surfaces with asperity contact for roughness finer than the grid: a
+ * twentieth of the pairs of verify/touching_ground_test, one level coarser. */
 #include "support/ground.h"
 #include "support/test.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs against the exact discrete series of level 7, and against the
+/* Runs compared with the exact discrete series of level 7 and with the
  * extrapolated histories at level 8. */
 #include <math.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Running-in: what surfaces that touch wear. */
+/* Running-in: wear of surfaces in asperity contact. */
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random wide cases, half of them strips: 40, 2,000 in make verify, others by
- * OVERROLL_SEED and OVERROLL_RUNS. */
+/* Random cases over wide ranges, half of them strips: 40, in make verify 2,000;
+ * OVERROLL_SEED and OVERROLL_RUNS select others. */
 #include <stdlib.h>
 
 #include "../support/any_case.h"

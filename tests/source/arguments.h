@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What arguments.py writes calls with: a good value of each type, each made
- * anew where a call may take it, and the children that make the calls. */
+/* Arguments for the calls written by arguments.py: a valid value of each type,
+ * created again if a call may free it, and the child processes that make the
+ * calls. */
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>

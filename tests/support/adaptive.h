@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Adaptive steps on random dents, beside dT = D/8 and dT = D. */
+/* Adaptive steps for random dents compared with dT = D/8 and dT = D. */
 #ifndef TESTS_SUPPORT_ADAPTIVE_H
 #define TESTS_SUPPORT_ADAPTIVE_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random contacts with layers, soft thin ones among them: solved, and dents
- * marched through them beside the same dents without layers. */
+/* Random contacts with layers, including soft thin ones: steady solutions, and
+ * runs with dents compared with the same dents without layers. */
 #ifndef OVR_TESTS_COATED_H
 #define OVR_TESTS_COATED_H
 

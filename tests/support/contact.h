@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The contact of the reference values, by Moes numbers. */
+/* The contact of the reference values, by Moes' numbers. */
 #ifndef TESTS_SUPPORT_CONTACT_H
 #define TESTS_SUPPORT_CONTACT_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A simulation resumed by another, as from a checkpoint. */
+/* A simulation continued by another one, as from a checkpoint. */
 #ifndef TESTS_SUPPORT_COPIED_H
 #define TESTS_SUPPORT_COPIED_H
 

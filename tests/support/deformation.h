@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The deformation in the order of the nodes, for what does not work in lanes.
- */
+/* Deformation in the order of the nodes, for code that does not use lanes. */
 #ifndef TESTS_SUPPORT_DEFORMATION_H
 #define TESTS_SUPPORT_DEFORMATION_H
 

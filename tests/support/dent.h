@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * A run that never was: a dent travels through made-up pressure and film, each
- * value a formula of position and time, so that what a file holds can be
- * checked to the bit without solving anything.
- */
+/* An artificial run: a dent moves through prescribed pressure and film
+ * thickness, which are formulas of position and time. The contents of a file
+ * can therefore be checked to the bit without a solution. */
 #ifndef TESTS_SUPPORT_DENT_H
 #define TESTS_SUPPORT_DENT_H
 

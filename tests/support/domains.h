@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random histories on the domain that the program chooses, and on one twice as
- * wide. */
+/* Random histories on the default domain and on a domain twice as wide. */
 #ifndef TESTS_SUPPORT_DOMAINS_H
 #define TESTS_SUPPORT_DOMAINS_H
 

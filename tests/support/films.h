@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Steady films of contacts spread over (M, L), by the program itself. */
+/* Steady film thicknesses of contacts distributed over (M, L), computed by this
+ * program. */
 #ifndef TESTS_SUPPORT_FILMS_H
 #define TESTS_SUPPORT_FILMS_H
 

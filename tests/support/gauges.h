@@ -1,9 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Surfaces made up and written in every format and encoding that is read:
- * what a reader gives back must be what went in, to the rounding of the
- * format.
- */
+/* Artificial surfaces written in every supported format and encoding; a reader
+ * must return them within the rounding of the format. */
 #ifndef TESTS_SUPPORT_GAUGES_H
 #define TESTS_SUPPORT_GAUGES_H
 

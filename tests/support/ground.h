@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random pairs of ground surfaces that run through random contacts of steel:
- * whether a run goes through to its end where the film is thinner than they are
- * rough. */
+/* Random pairs of ground surfaces in random steel contacts: whether runs are
+ * complete although the film is thinner than the roughness. */
 #ifndef TESTS_SUPPORT_GROUND_H
 #define TESTS_SUPPORT_GROUND_H
 

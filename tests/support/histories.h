@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs whose load and speed jump, swing and ramp, drawn at random. */
+/* Random runs with jumps, oscillations and ramps of load and speed. */
 #ifndef TESTS_SUPPORT_HISTORIES_H
 #define TESTS_SUPPORT_HISTORIES_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Contacts of steel with heat: E' = 226 GPa, R = 12.7 mm, alpha = 22 1/GPa. */
+/* Thermal steel contacts: E' = 226 GPa, R = 12.7 mm, alpha = 22 1/GPa. */
 #ifndef TESTS_SUPPORT_HOT_H
 #define TESTS_SUPPORT_HOT_H
 

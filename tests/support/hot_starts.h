@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Steady starts of hot contacts that slide fast, drawn at random. */
+/* Random steady starts of hot contacts with high sliding speed. */
 #ifndef TESTS_SUPPORT_HOT_STARTS_H
 #define TESTS_SUPPORT_HOT_STARTS_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Loads that jump where cavitation is mass-conserving, drawn at random. */
+/* Random load jumps with mass-conserving cavitation. */
 #ifndef TESTS_SUPPORT_JUMPS_H
 #define TESTS_SUPPORT_JUMPS_H
 

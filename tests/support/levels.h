@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* level = auto on random cases: the error reached, beside that asked for. */
+/* level = auto for random cases: actual and requested errors. */
 #ifndef TESTS_SUPPORT_LEVELS_H
 #define TESTS_SUPPORT_LEVELS_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The run that never was (dent.h), as a result file. */
+/* The artificial run of dent.h as a result file. */
 #ifndef TESTS_SUPPORT_MADE_H
 #define TESTS_SUPPORT_MADE_H
 

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The program that holds all tests: it runs those of the file by whose name it
- * is called (build/tests/unit/arena_test), or that is its argument.
- */
+/* Main program of all tests: runs the tests of the file given by its program
+ * name (build/tests/unit/arena_test) or its argument. */
 #include "test.h"
 
 #include <stdio.h>

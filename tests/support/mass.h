@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Random cases, each made from its seed alone, and how they end.
+/* Random cases, each defined by its seed, and how they end.
  *
  *   steady     M 2..1000 (log-uniform), L 0..15, level 6..10, the default
  *              domain or an automatic one
  *   transient  M 5..200 (log-uniform), L 2..15, u_s/um 0..2, one to three
  *              features of random shape, up to 1.5 H_cen deep and 0.1..2 b
- *              wide; level 7, until the last feature has left
- */
+ *              wide; level 7, until the last feature has left */
 #ifndef TESTS_SUPPORT_MASS_H
 #define TESTS_SUPPORT_MASS_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random runs with everything in the mix: what all of it does to the solver. */
+/* Random runs with all physical models in combination. */
 #ifndef TESTS_SUPPORT_MIXED_H
 #define TESTS_SUPPORT_MIXED_H
 

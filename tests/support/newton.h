@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The dense reference: Newton's method with a full Jacobian matrix by
- * differences and GSL's LU, on the discrete equations written down once more
- * here, from the physics and not from the library's solver.  O(n^3): small n.
- */
+/* Dense reference solution: Newton's method with a full Jacobian by differences
+ * and GSL's LU, on the discrete equations programmed separately from the solver
+ * of the library. O(n^3): small n only. */
 #ifndef TESTS_SUPPORT_NEWTON_H
 #define TESTS_SUPPORT_NEWTON_H
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random contacts of fourth order: which of them the correction reaches. */
+/* Random contacts with order = auto: which of them are solved at fourth order.
+ */
 #ifndef TESTS_SUPPORT_ORDERS_H
 #define TESTS_SUPPORT_ORDERS_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Every two parts that a case is put together from (overroll/conflicts.h), in a
- * small case: refused as the table says, or at work. */
+/* Each pair of model features (overroll/conflicts.h) in a small case: rejected
+ * as listed in the table, or effective. */
 #ifndef TESTS_SUPPORT_PAIRS_H
 #define TESTS_SUPPORT_PAIRS_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Cases drawn at random, as text; the same seed gives the same case. */
+/* Random cases as text; the same seed gives the same case. */
 #ifndef TESTS_SUPPORT_RANDOM_CASE_H
 #define TESTS_SUPPORT_RANDOM_CASE_H
 

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Tables 1 and 2 of Venner, ten Napel & Bosma, Advanced Multilevel Solution of
- * the EHL Line Contact Problem, ASME J. of Tribology 1990, as printed, beside
- * the exact values of reference/truth.h.
- */
+/* Tables 1 and 2 of Venner, ten Napel & Bosma, Advanced Multilevel Solution of
+ * the EHL Line Contact Problem, ASME J. of Tribology 1990, as printed, with the
+ * exact values of reference/truth.h. */
 #ifndef TESTS_SUPPORT_REFERENCE_H
 #define TESTS_SUPPORT_REFERENCE_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs whose mean speed goes through zero. */
+/* Runs with an entrainment speed that passes through zero. */
 #ifndef TESTS_SUPPORT_REVERSAL_H
 #define TESTS_SUPPORT_REVERSAL_H
 

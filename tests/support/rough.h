@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random rough surfaces that roll through random contacts: what amplitude
- * reduction said, and what the run found. */
+/* Random rough surfaces in random rolling contacts: film thickness roughness
+ * predicted by amplitude reduction and computed by the run. */
 #ifndef TESTS_SUPPORT_ROUGH_H
 #define TESTS_SUPPORT_ROUGH_H
 

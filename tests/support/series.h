@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The central film of a run against time, from the text of a case, and how far
- * it is from that of a better one. */
+/* Central film thickness of a run against time, from the text of a case, and
+ * its distance from that of a more accurate run. */
 #ifndef TESTS_SUPPORT_SERIES_H
 #define TESTS_SUPPORT_SERIES_H
 

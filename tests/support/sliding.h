@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Cycles that steps take while a dent slides through the contact. */
+/* Number of cycles per step during the passage of a dent through a sliding
+ * contact. */
 #ifndef TESTS_SUPPORT_SLIDING_H
 #define TESTS_SUPPORT_SLIDING_H
 

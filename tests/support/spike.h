@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Steady contacts with patches about the spike, beside uniform grids of the
- * same kernel. */
+/* Steady contacts with patches around the pressure spike, compared with uniform
+ * grids of the same kernel. */
 #ifndef TESTS_SUPPORT_SPIKE_H
 #define TESTS_SUPPORT_SPIKE_H
 

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random starved contacts: surveys of what mass-conserving cavitation does to
- * the solver. */
+/* Random starved contacts with mass-conserving cavitation. */
 #ifndef TESTS_SUPPORT_STARVED_H
 #define TESTS_SUPPORT_STARVED_H
 

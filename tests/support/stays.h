@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Smooth contacts under constant conditions, drawn at random: a run stays the
- * steady contact that it begins from. */
+/* Random smooth contacts at constant conditions: a run remains at its steady
+ * initial state. */
 #ifndef TESTS_SUPPORT_STAYS_H
 #define TESTS_SUPPORT_STAYS_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Steady contacts of given M and L in a call each. */
+/* Steady contacts of given M and L, one call each. */
 #ifndef TESTS_SUPPORT_STEADY_H
 #define TESTS_SUPPORT_STEADY_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random strips, and counts of the steps that solved them. */
+/* Random strips, and numbers of steps and cycles of their solution. */
 #ifndef TESTS_SUPPORT_STRIP_CASES_H
 #define TESTS_SUPPORT_STRIP_CASES_H
 

@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * What every cmocka test includes first: cmocka with what it needs, numbers
- * compared with a tolerance, files, and an allocator that counts and fails.
- */
+/* Included first by every cmocka test: cmocka, comparison of numbers with a
+ * tolerance, files, and an allocator that counts and fails. */
 #ifndef TESTS_SUPPORT_TEST_H
 #define TESTS_SUPPORT_TEST_H
 

@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random runs of films that shear thin: surveys of what flow laws do to the
- * solver. */
+/* Random runs with shear-thinning films. */
 #ifndef TESTS_SUPPORT_THINNING_H
 #define TESTS_SUPPORT_THINNING_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Errors that a run tells of itself, beside the true ones. */
+/* Discretization errors estimated by a run, compared with the true ones. */
 #ifndef TESTS_SUPPORT_TOLD_H
 #define TESTS_SUPPORT_TOLD_H
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Steady contacts whose surfaces touch, drawn at random. */
+/* Random steady contacts with asperity contact. */
 #ifndef TESTS_SUPPORT_TOUCHES_H
 #define TESTS_SUPPORT_TOUCHES_H
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Amplitude reduction: the curve beside published numbers, what it makes of
- * waves, and what is foreseen of the film of rough surfaces. */
+/* Amplitude reduction: the curve compared with published values, the amplitudes
+ * of waves, and the predicted film thickness of rough surfaces. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Every parameter with everything wrong that a value can be, made from the
- * table of parameters: one line with file, line, key, value and what is
- * allowed.  A new parameter is covered by itself.
- */
+/* Every parameter with every kind of invalid value, generated from the table of
+ * parameters: the message is one line with file, line, key, value and allowed
+ * values. New parameters are included automatically. */
 #include "support/contact.h"
 #include "support/test.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Calls across the library's border: structs that are not given, and calls from
- * within calls. */
+/* Calls of the library with missing structs, and calls from within callbacks.
+ */
 #include "overroll/overroll.h"
 #include "support/test.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Case files: what is read, what is refused, what it resolves to. */
+/* Case files: accepted and rejected text, and the resolved values. */
 #include "support/contact.h"
 #include "support/test.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Whatever a case accepts for a key is written into its text and read from it
- * again as the same: random values for every key, some meant to be right,
- * most with what separates, quotes and comments in them. */
+/* Every value that a case accepts for a key is written into its text and read
+ * again unchanged: random values for every key, most of them with separators,
+ * quotes and comment signs. */
 #include "support/test.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Columns across the film: the kernels of every instruction set against the
- * plain ones, which are the statement of across.c (heat_test.c), and all of
- * them against closed forms. */
+/* Cross-film columns of nodes: the kernels of every instruction set compared
+ * with the plain ones of across.c (heat_test.c), and all of them with closed
+ * forms. */
 #include <math.h>
 #include <string.h>
 

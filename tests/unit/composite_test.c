@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Composite grids: their film against sums in extended precision, a patch over
- * the whole domain against the uniform grid, mass over the interfaces. */
+/* Composite grids: film thickness compared with sums in extended precision, a
+ * patch over the whole domain compared with the uniform grid, and mass
+ * conservation at the interfaces. */
 #include <gsl/gsl_integration.h>
 #include <math.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Levelling, filters, gaps, outliers, resampling, statistics: against what
- * they are by definition. */
+/* Levelling, filters, gaps, outliers, resampling and statistics of profiles
+ * compared with their definitions. */
 #include "support/test.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Our reading of HDF5's format against files that the library HDF5 made. */
+/* Reader of the HDF5 format compared with files written by the HDF5 library. */
 #include "support/test.h"
 
 #include <fcntl.h>

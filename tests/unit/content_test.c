@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Mass-conserving cavitation (content.h): the kernels of every instruction set
- * against the plain ones, and the plain ones against derivatives taken
- * numerically. */
+ * compared with the plain ones, and the plain ones with numerical derivatives.
+ */
 #include <math.h>
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Radii that vary in time: slopes of histories against difference quotients,
- * the cubic of a curvature that rides against exact involutes. */
+/* Time-dependent radii: slopes of histories compared with difference quotients,
+ * and the cubic term of a convected curvature with exact involutes. */
 #include "contact/curvature.h"
 
 #include <math.h>

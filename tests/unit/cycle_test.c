@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Who attaches to a cycle sees its ends in order, and what he freezes into the
- * equations of the finest level is solved for. */
+/* Functions attached to a cycle are called at its ends in the order of
+ * attachment, and values that they freeze in the equations of the finest level
+ * are solved for. */
 #include "support/test.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The coarse correction of Newton's method on fine grids: the coarse rows of
- * the remainder vanish, by a dense matrix made of the rows. */
+/* Coarse correction of Newton's method on fine grids: the coarse rows of the
+ * remaining residual vanish, compared with a dense matrix. */
 #include "support/test.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The dense algebra of the coarsest grid. */
+/* Dense linear algebra of the coarsest grid. */
 #include <math.h>
 #include <string.h>
 

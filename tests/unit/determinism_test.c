@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The same input gives the same bits, and on another instruction set the same
- * numbers to 1e-9. */
+/* The same input gives the same bits, and on other instruction sets the same
+ * numbers within 1e-9. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

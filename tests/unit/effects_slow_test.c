@@ -1,11 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * A key that is given and has no effect is refused, or noted: each key of the
- * table is given to each of some cases, with value after value, and those that
- * are taken in silence must change something that is told of the case or its
- * run.  What each row says of itself (`when`) is not asked.  In make check each
- * case gets every eighth key, cases in turn another one; in make verify all.
- */
+/* A key without effect is rejected or causes a note. Each key of the table is
+ * set in several cases to several values. Values accepted without a note must
+ * change the case or the summary of its run. The condition in the row of the
+ * key (`when`) is not used. In make check each case has every eighth key,
+ * consecutive cases different ones; in make verify all. */
 #include "support/test.h"
 
 #include <inttypes.h>

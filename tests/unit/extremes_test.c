@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Extremes of curves: located within what a parabola may say, and maxima that
- * stand out, against their definition in full; runs that were misread. */
+/* Extremes of curves: positions within the range of validity of a parabola,
+ * maxima above their surroundings compared with their full definition, and runs
+ * that an earlier version misread. */
 #include "support/test.h"
 
 #include <math.h>

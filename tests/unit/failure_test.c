@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Why a solve failed is told without infinite numbers and such that are none,
- * whatever it ended in. */
+/* Messages about a failed solution contain no infinite numbers or NaN, for
+ * every kind of failure. */
 #include "support/test.h"
 
 #include <math.h>

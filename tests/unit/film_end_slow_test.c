@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Loads and speeds whose films end now here, now many nodes farther: runs that
- * gave up before film ends were moved in one pass and the dry test was in the
- * unit of its rows. */
+/* Loads and speeds for which the end of the film moves by many nodes between
+ * solutions. These runs failed before film ends were moved in one pass and the
+ * criterion for cavitated nodes had the unit of its row. */
 #include <string.h>
 
 #include "contact/contact.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The film kernel, plain and of every instruction set, against its formulas in
- * extended precision, node by node; where a node lies does not matter to it. */
+/* Film kernel, plain and for every instruction set, compared with its formulas
+ * in extended precision, node by node, at any position in a vector. */
 #include <float.h>
 #include <math.h>
 #include <string.h>

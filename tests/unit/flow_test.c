@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Flow of films that shear thin: Eyring's law against quadrature over the film,
- * its derivatives against differences, the kernels beside the plain one. */
+/* Flow of shear-thinning films: the Eyring model compared with quadrature
+ * across the film, derivatives with differences, and the kernels with the plain
+ * one. */
 #include <gsl/gsl_integration.h>
 #include <math.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The correction to fourth order (multigrid/fourth_order.h): each of its parts
- * alone against manufactured pressures, films and coefficients, and the
- * vectors' kernels against the plain ones. */
+/* Fourth-order correction (multigrid/fourth_order.h): each part alone compared
+ * with manufactured pressures, film thicknesses and coefficients, and the
+ * vector kernels with the plain ones. */
 #include <gsl/gsl_integration.h>
 #include <math.h>
 

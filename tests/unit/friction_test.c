@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Shear stress and friction of a film: the kernels beside the plain one, and
- * that by hand. */
+/* Shear stress and friction of a film: the vector kernels compared with the
+ * plain one, and the plain one with direct sums. */
 #include <math.h>
 
 #include "contact/contact.h"

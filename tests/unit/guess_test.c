@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What a step begins from: the extrapolation by itself, what it is exact for,
- * and what it saves without loss in a run. */
+/* Initial guess of a step: exactness of the extrapolation, and saved cycles
+ * without loss of accuracy in a run. */
 #include <math.h>
 #include <string.h>
 

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * A program that leaves GSL's and HDF5's error handlers as they are (the one
- * aborts, the other prints) calls this library with what makes those libraries
- * fail, from one thread and from two: nothing aborts, nothing is printed, and
- * both handlers are there afterwards.
- */
+/* The library is called with inputs for which GSL and HDF5 fail, by a program
+ * with the default error handlers of both (one aborts, the other prints), from
+ * one and two threads. Nothing aborts, nothing is printed, and both handlers
+ * are restored. */
 #include "support/test.h"
 
 #include <fcntl.h>

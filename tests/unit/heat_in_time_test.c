@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Surfaces in time, alone: what is carried along, and temperatures under a
- * source of uniform strength that begins at T = 0, against closed forms. */
+/* Surface temperatures in time: convected fields, and temperatures under a
+ * uniform source that starts at T = 0, compared with closed forms. */
 #include <math.h>
 #include <string.h>
 

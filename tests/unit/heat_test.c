@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Parts of heat alone: the memory of the solids against a source of uniform
- * strength that moves, and temperatures across a film against closed forms. */
+/* Parts of the heat model: modes of the solids under a moving uniform source,
+ * and temperatures across a film, compared with closed forms. */
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_sf_bessel.h>
 #include <math.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A run that is stopped, in its steady start and at its last step too, and gone
- * on with says and holds what one does that was left alone: steps, summary and
- * warnings. */
+/* A run that is stopped, also in its steady start and at its last step, and
+ * resumed reports and stores the same as an uninterrupted one: steps, summary
+ * and warnings. */
 #include "support/test.h"
 
 #include <stdio.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Loads that jump where cavitation is mass-conserving are come to by
- * continuation (simulation/continuation.c). */
+/* Load jumps with mass-conserving cavitation are solved by continuation
+ * (simulation/continuation.c). */
 #include "../support/jumps.h"
 
 #include <stdio.h>

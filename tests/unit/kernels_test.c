@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The kernels of every instruction set against the plain ones, from the same
- * fields: they agree to rounding.  The plain ones against something else are in
- * plain_test.c; films are in film_test.c, scans in scan_test.c, the dense
- * solver in dense_test.c, the extrapolation in guess_test.c. */
+/* Kernels of every instruction set compared with the plain ones on the same
+ * fields: equal within rounding. plain_test.c tests the plain kernels
+ * independently; film_test.c, scan_test.c, dense_test.c and guess_test.c test
+ * films, scans, the dense solver and the extrapolation. */
 #include <math.h>
 #include <string.h>
 

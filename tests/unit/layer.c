@@ -1,18 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * A physics that is nowhere but here, to show that a record is all that one
- * needs: a soft, thin layer on body 1 on a stiff foundation (Winkler), that
- * wears in under its load.
+/* A physics that exists only in this test and shows that one record is
+ * sufficient: a soft thin layer on body 1 on a rigid foundation (Winkler),
+ * which wears under its load.
  *
- *     w_i = ... - c P_i        it gives way by its compliance c where pressed,
- *                              or over a length l about it, as e^(-(X/l)^2)
- *     t_i = ... + f P_i        it drags by its hysteresis f, and is warmed by
- *                              the power of that, -V f P_i
- *     ds/dT = k P,  S = ... - s   it wears where it is pressed
+ *     w_i = ... - c P_i        compliance c, local or distributed over a
+ *                              length l, as e^(-(X/l)^2)
+ *     t_i = ... + f P_i        friction by hysteresis f, heated by the power
+ *                              -V f P_i
+ *     ds/dT = k P,  S = ... - s   wear
  *
- * Its keys stand in [layer], without which it is off.  What it observes is the
- * largest s; s at the nodes is all of it that makes up the state.
- */
+ * Its keys are in [layer]; without this section the physics is off. The
+ * observed quantity is the maximum of s; the state is s at the nodes. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

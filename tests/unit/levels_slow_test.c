@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The level that is chosen for an accuracy; more cases in make verify. */
+/* Automatic level for a requested accuracy; more cases in make verify. */
 #include <stdio.h>
 
 #include "../support/levels.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A reader that polls a file while another process writes it, as fast as it
- * can: it never sees a wrong value, and never fewer rows than before. */
+/* A reader that polls a file as fast as possible while another process writes
+ * it: no wrong value, and never fewer rows than before. */
 #include "support/test.h"
 
 #include <stdlib.h>

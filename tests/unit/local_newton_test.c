@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Local Newton windows (multigrid/local_newton.h): a solved film whose pressure
- * is put off at single nodes comes back to the solution that it was. */
+/* Local Newton windows (multigrid/local_newton.h): a solution perturbed at
+ * single nodes is restored. */
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A program that has chosen a locale with a decimal comma gets the same files
- * from the library as any other. */
+/* A program with a locale that has decimal commas gets the same files from the
+ * library. */
 #include "support/test.h"
 
 #include <locale.h>

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The history of the material and its life: Hertz, circles, identities. */
+/* Stress histories of the material and fatigue life: Hertzian contact, circles,
+ * identities. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Means over a run: of the film in |X| < 3/4 by the arrays of each step, of
- * friction and power by what is observed, each for the step that led to it. */
+/* Means over a run: film thickness in |X| < 3/4 by the arrays of each step,
+ * friction and power by observed values, each weighted by the preceding step.
+ */
 #include <math.h>
 
 #include "overroll/simulation.h"

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Memory of a simulation: taken once, little of it, and as announced. */
+/* Memory of a simulation: allocated once, small, and as announced. */
 #include <math.h>
 
 #include "physics/heat/heat.h"

@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Profiles finer and coarser than the grid, shorter and longer than the
- * domain, at equal and unequal distances: what reaches the grid is the known
- * function without the waves the grid cannot carry.
- */
+/* Profiles finer and coarser than the grid, shorter and longer than the domain,
+ * with equal and unequal spacing: the heights on the grid are the known
+ * function without the waves that the grid cannot represent. */
 #include "support/test.h"
 
 #include <math.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Heat along a surface: memories that are carried along and spread, against the
- * full solution of moving sources, of one that begins on a surface at rest, and
- * against themselves. */
+/* Heat along a surface: convected and diffused modes compared with the full
+ * solution of moving sources, of a source that starts on a stationary surface,
+ * and with themselves. */
 #include <gsl/gsl_integration.h>
 #include <math.h>
 #include <string.h>

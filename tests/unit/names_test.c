@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A quantity has one name.  Reports, result files and extremes over a run use
+/* Each quantity has one name: reports, result files and extremes over a run use
  * the name in its row. */
 #include <math.h>
 #include <stdio.h>

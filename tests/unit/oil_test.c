@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The laws of oils against their formulas in extended precision and against
- * differences, tables against GSL, data sheets against the standards. */
+/* Lubricant relations compared with their formulas in extended precision and
+ * with differences, tables with GSL, data sheets with the standards. */
 #include <gsl/gsl_integration.h>
 #include <gsl/gsl_spline.h>
 #include <math.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A run on surfaces of its user: the same bits as a simulation on them, and
- * its features are not there. */
+/* A run with a user-defined surface has the same bits as a simulation with it,
+ * and its features are not used. */
 #include <math.h>
 #include <string.h>
 

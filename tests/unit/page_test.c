@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The program inside a page (src/web/page.c), compiled for this machine: the
- * functions that it imports from the page are here.
- */
+/* The program of the web page (src/web/page.c), compiled for this machine with
+ * replacements of the functions that it imports from the page. */
 #include "support/test.h"
 
 #include <fcntl.h>

@@ -1,11 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * A physics is a file and a row: this program is the library and its command
- * line, with a list of physics of its own in which a soft layer stands too
- * (layer.c).  Nothing else knows of the layer, and yet it has keys that are
- * read, refused and explained, is solved, marches, is observed and summed up,
- * is counted by `check`, and goes on, to the bit, where it was killed.
- */
+/* A physics is a file and a row. This program is the library and its command
+ * line with another list of physics that contains a soft layer (layer.c). No
+ * other code refers to the layer, but its keys are read, rejected and
+ * explained, it is solved in steady contacts and runs, its quantities are
+ * observed and summarized, `check` includes it, and a killed run continues with
+ * the same bits. */
 #include "support/deformation.h"
 #include "support/test.h"
 

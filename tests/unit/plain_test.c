@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The plain kernels against what is not made of them: what a formula is exact
- * for, derivatives by differences, small cases by hand.  So a mistake that
- * they have in common with the vectors' kernels is found. */
+/* Plain kernels compared with independent results: cases for which a formula is
+ * exact, derivatives by differences, small cases by direct calculation. Errors
+ * that they share with the vector kernels are found in this way. */
 #include <math.h>
 #include <string.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Residual stresses of plastic strains: an independent computation's numbers,
- * means against quadrature, energy, a free surface. */
+/* Residual stresses of plastic strains compared with an independent
+ * computation; means compared with quadrature, energy, and the free surface. */
 #include <math.h>
 
 #include "stress/yielding.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Workers: each takes task after task, one that dies takes its task alone. */
+/* Worker processes: each runs task after task, and if one is killed only its
+ * task fails. */
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 #include <signal.h>
 #include <stdatomic.h>

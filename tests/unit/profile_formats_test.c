@@ -1,8 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Random surfaces written in every format and encoding, read back to
- * rounding; and files with mistakes, named with the place.
- */
+/* Random surfaces written in every format and encoding and read back within
+ * rounding; messages about damaged files with the position of the error. */
 #include "support/test.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The oddities of text files, one by one; samples of real ones. */
+/* Special cases of text files, and samples of real ones. */
 #include "support/test.h"
 
 #include <locale.h>

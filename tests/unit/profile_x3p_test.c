@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is wrong with an X3P file is said; strangers' files do no harm. */
+/* Messages about defective X3P files; files of unknown origin are harmless. */
 #include "support/test.h"
 
 #include <dirent.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What headers and manual promise of options, surfaces, attributes, threads and
- * processes. */
+/* Statements of headers and manual about options, surfaces, attributes, threads
+ * and processes. */
 #include "support/test.h"
 
 #include <limits.h>

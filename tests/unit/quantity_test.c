@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Numbers with units: what is read, what is refused, what is said. */
+/* Numbers with units: accepted and rejected text, and messages. */
 #include "support/test.h"
 
 #include <locale.h>

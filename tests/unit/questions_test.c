@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* find and --sensitivity over runs that are made up: closed forms, solutions of
- * different order, failures, an end on the way. */
+/* find and --sensitivity with artificial runs: closed forms, solutions of
+ * different order, failures, interruption. */
 #include "support/test.h"
 
 #include <math.h>

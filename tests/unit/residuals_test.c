@@ -1,15 +1,12 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Residual histories, cycle by cycle to 1e-8, of a steady solution and of ten
- * steps of each scheme.  A test of form: the numbers are the program's own,
- * two digits of each as it printed them (build it, and it prints them again
- * where they differ).  That the solutions are right is tested elsewhere; this
- * one tells that smoother, transfers, coarse-grid equations, guess or
- * tolerances have changed, in whatever way, before a solution does.
+/* Residual histories, cycle by cycle to 1e-8, of a steady solution and of ten
+ * steps of each scheme. The numbers are the program's own, two digits of each
+ * as printed by it (the test prints new ones if they differ). This test does
+ * not check that solutions are right. It detects every change of smoother,
+ * transfers, coarse-grid equations, initial guess or tolerances.
  *
- * The history of one solve is seen from outside, by solving again with a
- * tolerance just below the residual that the last solve ended with.
- */
+ * The history of one solve is observed by solving again with a tolerance just
+ * below the final residual of the last solve. */
 #include "support/test.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Interrupted runs: killed at any moment, a made-up run is resumed and
+/* Interrupted runs: an artificial run that is killed at any time and resumed
  * ends with the same file. */
 #include "support/test.h"
 

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Result files: what goes in comes out, by the bit where it is stored so. */
+/* Result files: data are read as they were written, to the bit if stored in
+ * full precision. */
 #include "support/test.h"
 
 #include <hdf5.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A real run, stopped and resumed, ends with the same file: every
- * dataset and every attribute but the dates, to the bit. */
+/* A real run that is stopped and resumed ends with the same file: every dataset
+ * and every attribute except dates, to the bit. */
 #include "support/contact.h"
 #include "support/hot.h"
 #include "support/test.h"

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Solves that cannot succeed: never taken for solved, and named. */
+/* Solutions that cannot converge are never reported as converged, and the
+ * message names the reason. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What two surfaces bear that touch dry, and what they wear. */
+/* Dry contact and wear of two rough profiles: pressure against mean gap, and
+ * worn profiles. */
 #include <math.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random roughness: its numbers are those asked for. */
+/* Random roughness has the specified parameters. */
 #include "support/test.h"
 
 #include <math.h>

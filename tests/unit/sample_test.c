@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Draws, distributions and statistics against numbers of SciPy and NumPy,
- * closed forms, and simulations of what they promise. */
+/* Samples, distributions and statistics compared with SciPy and NumPy, closed
+ * forms, and simulations of their confidence levels. */
 #include "support/test.h"
 
 #include <math.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What is looked for along the nodes, against plain loops, and those by hand.
- */
+/* Searches along the nodes compared with plain loops, and the plain loops with
+ * small cases. */
 #include <math.h>
 
 #include "support/kernels.h"

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The search for a value: roots in closed form, inequalities that hold where
- * they are told to, several answers, missing values, and values that scatter.
- */
+/* Search for a value: roots in closed form, inequalities, several answers,
+ * missing values, and values with scatter. */
 #include "support/test.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The solution that observers see, on nodes at unequal distances. */
+/* The solution passed to observers, on nodes at unequal distances. */
 #include "simulation/solution.h"
 
 #include "support/test.h"

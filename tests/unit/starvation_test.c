@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The loss of film by a domain that begins close to the contact: its integrals
- * against GSL's adaptive quadrature, the law against films with the inlet moved
- * out, the usual inlet, and the automatic one, of histories too. */
+/* Loss of film thickness due to a close inlet boundary: its integrals compared
+ * with GSL's adaptive quadrature, the formula with films of inlets further
+ * upstream, the usual inlet, and the automatic inlet, also for histories. */
 #include <gsl/gsl_integration.h>
 #include <math.h>
 #include <stdio.h>

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The store: a commit is there whole or not at all, whatever is cut. */
+/* File store: a commit is complete or absent wherever writing is interrupted.
+ */
 #include "support/test.h"
 
 #include <fcntl.h>

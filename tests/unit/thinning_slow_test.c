@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A tenth of the random runs of verify/rheology_test, a level coarser. */
+/* A tenth of the random runs of verify/rheology_test, one level coarser. */
 #include "support/test.h"
 #include "support/thinning.h"
 

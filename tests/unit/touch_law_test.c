@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What surfaces bear by their mean gap. */
+/* Asperity contact model: pressure against mean gap. */
 #include <math.h>
 
 #include "support/test.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pressure and traction together: the sliding dry contact, Q = mu P, against
- * its closed form, what is known of it, and what must stay the same. */
+/* Pressure and traction together: the sliding dry contact, Q = mu P, compared
+ * with its closed form, known values and invariants. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Keys without effect: refused with a sentence, noted where a section is
- * switched off and where a result file holds them. */
+/* Keys without effect: rejected with a message, noted if their section is
+ * switched off or if a result file contains them. */
 #include "support/test.h"
 
 #include <stdio.h>

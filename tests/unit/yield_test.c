@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What an elastic pressure says of a body that yields: limits of the smooth
- * contact, and strips of pressure above that around them. */
+/* Elastic stresses above yield: limits of the smooth contact, and strips of
+ * pressure above their surroundings. */
 #include <math.h>
 
 #include "stress/stress.h"

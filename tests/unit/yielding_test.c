@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Material that yields: first yield, shakedown in rolling, the collapse of a
- * strip, hardening in simple stress, a window against its mirror image. */
+/* Plastic material: first yield, shakedown in rolling, collapse of a strip,
+ * hardening in uniaxial stress, a window compared with its mirror image. */
 #include <math.h>
 #include <string.h>
 

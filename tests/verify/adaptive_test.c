@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Adaptive steps are honest about dents: the error of H_cen over the run,
- * beside dT = D/8 on the same level, is below 10 times the asked for one; and
- * at an error of dT = D that lies between theirs they take no more cycles. */
+/* Accuracy of adaptive steps for dents: the error of H_cen over the run,
+ * relative to dT = D/8 on the same level, is below 10 times the requested
+ * error. At the error of dT = D adaptive steps need no more cycles. */
 #include <stdio.h>
 
 #include "../support/adaptive.h"

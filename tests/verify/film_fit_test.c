@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * The survey behind the fitted films, and the fit: 260 contacts (films.c) at
- * level 10; the errors that film_formula.c states; and the constants once more
- * by Levenberg and Marquardt from its own on the logarithms of the films, which
- * must not do better by a tenth.
- */
+/* Survey to which the film thickness formulas were fitted, and the fit: 260
+ * contacts (films.c) at level 10, the errors stated in film_formula.c, and a
+ * new fit of the constants by Levenberg and Marquardt to the logarithms of the
+ * film thicknesses, which must not be better by a tenth. */
 #include "contact/film_formula.h"
 
 #include <gsl/gsl_blas.h>

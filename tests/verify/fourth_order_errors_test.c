@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Fourth order against the limit of second order, (4 v_14 - v_13)/3, of random
- * contacts: M 5 to 200 (logarithmic), L 2.5 to 14, on [-4, 1.5], level 8.
- * Medians and largest errors.  With the logarithmic mean H_cen has 8e-7 and
- * 3.9e-6, H_min 3.7e-5 and 4.1e-4; with the mean by the gap H_min had 1.5e-2.
- */
+/* Fourth order compared with the limit of second order, (4 v_14 - v_13)/3, for
+ * random contacts: M 5 to 200 (logarithmic), L 2.5 to 14, on [-4, 1.5], level
+ * 8. Median and maximum errors. With the logarithmic mean H_cen has 8e-7 and
+ * 3.9e-6, H_min 3.7e-5 and 4.1e-4; with the gap mean H_min has 1.5e-2. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * 100 random pairs of ground surfaces (support/ground.h) at each of lambda 1 to
- * 3 and 0.3 to 1; half of them Newtonian, half by Eyring's law, of these one in
- * five hot; levels 7 and 8.  With the arithmetic mean 12 and 56 of 100 end
- * before their end on level 7.  By the gap one hot film does, and of the thin
- * ones 12: where ridges seal a film, cycles do not find its solution.
+/* 100 random pairs of ground surfaces (support/ground.h) at lambda ratios of 1
+ * to 3 and of 0.3 to 1. Half of them are Newtonian, half Eyring films, of which
+ * one in five is thermal; levels 7 and 8. With the arithmetic mean 12 and 56 of
+ * 100 end early on level 7. With the gap mean one thermal film of the first and
+ * 12 of the second group end early: cycles do not converge if ridges seal a
+ * film.
  *
- * Of the thick ones 31059 and 31077 end on level 7, the first on level 8 too:
- * ridges 0.5 um high pass the outlet on films of 2 nm, 7e-4 b^2/R, by level 9,
- * where both end as they should; a node of level 7 cannot tell that from none.
- */
+ * Of the first group, 31059 and 31077 end early on level 7, the former also on
+ * level 8. Ridges of 0.5 um leave the contact with films of 2 nm, 7e-4 b^2/R.
+ * Both runs are complete on level 9; on level 7 a node cannot distinguish this
+ * film thickness from zero. */
 #include "support/ground.h"
 #include "support/test.h"
 

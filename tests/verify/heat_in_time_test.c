@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Runs with heat, drawn at random: the features, flow law and swinging slip of
- * the runs of rheology_test.c, from 0.4 to 2 GPa. */
+/* Random thermal runs with the features, rheological models and oscillating
+ * sliding of rheology_test.c, from 0.4 to 2 GPa. */
 #include <math.h>
 #include <stdlib.h>
 

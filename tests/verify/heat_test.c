@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Steady contacts with heat, drawn at random: Eyring's films from 0.4 to 2 GPa
- * and Newtonian ones up to 1 GPa, where friction is absurd without heat. */
+/* Random steady thermal contacts: Eyring films from 0.4 to 2 GPa and Newtonian
+ * films up to 1 GPa, whose friction is not realistic without heat. */
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Over all contacts that films are known for: an automatic domain gives the
- * film of one four times (M >= 100: twice) as long to 3e-4, and the loss by an
- * inlet at -4 is known within a factor of 1.5, both converged in the mesh. */
+/* Inlet boundary for all contacts with known film thickness: an automatic
+ * domain gives the film thickness of a domain four times as long (M >= 100:
+ * twice) within 3e-4, and the loss due to an inlet at -4 is known within a
+ * factor of 1.5, both converged in the grid. */
 #include <math.h>
 #include <stdio.h>
 

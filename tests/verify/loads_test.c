@@ -1,9 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Every load of the paper's figures, all 64 of them, on automatic settings at
- * level 10, with both smoothers; and the film at level 12 against independent
- * grid-converged values.
- */
+/* All 64 loads of the figures of the paper with automatic settings at level 10
+ * and both smoothers, and the film thickness at level 12 compared with
+ * independent grid-converged values. */
 #include "support/contact.h"
 #include "support/test.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* 500 random runs with heat, flow laws and supply in the mix (support/mixed.h).
- */
+/* 500 random runs with combinations of heat, rheological models and supply
+ * (support/mixed.h). */
 #include <stdlib.h>
 
 #include "support/mixed.h"

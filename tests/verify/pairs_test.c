@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What goes with what: all pairs are refused as the table says, or accepted,
- * and all of those march. */
+/* Combinations of model features: all pairs are rejected as listed in the
+ * table, or accepted, and all accepted ones run. */
 #include "support/pairs.h"
 #include "support/test.h"
 

@@ -1,20 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Twenty-four readers at a file that a run is writing: none of them fails,
- * none sees fewer rows than before.  What the run loses against one beside
- * which as many readers look at another file is told: they take the same
- * processors, but nothing that the writer waits for, and on a quiet machine it
- * is less than a twentieth.  (Medians of runs in turns; those without readers
- * are told for comparison.)
+/* Twenty-four readers of a file during the run: none fails, and none reads
+ * fewer rows than before. The slow-down of the run is printed, relative to a
+ * run with as many readers of another file, which use the same processors but
+ * do not delay the writer. On an idle machine it is less than a twentieth.
+ * (Medians of runs in alternation; runs without readers are printed for
+ * comparison.)
  *
- * Every reader looks twice a second: opens the file, reads the newest snapshot
- * and the history, closes it.
+ * Every reader opens the file twice a second, reads the newest snapshot and the
+ * history, and closes it.
  *
- * What results/journal.h is for: with its locks the writer waited less than
- * 1 ms for readers in a whole run, and none failed.  With retries alone (five,
- * over 31 ms) that held as well, but in tests/unit/live_test.c, where a commit
- * follows the other within 0.6 ms, a reader failed in 4 of 6 attempts.
- */
+ * Effect of results/journal.h: with its locks the writer waited less than 1 ms
+ * for readers in a whole run, and none failed. The same holds with retries only
+ * (five, over 31 ms), but in tests/unit/live_test.c, where commits follow each
+ * other within 0.6 ms, a reader failed in 4 of 6 attempts. */
 #include "support/test.h"
 
 #include <stdio.h>

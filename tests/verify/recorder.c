@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Put before a program with LD_PRELOAD, records what it asks of the disk:
+/* Library for LD_PRELOAD that records the disk operations of a program:
  *
- *     RECORD=log       to this file (crash_states.py reads it)
- *     RECORD_NAME=s    of files whose name begins with s, and of folders
- *     RECORD_KILL=k    and kills it at its k-th operation
- *     RECORD_SPEED=k   the clock goes k times as fast, so that what a run does
- *                      every half second it does more often
+ *     RECORD=log       to this file (read by crash_states.py)
+ *     RECORD_NAME=s    of files whose names begin with s, and of folders
+ *     RECORD_KILL=k    and kills the program at its k-th operation
+ *     RECORD_SPEED=k   the clock runs k times faster, so that periodic
+ *                      operations of a run are more frequent
  *
- * A record is the number of the operation, a descriptor, an offset and a
- * length (64 bits each), then as many bytes: data, or a name (two names of a
- * rename, each with its end).  Operations follow each other as they happened.
- */
+ * A record contains the number of the operation, a descriptor, an offset and a
+ * length (64 bits each), then as many bytes: data, or a name (two names for a
+ * rename, each with its end). Operations are in the order in which they
+ * happened. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* No step fails where the mean speed goes through zero: 80 runs at random. And
- * longer ones than the quick test has against the dense Newton solution. */
+/* Every step converges while the entrainment speed passes through zero: 80
+ * random runs, and runs longer than those of the quick test compared with the
+ * dense Newton solution. */
 #include <math.h>
 #include <stdlib.h>
 

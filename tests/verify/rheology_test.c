@@ -1,6 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Contacts that shear thin, in numbers: 144 steady ones after Eyring, and 200
- * runs drawn at random. */
+/* Shear-thinning contacts: 144 steady Eyring films and 200 random runs. */
 #include <stdlib.h>
 
 #include "contact/contact.h"

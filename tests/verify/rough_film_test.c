@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * What amplitude reduction foresees of rough surfaces, beside the runs: 20
- * random surfaces (support/rough.h) that roll, on which the errors that `check`
- * and overroll(1) state are measured; and 20 that slide, for what is said of
- * those.
- */
+/* Predicted film thickness of rough surfaces (amplitude reduction) compared
+ * with runs: 20 random rolling surfaces (support/rough.h), from which the
+ * errors in `check` and overroll(1) were measured, and 20 sliding ones. */
 #include <math.h>
 #include <stdio.h>
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Cycles a step and retries of rough surfaces, and over a grid of dents that
- * slide, at levels 7 to 9 and a fifth of it at level 10, by both schemes of
- * second order. */
+/* Cycles per step and repeated steps of rough surfaces and of sliding dents, at
+ * levels 7 to 9 and a fifth of them at level 10, with both schemes of second
+ * order. */
 #include <stdio.h>
 
 #include "../support/sliding.h"

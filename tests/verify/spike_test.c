@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Patches about the spike: beside uniform grids, heights at high loads, and a
- * survey. */
+/* Patches around the pressure spike: comparison with uniform grids, heights at
+ * high loads, and a survey. */
 #include <math.h>
 #include <stdio.h>
 

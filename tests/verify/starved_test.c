@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Mass-conserving cavitation: random runs and steady starved contacts, none of
- * which may fail; what it took is printed. */
+ * which may fail; the work is printed. */
 #include <math.h>
 #include <stdio.h>
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Random strips in time: dents, waves, scratches and roughness that roll and
- * slide at M = 2 to 400, L = 2 to 20. */
+/* Random transient strips: rolling and sliding dents, waves, scratches and
+ * roughness, M = 2 to 400, L = 2 to 20. */
 #include "support/strip_cases.h"
 #include "support/test.h"
 

@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * 100 random pairs of ground surfaces (support/ground.h) by Eyring's law, one
- * in five hot, that touch through a layer of 3 nm, at each of lambda 0.7 to 3
- * and 0.3 to 0.7, level 7.  Of the former none breaks off, of the latter five
- * at most.  And the share of one pair on three levels.
- */
+/* 100 random pairs of ground surfaces (support/ground.h) with Eyring films, one
+ * in five thermal, with a boundary layer of 3 nm, at lambda ratios of 0.7 to 3
+ * and of 0.3 to 0.7, level 7. None of the former ends early, of the latter at
+ * most five. Load share of one pair on three levels. */
 #include "support/ground.h"
 #include "support/test.h"
 

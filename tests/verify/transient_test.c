@@ -1,10 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/*
- * Verification of the transient solver: waviness, sliding, histories at level
- * 9, orders of the schemes and their error for their cost.  Takes minutes;
- * prints its tables, and with OVERROLL_VERIFY=FOLDER (make verify sets it)
- * leaves their data there, and pictures of them where gnuplot is.
- */
+/* Verification of the transient solver: waviness, sliding, histories at level
+ * 9, orders of the schemes and error against cost. Takes minutes and prints
+ * tables. With OVERROLL_VERIFY=FOLDER (set by make verify) it writes the data
+ * and, with gnuplot, pictures to this folder. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
