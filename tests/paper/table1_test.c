@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Table 1 of the paper: computing time against n with 2 V or 2 W cycles per
- * refinement, ratio of successive rows (about 2 for O(n ln n)) and speed-up
- * relative to the machine of the paper. Times are printed and not checked. */
+ * refinement. The ratio of successive rows (about 2 for O(n ln n)) and the
+ * speed-up relative to the machine of the paper are printed. Times are not
+ * checked. */
 #include "support/contact.h"
 #include "support/test.h"
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Pictures: format and size of the files, data equal to those of the result
+/* Pictures: format and size of the files, data equal to the data of the result
  * file, and external text that remains text. */
 #include "support/test.h"
 

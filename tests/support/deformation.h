@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Deformation in the order of the nodes, for code that does not use lanes. */
+/* Deformation in the order of the nodes, for code without lanes. */
 #ifndef TESTS_SUPPORT_DEFORMATION_H
 #define TESTS_SUPPORT_DEFORMATION_H
 
