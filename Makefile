@@ -280,6 +280,7 @@ SURVEYS   := $(addprefix tests/,reference/any_case_slow_test.c \
                reference/mixes_slow.sh reference/wide_case_slow_test.c \
                reference/told_slow_test.c reference/histories_slow_test.c \
                reference/hot_starts_test.c \
+               reference/film_waves_slow_test.c \
                unit/effects_slow_test.c unit/jumps_test.c \
                unit/levels_slow_test.c unit/restart_test.c \
                cli/power.sh cli/kills.sh cli/random_kills_slow.sh \

@@ -110,9 +110,9 @@ typedef struct ovr_run_errors {
     ovr_run_error of[OVR_RUN_ERRORS];
 } ovr_run_errors;
 
-/* Prediction by amplitude reduction for rolling rough surfaces, before the
- * run. Heights are in b^2/R; NAN: no prediction. Rq is the maximum over time
- * of the roughness in |X| < OVR_ROUGH_WINDOW. */
+/* Prediction by amplitude reduction for rough surfaces, before the run. Heights
+ * are in b^2/R; NAN: no prediction. Rq is the maximum over time of the
+ * roughness in |X| < OVR_ROUGH_WINDOW. */
 typedef struct ovr_rough_film {
     double Rq;      /* of the undeformed surfaces */
     double film_Rq; /* of the film thickness in the contact */

@@ -113,3 +113,17 @@ void ovr_waves_reduce(double M, double L, const ovr_wave_factors *factors,
     }
     gsl_fft_halfcomplex_radix2_inverse(z, 1, n);
 }
+
+void ovr_waves_turn(size_t n, const double *z, double *turned)
+{
+    for (size_t i = 0; i < n; i++)
+        turned[i] = z[i];
+    gsl_fft_real_radix2_transform(turned, 1, n);
+    turned[0] = turned[n / 2] = 0;
+    for (size_t k = 1; k < n / 2; k++) {
+        double real = turned[k];
+        turned[k] = turned[n - k];
+        turned[n - k] = -real;
+    }
+    gsl_fft_halfcomplex_radix2_inverse(turned, 1, n);
+}

@@ -34,6 +34,10 @@ double ovr_wave_factor(const ovr_wave_factors *factors, double wavelength);
 void ovr_waves_reduce(double M, double L, const ovr_wave_factors *factors,
                       double step, size_t n, double *z);
 
+/* Computes turned[n] from one period of heights z[n]: every cosine becomes a
+ * sine (Hilbert transform). */
+void ovr_waves_turn(size_t n, const double *z, double *turned);
+
 /* Width of the contact, b. */
 #define OVR_CONTACT_WIDTH 2.
 

@@ -158,8 +158,10 @@ TEST(what_is_not_foreseen)
         {"", "contact.slide_to_roll=0.1", NULL, "slide"},
         {"[feature v]\nsurface = 2\nshape = wave\namplitude = 0.01\n"
          "wavelength = 1\n",
-         "contact.slide_to_roll=0.1", "both are rough", NULL},
-        {"", "contact.slide_to_roll=-2", "does not move", NULL},
+         "contact.slide_to_roll=0.1", NULL, "slide"},
+        {"", "contact.slide_to_roll=-2.1", "against the entrainment", NULL},
+        {"[feature v]\nshape = wave\namplitude = 0.02\nwavelength = 0.2\n",
+         "contact.slide_to_roll=0.1", NULL, "steep"},
         {"[load]\nhistory = ramp\nto = 1.2\nduration = 1\n", NULL, NULL,
          "vary"},
         {"[radius]\nhistory = ramp\nto = 1.2\nduration = 1\n", NULL, NULL,
