@@ -170,9 +170,8 @@ static double highest(const rolled *r)
     return maximum;
 }
 
-/* Returns the range of predicted Rq over film_Rq_max of runs that the fits have
- * not used; steepness: of the rough surfaces, in p_h, the pressure that presses
- * a wave flat. */
+/* Returns the measured accuracy of the prediction.  The steepness of the rough
+ * surfaces is the amplitude of the pressure that flattens a wave, p_h. */
 static const char *sliding_error(const ovr_setup *s, double steepness)
 {
     if (steepness > STEEP)
@@ -204,7 +203,7 @@ static const char *reservation(const ovr_setup *s, double steepness,
     return slides(s) ? sliding_error(s, steepness) : NULL;
 }
 
-/* A prediction and what it needs. */
+/* State of a prediction. */
 typedef struct prediction {
     const ovr_setup *setup;
     double H; /* central film thickness of smooth surfaces */

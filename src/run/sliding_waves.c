@@ -260,8 +260,8 @@ static flux flux_at(coefficients c, double D, double complex s)
     return (flux){p - q, c.of_h - 2 * p, p + q, -c.of_h * s};
 }
 
-/* Computes d in x; p and d vanish at the upstream end, p at the downstream
- * end.  s: heights at the nodes, of positive wave numbers; they change as
+/* Computes d in x. p and d vanish at the upstream end, p at the downstream end.
+ * The heights s of the nodes have positive wave numbers and change as
  * exp(-w T). */
 static void deform(const smooth *at, size_t times, size_t n, double complex w,
                    const double complex *s, row *a, double complex *x)
@@ -324,7 +324,7 @@ static double variance(const smooth *at, size_t times, size_t n,
     return (squares + cabs(turned)) / (2 * count);
 }
 
-/* The same for exp(i k X). */
+/* Largest variance in the window of the real part of exp(i k X). */
 static double variance_of_wave(double k)
 {
     double a = k * WINDOW, mean = sin(a) / a;
@@ -351,7 +351,7 @@ double ovr_film_wave_stretch(double u)
     return 1 / fmax(0.5, u);
 }
 
-/* What one solution needs, for at most `most` nodes. */
+/* Memory of one solution with at most `most` nodes. */
 typedef struct workspace {
     size_t most;
     row *a;
@@ -410,12 +410,11 @@ static double thinned_viscosity(const ovr_contact *c,
     return mobility(c, lubricant, 0, P, H) / mobility(c, lubricant, slip, P, H);
 }
 
-/* The films of 220 smooth contacts that slide (Eyring, Carreau and tables, M =
- * 5 to 300, L = 3 to 21, slide-to-roll ratios to 2) over those without sliding:
- * minimum film thickness with a root mean square error of 0.02, at most 0.11;
- * Rq over the film thickness with 0.005.  Rq in thick films without sliding was
- * fitted to 103 solutions with M = 2 to 30, L = 2 to 25 (0.006, at most 0.017).
- */
+/* Accuracy: 220 smooth contacts that slide (Eyring, Carreau, tables) have M = 5
+ * to 300, L = 3 to 21 and slide-to-roll ratios of up to 2. The root mean square
+ * error of the minimum film thickness is 0.02, at most 0.11, that of Rq/H is
+ * 0.005. Without sliding, 103 solutions with M = 2 to 30 and L = 2 to 25 have a
+ * root mean square error of 0.006 in Rq/H, at most 0.017. */
 ovr_status ovr_smooth_film_make(const ovr_contact *contact,
                                 const ovr_lubricant *lubricant, double H,
                                 ovr_arena *arena, ovr_smooth_film *to,

@@ -15,12 +15,12 @@ ovr_status ovr_sliding_waves_make(const ovr_contact *contact,
                                   double u, ovr_arena *arena,
                                   ovr_wave_factors *to, ovr_error *err);
 
-/* Length of a wave in the film over that of the surface which moves at u um;
- * the windows in which Rq is measured contain the latter as many times. */
+/* Length of a wave in the film divided by that of the surface, which moves at u
+ * um. */
 double ovr_film_wave_stretch(double u);
 
 typedef struct ovr_smooth_film {
-    double ratio; /* film thickness over that of a Newtonian oil */
+    double ratio; /* film thickness divided by that of a Newtonian oil */
     double Rq;    /* b^2/R */
 } ovr_smooth_film;
 
@@ -38,7 +38,7 @@ typedef struct ovr_still {
 } ovr_still;
 
 typedef struct ovr_standing_film {
-    double Rq;     /* of what the heights change */
+    double Rq;     /* roughness due to the heights */
     double lowest; /* largest decrease of H at the outlet, negative */
 } ovr_standing_film;
 

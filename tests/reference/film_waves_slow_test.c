@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Predicted Rq of the film of surfaces that slide, compared with runs of random
- * waves: 5 per class, 40 in make verify.  M = 8 to 300 (light: 2 to 8), L = 4
- * to 20, p_h to 3.5 GPa, wavelengths 0.1 to 2 b, amplitudes 0.02 to 0.3 of the
- * minimum film thickness.  The bounds are those of `check`.
+ * The predicted Rq of the film of surfaces that slide is compared with runs of
+ * random waves, 5 per class, 40 in make verify. M is 8 to 300 (light: 2 to 8),
+ * L 4 to 20, p_h up to 3.5 GPa. Wavelengths are 0.1 to 2 b, amplitudes 0.02 to
+ * 0.3 of the minimum film thickness. The bounds are those of `check`.
  */
 #include <math.h>
 #include <stdio.h>
