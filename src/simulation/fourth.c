@@ -215,7 +215,8 @@ static ovr_defect solve_and_correct(ovr_simulation *sim, const fourth *f,
         !ovr_below(d, first_tolerance(sim, sim->finest, d.centre)))
         return d;
     found second = keep(sim);
-    if (!ovr_fourth_solve(&sim->grids, c, &last, &d, cycles))
+    if (!ovr_fourth_solve(&sim->grids, c, &last, &d, cycles) &&
+        !ovr_below_rounding(sim, &d))
         return fall_back(sim, f, how, &second, cycles);
     ovr_nodes_read(sim, sim->finest, c->F, f->F);
     ovr_nodes_read(sim, sim->finest, c->gap, f->gap);

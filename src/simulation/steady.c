@@ -470,7 +470,8 @@ static double search(ovr_simulation *sim, ovr_outcome *outcome)
         outcome->converged = ovr_steady_found(sim, outcome);
         tolerance = ovr_steady_tolerance(sim, sim->finest,
                                          outcome->defect.centre);
-        if (sim->options.stop == OVR_STOP_FIXED || ovr_mesh_too_coarse(sim))
+        if (sim->options.stop == OVR_STOP_FIXED || ovr_mesh_too_coarse(sim) ||
+            ovr_below_rounding(sim, &outcome->defect))
             break;
     }
     end_work(sim, outcome);

@@ -18,6 +18,17 @@ awk -v p="$printed" -v l="$(number H_min_located)" -v n="$(number H_min)" '
     }' ||
     fail "$printed is printed, H_min_located is $(number H_min_located)"
 
+# A tolerance below rounding errors keeps the fourth order and is named.
+H=$(number H_cen)
+expect 1 "$OVERROLL" steady --M 20 --L 10 --level 7 --json \
+    --set solver.tolerance=1e-11
+contains err 'tolerance = 1.0e-11 is below rounding .* use tolerance = 1.0e-09'
+! grep 'second order' err || fail 'rounding makes the solution second order'
+[ "$(number order)" = 4 ] || fail "order $(number order)"
+[ "$(number cycles)" -lt 100 ] || fail "$(number cycles) cycles"
+awk -v a="$H" -v b="$(number H_cen)" 'BEGIN { d = a / b - 1
+    exit !(d < 1e-7 && d > -1e-7) }' || fail "H_cen $(number H_cen), not $H"
+
 expect 0 "$OVERROLL" steady --M 20 --L 10 --level 6 -q
 [ ! -s out ] || fail "-q prints: $(cat out)"
 
