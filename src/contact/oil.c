@@ -182,8 +182,6 @@ static ovr_status check_sheet_complete(const ovr_oil *oil, ovr_error *err)
         const char *key, *text;
     } needs[] = {
         {isnan(oil->temperature), "temperature", "temperature (e.g. 60 degC)"},
-        {isnan(oil->density_15), "density_15",
-         "density_15 (mineral oil: 870 kg/m3)"},
         {isnan(oil->nu_40), "viscosity_40", "viscosity_40 or iso_vg"},
         {!index, "viscosity_index",
          "viscosity_index (mineral oil: 95, PAO: 140) or viscosity_100"},
@@ -227,6 +225,8 @@ static ovr_status by_data_sheet(ovr_oil *oil, ovr_error *err)
         return OVR_OK;
     if (check_sheet(oil, err))
         return OVR_BAD_INPUT;
+    if (isnan(oil->density_15))
+        oil->density_15 = DENSITY_MINERAL;
     if (isnan(oil->nu_100))
         oil->nu_100 = ovr_viscosity_at_100(oil->nu_40, oil->viscosity_index);
     if (isnan(oil->nu_100))
@@ -275,8 +275,6 @@ static ovr_status estimate(ovr_oil *oil, ovr_error *err)
 
 static ovr_status complete(ovr_oil *oil, ovr_error *err)
 {
-    if (oil->mineral && isnan(oil->density_15))
-        oil->density_15 = DENSITY_MINERAL;
     if (check_tait(oil, err) || by_data_sheet(oil, err) || estimate(oil, err))
         return OVR_BAD_INPUT;
     if (oil->density_law == OVR_DENSITY_TABLE && !oil->density_table)

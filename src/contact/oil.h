@@ -37,13 +37,12 @@ typedef struct ovr_oil {
                              */
     double glass_viscosity; /* Yasutomi: at the glass transition, Pa s */
     double nu_40, nu_100;   /* in m2/s, at 40 and 100 degC */
-    double density_15;      /* kg/m3 at 15 degC */
+    double density_15;      /* kg/m3 at 15 degC; NAN: 870 */
     double viscosity_index; /* in place of nu_100 */
     double S0, beta;        /* decrease of viscosity with temperature: Roelands'
                              * S0; -d ln eta/dT at p = 0, 1/K */
     const ovr_law_table *viscosity_table, *density_table;
-    int mineral; /* 1: estimate alpha and density_15 of a mineral oil where
-                    they are not given */
+    int mineral; /* 1: estimate alpha of a mineral oil if it is not given */
 } ovr_oil;
 
 /* Measured points of a law. */

@@ -154,8 +154,24 @@ refuses 'oil = mineral needs iso_vg' check none.ini
 sed '/viscosity_index/d' mineral.ini >grade.ini
 refuses 'the viscosity from a data sheet needs viscosity_index' check grade.ini
 sed '/^temperature/d; /^oil/d; /^density/d; /^alpha/d' grade.ini >bare.ini
-refuses 'needs temperature.*density_15.*viscosity_index.*95.*alpha' \
-    check bare.ini
+refuses 'needs temperature.*viscosity_index.*95.*alpha' check bare.ini
+# Without a density the viscosity is that of an oil of 870 kg/m3.
+printf 'iso_vg = 68\nviscosity_index = 95\ntemperature = 60 degC\n' >sheet
+for density in 870 900 default; do
+    {
+        printf '[contact]\nload = 200 kN/m\nradius = 10 mm\n'
+        printf 'modulus = 226 GPa\nmean_speed = 2 m/s\n[lubricant]\n'
+        printf 'alpha = 20 1/GPa\n'
+        cat sheet
+        [ $density = default ] || echo "density_15 = $density kg/m3"
+    } >density.ini
+    expect 0 "$OVERROLL" check density.ini -v
+    grep '^#   viscosity eta0' out >eta.$density
+    cp out density.$density
+done
+cmp eta.default eta.870 || fail 'the default density is not 870 kg/m3'
+! cmp -s eta.default eta.900 || fail 'density has no effect'
+contains density.default '^density_15 = 870 kg/m3 +# default'
 printf 'viscosity_100 = 6.8 mm2/s\n' >>mineral.ini
 refuses 'viscosity_100 and viscosity_index determine each other' \
     check mineral.ini

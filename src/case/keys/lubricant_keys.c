@@ -37,8 +37,7 @@ static const ovr_parameter lubricant_keys[] = {
     {"oil", CHOICE(oils), "given", AT(oil.mineral), true,
      "no alpha or iso_vg or viscosity_40; "
      "no contact.alpha or iso_vg or viscosity_40",
-     "mineral: where alpha is not given, an estimate from the viscosity, and "
-     "870 kg/m3 at 15 degC where density_15 is not"},
+     "mineral: where alpha is not given, an estimate from the viscosity"},
     {"viscosity", WITH_UNIT(OVR_DYNAMIC_VISCOSITY, 1e-7, 1e7), NULL,
      AT(oil.viscosity), true, ALWAYS,
      "dynamic viscosity eta0 at ambient pressure"},
@@ -93,9 +92,9 @@ static const ovr_parameter lubricant_keys[] = {
      "ISO VG grade: viscosity_40 in mm2/s, the middle of the grade"},
     {"viscosity_index", PLAIN(-200, 500), NULL, AT(oil.viscosity_index), true,
      ALWAYS, "viscosity index, instead of viscosity_100"},
-    {"density_15", WITH_UNIT(OVR_MASS_DENSITY, 400, 3000), NULL,
+    {"density_15", WITH_UNIT(OVR_MASS_DENSITY, 400, 3000), "870 kg/m3",
      AT(oil.density_15), true, "viscosity_40 or iso_vg",
-     "density at 15 degC, with viscosity_40 or iso_vg"},
+     "density at 15 degC, with viscosity_40 or iso_vg; default: a mineral oil"},
     {"viscosity_file", PATH, NULL, AT(viscosity_file), true,
      "viscosity_law = table", "file of viscosity against pressure"},
     {"density_file", PATH, NULL, AT(density_file), true, "density_law = table",
