@@ -61,8 +61,7 @@ enum {
     OVR_VIOLET,
     OVR_GREY,
     OVR_WHITE, /* for images */
-    OVR_INK,
-    OVR_COLOURS
+    OVR_INK
 };
 
 typedef struct ovr_series {

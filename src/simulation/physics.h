@@ -259,9 +259,6 @@ typedef struct ovr_physics_in_solve {
     bool (*proceed)(ovr_simulation *sim, void *own, const ovr_full *how,
                     ovr_outcome *outcome);
 
-    /* True if the steady start has used its maximum number of cycles. */
-    bool (*exhausted)(const ovr_simulation *sim, const void *own);
-
     /* Returns an error with the reason why a steady start did not converge, if
      * the reason is this model. */
     ovr_status (*explain)(const ovr_simulation *sim, const void *own,

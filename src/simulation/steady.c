@@ -385,14 +385,6 @@ static bool has_features(ovr_simulation *sim)
     return false;
 }
 
-static bool is_exhausted(const ovr_simulation *sim)
-{
-    bool exhausted = false;
-    OVR_EACH_PHYSICS(sim, p, in_solve, exhausted)
-        exhausted |= p->is->in_solve->exhausted(sim, p->own);
-    return exhausted;
-}
-
 /* 1e8 node cycles take 10 to 15 s, with temperatures up to three times as long.
  */
 double ovr_minute_of_work(const ovr_simulation *sim)
@@ -453,7 +445,7 @@ static double search(ovr_simulation *sim, ovr_outcome *outcome)
     sim->start.settling = 0;
     ovr_hierarchy_allow(&sim->grids, largest_work(sim, rough));
     for (int k = 0, tried = 0; k < STRATEGIES && !outcome->converged; k++) {
-        if (ovr_hierarchy_stops(&sim->grids) || is_exhausted(sim))
+        if (ovr_hierarchy_stops(&sim->grids))
             break;
         if (is_left_out(sim, &strategies[k], rough))
             continue;

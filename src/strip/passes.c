@@ -31,10 +31,10 @@ void ovr_strip_share(ovr_strip *strip, const ovr_strip_grid *g, size_t count,
         ovr_team_run(&strip->team, count, work, data);
 }
 
-static void over_rows(const pass *p, ovr_team_work *work)
+static void over_rows(pass *p, ovr_team_work *work)
 {
     const ovr_strip_grid *g = &p->level->grid;
-    ovr_strip_share(p->strip, g, g->n, work, (void *)p);
+    ovr_strip_share(p->strip, g, g->n, work, p);
 }
 
 double *ovr_strip_work_of(const ovr_strip *strip, int member)
@@ -239,7 +239,7 @@ PASS(faces)
 
 void ovr_strip_properties(ovr_strip *strip, ovr_strip_level *level)
 {
-    const pass p = {.strip = strip, .level = level};
+    pass p = {.strip = strip, .level = level};
     over_rows(&p, film);
     over_rows(&p, faces);
 }
