@@ -3,23 +3,7 @@
 # What lies beyond the model is named: on stderr, in --json, in the file.
 . "$TOP/tests/support/cli.sh"
 
-cat >dent.ini <<'END'
-[contact]
-M = 20
-L = 10
-radius = 10 mm
-modulus = 226 GPa
-viscosity = 40 mPa.s
-[domain]
-level = 4
-[time]
-end = 7
-[feature dent]
-shape = dent
-depth = 0.2
-width = 0.5
-start = -4.6
-END
+sized_dent_case 4 7 0.2 0.5 -4.6 >dent.ini
 
 says() { # PATTERN SETTING...: run and check say it, the file holds it
     pattern=$1

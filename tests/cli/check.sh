@@ -238,17 +238,8 @@ echo "$grown $flat $begun $small" |
     fail "predicted $grown and $flat s, took $begun and $small cycles"
 
 # The bounds stated for waves on a sliding surface.
-cat >waves.ini <<'END'
-[contact]
-hertz_pressure = 1.6 GPa
-radius = 10 mm
-modulus = 226 GPa
-mean_speed = 0.5 m/s
-[lubricant]
-viscosity = 40 mPa.s
-alpha = 17 1/GPa
-rheology = eyring
-eyring_stress = 6 MPa
+sed 's/= 1 GPa/= 1.6 GPa/; /^\[domain/,$d' begun.ini >waves.ini
+cat >>waves.ini <<'END'
 limiting_shear = 0.08
 [domain]
 level = 7

@@ -4,20 +4,7 @@
 # warnings and answers of what a model holds name what is on.
 . "$TOP/tests/support/cli.sh"
 
-cat >dent.ini <<'END'
-[contact]
-M = 20
-L = 10
-[domain]
-level = 5
-[time]
-end = 1
-[feature dent]
-shape = dent
-depth = 0.02
-width = 0.5
-start = -4.6
-END
+dent_case 5 1 0.02 0.5 -4.6 >dent.ini
 for name in R.csv R.png R.html R.ini; do
     refuses 'a result is an HDF5 file' run dent.ini -o $name
     [ ! -e $name ] || fail "$name was written"

@@ -5,22 +5,8 @@
 . "$TOP/tests/support/cli.sh"
 need_python h5py numpy
 
-cat >dent.ini <<'END'
-[contact]
-M = 20
-L = 10
-radius = 10 mm
-modulus = 226 GPa
-viscosity = 40 mPa.s
-[domain]
-level = 4
-[time]
-end = 1
-[feature dent]
-shape = dent
-depth = 0.1
-width = 1
-start = -4.9
+sized_dent_case 4 1 0.1 1 -4.9 >dent.ini
+cat >>dent.ini <<'END'
 [output]
 every = 3
 fields = pressure, film_thickness, roughness, viscosity, cavitated

@@ -5,19 +5,8 @@
 # goes on from it.
 . "$TOP/tests/support/cli.sh"
 
-cat >dent.ini <<'END'
-[contact]
-M = 20
-L = 10
-[domain]
-level = 6
-[time]
-end = 3
-[feature dent]
-shape = dent
-depth = 0.1
-width = 0.5
-start = -3.6
+dent_case 6 3 0.1 0.5 -3.6 >dent.ini
+cat >>dent.ini <<'END'
 [output]
 every = 1
 compression = 0

@@ -4,20 +4,9 @@
 . "$TOP/tests/support/cli.sh"
 need gnuplot
 
-cat >dent.ini <<'END'
-[contact]
-M = 20
-L = 10
-[domain]
-level = 4
-[time]
-end = 2
-[feature dent]
+dent_case 4 2 0.1 0.5 -1.5 >dent.ini
+cat >>dent.ini <<'END'
 surface = 1
-shape = dent
-depth = 0.1
-width = 0.5
-start = -1.5
 [output]
 every = 5
 fields = pressure, film_thickness, roughness, viscosity

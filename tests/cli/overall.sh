@@ -5,22 +5,8 @@
 # and a run that was stopped and resumed knows them still.
 . "$TOP/tests/support/cli.sh"
 
-cat >dent.ini <<'END'
-[contact]
-M = 20
-L = 10
-radius = 10 mm
-modulus = 226 GPa
-viscosity = 40 mPa.s
-[domain]
-level = 4
-[time]
-end = 7
-[feature dent]
-shape = dent
-depth = 0.2
-width = 0.5
-start = -4.6
+sized_dent_case 4 7 0.2 0.5 -4.6 >dent.ini
+cat >>dent.ini <<'END'
 [output]
 checkpoint = 0.05 s
 END

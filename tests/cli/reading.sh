@@ -11,23 +11,7 @@ snippets() {
         grep -v '^\.' | sed 's/\\-/-/g; s/\\e/\\/g'
 }
 
-cat >dent.ini <<'END'
-[contact]
-M = 20
-L = 10
-radius = 10 mm
-modulus = 226 GPa
-viscosity = 40 mPa.s
-[domain]
-level = 4
-[time]
-end = 0.5
-[feature dent]
-shape = dent
-depth = 0.1
-width = 1
-start = -4.9
-END
+sized_dent_case 4 0.5 0.1 1 -4.9 >dent.ini
 expect 0 "$OVERROLL" run dent.ini -o dent.h5
 snippets python >read.py
 [ "$(grep -c '^import' read.py)" -eq 3 ] || fail "$(cat read.py)"

@@ -5,19 +5,8 @@
 . "$TOP/tests/support/cli.sh"
 need h5repack ncks
 
-cat >dent.ini <<'END'
-[contact]
-M = 20
-L = 10
-[domain]
-level = 4
-[time]
-end = 1
-[feature dent]
-shape = dent
-depth = 0.1
-width = 0.5
-start = -2
+dent_case 4 1 0.1 0.5 -2 >dent.ini
+cat >>dent.ini <<'END'
 [output]
 every = 2
 fields = pressure, film_thickness, roughness, cavitated

@@ -4,19 +4,8 @@
 # nothing is changed then; a lost checkpoint; a longer run.
 . "$TOP/tests/support/cli.sh"
 
-cat >dent.ini <<'END'
-[contact]
-M = 20
-L = 10
-[domain]
-level = 5
-[time]
-end = 3
-[feature dent]
-shape = dent
-depth = 0.1
-width = 1
-start = -3.9
+dent_case 5 3 0.1 1 -3.9 >dent.ini
+cat >>dent.ini <<'END'
 [output]
 every = 2
 END

@@ -4,19 +4,8 @@
 # stopping by signal.
 . "$TOP/tests/support/cli.sh"
 
-cat >dent.ini <<'END'
-[contact]
-M = 20
-L = 10
-[domain]
-level = 5
-[time]
-end = 0.5
-[feature dent]
-shape = dent
-depth = 0.1
-width = 1
-start = -4.9
+dent_case 5 0.5 0.1 1 -4.9 >dent.ini
+cat >>dent.ini <<'END'
 [output]
 every = 2
 END

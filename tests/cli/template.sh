@@ -11,20 +11,9 @@ page=$TOP/src/pictures/overroll-pictures.7
 example() {
     sed -n "/^\\.\\\\\" $1\$/,/^\\.EE/p" "$page" | sed '1d;$d' >"$1.gp"
 }
-cat >dent.ini <<'END'
-[contact]
-M = 20
-L = 10
-[domain]
-level = 5
-[time]
-end = 3
-[feature dent]
+dent_case 5 3 0.1 0.5 -1.5 >dent.ini
+cat >>dent.ini <<'END'
 surface = 1
-shape = dent
-depth = 0.1
-width = 0.5
-start = -1.5
 [output]
 every = 5
 END

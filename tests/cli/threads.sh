@@ -6,20 +6,7 @@
 need taskset
 [ -r /proc/self/task ] || skip 'no /proc'
 
-cat >dent.ini <<'END'
-[contact]
-M = 20
-L = 10
-[domain]
-level = 7
-[time]
-end = 1000
-[feature dent]
-shape = dent
-depth = 0.1
-width = 1
-start = -4.9
-END
+dent_case 7 1000 0.1 1 -4.9 >dent.ini
 printf '[study]\ncase = dent.ini\n[product]\ncontact.L = 5, 6\n' >study.ini
 
 threads() { # PID: how many it has

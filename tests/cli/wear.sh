@@ -15,18 +15,8 @@ profile() {
 profile 2 fine.csv
 profile 10 usual.csv
 profile 250 long.csv
-cat >wear.ini <<'END'
-[contact]
-load = 250 kN/m
-radius = 10 mm
-mean_speed = 1.5 m/s
-slide_to_roll = 0.4
-modulus = 226 GPa
-[lubricant]
-viscosity = 30 mPa.s
-alpha = 18 1/GPa
-rheology = eyring
-eyring_stress = 5 MPa
+rubbing_contact >wear.ini
+cat >>wear.ini <<'END'
 [boundary]
 law = profile
 friction = 0.1

@@ -5,18 +5,8 @@
 . "$TOP/tests/support/cli.sh"
 
 # Friction of surfaces that touch is not known without its coefficient.
-cat >mixed.ini <<'END'
-[contact]
-load = 250 kN/m
-radius = 10 mm
-mean_speed = 1.5 m/s
-slide_to_roll = 0.4
-modulus = 226 GPa
-[lubricant]
-viscosity = 30 mPa.s
-alpha = 18 1/GPa
-rheology = eyring
-eyring_stress = 5 MPa
+rubbing_contact >mixed.ini
+cat >>mixed.ini <<'END'
 [boundary]
 law = exponential
 Rq = 0.5 um

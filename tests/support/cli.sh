@@ -54,6 +54,39 @@ number() {
     sed -n "s/^  \"$1\": \([-0-9.e+]*\),*\$/\1/p" "${2:-out}"
 }
 
+# dent_case LEVEL END DEPTH WIDTH START: a case with M = 20, L = 10 and a dent.
+# More keys of the dent can follow.
+dent_case() {
+    printf '[contact]\nM = 20\nL = 10\n[domain]\nlevel = %s\n' "$1"
+    printf '[time]\nend = %s\n[feature dent]\nshape = dent\n' "$2"
+    printf 'depth = %s\nwidth = %s\nstart = %s\n' "$3" "$4" "$5"
+}
+
+# sized_dent_case LEVEL END DEPTH WIDTH START: the same with dimensions.
+sized_dent_case() {
+    dent_case "$@" | sed '/^L = /a\
+radius = 10 mm\
+modulus = 226 GPa\
+viscosity = 40 mPa.s'
+}
+
+# rubbing_contact: a contact of steel whose surfaces slide and may touch.
+rubbing_contact() {
+    cat <<'END'
+[contact]
+load = 250 kN/m
+radius = 10 mm
+mean_speed = 1.5 m/s
+slide_to_roll = 0.4
+modulus = 226 GPa
+[lubricant]
+viscosity = 30 mPa.s
+alpha = 18 1/GPa
+rheology = eyring
+eyring_stress = 5 MPa
+END
+}
+
 # begins FILE: waits until the run in the background has stored steps in it, and
 # so listens to signals.
 begins() {

@@ -6,19 +6,8 @@
 [ -z "$INSTRUMENTED" ] || skip "once is enough"
 need gcc clang
 
-cat >dent.ini <<'END'
-[contact]
-M = 20
-L = 10
-[domain]
-level = 7
-[time]
-end = 3
-[feature dent]
-shape = dent
-depth = 0.1
-width = 0.5
-start = -3
+dent_case 7 3 0.1 0.5 -3 >dent.ini
+cat >>dent.ini <<'END'
 [output]
 every = 20
 END

@@ -6,19 +6,8 @@
 . "$TOP/tests/support/cli.sh"
 need_python h5py numpy
 
-cat >dent.ini <<'END'
-[contact]
-M = 20
-L = 10
-[domain]
-level = 8
-[time]
-end = 24
-[feature dent]
-shape = dent
-depth = 0.1
-width = 0.5
-start = -4.6
+dent_case 8 24 0.1 0.5 -4.6 >dent.ini
+cat >>dent.ini <<'END'
 [output]
 every = 4
 END

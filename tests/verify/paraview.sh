@@ -9,22 +9,8 @@ done
 "$PYTHON" -c 'import h5py, vtkmodules.vtkIONetCDF' 2>/dev/null ||
     skip 'no Python with h5py and VTK (python3-vtk9)'
 
-cat >dent.ini <<'END'
-[contact]
-M = 20
-L = 10
-radius = 10 mm
-modulus = 226 GPa
-viscosity = 40 mPa.s
-[domain]
-level = 5
-[time]
-end = 1
-[feature dent]
-shape = dent
-depth = 0.1
-width = 1
-start = -2
+sized_dent_case 5 1 0.1 1 -2 >dent.ini
+cat >>dent.ini <<'END'
 [output]
 every = 5
 END

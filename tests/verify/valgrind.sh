@@ -11,18 +11,5 @@ watched() {
 }
 
 watched steady --M 20 --L 10 --level 6
-cat >dent.ini <<END
-[contact]
-M = 20
-L = 10
-[domain]
-level = 6
-[time]
-end = 0.5
-[feature dent]
-shape = dent
-depth = 0.1
-width = 0.5
-start = -1.5
-END
+dent_case 6 0.5 0.1 0.5 -1.5 >dent.ini
 watched run dent.ini -o dent.h5
