@@ -129,7 +129,7 @@ static const ovr_observation *end_of(const ovr_run *run)
 /* By a soft law and by a stiff one.  At the last node, where A is not zero, the
  * truth has half a weight of it, the program none: what is allowed beside 1e-8
  * is that node's A, by the gap of dry bodies 0.36 and what the law adds. */
-TEST(at_rest_metal_bears_all)
+TEST(asperities_carry_the_load_at_rest)
 {
     static const struct {
         const char *decay;
@@ -262,7 +262,7 @@ static double film_over(const ovr_run *run, double Rq)
 
 /* What breaks off says its lambda, down to which it would hold, and what the
  * mean film makes of it. */
-TEST(what_breaks_off_says_what_holds)
+TEST(failed_runs_suggest_a_lambda_ratio)
 {
     ovr_error err = {0};
     ovr_run_options how = {0};

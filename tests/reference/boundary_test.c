@@ -244,7 +244,7 @@ TEST(share_is_of_second_order)
 
 /* Summits that reach a sixth of the film bear nothing; an amplitude of zero is
  * no law at all. */
-TEST(thick_films_do_not_know_of_it)
+TEST(thick_films_are_not_affected)
 {
     touching none = solved(by_moes(20, 10, 6)), thick;
     ovr_case *c = by_moes(20, 10, 6);
@@ -259,7 +259,7 @@ TEST(thick_films_do_not_know_of_it)
 }
 
 /* From a film to bodies that touch dry: Stribeck's curve. */
-TEST(contact_takes_over_as_it_slows)
+TEST(asperities_carry_more_at_low_speed)
 {
     static const double speed[] = {30, 10, 3, 1, 0.3, 0.1, 0.03, 0.01};
     enum { SPEEDS = sizeof speed / sizeof *speed };
@@ -408,7 +408,7 @@ static void keep_warning(void *data, ovr_message_kind kind, const char *text)
         (*(int *)data)++;
 }
 
-TEST(weak_laws_have_no_answer_for_thin_films)
+TEST(weak_laws_fail_for_thin_films)
 {
     static const double speed[] = {2, 0.002};
     ovr_error err = {0};
@@ -433,7 +433,7 @@ TEST(weak_laws_have_no_answer_for_thin_films)
 
 /* With temperatures: what summits drag warms film and bodies, and all of it is
  * found again. */
-TEST(energy_closes_with_what_summits_drag)
+TEST(energy_balance_with_asperity_friction)
 {
     static const char *const warm[] = {"contact.load=60 kN/m",
                                        "contact.radius=10 mm",
@@ -600,7 +600,7 @@ static void put_roughness(ovr_case *c, int surface)
  * exponential of their Rq and slope, 0.0184 by their spectrum, off by 0.2 Rq in
  * the gap: by exp(0.2 2.15) = 1.5 in what is borne; none of them is on the
  * mesh. */
-TEST(profiles_bear_as_they_do_dry)
+TEST(profile_law_agrees_with_dry_contact)
 {
     touching t[2];
     for (int k = 0; k < 2; k++) {
@@ -659,7 +659,7 @@ static void check_refused(ovr_case *c, const char *words)
     ovr_case_free(c);
 }
 
-TEST(what_has_no_answer_is_refused)
+TEST(searches_without_answer_are_rejected)
 {
     ovr_case *c = begin(gear);
     assign(c, "boundary.law=exponential");

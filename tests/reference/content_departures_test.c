@@ -61,7 +61,7 @@ static double starving(void *data, double T)
     return 0.03 + 0.01 * cos(3 * T);
 }
 
-TEST(what_arrives_stays_or_leaves)
+TEST(supply_stays_or_leaves)
 {
     enum { STEPS = 300 };
     double before[N], first, out = 0, left = 1e-12, last = starving(NULL, 0);

@@ -26,7 +26,7 @@ TEST(ground_pairs_go_through)
 
 /* A film by Eyring's law that cycles do not find, and Newton's method with
  * films of their own does. */
-TEST(newton_goes_through)
+TEST(newton_converges)
 {
     goes_through(32003, 0.3, 1);
 }

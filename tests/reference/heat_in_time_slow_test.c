@@ -323,7 +323,7 @@ static void same_bits(ovr_simulation *a, ovr_simulation *b)
                             n * sizeof(double));
 }
 
-TEST(goes_on_alike)
+TEST(resumes_alike)
 {
     test_hot hot = test_hot_make(20, 10, 0.5, 5e6, NULL);
     test_feature f = {'l', -0.05, 0.5, -2, 1.25, 0};

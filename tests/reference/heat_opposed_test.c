@@ -67,7 +67,7 @@ TEST(surfaces_swapped)
 
 /* Beside the contact each surface is the colder one where it comes in, with
  * what hot oil has given it and what has come along it from the contact. */
-TEST(each_comes_in_colder)
+TEST(each_surface_enters_colder)
 {
     ovr_simulation *sim = solved(12, 8, 4, 5);
     const ovr_heated *h = sim->heated;

@@ -226,7 +226,7 @@ TEST(stops_and_starts)
     ovr_history_free(start);
 }
 
-TEST(load_comes_at_once)
+TEST(load_jumps)
 {
     ovr_history *load = ramp(0, 1, 0.1);
     ovr_march march = {.end = 6};
@@ -238,7 +238,7 @@ TEST(load_comes_at_once)
 }
 
 /* What is inlet before is outlet after it. */
-TEST(reversal_wants_a_symmetric_domain)
+TEST(reversal_needs_a_symmetric_domain)
 {
     ovr_error err;
     ovr_options o = test_options();
@@ -275,7 +275,7 @@ TEST(mass_balance_is_of_second_order)
 
 /* Where the load varies, the inflow vanishes at times: the balance is judged
  * by the contact's own flow (by the net inflow it was 4 here). */
-TEST(mass_balance_stands_when_the_inflow_vanishes)
+TEST(mass_balance_holds_without_inflow)
 {
     ovr_error err;
     double worst = 0;

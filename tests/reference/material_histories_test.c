@@ -122,7 +122,7 @@ static void compare(const char *text, double start, size_t rows,
     ovr_material_history_free(p);
 }
 
-TEST(a_smooth_dent_does_what_the_truth_says)
+TEST(a_smooth_dent_agrees_with_the_reference)
 {
     compare(dent, -4.6, sizeof truth_dent / sizeof *truth_dent, truth_dent,
             OVR_ELEMENT_AUTO, 5e-3);

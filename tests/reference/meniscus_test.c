@@ -65,7 +65,7 @@ TEST(second_order)
 
 /* An infinitely long contact passes all that arrives: within 1e-3, by the
  * density at a pressure that hardly changes. */
-TEST(film_is_what_arrives)
+TEST(film_equals_the_supply)
 {
     for (int k = 1; k < 10; k += 2) {
         double film, share = 0.1 * k, flow = flow_of(20, 10, 7, &film);
@@ -165,7 +165,7 @@ static double amplitude_left(int level)
 }
 
 /* What the upstream wedge damps falls eightfold with the mesh. */
-TEST(waves_ride_in)
+TEST(waves_of_supply_are_convected)
 {
     double lost[2];
     for (int l = 0; l < 2; l++)

@@ -188,7 +188,7 @@ TEST(all_schemes_follow)
 }
 
 /* A radius that is none, and a curvature that would close the gap. */
-TEST(what_cannot_be_is_refused)
+TEST(impossible_values_are_rejected)
 {
     ovr_error err = {0};
     ovr_options o = options(5, OVR_UPSTREAM2);

@@ -7,7 +7,7 @@
 #include "support/rough.h"
 #include "support/test.h"
 
-TEST(films_are_foreseen)
+TEST(films_are_predicted)
 {
     static const uint64_t seeds[] = {101, 104};
     for (int k = 0; k < 2; k++) {

@@ -77,7 +77,7 @@ static void passes(const oil_law *law, double share)
     CHECK_NEAR(o.starvation_factor, share, 2e-3);
 }
 
-TEST(what_arrives_passes)
+TEST(supply_passes_through)
 {
     for (int k = 1; k < 4; k++) {
         passes(&first, 0.25 * k);

@@ -105,7 +105,7 @@ static int at_most(int n)
     return (int)(0.2 * n + 2 * sqrt(0.16 * n));
 }
 
-TEST(errors_are_not_told_too_small)
+TEST(estimated_errors_are_not_too_small)
 {
     int cases = test_draws(5, 70), finer = test_draws(0, 30);
     test_told_survey(31000, cases, 5, 3, at_most(cases));

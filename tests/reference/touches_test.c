@@ -3,7 +3,7 @@
 #include "../support/test.h"
 #include "../support/touches.h"
 
-TEST(surfaces_that_touch_have_a_film)
+TEST(asperity_contact_keeps_a_film)
 {
     test_touches_survey(33000, test_draws(10, 100));
 }

@@ -103,7 +103,7 @@ static seen run(ovr_case *c, const char *path)
  * the profiles have lost just that, whatever the law has become.  Surface 2,
  * three times as soft, is slower by 0.85/1.15: each of its places is under load
  * for longer. */
-TEST(what_is_borne_is_worn)
+TEST(asperity_load_causes_wear)
 {
     ovr_case *c = begin();
     assign(c, "boundary.passes=2e5");
@@ -248,7 +248,7 @@ static void check_refused(ovr_case *c, const char *words)
     ovr_case_free(c);
 }
 
-TEST(what_has_no_passes_is_refused)
+TEST(cases_without_passes_are_rejected)
 {
     ovr_case *c = begin();
     check_refused(c, "needs boundary.passes");

@@ -72,7 +72,7 @@ static ovr_rough_film foresee(const char *more, const char *set)
 }
 
 /* The window has three waves, to a mesh of 0.006 in 1.5. */
-TEST(a_wave_is_foreseen)
+TEST(a_wave_is_predicted)
 {
     double left = 0.01 * ovr_wave_reduction(50, 8, 0.5);
     ovr_rough_film film = foresee("", NULL);
@@ -150,7 +150,7 @@ TEST(sliding_waves)
     }
 }
 
-TEST(what_is_not_foreseen)
+TEST(cases_without_prediction)
 {
     static const struct {
         const char *more, *set, *why, *but;

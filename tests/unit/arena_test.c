@@ -43,7 +43,7 @@ TEST(pieces_are_zeroed_aligned_and_apart)
     assert_int_equal(faults.live, 0);
 }
 
-TEST(counts_what_it_asked_for)
+TEST(counts_allocations)
 {
     ovr_arena arena = ovr_arena_make(NULL);
     assert_int_equal(arena.bytes, 0);

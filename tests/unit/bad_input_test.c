@@ -251,7 +251,7 @@ static const ovr_parameter_info *find(const char *section, const char *key)
 
 /* The contact of numbers with units, each line in turn left out: what is
  * missing is named by its key, unless a default takes its place. */
-TEST(what_is_missing_is_named)
+TEST(missing_parts_are_named)
 {
     static const char *const lines[][2] = {
         {"load", "307 kN/m"},      {"radius", "10 mm"},
@@ -277,7 +277,7 @@ TEST(what_is_missing_is_named)
 }
 
 /* From a bare shape on: what is asked for is given, until it is enough. */
-TEST(every_shape_asks_for_its_sizes)
+TEST(every_shape_requires_its_sizes)
 {
     const ovr_parameter_info shape = *find("feature", "shape");
     int asked = 0;
@@ -365,7 +365,7 @@ static int with(const char *section, const char *key, const char *value)
 
 /* What only shows beside other keys, or in the contact's units, or on the
  * grid, still names the line of its key. */
-TEST(what_is_found_late_has_its_line)
+TEST(late_errors_have_their_line)
 {
     static const char *const late[][3] = {{"contact", "slide_to_roll", "1e999"},
                                           {"contact", "speed_2", "1 m/s"},

@@ -374,7 +374,7 @@ TEST(defaults_are_the_librarys)
 
 /* Steps of two mesh sizes need corrections of fourth order.  A start of second
  * order takes steps of one; given steps stay. */
-TEST(a_start_of_second_order_takes_short_steps)
+TEST(a_start_of_second_order_has_short_steps)
 {
     static const struct {
         const char *step;

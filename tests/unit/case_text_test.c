@@ -151,7 +151,7 @@ static bool try_line(const ovr_parameter_info *p, const char *value)
     return true;
 }
 
-TEST(what_is_accepted_survives)
+TEST(accepted_values_are_kept)
 {
     int taken_in_all = 0;
     for (size_t k = 0; k < ovr_parameter_count(); k++) {

@@ -187,7 +187,7 @@ TEST(films_by_table_agree)
 
 /* What slides adds up, whatever the law: u_2 = u_1 - V; the film of uniform
  * temperature has a parabola. */
-TEST(surfaces_move_as_told)
+TEST(surfaces_move_as_prescribed)
 {
     static films f;
     uint64_t seed = 11;

@@ -53,7 +53,7 @@ static ovr_conditioning nothing(void)
 
 /* ---------------------------------------------------------------- levelling */
 
-TEST(polynomials_are_taken_off)
+TEST(polynomials_are_removed)
 {
     uint64_t seed = 1;
     for (int degree = 0; degree <= 8; degree++) {
@@ -122,7 +122,7 @@ static void lay_arc(size_t n, double length, double radius, double top,
     }
 }
 
-TEST(circles_are_taken_off)
+TEST(circles_are_removed)
 {
     /* length, radius, top, tilt: shallow, deep, tilted */
     static const double arcs[][4] = {
@@ -206,7 +206,7 @@ TEST(the_form_is_chosen)
 /* ------------------------------------------------------------------ filters */
 
 /* ISO 16610-21: transmission of the mean line 2^(-(cut-off/wavelength)^2). */
-TEST(gaussian_transmits_as_the_standard_says)
+TEST(gaussian_transmission_by_the_standard)
 {
     static const double wavelengths[] = {0.5, 1, 2, 4};
     uint64_t seed = 3;
@@ -436,7 +436,7 @@ static double gaussian(double ratio)
  * its slope, areas and ratios by quadrature of the normal distribution.  The
  * two outer points stand for half a length: 1/N of a ratio, which is 5e-4 here.
  */
-TEST(core_stands_between_peaks_and_valleys)
+TEST(core_lies_between_peaks_and_valleys)
 {
     ovr_profile_numbers r = of_curve(even);
     CHECK_CLOSE(r.k, 2, 5e-4);

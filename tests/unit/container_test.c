@@ -374,7 +374,7 @@ TEST_IN_FOLDER(believes_no_size)
 /* A block that is said to lie at 0 and to have no bytes is none, before others
  * were read and after; one that was read is there again by its address, but
  * neither by another length nor by other letters. */
-TEST_IN_FOLDER(takes_no_empty_block)
+TEST_IN_FOLDER(rejects_empty_blocks)
 {
     const char *path = test_path(*state, "blocks.h5");
     enum { SIZE = 48 };
@@ -473,7 +473,7 @@ static bool read_all(const char *path)
 
 /* Bytes changed all over a file, those of its structure most of all: a clean
  * error or other numbers, never a crash. */
-TEST_IN_FOLDER(bears_changed_bytes)
+TEST_IN_FOLDER(survives_changed_bytes)
 {
     const char *whole = test_path(*state, "whole.h5");
     const char *path = test_path(*state, "bad.h5");

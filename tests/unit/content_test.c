@@ -255,7 +255,7 @@ TEST(rows_telescope)
 
 /* Columns of dry nodes are the derivatives by q, exactly: rows are linear in
  * it as long as limits stay. */
-TEST(dry_columns_are_derivatives)
+TEST(columns_of_cavitated_nodes_are_derivatives)
 {
     test_grid b = filled(4, true, false);
     const ovr_fields *f = &b.f;

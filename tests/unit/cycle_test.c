@@ -96,7 +96,7 @@ static void heights(void *data, double T, size_t n, const double *X, double *S)
 /* A gap that is changed at the end of a cycle: film and residual are those of
  * the new gap, and the cycles that follow end in the solution of a surface
  * that is formed so from the start. */
-TEST(what_is_attached_is_solved_for)
+TEST(attached_functions_are_solved_for)
 {
     watcher w = {.changes = true};
     ovr_attached attached = {watch, &w, NULL};

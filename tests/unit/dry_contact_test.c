@@ -25,7 +25,7 @@ static ovr_dry_contact begin(size_t n, double length, double modulus)
 /* A sine of the amplitude a and the wavelength l touches over (2/pi) asin
  * sqrt(p/p*) of it, p* = pi E* a/l, from where on it touches everywhere
  * (Westergaard, J. Appl. Mech. 6 (1939) A49): to a node on either side. */
-TEST(sine_touches_as_westergaard_says)
+TEST(sine_contact_agrees_with_westergaard)
 {
     const double a = 3, l = 0.7, E = 5, full = PI * E * a / l;
     ovr_dry_contact of = begin(MAX, l, E);

@@ -14,7 +14,7 @@ TEST(fills_status_and_message)
     assert_null(err.about);
 }
 
-TEST(says_what_it_is_about)
+TEST(messages_name_their_object)
 {
     ovr_error err = {0}, placed = {0};
     assert_int_equal(ovr_fail_about(&err, "depth", "depth = %d", -1),
@@ -31,7 +31,7 @@ TEST(says_what_it_is_about)
 }
 
 /* What a program needs to go to the place, and to mend it. */
-TEST(says_where_and_what_was_meant)
+TEST(messages_contain_place_and_suggestion)
 {
     ovr_error err, placed = {0};
     ovr_fail_at(&err, OVR_BAD_INPUT, "dent.ini", 12, "no 'Q'");
@@ -76,7 +76,7 @@ TEST(names_file_and_line)
 
 /* Too long a message is cut, whole or in the file name, never overrun: the
  * guard behind it stays. */
-TEST(cuts_what_is_too_long)
+TEST(cuts_long_messages)
 {
     struct {
         ovr_error err;

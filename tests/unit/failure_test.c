@@ -18,7 +18,7 @@ static void has_no_such_word(const char *message)
             fail_msg("%s", message);
 }
 
-TEST(what_diverged_is_told_in_words)
+TEST(messages_of_diverged_solutions)
 {
     const double ends[] = {NAN, -NAN, INFINITY, 1e-3};
     ovr_error err = {0};

@@ -158,7 +158,7 @@ TEST(viscosity_starts_at_one)
 /* Pressures that no oil stands, as a solver may try them: finite numbers, and
  * never an oil that flows
  * more easily, down to where it is solid (the exponent is held). */
-TEST(any_pressure_gives_numbers)
+TEST(any_pressure_gives_finite_numbers)
 {
     oil o = make();
     uint64_t seed = 23;

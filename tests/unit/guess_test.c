@@ -11,7 +11,7 @@
 #include "support/test.h"
 
 /* Every set against the plain sum, dry nodes and partial vectors included. */
-TEST(weighted_sum_where_wet)
+TEST(weighted_sum_at_pressurized_nodes)
 {
     enum { MAX = 41, TERMS = 5 };
     double past[TERMS][MAX], weight[TERMS], P[MAX + 1], plain[MAX];
@@ -36,7 +36,7 @@ TEST(weighted_sum_where_wet)
 }
 
 /* The same of what moves by a part of a mesh. */
-TEST(carried_where_wet)
+TEST(convected_in_pressurized_nodes)
 {
     enum { MAX = 41 };
     double past[3][MAX + 3], P[MAX + 1], plain[MAX];
@@ -175,7 +175,7 @@ TEST(exact_for_what_moves_by_a_mesh_a_step)
     assert_true(error_of(moving, 0.5, &close) > 1e-9);
 }
 
-TEST(exact_for_what_slides_as_told)
+TEST(exact_for_the_given_sliding)
 {
     enum { BY_STEPS, BY_TWO, TWO_TERMS, TWO_BY_TWO, EACH_MOVES = 7 };
     bool close;

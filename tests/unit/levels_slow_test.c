@@ -6,7 +6,7 @@
 #include "../support/test.h"
 #include "overroll/case.h"
 
-TEST(errors_are_asked_for)
+TEST(errors_on_request)
 {
     test_levels_steady(1, test_draws(10, 100));
     test_levels_in_time(2, test_draws(1, 12));
@@ -34,7 +34,7 @@ static double expected(const char *text, int *level)
     return error;
 }
 
-TEST(narrow_features_take_finer_levels)
+TEST(narrow_features_need_finer_levels)
 {
     const char *dent = "[contact]\nM = 20\nL = 10\n[domain]\nlevel = auto\n"
                        "%s[time]\nend = 1\nscheme = %s\n[feature d]\n"

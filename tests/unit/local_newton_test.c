@@ -129,7 +129,7 @@ TEST(leaves_solutions)
 }
 
 /* Neither crossed surfaces nor numbers that are none lead outside the film. */
-TEST(bears_nonsense)
+TEST(survives_random_bytes)
 {
     static const double worst[] = {-1e3, 1e3, 1e300, INFINITY, NAN};
     for (size_t k = 0; k < sizeof worst / sizeof *worst; k++) {

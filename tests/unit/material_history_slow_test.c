@@ -358,7 +358,7 @@ TEST(windows_may_be_wider_than_the_fields)
 
 /* Points whose material history the run cut while the hump was in the contact.
  */
-TEST(what_was_cut_is_told)
+TEST(interrupted_writes_are_reported)
 {
     ovr_stress_options o = level8();
     static double P[NODES];

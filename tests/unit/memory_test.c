@@ -148,7 +148,7 @@ TEST(heat_is_announced)
 }
 
 /* Of levels that no machine here has memory for: counted, not taken. */
-TEST(finer_levels_take_twice_as_much)
+TEST(finer_levels_need_twice_the_memory)
 {
     double before = 0;
     for (int level = 15; level < 24; level++) {

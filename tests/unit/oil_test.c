@@ -292,7 +292,7 @@ TEST(walther_by_its_points)
                 1e-12);
 }
 
-TEST(oils_say_what_they_lack)
+TEST(oils_report_missing_values)
 {
     ovr_oil oil = an_oil(OVR_DOOLITTLE, OVR_INCOMPRESSIBLE);
     ovr_error err = {0};

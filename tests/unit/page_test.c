@@ -142,7 +142,7 @@ TEST_IN_FOLDER(temperatures_are_passed_of_a_hot_film)
     assert_true(page.value[T3][page.n[X] / 2] > page.value[T1][page.n[X] / 2]);
 }
 
-TEST_IN_FOLDER(a_run_that_was_stopped_goes_on_to_the_same_film)
+TEST_IN_FOLDER(a_stopped_run_resumes_to_the_same_film)
 {
     static double whole[NODES];
     assert_int_equal(chdir(*state), 0);

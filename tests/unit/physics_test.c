@@ -157,7 +157,7 @@ static double wider(double c)
 /* The film is that of half-spaces, summed directly, and c P; the pressure
  * carries the load, and is lower by what the contact is wider, as far as it is
  * a semi-ellipse: with the layer it is a little towards a parabola. */
-TEST(layer_gives_way_where_it_is_pressed)
+TEST(layer_deforms_under_pressure)
 {
     solution hard = solve(""), s = solve(soft);
     size_t n = s.state->n;
@@ -178,7 +178,7 @@ TEST(layer_gives_way_where_it_is_pressed)
 /* The same over a length: a part of the influence that MLMI sums with the
  * logarithm, as exactly as that where it is some meshes of the coarsest
  * transfer long. */
-TEST(layer_gives_way_over_a_length)
+TEST(layer_deforms_over_a_length)
 {
     solution s = solve("[layer]\ncompliance = 0.5\nspread = 1.5\n");
     size_t n = s.state->n;
@@ -197,7 +197,7 @@ TEST(layer_gives_way_over_a_length)
 }
 
 /* The layer's drag warms the film, and the balance of energy closes with it. */
-TEST(what_it_makes_warms_the_film)
+TEST(its_friction_heats_the_film)
 {
     static const char hot[] =
         "alpha = 17 1/GPa\nradius = 20 mm\nmodulus = 226 GPa\n"
@@ -322,7 +322,7 @@ static const char worn[] = "[time]\nend = 4\n"
 
 /* What is worn at the end is P's integral in time: k T P_max within the change
  * of P on the way. */
-TEST_IN_FOLDER(wears_and_tells)
+TEST_IN_FOLDER(wears_and_reports)
 {
     write_case(*state, "worn.ini", worn);
     char *said = RUN(*state, "run", "worn.ini", "--json", "-o", "worn.h5");
@@ -390,7 +390,7 @@ static bool goes_on(const char *folder)
     return found;
 }
 
-TEST_IN_FOLDER(goes_on_where_it_was_killed)
+TEST_IN_FOLDER(resumes_after_a_kill)
 {
     char text[600];
     /* Much longer than the wait: however busy the machine, some wait ends

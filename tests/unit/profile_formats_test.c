@@ -223,7 +223,7 @@ static void refuse_text(const char *text, const char *word)
     refuse(text, strlen(text), word);
 }
 
-TEST(mistakes_in_text_are_named)
+TEST(mistakes_in_text_are_reported)
 {
     refuse_text("", "empty");
     refuse_text("hello\n", "no line of numbers");
@@ -242,7 +242,7 @@ TEST(mistakes_in_text_are_named)
     refuse("x\0um\n1,2\n", 10, "NUL");
 }
 
-TEST(mistakes_in_sdf_are_named)
+TEST(mistakes_in_sdf_are_reported)
 {
     double step;
     uint64_t seed = 3;
@@ -262,7 +262,7 @@ TEST(mistakes_in_sdf_are_named)
     refuse(bytes, size, "DataType = 9");
 }
 
-TEST(mistakes_in_smd_are_named)
+TEST(mistakes_in_smd_are_reported)
 {
     refuse_text("r\nPRF 0 n\nCX I 3 mm 1 D 0.1\nCZ A 3 um 1 D\n\x03\n\x03\n"
                 "1\n2\n\x03\n9\n\x03\n",

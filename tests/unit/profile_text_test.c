@@ -57,7 +57,7 @@ static void check_note(const char *part)
         fail_msg("notes lack '%s':\n%s", part, view->notes);
 }
 
-TEST_WITH(headers_say_units, begin, end)
+TEST_WITH(headers_contain_units, begin, end)
 {
     static const char *const headers[] = {"X_(microns),Z_(nm)\n",
                                           "[um];[nm]\n",
@@ -99,7 +99,7 @@ TEST_WITH(headers_may_be_narrower_or_wider, begin, end)
 }
 
 /* Each text, and all that must be said of it in one message. */
-TEST_WITH(all_that_is_missing_is_told_at_once, begin, end)
+TEST_WITH(all_missing_keys_are_in_one_message, begin, end)
 {
     static const char *const cases[][6] = {
         {"0,1\n2,3\n", "unit of x", "unit of z", "unit_x = um", "unit_z = um",
@@ -150,7 +150,7 @@ TEST_WITH(columns_are_found_and_chosen, begin, end)
     check_point(1, 8e-3, 7e-3);
 }
 
-TEST_WITH(one_column_takes_a_spacing, begin, end)
+TEST_WITH(one_column_needs_a_spacing, begin, end)
 {
     source.spacing = 2e-6;
     read_text("height (nm)\n1\n2\n4\n");

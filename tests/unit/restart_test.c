@@ -389,7 +389,7 @@ TEST_IN_FOLDER(refuses_other_versions)
 }
 
 /* What `check` says of a writer's memory is what one takes. */
-TEST_IN_FOLDER(tells_its_memory)
+TEST_IN_FOLDER(estimates_its_memory)
 {
     const ovr_write_options o = options_for(test_path(*state, "a.h5"));
     ovr_contact contact = test_contact_physical();

@@ -239,7 +239,7 @@ TEST_IN_FOLDER(ends_the_same)
 }
 
 /* Stopped in its steady start, before a step says what was stored in it. */
-TEST_IN_FOLDER(a_hot_start_goes_on)
+TEST_IN_FOLDER(a_hot_start_is_resumed)
 {
     const char *whole = test_path(*state, "whole.h5");
     const char *parts = test_path(*state, "parts.h5");

@@ -55,7 +55,7 @@ TEST(law_of_a_sine_is_westergaards)
 /* A decade of pressure over the slope about where self-affine profiles have
  * theirs, p/(E* slope) = 0.35 to 0.41 exp(-2 to -2.3 g), g = H/Rq, found of two
  * others by another method: the gap is off by less than 0.4 Rq. */
-TEST(rough_profiles_bear_exponentially)
+TEST(rough_profiles_follow_the_exponential_law)
 {
     waves(one, 4, 1.7);
     waves(other, 4, 0.9);
@@ -118,7 +118,7 @@ TEST(volume_is_kept)
 /* Worn away by hand at one pressure: peaks go, what touches grows, the gap
  * closes (another program: 0.066 Rq of volume take the highest peak from 2.94
  * to 1.83 Rq, double what touches and 27 % of the gap). */
-TEST(running_in_takes_the_peaks)
+TEST(running_in_removes_the_peaks)
 {
     const double load = 0.03;
     double high[2] = {0, 0}, A, slope, area[2], volume = 0, Rq;

@@ -169,7 +169,7 @@ TEST(grid_takes_nothing_from_it)
     assert_true(on_mesh[1] < 0.99 * on_mesh[0]);
 }
 
-TEST(mistakes_are_named)
+TEST(mistakes_are_reported)
 {
     static const char *const names[] = {"Rq",       "length", "hurst",
                                         "shortest", "seed",   "kurtosis"};

@@ -531,7 +531,7 @@ TEST(memory_may_run_out)
 }
 
 /* What is foretold is what is taken, to a tenth. */
-TEST(memory_is_foretold)
+TEST(memory_is_predicted)
 {
     ovr_stress_options o = level8();
     test_faults faults;

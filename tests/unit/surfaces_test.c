@@ -76,7 +76,7 @@ TEST(dent_and_bump_follow_their_formula)
     }
 }
 
-TEST(wave_grows_and_rides)
+TEST(wave_grows_and_is_convected)
 {
     ovr_contact c = moes(1, 0.5);
     ovr_feature_form form = ovr_feature_form_default();
@@ -331,7 +331,7 @@ TEST(speed_history_moves_features)
 
 /* What has gone by comes back, and goes by again; what begins backward comes
  * in on the right, and so do its copies. */
-TEST(features_come_back)
+TEST(features_return_after_a_reversal)
 {
     const double quarter = acos(0), period = 8;
     ovr_contact c = moes(1.5, 0.5);
@@ -381,7 +381,7 @@ static void refuse(const ovr_feature_form *form, const char *word)
     ovr_surfaces_free(s);
 }
 
-TEST(mistakes_are_named)
+TEST(mistakes_are_reported)
 {
     const ovr_feature_form good = local(OVR_DENT, 0.1, 0.5);
     ovr_feature_form f = good;
@@ -439,7 +439,7 @@ static bool is_made(const ovr_contact *c, const ovr_feature_form *form)
 
 /* The words of the manual are the rules: a feature of what a shape is said to
  * need is made, and not without the last of it. */
-TEST(shapes_need_what_is_said)
+TEST(shapes_need_the_stated_sizes)
 {
     ovr_contact c = moes(1, 1);
     for (int shape = 0; shape < OVR_PROFILE; shape++) {

@@ -23,7 +23,7 @@ static ovr_asperity_law greenwood_tripp(double sigma)
 
 /* F_5/2 as Greenwood & Tripp's table has it, to its five decimals; 83 MPa at no
  * gap with n beta sigma 0.05, sigma/beta 0.01 and E* 113 GPa. */
-TEST(summits_bear_what_their_table_says)
+TEST(summits_agree_with_their_table)
 {
     static const double of[][2] = {
         {0, 0.61664}, {0.5, 0.24040}, {1, 0.08056}, {1.5, 0.02286},
@@ -43,7 +43,7 @@ TEST(summits_bear_what_their_table_says)
 }
 
 /* p_h at the film of the layer, whatever its decay. */
-TEST(layer_bears_hertz_pressure)
+TEST(layer_carries_hertz_pressure)
 {
     const double decays[] = {0.02, 0.1, 0.3, 1};
     for (size_t k = 0; k < sizeof decays / sizeof *decays; k++) {

@@ -279,7 +279,7 @@ TEST(noted_where_switched_off)
 }
 
 /* Nor for what varies. */
-TEST(histories_of_steady_contacts_are_said)
+TEST(histories_in_steady_contacts_are_noted)
 {
     heard h = review(MOES "[load]\nhistory = ramp\nto = 2\n");
     assert_int_equal(h.warnings, 1);
@@ -289,7 +289,7 @@ TEST(histories_of_steady_contacts_are_said)
 }
 
 /* A steady solution has no space for what passes. */
-TEST(features_left_out_are_said)
+TEST(omitted_features_are_reported)
 {
     heard h = review("[contact]\nM = 20\nL = 10\n[domain]\nlevel = 8\n"
                      "[time]\nscheme = upstream2\n[feature d]\nshape = "

@@ -62,7 +62,7 @@ TEST(strip_on_a_background)
 
 /* Steel flows to the side that bears less: what stands on the other one does
  * not hold a strip. */
-TEST(side_that_bears_less)
+TEST(strip_yields_to_the_less_loaded_side)
 {
     static double P[NODES];
     for (size_t i = 0; i < NODES; i++)

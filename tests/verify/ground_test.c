@@ -47,7 +47,7 @@ TEST(thick_films_go_through)
     goes_through(31000, 1, 3, maximum);
 }
 
-TEST(thin_films_go_through)
+TEST(thin_films_are_solved)
 {
     static const int maximum[] = {15, 15};
     goes_through(32000, 0.3, 1, maximum);

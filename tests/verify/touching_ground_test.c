@@ -13,7 +13,7 @@ TEST(thick_films_go_through)
     assert_true(t.cycles <= 4);
 }
 
-TEST(thin_films_go_through)
+TEST(thin_films_are_solved)
 {
     test_ground_tally t = test_ground_survey(33100, 100, 0.3, 0.7, 7, 3);
     assert_true(t.broken <= 5);
