@@ -29,8 +29,8 @@ static const char *const part_names[] = {"deformation", "film",    "residual",
 static double spent[PARTS + 1];
 static const ovr_kernels *inner;
 
-/* The cheap clock, or for cycles so long that other programs come in between
- * the one that stops for them. */
+/* Clock of the measurement: a cheap one, or for long cycles, during which other
+ * programs run, one that stops for them. */
 static clockid_t watch;
 
 static double now(void)

@@ -39,8 +39,8 @@ static inline void fuzz_leave(void)
     rmdir(fuzz_folder);
 }
 
-/* From the first call on the process is in the folder, and what was written
- * there goes with it. */
+/* Enters a temporary folder at the first call; the folder is removed at the end
+ * of the process. */
 static inline void fuzz_enter(void)
 {
     static bool inside;

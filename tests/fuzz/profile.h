@@ -13,7 +13,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-/* The last byte chooses what the caller says beside the file. */
+/* Selects the arguments of the reader by the last byte. */
 static inline ovr_profile_source fuzz_source(const uint8_t *data, size_t size)
 {
     ovr_profile_source source = ovr_profile_source_default();

@@ -15,7 +15,8 @@
 #include "overroll/overroll.h"
 #include "results/results.h"
 
-/* Of any rank, in any group: what says that it is not too large. */
+/* Reads all datasets of any rank in all groups; each must report a bounded
+ * size. */
 static void read_all(ovr_result *r)
 {
     enum { MAX = 1 << 20 };

@@ -49,8 +49,8 @@ TEST(test_film)
     }
 }
 
-/* Moes' film number times M goes to 2.4476 (Martin, Guembel); the automatic
- * inlet loses a thousandth of it. */
+/* The film thickness in Moes' scaling times M converges to 2.4476 (Martin,
+ * Guembel); the automatic inlet reduces it by 1e-3. */
 TEST(test_rigid_limit)
 {
     const double limit = 2.4476, moes = 8 / acos(-1.0);

@@ -316,8 +316,8 @@ static double varying_factor(int finest, int index)
     return factor;
 }
 
-/* One order of magnitude a cycle, the paper says of V(2,2) and W(2,2): true of
- * W; V gets half of it. */
+/* According to the paper V(2,2) and W(2,2) reduce the error by one order of
+ * magnitude per cycle. This holds for W; V achieves half of it. */
 TEST(test_hybrid_cycles)
 {
     for (int finest = 7; finest <= 9; finest++) {

@@ -13,8 +13,8 @@
 #include "overroll/pictures.h"
 #include "support/made.h"
 
-/* What a title from a stranger may hold; each part, run by gnuplot or a
- * shell, would leave a file behind. */
+/* Contents of a title of unknown origin; each part would leave a file if
+ * gnuplot or a shell executed it. */
 static const char hostile[] =
     "a' ; system('touch stolen1') #`touch stolen2` @x %s %d \"$(touch "
     "stolen3)\" \\n\nset print 'stolen4'\n]]></text><script>alert(1)</script>"
@@ -154,7 +154,7 @@ TEST_IN_FOLDER(keeps_foreign_text_inert)
     free(here);
 }
 
-/* The line of a text that begins with `start`, as a pointer behind it. */
+/* Returns the rest of the line that begins with `start`. */
 static const char *line_after(const char *text, const char *start)
 {
     const char *at = strstr(text, start);

@@ -126,9 +126,9 @@ static const ovr_observation *end_of(const ovr_run *run)
     return ovr_simulation_observation(ovr_run_get_info(run)->sim);
 }
 
-/* By a soft law and by a stiff one.  At the last node, where A is not zero, the
- * truth has half a weight of it, the program none: what is allowed beside 1e-8
- * is that node's A, by the gap of dry bodies 0.36 and what the law adds. */
+/* Soft and stiff contact law. At the last node, where A is not zero, the
+ * reference uses half a weight and the program none. The tolerance in addition
+ * to 1e-8 is A at this node, by the gap of dry bodies (0.36) and of the law. */
 TEST(asperities_carry_the_load_at_rest)
 {
     static const struct {
@@ -156,8 +156,8 @@ TEST(asperities_carry_the_load_at_rest)
     }
 }
 
-/* After a stop what the film bears is squeezed out: metal bears more and more,
- * and nothing of it is lost. */
+/* After a stop the film is squeezed out: the asperity load share increases, and
+ * the load is conserved. */
 TEST(a_stop_squeezes_the_film_out)
 {
     double last = 0;
@@ -260,8 +260,8 @@ static double film_over(const ovr_run *run, double Rq)
     return of->height * ovr_film_central_moes(of->M, of->L) / Rq;
 }
 
-/* What breaks off says its lambda, down to which it would hold, and what the
- * mean film makes of it. */
+/* Failed runs report their lambda ratio, the ratio that can be solved, and the
+ * asperity load share of the mean film thickness. */
 TEST(failed_runs_suggest_a_lambda_ratio)
 {
     ovr_error err = {0};
@@ -276,8 +276,9 @@ TEST(failed_runs_suggest_a_lambda_ratio)
     const char *told = strstr(err.message, "lambda ratio is ");
     assert_non_null(told);
     assert_int_equal(sscanf(told, "lambda ratio is %lf", &lambda), 1);
-    /* The film formula over the Rq of what lies in the contact where it breaks
-     * off: of a dozen waves, twice 1/sqrt(2 x 12) off that of the profile. */
+    /* Predicted film thickness divided by the Rq of the profile in the contact
+     * at the time of failure; with a dozen waves it differs by twice 1/sqrt(2 x
+     * 12) from that of the whole profile. */
     CHECK_CLOSE(lambda, film_over(run, 0.2e-6), 0.4);
     assert_non_null(strstr(err.message, "0.3"));
     assert_non_null(strstr(err.message, "of = all"));

@@ -169,7 +169,7 @@ static void put_wave(ovr_case *c, double amplitude)
     assign(c, "feature wave.origin=0");
 }
 
-/* Waves that stand in the contact, a crest at X = 0. */
+/* Stationary waves with a crest at X = 0. */
 TEST(standing_waves_are_those_of_the_dense_newton)
 {
     static const double of[][4] = {
@@ -564,9 +564,10 @@ TEST(table_is_the_law_that_it_was_made_of)
     CHECK_NEAR(t[1].mu, t[0].mu, 1e-5);
 }
 
-/* The usual constants of summits carry 1.9 % at W 1e-4, U 1e-11, G 4500, s/R
- * 2e-5: by the dense Newton, of which two digits are known, and not what
- * oil it had beside G. */
+/* The usual constants of Greenwood and Tripp carry 1.9 % of the load at W =
+ * 1e-4, U = 1e-11, G = 4500, s/R = 2e-5, by the dense Newton solution. Two
+ * digits of the reference are known, and its lubricant is unknown except for G.
+ */
 TEST(summits_carry_little)
 {
     static const char *const by_W_U_G[] = {"contact.load=226 kN/m",

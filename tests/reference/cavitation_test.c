@@ -137,9 +137,9 @@ static double stored(const ovr_state *s, const double *before)
     return sum * s->D;
 }
 
-/* Over steps of equal length what flows in less what flows out is what is
- * stored, but for the residuals: with a supply that comes and goes, from a
- * flooded inlet that runs dry to one that fills again. */
+/* Over steps of equal length inflow minus outflow equals the stored change
+ * except for the residuals, with an oscillating supply and an inlet that
+ * starves and floods again. */
 static double waving(void *data, double T)
 {
     (void)data;

@@ -53,8 +53,8 @@ static double stored(const ovr_state *s, const double *before, double arrived)
     return sum * s->D;
 }
 
-/* A supply that arrives as it is, to a contact that never floods: all that has
- * come in is inside or has gone out. */
+/* A constant supply that never floods the contact: all supplied lubricant is
+ * inside or has left. */
 static double starving(void *data, double T)
 {
     (void)data;
@@ -89,9 +89,9 @@ TEST(supply_stays_or_leaves)
     ovr_simulation_free(sim);
 }
 
-/* What was stored by a step of dT after dT_old, by the contents of three times;
- * what the limits of content_departures.c add, by what came to dry nodes in
- * both steps. */
+/* Change of content by a step of dT after dT_old, from the contents of three
+ * times, and the lubricant added by the limits of content_departures.c at
+ * cavitated nodes. */
 typedef struct times {
     double q[3][N], came[2][N], P[2][N], dT, dT_old;
 } times;
@@ -128,10 +128,9 @@ static void take_over(times *t, const ovr_simulation *sim, double dT)
     t->dT = dT;
 }
 
-/* The mass defect of a step is its algebraic residual, whatever its length and
- * wherever its departure points, while the entrainment stops, with the inlet
- * closed and open, but for steps in which it turns; content never falls below
- * nothing. */
+/* The mass defect of a step is its algebraic residual for any length and any
+ * departure points while the entrainment stops, with the inlet closed and open,
+ * except in steps with a reversal. The content is never negative. */
 TEST(steps_of_any_length)
 {
     enum { STEPS = 300 };
@@ -181,9 +180,8 @@ TEST(steps_of_any_length)
     ovr_history_free(speed);
 }
 
-/* What arrives and what waits are all that flows in, but for half a mesh of
- * what changes in what arrives, each time that the inlet opens or closes: the
- * account of the oil before it. */
+/* Supply and reservoir together are the inflow, except for the change of the
+ * supply over D/2 each time that the inlet opens or closes. */
 static double in_waves(void *data, double T)
 {
     (void)data;
@@ -218,8 +216,8 @@ TEST(reservoir_oil_is_counted)
 
 /* ------------------------------------------------------------------ exactly */
 
-/* Before the film, where nothing presses, a supply passes as it arrived, in
- * steps of one and of several meshes. */
+/* Upstream of the film, at P = 0, a supply is convected without change, in
+ * steps of one and several D. */
 TEST(carried_exactly)
 {
     for (int meshes = 1; meshes < 4; meshes++) {

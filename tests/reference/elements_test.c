@@ -140,8 +140,8 @@ TEST(gears_keep_their_identities)
     }
 }
 
-/* Shares of all pairs that touch add up to the whole load, by every rule, but
- * for the blend's own reach about B and D. */
+/* Load shares of all pairs in contact add up to 1 for every rule, except within
+ * the blend around B and D. */
 TEST(shares_add_up)
 {
     const ovr_gear_sharing rules[] = {OVR_SHARING_RULE, OVR_SHARING_ELASTIC,
@@ -597,8 +597,8 @@ TEST(impossible_bearings_are_refused)
     refused_bearing(&form, "load", "must be positive");
 }
 
-/* The run follows the element by splines through 1601 times and the corners:
- * overroll-case(5) tells how well. */
+/* The splines through 1601 times and the discontinuities have the accuracy
+ * stated in overroll-case(5). */
 TEST(splines_follow_the_element)
 {
     static const char text[] =

@@ -126,7 +126,7 @@ TEST(minimum_films_by_the_logarithmic_mean)
     }
 }
 
-/* The smallest film while a dent rolls in, to where it stands at X = -.36. */
+/* Minimum film thickness while a dent rolls in, up to X = -0.36. */
 static double dent(int level, ovr_faces faces)
 {
     ovr_error err = {0};

@@ -200,7 +200,8 @@ TEST(transient_truth_is_met)
     dent_is_met(0, 6e-5);
 }
 
-/* Where nothing is as steep as a Newtonian spike. */
+/* Friction without steep pressures. The sliding part of a Newtonian film
+ * depends on the viscosity at the spike, which grows with every level. */
 TEST(sliding_friction_is_of_second_order)
 {
     double F[3];
@@ -307,7 +308,8 @@ TEST(sliding_changes_sign)
         double now[3] = {o->F_slide, o->H_cen, o->F_roll};
         if (k == 425)
             memcpy(first, now, sizeof now);
-        if (k == 475) { /* half a period on: the same but for its sign */
+        if (k ==
+            475) { /* half a period later: the same with the opposite sign */
             CHECK_CLOSE(now[0], -first[0], 1e-4);
             CHECK_CLOSE(now[1], first[1], 1e-5);
             CHECK_CLOSE(now[2], first[2], 1e-4);
@@ -385,7 +387,7 @@ TEST(fourth_order_is_where_second_goes)
     assert_true(compared >= 3);
 }
 
-/* The paper's smoother comes to the same film. */
+/* The smoother of the paper converges to the same film. */
 TEST(smoothers_agree)
 {
     ovr_observation o[2];

@@ -32,8 +32,8 @@ static ending run_to_end(const char *text, bool steady)
 
 /* ----------------------------------------------------------------- supply */
 
-/* A steady film, scheme and domain told; supply 0: what is needed, else so much
- * as it comes in at um. */
+/* Solves a steady film with the given scheme and domain. supply = 0: flooded;
+ * otherwise supplied thickness at u_m. */
 static ending contact(bool hot, double supply)
 {
     char text[900], film[100] = "";
@@ -57,8 +57,8 @@ static ending contact(bool hot, double supply)
     return run_to_end(text, true);
 }
 
-/* The hot inlet lets less through than the cold one: what lies between floods
- * it, less starves it, and comes through whole. */
+/* The hot inlet has a lower flow rate than the cold one. A supply between both
+ * floods it, a smaller supply starves it and passes completely. */
 TEST(supply_between_cold_and_hot)
 {
     ending cold = contact(false, 0), hot = contact(true, 0);

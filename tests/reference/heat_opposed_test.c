@@ -65,8 +65,8 @@ TEST(surfaces_swapped)
     ovr_simulation_free(swapped);
 }
 
-/* Beside the contact each surface is the colder one where it comes in, with
- * what hot oil has given it and what has come along it from the contact. */
+/* Outside the contact each surface is colder at its inlet, where hot lubricant
+ * and conduction from the contact have heated it. */
 TEST(each_surface_enters_colder)
 {
     ovr_simulation *sim = solved(12, 8, 4, 5);

@@ -533,9 +533,8 @@ TEST(fourth_order_with_heat)
     }
 }
 
-/* Points that nobody asked for: those of a solution with 7 where 5 would be
- * 2 % off in friction and more in the film, and 5 where these are good enough.
- */
+/* Automatic number of points: 7 if 5 would be wrong by 2 % in friction and more
+ * in the film, otherwise 5. */
 TEST(points_by_the_steady_start)
 {
     static const struct {
@@ -567,7 +566,7 @@ TEST(points_by_the_steady_start)
         CHECK_CLOSE(by[2].T_max_rise, as->T_max_rise, 1e-3);
         assert_true(rows[k].points == 5 ? fabs(mu) < 0.01 : mu < -0.01);
         assert_true((last[0] > 0) == (rows[k].points == 7));
-        if (last[0] > 0) /* what is said of it, within a factor of 3 */
+        if (last[0] > 0) /* the stated estimate, within a factor of 3 */
             assert_true(-mu < 12 * last[0] * last[0] &&
                         -mu > 4. / 3 * last[0] * last[0]);
     }

@@ -39,8 +39,8 @@ static heavy solve(double M, double L, int level)
     return h;
 }
 
-/* The central film of two levels agrees; the pressure is nearly Hertz's, and
- * its distance from it falls with the load. */
+/* The central film thicknesses of two levels agree; the pressure is nearly
+ * Hertzian, and the difference decreases with the load. */
 TEST(heavy_contacts_are_solved_by_default)
 {
     static const double of[][2] = {{1400, 5},   {2000, 5},   {2000, 10},

@@ -38,7 +38,7 @@ static double dry(int k, double s)
     return P;
 }
 
-/* Half a width in so many meshes; the places are tenths of it. */
+/* HALF: number of D in the half-width; positions are in tenths of it. */
 enum { HALF = 4000, TENTH = HALF / 10, OUT = 1300 };
 
 static ovr_stress *fields(const ovr_layered *body, double a, double z)

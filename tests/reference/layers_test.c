@@ -45,8 +45,8 @@ TEST(softness)
     }
 }
 
-/* By the images, which say how well they fit; and what is near a node and far
- * from one, of a mesh that is nothing. */
+/* Kernel by the images, whose fit error is reported, near a node and far from
+ * it, in the limit D = 0. */
 TEST(kernel)
 {
     for (int c = 0; c < CASES; c++) {
@@ -493,7 +493,7 @@ static ovr_observation observed(double M, double L, const char *scale,
     return seen;
 }
 
-/* Highly loaded, a contact is the dry one, but for what the film takes. */
+/* At high load the contact is the dry one except for the film thickness. */
 TEST(nearly_dry)
 {
     const layers_truth *t = &truth_cases[3];
@@ -504,8 +504,8 @@ TEST(nearly_dry)
     assert_true(at_100 > 0 && at_400 < at_100 / 4);
 }
 
-/* The line smoother's band is cured for layers; that of the paper knows no
- * band, and solves the same equations of second order. */
+/* The band of the line smoother is corrected for layers. The smoother of the
+ * paper has no band and solves the same equations of second order. */
 TEST(by_another_smoother)
 {
     static const char *const name[] = {"line", "hybrid"};
@@ -525,8 +525,8 @@ TEST(by_another_smoother)
     CHECK_CLOSE(P[1], P[0], 1e-8);
 }
 
-/* Patches about the spike, of second order, beside the uniform grid of the
- * finest of them. */
+/* Patches around the spike, of second order, compared with the uniform grid of
+ * the finest patch. */
 TEST(patches)
 {
     const char *layer = "[coating 1]\nthickness = 0.017\nmodulus = 1000 GPa\n";

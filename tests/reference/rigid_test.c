@@ -55,8 +55,9 @@ static double imbalance(const test_grid *g)
 /* Beside fluxes of 1 to 10; rounding leaves 1e-11 of it on fine grids. */
 static const double UNSOLVED = 1e-10;
 
-/* Sweeps until it is solved, between the pressures at the ends: nothing is
- * elastic, so a sweep is a step of Newton's but for the states of nodes. */
+/* Relaxes until the equations are solved, with given pressures at both ends.
+ * Without elasticity a sweep is a Newton step except for the states of the
+ * nodes. */
 static void solve(const test_grid *g, double before, double behind)
 {
     const ovr_shares none = {0};
@@ -84,7 +85,7 @@ static double formation(const test_grid *g, double x_a, size_t i)
            g->D * (f->q[i - 1] - f->q[i - 2]) / (f->full[i - 1] - f->q[i - 2]);
 }
 
-/* The largest pressure, by a parabola. */
+/* Returns the maximum pressure, by a parabola. */
 static double highest(const test_grid *g)
 {
     const double *P = g->f.P;
@@ -299,7 +300,8 @@ static double plates(double x, double unused)
     return 1;
 }
 
-/* History of the next step: B limited where a dry node gave away. */
+/* Stores the history for the next step; B is limited where a cavitated node
+ * lost content. */
 static void remember(const test_grid *g, double dT, double *q1, double *q2,
                      bool *dry)
 {

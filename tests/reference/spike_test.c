@@ -16,7 +16,7 @@ TEST(a_few_contacts)
     test_spike_survey(16, 4);
 }
 
-/* Solved anew, a simulation gives the same bits; it takes no steps. */
+/* A simulation that is solved again gives the same bits and takes no steps. */
 TEST(again_the_same)
 {
     ovr_error err = {0};
@@ -43,7 +43,7 @@ TEST(again_the_same)
     ovr_simulation_free(sim);
 }
 
-/* A dent that stands in the contact: the patches see the surface itself. */
+/* A stationary dent in the contact, resolved by the patches. */
 TEST(standing_dent)
 {
     test_feature dent = {.kind = 'l', .A = -0.02, .width = 0.1, .start = 0.85};

@@ -136,8 +136,8 @@ TEST(high_load_is_hertzian)
     ovr_simulation_free(sim);
 }
 
-/* Central film within the formula's known distance (equations.md: the mass
- * flow within 3 %). */
+/* Central film thickness within the error of the formula (equations.md: mass
+ * flow rate within 3 %). */
 TEST(film_follows_moes)
 {
     size_t rows = sizeof truth_steady_rows / sizeof *truth_steady_rows;

@@ -193,8 +193,8 @@ static void run_killed(ovr_case *c, const char *path)
     assert_true(WIFSIGNALED(ended) && WTERMSIG(ended) == SIGKILL);
 }
 
-/* Killed between two jumps and resumed: the last state bit by bit; both
- * profiles before and after are in the file and beside it. */
+/* A run killed between two jumps and resumed has the same final state to the
+ * bit; the profiles before and after are stored in the file and next to it. */
 TEST(killed_runs_go_on)
 {
     char folder[] = "/tmp/overroll-wear-XXXXXX", path[100], profile[120];

@@ -465,8 +465,9 @@ static double film_on(const draw *d, const char *level, int *order,
     return film;
 }
 
-/* Whether the films of levels 7 and 8 are further apart than level 7 tells;
- * where they are of one order, else a warning says so. */
+/* True if the film thicknesses of levels 7 and 8 differ by more than the
+ * estimate of level 7, for solutions of the same order (otherwise a warning is
+ * printed). */
 static bool misleads(const draw *d, int *told)
 {
     const double cycles = 1e-5; /* what stopping leaves */

@@ -19,7 +19,7 @@ typedef struct test_dent {
     ovr_frame frame;
 } test_dent;
 
-/* Nodes X_i = -4 + 5.5 i/(n - 1); stands at step 0. */
+/* Initializes nodes X_i = -4 + 5.5 i/(n - 1) and step 0. */
 void test_dent_init(test_dent *dent, size_t n, double dT);
 void test_dent_free(test_dent *dent);
 

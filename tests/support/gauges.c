@@ -81,7 +81,7 @@ static size_t encode(char *text, size_t size, gauge_encoding encoding)
     for (size_t i = 0; i < size; i++) {
         char c = copy[i];
         if (c == '\xC2' && encoding != GAUGE_UTF8_MARK)
-            continue; /* the byte behind it is the Latin-1 code */
+            continue; /* the next byte is the Latin-1 code */
         assert_true(used + 2 < GAUGE_BYTES);
         if (encoding == GAUGE_UTF16_BIG)
             text[used++] = 0;
@@ -171,8 +171,8 @@ static double largest(const gauge *g)
     return maximum;
 }
 
-/* Heights are about zero: unsigned types get them shifted by half their
- * range, which levelling would take off. */
+/* Heights are about zero. They are shifted by half of the range of unsigned
+ * types; levelling removes the shift. */
 static void put_typed(buffer *b, double value, int type, double step)
 {
     static const size_t bytes[] = {1, 2, 4, 4, 1, 2, 4, 8};
@@ -238,7 +238,7 @@ size_t gauge_as_smd(const gauge *g, char *out)
 static void put_z(buffer *b, double value, const gauge_x3p *how, double step)
 {
     double code = isnan(value) ? (how->mask ? 0 : NAN) : value;
-    /* Whole numbers have no NaN: what is missing there is told by a mask. */
+    /* Whole numbers have no NaN; a mask marks missing heights. */
     int64_t whole = isnan(code) ? 0 : (int64_t)round(code / step);
     switch (how->type) {
     case 'I': put_bits(b, (uint64_t)whole, 2); break;

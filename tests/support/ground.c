@@ -15,7 +15,7 @@ typedef struct surface {
     int seed;
 } surface;
 
-/* Of a spectrum q^(-1 - 2h) between two wavelengths: its slope over Rq. */
+/* Ratio of slope and Rq for a spectrum q^(-1 - 2h) between two wavelengths. */
 static double slope_of(double longest, double shortest)
 {
     const double h = 0.8;
@@ -74,7 +74,7 @@ static ovr_case *make_case(const test_ground *g, const surface s[2],
     return ovr_case_read_text(text, "ground.ini", NULL, NULL, &err);
 }
 
-/* Central film of Moes in um at this speed. */
+/* Central film thickness by Moes in um at this speed. */
 static double film_at(test_ground *g, const surface s[2], double speed)
 {
     double h = NAN;
@@ -137,7 +137,7 @@ static test_ground go(uint64_t seed, double from, double to, int level,
         g.longest[k] = longest_of(g.slope[k] / g.Rq[k], s[k].shortest);
     }
     Rq = sqrt(g.Rq[0] * g.Rq[0] + g.Rq[1] * g.Rq[1]);
-    for (int k = 0; k < 20; k++) /* h goes with about u^0.7 */
+    for (int k = 0; k < 20; k++) /* h is proportional to about u^0.7 */
         speed *= pow(g.lambda * Rq / film_at(&g, s, speed), 1 / 0.7);
     run(&g, s, speed);
     return g;

@@ -18,7 +18,7 @@ static double arriving(void *data, double T)
     return *(const double *)data;
 }
 
-/* The flooded start tells what a share of its flow is. */
+/* The flooded start determines the flow rate of a supply ratio. */
 static ovr_status go(ovr_simulation *sim, const ovr_march *march, double share,
                      bool *started, ovr_error *err)
 {
@@ -40,7 +40,7 @@ static void add(tally *t, const ovr_simulation *sim)
     t->retries += s->retries;
     t->retried += s->retries > 0;
     t->halved += s->substeps > 0;
-    /* Where the load jumps in one step its heat comes late, which is said. */
+    /* If the load jumps in one step, its heat lags, which is reported. */
     t->late += s->lagging > 0;
     t->lagging = s->lagging > t->lagging ? s->lagging : t->lagging;
     t->marked += s->marked > s->lagging;

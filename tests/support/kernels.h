@@ -8,11 +8,11 @@
 #include "multigrid/deformation.h"
 #include "multigrid/kernels.h"
 
-/* Tables that this machine can use: 0 is the plain one, then the vectors';
- * NULL behind the last. */
+/* Returns a table of kernels for this machine: 0 is the plain one, then the
+ * vector kernels; NULL past the last. */
 const ovr_kernels *test_kernels(int k);
 
-/* Arrays of a grid as a table of kernels wants them. */
+/* Arrays of a grid in the layout of a table of kernels. */
 typedef struct test_grid {
     ovr_arena arena;
     const ovr_kernels *run;
@@ -35,14 +35,14 @@ void test_grid_gap(test_grid *grid);
 /* Means by the gap that are logarithmic in 1/eta. */
 void test_grid_logarithmic(test_grid *grid);
 
-/* Gives it a flow law, Eyring's. */
+/* Sets an Eyring model. */
 void test_grid_thin(test_grid *grid, double Sigma0, double sliding);
 
 /* Adds a flow skewed by temperatures. */
 void test_grid_skew(test_grid *grid);
 
-/* Film and properties, what stands at half nodes too, of its gap, deformation
- * and the pressure of the fields. */
+/* Computes film thickness and lubricant properties, also at half nodes, from
+ * gap, deformation and pressure. */
 void test_grid_film(const test_grid *grid, const ovr_fields *f);
 
 /* A pressure with a wet part, a dry end and a small disturbance, a film without

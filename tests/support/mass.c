@@ -144,7 +144,7 @@ static void march(ovr_simulation *sim, double T, test_ending *end)
     end->marked = s->marked;
 }
 
-/* Puts one to three features on; returns the time when they have left. */
+/* Adds one to three features and returns the time at which they have left. */
 static double add_features(uint64_t *random, const test_contact *t,
                            ovr_surfaces *surfaces, test_ending *end)
 {

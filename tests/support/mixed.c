@@ -14,8 +14,8 @@ typedef struct tally {
     long varying; /* hot films that may be late */
 } tally;
 
-/* A hot film whose load, speed or sliding varies: what it makes of heat may
- * change by much in a step, where they jump and where the sliding reverses. */
+/* True for a thermal film with a varying load, speed or sliding: temperatures
+ * may change strongly in one step at jumps and at a reversal of the sliding. */
 static bool heat_varies(const char *text)
 {
     return strstr(text, "[heat]") && strstr(text, "history = ");

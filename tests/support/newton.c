@@ -173,8 +173,9 @@ static void nudge(dense *d, size_t c, double h, double *r)
     }
 }
 
-/* One Newton step of the complementarity problem; rows of dry nodes that do
- * not want to rise say dP = 0.  Returns the largest change. */
+/* Performs one Newton step of the complementarity problem; rows of cavitated
+ * nodes whose pressure should not become positive are dP = 0. Returns the
+ * largest change. */
 static double newton_step(dense *d, gsl_matrix *J, gsl_vector *x,
                           gsl_permutation *p, double *r, double *moved)
 {
@@ -190,7 +191,8 @@ static double newton_step(dense *d, gsl_matrix *J, gsl_vector *x,
             gsl_matrix_set(J, i, c, (moved[i] - r[i]) / h);
     }
     for (size_t i = 0; i < m; i++) {
-        /* r = -N rises with P: a dry node with r > 0 stays */
+        /* r = -N increases with P: a cavitated node with r > 0 remains
+         * cavitated */
         bool dry = i + 1 < m && d->P[i + 1] <= 0 && r[i] >= 0;
         if (d->primal_dual && i + 1 < m)
             dry = d->P[i + 1] < r[i] / gsl_matrix_get(J, i, i);

@@ -418,8 +418,9 @@ static const ovr_conflict *refused_by(const struct contact *element,
     return ovr_conflict_among(on);
 }
 
-/* What it refuses itself, or NULL: it says how load and motion change, and a
- * flat follower does not move along the film. */
+/* Returns the section that the element rejects itself, or NULL: an element
+ * determines load and motion, and a flat follower does not move along the film.
+ */
 static const char *own_refusal(const struct contact *element,
                                const struct way *w)
 {

@@ -13,8 +13,9 @@
 ovr_observation test_spike(double M, double L, double inlet, int level, int to,
                            double change);
 
-/* M = 20, L = 10 over level 8, to a level: spike within 1e-4 and smallest film
- * within 2e-6 of the uniform grid of that level, pressure linear too. */
+/* Compares patches up to a level (M = 20, L = 10, level 8) with the uniform
+ * grid of that level and linear pressure: spike height within 1e-4, minimum
+ * film thickness within 2e-6. */
 void test_spike_beside_uniform(int to);
 
 /* So many random contacts, M = 5 to 1000, L = 1 to 16: they converge, and the

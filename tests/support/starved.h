@@ -7,8 +7,8 @@
 
 #include "overroll/simulation.h"
 
-/* Central film, and flow, of the flooded steady contact; what it took to get
- * there. */
+/* Central film thickness and flow rate of the flooded steady contact, and the
+ * work to solve it. */
 typedef struct test_flooded {
     double film, flow;
 } test_flooded;

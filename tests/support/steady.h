@@ -17,8 +17,8 @@ typedef struct test_solution {
 /* The contact of support/contact.h, solved. */
 test_solution test_steady(double M, double L, const ovr_options *options);
 
-/* Finest level of a table: short in `make check`; `make paper` says more in
- * the environment, OVERROLL_LEVELS. */
+/* Returns the finest level of a table: low in `make check`; `make paper` sets
+ * the environment variable OVERROLL_LEVELS. */
 int test_levels(int unless_told);
 
 #endif

@@ -106,8 +106,8 @@ int test_remove_folder(void **state);
 /* "folder/name" in a static buffer, one of four taken in turn. */
 const char *test_path(const char *folder, const char *name);
 
-/* The whole file with a NUL behind it, for free(); fails the test if it
- * cannot be read. `bytes` may be NULL. */
+/* Returns the contents of a file with a final NUL, to be freed by the caller;
+ * fails the test if it cannot be read. `bytes` may be NULL. */
 char *test_read(const char *path, size_t *bytes);
 
 /* Writes the file, or fails the test; test_write_text takes a string. */
@@ -120,8 +120,9 @@ bool test_decimal_comma(void);
 
 /* ------------------------------------------------------------ allocations */
 
-/* Counts what goes through `hook` and fails on demand: pass &faults.hook.
- * Memory comes filled with 0xA5, so that nobody relies on zeros. */
+/* Counts allocations through `hook` and makes them fail on demand: pass
+ * &faults.hook. Memory is filled with 0xA5, so that code that assumes zeros
+ * fails. */
 typedef struct test_faults {
     ovr_allocator hook;
     long calls;   /* allocations asked for */

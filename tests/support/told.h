@@ -13,7 +13,7 @@
 int test_told_survey(uint64_t seed, int cases, int level, int finer,
                      int maximum);
 
-/* One case: none of its errors is told below half of the true one. */
+/* Fails if an estimated error of one case is below half of the true one. */
 void test_told_case(const char *text, int level, int finer);
 
 #endif

@@ -16,7 +16,7 @@
 
 static char text[65536];
 
-/* A case in which `key = value` stands in its section, in line 2. */
+/* Returns a case with `key = value` in its section, in line 2. */
 static const char *case_with(const ovr_parameter_info *p, const char *value)
 {
     const char *name = test_block_name(p->section);
@@ -316,8 +316,8 @@ TEST(every_shape_requires_its_sizes)
 
 /* ------------------------------------------------------- found out late */
 
-/* A case with nothing wrong; a setting below takes the place of one of these
- * lines, or comes behind its section's. */
+/* A valid case; a setting below replaces one of these lines or follows its
+ * section. */
 static const char *const good[][3] = {{"contact", "load", "307 kN/m"},
                                       {"contact", "radius", "10 mm"},
                                       {"contact", "modulus", "226 GPa"},
@@ -363,8 +363,8 @@ static int with(const char *section, const char *key, const char *value)
     return found;
 }
 
-/* What only shows beside other keys, or in the contact's units, or on the
- * grid, still names the line of its key. */
+/* Errors that depend on other keys, the units of the contact or the grid also
+ * have the line of their key. */
 TEST(late_errors_have_their_line)
 {
     static const char *const late[][3] = {{"contact", "slide_to_roll", "1e999"},
@@ -435,8 +435,8 @@ TEST(levels_beyond_double_precision_are_refused)
     ovr_case_free(c);
 }
 
-/* The largest level, if this machine is too small for it: what it would take
- * is said, and nothing of that size was allocated. */
+/* The largest level, on a machine with too little memory for it: the message
+ * contains the required memory, and nothing of this size is allocated. */
 TEST(memory_is_estimated_first)
 {
     const ovr_parameter_info level = *find("domain", "level");

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Every value that a case accepts for a key is written into its text and read
- * again unchanged: random values for every key, most of them with separators,
- * quotes and comment signs. */
+ * again unchanged. Values are random for every key, most of them with
+ * separators, quotes and comment signs. */
 #include "support/test.h"
 
 #include <math.h>

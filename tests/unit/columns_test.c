@@ -20,8 +20,7 @@ enum {
     OUT = 4 * OVR_CROSS_FILM_MAX + 8
 };
 
-/* Films with dry nodes, all that they are made of at random, and places for
- * what comes of them. */
+/* Random films with cavitated nodes, and space for the results. */
 typedef struct films {
     ovr_cross_film cross_film;
     ovr_heat heat;
@@ -98,7 +97,7 @@ static void fill(films *f, size_t n, int points, uint64_t *seed)
     put_places(f);
 }
 
-/* Values, of which the largest say what is small. */
+/* Compares values relative to the largest one. */
 static void agree(const films *here, const films *plain, double tolerance)
 {
     for (int k = 0; k < here->count; k++) {

@@ -183,8 +183,8 @@ static solved nested(int patches)
     return s;
 }
 
-/* Exact but for MLMI (1e-9 of w at this order), whatever the pressures: those
- * of a cycle, and a rough disturbance of the finest patch. */
+/* Exact except for MLMI (1e-9 of w at this order), for the pressures of a cycle
+ * and for a rough disturbance of the finest patch. */
 TEST(film_is_that_of_all_pressures)
 {
     solved s = nested(4);
@@ -259,8 +259,8 @@ TEST(mass_passes_the_interfaces)
     release(s);
 }
 
-/* The spike's height goes to that of ever finer grids, at a few dozen nodes a
- * level; its place stays. */
+/* The spike height converges to that of finer grids, with some dozens of nodes
+ * per level; its position does not change. */
 TEST(spike_is_resolved)
 {
     const ovr_spike_search target = {.level = 14,

@@ -253,8 +253,8 @@ TEST(rows_telescope)
     ovr_arena_release(&b.arena);
 }
 
-/* Columns of dry nodes are the derivatives by q, exactly: rows are linear in
- * it as long as limits stay. */
+/* Columns of cavitated nodes are the derivatives by q, exactly, because rows
+ * are linear in q unless a limit changes. */
 TEST(columns_of_cavitated_nodes_are_derivatives)
 {
     test_grid b = filled(4, true, false);

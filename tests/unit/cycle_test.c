@@ -68,7 +68,8 @@ TEST(ends_come_in_order)
     ovr_simulation_free(sim);
 }
 
-/* A cycle whose end nobody changes leaves the same bits as one alone. */
+/* A cycle with an observer that changes nothing gives the same bits as without.
+ */
 TEST(watching_changes_nothing)
 {
     watcher w = {0};

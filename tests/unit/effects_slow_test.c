@@ -100,7 +100,7 @@ static bool is_later(const char *where)
 /* -------------------------------------------------- what is told of a case */
 
 typedef struct told {
-    uint64_t sum; /* FNV-1a of all that is told */
+    uint64_t sum; /* FNV-1a of all printed text */
     bool noted;   /* that a key has no effect */
 } told;
 
@@ -118,7 +118,8 @@ static void hear(void *data, ovr_message_kind kind, const char *text)
     add(t, text);
 }
 
-/* But for what differs between two runs of one case. */
+/* Adds a line to the hash, except for values that differ between two runs of
+ * one case. */
 static void take(void *data, const ovr_summary_line *line)
 {
     char number[40];

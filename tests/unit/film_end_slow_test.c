@@ -97,7 +97,7 @@ TEST(loads_that_jump)
     run(&(swing){200, 10, 1.5, 0.1, jump_to(0.5), 0}, 15, 20);
 }
 
-/* The solution is there, and what it lacks is said. */
+/* The film is solved, and the message contains the missing accuracy. */
 TEST(a_tolerance_below_rounding)
 {
     ovr_options o = test_options();

@@ -81,7 +81,7 @@ TEST(thick_films_are_newtonian)
     assert_true(ovr_flow_between(&none, 0.01, &nodes) == 2e-3);
 }
 
-/* A grid of two nodes: what the plain kernel makes of it. */
+/* Results of the plain kernel on a grid of two nodes. */
 typedef struct pair {
     double P[2], H[2], rho[2], q[2], eps[2], deps[2], deps_dH[2], out[5][2];
     double alpha, log_fluidity[2],
@@ -231,9 +231,9 @@ TEST(logarithmic_mean_is_the_integral)
     }
 }
 
-/* A film that has crossed, as in the first steps of Newton's method, lets
- * nothing through, whatever its size: neither the flow nor its derivatives by
- * the film exceed those of the other node by themselves. */
+/* A film with negative thickness, as in the first steps of Newton's method, has
+ * no flow: neither the flow nor its derivatives by the film thickness exceed
+ * those of the other node alone. */
 TEST(crossed_films_let_nothing_through)
 {
     const ovr_fluid fluid = {.by_gap = true, .logarithmic = true};
@@ -363,8 +363,8 @@ TEST(tables_agree)
     ovr_flow_law_free(law);
 }
 
-/* Films that a solve has given up: crossed, or without numbers.  What comes out
- * is worth nothing, and comes out. */
+/* Films of a diverged solution, with negative thickness or NaN. The result is
+ * meaningless, but the kernel returns. */
 TEST(nonsense_stays_in_the_table)
 {
     static const double worst[] = {-1, -1e-300, 1e300, INFINITY, NAN};

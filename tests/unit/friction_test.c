@@ -9,7 +9,7 @@
 
 enum { MAX = 90 };
 
-/* Films with dry nodes among them. */
+/* Films with cavitated nodes. */
 typedef struct film {
     double X[MAX], P[MAX], H[MAX], q[MAX], eps[MAX], flow[MAX];
 } film;

@@ -10,7 +10,8 @@
 #include "support/kernels.h"
 #include "support/test.h"
 
-/* Every set against the plain sum, dry nodes and partial vectors included. */
+/* Every instruction set compared with the plain sum, with cavitated nodes and
+ * partial vectors. */
 TEST(weighted_sum_at_pressurized_nodes)
 {
     enum { MAX = 41, TERMS = 5 };
@@ -133,8 +134,9 @@ static double told;
 static size_t nearest;
 static double H0 = 1; /* that it makes of k^2, k steps ago */
 
-/* Largest error of the guess for a step of so many meshes after equal ones,
- * but near the ends; whether it calls itself close. */
+/* Returns the largest error of the guess for a step of the given number of D
+ * after equal steps, except near the ends, and whether the guess is reported as
+ * close. */
 static double error_of(double (*P)(double, double), double meshes, bool *close)
 {
     enum { MARGIN = 10 };

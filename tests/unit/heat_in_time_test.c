@@ -25,8 +25,8 @@ static void carry(const double *v, double meshes, double *to)
     ovr_carry_along(&departures, v, to);
 }
 
-/* Whole meshes exactly, parts of one by a cubic; what enters is nothing, what
- * left is as the end. */
+/* Exact for whole D, cubic for parts of D; inflow has the value zero, outflow
+ * the value at the end. */
 TEST(values_at_departures)
 {
     double v[N], at[N];

@@ -14,7 +14,7 @@
 
 enum { NEVER = -1 };
 
-/* What was said in the end, and the numbers but for the time it took. */
+/* Final messages, and the numbers except computing times. */
 typedef struct told {
     long steps;
     int warnings;
@@ -283,7 +283,8 @@ TEST_IN_FOLDER(warnings_before_and_after)
              *state, AT(1, 10, -1));
 }
 
-/* Of corrections that did not converge, with the level that would do. */
+/* Warning about fourth-order corrections that did not converge, with a
+ * sufficient level. */
 TEST_IN_FOLDER(warnings_of_the_steady_start)
 {
     same_end("[contact]\nM = 400\nL = 6\n[domain]\nlevel = 8\norder = 4\n"

@@ -11,7 +11,7 @@
 
 enum { N = 449 };
 
-/* x, an array of `of`, beside the plain one. */
+/* Compares x, an array of `of`, with the plain one. */
 static void compare(const test_grid *of, const double *x, const double *plain,
                     double tolerance)
 {
@@ -258,7 +258,7 @@ static void transfer_agrees(const ovr_kernels *run, size_t n)
     }
     const ovr_fields *p = &plain[1].f, *o = &other[1].f;
     test_grid_fill(&plain[0], 13);
-    for (size_t i = 5; i < n; i += 5) /* dry nodes of both kinds, everywhere */
+    for (size_t i = 5; i < n; i += 5) /* cavitated nodes of both kinds */
         plain[0].f.P[i] = 0;
     memcpy(plain[0].f.r + 1, plain[0].f.F + 1, (n - 2) * sizeof(double));
     plain[0].run->phase(&plain[0].lanes, &plain[0].weights, &plain[0].f);
@@ -320,7 +320,7 @@ TEST(coarse_grids_agree)
     on_every_set(coarse_fields_agree);
 }
 
-/* A sweep: what comes out of every kernel, in the order of the nodes. */
+/* Results of all kernels of a sweep, in the order of the nodes. */
 typedef struct swept {
     double deformation[N], eps[N], P[N], imbalance;
 } swept;

@@ -379,7 +379,7 @@ TEST(interrupted_writes_are_reported)
     ovr_material_history_free(p);
 }
 
-/* A state copied in the middle goes on with the same bits. */
+/* A state copied in the middle of the run gives the same bits. */
 TEST(a_copied_state_goes_on)
 {
     enum { STEPS = 300, HALF = 140 };

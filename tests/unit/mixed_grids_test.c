@@ -125,7 +125,7 @@ TEST(fine_and_coarse_profiles_meet_the_grid)
     assert_true(error_of(0.3, 0.012, false, 0) < 1e-3);
 }
 
-/* A wave shorter than two meshes would come back as a long one. */
+/* A wave shorter than 2 D is removed and not aliased to a long wave. */
 TEST(short_waves_do_not_alias)
 {
     assert_true(error_of(0.3, 0.0004, true, 1) < 2e-4);

@@ -245,8 +245,8 @@ TEST(cold_starts)
     assert_true(cold_start(0, 0.1, 8) < 5e-4);
 }
 
-/* A domain that ends where nothing is taken up any more, but where it is still
- * warm, and one that goes on. */
+/* A domain that ends where no heat is absorbed but the surface is still warm,
+ * compared with a longer one. */
 TEST(ends_are_not_felt)
 {
     static surface wide, narrow;

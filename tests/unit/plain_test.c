@@ -34,7 +34,8 @@ TEST(residual_is_exact_for_a_parabola)
     ovr_arena_release(&b.arena);
 }
 
-/* A row that wants to rise; to fall, from far above and from near zero. */
+/* Residual of a row with a pressure that should rise, and that should fall from
+ * a large and from a small value. */
 TEST(imbalance_by_hand)
 {
     double P[] = {0, 0, 5, 0.125, 0}, eps[] = {1, 2, 3, 4, 5};
@@ -45,8 +46,8 @@ TEST(imbalance_by_hand)
     assert_true(test_kernels(0)->imbalance(&g, &w, &f) == 7 + 3 + 0.125 * 8);
 }
 
-/* A share of what changes at node j; node 1 and, when steady, a dry node give
- * nothing away. */
+/* Share of a change at node j; node 1 and, in steady films, a cavitated node
+ * share nothing. */
 static double share(const test_grid *b, double value, bool transient, size_t j)
 {
     bool gives = j > 1 && j < N - 1 && (transient || b->f.P[j] > 0);
@@ -93,7 +94,7 @@ static void derivatives(const test_grid *b, const test_grid *work,
         result[d] = (down[d] - up[d]) / (2 * s);
 }
 
-/* Dry and wanting to fall, but for rounding. */
+/* True for a cavitated node that remains cavitated, within rounding. */
 static bool held(const test_grid *b, size_t i)
 {
     return b->f.P[i] <= 0 && b->f.r[i] >= 0;
@@ -145,7 +146,7 @@ static void check_column(const test_grid *b, const test_grid *work,
     }
 }
 
-/* A held row says that P_i stays; when steady, that delta_i = 0. */
+/* The row of a constrained node is dP_i = 0; in steady films delta_i = 0. */
 static void check_held(const test_grid *b, const ovr_shares *s, size_t i)
 {
     double before = share(b, s->plus, s->transient, i - 1);
@@ -217,7 +218,7 @@ TEST(line_is_as_defined)
         line_is_as(kind & 1, kind & 2);
 }
 
-/* Three wet nodes, then a dry one between wet ones. */
+/* Three pressurized nodes, then a cavitated one between pressurized ones. */
 TEST(restriction_by_hand)
 {
     double P[] = {0, 1, 2, 5, 4, 0, 6, 7, 0}, H[] = {9, 8, 7, 6, 5, 4, 3, 2, 1};

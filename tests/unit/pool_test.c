@@ -113,7 +113,7 @@ TEST(one_that_dies)
     munmap(s, sizeof *s);
 }
 
-/* What is under way ends, and is told of; the rest is left. */
+/* Running tasks are completed and reported; the others are not started. */
 TEST(stopped)
 {
     seen *s = make(-1);

@@ -98,7 +98,7 @@ TEST_WITH(headers_may_be_narrower_or_wider, begin, end)
     }
 }
 
-/* Each text, and all that must be said of it in one message. */
+/* Each text, and all parts of the one message about it. */
 TEST_WITH(all_missing_keys_are_in_one_message, begin, end)
 {
     static const char *const cases[][6] = {

@@ -257,7 +257,7 @@ TEST(inline_letters_do_not_overflow)
     refuse_file(path, "main.xml");
 }
 
-/* A checksum that does not fit is damage, wherever it is. */
+/* A wrong checksum of any part is reported as damage. */
 TEST(damaged_content_is_refused)
 {
     const char *path = test_path(*state, "c.x3p");

@@ -168,8 +168,8 @@ TEST_IN_FOLDER(simulations_run_in_threads_at_once)
     assert_memory_equal(alone, at_once, sizeof alone);
 }
 
-/* Each process goes on with its copy; a file that the parent is writing is
- * the parent's. */
+/* Parent and child continue with their copies; a file that the parent is
+ * writing belongs to the parent. */
 TEST_IN_FOLDER(a_child_goes_on_with_a_copy)
 {
     const char *path = test_path(*state, "b.h5");

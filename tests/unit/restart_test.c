@@ -227,7 +227,8 @@ static void resume(const char *path, long last)
     test_dent_free(&dent);
 }
 
-/* Killed within a write: a reader says so, and only resuming mends it. */
+/* Killed during a write: a reader reports it, and only resuming repairs the
+ * file. */
 static bool was_cut(const char *path)
 {
     ovr_error err = {0};
@@ -388,7 +389,7 @@ TEST_IN_FOLDER(refuses_other_versions)
     CHECK_ERROR(&err, OVR_BAD_INPUT, "written by overroll 9.9.0");
 }
 
-/* What `check` says of a writer's memory is what one takes. */
+/* The memory of a writer in `check` is the actual one. */
 TEST_IN_FOLDER(estimates_its_memory)
 {
     const ovr_write_options o = options_for(test_path(*state, "a.h5"));

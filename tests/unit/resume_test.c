@@ -238,7 +238,7 @@ TEST_IN_FOLDER(ends_the_same)
     check_identical(whole, parts);
 }
 
-/* Stopped in its steady start, before a step says what was stored in it. */
+/* Stopped in the steady start, before the first step is stored. */
 TEST_IN_FOLDER(a_hot_start_is_resumed)
 {
     const char *whole = test_path(*state, "whole.h5");

@@ -82,8 +82,8 @@ TEST(negative_film_is_no_solution)
     CHECK_STATUS(steady(937, 1.76, 6, 6, &err), OVR_IMPOSSIBLE, &err);
 }
 
-/* Where the load was raised on the way, the levels that are told of are those
- * with all of it: each film is near the last. */
+/* If the load was increased in steps, the reported levels are those with the
+ * full load: each film thickness is near the last one. */
 TEST(levels_are_of_the_whole_load)
 {
     ovr_error err = {0};

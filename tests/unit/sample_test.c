@@ -142,8 +142,8 @@ TEST(latin)
     assert_true(memcmp(u, other, sizeof u) != 0);
 }
 
-/* GSL's points but for the shift, which is one a replicate and key; point 0 is
- * the origin.  A sample that grows keeps what it had. */
+/* Points of GSL except for the shift, one per replicate and key; point 0 is the
+ * origin. A sample that is enlarged keeps its points. */
 static const double points[][3] = {
     {0.5, 0.5, 0.5},       {0.75, 0.25, 0.75},       {0.25, 0.75, 0.25},
     {0.375, 0.375, 0.625}, {0.875, 0.875, 0.125},    {0.625, 0.125, 0.375},

@@ -75,7 +75,7 @@ TEST(roots)
     }
 }
 
-/* What is told holds, and not a step farther. */
+/* The answer satisfies the inequality, and a step further does not. */
 TEST(inequalities)
 {
     seen s;

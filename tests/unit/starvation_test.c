@@ -58,7 +58,8 @@ TEST(gap_is_that_of_hertz)
 
 /* ------------------------------------------------------------------ films */
 
-/* Central film with the inlet at X_a, on meshes of about the same size. */
+/* Central film thickness with the inlet at X_a, on grids with about the same D.
+ */
 static double film(double M, double L, double X_a, double X_b, double mesh)
 {
     ovr_error err = {0};

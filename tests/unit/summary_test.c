@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The summary of a run is stored in its file, to the bit; tables of studies are
- * made from these summaries or, without files, from the rows written by the
- * processes. */
+/* The summary of a run is stored in its file, to the bit. Tables of studies
+ * are made from these summaries or, without files, from the rows written by
+ * the processes. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

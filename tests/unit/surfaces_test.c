@@ -249,9 +249,9 @@ TEST(diameters_are_at_half_depth)
     }
 }
 
-/* A ball's indent: depth and crest as given, the bowl a sphere's, slope and
- * curvature continuous, and what is displaced stands in the rim (rounded off by
- * some 1 %). */
+/* Indentation of a ball: depth and rim as specified, a spherical bowl,
+ * continuous slope and curvature, and the displaced volume in the rim (within 1
+ * % because of rounding). */
 TEST(a_ball_leaves_its_volume_in_the_rim)
 {
     enum { POINTS = 40001 };
@@ -329,8 +329,8 @@ TEST(speed_history_moves_features)
     ovr_history_free(speed);
 }
 
-/* What has gone by comes back, and goes by again; what begins backward comes
- * in on the right, and so do its copies. */
+/* Features return after a reversal and pass again. After a start with negative
+ * speed features and their copies enter from the right. */
 TEST(features_return_after_a_reversal)
 {
     const double quarter = acos(0), period = 8;
@@ -437,8 +437,8 @@ static bool is_made(const ovr_contact *c, const ovr_feature_form *form)
     return made;
 }
 
-/* The words of the manual are the rules: a feature of what a shape is said to
- * need is made, and not without the last of it. */
+/* The rules of the manual: a feature with all stated sizes is accepted, and
+ * rejected without the last of them. */
 TEST(shapes_need_the_stated_sizes)
 {
     ovr_contact c = moes(1, 1);

@@ -245,7 +245,7 @@ TEST(sliding_histories_have_their_amplitudes)
     }
 }
 
-/* A steady sliding contact does no more harm than itself. */
+/* A steady sliding contact adds no risk. */
 TEST(a_steady_contact_adds_no_risk)
 {
     const double ways[] = {1.15, -0.85};
@@ -275,8 +275,8 @@ TEST(a_steady_contact_adds_no_risk)
     }
 }
 
-/* Traction behind a sliding contact pulls: there is tension below the surface,
- * which pressure alone never makes. */
+/* Downstream of a sliding contact traction causes tension below the surface,
+ * which pressure alone does not. */
 TEST(traction_pulls)
 {
     ovr_stress_options o = level8(-4);

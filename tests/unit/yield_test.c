@@ -60,8 +60,8 @@ TEST(strip_on_a_background)
     }
 }
 
-/* Steel flows to the side that bears less: what stands on the other one does
- * not hold a strip. */
+/* Steel yields to the less loaded side; the load on the other side does not
+ * prevent it. */
 TEST(strip_yields_to_the_less_loaded_side)
 {
     static double P[NODES];

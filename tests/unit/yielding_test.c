@@ -173,8 +173,8 @@ static double max_flowed(const ovr_yielding *y)
     return maximum;
 }
 
-/* First yield at 1.70 Y, collapse at 2.97 Y: below it a body that does not
- * harden comes to rest, above it flow goes on. */
+/* First yield at 1.70 Y, collapse at 2.97 Y. Below 2.97 Y the plastic flow of a
+ * body without hardening ends, above it continues. */
 TEST(strip)
 {
     const ovr_hardening perfect = {.yield = 1};

@@ -70,7 +70,7 @@ static void judge(const quantity *q, double *median, double *maximum)
                   q->name, n, *median, *maximum);
 }
 
-/* Root of the mean square of the residuals of the fit made anew. */
+/* Returns the root mean square of the residuals of a new fit. */
 static double refit(quantity *q)
 {
     gsl_multifit_nlinear_parameters how =

@@ -142,7 +142,9 @@ TEST(only_where_it_applies)
 
 /* ------------------------------------------------------------- in time */
 
-/* Does not move, is grown at T = 0.5; or moves through. */
+/* The final state of a stationary growing feature is the steady solution,
+ * except for the third differences of the wedge term along the characteristic,
+ * an error of third order. */
 static void standing(void *data, double T, size_t n, const double *X, double *S)
 {
     double grown = data ? 1 : T < 0.5 ? 2 * T : 1;

@@ -45,7 +45,7 @@ static void take(total *t, const ovr_simulation *sim, const ovr_error *err)
     t->max_defect = fmax(t->max_defect, fabs(s->extreme.energy_defect));
 }
 
-/* One run of 400 steps of two meshes. */
+/* One run of 400 steps of 2 D. */
 static void run(uint64_t *seed, total *t)
 {
     double S;

@@ -17,8 +17,8 @@ static const double loads[] = {1, 2, 3, 5, 10, 20, 50, 100, 300, 1000};
 static const double materials[] = {0, 1, 2.5, 5, 10, 15};
 enum { LOADS = 10, MATERIALS = 6 };
 
-/* H_cen of fourth order with meshes of a twentieth of the inlet's rise, or NAN
- * where that order was not reached. */
+/* Returns H_cen at fourth order with D of a twentieth of the length of the
+ * pressure rise in the inlet, or NAN if this order was not reached. */
 static double film(double M, double L, double X_a, double X_b, double *begun)
 {
     ovr_error err = {0};
@@ -70,7 +70,8 @@ TEST(automatic_domains)
     assert_true(lower <= 2);
 }
 
-/* Losses of less than 2e-5 are left out: meshes do not show them. */
+/* Losses below 2e-5 are not compared, because the discretization error is
+ * larger. */
 TEST(losses)
 {
     double worst = 1;

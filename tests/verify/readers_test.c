@@ -38,7 +38,8 @@ static double now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* One look; false: it failed.  `rows` and `ended` tell what was seen. */
+/* Reads the file once; false: the reader failed. Stores the number of rows and
+ * whether the run has ended. */
 static bool look(const char *path, size_t *rows, bool *ended)
 {
     static double values[MAX];
@@ -62,7 +63,7 @@ static bool look(const char *path, size_t *rows, bool *ended)
     return good;
 }
 
-/* Until the run is over: the file says so, or another one is there. */
+/* Reads until the file reports the end of the run or another file exists. */
 static int read_on(const char *path, const char *over)
 {
     const struct timespec pause = {0, 500000000};
@@ -161,5 +162,5 @@ TEST_IN_FOLDER(readers_and_run_live_together)
     print_message("medians: %.2f s alone; read against beside readers %+.1f "
                   "%%; %d readers failed\n",
                   median(alone), 100 * (ratio - 1), failed);
-    assert_int_equal(failed, 0); /* times are told: they decide nothing */
+    assert_int_equal(failed, 0); /* times are printed and not checked */
 }

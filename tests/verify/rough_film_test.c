@@ -11,7 +11,8 @@
 typedef struct errors {
     double Rq, H_min;        /* largest */
     double low, high;        /* of the ratio of Rq */
-    double thinner, thicker; /* than foreseen, over the smooth film */
+    double thinner, thicker; /* difference from the prediction, relative to the
+                                smooth film thickness */
 } errors;
 
 static void compare(uint64_t seed, double slide, errors *maximum)
@@ -54,7 +55,7 @@ TEST(rolling)
     assert_true(maximum.H_min < 0.12);
 }
 
-/* What is said of sliding. */
+/* Statements about sliding surfaces. */
 TEST(sliding)
 {
     static const double slide[] = {-1, -0.5, 0.5, 1};

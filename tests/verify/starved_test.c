@@ -7,7 +7,7 @@
 #include "support/starved.h"
 #include "support/test.h"
 
-/* Surfaces that touch are no failure of the solver. */
+/* Asperity contact is not a failure of the solver. */
 static void survey(int runs, int level, uint64_t seed, ovr_scheme scheme,
                    int order)
 {

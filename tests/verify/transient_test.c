@@ -93,7 +93,7 @@ static double amplitude_ratio(double M, double L, double wavelength, int level,
     return 2 * hypot(f.cosine, f.sine) / (f.to - f.from) / wave.A;
 }
 
-/* The reference's two ratios, 0.5 %, and what first order makes of them. */
+/* The two ratios of the reference, within 0.5 %, and those at first order. */
 TEST(waviness_of_the_reference)
 {
     const double wavelength[] = {1, 0.5}, ratio[] = {0.6041, 0.8790};
@@ -327,7 +327,7 @@ TEST(schemes_for_their_cost)
                 fprintf(file, "%d %d %g %g\n", s, level, w.sum_cen, seconds);
         }
     end_table(file);
-    /* second order twice over three levels, and first order behind them */
+    /* second order twice on three levels, then first order */
     for (int s = 1; s < 3; s++) {
         assert_true(error[s][8] < error[s][6] / 8);
         assert_true(error[s][7] < error[0][9]);
