@@ -138,6 +138,10 @@ static ovr_status resolve_passes(ovr_resolved *r, ovr_error *err)
     ovr_status status = ovr_resolve_element_passes(r, err);
     if (status || p->number == 1)
         return status;
+    if (ovr_block_is_there(ovr_block_of(r, "strip")))
+        return ovr_fail_slot(err, ovr_slot_of(r, "passes", "number"),
+                             "several passes cannot be combined with a strip; "
+                             "use one pass");
     if (r->values.options.cavitation != OVR_CAVITATION_CONSERVING)
         return ovr_fail_slot(err, ovr_slot_of(r, "passes", "number"),
                              "several passes need [cavitation] model = "

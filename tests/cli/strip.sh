@@ -166,3 +166,9 @@ stress.surface=1 surface: stresses
 END
 refuses 'thickness: a coating cannot be combined with a strip' check dent.ini \
     --set 'coating 1.material=dlc' --set 'coating 1.thickness=2 um'
+
+# A bearing whose passes follow from its drawing.
+expect 0 "$OVERROLL" init bearing -o bearing.ini
+sed -i '/^\[cavitation\]/,/^$/d' bearing.ini
+refuses 'several passes cannot be combined with a strip' check bearing.ini \
+    --set strip.width=2
