@@ -280,6 +280,9 @@ echo "$(number film_Rq_predicted) $(number film_Rq) $(number surface_Rq)" |
     fail "at rest: $(grep '_Rq' out)"
 expect 0 "$OVERROLL" check waves.ini --set contact.slide_to_roll=-2.1
 contains out 'no prediction: .* against the entrainment speed'
+# A steady solution that leaves the wave out is not compared with it.
+expect 0 "$OVERROLL" steady rough.ini
+! grep -q 'film thickness roughness Rq' out || fail 'of waves left out'
 
 # The case that -v prints is the same case: all numbers of the kinds of init, of
 # the materials of bodies and layers, and of an oil of a data sheet.

@@ -65,6 +65,11 @@ Rq = 194 nm
 slope = 0.03
 friction = 0.11
 END
+expect 0 "$OVERROLL" steady touch.ini -q --json \
+    --set 'contact.mean_speed=0.1 mm/s'
+sed -n 's/.*"contact_share_estimate": \([^,]*\).*/\1/p' out |
+    awk '{ exit !($1 > 0.99 && $1 <= 1) }' ||
+    fail "estimated share: $(grep share_est out)"
 expect 0 "$OVERROLL" run touch.ini -o touch.h5 -q --json
 share=$(sed -n 's/.*"contact_share": \([^,]*\).*/\1/p' out)
 expect 0 "$OVERROLL" export touch.h5 --snapshot last --units hertzian \
@@ -91,8 +96,10 @@ grep -q '"C":{"levels"' touch.html || fail 'the page does not mark what touches'
 for speed in 2 4 8; do
     expect 0 "$OVERROLL" check touch.ini --set "contact.mean_speed=$speed m/s"
     # shellcheck disable=SC2046 # two words
-    set -- $(sed -n 's/^#  *mu  *\([0-9.e-]*\) to \([0-9.e-]*\) for.*/\1 \2/p' \
-        out)
+    set -- $(sed -n 's/^#  *predicted friction coefficient  *//; t range
+        d
+        : range
+        s/ to / /; s/ for.*//p' out)
     expect 0 "$OVERROLL" steady touch.ini --json \
         --set "contact.mean_speed=$speed m/s" --set domain.level=6
     mu=$(sed -n 's/.*"mu_slide": \([^,]*\).*/\1/p' out)

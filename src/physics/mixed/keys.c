@@ -392,13 +392,14 @@ static double smooth_film(const ovr_physics_case *of)
 static double share_of(const ovr_asperity_law *law, double H)
 {
     enum { NODES = 200 };
-    double A, slope, sum = 0;
+    double A, slope, sum = 0, load = 0;
     ovr_asperity_law_at(law, H, &A, &slope);
     for (int i = 0; i < NODES; i++) {
-        double X = (i + 0.5) / NODES;
-        sum += fmin(sqrt(1 - X * X), A) / NODES;
+        double X = (i + 0.5) / NODES, P = sqrt(1 - X * X);
+        sum += fmin(P, A);
+        load += P;
     }
-    return sum * 4 / acos(-1.0);
+    return sum / load;
 }
 
 /* Film thickness with flow factor; NAN if Rq is unknown. */
