@@ -119,6 +119,8 @@ static ovr_status lay_out(const ovr_setup *s, double passes, ovr_arena *arena,
     double from = -OVR_ROUGH_WINDOW - LEAD;
     double length = passes + 2 * OVR_ROUGH_WINDOW + 2 * LEAD;
     r->step = fmin(s->mesh, OVR_ROUGH_WINDOW / MIN_IN_WINDOW);
+    /* Fine meshes are sampled more coarsely, so that windows fit. */
+    r->step = fmax(r->step, (4 * LEAD + 8) / MAX);
     if (length > MAX * r->step)
         length = MAX * r->step;
     for (r->n = 64; (double)r->n * r->step < length;)

@@ -8,3 +8,5 @@ need_python csv json
     fail 'errors exceed those expected'
 "$PYTHON" "$TOP/tests/verify/errors.py" "$OVERROLL" 7 3 uncommon ||
     fail 'errors of uncommon features exceed those expected'
+"$PYTHON" "$TOP/tests/verify/errors.py" "$OVERROLL" 61098 2 default ||
+    fail 'errors of cases like those of users exceed what accuracy.md says'

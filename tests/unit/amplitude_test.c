@@ -90,6 +90,22 @@ TEST(a_wave_is_predicted)
 
 /* Runs of waves of 0.3 b in pure rolling: amplitudes of H(T) - H(0) in
  * |X| < 3/4.  Levels 7 and 8. */
+/* On levels that sample the surface more finely than its memory allows: up to
+ * 0.3.0 level 13 predicted a smooth film and level 14 crashed. */
+TEST(the_level_changes_no_prediction)
+{
+    ovr_rough_film film = foresee("", NULL);
+    for (int level = 11; level <= 15; level++) {
+        char set[40];
+        snprintf(set, sizeof set, "domain.level=%d", level);
+        ovr_rough_film finer = foresee("", set);
+        assert_null(finer.why);
+        CHECK_CLOSE(finer.Rq, film.Rq, 0.01);
+        CHECK_CLOSE(finer.film_Rq, film.film_Rq, 0.02);
+        CHECK_CLOSE(finer.H_min, film.H_min, 0.02);
+    }
+}
+
 TEST(beyond_the_range_of_the_fit)
 {
     static const struct {

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Errors of 40 random cases, and 25 with deep dents, textures and short waves,
-# next to the error that `check` expects.
+# Errors of 40 random cases, 25 with deep dents, textures and short waves, and
+# 30 like those of users, next to the error that `check` expects.
 . "$TOP/tests/support/cli.sh"
 need_python csv json
 
@@ -9,3 +9,6 @@ need_python csv json
     fail 'errors exceed those expected'
 "$PYTHON" "$TOP/tests/verify/errors.py" "$OVERROLL" "${SEED:-1}" 25 uncommon ||
     fail 'errors of uncommon features exceed those expected'
+"$PYTHON" "$TOP/tests/verify/errors.py" "$OVERROLL" "${SEED:-61000}" 30 \
+    default ||
+    fail 'errors of cases like those of users exceed what accuracy.md says'

@@ -409,9 +409,9 @@ static ovr_status on_mesh(const ovr_physics_case *of, void *form, double mesh,
             if (f->coat[k][j].thickness < MESH_MIN * mesh)
                 return ovr_fail_about(
                     err, name_of(k, j),
-                    "[coating %s] is %.2g mesh sizes thick, too thin for every "
-                    "level: remove the section, or use a finer domain.level",
-                    name_of(k, j), f->coat[k][j].thickness / mesh);
+                    "[coating %s] is %.2g mesh sizes thick, must be at least "
+                    "%g: use a finer domain.level, or remove the section",
+                    name_of(k, j), f->coat[k][j].thickness / mesh, MESH_MIN);
     return OVR_OK;
 }
 

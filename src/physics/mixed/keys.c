@@ -629,8 +629,8 @@ static void describe_estimate(const ovr_physics_case *of,
     for (int k = 0; k < 3; k++)
         share[k] = share_with(f, H, (ovr_ridges)k);
     snprintf(text, sizeof text,
-             "at most %.2g (smooth film thickness, no trapped lubricant); "
-             "within 8 %% for lambda ratios above 1, too high below",
+             "about %.2g (smooth film thickness, no trapped lubricant); runs "
+             "have 0.7 to 1.7 times this share at lambda ratios below 3",
              share[0]);
     line(data, "predicted asperity load share", text);
     if (isfinite(share[1])) {
