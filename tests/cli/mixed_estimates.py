@@ -50,12 +50,12 @@ def numbers(program, text):
                           capture_output=True, text=True).stdout
     run = subprocess.run([program, "run", "mixed.ini", "--json"],
                          capture_output=True, text=True)
-    ratio = float(re.search(r"#   lambda +([\d.]+):", said)[1])
+    ratio = float(re.search(r"#   lambda ratio +([\d.]+):", said)[1])
     if run.returncode or not 0.1 < ratio < 8:
         return None
     made = json.loads(run.stdout)
-    low, high = map(float, re.search(r"mu +([\d.e-]+) to ([\d.e-]+) for",
-                                     said).groups())
+    low, high = map(float, re.search(
+        r"friction coefficient +([\d.e-]+) to ([\d.e-]+) for", said).groups())
     mu, share = abs(made["mu_slide"]), made["contact_share"]
     outside = max(low / mu - 1, 1 - high / mu)
     return ratio, share / made["contact_share_estimate"], outside, \
