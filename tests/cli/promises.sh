@@ -19,7 +19,8 @@ refuses '186.ini:2: .*190' check 186.ini
 
 # Materials by name have the moduli and ratios of overroll-case(5), which it
 # has in GPa: E' = E/(1 - nu^2) of two equal bodies.
-materials=$(sed -n '/^Materials by name.*nu):/,/^\.EE/p' "$page" | sed 's/\\-/-/g' |
+materials=$(sed -n '/^Materials by name.*nu):/,/^\.EE/p' "$page" |
+    sed 's/\\-/-/g' |
     awk '$2 ~ /^[0-9]+$/ && $3 ~ /^0\.[0-9]+$/ { print $1, $2, $3 }')
 [ "$(echo "$materials" | wc -l)" -ge 6 ] || fail "materials: $materials"
 echo "$materials" | while read -r name E nu; do
@@ -134,7 +135,7 @@ expect 0 "$OVERROLL" profile usual.csv
 ! grep unusual out || fail 'what is usual is questioned'
 
 # Confidence intervals of the 10, 5 and 1 % quantiles are closed from 36, 72 and
-# 368 samples on; shares of the variance have one digit from 50 and two from 200.
+# 368 samples on.  Shares of the variance have a digit from 50 and two from 200.
 cat >disc.ini <<'END'
 [contact]
 load = 100 kN/m
