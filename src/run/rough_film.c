@@ -119,7 +119,7 @@ static ovr_status lay_out(const ovr_setup *s, double passes, ovr_arena *arena,
     double from = -OVR_ROUGH_WINDOW - LEAD;
     double length = passes + 2 * OVR_ROUGH_WINDOW + 2 * LEAD;
     r->step = fmin(s->mesh, OVR_ROUGH_WINDOW / MIN_IN_WINDOW);
-    /* Fine meshes are sampled more coarsely, so that windows fit. */
+    /* On fine grids every few nodes are sampled, so that windows fit. */
     r->step = fmax(r->step, (4 * LEAD + 8) / MAX);
     if (length > MAX * r->step)
         length = MAX * r->step;
