@@ -32,7 +32,14 @@ missing() {
 }
 
 count=$(names "$list" | grep -cE "^($folders)/")
-[ "$count" -ge 60 ] || fail "proofs.md names $count tests"
+[ "$count" -ge 170 ] || fail "proofs.md names $count tests"
+
+# Each page of the manual has its table.
+for page in "$TOP"/src/*/overroll*.[0-9]; do
+    name=$(basename "$page")
+    grep -q "^###.* *${name%.*}(${name##*.})" "$list" ||
+        fail "proofs.md has no table of ${name%.*}(${name##*.})"
+done
 missing "$list" >gone
 [ ! -s gone ] || fail "proofs.md names what is not there: $(cat gone)"
 

@@ -86,6 +86,18 @@ TEST(nothing_is_allocated_after_set_up)
     }
 }
 
+/* Bytes per node in overroll-theory(7), COST. */
+static void is_as_stated(int level, double bytes)
+{
+    static const struct {
+        int level;
+        double bytes;
+    } stated[] = {{8, 954}, {10, 653}, {14, 504}};
+    for (size_t k = 0; k < sizeof stated / sizeof *stated; k++)
+        if (level == stated[k].level)
+            CHECK_CLOSE(bytes, stated[k].bytes, 0.01);
+}
+
 /* All levels and the past of a run together, as the allocator sees it; what
  * small grids take besides is the dense matrix and some pages.  Four work
  * arrays of the time loop are 32 bytes a node of it. */
@@ -113,6 +125,8 @@ TEST(a_node_takes_less_than_a_kilobyte)
             assert_true(faults.bytes / n <
                         (level < 10 ? kinds[k].limit : kinds[k].finer));
             assert_true(announced == faults.bytes);
+            if (kinds[k].scheme == OVR_CHARACTERISTIC)
+                is_as_stated(level, faults.bytes / n);
             ovr_simulation_free(sim);
         }
 }
@@ -143,6 +157,8 @@ TEST(heat_is_announced)
         print_message("%d points: %.0f bytes a node\n", points,
                       announced / (double)ovr_simulation_state(sim)->n);
         assert_true(announced == faults.bytes - before);
+        CHECK_CLOSE(announced / (double)ovr_simulation_state(sim)->n,
+                    points == 5 ? 1500 : 1700, 0.02);
         ovr_simulation_free(sim);
     }
 }
